@@ -1,0 +1,83 @@
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// The contents of a net file as plain data, member by member as docs/format.md defines them.
+///
+/// A document is only what a file says; nothing here is proved. `check` (check.h) says whether it holds.
+namespace epsnet::certify {
+
+/// A point x + iy of the Poincaré disk with rational coordinates.
+struct RationalPoint {
+  mpq_class x;
+  mpq_class y;
+  bool operator==(const RationalPoint&) const = default;
+};
+
+/// A strictly convex polygon, vertices counterclockwise; side k goes from vertex k to vertex k + 1.
+using Tile = std::vector<RationalPoint>;
+
+/// Side `side` of tile `tile` is glued to side `other_side` of tile `other_tile`.
+struct Gluing {
+  std::uint32_t tile;
+  std::uint32_t side;
+  std::uint32_t other_tile;
+  std::uint32_t other_side;
+  bool operator==(const Gluing&) const = default;
+};
+
+struct Surface {
+  std::vector<Tile> tiles;
+  std::vector<Gluing> gluing;
+  bool operator==(const Surface&) const = default;
+};
+
+/// The disk of a tile with the origin moved to `centre`: z ↦ (z + c)/(1 + c̄z) leads to the tile's coordinates.
+struct Chart {
+  std::uint32_t tile;
+  RationalPoint centre;
+  bool operator==(const Chart&) const = default;
+};
+
+/// The isometry of a word from the coordinates of chart `from` to those of chart `to`.
+struct Label {
+  std::uint32_t from;
+  std::uint32_t to;
+  std::vector<std::uint32_t> word;
+  bool operator==(const Label&) const = default;
+};
+
+/// The point of the surface with the coordinate x + iy in a chart.
+struct Vertex {
+  double x;
+  double y;
+  std::uint32_t chart;
+  bool operator==(const Vertex&) const = default;
+};
+
+/// Corners counterclockwise in the chart of vertex[0]; opposite[i] is the dart 3t' + j across dart 3t + i;
+/// label[i − 1] is the label number of corner i, 0 for the identity.
+struct Triangle {
+  std::array<std::uint32_t, 3> vertex;
+  std::array<std::uint32_t, 3> opposite;
+  std::array<std::uint32_t, 2> label;
+  bool operator==(const Triangle&) const = default;
+};
+
+/// A net file. Label number k ≥ 1 is labels[k − 1].
+struct Document {
+  Surface surface;
+  std::string epsilon;  ///< A decimal or a rational, exactly as written.
+  std::vector<Chart> charts;
+  std::vector<Label> labels;
+  std::vector<Vertex> vertices;
+  std::vector<Triangle> triangles;
+  bool operator==(const Document&) const = default;
+};
+
+}  // namespace epsnet::certify
