@@ -1,0 +1,59 @@
+# The libraries epsnet is linked with, found in the same way by its own build and by find_package(epsnet):
+#   GMP::GMP, GMP::GMPXX, MPFR::MPFR, FLINT::FLINT (FLINT with Arb: two libraries before FLINT 3), simdjson::simdjson,
+#   Threads::Threads, and the Boost headers as Boost::headers.
+# Sets epsnet_missing to what is not there.
+
+set(epsnet_missing "")
+
+# Makes the imported target from the first header and all libraries named; target names among them are linked too.
+macro(epsnet_import target header)
+  if(NOT TARGET ${target})
+    string(MAKE_C_IDENTIFIER EPSNET_INCLUDE_${header} include)
+    find_path(${include} ${header})
+    mark_as_advanced(${include})
+    set(epsnet_import_found "${${include}}")
+    set(epsnet_import_libraries "")
+    foreach(library ${ARGN})
+      if(library MATCHES "::")
+        list(APPEND epsnet_import_libraries ${library})
+      else()
+        find_library(EPSNET_LIBRARY_${library} ${library})
+        mark_as_advanced(EPSNET_LIBRARY_${library})
+        list(APPEND epsnet_import_libraries "${EPSNET_LIBRARY_${library}}")
+        if(NOT EPSNET_LIBRARY_${library})
+          set(epsnet_import_found FALSE)
+        endif()
+      endif()
+    endforeach()
+    if(epsnet_import_found)
+      add_library(${target} INTERFACE IMPORTED)
+      set_target_properties(${target} PROPERTIES
+        INTERFACE_INCLUDE_DIRECTORIES "${${include}}"
+        INTERFACE_LINK_LIBRARIES "${epsnet_import_libraries}")
+    else()
+      list(APPEND epsnet_missing ${target})
+    endif()
+  endif()
+endmacro()
+
+epsnet_import(GMP::GMP gmp.h gmp)
+epsnet_import(GMP::GMPXX gmpxx.h gmpxx GMP::GMP)
+epsnet_import(MPFR::MPFR mpfr.h mpfr GMP::GMP)
+find_path(EPSNET_INCLUDE_flint_arb_h flint/arb.h)
+mark_as_advanced(EPSNET_INCLUDE_flint_arb_h)
+if(EPSNET_INCLUDE_flint_arb_h)
+  epsnet_import(FLINT::FLINT flint/arb.h flint MPFR::MPFR)
+else()
+  epsnet_import(FLINT::FLINT arb.h flint-arb flint MPFR::MPFR)
+endif()
+
+foreach(package Threads simdjson)
+  find_package(${package} QUIET)
+  if(NOT ${package}_FOUND)
+    list(APPEND epsnet_missing ${package})
+  endif()
+endforeach()
+find_package(Boost QUIET)
+if(NOT TARGET Boost::headers)
+  list(APPEND epsnet_missing Boost)
+endif()
