@@ -17,6 +17,8 @@ inline double multiplier() {
 }
 
 /// `count` random cases scaled by `multiplier`, at least one.
-inline int scaled(int count) { return static_cast<int>(std::fmin(1e9, std::fmax(1, std::round(count * multiplier())))); }
+inline int scaled(int count) {
+  return static_cast<int>(std::fmin(1e9, std::fmax(1, std::round(count * multiplier()))));
+}
 
 }  // namespace epsnet::test

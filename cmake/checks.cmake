@@ -1,0 +1,12 @@
+# Targets that look at the sources: format, format-check (clang-format) and tidy (clang-tidy over compile_commands.json).
+set(folders certify kernel triangulation netgen tests fuzz benchmarks)
+list(TRANSFORM folders PREPEND ${CMAKE_SOURCE_DIR}/)
+list(TRANSFORM folders APPEND /*.h OUTPUT_VARIABLE headers)
+list(TRANSFORM folders APPEND /*.cpp OUTPUT_VARIABLE sources)
+file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${headers} ${sources})
+
+add_custom_target(format COMMAND clang-format -i ${sources} VERBATIM)
+add_custom_target(format-check COMMAND clang-format --dry-run -Werror ${sources} VERBATIM)
+
+cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
+add_custom_target(tidy COMMAND run-clang-tidy -quiet -p ${CMAKE_BINARY_DIR} -j ${cores} VERBATIM)
