@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
-#include <stdlib.h>
-
+#include <cstdlib>
 #include <string>
 
 #include "support/scale.h"
