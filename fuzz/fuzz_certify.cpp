@@ -1,0 +1,207 @@
+#include <epsnet/certify/check.h>
+#include <epsnet/certify/reader.h>
+#include <epsnet/certify/writer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
+
+namespace {
+
+using namespace epsnet::certify;
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+std::string to_text(const Document& document) {
+  std::ostringstream out;
+  write_net(document, out);
+  return out.str();
+}
+
+/// The random choices of one mutation.
+class Chooser {
+ public:
+  explicit Chooser(unsigned seed) : engine_(seed) {}
+
+  std::uint32_t below(std::size_t bound) {
+    return static_cast<std::uint32_t>(engine_() % std::max<std::size_t>(bound, 1));
+  }
+
+  template <class Element>
+  Element& of(std::vector<Element>& elements) {
+    return elements[below(elements.size())];
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+/// A neighbour among the doubles, a small or a large displacement, or another sign.
+void mutate_number(double& x, Chooser& choose) {
+  switch (choose.below(5)) {
+    case 0:
+      x = std::nextafter(x, 2);
+      break;
+    case 1:
+      x = std::nextafter(x, -2);
+      break;
+    case 2:
+      x += std::ldexp(1, -1 - static_cast<int>(choose.below(60)));
+      break;
+    case 3:
+      x -= std::ldexp(1, -1 - static_cast<int>(choose.below(60)));
+      break;
+    default:
+      x = -x;
+  }
+}
+
+void mutate_number(mpq_class& x, Chooser& choose) {
+  const mpq_class step(1, mpz_class(1) << choose.below(80));
+  switch (choose.below(4)) {
+    case 0:
+      x += step;
+      break;
+    case 1:
+      x -= step;
+      break;
+    case 2:
+      x = -x;
+      break;
+    default:
+      x = mpq_class(mpz_class(x.get_num() / 3), x.get_den());
+      x.canonicalize();
+  }
+}
+
+template <class Point>
+void mutate_point(Point& point, Chooser& choose) {
+  mutate_number(choose.below(2) == 0 ? point.x : point.y, choose);
+}
+
+void mutate_word(std::vector<std::uint32_t>& word, std::size_t sides, Chooser& choose) {
+  const auto at = word.begin() + choose.below(word.size() + 1);
+  if (at == word.end() || choose.below(3) == 0) {
+    word.insert(at, choose.below(sides));
+  } else if (choose.below(2) == 0) {
+    word.erase(at);
+  } else {
+    *at = choose.below(sides);
+  }
+}
+
+void mutate_triangle(Triangle& triangle, const Document& document, Chooser& choose) {
+  const std::uint32_t i = choose.below(3);
+  switch (choose.below(4)) {
+    case 0:
+      triangle.vertex[i] = choose.below(document.vertices.size());
+      break;
+    case 1:
+      triangle.opposite[i] = choose.below(3 * document.triangles.size());
+      break;
+    case 2:
+      triangle.label[i % 2] = choose.below(document.labels.size() + 1);
+      break;
+    default:
+      std::swap(triangle.vertex[i], triangle.vertex[(i + 1) % 3]);
+  }
+}
+
+/// One change of a kind that leaves a net file, though usually no net.
+void mutate(Document& document, Chooser& choose) {
+  std::size_t sides = 0;
+  for (const Tile& tile : document.surface.tiles) sides += tile.size();
+  switch (choose.below(9)) {
+    case 0:
+      mutate_point(choose.of(document.vertices), choose);
+      break;
+    case 1:
+      mutate_triangle(choose.of(document.triangles), document, choose);
+      break;
+    case 2:
+      mutate_point(choose.of(choose.of(document.surface.tiles)), choose);
+      break;
+    case 3:
+      mutate_point(choose.of(document.charts).centre, choose);
+      break;
+    case 4:
+      if (!document.labels.empty()) mutate_word(choose.of(document.labels).word, sides, choose);
+      break;
+    case 5:
+      document.epsilon = std::to_string(1 + choose.below(1000)) + "e-" + std::to_string(1 + choose.below(3));
+      break;
+    case 6: {
+      Gluing& one = choose.of(document.surface.gluing);
+      Gluing& other = choose.of(document.surface.gluing);
+      std::swap(one.other_tile, other.other_tile);
+      std::swap(one.other_side, other.other_side);
+      break;
+    }
+    case 7:
+      std::swap(choose.of(document.triangles), choose.of(document.triangles));
+      break;
+    default:
+      std::swap(choose.of(document.vertices), choose.of(document.vertices));
+  }
+}
+
+/// Facts about every ε-net that are checked here in another way, without geometry of single triangles.
+void require_plausible(const Document& document, const Certificate& certificate) {
+  const std::size_t vertices = document.vertices.size();
+  const std::size_t triangles = document.triangles.size();
+  require(certificate.message.empty() && certificate.rules.size() == 7 && certificate.enclosures.has_value());
+  require(certificate.counts.vertices == vertices && certificate.counts.triangles == triangles);
+  const auto genus = static_cast<double>(certificate.counts.genus);
+  require(genus >= 2 && triangles == 2 * vertices + 4 * certificate.counts.genus - 4);
+  // Disks of radius ε around the vertices cover the area: V · 4π sinh²(ε/2) >= 4π (g − 1), with room for rounding.
+  const double sinh_half = std::sinh(certificate.enclosures->epsilon.upper / 2);
+  require(static_cast<double>(vertices) * sinh_half * sinh_half >= (genus - 1) * (1 - 1e-9));
+}
+
+}  // namespace
+
+/// Any bytes end in a verdict, the same for any number of threads, and nothing implausible is verified.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Document document;
+  try {
+    document = parse_net({reinterpret_cast<const char*>(data), size}, "input");
+  } catch (const MalformedError&) {
+    return 0;
+  }
+  CheckOptions options{.threads = 1, .max_precision = 512, .progress = {}};
+  const Certificate certificate = check(document, options);
+  if (certificate.verdict == Verdict::verified) require_plausible(document, certificate);
+  options.threads = 3;
+  const Certificate again = check(document, options);
+  require(again.verdict == certificate.verdict && again.message == certificate.message);
+  return 0;
+}
+
+/// Changes single numbers, indices, words and pairings of a net file; bytes that are no net file as libFuzzer does.
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
+                                               unsigned int seed) {
+  Chooser choose(seed);
+  if (choose.below(50) == 0) return LLVMFuzzerMutate(data, size, max_size);
+  try {
+    Document document = parse_net({reinterpret_cast<const char*>(data), size}, "input");
+    if (document.vertices.empty() || document.triangles.empty()) return LLVMFuzzerMutate(data, size, max_size);
+    for (unsigned changes = 1 + choose.below(2); changes > 0; --changes) mutate(document, choose);
+    const std::string text = to_text(document);
+    if (text.size() > max_size) return LLVMFuzzerMutate(data, size, max_size);
+    std::memcpy(data, text.data(), text.size());
+    return text.size();
+  } catch (const MalformedError&) {
+    return LLVMFuzzerMutate(data, size, max_size);
+  }
+}
