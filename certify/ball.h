@@ -1,0 +1,142 @@
+#pragma once
+
+#if __has_include(<flint/arb.h>)
+#include <flint/acb.h>
+#include <flint/arb.h>
+#else
+#include <acb.h>
+#include <arb.h>
+#endif
+#include <gmpxx.h>
+
+#include <cmath>
+#include <limits>
+
+/// Owners of Arb's real and complex balls, and comparisons that cannot be misread.
+///
+/// The inclusion principle: a function of balls returns a ball that contains the value of the function at every choice
+/// of points in the arguments. Working precision is always said, in bits. Objects passed twice mean the same number
+/// twice. Enclosing is Arb's business; this header only owns memory and asks the right questions.
+namespace epsnet::certify {
+
+/// An answer about balls. There is no conversion to bool: `unknown` is not `no`.
+enum class Tri { no, yes, unknown };
+
+class Ball {
+ public:
+  Ball() { arb_init(value_); }
+  Ball(const Ball& other) {
+    arb_init(value_);
+    arb_set(value_, other.value_);
+  }
+  Ball(Ball&& other) noexcept {
+    arb_init(value_);
+    arb_swap(value_, other.value_);
+  }
+  Ball& operator=(const Ball& other) {
+    arb_set(value_, other.value_);
+    return *this;
+  }
+  Ball& operator=(Ball&& other) noexcept {
+    arb_swap(value_, other.value_);
+    return *this;
+  }
+  ~Ball() { arb_clear(value_); }
+
+  [[nodiscard]] arb_ptr get() { return value_; }
+  [[nodiscard]] arb_srcptr get() const { return value_; }
+
+ private:
+  arb_t value_;
+};
+
+class ComplexBall {
+ public:
+  ComplexBall() { acb_init(value_); }
+  ComplexBall(const ComplexBall& other) {
+    acb_init(value_);
+    acb_set(value_, other.value_);
+  }
+  ComplexBall(ComplexBall&& other) noexcept {
+    acb_init(value_);
+    acb_swap(value_, other.value_);
+  }
+  ComplexBall& operator=(const ComplexBall& other) {
+    acb_set(value_, other.value_);
+    return *this;
+  }
+  ComplexBall& operator=(ComplexBall&& other) noexcept {
+    acb_swap(value_, other.value_);
+    return *this;
+  }
+  ~ComplexBall() { acb_clear(value_); }
+
+  [[nodiscard]] acb_ptr get() { return value_; }
+  [[nodiscard]] acb_srcptr get() const { return value_; }
+  [[nodiscard]] arb_ptr re() { return acb_realref(value_); }
+  [[nodiscard]] arb_srcptr re() const { return acb_realref(value_); }
+  [[nodiscard]] arb_ptr im() { return acb_imagref(value_); }
+  [[nodiscard]] arb_srcptr im() const { return acb_imagref(value_); }
+
+ private:
+  acb_t value_;
+};
+
+/// x < y: `yes` and `no` hold for every choice of points in the balls. Not finite (NaN above all) is `unknown`.
+[[nodiscard]] inline Tri certainly_less(arb_srcptr x, arb_srcptr y) {
+  if (!arb_is_finite(x) || !arb_is_finite(y)) return Tri::unknown;
+  if (arb_lt(x, y)) return Tri::yes;
+  return arb_ge(x, y) ? Tri::no : Tri::unknown;
+}
+
+/// x > 0.
+[[nodiscard]] inline Tri certainly_positive(arb_srcptr x) {
+  if (!arb_is_finite(x)) return Tri::unknown;
+  if (arb_is_positive(x)) return Tri::yes;
+  return arb_is_nonpositive(x) ? Tri::no : Tri::unknown;
+}
+
+/// The integer, rounded to `precision` bits with a radius that covers the rounding.
+inline void set_integer(arb_ptr result, const mpz_class& value, slong precision) {
+  fmpz_t integer;
+  fmpz_init(integer);
+  fmpz_set_mpz(integer, value.get_mpz_t());
+  arb_set_round_fmpz(result, integer, precision);
+  fmpz_clear(integer);
+}
+
+/// The rational number, as a ball of about `precision` bits.
+inline void set_rational(arb_ptr result, const mpq_class& value, slong precision) {
+  Ball denominator;
+  set_integer(result, value.get_num(), precision);
+  set_integer(denominator.get(), value.get_den(), precision);
+  arb_div(result, result, denominator.get(), precision);
+}
+
+/// A closed interval with binary64 ends.
+struct Interval {
+  double lower;
+  double upper;
+};
+
+/// The next binary64 below (above) x.
+[[nodiscard]] inline double below(double x) { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
+[[nodiscard]] inline double above(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
+
+/// An interval that contains the ball; everything if the ball is not finite.
+///
+/// Each end is rounded outward by Arb (arf_get_d with a direction), so the result holds even for ends that overflow.
+[[nodiscard]] inline Interval outer_interval(arb_srcptr x) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (!arb_is_finite(x)) return {-kInfinity, kInfinity};
+  arf_t end;
+  arf_init(end);
+  arb_get_lbound_arf(end, x, 64);
+  const double lower = arf_get_d(end, ARF_RND_FLOOR);
+  arb_get_ubound_arf(end, x, 64);
+  const double upper = arf_get_d(end, ARF_RND_CEIL);
+  arf_clear(end);
+  return {lower, upper};
+}
+
+}  // namespace epsnet::certify

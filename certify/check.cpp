@@ -1,0 +1,119 @@
+#include <epsnet/certify/check.h>
+#include <epsnet/certify/geometry_check.h>
+#include <epsnet/certify/gluing_check.h>
+#include <epsnet/certify/map_check.h>
+#include <epsnet/certify/structure_check.h>
+#include <epsnet/certify/surface_check.h>
+
+#include <algorithm>
+#include <thread>
+
+namespace epsnet::certify {
+namespace {
+
+constexpr long kLeastPrecision = 64;
+constexpr long kGreatestPrecision = 1L << 20;
+
+/// Writes the final verdict from the rules: the first refuted one, else the first undecided one, else verified.
+Certificate conclude(Certificate certificate) {
+  for (const Verdict wanted : {Verdict::refuted, Verdict::undecided}) {
+    for (const RuleReport& report : certificate.rules) {
+      if (report.verdict != wanted) continue;
+      certificate.verdict = wanted;
+      certificate.rule = report.rule;
+      certificate.message = report.text;
+      return certificate;
+    }
+  }
+  // Nothing is verified unless all seven rules were evaluated and every one of them was.
+  const bool all = certificate.rules.size() == 7 &&
+                   std::all_of(certificate.rules.begin(), certificate.rules.end(),
+                               [](const RuleReport& report) { return report.verdict == Verdict::verified; });
+  certificate.verdict = all ? Verdict::verified : Verdict::undecided;
+  return certificate;
+}
+
+/// 4π(g − 1).
+Interval area_of(std::uint64_t genus) {
+  Ball area;
+  arb_const_pi(area.get(), 128);
+  arb_mul_ui(area.get(), area.get(), 4 * (genus - 1), 128);
+  return outer_interval(area.get());
+}
+
+}  // namespace
+
+std::string_view name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::verified:
+      return "VERIFIED";
+    case Verdict::refuted:
+      return "REFUTED";
+    case Verdict::undecided:
+      return "UNDECIDED";
+    case Verdict::malformed:
+      break;
+  }
+  return "MALFORMED";
+}
+
+Certificate check(const Document& document, const CheckOptions& options) {
+  Certificate certificate;
+  certificate.counts.vertices = document.vertices.size();
+  certificate.counts.triangles = document.triangles.size();
+  certificate.counts.edges = 3 * document.triangles.size() / 2;
+  certificate.counts.tiles = document.surface.tiles.size();
+  certificate.counts.charts = document.charts.size();
+  certificate.counts.labels = document.labels.size();
+  const unsigned threads = options.threads != 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1U);
+  CheckOptions bounded = options;
+  bounded.max_precision = std::clamp(options.max_precision, kLeastPrecision, kGreatestPrecision);
+  const auto progress = [&](std::string_view rule) {
+    if (options.progress) options.progress(rule, 0);
+  };
+
+  progress("structure");
+  if (const auto problem = structure_problem(document)) {
+    certificate.verdict = Verdict::malformed;
+    certificate.rule = "structure";
+    certificate.message = *problem;
+    return certificate;
+  }
+
+  progress("surface");
+  SurfaceOutcome surface = check_surface(document.surface);
+  certificate.rules.push_back(surface.report);
+  if (surface.report.verdict != Verdict::verified) return conclude(std::move(certificate));
+  certificate.counts.genus = surface.genus;
+
+  progress("map");
+  certificate.rules.push_back(check_map(document, surface.genus));
+  if (certificate.rules.back().verdict != Verdict::verified) return conclude(std::move(certificate));
+
+  progress("gluing");
+  ExactParts parts{std::move(surface.crossings), {}};
+  parts.frames.reserve(document.charts.size());
+  for (const Chart& chart : document.charts) parts.frames.push_back(translation_to(exact_point(chart.centre)));
+  const LabelEvaluator evaluator(document, parts);
+  const GluingOutcome gluing = check_gluing(document, evaluator, parts, bounded.max_precision, threads);
+  certificate.rules.push_back(gluing.report);
+  certificate.counts.label_identities = gluing.identities;
+  certificate.counts.max_precision_used = gluing.max_precision;
+  if (gluing.report.verdict == Verdict::refuted) return conclude(std::move(certificate));
+
+  // An undecided gluing leaves the triangles what they are: their own rules can still be refuted.
+  const GeometryOutcome geometry = check_geometry(document, evaluator, bounded, threads);
+  certificate.rules.insert(certificate.rules.end(), geometry.reports.begin(), geometry.reports.end());
+  certificate.counts.exact_ties = geometry.exact_ties;
+  certificate.counts.triangles_beyond_64_bits = geometry.triangles_beyond_64_bits;
+  certificate.counts.max_precision_used = std::max(certificate.counts.max_precision_used, geometry.max_precision);
+  certificate.enclosures = Enclosures{.epsilon = geometry.epsilon,
+                                      .area = area_of(surface.genus),
+                                      .largest_circumradius = geometry.largest_circumradius,
+                                      .longest_edge = geometry.longest_edge,
+                                      .shortest_edge = geometry.shortest_edge,
+                                      .shortest_loop = geometry.shortest_loop};
+  return conclude(std::move(certificate));
+}
+
+}  // namespace epsnet::certify

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <epsnet/certify/ball.h>
+#include <epsnet/certify/document.h>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The checker: decides whether a document proves what it claims (docs/proof.md).
+namespace epsnet::certify {
+
+/// `refuted`: a rule is proved not to hold. `undecided`: neither proved nor refuted within the precision allowed.
+/// `malformed`: not a net at all. Only `verified` is success.
+enum class Verdict { verified, refuted, undecided, malformed };
+
+/// "VERIFIED", "REFUTED", "UNDECIDED", "MALFORMED".
+[[nodiscard]] std::string_view name(Verdict verdict);
+
+struct CheckOptions {
+  unsigned threads = 0;       ///< 0: as many as the machine has cores. The result is the same for any number.
+  long max_precision = 8192;  ///< Bits; beyond, a comparison is undecided. At least 64, at most 2²⁰.
+  /// Called now and then, from the calling thread only, with a rule's name and the share done, 0 to 1.
+  std::function<void(std::string_view, double)> progress;
+};
+
+/// What one rule says about the document.
+struct RuleReport {
+  std::string rule;
+  Verdict verdict = Verdict::undecided;
+  std::string text;  ///< What was proved, or the first element in file order that fails, with its numbers. One line.
+};
+
+struct Counts {
+  std::uint64_t vertices = 0;
+  std::uint64_t edges = 0;
+  std::uint64_t triangles = 0;
+  std::uint64_t genus = 0;
+  std::uint64_t tiles = 0;
+  std::uint64_t charts = 0;
+  std::uint64_t labels = 0;
+  std::uint64_t label_identities = 0;  ///< Different group equations that rule `gluing` had to decide.
+  std::uint64_t exact_ties = 0;        ///< Edges whose four corners are exactly cocircular.
+  std::uint64_t triangles_beyond_64_bits = 0;
+  std::uint64_t max_precision_used = 0;  ///< Bits, largest of the rules gluing to packing.
+};
+
+/// Intervals that contain the true values, ends rounded outward; lengths are hyperbolic.
+struct Enclosures {
+  Interval epsilon{};
+  Interval area{};
+  Interval largest_circumradius{};
+  Interval longest_edge{};
+  std::optional<Interval> shortest_edge;  ///< Between different vertices; absent in a net of one vertex.
+  std::optional<Interval> shortest_loop;  ///< Absent where no edge is a loop.
+};
+
+/// The answer to `check`. There is no conversion to bool: compare `verdict`.
+struct Certificate {
+  Verdict verdict = Verdict::undecided;
+  std::string rule;     ///< The rule that decided a verdict other than `verified`; "structure" if malformed.
+  std::string message;  ///< That rule's text; empty if verified.
+  /// The rules that were evaluated, in the order surface, map, gluing, orientation, delaunay, covering, packing. A rule
+  /// that needs an earlier one which failed is not evaluated.
+  std::vector<RuleReport> rules;
+  Counts counts;
+  std::optional<Enclosures> enclosures;  ///< Present if the geometry was evaluated.
+};
+
+/// Checks everything. A document of whatever content gives a certificate; exceptions mean that the machine failed
+/// (std::bad_alloc, std::system_error).
+///
+/// The verdict: malformed if the structure is broken; else refuted if any evaluated rule is, and the first such rule is
+/// named; else undecided if any is; else verified. O(n log n) time, n the size of the document, at fixed precision.
+[[nodiscard]] Certificate check(const Document& document, const CheckOptions& options = {});
+
+}  // namespace epsnet::certify

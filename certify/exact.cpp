@@ -1,0 +1,125 @@
+#include <epsnet/certify/exact.h>
+
+namespace epsnet::certify {
+
+Gaussian operator+(const Gaussian& x, const Gaussian& y) { return {x.re + y.re, x.im + y.im}; }
+Gaussian operator-(const Gaussian& x, const Gaussian& y) { return {x.re - y.re, x.im - y.im}; }
+Gaussian operator*(const Gaussian& x, const Gaussian& y) {
+  return {x.re * y.re - x.im * y.im, x.re * y.im + x.im * y.re};
+}
+Gaussian operator*(const mpz_class& x, const Gaussian& y) { return {x * y.re, x * y.im}; }
+Gaussian conjugate(const Gaussian& x) { return {x.re, -x.im}; }
+mpz_class norm(const Gaussian& x) { return x.re * x.re + x.im * x.im; }
+
+ExactPoint exact_point(const RationalPoint& point) {
+  mpz_class m;
+  mpz_lcm(m.get_mpz_t(), point.x.get_den().get_mpz_t(), point.y.get_den().get_mpz_t());
+  const mpz_class x = point.x.get_num() * (m / point.x.get_den());
+  const mpz_class y = point.y.get_num() * (m / point.y.get_den());
+  return {{x, y}, m};
+}
+
+ExactPoint exact_point(double x, double y) { return exact_point(RationalPoint{mpq_class(x), mpq_class(y)}); }
+
+mpz_class gap(const ExactPoint& point) { return point.m * point.m - norm(point.n); }
+
+ExactIsometry compose(const ExactIsometry& f, const ExactIsometry& g) {
+  return {f.a * g.a + f.b * conjugate(g.b), f.a * g.b + f.b * conjugate(g.a)};
+}
+
+ExactIsometry inverse(const ExactIsometry& f) { return {conjugate(f.a), Gaussian{} - f.b}; }
+
+ExactIsometry translation_to(const ExactPoint& c) { return {{c.m, 0}, c.n}; }
+
+ExactIsometry compose_path(std::span<const ExactIsometry* const> fs) {
+  if (fs.empty()) return {};
+  if (fs.size() == 1) return *fs.front();
+  const std::size_t half = fs.size() / 2;
+  return compose(compose_path(fs.subspan(half)), compose_path(fs.first(half)));
+}
+
+void reduce(ExactIsometry& f) {
+  const mpz_class divisor = gcd(gcd(f.a.re, f.a.im), gcd(f.b.re, f.b.im));
+  for (mpz_class* number : {&f.a.re, &f.a.im, &f.b.re, &f.b.im}) {
+    mpz_divexact(number->get_mpz_t(), number->get_mpz_t(), divisor.get_mpz_t());
+  }
+}
+
+bool is_identity(const ExactIsometry& f) { return f.b.re == 0 && f.b.im == 0 && f.a.im == 0; }
+
+mpz_class determinant(const ExactIsometry& f) { return norm(f.a) - norm(f.b); }
+
+std::size_t bits(const ExactIsometry& f) {
+  std::size_t sum = 0;
+  for (const mpz_class* number : {&f.a.re, &f.a.im, &f.b.re, &f.b.im}) {
+    sum += mpz_sizeinbase(number->get_mpz_t(), 2);
+  }
+  return sum;
+}
+
+ExactIsometry crossing(const ExactPoint& p, const ExactPoint& q, const ExactPoint& p_other, const ExactPoint& q_other) {
+  // Take p to 0 and q to w = n/d; take q' to 0 and p' to w' = n'/d'. Equal lengths mean |w| = |w'|, so w' = u w, |u| =
+  // 1, and the crossing is: p to 0, turn by u, 0 to q'.
+  const Gaussian n = p.m * q.n - q.m * p.n;
+  const Gaussian d = Gaussian{p.m * q.m, 0} - conjugate(p.n) * q.n;
+  const Gaussian n_other = q_other.m * p_other.n - p_other.m * q_other.n;
+  const Gaussian d_other = Gaussian{p_other.m * q_other.m, 0} - conjugate(q_other.n) * p_other.n;
+  // The turn as a matrix diag(a, ā) with a/ā = u. With k = |n d'|² = |n' d|², c = k u is in Z[i]. Then a = k + c will
+  // do, and so will a = i(k − c); the one that is not small cannot vanish.
+  const Gaussian divisor = n * d_other;
+  const mpz_class k = norm(divisor);
+  const Gaussian c = n_other * d * conjugate(divisor);
+  ExactIsometry turn;
+  turn.a = c.re >= 0 ? Gaussian{k, 0} + c : Gaussian{0, 1} * (Gaussian{k, 0} - c);
+  reduce(turn);
+  ExactIsometry result = compose(compose(translation_to(q_other), turn), inverse(translation_to(p)));
+  reduce(result);
+  return result;
+}
+
+MovedPoint moved(const ExactIsometry& f, const ExactPoint& z) {
+  return {f.a * z.n + z.m * f.b, conjugate(f.b) * z.n + z.m * conjugate(f.a)};
+}
+
+MovedPoint moved(const ExactPoint& z) { return {z.n, {z.m, 0}}; }
+
+namespace {
+
+/// A positive multiple of the point of the hyperboloid model: (2x, 2y, 1 + |z|²).
+struct Vector {
+  mpz_class x;
+  mpz_class y;
+  mpz_class t;
+};
+
+int determinant_sign(const Vector& u, const Vector& v, const Vector& w) {
+  const mpz_class value = u.x * (v.y * w.t - v.t * w.y) - u.y * (v.x * w.t - v.t * w.x) + u.t * (v.x * w.y - v.y * w.x);
+  return sgn(value);
+}
+
+Vector vector(const MovedPoint& z) {
+  const Gaussian product = z.n * conjugate(z.d);
+  return {2 * product.re, 2 * product.im, norm(z.n) + norm(z.d)};
+}
+
+Vector vector(const ExactPoint& z) { return {2 * z.m * z.n.re, 2 * z.m * z.n.im, norm(z.n) + z.m * z.m}; }
+
+}  // namespace
+
+int orientation(const MovedPoint& z0, const MovedPoint& z1, const MovedPoint& z2) {
+  return determinant_sign(vector(z0), vector(z1), vector(z2));
+}
+
+int orientation(const ExactPoint& z0, const ExactPoint& z1, const ExactPoint& z2) {
+  return determinant_sign(vector(z0), vector(z1), vector(z2));
+}
+
+int cross_ratio_sign(const std::array<MovedPoint, 4>& z) {
+  // z_i − z_j = (n_i d_j − n_j d_i)/(d_i d_j), and the denominators cancel in the cross-ratio.
+  const auto difference = [&](std::size_t i, std::size_t j) { return z[i].n * z[j].d - z[j].n * z[i].d; };
+  const Gaussian numerator = difference(3, 1) * difference(2, 0);
+  const Gaussian denominator = difference(3, 0) * difference(2, 1);
+  return sgn(mpz_class((numerator * conjugate(denominator)).im));
+}
+
+}  // namespace epsnet::certify

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <epsnet/certify/check.h>
+#include <epsnet/certify/isometry.h>
+
+#include <array>
+
+namespace epsnet::certify {
+
+struct GeometryOutcome {
+  std::array<RuleReport, 4> reports;  ///< orientation, delaunay, covering, packing.
+  std::uint64_t exact_ties = 0;
+  std::uint64_t triangles_beyond_64_bits = 0;
+  std::uint64_t max_precision = 64;
+  Interval epsilon{};
+  Interval largest_circumradius{};
+  Interval longest_edge{};
+  std::optional<Interval> shortest_edge;
+  std::optional<Interval> shortest_loop;
+};
+
+/// Rules `orientation`, `delaunay`, `covering` and `packing`: every lifted triangle is strictly counterclockwise, no
+/// edge has a cross-ratio with positive imaginary part, every circumradius is at most ε, every edge between different
+/// vertices is at least ε long (docs/proof.md, sections 5 to 7).
+///
+/// Balls of 64 bits first, then twice as many for what they left open, and so on up to max_precision; exact ties of the
+/// first two rules are decided over Q(i). Needs rules `surface` and `map`. O(n) time; the result does not depend on the
+/// number of threads. `progress` as in CheckOptions.
+[[nodiscard]] GeometryOutcome check_geometry(const Document& document, const LabelEvaluator& evaluator,
+                                             const CheckOptions& options, unsigned threads);
+
+}  // namespace epsnet::certify

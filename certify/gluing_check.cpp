@@ -1,0 +1,147 @@
+#include <epsnet/certify/darts.h>
+#include <epsnet/certify/gluing_check.h>
+#include <epsnet/certify/parallel.h>
+#include <epsnet/certify/surface_check.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <unordered_map>
+
+namespace epsnet::certify {
+namespace {
+
+/// The equation L_a L_b⁻¹ = L_c L_d⁻¹ of isometries from chart `chart`.
+struct Equation {
+  std::array<std::uint32_t, 4> labels;
+  std::uint32_t chart;
+  bool operator==(const Equation&) const = default;
+};
+
+struct EquationHash {
+  std::size_t operator()(const Equation& e) const {
+    // A multiplicative hash of the five numbers; collisions only cost time.
+    std::uint64_t hash = e.chart;
+    for (const std::uint32_t label : e.labels) hash = (hash ^ label) * 0x9E3779B97F4A7C15U ^ (hash >> 29);
+    return static_cast<std::size_t>(hash);
+  }
+};
+
+struct Item {
+  Equation equation;
+  std::uint32_t dart;  ///< The first dart with this equation.
+  Tri holds = Tri::unknown;
+};
+
+/// The equations that are not trivial, each with its first dart, in the order of these.
+std::vector<Item> collect(const Document& document) {
+  std::unordered_map<Equation, std::uint32_t, EquationHash> seen;
+  std::vector<Item> items;
+  for (std::uint32_t dart = 0; dart < 3 * document.triangles.size(); ++dart) {
+    const std::uint32_t other = opposite(document, dart);
+    if (other < dart) continue;
+    const std::uint32_t a = corner_label(document, dart);
+    const std::uint32_t b = corner_label(document, next_dart(other));
+    const std::uint32_t c = corner_label(document, next_dart(dart));
+    const std::uint32_t d = corner_label(document, other);
+    // The same numbers twice: the same products; and a label times its own inverse is 1. Label number 0 counts as a
+    // number here: for it, the charts at its two ends are the same one.
+    if ((a == c && b == d) || (a == b && c == d)) continue;
+    const Equation equation{{a, b, c, d}, chart_of_triangle(document, other / 3)};
+    if (seen.emplace(equation, dart).second) items.push_back({equation, dart});
+  }
+  return items;
+}
+
+/// Whether L_a L_b⁻¹ = L_c L_d⁻¹, from the displacement of `base`, the inscribed disk's centre, by their quotient.
+Tri holds(const std::array<const BallIsometry*, 4>& labels, const BallIsometry& base, const Ball& sinh_radius,
+          slong precision) {
+  const auto quotient = [&](const BallIsometry* f, const BallIsometry* g) {
+    return compose(compose(*f, inverse(*g), precision), base, precision);
+  };
+  const BallIsometry difference =
+      compose(inverse(quotient(labels[2], labels[3])), quotient(labels[0], labels[1]), precision);
+  Ball displacement, bound;
+  half_displacement_squared(displacement.get(), difference, precision);
+  arb_sqr(bound.get(), sinh_radius.get(), precision);
+  // sinh²(d/2) < sinh²(r) with the displacement d and the radius r: d < 2r, so the quotient is 1.
+  if (certainly_less(displacement.get(), bound.get()) == Tri::yes) return Tri::yes;
+  return certainly_positive(displacement.get()) == Tri::yes ? Tri::no : Tri::unknown;
+}
+
+std::string edge_text(const Item& item) {
+  const auto& l = item.equation.labels;
+  return "the edge of dart " + std::to_string(item.dart) + " (triangle " + std::to_string(item.dart / 3) +
+         "), labels " + std::to_string(l[0]) + ", " + std::to_string(l[2]) + " on one side and " +
+         std::to_string(l[1]) + ", " + std::to_string(l[3]) + " on the other";
+}
+
+}  // namespace
+
+GluingOutcome check_gluing(const Document& document, const LabelEvaluator& evaluator, const ExactParts& parts,
+                           long max_precision, unsigned threads) {
+  std::vector<Item> items = collect(document);
+  GluingOutcome outcome;
+  outcome.report.rule = "gluing";
+  outcome.identities = items.size();
+  outcome.max_precision = 0;
+
+  // One disk for each tile that carries an equation; a tile without a disk (never seen) leaves its equations undecided.
+  std::map<std::uint32_t, std::optional<InscribedDisk>> disks;
+  for (const Item& item : items) {
+    const std::uint32_t tile = document.charts[item.equation.chart].tile;
+    if (!disks.contains(tile)) disks[tile] = inscribed_disk(document.surface.tiles[tile], max_precision);
+  }
+
+  std::vector<std::size_t> pending(items.size());
+  for (std::size_t i = 0; i < pending.size(); ++i) pending[i] = i;
+  for (slong precision = 64; !pending.empty(); precision = std::min(2 * precision, max_precision)) {
+    outcome.max_precision = static_cast<std::uint64_t>(precision);
+    std::vector<std::uint32_t> numbers;
+    for (const std::size_t i : pending) {
+      for (const std::uint32_t number : items[i].equation.labels) {
+        if (number != 0) numbers.push_back(number);
+      }
+    }
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    const std::vector<BallIsometry> labels = evaluator.evaluate(numbers, precision, 2 * max_precision, threads);
+    const BallIsometry identity = identity_isometry();
+    for_each_parallel(pending.size(), threads, [&](unsigned, std::size_t p) {
+      Item& item = items[pending[p]];
+      const std::uint32_t chart = item.equation.chart;
+      const auto& disk = disks.at(document.charts[chart].tile);
+      if (!disk) return;
+      std::array<const BallIsometry*, 4> factors{};
+      for (std::size_t i = 0; i < 4; ++i) {
+        const std::uint32_t number = item.equation.labels[i];
+        factors[i] = number == 0 ? &identity
+                                 : &labels[static_cast<std::size_t>(
+                                       std::lower_bound(numbers.begin(), numbers.end(), number) - numbers.begin())];
+      }
+      // From 0 to the disk's centre, in the coordinates of the chart.
+      const BallIsometry base =
+          to_balls(compose(inverse(parts.frames[chart]), translation_to(disk->centre)), precision);
+      item.holds = holds(factors, base, disk->sinh_radius, precision);
+    });
+    std::erase_if(pending, [&](std::size_t i) { return items[i].holds != Tri::unknown; });
+    if (precision >= max_precision) break;
+  }
+
+  for (const Tri wrong : {Tri::no, Tri::unknown}) {
+    const auto found = std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.holds == wrong; });
+    if (found == items.end()) continue;
+    outcome.report.verdict = wrong == Tri::no ? Verdict::refuted : Verdict::undecided;
+    outcome.report.text =
+        edge_text(*found) + (wrong == Tri::no ? ": the two triangles do not fit, the labels differ in the group"
+                                              : ": not decided whether the labels agree in the group, with " +
+                                                    std::to_string(max_precision) + " bits");
+    return outcome;
+  }
+  outcome.report.verdict = Verdict::verified;
+  outcome.report.text = "the triangles fit across every edge; " + std::to_string(items.size()) +
+                        " different equations of labels hold in the group of the surface";
+  return outcome;
+}
+
+}  // namespace epsnet::certify

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <epsnet/certify/ball.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace epsnet::certify {
+
+/// Calls body(worker, i) for every i < count, each exactly once, by up to `threads` threads (at least 1; the calling
+/// one is worker 0). Returns when all are done. If a call throws, no new ones are started and the first exception to
+/// arrive is thrown again. Results must be stored by i, so that they do not depend on the number of threads.
+template <class Body>
+void for_each_parallel(std::size_t count, unsigned threads, const Body& body) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex failure_mutex;
+  const auto work = [&](unsigned worker) {
+    try {
+      for (std::size_t i = next++; i < count; i = next++) body(worker, i);
+    } catch (...) {
+      next = count;
+      const std::lock_guard lock(failure_mutex);
+      if (!failure) failure = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> helpers;
+    const std::size_t workers = std::min<std::size_t>(std::max(threads, 1U), count);
+    for (unsigned worker = 1; worker < workers; ++worker) {
+      helpers.emplace_back([&work, worker] {
+        work(worker);
+        // FLINT keeps memory and constants for each thread and returns them only when asked.
+        flint_cleanup();
+      });
+    }
+    work(0);
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace epsnet::certify

@@ -1,0 +1,389 @@
+#include <epsnet/certify/reader.h>
+#include <epsnet/certify/structure_check.h>
+#include <epsnet/certify/text.h>
+#include <simdjson.h>
+
+#include <cstdio>
+#include <functional>
+#include <limits>
+#include <memory>
+
+namespace epsnet::certify {
+namespace {
+
+using simdjson::ondemand::array;
+using simdjson::ondemand::object;
+using simdjson::ondemand::value;
+
+constexpr std::uint64_t kMaxFileBytes = std::uint64_t{4} << 30;
+constexpr std::size_t kMaxTriangles = std::size_t{1} << 30;
+constexpr std::size_t kMaxWordLetters = 1'000'000;
+constexpr std::size_t kMaxLettersInAll = 10'000'000;
+/// Vertices, charts, labels, sides: indices are stored in 32 bits.
+constexpr std::size_t kMaxRows = std::numeric_limits<std::uint32_t>::max();
+
+/// Where we are in the file: member[row].part, kept as numbers so that the good case formats nothing.
+struct Place {
+  const char* member = "";
+  std::size_t row = 0;
+  bool in_row = false;
+
+  [[nodiscard]] std::string text() const {
+    return in_row ? std::string(member) + "[" + std::to_string(row) + "]" : std::string(member);
+  }
+};
+
+[[noreturn]] void fail(const Place& place, const std::string& problem) {
+  throw MalformedError(place.text() + ": " + problem);
+}
+
+/// The value of a simdjson result, or a MalformedError that says what was expected at the place.
+template <class T>
+T expect(simdjson::simdjson_result<T> result, const Place& place, const char* expected) {
+  T found;
+  if (const auto error = std::move(result).get(found)) {
+    fail(place, std::string("expected ") + expected + " (" + simdjson::error_message(error) + ")");
+  }
+  return found;
+}
+
+std::uint32_t read_index(simdjson::simdjson_result<value> item, const Place& place) {
+  // get_uint64 refuses signs, fractions and exponents, as the format does.
+  const std::uint64_t index =
+      expect(item.get_uint64(), place, "an index: an integer >= 0 without sign, fraction or exponent");
+  if (index > std::numeric_limits<std::uint32_t>::max())
+    fail(place, "the index " + std::to_string(index) + " is too large");
+  return static_cast<std::uint32_t>(index);
+}
+
+double read_binary64(simdjson::simdjson_result<value> item, const Place& place) {
+  // simdjson rounds to nearest, ties to even, and reports numbers that overflow.
+  const double number = expect(item.get_double(), place, "a finite binary64 number");
+  if (!(number >= -std::numeric_limits<double>::max() && number <= std::numeric_limits<double>::max())) {
+    fail(place, "the number is not finite as a binary64");
+  }
+  return number;
+}
+
+mpq_class read_rational(simdjson::simdjson_result<value> item, const Place& place) {
+  const std::string_view text = expect(item.get_string(), place, "a rational in a string, such as \"-3/4\"");
+  auto number = parse_rational(text);
+  if (!number) fail(place, in_quotes(text) + " is not a rational of at most 10^6 digits, such as \"-3/4\"");
+  return *std::move(number);
+}
+
+/// Reads an array whose elements `read_element` takes one by one, and the position with it.
+template <class ReadElement>
+void read_array(simdjson::simdjson_result<value> item, const Place& place, const char* expected,
+                const ReadElement& read_element) {
+  array elements = expect(item.get_array(), place, expected);
+  std::size_t position = 0;
+  for (auto element : elements) {
+    if (const auto error = element.error()) {
+      fail(place, std::string("broken array (") + simdjson::error_message(error) + ")");
+    }
+    read_element(element, position++);
+  }
+}
+
+/// Reads an array of rows, one `read_row` each, naming member and row on error.
+template <class ReadRow>
+void read_rows(simdjson::simdjson_result<value> item, const char* member, std::size_t limit, const ReadRow& read_row) {
+  read_array(item, {.member = member}, "an array", [&](simdjson::simdjson_result<value> row, std::size_t position) {
+    const Place place{.member = member, .row = position, .in_row = true};
+    if (position >= limit) fail(place, "more than the limit of " + std::to_string(limit) + " rows");
+    read_row(row, place);
+  });
+}
+
+/// Reads an array of exactly `size` elements.
+template <class ReadElement>
+void read_tuple(simdjson::simdjson_result<value> item, const Place& place, std::size_t size, const char* expected,
+                const ReadElement& read_element) {
+  std::size_t found = 0;
+  read_array(item, place, expected, [&](simdjson::simdjson_result<value> element, std::size_t position) {
+    if (position >= size) fail(place, std::string("too many elements, expected ") + expected);
+    read_element(element, position);
+    found = position + 1;
+  });
+  if (found != size) fail(place, "has " + std::to_string(found) + " elements, expected " + expected);
+}
+
+/// One member of an object: its name and how to read it.
+struct Member {
+  std::string_view name;
+  std::function<void(simdjson::simdjson_result<value>)> read;
+};
+
+/// Reads an object that has exactly these members, each once, in any order.
+void read_members(object members, const Place& place, const std::vector<Member>& expected) {
+  std::vector<bool> seen(expected.size());
+  for (auto field : members) {
+    if (const auto error = field.error()) {
+      fail(place, std::string("broken object (") + simdjson::error_message(error) + ")");
+    }
+    std::string_view key;
+    if (const auto error = field.unescaped_key().get(key)) {
+      fail(place, std::string("broken member name (") + simdjson::error_message(error) + ")");
+    }
+    std::size_t which = 0;
+    while (which < expected.size() && expected[which].name != key) ++which;
+    if (which == expected.size()) fail(place, "unknown member " + in_quotes(key));
+    if (seen[which]) fail(place, "repeated member " + in_quotes(key));
+    seen[which] = true;
+    expected[which].read(field.value());
+  }
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    if (!seen[i]) fail(place, "missing member " + in_quotes(expected[i].name));
+  }
+}
+
+Member text_member(std::string_view name, std::string wanted, const Place& place) {
+  return {name, [=](simdjson::simdjson_result<value> item) {
+            const std::string_view text = expect(item.get_string(), place, "a string");
+            if (text != wanted)
+              fail(place, in_quotes(name) + " is " + in_quotes(text) + ", expected " + in_quotes(wanted));
+          }};
+}
+
+Member version_member(const Place& place) {
+  return {"version", [=](simdjson::simdjson_result<value> item) {
+            const std::uint32_t version = read_index(item, {.member = "version"});
+            if (version != 1) {
+              fail(place, "version " + std::to_string(version) + " is not a version this program reads, expected 1");
+            }
+          }};
+}
+
+RationalPoint read_point(simdjson::simdjson_result<value> item, const Place& place) {
+  RationalPoint point;
+  read_tuple(item, place, 2, "[x, y], two rationals", [&](simdjson::simdjson_result<value> element, std::size_t i) {
+    (i == 0 ? point.x : point.y) = read_rational(element, place);
+  });
+  return point;
+}
+
+Surface read_surface_object(simdjson::simdjson_result<value> item) {
+  const Place place{.member = "surface"};
+  Surface surface;
+  read_members(
+      expect(item.get_object(), place, "an object"), place,
+      {text_member("kind", "tiles", place),
+       {"tiles",
+        [&](simdjson::simdjson_result<value> rows) {
+          read_rows(rows, "surface.tiles", kMaxRows, [&](simdjson::simdjson_result<value> row, const Place& at) {
+            Tile tile;
+            read_array(row, at, "an array of vertices", [&](simdjson::simdjson_result<value> vertex, std::size_t) {
+              tile.push_back(read_point(vertex, at));
+            });
+            if (tile.size() < 3) {
+              fail(at, "has " + std::to_string(tile.size()) + " vertices, expected at least 3");
+            }
+            surface.tiles.push_back(std::move(tile));
+          });
+        }},
+       {"gluing", [&](simdjson::simdjson_result<value> rows) {
+          read_rows(rows, "surface.gluing", kMaxRows, [&](simdjson::simdjson_result<value> row, const Place& at) {
+            std::array<std::uint32_t, 4> numbers{};
+            read_tuple(
+                row, at, 4, "[t, k, t', k'], four indices",
+                [&](simdjson::simdjson_result<value> element, std::size_t i) { numbers[i] = read_index(element, at); });
+            surface.gluing.push_back({numbers[0], numbers[1], numbers[2], numbers[3]});
+          });
+        }}});
+  return surface;
+}
+
+Chart read_chart(simdjson::simdjson_result<value> row, const Place& at) {
+  Chart chart{};
+  read_tuple(row, at, 3, "[t, x, y], a tile and two rationals",
+             [&](simdjson::simdjson_result<value> element, std::size_t i) {
+               if (i == 0) {
+                 chart.tile = read_index(element, at);
+               } else {
+                 (i == 1 ? chart.centre.x : chart.centre.y) = read_rational(element, at);
+               }
+             });
+  return chart;
+}
+
+Label read_label(simdjson::simdjson_result<value> row, const Place& at, std::size_t& letters_in_all) {
+  Label label{};
+  read_tuple(row, at, 3, "[from, to, word], two charts and an array of sides",
+             [&](simdjson::simdjson_result<value> element, std::size_t i) {
+               if (i < 2) {
+                 (i == 0 ? label.from : label.to) = read_index(element, at);
+                 return;
+               }
+               read_array(element, at, "a word, an array of side numbers",
+                          [&](simdjson::simdjson_result<value> letter, std::size_t position) {
+                            if (position >= kMaxWordLetters)
+                              fail(at, "the word has more than the limit of 10^6 letters");
+                            if (++letters_in_all > kMaxLettersInAll)
+                              fail(at, "more than the limit of 10^7 letters in all");
+                            label.word.push_back(read_index(letter, at));
+                          });
+             });
+  return label;
+}
+
+Vertex read_vertex(simdjson::simdjson_result<value> row, const Place& at) {
+  Vertex vertex{};
+  read_tuple(row, at, 3, "[c, x, y], a chart and two numbers",
+             [&](simdjson::simdjson_result<value> element, std::size_t i) {
+               if (i == 0) {
+                 vertex.chart = read_index(element, at);
+               } else {
+                 (i == 1 ? vertex.x : vertex.y) = read_binary64(element, at);
+               }
+             });
+  return vertex;
+}
+
+Triangle read_triangle(simdjson::simdjson_result<value> row, const Place& at) {
+  std::array<std::uint32_t, 8> n{};
+  read_tuple(row, at, 8, "[v0, v1, v2, o0, o1, o2, l1, l2], eight indices",
+             [&](simdjson::simdjson_result<value> element, std::size_t i) { n[i] = read_index(element, at); });
+  return {.vertex = {n[0], n[1], n[2]}, .opposite = {n[3], n[4], n[5]}, .label = {n[6], n[7]}};
+}
+
+std::vector<Member> net_members(Document& document, std::size_t& letters_in_all) {
+  const Place place{.member = "net"};
+  return {text_member("format", "epsnet-net", place),
+          version_member(place),
+          {"surface", [&](simdjson::simdjson_result<value> item) { document.surface = read_surface_object(item); }},
+          {"epsilon",
+           [&](simdjson::simdjson_result<value> item) {
+             const Place at{.member = "epsilon"};
+             document.epsilon = std::string(expect(item.get_string(), at, "a decimal in a string, such as \"0.01\""));
+           }},
+          {"charts",
+           [&](simdjson::simdjson_result<value> rows) {
+             read_rows(rows, "charts", kMaxRows, [&](simdjson::simdjson_result<value> row, const Place& at) {
+               document.charts.push_back(read_chart(row, at));
+             });
+           }},
+          {"labels",
+           [&](simdjson::simdjson_result<value> rows) {
+             read_rows(rows, "labels", kMaxRows - 1, [&](simdjson::simdjson_result<value> row, const Place& at) {
+               document.labels.push_back(read_label(row, at, letters_in_all));
+             });
+           }},
+          {"vertices",
+           [&](simdjson::simdjson_result<value> rows) {
+             read_rows(rows, "vertices", kMaxRows, [&](simdjson::simdjson_result<value> row, const Place& at) {
+               document.vertices.push_back(read_vertex(row, at));
+             });
+           }},
+          {"triangles", [&](simdjson::simdjson_result<value> rows) {
+             read_rows(rows, "triangles", kMaxTriangles, [&](simdjson::simdjson_result<value> row, const Place& at) {
+               document.triangles.push_back(read_triangle(row, at));
+             });
+           }}};
+}
+
+/// Runs `read_document` on the parsed text and puts the file's name in front of every complaint.
+template <class ReadDocument>
+void parse(simdjson::padded_string_view text, std::string_view name, const ReadDocument& read_document) {
+  const Place place{.member = "document"};
+  try {
+    if (text.size() > kMaxFileBytes) fail(place, "the file is larger than the limit of 4 GiB");
+    simdjson::ondemand::parser parser;
+    simdjson::ondemand::document json;
+    if (const auto error = parser.iterate(text).get(json)) {
+      if (error == simdjson::MEMALLOC) throw std::bad_alloc();
+      fail(place, std::string("not a JSON document (") + simdjson::error_message(error) + ")");
+    }
+    object members;
+    if (const auto error = json.get_object().get(members)) {
+      fail(place, std::string("expected an object (") + simdjson::error_message(error) + ")");
+    }
+    read_document(members);
+    if (json.current_location().error() != simdjson::OUT_OF_BOUNDS) fail(place, "text after the end of the document");
+  } catch (const MalformedError& error) {
+    throw MalformedError(std::string(name) + ": " + error.what());
+  }
+}
+
+Document parse_padded_net(simdjson::padded_string_view text, std::string_view name) {
+  Document document;
+  parse(text, name, [&](object members) {
+    std::size_t letters_in_all = 0;
+    read_members(members, {.member = "net"}, net_members(document, letters_in_all));
+    if (const auto problem = structure_problem(document)) throw MalformedError(*problem);
+  });
+  return document;
+}
+
+Surface parse_padded_surface(simdjson::padded_string_view text, std::string_view name) {
+  Surface surface;
+  parse(text, name, [&](object members) {
+    const Place place{.member = "surface file"};
+    read_members(members, place,
+                 {text_member("format", "epsnet-surface", place),
+                  version_member(place),
+                  {"surface", [&](auto item) { surface = read_surface_object(item); }}});
+    if (const auto problem = structure_problem(surface)) throw MalformedError(*problem);
+  });
+  return surface;
+}
+
+/// The bytes of a regular file or of a pipe. Devices are refused: /dev/zero would never end.
+std::string load(const std::filesystem::path& path) {
+  const std::string name = in_quotes(path.string());
+  std::error_code status_error;
+  const auto type = std::filesystem::status(path, status_error).type();
+  if (status_error || (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::fifo)) {
+    throw FileError("cannot read " + name + ": not a file");
+  }
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!file) throw FileError("cannot open " + name);
+  std::string bytes;
+  if (type == std::filesystem::file_type::regular) {
+    const auto size = std::filesystem::file_size(path, status_error);
+    if (!status_error && size > kMaxFileBytes) {
+      throw MalformedError(name + ": document: the file is larger than the limit of 4 GiB");
+    }
+    if (!status_error) bytes.reserve(size + simdjson::SIMDJSON_PADDING);
+  }
+  constexpr std::size_t kChunk = 1 << 20;
+  for (std::size_t read = kChunk; read == kChunk;) {
+    const std::size_t old_size = bytes.size();
+    bytes.resize(old_size + kChunk);
+    read = std::fread(bytes.data() + old_size, 1, kChunk, file.get());
+    bytes.resize(old_size + read);
+    if (bytes.size() > kMaxFileBytes) {
+      throw MalformedError(name + ": document: the file is larger than the limit of 4 GiB");
+    }
+  }
+  if (std::ferror(file.get())) throw FileError("cannot read " + name);
+  return bytes;
+}
+
+/// simdjson reads up to SIMDJSON_PADDING bytes past the end; a reserve of that size makes it legal without a copy.
+simdjson::padded_string_view padded(std::string& bytes) {
+  bytes.reserve(bytes.size() + simdjson::SIMDJSON_PADDING);
+  return simdjson::padded_string_view(bytes, bytes.capacity());
+}
+
+}  // namespace
+
+Document read_net(const std::filesystem::path& path) {
+  std::string bytes = load(path);
+  return parse_padded_net(padded(bytes), path.filename().string());
+}
+
+Document parse_net(std::string_view text, std::string_view name) {
+  return parse_padded_net(simdjson::padded_string(text), name);
+}
+
+Surface read_surface(const std::filesystem::path& path) {
+  std::string bytes = load(path);
+  return parse_padded_surface(padded(bytes), path.filename().string());
+}
+
+Surface parse_surface(std::string_view text, std::string_view name) {
+  return parse_padded_surface(simdjson::padded_string(text), name);
+}
+
+}  // namespace epsnet::certify

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <epsnet/certify/document.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+/// The strict reader of net files and surface files, version 1 (docs/format.md is the law).
+///
+/// Everything that the format does not allow is an error: an unknown, missing or repeated member, a wrong type, an
+/// index written as 1.0, a binary64 that overflows, text after the document, an index that points nowhere, a word that
+/// does not compose. No input crashes the reader; time and memory are bounded by a multiple of the size of the file.
+namespace epsnet::certify {
+
+/// The file is not a net (or surface) file. what() is "NAME: PLACE: what was wrong, what was expected", one line.
+class MalformedError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The file cannot be opened or read at all; nothing is said about its contents.
+class FileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads a net file of at most 4 GiB. Throws FileError or MalformedError.
+[[nodiscard]] Document read_net(const std::filesystem::path& path);
+
+/// Reads a net file from memory; `name` stands for the file in messages. Throws MalformedError.
+[[nodiscard]] Document parse_net(std::string_view text, std::string_view name);
+
+/// Reads a surface file of at most 4 GiB. Throws FileError or MalformedError.
+[[nodiscard]] Surface read_surface(const std::filesystem::path& path);
+
+/// Reads a surface file from memory; `name` stands for the file in messages. Throws MalformedError.
+[[nodiscard]] Surface parse_surface(std::string_view text, std::string_view name);
+
+}  // namespace epsnet::certify

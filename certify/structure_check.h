@@ -1,0 +1,21 @@
+#pragma once
+
+#include <epsnet/certify/document.h>
+
+#include <optional>
+#include <string>
+
+/// What a document must satisfy before any rule of check.h makes sense: indices point somewhere, every side is glued
+/// once, words compose, labels are used in the charts they belong to, coordinates are finite and inside the disk.
+///
+/// A document without these is not a wrong net but no net: MALFORMED. O(size of the document), exact.
+namespace epsnet::certify {
+
+/// The first problem, "PLACE: what is wrong, what was expected"; nothing if there is none. Corners of tiles are not
+/// examined (that is rule `surface`).
+[[nodiscard]] std::optional<std::string> structure_problem(const Surface& surface);
+
+/// As above, for the whole document.
+[[nodiscard]] std::optional<std::string> structure_problem(const Document& document);
+
+}  // namespace epsnet::certify

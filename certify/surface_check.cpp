@@ -1,0 +1,323 @@
+#include <epsnet/certify/surface_check.h>
+#include <epsnet/certify/surface_sides.h>
+
+#include <algorithm>
+#include <string>
+
+namespace epsnet::certify {
+namespace {
+
+/// Bits for sums of angles: 2⁻⁶⁴ for each of at most 2³² angles is far less than the quarter turn that matters.
+constexpr slong kAnglePrecision = 128;
+
+using Problem = std::optional<std::string>;
+using ExactTile = std::vector<ExactPoint>;
+
+std::string named(const char* what, std::size_t index) { return std::string(what) + " " + std::to_string(index); }
+
+std::string corner_name(const SurfaceSides& sides, std::size_t side) {
+  return "vertex " + std::to_string(sides.corner[side]) + " of tile " + std::to_string(sides.tile[side]);
+}
+
+std::string side_name(const SurfaceSides& sides, std::size_t side) {
+  return "side " + std::to_string(sides.corner[side]) + " of tile " + std::to_string(sides.tile[side]);
+}
+
+/// The tile is a strictly convex polygon of the disk, counterclockwise.
+///
+/// Seen from vertex 0, the others turn strictly counterclockwise and stay within a half-turn from vertex 1 on: then the
+/// polygon is simple. With a left turn at every vertex a simple polygon is strictly convex. (Left turns alone would let
+/// pass polygons that wind twice.) Signs of determinants in the hyperboloid model, so lines are hyperbolic lines.
+Problem convexity_problem(const ExactTile& tile, std::size_t t) {
+  const std::size_t n = tile.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    if (gap(tile[k]) <= 0) return named("vertex", k) + " of tile " + std::to_string(t) + " is not inside the unit disk";
+  }
+  const std::string tile_name = named("tile", t) + " is not strictly convex and counterclockwise: ";
+  for (std::size_t k = 0; k < n; ++k) {
+    if (orientation(tile[k], tile[(k + 1) % n], tile[(k + 2) % n]) <= 0) {
+      return tile_name + "no left turn at its vertex " + std::to_string((k + 1) % n);
+    }
+  }
+  for (std::size_t k = 2; k < n; ++k) {
+    if (orientation(tile[0], tile[1], tile[k]) <= 0) return tile_name + named("vertex", k) + " is right of side 0";
+    if (k + 1 < n && orientation(tile[0], tile[k], tile[k + 1]) <= 0) {
+      return tile_name + named("vertex", k + 1) + " does not follow " + named("vertex", k) + " around vertex 0";
+    }
+  }
+  return std::nullopt;
+}
+
+/// |p−q|²/((1−|p|²)(1−|q|²)) as numerator and denominator: sinh² of half the distance.
+struct Fraction {
+  mpz_class numerator;
+  mpz_class denominator;
+};
+
+Fraction length(const ExactPoint& p, const ExactPoint& q) { return {norm(q.m * p.n - p.m * q.n), gap(p) * gap(q)}; }
+
+/// The interior angle at v between the directions of `next` (first) and `previous` (second), counterclockwise.
+void interior_angle(arb_ptr result, const ExactPoint& v, const ExactPoint& next, const ExactPoint& previous) {
+  // Take v to 0; the angle is that of the quotient of the two images, a positive multiple of which is in Z[i].
+  const ExactIsometry to_origin = inverse(translation_to(v));
+  const MovedPoint from = moved(to_origin, next);
+  const MovedPoint to = moved(to_origin, previous);
+  const Gaussian quotient = to.n * from.d * conjugate(to.d * from.n);
+  Ball x, y;
+  set_integer(x.get(), quotient.re, kAnglePrecision);
+  set_integer(y.get(), quotient.im, kAnglePrecision);
+  arb_atan2(result, y.get(), x.get(), kAnglePrecision);
+}
+
+/// Everything about one surface, laid out by side number.
+class SurfaceChecker {
+ public:
+  explicit SurfaceChecker(const Surface& surface) : sides_(surface) {
+    for (const Tile& tile : surface.tiles) {
+      ExactTile exact;
+      for (const RationalPoint& vertex : tile) exact.push_back(exact_point(vertex));
+      tiles_.push_back(std::move(exact));
+    }
+  }
+
+  SurfaceOutcome check() {
+    Problem problem;
+    for (std::size_t t = 0; t < tiles_.size() && !problem; ++t) problem = convexity_problem(tiles_[t], t);
+    if (!problem) problem = connection_problem();
+    if (!problem) problem = genus_problem();
+    if (!problem) problem = length_problem();
+    if (!problem) problem = vertex_problem();
+    SurfaceOutcome outcome;
+    outcome.report.rule = "surface";
+    if (problem) {
+      outcome.report.verdict = undecided_ ? Verdict::undecided : Verdict::refuted;
+      outcome.report.text = *problem;
+      return outcome;
+    }
+    outcome.report.verdict = Verdict::verified;
+    outcome.report.text = "a closed hyperbolic surface of genus " + std::to_string(genus_) + ": " +
+                          std::to_string(tiles_.size()) + " convex tiles, " +
+                          std::to_string(sides_.partner.size() / 2) + " pairs of sides of exactly equal length, " +
+                          std::to_string(cycles_) + " vertex cycles that close up exactly with total angle 2*pi";
+    outcome.genus = genus_;
+    outcome.crossings = std::move(crossings_);
+    return outcome;
+  }
+
+ private:
+  const ExactPoint& start(std::size_t side) const { return tiles_[sides_.tile[side]][sides_.corner[side]]; }
+  const ExactPoint& end(std::size_t side) const { return start(sides_.next[side]); }
+
+  Problem connection_problem() const {
+    std::vector<char> reached(tiles_.size(), 0);
+    std::vector<std::uint32_t> first_side(tiles_.size());
+    for (std::size_t s = sides_.tile.size(); s-- > 0;) first_side[sides_.tile[s]] = static_cast<std::uint32_t>(s);
+    std::vector<std::uint32_t> pending{0};
+    reached[0] = 1;
+    while (!pending.empty()) {
+      const std::uint32_t t = pending.back();
+      pending.pop_back();
+      for (std::size_t s = first_side[t]; s < first_side[t] + tiles_[t].size(); ++s) {
+        const std::uint32_t neighbour = sides_.tile[sides_.partner[s]];
+        if (!reached[neighbour]) {
+          reached[neighbour] = 1;
+          pending.push_back(neighbour);
+        }
+      }
+    }
+    const auto missing = std::find(reached.begin(), reached.end(), 0);
+    if (missing == reached.end()) return std::nullopt;
+    return "the surface is not connected: no path of glued sides leads from tile 0 to tile " +
+           std::to_string(missing - reached.begin());
+  }
+
+  Problem length_problem() {
+    crossings_.resize(sides_.partner.size());
+    for (std::size_t s = 0; s < sides_.partner.size(); ++s) {
+      const std::size_t other = sides_.partner[s];
+      if (other < s) continue;
+      const Fraction own = length(start(s), end(s));
+      const Fraction glued = length(start(other), end(other));
+      if (own.numerator * glued.denominator != glued.numerator * own.denominator) {
+        return side_name(sides_, s) + " is glued to " + side_name(sides_, other) + ", which is not of equal length";
+      }
+      crossings_[s] = crossing(start(s), end(s), start(other), end(other));
+      crossings_[other] = inverse(crossings_[s]);
+    }
+    return std::nullopt;
+  }
+
+  /// Around every vertex the crossings multiply to the identity, exactly, and the angles to one full turn.
+  Problem vertex_problem() {
+    std::vector<char> visited(sides_.partner.size(), 0);
+    std::vector<const ExactIsometry*> path;
+    Ball angle, turn;
+    arb_const_pi(turn.get(), kAnglePrecision);
+    arb_mul_2exp_si(turn.get(), turn.get(), 1);
+    for (std::size_t first = 0; first < visited.size(); ++first) {
+      if (visited[first]) continue;
+      path.clear();
+      Ball sum;
+      // Crossing the side that leaves the vertex leads to the corner where the partner ends.
+      for (std::size_t s = first; !visited[s]; s = sides_.next[sides_.partner[s]]) {
+        visited[s] = 1;
+        path.push_back(&crossings_[s]);
+        interior_angle(angle.get(), start(s), end(s), start(sides_.previous[s]));
+        arb_add(sum.get(), sum.get(), angle.get(), kAnglePrecision);
+      }
+      if (!is_identity(compose_path(path))) {
+        return "the " + std::to_string(path.size()) + " corners around " + corner_name(sides_, first) +
+               " do not close up: the product of the crossings is not the identity";
+      }
+      // The sum is now a positive multiple of 2π; the ball says which.
+      arb_div(sum.get(), sum.get(), turn.get(), kAnglePrecision);
+      fmpz_t turns;
+      fmpz_init(turns);
+      const bool unique = arb_get_unique_fmpz(turns, sum.get()) != 0;
+      const slong count = unique && fmpz_fits_si(turns) ? fmpz_get_si(turns) : 0;
+      fmpz_clear(turns);
+      if (!unique) undecided_ = true;
+      if (count != 1) {
+        return "the angles around " + corner_name(sides_, first) + " add up to " +
+               (unique ? std::to_string(count) : "an unknown number of") + " full turns, not to one";
+      }
+    }
+    return std::nullopt;
+  }
+
+  Problem genus_problem() {
+    std::vector<char> visited(sides_.partner.size(), 0);
+    for (std::size_t first = 0; first < visited.size(); ++first) {
+      if (visited[first]) continue;
+      ++cycles_;
+      for (std::size_t s = first; !visited[s]; s = sides_.next[sides_.partner[s]]) visited[s] = 1;
+    }
+    const auto euler =
+        static_cast<std::int64_t>(cycles_ + tiles_.size()) - static_cast<std::int64_t>(sides_.partner.size() / 2);
+    if (euler == 2) return "the surface is a sphere, expected genus at least 2";
+    if (euler == 0) return "the surface is a torus, expected genus at least 2";
+    // An oriented closed connected surface has even characteristic at most 2; anything else is a fault of ours.
+    if (euler > 0 || euler % 2 != 0) return "the Euler characteristic is " + std::to_string(euler);
+    genus_ = static_cast<std::uint64_t>(1 - euler / 2);
+    return std::nullopt;
+  }
+
+  SurfaceSides sides_;
+  std::vector<ExactTile> tiles_;
+  std::vector<ExactIsometry> crossings_;
+  std::size_t cycles_ = 0;
+  std::uint64_t genus_ = 0;
+  bool undecided_ = false;
+};
+
+/// (2x, 2y, 1 + |z|²) in balls, a positive multiple of the point of the hyperboloid.
+struct BallVector {
+  Ball x;
+  Ball y;
+  Ball t;
+};
+
+BallVector ball_vector(const ExactPoint& z, slong precision) {
+  BallVector v;
+  set_integer(v.x.get(), 2 * z.m * z.n.re, precision);
+  set_integer(v.y.get(), 2 * z.m * z.n.im, precision);
+  set_integer(v.t.get(), norm(z.n) + z.m * z.m, precision);
+  return v;
+}
+
+/// A point inside the tile near the mean of its vertices in the Klein model, with about `precision` bits.
+ExactPoint approximate_centre(const ExactTile& tile, slong precision) {
+  Ball x, y, part;
+  for (const ExactPoint& vertex : tile) {
+    const BallVector v = ball_vector(vertex, precision);
+    arb_div(part.get(), v.x.get(), v.t.get(), precision);
+    arb_add(x.get(), x.get(), part.get(), precision);
+    arb_div(part.get(), v.y.get(), v.t.get(), precision);
+    arb_add(y.get(), y.get(), part.get(), precision);
+  }
+  // From Klein k to Poincaré k/(1 + √(1 − |k|²)). Only a good guess is needed, so midpoints do.
+  Ball root, square;
+  const auto size = static_cast<ulong>(tile.size());
+  arb_div_ui(x.get(), x.get(), size, precision);
+  arb_div_ui(y.get(), y.get(), size, precision);
+  arb_get_mid_arb(x.get(), x.get());
+  arb_get_mid_arb(y.get(), y.get());
+  arb_sqr(root.get(), x.get(), precision);
+  arb_sqr(square.get(), y.get(), precision);
+  arb_add(root.get(), root.get(), square.get(), precision);
+  arb_sub_ui(root.get(), root.get(), 1, precision);
+  arb_neg(root.get(), root.get());
+  arb_sqrtpos(root.get(), root.get(), precision);
+  arb_add_ui(root.get(), root.get(), 1, precision);
+  arb_div(x.get(), x.get(), root.get(), precision);
+  arb_div(y.get(), y.get(), root.get(), precision);
+  // The centre is the integer nearest to 2^precision times the guess, over 2^precision.
+  ExactPoint centre;
+  centre.m = 1;
+  mpz_mul_2exp(centre.m.get_mpz_t(), centre.m.get_mpz_t(), static_cast<mp_bitcnt_t>(precision));
+  fmpz_t integer;
+  fmpz_init(integer);
+  for (const auto& [ball, target] : {std::pair{&x, &centre.n.re}, std::pair{&y, &centre.n.im}}) {
+    arb_mul_2exp_si(ball->get(), ball->get(), precision);
+    if (!arb_is_finite(ball->get())) continue;  // Leaves 0, which the caller tests like any other guess.
+    arf_get_fmpz(integer, arb_midref(ball->get()), ARF_RND_NEAR);
+    fmpz_get_mpz(target->get_mpz_t(), integer);
+  }
+  fmpz_clear(integer);
+  return centre;
+}
+
+/// sinh of the distance of z from the line through p and q, positive on its left: det(p, q, z)/(|p × q| |z|) with the
+/// Lorentz norms |p × q|² = ⟨p,q⟩² − ⟨p,p⟩⟨q,q⟩ and |z|² = −⟨z,z⟩ = (1−|z|²)².
+void sinh_distance(arb_ptr result, const ExactPoint& z, const ExactPoint& p, const ExactPoint& q, slong precision) {
+  const BallVector u = ball_vector(p, precision);
+  const BallVector v = ball_vector(q, precision);
+  const BallVector w = ball_vector(z, precision);
+  // The normal p × q (Euclidean cross product); its Lorentz norm is x² + y² − t².
+  Ball x, y, t, size, product;
+  const auto cross = [&](Ball& out, const Ball& a, const Ball& b, const Ball& c, const Ball& d) {
+    arb_mul(out.get(), a.get(), d.get(), precision);
+    arb_submul(out.get(), b.get(), c.get(), precision);
+  };
+  cross(x, u.y, u.t, v.y, v.t);
+  cross(y, u.t, u.x, v.t, v.x);
+  cross(t, u.x, u.y, v.x, v.y);
+  arb_sqr(size.get(), x.get(), precision);
+  arb_addmul(size.get(), y.get(), y.get(), precision);
+  arb_submul(size.get(), t.get(), t.get(), precision);
+  arb_sqrt(size.get(), size.get(), precision);
+  set_integer(product.get(), gap(z), precision);
+  arb_mul(size.get(), size.get(), product.get(), precision);
+  arb_mul(result, x.get(), w.x.get(), precision);
+  arb_addmul(result, y.get(), w.y.get(), precision);
+  arb_addmul(result, t.get(), w.t.get(), precision);
+  arb_div(result, result, size.get(), precision);
+}
+
+}  // namespace
+
+SurfaceOutcome check_surface(const Surface& surface) { return SurfaceChecker(surface).check(); }
+
+std::optional<InscribedDisk> inscribed_disk(const Tile& tile, long cap) {
+  ExactTile exact;
+  for (const RationalPoint& vertex : tile) exact.push_back(exact_point(vertex));
+  for (slong precision = 128; precision <= std::max(2 * cap, 128L); precision *= 2) {
+    InscribedDisk disk{approximate_centre(exact, precision), {}};
+    if (gap(disk.centre) <= 0) continue;
+    bool inside = true;
+    Ball distance;
+    for (std::size_t k = 0; k < exact.size() && inside; ++k) {
+      sinh_distance(distance.get(), disk.centre, exact[k], exact[(k + 1) % exact.size()], precision);
+      inside = certainly_positive(distance.get()) == Tri::yes;
+      if (k == 0) {
+        disk.sinh_radius = distance;
+      } else {
+        arb_min(disk.sinh_radius.get(), disk.sinh_radius.get(), distance.get(), precision);
+      }
+    }
+    if (inside) return disk;
+  }
+  return std::nullopt;
+}
+
+}  // namespace epsnet::certify

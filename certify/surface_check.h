@@ -1,0 +1,30 @@
+#pragma once
+
+#include <epsnet/certify/check.h>
+#include <epsnet/certify/isometry.h>
+
+namespace epsnet::certify {
+
+/// A surface that passed, and the isometries made from it.
+struct SurfaceOutcome {
+  RuleReport report;
+  std::uint64_t genus = 0;
+  std::vector<ExactIsometry> crossings;  ///< By side number; complete if the report is verified.
+};
+
+/// Rule `surface`: the tiles and their gluing are a closed hyperbolic surface of genus ≥ 2 (Poincaré's polygon theorem,
+/// docs/proof.md, section 2). Everything is exact but the angle sums, where balls tell an integer from its neighbours.
+/// Needs a document without structure problem. Quasi-linear in the number of digits.
+[[nodiscard]] SurfaceOutcome check_surface(const Surface& surface);
+
+/// A disk of radius ≥ arsinh(sinh_radius) about `centre`, inside a tile.
+struct InscribedDisk {
+  ExactPoint centre;
+  Ball sinh_radius;
+};
+
+/// A disk inside a strictly convex tile, to be used as a neighbourhood that no isometry of the group but 1 moves less
+/// than twice its radius. Any tile has one; it is found with more and more bits. `cap` bounds the bits: nothing then.
+[[nodiscard]] std::optional<InscribedDisk> inscribed_disk(const Tile& tile, long cap);
+
+}  // namespace epsnet::certify

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <gmpxx.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// Text of the file format (docs/format.md, "Numbers") and text for messages.
+namespace epsnet::certify {
+
+/// The largest number of digits of one rational, leading zeros and exponent included.
+inline constexpr std::size_t kMaxRationalDigits = 1'000'000;
+
+/// The value of a `rational`: -?[0-9]+ or -?[0-9]+/[0-9]+, in lowest terms. Nothing if the text is anything else, if
+/// the denominator is zero, or if there are more than kMaxRationalDigits digits. Subquadratic in the number of digits.
+[[nodiscard]] std::optional<mpq_class> parse_rational(std::string_view text);
+
+/// The value of a `decimal`, exactly: "0.1" is 1/10. Nothing if the text is not a decimal.
+[[nodiscard]] std::optional<mpq_class> parse_decimal(std::string_view text);
+
+/// The text in quotation marks, on one line, printable ASCII only, shortened. No text of a file can then pass for a
+/// line of our own output.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// Shortest decimal that reads back as the same binary64.
+[[nodiscard]] std::string shortest(double value);
+
+}  // namespace epsnet::certify

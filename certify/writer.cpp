@@ -1,0 +1,157 @@
+#include <epsnet/certify/writer.h>
+
+#include <charconv>
+#include <ostream>
+
+namespace epsnet::certify {
+namespace {
+
+/// Collects text and hands it to the stream in large pieces: one stream call per number would dominate the time.
+class Buffer {
+ public:
+  explicit Buffer(std::ostream& out) : out_(out) { text_.reserve(kPiece + kPiece / 4); }
+
+  void text(std::string_view piece) {
+    text_ += piece;
+    if (text_.size() >= kPiece) flush();
+  }
+
+  template <class Number>
+  void number(Number value) {
+    char digits[32];
+    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
+    text(std::string_view(digits, static_cast<std::size_t>(end - digits)));
+  }
+
+  void string(std::string_view value) {
+    text("\"");
+    text(value);
+    text("\"");
+  }
+
+  void flush() {
+    out_.write(text_.data(), static_cast<std::streamsize>(text_.size()));
+    text_.clear();
+  }
+
+ private:
+  static constexpr std::size_t kPiece = 1 << 20;
+  std::ostream& out_;
+  std::string text_;
+};
+
+/// `[a,b,…]` with `write_element` for each.
+template <class Range, class WriteElement>
+void write_list(Buffer& buffer, const Range& range, const WriteElement& write_element) {
+  const char* separator = "[";
+  for (const auto& element : range) {
+    buffer.text(separator);
+    separator = ",";
+    write_element(element);
+  }
+  buffer.text(range.empty() ? "[]" : "]");
+}
+
+/// As write_list, one element a line.
+template <class Range, class WriteRow>
+void write_rows(Buffer& buffer, const Range& range, const WriteRow& write_row) {
+  const char* separator = "[\n";
+  for (const auto& row : range) {
+    buffer.text(separator);
+    separator = ",\n";
+    write_row(row);
+  }
+  buffer.text(range.empty() ? "[]" : "\n]");
+}
+
+void write_coordinates(Buffer& buffer, const RationalPoint& point) {
+  buffer.string(point.x.get_str());
+  buffer.text(",");
+  buffer.string(point.y.get_str());
+}
+
+void write_numbers(Buffer& buffer, std::initializer_list<std::uint32_t> numbers) {
+  write_list(buffer, std::vector<std::uint32_t>(numbers), [&](std::uint32_t n) { buffer.number(n); });
+}
+
+void write_surface_object(Buffer& buffer, const Surface& surface) {
+  buffer.text("{\"kind\":\"tiles\",\n\"tiles\":");
+  write_rows(buffer, surface.tiles, [&](const Tile& tile) {
+    write_list(buffer, tile, [&](const RationalPoint& vertex) {
+      buffer.text("[");
+      write_coordinates(buffer, vertex);
+      buffer.text("]");
+    });
+  });
+  buffer.text(",\n\"gluing\":");
+  write_rows(buffer, surface.gluing, [&](const Gluing& g) {
+    write_numbers(buffer, {g.tile, g.side, g.other_tile, g.other_side});
+  });
+  buffer.text("}");
+}
+
+}  // namespace
+
+void write_surface(const Surface& surface, std::ostream& out) {
+  Buffer buffer(out);
+  buffer.text("{\"format\":\"epsnet-surface\",\"version\":1,\n\"surface\":");
+  write_surface_object(buffer, surface);
+  buffer.text("}\n");
+  buffer.flush();
+}
+
+void write_net(const Document& document, std::ostream& out) {
+  Buffer buffer(out);
+  buffer.text("{\"format\":\"epsnet-net\",\"version\":1,\n\"surface\":");
+  write_surface_object(buffer, document.surface);
+  buffer.text(",\n\"epsilon\":");
+  buffer.string(document.epsilon);
+  buffer.text(",\n\"charts\":");
+  write_rows(buffer, document.charts, [&](const Chart& chart) {
+    buffer.text("[");
+    buffer.number(chart.tile);
+    buffer.text(",");
+    write_coordinates(buffer, chart.centre);
+    buffer.text("]");
+  });
+  buffer.text(",\n\"labels\":");
+  write_rows(buffer, document.labels, [&](const Label& label) {
+    buffer.text("[");
+    buffer.number(label.from);
+    buffer.text(",");
+    buffer.number(label.to);
+    buffer.text(",");
+    write_list(buffer, label.word, [&](std::uint32_t side) { buffer.number(side); });
+    buffer.text("]");
+  });
+  buffer.text(",\n\"vertices\":");
+  write_rows(buffer, document.vertices, [&](const Vertex& vertex) {
+    buffer.text("[");
+    buffer.number(vertex.chart);
+    buffer.text(",");
+    buffer.number(vertex.x);
+    buffer.text(",");
+    buffer.number(vertex.y);
+    buffer.text("]");
+  });
+  buffer.text(",\n\"triangles\":");
+  write_rows(buffer, document.triangles, [&](const Triangle& t) {
+    buffer.text("[");
+    for (const std::uint32_t n : t.vertex) {
+      buffer.number(n);
+      buffer.text(",");
+    }
+    for (const std::uint32_t n : t.opposite) {
+      buffer.number(n);
+      buffer.text(",");
+    }
+    buffer.number(t.label[0]);
+    buffer.text(",");
+    buffer.number(t.label[1]);
+    buffer.text("]");
+  });
+  buffer.text("}\n");
+  buffer.flush();
+}
+
+}  // namespace epsnet::certify

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <epsnet/certify/document.h>
+
+#include <iosfwd>
+
+/// Writes the files of docs/format.md. Not trusted: the checker reads what was written with reader.h.
+///
+/// The text is canonical: one row a line, numbers as short as they can be, so equal documents give equal bytes, and
+/// parse_net(write_net(x)) == x. O(size), buffered. Errors show in the state of the stream.
+namespace epsnet::certify {
+
+void write_net(const Document& document, std::ostream& out);
+
+void write_surface(const Surface& surface, std::ostream& out);
+
+}  // namespace epsnet::certify
