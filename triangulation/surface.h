@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "epsnet/kernel/isometry.h"
+#include "epsnet/kernel/numbers.h"
+
+namespace epsnet {
+
+/// A strictly convex hyperbolic polygon in the Poincaré disk, vertices counterclockwise; side k goes from vertex k to vertex k + 1.
+using Tile = std::vector<Complex<Rational>>;
+
+/// Side `side` of tile `tile` is glued to side `other_side` of tile `other_tile`, start to end.
+struct Gluing {
+  std::uint32_t tile;
+  std::uint32_t side;
+  std::uint32_t other_tile;
+  std::uint32_t other_side;
+  bool operator==(const Gluing&) const = default;
+};
+
+/// Tiles and a gluing that are not a closed hyperbolic surface; what() names the element and the numbers.
+class SurfaceError : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// A path that crosses sides, as side numbers: the first is a side of the tile where the path starts.
+using Word = std::vector<std::uint32_t>;
+
+/// A closed hyperbolic surface, exact: finitely many convex tiles, each in coordinates of its own, glued side to side by isometries.
+///
+/// Sides have numbers: the sides of tile 0 in order, then those of tile 1, and so on. Immutable.
+class Surface {
+ public:
+  /// Checks everything, exactly: tiles in the disk, strictly convex, counterclockwise; a fixed-point-free pairing of all sides; paired sides of
+  /// equal length; every vertex cycle closing up with total angle 2π (Poincaré's polygon theorem); connected; genus at least 2.
+  /// Throws SurfaceError, which names the first element that fails. O(number of sides) exact operations.
+  Surface(std::vector<Tile> tiles, std::vector<Gluing> gluing);
+
+  [[nodiscard]] std::uint32_t genus() const { return genus_; }
+  [[nodiscard]] const std::vector<Tile>& tiles() const { return tiles_; }
+  /// The pairs as given to the constructor.
+  [[nodiscard]] const std::vector<Gluing>& gluing() const { return gluing_; }
+
+  [[nodiscard]] std::uint32_t side_count() const { return static_cast<std::uint32_t>(partner_.size()); }
+  [[nodiscard]] std::uint32_t side_number(std::uint32_t tile, std::uint32_t side) const { return first_side_[tile] + side; }
+  [[nodiscard]] std::uint32_t tile_of_side(std::uint32_t s) const { return side_tile_[s]; }
+  /// The side that side s is glued to.
+  [[nodiscard]] std::uint32_t partner(std::uint32_t s) const { return partner_[s]; }
+  /// The isometry from the coordinates of the tile of side s to the coordinates of the tile of its partner.
+  [[nodiscard]] const Isometry<Rational>& crossing(std::uint32_t s) const { return crossing_[s]; }
+
+  /// The corners (tile, vertex) are numbered like the sides that start there. `vertex_class(c)` is the point of the surface that corner c is,
+  /// numbered from 0 in the order of first occurrence.
+  [[nodiscard]] std::uint32_t vertex_class(std::uint32_t corner) const { return vertex_class_[corner]; }
+  [[nodiscard]] std::uint32_t vertex_class_count() const { return vertex_class_count_; }
+
+ private:
+  std::vector<Tile> tiles_;
+  std::vector<Gluing> gluing_;
+  std::vector<std::uint32_t> first_side_;
+  std::vector<std::uint32_t> side_tile_;
+  std::vector<std::uint32_t> partner_;
+  std::vector<Isometry<Rational>> crossing_;
+  std::vector<std::uint32_t> vertex_class_;
+  std::uint32_t vertex_class_count_ = 0;
+  std::uint32_t genus_ = 0;
+};
+
+}  // namespace epsnet
