@@ -24,7 +24,7 @@ struct CheckOptions {
   unsigned threads = 0;       ///< 0: as many as the machine has cores. The result is the same for any number.
   long max_precision = 8192;  ///< Bits; beyond, a comparison is undecided. At least 64, at most 2²⁰.
   /// Called now and then, from the calling thread only, with a rule's name and the share done, 0 to 1.
-  std::function<void(std::string_view, double)> progress;
+  std::function<void(std::string_view, double)> progress = {};
 };
 
 /// What one rule says about the document.

@@ -77,7 +77,9 @@ struct Findings {
   }
 };
 
-std::string text(Interval x) { return "[" + shortest(x.lower) + ", " + shortest(x.upper) + "]"; }
+std::string text(Interval x) {
+  return std::string("[").append(shortest(x.lower)).append(", ").append(shortest(x.upper)).append("]");
+}
 
 /// From an interval of sinh² of a length to one of the length, times `factor` (1 or 2).
 Interval length_interval(Interval squared_sinh, slong factor) {

@@ -50,7 +50,9 @@ int exit_code(Verdict verdict) {
 
 [[noreturn]] void end_on_flint_abort() { end_on_signal(0); }
 
-std::string interval_text(Interval x) { return "[" + shortest(x.lower) + ", " + shortest(x.upper) + "]"; }
+std::string interval_text(Interval x) {
+  return std::string("[").append(shortest(x.lower)).append(", ").append(shortest(x.upper)).append("]");
+}
 
 /// A list of names and values, for both kinds of output.
 template <class Visit>

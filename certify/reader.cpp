@@ -370,7 +370,7 @@ simdjson::padded_string_view padded(std::string& bytes) {
 
 Document read_net(const std::filesystem::path& path) {
   std::string bytes = load(path);
-  return parse_padded_net(padded(bytes), path.filename().string());
+  return parse_padded_net(padded(bytes), in_quotes(path.filename().string()));
 }
 
 Document parse_net(std::string_view text, std::string_view name) {
@@ -379,7 +379,7 @@ Document parse_net(std::string_view text, std::string_view name) {
 
 Surface read_surface(const std::filesystem::path& path) {
   std::string bytes = load(path);
-  return parse_padded_surface(padded(bytes), path.filename().string());
+  return parse_padded_surface(padded(bytes), in_quotes(path.filename().string()));
 }
 
 Surface parse_surface(std::string_view text, std::string_view name) {

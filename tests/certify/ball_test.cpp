@@ -1,0 +1,165 @@
+#include <epsnet/certify/ball.h>
+#include <epsnet/certify/isometry.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+namespace epsnet::certify {
+namespace {
+
+/// m ± 2^−k.
+Ball ball(double middle, slong k) {
+  Ball x;
+  arb_set_d(x.get(), middle);
+  mag_set_ui_2exp_si(arb_radref(x.get()), 1, -k);
+  return x;
+}
+
+Ball nan_ball() {
+  Ball x;
+  arb_indeterminate(x.get());
+  return x;
+}
+
+bool contains(const Ball& x, const mpq_class& value) {
+  fmpq_t q;
+  fmpq_init(q);
+  fmpq_set_mpq(q, value.get_mpq_t());
+  const bool result = arb_contains_fmpq(x.get(), q) != 0;
+  fmpq_clear(q);
+  return result;
+}
+
+// Each trap of Arb that a checker can fall into, and that our functions do not.
+
+TEST(BallTraps, ComparingNanIsUnknown) {
+  const Ball x = nan_ball();
+  const Ball y = ball(0.5, 20);
+  EXPECT_EQ(arf_cmp(arb_midref(x.get()), arb_midref(y.get())), 0);  // The trap: NaN "equals" 1/2.
+  EXPECT_EQ(certainly_less(x.get(), y.get()), Tri::unknown);
+  EXPECT_EQ(certainly_less(y.get(), x.get()), Tri::unknown);
+  EXPECT_EQ(certainly_positive(x.get()), Tri::unknown);
+}
+
+TEST(BallTraps, SetPredicatesSayYesToNan) {
+  // Documented here so that nobody uses them as evidence.
+  EXPECT_NE(arb_contains_zero(nan_ball().get()), 0);
+  EXPECT_NE(arb_overlaps(nan_ball().get(), ball(1, 10).get()), 0);
+}
+
+TEST(BallTraps, RootOfABallAroundZeroIsNotFinite) {
+  Ball root;
+  arb_sqrt(root.get(), ball(0, 60).get(), 64);
+  EXPECT_FALSE(arb_is_finite(root.get()));
+  arb_sqrtpos(root.get(), ball(0, 60).get(), 64);
+  EXPECT_TRUE(arb_is_finite(root.get()));
+  Ball area;
+  arb_acosh(area.get(), ball(1, 60).get(), 64);
+  EXPECT_FALSE(arb_is_finite(area.get()));
+}
+
+TEST(BallTraps, DecimalsEnterAsRationals) {
+  Ball binary;
+  arb_set_d(binary.get(), 0.1);
+  EXPECT_FALSE(contains(binary, mpq_class(1, 10)));
+  Ball decimal;
+  set_rational(decimal.get(), mpq_class(1, 10), 64);
+  EXPECT_TRUE(contains(decimal, mpq_class(1, 10)));
+}
+
+TEST(BallTraps, AliasedArgumentsAreTheSameNumber) {
+  const Ball x = ball(0, 10);
+  Ball square;
+  arb_mul(square.get(), x.get(), x.get(), 64);
+  Ball product;
+  arb_mul(product.get(), x.get(), ball(0, 10).get(), 64);
+  Ball difference;
+  arb_sub(difference.get(), x.get(), Ball(x).get(), 64);
+  EXPECT_EQ(certainly_less(product.get(), product.get()), Tri::unknown);
+  EXPECT_TRUE(contains(difference, mpq_class(1, 1024)));  // A copy is a number of its own.
+}
+
+TEST(BallTraps, InfiniteBallsProveNothing) {
+  Ball x;
+  arb_zero_pm_inf(x.get());
+  EXPECT_EQ(certainly_less(x.get(), ball(1, 10).get()), Tri::unknown);
+  const Interval all = outer_interval(x.get());
+  EXPECT_EQ(all.lower, -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(all.upper, std::numeric_limits<double>::infinity());
+}
+
+TEST(Ball, ComparisonsOfTouchingBalls) {
+  EXPECT_EQ(certainly_less(ball(0, 1).get(), ball(1.5, 1).get()), Tri::yes);
+  EXPECT_EQ(certainly_less(ball(0, 1).get(), ball(1, 1).get()), Tri::unknown);  // Both may be 1/2.
+  EXPECT_EQ(certainly_less(ball(2, 1).get(), ball(1, 1).get()), Tri::no);       // At best both are 3/2.
+  EXPECT_EQ(certainly_positive(ball(0.5, 1).get()), Tri::unknown);
+  EXPECT_EQ(certainly_positive(ball(0.75, 1).get()), Tri::yes);
+  EXPECT_EQ(certainly_positive(ball(-0.5, 1).get()), Tri::no);
+  EXPECT_EQ(certainly_positive(Ball().get()), Tri::no);
+}
+
+TEST(Ball, OuterIntervalRoundsOutward) {
+  Ball third;
+  set_rational(third.get(), mpq_class(1, 3), 200);
+  const Interval x = outer_interval(third.get());
+  EXPECT_LT(mpq_class(x.lower), mpq_class(1, 3));
+  EXPECT_GT(mpq_class(x.upper), mpq_class(1, 3));
+  EXPECT_EQ(above(x.lower), x.upper);
+}
+
+TEST(Ball, OuterIntervalOfHugeAndTinyNumbers) {
+  Ball x = ball(1, 10);
+  arb_mul_2exp_si(x.get(), x.get(), 5000);
+  EXPECT_LE(outer_interval(x.get()).lower, std::numeric_limits<double>::max());
+  EXPECT_EQ(outer_interval(x.get()).upper, std::numeric_limits<double>::infinity());
+  arb_mul_2exp_si(x.get(), x.get(), -10000);
+  EXPECT_EQ(outer_interval(x.get()).lower, 0);
+  EXPECT_GT(outer_interval(x.get()).upper, 0);
+}
+
+mpz_class random_integer(int bits) {
+  mpz_class value = 0;
+  for (int i = 0; i < bits; i += 32) value = (value << 32) + *rc::gen::arbitrary<std::uint32_t>();
+  return value;
+}
+
+/// A point with numerator and denominator of random size inside the disk.
+ExactPoint random_point() {
+  const int bits = *rc::gen::inRange(1, 300);
+  ExactPoint z{{random_integer(bits), random_integer(bits)}, 0};
+  if (*rc::gen::arbitrary<bool>()) z.n.re = -z.n.re;
+  if (*rc::gen::arbitrary<bool>()) z.n.im = -z.n.im;
+  z.m = abs(z.n.re) + abs(z.n.im) + 1 + random_integer(*rc::gen::inRange(0, bits));
+  return z;
+}
+
+// The inclusion principle: the ball of an exact isometry contains it, at every precision.
+RC_GTEST_PROP(BallProperty, IsometriesContainTheExactOnes, ()) {
+  const ExactIsometry f = compose(translation_to(random_point()), inverse(translation_to(random_point())));
+  const slong precision = *rc::gen::inRange(20, 400);
+  const BallIsometry balls = to_balls(f, precision);
+  // (a, b) is only known up to a real factor: compare the products with b̄ and det = 1.
+  const mpz_class determinant_value = determinant(f);
+  Ball square, part;
+  arb_sqr(square.get(), balls.a.re(), precision);
+  arb_sqr(part.get(), balls.a.im(), precision);
+  arb_add(square.get(), square.get(), part.get(), precision);
+  RC_ASSERT(contains(square, mpq_class(norm(f.a)) / determinant_value));
+  arb_mul(square.get(), balls.a.re(), balls.b.im(), precision);
+  RC_ASSERT(contains(square, mpq_class(f.a.re * f.b.im) / determinant_value));
+}
+
+RC_GTEST_PROP(BallProperty, CompositionContainsTheExactOne, ()) {
+  const ExactIsometry f = translation_to(random_point());
+  const ExactIsometry g = translation_to(random_point());
+  const slong precision = *rc::gen::inRange(20, 400);
+  const BallIsometry balls = compose(to_balls(f, precision), inverse(to_balls(g, precision)), precision);
+  const ExactIsometry exact = compose(f, inverse(g));
+  Ball square;
+  half_displacement_squared(square.get(), balls, precision);
+  RC_ASSERT(contains(square, mpq_class(norm(exact.b)) / determinant(exact)));
+}
+
+}  // namespace
+}  // namespace epsnet::certify

@@ -1,0 +1,119 @@
+#include <epsnet/certify/reader.h>
+#include <epsnet/certify/text.h>
+#include <epsnet/certify/writer.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <sstream>
+
+namespace epsnet::certify {
+namespace {
+
+Document sample() { return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/octagon-9-vertices.json"); }
+
+std::string to_text(const Document& document) {
+  std::ostringstream out;
+  write_net(document, out);
+  return out.str();
+}
+
+std::string complaint(const std::string& text) {
+  try {
+    static_cast<void>(parse_net(text, "test"));
+  } catch (const MalformedError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(Reader, ReadsWhatTheWriterWrites) {
+  const Document document = sample();
+  const std::string text = to_text(document);
+  EXPECT_EQ(parse_net(text, "test"), document);
+  EXPECT_EQ(to_text(parse_net(text, "test")), text);
+}
+
+TEST(Reader, ReadsSurfacesThatTheWriterWrites) {
+  std::ostringstream out;
+  write_surface(sample().surface, out);
+  EXPECT_EQ(parse_surface(out.str(), "test"), sample().surface);
+  EXPECT_THROW(static_cast<void>(parse_net(out.str(), "test")), MalformedError);
+}
+
+TEST(Reader, MembersComeInAnyOrderAndRationalsNeedNotBeReduced) {
+  const std::string text = R"({"surface": {"gluing": [[0,0,0,1]], "kind": "tiles",
+      "tiles": [[["0","0"],["-2/4","000"],["0","1/2"],["1/3","-0"]]]}, "version": 1, "format": "epsnet-surface"})";
+  EXPECT_THROW(static_cast<void>(parse_surface(text, "test")), MalformedError);  // Two sides are not glued.
+  const Surface surface = parse_surface(replaced(text, "[[0,0,0,1]]", "[[0,0,0,1],[0,2,0,3]]"), "test");
+  EXPECT_EQ(surface.tiles[0][1].x, mpq_class(-1, 2));
+  EXPECT_EQ(surface.tiles[0][1].y, 0);
+  EXPECT_EQ(surface.tiles[0][3].y, 0);
+}
+
+TEST(Reader, ComplaintsNameFilePlaceAndExpectation) {
+  Document document = sample();
+  document.triangles[17].vertex[1] = 1000;
+  const std::string text = complaint(to_text(document));
+  EXPECT_EQ(text, "test: triangles[17]: vertex 1000 does not exist, expected less than 9");
+  EXPECT_EQ(complaint(replaced(to_text(sample()), "\"epsilon\"", "\"epsilom\"")),
+            "test: net: unknown member \"epsilom\"");
+}
+
+TEST(Reader, ComplaintsAreOneHarmlessLine) {
+  const std::string text = complaint(replaced(to_text(sample()), "\"epsilon\"", "\"\\nVERIFIED\\u0007\""));
+  EXPECT_EQ(text.find('\n'), std::string::npos);
+  EXPECT_NE(text, "");
+}
+
+TEST(Reader, WordsMustCompose) {
+  // Cut the octagon in two: side 0 leaves tile 0 for tile 1, so a word cannot go on with a side of tile 0.
+  Document document = sample();
+  const Tile v = document.surface.tiles[0];
+  document.surface.tiles = {Tile{v[0], v[1], v[2], v[3], v[4]}, Tile{v[4], v[5], v[6], v[7], v[0]}};
+  document.surface.gluing = {{0, 4, 1, 4}, {0, 0, 1, 0}, {0, 1, 1, 1}, {0, 2, 1, 2}, {0, 3, 1, 3}};
+  document.labels = {{0, 0, {0, 5}}};
+  document.triangles.clear();
+  EXPECT_EQ(complaint(to_text(document)), "");
+  document.labels = {{0, 0, {0, 1}}};
+  EXPECT_EQ(complaint(to_text(document)), "test: labels[0]: letter 1 is side 1 of tile 0, expected a side of tile 1");
+  document.labels = {{0, 0, {0}}};
+  EXPECT_EQ(complaint(to_text(document)), "test: labels[0]: the word ends in tile 1, expected the tile 0 of chart 0");
+}
+
+TEST(Reader, RationalOfAMillionDigitsIsFast) {
+  const std::string digits(999'990, '7');
+  const auto begin = std::chrono::steady_clock::now();
+  const auto value = parse_rational("1/" + digits);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+  ASSERT_TRUE(value.has_value());
+  EXPECT_EQ(value->get_num(), 1);
+  EXPECT_FALSE(parse_rational(std::string(1'000'001, '7')).has_value());
+  EXPECT_TRUE(parse_rational("-" + std::string(1'000'000, '7')).has_value());
+}
+
+TEST(Reader, EveryPrefixOfANetIsMalformed) {
+  const std::string text = to_text(sample());
+  for (std::size_t length = 0; length + 2 < text.size(); ++length) {
+    ASSERT_NE(complaint(text.substr(0, length)), "") << length;
+  }
+}
+
+TEST(Text, DecimalsAreExact) {
+  EXPECT_EQ(parse_decimal("0.1"), mpq_class(1, 10));
+  EXPECT_EQ(parse_decimal("1.25e-1"), mpq_class(1, 8));
+  EXPECT_EQ(parse_decimal("25E+2"), mpq_class(2500));
+  EXPECT_EQ(parse_decimal("-3/6"), mpq_class(-1, 2));
+  for (const char* text :
+       {"", ".1", "1.", "1e", "1e+", "1e12345", "1 ", "+1", "1/0", "1/", "/2", "0x1", "1_0", "--1"}) {
+    EXPECT_FALSE(parse_decimal(text).has_value()) << text;
+  }
+}
+
+}  // namespace
+}  // namespace epsnet::certify
