@@ -48,7 +48,8 @@ int exit_code(Verdict verdict) {
   _exit(kExitInternal);
 }
 
-[[noreturn]] void end_on_flint_abort() { end_on_signal(0); }
+// FLINT's own spelling: for clang, a function type with this attribute differs from one with [[noreturn]].
+FLINT_NORETURN void end_on_flint_abort() { end_on_signal(0); }
 
 std::string interval_text(Interval x) {
   return std::string("[").append(shortest(x.lower)).append(", ").append(shortest(x.upper)).append("]");
