@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <random>
 #include <sstream>
 #include <string>
@@ -199,7 +198,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
     for (unsigned changes = 1 + choose.below(2); changes > 0; --changes) mutate(document, choose);
     const std::string text = to_text(document);
     if (text.size() > max_size) return LLVMFuzzerMutate(data, size, max_size);
-    std::memcpy(data, text.data(), text.size());
+    std::copy(text.begin(), text.end(), data);
     return text.size();
   } catch (const MalformedError&) {
     return LLVMFuzzerMutate(data, size, max_size);
