@@ -70,6 +70,21 @@ TEST(SurfaceCheck, SplitOctagonIsTheSameSurface) {
   EXPECT_EQ(outcome.genus, 2U);
 }
 
+TEST(SurfaceCheck, ConeAngleOfThreeFullTurnsIsRefuted) {
+  // Three copies of the octagon, glued so that going round the vertex once leads to the next copy: a branched cover.
+  // All lengths agree and the crossings around its one vertex multiply to the identity; only the angle tells.
+  const Surface octagon_surface = octagon();
+  Surface cover;
+  cover.tiles.assign(3, octagon_surface.tiles[0]);
+  const std::array<std::array<std::uint32_t, 3>, 4> sheet{{{1, 0, 2}, {0, 2, 1}, {0, 1, 2}, {0, 1, 2}}};
+  for (std::uint32_t side = 0; side < 4; ++side) {
+    for (std::uint32_t t = 0; t < 3; ++t) cover.gluing.push_back({t, side, sheet[side][t], side + 4});
+  }
+  const SurfaceOutcome outcome = check_surface(cover);
+  EXPECT_EQ(outcome.report.verdict, Verdict::refuted);
+  EXPECT_NE(outcome.report.text.find("3 full turns"), std::string::npos) << outcome.report.text;
+}
+
 TEST(SurfaceCheck, InscribedDiskOfNearlyIdealTriangle) {
   // Corners at distance 1e-14 of the circle.
   const mpq_class r(mpz_class("99999999999999"), mpz_class("100000000000000"));
