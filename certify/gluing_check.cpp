@@ -4,9 +4,10 @@
 #include <epsnet/certify/surface_check.h>
 
 #include <algorithm>
+#include <compare>
 #include <map>
+#include <set>
 #include <string>
-#include <unordered_map>
 
 namespace epsnet::certify {
 namespace {
@@ -15,16 +16,7 @@ namespace {
 struct Equation {
   std::array<std::uint32_t, 4> labels;
   std::uint32_t chart;
-  bool operator==(const Equation&) const = default;
-};
-
-struct EquationHash {
-  std::size_t operator()(const Equation& e) const {
-    // A multiplicative hash of the five numbers; collisions only cost time.
-    std::uint64_t hash = e.chart;
-    for (const std::uint32_t label : e.labels) hash = (hash ^ label) * 0x9E3779B97F4A7C15U ^ (hash >> 29);
-    return static_cast<std::size_t>(hash);
-  }
+  auto operator<=>(const Equation&) const = default;
 };
 
 struct Item {
@@ -35,7 +27,7 @@ struct Item {
 
 /// The equations that are not trivial, each with its first dart, in the order of these.
 std::vector<Item> collect(const Document& document) {
-  std::unordered_map<Equation, std::uint32_t, EquationHash> seen;
+  std::set<Equation> seen;
   std::vector<Item> items;
   for (std::uint32_t dart = 0; dart < 3 * document.triangles.size(); ++dart) {
     const std::uint32_t other = opposite(document, dart);
@@ -48,7 +40,7 @@ std::vector<Item> collect(const Document& document) {
     // number here: for it, the charts at its two ends are the same one.
     if ((a == c && b == d) || (a == b && c == d)) continue;
     const Equation equation{{a, b, c, d}, chart_of_triangle(document, other / 3)};
-    if (seen.emplace(equation, dart).second) items.push_back({equation, dart});
+    if (seen.insert(equation).second) items.push_back({equation, dart});
   }
   return items;
 }

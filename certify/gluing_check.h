@@ -15,8 +15,8 @@ struct GluingOutcome {
 /// the surface (corner i of t is corner j + 1 of t', corner i + 1 is corner j).
 ///
 /// An element of the group that moves the centre of a disk inside a tile by less than twice the radius is 1, so balls
-/// decide equality (docs/proof.md, section 4). Needs rules `surface` and `map`. O(n) look-ups and one evaluation for
-/// each different equation.
+/// decide equality (docs/proof.md, section 4). Needs rules `surface` and `map`. O(n log n) for look-ups and one
+/// evaluation for each different equation.
 [[nodiscard]] GluingOutcome check_gluing(const Document& document, const LabelEvaluator& evaluator,
                                          const ExactParts& parts, long max_precision, unsigned threads);
 

@@ -47,7 +47,7 @@ class LiftedTriangle {
   /// radius_numerator > radius_limit = sinh²ε · radius_denominator (for corners that are not all on one line).
   ///
   /// With a, b, c = sinh² of half the sides, sinh²R = 4abc/(2(ab + bc + ca) − a² − b² − c²); there is a circumcircle
-  /// exactly if the denominator is positive (docs/proof.md, Lemma 6). Both are multiplied by (A_0 A_1 A_2)².
+  /// exactly if the denominator is positive (docs/proof.md, Lemma 5). Both are multiplied by (A_0 A_1 A_2)².
   void measure_circumradius(arb_srcptr sinh_squared, slong precision);
 
   /// length_limit = half_sinh_squared · A_i A_j, gap_product = A_i A_j, for edge i from corner i to corner j.

@@ -243,6 +243,8 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   for (const int signal : {SIGABRT, SIGFPE, SIGSEGV, SIGBUS, SIGILL}) std::signal(signal, end_on_signal);
+  // A reader that went away shows as a failed write, exit code 70, not as death by signal.
+  std::signal(SIGPIPE, SIG_IGN);
   flint_set_abort(end_on_flint_abort);
   std::ios::sync_with_stdio(false);
   try {

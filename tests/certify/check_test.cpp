@@ -165,6 +165,19 @@ TEST(Check, ExtremeEpsilonsEnd) {
   EXPECT_NE(certificate.verdict, Verdict::verified);
 }
 
+TEST(Check, MoreBitsDecideMore) {
+  // The shortest edge to 30 digits (mpmath), rounded down: shorter by less than 64 bits can see.
+  Document document = nine();
+  document.epsilon = "1.041236299642140448353580617796";
+  const Certificate coarse = check(document, {.threads = 1, .max_precision = 64});
+  EXPECT_EQ(coarse.verdict, Verdict::undecided);
+  EXPECT_EQ(coarse.rule, "packing");
+  const Certificate fine = check(document, {.threads = 1, .max_precision = 256});
+  EXPECT_EQ(fine.verdict, Verdict::verified) << fine.message;
+  EXPECT_GT(fine.counts.triangles_beyond_64_bits, 0U);
+  EXPECT_EQ(fine.counts.max_precision_used, 128U);
+}
+
 TEST(Check, VertexOnTheEdgeOfTheDisk) {
   Document document = nine();
   document.vertices[2] = {std::nextafter(1.0, 0.0), 0, 0};

@@ -86,6 +86,21 @@ TEST(Reader, WordsMustCompose) {
   EXPECT_EQ(complaint(to_text(document)), "test: labels[0]: the word ends in tile 1, expected the tile 0 of chart 0");
 }
 
+TEST(Reader, WordsHaveALimit) {
+  Document document = sample();
+  document.labels.push_back({0, 0, {}});
+  for (int i = 0; i < 500'000; ++i) {
+    document.labels.back().word.push_back(0);
+    document.labels.back().word.push_back(4);
+  }
+  EXPECT_EQ(complaint(to_text(document)), "");
+  document.labels.back().word.push_back(0);
+  EXPECT_NE(complaint(to_text(document)).find("10^6 letters"), std::string::npos);
+  document.labels.back().word.pop_back();
+  document.labels.insert(document.labels.end(), 9, document.labels.back());
+  EXPECT_NE(complaint(to_text(document)).find("10^7 letters"), std::string::npos);
+}
+
 TEST(Reader, RationalOfAMillionDigitsIsFast) {
   const std::string digits(999'990, '7');
   const auto begin = std::chrono::steady_clock::now();
