@@ -1,0 +1,136 @@
+#include "epsnet/netgen/octagon.h"
+
+#include <boost/random/linear_congruential.hpp>
+#include <boost/random/uniform_01.hpp>
+#include <cfloat>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace epsnet {
+namespace {
+
+// Which candidates are accepted, and the digits of the coordinates, depend on every rounding to float.
+static_assert(FLT_EVAL_METHOD == 0 && std::numeric_limits<float>::is_iec559,
+              "floats must be rounded to float after each operation");
+
+using Half = std::array<Complex<Rational>, 4>;
+
+/// The stream of random numbers of one seed.
+class Draws {
+ public:
+  /// CGAL's generator draws an integer of [0, 2¹⁵ − 1] when it is made. The range divides that of rand48, so it is
+  /// always one step.
+  explicit Draws(std::int32_t seed) : engine_(seed) { engine_.discard(1); }
+
+  /// A point of the upper half of the unit disk, uniformly distributed.
+  Complex<float> point() {
+    // In the first attempt the compiled program draws the imaginary part first (order of evaluation of arguments),
+    // later the real part.
+    Complex<float> z;
+    z.y = uniform();
+    z.x = 2 * uniform() - 1;
+    while (norm(z) >= 1) {
+      z.x = 2 * uniform() - 1;
+      z.y = uniform();
+    }
+    return z;
+  }
+
+ private:
+  float uniform() { return boost::random::uniform_01<float>()(engine_); }
+
+  boost::random::rand48 engine_;
+};
+
+/// z0, z1, z2, z3 in floats: z0 ∈ (0, 1) such that the octagon has area 4π up to rounding, if things go well.
+struct Candidate {
+  float z0;
+  std::array<Complex<float>, 3> z;
+};
+
+/// Draws z1, z2, z3 until their arguments increase and the area condition, a quadratic equation a x² + b x + c = 0 for
+/// z0, is negative at 1. z0 is one of its roots; it may be anything, even NaN.
+Candidate draw_candidate(Draws& draws) {
+  for (;;) {
+    std::array<Complex<float>, 3> z;
+    for (Complex<float>& point : z) point = draws.point();
+    const auto& [z1, z2, z3] = z;
+    if (!((z2 / z1).y > 0 && (z3 / z2).y > 0)) continue;
+    const Complex<float> one{1, 0};
+    const Complex<float> u = (one - conj(z1 * z2)) * (one - conj(z2 * z3));
+    const float a = -(conj(u * z1) * z3).y;
+    const float b = (u * conj(z3 - z1)).y;
+    const float c = u.y;
+    if (a + b + c > -1e-5F) continue;
+    return {2 * c / (std::sqrt(b * b - 4 * a * c) - b), z};
+  }
+}
+
+/// The first four digits after the point, as an exact number with the sign of x. The digits before the point are lost:
+/// so does CGAL's program, which takes for example z0 = 2.9986 for 0.9986 (seed 50). Nothing for NaN and numbers too
+/// large to have digits after the point.
+std::optional<Rational> four_digits(float x) {
+  const float shifted = 10000 * std::fabs(x);
+  if (!(shifted < 0x1p24F)) return std::nullopt;
+  const int digits = static_cast<int>(shifted) % 10000;
+  return Rational(x < 0 ? -digits : digits, 10000);
+}
+
+std::optional<Half> truncated(const Candidate& candidate) {
+  Half half;
+  const std::optional<Rational> z0 = four_digits(candidate.z0);
+  if (!z0) return std::nullopt;
+  half[0] = {*z0, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    half[i + 1] = {*four_digits(candidate.z[i].x), *four_digits(candidate.z[i].y)};
+  }
+  return half;
+}
+
+/// Moves z3 along the geodesic through it and −z0 to the place where the area condition holds. False if there is none.
+bool close_up(Half& half) {
+  const auto& [z0, z1, z2, z3] = half;
+  const Complex<Rational> one{1, 0};
+  // With w = (z3 + z0)/(1 + z0 z3), the condition is Im[A (1 + z0 z2 − (z0 + z2) w̄)] = 0 up to a positive factor, A the
+  // first two factors.
+  const Complex<Rational> w = (z3 + z0) / (one + z0 * z3);
+  const Complex<Rational> first = (one - z0 * conj(z1)) * (one - z1 * conj(z2));
+  const Rational slope = (first * (z0 + z2) * conj(w)).y;
+  if (slope == 0) return false;
+  const Rational lambda = (first * (one + z0 * z2)).y / slope;
+  const Complex<Rational> moved = lambda * w;
+  const Complex<Rational> scale = one - z0 * moved;
+  if (norm(scale) == 0) return false;
+  half[3] = (moved - z0) / scale;
+  return true;
+}
+
+/// The points lie in the upper half of the disk, z0 excepted, which is real, and their arguments increase.
+bool well_placed(const Half& half) {
+  for (std::size_t i = 0; i < half.size(); ++i) {
+    if (norm(half[i]) >= 1 || (i > 0 && half[i].y <= 0)) return false;
+    if (i > 0 && cross(half[i - 1], half[i]) <= 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Surface symmetric_octagon(const std::array<Complex<Rational>, 4>& half) {
+  Tile tile(half.begin(), half.end());
+  for (const Complex<Rational>& z : half) tile.push_back(-z);
+  return {{std::move(tile)}, {{0, 0, 0, 4}, {0, 1, 0, 5}, {0, 2, 0, 6}, {0, 3, 0, 7}}};
+}
+
+Surface random_octagon(std::int32_t seed) {
+  Draws draws(seed);
+  for (;;) {
+    std::optional<Half> half = truncated(draw_candidate(draws));
+    // z0 > 0 is part of `well_placed`, tested early because it fails for most candidates that fail.
+    if (half && (*half)[0].x > 0 && close_up(*half) && well_placed(*half)) return symmetric_octagon(*half);
+  }
+}
+
+}  // namespace epsnet
