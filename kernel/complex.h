@@ -4,8 +4,9 @@ namespace epsnet {
 
 /// A complex number over any ordered field: binary64, multiprecision or rational.
 ///
-/// std::complex is specified for the built-in floating point types alone; this one has just the field operations, and its product is the
-/// textbook formula (no special cases for infinities), so that error bounds can be derived from the source.
+/// std::complex is specified for the built-in floating point types alone; this one has just the field operations, and
+/// its product is the textbook formula (no special cases for infinities), so that error bounds can be derived from the
+/// source.
 template <class T>
 struct Complex {
   T x{};  ///< Real part.

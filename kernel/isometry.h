@@ -8,7 +8,8 @@ namespace epsnet {
 
 /// An orientation-preserving isometry z ↦ (a z + b)/(b̄ z + ā) of the Poincaré disk, |a| > |b| (thesis Theorem I.8).
 ///
-/// (a, b) is defined up to a real factor, so that isometries between rational points stay in Q(i); `normalized` scales to |a|² − |b|² = 1.
+/// (a, b) is defined up to a real factor, so that isometries between rational points stay in Q(i); `normalized` scales
+/// to |a|² − |b|² = 1.
 template <class T>
 struct Isometry {
   Complex<T> a{T(1), T(0)};
@@ -37,7 +38,8 @@ template <class T>
   return {conj(f.a), -f.b};
 }
 
-/// The same isometry with |a|² − |b|² = 1 and, of the two such pairs, the one with Re a > 0, or Re a = 0 and Im a > 0. Needs square roots in T.
+/// The same isometry with |a|² − |b|² = 1 and, of the two such pairs, the one with Re a > 0, or Re a = 0 and Im a > 0.
+/// Needs square roots in T.
 template <class T>
 [[nodiscard]] Isometry<T> normalized(const Isometry<T>& f) {
   using std::sqrt;
@@ -51,12 +53,14 @@ template <class To, class From>
   return {convert<To>(f.a), convert<To>(f.b)};
 }
 
-/// The isometry that takes p to p2 and q to q2. Stays in the field of the coordinates. Requires d(p, q) = d(p2, q2) > 0.
+/// The isometry that takes p to p2 and q to q2. Stays in the field of the coordinates. Requires d(p, q) = d(p2, q2) >
+/// 0.
 template <class T>
 [[nodiscard]] Isometry<T> segment_to_segment(const Complex<T>& p, const Complex<T>& q, const Complex<T>& p2,
                                              const Complex<T>& q2) {
-  // With p and p2 moved to 0 the segments end in w and w2, |w| = |w2|. The rotation z ↦ (a/ā) z takes w to w2 when arg a is half the angle from w
-  // to w2. Both w + w2 and i(w2 − w) bisect that angle (modulo π, which a/ā does not see); the longer one does it without a square root.
+  // With p and p2 moved to 0 the segments end in w and w2, |w| = |w2|. The rotation z ↦ (a/ā) z takes w to w2 when arg
+  // a is half the angle from w to w2. Both w + w2 and i(w2 − w) bisect that angle (modulo π, which a/ā does not see);
+  // the longer one does it without a square root.
   const Complex<T> one{T(1), T(0)};
   const Complex<T> w = (q - p) / (one - conj(p) * q);
   const Complex<T> w2 = (q2 - p2) / (one - conj(p2) * q2);

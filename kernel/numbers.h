@@ -14,7 +14,8 @@ static_assert(std::numeric_limits<double>::is_iec559, "the error bounds are prov
 /// Exact rational numbers (GMP).
 using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
-/// Multiprecision numbers (MPFR) with a mantissa of at least `Bits` bits, round to nearest, storage inside of the object.
+/// Multiprecision numbers (MPFR) with a mantissa of at least `Bits` bits, round to nearest, storage inside of the
+/// object.
 template <unsigned Bits>
 using Multiprecision = boost::multiprecision::number<
     boost::multiprecision::mpfr_float_backend<(Bits * 3 + 9) / 10 + 2, boost::multiprecision::allocate_stack>,

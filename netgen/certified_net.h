@@ -8,11 +8,13 @@
 
 #include "epsnet/certify/check.h"
 #include "epsnet/certify/document.h"
+#include "epsnet/netgen/epsilon.h"
 #include "epsnet/triangulation/surface.h"
 
 namespace epsnet {
 
-/// How a circumcentre enters the triangulation. Both give the same Delaunay triangulation for the same point, exact ties aside.
+/// How a circumcentre enters the triangulation. Both give the same Delaunay triangulation for the same point, exact
+/// ties aside.
 enum class Insertion {
   cavity,  ///< Bowyer–Watson from the large triangle itself; the fast way.
   flips,   ///< The thesis' way (IV.4.3 to IV.4.5): walk, split, flip. Yields the statistics of the thesis.
@@ -34,13 +36,13 @@ struct NetOptions {
 /// What a run did, in the terms of the thesis (IV.6.2).
 struct NetStatistics {
   std::uint64_t insertions = 0;
-  std::uint64_t flips = 0;                ///< Of the insertions. A cavity of k triangles counts as k − 1 flips.
-  std::uint64_t initial_flips = 0;        ///< To make the input's triangulation Delaunay.
-  std::uint64_t located = 0;              ///< Walks (`Insertion::flips` only).
-  std::uint64_t located_at_start = 0;     ///< Circumcentres that lie in their own triangle.
-  std::uint64_t walk_steps = 0;           ///< Triangles entered by all walks.
+  std::uint64_t flips = 0;             ///< Of the insertions. A cavity of k triangles counts as k − 1 flips.
+  std::uint64_t initial_flips = 0;     ///< To make the input's triangulation Delaunay.
+  std::uint64_t located = 0;           ///< Walks (`Insertion::flips` only).
+  std::uint64_t located_at_start = 0;  ///< Circumcentres that lie in their own triangle.
+  std::uint64_t walk_steps = 0;        ///< Triangles entered by all walks.
   std::uint64_t longest_walk = 0;
-  std::uint64_t multiprecision = 0;       ///< Predicates that binary64 could not decide.
+  std::uint64_t multiprecision = 0;  ///< Predicates that binary64 could not decide.
   std::uint64_t charts = 0;
   std::uint64_t labels = 0;
   double start_seconds = 0;   ///< Initial Delaunay triangulation.
@@ -60,40 +62,32 @@ struct CertifiedNet {
   NetStatistics statistics;
 };
 
-/// ε as an exact number: a decimal such as "0.1" (that is 1/10) or a rational "p/q", positive.
-///
-/// Throws std::invalid_argument, which quotes the text, for anything else: not a number, zero, negative, NaN, infinite.
-class Epsilon {
- public:
-  explicit Epsilon(std::string text);
-  /// The shortest decimal that reads back as `value`: Epsilon(0.1) is 1/10.
-  explicit Epsilon(double value);
-
-  [[nodiscard]] const std::string& text() const { return text_; }
-  [[nodiscard]] const Rational& value() const { return value_; }
-
- private:
-  std::string text_;
-  Rational value_;
-};
-
 /// A net that is not proved yet: the document, to be handed to certify::check.
 struct UncertifiedNet {
   certify::Document net;
   NetStatistics statistics;
 };
 
+/// The surface, and a triangulation of it, as the plain data of a file. Charts and labels that nothing uses are left
+/// out.
+[[nodiscard]] certify::Surface surface_document(const Surface& surface);
+[[nodiscard]] certify::Document net_document(const Triangulation& triangulation, const Epsilon& epsilon);
+
 /// Computes an ε-net of the surface by Delaunay refinement (thesis Algorithm IV.4.1), without its certificate.
 ///
-/// The vertices of the surface's tiles are the start; if there are several, they must be an ε-packing. Deterministic. Throws NetError, std::bad_alloc.
-[[nodiscard]] UncertifiedNet compute_net(const Surface& surface, const Epsilon& epsilon, const NetOptions& options = {});
+/// The vertices of the surface's tiles are the start; if there are several, they must be an ε-packing. Deterministic.
+/// Throws NetError, std::bad_alloc.
+[[nodiscard]] UncertifiedNet compute_net(const Surface& surface, const Epsilon& epsilon,
+                                         const NetOptions& options = {});
 
-/// Computes an ε-net of the surface and proves it: every point of the surface is within hyperbolic distance ε of a vertex, and different vertices
-/// are at least ε apart.
+/// Computes an ε-net of the surface and proves it: every point of the surface is within hyperbolic distance ε of a
+/// vertex, and different vertices are at least ε apart.
 ///
 /// Never returns a net whose certificate does not say VERIFIED: throws NetError instead. Deterministic.
-/// About 0.54 · 16(g − 1)/ε² vertices on a surface of genus g without short curves (thesis Theorem III.1, IV.6.2); time and memory are proportional.
-[[nodiscard]] CertifiedNet certified_net(const Surface& surface, const Epsilon& epsilon, const NetOptions& options = {});
+/// About 0.54 · 16(g − 1)/ε² vertices on a surface of genus g without short curves (thesis Theorem III.1, IV.6.2); time
+/// and memory are proportional.
+[[nodiscard]] CertifiedNet certified_net(const Surface& surface, const Epsilon& epsilon,
+                                         const NetOptions& options = {});
 
 /// The same with ε the shortest decimal that reads back as `epsilon`.
 [[nodiscard]] CertifiedNet certified_net(const Surface& surface, double epsilon, const NetOptions& options = {});

@@ -1,0 +1,120 @@
+#include "epsnet/netgen/certified_net.h"
+
+#include <chrono>
+#include <utility>
+#include <vector>
+
+#include "epsnet/netgen/refine.h"
+
+namespace epsnet {
+namespace {
+
+mpq_class to_gmp(const Rational& q) { return mpq_class(q.backend().data()); }
+
+certify::RationalPoint to_document(const Complex<Rational>& z) { return {to_gmp(z.x), to_gmp(z.y)}; }
+
+/// Numbers the members of a large set that are used, in the order of their first use.
+class Renumbering {
+ public:
+  explicit Renumbering(std::size_t size) : number_(size, kUnused) {}
+  [[nodiscard]] std::uint32_t operator()(std::uint32_t i) {
+    if (number_[i] == kUnused) {
+      number_[i] = static_cast<std::uint32_t>(used_.size());
+      used_.push_back(i);
+    }
+    return number_[i];
+  }
+  [[nodiscard]] const std::vector<std::uint32_t>& used() const { return used_; }
+
+ private:
+  static constexpr std::uint32_t kUnused = ~std::uint32_t{0};
+  std::vector<std::uint32_t> number_;
+  std::vector<std::uint32_t> used_;
+};
+
+constexpr std::uint32_t document_dart(Dart d) { return 3 * triangle_of(d) + corner_of(d); }
+
+}  // namespace
+
+certify::Surface surface_document(const Surface& surface) {
+  certify::Surface result;
+  for (const Tile& tile : surface.tiles()) {
+    certify::Tile& copy = result.tiles.emplace_back();
+    for (const Complex<Rational>& v : tile) {
+      copy.push_back(to_document(v));
+    }
+  }
+  for (const Gluing& g : surface.gluing()) {
+    result.gluing.push_back({g.tile, g.side, g.other_tile, g.other_side});
+  }
+  return result;
+}
+
+certify::Document net_document(const Triangulation& triangulation, const Epsilon& epsilon) {
+  const Atlas& atlas = triangulation.atlas();
+  certify::Document net;
+  net.surface = surface_document(triangulation.surface());
+  net.epsilon = epsilon.text();
+  Renumbering chart_number(atlas.chart_count());
+  Renumbering label_number(atlas.label_count());
+  (void)label_number(kIdentity);
+  net.vertices.reserve(triangulation.vertex_count());
+  for (std::uint32_t v = 0; v < triangulation.vertex_count(); ++v) {
+    const Vertex& vertex = triangulation.vertex(v);
+    net.vertices.push_back({vertex.z.x, vertex.z.y, chart_number(vertex.chart)});
+  }
+  net.triangles.reserve(triangulation.triangle_count());
+  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+    const Triangle& triangle = triangulation.triangle(t);
+    net.triangles.push_back({triangle.vertex,
+                             {document_dart(triangle.opposite[0]), document_dart(triangle.opposite[1]),
+                              document_dart(triangle.opposite[2])},
+                             {label_number(triangle.label(1)), label_number(triangle.label(2))}});
+  }
+  for (const std::uint32_t c : chart_number.used()) {
+    net.charts.push_back({atlas.chart(c).tile, to_document(atlas.chart(c).centre)});
+  }
+  for (const LabelId l : label_number.used()) {
+    if (l != kIdentity) {
+      net.labels.push_back({chart_number(atlas.from(l)), chart_number(atlas.to(l)), atlas.word(l)});
+    }
+  }
+  return net;
+}
+
+UncertifiedNet compute_net(const Surface& surface, const Epsilon& epsilon, const NetOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  const auto seconds_since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  UncertifiedNet result;
+  NetStatistics& statistics = result.statistics;
+  const auto start = Clock::now();
+  Triangulation triangulation(surface);
+  statistics.initial_flips = triangulation.make_delaunay();
+  statistics.start_seconds = seconds_since(start);
+  const auto refinement = Clock::now();
+  refine(triangulation, epsilon, options, statistics);
+  statistics.refine_seconds = seconds_since(refinement);
+  statistics.multiprecision = triangulation.multiprecision_count();
+  result.net = net_document(triangulation, epsilon);
+  statistics.charts = result.net.charts.size();
+  statistics.labels = result.net.labels.size();
+  return result;
+}
+
+CertifiedNet certified_net(const Surface& surface, const Epsilon& epsilon, const NetOptions& options) {
+  UncertifiedNet net = compute_net(surface, epsilon, options);
+  certify::Certificate certificate = certify::check(net.net, options.check);
+  if (certificate.verdict != certify::Verdict::verified) {
+    throw NetError("the net was not verified: " + std::string(certify::name(certificate.verdict)) + ": " +
+                   certificate.rule + ": " + certificate.message);
+  }
+  return {std::move(net.net), std::move(certificate), net.statistics};
+}
+
+CertifiedNet certified_net(const Surface& surface, double epsilon, const NetOptions& options) {
+  return certified_net(surface, Epsilon(epsilon), options);
+}
+
+}  // namespace epsnet

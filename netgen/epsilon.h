@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "epsnet/triangulation/triangulation.h"
+
+namespace epsnet {
+
+/// ε as an exact number: a decimal such as "0.1" (that is 1/10) or a rational "p/q", positive; a hyperbolic length.
+///
+/// Throws std::invalid_argument, which quotes the text, for anything else: not a number, zero, negative, NaN, infinite.
+class Epsilon {
+ public:
+  explicit Epsilon(std::string text);
+  /// The shortest decimal that reads back as `value`: Epsilon(0.1) is 1/10.
+  explicit Epsilon(double value);
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] const Rational& value() const { return value_; }
+
+ private:
+  std::string text_;
+  Rational value_;
+};
+
+/// sinh²(ε/divisor), enclosed at every stage of the predicates.
+[[nodiscard]] Threshold sinh2_threshold(const Epsilon& epsilon, unsigned divisor);
+
+}  // namespace epsnet

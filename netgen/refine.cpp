@@ -1,0 +1,220 @@
+#include "epsnet/netgen/refine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <optional>
+#include <vector>
+
+namespace epsnet {
+namespace {
+
+/// A triangle that was large when it was made; it is still there if the slot has the same stamp.
+struct Entry {
+  std::uint32_t triangle;
+  std::uint16_t stamp;
+};
+
+class Refinement {
+ public:
+  Refinement(Triangulation& triangulation, const Epsilon& epsilon, const NetOptions& options, NetStatistics& statistics)
+      : triangulation_(triangulation),
+        options_(options),
+        statistics_(statistics),
+        large_(sinh2_threshold(epsilon, 1)),
+        apart_(sinh2_threshold(epsilon, 2)) {
+    const double genus_term = triangulation.surface().genus() - 1.0;
+    const double s = std::sqrt(apart_.high);
+    // Theorem III.2 forces at least this many; experience (thesis IV.6.2) is 2.17 times that.
+    const double least = genus_term / (s * s);
+    constexpr double kMostVertices = 0x1p29;
+    if (!(least < kMostVertices)) {
+      throw NetError("epsilon = " + epsilon.text() + " needs more than " + std::to_string(std::uint64_t{1} << 29) +
+                     " vertices, the limit (thesis Theorem III.2)");
+    }
+    expected_ = 2.17 * least + 1;
+    triangulation_.reserve(static_cast<std::size_t>(1.1 * expected_ + 1000));
+  }
+
+  void run() {
+    require_packing();
+    for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+      push_if_large(t);
+    }
+    std::uint64_t count = 0;
+    while (!queue_.empty()) {
+      const Entry entry = queue_.front();
+      queue_.pop_front();
+      if (triangulation_.triangle(entry.triangle).stamp() != entry.stamp) {
+        continue;
+      }
+      insert_circumcentre(entry.triangle);
+      ++statistics_.insertions;
+      constexpr std::uint64_t kReportEvery = 1 << 14;
+      if (options_.progress && ++count % kReportEvery == 0) {
+        options_.progress(triangulation_.vertex_count(), std::min(0.99, triangulation_.vertex_count() / expected_));
+      }
+    }
+  }
+
+ private:
+  void require_packing() {
+    for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const Corner a = triangulation_.corner(t, i);
+        const Corner b = triangulation_.corner(t, next(i));
+        if (a.vertex != b.vertex && triangulation_.compare_distance(a, b, apart_) <= 0) {
+          throw NetError("the surface's own vertices are closer to each other than epsilon (vertex classes " +
+                         std::to_string(a.vertex) + " and " + std::to_string(b.vertex) +
+                         "), so that they cannot start a net: give it by tiles with one vertex class");
+        }
+      }
+    }
+  }
+
+  void push_if_large(std::uint32_t t) {
+    if (triangulation_.compare_circumradius(t, large_) > 0) {
+      queue_.push_back({t, triangulation_.triangle(t).stamp()});
+    }
+  }
+
+  void insert_circumcentre(std::uint32_t t) {
+    if (const auto place = rounded_centre(t); place && insert(t, *place)) {
+      return;
+    }
+    // The rounded centre is too close to a vertex, or binary64 does not see the centre: the point to 130 bits, as the
+    // origin of a chart of its own.
+    if (const auto centre = triangulation_.circumcentre_precise(t);
+        centre && insert(t, triangulation_.atlas().place(triangulation_.chart_of(t), *centre, true))) {
+      return;
+    }
+    throw NetError("no point near the circumcentre of a triangle with vertices " +
+                   std::to_string(triangulation_.triangle(t).vertex[0]) + ", " +
+                   std::to_string(triangulation_.triangle(t).vertex[1]) + ", " +
+                   std::to_string(triangulation_.triangle(t).vertex[2]) +
+                   " could be proved to be at distance epsilon from all vertices");
+  }
+
+  std::optional<Atlas::Place> rounded_centre(std::uint32_t t) {
+    Atlas& atlas = triangulation_.atlas();
+    const std::uint32_t chart = triangulation_.chart_of(t);
+    if (const auto centre = triangulation_.circumcentre_fast(t)) {
+      if (norm(*centre) <= kChartRadius * kChartRadius) {
+        return Atlas::Place{chart, *centre, kIdentity};
+      }
+      if (norm(*centre) < 0.98) {
+        const auto nearby = atlas.place_nearby(chart, *centre);
+        return nearby ? nearby : atlas.place(chart, convert<Mp256>(*centre), false);
+      }
+    }
+    if (const auto centre = triangulation_.circumcentre_precise(t)) {
+      return atlas.place(chart, *centre, false);
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] bool insert(std::uint32_t t, const Atlas::Place& place) {
+    const std::uint32_t v = triangulation_.add_vertex({place.z, place.chart});
+    const Corner p{v, place.label};
+    const bool in_conflict = triangulation_.in_circle(triangulation_.corner(t, 0), triangulation_.corner(t, 1),
+                                                      triangulation_.corner(t, 2), p) > 0;
+    if (in_conflict && options_.insertion == Insertion::cavity) {
+      const std::size_t before = triangulation_.triangle_count();
+      const auto accept = [&](Corner q) { return triangulation_.compare_distance(q, p, apart_) > 0; };
+      if (triangulation_.insert_in_cavity(t, v, place.label, accept)) {
+        for (const std::uint32_t s : triangulation_.new_triangles()) {
+          push_if_large(s);
+        }
+        // The cavity had two triangles less than it has now; splitting one and flipping gives the others.
+        statistics_.flips += triangulation_.new_triangles().size() - (triangulation_.triangle_count() - before) - 1;
+        return true;
+      }
+    }
+    triangulation_.pop_vertex();
+    return in_conflict && insert_by_flips(t, place);
+  }
+
+  /// Walk, split, flip (thesis IV.4.3 to IV.4.5). False, with nothing changed, if the point turns out too close to a
+  /// vertex.
+  [[nodiscard]] bool insert_by_flips(std::uint32_t t, const Atlas::Place& place) {
+    Journal journal = triangulation_.open_journal();
+    const std::uint32_t v = triangulation_.add_vertex({place.z, place.chart});
+    const Corner p{v, place.label};
+    const Location location = options_.walk == Walk::visibility ? triangulation_.locate_visibility(t, p)
+                                                                : triangulation_.locate_straight(t, p);
+    const LabelId label =
+        triangulation_.atlas().product(triangulation_.atlas().inverse(location.transition), place.label);
+    if (location.type == Location::Type::vertex) {
+      triangulation_.undo(journal);
+      return false;
+    }
+    if (location.type == Location::Type::face) {
+      triangulation_.split_face(triangle_of(location.dart), v, label, &journal);
+    } else {
+      triangulation_.split_edge(location.dart, v, label, &journal);
+    }
+    pending_.clear();
+    for (const std::uint32_t s : triangulation_.new_triangles()) {
+      pending_.push_back(make_dart(s, 1));
+    }
+    const std::uint64_t flips = triangulation_.restore_delaunay(pending_, &journal);
+
+    const std::vector<std::uint32_t> changed = changed_triangles(journal);
+    for (const std::uint32_t s : changed) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const Corner a = triangulation_.corner(s, i);
+        const Corner b = triangulation_.corner(s, next(i));
+        if (a.vertex != b.vertex && (a.vertex == v || b.vertex == v) &&
+            triangulation_.compare_distance(a, b, apart_) <= 0) {
+          triangulation_.undo(journal);
+          return false;
+        }
+      }
+    }
+    for (const std::uint32_t s : changed) {
+      push_if_large(s);
+    }
+    statistics_.flips += flips;
+    if (options_.insertion == Insertion::flips) {
+      ++statistics_.located;
+      statistics_.located_at_start += location.steps == 0 ? 1 : 0;
+      statistics_.walk_steps += location.steps;
+      statistics_.longest_walk = std::max<std::uint64_t>(statistics_.longest_walk, location.steps);
+    }
+    return true;
+  }
+
+  /// The slots whose triangle is another one than when the journal was opened, in the order in which they first
+  /// changed.
+  [[nodiscard]] std::vector<std::uint32_t> changed_triangles(const Journal& journal) const {
+    std::vector<std::uint32_t> result;
+    for (const auto& [t, before] : journal.overwritten) {
+      if (triangulation_.triangle(t).stamp() != before.stamp() &&
+          std::find(result.begin(), result.end(), t) == result.end()) {
+        result.push_back(t);
+      }
+    }
+    for (auto t = static_cast<std::uint32_t>(journal.triangles); t < triangulation_.triangle_count(); ++t) {
+      result.push_back(t);
+    }
+    return result;
+  }
+
+  Triangulation& triangulation_;
+  const NetOptions& options_;
+  NetStatistics& statistics_;
+  Threshold large_;
+  Threshold apart_;
+  double expected_;
+  std::deque<Entry> queue_;
+  std::vector<Dart> pending_;
+};
+
+}  // namespace
+
+void refine(Triangulation& triangulation, const Epsilon& epsilon, const NetOptions& options,
+            NetStatistics& statistics) {
+  Refinement(triangulation, epsilon, options, statistics).run();
+}
+
+}  // namespace epsnet

@@ -1,0 +1,307 @@
+#include "epsnet/triangulation/atlas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <type_traits>
+
+#include "epsnet/kernel/plane.h"
+#include "epsnet/kernel/predicates.h"
+
+namespace epsnet {
+namespace {
+
+constexpr LabelId kUnknown = ~LabelId{0};
+
+/// Bits that the precise value of a label keeps at least; products that would have fewer are evaluated from their word
+/// again.
+constexpr double kLabelAccuracy = 150;
+/// Two labels between the same charts that agree this well are equal: others differ by an element of the group that
+/// moves points by at least the systole.
+const Mp256 kSameLabel = Mp256(1) / Mp256(boost::multiprecision::pow(Mp256(2), 150));
+
+std::uint64_t pair_key(std::uint32_t first, std::uint32_t second) { return (std::uint64_t{first} << 32) | second; }
+
+/// log2 of the operator norm e^{d/2} of an isometry that moves the origin by d.
+template <class T>
+double log2_norm(const Isometry<T>& f) {
+  const double ratio = static_cast<double>(norm(f.b) / norm(f.a));
+  // cosh²(d/2) = |a|²/(|a|² − |b|²); the determinant by subtraction is exact enough even for |b|/|a| near 1 in a field
+  // of many bits.
+  const double cosh2 = ratio < 0.999 ? 1 / (1 - ratio) : static_cast<double>(T(norm(f.a) / f.determinant()));
+  return 1 + 0.5 * std::log2(cosh2);
+}
+
+/// See Atlas::error and docs/error-bounds.md, E5.
+double image_error(const Isometry<double>& f) {
+  const double a = std::sqrt(norm(f.a));
+  const double b = std::sqrt(norm(f.b));
+  return kUnitRoundoff * (16 * (a + b) / (a - 0.75 * b) + 16);
+}
+
+template <class T>
+Complex<T> dyadic(const Complex<double>& z) {
+  return {T(z.x), T(z.y)};
+}
+
+}  // namespace
+
+Word reversed(const Surface& surface, const Word& word) {
+  Word result(word.rbegin(), word.rend());
+  for (std::uint32_t& s : result) {
+    s = surface.partner(s);
+  }
+  return result;
+}
+
+Word concatenated(const Surface& surface, Word first, const Word& then) {
+  for (const std::uint32_t s : then) {
+    if (!first.empty() && first.back() == surface.partner(s)) {
+      first.pop_back();
+    } else {
+      first.push_back(s);
+    }
+  }
+  return first;
+}
+
+Atlas::Atlas(const Surface& surface) : surface_(&surface) {
+  for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
+    const Isometry<Mp1024> f = normalized(convert<Mp1024>(surface.crossing(s)));
+    crossings_.push_back(convert<Mp256>(f));
+    crossing_bits_.push_back(log2_norm(f));
+  }
+}
+
+std::uint32_t Atlas::add_chart(Chart chart) {
+  const std::uint32_t c = chart_count();
+  charts_of_tile_[chart.tile].push_back(c);
+  const double bits = log2_norm(Isometry<Mp1024>::translation(convert<Mp1024>(chart.centre)));
+  charts_.push_back({std::move(chart), bits, {}});
+  return c;
+}
+
+template <class T>
+Isometry<T> Atlas::frame(std::uint32_t c) const {
+  return Isometry<T>::translation(convert<T>(charts_[c].chart.centre));
+}
+
+template <class T>
+Isometry<T> Atlas::crossing(std::uint32_t s) const {
+  if constexpr (std::is_same_v<T, Mp256>) {
+    return crossings_[s];
+  } else {
+    return normalized(convert<T>(surface_->crossing(s)));
+  }
+}
+
+template <class T>
+Isometry<T> Atlas::evaluate(std::uint32_t from, std::uint32_t to, const Word& word) const {
+  Isometry<T> result = frame<T>(from);
+  for (const std::uint32_t s : word) {
+    result = crossing<T>(s) * result;
+  }
+  return normalized(epsnet::inverse(frame<T>(to)) * result);
+}
+
+double Atlas::bits_lost(std::uint32_t from, std::uint32_t to, const Word& word) const {
+  // A product of n isometries of norms N_i, each accurate to u, is accurate to about n u ∏N_i.
+  double bits = 24 + charts_[from].bits + charts_[to].bits + std::log2(static_cast<double>(word.size() + 2));
+  for (const std::uint32_t s : word) {
+    bits += crossing_bits_[s];
+  }
+  return bits;
+}
+
+LabelId Atlas::label(std::uint32_t from, std::uint32_t to, Word word) {
+  const double lost = bits_lost(from, to, word);
+  const double to_spare = 256 - lost;
+  const bool short_enough = to_spare >= kLabelAccuracy;
+  if (lost + 256 > 4096) {
+    throw std::runtime_error("a path of " + std::to_string(word.size()) + " sides is too long to be evaluated");
+  }
+  const Isometry<Mp256> isometry = short_enough         ? evaluate<Mp256>(from, to, word)
+                                   : lost + 256 <= 1024 ? convert<Mp256>(evaluate<Mp1024>(from, to, word))
+                                                        : convert<Mp256>(evaluate<Mp4096>(from, to, word));
+  return find_or_add(from, to, isometry, short_enough ? to_spare : 250, std::move(word));
+}
+
+LabelId Atlas::find_or_add(std::uint32_t from, std::uint32_t to, const Isometry<Mp256>& isometry, double accuracy,
+                           Word word) {
+  const auto equal = [&](const Isometry<Mp256>& f, const Isometry<Mp256>& g) {
+    const Mp256 bound = kSameLabel * norm(f.a);
+    return (norm(f.a - g.a) < bound && norm(f.b - g.b) < bound) || (norm(f.a + g.a) < bound && norm(f.b + g.b) < bound);
+  };
+  if (from == to && equal(isometry, Isometry<Mp256>{})) {
+    return kIdentity;
+  }
+  const Isometry<double> rounded = convert<double>(isometry);
+  std::vector<LabelId>& same_charts = by_charts_[pair_key(from, to)];
+  for (const LabelId l : same_charts) {
+    const LabelEntry& entry = labels_[l - 1];
+    const double tolerance = 1e-12 * (norm(rounded.a) + 1);
+    const bool close = std::min(norm(entry.rounded.b - rounded.b), norm(entry.rounded.b + rounded.b)) <= tolerance;
+    if (close && equal(entry.precise, isometry)) {
+      return l;
+    }
+  }
+  labels_.push_back({from, to, rounded, image_error(rounded), kUnknown, isometry, accuracy, std::move(word)});
+  const LabelId id = static_cast<LabelId>(labels_.size());
+  same_charts.push_back(id);
+  charts_[to].incoming.push_back(id);
+  return id;
+}
+
+LabelId Atlas::product_of_others(LabelId f, LabelId g) {
+  const auto [known, is_new] = products_.try_emplace(pair_key(f, g), kUnknown);
+  if (!is_new) {
+    return known->second;
+  }
+  const LabelEntry& left = labels_[f - 1];
+  const LabelEntry& right = labels_[g - 1];
+  Word word = concatenated(*surface_, right.word, left.word);
+  const double accuracy =
+      std::min(left.accuracy, right.accuracy) - log2_norm(left.precise) - log2_norm(right.precise) - 3;
+  const LabelId result =
+      accuracy >= kLabelAccuracy
+          ? find_or_add(right.from, left.to, normalized(left.precise * right.precise), accuracy, std::move(word))
+          : label(right.from, left.to, std::move(word));
+  products_[pair_key(f, g)] = result;
+  return result;
+}
+
+LabelId Atlas::inverse_of_other(LabelId f) {
+  LabelEntry& entry = labels_[f - 1];
+  if (entry.inverse == kUnknown) {
+    const LabelId result = find_or_add(entry.to, entry.from, normalized(epsnet::inverse(entry.precise)), entry.accuracy,
+                                       reversed(*surface_, entry.word));
+    labels_[f - 1].inverse = result;
+    labels_[result - 1].inverse = f;
+    return result;
+  }
+  return entry.inverse;
+}
+
+template <class T>
+const Isometry<T>& Atlas::at_precision(LabelId l) {
+  if constexpr (std::is_same_v<T, double>) {
+    return labels_[l - 1].rounded;
+  } else if constexpr (std::is_same_v<T, Mp256>) {
+    return labels_[l - 1].precise;
+  } else {
+    auto& known = [this]() -> auto& {
+      if constexpr (std::is_same_v<T, Mp1024>) {
+        return at_1024_;
+      } else {
+        return at_4096_;
+      }
+    }
+    ();
+    const auto found = known.find(l);
+    if (found != known.end()) {
+      return found->second;
+    }
+    // Evaluated with a stage to spare where the word is long, so that lift_error holds.
+    const LabelEntry& entry = labels_[l - 1];
+    const double lost = bits_lost(entry.from, entry.to, entry.word);
+    constexpr double kSpare = std::is_same_v<T, Mp1024> ? 400 : 2000;
+    if (lost <= kSpare) {
+      return known.emplace(l, evaluate<T>(entry.from, entry.to, entry.word)).first->second;
+    }
+    if (lost <= 2000) {
+      return known.emplace(l, convert<T>(evaluate<Mp4096>(entry.from, entry.to, entry.word))).first->second;
+    }
+    throw std::runtime_error("a path of " + std::to_string(entry.word.size()) + " sides is too long to be evaluated");
+  }
+}
+
+template <class T>
+Complex<T> Atlas::lift(LabelId l, const Complex<double>& z) {
+  const Complex<T> point = dyadic<T>(z);
+  return l == kIdentity ? point : at_precision<T>(l)(point);
+}
+
+template <class T>
+T Atlas::lift_error() {
+  // Labels that matter move points by a few units of length; the words' norms were allowed for in their precision.
+  if constexpr (std::is_same_v<T, Mp256>) {
+    return boost::multiprecision::pow(T(2), -135);
+  } else if constexpr (std::is_same_v<T, Mp1024>) {
+    return boost::multiprecision::pow(T(2), -600);
+  } else {
+    return boost::multiprecision::pow(T(2), -2000);
+  }
+}
+
+std::optional<Atlas::Place> Atlas::place_nearby(std::uint32_t c, const Complex<double>& z) {
+  constexpr double kRadius2 = kChartRadius * kChartRadius;
+  std::optional<Place> best;
+  double best_norm = kRadius2;
+  for (const LabelId l : labels_to(c)) {
+    const Complex<double> w = epsnet::inverse(isometry(l))(z);
+    if (norm(w) < best_norm) {
+      best_norm = norm(w);
+      best = Place{from(l), w, l};
+    }
+  }
+  return best;
+}
+
+Atlas::Place Atlas::place(std::uint32_t c, const Complex<Mp256>& z, bool exact) {
+  // Walk from tile to tile until the point lies in the one whose coordinates it has.
+  Complex<Mp256> w = frame<Mp256>(c)(z);
+  std::uint32_t tile = charts_[c].chart.tile;
+  Word path;
+  constexpr std::size_t kLongestPath = 100'000;
+  for (bool inside = false; !inside;) {
+    inside = true;
+    const Tile& vertices = surface_->tiles()[tile];
+    const auto n = static_cast<std::uint32_t>(vertices.size());
+    for (std::uint32_t k = 0; k < n && inside; ++k) {
+      const std::uint32_t s = surface_->side_number(tile, k);
+      const bool goes_back = !path.empty() && surface_->partner(path.back()) == s;
+      if (!goes_back &&
+          orientation_determinant(convert<Mp256>(vertices[k]), convert<Mp256>(vertices[(k + 1) % n]), w) < 0) {
+        w = convert<Mp256>(surface_->crossing(s))(w);
+        path.push_back(s);
+        tile = surface_->tile_of_side(surface_->partner(s));
+        inside = false;
+      }
+    }
+    if (path.size() > kLongestPath) {
+      throw std::runtime_error("a point lies more than " + std::to_string(kLongestPath) + " tiles away");
+    }
+  }
+  std::optional<std::uint32_t> nearest;
+  if (!exact) {
+    double best = 0.6 * 0.6;
+    for (const std::uint32_t candidate : charts_of_tile_[tile]) {
+      const double distance2 = static_cast<double>(norm(epsnet::inverse(frame<Mp256>(candidate))(w)));
+      if (distance2 < best) {
+        best = distance2;
+        nearest = candidate;
+      }
+    }
+  }
+  if (!nearest) {
+    // Short centres where binary64 places them well, else all the bits there are.
+    const bool round = !exact && norm(w) < 0.999999;
+    const Complex<Rational> centre = round ? convert<Rational>(convert<double>(w)) : convert<Rational>(w);
+    nearest = add_chart({tile, centre});
+  }
+  const Complex<double> rounded =
+      exact ? Complex<double>{0, 0} : convert<double>(epsnet::inverse(frame<Mp256>(*nearest))(w));
+  return {*nearest, rounded, label(*nearest, c, reversed(*surface_, path))};
+}
+
+template Isometry<Mp256> Atlas::frame<Mp256>(std::uint32_t) const;
+template Isometry<Mp1024> Atlas::frame<Mp1024>(std::uint32_t) const;
+template Isometry<Mp4096> Atlas::frame<Mp4096>(std::uint32_t) const;
+template Complex<Mp256> Atlas::lift<Mp256>(LabelId, const Complex<double>&);
+template Complex<Mp1024> Atlas::lift<Mp1024>(LabelId, const Complex<double>&);
+template Complex<Mp4096> Atlas::lift<Mp4096>(LabelId, const Complex<double>&);
+template Mp256 Atlas::lift_error<Mp256>();
+template Mp1024 Atlas::lift_error<Mp1024>();
+template Mp4096 Atlas::lift_error<Mp4096>();
+
+}  // namespace epsnet

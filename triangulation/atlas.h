@@ -1,0 +1,141 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "epsnet/kernel/isometry.h"
+#include "epsnet/kernel/numbers.h"
+#include "epsnet/triangulation/surface.h"
+
+namespace epsnet {
+
+/// A chart: the Poincaré disk of a tile with the origin moved to `centre`; the point z of the chart has the coordinate
+/// (z + centre)/(1 + conj(centre) z) in the tile.
+struct Chart {
+  std::uint32_t tile;
+  Complex<Rational> centre;
+};
+
+/// The number of a label in an atlas. Two labels between the same charts are the same isometry if and only if they have
+/// the same number.
+using LabelId = std::uint32_t;
+
+/// The identity, of whatever chart it is used in.
+inline constexpr LabelId kIdentity = 0;
+
+/// No point of a chart that is used as a vertex is farther from the origin than this (Euclidean, Poincaré disk).
+inline constexpr double kChartRadius = 0.7;
+
+/// The charts of a surface and the isometries between them ("labels"), evaluated once each: exactly as words, to some
+/// 200 bits, and rounded to binary64.
+///
+/// Labels are few, a few hundred to thousands whatever the number of triangles; products and inverses are memoised.
+class Atlas {
+ public:
+  /// Keeps a reference to the surface.
+  explicit Atlas(const Surface& surface);
+
+  [[nodiscard]] const Surface& surface() const { return *surface_; }
+
+  [[nodiscard]] std::uint32_t add_chart(Chart chart);
+  [[nodiscard]] std::uint32_t chart_count() const { return static_cast<std::uint32_t>(charts_.size()); }
+  [[nodiscard]] const Chart& chart(std::uint32_t c) const { return charts_[c].chart; }
+  /// The isometry from the coordinates of a chart to those of its tile.
+  template <class T>
+  [[nodiscard]] Isometry<T> frame(std::uint32_t c) const;
+
+  /// The label of a word from the tile of chart `from` to the tile of chart `to`.
+  [[nodiscard]] LabelId label(std::uint32_t from, std::uint32_t to, Word word);
+  /// The number of labels, the identity included.
+  [[nodiscard]] std::uint32_t label_count() const { return static_cast<std::uint32_t>(labels_.size()) + 1; }
+  /// The chart a label (not the identity) leads from, the one it leads to, and its word.
+  [[nodiscard]] std::uint32_t from(LabelId l) const { return labels_[l - 1].from; }
+  [[nodiscard]] std::uint32_t to(LabelId l) const { return labels_[l - 1].to; }
+  [[nodiscard]] const Word& word(LabelId l) const { return labels_[l - 1].word; }
+  /// The labels, the identity not among them, that lead to a chart.
+  [[nodiscard]] std::span<const LabelId> labels_to(std::uint32_t c) const { return charts_[c].incoming; }
+
+  /// f ∘ g; g leads to the chart that f leads from.
+  [[nodiscard]] LabelId product(LabelId f, LabelId g) {
+    if (f == kIdentity) {
+      return g;
+    }
+    return g == kIdentity ? f : product_of_others(f, g);
+  }
+  [[nodiscard]] LabelId inverse(LabelId f) { return f == kIdentity ? kIdentity : inverse_of_other(f); }
+
+  /// The isometry of a label, not the identity, in binary64. `error(l)` bounds the Euclidean distance of the computed
+  /// image of a point with |z| ≤ 0.75 from the true image (docs/error-bounds.md, E5).
+  [[nodiscard]] const Isometry<double>& isometry(LabelId l) const { return labels_[l - 1].rounded; }
+  [[nodiscard]] double error(LabelId l) const { return labels_[l - 1].error; }
+
+  /// The image of a point with |z| ≤ 0.75 under a label, to within `lift_error<T>()`.
+  template <class T>
+  [[nodiscard]] Complex<T> lift(LabelId l, const Complex<double>& z);
+  template <class T>
+  [[nodiscard]] static T lift_error();
+
+  /// The point of the surface with coordinate z in chart c as a vertex: a chart, coordinates with |z| ≤ kChartRadius
+  /// there, and the label from that chart to c. The coordinates are rounded to binary64; `exact` makes the point the
+  /// origin of a chart of its own, so that nothing of z is lost.
+  struct Place {
+    std::uint32_t chart;
+    Complex<double> z;
+    LabelId label;
+  };
+  [[nodiscard]] Place place(std::uint32_t c, const Complex<Mp256>& z, bool exact);
+  /// The same for a point known in binary64, by the labels that exist; nothing if none takes it near the origin of a
+  /// chart.
+  [[nodiscard]] std::optional<Place> place_nearby(std::uint32_t c, const Complex<double>& z);
+
+ private:
+  struct ChartEntry {
+    Chart chart;
+    double bits;  ///< log2 of the norm of its frame: what an evaluation through it can lose.
+    std::vector<LabelId> incoming;
+  };
+  struct LabelEntry {
+    std::uint32_t from;
+    std::uint32_t to;
+    Isometry<double> rounded;
+    double error;
+    LabelId inverse;  ///< kUnknown until asked for.
+    Isometry<Mp256> precise;
+    double accuracy;  ///< `precise` is within 2^−accuracy, relative to its entries.
+    Word word;
+  };
+
+  [[nodiscard]] LabelId product_of_others(LabelId f, LabelId g);
+  [[nodiscard]] LabelId inverse_of_other(LabelId f);
+  [[nodiscard]] LabelId find_or_add(std::uint32_t from, std::uint32_t to, const Isometry<Mp256>& isometry,
+                                    double accuracy, Word word);
+  template <class T>
+  [[nodiscard]] Isometry<T> evaluate(std::uint32_t from, std::uint32_t to, const Word& word) const;
+  [[nodiscard]] double bits_lost(std::uint32_t from, std::uint32_t to, const Word& word) const;
+  template <class T>
+  [[nodiscard]] Isometry<T> crossing(std::uint32_t s) const;
+  template <class T>
+  [[nodiscard]] const Isometry<T>& at_precision(LabelId l);
+
+  const Surface* surface_;
+  std::vector<Isometry<Mp256>> crossings_;
+  std::vector<double> crossing_bits_;
+  std::vector<ChartEntry> charts_;
+  std::deque<LabelEntry> labels_;
+  std::unordered_map<std::uint64_t, LabelId> products_;
+  std::unordered_map<std::uint64_t, std::vector<LabelId>> by_charts_;
+  std::unordered_map<LabelId, Isometry<Mp1024>> at_1024_;
+  std::unordered_map<LabelId, Isometry<Mp4096>> at_4096_;
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> charts_of_tile_;
+};
+
+/// The word of the reversed path.
+[[nodiscard]] Word reversed(const Surface& surface, const Word& word);
+/// The word of the path `first` followed by `then`, without crossings that are undone at once.
+[[nodiscard]] Word concatenated(const Surface& surface, Word first, const Word& then);
+
+}  // namespace epsnet

@@ -1,0 +1,250 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "epsnet/kernel/predicates.h"
+#include "epsnet/triangulation/atlas.h"
+
+namespace epsnet {
+
+/// A dart 4t + i: the edge of triangle t from corner i to corner i + 1, directed.
+using Dart = std::uint32_t;
+[[nodiscard]] constexpr Dart make_dart(std::uint32_t triangle, std::uint32_t corner) { return 4 * triangle + corner; }
+[[nodiscard]] constexpr std::uint32_t triangle_of(Dart d) { return d >> 2; }
+[[nodiscard]] constexpr std::uint32_t corner_of(Dart d) { return d & 3; }
+/// Corner i + 1 and i + 2 modulo 3.
+[[nodiscard]] constexpr std::uint32_t next(std::uint32_t i) { return i == 2 ? 0 : i + 1; }
+[[nodiscard]] constexpr std::uint32_t previous(std::uint32_t i) { return i == 0 ? 2 : i - 1; }
+/// The next dart of the same triangle, and the one before.
+[[nodiscard]] constexpr Dart next_dart(Dart d) { return make_dart(triangle_of(d), next(corner_of(d))); }
+[[nodiscard]] constexpr Dart previous_dart(Dart d) { return make_dart(triangle_of(d), previous(corner_of(d))); }
+
+/// A vertex: the point of the surface with coordinate z in a chart, |z| ≤ kChartRadius.
+struct Vertex {
+  Complex<double> z;
+  std::uint32_t chart;
+};
+
+/// A triangle of the labelled triangulation (thesis I.4.1 and I.4.2 in one): vertices, darts across, and the labels
+/// that lift corners 1 and 2 to the chart of corner 0. 32 bytes.
+struct Triangle {
+  std::array<std::uint32_t, 3> vertex;
+  std::array<Dart, 3> opposite;
+  std::uint64_t labels_and_stamp;  ///< Label of corner 1 (24 bits), of corner 2 (24 bits), stamp (16 bits).
+
+  [[nodiscard]] LabelId label(std::uint32_t corner) const {
+    return corner == 0   ? kIdentity
+           : corner == 1 ? static_cast<LabelId>(labels_and_stamp >> 40)
+                         : static_cast<LabelId>((labels_and_stamp >> 16) & 0xffffff);
+  }
+  [[nodiscard]] bool all_identity() const { return (labels_and_stamp >> 16) == 0; }
+  /// Changes whenever the slot gets another triangle, so that (slot, stamp) names a triangle.
+  [[nodiscard]] std::uint16_t stamp() const { return static_cast<std::uint16_t>(labels_and_stamp); }
+  bool operator==(const Triangle&) const = default;
+};
+static_assert(sizeof(Triangle) == 32);
+
+/// A vertex lifted by a label to some chart of reference.
+struct Corner {
+  std::uint32_t vertex;
+  LabelId label;
+  bool operator==(const Corner&) const = default;
+};
+
+/// Where a point is (thesis IV.4.3).
+struct Location {
+  enum class Type { face, edge, vertex };
+  Type type;
+  Dart dart;           ///< Of the triangle that contains the point; the edge, or the vertex it leaves, if it is on one.
+  LabelId transition;  ///< From that triangle's chart to the chart in which the point was given.
+  std::uint32_t steps;  ///< Triangles entered after the first one.
+};
+
+/// A real number that lengths are compared with, enclosed at every stage.
+struct Threshold {
+  double low;
+  double high;
+  std::array<Mp256, 2> at_256;
+  std::array<Mp1024, 2> at_1024;
+  std::array<Mp4096, 2> at_4096;
+
+  template <class T>
+  [[nodiscard]] const std::array<T, 2>& at() const;
+};
+
+/// Everything an operation overwrote, so that it can be undone.
+struct Journal {
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  std::vector<std::pair<std::uint32_t, Triangle>> overwritten;
+};
+
+/// A geometric triangulation of a closed hyperbolic surface by geodesic triangles, in local coordinates.
+///
+/// A combinatorial map whose triangle corners carry isometries. One vertex, loops, multiple edges and triangles that
+/// share several edges are normal. Not copied by accident: `clone` does that.
+class Triangulation {
+ public:
+  /// The tiles of the surface cut into triangles; the vertices are the vertex classes of the tiles, exactly. Keeps a
+  /// reference to the surface.
+  explicit Triangulation(const Surface& surface);
+  Triangulation(Triangulation&&) = default;
+  Triangulation& operator=(Triangulation&&) = default;
+  [[nodiscard]] Triangulation clone() const { return *this; }
+
+  [[nodiscard]] const Surface& surface() const { return atlas_.surface(); }
+  [[nodiscard]] Atlas& atlas() { return atlas_; }
+  [[nodiscard]] const Atlas& atlas() const { return atlas_; }
+  [[nodiscard]] std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(vertices_.size()); }
+  [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangles_.size()); }
+  [[nodiscard]] const Vertex& vertex(std::uint32_t v) const { return vertices_[v]; }
+  [[nodiscard]] const Triangle& triangle(std::uint32_t t) const { return triangles_[t]; }
+  [[nodiscard]] Dart opposite(Dart d) const { return triangles_[triangle_of(d)].opposite[corner_of(d)]; }
+  [[nodiscard]] Corner corner(std::uint32_t t, std::uint32_t i) const {
+    return {triangles_[t].vertex[i], triangles_[t].label(i)};
+  }
+  /// The chart of a triangle: that of its corner 0.
+  [[nodiscard]] std::uint32_t chart_of(std::uint32_t t) const { return vertices_[triangles_[t].vertex[0]].chart; }
+  /// The label from the chart of the triangle across d to the chart of the triangle of d that puts their lifts side by
+  /// side.
+  [[nodiscard]] LabelId transition(Dart d);
+  /// Predicates that binary64 could not decide so far.
+  [[nodiscard]] std::uint64_t multiprecision_count() const { return multiprecision_; }
+
+  // Predicates on lifted vertices, all corners in the same chart of reference. Staged: binary64, then 256, 1024, 4096
+  // bits; beyond that a tie, 0.
+
+  /// 1 if d is strictly inside the circle through a, b, c (counterclockwise), −1 if strictly outside.
+  [[nodiscard]] int in_circle(Corner a, Corner b, Corner c, Corner d);
+  /// 1 if c is strictly to the left of the geodesic from a to b.
+  [[nodiscard]] int orientation(Corner a, Corner b, Corner c);
+  /// True if the edge is locally Delaunay (thesis Theorem I.42); ties are.
+  [[nodiscard]] bool is_delaunay(Dart d);
+  /// 1 if the hyperbolic circumradius R of triangle t certainly has sinh²R > s, −1 if certainly less; s is known
+  /// between two binary64 bounds and as exactly as is needed.
+  [[nodiscard]] int compare_circumradius(std::uint32_t t, const Threshold& s);
+  /// 1 if the hyperbolic distance d of two lifted vertices certainly has sinh²(d/2) > s, −1 if certainly less.
+  [[nodiscard]] int compare_distance(Corner a, Corner b, const Threshold& s);
+  /// The circumcentre of triangle t in its chart, in binary64 where that is accurate enough to be inside of the circle.
+  [[nodiscard]] std::optional<Complex<double>> circumcentre_fast(std::uint32_t t) const;
+  /// The same to some 130 bits, if there is one.
+  [[nodiscard]] std::optional<Complex<Mp256>> circumcentre_precise(std::uint32_t t);
+
+  /// Replaces the edge of d by the other diagonal of the two triangles beside it, and returns a dart of the new edge.
+  /// The two triangles may share more edges. Requires their lifts side by side to make a strictly convex quadrilateral;
+  /// an edge that is not Delaunay does (thesis Theorem I.31).
+  Dart flip(Dart d, Journal* journal = nullptr);
+  /// Flips until every edge is locally Delaunay (thesis Theorem I.32), starting from the given darts; returns the
+  /// number of flips.
+  std::uint64_t restore_delaunay(std::vector<Dart>& pending, Journal* journal = nullptr);
+  /// The same from all edges.
+  std::uint64_t make_delaunay();
+
+  /// Adds a vertex that no triangle has yet.
+  std::uint32_t add_vertex(const Vertex& v);
+  /// Takes back the last add_vertex; no triangle may have the vertex.
+  void pop_vertex() { vertices_.pop_back(); }
+  /// Splits triangle t into three at a vertex in its interior. `label` leads from the vertex' chart to t's chart.
+  void split_face(std::uint32_t t, std::uint32_t vertex, LabelId label, Journal* journal = nullptr);
+  /// Splits the edge of d, and the two triangles beside it, at a vertex in its interior. `label` leads from the vertex'
+  /// chart to the chart of d's triangle.
+  void split_edge(Dart d, std::uint32_t vertex, LabelId label, Journal* journal = nullptr);
+
+  /// Makes `vertex` (added, in no triangle) a vertex of the Delaunay triangulation by Bowyer–Watson, starting at
+  /// triangle t, which must be in conflict with it. `label` leads from the vertex' chart to t's chart. False, with
+  /// nothing changed, if the cavity meets a lift of itself (few vertices, short loops), or `accept(corners of the
+  /// link)` says no. Requires a Delaunay triangulation.
+  template <class Accept>
+  [[nodiscard]] bool insert_in_cavity(std::uint32_t t, std::uint32_t vertex, LabelId label, const Accept& accept,
+                                      Journal* journal = nullptr);
+  /// The triangles around the vertex that the last insert_in_cavity, split_face or split_edge inserted: it is their
+  /// corner 0, dart 1 is opposite to it.
+  [[nodiscard]] const std::vector<std::uint32_t>& new_triangles() const { return new_triangles_; }
+
+  /// Where vertex p (lifted by `label` to the chart of triangle `start`) lies. The visibility walk (thesis Theorem
+  /// II.1) terminates in a Delaunay triangulation.
+  [[nodiscard]] Location locate_visibility(std::uint32_t start, Corner p);
+  /// The same by the straight walk from a corner of `start` (thesis Chapter II); terminates in every triangulation.
+  [[nodiscard]] Location locate_straight(std::uint32_t start, Corner p);
+
+  /// Starts to record for `undo`.
+  [[nodiscard]] Journal open_journal() const { return {vertices_.size(), triangles_.size(), {}}; }
+  /// Takes back everything since the journal was opened; vertices, triangles and their order are as they were.
+  void undo(const Journal& journal);
+
+  /// Empty if the triangulation is sound: opposite is an involution that matches vertices and lifts, triangles are
+  /// counterclockwise, V − E + F = 2 − 2g. Otherwise what is wrong first. O(n), in exact or staged arithmetic.
+  [[nodiscard]] std::string problem();
+
+  void reserve(std::size_t vertices);
+
+ private:
+  Triangulation(const Triangulation&) = default;
+
+  /// An edge of the boundary of a region of triangles: its dart inside and the one outside, before the region is filled
+  /// anew.
+  struct BoundaryEdge {
+    Dart inner;
+    Dart outer;
+    Corner from;
+    Corner to;
+  };
+
+  /// A lift in binary64 and how far it may be from the true point.
+  struct Lift {
+    Complex<double> z;
+    double error;
+  };
+  [[nodiscard]] Lift lift(Corner c) const;
+  /// Runs the stages of a predicate on the corners: `stage` takes the lifted points and the bound on their error.
+  template <std::size_t N, class Stage>
+  [[nodiscard]] int staged(const std::array<Corner, N>& corners, const Stage& stage);
+  template <class T, std::size_t N, class Stage>
+  [[nodiscard]] StageSign multiprecision_stage(const std::array<Corner, N>& corners, const Stage& stage);
+  void set(std::uint32_t t, Corner c0, Corner c1, Corner c2, Journal* journal);
+  void record(std::uint32_t t, Journal* journal) const;
+  void link(Dart d, Dart e, Journal* journal);
+  std::uint32_t add_triangle();
+  [[nodiscard]] Corner moved(LabelId by, Corner c) { return {c.vertex, atlas_.product(by, c.label)}; }
+  [[nodiscard]] bool find_cavity(std::uint32_t t, Corner p);
+  /// Replaces the triangles of cavity_ by the fan from a vertex to boundary_.
+  void fill_cavity(Corner p, Journal* journal);
+  [[nodiscard]] Location classify(Dart d, LabelId transition, Corner p, std::uint32_t steps);
+
+  Atlas atlas_;
+  std::vector<Vertex> vertices_;
+  std::vector<Triangle> triangles_;
+  std::uint64_t multiprecision_ = 0;
+
+  // Scratch of insert_in_cavity, kept to allocate nothing per insertion.
+  struct PendingDart {
+    Dart dart;
+    LabelId transition;
+  };
+  std::vector<std::uint32_t> cavity_;
+  std::vector<BoundaryEdge> boundary_;
+  std::vector<PendingDart> pending_;
+  std::vector<std::uint32_t> new_triangles_;
+};
+
+template <class Accept>
+bool Triangulation::insert_in_cavity(std::uint32_t t, std::uint32_t vertex, LabelId label, const Accept& accept,
+                                     Journal* journal) {
+  if (!find_cavity(t, {vertex, label})) {
+    return false;
+  }
+  for (const BoundaryEdge& e : boundary_) {
+    if (!accept(e.from)) {
+      return false;
+    }
+  }
+  fill_cavity({vertex, label}, journal);
+  return true;
+}
+
+}  // namespace epsnet
