@@ -22,7 +22,7 @@ class Draws {
  public:
   /// CGAL's generator draws an integer of [0, 2¹⁵ − 1] when it is made. The range divides that of rand48, so it is
   /// always one step.
-  explicit Draws(std::int32_t seed) : engine_(seed) { engine_.discard(1); }
+  explicit Draws(std::int32_t seed) : engine_(static_cast<std::uint32_t>(seed)) { engine_.discard(1); }
 
   /// A point of the upper half of the unit disk, uniformly distributed.
   Complex<float> point() {

@@ -65,12 +65,6 @@ Complex<Integer> product(std::vector<Complex<Integer>>&& factors) {
   return std::move(factors.front());
 }
 
-/// x/t of p compared with that of q, then y/t.
-bool lexicographically_less(const KleinVector& p, const KleinVector& q) {
-  const int x = sign(Integer(p.x * q.t - q.x * p.t));
-  return x != 0 ? x < 0 : p.y * q.t < q.y * p.t;
-}
-
 /// The direction from p to q in the Klein model lies in the upper half of the circle, [0, π).
 bool points_up(const KleinVector& p, const KleinVector& q) {
   const int y = sign(Integer(q.y * p.t - p.y * q.t));
@@ -95,6 +89,11 @@ KleinVector klein(const ScaledPoint& z) {
 
 int orientation(const KleinVector& p, const KleinVector& q, const KleinVector& r) {
   return sign(Integer(p.x * (q.y * r.t - q.t * r.y) + p.y * (q.t * r.x - q.x * r.t) + p.t * (q.x * r.y - q.y * r.x)));
+}
+
+bool lexicographically_less(const KleinVector& p, const KleinVector& q) {
+  const int x = sign(Integer(p.x * q.t - q.x * p.t));
+  return x != 0 ? x < 0 : p.y * q.t < q.y * p.t;
 }
 
 Complex<Integer> direction(const ScaledPoint& p, const ScaledPoint& q) {
@@ -266,24 +265,29 @@ bool GluedPolygons::clockwise(std::uint32_t tile) const {
   return corner_[extreme].y < 0;
 }
 
-void GluedPolygons::check_convex() const {
+std::optional<std::string> GluedPolygons::convexity_problem() const {
   for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
     const auto size = static_cast<std::uint32_t>(tiles_[t].size());
-    if (clockwise(t)) throw SurfaceError(tile_name(t) + " is clockwise: the vertices must be listed counterclockwise");
+    if (clockwise(t)) return tile_name(t) + " is clockwise: the vertices must be listed counterclockwise";
     std::uint32_t windings = 0;
     for (std::uint32_t s = first_side[t]; s < first_side[t] + size; ++s) {
       if (!strictly_convex(s)) {
-        throw SurfaceError(tile_name(t) + " is not strictly convex at its vertex " + std::to_string(s - first_side[t]) +
-                           " (interior angle " + decimal(angle(s)) + ")");
+        return tile_name(t) + " is not strictly convex at its vertex " + std::to_string(s - first_side[t]) +
+               " (interior angle " + decimal(angle(s)) + ")";
       }
       // With left turns only, the direction of the sides turns through the half circle [0, π) once per winding.
       const std::uint32_t n = next(s);
       windings += points_up(klein_[s], klein_[n]) && !points_up(klein_[n], klein_[next(n)]) ? 1 : 0;
     }
     if (windings != 1) {
-      throw SurfaceError(tile_name(t) + " intersects itself: it winds around " + std::to_string(windings) + " times");
+      return tile_name(t) + " intersects itself: it winds around " + std::to_string(windings) + " times";
     }
   }
+  return std::nullopt;
+}
+
+void GluedPolygons::check_convex() const {
+  if (const auto problem = convexity_problem()) throw SurfaceError(*problem);
 }
 
 void GluedPolygons::check_lengths() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,9 @@ struct KleinVector {
 /// The sign of the turn p, q, r along hyperbolic lines: 1 left, 0 straight (or coincident points), −1 right.
 [[nodiscard]] int orientation(const KleinVector& p, const KleinVector& q, const KleinVector& r);
 
+/// Orders points by their Klein coordinates x, then y.
+[[nodiscard]] bool lexicographically_less(const KleinVector& p, const KleinVector& q);
+
 /// A positive multiple of the direction at p in which q lies, as seen after p was moved to 0 by z ↦ (z−p)/(1−p̄z). 0 if
 /// and only if p = q.
 [[nodiscard]] Complex<Integer> direction(const ScaledPoint& p, const ScaledPoint& q);
@@ -62,6 +66,8 @@ class GluedPolygons {
   void check_vertices();
   /// All polygons are strictly convex and counterclockwise.
   void check_convex() const;
+  /// What is wrong with the first polygon that is not strictly convex and counterclockwise; nothing if all are.
+  [[nodiscard]] std::optional<std::string> convexity_problem() const;
   /// Glued sides have equal lengths.
   void check_lengths() const;
   /// The interior angles around every vertex of the surface add up to 2π. Requires simple, counterclockwise polygons.

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "epsnet/triangulation/surface.h"
+
+/// CGAL's text format for fundamental polygons of closed hyperbolic surfaces.
+///
+/// The number of sides n; then for every side k the index of the side that it is paired with; then the n vertices "x y"
+/// counterclockwise, points of the Poincaré disk with rational coordinates `p/q` or `p`. Side k goes from vertex k to
+/// vertex k + 1. All separated by white space.
+namespace epsnet {
+
+/// The text is not the polygon of a surface. what() is one line: "NAME:LINE: what was wrong, what was expected"; NAME
+/// alone where no line is to blame.
+class DomainError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The largest number of sides of a polygon that is not convex. Finding out whether it intersects itself takes
+/// quadratic time.
+inline constexpr std::size_t kMaxNonConvexSides = 4096;
+
+/// Reads a polygon of any genus and with any number of vertex classes, and checks it completely (see `Surface`).
+///
+/// A strictly convex polygon becomes the one tile of the surface. Any other simple counterclockwise polygon, with
+/// reflex or straight angles, is triangulated exactly, by diagonals; the tiles are the triangles, in the coordinates of
+/// the polygon. `name` stands for the text in messages. Throws DomainError. Time is quasi-linear in the length of the
+/// text, memory linear, for convex polygons, whatever the text claims.
+[[nodiscard]] Surface read_domain(std::string_view text, std::string_view name);
+
+/// Reads a file of at most 1 GiB. Throws DomainError, also if the file cannot be read.
+[[nodiscard]] Surface load_domain(const std::filesystem::path& path);
+
+/// The text for a surface of one tile, every coordinate as `p/q`, as CGAL writes it. Throws std::invalid_argument if
+/// there are several tiles.
+[[nodiscard]] std::string write_domain(const Surface& surface);
+
+}  // namespace epsnet

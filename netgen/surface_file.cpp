@@ -1,0 +1,58 @@
+#include "epsnet/netgen/surface_file.h"
+
+#include <ostream>
+#include <utility>
+#include <vector>
+
+#include "epsnet/certify/reader.h"
+#include "epsnet/certify/writer.h"
+#include "epsnet/netgen/atomic_file.h"
+
+namespace epsnet {
+namespace {
+
+mpq_class to_mpq(const Rational& value) { return mpq_class(value.backend().data()); }
+Rational to_rational(const mpq_class& value) { return Rational(value.get_mpq_t()); }
+
+}  // namespace
+
+certify::Surface to_document(const Surface& surface) {
+  certify::Surface document;
+  for (const Tile& tile : surface.tiles()) {
+    certify::Tile& copy = document.tiles.emplace_back();
+    for (const auto& [x, y] : tile) copy.push_back({to_mpq(x), to_mpq(y)});
+  }
+  for (const auto& [tile, side, other_tile, other_side] : surface.gluing()) {
+    document.gluing.push_back({tile, side, other_tile, other_side});
+  }
+  return document;
+}
+
+Surface from_document(const certify::Surface& surface) {
+  std::vector<Tile> tiles;
+  for (const certify::Tile& tile : surface.tiles) {
+    Tile& copy = tiles.emplace_back();
+    for (const auto& [x, y] : tile) copy.push_back({to_rational(x), to_rational(y)});
+  }
+  std::vector<Gluing> gluing;
+  for (const auto& [tile, side, other_tile, other_side] : surface.gluing) {
+    gluing.push_back({tile, side, other_tile, other_side});
+  }
+  return {std::move(tiles), std::move(gluing)};
+}
+
+Surface load_surface(const std::filesystem::path& path) {
+  const certify::Surface document = certify::read_surface(path);
+  try {
+    return from_document(document);
+  } catch (const SurfaceError& error) {
+    throw SurfaceError(path.string() + ": " + error.what());
+  }
+}
+
+void save_surface(const Surface& surface, const std::filesystem::path& path) {
+  const certify::Surface document = to_document(surface);
+  write_file_atomically(path, [&](std::ostream& out) { certify::write_surface(document, out); });
+}
+
+}  // namespace epsnet

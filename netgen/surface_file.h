@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+
+#include "epsnet/certify/document.h"
+#include "epsnet/triangulation/surface.h"
+
+namespace epsnet {
+
+/// The surface as plain data of a surface file or net file (docs/format.md). O(size).
+[[nodiscard]] certify::Surface to_document(const Surface& surface);
+
+/// The surface that a file describes, checked completely. Throws SurfaceError.
+[[nodiscard]] Surface from_document(const certify::Surface& surface);
+
+/// Reads a surface file. Throws certify::FileError, certify::MalformedError, or SurfaceError if the file is well-formed
+/// but not a surface; what() is one line that starts with the path.
+[[nodiscard]] Surface load_surface(const std::filesystem::path& path);
+
+/// Writes a surface file, atomically; the same bytes for equal surfaces. Throws WriteError (atomic_file.h).
+void save_surface(const Surface& surface, const std::filesystem::path& path);
+
+}  // namespace epsnet
