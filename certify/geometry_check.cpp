@@ -289,7 +289,8 @@ GeometryOutcome check_geometry(const Document& document, const LabelEvaluator& e
   const slong cap = options.max_precision;
   for (slong precision = std::min<slong>(64, cap); !triangles.empty(); precision = std::min(2 * precision, cap)) {
     const bool last = precision >= cap;
-    const LabelTable labels = needed_labels(document, evaluator, triangles, precision, 2 * cap, threads);
+    const LabelTable labels =
+        needed_labels(document, evaluator, triangles, precision, std::min(4 * precision, 2 * cap), threads);
     const Pass pass(document, evaluator, labels, epsilon, precision, last);
     const std::size_t blocks = (triangles.size() + kBlock - 1) / kBlock;
     std::vector<Findings> found(blocks);

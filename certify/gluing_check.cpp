@@ -97,7 +97,8 @@ GluingOutcome check_gluing(const Document& document, const LabelEvaluator& evalu
     }
     std::sort(numbers.begin(), numbers.end());
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    const std::vector<BallIsometry> labels = evaluator.evaluate(numbers, precision, 2 * max_precision, threads);
+    const std::vector<BallIsometry> labels =
+        evaluator.evaluate(numbers, precision, std::min(4 * precision, 2 * max_precision), threads);
     const BallIsometry identity = identity_isometry();
     for_each_parallel(pending.size(), threads, [&](unsigned, std::size_t p) {
       Item& item = items[pending[p]];

@@ -1,10 +1,14 @@
 #include <epsnet/certify/isometry.h>
 #include <epsnet/certify/parallel.h>
+#include <epsnet/certify/surface_sides.h>
 
 #include <algorithm>
 
 namespace epsnet::certify {
 namespace {
+
+/// The letters of one word times bits that are spent at most: a second or so. Words of a net have a few dozen letters.
+constexpr std::size_t kMaxLabelWork = std::size_t{1} << 26;
 
 /// a·b + c·conj(d).
 void multiply_add(acb_ptr result, acb_srcptr a, acb_srcptr b, acb_srcptr c, acb_srcptr d, slong precision) {
@@ -82,10 +86,21 @@ LabelEvaluator::LabelEvaluator(const Document& document, const ExactParts& parts
   crossing_bits.reserve(parts.crossings.size());
   for (const ExactIsometry& crossing : parts.crossings) crossing_bits.push_back(bits(crossing));
   exact_bits_.reserve(document.labels.size());
+  words_.reserve(document.labels.size());
+  const SurfaceSides sides(document.surface);
   for (const Label& label : document.labels) {
+    std::vector<std::uint32_t> word;
+    for (const std::uint32_t side : label.word) {
+      if (!word.empty() && sides.partner[word.back()] == side) {
+        word.pop_back();
+      } else {
+        word.push_back(side);
+      }
+    }
     std::size_t sum = bits(parts_.frames[label.from]) + bits(parts_.frames[label.to]);
-    for (const std::uint32_t side : label.word) sum += crossing_bits[side];
+    for (const std::uint32_t side : word) sum += crossing_bits[side];
     exact_bits_.push_back(sum);
+    words_.push_back(std::move(word));
   }
 }
 
@@ -102,7 +117,7 @@ std::vector<BallIsometry> LabelEvaluator::evaluate(std::span<const std::uint32_t
       if (done[i]) continue;
       const Label& label = document_.labels[numbers[i] - 1];
       chart_used[label.from] = chart_used[label.to] = 1;
-      for (const std::uint32_t side : label.word) side_used[side] = 1;
+      for (const std::uint32_t side : words_[numbers[i] - 1]) side_used[side] = 1;
     }
     std::vector<BallIsometry> crossings(side_used.size());
     std::vector<BallIsometry> frames(chart_used.size());
@@ -117,9 +132,13 @@ std::vector<BallIsometry> LabelEvaluator::evaluate(std::span<const std::uint32_t
       if (done[i]) return;
       const Label& label = document_.labels[numbers[i] - 1];
       BallIsometry result = frames[label.from];
-      for (const std::uint32_t side : label.word) result = compose(crossings[side], result, working);
-      results[i] = compose(inverse(frames[label.to]), result, working);
-      done[i] = last || accurate(results[i], precision);
+      const auto& word = words_[numbers[i] - 1];
+      // 96 bits are always spent.
+      const auto affordable = static_cast<slong>(std::max<std::size_t>(96, kMaxLabelWork / (word.size() + 1)));
+      const slong bits_spent = std::min(working, affordable);
+      for (const std::uint32_t side : word) result = compose(crossings[side], result, bits_spent);
+      results[i] = compose(inverse(frames[label.to]), result, bits_spent);
+      done[i] = last || working >= affordable || accurate(results[i], precision);
     });
     if (std::find(done.begin(), done.end(), 0) == done.end()) return results;
   }
@@ -129,9 +148,10 @@ ExactIsometry LabelEvaluator::evaluate_exactly(std::uint32_t number) const {
   const Label& label = document_.labels[number - 1];
   const ExactIsometry last = inverse(parts_.frames[label.to]);
   std::vector<const ExactIsometry*> path;
-  path.reserve(label.word.size() + 2);
+  const auto& word = words_[number - 1];
+  path.reserve(word.size() + 2);
   path.push_back(&parts_.frames[label.from]);
-  for (const std::uint32_t side : label.word) path.push_back(&parts_.crossings[side]);
+  for (const std::uint32_t side : word) path.push_back(&parts_.crossings[side]);
   path.push_back(&last);
   ExactIsometry result = compose_path(path);
   reduce(result);

@@ -35,7 +35,8 @@ struct ExactParts {
 /// Evaluates labels of one document.
 class LabelEvaluator {
  public:
-  /// Both must outlive the evaluator. O(letters of all words).
+  /// Both must outlive the evaluator. O(letters of all words). Words are reduced freely: a side followed by its partner
+  /// is no path, so the values stay the same.
   LabelEvaluator(const Document& document, const ExactParts& parts);
 
   /// L = F_to⁻¹ ∘ g ∘ F_from of the label numbers given (each ≥ 1, increasing), each with a relative error of about
@@ -53,6 +54,7 @@ class LabelEvaluator {
  private:
   const Document& document_;
   const ExactParts& parts_;
+  std::vector<std::vector<std::uint32_t>> words_;  ///< By label number minus 1, freely reduced.
   std::vector<std::size_t> exact_bits_;
 };
 
