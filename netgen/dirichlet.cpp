@@ -1,0 +1,300 @@
+#include "epsnet/netgen/dirichlet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <queue>
+#include <set>
+#include <string>
+#include <tuple>
+
+namespace epsnet {
+namespace {
+
+using Point = Complex<double>;
+using PrecisePoint = Complex<Mp256>;
+
+/// Poincaré to Klein coordinates.
+template <class T>
+Complex<T> klein(const Complex<T>& z) {
+  return T(T(2) / (T(1) + norm(z))) * z;
+}
+
+/// Klein to Poincaré coordinates.
+PrecisePoint poincare(const PrecisePoint& k) { return Mp256(1 / (1 + sqrt(Mp256(1 - norm(k))))) * k; }
+
+/// The convex polygon of the points that are nearer to 0 than to given points, in the Klein model.
+///
+/// Vertices have 256 bits, as binary64 runs out of Klein coordinates 18 from the centre; their roundings answer most
+/// questions.
+class VoronoiCell {
+ public:
+  VoronoiCell() {
+    // A square around the disk, with sides that are no geodesics: "no bisector yet".
+    for (const auto& [x, y] : {std::pair{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}) add_corner(corners_, {x, y}, {});
+  }
+
+  /// Cuts off what is nearer to the point p of the Poincaré disk than to 0. True if that was anything.
+  bool cut(const PrecisePoint& p) {
+    // k is nearer to 0 if and only if k·p ≤ |p|²: the scalar product of (k, 1) with the difference of the two points on
+    // the hyperboloid.
+    if (!may_cut(convert<double>(p))) return false;
+    const Mp256 pp = norm(p);
+    const std::size_t n = corners_.size();
+    std::vector<Mp256> excess(n);
+    bool any = false;
+    // A bisector that comes again must not cut slivers off by rounding; 2⁻¹⁰⁰ is far above the error of p and far below
+    // what a picture shows.
+    static const Mp256 kTolerance = ldexp(Mp256(1), -100);
+    const Mp256 tolerance = kTolerance * pp;
+    for (std::size_t i = 0; i < n; ++i) {
+      excess[i] = dot(p, corners_[i].k) - pp;
+      any = any || excess[i] > tolerance;
+    }
+    if (!any) return false;
+    std::vector<Corner> kept;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t j = (i + 1) % n;
+      const bool in = excess[i] <= tolerance;
+      const bool next_in = excess[j] <= tolerance;
+      if (in) kept.push_back(corners_[i]);
+      if (in == next_in) continue;
+      const Mp256 share = excess[i] / (excess[i] - excess[j]);
+      const PrecisePoint k = corners_[i].k + share * (corners_[j].k - corners_[i].k);
+      // Leaving the half plane the new side starts; coming back the old side goes on.
+      add_corner(kept, k, in ? p : corners_[i].bisected);
+    }
+    corners_ = std::move(kept);
+    return true;
+  }
+
+  /// The point of the segment from u to v (Klein) inside of the cell that is nearest to 0, as its distance from 0 in
+  /// the Klein model; infinite if the segment misses the cell by more than rounding.
+  [[nodiscard]] double nearest_on_segment(const Point& u, const Point& v) const {
+    constexpr double kSlack = 1e-13;
+    double from = 0;
+    double to = 1;
+    const Point direction = v - u;
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      const Point& a = corners_[i].rounded;
+      const Point side = corners_[(i + 1) % corners_.size()].rounded - a;
+      const double length = std::sqrt(norm(side));
+      if (length < 1e-15) continue;
+      const double at_start = cross(side, u - a) / length + kSlack;
+      const double slope = cross(side, direction) / length;
+      if (at_start < 0 && at_start + slope < 0) return std::numeric_limits<double>::infinity();
+      if (at_start < 0) from = std::max(from, -at_start / slope);
+      if (at_start + slope < 0) to = std::min(to, at_start / -slope);
+    }
+    if (from > to) return std::numeric_limits<double>::infinity();
+    const double square = norm(direction);
+    const double nearest = square > 0 ? std::clamp(-dot(u, direction) / square, from, to) : from;
+    return std::sqrt(norm(u + nearest * direction));
+  }
+
+  /// By the sum of the interior angles; infinite while the cell is unbounded.
+  [[nodiscard]] double area() const {
+    const std::size_t n = corners_.size();
+    Mp256 angles = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (norm(corners_[i].k) >= 1) return std::numeric_limits<double>::infinity();
+      angles += angle(corners_[(i + n - 1) % n].bisected, corners_[i].bisected);
+    }
+    return static_cast<double>(n - 2) * std::numbers::pi - static_cast<double>(angles);
+  }
+
+  [[nodiscard]] std::vector<Point> vertices() const {
+    std::vector<Point> result;
+    for (const Corner& corner : corners_) result.push_back(convert<double>(poincare(corner.k)));
+    return result;
+  }
+
+ private:
+  struct Corner {
+    PrecisePoint k;
+    Point rounded;
+    PrecisePoint bisected;  ///< The side that starts here bisects 0 and this point (Poincaré).
+  };
+
+  static void add_corner(std::vector<Corner>& corners, const PrecisePoint& k, const PrecisePoint& bisected) {
+    corners.push_back({k, convert<double>(k), bisected});
+  }
+
+  /// False only if the half plane of p contains the cell for sure.
+  [[nodiscard]] bool may_cut(const Point& p) const {
+    const double pp = norm(p);
+    return std::any_of(corners_.begin(), corners_.end(),
+                       [&](const Corner& corner) { return dot(p, corner.rounded) - pp > -1e-13; });
+  }
+
+  /// The angle between two sides. The normals (p, |p|²) of the sides have the square |p|² − |p|⁴ in Minkowski space.
+  static Mp256 angle(const PrecisePoint& p, const PrecisePoint& q) {
+    const Mp256 pp = norm(p);
+    const Mp256 qq = norm(q);
+    const Mp256 cosine = (pp * qq - dot(p, q)) / sqrt(Mp256((pp - pp * pp) * (qq - qq * qq)));
+    return acos(cosine > 1 ? Mp256(1) : cosine < -1 ? Mp256(-1) : cosine);
+  }
+
+  std::vector<Corner> corners_;
+};
+
+/// A copy of a tile: the isometry takes the coordinates of the tile to the screen. Determinant 1.
+struct Copy {
+  std::uint32_t tile;
+  Isometry<Mp256> isometry;
+  std::vector<PrecisePoint> corners;  ///< Klein model.
+};
+
+/// The search over copies of tiles, which cuts the cell.
+class Search {
+ public:
+  Search(const NetGeometry& geometry, std::uint32_t max_copies)
+      : geometry_(geometry),
+        area_(4 * std::numbers::pi * (static_cast<double>(geometry.sides().genus) - 1)),
+        max_copies_(max_copies),
+        by_tile_(geometry.document().surface.tiles.size()) {
+    for (const certify::Tile& tile : geometry.document().surface.tiles) {
+      std::vector<PrecisePoint> corners(tile.size());
+      for (std::size_t k = 0; k < tile.size(); ++k) {
+        mpfr_set_q(corners[k].x.backend().data(), tile[k].x.get_mpq_t(), MPFR_RNDN);
+        mpfr_set_q(corners[k].y.backend().data(), tile[k].y.get_mpq_t(), MPFR_RNDN);
+      }
+      tiles_.push_back(std::move(corners));
+    }
+  }
+
+  [[nodiscard]] DirichletDomain run(std::uint32_t tile, const Isometry<Mp256>& isometry) {
+    visit(copy_at_origin(copy(tile, isometry)));
+    while (!complete() && !entries_.empty()) {
+      const Entry entry = entries_.top();
+      entries_.pop();
+      const Copy& from = copies_[entry.copy];
+      const double distance = entry_distance(from, entry.side);
+      if (std::isinf(distance)) continue;
+      if (distance > entry.distance + 1e-12) {  // The cell has shrunk since.
+        entries_.push({distance, entry.copy, entry.side});
+        continue;
+      }
+      visit(neighbour(from, entry.side));
+    }
+    if (!complete())
+      throw NetGeometryError("the Dirichlet domain is not closed by the surface's tiles: its area is " +
+                             std::to_string(cell_area_) + ", the surface's is " + std::to_string(area_));
+    return {cell_.vertices(), cell_area_, static_cast<std::uint32_t>(copies_.size())};
+  }
+
+ private:
+  /// A side of a visited copy, and how far from 0 the cell can be left or entered through it (Klein model).
+  struct Entry {
+    double distance;
+    std::uint32_t copy;
+    std::uint32_t side;  ///< Within the tile.
+    bool operator>(const Entry& other) const {
+      return std::tie(distance, copy, side) > std::tie(other.distance, other.copy, other.side);
+    }
+  };
+  using Key = std::tuple<std::uint32_t, std::int64_t, std::int64_t>;
+
+  [[nodiscard]] bool complete() const { return std::abs(cell_area_ - area_) < 1e-6; }
+
+  [[nodiscard]] Copy copy(std::uint32_t tile, const Isometry<Mp256>& isometry) const {
+    Copy result{tile, normalized(isometry), {}};
+    for (const PrecisePoint& z : tiles_[tile]) result.corners.push_back(klein(result.isometry(z)));
+    return result;
+  }
+
+  [[nodiscard]] Copy neighbour(const Copy& from, std::uint32_t side) const {
+    const std::uint32_t partner = geometry_.sides().partner[geometry_.sides().first_side[from.tile] + side];
+    return copy(geometry_.sides().tile_of_side[partner], from.isometry * geometry_.crossing(partner));
+  }
+
+  /// Walks to a copy that contains 0, along the straight line from the middle of the copy given.
+  [[nodiscard]] Copy copy_at_origin(Copy current) const {
+    static const Mp256 kTiny = ldexp(Mp256(1), -80);
+    PrecisePoint start{};
+    for (const PrecisePoint& k : current.corners) start = start + k;
+    start = Mp256(1 / Mp256(current.corners.size())) * start;
+    const PrecisePoint direction = -start;
+    for (std::uint32_t steps = 0; steps < 1000000; ++steps) {
+      Mp256 exit_at = 1 - kTiny;
+      std::optional<std::uint32_t> exit;
+      for (std::uint32_t side = 0; side < current.corners.size(); ++side) {
+        const PrecisePoint& u = current.corners[side];
+        const PrecisePoint along = current.corners[(side + 1) % current.corners.size()] - u;
+        const Mp256 slope = cross(along, direction);
+        if (!(slope < -kTiny * norm(along))) continue;
+        const Mp256 at = cross(along, start - u) / -slope;
+        if (at < exit_at) {
+          exit_at = at;
+          exit = side;
+        }
+      }
+      if (!exit) return current;
+      current = neighbour(current, *exit);
+    }
+    throw NetGeometryError("no copy of a tile contains the centre of the Dirichlet domain");
+  }
+
+  /// Where the tile's origin goes, on a grid of 2⁻⁶⁰: copies closer than that are the same copy. The grid is shifted,
+  /// as the values themselves like to be round; a copy taken for two would cost time, no more.
+  [[nodiscard]] static Key key(const Copy& copy) {
+    const PrecisePoint z = copy.isometry(PrecisePoint{});
+    const auto index = [](const Mp256& x) { return static_cast<std::int64_t>(floor(Mp256(ldexp(x, 60) + 0.3819))); };
+    return {copy.tile, index(z.x), index(z.y)};
+  }
+
+  [[nodiscard]] double entry_distance(const Copy& copy, std::uint32_t side) const {
+    return cell_.nearest_on_segment(convert<double>(copy.corners[side]),
+                                    convert<double>(copy.corners[(side + 1) % copy.corners.size()]));
+  }
+
+  /// Cuts the cell with what the copy and the copies of the same tile visited before lead to, and queues the copy's
+  /// sides.
+  void visit(Copy copy) {
+    if (!(norm(copy.isometry.b) >= 0)) throw NetGeometryError("a side pairing of the tiles is no isometry");
+    if (!seen_.insert(key(copy)).second) return;
+    if (copies_.size() >= max_copies_)
+      throw NetGeometryError("the Dirichlet domain meets more than " + std::to_string(max_copies_) +
+                             " copies of the tiles");
+    bool changed = false;
+    for (const std::uint32_t other : by_tile_[copy.tile]) {
+      const Isometry<Mp256> g = copy.isometry * inverse(copies_[other].isometry);
+      const Mp256 scale = 1 / norm(g.a);
+      changed |= cell_.cut(scale * (g.b * g.a));           // g(0) = b/ā
+      changed |= cell_.cut(-(scale * (g.b * conj(g.a))));  // g⁻¹(0) = −b/a
+    }
+    if (changed) cell_area_ = cell_.area();
+    const auto number = static_cast<std::uint32_t>(copies_.size());
+    for (std::uint32_t side = 0; side < copy.corners.size(); ++side) {
+      const double distance = entry_distance(copy, side);
+      if (!std::isinf(distance)) entries_.push({distance, number, side});
+    }
+    by_tile_[copy.tile].push_back(number);
+    copies_.push_back(std::move(copy));
+  }
+
+  const NetGeometry& geometry_;
+  double area_;
+  std::uint32_t max_copies_;
+  std::vector<std::vector<PrecisePoint>> tiles_;  ///< Poincaré model.
+  std::vector<std::vector<std::uint32_t>> by_tile_;
+  std::deque<Copy> copies_;
+  std::set<Key> seen_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> entries_;
+  VoronoiCell cell_;
+  double cell_area_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+DirichletDomain dirichlet_domain(const NetGeometry& geometry, std::uint32_t vertex, std::uint32_t max_copies) {
+  const certify::Vertex& v = geometry.document().vertices.at(vertex);
+  const certify::Chart& chart = geometry.document().charts[v.chart];
+  const Isometry<Mp256> to_screen = normalized(Isometry<Mp256>::translation({Mp256(-v.x), Mp256(-v.y)}));
+  return Search(geometry, max_copies).run(chart.tile, to_screen * inverse(geometry.frame(v.chart)));
+}
+
+}  // namespace epsnet

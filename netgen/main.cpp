@@ -1,0 +1,558 @@
+#include <sys/resource.h>
+#include <sys/sysinfo.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <new>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include "epsnet/certify/check.h"
+#include "epsnet/certify/reader.h"
+#include "epsnet/certify/text.h"
+#include "epsnet/certify/writer.h"
+#include "epsnet/netgen/atomic_file.h"
+#include "epsnet/netgen/certified_net.h"
+#include "epsnet/netgen/domain_format.h"
+#include "epsnet/netgen/draw.h"
+#include "epsnet/netgen/info.h"
+#include "epsnet/netgen/octagon.h"
+#include "epsnet/netgen/surface_file.h"
+
+/// The program `epsnet`: makes surfaces, computes and certifies nets, draws them, and says what is in files.
+namespace {
+
+using namespace epsnet;
+
+// Nothing but these is ever returned.
+constexpr int kExitFine = 0;
+constexpr int kExitFailed = 1;
+constexpr int kExitUsage = 64;
+constexpr int kExitInternal = 70;
+
+/// An option's value that cannot be meant.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The job cannot be done; what() says why.
+class JobError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// ---- Output ----
+
+/// "-" means standard output.
+bool is_stdout(const std::string& path) { return path == "-"; }
+
+void write_stdout(const std::function<void(std::ostream&)>& write) {
+  write(std::cout);
+  std::cout.flush();
+  if (!std::cout || std::fflush(stdout) != 0) throw JobError("cannot write to standard output");
+}
+
+/// Writes a complete file or none.
+void write_output(const std::string& path, const std::function<void(std::ostream&)>& write) {
+  if (is_stdout(path)) {
+    write_stdout(write);
+  } else {
+    write_file_atomically(path, write);
+  }
+}
+
+/// Fails now, rather than after a long computation, if there is no such directory.
+void check_output_directory(const std::string& path) {
+  if (is_stdout(path)) return;
+  std::filesystem::path directory = std::filesystem::path(path).parent_path();
+  if (directory.empty()) directory = ".";
+  std::error_code error;
+  if (!std::filesystem::is_directory(directory, error))
+    throw JobError("cannot write '" + path + "': no directory '" + directory.string() + "'");
+}
+
+/// One line: no text of a file or of the command line can start another.
+std::string one_line(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 32 || code == 127) c = code == '\n' ? ' ' : '?';
+  }
+  return result;
+}
+
+int fail(int code, std::string_view text) {
+  std::cerr << "epsnet: " << one_line(text) << '\n';
+  return code;
+}
+
+/// Shows how far we are on a terminal, after the first second; wipes its line at the end.
+class ProgressLine {
+ public:
+  void show(const std::string& text, double share) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!terminal_ || now - shown_ < std::chrono::milliseconds(shown_once_ ? 200 : 1000)) return;
+    shown_ = now;
+    shown_once_ = true;
+    std::fprintf(stderr, "\r%-36s %3.0f %%", text.c_str(), 100 * share);
+  }
+  ProgressLine() = default;
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ~ProgressLine() {
+    if (shown_once_) std::fprintf(stderr, "\r%44s\r", "");
+  }
+
+ private:
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+  bool shown_once_ = false;
+  std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
+};
+
+class Stopwatch {
+ public:
+  /// Seconds since the construction or the last call.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// ---- epsnet surface ----
+
+struct SurfaceRequest {
+  std::int32_t seed = 0;
+  std::string file;
+  std::string output;
+};
+
+void write_surface_file(const Surface& surface, const std::string& output) {
+  const certify::Surface document = to_document(surface);
+  write_output(output, [&](std::ostream& out) { certify::write_surface(document, out); });
+}
+
+void make_octagon(const SurfaceRequest& request) { write_surface_file(random_octagon(request.seed), request.output); }
+
+void import_surface(const SurfaceRequest& request) { write_surface_file(load_domain(request.file), request.output); }
+
+// ---- epsnet net ----
+
+struct NetRequest {
+  std::string surface;
+  std::string epsilon;
+  std::string output;
+  std::string svg;
+  bool no_certify = false;
+  bool stats = false;
+  NetOptions options;
+};
+
+struct PhaseTimes {
+  double reading = 0;
+  double computing = 0;
+  double certifying = 0;
+  double drawing = 0;
+  double writing = 0;
+};
+
+Epsilon parse_epsilon(const std::string& text) {
+  try {
+    return Epsilon(text);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--epsilon: ") + error.what());
+  }
+}
+
+std::string interval_text(certify::Interval x) {
+  return "[" + certify::shortest(x.lower) + ", " + certify::shortest(x.upper) + "]";
+}
+
+/// "2.41", or "-" where there is nothing to divide by.
+std::string ratio_text(double part, double whole) {
+  if (whole == 0) return "-";
+  std::ostringstream out;
+  out.precision(4);
+  out << part / whole;
+  return out.str();
+}
+
+std::string ratio_text(std::uint64_t part, std::uint64_t whole) {
+  return ratio_text(static_cast<double>(part), static_cast<double>(whole));
+}
+
+/// What the certificate proved, in three lines.
+std::string certificate_text(const certify::Certificate& certificate) {
+  std::ostringstream out;
+  out << "verdict: " << certify::name(certificate.verdict) << '\n'
+      << "vertices: " << certificate.counts.vertices << '\n';
+  if (certificate.enclosures) {
+    out << "largest circumradius: " << interval_text(certificate.enclosures->largest_circumradius) << '\n';
+    out << "shortest edge between different vertices: "
+        << (certificate.enclosures->shortest_edge ? interval_text(*certificate.enclosures->shortest_edge) : "none")
+        << '\n';
+  }
+  return out.str();
+}
+
+/// Walks and flips in the terms of the thesis (IV.6.2, figures IV.11 and IV.12).
+std::string walk_text(const NetStatistics& s, Insertion insertion) {
+  std::ostringstream out;
+  out << "insertions: " << s.insertions << '\n';
+  out << "flips per insertion: " << ratio_text(s.flips, s.insertions)
+      << (insertion == Insertion::cavity ? " (a cavity of k triangles counts as k - 1 flips)" : "") << '\n';
+  if (insertion == Insertion::cavity) {
+    out << "triangles visited per location, circumcentres in their own triangle: not measured, a cavity needs no "
+           "location; use --insert flips\n";
+    return out.str();
+  }
+  const std::uint64_t elsewhere = s.located - s.located_at_start;
+  out << "triangles visited per location: " << ratio_text(s.walk_steps, s.located) << ", where the start is left "
+      << ratio_text(s.walk_steps, elsewhere) << ", longest walk " << s.longest_walk << '\n';
+  out << "share of circumcentres in their own triangle: " << ratio_text(s.located_at_start, s.located) << '\n';
+  return out.str();
+}
+
+std::string statistics_text(const UncertifiedNet& net, std::uint32_t genus, double epsilon, const NetRequest& request,
+                            const PhaseTimes& times) {
+  const NetStatistics& s = net.statistics;
+  const auto count = static_cast<double>(net.net.vertices.size());
+  const double least = least_vertices(genus, epsilon);
+  const double most = most_vertices(genus, epsilon);
+  std::ostringstream out;
+  out << walk_text(s, request.options.insertion);
+  out << "flips of the initial triangulation: " << s.initial_flips << '\n';
+  out << "lower bound (g-1)/sinh^2(epsilon/2), Theorem III.2: " << least << ", ratio " << ratio_text(count, least)
+      << '\n';
+  out << "upper bound 16(g-1)/epsilon^2, Theorem III.1 if the systole is at least epsilon: " << most << ", ratio "
+      << ratio_text(count, most) << '\n';
+  out << "charts: " << s.charts << '\n' << "labels: " << s.labels << '\n';
+  out << "multiprecision predicates: " << s.multiprecision << '\n';
+  out << "seconds: reading " << times.reading << ", initial triangulation " << s.start_seconds << ", refinement "
+      << s.refine_seconds << ", document " << std::max(0.0, times.computing - s.start_seconds - s.refine_seconds);
+  if (!request.no_certify) out << ", certification " << times.certifying;
+  if (!request.svg.empty()) out << ", drawing " << times.drawing;
+  out << ", writing " << times.writing << '\n';
+  return out.str();
+}
+
+UncertifiedNet compute(const Surface& surface, const Epsilon& epsilon, NetOptions options) {
+  ProgressLine progress;
+  options.progress = [&](std::uint64_t vertices, double share) {
+    progress.show("net: " + std::to_string(vertices) + " vertices", share);
+  };
+  return compute_net(surface, epsilon, options);
+}
+
+/// The certificate of a verified net. Throws JobError for any other.
+certify::Certificate certify_net(const certify::Document& net, certify::CheckOptions options) {
+  ProgressLine progress;
+  options.progress = [&](std::string_view rule, double share) {
+    progress.show("certificate: " + std::string(rule), share);
+  };
+  certify::Certificate certificate = certify::check(net, options);
+  if (certificate.verdict != certify::Verdict::verified) {
+    throw JobError("no certified net: " + std::string(certify::name(certificate.verdict)) + ": " + certificate.rule +
+                   ": " + certificate.message + "; nothing was written");
+  }
+  return certificate;
+}
+
+void make_net(const NetRequest& request) {
+  if (is_stdout(request.output) && is_stdout(request.svg))
+    throw UsageError("--output and --svg cannot both be standard output");
+  const Epsilon epsilon = parse_epsilon(request.epsilon);
+  check_output_directory(request.output);
+  if (!request.svg.empty()) check_output_directory(request.svg);
+
+  PhaseTimes times;
+  Stopwatch watch;
+  const Surface surface = load_surface(request.surface);
+  times.reading = watch.lap();
+  const UncertifiedNet net = compute(surface, epsilon, request.options);
+  times.computing = watch.lap();
+  std::string report = request.no_certify
+                           ? "verdict: not certified (--no-certify): nothing is proved about this net\nvertices: " +
+                                 std::to_string(net.net.vertices.size()) + "\n"
+                           : certificate_text(certify_net(net.net, request.options.check));
+  times.certifying = watch.lap();
+  std::string svg;
+  if (!request.svg.empty()) svg = draw_svg(net.net);
+  times.drawing = watch.lap();
+  write_output(request.output, [&](std::ostream& out) { certify::write_net(net.net, out); });
+  if (!request.svg.empty()) write_output(request.svg, [&](std::ostream& out) { out << svg; });
+  times.writing = watch.lap();
+  if (request.stats)
+    report += statistics_text(net, surface.genus(), static_cast<double>(epsilon.value()), request, times);
+  // A net on standard output stays a net.
+  if (is_stdout(request.output) || is_stdout(request.svg)) {
+    std::cerr << report;
+  } else {
+    write_stdout([&](std::ostream& out) { out << report; });
+  }
+}
+
+// ---- epsnet draw, epsnet info ----
+
+struct DrawRequest {
+  std::string net;
+  std::string output;
+  DrawOptions options;
+};
+
+void draw(const DrawRequest& request) {
+  check_output_directory(request.output);
+  const certify::Document net = certify::read_net(request.net);
+  std::string svg;
+  try {
+    svg = draw_svg(net, request.options);
+  } catch (const NetGeometryError& error) {
+    throw JobError(request.net + ": " + error.what());
+  }
+  write_output(request.output, [&](std::ostream& out) { out << svg; });
+}
+
+/// A guess, made from the first bytes; members of a file may come in any order. The reader decides.
+bool looks_like_surface(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string head(4096, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  return head.find("\"epsnet-surface\"") != std::string::npos;
+}
+
+std::string info_text(const std::string& path) {
+  if (looks_like_surface(path)) return surface_info(load_surface(path));
+  certify::Document net;
+  try {
+    net = certify::read_net(path);
+  } catch (const certify::MalformedError& not_a_net) {
+    try {
+      (void)certify::read_surface(path);
+    } catch (const certify::MalformedError&) {
+      throw not_a_net;
+    }
+    return surface_info(load_surface(path));
+  }
+  try {
+    return net_info(net);
+  } catch (const NetGeometryError& error) {
+    throw JobError(path + ": " + error.what());
+  }
+}
+
+void print_info(const std::string& path) {
+  const std::string text = info_text(path);
+  write_stdout([&](std::ostream& out) { out << text; });
+}
+
+// ---- The command line ----
+
+struct Commands {
+  SurfaceRequest octagon;
+  SurfaceRequest import;
+  NetRequest net;
+  DrawRequest draw;
+  std::string info;
+  std::function<void()> chosen;
+};
+
+void add_output(CLI::App& command, std::string& output, const char* what) {
+  command.add_option("-o,--output", output, std::string(what) + "; \"-\" is standard output")
+      ->required()
+      ->option_text("FILE");
+}
+
+void add_surface_commands(CLI::App& app, Commands& commands) {
+  CLI::App* surface = app.add_subcommand("surface", "Make a surface file.");
+  surface->require_subcommand(1);
+  surface->footer("Example:\n  epsnet surface octagon --seed 123 -o s.json");
+
+  CLI::App* octagon = surface->add_subcommand(
+      "octagon", "A random surface of genus 2: a symmetric octagon, the same as CGAL 6.1 makes from that seed.");
+  octagon->add_option("--seed", commands.octagon.seed, "a 32-bit integer; the same seed gives the same surface")
+      ->required()
+      ->option_text("N");
+  add_output(*octagon, commands.octagon.output, "the surface file to write");
+  octagon->footer("Example:\n  epsnet surface octagon --seed 123 -o s.json");
+  octagon->callback([&] { commands.chosen = [&] { make_octagon(commands.octagon); }; });
+
+  CLI::App* import = surface->add_subcommand(
+      "import", "A surface of any genus from a polygon with rational vertices in CGAL's text format, checked exactly.");
+  import
+      ->add_option("FILE", commands.import.file,
+                   "number of sides; per side the index of the side it is glued to; per vertex \"x y\"")
+      ->required();
+  add_output(*import, commands.import.output, "the surface file to write");
+  import->footer("Example:\n  epsnet surface import polygon.txt -o s.json");
+  import->callback([&] { commands.chosen = [&] { import_surface(commands.import);
+};
+}  // namespace
+);
+}
+
+void add_net_command(CLI::App& app, Commands& commands) {
+  NetRequest& request = commands.net;
+  CLI::App* net = app.add_subcommand("net", "Compute an epsilon-net of a surface, prove it, write it.");
+  net->add_option("SURFACE", request.surface, "a surface file")->required();
+  net->add_option("--epsilon", request.epsilon, "a positive decimal or fraction: 0.1 is exactly 1/10")
+      ->required()
+      ->option_text("E");
+  add_output(*net, request.output, "the net file to write, only if the net is verified");
+  net->add_option("--svg", request.svg, "also draw the net; \"-\" is standard output")->option_text("FILE");
+  net->add_flag("--no-certify", request.no_certify, "write the net without checking it: nothing is proved");
+  net->add_option("--insert", request.options.insertion,
+                  "how points are inserted: cavity is fast; flips is the way of the thesis, with its statistics")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Insertion>{{"cavity", Insertion::cavity}, {"flips", Insertion::flips}}))
+      ->option_text("cavity|flips [cavity]");
+  net->add_option("--locate", request.options.walk, "the walk with which --insert flips finds triangles")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Walk>{{"visibility", Walk::visibility}, {"straight", Walk::straight}}))
+      ->option_text("visibility|straight [visibility]");
+  net->add_flag("--stats", request.stats, "also print what the thesis measures, and times");
+  net->add_option("--threads", request.options.check.threads, "of the certificate; 0 is one per core")
+      ->check(CLI::Range(0U, 1024U))
+      ->option_text("N [0]");
+  net->footer(
+      "Example:\n"
+      "  epsnet net s.json --epsilon 0.1 -o net.json --svg net.svg && certify net.json\n\n"
+      "The report goes to standard output, or to standard error if a file goes there.");
+  net->callback([&] { commands.chosen = [&] { make_net(commands.net); }; });
+}
+
+void add_draw_command(CLI::App& app, Commands& commands) {
+  DrawRequest& request = commands.draw;
+  CLI::App* draw_command = app.add_subcommand(
+      "draw", "Draw a net: one lift of every triangle, with vertex 0 in the centre of the Poincare disk.");
+  draw_command->add_option("NET", request.net, "a net file")->required();
+  add_output(*draw_command, request.output, "the SVG file to write");
+  draw_command
+      ->add_option("--order", request.options.order,
+                   "which triangle is lifted next: across the edge of least weight, or breadth-first")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, DrawOrder>{{"weight", DrawOrder::weight}, {"bfs", DrawOrder::breadth_first}}))
+      ->option_text("weight|bfs [weight]");
+  draw_command->add_flag("--dirichlet", request.options.dirichlet, "also draw the Dirichlet domain of vertex 0");
+  draw_command->add_option("--size", request.options.size, "width and height in pixels")
+      ->check(CLI::Range(50U, 20000U))
+      ->option_text("PX [1000]");
+  draw_command->footer("Example:\n  epsnet draw net.json -o net.svg --dirichlet");
+  draw_command->callback([&] { commands.chosen = [&] { draw(commands.draw); }; });
+}
+
+void add_info_command(CLI::App& app, Commands& commands) {
+  CLI::App* info = app.add_subcommand("info", "Say what is in a surface file or a net file.");
+  info->add_option("FILE", commands.info, "a surface file or a net file")->required();
+  info->footer("Example:\n  epsnet info net.json");
+  info->callback([&] { commands.chosen = [&] { print_info(commands.info); }; });
+}
+
+/// Memory that the machine does not have makes std::bad_alloc and one clear line, not the end of other programs.
+void limit_memory() {
+#if !defined(__SANITIZE_ADDRESS__) && !defined(EPSNET_NO_MEMORY_LIMIT)
+  struct sysinfo machine = {};
+  struct rlimit limit = {};
+  if (sysinfo(&machine) != 0 || getrlimit(RLIMIT_AS, &limit) != 0) return;
+  rlim_t bytes = (rlim_t{machine.totalram} + machine.totalswap) * machine.mem_unit;
+  if (std::ifstream group("/sys/fs/cgroup/memory.max"); group) {
+    std::uint64_t allowed = 0;
+    if (group >> allowed) bytes = std::min<rlim_t>(bytes, allowed);
+  }
+  limit.rlim_cur = std::min(limit.rlim_cur, bytes);
+  (void)setrlimit(RLIMIT_AS, &limit);
+#endif
+}
+
+int run(int argc, char** argv) {
+  Commands commands;
+  CLI::App app(
+      "Epsilon-nets of closed hyperbolic surfaces, each with a proof.\n"
+      "An epsilon-net: every point of the surface is within epsilon of a vertex, and vertices are at least epsilon "
+      "apart.",
+      "epsnet");
+  app.require_subcommand(1);
+  add_surface_commands(app, commands);
+  add_net_command(app, commands);
+  add_draw_command(app, commands);
+  add_info_command(app, commands);
+  app.footer(
+      "Example:\n"
+      "  epsnet surface octagon --seed 123 -o s.json\n"
+      "  epsnet net s.json --epsilon 0.1 -o net.json --svg net.svg\n"
+      "  certify net.json\n\n"
+      "Exit codes: 0 fine, 1 the job failed, 64 wrong usage, 70 internal fault.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    app.exit(success);  // --help
+    std::cout.flush();
+    return std::cout ? kExitFine : fail(kExitFailed, "cannot write to standard output");
+  } catch (const CLI::ParseError& error) {
+    return fail(kExitUsage, std::string(error.what()) + " (try --help)");
+  }
+
+  try {
+    commands.chosen();
+    return kExitFine;
+  } catch (const UsageError& error) {
+    return fail(kExitUsage, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(kExitFailed, "not enough memory");
+  } catch (const JobError& error) {
+    return fail(kExitFailed, error.what());
+  } catch (const certify::FileError& error) {
+    return fail(kExitFailed, error.what());
+  } catch (const certify::MalformedError& error) {
+    return fail(kExitFailed, error.what());
+  } catch (const SurfaceError& error) {
+    return fail(kExitFailed, error.what());
+  } catch (const DomainError& error) {
+    return fail(kExitFailed, error.what());
+  } catch (const NetError& error) {
+    return fail(kExitFailed, error.what());
+  } catch (const NetGeometryError& error) {
+    return fail(kExitFailed, error.what());
+  } catch (const WriteError& error) {
+    return fail(kExitFailed, error.what());
+  }
+}
+
+/// The end for everything that cannot be caught: GMP and FLINT out of memory, std::terminate, a crash.
+/// Async-signal-safe.
+[[noreturn]] void end_on_signal(int) {
+  constexpr std::string_view kText = "epsnet: internal fault\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, kText.data(), kText.size());
+  _exit(kExitInternal);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  for (const int signal : {SIGABRT, SIGFPE, SIGSEGV, SIGBUS, SIGILL}) std::signal(signal, end_on_signal);
+  // Errors of writing, then, with a message.
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
+  std::ios::sync_with_stdio(false);
+  limit_memory();
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    return fail(kExitInternal, std::string("internal fault: ") + error.what());
+  } catch (...) {
+    return fail(kExitInternal, "internal fault");
+  }
+}

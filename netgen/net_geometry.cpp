@@ -1,0 +1,189 @@
+#include "epsnet/netgen/net_geometry.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "epsnet/certify/structure_check.h"
+
+namespace epsnet {
+namespace {
+
+template <class T>
+T rounded(const mpq_class& q) {
+  T x;
+  mpfr_set_q(x.backend().data(), q.get_mpq_t(), MPFR_RNDN);
+  return x;
+}
+
+template <class T>
+Complex<T> rounded(const certify::RationalPoint& p) {
+  return {rounded<T>(p.x), rounded<T>(p.y)};
+}
+
+/// log2 of |a| + |b| for |a|² − |b|² = 1: half the displacement of 0, in bits, and a little more. Infinite if it is not
+/// a number.
+template <class T>
+double size_in_bits(const Isometry<T>& f) {
+  const double size = std::sqrt(static_cast<double>(norm(f.a))) + std::sqrt(static_cast<double>(norm(f.b)));
+  return std::isfinite(size) ? std::log2(size) : std::numeric_limits<double>::infinity();
+}
+
+/// The frames and crossings of a document at one precision.
+template <class T>
+class Evaluator {
+ public:
+  Evaluator(const certify::Document& document, const SideTable& sides) : document_(document) {
+    for (std::uint32_t tile = 0; tile < document.surface.tiles.size(); ++tile) {
+      const certify::Tile& corners = document.surface.tiles[tile];
+      for (std::uint32_t k = 0; k < corners.size(); ++k) {
+        const std::uint32_t other = sides.partner[sides.first_side[tile] + k];
+        const std::uint32_t other_tile = sides.tile_of_side[other];
+        const certify::Tile& other_corners = document.surface.tiles[other_tile];
+        const std::size_t j = other - sides.first_side[other_tile];
+        crossings_.push_back(normalized(segment_to_segment(
+            rounded<T>(corners[k]), rounded<T>(corners[(k + 1) % corners.size()]),
+            rounded<T>(other_corners[(j + 1) % other_corners.size()]), rounded<T>(other_corners[j]))));
+      }
+    }
+    for (const certify::Chart& chart : document.charts)
+      frames_.push_back(normalized(Isometry<T>::translation(rounded<T>(chart.centre))));
+  }
+
+  [[nodiscard]] const std::vector<Isometry<T>>& frames() const { return frames_; }
+  [[nodiscard]] const std::vector<Isometry<T>>& crossings() const { return crossings_; }
+
+  /// The label, to 120 bits; nothing if this precision cannot promise that.
+  [[nodiscard]] std::optional<Isometry<Mp256>> label(const certify::Label& label) const {
+    // With determinants 1 every product of k factors is off by at most about k 2^−p times the product of their sizes; a
+    // factor itself, made from points as far out as its size says, loses twice its size. The sum, not the size of the
+    // result, bounds it: a path may wander off and return.
+    double bits = std::log2(static_cast<double>(label.word.size() + 2)) + 8;
+    double largest = 0;
+    const auto count = [&](const Isometry<T>& f) {
+      const double size = size_in_bits(f);
+      bits += size;
+      largest = std::max(largest, size);
+    };
+    Isometry<T> result = frames_[label.from];
+    count(result);
+    for (const std::uint32_t side : label.word) {
+      count(crossings_[side]);
+      result = crossings_[side] * result;
+    }
+    count(frames_[label.to]);
+    constexpr double kWanted = 120;
+    if (!(bits + 4 * largest + kWanted < kMantissaBits<T>)) return std::nullopt;
+    return normalized(convert<Mp256>(inverse(frames_[label.to]) * result));
+  }
+
+ private:
+  const certify::Document& document_;
+  std::vector<Isometry<T>> frames_;
+  std::vector<Isometry<T>> crossings_;
+};
+
+void check_opposites(const certify::Document& document) {
+  for (std::uint32_t t = 0; t < document.triangles.size(); ++t) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const std::uint32_t dart = 3 * t + i;
+      const std::uint32_t opposite = document.triangles[t].opposite[i];
+      if (opposite == dart || document.triangles[opposite / 3].opposite[opposite % 3] != dart)
+        throw NetGeometryError("triangles[" + std::to_string(t) + "]: dart " + std::to_string(dart) +
+                               " and its opposite " + std::to_string(opposite) + " do not belong together");
+    }
+  }
+}
+
+/// Evaluates with more and more bits, each label with no more than it needs.
+class StagedEvaluator {
+ public:
+  StagedEvaluator(const certify::Document& document, const SideTable& sides)
+      : document_(document), sides_(sides), at_256_(document, sides) {}
+
+  [[nodiscard]] const Evaluator<Mp256>& first() const { return at_256_; }
+
+  [[nodiscard]] Isometry<Mp256> label(std::size_t row) {
+    const certify::Label& label = document_.labels[row];
+    if (const auto result = at_256_.label(label)) return *result;
+    if (!at_1024_) at_1024_.emplace(document_, sides_);
+    if (const auto result = at_1024_->label(label)) return *result;
+    if (!at_4096_) at_4096_.emplace(document_, sides_);
+    if (const auto result = at_4096_->label(label)) return *result;
+    throw NetGeometryError("labels[" + std::to_string(row) + "]: needs more than 4096 bits");
+  }
+
+ private:
+  const certify::Document& document_;
+  const SideTable& sides_;
+  Evaluator<Mp256> at_256_;
+  std::optional<Evaluator<Mp1024>> at_1024_;
+  std::optional<Evaluator<Mp4096>> at_4096_;
+};
+
+}  // namespace
+
+SideTable side_table(const certify::Surface& surface) {
+  SideTable table;
+  std::uint32_t count = 0;
+  for (std::uint32_t tile = 0; tile < surface.tiles.size(); ++tile) {
+    table.first_side.push_back(count);
+    count += static_cast<std::uint32_t>(surface.tiles[tile].size());
+    table.tile_of_side.resize(count, tile);
+  }
+  table.first_side.push_back(count);
+  table.partner.resize(count);
+  for (const certify::Gluing& g : surface.gluing) {
+    const std::uint32_t s = table.first_side[g.tile] + g.side;
+    const std::uint32_t other = table.first_side[g.other_tile] + g.other_side;
+    table.partner[s] = other;
+    table.partner[other] = s;
+  }
+  // Corner k of a tile is where side k starts. Across the side before it the same point is where the partner starts: a
+  // permutation, whose cycles are the points of the surface.
+  std::vector<bool> seen(count, false);
+  for (std::uint32_t start = 0; start < count; ++start) {
+    if (seen[start]) continue;
+    ++table.vertex_class_count;
+    for (std::uint32_t corner = start; !seen[corner];) {
+      seen[corner] = true;
+      const std::uint32_t tile = table.tile_of_side[corner];
+      const std::uint32_t before = corner == table.first_side[tile] ? table.first_side[tile + 1] - 1 : corner - 1;
+      corner = table.partner[before];
+    }
+  }
+  const std::int64_t characteristic = std::int64_t{table.vertex_class_count} - std::int64_t{count / 2} +
+                                      static_cast<std::int64_t>(surface.tiles.size());
+  if (characteristic <= 2 && characteristic % 2 == 0)
+    table.genus = static_cast<std::uint32_t>((2 - characteristic) / 2);
+  return table;
+}
+
+NetGeometry::NetGeometry(const certify::Document& document) : document_(&document) {
+  if (const auto problem = certify::structure_problem(document)) throw NetGeometryError(*problem);
+  check_opposites(document);
+  sides_ = side_table(document.surface);
+  StagedEvaluator evaluator(document, sides_);
+  frames_ = evaluator.first().frames();
+  crossings_ = evaluator.first().crossings();
+  labels_.resize(document.labels.size() + 1);
+  for (std::size_t row = 0; row < document.labels.size(); ++row)
+    labels_[row + 1] = PreciseIsometry(evaluator.label(row));
+}
+
+std::uint32_t NetGeometry::corner_label(std::uint32_t dart) const {
+  return dart % 3 == 0 ? 0 : document_->triangles[dart / 3].label[dart % 3 - 1];
+}
+
+std::array<Complex<double>, 3> NetGeometry::corners(std::uint32_t triangle) const {
+  std::array<Complex<double>, 3> result;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const certify::Vertex& v = document_->vertices[document_->triangles[triangle].vertex[i]];
+    const std::uint32_t number = corner_label(3 * triangle + i);
+    result[i] = number == 0 ? Complex<double>{v.x, v.y} : labels_[number].rounded({v.x, v.y});
+  }
+  return result;
+}
+
+}  // namespace epsnet

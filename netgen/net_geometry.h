@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+#include "epsnet/certify/document.h"
+#include "epsnet/kernel/isometry.h"
+#include "epsnet/kernel/numbers.h"
+
+/// A net document as points and isometries, for pictures and summaries. Nothing here is proved; that is certify's
+/// office.
+namespace epsnet {
+
+/// The document is not a net, or its numbers are beyond what this module computes with. what() is one line.
+class NetGeometryError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The combinatorics of the tiles of a surface document: what the gluing says.
+struct SideTable {
+  std::vector<std::uint32_t> first_side;    ///< By tile, and last the number of sides.
+  std::vector<std::uint32_t> partner;       ///< By side number.
+  std::vector<std::uint32_t> tile_of_side;  ///< By side number.
+  std::uint32_t vertex_class_count = 0;     ///< Points of the surface that corners of tiles are.
+  std::uint32_t genus = 0;                  ///< From V − E + F = 2 − 2g; 0 if that gives no genus.
+};
+
+/// O(sides). Requires that every side is glued exactly once (certify::structure_problem).
+[[nodiscard]] SideTable side_table(const certify::Surface& surface);
+
+/// An isometry to at least 120 bits, enough for products of many of them, and rounded to binary64.
+struct PreciseIsometry {
+  Isometry<Mp256> precise;
+  Isometry<double> rounded;
+
+  PreciseIsometry() = default;
+  explicit PreciseIsometry(const Isometry<Mp256>& f) : precise(f), rounded(convert<double>(f)) {}
+};
+
+/// The corners, labels and crossings of a net document in numbers. Refers to the document, which must outlive it.
+class NetGeometry {
+ public:
+  /// Evaluates all labels. Throws NetGeometryError if the structure of the document is broken
+  /// (certify::structure_problem), if `opposite` is not a fixed-point-free involution, or if a label needs more than
+  /// 4096 bits. O(triangles + letters of all words).
+  explicit NetGeometry(const certify::Document& document);
+
+  [[nodiscard]] const certify::Document& document() const { return *document_; }
+
+  /// The label number of the corner where a dart starts; 0, the identity, for corner 0.
+  [[nodiscard]] std::uint32_t corner_label(std::uint32_t dart) const;
+  /// The label with this number, from the chart of its vertex to the chart of its triangle. Determinant 1.
+  [[nodiscard]] const PreciseIsometry& label(std::uint32_t number) const { return labels_[number]; }
+  /// The three corners of a triangle, counterclockwise, in the chart of its vertex 0.
+  [[nodiscard]] std::array<Complex<double>, 3> corners(std::uint32_t triangle) const;
+
+  /// The isometry of a chart, from its coordinates to those of its tile. Determinant 1.
+  [[nodiscard]] const Isometry<Mp256>& frame(std::uint32_t chart) const { return frames_[chart]; }
+  /// The isometry across side `s`, from the coordinates of its tile to those of its partner's tile. Determinant 1.
+  [[nodiscard]] const Isometry<Mp256>& crossing(std::uint32_t s) const { return crossings_[s]; }
+  [[nodiscard]] const SideTable& sides() const { return sides_; }
+
+ private:
+  const certify::Document* document_;
+  std::vector<PreciseIsometry> labels_;
+  std::vector<Isometry<Mp256>> frames_;
+  std::vector<Isometry<Mp256>> crossings_;
+  SideTable sides_;
+};
+
+}  // namespace epsnet
