@@ -1,11 +1,32 @@
 #include <epsnet/certify/reader.h>
+#include <epsnet/certify/surface_check.h>
 #include <epsnet/certify/writer.h>
+#include <epsnet/netgen/surface_file.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <sstream>
 
-/// Any bytes are a surface or a MalformedError; a surface that is written reads back the same.
+namespace {
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+bool accepted(const epsnet::certify::Surface& surface) {
+  try {
+    require(epsnet::to_document(epsnet::from_document(surface)) == surface);
+    return true;
+  } catch (const epsnet::SurfaceError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+/// Any bytes are the text of a surface or a MalformedError; the text that is written reads back the same; the generator
+/// accepts a surface if and only if the certifier proves it to be one.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace epsnet::certify;
   Surface surface;
@@ -16,6 +37,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   std::ostringstream out;
   write_surface(surface, out);
-  if (parse_surface(out.str(), "written") != surface) std::abort();
+  require(parse_surface(out.str(), "written") == surface);
+  require(accepted(surface) == (check_surface(surface).report.verdict == Verdict::verified));
   return 0;
 }
