@@ -86,6 +86,19 @@ class TemporaryFile {
   fs::path path_;
 };
 
+/// Where symbolic links lead, whether there is a file or not: rename() would replace the link itself.
+fs::path followed(const fs::path& path) {
+  fs::path target = path;
+  std::error_code error;
+  for (int links = 0; fs::is_symlink(target, error); ++links) {
+    if (links == 40) fail(path, "cannot be opened for writing", ELOOP);
+    const fs::path next = fs::read_symlink(target, error);
+    if (error) fail(path, "cannot be opened for writing", error.value());
+    target = target.parent_path() / next;
+  }
+  return target;
+}
+
 /// Hands the stream to `write` and closes the file.
 void write_all(const fs::path& path, int descriptor, const std::function<void(std::ostream&)>& write) {
   Output output(descriptor);
@@ -99,11 +112,8 @@ void write_all(const fs::path& path, int descriptor, const std::function<void(st
 }  // namespace
 
 void write_file_atomically(const fs::path& path, const std::function<void(std::ostream&)>& write) {
-  std::error_code error;
-  fs::path target = path;
-  // rename() would replace the link itself.
-  if (fs::is_symlink(path, error)) target = fs::weakly_canonical(path, error);
-  if (error && error != std::errc::no_such_file_or_directory) fail(path, "cannot be opened for writing", error.value());
+  if (path.empty()) throw WriteError("the path to write to is empty");
+  const fs::path target = followed(path);
 
   struct stat status = {};
   const bool exists = ::stat(path.c_str(), &status) == 0;

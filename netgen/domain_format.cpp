@@ -19,7 +19,7 @@ namespace {
 
 using certify::in_quotes;
 
-constexpr std::size_t kMaxFileSize = std::size_t{1} << 30;
+constexpr std::size_t kMaxFileSize = std::size_t{256} << 20;
 constexpr std::string_view kWhiteSpace = " \t\n\v\f\r";
 
 /// The words of the text and the lines that they are on.
@@ -42,12 +42,12 @@ class Words {
     fail(in_quotes(next("")) + " follows the last vertex, expected the end of the text");
   }
 
-  /// A number of at most 9 digits.
+  /// An unsigned number of 32 bits.
   std::uint32_t index(const std::string& expected) {
     const std::string_view word = next(expected);
     std::uint32_t value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size() || word.size() > 9) {
+    if (error != std::errc() || end != word.data() + word.size()) {
       fail(in_quotes(word) + " found, expected " + expected);
     }
     return value;
@@ -114,7 +114,7 @@ std::vector<Gluing> read_pairing(Words& words, std::uint32_t size) {
 
 Domain parse(std::string_view text, std::string_view name) {
   Words words(text, name);
-  const std::uint32_t size = words.index("the number of sides, a number of at most 9 digits");
+  const std::uint32_t size = words.index("the number of sides, an even number from 8 to 2^32 - 2");
   if (size < 8 || size % 2 != 0) {
     words.fail(std::to_string(size) + " sides found, expected an even number, at least 8 (genus 2)");
   }
@@ -187,7 +187,7 @@ Surface load_domain(const std::filesystem::path& path) {
   std::string text;
   std::vector<char> block(std::size_t{1} << 16);
   while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
-    if (count > kMaxFileSize - text.size()) fail("is larger than 1 GiB");
+    if (count > kMaxFileSize - text.size()) fail("is larger than 256 MiB");
     text.append(block.data(), count);
   }
   if (std::ferror(file.get()) != 0) fail("cannot be read: " + reason());

@@ -29,11 +29,12 @@ inline constexpr std::size_t kMaxNonConvexSides = 4096;
 ///
 /// A strictly convex polygon becomes the one tile of the surface. Any other simple counterclockwise polygon, with
 /// reflex or straight angles, is triangulated exactly, by diagonals; the tiles are the triangles, in the coordinates of
-/// the polygon. `name` stands for the text in messages. Throws DomainError. Time is quasi-linear in the length of the
-/// text, memory linear, for convex polygons, whatever the text claims.
+/// the polygon. `name` stands for the text in messages. Throws DomainError. Whatever the text claims, memory is linear
+/// in its length; so is time, up to logarithmic factors, for convex polygons: about a second per megabyte at worst
+/// (coordinates of 10^6 digits).
 [[nodiscard]] Surface read_domain(std::string_view text, std::string_view name);
 
-/// Reads a file of at most 1 GiB. Throws DomainError, also if the file cannot be read.
+/// Reads a file of at most 256 MiB. Throws DomainError, also if the file cannot be read.
 [[nodiscard]] Surface load_domain(const std::filesystem::path& path);
 
 /// The text for a surface of one tile, every coordinate as `p/q`, as CGAL writes it. Throws std::invalid_argument if

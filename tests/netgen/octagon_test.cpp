@@ -1,0 +1,46 @@
+#include "epsnet/netgen/octagon.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "epsnet/netgen/domain_format.h"
+#include "support/polygons.h"
+
+namespace epsnet {
+namespace {
+
+TEST(Octagon, IsWhatCgalPrintsForTheSeed) {
+  const auto files = test::data_files("octagons");
+  ASSERT_GE(files.size(), 62U);
+  for (const auto& path : files) {
+    const std::string name = path.stem().string();
+    const auto seed = static_cast<std::int32_t>(std::stol(name.substr(name.rfind('-') + 1)));
+    EXPECT_EQ(write_domain(random_octagon(seed)), test::file_text(path)) << path;
+  }
+}
+
+TEST(Octagon, ExtremeSeeds) {
+  EXPECT_EQ(random_octagon(0).genus(), 2U);
+  EXPECT_EQ(random_octagon(std::numeric_limits<std::int32_t>::max()).genus(), 2U);
+  EXPECT_EQ(random_octagon(std::numeric_limits<std::int32_t>::min()).genus(), 2U);
+}
+
+TEST(Octagon, SymmetricOctagonIsChecked) {
+  const Surface surface = random_octagon(321);
+  std::array<Complex<Rational>, 4> half;
+  std::copy_n(surface.tiles()[0].begin(), 4, half.begin());
+  EXPECT_EQ(symmetric_octagon(half).tiles(), surface.tiles());
+  half[3].x += Rational(1, 1000);
+  EXPECT_THROW(static_cast<void>(symmetric_octagon(half)), SurfaceError);
+}
+
+RC_GTEST_PROP(OctagonProperty, EverySeedGivesTheSameSurfaceOfGenusTwoTwice, (std::int32_t seed)) {
+  const Surface surface = random_octagon(seed);
+  RC_ASSERT(surface.genus() == 2U);
+  RC_ASSERT(surface.vertex_class_count() == 1U);
+  RC_ASSERT(random_octagon(seed).tiles() == surface.tiles());
+}
+
+}  // namespace
+}  // namespace epsnet
