@@ -97,7 +97,7 @@ template <class T>
   if (area == 0) {
     return std::nullopt;
   }
-  // m = i(v|u|² − u|v|²)/(2 Im(ū v)), here divided late.
+  // m = i(u|v|² − v|u|²)/(2 Im(ū v)).
   const T uu = norm(u);
   const T vv = norm(v);
   const Complex<T> m{(u.y * vv - v.y * uu) / -area, (v.x * uu - u.x * vv) / -area};

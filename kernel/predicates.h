@@ -9,8 +9,9 @@
 /// One stage of a staged predicate: a sign that is proved, or "unsure".
 ///
 /// Every function here takes points whose Euclidean distance from the true points is at most `error` (0 where they are
-/// exact) and answers a sign only if it is the sign for the true points. docs/error-bounds.md derives the constants;
-/// tests/kernel/predicates_test.cpp holds every stage against exact arithmetic.
+/// exact) and answers a sign only if it is the sign for the true points, which lie in the open unit disk. NaN anywhere,
+/// or an infinite `error`, gives "unsure". docs/error-bounds.md derives the constants; tests/kernel/predicates_test.cpp
+/// holds every stage against exact arithmetic, and fails if the constants are a hundredth of what they are.
 namespace epsnet {
 
 /// The answer of one stage: the sign −1, 0 or 1, or nothing.
@@ -63,7 +64,7 @@ template <class T>
 /// The sign of in_circle_determinant(a, b, c, d): 1 if d lies strictly inside of the circle through a, b, c
 /// (counterclockwise).
 ///
-/// Error bound: 16u(αβ + βγ + γα) + 32 e M³ with α, β, γ the squared distances of a, b, c from d, M² the largest of
+/// Error bound: 16u(αβ + βγ + γα) + 40 e M³ with α, β, γ the squared distances of a, b, c from d, M² the largest of
 /// them, e = `error` (docs/error-bounds.md, E1).
 template <class T>
 [[nodiscard]] StageSign in_circle_stage(const Complex<T>& a, const Complex<T>& b, const Complex<T>& c,
@@ -77,34 +78,40 @@ template <class T>
   const T ww = norm(w);
   const T det = uu * cross(v, w) + vv * cross(w, u) + ww * cross(u, v);
   T bound = T(16) * unit_roundoff<T>() * (uu * vv + vv * ww + ww * uu) + detail::underflow_bound<T>();
-  if (error > 0) {
+  if (error != 0) {
     const T m = sqrt(std::max({uu, vv, ww}));
     if (!(T(16) * error <= m)) {
       return {};
     }
-    bound += T(32) * error * m * m * m;
+    bound += T(40) * error * m * m * m;
   }
   return detail::sign_beyond(det, bound);
 }
 
 /// The sign of orientation_determinant(a, b, c): 1 if c lies strictly to the left of the geodesic from a to b.
 ///
-/// Error bound: 128u|b − a||c − a| + 40 e(|b − a| + |c − a|) + 128 e² (docs/error-bounds.md, E2).
+/// Error bound: 80u|b − a|₁|c − a|₁ + 40 e(|b − a|₁ + |c − a|₁) + 128 e², |·|₁ the sum of the absolute coordinates,
+/// which unlike the Euclidean length does not underflow for close points (docs/error-bounds.md, E2).
 template <class T>
 [[nodiscard]] StageSign orientation_stage(const Complex<T>& a, const Complex<T>& b, const Complex<T>& c,
                                           const T& error) {
-  using std::sqrt;
-  const T uu = norm(b - a);
-  const T vv = norm(c - a);
-  T bound = T(128) * unit_roundoff<T>() * T(sqrt(uu * vv)) + detail::underflow_bound<T>();
-  if (error > 0) {
-    bound += error * (T(40) * (T(sqrt(uu)) + T(sqrt(vv))) + T(128) * error);
+  using std::abs;
+  const Complex<T> ab = b - a;
+  const Complex<T> ac = c - a;
+  const T u = abs(ab.x) + abs(ab.y);
+  const T v = abs(ac.x) + abs(ac.y);
+  T bound = T(80) * unit_roundoff<T>() * (u * v) + detail::underflow_bound<T>();
+  if (error != 0) {
+    if (!(T(16) * error <= T(1))) {
+      return {};
+    }
+    bound += error * (T(40) * (u + v) + T(128) * error);
   }
   return detail::sign_beyond(orientation_determinant(a, b, c), bound);
 }
 
 /// The sign of sinh²R − s for the hyperbolic circumradius R of a, b, c (R = ∞ where there is none): 1 if R is certainly
-/// larger. `s_low` ≤ s ≤ `s_high`. All three points in |z| < 1.
+/// larger. 0 ≤ `s_low` ≤ s ≤ `s_high`. Unsure for points that binary64 cannot tell from the unit circle.
 ///
 /// Error bound: docs/error-bounds.md, E3.
 template <class T>
@@ -128,12 +135,9 @@ template <class T>
   const T scale = (sum + z) * (sum + z);
   // Relative errors of the squared chords and of 1 − |z|².
   const T smallest = std::min({aa, bb, cc});
-  if (!(smallest > 0)) {
-    return {};
-  }
   T chord = T(5) * u;
   T height = T(5) * u;
-  if (error > 0) {
+  if (error != 0) {
     const T shortest = sqrt(std::min({ab, bc, ca}));
     if (!(T(16) * error <= shortest) || !(T(16) * error <= smallest)) {
       return {};
@@ -141,9 +145,12 @@ template <class T>
     chord += T(5) * error / shortest;
     height += T(3) * error;
   }
+  if (!(T(4) * height <= smallest)) {
+    return {};
+  }
   height /= smallest;
   const T left_error = left * (T(4) * chord + T(8) * u);
-  const T heron_error = scale * (T(6) * (chord + height) + T(16) * u);
+  const T heron_error = scale * (T(6) * (chord + height) + T(16) * u) + detail::underflow_bound<T>();
   const T difference_low = left - s_low * heron;
   const T difference_high = left - s_high * heron;
   const T bound = (left_error + s_high * heron_error) * (T(1) + T(8) * u) + T(4) * u * s_high * scale +
@@ -158,31 +165,33 @@ template <class T>
   return {};
 }
 
-/// circumradius_stage for exact binary64 points with |z| ≤ 0.75, without divisions: the path that nearly all triangles
-/// take. s ≤ `s_high` ≤ s(1 + 4u).
+/// circumradius_stage for exact points with |z| ≤ 0.75, without divisions: the path that nearly all triangles take in
+/// binary64. 0 < s ≤ `s_high` ≤ s(1 + 100u).
 ///
-/// Error bound: docs/error-bounds.md, E3'.
-[[nodiscard]] inline StageSign circumradius_stage_near_origin(const Complex<double>& a, const Complex<double>& b,
-                                                              const Complex<double>& c, double s_high) {
-  const Sinh2Circumradius<double> r = sinh2_circumradius(a, b, c);
-  const double bound =
-      kUnitRoundoff * (32 * r.numerator + 160 * (s_high * r.scale)) + detail::underflow_bound<double>();
-  return detail::sign_beyond(r.numerator - s_high * r.denominator, bound);
+/// Error bound: u(32 numerator + 160 s scale) (docs/error-bounds.md, E3').
+template <class T>
+[[nodiscard]] StageSign circumradius_stage_near_origin(const Complex<T>& a, const Complex<T>& b, const Complex<T>& c,
+                                                       const T& s_high) {
+  const Sinh2Circumradius<T> r = sinh2_circumradius(a, b, c);
+  const T bound =
+      unit_roundoff<T>() * (T(32) * r.numerator + T(160) * (s_high * (r.scale + detail::underflow_bound<T>()))) +
+      detail::underflow_bound<T>();
+  return detail::sign_beyond(T(r.numerator - s_high * r.denominator), bound);
 }
 
-/// distance_stage for exact binary64 points with |z| ≤ 0.75, without divisions. s ≤ `s_high` ≤ s(1 + 4u).
+/// distance_stage for exact points with |z| ≤ 0.75, without divisions. 0 < s ≤ `s_high` ≤ s(1 + 100u).
 ///
-/// Error bound: docs/error-bounds.md, E4'.
-[[nodiscard]] inline StageSign distance_stage_near_origin(const Complex<double>& p, const Complex<double>& q,
-                                                          double s_high) {
-  const double chord2 = norm(p - q);
-  const double limit = s_high * ((1 - norm(p)) * (1 - norm(q)));
-  const double bound = kUnitRoundoff * (8 * chord2 + 48 * limit) + detail::underflow_bound<double>();
-  return detail::sign_beyond(chord2 - limit, bound);
+/// Error bound: u(8|p − q|² + 128 s(1 − |p|²)(1 − |q|²)) (docs/error-bounds.md, E4').
+template <class T>
+[[nodiscard]] StageSign distance_stage_near_origin(const Complex<T>& p, const Complex<T>& q, const T& s_high) {
+  const T chord2 = norm(p - q);
+  const T limit = s_high * ((T(1) - norm(p)) * (T(1) - norm(q)));
+  const T bound = unit_roundoff<T>() * (T(8) * chord2 + T(128) * limit) + detail::underflow_bound<T>();
+  return detail::sign_beyond(T(chord2 - limit), bound);
 }
 
 /// The sign of sinh²(d/2) − s for the hyperbolic distance d of two points of the disk: 1 if d is certainly larger.
-/// `s_low` ≤ s ≤ `s_high`.
+/// 0 ≤ `s_low` ≤ s ≤ `s_high`. Unsure for points that binary64 cannot tell from the unit circle.
 ///
 /// Error bound: docs/error-bounds.md, E4.
 template <class T>
@@ -194,18 +203,18 @@ template <class T>
   const T pp = T(1) - norm(p);
   const T qq = T(1) - norm(q);
   const T smallest = std::min(pp, qq);
-  if (!(smallest > 0)) {
-    return {};
-  }
   const T heights = pp * qq;
   T height = T(5) * u;
-  T chord_error = chord2 * T(5) * u;
-  if (error > 0) {
+  T chord_error = chord2 * T(8) * u;
+  if (error != 0) {
     if (!(T(16) * error <= smallest)) {
       return {};
     }
     height += T(3) * error;
     chord_error += error * (T(5) * T(sqrt(chord2)) + T(8) * error);
+  }
+  if (!(T(4) * height <= smallest)) {
+    return {};
   }
   height /= smallest;
   const T bound = chord_error + s_high * heights * (T(3) * height + T(8) * u) + detail::underflow_bound<T>();
