@@ -7,5 +7,6 @@ run(${CMAKE_COMMAND} --install ${build} --prefix ${scratch}/prefix)
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${scratch}/consumer -G ${generator}
   -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_BUILD_TYPE=Release -D CMAKE_PREFIX_PATH=${scratch}/prefix)
 run(${CMAKE_COMMAND} --build ${scratch}/consumer)
-run(${scratch}/consumer/consumer ${net})
-run(${scratch}/prefix/bin/certify ${net})
+run(${scratch}/consumer/consumer ${scratch}/consumer/net.json)
+run(${scratch}/prefix/bin/certify ${scratch}/consumer/net.json)
+run(${scratch}/prefix/bin/epsnet info ${scratch}/consumer/net.json)
