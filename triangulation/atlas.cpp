@@ -13,23 +13,21 @@ namespace {
 
 constexpr LabelId kUnknown = ~LabelId{0};
 
-/// Bits that the precise value of a label keeps at least; products that would have fewer are evaluated from their word
-/// again.
+/// Bits that the precise value of a label keeps at least, relative to its entries; and, for entries of size N, beyond
+/// log2 N. Products that would have fewer are evaluated from their word again.
 constexpr double kLabelAccuracy = 150;
-/// Two labels between the same charts that agree this well are equal: others differ by an element of the group that
-/// moves points by at least the systole.
-const Mp256 kSameLabel = Mp256(1) / Mp256(boost::multiprecision::pow(Mp256(2), 150));
+constexpr double kAbsoluteAccuracy = 100;
+/// Two labels g and gh between the same charts are equal if their matrices agree to 2⁻⁷⁰: for h ≠ 1 of length ℓ the
+/// difference g(h − 1) has the determinant 2 − tr h = −4 sinh²(ℓ/4), whatever the size of g, so that some entry of it
+/// is larger than sinh(ℓ/4).
+const Mp256 kSameLabel2 = boost::multiprecision::pow(Mp256(2), -140);
 
 std::uint64_t pair_key(std::uint32_t first, std::uint32_t second) { return (std::uint64_t{first} << 32) | second; }
 
-/// log2 of the operator norm e^{d/2} of an isometry that moves the origin by d.
+/// An upper bound of log2 of the operator norm |a| + |b| of a normalised isometry, at most 2 too large.
 template <class T>
 double log2_norm(const Isometry<T>& f) {
-  const double ratio = static_cast<double>(norm(f.b) / norm(f.a));
-  // cosh²(d/2) = |a|²/(|a|² − |b|²); the determinant by subtraction is exact enough even for |b|/|a| near 1 in a field
-  // of many bits.
-  const double cosh2 = ratio < 0.999 ? 1 / (1 - ratio) : static_cast<double>(T(norm(f.a) / f.determinant()));
-  return 1 + 0.5 * std::log2(cosh2);
+  return 2 + 0.5 * static_cast<double>(ilogb(norm(f.a)));
 }
 
 /// See Atlas::error and docs/error-bounds.md, E5.
@@ -69,15 +67,13 @@ Atlas::Atlas(const Surface& surface) : surface_(&surface) {
   for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
     const Isometry<Mp1024> f = normalized(convert<Mp1024>(surface.crossing(s)));
     crossings_.push_back(convert<Mp256>(f));
-    crossing_bits_.push_back(log2_norm(f));
   }
 }
 
 std::uint32_t Atlas::add_chart(Chart chart) {
   const std::uint32_t c = chart_count();
   charts_of_tile_[chart.tile].push_back(c);
-  const double bits = log2_norm(Isometry<Mp1024>::translation(convert<Mp1024>(chart.centre)));
-  charts_.push_back({std::move(chart), bits, {}});
+  charts_.push_back({std::move(chart), {}});
   return c;
 }
 
@@ -96,41 +92,59 @@ Isometry<T> Atlas::crossing(std::uint32_t s) const {
 }
 
 template <class T>
-Isometry<T> Atlas::evaluate(std::uint32_t from, std::uint32_t to, const Word& word) const {
-  Isometry<T> result = frame<T>(from);
+Atlas::Evaluation<T> Atlas::evaluate(std::uint32_t from, std::uint32_t to, const Word& word) const {
+  // The value is a product M_n … M_0; an error in M_i is magnified by the partial products on its two sides. Factors
+  // have determinant 1, the product is not normalised again: |a|² − |b|² has lost its bits where |a| is large.
+  std::vector<Isometry<T>> factors{normalized(frame<T>(from))};
   for (const std::uint32_t s : word) {
-    result = crossing<T>(s) * result;
+    factors.push_back(crossing<T>(s));
   }
-  return normalized(epsnet::inverse(frame<T>(to)) * result);
+  factors.push_back(normalized(epsnet::inverse(frame<T>(to))));
+  std::vector<double> before;
+  Isometry<T> product;
+  for (const Isometry<T>& f : factors) {
+    before.push_back(log2_norm(product) + log2_norm(f));
+    product = f * product;
+  }
+  double lost = 0;
+  Isometry<T> after;
+  for (std::size_t i = factors.size(); i-- > 0;) {
+    lost = std::max(lost, before[i] + log2_norm(after));
+    after = after * factors[i];
+  }
+  // The factors' own rounding, about 8 operations deep, and their number.
+  return {product, lost + 8 + std::log2(static_cast<double>(factors.size()))};
 }
 
-double Atlas::bits_lost(std::uint32_t from, std::uint32_t to, const Word& word) const {
-  // A product of n isometries of norms N_i, each accurate to u, is accurate to about n u ∏N_i.
-  double bits = 24 + charts_[from].bits + charts_[to].bits + std::log2(static_cast<double>(word.size() + 2));
-  for (const std::uint32_t s : word) {
-    bits += crossing_bits_[s];
+template <class T>
+Isometry<T> Atlas::evaluate_to(double bits, std::uint32_t from, std::uint32_t to, const Word& word) const {
+  if constexpr (kMantissaBits<T> <= 256) {
+    if (const auto value = evaluate<Mp256>(from, to, word); value.bits_lost + bits <= 256) {
+      return convert<T>(value.isometry);
+    }
   }
-  return bits;
+  if constexpr (kMantissaBits<T> <= 1024) {
+    if (const auto value = evaluate<Mp1024>(from, to, word); value.bits_lost + bits <= 1024) {
+      return convert<T>(value.isometry);
+    }
+  }
+  if (const auto value = evaluate<Mp4096>(from, to, word); value.bits_lost + bits <= 4096) {
+    return convert<T>(value.isometry);
+  }
+  throw std::runtime_error("a path of " + std::to_string(word.size()) + " sides leads too far to be evaluated");
 }
 
 LabelId Atlas::label(std::uint32_t from, std::uint32_t to, Word word) {
-  const double lost = bits_lost(from, to, word);
-  const double to_spare = 256 - lost;
-  const bool short_enough = to_spare >= kLabelAccuracy;
-  if (lost + 256 > 4096) {
-    throw std::runtime_error("a path of " + std::to_string(word.size()) + " sides is too long to be evaluated");
-  }
-  const Isometry<Mp256> isometry = short_enough         ? evaluate<Mp256>(from, to, word)
-                                   : lost + 256 <= 1024 ? convert<Mp256>(evaluate<Mp1024>(from, to, word))
-                                                        : convert<Mp256>(evaluate<Mp4096>(from, to, word));
-  return find_or_add(from, to, isometry, short_enough ? to_spare : 250, std::move(word));
+  constexpr double kBits = 200;
+  const Isometry<Mp256> isometry = evaluate_to<Mp256>(kBits, from, to, word);
+  return find_or_add(from, to, isometry, kBits, std::move(word));
 }
 
 LabelId Atlas::find_or_add(std::uint32_t from, std::uint32_t to, const Isometry<Mp256>& isometry, double accuracy,
                            Word word) {
   const auto equal = [&](const Isometry<Mp256>& f, const Isometry<Mp256>& g) {
-    const Mp256 bound = kSameLabel * norm(f.a);
-    return (norm(f.a - g.a) < bound && norm(f.b - g.b) < bound) || (norm(f.a + g.a) < bound && norm(f.b + g.b) < bound);
+    return (norm(f.a - g.a) < kSameLabel2 && norm(f.b - g.b) < kSameLabel2) ||
+           (norm(f.a + g.a) < kSameLabel2 && norm(f.b + g.b) < kSameLabel2);
   };
   if (from == to && equal(isometry, Isometry<Mp256>{})) {
     return kIdentity;
@@ -163,8 +177,8 @@ LabelId Atlas::product_of_others(LabelId f, LabelId g) {
   const double accuracy =
       std::min(left.accuracy, right.accuracy) - log2_norm(left.precise) - log2_norm(right.precise) - 3;
   const LabelId result =
-      accuracy >= kLabelAccuracy
-          ? find_or_add(right.from, left.to, normalized(left.precise * right.precise), accuracy, std::move(word))
+      accuracy >= std::max(kLabelAccuracy, kAbsoluteAccuracy + log2_norm(left.precise) + log2_norm(right.precise))
+          ? find_or_add(right.from, left.to, left.precise * right.precise, accuracy, std::move(word))
           : label(right.from, left.to, std::move(word));
   products_[pair_key(f, g)] = result;
   return result;
@@ -173,7 +187,7 @@ LabelId Atlas::product_of_others(LabelId f, LabelId g) {
 LabelId Atlas::inverse_of_other(LabelId f) {
   LabelEntry& entry = labels_[f - 1];
   if (entry.inverse == kUnknown) {
-    const LabelId result = find_or_add(entry.to, entry.from, normalized(epsnet::inverse(entry.precise)), entry.accuracy,
+    const LabelId result = find_or_add(entry.to, entry.from, epsnet::inverse(entry.precise), entry.accuracy,
                                        reversed(*surface_, entry.word));
     labels_[f - 1].inverse = result;
     labels_[result - 1].inverse = f;
@@ -201,17 +215,9 @@ const Isometry<T>& Atlas::at_precision(LabelId l) {
     if (found != known.end()) {
       return found->second;
     }
-    // Evaluated with a stage to spare where the word is long, so that lift_error holds.
     const LabelEntry& entry = labels_[l - 1];
-    const double lost = bits_lost(entry.from, entry.to, entry.word);
-    constexpr double kSpare = std::is_same_v<T, Mp1024> ? 400 : 2000;
-    if (lost <= kSpare) {
-      return known.emplace(l, evaluate<T>(entry.from, entry.to, entry.word)).first->second;
-    }
-    if (lost <= 2000) {
-      return known.emplace(l, convert<T>(evaluate<Mp4096>(entry.from, entry.to, entry.word))).first->second;
-    }
-    throw std::runtime_error("a path of " + std::to_string(entry.word.size()) + " sides is too long to be evaluated");
+    constexpr double kBits = std::is_same_v<T, Mp1024> ? 620 : 2020;
+    return known.emplace(l, evaluate_to<T>(kBits, entry.from, entry.to, entry.word)).first->second;
   }
 }
 
@@ -223,7 +229,7 @@ Complex<T> Atlas::lift(LabelId l, const Complex<double>& z) {
 
 template <class T>
 T Atlas::lift_error() {
-  // Labels that matter move points by a few units of length; the words' norms were allowed for in their precision.
+  // Labels are evaluated to more bits than this, and |z| ≤ 0.75 keeps the denominator away from 0.
   if constexpr (std::is_same_v<T, Mp256>) {
     return boost::multiprecision::pow(T(2), -135);
   } else if constexpr (std::is_same_v<T, Mp1024>) {

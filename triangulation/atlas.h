@@ -95,7 +95,6 @@ class Atlas {
  private:
   struct ChartEntry {
     Chart chart;
-    double bits;  ///< log2 of the norm of its frame: what an evaluation through it can lose.
     std::vector<LabelId> incoming;
   };
   struct LabelEntry {
@@ -113,9 +112,17 @@ class Atlas {
   [[nodiscard]] LabelId inverse_of_other(LabelId f);
   [[nodiscard]] LabelId find_or_add(std::uint32_t from, std::uint32_t to, const Isometry<Mp256>& isometry,
                                     double accuracy, Word word);
+  /// The value of a word, computed in a field, and how many of the field's bits it lost.
   template <class T>
-  [[nodiscard]] Isometry<T> evaluate(std::uint32_t from, std::uint32_t to, const Word& word) const;
-  [[nodiscard]] double bits_lost(std::uint32_t from, std::uint32_t to, const Word& word) const;
+  struct Evaluation {
+    Isometry<T> isometry;
+    double bits_lost;
+  };
+  template <class T>
+  [[nodiscard]] Evaluation<T> evaluate(std::uint32_t from, std::uint32_t to, const Word& word) const;
+  /// The value to within 2^−bits relative to its entries, in a field that holds them.
+  template <class T>
+  [[nodiscard]] Isometry<T> evaluate_to(double bits, std::uint32_t from, std::uint32_t to, const Word& word) const;
   template <class T>
   [[nodiscard]] Isometry<T> crossing(std::uint32_t s) const;
   template <class T>
@@ -123,7 +130,6 @@ class Atlas {
 
   const Surface* surface_;
   std::vector<Isometry<Mp256>> crossings_;
-  std::vector<double> crossing_bits_;
   std::vector<ChartEntry> charts_;
   std::deque<LabelEntry> labels_;
   std::unordered_map<std::uint64_t, LabelId> products_;

@@ -30,7 +30,6 @@ Triangulation::Triangulation(const Surface& surface) : atlas_(surface) {
   // tile to each.
   const std::uint32_t n = surface.side_count();
   std::vector<Word> words(n);
-  std::vector<bool> reached(n, false);
   points_.resize(surface.vertex_class_count());
   charts_.resize(surface.vertex_class_count());
   std::vector<bool> placed(surface.vertex_class_count(), false);
@@ -45,17 +44,21 @@ Triangulation::Triangulation(const Surface& surface) : atlas_(surface) {
       placed[v] = true;
       charts_[v] = atlas_.add_chart({tile, surface.tiles()[tile][k]});
       // Side s, crossed, leads to the corner at the end of its partner: the start of the side after that one.
+      std::vector<std::uint32_t> cycle;
       std::uint32_t corner = first_side + k;
-      Word word;
-      while (!reached[corner]) {
-        reached[corner] = true;
-        words[corner] = word;
+      do {
+        cycle.push_back(corner);
         const std::uint32_t partner = surface.partner(corner);
-        word = concatenated(surface, std::move(word), {corner});
         const std::uint32_t its_tile = surface.tile_of_side(partner);
         const std::uint32_t its_first = surface.side_number(its_tile, 0);
         const auto its_sides = static_cast<std::uint32_t>(surface.tiles()[its_tile].size());
         corner = its_first + (partner - its_first + 1) % its_sides;
+      } while (corner != cycle.front());
+      // To corner i of the cycle leads the first part of it, or the rest of it backwards: the shorter one.
+      for (std::size_t i = 0; i < cycle.size(); ++i) {
+        const auto here = cycle.begin() + static_cast<std::ptrdiff_t>(i);
+        words[cycle[i]] = 2 * i <= cycle.size() ? concatenated(surface, {}, Word(cycle.begin(), here))
+                                                : reversed(surface, concatenated(surface, {}, Word(here, cycle.end())));
       }
     }
     first_side += sides;
