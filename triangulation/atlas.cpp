@@ -37,6 +37,18 @@ double image_error(const Isometry<double>& f) {
   return kUnitRoundoff * (16 * (a + b) / (a - 0.75 * b) + 16);
 }
 
+/// A path that turns around a vertex crosses one side after the other of those that end there.
+enum class Turn { counterclockwise, clockwise };
+
+/// The crossing that continues a turn after side s: next to the partner of s in its tile.
+std::uint32_t next_crossing(const Surface& surface, std::uint32_t s, Turn turn) {
+  const std::uint32_t partner = surface.partner(s);
+  const std::uint32_t tile = surface.tile_of_side(partner);
+  const std::uint32_t first = surface.side_number(tile, 0);
+  const auto n = static_cast<std::uint32_t>(surface.tiles()[tile].size());
+  return first + (partner - first + (turn == Turn::counterclockwise ? 1 : n - 1)) % n;
+}
+
 template <class T>
 Complex<T> dyadic(const Complex<double>& z) {
   return {T(z.x), T(z.y)};
@@ -53,11 +65,38 @@ Word reversed(const Surface& surface, const Word& word) {
 }
 
 Word concatenated(const Surface& surface, Word first, const Word& then) {
-  for (const std::uint32_t s : then) {
-    if (!first.empty() && first.back() == surface.partner(s)) {
-      first.pop_back();
-    } else {
-      first.push_back(s);
+  Word& word = first;
+  // Letters still to come, the next one last.
+  Word rest(then.rbegin(), then.rend());
+  while (!rest.empty()) {
+    word.push_back(rest.back());
+    rest.pop_back();
+    if (word.size() >= 2 && word[word.size() - 2] == surface.partner(word.back())) {
+      word.resize(word.size() - 2);
+      continue;
+    }
+    for (const Turn turn : {Turn::counterclockwise, Turn::clockwise}) {
+      // The end of the word that turns around one vertex, and the crossings that complete the turn.
+      std::size_t run = 1;
+      while (run < word.size() &&
+             next_crossing(surface, word[word.size() - run - 1], turn) == word[word.size() - run]) {
+        ++run;
+      }
+      const std::uint32_t start = word[word.size() - run];
+      Word completion;
+      std::uint32_t s = next_crossing(surface, word.back(), turn);
+      while (s != start && completion.size() < run) {
+        completion.push_back(s);
+        s = next_crossing(surface, s, turn);
+      }
+      if (s == start && completion.size() < run) {
+        // More than half of the way around: go around the other way.
+        word.resize(word.size() - run);
+        for (const std::uint32_t c : completion) {
+          rest.push_back(surface.partner(c));
+        }
+        break;
+      }
     }
   }
   return first;

@@ -141,7 +141,8 @@ class Atlas {
 
 /// The word of the reversed path.
 [[nodiscard]] Word reversed(const Surface& surface, const Word& word);
-/// The word of the path `first` followed by `then`, without crossings that are undone at once.
+/// The word of the path `first` followed by `then`, shortened (Dehn's algorithm): crossings that are undone at once are
+/// left out, and a path that turns around a vertex takes the shorter way.
 [[nodiscard]] Word concatenated(const Surface& surface, Word first, const Word& then);
 
 }  // namespace epsnet
