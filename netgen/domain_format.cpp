@@ -20,6 +20,7 @@ namespace {
 using certify::in_quotes;
 
 constexpr std::size_t kMaxFileSize = std::size_t{256} << 20;
+constexpr std::size_t kManySides = 256;
 constexpr std::string_view kWhiteSpace = " \t\n\v\f\r";
 
 /// The words of the text and the lines that they are on.
@@ -145,6 +146,12 @@ Surface make_surface(Domain domain) {
     if (tiles[0].size() > kMaxNonConvexSides) {
       throw SurfaceError(*problem + "; polygons that are not convex may have at most " +
                          std::to_string(kMaxNonConvexSides) + " sides");
+    }
+    // "Intersects itself" says more than "lengths differ". For large polygons, the quick tests keep the quadratic one
+    // from junk.
+    if (tiles[0].size() > kManySides) {
+      polygon.check_lengths();
+      polygon.check_angles();
     }
     if (const auto pair = crossing_sides(polygon.klein_points())) {
       throw SurfaceError("the polygon intersects itself: side " + std::to_string(pair->first) + " meets side " +

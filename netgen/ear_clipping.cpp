@@ -1,6 +1,7 @@
 #include "epsnet/netgen/ear_clipping.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
@@ -29,12 +30,20 @@ class Polygon {
  public:
   explicit Polygon(std::span<const KleinVector> points) : points_(points), rank_{ranks(points), {}} {
     std::vector<KleinVector> mirrored;
-    mirrored.reserve(points.size());
-    for (const KleinVector& p : points) mirrored.push_back(swapped(p));
+    for (const KleinVector& p : points) {
+      mirrored.push_back(swapped(p));
+      const Mp256 t(p.t);
+      rounded_.push_back({static_cast<double>(Mp256(p.x) / t), static_cast<double>(Mp256(p.y) / t)});
+    }
     rank_[1] = ranks(mirrored);
   }
 
+  /// The sign of the turn a, b, c, by doubles if these decide it.
   [[nodiscard]] int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    // Coordinates are off by 2⁻⁵³, differences, at most 2, by 2⁻⁵¹, products by 2⁻⁴⁹ + 2⁻⁵¹, the determinant by less
+    // than 2⁻⁴⁷.
+    const double determinant = cross(rounded_[b] - rounded_[a], rounded_[c] - rounded_[a]);
+    if (std::fabs(determinant) > 0x1p-47) return sign(determinant);
     return orientation(points_[a], points_[b], points_[c]);
   }
 
@@ -68,6 +77,7 @@ class Polygon {
   }
 
   std::span<const KleinVector> points_;
+  std::vector<Complex<double>> rounded_;
   std::array<std::vector<std::uint32_t>, 2> rank_;
 };
 

@@ -299,8 +299,10 @@ void GluedPolygons::check_lengths() const {
     if (own.numerator * glued.denominator == glued.numerator * own.denominator) continue;
     const std::string first = decimal(length(own));
     const std::string second = decimal(length(glued));
-    throw SurfaceError(name("side", s) + " (length " + first + ") and " + name("side", other) + " (length " + second +
-                       ") are paired but differ" + (first == second ? " in later digits" : ""));
+    std::string message = name("side", s) + " (length " + first + ") and ";
+    message += name("side", other) + " (length " + second + ") are paired but differ";
+    if (first == second) message += " in later digits";
+    throw SurfaceError(message);
   }
 }
 

@@ -158,6 +158,18 @@ TEST(DomainFormat, StraightAnglesAndSeveralVertices) {
   EXPECT_THROW(static_cast<void>(write_domain(surface)), std::invalid_argument);
 }
 
+TEST(DomainFormat, ManySidesAndStraightAngles) {
+  PairedPolygon polygon =
+      test::paired_polygon(load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g50-small.txt"));
+  for (std::uint32_t added = 0; added < 30; ++added)
+    polygon = test::with_vertex_on_side(polygon, 7 * added, Rational(1, 2));
+  ASSERT_EQ(polygon.partner.size(), 260U);
+  const Surface surface = read_domain(test::domain_text(polygon), "test");
+  EXPECT_EQ(surface.genus(), 50U);
+  EXPECT_EQ(surface.vertex_class_count(), 31U);
+  EXPECT_EQ(surface.tiles().size(), 258U);
+}
+
 TEST(DomainFormat, Files) {
   EXPECT_THROW(static_cast<void>(load_domain("/nonexistent/domain.txt")), DomainError);
   EXPECT_THROW(static_cast<void>(load_domain(EPSNET_TEST_DATA)), DomainError);
@@ -182,6 +194,13 @@ TEST(EarClipping, EarsWithVerticesOnTheirDiagonals) {
   EXPECT_TRUE(crossing_sides(touching));
   touching[6] = at(2, -3);
   EXPECT_FALSE(crossing_sides(touching));
+  // Closer to the side than doubles can tell.
+  const Integer scale("1" + std::string(40, '0'));
+  for (const int below : {0, 1}) {
+    touching[6] = {2 * scale, -4 * scale + 1 - below, 10 * scale};
+    EXPECT_EQ(crossing_sides(touching).has_value(), below == 1);
+  }
+  touching[6] = at(2, -3);
   // The spike has no width.
   touching[7] = at(1, 4);
   EXPECT_TRUE(crossing_sides(touching));

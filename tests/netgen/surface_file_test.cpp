@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 /// A directory of its own for each test.
 class FileTest : public testing::Test {
- protected:
+ public:
   FileTest() {
     std::string name = testing::TempDir() + "/epsnet-XXXXXX";
     if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
@@ -30,6 +30,7 @@ class FileTest : public testing::Test {
   FileTest& operator=(const FileTest&) = delete;
   ~FileTest() override { fs::remove_all(directory_); }
 
+ protected:
   [[nodiscard]] std::size_t files() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory_), fs::directory_iterator()));
   }
