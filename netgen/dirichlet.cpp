@@ -1,10 +1,10 @@
 #include "epsnet/netgen/dirichlet.h"
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <deque>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <queue>
 #include <set>
@@ -46,9 +46,9 @@ class VoronoiCell {
     const std::size_t n = corners_.size();
     std::vector<Mp256> excess(n);
     bool any = false;
-    // A bisector that comes again must not cut slivers off by rounding; 2⁻¹⁰⁰ is far above the error of p and far below
+    // A bisector that comes again must not cut slivers off by rounding; 2⁻¹²⁰ is far above the error of p and far below
     // what a picture shows.
-    static const Mp256 kTolerance = ldexp(Mp256(1), -100);
+    static const Mp256 kTolerance = ldexp(Mp256(1), -120);
     const Mp256 tolerance = kTolerance * pp;
     for (std::size_t i = 0; i < n; ++i) {
       excess[i] = dot(p, corners_[i].k) - pp;
@@ -78,13 +78,13 @@ class VoronoiCell {
     double from = 0;
     double to = 1;
     const Point direction = v - u;
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-      const Point& a = corners_[i].rounded;
-      const Point side = corners_[(i + 1) % corners_.size()].rounded - a;
-      const double length = std::sqrt(norm(side));
-      if (length < 1e-15) continue;
-      const double at_start = cross(side, u - a) / length + kSlack;
-      const double slope = cross(side, direction) / length;
+    for (const Corner& corner : corners_) {
+      // From the points bisected, not from the corners: these may be too close to each other for a direction.
+      const Point& p = corner.rounded_bisected;
+      const double reach = std::sqrt(norm(p));
+      if (reach == 0) continue;
+      const double at_start = reach - dot(p, u) / reach + kSlack;
+      const double slope = -dot(p, direction) / reach;
       if (at_start < 0 && at_start + slope < 0) return std::numeric_limits<double>::infinity();
       if (at_start < 0) from = std::max(from, -at_start / slope);
       if (at_start + slope < 0) to = std::min(to, at_start / -slope);
@@ -96,14 +96,14 @@ class VoronoiCell {
   }
 
   /// By the sum of the interior angles; infinite while the cell is unbounded.
-  [[nodiscard]] double area() const {
+  [[nodiscard]] Mp256 area() const {
     const std::size_t n = corners_.size();
     Mp256 angles = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      if (norm(corners_[i].k) >= 1) return std::numeric_limits<double>::infinity();
+      if (norm(corners_[i].k) >= 1) return std::numeric_limits<Mp256>::infinity();
       angles += angle(corners_[(i + n - 1) % n].bisected, corners_[i].bisected);
     }
-    return static_cast<double>(n - 2) * std::numbers::pi - static_cast<double>(angles);
+    return Mp256(n - 2) * boost::math::constants::pi<Mp256>() - angles;
   }
 
   [[nodiscard]] std::vector<Point> vertices() const {
@@ -116,11 +116,12 @@ class VoronoiCell {
   struct Corner {
     PrecisePoint k;
     Point rounded;
-    PrecisePoint bisected;  ///< The side that starts here bisects 0 and this point (Poincaré).
+    PrecisePoint bisected;  ///< The side that starts here bisects 0 and this point (Poincaré); 0 for the square.
+    Point rounded_bisected;
   };
 
   static void add_corner(std::vector<Corner>& corners, const PrecisePoint& k, const PrecisePoint& bisected) {
-    corners.push_back({k, convert<double>(k), bisected});
+    corners.push_back({k, convert<double>(k), bisected, convert<double>(bisected)});
   }
 
   /// False only if the half plane of p contains the cell for sure.
@@ -153,7 +154,7 @@ class Search {
  public:
   Search(const NetGeometry& geometry, std::uint32_t max_copies)
       : geometry_(geometry),
-        area_(4 * std::numbers::pi * (static_cast<double>(geometry.sides().genus) - 1)),
+        area_(4 * boost::math::constants::pi<Mp256>() * (Mp256(geometry.sides().genus) - 1)),
         max_copies_(max_copies),
         by_tile_(geometry.document().surface.tiles.size()) {
     for (const certify::Tile& tile : geometry.document().surface.tiles) {
@@ -168,7 +169,7 @@ class Search {
 
   [[nodiscard]] DirichletDomain run(std::uint32_t tile, const Isometry<Mp256>& isometry) {
     visit(copy_at_origin(copy(tile, isometry)));
-    while (!complete() && !entries_.empty()) {
+    while (!complete(kSameArea) && !entries_.empty()) {
       const Entry entry = entries_.top();
       entries_.pop();
       const Copy& from = copies_[entry.copy];
@@ -180,10 +181,11 @@ class Search {
       }
       visit(neighbour(from, entry.side));
     }
-    if (!complete())
+    if (!complete(kFineForPictures))
       throw NetGeometryError("the Dirichlet domain is not closed by the surface's tiles: its area is " +
-                             std::to_string(cell_area_) + ", the surface's is " + std::to_string(area_));
-    return {cell_.vertices(), cell_area_, static_cast<std::uint32_t>(copies_.size())};
+                             std::to_string(static_cast<double>(cell_area_)) + ", the surface's is " +
+                             std::to_string(static_cast<double>(area_)));
+    return {cell_.vertices(), static_cast<double>(cell_area_), static_cast<std::uint32_t>(copies_.size())};
   }
 
  private:
@@ -196,9 +198,12 @@ class Search {
       return std::tie(distance, copy, side) > std::tie(other.distance, other.copy, other.side);
     }
   };
-  using Key = std::tuple<std::uint32_t, std::int64_t, std::int64_t>;
+  /// Below this no side is missing that a picture could show.
+  static constexpr double kSameArea = 1e-15;
+  static constexpr double kFineForPictures = 1e-6;
+  using Key = std::tuple<std::uint32_t, Mp256, Mp256>;
 
-  [[nodiscard]] bool complete() const { return std::abs(cell_area_ - area_) < 1e-6; }
+  [[nodiscard]] bool complete(double tolerance) const { return abs(Mp256(cell_area_ - area_)) < tolerance; }
 
   [[nodiscard]] Copy copy(std::uint32_t tile, const Isometry<Mp256>& isometry) const {
     Copy result{tile, normalized(isometry), {}};
@@ -238,11 +243,12 @@ class Search {
     throw NetGeometryError("no copy of a tile contains the centre of the Dirichlet domain");
   }
 
-  /// Where the tile's origin goes, on a grid of 2⁻⁶⁰: copies closer than that are the same copy. The grid is shifted,
-  /// as the values themselves like to be round; a copy taken for two would cost time, no more.
+  /// Where the tile's origin goes, on a grid of 2⁻¹²⁰: different copies are farther apart than that up to a distance of
+  /// 40 from the centre, and copies computed in two ways are not that far apart. The grid is shifted, as the values
+  /// themselves like to be round; a copy taken for two would cost time, no more.
   [[nodiscard]] static Key key(const Copy& copy) {
     const PrecisePoint z = copy.isometry(PrecisePoint{});
-    const auto index = [](const Mp256& x) { return static_cast<std::int64_t>(floor(Mp256(ldexp(x, 60) + 0.3819))); };
+    const auto index = [](const Mp256& x) { return Mp256(floor(Mp256(ldexp(x, 120) + 0.3819))); };
     return {copy.tile, index(z.x), index(z.y)};
   }
 
@@ -277,7 +283,7 @@ class Search {
   }
 
   const NetGeometry& geometry_;
-  double area_;
+  Mp256 area_;  ///< Of the surface.
   std::uint32_t max_copies_;
   std::vector<std::vector<PrecisePoint>> tiles_;  ///< Poincaré model.
   std::vector<std::vector<std::uint32_t>> by_tile_;
@@ -285,7 +291,7 @@ class Search {
   std::set<Key> seen_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> entries_;
   VoronoiCell cell_;
-  double cell_area_ = std::numeric_limits<double>::infinity();
+  Mp256 cell_area_ = std::numeric_limits<Mp256>::infinity();
 };
 
 }  // namespace

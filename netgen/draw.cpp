@@ -243,21 +243,21 @@ class Path {
   Place last_{};
 };
 
-/// Paths in classes of stroke width: powers of √2, the widest first.
+/// Paths in classes of stroke width: powers of ∜2, too fine to see, the widest first.
 class PathsByWidth {
  public:
   PathsByWidth(const Paper& paper, double widest) : paper_(&paper), widest_(widest) {}
 
   /// The path for strokes of a share, at most 1, of the greatest width.
   Path& at(double share) {
-    const int rank = static_cast<int>(std::lround(std::min(-2 * std::log2(std::max(share, 1e-6)), 40.0)));
+    const int rank = static_cast<int>(std::lround(std::min(-4 * std::log2(std::max(share, 1e-6)), 80.0)));
     return paths_.try_emplace(std::max(rank, 0), *paper_).first->second;
   }
 
   void append_to(std::string& out) const {
     for (const auto& [rank, path] : paths_)
       out +=
-          "<path stroke-width=\"" + fixed(widest_ * std::pow(2, -0.5 * rank), 3) + "\" d=\"" + path.data() + "\"/>\n";
+          "<path stroke-width=\"" + fixed(widest_ * std::pow(2, -0.25 * rank), 3) + "\" d=\"" + path.data() + "\"/>\n";
   }
 
  private:
@@ -417,8 +417,7 @@ class Picture {
       add_tapered(paths, domain.vertices[i], domain.vertices[(i + 1) % domain.vertices.size()]);
     std::string out =
         "<g class=\"dirichlet\" fill=\"none\" stroke=\"#c8553d\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n"
-        "<title>Dirichlet domain of vertex 0, " +
-        std::to_string(domain.vertices.size()) + " sides</title>\n";
+        "<title>Dirichlet domain of vertex 0</title>\n";
     paths.append_to(out);
     return out + "</g>\n";
   }
