@@ -102,11 +102,13 @@ template <class T>
 }
 
 /// The displacement length ℓ (hyperbolic length, thesis I.1.1) of an isometry: how far it moves the points of its axis,
-/// the points that it moves least. 0 if it is not hyperbolic: it moves points by less than any length, or none.
+/// which are those that it moves least. 0 for isometries that are not hyperbolic, as they move points by no least
+/// positive length.
 ///
 /// By sinh(ℓ/2) = √(|b|² − (Im a)²)/√(|a|² − |b|²). cosh(ℓ/2) = |Re a|/√(|a|² − |b|²) is the textbook's form
 /// (ℓ = 2 arcosh(|Tr|/2)), but loses half of the digits of a short ℓ. For entries of relative accuracy u the relative
-/// error of ℓ is about u((|b|² + (Im a)²)/(|b|² − (Im a)²) + |a|²/(|a|² − |b|²)). Needs square roots in T.
+/// error of ℓ is about u((|b|² + (Im a)²)/(|b|² − (Im a)²) + |a|²/(|a|² − |b|²)). In binary64 ℓ below 1e-153
+/// underflows to 0. Needs square roots in T.
 template <class T>
 [[nodiscard]] T displacement_length(const Isometry<T>& f) {
   using std::asinh;
