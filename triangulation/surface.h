@@ -11,7 +11,8 @@
 
 namespace epsnet {
 
-/// A strictly convex hyperbolic polygon in the Poincaré disk, vertices counterclockwise; side k goes from vertex k to vertex k + 1.
+/// A strictly convex hyperbolic polygon in the Poincaré disk, vertices counterclockwise; side k goes from vertex k to
+/// vertex k + 1.
 using Tile = std::vector<Complex<Rational>>;
 
 /// Side `side` of tile `tile` is glued to side `other_side` of tile `other_tile`, start to end.
@@ -32,14 +33,16 @@ class SurfaceError : public std::invalid_argument {
 /// A path that crosses sides, as side numbers: the first is a side of the tile where the path starts.
 using Word = std::vector<std::uint32_t>;
 
-/// A closed hyperbolic surface, exact: finitely many convex tiles, each in coordinates of its own, glued side to side by isometries.
+/// A closed hyperbolic surface, exact: finitely many convex tiles, each in coordinates of its own, glued side to side
+/// by isometries.
 ///
 /// Sides have numbers: the sides of tile 0 in order, then those of tile 1, and so on. Immutable.
 class Surface {
  public:
-  /// Checks everything, exactly: tiles in the disk, strictly convex, counterclockwise; a fixed-point-free pairing of all sides; paired sides of
-  /// equal length; every vertex cycle closing up with total angle 2π (Poincaré's polygon theorem); connected; genus at least 2.
-  /// Throws SurfaceError, which names the first element that fails. O(number of sides) exact operations.
+  /// Checks everything, exactly: tiles in the disk, strictly convex, counterclockwise; a fixed-point-free pairing of
+  /// all sides; paired sides of equal length; the angles around every vertex adding up to 2π, which makes the product
+  /// of its crossings the identity (Poincaré's polygon theorem); connected; genus at least 2. Throws SurfaceError,
+  /// which names the first element that fails. Quasi-linear in the number of digits.
   Surface(std::vector<Tile> tiles, std::vector<Gluing> gluing);
 
   [[nodiscard]] std::uint32_t genus() const { return genus_; }
@@ -48,15 +51,18 @@ class Surface {
   [[nodiscard]] const std::vector<Gluing>& gluing() const { return gluing_; }
 
   [[nodiscard]] std::uint32_t side_count() const { return static_cast<std::uint32_t>(partner_.size()); }
-  [[nodiscard]] std::uint32_t side_number(std::uint32_t tile, std::uint32_t side) const { return first_side_[tile] + side; }
+  [[nodiscard]] std::uint32_t side_number(std::uint32_t tile, std::uint32_t side) const {
+    return first_side_[tile] + side;
+  }
   [[nodiscard]] std::uint32_t tile_of_side(std::uint32_t s) const { return side_tile_[s]; }
   /// The side that side s is glued to.
   [[nodiscard]] std::uint32_t partner(std::uint32_t s) const { return partner_[s]; }
-  /// The isometry from the coordinates of the tile of side s to the coordinates of the tile of its partner.
+  /// The isometry from the coordinates of the tile of side s to the coordinates of the tile of its partner, the start
+  /// of s to the end of the partner. Its coefficients are Gaussian integers without a common integer factor.
   [[nodiscard]] const Isometry<Rational>& crossing(std::uint32_t s) const { return crossing_[s]; }
 
-  /// The corners (tile, vertex) are numbered like the sides that start there. `vertex_class(c)` is the point of the surface that corner c is,
-  /// numbered from 0 in the order of first occurrence.
+  /// The corners (tile, vertex) are numbered like the sides that start there. `vertex_class(c)` is the point of the
+  /// surface that corner c is, numbered from 0 in the order of first occurrence.
   [[nodiscard]] std::uint32_t vertex_class(std::uint32_t corner) const { return vertex_class_[corner]; }
   [[nodiscard]] std::uint32_t vertex_class_count() const { return vertex_class_count_; }
 
