@@ -15,7 +15,6 @@ namespace epsnet {
 namespace {
 
 using Point = Complex<double>;
-using PrecisePoint = Complex<Mp256>;
 
 /// Poincaré to Klein coordinates.
 template <class T>
@@ -24,14 +23,20 @@ Complex<T> klein(const Complex<T>& z) {
 }
 
 /// Klein to Poincaré coordinates.
-PrecisePoint poincare(const PrecisePoint& k) { return Mp256(1 / (1 + sqrt(Mp256(1 - norm(k))))) * k; }
+template <class T>
+Complex<T> poincare(const Complex<T>& k) {
+  return T(1 / (1 + sqrt(T(1 - norm(k))))) * k;
+}
 
 /// The convex polygon of the points that are nearer to 0 than to given points, in the Klein model.
 ///
 /// Vertices have 256 bits, as binary64 runs out of Klein coordinates 18 from the centre; their roundings answer most
 /// questions.
+template <class T>
 class VoronoiCell {
  public:
+  using PrecisePoint = Complex<T>;
+
   VoronoiCell() {
     // A square around the disk, with sides that are no geodesics: "no bisector yet".
     for (const auto& [x, y] : {std::pair{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}) add_corner(corners_, {x, y}, {});
@@ -42,14 +47,14 @@ class VoronoiCell {
     // k is nearer to 0 if and only if k·p ≤ |p|²: the scalar product of (k, 1) with the difference of the two points on
     // the hyperboloid.
     if (!may_cut(convert<double>(p))) return false;
-    const Mp256 pp = norm(p);
+    const T pp = norm(p);
     const std::size_t n = corners_.size();
-    std::vector<Mp256> excess(n);
+    std::vector<T> excess(n);
     bool any = false;
     // A bisector that comes again must not cut slivers off by rounding; 2⁻¹²⁰ is far above the error of p and far below
     // what a picture shows.
-    static const Mp256 kTolerance = ldexp(Mp256(1), -120);
-    const Mp256 tolerance = kTolerance * pp;
+    static const T kTolerance = ldexp(T(1), -120);
+    const T tolerance = kTolerance * pp;
     for (std::size_t i = 0; i < n; ++i) {
       excess[i] = dot(p, corners_[i].k) - pp;
       any = any || excess[i] > tolerance;
@@ -62,7 +67,7 @@ class VoronoiCell {
       const bool next_in = excess[j] <= tolerance;
       if (in) kept.push_back(corners_[i]);
       if (in == next_in) continue;
-      const Mp256 share = excess[i] / (excess[i] - excess[j]);
+      const T share = excess[i] / (excess[i] - excess[j]);
       const PrecisePoint k = corners_[i].k + share * (corners_[j].k - corners_[i].k);
       // Leaving the half plane the new side starts; coming back the old side goes on.
       add_corner(kept, k, in ? p : corners_[i].bisected);
@@ -96,14 +101,14 @@ class VoronoiCell {
   }
 
   /// By the sum of the interior angles; infinite while the cell is unbounded.
-  [[nodiscard]] Mp256 area() const {
+  [[nodiscard]] T area() const {
     const std::size_t n = corners_.size();
-    Mp256 angles = 0;
+    T angles = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      if (norm(corners_[i].k) >= 1) return std::numeric_limits<Mp256>::infinity();
+      if (norm(corners_[i].k) >= 1) return std::numeric_limits<T>::infinity();
       angles += angle(corners_[(i + n - 1) % n].bisected, corners_[i].bisected);
     }
-    return Mp256(n - 2) * boost::math::constants::pi<Mp256>() - angles;
+    return T(n - 2) * boost::math::constants::pi<T>() - angles;
   }
 
   [[nodiscard]] std::vector<Point> vertices() const {
@@ -132,29 +137,35 @@ class VoronoiCell {
   }
 
   /// The angle between two sides. The normals (p, |p|²) of the sides have the square |p|² − |p|⁴ in Minkowski space.
-  static Mp256 angle(const PrecisePoint& p, const PrecisePoint& q) {
-    const Mp256 pp = norm(p);
-    const Mp256 qq = norm(q);
-    const Mp256 cosine = (pp * qq - dot(p, q)) / sqrt(Mp256((pp - pp * pp) * (qq - qq * qq)));
-    return acos(cosine > 1 ? Mp256(1) : cosine < -1 ? Mp256(-1) : cosine);
+  static T angle(const PrecisePoint& p, const PrecisePoint& q) {
+    const T pp = norm(p);
+    const T qq = norm(q);
+    const T cosine = (pp * qq - dot(p, q)) / sqrt(T((pp - pp * pp) * (qq - qq * qq)));
+    return acos(cosine > 1 ? T(1) : cosine < -1 ? T(-1) : cosine);
   }
 
   std::vector<Corner> corners_;
 };
 
 /// A copy of a tile: the isometry takes the coordinates of the tile to the screen. Determinant 1.
-struct Copy {
+template <class T>
+struct TileCopy {
   std::uint32_t tile;
-  Isometry<Mp256> isometry;
-  std::vector<PrecisePoint> corners;  ///< Klein model.
+  Isometry<T> isometry;
+  std::vector<Complex<T>> corners;  ///< Klein model.
 };
 
 /// The search over copies of tiles, which cuts the cell.
+template <class T>
 class Search {
  public:
-  Search(const NetGeometry& geometry, std::uint32_t max_copies)
+  using PrecisePoint = Complex<T>;
+  using Copy = TileCopy<T>;
+
+  Search(const NetGeometry& geometry, const Parts<T>& parts, std::uint32_t max_copies)
       : geometry_(geometry),
-        area_(4 * boost::math::constants::pi<Mp256>() * (Mp256(geometry.sides().genus) - 1)),
+        parts_(parts),
+        area_(4 * boost::math::constants::pi<T>() * (T(geometry.sides().genus) - 1)),
         max_copies_(max_copies),
         by_tile_(geometry.document().surface.tiles.size()) {
     for (const certify::Tile& tile : geometry.document().surface.tiles) {
@@ -167,7 +178,7 @@ class Search {
     }
   }
 
-  [[nodiscard]] DirichletDomain run(std::uint32_t tile, const Isometry<Mp256>& isometry) {
+  [[nodiscard]] DirichletDomain run(std::uint32_t tile, const Isometry<T>& isometry) {
     visit(copy_at_origin(copy(tile, isometry)));
     while (!complete(kSameArea) && !entries_.empty()) {
       const Entry entry = entries_.top();
@@ -201,11 +212,11 @@ class Search {
   /// Below this no side is missing that a picture could show.
   static constexpr double kSameArea = 1e-15;
   static constexpr double kFineForPictures = 1e-6;
-  using Key = std::tuple<std::uint32_t, Mp256, Mp256>;
+  using Key = std::tuple<std::uint32_t, T, T>;
 
-  [[nodiscard]] bool complete(double tolerance) const { return abs(Mp256(cell_area_ - area_)) < tolerance; }
+  [[nodiscard]] bool complete(double tolerance) const { return abs(T(cell_area_ - area_)) < tolerance; }
 
-  [[nodiscard]] Copy copy(std::uint32_t tile, const Isometry<Mp256>& isometry) const {
+  [[nodiscard]] Copy copy(std::uint32_t tile, const Isometry<T>& isometry) const {
     Copy result{tile, normalized(isometry), {}};
     for (const PrecisePoint& z : tiles_[tile]) result.corners.push_back(klein(result.isometry(z)));
     return result;
@@ -213,25 +224,25 @@ class Search {
 
   [[nodiscard]] Copy neighbour(const Copy& from, std::uint32_t side) const {
     const std::uint32_t partner = geometry_.sides().partner[geometry_.sides().first_side[from.tile] + side];
-    return copy(geometry_.sides().tile_of_side[partner], from.isometry * geometry_.crossing(partner));
+    return copy(geometry_.sides().tile_of_side[partner], from.isometry * parts_.crossings[partner]);
   }
 
   /// Walks to a copy that contains 0, along the straight line from the middle of the copy given.
   [[nodiscard]] Copy copy_at_origin(Copy current) const {
-    static const Mp256 kTiny = ldexp(Mp256(1), -80);
+    static const T kTiny = ldexp(T(1), -80);
     PrecisePoint start{};
     for (const PrecisePoint& k : current.corners) start = start + k;
-    start = Mp256(1 / Mp256(current.corners.size())) * start;
+    start = T(1 / T(current.corners.size())) * start;
     const PrecisePoint direction = -start;
     for (std::uint32_t steps = 0; steps < 1000000; ++steps) {
-      Mp256 exit_at = 1 - kTiny;
+      T exit_at = 1 - kTiny;
       std::optional<std::uint32_t> exit;
       for (std::uint32_t side = 0; side < current.corners.size(); ++side) {
         const PrecisePoint& u = current.corners[side];
         const PrecisePoint along = current.corners[(side + 1) % current.corners.size()] - u;
-        const Mp256 slope = cross(along, direction);
+        const T slope = cross(along, direction);
         if (!(slope < -kTiny * norm(along))) continue;
-        const Mp256 at = cross(along, start - u) / -slope;
+        const T at = cross(along, start - u) / -slope;
         if (at < exit_at) {
           exit_at = at;
           exit = side;
@@ -248,7 +259,7 @@ class Search {
   /// themselves like to be round; a copy taken for two would cost time, no more.
   [[nodiscard]] static Key key(const Copy& copy) {
     const PrecisePoint z = copy.isometry(PrecisePoint{});
-    const auto index = [](const Mp256& x) { return Mp256(floor(Mp256(ldexp(x, 120) + 0.3819))); };
+    const auto index = [](const T& x) { return T(floor(T(ldexp(x, 120) + 0.3819))); };
     return {copy.tile, index(z.x), index(z.y)};
   }
 
@@ -267,8 +278,8 @@ class Search {
                              " copies of the tiles");
     bool changed = false;
     for (const std::uint32_t other : by_tile_[copy.tile]) {
-      const Isometry<Mp256> g = copy.isometry * inverse(copies_[other].isometry);
-      const Mp256 scale = 1 / norm(g.a);
+      const Isometry<T> g = copy.isometry * inverse(copies_[other].isometry);
+      const T scale = 1 / norm(g.a);
       changed |= cell_.cut(scale * (g.b * g.a));           // g(0) = b/ā
       changed |= cell_.cut(-(scale * (g.b * conj(g.a))));  // g⁻¹(0) = −b/a
     }
@@ -283,24 +294,44 @@ class Search {
   }
 
   const NetGeometry& geometry_;
-  Mp256 area_;  ///< Of the surface.
+  const Parts<T>& parts_;
+  T area_;  ///< Of the surface.
   std::uint32_t max_copies_;
   std::vector<std::vector<PrecisePoint>> tiles_;  ///< Poincaré model.
   std::vector<std::vector<std::uint32_t>> by_tile_;
   std::deque<Copy> copies_;
   std::set<Key> seen_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> entries_;
-  VoronoiCell cell_;
-  Mp256 cell_area_ = std::numeric_limits<Mp256>::infinity();
+  VoronoiCell<T> cell_;
+  T cell_area_ = std::numeric_limits<T>::infinity();
 };
+
+template <class T>
+DirichletDomain search(const NetGeometry& geometry, std::uint32_t vertex, const Parts<T>& parts,
+                       std::uint32_t max_copies) {
+  const certify::Vertex& v = geometry.document().vertices.at(vertex);
+  const std::uint32_t tile = geometry.document().charts[v.chart].tile;
+  const Isometry<T> to_screen = normalized(Isometry<T>::translation({T(-v.x), T(-v.y)}));
+  return Search<T>(geometry, parts, max_copies).run(tile, to_screen * inverse(parts.frames[v.chart]));
+}
+
+/// True if T has bits enough for copies of these tiles.
+template <class T>
+bool fits(const Parts<T>& parts) {
+  // Crossings lose four times their size; copies far out, and returning from there, as much again at most.
+  const auto small = [](const Isometry<T>& f) { return 4 * size_in_bits(f) < 0.5 * kMantissaBits<T>; };
+  return std::all_of(parts.crossings.begin(), parts.crossings.end(), small) &&
+         std::all_of(parts.frames.begin(), parts.frames.end(), small);
+}
 
 }  // namespace
 
 DirichletDomain dirichlet_domain(const NetGeometry& geometry, std::uint32_t vertex, std::uint32_t max_copies) {
-  const certify::Vertex& v = geometry.document().vertices.at(vertex);
-  const certify::Chart& chart = geometry.document().charts[v.chart];
-  const Isometry<Mp256> to_screen = normalized(Isometry<Mp256>::translation({Mp256(-v.x), Mp256(-v.y)}));
-  return Search(geometry, max_copies).run(chart.tile, to_screen * inverse(geometry.frame(v.chart)));
+  if (const Parts<Mp256> parts(geometry.document(), geometry.sides()); fits(parts))
+    return search(geometry, vertex, parts, max_copies);
+  if (const Parts<Mp1024> parts(geometry.document(), geometry.sides()); fits(parts))
+    return search(geometry, vertex, parts, max_copies);
+  return search(geometry, vertex, Parts<Mp4096>(geometry.document(), geometry.sides()), max_copies);
 }
 
 }  // namespace epsnet

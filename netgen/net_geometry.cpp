@@ -22,37 +22,11 @@ Complex<T> rounded(const certify::RationalPoint& p) {
   return {rounded<T>(p.x), rounded<T>(p.y)};
 }
 
-/// log2 of |a| + |b| for |a|² − |b|² = 1: half the displacement of 0, in bits, and a little more. Infinite if it is not
-/// a number.
-template <class T>
-double size_in_bits(const Isometry<T>& f) {
-  const double size = std::sqrt(static_cast<double>(norm(f.a))) + std::sqrt(static_cast<double>(norm(f.b)));
-  return std::isfinite(size) ? std::log2(size) : std::numeric_limits<double>::infinity();
-}
-
-/// The frames and crossings of a document at one precision.
+/// The labels of a document at one precision.
 template <class T>
 class Evaluator {
  public:
-  Evaluator(const certify::Document& document, const SideTable& sides) : document_(document) {
-    for (std::uint32_t tile = 0; tile < document.surface.tiles.size(); ++tile) {
-      const certify::Tile& corners = document.surface.tiles[tile];
-      for (std::uint32_t k = 0; k < corners.size(); ++k) {
-        const std::uint32_t other = sides.partner[sides.first_side[tile] + k];
-        const std::uint32_t other_tile = sides.tile_of_side[other];
-        const certify::Tile& other_corners = document.surface.tiles[other_tile];
-        const std::size_t j = other - sides.first_side[other_tile];
-        crossings_.push_back(normalized(segment_to_segment(
-            rounded<T>(corners[k]), rounded<T>(corners[(k + 1) % corners.size()]),
-            rounded<T>(other_corners[(j + 1) % other_corners.size()]), rounded<T>(other_corners[j]))));
-      }
-    }
-    for (const certify::Chart& chart : document.charts)
-      frames_.push_back(normalized(Isometry<T>::translation(rounded<T>(chart.centre))));
-  }
-
-  [[nodiscard]] const std::vector<Isometry<T>>& frames() const { return frames_; }
-  [[nodiscard]] const std::vector<Isometry<T>>& crossings() const { return crossings_; }
+  Evaluator(const certify::Document& document, const SideTable& sides) : parts_(document, sides) {}
 
   /// The label, to 120 bits; nothing if this precision cannot promise that.
   [[nodiscard]] std::optional<Isometry<Mp256>> label(const certify::Label& label) const {
@@ -66,22 +40,20 @@ class Evaluator {
       bits += size;
       largest = std::max(largest, size);
     };
-    Isometry<T> result = frames_[label.from];
+    Isometry<T> result = parts_.frames[label.from];
     count(result);
     for (const std::uint32_t side : label.word) {
-      count(crossings_[side]);
-      result = crossings_[side] * result;
+      count(parts_.crossings[side]);
+      result = parts_.crossings[side] * result;
     }
-    count(frames_[label.to]);
+    count(parts_.frames[label.to]);
     constexpr double kWanted = 120;
     if (!(bits + 4 * largest + kWanted < kMantissaBits<T>)) return std::nullopt;
-    return normalized(convert<Mp256>(inverse(frames_[label.to]) * result));
+    return normalized(convert<Mp256>(inverse(parts_.frames[label.to]) * result));
   }
 
  private:
-  const certify::Document& document_;
-  std::vector<Isometry<T>> frames_;
-  std::vector<Isometry<T>> crossings_;
+  Parts<T> parts_;
 };
 
 void check_opposites(const certify::Document& document) {
@@ -101,8 +73,6 @@ class StagedEvaluator {
  public:
   StagedEvaluator(const certify::Document& document, const SideTable& sides)
       : document_(document), sides_(sides), at_256_(document, sides) {}
-
-  [[nodiscard]] const Evaluator<Mp256>& first() const { return at_256_; }
 
   [[nodiscard]] Isometry<Mp256> label(std::size_t row) {
     const certify::Label& label = document_.labels[row];
@@ -160,13 +130,41 @@ SideTable side_table(const certify::Surface& surface) {
   return table;
 }
 
+template <class T>
+double size_in_bits(const Isometry<T>& f) {
+  const double size = std::sqrt(static_cast<double>(norm(f.a))) + std::sqrt(static_cast<double>(norm(f.b)));
+  return std::isfinite(size) ? std::log2(size) : std::numeric_limits<double>::infinity();
+}
+
+template <class T>
+Parts<T>::Parts(const certify::Document& document, const SideTable& sides) {
+  for (std::uint32_t side = 0; side < sides.partner.size(); ++side) {
+    // Side k from p to q goes to side j from p' to q': p to q' and q to p'.
+    const auto corner = [&](std::uint32_t s, std::uint32_t offset) {
+      const std::uint32_t tile = sides.tile_of_side[s];
+      const certify::Tile& corners = document.surface.tiles[tile];
+      return rounded<T>(corners[(s - sides.first_side[tile] + offset) % corners.size()]);
+    };
+    const std::uint32_t other = sides.partner[side];
+    crossings.push_back(
+        normalized(segment_to_segment(corner(side, 0), corner(side, 1), corner(other, 1), corner(other, 0))));
+  }
+  for (const certify::Chart& chart : document.charts)
+    frames.push_back(normalized(Isometry<T>::translation(rounded<T>(chart.centre))));
+}
+
+template struct Parts<Mp256>;
+template struct Parts<Mp1024>;
+template struct Parts<Mp4096>;
+template double size_in_bits(const Isometry<Mp256>& f);
+template double size_in_bits(const Isometry<Mp1024>& f);
+template double size_in_bits(const Isometry<Mp4096>& f);
+
 NetGeometry::NetGeometry(const certify::Document& document) : document_(&document) {
   if (const auto problem = certify::structure_problem(document)) throw NetGeometryError(*problem);
   check_opposites(document);
   sides_ = side_table(document.surface);
   StagedEvaluator evaluator(document, sides_);
-  frames_ = evaluator.first().frames();
-  crossings_ = evaluator.first().crossings();
   labels_.resize(document.labels.size() + 1);
   for (std::size_t row = 0; row < document.labels.size(); ++row)
     labels_[row + 1] = PreciseIsometry(evaluator.label(row));

@@ -31,6 +31,22 @@ struct SideTable {
 /// O(sides). Requires that every side is glued exactly once (certify::structure_problem).
 [[nodiscard]] SideTable side_table(const certify::Surface& surface);
 
+/// What labels are made of, rounded to the bits of T (Mp256, Mp1024, Mp4096). Isometries have determinant 1. Their
+/// entries are as large as e^(d/2) for points at distance d from the origin, and lose about four times the logarithm of
+/// that in accuracy.
+template <class T>
+struct Parts {
+  std::vector<Isometry<T>> crossings;  ///< By side number: from the coordinates of its tile to those of its partner's.
+  std::vector<Isometry<T>> frames;     ///< By chart: from its coordinates to those of its tile.
+
+  Parts(const certify::Document& document, const SideTable& sides);
+};
+
+/// log2 of |a| + |b| for |a|² − |b|² = 1: half the displacement of 0, in bits, and a little more. Infinite if it is not
+/// a number.
+template <class T>
+[[nodiscard]] double size_in_bits(const Isometry<T>& f);
+
 /// An isometry to at least 120 bits, enough for products of many of them, and rounded to binary64.
 struct PreciseIsometry {
   Isometry<Mp256> precise;
@@ -57,17 +73,11 @@ class NetGeometry {
   /// The three corners of a triangle, counterclockwise, in the chart of its vertex 0.
   [[nodiscard]] std::array<Complex<double>, 3> corners(std::uint32_t triangle) const;
 
-  /// The isometry of a chart, from its coordinates to those of its tile. Determinant 1.
-  [[nodiscard]] const Isometry<Mp256>& frame(std::uint32_t chart) const { return frames_[chart]; }
-  /// The isometry across side `s`, from the coordinates of its tile to those of its partner's tile. Determinant 1.
-  [[nodiscard]] const Isometry<Mp256>& crossing(std::uint32_t s) const { return crossings_[s]; }
   [[nodiscard]] const SideTable& sides() const { return sides_; }
 
  private:
   const certify::Document* document_;
   std::vector<PreciseIsometry> labels_;
-  std::vector<Isometry<Mp256>> frames_;
-  std::vector<Isometry<Mp256>> crossings_;
   SideTable sides_;
 };
 
