@@ -195,10 +195,7 @@ class Path {
   void move(const Point& z) {
     const Place place = paper_->place(z);
     if (!data_.empty() && place == last_) return;
-    data_ += 'M';
-    append_hundredths(data_, place.x);
-    append_separated(data_, place.y);
-    last_ = place;
+    append('m', place);
   }
 
   /// The geodesic from u to v; the pen is at u.
@@ -210,37 +207,50 @@ class Path {
     const double radius = paper_->radius() / std::abs(k);  // Infinite for a diameter.
     // The arc is chord²/(8 radius) away from the chord.
     if (chord * chord <= 8 * 0.01 * radius) {
-      data_ += 'l';
-    } else {
-      data_ += 'a';
-      const auto r = std::llround(100 * radius);
-      append_hundredths(data_, r);
-      append_separated(data_, r);
-      // With 0 on the left (k > 0) the arc bends to the left on its way, and paper has y downwards: a positive k is
-      // sweep 1.
-      data_ += k > 0 ? " 0 0 1" : " 0 0 0";
+      append('l', place);
+      return;
     }
-    if (data_.back() == 'l') {
-      append_hundredths(data_, place.x - last_.x);
-    } else {
-      append_separated(data_, place.x - last_.x);
-    }
-    append_separated(data_, place.y - last_.y);
-    last_ = place;
+    data_ += 'a';
+    const auto r = std::llround(100 * radius);
+    append_hundredths(data_, r);
+    append_separated(data_, r);
+    // With 0 on the left (k > 0) the arc bends to the left on its way, and paper has y downwards: that is sweep 1.
+    data_ += k > 0 ? " 0 0 1" : " 0 0 0";
+    command_ = 'a';
+    append('a', place);
   }
 
   void dot(const Point& z) {
     move(z);
     data_ += "h0";
+    command_ = 'h';
   }
-  void close() { data_ += 'z'; }
+  void close() {
+    data_ += 'z';
+    command_ = 'z';
+  }
 
   [[nodiscard]] const std::string& data() const { return data_; }
 
  private:
+  /// The command and the way to the place; the letter is left out where it goes without saying: a line after a line or
+  /// a move.
+  void append(char command, const Place& place) {
+    if (command == command_ || (command == 'l' && command_ == 'm')) {
+      append_separated(data_, place.x - last_.x);
+    } else {
+      data_ += command;
+      append_hundredths(data_, place.x - last_.x);
+    }
+    append_separated(data_, place.y - last_.y);
+    command_ = command;
+    last_ = place;
+  }
+
   const Paper* paper_;
   std::string data_;
-  Place last_{};
+  char command_ = 'z';
+  Place last_{};  ///< Where the pen is. The first move is from 0.
 };
 
 /// Paths in classes of stroke width: powers of ∜2, too fine to see, the widest first.
@@ -248,10 +258,12 @@ class PathsByWidth {
  public:
   PathsByWidth(const Paper& paper, double widest) : paper_(&paper), widest_(widest) {}
 
-  /// The path for strokes of a share, at most 1, of the greatest width.
+  /// The path for strokes of a share, at most 1, of the greatest width. Strokes of less than a twentieth of a pixel
+  /// vanish in some renderers, which shows as an edge in the shading of fine nets; that is the least.
   Path& at(double share) {
-    const int rank = static_cast<int>(std::lround(std::min(-4 * std::log2(std::max(share, 1e-6)), 80.0)));
-    return paths_.try_emplace(std::max(rank, 0), *paper_).first->second;
+    const double least = std::min(1.0, 0.05 / widest_);
+    const auto rank = static_cast<int>(std::lround(-4 * std::log2(std::clamp(share, least, 1.0))));
+    return paths_.try_emplace(rank, *paper_).first->second;
   }
 
   void append_to(std::string& out) const {
@@ -371,13 +383,30 @@ class Picture {
     return true;
   }
 
+  /// An edge of the same kind, on the boundary or not, that leaves the end of a dart and is not done; kNone if none was
+  /// found.
+  [[nodiscard]] std::uint32_t unfinished_edge_at_end(std::uint32_t dart, const std::vector<bool>& done) const {
+    std::uint32_t next = next_dart(dart);
+    for (int turns = 0; turns < 32; ++turns) {
+      if (on_boundary_[next] == on_boundary_[dart] && !done[next]) return next;
+      if (on_boundary_[next]) return kNone;
+      next = next_dart(opposite(next));
+    }
+    return kNone;
+  }
+
   [[nodiscard]] std::string edge_group() {
     PathsByWidth inner(paper_, edge_width_);
     PathsByWidth outline(paper_, std::min(1.8 * edge_width_, outline_width_));
+    std::vector<bool> done(on_boundary_.size(), false);
     for (const Lifts::LiftedTriangle& triangle : lifts_.lifted) {
-      for (std::uint32_t dart = 3 * triangle.triangle; dart < 3 * triangle.triangle + 3; ++dart) {
-        if (!on_boundary_[dart] && opposite(dart) < dart) continue;
-        if (!add_tapered(on_boundary_[dart] ? outline : inner, start(dart), end(dart))) ++edges_left_out_;
+      for (std::uint32_t first = 3 * triangle.triangle; first < 3 * triangle.triangle + 3; ++first) {
+        // As long a line as possible without lifting the pen makes a short file.
+        for (std::uint32_t dart = first; dart != kNone && !done[dart]; dart = unfinished_edge_at_end(dart, done)) {
+          done[dart] = true;
+          if (!on_boundary_[dart]) done[opposite(dart)] = true;
+          if (!add_tapered(on_boundary_[dart] ? outline : inner, start(dart), end(dart))) ++edges_left_out_;
+        }
       }
     }
     std::string out =
@@ -392,7 +421,7 @@ class Picture {
 
   [[nodiscard]] std::string dot_group() {
     PathsByWidth dots(paper_, dot_width_);
-    PathsByWidth base(paper_, dot_width_ * 1.6);
+    PathsByWidth base(paper_, std::max(1.6 * dot_width_, 0.004 * options_.size));
     std::set<Place> drawn;
     for (const Lifts::LiftedTriangle& triangle : lifts_.lifted) {
       for (std::uint32_t i = 0; i < 3; ++i) {
