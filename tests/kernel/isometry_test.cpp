@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 
+#include "epsnet/kernel/numbers.h"
 #include "epsnet/kernel/plane.h"
 #include "random_points.h"
 #include "rational_points.h"
@@ -112,6 +115,36 @@ TEST(SegmentToSegment, TurnsByEveryQuarter) {
     EXPECT_EQ(f(o), o);
     EXPECT_EQ(f(e), end);
   }
+}
+
+TEST(IsometryImage, IsWithinTheBoundE5) {
+  // docs/error-bounds.md, E5; Atlas uses almost three times as much.
+  test::Random random(5);
+  double worst = 0;
+  for (int i = test::scaled(20'000); i > 0; --i) {
+    // Near the identity, or a move of up to 40 from the origin.
+    const Mp256 r = random() % 4 == 0 ? Mp256(test::uniform<Mp256>(random))
+                                      : Mp256(1 - test::power_of_two<Mp256>(-test::integer(random, 1, 58)));
+    const Isometry<Mp256> f = normalized(Isometry<Mp256>::translation(r * test::direction<Mp256>(random)) *
+                                         Isometry<Mp256>{test::direction<Mp256>(random), {}});
+    const Isometry<double> rounded = convert<double>(f);
+    // Often the point that goes farthest: the one opposite to f⁻¹(0), where the denominator is smallest.
+    const Complex<double> back = inverse(rounded)(Complex<double>{});
+    const Complex<double> z =
+        random() % 2 == 0 ? test::point<double>(random, 0.75) : 0.7499999 / std::sqrt(norm(back) + 1e-300) * back;
+    if (norm(z) > 0.5625) {
+      continue;
+    }
+    const double a = std::sqrt(norm(rounded.a));
+    const double b = std::sqrt(norm(rounded.b));
+    const double bound = kUnitRoundoff * (5.7 * (a + b) / (a - 0.75 * b) + 7);
+    const Complex<Mp256> off = convert<Mp256>(rounded(z)) - f(convert<Mp256>(z));
+    const double ratio = std::sqrt(static_cast<double>(norm(off))) / bound;
+    worst = std::max(worst, ratio);
+    ASSERT_LT(ratio, 1) << "|a| = " << a;
+  }
+  EXPECT_GT(worst, 0.05) << "the bound is of no use, or the inputs are too easy";
+  RecordProperty("worst_ratio", std::to_string(worst));
 }
 
 // Kinds, displacement lengths, axes.
