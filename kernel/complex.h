@@ -58,8 +58,10 @@ template <class T>
 }
 template <class T>
 [[nodiscard]] constexpr Complex<T> operator/(const Complex<T>& u, const Complex<T>& v) {
-  const T n = norm(v);
-  return {dot(v, u) / n, cross(v, u) / n};
+  // One division and two products: in binary64 and beyond divisions are dear, and the quotient is as accurate as is
+  // needed.
+  const T reciprocal = T(1) / norm(v);
+  return {dot(v, u) * reciprocal, cross(v, u) * reciprocal};
 }
 
 /// The number with both coordinates converted to another field.

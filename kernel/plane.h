@@ -69,17 +69,21 @@ struct Sinh2Circumradius {
   T scale;  ///< x² + y² + z² + …, the size of the terms whose difference the denominator is: |denominator| ≤ scale.
 };
 
+/// From the squared Euclidean distances of a, b, c and the height 1 − |z|² of each.
 template <class T>
-[[nodiscard]] Sinh2Circumradius<T> sinh2_circumradius(const Complex<T>& a, const Complex<T>& b, const Complex<T>& c) {
-  const T ab = norm(a - b);
-  const T bc = norm(b - c);
-  const T ca = norm(c - a);
-  const T x = ab * (T(1) - norm(c));
-  const T y = bc * (T(1) - norm(a));
-  const T z = ca * (T(1) - norm(b));
+[[nodiscard]] Sinh2Circumradius<T> sinh2_circumradius(const T& ab, const T& bc, const T& ca, const T& height_a,
+                                                      const T& height_b, const T& height_c) {
+  const T x = ab * height_c;
+  const T y = bc * height_a;
+  const T z = ca * height_b;
   const T sum = x + y;
   const T rest = sum - z;
   return {T(4) * ab * bc * ca, T(4) * x * y - rest * rest, (sum + z) * (sum + z)};
+}
+
+template <class T>
+[[nodiscard]] Sinh2Circumradius<T> sinh2_circumradius(const Complex<T>& a, const Complex<T>& b, const Complex<T>& c) {
+  return sinh2_circumradius<T>(norm(a - b), norm(b - c), norm(c - a), T(1) - norm(a), T(1) - norm(b), T(1) - norm(c));
 }
 
 /// The centre of the hyperbolic circle through three points of the disk; nothing if there is none in the field's

@@ -59,7 +59,27 @@ template <class T>
   }
   return {0, false};
 }
+/// in_circle_determinant with the origin moved to d, from u = a − d, … and their squared lengths; and E1 for exact
+/// points.
+template <class T>
+[[nodiscard]] T in_circle_determinant_around(const Complex<T>& u, const Complex<T>& v, const Complex<T>& w, const T& uu,
+                                             const T& vv, const T& ww) {
+  return uu * cross(v, w) + vv * cross(w, u) + ww * cross(u, v);
+}
+template <class T>
+[[nodiscard]] T in_circle_bound(const T& uu, const T& vv, const T& ww) {
+  return T(16) * unit_roundoff<T>() * (uu * vv + vv * ww + ww * uu) + underflow_bound<T>();
+}
 }  // namespace detail
+
+/// in_circle_stage for exact points, from the differences u = a − d, v = b − d, w = c − d, rounded once, and their
+/// squared lengths.
+template <class T>
+[[nodiscard]] StageSign in_circle_stage_around(const Complex<T>& u, const Complex<T>& v, const Complex<T>& w,
+                                               const T& uu, const T& vv, const T& ww) {
+  return detail::sign_beyond(detail::in_circle_determinant_around(u, v, w, uu, vv, ww),
+                             detail::in_circle_bound(uu, vv, ww));
+}
 
 /// The sign of in_circle_determinant(a, b, c, d): 1 if d lies strictly inside of the circle through a, b, c
 /// (counterclockwise).
@@ -76,8 +96,8 @@ template <class T>
   const T uu = norm(u);
   const T vv = norm(v);
   const T ww = norm(w);
-  const T det = uu * cross(v, w) + vv * cross(w, u) + ww * cross(u, v);
-  T bound = T(16) * unit_roundoff<T>() * (uu * vv + vv * ww + ww * uu) + detail::underflow_bound<T>();
+  const T det = detail::in_circle_determinant_around(u, v, w, uu, vv, ww);
+  T bound = detail::in_circle_bound(uu, vv, ww);
   if (error != 0) {
     const T m = sqrt(std::max({uu, vv, ww}));
     if (!(T(16) * error <= m)) {
@@ -170,24 +190,31 @@ template <class T>
 ///
 /// Error bound: u(32 numerator + 160 s scale) (docs/error-bounds.md, E3').
 template <class T>
-[[nodiscard]] StageSign circumradius_stage_near_origin(const Complex<T>& a, const Complex<T>& b, const Complex<T>& c,
-                                                       const T& s_high) {
-  const Sinh2Circumradius<T> r = sinh2_circumradius(a, b, c);
+[[nodiscard]] StageSign circumradius_stage_near_origin(const Sinh2Circumradius<T>& r, const T& s_high) {
   const T bound =
       unit_roundoff<T>() * (T(32) * r.numerator + T(160) * (s_high * (r.scale + detail::underflow_bound<T>()))) +
       detail::underflow_bound<T>();
   return detail::sign_beyond(T(r.numerator - s_high * r.denominator), bound);
+}
+template <class T>
+[[nodiscard]] StageSign circumradius_stage_near_origin(const Complex<T>& a, const Complex<T>& b, const Complex<T>& c,
+                                                       const T& s_high) {
+  return circumradius_stage_near_origin(sinh2_circumradius(a, b, c), s_high);
 }
 
 /// distance_stage for exact points with |z| ≤ 0.75, without divisions. 0 < s ≤ `s_high` ≤ s(1 + 100u).
 ///
 /// Error bound: u(8|p − q|² + 128 s(1 − |p|²)(1 − |q|²)) (docs/error-bounds.md, E4').
 template <class T>
-[[nodiscard]] StageSign distance_stage_near_origin(const Complex<T>& p, const Complex<T>& q, const T& s_high) {
-  const T chord2 = norm(p - q);
-  const T limit = s_high * ((T(1) - norm(p)) * (T(1) - norm(q)));
+[[nodiscard]] StageSign distance_stage_near_origin(const T& chord2, const T& height_p, const T& height_q,
+                                                   const T& s_high) {
+  const T limit = s_high * (height_p * height_q);
   const T bound = unit_roundoff<T>() * (T(8) * chord2 + T(128) * limit) + detail::underflow_bound<T>();
   return detail::sign_beyond(T(chord2 - limit), bound);
+}
+template <class T>
+[[nodiscard]] StageSign distance_stage_near_origin(const Complex<T>& p, const Complex<T>& q, const T& s_high) {
+  return distance_stage_near_origin<T>(norm(p - q), T(1) - norm(p), T(1) - norm(q), s_high);
 }
 
 /// The sign of sinh²(d/2) − s for the hyperbolic distance d of two points of the disk: 1 if d is certainly larger.

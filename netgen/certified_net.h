@@ -10,6 +10,7 @@
 #include "epsnet/certify/document.h"
 #include "epsnet/netgen/epsilon.h"
 #include "epsnet/triangulation/surface.h"
+#include "epsnet/triangulation/triangulation.h"
 
 namespace epsnet {
 

@@ -1,7 +1,5 @@
 #include "epsnet/netgen/epsilon.h"
 
-#include <mpfr.h>
-
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
@@ -91,32 +89,6 @@ std::string shortest_decimal(double value) {
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
 }
 
-/// sinh²(ε/divisor), rounded towards −∞ or +∞ at some precision. Every operation is monotonous and rounded in the same
-/// direction.
-void sinh2(mpfr_t result, const Rational& epsilon, unsigned long divisor, mpfr_rnd_t direction) {
-  mpfr_set_q(result, epsilon.backend().data(), direction);
-  mpfr_div_ui(result, result, divisor, direction);
-  mpfr_sinh(result, result, direction);
-  mpfr_sqr(result, result, direction);
-}
-
-template <class T>
-std::array<T, 2> enclosure(const Rational& epsilon, unsigned long divisor) {
-  std::array<T, 2> ends;
-  for (const std::size_t end : {0u, 1u}) {
-    mpfr_t value;
-    mpfr_init2(value, kMantissaBits<T>);
-    sinh2(value, epsilon, divisor, end == 0 ? MPFR_RNDD : MPFR_RNDU);
-    if constexpr (std::is_same_v<T, double>) {
-      ends[end] = mpfr_get_d(value, end == 0 ? MPFR_RNDD : MPFR_RNDU);
-    } else {
-      mpfr_set(ends[end].backend().data(), value, MPFR_RNDN);  // Exact: the field has more bits.
-    }
-    mpfr_clear(value);
-  }
-  return ends;
-}
-
 }  // namespace
 
 Epsilon::Epsilon(std::string text) : text_(std::move(text)), value_(parse(text_)) {
@@ -126,11 +98,5 @@ Epsilon::Epsilon(std::string text) : text_(std::move(text)), value_(parse(text_)
 }
 
 Epsilon::Epsilon(double value) : Epsilon(shortest_decimal(value)) {}
-
-Threshold sinh2_threshold(const Epsilon& epsilon, unsigned divisor) {
-  const std::array<double, 2> ends = enclosure<double>(epsilon.value(), divisor);
-  return {ends[0], ends[1], enclosure<Mp256>(epsilon.value(), divisor), enclosure<Mp1024>(epsilon.value(), divisor),
-          enclosure<Mp4096>(epsilon.value(), divisor)};
-}
 
 }  // namespace epsnet

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "epsnet/triangulation/triangulation.h"
+#include "epsnet/kernel/numbers.h"
 
 namespace epsnet {
 
@@ -22,8 +22,5 @@ class Epsilon {
   std::string text_;
   Rational value_;
 };
-
-/// sinh²(ε/divisor), enclosed at every stage of the predicates.
-[[nodiscard]] Threshold sinh2_threshold(const Epsilon& epsilon, unsigned divisor);
 
 }  // namespace epsnet

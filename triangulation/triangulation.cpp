@@ -12,19 +12,6 @@ constexpr std::uint32_t kMostTriangles = 1u << 30;
 
 }  // namespace
 
-template <>
-const std::array<Mp256, 2>& Threshold::at<Mp256>() const {
-  return at_256;
-}
-template <>
-const std::array<Mp1024, 2>& Threshold::at<Mp1024>() const {
-  return at_1024;
-}
-template <>
-const std::array<Mp4096, 2>& Threshold::at<Mp4096>() const {
-  return at_4096;
-}
-
 Triangulation::Triangulation(const Surface& surface) : atlas_(surface) {
   // The corners of a class, in the order in which they follow each other around it, and the word from the first one's
   // tile to each.
@@ -220,21 +207,15 @@ int Triangulation::orientation(Corner a, Corner b, Corner c) {
 int Triangulation::compare_circumradius_staged(std::uint32_t t, const Threshold& s) {
   return staged(std::array{corner(t, 0), corner(t, 1), corner(t, 2)},
                 [&s]<class T>(const std::array<Complex<T>, 3>& p, const T& error) {
-                  if constexpr (std::is_same_v<T, double>) {
-                    return circumradius_stage<double>(p[0], p[1], p[2], s.low, s.high, error);
-                  } else {
-                    return circumradius_stage<T>(p[0], p[1], p[2], s.at<T>()[0], s.at<T>()[1], error);
-                  }
+                  const auto& [low, high] = s.at<T>();
+                  return circumradius_stage<T>(p[0], p[1], p[2], low, high, error);
                 });
 }
 
 int Triangulation::compare_distance_staged(Corner a, Corner b, const Threshold& s) {
   return staged(std::array{a, b}, [&s]<class T>(const std::array<Complex<T>, 2>& p, const T& error) {
-    if constexpr (std::is_same_v<T, double>) {
-      return distance_stage<double>(p[0], p[1], s.low, s.high, error);
-    } else {
-      return distance_stage<T>(p[0], p[1], s.at<T>()[0], s.at<T>()[1], error);
-    }
+    const auto& [low, high] = s.at<T>();
+    return distance_stage<T>(p[0], p[1], low, high, error);
   });
 }
 
@@ -242,10 +223,14 @@ std::optional<Complex<double>> Triangulation::circumcentre_fast(std::uint32_t t)
   const Lift a = lift(corner(t, 0));
   const Lift b = lift(corner(t, 1));
   const Lift c = lift(corner(t, 2));
-  // Where the three corners are nearly on a line or on a horocycle the centre is ill-conditioned; the lifts must also
-  // be well inside of the disk.
-  const Sinh2Circumradius<double> s = sinh2_circumradius(a.z, b.z, c.z);
-  if (!(s.denominator > 1e-5 * s.scale) || norm(b.z) > 0.95 || norm(c.z) > 0.95) {
+  // The lifts must be well inside of the disk, and the angle at a neither 0 nor π; circumcentre itself sees horocycles.
+  if (norm(b.z) > 0.95 || norm(c.z) > 0.95) {
+    return std::nullopt;
+  }
+  const Complex<double> u = b.z - a.z;
+  const Complex<double> v = c.z - a.z;
+  const double sine = cross(u, v);
+  if (!(sine * sine > 1e-6 * (norm(u) * norm(v)))) {
     return std::nullopt;
   }
   return epsnet::circumcentre(a.z, b.z, c.z);
@@ -406,6 +391,121 @@ bool Triangulation::find_cavity(std::uint32_t t, Corner p) {
   // A triangle beside the cavity of which another lift is in it: the insertion would meet itself.
   return std::none_of(boundary_.begin(), boundary_.end(),
                       [&](const BoundaryEdge& b) { return in_cavity(triangle_of(b.outer)); });
+}
+
+bool Triangulation::insert_locally(std::uint32_t t, const Complex<double>& p, const Threshold& apart,
+                                   const Threshold& large, std::vector<std::uint32_t>& large_triangles) {
+  // A vertex of the cavity as p sees it.
+  struct Rim {
+    Complex<double> offset;  // From p.
+    double offset_norm;
+    std::uint32_t vertex;
+  };
+  // A dart of a triangle in conflict, to be crossed; its ends are numbers of rims.
+  struct Gate {
+    Dart dart;
+    std::uint32_t from;
+    std::uint32_t to;
+  };
+  struct Edge {
+    Dart outer;
+    std::uint32_t from;
+  };
+  constexpr std::size_t kMost = 24;
+  std::array<Rim, 2 * kMost + 3> rims;
+  std::array<Gate, kMost + 3> gates;
+  std::array<Edge, kMost + 3> edges;
+  std::array<std::uint32_t, kMost> cavity;
+  std::uint32_t rim_count = 0;
+  std::size_t gate_count = 0;
+  std::size_t edge_count = 0;
+  std::size_t cavity_count = 0;
+  const Triangle* const triangles = triangles_.data();
+  const Complex<double>* const points = points_.data();
+  const auto in_cavity = [&](std::uint32_t s) {
+    return std::find(cavity.data(), cavity.data() + cavity_count, s) != cavity.data() + cavity_count;
+  };
+
+  if (!triangles[t].all_identity()) {
+    return false;
+  }
+  cavity[cavity_count++] = t;
+  for (const std::uint32_t v : triangles[t].vertex) {
+    const Complex<double> offset = points[v] - p;
+    rims[rim_count++] = {offset, norm(offset), v};
+  }
+  // Depth first, counterclockwise, as in find_cavity.
+  gates[gate_count++] = {make_dart(t, 2), 2, 0};
+  gates[gate_count++] = {make_dart(t, 1), 1, 2};
+  gates[gate_count++] = {make_dart(t, 0), 0, 1};
+  while (gate_count > 0) {
+    const Gate gate = gates[--gate_count];
+    const Dart e = triangles[triangle_of(gate.dart)].opposite[corner_of(gate.dart)];
+    const std::uint32_t s = triangle_of(e);
+    const std::uint32_t j = corner_of(e);
+    const Triangle& outside = triangles[s];
+    if (!outside.all_identity()) {
+      return false;
+    }
+    const std::uint32_t apex = outside.vertex[previous(j)];
+    const Rim& from = rims[gate.from];
+    const Rim& to = rims[gate.to];
+    const Complex<double> offset = points[apex] - p;
+    const double offset_norm = norm(offset);
+    const StageSign sign =
+        in_circle_stage_around(to.offset, from.offset, offset, to.offset_norm, from.offset_norm, offset_norm);
+    if (!sign.certain) {
+      return false;
+    }
+    if (sign.sign > 0) {
+      if (cavity_count == kMost || in_cavity(s)) {
+        return false;
+      }
+      cavity[cavity_count++] = s;
+      rims[rim_count] = {offset, offset_norm, apex};
+      gates[gate_count++] = {make_dart(s, previous(j)), rim_count, gate.to};
+      gates[gate_count++] = {make_dart(s, next(j)), gate.from, rim_count};
+      ++rim_count;
+    } else {
+      edges[edge_count++] = {e, gate.from};
+    }
+  }
+  const double height = 1 - norm(p);
+  std::array<double, kMost + 3> heights;
+  for (std::size_t i = 0; i < edge_count; ++i) {
+    const Rim& rim = rims[edges[i].from];
+    heights[i] = 1 - norm(points[rim.vertex]);
+    const StageSign sign = distance_stage_near_origin(rim.offset_norm, height, heights[i], apart.high());
+    if (!sign.certain || sign.sign < 0 || in_cavity(triangle_of(edges[i].outer))) {
+      return false;
+    }
+  }
+
+  const std::uint32_t v = add_vertex({p, chart_of(t)});
+  std::array<std::uint32_t, kMost + 3> slots;
+  for (std::size_t i = 0; i < edge_count; ++i) {
+    slots[i] = i < cavity_count ? cavity[i] : add_triangle();
+  }
+  for (std::size_t i = 0; i < edge_count; ++i) {
+    const std::size_t following = i + 1 < edge_count ? i + 1 : 0;
+    const std::size_t preceding = i > 0 ? i - 1 : edge_count - 1;
+    const Rim& from = rims[edges[i].from];
+    const Rim& to = rims[edges[following].from];
+    Triangle& made = triangles_[slots[i]];
+    made.vertex = {v, from.vertex, to.vertex};
+    made.opposite = {make_dart(slots[preceding], 2), edges[i].outer, make_dart(slots[following], 0)};
+    made.labels_and_stamp = static_cast<std::uint16_t>(made.stamp() + 1);
+    triangles_[triangle_of(edges[i].outer)].opposite[corner_of(edges[i].outer)] = make_dart(slots[i], 1);
+    const StageSign sign = circumradius_stage_near_origin(
+        sinh2_circumradius<double>(from.offset_norm, norm(points_[from.vertex] - points_[to.vertex]), to.offset_norm,
+                                   height, heights[i], heights[following]),
+        large.high());
+    if (sign.certain ? sign.sign > 0 : compare_circumradius(slots[i], large) > 0) {
+      large_triangles.push_back(slots[i]);
+    }
+  }
+  new_triangles_.assign(slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(edge_count));
+  return true;
 }
 
 void Triangulation::fill_cavity(Corner p, Journal* journal) {

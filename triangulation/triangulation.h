@@ -9,6 +9,7 @@
 
 #include "epsnet/kernel/predicates.h"
 #include "epsnet/triangulation/atlas.h"
+#include "epsnet/triangulation/threshold.h"
 
 namespace epsnet {
 
@@ -65,18 +66,6 @@ struct Location {
   std::uint32_t steps;  ///< Triangles entered after the first one.
 };
 
-/// A real number that lengths are compared with, enclosed at every stage.
-struct Threshold {
-  double low;
-  double high;
-  std::array<Mp256, 2> at_256;
-  std::array<Mp1024, 2> at_1024;
-  std::array<Mp4096, 2> at_4096;
-
-  template <class T>
-  [[nodiscard]] const std::array<T, 2>& at() const;
-};
-
 /// Everything an operation overwrote, so that it can be undone.
 struct Journal {
   std::size_t vertices = 0;
@@ -131,7 +120,7 @@ class Triangulation {
     const Triangle& triangle = triangles_[t];
     if (triangle.all_identity()) {
       const StageSign sign = circumradius_stage_near_origin(points_[triangle.vertex[0]], points_[triangle.vertex[1]],
-                                                            points_[triangle.vertex[2]], s.high);
+                                                            points_[triangle.vertex[2]], s.high());
       if (sign.certain) {
         return sign.sign;
       }
@@ -141,7 +130,7 @@ class Triangulation {
   /// 1 if the hyperbolic distance d of two lifted vertices certainly has sinh²(d/2) > s, −1 if certainly less.
   [[nodiscard]] int compare_distance(Corner a, Corner b, const Threshold& s) {
     if ((a.label | b.label) == kIdentity) {
-      const StageSign sign = distance_stage_near_origin(points_[a.vertex], points_[b.vertex], s.high);
+      const StageSign sign = distance_stage_near_origin(points_[a.vertex], points_[b.vertex], s.high());
       if (sign.certain) {
         return sign.sign;
       }
@@ -150,14 +139,22 @@ class Triangulation {
   }
   /// The circumcentre of triangle t in its chart, in binary64 where that is accurate enough to be inside of the circle.
   [[nodiscard]] std::optional<Complex<double>> circumcentre_fast(std::uint32_t t) const;
-  /// Asks the memory for a triangle and, if it is there already, for its vertices.
+  // Asks the memory for what an insertion at triangle t is going to touch, one step of indirection after the other.
   void prefetch_triangle(std::uint32_t t) const { __builtin_prefetch(&triangles_[t]); }
-  void prefetch_vertices(std::uint32_t t) const {
-    for (const std::uint32_t v : triangles_[t].vertex) {
-      __builtin_prefetch(&points_[v]);
+  void prefetch_neighbours(std::uint32_t t) const {
+    const Triangle& triangle = triangles_[t];
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      __builtin_prefetch(&points_[triangle.vertex[i]]);
+      __builtin_prefetch(&triangles_[triangle_of(triangle.opposite[i])]);
     }
+  }
+  void prefetch_second_neighbours(std::uint32_t t) const {
     for (const Dart d : triangles_[t].opposite) {
-      __builtin_prefetch(&triangles_[triangle_of(d)]);
+      const Triangle& neighbour = triangles_[triangle_of(d)];
+      const std::uint32_t i = corner_of(d);
+      __builtin_prefetch(&points_[neighbour.vertex[previous(i)]]);
+      __builtin_prefetch(&triangles_[triangle_of(neighbour.opposite[next(i)])]);
+      __builtin_prefetch(&triangles_[triangle_of(neighbour.opposite[previous(i)])]);
     }
   }
   /// The same to some 130 bits, if there is one.
@@ -193,6 +190,12 @@ class Triangulation {
   template <class Accept>
   [[nodiscard]] bool insert_in_cavity(std::uint32_t t, std::uint32_t vertex, LabelId label, const Accept& accept,
                                       Journal* journal = nullptr);
+  /// insert_in_cavity for a new vertex at the point p of t's chart, where nothing but identity labels is met and
+  /// binary64 decides everything: the way of nearly all insertions, with every coordinate loaded once. False, with
+  /// nothing changed, if anything else is met, or if p is not certainly at a distance d with sinh²(d/2) > apart from
+  /// all other vertices. `large_triangles` gets the new triangles with sinh²R > large.
+  [[nodiscard]] bool insert_locally(std::uint32_t t, const Complex<double>& p, const Threshold& apart,
+                                    const Threshold& large, std::vector<std::uint32_t>& large_triangles);
   /// The triangles around the vertex that the last insert_in_cavity, split_face or split_edge inserted: it is their
   /// corner 0, dart 1 is opposite to it.
   [[nodiscard]] const std::vector<std::uint32_t>& new_triangles() const { return new_triangles_; }

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "epsnet/kernel/numbers.h"
+
+namespace epsnet {
+
+/// The number sinh²x for an exact x > 0, with which circumradii (x = ε) and distances (x = ε/2) are compared: enclosed,
+/// lower end first, at every stage of the predicates, each stage when it is first asked for. Correctly rounded ends by
+/// MPFR, so the same on every machine.
+class Threshold {
+ public:
+  explicit Threshold(Rational x);
+
+  template <class T>
+  [[nodiscard]] const std::array<T, 2>& at() const;
+  /// The ends at the binary64 stage.
+  [[nodiscard]] double low() const { return ends_[0]; }
+  [[nodiscard]] double high() const { return ends_[1]; }
+
+ private:
+  Rational x_;
+  std::array<double, 2> ends_;
+  mutable std::optional<std::array<Mp256, 2>> at_256_;
+  mutable std::optional<std::array<Mp1024, 2>> at_1024_;
+  mutable std::optional<std::array<Mp4096, 2>> at_4096_;
+};
+
+}  // namespace epsnet
