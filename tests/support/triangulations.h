@@ -1,0 +1,274 @@
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "epsnet/netgen/domain_format.h"
+#include "epsnet/netgen/octagon.h"
+#include "epsnet/triangulation/triangulation.h"
+
+/// Surfaces, points and canonical forms for the tests of atlas, triangulation and nets.
+namespace epsnet::test {
+
+struct NamedSurface {
+  std::string name;
+  Surface surface;
+};
+
+/// Surfaces of genus 2 to 8, short and long systoles, made once.
+inline const std::deque<NamedSurface>& gallery() {
+  static const std::deque<NamedSurface> surfaces = [] {
+    std::deque<NamedSurface> result;
+    for (const std::int32_t seed : {1, 123, 321}) {
+      result.push_back({"octagon " + std::to_string(seed), random_octagon(seed)});
+    }
+    for (const char* name : {"g2-small", "g2-theta", "g2-thin-1e-4", "g3-rnd0", "g4-treeloops", "g5-rnd0", "g8-rnd0"}) {
+      result.push_back({name, load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt")});
+    }
+    return result;
+  }();
+  return surfaces;
+}
+
+/// Any index below n.
+template <class Index>
+[[nodiscard]] Index any_index(Index n) {
+  return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<Index>(0, n));
+}
+
+/// One of the gallery.
+inline const NamedSurface& any_surface() {
+  const auto i = any_index(gallery().size());
+  RC_TAG(gallery()[i].name);
+  return gallery()[i];
+}
+
+/// A number in [0, 1), of 30 bits.
+inline double any_share() { return std::ldexp(static_cast<double>(any_index<std::uint32_t>(1u << 30)), -30); }
+
+/// A path of at most `longest` crossings that starts in a tile, not always without crossings that are undone at once.
+inline Word any_word(const Surface& surface, std::uint32_t tile, std::size_t longest) {
+  Word word;
+  const std::size_t length = any_index<std::size_t>(longest + 1);
+  while (word.size() < length) {
+    const auto sides = static_cast<std::uint32_t>(surface.tiles()[tile].size());
+    word.push_back(surface.side_number(tile, any_index(sides)));
+    tile = surface.tile_of_side(surface.partner(word.back()));
+  }
+  return word;
+}
+
+/// The tile in which a path ends.
+inline std::uint32_t end_tile(const Surface& surface, std::uint32_t tile, const Word& word) {
+  return word.empty() ? tile : surface.tile_of_side(surface.partner(word.back()));
+}
+
+/// Once around a vertex of the surface, starting in a side's tile at the side's start: the identity of the group.
+inline Word relator(const Surface& surface, std::uint32_t side) {
+  Word word;
+  std::uint32_t s = side;
+  do {
+    word.push_back(s);
+    const std::uint32_t partner = surface.partner(s);
+    const std::uint32_t tile = surface.tile_of_side(partner);
+    const auto sides = static_cast<std::uint32_t>(surface.tiles()[tile].size());
+    s = surface.side_number(tile, (partner - surface.side_number(tile, 0) + 1) % sides);
+  } while (s != side);
+  return word;
+}
+
+/// A triangle or an edge on the surface: vertices and the isometries between their charts.
+using Signature = std::array<std::uint32_t, 5>;
+
+/// The label from the chart of corner j of a triangle to the chart of its corner i, as a number of `reference`, an
+/// atlas with the same charts.
+inline LabelId between_corners(Triangulation& triangulation, std::uint32_t t, std::uint32_t i, std::uint32_t j,
+                               Atlas& reference) {
+  Atlas& atlas = triangulation.atlas();
+  const Triangle& triangle = triangulation.triangle(t);
+  const LabelId label = atlas.product(atlas.inverse(triangle.label(i)), triangle.label(j));
+  return &reference == &atlas || label == kIdentity
+             ? label
+             : reference.label(atlas.from(label), atlas.to(label), atlas.word(label));
+}
+
+/// All triangles, whatever their slots and first corners: two triangulations by the same vertices are the same if and
+/// only if these lists are equal.
+inline std::vector<Signature> triangles_of(Triangulation& triangulation, Atlas& reference) {
+  std::vector<Signature> result;
+  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+    Signature least;
+    least.fill(~0u);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const auto& v = triangulation.triangle(t).vertex;
+      least = std::min(least, {v[i], v[next(i)], v[previous(i)],  //
+                               between_corners(triangulation, t, i, next(i), reference),
+                               between_corners(triangulation, t, i, previous(i), reference)});
+    }
+    result.push_back(least);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+inline std::vector<Signature> triangles_of(Triangulation& triangulation) {
+  return triangles_of(triangulation, triangulation.atlas());
+}
+
+/// The corner across an edge, in the chart of the edge's triangle.
+inline Corner corner_across(Triangulation& triangulation, Dart d) {
+  const Dart e = triangulation.opposite(d);
+  const Corner c = triangulation.corner(triangle_of(e), previous(corner_of(e)));
+  return {c.vertex, triangulation.atlas().product(triangulation.transition(d), c.label)};
+}
+
+/// 1 if the edge is not Delaunay, 0 if the two triangles have the same circumcircle, −1 if the edge is in every
+/// Delaunay triangulation.
+inline int delaunay_sign(Triangulation& triangulation, Dart d) {
+  const std::uint32_t t = triangle_of(d);
+  return triangulation.in_circle(triangulation.corner(t, 0), triangulation.corner(t, 1), triangulation.corner(t, 2),
+                                 corner_across(triangulation, d));
+}
+
+/// The edges of a Delaunay triangulation that are not ties, both directions: the edges of the Delaunay tessellation,
+/// which is unique.
+inline std::vector<Signature> tessellation_of(Triangulation& triangulation, Atlas& reference) {
+  std::vector<Signature> result;
+  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (delaunay_sign(triangulation, make_dart(t, i)) < 0) {
+        const auto& v = triangulation.triangle(t).vertex;
+        result.push_back({v[i], v[next(i)], between_corners(triangulation, t, i, next(i), reference), 0, 0});
+      }
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+inline std::vector<Signature> tessellation_of(Triangulation& triangulation) {
+  return tessellation_of(triangulation, triangulation.atlas());
+}
+
+/// The first edge that is not Delaunay, or nothing.
+inline std::optional<Dart> not_delaunay(Triangulation& triangulation) {
+  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (!triangulation.is_delaunay(make_dart(t, i))) {
+        return make_dart(t, i);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+/// The two triangles beside an edge make a strictly convex quadrilateral, so that it can be flipped.
+inline bool flippable(Triangulation& triangulation, Dart d) {
+  const std::uint32_t t = triangle_of(d);
+  const Corner a = triangulation.corner(t, corner_of(d));
+  const Corner b = triangulation.corner(t, next(corner_of(d)));
+  const Corner c = triangulation.corner(t, previous(corner_of(d)));
+  const Corner f = corner_across(triangulation, d);
+  return triangulation.orientation(c, a, f) > 0 && triangulation.orientation(f, b, c) > 0;
+}
+
+inline Dart any_dart(const Triangulation& triangulation) {
+  const auto i = any_index<std::uint32_t>(3 * triangulation.triangle_count());
+  return make_dart(i / 3, i % 3);
+}
+
+/// Everything that `undo` has to bring back.
+struct Snapshot {
+  std::vector<std::pair<Complex<double>, std::uint32_t>> vertices;
+  std::vector<Triangle> triangles;
+  bool operator==(const Snapshot&) const = default;
+};
+
+inline Snapshot snapshot(const Triangulation& triangulation) {
+  Snapshot result;
+  for (std::uint32_t v = 0; v < triangulation.vertex_count(); ++v) {
+    result.vertices.emplace_back(triangulation.vertex(v).z, triangulation.vertex(v).chart);
+  }
+  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+    result.triangles.push_back(triangulation.triangle(t));
+  }
+  return result;
+}
+
+/// A point of the surface near the coordinate z of a triangle's chart, and the label from its chart to the triangle's.
+inline Atlas::Place place_in(Triangulation& triangulation, std::uint32_t t, const Complex<Mp256>& z) {
+  const std::uint32_t chart = triangulation.chart_of(t);
+  if (norm(z) <= Mp256(0.25)) {
+    return {chart, convert<double>(z), kIdentity};
+  }
+  return triangulation.atlas().place(chart, z, false);
+}
+
+/// The point of a triangle with weights w (positive) on its corners, by linear interpolation on the hyperboloid.
+inline Atlas::Place weighted_point(Triangulation& triangulation, std::uint32_t t, const std::array<double, 3>& w) {
+  Complex<Mp256> sum{};
+  Mp256 height(0);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const Complex<Mp256> z = triangulation.atlas().lift<Mp256>(
+        triangulation.triangle(t).label(i), triangulation.vertex(triangulation.triangle(t).vertex[i]).z);
+    // (2z, 1 + |z|²)/(1 − |z|²) is the point of the hyperboloid.
+    const Mp256 scale = Mp256(w[i]) / Mp256(Mp256(1) - norm(z));
+    sum = sum + scale * (Mp256(2) * z);
+    height += scale * (Mp256(1) + norm(z));
+  }
+  // Back: (X, T) ↦ X/(T + √(T² − |X|²)).
+  const Mp256 root = sqrt(Mp256(height * height - norm(sum)));
+  return place_in(triangulation, t, Mp256(1 / (height + root)) * sum);
+}
+
+/// A random point inside of a triangle.
+inline Atlas::Place any_point(Triangulation& triangulation, std::uint32_t t) {
+  const auto weight = [] { return 0.02 + any_share(); };
+  const double a = weight();
+  const double b = weight();
+  const double c = weight();
+  return weighted_point(triangulation, t, {a, b, c});
+}
+
+/// Makes a point the next vertex by walk, split and flips; `label` leads from its chart to the chart of triangle t.
+/// False, with nothing changed, if there is a vertex already.
+inline bool insert_by_flips(Triangulation& triangulation, std::uint32_t t, const Atlas::Place& place,
+                            Journal* journal = nullptr) {
+  const std::uint32_t v = triangulation.add_vertex({place.z, place.chart});
+  const Location location = triangulation.locate_straight(t, {v, place.label});
+  const LabelId label = triangulation.atlas().product(triangulation.atlas().inverse(location.transition), place.label);
+  if (location.type == Location::Type::vertex) {
+    triangulation.pop_vertex();
+    return false;
+  }
+  if (location.type == Location::Type::face) {
+    triangulation.split_face(triangle_of(location.dart), v, label, journal);
+  } else {
+    triangulation.split_edge(location.dart, v, label, journal);
+  }
+  std::vector<Dart> pending;
+  for (const std::uint32_t s : triangulation.new_triangles()) {
+    pending.push_back(make_dart(s, 1));
+  }
+  triangulation.restore_delaunay(pending, journal);
+  return true;
+}
+
+/// The Delaunay triangulation of a surface's own vertices and `points` random points more.
+inline Triangulation any_delaunay(const Surface& surface, std::uint32_t points) {
+  Triangulation triangulation(surface);
+  triangulation.make_delaunay();
+  for (std::uint32_t i = 0; i < points; ++i) {
+    const auto t = any_index(triangulation.triangle_count());
+    static_cast<void>(insert_by_flips(triangulation, t, any_point(triangulation, t)));
+  }
+  return triangulation;
+}
+
+}  // namespace epsnet::test
