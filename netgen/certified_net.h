@@ -30,8 +30,8 @@ using Progress = std::function<void(std::uint64_t vertices, double share)>;
 struct NetOptions {
   Insertion insertion = Insertion::cavity;
   Walk walk = Walk::visibility;
-  certify::CheckOptions check;  ///< For the certificate: threads, precision cap, progress.
-  Progress progress;            ///< Called now and then while the net grows, if given.
+  certify::CheckOptions check = {};  ///< For the certificate: threads, precision cap, progress.
+  Progress progress = {};            ///< Called now and then while the net grows, if given.
 };
 
 /// What a run did, in the terms of the thesis (IV.6.2).
