@@ -290,6 +290,7 @@ class Picture {
         lifts_(lift_triangles(geometry_, options.order)) {
     // Edges of a net are about 1.4 ε long. Strokes must leave the triangles of fine nets white.
     const double epsilon = certify::parse_decimal(document.epsilon).value_or(mpq_class(1)).get_d();
+    epsilon_text_ = document.epsilon.size() <= 40 ? document.epsilon : certify::shortest(epsilon);
     const double edge = 1.4 * epsilon * paper_.scale({});
     const double unit = options.size / 1000.0;
     edge_width_ = std::clamp(0.03 * edge, 0.08 * unit, 1.2 * unit);
@@ -456,7 +457,7 @@ class Picture {
     const std::string middle = fixed(paper_.middle(), 1);
     const std::string what = "Delaunay triangulation with " + std::to_string(document_.vertices.size()) +
                              " vertices and " + std::to_string(document_.triangles.size()) + " triangles, epsilon " +
-                             document_.epsilon;
+                             epsilon_text_;
     std::string desc = "One lift of every triangle in the Poincare disk, connected, by " +
                        std::string(options_.order == DrawOrder::weight ? "least weight |u|^2+|v|^2 of the edge crossed"
                                                                        : "breadth-first search") +
@@ -476,6 +477,7 @@ class Picture {
   DrawOptions options_;
   Paper paper_;
   Lifts lifts_;
+  std::string epsilon_text_;
   std::vector<bool> on_boundary_;  ///< By dart.
   double edge_width_ = 0;          ///< In pixels, in the centre.
   double dot_width_ = 0;

@@ -379,7 +379,7 @@ void add_output(CLI::App& command, std::string& output, const char* what) {
 
 void add_surface_commands(CLI::App& app, Commands& commands) {
   CLI::App* surface = app.add_subcommand("surface", "Make a surface file.");
-  surface->require_subcommand(1);
+  surface->require_subcommand(0, 1);
   surface->footer("Example:\n  epsnet surface octagon --seed 123 -o s.json");
 
   CLI::App* octagon = surface->add_subcommand(
@@ -485,7 +485,8 @@ int run(int argc, char** argv) {
       "An epsilon-net: every point of the surface is within epsilon of a vertex, and vertices are at least epsilon "
       "apart.",
       "epsnet");
-  app.require_subcommand(1);
+  // 0: an unknown command is then named; a missing one is found below.
+  app.require_subcommand(0, 1);
   add_surface_commands(app, commands);
   add_net_command(app, commands);
   add_draw_command(app, commands);
@@ -505,6 +506,10 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return fail(kExitUsage, std::string(error.what()) + " (try --help)");
   }
+
+  if (!commands.chosen)
+    return fail(kExitUsage, app.got_subcommand("surface") ? "surface: which one, octagon or import? (try --help)"
+                                                          : "which command, surface, net, draw or info? (try --help)");
 
   try {
     commands.chosen();

@@ -1,0 +1,389 @@
+#include "epsnet/netgen/draw.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "epsnet/certify/reader.h"
+#include "epsnet/kernel/plane.h"
+#include "epsnet/netgen/certified_net.h"
+#include "epsnet/netgen/dirichlet.h"
+#include "epsnet/netgen/domain_format.h"
+#include "epsnet/netgen/info.h"
+#include "epsnet/netgen/octagon.h"
+
+namespace epsnet {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+using Point = Complex<double>;
+
+certify::Document verified(const char* name) {
+  return certify::read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
+}
+
+certify::Document octagon_net(std::int32_t seed, const char* epsilon) {
+  return compute_net(random_octagon(seed), Epsilon(epsilon)).net;
+}
+
+certify::Document polygon_net(const char* name, const char* epsilon) {
+  return compute_net(load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/" + name), Epsilon(epsilon)).net;
+}
+
+double euclidean(const Point& u, const Point& v) { return std::sqrt(norm(u - v)); }
+
+/// The area of a hyperbolic triangle by its angles.
+double area(const std::array<Point, 3>& z) {
+  double angles = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Isometry<double> to_corner = Isometry<double>::translation(-z[i]);
+    const Point u = to_corner(z[(i + 1) % 3]);
+    const Point v = to_corner(z[(i + 2) % 3]);
+    angles += std::atan2(cross(u, v), dot(u, v));
+  }
+  return std::numbers::pi - angles;
+}
+
+/// What must hold for the lifts of any verified net.
+void expect_good_lifts(const certify::Document& net, DrawOrder order) {
+  const NetGeometry geometry(net);
+  const Lifts lifts = lift_triangles(geometry, order);
+  ASSERT_EQ(lifts.lifted.size(), net.triangles.size());
+  double total = 0;
+  std::size_t at_centre = 0;
+  for (std::size_t i = 0; i < lifts.lifted.size(); ++i) {
+    const auto& [triangle, corner] = lifts.lifted[i];
+    EXPECT_EQ(lifts.place[triangle], i);
+    total += area(corner);
+    const auto in_chart = geometry.corners(triangle);
+    bool attached = i == 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      // Lifting is an isometry.
+      EXPECT_NEAR(
+          sinh2_half_distance(corner[k], corner[(k + 1) % 3]) / sinh2_half_distance(in_chart[k], in_chart[(k + 1) % 3]),
+          1, 1e-6);
+      // Every triangle but the first shares an edge with an earlier one.
+      const std::uint32_t other = net.triangles[triangle].opposite[k];
+      const auto& neighbour = lifts.lifted[lifts.place[other / 3]].corner;
+      if (lifts.place[other / 3] < i && euclidean(neighbour[other % 3], corner[(k + 1) % 3]) < 1e-9 &&
+          euclidean(neighbour[(other + 1 - other / 3 * 3) % 3], corner[k]) < 1e-9) {
+        attached = true;
+      }
+      at_centre += net.triangles[triangle].vertex[k] == 0 && norm(corner[k]) < 1e-20 ? 1 : 0;
+    }
+    EXPECT_TRUE(attached) << "triangle " << triangle;
+  }
+  EXPECT_GE(at_centre, 1U);
+  EXPECT_NEAR(total, 4 * std::numbers::pi * (geometry.sides().genus - 1.0), 1e-6);
+}
+
+TEST(Lifts, areConnectedIsometricAndFillTheSurface) {
+  for (const DrawOrder order : {DrawOrder::weight, DrawOrder::breadth_first}) {
+    expect_good_lifts(verified("octagon-1-vertex.json"), order);
+    expect_good_lifts(verified("octagon-33-vertices.json"), order);
+    expect_good_lifts(verified("square-of-cocircular-vertices.json"), order);
+    expect_good_lifts(octagon_net(123, "0.2"), order);
+  }
+}
+
+TEST(Lifts, surviveThinPartsAndHighGenus) {
+  expect_good_lifts(polygon_net("polygon-g2-thin-1e-4.txt", "0.5"), DrawOrder::weight);
+  expect_good_lifts(polygon_net("polygon-g10-rnd0.txt", "0.7"), DrawOrder::weight);
+}
+
+TEST(Lifts, byWeightTakeTheEdgeOfLeastWeight) {
+  const certify::Document net = octagon_net(5, "0.4");
+  const NetGeometry geometry(net);
+  const Lifts lifts = lift_triangles(geometry, DrawOrder::weight);
+  for (std::size_t i = 1; i < lifts.lifted.size(); ++i) {
+    // Of all edges between a lifted triangle and one that is not, the next triangle is across the lightest.
+    double least = 2;
+    double taken = 2;
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto& [triangle, corner] = lifts.lifted[j];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t other = net.triangles[triangle].opposite[k] / 3;
+        if (lifts.place[other] < i) continue;
+        const double weight = norm(corner[k]) + norm(corner[(k + 1) % 3]);
+        least = std::min(least, weight);
+        if (lifts.place[other] == i) taken = std::min(taken, weight);
+      }
+    }
+    EXPECT_DOUBLE_EQ(taken, least) << "lift " << i;
+  }
+}
+
+TEST(Lifts, breadthFirstOrderIsByEdgesCrossed) {
+  const certify::Document net = octagon_net(5, "0.4");
+  const Lifts lifts = lift_triangles(NetGeometry(net), DrawOrder::breadth_first);
+  std::vector<std::uint32_t> depth(net.triangles.size(), 0xffffffff);
+  depth[lifts.lifted[0].triangle] = 0;
+  for (const auto& lifted : lifts.lifted) {
+    for (const std::uint32_t opposite : net.triangles[lifted.triangle].opposite)
+      depth[opposite / 3] = std::min(depth[opposite / 3], depth[lifted.triangle] + 1);
+  }
+  EXPECT_TRUE(std::is_sorted(lifts.lifted.begin(), lifts.lifted.end(),
+                             [&](const auto& s, const auto& t) { return depth[s.triangle] < depth[t.triangle]; }));
+}
+
+/// The vertices of a Dirichlet domain are the circumcentres of the Delaunay triangles around the base point (thesis
+/// IV.5), in the triangulation whose only vertex it is; so the distances to the base are circumradii, each three times.
+void expect_circumcentres(const certify::Document& net) {
+  ASSERT_EQ(net.vertices.size(), 1U);
+  const NetGeometry geometry(net);
+  std::vector<double> expected;
+  for (std::uint32_t t = 0; t < net.triangles.size(); ++t) {
+    const auto z = geometry.corners(t);
+    const auto radius = sinh2_circumradius(z[0], z[1], z[2]);
+    expected.insert(expected.end(), 3, radius.numerator / radius.denominator);
+  }
+  const DirichletDomain domain = dirichlet_domain(geometry, 0);
+  std::vector<double> found;
+  for (const Point& z : domain.vertices) {
+    const double s = sinh2_half_distance(Point{}, z);
+    found.push_back(4 * s * (1 + s));  // sinh² d
+  }
+  std::sort(expected.begin(), expected.end());
+  std::sort(found.begin(), found.end());
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i] / expected[i], 1, 1e-5);
+}
+
+TEST(DirichletDomain, verticesAreCircumcentres) {
+  expect_circumcentres(verified("octagon-1-vertex.json"));
+  expect_circumcentres(verified("g2-small-1-vertex.json"));
+  for (const std::int32_t seed : {1, 2, 3, 123, 321}) expect_circumcentres(octagon_net(seed, "20"));
+  expect_circumcentres(polygon_net("polygon-g3-rnd0.txt", "20"));
+  expect_circumcentres(polygon_net("polygon-g10-rnd0.txt", "30"));
+}
+
+TEST(DirichletDomain, hasTheAreaOfTheSurfaceForAnyVertex) {
+  for (const char* name : {"polygon-g2-thin-1e-4.txt", "polygon-g2-thin-1e-8.txt", "polygon-g4-treeloops.txt"}) {
+    const certify::Document net = polygon_net(name, "0.6");
+    const NetGeometry geometry(net);
+    for (const std::uint32_t vertex : {0U, static_cast<std::uint32_t>(net.vertices.size() / 2)}) {
+      const DirichletDomain domain = dirichlet_domain(geometry, vertex);
+      EXPECT_NEAR(domain.area, 4 * std::numbers::pi * (geometry.sides().genus - 1.0), 1e-6) << name;
+      for (std::size_t i = 0; i < domain.vertices.size(); ++i)
+        EXPECT_GE(cross(domain.vertices[i], domain.vertices[(i + 1) % domain.vertices.size()]), 0);
+    }
+  }
+}
+
+RC_GTEST_PROP(DirichletDomainProperty, closesForAnyVertexOfAnyOctagon, ()) {
+  const certify::Document net = octagon_net(*rc::gen::inRange(1, 1000), "0.5");
+  const auto vertex = *rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(net.vertices.size()));
+  const NetGeometry geometry(net);
+  const DirichletDomain domain = dirichlet_domain(geometry, vertex);
+  RC_ASSERT(std::abs(domain.area - 4 * std::numbers::pi) < 1e-6);
+  RC_ASSERT(domain.vertices.size() >= 8 && domain.vertices.size() <= 18);
+}
+
+// ---- The picture ----
+
+/// Numbers of an SVG path whose letters are m, l, a, h, z, in absolute coordinates: for each arc its ends, radius and
+/// sweep.
+struct Arc {
+  std::complex<double> from;
+  std::complex<double> to;
+  double radius;
+  bool sweep;
+};
+
+class PathReader {
+ public:
+  explicit PathReader(const std::string& data) : data_(data) {}
+
+  std::vector<Arc> arcs() {
+    std::vector<Arc> result;
+    char command = ' ';
+    std::complex<double> start;
+    while (at_ < data_.size()) {
+      if (std::isalpha(static_cast<unsigned char>(data_[at_])) != 0) command = data_[at_++];
+      if (command == 'z') {
+        pen_ = start;
+      } else if (command == 'h') {
+        pen_ += number();
+      } else if (command == 'a') {
+        const double radius = number();
+        EXPECT_EQ(number(), radius);
+        EXPECT_EQ(number(), 0);  // rotation
+        EXPECT_EQ(number(), 0);  // geodesics are the smaller arcs
+        const bool sweep = number() == 1;
+        const std::complex<double> from = pen_;
+        pen_ += pair();
+        result.push_back({from, pen_, radius, sweep});
+      } else {
+        pen_ += pair();
+        if (command == 'm') {
+          start = pen_;
+          command = 'l';
+        }
+      }
+    }
+    return result;
+  }
+
+ private:
+  double number() {
+    std::size_t length = 0;
+    const double x = std::stod(data_.substr(at_, 30), &length);
+    at_ += length;
+    return x;
+  }
+  std::complex<double> pair() {
+    const double x = number();
+    return {x, number()};
+  }
+
+  const std::string& data_;
+  std::size_t at_ = 0;
+  std::complex<double> pen_;
+};
+
+std::vector<Arc> arcs_of(const std::string& svg) {
+  std::vector<Arc> result;
+  for (std::size_t at = svg.find(" d=\""); at != std::string::npos; at = svg.find(" d=\"", at + 1)) {
+    const std::string data = svg.substr(at + 4, svg.find('"', at + 4) - at - 4);
+    const std::vector<Arc> arcs = PathReader(data).arcs();
+    result.insert(result.end(), arcs.begin(), arcs.end());
+  }
+  return result;
+}
+
+TEST(Draw, arcsAreOrthogonalToTheBoundaryCircle) {
+  const DrawOptions options{.order = DrawOrder::weight, .dirichlet = true, .size = 1000};
+  const std::vector<Arc> arcs = arcs_of(draw_svg(verified("octagon-33-vertices.json"), options));
+  ASSERT_GT(arcs.size(), 100U);
+  std::size_t tested = 0;
+  for (const Arc& arc : arcs) {
+    const std::complex<double> chord = arc.to - arc.from;
+    if (std::abs(chord) < 20) continue;  // Places are rounded to hundredths of a pixel.
+    const double height = std::sqrt(arc.radius * arc.radius - std::norm(chord) / 4);
+    // y points down: sweep 1 is clockwise for a reader who thinks it points up, positive angles here, with the centre
+    // to the left of the chord.
+    const std::complex<double> to_centre = chord / std::abs(chord) * std::complex<double>(0, arc.sweep ? 1 : -1);
+    const std::complex<double> centre = (arc.from + arc.to) / 2.0 + height * to_centre - std::complex<double>(500, 500);
+    EXPECT_NEAR(std::norm(centre) / (485.0 * 485 + arc.radius * arc.radius), 1, 0.02);
+    ++tested;
+  }
+  EXPECT_GT(tested, 50U);
+}
+
+TEST(Draw, isDeterministicAndDependsOnItsOptions) {
+  const certify::Document net = octagon_net(123, "0.3");
+  std::set<std::string> pictures;
+  for (const DrawOrder order : {DrawOrder::weight, DrawOrder::breadth_first}) {
+    for (const bool dirichlet : {false, true}) {
+      for (const std::uint32_t size : {300U, 1000U}) {
+        const DrawOptions options{.order = order, .dirichlet = dirichlet, .size = size};
+        const std::string picture = draw_svg(net, options);
+        EXPECT_EQ(picture, draw_svg(net, options));
+        EXPECT_THAT(picture, HasSubstr("width=\"" + std::to_string(size) + "\""));
+        EXPECT_EQ(picture.find("nan"), std::string::npos);
+        EXPECT_EQ(picture.find("inf"), std::string::npos);
+        pictures.insert(picture);
+      }
+    }
+  }
+  EXPECT_EQ(pictures.size(), 8U);
+}
+
+TEST(Draw, isOfModerateSize) {
+  const certify::Document net = octagon_net(123, "0.03");
+  const std::string picture = draw_svg(net);
+  EXPECT_LT(picture.size(), 100 * net.vertices.size());
+  EXPECT_GT(picture.size(), 20 * net.vertices.size());
+}
+
+TEST(Draw, writesNoUnboundedTextOfTheDocument) {
+  certify::Document net = verified("octagon-1-vertex.json");
+  net.epsilon = "1" + std::string(100000, '0');
+  EXPECT_LT(draw_svg(net).size(), 20000U);
+}
+
+TEST(Draw, refusesWhatIsNoNet) {
+  const certify::Document good = verified("octagon-9-vertices.json");
+  const auto draw_changed = [&](const auto& change) {
+    return [&, change] {
+      certify::Document net = good;
+      change(net);
+      return draw_svg(net);
+    };
+  };
+  EXPECT_THAT(draw_changed([](auto& net) { net.triangles[3].opposite[1] = 3 * 3 + 1; }),
+              ThrowsMessage<NetGeometryError>(HasSubstr("triangles[")));
+  EXPECT_THAT(draw_changed([](auto& net) { net.triangles[0].vertex[2] = 9; }),
+              ThrowsMessage<NetGeometryError>(HasSubstr("vertex 9")));
+  EXPECT_THAT(draw_changed([](auto& net) { net.triangles.clear(); }),
+              ThrowsMessage<NetGeometryError>(HasSubstr("vertex 0")));
+  EXPECT_THAT(draw_changed([](auto& net) {
+                // A second copy of all triangles, connected within itself only.
+                const auto n = static_cast<std::uint32_t>(net.triangles.size());
+                for (std::uint32_t t = 0; t < n; ++t) {
+                  certify::Triangle copy = net.triangles[t];
+                  for (std::uint32_t& dart : copy.opposite) dart += 3 * n;
+                  net.triangles.push_back(copy);
+                }
+              }),
+              ThrowsMessage<NetGeometryError>(HasSubstr("connected")));
+}
+
+// ---- Information ----
+
+TEST(Info, boundsAreThoseOfTheThesis) {
+  // Table IV.3: lower bounds 100 and 1,600, upper bounds 400 and 6,400 for ε = 0.2 and 0.05 in genus 2.
+  EXPECT_EQ(std::lround(least_vertices(2, 0.2)), 100);
+  EXPECT_EQ(std::lround(least_vertices(2, 0.05)), 1600);
+  EXPECT_EQ(std::lround(most_vertices(2, 0.2)), 400);
+  EXPECT_EQ(std::lround(most_vertices(2, 0.05)), 6400);
+}
+
+TEST(Info, systoleBoundImpliesLemmaIII15) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (double epsilon = 0.01; epsilon < std::asinh(1.0); epsilon += 0.01)
+    EXPECT_GE(systole_lower_bound(epsilon, infinity), epsilon);
+  EXPECT_LT(systole_lower_bound(0.1, 1e-4), 1e-4);
+  EXPECT_GT(systole_lower_bound(0.1, 1e-4), 0.99e-4);
+  EXPECT_GE(systole_lower_bound(2000, infinity), 0);
+}
+
+TEST(Info, systoleBoundHoldsOnSurfacesWithKnownShortCurves) {
+  // The short curve of these surfaces has the length in the name, to within a few percent, by construction; the upper
+  // bound is a loop edge of the net.
+  const certify::Document net = polygon_net("polygon-g2-thin-1e-4.txt", "0.3");
+  const std::string text = net_info(net);
+  const std::size_t at = text.find("(run certify): at least ");
+  ASSERT_NE(at, std::string::npos) << text;
+  const double lower = std::stod(text.substr(at + 24));
+  const double upper = std::stod(text.substr(text.find("at most ", at) + 8));
+  EXPECT_LE(lower, 1.04e-4);
+  EXPECT_GE(lower, 0.9e-4);
+  EXPECT_GE(upper, 0.99e-4);
+  EXPECT_LE(upper, 1.1e-4);
+}
+
+TEST(Info, countsWhatIsThere) {
+  const std::string net = net_info(verified("octagon-33-vertices.json"));
+  EXPECT_THAT(net, HasSubstr("vertices: 33\n"));
+  EXPECT_THAT(net, HasSubstr("edges: 105\n"));
+  EXPECT_THAT(net, HasSubstr("triangles: 70\n"));
+  EXPECT_THAT(net, HasSubstr("genus: 2\n"));
+  const std::string surface = surface_info(random_octagon(1));
+  EXPECT_THAT(surface, HasSubstr("genus: 2\n"));
+  EXPECT_THAT(surface, HasSubstr("sides: 8\n"));
+  EXPECT_THAT(surface, HasSubstr("area 4 pi (g-1): 12.5664\n"));
+}
+
+}  // namespace
+}  // namespace epsnet

@@ -1,0 +1,212 @@
+#!/bin/sh
+# program_test.sh EPSNET CERTIFY DATA: drives the programs end to end. A job that succeeds has exit code 0; one that fails has the exit code expected, one line on
+# standard error that starts with "epsnet: ", and leaves no file, not even a temporary one.
+epsnet=$1
+certify=$2
+data=$3
+failures=0
+runs=0
+here=$(mktemp -d) || exit 1
+trap 'rm -rf "$here"' EXIT
+cd "$here" || exit 1
+mkdir out
+messages=$here/messages
+
+complain() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+# good ARGUMENTS...: the program succeeds, without a word on standard error.
+good() {
+  runs=$((runs + 1))
+  "$epsnet" "$@" >output 2>"$messages"
+  code=$?
+  [ $code = 0 ] || complain "epsnet $*: exit code $code: $(cat "$messages")"
+  [ ! -s "$messages" ] || complain "epsnet $*: standard error says $(cat "$messages")"
+}
+
+# bad CODE TEXT ARGUMENTS...: it fails with this exit code and one line with this text (grep), and leaves nothing in out/.
+bad() {
+  expected=$1
+  text=$2
+  shift 2
+  runs=$((runs + 1))
+  (
+    # No run may need much memory: what a file claims is not what is there.
+    [ -n "$no_memory_limit" ] || ulimit -v 4000000
+    exec "$epsnet" "$@" >output 2>"$messages"
+  )
+  code=$?
+  [ $code = "$expected" ] || complain "epsnet $*: exit code $code, expected $expected: $(cat "$messages")"
+  [ "$(wc -l <"$messages")" = 1 ] || complain "epsnet $*: not one line on standard error: $(cat "$messages")"
+  grep -q '^epsnet: ' "$messages" || complain "epsnet $*: the message does not start with 'epsnet: ': $(cat "$messages")"
+  grep -q -e "$text" "$messages" || complain "epsnet $*: expected '$text' in $(cat "$messages")"
+  [ -z "$(ls -A out)" ] || {
+    complain "epsnet $*: leaves $(ls -A out)"
+    rm -rf out
+    mkdir out
+  }
+}
+
+verified() {
+  runs=$((runs + 1))
+  last=$("$certify" "$1" | tail -n 1)
+  [ "$last" = VERIFIED ] || complain "certify $1: $last"
+}
+
+same() { cmp -s "$1" "$2" || complain "$1 and $2 differ"; }
+
+# Address sanitizer needs terabytes of address space.
+no_memory_limit=
+if (ulimit -v 4000000 && "$epsnet" --help) >/dev/null 2>&1; then :; else no_memory_limit=yes; fi
+
+# ---- The main job ----
+for seed in 1 123 -7; do
+  good surface octagon --seed $seed -o s.json
+  for epsilon in 0.5 3/10 1e-1 30; do
+    good net s.json --epsilon $epsilon -o net.json --svg net.svg --stats
+    grep -q '^verdict: VERIFIED$' output || complain "no verdict for seed $seed, epsilon $epsilon"
+    grep -q '^lower bound' output || complain "no statistics for seed $seed, epsilon $epsilon"
+    verified net.json
+    good draw net.json -o again.svg
+    same net.svg again.svg
+    good info net.json
+    grep -q '^vertices: [1-9]' output || complain "info does not count vertices"
+    good draw net.json -o d.svg --dirichlet --order bfs --size 400
+    grep -q 'Dirichlet domain' d.svg || complain "no Dirichlet domain"
+  done
+done
+good surface octagon --seed 123 -o s.json
+good info s.json
+grep -q '^genus: 2$' output || complain "info of a surface does not say its genus"
+good net s.json --epsilon 0.2 -o flips.json --insert flips --stats
+grep -q '^share of circumcentres in their own triangle: 0\.[5-8]' output || complain "no statistics of walks: $(cat output)"
+good net s.json --epsilon 0.2 -o straight.json --insert flips --locate straight
+verified flips.json
+verified straight.json
+good net s.json --epsilon 0.2 -o unproved.json --no-certify
+grep -q 'not certified' output || complain "--no-certify is not mentioned"
+verified unproved.json
+good surface import "$data/polygons/polygon-g3-rnd0.txt" -o g3.json
+good net g3.json --epsilon 0.5 -o net.json
+verified net.json
+
+# The same bytes again, whatever the number of threads, and on standard output.
+good net s.json --epsilon 0.2 -o once.json --threads 1
+good net s.json --epsilon 0.2 -o twice.json --threads 3
+same once.json twice.json
+"$epsnet" surface octagon --seed 123 -o - >piped.json || complain "a surface on standard output"
+same s.json piped.json
+"$epsnet" net s.json --epsilon 0.2 -o - 2>report >piped.json || complain "a net on standard output"
+same once.json piped.json
+grep -q '^verdict: VERIFIED$' report || complain "the report is not on standard error when the net is on standard output"
+"$epsnet" draw once.json -o - >piped.svg && "$epsnet" draw once.json -o file.svg && same piped.svg file.svg
+good surface import "$data/octagons/g2-seed-123.txt" -o imported.json
+same s.json imported.json
+for command in '' surface 'surface octagon' 'surface import' net draw info; do
+  # shellcheck disable=SC2086
+  good $command --help
+  grep -q 'Example' output || complain "epsnet $command --help has no example"
+done
+
+# ---- Wrong usage ----
+bad 64 'which command'
+bad 64 'nonsense' nonsense
+bad 64 'octagon or import' surface
+bad 64 'nonsense' surface nonsense
+bad 64 'seed' surface octagon -o out/s.json
+bad 64 'seed' surface octagon --seed x -o out/s.json
+bad 64 'seed' surface octagon --seed 99999999999 -o out/s.json
+bad 64 'output' surface octagon --seed 1
+bad 64 'epsilon' net s.json -o out/n.json
+bad 64 'standard output' net s.json --epsilon 1 -o - --svg -
+bad 64 'insert' net s.json --epsilon 1 -o out/n.json --insert magic
+bad 64 'locate' net s.json --epsilon 1 -o out/n.json --locate magic
+bad 64 'threads' net s.json --epsilon 1 -o out/n.json --threads -1
+bad 64 'size' draw once.json -o out/x.svg --size 10
+bad 64 'order' draw once.json -o out/x.svg --order magic
+for epsilon in 0 -1 0.0 -0.5 nan NaN inf infinity 1/0 0/5 -1/2 '' ' ' 0,1 1e 0x1 '1 ' 1e99999; do
+  bad 64 'psilon' net s.json --epsilon "$epsilon" -o out/n.json
+done
+line='two
+lines'
+bad 64 'psilon' net s.json --epsilon "$line" -o out/n.json
+
+# ---- Files ----
+bad 1 'no-such' net no-such.json --epsilon 1 -o out/n.json
+bad 1 'no-such' info no-such.json
+bad 1 'no-such' draw no-such.json -o out/x.svg
+bad 1 'no-such' surface import no-such.txt -o out/s.json
+bad 1 'no-such' info "no-such
+file"
+bad 1 'no-dir' net s.json --epsilon 1 -o no-dir/n.json
+bad 1 'no-dir' net s.json --epsilon 1 -o out/n.json --svg no-dir/n.svg
+bad 1 'out' surface octagon --seed 1 -o out
+bad 1 'out' info out
+bad 1 'out' net out --epsilon 1 -o n.json
+bad 1 's.json' draw s.json -o out/x.svg
+bad 1 'once.json' net once.json --epsilon 1 -o out/n.json
+bad 1 'psilon' net s.json --epsilon 1e-9 -o out/n.json
+if [ -w /dev/full ]; then
+  bad 1 '/dev/full' surface octagon --seed 1 -o /dev/full
+  runs=$((runs + 1))
+  "$epsnet" info s.json >/dev/full 2>"$messages"
+  [ $? = 1 ] || complain "a full disk under standard output"
+fi
+# A file size limit is a full disk for the temporary file.
+(ulimit -f 8 && "$epsnet" net s.json --epsilon 0.05 -o out/n.json >output 2>"$messages")
+[ $? = 1 ] || complain "a file too large: exit code, $(cat "$messages")"
+[ -z "$(ls -A out)" ] || complain "a file too large leaves $(ls -A out)"
+# What was there before stays.
+echo precious >out/kept.json
+(ulimit -f 8 && "$epsnet" net s.json --epsilon 0.05 -o out/kept.json >output 2>"$messages")
+[ "$(cat out/*)" = precious ] || complain "a failed job changes the file that was there"
+rm -f out/kept.json
+
+# ---- Files that are not what they should be ----
+: >empty
+head -c 300 s.json >truncated.json
+head -c 3000 once.json >truncated-net.json
+printf '{"format": "epsnet-surface", "version": 9, "surface": {}}' >version.json
+sed 's/\[0,0,0,4\]/[0,0,1000000000,4]/' s.json >claims.json
+head -c 100000 /dev/zero | tr '\0' '[' >nested.json
+head -c 5000 /dev/urandom >random
+for file in empty truncated.json version.json claims.json nested.json random; do
+  bad 1 "$file" net $file --epsilon 1 -o out/n.json
+  bad 1 "$file" info $file
+  bad 1 "$file" draw $file -o out/x.svg
+  bad 1 "$file" surface import $file -o out/s.json
+done
+bad 1 truncated-net.json draw truncated-net.json -o out/x.svg
+bad 1 truncated-net.json info truncated-net.json
+for file in "$data"/certify/malformed/*; do bad 1 "$(basename "$file")" draw "$file" -o out/x.svg; done
+
+# ---- Polygons that are no surface ----
+octagon="$data/octagons/g2-seed-123.txt"
+polygon() { printf '%s\n' "$@" >polygon.txt; }
+{ echo 1000000000; tail -n +2 "$octagon"; } >polygon.txt
+bad 1 'polygon.txt' surface import polygon.txt -o out/s.json
+# The octagon with z3 moved (line 13) off the area condition: sides still pair, angles do not add up.
+awk 'NR==13 || NR==17 {sub(/[0-9]\//, "1/")} {print}' "$octagon" >polygon.txt
+cmp -s "$octagon" polygon.txt && complain "the octagon was not changed"
+bad 1 'polygon.txt' surface import polygon.txt -o out/s.json
+awk 'NR==11 {$1 = "3/4"} {print}' "$octagon" >polygon.txt  # unequal sides
+bad 1 'polygon.txt' surface import polygon.txt -o out/s.json
+awk 'NR==10 {$1 = "1"} {print}' "$octagon" >polygon.txt  # on the circle
+bad 1 'polygon.txt' surface import polygon.txt -o out/s.json
+awk 'NR==10 {$1 = "3/2"} {print}' "$octagon" >polygon.txt  # outside of the disk
+bad 1 'polygon.txt' surface import polygon.txt -o out/s.json
+awk 'NR==2 {$1 = "0"} {print}' "$octagon" >polygon.txt  # glued to itself
+bad 1 'polygon.txt' surface import polygon.txt -o out/s.json
+awk 'NR==2 {$1 = "5"} {print}' "$octagon" >polygon.txt  # not symmetric
+bad 1 'polygon.txt' surface import polygon.txt -o out/s.json
+{ head -n 9 "$octagon"; tail -n 8 "$octagon" | tac; } >polygon.txt  # clockwise
+bad 1 'polygon.txt' surface import polygon.txt -o out/s.json
+polygon 4 1 0 3 2 '1/2 0' '0 1/2' '-1/2 0' '0 -1/2'  # a sphere
+bad 1 'polygon.txt' surface import polygon.txt -o out/s.json
+polygon 4 2 3 0 1 '1/2 0' '0 1/2' '-1/2 0' '0 -1/2'  # a torus
+bad 1 'polygon.txt' surface import polygon.txt -o out/s.json
+
+echo "$runs runs, $failures failures"
+[ "$failures" = 0 ] && [ "$runs" -gt 150 ]
