@@ -374,7 +374,7 @@ struct Commands {
 void add_output(CLI::App& command, std::string& output, const char* what) {
   command.add_option("-o,--output", output, std::string(what) + "; \"-\" is standard output")
       ->required()
-      ->option_text("FILE");
+      ->option_text("FILE REQUIRED");
 }
 
 void add_surface_commands(CLI::App& app, Commands& commands) {
@@ -386,7 +386,7 @@ void add_surface_commands(CLI::App& app, Commands& commands) {
       "octagon", "A random surface of genus 2: a symmetric octagon, the same as CGAL 6.1 makes from that seed.");
   octagon->add_option("--seed", commands.octagon.seed, "a 32-bit integer; the same seed gives the same surface")
       ->required()
-      ->option_text("N");
+      ->option_text("N REQUIRED");
   add_output(*octagon, commands.octagon.output, "the surface file to write");
   octagon->footer("Example:\n  epsnet surface octagon --seed 123 -o s.json");
   octagon->callback([&] { commands.chosen = [&] { make_octagon(commands.octagon); }; });
@@ -396,7 +396,8 @@ void add_surface_commands(CLI::App& app, Commands& commands) {
   import
       ->add_option("FILE", commands.import.file,
                    "number of sides; per side the index of the side it is glued to; per vertex \"x y\"")
-      ->required();
+      ->required()
+      ->option_text("REQUIRED");
   add_output(*import, commands.import.output, "the surface file to write");
   import->footer("Example:\n  epsnet surface import polygon.txt -o s.json");
   import->callback([&] { commands.chosen = [&] { import_surface(commands.import);
@@ -408,22 +409,24 @@ void add_surface_commands(CLI::App& app, Commands& commands) {
 void add_net_command(CLI::App& app, Commands& commands) {
   NetRequest& request = commands.net;
   CLI::App* net = app.add_subcommand("net", "Compute an epsilon-net of a surface, prove it, write it.");
-  net->add_option("SURFACE", request.surface, "a surface file")->required();
+  net->add_option("SURFACE", request.surface, "a surface file")->required()->option_text("REQUIRED");
   net->add_option("--epsilon", request.epsilon, "a positive decimal or fraction: 0.1 is exactly 1/10")
       ->required()
-      ->option_text("E");
+      ->option_text("E REQUIRED");
   add_output(*net, request.output, "the net file to write, only if the net is verified");
   net->add_option("--svg", request.svg, "also draw the net; \"-\" is standard output")->option_text("FILE");
   net->add_flag("--no-certify", request.no_certify, "write the net without checking it: nothing is proved");
-  net->add_option("--insert", request.options.insertion,
-                  "how points are inserted: cavity is fast; flips is the way of the thesis, with its statistics")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Insertion>{{"cavity", Insertion::cavity}, {"flips", Insertion::flips}}))
-      ->option_text("cavity|flips [cavity]");
-  net->add_option("--locate", request.options.walk, "the walk with which --insert flips finds triangles")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Walk>{{"visibility", Walk::visibility}, {"straight", Walk::straight}}))
-      ->option_text("visibility|straight [visibility]");
+  CLI::Option* insert =
+      net->add_option("--insert", request.options.insertion,
+                      "how points are inserted: cavity is fast; flips is the way of the thesis, with its statistics")
+          ->transform(CLI::CheckedTransformer(
+              std::map<std::string, Insertion>{{"cavity", Insertion::cavity}, {"flips", Insertion::flips}}))
+          ->option_text("cavity|flips [cavity]");
+  CLI::Option* locate = net->add_option("--locate", request.options.walk,
+                                        "the walk with which --insert flips, implied by this, finds triangles")
+                            ->transform(CLI::CheckedTransformer(std::map<std::string, Walk>{
+                                {"visibility", Walk::visibility}, {"straight", Walk::straight}}))
+                            ->option_text("visibility|straight [visibility]");
   net->add_flag("--stats", request.stats, "also print what the thesis measures, and times");
   net->add_option("--threads", request.options.check.threads, "of the certificate; 0 is one per core")
       ->check(CLI::Range(0U, 1024U))
@@ -432,14 +435,21 @@ void add_net_command(CLI::App& app, Commands& commands) {
       "Example:\n"
       "  epsnet net s.json --epsilon 0.1 -o net.json --svg net.svg && certify net.json\n\n"
       "The report goes to standard output, or to standard error if a file goes there.");
-  net->callback([&] { commands.chosen = [&] { make_net(commands.net); }; });
+  net->callback([&commands, insert, locate] {
+    if (locate->count() > 0) {
+      if (insert->count() > 0 && commands.net.options.insertion == Insertion::cavity)
+        throw CLI::ValidationError("--locate", "a cavity needs no walk; use --insert flips");
+      commands.net.options.insertion = Insertion::flips;
+    }
+    commands.chosen = [&] { make_net(commands.net); };
+  });
 }
 
 void add_draw_command(CLI::App& app, Commands& commands) {
   DrawRequest& request = commands.draw;
   CLI::App* draw_command = app.add_subcommand(
       "draw", "Draw a net: one lift of every triangle, with vertex 0 in the centre of the Poincare disk.");
-  draw_command->add_option("NET", request.net, "a net file")->required();
+  draw_command->add_option("NET", request.net, "a net file")->required()->option_text("REQUIRED");
   add_output(*draw_command, request.output, "the SVG file to write");
   draw_command
       ->add_option("--order", request.options.order,
@@ -457,7 +467,7 @@ void add_draw_command(CLI::App& app, Commands& commands) {
 
 void add_info_command(CLI::App& app, Commands& commands) {
   CLI::App* info = app.add_subcommand("info", "Say what is in a surface file or a net file.");
-  info->add_option("FILE", commands.info, "a surface file or a net file")->required();
+  info->add_option("FILE", commands.info, "a surface file or a net file")->required()->option_text("REQUIRED");
   info->footer("Example:\n  epsnet info net.json");
   info->callback([&] { commands.chosen = [&] { print_info(commands.info); }; });
 }

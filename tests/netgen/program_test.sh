@@ -85,6 +85,8 @@ grep -q '^share of circumcentres in their own triangle: 0\.[5-8]' output || comp
 good net s.json --epsilon 0.2 -o straight.json --insert flips --locate straight
 verified flips.json
 verified straight.json
+good net s.json --epsilon 0.2 -o implied.json --locate straight
+same straight.json implied.json
 good net s.json --epsilon 0.2 -o unproved.json --no-certify
 grep -q 'not certified' output || complain "--no-certify is not mentioned"
 verified unproved.json
@@ -123,6 +125,7 @@ bad 64 'epsilon' net s.json -o out/n.json
 bad 64 'standard output' net s.json --epsilon 1 -o - --svg -
 bad 64 'insert' net s.json --epsilon 1 -o out/n.json --insert magic
 bad 64 'locate' net s.json --epsilon 1 -o out/n.json --locate magic
+bad 64 'cavity' net s.json --epsilon 1 -o out/n.json --insert cavity --locate straight
 bad 64 'threads' net s.json --epsilon 1 -o out/n.json --threads -1
 bad 64 'size' draw once.json -o out/x.svg --size 10
 bad 64 'order' draw once.json -o out/x.svg --order magic
