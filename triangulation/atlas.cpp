@@ -141,11 +141,13 @@ Atlas::Evaluation<T> Atlas::evaluate(std::uint32_t from, std::uint32_t to, const
   factors.push_back(normalized(epsnet::inverse(frame<T>(to))));
   std::vector<double> before;
   Isometry<T> product;
+  double lost = 0;
   for (const Isometry<T>& f : factors) {
     before.push_back(log2_norm(product) + log2_norm(f));
     product = f * product;
+    // A product that has come out too small through cancellation has lost as much as went into it.
+    lost = std::max(lost, before.back() + log2_norm(product));
   }
-  double lost = 0;
   Isometry<T> after;
   for (std::size_t i = factors.size(); i-- > 0;) {
     lost = std::max(lost, before[i] + log2_norm(after));

@@ -15,7 +15,8 @@ std::array<T, 2> enclosure(const Rational& x) {
     // Every operation is monotonous, and rounded in the same direction.
     const mpfr_rnd_t direction = end == 0 ? MPFR_RNDD : MPFR_RNDU;
     mpfr_t value;
-    mpfr_init2(value, kMantissaBits<T>);
+    // With bits to spare, so that the two ends are neighbours whatever x is (the near-origin stages need that).
+    mpfr_init2(value, kMantissaBits<T> + 64);
     mpfr_set_q(value, x.backend().data(), direction);
     mpfr_sinh(value, value, direction);
     mpfr_sqr(value, value, direction);
