@@ -127,7 +127,8 @@ class Lifter {
 struct Place {
   std::int64_t x;
   std::int64_t y;
-  auto operator<=>(const Place&) const = default;
+  bool operator==(const Place&) const = default;
+  bool operator<(const Place& other) const { return std::pair(x, y) < std::pair(other.x, other.y); }
 };
 
 /// The disk on paper: centre in the middle, y upwards.

@@ -158,7 +158,7 @@ std::string surface_info(const Surface& surface) {
     }
   }
   line(out, "height of the coordinates",
-       "up to " + std::to_string(longest) + " digits, mean " + std::to_string(total / (2 * surface.side_count())));
+       "up to " + std::to_string(longest) + " digits, mean " + std::to_string(total / 2 / surface.side_count()));
   line(out, "side lengths", sides.text());
   line(out, "perimeter of all tiles", perimeter);
   return out.str();
