@@ -147,7 +147,7 @@ void Triangulation::set(std::uint32_t t, Corner c0, Corner c1, Corner c2, Journa
     labels = (std::uint64_t{l1} << 40) | (std::uint64_t{l2} << 16);
   }
   triangle.vertex = {c0.vertex, c1.vertex, c2.vertex};
-  triangle.labels_and_stamp = labels | static_cast<std::uint16_t>(triangle.stamp() + 1);
+  triangle.labels_and_mark = labels;
 }
 
 LabelId Triangulation::transition(Dart d) {
@@ -360,7 +360,7 @@ bool Triangulation::find_cavity(std::uint32_t t, Corner p) {
     const std::uint32_t s = triangle_of(e);
     const std::uint32_t j = corner_of(e);
     const Triangle& outside = triangles_[s];
-    const bool identities = (lift_of_d | (inside.labels_and_stamp >> 16) | (outside.labels_and_stamp >> 16)) == 0;
+    const bool identities = (lift_of_d | (inside.labels_and_mark >> 16) | (outside.labels_and_mark >> 16)) == 0;
     LabelId lift_of_s = kIdentity;
     StageSign sign;
     if (identities) {
@@ -494,13 +494,14 @@ bool Triangulation::insert_locally(std::uint32_t t, const Complex<double>& p, co
     Triangle& made = triangles_[slots[i]];
     made.vertex = {v, from.vertex, to.vertex};
     made.opposite = {make_dart(slots[preceding], 2), edges[i].outer, make_dart(slots[following], 0)};
-    made.labels_and_stamp = static_cast<std::uint16_t>(made.stamp() + 1);
+    made.labels_and_mark = 0;
     triangles_[triangle_of(edges[i].outer)].opposite[corner_of(edges[i].outer)] = make_dart(slots[i], 1);
     const StageSign sign = circumradius_stage_near_origin(
         sinh2_circumradius<double>(from.offset_norm, norm(points_[from.vertex] - points_[to.vertex]), to.offset_norm,
                                    height, heights[i], heights[following]),
         large.high());
     if (sign.certain ? sign.sign > 0 : compare_circumradius(slots[i], large) > 0) {
+      made.labels_and_mark = 1;
       large_triangles.push_back(slots[i]);
     }
   }

@@ -36,16 +36,16 @@ struct Vertex {
 struct Triangle {
   std::array<std::uint32_t, 3> vertex;
   std::array<Dart, 3> opposite;
-  std::uint64_t labels_and_stamp;  ///< Label of corner 1 (24 bits), of corner 2 (24 bits), stamp (16 bits).
+  std::uint64_t labels_and_mark;  ///< Label of corner 1 (24 bits), of corner 2 (24 bits), 15 zeros, the mark.
 
   [[nodiscard]] LabelId label(std::uint32_t corner) const {
     return corner == 0   ? kIdentity
-           : corner == 1 ? static_cast<LabelId>(labels_and_stamp >> 40)
-                         : static_cast<LabelId>((labels_and_stamp >> 16) & 0xffffff);
+           : corner == 1 ? static_cast<LabelId>(labels_and_mark >> 40)
+                         : static_cast<LabelId>((labels_and_mark >> 16) & 0xffffff);
   }
-  [[nodiscard]] bool all_identity() const { return (labels_and_stamp >> 16) == 0; }
-  /// Changes whenever the slot gets another triangle, so that (slot, stamp) names a triangle.
-  [[nodiscard]] std::uint16_t stamp() const { return static_cast<std::uint16_t>(labels_and_stamp); }
+  [[nodiscard]] bool all_identity() const { return (labels_and_mark >> 16) == 0; }
+  /// Set by `mark` and lost when the slot gets another triangle: for algorithms that keep lists of triangles.
+  [[nodiscard]] bool marked() const { return (labels_and_mark & 1) != 0; }
   bool operator==(const Triangle&) const = default;
 };
 static_assert(sizeof(Triangle) == 32);
@@ -139,6 +139,7 @@ class Triangulation {
   }
   /// The circumcentre of triangle t in its chart, in binary64 where that is accurate enough to be inside of the circle.
   [[nodiscard]] std::optional<Complex<double>> circumcentre_fast(std::uint32_t t) const;
+  void mark(std::uint32_t t) { triangles_[t].labels_and_mark |= 1; }
   // Asks the memory for what an insertion at triangle t is going to touch, one step of indirection after the other.
   void prefetch_triangle(std::uint32_t t) const { __builtin_prefetch(&triangles_[t]); }
   void prefetch_neighbours(std::uint32_t t) const {
@@ -193,7 +194,7 @@ class Triangulation {
   /// insert_in_cavity for a new vertex at the point p of t's chart, where nothing but identity labels is met and
   /// binary64 decides everything: the way of nearly all insertions, with every coordinate loaded once. False, with
   /// nothing changed, if anything else is met, or if p is not certainly at a distance d with sinh²(d/2) > apart from
-  /// all other vertices. `large_triangles` gets the new triangles with sinh²R > large.
+  /// all other vertices. `large_triangles` gets the new triangles with sinh²R > large, which are marked.
   [[nodiscard]] bool insert_locally(std::uint32_t t, const Complex<double>& p, const Threshold& apart,
                                     const Threshold& large, std::vector<std::uint32_t>& large_triangles);
   /// The triangles around the vertex that the last insert_in_cavity, split_face or split_edge inserted: it is their
