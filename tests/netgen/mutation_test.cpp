@@ -1,0 +1,374 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <random>
+#include <sstream>
+
+#include "epsnet/certify/check.h"
+#include "epsnet/certify/reader.h"
+#include "epsnet/certify/writer.h"
+#include "epsnet/netgen/certified_net.h"
+#include "epsnet/netgen/domain_format.h"
+#include "epsnet/netgen/octagon.h"
+#include "netgen/oracle.h"
+#include "support/scale.h"
+
+/// Single random defects in verified nets: `certify` must say what the oracle says.
+namespace epsnet {
+namespace {
+
+using certify::Document;
+using certify::Verdict;
+
+/// The same numbers with every standard library.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  [[nodiscard]] std::uint32_t below(std::size_t n) { return static_cast<std::uint32_t>(engine_() % n); }
+  [[nodiscard]] double share() { return std::ldexp(static_cast<double>(engine_() >> 11), -53); }
+  [[nodiscard]] double sign() { return below(2) == 0 ? 1 : -1; }
+  template <class T>
+  [[nodiscard]] T& of(std::vector<T>& rows) {
+    return rows[below(rows.size())];
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// Another index below n; sometimes one that is just too large, or as large as can be.
+void change_index(std::uint32_t& index, std::size_t n, Random& random) {
+  switch (random.below(12)) {
+    case 0:
+      index = static_cast<std::uint32_t>(n);
+      break;
+    case 1:
+      index = ~0U;
+      break;
+    default:
+      index = random.below(n);
+  }
+}
+
+/// A little or a lot, relative to numbers below 1.
+mpq_class some_step(Random& random) {
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, 1 + random.below(40));
+  return mpq_class(random.below(2) == 0 ? 1 : -1, power);
+}
+
+double& coordinate(Document& net, Random& random) {
+  certify::Vertex& v = random.of(net.vertices);
+  return random.below(2) == 0 ? v.x : v.y;
+}
+mpq_class& coordinate(certify::RationalPoint& z, Random& random) { return random.below(2) == 0 ? z.x : z.y; }
+
+std::uint32_t& letter(Document& net, Random& random) {
+  std::vector<std::uint32_t*> letters;
+  for (certify::Label& l : net.labels) {
+    for (std::uint32_t& s : l.word) letters.push_back(&s);
+  }
+  return *random.of(letters);
+}
+
+std::size_t side_count(const Document& net) {
+  std::size_t n = 0;
+  for (const certify::Tile& tile : net.surface.tiles) n += tile.size();
+  return n;
+}
+
+struct Mutation {
+  const char* name;
+  std::function<void(Document&, Random&)> apply;
+};
+
+const std::vector<Mutation>& mutations() {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  static const std::vector<Mutation> all{
+      {"vertex moved by an ulp",
+       [](Document& net, Random& r) {
+         double& x = coordinate(net, r);
+         x = std::nextafter(x, r.sign());
+       }},
+      {"vertex moved by 1e-6", [](Document& net, Random& r) { coordinate(net, r) += 1e-6 * r.sign(); }},
+      {"vertex moved by up to 0.3", [](Document& net, Random& r) { coordinate(net, r) += 0.3 * r.share() * r.sign(); }},
+      {"vertex anywhere",
+       [](Document& net, Random& r) {
+         const std::vector<double> numbers{
+             0.0,       -0.0, 1.0,    -1.0, 0.999999, 2.0,          -1e300,
+             kInfinity, 1e-9, 5e-324, 0.5,  -0.5,     std::nan(""), std::nextafter(1.0, 0.0)};
+         coordinate(net, r) = numbers[r.below(numbers.size())];
+       }},
+      {"vertex mirrored",
+       [](Document& net, Random& r) {
+         double& x = coordinate(net, r);
+         x = -x;
+       }},
+      {"vertices exchanged", [](Document& net, Random& r) { std::swap(r.of(net.vertices), r.of(net.vertices)); }},
+      {"vertex in another chart",
+       [](Document& net, Random& r) { change_index(r.of(net.vertices).chart, net.charts.size() + 1, r); }},
+      {"vertex dropped", [](Document& net, Random&) { net.vertices.pop_back(); }},
+      {"vertex added", [](Document& net, Random& r) { net.vertices.push_back(r.of(net.vertices)); }},
+      {"chart moved", [](Document& net, Random& r) { coordinate(r.of(net.charts).centre, r) += some_step(r); }},
+      {"chart mirrored",
+       [](Document& net, Random& r) {
+         mpq_class& x = coordinate(r.of(net.charts).centre, r);
+         x = -x;
+       }},
+      {"chart of another tile",
+       [](Document& net, Random& r) { change_index(r.of(net.charts).tile, net.surface.tiles.size() + 1, r); }},
+      {"chart dropped", [](Document& net, Random&) { net.charts.pop_back(); }},
+      {"epsilon a little different",
+       [](Document& net, Random& r) {
+         mpq_class value(Epsilon(net.epsilon).value().backend().data());
+         value *= 1 + some_step(r);
+         net.epsilon = value.get_str();
+       }},
+      {"epsilon up to twice or half",
+       [](Document& net, Random& r) {
+         const double factor = std::exp2(r.share() * r.sign());
+         std::ostringstream text;
+         text << factor * static_cast<double>(Epsilon(net.epsilon).value());
+         net.epsilon = text.str();
+       }},
+      {"epsilon something else",
+       [](Document& net, Random& r) {
+         const std::vector<const char*> texts{"0",   "-1",   "",        "nan", "inf", "1/0",    "0x1", "1e9999",
+                                              "100", "1e-9", "1e-9999", "0.0", "1 ",  "-0.5e1", "1/",  "1e99999"};
+         net.epsilon = texts[r.below(texts.size())];
+       }},
+      {"letter changed", [](Document& net, Random& r) { change_index(letter(net, r), side_count(net) + 1, r); }},
+      {"letter dropped",
+       [](Document& net, Random& r) {
+         auto& word = r.of(net.labels).word;
+         if (!word.empty()) word.erase(word.begin() + r.below(word.size()));
+       }},
+      {"letter added",
+       [](Document& net, Random& r) {
+         auto& word = r.of(net.labels).word;
+         word.insert(word.begin() + r.below(word.size() + 1), r.below(side_count(net)));
+       }},
+      {"word reversed",
+       [](Document& net, Random& r) {
+         auto& word = r.of(net.labels).word;
+         std::reverse(word.begin(), word.end());
+       }},
+      {"words exchanged", [](Document& net, Random& r) { std::swap(r.of(net.labels).word, r.of(net.labels).word); }},
+      {"a side crossed there and back",
+       [](Document& net, Random& r) {
+         // The same element of the group, so the same net.
+         auto& word = r.of(net.labels).word;
+         const certify::Gluing& g = r.of(net.surface.gluing);
+         if (net.surface.tiles.size() == 1)
+           word.insert(word.begin() + r.below(word.size() + 1), {g.side, g.other_side});
+       }},
+      {"label to another chart",
+       [](Document& net, Random& r) {
+         certify::Label& l = r.of(net.labels);
+         change_index(r.below(2) == 0 ? l.from : l.to, net.charts.size() + 1, r);
+       }},
+      {"labels exchanged", [](Document& net, Random& r) { std::swap(r.of(net.labels), r.of(net.labels)); }},
+      {"label dropped",
+       [](Document& net, Random& r) { net.labels.erase(net.labels.begin() + r.below(net.labels.size())); }},
+      {"corner of another vertex",
+       [](Document& net, Random& r) { change_index(r.of(net.triangles).vertex[r.below(3)], net.vertices.size(), r); }},
+      {"another opposite",
+       [](Document& net, Random& r) {
+         change_index(r.of(net.triangles).opposite[r.below(3)], 3 * net.triangles.size(), r);
+       }},
+      {"two edges glued otherwise",
+       [](Document& net, Random& r) {
+         // a–b and c–d become a–d and c–b: still an involution.
+         const auto across = [&](std::uint32_t d) -> std::uint32_t& { return net.triangles[d / 3].opposite[d % 3]; };
+         const std::uint32_t a = r.below(3 * net.triangles.size());
+         const std::uint32_t c = r.below(3 * net.triangles.size());
+         const std::uint32_t b = across(a);
+         const std::uint32_t d = across(c);
+         if (a == d) return;
+         across(a) = d;
+         across(d) = a;
+         across(c) = b;
+         across(b) = c;
+       }},
+      {"corner with another label",
+       [](Document& net, Random& r) { change_index(r.of(net.triangles).label[r.below(2)], net.labels.size() + 1, r); }},
+      {"corner with another label that fits",
+       [](Document& net, Random& r) {
+         certify::Triangle& t = r.of(net.triangles);
+         std::uint32_t& l = t.label[r.below(2)];
+         const certify::Label wanted =
+             l == 0 ? certify::Label{net.vertices[t.vertex[0]].chart, net.vertices[t.vertex[0]].chart, {}}
+                    : net.labels[l - 1];
+         for (int i = 0; i < 50; ++i) {
+           const std::uint32_t other = r.below(net.labels.size());
+           if (other + 1 != l && net.labels[other].from == wanted.from && net.labels[other].to == wanted.to) {
+             l = other + 1;
+             return;
+           }
+         }
+       }},
+      {"corners' labels exchanged",
+       [](Document& net, Random& r) {
+         certify::Triangle& t = r.of(net.triangles);
+         std::swap(t.label[0], t.label[1]);
+       }},
+      {"triangle turned over",
+       [](Document& net, Random& r) {
+         certify::Triangle& t = r.of(net.triangles);
+         std::swap(t.vertex[1], t.vertex[2]);
+         std::swap(t.label[0], t.label[1]);
+       }},
+      {"triangles exchanged", [](Document& net, Random& r) { std::swap(r.of(net.triangles), r.of(net.triangles)); }},
+      {"triangle dropped",
+       [](Document& net, Random& r) { net.triangles.erase(net.triangles.begin() + r.below(net.triangles.size())); }},
+      {"triangle doubled", [](Document& net, Random& r) { net.triangles.push_back(r.of(net.triangles)); }},
+      {"polygon's vertex moved",
+       [](Document& net, Random& r) { coordinate(r.of(r.of(net.surface.tiles)), r) += some_step(r); }},
+      {"polygon's vertices exchanged",
+       [](Document& net, Random& r) {
+         certify::Tile& tile = r.of(net.surface.tiles);
+         std::swap(r.of(tile), r.of(tile));
+       }},
+      {"polygon reversed",
+       [](Document& net, Random& r) {
+         certify::Tile& tile = r.of(net.surface.tiles);
+         std::reverse(tile.begin(), tile.end());
+       }},
+      {"polygon's vertex dropped", [](Document& net, Random& r) { r.of(net.surface.tiles).pop_back(); }},
+      {"gluing changed",
+       [](Document& net, Random& r) {
+         certify::Gluing& g = r.of(net.surface.gluing);
+         change_index(r.below(2) == 0 ? g.side : g.other_side, side_count(net), r);
+       }},
+      {"gluings crossed",
+       [](Document& net, Random& r) {
+         std::swap(r.of(net.surface.gluing).other_side, r.of(net.surface.gluing).other_side);
+       }},
+      {"gluing turned round",
+       [](Document& net, Random& r) {
+         // The same pairs: still the same net.
+         certify::Gluing& g = r.of(net.surface.gluing);
+         g = {g.other_tile, g.other_side, g.tile, g.side};
+       }},
+      {"gluing dropped", [](Document& net, Random&) { net.surface.gluing.pop_back(); }},
+      {"tile added", [](Document& net, Random&) { net.surface.tiles.push_back(net.surface.tiles[0]); }},
+  };
+  return all;
+}
+
+std::string written(const Document& net) {
+  std::ostringstream out;
+  certify::write_net(net, out);
+  return out.str();
+}
+
+/// Mutants by mutation and by what became of them.
+using Table = std::map<std::string, std::map<std::string, int>>;
+
+void print(const Table& table) {
+  const std::vector<const char*> columns{"structure", "surface",  "map",     "gluing",   "orientation",
+                                         "delaunay",  "covering", "packing", "verified", "undecided"};
+  std::cout << std::left << std::setw(38) << "" << std::right;
+  for (const char* c : columns) std::cout << std::setw(12) << c;
+  std::cout << '\n';
+  for (const auto& [row, counts] : table) {
+    std::cout << std::left << std::setw(38) << row << std::right;
+    for (const char* c : columns) {
+      const auto found = counts.find(c);
+      std::cout << std::setw(12) << (found == counts.end() ? std::string(".") : std::to_string(found->second));
+    }
+    std::cout << '\n';
+  }
+}
+
+/// Checks one mutant and returns what became of it.
+std::string outcome(const Document& mutant, test::Oracle& oracle) {
+  const std::string broken = oracle.broken_rule(mutant);
+  const certify::Certificate certificate = certify::check(mutant, {.threads = 1, .max_precision = 2048});
+  switch (certificate.verdict) {
+    case Verdict::verified:
+      EXPECT_EQ(broken, "") << "verified, but the oracle says that a rule is broken";
+      break;
+    case Verdict::refuted:
+    case Verdict::malformed:
+      EXPECT_EQ(certificate.rule, broken) << certify::name(certificate.verdict) << ": " << certificate.message;
+      break;
+    case Verdict::undecided:
+      break;
+  }
+  // The reader sees a broken structure too, and nothing else; NaN and infinity cannot even be written.
+  try {
+    EXPECT_EQ(certify::parse_net(written(mutant), "mutant"), mutant);
+    EXPECT_NE(certificate.verdict, Verdict::malformed) << certificate.message;
+  } catch (const certify::MalformedError& error) {
+    EXPECT_EQ(certificate.verdict, Verdict::malformed) << error.what();
+  }
+  return certificate.verdict == Verdict::verified    ? "verified"
+         : certificate.verdict == Verdict::undecided ? "undecided"
+                                                     : certificate.rule;
+}
+
+struct Base {
+  std::string name;
+  Document net;
+};
+
+std::vector<Base> bases() {
+  std::vector<Base> result;
+  for (const auto& [seed, epsilon] :
+       std::vector<std::pair<std::int32_t, const char*>>{{123, "1.5"}, {321, "0.8"}, {2, "0.5"}, {7, "3"}}) {
+    result.push_back({"octagon " + std::to_string(seed) + ", epsilon " + epsilon,
+                      certified_net(random_octagon(seed), Epsilon(epsilon)).net});
+  }
+  // A short curve: charts and words that lead far into its collar.
+  const Surface thin = load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g2-thin-1e-4.txt");
+  result.push_back({"thin, epsilon 1.5", certified_net(thin, Epsilon("1.5")).net});
+  return result;
+}
+
+TEST(Mutation, TheOracleAgreesWithEveryUnchangedNet) {
+  test::Oracle oracle;
+  for (const auto& [name, net] : bases()) {
+    EXPECT_EQ(oracle.broken_rule(net), "") << name;
+    EXPECT_EQ(outcome(net, oracle), "verified") << name;
+  }
+}
+
+TEST(Mutation, NoMutantIsVerifiedUnlessTheOracleAgrees) {
+  Random random(20250915);
+  Table table;
+  const int rounds = test::scaled(25);
+  for (const auto& [name, net] : bases()) {
+    test::Oracle oracle;
+    for (int round = 0; round < rounds; ++round) {
+      for (const Mutation& mutation : mutations()) {
+        Document mutant = net;
+        if (mutant.labels.empty()) continue;
+        mutation.apply(mutant, random);
+        if (mutant == net) continue;
+        SCOPED_TRACE(name + ", " + mutation.name + ", round " + std::to_string(round));
+        const std::string result = outcome(mutant, oracle);
+        ++table[mutation.name][result];
+        ++table["~ all"][result];
+      }
+    }
+  }
+  print(table);
+  const auto& killed = table["~ all"];
+  for (const char* rule : {"structure", "surface", "map", "gluing", "orientation", "delaunay", "covering", "packing"}) {
+    EXPECT_TRUE(killed.contains(rule)) << "no mutant was killed by rule " << rule;
+  }
+  // Both are not nets of another kind by accident: moves by an ulp and detours in words leave a net what it is.
+  EXPECT_GT(table["vertex moved by an ulp"]["verified"], 0);
+  EXPECT_GT(table["a side crossed there and back"]["verified"], 0);
+  EXPECT_EQ(table["a side crossed there and back"].size(), 1U);
+  EXPECT_EQ(table["gluing turned round"].size(), 1U);
+}
+
+}  // namespace
+}  // namespace epsnet

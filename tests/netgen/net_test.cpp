@@ -1,0 +1,310 @@
+#include "epsnet/netgen/certified_net.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "epsnet/certify/reader.h"
+#include "epsnet/certify/writer.h"
+#include "support/polygons.h"
+#include "support/scale.h"
+#include "support/triangulations.h"
+
+namespace epsnet {
+namespace {
+
+using certify::Verdict;
+using test::any_index;
+using test::any_share;
+
+const NetOptions kOneThread{.check = {.threads = 1}};
+
+std::string text_of(const certify::Document& net) {
+  std::ostringstream out;
+  certify::write_net(net, out);
+  return out.str();
+}
+
+std::int32_t any_seed() { return any_index<std::int32_t>(100'000); }
+
+/// Between `least` and `most`, logarithmically uniform, with few digits.
+std::string any_epsilon(double least, double most) {
+  std::ostringstream text;
+  text.precision(4);
+  text << least * std::pow(most / least, any_share());
+  return text.str();
+}
+
+/// The length of the shortest closed curve that crosses at most four sides: the systole or a little more.
+double short_curve(const Surface& surface) {
+  std::vector<Isometry<double>> generators;
+  for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
+    generators.push_back(normalized(convert<double>(surface.crossing(s))));
+  }
+  double least = HUGE_VAL;
+  std::vector<Isometry<double>> words{{}};
+  for (int length = 1; length <= 4; ++length) {
+    std::vector<Isometry<double>> longer;
+    for (const Isometry<double>& word : words) {
+      for (const Isometry<double>& g : generators) {
+        longer.push_back(g * word);
+        const double half_trace = std::abs(longer.back().a.x);  // cosh of half the translation length
+        if (half_trace > 1 + 1e-9) {
+          least = std::min(least, 2 * std::acosh(half_trace));
+        }
+      }
+    }
+    words = std::move(longer);
+  }
+  return least;
+}
+
+void expect_verified(const Surface& surface, const std::string& epsilon, const NetOptions& options = {}) {
+  try {
+    const CertifiedNet net = certified_net(surface, Epsilon(epsilon), options);
+    EXPECT_EQ(net.certificate.verdict, Verdict::verified);
+    EXPECT_EQ(net.certificate.counts.genus, surface.genus());
+    const double lower = (surface.genus() - 1) / std::pow(std::sinh(std::stod(epsilon) / 2), 2);
+    EXPECT_GE(static_cast<double>(net.net.vertices.size()), lower) << "Theorem III.2";
+  } catch (const NetError& error) {
+    ADD_FAILURE() << "epsilon " << epsilon << ": " << error.what();
+  }
+}
+
+TEST(Net, OfAnEpsilonBeyondTheDiameterIsOneVertex) {
+  for (const std::int32_t seed : {1, 123, 321}) {
+    for (const char* epsilon : {"8", "20", "300"}) {
+      const CertifiedNet net = certified_net(random_octagon(seed), Epsilon(epsilon));
+      EXPECT_EQ(net.net.vertices.size(), 1U);
+      EXPECT_EQ(net.net.triangles.size(), 6U);
+      EXPECT_EQ(net.statistics.insertions, 0U);
+      EXPECT_EQ(net.certificate.verdict, Verdict::verified);
+    }
+  }
+}
+
+TEST(Net, DoubleEpsilonIsItsShortestDecimal) {
+  const CertifiedNet net = certified_net(random_octagon(123), 0.5);
+  EXPECT_EQ(net.net.epsilon, "0.5");
+  EXPECT_EQ(text_of(net.net), text_of(certified_net(random_octagon(123), Epsilon("0.5")).net));
+}
+
+TEST(Net, UncertifiedIsTheSameNet) {
+  const Surface surface = random_octagon(5);
+  const UncertifiedNet net = compute_net(surface, Epsilon("0.4"));
+  EXPECT_EQ(text_of(net.net), text_of(certified_net(surface, Epsilon("0.4")).net));
+}
+
+TEST(Net, FileReadsBackTheSame) {
+  const CertifiedNet net = certified_net(random_octagon(7), 0.3);
+  EXPECT_EQ(certify::parse_net(text_of(net.net), "net"), net.net);
+}
+
+TEST(Net, StatisticsAreConsistent) {
+  const Surface surface = random_octagon(9);
+  const NetStatistics flips =
+      compute_net(surface, Epsilon("0.2"), {.insertion = Insertion::flips, .walk = Walk::visibility}).statistics;
+  EXPECT_EQ(flips.located, flips.insertions);
+  EXPECT_LE(flips.located_at_start, flips.located);
+  EXPECT_GE(flips.walk_steps, flips.located - flips.located_at_start);
+  EXPECT_LE(flips.longest_walk, 10U);
+  EXPECT_GT(flips.charts, 0U);
+  const UncertifiedNet cavity = compute_net(surface, Epsilon("0.2"));
+  EXPECT_EQ(cavity.statistics.insertions + 1, cavity.net.vertices.size());
+  EXPECT_EQ(cavity.statistics.located, 0U);
+  EXPECT_EQ(cavity.statistics.charts, cavity.net.charts.size());
+  EXPECT_EQ(cavity.statistics.labels, cavity.net.labels.size());
+  EXPECT_LT(cavity.statistics.multiprecision, 1000U) << "the fast path is the common one";
+}
+
+TEST(Net, ProgressGrows) {
+  std::vector<double> shares;
+  std::vector<std::uint64_t> vertices;
+  const NetOptions options{.progress = [&](std::uint64_t n, double share) {
+    vertices.push_back(n);
+    shares.push_back(share);
+  }};
+  (void)compute_net(random_octagon(3), Epsilon("0.012"), options);
+  ASSERT_FALSE(shares.empty());
+  EXPECT_TRUE(std::is_sorted(vertices.begin(), vertices.end()));
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_GE(shares.front(), 0);
+  EXPECT_LE(shares.back(), 1);
+}
+
+TEST(Net, EpsilonsThatNeedTooMuchMemoryAreRefused) {
+  const Surface surface = random_octagon(1);
+  for (const char* epsilon : {"1e-6", "1e-100", "1e-9999"}) {
+    EXPECT_THROW((void)compute_net(surface, Epsilon(epsilon)), NetError) << epsilon;
+  }
+}
+
+TEST(Net, StartingVerticesThatAreTooCloseAreRefused) {
+  // A second vertex of the surface, in the middle of side 0.
+  const test::PairedPolygon polygon =
+      test::with_vertex_on_side(test::paired_polygon(random_octagon(123)), 0, Rational(1, 2));
+  const Surface surface = read_domain(test::domain_text(polygon), "two vertices");
+  ASSERT_EQ(surface.vertex_class_count(), 2U);
+  EXPECT_THROW((void)compute_net(surface, Epsilon("6")), NetError);
+  expect_verified(surface, "0.5");
+  expect_verified(surface, "0.1");
+}
+
+TEST(Net, EveryImportedPolygonIsVerified) {
+  for (const auto& path : test::data_files("polygons")) {
+    SCOPED_TRACE(path.filename().string());
+    expect_verified(load_domain(path), "0.5");
+  }
+}
+
+TEST(Net, ThinSurfacesAreVerifiedByEveryWay) {
+  for (const char* name : {"g2-thin-1e-2", "g2-thin-1e-4", "g2-thin-1e-8", "g2-thinsep-1e-4", "g3-thin-1e-4"}) {
+    const Surface surface = load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
+    for (const char* epsilon : {"0.2", "1", "3"}) {
+      for (const Insertion insertion : {Insertion::cavity, Insertion::flips}) {
+        for (const Walk walk : {Walk::visibility, Walk::straight}) {
+          SCOPED_TRACE(name);
+          expect_verified(surface, epsilon, {.insertion = insertion, .walk = walk});
+        }
+      }
+    }
+  }
+}
+
+#ifdef EPSNET_FM_GENUS_5
+TEST(Net, FenchelNielsenGenusFiveIsVerified) {
+  // The thesis needs circumcentres of 106 bits for this one (IV.6.4).
+  const Surface surface = load_domain(EPSNET_FM_GENUS_5);
+  ASSERT_EQ(surface.genus(), 5U);
+  for (const char* epsilon : {"0.5", "0.25", "0.1"}) {
+    expect_verified(surface, epsilon);
+    expect_verified(surface, epsilon, {.insertion = Insertion::flips, .walk = Walk::straight});
+  }
+}
+#endif
+
+/// The mean over the octagons 1 to `octagons`.
+struct Means {
+  double vertices = 0;
+  double flips_per_insertion = 0;
+  double steps_of_walks = 0;  ///< Of those that do not end where they start.
+  double share_at_start = 0;
+};
+
+Means means(int octagons, const char* epsilon, const NetOptions& options = {}) {
+  Means sum;
+  for (std::int32_t seed = 1; seed <= octagons; ++seed) {
+    const UncertifiedNet net = compute_net(random_octagon(seed), Epsilon(epsilon), options);
+    const NetStatistics& s = net.statistics;
+    sum.vertices += static_cast<double>(net.net.vertices.size());
+    sum.flips_per_insertion += static_cast<double>(s.flips) / static_cast<double>(s.insertions);
+    sum.steps_of_walks += static_cast<double>(s.walk_steps) / static_cast<double>(s.located - s.located_at_start);
+    sum.share_at_start += static_cast<double>(s.located_at_start) / static_cast<double>(s.located);
+  }
+  return {sum.vertices / octagons, sum.flips_per_insertion / octagons, sum.steps_of_walks / octagons,
+          sum.share_at_start / octagons};
+}
+
+TEST(Thesis, TableIV3MeanNumberOfVertices) {
+  const auto expect_mean = [](const char* epsilon, double thesis, double tolerance) {
+    const double mean = means(60, epsilon).vertices;
+    std::cout << "epsilon " << epsilon << ": " << mean << " vertices, thesis " << thesis << '\n';
+    EXPECT_NEAR(mean, thesis, tolerance * thesis) << "epsilon " << epsilon;
+  };
+  expect_mean("0.4", 54, 0.02);
+  expect_mean("0.3", 96, 0.02);
+  expect_mean("0.2", 216, 0.01);
+  expect_mean("0.1", 865, 0.01);
+  expect_mean("0.05", 3454, 0.01);
+}
+
+TEST(Thesis, TableIV3ByFlipsAsWell) {
+  for (const Walk walk : {Walk::visibility, Walk::straight}) {
+    EXPECT_NEAR(means(60, "0.2", {.insertion = Insertion::flips, .walk = walk}).vertices, 216, 0.01 * 216);
+  }
+}
+
+TEST(Thesis, FiguresIV11AndIV12FlipsAndWalks) {
+  const auto print = [](const char* what, const Means& m) {
+    std::cout << what << ": " << m.flips_per_insertion << " flips per insertion, " << m.steps_of_walks
+              << " steps of walks that leave the first triangle, " << m.share_at_start << " stay\n";
+  };
+  const Means at_half = means(60, "0.5", {.insertion = Insertion::flips});
+  print("epsilon 0.5", at_half);
+  EXPECT_NEAR(at_half.flips_per_insertion, 3.41, 0.341);
+  const Means at_tenth = means(60, "0.1", {.insertion = Insertion::flips});
+  print("epsilon 0.1", at_tenth);
+  EXPECT_LT(at_tenth.flips_per_insertion, at_half.flips_per_insertion);
+  EXPECT_NEAR(at_tenth.steps_of_walks, 1.028, 0.1);
+  EXPECT_NEAR(at_tenth.share_at_start, 0.68, 0.068);
+  const Means straight = means(60, "0.1", {.insertion = Insertion::flips, .walk = Walk::straight});
+  print("epsilon 0.1, straight", straight);
+  EXPECT_NEAR(straight.steps_of_walks, 1.026, 0.1);
+}
+
+RC_GTEST_PROP(NetProperty, IsVerifiedAndItsSizeLiesBetweenTheBounds, ()) {
+  const Surface surface = random_octagon(any_seed());
+  const std::string epsilon = any_epsilon(0.15, 5);
+  const CertifiedNet net = certified_net(surface, Epsilon(epsilon), kOneThread);
+  RC_ASSERT(net.certificate.verdict == Verdict::verified);
+  RC_ASSERT(net.certificate.rules.size() == 7U);
+  const auto vertices = static_cast<double>(net.net.vertices.size());
+  const double e = std::stod(epsilon);
+  const double systole = short_curve(surface);
+  RC_ASSERT(vertices >= 1 / std::pow(std::sinh(e / 2), 2));                             // Theorem III.2
+  RC_ASSERT(vertices <= 16 / (e * e) + (e <= systole ? 0 : 16 / (systole * systole)));  // Theorem III.1
+  // What the certificate encloses is what the net claims.
+  RC_ASSERT(net.certificate.enclosures->largest_circumradius.lower <= e * (1 + 1e-15));
+  RC_ASSERT(!net.certificate.enclosures->shortest_edge ||
+            net.certificate.enclosures->shortest_edge->upper >= e * (1 - 1e-15));
+}
+
+RC_GTEST_PROP(NetProperty, IsVerifiedWhateverTheWay, ()) {
+  const Surface surface = random_octagon(any_seed());
+  const std::string epsilon = any_epsilon(0.3, 3);
+  NetOptions options = kOneThread;
+  for (const Insertion insertion : {Insertion::cavity, Insertion::flips}) {
+    for (const Walk walk : {Walk::visibility, Walk::straight}) {
+      options.insertion = insertion;
+      options.walk = walk;
+      RC_ASSERT(certified_net(surface, Epsilon(epsilon), options).certificate.verdict == Verdict::verified);
+    }
+  }
+}
+
+RC_GTEST_PROP(NetProperty, OfAMovedAndRelabelledPolygonIsVerified, ()) {
+  test::PairedPolygon polygon = test::paired_polygon(random_octagon(any_seed()));
+  polygon = test::rotated(polygon, any_index(8u));
+  polygon.vertices = test::moved(*test::isometries(), polygon.vertices);
+  const CertifiedNet net = certified_net(polygon.surface(), Epsilon(any_epsilon(0.3, 2)), kOneThread);
+  RC_ASSERT(net.certificate.verdict == Verdict::verified);
+  RC_ASSERT(net.certificate.counts.genus == 2U);
+}
+
+RC_GTEST_PROP(NetProperty, OfTheSurfaceCutDifferentlyIsVerified, ()) {
+  const test::PairedPolygon octagon = test::paired_polygon(random_octagon(any_seed()));
+  const Surface surface = read_domain(test::domain_text(test::cut_and_pasted(octagon, any_index(8u))), "cut");
+  const CertifiedNet net = certified_net(surface, Epsilon(any_epsilon(0.4, 2)), kOneThread);
+  RC_ASSERT(net.certificate.verdict == Verdict::verified);
+}
+
+RC_GTEST_PROP(NetProperty, IsTheSameBytesEveryTime, ()) {
+  const std::int32_t seed = any_seed();
+  const std::string epsilon = any_epsilon(0.3, 3);
+  const CertifiedNet one = certified_net(random_octagon(seed), Epsilon(epsilon), kOneThread);
+  NetOptions many;
+  many.check.threads = 2 + any_index(4u);
+  const CertifiedNet other = certified_net(random_octagon(seed), Epsilon(epsilon), many);
+  RC_ASSERT(text_of(one.net) == text_of(other.net));
+  for (std::size_t i = 0; i < one.certificate.rules.size(); ++i) {
+    RC_ASSERT(one.certificate.rules[i].text == other.certificate.rules[i].text);
+  }
+}
+
+}  // namespace
+}  // namespace epsnet
