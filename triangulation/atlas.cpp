@@ -158,27 +158,32 @@ Atlas::Evaluation<T> Atlas::evaluate(std::uint32_t from, std::uint32_t to, const
 }
 
 template <class T>
-Isometry<T> Atlas::evaluate_to(double bits, std::uint32_t from, std::uint32_t to, const Word& word) const {
+Atlas::Value<T> Atlas::evaluate_to(double bits, std::uint32_t from, std::uint32_t to, const Word& word) const {
+  const auto rounded = [](const auto& value, double field_bits) {
+    return Value<T>{convert<T>(value.isometry), std::min(field_bits - value.bits_lost, kMantissaBits<T> - 4.0)};
+  };
   if constexpr (kMantissaBits<T> <= 256) {
     if (const auto value = evaluate<Mp256>(from, to, word); value.bits_lost + bits <= 256) {
-      return convert<T>(value.isometry);
+      return rounded(value, 256);
     }
   }
   if constexpr (kMantissaBits<T> <= 1024) {
     if (const auto value = evaluate<Mp1024>(from, to, word); value.bits_lost + bits <= 1024) {
-      return convert<T>(value.isometry);
+      return rounded(value, 1024);
     }
   }
   if (const auto value = evaluate<Mp4096>(from, to, word); value.bits_lost + bits <= 4096) {
-    return convert<T>(value.isometry);
+    return rounded(value, 4096);
   }
   throw std::runtime_error("a path of " + std::to_string(word.size()) + " sides leads too far to be evaluated");
 }
 
 LabelId Atlas::label(std::uint32_t from, std::uint32_t to, Word word) {
-  constexpr double kBits = 200;
-  const Isometry<Mp256> isometry = evaluate_to<Mp256>(kBits, from, to, word);
-  return find_or_add(from, to, isometry, kBits, std::move(word));
+  Value<Mp256> value = evaluate_to<Mp256>(kLabelAccuracy + 10, from, to, word);
+  if (value.accuracy < kAbsoluteAccuracy + log2_norm(value.isometry)) {
+    value = evaluate_to<Mp256>(240, from, to, word);
+  }
+  return find_or_add(from, to, value.isometry, value.accuracy, std::move(word));
 }
 
 LabelId Atlas::find_or_add(std::uint32_t from, std::uint32_t to, const Isometry<Mp256>& isometry, double accuracy,
@@ -258,7 +263,7 @@ const Isometry<T>& Atlas::at_precision(LabelId l) {
     }
     const LabelEntry& entry = labels_[l - 1];
     constexpr double kBits = std::is_same_v<T, Mp1024> ? 620 : 2020;
-    return known.emplace(l, evaluate_to<T>(kBits, entry.from, entry.to, entry.word)).first->second;
+    return known.emplace(l, evaluate_to<T>(kBits, entry.from, entry.to, entry.word).isometry).first->second;
   }
 }
 

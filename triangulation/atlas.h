@@ -120,9 +120,15 @@ class Atlas {
   };
   template <class T>
   [[nodiscard]] Evaluation<T> evaluate(std::uint32_t from, std::uint32_t to, const Word& word) const;
-  /// The value to within 2^−bits relative to its entries, in a field that holds them.
+  /// The value to within 2^−accuracy relative to its entries, accuracy ≥ bits, computed in a field that is large
+  /// enough.
   template <class T>
-  [[nodiscard]] Isometry<T> evaluate_to(double bits, std::uint32_t from, std::uint32_t to, const Word& word) const;
+  struct Value {
+    Isometry<T> isometry;
+    double accuracy;
+  };
+  template <class T>
+  [[nodiscard]] Value<T> evaluate_to(double bits, std::uint32_t from, std::uint32_t to, const Word& word) const;
   template <class T>
   [[nodiscard]] Isometry<T> crossing(std::uint32_t s) const;
   template <class T>
