@@ -156,9 +156,13 @@ TEST(Net, StartingVerticesThatAreTooCloseAreRefused) {
 }
 
 TEST(Net, EveryImportedPolygonIsVerified) {
+  // The larger ones are in table_test.cpp.
   for (const auto& path : test::data_files("polygons")) {
-    SCOPED_TRACE(path.filename().string());
-    expect_verified(load_domain(path), "0.5");
+    const Surface surface = load_domain(path);
+    if (surface.genus() <= 10) {
+      SCOPED_TRACE(path.filename().string());
+      expect_verified(surface, "0.5");
+    }
   }
 }
 

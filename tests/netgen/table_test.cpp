@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "epsnet/netgen/certified_net.h"
+#include "epsnet/netgen/domain_format.h"
 #include "epsnet/netgen/octagon.h"
 
 namespace epsnet {
@@ -23,6 +24,15 @@ TEST(TableIV3, EpsilonOneFifth) { expect_mean("0.2", 216, 0.01); }
 TEST(TableIV3, EpsilonOneTenth) { expect_mean("0.1", 865, 0.01); }
 TEST(TableIV3, EpsilonOneTwentieth) { expect_mean("0.05", 3454, 0.01); }
 TEST(TableIV3, EpsilonOneHundredth) { expect_mean("0.01", 86314, 0.01); }
+
+TEST(LargeGenus, IsVerified) {
+  for (const char* name : {"g20-rnd0", "g50-small"}) {
+    const Surface surface = load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
+    for (const char* epsilon : {"3", "0.5", "0.2"}) {
+      EXPECT_EQ(certified_net(surface, Epsilon(epsilon)).certificate.verdict, certify::Verdict::verified) << name;
+    }
+  }
+}
 
 }  // namespace
 }  // namespace epsnet
