@@ -105,8 +105,8 @@ struct Symmetric {
   void insert(const Complex<double>& z) { static_cast<void>(test::insert_by_flips(triangulation, 0, place(z, 0))); }
 };
 
-std::vector<Complex<double>> any_points() {
-  std::vector<Complex<double>> points(any_index<std::size_t>(12));
+std::vector<Complex<double>> any_points(std::size_t less_than = 12) {
+  std::vector<Complex<double>> points(any_index(less_than));
   for (Complex<double>& z : points) {
     z = {0.9 * (test::any_share() - 0.5), 0.9 * (test::any_share() - 0.5)};
   }
@@ -416,6 +416,43 @@ RC_GTEST_PROP(TriangulationProperty, CavityAndFlipsInsertTheSame, ()) {
     }
   }
   RC_ASSERT(corners == triangulation.new_triangles().size());
+}
+
+RC_GTEST_PROP(TriangulationProperty, TheFastInsertionIsTheCavity, ()) {
+  // Small triangles in few charts, so that it often applies.
+  Symmetric s(any_index<std::int32_t>(200), any_points(60));
+  Triangulation& triangulation = s.triangulation;
+  const auto t = any_index(triangulation.triangle_count());
+  const Atlas::Place place = any_point(triangulation, t);
+  RC_PRE(place.label == kIdentity);
+  const Threshold apart(Rational(1 + any_index(20u), 200));
+  const Threshold large(Rational(1, 1 + any_index(10u)));
+  Triangulation by_cavity = triangulation.clone();
+  const auto before = snapshot(triangulation);
+
+  std::vector<std::uint32_t> large_triangles;
+  const bool inserted = triangulation.insert_locally(t, place.z, apart, large, large_triangles);
+  RC_CLASSIFY(inserted, "inserted");
+  if (!inserted) {
+    RC_ASSERT(snapshot(triangulation) == before);
+    RC_ASSERT(large_triangles.empty());
+    return;
+  }
+  RC_ASSERT(triangulation.problem() == "");
+  const std::uint32_t v = by_cavity.add_vertex({place.z, place.chart});
+  const auto accept = [&](Corner c) { return by_cavity.compare_distance(c, {v, place.label}, apart) > 0; };
+  RC_ASSERT(by_cavity.insert_in_cavity(t, v, place.label, accept));
+  RC_ASSERT(triangles_of(by_cavity, triangulation.atlas()) == triangles_of(triangulation));
+  RC_ASSERT(by_cavity.new_triangles() == triangulation.new_triangles());
+  // Slot for slot; the same triangles are large.
+  std::vector<std::uint32_t> expected;
+  for (const std::uint32_t slot : by_cavity.new_triangles()) {
+    RC_ASSERT(by_cavity.triangle(slot) == triangulation.triangle(slot));
+    if (by_cavity.compare_circumradius(slot, large) > 0) {
+      expected.push_back(slot);
+    }
+  }
+  RC_ASSERT(large_triangles == expected);
 }
 
 RC_GTEST_PROP(TriangulationProperty, SplitFacesAreSound, ()) {
