@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "epsnet/netgen/refine.h"
+#include "epsnet/netgen/surface_file.h"
 
 namespace epsnet {
 namespace {
@@ -36,24 +37,10 @@ constexpr std::uint32_t document_dart(Dart d) { return 3 * triangle_of(d) + corn
 
 }  // namespace
 
-certify::Surface surface_document(const Surface& surface) {
-  certify::Surface result;
-  for (const Tile& tile : surface.tiles()) {
-    certify::Tile& copy = result.tiles.emplace_back();
-    for (const Complex<Rational>& v : tile) {
-      copy.push_back(to_document(v));
-    }
-  }
-  for (const Gluing& g : surface.gluing()) {
-    result.gluing.push_back({g.tile, g.side, g.other_tile, g.other_side});
-  }
-  return result;
-}
-
 certify::Document net_document(const Triangulation& triangulation, const Epsilon& epsilon) {
   const Atlas& atlas = triangulation.atlas();
   certify::Document net;
-  net.surface = surface_document(triangulation.surface());
+  net.surface = to_document(triangulation.surface());
   net.epsilon = epsilon.text();
   Renumbering chart_number(atlas.chart_count());
   Renumbering label_number(atlas.label_count());
