@@ -69,9 +69,7 @@ struct UncertifiedNet {
   NetStatistics statistics;
 };
 
-/// The surface, and a triangulation of it, as the plain data of a file. Charts and labels that nothing uses are left
-/// out.
-[[nodiscard]] certify::Surface surface_document(const Surface& surface);
+/// A triangulation as the plain data of a net file. Charts and labels that nothing uses are left out. O(size).
 [[nodiscard]] certify::Document net_document(const Triangulation& triangulation, const Epsilon& epsilon);
 
 /// Computes an ε-net of the surface by Delaunay refinement (thesis Algorithm IV.4.1), without its certificate.
