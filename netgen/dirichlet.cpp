@@ -309,7 +309,7 @@ class Search {
 template <class T>
 DirichletDomain search(const NetGeometry& geometry, std::uint32_t vertex, const Parts<T>& parts,
                        std::uint32_t max_copies) {
-  const certify::Vertex& v = geometry.document().vertices.at(vertex);
+  const certify::Vertex& v = geometry.document().vertices[vertex];
   const std::uint32_t tile = geometry.document().charts[v.chart].tile;
   const Isometry<T> to_screen = normalized(Isometry<T>::translation({T(-v.x), T(-v.y)}));
   return Search<T>(geometry, parts, max_copies).run(tile, to_screen * inverse(parts.frames[v.chart]));
@@ -327,6 +327,8 @@ bool fits(const Parts<T>& parts) {
 }  // namespace
 
 DirichletDomain dirichlet_domain(const NetGeometry& geometry, std::uint32_t vertex, std::uint32_t max_copies) {
+  if (vertex >= geometry.document().vertices.size())
+    throw NetGeometryError("vertex " + std::to_string(vertex) + " does not exist");
   if (const Parts<Mp256> parts(geometry.document(), geometry.sides()); fits(parts))
     return search(geometry, vertex, parts, max_copies);
   if (const Parts<Mp1024> parts(geometry.document(), geometry.sides()); fits(parts))

@@ -475,9 +475,18 @@ void add_info_command(CLI::App& app, Commands& commands) {
   info->callback([&] { commands.chosen = [&] { print_info(commands.info); }; });
 }
 
+// Address sanitizer reserves terabytes of addresses.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kLimitMemory = false;
+#elif defined(__has_feature)
+constexpr bool kLimitMemory = !__has_feature(address_sanitizer);
+#else
+constexpr bool kLimitMemory = true;
+#endif
+
 /// Memory that the machine does not have makes std::bad_alloc and one clear line, not the end of other programs.
 void limit_memory() {
-#if !defined(__SANITIZE_ADDRESS__) && !defined(EPSNET_NO_MEMORY_LIMIT)
+  if (!kLimitMemory) return;
   struct sysinfo machine = {};
   struct rlimit limit = {};
   if (sysinfo(&machine) != 0 || getrlimit(RLIMIT_AS, &limit) != 0) return;
@@ -488,7 +497,6 @@ void limit_memory() {
   }
   limit.rlim_cur = std::min(limit.rlim_cur, bytes);
   (void)setrlimit(RLIMIT_AS, &limit);
-#endif
 }
 
 int run(int argc, char** argv) {

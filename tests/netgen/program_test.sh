@@ -184,6 +184,16 @@ done
 bad 1 truncated-net.json draw truncated-net.json -o out/x.svg
 bad 1 truncated-net.json info truncated-net.json
 for file in "$data"/certify/malformed/*; do bad 1 "$(basename "$file")" draw "$file" -o out/x.svg; done
+# Nets of which only the geometry is wrong are drawn, or refused; the same with what they say.
+for file in "$data"/certify/refuted/* "$data"/certify/undecided/*; do
+  for command in "draw -o x.svg --dirichlet" "info"; do
+    runs=$((runs + 1))
+    # shellcheck disable=SC2086
+    timeout 60 "$epsnet" $command "$file" >output 2>"$messages"
+    code=$?
+    case $code$(wc -l <"$messages") in 00 | 11) ;; *) complain "epsnet $command $file: exit code $code: $(cat "$messages")" ;; esac
+  done
+done
 
 # ---- Polygons that are no surface ----
 octagon="$data/octagons/g2-seed-123.txt"
