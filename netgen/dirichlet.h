@@ -32,6 +32,6 @@ struct DirichletDomain {
 /// within distance r are visited, the polygon is the cell within distance r, and copies outside of the cell are never
 /// entered. O(c²) for c copies; c is about the number of copies that meet the cell.
 [[nodiscard]] DirichletDomain dirichlet_domain(const NetGeometry& geometry, std::uint32_t vertex,
-                                               std::uint32_t max_copies = 2000);
+                                               std::uint32_t max_copies = 1000);
 
 }  // namespace epsnet
