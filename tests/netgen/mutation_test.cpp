@@ -328,6 +328,12 @@ std::vector<Base> bases() {
   // A short curve: charts and words that lead far into its collar.
   const Surface thin = load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g2-thin-1e-4.txt");
   result.push_back({"thin, epsilon 1.5", certified_net(thin, Epsilon("1.5")).net});
+  // The octagon 123 as two triangles and a hexagon.
+  const Surface octagon = random_octagon(123);
+  const Tile& v = octagon.tiles()[0];
+  const Surface tiles({{v[0], v[1], v[2]}, {v[4], v[5], v[6]}, {v[0], v[2], v[3], v[4], v[6], v[7]}},
+                      {{0, 0, 1, 0}, {0, 1, 1, 1}, {2, 1, 2, 4}, {2, 2, 2, 5}, {0, 2, 2, 0}, {1, 2, 2, 3}});
+  result.push_back({"three tiles, epsilon 0.9", certified_net(tiles, Epsilon("0.9")).net});
   return result;
 }
 
