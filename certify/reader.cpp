@@ -138,7 +138,7 @@ void read_members(object members, const Place& place, const std::vector<Member>&
   }
 }
 
-Member text_member(std::string_view name, std::string wanted, const Place& place) {
+Member text_member(std::string_view name, std::string_view wanted, const Place& place) {
   return {name, [=](simdjson::simdjson_result<value> item) {
             const std::string_view text = expect(item.get_string(), place, "a string");
             if (text != wanted)
