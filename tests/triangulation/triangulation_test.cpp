@@ -444,13 +444,14 @@ RC_GTEST_PROP(TriangulationProperty, TheFastInsertionIsTheCavity, ()) {
   RC_ASSERT(by_cavity.insert_in_cavity(t, v, place.label, accept));
   RC_ASSERT(triangles_of(by_cavity, triangulation.atlas()) == triangles_of(triangulation));
   RC_ASSERT(by_cavity.new_triangles() == triangulation.new_triangles());
-  // Slot for slot; the same triangles are large.
+  // Slot for slot; the same triangles are large, and marked.
   std::vector<std::uint32_t> expected;
   for (const std::uint32_t slot : by_cavity.new_triangles()) {
-    RC_ASSERT(by_cavity.triangle(slot) == triangulation.triangle(slot));
     if (by_cavity.compare_circumradius(slot, large) > 0) {
+      by_cavity.mark(slot);
       expected.push_back(slot);
     }
+    RC_ASSERT(by_cavity.triangle(slot) == triangulation.triangle(slot));
   }
   RC_ASSERT(large_triangles == expected);
 }
