@@ -113,4 +113,27 @@ template <class T>
   return Isometry<T>::translation(a)(scale * m);
 }
 
+/// The same where the circle is small and near the origin, with two divisions: the accuracy is absolute. The Euclidean
+/// circle has a centre m and a radius r; the hyperbolic centre of that circle lies on the ray of m.
+template <class T>
+[[nodiscard]] std::optional<Complex<T>> circumcentre_near_origin(const Complex<T>& a, const Complex<T>& b,
+                                                                 const Complex<T>& c) {
+  using std::sqrt;
+  const Complex<T> u = b - a;
+  const Complex<T> v = c - a;
+  const T uu = norm(u);
+  const T vv = norm(v);
+  const T scale = T(0.5) / cross(u, v);
+  const Complex<T> from_a{(v.y * uu - u.y * vv) * scale, (u.x * vv - v.x * uu) * scale};
+  const Complex<T> m = a + from_a;
+  const T mm = norm(m);
+  const T sum = T(1) + mm - norm(from_a);
+  const T rest = sum * sum - T(4) * mm;
+  // ((1 + |m|)² − r²)((1 − |m|)² − r²): small where the circle comes near the unit circle.
+  if (!(rest > T(0.01))) {
+    return std::nullopt;
+  }
+  return T(2) / (sum + T(sqrt(rest))) * m;
+}
+
 }  // namespace epsnet

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "epsnet/kernel/numbers.h"
@@ -51,20 +52,12 @@ template <>
 
 template <class T>
 [[nodiscard]] StageSign sign_beyond(const T& value, const T& bound) {
-  if (value > bound) {
-    return {1, true};
-  }
-  if (value < -bound) {
-    return {-1, true};
+  using std::abs;
+  // One comparison that is nearly always true, and the sign without a branch.
+  if (abs(value) > bound) {
+    return {value > T(0) ? 1 : -1, true};
   }
   return {0, false};
-}
-/// in_circle_determinant with the origin moved to d, from u = a − d, … and their squared lengths; and E1 for exact
-/// points.
-template <class T>
-[[nodiscard]] T in_circle_determinant_around(const Complex<T>& u, const Complex<T>& v, const Complex<T>& w, const T& uu,
-                                             const T& vv, const T& ww) {
-  return uu * cross(v, w) + vv * cross(w, u) + ww * cross(u, v);
 }
 template <class T>
 [[nodiscard]] T in_circle_bound(const T& uu, const T& vv, const T& ww) {
@@ -72,13 +65,23 @@ template <class T>
 }
 }  // namespace detail
 
-/// in_circle_stage for exact points, from the differences u = a − d, v = b − d, w = c − d, rounded once, and their
-/// squared lengths.
+/// in_circle_stage from the parts of the determinant: with u = a − d, v = b − d, w = c − d, rounded once, the squared
+/// lengths of u, v, w and the cross products (v, w), (w, u), (u, v).
 template <class T>
-[[nodiscard]] StageSign in_circle_stage_around(const Complex<T>& u, const Complex<T>& v, const Complex<T>& w,
-                                               const T& uu, const T& vv, const T& ww) {
-  return detail::sign_beyond(detail::in_circle_determinant_around(u, v, w, uu, vv, ww),
-                             detail::in_circle_bound(uu, vv, ww));
+[[nodiscard]] StageSign in_circle_stage_around(const std::array<T, 3>& norms, const std::array<T, 3>& crosses,
+                                               const T& error) {
+  using std::sqrt;
+  const auto& [uu, vv, ww] = norms;
+  const T det = uu * crosses[0] + vv * crosses[1] + ww * crosses[2];
+  T bound = detail::in_circle_bound<T>(uu, vv, ww);
+  if (error != 0) {
+    const T m = sqrt(std::max({uu, vv, ww}));
+    if (!(T(16) * error <= m)) {
+      return {};
+    }
+    bound += T(40) * error * m * m * m;
+  }
+  return detail::sign_beyond(det, bound);
 }
 
 /// The sign of in_circle_determinant(a, b, c, d): 1 if d lies strictly inside of the circle through a, b, c
@@ -89,23 +92,10 @@ template <class T>
 template <class T>
 [[nodiscard]] StageSign in_circle_stage(const Complex<T>& a, const Complex<T>& b, const Complex<T>& c,
                                         const Complex<T>& d, const T& error) {
-  using std::sqrt;
   const Complex<T> u = a - d;
   const Complex<T> v = b - d;
   const Complex<T> w = c - d;
-  const T uu = norm(u);
-  const T vv = norm(v);
-  const T ww = norm(w);
-  const T det = detail::in_circle_determinant_around(u, v, w, uu, vv, ww);
-  T bound = detail::in_circle_bound(uu, vv, ww);
-  if (error != 0) {
-    const T m = sqrt(std::max({uu, vv, ww}));
-    if (!(T(16) * error <= m)) {
-      return {};
-    }
-    bound += T(40) * error * m * m * m;
-  }
-  return detail::sign_beyond(det, bound);
+  return in_circle_stage_around<T>({norm(u), norm(v), norm(w)}, {cross(v, w), cross(w, u), cross(u, v)}, error);
 }
 
 /// The sign of orientation_determinant(a, b, c): 1 if c lies strictly to the left of the geodesic from a to b.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace epsnet {
@@ -13,13 +14,16 @@ class Queue {
  public:
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] std::uint32_t operator[](std::size_t i) const { return ring_[(first_ + i) & (ring_.size() - 1)]; }
-  void push_back(std::uint32_t value) {
-    if (size_ == ring_.size()) {
+  /// Appends at most 1024 values.
+  void push_back(std::span<const std::uint32_t> values) {
+    if (size_ + values.size() > ring_.size()) {
       std::rotate(ring_.begin(), ring_.begin() + static_cast<std::ptrdiff_t>(first_), ring_.end());
       first_ = 0;
       ring_.resize(2 * ring_.size());
     }
-    ring_[(first_ + size_++) & (ring_.size() - 1)] = value;
+    for (const std::uint32_t value : values) {
+      ring_[(first_ + size_++) & (ring_.size() - 1)] = value;
+    }
   }
   std::uint32_t pop_front() {
     const std::uint32_t value = (*this)[0];
@@ -104,7 +108,7 @@ class Refinement {
   void push_if_large(std::uint32_t t) {
     if (is_large(t)) {
       triangulation_.mark(t);
-      queue_.push_back(t);
+      queue_.push_back({&t, 1});
     }
   }
 
@@ -114,12 +118,9 @@ class Refinement {
     const std::uint32_t chart = triangulation_.chart_of(t);
     if (centre_in_chart && norm(*centre_in_chart) <= kChartRadius * kChartRadius) {
       if (options_.insertion == Insertion::cavity) {
-        large_triangles_.clear();
-        if (triangulation_.insert_locally(t, *centre_in_chart, apart_, large_, large_triangles_)) {
-          for (const std::uint32_t s : large_triangles_) {
-            queue_.push_back(s);
-          }
-          statistics_.flips += triangulation_.new_triangles().size() - 3;
+        if (triangulation_.insert_locally(t, *centre_in_chart, apart_, large_, new_triangles_)) {
+          queue_.push_back({new_triangles_.large_slots.data(), new_triangles_.large_count});
+          statistics_.flips += new_triangles_.count - 3;
           return;
         }
       }
@@ -253,7 +254,7 @@ class Refinement {
   double expected_;
   Queue queue_;
   std::vector<Dart> pending_;
-  std::vector<std::uint32_t> large_triangles_;
+  NewTriangles new_triangles_;
 };
 
 }  // namespace

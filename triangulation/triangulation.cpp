@@ -7,7 +7,6 @@
 namespace epsnet {
 namespace {
 
-constexpr LabelId kLargestLabel = (1u << 24) - 1;
 constexpr std::uint32_t kMostTriangles = 1u << 30;
 
 }  // namespace
@@ -92,18 +91,10 @@ Triangulation::Triangulation(const Surface& surface) : atlas_(surface) {
   }
 }
 
-std::uint32_t Triangulation::add_triangle() {
-  if (triangles_.size() >= kMostTriangles) {
+void Triangulation::require_room(std::size_t triangles) const {
+  if (triangles_.size() + triangles > kMostTriangles) {
     throw std::runtime_error("more than 2^30 triangles");
   }
-  triangles_.push_back({});
-  return static_cast<std::uint32_t>(triangles_.size() - 1);
-}
-
-std::uint32_t Triangulation::add_vertex(const Vertex& v) {
-  points_.push_back(v.z);
-  charts_.push_back(v.chart);
-  return vertex_count() - 1;
 }
 
 void Triangulation::reserve(std::size_t vertices) {
@@ -144,7 +135,7 @@ void Triangulation::set(std::uint32_t t, Corner c0, Corner c1, Corner c2, Journa
     if (l1 > kLargestLabel || l2 > kLargestLabel) {
       throw std::runtime_error("more than 2^24 labels");
     }
-    labels = (std::uint64_t{l1} << 40) | (std::uint64_t{l2} << 16);
+    labels = packed(l1, l2);
   }
   triangle.vertex = {c0.vertex, c1.vertex, c2.vertex};
   triangle.labels_and_mark = labels;
@@ -220,20 +211,22 @@ int Triangulation::compare_distance_staged(Corner a, Corner b, const Threshold& 
 }
 
 std::optional<Complex<double>> Triangulation::circumcentre_fast(std::uint32_t t) const {
-  const Lift a = lift(corner(t, 0));
-  const Lift b = lift(corner(t, 1));
-  const Lift c = lift(corner(t, 2));
-  // The lifts must be well inside of the disk, and the angle at a neither 0 nor π; circumcentre itself sees horocycles.
-  if (norm(b.z) > 0.95 || norm(c.z) > 0.95) {
-    return std::nullopt;
-  }
-  const Complex<double> u = b.z - a.z;
-  const Complex<double> v = c.z - a.z;
+  const Triangle& triangle = triangles_[t];
+  const auto lifted = [&](std::uint32_t i) {
+    const Complex<double>& z = points_[triangle.vertex[i]];
+    return triangle.label(i) == kIdentity ? z : atlas_.isometry(triangle.label(i))(z);
+  };
+  const Complex<double> a = points_[triangle.vertex[0]];
+  const Complex<double> b = lifted(1);
+  const Complex<double> c = lifted(2);
+  // The angle at a must be neither near 0 nor near π; circumcentre_near_origin itself sees circles that are too large.
+  const Complex<double> u = b - a;
+  const Complex<double> v = c - a;
   const double sine = cross(u, v);
   if (!(sine * sine > 1e-6 * (norm(u) * norm(v)))) {
     return std::nullopt;
   }
-  return epsnet::circumcentre(a.z, b.z, c.z);
+  return circumcentre_near_origin(a, b, c);
 }
 
 std::optional<Complex<Mp256>> Triangulation::circumcentre_precise(std::uint32_t t) {
@@ -310,233 +303,6 @@ std::uint64_t Triangulation::make_delaunay() {
     }
   }
   return restore_delaunay(pending);
-}
-
-void Triangulation::split_face(std::uint32_t t, std::uint32_t vertex, LabelId label, Journal* journal) {
-  cavity_ = {t};
-  boundary_.clear();
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    const Dart d = make_dart(t, i);
-    boundary_.push_back({d, opposite(d), corner(t, i), corner(t, next(i))});
-  }
-  fill_cavity({vertex, label}, journal);
-}
-
-void Triangulation::split_edge(Dart d, std::uint32_t vertex, LabelId label, Journal* journal) {
-  const Dart e = opposite(d);
-  const LabelId across = transition(d);
-  cavity_ = {triangle_of(d), triangle_of(e)};
-  boundary_.clear();
-  for (const Dart side : {next_dart(d), previous_dart(d)}) {
-    boundary_.push_back({side, opposite(side), corner(triangle_of(side), corner_of(side)),
-                         corner(triangle_of(side), next(corner_of(side)))});
-  }
-  for (const Dart side : {next_dart(e), previous_dart(e)}) {
-    boundary_.push_back({side, opposite(side), moved(across, corner(triangle_of(side), corner_of(side))),
-                         moved(across, corner(triangle_of(side), next(corner_of(side))))});
-  }
-  fill_cavity({vertex, label}, journal);
-}
-
-bool Triangulation::find_cavity(std::uint32_t t, Corner p) {
-  cavity_.clear();
-  boundary_.clear();
-  pending_.clear();
-  cavity_.push_back(t);
-  const auto in_cavity = [this](std::uint32_t s) {
-    return std::find(cavity_.begin(), cavity_.end(), s) != cavity_.end();
-  };
-  // Depth first, edges counterclockwise, so that the boundary comes in its cyclic order.
-  for (const std::uint32_t i : {2u, 1u, 0u}) {
-    pending_.push_back({make_dart(t, i), kIdentity});
-  }
-  bool local = p.label == kIdentity;
-  const Complex<double> centre = points_[p.vertex];
-  while (!pending_.empty()) {
-    const auto [d, lift_of_d] = pending_.back();
-    pending_.pop_back();
-    const Triangle& inside = triangles_[triangle_of(d)];
-    const Dart e = inside.opposite[corner_of(d)];
-    const std::uint32_t s = triangle_of(e);
-    const std::uint32_t j = corner_of(e);
-    const Triangle& outside = triangles_[s];
-    const bool identities = (lift_of_d | (inside.labels_and_mark >> 16) | (outside.labels_and_mark >> 16)) == 0;
-    LabelId lift_of_s = kIdentity;
-    StageSign sign;
-    if (identities) {
-      if (local) {
-        sign = in_circle_stage<double>(points_[outside.vertex[0]], points_[outside.vertex[1]],
-                                       points_[outside.vertex[2]], centre, 0.0);
-      }
-    } else {
-      lift_of_s = atlas_.product(lift_of_d, transition(d));
-    }
-    if (!sign.certain) {
-      sign.sign =
-          in_circle(moved(lift_of_s, corner(s, 0)), moved(lift_of_s, corner(s, 1)), moved(lift_of_s, corner(s, 2)), p);
-    }
-    if (sign.sign > 0) {
-      if (in_cavity(s)) {
-        return false;
-      }
-      cavity_.push_back(s);
-      pending_.push_back({make_dart(s, previous(j)), lift_of_s});
-      pending_.push_back({make_dart(s, next(j)), lift_of_s});
-    } else {
-      const std::uint32_t i = corner_of(d);
-      boundary_.push_back(
-          {d, e, moved(lift_of_d, corner(triangle_of(d), i)), moved(lift_of_d, corner(triangle_of(d), next(i)))});
-    }
-  }
-  // A triangle beside the cavity of which another lift is in it: the insertion would meet itself.
-  return std::none_of(boundary_.begin(), boundary_.end(),
-                      [&](const BoundaryEdge& b) { return in_cavity(triangle_of(b.outer)); });
-}
-
-bool Triangulation::insert_locally(std::uint32_t t, const Complex<double>& p, const Threshold& apart,
-                                   const Threshold& large, std::vector<std::uint32_t>& large_triangles) {
-  // A vertex of the cavity as p sees it.
-  struct Rim {
-    Complex<double> offset;  // From p.
-    double offset_norm;
-    std::uint32_t vertex;
-  };
-  // A dart of a triangle in conflict, to be crossed; its ends are numbers of rims.
-  struct Gate {
-    Dart dart;
-    std::uint32_t from;
-    std::uint32_t to;
-  };
-  struct Edge {
-    Dart outer;
-    std::uint32_t from;
-  };
-  constexpr std::size_t kMost = 24;
-  std::array<Rim, 2 * kMost + 3> rims;
-  std::array<Gate, kMost + 3> gates;
-  std::array<Edge, kMost + 3> edges;
-  std::array<std::uint32_t, kMost> cavity;
-  std::uint32_t rim_count = 0;
-  std::size_t gate_count = 0;
-  std::size_t edge_count = 0;
-  std::size_t cavity_count = 0;
-  const Triangle* const triangles = triangles_.data();
-  const Complex<double>* const points = points_.data();
-  const auto in_cavity = [&](std::uint32_t s) {
-    return std::find(cavity.data(), cavity.data() + cavity_count, s) != cavity.data() + cavity_count;
-  };
-
-  if (!triangles[t].all_identity()) {
-    return false;
-  }
-  cavity[cavity_count++] = t;
-  for (const std::uint32_t v : triangles[t].vertex) {
-    const Complex<double> offset = points[v] - p;
-    rims[rim_count++] = {offset, norm(offset), v};
-  }
-  // Depth first, counterclockwise, as in find_cavity.
-  gates[gate_count++] = {make_dart(t, 2), 2, 0};
-  gates[gate_count++] = {make_dart(t, 1), 1, 2};
-  gates[gate_count++] = {make_dart(t, 0), 0, 1};
-  while (gate_count > 0) {
-    const Gate gate = gates[--gate_count];
-    const Dart e = triangles[triangle_of(gate.dart)].opposite[corner_of(gate.dart)];
-    const std::uint32_t s = triangle_of(e);
-    const std::uint32_t j = corner_of(e);
-    const Triangle& outside = triangles[s];
-    if (!outside.all_identity()) {
-      return false;
-    }
-    const std::uint32_t apex = outside.vertex[previous(j)];
-    const Rim& from = rims[gate.from];
-    const Rim& to = rims[gate.to];
-    const Complex<double> offset = points[apex] - p;
-    const double offset_norm = norm(offset);
-    const StageSign sign =
-        in_circle_stage_around(to.offset, from.offset, offset, to.offset_norm, from.offset_norm, offset_norm);
-    if (!sign.certain) {
-      return false;
-    }
-    if (sign.sign > 0) {
-      if (cavity_count == kMost || in_cavity(s)) {
-        return false;
-      }
-      cavity[cavity_count++] = s;
-      rims[rim_count] = {offset, offset_norm, apex};
-      gates[gate_count++] = {make_dart(s, previous(j)), rim_count, gate.to};
-      gates[gate_count++] = {make_dart(s, next(j)), gate.from, rim_count};
-      ++rim_count;
-    } else {
-      edges[edge_count++] = {e, gate.from};
-    }
-  }
-  const double height = 1 - norm(p);
-  std::array<double, kMost + 3> heights;
-  for (std::size_t i = 0; i < edge_count; ++i) {
-    const Rim& rim = rims[edges[i].from];
-    heights[i] = 1 - norm(points[rim.vertex]);
-    const StageSign sign = distance_stage_near_origin(rim.offset_norm, height, heights[i], apart.high());
-    if (!sign.certain || sign.sign < 0 || in_cavity(triangle_of(edges[i].outer))) {
-      return false;
-    }
-  }
-
-  const std::uint32_t v = add_vertex({p, chart_of(t)});
-  std::array<std::uint32_t, kMost + 3> slots;
-  for (std::size_t i = 0; i < edge_count; ++i) {
-    slots[i] = i < cavity_count ? cavity[i] : add_triangle();
-  }
-  for (std::size_t i = 0; i < edge_count; ++i) {
-    const std::size_t following = i + 1 < edge_count ? i + 1 : 0;
-    const std::size_t preceding = i > 0 ? i - 1 : edge_count - 1;
-    const Rim& from = rims[edges[i].from];
-    const Rim& to = rims[edges[following].from];
-    Triangle& made = triangles_[slots[i]];
-    made.vertex = {v, from.vertex, to.vertex};
-    made.opposite = {make_dart(slots[preceding], 2), edges[i].outer, make_dart(slots[following], 0)};
-    made.labels_and_mark = 0;
-    triangles_[triangle_of(edges[i].outer)].opposite[corner_of(edges[i].outer)] = make_dart(slots[i], 1);
-    const StageSign sign = circumradius_stage_near_origin(
-        sinh2_circumradius<double>(from.offset_norm, norm(points_[from.vertex] - points_[to.vertex]), to.offset_norm,
-                                   height, heights[i], heights[following]),
-        large.high());
-    if (sign.certain ? sign.sign > 0 : compare_circumradius(slots[i], large) > 0) {
-      made.labels_and_mark = 1;
-      large_triangles.push_back(slots[i]);
-    }
-  }
-  new_triangles_.assign(slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(edge_count));
-  return true;
-}
-
-void Triangulation::fill_cavity(Corner p, Journal* journal) {
-  const std::size_t n = boundary_.size();
-  // Where boundary edges are glued to each other, the outer dart is the inner dart of another edge; each edge i becomes
-  // dart 1 of new triangle i.
-  new_triangles_.assign(cavity_.begin(), cavity_.end());
-  while (new_triangles_.size() < n) {
-    new_triangles_.push_back(add_triangle());
-  }
-  if (n <= 4) {
-    for (BoundaryEdge& b : boundary_) {
-      for (std::size_t i = 0; i < n; ++i) {
-        if (b.outer == boundary_[i].inner) {
-          b.outer = make_dart(new_triangles_[i], 1);
-          break;
-        }
-      }
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    set(new_triangles_[i], p, boundary_[i].from, boundary_[i].to, journal);
-  }
-  std::uint32_t last = new_triangles_[n - 1];
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::uint32_t t = new_triangles_[i];
-    link(make_dart(t, 1), boundary_[i].outer, journal);
-    link(make_dart(t, 0), make_dart(last, 2), journal);
-    last = t;
-  }
 }
 
 Location Triangulation::classify(Dart d, LabelId transition_to_start, Corner p, std::uint32_t steps) {

@@ -49,6 +49,8 @@ struct Triangle {
   bool operator==(const Triangle&) const = default;
 };
 static_assert(sizeof(Triangle) == 32);
+/// The largest label that a triangle has room for.
+inline constexpr LabelId kLargestLabel = (1u << 24) - 1;
 
 /// A vertex lifted by a label to some chart of reference.
 struct Corner {
@@ -71,6 +73,15 @@ struct Journal {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   std::vector<std::pair<std::uint32_t, Triangle>> overwritten;
+};
+
+/// The triangles that Triangulation::insert_locally made, and those of them that are large.
+struct NewTriangles {
+  static constexpr std::size_t kMost = 26;
+  std::uint32_t count = 0;
+  std::uint32_t large_count = 0;
+  std::array<std::uint32_t, kMost> slots;
+  std::array<std::uint32_t, kMost> large_slots;
 };
 
 /// A geometric triangulation of a closed hyperbolic surface by geodesic triangles, in local coordinates.
@@ -172,7 +183,11 @@ class Triangulation {
   std::uint64_t make_delaunay();
 
   /// Adds a vertex that no triangle has yet.
-  std::uint32_t add_vertex(const Vertex& v);
+  std::uint32_t add_vertex(const Vertex& v) {
+    points_.push_back(v.z);
+    charts_.push_back(v.chart);
+    return vertex_count() - 1;
+  }
   /// Takes back the last add_vertex; no triangle may have the vertex.
   void pop_vertex() {
     points_.pop_back();
@@ -191,12 +206,12 @@ class Triangulation {
   template <class Accept>
   [[nodiscard]] bool insert_in_cavity(std::uint32_t t, std::uint32_t vertex, LabelId label, const Accept& accept,
                                       Journal* journal = nullptr);
-  /// insert_in_cavity for a new vertex at the point p of t's chart, where nothing but identity labels is met and
-  /// binary64 decides everything: the way of nearly all insertions, with every coordinate loaded once. False, with
-  /// nothing changed, if anything else is met, or if p is not certainly at a distance d with sinh²(d/2) > apart from
-  /// all other vertices. `large_triangles` gets the new triangles with sinh²R > large, which are marked.
+  /// insert_in_cavity for a new vertex at the point p of t's chart, where binary64 decides everything: the way of
+  /// nearly all insertions, with every coordinate loaded once. False, with nothing changed, if a predicate is unsure,
+  /// if a triangle is met twice, or if p is not certainly at a distance d with sinh²(d/2) > apart from all other
+  /// vertices. Triangles with sinh²R > large are marked.
   [[nodiscard]] bool insert_locally(std::uint32_t t, const Complex<double>& p, const Threshold& apart,
-                                    const Threshold& large, std::vector<std::uint32_t>& large_triangles);
+                                    const Threshold& large, NewTriangles& made);
   /// The triangles around the vertex that the last insert_in_cavity, split_face or split_edge inserted: it is their
   /// corner 0, dart 1 is opposite to it.
   [[nodiscard]] const std::vector<std::uint32_t>& new_triangles() const { return new_triangles_; }
@@ -249,11 +264,25 @@ class Triangulation {
   void set(std::uint32_t t, Corner c0, Corner c1, Corner c2, Journal* journal);
   void record(std::uint32_t t, Journal* journal) const;
   void link(Dart d, Dart e, Journal* journal);
-  std::uint32_t add_triangle();
+  /// Throws if so many more triangles are more than there may be.
+  void require_room(std::size_t triangles) const;
+  std::uint32_t add_triangle() {
+    triangles_.push_back({});
+    return triangle_count() - 1;
+  }
+  /// Labels of the corners 1 and 2, with no mark.
+  [[nodiscard]] static std::uint64_t packed(LabelId l1, LabelId l2) {
+    return (std::uint64_t{l1} << 40) | (std::uint64_t{l2} << 16);
+  }
   [[nodiscard]] Corner moved(LabelId by, Corner c) { return {c.vertex, atlas_.product(by, c.label)}; }
   [[nodiscard]] bool find_cavity(std::uint32_t t, Corner p);
   /// Replaces the triangles of cavity_ by the fan from a vertex to boundary_.
   void fill_cavity(Corner p, Journal* journal);
+  enum class Outcome { inserted, labels_met, undecided };
+  /// insert_locally; without `kLabels` as far as all labels are the identity.
+  template <bool kLabels>
+  [[nodiscard]] Outcome insert_locally_with(std::uint32_t t, const Complex<double>& p, const Threshold& apart,
+                                            const Threshold& large, NewTriangles& made);
   [[nodiscard]] Location classify(Dart d, LabelId transition, Corner p, std::uint32_t steps);
 
   Atlas atlas_;
