@@ -39,6 +39,7 @@ struct NetStatistics {
   std::uint64_t insertions = 0;
   std::uint64_t flips = 0;             ///< Of the insertions. A cavity of k triangles counts as k − 1 flips.
   std::uint64_t initial_flips = 0;     ///< To make the input's triangulation Delaunay.
+  std::uint64_t removed = 0;           ///< Vertices of the input that were closer than ε to others, or not the base.
   std::uint64_t located = 0;           ///< Walks (`Insertion::flips` only).
   std::uint64_t located_at_start = 0;  ///< Circumcentres that lie in their own triangle.
   std::uint64_t walk_steps = 0;        ///< Triangles entered by all walks.
@@ -74,7 +75,8 @@ struct UncertifiedNet {
 
 /// Computes an ε-net of the surface by Delaunay refinement (thesis Algorithm IV.4.1), without its certificate.
 ///
-/// The vertices of the surface's tiles are the start; if there are several, they must be an ε-packing. Deterministic.
+/// The vertices of the surface's tiles are the start; of those closer than ε to each other some are removed.
+/// Deterministic.
 /// Throws NetError, std::bad_alloc.
 [[nodiscard]] UncertifiedNet compute_net(const Surface& surface, const Epsilon& epsilon,
                                          const NetOptions& options = {});

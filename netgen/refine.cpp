@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "epsnet/netgen/start.h"
+
 namespace epsnet {
 namespace {
 
@@ -60,7 +62,7 @@ class Refinement {
   }
 
   void run() {
-    require_packing();
+    statistics_.removed = reduce_to_packing(triangulation_, apart_);
     for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
       push_if_large(t);
     }
@@ -89,20 +91,6 @@ class Refinement {
   }
 
  private:
-  void require_packing() {
-    for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        const Corner a = triangulation_.corner(t, i);
-        const Corner b = triangulation_.corner(t, next(i));
-        if (a.vertex != b.vertex && triangulation_.compare_distance(a, b, apart_) <= 0) {
-          throw NetError("the surface's own vertices are closer to each other than epsilon (vertex classes " +
-                         std::to_string(a.vertex) + " and " + std::to_string(b.vertex) +
-                         "), so that they cannot start a net: give it by tiles with one vertex class");
-        }
-      }
-    }
-  }
-
   [[nodiscard]] bool is_large(std::uint32_t t) { return triangulation_.compare_circumradius(t, large_) > 0; }
 
   void push_if_large(std::uint32_t t) {

@@ -222,6 +222,20 @@ class Triangulation {
   /// The same by the straight walk from a corner of `start` (thesis Chapter II); terminates in every triangulation.
   [[nodiscard]] Location locate_straight(std::uint32_t start, Corner p);
 
+  /// The darts that leave the start vertex of d, d first, clockwise.
+  [[nodiscard]] std::vector<Dart> star(Dart d) const;
+  /// The label from the chart of the vertex at the end of d to the chart of the one at its start that puts the end's
+  /// lift at the other end of d.
+  [[nodiscard]] LabelId label_along(Dart d);
+  /// Moves the start vertex of d along d into its end, which it becomes; vertices and triangles are renumbered: the
+  /// last ones take the numbers of those that vanish. Returns a dart that leaves the merged vertex; nothing, with
+  /// nothing changed, if the two are one vertex or if some triangle would not stay counterclockwise. (What is left is
+  /// again a triangulation: labels fit, triangles are counterclockwise and V − E + F is the same.) O(n).
+  [[nodiscard]] std::optional<Dart> contract(Dart d);
+  /// Moves the start vertex of d to a place, given by its label to that vertex' chart. False, with nothing changed, if
+  /// some triangle would not stay counterclockwise. O(n).
+  [[nodiscard]] bool move_vertex(Dart d, const Atlas::Place& place);
+
   /// Starts to record for `undo`.
   [[nodiscard]] Journal open_journal() const { return {points_.size(), triangles_.size(), {}}; }
   /// Takes back everything since the journal was opened; vertices, triangles and their order are as they were.
@@ -276,6 +290,16 @@ class Triangulation {
   }
   [[nodiscard]] Corner moved(LabelId by, Corner c) { return {c.vertex, atlas_.product(by, c.label)}; }
   [[nodiscard]] bool find_cavity(std::uint32_t t, Corner p);
+  /// The corners of a triangle with `vertex` replaced, wherever it is one; the replacement is given in the chart of
+  /// `vertex`.
+  [[nodiscard]] std::array<Corner, 3> corners_with(std::uint32_t t, std::uint32_t vertex, Corner replacement);
+  /// Replaces the vertex of a star in all of its triangles but two; false, with nothing changed, if one of them would
+  /// not be counterclockwise.
+  [[nodiscard]] bool replace_vertex(const std::vector<Dart>& star, Corner replacement,
+                                    const std::array<std::uint32_t, 2>& except);
+  /// The last vertex, or triangle, takes the number of the one removed.
+  void remove_vertex(std::uint32_t v);
+  void remove_triangle(std::uint32_t t);
   /// Replaces the triangles of cavity_ by the fan from a vertex to boundary_.
   void fill_cavity(Corner p, Journal* journal);
   enum class Outcome { inserted, labels_met, undecided };

@@ -1,0 +1,213 @@
+#include "epsnet/netgen/fenchel_nielsen.h"
+
+#include <array>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_int_distribution.hpp>
+#include <utility>
+
+namespace epsnet {
+namespace {
+
+using Integer = boost::multiprecision::mpz_int;
+
+/// A matrix of PGL₂(Q) with positive determinant, acting on the upper half-plane.
+struct Matrix {
+  Rational a, b, c, d;
+
+  [[nodiscard]] Complex<Rational> operator()(const Complex<Rational>& z) const {
+    const Complex<Rational> numerator{a * z.x + b, a * z.y};
+    const Complex<Rational> denominator{c * z.x + d, c * z.y};
+    return numerator / denominator;
+  }
+};
+
+Matrix operator*(const Matrix& m, const Matrix& n) {
+  return {m.a * n.a + m.b * n.c, m.a * n.b + m.b * n.d, m.c * n.a + m.d * n.c, m.c * n.b + m.d * n.d};
+}
+
+/// Up to a factor.
+Matrix inverse(const Matrix& m) { return {m.d, -m.b, -m.c, m.a}; }
+
+/// The rational number with the smallest denominator in [low, high], 0 < low ≤ high.
+Rational simplest_between(Rational low, Rational high) {
+  // The continued fractions of both ends as long as they agree.
+  Matrix convergents{1, 0, 0, 1};
+  for (;;) {
+    const Integer whole = numerator(low) / denominator(low);
+    const bool ends = Rational(whole) == low || Rational(whole + 1) <= high;
+    const Rational digit = Rational(whole) == low ? Rational(whole) : ends ? Rational(whole + 1) : Rational(whole);
+    convergents = convergents * Matrix{digit, 1, 1, 0};
+    if (ends) {
+      return convergents.a / convergents.c;
+    }
+    const Rational new_low = 1 / (high - digit);
+    high = 1 / (low - digit);
+    low = new_low;
+  }
+}
+
+/// The simplest rational number within a factor 1 ± 2^−bits of x.
+Rational simplest_near(const Mp1024& x, int bits) {
+  const Mp1024 margin = boost::multiprecision::ldexp(x, -bits);
+  return simplest_between(Rational(Mp1024(x - margin)), Rational(Mp1024(x + margin)));
+}
+
+/// A pair of pants in the upper half-plane: the generators D_k of its group are translations along the boundary, the
+/// pants on their left, D1 D2 D3 = 1; N_k takes the axis from 0 to ∞ to that of D_k.
+struct Pants {
+  std::array<Matrix, 3> generator;
+  std::array<Matrix, 3> axis;
+};
+
+Pants pants(const std::array<Rational, 3>& r) {
+  const auto& [r1, r2, r3] = r;
+  const Rational t2 = r2 + 1 / r2;
+  const Rational t3 = r3 + 1 / r3;
+  // D1 = diag(r1, 1/r1), D2 = (a b; c d) with determinant 1, tr D2 = t2 and tr D1 D2 = −t3: the sign makes it a pair of
+  // pants. c is free; it scales the picture, and this one has the pants around i.
+  const Rational a = -(t3 + t2 / r1) / (r1 - 1 / r1);
+  const Rational d = t2 - a;
+  const Mp1024 size = sqrt(Mp1024(Rational((d - r2) * (d + r1 * r3))));
+  const Rational c = simplest_near(size, 3);
+  const Matrix first{r1, 0, 0, 1 / r1};
+  const Matrix second{a, (a * d - 1) / c, c, d};
+  const auto axis = [](const Rational& from, const Rational& to) { return Matrix{to, from, 1, 1}; };
+  return {{first, second, inverse(first * second)},
+          {Matrix{1, 0, 0, 1}, axis((1 / r2 - d) / c, (r2 - d) / c), axis((-r1 * r3 - d) / c, (-r1 / r3 - d) / c)}};
+}
+
+/// The height f of the mark of cuff k: N_k(i f) is the foot of the common perpendicular with cuff k + 1. f² is the
+/// product of the ends of that cuff's axis, seen from this one.
+Mp1024 mark(const Pants& p, std::uint32_t k) {
+  const Matrix other = inverse(p.axis[k]) * p.axis[(k + 1) % 3];
+  return sqrt(Mp1024(Rational((other.b / other.d) * (other.a / other.c))));
+}
+
+Complex<Rational> to_disk(const Complex<Rational>& z) {
+  const Complex<Rational> i{0, 1};
+  return (z - i) / (z + i);
+}
+
+/// The pants cut open along two arcs between the base points P_k = N_k(i y_k): a convex heptagon P1, P2, D2 P2, D2 P1,
+/// D2 P3, D1⁻¹ P3, D1⁻¹ P1.
+Tile heptagon(const Pants& p, const std::array<Rational, 3>& y) {
+  std::array<Complex<Rational>, 3> base;
+  for (std::size_t k = 0; k < 3; ++k) {
+    base[k] = p.axis[k]({0, y[k]});
+  }
+  const Matrix& second = p.generator[1];
+  const Matrix back = inverse(p.generator[0]);
+  Tile tile{base[0], base[1], second(base[1]), second(base[0]), second(base[2]), back(base[2]), back(base[0])};
+  for (Complex<Rational>& vertex : tile) {
+    vertex = to_disk(vertex);
+  }
+  return tile;
+}
+
+/// The sides of the heptagon that lie on the cuffs.
+constexpr std::array<std::uint32_t, 3> kCuffSide{6, 1, 4};
+
+std::string edge_name(const FenchelNielsen& coordinates, std::size_t e) {
+  const auto& [first, second] = coordinates.graph.edges()[e];
+  return "edge " + std::to_string(e) + " (" + std::to_string(first.pants) + "-" + std::to_string(second.pants) + ")";
+}
+
+void check(const FenchelNielsen& coordinates) {
+  const std::size_t n = coordinates.graph.edges().size();
+  const auto require_count = [n](const char* what, std::size_t count) {
+    if (count != n) {
+      throw SurfaceError(std::to_string(count) + " " + what + " for a pants graph with " + std::to_string(n) +
+                         " edges");
+    }
+  };
+  require_count("lengths", coordinates.lengths.size());
+  require_count("twists", coordinates.twists.size());
+  const Rational shortest(1, boost::multiprecision::pow(Integer(10), 30));
+  const Rational longest = 1000;
+  const Rational largest_twist = boost::multiprecision::pow(Integer(10), 100);
+  for (std::size_t e = 0; e < n; ++e) {
+    const Rational& length = coordinates.lengths[e];
+    if (length < shortest || length > longest) {
+      throw SurfaceError(edge_name(coordinates, e) + ": a length must be at least 1e-30 and at most 1000, not " +
+                         (length <= 0         ? "zero or negative"
+                          : length < shortest ? "less"
+                                              : "more"));
+    }
+    if (abs(coordinates.twists[e]) > largest_twist) {
+      throw SurfaceError(edge_name(coordinates, e) + ": a twist must be at most 1e100");
+    }
+  }
+}
+
+}  // namespace
+
+FenchelNielsenSurface fenchel_nielsen_surface(const FenchelNielsen& coordinates) {
+  check(coordinates);
+  const PantsGraph& graph = coordinates.graph;
+  const std::size_t n = graph.edges().size();
+  std::vector<Rational> r;
+  for (const Rational& length : coordinates.lengths) {
+    // r − 1, so that short lengths keep their relative accuracy: d ln r ≤ dr and r − 1 ≤ ½ length · r.
+    r.push_back(1 + simplest_near(expm1(Mp1024(Rational(length / 2))), 52));
+  }
+  std::vector<Pants> pieces;
+  for (std::uint32_t p = 0; p < graph.pants_count(); ++p) {
+    pieces.push_back(pants({r[graph.edge_at(p, 0)], r[graph.edge_at(p, 1)], r[graph.edge_at(p, 2)]}));
+  }
+
+  std::vector<std::array<Rational, 3>> y(pieces.size());
+  std::vector<Gluing> gluing;
+  for (std::uint32_t p = 0; p < graph.pants_count(); ++p) {
+    gluing.push_back({p, 0, p, 2});
+    gluing.push_back({p, 3, p, 5});
+  }
+  std::string about = "Fenchel-Nielsen, exactly: per edge the two pants with their cuffs, r = exp(length/2), s";
+  for (std::size_t e = 0; e < n; ++e) {
+    const auto& [first, second] = graph.edges()[e];
+    const Rational& length = coordinates.lengths[e];
+    // The twist modulo the length, between −½ and ½ of it.
+    const Rational turns = coordinates.twists[e] / length + Rational(1, 2);
+    Integer whole = numerator(turns) / denominator(turns);
+    if (Rational(whole) > turns) {
+      --whole;
+    }
+    const Rational twist = coordinates.twists[e] - length * Rational(whole);
+    // The base points lie at the heights y on the two sides; gluing them gives the twist ln(y y'/(f f')). Only the
+    // product counts, so the first may be rough, but not by a good part of the cuff.
+    const int cuff_bits = std::max(3, 3 - static_cast<int>(ilogb(Mp1024(length))));
+    const Mp1024 half_turn = exp(Mp1024(Rational(twist / 2)));
+    const Mp1024 f = mark(pieces[first.pants], first.cuff);
+    const Mp1024 f2 = mark(pieces[second.pants], second.cuff);
+    const Rational own = simplest_near(f * half_turn, cuff_bits);
+    const Rational other = simplest_near(f * f2 * half_turn * half_turn / Mp1024(own), cuff_bits + 49);
+    y[first.pants][first.cuff] = own;
+    y[second.pants][second.cuff] = other;
+    gluing.push_back({first.pants, kCuffSide[first.cuff], second.pants, kCuffSide[second.cuff]});
+    about += "; " + std::to_string(first.pants) + "." + std::to_string(first.cuff) + "-" +
+             std::to_string(second.pants) + "." + std::to_string(second.cuff) + " r=" + r[e].str() +
+             " s=" + Rational(own * other).str();
+  }
+  std::vector<Tile> tiles;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    tiles.push_back(heptagon(pieces[p], y[p]));
+  }
+  return {Surface(std::move(tiles), std::move(gluing)), std::move(about)};
+}
+
+FenchelNielsen random_coordinates(PantsGraph graph, std::uint64_t seed) {
+  boost::random::mt19937_64 engine(seed);
+  // A million steps are fine enough, and exact.
+  constexpr std::uint32_t kSteps = 1'000'000;
+  const auto uniform = [&](const Rational& from, const Rational& to) {
+    const auto step = boost::random::uniform_int_distribution<std::uint32_t>(0, kSteps - 1)(engine);
+    return Rational(from + (to - from) * Rational(step, kSteps));
+  };
+  std::vector<Rational> lengths, twists;
+  for (std::size_t e = 0; e < graph.edges().size(); ++e) {
+    lengths.push_back(uniform(1, 4));
+    twists.push_back(uniform(0, lengths.back()));
+  }
+  return {std::move(graph), std::move(lengths), std::move(twists)};
+}
+
+}  // namespace epsnet

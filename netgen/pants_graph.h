@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace epsnet {
+
+/// A pants graph that is none: not trivalent, not connected, too large; what() names the node.
+class PantsGraphError : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// A connected trivalent graph: 2g − 2 nodes, the pairs of pants, and 3g − 3 edges, the cuffs of a pants decomposition
+/// of a surface of genus g ≥ 2. Loops (a one-holed torus) and double edges are allowed. Immutable.
+class PantsGraph {
+ public:
+  /// One of the three cuffs, numbered 0, 1, 2, of a pair of pants.
+  struct End {
+    std::uint32_t pants;
+    std::uint32_t cuff;
+    bool operator==(const End&) const = default;
+  };
+  using Edge = std::array<End, 2>;
+
+  /// From the nodes at the two ends of every edge. A node's cuffs are numbered in the order in which the edges name it.
+  /// Throws PantsGraphError. At most genus 2²⁰.
+  explicit PantsGraph(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges);
+
+  /// A path of nodes joined by single and double edges in turn, with a loop at both ends.
+  [[nodiscard]] static PantsGraph chain(std::uint32_t genus);
+  /// A cycle of nodes joined by single and double edges in turn.
+  [[nodiscard]] static PantsGraph ring(std::uint32_t genus);
+  /// A balanced tree of which every leaf has a loop.
+  [[nodiscard]] static PantsGraph tree(std::uint32_t genus);
+  /// The 3(2g − 2) ends paired at random, again until the graph is connected; the same for a seed on every machine.
+  [[nodiscard]] static PantsGraph random(std::uint32_t genus, std::uint64_t seed);
+  /// The edges "0-1 0-1 0-1" of a list; separators are spaces and commas. Throws PantsGraphError, also for bad syntax.
+  [[nodiscard]] static PantsGraph parse(std::string_view text);
+
+  [[nodiscard]] std::uint32_t genus() const { return static_cast<std::uint32_t>(edges_.size() / 3 + 1); }
+  [[nodiscard]] std::uint32_t pants_count() const { return 2 * genus() - 2; }
+  [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
+  /// The number of the edge at a cuff.
+  [[nodiscard]] std::uint32_t edge_at(std::uint32_t pants, std::uint32_t cuff) const { return at_[3 * pants + cuff]; }
+
+ private:
+  std::vector<Edge> edges_;
+  std::vector<std::uint32_t> at_;
+};
+
+}  // namespace epsnet

@@ -1,0 +1,121 @@
+#include "epsnet/netgen/start.h"
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace epsnet {
+namespace {
+
+/// Contracts the edges that `goes(from, to)` names, from `from` into `to`.
+template <class Goes>
+class Reduction {
+ public:
+  Reduction(Triangulation& triangulation, const Goes& goes) : triangulation_(triangulation), goes_(goes) {}
+
+  std::uint32_t run() {
+    const std::uint32_t vertices = triangulation_.vertex_count();
+    constexpr int kMostMoves = 10'000;
+    for (int moves = 0;;) {
+      // Contractions make others possible: passes until nothing is left, or nothing changes.
+      while (contract_where_possible()) {
+      }
+      const std::optional<Dart> d = remaining();
+      if (!d) {
+        return vertices - triangulation_.vertex_count();
+      }
+      if (!approach(*d) || ++moves > kMostMoves) {
+        throw NetError("the surface's own vertices are closer to each other than epsilon, and vertex " +
+                       std::to_string(from(*d)) + " could not be moved into vertex " + std::to_string(to(*d)));
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t from(Dart d) const { return triangulation_.corner(triangle_of(d), corner_of(d)).vertex; }
+  [[nodiscard]] std::uint32_t to(Dart d) const { return from(next_dart(d)); }
+
+  bool contract_where_possible() {
+    bool changed = false;
+    for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+      for (std::uint32_t i = 0; i < 3 && t < triangulation_.triangle_count(); ++i) {
+        const Dart d = make_dart(t, i);
+        if (from(d) != to(d) && goes_(d)) {
+          if (const std::optional<Dart> merged = triangulation_.contract(d)) {
+            restore(*merged);
+            changed = true;
+          }
+        }
+      }
+    }
+    return changed;
+  }
+
+  [[nodiscard]] std::optional<Dart> remaining() {
+    for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        if (const Dart d = make_dart(t, i); from(d) != to(d) && goes_(d)) {
+          return d;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Moves the start of d towards its end, as far as a power of ½ of the way allows.
+  bool approach(Dart d) {
+    Atlas& atlas = triangulation_.atlas();
+    const Vertex start = triangulation_.vertex(from(d));
+    const Vertex end = triangulation_.vertex(to(d));
+    const LabelId label = triangulation_.label_along(d);
+    const Complex<Mp256> one{1, 0};
+    const Complex<Mp256> a = convert<Mp256>(start.z);
+    const Complex<Mp256> b = atlas.lift<Mp256>(label, end.z);
+    const Complex<Mp256> way = (b - a) / (one - conj(a) * b);
+    const Mp256 size = sqrt(norm(way));
+    Mp256 length = atanh(size);
+    for (int halvings = 0; halvings < 60; ++halvings) {
+      length /= 2;
+      const Complex<Mp256> step = Mp256(tanh(length) / size) * way;
+      const Complex<Mp256> target = (step + a) / (one + conj(a) * step);
+      if (triangulation_.move_vertex(d, atlas.place(start.chart, target, false))) {
+        restore(d);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Makes the triangulation Delaunay again after a change of the triangles around the start of d.
+  void restore(Dart d) {
+    pending_.clear();
+    for (const Dart x : triangulation_.star(d)) {
+      pending_.push_back(x);
+      pending_.push_back(next_dart(x));
+    }
+    (void)triangulation_.restore_delaunay(pending_);
+  }
+
+  Triangulation& triangulation_;
+  const Goes& goes_;
+  std::vector<Dart> pending_;
+};
+
+}  // namespace
+
+std::uint32_t reduce_to_packing(Triangulation& triangulation, const Threshold& apart) {
+  const auto too_close = [&](Dart d) {
+    const std::uint32_t t = triangle_of(d);
+    const Corner a = triangulation.corner(t, corner_of(d));
+    const Corner b = triangulation.corner(t, next(corner_of(d)));
+    return triangulation.compare_distance(a, b, apart) <= 0;
+  };
+  return Reduction(triangulation, too_close).run();
+}
+
+std::uint32_t reduce_to_vertex_0(Triangulation& triangulation) {
+  const auto leaves_another = [&](Dart d) { return triangulation.corner(triangle_of(d), corner_of(d)).vertex != 0; };
+  return Reduction(triangulation, leaves_another).run();
+}
+
+}  // namespace epsnet
