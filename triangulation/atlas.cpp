@@ -148,10 +148,17 @@ Atlas::Evaluation<T> Atlas::evaluate(std::uint32_t from, std::uint32_t to, const
     // A product that has come out too small through cancellation has lost as much as went into it.
     lost = std::max(lost, before.back() + log2_norm(product));
   }
-  Isometry<T> after;
+  // The sizes of the products from the other end are enough in binary64: `size` is a bound, for `after` is the product
+  // to within `error`.
+  Isometry<double> after;
+  double error = 0;
   for (std::size_t i = factors.size(); i-- > 0;) {
-    lost = std::max(lost, before[i] + log2_norm(after));
-    after = after * factors[i];
+    const double size = std::sqrt(norm(after.a)) + std::sqrt(norm(after.b)) + error;
+    lost = std::max(lost, before[i] + 1 + std::log2(size));
+    const Isometry<double> factor = convert<double>(factors[i]);
+    const double factor_size = 1.001 * (std::sqrt(norm(factor.a)) + std::sqrt(norm(factor.b)));
+    error = (error + 16 * kUnitRoundoff * size) * factor_size;
+    after = after * factor;
   }
   // The factors' own rounding, about 8 operations deep, and their number.
   return {product, lost + 8 + std::log2(static_cast<double>(factors.size()))};
@@ -183,11 +190,12 @@ LabelId Atlas::label(std::uint32_t from, std::uint32_t to, Word word) {
   if (value.accuracy < kAbsoluteAccuracy + log2_norm(value.isometry)) {
     value = evaluate_to<Mp256>(240, from, to, word);
   }
-  return find_or_add(from, to, value.isometry, value.accuracy, std::move(word));
+  return find_or_add(from, to, value.isometry, value.accuracy, [&] { return std::move(word); });
 }
 
+template <class MakeWord>
 LabelId Atlas::find_or_add(std::uint32_t from, std::uint32_t to, const Isometry<Mp256>& isometry, double accuracy,
-                           Word word) {
+                           const MakeWord& word) {
   const auto equal = [&](const Isometry<Mp256>& f, const Isometry<Mp256>& g) {
     return (norm(f.a - g.a) < kSameLabel2 && norm(f.b - g.b) < kSameLabel2) ||
            (norm(f.a + g.a) < kSameLabel2 && norm(f.b + g.b) < kSameLabel2);
@@ -205,7 +213,7 @@ LabelId Atlas::find_or_add(std::uint32_t from, std::uint32_t to, const Isometry<
       return l;
     }
   }
-  labels_.push_back({from, to, rounded, image_error(rounded), kUnknown, isometry, accuracy, std::move(word)});
+  labels_.push_back({from, to, rounded, image_error(rounded), kUnknown, isometry, accuracy, word()});
   const LabelId id = static_cast<LabelId>(labels_.size());
   same_charts.push_back(id);
   charts_[to].incoming.push_back(id);
@@ -219,13 +227,13 @@ LabelId Atlas::product_of_others(LabelId f, LabelId g) {
   }
   const LabelEntry& left = labels_[f - 1];
   const LabelEntry& right = labels_[g - 1];
-  Word word = concatenated(*surface_, right.word, left.word);
+  const auto word = [&] { return concatenated(*surface_, right.word, left.word); };
   const double accuracy =
       std::min(left.accuracy, right.accuracy) - log2_norm(left.precise) - log2_norm(right.precise) - 3;
   const LabelId result =
       accuracy >= std::max(kLabelAccuracy, kAbsoluteAccuracy + log2_norm(left.precise) + log2_norm(right.precise))
-          ? find_or_add(right.from, left.to, left.precise * right.precise, accuracy, std::move(word))
-          : label(right.from, left.to, std::move(word));
+          ? find_or_add(right.from, left.to, left.precise * right.precise, accuracy, word)
+          : label(right.from, left.to, word());
   products_[pair_key(f, g)] = result;
   return result;
 }
@@ -234,7 +242,7 @@ LabelId Atlas::inverse_of_other(LabelId f) {
   LabelEntry& entry = labels_[f - 1];
   if (entry.inverse == kUnknown) {
     const LabelId result = find_or_add(entry.to, entry.from, epsnet::inverse(entry.precise), entry.accuracy,
-                                       reversed(*surface_, entry.word));
+                                       [&] { return reversed(*surface_, entry.word); });
     labels_[f - 1].inverse = result;
     labels_[result - 1].inverse = f;
     return result;

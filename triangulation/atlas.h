@@ -110,8 +110,10 @@ class Atlas {
 
   [[nodiscard]] LabelId product_of_others(LabelId f, LabelId g);
   [[nodiscard]] LabelId inverse_of_other(LabelId f);
+  /// `word` is asked for its word if the label is new.
+  template <class MakeWord>
   [[nodiscard]] LabelId find_or_add(std::uint32_t from, std::uint32_t to, const Isometry<Mp256>& isometry,
-                                    double accuracy, Word word);
+                                    double accuracy, const MakeWord& word);
   /// The value of a word, computed in a field, and how many of the field's bits it lost.
   template <class T>
   struct Evaluation {

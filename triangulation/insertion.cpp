@@ -42,44 +42,27 @@ bool Triangulation::find_cavity(std::uint32_t t, Corner p) {
   };
   // Depth first, edges counterclockwise, so that the boundary comes in its cyclic order.
   for (const std::uint32_t i : {2u, 1u, 0u}) {
-    pending_.push_back({make_dart(t, i), kIdentity});
+    pending_.push_back({make_dart(t, i), opposite(make_dart(t, i)), corner(t, i), corner(t, next(i))});
   }
-  bool local = p.label == kIdentity;
-  const Complex<double> centre = points_[p.vertex];
   while (!pending_.empty()) {
-    const auto [d, lift_of_d] = pending_.back();
+    const BoundaryEdge edge = pending_.back();
     pending_.pop_back();
-    const Triangle& inside = triangles_[triangle_of(d)];
-    const Dart e = inside.opposite[corner_of(d)];
-    const std::uint32_t s = triangle_of(e);
-    const std::uint32_t j = corner_of(e);
-    const Triangle& outside = triangles_[s];
-    const bool identities = (lift_of_d | (inside.labels_and_mark >> 16) | (outside.labels_and_mark >> 16)) == 0;
-    LabelId lift_of_s = kIdentity;
-    StageSign sign;
-    if (identities) {
-      if (local) {
-        sign = in_circle_stage<double>(points_[outside.vertex[0]], points_[outside.vertex[1]],
-                                       points_[outside.vertex[2]], centre, 0.0);
-      }
-    } else {
-      lift_of_s = atlas_.product(lift_of_d, transition(d));
-    }
-    if (!sign.certain) {
-      sign.sign =
-          in_circle(moved(lift_of_s, corner(s, 0)), moved(lift_of_s, corner(s, 1)), moved(lift_of_s, corner(s, 2)), p);
-    }
-    if (sign.sign > 0) {
+    const std::uint32_t s = triangle_of(edge.outer);
+    const std::uint32_t j = corner_of(edge.outer);
+    // One end of the edge, as it is lifted here and as s sees it, tells how s is lifted.
+    const LabelId lift_of_s = atlas_.product(edge.from.label, atlas_.inverse(corner(s, next(j)).label));
+    const Corner apex = moved(lift_of_s, corner(s, previous(j)));
+    if (in_circle(edge.to, edge.from, apex, p) > 0) {
       if (in_cavity(s)) {
         return false;
       }
       cavity_.push_back(s);
-      pending_.push_back({make_dart(s, previous(j)), lift_of_s});
-      pending_.push_back({make_dart(s, next(j)), lift_of_s});
+      const Dart last = make_dart(s, previous(j));
+      const Dart first = make_dart(s, next(j));
+      pending_.push_back({last, opposite(last), apex, edge.to});
+      pending_.push_back({first, opposite(first), edge.from, apex});
     } else {
-      const std::uint32_t i = corner_of(d);
-      boundary_.push_back(
-          {d, e, moved(lift_of_d, corner(triangle_of(d), i)), moved(lift_of_d, corner(triangle_of(d), next(i)))});
+      boundary_.push_back(edge);
     }
   }
   // A triangle beside the cavity of which another lift is in it: the insertion would meet itself.
@@ -137,7 +120,6 @@ Triangulation::Outcome Triangulation::insert_locally_with(std::uint32_t t, const
     Dart dart;
     std::uint32_t from;
     std::uint32_t to;
-    LabelId lift;  // From the chart of the dart's triangle to t's.
   };
   struct Edge {
     Dart outer;
@@ -184,7 +166,7 @@ Triangulation::Outcome Triangulation::insert_locally_with(std::uint32_t t, const
   // Depth first, counterclockwise, as in find_cavity.
   for (const std::uint32_t i : {2u, 1u, 0u}) {
     const std::uint32_t to = next(i);
-    gates[gate_count++] = {cross(rims[to].offset, rims[i].offset), make_dart(t, i), i, to, kIdentity};
+    gates[gate_count++] = {cross(rims[to].offset, rims[i].offset), make_dart(t, i), i, to};
   }
   while (gate_count > 0) {
     const Gate gate = gates[--gate_count];
@@ -192,10 +174,10 @@ Triangulation::Outcome Triangulation::insert_locally_with(std::uint32_t t, const
     const std::uint32_t s = triangle_of(e);
     const std::uint32_t j = corner_of(e);
     const Triangle& outside = triangles_[s];
-    LabelId lift_of_s = kIdentity;
     LabelId apex_label = kIdentity;
     if constexpr (kLabels) {
-      lift_of_s = atlas_.product(gate.lift, transition(gate.dart));
+      // One end of the dart, as it is lifted here and as s sees it, tells how s is lifted.
+      const LabelId lift_of_s = atlas_.product(rims[gate.from].label, atlas_.inverse(outside.label(next(j))));
       apex_label = atlas_.product(lift_of_s, outside.label(previous(j)));
     } else if (!outside.all_identity()) {
       return Outcome::labels_met;
@@ -219,8 +201,8 @@ Triangulation::Outcome Triangulation::insert_locally_with(std::uint32_t t, const
       }
       cavity[cavity_count++] = s;
       const std::uint32_t rim = add_rim(apex, apex_label, z, offset, offset_norm);
-      gates[gate_count++] = {-cross_to, make_dart(s, previous(j)), rim, gate.to, lift_of_s};
-      gates[gate_count++] = {-cross_from, make_dart(s, next(j)), gate.from, rim, lift_of_s};
+      gates[gate_count++] = {-cross_to, make_dart(s, previous(j)), rim, gate.to};
+      gates[gate_count++] = {-cross_from, make_dart(s, next(j)), gate.from, rim};
     } else {
       edges[edge_count++] = {e, gate.from};
     }

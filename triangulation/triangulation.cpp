@@ -230,11 +230,12 @@ std::optional<Complex<double>> Triangulation::circumcentre_fast(std::uint32_t t)
 }
 
 std::optional<Complex<Mp256>> Triangulation::circumcentre_precise(std::uint32_t t) {
-  std::array<Complex<Mp256>, 3> p;
+  std::array<Complex<Mp1024>, 3> p;
   for (std::uint32_t i = 0; i < 3; ++i) {
-    p[i] = atlas_.lift<Mp256>(triangles_[t].label(i), points_[triangles_[t].vertex[i]]);
+    p[i] = atlas_.lift<Mp1024>(triangles_[t].label(i), points_[triangles_[t].vertex[i]]);
   }
-  return epsnet::circumcentre(p[0], p[1], p[2]);
+  const auto centre = epsnet::circumcentre(p[0], p[1], p[2]);
+  return centre ? std::optional(convert<Mp256>(*centre)) : std::nullopt;
 }
 
 bool Triangulation::is_delaunay(Dart d) {

@@ -317,13 +317,9 @@ class Triangulation {
   std::uint64_t multiprecision_ = 0;
 
   // Scratch of insert_in_cavity, kept to allocate nothing per insertion.
-  struct PendingDart {
-    Dart dart;
-    LabelId transition;
-  };
   std::vector<std::uint32_t> cavity_;
   std::vector<BoundaryEdge> boundary_;
-  std::vector<PendingDart> pending_;
+  std::vector<BoundaryEdge> pending_;
   std::vector<std::uint32_t> new_triangles_;
 };
 
