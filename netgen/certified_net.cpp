@@ -69,7 +69,7 @@ certify::Document net_document(const Triangulation& triangulation, const Epsilon
   return net;
 }
 
-UncertifiedNet compute_net(const Surface& surface, const Epsilon& epsilon, const NetOptions& options) {
+UncertifiedNet compute_net(const Surface& surface, const Epsilon& epsilon, const NetOptions& options) try {
   using Clock = std::chrono::steady_clock;
   const auto seconds_since = [](Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -88,6 +88,8 @@ UncertifiedNet compute_net(const Surface& surface, const Epsilon& epsilon, const
   statistics.charts = result.net.charts.size();
   statistics.labels = result.net.labels.size();
   return result;
+} catch (const LimitError& error) {
+  throw NetError(error.what());
 }
 
 CertifiedNet certified_net(const Surface& surface, const Epsilon& epsilon, const NetOptions& options) {

@@ -118,7 +118,7 @@ class Refinement {
     } else if (const auto place = rounded_centre(t, centre_in_chart); place && insert(t, *place, false)) {
       return;
     }
-    // The rounded centre is too close to a vertex, or binary64 does not see the centre: the point to 130 bits, as the
+    // The rounded centre is too close to a vertex, or binary64 does not see the centre: the point to 256 bits, as the
     // origin of a chart of its own.
     if (const auto centre = triangulation_.circumcentre_precise(t);
         centre && insert(t, triangulation_.atlas().place(chart, *centre, true), false)) {
@@ -138,7 +138,7 @@ class Refinement {
     const std::uint32_t chart = triangulation_.chart_of(t);
     if (centre && norm(*centre) < 0.95) {
       const auto nearby = atlas.place_nearby(chart, *centre);
-      return nearby ? nearby : atlas.place(chart, convert<Mp256>(*centre), false);
+      return nearby ? nearby : atlas.place(chart, convert<Mp1024>(*centre), false);
     }
     const auto precise = triangulation_.circumcentre_precise(t);
     return precise ? std::optional(atlas.place(chart, *precise, false)) : std::nullopt;

@@ -68,16 +68,16 @@ class Reduction {
     const Vertex start = triangulation_.vertex(from(d));
     const Vertex end = triangulation_.vertex(to(d));
     const LabelId label = triangulation_.label_along(d);
-    const Complex<Mp256> one{1, 0};
-    const Complex<Mp256> a = convert<Mp256>(start.z);
-    const Complex<Mp256> b = atlas.lift<Mp256>(label, end.z);
-    const Complex<Mp256> way = (b - a) / (one - conj(a) * b);
-    const Mp256 size = sqrt(norm(way));
-    Mp256 length = atanh(size);
+    const Complex<Mp1024> one{1, 0};
+    const Complex<Mp1024> a = convert<Mp1024>(start.z);
+    const Complex<Mp1024> b = atlas.lift<Mp1024>(label, end.z);
+    const Complex<Mp1024> way = (b - a) / (one - conj(a) * b);
+    const Mp1024 size = sqrt(norm(way));
+    Mp1024 length = atanh(size);
     for (int halvings = 0; halvings < 60; ++halvings) {
       length /= 2;
-      const Complex<Mp256> step = Mp256(tanh(length) / size) * way;
-      const Complex<Mp256> target = (step + a) / (one + conj(a) * step);
+      const Complex<Mp1024> step = Mp1024(tanh(length) / size) * way;
+      const Complex<Mp1024> target = (step + a) / (one + conj(a) * step);
       if (triangulation_.move_vertex(d, atlas.place(start.chart, target, false))) {
         restore(d);
         return true;

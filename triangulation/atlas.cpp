@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <type_traits>
 
 #include "epsnet/kernel/plane.h"
@@ -17,17 +16,18 @@ constexpr LabelId kUnknown = ~LabelId{0};
 /// log2 N. Products that would have fewer are evaluated from their word again.
 constexpr double kLabelAccuracy = 150;
 constexpr double kAbsoluteAccuracy = 100;
-/// Two labels g and gh between the same charts are equal if their matrices agree to 2⁻⁷⁰: for h ≠ 1 of length ℓ the
+/// Two labels g and gh between the same charts are equal if the coordinates of their matrices agree to 2⁻⁷⁰: for h ≠ 1 of length ℓ the
 /// difference g(h − 1) has the determinant 2 − tr h = −4 sinh²(ℓ/4), whatever the size of g, so that some entry of it
 /// is larger than sinh(ℓ/4).
-const Mp256 kSameLabel2 = boost::multiprecision::pow(Mp256(2), -140);
+constexpr int kSameLabelBits = 70;
 
 std::uint64_t pair_key(std::uint32_t first, std::uint32_t second) { return (std::uint64_t{first} << 32) | second; }
 
-/// An upper bound of log2 of the operator norm |a| + |b| of a normalised isometry, at most 2 too large.
+/// An upper bound of log2 of the operator norm |a| + |b| ≤ 2|a| of a normalised isometry, at most 2.5 too large. No
+/// arithmetic, exponents only.
 template <class T>
 double log2_norm(const Isometry<T>& f) {
-  return 2 + 0.5 * static_cast<double>(ilogb(norm(f.a)));
+  return 2.5 + static_cast<double>(std::max(ilogb(f.a.x), ilogb(f.a.y)));
 }
 
 /// See Atlas::error and docs/error-bounds.md, E5.
@@ -182,7 +182,7 @@ Atlas::Value<T> Atlas::evaluate_to(double bits, std::uint32_t from, std::uint32_
   if (const auto value = evaluate<Mp4096>(from, to, word); value.bits_lost + bits <= 4096) {
     return rounded(value, 4096);
   }
-  throw std::runtime_error("a path of " + std::to_string(word.size()) + " sides leads too far to be evaluated");
+  throw LimitError("a path of " + std::to_string(word.size()) + " sides leads too far to be evaluated");
 }
 
 LabelId Atlas::label(std::uint32_t from, std::uint32_t to, Word word) {
@@ -196,9 +196,10 @@ LabelId Atlas::label(std::uint32_t from, std::uint32_t to, Word word) {
 template <class MakeWord>
 LabelId Atlas::find_or_add(std::uint32_t from, std::uint32_t to, const Isometry<Mp256>& isometry, double accuracy,
                            const MakeWord& word) {
+  const auto small = [](const Mp256& x) { return x == 0 || ilogb(x) < -kSameLabelBits; };
   const auto equal = [&](const Isometry<Mp256>& f, const Isometry<Mp256>& g) {
-    return (norm(f.a - g.a) < kSameLabel2 && norm(f.b - g.b) < kSameLabel2) ||
-           (norm(f.a + g.a) < kSameLabel2 && norm(f.b + g.b) < kSameLabel2);
+    return (small(f.a.x - g.a.x) && small(f.a.y - g.a.y) && small(f.b.x - g.b.x) && small(f.b.y - g.b.y)) ||
+           (small(f.a.x + g.a.x) && small(f.a.y + g.a.y) && small(f.b.x + g.b.x) && small(f.b.y + g.b.y));
   };
   if (from == to && equal(isometry, Isometry<Mp256>{})) {
     return kIdentity;
@@ -307,9 +308,10 @@ std::optional<Atlas::Place> Atlas::place_nearby(std::uint32_t c, const Complex<d
   return best;
 }
 
-Atlas::Place Atlas::place(std::uint32_t c, const Complex<Mp256>& z, bool exact) {
-  // Walk from tile to tile until the point lies in the one whose coordinates it has.
-  Complex<Mp256> w = frame<Mp256>(c)(z);
+Atlas::Place Atlas::place(std::uint32_t c, const Complex<Mp1024>& z, bool exact) {
+  // Walk from tile to tile until the point lies in the one whose coordinates it has. Far from the origin bits are worth
+  // less, so there are many.
+  Complex<Mp1024> w = frame<Mp1024>(c)(z);
   std::uint32_t tile = charts_[c].chart.tile;
   Word path;
   constexpr std::size_t kLongestPath = 100'000;
@@ -321,22 +323,22 @@ Atlas::Place Atlas::place(std::uint32_t c, const Complex<Mp256>& z, bool exact) 
       const std::uint32_t s = surface_->side_number(tile, k);
       const bool goes_back = !path.empty() && surface_->partner(path.back()) == s;
       if (!goes_back &&
-          orientation_determinant(convert<Mp256>(vertices[k]), convert<Mp256>(vertices[(k + 1) % n]), w) < 0) {
-        w = convert<Mp256>(surface_->crossing(s))(w);
+          orientation_determinant(convert<Mp1024>(vertices[k]), convert<Mp1024>(vertices[(k + 1) % n]), w) < 0) {
+        w = convert<Mp1024>(surface_->crossing(s))(w);
         path.push_back(s);
         tile = surface_->tile_of_side(surface_->partner(s));
         inside = false;
       }
     }
     if (path.size() > kLongestPath) {
-      throw std::runtime_error("a point lies more than " + std::to_string(kLongestPath) + " tiles away");
+      throw LimitError("a point lies more than " + std::to_string(kLongestPath) + " tiles away");
     }
   }
   std::optional<std::uint32_t> nearest;
   if (!exact) {
     double best = 0.6 * 0.6;
     for (const std::uint32_t candidate : charts_of_tile_[tile]) {
-      const double distance2 = static_cast<double>(norm(epsnet::inverse(frame<Mp256>(candidate))(w)));
+      const double distance2 = static_cast<double>(norm(epsnet::inverse(frame<Mp1024>(candidate))(w)));
       if (distance2 < best) {
         best = distance2;
         nearest = candidate;
@@ -346,11 +348,11 @@ Atlas::Place Atlas::place(std::uint32_t c, const Complex<Mp256>& z, bool exact) 
   if (!nearest) {
     // Short centres where binary64 places them well, else all the bits there are.
     const bool round = !exact && norm(w) < 0.999999;
-    const Complex<Rational> centre = round ? convert<Rational>(convert<double>(w)) : convert<Rational>(w);
+    const Complex<Rational> centre = round ? convert<Rational>(convert<double>(w)) : convert<Rational>(convert<Mp256>(w));
     nearest = add_chart({tile, centre});
   }
   const Complex<double> rounded =
-      exact ? Complex<double>{0, 0} : convert<double>(epsnet::inverse(frame<Mp256>(*nearest))(w));
+      exact ? Complex<double>{0, 0} : convert<double>(epsnet::inverse(frame<Mp1024>(*nearest))(w));
   return {*nearest, rounded, label(*nearest, c, reversed(*surface_, path))};
 }
 

@@ -4,6 +4,7 @@
 #include <deque>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <unordered_map>
 #include <vector>
 
@@ -12,6 +13,12 @@
 #include "epsnet/triangulation/surface.h"
 
 namespace epsnet {
+
+/// A surface or a triangulation is beyond a limit: too many triangles or labels, a path too long to be evaluated.
+class LimitError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// A chart: the Poincaré disk of a tile with the origin moved to `centre`; the point z of the chart has the coordinate
 /// (z + centre)/(1 + conj(centre) z) in the tile.
@@ -81,13 +88,13 @@ class Atlas {
 
   /// The point of the surface with coordinate z in chart c as a vertex: a chart, coordinates with |z| ≤ kChartRadius
   /// there, and the label from that chart to c. The coordinates are rounded to binary64; `exact` makes the point the
-  /// origin of a chart of its own, so that nothing of z is lost.
+  /// origin of a chart of its own, so that 256 bits of z are kept.
   struct Place {
     std::uint32_t chart;
     Complex<double> z;
     LabelId label;
   };
-  [[nodiscard]] Place place(std::uint32_t c, const Complex<Mp256>& z, bool exact);
+  [[nodiscard]] Place place(std::uint32_t c, const Complex<Mp1024>& z, bool exact);
   /// The same for a point known in binary64, by the labels that exist; nothing if none takes it near the origin of a
   /// chart.
   [[nodiscard]] std::optional<Place> place_nearby(std::uint32_t c, const Complex<double>& z);

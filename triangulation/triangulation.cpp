@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <stdexcept>
 
 namespace epsnet {
 namespace {
@@ -93,7 +92,7 @@ Triangulation::Triangulation(const Surface& surface) : atlas_(surface) {
 
 void Triangulation::require_room(std::size_t triangles) const {
   if (triangles_.size() + triangles > kMostTriangles) {
-    throw std::runtime_error("more than 2^30 triangles");
+    throw LimitError("more than 2^30 triangles");
   }
 }
 
@@ -133,7 +132,7 @@ void Triangulation::set(std::uint32_t t, Corner c0, Corner c1, Corner c2, Journa
     const LabelId l1 = atlas_.product(back, c1.label);
     const LabelId l2 = atlas_.product(back, c2.label);
     if (l1 > kLargestLabel || l2 > kLargestLabel) {
-      throw std::runtime_error("more than 2^24 labels");
+      throw LimitError("more than 2^24 labels");
     }
     labels = packed(l1, l2);
   }
@@ -229,13 +228,12 @@ std::optional<Complex<double>> Triangulation::circumcentre_fast(std::uint32_t t)
   return circumcentre_near_origin(a, b, c);
 }
 
-std::optional<Complex<Mp256>> Triangulation::circumcentre_precise(std::uint32_t t) {
+std::optional<Complex<Mp1024>> Triangulation::circumcentre_precise(std::uint32_t t) {
   std::array<Complex<Mp1024>, 3> p;
   for (std::uint32_t i = 0; i < 3; ++i) {
     p[i] = atlas_.lift<Mp1024>(triangles_[t].label(i), points_[triangles_[t].vertex[i]]);
   }
-  const auto centre = epsnet::circumcentre(p[0], p[1], p[2]);
-  return centre ? std::optional(convert<Mp256>(*centre)) : std::nullopt;
+  return epsnet::circumcentre(p[0], p[1], p[2]);
 }
 
 bool Triangulation::is_delaunay(Dart d) {

@@ -169,8 +169,8 @@ class Triangulation {
       __builtin_prefetch(&triangles_[triangle_of(neighbour.opposite[previous(i)])]);
     }
   }
-  /// The same to some 130 bits, if there is one.
-  [[nodiscard]] std::optional<Complex<Mp256>> circumcentre_precise(std::uint32_t t);
+  /// The same to some 500 bits, if there is one.
+  [[nodiscard]] std::optional<Complex<Mp1024>> circumcentre_precise(std::uint32_t t);
 
   /// Replaces the edge of d by the other diagonal of the two triangles beside it, and returns a dart of the new edge.
   /// The two triangles may share more edges. Requires their lifts side by side to make a strictly convex quadrilateral;

@@ -207,7 +207,7 @@ inline Atlas::Place place_in(Triangulation& triangulation, std::uint32_t t, cons
   if (norm(z) <= Mp256(0.25)) {
     return {chart, convert<double>(z), kIdentity};
   }
-  return triangulation.atlas().place(chart, z, false);
+  return triangulation.atlas().place(chart, convert<Mp1024>(z), false);
 }
 
 /// The point of a triangle with weights w (positive) on its corners, by linear interpolation on the hyperboloid.

@@ -207,7 +207,7 @@ RC_GTEST_PROP(AtlasProperty, PlaceKeepsThePoint, ()) {
   const std::uint32_t c = any_index(3u);
   const Complex<Mp256> z = convert<Mp256>(any_point_of_disk(0.999));
   const bool exact = any_index(2u) == 1;
-  const Atlas::Place place = atlas.place(c, z, exact);
+  const Atlas::Place place = atlas.place(c, convert<Mp1024>(z), exact);
   RC_ASSERT(norm(place.z) <= kChartRadius * kChartRadius);
   RC_ASSERT((place.label == kIdentity ? c : atlas.from(place.label)) == place.chart);
   RC_ASSERT((place.label == kIdentity ? c : atlas.to(place.label)) == c);
@@ -223,7 +223,7 @@ RC_GTEST_PROP(AtlasProperty, PlaceNearbyIsTheSamePoint, ()) {
   Atlas atlas = three_charts(surface);
   const std::uint32_t c = any_index(3u);
   const Complex<double> z = any_point_of_disk(0.95);
-  const Atlas::Place known = atlas.place(c, convert<Mp256>(z), false);
+  const Atlas::Place known = atlas.place(c, convert<Mp1024>(z), false);
   const auto nearby = atlas.place_nearby(c, z);
   // By now there is a label that leads near enough, unless `place` found the chart itself.
   RC_ASSERT(nearby.has_value() || known.label == kIdentity);
