@@ -4,6 +4,7 @@
 #include <epsnet/certify/map_check.h>
 #include <epsnet/certify/structure_check.h>
 #include <epsnet/certify/surface_check.h>
+#include <epsnet/certify/surface_sides.h>
 
 #include <algorithm>
 #include <thread>
@@ -62,7 +63,7 @@ Certificate check(const Document& document, const CheckOptions& options) {
   certificate.counts.vertices = document.vertices.size();
   certificate.counts.triangles = document.triangles.size();
   certificate.counts.edges = 3 * document.triangles.size() / 2;
-  certificate.counts.tiles = document.surface.tiles.size();
+  certificate.counts.tiles = number_of_tiles(document.surface);
   certificate.counts.charts = document.charts.size();
   certificate.counts.labels = document.labels.size();
   const unsigned threads = options.threads != 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1U);

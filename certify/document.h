@@ -31,9 +31,12 @@ struct Gluing {
   bool operator==(const Gluing&) const = default;
 };
 
+/// Tiles glued side to side, or a surface known by name.
 struct Surface {
   std::vector<Tile> tiles;
   std::vector<Gluing> gluing;
+  std::uint32_t regular_genus = 0;  ///< Not 0: the regular 4g-gon of this genus; tiles and gluing are then empty.
+  std::string about;                ///< Free text in UTF-8, no part of any claim.
   bool operator==(const Surface&) const = default;
 };
 

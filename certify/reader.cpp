@@ -109,14 +109,15 @@ void read_tuple(simdjson::simdjson_result<value> item, const Place& place, std::
   if (found != size) fail(place, "has " + std::to_string(found) + " elements, expected " + expected);
 }
 
-/// One member of an object: its name and how to read it.
+/// One member of an object: its name, how to read it, and whether it may be absent.
 struct Member {
   std::string_view name;
   std::function<void(simdjson::simdjson_result<value>)> read;
+  bool optional = false;
 };
 
-/// Reads an object that has exactly these members, each once, in any order.
-void read_members(object members, const Place& place, const std::vector<Member>& expected) {
+/// Reads an object that has exactly these members, each once, in any order. Says which of them are there.
+std::vector<bool> read_members(object members, const Place& place, const std::vector<Member>& expected) {
   std::vector<bool> seen(expected.size());
   for (auto field : members) {
     if (const auto error = field.error()) {
@@ -134,8 +135,9 @@ void read_members(object members, const Place& place, const std::vector<Member>&
     expected[which].read(field.value());
   }
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    if (!seen[i]) fail(place, "missing member " + in_quotes(expected[i].name));
+    if (!seen[i] && !expected[i].optional) fail(place, "missing member " + in_quotes(expected[i].name));
   }
+  return seen;
 }
 
 Member text_member(std::string_view name, std::string_view wanted, const Place& place) {
@@ -163,34 +165,57 @@ RationalPoint read_point(simdjson::simdjson_result<value> item, const Place& pla
   return point;
 }
 
+void read_tiles(simdjson::simdjson_result<value> rows, std::vector<Tile>& tiles) {
+  read_rows(rows, "surface.tiles", kMaxRows, [&](simdjson::simdjson_result<value> row, const Place& at) {
+    Tile tile;
+    read_array(row, at, "an array of vertices",
+               [&](simdjson::simdjson_result<value> vertex, std::size_t) { tile.push_back(read_point(vertex, at)); });
+    if (tile.size() < 3) {
+      fail(at, "has " + std::to_string(tile.size()) + " vertices, expected at least 3");
+    }
+    tiles.push_back(std::move(tile));
+  });
+}
+
+void read_gluing(simdjson::simdjson_result<value> rows, std::vector<Gluing>& gluing) {
+  read_rows(rows, "surface.gluing", kMaxRows, [&](simdjson::simdjson_result<value> row, const Place& at) {
+    std::array<std::uint32_t, 4> numbers{};
+    read_tuple(row, at, 4, "[t, k, t', k'], four indices",
+               [&](simdjson::simdjson_result<value> element, std::size_t i) { numbers[i] = read_index(element, at); });
+    gluing.push_back({numbers[0], numbers[1], numbers[2], numbers[3]});
+  });
+}
+
+/// A genus of 0 would read as "not regular" in a Surface, so the range is checked here.
+std::uint32_t read_regular_genus(simdjson::simdjson_result<value> item) {
+  const Place place{.member = "surface.genus"};
+  const std::uint32_t genus = read_index(item, place);
+  if (const auto problem = regular_genus_problem(genus)) fail(place, *problem);
+  return genus;
+}
+
 Surface read_surface_object(simdjson::simdjson_result<value> item) {
   const Place place{.member = "surface"};
   Surface surface;
-  read_members(
-      expect(item.get_object(), place, "an object"), place,
-      {text_member("kind", "tiles", place),
-       {"tiles",
-        [&](simdjson::simdjson_result<value> rows) {
-          read_rows(rows, "surface.tiles", kMaxRows, [&](simdjson::simdjson_result<value> row, const Place& at) {
-            Tile tile;
-            read_array(row, at, "an array of vertices", [&](simdjson::simdjson_result<value> vertex, std::size_t) {
-              tile.push_back(read_point(vertex, at));
-            });
-            if (tile.size() < 3) {
-              fail(at, "has " + std::to_string(tile.size()) + " vertices, expected at least 3");
-            }
-            surface.tiles.push_back(std::move(tile));
-          });
-        }},
-       {"gluing", [&](simdjson::simdjson_result<value> rows) {
-          read_rows(rows, "surface.gluing", kMaxRows, [&](simdjson::simdjson_result<value> row, const Place& at) {
-            std::array<std::uint32_t, 4> numbers{};
-            read_tuple(
-                row, at, 4, "[t, k, t', k'], four indices",
-                [&](simdjson::simdjson_result<value> element, std::size_t i) { numbers[i] = read_index(element, at); });
-            surface.gluing.push_back({numbers[0], numbers[1], numbers[2], numbers[3]});
-          });
-        }}});
+  std::string kind;
+  const std::vector<Member> members{
+      {"kind", [&](auto text) { kind = std::string(expect(text.get_string(), place, "a string")); }},
+      {"tiles", [&](auto rows) { read_tiles(rows, surface.tiles); }, true},
+      {"gluing", [&](auto rows) { read_gluing(rows, surface.gluing); }, true},
+      {"genus", [&](auto number) { surface.regular_genus = read_regular_genus(number); }, true},
+      {"about", [&](auto text) { surface.about = std::string(expect(text.get_string(), place, "a string")); }, true}};
+  const std::vector<bool> seen = read_members(expect(item.get_object(), place, "an object"), place, members);
+  // Which members there must be is known only now: the kind may be the last of them.
+  const bool regular = kind == "regular";
+  if (!regular && kind != "tiles") {
+    fail(place, "\"kind\" is " + in_quotes(kind) + ", expected \"tiles\" or \"regular\"");
+  }
+  for (std::size_t i = 1; i < 4; ++i) {
+    const bool wanted = regular == (members[i].name == "genus");
+    if (wanted == seen[i]) continue;
+    fail(place, (wanted ? "missing member " : "unknown member ") + in_quotes(members[i].name) +
+                    " in a surface of the kind " + in_quotes(kind));
+  }
   return surface;
 }
 

@@ -59,6 +59,13 @@ Problem gluing_problem(const Surface& surface) {
   return std::nullopt;
 }
 
+Problem regular_problem(const Surface& surface) {
+  if (!surface.tiles.empty()) return "surface.tiles: a regular surface has none";
+  if (!surface.gluing.empty()) return "surface.gluing: a regular surface has none";
+  if (const auto problem = regular_genus_problem(surface.regular_genus)) return "surface.genus: " + *problem;
+  return std::nullopt;
+}
+
 Problem label_problem(const Document& document, const SurfaceSides& sides) {
   for (std::size_t row = 0; row < document.labels.size(); ++row) {
     const Label& label = document.labels[row];
@@ -117,18 +124,28 @@ Problem triangle_problem(const Document& document) {
 
 }  // namespace
 
-Problem structure_problem(const Surface& surface) { return gluing_problem(surface); }
+Problem regular_genus_problem(std::uint32_t genus) {
+  if (genus < 2) return "the genus is " + std::to_string(genus) + ", expected at least 2";
+  if (genus > kMaxRegularGenus) {
+    return "the genus " + std::to_string(genus) + " is more than the limit of " + std::to_string(kMaxRegularGenus);
+  }
+  return std::nullopt;
+}
+
+Problem structure_problem(const Surface& surface) {
+  if (surface.about.size() > kMaxAboutBytes) return "surface.about: more than the limit of 1 MiB";
+  return surface.regular_genus == 0 ? gluing_problem(surface) : regular_problem(surface);
+}
 
 Problem structure_problem(const Document& document) {
   if (auto problem = structure_problem(document.surface)) return problem;
   const auto epsilon = parse_decimal(document.epsilon);
   if (!epsilon) return "epsilon: " + in_quotes(document.epsilon) + " is not a decimal, such as \"0.01\"";
   if (*epsilon <= 0) return "epsilon: " + in_quotes(document.epsilon) + " is not positive";
+  const std::size_t tiles = number_of_tiles(document.surface);
   for (std::size_t row = 0; row < document.charts.size(); ++row) {
     const Chart& chart = document.charts[row];
-    if (chart.tile >= document.surface.tiles.size()) {
-      return at("charts", row) + out_of_range("tile", chart.tile, document.surface.tiles.size());
-    }
+    if (chart.tile >= tiles) return at("charts", row) + out_of_range("tile", chart.tile, tiles);
     if (chart.centre.x * chart.centre.x + chart.centre.y * chart.centre.y >= 1) {
       return at("charts", row) + "the centre is not inside the unit disk";
     }

@@ -11,6 +11,13 @@
 /// A document without these is not a wrong net but no net: MALFORMED. O(size of the document), exact.
 namespace epsnet::certify {
 
+/// The largest genus of a surface known by name, and the largest length of its free text in bytes.
+inline constexpr std::uint32_t kMaxRegularGenus = 1000;
+inline constexpr std::size_t kMaxAboutBytes = std::size_t{1} << 20;
+
+/// What is wrong with the genus of a regular 4g-gon; nothing if it is in range.
+[[nodiscard]] std::optional<std::string> regular_genus_problem(std::uint32_t genus);
+
 /// The first problem, "PLACE: what is wrong, what was expected"; nothing if there is none. Corners of tiles are not
 /// examined (that is rule `surface`).
 [[nodiscard]] std::optional<std::string> structure_problem(const Surface& surface);

@@ -7,37 +7,50 @@
 
 namespace epsnet::certify {
 
+[[nodiscard]] inline std::size_t number_of_tiles(const Surface& surface) {
+  return surface.regular_genus == 0 ? surface.tiles.size() : 1;
+}
+
 /// The sides of all tiles, numbered in the order of the file (docs/format.md, "Side numbers"), and how they are glued.
 ///
 /// Needs indices in range and every side glued once (structure_problem). O(number of sides).
 struct SurfaceSides {
   explicit SurfaceSides(const Surface& surface) {
-    std::vector<std::uint32_t> first;
-    for (std::uint32_t t = 0; t < surface.tiles.size(); ++t) {
-      first.push_back(static_cast<std::uint32_t>(tile.size()));
-      for (std::uint32_t k = 0; k < surface.tiles[t].size(); ++k) {
-        tile.push_back(t);
-        corner.push_back(k);
-      }
-    }
-    partner.resize(tile.size());
-    for (const auto& [t, k, other_t, other_k] : surface.gluing) {
-      partner[first[t] + k] = first[other_t] + other_k;
-      partner[first[other_t] + other_k] = first[t] + k;
-    }
-    next.resize(tile.size());
-    for (std::uint32_t s = 0; s < tile.size(); ++s) {
-      next[s] = corner[s] + 1 == surface.tiles[tile[s]].size() ? first[tile[s]] : s + 1;
+    if (surface.regular_genus == 0) {
+      for (const Tile& polygon : surface.tiles) add_tile(static_cast<std::uint32_t>(polygon.size()));
+      for (const auto& [t, k, other_t, other_k] : surface.gluing) glue(first[t] + k, first[other_t] + other_k);
+    } else {
+      add_tile(4 * surface.regular_genus);
+      for (std::uint32_t k = 0; k < 2 * surface.regular_genus; ++k) glue(k, k + 2 * surface.regular_genus);
     }
     previous.resize(tile.size());
     for (std::uint32_t s = 0; s < tile.size(); ++s) previous[next[s]] = s;
   }
 
+  std::vector<std::uint32_t> first;     ///< The first side of a tile.
   std::vector<std::uint32_t> tile;      ///< The tile of a side.
   std::vector<std::uint32_t> corner;    ///< The vertex of the tile where the side starts.
   std::vector<std::uint32_t> partner;   ///< The side it is glued to.
   std::vector<std::uint32_t> next;      ///< The next side of its tile, counterclockwise.
   std::vector<std::uint32_t> previous;  ///< The previous one.
+
+ private:
+  void add_tile(std::uint32_t size) {
+    const auto start = static_cast<std::uint32_t>(tile.size());
+    const auto number = static_cast<std::uint32_t>(first.size());
+    first.push_back(start);
+    for (std::uint32_t k = 0; k < size; ++k) {
+      tile.push_back(number);
+      corner.push_back(k);
+      partner.push_back(0);
+      next.push_back(start + (k + 1) % size);
+    }
+  }
+
+  void glue(std::uint32_t side, std::uint32_t other) {
+    partner[side] = other;
+    partner[other] = side;
+  }
 };
 
 }  // namespace epsnet::certify

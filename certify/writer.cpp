@@ -29,6 +29,23 @@ class Buffer {
     text("\"");
   }
 
+  /// Text of any content as a JSON string.
+  void escaped_string(std::string_view value) {
+    constexpr std::string_view kHexadecimal = "0123456789abcdef";
+    text("\"");
+    for (const char c : value) {
+      if (c == '"' || c == '\\') text("\\");
+      if (static_cast<unsigned char>(c) >= 0x20) {
+        text({&c, 1});
+      } else {
+        text("\\u00");
+        text(kHexadecimal.substr(static_cast<std::size_t>(c) / 16, 1));
+        text(kHexadecimal.substr(static_cast<std::size_t>(c) % 16, 1));
+      }
+    }
+    text("\"");
+  }
+
   void flush() {
     out_.write(text_.data(), static_cast<std::streamsize>(text_.size()));
     text_.clear();
@@ -74,8 +91,8 @@ void write_numbers(Buffer& buffer, std::initializer_list<std::uint32_t> numbers)
   write_list(buffer, std::vector<std::uint32_t>(numbers), [&](std::uint32_t n) { buffer.number(n); });
 }
 
-void write_surface_object(Buffer& buffer, const Surface& surface) {
-  buffer.text("{\"kind\":\"tiles\",\n\"tiles\":");
+void write_tiles(Buffer& buffer, const Surface& surface) {
+  buffer.text("\"tiles\",\n\"tiles\":");
   write_rows(buffer, surface.tiles, [&](const Tile& tile) {
     write_list(buffer, tile, [&](const RationalPoint& vertex) {
       buffer.text("[");
@@ -87,6 +104,20 @@ void write_surface_object(Buffer& buffer, const Surface& surface) {
   write_rows(buffer, surface.gluing, [&](const Gluing& g) {
     write_numbers(buffer, {g.tile, g.side, g.other_tile, g.other_side});
   });
+}
+
+void write_surface_object(Buffer& buffer, const Surface& surface) {
+  buffer.text("{\"kind\":");
+  if (surface.regular_genus == 0) {
+    write_tiles(buffer, surface);
+  } else {
+    buffer.text("\"regular\",\"genus\":");
+    buffer.number(surface.regular_genus);
+  }
+  if (!surface.about.empty()) {
+    buffer.text(",\n\"about\":");
+    buffer.escaped_string(surface.about);
+  }
   buffer.text("}");
 }
 

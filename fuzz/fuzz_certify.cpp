@@ -117,9 +117,18 @@ void mutate_triangle(Triangle& triangle, const Document& document, Chooser& choo
   }
 }
 
+/// The sides of a surface are paired otherwise.
+void mutate_gluing(Surface& surface, Chooser& choose) {
+  Gluing& one = choose.of(surface.gluing);
+  Gluing& other = choose.of(surface.gluing);
+  std::swap(one.other_tile, other.other_tile);
+  std::swap(one.other_side, other.other_side);
+}
+
 /// One change of a kind that leaves a net file, though usually no net.
 void mutate(Document& document, Chooser& choose) {
-  std::size_t sides = 0;
+  const bool regular = document.surface.regular_genus != 0;
+  std::size_t sides = std::size_t{4} * document.surface.regular_genus;
   for (const Tile& tile : document.surface.tiles) sides += tile.size();
   switch (choose.below(9)) {
     case 0:
@@ -129,7 +138,11 @@ void mutate(Document& document, Chooser& choose) {
       mutate_triangle(choose.of(document.triangles), document, choose);
       break;
     case 2:
-      mutate_point(choose.of(choose.of(document.surface.tiles)), choose);
+      if (regular) {
+        document.surface.regular_genus = 2 + choose.below(4);
+      } else {
+        mutate_point(choose.of(choose.of(document.surface.tiles)), choose);
+      }
       break;
     case 3:
       mutate_point(choose.of(document.charts).centre, choose);
@@ -140,13 +153,9 @@ void mutate(Document& document, Chooser& choose) {
     case 5:
       document.epsilon = std::to_string(1 + choose.below(1000)) + "e-" + std::to_string(1 + choose.below(3));
       break;
-    case 6: {
-      Gluing& one = choose.of(document.surface.gluing);
-      Gluing& other = choose.of(document.surface.gluing);
-      std::swap(one.other_tile, other.other_tile);
-      std::swap(one.other_side, other.other_side);
+    case 6:
+      if (!regular) mutate_gluing(document.surface, choose);
       break;
-    }
     case 7:
       std::swap(choose.of(document.triangles), choose.of(document.triangles));
       break;

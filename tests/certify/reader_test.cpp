@@ -46,6 +46,87 @@ TEST(Reader, ReadsSurfacesThatTheWriterWrites) {
   EXPECT_THROW(static_cast<void>(parse_net(out.str(), "test")), MalformedError);
 }
 
+std::string surface_text(const std::string& object) {
+  return R"({"format": "epsnet-surface", "version": 1, "surface": )" + object + "}";
+}
+
+std::string surface_complaint(const std::string& object) {
+  try {
+    static_cast<void>(parse_surface(surface_text(object), "test"));
+  } catch (const MalformedError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string to_text(const Surface& surface) {
+  std::ostringstream out;
+  write_surface(surface, out);
+  return out.str();
+}
+
+TEST(Reader, RegularSurfacesComeBack) {
+  for (const std::uint32_t genus : {2U, 3U, 1000U}) {
+    Surface surface;
+    surface.regular_genus = genus;
+    EXPECT_EQ(parse_surface(to_text(surface), "test"), surface);
+  }
+  const Surface last_member_says_it = parse_surface(surface_text(R"({"genus": 7, "kind": "regular"})"), "test");
+  EXPECT_EQ(last_member_says_it.regular_genus, 7U);
+  Document document;
+  document.surface.regular_genus = 2;
+  document.epsilon = "1";
+  document.charts = {{0, {0, 0}}};
+  document.labels = {{0, 0, {7, 0}}};
+  EXPECT_EQ(parse_net(to_text(document), "test"), document);
+  document.charts[0].tile = 1;
+  EXPECT_EQ(complaint(to_text(document)), "test: charts[0]: tile 1 does not exist, expected less than 1");
+  document.charts[0].tile = 0;
+  document.labels[0].word[1] = 8;
+  EXPECT_EQ(complaint(to_text(document)), "test: labels[0]: side 8 does not exist, expected less than 8");
+}
+
+TEST(Reader, FreeTextComesBack) {
+  std::string every_character = "\xcf\x80 \xe2\x89\xa5 3";
+  for (char c = 0; c >= 0 && c < 127; ++c) every_character += c;
+  Surface regular;
+  regular.regular_genus = 2;
+  for (Surface surface : {regular, sample().surface}) {
+    surface.about = every_character;
+    EXPECT_EQ(parse_surface(to_text(surface), "test"), surface);
+    surface.about.assign(std::size_t{1} << 20, 'a');
+    EXPECT_EQ(parse_surface(to_text(surface), "test"), surface);
+    surface.about += 'a';
+    EXPECT_THROW(static_cast<void>(parse_surface(to_text(surface), "test")), MalformedError);
+    surface.about.clear();
+    EXPECT_EQ(to_text(surface).find("about"), std::string::npos);
+  }
+}
+
+TEST(Reader, RegularSurfacesThatAreNoneAreMalformed) {
+  for (const char* genus : {"0", "1", "-3", "1.5", "2.0", "2e0", "\"2\"", "null", "1001", "4294967298"}) {
+    EXPECT_NE(surface_complaint(std::string(R"({"kind": "regular", "genus": )") + genus + "}"), "") << genus;
+  }
+  for (const char* object :
+       {R"({"kind": "regular"})", R"({"genus": 2})", R"({"kind": "regular", "genus": 2, "tiles": []})",
+        R"({"kind": "regular", "genus": 2, "gluing": []})", R"({"kind": "regular", "genus": 2, "genus": 2})",
+        R"({"kind": "tiles", "genus": 2})", R"({"kind": "Regular", "genus": 2})",
+        R"({"kind": "regular", "genus": 2, "about": 3})", R"({"kind": "regular", "genus": 2, "about": null})",
+        R"({"kind": "regular", "genus": 2, "about": "\ud800"})"}) {
+    EXPECT_NE(surface_complaint(object), "") << object;
+  }
+  EXPECT_EQ(surface_complaint(R"({"kind": "regular", "genus": 1001})"),
+            "test: surface.genus: the genus 1001 is more than the limit of 1000");
+  EXPECT_EQ(surface_complaint(R"({"kind": "regular", "genus": 1})"),
+            "test: surface.genus: the genus is 1, expected at least 2");
+  EXPECT_EQ(surface_complaint(R"({"kind": "regular"})"),
+            "test: surface: missing member \"genus\" in a surface of the kind \"regular\"");
+  EXPECT_EQ(surface_complaint(R"({"kind": "tiles", "tiles": [], "gluing": [], "genus": 2})"),
+            "test: surface: unknown member \"genus\" in a surface of the kind \"tiles\"");
+  EXPECT_EQ(surface_complaint(R"({"kind": "round"})"),
+            "test: surface: \"kind\" is \"round\", expected \"tiles\" or \"regular\"");
+}
+
 TEST(Reader, MembersComeInAnyOrderAndRationalsNeedNotBeReduced) {
   const std::string text = R"({"surface": {"gluing": [[0,0,0,1]], "kind": "tiles",
       "tiles": [[["0","0"],["-2/4","000"],["0","1/2"],["1/3","-0"]]]}, "version": 1, "format": "epsnet-surface"})";
