@@ -92,7 +92,7 @@ Certificate check(const Document& document, const CheckOptions& options) {
   if (certificate.rules.back().verdict != Verdict::verified) return conclude(std::move(certificate));
 
   progress("gluing");
-  ExactParts parts{std::move(surface.crossings), {}};
+  LabelParts parts{std::move(surface.crossings), {}};
   parts.frames.reserve(document.charts.size());
   for (const Chart& chart : document.charts) parts.frames.push_back(translation_to(exact_point(chart.centre)));
   const LabelEvaluator evaluator(document, parts);

@@ -23,19 +23,11 @@ ExactPoint exact_point(double x, double y) { return exact_point(RationalPoint{mp
 
 mpz_class gap(const ExactPoint& point) { return point.m * point.m - norm(point.n); }
 
-ExactIsometry compose(const ExactIsometry& f, const ExactIsometry& g) {
-  return {f.a * g.a + f.b * conjugate(g.b), f.a * g.b + f.b * conjugate(g.a)};
-}
-
-ExactIsometry inverse(const ExactIsometry& f) { return {conjugate(f.a), Gaussian{} - f.b}; }
-
 ExactIsometry translation_to(const ExactPoint& c) { return {{c.m, 0}, c.n}; }
 
 ExactIsometry compose_path(std::span<const ExactIsometry* const> fs) {
-  if (fs.empty()) return {};
-  if (fs.size() == 1) return *fs.front();
-  const std::size_t half = fs.size() / 2;
-  return compose(compose_path(fs.subspan(half)), compose_path(fs.first(half)));
+  if (fs.empty()) return exact_identity();
+  return compose_range(0, fs.size(), [&](std::size_t i) { return *fs[i]; });
 }
 
 void reduce(ExactIsometry& f) {
@@ -69,57 +61,11 @@ ExactIsometry crossing(const ExactPoint& p, const ExactPoint& q, const ExactPoin
   const Gaussian divisor = n * d_other;
   const mpz_class k = norm(divisor);
   const Gaussian c = n_other * d * conjugate(divisor);
-  ExactIsometry turn;
-  turn.a = c.re >= 0 ? Gaussian{k, 0} + c : Gaussian{0, 1} * (Gaussian{k, 0} - c);
+  ExactIsometry turn{c.re >= 0 ? Gaussian{k, 0} + c : Gaussian{0, 1} * (Gaussian{k, 0} - c), {0, 0}};
   reduce(turn);
   ExactIsometry result = compose(compose(translation_to(q_other), turn), inverse(translation_to(p)));
   reduce(result);
   return result;
-}
-
-MovedPoint moved(const ExactIsometry& f, const ExactPoint& z) {
-  return {f.a * z.n + z.m * f.b, conjugate(f.b) * z.n + z.m * conjugate(f.a)};
-}
-
-MovedPoint moved(const ExactPoint& z) { return {z.n, {z.m, 0}}; }
-
-namespace {
-
-/// A positive multiple of the point of the hyperboloid model: (2x, 2y, 1 + |z|²).
-struct Vector {
-  mpz_class x;
-  mpz_class y;
-  mpz_class t;
-};
-
-int determinant_sign(const Vector& u, const Vector& v, const Vector& w) {
-  const mpz_class value = u.x * (v.y * w.t - v.t * w.y) - u.y * (v.x * w.t - v.t * w.x) + u.t * (v.x * w.y - v.y * w.x);
-  return sgn(value);
-}
-
-Vector vector(const MovedPoint& z) {
-  const Gaussian product = z.n * conjugate(z.d);
-  return {2 * product.re, 2 * product.im, norm(z.n) + norm(z.d)};
-}
-
-Vector vector(const ExactPoint& z) { return {2 * z.m * z.n.re, 2 * z.m * z.n.im, norm(z.n) + z.m * z.m}; }
-
-}  // namespace
-
-int orientation(const MovedPoint& z0, const MovedPoint& z1, const MovedPoint& z2) {
-  return determinant_sign(vector(z0), vector(z1), vector(z2));
-}
-
-int orientation(const ExactPoint& z0, const ExactPoint& z1, const ExactPoint& z2) {
-  return determinant_sign(vector(z0), vector(z1), vector(z2));
-}
-
-int cross_ratio_sign(const std::array<MovedPoint, 4>& z) {
-  // z_i − z_j = (n_i d_j − n_j d_i)/(d_i d_j), and the denominators cancel in the cross-ratio.
-  const auto difference = [&](std::size_t i, std::size_t j) { return z[i].n * z[j].d - z[j].n * z[i].d; };
-  const Gaussian numerator = difference(3, 1) * difference(2, 0);
-  const Gaussian denominator = difference(3, 0) * difference(2, 1);
-  return sgn(mpz_class((numerator * conjugate(denominator)).im));
 }
 
 }  // namespace epsnet::certify

@@ -7,10 +7,14 @@
 #include <span>
 #include <vector>
 
-/// The hyperbolic plane over the Gaussian integers Z[i]: points, isometries and predicates without rounding.
+/// The hyperbolic plane without rounding: points, isometries and predicates over a ring of complex numbers.
 ///
-/// A point of the Poincaré disk is n/m with n ∈ Z[i], m ∈ Z, m > 0; a moved point is n/d with n, d ∈ Z[i]. Nothing is
-/// divided, so numbers grow with every product: that is for closing up (once per surface) and for ties (rare).
+/// The ring `Number` is the Gaussian integers Z[i] for surfaces with rational tiles, and Z[ζ, s] for regular ones
+/// (regular_number.h). It has +, −, ·, products with integers and Gaussian integers, `conjugate`, `twice_real`,
+/// `twice_imaginary` and `norm` (which are real), and the `sign` of a real number.
+///
+/// A point of the Poincaré disk is n/m with n ∈ Z[i], m ∈ Z, m > 0; a moved point is n/d with n, d in the ring. Nothing
+/// is divided, so numbers grow with every product: that is for closing up (once per surface) and for ties (rare).
 namespace epsnet::certify {
 
 /// re + im·i.
@@ -27,6 +31,9 @@ struct Gaussian {
 [[nodiscard]] Gaussian conjugate(const Gaussian& x);
 /// |x|².
 [[nodiscard]] mpz_class norm(const Gaussian& x);
+[[nodiscard]] inline mpz_class twice_real(const Gaussian& x) { return 2 * x.re; }
+[[nodiscard]] inline mpz_class twice_imaginary(const Gaussian& x) { return 2 * x.im; }
+[[nodiscard]] inline int sign(const mpz_class& x) { return sgn(x); }
 
 /// The point n/m of the disk, m > 0.
 struct ExactPoint {
@@ -42,17 +49,39 @@ struct ExactPoint {
 [[nodiscard]] mpz_class gap(const ExactPoint& point);
 
 /// z ↦ (a z + b)/(b̄ z + ā) with |a| > |b|: an orientation-preserving isometry. Real multiples of (a, b) are the same.
-struct ExactIsometry {
-  Gaussian a{1, 0};
-  Gaussian b{0, 0};
+template <class Number>
+struct Isometry {
+  Number a;
+  Number b;
 };
 
+using ExactIsometry = Isometry<Gaussian>;
+
+[[nodiscard]] inline ExactIsometry exact_identity() { return {{1, 0}, {0, 0}}; }
+
 /// f ∘ g.
-[[nodiscard]] ExactIsometry compose(const ExactIsometry& f, const ExactIsometry& g);
-[[nodiscard]] ExactIsometry inverse(const ExactIsometry& f);
+template <class Number>
+[[nodiscard]] Isometry<Number> compose(const Isometry<Number>& f, const Isometry<Number>& g) {
+  return {f.a * g.a + f.b * conjugate(g.b), f.a * g.b + f.b * conjugate(g.a)};
+}
+
+template <class Number>
+[[nodiscard]] Isometry<Number> inverse(const Isometry<Number>& f) {
+  return {conjugate(f.a), mpz_class(-1) * f.b};
+}
+
+/// factor(last − 1) ∘ … ∘ factor(first), first < last, by a balanced tree of products: quasi-linear in the size of the
+/// result.
+template <class Factor>
+[[nodiscard]] auto compose_range(std::size_t first, std::size_t last, const Factor& factor) {
+  if (last - first == 1) return factor(first);
+  const std::size_t middle = first + (last - first) / 2;
+  return compose(compose_range(middle, last, factor), compose_range(first, middle, factor));
+}
+
 /// z ↦ (z + c)/(1 + c̄z).
 [[nodiscard]] ExactIsometry translation_to(const ExactPoint& c);
-/// fs.back() ∘ … ∘ fs.front(), by a balanced tree of products: quasi-linear in the size of the result.
+/// fs.back() ∘ … ∘ fs.front().
 [[nodiscard]] ExactIsometry compose_path(std::span<const ExactIsometry* const> fs);
 /// The same isometry with the common real divisor of its numbers taken out.
 void reduce(ExactIsometry& f);
@@ -67,22 +96,58 @@ void reduce(ExactIsometry& f);
                                      const ExactPoint& q_other);
 
 /// The point n/d of the disk, d ≠ 0.
+template <class Number>
 struct MovedPoint {
-  Gaussian n;
-  Gaussian d;
+  Number n;
+  Number d;
 };
 
-[[nodiscard]] MovedPoint moved(const ExactIsometry& f, const ExactPoint& z);
-[[nodiscard]] MovedPoint moved(const ExactPoint& z);
+template <class Number>
+[[nodiscard]] MovedPoint<Number> moved(const Isometry<Number>& f, const ExactPoint& z) {
+  return {z.n * f.a + z.m * f.b, z.n * conjugate(f.b) + z.m * conjugate(f.a)};
+}
+
+[[nodiscard]] inline MovedPoint<Gaussian> moved(const ExactPoint& z) { return {z.n, {z.m, 0}}; }
+
+/// A positive multiple of the point of the hyperboloid model: (2x, 2y, 1 + |z|²).
+template <class Real>
+struct HyperboloidVector {
+  Real x;
+  Real y;
+  Real t;
+};
+
+[[nodiscard]] inline HyperboloidVector<mpz_class> hyperboloid_vector(const ExactPoint& z) {
+  return {2 * z.m * z.n.re, 2 * z.m * z.n.im, norm(z.n) + z.m * z.m};
+}
+
+template <class Number>
+[[nodiscard]] auto hyperboloid_vector(const MovedPoint<Number>& z) {
+  const Number product = z.n * conjugate(z.d);
+  using Real = decltype(norm(product));
+  return HyperboloidVector<Real>{twice_real(product), twice_imaginary(product), norm(z.n) + norm(z.d)};
+}
 
 /// 1 if the hyperbolic triangle is strictly counterclockwise, −1 if strictly clockwise, 0 if a geodesic contains the
-/// three points. Determinant of the three points as vectors (2z, 1 + |z|²) of the hyperboloid model, up to scale.
-[[nodiscard]] int orientation(const MovedPoint& z0, const MovedPoint& z1, const MovedPoint& z2);
-[[nodiscard]] int orientation(const ExactPoint& z0, const ExactPoint& z1, const ExactPoint& z2);
+/// three points. Determinant of the three points as vectors of the hyperboloid model, up to scale.
+template <class Point>
+[[nodiscard]] int orientation(const Point& z0, const Point& z1, const Point& z2) {
+  const auto u = hyperboloid_vector(z0);
+  const auto v = hyperboloid_vector(z1);
+  const auto w = hyperboloid_vector(z2);
+  return sign(u.x * (v.y * w.t - v.t * w.y) - u.y * (v.x * w.t - v.t * w.x) + u.t * (v.x * w.y - v.y * w.x));
+}
 
 /// The sign of Im (z3−z1)(z2−z0)/((z3−z0)(z2−z1)): the edge z0 z2 with z1 on its right and z3 on its left is not
 /// Delaunay if and only if it is positive, and the four points are cocircular if and only if it is 0 (thesis, Theorems
 /// I.41 and I.42). The four points are pairwise different except that z1 = z3 is allowed.
-[[nodiscard]] int cross_ratio_sign(const std::array<MovedPoint, 4>& z);
+template <class Number>
+[[nodiscard]] int cross_ratio_sign(const std::array<MovedPoint<Number>, 4>& z) {
+  // z_i − z_j = (n_i d_j − n_j d_i)/(d_i d_j), and the denominators cancel in the cross-ratio.
+  const auto difference = [&](std::size_t i, std::size_t j) -> Number { return z[i].n * z[j].d - z[j].n * z[i].d; };
+  const Number numerator = difference(3, 1) * difference(2, 0);
+  const Number denominator = difference(3, 0) * difference(2, 1);
+  return sign(twice_imaginary(numerator * conjugate(denominator)));
+}
 
 }  // namespace epsnet::certify

@@ -24,10 +24,8 @@ constexpr Questions length_bit(std::uint32_t edge) { return static_cast<Question
 
 /// Bits of relative accuracy that a length must have before it counts as measured, for useful enclosures.
 constexpr slong kMeasuredBits = 30;
-/// Exact arithmetic is tried from this precision on (ties defeat every precision; near ties do not reach this one) ...
+/// Exact arithmetic is tried from this precision on: ties defeat every precision; near ties do not reach this one.
 constexpr slong kExactFrom = 256;
-/// ... and on numbers of this many bits in all. Labels with words of thousands of letters may exceed it.
-constexpr std::size_t kMaxExactBits = std::size_t{1} << 23;
 /// Triangles handed to a thread at a time.
 constexpr std::size_t kBlock = 2048;
 
@@ -139,9 +137,8 @@ class Pass {
   Questions examine_orientation(std::uint32_t t, LiftedTriangle& lifted, Findings& findings) const {
     lifted.measure_orientation(precision_);
     Tri positive = certainly_positive(lifted.orientation.get());
-    if (positive == Tri::unknown && try_exactly(exact_triangle_bits(document_, evaluator_, t))) {
-      const auto corners = exact_corners(document_, evaluator_, t);
-      positive = orientation(corners[0], corners[1], corners[2]) > 0 ? Tri::yes : Tri::no;
+    if (positive == Tri::unknown && try_exactly() && exact_orientation_is_feasible(document_, evaluator_, t)) {
+      positive = exact_orientation(document_, evaluator_, t) > 0 ? Tri::yes : Tri::no;
     }
     if (positive == Tri::no) {
       findings.refute(kOrientation, t, triangle_name(document_, t) + " is not strictly counterclockwise");
@@ -170,8 +167,8 @@ class Pass {
   Questions examine_delaunay(std::uint32_t t, std::uint32_t i, LiftedTriangle& lifted, Findings& findings) const {
     lifted.measure_cross_ratio(document_, labels_, t, i, precision_);
     Tri positive = certainly_positive(lifted.cross_ratio.get());
-    if (positive == Tri::unknown && try_exactly(exact_edge_bits(document_, evaluator_, 3 * t + i))) {
-      const int sign = cross_ratio_sign(exact_quadrilateral(document_, evaluator_, 3 * t + i));
+    if (positive == Tri::unknown && try_exactly() && exact_cross_ratio_is_feasible(document_, evaluator_, 3 * t + i)) {
+      const int sign = exact_cross_ratio_sign(document_, evaluator_, 3 * t + i);
       positive = sign > 0 ? Tri::yes : Tri::no;
       if (sign == 0) ++findings.exact_ties;
     }
@@ -205,9 +202,7 @@ class Pass {
     return short_edge == Tri::unknown ? length_bit(i) : Questions{0};
   }
 
-  [[nodiscard]] bool try_exactly(std::size_t size) const {
-    return (precision_ >= kExactFrom || last_) && size <= kMaxExactBits;
-  }
+  [[nodiscard]] bool try_exactly() const { return precision_ >= kExactFrom || last_; }
 
   [[nodiscard]] static bool measured(const Ball& x) { return arb_rel_accuracy_bits(x.get()) >= kMeasuredBits; }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <epsnet/certify/check.h>
-#include <epsnet/certify/isometry.h>
+#include <epsnet/certify/label_evaluator.h>
 
 #include <array>
 
@@ -24,7 +24,7 @@ struct GeometryOutcome {
 /// vertices is at least ε long (docs/proof.md, sections 5 to 7).
 ///
 /// Balls of 64 bits first, then twice as many for what they left open, and so on up to max_precision; exact ties of the
-/// first two rules are decided over Q(i). Needs rules `surface` and `map`. O(n) time; the result does not depend on the
+/// first two rules are decided exactly. Needs rules `surface` and `map`. O(n) time; the result does not depend on the
 /// number of threads. `progress` as in CheckOptions.
 [[nodiscard]] GeometryOutcome check_geometry(const Document& document, const LabelEvaluator& evaluator,
                                              const CheckOptions& options, unsigned threads);

@@ -70,7 +70,7 @@ std::string edge_text(const Item& item) {
 
 }  // namespace
 
-GluingOutcome check_gluing(const Document& document, const LabelEvaluator& evaluator, const ExactParts& parts,
+GluingOutcome check_gluing(const Document& document, const LabelEvaluator& evaluator, const LabelParts& parts,
                            long max_precision, unsigned threads) {
   std::vector<Item> items = collect(document);
   GluingOutcome outcome;
@@ -82,7 +82,7 @@ GluingOutcome check_gluing(const Document& document, const LabelEvaluator& evalu
   std::map<std::uint32_t, std::optional<InscribedDisk>> disks;
   for (const Item& item : items) {
     const std::uint32_t tile = document.charts[item.equation.chart].tile;
-    if (!disks.contains(tile)) disks[tile] = inscribed_disk(document.surface.tiles[tile], max_precision);
+    if (!disks.contains(tile)) disks[tile] = inscribed_disk(document.surface, tile, max_precision);
   }
 
   std::vector<std::size_t> pending(items.size());

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <epsnet/certify/check.h>
-#include <epsnet/certify/isometry.h>
+#include <epsnet/certify/label_evaluator.h>
 
 namespace epsnet::certify {
 
@@ -18,6 +18,6 @@ struct GluingOutcome {
 /// decide equality (docs/proof.md, section 4). Needs rules `surface` and `map`. O(n log n) for look-ups and one
 /// evaluation for each different equation.
 [[nodiscard]] GluingOutcome check_gluing(const Document& document, const LabelEvaluator& evaluator,
-                                         const ExactParts& parts, long max_precision, unsigned threads);
+                                         const LabelParts& parts, long max_precision, unsigned threads);
 
 }  // namespace epsnet::certify

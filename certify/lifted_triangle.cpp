@@ -214,45 +214,80 @@ Interval quotient(arb_srcptr numerator, arb_srcptr denominator) {
 
 namespace {
 
-MovedPoint exact_corner(const Document& document, const LabelEvaluator& evaluator, std::uint32_t dart) {
-  const Vertex& vertex = document.vertices[start(document, dart)];
-  const ExactPoint z = exact_point(vertex.x, vertex.y);
-  const std::uint32_t number = corner_label(document, dart);
-  return number == 0 ? moved(z) : moved(evaluator.evaluate_exactly(number), z);
-}
+/// The corners of triangles over the ring of one kind of crossings.
+template <class CrossingsOfAKind>
+class ExactCorners {
+ public:
+  using Number = typename CrossingsOfAKind::Number;
 
-}  // namespace
+  ExactCorners(const Document& document, const LabelEvaluator& evaluator, const CrossingsOfAKind& crossings)
+      : document_(document), evaluator_(evaluator), crossings_(crossings) {}
 
-std::array<MovedPoint, 3> exact_corners(const Document& document, const LabelEvaluator& evaluator, std::uint32_t t) {
-  return {exact_corner(document, evaluator, 3 * t), exact_corner(document, evaluator, 3 * t + 1),
-          exact_corner(document, evaluator, 3 * t + 2)};
-}
+  /// The corner where the dart starts, in the chart of its triangle.
+  [[nodiscard]] MovedPoint<Number> corner(std::uint32_t dart) const { return lift(label(dart), dart); }
 
-std::size_t exact_triangle_bits(const Document& document, const LabelEvaluator& evaluator, std::uint32_t t) {
+  /// The corner opposite to the edge of the dart in the neighbour, in the chart of the dart's triangle.
+  [[nodiscard]] MovedPoint<Number> far_corner(std::uint32_t dart) const {
+    const std::uint32_t other = opposite(document_, dart);
+    const std::uint32_t far = previous_dart(other);
+    const std::uint32_t there = next_dart(other);
+    if (corner_label(document_, dart) == corner_label(document_, there)) return corner(far);
+    return lift(compose(label(dart), compose(inverse(label(there)), label(far))), far);
+  }
+
+ private:
+  [[nodiscard]] Isometry<Number> label(std::uint32_t dart) const {
+    return evaluator_.evaluate_exactly(crossings_, corner_label(document_, dart));
+  }
+
+  [[nodiscard]] MovedPoint<Number> lift(const Isometry<Number>& isometry, std::uint32_t dart) const {
+    const Vertex& vertex = document_.vertices[start(document_, dart)];
+    return moved(isometry, exact_point(vertex.x, vertex.y));
+  }
+
+  const Document& document_;
+  const LabelEvaluator& evaluator_;
+  const CrossingsOfAKind& crossings_;
+};
+
+std::size_t triangle_bits(const Document& document, const LabelEvaluator& evaluator, std::uint32_t t) {
   const auto& label = document.triangles[t].label;
   return evaluator.exact_bits(label[0]) + evaluator.exact_bits(label[1]);
 }
 
-std::array<MovedPoint, 4> exact_quadrilateral(const Document& document, const LabelEvaluator& evaluator,
-                                              std::uint32_t dart) {
-  const std::uint32_t other = opposite(document, dart);
-  const std::uint32_t far = previous_dart(other);
-  const auto label = [&](std::uint32_t at) {
-    const std::uint32_t number = corner_label(document, at);
-    return number == 0 ? ExactIsometry{} : evaluator.evaluate_exactly(number);
-  };
-  ExactIsometry lift = label(far);
-  if (corner_label(document, dart) != corner_label(document, next_dart(other))) {
-    lift = compose(label(dart), compose(inverse(label(next_dart(other))), lift));
-  }
-  const Vertex& far_vertex = document.vertices[start(document, far)];
-  return {exact_corner(document, evaluator, dart), moved(lift, exact_point(far_vertex.x, far_vertex.y)),
-          exact_corner(document, evaluator, next_dart(dart)), exact_corner(document, evaluator, previous_dart(dart))};
+std::size_t max_exact_bits(const LabelEvaluator& evaluator) {
+  return std::visit([](const auto& crossings) { return crossings.kMaxExactBits; }, evaluator.crossings());
 }
 
-std::size_t exact_edge_bits(const Document& document, const LabelEvaluator& evaluator, std::uint32_t dart) {
-  return exact_triangle_bits(document, evaluator, dart / 3) +
-         exact_triangle_bits(document, evaluator, opposite(document, dart) / 3);
+}  // namespace
+
+int exact_orientation(const Document& document, const LabelEvaluator& evaluator, std::uint32_t t) {
+  return std::visit(
+      [&](const auto& crossings) {
+        const ExactCorners corners(document, evaluator, crossings);
+        return orientation(corners.corner(3 * t), corners.corner(3 * t + 1), corners.corner(3 * t + 2));
+      },
+      evaluator.crossings());
+}
+
+int exact_cross_ratio_sign(const Document& document, const LabelEvaluator& evaluator, std::uint32_t dart) {
+  return std::visit(
+      [&](const auto& crossings) {
+        const ExactCorners corners(document, evaluator, crossings);
+        return cross_ratio_sign(std::array{corners.corner(dart), corners.far_corner(dart),
+                                           corners.corner(next_dart(dart)), corners.corner(previous_dart(dart))});
+      },
+      evaluator.crossings());
+}
+
+bool exact_orientation_is_feasible(const Document& document, const LabelEvaluator& evaluator, std::uint32_t t) {
+  return triangle_bits(document, evaluator, t) <= max_exact_bits(evaluator);
+}
+
+bool exact_cross_ratio_is_feasible(const Document& document, const LabelEvaluator& evaluator, std::uint32_t dart) {
+  return triangle_bits(document, evaluator, dart / 3) +
+             triangle_bits(document, evaluator, opposite(document, dart) / 3) <=
+         max_exact_bits(evaluator);
 }
 
 }  // namespace epsnet::certify

@@ -2,7 +2,7 @@
 
 #include <epsnet/certify/ball.h>
 #include <epsnet/certify/document.h>
-#include <epsnet/certify/isometry.h>
+#include <epsnet/certify/label_evaluator.h>
 
 #include <array>
 #include <cstdint>
@@ -94,18 +94,15 @@ class LiftedTriangle {
 /// Both quantities are nonnegative by what they are, so ends below 0 count as 0.
 [[nodiscard]] Interval quotient(arb_srcptr numerator, arb_srcptr denominator);
 
-/// The corners of triangle t in its chart, exactly.
-[[nodiscard]] std::array<MovedPoint, 3> exact_corners(const Document& document, const LabelEvaluator& evaluator,
-                                                      std::uint32_t t);
-/// About the bits of the numbers that exact_corners makes.
-[[nodiscard]] std::size_t exact_triangle_bits(const Document& document, const LabelEvaluator& evaluator,
-                                              std::uint32_t t);
+/// The sign of LiftedTriangle::orientation for triangle t, exactly.
+[[nodiscard]] int exact_orientation(const Document& document, const LabelEvaluator& evaluator, std::uint32_t t);
+/// The sign of LiftedTriangle::cross_ratio for the edge of a dart, exactly.
+[[nodiscard]] int exact_cross_ratio_sign(const Document& document, const LabelEvaluator& evaluator, std::uint32_t dart);
 
-/// z0, z1, z2, z3 of LiftedTriangle::measure_cross_ratio, exactly.
-[[nodiscard]] std::array<MovedPoint, 4> exact_quadrilateral(const Document& document, const LabelEvaluator& evaluator,
-                                                            std::uint32_t dart);
-/// About the bits of the numbers that exact_quadrilateral makes.
-[[nodiscard]] std::size_t exact_edge_bits(const Document& document, const LabelEvaluator& evaluator,
-                                          std::uint32_t dart);
+/// Whether the numbers that these two make are of a size to calculate with.
+[[nodiscard]] bool exact_orientation_is_feasible(const Document& document, const LabelEvaluator& evaluator,
+                                                 std::uint32_t t);
+[[nodiscard]] bool exact_cross_ratio_is_feasible(const Document& document, const LabelEvaluator& evaluator,
+                                                 std::uint32_t dart);
 
 }  // namespace epsnet::certify

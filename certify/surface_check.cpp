@@ -10,6 +10,10 @@ namespace {
 /// Bits for sums of angles: 2⁻⁶⁴ for each of at most 2³² angles is far less than the quarter turn that matters.
 constexpr slong kAnglePrecision = 128;
 
+/// Bits for the radius of a regular polygon's inscribed circle, which is only compared with what is 0 or twice as
+/// large.
+constexpr slong kApothemPrecision = 128;
+
 using Problem = std::optional<std::string>;
 using ExactTile = std::vector<ExactPoint>;
 
@@ -60,8 +64,8 @@ Fraction length(const ExactPoint& p, const ExactPoint& q) { return {norm(q.m * p
 void interior_angle(arb_ptr result, const ExactPoint& v, const ExactPoint& next, const ExactPoint& previous) {
   // Take v to 0; the angle is that of the quotient of the two images, a positive multiple of which is in Z[i].
   const ExactIsometry to_origin = inverse(translation_to(v));
-  const MovedPoint from = moved(to_origin, next);
-  const MovedPoint to = moved(to_origin, previous);
+  const MovedPoint<Gaussian> from = moved(to_origin, next);
+  const MovedPoint<Gaussian> to = moved(to_origin, previous);
   const Gaussian quotient = to.n * from.d * conjugate(to.d * from.n);
   Ball x, y;
   set_integer(x.get(), quotient.re, kAnglePrecision);
@@ -100,7 +104,7 @@ class SurfaceChecker {
                           std::to_string(sides_.partner.size() / 2) + " pairs of sides of exactly equal length, " +
                           std::to_string(cycles_) + " vertex cycles that close up exactly with total angle 2*pi";
     outcome.genus = genus_;
-    outcome.crossings = std::move(crossings_);
+    outcome.crossings = RationalCrossings(std::move(crossings_));
     return outcome;
   }
 
@@ -294,13 +298,29 @@ void sinh_distance(arb_ptr result, const ExactPoint& z, const ExactPoint& p, con
   arb_div(result, result, size.get(), precision);
 }
 
+/// What holds by theorem for the regular 4g-gon with angles π/(2g), opposite sides glued (docs/proof.md, section 9).
+SurfaceOutcome regular_outcome(std::uint32_t genus) {
+  SurfaceOutcome outcome;
+  outcome.report.rule = "surface";
+  // The structure check refuses other genera; the theorem needs this one condition, so it is looked at again.
+  if (genus < 2) {
+    outcome.report.verdict = Verdict::refuted;
+    outcome.report.text = "a regular surface has a genus of at least 2";
+    return outcome;
+  }
+  outcome.report.verdict = Verdict::verified;
+  outcome.report.text = "a closed hyperbolic surface of genus " + std::to_string(genus) + " by theorem: the regular " +
+                        std::to_string(4 * genus) + "-gon with interior angles pi/" + std::to_string(2 * genus) +
+                        ", opposite sides glued" + (genus == 2 ? " (the Bolza surface)" : "");
+  outcome.genus = genus;
+  outcome.crossings = RegularCrossings(genus);
+  return outcome;
+}
+
 }  // namespace
 
 SurfaceOutcome check_surface(const Surface& surface) {
-  if (surface.regular_genus != 0) {
-    return {.report = {"surface", Verdict::undecided, "regular surfaces are not examined yet"}, .crossings = {}};
-  }
-  return SurfaceChecker(surface).check();
+  return surface.regular_genus == 0 ? SurfaceChecker(surface).check() : regular_outcome(surface.regular_genus);
 }
 
 std::optional<InscribedDisk> inscribed_disk(const Tile& tile, long cap) {
@@ -323,6 +343,14 @@ std::optional<InscribedDisk> inscribed_disk(const Tile& tile, long cap) {
     if (inside) return disk;
   }
   return std::nullopt;
+}
+
+std::optional<InscribedDisk> inscribed_disk(const Surface& surface, std::uint32_t tile, long cap) {
+  if (surface.regular_genus == 0) return inscribed_disk(surface.tiles[tile], cap);
+  InscribedDisk disk{{{0, 0}, 1}, {}};
+  Ball cosh;
+  set_regular_apothem(cosh.get(), disk.sinh_radius.get(), surface.regular_genus, kApothemPrecision);
+  return disk;
 }
 
 }  // namespace epsnet::certify

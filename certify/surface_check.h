@@ -1,7 +1,7 @@
 #pragma once
 
 #include <epsnet/certify/check.h>
-#include <epsnet/certify/isometry.h>
+#include <epsnet/certify/crossings.h>
 
 namespace epsnet::certify {
 
@@ -9,12 +9,13 @@ namespace epsnet::certify {
 struct SurfaceOutcome {
   RuleReport report;
   std::uint64_t genus = 0;
-  std::vector<ExactIsometry> crossings;  ///< By side number; complete if the report is verified.
+  Crossings crossings;  ///< Complete if the report is verified.
 };
 
 /// Rule `surface`: the tiles and their gluing are a closed hyperbolic surface of genus ≥ 2 (Poincaré's polygon theorem,
 /// docs/proof.md, section 2). Everything is exact but the angle sums, where balls tell an integer from its neighbours.
-/// Needs a document without structure problem. Quasi-linear in the number of digits.
+/// A regular 4g-gon is one by theorem (section 9): nothing is left to compute. Needs a document without structure
+/// problem. Quasi-linear in the number of digits.
 [[nodiscard]] SurfaceOutcome check_surface(const Surface& surface);
 
 /// A disk of radius ≥ arsinh(sinh_radius) about `centre`, inside a tile.
@@ -26,5 +27,8 @@ struct InscribedDisk {
 /// A disk inside a strictly convex tile, to be used as a neighbourhood that no isometry of the group but 1 moves less
 /// than twice its radius. Any tile has one; it is found with more and more bits. `cap` bounds the bits: nothing then.
 [[nodiscard]] std::optional<InscribedDisk> inscribed_disk(const Tile& tile, long cap);
+
+/// The same for tile number `tile` of a surface that passed check_surface. A regular 4g-gon has its inscribed circle.
+[[nodiscard]] std::optional<InscribedDisk> inscribed_disk(const Surface& surface, std::uint32_t tile, long cap);
 
 }  // namespace epsnet::certify

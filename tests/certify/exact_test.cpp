@@ -6,19 +6,21 @@ namespace {
 
 ExactPoint point(long x, long y, long m) { return {{x, y}, m}; }
 
-bool same(const MovedPoint& x, const ExactPoint& y) {
+bool same(const MovedPoint<Gaussian>& x, const ExactPoint& y) {
   const Gaussian left = y.m * x.n;
   const Gaussian right = y.n * x.d;
   return left == right;
 }
 
+using Quadrilateral = std::array<MovedPoint<Gaussian>, 4>;
+
 TEST(Exact, CrossingExchangesTheEndsOfEqualSegments) {
   // Two segments of equal length: one is the other moved by a translation, its ends exchanged.
   const ExactIsometry f = compose(translation_to(point(1, 2, 7)), translation_to(point(-3, 1, 5)));
   for (const auto& [p, q] : {std::pair{point(1, 0, 3), point(0, 1, 2)}, std::pair{point(0, 0, 1), point(-1, -1, 9)}}) {
-    const MovedPoint fp = moved(f, p);
-    const MovedPoint fq = moved(f, q);
-    const auto as_point = [](const MovedPoint& z) {
+    const MovedPoint<Gaussian> fp = moved(f, p);
+    const MovedPoint<Gaussian> fq = moved(f, q);
+    const auto as_point = [](const MovedPoint<Gaussian>& z) {
       const mpz_class m = norm(z.d);
       return ExactPoint{z.n * conjugate(z.d), m};
     };
@@ -60,9 +62,9 @@ TEST(Exact, OrientationIsHyperbolic) {
 TEST(Exact, CrossRatioSignIsTheInCircleTest) {
   const auto z = [](long x, long y) { return moved(point(x, y, 10)); };
   // Edge from (0, −3) to (0, 3), one corner on its right at (3, 0), one on its left.
-  EXPECT_EQ(cross_ratio_sign({z(0, -3), z(3, 0), z(0, 3), z(-3, 0)}), 0);
-  EXPECT_EQ(cross_ratio_sign({z(0, -3), z(3, 0), z(0, 3), z(-2, 0)}), 1);
-  EXPECT_EQ(cross_ratio_sign({z(0, -3), z(3, 0), z(0, 3), z(-4, 0)}), -1);
+  EXPECT_EQ(cross_ratio_sign(Quadrilateral{z(0, -3), z(3, 0), z(0, 3), z(-3, 0)}), 0);
+  EXPECT_EQ(cross_ratio_sign(Quadrilateral{z(0, -3), z(3, 0), z(0, 3), z(-2, 0)}), 1);
+  EXPECT_EQ(cross_ratio_sign(Quadrilateral{z(0, -3), z(3, 0), z(0, 3), z(-4, 0)}), -1);
 }
 
 TEST(Exact, Binary64EntersExactly) {

@@ -22,7 +22,7 @@ TEST(SurfaceCheck, OctagonHasGenusTwo) {
   const SurfaceOutcome outcome = check_surface(octagon());
   EXPECT_EQ(outcome.report.verdict, Verdict::verified) << outcome.report.text;
   EXPECT_EQ(outcome.genus, 2U);
-  EXPECT_EQ(outcome.crossings.size(), 8U);
+  EXPECT_EQ(std::get<RationalCrossings>(outcome.crossings).size(), 8U);
 }
 
 TEST(SurfaceCheck, OneCoordinateChangedInTheLastDigitIsRefuted) {

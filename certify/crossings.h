@@ -1,0 +1,65 @@
+#pragma once
+
+#include <epsnet/certify/isometry.h>
+#include <epsnet/certify/regular_number.h>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <variant>
+#include <vector>
+
+/// The crossings of a surface's sides, in balls of any precision and exactly. Each kind of surface has a ring of its
+/// own, `Number`, over which everything about it is exact; the geometry (exact.h) is the same.
+namespace epsnet::certify {
+
+/// Of tiles with rational vertices.
+class RationalCrossings {
+ public:
+  using Number = Gaussian;
+  /// Exact arithmetic is not tried on numbers of more bits in all. Words of thousands of letters may exceed it.
+  static constexpr std::size_t kMaxExactBits = std::size_t{1} << 23;
+
+  RationalCrossings() = default;
+  /// By side number.
+  explicit RationalCrossings(std::vector<ExactIsometry> crossings) : crossings_(std::move(crossings)) {}
+
+  [[nodiscard]] std::size_t size() const { return crossings_.size(); }
+  [[nodiscard]] BallIsometry balls(std::uint32_t side, slong precision) const {
+    return to_balls(crossings_[side], precision);
+  }
+  [[nodiscard]] const ExactIsometry& exact(std::uint32_t side) const { return crossings_[side]; }
+  [[nodiscard]] static ExactIsometry embed(const ExactIsometry& f) { return f; }
+  /// About the bits of the value of a word between two frames that have `frame_bits` together.
+  [[nodiscard]] std::size_t product_bits(std::size_t frame_bits, std::span<const std::uint32_t> word) const;
+
+ private:
+  std::vector<ExactIsometry> crossings_;
+};
+
+/// Of the regular 4g-gon: side k has the crossing (a, −s ζ^k), in the notation of regular_number.h.
+class RegularCrossings {
+ public:
+  using Number = RegularNumber;
+  /// More than for rational surfaces: words around a corner have values far smaller than the guess of product_bits.
+  static constexpr std::size_t kMaxExactBits = std::size_t{1} << 26;
+
+  explicit RegularCrossings(std::uint32_t genus) : ring_(std::make_unique<RegularRing>(genus)) {}
+
+  [[nodiscard]] std::size_t size() const { return 4 * std::size_t{ring_->genus()}; }
+  [[nodiscard]] BallIsometry balls(std::uint32_t side, slong precision) const;
+  [[nodiscard]] Isometry<RegularNumber> exact(std::uint32_t side) const;
+  [[nodiscard]] Isometry<RegularNumber> embed(const ExactIsometry& f) const;
+  [[nodiscard]] std::size_t product_bits(std::size_t frame_bits, std::span<const std::uint32_t> word) const;
+
+ private:
+  std::unique_ptr<const RegularRing> ring_;  ///< Numbers point to it, also after a move.
+};
+
+using Crossings = std::variant<RationalCrossings, RegularCrossings>;
+
+[[nodiscard]] inline BallIsometry ball_crossing(const Crossings& crossings, std::uint32_t side, slong precision) {
+  return std::visit([&](const auto& kind) { return kind.balls(side, precision); }, crossings);
+}
+
+}  // namespace epsnet::certify

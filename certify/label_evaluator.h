@@ -1,0 +1,60 @@
+#pragma once
+
+#include <epsnet/certify/crossings.h>
+#include <epsnet/certify/document.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace epsnet::certify {
+
+/// What the labels are made of: the crossings of the sides and the frames of the charts.
+struct LabelParts {
+  Crossings crossings;
+  std::vector<ExactIsometry> frames;  ///< By chart: from the chart to its tile.
+};
+
+/// Evaluates labels of one document.
+class LabelEvaluator {
+ public:
+  /// Both must outlive the evaluator. O(letters of all words). Words are reduced freely: a side followed by its partner
+  /// is no path, so the values stay the same.
+  LabelEvaluator(const Document& document, const LabelParts& parts);
+
+  /// L = F_to⁻¹ ∘ g ∘ F_from of the label numbers given (each ≥ 1, increasing), each with a relative error of about
+  /// 2^−precision: long words are worked out with more bits, up to `cap` (or a little above `precision`, if that is
+  /// more); beyond, the balls are wider, never wrong. Result number i belongs to numbers[i]. Uses `threads` threads.
+  [[nodiscard]] std::vector<BallIsometry> evaluate(std::span<const std::uint32_t> numbers, slong precision, slong cap,
+                                                   unsigned threads) const;
+
+  /// The same exactly, for any label number, over the ring of the crossings, which are those of the document.
+  template <class CrossingsOfAKind>
+  [[nodiscard]] Isometry<typename CrossingsOfAKind::Number> evaluate_exactly(const CrossingsOfAKind& crossings,
+                                                                             std::uint32_t number) const {
+    if (number == 0) return crossings.embed(exact_identity());
+    const Label& label = document_.labels[number - 1];
+    const auto& word = words_[number - 1];
+    auto result = compose_range(0, word.size() + 2, [&](std::size_t i) {
+      if (i == 0) return crossings.embed(parts_.frames[label.from]);
+      if (i == word.size() + 1) return crossings.embed(inverse(parts_.frames[label.to]));
+      return crossings.exact(word[i - 1]);
+    });
+    reduce(result);
+    return result;
+  }
+
+  /// About the number of bits of evaluate_exactly(number), without evaluating; 0 for the identity, number 0.
+  [[nodiscard]] std::size_t exact_bits(std::uint32_t number) const { return number == 0 ? 0 : exact_bits_[number - 1]; }
+
+  [[nodiscard]] const Crossings& crossings() const { return parts_.crossings; }
+
+ private:
+  const Document& document_;
+  const LabelParts& parts_;
+  std::vector<std::vector<std::uint32_t>> words_;  ///< By label number minus 1, freely reduced.
+  std::vector<std::size_t> exact_bits_;
+  std::size_t number_of_sides_ = 0;
+};
+
+}  // namespace epsnet::certify
