@@ -166,6 +166,11 @@ class Pass {
 
   Questions examine_delaunay(std::uint32_t t, std::uint32_t i, LiftedTriangle& lifted, Findings& findings) const {
     lifted.measure_cross_ratio(document_, labels_, t, i, precision_);
+    if (arb_is_zero(lifted.cross_ratio.get())) {
+      // Nothing was rounded, as happens with coordinates of few digits: a tie already proved.
+      ++findings.exact_ties;
+      return 0;
+    }
     Tri positive = certainly_positive(lifted.cross_ratio.get());
     if (positive == Tri::unknown && try_exactly() && exact_cross_ratio_is_feasible(document_, evaluator_, 3 * t + i)) {
       const int sign = exact_cross_ratio_sign(document_, evaluator_, 3 * t + i);

@@ -93,7 +93,7 @@ struct RegularNumber {
 void reduce(Isometry<RegularNumber>& f);
 
 /// Whether the number is 0, exactly: A + B s = 0 if and only if A = B = 0, since s is not in Q(ζ) (docs/proof.md, Lemma
-/// 8).
+/// 9).
 [[nodiscard]] bool is_zero(const RegularNumber& x);
 /// The sign of a real number: 0 exactly, otherwise by balls of more and more bits, which must end.
 [[nodiscard]] int sign(const RegularNumber& x);
