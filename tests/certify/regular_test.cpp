@@ -260,6 +260,35 @@ TEST(Regular, ThreePointsOnALineAreFoundExactly) {
   }
 }
 
+Document file(const std::string& name) { return read_net(std::string(EPSNET_TEST_DATA) + "/certify/" + name); }
+
+TEST(Regular, TiesOfSymmetricVerticesAreFound) {
+  // z and iz are exact in binary64: squares around the centre and around the corner of the tile.
+  EXPECT_EQ(check(file("verified/regular-2-4-rotated-vertices.json")).counts.exact_ties, 2U);
+  EXPECT_EQ(check(file("verified/regular-2-10-vertices.json")).counts.exact_ties, 4U);
+  // With the mirror images: two octagons and four trapezoids.
+  EXPECT_EQ(check(file("refuted/packing-regular-8-symmetric-vertices.json")).counts.exact_ties, 14U);
+}
+
+TEST(Regular, NearTiesOfSymmetricVerticesAreDecidedEitherWay) {
+  // A vertex of the two squares moved by one unit in the last place: each diagonal is right or wrong, and if it is
+  // right for one direction it is wrong for the opposite one.
+  std::size_t verified = 0;
+  std::size_t refuted = 0;
+  for (std::size_t v = 0; v < 4; ++v) {
+    for (const double direction : {-1.0, 1.0}) {
+      Document document = file("verified/regular-2-4-rotated-vertices.json");
+      document.vertices[v].x = std::nextafter(document.vertices[v].x, direction);
+      const Certificate certificate = check(document);
+      EXPECT_EQ(certificate.counts.exact_ties, 0U);
+      verified += certificate.verdict == Verdict::verified;
+      refuted += certificate.verdict == Verdict::refuted && certificate.rule == "delaunay";
+    }
+  }
+  EXPECT_EQ(verified + refuted, 8U);
+  EXPECT_GE(refuted, 4U);
+}
+
 TEST(Regular, WrongGenusIsRefuted) {
   Document document = fan(3);
   document.surface.regular_genus = 4;
