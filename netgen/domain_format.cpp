@@ -1,94 +1,28 @@
 #include "epsnet/netgen/domain_format.h"
 
-#include <algorithm>
-#include <cerrno>
-#include <charconv>
-#include <cstdio>
-#include <limits>
-#include <memory>
-#include <system_error>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "epsnet/certify/text.h"
 #include "epsnet/netgen/ear_clipping.h"
+#include "epsnet/netgen/words.h"
 #include "epsnet/triangulation/glued_polygons.h"
 
 namespace epsnet {
 namespace {
 
-using certify::in_quotes;
-
-constexpr std::size_t kMaxFileSize = std::size_t{256} << 20;
 constexpr std::size_t kManySides = 256;
-constexpr std::string_view kWhiteSpace = " \t\n\v\f\r";
 
-/// The words of the text and the lines that they are on.
-class Words {
- public:
-  Words(std::string_view text, std::string_view name) : rest_(text), name_(name) {}
-
-  /// The next word; `expected` completes the message if there is none.
-  std::string_view next(const std::string& expected) {
-    skip_white_space();
-    if (rest_.empty()) fail("the text ends here, expected " + expected);
-    const std::string_view word = rest_.substr(0, rest_.find_first_of(kWhiteSpace));
-    rest_.remove_prefix(word.size());
-    return word;
-  }
-
-  void expect_end() {
-    skip_white_space();
-    if (rest_.empty()) return;
-    fail(in_quotes(next("")) + " follows the last vertex, expected the end of the text");
-  }
-
-  /// An unsigned number of 32 bits.
-  std::uint32_t index(const std::string& expected) {
-    const std::string_view word = next(expected);
-    std::uint32_t value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size()) {
-      fail(in_quotes(word) + " found, expected " + expected);
-    }
-    return value;
-  }
-
-  Rational rational(const std::string& expected) {
-    const std::string_view word = next(expected);
-    const std::optional<mpq_class> value = certify::parse_rational(word);
-    if (!value) {
-      fail(in_quotes(word) + " found, expected " + expected +
-           ": a rational number p/q or p of at most 10^6 digits (decimals are not accepted)");
-    }
-    return Rational(value->get_mpq_t());
-  }
-
-  [[nodiscard]] std::size_t line() const { return line_; }
-  [[noreturn]] void fail(const std::string& message) const { fail_at(line_, message); }
-  [[noreturn]] void fail_at(std::size_t line, const std::string& message) const {
-    throw DomainError(std::string(name_) + ":" + std::to_string(line) + ": " + message);
-  }
-
- private:
-  void skip_white_space() {
-    const std::size_t length = std::min(rest_.find_first_not_of(kWhiteSpace), rest_.size());
-    line_ +=
-        static_cast<std::size_t>(std::count(rest_.begin(), rest_.begin() + static_cast<std::ptrdiff_t>(length), '\n'));
-    rest_.remove_prefix(length);
-  }
-
-  std::string_view rest_;
-  std::string_view name_;
-  std::size_t line_ = 1;
-};
+using DomainWords = Words<DomainError>;
 
 struct Domain {
   Tile polygon;
   std::vector<Gluing> gluing;
 };
 
-std::vector<Gluing> read_pairing(Words& words, std::uint32_t size) {
+std::vector<Gluing> read_pairing(DomainWords& words, std::uint32_t size) {
   std::vector<std::uint32_t> partner;
   std::vector<std::size_t> line;
   const std::string range =
@@ -114,7 +48,7 @@ std::vector<Gluing> read_pairing(Words& words, std::uint32_t size) {
 }
 
 Domain parse(std::string_view text, std::string_view name) {
-  Words words(text, name);
+  DomainWords words(text, name);
   const std::uint32_t size = words.index("the number of sides, an even number from 8 to 2^32 - 2");
   if (size < 8 || size % 2 != 0) {
     words.fail(std::to_string(size) + " sides found, expected an even number, at least 8 (genus 2)");
@@ -131,7 +65,7 @@ Domain parse(std::string_view text, std::string_view name) {
     }
     domain.polygon.push_back(z);
   }
-  words.expect_end();
+  words.expect_end("the last vertex");
   return domain;
 }
 
@@ -186,19 +120,7 @@ Surface read_domain(std::string_view text, std::string_view name) {
 }
 
 Surface load_domain(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  const auto fail = [&](const std::string& what) { throw DomainError(name + ": " + what); };
-  const auto reason = [] { return std::system_category().message(errno); };
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"), &std::fclose);
-  if (!file) fail("cannot be opened: " + reason());
-  std::string text;
-  std::vector<char> block(std::size_t{1} << 16);
-  while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
-    if (count > kMaxFileSize - text.size()) fail("is larger than 256 MiB");
-    text.append(block.data(), count);
-  }
-  if (std::ferror(file.get()) != 0) fail("cannot be read: " + reason());
-  return read_domain(text, name);
+  return read_domain(read_text_file<DomainError>(path), path.string());
 }
 
 std::string write_domain(const Surface& surface) {
