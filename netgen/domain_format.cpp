@@ -126,7 +126,7 @@ Surface load_domain(const std::filesystem::path& path) {
 std::string write_domain(const Surface& surface) {
   if (surface.tiles().size() != 1) {
     throw std::invalid_argument("the domain format holds one polygon, the surface has " +
-                                std::to_string(surface.tiles().size()) + " tiles");
+                                std::to_string(surface.tiles().size()) + " tiles; the triangulation format holds them");
   }
   std::string text = std::to_string(surface.side_count()) + "\n";
   for (std::uint32_t s = 0; s < surface.side_count(); ++s) text += std::to_string(surface.partner(s)) + "\n";

@@ -18,6 +18,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "epsnet/certify/check.h"
 #include "epsnet/certify/reader.h"
@@ -27,9 +28,11 @@
 #include "epsnet/netgen/certified_net.h"
 #include "epsnet/netgen/domain_format.h"
 #include "epsnet/netgen/draw.h"
+#include "epsnet/netgen/exchange.h"
 #include "epsnet/netgen/info.h"
 #include "epsnet/netgen/octagon.h"
 #include "epsnet/netgen/surface_file.h"
+#include "epsnet/netgen/triangulation_stream.h"
 
 /// The program `epsnet`: makes surfaces, computes and certifies nets, draws them, and says what is in files.
 namespace {
@@ -141,6 +144,7 @@ class Stopwatch {
 struct SurfaceRequest {
   std::int32_t seed = 0;
   std::string file;
+  ExchangeFormat format = ExchangeFormat::automatic;
   std::string output;
 };
 
@@ -151,7 +155,9 @@ void write_surface_file(const Surface& surface, const std::string& output) {
 
 void make_octagon(const SurfaceRequest& request) { write_surface_file(random_octagon(request.seed), request.output); }
 
-void import_surface(const SurfaceRequest& request) { write_surface_file(load_domain(request.file), request.output); }
+void import_surface(const SurfaceRequest& request) {
+  write_surface_file(import_surface_file(request.file, request.format), request.output);
+}
 
 // ---- epsnet net ----
 
@@ -338,21 +344,25 @@ bool looks_like_surface(const std::string& path) {
   return head.find("\"epsnet-surface\"") != std::string::npos;
 }
 
-std::string info_text(const std::string& path) {
-  if (looks_like_surface(path)) return surface_info(load_surface(path));
-  certify::Document net;
+std::variant<Surface, certify::Document> load_surface_or_net(const std::string& path) {
+  if (looks_like_surface(path)) return load_surface(path);
   try {
-    net = certify::read_net(path);
+    return certify::read_net(path);
   } catch (const certify::MalformedError& not_a_net) {
     try {
       (void)certify::read_surface(path);
     } catch (const certify::MalformedError&) {
       throw not_a_net;
     }
-    return surface_info(load_surface(path));
+    return load_surface(path);
   }
+}
+
+std::string info_text(const std::string& path) {
+  const auto contents = load_surface_or_net(path);
+  if (const auto* surface = std::get_if<Surface>(&contents)) return surface_info(*surface);
   try {
-    return net_info(net);
+    return net_info(std::get<certify::Document>(contents));
   } catch (const NetGeometryError& error) {
     throw JobError(path + ": " + error.what());
   }
@@ -363,6 +373,39 @@ void print_info(const std::string& path) {
   write_stdout([&](std::ostream& out) { out << text; });
 }
 
+// ---- epsnet export ----
+
+struct ExportRequest {
+  std::string file;
+  ExchangeFormat format = ExchangeFormat::triangulation;
+  std::string output;
+};
+
+std::string domain_text(const std::variant<Surface, certify::Document>& contents) {
+  const auto* surface = std::get_if<Surface>(&contents);
+  if (surface == nullptr) throw JobError("the domain format holds a polygon, not a net; use --format triangulation");
+  return write_domain(*surface);
+}
+
+void export_file(const ExportRequest& request) {
+  check_output_directory(request.output);
+  const auto contents = load_surface_or_net(request.file);
+  try {
+    if (request.format == ExchangeFormat::domain) {
+      const std::string text = domain_text(contents);
+      write_output(request.output, [&](std::ostream& out) { out << text; });
+      return;
+    }
+    const TriangulationStream stream =
+        std::visit([](const auto& source) { return triangulation_stream(source); }, contents);
+    write_output(request.output, [&](std::ostream& out) { write_triangulation_stream(stream, out); });
+  } catch (const std::invalid_argument& error) {
+    throw JobError(request.file + ": " + error.what());
+  } catch (const TriangulationStreamError& error) {
+    throw JobError(request.file + ": " + error.what());
+  }
+}
+
 // ---- The command line ----
 
 struct Commands {
@@ -370,6 +413,7 @@ struct Commands {
   SurfaceRequest import;
   NetRequest net;
   DrawRequest draw;
+  ExportRequest export_;
   std::string info;
   std::function<void()> chosen;
 };
@@ -394,19 +438,27 @@ void add_surface_commands(CLI::App& app, Commands& commands) {
   octagon->footer("Example:\n  epsnet surface octagon --seed 123 -o s.json");
   octagon->callback([&] { commands.chosen = [&] { make_octagon(commands.octagon); }; });
 
-  CLI::App* import = surface->add_subcommand(
-      "import", "A surface of any genus from a polygon with rational vertices in CGAL's text format, checked exactly.");
-  import
-      ->add_option("FILE", commands.import.file,
-                   "number of sides; per side the index of the side it is glued to; per vertex \"x y\"")
+  CLI::App* import_command = surface->add_subcommand(
+      "import",
+      "A surface of any genus from a text of CGAL, checked exactly: a polygon with rational vertices (domain) or "
+      "triangles with rational cross-ratios and an anchor (triangulation).");
+  import_command->add_option("FILE", commands.import.file, "the text (docs/exchange-formats.md)")
       ->required()
       ->option_text("REQUIRED");
-  add_output(*import, commands.import.output, "the surface file to write");
-  import->footer("Example:\n  epsnet surface import polygon.txt -o s.json");
-  import->callback([&] { commands.chosen = [&] { import_surface(commands.import);
-};
-}  // namespace
-);
+  import_command
+      ->add_option("--format", commands.import.format,
+                   "what FILE is; auto tells by its second word, \"yes\" or \"no\" in a triangulation")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, ExchangeFormat>{{"auto", ExchangeFormat::automatic},
+                                                {"domain", ExchangeFormat::domain},
+                                                {"triangulation", ExchangeFormat::triangulation}}))
+      ->option_text("auto|domain|triangulation [auto]");
+  add_output(*import_command, commands.import.output, "the surface file to write");
+  import_command->footer(
+      "Example:\n"
+      "  epsnet surface import polygon.txt -o s.json\n"
+      "  epsnet surface import triangulation.txt -o s.json");
+  import_command->callback([&] { commands.chosen = [&] { import_surface(commands.import); }; });
 }
 
 void add_net_command(CLI::App& app, Commands& commands) {
@@ -475,6 +527,26 @@ void add_info_command(CLI::App& app, Commands& commands) {
   info->callback([&] { commands.chosen = [&] { print_info(commands.info); }; });
 }
 
+void add_export_command(CLI::App& app, Commands& commands) {
+  ExportRequest& request = commands.export_;
+  CLI::App* command = app.add_subcommand("export", "Write a surface or a net as a text that CGAL reads, exactly.");
+  command->add_option("FILE", request.file, "a surface file or a net file")->required()->option_text("REQUIRED");
+  command
+      ->add_option("--format", request.format,
+                   "domain: the polygon of a surface of one tile; triangulation: the triangles of a net, or the tiles "
+                   "of a surface cut into triangles, with an anchor and cross-ratios")
+      ->required()
+      ->transform(CLI::CheckedTransformer(std::map<std::string, ExchangeFormat>{
+          {"domain", ExchangeFormat::domain}, {"triangulation", ExchangeFormat::triangulation}}))
+      ->option_text("domain|triangulation REQUIRED");
+  add_output(*command, request.output, "the text to write");
+  command->footer(
+      "Example:\n"
+      "  epsnet export s.json --format domain -o polygon.txt\n"
+      "  epsnet export net.json --format triangulation -o triangulation.txt");
+  command->callback([&] { commands.chosen = [&] { export_file(commands.export_); }; });
+}
+
 // Address sanitizer reserves terabytes of addresses.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool kLimitMemory = false;
@@ -512,6 +584,7 @@ int run(int argc, char** argv) {
   add_net_command(app, commands);
   add_draw_command(app, commands);
   add_info_command(app, commands);
+  add_export_command(app, commands);
   app.footer(
       "Example:\n"
       "  epsnet surface octagon --seed 123 -o s.json\n"
@@ -529,8 +602,9 @@ int run(int argc, char** argv) {
   }
 
   if (!commands.chosen)
-    return fail(kExitUsage, app.got_subcommand("surface") ? "surface: which one, octagon or import? (try --help)"
-                                                          : "which command, surface, net, draw or info? (try --help)");
+    return fail(kExitUsage, app.got_subcommand("surface")
+                                ? "surface: which one, octagon or import? (try --help)"
+                                : "which command, surface, net, draw, info or export? (try --help)");
 
   try {
     commands.chosen();
@@ -548,6 +622,8 @@ int run(int argc, char** argv) {
   } catch (const SurfaceError& error) {
     return fail(kExitFailed, error.what());
   } catch (const DomainError& error) {
+    return fail(kExitFailed, error.what());
+  } catch (const TriangulationStreamError& error) {
     return fail(kExitFailed, error.what());
   } catch (const NetError& error) {
     return fail(kExitFailed, error.what());

@@ -1,0 +1,289 @@
+#include <algorithm>
+#include <queue>
+#include <utility>
+
+#include "epsnet/certify/text.h"
+#include "epsnet/netgen/corner_ratio.h"
+#include "epsnet/netgen/triangulation_stream.h"
+#include "epsnet/triangulation/glued_polygons.h"
+
+/// The surface of a triangulation that is given by cross-ratios: triangles are placed one after the other, breadth
+/// first, beginning with the anchor.
+namespace epsnet {
+namespace {
+
+using Point = Complex<Rational>;
+using Corners = std::array<Point, 3>;
+
+constexpr std::uint32_t kUnset = ~std::uint32_t{0};
+constexpr std::size_t kMaxBits = 3'321'928;  // 10^6 decimal digits: more is no surface file.
+constexpr std::size_t kMaxGrowth = 1000;
+/// Euclid's algorithm takes quadratic time; numbers with such common factors are left as they are.
+constexpr std::size_t kMaxReducedBits = 20'000;
+
+std::size_t bits(const Integer& n) { return n == 0 ? 1 : std::size_t{msb(Integer(abs(n)))} + 1; }
+std::size_t bits(const Rational& q) { return bits(Integer(numerator(q))) + bits(Integer(denominator(q))); }
+std::size_t bits(const Point& z) { return bits(z.x) + bits(z.y); }
+std::size_t bits(const Corners& corners) { return bits(corners[0]) + bits(corners[1]) + bits(corners[2]); }
+
+std::string decimal(const Rational& q) { return certify::shortest(static_cast<double>(Mp256(q))); }
+std::string decimal(const Point& z) { return "(" + decimal(z.x) + ", " + decimal(z.y) + ")"; }
+
+/// The integer nearest to n/d, d > 0.
+Integer nearest(const Integer& n, const Integer& d) {
+  const Integer twice = 2 * n + d;
+  const Integer quotient = twice / (2 * d);
+  return twice < 0 && quotient * 2 * d != twice ? Integer(quotient - 1) : quotient;
+}
+
+/// n/d for Gaussian integers, rounded to a Gaussian integer.
+Complex<Integer> nearest(const Complex<Integer>& n, const Complex<Integer>& d) {
+  const Integer norm_d = norm(d);
+  return {nearest(dot(d, n), norm_d), nearest(cross(d, n), norm_d)};
+}
+
+/// A greatest common divisor of two Gaussian integers, not both 0. Quadratic time.
+Complex<Integer> gaussian_gcd(Complex<Integer> a, Complex<Integer> b) {
+  while (b != Complex<Integer>{0, 0}) {
+    Complex<Integer> rest = a - nearest(a, b) * b;
+    a = std::exchange(b, std::move(rest));
+  }
+  return a;
+}
+
+/// A complex number of modulus 1 in Q(i) that makes the product with z simple: of all numbers of Q(i) with the modulus
+/// of z one with the least denominator.
+///
+/// With z = n/d in lowest terms, j = gcd(n, d̄): z = j n'/(j̄ d'), so turn by j̄/j. All common factors divide gcd(|n|²,
+/// m²) for z = n/m, which is small as a rule.
+Point simplifying_turn(const Point& z) {
+  const Point none{1, 0};
+  const ScaledPoint fraction = scaled(z);
+  const Integer common = gcd(norm(fraction.n), Integer(fraction.m * fraction.m));
+  if (common == 1 || bits(common) > kMaxReducedBits) return none;
+  const Complex<Integer> modulus{common, 0};
+  const Complex<Integer> m{fraction.m, 0};
+  const Complex<Integer> factor = gaussian_gcd(gaussian_gcd(modulus, fraction.n), m);
+  const Complex<Integer> n = nearest(fraction.n, factor);  // Exact.
+  const Complex<Integer> d = nearest(m, factor);
+  const Complex<Integer> j = gaussian_gcd(gaussian_gcd(modulus, n), conj(d));
+  return convert<Rational>(conj(j)) / convert<Rational>(j);
+}
+
+/// The triangle moved to simple coordinates: corner 0 to 0, and turned.
+Corners simplified(const Corners& corners) {
+  const Point first = seen_from(corners[0], corners[1]);
+  const Point turn = simplifying_turn(first);
+  return {Point{0, 0}, turn * first, turn * seen_from(corners[0], corners[2])};
+}
+
+/// The place of a dart: side `side` of tile `tile`.
+struct Place {
+  std::uint32_t tile = kUnset;
+  std::uint32_t side = 0;
+};
+
+class Development {
+ public:
+  Development(const TriangulationStream& stream, std::string_view name)
+      : stream_(stream),
+        name_(name),
+        tiles_(stream.triangles.size()),
+        limit_(stream.triangles.size()),
+        place_(3 * stream.triangles.size()),
+        edge_(3 * stream.triangles.size()),
+        is_used_(stream.edges.size()) {
+    for (std::uint32_t t = 0; t < stream.triangles.size(); ++t) {
+      for (std::uint32_t i = 0; i < 3; ++i) place_[stream.triangles[t][i]] = {t, i};
+    }
+    for (std::uint32_t e = 0; e < stream.edges.size(); ++e) {
+      edge_[stream.edges[e].dart] = edge_[stream.edges[e].opposite] = e;
+      room_ += kMaxGrowth * bits(stream.edges[e].cross_ratio);
+    }
+  }
+
+  Surface surface() {
+    place_anchor();
+    place_others();
+    for (std::uint32_t e = 0; e < stream_.edges.size(); ++e) {
+      if (!is_used_[e]) check_edge(stream_.edges[e]);
+    }
+    std::vector<Gluing> gluing;
+    for (const auto& [dart, opposite, ratio] : stream_.edges) {
+      const auto [tile, side] = place_[dart];
+      const auto [other_tile, other_side] = place_[opposite];
+      gluing.push_back({tile, side, other_tile, other_side});
+    }
+    std::vector<Tile> tiles;
+    for (const Corners& corners : tiles_) tiles.emplace_back(corners.begin(), corners.end());
+    try {
+      return {std::move(tiles), std::move(gluing)};
+    } catch (const SurfaceError& error) {
+      fail(std::string("not a closed hyperbolic surface: ") + error.what() +
+           " (tile t is triangle t of the text, vertex i of it the start of the triangle's dart i counterclockwise)");
+    }
+  }
+
+ private:
+  void place_anchor() {
+    if (!stream_.anchor) {
+      fail(
+          "there is no anchor, expected \"yes\", a dart and the three points of its triangle: cross-ratios alone give "
+          "the points up to a Moebius map of the plane");
+    }
+    const auto& [dart, points] = *stream_.anchor;
+    for (std::size_t i = 0; i < 3; ++i) {
+      room_ += kMaxGrowth * bits(points[i]);
+      if (norm(points[i]) >= 1) {
+        fail("point " + std::to_string(i) + " of the anchor, " + decimal(points[i]) +
+             ", lies outside of the open unit disk");
+      }
+    }
+    if (orientation_determinant(points[0], points[1], points[2]) <= 0) {
+      fail("the points of the anchor are not counterclockwise, expected the start of dart " + std::to_string(dart) +
+           ", its end, and a third point on the left");
+    }
+    const auto [tile, side] = place_[dart];
+    for (std::uint32_t i = 0; i < 3; ++i) tiles_[tile][(side + i) % 3] = points[i];
+    limit_[tile] = comfortable(tiles_[tile]);
+    is_placed_.assign(tiles_.size(), false);
+    is_placed_[tile] = true;
+  }
+
+  void place_others() {
+    std::queue<std::uint32_t> pending;
+    pending.push(place_[stream_.anchor->dart].tile);
+    std::size_t placed = 1;
+    for (; !pending.empty(); pending.pop()) {
+      for (const std::uint32_t d : stream_.triangles[pending.front()]) {
+        const std::uint32_t neighbour = place_[opposite(d)].tile;
+        if (is_placed_[neighbour]) continue;
+        place_across(d);
+        is_placed_[neighbour] = true;
+        is_used_[edge_[d]] = true;
+        pending.push(neighbour);
+        ++placed;
+      }
+    }
+    if (placed == tiles_.size()) return;
+    const auto t = std::find(is_placed_.begin(), is_placed_.end(), false) - is_placed_.begin();
+    fail("the surface is not connected: no path of edges leads from the anchor to triangle " + std::to_string(t));
+  }
+
+  /// Places the triangle on the other side of a dart from a to b.
+  void place_across(std::uint32_t dart) {
+    const auto [tile, side] = place_[dart];
+    const Point& a = tiles_[tile][side];
+    const Point& b = tiles_[tile][(side + 1) % 3];
+    const Point& c = tiles_[tile][(side + 2) % 3];
+    // R = [a, d, b, c], solved for d.
+    const Point step = b - a;
+    const Point scaled_step = stream_.edges[edge_[dart]].cross_ratio * (c - a);
+    const Point divisor = step - scaled_step;
+    const auto [other_tile, other_side] = place_[opposite(dart)];
+    const std::string third = "the third vertex of triangle " + std::to_string(other_tile) + ", beyond " +
+                              edge_name(stream_.edges[edge_[dart]]);
+    if (divisor == Point{0, 0}) fail(third + ", is the point at infinity" + kExpected);
+    const Point d = (c * step - scaled_step * b) / divisor;
+    if (norm(d) >= 1) {
+      fail(third + ", lies outside of the open unit disk, at " + decimal(d) + " as seen from triangle " +
+           std::to_string(tile) + kExpected);
+    }
+    if (orientation_determinant(b, a, d) <= 0) {
+      fail("triangle " + std::to_string(other_tile) + " is not counterclockwise: " + third +
+           ", is not on the other side of that edge; expected a geometric triangulation");
+    }
+    Corners corners{b, a, d};
+    // The coordinates of the neighbour, as long as these are simple. Far from where they began they are not.
+    limit_[other_tile] = limit_[tile];
+    if (bits(corners) > limit_[tile]) {
+      const Corners simple = simplified(corners);
+      if (bits(simple) < bits(corners)) corners = simple;
+      limit_[other_tile] = comfortable(corners);
+    }
+    take_room(other_tile, corners);
+    for (std::uint32_t i = 0; i < 3; ++i) tiles_[other_tile][(other_side + i) % 3] = std::move(corners[i]);
+  }
+
+  /// How large the numbers of triangles in the coordinates of this one may become.
+  [[nodiscard]] static std::size_t comfortable(const Corners& corners) { return 2 * bits(corners) + 256; }
+
+  void take_room(std::uint32_t tile, const Corners& corners) {
+    const std::size_t size = bits(corners);
+    for (const Point& z : corners) {
+      for (const Rational& q : {z.x, z.y}) {
+        if (bits(q) > kMaxBits) {
+          fail("a coordinate of triangle " + std::to_string(tile) + " has more than 10^6 digits" + kExpected);
+        }
+      }
+    }
+    if (size > room_) {
+      fail("the coordinates of the triangles as far as triangle " + std::to_string(tile) +
+           " have a thousand times as many digits as the cross-ratios" + kExpected);
+    }
+    room_ -= size;
+  }
+
+  /// The two triangles beside an edge, both placed, fit together: they give the edge the same length, and the
+  /// cross-ratio that the text says.
+  void check_edge(const TriangulationStream::Edge& edge) const {
+    const auto [tile, side] = place_[edge.dart];
+    const auto [other_tile, other_side] = place_[edge.opposite];
+    const Corners& own = tiles_[tile];
+    const Corners& other = tiles_[other_tile];
+    const Point& a = own[side];
+    const Point& b = own[(side + 1) % 3];
+    const Point& other_b = other[other_side];
+    const Point& other_a = other[(other_side + 1) % 3];
+    const Rational length = sinh2_half_distance(a, b);
+    const Rational other_length = sinh2_half_distance(other_a, other_b);
+    if (length != other_length) {
+      fail(edge_name(edge) + " has length " + length_text(length) + " in triangle " + std::to_string(tile) + " and " +
+           length_text(other_length) + " in triangle " + std::to_string(other_tile) + kExpected);
+    }
+    const Point sigma = corner_ratio(a, b, own[(side + 2) % 3]);
+    const Point tau = corner_ratio(other_a, other_b, other[(other_side + 2) % 3]);
+    const Point ratio = cross_ratio_of_corners(sigma, tau);
+    if (ratio != edge.cross_ratio) {
+      fail(edge_name(edge) + " has the cross-ratio " + decimal(edge.cross_ratio) +
+           " by the text, and by the other cross-ratios " + decimal(ratio) + kExpected);
+    }
+  }
+
+  [[nodiscard]] static std::string length_text(const Rational& sinh2_of_half) {
+    return certify::shortest(static_cast<double>(Mp256(2 * asinh(sqrt(Mp256(sinh2_of_half))))));
+  }
+
+  [[nodiscard]] static std::string edge_name(const TriangulationStream::Edge& edge) {
+    return "the edge of darts " + std::to_string(edge.dart) + " and " + std::to_string(edge.opposite);
+  }
+
+  [[nodiscard]] std::uint32_t opposite(std::uint32_t dart) const {
+    const TriangulationStream::Edge& edge = stream_.edges[edge_[dart]];
+    return edge.dart == dart ? edge.opposite : edge.dart;
+  }
+
+  [[noreturn]] void fail(const std::string& message) const {
+    throw TriangulationStreamError(std::string(name_) + ": " + message);
+  }
+
+  static constexpr const char* kExpected = ": these cross-ratios are not those of a closed hyperbolic surface";
+
+  const TriangulationStream& stream_;
+  std::string_view name_;
+  std::vector<Corners> tiles_;
+  std::vector<std::size_t> limit_;   ///< How many bits corners may have in the coordinates of a triangle.
+  std::vector<Place> place_;         ///< By dart.
+  std::vector<std::uint32_t> edge_;  ///< By dart.
+  std::vector<bool> is_placed_;
+  std::vector<bool> is_used_;  ///< Edges that a triangle was placed across.
+  std::size_t room_ = 0;       ///< How many bits the triangles still to come may have.
+};
+
+}  // namespace
+
+Surface develop(const TriangulationStream& stream, std::string_view name) {
+  return Development(stream, name).surface();
+}
+
+}  // namespace epsnet

@@ -1,0 +1,30 @@
+#include "epsnet/netgen/exchange.h"
+
+#include <string>
+
+#include "epsnet/netgen/domain_format.h"
+#include "epsnet/netgen/triangulation_stream.h"
+#include "epsnet/netgen/words.h"
+
+namespace epsnet {
+
+Surface import_surface(std::string_view text, std::string_view name, ExchangeFormat format) {
+  const bool guess = format == ExchangeFormat::automatic;
+  if (format == ExchangeFormat::triangulation || (guess && is_triangulation_stream(text))) {
+    return develop(read_triangulation_stream(text, name), name);
+  }
+  try {
+    return read_domain(text, name);
+  } catch (const DomainError& error) {
+    if (!guess) throw;
+    throw DomainError(std::string(error.what()) +
+                      " (read as the domain format: the second word is neither \"yes\" nor \"no\", as in the "
+                      "triangulation format)");
+  }
+}
+
+Surface import_surface_file(const std::filesystem::path& path, ExchangeFormat format) {
+  return import_surface(read_text_file<DomainError>(path), path.string(), format);
+}
+
+}  // namespace epsnet

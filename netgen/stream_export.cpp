@@ -1,0 +1,207 @@
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+#include "epsnet/certify/structure_check.h"
+#include "epsnet/netgen/corner_ratio.h"
+#include "epsnet/netgen/surface_file.h"
+#include "epsnet/netgen/triangulation_stream.h"
+#include "epsnet/triangulation/glued_polygons.h"
+
+/// Surfaces and nets as triangulations that are given by cross-ratios.
+namespace epsnet {
+namespace {
+
+using Point = Complex<Rational>;
+using Corners = std::array<Point, 3>;
+
+std::string triangle_name(std::uint32_t t) { return "triangle " + std::to_string(t); }
+
+/// Triangles in coordinates of their own, glued by darts 3t + i.
+class Triangles {
+ public:
+  Triangles() = default;
+  Triangles(const Triangles&) = delete;
+  Triangles& operator=(const Triangles&) = delete;
+  virtual ~Triangles() = default;
+  [[nodiscard]] virtual std::uint32_t count() const = 0;
+  [[nodiscard]] virtual std::uint32_t opposite(std::uint32_t dart) const = 0;
+  [[nodiscard]] virtual Corners corners(std::uint32_t t) = 0;
+};
+
+/// Rotated so that the dart is the first one.
+Corners seen_along(std::uint32_t dart, Corners corners) {
+  std::rotate(corners.begin(), corners.begin() + dart % 3, corners.end());
+  return corners;
+}
+
+Complex<Rational> cross_ratio_of_edge(Triangles& triangles, std::uint32_t dart, std::uint32_t opposite) {
+  const auto [a, b, c] = seen_along(dart, triangles.corners(dart / 3));
+  const auto [other_b, other_a, d] = seen_along(opposite, triangles.corners(opposite / 3));
+  // Most triangles lie side by side already.
+  if (a == other_a && b == other_b) return cross_ratio(a, d, b, c);
+  if (sinh2_half_distance(a, b) != sinh2_half_distance(other_a, other_b)) {
+    throw TriangulationStreamError("the triangles do not fit: darts " + std::to_string(dart) + " and " +
+                                   std::to_string(opposite) + " are glued, but differ in length");
+  }
+  return cross_ratio_of_corners(corner_ratio(a, b, c), corner_ratio(other_a, other_b, d));
+}
+
+TriangulationStream stream_of(Triangles& triangles) {
+  TriangulationStream stream;
+  for (std::uint32_t t = 0; t < triangles.count(); ++t) {
+    const auto [a, b, c] = triangles.corners(t);
+    if (orientation_determinant(a, b, c) <= 0) {
+      throw TriangulationStreamError(triangle_name(t) + " is not strictly counterclockwise");
+    }
+    stream.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  }
+  for (std::uint32_t d = 0; d < 3 * triangles.count(); ++d) {
+    const std::uint32_t e = triangles.opposite(d);
+    if (d < e) stream.edges.push_back({d, e, cross_ratio_of_edge(triangles, d, e)});
+  }
+  stream.anchor = {0, triangles.corners(0)};
+  return stream;
+}
+
+/// The tiles of a surface, cut by the diagonals from their vertex 0.
+class TriangulatedTiles : public Triangles {
+ public:
+  explicit TriangulatedTiles(const Surface& surface) : surface_(surface) {
+    std::vector<std::uint32_t> dart_of_side;
+    for (std::uint32_t tile = 0; tile < surface.tiles().size(); ++tile) cut(tile, dart_of_side);
+    for (std::uint32_t s = 0; s < dart_of_side.size(); ++s) {
+      opposite_[dart_of_side[s]] = dart_of_side[surface.partner(s)];
+    }
+  }
+
+  [[nodiscard]] std::uint32_t count() const override { return static_cast<std::uint32_t>(triangles_.size()); }
+  [[nodiscard]] std::uint32_t opposite(std::uint32_t dart) const override { return opposite_[dart]; }
+  [[nodiscard]] Corners corners(std::uint32_t t) override {
+    const auto [tile, second] = triangles_[t];
+    const Tile& vertices = surface_.tiles()[tile];
+    return {vertices[0], vertices[second], vertices[second + 1]};
+  }
+
+ private:
+  void cut(std::uint32_t tile, std::vector<std::uint32_t>& dart_of_side) {
+    const auto size = static_cast<std::uint32_t>(surface_.tiles()[tile].size());
+    const std::uint32_t first = count();
+    const std::uint32_t last = first + size - 3;
+    dart_of_side.push_back(3 * first);
+    for (std::uint32_t t = first; t <= last; ++t) {
+      triangles_.push_back({tile, t - first + 1});
+      dart_of_side.push_back(3 * t + 1);
+      // Dart 0 and dart 2 are diagonals, but for the first and the last one, which are sides.
+      opposite_.insert(opposite_.end(), {3 * (t - 1) + 2, 0, 3 * (t + 1)});
+    }
+    dart_of_side.push_back(3 * last + 2);
+  }
+
+  struct Piece {
+    std::uint32_t tile;
+    std::uint32_t second;  ///< The corners are the vertices 0, `second` and the next one.
+  };
+
+  const Surface& surface_;
+  std::vector<Piece> triangles_;
+  std::vector<std::uint32_t> opposite_;
+};
+
+/// The same isometry with Gaussian integers without a common integer factor as coefficients.
+Isometry<Rational> integral(const Isometry<Rational>& f) {
+  Integer denominators = 1;
+  Integer content = 0;
+  for (const Rational& q : {f.a.x, f.a.y, f.b.x, f.b.y}) denominators = lcm(denominators, Integer(denominator(q)));
+  const Rational scale(denominators);
+  const Isometry<Rational> scaled{scale * f.a, scale * f.b};
+  for (const Rational& q : {scaled.a.x, scaled.a.y, scaled.b.x, scaled.b.y})
+    content = gcd(content, Integer(numerator(q)));
+  const Rational reciprocal = Rational(1) / Rational(content);
+  return {reciprocal * scaled.a, reciprocal * scaled.b};
+}
+
+/// The triangles of a net document, in the charts of their first corners.
+class NetTriangles : public Triangles {
+ public:
+  explicit NetTriangles(const certify::Document& net) : net_(net) {
+    if (const auto problem = certify::structure_problem(net)) throw TriangulationStreamError("not a net: " + *problem);
+    if (net.triangles.empty()) throw TriangulationStreamError("not a net: there are no triangles");
+    for (std::uint32_t d = 0; d < 3 * count(); ++d) check_opposite(d);
+    evaluate_labels();
+  }
+
+  [[nodiscard]] std::uint32_t count() const override { return static_cast<std::uint32_t>(net_.triangles.size()); }
+  [[nodiscard]] std::uint32_t opposite(std::uint32_t dart) const override {
+    return net_.triangles[dart / 3].opposite[dart % 3];
+  }
+  [[nodiscard]] Corners corners(std::uint32_t t) override {
+    const certify::Triangle& triangle = net_.triangles[t];
+    if (triangle.label[0] == 0 && triangle.label[1] == 0) return computed_corners(triangle);
+    const auto [known, is_new] = labelled_.try_emplace(t);
+    if (is_new) known->second = computed_corners(triangle);
+    return known->second;
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t start(std::uint32_t dart) const { return net_.triangles[dart / 3].vertex[dart % 3]; }
+  [[nodiscard]] std::uint32_t end(std::uint32_t dart) const {
+    return net_.triangles[dart / 3].vertex[(dart % 3 + 1) % 3];
+  }
+
+  void check_opposite(std::uint32_t dart) const {
+    const std::uint32_t other = opposite(dart);
+    if (other != dart && opposite(other) == dart && start(dart) == end(other) && end(dart) == start(other)) return;
+    throw TriangulationStreamError("not a net: dart " + std::to_string(dart) + " and its opposite " +
+                                   std::to_string(other) + " do not belong together");
+  }
+
+  void evaluate_labels() {
+    if (net_.labels.empty()) return;
+    const Surface surface = from_document(net_.surface);
+    for (const certify::Label& label : net_.labels) {
+      Isometry<Rational> path;
+      for (const std::uint32_t side : label.word) path = surface.crossing(side) * path;
+      const auto to = Isometry<Rational>::translation(centre(label.to));
+      const auto from = Isometry<Rational>::translation(centre(label.from));
+      labels_.push_back(integral(inverse(to) * path * from));
+    }
+  }
+
+  [[nodiscard]] Point centre(std::uint32_t chart) const {
+    const certify::RationalPoint& c = net_.charts[chart].centre;
+    return {Rational(c.x.get_mpq_t()), Rational(c.y.get_mpq_t())};
+  }
+
+  [[nodiscard]] Corners computed_corners(const certify::Triangle& triangle) const {
+    return {corner(triangle.vertex[0], 0), corner(triangle.vertex[1], triangle.label[0]),
+            corner(triangle.vertex[2], triangle.label[1])};
+  }
+  [[nodiscard]] Point corner(std::uint32_t v, std::uint32_t label) const {
+    const Point z{Rational(net_.vertices[v].x), Rational(net_.vertices[v].y)};
+    return label == 0 ? z : labels_[label - 1](z);
+  }
+
+  const certify::Document& net_;
+  std::vector<Isometry<Rational>> labels_;
+  /// Corners of triangles that have labels: these are few, and their numbers are large.
+  std::unordered_map<std::uint32_t, Corners> labelled_;
+};
+
+}  // namespace
+
+TriangulationStream triangulation_stream(const Surface& surface) {
+  TriangulatedTiles triangles(surface);
+  return stream_of(triangles);
+}
+
+TriangulationStream triangulation_stream(const certify::Document& net) {
+  try {
+    NetTriangles triangles(net);
+    return stream_of(triangles);
+  } catch (const SurfaceError& error) {
+    throw TriangulationStreamError(std::string("not a net: ") + error.what());
+  }
+}
+
+}  // namespace epsnet

@@ -1,0 +1,146 @@
+#include "epsnet/netgen/triangulation_stream.h"
+
+#include <ostream>
+
+#include "epsnet/certify/text.h"
+#include "epsnet/netgen/words.h"
+
+namespace epsnet {
+namespace {
+
+constexpr std::uint32_t kUnset = ~std::uint32_t{0};
+
+class Reader {
+ public:
+  Reader(std::string_view text, std::string_view name) : text_size_(text.size()), words_(text, name) {}
+
+  TriangulationStream read() {
+    read_dart_count();
+    read_anchor();
+    read_triangles();
+    read_edges();
+    words_.expect_end("the last edge");
+    return std::move(stream_);
+  }
+
+ private:
+  void read_dart_count() {
+    darts_ = words_.index("the number of darts, a positive multiple of 6 below 2^32");
+    if (darts_ == 0 || darts_ % 6 != 0) {
+      words_.fail(std::to_string(darts_) +
+                  " darts found, expected a positive multiple of 6 (triangles have three, edges two)");
+    }
+    // Tables below grow with this number, and it is to be no larger than the text.
+    if (darts_ > text_size_) {
+      words_.fail("the text claims " + std::to_string(darts_) + " darts, but has only " + std::to_string(text_size_) +
+                  " bytes");
+    }
+    range_ = ", from 0 to " + std::to_string(darts_ - 1) + " (the text claims " + std::to_string(darts_) + " darts)";
+  }
+
+  void read_anchor() {
+    const std::string expected = "\"yes\" or \"no\": whether there is an anchor";
+    const std::string_view word = words_.next(expected);
+    if (word == "no") return;
+    if (word != "yes") words_.fail(certify::in_quotes(word) + " found, expected " + expected);
+    stream_.anchor.emplace();
+    stream_.anchor->dart = dart("the dart of the anchor");
+    for (std::size_t i = 0; i < 3; ++i) {
+      stream_.anchor->points[i] =
+          complex("point " + std::to_string(i) + " of the anchor", "x coordinate", "y coordinate");
+    }
+  }
+
+  void read_triangles() {
+    std::vector<std::uint32_t> triangle_of(darts_, kUnset);
+    for (std::uint32_t t = 0; t < darts_ / 3; ++t) {
+      const std::string place = " of triangle " + std::to_string(t);
+      const auto next_dart = [&](const char* which) {
+        const std::uint32_t d = dart(which + place);
+        claim(triangle_of, d, t, "triangle");
+        return d;
+      };
+      const std::uint32_t first = next_dart("the first dart");
+      const std::uint32_t last = next_dart("the dart before the first one");
+      const std::uint32_t second = next_dart("the dart after the first one");
+      stream_.triangles.push_back({first, second, last});
+    }
+  }
+
+  void read_edges() {
+    std::vector<std::uint32_t> edge_of(darts_, kUnset);
+    for (std::uint32_t e = 0; e < darts_ / 2; ++e) {
+      const std::string place = " of edge " + std::to_string(e);
+      const std::uint32_t first = dart("the first dart" + place);
+      claim(edge_of, first, e, "edge");
+      const std::uint32_t second = dart("the second dart" + place);
+      claim(edge_of, second, e, "edge");
+      stream_.edges.push_back({first, second, complex("the cross-ratio" + place, "real part", "imaginary part")});
+    }
+  }
+
+  std::uint32_t dart(const std::string& what) {
+    const std::string expected = what + range_;
+    const std::uint32_t d = words_.index(expected);
+    if (d >= darts_) words_.fail(std::to_string(d) + " found, expected " + expected);
+    return d;
+  }
+
+  /// Notes to which triangle or edge a dart belongs: one only.
+  void claim(std::vector<std::uint32_t>& owner, std::uint32_t d, std::uint32_t by, const std::string& kind) {
+    if (owner[d] == by) {
+      words_.fail("dart " + std::to_string(d) + " occurs twice in " + kind + " " + std::to_string(by));
+    }
+    if (owner[d] != kUnset) {
+      words_.fail("dart " + std::to_string(d) + " belongs to " + kind + " " + std::to_string(owner[d]) + " and to " +
+                  kind + " " + std::to_string(by));
+    }
+    owner[d] = by;
+  }
+
+  Complex<Rational> complex(const std::string& what, const char* x, const char* y) {
+    Rational first = words_.rational("the " + (x + (" of " + what)));
+    return {std::move(first), words_.rational("the " + (y + (" of " + what)))};
+  }
+
+  std::size_t text_size_;
+  Words<TriangulationStreamError> words_;
+  std::uint32_t darts_ = 0;
+  std::string range_;
+  TriangulationStream stream_;
+};
+
+}  // namespace
+
+bool is_triangulation_stream(std::string_view text) {
+  constexpr std::string_view kWhiteSpace = " \t\n\v\f\r";
+  const auto skip = [&](std::size_t length) { text.remove_prefix(std::min(length, text.size())); };
+  skip(text.find_first_not_of(kWhiteSpace));
+  skip(text.find_first_of(kWhiteSpace));
+  skip(text.find_first_not_of(kWhiteSpace));
+  const std::string_view second = text.substr(0, text.find_first_of(kWhiteSpace));
+  return second == "yes" || second == "no";
+}
+
+TriangulationStream read_triangulation_stream(std::string_view text, std::string_view name) {
+  return Reader(text, name).read();
+}
+
+Surface load_triangulation_stream(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  return develop(read_triangulation_stream(read_text_file<TriangulationStreamError>(path), name), name);
+}
+
+void write_triangulation_stream(const TriangulationStream& stream, std::ostream& out) {
+  out << 3 * stream.triangles.size() << '\n' << (stream.anchor ? "yes" : "no") << '\n';
+  if (stream.anchor) {
+    out << stream.anchor->dart << '\n';
+    for (const auto& [x, y] : stream.anchor->points) out << x.str() << ' ' << y.str() << '\n';
+  }
+  for (const auto& [first, second, last] : stream.triangles) out << first << '\n' << last << '\n' << second << '\n';
+  for (const auto& [dart, opposite, ratio] : stream.edges) {
+    out << dart << '\n' << opposite << '\n' << ratio.x.str() << '\n' << ratio.y.str() << '\n';
+  }
+}
+
+}  // namespace epsnet

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "epsnet/certify/document.h"
+#include "epsnet/triangulation/surface.h"
+
+/// CGAL's text format for geometric triangulations of closed hyperbolic surfaces: a combinatorial map, the exact
+/// cross-ratio of every edge, and perhaps one lift of one triangle (docs/exchange-formats.md).
+namespace epsnet {
+
+/// The text is not a triangulation of a surface, or a net cannot be written as one. what() is one line: "NAME:LINE:
+/// what was wrong, what was expected"; NAME alone where no line is to blame.
+class TriangulationStreamError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What the text says, member by member.
+struct TriangulationStream {
+  /// A triangle, as its three darts counterclockwise.
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  /// Two darts glued to each other, in opposite directions.
+  struct Edge {
+    std::uint32_t dart;
+    std::uint32_t opposite;
+    /// [z0, z1, z2, z3] (`cross_ratio` in kernel/plane.h) with z0 and z2 the ends of the edge, z1 the third vertex of
+    /// the triangle on its right, z3 that on its left. The same for both directions of the edge.
+    Complex<Rational> cross_ratio;
+    bool operator==(const Edge&) const = default;
+  };
+
+  /// Where a triangle lies in the Poincaré disk: without it a triangulation is known up to Möbius maps of the complex
+  /// plane only, and not as points of a disk.
+  struct Anchor {
+    std::uint32_t dart;
+    std::array<Complex<Rational>, 3> points;  ///< The start and the end of the dart, the third vertex.
+    bool operator==(const Anchor&) const = default;
+  };
+
+  std::optional<Anchor> anchor;
+  std::vector<Triangle> triangles;
+  std::vector<Edge> edges;
+  bool operator==(const TriangulationStream&) const = default;
+};
+
+/// True if the text is, as far as its first two words tell, a triangulation and not a polygon in the domain format. No
+/// text is both: the second word is `yes` or `no` in the one and a number in the other.
+[[nodiscard]] bool is_triangulation_stream(std::string_view text);
+
+/// Reads the text and checks its combinatorics: every dart belongs to one triangle and to one edge. `name` stands for
+/// the text in messages. Throws TriangulationStreamError. Whatever the text claims, memory is linear in its length.
+[[nodiscard]] TriangulationStream read_triangulation_stream(std::string_view text, std::string_view name);
+
+/// The surface of a triangulation: tile t is triangle t, side i of it the triangle's dart i, in coordinates of its own;
+/// the tile of the anchor has the coordinates of the anchor.
+///
+/// Checked completely and exactly: triangles counterclockwise and in the disk, cross-ratios as given, angles around
+/// every vertex adding up to 2π (see `Surface`). Requires the combinatorics that read_triangulation_stream checks.
+/// Throws TriangulationStreamError: also if there is no anchor, and if a coordinate has more than 10^6 digits, or all
+/// together have more than a thousand times as many as the stream.
+[[nodiscard]] Surface develop(const TriangulationStream& stream, std::string_view name);
+
+/// The surface of a file of at most 256 MiB. Throws TriangulationStreamError, also if the file cannot be read.
+[[nodiscard]] Surface load_triangulation_stream(const std::filesystem::path& path);
+
+/// The tiles of a surface as a triangulation, those with more than three sides cut by the diagonals from their vertex
+/// 0. Dart 3t + i is side i of triangle t; triangle 0 is the anchor.
+[[nodiscard]] TriangulationStream triangulation_stream(const Surface& surface);
+
+/// The triangulation of a net, exactly: the coordinates of its vertices are dyadic numbers, its charts and labels
+/// rational. Dart 3t + i is dart i of triangle t; triangle 0 is the anchor.
+///
+/// Nothing is proved (certify does that), but nothing is written that is not a map of triangles that fit: throws
+/// TriangulationStreamError if the document is not well-formed or the sides of two triangles differ where they are
+/// glued.
+[[nodiscard]] TriangulationStream triangulation_stream(const certify::Document& net);
+
+/// The text, each number as `p/q` or `p` in lowest terms, each triangle as CGAL writes it: a dart, the previous, the
+/// next.
+void write_triangulation_stream(const TriangulationStream& stream, std::ostream& out);
+
+}  // namespace epsnet
