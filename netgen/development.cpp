@@ -29,6 +29,10 @@ std::size_t bits(const Corners& corners) { return bits(corners[0]) + bits(corner
 std::string decimal(const Rational& q) { return certify::shortest(static_cast<double>(Mp256(q))); }
 std::string decimal(const Point& z) { return "(" + decimal(z.x) + ", " + decimal(z.y) + ")"; }
 
+bool counterclockwise(const Point& a, const Point& b, const Point& c) {
+  return orientation(klein(scaled(a)), klein(scaled(b)), klein(scaled(c))) > 0;
+}
+
 /// The integer nearest to n/d, d > 0.
 Integer nearest(const Integer& n, const Integer& d) {
   const Integer twice = 2 * n + d;
@@ -134,12 +138,12 @@ class Development {
     const auto& [dart, points] = *stream_.anchor;
     for (std::size_t i = 0; i < 3; ++i) {
       room_ += kMaxGrowth * bits(points[i]);
-      if (norm(points[i]) >= 1) {
+      if (disk_gap(scaled(points[i])) <= 0) {
         fail("point " + std::to_string(i) + " of the anchor, " + decimal(points[i]) +
              ", lies outside of the open unit disk");
       }
     }
-    if (orientation_determinant(points[0], points[1], points[2]) <= 0) {
+    if (!counterclockwise(points[0], points[1], points[2])) {
       fail("the points of the anchor are not counterclockwise, expected the start of dart " + std::to_string(dart) +
            ", its end, and a third point on the left");
     }
@@ -185,11 +189,11 @@ class Development {
                               edge_name(stream_.edges[edge_[dart]]);
     if (divisor == Point{0, 0}) fail(third + ", is the point at infinity" + kExpected);
     const Point d = (c * step - scaled_step * b) / divisor;
-    if (norm(d) >= 1) {
+    if (disk_gap(scaled(d)) <= 0) {
       fail(third + ", lies outside of the open unit disk, at " + decimal(d) + " as seen from triangle " +
            std::to_string(tile) + kExpected);
     }
-    if (orientation_determinant(b, a, d) <= 0) {
+    if (!counterclockwise(b, a, d)) {
       fail("triangle " + std::to_string(other_tile) + " is not counterclockwise: " + third +
            ", is not on the other side of that edge; expected a geometric triangulation");
     }
