@@ -94,6 +94,23 @@ good surface import "$data/polygons/polygon-g3-rnd0.txt" -o g3.json
 good net g3.json --epsilon 0.5 -o net.json
 verified net.json
 
+# There and back through the texts of CGAL.
+good surface import "$data/triangulations/triangulation-g3-e0.01.txt" -o t.json
+good info t.json
+grep -q '^genus: 3$' output || complain "the genus of an imported triangulation"
+good export t.json --format triangulation -o t.txt
+same "$data/triangulations/triangulation-g3-e0.01.txt" t.txt
+good surface import --format triangulation /dev/stdin -o t2.json <t.txt
+same t.json t2.json
+good export g3.json --format domain -o polygon.txt
+good surface import polygon.txt --format domain -o again.json
+same g3.json again.json
+good export net.json --format triangulation -o net.txt
+good surface import net.txt -o as-surface.json
+good export as-surface.json --format triangulation -o again.txt
+same net.txt again.txt
+"$epsnet" export t.json --format triangulation -o - | cmp -s - t.txt || complain "a triangulation on standard output"
+
 # The same bytes again, whatever the number of threads, and on standard output.
 good net s.json --epsilon 0.2 -o once.json --threads 1
 good net s.json --epsilon 0.2 -o twice.json --threads 3
@@ -106,7 +123,7 @@ grep -q '^verdict: VERIFIED$' report || complain "the report is not on standard 
 "$epsnet" draw once.json -o - >piped.svg && "$epsnet" draw once.json -o file.svg && same piped.svg file.svg
 good surface import "$data/octagons/g2-seed-123.txt" -o imported.json
 same s.json imported.json
-for command in '' surface 'surface octagon' 'surface import' net draw info; do
+for command in '' surface 'surface octagon' 'surface import' net draw info export; do
   # shellcheck disable=SC2086
   good $command --help
   grep -q 'Example' output || complain "epsnet $command --help has no example"
@@ -127,6 +144,11 @@ bad 64 'insert' net s.json --epsilon 1 -o out/n.json --insert magic
 bad 64 'locate' net s.json --epsilon 1 -o out/n.json --locate magic
 bad 64 'cavity' net s.json --epsilon 1 -o out/n.json --insert cavity --locate straight
 bad 64 'threads' net s.json --epsilon 1 -o out/n.json --threads -1
+bad 64 'format' export s.json -o out/x.txt
+bad 64 'format' export s.json --format magic -o out/x.txt
+bad 64 'format' export s.json --format auto -o out/x.txt
+bad 64 'output' export s.json --format domain
+bad 64 'format' surface import t.txt --format magic -o out/s.json
 bad 64 'size' draw once.json -o out/x.svg --size 10
 bad 64 'order' draw once.json -o out/x.svg --order magic
 for epsilon in 0 -1 0.0 -0.5 nan NaN inf infinity 1/0 0/5 -1/2 '' ' ' 0,1 1e 0x1 '1 ' 1e99999; do
@@ -141,6 +163,13 @@ bad 1 'no-such' net no-such.json --epsilon 1 -o out/n.json
 bad 1 'no-such' info no-such.json
 bad 1 'no-such' draw no-such.json -o out/x.svg
 bad 1 'no-such' surface import no-such.txt -o out/s.json
+bad 1 'no-such' export no-such.json --format domain -o out/x.txt
+bad 1 'no-dir' export s.json --format domain -o no-dir/x.txt
+bad 1 'not a net; use --format triangulation' export once.json --format domain -o out/x.txt
+bad 1 'one polygon, the surface has 20 tiles' export t.json --format domain -o out/x.txt
+bad 1 't.txt:2: "yes" found' surface import t.txt --format domain -o out/s.json
+bad 1 '8 darts found' surface import "$data/octagons/g2-seed-1.txt" --format triangulation -o out/s.json
+bad 1 'neither "yes" nor "no"' surface import s.json -o out/s.json
 bad 1 'no-such' info "no-such
 file"
 bad 1 'no-dir' net s.json --epsilon 1 -o no-dir/n.json
@@ -180,7 +209,9 @@ for file in empty truncated.json version.json claims.json nested.json random; do
   bad 1 "$file" info $file
   bad 1 "$file" draw $file -o out/x.svg
   bad 1 "$file" surface import $file -o out/s.json
+  bad 1 "$file" export $file --format triangulation -o out/x.txt
 done
+bad 1 truncated-net.json export truncated-net.json --format triangulation -o out/x.txt
 bad 1 truncated-net.json draw truncated-net.json -o out/x.svg
 bad 1 truncated-net.json info truncated-net.json
 for file in "$data"/certify/malformed/*; do bad 1 "$(basename "$file")" draw "$file" -o out/x.svg; done
@@ -220,6 +251,23 @@ polygon 4 1 0 3 2 '1/2 0' '0 1/2' '-1/2 0' '0 -1/2'  # a sphere
 bad 1 'polygon.txt' surface import polygon.txt -o out/s.json
 polygon 4 2 3 0 1 '1/2 0' '0 1/2' '-1/2 0' '0 -1/2'  # a torus
 bad 1 'polygon.txt' surface import polygon.txt -o out/s.json
+
+# ---- Triangulations that are no surface ----
+triangulation="$data/triangulations/triangulation-g2-e0.2.txt"
+wrong() {
+  awk "$2" "$triangulation" >wrong.txt
+  bad 1 "$1" surface import wrong.txt -o out/s.json
+}
+wrong 'wrong.txt:1: the text claims 1000000002 darts' 'NR==1 {$1 = "1000000002"} {print}'
+wrong 'wrong.txt:1: 31 darts found' 'NR==1 {$1 = "31"} {print}'
+wrong 'wrong.txt: there is no anchor' 'NR==2 {$1 = "no"} NR<3 || NR>6 {print}'
+wrong 'wrong.txt:12: dart 2 belongs to triangle 0 and to triangle 1' 'NR==12 {$1 = "2"} {print}'
+wrong 'wrong.txt:41: dart 7 belongs to edge 0 and to edge 1' 'NR==41 {$1 = "7"} {print}'
+wrong 'wrong.txt:39: "1/0" found' 'NR==39 {$1 = "1/0"} {print}'
+wrong 'wrong.txt: the edge of darts 1 and 8 has length .*not those of a closed' 'NR==39 {$1 = "1"} {print}'
+wrong 'wrong.txt:97: "7" follows the last edge' '{print} END {printf "7"}'
+head -c 700 "$triangulation" >truncated.txt
+bad 1 'truncated.txt:.*expected the ' surface import truncated.txt -o out/s.json
 
 echo "$runs runs, $failures failures"
 [ "$failures" = 0 ] && [ "$runs" -gt 150 ]
