@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "epsnet/netgen/refine.h"
+#include "epsnet/netgen/start.h"
 #include "epsnet/netgen/surface_file.h"
 
 namespace epsnet {
@@ -77,8 +78,11 @@ UncertifiedNet compute_net(const Surface& surface, const Epsilon& epsilon, const
   UncertifiedNet result;
   NetStatistics& statistics = result.statistics;
   const auto start = Clock::now();
-  Triangulation triangulation(surface);
+  Triangulation triangulation(surface, options.base);
   statistics.initial_flips = triangulation.make_delaunay();
+  if (options.base) {
+    statistics.removed = reduce_to_vertex_0(triangulation);
+  }
   statistics.start_seconds = seconds_since(start);
   const auto refinement = Clock::now();
   refine(triangulation, epsilon, options, statistics);

@@ -28,6 +28,8 @@ enum class Walk { visibility, straight };
 using Progress = std::function<void(std::uint64_t vertices, double share)>;
 
 struct NetOptions {
+  /// The start is this point alone; without it, all vertices of the tiles that are not too close to others.
+  std::optional<BasePoint> base = {};
   Insertion insertion = Insertion::cavity;
   Walk walk = Walk::visibility;
   certify::CheckOptions check = {};  ///< For the certificate: threads, precision cap, progress.

@@ -167,8 +167,11 @@ class Search {
         parts_(parts),
         area_(4 * boost::math::constants::pi<T>() * (T(geometry.sides().genus) - 1)),
         max_copies_(max_copies),
-        by_tile_(geometry.document().surface.tiles.size()) {
-    for (const certify::Tile& tile : geometry.document().surface.tiles) {
+        by_tile_(geometry.sides().first_side.size() - 1) {
+    const certify::Surface& surface = geometry.document().surface;
+    const certify::Surface regular =
+        surface.regular_genus != 0 ? rounded_polygon(surface.regular_genus) : certify::Surface();
+    for (const certify::Tile& tile : surface.regular_genus != 0 ? regular.tiles : surface.tiles) {
       std::vector<PrecisePoint> corners(tile.size());
       for (std::size_t k = 0; k < tile.size(); ++k) {
         mpfr_set_q(corners[k].x.backend().data(), tile[k].x.get_mpq_t(), MPFR_RNDN);

@@ -141,7 +141,7 @@ void check(const FenchelNielsen& coordinates) {
 
 }  // namespace
 
-FenchelNielsenSurface fenchel_nielsen_surface(const FenchelNielsen& coordinates) {
+Surface fenchel_nielsen_surface(const FenchelNielsen& coordinates) {
   check(coordinates);
   const PantsGraph& graph = coordinates.graph;
   const std::size_t n = graph.edges().size();
@@ -191,7 +191,9 @@ FenchelNielsenSurface fenchel_nielsen_surface(const FenchelNielsen& coordinates)
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     tiles.push_back(heptagon(pieces[p], y[p]));
   }
-  return {Surface(std::move(tiles), std::move(gluing)), std::move(about)};
+  Surface surface(std::move(tiles), std::move(gluing));
+  surface.set_about(std::move(about));
+  return surface;
 }
 
 FenchelNielsen random_coordinates(PantsGraph graph, std::uint64_t seed) {

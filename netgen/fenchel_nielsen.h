@@ -21,14 +21,6 @@ struct FenchelNielsen {
   std::vector<Rational> twists;
 };
 
-/// An exact surface and the coordinates that it has.
-struct FenchelNielsenSurface {
-  Surface surface;
-  /// What `surface` really has, one line per edge: r = exp(length/2) and the product s of the positions of the base
-  /// points, as rational numbers.
-  std::string about;
-};
-
 /// The surface with these coordinates, made of 2g − 2 convex heptagons with rational vertices (a pair of pants cut
 /// open), exact: its lengths differ from the ones asked for by a factor within 1 ± 2⁻⁵⁰, its twists, taken modulo the
 /// lengths, by at most 2⁻⁵⁰ lengths.
@@ -36,7 +28,7 @@ struct FenchelNielsenSurface {
 /// Scheme: r = exp(length/2) is made rational; then the axes of the cuffs have rational ends, and every pair of pants
 /// and every gluing is a rational matrix. docs/fenchel-nielsen.md derives it. Linear in the genus.
 /// Throws SurfaceError: not as many lengths and twists as edges, a length outside of [1e-30, 100], named by its edge.
-[[nodiscard]] FenchelNielsenSurface fenchel_nielsen_surface(const FenchelNielsen& coordinates);
+[[nodiscard]] Surface fenchel_nielsen_surface(const FenchelNielsen& coordinates);
 
 /// Random coordinates on a graph, the same for a seed on every machine: lengths uniform in [1, 4], twists uniform in
 /// [0, length).

@@ -132,14 +132,25 @@ double systole_lower_bound(double epsilon, double shortest_loop) {
   return std::isfinite(bound) ? bound : 0;
 }
 
+namespace {
+
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kShown = 200;
+  return text.size() <= kShown ? text : text.substr(0, kShown) + "...";
+}
+
+}  // namespace
+
 std::string surface_info(const Surface& surface) {
   std::ostringstream out;
   line(out, "file", "surface");
   line(out, "genus", surface.genus());
   line(out, "area 4 pi (g-1)", area(surface.genus()));
+  if (!surface.about().empty()) line(out, "about", shortened(surface.about()));
   line(out, "tiles", surface.tiles().size());
   line(out, "sides", surface.side_count());
   line(out, "vertices", surface.vertex_class_count());
+  if (surface.is_regular()) line(out, "kind", "the regular " + std::to_string(surface.side_count()) + "-gon");
   std::size_t longest = 0;
   std::size_t total = 0;
   double perimeter = 0;
@@ -158,7 +169,9 @@ std::string surface_info(const Surface& surface) {
     }
   }
   line(out, "height of the coordinates",
-       "up to " + std::to_string(longest) + " digits, mean " + std::to_string(total / 2 / surface.side_count()));
+       surface.is_regular()
+           ? "algebraic, not rational"
+           : "up to " + std::to_string(longest) + " digits, mean " + std::to_string(total / 2 / surface.side_count()));
   line(out, "side lengths", sides.text());
   line(out, "perimeter of all tiles", perimeter);
   return out.str();
@@ -174,7 +187,7 @@ std::string net_info(const certify::Document& net) {
   line(out, "epsilon", net.epsilon.size() <= 40 ? net.epsilon : certify::shortest(epsilon));
   line(out, "genus", sides.genus);
   line(out, "area 4 pi (g-1)", area(sides.genus));
-  line(out, "tiles", net.surface.tiles.size());
+  line(out, "tiles", sides.first_side.size() - 1);
   line(out, "vertices", net.vertices.size());
   line(out, "edges", net.triangles.size() * 3 / 2);
   line(out, "triangles", net.triangles.size());

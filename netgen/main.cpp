@@ -26,9 +26,11 @@
 #include "epsnet/certify/writer.h"
 #include "epsnet/netgen/atomic_file.h"
 #include "epsnet/netgen/certified_net.h"
+#include "epsnet/netgen/decimal.h"
 #include "epsnet/netgen/domain_format.h"
 #include "epsnet/netgen/draw.h"
 #include "epsnet/netgen/exchange.h"
+#include "epsnet/netgen/fenchel_nielsen_request.h"
 #include "epsnet/netgen/info.h"
 #include "epsnet/netgen/octagon.h"
 #include "epsnet/netgen/surface_file.h"
@@ -143,6 +145,7 @@ class Stopwatch {
 
 struct SurfaceRequest {
   std::int32_t seed = 0;
+  std::uint32_t genus = 0;
   std::string file;
   ExchangeFormat format = ExchangeFormat::automatic;
   std::string output;
@@ -151,6 +154,38 @@ struct SurfaceRequest {
 void write_surface_file(const Surface& surface, const std::string& output) {
   const certify::Surface document = to_document(surface);
   write_output(output, [&](std::ostream& out) { certify::write_surface(document, out); });
+}
+
+struct FenchelNielsenCommand {
+  FenchelNielsenRequest request;
+  std::string file;
+  std::string output;
+};
+
+void make_fenchel_nielsen(FenchelNielsenCommand command) {
+  if (!command.file.empty()) {
+    const FenchelNielsenRequest given = command.request;
+    command.request = load_fenchel_nielsen(command.file);
+    // The command line comes before the file.
+    if (!given.graph.empty()) command.request.graph = given.graph;
+    if (given.genus) command.request.genus = given.genus;
+    if (given.seed) command.request.seed = given.seed;
+    if (!given.lengths.empty()) command.request.lengths = given.lengths;
+    if (!given.twists.empty()) command.request.twists = given.twists;
+  }
+  check_output_directory(command.output);
+  FenchelNielsen coordinates = [&] {
+    try {
+      return resolve(command.request);
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(error.what());
+    }
+  }();
+  write_surface_file(fenchel_nielsen_surface(coordinates), command.output);
+}
+
+void make_regular(const SurfaceRequest& request) {
+  write_surface_file(Surface::regular(request.genus), request.output);
 }
 
 void make_octagon(const SurfaceRequest& request) { write_surface_file(random_octagon(request.seed), request.output); }
@@ -166,6 +201,7 @@ struct NetRequest {
   std::string epsilon;
   std::string output;
   std::string svg;
+  std::string base;
   bool no_certify = false;
   bool stats = false;
   NetOptions options;
@@ -245,6 +281,7 @@ std::string statistics_text(const UncertifiedNet& net, std::uint32_t genus, doub
   std::ostringstream out;
   out << walk_text(s, request.options.insertion);
   out << "flips of the initial triangulation: " << s.initial_flips << '\n';
+  out << "vertices removed from it: " << s.removed << '\n';
   out << "lower bound (g-1)/sinh^2(epsilon/2), Theorem III.2: " << least << ", ratio " << ratio_text(count, least)
       << '\n';
   out << "upper bound 16(g-1)/epsilon^2, Theorem III.1 if the systole is at least epsilon: " << most << ", ratio "
@@ -281,6 +318,20 @@ certify::Certificate certify_net(const certify::Document& net, certify::CheckOpt
   return certificate;
 }
 
+/// "tile,x,y".
+BasePoint parse_base(const std::string& text) {
+  const std::size_t first = text.find(',');
+  const std::size_t second = text.find(',', first == std::string::npos ? first : first + 1);
+  if (second != std::string::npos) {
+    const std::string tile = text.substr(0, first);
+    const auto x = parse_decimal(std::string_view(text).substr(first + 1, second - first - 1));
+    const auto y = parse_decimal(std::string_view(text).substr(second + 1));
+    const bool digits = !tile.empty() && tile.size() <= 9 && tile.find_first_not_of("0123456789") == std::string::npos;
+    if (digits && x && y) return {static_cast<std::uint32_t>(std::stoul(tile)), {*x, *y}};
+  }
+  throw UsageError("--base: expected a tile and a point of it, as in 0,1/10,-0.25, not \"" + text.substr(0, 80) + "\"");
+}
+
 void make_net(const NetRequest& request) {
   if (is_stdout(request.output) && is_stdout(request.svg))
     throw UsageError("--output and --svg cannot both be standard output");
@@ -292,7 +343,9 @@ void make_net(const NetRequest& request) {
   Stopwatch watch;
   const Surface surface = load_surface(request.surface);
   times.reading = watch.lap();
-  const UncertifiedNet net = compute(surface, epsilon, request.options);
+  NetOptions options = request.options;
+  if (!request.base.empty()) options.base = parse_base(request.base);
+  const UncertifiedNet net = compute(surface, epsilon, options);
   times.computing = watch.lap();
   std::string report = request.no_certify
                            ? "verdict: not certified (--no-certify): nothing is proved about this net\nvertices: " +
@@ -410,6 +463,8 @@ void export_file(const ExportRequest& request) {
 
 struct Commands {
   SurfaceRequest octagon;
+  FenchelNielsenCommand fenchel_nielsen;
+  SurfaceRequest regular;
   SurfaceRequest import;
   NetRequest net;
   DrawRequest draw;
@@ -427,7 +482,7 @@ void add_output(CLI::App& command, std::string& output, const char* what) {
 void add_surface_commands(CLI::App& app, Commands& commands) {
   CLI::App* surface = app.add_subcommand("surface", "Make a surface file.");
   surface->require_subcommand(0, 1);
-  surface->footer("Example:\n  epsnet surface octagon --seed 123 -o s.json");
+  surface->footer("Example:\n  epsnet surface fenchel-nielsen --genus 7 --seed 3 -o s.json");
 
   CLI::App* octagon = surface->add_subcommand(
       "octagon", "A random surface of genus 2: a symmetric octagon, the same as CGAL 6.1 makes from that seed.");
@@ -437,6 +492,45 @@ void add_surface_commands(CLI::App& app, Commands& commands) {
   add_output(*octagon, commands.octagon.output, "the surface file to write");
   octagon->footer("Example:\n  epsnet surface octagon --seed 123 -o s.json");
   octagon->callback([&] { commands.chosen = [&] { make_octagon(commands.octagon); }; });
+
+  FenchelNielsenCommand& pants = commands.fenchel_nielsen;
+  CLI::App* fenchel = surface->add_subcommand(
+      "fenchel-nielsen",
+      "A surface of any genus from its Fenchel-Nielsen coordinates, exact and within 2^-50 of them. What is left out "
+      "is drawn with the seed: lengths between 1 and 4, any twist.");
+  fenchel->add_option("--genus", pants.request.genus, "2 or more; not needed with a list of edges")->option_text("G");
+  fenchel->add_option("--seed", pants.request.seed, "the same seed gives the same surface")->option_text("N");
+  fenchel
+      ->add_option("--pants-graph", pants.request.graph,
+                   "a trivalent graph: its edges as in \"0-1 0-1 0-1\", a node for each pair of pants, or one of the "
+                   "named ones")
+      ->option_text("chain|ring|tree|random|EDGES [random]");
+  fenchel->add_option("--lengths", pants.request.lengths, "of the cuffs, in the order of the edges, or one for all")
+      ->delimiter(',')
+      ->option_text("L,L,...");
+  fenchel
+      ->add_option("--twists", pants.request.twists, "as hyperbolic lengths, or one for all; a full turn is the length")
+      ->delimiter(',')
+      ->option_text("T,T,...");
+  fenchel
+      ->add_option("--from", pants.file,
+                   "a JSON object with members graph, genus, seed, lengths, twists; options given here come first")
+      ->option_text("FILE");
+  add_output(*fenchel, pants.output, "the surface file to write");
+  fenchel->footer(
+      "Example:\n"
+      "  epsnet surface fenchel-nielsen --genus 7 --seed 3 -o s.json\n"
+      "  epsnet surface fenchel-nielsen --pants-graph \"0-0 0-1 1-1\" --lengths 1,1e-8,2 --twists 0,0.5,1 -o s.json\n\n"
+      "Twist 0: on each cuff of a pair of pants a mark, the foot of the common perpendicular with its next cuff; the\n"
+      "two marks meet. docs/fenchel-nielsen.md has the conventions.");
+  fenchel->callback([&] { commands.chosen = [&] { make_fenchel_nielsen(commands.fenchel_nielsen); }; });
+
+  CLI::App* regular = surface->add_subcommand(
+      "regular", "The regular 4g-gon with opposite sides glued, itself and not a rational neighbour: Bolza for g = 2.");
+  regular->add_option("--genus", commands.regular.genus, "2 to 1000")->required()->option_text("G REQUIRED");
+  add_output(*regular, commands.regular.output, "the surface file to write");
+  regular->footer("Example:\n  epsnet surface regular --genus 2 -o bolza.json");
+  regular->callback([&] { commands.chosen = [&] { make_regular(commands.regular); }; });
 
   CLI::App* import_command = surface->add_subcommand(
       "import",
@@ -470,6 +564,8 @@ void add_net_command(CLI::App& app, Commands& commands) {
       ->option_text("E REQUIRED");
   add_output(*net, request.output, "the net file to write, only if the net is verified");
   net->add_option("--svg", request.svg, "also draw the net; \"-\" is standard output")->option_text("FILE");
+  net->add_option("--base", request.base, "start from this point alone: of tile T, strictly inside of it, exact")
+      ->option_text("T,X,Y");
   net->add_flag("--no-certify", request.no_certify, "write the net without checking it: nothing is proved");
   CLI::Option* insert =
       net->add_option("--insert", request.options.insertion,
@@ -603,7 +699,7 @@ int run(int argc, char** argv) {
 
   if (!commands.chosen)
     return fail(kExitUsage, app.got_subcommand("surface")
-                                ? "surface: which one, octagon or import? (try --help)"
+                                ? "surface: which one, octagon, fenchel-nielsen, regular or import? (try --help)"
                                 : "which command, surface, net, draw, info or export? (try --help)");
 
   try {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "epsnet/certify/structure_check.h"
+#include "epsnet/triangulation/surface.h"
 
 namespace epsnet {
 namespace {
@@ -94,7 +95,18 @@ class StagedEvaluator {
 
 }  // namespace
 
+certify::Surface rounded_polygon(std::uint32_t regular_genus) {
+  const Surface surface = Surface::regular(regular_genus);
+  certify::Surface result;
+  certify::Tile& tile = result.tiles.emplace_back();
+  for (const Complex<Rational>& z : surface.tiles()[0])
+    tile.push_back({mpq_class(z.x.backend().data()), mpq_class(z.y.backend().data())});
+  for (const Gluing& g : surface.gluing()) result.gluing.push_back({g.tile, g.side, g.other_tile, g.other_side});
+  return result;
+}
+
 SideTable side_table(const certify::Surface& surface) {
+  if (surface.regular_genus != 0) return side_table(rounded_polygon(surface.regular_genus));
   SideTable table;
   std::uint32_t count = 0;
   for (std::uint32_t tile = 0; tile < surface.tiles.size(); ++tile) {
@@ -138,7 +150,13 @@ double size_in_bits(const Isometry<T>& f) {
 
 template <class T>
 Parts<T>::Parts(const certify::Document& document, const SideTable& sides) {
+  std::optional<Surface> regular;
+  if (document.surface.regular_genus != 0) regular = Surface::regular(document.surface.regular_genus);
   for (std::uint32_t side = 0; side < sides.partner.size(); ++side) {
+    if (regular) {
+      crossings.push_back(regular->crossing_as<T>(side));
+      continue;
+    }
     // Side k from p to q goes to side j from p' to q': p to q' and q to p'.
     const auto corner = [&](std::uint32_t s, std::uint32_t offset) {
       const std::uint32_t tile = sides.tile_of_side[s];

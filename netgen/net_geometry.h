@@ -28,6 +28,10 @@ struct SideTable {
   std::uint32_t genus = 0;                  ///< From V − E + F = 2 − 2g; 0 if that gives no genus.
 };
 
+/// The tile of a regular surface with its vertices rounded to 256 bits, and its gluing, as if it were a rational one:
+/// for pictures.
+[[nodiscard]] certify::Surface rounded_polygon(std::uint32_t regular_genus);
+
 /// O(sides). Requires that every side is glued exactly once (certify::structure_problem).
 [[nodiscard]] SideTable side_table(const certify::Surface& surface);
 

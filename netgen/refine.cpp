@@ -62,7 +62,7 @@ class Refinement {
   }
 
   void run() {
-    statistics_.removed = reduce_to_packing(triangulation_, apart_);
+    statistics_.removed += reduce_to_packing(triangulation_, apart_);
     for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
       push_if_large(t);
     }

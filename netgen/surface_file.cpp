@@ -18,6 +18,11 @@ Rational to_rational(const mpq_class& value) { return Rational(value.get_mpq_t()
 
 certify::Surface to_document(const Surface& surface) {
   certify::Surface document;
+  document.about = surface.about();
+  if (surface.is_regular()) {
+    document.regular_genus = surface.genus();
+    return document;
+  }
   for (const Tile& tile : surface.tiles()) {
     certify::Tile& copy = document.tiles.emplace_back();
     for (const auto& [x, y] : tile) copy.push_back({to_mpq(x), to_mpq(y)});
@@ -29,6 +34,11 @@ certify::Surface to_document(const Surface& surface) {
 }
 
 Surface from_document(const certify::Surface& surface) {
+  if (surface.regular_genus != 0) {
+    Surface regular = Surface::regular(surface.regular_genus);
+    regular.set_about(surface.about);
+    return regular;
+  }
   std::vector<Tile> tiles;
   for (const certify::Tile& tile : surface.tiles) {
     Tile& copy = tiles.emplace_back();
@@ -38,7 +48,9 @@ Surface from_document(const certify::Surface& surface) {
   for (const auto& [tile, side, other_tile, other_side] : surface.gluing) {
     gluing.push_back({tile, side, other_tile, other_side});
   }
-  return {std::move(tiles), std::move(gluing)};
+  Surface result(std::move(tiles), std::move(gluing));
+  result.set_about(surface.about);
+  return result;
 }
 
 Surface load_surface(const std::filesystem::path& path) {

@@ -16,9 +16,9 @@ constexpr LabelId kUnknown = ~LabelId{0};
 /// log2 N. Products that would have fewer are evaluated from their word again.
 constexpr double kLabelAccuracy = 150;
 constexpr double kAbsoluteAccuracy = 100;
-/// Two labels g and gh between the same charts are equal if the coordinates of their matrices agree to 2⁻⁷⁰: for h ≠ 1 of length ℓ the
-/// difference g(h − 1) has the determinant 2 − tr h = −4 sinh²(ℓ/4), whatever the size of g, so that some entry of it
-/// is larger than sinh(ℓ/4).
+/// Two labels g and gh between the same charts are equal if the coordinates of their matrices agree to 2⁻⁷⁰: for h ≠ 1
+/// of length ℓ the difference g(h − 1) has the determinant 2 − tr h = −4 sinh²(ℓ/4), whatever the size of g, so that
+/// some entry of it is larger than sinh(ℓ/4).
 constexpr int kSameLabelBits = 70;
 
 std::uint64_t pair_key(std::uint32_t first, std::uint32_t second) { return (std::uint64_t{first} << 32) | second; }
@@ -104,8 +104,7 @@ Word concatenated(const Surface& surface, Word first, const Word& then) {
 
 Atlas::Atlas(const Surface& surface) : surface_(&surface) {
   for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
-    const Isometry<Mp1024> f = normalized(convert<Mp1024>(surface.crossing(s)));
-    crossings_.push_back(convert<Mp256>(f));
+    crossings_.push_back(convert<Mp256>(surface.crossing_as<Mp1024>(s)));
   }
 }
 
@@ -126,7 +125,7 @@ Isometry<T> Atlas::crossing(std::uint32_t s) const {
   if constexpr (std::is_same_v<T, Mp256>) {
     return crossings_[s];
   } else {
-    return normalized(convert<T>(surface_->crossing(s)));
+    return surface_->crossing_as<T>(s);
   }
 }
 
@@ -324,7 +323,7 @@ Atlas::Place Atlas::place(std::uint32_t c, const Complex<Mp1024>& z, bool exact)
       const bool goes_back = !path.empty() && surface_->partner(path.back()) == s;
       if (!goes_back &&
           orientation_determinant(convert<Mp1024>(vertices[k]), convert<Mp1024>(vertices[(k + 1) % n]), w) < 0) {
-        w = convert<Mp1024>(surface_->crossing(s))(w);
+        w = surface_->crossing_as<Mp1024>(s)(w);
         path.push_back(s);
         tile = surface_->tile_of_side(surface_->partner(s));
         inside = false;
@@ -348,7 +347,8 @@ Atlas::Place Atlas::place(std::uint32_t c, const Complex<Mp1024>& z, bool exact)
   if (!nearest) {
     // Short centres where binary64 places them well, else all the bits there are.
     const bool round = !exact && norm(w) < 0.999999;
-    const Complex<Rational> centre = round ? convert<Rational>(convert<double>(w)) : convert<Rational>(convert<Mp256>(w));
+    const Complex<Rational> centre =
+        round ? convert<Rational>(convert<double>(w)) : convert<Rational>(convert<Mp256>(w));
     nearest = add_chart({tile, centre});
   }
   const Complex<double> rounded =

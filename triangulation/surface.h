@@ -4,6 +4,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "epsnet/kernel/isometry.h"
@@ -45,7 +46,17 @@ class Surface {
   /// which names the first element that fails. Quasi-linear in the number of digits.
   Surface(std::vector<Tile> tiles, std::vector<Gluing> gluing);
 
+  /// The regular 4g-gon with the interior angle π/2g, centred at 0, the midpoint of side k in the direction kπ/2g,
+  /// opposite sides glued by translations: the Bolza surface for g = 2. It closes up by theorem (docs/proof.md). Its
+  /// coordinates are algebraic numbers: `tiles` has them rounded to 256 bits, `crossing_as` gives the crossings to any
+  /// precision. Throws SurfaceError unless 2 ≤ g ≤ 1000.
+  [[nodiscard]] static Surface regular(std::uint32_t genus);
+  [[nodiscard]] bool is_regular() const { return regular_; }
+
   [[nodiscard]] std::uint32_t genus() const { return genus_; }
+  /// Where the surface comes from, in words; no part of what it is.
+  [[nodiscard]] const std::string& about() const { return about_; }
+  void set_about(std::string text) { about_ = std::move(text); }
   [[nodiscard]] const std::vector<Tile>& tiles() const { return tiles_; }
   /// The pairs as given to the constructor.
   [[nodiscard]] const std::vector<Gluing>& gluing() const { return gluing_; }
@@ -58,8 +69,12 @@ class Surface {
   /// The side that side s is glued to.
   [[nodiscard]] std::uint32_t partner(std::uint32_t s) const { return partner_[s]; }
   /// The isometry from the coordinates of the tile of side s to the coordinates of the tile of its partner, the start
-  /// of s to the end of the partner. Its coefficients are Gaussian integers without a common integer factor.
+  /// of s to the end of the partner. Its coefficients are Gaussian integers without a common integer factor. Not for
+  /// `is_regular` surfaces.
   [[nodiscard]] const Isometry<Rational>& crossing(std::uint32_t s) const { return crossing_[s]; }
+  /// The same rounded to T (Mp256, Mp1024, Mp4096), determinant 1.
+  template <class T>
+  [[nodiscard]] Isometry<T> crossing_as(std::uint32_t s) const;
 
   /// The corners (tile, vertex) are numbered like the sides that start there. `vertex_class(c)` is the point of the
   /// surface that corner c is, numbered from 0 in the order of first occurrence.
@@ -67,6 +82,10 @@ class Surface {
   [[nodiscard]] std::uint32_t vertex_class_count() const { return vertex_class_count_; }
 
  private:
+  Surface() = default;
+
+  bool regular_ = false;
+  std::string about_;
   std::vector<Tile> tiles_;
   std::vector<Gluing> gluing_;
   std::vector<std::uint32_t> first_side_;

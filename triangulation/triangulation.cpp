@@ -8,59 +8,103 @@ namespace {
 
 constexpr std::uint32_t kMostTriangles = 1u << 30;
 
+/// The corners that are the same point of the surface as `start`, clockwise around it: side s, crossed, leads to the
+/// corner at the end of its partner, the start of the side after that one. As a word, a part of it leads from the tile
+/// of its first corner to that of the corner after its last.
+std::vector<std::uint32_t> corner_cycle(const Surface& surface, std::uint32_t start) {
+  std::vector<std::uint32_t> cycle;
+  std::uint32_t corner = start;
+  do {
+    cycle.push_back(corner);
+    const std::uint32_t partner = surface.partner(corner);
+    const std::uint32_t tile = surface.tile_of_side(partner);
+    const std::uint32_t first = surface.side_number(tile, 0);
+    const auto sides = static_cast<std::uint32_t>(surface.tiles()[tile].size());
+    corner = first + (partner - first + 1) % sides;
+  } while (corner != start);
+  return cycle;
+}
+
+void require_inside(const Surface& surface, const BasePoint& base) {
+  if (base.tile >= surface.tiles().size()) {
+    throw SurfaceError("the base point is in tile " + std::to_string(base.tile) + ", the surface has " +
+                       std::to_string(surface.tiles().size()) + " tiles");
+  }
+  const Tile& tile = surface.tiles()[base.tile];
+  for (std::size_t k = 0; k < tile.size(); ++k) {
+    if (norm(base.z) >= 1 || orientation_determinant(tile[k], tile[(k + 1) % tile.size()], base.z) <= 0) {
+      throw SurfaceError("the base point is not strictly inside of tile " + std::to_string(base.tile) +
+                         ": not left of side " + std::to_string(k));
+    }
+  }
+}
+
 }  // namespace
 
-Triangulation::Triangulation(const Surface& surface) : atlas_(surface) {
-  // The corners of a class, in the order in which they follow each other around it, and the word from the first one's
-  // tile to each.
-  const std::uint32_t n = surface.side_count();
-  std::vector<Word> words(n);
-  points_.resize(surface.vertex_class_count());
-  charts_.resize(surface.vertex_class_count());
-  std::vector<bool> placed(surface.vertex_class_count(), false);
-  std::uint32_t first_side = 0;
-  for (std::uint32_t tile = 0; tile < surface.tiles().size(); ++tile) {
-    const auto sides = static_cast<std::uint32_t>(surface.tiles()[tile].size());
-    for (std::uint32_t k = 0; k < sides; ++k) {
-      const std::uint32_t v = surface.vertex_class(first_side + k);
-      if (placed[v]) {
-        continue;
-      }
-      placed[v] = true;
-      charts_[v] = atlas_.add_chart({tile, surface.tiles()[tile][k]});
-      // Side s, crossed, leads to the corner at the end of its partner: the start of the side after that one.
-      std::vector<std::uint32_t> cycle;
-      std::uint32_t corner = first_side + k;
-      do {
-        cycle.push_back(corner);
-        const std::uint32_t partner = surface.partner(corner);
-        const std::uint32_t its_tile = surface.tile_of_side(partner);
-        const std::uint32_t its_first = surface.side_number(its_tile, 0);
-        const auto its_sides = static_cast<std::uint32_t>(surface.tiles()[its_tile].size());
-        corner = its_first + (partner - its_first + 1) % its_sides;
-      } while (corner != cycle.front());
-      // To corner i of the cycle leads the first part of it, or the rest of it backwards: the shorter one.
-      for (std::size_t i = 0; i < cycle.size(); ++i) {
-        const auto here = cycle.begin() + static_cast<std::ptrdiff_t>(i);
-        words[cycle[i]] = 2 * i <= cycle.size() ? concatenated(surface, {}, Word(cycle.begin(), here))
-                                                : reversed(surface, concatenated(surface, {}, Word(here, cycle.end())));
-      }
+Triangulation::Triangulation(const Surface& surface, const std::optional<BasePoint>& base) : atlas_(surface) {
+  if (!surface.is_regular()) {
+    if (base) {
+      require_inside(surface, *base);
     }
-    first_side += sides;
+    cut_tiles(base);
+  } else if (base && (base->tile != 0 || base->z != Complex<Rational>{})) {
+    throw SurfaceError("the base point of a regular surface is its centre, 0 in tile 0");
+  } else {
+    cut_regular();
+  }
+}
+
+void Triangulation::cut_tiles(const std::optional<BasePoint>& base) {
+  const Surface& surface = atlas_.surface();
+  const std::uint32_t n = surface.side_count();
+  const std::uint32_t first_class = base ? 1 : 0;  // The number of vertex class 0 as a vertex.
+  if (base) {
+    add_vertex({{0, 0}, atlas_.add_chart({base->tile, base->z})});
+  }
+  // The charts of the vertices are their first corners; and the word from there to every corner.
+  std::vector<Word> words(n);
+  points_.resize(first_class + surface.vertex_class_count());
+  charts_.resize(points_.size());
+  std::vector<bool> placed(surface.vertex_class_count(), false);
+  for (std::uint32_t corner = 0; corner < n; ++corner) {
+    const std::uint32_t v = surface.vertex_class(corner);
+    if (placed[v]) {
+      continue;
+    }
+    placed[v] = true;
+    const std::uint32_t tile = surface.tile_of_side(corner);
+    charts_[first_class + v] = atlas_.add_chart({tile, surface.tiles()[tile][corner - surface.side_number(tile, 0)]});
+    const std::vector<std::uint32_t> cycle = corner_cycle(surface, corner);
+    // To corner i of the cycle leads the first part of it, or the rest of it backwards: the shorter one.
+    for (std::size_t i = 0; i < cycle.size(); ++i) {
+      const auto here = cycle.begin() + static_cast<std::ptrdiff_t>(i);
+      words[cycle[i]] = 2 * i <= cycle.size() ? concatenated(surface, {}, Word(cycle.begin(), here))
+                                              : reversed(surface, concatenated(surface, {}, Word(here, cycle.end())));
+    }
   }
 
-  // Each tile is halved again and again by diagonals: a triangle (i, m, j) under the chord from i to j, then the chords
-  // (i, m) and (m, j).
   std::vector<Dart> dart_of_side(n);
   for (std::uint32_t tile = 0; tile < surface.tiles().size(); ++tile) {
-    const std::uint32_t base = surface.side_number(tile, 0);
+    const std::uint32_t first = surface.side_number(tile, 0);
     const auto sides = static_cast<std::uint32_t>(surface.tiles()[tile].size());
-    const auto corner = [&](std::uint32_t k, std::uint32_t reference) -> Corner {
-      const std::uint32_t v = surface.vertex_class(base + k);
-      const std::uint32_t r = surface.vertex_class(base + reference);
-      Word path = concatenated(surface, words[base + k], reversed(surface, words[base + reference]));
-      return {v, k == reference ? kIdentity : atlas_.label(charts_[v], charts_[r], std::move(path))};
+    const auto corner = [&](std::uint32_t k, std::uint32_t reference_chart, const Word& to_reference) -> Corner {
+      const std::uint32_t v = first_class + surface.vertex_class(first + k);
+      return {v, atlas_.label(charts_[v], reference_chart, concatenated(surface, words[first + k], to_reference))};
     };
+    if (base && base->tile == tile) {
+      for (std::uint32_t k = 0; k < sides; ++k) {
+        const std::uint32_t t = add_triangle();
+        set(t, {0, kIdentity}, corner(k, charts_[0], {}), corner((k + 1) % sides, charts_[0], {}), nullptr);
+        dart_of_side[first + k] = make_dart(t, 1);
+      }
+      const std::uint32_t first_triangle = triangle_count() - sides;
+      for (std::uint32_t k = 0; k < sides; ++k) {
+        link(make_dart(first_triangle + k, 2), make_dart(first_triangle + (k + 1) % sides, 0), nullptr);
+      }
+      continue;
+    }
+    // The tile is halved again and again by diagonals: a triangle (i, m, j) under the chord from i to j, then the
+    // chords (i, m) and (m, j).
     struct Chord {
       std::uint32_t i, j;
       std::optional<Dart> above;  // The dart from i to j of the triangle on its other side.
@@ -70,20 +114,53 @@ Triangulation::Triangulation(const Surface& surface) : atlas_(surface) {
       const Chord chord = chords.back();
       chords.pop_back();
       if (chord.j == chord.i + 1) {
-        dart_of_side[base + chord.i] = *chord.above;
+        dart_of_side[first + chord.i] = *chord.above;
         continue;
       }
       const std::uint32_t m = (chord.i + chord.j) / 2;
       const std::uint32_t t = add_triangle();
-      set(t, corner(chord.i, chord.i), corner(m, chord.i), corner(chord.j, chord.i), nullptr);
+      const std::uint32_t v = first_class + surface.vertex_class(first + chord.i);
+      const Word back = reversed(surface, words[first + chord.i]);
+      set(t, {v, kIdentity}, corner(m, charts_[v], back), corner(chord.j, charts_[v], back), nullptr);
       if (chord.above) {
         link(make_dart(t, 2), *chord.above, nullptr);
       } else {
-        dart_of_side[base + chord.j] = make_dart(t, 2);  // The side from the last corner to the first.
+        dart_of_side[first + chord.j] = make_dart(t, 2);  // The side from the last corner to the first.
       }
       chords.push_back({chord.i, m, make_dart(t, 0)});
       chords.push_back({m, chord.j, make_dart(t, 1)});
     }
+  }
+  for (std::uint32_t s = 0; s < n; ++s) {
+    triangles_[triangle_of(dart_of_side[s])].opposite[corner_of(dart_of_side[s])] = dart_of_side[surface.partner(s)];
+  }
+}
+
+void Triangulation::cut_regular() {
+  // The centres of the copies of the tile around a corner make a polygon, dual to the tile: one vertex on the surface.
+  // It is cut by the diagonals from its first corner.
+  const Surface& surface = atlas_.surface();
+  const std::uint32_t n = surface.side_count();
+  add_vertex({{0, 0}, atlas_.add_chart({0, {0, 0}})});
+  const std::vector<std::uint32_t> cycle = corner_cycle(surface, 0);
+  // Corner i of the polygon, counterclockwise, is copy n − i of the tile; the word leads from there to copy 0.
+  const auto corner = [&](std::uint32_t i) -> Corner {
+    const Word there(cycle.begin(), cycle.begin() + (i == 0 ? 0 : n - i));
+    return {0, atlas_.label(0, 0, concatenated(surface, {}, reversed(surface, there)))};
+  };
+  for (std::uint32_t i = 1; i + 1 < n; ++i) {
+    const std::uint32_t t = add_triangle();
+    set(t, corner(0), corner(i), corner(i + 1), nullptr);
+    if (i > 1) {
+      link(make_dart(t, 0), make_dart(t - 1, 2), nullptr);
+    }
+  }
+  // Its side from corner i to i + 1 crosses a side of the tile.
+  std::vector<Dart> dart_of_side(n);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    dart_of_side[cycle[n - i - 1]] = i == 0       ? make_dart(0, 0)
+                                     : i + 1 == n ? make_dart(triangle_count() - 1, 2)
+                                                  : make_dart(i - 1, 1);
   }
   for (std::uint32_t s = 0; s < n; ++s) {
     triangles_[triangle_of(dart_of_side[s])].opposite[corner_of(dart_of_side[s])] = dart_of_side[surface.partner(s)];

@@ -75,6 +75,12 @@ struct Journal {
   std::vector<std::pair<std::uint32_t, Triangle>> overwritten;
 };
 
+/// A point of a surface: of a tile, in its coordinates.
+struct BasePoint {
+  std::uint32_t tile;
+  Complex<Rational> z;
+};
+
 /// The triangles that Triangulation::insert_locally made, and those of them that are large.
 struct NewTriangles {
   static constexpr std::size_t kMost = 26;
@@ -90,9 +96,11 @@ struct NewTriangles {
 /// share several edges are normal. Not copied by accident: `clone` does that.
 class Triangulation {
  public:
-  /// The tiles of the surface cut into triangles; the vertices are the vertex classes of the tiles, exactly. Keeps a
-  /// reference to the surface.
-  explicit Triangulation(const Surface& surface);
+  /// The tiles of the surface cut into triangles; the vertices are the vertex classes of the tiles, exactly. With a
+  /// base point, strictly inside of a tile, that is vertex 0, the corners of its tile are joined to it, and the vertex
+  /// classes follow. A regular surface has one vertex, the centre, and no other base. Keeps a reference to the surface.
+  /// Throws SurfaceError for a base point that is not inside of its tile.
+  explicit Triangulation(const Surface& surface, const std::optional<BasePoint>& base = std::nullopt);
   Triangulation(Triangulation&&) = default;
   Triangulation& operator=(Triangulation&&) = default;
   [[nodiscard]] Triangulation clone() const { return *this; }
@@ -249,6 +257,9 @@ class Triangulation {
 
  private:
   Triangulation(const Triangulation&) = default;
+
+  void cut_tiles(const std::optional<BasePoint>& base);
+  void cut_regular();
 
   /// An edge of the boundary of a region of triangles: its dart inside and the one outside, before the region is filled
   /// anew.

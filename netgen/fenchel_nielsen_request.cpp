@@ -1,0 +1,187 @@
+#include "epsnet/netgen/fenchel_nielsen_request.h"
+
+#include <simdjson.h>
+
+#include <utility>
+
+#include "epsnet/netgen/decimal.h"
+
+namespace epsnet {
+namespace {
+
+using Error = FenchelNielsenRequestError;
+
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t kShown = 40;
+  return "\"" + std::string(text.substr(0, kShown)) + (text.size() > kShown ? "...\"" : "\"");
+}
+
+std::uint64_t seed_of(const FenchelNielsenRequest& request, const char* what) {
+  if (!request.seed) {
+    throw Error(std::string("seed: needed to draw the ") + what);
+  }
+  return *request.seed;
+}
+
+PantsGraph graph_of(const FenchelNielsenRequest& request) {
+  const std::string& graph = request.graph;
+  const auto genus = [&] {
+    if (!request.genus) {
+      throw Error("genus: needed for the pants graph " + in_quotes(graph.empty() ? "random" : graph));
+    }
+    return *request.genus;
+  };
+  if (graph.empty() || graph == "random") {
+    const std::uint32_t g = genus();
+    return PantsGraph::random(g, seed_of(request, "pants graph"));
+  }
+  if (graph == "chain") {
+    return PantsGraph::chain(genus());
+  }
+  if (graph == "ring") {
+    return PantsGraph::ring(genus());
+  }
+  if (graph == "tree") {
+    return PantsGraph::tree(genus());
+  }
+  if (graph.find_first_of("0123456789") == std::string::npos) {
+    throw Error("pants graph: expected chain, ring, tree, random or edges such as \"0-1 0-1 0-1\", not " +
+                in_quotes(graph));
+  }
+  PantsGraph edges = PantsGraph::parse(graph);
+  if (request.genus && *request.genus != edges.genus()) {
+    throw Error("genus: " + std::to_string(*request.genus) + ", but the pants graph has genus " +
+                std::to_string(edges.genus()));
+  }
+  return edges;
+}
+
+/// One number for each edge, or one for all.
+std::vector<Rational> numbers(const std::vector<std::string>& texts, const char* what, std::size_t edges) {
+  std::vector<Rational> result;
+  for (const std::string& text : texts) {
+    const std::optional<Rational> value = parse_decimal(text);
+    if (!value) {
+      throw Error(std::string(what) + ": expected a number such as 0.5, -1e-3 or 1/3, not " + in_quotes(text));
+    }
+    result.push_back(*value);
+  }
+  if (result.size() == 1) {
+    result.resize(edges, result.front());
+  }
+  if (result.size() != edges) {
+    throw Error(std::string(what) + ": expected 1 or " + std::to_string(edges) +
+                ", one for each edge of the graph, not " + std::to_string(result.size()));
+  }
+  return result;
+}
+
+/// A request as simdjson reads it.
+class Reader {
+ public:
+  FenchelNielsenRequest read(simdjson::ondemand::document& document) {
+    FenchelNielsenRequest request;
+    for (auto field : object(document)) {
+      const std::string key(take(field.unescaped_key(), "a member's name"));
+      simdjson::ondemand::value value = take(field.value(), key);
+      if (key == "graph") {
+        request.graph = std::string(take(value.get_string(), "graph: a string"));
+      } else if (key == "genus") {
+        const std::uint64_t genus = take(value.get_uint64(), "genus: an integer");
+        request.genus = static_cast<std::uint32_t>(std::min<std::uint64_t>(genus, ~std::uint32_t{0}));
+      } else if (key == "seed") {
+        request.seed = take(value.get_uint64(), "seed: an integer");
+      } else if (key == "lengths") {
+        request.lengths = texts(value, key);
+      } else if (key == "twists") {
+        request.twists = texts(value, key);
+      } else {
+        throw Error("unknown member " + in_quotes(key) + ", expected graph, genus, seed, lengths or twists");
+      }
+    }
+    if (document.current_location().error() != simdjson::OUT_OF_BOUNDS) {
+      throw Error("something follows the object");
+    }
+    return request;
+  }
+
+ private:
+  static simdjson::ondemand::object object(simdjson::ondemand::document& document) {
+    return take(document.get_object(), "an object with members graph, genus, seed, lengths, twists");
+  }
+
+  template <class T>
+  static T take(simdjson::simdjson_result<T> result, std::string_view expected) {
+    T value;
+    if (const auto error = std::move(result).get(value)) {
+      throw Error("expected " + std::string(expected) + " (" + simdjson::error_message(error) + ")");
+    }
+    return value;
+  }
+
+  /// Decimals as they are written: bare numbers, or strings.
+  static std::vector<std::string> texts(simdjson::ondemand::value value, const std::string& key) {
+    std::vector<std::string> result;
+    for (auto item : take(value.get_array(), key + ": an array of numbers")) {
+      simdjson::ondemand::value element = take(std::move(item), key + ": a number");
+      std::string_view text;
+      if (element.get_string().get(text)) {
+        text = element.raw_json_token();
+        while (!text.empty() &&
+               (text.back() == ' ' || text.back() == '\n' || text.back() == '\t' || text.back() == '\r')) {
+          text.remove_suffix(1);
+        }
+      }
+      result.emplace_back(text);
+    }
+    return result;
+  }
+};
+
+}  // namespace
+
+FenchelNielsen resolve(const FenchelNielsenRequest& request) {
+  PantsGraph graph = graph_of(request);
+  const std::size_t edges = graph.edges().size();
+  if (request.lengths.empty() || request.twists.empty()) {
+    const char* what = !request.lengths.empty() ? "twists" : !request.twists.empty() ? "lengths" : "lengths and twists";
+    FenchelNielsen coordinates = random_coordinates(std::move(graph), seed_of(request, what));
+    if (!request.lengths.empty()) {
+      // Twists are drawn as shares of the length.
+      const std::vector<Rational> lengths = numbers(request.lengths, "lengths", edges);
+      for (std::size_t e = 0; e < edges; ++e) {
+        coordinates.twists[e] *= lengths[e] / coordinates.lengths[e];
+      }
+      coordinates.lengths = lengths;
+    }
+    if (!request.twists.empty()) {
+      coordinates.twists = numbers(request.twists, "twists", edges);
+    }
+    return coordinates;
+  }
+  return {std::move(graph), numbers(request.lengths, "lengths", edges), numbers(request.twists, "twists", edges)};
+}
+
+FenchelNielsenRequest load_fenchel_nielsen(const std::filesystem::path& path) {
+  constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 28;
+  try {
+    std::error_code error;
+    if (const std::uintmax_t size = std::filesystem::file_size(path, error); error || size > kMostBytes) {
+      throw Error(error ? "cannot read: " + error.message() : "more than 256 MiB");
+    }
+    simdjson::padded_string text;
+    if (const auto problem = simdjson::padded_string::load(path.string()).get(text)) {
+      throw Error(std::string("cannot read: ") + simdjson::error_message(problem));
+    }
+    simdjson::ondemand::parser parser;
+    simdjson::ondemand::document document;
+    if (const auto problem = parser.iterate(text).get(document)) {
+      throw Error(std::string("not JSON: ") + simdjson::error_message(problem));
+    }
+    return Reader().read(document);
+  } catch (const Error& error) {
+    throw Error(path.string() + ": " + error.what());
+  }
+}
+
+}  // namespace epsnet
