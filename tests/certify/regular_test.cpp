@@ -142,6 +142,16 @@ TEST(Regular, CentresAreVerifiedAndAllDiagonalsAreTies) {
   }
 }
 
+TEST(Regular, GenusTwoIsTheBolzaSurface) {
+  // Its shortest closed geodesics have the length 2 arcosh(1 + √2), and the loops that cross one side are such.
+  const Certificate certificate = check(fan(2));
+  ASSERT_TRUE(certificate.enclosures && certificate.enclosures->shortest_loop);
+  const double systole = 2 * std::acosh(1 + std::sqrt(2.0));
+  EXPECT_NEAR(certificate.enclosures->shortest_loop->lower, systole, 1e-14);
+  EXPECT_NEAR(certificate.enclosures->shortest_loop->upper, systole, 1e-14);
+  EXPECT_NE(certificate.rules[0].text.find("the Bolza surface"), std::string::npos);
+}
+
 TEST(Regular, EpsilonBelowTheCircumradiusIsRefuted) {
   for (const std::uint32_t genus : {2U, 3U, 8U, 20U}) {
     Document document = fan(genus);
