@@ -61,10 +61,9 @@ Complex<Integer> gaussian_gcd(Complex<Integer> a, Complex<Integer> b) {
 /// With z = n/d in lowest terms, j = gcd(n, d̄): z = j n'/(j̄ d'), so turn by j̄/j. All common factors divide gcd(|n|²,
 /// m²) for z = n/m, which is small as a rule.
 Point simplifying_turn(const Point& z) {
-  const Point none{1, 0};
   const ScaledPoint fraction = scaled(z);
   const Integer common = gcd(norm(fraction.n), Integer(fraction.m * fraction.m));
-  if (common == 1 || bits(common) > kMaxReducedBits) return none;
+  if (common == 1 || bits(common) > kMaxReducedBits) return {1, 0};
   const Complex<Integer> modulus{common, 0};
   const Complex<Integer> m{fraction.m, 0};
   const Complex<Integer> factor = gaussian_gcd(gaussian_gcd(modulus, fraction.n), m);

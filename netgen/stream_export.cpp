@@ -17,6 +17,15 @@ using Corners = std::array<Point, 3>;
 
 std::string triangle_name(std::uint32_t t) { return "triangle " + std::to_string(t); }
 
+/// A surface that is given by a construction instead of by rational vertices has none.
+void require_tiles(bool has_tiles) {
+  if (!has_tiles) {
+    throw TriangulationStreamError(
+        "the surface has no rational tiles, so its cross-ratios are not rational; only surfaces with rational vertices "
+        "can be written as a triangulation");
+  }
+}
+
 /// Triangles in coordinates of their own, glued by darts 3t + i.
 class Triangles {
  public:
@@ -65,9 +74,10 @@ TriangulationStream stream_of(Triangles& triangles) {
 }
 
 /// The tiles of a surface, cut by the diagonals from their vertex 0.
-class TriangulatedTiles : public Triangles {
+class TriangulatedTiles final : public Triangles {
  public:
   explicit TriangulatedTiles(const Surface& surface) : surface_(surface) {
+    require_tiles(!surface.tiles().empty());
     std::vector<std::uint32_t> dart_of_side;
     for (std::uint32_t tile = 0; tile < surface.tiles().size(); ++tile) cut(tile, dart_of_side);
     for (std::uint32_t s = 0; s < dart_of_side.size(); ++s) {
@@ -122,10 +132,11 @@ Isometry<Rational> integral(const Isometry<Rational>& f) {
 }
 
 /// The triangles of a net document, in the charts of their first corners.
-class NetTriangles : public Triangles {
+class NetTriangles final : public Triangles {
  public:
   explicit NetTriangles(const certify::Document& net) : net_(net) {
     if (const auto problem = certify::structure_problem(net)) throw TriangulationStreamError("not a net: " + *problem);
+    require_tiles(!net.surface.tiles.empty());
     if (net.triangles.empty()) throw TriangulationStreamError("not a net: there are no triangles");
     for (std::uint32_t d = 0; d < 3 * count(); ++d) check_opposite(d);
     evaluate_labels();
