@@ -3,7 +3,8 @@
 #include <utility>
 
 #include "epsnet/certify/text.h"
-#include "epsnet/netgen/corner_ratio.h"
+#include "epsnet/kernel/plane.h"
+#include "epsnet/netgen/gaussian_fraction.h"
 #include "epsnet/netgen/triangulation_stream.h"
 #include "epsnet/triangulation/glued_polygons.h"
 
@@ -29,8 +30,8 @@ std::size_t bits(const Corners& corners) { return bits(corners[0]) + bits(corner
 std::string decimal(const Rational& q) { return certify::shortest(static_cast<double>(Mp256(q))); }
 std::string decimal(const Point& z) { return "(" + decimal(z.x) + ", " + decimal(z.y) + ")"; }
 
-bool counterclockwise(const Point& a, const Point& b, const Point& c) {
-  return orientation(klein(scaled(a)), klein(scaled(b)), klein(scaled(c))) > 0;
+bool counterclockwise(const ScaledPoint& a, const ScaledPoint& b, const ScaledPoint& c) {
+  return orientation(klein(a), klein(b), klein(c)) > 0;
 }
 
 /// The integer nearest to n/d, d > 0.
@@ -55,29 +56,29 @@ Complex<Integer> gaussian_gcd(Complex<Integer> a, Complex<Integer> b) {
   return a;
 }
 
-/// A complex number of modulus 1 in Q(i) that makes the product with z simple: of all numbers of Q(i) with the modulus
-/// of z one with the least denominator.
+/// A Gaussian integer j such that z times j̄/j is simple: of all numbers of Q(i) with the modulus of z one with the
+/// least denominator.
 ///
-/// With z = n/d in lowest terms, j = gcd(n, d̄): z = j n'/(j̄ d'), so turn by j̄/j. All common factors divide gcd(|n|²,
-/// m²) for z = n/m, which is small as a rule.
-Point simplifying_turn(const Point& z) {
-  const ScaledPoint fraction = scaled(z);
-  const Integer common = gcd(norm(fraction.n), Integer(fraction.m * fraction.m));
+/// With z = n/d in lowest terms, j = gcd(n, d̄): z = j n'/(j̄ d'). All common factors divide gcd(|n|², m²) for z = n/m,
+/// which is small as a rule.
+Complex<Integer> simplifying_turn(const ScaledPoint& z) {
+  const Integer common = gcd(norm(z.n), Integer(z.m * z.m));
   if (common == 1 || bits(common) > kMaxReducedBits) return {1, 0};
   const Complex<Integer> modulus{common, 0};
-  const Complex<Integer> m{fraction.m, 0};
-  const Complex<Integer> factor = gaussian_gcd(gaussian_gcd(modulus, fraction.n), m);
-  const Complex<Integer> n = nearest(fraction.n, factor);  // Exact.
+  const Complex<Integer> m{z.m, 0};
+  const Complex<Integer> factor = gaussian_gcd(gaussian_gcd(modulus, z.n), m);
+  const Complex<Integer> n = nearest(z.n, factor);  // Exact.
   const Complex<Integer> d = nearest(m, factor);
-  const Complex<Integer> j = gaussian_gcd(gaussian_gcd(modulus, n), conj(d));
-  return convert<Rational>(conj(j)) / convert<Rational>(j);
+  return gaussian_gcd(gaussian_gcd(modulus, n), conj(d));
 }
 
 /// The triangle moved to simple coordinates: corner 0 to 0, and turned.
 Corners simplified(const Corners& corners) {
-  const Point first = seen_from(corners[0], corners[1]);
-  const Point turn = simplifying_turn(first);
-  return {Point{0, 0}, turn * first, turn * seen_from(corners[0], corners[2])};
+  const ScaledPoint origin = scaled(corners[0]);
+  const GaussianFraction first = seen_from(origin, scaled(corners[1]));
+  const GaussianFraction second = seen_from(origin, scaled(corners[2]));
+  const Complex<Integer> j = simplifying_turn(scaled(value(first)));
+  return {Point{0, 0}, value({conj(j) * first.n, j * first.d}), value({conj(j) * second.n, j * second.d})};
 }
 
 /// The place of a dart: side `side` of tile `tile`.
@@ -142,7 +143,7 @@ class Development {
              ", lies outside of the open unit disk");
       }
     }
-    if (!counterclockwise(points[0], points[1], points[2])) {
+    if (!counterclockwise(scaled(points[0]), scaled(points[1]), scaled(points[2]))) {
       fail("the points of the anchor are not counterclockwise, expected the start of dart " + std::to_string(dart) +
            ", its end, and a third point on the left");
     }
@@ -176,27 +177,26 @@ class Development {
   /// Places the triangle on the other side of a dart from a to b.
   void place_across(std::uint32_t dart) {
     const auto [tile, side] = place_[dart];
-    const Point& a = tiles_[tile][side];
-    const Point& b = tiles_[tile][(side + 1) % 3];
-    const Point& c = tiles_[tile][(side + 2) % 3];
-    // R = [a, d, b, c], solved for d.
-    const Point step = b - a;
-    const Point scaled_step = stream_.edges[edge_[dart]].cross_ratio * (c - a);
-    const Point divisor = step - scaled_step;
+    const Corners& own = tiles_[tile];
+    const ScaledPoint a = scaled(own[side]);
+    const ScaledPoint b = scaled(own[(side + 1) % 3]);
+    const GaussianFraction fourth =
+        fourth_point(a, b, scaled(own[(side + 2) % 3]), scaled(stream_.edges[edge_[dart]].cross_ratio));
     const auto [other_tile, other_side] = place_[opposite(dart)];
     const std::string third = "the third vertex of triangle " + std::to_string(other_tile) + ", beyond " +
                               edge_name(stream_.edges[edge_[dart]]);
-    if (divisor == Point{0, 0}) fail(third + ", is the point at infinity" + kExpected);
-    const Point d = (c * step - scaled_step * b) / divisor;
-    if (disk_gap(scaled(d)) <= 0) {
+    if (fourth.d == Complex<Integer>{0, 0}) fail(third + ", is the point at infinity" + kExpected);
+    const Point d = value(fourth);
+    const ScaledPoint scaled_d = scaled(d);
+    if (disk_gap(scaled_d) <= 0) {
       fail(third + ", lies outside of the open unit disk, at " + decimal(d) + " as seen from triangle " +
            std::to_string(tile) + kExpected);
     }
-    if (!counterclockwise(b, a, d)) {
+    if (!counterclockwise(b, a, scaled_d)) {
       fail("triangle " + std::to_string(other_tile) + " is not counterclockwise: " + third +
            ", is not on the other side of that edge; expected a geometric triangulation");
     }
-    Corners corners{b, a, d};
+    Corners corners{own[(side + 1) % 3], own[side], d};
     // The coordinates of the neighbour, as long as these are simple. Far from where they began they are not.
     limit_[other_tile] = limit_[tile];
     if (bits(corners) > limit_[tile]) {
@@ -234,27 +234,27 @@ class Development {
     const auto [other_tile, other_side] = place_[edge.opposite];
     const Corners& own = tiles_[tile];
     const Corners& other = tiles_[other_tile];
-    const Point& a = own[side];
-    const Point& b = own[(side + 1) % 3];
-    const Point& other_b = other[other_side];
-    const Point& other_a = other[(other_side + 1) % 3];
-    const Rational length = sinh2_half_distance(a, b);
-    const Rational other_length = sinh2_half_distance(other_a, other_b);
-    if (length != other_length) {
-      fail(edge_name(edge) + " has length " + length_text(length) + " in triangle " + std::to_string(tile) + " and " +
-           length_text(other_length) + " in triangle " + std::to_string(other_tile) + kExpected);
+    const ScaledPoint a = scaled(own[side]);
+    const ScaledPoint b = scaled(own[(side + 1) % 3]);
+    const ScaledPoint other_b = scaled(other[other_side]);
+    const ScaledPoint other_a = scaled(other[(other_side + 1) % 3]);
+    if (!equally_long(a, b, other_a, other_b)) {
+      fail(edge_name(edge) + " has length " + length_text(own[side], own[(side + 1) % 3]) + " in triangle " +
+           std::to_string(tile) + " and " + length_text(other[other_side], other[(other_side + 1) % 3]) +
+           " in triangle " + std::to_string(other_tile) + kExpected);
     }
-    const Point sigma = corner_ratio(a, b, own[(side + 2) % 3]);
-    const Point tau = corner_ratio(other_a, other_b, other[(other_side + 2) % 3]);
-    const Point ratio = cross_ratio_of_corners(sigma, tau);
-    if (ratio != edge.cross_ratio) {
+    const GaussianFraction sigma = corner_ratio(a, b, scaled(own[(side + 2) % 3]));
+    const GaussianFraction tau = corner_ratio(other_a, other_b, scaled(other[(other_side + 2) % 3]));
+    const GaussianFraction ratio = cross_ratio_of_corners(sigma, tau);
+    const ScaledPoint expected = scaled(edge.cross_ratio);
+    if (expected.m * ratio.n != expected.n * ratio.d) {
       fail(edge_name(edge) + " has the cross-ratio " + decimal(edge.cross_ratio) +
-           " by the text, and by the other cross-ratios " + decimal(ratio) + kExpected);
+           " by the text, and by the other cross-ratios " + decimal(value(ratio)) + kExpected);
     }
   }
 
-  [[nodiscard]] static std::string length_text(const Rational& sinh2_of_half) {
-    return certify::shortest(static_cast<double>(Mp256(2 * asinh(sqrt(Mp256(sinh2_of_half))))));
+  [[nodiscard]] static std::string length_text(const Point& p, const Point& q) {
+    return certify::shortest(static_cast<double>(Mp256(2 * asinh(sqrt(Mp256(sinh2_half_distance(p, q)))))));
   }
 
   [[nodiscard]] static std::string edge_name(const TriangulationStream::Edge& edge) {

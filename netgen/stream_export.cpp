@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "epsnet/certify/structure_check.h"
-#include "epsnet/netgen/corner_ratio.h"
+#include "epsnet/netgen/gaussian_fraction.h"
 #include "epsnet/netgen/surface_file.h"
 #include "epsnet/netgen/triangulation_stream.h"
 #include "epsnet/triangulation/glued_polygons.h"
@@ -45,22 +45,28 @@ Corners seen_along(std::uint32_t dart, Corners corners) {
 }
 
 Complex<Rational> cross_ratio_of_edge(Triangles& triangles, std::uint32_t dart, std::uint32_t opposite) {
-  const auto [a, b, c] = seen_along(dart, triangles.corners(dart / 3));
-  const auto [other_b, other_a, d] = seen_along(opposite, triangles.corners(opposite / 3));
+  const Corners own = seen_along(dart, triangles.corners(dart / 3));
+  const Corners other = seen_along(opposite, triangles.corners(opposite / 3));
+  const ScaledPoint a = scaled(own[0]);
+  const ScaledPoint b = scaled(own[1]);
+  const ScaledPoint c = scaled(own[2]);
+  const ScaledPoint d = scaled(other[2]);
   // Most triangles lie side by side already.
-  if (a == other_a && b == other_b) return cross_ratio(a, d, b, c);
-  if (sinh2_half_distance(a, b) != sinh2_half_distance(other_a, other_b)) {
+  if (own[0] == other[1] && own[1] == other[0]) return value(cross_ratio(a, d, b, c));
+  const ScaledPoint other_b = scaled(other[0]);
+  const ScaledPoint other_a = scaled(other[1]);
+  if (!equally_long(a, b, other_a, other_b)) {
     throw TriangulationStreamError("the triangles do not fit: darts " + std::to_string(dart) + " and " +
                                    std::to_string(opposite) + " are glued, but differ in length");
   }
-  return cross_ratio_of_corners(corner_ratio(a, b, c), corner_ratio(other_a, other_b, d));
+  return value(cross_ratio_of_corners(corner_ratio(a, b, c), corner_ratio(other_a, other_b, d)));
 }
 
 TriangulationStream stream_of(Triangles& triangles) {
   TriangulationStream stream;
   for (std::uint32_t t = 0; t < triangles.count(); ++t) {
     const auto [a, b, c] = triangles.corners(t);
-    if (orientation_determinant(a, b, c) <= 0) {
+    if (orientation(klein(scaled(a)), klein(scaled(b)), klein(scaled(c))) <= 0) {
       throw TriangulationStreamError(triangle_name(t) + " is not strictly counterclockwise");
     }
     stream.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
