@@ -216,13 +216,14 @@ class Development {
     for (const Point& z : corners) {
       for (const Rational& q : {z.x, z.y}) {
         if (bits(q) > kMaxBits) {
-          fail("a coordinate of triangle " + std::to_string(tile) + " has more than 10^6 digits" + kExpected);
+          fail("a coordinate of triangle " + std::to_string(tile) +
+               " has more than 10^6 digits, which no surface file can hold");
         }
       }
     }
     if (size > room_) {
       fail("the coordinates of the triangles as far as triangle " + std::to_string(tile) +
-           " have a thousand times as many digits as the cross-ratios" + kExpected);
+           " have a thousand times as many digits as the cross-ratios, which is the limit");
     }
     room_ -= size;
   }
