@@ -274,7 +274,9 @@ TEST(TriangulationStream, MessagesNameEdges) {
 
 TEST(TriangulationStream, ThirdVertexInTheWrongPlace) {
   const TriangulationStream good = sample();
-  const auto [a, b, c] = good.anchor->points;
+  const Complex<Rational> a = good.anchor->points[0];  // Lambdas of clang 14 do not capture structured bindings.
+  const Complex<Rational> b = good.anchor->points[1];
+  const Complex<Rational> c = good.anchor->points[2];
   const auto with_third = [&](const Complex<Rational>& d) {
     TriangulationStream stream = good;
     stream.edges[0].cross_ratio = cross_ratio(a, d, b, c);  // The edge of darts 0 and 7, triangles 0 and 2.
