@@ -402,7 +402,7 @@ RC_GTEST_PROP(TriangulationStreamProperty, NetThereAndBack, ()) {
 
 RC_GTEST_PROP(TriangulationStreamProperty, AnyPlaceOfTheAnchorIsTheSameSurface, ()) {
   const auto files = test::data_files("triangulations");
-  const auto path = files[test::any_index(files.size())];
+  const auto& path = files[test::any_index(files.size())];
   TriangulationStream stream = read_triangulation_stream(test::file_text(path), "sample");
   const Surface before = develop(stream, "sample");
   const auto t = test::any_index(static_cast<std::uint32_t>(before.tiles().size()));
