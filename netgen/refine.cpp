@@ -115,13 +115,17 @@ class Refinement {
       if (insert(t, {chart, *centre_in_chart, kIdentity}, true)) {
         return;
       }
-    } else if (const auto place = rounded_centre(t, centre_in_chart); place && insert(t, *place, false)) {
-      return;
+    } else if (centre_in_chart && norm(*centre_in_chart) < 0.95) {
+      Atlas& atlas = triangulation_.atlas();
+      const auto nearby = atlas.place_nearby(chart, *centre_in_chart);
+      if (insert(t, nearby ? *nearby : atlas.place(chart, convert<Mp1024>(*centre_in_chart), false), false)) {
+        return;
+      }
     }
-    // The rounded centre is too close to a vertex, or binary64 does not see the centre: the point to 256 bits, as the
-    // origin of a chart of its own.
-    if (const auto centre = triangulation_.circumcentre_precise(t);
-        centre && insert(t, triangulation_.atlas().place(chart, *centre, true), false)) {
+    // Binary64 does not see the centre, or the rounded one is too close to a vertex: more bits, at last those of a
+    // point that is the origin of a chart of its own.
+    if (insert_precise(t, triangulation_.circumcentre_precise<Mp256>(t)) ||
+        insert_precise(t, triangulation_.circumcentre_precise<Mp1024>(t))) {
       return;
     }
     throw NetError("no point near the circumcentre of a triangle with vertices " +
@@ -131,17 +135,11 @@ class Refinement {
                    " could be proved to be at distance epsilon from all vertices");
   }
 
-  /// The circumcentre, rounded to binary64 in a chart where it lies near the origin. `centre` is where binary64 sees
-  /// it, if it does.
-  std::optional<Atlas::Place> rounded_centre(std::uint32_t t, const std::optional<Complex<double>>& centre) {
+  [[nodiscard]] bool insert_precise(std::uint32_t t, const std::optional<Complex<Mp1024>>& centre) {
     Atlas& atlas = triangulation_.atlas();
     const std::uint32_t chart = triangulation_.chart_of(t);
-    if (centre && norm(*centre) < 0.95) {
-      const auto nearby = atlas.place_nearby(chart, *centre);
-      return nearby ? nearby : atlas.place(chart, convert<Mp1024>(*centre), false);
-    }
-    const auto precise = triangulation_.circumcentre_precise(t);
-    return precise ? std::optional(atlas.place(chart, *precise, false)) : std::nullopt;
+    return centre && (insert(t, atlas.place(chart, *centre, false), false) ||
+                      insert(t, atlas.place(chart, *centre, true), false));
   }
 
   /// Makes a point the next vertex. `in_circle`: it is known to lie in the circumcircle of t. False, with nothing

@@ -70,7 +70,7 @@ class Reduction {
     const LabelId label = triangulation_.label_along(d);
     const Complex<Mp1024> one{1, 0};
     const Complex<Mp1024> a = convert<Mp1024>(start.z);
-    const Complex<Mp1024> b = atlas.lift<Mp1024>(label, end.z);
+    const Complex<Mp1024> b = convert<Mp1024>(atlas.lift<Mp256>(label, end.z));
     const Complex<Mp1024> way = (b - a) / (one - conj(a) * b);
     const Mp1024 size = sqrt(norm(way));
     Mp1024 length = atanh(size);

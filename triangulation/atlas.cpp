@@ -30,6 +30,27 @@ double log2_norm(const Isometry<T>& f) {
   return 2.5 + static_cast<double>(std::max(ilogb(f.a.x), ilogb(f.a.y)));
 }
 
+/// For every factor an upper bound of log2 of the norm of the product of those that come after it, computed in
+/// binary64; nothing if binary64 may be off by more than a factor of 2.
+template <class T>
+std::optional<std::vector<double>> sizes_from_the_end(const std::vector<Isometry<T>>& factors) {
+  const auto norm_of = [](const Isometry<double>& f) { return std::sqrt(norm(f.a)) + std::sqrt(norm(f.b)); };
+  std::vector<double> sizes(factors.size());
+  Isometry<double> product;
+  double error = 0;  // Of the product, as a norm.
+  for (std::size_t i = factors.size(); i-- > 0;) {
+    const double size = norm_of(product);
+    if (!(error <= size / 2)) {
+      return std::nullopt;
+    }
+    sizes[i] = 1 + std::log2(size);
+    const Isometry<double> factor = convert<double>(factors[i]);
+    error = (error + 16 * kUnitRoundoff * size) * 1.001 * norm_of(factor);
+    product = product * factor;
+  }
+  return sizes;
+}
+
 /// See Atlas::error and docs/error-bounds.md, E5.
 double image_error(const Isometry<double>& f) {
   const double a = std::sqrt(norm(f.a));
@@ -147,17 +168,14 @@ Atlas::Evaluation<T> Atlas::evaluate(std::uint32_t from, std::uint32_t to, const
     // A product that has come out too small through cancellation has lost as much as went into it.
     lost = std::max(lost, before.back() + log2_norm(product));
   }
-  // The sizes of the products from the other end are enough in binary64: `size` is a bound, for `after` is the product
-  // to within `error`.
-  Isometry<double> after;
-  double error = 0;
+  // From the other end only the sizes of the products are needed, which binary64 sees unless the factors cancel.
+  const std::optional<std::vector<double>> seen = sizes_from_the_end(factors);
+  Isometry<T> after;
   for (std::size_t i = factors.size(); i-- > 0;) {
-    const double size = std::sqrt(norm(after.a)) + std::sqrt(norm(after.b)) + error;
-    lost = std::max(lost, before[i] + 1 + std::log2(size));
-    const Isometry<double> factor = convert<double>(factors[i]);
-    const double factor_size = 1.001 * (std::sqrt(norm(factor.a)) + std::sqrt(norm(factor.b)));
-    error = (error + 16 * kUnitRoundoff * size) * factor_size;
-    after = after * factor;
+    lost = std::max(lost, before[i] + (seen ? (*seen)[i] : log2_norm(after)));
+    if (!seen) {
+      after = after * factors[i];
+    }
   }
   // The factors' own rounding, about 8 operations deep, and their number.
   return {product, lost + 8 + std::log2(static_cast<double>(factors.size()))};

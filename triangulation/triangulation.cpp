@@ -305,13 +305,17 @@ std::optional<Complex<double>> Triangulation::circumcentre_fast(std::uint32_t t)
   return circumcentre_near_origin(a, b, c);
 }
 
+template <class T>
 std::optional<Complex<Mp1024>> Triangulation::circumcentre_precise(std::uint32_t t) {
-  std::array<Complex<Mp1024>, 3> p;
+  std::array<Complex<T>, 3> p;
   for (std::uint32_t i = 0; i < 3; ++i) {
-    p[i] = atlas_.lift<Mp1024>(triangles_[t].label(i), points_[triangles_[t].vertex[i]]);
+    p[i] = atlas_.lift<T>(triangles_[t].label(i), points_[triangles_[t].vertex[i]]);
   }
-  return epsnet::circumcentre(p[0], p[1], p[2]);
+  const auto centre = epsnet::circumcentre(p[0], p[1], p[2]);
+  return centre ? std::optional(convert<Mp1024>(*centre)) : std::nullopt;
 }
+template std::optional<Complex<Mp1024>> Triangulation::circumcentre_precise<Mp256>(std::uint32_t);
+template std::optional<Complex<Mp1024>> Triangulation::circumcentre_precise<Mp1024>(std::uint32_t);
 
 bool Triangulation::is_delaunay(Dart d) {
   const std::uint32_t t = triangle_of(d);

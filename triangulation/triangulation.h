@@ -177,7 +177,8 @@ class Triangulation {
       __builtin_prefetch(&triangles_[triangle_of(neighbour.opposite[previous(i)])]);
     }
   }
-  /// The same to some 500 bits, if there is one.
+  /// The same from lifts in T (Mp256, Mp1024), if there is one.
+  template <class T>
   [[nodiscard]] std::optional<Complex<Mp1024>> circumcentre_precise(std::uint32_t t);
 
   /// Replaces the edge of d by the other diagonal of the two triangles beside it, and returns a dart of the new edge.

@@ -144,13 +144,13 @@ TEST(Net, EpsilonsThatNeedTooMuchMemoryAreRefused) {
   }
 }
 
-TEST(Net, StartingVerticesThatAreTooCloseAreRefused) {
+TEST(Net, StartingVerticesThatAreTooCloseAreRemoved) {
   // A second vertex of the surface, in the middle of side 0.
   const test::PairedPolygon polygon =
       test::with_vertex_on_side(test::paired_polygon(random_octagon(123)), 0, Rational(1, 2));
   const Surface surface = read_domain(test::domain_text(polygon), "two vertices");
   ASSERT_EQ(surface.vertex_class_count(), 2U);
-  EXPECT_THROW((void)compute_net(surface, Epsilon("6")), NetError);
+  expect_verified(surface, "6");
   expect_verified(surface, "0.5");
   expect_verified(surface, "0.1");
 }

@@ -132,7 +132,7 @@ done
 # ---- Wrong usage ----
 bad 64 'which command'
 bad 64 'nonsense' nonsense
-bad 64 'octagon or import' surface
+bad 64 'octagon, fenchel-nielsen, regular or import' surface
 bad 64 'nonsense' surface nonsense
 bad 64 'seed' surface octagon -o out/s.json
 bad 64 'seed' surface octagon --seed x -o out/s.json

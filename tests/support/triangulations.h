@@ -6,12 +6,14 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "epsnet/netgen/domain_format.h"
+#include "epsnet/netgen/fenchel_nielsen.h"
 #include "epsnet/netgen/octagon.h"
 #include "epsnet/triangulation/triangulation.h"
 
@@ -38,6 +40,19 @@ inline const std::deque<NamedSurface>& gallery() {
   return surfaces;
 }
 
+/// The same, and surfaces of several tiles with several vertices, one of them with a short cuff.
+inline const std::deque<NamedSurface>& tiled_gallery() {
+  static const std::deque<NamedSurface> surfaces = [] {
+    std::deque<NamedSurface> result = gallery();
+    FenchelNielsen coordinates = random_coordinates(PantsGraph::random(3, 5), 5);
+    result.push_back({"Fenchel-Nielsen, genus 3", fenchel_nielsen_surface(coordinates)});
+    coordinates.lengths[2] = Rational(1, 1'000'000);
+    result.push_back({"Fenchel-Nielsen, short cuff", fenchel_nielsen_surface(coordinates)});
+    return result;
+  }();
+  return surfaces;
+}
+
 /// Any index below n.
 template <class Index>
 [[nodiscard]] Index any_index(Index n) {
@@ -49,6 +64,12 @@ inline const NamedSurface& any_surface() {
   const auto i = any_index(gallery().size());
   RC_TAG(gallery()[i].name);
   return gallery()[i];
+}
+
+inline const NamedSurface& any_tiled_surface() {
+  const auto i = any_index(tiled_gallery().size());
+  RC_TAG(tiled_gallery()[i].name);
+  return tiled_gallery()[i];
 }
 
 /// A number in [0, 1), of 30 bits.
@@ -270,5 +291,25 @@ inline Triangulation any_delaunay(const Surface& surface, std::uint32_t points) 
   }
   return triangulation;
 }
+
+/// The sum of the triangles' areas, by lifts to 256 bits: 4π(g − 1) if they cover the surface once.
+inline double total_area(Triangulation& triangulation) {
+  double area = 0;
+  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+    std::array<Complex<Mp256>, 3> p;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const Triangle& triangle = triangulation.triangle(t);
+      p[i] = triangulation.atlas().lift<Mp256>(triangle.label(i), triangulation.vertex(triangle.vertex[i]).z);
+    }
+    const Isometry<Mp256> to_origin = Isometry<Mp256>::translation(-p[0]);
+    const Complex<Mp256> u = to_origin(p[1]);
+    const Complex<Mp256> v = to_origin(p[2]);
+    // The triangle (0, u, v) has the area 2 arg(1 − u v̄).
+    area += 2 * std::atan2(static_cast<double>(cross(u, v)), static_cast<double>(Mp256(1) - dot(u, v)));
+  }
+  return area;
+}
+
+inline double area_of(const Surface& surface) { return 4 * std::numbers::pi * (surface.genus() - 1); }
 
 }  // namespace epsnet::test

@@ -17,32 +17,14 @@ using test::any_delaunay;
 using test::any_index;
 using test::any_point;
 using test::any_surface;
+using test::area_of;
 using test::gallery;
 using test::snapshot;
 using test::tessellation_of;
+using test::total_area;
 using test::triangles_of;
 
 constexpr auto kAcceptAll = [](Corner) { return true; };
-
-/// The sum of the triangles' areas, by lifts to 256 bits: 4π(g − 1) if they cover the surface once.
-double total_area(Triangulation& triangulation) {
-  double area = 0;
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
-    std::array<Complex<Mp256>, 3> p;
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const Triangle& triangle = triangulation.triangle(t);
-      p[i] = triangulation.atlas().lift<Mp256>(triangle.label(i), triangulation.vertex(triangle.vertex[i]).z);
-    }
-    const Isometry<Mp256> to_origin = Isometry<Mp256>::translation(-p[0]);
-    const Complex<Mp256> u = to_origin(p[1]);
-    const Complex<Mp256> v = to_origin(p[2]);
-    // The triangle (0, u, v) has the area 2 arg(1 − u v̄).
-    area += 2 * std::atan2(static_cast<double>(cross(u, v)), static_cast<double>(Mp256(1) - dot(u, v)));
-  }
-  return area;
-}
-
-double area_of(const Surface& surface) { return 4 * std::numbers::pi * (surface.genus() - 1); }
 
 /// How many edges of d's triangle lead to the triangle across d.
 int shared_edges(const Triangulation& triangulation, Dart d) {

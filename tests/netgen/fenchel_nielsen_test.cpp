@@ -1,0 +1,275 @@
+#include "epsnet/netgen/fenchel_nielsen.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "epsnet/netgen/decimal.h"
+#include "epsnet/netgen/fenchel_nielsen_request.h"
+#include "support/triangulations.h"
+
+namespace epsnet {
+namespace {
+
+using test::any_index;
+using test::any_share;
+using testing::HasSubstr;
+
+/// The isometry of a path that returns to its first tile.
+Isometry<Mp1024> value_of(const Surface& surface, const Word& word) {
+  Isometry<Mp1024> result;
+  for (const std::uint32_t s : word) {
+    result = surface.crossing_as<Mp1024>(s) * result;
+  }
+  return normalized(result);
+}
+
+/// The length of the closed geodesic of a path that returns to its first tile.
+Mp1024 length_of(const Surface& surface, const Word& word) {
+  return 2 * acosh(Mp1024(abs(value_of(surface, word).a.x)));
+}
+
+/// The cuffs of a heptagon as paths: D1, D2 and D3⁻¹ up to conjugation.
+Word cuff_word(const Surface& surface, PantsGraph::End end) {
+  const std::uint32_t first = surface.side_number(end.pants, 0);
+  return end.cuff == 0 ? Word{first + 5, first + 2} : end.cuff == 1 ? Word{first} : Word{first + 5};
+}
+
+std::uint32_t cuff_side(const Surface& surface, PantsGraph::End end) {
+  constexpr std::array<std::uint32_t, 3> kSides{6, 1, 4};
+  return surface.side_number(end.pants, kSides[end.cuff]);
+}
+
+PantsGraph any_graph(std::uint32_t genus) {
+  switch (any_index(4u)) {
+    case 0:
+      return PantsGraph::chain(genus);
+    case 1:
+      return PantsGraph::ring(genus);
+    case 2:
+      return PantsGraph::tree(genus);
+    default:
+      return PantsGraph::random(genus, any_index(1000u));
+  }
+}
+
+/// Logarithmically uniform between 1e-10 and 30, with six digits.
+Rational any_length() {
+  const int exponent = static_cast<int>(any_index(11u)) - 10;
+  const Rational mantissa(1000 + any_index(9000u), 1000);
+  const Rational length =
+      exponent < 0 ? Rational(mantissa / pow(boost::multiprecision::mpz_int(10), static_cast<unsigned>(-exponent)))
+                   : mantissa * 3;
+  return length;
+}
+
+FenchelNielsen any_coordinates(std::uint32_t largest_genus) {
+  PantsGraph graph = any_graph(2 + any_index(largest_genus - 1));
+  FenchelNielsen result{std::move(graph), {}, {}};
+  for (std::size_t e = 0; e < result.graph.edges().size(); ++e) {
+    result.lengths.push_back(any_length());
+    result.twists.push_back(result.lengths.back() * Rational(static_cast<int>(any_index(80'001u)) - 40'000, 1000));
+  }
+  return result;
+}
+
+TEST(PantsGraph, NamedGraphsAreTrivalentAndConnected) {
+  for (const std::uint32_t genus : {2u, 3u, 4u, 7u, 100u}) {
+    for (const PantsGraph& graph : {PantsGraph::chain(genus), PantsGraph::ring(genus), PantsGraph::tree(genus),
+                                    PantsGraph::random(genus, 1), PantsGraph::random(genus, 2)}) {
+      EXPECT_EQ(graph.genus(), genus);
+      EXPECT_EQ(graph.edges().size(), 3 * genus - 3);
+    }
+  }
+}
+
+TEST(PantsGraph, LoopsAndDoubleEdges) {
+  const PantsGraph dumbbell = PantsGraph::parse("0-0, 0-1 1-1");
+  EXPECT_EQ(dumbbell.edges(), PantsGraph::chain(2).edges());
+  EXPECT_EQ(dumbbell.edges()[0], (PantsGraph::Edge{{{0, 0}, {0, 1}}}));
+  EXPECT_EQ(dumbbell.edge_at(1, 0), 1U);
+  EXPECT_EQ(PantsGraph::parse("0-1 0-1 1-0").edges(), PantsGraph::ring(2).edges());
+}
+
+TEST(PantsGraph, ASeedIsAGraph) {
+  EXPECT_EQ(PantsGraph::random(10, 1).edges(), PantsGraph::random(10, 1).edges());
+  EXPECT_NE(PantsGraph::random(10, 1).edges(), PantsGraph::random(10, 2).edges());
+}
+
+void expect_graph_error(const std::string& edges, const std::string& problem) {
+  try {
+    (void)PantsGraph::parse(edges);
+    ADD_FAILURE() << edges;
+  } catch (const PantsGraphError& error) {
+    EXPECT_THAT(error.what(), HasSubstr(problem)) << edges;
+  }
+}
+
+TEST(PantsGraph, WhatIsNoneIsNamed) {
+  expect_graph_error("", "3g - 3 edges");
+  expect_graph_error("0-1 0-1", "3g - 3 edges");
+  expect_graph_error("0-1 0-1 0-1 0-1", "3g - 3 edges");
+  expect_graph_error("0-0 0-0 1-1", "node 0 has more than three edges");
+  expect_graph_error("0-1 0-1 0-2", "node 2");
+  expect_graph_error("0-1 0-1 0-1 2-3 2-3 2-3", "not connected: 2 of 4");
+  expect_graph_error("0-1 0-x 0-1", "not \"0-x\"");
+  expect_graph_error("0 0-1 0-1", "not \"0\"");
+  expect_graph_error("0-1-1 0-1 0-1", "not \"0-1-1\"");
+  expect_graph_error("0-99999999999 0-1 0-1", "99999999999");
+  EXPECT_THROW((void)PantsGraph::chain(1), PantsGraphError);
+  EXPECT_THROW((void)PantsGraph::random(0, 1), PantsGraphError);
+  EXPECT_THROW((void)PantsGraph::tree(4'000'000'000u), PantsGraphError);
+}
+
+TEST(FenchelNielsen, AFullTurnIsTheSameSurface) {
+  FenchelNielsen coordinates = random_coordinates(PantsGraph::ring(3), 4);
+  const Surface surface = fenchel_nielsen_surface(coordinates);
+  coordinates.twists[1] += 40 * coordinates.lengths[1];
+  coordinates.twists[2] -= coordinates.lengths[2];
+  EXPECT_EQ(fenchel_nielsen_surface(coordinates).tiles(), surface.tiles());
+  EXPECT_EQ(fenchel_nielsen_surface(coordinates).about(), surface.about());
+}
+
+TEST(FenchelNielsen, TheSurfaceSaysWhatItIs) {
+  const Surface surface = fenchel_nielsen_surface({PantsGraph::ring(2), {1, 1, 2}, {0, 0, 0}});
+  EXPECT_THAT(surface.about(), HasSubstr("0.0-1.0 r="));
+  EXPECT_THAT(surface.about(), HasSubstr(" s="));
+}
+
+void expect_surface_error(const FenchelNielsen& coordinates, const std::string& problem) {
+  try {
+    (void)fenchel_nielsen_surface(coordinates);
+    ADD_FAILURE() << problem;
+  } catch (const SurfaceError& error) {
+    EXPECT_THAT(error.what(), HasSubstr(problem));
+  }
+}
+
+TEST(FenchelNielsen, BadCoordinatesAreNamed) {
+  const FenchelNielsen good = random_coordinates(PantsGraph::chain(2), 1);
+  FenchelNielsen bad = good;
+  bad.lengths[1] = 0;
+  expect_surface_error(bad, "edge 1 (0-1): a length must be at least 1e-30");
+  bad.lengths[1] = -1;
+  expect_surface_error(bad, "zero or negative");
+  bad.lengths[1] = 101;
+  expect_surface_error(bad, "at most 100, not more");
+  bad = good;
+  bad.lengths.pop_back();
+  expect_surface_error(bad, "2 lengths for a pants graph with 3 edges");
+  bad = good;
+  bad.twists.emplace_back(0);
+  expect_surface_error(bad, "4 twists for a pants graph with 3 edges");
+  bad = good;
+  bad.twists[2] = pow(boost::multiprecision::mpz_int(10), 101);
+  expect_surface_error(bad, "edge 2 (1-1): a twist");
+}
+
+RC_GTEST_PROP(FenchelNielsenProperty, CuffsHaveTheirLengths, ()) {
+  const FenchelNielsen coordinates = any_coordinates(5);
+  const Surface surface = fenchel_nielsen_surface(coordinates);  // Checks that it is one.
+  RC_ASSERT(surface.genus() == coordinates.graph.genus());
+  RC_ASSERT(surface.vertex_class_count() == 3 * surface.genus() - 3);
+  for (std::size_t e = 0; e < coordinates.lengths.size(); ++e) {
+    const Mp1024 asked(coordinates.lengths[e]);
+    for (const PantsGraph::End& end : coordinates.graph.edges()[e]) {
+      const Mp1024 got = length_of(surface, cuff_word(surface, end));
+      RC_ASSERT(abs(got - asked) <= ldexp(asked, -50));
+    }
+  }
+}
+
+/// Two cuffs of one pair of pants at distance d (their common perpendicular), glued with a shift x: the closed geodesic
+/// that crosses the cuff once has cosh(length/2) = cosh(d/2) cosh(x/2), as the product of translations along
+/// perpendicular axes. The marks are half a cuff apart on the second cuff, where the mark is the foot of another
+/// perpendicular; turns around the cuff shift by its length.
+RC_GTEST_PROP(FenchelNielsenProperty, TwistsAreShiftsOfTheMarks, ()) {
+  FenchelNielsen coordinates = random_coordinates(PantsGraph::chain(2), any_index(1'000'000u));
+  coordinates.twists[0] *= any_index(2u) == 0 ? 1 : -1;
+  const Surface surface = fenchel_nielsen_surface(coordinates);
+  const Mp1024 cuff(coordinates.lengths[0]);
+  const Mp1024 third(coordinates.lengths[1]);
+  // The right-angled hexagon with alternating sides cuff/2, cuff/2, third/2.
+  const Mp1024 c = cosh(Mp1024(cuff / 2));
+  const Mp1024 cosh_d = (cosh(Mp1024(third / 2)) + c * c) / (c * c - 1);
+  const Mp1024 cosh_half_d = sqrt(Mp1024((cosh_d + 1) / 2));
+  std::vector<Mp1024> expected, got;
+  for (int turns = -3; turns <= 3; ++turns) {
+    const Mp1024 shift = Mp1024(coordinates.twists[0]) + cuff * (turns + Mp1024(0.5));
+    expected.push_back(2 * acosh(Mp1024(cosh_half_d * cosh(Mp1024(shift / 2)))));
+    Word word{cuff_side(surface, {0, 0})};
+    for (int i = 0; i < std::abs(turns); ++i) {
+      const Word around = cuff_word(surface, {0, 1});
+      const Word turn = turns > 0 ? around : reversed(surface, around);
+      word.insert(word.end(), turn.begin(), turn.end());
+    }
+    got.push_back(length_of(surface, word));
+  }
+  // Where the counting of turns starts depends on the cut; the shortest ones are in both lists.
+  std::sort(expected.begin(), expected.end());
+  std::sort(got.begin(), got.end());
+  for (std::size_t i = 0; i < 3; ++i) {
+    RC_ASSERT(abs(expected[i] - got[i]) < ldexp(Mp1024(1), -45));
+  }
+}
+
+// ---- Requests ----
+
+FenchelNielsenRequest request_of(const std::string& json) {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "epsnet-fenchel-nielsen.json";
+  std::ofstream(path) << json;
+  return load_fenchel_nielsen(path);
+}
+
+void expect_request_error(const std::string& json, const std::string& problem) {
+  try {
+    (void)resolve(request_of(json));
+    ADD_FAILURE() << json;
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr(problem)) << json;
+  }
+}
+
+TEST(FenchelNielsenRequest, NumbersAreExact) {
+  const FenchelNielsen got =
+      resolve(request_of(R"({"graph": "0-1 0-1 0-1", "lengths": [0.1, "1/3", 1e-12], "twists": [ -0.25 , 0, "2"]})"));
+  EXPECT_EQ(got.lengths, (std::vector<Rational>{Rational(1, 10), Rational(1, 3), Rational(1, 1'000'000'000'000)}));
+  EXPECT_EQ(got.twists, (std::vector<Rational>{Rational(-1, 4), 0, 2}));
+}
+
+TEST(FenchelNielsenRequest, WhatIsLeftOutIsDrawn) {
+  const FenchelNielsen got = resolve(request_of(R"({"genus": 7, "seed": 3})"));
+  EXPECT_EQ(got.graph.edges(), PantsGraph::random(7, 3).edges());
+  EXPECT_EQ(got.lengths, random_coordinates(got.graph, 3).lengths);
+  const FenchelNielsen one = resolve(request_of(R"({"graph": "ring", "genus": 2, "lengths": ["0.5"], "seed": 1})"));
+  EXPECT_EQ(one.lengths, (std::vector<Rational>(3, Rational(1, 2))));
+  for (const Rational& twist : one.twists) {
+    EXPECT_TRUE(twist >= 0 && twist < Rational(1, 2));
+  }
+}
+
+TEST(FenchelNielsenRequest, BadOnesAreNamed) {
+  expect_request_error("", "not JSON");
+  expect_request_error("[]", "expected an object");
+  expect_request_error("{", "expected");
+  expect_request_error(R"({"genus": 2, "seed": 1} x)", "expected an object");
+  expect_request_error(R"({"Genus": 2})", "unknown member \"Genus\"");
+  expect_request_error(R"({"genus": -2})", "genus: an integer");
+  expect_request_error(R"({"genus": 2})", "seed: needed");
+  expect_request_error(R"({"seed": 2})", "genus: needed");
+  expect_request_error(R"({"genus": 3, "graph": "0-1 0-1 0-1", "seed": 1})", "the pants graph has genus 2");
+  expect_request_error(R"({"graph": "star", "genus": 2})", "expected chain, ring, tree, random");
+  expect_request_error(R"({"graph": "ring", "genus": 2, "lengths": [1, 2], "seed": 1})", "expected 1 or 3");
+  expect_request_error(R"({"graph": "ring", "genus": 2, "lengths": [NaN], "seed": 1})", "lengths");
+  expect_request_error(R"({"graph": "ring", "genus": 2, "lengths": ["abc"], "seed": 1})", "not \"abc\"");
+  expect_request_error(R"({"graph": "ring", "genus": 2, "lengths": 1, "seed": 1})", "lengths: an array");
+  EXPECT_THROW((void)load_fenchel_nielsen("/nonexistent/file.json"), FenchelNielsenRequestError);
+}
+
+}  // namespace
+}  // namespace epsnet

@@ -1,0 +1,208 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "epsnet/netgen/start.h"
+#include "support/triangulations.h"
+
+/// Contraction of edges, moves of vertices, and the start that they make.
+namespace epsnet {
+namespace {
+
+using test::any_index;
+using test::any_share;
+
+std::uint32_t start_of(const Triangulation& t, Dart d) { return t.corner(triangle_of(d), corner_of(d)).vertex; }
+std::uint32_t end_of(const Triangulation& t, Dart d) { return start_of(t, next_dart(d)); }
+
+Dart any_dart(const Triangulation& t) { return make_dart(any_index(t.triangle_count()), any_index(3u)); }
+
+/// A triangulation of a surface, flipped at random.
+Triangulation any_triangulation(const Surface& surface) {
+  Triangulation result = test::any_delaunay(surface, any_index(8u));
+  for (std::uint32_t flips = any_index(6u); flips > 0; --flips) {
+    const Dart d = any_dart(result);
+    Triangulation copy = result.clone();
+    (void)copy.flip(d);
+    if (copy.problem().empty()) {
+      result = std::move(copy);
+    }
+  }
+  return result;
+}
+
+TEST(Star, IsTheDartsThatLeaveAVertex) {
+  for (const test::NamedSurface& named : test::tiled_gallery()) {
+    const Triangulation t(named.surface);
+    for (std::uint32_t v = 0; v < t.vertex_count(); ++v) {
+      std::vector<Dart> leaving;
+      for (std::uint32_t s = 0; s < t.triangle_count(); ++s) {
+        for (std::uint32_t i = 0; i < 3; ++i) {
+          if (start_of(t, make_dart(s, i)) == v) {
+            leaving.push_back(make_dart(s, i));
+          }
+        }
+      }
+      std::vector<Dart> star = t.star(leaving.front());
+      std::sort(star.begin(), star.end());
+      EXPECT_EQ(star, leaving) << named.name;
+    }
+  }
+}
+
+RC_GTEST_PROP(ContractionProperty, LeavesATriangulationOrEverything, ()) {
+  const Surface& surface = test::any_tiled_surface().surface;
+  Triangulation t = any_triangulation(surface);
+  const Dart d = any_dart(t);
+  const std::uint32_t v = start_of(t, d);
+  const std::uint32_t w = end_of(t, d);
+  const Vertex end = t.vertex(w);
+  const auto vertices = t.vertex_count();
+  const auto before = test::snapshot(t);
+  const auto merged = t.contract(d);
+  RC_CLASSIFY(merged.has_value(), "contracted");
+  RC_CLASSIFY(v == w, "loop");
+  if (!merged) {
+    RC_ASSERT(test::snapshot(t) == before);
+    return;
+  }
+  RC_ASSERT(v != w);
+  RC_ASSERT(t.vertex_count() == vertices - 1);
+  RC_ASSERT(t.problem() == "");
+  RC_ASSERT(std::abs(test::total_area(t) - test::area_of(surface)) < 1e-9);
+  // The end is where it was.
+  const Vertex left = t.vertex(start_of(t, *merged));
+  RC_ASSERT(left.z == end.z);
+  RC_ASSERT(left.chart == end.chart);
+}
+
+RC_GTEST_PROP(ContractionProperty, MovesKeepTheTriangulation, ()) {
+  const Surface& surface = test::any_tiled_surface().surface;
+  Triangulation t = any_triangulation(surface);
+  const Dart d = any_dart(t);
+  const std::uint32_t v = start_of(t, d);
+  const Vertex old = t.vertex(v);
+  const Complex<double> step =
+      std::ldexp(any_share() - 0.5, -static_cast<int>(any_index(8u))) * Complex<double>{1, any_share()};
+  const Complex<double> target = old.z + step;
+  RC_PRE(norm(target) < kChartRadius * kChartRadius);
+  const auto before = test::snapshot(t);
+  const bool moved = t.move_vertex(d, {old.chart, target, kIdentity});
+  RC_CLASSIFY(moved, "moved");
+  if (!moved) {
+    RC_ASSERT(test::snapshot(t) == before);
+    return;
+  }
+  RC_ASSERT(t.problem() == "");
+  RC_ASSERT(t.vertex(v).z == target);
+  RC_ASSERT(std::abs(test::total_area(t) - test::area_of(surface)) < 1e-9);
+}
+
+bool is_delaunay(Triangulation& t) {
+  for (std::uint32_t s = 0; s < t.triangle_count(); ++s) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (!t.is_delaunay(make_dart(s, i))) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+RC_GTEST_PROP(StartProperty, IsAPacking, ()) {
+  const Surface& surface = test::any_tiled_surface().surface;
+  Triangulation t = test::any_delaunay(surface, any_index(20u));
+  const Rational epsilon(1 + any_index(60u), 20);
+  const Threshold apart(epsilon / 2);
+  const auto vertices = t.vertex_count();
+  const auto removed = reduce_to_packing(t, apart);
+  RC_CLASSIFY(removed > 0, "removed");
+  RC_ASSERT(t.vertex_count() == vertices - removed);
+  RC_ASSERT(t.vertex_count() >= 1U);
+  RC_ASSERT(t.problem() == "");
+  RC_ASSERT(is_delaunay(t));
+  for (std::uint32_t s = 0; s < t.triangle_count(); ++s) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (start_of(t, make_dart(s, i)) != end_of(t, make_dart(s, i))) {
+        RC_ASSERT(t.compare_distance(t.corner(s, i), t.corner(s, next(i)), apart) > 0);
+      }
+    }
+  }
+}
+
+RC_GTEST_PROP(StartProperty, OneVertexInItsPlace, ()) {
+  const Surface& surface = test::any_tiled_surface().surface;
+  Triangulation t = test::any_delaunay(surface, any_index(20u));
+  const Vertex base = t.vertex(0);
+  (void)reduce_to_vertex_0(t);
+  RC_ASSERT(t.vertex_count() == 1U);
+  RC_ASSERT(t.triangle_count() == 4 * surface.genus() - 2);
+  RC_ASSERT(t.vertex(0).z == base.z);
+  RC_ASSERT(t.vertex(0).chart == base.chart);
+  RC_ASSERT(t.problem() == "");
+  RC_ASSERT(is_delaunay(t));
+}
+
+// ---- Base points ----
+
+TEST(BasePoint, IsVertex0AndItsTileIsItsStar) {
+  const Surface& surface = test::tiled_gallery().back().surface;
+  Complex<Rational> centre{};
+  for (const Complex<Rational>& z : surface.tiles()[2]) {
+    centre = centre + Rational(1, 7) * z;
+  }
+  // The Euclidean mean of the vertices need not be inside of a hyperbolic polygon; here it is.
+  Triangulation t(surface, BasePoint{2, centre});
+  EXPECT_EQ(t.problem(), "");
+  EXPECT_EQ(t.vertex_count(), surface.vertex_class_count() + 1);
+  EXPECT_EQ(t.atlas().chart(t.vertex(0).chart).centre, centre);
+  (void)t.make_delaunay();
+  (void)reduce_to_vertex_0(t);
+  EXPECT_EQ(t.vertex_count(), 1U);
+  EXPECT_EQ(t.problem(), "");
+}
+
+TEST(BasePoint, MustBeInsideOfItsTile) {
+  const Surface octagon = random_octagon(1);
+  EXPECT_EQ(Triangulation(octagon, BasePoint{0, {0, 0}}).problem(), "");
+  EXPECT_THROW(Triangulation(octagon, BasePoint{1, {0, 0}}), SurfaceError);
+  EXPECT_THROW(Triangulation(octagon, BasePoint{0, {2, 0}}), SurfaceError);
+  EXPECT_THROW(Triangulation(octagon, BasePoint{0, octagon.tiles()[0][0]}), SurfaceError);
+}
+
+TEST(RegularSurface, OneVertexAllTies) {
+  for (const std::uint32_t genus : {2u, 3u, 6u}) {
+    const Surface surface = Surface::regular(genus);
+    Triangulation t(surface);
+    EXPECT_EQ(t.problem(), "");
+    EXPECT_EQ(t.vertex_count(), 1U);
+    EXPECT_EQ(t.make_delaunay(), 0U);
+    EXPECT_EQ(Triangulation(surface, BasePoint{0, {0, 0}}).problem(), "");
+    EXPECT_THROW(Triangulation(surface, BasePoint{0, {0, Rational(1, 9)}}), SurfaceError);
+  }
+}
+
+TEST(RegularSurface, CrossingsTakeSideToSide) {
+  for (const std::uint32_t genus : {2u, 3u, 20u}) {
+    const Surface surface = Surface::regular(genus);
+    const Tile& tile = surface.tiles()[0];
+    const auto n = static_cast<std::uint32_t>(tile.size());
+    ASSERT_EQ(n, 4 * genus);
+    for (std::uint32_t s = 0; s < n; ++s) {
+      const std::uint32_t other = surface.partner(s);
+      EXPECT_EQ(other, (s + n / 2) % n);
+      const auto g = surface.crossing_as<Mp1024>(s);
+      const auto at = [&](std::uint32_t k) { return convert<Mp1024>(tile[k % n]); };
+      EXPECT_LT(norm(g(at(s)) - at(other + 1)), Mp1024(1e-140));
+      EXPECT_LT(norm(g(at(s + 1)) - at(other)), Mp1024(1e-140));
+      EXPECT_LT(abs(g.determinant() - 1), Mp1024(1e-280));
+    }
+  }
+  EXPECT_THROW((void)Surface::regular(1), SurfaceError);
+  EXPECT_THROW((void)Surface::regular(1001), SurfaceError);
+}
+
+}  // namespace
+}  // namespace epsnet
