@@ -1,42 +1,16 @@
-#include <epsnet/certify/check.h>
-#include <epsnet/certify/reader.h>
-#include <epsnet/certify/writer.h>
-#include <epsnet/netgen/certified_net.h>
-
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <optional>
-#include <sstream>
-#include <string>
-#include <vector>
+
+#include "nets.h"
 
 namespace {
 
 using epsnet::Complex;
 using epsnet::Rational;
+using fuzz::Bytes;
 
-void require(bool condition) {
-  if (!condition) std::abort();
-}
-
-/// The next two bytes of the input as an integer in [−2¹⁵, 2¹⁵); 0 after the end.
-class Bytes {
- public:
-  Bytes(const std::uint8_t* data, std::size_t size) : next_(data), end_(data + size) {}
-
-  std::int16_t integer() {
-    const unsigned low = byte();
-    return static_cast<std::int16_t>(low | byte() << 8U);
-  }
-  unsigned byte() { return next_ == end_ ? 0U : *next_++; }
-  Rational coordinate() { return Rational(integer(), 32768); }
-
- private:
-  const std::uint8_t* next_;
-  const std::uint8_t* end_;
-};
+Rational coordinate(Bytes& bytes) { return Rational(bytes.integer(), 32768); }
 
 /// The symmetric octagon z0, …, z3, −z0, …, −z3, opposite sides glued, z0 > 0, where z3 is moved along a hyperbolic
 /// line through −z0 until the area is 4π: in the frame f(z) = (z + z0)/(1 + z0 z) the condition Im[(1 − z0 z̄1)(1 − z1
@@ -44,10 +18,10 @@ class Bytes {
 /// not a fundamental polygon.
 std::optional<epsnet::Surface> octagon(Bytes& bytes) {
   const Complex<Rational> one{1, 0};
-  const Complex<Rational> z0{bytes.coordinate(), 0};
-  const Complex<Rational> z1{bytes.coordinate(), bytes.coordinate()};
-  const Complex<Rational> z2{bytes.coordinate(), bytes.coordinate()};
-  const Complex<Rational> start{bytes.coordinate(), bytes.coordinate()};
+  const Complex<Rational> z0{coordinate(bytes), 0};
+  const Complex<Rational> z1{coordinate(bytes), coordinate(bytes)};
+  const Complex<Rational> z2{coordinate(bytes), coordinate(bytes)};
+  const Complex<Rational> start{coordinate(bytes), coordinate(bytes)};
   for (const auto& z : {z0, z1, z2, start}) {
     if (norm(z) >= 1) return std::nullopt;
   }
@@ -69,29 +43,9 @@ std::optional<epsnet::Surface> octagon(Bytes& bytes) {
 
 }  // namespace
 
-/// Every octagon and every ε have a net that is proved, also when it is written and read again, with at least as many
-/// points as the area demands.
+/// Every octagon and every ε have a net that is proved.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Bytes bytes(data, size);
-  const auto surface = octagon(bytes);
-  if (!surface) return 0;
-  const unsigned choice = bytes.byte();
-  const double epsilon = 0.2 + std::ldexp(static_cast<std::uint16_t>(bytes.integer()), -14);  // Up to 4.2.
-  epsnet::NetOptions options;
-  options.insertion = (choice & 1U) != 0 ? epsnet::Insertion::flips : epsnet::Insertion::cavity;
-  options.walk = (choice & 2U) != 0 ? epsnet::Walk::straight : epsnet::Walk::visibility;
-  options.check.threads = 1;
-
-  const epsnet::CertifiedNet result = epsnet::certified_net(*surface, epsilon, options);  // An exception is a finding.
-  require(result.certificate.verdict == epsnet::certify::Verdict::verified);
-  require(result.certificate.counts.genus == 2);
-  const double sinh_half = std::sinh(epsilon / 2);
-  require(static_cast<double>(result.net.vertices.size()) * sinh_half * sinh_half >= 1 - 1e-9);
-
-  std::ostringstream out;
-  epsnet::certify::write_net(result.net, out);
-  const auto read = epsnet::certify::parse_net(out.str(), "written");
-  require(read == result.net);
-  require(epsnet::certify::check(read, options.check).verdict == epsnet::certify::Verdict::verified);
+  if (const auto surface = octagon(bytes)) fuzz::require_net(*surface, 0.2, bytes);
   return 0;
 }

@@ -166,16 +166,19 @@ class Refinement {
   }
 
   /// Walk, split, flip (thesis IV.4.3 to IV.4.5). False, with nothing changed, if the point turns out too close to a
-  /// vertex.
+  /// vertex, or too far from t.
   [[nodiscard]] bool insert_by_flips(std::uint32_t t, const Atlas::Place& place) {
     Journal journal = triangulation_.open_journal();
     const std::uint32_t v = triangulation_.add_vertex({place.z, place.chart});
     const Corner p{v, place.label};
-    const Location location = options_.walk == Walk::visibility ? triangulation_.locate_visibility(t, p)
-                                                                : triangulation_.locate_straight(t, p);
+    // From the triangle of which it is the circumcentre, a point is a few steps away, unless its rounding moved it
+    // around a very short curve.
+    constexpr std::uint32_t kLongestWalk = 200;
+    const Location location = options_.walk == Walk::visibility ? triangulation_.locate_visibility(t, p, kLongestWalk)
+                                                                : triangulation_.locate_straight(t, p, kLongestWalk);
     const LabelId label =
         triangulation_.atlas().product(triangulation_.atlas().inverse(location.transition), place.label);
-    if (location.type == Location::Type::vertex) {
+    if (location.type == Location::Type::vertex || location.type == Location::Type::not_found) {
       triangulation_.undo(journal);
       return false;
     }

@@ -302,6 +302,12 @@ std::optional<Complex<double>> Triangulation::circumcentre_fast(std::uint32_t t)
   if (!(sine * sine > 1e-6 * (norm(u) * norm(v)))) {
     return std::nullopt;
   }
+  // The error of a lift turns a short edge, and the circle's diameter with it: the centre would be off by many lengths
+  // of that edge, as many turns around a short curve.
+  constexpr double kShortestLifted2 = 1e-12;
+  if (!triangle.all_identity() && std::min({norm(u), norm(v), norm(b - c)}) < kShortestLifted2) {
+    return std::nullopt;
+  }
   return circumcentre_near_origin(a, b, c);
 }
 
@@ -404,7 +410,7 @@ Location Triangulation::classify(Dart d, LabelId transition_to_start, Corner p, 
   return {Location::Type::face, make_dart(t, 0), transition_to_start, steps};
 }
 
-Location Triangulation::locate_visibility(std::uint32_t start, Corner p) {
+Location Triangulation::locate_visibility(std::uint32_t start, Corner p, std::uint32_t most_steps) {
   std::uint32_t t = start;
   LabelId lift_of_t = kIdentity;
   std::uint32_t steps = 0;
@@ -421,6 +427,9 @@ Location Triangulation::locate_visibility(std::uint32_t start, Corner p) {
       return classify(make_dart(t, 0), lift_of_t, p, steps);
     }
     const Dart d = make_dart(t, exit);
+    if (steps == most_steps) {
+      return {Location::Type::not_found, d, lift_of_t, steps};
+    }
     lift_of_t = atlas_.product(lift_of_t, transition(d));
     const Dart e = opposite(d);
     t = triangle_of(e);
@@ -429,7 +438,7 @@ Location Triangulation::locate_visibility(std::uint32_t start, Corner p) {
   }
 }
 
-Location Triangulation::locate_straight(std::uint32_t start, Corner p) {
+Location Triangulation::locate_straight(std::uint32_t start, Corner p, std::uint32_t most_steps) {
   std::uint32_t steps = 0;
   Dart d = make_dart(start, 0);  // Leaves the corner the walk starts from, whatever triangle it turns to.
   LabelId lift_of_t = kIdentity;
@@ -444,14 +453,17 @@ Location Triangulation::locate_straight(std::uint32_t start, Corner p) {
   if (orientation(origin, lifted(next_dart(d)), p) < 0) {
     do {
       d = next_dart(cross(d));
-    } while (orientation(origin, lifted(next_dart(d)), p) < 0);
+    } while (steps < most_steps && orientation(origin, lifted(next_dart(d)), p) < 0);
   } else {
-    while (orientation(origin, lifted(previous_dart(d)), p) > 0) {
+    while (steps < most_steps && orientation(origin, lifted(previous_dart(d)), p) > 0) {
       d = cross(previous_dart(d));
     }
   }
   d = next_dart(d);
   while (orientation(lifted(d), lifted(next_dart(d)), p) < 0) {
+    if (steps >= most_steps) {
+      return {Location::Type::not_found, d, lift_of_t, steps};
+    }
     d = cross(d);
     // The geodesic leaves on the left of an apex that lies to its right, and conversely.
     d = orientation(origin, p, lifted(previous_dart(d))) < 0 ? previous_dart(d) : next_dart(d);

@@ -61,7 +61,7 @@ struct Corner {
 
 /// Where a point is (thesis IV.4.3).
 struct Location {
-  enum class Type { face, edge, vertex };
+  enum class Type { face, edge, vertex, not_found };  ///< not_found: not within the steps allowed.
   Type type;
   Dart dart;           ///< Of the triangle that contains the point; the edge, or the vertex it leaves, if it is on one.
   LabelId transition;  ///< From that triangle's chart to the chart in which the point was given.
@@ -227,9 +227,9 @@ class Triangulation {
 
   /// Where vertex p (lifted by `label` to the chart of triangle `start`) lies. The visibility walk (thesis Theorem
   /// II.1) terminates in a Delaunay triangulation.
-  [[nodiscard]] Location locate_visibility(std::uint32_t start, Corner p);
+  [[nodiscard]] Location locate_visibility(std::uint32_t start, Corner p, std::uint32_t most_steps = ~0u);
   /// The same by the straight walk from a corner of `start` (thesis Chapter II); terminates in every triangulation.
-  [[nodiscard]] Location locate_straight(std::uint32_t start, Corner p);
+  [[nodiscard]] Location locate_straight(std::uint32_t start, Corner p, std::uint32_t most_steps = ~0u);
 
   /// The darts that leave the start vertex of d, d first, clockwise.
   [[nodiscard]] std::vector<Dart> star(Dart d) const;

@@ -11,6 +11,7 @@
 
 #include "epsnet/certify/reader.h"
 #include "epsnet/certify/writer.h"
+#include "epsnet/netgen/exchange.h"
 #include "support/polygons.h"
 #include "support/scale.h"
 #include "support/triangulations.h"
@@ -155,6 +156,75 @@ TEST(Net, StartingVerticesThatAreTooCloseAreRemoved) {
   expect_verified(surface, "0.1");
 }
 
+TEST(Net, BasePointIsTheStart) {
+  const Surface surface = fenchel_nielsen_surface(random_coordinates(PantsGraph::ring(3), 1));
+  Complex<Rational> base;  // Inside of this tile, if not of every one.
+  for (const Complex<Rational>& z : surface.tiles()[3]) {
+    base = base + Rational(1, 7) * z;
+  }
+  const NetOptions options{.base = BasePoint{3, base}};
+  const CertifiedNet far = certified_net(surface, Epsilon("9"), options);
+  EXPECT_EQ(far.net.vertices.size(), 1U);
+  EXPECT_EQ(far.statistics.removed, surface.vertex_class_count());
+  for (const certify::Document& net : {far.net, certified_net(surface, Epsilon("0.5"), options).net}) {
+    // Vertex 0 is the base point itself.
+    const certify::Vertex& vertex = net.vertices[0];
+    EXPECT_EQ(vertex.x, 0);
+    EXPECT_EQ(vertex.y, 0);
+    EXPECT_EQ(net.charts[vertex.chart].tile, 3U);
+    EXPECT_EQ(net.charts[vertex.chart].centre.x, mpq_class(base.x.backend().data()));
+    EXPECT_EQ(net.charts[vertex.chart].centre.y, mpq_class(base.y.backend().data()));
+  }
+  EXPECT_THROW((void)compute_net(surface, Epsilon("1"), {.base = BasePoint{0, {1, 0}}}), SurfaceError);
+}
+
+TEST(Net, RegularSurfacesAreVerified) {
+  for (const std::uint32_t genus : {2u, 3u, 4u, 7u}) {
+    const Surface surface = Surface::regular(genus);
+    const CertifiedNet centre = certified_net(surface, Epsilon("20"));
+    EXPECT_EQ(centre.net.vertices.size(), 1U);
+    EXPECT_EQ(centre.certificate.counts.exact_ties, 4 * genus - 3) << "all diagonals of the dual polygon";
+    for (const char* epsilon : {"1.5", "0.5", "0.2"}) {
+      expect_verified(surface, epsilon);
+      expect_verified(surface, epsilon, {.insertion = Insertion::flips});
+    }
+  }
+}
+
+TEST(Net, ShortCuffsAreVerified) {
+  for (const char* graph : {"0-0 0-1 1-1", "0-1 0-1 0-1"}) {
+    for (const int digits : {2, 4, 8, 12}) {
+      // One short cuff, separating in the first graph; then two and three.
+      FenchelNielsen coordinates = random_coordinates(PantsGraph::parse(graph), 3);
+      for (const std::size_t edge : {1u, 0u, 2u}) {
+        coordinates.lengths[edge] = Rational(1, pow(boost::multiprecision::mpz_int(10), static_cast<unsigned>(digits)));
+        coordinates.twists[edge] = 0;
+        SCOPED_TRACE(graph + std::string(" 1e-") + std::to_string(digits));
+        expect_verified(fenchel_nielsen_surface(coordinates), "0.5");
+      }
+    }
+  }
+}
+
+TEST(Net, LongCuffsWithManyTurnsAreVerified) {
+  FenchelNielsen coordinates = random_coordinates(PantsGraph::random(3, 2), 2);
+  for (std::size_t edge = 0; edge < coordinates.lengths.size(); ++edge) {
+    coordinates.lengths[edge] = 30;
+    coordinates.twists[edge] = 1200 + Rational(static_cast<int>(edge), 3);
+    expect_verified(fenchel_nielsen_surface(coordinates), "0.5");
+    expect_verified(fenchel_nielsen_surface(coordinates), "4");
+  }
+}
+
+TEST(Net, EveryImportedTriangulationIsVerified) {
+  for (const auto& path : test::data_files("triangulations")) {
+    SCOPED_TRACE(path.filename().string());
+    const Surface surface = import_surface_file(path, ExchangeFormat::automatic);
+    expect_verified(surface, "0.5");
+    expect_verified(surface, "3");
+  }
+}
+
 TEST(Net, EveryImportedPolygonIsVerified) {
   // The larger ones are in table_test.cpp.
   for (const auto& path : test::data_files("polygons")) {
@@ -249,6 +319,22 @@ TEST(Thesis, FiguresIV11AndIV12FlipsAndWalks) {
   const Means straight = means(60, "0.1", {.insertion = Insertion::flips, .walk = Walk::straight});
   print("epsilon 0.1, straight", straight);
   EXPECT_NEAR(straight.steps_of_walks, 1.026, 0.1);
+}
+
+RC_GTEST_PROP(NetProperty, FenchelNielsenSurfacesAreVerified, ()) {
+  const std::uint32_t genus = 2 + any_index(4u);
+  FenchelNielsen coordinates = random_coordinates(PantsGraph::random(genus, any_index(1000u)), any_index(1000u));
+  for (std::size_t edge = 0; edge < coordinates.lengths.size(); ++edge) {
+    const Rational turns = coordinates.twists[edge] / coordinates.lengths[edge];
+    // Logarithmically uniform from 1e-10 to 30.
+    coordinates.lengths[edge] = Rational(1e-10 * std::pow(3e11, any_share()));
+    coordinates.twists[edge] = coordinates.lengths[edge] * turns;
+  }
+  const Surface surface = fenchel_nielsen_surface(coordinates);
+  const std::string epsilon = any_epsilon(0.4, 5);
+  const CertifiedNet net = certified_net(surface, Epsilon(epsilon), kOneThread);
+  RC_ASSERT(net.certificate.verdict == Verdict::verified);
+  RC_ASSERT(net.certificate.counts.genus == genus);
 }
 
 RC_GTEST_PROP(NetProperty, IsVerifiedAndItsSizeLiesBetweenTheBounds, ()) {

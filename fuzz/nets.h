@@ -1,0 +1,61 @@
+#pragma once
+
+#include <epsnet/certify/check.h>
+#include <epsnet/certify/reader.h>
+#include <epsnet/certify/writer.h>
+#include <epsnet/netgen/certified_net.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <sstream>
+
+/// What the fuzz targets share that make surfaces from bytes and nets of them.
+namespace fuzz {
+
+inline void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+/// The bytes of an input; 0 after the end.
+class Bytes {
+ public:
+  Bytes(const std::uint8_t* data, std::size_t size) : next_(data), end_(data + size) {}
+
+  unsigned byte() { return next_ == end_ ? 0U : *next_++; }
+  /// The next two bytes as an integer in [−2¹⁵, 2¹⁵).
+  std::int16_t integer() {
+    const unsigned low = byte();
+    return static_cast<std::int16_t>(low | byte() << 8U);
+  }
+
+ private:
+  const std::uint8_t* next_;
+  const std::uint8_t* end_;
+};
+
+/// An ε in [least, least + 4] and options, from the bytes. The surface must have a net that is proved, also when it is
+/// written and read again, with at least as many points as the area demands.
+inline void require_net(const epsnet::Surface& surface, double least, Bytes& bytes) {
+  const unsigned choice = bytes.byte();
+  const double epsilon = least + std::ldexp(static_cast<std::uint16_t>(bytes.integer()), -14);
+  epsnet::NetOptions options;
+  options.insertion = (choice & 1U) != 0 ? epsnet::Insertion::flips : epsnet::Insertion::cavity;
+  options.walk = (choice & 2U) != 0 ? epsnet::Walk::straight : epsnet::Walk::visibility;
+  options.check.threads = 1;
+
+  const epsnet::CertifiedNet result = epsnet::certified_net(surface, epsilon, options);  // An exception is a finding.
+  require(result.certificate.verdict == epsnet::certify::Verdict::verified);
+  require(result.certificate.counts.genus == surface.genus());
+  const double sinh_half = std::sinh(epsilon / 2);
+  require(static_cast<double>(result.net.vertices.size()) * sinh_half * sinh_half >= surface.genus() - 1 - 1e-9);
+
+  std::ostringstream out;
+  epsnet::certify::write_net(result.net, out);
+  const auto read = epsnet::certify::parse_net(out.str(), "written");
+  require(read == result.net);
+  require(epsnet::certify::check(read, options.check).verdict == epsnet::certify::Verdict::verified);
+}
+
+}  // namespace fuzz
