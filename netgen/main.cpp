@@ -27,6 +27,7 @@
 #include "epsnet/netgen/atomic_file.h"
 #include "epsnet/netgen/certified_net.h"
 #include "epsnet/netgen/decimal.h"
+#include "epsnet/netgen/dirichlet_polygon.h"
 #include "epsnet/netgen/domain_format.h"
 #include "epsnet/netgen/draw.h"
 #include "epsnet/netgen/exchange.h"
@@ -368,6 +369,33 @@ void make_net(const NetRequest& request) {
   }
 }
 
+// ---- epsnet dirichlet ----
+
+struct DirichletRequest {
+  std::string surface;
+  std::string base;
+  std::string output;
+  std::string svg;
+};
+
+void make_dirichlet(const DirichletRequest& request) {
+  if (is_stdout(request.output) && is_stdout(request.svg))
+    throw UsageError("--output and --svg cannot both be standard output");
+  check_output_directory(request.output);
+  if (!request.svg.empty()) check_output_directory(request.svg);
+  const Surface surface = load_surface(request.surface);
+  const std::optional<BasePoint> base = request.base.empty() ? std::nullopt : std::optional(parse_base(request.base));
+  const DirichletPolygon polygon = dirichlet_polygon(surface, base);
+  std::string svg;
+  if (!request.svg.empty()) {
+    DrawOptions options;
+    options.dirichlet = true;
+    svg = draw_svg(polygon.triangulation, options);
+  }
+  write_output(request.output, [&](std::ostream& out) { out << dirichlet_json(polygon); });
+  if (!request.svg.empty()) write_output(request.svg, [&](std::ostream& out) { out << svg; });
+}
+
 // ---- epsnet draw, epsnet info ----
 
 struct DrawRequest {
@@ -467,6 +495,7 @@ struct Commands {
   SurfaceRequest regular;
   SurfaceRequest import;
   NetRequest net;
+  DirichletRequest dirichlet;
   DrawRequest draw;
   ExportRequest export_;
   std::string info;
@@ -596,6 +625,23 @@ void add_net_command(CLI::App& app, Commands& commands) {
   });
 }
 
+void add_dirichlet_command(CLI::App& app, Commands& commands) {
+  DirichletRequest& request = commands.dirichlet;
+  CLI::App* command = app.add_subcommand(
+      "dirichlet", "The Dirichlet domain of a point: its sides with their pairings as words, and its vertices.");
+  command->add_option("SURFACE", request.surface, "a surface file")->required()->option_text("REQUIRED");
+  command
+      ->add_option("--base", request.base,
+                   "the point: of tile T, strictly inside of it, exact; without it the surface's first vertex, the "
+                   "centre of a regular one")
+      ->option_text("T,X,Y");
+  add_output(*command, request.output, "the JSON file to write (docs/format.md)");
+  command->add_option("--svg", request.svg, "also draw it, with the Delaunay triangulation; \"-\" is standard output")
+      ->option_text("FILE");
+  command->footer("Example:\n  epsnet dirichlet s.json --base 0,0.1,-1/3 -o domain.json --svg domain.svg");
+  command->callback([&] { commands.chosen = [&] { make_dirichlet(commands.dirichlet); }; });
+}
+
 void add_draw_command(CLI::App& app, Commands& commands) {
   DrawRequest& request = commands.draw;
   CLI::App* draw_command = app.add_subcommand(
@@ -678,6 +724,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(0, 1);
   add_surface_commands(app, commands);
   add_net_command(app, commands);
+  add_dirichlet_command(app, commands);
   add_draw_command(app, commands);
   add_info_command(app, commands);
   add_export_command(app, commands);
@@ -700,7 +747,7 @@ int run(int argc, char** argv) {
   if (!commands.chosen)
     return fail(kExitUsage, app.got_subcommand("surface")
                                 ? "surface: which one, octagon, fenchel-nielsen, regular or import? (try --help)"
-                                : "which command, surface, net, draw, info or export? (try --help)");
+                                : "which command, surface, net, dirichlet, draw, info or export? (try --help)");
 
   try {
     commands.chosen();

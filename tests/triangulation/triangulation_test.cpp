@@ -59,6 +59,8 @@ bool lies_there(Triangulation& triangulation, Corner p, const Location& location
       return along == 0 && after > 0 && before > 0;
     case Location::Type::vertex:
       return along == 0 && after > 0 && before == 0;
+    case Location::Type::not_found:
+      break;
   }
   return false;
 }

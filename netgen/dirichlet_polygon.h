@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "epsnet/certify/document.h"
+#include "epsnet/triangulation/triangulation.h"
+
+namespace epsnet {
+
+/// The Dirichlet domain of a base point as a combinatorial object: dual to the Delaunay triangulation with the base
+/// point as its one vertex (thesis I.3.3).
+struct DirichletPolygon {
+  /// Side k, counterclockwise, lies on the bisector of the base point 0 and its image γ0; γ is the isometry of a word
+  /// (docs/format.md: side numbers of the surface), from the coordinates of the base point's tile to themselves.
+  struct Side {
+    Word word;
+    std::uint32_t partner;  ///< The side that γ⁻¹ takes this one to: that of γ⁻¹.
+    double distance;        ///< Of the base point from the line of the side: half the displacement of 0 by γ.
+  };
+  std::vector<Side> sides;
+  /// Vertex k is the start of side k, in the disk with the base point at 0, directions as in its tile, rounded.
+  std::vector<Complex<double>> vertices;
+  /// How many edges of the triangulation are ties (to 4096 bits): sides of length 0, which are left out.
+  std::uint32_t ties = 0;
+  /// The triangulation itself as a net file of one vertex; ε is not meant.
+  certify::Document triangulation;
+};
+
+/// The Dirichlet domain of a point of a surface; without one, of the surface's first vertex (the centre, if it is
+/// regular). Throws SurfaceError (a base point not inside of its tile), NetError.
+[[nodiscard]] DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<BasePoint>& base);
+
+/// As JSON (docs/format.md, "Dirichlet domain").
+[[nodiscard]] std::string dirichlet_json(const DirichletPolygon& polygon);
+
+}  // namespace epsnet
