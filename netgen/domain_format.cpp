@@ -124,6 +124,9 @@ Surface load_domain(const std::filesystem::path& path) {
 }
 
 std::string write_domain(const Surface& surface) {
+  if (surface.is_regular()) {
+    throw std::invalid_argument("a regular polygon has no rational vertices, so the domain format cannot hold it");
+  }
   if (surface.tiles().size() != 1) {
     throw std::invalid_argument("the domain format holds one polygon, the surface has " +
                                 std::to_string(surface.tiles().size()) + " tiles; the triangulation format holds them");

@@ -319,18 +319,20 @@ certify::Certificate certify_net(const certify::Document& net, certify::CheckOpt
   return certificate;
 }
 
-/// "tile,x,y".
-BasePoint parse_base(const std::string& text) {
-  const std::size_t first = text.find(',');
-  const std::size_t second = text.find(',', first == std::string::npos ? first : first + 1);
-  if (second != std::string::npos) {
-    const std::string tile = text.substr(0, first);
+/// "tile,x,y", or "tile": the centre of the tile.
+BasePoint parse_base(const std::string& text, const Surface& surface) {
+  const std::size_t first = std::min(text.find(','), text.size());
+  const std::string tile = text.substr(0, first);
+  const bool digits = !tile.empty() && tile.size() <= 9 && tile.find_first_not_of("0123456789") == std::string::npos;
+  if (digits && first == text.size()) return centre_of_tile(surface, static_cast<std::uint32_t>(std::stoul(tile)));
+  const std::size_t second = text.find(',', first + 1);
+  if (digits && second != std::string::npos) {
     const auto x = parse_decimal(std::string_view(text).substr(first + 1, second - first - 1));
     const auto y = parse_decimal(std::string_view(text).substr(second + 1));
-    const bool digits = !tile.empty() && tile.size() <= 9 && tile.find_first_not_of("0123456789") == std::string::npos;
-    if (digits && x && y) return {static_cast<std::uint32_t>(std::stoul(tile)), {*x, *y}};
+    if (x && y) return {static_cast<std::uint32_t>(std::stoul(tile)), {*x, *y}};
   }
-  throw UsageError("--base: expected a tile and a point of it, as in 0,1/10,-0.25, not \"" + text.substr(0, 80) + "\"");
+  throw UsageError("--base: expected a tile and a point of it, as in 0,1/10,-0.25, or a tile alone, not \"" +
+                   text.substr(0, 80) + "\"");
 }
 
 void make_net(const NetRequest& request) {
@@ -345,7 +347,7 @@ void make_net(const NetRequest& request) {
   const Surface surface = load_surface(request.surface);
   times.reading = watch.lap();
   NetOptions options = request.options;
-  if (!request.base.empty()) options.base = parse_base(request.base);
+  if (!request.base.empty()) options.base = parse_base(request.base, surface);
   const UncertifiedNet net = compute(surface, epsilon, options);
   times.computing = watch.lap();
   std::string report = request.no_certify
@@ -384,7 +386,8 @@ void make_dirichlet(const DirichletRequest& request) {
   check_output_directory(request.output);
   if (!request.svg.empty()) check_output_directory(request.svg);
   const Surface surface = load_surface(request.surface);
-  const std::optional<BasePoint> base = request.base.empty() ? std::nullopt : std::optional(parse_base(request.base));
+  const std::optional<BasePoint> base =
+      request.base.empty() ? std::nullopt : std::optional(parse_base(request.base, surface));
   const DirichletPolygon polygon = dirichlet_polygon(surface, base);
   std::string svg;
   if (!request.svg.empty()) {
@@ -593,8 +596,10 @@ void add_net_command(CLI::App& app, Commands& commands) {
       ->option_text("E REQUIRED");
   add_output(*net, request.output, "the net file to write, only if the net is verified");
   net->add_option("--svg", request.svg, "also draw the net; \"-\" is standard output")->option_text("FILE");
-  net->add_option("--base", request.base, "start from this point alone: of tile T, strictly inside of it, exact")
-      ->option_text("T,X,Y");
+  net->add_option(
+         "--base", request.base,
+         "start from this point alone: of tile T, strictly inside of it, exact; T alone is the centre of the tile")
+      ->option_text("T[,X,Y]");
   net->add_flag("--no-certify", request.no_certify, "write the net without checking it: nothing is proved");
   CLI::Option* insert =
       net->add_option("--insert", request.options.insertion,
@@ -632,9 +637,10 @@ void add_dirichlet_command(CLI::App& app, Commands& commands) {
   command->add_option("SURFACE", request.surface, "a surface file")->required()->option_text("REQUIRED");
   command
       ->add_option("--base", request.base,
-                   "the point: of tile T, strictly inside of it, exact; without it the surface's first vertex, the "
+                   "the point: of tile T, strictly inside of it, exact; T alone is its centre. Without it the "
+                   "surface's first vertex, the "
                    "centre of a regular one")
-      ->option_text("T,X,Y");
+      ->option_text("T[,X,Y]");
   add_output(*command, request.output, "the JSON file to write (docs/format.md)");
   command->add_option("--svg", request.svg, "also draw it, with the Delaunay triangulation; \"-\" is standard output")
       ->option_text("FILE");
@@ -763,6 +769,8 @@ int run(int argc, char** argv) {
   } catch (const certify::MalformedError& error) {
     return fail(kExitFailed, error.what());
   } catch (const SurfaceError& error) {
+    return fail(kExitFailed, error.what());
+  } catch (const FenchelNielsenRequestError& error) {
     return fail(kExitFailed, error.what());
   } catch (const DomainError& error) {
     return fail(kExitFailed, error.what());

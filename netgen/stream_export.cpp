@@ -83,7 +83,7 @@ TriangulationStream stream_of(Triangles& triangles) {
 class TriangulatedTiles final : public Triangles {
  public:
   explicit TriangulatedTiles(const Surface& surface) : surface_(surface) {
-    require_tiles(!surface.tiles().empty());
+    require_tiles(!surface.is_regular());
     std::vector<std::uint32_t> dart_of_side;
     for (std::uint32_t tile = 0; tile < surface.tiles().size(); ++tile) cut(tile, dart_of_side);
     for (std::uint32_t s = 0; s < dart_of_side.size(); ++s) {

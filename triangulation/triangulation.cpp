@@ -25,17 +25,28 @@ std::vector<std::uint32_t> corner_cycle(const Surface& surface, std::uint32_t st
   return cycle;
 }
 
-void require_inside(const Surface& surface, const BasePoint& base) {
-  if (base.tile >= surface.tiles().size()) {
-    throw SurfaceError("the base point is in tile " + std::to_string(base.tile) + ", the surface has " +
+void require_tile(const Surface& surface, std::uint32_t tile) {
+  if (tile >= surface.tiles().size()) {
+    throw SurfaceError("the base point is in tile " + std::to_string(tile) + ", the surface has " +
                        std::to_string(surface.tiles().size()) + " tiles");
   }
-  const Tile& tile = surface.tiles()[base.tile];
+}
+
+/// The first side that the point is not strictly left of.
+std::optional<std::size_t> side_not_left_of(const Tile& tile, const Complex<Rational>& z) {
   for (std::size_t k = 0; k < tile.size(); ++k) {
-    if (norm(base.z) >= 1 || orientation_determinant(tile[k], tile[(k + 1) % tile.size()], base.z) <= 0) {
-      throw SurfaceError("the base point is not strictly inside of tile " + std::to_string(base.tile) +
-                         ": not left of side " + std::to_string(k));
+    if (norm(z) >= 1 || orientation_determinant(tile[k], tile[(k + 1) % tile.size()], z) <= 0) {
+      return k;
     }
+  }
+  return std::nullopt;
+}
+
+void require_inside(const Surface& surface, const BasePoint& base) {
+  require_tile(surface, base.tile);
+  if (const auto side = side_not_left_of(surface.tiles()[base.tile], base.z)) {
+    throw SurfaceError("the base point is not strictly inside of tile " + std::to_string(base.tile) +
+                       ": not left of side " + std::to_string(*side));
   }
 }
 
@@ -51,6 +62,29 @@ Triangulation::Triangulation(const Surface& surface, const std::optional<BasePoi
     throw SurfaceError("the base point of a regular surface is its centre, 0 in tile 0");
   } else {
     cut_regular();
+  }
+}
+
+BasePoint centre_of_tile(const Surface& surface, std::uint32_t tile) {
+  if (surface.is_regular()) {
+    return {tile, {0, 0}};
+  }
+  require_tile(surface, tile);
+  const Tile& vertices = surface.tiles()[tile];
+  Complex<Mp1024> klein;
+  for (const Complex<Rational>& vertex : vertices) {
+    const auto z = convert<Mp1024>(vertex);
+    klein = klein + Mp1024(2 / ((1 + norm(z)) * vertices.size())) * z;
+  }
+  const Complex<Mp1024> centre = Mp1024(1 / (1 + sqrt(Mp1024(1 - norm(klein))))) * klein;
+  // As few bits as are enough.
+  for (int bits = 8;; bits *= 2) {
+    const Mp1024 scale = ldexp(Mp1024(1), bits);
+    const Complex<Rational> z{Rational(Mp1024(round(Mp1024(centre.x * scale)) / scale)),
+                              Rational(Mp1024(round(Mp1024(centre.y * scale)) / scale))};
+    if (!side_not_left_of(vertices, z) || bits > 1024) {
+      return {tile, z};
+    }
   }
 }
 

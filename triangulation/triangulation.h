@@ -81,6 +81,10 @@ struct BasePoint {
   Complex<Rational> z;
 };
 
+/// A point strictly inside of a tile with few digits: near the mean of its vertices in the Klein model. Throws
+/// SurfaceError if there is no such tile.
+[[nodiscard]] BasePoint centre_of_tile(const Surface& surface, std::uint32_t tile);
+
 /// The triangles that Triangulation::insert_locally made, and those of them that are large.
 struct NewTriangles {
   static constexpr std::size_t kMost = 26;

@@ -123,7 +123,31 @@ grep -q '^verdict: VERIFIED$' report || complain "the report is not on standard 
 "$epsnet" draw once.json -o - >piped.svg && "$epsnet" draw once.json -o file.svg && same piped.svg file.svg
 good surface import "$data/octagons/g2-seed-123.txt" -o imported.json
 same s.json imported.json
-for command in '' surface 'surface octagon' 'surface import' net draw info export; do
+
+# Surfaces of every genus and by name, base points, Dirichlet domains.
+good surface fenchel-nielsen --genus 3 --seed 3 -o fn.json
+good surface fenchel-nielsen --genus 3 --seed 3 -o again.json
+same fn.json again.json
+grep -q 'r=' fn.json || complain 'the surface does not say what it is'
+echo '{"genus": 3, "seed": 3}' >request.json
+good surface fenchel-nielsen --from request.json -o again.json
+same fn.json again.json
+good surface fenchel-nielsen --pants-graph '0-0 0-1 1-1' --lengths 1,1e-6,30 --twists=-0.25,0,40 -o thin.json
+good surface regular --genus 2 -o bolza.json
+for surface in fn thin bolza; do
+  good info "$surface.json"
+  good net "$surface.json" --epsilon 0.5 -o net.json --svg net.svg --stats
+  verified net.json
+  good info net.json
+  good draw net.json -o d.svg
+  good net "$surface.json" --epsilon 0.5 --base 0 -o net.json
+  verified net.json
+  good dirichlet "$surface.json" --base 0 -o domain.json
+  grep -q '"partner"' domain.json || complain "no sides in the Dirichlet domain of $surface"
+done
+good dirichlet bolza.json -o - --svg domain.svg
+grep -q 'path' domain.svg || complain 'no picture of the Dirichlet domain'
+for command in '' surface 'surface octagon' 'surface fenchel-nielsen' 'surface regular' 'surface import' net dirichlet draw info export; do
   # shellcheck disable=SC2086
   good $command --help
   grep -q 'Example' output || complain "epsnet $command --help has no example"
@@ -135,6 +159,18 @@ bad 64 'nonsense' nonsense
 bad 64 'octagon, fenchel-nielsen, regular or import' surface
 bad 64 'nonsense' surface nonsense
 bad 64 'seed' surface octagon -o out/s.json
+bad 64 'genus: needed' surface fenchel-nielsen --seed 1 -o out/s.json
+bad 64 'seed: needed' surface fenchel-nielsen --genus 2 -o out/s.json
+bad 64 'at least 2' surface fenchel-nielsen --genus 1 --seed 1 -o out/s.json
+bad 64 'at most' surface fenchel-nielsen --genus 4000000000 --seed 1 -o out/s.json
+bad 64 'node 0 has more than three' surface fenchel-nielsen --seed 1 --pants-graph '0-0 0-0 1-1' -o out/s.json
+bad 64 'not connected' surface fenchel-nielsen --seed 1 --pants-graph '0-1 0-1 0-1 2-3 2-3 2-3' -o out/s.json
+bad 64 'expected 1 or 3' surface fenchel-nielsen --seed 1 --genus 2 --lengths 1,2 -o out/s.json
+bad 64 'lengths' surface fenchel-nielsen --seed 1 --genus 2 --lengths nan -o out/s.json
+bad 64 'genus' surface regular -o out/s.json
+bad 64 'base' net fn.json --epsilon 1 --base x -o out/n.json
+bad 64 'base' dirichlet fn.json --base 0,1 -o out/n.json
+bad 64 'standard output' dirichlet fn.json -o - --svg -
 bad 64 'seed' surface octagon --seed x -o out/s.json
 bad 64 'seed' surface octagon --seed 99999999999 -o out/s.json
 bad 64 'output' surface octagon --seed 1
@@ -159,6 +195,16 @@ lines'
 bad 64 'psilon' net s.json --epsilon "$line" -o out/n.json
 
 # ---- Files ----
+bad 1 'a length must be at least' surface fenchel-nielsen --seed 1 --genus 2 --lengths 0 -o out/s.json
+bad 1 'a length must be at least' surface fenchel-nielsen --seed 1 --genus 2 --lengths=-1 -o out/s.json
+bad 1 'no-such' surface fenchel-nielsen --from no-such.json -o out/s.json
+bad 1 'at most 1000' surface regular --genus 1001 -o out/s.json
+bad 1 'not strictly inside' net fn.json --epsilon 1 --base 0,1,0 -o out/n.json
+bad 1 'the surface has 4 tiles' net fn.json --epsilon 1 --base 4 -o out/n.json
+bad 1 'centre' net bolza.json --epsilon 1 --base 0,0.1,0 -o out/n.json
+bad 1 'no-such' dirichlet no-such.json -o out/d.json
+bad 1 'no rational' export bolza.json --format domain -o out/x.txt
+bad 1 'no rational' export bolza.json --format triangulation -o out/x.txt
 bad 1 'no-such' net no-such.json --epsilon 1 -o out/n.json
 bad 1 'no-such' info no-such.json
 bad 1 'no-such' draw no-such.json -o out/x.svg

@@ -164,6 +164,15 @@ TEST(BasePoint, IsVertex0AndItsTileIsItsStar) {
   EXPECT_EQ(t.problem(), "");
 }
 
+TEST(BasePoint, CentresOfTilesAreInside) {
+  for (const test::NamedSurface& named : test::tiled_gallery()) {
+    for (std::uint32_t tile = 0; tile < named.surface.tiles().size(); ++tile) {
+      EXPECT_EQ(Triangulation(named.surface, centre_of_tile(named.surface, tile)).problem(), "") << named.name;
+    }
+    EXPECT_THROW((void)centre_of_tile(named.surface, 1000), SurfaceError);
+  }
+}
+
 TEST(BasePoint, MustBeInsideOfItsTile) {
   const Surface octagon = random_octagon(1);
   EXPECT_EQ(Triangulation(octagon, BasePoint{0, {0, 0}}).problem(), "");
