@@ -122,13 +122,13 @@ void check(const FenchelNielsen& coordinates) {
   };
   require_count("lengths", coordinates.lengths.size());
   require_count("twists", coordinates.twists.size());
-  const Rational shortest(1, boost::multiprecision::pow(Integer(10), 30));
+  const Rational shortest(1, boost::multiprecision::pow(Integer(10), 25));
   const Rational longest = 100;
   const Rational largest_twist = boost::multiprecision::pow(Integer(10), 100);
   for (std::size_t e = 0; e < n; ++e) {
     const Rational& length = coordinates.lengths[e];
     if (length < shortest || length > longest) {
-      throw SurfaceError(edge_name(coordinates, e) + ": a length must be at least 1e-30 and at most 100, not " +
+      throw SurfaceError(edge_name(coordinates, e) + ": a length must be at least 1e-25 and at most 100, not " +
                          (length <= 0         ? "zero or negative"
                           : length < shortest ? "less"
                                               : "more"));

@@ -27,7 +27,7 @@ struct FenchelNielsen {
 ///
 /// Scheme: r = exp(length/2) is made rational; then the axes of the cuffs have rational ends, and every pair of pants
 /// and every gluing is a rational matrix. docs/fenchel-nielsen.md derives it. Linear in the genus.
-/// Throws SurfaceError: not as many lengths and twists as edges, a length outside of [1e-30, 100], named by its edge.
+/// Throws SurfaceError: not as many lengths and twists as edges, a length outside of [1e-25, 100], named by its edge.
 [[nodiscard]] Surface fenchel_nielsen_surface(const FenchelNielsen& coordinates);
 
 /// Random coordinates on a graph, the same for a seed on every machine: lengths uniform in [1, 4], twists uniform in

@@ -135,11 +135,20 @@ class Refinement {
                    " could be proved to be at distance epsilon from all vertices");
   }
 
+  /// Makes a centre the next vertex, rounded to binary64 or, if that is too close to a vertex, as the origin of a chart
+  /// of its own. False, with nothing changed, if neither works.
   [[nodiscard]] bool insert_precise(std::uint32_t t, const std::optional<Complex<Mp1024>>& centre) {
-    Atlas& atlas = triangulation_.atlas();
-    const std::uint32_t chart = triangulation_.chart_of(t);
-    return centre && (insert(t, atlas.place(chart, *centre, false), false) ||
-                      insert(t, atlas.place(chart, *centre, true), false));
+    return centre && (insert_at(t, *centre, false) || insert_at(t, *centre, true));
+  }
+
+  [[nodiscard]] bool insert_at(std::uint32_t t, const Complex<Mp1024>& centre, bool exact) {
+    std::optional<Atlas::Place> place;
+    try {
+      place = triangulation_.atlas().place(triangulation_.chart_of(t), centre, exact);
+    } catch (const LimitError&) {
+      return false;  // Too far away to be the centre: with more bits it may be near.
+    }
+    return insert(t, *place, false);
   }
 
   /// Makes a point the next vertex. `in_circle`: it is known to lie in the circumcircle of t. False, with nothing
@@ -173,7 +182,7 @@ class Refinement {
     const Corner p{v, place.label};
     // From the triangle of which it is the circumcentre, a point is a few steps away, unless its rounding moved it
     // around a very short curve.
-    constexpr std::uint32_t kLongestWalk = 200;
+    constexpr std::uint32_t kLongestWalk = 40;
     const Location location = options_.walk == Walk::visibility ? triangulation_.locate_visibility(t, p, kLongestWalk)
                                                                 : triangulation_.locate_straight(t, p, kLongestWalk);
     const LabelId label =

@@ -16,10 +16,10 @@ constexpr LabelId kUnknown = ~LabelId{0};
 /// log2 N. Products that would have fewer are evaluated from their word again.
 constexpr double kLabelAccuracy = 150;
 constexpr double kAbsoluteAccuracy = 100;
-/// Two labels g and gh between the same charts are equal if the coordinates of their matrices agree to 2⁻⁷⁰: for h ≠ 1
+/// Two labels g and gh between the same charts are equal if the coordinates of their matrices agree to 2⁻⁹⁰: for h ≠ 1
 /// of length ℓ the difference g(h − 1) has the determinant 2 − tr h = −4 sinh²(ℓ/4), whatever the size of g, so that
 /// some entry of it is larger than sinh(ℓ/4).
-constexpr int kSameLabelBits = 70;
+constexpr int kSameLabelBits = 90;
 
 std::uint64_t pair_key(std::uint32_t first, std::uint32_t second) { return (std::uint64_t{first} << 32) | second; }
 
@@ -331,7 +331,7 @@ Atlas::Place Atlas::place(std::uint32_t c, const Complex<Mp1024>& z, bool exact)
   Complex<Mp1024> w = frame<Mp1024>(c)(z);
   std::uint32_t tile = charts_[c].chart.tile;
   Word path;
-  constexpr std::size_t kLongestPath = 100'000;
+  constexpr std::size_t kLongestPath = 10'000;
   for (bool inside = false; !inside;) {
     inside = true;
     const Tile& vertices = surface_->tiles()[tile];

@@ -49,8 +49,7 @@ bool Triangulation::find_cavity(std::uint32_t t, Corner p) {
     pending_.pop_back();
     const std::uint32_t s = triangle_of(edge.outer);
     const std::uint32_t j = corner_of(edge.outer);
-    // One end of the edge, as it is lifted here and as s sees it, tells how s is lifted.
-    const LabelId lift_of_s = atlas_.product(edge.from.label, atlas_.inverse(corner(s, next(j)).label));
+    const LabelId lift_of_s = lift_across(edge.from.label, edge.to.label, edge.outer);
     const Corner apex = moved(lift_of_s, corner(s, previous(j)));
     if (in_circle(edge.to, edge.from, apex, p) > 0) {
       if (in_cavity(s)) {
@@ -176,8 +175,7 @@ Triangulation::Outcome Triangulation::insert_locally_with(std::uint32_t t, const
     const Triangle& outside = triangles_[s];
     LabelId apex_label = kIdentity;
     if constexpr (kLabels) {
-      // One end of the dart, as it is lifted here and as s sees it, tells how s is lifted.
-      const LabelId lift_of_s = atlas_.product(rims[gate.from].label, atlas_.inverse(outside.label(next(j))));
+      const LabelId lift_of_s = lift_across(rims[gate.from].label, rims[gate.to].label, e);
       apex_label = atlas_.product(lift_of_s, outside.label(previous(j)));
     } else if (!outside.all_identity()) {
       return Outcome::labels_met;

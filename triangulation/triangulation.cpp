@@ -121,17 +121,23 @@ void Triangulation::cut_tiles(const std::optional<BasePoint>& base) {
   for (std::uint32_t tile = 0; tile < surface.tiles().size(); ++tile) {
     const std::uint32_t first = surface.side_number(tile, 0);
     const auto sides = static_cast<std::uint32_t>(surface.tiles()[tile].size());
-    const auto corner = [&](std::uint32_t k, std::uint32_t reference_chart, const Word& to_reference) -> Corner {
+    // The corners lifted to one chart: the base point's, or that of the tile's first corner.
+    const bool has_base = base && base->tile == tile;
+    const std::uint32_t reference = has_base ? charts_[0] : charts_[first_class + surface.vertex_class(first)];
+    const Word to_reference = has_base ? Word{} : reversed(surface, words[first]);
+    std::vector<Corner> corners;
+    for (std::uint32_t k = 0; k < sides; ++k) {
       const std::uint32_t v = first_class + surface.vertex_class(first + k);
-      return {v, atlas_.label(charts_[v], reference_chart, concatenated(surface, words[first + k], to_reference))};
-    };
-    if (base && base->tile == tile) {
+      corners.push_back(
+          {v, atlas_.label(charts_[v], reference, concatenated(surface, words[first + k], to_reference))});
+    }
+    if (has_base) {
+      const std::uint32_t first_triangle = triangle_count();
       for (std::uint32_t k = 0; k < sides; ++k) {
         const std::uint32_t t = add_triangle();
-        set(t, {0, kIdentity}, corner(k, charts_[0], {}), corner((k + 1) % sides, charts_[0], {}), nullptr);
+        set(t, {0, kIdentity}, corners[k], corners[(k + 1) % sides], nullptr);
         dart_of_side[first + k] = make_dart(t, 1);
       }
-      const std::uint32_t first_triangle = triangle_count() - sides;
       for (std::uint32_t k = 0; k < sides; ++k) {
         link(make_dart(first_triangle + k, 2), make_dart(first_triangle + (k + 1) % sides, 0), nullptr);
       }
@@ -153,9 +159,7 @@ void Triangulation::cut_tiles(const std::optional<BasePoint>& base) {
       }
       const std::uint32_t m = (chord.i + chord.j) / 2;
       const std::uint32_t t = add_triangle();
-      const std::uint32_t v = first_class + surface.vertex_class(first + chord.i);
-      const Word back = reversed(surface, words[first + chord.i]);
-      set(t, {v, kIdentity}, corner(m, charts_[v], back), corner(chord.j, charts_[v], back), nullptr);
+      set(t, corners[chord.i], corners[m], corners[chord.j], nullptr);
       if (chord.above) {
         link(make_dart(t, 2), *chord.above, nullptr);
       } else {
@@ -258,7 +262,7 @@ LabelId Triangulation::transition(Dart d) {
   if (t.all_identity() && other.all_identity()) {
     return kIdentity;
   }
-  return atlas_.product(t.label(corner_of(d)), atlas_.inverse(other.label(next(corner_of(e)))));
+  return lift_across(t.label(corner_of(d)), t.label(next(corner_of(d))), e);
 }
 
 template <class T, std::size_t N, class Stage>

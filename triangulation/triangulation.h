@@ -306,6 +306,17 @@ class Triangulation {
   }
   [[nodiscard]] Corner moved(LabelId by, Corner c) { return {c.vertex, atlas_.product(by, c.label)}; }
   [[nodiscard]] bool find_cavity(std::uint32_t t, Corner p);
+  /// How the triangle of dart e is lifted if the ends of e are: the label from its chart. `from` is the lift of the end
+  /// of e, `to` that of its start.
+  [[nodiscard]] LabelId lift_across(LabelId from, LabelId to, Dart e) {
+    // One end tells, as it is lifted and as the triangle sees it; best if the triangle sees it as its corner 0.
+    const std::uint32_t j = corner_of(e);
+    if (j == 0) {
+      return to;
+    }
+    const LabelId seen = triangles_[triangle_of(e)].label(next(j));
+    return seen == kIdentity ? from : atlas_.product(from, atlas_.inverse(seen));
+  }
   /// The corners of a triangle with `vertex` replaced, wherever it is one; the replacement is given in the chart of
   /// `vertex`.
   [[nodiscard]] std::array<Corner, 3> corners_with(std::uint32_t t, std::uint32_t vertex, Corner replacement);

@@ -154,7 +154,7 @@ TEST(FenchelNielsen, BadCoordinatesAreNamed) {
   const FenchelNielsen good = random_coordinates(PantsGraph::chain(2), 1);
   FenchelNielsen bad = good;
   bad.lengths[1] = 0;
-  expect_surface_error(bad, "edge 1 (0-1): a length must be at least 1e-30");
+  expect_surface_error(bad, "edge 1 (0-1): a length must be at least 1e-25");
   bad.lengths[1] = -1;
   expect_surface_error(bad, "zero or negative");
   bad.lengths[1] = 101;

@@ -206,6 +206,14 @@ TEST(Net, ShortCuffsAreVerified) {
   }
 }
 
+TEST(Net, TheShortestCuffIsVerified) {
+  for (const char* graph : {"0-0 0-1 1-1", "0-1 0-1 0-1"}) {
+    FenchelNielsen coordinates = random_coordinates(PantsGraph::parse(graph), 3);
+    coordinates.lengths[1] = Rational(1, pow(boost::multiprecision::mpz_int(10), 25));
+    expect_verified(fenchel_nielsen_surface(coordinates), "0.5");
+  }
+}
+
 TEST(Net, LongCuffsWithManyTurnsAreVerified) {
   FenchelNielsen coordinates = random_coordinates(PantsGraph::random(3, 2), 2);
   for (std::size_t edge = 0; edge < coordinates.lengths.size(); ++edge) {
