@@ -123,7 +123,7 @@ class Reader {
   static std::vector<std::string> texts(simdjson::ondemand::value value, const std::string& key) {
     std::vector<std::string> result;
     for (auto item : take(value.get_array(), key + ": an array of numbers")) {
-      simdjson::ondemand::value element = take(std::move(item), key + ": a number");
+      simdjson::ondemand::value element = take<simdjson::ondemand::value>(item, key + ": a number");
       std::string_view text;
       if (element.get_string().get(text)) {
         text = element.raw_json_token();
