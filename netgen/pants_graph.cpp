@@ -12,7 +12,7 @@ namespace {
 
 using NodePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-constexpr std::uint32_t kLargestGenus = 1u << 20;
+constexpr std::uint32_t kLargestGenus = 100'000;
 
 void require_genus(std::uint32_t genus) {
   if (genus < 2 || genus > kLargestGenus) {

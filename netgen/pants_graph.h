@@ -28,7 +28,7 @@ class PantsGraph {
   using Edge = std::array<End, 2>;
 
   /// From the nodes at the two ends of every edge. A node's cuffs are numbered in the order in which the edges name it.
-  /// Throws PantsGraphError. At most genus 2²⁰.
+  /// Throws PantsGraphError. At most genus 100,000.
   explicit PantsGraph(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges);
 
   /// A path of nodes joined by single and double edges in turn, with a loop at both ends.
