@@ -66,6 +66,7 @@ class Refinement {
     for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
       push_if_large(t);
     }
+    initial_triangles_ = triangulation_.triangle_count();
     std::uint64_t count = 0;
     while (queue_.size() > 0) {
       const std::uint32_t t = queue_.pop_front();
@@ -180,11 +181,11 @@ class Refinement {
     Journal journal = triangulation_.open_journal();
     const std::uint32_t v = triangulation_.add_vertex({place.z, place.chart});
     const Corner p{v, place.label};
-    // From the triangle of which it is the circumcentre, a point is a few steps away, unless its rounding moved it
-    // around a very short curve.
-    constexpr std::uint32_t kLongestWalk = 40;
-    const Location location = options_.walk == Walk::visibility ? triangulation_.locate_visibility(t, p, kLongestWalk)
-                                                                : triangulation_.locate_straight(t, p, kLongestWalk);
+    // From the triangle of which it is the circumcentre, a point is a few steps away, at first perhaps as many as there
+    // are triangles (the fan of a regular polygon); unless its rounding moved it around a very short curve.
+    const std::uint32_t most_steps = 40 + initial_triangles_;
+    const Location location = options_.walk == Walk::visibility ? triangulation_.locate_visibility(t, p, most_steps)
+                                                                : triangulation_.locate_straight(t, p, most_steps);
     const LabelId label =
         triangulation_.atlas().product(triangulation_.atlas().inverse(location.transition), place.label);
     if (location.type == Location::Type::vertex || location.type == Location::Type::not_found) {
@@ -250,6 +251,7 @@ class Refinement {
   Threshold large_;
   Threshold apart_;
   double expected_;
+  std::uint32_t initial_triangles_ = 0;
   Queue queue_;
   std::vector<Dart> pending_;
   NewTriangles new_triangles_;

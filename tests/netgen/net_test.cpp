@@ -191,6 +191,8 @@ TEST(Net, RegularSurfacesAreVerified) {
   }
 }
 
+TEST(Net, ARegularSurfaceOfGenusTwentyIsVerified) { expect_verified(Surface::regular(20), "0.5"); }
+
 TEST(Net, ShortCuffsAreVerified) {
   for (const char* graph : {"0-0 0-1 1-1", "0-1 0-1 0-1"}) {
     for (const int digits : {2, 4, 8, 12}) {
