@@ -175,7 +175,7 @@ void make_fenchel_nielsen(FenchelNielsenCommand command) {
     if (!given.twists.empty()) command.request.twists = given.twists;
   }
   check_output_directory(command.output);
-  FenchelNielsen coordinates = [&] {
+  const FenchelNielsen coordinates = [&] {
     try {
       return resolve(command.request);
     } catch (const std::invalid_argument& error) {

@@ -106,12 +106,11 @@ class Refinement {
     const auto centre_in_chart = triangulation_.circumcentre_fast(t);
     const std::uint32_t chart = triangulation_.chart_of(t);
     if (centre_in_chart && norm(*centre_in_chart) <= kChartRadius * kChartRadius) {
-      if (options_.insertion == Insertion::cavity) {
-        if (triangulation_.insert_locally(t, *centre_in_chart, apart_, large_, new_triangles_)) {
-          queue_.push_back({new_triangles_.large_slots.data(), new_triangles_.large_count});
-          statistics_.flips += new_triangles_.count - 3;
-          return;
-        }
+      if (options_.insertion == Insertion::cavity &&
+          triangulation_.insert_locally(t, *centre_in_chart, apart_, large_, new_triangles_)) {
+        queue_.push_back({new_triangles_.large_slots.data(), new_triangles_.large_count});
+        statistics_.flips += new_triangles_.count - 3;
+        return;
       }
       if (insert(t, {chart, *centre_in_chart, kIdentity}, true)) {
         return;

@@ -1,13 +1,12 @@
 #include "epsnet/netgen/start.h"
 
-#include <cmath>
 #include <optional>
 #include <vector>
 
 namespace epsnet {
 namespace {
 
-/// Contracts the edges that `goes(from, to)` names, from `from` into `to`.
+/// Contracts darts that `goes` names, their starts into their ends, if these are different vertices.
 template <class Goes>
 class Reduction {
  public:
