@@ -1,0 +1,36 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+#include "epsnet/netgen/certified_net.h"
+#include "epsnet/triangulation/surface.h"
+#include "epsnet/triangulation/triangulation.h"
+
+/// The commands of the program `epsnet`, a file each: what the command line says of them, and what they do.
+namespace epsnet::program {
+
+/// What the command line asks for, to be run once it is read.
+using Job = std::function<void()>;
+
+// Each adds a command to the program, which sets `chosen` where it is called.
+void add_surface_command(CLI::App& app, Job& chosen);
+void add_net_command(CLI::App& app, Job& chosen);
+void add_dirichlet_command(CLI::App& app, Job& chosen);
+void add_draw_command(CLI::App& app, Job& chosen);
+void add_info_command(CLI::App& app, Job& chosen);
+void add_export_command(CLI::App& app, Job& chosen);
+
+// Options that several commands have.
+
+/// -o FILE, required. `what` says what is written.
+void add_output(CLI::App& command, std::string& output, const char* what);
+/// --threads N.
+void add_threads(CLI::App& command, unsigned& threads);
+/// The point that --base names: "tile,x,y", or "tile": the centre of the tile. Throws UsageError.
+[[nodiscard]] BasePoint parse_base(const std::string& text, const Surface& surface);
+/// The value of --epsilon. Throws UsageError.
+[[nodiscard]] Epsilon parse_epsilon(const std::string& text);
+
+}  // namespace epsnet::program

@@ -1,0 +1,165 @@
+#include <sys/resource.h>
+#include <sys/sysinfo.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <csignal>
+#include <cstdint>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <new>
+#include <string>
+#include <string_view>
+
+#include "epsnet/certify/reader.h"
+#include "epsnet/netgen/atomic_file.h"
+#include "epsnet/netgen/domain_format.h"
+#include "epsnet/netgen/fenchel_nielsen_request.h"
+#include "epsnet/netgen/net_geometry.h"
+#include "epsnet/netgen/program/commands.h"
+#include "epsnet/netgen/program/output.h"
+#include "epsnet/netgen/triangulation_stream.h"
+
+/// The program `epsnet`: makes surfaces, computes and certifies nets, draws them, and says what is in files.
+namespace {
+
+using namespace epsnet;
+using namespace epsnet::program;
+
+// Nothing but these is ever returned.
+constexpr int kExitFine = 0;
+constexpr int kExitFailed = 1;
+constexpr int kExitUsage = 64;
+constexpr int kExitInternal = 70;
+
+/// One line: no text of a file or of the command line can start another.
+std::string one_line(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 32 || code == 127) c = code == '\n' ? ' ' : '?';
+  }
+  return result;
+}
+
+int fail(int code, std::string_view text) {
+  std::cerr << "epsnet: " << one_line(text) << '\n';
+  return code;
+}
+
+// Address sanitizer reserves terabytes of addresses.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kLimitMemory = false;
+#elif defined(__has_feature)
+constexpr bool kLimitMemory = !__has_feature(address_sanitizer);
+#else
+constexpr bool kLimitMemory = true;
+#endif
+
+/// Memory that the machine does not have makes std::bad_alloc and one clear line, not the end of other programs.
+void limit_memory() {
+  if (!kLimitMemory) return;
+  struct sysinfo machine = {};
+  struct rlimit limit = {};
+  if (sysinfo(&machine) != 0 || getrlimit(RLIMIT_AS, &limit) != 0) return;
+  rlim_t bytes = (rlim_t{machine.totalram} + machine.totalswap) * machine.mem_unit;
+  if (std::ifstream group("/sys/fs/cgroup/memory.max"); group) {
+    std::uint64_t allowed = 0;
+    if (group >> allowed) bytes = std::min<rlim_t>(bytes, allowed);
+  }
+  limit.rlim_cur = std::min(limit.rlim_cur, bytes);
+  (void)setrlimit(RLIMIT_AS, &limit);
+}
+
+int run(int argc, char** argv) {
+  Job chosen;
+  CLI::App app(
+      "Epsilon-nets of closed hyperbolic surfaces, each with a proof.\n"
+      "An epsilon-net: every point of the surface is within epsilon of a vertex, and vertices are at least epsilon "
+      "apart.",
+      "epsnet");
+  // 0: an unknown command is then named; a missing one is found below.
+  app.require_subcommand(0, 1);
+  add_surface_command(app, chosen);
+  add_net_command(app, chosen);
+  add_dirichlet_command(app, chosen);
+  add_draw_command(app, chosen);
+  add_info_command(app, chosen);
+  add_export_command(app, chosen);
+  app.footer(
+      "Example:\n"
+      "  epsnet surface octagon --seed 123 -o s.json\n"
+      "  epsnet net s.json --epsilon 0.1 -o net.json --svg net.svg\n"
+      "  certify net.json\n\n"
+      "Exit codes: 0 fine, 1 the job failed, 64 wrong usage, 70 internal fault.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    app.exit(success);  // --help
+    std::cout.flush();
+    return std::cout ? kExitFine : fail(kExitFailed, "cannot write to standard output");
+  } catch (const CLI::ParseError& error) {
+    return fail(kExitUsage, std::string(error.what()) + " (try --help)");
+  }
+
+  if (!chosen)
+    return fail(kExitUsage, app.got_subcommand("surface")
+                                ? "surface: which one, octagon, fenchel-nielsen, regular or import? (try --help)"
+                                : "which command, surface, net, dirichlet, draw, info or export? (try --help)");
+
+  try {
+    chosen();
+    return kExitFine;
+  } catch (const UsageError& error) {
+    return fail(kExitUsage, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(kExitFailed, "not enough memory");
+  } catch (const JobError& error) {
+    return fail(kExitFailed, error.what());
+  } catch (const certify::FileError& error) {
+    return fail(kExitFailed, error.what());
+  } catch (const certify::MalformedError& error) {
+    return fail(kExitFailed, error.what());
+  } catch (const SurfaceError& error) {
+    return fail(kExitFailed, error.what());
+  } catch (const FenchelNielsenRequestError& error) {
+    return fail(kExitFailed, error.what());
+  } catch (const DomainError& error) {
+    return fail(kExitFailed, error.what());
+  } catch (const TriangulationStreamError& error) {
+    return fail(kExitFailed, error.what());
+  } catch (const NetError& error) {
+    return fail(kExitFailed, error.what());
+  } catch (const NetGeometryError& error) {
+    return fail(kExitFailed, error.what());
+  } catch (const WriteError& error) {
+    return fail(kExitFailed, error.what());
+  }
+}
+
+/// The end for everything that cannot be caught: GMP and FLINT out of memory, std::terminate, a crash.
+/// Async-signal-safe.
+[[noreturn]] void end_on_signal(int) {
+  constexpr std::string_view kText = "epsnet: internal fault\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, kText.data(), kText.size());
+  _exit(kExitInternal);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  for (const int signal : {SIGABRT, SIGFPE, SIGSEGV, SIGBUS, SIGILL}) std::signal(signal, end_on_signal);
+  // Errors of writing, then, with a message.
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
+  std::ios::sync_with_stdio(false);
+  limit_memory();
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    return fail(kExitInternal, std::string("internal fault: ") + error.what());
+  } catch (...) {
+    return fail(kExitInternal, "internal fault");
+  }
+}

@@ -1,0 +1,152 @@
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "epsnet/certify/writer.h"
+#include "epsnet/netgen/exchange.h"
+#include "epsnet/netgen/fenchel_nielsen_request.h"
+#include "epsnet/netgen/octagon.h"
+#include "epsnet/netgen/program/commands.h"
+#include "epsnet/netgen/program/output.h"
+#include "epsnet/netgen/surface_file.h"
+
+namespace epsnet::program {
+namespace {
+
+struct SurfaceRequest {
+  std::int32_t seed = 0;
+  std::uint32_t genus = 0;
+  std::string file;
+  ExchangeFormat format = ExchangeFormat::automatic;
+  std::string output;
+};
+
+void write_surface_file(const Surface& surface, const std::string& output) {
+  const certify::Surface document = to_document(surface);
+  write_output(output, [&](std::ostream& out) { certify::write_surface(document, out); });
+}
+
+struct FenchelNielsenCommand {
+  FenchelNielsenRequest request;
+  std::string file;
+  std::string output;
+};
+
+void make_fenchel_nielsen(FenchelNielsenCommand command) {
+  if (!command.file.empty()) {
+    const FenchelNielsenRequest given = command.request;
+    command.request = load_fenchel_nielsen(command.file);
+    // The command line comes before the file.
+    if (!given.graph.empty()) command.request.graph = given.graph;
+    if (given.genus) command.request.genus = given.genus;
+    if (given.seed) command.request.seed = given.seed;
+    if (!given.lengths.empty()) command.request.lengths = given.lengths;
+    if (!given.twists.empty()) command.request.twists = given.twists;
+  }
+  check_output_directory(command.output);
+  const FenchelNielsen coordinates = [&] {
+    try {
+      return resolve(command.request);
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(error.what());
+    }
+  }();
+  write_surface_file(fenchel_nielsen_surface(coordinates), command.output);
+}
+
+void make_regular(const SurfaceRequest& request) {
+  write_surface_file(Surface::regular(request.genus), request.output);
+}
+
+void make_octagon(const SurfaceRequest& request) { write_surface_file(random_octagon(request.seed), request.output); }
+
+void import_surface(const SurfaceRequest& request) {
+  write_surface_file(import_surface_file(request.file, request.format), request.output);
+}
+
+}  // namespace
+
+void add_surface_command(CLI::App& app, Job& chosen) {
+  CLI::App* surface = app.add_subcommand("surface", "Make a surface file.");
+  surface->require_subcommand(0, 1);
+  surface->footer("Example:\n  epsnet surface fenchel-nielsen --genus 7 --seed 3 -o s.json");
+
+  const auto octagon_request = std::make_shared<SurfaceRequest>();
+  CLI::App* octagon = surface->add_subcommand(
+      "octagon", "A random surface of genus 2: a symmetric octagon, the same as CGAL 6.1 makes from that seed.");
+  octagon->add_option("--seed", octagon_request->seed, "a 32-bit integer; the same seed gives the same surface")
+      ->required()
+      ->option_text("N REQUIRED");
+  add_output(*octagon, octagon_request->output, "the surface file to write");
+  octagon->footer("Example:\n  epsnet surface octagon --seed 123 -o s.json");
+  octagon->callback([&chosen, octagon_request] { chosen = [octagon_request] { make_octagon(*octagon_request); }; });
+
+  const auto fenchel_request = std::make_shared<FenchelNielsenCommand>();
+  FenchelNielsenCommand& pants = *fenchel_request;
+  CLI::App* fenchel = surface->add_subcommand(
+      "fenchel-nielsen",
+      "A surface of any genus from its Fenchel-Nielsen coordinates, exact and within 2^-50 of them. What is left out "
+      "is drawn with the seed: lengths between 1 and 4, any twist.");
+  fenchel->add_option("--genus", pants.request.genus, "2 or more; not needed with a list of edges")->option_text("G");
+  fenchel->add_option("--seed", pants.request.seed, "the same seed gives the same surface")->option_text("N");
+  fenchel
+      ->add_option("--pants-graph", pants.request.graph,
+                   "a trivalent graph: its edges as in \"0-1 0-1 0-1\", a node for each pair of pants, or one of the "
+                   "named ones")
+      ->option_text("chain|ring|tree|random|EDGES [random]");
+  fenchel->add_option("--lengths", pants.request.lengths, "of the cuffs, in the order of the edges, or one for all")
+      ->delimiter(',')
+      ->option_text("L,L,...");
+  fenchel
+      ->add_option("--twists", pants.request.twists, "as hyperbolic lengths, or one for all; a full turn is the length")
+      ->delimiter(',')
+      ->option_text("T,T,...");
+  fenchel
+      ->add_option("--from", pants.file,
+                   "a JSON object with members graph, genus, seed, lengths, twists; options given here come first")
+      ->option_text("FILE");
+  add_output(*fenchel, pants.output, "the surface file to write");
+  fenchel->footer(
+      "Example:\n"
+      "  epsnet surface fenchel-nielsen --genus 7 --seed 3 -o s.json\n"
+      "  epsnet surface fenchel-nielsen --pants-graph \"0-0 0-1 1-1\" --lengths 1,1e-8,2 --twists 0,0.5,1 -o s.json\n\n"
+      "Twist 0: on each cuff of a pair of pants a mark, the foot of the common perpendicular with its next cuff; the\n"
+      "two marks meet. docs/fenchel-nielsen.md has the conventions.");
+  fenchel->callback(
+      [&chosen, fenchel_request] { chosen = [fenchel_request] { make_fenchel_nielsen(*fenchel_request); }; });
+
+  const auto regular_request = std::make_shared<SurfaceRequest>();
+  CLI::App* regular = surface->add_subcommand(
+      "regular", "The regular 4g-gon with opposite sides glued, itself and not a rational neighbour: Bolza for g = 2.");
+  regular->add_option("--genus", regular_request->genus, "2 to 1000")->required()->option_text("G REQUIRED");
+  add_output(*regular, regular_request->output, "the surface file to write");
+  regular->footer("Example:\n  epsnet surface regular --genus 2 -o bolza.json");
+  regular->callback([&chosen, regular_request] { chosen = [regular_request] { make_regular(*regular_request); }; });
+
+  const auto import_request = std::make_shared<SurfaceRequest>();
+  CLI::App* import_command = surface->add_subcommand(
+      "import",
+      "A surface of any genus from a text of CGAL, checked exactly: a polygon with rational vertices (domain) or "
+      "triangles with rational cross-ratios and an anchor (triangulation).");
+  import_command->add_option("FILE", import_request->file, "the text (docs/exchange-formats.md)")
+      ->required()
+      ->option_text("REQUIRED");
+  import_command
+      ->add_option("--format", import_request->format,
+                   "what FILE is; auto tells by its second word, \"yes\" or \"no\" in a triangulation")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, ExchangeFormat>{{"auto", ExchangeFormat::automatic},
+                                                {"domain", ExchangeFormat::domain},
+                                                {"triangulation", ExchangeFormat::triangulation}}))
+      ->option_text("auto|domain|triangulation [auto]");
+  add_output(*import_command, import_request->output, "the surface file to write");
+  import_command->footer(
+      "Example:\n"
+      "  epsnet surface import polygon.txt -o s.json\n"
+      "  epsnet surface import triangulation.txt -o s.json");
+  import_command->callback(
+      [&chosen, import_request] { chosen = [import_request] { import_surface(*import_request); }; });
+}
+
+}  // namespace epsnet::program
