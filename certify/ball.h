@@ -117,6 +117,7 @@ inline void set_rational(arb_ptr result, const mpq_class& value, slong precision
 struct Interval {
   double lower;
   double upper;
+  bool operator==(const Interval&) const = default;
 };
 
 /// The next binary64 below (above) x.

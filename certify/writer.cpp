@@ -121,18 +121,7 @@ void write_surface_object(Buffer& buffer, const Surface& surface) {
   buffer.text("}");
 }
 
-}  // namespace
-
-void write_surface(const Surface& surface, std::ostream& out) {
-  Buffer buffer(out);
-  buffer.text("{\"format\":\"epsnet-surface\",\"version\":1,\n\"surface\":");
-  write_surface_object(buffer, surface);
-  buffer.text("}\n");
-  buffer.flush();
-}
-
-void write_net(const Document& document, std::ostream& out) {
-  Buffer buffer(out);
+void write_net_object(Buffer& buffer, const Document& document) {
   buffer.text("{\"format\":\"epsnet-net\",\"version\":1,\n\"surface\":");
   write_surface_object(buffer, document.surface);
   buffer.text(",\n\"epsilon\":");
@@ -181,6 +170,92 @@ void write_net(const Document& document, std::ostream& out) {
     buffer.number(t.label[1]);
     buffer.text("]");
   });
+  buffer.text("}");
+}
+
+const char* claim_text(Claim claim) {
+  switch (claim) {
+    case Claim::systole:
+      return "systole";
+    case Claim::spectrum:
+      return "spectrum";
+    case Claim::thick_thin:
+      break;
+  }
+  return "thick-thin";
+}
+
+const char* truth_text(bool value) { return value ? "true" : "false"; }
+
+void write_geodesic(Buffer& buffer, const ClosedGeodesic& geodesic) {
+  buffer.text("{\"vertex\":");
+  buffer.number(geodesic.vertex);
+  buffer.text(",\"word\":");
+  write_list(buffer, geodesic.word, [&](std::uint32_t side) { buffer.number(side); });
+  buffer.text(",\"length\":[");
+  buffer.number(geodesic.length.lower);
+  buffer.text(",");
+  buffer.number(geodesic.length.upper);
+  buffer.text("],\"simple\":");
+  buffer.text(truth_text(geodesic.simple));
+  buffer.text("}");
+}
+
+void write_cluster(Buffer& buffer, const Cluster& cluster) {
+  buffer.text("{\"first\":");
+  buffer.number(cluster.first);
+  buffer.text(",\"count\":");
+  buffer.number(cluster.count);
+  buffer.text(",\"equal\":");
+  buffer.text(truth_text(cluster.equal));
+  buffer.text("}");
+}
+
+void write_piece(Buffer& buffer, const Piece& piece) {
+  buffer.text("{\"genus\":");
+  buffer.number(piece.genus);
+  buffer.text(",\"boundaries\":");
+  write_list(buffer, piece.boundaries, [&](const auto& side) { write_numbers(buffer, {side.first, side.second}); });
+  buffer.text("}");
+}
+
+}  // namespace
+
+void write_surface(const Surface& surface, std::ostream& out) {
+  Buffer buffer(out);
+  buffer.text("{\"format\":\"epsnet-surface\",\"version\":1,\n\"surface\":");
+  write_surface_object(buffer, surface);
+  buffer.text("}\n");
+  buffer.flush();
+}
+
+void write_net(const Document& document, std::ostream& out) {
+  Buffer buffer(out);
+  write_net_object(buffer, document);
+  buffer.text("\n");
+  buffer.flush();
+}
+
+void write_geodesics(const GeodesicsDocument& document, std::ostream& out) {
+  Buffer buffer(out);
+  buffer.text("{\"format\":\"epsnet-geodesics\",\"version\":1,\n\"claim\":");
+  buffer.string(claim_text(document.claim));
+  buffer.text(",\n\"net\":");
+  write_net_object(buffer, document.net);
+  if (document.claim == Claim::spectrum) {
+    buffer.text(",\n\"up_to\":");
+    buffer.string(document.up_to);
+  }
+  buffer.text(",\n\"geodesics\":");
+  write_rows(buffer, document.geodesics, [&](const ClosedGeodesic& row) { write_geodesic(buffer, row); });
+  if (document.claim != Claim::systole) {
+    buffer.text(",\n\"clusters\":");
+    write_rows(buffer, document.clusters, [&](const Cluster& row) { write_cluster(buffer, row); });
+  }
+  if (document.claim == Claim::thick_thin) {
+    buffer.text(",\n\"pieces\":");
+    write_rows(buffer, document.pieces, [&](const Piece& row) { write_piece(buffer, row); });
+  }
   buffer.text("}\n");
   buffer.flush();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <epsnet/certify/document.h>
+#include <epsnet/certify/geodesics_document.h>
 
 #include <iosfwd>
 
@@ -13,5 +14,8 @@ namespace epsnet::certify {
 void write_net(const Document& document, std::ostream& out);
 
 void write_surface(const Surface& surface, std::ostream& out);
+
+/// Writes the members that the document's claim has, and no others.
+void write_geodesics(const GeodesicsDocument& document, std::ostream& out);
 
 }  // namespace epsnet::certify
