@@ -70,13 +70,12 @@ certify::Document net_document(const Triangulation& triangulation, const Epsilon
   return net;
 }
 
-UncertifiedNet compute_net(const Surface& surface, const Epsilon& epsilon, const NetOptions& options) try {
+Triangulation net_triangulation(const Surface& surface, const Epsilon& epsilon, const NetOptions& options,
+                                NetStatistics& statistics) try {
   using Clock = std::chrono::steady_clock;
   const auto seconds_since = [](Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
-  UncertifiedNet result;
-  NetStatistics& statistics = result.statistics;
   const auto start = Clock::now();
   Triangulation triangulation(surface, options.base);
   statistics.initial_flips = triangulation.make_delaunay();
@@ -88,12 +87,18 @@ UncertifiedNet compute_net(const Surface& surface, const Epsilon& epsilon, const
   refine(triangulation, epsilon, options, statistics);
   statistics.refine_seconds = seconds_since(refinement);
   statistics.multiprecision = triangulation.multiprecision_count();
-  result.net = net_document(triangulation, epsilon);
-  statistics.charts = result.net.charts.size();
-  statistics.labels = result.net.labels.size();
-  return result;
+  return triangulation;
 } catch (const LimitError& error) {
   throw NetError(error.what());
+}
+
+UncertifiedNet compute_net(const Surface& surface, const Epsilon& epsilon, const NetOptions& options) {
+  UncertifiedNet result;
+  const Triangulation triangulation = net_triangulation(surface, epsilon, options, result.statistics);
+  result.net = net_document(triangulation, epsilon);
+  result.statistics.charts = result.net.charts.size();
+  result.statistics.labels = result.net.labels.size();
+  return result;
 }
 
 CertifiedNet certified_net(const Surface& surface, const Epsilon& epsilon, const NetOptions& options) {

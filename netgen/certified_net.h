@@ -75,11 +75,16 @@ struct UncertifiedNet {
 /// A triangulation as the plain data of a net file. Charts and labels that nothing uses are left out. O(size).
 [[nodiscard]] certify::Document net_document(const Triangulation& triangulation, const Epsilon& epsilon);
 
-/// Computes an ε-net of the surface by Delaunay refinement (thesis Algorithm IV.4.1), without its certificate.
+/// Computes an ε-net of the surface by Delaunay refinement (thesis Algorithm IV.4.1), as a triangulation that refers to
+/// the surface.
 ///
 /// The vertices of the surface's tiles are the start; of those closer than ε to each other some are removed.
 /// Deterministic.
 /// Throws NetError, std::bad_alloc.
+[[nodiscard]] Triangulation net_triangulation(const Surface& surface, const Epsilon& epsilon, const NetOptions& options,
+                                              NetStatistics& statistics);
+
+/// The same as a document, without its certificate.
 [[nodiscard]] UncertifiedNet compute_net(const Surface& surface, const Epsilon& epsilon,
                                          const NetOptions& options = {});
 

@@ -269,7 +269,7 @@ LabelId Atlas::inverse_of_other(LabelId f) {
 }
 
 template <class T>
-const Isometry<T>& Atlas::at_precision(LabelId l) {
+const Isometry<T>& Atlas::isometry_in(LabelId l) {
   if constexpr (std::is_same_v<T, double>) {
     return labels_[l - 1].rounded;
   } else if constexpr (std::is_same_v<T, Mp256>) {
@@ -296,7 +296,7 @@ const Isometry<T>& Atlas::at_precision(LabelId l) {
 template <class T>
 Complex<T> Atlas::lift(LabelId l, const Complex<double>& z) {
   const Complex<T> point = dyadic<T>(z);
-  return l == kIdentity ? point : at_precision<T>(l)(point);
+  return l == kIdentity ? point : isometry_in<T>(l)(point);
 }
 
 template <class T>
@@ -377,6 +377,8 @@ Atlas::Place Atlas::place(std::uint32_t c, const Complex<Mp1024>& z, bool exact)
 template Isometry<Mp256> Atlas::frame<Mp256>(std::uint32_t) const;
 template Isometry<Mp1024> Atlas::frame<Mp1024>(std::uint32_t) const;
 template Isometry<Mp4096> Atlas::frame<Mp4096>(std::uint32_t) const;
+template const Isometry<Mp256>& Atlas::isometry_in<Mp256>(LabelId);
+template const Isometry<Mp1024>& Atlas::isometry_in<Mp1024>(LabelId);
 template Complex<Mp256> Atlas::lift<Mp256>(LabelId, const Complex<double>&);
 template Complex<Mp1024> Atlas::lift<Mp1024>(LabelId, const Complex<double>&);
 template Complex<Mp4096> Atlas::lift<Mp4096>(LabelId, const Complex<double>&);

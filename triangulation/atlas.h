@@ -80,6 +80,11 @@ class Atlas {
   [[nodiscard]] const Isometry<double>& isometry(LabelId l) const { return labels_[l - 1].rounded; }
   [[nodiscard]] double error(LabelId l) const { return labels_[l - 1].error; }
 
+  /// The same, determinant 1, in Mp256 (about 200 bits), Mp1024 (620 bits, relative to the entries) or Mp4096 (2020).
+  /// Evaluated when first asked for.
+  template <class T>
+  [[nodiscard]] const Isometry<T>& isometry_in(LabelId l);
+
   /// The image of a point with |z| ≤ 0.75 under a label, to within `lift_error<T>()`.
   template <class T>
   [[nodiscard]] Complex<T> lift(LabelId l, const Complex<double>& z);
@@ -140,8 +145,6 @@ class Atlas {
   [[nodiscard]] Value<T> evaluate_to(double bits, std::uint32_t from, std::uint32_t to, const Word& word) const;
   template <class T>
   [[nodiscard]] Isometry<T> crossing(std::uint32_t s) const;
-  template <class T>
-  [[nodiscard]] const Isometry<T>& at_precision(LabelId l);
 
   const Surface* surface_;
   std::vector<Isometry<Mp256>> crossings_;

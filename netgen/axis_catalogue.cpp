@@ -1,0 +1,244 @@
+#include "epsnet/netgen/axis_catalogue.h"
+
+#include <array>
+#include <string>
+
+#include "epsnet/netgen/certified_net.h"
+
+namespace epsnet {
+namespace {
+
+// No walk is longer: a closed geodesic crosses a few triangles per unit of length, and walks across thin collars take
+// some tens of steps.
+constexpr std::size_t kMostSteps = 100'000;
+
+/// What is smaller than this, relative to what it was computed from, is 0: far above the rounding and far below
+/// anything else that a group with closed geodesics of moderate length has.
+template <class T>
+T zero_level() {
+  return boost::multiprecision::ldexp(T(1), std::is_same_v<T, Mp256> ? -80 : -200);
+}
+
+}  // namespace
+
+/// The functional that vanishes on the axis and is positive to the left of it: the fixed points z, |z| = 1, of
+/// f = (a, b) solve Im(b̄z) = Im a. Lorentz square sinh²(ℓ/2).
+template <class T>
+typename AxisCatalogue<T>::Vector AxisCatalogue<T>::axis_of(const Isometry<T>& f) {
+  return {{T(-f.b.y), f.b.x}, T(-f.a.y)};
+}
+
+template <class T>
+T AxisCatalogue<T>::determinant(const Vector& u, const Vector& v, const Vector& w) {
+  return cross(u.xi, v.xi) * w.tau + cross(v.xi, w.xi) * u.tau + cross(w.xi, u.xi) * v.tau;
+}
+
+template <class T>
+typename AxisCatalogue<T>::Vector AxisCatalogue<T>::image(const Isometry<T>& f, const Vector& x) {
+  const T tau = (norm(f.a) + norm(f.b)) * x.tau + 2 * dot(f.b, f.a * x.xi);
+  return {f.a * f.a * x.xi + f.b * f.b * conj(x.xi) + T(2 * x.tau) * (f.a * f.b), tau};
+}
+
+template <class T>
+bool AxisCatalogue<T>::same_axis(const Isometry<T>& f, const Isometry<T>& g) {
+  const Vector u = axis_of(f);
+  const Vector v = axis_of(g);
+  const T size = (norm(u.xi) + u.tau * u.tau) * (norm(v.xi) + v.tau * v.tau);
+  const Complex<T> across = v.tau * u.xi - u.tau * v.xi;
+  const T turn = cross(u.xi, v.xi);
+  const T level = zero_level<T>();
+  return norm(across) + turn * turn <= level * level * size;
+}
+
+/// Unit normals u, v of two lines have |⟨u, v⟩| < 1 exactly if the lines cross.
+template <class T>
+bool AxisCatalogue<T>::axes_cross(const Isometry<T>& f, const Isometry<T>& g) {
+  const Vector u = axis_of(f);
+  const Vector v = axis_of(g);
+  const T product = dot(u.xi, v.xi) - u.tau * v.tau;
+  return product * product < isometry_discriminant(f) * isometry_discriminant(g);
+}
+
+/// by ∘ f ∘ by⁻¹, with Re a > 0.
+template <class T>
+Isometry<T> AxisCatalogue<T>::conjugate(const Isometry<T>& by, const Isometry<T>& f) {
+  const Isometry<T> result = by * f * inverse(by);
+  return result.a.x < 0 ? Isometry<T>{-result.a, -result.b} : result;
+}
+
+template <class T>
+Isometry<T> AxisCatalogue<T>::label(LabelId l) {
+  return l == kIdentity ? Isometry<T>{} : triangulation_.atlas().template isometry_in<T>(l);
+}
+
+template <class T>
+typename AxisCatalogue<T>::Vector AxisCatalogue<T>::corner(std::uint32_t t, std::uint32_t i) {
+  const auto [vertex, l] = triangulation_.corner(t, i);
+  const Complex<T> z = convert<T>(triangulation_.vertex(vertex).z);
+  const T scale = 1 / (1 - norm(z));
+  const Vector x{T(2 * scale) * z, (1 + norm(z)) * scale};
+  return l == kIdentity ? x : image(label(l), x);
+}
+
+template <class T>
+Isometry<T> AxisCatalogue<T>::step_across(Dart d) {
+  return inverse(label(triangulation_.transition(d)));
+}
+
+template <class T>
+Isometry<T> AxisCatalogue<T>::element(const ReturnPath& path) {
+  Isometry<T> result = label(triangulation_.corner(triangle_of(path.end), corner_of(path.end)).label);
+  for (std::size_t i = path.darts.size(); i-- > 0;) {
+    result = label(triangulation_.transition(path.darts[i])) * result;
+  }
+  result = result * inverse(label(triangulation_.corner(triangle_of(path.start), corner_of(path.start)).label));
+  return result.a.x < 0 ? Isometry<T>{-result.a, -result.b} : result;
+}
+
+template <class T>
+T AxisCatalogue<T>::distance_from_axis(Dart start, const Isometry<T>& element) {
+  const T side = pairing(axis_of(element), corner(triangle_of(start), corner_of(start)));
+  using boost::multiprecision::abs;
+  using boost::multiprecision::asinh;
+  using boost::multiprecision::sqrt;
+  return asinh(T(abs(side) / sqrt(isometry_discriminant(element))));
+}
+
+/// Walks from a vertex to the triangle that contains the point of the axis nearest to it (visibility walk).
+template <class T>
+typename AxisCatalogue<T>::Place AxisCatalogue<T>::walk_to_axis(Dart start, const Isometry<T>& element) {
+  Place place{triangle_of(start), element};
+  const Vector x = corner(triangle_of(start), corner_of(start));
+  const Vector axis = axis_of(element);
+  // x minus its component along the normal of the axis; its length does not matter.
+  const T component = pairing(axis, x) / isometry_discriminant(element);
+  Vector foot{x.xi - component * axis.xi, T(x.tau + component * axis.tau)};
+  std::uint32_t entered = 3;
+  for (std::size_t steps = 0; steps < kMostSteps; ++steps) {
+    std::array<Vector, 3> corners;
+    for (std::uint32_t i = 0; i < 3; ++i) corners[i] = corner(place.triangle, i);
+    std::uint32_t leave = 3;
+    for (std::uint32_t i = 0; i < 3 && leave == 3; ++i) {
+      // A foot on an edge or a vertex is in every triangle there.
+      const T level = zero_level<T>() * corners[i].tau * corners[next(i)].tau * foot.tau;
+      if (i != entered && determinant(corners[i], corners[next(i)], foot) < -level) leave = i;
+    }
+    if (leave == 3) return place;
+    const Dart d = make_dart(place.triangle, leave);
+    const Isometry<T> across = step_across(d);
+    place = {triangle_of(triangulation_.opposite(d)), conjugate(across, place.element)};
+    entered = corner_of(triangulation_.opposite(d));
+    foot = image(across, foot);
+  }
+  throw NetError("the axis of a closed geodesic was not reached in " + std::to_string(kMostSteps) + " steps");
+}
+
+template <class T>
+std::optional<std::uint32_t> AxisCatalogue<T>::find(const Place& place) const {
+  for (const Known& known : axes_in_[place.triangle]) {
+    if (same_axis(known.element, place.element)) return known.geodesic;
+  }
+  return std::nullopt;
+}
+
+template <class T>
+std::optional<std::pair<typename AxisCatalogue<T>::Step, Dart>> AxisCatalogue<T>::step_in(const Place& place,
+                                                                                          bool& through_vertex) {
+  const Vector axis = axis_of(place.element);
+  const T size = boost::multiprecision::sqrt(T(norm(axis.xi) + axis.tau * axis.tau));
+  std::array<T, 3> side;
+  std::array<bool, 3> left;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const Vector x = corner(place.triangle, i);
+    side[i] = pairing(axis, x);
+    const bool on_axis = boost::multiprecision::abs(side[i]) <= zero_level<T>() * size * x.tau;
+    if (on_axis) side[i] = 0;
+    through_vertex = through_vertex || on_axis;
+    left[i] = side[i] >= 0;
+  }
+  if (left[0] == left[1] && left[1] == left[2]) return std::nullopt;
+  const std::uint32_t cut = left[1] == left[2] ? 0 : left[0] == left[2] ? 1 : 2;
+  // The geodesic leaves where the boundary, run through counterclockwise, comes from its right to its left.
+  std::uint32_t leave = 0;
+  while (left[leave] || !left[next(leave)]) ++leave;
+  const T position = side[cut] / (side[cut] - side[next(cut)]);
+  return std::pair{Step{place.triangle, place.element, cut, left[cut], position}, make_dart(place.triangle, leave)};
+}
+
+/// One period, from a triangle that contains a point of the axis.
+template <class T>
+std::vector<typename AxisCatalogue<T>::Step> AxisCatalogue<T>::follow(Place place, bool& through_vertex) {
+  std::vector<Step> steps;
+  std::uint32_t entered = 3;
+  while (steps.size() < kMostSteps) {
+    if (!steps.empty() && place.triangle == steps[0].triangle) {
+      // Back where it began: the same element, not another lift of the same geodesic.
+      if (same_axis(place.element, steps[0].element)) return steps;
+    }
+    const auto step = step_in(place, through_vertex);
+    Dart leave = 0;
+    if (step) {
+      steps.push_back(step->first);
+      leave = step->second;
+    } else {
+      // Pushed out of this triangle at a vertex or along an edge: around that vertex, or across that edge, it passes.
+      const Vector axis = axis_of(place.element);
+      std::optional<T> least;
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const auto distance = [&](std::uint32_t k) {
+          const Vector x = corner(place.triangle, k);
+          return T(boost::multiprecision::abs(pairing(axis, x)) / x.tau);
+        };
+        const T farther = std::max(distance(i), distance(next(i)));
+        if (i != entered && (!least || farther < *least)) {
+          least = farther;
+          leave = make_dart(place.triangle, i);
+        }
+      }
+      if (!steps.empty()) break;
+    }
+    place = {triangle_of(triangulation_.opposite(leave)), conjugate(step_across(leave), place.element)};
+    entered = corner_of(triangulation_.opposite(leave));
+  }
+  throw NetError("a closed geodesic could not be followed through the triangulation");
+}
+
+template <class T>
+bool AxisCatalogue<T>::is_simple(std::uint32_t geodesic, const std::vector<Step>& steps) const {
+  for (const Step& step : steps) {
+    for (const Known& other : axes_in_[step.triangle]) {
+      if (other.geodesic == geodesic && !same_axis(other.element, step.element) &&
+          axes_cross(other.element, step.element)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+template <class T>
+std::uint32_t AxisCatalogue<T>::find_or_add(const ReturnPath& path, const Isometry<T>& element) {
+  const Place place = walk_to_axis(path.start, element);
+  if (const auto known = find(place)) return *known;
+  bool through_vertex = false;
+  std::vector<Step> steps = follow(place, through_vertex);
+  // The place may be a triangle out of which the geodesic was pushed.
+  for (const Step& step : steps) {
+    if (const auto known = find({step.triangle, step.element})) return *known;
+  }
+  const auto number = static_cast<std::uint32_t>(geodesics_.size());
+  const auto enter = [&](const std::vector<Step>& passed) {
+    for (const Step& step : passed) axes_in_[step.triangle].push_back({number, step.element});
+  };
+  enter(steps);
+  // Directed the other way it is pushed to the other side, where the inverse of the element will look for it.
+  if (through_vertex) enter(follow({place.triangle, inverse(place.element)}, through_vertex));
+  const bool simple = is_simple(number, steps);
+  geodesics_.push_back({displacement_length(element), path, std::move(steps), simple});
+  return number;
+}
+
+template class AxisCatalogue<Mp256>;
+template class AxisCatalogue<Mp1024>;
+
+}  // namespace epsnet

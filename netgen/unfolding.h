@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "epsnet/kernel/isometry.h"
+#include "epsnet/triangulation/triangulation.h"
+
+namespace epsnet {
+
+/// A way through the triangulation from a vertex to a lift of the same vertex, which names an element of the group: the
+/// one that takes the vertex' lift at the start to the one at the end.
+struct ReturnPath {
+  Dart start;               ///< Leaves the vertex; its triangle is the first.
+  std::vector<Dart> darts;  ///< Crossed one after the other, each a dart of the triangle that is left.
+  Dart end;                 ///< Of the last triangle; leaves the lift of the vertex.
+};
+
+/// The lifts of a Delaunay triangulation around one of its vertices, in binary64.
+///
+/// Triangles are visited by reverse search (Avis, Fukuda): the parent of a lifted triangle is the one across the first
+/// of its edges whose line separates it from the vertex. Nothing is stored but the way back. In a Delaunay
+/// triangulation parents come to an end at the vertex (the visibility walk, thesis Theorem II.1), and the power of the
+/// vertex with respect to their circumcircles does not increase on the way there, which bounds the search. The visited
+/// triangle stays in its chart, and the vertex is carried into it: most steps are steps between triangles of one chart.
+class Unfolding {
+ public:
+  /// Evaluates everything once. `largest_circumradius` bounds the circumradii (hyperbolic). O(triangles).
+  Unfolding(Triangulation& triangulation, double largest_circumradius);
+
+  struct Search {
+    double displacement;  ///< Lifts as far away as this are reported (hyperbolic distance).
+    double translation;   ///< Of those the ones whose element has a translation length of at most this.
+  };
+
+  /// The ways to all lifts of a vertex that `search` asks for, not the vertex itself; from each pair of inverse
+  /// elements mostly one, ways to the same lift perhaps twice. Bounds are taken a little larger than given, so none is
+  /// missed to rounding. Time about the area of a disk of the radius `displacement` and two circumradii, in triangles.
+  /// Thread-safe.
+  [[nodiscard]] std::vector<ReturnPath> returns(std::uint32_t vertex, const Search& search) const;
+
+ private:
+  /// A vector of Minkowski space, (ξ, τ) with ξ = 2z/(1 − |z|²), τ = (1 + |z|²)/(1 − |z|²) for the point z of the disk;
+  /// or a linear functional on it.
+  struct Vector {
+    Complex<double> xi;
+    double tau;
+  };
+  struct Cell {
+    std::array<Vector, 3> corner;
+    std::array<Vector, 3> line;  ///< By dart: sinh of the distance from the edge's line, positive inside.
+    Vector power;                ///< 1 at the corners; cosh d(·, C)/cosh R for the circumcentre C and circumradius R.
+    std::array<std::uint32_t, 3> step;  ///< By dart: which isometry leads to the chart of the triangle across.
+  };
+  struct Visit;
+
+  [[nodiscard]] static Vector from_disk(const Complex<double>& z);
+  [[nodiscard]] static double pairing(const Vector& functional, const Vector& x) {
+    return functional.xi.x * x.xi.x + functional.xi.y * x.xi.y + functional.tau * x.tau;
+  }
+  [[nodiscard]] static Vector cross(const Vector& u, const Vector& v);
+  [[nodiscard]] static Vector image(const Isometry<double>& f, const Vector& x);
+  [[nodiscard]] Cell make_cell(Triangulation& triangulation, std::uint32_t t);
+  [[nodiscard]] bool is_child(const Visit& parent, std::uint32_t edge, const Vector& carried) const;
+  [[nodiscard]] Isometry<double> element(const std::vector<Visit>& way, std::uint32_t corner) const;
+  void report(const std::vector<Visit>& way, const Search& search, std::vector<ReturnPath>& found) const;
+
+  const Triangulation& triangulation_;
+  double largest_circumradius_;
+  std::vector<Cell> cells_;
+  std::vector<Isometry<double>> isometries_{{}};  ///< Number 0 is the identity.
+  std::vector<Dart> dart_of_vertex_;
+};
+
+}  // namespace epsnet
