@@ -12,9 +12,6 @@
 namespace epsnet::certify {
 namespace {
 
-constexpr long kLeastPrecision = 64;
-constexpr long kGreatestPrecision = 1L << 20;
-
 /// Writes the final verdict from the rules: the first refuted one, else the first undecided one, else verified.
 Certificate conclude(Certificate certificate) {
   for (const Verdict wanted : {Verdict::refuted, Verdict::undecided}) {

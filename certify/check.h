@@ -20,9 +20,15 @@ enum class Verdict { verified, refuted, undecided, malformed };
 /// "VERIFIED", "REFUTED", "UNDECIDED", "MALFORMED".
 [[nodiscard]] std::string_view name(Verdict verdict);
 
+/// Bits: the least and the greatest precision that a caller can ask for.
+inline constexpr long kLeastPrecision = 64;
+inline constexpr long kGreatestPrecision = 1L << 20;
+
 struct CheckOptions {
   unsigned threads = 0;       ///< 0: as many as the machine has cores. The result is the same for any number.
   long max_precision = 8192;  ///< Bits; beyond, a comparison is undecided. At least 64, at most 2²⁰.
+  /// Geodesics files only: lifted triangles visited; with more, a list is not decided to be complete.
+  std::uint64_t max_visits = 100'000'000;
   /// Called now and then, from the calling thread only, with a rule's name and the share done, 0 to 1.
   std::function<void(std::string_view, double)> progress = {};
 };
@@ -58,6 +64,15 @@ struct Enclosures {
   std::optional<Interval> shortest_loop;  ///< Absent where no edge is a loop.
 };
 
+/// What it took to check a geodesics file.
+struct GeodesicsCounts {
+  std::uint64_t geodesics = 0;
+  std::uint64_t lifted_triangles = 0;  ///< Visited in the search for geodesics that are missing.
+  std::uint64_t candidates = 0;        ///< Short elements that were found, each at each vertex near its axis.
+  std::uint64_t deep_vertices = 0;     ///< Vertices whose disks lie in collars.
+  std::uint64_t max_precision_used = 0;  ///< Bits.
+};
+
 /// The answer to `check`. There is no conversion to bool: compare `verdict`.
 struct Certificate {
   Verdict verdict = Verdict::undecided;
@@ -67,7 +82,8 @@ struct Certificate {
   /// that needs an earlier one which failed is not evaluated.
   std::vector<RuleReport> rules;
   Counts counts;
-  std::optional<Enclosures> enclosures;  ///< Present if the geometry was evaluated.
+  std::optional<Enclosures> enclosures;      ///< Present if the geometry was evaluated.
+  std::optional<GeodesicsCounts> geodesics;  ///< Present for a geodesics file whose net is verified.
 };
 
 /// Checks everything. A document of whatever content gives a certificate; exceptions mean that the machine failed

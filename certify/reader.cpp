@@ -1,3 +1,4 @@
+#include <epsnet/certify/geodesics_structure.h>
 #include <epsnet/certify/reader.h>
 #include <epsnet/certify/structure_check.h>
 #include <epsnet/certify/text.h>
@@ -232,6 +233,16 @@ Chart read_chart(simdjson::simdjson_result<value> row, const Place& at) {
   return chart;
 }
 
+void read_word(simdjson::simdjson_result<value> item, const Place& at, std::size_t& letters_in_all,
+               std::vector<std::uint32_t>& word) {
+  read_array(item, at, "a word, an array of side numbers",
+             [&](simdjson::simdjson_result<value> letter, std::size_t position) {
+               if (position >= kMaxWordLetters) fail(at, "the word has more than the limit of 10^6 letters");
+               if (++letters_in_all > kMaxLettersInAll) fail(at, "more than the limit of 10^7 letters in all");
+               word.push_back(read_index(letter, at));
+             });
+}
+
 Label read_label(simdjson::simdjson_result<value> row, const Place& at, std::size_t& letters_in_all) {
   Label label{};
   read_tuple(row, at, 3, "[from, to, word], two charts and an array of sides",
@@ -240,14 +251,7 @@ Label read_label(simdjson::simdjson_result<value> row, const Place& at, std::siz
                  (i == 0 ? label.from : label.to) = read_index(element, at);
                  return;
                }
-               read_array(element, at, "a word, an array of side numbers",
-                          [&](simdjson::simdjson_result<value> letter, std::size_t position) {
-                            if (position >= kMaxWordLetters)
-                              fail(at, "the word has more than the limit of 10^6 letters");
-                            if (++letters_in_all > kMaxLettersInAll)
-                              fail(at, "more than the limit of 10^7 letters in all");
-                            label.word.push_back(read_index(letter, at));
-                          });
+               read_word(element, at, letters_in_all, label.word);
              });
   return label;
 }
@@ -307,6 +311,102 @@ std::vector<Member> net_members(Document& document, std::size_t& letters_in_all)
            }}};
 }
 
+bool read_truth(simdjson::simdjson_result<value> item, const Place& at) {
+  return expect(item.get_bool(), at, "true or false");
+}
+
+Claim read_claim_name(simdjson::simdjson_result<value> item) {
+  const Place place{.member = "claim"};
+  const std::string_view text = expect(item.get_string(), place, "a string");
+  if (text == "systole") return Claim::systole;
+  if (text == "spectrum") return Claim::spectrum;
+  if (text == "thick-thin") return Claim::thick_thin;
+  fail(place, in_quotes(text) + " is not \"systole\", \"spectrum\" or \"thick-thin\"");
+}
+
+Interval read_interval(simdjson::simdjson_result<value> item, const Place& at) {
+  Interval interval{};
+  read_tuple(item, at, 2, "[lo, hi], two numbers", [&](simdjson::simdjson_result<value> element, std::size_t i) {
+    (i == 0 ? interval.lower : interval.upper) = read_binary64(element, at);
+  });
+  return interval;
+}
+
+ClosedGeodesic read_geodesic(simdjson::simdjson_result<value> row, const Place& at, std::size_t& letters_in_all) {
+  ClosedGeodesic geodesic;
+  read_members(expect(row.get_object(), at, "an object"), at,
+               {{"vertex", [&](auto item) { geodesic.vertex = read_index(item, at); }},
+                {"word", [&](auto item) { read_word(item, at, letters_in_all, geodesic.word); }},
+                {"length", [&](auto item) { geodesic.length = read_interval(item, at); }},
+                {"simple", [&](auto item) { geodesic.simple = read_truth(item, at); }}});
+  return geodesic;
+}
+
+Cluster read_cluster(simdjson::simdjson_result<value> row, const Place& at) {
+  Cluster cluster;
+  read_members(expect(row.get_object(), at, "an object"), at,
+               {{"first", [&](auto item) { cluster.first = read_index(item, at); }},
+                {"count", [&](auto item) { cluster.count = read_index(item, at); }},
+                {"equal", [&](auto item) { cluster.equal = read_truth(item, at); }}});
+  return cluster;
+}
+
+Piece read_piece(simdjson::simdjson_result<value> row, const Place& at) {
+  Piece piece;
+  const auto read_boundary = [&](simdjson::simdjson_result<value> item, std::size_t) {
+    std::array<std::uint32_t, 2> n{};
+    read_tuple(item, at, 2, "[geodesic, side], two indices",
+               [&](simdjson::simdjson_result<value> element, std::size_t i) { n[i] = read_index(element, at); });
+    piece.boundaries.emplace_back(n[0], n[1]);
+  };
+  read_members(
+      expect(row.get_object(), at, "an object"), at,
+      {{"genus", [&](auto item) { piece.genus = read_index(item, at); }},
+       {"boundaries", [&](auto item) { read_array(item, at, "an array of [geodesic, side]", read_boundary); }}});
+  return piece;
+}
+
+std::vector<Member> geodesics_members(GeodesicsDocument& document, std::size_t& letters_in_all) {
+  const Place place{.member = "geodesics file"};
+  const auto rows = [](const char* member, auto read_row) {
+    return [=](simdjson::simdjson_result<value> item) { read_rows(item, member, kMaxRows, read_row); };
+  };
+  using Row = simdjson::simdjson_result<value>;
+  return {text_member("format", "epsnet-geodesics", place),
+          version_member(place),
+          {"claim", [&](Row item) { document.claim = read_claim_name(item); }},
+          {"net",
+           [&](Row item) {
+             const Place at{.member = "net"};
+             read_members(expect(item.get_object(), at, "an object"), at, net_members(document.net, letters_in_all));
+           }},
+          {"geodesics", rows("geodesics", [&](Row row, const Place& at) {
+             document.geodesics.push_back(read_geodesic(row, at, letters_in_all));
+           })},
+          {"up_to",
+           [&](Row item) {
+             document.up_to = std::string(expect(item.get_string(), {.member = "up_to"}, "a decimal in a string"));
+           },
+           true},
+          {"clusters",
+           rows("clusters", [&](Row row, const Place& at) { document.clusters.push_back(read_cluster(row, at)); }),
+           true},
+          {"pieces", rows("pieces", [&](Row row, const Place& at) { document.pieces.push_back(read_piece(row, at)); }),
+           true}};
+}
+
+/// Which of the last three members of geodesics_members there must be is known only when all have been read.
+void check_members_of_claim(Claim claim, const std::vector<bool>& seen) {
+  const Place place{.member = "geodesics file"};
+  const auto expect_member = [&](std::size_t index, const char* name, bool wanted) {
+    if (seen[index] == wanted) return;
+    fail(place, (wanted ? "missing member " : "unknown member ") + in_quotes(name) + " for this claim");
+  };
+  expect_member(5, "up_to", claim == Claim::spectrum);
+  expect_member(6, "clusters", claim != Claim::systole);
+  expect_member(7, "pieces", claim == Claim::thick_thin);
+}
+
 /// Runs `read_document` on the parsed text and puts the file's name in front of every complaint.
 template <class ReadDocument>
 void parse(simdjson::padded_string_view text, std::string_view name, const ReadDocument& read_document) {
@@ -351,6 +451,28 @@ Surface parse_padded_surface(simdjson::padded_string_view text, std::string_view
     if (const auto problem = structure_problem(surface)) throw MalformedError(*problem);
   });
   return surface;
+}
+
+GeodesicsDocument parse_padded_geodesics(simdjson::padded_string_view text, std::string_view name) {
+  GeodesicsDocument document;
+  parse(text, name, [&](object members) {
+    std::size_t letters_in_all = 0;
+    const std::vector<bool> seen =
+        read_members(members, {.member = "geodesics file"}, geodesics_members(document, letters_in_all));
+    check_members_of_claim(document.claim, seen);
+    if (const auto problem = structure_problem(document)) throw MalformedError(*problem);
+  });
+  return document;
+}
+
+/// Whether the text begins to be an object with this format. Errors are for the reader proper.
+bool has_format(simdjson::padded_string_view text, std::string_view wanted) {
+  if (text.size() > kMaxFileBytes) return false;
+  simdjson::ondemand::parser parser;
+  simdjson::ondemand::document json;
+  std::string_view format;
+  if (parser.iterate(text).get(json)) return false;
+  return json["format"].get_string().get(format) == simdjson::SUCCESS && format == wanted;
 }
 
 /// The bytes of a regular file or of a pipe. Devices are refused: /dev/zero would never end.
@@ -409,6 +531,23 @@ Surface read_surface(const std::filesystem::path& path) {
 
 Surface parse_surface(std::string_view text, std::string_view name) {
   return parse_padded_surface(simdjson::padded_string(text), name);
+}
+
+GeodesicsDocument read_geodesics(const std::filesystem::path& path) {
+  std::string bytes = load(path);
+  return parse_padded_geodesics(padded(bytes), in_quotes(path.filename().string()));
+}
+
+GeodesicsDocument parse_geodesics(std::string_view text, std::string_view name) {
+  return parse_padded_geodesics(simdjson::padded_string(text), name);
+}
+
+std::variant<Document, GeodesicsDocument> read_claim(const std::filesystem::path& path) {
+  std::string bytes = load(path);
+  const simdjson::padded_string_view text = padded(bytes);
+  const std::string name = in_quotes(path.filename().string());
+  if (has_format(text, "epsnet-geodesics")) return parse_padded_geodesics(text, name);
+  return parse_padded_net(text, name);
 }
 
 }  // namespace epsnet::certify

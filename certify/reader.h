@@ -1,13 +1,15 @@
 #pragma once
 
 #include <epsnet/certify/document.h>
+#include <epsnet/certify/geodesics_document.h>
 
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <variant>
 
-/// The strict reader of net files and surface files, version 1 (docs/format.md is the law).
+/// The strict reader of net files, surface files and geodesics files, version 1 (docs/format.md is the law).
 ///
 /// Everything that the format does not allow is an error: an unknown, missing or repeated member, a wrong type, an
 /// index written as 1.0, a binary64 that overflows, text after the document, an index that points nowhere, a word that
@@ -37,5 +39,15 @@ class FileError : public std::runtime_error {
 
 /// Reads a surface file from memory; `name` stands for the file in messages. Throws MalformedError.
 [[nodiscard]] Surface parse_surface(std::string_view text, std::string_view name);
+
+/// Reads a geodesics file of at most 4 GiB. Throws FileError or MalformedError.
+[[nodiscard]] GeodesicsDocument read_geodesics(const std::filesystem::path& path);
+
+/// Reads a geodesics file from memory; `name` stands for the file in messages. Throws MalformedError.
+[[nodiscard]] GeodesicsDocument parse_geodesics(std::string_view text, std::string_view name);
+
+/// Reads a net file or a geodesics file of at most 4 GiB, whichever its member `format` says; anything else is taken for
+/// a net file. Throws FileError or MalformedError.
+[[nodiscard]] std::variant<Document, GeodesicsDocument> read_claim(const std::filesystem::path& path);
 
 }  // namespace epsnet::certify

@@ -1,0 +1,79 @@
+#include <epsnet/certify/chord_table.h>
+#include <epsnet/certify/darts.h>
+#include <epsnet/certify/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace epsnet::certify {
+namespace {
+
+/// Chords of one geodesic at most; of all, that is bounded by memory: some hundred bytes each.
+constexpr std::size_t kMaxChords = 100'000;
+/// The greatest exponent of a power, and the number of exponents that enclosures may leave; beyond, nothing is decided.
+constexpr double kMaxPower = 1e6;
+constexpr double kMaxExponents = 16;
+
+BallIsometry power_of(const BallIsometry& f, std::uint32_t exponent, slong precision) {
+  if (exponent == 1) return f;
+  BallIsometry result = power_of(f, exponent / 2, precision);
+  result = compose(result, result, precision);
+  return exponent % 2 == 0 ? result : compose(result, f, precision);
+}
+
+}  // namespace
+
+ChordTable::ChordTable(const LiftedPlane& plane, std::vector<Member> members, unsigned threads)
+    : plane_(plane), lists_(members.size()), lengths_(members.size()), places_(plane.net().triangles.size()) {
+  for (const Member& member : members) first_darts_.push_back(member.first_dart);
+  std::vector<char> found(members.size(), 0);
+  for_each_parallel(members.size(), threads, [&](unsigned, std::size_t i) {
+    choose_sign(members[i].element);
+    lengths_[i] = translation_length(members[i].element, plane.precision());
+    auto list = find_chords(plane, members[i].first_dart, members[i].element, kMaxChords);
+    found[i] = list.has_value();
+    if (list) lists_[i] = *std::move(list);
+  });
+  complete_ = std::find(found.begin(), found.end(), 0) == found.end();
+  for (std::uint32_t i = 0; i < lists_.size(); ++i) {
+    for (std::uint32_t k = 0; k < lists_[i].chords.size(); ++k) {
+      places_[lists_[i].chords[k].triangle].push_back({i, k});
+    }
+  }
+}
+
+Tri ChordTable::is_power(const Chord& chord, const BallIsometry& root, std::uint32_t exponent) const {
+  const std::uint32_t chart = chart_of_triangle(plane_.net(), chord.triangle);
+  BallIsometry power = power_of(root, exponent, plane_.precision());
+  choose_sign(power);
+  const Tri same = plane_.same(chart, chord.element, power);
+  if (same == Tri::yes) return same;
+  BallIsometry turned = inverse(power);
+  const Tri opposite = plane_.same(chart, chord.element, turned);
+  if (opposite == Tri::yes) return opposite;
+  return same == Tri::no && opposite == Tri::no ? Tri::no : Tri::unknown;
+}
+
+ChordTable::Match ChordTable::find(const Chord& chord, Interval length, std::uint32_t except) const {
+  Match match;
+  for (const Place place : places_[chord.triangle]) {
+    if (place.geodesic == except) continue;
+    // k l ∈ length for l in the member's enclosure: the exponents between two quotients, rounded outward.
+    const Interval member = lengths_[place.geodesic];
+    const double least = std::max(1.0, std::ceil(below(length.lower / member.upper)));
+    const double most = std::floor(above(length.upper / member.lower));
+    if (!(most < kMaxPower && most - least < kMaxExponents)) {
+      match.found = Tri::unknown;
+      continue;
+    }
+    for (double exponent = least; exponent <= most; ++exponent) {
+      const auto power = static_cast<std::uint32_t>(exponent);
+      const Tri answer = is_power(chord, this->chord(place).element, power);
+      if (answer == Tri::yes) return {Tri::yes, place.geodesic, power};
+      if (answer == Tri::unknown) match.found = Tri::unknown;
+    }
+  }
+  return match;
+}
+
+}  // namespace epsnet::certify

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <epsnet/certify/chords.h>
+
+#include <vector>
+
+namespace epsnet::certify {
+
+/// The chords of all geodesics of a list, by triangle, at one precision.
+class ChordTable {
+ public:
+  /// One geodesic's element, in the chart of the vertex that the dart leaves.
+  struct Member {
+    std::uint32_t first_dart;
+    BallIsometry element;
+  };
+
+  /// `complete()` is false if the chords of a member could not be found to this precision. Several threads work.
+  ChordTable(const LiftedPlane& plane, std::vector<Member> members, unsigned threads);
+
+  [[nodiscard]] bool complete() const { return complete_; }
+  [[nodiscard]] std::size_t size() const { return lists_.size(); }
+  [[nodiscard]] const ChordList& list(std::size_t geodesic) const { return lists_[geodesic]; }
+  [[nodiscard]] Interval length(std::size_t geodesic) const { return lengths_[geodesic]; }
+  [[nodiscard]] std::uint32_t first_dart(std::size_t geodesic) const { return first_darts_[geodesic]; }
+
+  struct Place {
+    std::uint32_t geodesic;
+    std::uint32_t chord;
+  };
+  /// All chords in a triangle.
+  [[nodiscard]] const std::vector<Place>& in_triangle(std::uint32_t triangle) const { return places_[triangle]; }
+  [[nodiscard]] const Chord& chord(Place place) const { return lists_[place.geodesic].chords[place.chord]; }
+
+  struct Match {
+    Tri found = Tri::no;
+    std::uint32_t geodesic = 0;
+    std::uint32_t power = 0;
+  };
+  /// Whether the chord's element, of the length given, is a power of a chord of the list or of the inverse of one, the
+  /// geodesic `except` left out. `unknown` if it may be.
+  [[nodiscard]] Match find(const Chord& chord, Interval length, std::uint32_t except = Chord::kNone) const;
+
+ private:
+  [[nodiscard]] Tri is_power(const Chord& chord, const BallIsometry& root, std::uint32_t exponent) const;
+
+  const LiftedPlane& plane_;
+  std::vector<std::uint32_t> first_darts_;
+  std::vector<ChordList> lists_;
+  std::vector<Interval> lengths_;
+  std::vector<std::vector<Place>> places_;
+  bool complete_ = true;
+};
+
+}  // namespace epsnet::certify

@@ -1,0 +1,253 @@
+#include <epsnet/certify/completeness_check.h>
+#include <epsnet/certify/darts.h>
+#include <epsnet/certify/orbit_search.h>
+#include <epsnet/certify/parallel.h>
+#include <epsnet/certify/text.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace epsnet::certify {
+namespace {
+
+/// Chords and steps of one candidate at most.
+constexpr std::size_t kMaxChords = 100'000;
+
+std::string text(Interval x) {
+  return std::string("[").append(shortest(x.lower)).append(", ").append(shortest(x.upper)).append("]");
+}
+
+}  // namespace
+
+/// All vertices at one precision.
+class CompletenessCheck::Pass {
+ public:
+  Pass(const CompletenessCheck& check, const LiftedPlane& plane, const ChordTable& table)
+      : check_(check), plane_(plane), net_(plane.net()), table_(table), first_darts_(first_darts(net_)),
+        cosh_half_(check.cosh_half_bound(plane.precision())) {
+    const slong precision = plane.precision();
+    Ball cosh_epsilon, squared_sinh;
+    set_rational(epsilon_.get(), *parse_decimal(net_.epsilon), precision);
+    arb_sinh_cosh(sinh_epsilon_.get(), cosh_epsilon.get(), epsilon_.get(), precision);
+    arb_tanh(tanh_epsilon_.get(), epsilon_.get(), precision);
+    // sinh(D/2) = sinh(L/2) cosh ε; cosh D = 1 + 2 sinh²(D/2).
+    arb_sqr(squared_sinh.get(), cosh_half_.get(), precision);
+    arb_sub_ui(squared_sinh.get(), squared_sinh.get(), 1, precision);
+    arb_sqr(cosh_epsilon.get(), cosh_epsilon.get(), precision);
+    arb_mul(squared_sinh.get(), squared_sinh.get(), cosh_epsilon.get(), precision);
+    arb_mul_2exp_si(cosh_distance_.get(), squared_sinh.get(), 1);
+    arb_add_ui(cosh_distance_.get(), cosh_distance_.get(), 1, precision);
+    arb_sqr(sinh_distance_.get(), cosh_distance_.get(), precision);
+    arb_sub_ui(sinh_distance_.get(), sinh_distance_.get(), 1, precision);
+    arb_sqrtpos(sinh_distance_.get(), sinh_distance_.get(), precision);
+  }
+
+  void examine(std::uint32_t v, Vertex& vertex) const {
+    vertex.text.clear();
+    if (examine_loops(v, vertex)) return;
+    const BallVector place = position(v);
+    std::vector<BallIsometry> known;
+    Tri answer = Tri::yes;
+    const auto report = [&](BallIsometry element) {
+      answer = judge(v, element, &place, known, vertex);
+      return answer == Tri::yes ? Search::go_on : Search::stop;
+    };
+    OrbitOutcome outcome{.limit_reached = true};
+    if (!is_hopeless()) {
+      outcome = search_orbit(plane_, first_darts_[v], cosh_distance_, sinh_distance_, tanh_epsilon_, check_.limit_,
+                             report);
+    }
+    vertex.visits += outcome.visits;
+    vertex.limit_reached = outcome.limit_reached;
+    vertex.complete = answer == Tri::yes && !outcome.complete ? Tri::unknown : answer;
+  }
+
+ private:
+  /// Whether triangles, each of area less than π, cannot cover a disk of radius D within the limit.
+  [[nodiscard]] bool is_hopeless() const {
+    Ball least, limit;
+    arb_mul_2exp_si(least.get(), cosh_distance_.get(), 1);
+    arb_sub_ui(least.get(), least.get(), 2, plane_.precision());
+    arb_set_ui(limit.get(), check_.limit_);
+    return !arb_is_finite(least.get()) || arb_gt(least.get(), limit.get()) != 0;
+  }
+
+  /// True if the vertex is deep; then its short loop is the only candidate.
+  bool examine_loops(std::uint32_t v, Vertex& vertex) const {
+    for (const std::uint32_t dart : check_.loops_[v]) {
+      BallIsometry element = compose(inverse(plane_.label(corner_label(net_, dart))),
+                                     plane_.label(corner_label(net_, next_dart(dart))), plane_.precision());
+      choose_sign(element);
+      if (!is_deep(v, element)) continue;
+      vertex.deep = true;
+      std::vector<BallIsometry> known;
+      vertex.complete = judge(v, element, nullptr, known, vertex);
+      return true;
+    }
+    return false;
+  }
+
+  /// sinh(l/2) < 1 and d + ε < w(l) = arsinh(1/sinh(l/2)), d the distance of the vertex from the axis: certainly.
+  [[nodiscard]] bool is_deep(std::uint32_t v, const BallIsometry& element) const {
+    const slong precision = plane_.precision();
+    Ball half_length, width, distance;
+    arb_sqr(half_length.get(), element.a.re(), precision);
+    arb_sub_ui(half_length.get(), half_length.get(), 1, precision);
+    arb_sqrt(half_length.get(), half_length.get(), precision);
+    Ball one;
+    arb_one(one.get());
+    if (certainly_less(half_length.get(), one.get()) != Tri::yes) return false;
+    arb_inv(width.get(), half_length.get(), precision);
+    arb_asinh(width.get(), width.get(), precision);
+    dot(distance.get(), axis_row(element, precision), position(v), precision);
+    arb_abs(distance.get(), distance.get());
+    arb_asinh(distance.get(), distance.get(), precision);
+    arb_add(distance.get(), distance.get(), epsilon_.get(), precision);
+    return certainly_less(distance.get(), width.get()) == Tri::yes;
+  }
+
+  /// The vertex in its own chart.
+  [[nodiscard]] BallVector position(std::uint32_t v) const {
+    return unit_vector(identity_isometry(), net_.vertices[v].x, net_.vertices[v].y, plane_.precision());
+  }
+
+  /// Whether the element, in the chart of vertex v, is no geodesic that the list lacks: `yes` if it is too long, the
+  /// identity, in the list, or (unless `place` is null) if its axis is further than ε from the vertex at `place`.
+  [[nodiscard]] Tri judge(std::uint32_t v, const BallIsometry& element, const BallVector* place,
+                          std::vector<BallIsometry>& known, Vertex& vertex) const {
+    const Tri shorter = certainly_less(element.a.re(), cosh_half_.get());
+    if (shorter == Tri::no) return Tri::yes;
+    const std::uint32_t chart = net_.vertices[v].chart;
+    const Tri trivial = plane_.same(chart, element, identity_isometry());
+    if (trivial == Tri::yes) return Tri::yes;
+    if (check_.document_.claim == Claim::systole) {
+      if (shorter == Tri::unknown || trivial == Tri::unknown) return Tri::unknown;
+      vertex.text = missing_text(v, element, "is shorter");
+      return Tri::no;
+    }
+    if (place != nullptr && is_far(element, *place)) return Tri::yes;
+    for (const BallIsometry& other : known) {
+      if (plane_.same(chart, element, other) == Tri::yes) return Tri::yes;
+    }
+    ++vertex.candidates;
+    const Tri found = is_listed(v, element);
+    if (found == Tri::yes) known.push_back(element);
+    if (found != Tri::no || shorter == Tri::yes) {
+      if (found == Tri::no) vertex.text = missing_text(v, element, "is not in the list");
+      return found;
+    }
+    return Tri::unknown;
+  }
+
+  [[nodiscard]] bool is_far(const BallIsometry& element, const BallVector& place) const {
+    Ball distance;
+    dot(distance.get(), axis_row(element, plane_.precision()), place, plane_.precision());
+    arb_abs(distance.get(), distance.get());
+    return certainly_less(sinh_epsilon_.get(), distance.get()) == Tri::yes;
+  }
+
+  [[nodiscard]] Tri is_listed(std::uint32_t v, const BallIsometry& element) const {
+    const Interval length = translation_length(element, plane_.precision());
+    Tri found = Tri::no;
+    const auto list = find_chords(plane_, first_darts_[v], element, kMaxChords, [&](const Chord& chord) {
+      const Tri here = table_.find(chord, length).found;
+      if (here != Tri::no) found = here;
+      return here != Tri::yes;
+    });
+    return list ? found : Tri::unknown;
+  }
+
+  [[nodiscard]] std::string missing_text(std::uint32_t v, const BallIsometry& element, const char* what) const {
+    return "a closed geodesic near vertex " + std::to_string(v) + " of length in " +
+           text(translation_length(element, plane_.precision())) + " " + what;
+  }
+
+  const CompletenessCheck& check_;
+  const LiftedPlane& plane_;
+  const Document& net_;
+  const ChordTable& table_;
+  std::vector<std::uint32_t> first_darts_;
+  Ball cosh_half_;
+  Ball epsilon_;
+  Ball sinh_epsilon_;
+  Ball tanh_epsilon_;
+  Ball cosh_distance_;
+  Ball sinh_distance_;
+};
+
+CompletenessCheck::CompletenessCheck(const GeodesicsDocument& document, const CheckOptions& options)
+    : document_(document), limit_(options.max_visits / std::max<std::size_t>(document.net.vertices.size(), 1)),
+      vertices_(document.net.vertices.size()), loops_(document.net.vertices.size()) {
+  const Document& net = document.net;
+  for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
+    const std::uint32_t v = start(net, dart);
+    if (v == start(net, next_dart(dart)) && dart < opposite(net, dart)) loops_[v].push_back(dart);
+  }
+}
+
+RuleReport CompletenessCheck::check(const LiftedPlane& plane, const ChordTable& table, unsigned threads) {
+  const Pass pass(*this, plane, table);
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
+    if (vertices_[v].complete == Tri::unknown && !vertices_[v].limit_reached) open.push_back(v);
+  }
+  for_each_parallel(open.size(), threads, [&](unsigned, std::size_t i) { pass.examine(open[i], vertices_[open[i]]); });
+
+  const auto find = [&](Tri wanted) {
+    return std::find_if(vertices_.begin(), vertices_.end(), [&](const Vertex& v) { return v.complete == wanted; });
+  };
+  if (const auto wrong = find(Tri::no); wrong != vertices_.end()) return {"complete", Verdict::refuted, wrong->text};
+  if (const auto left = find(Tri::unknown); left != vertices_.end()) {
+    const std::string name = "vertex " + std::to_string(left - vertices_.begin());
+    return {"complete", Verdict::undecided,
+            left->limit_reached
+                ? name + " needs more than " + std::to_string(limit_) + " lifted triangles, its share of the limit"
+                : name + ": not decided whether all geodesics near it are in the list, with " +
+                      std::to_string(plane.precision()) + " bits"};
+  }
+  if (document_.claim == Claim::systole) return {"complete", Verdict::verified, "no closed geodesic is shorter"};
+  return {"complete", Verdict::verified, "no primitive closed geodesic of length at most " + bound_name() + " is missing"};
+}
+
+bool CompletenessCheck::limit_reached() const {
+  return std::any_of(vertices_.begin(), vertices_.end(), [](const Vertex& v) { return v.limit_reached; });
+}
+
+std::uint64_t CompletenessCheck::visits() const {
+  return std::accumulate(vertices_.begin(), vertices_.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const Vertex& v) { return sum + v.visits; });
+}
+
+std::uint64_t CompletenessCheck::candidates() const {
+  return std::accumulate(vertices_.begin(), vertices_.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const Vertex& v) { return sum + v.candidates; });
+}
+
+std::uint64_t CompletenessCheck::deep_vertices() const {
+  return static_cast<std::uint64_t>(
+      std::count_if(vertices_.begin(), vertices_.end(), [](const Vertex& v) { return v.deep; }));
+}
+
+Ball CompletenessCheck::cosh_half_bound(slong precision) const {
+  Ball result;
+  switch (document_.claim) {
+    case Claim::thick_thin:
+      arb_sqrt_ui(result.get(), 2, precision);
+      return result;
+    case Claim::systole:
+      arb_set_d(result.get(), document_.geodesics[0].length.lower);
+      break;
+    case Claim::spectrum:
+      set_rational(result.get(), *parse_decimal(document_.up_to), precision);
+      break;
+  }
+  arb_mul_2exp_si(result.get(), result.get(), -1);
+  arb_cosh(result.get(), result.get(), precision);
+  return result;
+}
+
+std::string CompletenessCheck::bound_name() const {
+  return document_.claim == Claim::thick_thin ? "2 arsinh 1" : in_quotes(document_.up_to);
+}
+
+}  // namespace epsnet::certify

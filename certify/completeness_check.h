@@ -1,0 +1,54 @@
+#pragma once
+
+#include <epsnet/certify/check.h>
+#include <epsnet/certify/chord_table.h>
+#include <epsnet/certify/geodesics_document.h>
+
+#include <string>
+#include <vector>
+
+namespace epsnet::certify {
+
+/// Rule `complete`: every primitive closed geodesic of length at most L is in the list, or, for a systole, none is
+/// shorter than the lower end of its enclosure (docs/proof.md, section 11).
+///
+/// Vertex by vertex: what one precision decides is not asked again at the next. L is the `up_to` of a spectrum, 2 arsinh
+/// 1 for a thick-thin decomposition, and that lower end for a systole.
+class CompletenessCheck {
+ public:
+  /// Both must outlive the check. The document has no structure problem and its net is verified.
+  CompletenessCheck(const GeodesicsDocument& document, const CheckOptions& options);
+
+  /// Continues with the vertices that are still open; the table is that of the list's geodesics at the precision of the
+  /// plane. The report does not depend on the number of threads.
+  [[nodiscard]] RuleReport check(const LiftedPlane& plane, const ChordTable& table, unsigned threads);
+
+  /// Whether a vertex needs more visits than are allowed: more bits do not help.
+  [[nodiscard]] bool limit_reached() const;
+  [[nodiscard]] std::uint64_t visits() const;
+  [[nodiscard]] std::uint64_t candidates() const;
+  [[nodiscard]] std::uint64_t deep_vertices() const;
+
+  /// cosh(L/2).
+  [[nodiscard]] Ball cosh_half_bound(slong precision) const;
+  /// L in words.
+  [[nodiscard]] std::string bound_name() const;
+
+ private:
+  struct Vertex {
+    Tri complete = Tri::unknown;
+    bool deep = false;
+    bool limit_reached = false;
+    std::uint64_t visits = 0;
+    std::uint64_t candidates = 0;
+    std::string text;
+  };
+  class Pass;
+
+  const GeodesicsDocument& document_;
+  std::uint64_t limit_;  ///< Visits for one vertex.
+  std::vector<Vertex> vertices_;
+  std::vector<std::vector<std::uint32_t>> loops_;  ///< By vertex: darts from it to itself.
+};
+
+}  // namespace epsnet::certify

@@ -1,0 +1,269 @@
+#include <epsnet/certify/cut_surface.h>
+#include <epsnet/certify/darts.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+
+namespace epsnet::certify {
+namespace {
+
+constexpr slong kExactFrom = 128;
+
+/// The side of an axis on which a corner of one of its chords lies, over the ring of one kind of crossings.
+template <class CrossingsOfAKind>
+class ExactSide {
+ public:
+  using Number = typename CrossingsOfAKind::Number;
+
+  ExactSide(const Document& net, const LabelEvaluator& evaluator, const CrossingsOfAKind& crossings)
+      : net_(net), evaluator_(evaluator), crossings_(crossings) {}
+
+  /// The sign of ⟨n, X⟩, X the corner where `dart` starts; the element is the inverse of label `number` at the vertex
+  /// that `first_dart` leaves, carried along the path. Nothing if the numbers are too large.
+  [[nodiscard]] std::optional<int> sign_at(std::uint32_t number, std::uint32_t first_dart,
+                                           const std::vector<std::uint32_t>& path, std::uint32_t dart) const {
+    if (size(number, first_dart, path, dart) > CrossingsOfAKind::kMaxExactBits) return std::nullopt;
+    Isometry<Number> to_chart = label(corner_label(net_, first_dart));
+    for (const std::uint32_t crossed : path) {
+      const std::uint32_t here = corner_label(net_, crossed);
+      const std::uint32_t there = corner_label(net_, next_dart(opposite(net_, crossed)));
+      if (here == there) continue;
+      to_chart = compose(label(there), compose(inverse(label(here)), to_chart));
+      reduce(to_chart);
+    }
+    const Isometry<Number> element = compose(to_chart, compose(inverse(label(number)), inverse(to_chart)));
+    const Vertex& vertex = net_.vertices[start(net_, dart)];
+    const auto x = hyperboloid_vector(moved(label(corner_label(net_, dart)), exact_point(vertex.x, vertex.y)));
+    // The normal is (−Im b, Re b, Im a), with the sign of Re a.
+    const int value = sign(twice_real(element.b) * x.y - twice_imaginary(element.b) * x.x -
+                           twice_imaginary(element.a) * x.t);
+    return sign(twice_real(element.a)) * value;
+  }
+
+ private:
+  [[nodiscard]] Isometry<Number> label(std::uint32_t number) const {
+    return evaluator_.evaluate_exactly(crossings_, number);
+  }
+
+  [[nodiscard]] std::size_t size(std::uint32_t number, std::uint32_t first_dart, const std::vector<std::uint32_t>& path,
+                                 std::uint32_t dart) const {
+    std::size_t bits = evaluator_.exact_bits(number) + evaluator_.exact_bits(corner_label(net_, dart)) +
+                       2 * evaluator_.exact_bits(corner_label(net_, first_dart));
+    for (const std::uint32_t crossed : path) {
+      bits += 2 * evaluator_.exact_bits(corner_label(net_, crossed));
+      bits += 2 * evaluator_.exact_bits(corner_label(net_, next_dart(opposite(net_, crossed))));
+    }
+    return bits;
+  }
+
+  const Document& net_;
+  const LabelEvaluator& evaluator_;
+  const CrossingsOfAKind& crossings_;
+};
+
+/// A chord that separates corner `corner` of its triangle from the other two.
+struct Arc {
+  ChordTable::Place place;
+  std::uint32_t corner;
+  bool corner_is_left;
+};
+
+/// Sets of numbers that are joined.
+class Partition {
+ public:
+  explicit Partition(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
+  std::size_t find(std::size_t x) {
+    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
+    return x;
+  }
+  void join(std::size_t x, std::size_t y) { parent_[std::max(find(x), find(y))] = std::min(find(x), find(y)); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+class Cutter {
+ public:
+  Cutter(const LiftedPlane& plane, const LabelEvaluator& evaluator, const ChordTable& table,
+         const std::vector<std::uint32_t>& elements)
+      : plane_(plane), net_(plane.net()), evaluator_(evaluator), table_(table), elements_(elements),
+        first_darts_(first_darts(net_)), arcs_(3 * net_.triangles.size()) {}
+
+  std::optional<std::vector<Piece>> run() {
+    for (std::uint32_t t = 0; t < net_.triangles.size(); ++t) {
+      for (const ChordTable::Place place : table_.in_triangle(t)) {
+        if (!add_arc(t, place)) return std::nullopt;
+      }
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        if (!sort_arcs(3 * t + i)) return std::nullopt;
+      }
+    }
+    number_cells();
+    return pieces();
+  }
+
+ private:
+  /// The side of each corner, 1 for left; nothing if unknown.
+  std::optional<std::array<int, 3>> sides(ChordTable::Place place) const {
+    const Chord& chord = table_.chord(place);
+    std::array<int, 3> side = chord.side;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (side[i] != 0) continue;
+      const auto sign = plane_.precision() < kExactFrom ? std::nullopt : exact_side(place, 3 * chord.triangle + i);
+      if (!sign) return std::nullopt;
+      side[i] = *sign < 0 ? -1 : 1;
+    }
+    return side;
+  }
+
+  std::optional<int> exact_side(ChordTable::Place place, std::uint32_t dart) const {
+    const ChordList& list = table_.list(place.geodesic);
+    std::vector<std::uint32_t> path;
+    for (std::uint32_t k = place.chord; list.chords[k].parent != Chord::kNone; k = list.chords[k].parent) {
+      path.push_back(list.chords[k].dart);
+    }
+    path.insert(path.end(), list.approach.rbegin(), list.approach.rend());
+    std::reverse(path.begin(), path.end());
+    const std::uint32_t number = elements_[place.geodesic];
+    const std::uint32_t first = table_.first_dart(place.geodesic);
+    return std::visit(
+        [&](const auto& crossings) { return ExactSide(net_, evaluator_, crossings).sign_at(number, first, path, dart); },
+        evaluator_.crossings());
+  }
+
+  bool add_arc(std::uint32_t t, ChordTable::Place place) {
+    const auto side = sides(place);
+    if (!side) return false;
+    const int sum = (*side)[0] + (*side)[1] + (*side)[2];
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      // Two corners on one side make a sum of that sign; the third is alone.
+      if (std::abs(sum) == 1 && (*side)[i] == -sum) arcs_[3 * t + i].push_back({place, i, (*side)[i] > 0});
+    }
+    return true;
+  }
+
+  /// Sorts the arcs around the corner where the dart starts by their distance from it along the dart.
+  bool sort_arcs(std::uint32_t dart) {
+    bool decided = true;
+    // The chord meets the edge from X to Y at X⟨n, Y⟩ − Y⟨n, X⟩ up to a factor: nearer to X the smaller |⟨n, X⟩|/|⟨n, Y⟩|.
+    const auto nearer = [&](const Arc& x, const Arc& y) {
+      Ball left, right;
+      distance_product(left, x, dart, y, next_dart(dart));
+      distance_product(right, y, dart, x, next_dart(dart));
+      const Tri less = certainly_less(left.get(), right.get());
+      decided = decided && less != Tri::unknown;
+      return less == Tri::yes;
+    };
+    // Insertion, as a comparison that is not decided is no order, which std::sort must not meet.
+    std::vector<Arc>& arcs = arcs_[dart];
+    for (std::size_t i = 1; i < arcs.size(); ++i) {
+      for (std::size_t k = i; k > 0 && nearer(arcs[k], arcs[k - 1]); --k) std::swap(arcs[k], arcs[k - 1]);
+    }
+    return decided;
+  }
+
+  /// |⟨n, X⟩⟨m, Y⟩| for the arcs' normals n, m and the corners X, Y where two darts start.
+  void distance_product(Ball& result, const Arc& n, std::uint32_t x, const Arc& m, std::uint32_t y) const {
+    Ball factor;
+    dot(result.get(), table_.chord(n.place).axis, plane_.corner(x), plane_.precision());
+    dot(factor.get(), table_.chord(m.place).axis, plane_.corner(y), plane_.precision());
+    arb_mul(result.get(), result.get(), factor.get(), plane_.precision());
+    arb_abs(result.get(), result.get());
+  }
+
+  /// Cells of triangle t: the central one, then those around corner 0 outward from it, then corner 1, corner 2.
+  void number_cells() {
+    for (std::uint32_t t = 0; t < net_.triangles.size(); ++t) {
+      central_.push_back(cells_++);
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        around_.push_back(cells_);
+        cells_ += arcs_[3 * t + i].size();
+      }
+    }
+  }
+
+  /// The cell that is number `k` from the corner where the dart starts.
+  [[nodiscard]] std::size_t cell(std::uint32_t dart, std::size_t k) const {
+    return k < arcs_[dart].size() ? around_[dart] + k : central_[dart / 3];
+  }
+
+  /// The cell at segment k of the dart's edge, counted from where it starts.
+  [[nodiscard]] std::size_t cell_at(std::uint32_t dart, std::size_t k) const {
+    const std::size_t here = arcs_[dart].size();
+    return k <= here ? cell(dart, k) : cell(next_dart(dart), segments(dart) - 1 - k);
+  }
+
+  [[nodiscard]] std::size_t segments(std::uint32_t dart) const {
+    return arcs_[dart].size() + arcs_[next_dart(dart)].size() + 1;
+  }
+
+  std::optional<std::vector<Piece>> pieces() {
+    Partition partition(cells_);
+    for (std::uint32_t dart = 0; dart < arcs_.size(); ++dart) {
+      const std::uint32_t other = opposite(net_, dart);
+      const std::size_t count = segments(dart);
+      if (segments(other) != count) return std::nullopt;
+      for (std::size_t k = 0; k < count; ++k) partition.join(cell_at(dart, k), cell_at(other, count - 1 - k));
+    }
+    // χ of each component: vertices − segments of edges + cells, all open.
+    std::map<std::size_t, long> euler;
+    for (std::size_t c = 0; c < cells_; ++c) ++euler[partition.find(c)];
+    for (const std::uint32_t dart : first_darts_) ++euler[partition.find(cell_at(dart, 0))];
+    for (std::uint32_t dart = 0; dart < arcs_.size(); ++dart) {
+      if (opposite(net_, dart) < dart) continue;
+      for (std::size_t k = 0; k < segments(dart); ++k) --euler[partition.find(cell_at(dart, k))];
+    }
+    return components(partition, euler);
+  }
+
+  std::optional<std::vector<Piece>> components(Partition& partition, const std::map<std::size_t, long>& euler) const {
+    std::map<std::size_t, Piece> by_root;
+    for (const auto& [root, unused] : euler) by_root[root];
+    std::vector<std::size_t> component(2 * table_.size(), cells_);
+    for (std::uint32_t dart = 0; dart < arcs_.size(); ++dart) {
+      for (std::size_t k = 0; k < arcs_[dart].size(); ++k) {
+        const Arc& arc = arcs_[dart][k];
+        const std::size_t inner = partition.find(cell(dart, k));
+        const std::size_t outer = partition.find(cell(dart, k + 1));
+        for (const std::uint32_t side : {0U, 1U}) {
+          const std::size_t found = arc.corner_is_left == (side == 0) ? inner : outer;
+          std::size_t& known = component[2 * std::size_t{arc.place.geodesic} + side];
+          if (known == cells_) by_root[found].boundaries.emplace_back(arc.place.geodesic, side);
+          if (known != cells_ && known != found) return std::nullopt;
+          known = found;
+        }
+      }
+    }
+    std::vector<Piece> result;
+    for (auto& [root, piece] : by_root) {
+      const long twice_genus = 2 - euler.at(root) - static_cast<long>(piece.boundaries.size());
+      if (twice_genus < 0 || twice_genus % 2 != 0) return std::nullopt;
+      piece.genus = static_cast<std::uint32_t>(twice_genus / 2);
+      std::sort(piece.boundaries.begin(), piece.boundaries.end());
+      result.push_back(std::move(piece));
+    }
+    return result;
+  }
+
+  const LiftedPlane& plane_;
+  const Document& net_;
+  const LabelEvaluator& evaluator_;
+  const ChordTable& table_;
+  const std::vector<std::uint32_t>& elements_;
+  std::vector<std::uint32_t> first_darts_;
+  std::vector<std::vector<Arc>> arcs_;  ///< By dart: those around the corner where it starts.
+  std::vector<std::size_t> central_;    ///< By triangle.
+  std::vector<std::size_t> around_;     ///< By dart: the first cell around its corner.
+  std::size_t cells_ = 0;
+};
+
+}  // namespace
+
+std::optional<std::vector<Piece>> cut_surface(const LiftedPlane& plane, const LabelEvaluator& evaluator,
+                                              const ChordTable& table, const std::vector<std::uint32_t>& elements) {
+  return Cutter(plane, evaluator, table, elements).run();
+}
+
+}  // namespace epsnet::certify

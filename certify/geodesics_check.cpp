@@ -1,0 +1,441 @@
+#include <epsnet/certify/chord_table.h>
+#include <epsnet/certify/completeness_check.h>
+#include <epsnet/certify/cut_surface.h>
+#include <epsnet/certify/geodesics_check.h>
+#include <epsnet/certify/geodesics_structure.h>
+#include <epsnet/certify/parallel.h>
+#include <epsnet/certify/surface_check.h>
+#include <epsnet/certify/text.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <thread>
+
+namespace epsnet::certify {
+namespace {
+
+/// Exact arithmetic is tried from this precision on.
+constexpr slong kExactFrom = 128;
+
+std::string geodesic_name(std::size_t i) { return "geodesic " + std::to_string(i); }
+
+std::string text(Interval x) {
+  return std::string("[").append(shortest(x.lower)).append(", ").append(shortest(x.upper)).append("]");
+}
+
+/// cosh(x/2) of a binary64.
+Ball cosh_half(double x, slong precision) {
+  Ball result;
+  arb_set_d(result.get(), x);
+  arb_mul_2exp_si(result.get(), result.get(), -1);
+  arb_cosh(result.get(), result.get(), precision);
+  return result;
+}
+
+/// The exact values of words from a tile to itself, over the ring of one kind of crossings.
+template <class CrossingsOfAKind>
+class ExactTraces {
+ public:
+  using Number = typename CrossingsOfAKind::Number;
+
+  ExactTraces(const LabelEvaluator& evaluator, const CrossingsOfAKind& crossings)
+      : evaluator_(evaluator), crossings_(crossings) {}
+
+  [[nodiscard]] bool feasible(std::uint32_t number) const {
+    return evaluator_.exact_bits(number) <= CrossingsOfAKind::kMaxExactBits;
+  }
+
+  /// Whether two labels have the same translation length: 4 cosh²(l/2) = tr²/det.
+  [[nodiscard]] bool equal(std::uint32_t number, std::uint32_t other) const {
+    const auto f = evaluator_.evaluate_exactly(crossings_, number);
+    const auto g = evaluator_.evaluate_exactly(crossings_, other);
+    const Real left = squared_trace(f) * determinant_of(g);
+    const Real right = squared_trace(g) * determinant_of(f);
+    return sign(left - right) == 0;
+  }
+
+  /// The sign of l − 2 arsinh 1: there tr²/det = 4·2.
+  [[nodiscard]] int compare_with_short(std::uint32_t number) const {
+    const auto f = evaluator_.evaluate_exactly(crossings_, number);
+    const Real determinant = determinant_of(f);
+    const Real twice = determinant + determinant;
+    const Real four_times = twice + twice;
+    return sign(squared_trace(f) - (four_times + four_times));
+  }
+
+ private:
+  using Real = decltype(norm(std::declval<Number>()));
+
+  [[nodiscard]] static Real squared_trace(const Isometry<Number>& f) {
+    const Real trace = twice_real(f.a);
+    return trace * trace;
+  }
+  [[nodiscard]] static Real determinant_of(const Isometry<Number>& f) { return norm(f.a) - norm(f.b); }
+
+  const LabelEvaluator& evaluator_;
+  const CrossingsOfAKind& crossings_;
+};
+
+/// The net with the words of the geodesics as further labels, which no triangle uses.
+Document extended(const GeodesicsDocument& document) {
+  Document net = document.net;
+  for (const ClosedGeodesic& geodesic : document.geodesics) {
+    const std::uint32_t chart = net.vertices[geodesic.vertex].chart;
+    net.labels.push_back({chart, chart, geodesic.word});
+  }
+  return net;
+}
+
+LabelParts label_parts(const Document& net) {
+  LabelParts parts{check_surface(net.surface).crossings, {}};
+  for (const Chart& chart : net.charts) parts.frames.push_back(translation_to(exact_point(chart.centre)));
+  return parts;
+}
+
+class GeodesicsCheck {
+ public:
+  GeodesicsCheck(const GeodesicsDocument& document, const CheckOptions& options, unsigned threads)
+      : document_(document), options_(options), threads_(threads), net_(extended(document)), parts_(label_parts(net_)),
+        evaluator_(net_, parts_), first_darts_(first_darts(net_)), elements_(document.geodesics.size()),
+        completeness_(document, options) {
+    std::iota(elements_.begin(), elements_.end(), static_cast<std::uint32_t>(document.net.labels.size()) + 1);
+    for (const char* rule : {"geodesics", "distinct", "simple", "equal", "complete", "pieces"}) {
+      reports_.push_back({rule, Verdict::undecided, "not decided"});
+    }
+  }
+
+  /// The reports of the rules that the claim needs.
+  std::vector<RuleReport> run() {
+    for (slong precision = std::min<slong>(64, options_.max_precision);;
+         precision = std::min<slong>(2 * precision, options_.max_precision)) {
+      precision_ = precision;
+      pass(precision);
+      // Nothing can be said about a list whose elements are wrong.
+      if (verdict(kGeodesics) == Verdict::refuted) {
+        reports_.resize(1);
+        return std::move(reports_);
+      }
+      if (precision >= options_.max_precision || all_decided()) break;
+    }
+    std::vector<RuleReport> result;
+    for (const Rule rule : {kGeodesics, kDistinct, kSimple, kEqual, kComplete, kPieces}) {
+      if (needed(rule)) result.push_back(std::move(reports_[rule]));
+    }
+    return result;
+  }
+
+  [[nodiscard]] GeodesicsCounts counts() const {
+    return {.geodesics = document_.geodesics.size(),
+            .lifted_triangles = completeness_.visits(),
+            .candidates = completeness_.candidates(),
+            .deep_vertices = completeness_.deep_vertices(),
+            .max_precision_used = static_cast<std::uint64_t>(precision_)};
+  }
+
+ private:
+  enum Rule : std::size_t { kGeodesics, kDistinct, kSimple, kEqual, kComplete, kPieces };
+
+  [[nodiscard]] Verdict verdict(Rule rule) const { return reports_[rule].verdict; }
+  [[nodiscard]] bool open(Rule rule) const { return needed(rule) && verdict(rule) == Verdict::undecided; }
+
+  [[nodiscard]] bool needed(Rule rule) const {
+    if (rule == kPieces) return document_.claim == Claim::thick_thin;
+    return document_.claim != Claim::systole || (rule != kDistinct && rule != kEqual);
+  }
+
+  /// Whether more bits can change nothing.
+  [[nodiscard]] bool all_decided() const {
+    for (const Rule rule : {kGeodesics, kDistinct, kSimple, kPieces}) {
+      if (open(rule)) return verdict(kSimple) == Verdict::refuted || verdict(kDistinct) == Verdict::refuted;
+    }
+    return !open(kComplete) || completeness_.limit_reached();
+  }
+
+  void report(Rule rule, Verdict verdict, std::string text) {
+    reports_[rule].verdict = verdict;
+    reports_[rule].text = std::move(text);
+  }
+
+  void progress(Rule rule) const {
+    if (options_.progress) options_.progress(reports_[rule].rule, 0);
+  }
+
+  /// All open rules at one precision.
+  void pass(slong precision) {
+    progress(kGeodesics);
+    const LiftedPlane plane(net_, evaluator_, parts_, precision, options_.max_precision, threads_);
+    if (open(kGeodesics)) check_lengths(plane);
+    if (open(kEqual)) check_equal();
+    if (verdict(kGeodesics) != Verdict::verified) return;
+    std::vector<ChordTable::Member> members;
+    for (std::size_t i = 0; i < elements_.size(); ++i) members.push_back({first_dart(i), element(plane, i)});
+    const ChordTable table(plane, std::move(members), threads_);
+    if (!table.complete()) {
+      for (const Rule rule : {kDistinct, kSimple, kComplete, kPieces}) {
+        if (open(rule)) reports_[rule].text = "not decided which triangles the geodesics meet, with " + bits();
+      }
+      return;
+    }
+    if (open(kDistinct)) check_distinct(table);
+    if (open(kSimple)) check_simple(plane, table);
+    if (open(kComplete)) {
+      progress(kComplete);
+      reports_[kComplete] = completeness_.check(plane, table, threads_);
+    }
+    if (open(kPieces) && verdict(kSimple) == Verdict::verified && verdict(kDistinct) == Verdict::verified) {
+      check_pieces(plane, table);
+    }
+  }
+
+  [[nodiscard]] std::string bits() const { return std::to_string(precision_) + " bits"; }
+  [[nodiscard]] std::uint32_t first_dart(std::size_t i) const { return first_darts_[document_.geodesics[i].vertex]; }
+
+  /// The element that translates along geodesic i in its direction: a path ends where the inverse of its word's value
+  /// takes its start.
+  [[nodiscard]] BallIsometry element(const LiftedPlane& plane, std::size_t i) const {
+    BallIsometry result = inverse(plane.label(elements_[i]));
+    choose_sign(result);
+    return result;
+  }
+
+  // Rule geodesics.
+
+  void check_lengths(const LiftedPlane& plane) {
+    for (const Tri wanted : {Tri::no, Tri::unknown}) {
+      for (std::size_t i = 0; i < elements_.size(); ++i) {
+        const BallIsometry f = element(plane, i);
+        const Tri enclosed = is_enclosed(f, document_.geodesics[i].length);
+        const Tri within = document_.claim == Claim::systole ? Tri::yes : is_within(f, i);
+        if (enclosed != wanted && within != wanted) continue;
+        const bool wrong = wanted == Tri::no;
+        const std::string actual = " has a length in " + text(translation_length(f, plane.precision()));
+        const std::string what = enclosed == wanted ? (wrong ? ", not in " : ", not decided whether in ") +
+                                                          text(document_.geodesics[i].length)
+                                                    : (wrong ? ", more than " : ", not decided whether at most ") +
+                                                          completeness_.bound_name();
+        report(kGeodesics, wrong ? Verdict::refuted : Verdict::undecided,
+               geodesic_name(i) + actual + what + (wrong ? "" : ", with " + bits()));
+        return;
+      }
+    }
+    report(kGeodesics, Verdict::verified,
+           std::to_string(elements_.size()) + " closed geodesics have lengths in their enclosures");
+  }
+
+  /// lo ≤ l ≤ hi; equality is impossible, as cosh(l/2) is algebraic.
+  [[nodiscard]] Tri is_enclosed(const BallIsometry& f, Interval length) const {
+    const Tri above_lower = certainly_less(cosh_half(length.lower, precision_).get(), f.a.re());
+    const Tri below_upper = certainly_less(f.a.re(), cosh_half(length.upper, precision_).get());
+    if (above_lower == Tri::no || below_upper == Tri::no) return Tri::no;
+    return above_lower == Tri::yes && below_upper == Tri::yes ? Tri::yes : Tri::unknown;
+  }
+
+  [[nodiscard]] Tri is_within(const BallIsometry& f, std::size_t i) const {
+    const Tri less = certainly_less(f.a.re(), completeness_.cosh_half_bound(precision_).get());
+    if (less != Tri::unknown || document_.claim != Claim::thick_thin || precision_ < kExactFrom) return less;
+    return std::visit(
+        [&](const auto& crossings) {
+          const ExactTraces traces(evaluator_, crossings);
+          if (!traces.feasible(elements_[i])) return Tri::unknown;
+          return traces.compare_with_short(elements_[i]) > 0 ? Tri::no : Tri::yes;
+        },
+        evaluator_.crossings());
+  }
+
+  // Rule equal.
+
+  void check_equal() {
+    std::size_t claimed = 0;
+    for (const Cluster& cluster : document_.clusters) {
+      if (!cluster.equal) continue;
+      ++claimed;
+      for (std::uint32_t i = cluster.first + 1; i < cluster.first + cluster.count; ++i) {
+        const Tri equal = lengths_equal(elements_[cluster.first], elements_[i]);
+        if (equal == Tri::yes) continue;
+        const std::string names = geodesic_name(cluster.first) + " and " + geodesic_name(i);
+        report(kEqual, equal == Tri::no ? Verdict::refuted : Verdict::undecided,
+               equal == Tri::no ? names + " have different lengths in a cluster of equal ones"
+                                : names + ": the words are too long to compare the lengths exactly");
+        return;
+      }
+    }
+    report(kEqual, Verdict::verified,
+           std::to_string(claimed) + " of " + std::to_string(document_.clusters.size()) +
+               " clusters consist of equal lengths, exactly");
+  }
+
+  [[nodiscard]] Tri lengths_equal(std::uint32_t number, std::uint32_t other) const {
+    return std::visit(
+        [&](const auto& crossings) {
+          const ExactTraces traces(evaluator_, crossings);
+          if (!traces.feasible(number) || !traces.feasible(other)) return Tri::unknown;
+          return traces.equal(number, other) ? Tri::yes : Tri::no;
+        },
+        evaluator_.crossings());
+  }
+
+  // Rule distinct.
+
+  void check_distinct(const ChordTable& table) {
+    std::vector<ChordTable::Match> matches(table.size());
+    for_each_parallel(table.size(), threads_, [&](unsigned, std::size_t i) {
+      const auto index = static_cast<std::uint32_t>(i);
+      for (const Chord& chord : table.list(i).chords) {
+        const ChordTable::Match match = table.find(chord, table.length(i), index);
+        if (match.found != Tri::no) matches[i] = match;
+        if (match.found == Tri::yes) return;
+      }
+    });
+    for (const Tri wanted : {Tri::yes, Tri::unknown}) {
+      for (std::size_t i = 0; i < matches.size(); ++i) {
+        if (matches[i].found != wanted) continue;
+        if (wanted == Tri::unknown) {
+          report(kDistinct, Verdict::undecided,
+                 geodesic_name(i) + ": not decided whether it occurs twice, with " + bits());
+          return;
+        }
+        const std::string power =
+            matches[i].power == 1 ? "" : ", run through " + std::to_string(matches[i].power) + " times";
+        report(kDistinct, Verdict::refuted,
+               geodesic_name(i) + " is " + geodesic_name(matches[i].geodesic) + power + ", up to orientation");
+        return;
+      }
+    }
+    report(kDistinct, Verdict::verified, "no two are the same and none is a power of another");
+  }
+
+  // Rule simple.
+
+  /// Whether two axes cross; different axes of the group have no common end.
+  [[nodiscard]] static Tri cross(const LiftedPlane& plane, const Chord& x, const Chord& y) {
+    Ball product, one;
+    arb_one(one.get());
+    lorentz_product(product.get(), x.axis, y.axis, plane.precision());
+    arb_abs(product.get(), product.get());
+    return certainly_less(product.get(), one.get());
+  }
+
+  /// Whether chords of two geodesics, or different chords of one, cross in one triangle.
+  [[nodiscard]] static Tri meet(const LiftedPlane& plane, const ChordTable& table, std::size_t i, bool with_others) {
+    Tri result = Tri::no;
+    for (std::uint32_t k = 0; k < table.list(i).chords.size(); ++k) {
+      const Chord& chord = table.list(i).chords[k];
+      for (const ChordTable::Place place : table.in_triangle(chord.triangle)) {
+        if (place.geodesic == i ? (with_others || place.chord >= k) : !with_others) continue;
+        const Tri crossing = cross(plane, chord, table.chord(place));
+        if (crossing == Tri::yes) return crossing;
+        if (crossing == Tri::unknown) result = crossing;
+      }
+    }
+    return result;
+  }
+
+  void check_simple(const LiftedPlane& plane, const ChordTable& table) {
+    const bool disjoint = document_.claim == Claim::thick_thin;
+    std::vector<std::array<Tri, 2>> meets(table.size(), {Tri::no, Tri::no});
+    for_each_parallel(table.size(), threads_, [&](unsigned, std::size_t i) {
+      meets[i] = {meet(plane, table, i, false), disjoint ? meet(plane, table, i, true) : Tri::no};
+    });
+    for (std::size_t i = 0; i < meets.size(); ++i) {
+      const Tri wrong = document_.geodesics[i].simple ? Tri::yes : Tri::no;
+      if (meets[i][0] == wrong || meets[i][1] == Tri::yes) {
+        report(kSimple, Verdict::refuted,
+               geodesic_name(i) + (meets[i][0] != wrong ? " meets another one"
+                                   : wrong == Tri::yes ? " is not simple"
+                                                       : " is simple"));
+        return;
+      }
+    }
+    for (std::size_t i = 0; i < meets.size(); ++i) {
+      if (meets[i][0] != Tri::unknown && meets[i][1] != Tri::unknown) continue;
+      report(kSimple, Verdict::undecided, geodesic_name(i) + ": not decided what it crosses, with " + bits());
+      return;
+    }
+    const auto simple = std::count_if(document_.geodesics.begin(), document_.geodesics.end(),
+                                      [](const ClosedGeodesic& geodesic) { return geodesic.simple; });
+    report(kSimple, Verdict::verified,
+           std::to_string(simple) + " of " + std::to_string(meets.size()) + " are simple" +
+               (disjoint ? ", and they are pairwise disjoint" : ""));
+  }
+
+  // Rule pieces.
+
+  void check_pieces(const LiftedPlane& plane, const ChordTable& table) {
+    const auto found = cut_surface(plane, evaluator_, table, elements_);
+    if (!found) {
+      reports_[kPieces].text = "not decided how the geodesics cut the triangles, with " + bits();
+      return;
+    }
+    const auto boundaries = [](const Piece& x, const Piece& y) { return x.boundaries < y.boundaries; };
+    std::vector<Piece> actual = *found;
+    std::vector<Piece> claimed = document_.pieces;
+    for (Piece& piece : claimed) std::sort(piece.boundaries.begin(), piece.boundaries.end());
+    std::sort(actual.begin(), actual.end(), boundaries);
+    std::sort(claimed.begin(), claimed.end(), boundaries);
+    if (actual == claimed) {
+      report(kPieces, Verdict::verified, std::to_string(actual.size()) + " pieces, as said");
+    } else {
+      report(kPieces, Verdict::refuted, "the surface cut along the geodesics has " + pieces_text(actual));
+    }
+  }
+
+  static std::string pieces_text(const std::vector<Piece>& pieces) {
+    constexpr std::size_t kShown = 20;
+    std::string result = std::to_string(pieces.size()) + " pieces (genus, boundaries):";
+    for (std::size_t i = 0; i < std::min(pieces.size(), kShown); ++i) {
+      result += " (" + std::to_string(pieces[i].genus) + ", " + std::to_string(pieces[i].boundaries.size()) + ")";
+    }
+    return pieces.size() > kShown ? result + " ..." : result;
+  }
+
+  const GeodesicsDocument& document_;
+  const CheckOptions& options_;
+  unsigned threads_;
+  Document net_;
+  LabelParts parts_;
+  LabelEvaluator evaluator_;
+  std::vector<std::uint32_t> first_darts_;
+  std::vector<std::uint32_t> elements_;  ///< By geodesic: its label number in net_.
+  CompletenessCheck completeness_;
+  std::vector<RuleReport> reports_;
+  slong precision_ = 64;
+};
+
+/// Adds the reports to the certificate of a verified net.
+void conclude(Certificate& certificate, std::vector<RuleReport> reports) {
+  for (const Verdict wanted : {Verdict::refuted, Verdict::undecided}) {
+    if (certificate.verdict != Verdict::verified) break;
+    for (const RuleReport& report : reports) {
+      if (report.verdict != wanted) continue;
+      certificate.verdict = wanted;
+      certificate.rule = report.rule;
+      certificate.message = report.text;
+      break;
+    }
+  }
+  certificate.rules.insert(certificate.rules.end(), reports.begin(), reports.end());
+}
+
+}  // namespace
+
+Certificate check_geodesics(const GeodesicsDocument& document, const CheckOptions& options) {
+  if (const auto problem = structure_problem(document)) {
+    Certificate malformed;
+    malformed.verdict = Verdict::malformed;
+    malformed.rule = "structure";
+    malformed.message = *problem;
+    return malformed;
+  }
+  Certificate certificate = check(document.net, options);
+  if (certificate.verdict != Verdict::verified) return certificate;
+  CheckOptions bounded = options;
+  bounded.max_precision = std::clamp(options.max_precision, kLeastPrecision, kGreatestPrecision);
+  const unsigned threads = options.threads != 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1U);
+  GeodesicsCheck geodesics(document, bounded, threads);
+  conclude(certificate, geodesics.run());
+  certificate.geodesics = geodesics.counts();
+  return certificate;
+}
+
+}  // namespace epsnet::certify

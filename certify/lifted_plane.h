@@ -1,0 +1,69 @@
+#pragma once
+
+#include <epsnet/certify/label_evaluator.h>
+#include <epsnet/certify/lorentz.h>
+
+#include <optional>
+#include <vector>
+
+/// The lifted triangulation at one precision: each triangle in its chart, and what leads across its darts.
+namespace epsnet::certify {
+
+/// One precision's view of a net that passed `check`. Reads only after construction, so threads may share it.
+class LiftedPlane {
+ public:
+  /// `net` may have labels that no triangle uses. O(size of the net) time and memory, about 1 kB a triangle.
+  LiftedPlane(const Document& net, const LabelEvaluator& evaluator, const LabelParts& parts, slong precision, slong cap,
+              unsigned threads);
+
+  [[nodiscard]] slong precision() const { return precision_; }
+  [[nodiscard]] const Document& net() const { return net_; }
+
+  /// The value of a label number; 0 is the identity.
+  [[nodiscard]] const BallIsometry& label(std::uint32_t number) const { return labels_[number]; }
+  /// The corner where the dart starts, as a unit vector in the chart of its triangle.
+  [[nodiscard]] const BallVector& corner(std::uint32_t dart) const { return corners_[dart]; }
+  /// Positive on the side of the dart's line on which its triangle lies, 0 on the line.
+  [[nodiscard]] const BallVector& line(std::uint32_t dart) const { return lines_[dart]; }
+  /// cosh d(·, C)/cosh R, C and R the circumcentre and the circumradius of the triangle: 1 at its corners.
+  [[nodiscard]] const BallVector& alpha(std::uint32_t triangle) const { return alphas_[triangle]; }
+
+  /// From the chart of a dart's triangle to that of the triangle across.
+  struct Transition {
+    BallIsometry isometry;
+    BallMatrix matrix;
+  };
+  /// Nothing where the two charts are the same and the transition is the identity.
+  [[nodiscard]] const Transition* transition(std::uint32_t dart) const {
+    return transition_of_[dart] == 0 ? nullptr : &transitions_[transition_of_[dart] - 1];
+  }
+
+  /// Whether two elements of the surface's group, written in one chart, are the same; signs are chosen (choose_sign).
+  ///
+  /// `yes` by discreteness (docs/proof.md, Lemma 2), `no` by disjoint balls.
+  [[nodiscard]] Tri same(std::uint32_t chart, const BallIsometry& f, const BallIsometry& g) const;
+
+ private:
+  void evaluate_labels(const LabelEvaluator& evaluator, slong cap, unsigned threads);
+  void place_triangle(std::uint32_t t);
+  void find_transitions();
+  void find_disks(const LabelParts& parts, slong cap);
+
+  const Document& net_;
+  slong precision_;
+  std::vector<BallIsometry> labels_;
+  std::vector<BallVector> corners_;
+  std::vector<BallVector> lines_;
+  std::vector<BallVector> alphas_;
+  std::vector<Transition> transitions_;
+  std::vector<std::uint32_t> transition_of_;  ///< By dart, plus 1; 0 for the identity.
+
+  /// A disk inside the tile of a chart: `base` takes 0 to its centre, in the chart's coordinates.
+  struct Disk {
+    BallIsometry base;
+    Ball sinh_squared_radius;
+  };
+  std::vector<std::optional<Disk>> disks_;  ///< By chart.
+};
+
+}  // namespace epsnet::certify

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <epsnet/certify/lifted_plane.h>
+
+#include <cstdint>
+#include <functional>
+
+/// The elements of the surface's group that move a vertex little, by reverse search (docs/proof.md, section 11).
+namespace epsnet::certify {
+
+/// What is asked at every lift of the vertex that is found, in the order of the search.
+enum class Search { go_on, stop };
+
+struct OrbitOutcome {
+  bool complete = false;     ///< Every element wanted was reported; false if this precision or `limit` does not suffice.
+  bool limit_reached = false;
+  std::uint64_t visits = 0;  ///< Lifted triangles, some perhaps twice.
+};
+
+/// Reports every element g of the group, written in the chart of the vertex v that the dart leaves, with d(ṽ, gṽ) ≤ D, 1
+/// among them, some more than once, and others. `cosh_distance` and `sinh_distance` are those of D, `tanh_radius` that of
+/// a bound of all circumradii.
+///
+/// The lifted triangles are a tree whose root contains a point q near ṽ: the parent of a triangle is its neighbour
+/// across the first edge whose line separates it from q. The tree is walked without memory of what was seen, and left
+/// where cosh d(q, C)/cosh R, which does not decrease from parent to child, is too large. Time is proportional to
+/// the visits, memory to the depth.
+[[nodiscard]] OrbitOutcome search_orbit(const LiftedPlane& plane, std::uint32_t dart, const Ball& cosh_distance,
+                                        const Ball& sinh_distance, const Ball& tanh_radius, std::uint64_t limit,
+                                        const std::function<Search(BallIsometry)>& report);
+
+}  // namespace epsnet::certify
