@@ -67,9 +67,9 @@ struct Enclosures {
 /// What it took to check a geodesics file.
 struct GeodesicsCounts {
   std::uint64_t geodesics = 0;
-  std::uint64_t lifted_triangles = 0;  ///< Visited in the search for geodesics that are missing.
-  std::uint64_t candidates = 0;        ///< Short elements that were found, each at each vertex near its axis.
-  std::uint64_t deep_vertices = 0;     ///< Vertices whose disks lie in collars.
+  std::uint64_t lifted_triangles = 0;    ///< Visited in the search for geodesics that are missing.
+  std::uint64_t candidates = 0;          ///< Short elements that were found, each at each vertex near its axis.
+  std::uint64_t deep_vertices = 0;       ///< Vertices whose disks lie in collars.
   std::uint64_t max_precision_used = 0;  ///< Bits.
 };
 

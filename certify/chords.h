@@ -8,8 +8,8 @@
 #include <vector>
 
 /// Closed geodesics as finite sets of chords: a pair (t, g) for each lifted triangle that the axis of an element meets,
-/// modulo the element's centralizer, where t is the triangle and g the element written in the chart of t (docs/proof.md,
-/// section 11).
+/// modulo the element's centralizer, where t is the triangle and g the element written in the chart of t
+/// (docs/proof.md, section 11).
 namespace epsnet::certify {
 
 /// One lifted triangle, in the chart of its triangle, that an axis possibly meets.
@@ -18,10 +18,10 @@ struct Chord {
 
   std::uint32_t triangle = 0;
   BallIsometry element;
-  BallVector axis;              ///< axis_row(element).
-  std::array<int, 3> side{};    ///< Of the corners: 1 certainly left of the axis, −1 certainly right, else 0.
-  std::uint32_t parent = kNone; ///< The chord of the same geodesic from which this one was reached.
-  std::uint32_t dart = kNone;   ///< The dart crossed from there.
+  BallVector axis;               ///< axis_row(element).
+  std::array<int, 3> side{};     ///< Of the corners: 1 certainly left of the axis, −1 certainly right, else 0.
+  std::uint32_t parent = kNone;  ///< The chord of the same geodesic from which this one was reached.
+  std::uint32_t dart = kNone;    ///< The dart crossed from there.
 };
 
 /// All chords of one axis. `approach` are the darts crossed from the first triangle of the vertex to the first chord.

@@ -23,7 +23,11 @@ std::string text(Interval x) {
 class CompletenessCheck::Pass {
  public:
   Pass(const CompletenessCheck& check, const LiftedPlane& plane, const ChordTable& table)
-      : check_(check), plane_(plane), net_(plane.net()), table_(table), first_darts_(first_darts(net_)),
+      : check_(check),
+        plane_(plane),
+        net_(plane.net()),
+        table_(table),
+        first_darts_(first_darts(net_)),
         cosh_half_(check.cosh_half_bound(plane.precision())) {
     const slong precision = plane.precision();
     Ball cosh_epsilon, squared_sinh;
@@ -54,8 +58,8 @@ class CompletenessCheck::Pass {
     };
     OrbitOutcome outcome{.limit_reached = true};
     if (!is_hopeless()) {
-      outcome = search_orbit(plane_, first_darts_[v], cosh_distance_, sinh_distance_, tanh_epsilon_, check_.limit_,
-                             report);
+      outcome =
+          search_orbit(plane_, first_darts_[v], cosh_distance_, sinh_distance_, tanh_epsilon_, check_.limit_, report);
     }
     vertex.visits += outcome.visits;
     vertex.limit_reached = outcome.limit_reached;
@@ -176,8 +180,10 @@ class CompletenessCheck::Pass {
 };
 
 CompletenessCheck::CompletenessCheck(const GeodesicsDocument& document, const CheckOptions& options)
-    : document_(document), limit_(options.max_visits / std::max<std::size_t>(document.net.vertices.size(), 1)),
-      vertices_(document.net.vertices.size()), loops_(document.net.vertices.size()) {
+    : document_(document),
+      limit_(options.max_visits / std::max<std::size_t>(document.net.vertices.size(), 1)),
+      vertices_(document.net.vertices.size()),
+      loops_(document.net.vertices.size()) {
   const Document& net = document.net;
   for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
     const std::uint32_t v = start(net, dart);
@@ -206,7 +212,8 @@ RuleReport CompletenessCheck::check(const LiftedPlane& plane, const ChordTable& 
                       std::to_string(plane.precision()) + " bits"};
   }
   if (document_.claim == Claim::systole) return {"complete", Verdict::verified, "no closed geodesic is shorter"};
-  return {"complete", Verdict::verified, "no primitive closed geodesic of length at most " + bound_name() + " is missing"};
+  return {"complete", Verdict::verified,
+          "no primitive closed geodesic of length at most " + bound_name() + " is missing"};
 }
 
 bool CompletenessCheck::limit_reached() const {

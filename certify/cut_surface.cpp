@@ -37,8 +37,8 @@ class ExactSide {
     const Vertex& vertex = net_.vertices[start(net_, dart)];
     const auto x = hyperboloid_vector(moved(label(corner_label(net_, dart)), exact_point(vertex.x, vertex.y)));
     // The normal is (−Im b, Re b, Im a), with the sign of Re a.
-    const int value = sign(twice_real(element.b) * x.y - twice_imaginary(element.b) * x.x -
-                           twice_imaginary(element.a) * x.t);
+    const int value =
+        sign(twice_real(element.b) * x.y - twice_imaginary(element.b) * x.x - twice_imaginary(element.a) * x.t);
     return sign(twice_real(element.a)) * value;
   }
 
@@ -88,8 +88,13 @@ class Cutter {
  public:
   Cutter(const LiftedPlane& plane, const LabelEvaluator& evaluator, const ChordTable& table,
          const std::vector<std::uint32_t>& elements)
-      : plane_(plane), net_(plane.net()), evaluator_(evaluator), table_(table), elements_(elements),
-        first_darts_(first_darts(net_)), arcs_(3 * net_.triangles.size()) {}
+      : plane_(plane),
+        net_(plane.net()),
+        evaluator_(evaluator),
+        table_(table),
+        elements_(elements),
+        first_darts_(first_darts(net_)),
+        arcs_(3 * net_.triangles.size()) {}
 
   std::optional<std::vector<Piece>> run() {
     for (std::uint32_t t = 0; t < net_.triangles.size(); ++t) {
@@ -129,7 +134,9 @@ class Cutter {
     const std::uint32_t number = elements_[place.geodesic];
     const std::uint32_t first = table_.first_dart(place.geodesic);
     return std::visit(
-        [&](const auto& crossings) { return ExactSide(net_, evaluator_, crossings).sign_at(number, first, path, dart); },
+        [&](const auto& crossings) {
+          return ExactSide(net_, evaluator_, crossings).sign_at(number, first, path, dart);
+        },
         evaluator_.crossings());
   }
 
@@ -147,7 +154,8 @@ class Cutter {
   /// Sorts the arcs around the corner where the dart starts by their distance from it along the dart.
   bool sort_arcs(std::uint32_t dart) {
     bool decided = true;
-    // The chord meets the edge from X to Y at X⟨n, Y⟩ − Y⟨n, X⟩ up to a factor: nearer to X the smaller |⟨n, X⟩|/|⟨n, Y⟩|.
+    // The chord meets the edge from X to Y at X⟨n, Y⟩ − Y⟨n, X⟩ up to a factor: nearer to X the smaller |⟨n, X⟩|/|⟨n,
+    // Y⟩|.
     const auto nearer = [&](const Arc& x, const Arc& y) {
       Ball left, right;
       distance_product(left, x, dart, y, next_dart(dart));

@@ -96,8 +96,14 @@ LabelParts label_parts(const Document& net) {
 class GeodesicsCheck {
  public:
   GeodesicsCheck(const GeodesicsDocument& document, const CheckOptions& options, unsigned threads)
-      : document_(document), options_(options), threads_(threads), net_(extended(document)), parts_(label_parts(net_)),
-        evaluator_(net_, parts_), first_darts_(first_darts(net_)), elements_(document.geodesics.size()),
+      : document_(document),
+        options_(options),
+        threads_(threads),
+        net_(extended(document)),
+        parts_(label_parts(net_)),
+        evaluator_(net_, parts_),
+        first_darts_(first_darts(net_)),
+        elements_(document.geodesics.size()),
         completeness_(document, options) {
     std::iota(elements_.begin(), elements_.end(), static_cast<std::uint32_t>(document.net.labels.size()) + 1);
     for (const char* rule : {"geodesics", "distinct", "simple", "equal", "complete", "pieces"}) {
@@ -210,10 +216,10 @@ class GeodesicsCheck {
         if (enclosed != wanted && within != wanted) continue;
         const bool wrong = wanted == Tri::no;
         const std::string actual = " has a length in " + text(translation_length(f, plane.precision()));
-        const std::string what = enclosed == wanted ? (wrong ? ", not in " : ", not decided whether in ") +
-                                                          text(document_.geodesics[i].length)
-                                                    : (wrong ? ", more than " : ", not decided whether at most ") +
-                                                          completeness_.bound_name();
+        const std::string what =
+            enclosed == wanted
+                ? (wrong ? ", not in " : ", not decided whether in ") + text(document_.geodesics[i].length)
+                : (wrong ? ", more than " : ", not decided whether at most ") + completeness_.bound_name();
         report(kGeodesics, wrong ? Verdict::refuted : Verdict::undecided,
                geodesic_name(i) + actual + what + (wrong ? "" : ", with " + bits()));
         return;
@@ -342,8 +348,8 @@ class GeodesicsCheck {
       if (meets[i][0] == wrong || meets[i][1] == Tri::yes) {
         report(kSimple, Verdict::refuted,
                geodesic_name(i) + (meets[i][0] != wrong ? " meets another one"
-                                   : wrong == Tri::yes ? " is not simple"
-                                                       : " is simple"));
+                                   : wrong == Tri::yes  ? " is not simple"
+                                                        : " is simple"));
         return;
       }
     }

@@ -96,9 +96,9 @@ Problem clusters_problem(const GeodesicsDocument& document) {
       continue;
     }
     return at("clusters", i) + "is not the run that the lengths make, expected " +
-           (i < expected.size() ? "the " + std::to_string(expected[i].count) + " elements from " +
-                                      std::to_string(expected[i].first)
-                                : "no more");
+           (i < expected.size()
+                ? "the " + std::to_string(expected[i].count) + " elements from " + std::to_string(expected[i].first)
+                : "no more");
   }
   return std::nullopt;
 }

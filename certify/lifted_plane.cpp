@@ -70,7 +70,8 @@ void LiftedPlane::place_triangle(std::uint32_t t) {
 }
 
 void LiftedPlane::find_transitions() {
-  // Placed through the corner that the dart leaves: L_{t',j+1} L_{t,i}⁻¹. Most darts share their two labels with others.
+  // Placed through the corner that the dart leaves: L_{t',j+1} L_{t,i}⁻¹. Most darts share their two labels with
+  // others.
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers;
   transition_of_.resize(3 * net_.triangles.size());
   for (std::uint32_t dart = 0; dart < transition_of_.size(); ++dart) {

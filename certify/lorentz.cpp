@@ -63,8 +63,8 @@ void choose_sign(BallIsometry& f) {
 }
 
 BallVector axis_row(const BallIsometry& f, slong precision) {
-  // The traceless part of f, (i Im a, b), is the image of the vector (−Im b, Re b, Im a), of Lorentz square sinh²(l/2) =
-  // (Re a)² − 1.
+  // The traceless part of f, (i Im a, b), is the image of the vector (−Im b, Re b, Im a), of Lorentz square sinh²(l/2)
+  // = (Re a)² − 1.
   Ball scale;
   arb_sqr(scale.get(), f.a.re(), precision);
   arb_sub_ui(scale.get(), scale.get(), 1, precision);

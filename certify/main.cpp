@@ -1,4 +1,5 @@
 #include <epsnet/certify/check.h>
+#include <epsnet/certify/geodesics_check.h>
 #include <epsnet/certify/reader.h>
 #include <epsnet/certify/text.h>
 #include <epsnet/certify/writer.h>
@@ -12,8 +13,10 @@
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <variant>
 
-/// The program `certify`: reads a net file, prints what each rule proved and, last, one verdict line.
+/// The program `certify`: reads a net file or a geodesics file, prints what each rule proved and, last, one verdict
+/// line.
 namespace {
 
 using namespace epsnet::certify;
@@ -81,6 +84,15 @@ void visit_enclosures(const Enclosures& e, const Visit& visit) {
   if (e.shortest_loop) visit("shortest_loop", *e.shortest_loop);
 }
 
+template <class Visit>
+void visit_geodesics_counts(const GeodesicsCounts& c, const Visit& visit) {
+  visit("geodesics", c.geodesics);
+  visit("lifted_triangles", c.lifted_triangles);
+  visit("candidates", c.candidates);
+  visit("deep_vertices", c.deep_vertices);
+  visit("max_precision_used", c.max_precision_used);
+}
+
 std::string verdict_line(const Certificate& certificate) {
   std::string line(name(certificate.verdict));
   if (certificate.verdict == Verdict::verified) return line;
@@ -94,11 +106,13 @@ std::string as_text(const Certificate& certificate) {
   for (const RuleReport& report : certificate.rules) {
     out << report.rule << ": " << name(report.verdict) << ": " << report.text << '\n';
   }
-  visit_counts(certificate.counts, [&](const char* key, std::uint64_t value) { out << key << ": " << value << '\n'; });
+  const auto line = [&](const char* key, std::uint64_t value) { out << key << ": " << value << '\n'; };
+  visit_counts(certificate.counts, line);
   if (certificate.enclosures) {
     visit_enclosures(*certificate.enclosures,
                      [&](const char* key, Interval value) { out << key << ": " << interval_text(value) << '\n'; });
   }
+  if (certificate.geodesics) visit_geodesics_counts(*certificate.geodesics, line);
   out << verdict_line(certificate) << '\n';
   return out.str();
 }
@@ -127,12 +141,19 @@ std::string as_json(const Certificate& certificate) {
     separator = ", ";
   }
   out << "], \"counts\": {";
-  separator = "";
-  visit_counts(certificate.counts, [&](const char* key, std::uint64_t value) {
+  const auto member = [&](const char* key, std::uint64_t value) {
     out << separator << json_string(key) << ": " << value;
     separator = ", ";
-  });
+  };
+  separator = "";
+  visit_counts(certificate.counts, member);
   out << '}';
+  if (certificate.geodesics) {
+    out << ", \"geodesics\": {";
+    separator = "";
+    visit_geodesics_counts(*certificate.geodesics, member);
+    out << '}';
+  }
   if (certificate.enclosures) {
     out << ", \"enclosures\": {";
     separator = "";
@@ -175,9 +196,9 @@ struct Request {
 };
 
 Certificate read_and_check(Request& request) {
-  Document document;
+  std::variant<Document, GeodesicsDocument> claim;
   try {
-    document = read_net(request.file);
+    claim = read_claim(request.file);
   } catch (const MalformedError& error) {
     Certificate malformed;
     malformed.verdict = Verdict::malformed;
@@ -185,25 +206,32 @@ Certificate read_and_check(Request& request) {
     malformed.message = error.what();
     return malformed;
   }
-  if (request.print_parsed) write_net(document, std::cout);
+  const auto* geodesics = std::get_if<GeodesicsDocument>(&claim);
+  if (request.print_parsed && geodesics != nullptr) write_geodesics(*geodesics, std::cout);
+  if (request.print_parsed && geodesics == nullptr) write_net(std::get<Document>(claim), std::cout);
   Progress progress;
   request.options.progress = [&](std::string_view rule, double share) { progress.show(rule, share); };
-  return check(document, request.options);
+  return geodesics != nullptr ? check_geodesics(*geodesics, request.options)
+                              : check(std::get<Document>(claim), request.options);
 }
 
 int run(int argc, char** argv) {
   Request request;
   CLI::App app(
       "Decides whether a net file proves that its vertices are an epsilon-net of its surface and its triangles a\n"
-      "Delaunay triangulation: every number is enclosed in balls, every claim of the file is derived again.",
+      "Delaunay triangulation, or a geodesics file that its closed geodesics are the systole, the spectrum up to a\n"
+      "length or the thick-thin decomposition: every number is enclosed in balls, every claim is derived again.",
       "certify");
-  app.add_option("FILE", request.file, "a net file (docs/format.md)")->required();
+  app.add_option("FILE", request.file, "a net file or a geodesics file (docs/format.md)")->required();
   app.add_flag("--json", request.json, "one JSON object instead of lines of text");
   app.add_option("--threads", request.options.threads, "number of threads, 0 for one per core")
       ->check(CLI::Range(0U, 1024U))
       ->capture_default_str();
   app.add_option("--max-precision", request.options.max_precision, "bits after which a comparison is undecided")
       ->check(CLI::Range(64L, 1L << 20))
+      ->capture_default_str();
+  app.add_option("--max-visits", request.options.max_visits,
+                 "lifted triangles visited before a list of geodesics is undecided")
       ->capture_default_str();
   app.add_flag("--print-parsed", request.print_parsed, "first print the document as it was understood");
   app.footer(

@@ -12,14 +12,14 @@ namespace epsnet::certify {
 enum class Search { go_on, stop };
 
 struct OrbitOutcome {
-  bool complete = false;     ///< Every element wanted was reported; false if this precision or `limit` does not suffice.
+  bool complete = false;  ///< Every element wanted was reported; false if this precision or `limit` does not suffice.
   bool limit_reached = false;
   std::uint64_t visits = 0;  ///< Lifted triangles, some perhaps twice.
 };
 
-/// Reports every element g of the group, written in the chart of the vertex v that the dart leaves, with d(ṽ, gṽ) ≤ D, 1
-/// among them, some more than once, and others. `cosh_distance` and `sinh_distance` are those of D, `tanh_radius` that of
-/// a bound of all circumradii.
+/// Reports every element g of the group, written in the chart of the vertex v that the dart leaves, with d(ṽ, gṽ) ≤ D,
+/// 1 among them, some more than once, and others. `cosh_distance` and `sinh_distance` are those of D, `tanh_radius`
+/// that of a bound of all circumradii.
 ///
 /// The lifted triangles are a tree whose root contains a point q near ṽ: the parent of a triangle is its neighbour
 /// across the first edge whose line separates it from q. The tree is walked without memory of what was seen, and left

@@ -372,27 +372,27 @@ std::vector<Member> geodesics_members(GeodesicsDocument& document, std::size_t& 
     return [=](simdjson::simdjson_result<value> item) { read_rows(item, member, kMaxRows, read_row); };
   };
   using Row = simdjson::simdjson_result<value>;
-  return {text_member("format", "epsnet-geodesics", place),
-          version_member(place),
-          {"claim", [&](Row item) { document.claim = read_claim_name(item); }},
-          {"net",
-           [&](Row item) {
-             const Place at{.member = "net"};
-             read_members(expect(item.get_object(), at, "an object"), at, net_members(document.net, letters_in_all));
-           }},
-          {"geodesics", rows("geodesics", [&](Row row, const Place& at) {
-             document.geodesics.push_back(read_geodesic(row, at, letters_in_all));
-           })},
-          {"up_to",
-           [&](Row item) {
-             document.up_to = std::string(expect(item.get_string(), {.member = "up_to"}, "a decimal in a string"));
-           },
-           true},
-          {"clusters",
-           rows("clusters", [&](Row row, const Place& at) { document.clusters.push_back(read_cluster(row, at)); }),
-           true},
-          {"pieces", rows("pieces", [&](Row row, const Place& at) { document.pieces.push_back(read_piece(row, at)); }),
-           true}};
+  return {
+      text_member("format", "epsnet-geodesics", place),
+      version_member(place),
+      {"claim", [&](Row item) { document.claim = read_claim_name(item); }},
+      {"net",
+       [&](Row item) {
+         const Place at{.member = "net"};
+         read_members(expect(item.get_object(), at, "an object"), at, net_members(document.net, letters_in_all));
+       }},
+      {"geodesics",
+       rows("geodesics",
+            [&](Row row, const Place& at) { document.geodesics.push_back(read_geodesic(row, at, letters_in_all)); })},
+      {"up_to",
+       [&](Row item) {
+         document.up_to = std::string(expect(item.get_string(), {.member = "up_to"}, "a decimal in a string"));
+       },
+       true},
+      {"clusters",
+       rows("clusters", [&](Row row, const Place& at) { document.clusters.push_back(read_cluster(row, at)); }), true},
+      {"pieces", rows("pieces", [&](Row row, const Place& at) { document.pieces.push_back(read_piece(row, at)); }),
+       true}};
 }
 
 /// Which of the last three members of geodesics_members there must be is known only when all have been read.

@@ -46,8 +46,8 @@ class FileError : public std::runtime_error {
 /// Reads a geodesics file from memory; `name` stands for the file in messages. Throws MalformedError.
 [[nodiscard]] GeodesicsDocument parse_geodesics(std::string_view text, std::string_view name);
 
-/// Reads a net file or a geodesics file of at most 4 GiB, whichever its member `format` says; anything else is taken for
-/// a net file. Throws FileError or MalformedError.
+/// Reads a net file or a geodesics file of at most 4 GiB, whichever its member `format` says; anything else is taken
+/// for a net file. Throws FileError or MalformedError.
 [[nodiscard]] std::variant<Document, GeodesicsDocument> read_claim(const std::filesystem::path& path);
 
 }  // namespace epsnet::certify
