@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <utility>
@@ -47,6 +47,7 @@ class Search {
       if (!deep_[v]) vertices.push_back(v);
     }
     const double displacement = 2 * std::asinh(std::sinh(length / 2) * std::cosh(epsilon_));
+    require_feasible(length, displacement, vertices.size());
     const unsigned threads =
         options_.threads != 0 ? options_.threads : std::max(std::thread::hardware_concurrency(), 1U);
     std::vector<std::vector<ReturnPath>> found(vertices.size());
@@ -80,6 +81,19 @@ class Search {
   [[nodiscard]] bool is_loop(Dart d) const {
     const std::uint32_t t = triangle_of(d);
     return triangulation_.corner(t, corner_of(d)).vertex == triangulation_.corner(t, next(corner_of(d))).vertex;
+  }
+
+  /// Disks of radius D + 2ε are searched, 2π(cosh − 1) large, on a surface of area 4π(g − 1).
+  void require_feasible(double length, double displacement, std::size_t searches) const {
+    constexpr double kMost = 1e11;
+    const double copies = (std::cosh(displacement + 2 * epsilon_) - 1) / (2 * (triangulation_.surface().genus() - 1.0));
+    const double triangles = copies * static_cast<double>(searches) * triangulation_.triangle_count();
+    if (triangles <= kMost) return;
+    std::ostringstream message;
+    message << "to find all closed geodesics up to length " << length
+            << " from a net with epsilon = " << options_.epsilon.text() << " takes a search through about " << triangles
+            << " triangles, more than the limit, " << kMost;
+    throw NetError(message.str());
   }
 
   void examine_loop(AxisCatalogue<Mp1024>& exact, ReturnPath loop) {
@@ -267,6 +281,14 @@ certify::GeodesicsDocument thick_thin(const Surface& surface, const GeodesicsOpt
   return with_search(surface, options, [&]<class T>(Search& search, const T&) {
     return all_geodesics<T>(search, options, certify::Claim::thick_thin, T(2 * boost::multiprecision::asinh(T(1))));
   });
+}
+
+certify::Interval collar_half_width(certify::Interval length) {
+  const auto half_width = [](double l) {
+    return static_cast<double>(boost::multiprecision::asinh(Mp256(1 / boost::multiprecision::sinh(Mp256(l) / 2))));
+  };
+  return {std::nextafter(half_width(length.upper), 0.0),
+          std::nextafter(half_width(length.lower), std::numeric_limits<double>::infinity())};
 }
 
 }  // namespace epsnet

@@ -18,6 +18,9 @@ using Job = std::function<void()>;
 void add_surface_command(CLI::App& app, Job& chosen);
 void add_net_command(CLI::App& app, Job& chosen);
 void add_dirichlet_command(CLI::App& app, Job& chosen);
+void add_systole_command(CLI::App& app, Job& chosen);
+void add_spectrum_command(CLI::App& app, Job& chosen);
+void add_thick_thin_command(CLI::App& app, Job& chosen);
 void add_draw_command(CLI::App& app, Job& chosen);
 void add_info_command(CLI::App& app, Job& chosen);
 void add_export_command(CLI::App& app, Job& chosen);
@@ -30,7 +33,9 @@ void add_output(CLI::App& command, std::string& output, const char* what);
 void add_threads(CLI::App& command, unsigned& threads);
 /// The point that --base names: "tile,x,y", or "tile": the centre of the tile. Throws UsageError.
 [[nodiscard]] BasePoint parse_base(const std::string& text, const Surface& surface);
-/// The value of --epsilon. Throws UsageError.
-[[nodiscard]] Epsilon parse_epsilon(const std::string& text);
+/// The value of an option that is a positive length. Throws UsageError, which names the option.
+[[nodiscard]] Epsilon parse_length(const std::string& option, const std::string& text);
+/// The value of --epsilon.
+[[nodiscard]] inline Epsilon parse_epsilon(const std::string& text) { return parse_length("--epsilon", text); }
 
 }  // namespace epsnet::program

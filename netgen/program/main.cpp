@@ -84,6 +84,9 @@ int run(int argc, char** argv) {
   app.require_subcommand(0, 1);
   add_surface_command(app, chosen);
   add_net_command(app, chosen);
+  add_systole_command(app, chosen);
+  add_spectrum_command(app, chosen);
+  add_thick_thin_command(app, chosen);
   add_dirichlet_command(app, chosen);
   add_draw_command(app, chosen);
   add_info_command(app, chosen);
@@ -107,7 +110,8 @@ int run(int argc, char** argv) {
   if (!chosen)
     return fail(kExitUsage, app.got_subcommand("surface")
                                 ? "surface: which one, octagon, fenchel-nielsen, regular or import? (try --help)"
-                                : "which command, surface, net, dirichlet, draw, info or export? (try --help)");
+                                : "which command, surface, net, systole, spectrum, thick-thin, dirichlet, draw, info "
+                                  "or export? (try --help)");
 
   try {
     chosen();

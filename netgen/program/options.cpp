@@ -21,11 +21,11 @@ void add_threads(CLI::App& command, unsigned& threads) {
       ->option_text("N [0]");
 }
 
-Epsilon parse_epsilon(const std::string& text) {
+Epsilon parse_length(const std::string& option, const std::string& text) {
   try {
     return Epsilon(text);
   } catch (const std::invalid_argument& error) {
-    throw UsageError(std::string("--epsilon: ") + error.what());
+    throw UsageError(option + ": " + error.what());
   }
 }
 

@@ -94,6 +94,25 @@ good surface import "$data/polygons/polygon-g3-rnd0.txt" -o g3.json
 good net g3.json --epsilon 0.5 -o net.json
 verified net.json
 
+# Closed geodesics, each list with its certificate.
+good surface regular --genus 2 -o bolza.json
+good systole bolza.json -o systole.json
+grep -q '^systole: \[3\.05714183896199[56], 3\.05714183896199[78]\]$' output || complain "the systole of the Bolza surface: $(cat output)"
+verified systole.json
+good spectrum bolza.json --up-to 3.1 -o spectrum.json
+[ "$(grep -c 'simple, one of 12 of equal length' output)" = 12 ] || complain "the twelve systoles of the Bolza surface: $(cat output)"
+verified spectrum.json
+good spectrum bolza.json --up-to 3
+grep -q '^closed geodesics: 0' output || complain "there is nothing shorter: $(cat output)"
+good surface fenchel-nielsen --pants-graph '0-1 0-1 0-1' --lengths 1e-3,1e-8,0.5 --twists 0.2 -o thin.json
+good thick-thin thin.json -o thick.json
+[ "$(grep -c '^piece .: genus 0, 3 boundaries' output)" = 2 ] || complain "two pairs of pants: $(cat output)"
+verified thick.json
+"$epsnet" thick-thin thin.json --epsilon 0.4 -o - >output 2>"$messages" || complain "thick-thin to standard output: $(cat "$messages")"
+verified output
+good systole s.json --no-certify
+grep -q '^verdict: not certified' output || complain "--no-certify is not mentioned: $(cat output)"
+
 # There and back through the texts of CGAL.
 good surface import "$data/triangulations/triangulation-g3-e0.01.txt" -o t.json
 good info t.json
@@ -187,6 +206,17 @@ bad 64 'output' export s.json --format domain
 bad 64 'format' surface import t.txt --format magic -o out/s.json
 bad 64 'size' draw once.json -o out/x.svg --size 10
 bad 64 'order' draw once.json -o out/x.svg --order magic
+bad 64 'up-to' spectrum s.json
+for length in 0 -1 nan inf 1/0 x '' 1e99999; do
+  bad 64 'up-to' spectrum s.json --up-to "$length" -o out/x.json
+done
+bad 64 'psilon' systole s.json --epsilon 0 -o out/x.json
+bad 64 'SURFACE' systole
+bad 1 'more than the limit' spectrum s.json --up-to 100 -o out/x.json
+bad 1 'more than the limit' systole s.json --epsilon 200 -o out/x.json
+bad 1 'no-such' thick-thin no-such.json -o out/x.json
+bad 1 'no directory' thick-thin s.json -o no-such/x.json
+bad 1 'epsnet-surface' systole net.json -o out/x.json
 for epsilon in 0 -1 0.0 -0.5 nan NaN inf infinity 1/0 0/5 -1/2 '' ' ' 0,1 1e 0x1 '1 ' 1e99999; do
   bad 64 'psilon' net s.json --epsilon "$epsilon" -o out/n.json
 done

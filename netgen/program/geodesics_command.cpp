@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <sstream>
+#include <string>
+
+#include "epsnet/certify/check.h"
+#include "epsnet/certify/geodesics_check.h"
+#include "epsnet/certify/writer.h"
+#include "epsnet/netgen/geodesics.h"
+#include "epsnet/netgen/program/commands.h"
+#include "epsnet/netgen/program/output.h"
+#include "epsnet/netgen/surface_file.h"
+
+/// The commands systole, spectrum and thick-thin: lists of closed geodesics, each with its proof.
+namespace epsnet::program {
+namespace {
+
+using certify::ClosedGeodesic;
+using certify::GeodesicsDocument;
+
+struct GeodesicsRequest {
+  std::string surface;
+  std::string up_to;
+  std::string epsilon = "1";
+  std::string output;
+  bool no_certify = false;
+  unsigned threads = 0;
+};
+
+using Compute = std::function<GeodesicsDocument(const Surface&, const GeodesicsOptions&)>;
+
+std::string word_text(const std::vector<std::uint32_t>& word) {
+  std::string result;
+  for (const std::uint32_t side : word) result += (result.empty() ? "" : " ") + std::to_string(side);
+  return result;
+}
+
+/// "name: value" lines of a systole; a row for each geodesic else.
+std::string geodesics_text(const GeodesicsDocument& document) {
+  std::ostringstream out;
+  if (document.claim == certify::Claim::systole) {
+    const ClosedGeodesic& shortest = document.geodesics.front();
+    out << "systole: " << interval_text(shortest.length) << '\n'
+        << "simple: " << (shortest.simple ? "yes" : "no") << '\n'
+        << "word: " << word_text(shortest.word) << '\n';
+    return out.str();
+  }
+  const bool small = document.claim == certify::Claim::thick_thin;
+  out << "closed geodesics: " << document.geodesics.size() << ", primitive, up to orientation, of length at most "
+      << (small ? "2 arsinh 1" : document.up_to) << '\n';
+  for (const certify::Cluster& cluster : document.clusters) {
+    for (std::uint32_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
+      const ClosedGeodesic& geodesic = document.geodesics[i];
+      out << i << ": length " << interval_text(geodesic.length);
+      if (small) out << ", collar of half-width " << interval_text(collar_half_width(geodesic.length));
+      if (!small) out << (geodesic.simple ? ", simple" : ", not simple");
+      if (cluster.count > 1) {
+        out << ", one of " << cluster.count << (cluster.equal ? " of equal length" : " of lengths that overlap");
+      }
+      out << ", word " << word_text(geodesic.word) << '\n';
+    }
+  }
+  for (std::size_t p = 0; p < document.pieces.size(); ++p) {
+    const certify::Piece& piece = document.pieces[p];
+    out << "piece " << p << ": genus " << piece.genus << ", " << piece.boundaries.size()
+        << (piece.boundaries.size() == 1 ? " boundary" : " boundaries");
+    for (const auto& [geodesic, side] : piece.boundaries)
+      out << ", " << (side == 0 ? "left" : "right") << " of " << geodesic;
+    out << '\n';
+  }
+  return out.str();
+}
+
+/// Throws JobError unless all of it is verified.
+void certify_geodesics(const GeodesicsDocument& document, unsigned threads) {
+  ProgressLine progress;
+  certify::CheckOptions options;
+  options.threads = threads;
+  options.progress = [&](std::string_view rule, double share) {
+    progress.show("certificate: " + std::string(rule), share);
+  };
+  const certify::Certificate certificate = certify::check_geodesics(document, options);
+  if (certificate.verdict != certify::Verdict::verified) {
+    throw JobError("not certified: " + std::string(certify::name(certificate.verdict)) + ": " + certificate.rule +
+                   ": " + certificate.message + "; nothing was written");
+  }
+}
+
+void list_geodesics(const GeodesicsRequest& request, const Compute& compute) {
+  if (!request.output.empty()) check_output_directory(request.output);
+  const Surface surface = load_surface(request.surface);
+  GeodesicsDocument document;
+  {
+    ProgressLine progress;
+    GeodesicsOptions options{.epsilon = parse_epsilon(request.epsilon), .threads = request.threads};
+    options.progress = [&](const std::string& what, double share) { progress.show(what, share); };
+    document = compute(surface, options);
+  }
+  std::string report = "verdict: not certified (--no-certify): nothing is proved\n";
+  if (!request.no_certify) {
+    certify_geodesics(document, request.threads);
+    report = "verdict: VERIFIED\n";
+  }
+  if (!request.output.empty()) {
+    write_output(request.output, [&](std::ostream& out) { certify::write_geodesics(document, out); });
+  }
+  write_report(report + geodesics_text(document), is_stdout(request.output));
+}
+
+/// The options that the three commands share.
+void add_common(CLI::App& command, GeodesicsRequest& request) {
+  command.add_option("SURFACE", request.surface, "a surface file")->required()->option_text("REQUIRED");
+  command
+      .add_option("-o,--output", request.output, "the geodesics file to write, for certify; \"-\" is standard output")
+      ->option_text("FILE");
+  command
+      .add_option("--epsilon", request.epsilon,
+                  "of the net from whose vertices the search starts; any gives the same list")
+      ->option_text("E [1]");
+  command.add_flag("--no-certify", request.no_certify, "do not check the list: nothing is proved");
+  add_threads(command, request.threads);
+}
+
+}  // namespace
+
+void add_systole_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<GeodesicsRequest>();
+  CLI::App* command =
+      app.add_subcommand("systole", "The length of a shortest closed geodesic, enclosed and proved, and its word.");
+  add_common(*command, *shared);
+  command->footer("Example:\n  epsnet systole s.json\n  epsnet systole s.json -o systole.json && certify systole.json");
+  command->callback([&chosen, shared] {
+    chosen = [shared] {
+      list_geodesics(*shared,
+                     [](const Surface& surface, const GeodesicsOptions& options) { return systole(surface, options); });
+    };
+  });
+}
+
+void add_spectrum_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<GeodesicsRequest>();
+  CLI::App* command = app.add_subcommand(
+      "spectrum", "All primitive closed geodesics up to a length: lengths, words, which are simple; proved to be all.");
+  add_common(*command, *shared);
+  command
+      ->add_option("--up-to", shared->up_to,
+                   "a length, a positive decimal or fraction; about e^L/(2L) geodesics, in time proportional to e^L")
+      ->required()
+      ->option_text("L REQUIRED");
+  command->footer(
+      "Example:\n  epsnet spectrum s.json --up-to 6\n  epsnet spectrum s.json --up-to 6 -o spectrum.json && certify "
+      "spectrum.json");
+  command->callback([&chosen, shared] {
+    chosen = [shared] {
+      const Epsilon up_to = parse_length("--up-to", shared->up_to);
+      list_geodesics(*shared, [&](const Surface& surface, const GeodesicsOptions& options) {
+        return spectrum(surface, up_to, options);
+      });
+    };
+  });
+}
+
+void add_thick_thin_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<GeodesicsRequest>();
+  CLI::App* command =
+      app.add_subcommand("thick-thin",
+                         "The small curves, of length at most 2 arsinh 1, their collars, and the pieces "
+                         "into which they cut the surface.");
+  add_common(*command, *shared);
+  command->footer("Example:\n  epsnet thick-thin s.json\n  epsnet thick-thin s.json -o thin.json && certify thin.json");
+  command->callback([&chosen, shared] {
+    chosen = [shared] {
+      list_geodesics(*shared, [](const Surface& surface, const GeodesicsOptions& options) {
+        return thick_thin(surface, options);
+      });
+    };
+  });
+}
+
+}  // namespace epsnet::program
