@@ -185,6 +185,7 @@ class GeodesicsCheck {
     }
     if (open(kDistinct)) check_distinct(table);
     if (open(kSimple)) check_simple(plane, table);
+    if (verdict(kDistinct) == Verdict::refuted || verdict(kSimple) == Verdict::refuted) return;
     if (open(kComplete)) {
       progress(kComplete);
       reports_[kComplete] = completeness_.check(plane, table, threads_);
