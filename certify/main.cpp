@@ -90,7 +90,7 @@ void visit_geodesics_counts(const GeodesicsCounts& c, const Visit& visit) {
   visit("lifted_triangles", c.lifted_triangles);
   visit("candidates", c.candidates);
   visit("deep_vertices", c.deep_vertices);
-  visit("max_precision_used", c.max_precision_used);
+  visit("geodesics_max_precision_used", c.max_precision_used);
 }
 
 std::string verdict_line(const Certificate& certificate) {

@@ -29,6 +29,11 @@ for file in "$data"/verified/*; do
   expect 0 VERIFIED "$file"
   expect 0 '{"verdict": "VERIFIED"' --json "$file"
 done
+for file in "$data"/../geodesics/*; do
+  expect 0 VERIFIED "$file"
+  expect 0 '{"verdict": "VERIFIED"' --json "$file"
+  expect 2 'UNDECIDED: complete: ' --max-visits 10 "$file"
+done
 for file in "$data"/refuted/*; do expect 1 'REFUTED: ' "$file"; done
 for file in "$data"/undecided/*; do expect 2 'UNDECIDED: ' "$file"; done
 for file in "$data"/malformed/*; do expect 3 'MALFORMED: ' "$file"; done

@@ -1,0 +1,21 @@
+#include <epsnet/certify/reader.h>
+#include <epsnet/certify/writer.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <sstream>
+
+/// Any bytes are a geodesics file or a MalformedError; what is written reads back the same.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace epsnet::certify;
+  GeodesicsDocument document;
+  try {
+    document = parse_geodesics({reinterpret_cast<const char*>(data), size}, "input");
+  } catch (const MalformedError&) {
+    return 0;
+  }
+  std::ostringstream out;
+  write_geodesics(document, out);
+  if (parse_geodesics(out.str(), "written") != document) std::abort();
+  return 0;
+}
