@@ -8,8 +8,9 @@
 namespace epsnet::certify {
 namespace {
 
-/// Chords of one geodesic at most; of all, that is bounded by memory: some hundred bytes each.
+/// Chords of one geodesic at most, and of all: a few hundred bytes each.
 constexpr std::size_t kMaxChords = 100'000;
+constexpr std::size_t kMaxChordsInAll = 4'000'000;
 /// The greatest exponent of a power, and the number of exponents that enclosures may leave; beyond, nothing is decided.
 constexpr double kMaxPower = 1e6;
 constexpr double kMaxExponents = 16;
@@ -26,11 +27,12 @@ BallIsometry power_of(const BallIsometry& f, std::uint32_t exponent, slong preci
 ChordTable::ChordTable(const LiftedPlane& plane, std::vector<Member> members, unsigned threads)
     : plane_(plane), lists_(members.size()), lengths_(members.size()), places_(plane.net().triangles.size()) {
   for (const Member& member : members) first_darts_.push_back(member.first_dart);
+  const std::size_t limit = std::min(kMaxChords, kMaxChordsInAll / std::max<std::size_t>(members.size(), 1));
   std::vector<char> found(members.size(), 0);
   for_each_parallel(members.size(), threads, [&](unsigned, std::size_t i) {
     choose_sign(members[i].element);
     lengths_[i] = translation_length(members[i].element, plane.precision());
-    auto list = find_chords(plane, members[i].first_dart, members[i].element, kMaxChords);
+    auto list = find_chords(plane, members[i].first_dart, members[i].element, limit);
     found[i] = list.has_value();
     if (list) lists_[i] = *std::move(list);
   });

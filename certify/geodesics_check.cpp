@@ -17,6 +17,8 @@ namespace {
 
 /// Exact arithmetic is tried from this precision on.
 constexpr slong kExactFrom = 128;
+/// Triangles of a net at most: each takes a kilobyte, and more vertices than this makes are no help.
+constexpr std::size_t kMaxTriangles = std::size_t{1} << 20;
 
 std::string geodesic_name(std::size_t i) { return "geodesic " + std::to_string(i); }
 
@@ -438,6 +440,10 @@ Certificate check_geodesics(const GeodesicsDocument& document, const CheckOption
   if (certificate.verdict != Verdict::verified) return certificate;
   CheckOptions bounded = options;
   bounded.max_precision = std::clamp(options.max_precision, kLeastPrecision, kGreatestPrecision);
+  if (document.net.triangles.size() > kMaxTriangles) {
+    conclude(certificate, {{"geodesics", Verdict::undecided, "the net has more than the limit of 2^20 triangles"}});
+    return certificate;
+  }
   const unsigned threads = options.threads != 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1U);
   GeodesicsCheck geodesics(document, bounded, threads);
   conclude(certificate, geodesics.run());
