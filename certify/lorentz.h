@@ -18,6 +18,7 @@ class BallVector {
   BallVector(const BallVector& other) : BallVector() { *this = other; }
   BallVector(BallVector&& other) noexcept : BallVector() { swap(other); }
   BallVector& operator=(const BallVector& other) {
+    if (this == &other) return *this;
     for (std::size_t i = 0; i < 3; ++i) arb_set(&entries_[i], &other.entries_[i]);
     return *this;
   }
