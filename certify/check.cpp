@@ -1,4 +1,5 @@
 #include <epsnet/certify/check.h>
+#include <epsnet/certify/collar_check.h>
 #include <epsnet/certify/geometry_check.h>
 #include <epsnet/certify/gluing_check.h>
 #include <epsnet/certify/map_check.h>
@@ -23,8 +24,9 @@ Certificate conclude(Certificate certificate) {
       return certificate;
     }
   }
-  // Nothing is verified unless all seven rules were evaluated and every one of them was.
-  const bool all = certificate.rules.size() == 7 &&
+  // Nothing is verified unless all seven rules, nine for a pseudo net, were evaluated and every one of them was.
+  const std::size_t rules = certificate.counts.collars ? 9 : 7;
+  const bool all = certificate.rules.size() == rules &&
                    std::all_of(certificate.rules.begin(), certificate.rules.end(),
                                [](const RuleReport& report) { return report.verdict == Verdict::verified; });
   certificate.verdict = all ? Verdict::verified : Verdict::undecided;
@@ -55,6 +57,12 @@ std::string_view name(Verdict verdict) {
   return "MALFORMED";
 }
 
+std::string_view claim(const Certificate& certificate) {
+  if (certificate.geodesics) return "closed geodesics";
+  return certificate.counts.collars ? "a pseudo epsilon-net: an epsilon-net of the epsilon-thick part"
+                                    : "an epsilon-net";
+}
+
 Certificate check(const Document& document, const CheckOptions& options) {
   Certificate certificate;
   certificate.counts.vertices = document.vertices.size();
@@ -63,6 +71,7 @@ Certificate check(const Document& document, const CheckOptions& options) {
   certificate.counts.tiles = number_of_tiles(document.surface);
   certificate.counts.charts = document.charts.size();
   certificate.counts.labels = document.labels.size();
+  if (document.collars) certificate.counts.collars = document.collars->size();
   const unsigned threads = options.threads != 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1U);
   CheckOptions bounded = options;
   bounded.max_precision = std::clamp(options.max_precision, kLeastPrecision, kGreatestPrecision);
@@ -99,6 +108,16 @@ Certificate check(const Document& document, const CheckOptions& options) {
   certificate.counts.max_precision_used = gluing.max_precision;
   if (gluing.report.verdict == Verdict::refuted) return conclude(std::move(certificate));
 
+  std::optional<Interval> shortest_core;
+  if (document.collars) {
+    progress("collars");
+    const CollarsOutcome collars = check_collars(document, evaluator, parts, bounded.max_precision);
+    certificate.rules.push_back(collars.report);
+    certificate.counts.max_precision_used = std::max(certificate.counts.max_precision_used, collars.max_precision);
+    if (collars.report.verdict == Verdict::refuted) return conclude(std::move(certificate));
+    shortest_core = collars.shortest_core;
+  }
+
   // An undecided gluing leaves the triangles what they are: their own rules can still be refuted.
   const GeometryOutcome geometry = check_geometry(document, evaluator, bounded, threads);
   certificate.rules.insert(certificate.rules.end(), geometry.reports.begin(), geometry.reports.end());
@@ -110,7 +129,8 @@ Certificate check(const Document& document, const CheckOptions& options) {
                                       .largest_circumradius = geometry.largest_circumradius,
                                       .longest_edge = geometry.longest_edge,
                                       .shortest_edge = geometry.shortest_edge,
-                                      .shortest_loop = geometry.shortest_loop};
+                                      .shortest_loop = geometry.shortest_loop,
+                                      .shortest_core = shortest_core};
   return conclude(std::move(certificate));
 }
 

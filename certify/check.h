@@ -51,7 +51,8 @@ struct Counts {
   std::uint64_t label_identities = 0;  ///< Different group equations that rule `gluing` had to decide.
   std::uint64_t exact_ties = 0;        ///< Edges whose four corners are exactly cocircular.
   std::uint64_t triangles_beyond_64_bits = 0;
-  std::uint64_t max_precision_used = 0;  ///< Bits, largest of the rules gluing to packing.
+  std::uint64_t max_precision_used = 0;  ///< Bits, largest of the rules from gluing on.
+  std::optional<std::uint64_t> collars;  ///< Of a pseudo net; absent in any other.
 };
 
 /// Intervals that contain the true values, ends rounded outward; lengths are hyperbolic.
@@ -60,8 +61,10 @@ struct Enclosures {
   Interval area{};
   Interval largest_circumradius{};
   Interval longest_edge{};
-  std::optional<Interval> shortest_edge;  ///< Between different vertices; absent in a net of one vertex.
+  std::optional<Interval>
+      shortest_edge;  ///< Between different vertices that are not those of one collar; may be absent.
   std::optional<Interval> shortest_loop;  ///< Absent where no edge is a loop.
+  std::optional<Interval> shortest_core;  ///< Of the collars of a pseudo net.
 };
 
 /// What it took to check a geodesics file.
@@ -78,13 +81,17 @@ struct Certificate {
   Verdict verdict = Verdict::undecided;
   std::string rule;     ///< The rule that decided a verdict other than `verified`; "structure" if malformed.
   std::string message;  ///< That rule's text; empty if verified.
-  /// The rules that were evaluated, in the order surface, map, gluing, orientation, delaunay, covering, packing. A rule
-  /// that needs an earlier one which failed is not evaluated.
+  /// The rules that were evaluated, in the order surface, map, gluing, orientation, delaunay, covering, packing; in a
+  /// pseudo net collars comes after gluing, and thick last. A rule that needs an earlier one which failed is not
+  /// evaluated.
   std::vector<RuleReport> rules;
   Counts counts;
   std::optional<Enclosures> enclosures;      ///< Present if the geometry was evaluated.
   std::optional<GeodesicsCounts> geodesics;  ///< Present for a geodesics file whose net is verified.
 };
+
+/// What a document of this kind claims to be, in words.
+[[nodiscard]] std::string_view claim(const Certificate& certificate);
 
 /// Checks everything. A document of whatever content gives a certificate; exceptions mean that the machine failed
 /// (std::bad_alloc, std::system_error).

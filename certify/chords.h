@@ -9,7 +9,7 @@
 
 /// Closed geodesics as finite sets of chords: a pair (t, g) for each lifted triangle that the axis of an element meets,
 /// modulo the element's centralizer, where t is the triangle and g the element written in the chart of t
-/// (docs/proof.md, section 10).
+/// (docs/proof.md, section 11).
 namespace epsnet::certify {
 
 /// One lifted triangle, in the chart of its triangle, that an axis possibly meets.

@@ -10,7 +10,7 @@
 namespace epsnet::certify {
 
 /// Rule `complete`: every primitive closed geodesic of length at most L is in the list, or, for a systole, none is
-/// shorter than the lower end of its enclosure (docs/proof.md, section 10).
+/// shorter than the lower end of its enclosure (docs/proof.md, section 11).
 ///
 /// Vertex by vertex: what one precision decides is not asked again at the next. L is the `up_to` of a spectrum, 2
 /// arsinh 1 for a thick-thin decomposition, and that lower end for a systole.

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,17 @@ struct Triangle {
   bool operator==(const Triangle&) const = default;
 };
 
+/// The collar of a short closed geodesic, its core, that a pseudo net leaves uncovered: the annulus of two triangles
+/// between a loop at vertices[0] and a loop at vertices[1], one on each side of the core. triangles[0] has vertices[0]
+/// at two of its corners, triangles[1] at one.
+struct Collar {
+  std::vector<std::uint32_t> core;  ///< A word from the tile of the chart of vertices[0] to itself.
+  std::array<double, 2> length;     ///< Ends of an interval that contains the core's length.
+  std::array<std::uint32_t, 2> vertices;
+  std::array<std::uint32_t, 2> triangles;
+  bool operator==(const Collar&) const = default;
+};
+
 /// A net file. Label number k ≥ 1 is labels[k − 1].
 struct Document {
   Surface surface;
@@ -80,6 +92,7 @@ struct Document {
   std::vector<Label> labels;
   std::vector<Vertex> vertices;
   std::vector<Triangle> triangles;
+  std::optional<std::vector<Collar>> collars;  ///< Present, perhaps empty, in a pseudo net.
   bool operator==(const Document&) const = default;
 };
 

@@ -4,7 +4,7 @@
 #include <epsnet/certify/geodesics_document.h>
 
 /// The checker of geodesics files: decides whether a list of closed geodesics is what it is said to be (docs/proof.md,
-/// section 10).
+/// section 11).
 namespace epsnet::certify {
 
 /// Checks the net first, with its seven rules; its certificate is the answer unless it is verified. Then come the rules

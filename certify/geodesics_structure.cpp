@@ -132,6 +132,8 @@ Problem pieces_problem(const GeodesicsDocument& document) {
 
 Problem structure_problem(const GeodesicsDocument& document) {
   if (auto problem = structure_problem(document.net)) return problem;
+  // The search relies on vertices near every point of the surface.
+  if (document.net.collars) return "net: collars, a pseudo net; expected a net of the whole surface";
   if (auto problem = geodesics_problem(document)) return problem;
   if (document.claim == Claim::systole) return systole_problem(document);
   if (auto problem = up_to_problem(document)) return problem;

@@ -1,3 +1,4 @@
+#include <epsnet/certify/collar_check.h>
 #include <epsnet/certify/darts.h>
 #include <epsnet/certify/geometry_check.h>
 #include <epsnet/certify/lifted_triangle.h>
@@ -11,8 +12,9 @@
 namespace epsnet::certify {
 namespace {
 
-enum Rule : std::size_t { kOrientation, kDelaunay, kCovering, kPacking };
-constexpr std::array<const char*, 4> kRuleNames{"orientation", "delaunay", "covering", "packing"};
+enum Rule : std::size_t { kOrientation, kDelaunay, kCovering, kPacking, kThick };
+constexpr std::array kRules{kOrientation, kDelaunay, kCovering, kPacking, kThick};
+constexpr std::array<const char*, 5> kRuleNames{"orientation", "delaunay", "covering", "packing", "thick"};
 
 /// The questions about one triangle, one bit each: 0 orientation, 1 covering, 2 + i Delaunay and 5 + i length of edge
 /// i, asked at the smaller of the two darts of an edge only.
@@ -52,7 +54,7 @@ class Extreme {
 
 /// What was found in some of the triangles. Combined in file order, so nothing depends on which thread found what.
 struct Findings {
-  std::array<std::optional<Violation>, 4> refuted;
+  std::array<std::optional<Violation>, 5> refuted;
   std::uint64_t exact_ties = 0;
   Extreme circumradius;  ///< Of sinh² R.
   Extreme longest;       ///< Of sinh²(d/2), as the two below.
@@ -64,7 +66,7 @@ struct Findings {
   }
 
   void add(const Findings& other) {
-    for (const Rule rule : {kOrientation, kDelaunay, kCovering, kPacking}) {
+    for (const Rule rule : kRules) {
       if (other.refuted[rule]) refute(rule, other.refuted[rule]->triangle, other.refuted[rule]->text);
     }
     exact_ties += other.exact_ties;
@@ -104,12 +106,25 @@ std::string edge_name(const Document& document, std::uint32_t dart) {
          " to vertex " + std::to_string(start(document, next_dart(dart)));
 }
 
+/// The rule that says that an edge is at least ε long; nothing if it may have any length.
+std::optional<Rule> length_rule(const Document& document, const CollarMembers& collars, std::uint32_t dart) {
+  const std::uint32_t u = start(document, dart);
+  const std::uint32_t v = start(document, next_dart(dart));
+  if (u == v) return collars.pseudo() && !collars.has_vertex(u) ? std::optional(kThick) : std::nullopt;
+  return collars.are_partners(u, v) ? std::nullopt : std::optional(kPacking);
+}
+
 /// One run over the open triangles at one precision.
 class Pass {
  public:
-  Pass(const Document& document, const LabelEvaluator& evaluator, const LabelTable& labels, const mpq_class& epsilon,
-       slong precision, bool last)
-      : document_(document), evaluator_(evaluator), labels_(labels), precision_(precision), last_(last) {
+  Pass(const Document& document, const CollarMembers& collars, const LabelEvaluator& evaluator,
+       const LabelTable& labels, const mpq_class& epsilon, slong precision, bool last)
+      : document_(document),
+        collars_(collars),
+        evaluator_(evaluator),
+        labels_(labels),
+        precision_(precision),
+        last_(last) {
     Ball radius;
     set_rational(radius.get(), epsilon, precision);
     epsilon_ = outer_interval(radius.get());
@@ -125,7 +140,10 @@ class Pass {
     lifted.load(document_, labels_, t, precision_);
     unsigned still_open = 0;
     if (open & kOrientationBit) still_open |= examine_orientation(t, lifted, findings);
-    if (open & kCoveringBit) still_open |= examine_covering(t, lifted, findings);
+    if (open & kCoveringBit) {
+      still_open |=
+          collars_.has_triangle(t) ? examine_circumcircle(t, lifted, findings) : examine_covering(t, lifted, findings);
+    }
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (open & delaunay_bit(i)) still_open |= examine_delaunay(t, i, lifted, findings);
       if (open & length_bit(i)) still_open |= examine_length(t, i, lifted, findings);
@@ -164,6 +182,14 @@ class Pass {
     return inside == Tri::unknown ? kCoveringBit : Questions{0};
   }
 
+  /// All that rule `covering` asks of a triangle of a collar.
+  Questions examine_circumcircle(std::uint32_t t, LiftedTriangle& lifted, Findings& findings) const {
+    lifted.measure_circumradius(sinh_squared_.get(), precision_);
+    const Tri exists = certainly_positive(lifted.radius_denominator.get());
+    if (exists == Tri::no) findings.refute(kCovering, t, triangle_name(document_, t) + " has no circumcircle");
+    return exists == Tri::unknown ? kCoveringBit : Questions{0};
+  }
+
   Questions examine_delaunay(std::uint32_t t, std::uint32_t i, LiftedTriangle& lifted, Findings& findings) const {
     lifted.measure_cross_ratio(document_, labels_, t, i, precision_);
     if (arb_is_zero(lifted.cross_ratio.get())) {
@@ -188,13 +214,14 @@ class Pass {
   Questions examine_length(std::uint32_t t, std::uint32_t i, LiftedTriangle& lifted, Findings& findings) const {
     const std::uint32_t dart = 3 * t + i;
     const bool loop = start(document_, dart) == start(document_, next_dart(dart));
+    const std::optional<Rule> rule = length_rule(document_, collars_, dart);
     lifted.measure_edge(half_sinh_squared_.get(), i, precision_);
-    // D < sinh²(ε/2) A B means shorter than ε. Loops may be as short as they like.
+    // D < sinh²(ε/2) A B means shorter than ε.
     const Tri short_edge =
-        loop ? Tri::no : certainly_less(lifted.squared_difference[i].get(), lifted.length_limit.get());
+        rule ? certainly_less(lifted.squared_difference[i].get(), lifted.length_limit.get()) : Tri::no;
     const Interval squared = quotient(lifted.squared_difference[i].get(), lifted.gap_product.get());
     if (short_edge == Tri::yes) {
-      findings.refute(kPacking, t,
+      findings.refute(*rule, t,
                       edge_name(document_, dart) + " has a length in " + text(length_interval(squared, 2)) +
                           ", less than epsilon in " + text(epsilon_));
     }
@@ -203,7 +230,7 @@ class Pass {
       return length_bit(i);
     }
     findings.longest.largest(squared);
-    (loop ? findings.shortest_loop : findings.shortest_edge).smallest(squared);
+    if (loop || rule) (loop ? findings.shortest_loop : findings.shortest_edge).smallest(squared);
     return short_edge == Tri::unknown ? length_bit(i) : Questions{0};
   }
 
@@ -212,6 +239,7 @@ class Pass {
   [[nodiscard]] static bool measured(const Ball& x) { return arb_rel_accuracy_bits(x.get()) >= kMeasuredBits; }
 
   const Document& document_;
+  const CollarMembers& collars_;
   const LabelEvaluator& evaluator_;
   const LabelTable& labels_;
   slong precision_;
@@ -239,7 +267,7 @@ LabelTable needed_labels(const Document& document, const LabelEvaluator& evaluat
   return {numbers, evaluator.evaluate(numbers, precision, cap, threads), document.labels.size()};
 }
 
-RuleReport report(Rule rule, const Document& document, const Findings& findings,
+RuleReport report(Rule rule, const Document& document, const CollarMembers& collars, const Findings& findings,
                   const std::vector<std::uint32_t>& open_triangles, const std::vector<Questions>& open, long bits) {
   if (findings.refuted[rule]) return {kRuleNames[rule], Verdict::refuted, findings.refuted[rule]->text};
   for (std::size_t k = 0; k < open_triangles.size(); ++k) {
@@ -251,14 +279,15 @@ RuleReport report(Rule rule, const Document& document, const Findings& findings,
     }
     if (rule == kCovering && (open[k] & kCoveringBit)) {
       return {kRuleNames[rule], Verdict::undecided,
-              triangle_name(document, t) + ": not decided whether the circumradius is at most epsilon" + with};
+              triangle_name(document, t) + ": not decided whether " +
+                  (collars.has_triangle(t) ? "it has a circumcircle" : "the circumradius is at most epsilon") + with};
     }
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (rule == kDelaunay && (open[k] & delaunay_bit(i))) {
         return {kRuleNames[rule], Verdict::undecided,
                 edge_name(document, 3 * t + i) + ": not decided whether it is Delaunay" + with};
       }
-      if (rule == kPacking && (open[k] & length_bit(i))) {
+      if ((open[k] & length_bit(i)) && length_rule(document, collars, 3 * t + i) == rule) {
         return {kRuleNames[rule], Verdict::undecided,
                 edge_name(document, 3 * t + i) + ": not decided whether it is at least epsilon long" + with};
       }
@@ -272,6 +301,7 @@ RuleReport report(Rule rule, const Document& document, const Findings& findings,
 GeometryOutcome check_geometry(const Document& document, const LabelEvaluator& evaluator, const CheckOptions& options,
                                unsigned threads) {
   const mpq_class epsilon = *parse_decimal(document.epsilon);
+  const CollarMembers collars(document);
   std::vector<std::uint32_t> triangles(document.triangles.size());
   std::vector<Questions> open(document.triangles.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
@@ -291,7 +321,7 @@ GeometryOutcome check_geometry(const Document& document, const LabelEvaluator& e
     const bool last = precision >= cap;
     const LabelTable labels =
         needed_labels(document, evaluator, triangles, precision, std::min(4 * precision, 2 * cap), threads);
-    const Pass pass(document, evaluator, labels, epsilon, precision, last);
+    const Pass pass(document, collars, evaluator, labels, epsilon, precision, last);
     const std::size_t blocks = (triangles.size() + kBlock - 1) / kBlock;
     std::vector<Findings> found(blocks);
     std::vector<std::unique_ptr<LiftedTriangle>> lifted(std::max(threads, 1U));
@@ -320,9 +350,6 @@ GeometryOutcome check_geometry(const Document& document, const LabelEvaluator& e
     if (last) break;
   }
 
-  for (const Rule rule : {kOrientation, kDelaunay, kCovering, kPacking}) {
-    outcome.reports[rule] = report(rule, document, all, triangles, open, options.max_precision);
-  }
   Ball radius;
   set_rational(radius.get(), epsilon, 128);
   outcome.epsilon = outer_interval(radius.get());
@@ -333,15 +360,20 @@ GeometryOutcome check_geometry(const Document& document, const LabelEvaluator& e
   if (const auto& x = all.shortest_loop.value()) outcome.shortest_loop = length_interval(*x, 2);
 
   const std::string edges = std::to_string(3 * document.triangles.size() / 2);
-  const std::array<std::string, 4> proved{
+  const std::array<std::string, 5> proved{
       "all " + std::to_string(document.triangles.size()) + " triangles are strictly counterclockwise",
       "all " + edges + " edges are Delaunay, " + std::to_string(all.exact_ties) + " of them exact ties",
-      "every circumradius is at most epsilon; the largest lies in " + text(outcome.largest_circumradius),
-      outcome.shortest_edge ? "every edge between different vertices is at least epsilon long; the shortest lies in " +
-                                  text(*outcome.shortest_edge)
-                            : std::string("there is only one vertex, every edge is a loop")};
-  for (const Rule rule : {kOrientation, kDelaunay, kCovering, kPacking}) {
-    if (outcome.reports[rule].verdict == Verdict::verified) outcome.reports[rule].text = proved[rule];
+      std::string("every circumradius") + (collars.pseudo() ? " outside of collars" : "") +
+          " is at most epsilon; the largest lies in " + text(outcome.largest_circumradius),
+      outcome.shortest_edge ? std::string("every edge between different vertices") +
+                                  (collars.pseudo() ? " that are not those of one collar" : "") +
+                                  " is at least epsilon long; the shortest lies in " + text(*outcome.shortest_edge)
+                            : std::string("there is only one vertex, every edge is a loop"),
+      "every loop at a vertex of no collar is at least epsilon long"};
+  for (const Rule rule : kRules) {
+    if (rule == kThick && !collars.pseudo()) break;
+    outcome.reports.push_back(report(rule, document, collars, all, triangles, open, options.max_precision));
+    if (outcome.reports.back().verdict == Verdict::verified) outcome.reports.back().text = proved[rule];
   }
   return outcome;
 }

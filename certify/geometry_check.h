@@ -3,12 +3,12 @@
 #include <epsnet/certify/check.h>
 #include <epsnet/certify/label_evaluator.h>
 
-#include <array>
+#include <vector>
 
 namespace epsnet::certify {
 
 struct GeometryOutcome {
-  std::array<RuleReport, 4> reports;  ///< orientation, delaunay, covering, packing.
+  std::vector<RuleReport> reports;  ///< orientation, delaunay, covering, packing; thick, if it is a pseudo net.
   std::uint64_t exact_ties = 0;
   std::uint64_t triangles_beyond_64_bits = 0;
   std::uint64_t max_precision = 64;
@@ -21,7 +21,9 @@ struct GeometryOutcome {
 
 /// Rules `orientation`, `delaunay`, `covering` and `packing`: every lifted triangle is strictly counterclockwise, no
 /// edge has a cross-ratio with positive imaginary part, every circumradius is at most ε, every edge between different
-/// vertices is at least ε long (docs/proof.md, sections 5 to 7).
+/// vertices is at least ε long (docs/proof.md, sections 5 to 7). In a pseudo net triangles of collars need a
+/// circumcircle only, the edges between the two vertices of a collar may have any length, and rule `thick` says that
+/// loops at other vertices are at least ε long (section 10).
 ///
 /// Balls of 64 bits first, then twice as many for what they left open, and so on up to max_precision; exact ties of the
 /// first two rules are decided exactly. Needs rules `surface` and `map`. O(n) time; the result does not depend on the

@@ -53,12 +53,7 @@ Tri holds(const std::array<const BallIsometry*, 4>& labels, const BallIsometry& 
   };
   const BallIsometry difference =
       compose(inverse(quotient(labels[2], labels[3])), quotient(labels[0], labels[1]), precision);
-  Ball displacement, bound;
-  half_displacement_squared(displacement.get(), difference, precision);
-  arb_sqr(bound.get(), sinh_radius.get(), precision);
-  // sinh²(d/2) < sinh²(r) with the displacement d and the radius r: d < 2r, so the quotient is 1.
-  if (certainly_less(displacement.get(), bound.get()) == Tri::yes) return Tri::yes;
-  return certainly_positive(displacement.get()) == Tri::yes ? Tri::no : Tri::unknown;
+  return is_identity(difference, sinh_radius, precision);
 }
 
 std::string edge_text(const Item& item) {
@@ -69,6 +64,15 @@ std::string edge_text(const Item& item) {
 }
 
 }  // namespace
+
+Tri is_identity(const BallIsometry& element, const Ball& sinh_radius, slong precision) {
+  Ball displacement, bound;
+  half_displacement_squared(displacement.get(), element, precision);
+  arb_sqr(bound.get(), sinh_radius.get(), precision);
+  // sinh²(d/2) < sinh²(r) with the displacement d and the radius r: d < 2r, so the quotient is 1.
+  if (certainly_less(displacement.get(), bound.get()) == Tri::yes) return Tri::yes;
+  return certainly_positive(displacement.get()) == Tri::yes ? Tri::no : Tri::unknown;
+}
 
 GluingOutcome check_gluing(const Document& document, const LabelEvaluator& evaluator, const LabelParts& parts,
                            long max_precision, unsigned threads) {

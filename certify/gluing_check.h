@@ -11,6 +11,10 @@ struct GluingOutcome {
   std::uint64_t max_precision = 64;  ///< Bits.
 };
 
+/// Whether an element of the group of the surface is 1, given as an isometry of the disk with the centre of a disk
+/// inside of a tile, whose radius has this sinh, at 0 (docs/proof.md, Lemma 2).
+[[nodiscard]] Tri is_identity(const BallIsometry& element, const Ball& sinh_radius, slong precision);
+
 /// Rule `gluing`: across every edge the two triangles fit, L_{t,i} L_{t',j+1}⁻¹ = L_{t,i+1} L_{t',j}⁻¹ in the group of
 /// the surface (corner i of t is corner j + 1 of t', corner i + 1 is corner j).
 ///

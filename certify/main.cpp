@@ -72,6 +72,7 @@ void visit_counts(const Counts& c, const Visit& visit) {
   visit("exact_ties", c.exact_ties);
   visit("triangles_beyond_64_bits", c.triangles_beyond_64_bits);
   visit("max_precision_used", c.max_precision_used);
+  if (c.collars) visit("collars", *c.collars);
 }
 
 template <class Visit>
@@ -82,6 +83,7 @@ void visit_enclosures(const Enclosures& e, const Visit& visit) {
   visit("longest_edge", e.longest_edge);
   if (e.shortest_edge) visit("shortest_edge", *e.shortest_edge);
   if (e.shortest_loop) visit("shortest_loop", *e.shortest_loop);
+  if (e.shortest_core) visit("shortest_core", *e.shortest_core);
 }
 
 template <class Visit>
@@ -113,7 +115,7 @@ std::string as_text(const Certificate& certificate) {
                      [&](const char* key, Interval value) { out << key << ": " << interval_text(value) << '\n'; });
   }
   if (certificate.geodesics) visit_geodesics_counts(*certificate.geodesics, line);
-  out << verdict_line(certificate) << '\n';
+  out << "claim: " << claim(certificate) << '\n' << verdict_line(certificate) << '\n';
   return out.str();
 }
 
@@ -132,7 +134,8 @@ std::string json_number(double x) { return std::isfinite(x) ? shortest(x) : "nul
 
 std::string as_json(const Certificate& certificate) {
   std::ostringstream out;
-  out << "{\"verdict\": " << json_string(name(certificate.verdict)) << ", \"rule\": " << json_string(certificate.rule)
+  out << "{\"verdict\": " << json_string(name(certificate.verdict))
+      << ", \"claim\": " << json_string(claim(certificate)) << ", \"rule\": " << json_string(certificate.rule)
       << ", \"message\": " << json_string(certificate.message) << ", \"rules\": [";
   const char* separator = "";
   for (const RuleReport& report : certificate.rules) {
@@ -218,9 +221,12 @@ Certificate read_and_check(Request& request) {
 int run(int argc, char** argv) {
   Request request;
   CLI::App app(
-      "Decides whether a net file proves that its vertices are an epsilon-net of its surface and its triangles a\n"
-      "Delaunay triangulation, or a geodesics file that its closed geodesics are the systole, the spectrum up to a\n"
-      "length or the thick-thin decomposition: every number is enclosed in balls, every claim is derived again.",
+      "Decides whether a net file proves that its vertices are an epsilon-net of its surface, or of the thick part of "
+      "it\n"
+      "(a pseudo net), and its triangles a Delaunay triangulation, or a geodesics file that its closed geodesics are "
+      "the\n"
+      "systole, the spectrum up to a length or the thick-thin decomposition: every number is enclosed in balls, every\n"
+      "claim is derived again.",
       "certify");
   app.add_option("FILE", request.file, "a net file or a geodesics file (docs/format.md)")->required();
   app.add_flag("--json", request.json, "one JSON object instead of lines of text");

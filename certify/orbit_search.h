@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <functional>
 
-/// The elements of the surface's group that move a vertex little, by reverse search (docs/proof.md, section 10).
+/// The elements of the surface's group that move a vertex little, by reverse search (docs/proof.md, section 11).
 namespace epsnet::certify {
 
 /// What is asked at every lift of the vertex that is found, in the order of the search.

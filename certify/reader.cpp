@@ -233,25 +233,27 @@ Chart read_chart(simdjson::simdjson_result<value> row, const Place& at) {
   return chart;
 }
 
-void read_word(simdjson::simdjson_result<value> item, const Place& at, std::size_t& letters_in_all,
-               std::vector<std::uint32_t>& word) {
+std::vector<std::uint32_t> read_word(simdjson::simdjson_result<value> item, const Place& at,
+                                     std::size_t& letters_in_all) {
+  std::vector<std::uint32_t> word;
   read_array(item, at, "a word, an array of side numbers",
              [&](simdjson::simdjson_result<value> letter, std::size_t position) {
                if (position >= kMaxWordLetters) fail(at, "the word has more than the limit of 10^6 letters");
                if (++letters_in_all > kMaxLettersInAll) fail(at, "more than the limit of 10^7 letters in all");
                word.push_back(read_index(letter, at));
              });
+  return word;
 }
 
 Label read_label(simdjson::simdjson_result<value> row, const Place& at, std::size_t& letters_in_all) {
   Label label{};
   read_tuple(row, at, 3, "[from, to, word], two charts and an array of sides",
              [&](simdjson::simdjson_result<value> element, std::size_t i) {
-               if (i < 2) {
+               if (i == 2) {
+                 label.word = read_word(element, at, letters_in_all);
+               } else {
                  (i == 0 ? label.from : label.to) = read_index(element, at);
-                 return;
                }
-               read_word(element, at, letters_in_all, label.word);
              });
   return label;
 }
@@ -274,6 +276,21 @@ Triangle read_triangle(simdjson::simdjson_result<value> row, const Place& at) {
   read_tuple(row, at, 8, "[v0, v1, v2, o0, o1, o2, l1, l2], eight indices",
              [&](simdjson::simdjson_result<value> element, std::size_t i) { n[i] = read_index(element, at); });
   return {.vertex = {n[0], n[1], n[2]}, .opposite = {n[3], n[4], n[5]}, .label = {n[6], n[7]}};
+}
+
+Collar read_collar(simdjson::simdjson_result<value> row, const Place& at, std::size_t& letters_in_all) {
+  Collar collar{};
+  const auto read_pair = [&](simdjson::simdjson_result<value> item, const char* expected, auto& pair,
+                             const auto& read_element) {
+    read_tuple(item, at, 2, expected,
+               [&](simdjson::simdjson_result<value> element, std::size_t i) { pair[i] = read_element(element, at); });
+  };
+  read_members(expect(row.get_object(), at, "an object"), at,
+               {{"core", [&](auto item) { collar.core = read_word(item, at, letters_in_all); }},
+                {"length", [&](auto item) { read_pair(item, "[lo, hi], two numbers", collar.length, read_binary64); }},
+                {"vertices", [&](auto item) { read_pair(item, "two vertices", collar.vertices, read_index); }},
+                {"triangles", [&](auto item) { read_pair(item, "two triangles", collar.triangles, read_index); }}});
+  return collar;
 }
 
 std::vector<Member> net_members(Document& document, std::size_t& letters_in_all) {
@@ -304,11 +321,20 @@ std::vector<Member> net_members(Document& document, std::size_t& letters_in_all)
                document.vertices.push_back(read_vertex(row, at));
              });
            }},
-          {"triangles", [&](simdjson::simdjson_result<value> rows) {
+          {"triangles",
+           [&](simdjson::simdjson_result<value> rows) {
              read_rows(rows, "triangles", kMaxTriangles, [&](simdjson::simdjson_result<value> row, const Place& at) {
                document.triangles.push_back(read_triangle(row, at));
              });
-           }}};
+           }},
+          {"collars",
+           [&](simdjson::simdjson_result<value> rows) {
+             document.collars.emplace();
+             read_rows(rows, "collars", kMaxRows, [&](simdjson::simdjson_result<value> row, const Place& at) {
+               document.collars->push_back(read_collar(row, at, letters_in_all));
+             });
+           },
+           true}};
 }
 
 bool read_truth(simdjson::simdjson_result<value> item, const Place& at) {
@@ -336,7 +362,7 @@ ClosedGeodesic read_geodesic(simdjson::simdjson_result<value> row, const Place& 
   ClosedGeodesic geodesic;
   read_members(expect(row.get_object(), at, "an object"), at,
                {{"vertex", [&](auto item) { geodesic.vertex = read_index(item, at); }},
-                {"word", [&](auto item) { read_word(item, at, letters_in_all, geodesic.word); }},
+                {"word", [&](auto item) { geodesic.word = read_word(item, at, letters_in_all); }},
                 {"length", [&](auto item) { geodesic.length = read_interval(item, at); }},
                 {"simple", [&](auto item) { geodesic.simple = read_truth(item, at); }}});
   return geodesic;

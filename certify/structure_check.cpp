@@ -66,6 +66,24 @@ Problem regular_problem(const Surface& surface) {
   return std::nullopt;
 }
 
+/// What is wrong with a word that should lead from one tile to another.
+Problem word_problem(const SurfaceSides& sides, const std::vector<std::uint32_t>& word, std::uint32_t from,
+                     std::uint32_t to, const std::string& target) {
+  std::uint32_t tile = from;
+  for (std::size_t letter = 0; letter < word.size(); ++letter) {
+    const std::uint32_t side = word[letter];
+    if (side >= sides.partner.size()) return out_of_range("side", side, sides.partner.size());
+    if (sides.tile[side] != tile) {
+      return "letter " + std::to_string(letter) + " is side " + std::to_string(side) + " of tile " +
+             std::to_string(sides.tile[side]) + ", expected a side of tile " + std::to_string(tile);
+    }
+    tile = sides.tile[sides.partner[side]];
+  }
+  if (tile == to) return std::nullopt;
+  return "the word ends in tile " + std::to_string(tile) + ", expected the tile " + std::to_string(to) + " of " +
+         target;
+}
+
 Problem label_problem(const Document& document, const SurfaceSides& sides) {
   for (std::size_t row = 0; row < document.labels.size(); ++row) {
     const Label& label = document.labels[row];
@@ -73,19 +91,35 @@ Problem label_problem(const Document& document, const SurfaceSides& sides) {
       if (chart >= document.charts.size())
         return at("labels", row) + out_of_range("chart", chart, document.charts.size());
     }
-    std::uint32_t tile = document.charts[label.from].tile;
-    for (std::size_t letter = 0; letter < label.word.size(); ++letter) {
-      const std::uint32_t side = label.word[letter];
-      if (side >= sides.partner.size()) return at("labels", row) + out_of_range("side", side, sides.partner.size());
-      if (sides.tile[side] != tile) {
-        return at("labels", row) + "letter " + std::to_string(letter) + " is side " + std::to_string(side) +
-               " of tile " + std::to_string(sides.tile[side]) + ", expected a side of tile " + std::to_string(tile);
-      }
-      tile = sides.tile[sides.partner[side]];
+    if (const auto problem = word_problem(sides, label.word, document.charts[label.from].tile,
+                                          document.charts[label.to].tile, "chart " + std::to_string(label.to))) {
+      return at("labels", row) + *problem;
     }
-    if (tile != document.charts[label.to].tile) {
-      return at("labels", row) + "the word ends in tile " + std::to_string(tile) + ", expected the tile " +
-             std::to_string(document.charts[label.to].tile) + " of chart " + std::to_string(label.to);
+  }
+  return std::nullopt;
+}
+
+/// Needs vertices without problem.
+Problem collar_problem(const Document& document, const SurfaceSides& sides) {
+  for (std::size_t row = 0; row < document.collars->size(); ++row) {
+    const Collar& collar = (*document.collars)[row];
+    for (const std::uint32_t v : collar.vertices) {
+      if (v >= document.vertices.size())
+        return at("collars", row) + out_of_range("vertex", v, document.vertices.size());
+    }
+    for (const std::uint32_t t : collar.triangles) {
+      if (t >= document.triangles.size())
+        return at("collars", row) + out_of_range("triangle", t, document.triangles.size());
+    }
+    const auto [least, most] = collar.length;
+    if (!(std::isfinite(most) && 0 <= least && least <= most)) {
+      return at("collars", row) + "the length [" + shortest(least) + ", " + shortest(most) +
+             "] is not an interval of numbers >= 0";
+    }
+    const std::uint32_t v = collar.vertices[0];
+    const std::uint32_t tile = document.charts[document.vertices[v].chart].tile;
+    if (const auto problem = word_problem(sides, collar.core, tile, tile, "vertex " + std::to_string(v))) {
+      return at("collars", row) + *problem;
     }
   }
   return std::nullopt;
@@ -150,7 +184,8 @@ Problem structure_problem(const Document& document) {
       return at("charts", row) + "the centre is not inside the unit disk";
     }
   }
-  if (auto problem = label_problem(document, SurfaceSides(document.surface))) return problem;
+  const SurfaceSides sides(document.surface);
+  if (auto problem = label_problem(document, sides)) return problem;
   for (std::size_t row = 0; row < document.vertices.size(); ++row) {
     const Vertex& vertex = document.vertices[row];
     if (vertex.chart >= document.charts.size()) {
@@ -161,7 +196,8 @@ Problem structure_problem(const Document& document) {
              ") is not inside the unit disk";
     }
   }
-  return triangle_problem(document);
+  if (auto problem = triangle_problem(document)) return problem;
+  return document.collars ? collar_problem(document, sides) : std::nullopt;
 }
 
 }  // namespace epsnet::certify

@@ -121,6 +121,22 @@ void write_surface_object(Buffer& buffer, const Surface& surface) {
   buffer.text("}");
 }
 
+void write_collars(Buffer& buffer, const std::vector<Collar>& collars) {
+  const auto number = [&](auto n) { buffer.number(n); };
+  buffer.text(",\n\"collars\":");
+  write_rows(buffer, collars, [&](const Collar& collar) {
+    buffer.text("{\"core\":");
+    write_list(buffer, collar.core, number);
+    buffer.text(",\"length\":");
+    write_list(buffer, collar.length, number);
+    buffer.text(",\"vertices\":");
+    write_list(buffer, collar.vertices, number);
+    buffer.text(",\"triangles\":");
+    write_list(buffer, collar.triangles, number);
+    buffer.text("}");
+  });
+}
+
 void write_net_object(Buffer& buffer, const Document& document) {
   buffer.text("{\"format\":\"epsnet-net\",\"version\":1,\n\"surface\":");
   write_surface_object(buffer, document.surface);
@@ -170,6 +186,7 @@ void write_net_object(Buffer& buffer, const Document& document) {
     buffer.number(t.label[1]);
     buffer.text("]");
   });
+  if (document.collars) write_collars(buffer, *document.collars);
   buffer.text("}");
 }
 

@@ -1,9 +1,12 @@
 #include "epsnet/netgen/certified_net.h"
 
 #include <chrono>
+#include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "epsnet/netgen/collars.h"
 #include "epsnet/netgen/refine.h"
 #include "epsnet/netgen/start.h"
 #include "epsnet/netgen/surface_file.h"
@@ -70,32 +73,59 @@ certify::Document net_document(const Triangulation& triangulation, const Epsilon
   return net;
 }
 
-Triangulation net_triangulation(const Surface& surface, const Epsilon& epsilon, const NetOptions& options,
-                                NetStatistics& statistics) try {
+namespace {
+
+struct Refined {
+  Triangulation triangulation;
+  std::optional<std::vector<certify::Collar>> collars;  ///< Of a pseudo net.
+};
+
+Refined refined(const Surface& surface, const Epsilon& epsilon, const NetOptions& options,
+                NetStatistics& statistics) try {
+  if (options.pseudo && !epsilon.allows_pseudo_nets()) {
+    throw std::invalid_argument("epsilon = " + epsilon.text() +
+                                " is too large for a pseudo net, the limit is ln sqrt(2) = 0.3465...");
+  }
   using Clock = std::chrono::steady_clock;
   const auto seconds_since = [](Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
   const auto start = Clock::now();
-  Triangulation triangulation(surface, options.base);
+  Refined result{Triangulation(surface, options.base), std::nullopt};
+  Triangulation& triangulation = result.triangulation;
   statistics.initial_flips = triangulation.make_delaunay();
   if (options.base) {
     statistics.removed = reduce_to_vertex_0(triangulation);
   }
   statistics.start_seconds = seconds_since(start);
   const auto refinement = Clock::now();
-  refine(triangulation, epsilon, options, statistics);
+  if (options.pseudo) {
+    Collars collars(triangulation, epsilon);
+    refine(triangulation, epsilon, options, statistics, &collars);
+    result.collars = collars.documents();
+    statistics.collars = collars.count();
+  } else {
+    refine(triangulation, epsilon, options, statistics);
+  }
   statistics.refine_seconds = seconds_since(refinement);
   statistics.multiprecision = triangulation.multiprecision_count();
-  return triangulation;
+  return result;
 } catch (const LimitError& error) {
   throw NetError(error.what());
 }
 
+}  // namespace
+
+Triangulation net_triangulation(const Surface& surface, const Epsilon& epsilon, const NetOptions& options,
+                                NetStatistics& statistics) {
+  return refined(surface, epsilon, options, statistics).triangulation;
+}
+
 UncertifiedNet compute_net(const Surface& surface, const Epsilon& epsilon, const NetOptions& options) {
   UncertifiedNet result;
-  const Triangulation triangulation = net_triangulation(surface, epsilon, options, result.statistics);
-  result.net = net_document(triangulation, epsilon);
+  Refined net = refined(surface, epsilon, options, result.statistics);
+  result.net = net_document(net.triangulation, epsilon);
+  result.net.collars = std::move(net.collars);
   result.statistics.charts = result.net.charts.size();
   result.statistics.labels = result.net.labels.size();
   return result;

@@ -32,6 +32,8 @@ struct NetOptions {
   std::optional<BasePoint> base = {};
   Insertion insertion = Insertion::cavity;
   Walk walk = Walk::visibility;
+  /// A pseudo ε-net (thesis Definition III.7): points of the ε-thick part that cover it; ε at most ln √2.
+  bool pseudo = false;
   certify::CheckOptions check = {};  ///< For the certificate: threads, precision cap, progress.
   Progress progress = {};            ///< Called now and then while the net grows, if given.
 };
@@ -47,6 +49,8 @@ struct NetStatistics {
   std::uint64_t walk_steps = 0;        ///< Triangles entered by all walks.
   std::uint64_t longest_walk = 0;
   std::uint64_t multiprecision = 0;  ///< Predicates that binary64 could not decide.
+  std::uint64_t collars = 0;         ///< Of a pseudo net.
+  std::uint64_t undone = 0;          ///< Insertions taken back because they led to a collar.
   std::uint64_t charts = 0;
   std::uint64_t labels = 0;
   double start_seconds = 0;   ///< Initial Delaunay triangulation.
@@ -78,9 +82,9 @@ struct UncertifiedNet {
 /// Computes an ε-net of the surface by Delaunay refinement (thesis Algorithm IV.4.1), as a triangulation that refers to
 /// the surface.
 ///
-/// The vertices of the surface's tiles are the start; of those closer than ε to each other some are removed.
-/// Deterministic.
-/// Throws NetError, std::bad_alloc.
+/// The vertices of the surface's tiles are the start; of those closer than ε to each other some are removed, and so are
+/// those near closed geodesics no longer than ε if a pseudo net is asked for. Deterministic.
+/// Throws NetError, std::bad_alloc; std::invalid_argument for a pseudo net with ε > ln √2.
 [[nodiscard]] Triangulation net_triangulation(const Surface& surface, const Epsilon& epsilon, const NetOptions& options,
                                               NetStatistics& statistics);
 
@@ -89,7 +93,7 @@ struct UncertifiedNet {
                                          const NetOptions& options = {});
 
 /// Computes an ε-net of the surface and proves it: every point of the surface is within hyperbolic distance ε of a
-/// vertex, and different vertices are at least ε apart.
+/// vertex, and different vertices are at least ε apart. For a pseudo net see docs/proof.md, section 10.
 ///
 /// Never returns a net whose certificate does not say VERIFIED: throws NetError instead. Deterministic.
 /// About 0.54 · 16(g − 1)/ε² vertices on a surface of genus g without short curves (thesis Theorem III.1, IV.6.2); time

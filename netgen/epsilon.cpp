@@ -1,5 +1,7 @@
 #include "epsnet/netgen/epsilon.h"
 
+#include <mpfr.h>
+
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
@@ -37,6 +39,23 @@ std::string shortest_decimal(double value) {
 }
 
 }  // namespace
+
+bool Epsilon::allows_pseudo_nets() const {
+  const Rational twice = 2 * value_;
+  // ln 2 is irrational, so enough bits tell.
+  for (mpfr_prec_t bits = 128;; bits *= 2) {
+    mpfr_t limit;
+    mpfr_init2(limit, bits);
+    mpfr_const_log2(limit, MPFR_RNDD);
+    const bool below = mpfr_cmp_q(limit, twice.backend().data()) >= 0;
+    mpfr_const_log2(limit, MPFR_RNDU);
+    const bool above = mpfr_cmp_q(limit, twice.backend().data()) <= 0;
+    mpfr_clear(limit);
+    if (below != above) {
+      return below;
+    }
+  }
+}
 
 Epsilon::Epsilon(std::string text) : text_(std::move(text)), value_(parse(text_)) {}
 

@@ -17,6 +17,8 @@ class Epsilon {
 
   [[nodiscard]] const std::string& text() const { return text_; }
   [[nodiscard]] const Rational& value() const { return value_; }
+  /// Whether ε ≤ ln √2, decided exactly: the limit for pseudo ε-nets (thesis Lemma III.9).
+  [[nodiscard]] bool allows_pseudo_nets() const;
 
  private:
   std::string text_;

@@ -112,6 +112,15 @@ void add_systole(std::ostringstream& out, const Summary& loops, double epsilon) 
   out << '\n';
 }
 
+/// A pseudo net says nothing of the points and loops in its collars.
+void add_collars(std::ostringstream& out, const std::vector<certify::Collar>& collars) {
+  line(out, "pseudo net, collars", collars.size());
+  for (const certify::Collar& collar : collars) {
+    out << "collar at vertices " << collar.vertices[0] << ", " << collar.vertices[1] << ": core of length "
+        << collar.length[0] << ", " << collar.core.size() << " letters\n";
+  }
+}
+
 }  // namespace
 
 double least_vertices(std::uint32_t genus, double epsilon) {
@@ -191,7 +200,7 @@ std::string net_info(const certify::Document& net) {
   line(out, "vertices", net.vertices.size());
   line(out, "edges", net.triangles.size() * 3 / 2);
   line(out, "triangles", net.triangles.size());
-  add_bounds(out, net.vertices.size(), sides.genus, epsilon);
+  if (!net.collars) add_bounds(out, net.vertices.size(), sides.genus, epsilon);
   line(out, "charts", net.charts.size());
   line(out, "labels", net.labels.size());
   std::size_t longest_word = 0;
@@ -203,7 +212,11 @@ std::string net_info(const certify::Document& net) {
   line(out, "loop edges", measures.loops.count());
   if (measures.loops.count() > 0) line(out, "loop lengths", measures.loops.text());
   line(out, "circumradii", measures.circumradii.text());
-  add_systole(out, measures.loops, epsilon);
+  if (net.collars) {
+    add_collars(out, *net.collars);
+  } else {
+    add_systole(out, measures.loops, epsilon);
+  }
   return out.str();
 }
 

@@ -42,10 +42,12 @@ class Queue {
 
 class Refinement {
  public:
-  Refinement(Triangulation& triangulation, const Epsilon& epsilon, const NetOptions& options, NetStatistics& statistics)
+  Refinement(Triangulation& triangulation, const Epsilon& epsilon, const NetOptions& options, NetStatistics& statistics,
+             Collars* collars)
       : triangulation_(triangulation),
         options_(options),
         statistics_(statistics),
+        collars_(collars),
         large_(epsilon.value()),
         apart_(epsilon.value() / 2) {
     const double genus_term = triangulation.surface().genus() - 1.0;
@@ -63,6 +65,9 @@ class Refinement {
 
   void run() {
     statistics_.removed += reduce_to_packing(triangulation_, apart_);
+    if (collars_ != nullptr) {
+      statistics_.removed += clear_collars(triangulation_, apart_, *collars_);
+    }
     for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
       push_if_large(t);
     }
@@ -95,7 +100,7 @@ class Refinement {
   [[nodiscard]] bool is_large(std::uint32_t t) { return triangulation_.compare_circumradius(t, large_) > 0; }
 
   void push_if_large(std::uint32_t t) {
-    if (is_large(t)) {
+    if (is_large(t) && !(collars_ != nullptr && collars_->has_triangle(t))) {
       triangulation_.mark(t);
       queue_.push_back({&t, 1});
     }
@@ -214,6 +219,9 @@ class Refinement {
         }
       }
     }
+    if (leads_to_collar(t, place, v, journal)) {
+      return true;
+    }
     for (const std::uint32_t s : changed) {
       push_if_large(s);
     }
@@ -225,6 +233,60 @@ class Refinement {
       statistics_.longest_walk = std::max<std::uint64_t>(statistics_.longest_walk, location.steps);
     }
     return true;
+  }
+
+  /// Whether the vertex v that insert_by_flips has just inserted is in the l_ε-collar of a core no longer than ε whose
+  /// collar was not handled before. Then the insertion is undone and the collar handled (Algorithm III.10, step 2).
+  ///
+  /// It is enough to ask here: a vertex in such a collar has a loop edge (Lemma III.8), and a cavity makes none, as it
+  /// joins its new vertex to old ones only; find_cavity says no where lifts of the cavity meet.
+  [[nodiscard]] bool leads_to_collar(std::uint32_t t, const Atlas::Place& place, std::uint32_t v,
+                                     const Journal& journal) {
+    if (collars_ == nullptr) {
+      return false;
+    }
+    // Flips leave the new vertex in the triangles that have it.
+    const std::uint32_t s = triangulation_.new_triangles().front();
+    const auto& corners = triangulation_.triangle(s).vertex;
+    const auto i = static_cast<std::uint32_t>(std::find(corners.begin(), corners.end(), v) - corners.begin());
+    const std::optional<Core> core = collars_->core_at(make_dart(s, i));
+    if (!core || collars_->is_handled(*core, s, triangulation_.corner(s, i).label)) {
+      return false;
+    }
+    triangulation_.undo(journal);
+    ++statistics_.undone;
+    handle_collar(t, place.label, *core);
+    return true;
+  }
+
+  /// Inserts the two vertices of a core. From then on no centre of a large triangle but those of its annulus, which are
+  /// not taken, lies in the annulus between the two loops, or between a loop and the circle around its ends' half disk:
+  /// such a centre would be nearer than ε to a vertex or its circle would cross a loop pp', and the vertices that it
+  /// cuts off beyond would lie in the disk with diameter pp', nearer than ε to p, as the loop is shorter than l_ε
+  /// (Lemma III.11). And no later vertex is in the circumdisk of a triangle of the annulus: what that has outside of
+  /// the annulus is in the same disks. So these triangles stay. Collars::documents and the certifier see to it.
+  void handle_collar(std::uint32_t t, LabelId label, const Core& core) {
+    Journal journal = triangulation_.open_journal();
+    collars_->insert_pair(core, t, label, &journal);
+    const std::vector<std::uint32_t> changed = changed_triangles(journal);
+    for (const std::uint32_t s : changed) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const Corner a = triangulation_.corner(s, i);
+        const Corner b = triangulation_.corner(s, next(i));
+        if (a.vertex != b.vertex && !collars_->are_partners(a.vertex, b.vertex) &&
+            triangulation_.compare_distance(a, b, apart_) <= 0) {
+          throw NetError("a vertex beside a short closed geodesic is closer than epsilon to vertex " +
+                         std::to_string(std::min(a.vertex, b.vertex)));
+        }
+      }
+    }
+    for (const std::uint32_t s : changed) {
+      push_if_large(s);
+    }
+    // t had its turn, but may be as large as before.
+    if (triangulation_.triangle(t).marked() && std::find(changed.begin(), changed.end(), t) == changed.end()) {
+      queue_.push_back({&t, 1});
+    }
   }
 
   /// The slots whose triangle is another one, or has lost its mark, since the journal was opened, in the order in which
@@ -247,6 +309,7 @@ class Refinement {
   Triangulation& triangulation_;
   const NetOptions& options_;
   NetStatistics& statistics_;
+  Collars* collars_;  ///< Null unless the net is a pseudo net.
   Threshold large_;
   Threshold apart_;
   double expected_;
@@ -258,9 +321,9 @@ class Refinement {
 
 }  // namespace
 
-void refine(Triangulation& triangulation, const Epsilon& epsilon, const NetOptions& options,
-            NetStatistics& statistics) {
-  Refinement(triangulation, epsilon, options, statistics).run();
+void refine(Triangulation& triangulation, const Epsilon& epsilon, const NetOptions& options, NetStatistics& statistics,
+            Collars* collars) {
+  Refinement(triangulation, epsilon, options, statistics, collars).run();
 }
 
 }  // namespace epsnet

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "epsnet/netgen/certified_net.h"
+#include "epsnet/netgen/collars.h"
 #include "epsnet/triangulation/triangulation.h"
 
 namespace epsnet {
@@ -9,7 +10,10 @@ namespace epsnet {
 /// with the FIFO list of IV.4.7).
 ///
 /// Every inserted point is proved to be at least ε from the others, every triangle left to have circumradius at most ε,
-/// before the certifier sees them. Throws NetError where that cannot be done.
-void refine(Triangulation& triangulation, const Epsilon& epsilon, const NetOptions& options, NetStatistics& statistics);
+/// before the certifier sees them. With `collars` until they are a pseudo ε-net (Algorithm III.10): collars of
+/// cores no longer than ε are emptied, and the triangles in them left as they are. Throws NetError where that cannot be
+/// done.
+void refine(Triangulation& triangulation, const Epsilon& epsilon, const NetOptions& options, NetStatistics& statistics,
+            Collars* collars = nullptr);
 
 }  // namespace epsnet

@@ -100,16 +100,50 @@ class Reduction {
   std::vector<Dart> pending_;
 };
 
+bool too_close(Triangulation& triangulation, Dart d, const Threshold& apart) {
+  const std::uint32_t t = triangle_of(d);
+  const Corner a = triangulation.corner(t, corner_of(d));
+  const Corner b = triangulation.corner(t, next(corner_of(d)));
+  return triangulation.compare_distance(a, b, apart) <= 0;
+}
+
+/// Inserts the two vertices for every core that a vertex of no collar has and that was not handled before; says whether
+/// there was one.
+bool handle_collars(Triangulation& triangulation, Collars& collars) {
+  const std::size_t before = collars.count();
+  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const Corner corner = triangulation.corner(t, i);
+      if (collars.has_vertex(corner.vertex)) {
+        continue;
+      }
+      const std::optional<Core> core = collars.core_at(make_dart(t, i));
+      if (core && !collars.is_handled(*core, t, corner.label)) {
+        collars.insert_pair(*core, t, corner.label, nullptr);
+      }
+    }
+  }
+  return collars.count() > before;
+}
+
 }  // namespace
 
 std::uint32_t reduce_to_packing(Triangulation& triangulation, const Threshold& apart) {
-  const auto too_close = [&](Dart d) {
-    const std::uint32_t t = triangle_of(d);
-    const Corner a = triangulation.corner(t, corner_of(d));
-    const Corner b = triangulation.corner(t, next(corner_of(d)));
-    return triangulation.compare_distance(a, b, apart) <= 0;
+  const auto goes = [&](Dart d) { return too_close(triangulation, d, apart); };
+  return Reduction(triangulation, goes).run();
+}
+
+std::uint32_t clear_collars(Triangulation& triangulation, const Threshold& apart, Collars& collars) {
+  const auto goes = [&](Dart d) {
+    return !collars.has_vertex(triangulation.corner(triangle_of(d), corner_of(d)).vertex) &&
+           (too_close(triangulation, d, apart) || collars.core_at(d).has_value());
   };
-  return Reduction(triangulation, too_close).run();
+  std::uint32_t removed = 0;
+  // A vertex may be moved into another collar on its way.
+  while (handle_collars(triangulation, collars)) {
+    removed += Reduction(triangulation, goes).run();
+  }
+  return removed;
 }
 
 std::uint32_t reduce_to_vertex_0(Triangulation& triangulation) {

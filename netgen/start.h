@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "epsnet/netgen/certified_net.h"
+#include "epsnet/netgen/collars.h"
 #include "epsnet/triangulation/triangulation.h"
 
 namespace epsnet {
@@ -14,7 +15,12 @@ namespace epsnet {
 /// vertices removed. O(n) for each, n triangles. Throws NetError if the moves come to no end.
 std::uint32_t reduce_to_packing(Triangulation& triangulation, const Threshold& apart);
 
-/// The same until vertex 0 alone is left, in its place.
+/// Handles the collars of all cores no longer than ε in whose l_ε-collars vertices of an ε-packing lie, removes these
+/// vertices, and what is then closer than ε (thesis, remark after Algorithm III.10). Vertices of collars stay where
+/// they are. Returns the number of vertices removed.
+std::uint32_t clear_collars(Triangulation& triangulation, const Threshold& apart, Collars& collars);
+
+/// As reduce_to_packing until vertex 0 alone is left, in its place.
 std::uint32_t reduce_to_vertex_0(Triangulation& triangulation);
 
 }  // namespace epsnet

@@ -70,6 +70,7 @@ std::string certificate_text(const certify::Certificate& certificate) {
   std::ostringstream out;
   out << "verdict: " << certify::name(certificate.verdict) << '\n'
       << "vertices: " << certificate.counts.vertices << '\n';
+  if (certificate.counts.collars) out << "pseudo net, collars: " << *certificate.counts.collars << '\n';
   if (certificate.enclosures) {
     out << "largest circumradius: " << interval_text(certificate.enclosures->largest_circumradius) << '\n';
     out << "shortest edge between different vertices: "
@@ -111,6 +112,7 @@ std::string statistics_text(const UncertifiedNet& net, std::uint32_t genus, doub
       << '\n';
   out << "upper bound 16(g-1)/epsilon^2, Theorem III.1 if the systole is at least epsilon: " << most << ", ratio "
       << ratio_text(count, most) << '\n';
+  if (request.options.pseudo) out << "insertions undone for a collar: " << s.undone << '\n';
   out << "charts: " << s.charts << '\n' << "labels: " << s.labels << '\n';
   out << "multiprecision predicates: " << s.multiprecision << '\n';
   out << "seconds: reading " << times.reading << ", initial triangulation " << s.start_seconds << ", refinement "
@@ -147,6 +149,8 @@ void make_net(const NetRequest& request) {
   if (is_stdout(request.output) && is_stdout(request.svg))
     throw UsageError("--output and --svg cannot both be standard output");
   const Epsilon epsilon = parse_epsilon(request.epsilon);
+  if (request.options.pseudo && !epsilon.allows_pseudo_nets())
+    throw UsageError("--epsilon: " + epsilon.text() + " is more than ln sqrt(2) = 0.34657..., the limit for --pseudo");
   check_output_directory(request.output);
   if (!request.svg.empty()) check_output_directory(request.svg);
 
@@ -190,6 +194,9 @@ void add_net_command(CLI::App& app, Job& chosen) {
          "--base", request.base,
          "start from this point alone: of tile T, strictly inside of it, exact; T alone is the centre of the tile")
       ->option_text("T[,X,Y]");
+  net->add_flag("--pseudo", request.options.pseudo,
+                "a pseudo net: the collars of closed geodesics no longer than epsilon are left empty; "
+                "epsilon at most ln sqrt(2)");
   net->add_flag("--no-certify", request.no_certify, "write the net without checking it: nothing is proved");
   CLI::Option* insert =
       net->add_option("--insert", request.options.insertion,

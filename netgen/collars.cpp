@@ -1,0 +1,251 @@
+#include "epsnet/netgen/collars.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <unordered_set>
+#include <utility>
+
+#include "epsnet/kernel/plane.h"
+#include "epsnet/netgen/certified_net.h"
+
+namespace epsnet {
+namespace {
+
+LorentzVector operator+(const LorentzVector& u, const LorentzVector& v) { return {u.x + v.x, u.y + v.y, u.t + v.t}; }
+LorentzVector operator*(const Mp1024& s, const LorentzVector& v) { return {s * v.x, s * v.y, s * v.t}; }
+Mp1024 product(const LorentzVector& u, const LorentzVector& v) { return u.x * v.x + u.y * v.y - u.t * v.t; }
+/// Orthogonal to both; of length 1 if they are a point and a unit vector orthogonal to it.
+LorentzVector cross(const LorentzVector& u, const LorentzVector& v) {
+  return {u.y * v.t - u.t * v.y, u.t * v.x - u.x * v.t, u.y * v.x - u.x * v.y};
+}
+
+LorentzVector on_hyperboloid(const Complex<Mp1024>& z) {
+  const Mp1024 scale = 1 / (1 - norm(z));
+  return {2 * scale * z.x, 2 * scale * z.y, scale * (1 + norm(z))};
+}
+
+Complex<Mp1024> in_disk(const LorentzVector& v) { return {v.x / (1 + v.t), v.y / (1 + v.t)}; }
+
+/// The core of a translation (a, b) as it is seen from z. The fixed points are the z with |z| = 1 and Im(b̄z) = Im a, so
+/// that (−Im b, Re b, Im a) is normal to the axis; its square is |b|² − (Im a)² = sinh²(length/2).
+Core core_of(std::uint32_t chart, const Isometry<Mp1024>& f, const Mp1024& sinh2, const Complex<Mp1024>& z) {
+  const Mp1024 scale = 1 / sqrt(isometry_discriminant(f));
+  const LorentzVector normal = scale * LorentzVector{-f.b.y, f.b.x, f.a.y};
+  const LorentzVector p = on_hyperboloid(z);
+  const Mp1024 height = product(p, normal);  // sinh of the distance.
+  const LorentzVector foot = Mp1024(1 / sqrt(Mp1024(1 + height * height))) * (p + Mp1024(-height) * normal);
+  return {chart, sinh2, foot, cross(foot, normal), normal};
+}
+
+/// The point at the distance `shift` along the core from its foot, and from there at `height` on one side.
+Complex<Mp1024> point_beside(const Core& core, const Mp1024& height, const Mp1024& shift) {
+  const LorentzVector on_core = Mp1024(cosh(shift)) * core.foot + Mp1024(sinh(shift)) * core.along;
+  return in_disk(Mp1024(cosh(height)) * on_core + Mp1024(sinh(height)) * core.normal);
+}
+
+Mp1024 length_of(const Core& core) { return 2 * asinh(Mp1024(sqrt(core.sinh2))); }
+
+}  // namespace
+
+Collars::Collars(Triangulation& triangulation, const Epsilon& epsilon)
+    : triangulation_(triangulation), epsilon_(epsilon.value()) {
+  const Mp1024 s = sinh(Mp1024(epsilon_ / 2));
+  sinh2_half_ = s * s;
+}
+
+std::optional<std::uint32_t> Collars::partner_of(std::uint32_t v) const {
+  if (sides_.empty()) {
+    return std::nullopt;
+  }
+  const Vertex vertex = triangulation_.vertex(v);
+  const auto found = sides_.find(vertex.chart);
+  return found != sides_.end() && vertex.z == Complex<double>{} ? std::optional(found->second.partner) : std::nullopt;
+}
+
+bool Collars::are_partners(std::uint32_t u, std::uint32_t v) const {
+  return partner_of(u) == triangulation_.vertex(v).chart && has_vertex(v);
+}
+
+bool Collars::is_short_loop(Dart d) {
+  const std::uint32_t t = triangle_of(d);
+  const std::uint32_t v = triangulation_.corner(t, corner_of(d)).vertex;
+  if (triangulation_.corner(t, next(corner_of(d))).vertex != v) {
+    return false;
+  }
+  const Complex<double> z = triangulation_.vertex(v).z;
+  const Complex<Mp1024> image = triangulation_.atlas().lift<Mp1024>(triangulation_.label_along(d), z);
+  return sinh2_half_distance(convert<Mp1024>(z), image) <= 2 * sinh2_half_;
+}
+
+std::optional<Core> Collars::core_at(Dart d) {
+  for (const Dart x : triangulation_.star(d)) {
+    if (!is_short_loop(x)) {
+      continue;
+    }
+    const Vertex vertex = triangulation_.vertex(triangulation_.corner(triangle_of(x), corner_of(x)).vertex);
+    const auto& f = triangulation_.atlas().isometry_in<Mp1024>(triangulation_.label_along(x));
+    const Mp1024 sinh2 = isometry_discriminant(f) / f.determinant();
+    if (sinh2 <= sinh2_half_) {
+      return core_of(vertex.chart, f, sinh2, convert<Mp1024>(vertex.z));
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Dart> Collars::loop_of(std::uint32_t t) {
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const std::uint32_t v = triangulation_.triangle(t).vertex[i];
+    const Dart d = make_dart(t, i);
+    if (v == triangulation_.triangle(t).vertex[next(i)] &&
+        are_partners(v, triangulation_.triangle(t).vertex[previous(i)]) && is_short_loop(d)) {
+      return d;
+    }
+  }
+  return std::nullopt;
+}
+
+bool Collars::has_triangle(std::uint32_t t) { return !sides_.empty() && loop_of(t).has_value(); }
+
+bool Collars::is_handled(const Core& core, std::uint32_t t, LabelId label) {
+  if (sides_.empty()) {
+    return false;
+  }
+  Atlas& atlas = triangulation_.atlas();
+  const Atlas::Place foot = atlas.place(core.chart, in_disk(core.foot), true);
+  const std::uint32_t v = triangulation_.add_vertex({foot.z, foot.chart});
+  const LabelId to_t = atlas.product(label, foot.label);
+  const Location location = triangulation_.locate_visibility(t, {v, to_t}, kMostSteps);
+  triangulation_.pop_vertex();
+  const LabelId to_triangle = atlas.product(atlas.inverse(location.transition), to_t);
+  // In a collar that is handled the foot is in its annulus: two triangles, or more as long as there are vertices of the
+  // start in it. A way out of the annulus leads through a triangle with one of its two vertices, so that the first
+  // vertex of a collar that is met tells.
+  const std::vector<Dart> way = way_to_collar(triangle_of(location.dart));
+  if (way.empty()) {
+    return false;
+  }
+  LabelId to_last = to_triangle;
+  for (std::size_t k = 0; k + 1 < way.size(); ++k) {
+    to_last = atlas.product(atlas.inverse(triangulation_.transition(way[k])), to_last);
+  }
+  const Corner corner = triangulation_.corner(triangle_of(way.back()), corner_of(way.back()));
+  const Side& side = sides_.at(triangulation_.vertex(corner.vertex).chart);
+  const LabelId to_core = atlas.product(side.to_core, atlas.product(atlas.inverse(corner.label), to_last));
+  const Complex<Mp1024> z = atlas.lift<Mp1024>(to_core, {0, 0});
+  // Different cores no longer than ε ≤ ln √2 are more than 2 arsinh(1/sinh(ε/2)) > 3 apart (collar theorem).
+  return abs(product(on_hyperboloid(z), side.normal)) < 0.01;
+}
+
+std::vector<Dart> Collars::way_to_collar(std::uint32_t t) const {
+  struct Visit {
+    std::uint32_t triangle;
+    std::size_t before;
+    Dart through;
+  };
+  std::vector<Visit> visits{{t, 0, 0}};
+  std::unordered_set<std::uint32_t> seen{t};
+  for (std::size_t k = 0; k < visits.size(); ++k) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const Dart d = make_dart(visits[k].triangle, i);
+      if (has_vertex(triangulation_.corner(visits[k].triangle, i).vertex)) {
+        std::vector<Dart> way{d};
+        for (std::size_t j = k; j > 0; j = visits[j].before) {
+          way.push_back(visits[j].through);
+        }
+        std::reverse(way.begin(), way.end());
+        return way;
+      }
+      const std::uint32_t other = triangle_of(triangulation_.opposite(d));
+      if (seen.insert(other).second) {
+        visits.push_back({other, k, d});
+      }
+    }
+  }
+  return {};
+}
+
+Collars::Inserted Collars::insert(const Core& core, const Complex<Mp1024>& z, std::uint32_t t, LabelId label,
+                                  Journal* journal) {
+  Atlas& atlas = triangulation_.atlas();
+  const Atlas::Place place = atlas.place(core.chart, z, true);
+  const std::uint32_t v = triangulation_.add_vertex({place.z, place.chart});
+  const Corner p{v, atlas.product(label, place.label)};
+  const Location location = triangulation_.locate_visibility(t, p, kMostSteps);
+  const LabelId to_face = atlas.product(atlas.inverse(location.transition), p.label);
+  if (location.type == Location::Type::face) {
+    triangulation_.split_face(triangle_of(location.dart), v, to_face, journal);
+  } else if (location.type == Location::Type::edge) {
+    triangulation_.split_edge(location.dart, v, to_face, journal);
+  } else {
+    throw NetError("no place was found for a vertex beside a closed geodesic of length " +
+                   std::to_string(static_cast<double>(length_of(core))));
+  }
+  pending_.clear();
+  for (const std::uint32_t s : triangulation_.new_triangles()) {
+    pending_.push_back(make_dart(s, 1));
+  }
+  (void)triangulation_.restore_delaunay(pending_, journal);
+  // Flips leave the new vertex in the triangles that have it.
+  const std::uint32_t s = triangulation_.new_triangles().front();
+  const auto& corners = triangulation_.triangle(s).vertex;
+  const auto i = static_cast<std::uint32_t>(std::find(corners.begin(), corners.end(), v) - corners.begin());
+  return {v, place.label, s, atlas.product(triangulation_.corner(s, i).label, atlas.inverse(place.label))};
+}
+
+void Collars::insert_pair(const Core& core, std::uint32_t t, LabelId label, Journal* journal) {
+  // A little more than d_ε, for all roundings. Not less than ε/8, so that the diametral disks of the two loops contain
+  // no other vertex: with the loop ends at the feet 0 and l, its middle at the height m, tanh m = tanh d/cosh(l/2), the
+  // other vertex, at the foot l/32, is outside if 2 tanh d tanh m > cosh(l/2) − cosh(15l/32), and the left side is more
+  // than 0.03 ε², the right side less than 0.016 ε². Other vertices are outside of the l_ε-collar, d_lε − d > ε away:
+  // for d = d_ε by thesis Lemma III.9, for d = ε/8 as d_lε ≥ arcosh √2 > 0.88.
+  const Mp1024 thin = asinh(Mp1024(sqrt(Mp1024((sinh2_half_ - core.sinh2) / core.sinh2))));
+  const Mp1024 enough = thin + ldexp(Mp1024(1), -40);
+  const Mp1024 least = epsilon_ / 8;
+  const Mp1024 height = enough < least ? least : enough;
+  const Inserted p = insert(core, point_beside(core, height, Mp1024(0)), t, label, journal);
+  // The feet are not the same, so that no four vertices are on a circle.
+  const Mp1024 shift = length_of(core) / 32;
+  const Inserted q = insert(core, point_beside(core, Mp1024(-height), shift), p.triangle, p.label, journal);
+  const std::uint32_t chart_p = triangulation_.vertex(p.vertex).chart;
+  const std::uint32_t chart_q = triangulation_.vertex(q.vertex).chart;
+  sides_[chart_p] = {chart_q, p.to_core, core.normal};
+  sides_[chart_q] = {chart_p, q.to_core, core.normal};
+}
+
+std::vector<certify::Collar> Collars::documents() {
+  // By the chart of the vertex: the loop of the triangle that has it twice.
+  std::unordered_map<std::uint32_t, Dart> loops;
+  std::vector<certify::Collar> result;
+  const auto vertex_of = [&](Dart d) { return triangulation_.corner(triangle_of(d), corner_of(d)).vertex; };
+  for (std::uint32_t t = 0; !sides_.empty() && t < triangulation_.triangle_count(); ++t) {
+    const std::optional<Dart> loop = loop_of(t);
+    if (!loop) {
+      continue;
+    }
+    const std::uint32_t chart = triangulation_.vertex(vertex_of(*loop)).chart;
+    loops[chart] = *loop;
+    const auto other = loops.find(sides_.at(chart).partner);
+    if (other == loops.end()) {
+      continue;
+    }
+    const Dart first = other->second;
+    const std::optional<Core> core = core_at(first);
+    if (!core) {
+      continue;
+    }
+    const auto length = static_cast<double>(length_of(*core));
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    result.push_back({triangulation_.atlas().word(triangulation_.label_along(first)),
+                      {std::nextafter(length, 0), std::nextafter(length, kInfinity)},
+                      {vertex_of(first), vertex_of(*loop)},
+                      {triangle_of(first), t}});
+  }
+  if (result.size() != count()) {
+    throw NetError("a collar of a short closed geodesic did not stay an annulus of two triangles");
+  }
+  return result;
+}
+
+}  // namespace epsnet

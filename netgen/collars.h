@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "epsnet/certify/document.h"
+#include "epsnet/kernel/isometry.h"
+#include "epsnet/netgen/epsilon.h"
+#include "epsnet/triangulation/triangulation.h"
+
+namespace epsnet {
+
+/// A point or a direction of the hyperboloid model, with the form x² + y² − t².
+struct LorentzVector {
+  Mp1024 x, y, t;
+};
+
+/// A closed geodesic no longer than ε as it is seen from a vertex near it.
+struct Core {
+  std::uint32_t chart;   ///< The vertex' chart, whose coordinates are used below.
+  Mp1024 sinh2;          ///< sinh²(length/2).
+  LorentzVector foot;    ///< The point of the lifted core, a line, that is nearest to the vertex;
+  LorentzVector along;   ///< the unit vector along the line there,
+  LorentzVector normal;  ///< and that orthogonal to the line, the same everywhere.
+};
+
+/// The collars of short closed geodesics that a pseudo ε-net leaves empty (thesis III.5).
+///
+/// A collar is handled by two vertices p and q at the distance d = max(d_ε, ε/8) from the core, one on each side, where
+/// loops around the core are ε long at d_ε: sinh(ε/2) = sinh(length/2) cosh d_ε. They have loop edges, and the annulus
+/// between these is two triangles. p and q are origins of charts of their own, which do not change when vertices and
+/// triangles are renumbered: by that they are known, and the triangles by their corners.
+class Collars {
+ public:
+  /// Keeps a reference to the triangulation.
+  Collars(Triangulation& triangulation, const Epsilon& epsilon);
+
+  /// The core of a loop edge shorter than l_ε, sinh(l_ε/2) = √2 sinh(ε/2), at the start of d; nothing if there is no
+  /// such loop or its core is longer than ε. If the vertices are an ε-packing and the triangulation is Delaunay, every
+  /// vertex in the l_ε-collar of such a core has one (thesis Lemma III.8).
+  [[nodiscard]] std::optional<Core> core_at(Dart d);
+  /// Whether insert_pair was called for this core. `label` leads from its chart to the chart of triangle t, where the
+  /// search starts.
+  [[nodiscard]] bool is_handled(const Core& core, std::uint32_t t, LabelId label);
+  /// Inserts the two vertices of a core and makes the triangulation Delaunay again. Throws NetError if they have no
+  /// place.
+  void insert_pair(const Core& core, std::uint32_t t, LabelId label, Journal* journal);
+
+  [[nodiscard]] std::size_t count() const { return sides_.size() / 2; }
+  /// Whether a vertex is one of those that insert_pair made.
+  [[nodiscard]] bool has_vertex(std::uint32_t v) const { return partner_of(v).has_value(); }
+  /// Whether they were made together.
+  [[nodiscard]] bool are_partners(std::uint32_t u, std::uint32_t v) const;
+  /// Whether a triangle is one of the two in the annulus of a collar.
+  [[nodiscard]] bool has_triangle(std::uint32_t t);
+
+  /// The collars as a net file has them. Throws NetError if one is not an annulus of two triangles. O(n).
+  [[nodiscard]] std::vector<certify::Collar> documents();
+
+ private:
+  /// The chart of the other vertex of the collar of v.
+  [[nodiscard]] std::optional<std::uint32_t> partner_of(std::uint32_t v) const;
+  /// A dart from a vertex to itself that is shorter than l_ε.
+  [[nodiscard]] bool is_short_loop(Dart d);
+  /// The dart of a triangle of an annulus that is its loop.
+  [[nodiscard]] std::optional<Dart> loop_of(std::uint32_t t);
+  /// What is known of a vertex of a collar.
+  struct Side {
+    std::uint32_t partner;  ///< The chart of the other vertex of the collar.
+    LabelId to_core;        ///< From its chart to the one in which the core is known.
+    LorentzVector normal;   ///< Of the core.
+  };
+  struct Inserted {
+    std::uint32_t vertex;
+    LabelId to_core;         ///< From its chart to the core's.
+    std::uint32_t triangle;  ///< One of those around it, and
+    LabelId label;           ///< from the core's chart to that of this triangle.
+  };
+  [[nodiscard]] Inserted insert(const Core& core, const Complex<Mp1024>& z, std::uint32_t t, LabelId label,
+                                Journal* journal);
+  /// The darts to cross from a triangle to the nearest one with a vertex of a collar, and last the dart that leaves
+  /// that vertex there; nothing if there is no such vertex. O(n).
+  [[nodiscard]] std::vector<Dart> way_to_collar(std::uint32_t t) const;
+
+  /// Of a walk to a point beside a core, which may cross triangles that wind around it; they end by thesis Theorem
+  /// II.1.
+  static constexpr std::uint32_t kMostSteps = 1'000'000;
+
+  Triangulation& triangulation_;
+  Mp1024 epsilon_;
+  Mp1024 sinh2_half_;                              ///< sinh²(ε/2).
+  std::unordered_map<std::uint32_t, Side> sides_;  ///< By the chart of the vertex.
+  std::vector<Dart> pending_;
+};
+
+}  // namespace epsnet
