@@ -168,10 +168,11 @@ void mutate(Document& document, Chooser& choose) {
 void require_plausible(const Document& document, const Certificate& certificate) {
   const std::size_t vertices = document.vertices.size();
   const std::size_t triangles = document.triangles.size();
-  require(certificate.message.empty() && certificate.rules.size() == 7 && certificate.enclosures.has_value());
+  require(certificate.message.empty() && certificate.rules.size() == (document.collars ? 9 : 7) && certificate.enclosures.has_value());
   require(certificate.counts.vertices == vertices && certificate.counts.triangles == triangles);
   const auto genus = static_cast<double>(certificate.counts.genus);
   require(genus >= 2 && triangles == 2 * vertices + 4 * certificate.counts.genus - 4);
+  if (document.collars) return;  // Which covers the thick part only.
   // Disks of radius ε around the vertices cover the area: V · 4π sinh²(ε/2) >= 4π (g − 1), with room for rounding.
   const double sinh_half = std::sinh(certificate.enclosures->epsilon.upper / 2);
   require(static_cast<double>(vertices) * sinh_half * sinh_half >= (genus - 1) * (1 - 1e-9));
