@@ -344,6 +344,10 @@ TEST(Geodesics, NetThatIsNone) {
   EXPECT_FALSE(check_geodesics(document).geodesics.has_value());
   document.net = {};
   EXPECT_EQ(outcome(document), "MALFORMED: structure");
+  // A pseudo net covers the thick part only.
+  document = bolza_to_5();
+  document.net.collars.emplace();
+  EXPECT_EQ(outcome(document), "MALFORMED: structure");
 }
 
 TEST(Geodesics, ThreadsDoNotMatter) {
