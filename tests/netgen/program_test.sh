@@ -88,14 +88,14 @@ verified straight.json
 good net s.json --epsilon 0.2 -o implied.json --locate straight
 same straight.json implied.json
 good net s.json --epsilon 0.2 -o unproved.json --no-certify
+grep -q 'not certified' output || complain "--no-certify is not mentioned"
+verified unproved.json
 good surface fenchel-nielsen --pants-graph "0-0 0-1 1-1" --lengths 1e-8,2,1 --seed 1 -o thin.json
 good net thin.json --epsilon 0.34 --pseudo -o pseudo.json
 grep -q '^pseudo net, collars: 1$' output || complain "net --pseudo does not say how many collars"
 verified pseudo.json
 good info pseudo.json
 grep -q '^collar at vertices' output || complain "info does not print collars"
-grep -q 'not certified' output || complain "--no-certify is not mentioned"
-verified unproved.json
 good surface import "$data/polygons/polygon-g3-rnd0.txt" -o g3.json
 good net g3.json --epsilon 0.5 -o net.json
 verified net.json
