@@ -168,7 +168,8 @@ void mutate(Document& document, Chooser& choose) {
 void require_plausible(const Document& document, const Certificate& certificate) {
   const std::size_t vertices = document.vertices.size();
   const std::size_t triangles = document.triangles.size();
-  require(certificate.message.empty() && certificate.rules.size() == (document.collars ? 9 : 7) && certificate.enclosures.has_value());
+  require(certificate.message.empty() && certificate.rules.size() == (document.collars ? 9 : 7) &&
+          certificate.enclosures.has_value());
   require(certificate.counts.vertices == vertices && certificate.counts.triangles == triangles);
   const auto genus = static_cast<double>(certificate.counts.genus);
   require(genus >= 2 && triangles == 2 * vertices + 4 * certificate.counts.genus - 4);

@@ -425,7 +425,8 @@ TEST(PseudoCertificate, WhatIsNoCollarIsMalformed) {
   EXPECT_THAT(broken([](certify::Collar& c) { c.vertices[1] = 100000; }), HasSubstr(malformed + "vertex 100000"));
   EXPECT_THAT(broken([](certify::Collar& c) { c.triangles[0] = 100000; }), HasSubstr(malformed + "triangle 100000"));
   EXPECT_THAT(broken([](certify::Collar& c) { c.core = {1000}; }), HasSubstr(malformed + "side 1000"));
-  EXPECT_THAT(broken([](certify::Collar& c) { c.core = {13}; }), HasSubstr(malformed + "letter 0 is side 13 of tile 1"));
+  EXPECT_THAT(broken([](certify::Collar& c) { c.core = {13}; }),
+              HasSubstr(malformed + "letter 0 is side 13 of tile 1"));
   EXPECT_THAT(broken([](certify::Collar& c) { std::swap(c.length[0], c.length[1]); }), HasSubstr("is not an interval"));
   for (const double number : {-1.0, std::nan(""), HUGE_VAL}) {
     EXPECT_THAT(broken([&](certify::Collar& c) { c.length[0] = number; }), HasSubstr("is not an interval"));
