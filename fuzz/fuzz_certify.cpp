@@ -168,7 +168,7 @@ void mutate(Document& document, Chooser& choose) {
 void require_plausible(const Document& document, const Certificate& certificate) {
   const std::size_t vertices = document.vertices.size();
   const std::size_t triangles = document.triangles.size();
-  require(certificate.message.empty() && certificate.rules.size() == (document.collars ? 9 : 7) &&
+  require(certificate.message.empty() && certificate.rules.size() == (document.collars ? 9U : 7U) &&
           certificate.enclosures.has_value());
   require(certificate.counts.vertices == vertices && certificate.counts.triangles == triangles);
   const auto genus = static_cast<double>(certificate.counts.genus);
