@@ -68,8 +68,8 @@ ChordTable::Match ChordTable::find(const Chord& chord, Interval length, std::uin
       match.found = Tri::unknown;
       continue;
     }
-    for (double exponent = least; exponent <= most; ++exponent) {
-      const auto power = static_cast<std::uint32_t>(exponent);
+    if (least > most) continue;
+    for (auto power = static_cast<std::uint32_t>(least); power <= most; ++power) {
       const Tri answer = is_power(chord, this->chord(place).element, power);
       if (answer == Tri::yes) return {Tri::yes, place.geodesic, power};
       if (answer == Tri::unknown) match.found = Tri::unknown;

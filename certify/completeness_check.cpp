@@ -52,7 +52,7 @@ class CompletenessCheck::Pass {
     const BallVector place = position(v);
     std::vector<BallIsometry> known;
     Tri answer = Tri::yes;
-    const auto report = [&](BallIsometry element) {
+    const auto report = [&](const BallIsometry& element) {
       answer = judge(v, element, &place, known, vertex);
       return answer == Tri::yes ? Search::go_on : Search::stop;
     };

@@ -17,7 +17,7 @@ constexpr std::uint32_t kNoEdge = 3;
 class OrbitSearch {
  public:
   OrbitSearch(const LiftedPlane& plane, std::uint32_t dart, std::uint64_t limit,
-              const std::function<Search(BallIsometry)>& report)
+              const std::function<Search(const BallIsometry&)>& report)
       : plane_(plane), net_(plane.net()), vertex_(start(net_, dart)), limit_(limit), report_(report) {
     place_root(dart);
   }
@@ -150,7 +150,7 @@ class OrbitSearch {
       BallIsometry element =
           compose(inverse(frames_.back().from_base), plane_.label(corner_label(net_, dart)), plane_.precision());
       choose_sign(element);
-      if (report_(std::move(element)) == Search::stop) return false;
+      if (report_(element) == Search::stop) return false;
     }
     return true;
   }
@@ -159,7 +159,7 @@ class OrbitSearch {
   const Document& net_;
   std::uint32_t vertex_;
   std::uint64_t limit_;
-  const std::function<Search(BallIsometry)>& report_;
+  const std::function<Search(const BallIsometry&)>& report_;
   std::vector<Frame> frames_;
   std::vector<Step> path_;
   Ball cosh_shift_;
@@ -172,7 +172,7 @@ class OrbitSearch {
 
 OrbitOutcome search_orbit(const LiftedPlane& plane, std::uint32_t dart, const Ball& cosh_distance,
                           const Ball& sinh_distance, const Ball& tanh_radius, std::uint64_t limit,
-                          const std::function<Search(BallIsometry)>& report) {
+                          const std::function<Search(const BallIsometry&)>& report) {
   OrbitSearch search(plane, dart, limit, report);
   search.set_bound(cosh_distance, sinh_distance, tanh_radius);
   return search.run();

@@ -27,6 +27,6 @@ struct OrbitOutcome {
 /// the visits, memory to the depth.
 [[nodiscard]] OrbitOutcome search_orbit(const LiftedPlane& plane, std::uint32_t dart, const Ball& cosh_distance,
                                         const Ball& sinh_distance, const Ball& tanh_radius, std::uint64_t limit,
-                                        const std::function<Search(BallIsometry)>& report);
+                                        const std::function<Search(const BallIsometry&)>& report);
 
 }  // namespace epsnet::certify
