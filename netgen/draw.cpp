@@ -22,105 +22,6 @@ using Point = Complex<double>;
 
 constexpr std::uint32_t kNone = 0xffffffff;
 
-std::uint32_t next_dart(std::uint32_t dart) { return dart % 3 == 2 ? dart - 2 : dart + 1; }
-
-// ---- Lifting ----
-
-/// The isometry from the chart of a triangle to the screen, shared by neighbours with which it is the same.
-class Placements {
- public:
-  explicit Placements(const NetGeometry& geometry) : geometry_(geometry) {}
-
-  std::uint32_t add(const Isometry<Mp256>& isometry) {
-    placements_.emplace_back(normalized(isometry));
-    return static_cast<std::uint32_t>(placements_.size() - 1);
-  }
-
-  /// The placement of the triangle across a dart of a triangle with the placement given.
-  std::uint32_t across(std::uint32_t placement, std::uint32_t dart) {
-    // The corner where the dart starts is, seen from the other triangle, where the opposite dart ends.
-    const std::uint32_t opposite = geometry_.document().triangles[dart / 3].opposite[dart % 3];
-    const std::uint32_t here = geometry_.corner_label(dart);
-    const std::uint32_t there = geometry_.corner_label(next_dart(opposite));
-    if (here == there) return placement;
-    return add(placements_[placement].precise * geometry_.label(here).precise *
-               inverse(geometry_.label(there).precise));
-  }
-
-  [[nodiscard]] Point apply(std::uint32_t placement, const Point& z) const { return placements_[placement].rounded(z); }
-
- private:
-  const NetGeometry& geometry_;
-  std::deque<PreciseIsometry> placements_;
-};
-
-/// Grows the set of lifted triangles.
-class Lifter {
- public:
-  Lifter(const NetGeometry& geometry, DrawOrder order)
-      : geometry_(geometry), triangles_(geometry.document().triangles), order_(order), placements_(geometry) {
-    lifts_.place.assign(triangles_.size(), kNone);
-  }
-
-  [[nodiscard]] Lifts run() {
-    lift_first();
-    while (!edges_.empty()) {
-      const std::uint32_t dart = edges_.top().second;
-      edges_.pop();
-      const std::uint32_t other = triangles_[dart / 3].opposite[dart % 3] / 3;
-      if (lifts_.place[other] == kNone) lift(other, placements_.across(placement_[lifts_.place[dart / 3]], dart));
-    }
-    if (lifts_.lifted.size() != triangles_.size())
-      throw NetGeometryError("only " + std::to_string(lifts_.lifted.size()) + " of " +
-                             std::to_string(triangles_.size()) + " triangles are connected");
-    return std::move(lifts_);
-  }
-
- private:
-  void lift_first() {
-    const certify::Document& document = geometry_.document();
-    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        if (triangles_[t].vertex[i] != 0) continue;
-        const certify::Vertex& v = document.vertices[0];
-        const auto to_screen = Isometry<Mp256>::translation({Mp256(-v.x), Mp256(-v.y)});
-        const Isometry<Mp256>& label = geometry_.label(geometry_.corner_label(3 * t + i)).precise;
-        lift(t, placements_.add(to_screen * inverse(label)));
-        return;
-      }
-    }
-    throw NetGeometryError("vertex 0 is a corner of no triangle");
-  }
-
-  void lift(std::uint32_t triangle, std::uint32_t placement) {
-    Lifts::LiftedTriangle lifted{triangle, geometry_.corners(triangle)};
-    for (Point& corner : lifted.corner) {
-      corner = placements_.apply(placement, corner);
-      // Points that round to the circle are fine, they are no more than that far from it.
-      if (!(norm(corner) < 1 + 1e-12))
-        throw NetGeometryError("triangles[" + std::to_string(triangle) + "]: a corner is not in the disk");
-    }
-    lifts_.place[triangle] = static_cast<std::uint32_t>(lifts_.lifted.size());
-    lifts_.lifted.push_back(lifted);
-    placement_.push_back(placement);
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const double weight = order_ == DrawOrder::weight ? norm(lifted.corner[i]) + norm(lifted.corner[(i + 1) % 3])
-                                                        : static_cast<double>(lifts_.place[triangle]);
-      edges_.push({weight, 3 * triangle + i});
-    }
-  }
-
-  using Edge = std::pair<double, std::uint32_t>;  ///< Weight and dart; the dart breaks ties.
-
-  const NetGeometry& geometry_;
-  const std::vector<certify::Triangle>& triangles_;
-  DrawOrder order_;
-  Placements placements_;
-  Lifts lifts_;
-  std::vector<std::uint32_t> placement_;  ///< Parallel to lifts_.lifted.
-  std::priority_queue<Edge, std::vector<Edge>, std::greater<>> edges_;
-};
-
 // ---- Geodesics on paper ----
 
 /// A place on paper in hundredths of a pixel, the resolution of the file.
@@ -288,7 +189,8 @@ class Picture {
         geometry_(document),
         options_(options),
         paper_(options.size),
-        lifts_(lift_triangles(geometry_, options.order)) {
+        lifts_(lift_triangles(geometry_, options.order, options.centre)),
+        on_boundary_(boundary_darts(geometry_, lifts_)) {
     // Edges of a net are about 1.4 ε long. Strokes must leave the triangles of fine nets white.
     const double epsilon = certify::parse_decimal(document.epsilon).value_or(mpq_class(1)).get_d();
     epsilon_text_ = document.epsilon.size() <= 40 ? document.epsilon : certify::shortest(epsilon);
@@ -300,7 +202,6 @@ class Picture {
   }
 
   [[nodiscard]] std::string svg() {
-    find_drawn_edges();
     std::string dirichlet;
     if (options_.dirichlet) dirichlet = dirichlet_group();
     const std::string fill = domain_path();
@@ -321,26 +222,12 @@ class Picture {
     return document_.triangles[dart / 3].opposite[dart % 3];
   }
 
-  /// An edge of the surface has one lift in the picture if the two triangles are neighbours there, and else two, on the
-  /// boundary of the drawing.
-  void find_drawn_edges() {
-    on_boundary_.resize(3 * document_.triangles.size());
-    // Lifts of a point are the same or, measured at the scale of the place, far apart.
-    const auto same = [](const Point& u, const Point& v) {
-      return std::sqrt(norm(u - v)) < 1e-6 * std::max(1 - norm(u), 1e-9);
-    };
-    for (std::uint32_t dart = 0; dart < on_boundary_.size(); ++dart) {
-      const std::uint32_t other = opposite(dart);
-      on_boundary_[dart] = !(same(start(dart), end(other)) && same(end(dart), start(other)));
-    }
-  }
-
   /// The boundary dart that follows a boundary dart around the drawing: turn around its end, inside of the drawing.
   [[nodiscard]] std::uint32_t next_on_boundary(std::uint32_t dart) const {
-    std::uint32_t next = next_dart(dart);
+    std::uint32_t next = dart_after(dart);
     for (std::size_t turns = 0; !on_boundary_[next]; ++turns) {
       if (turns > on_boundary_.size()) throw NetGeometryError("the triangles do not fit around a vertex");
-      next = next_dart(opposite(next));
+      next = dart_after(opposite(next));
     }
     return next;
   }
@@ -388,11 +275,11 @@ class Picture {
   /// An edge of the same kind, on the boundary or not, that leaves the end of a dart and is not done; kNone if none was
   /// found.
   [[nodiscard]] std::uint32_t unfinished_edge_at_end(std::uint32_t dart, const std::vector<bool>& done) const {
-    std::uint32_t next = next_dart(dart);
+    std::uint32_t next = dart_after(dart);
     for (int turns = 0; turns < 32; ++turns) {
       if (on_boundary_[next] == on_boundary_[dart] && !done[next]) return next;
       if (on_boundary_[next]) return kNone;
-      next = next_dart(opposite(next));
+      next = dart_after(opposite(next));
     }
     return kNone;
   }
@@ -487,8 +374,6 @@ class Picture {
 };
 
 }  // namespace
-
-Lifts lift_triangles(const NetGeometry& geometry, DrawOrder order) { return Lifter(geometry, order).run(); }
 
 std::string draw_svg(const certify::Document& document, const DrawOptions& options) {
   return Picture(document, options).svg();

@@ -22,6 +22,7 @@ void add_systole_command(CLI::App& app, Job& chosen);
 void add_spectrum_command(CLI::App& app, Job& chosen);
 void add_thick_thin_command(CLI::App& app, Job& chosen);
 void add_draw_command(CLI::App& app, Job& chosen);
+void add_view_command(CLI::App& app, Job& chosen);
 void add_info_command(CLI::App& app, Job& chosen);
 void add_export_command(CLI::App& app, Job& chosen);
 

@@ -89,6 +89,7 @@ int run(int argc, char** argv) {
   add_thick_thin_command(app, chosen);
   add_dirichlet_command(app, chosen);
   add_draw_command(app, chosen);
+  add_view_command(app, chosen);
   add_info_command(app, chosen);
   add_export_command(app, chosen);
   app.footer(
@@ -110,8 +111,8 @@ int run(int argc, char** argv) {
   if (!chosen)
     return fail(kExitUsage, app.got_subcommand("surface")
                                 ? "surface: which one, octagon, fenchel-nielsen, regular or import? (try --help)"
-                                : "which command, surface, net, systole, spectrum, thick-thin, dirichlet, draw, info "
-                                  "or export? (try --help)");
+                                : "which command, surface, net, systole, spectrum, thick-thin, dirichlet, draw, view, "
+                                  "info or export? (try --help)");
 
   try {
     chosen();

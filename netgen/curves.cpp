@@ -1,0 +1,175 @@
+#include "epsnet/netgen/curves.h"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <queue>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "epsnet/netgen/dirichlet.h"
+
+namespace epsnet {
+namespace {
+
+using Point = Complex<Mp256>;
+
+/// Differences below 2⁻¹²⁰ are rounding, far below what a picture shows.
+const Mp256& tolerance() {
+  static const Mp256 value = ldexp(Mp256(1), -120);
+  return value;
+}
+
+// In Klein coordinates geodesics are straight.
+Point klein(const Point& z) { return Mp256(Mp256(2) / (Mp256(1) + norm(z))) * z; }
+Point poincare(const Point& k) { return Mp256(1 / (1 + sqrt(Mp256(1 - norm(k))))) * k; }
+
+/// The corners of a lifted triangle in Klein coordinates.
+std::array<Point, 3> klein_corners(const NetGeometry& geometry, const Placement& placement) {
+  std::array<Point, 3> result;
+  const certify::Document& document = geometry.document();
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const certify::Vertex& v = document.vertices[document.triangles[placement.triangle].vertex[i]];
+    const std::uint32_t label = geometry.corner_label(3 * placement.triangle + i);
+    result[i] = klein((placement.isometry * geometry.label(label).precise)({Mp256(v.x), Mp256(v.y)}));
+  }
+  return result;
+}
+
+/// Twice the area of the triangle u, v, w: positive if w is on the left of the line from u to v.
+Mp256 side_of(const Point& u, const Point& v, const Point& w) { return cross(v - u, w - u); }
+
+/// Walks to a lifted triangle that contains a point (Klein coordinates), each step across a side that separates them:
+/// a visibility walk, which comes to an end in a Delaunay triangulation (thesis Theorem II.3).
+void walk_to(const NetGeometry& geometry, Placement& placement, const Point& target) {
+  const std::size_t most = 1000 + 20 * geometry.document().triangles.size();
+  for (std::size_t steps = 0; steps < most; ++steps) {
+    const std::array<Point, 3> corners = klein_corners(geometry, placement);
+    std::uint32_t i = 0;
+    while (i < 3 && side_of(corners[i], corners[(i + 1) % 3], target) >= -tolerance()) ++i;
+    if (i == 3) return;
+    placement = neighbour(geometry, placement, i);
+  }
+  throw NetGeometryError("a walk does not come to an end: the triangles are no triangulation");
+}
+
+/// A part of a segment, from one share of its way to another.
+struct Part {
+  Mp256 from = 0;
+  Mp256 to = 1;
+  [[nodiscard]] bool touches() const { return to - from >= -tolerance(); }
+  [[nodiscard]] bool has_length() const { return to - from > tolerance(); }
+};
+
+/// What of the segment from p to q is in a triangle.
+Part part_inside(const std::array<Point, 3>& corners, const Point& p, const Point& q) {
+  Part part;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const Mp256 at_p = side_of(corners[i], corners[(i + 1) % 3], p);
+    const Mp256 at_q = side_of(corners[i], corners[(i + 1) % 3], q);
+    if (at_p >= -tolerance() && at_q >= -tolerance()) continue;
+    if (at_p < 0 && at_q < 0) return {1, 0};
+    const Mp256 share = at_p / (at_p - at_q);
+    if (at_p < 0) {
+      part.from = std::max(part.from, share);
+    } else {
+      part.to = std::min(part.to, share);
+    }
+  }
+  return part;
+}
+
+/// Tells lifts of a triangle apart: the place of corner 0.
+std::tuple<std::uint32_t, Mp256, Mp256> key(const Placement& placement, const Point& corner) {
+  return {placement.triangle, floor(ldexp(corner.x, 110)), floor(ldexp(corner.y, 110))};
+}
+
+}  // namespace
+
+std::vector<Arc> cut_segment(const NetGeometry& geometry, Placement& near, const Complex<Mp256>& p,
+                             const Complex<Mp256>& q) {
+  const Point from = klein(p);
+  const Point to = klein(q);
+  const auto point_at = [&](const Mp256& share) { return poincare(from + share * (to - from)); };
+  walk_to(geometry, near, from);
+  std::vector<std::pair<Mp256, Arc>> pieces;
+  std::set<std::tuple<std::uint32_t, Mp256, Mp256>> seen;
+  std::deque<Placement> pending{near};
+  for (; !pending.empty(); pending.pop_front()) {
+    const Placement& placement = pending.front();
+    const std::array<Point, 3> corners = klein_corners(geometry, placement);
+    const Part part = part_inside(corners, from, to);
+    if (!part.touches() || !seen.insert(key(placement, corners[0])).second) continue;
+    if (part.has_length()) {
+      const Isometry<Mp256> back = inverse(placement.isometry);
+      pieces.push_back(
+          {part.from,
+           {placement.triangle, convert<double>(back(point_at(part.from))), convert<double>(back(point_at(part.to)))}});
+    }
+    for (std::uint32_t side = 0; side < 3; ++side) pending.push_back(neighbour(geometry, placement, side));
+  }
+  walk_to(geometry, near, to);
+  std::stable_sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Arc> arcs;
+  for (const auto& piece : pieces) arcs.push_back(piece.second);
+  return arcs;
+}
+
+Layer tile_layer(const NetGeometry& geometry) {
+  Layer layer{.name = "fundamental tiles", .colour = "#7a4fa3"};
+  const certify::Document& document = geometry.document();
+  const SideTable& sides = geometry.sides();
+  const Parts<Mp256> parts(document, sides);
+  const certify::Surface surface =
+      document.surface.regular_genus != 0 ? rounded_polygon(document.surface.regular_genus) : document.surface;
+  const auto corner = [&](std::uint32_t tile, std::size_t k) {
+    const certify::RationalPoint& z = surface.tiles[tile][k % surface.tiles[tile].size()];
+    Point result;
+    mpfr_set_q(result.x.backend().data(), z.x.get_mpq_t(), MPFR_RNDN);
+    mpfr_set_q(result.y.backend().data(), z.y.get_mpq_t(), MPFR_RNDN);
+    return result;
+  };
+  // Tile by tile in its own coordinates; a lift of a triangle near a side is one near the neighbour's side.
+  const certify::Vertex& first = document.vertices[0];
+  std::queue<std::pair<std::uint32_t, Placement>> pending;
+  std::vector<bool> done(surface.tiles.size(), false);
+  done[document.charts[first.chart].tile] = true;
+  pending.push({document.charts[first.chart].tile, placement_at(geometry, 0, parts.frames[first.chart])});
+  for (; !pending.empty(); pending.pop()) {
+    auto [tile, near] = pending.front();
+    for (std::uint32_t s = sides.first_side[tile]; s < sides.first_side[tile + 1]; ++s) {
+      const std::size_t k = s - sides.first_side[tile];
+      const std::vector<Arc> arcs = cut_segment(geometry, near, corner(tile, k), corner(tile, k + 1));
+      if (s < sides.partner[s]) layer.arcs.insert(layer.arcs.end(), arcs.begin(), arcs.end());
+      const std::uint32_t other = sides.tile_of_side[sides.partner[s]];
+      if (done[other]) continue;
+      done[other] = true;
+      pending.push({other, {near.triangle, normalized(parts.crossings[s] * near.isometry)}});
+    }
+  }
+  return layer;
+}
+
+Layer dirichlet_layer(const NetGeometry& geometry, std::uint32_t vertex) {
+  Layer layer{.name = "Dirichlet domain of vertex " + std::to_string(vertex), .colour = "#c8553d"};
+  const DirichletDomain domain = dirichlet_domain(geometry, vertex);
+  Placement near = placement_at(geometry, vertex, to_centre(geometry, vertex));
+  for (std::size_t i = 0; i < domain.vertices.size(); ++i) {
+    const std::vector<Arc> arcs = cut_segment(geometry, near, convert<Mp256>(domain.vertices[i]),
+                                              convert<Mp256>(domain.vertices[(i + 1) % domain.vertices.size()]));
+    layer.arcs.insert(layer.arcs.end(), arcs.begin(), arcs.end());
+  }
+  return layer;
+}
+
+Layer combinatorial_dirichlet_layer(const NetGeometry& geometry, std::uint32_t vertex) {
+  Layer layer{.name = "combinatorial Dirichlet domain of vertex " + std::to_string(vertex), .colour = "#d08a1d"};
+  const Lifts lifts = lift_triangles(geometry, DrawOrder::breadth_first, vertex);
+  const std::vector<bool> on_boundary = boundary_darts(geometry, lifts);
+  for (std::uint32_t dart = 0; dart < on_boundary.size(); ++dart)
+    if (on_boundary[dart]) layer.darts.push_back(dart);
+  return layer;
+}
+
+}  // namespace epsnet

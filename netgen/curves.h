@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "epsnet/netgen/lifts.h"
+
+/// Curves on the surface of a net, cut by its triangles, for pictures.
+namespace epsnet {
+
+/// A piece of a geodesic within one triangle, in the chart of the triangle's corner 0.
+struct Arc {
+  std::uint32_t triangle;
+  Complex<double> from;
+  Complex<double> to;
+};
+
+/// What a picture shows beside the triangulation: arcs, edges or triangles, all in one colour.
+struct Layer {
+  std::string name;
+  std::string colour;  ///< "#rrggbb".
+  bool on = true;      ///< Whether a viewer shows it at first.
+  std::vector<Arc> arcs = {};
+  std::vector<std::uint32_t> darts = {};
+  std::vector<std::uint32_t> triangles = {};
+};
+
+/// The segment from p to q, cut by the lifted triangles that it meets. `near` is a lift from which a walk finds the
+/// first one; it becomes one that contains q. Throws NetGeometryError if the walk does not come to an end: the
+/// triangles are no triangulation. Time linear in the number of triangles met.
+[[nodiscard]] std::vector<Arc> cut_segment(const NetGeometry& geometry, Placement& near, const Complex<Mp256>& p,
+                                           const Complex<Mp256>& q);
+
+/// The sides of the tiles of the surface.
+[[nodiscard]] Layer tile_layer(const NetGeometry& geometry);
+
+/// The boundary of the Dirichlet domain of a vertex (dirichlet.h).
+[[nodiscard]] Layer dirichlet_layer(const NetGeometry& geometry, std::uint32_t vertex);
+
+/// The edges on the boundary of the combinatorial Dirichlet domain of a vertex: of the triangles lifted breadth first.
+[[nodiscard]] Layer combinatorial_dirichlet_layer(const NetGeometry& geometry, std::uint32_t vertex);
+
+}  // namespace epsnet

@@ -1,0 +1,87 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "epsnet/certify/check.h"
+#include "epsnet/certify/reader.h"
+#include "epsnet/netgen/net_geometry.h"
+#include "epsnet/netgen/program/commands.h"
+#include "epsnet/netgen/program/output.h"
+#include "epsnet/netgen/viewer.h"
+
+namespace epsnet::program {
+namespace {
+
+struct ViewRequest {
+  std::string net;
+  std::string output;
+  std::string title;
+  bool no_certify = false;
+  certify::CheckOptions check;
+};
+
+/// The curves that a page can show, at first switched off. What cannot be computed is named in `report`.
+std::vector<Layer> curve_layers(const NetGeometry& geometry, std::string& report) {
+  std::vector<Layer> layers;
+  const auto add = [&](const char* name, const auto& make) {
+    try {
+      layers.push_back(make());
+      layers.back().on = false;
+    } catch (const NetGeometryError& error) {
+      report += std::string("left out: ") + name + ": " + error.what() + '\n';
+    }
+  };
+  add("fundamental tiles", [&] { return tile_layer(geometry); });
+  add("Dirichlet domain", [&] { return dirichlet_layer(geometry, 0); });
+  add("combinatorial Dirichlet domain", [&] { return combinatorial_dirichlet_layer(geometry, 0); });
+  return layers;
+}
+
+std::string page(const ViewRequest& request, const certify::Document& net, const certify::Certificate* certificate,
+                 std::string& report) {
+  try {
+    ViewerOptions options;
+    options.title = request.title.empty() ? std::filesystem::path(request.net).filename().string() : request.title;
+    options.certificate = certificate;
+    options.layers = curve_layers(NetGeometry(net), report);
+    return viewer_page(net, options);
+  } catch (const NetGeometryError& error) {
+    throw JobError(request.net + ": " + error.what());
+  }
+}
+
+void view(const ViewRequest& request) {
+  check_output_directory(request.output);
+  const certify::Document net = certify::read_net(request.net);
+  std::optional<certify::Certificate> certificate;
+  std::string report = "verdict: not certified (--no-certify): nothing is proved about this net\n";
+  if (!request.no_certify) {
+    certificate = certify::check(net, request.check);
+    report = "verdict: " + std::string(certify::name(certificate->verdict)) + '\n';
+    if (!certificate->message.empty()) report += certificate->rule + ": " + certificate->message + '\n';
+  }
+  const std::string html = page(request, net, certificate ? &*certificate : nullptr, report);
+  write_output(request.output, [&](std::ostream& out) { out << html; });
+  write_report(report, is_stdout(request.output));
+}
+
+}  // namespace
+
+void add_view_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<ViewRequest>();
+  ViewRequest& request = *shared;
+  CLI::App* command = app.add_subcommand(
+      "view", "A page to travel in the surface of a net, with its verdict: one HTML file that needs nothing else.");
+  command->add_option("NET", request.net, "a net file")->required()->option_text("REQUIRED");
+  add_output(*command, request.output, "the HTML file to write");
+  command->add_option("--title", request.title, "the page's title")->option_text("TEXT [the file's name]");
+  command->add_flag("--no-certify", request.no_certify, "do not check the net; the page says so");
+  add_threads(*command, request.check.threads);
+  command->footer(
+      "Example:\n  epsnet view net.json -o view.html\n\n"
+      "A net that is not verified is shown all the same, with what is wrong.");
+  command->callback([&chosen, shared] { chosen = [shared] { view(*shared); }; });
+}
+
+}  // namespace epsnet::program

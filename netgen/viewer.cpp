@@ -1,0 +1,205 @@
+#include "epsnet/netgen/viewer.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstring>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "epsnet/certify/text.h"
+#include "epsnet/netgen/lifts.h"
+#include "epsnet/netgen/viewer_page.h"
+
+namespace epsnet {
+namespace {
+
+/// Text as a JSON string that can stand in a script of an HTML page: "<" would start a tag there.
+std::string json_string(std::string_view text) {
+  constexpr std::string_view kHexadecimal = "0123456789abcdef";
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x20 || code == 0x7f || c == '<' || c == '>' || c == '&' || c == '"' || c == '\\') {
+      result += "\\u00";
+      result += kHexadecimal[code / 16];
+      result += kHexadecimal[code % 16];
+    } else {
+      result += c;
+    }
+  }
+  return result + '"';
+}
+
+std::string html_text(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '&':
+        result += "&amp;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+/// The bytes of numbers, least significant first, in base 64 (RFC 4648), as a JSON string.
+template <class Number>
+std::string base64(const std::vector<Number>& numbers) {
+  static_assert(std::endian::native == std::endian::little);
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::vector<unsigned char> bytes(numbers.size() * sizeof(Number));
+  if (!bytes.empty()) std::memcpy(bytes.data(), numbers.data(), bytes.size());
+  std::string result = "\"";
+  result.reserve(bytes.size() / 3 * 4 + 8);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < count ? bytes[i + k] : 0U);
+    for (std::size_t k = 0; k < 4; ++k) result += k <= count ? kDigits[group >> (18 - 6 * k) & 63] : '=';
+  }
+  return result + '"';
+}
+
+/// The labels of edges: by dart, the isometry from the chart of its end to that of its start.
+struct EdgeLabels {
+  std::vector<double> isometries{1, 0, 0, 0};  ///< Four numbers each: a, b of determinant 1. The first is the identity.
+  std::vector<std::uint32_t> pairs;            ///< Dart and number, for all that are not the identity.
+};
+
+EdgeLabels edge_labels(const NetGeometry& geometry) {
+  EdgeLabels result;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers;
+  const std::size_t darts = 3 * geometry.document().triangles.size();
+  for (std::uint32_t dart = 0; dart < darts; ++dart) {
+    const std::uint32_t at_start = geometry.corner_label(dart);
+    const std::uint32_t at_end = geometry.corner_label(dart_after(dart));
+    if (at_start == at_end) continue;
+    const auto [entry, is_new] =
+        numbers.try_emplace({at_start, at_end}, static_cast<std::uint32_t>(result.isometries.size() / 4));
+    if (is_new) {
+      const auto f =
+          convert<double>(normalized(inverse(geometry.label(at_start).precise) * geometry.label(at_end).precise));
+      result.isometries.insert(result.isometries.end(), {f.a.x, f.a.y, f.b.x, f.b.y});
+    }
+    result.pairs.insert(result.pairs.end(), {dart, entry->second});
+  }
+  return result;
+}
+
+std::string layer_json(const Layer& layer) {
+  std::string out = "{\"name\": " + json_string(layer.name) + ", \"colour\": " + json_string(layer.colour) +
+                    ", \"on\": " + (layer.on ? "true" : "false");
+  if (!layer.arcs.empty()) {
+    std::vector<std::uint32_t> triangles;
+    std::vector<double> ends;
+    for (const Arc& arc : layer.arcs) {
+      triangles.push_back(arc.triangle);
+      ends.insert(ends.end(), {arc.from.x, arc.from.y, arc.to.x, arc.to.y});
+    }
+    out += ", \"arcs\": " + base64(triangles) + ", \"ends\": " + base64(ends);
+  }
+  if (!layer.darts.empty()) out += ", \"darts\": " + base64(layer.darts);
+  if (!layer.triangles.empty()) out += ", \"triangles\": " + base64(layer.triangles);
+  return out + "}";
+}
+
+/// A margin for people: four digits.
+std::string four_digits(double x) {
+  std::array<char, 32> buffer;
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x, std::chars_format::general, 4);
+  return {buffer.data(), result.ptr};
+}
+
+/// Rows of names and values.
+class Facts {
+ public:
+  void add(std::string_view name, std::string_view value) {
+    out_ += (out_.empty() ? "[" : ", [") + json_string(name) + ", " + json_string(value) + "]";
+  }
+  [[nodiscard]] std::string json() const { return "[" + out_ + "]"; }
+
+ private:
+  std::string out_;
+};
+
+std::string facts_json(const NetGeometry& geometry, const certify::Certificate* certificate, double epsilon) {
+  const certify::Document& document = geometry.document();
+  Facts facts;
+  facts.add("ε", document.epsilon.size() <= 40 ? document.epsilon : certify::shortest(epsilon));
+  facts.add("genus", std::to_string(geometry.sides().genus));
+  facts.add("vertices", std::to_string(document.vertices.size()));
+  facts.add("triangles", std::to_string(document.triangles.size()));
+  if (certificate == nullptr || !certificate->enclosures) return facts.json();
+  const certify::Enclosures& enclosures = *certificate->enclosures;
+  facts.add("circumradii ≤", certify::shortest(enclosures.largest_circumradius.upper));
+  facts.add("margin to ε", four_digits(enclosures.epsilon.lower - enclosures.largest_circumradius.upper));
+  if (enclosures.shortest_edge) {
+    facts.add("edges, no loops, ≥", certify::shortest(enclosures.shortest_edge->lower));
+    facts.add("margin to ε", four_digits(enclosures.shortest_edge->lower - enclosures.epsilon.upper));
+  }
+  if (enclosures.shortest_loop) facts.add("loops ≥", certify::shortest(enclosures.shortest_loop->lower));
+  return facts.json();
+}
+
+std::string net_json(const NetGeometry& geometry, const ViewerOptions& options) {
+  const certify::Document& document = geometry.document();
+  const certify::Certificate* certificate = options.certificate;
+  const double epsilon = certify::parse_decimal(document.epsilon).value_or(mpq_class(1)).get_d();
+  std::vector<std::uint32_t> opposite;
+  std::vector<std::uint32_t> vertex_darts(document.vertices.size(), 0);
+  for (std::uint32_t t = 0; t < document.triangles.size(); ++t) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      opposite.push_back(document.triangles[t].opposite[i]);
+      vertex_darts[document.triangles[t].vertex[i]] = 3 * t + i;
+    }
+  }
+  std::vector<double> points;
+  std::vector<std::uint32_t> charts;
+  for (const certify::Vertex& v : document.vertices) {
+    points.insert(points.end(), {v.x, v.y});
+    charts.push_back(v.chart);
+  }
+  const EdgeLabels labels = edge_labels(geometry);
+  std::string layers;
+  for (const Layer& layer : options.layers) layers += (layers.empty() ? "" : ",\n") + layer_json(layer);
+  return "{\"title\": " + json_string(options.title) + ", \"verdict\": " +
+         json_string(certificate == nullptr ? "not certified" : certify::name(certificate->verdict)) +
+         ", \"message\": " +
+         json_string(certificate == nullptr || certificate->message.empty()
+                         ? ""
+                         : certificate->rule + ": " + certificate->message) +
+         ",\n\"epsilon\": " + certify::shortest(epsilon) +
+         ", \"facts\": " + facts_json(geometry, certificate, epsilon) + ",\n\"opposite\": " + base64(opposite) +
+         ",\n\"vertex_darts\": " + base64(vertex_darts) + ",\n\"points\": " + base64(points) +
+         ",\n\"charts\": " + base64(charts) + ",\n\"isometries\": " + base64(labels.isometries) +
+         ",\n\"edge_labels\": " + base64(labels.pairs) + ",\n\"layers\": [" + layers + "]}\n";
+}
+
+}  // namespace
+
+std::string viewer_page(const certify::Document& document, const ViewerOptions& options) {
+  const NetGeometry geometry(document);
+  std::string page(kViewerPage);
+  const auto put = [&](std::string_view mark, const std::string& text) {
+    page.replace(page.find(mark), mark.size(), text);
+  };
+  put("@DATA@", net_json(geometry, options));
+  put("@TITLE@", html_text(options.title));
+  return page;
+}
+
+}  // namespace epsnet

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "epsnet/certify/check.h"
+#include "epsnet/certify/document.h"
+#include "epsnet/netgen/curves.h"
+
+/// A net as a page to look at and to travel in.
+namespace epsnet {
+
+struct ViewerOptions {
+  std::string title;                                  ///< Plain text in UTF-8.
+  const certify::Certificate* certificate = nullptr;  ///< What the page says of the net; without one, "not certified".
+  std::vector<Layer> layers = {};                     ///< Shown on top of the triangulation, each with a switch.
+};
+
+/// One HTML page that needs nothing else: the triangulation of the net, unfolded afresh around a point of view that can
+/// be moved without end, its numbers and its verdict (netgen/viewer.html is the page).
+///
+/// The page computes in binary64, but in coordinates around the point of view, which keep it exact to the eye wherever
+/// it goes; edges longer than about 60 are beyond it. Equal arguments give equal bytes. About 70 bytes per vertex.
+/// Throws NetGeometryError if the document is not a net. O(triangles).
+[[nodiscard]] std::string viewer_page(const certify::Document& document, const ViewerOptions& options);
+
+}  // namespace epsnet
