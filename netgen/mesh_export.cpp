@@ -1,0 +1,220 @@
+#include "epsnet/netgen/mesh_export.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "epsnet/certify/text.h"
+#include "epsnet/kernel/plane.h"
+#include "epsnet/netgen/lifts.h"
+
+namespace epsnet {
+namespace {
+
+using certify::shortest;
+
+/// The drawn lifts with common corners identified.
+struct Mesh {
+  struct Point {
+    Complex<double> place;
+    std::uint32_t vertex;
+  };
+  std::vector<Point> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< In the order of the document.
+  std::vector<bool> on_boundary;                        ///< By dart.
+};
+
+/// The least element of a class; halves the paths it walks.
+std::uint32_t find(std::vector<std::uint32_t>& parent, std::uint32_t i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+Mesh mesh(const NetGeometry& geometry, const Lifts& lifts) {
+  const std::vector<certify::Triangle>& triangles = geometry.document().triangles;
+  Mesh result;
+  result.on_boundary = boundary_darts(geometry, lifts);
+  // Corners, named by the darts that start there, are the same across edges inside of the drawing.
+  std::vector<std::uint32_t> parent(3 * triangles.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto join = [&](std::uint32_t a, std::uint32_t b) {
+    a = find(parent, a);
+    b = find(parent, b);
+    parent[std::max(a, b)] = std::min(a, b);
+  };
+  for (std::uint32_t dart = 0; dart < parent.size(); ++dart) {
+    if (result.on_boundary[dart]) continue;
+    const std::uint32_t other = triangles[dart / 3].opposite[dart % 3];
+    join(dart, dart_after(other));
+    join(dart_after(dart), other);
+  }
+  std::vector<std::uint32_t> number(parent.size());
+  for (std::uint32_t dart = 0; dart < parent.size(); ++dart) {
+    const std::uint32_t first = find(parent, dart);
+    if (first == dart) {
+      number[dart] = static_cast<std::uint32_t>(result.points.size());
+      result.points.push_back(
+          {lifts.lifted[lifts.place[dart / 3]].corner[dart % 3], triangles[dart / 3].vertex[dart % 3]});
+    }
+    number[dart] = number[first];
+  }
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    result.triangles.push_back({number[3 * t], number[3 * t + 1], number[3 * t + 2]});
+  return result;
+}
+
+double circumradius(const NetGeometry& geometry, std::uint32_t triangle) {
+  const auto z = geometry.corners(triangle);
+  const auto radius = sinh2_circumradius(z[0], z[1], z[2]);
+  return radius.denominator > 0 ? std::asinh(std::sqrt(radius.numerator / radius.denominator))
+                                : std::numeric_limits<double>::max();
+}
+
+/// With more bits where the ends are in different charts, perhaps far from each other.
+double edge_length(const NetGeometry& geometry, std::uint32_t dart) {
+  const certify::Document& net = geometry.document();
+  const certify::Vertex& u = net.vertices[net.triangles[dart / 3].vertex[dart % 3]];
+  const certify::Vertex& v = net.vertices[net.triangles[dart / 3].vertex[dart_after(dart) % 3]];
+  const std::uint32_t at_u = geometry.corner_label(dart);
+  const std::uint32_t at_v = geometry.corner_label(dart_after(dart));
+  if (at_u == at_v) return distance(Complex<double>{u.x, u.y}, Complex<double>{v.x, v.y});
+  const Isometry<Mp256> label = inverse(geometry.label(at_u).precise) * geometry.label(at_v).precise;
+  return static_cast<double>(distance(Complex<Mp256>{Mp256(u.x), Mp256(u.y)}, label({Mp256(v.x), Mp256(v.y)})));
+}
+
+/// "a<separator>b<separator>c" of indices.
+template <class Indices>
+std::string joined(const Indices& indices, const char* separator) {
+  std::string out;
+  for (const std::uint32_t i : indices) out += (out.empty() ? "" : separator) + std::to_string(i);
+  return out;
+}
+
+std::string point_text(const Complex<double>& z, const char* separator) {
+  return shortest(z.x) + separator + shortest(z.y);
+}
+
+/// One row of a JSON array after the other.
+class Rows {
+ public:
+  Rows(std::ostream& out, const char* name) : out_(out) { out_ << ",\n\"" << name << "\": ["; }
+  void add(const std::string& row) {
+    out_ << (is_first_ ? "\n" : ",\n") << row;
+    is_first_ = false;
+  }
+  void end() { out_ << "]"; }
+
+ private:
+  std::ostream& out_;
+  bool is_first_ = true;
+};
+
+/// The isometries that take the drawn neighbour of a boundary side to the place beyond that side.
+void write_pairings(const NetGeometry& geometry, const Lifts& lifts, const std::vector<bool>& on_boundary,
+                    std::ostream& out) {
+  const certify::Document& net = geometry.document();
+  Rows rows(out, "pairings");
+  for (std::uint32_t dart = 0; dart < on_boundary.size(); ++dart) {
+    if (!on_boundary[dart]) continue;
+    const std::uint32_t other = net.triangles[dart / 3].opposite[dart % 3];
+    const auto placement = [&](std::uint32_t triangle) {
+      return lifts.placements[lifts.lifted[lifts.place[triangle]].placement];
+    };
+    const Placement beyond = neighbour(geometry, {dart / 3, convert<Mp256>(placement(dart / 3))}, dart % 3);
+    const auto f = convert<double>(normalized(beyond.isometry * inverse(convert<Mp256>(placement(other / 3)))));
+    rows.add("[" + std::to_string(dart) + ", " + std::to_string(other) + ", " + point_text(f.a, ", ") + ", " +
+             point_text(f.b, ", ") + "]");
+  }
+  rows.end();
+}
+
+}  // namespace
+
+void write_off(const certify::Document& net, std::ostream& out) {
+  const NetGeometry geometry(net);
+  const Mesh drawn = mesh(geometry, lift_triangles(geometry, DrawOrder::weight));
+  out << "OFF\n" << drawn.points.size() << ' ' << drawn.triangles.size() << " 0\n";
+  for (const Mesh::Point& point : drawn.points) out << point_text(point.place, " ") << " 0\n";
+  for (const auto& triangle : drawn.triangles) out << "3 " << joined(triangle, " ") << '\n';
+}
+
+void write_vtu(const certify::Document& net, std::ostream& out) {
+  const NetGeometry geometry(net);
+  const Mesh drawn = mesh(geometry, lift_triangles(geometry, DrawOrder::weight));
+  const auto array = [&](const char* type, const std::string& attributes, std::size_t count, const auto& text) {
+    out << "<DataArray type=\"" << type << "\" " << attributes << " format=\"ascii\">\n";
+    for (std::uint32_t i = 0; i < count; ++i) out << text(i) << '\n';
+    out << "</DataArray>\n";
+  };
+  const std::size_t n = drawn.triangles.size();
+  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
+         "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\""
+      << drawn.points.size() << "\" NumberOfCells=\"" << n << "\">\n<PointData Scalars=\"vertex\">\n";
+  array("Int64", "Name=\"vertex\"", drawn.points.size(),
+        [&](std::uint32_t i) { return std::to_string(drawn.points[i].vertex); });
+  out << "</PointData>\n<CellData Scalars=\"circumradius\">\n";
+  array("Float64", "Name=\"circumradius\"", n, [&](std::uint32_t t) { return shortest(circumradius(geometry, t)); });
+  array("Int64", "Name=\"triangle\"", n, [](std::uint32_t t) { return std::to_string(t); });
+  out << "</CellData>\n<Points>\n";
+  array("Float64", "Name=\"Points\" NumberOfComponents=\"3\"", drawn.points.size(),
+        [&](std::uint32_t i) { return point_text(drawn.points[i].place, " ") + " 0"; });
+  out << "</Points>\n<Cells>\n";
+  array("Int64", "Name=\"connectivity\"", n, [&](std::uint32_t t) { return joined(drawn.triangles[t], " "); });
+  array("Int64", "Name=\"offsets\"", n, [](std::uint32_t t) { return std::to_string(3 * (std::uint64_t{t} + 1)); });
+  array("UInt8", "Name=\"types\"", n, [](std::uint32_t) { return std::string("5"); });
+  out << "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+}
+
+void write_edges(const certify::Document& net, std::ostream& out) {
+  const NetGeometry geometry(net);
+  out << "u\tv\tlength\n";
+  for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
+    const certify::Triangle& triangle = net.triangles[dart / 3];
+    if (triangle.opposite[dart % 3] < dart) continue;
+    out << triangle.vertex[dart % 3] << '\t' << triangle.vertex[dart_after(dart) % 3] << '\t'
+        << shortest(edge_length(geometry, dart)) << '\n';
+  }
+}
+
+void write_mesh_json(const certify::Document& net, std::ostream& out) {
+  const NetGeometry geometry(net);
+  const Lifts lifts = lift_triangles(geometry, DrawOrder::weight);
+  const Mesh drawn = mesh(geometry, lifts);
+  const double epsilon = certify::parse_decimal(net.epsilon).value_or(mpq_class(1)).get_d();
+  out << "{\"format\": \"epsnet-mesh\", \"version\": 1, \"epsilon\": " << shortest(epsilon)
+      << ", \"genus\": " << geometry.sides().genus << ", \"vertex_count\": " << net.vertices.size();
+  Rows points(out, "points");
+  for (const Mesh::Point& point : drawn.points)
+    points.add("[" + point_text(point.place, ", ") + ", " + std::to_string(point.vertex) + "]");
+  points.end();
+  Rows triangles(out, "triangles");
+  for (const auto& triangle : drawn.triangles) triangles.add("[" + joined(triangle, ", ") + "]");
+  triangles.end();
+  Rows opposite(out, "opposite");
+  for (const certify::Triangle& triangle : net.triangles) opposite.add("[" + joined(triangle.opposite, ", ") + "]");
+  opposite.end();
+  Rows radii(out, "circumradii");
+  for (std::uint32_t t = 0; t < net.triangles.size(); ++t) radii.add(shortest(circumradius(geometry, t)));
+  radii.end();
+  write_pairings(geometry, lifts, drawn.on_boundary, out);
+  Rows corner_labels(out, "corner_labels");
+  for (const certify::Triangle& triangle : net.triangles) corner_labels.add("[" + joined(triangle.label, ", ") + "]");
+  corner_labels.end();
+  Rows labels(out, "labels");
+  for (std::uint32_t number = 0; number <= net.labels.size(); ++number) {
+    const Isometry<double>& f = geometry.label(number).rounded;
+    const std::string word = number == 0 ? "" : joined(net.labels[number - 1].word, ", ");
+    labels.add("{\"isometry\": [" + point_text(f.a, ", ") + ", " + point_text(f.b, ", ") + "], \"word\": [" + word +
+               "]}");
+  }
+  labels.end();
+  out << "}\n";
+}
+
+}  // namespace epsnet

@@ -1,0 +1,178 @@
+#include "epsnet/netgen/mesh_export.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "epsnet/certify/check.h"
+#include "epsnet/kernel/plane.h"
+#include "epsnet/netgen/certified_net.h"
+#include "epsnet/netgen/curves.h"
+#include "epsnet/netgen/fenchel_nielsen.h"
+#include "epsnet/netgen/net_geometry.h"
+#include "epsnet/netgen/octagon.h"
+
+namespace epsnet {
+namespace {
+
+using Point = Complex<double>;
+using Writer = void (*)(const certify::Document&, std::ostream&);
+
+std::string text(Writer write, const certify::Document& net) {
+  std::ostringstream out;
+  write(net, out);
+  return out.str();
+}
+
+certify::Document net_of(const char* epsilon) { return compute_net(random_octagon(123), Epsilon(epsilon)).net; }
+
+struct Off {
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+};
+
+Off read_off(const std::string& text) {
+  std::istringstream in(text);
+  std::string word;
+  std::size_t points = 0;
+  std::size_t triangles = 0;
+  std::size_t zero = 0;
+  in >> word >> points >> triangles >> zero;
+  EXPECT_EQ(word, "OFF");
+  Off result{std::vector<Point>(points), std::vector<std::array<std::size_t, 3>>(triangles)};
+  double z = 0;
+  for (Point& point : result.points) in >> point.x >> point.y >> z;
+  std::size_t corners = 0;
+  for (auto& triangle : result.triangles) in >> corners >> triangle[0] >> triangle[1] >> triangle[2];
+  EXPECT_TRUE(in);
+  in >> word;
+  EXPECT_TRUE(in.eof());
+  return result;
+}
+
+struct Edge {
+  std::uint32_t u;
+  std::uint32_t v;
+  double length;
+};
+
+std::vector<Edge> read_edges(const std::string& text) {
+  std::istringstream in(text);
+  std::string header;
+  std::getline(in, header);
+  EXPECT_EQ(header, "u\tv\tlength");
+  std::vector<Edge> result;
+  for (Edge edge{}; in >> edge.u >> edge.v >> edge.length;) result.push_back(edge);
+  EXPECT_TRUE(in.eof());
+  return result;
+}
+
+/// Every edge of the surface is in the drawing, with its length; the drawing is a disk.
+TEST(MeshExport, offHasTheEdgesOfTheTable) {
+  for (const char* epsilon : {"0.2", "0.5", "30"}) {
+    const certify::Document net = net_of(epsilon);
+    const Off off = read_off(text(write_off, net));
+    ASSERT_EQ(off.triangles.size(), net.triangles.size());
+    std::set<std::pair<std::size_t, std::size_t>> drawn;
+    std::vector<double> lengths;
+    for (const auto& triangle : off.triangles) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto ends = std::minmax(triangle[i], triangle[(i + 1) % 3]);
+        drawn.insert(ends);
+        lengths.push_back(distance(off.points[ends.first], off.points[ends.second]));
+      }
+    }
+    EXPECT_EQ(off.points.size() + off.triangles.size(), drawn.size() + 1);
+    std::vector<double> expected;
+    for (const Edge& edge : read_edges(text(write_edges, net))) expected.insert(expected.end(), 2, edge.length);
+    std::sort(lengths.begin(), lengths.end());
+    std::sort(expected.begin(), expected.end());
+    EXPECT_THAT(lengths, ::testing::Pointwise(::testing::DoubleNear(1e-7), expected));
+  }
+}
+
+TEST(MeshExport, edgesAgreeWithTheCertificate) {
+  FenchelNielsen coordinates = random_fenchel_nielsen(PantsGraph::chain(2), 3);
+  coordinates.lengths.front() = 1e-6;
+  const certify::Document net = compute_net(fenchel_nielsen_surface(coordinates), Epsilon("0.4")).net;
+  const certify::Certificate certificate = certify::check(net);
+  ASSERT_EQ(certificate.verdict, certify::Verdict::verified);
+  double shortest_edge = 1e9;
+  double shortest_loop = 1e9;
+  double longest = 0;
+  const std::vector<Edge> edges = read_edges(text(write_edges, net));
+  EXPECT_EQ(edges.size(), certificate.counts.edges);
+  for (const Edge& edge : edges) {
+    double& least = edge.u == edge.v ? shortest_loop : shortest_edge;
+    least = std::min(least, edge.length);
+    longest = std::max(longest, edge.length);
+  }
+  EXPECT_NEAR(shortest_edge, certificate.enclosures->shortest_edge->lower, 1e-12);
+  EXPECT_NEAR(shortest_loop / certificate.enclosures->shortest_loop->lower, 1, 1e-9);
+  EXPECT_NEAR(longest, certificate.enclosures->longest_edge.upper, 1e-12);
+}
+
+TEST(MeshExport, vtuCountsWhatIsThere) {
+  const certify::Document net = net_of("0.3");
+  const std::string vtu = text(write_vtu, net);
+  const Off off = read_off(text(write_off, net));
+  EXPECT_THAT(vtu, ::testing::HasSubstr("NumberOfPoints=\"" + std::to_string(off.points.size()) +
+                                        "\" NumberOfCells=\"" + std::to_string(off.triangles.size()) + "\""));
+  const auto lines = static_cast<std::size_t>(std::count(vtu.begin(), vtu.end(), '\n'));
+  EXPECT_EQ(lines, 2 * off.points.size() + 5 * off.triangles.size() + 29);
+}
+
+TEST(MeshExport, refusesWhatIsNoNet) {
+  certify::Document net = net_of("0.5");
+  net.triangles[0].vertex[1] = 1000000;
+  for (const Writer write : {write_off, write_vtu, write_edges, write_mesh_json})
+    EXPECT_THROW(text(write, net), NetGeometryError);
+}
+
+/// The length of what arcs show, each in the chart of its triangle.
+double total_length(const Layer& layer) {
+  double sum = 0;
+  for (const Arc& arc : layer.arcs) sum += distance(arc.from, arc.to);
+  return sum;
+}
+
+TEST(Curves, tilesAreCutWithoutLoss) {
+  const Surface surface = random_octagon(123);
+  double perimeter = 0;
+  const Tile& tile = surface.tiles()[0];
+  for (std::size_t k = 0; k < tile.size(); ++k)
+    perimeter += distance(convert<double>(tile[k]), convert<double>(tile[(k + 1) % tile.size()]));
+  for (const char* epsilon : {"0.1", "0.5"}) {
+    const certify::Document net = compute_net(surface, Epsilon(epsilon)).net;
+    const Layer layer = tile_layer(NetGeometry(net));
+    EXPECT_NEAR(total_length(layer), perimeter / 2, 1e-9);
+    EXPECT_GT(layer.arcs.size(), perimeter / 2 / (2 * std::stod(epsilon)));
+  }
+}
+
+TEST(Curves, arcsAreInTheirTriangles) {
+  const certify::Document net = net_of("0.3");
+  const NetGeometry geometry(net);
+  const Layer layer = dirichlet_layer(geometry, 0);
+  EXPECT_FALSE(layer.arcs.empty());
+  for (const Arc& arc : layer.arcs) {
+    const auto corners = geometry.corners(arc.triangle);
+    for (const Point& end : {arc.from, arc.to}) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        // Seen from the corner a side is straight.
+        const Isometry<double> to_corner = Isometry<double>::translation(-corners[i]);
+        EXPECT_GT(cross(to_corner(corners[(i + 1) % 3]), to_corner(end)), -1e-9);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace epsnet
