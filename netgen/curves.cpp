@@ -68,10 +68,13 @@ Part part_inside(const std::array<Point, 3>& corners, const Point& p, const Poin
   for (std::uint32_t i = 0; i < 3; ++i) {
     const Mp256 at_p = side_of(corners[i], corners[(i + 1) % 3], p);
     const Mp256 at_q = side_of(corners[i], corners[(i + 1) % 3], q);
-    if (at_p >= -tolerance() && at_q >= -tolerance()) continue;
-    if (at_p < 0 && at_q < 0) return {1, 0};
-    const Mp256 share = at_p / (at_p - at_q);
-    if (at_p < 0) {
+    const bool p_inside = at_p >= -tolerance();
+    const bool q_inside = at_q >= -tolerance();
+    if (p_inside && q_inside) continue;
+    if (!p_inside && !q_inside) return {1, 0};
+    // Within [0, 1] also where an end lies on the side to within rounding: the triangles around it are then touched.
+    const Mp256 share = std::clamp(Mp256(at_p / (at_p - at_q)), Mp256(0), Mp256(1));
+    if (q_inside) {
       part.from = std::max(part.from, share);
     } else {
       part.to = std::min(part.to, share);

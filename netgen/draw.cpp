@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "epsnet/certify/text.h"
+#include "epsnet/kernel/plane.h"
 #include "epsnet/netgen/dirichlet.h"
 
 namespace epsnet {
@@ -122,6 +123,26 @@ class Path {
     append('a', place);
   }
 
+  /// The hyperbolic circle of a radius about z, a Euclidean one. Nothing if it is smaller than a fifth of a pixel.
+  void circle(const Point& z, double radius) {
+    const double t = std::tanh(radius / 2);
+    const double scale = 1 / (1 - t * t * norm(z));
+    const auto r = std::llround(100 * paper_->radius() * t * (1 - norm(z)) * scale);
+    if (r < 10) return;
+    Place left = paper_->place((1 - t * t) * scale * z);
+    left.x -= r;
+    append('m', left);
+    for (const std::int64_t way : {2 * r, -2 * r}) {
+      data_ += 'a';
+      append_hundredths(data_, r);
+      append_separated(data_, r);
+      data_ += " 0 1 0";
+      command_ = 'a';
+      append('a', {left.x + (way > 0 ? way : 0), left.y});
+    }
+    close();
+  }
+
   void dot(const Point& z) {
     move(z);
     data_ += "h0";
@@ -182,6 +203,66 @@ class PathsByWidth {
 
 // ---- The picture ----
 
+constexpr const char* kDirichletColour = "#c8553d";
+constexpr const char* kCombinatorialColour = "#d08a1d";
+constexpr const char* kCoveringColour = "#4c8c6b";
+constexpr const char* kPackingColour = "#8a6bb0";
+
+/// From pale yellow, at 0, to blue, at 1, in 24 steps: few colours make a short file.
+std::string shade(double share) {
+  constexpr int kSteps = 24;
+  constexpr std::array<std::array<double, 3>, 4> kStops{
+      {{255, 252, 224}, {199, 227, 201}, {111, 178, 205}, {44, 99, 164}}};
+  const double s = 3 * (std::floor(std::clamp(share, 0.0, 0.999) * kSteps) + 0.5) / kSteps;
+  const auto stop = static_cast<std::size_t>(s);
+  std::string out = "#";
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double from = kStops[stop][i];
+    const auto value = static_cast<unsigned>(std::lround(from + (s - std::floor(s)) * (kStops[stop + 1][i] - from)));
+    out += "0123456789abcdef"[value / 16];
+    out += "0123456789abcdef"[value % 16];
+  }
+  return out;
+}
+
+/// Text between the tags of XML.
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '<') {
+      out += "&lt;";
+    } else if (c == '&') {
+      out += "&amp;";
+    } else if (static_cast<unsigned char>(c) >= 32) {
+      out += c;
+    }
+  }
+  return out;
+}
+
+/// Rows of colours and names in the upper left corner, which the disk leaves free.
+class Legend {
+ public:
+  explicit Legend(double unit) : unit_(unit) {}
+
+  void add(const std::string& colour, const std::string& name) {
+    const double y = 18 * unit_ * (1 + rows_++);
+    out_ += "<rect x=\"" + fixed(10 * unit_, 1) + "\" y=\"" + fixed(y - 9 * unit_, 1) + "\" width=\"" +
+            fixed(11 * unit_, 1) + "\" height=\"" + fixed(11 * unit_, 1) + "\" fill=\"" + colour + "\"/>\n<text x=\"" +
+            fixed(27 * unit_, 1) + "\" y=\"" + fixed(y, 1) + "\">" + escaped(name) + "</text>\n";
+  }
+
+  [[nodiscard]] std::string group() const {
+    return "<g class=\"legend\" font-family=\"sans-serif\" font-size=\"" + fixed(12 * unit_, 1) +
+           "\" fill=\"#1d2b3a\">\n" + out_ + "</g>\n";
+  }
+
+ private:
+  double unit_;
+  int rows_ = 0;
+  std::string out_;
+};
+
 class Picture {
  public:
   Picture(const certify::Document& document, const DrawOptions& options)
@@ -193,6 +274,7 @@ class Picture {
         on_boundary_(boundary_darts(geometry_, lifts_)) {
     // Edges of a net are about 1.4 ε long. Strokes must leave the triangles of fine nets white.
     const double epsilon = certify::parse_decimal(document.epsilon).value_or(mpq_class(1)).get_d();
+    epsilon_ = epsilon;
     epsilon_text_ = document.epsilon.size() <= 40 ? document.epsilon : certify::shortest(epsilon);
     const double edge = 1.4 * epsilon * paper_.scale({});
     const double unit = options.size / 1000.0;
@@ -202,12 +284,19 @@ class Picture {
   }
 
   [[nodiscard]] std::string svg() {
-    std::string dirichlet;
-    if (options_.dirichlet) dirichlet = dirichlet_group();
-    const std::string fill = domain_path();
-    const std::string edges = edge_group();
-    const std::string dots = dot_group();
-    return head() + fill + edges + dirichlet + dots + "</svg>\n";
+    std::string body = domain_path();
+    if (options_.colouring != Colouring::none) body += colour_group();
+    if (options_.covering_disks) body += disk_group("covering", "disks of radius epsilon", kCoveringColour, epsilon_);
+    if (options_.packing_disks)
+      body += disk_group("packing", "disks of radius epsilon/2", kPackingColour, epsilon_ / 2);
+    for (const Layer& layer : options_.layers) body += area_group(layer);
+    if (options_.triangles) body += edge_group();
+    if (options_.combinatorial_dirichlet) body += combinatorial_dirichlet_path();
+    for (const Layer& layer : options_.layers) body += curve_group(layer);
+    if (options_.dirichlet) body += dirichlet_group();
+    if (options_.vertices) body += dot_group();
+    if (options_.legend) body += legend_group();
+    return head() + body + "</svg>\n";
   }
 
  private:
@@ -234,6 +323,10 @@ class Picture {
 
   /// The drawn domain as an area. Its outline runs with the interior on the left, holes the other way round.
   [[nodiscard]] std::string domain_path() const {
+    return "<path class=\"domain\" fill=\"#eef2f7\" d=\"" + outline() + "\"/>\n";
+  }
+
+  [[nodiscard]] std::string outline() const {
     Path path(paper_);
     std::vector<bool> done(on_boundary_.size(), false);
     for (std::uint32_t first = 0; first < on_boundary_.size(); ++first) {
@@ -245,7 +338,90 @@ class Picture {
       }
       path.close();
     }
-    return "<path class=\"domain\" fill=\"#eef2f7\" d=\"" + path.data() + "\"/>\n";
+    return path.data();
+  }
+
+  /// The outline of the same triangles lifted breadth first.
+  [[nodiscard]] std::string combinatorial_dirichlet_path() const {
+    DrawOptions options = options_;
+    options.order = DrawOrder::breadth_first;
+    const std::string data =
+        options_.order == DrawOrder::breadth_first ? outline() : Picture(document_, options).outline();
+    return std::string("<path class=\"combinatorial-dirichlet\" fill=\"none\" stroke=\"") + kCombinatorialColour +
+           "\" stroke-width=\"" + fixed(outline_width_, 3) + "\" d=\"" + data + "\"/>\n";
+  }
+
+  void add_triangle(Path& path, const Lifts::LiftedTriangle& triangle) const {
+    const auto& [a, b, c] = triangle.corner;
+    path.move(a);
+    path.geodesic(a, b);
+    path.geodesic(b, c);
+    path.geodesic(c, a);
+    path.close();
+  }
+
+  [[nodiscard]] bool is_visible(const Lifts::LiftedTriangle& triangle) const {
+    const auto& [a, b, c] = triangle.corner;
+    return std::max({norm(a - b), norm(b - c), norm(c - a)}) * paper_.radius() * paper_.radius() > 0.01;
+  }
+
+  [[nodiscard]] std::string colour_of(std::uint32_t triangle) const {
+    if (options_.colouring == Colouring::chart) {
+      const std::uint32_t chart = document_.vertices[document_.triangles[triangle].vertex[0]].chart;
+      // The golden angle keeps the hues of neighbouring numbers apart.
+      return "hsl(" + fixed(std::fmod(chart * 137.508, 360), 0) + ",45%,85%)";
+    }
+    const auto z = geometry_.corners(triangle);
+    const auto radius = sinh2_circumradius(z[0], z[1], z[2]);
+    const double r = radius.denominator > 0 ? std::asinh(std::sqrt(radius.numerator / radius.denominator)) : epsilon_;
+    return shade(2 * r / epsilon_ - 1);
+  }
+
+  /// Triangles of a colour are one path, with a hairline around it that covers the seams smoothing leaves.
+  [[nodiscard]] std::string colour_group() const {
+    std::map<std::string, Path> paths;
+    for (const Lifts::LiftedTriangle& triangle : lifts_.lifted)
+      if (is_visible(triangle))
+        add_triangle(paths.try_emplace(colour_of(triangle.triangle), paper_).first->second, triangle);
+    std::string out = "<g class=\"colours\" stroke-width=\"0.3\" stroke-linejoin=\"round\">\n";
+    for (const auto& [colour, path] : paths)
+      out += "<path fill=\"" + colour + "\" stroke=\"" + colour + "\" d=\"" + path.data() + "\"/>\n";
+    return out + "</g>\n";
+  }
+
+  /// The disks around all drawn lifts of vertices, as one area.
+  [[nodiscard]] std::string disk_group(const char* name, const char* title, const char* colour, double radius) const {
+    std::set<Place> drawn;
+    Path path(paper_);
+    for (const Lifts::LiftedTriangle& triangle : lifts_.lifted)
+      for (const Point& z : triangle.corner)
+        if (drawn.insert(paper_.place(z)).second) path.circle(z, radius);
+    return std::string("<path class=\"") + name + "\" fill=\"" + colour + "\" fill-opacity=\"0.15\" stroke=\"" +
+           colour + "\" stroke-width=\"" + fixed(0.6 * edge_width_, 3) + "\" d=\"" + path.data() + "\"><title>" +
+           title + "</title></path>\n";
+  }
+
+  [[nodiscard]] std::string area_group(const Layer& layer) const {
+    if (layer.triangles.empty()) return "";
+    Path path(paper_);
+    for (const std::uint32_t triangle : layer.triangles) add_triangle(path, lifts_.lifted[lifts_.place[triangle]]);
+    return "<path class=\"layer\" fill=\"" + layer.colour + "\" fill-opacity=\"0.4\" d=\"" + path.data() +
+           "\"><title>" + escaped(layer.name) + "</title></path>\n";
+  }
+
+  [[nodiscard]] std::string curve_group(const Layer& layer) const {
+    if (layer.arcs.empty() && layer.darts.empty()) return "";
+    PathsByWidth paths(paper_, outline_width_);
+    for (const Arc& arc : layer.arcs) {
+      const Isometry<double>& placement = lifts_.placements[lifts_.lifted[lifts_.place[arc.triangle]].placement];
+      add_tapered(paths, placement(arc.from), placement(arc.to));
+    }
+    for (const std::uint32_t dart : layer.darts) add_tapered(paths, start(dart), end(dart));
+    std::string out = "<g class=\"layer\" fill=\"none\" stroke=\"" + layer.colour +
+                      "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<title>" + escaped(layer.name) +
+                      "</title>\n";
+    paths.append_to(out);
+    return out + "</g>\n";
   }
 
   /// Adds the geodesic from u to v to the paths, in pieces if it is so long that its stroke has to taper. False if it
@@ -317,7 +493,7 @@ class Picture {
         const Point& z = triangle.corner[i];
         const double share = std::max(0.0, 1 - norm(z));
         if (dot_width_ * share < 0.1 || !drawn.insert(paper_.place(z)).second) continue;
-        const bool is_base = document_.triangles[triangle.triangle].vertex[i] == 0;
+        const bool is_base = document_.triangles[triangle.triangle].vertex[i] == options_.centre;
         (is_base ? base : dots).at(share).dot(z);
       }
     }
@@ -329,15 +505,33 @@ class Picture {
   }
 
   [[nodiscard]] std::string dirichlet_group() const {
-    const DirichletDomain domain = dirichlet_domain(geometry_, 0);
+    const DirichletDomain domain = dirichlet_domain(geometry_, options_.centre);
     PathsByWidth paths(paper_, 1.4 * outline_width_);
     for (std::size_t i = 0; i < domain.vertices.size(); ++i)
       add_tapered(paths, domain.vertices[i], domain.vertices[(i + 1) % domain.vertices.size()]);
-    std::string out =
-        "<g class=\"dirichlet\" fill=\"none\" stroke=\"#c8553d\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n"
-        "<title>Dirichlet domain of vertex 0</title>\n";
+    std::string out = std::string("<g class=\"dirichlet\" fill=\"none\" stroke=\"") + kDirichletColour +
+                      "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n"
+                      "<title>Dirichlet domain of vertex " +
+                      std::to_string(options_.centre) + "</title>\n";
     paths.append_to(out);
     return out + "</g>\n";
+  }
+
+  [[nodiscard]] std::string legend_group() const {
+    Legend legend(options_.size / 1000.0);
+    if (options_.triangles) legend.add("#33475b", "triangles");
+    if (options_.vertices) legend.add("#b5442e", "vertex " + std::to_string(options_.centre));
+    if (options_.dirichlet) legend.add(kDirichletColour, "Dirichlet domain");
+    if (options_.combinatorial_dirichlet) legend.add(kCombinatorialColour, "combinatorial Dirichlet domain");
+    if (options_.covering_disks) legend.add(kCoveringColour, "disks of radius " + epsilon_text_);
+    if (options_.packing_disks) legend.add(kPackingColour, "disks of radius " + epsilon_text_ + "/2");
+    for (const Layer& layer : options_.layers) legend.add(layer.colour, layer.name);
+    if (options_.colouring == Colouring::circumradius) {
+      for (const double share : {0.0, 0.33, 0.67, 1.0})
+        legend.add(shade(share),
+                   "circumradius " + fixed((1 + share) / 2, 2) + " epsilon" + (share == 0 ? " or less" : ""));
+    }
+    return legend.group();
   }
 
   [[nodiscard]] std::string head() const {
@@ -349,8 +543,8 @@ class Picture {
     std::string desc = "One lift of every triangle in the Poincare disk, connected, by " +
                        std::string(options_.order == DrawOrder::weight ? "least weight |u|^2+|v|^2 of the edge crossed"
                                                                        : "breadth-first search") +
-                       ", with vertex 0 in the centre. Edges are geodesics.";
-    if (options_.dirichlet) desc += " Red: the Dirichlet domain of vertex 0.";
+                       ", with vertex " + std::to_string(options_.centre) + " in the centre. Edges are geodesics.";
+    if (options_.dirichlet) desc += " Red: the Dirichlet domain of vertex " + std::to_string(options_.centre) + ".";
     if (edges_left_out_ > 0)
       desc += " " + std::to_string(edges_left_out_) + " edges shorter than 0.1 pixel are left out.";
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + size + "\" height=\"" + size + "\" viewBox=\"0 0 " +
@@ -365,6 +559,7 @@ class Picture {
   DrawOptions options_;
   Paper paper_;
   Lifts lifts_;
+  double epsilon_ = 0;
   std::string epsilon_text_;
   std::vector<bool> on_boundary_;  ///< By dart.
   double edge_width_ = 0;          ///< In pixels, in the centre.

@@ -1,12 +1,16 @@
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "epsnet/certify/reader.h"
 #include "epsnet/netgen/draw.h"
 #include "epsnet/netgen/net_geometry.h"
 #include "epsnet/netgen/program/commands.h"
 #include "epsnet/netgen/program/output.h"
+#include "epsnet/netgen/program/png.h"
 
 namespace epsnet::program {
 namespace {
@@ -14,19 +18,39 @@ namespace {
 struct DrawRequest {
   std::string net;
   std::string output;
+  std::vector<std::string> show = {"triangles", "vertices"};
+  bool dirichlet = false;
+  bool png = false;
   DrawOptions options;
 };
+
+/// The options that --show names.
+DrawOptions shown(const DrawRequest& request, const certify::Document& net) {
+  DrawOptions options = request.options;
+  const auto has = [&](const char* name) {
+    return std::find(request.show.begin(), request.show.end(), name) != request.show.end();
+  };
+  options.triangles = has("triangles");
+  options.vertices = has("vertices");
+  options.dirichlet = has("dirichlet") || request.dirichlet;
+  options.combinatorial_dirichlet = has("combinatorial-dirichlet");
+  options.covering_disks = has("disks");
+  options.packing_disks = has("half-disks");
+  if (has("tiles")) options.layers.push_back(tile_layer(NetGeometry(net)));
+  return options;
+}
 
 void draw(const DrawRequest& request) {
   check_output_directory(request.output);
   const certify::Document net = certify::read_net(request.net);
   std::string svg;
   try {
-    svg = draw_svg(net, request.options);
+    svg = draw_svg(net, shown(request, net));
   } catch (const NetGeometryError& error) {
     throw JobError(request.net + ": " + error.what());
   }
-  write_output(request.output, [&](std::ostream& out) { out << svg; });
+  const std::string picture = request.png ? png_of_svg(svg, request.options.size) : std::move(svg);
+  write_output(request.output, [&](std::ostream& out) { out << picture; });
 }
 
 }  // namespace
@@ -35,20 +59,43 @@ void add_draw_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<DrawRequest>();
   DrawRequest& request = *shared;
   CLI::App* draw_command = app.add_subcommand(
-      "draw", "Draw a net: one lift of every triangle, with vertex 0 in the centre of the Poincare disk.");
+      "draw", "Draw a net: one lift of every triangle, with one vertex in the centre of the Poincare disk.");
   draw_command->add_option("NET", request.net, "a net file")->required()->option_text("REQUIRED");
-  add_output(*draw_command, request.output, "the SVG file to write");
+  add_output(*draw_command, request.output, "the SVG file to write, or PNG with --png");
   draw_command
       ->add_option("--order", request.options.order,
                    "which triangle is lifted next: across the edge of least weight, or breadth-first")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, DrawOrder>{{"weight", DrawOrder::weight}, {"bfs", DrawOrder::breadth_first}}))
       ->option_text("weight|bfs [weight]");
-  draw_command->add_flag("--dirichlet", request.options.dirichlet, "also draw the Dirichlet domain of vertex 0");
+  draw_command
+      ->add_option("--show", request.show,
+                   "what is drawn: triangles, vertices, dirichlet (the Dirichlet domain of the centre), "
+                   "combinatorial-dirichlet (the outline of the triangles lifted breadth first), tiles (the sides of "
+                   "the fundamental tiles), disks (of radius epsilon), half-disks (of radius epsilon/2)")
+      ->delimiter(',')
+      ->check(CLI::IsMember(
+          {"triangles", "vertices", "dirichlet", "combinatorial-dirichlet", "tiles", "disks", "half-disks"}))
+      ->option_text("WHAT,... [triangles,vertices]");
+  draw_command->add_flag("--dirichlet", request.dirichlet, "also draw the Dirichlet domain of the centre");
+  draw_command
+      ->add_option("--colour,--color", request.options.colouring,
+                   "what triangles are filled with: circumradius is pale at epsilon/2 and dark at epsilon; chart is a "
+                   "colour for each chart of the file")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Colouring>{
+          {"none", Colouring::none}, {"circumradius", Colouring::circumradius}, {"chart", Colouring::chart}}))
+      ->option_text("none|circumradius|chart [none]");
+  draw_command->add_flag("--legend", request.options.legend, "say in a corner what the colours mean");
+  draw_command->add_option("--centre,--center", request.options.centre, "the vertex in the centre")
+      ->option_text("V [0]");
+  draw_command->add_flag("--png", request.png, "write a PNG picture");
   draw_command->add_option("--size", request.options.size, "width and height in pixels")
       ->check(CLI::Range(50U, 20000U))
       ->option_text("PX [1000]");
-  draw_command->footer("Example:\n  epsnet draw net.json -o net.svg --dirichlet");
+  draw_command->footer(
+      "Example:\n"
+      "  epsnet draw net.json -o net.svg --dirichlet\n"
+      "  epsnet draw net.json -o net.png --png --show triangles,half-disks --colour circumradius --legend");
   draw_command->callback([&chosen, shared] { chosen = [shared] { draw(*shared); }; });
 }
 

@@ -24,6 +24,7 @@ namespace epsnet {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::ThrowsMessage;
 
 using Point = Complex<double>;
@@ -62,7 +63,7 @@ void expect_good_lifts(const certify::Document& net, DrawOrder order) {
   double total = 0;
   std::size_t at_centre = 0;
   for (std::size_t i = 0; i < lifts.lifted.size(); ++i) {
-    const auto& [triangle, corner] = lifts.lifted[i];
+    const auto& [triangle, placement, corner] = lifts.lifted[i];
     EXPECT_EQ(lifts.place[triangle], i);
     total += area(corner);
     const auto in_chart = geometry.corners(triangle);
@@ -110,7 +111,7 @@ TEST(Lifts, byWeightTakeTheEdgeOfLeastWeight) {
     double least = 2;
     double taken = 2;
     for (std::size_t j = 0; j < i; ++j) {
-      const auto& [triangle, corner] = lifts.lifted[j];
+      const auto& [triangle, placement, corner] = lifts.lifted[j];
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t other = net.triangles[triangle].opposite[k] / 3;
         if (lifts.place[other] < i) continue;
@@ -193,7 +194,7 @@ RC_GTEST_PROP(DirichletDomainProperty, closesForAnyVertexOfAnyOctagon, ()) {
 
 /// Numbers of an SVG path whose letters are m, l, a, h, z, in absolute coordinates: for each arc its ends, radius and
 /// sweep.
-struct Arc {
+struct SvgArc {
   std::complex<double> from;
   std::complex<double> to;
   double radius;
@@ -204,8 +205,8 @@ class PathReader {
  public:
   explicit PathReader(const std::string& data) : data_(data) {}
 
-  std::vector<Arc> arcs() {
-    std::vector<Arc> result;
+  std::vector<SvgArc> arcs() {
+    std::vector<SvgArc> result;
     char command = ' ';
     std::complex<double> start;
     while (at_ < data_.size()) {
@@ -251,11 +252,11 @@ class PathReader {
   std::complex<double> pen_;
 };
 
-std::vector<Arc> arcs_of(const std::string& svg) {
-  std::vector<Arc> result;
+std::vector<SvgArc> arcs_of(const std::string& svg) {
+  std::vector<SvgArc> result;
   for (std::size_t at = svg.find(" d=\""); at != std::string::npos; at = svg.find(" d=\"", at + 1)) {
     const std::string data = svg.substr(at + 4, svg.find('"', at + 4) - at - 4);
-    const std::vector<Arc> arcs = PathReader(data).arcs();
+    const std::vector<SvgArc> arcs = PathReader(data).arcs();
     result.insert(result.end(), arcs.begin(), arcs.end());
   }
   return result;
@@ -263,10 +264,10 @@ std::vector<Arc> arcs_of(const std::string& svg) {
 
 TEST(Draw, arcsAreOrthogonalToTheBoundaryCircle) {
   const DrawOptions options{.order = DrawOrder::weight, .dirichlet = true, .size = 1000};
-  const std::vector<Arc> arcs = arcs_of(draw_svg(verified("octagon-33-vertices.json"), options));
+  const std::vector<SvgArc> arcs = arcs_of(draw_svg(verified("octagon-33-vertices.json"), options));
   ASSERT_GT(arcs.size(), 100U);
   std::size_t tested = 0;
-  for (const Arc& arc : arcs) {
+  for (const SvgArc& arc : arcs) {
     const std::complex<double> chord = arc.to - arc.from;
     if (std::abs(chord) < 20) continue;  // Places are rounded to hundredths of a pixel.
     const double height = std::sqrt(arc.radius * arc.radius - std::norm(chord) / 4);
@@ -297,6 +298,46 @@ TEST(Draw, isDeterministicAndDependsOnItsOptions) {
     }
   }
   EXPECT_EQ(pictures.size(), 8U);
+}
+
+TEST(Draw, showsWhatIsAskedFor) {
+  const certify::Document net = octagon_net(123, "0.3");
+  const std::string plain = draw_svg(net);
+  const auto expect_changed = [&](const char* what, const char* mark, const auto& change) {
+    DrawOptions options;
+    change(options);
+    const std::string picture = draw_svg(net, options);
+    EXPECT_NE(picture, plain) << what;
+    EXPECT_THAT(picture, HasSubstr(mark));
+    EXPECT_EQ(picture.find("nan"), std::string::npos) << what;
+  };
+  expect_changed("combinatorial", "class=\"combinatorial-dirichlet\"",
+                 [](DrawOptions& o) { o.combinatorial_dirichlet = true; });
+  expect_changed("covering", "class=\"covering\"", [](DrawOptions& o) { o.covering_disks = true; });
+  expect_changed("packing", "class=\"packing\"", [](DrawOptions& o) { o.packing_disks = true; });
+  expect_changed("radii", "class=\"colours\"", [](DrawOptions& o) { o.colouring = Colouring::circumradius; });
+  expect_changed("charts", "class=\"colours\"", [](DrawOptions& o) { o.colouring = Colouring::chart; });
+  expect_changed("legend", "class=\"legend\"", [](DrawOptions& o) { o.legend = true; });
+  expect_changed("tiles", "<title>fundamental tiles</title>",
+                 [&](DrawOptions& o) { o.layers.push_back(tile_layer(NetGeometry(net))); });
+  expect_changed("escapes", "<title>a&lt;b&amp;c</title>",
+                 [](DrawOptions& o) { o.layers.push_back({.name = "a<b&c", .colour = "#123456", .triangles = {0}}); });
+  EXPECT_THAT(plain, HasSubstr("class=\"edges\""));
+  EXPECT_THAT(plain, HasSubstr("class=\"vertices\""));
+  EXPECT_THAT(draw_svg(net, {.triangles = false}), Not(HasSubstr("class=\"edges\"")));
+  EXPECT_THAT(draw_svg(net, {.vertices = false}), Not(HasSubstr("class=\"vertices\"")));
+}
+
+TEST(Draw, centresTheVertexAskedFor) {
+  const certify::Document net = octagon_net(123, "0.3");
+  const Lifts lifts = lift_triangles(NetGeometry(net), DrawOrder::weight, 5);
+  const Lifts::LiftedTriangle& first = lifts.lifted.front();
+  bool found = false;
+  for (std::size_t i = 0; i < 3; ++i)
+    found = found || (net.triangles[first.triangle].vertex[i] == 5 && norm(first.corner[i]) < 1e-20);
+  EXPECT_TRUE(found);
+  EXPECT_THAT([&] { return draw_svg(net, {.centre = 1000000}); },
+              ThrowsMessage<NetGeometryError>(HasSubstr("no vertex 1000000")));
 }
 
 TEST(Draw, isOfModerateSize) {

@@ -99,7 +99,7 @@ TEST(MeshExport, offHasTheEdgesOfTheTable) {
 }
 
 TEST(MeshExport, edgesAgreeWithTheCertificate) {
-  FenchelNielsen coordinates = random_fenchel_nielsen(PantsGraph::chain(2), 3);
+  FenchelNielsen coordinates = random_coordinates(PantsGraph::chain(2), 3);
   coordinates.lengths.front() = 1e-6;
   const certify::Document net = compute_net(fenchel_nielsen_surface(coordinates), Epsilon("0.4")).net;
   const certify::Certificate certificate = certify::check(net);

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace epsnet::program {
+
+/// The PNG file of an SVG picture of size × size pixels, on white (librsvg). Throws JobError.
+[[nodiscard]] std::string png_of_svg(const std::string& svg, std::uint32_t size);
+
+}  // namespace epsnet::program
