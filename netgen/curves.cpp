@@ -99,7 +99,10 @@ std::vector<Arc> cut_segment(const NetGeometry& geometry, Placement& near, const
   std::vector<std::pair<Mp256, Arc>> pieces;
   std::set<std::tuple<std::uint32_t, Mp256, Mp256>> seen;
   std::deque<Placement> pending{near};
+  // A segment may cross a triangle many times, but if lifts do not fit together there is no end.
+  const std::size_t most = 10000 + 20 * geometry.document().triangles.size();
   for (; !pending.empty(); pending.pop_front()) {
+    if (seen.size() > most) throw NetGeometryError("a segment meets too many triangles: they are no triangulation");
     const Placement& placement = pending.front();
     const std::array<Point, 3> corners = klein_corners(geometry, placement);
     const Part part = part_inside(corners, from, to);
@@ -134,6 +137,7 @@ Layer tile_layer(const NetGeometry& geometry) {
     return result;
   };
   // Tile by tile in its own coordinates; a lift of a triangle near a side is one near the neighbour's side.
+  if (document.vertices.empty()) throw NetGeometryError("there is no vertex");
   const certify::Vertex& first = document.vertices[0];
   std::queue<std::pair<std::uint32_t, Placement>> pending;
   std::vector<bool> done(surface.tiles.size(), false);

@@ -492,8 +492,10 @@ class Picture {
       for (std::uint32_t i = 0; i < 3; ++i) {
         const Point& z = triangle.corner[i];
         const double share = std::max(0.0, 1 - norm(z));
-        if (dot_width_ * share < 0.1 || !drawn.insert(paper_.place(z)).second) continue;
         const bool is_base = document_.triangles[triangle.triangle].vertex[i] == options_.centre;
+        // Dots of less than half a pixel are a grey veil, which ends where they are left out.
+        if (!is_base && dot_width_ < 0.5) continue;
+        if (dot_width_ * share < 0.1 || !drawn.insert(paper_.place(z)).second) continue;
         (is_base ? base : dots).at(share).dot(z);
       }
     }
@@ -518,7 +520,7 @@ class Picture {
   }
 
   [[nodiscard]] std::string legend_group() const {
-    Legend legend(options_.size / 1000.0);
+    Legend legend(std::max(options_.size, 700U) / 1000.0);
     if (options_.triangles) legend.add("#33475b", "triangles");
     if (options_.vertices) legend.add("#b5442e", "vertex " + std::to_string(options_.centre));
     if (options_.dirichlet) legend.add(kDirichletColour, "Dirichlet domain");

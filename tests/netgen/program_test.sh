@@ -172,7 +172,35 @@ for surface in fn thin bolza; do
 done
 good dirichlet bolza.json -o - --svg domain.svg
 grep -q 'path' domain.svg || complain 'no picture of the Dirichlet domain'
-for command in '' surface 'surface octagon' 'surface fenchel-nielsen' 'surface regular' 'surface import' net dirichlet draw info export; do
+
+# Pictures, pages, meshes.
+good net s.json --epsilon 0.3 -o net.json
+good draw net.json -o all.svg --show triangles,vertices,dirichlet,combinatorial-dirichlet,tiles,disks,half-disks --colour circumradius --legend --centre 3
+grep -q 'Dirichlet domain of vertex 3' all.svg || complain 'no Dirichlet domain of the centre'
+good draw net.json -o chart.svg --color chart --show vertices
+grep -q 'class="edges"' chart.svg && complain 'triangles that were not asked for'
+good draw net.json -o net.png --png --size 300 --legend
+[ "$(head -c 4 net.png | tail -c 3)" = PNG ] || complain 'no PNG'
+good view net.json -o view.html --title '<b> & "c"</script>'
+grep -q '^verdict: VERIFIED$' output || complain 'view says no verdict'
+grep -q '<title>&lt;b&gt; &amp; &quot;c&quot;&lt;/script&gt;</title>' view.html || complain 'the title is not escaped'
+[ "$(grep -c '</script>' view.html)" = 2 ] || complain 'a title ends a script'
+grep -q '"verdict": "VERIFIED"' view.html || complain 'the page has no verdict'
+grep -q -e 'https*:' -e 'src=' view.html && complain 'the page needs something else'
+good view net.json -o again.html --title '<b> & "c"</script>' --threads 1
+same view.html again.html
+good view net.json -o unproved.html --no-certify
+grep -q '"verdict": "not certified"' unproved.html || complain 'a page of a net that was not certified'
+good view "$data/certify/refuted/covering-epsilon-too-small.json" -o refuted.html
+grep -q '^verdict: REFUTED$' output || complain 'view of a refuted net says no verdict'
+grep -q '"verdict": "REFUTED"' refuted.html || complain 'a page of a refuted net'
+"$epsnet" view net.json -o - 2>report >piped.html && [ -s piped.html ] || complain 'a page on standard output'
+for format in off vtu edges json; do
+  good export net.json --format $format -o mesh.$format
+  "$epsnet" export net.json --format $format -o - | cmp -s - mesh.$format || complain "$format on standard output"
+done
+
+for command in '' surface 'surface octagon' 'surface fenchel-nielsen' 'surface regular' 'surface import' net dirichlet draw view info export; do
   # shellcheck disable=SC2086
   good $command --help
   grep -q 'Example' output || complain "epsnet $command --help has no example"
@@ -212,6 +240,10 @@ bad 64 'format' export s.json --format auto -o out/x.txt
 bad 64 'output' export s.json --format domain
 bad 64 'format' surface import t.txt --format magic -o out/s.json
 bad 64 'size' draw once.json -o out/x.svg --size 10
+bad 64 'show' draw once.json -o out/x.svg --show magic
+bad 64 'colour' draw once.json -o out/x.svg --colour magic
+bad 64 'output' view once.json
+bad 64 'threads' view once.json -o out/x.html --threads -1
 bad 64 'order' draw once.json -o out/x.svg --order magic
 bad 64 'up-to' spectrum s.json
 for length in 0 -1 nan inf 1/0 x '' 1e99999; do
@@ -245,6 +277,10 @@ bad 1 'no rational' export bolza.json --format triangulation -o out/x.txt
 bad 1 'no-such' net no-such.json --epsilon 1 -o out/n.json
 bad 1 'no-such' info no-such.json
 bad 1 'no-such' draw no-such.json -o out/x.svg
+bad 1 'no-such' view no-such.json -o out/x.html
+bad 1 'no-dir' view once.json -o no-dir/x.html
+bad 1 'no vertex 100000' draw once.json -o out/x.svg --centre 100000
+bad 1 'takes a net' export s.json --format vtu -o out/x.vtu
 bad 1 'no-such' surface import no-such.txt -o out/s.json
 bad 1 'no-such' export no-such.json --format domain -o out/x.txt
 bad 1 'no-dir' export s.json --format domain -o no-dir/x.txt
@@ -291,6 +327,7 @@ for file in empty truncated.json version.json claims.json nested.json random; do
   bad 1 "$file" net $file --epsilon 1 -o out/n.json
   bad 1 "$file" info $file
   bad 1 "$file" draw $file -o out/x.svg
+  bad 1 "$file" view $file -o out/x.html
   bad 1 "$file" surface import $file -o out/s.json
   bad 1 "$file" export $file --format triangulation -o out/x.txt
 done
@@ -300,7 +337,7 @@ bad 1 truncated-net.json info truncated-net.json
 for file in "$data"/certify/malformed/*; do bad 1 "$(basename "$file")" draw "$file" -o out/x.svg; done
 # Nets of which only the geometry is wrong are drawn, or refused; the same with what they say.
 for file in "$data"/certify/refuted/* "$data"/certify/undecided/*; do
-  for command in "draw -o x.svg --dirichlet" "info"; do
+  for command in "draw -o x.svg --dirichlet" "draw -o x.png --png --show tiles,disks" "view -o x.html --no-certify" "export --format json -o x.json" info; do
     runs=$((runs + 1))
     # shellcheck disable=SC2086
     timeout 60 "$epsnet" $command "$file" >output 2>"$messages"
