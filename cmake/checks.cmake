@@ -1,5 +1,5 @@
 # Targets that look at the sources: format, format-check (clang-format) and tidy (clang-tidy over compile_commands.json).
-set(folders certify kernel triangulation netgen tests fuzz)
+set(folders certify kernel triangulation netgen experiments tests fuzz)
 list(TRANSFORM folders PREPEND ${CMAKE_SOURCE_DIR}/)
 list(TRANSFORM folders APPEND /*.h OUTPUT_VARIABLE headers)
 list(TRANSFORM folders APPEND /*.cpp OUTPUT_VARIABLE sources)
@@ -11,5 +11,5 @@ add_custom_target(format-check COMMAND clang-format --dry-run -Werror ${sources}
 # The tests are left out: GoogleTest's macros set off many checks, and half of the time would go there.
 cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
 add_custom_target(tidy
-  COMMAND run-clang-tidy -quiet -p ${CMAKE_BINARY_DIR} -j ${cores} "^${CMAKE_SOURCE_DIR}/(certify|kernel|triangulation|netgen|fuzz)/"
+  COMMAND run-clang-tidy -quiet -p ${CMAKE_BINARY_DIR} -j ${cores} "^${CMAKE_SOURCE_DIR}/(certify|kernel|triangulation|netgen|experiments|fuzz)/"
   VERBATIM)

@@ -44,6 +44,7 @@ inline void require_net(const epsnet::Surface& surface, double least, Bytes& byt
   options.insertion = (choice & 1U) != 0 ? epsnet::Insertion::flips : epsnet::Insertion::cavity;
   options.walk = (choice & 2U) != 0 ? epsnet::Walk::straight : epsnet::Walk::visibility;
   options.pseudo = (choice & 4U) != 0 && epsnet::Epsilon(epsilon).allows_pseudo_nets();
+  options.list = static_cast<epsnet::TriangleList>((choice >> 3U) & 3U);
   options.check.threads = 1;
 
   const epsnet::CertifiedNet result = epsnet::certified_net(surface, epsilon, options);  // An exception is a finding.

@@ -24,6 +24,15 @@ enum class Insertion {
 /// How `Insertion::flips` finds the triangle that contains a circumcentre (thesis Chapter II, IV.4.3).
 enum class Walk { visibility, straight };
 
+/// Which triangles are listed to be looked at, and in which order (thesis IV.4.7; the variants of Table IV.2). Large:
+/// the circumradius is more than ε. All give ε-nets, each other ones.
+enum class TriangleList {
+  large_back,     ///< Variant C: large triangles alone, first in, first out. The fastest here.
+  all_back,       ///< Variant A, the thesis' choice: all new triangles, first in, first out; measured when taken.
+  all_front,      ///< Variant B: all new triangles, last in, first out.
+  largest_first,  ///< Variant D: large triangles alone, the largest first.
+};
+
 /// The progress of a computation: the vertices so far and the share done, 0 to 1.
 using Progress = std::function<void(std::uint64_t vertices, double share)>;
 
@@ -32,6 +41,7 @@ struct NetOptions {
   std::optional<BasePoint> base = {};
   Insertion insertion = Insertion::cavity;
   Walk walk = Walk::visibility;
+  TriangleList list = TriangleList::large_back;
   /// A pseudo ε-net (thesis Definition III.7): points of the ε-thick part that cover it; ε at most ln √2.
   bool pseudo = false;
   certify::CheckOptions check = {};  ///< For the certificate: threads, precision cap, progress.

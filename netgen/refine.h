@@ -7,7 +7,7 @@
 namespace epsnet {
 
 /// Refines a Delaunay triangulation whose vertices are an ε-packing until they are an ε-net (thesis Algorithm IV.4.1
-/// with the FIFO list of IV.4.7).
+/// with a list of IV.4.7).
 ///
 /// Every inserted point is proved to be at least ε from the others, every triangle left to have circumradius at most ε,
 /// before the certifier sees them. With `collars` until they are a pseudo ε-net (Algorithm III.10): collars of

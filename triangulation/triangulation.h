@@ -163,6 +163,7 @@ class Triangulation {
   /// The circumcentre of triangle t in its chart, in binary64 where that is accurate enough to be inside of the circle.
   [[nodiscard]] std::optional<Complex<double>> circumcentre_fast(std::uint32_t t) const;
   void mark(std::uint32_t t) { triangles_[t].labels_and_mark |= 1; }
+  void unmark(std::uint32_t t) { triangles_[t].labels_and_mark &= ~std::uint64_t{1}; }
   // Asks the memory for what an insertion at triangle t is going to touch, one step of indirection after the other.
   void prefetch_triangle(std::uint32_t t) const { __builtin_prefetch(&triangles_[t]); }
   void prefetch_neighbours(std::uint32_t t) const {

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <ctime>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -12,6 +14,7 @@
 #include "epsnet/netgen/certified_net.h"
 #include "epsnet/netgen/draw.h"
 #include "epsnet/netgen/info.h"
+#include "epsnet/netgen/net_record.h"
 #include "epsnet/netgen/program/commands.h"
 #include "epsnet/netgen/program/output.h"
 #include "epsnet/netgen/surface_file.h"
@@ -38,11 +41,15 @@ struct NetRequest {
   std::string epsilon;
   std::string output;
   std::string svg;
+  std::string record;
   std::string base;
   bool no_certify = false;
   bool stats = false;
   NetOptions options;
 };
+
+/// Processor time of all threads so far.
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 struct PhaseTimes {
   double reading = 0;
@@ -145,14 +152,27 @@ certify::Certificate certify_net(const certify::Document& net, certify::CheckOpt
   return certificate;
 }
 
-void make_net(const NetRequest& request) {
+void check_request(const NetRequest& request) {
   if (is_stdout(request.output) && is_stdout(request.svg))
     throw UsageError("--output and --svg cannot both be standard output");
+  if (is_stdout(request.record)) throw UsageError("--record cannot be standard output");
+  if (request.no_certify && !request.record.empty()) throw UsageError("--record is for certified nets");
+  for (const std::string& file : {request.output, request.svg, request.record})
+    if (!file.empty()) check_output_directory(file);
+}
+
+void write_record(const NetRequest& request, const UncertifiedNet& net, const certify::Certificate& certificate,
+                  const NetSeconds& seconds) {
+  const std::string name = std::filesystem::path(request.surface).stem().string();
+  const std::string line = net_record(name, net, certificate, request.options, seconds);
+  write_output(request.record, [&](std::ostream& out) { out << net_record_columns() << '\n' << line << '\n'; });
+}
+
+void make_net(const NetRequest& request) {
   const Epsilon epsilon = parse_epsilon(request.epsilon);
   if (request.options.pseudo && !epsilon.allows_pseudo_nets())
     throw UsageError("--epsilon: " + epsilon.text() + " is more than ln sqrt(2) = 0.34657..., the limit for --pseudo");
-  check_output_directory(request.output);
-  if (!request.svg.empty()) check_output_directory(request.svg);
+  check_request(request);
 
   PhaseTimes times;
   Stopwatch watch;
@@ -160,18 +180,24 @@ void make_net(const NetRequest& request) {
   times.reading = watch.lap();
   NetOptions options = request.options;
   if (!request.base.empty()) options.base = parse_base(request.base, surface);
+  const double start = processor_seconds();
   const UncertifiedNet net = compute(surface, epsilon, options);
+  const double computed = processor_seconds();
   times.computing = watch.lap();
+  certify::Certificate certificate;
+  if (!request.no_certify) certificate = certify_net(net.net, request.options.check);
   std::string report = request.no_certify
                            ? "verdict: not certified (--no-certify): nothing is proved about this net\nvertices: " +
                                  std::to_string(net.net.vertices.size()) + "\n"
-                           : certificate_text(certify_net(net.net, request.options.check));
+                           : certificate_text(certificate);
+  const NetSeconds seconds{computed - start, processor_seconds() - computed};
   times.certifying = watch.lap();
   std::string svg;
   if (!request.svg.empty()) svg = draw_svg(net.net);
   times.drawing = watch.lap();
   write_output(request.output, [&](std::ostream& out) { certify::write_net(net.net, out); });
   if (!request.svg.empty()) write_output(request.svg, [&](std::ostream& out) { out << svg; });
+  if (!request.record.empty()) write_record(request, net, certificate, seconds);
   times.writing = watch.lap();
   if (request.stats)
     report += statistics_text(net, surface.genus(), static_cast<double>(epsilon.value()), request, times);
@@ -190,6 +216,8 @@ void add_net_command(CLI::App& app, Job& chosen) {
       ->option_text("E REQUIRED");
   add_output(*net, request.output, "the net file to write, only if the net is verified");
   net->add_option("--svg", request.svg, "also draw the net; \"-\" is standard output")->option_text("FILE");
+  net->add_option("--record", request.record, "also write what the thesis measures as a table of one line (CSV)")
+      ->option_text("FILE");
   net->add_option(
          "--base", request.base,
          "start from this point alone: of tile T, strictly inside of it, exact; T alone is the centre of the tile")
@@ -209,6 +237,14 @@ void add_net_command(CLI::App& app, Job& chosen) {
                             ->transform(CLI::CheckedTransformer(std::map<std::string, Walk>{
                                 {"visibility", Walk::visibility}, {"straight", Walk::straight}}))
                             ->option_text("visibility|straight [visibility]");
+  net->add_option("--list", request.options.list,
+                  "the triangles listed to be looked at, variants A to D of the thesis' Table IV.2: A all, the oldest "
+                  "first; B all, the newest first; C large ones, the oldest first; D large ones, the largest first")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, TriangleList>{{"A", TriangleList::all_back},
+                                                                              {"B", TriangleList::all_front},
+                                                                              {"C", TriangleList::large_back},
+                                                                              {"D", TriangleList::largest_first}}))
+      ->option_text("A|B|C|D [C]");
   net->add_flag("--stats", request.stats, "also print what the thesis measures, and times");
   add_threads(*net, request.options.check.threads);
   net->footer(

@@ -1,0 +1,198 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <ctime>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "epsnet/certify/check.h"
+#include "epsnet/experiments/record_file.h"
+#include "epsnet/netgen/atomic_file.h"
+#include "epsnet/netgen/certified_net.h"
+#include "epsnet/netgen/epsilon.h"
+#include "epsnet/netgen/net_record.h"
+#include "epsnet/netgen/program/output.h"
+#include "epsnet/netgen/surface_file.h"
+
+/// The program `sweep`: certified nets of many surfaces for many ε, surfaces side by side; a file of records for each.
+namespace epsnet::experiments {
+namespace {
+
+constexpr int kExitFailed = 1;
+constexpr int kExitUsage = 64;
+
+struct Request {
+  std::vector<std::string> surfaces;
+  std::vector<std::string> epsilons;
+  std::string output;
+  unsigned threads = 0;
+  NetOptions options;
+};
+
+/// One surface and the file of its records.
+struct Job {
+  std::filesystem::path surface;
+  std::filesystem::path records;
+  std::string parameters;
+};
+
+/// Of the calling thread, so that the other surfaces do not count.
+double processor_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// The record of a net that is proved. Throws NetError.
+std::string certified_record(const std::string& name, const Surface& surface, const Epsilon& epsilon,
+                             const NetOptions& options) {
+  const double start = processor_seconds();
+  const UncertifiedNet net = compute_net(surface, epsilon, options);
+  const double computed = processor_seconds();
+  const certify::Certificate certificate = certify::check(net.net, options.check);
+  if (certificate.verdict != certify::Verdict::verified)
+    throw NetError("epsilon " + epsilon.text() + ": the net was not verified: " + certificate.rule + ": " +
+                   certificate.message);
+  return net_record(name, net, certificate, options, {computed - start, processor_seconds() - computed});
+}
+
+/// The surfaces shared out among threads; what went wrong, and how far all are.
+class Sweep {
+ public:
+  Sweep(const Request& request, std::vector<Job> jobs) : request_(request), jobs_(std::move(jobs)) {
+    for (const std::string& epsilon : request.epsilons) epsilons_.emplace_back(epsilon);
+  }
+
+  /// Returns the number of surfaces that failed, each with a line on standard error.
+  std::size_t run() {
+    std::vector<std::thread> threads;
+    const std::size_t count = std::min<std::size_t>(request_.threads, jobs_.size());
+    for (std::size_t i = 0; i < count; ++i) threads.emplace_back([this] { work(); });
+    for (std::thread& thread : threads) thread.join();
+    return failures_;
+  }
+
+ private:
+  void work() {
+    for (std::size_t i = next_++; i < jobs_.size(); i = next_++) {
+      try {
+        make(jobs_[i]);
+      } catch (const std::exception& error) {
+        const std::lock_guard lock(mutex_);
+        ++failures_;
+        std::cerr << "sweep: " << jobs_[i].surface.string() << ": " << error.what() << '\n';
+      }
+    }
+  }
+
+  void make(const Job& job) {
+    const Surface surface = load_surface(job.surface);
+    std::vector<std::string> records;
+    for (const Epsilon& epsilon : epsilons_) {
+      records.push_back(certified_record(job.surface.stem().string(), surface, epsilon, request_.options));
+      show_progress();
+    }
+    write_file_atomically(job.records, [&](std::ostream& out) { out << record_file(job.parameters, records); });
+  }
+
+  void show_progress() {
+    const std::lock_guard lock(mutex_);
+    const std::size_t all = jobs_.size() * epsilons_.size();
+    ++nets_;
+    progress_.show(std::to_string(nets_) + " of " + std::to_string(all) + " nets",
+                   static_cast<double>(nets_) / static_cast<double>(all));
+  }
+
+  const Request& request_;
+  std::vector<Job> jobs_;
+  std::vector<Epsilon> epsilons_;
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex mutex_;  // Of all below.
+  std::size_t nets_ = 0;
+  std::size_t failures_ = 0;
+  program::ProgressLine progress_;
+};
+
+/// The surfaces without a finished file. The parameters name the bytes of the surface, not its path.
+std::vector<Job> unfinished(const Request& request) {
+  std::string how = ", insertion " + name(request.options.insertion) + ", walk " + name(request.options.walk) +
+                    ", list " + name(request.options.list) + ", epsilon";
+  for (const std::string& epsilon : request.epsilons) how += ' ' + epsilon;
+  std::vector<Job> jobs;
+  for (const std::filesystem::path surface : request.surfaces) {
+    const std::string stem = surface.stem().string();
+    const std::string parameters = parameter_line("surface " + stem + ' ' + checksum(read_file(surface)) + how);
+    const std::filesystem::path records = std::filesystem::path(request.output) / (stem + ".csv");
+    if (!is_finished(records, parameters, request.epsilons.size())) jobs.push_back({surface, records, parameters});
+  }
+  return jobs;
+}
+
+void check(const Request& request) {
+  std::set<std::string> stems;
+  for (const std::filesystem::path surface : request.surfaces)
+    if (!stems.insert(surface.stem().string()).second)
+      throw std::invalid_argument("two surfaces are called " + surface.stem().string());
+  for (const std::string& epsilon : request.epsilons) (void)Epsilon(epsilon);
+}
+
+int run(int argc, char** argv) {
+  Request request;
+  CLI::App app("Certified epsilon-nets of many surfaces, a file of records (CSV) for each.", "sweep");
+  app.add_option("SURFACE", request.surfaces, "surface files")->required();
+  app.add_option("--epsilons", request.epsilons, "separated by commas")->delimiter(',')->required();
+  app.add_option("-o,--output", request.output, "an existing directory; finished files in it are kept")->required();
+  app.add_option("--threads", request.threads, "surfaces at the same time; 0 is one per core");
+  app.add_option("--insert", request.options.insertion, "cavity or flips")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Insertion>{{"cavity", Insertion::cavity}, {"flips", Insertion::flips}}));
+  app.add_option("--locate", request.options.walk, "visibility or straight")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Walk>{{"visibility", Walk::visibility}, {"straight", Walk::straight}}));
+  app.add_option("--list", request.options.list, "A, B, C or D, as in epsnet net")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, TriangleList>{{"A", TriangleList::all_back},
+                                                                              {"B", TriangleList::all_front},
+                                                                              {"C", TriangleList::large_back},
+                                                                              {"D", TriangleList::largest_first}}));
+  try {
+    app.parse(argc, argv);
+    check(request);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
+  } catch (const std::exception& error) {
+    std::cerr << "sweep: " << error.what() << " (try --help)\n";
+    return kExitUsage;
+  }
+  if (request.threads == 0) request.threads = std::max(1U, std::thread::hardware_concurrency());
+  request.options.check.threads = 1;
+
+  if (!std::filesystem::is_directory(request.output)) throw std::runtime_error(request.output + ": no such directory");
+  std::vector<Job> jobs = unfinished(request);
+  std::cout << "sweep: " << request.surfaces.size() << " surfaces, " << request.surfaces.size() - jobs.size()
+            << " finished before" << std::endl;
+  const std::size_t failures = Sweep(request, std::move(jobs)).run();
+  if (failures > 0) std::cerr << "sweep: " << failures << " surfaces failed\n";
+  return failures > 0 ? kExitFailed : 0;
+}
+
+}  // namespace
+}  // namespace epsnet::experiments
+
+int main(int argc, char** argv) {
+  try {
+    return epsnet::experiments::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "sweep: " << error.what() << '\n';
+    return 1;
+  }
+}

@@ -1,0 +1,107 @@
+#include "epsnet/netgen/net_record.h"
+
+#include <charconv>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "epsnet/netgen/info.h"
+
+namespace epsnet {
+namespace {
+
+std::string text(double x) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, x).ptr};
+}
+
+std::string text(std::uint64_t n) { return std::to_string(n); }
+
+/// Microseconds are all that a clock tells.
+std::string seconds_text(double seconds) {
+  char buffer[64];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, seconds, std::chars_format::fixed, 6).ptr};
+}
+
+std::string quoted(const std::string& field) {
+  if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
+  std::string result = "\"";
+  for (const char c : field) result += c == '"' ? "\"\"" : std::string(1, c);
+  return result + '"';
+}
+
+using Columns = std::vector<std::pair<const char*, std::string>>;
+
+Columns columns(const std::string& surface, const UncertifiedNet& net, const certify::Certificate& certificate,
+                const NetOptions& options, const NetSeconds& seconds) {
+  const NetStatistics& s = net.statistics;
+  const certify::Counts& counts = certificate.counts;
+  const certify::Enclosures enclosures = certificate.enclosures.value_or(certify::Enclosures{});
+  const auto& edge = enclosures.shortest_edge;
+  const auto& loop = enclosures.shortest_loop;
+  const double loop_or_infinity = loop ? loop->lower : std::numeric_limits<double>::infinity();
+  return {{"surface", quoted(surface)},
+          {"epsilon", net.net.epsilon},
+          {"insertion", name(options.insertion)},
+          {"walk", options.insertion == Insertion::flips ? name(options.walk) : ""},
+          {"list", name(options.list)},
+          {"verdict", std::string(certify::name(certificate.verdict))},
+          {"genus", text(counts.genus)},
+          {"vertices", text(counts.vertices)},
+          {"insertions", text(s.insertions)},
+          {"flips", text(s.flips)},
+          {"initial_flips", text(s.initial_flips)},
+          {"removed", text(s.removed)},
+          {"located", text(s.located)},
+          {"located_at_start", text(s.located_at_start)},
+          {"walk_steps", text(s.walk_steps)},
+          {"longest_walk", text(s.longest_walk)},
+          {"multiprecision", text(s.multiprecision)},
+          {"largest_circumradius_upper", text(enclosures.largest_circumradius.upper)},
+          {"shortest_edge_lower", edge ? text(edge->lower) : ""},
+          {"shortest_loop_lower", loop ? text(loop->lower) : ""},
+          {"shortest_loop_upper", loop ? text(loop->upper) : ""},
+          {"systole_lower", text(systole_lower_bound(enclosures.epsilon.lower, loop_or_infinity))},
+          {"net_seconds", seconds_text(seconds.net)},
+          {"certificate_seconds", seconds_text(seconds.certificate)}};
+}
+
+}  // namespace
+
+std::string net_record_columns() {
+  std::string result;
+  for (const auto& [name, value] : columns({}, {}, {}, {}, {}))
+    result += (result.empty() ? "" : ",") + std::string(name);
+  return result;
+}
+
+std::string net_record(const std::string& surface, const UncertifiedNet& net, const certify::Certificate& certificate,
+                       const NetOptions& options, const NetSeconds& seconds) {
+  std::string result;
+  for (const auto& [name, value] : columns(surface, net, certificate, options, seconds))
+    result += (name == std::string_view("surface") ? "" : ",") + value;
+  return result;
+}
+
+std::string name(Insertion insertion) { return insertion == Insertion::cavity ? "cavity" : "flips"; }
+
+std::string name(Walk walk) { return walk == Walk::visibility ? "visibility" : "straight"; }
+
+std::string name(TriangleList list) {
+  switch (list) {
+    case TriangleList::all_back:
+      return "A";
+    case TriangleList::all_front:
+      return "B";
+    case TriangleList::large_back:
+      return "C";
+    case TriangleList::largest_first:
+      break;
+  }
+  return "D";
+}
+
+}  // namespace epsnet
