@@ -43,11 +43,10 @@ std::string checksum(const std::string& bytes) {
 
 std::string read_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
-  std::string result{std::istreambuf_iterator<char>(in), {}};
-  // A directory opens, and then cannot be read.
-  if (!in.is_open() || in.bad() || std::filesystem::is_directory(path))
-    throw std::runtime_error(path.string() + ": cannot be read: " + std::system_category().message(errno));
-  return result;
+  if (!in.is_open() || std::filesystem::is_directory(path))
+    throw std::runtime_error(
+        path.string() + ": cannot be read: " + (in.is_open() ? "a directory" : std::system_category().message(errno)));
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace epsnet::experiments

@@ -92,6 +92,7 @@ int run(int argc, char** argv) {
   add_view_command(app, chosen);
   add_info_command(app, chosen);
   add_export_command(app, chosen);
+  app.set_version_flag("--version", "epsnet " EPSNET_VERSION);
   app.footer(
       "Example:\n"
       "  epsnet surface octagon --seed 123 -o s.json\n"
@@ -101,7 +102,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
-    app.exit(success);  // --help
+    app.exit(success);  // --help, --version
     std::cout.flush();
     return std::cout ? kExitFine : fail(kExitFailed, "cannot write to standard output");
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,150 @@
+"""The plots of docs/experiments.md."""
+
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("svg")
+matplotlib.rcParams.update({"svg.fonttype": "path", "svg.hashsalt": "epsnet", "axes.grid": True, "grid.alpha": 0.3,
+                            "figure.figsize": (6.4, 3.8), "figure.constrained_layout.use": True})
+import matplotlib.pyplot as plt
+
+import tables
+
+
+def means(records, value):
+    groups = tables.by_epsilon(records)
+    return [float(e) for e in groups], [value(group) for group in groups.values()]
+
+
+def save(directory: Path, name: str) -> None:
+    plt.savefig(directory / f"{name}.svg", metadata={"Date": None})
+    plt.close()
+
+
+def epsilon_axis(axes) -> None:
+    axes.set_xlabel("ε")
+    axes.invert_xaxis()
+
+
+def points(directory, main) -> None:
+    """Table IV.3: the points of every net between the bounds."""
+    figure, axes = plt.subplots()
+    groups = {float(e): group for e, group in tables.by_epsilon(main).items()}
+    upper = [tables.most(group[0]) for group in groups.values()]
+    ratio = [[r["vertices"] / tables.most(r) for r in group] for group in groups.values()]
+    axes.fill_between(list(groups), [min(r) for r in ratio], [max(r) for r in ratio], alpha=0.2, label="all surfaces")
+    axes.plot(list(groups), [sum(r) / len(r) for r in ratio], label="mean")
+    axes.plot(list(groups), [tables.least(group[0]) / u for group, u in zip(groups.values(), upper)], "k--", label="lower bound")
+    thesis = {float(e): n * float(e) ** 2 / 16 for e, n in tables.THESIS_POINTS.items()}
+    axes.plot(list(thesis), list(thesis.values()), "rx", label="thesis, Table IV.3")
+    axes.set_ylabel("points / (16/ε²)")
+    epsilon_axis(axes)
+    axes.legend()
+    save(directory, "points")
+
+
+def walks(directory, main) -> None:
+    """Figure IV.11."""
+    figure, left = plt.subplots()
+    right = left.twinx()
+    right.grid(False)
+    left.plot(*means(main, tables.lifts_per_query), label="lifts per query (left)")
+    right.plot(*means(main, lambda group: 100 * tables.share_at_start(group)), "C1--", label="% in own triangle (right)")
+    left.set_ylabel("lifted triangles per query")
+    right.set_ylabel("% in the first triangle")
+    epsilon_axis(left)
+    figure.legend(loc="upper center", bbox_to_anchor=(0.5, 0.95))
+    save(directory, "walks")
+
+
+def flips(directory, main) -> None:
+    """Figure IV.12."""
+    figure, axes = plt.subplots()
+    axes.plot(*means(main, tables.flips_per_insertion), label="flips, list A")
+    axes.plot([float(e) for e in tables.THESIS_FLIPS], list(tables.THESIS_FLIPS.values()), "rx", label="thesis")
+    axes.set_ylabel("flips per insertion")
+    epsilon_axis(axes)
+    axes.legend()
+    save(directory, "flips")
+
+
+def seconds(directory, main, cavity) -> None:
+    """Figure IV.13."""
+    figure, axes = plt.subplots()
+    epsilons, values = means(main, lambda group: tables.mean(group, "net_seconds"))
+    axes.loglog(epsilons, [tables.thesis_seconds(e) for e in epsilons], "r--", label="thesis: 0.0901/ε^1.5962")
+    axes.loglog(*means(main, lambda group: tables.mean(group, "certificate_seconds")), label="certificate")
+    axes.loglog(epsilons, values, label="net, flips, list A")
+    axes.loglog(*means(cavity, lambda group: tables.mean(group, "net_seconds")), label="net, cavity, list C")
+    axes.set_ylabel("seconds, one core")
+    epsilon_axis(axes)
+    axes.legend()
+    save(directory, "seconds")
+
+
+def lists(directory, data) -> None:
+    """Table IV.2, the points: what the order of the list does to the net."""
+    figure, axes = plt.subplots()
+    for letter in "ABCD":
+        epsilons, values = means(data[f"list-{letter}-flips"], lambda group: tables.mean(group, "vertices") / tables.most(group[0]))
+        axes.semilogx(epsilons, values, "o-", label=f"variant {letter}")
+    axes.set_ylabel("points / (16/ε²)")
+    epsilon_axis(axes)
+    axes.legend()
+    save(directory, "lists")
+
+
+def thin(directory, records) -> None:
+    """Table IV.4."""
+    figure, axes = plt.subplots()
+    epsilons, values = means(records, lambda group: tables.mean(group, "vertices"))
+    axes.semilogy(epsilons, values, "o", label="mean of our surfaces")
+    axes.semilogy(epsilons, [tables.thin_model(e) for e in epsilons], "k--", label="0.5383 (16/ε² + w/ε)")
+    axes.semilogy([float(e) for e in tables.THESIS_THIN], list(tables.THESIS_THIN.values()), "rx", label="thesis, Table IV.4")
+    axes.set_ylabel("points")
+    epsilon_axis(axes)
+    axes.legend()
+    save(directory, "thin")
+
+
+def genera(directory, data) -> None:
+    """Table IV.5 and IV.6.4: the points of every net of higher genus."""
+    figure, axes = plt.subplots()
+    records = data.get("genus-3", []) + data.get("higher-genus", [])
+    for epsilon in sorted({r["epsilon"] for r in data.get("higher-genus", records)}, reverse=True):
+        chosen = [r for r in records if r["epsilon"] == epsilon]
+        axes.semilogx([r["genus"] for r in chosen], [r["vertices"] / tables.most(r) for r in chosen], "o", alpha=0.5, label=f"ε = {epsilon}")
+    axes.set_xlabel("genus")
+    axes.set_ylabel("points / (16(g − 1)/ε²)")
+    axes.legend()
+    save(directory, "genera")
+
+
+def systoles(directory, records) -> None:
+    figure, axes = plt.subplots()
+    bounds = sorted(tables.systole_bounds(records).values(), key=lambda bound: (bound[1], bound[0]))
+    axes.plot([upper for _, upper in bounds], label="proved from above")
+    axes.plot([lower for lower, _ in bounds], label="proved from below")
+    axes.axhline(0.5, color="r", linestyle="--", label="thesis: 7 surfaces below")
+    axes.set_xlabel("surfaces, in the order of the upper bound")
+    axes.set_ylabel("systole")
+    axes.legend()
+    save(directory, "systoles")
+
+
+def draw(directory: Path, data: dict[str, list[dict]]) -> None:
+    """The plots for which there are records."""
+    if "main" in data:
+        points(directory, data["main"])
+        walks(directory, data["main"])
+        flips(directory, data["main"])
+        seconds(directory, data["main"], data["main-cavity"])
+    if "list-A-flips" in data:
+        lists(directory, data)
+    if "thin" in data:
+        thin(directory, data["thin"])
+    if "genus-3" in data or "higher-genus" in data:
+        genera(directory, data)
+    if "systoles" in data:
+        systoles(directory, data["systoles"])

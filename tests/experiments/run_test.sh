@@ -1,0 +1,68 @@
+#!/bin/sh
+# run_test.sh PYTHON RUN PROGRAMS: all experiments, quickly; what is finished is kept; bad input.
+python=$1
+run=$2
+programs=$3
+failures=0
+here=$(mktemp -d) || exit 1
+trap 'rm -rf "$here"' EXIT
+cd "$here" || exit 1
+
+complain() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+quick() { "$python" "$run" --quick --programs "$programs" "$@" >output 2>messages; }
+# bad TEXT ARGUMENTS...: one line on standard error at the end, which starts with the name and has the text.
+bad() {
+  text=$1
+  shift
+  quick "$@" && complain "experiments/run $* succeeds"
+  tail -n 1 messages | grep -q -e "$text" || complain "experiments/run $*: expected '$text' in $(cat messages)"
+  ! grep -q Traceback messages || complain "experiments/run $*: $(cat messages)"
+}
+
+quick -o out || complain "exit code $?: $(cat messages)"
+grep -q '^144 nets, all VERIFIED' output || complain "the last line: $(tail -n 1 output)"
+for table in walks lists points ratios behaviour fits systoles thin genus-3 higher-genus; do
+  [ -s out/tables/$table.md ] || complain "no table $table"
+done
+grep -q '^| 0.40 | 54 | 5[0-9]' out/tables/points.md || complain "Table IV.3: $(cat out/tables/points.md)"
+if "$python" -c 'import matplotlib' 2>/dev/null; then
+  for plot in points walks flips seconds lists thin genera systoles; do grep -q '</svg>' out/plots/$plot.svg || complain "no plot $plot"; done
+fi
+cp out/tables/points.md points.md
+
+# Once more: nothing is computed but the file that an interruption cut short.
+head -c 600 out/records/main/octagon-002.csv >cut
+cp cut out/records/main/octagon-002.csv
+quick -o out --only main || complain "again: exit code $?: $(cat messages)"
+[ "$(grep 'finished before' output)" = 'sweep: 3 surfaces, 2 finished before
+sweep: 3 surfaces, 3 finished before' ] || complain "after an interruption: $(cat output)"
+cmp -s points.md out/tables/points.md || complain 'the table differs after an interruption'
+
+# A file cut short is not read either.
+"$python" -c "
+import sys
+sys.path.insert(0, '$(dirname "$run")')
+import records
+assert len(records.read('out/records/main/octagon-002.csv')) == 3
+for content in (open('cut').read(), '', open('out/records/main/octagon-001.csv').read().replace('VERIFIED', 'REFUTED', 1)):
+    open('damaged.csv', 'w').write(content)
+    try:
+        records.read('damaged.csv')
+    except records.RecordError as error:
+        assert str(error) == 'damaged.csv: incomplete or damaged'
+    else:
+        sys.exit('a damaged file was read')
+" || complain 'reading a damaged file'
+
+bad 'invalid choice' --only nonsense -o out
+bad 'full run' --docs -o out
+bad 'no-programs/epsnet: No such file' --programs no-programs -o out
+touch file
+bad 'file/' -o file/below
+bad 'file' -o file
+
+[ $failures = 0 ] && echo 'all passed'
+[ $failures = 0 ]
