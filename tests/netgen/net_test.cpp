@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -246,6 +247,21 @@ TEST(Net, EveryImportedPolygonIsVerified) {
   }
 }
 
+constexpr std::array kLists{TriangleList::all_back, TriangleList::all_front, TriangleList::large_back,
+                            TriangleList::largest_first};
+
+TEST(Net, ThinSurfacesAreVerifiedByEveryList) {
+  for (const char* name : {"g2-thin-1e-4", "g2-thinsep-1e-4", "g3-thin-1e-4"}) {
+    const Surface surface = load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
+    for (const TriangleList list : kLists) {
+      for (const Insertion insertion : {Insertion::cavity, Insertion::flips}) {
+        SCOPED_TRACE(name);
+        expect_verified(surface, "0.2", {.insertion = insertion, .list = list});
+      }
+    }
+  }
+}
+
 TEST(Net, ThinSurfacesAreVerifiedByEveryWay) {
   for (const char* name : {"g2-thin-1e-2", "g2-thin-1e-4", "g2-thin-1e-8", "g2-thinsep-1e-4", "g3-thin-1e-4"}) {
     const Surface surface = load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
@@ -331,6 +347,22 @@ TEST(Thesis, FiguresIV11AndIV12FlipsAndWalks) {
   EXPECT_NEAR(straight.steps_of_walks, 1.026, 0.1);
 }
 
+/// Table IV.2: 60 surfaces tell the thesis' variants apart, in flips and in points.
+TEST(Thesis, TheListOfTrianglesMatters) {
+  const auto by_list = [](TriangleList list) {
+    return means(60, "0.1", {.insertion = Insertion::flips, .list = list});
+  };
+  const Means a = by_list(TriangleList::all_back);
+  const Means b = by_list(TriangleList::all_front);
+  const Means c = by_list(TriangleList::large_back);
+  const Means d = by_list(TriangleList::largest_first);
+  EXPECT_NEAR(a.vertices, 865, 0.01 * 865);
+  EXPECT_NEAR(c.vertices, a.vertices, 0.002 * a.vertices) << "small triangles on the list change next to nothing";
+  EXPECT_GT(b.flips_per_insertion, 1.03 * a.flips_per_insertion);
+  EXPECT_LT(b.share_at_start, 0.9 * a.share_at_start) << "the newest triangles are the least round ones";
+  EXPECT_GT(d.share_at_start, 1.01 * a.share_at_start) << "the largest ones are rounder";
+}
+
 RC_GTEST_PROP(NetProperty, FenchelNielsenSurfacesAreVerified, ()) {
   const std::uint32_t genus = 2 + any_index(4u);
   FenchelNielsen coordinates = random_coordinates(PantsGraph::random(genus, any_index(1000u)), any_index(1000u));
@@ -371,9 +403,12 @@ RC_GTEST_PROP(NetProperty, IsVerifiedWhateverTheWay, ()) {
   NetOptions options = kOneThread;
   for (const Insertion insertion : {Insertion::cavity, Insertion::flips}) {
     for (const Walk walk : {Walk::visibility, Walk::straight}) {
-      options.insertion = insertion;
-      options.walk = walk;
-      RC_ASSERT(certified_net(surface, Epsilon(epsilon), options).certificate.verdict == Verdict::verified);
+      for (const TriangleList list : kLists) {
+        options.insertion = insertion;
+        options.walk = walk;
+        options.list = list;
+        RC_ASSERT(certified_net(surface, Epsilon(epsilon), options).certificate.verdict == Verdict::verified);
+      }
     }
   }
 }

@@ -1,0 +1,75 @@
+#include "epsnet/netgen/net_record.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "epsnet/netgen/octagon.h"
+
+namespace epsnet {
+namespace {
+
+std::vector<std::string> fields(const std::string& line) {
+  std::vector<std::string> result;
+  std::istringstream in(line + ',');
+  for (std::string field; std::getline(in, field, ',');) {
+    result.push_back(field);
+  }
+  return result;
+}
+
+std::map<std::string, std::string> record(const char* epsilon, const NetOptions& options) {
+  const UncertifiedNet net = compute_net(random_octagon(9), Epsilon(epsilon), options);
+  const certify::Certificate certificate = certify::check(net.net);
+  const auto names = fields(net_record_columns());
+  const auto values = fields(net_record("octagon-9", net, certificate, options, {0.25, 1.5}));
+  EXPECT_EQ(names.size(), values.size());
+  std::map<std::string, std::string> result;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    result[names[i]] = values[i];
+  }
+  return result;
+}
+
+TEST(NetRecord, SaysHowTheNetWasMade) {
+  auto flips = record("1/5", {.insertion = Insertion::flips, .walk = Walk::straight, .list = TriangleList::all_front});
+  EXPECT_EQ(flips["surface"], "octagon-9");
+  EXPECT_EQ(flips["epsilon"], "1/5");
+  EXPECT_EQ(flips["insertion"], "flips");
+  EXPECT_EQ(flips["walk"], "straight");
+  EXPECT_EQ(flips["list"], "B");
+  EXPECT_EQ(flips["verdict"], "VERIFIED");
+  EXPECT_EQ(flips["genus"], "2");
+  EXPECT_EQ(std::stoi(flips["vertices"]), std::stoi(flips["insertions"]) + 1);
+  EXPECT_EQ(flips["located"], flips["insertions"]);
+  EXPECT_EQ(flips["net_seconds"], "0.250000");
+  EXPECT_EQ(flips["certificate_seconds"], "1.500000");
+  auto cavity = record("0.2", {});
+  EXPECT_EQ(cavity["insertion"], "cavity");
+  EXPECT_EQ(cavity["walk"], "");
+  EXPECT_EQ(cavity["list"], "C");
+  EXPECT_EQ(cavity["located"], "0");
+}
+
+TEST(NetRecord, HasWhatIsProved) {
+  auto net = record("0.2", {});
+  EXPECT_LT(std::stod(net["largest_circumradius_upper"]), 0.2);
+  EXPECT_GT(std::stod(net["shortest_edge_lower"]), 0.2);
+  EXPECT_EQ(net["shortest_loop_lower"], "");
+  EXPECT_GT(std::stod(net["systole_lower"]), 0.2);
+  auto one_vertex = record("20", {});
+  EXPECT_EQ(one_vertex["vertices"], "1");
+  EXPECT_EQ(one_vertex["shortest_edge_lower"], "");
+  EXPECT_LE(std::stod(one_vertex["systole_lower"]), std::stod(one_vertex["shortest_loop_upper"]));
+}
+
+TEST(NetRecord, QuotesNamesThatNeedIt) {
+  const UncertifiedNet net = compute_net(random_octagon(9), Epsilon("20"));
+  EXPECT_TRUE(net_record("a,\"b\"", net, certify::check(net.net), {}, {}).starts_with("\"a,\"\"b\"\"\",20,"));
+}
+
+}  // namespace
+}  // namespace epsnet

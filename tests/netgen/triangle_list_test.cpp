@@ -1,0 +1,63 @@
+#include "epsnet/netgen/triangle_list.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <numeric>
+
+namespace epsnet {
+namespace {
+
+using testing::ElementsAre;
+
+template <class List>
+std::vector<std::uint32_t> emptied(List& list) {
+  std::vector<std::uint32_t> result;
+  while (list.size() > 0) {
+    result.push_back(list.pop());
+  }
+  return result;
+}
+
+TEST(TriangleList, QueueGivesTheOldestFirstWhileItGrows) {
+  TriangleQueue queue;
+  std::array<std::uint32_t, 700> block{};
+  std::uint32_t next_in = 0;
+  std::uint32_t next_out = 0;
+  for (int round = 0; round < 20; ++round) {
+    std::iota(block.begin(), block.end(), next_in);
+    next_in += block.size();
+    queue.push(block);
+    ASSERT_EQ(queue[0], next_out);
+    ASSERT_EQ(queue[queue.size() - 1], next_in - 1);
+    for (int i = 0; i < 300; ++i) {
+      ASSERT_EQ(queue.pop(), next_out++);
+    }
+  }
+  const std::vector<std::uint32_t> rest = emptied(queue);
+  ASSERT_EQ(rest.size(), next_in - next_out);
+  EXPECT_EQ(rest.front(), next_out);
+  EXPECT_EQ(rest.back(), next_in - 1);
+}
+
+TEST(TriangleList, StackGivesTheNewestFirst) {
+  TriangleStack stack;
+  stack.push(std::array{1U, 2U});
+  stack.push(std::array{3U});
+  EXPECT_EQ(stack.pop(), 3U);
+  stack.push(std::array{2U});
+  EXPECT_THAT(emptied(stack), ElementsAre(2, 2, 1));
+}
+
+TEST(TriangleList, HeapGivesTheLargestFirst) {
+  TriangleHeap heap;
+  heap.push(7, 0.5);
+  heap.push(9, 2);
+  heap.push(8, 2);
+  heap.push(1, 1);
+  EXPECT_THAT(emptied(heap), ElementsAre(8, 9, 1, 7));
+}
+
+}  // namespace
+}  // namespace epsnet
