@@ -6,10 +6,11 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Sweep:
-    """Nets of all surfaces for all epsilons, made in one way. A surface: its name and the arguments of `epsnet surface`."""
+    """Nets of all surfaces for all epsilons, made in one way; without epsilons, the systoles of the surfaces. A surface: its
+    name and the arguments of `epsnet surface`."""
     name: str
     surfaces: tuple[tuple[str, tuple[str, ...]], ...]
-    epsilons: tuple[str, ...]
+    epsilons: tuple[str, ...] = ()
     insertion: str = "cavity"
     walk: str = "visibility"
     triangle_list: str = "C"
@@ -58,7 +59,7 @@ def experiments(quick: bool) -> dict[str, list[Sweep]]:
                         triangle_list=letter) for insertion in ("flips", "cavity") for letter in "ABCD"],
         "main": [Sweep("main", octagons(few(180)), main, "flips", "visibility", "A"),
                  Sweep("main-cavity", octagons(few(180)), main)],
-        "systoles": [Sweep("systoles", octagons(few(180)), hundredths(60, 30, 10) if quick else hundredths(300, 20, 10))],
+        "systoles": [Sweep("systoles", octagons(few(180)))],
         "thin": [Sweep("thin", thin(few(20)), epsilons("0.50", "0.45", "0.40", "0.35", "0.30", "0.25", "0.20", "0.10"))],
         "genus-3": [Sweep("genus-3", random_surfaces(3, few(50)), epsilons("0.50", "0.40", "0.30", "0.20", "0.10", "0.05"))],
         "higher-genus": [Sweep("higher-genus",

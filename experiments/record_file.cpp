@@ -9,25 +9,23 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "epsnet/netgen/net_record.h"
-
 namespace epsnet::experiments {
 
 std::string parameter_line(const std::string& text) { return "# epsnet " EPSNET_VERSION ", sweep 1, " + text; }
 
-std::string record_file(const std::string& parameters, const std::vector<std::string>& records) {
-  std::string result = parameters + '\n' + net_record_columns() + '\n';
+std::string record_file(const std::string& head, const std::vector<std::string>& records) {
+  std::string result = head + '\n';
   for (const std::string& record : records) result += record + '\n';
   return result + "# complete: " + std::to_string(records.size()) + " records, CRC-32 " + checksum(result) + '\n';
 }
 
-bool is_finished(const std::filesystem::path& path, const std::string& parameters, std::size_t records) {
+bool is_finished(const std::filesystem::path& path, const std::string& head, std::size_t records) {
   if (!std::filesystem::exists(path)) return false;
   const std::string file = read_file(path);
   const std::size_t last = file.rfind("# complete: ");
   if (last == std::string::npos) return false;
   const std::string before = file.substr(0, last);
-  return file.starts_with(parameters + '\n' + net_record_columns() + '\n') &&
+  return file.starts_with(head + '\n') &&
          file.substr(last) ==
              "# complete: " + std::to_string(records) + " records, CRC-32 " + checksum(before) + '\n' &&
          std::count(before.begin(), before.end(), '\n') == static_cast<std::ptrdiff_t>(records + 2);

@@ -10,21 +10,26 @@
 #include <map>
 #include <mutex>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "epsnet/certify/check.h"
+#include "epsnet/certify/geodesics_check.h"
+#include "epsnet/certify/text.h"
 #include "epsnet/experiments/record_file.h"
 #include "epsnet/netgen/atomic_file.h"
 #include "epsnet/netgen/certified_net.h"
 #include "epsnet/netgen/epsilon.h"
+#include "epsnet/netgen/geodesics.h"
 #include "epsnet/netgen/net_record.h"
 #include "epsnet/netgen/program/output.h"
 #include "epsnet/netgen/surface_file.h"
 
-/// The program `sweep`: certified nets of many surfaces for many ε, surfaces side by side; a file of records for each.
+/// The program `sweep`: certified nets of many surfaces for many ε, or their certified systoles, surfaces side by side;
+/// a file of records for each.
 namespace epsnet::experiments {
 namespace {
 
@@ -34,6 +39,7 @@ constexpr int kExitUsage = 64;
 struct Request {
   std::vector<std::string> surfaces;
   std::vector<std::string> epsilons;
+  bool systoles = false;
   std::string output;
   unsigned threads = 0;
   NetOptions options;
@@ -43,8 +49,10 @@ struct Request {
 struct Job {
   std::filesystem::path surface;
   std::filesystem::path records;
-  std::string parameters;
+  std::string head;  ///< Of the file of records.
 };
+
+std::size_t records_per_surface(const Request& request) { return request.systoles ? 1 : request.epsilons.size(); }
 
 /// Of the calling thread, so that the other surfaces do not count.
 double processor_seconds() {
@@ -65,6 +73,26 @@ std::string certified_record(const std::string& name, const Surface& surface, co
                    certificate.message);
   return net_record(name, net, certificate, options, {computed - start, processor_seconds() - computed});
 }
+
+/// The record of a systole that is proved. Throws NetError.
+std::string systole_record(const std::string& name, const Surface& surface) {
+  constexpr unsigned kThreads = 1;
+  const double start = processor_seconds();
+  const certify::GeodesicsDocument document = systole(surface, {.threads = kThreads});
+  const double computed = processor_seconds();
+  const certify::Certificate certificate = certify::check_geodesics(document, {.threads = kThreads});
+  if (certificate.verdict != certify::Verdict::verified)
+    throw NetError("the systole was not verified: " + certificate.rule + ": " + certificate.message);
+  const certify::ClosedGeodesic& geodesic = document.geodesics.front();
+  std::ostringstream record;
+  record << name << ',' << certify::name(certificate.verdict) << ',' << surface.genus() << ','
+         << certify::shortest(geodesic.length.lower) << ',' << certify::shortest(geodesic.length.upper) << ','
+         << (geodesic.simple ? "yes" : "no") << ',' << computed - start << ',' << processor_seconds() - computed;
+  return record.str();
+}
+
+constexpr const char* kSystoleColumns =
+    "surface,verdict,genus,systole_lower,systole_upper,simple,search_seconds,certificate_seconds";
 
 /// The surfaces shared out among threads; what went wrong, and how far all are.
 class Sweep {
@@ -97,19 +125,24 @@ class Sweep {
 
   void make(const Job& job) {
     const Surface surface = load_surface(job.surface);
+    const std::string name = job.surface.stem().string();
     std::vector<std::string> records;
-    for (const Epsilon& epsilon : epsilons_) {
-      records.push_back(certified_record(job.surface.stem().string(), surface, epsilon, request_.options));
+    if (request_.systoles) {
+      records.push_back(systole_record(name, surface));
       show_progress();
     }
-    write_file_atomically(job.records, [&](std::ostream& out) { out << record_file(job.parameters, records); });
+    for (const Epsilon& epsilon : epsilons_) {
+      records.push_back(certified_record(name, surface, epsilon, request_.options));
+      show_progress();
+    }
+    write_file_atomically(job.records, [&](std::ostream& out) { out << record_file(job.head, records); });
   }
 
   void show_progress() {
     const std::lock_guard lock(mutex_);
-    const std::size_t all = jobs_.size() * epsilons_.size();
+    const std::size_t all = jobs_.size() * records_per_surface(request_);
     ++nets_;
-    progress_.show(std::to_string(nets_) + " of " + std::to_string(all) + " nets",
+    progress_.show(std::to_string(nets_) + " of " + std::to_string(all) + (request_.systoles ? " systoles" : " nets"),
                    static_cast<double>(nets_) / static_cast<double>(all));
   }
 
@@ -123,17 +156,24 @@ class Sweep {
   program::ProgressLine progress_;
 };
 
-/// The surfaces without a finished file. The parameters name the bytes of the surface, not its path.
+/// What the records depend on besides the surface, and their columns.
+std::string way(const Request& request) {
+  if (request.systoles) return std::string("systole\n") + kSystoleColumns;
+  std::string result = "insertion " + name(request.options.insertion) + ", walk " + name(request.options.walk) +
+                       ", list " + name(request.options.list) + ", epsilon";
+  for (const std::string& epsilon : request.epsilons) result += ' ' + epsilon;
+  return result + '\n' + net_record_columns();
+}
+
+/// The surfaces without a finished file. Its head names the bytes of the surface, not its path.
 std::vector<Job> unfinished(const Request& request) {
-  std::string how = ", insertion " + name(request.options.insertion) + ", walk " + name(request.options.walk) +
-                    ", list " + name(request.options.list) + ", epsilon";
-  for (const std::string& epsilon : request.epsilons) how += ' ' + epsilon;
   std::vector<Job> jobs;
   for (const std::filesystem::path surface : request.surfaces) {
     const std::string stem = surface.stem().string();
-    const std::string parameters = parameter_line("surface " + stem + ' ' + checksum(read_file(surface)) + how);
+    const std::string head =
+        parameter_line("surface " + stem + ' ' + checksum(read_file(surface)) + ", " + way(request));
     const std::filesystem::path records = std::filesystem::path(request.output) / (stem + ".csv");
-    if (!is_finished(records, parameters, request.epsilons.size())) jobs.push_back({surface, records, parameters});
+    if (!is_finished(records, head, records_per_surface(request))) jobs.push_back({surface, records, head});
   }
   return jobs;
 }
@@ -143,6 +183,7 @@ void check(const Request& request) {
   for (const std::filesystem::path surface : request.surfaces)
     if (!stems.insert(surface.stem().string()).second)
       throw std::invalid_argument("two surfaces are called " + surface.stem().string());
+  if (request.systoles != request.epsilons.empty()) throw std::invalid_argument("either --epsilons or --systoles");
   for (const std::string& epsilon : request.epsilons) (void)Epsilon(epsilon);
 }
 
@@ -150,7 +191,8 @@ int run(int argc, char** argv) {
   Request request;
   CLI::App app("Certified epsilon-nets of many surfaces, a file of records (CSV) for each.", "sweep");
   app.add_option("SURFACE", request.surfaces, "surface files")->required();
-  app.add_option("--epsilons", request.epsilons, "separated by commas")->delimiter(',')->required();
+  app.add_option("--epsilons", request.epsilons, "of nets, separated by commas")->delimiter(',');
+  app.add_flag("--systoles", request.systoles, "systoles instead of nets");
   app.add_option("-o,--output", request.output, "an existing directory; finished files in it are kept")->required();
   app.add_option("--threads", request.threads, "surfaces at the same time; 0 is one per core");
   app.add_option("--insert", request.options.insertion, "cavity or flips")

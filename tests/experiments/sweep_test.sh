@@ -70,6 +70,14 @@ finds 2
 cp kept.json s1.json
 finds 2
 
+# Systoles instead of nets.
+rm out/*
+for finished in 0 2; do
+  "$sweep" s1.json s2.json --systoles -o out >output 2>messages || complain "systoles: exit code $?: $(cat messages)"
+  grep -q "^sweep: 2 surfaces, $finished finished before" output || complain "systoles: $(cat output)"
+done
+[ "$(grep -c '^s1,VERIFIED,2,[0-9.]*,[0-9.]*,yes,' out/s1.csv)" = 1 ] || complain "the systole of s1: $(cat out/s1.csv)"
+
 # Killed between two surfaces: what is there is complete.
 rm out/*
 "$sweep" s1.json s2.json s3.json --epsilons 0.5,0.3,1/5,0.02 -o out --threads 1 >output 2>messages &
@@ -84,7 +92,8 @@ rm -rf out
 mkdir out
 
 bad 64 'SURFACE' --epsilons 0.5 -o out
-bad 64 'epsilons' s1.json -o out
+bad 64 'either' s1.json -o out
+bad 64 'either' s1.json --epsilons 0.5 --systoles -o out
 bad 64 'positive number' s1.json --epsilons 0.5,0 -o out
 bad 64 'positive number' s1.json --epsilons 0.5,nan -o out
 bad 64 'list' s1.json --epsilons 0.5 --list E -o out
