@@ -53,6 +53,8 @@ def walks(directory, main) -> None:
     right.plot(*means(main, lambda group: 100 * tables.share_at_start(group)), "C1--", label="% in own triangle (right)")
     left.set_ylabel("lifted triangles per query")
     right.set_ylabel("% in the first triangle")
+    left.set_ylim(0, 0.5)
+    right.set_ylim(50, 100)
     epsilon_axis(left)
     figure.legend(loc="upper center", bbox_to_anchor=(0.5, 0.95))
     save(directory, "walks")
@@ -88,7 +90,7 @@ def lists(directory, data) -> None:
     figure, axes = plt.subplots()
     for letter in "ABCD":
         epsilons, values = means(data[f"list-{letter}-flips"], lambda group: tables.mean(group, "vertices") / tables.most(group[0]))
-        axes.semilogx(epsilons, values, "o-", label=f"variant {letter}")
+        axes.semilogx(epsilons, values, "o--" if letter == "C" else "o-", label=f"variant {letter}")  # A and C coincide.
     axes.set_ylabel("points / (16/ε²)")
     epsilon_axis(axes)
     axes.legend()
