@@ -87,6 +87,11 @@ verified flips.json
 verified straight.json
 good net s.json --epsilon 0.2 -o implied.json --locate straight
 same straight.json implied.json
+good net s.json --epsilon 0.2 -o b.json --list B --record record.csv
+verified b.json
+grep -q '^s,0.2,cavity,,B,VERIFIED,2,' record.csv || complain "the record: $(cat record.csv)"
+good --version
+grep -q '^epsnet [0-9.]*$' output || complain "the version: $(cat output)"
 good net s.json --epsilon 0.2 -o unproved.json --no-certify
 grep -q 'not certified' output || complain "--no-certify is not mentioned"
 verified unproved.json
@@ -213,6 +218,10 @@ bad 64 'nonsense' nonsense
 bad 64 'octagon, fenchel-nielsen, regular or import' surface
 bad 64 'nonsense' surface nonsense
 bad 64 'seed' surface octagon -o out/s.json
+bad 64 'list' net s.json --epsilon 0.2 --list E -o out/net.json
+bad 64 'record cannot be standard output' net s.json --epsilon 0.2 -o out/net.json --record -
+bad 64 'certified nets' net s.json --epsilon 0.2 -o out/net.json --record out/r.csv --no-certify
+bad 1 'nowhere' net s.json --epsilon 0.2 -o out/net.json --record nowhere/r.csv
 bad 64 'genus: needed' surface fenchel-nielsen --seed 1 -o out/s.json
 bad 64 'seed: needed' surface fenchel-nielsen --genus 2 -o out/s.json
 bad 64 'at least 2' surface fenchel-nielsen --genus 1 --seed 1 -o out/s.json
