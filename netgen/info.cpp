@@ -67,18 +67,31 @@ struct Measures {
   std::uint64_t plain_triangles = 0;  ///< With no other label than the identity.
 };
 
+/// By triangle: whether it is one of a collar. These are as long as the collar, beyond binary64.
+std::vector<bool> in_collars(const certify::Document& net) {
+  std::vector<bool> result(net.triangles.size());
+  if (!net.collars) return result;
+  for (const certify::Collar& collar : *net.collars) {
+    for (const std::uint32_t t : collar.triangles) result[t] = true;
+  }
+  return result;
+}
+
+/// Edges are measured in a triangle outside of collars, those between the two vertices of a collar not at all.
 Measures measure(const NetGeometry& geometry) {
   Measures result;
   const certify::Document& net = geometry.document();
+  const std::vector<bool> left_out = in_collars(net);
   for (std::uint32_t t = 0; t < net.triangles.size(); ++t) {
     const certify::Triangle& triangle = net.triangles[t];
     const auto identities = static_cast<std::uint64_t>(std::count(triangle.label.begin(), triangle.label.end(), 0U));
     result.identities += identities;
     result.plain_triangles += identities == 2 ? 1 : 0;
+    if (left_out[t]) continue;
     const auto z = geometry.corners(t);
     for (std::uint32_t i = 0; i < 3; ++i) {
       const std::uint32_t j = (i + 1) % 3;
-      if (triangle.opposite[i] < 3 * t + i) continue;
+      if (triangle.opposite[i] < 3 * t + i && !left_out[triangle.opposite[i] / 3]) continue;
       (triangle.vertex[i] == triangle.vertex[j] ? result.loops : result.edges).add(distance(z[i], z[j]));
     }
     const auto radius = sinh2_circumradius(z[0], z[1], z[2]);
