@@ -88,6 +88,52 @@ std::tuple<std::uint32_t, Mp256, Mp256> key(const Placement& placement, const Po
   return {placement.triangle, floor(ldexp(corner.x, 110)), floor(ldexp(corner.y, 110))};
 }
 
+/// The tiles of the surface of a net, each in its own coordinates, with a lift of a triangle near it.
+struct Tiles {
+  explicit Tiles(const NetGeometry& geometry);
+
+  Parts<Mp256> parts;
+  std::vector<std::vector<Point>> corners;  ///< By tile.
+  std::vector<Placement> near;              ///< By tile.
+};
+
+Tiles::Tiles(const NetGeometry& geometry) : parts(geometry.document(), geometry.sides()) {
+  const certify::Document& document = geometry.document();
+  const SideTable& sides = geometry.sides();
+  const certify::Surface surface =
+      document.surface.regular_genus != 0 ? rounded_polygon(document.surface.regular_genus) : document.surface;
+  for (const certify::Tile& tile : surface.tiles) {
+    std::vector<Point>& points = corners.emplace_back();
+    for (const certify::RationalPoint& z : tile) {
+      Point& point = points.emplace_back();
+      mpfr_set_q(point.x.backend().data(), z.x.get_mpq_t(), MPFR_RNDN);
+      mpfr_set_q(point.y.backend().data(), z.y.get_mpq_t(), MPFR_RNDN);
+    }
+  }
+  if (document.vertices.empty()) throw NetGeometryError("there is no vertex");
+  // Tile by tile; a lift of a triangle near a side is one near the neighbour's side.
+  const std::uint32_t chart = document.vertices[0].chart;
+  std::vector<bool> done(corners.size(), false);
+  near.resize(corners.size());
+  std::queue<std::uint32_t> pending;
+  const auto reach = [&](std::uint32_t tile, const Placement& placement) {
+    done[tile] = true;
+    near[tile] = placement;
+    pending.push(tile);
+  };
+  reach(document.charts[chart].tile, placement_at(geometry, 0, parts.frames[chart]));
+  for (; !pending.empty(); pending.pop()) {
+    const std::uint32_t tile = pending.front();
+    for (std::uint32_t s = sides.first_side[tile]; s < sides.first_side[tile + 1]; ++s) {
+      const std::uint32_t other = sides.tile_of_side[sides.partner[s]];
+      if (done[other]) continue;
+      Placement there = near[tile];
+      walk_to(geometry, there, klein(corners[tile][s - sides.first_side[tile]]));
+      reach(other, {there.triangle, normalized(parts.crossings[s] * there.isometry)});
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Arc> cut_segment(const NetGeometry& geometry, Placement& near, const Complex<Mp256>& p,
@@ -124,36 +170,16 @@ std::vector<Arc> cut_segment(const NetGeometry& geometry, Placement& near, const
 
 Layer tile_layer(const NetGeometry& geometry) {
   Layer layer{.name = "fundamental tiles", .colour = "#7a4fa3"};
-  const certify::Document& document = geometry.document();
   const SideTable& sides = geometry.sides();
-  const Parts<Mp256> parts(document, sides);
-  const certify::Surface surface =
-      document.surface.regular_genus != 0 ? rounded_polygon(document.surface.regular_genus) : document.surface;
-  const auto corner = [&](std::uint32_t tile, std::size_t k) {
-    const certify::RationalPoint& z = surface.tiles[tile][k % surface.tiles[tile].size()];
-    Point result;
-    mpfr_set_q(result.x.backend().data(), z.x.get_mpq_t(), MPFR_RNDN);
-    mpfr_set_q(result.y.backend().data(), z.y.get_mpq_t(), MPFR_RNDN);
-    return result;
-  };
-  // Tile by tile in its own coordinates; a lift of a triangle near a side is one near the neighbour's side.
-  if (document.vertices.empty()) throw NetGeometryError("there is no vertex");
-  const certify::Vertex& first = document.vertices[0];
-  std::queue<std::pair<std::uint32_t, Placement>> pending;
-  std::vector<bool> done(surface.tiles.size(), false);
-  done[document.charts[first.chart].tile] = true;
-  pending.push({document.charts[first.chart].tile, placement_at(geometry, 0, parts.frames[first.chart])});
-  for (; !pending.empty(); pending.pop()) {
-    auto [tile, near] = pending.front();
-    for (std::uint32_t s = sides.first_side[tile]; s < sides.first_side[tile + 1]; ++s) {
-      const std::size_t k = s - sides.first_side[tile];
-      const std::vector<Arc> arcs = cut_segment(geometry, near, corner(tile, k), corner(tile, k + 1));
-      if (s < sides.partner[s]) layer.arcs.insert(layer.arcs.end(), arcs.begin(), arcs.end());
-      const std::uint32_t other = sides.tile_of_side[sides.partner[s]];
-      if (done[other]) continue;
-      done[other] = true;
-      pending.push({other, {near.triangle, normalized(parts.crossings[s] * near.isometry)}});
-    }
+  Tiles tiles(geometry);
+  for (std::uint32_t s = 0; s < sides.partner.size(); ++s) {
+    if (sides.partner[s] < s) continue;
+    const std::uint32_t tile = sides.tile_of_side[s];
+    const std::vector<Point>& corners = tiles.corners[tile];
+    const std::size_t k = s - sides.first_side[tile];
+    const std::vector<Arc> arcs =
+        cut_segment(geometry, tiles.near[tile], corners[k], corners[(k + 1) % corners.size()]);
+    layer.arcs.insert(layer.arcs.end(), arcs.begin(), arcs.end());
   }
   return layer;
 }
@@ -176,6 +202,36 @@ Layer combinatorial_dirichlet_layer(const NetGeometry& geometry, std::uint32_t v
   const std::vector<bool> on_boundary = boundary_darts(geometry, lifts);
   for (std::uint32_t dart = 0; dart < on_boundary.size(); ++dart)
     if (on_boundary[dart]) layer.darts.push_back(dart);
+  return layer;
+}
+
+Layer geodesics_layer(const NetGeometry& geometry, const certify::GeodesicsDocument& geodesics) {
+  Layer layer{.name = "closed geodesics", .colour = "#b0247a"};
+  const certify::Document& source = geodesics.net;
+  const certify::Surface& surface = geometry.document().surface;
+  if (source.surface.tiles != surface.tiles || source.surface.gluing != surface.gluing ||
+      source.surface.regular_genus != surface.regular_genus)
+    throw NetGeometryError("these are geodesics of another surface");
+  const SideTable& sides = geometry.sides();
+  const Tiles tiles(geometry);
+  for (const certify::ClosedGeodesic& geodesic : geodesics.geodesics) {
+    const std::uint32_t home = source.charts[source.vertices[geodesic.vertex].chart].tile;
+    std::uint32_t tile = home;
+    Isometry<Mp256> g;
+    for (const std::uint32_t side : geodesic.word) {
+      if (sides.tile_of_side[side] != tile) throw NetGeometryError("a word is no path of sides");
+      g = normalized(tiles.parts.crossings[side] * g);
+      tile = sides.tile_of_side[sides.partner[side]];
+    }
+    const auto ends = axis(g);
+    if (tile != home || !ends) throw NetGeometryError("a word is no closed geodesic");
+    // Once around, from the foot of the perpendicular from 0 to the axis.
+    const Mp256 half_chord = sqrt(norm(ends->to - ends->from)) / 2;
+    const Point foot = Mp256(1 / (2 * (1 + half_chord))) * (ends->from + ends->to);
+    Placement near = tiles.near[home];
+    const std::vector<Arc> arcs = cut_segment(geometry, near, foot, g(foot));
+    layer.arcs.insert(layer.arcs.end(), arcs.begin(), arcs.end());
+  }
   return layer;
 }
 

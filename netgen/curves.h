@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "epsnet/certify/geodesics_document.h"
 #include "epsnet/netgen/lifts.h"
 
 /// Curves on the surface of a net, cut by its triangles, for pictures.
@@ -40,5 +41,10 @@ struct Layer {
 
 /// The edges on the boundary of the combinatorial Dirichlet domain of a vertex: of the triangles lifted breadth first.
 [[nodiscard]] Layer combinatorial_dirichlet_layer(const NetGeometry& geometry, std::uint32_t vertex);
+
+/// Closed geodesics, once around each, of a geodesics file about the same surface, with the same net or another one. A
+/// document as certify::read_geodesics returns it. Throws NetGeometryError if the surface is another one, or a word
+/// does not stand for a closed geodesic.
+[[nodiscard]] Layer geodesics_layer(const NetGeometry& geometry, const certify::GeodesicsDocument& geodesics);
 
 }  // namespace epsnet

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "epsnet/netgen/certified_net.h"
+#include "epsnet/netgen/curves.h"
 #include "epsnet/triangulation/surface.h"
 #include "epsnet/triangulation/triangulation.h"
 
@@ -36,6 +37,11 @@ void add_threads(CLI::App& command, unsigned& threads);
 [[nodiscard]] BasePoint parse_base(const std::string& text, const Surface& surface);
 /// The value of an option that is a positive length. Throws UsageError, which names the option.
 [[nodiscard]] Epsilon parse_length(const std::string& option, const std::string& text);
+/// --geodesics FILE.
+void add_geodesics(CLI::App& command, std::string& file);
+/// The closed geodesics of a geodesics file about the net's surface as a layer of a picture. Throws JobError, and as
+/// the reader.
+[[nodiscard]] Layer load_geodesics_layer(const std::string& file, const certify::Document& net);
 /// The value of --epsilon.
 [[nodiscard]] inline Epsilon parse_epsilon(const std::string& text) { return parse_length("--epsilon", text); }
 

@@ -18,6 +18,7 @@ namespace {
 struct DrawRequest {
   std::string net;
   std::string output;
+  std::string geodesics;
   std::vector<std::string> show = {"triangles", "vertices"};
   bool dirichlet = false;
   bool png = false;
@@ -37,6 +38,7 @@ DrawOptions shown(const DrawRequest& request, const certify::Document& net) {
   options.covering_disks = has("disks");
   options.packing_disks = has("half-disks");
   if (has("tiles")) options.layers.push_back(tile_layer(NetGeometry(net)));
+  if (!request.geodesics.empty()) options.layers.push_back(load_geodesics_layer(request.geodesics, net));
   return options;
 }
 
@@ -88,6 +90,7 @@ void add_draw_command(CLI::App& app, Job& chosen) {
   draw_command->add_flag("--legend", request.options.legend, "say in a corner what the colours mean");
   draw_command->add_option("--centre,--center", request.options.centre, "the vertex in the centre")
       ->option_text("V [0]");
+  add_geodesics(*draw_command, request.geodesics);
   draw_command->add_flag("--png", request.png, "write a PNG picture");
   draw_command->add_option("--size", request.options.size, "width and height in pixels")
       ->check(CLI::Range(50U, 20000U))

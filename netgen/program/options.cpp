@@ -3,7 +3,9 @@
 #include <string>
 #include <string_view>
 
+#include "epsnet/certify/reader.h"
 #include "epsnet/netgen/decimal.h"
+#include "epsnet/netgen/net_geometry.h"
 #include "epsnet/netgen/program/commands.h"
 #include "epsnet/netgen/program/output.h"
 
@@ -26,6 +28,22 @@ Epsilon parse_length(const std::string& option, const std::string& text) {
     return Epsilon(text);
   } catch (const std::invalid_argument& error) {
     throw UsageError(option + ": " + error.what());
+  }
+}
+
+void add_geodesics(CLI::App& command, std::string& file) {
+  command
+      .add_option("--geodesics", file,
+                  "also show the closed geodesics of this file of the same surface (systole, spectrum, thick-thin)")
+      ->option_text("FILE");
+}
+
+Layer load_geodesics_layer(const std::string& file, const certify::Document& net) {
+  const certify::GeodesicsDocument document = certify::read_geodesics(file);
+  try {
+    return geodesics_layer(NetGeometry(net), document);
+  } catch (const NetGeometryError& error) {
+    throw JobError(file + ": " + error.what());
   }
 }
 

@@ -17,6 +17,7 @@ struct ViewRequest {
   std::string net;
   std::string output;
   std::string title;
+  std::string geodesics;
   bool no_certify = false;
   certify::CheckOptions check;
 };
@@ -45,6 +46,7 @@ std::string page(const ViewRequest& request, const certify::Document& net, const
     options.title = request.title.empty() ? std::filesystem::path(request.net).filename().string() : request.title;
     options.certificate = certificate;
     options.layers = curve_layers(NetGeometry(net), report);
+    if (!request.geodesics.empty()) options.layers.push_back(load_geodesics_layer(request.geodesics, net));
     return viewer_page(net, options);
   } catch (const NetGeometryError& error) {
     throw JobError(request.net + ": " + error.what());
@@ -76,6 +78,7 @@ void add_view_command(CLI::App& app, Job& chosen) {
   command->add_option("NET", request.net, "a net file")->required()->option_text("REQUIRED");
   add_output(*command, request.output, "the HTML file to write");
   command->add_option("--title", request.title, "the page's title")->option_text("TEXT [the file's name]");
+  add_geodesics(*command, request.geodesics);
   command->add_flag("--no-certify", request.no_certify, "do not check the net; the page says so");
   add_threads(*command, request.check.threads);
   command->footer(
