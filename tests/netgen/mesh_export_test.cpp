@@ -174,5 +174,23 @@ TEST(Curves, arcsAreInTheirTriangles) {
   }
 }
 
+TEST(Curves, aClosedGeodesicIsCutWithoutLossOnAnyNetOfItsSurface) {
+  const certify::Document net = net_of("0.3");
+  const NetGeometry geometry(net);
+  certify::GeodesicsDocument geodesics;
+  geodesics.net = net_of("0.7");
+  const Parts<Mp256> parts(net, geometry.sides());
+  for (std::uint32_t side = 0; side < 8; ++side) {
+    // One tile: every side is a loop.
+    geodesics.geodesics = {{.vertex = 1, .word = {side}}};
+    const Layer layer = geodesics_layer(geometry, geodesics);
+    EXPECT_NEAR(total_length(layer), displacement_length(convert<double>(parts.crossings[side])), 1e-9);
+  }
+  geodesics.geodesics = {{.vertex = 0, .word = {}}};
+  EXPECT_THROW((void)geodesics_layer(geometry, geodesics), NetGeometryError);
+  geodesics.net = compute_net(random_octagon(1), Epsilon("0.7")).net;
+  EXPECT_THROW((void)geodesics_layer(geometry, geodesics), NetGeometryError);
+}
+
 }  // namespace
 }  // namespace epsnet

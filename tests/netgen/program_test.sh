@@ -200,6 +200,12 @@ good view "$data/certify/refuted/covering-epsilon-too-small.json" -o refuted.htm
 grep -q '^verdict: REFUTED$' output || complain 'view of a refuted net says no verdict'
 grep -q '"verdict": "REFUTED"' refuted.html || complain 'a page of a refuted net'
 "$epsnet" view net.json -o - 2>report >piped.html && [ -s piped.html ] || complain 'a page on standard output'
+good spectrum s.json --up-to 3 -o spectrum.json
+good draw net.json -o geodesics.svg --geodesics spectrum.json
+grep -q '<title>closed geodesics</title>' geodesics.svg || complain 'no geodesics in the picture'
+good net g3.json --epsilon 0.5 -o g3.json.net
+good view net.json -o geodesics.html --geodesics spectrum.json
+grep -q '"name": "closed geodesics"' geodesics.html || complain 'no geodesics in the page'
 for format in off vtu edges json; do
   good export net.json --format $format -o mesh.$format
   "$epsnet" export net.json --format $format -o - | cmp -s - mesh.$format || complain "$format on standard output"
@@ -289,6 +295,8 @@ bad 1 'no-such' draw no-such.json -o out/x.svg
 bad 1 'no-such' view no-such.json -o out/x.html
 bad 1 'no-dir' view once.json -o no-dir/x.html
 bad 1 'no vertex 100000' draw once.json -o out/x.svg --centre 100000
+bad 1 'of another surface' draw g3.json.net -o out/x.svg --geodesics spectrum.json
+bad 1 'net.json' draw net.json -o out/x.svg --geodesics net.json
 bad 1 'takes a net' export s.json --format vtu -o out/x.vtu
 bad 1 'no-such' surface import no-such.txt -o out/s.json
 bad 1 'no-such' export no-such.json --format domain -o out/x.txt
