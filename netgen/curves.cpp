@@ -164,6 +164,7 @@ std::vector<Arc> cut_segment(const NetGeometry& geometry, Placement& near, const
   walk_to(geometry, near, to);
   std::stable_sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Arc> arcs;
+  arcs.reserve(pieces.size());
   for (const auto& piece : pieces) arcs.push_back(piece.second);
   return arcs;
 }
