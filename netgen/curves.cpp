@@ -206,6 +206,14 @@ Layer combinatorial_dirichlet_layer(const NetGeometry& geometry, std::uint32_t v
   return layer;
 }
 
+std::optional<Layer> collar_layer(const certify::Document& net) {
+  if (!net.collars || net.collars->empty()) return std::nullopt;
+  Layer layer{.name = "collars", .colour = "#e0b400"};
+  for (const certify::Collar& collar : *net.collars)
+    layer.triangles.insert(layer.triangles.end(), collar.triangles.begin(), collar.triangles.end());
+  return layer;
+}
+
 Layer geodesics_layer(const NetGeometry& geometry, const certify::GeodesicsDocument& geodesics) {
   Layer layer{.name = "closed geodesics", .colour = "#b0247a"};
   const certify::Document& source = geodesics.net;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,9 @@ struct Layer {
 
 /// The edges on the boundary of the combinatorial Dirichlet domain of a vertex: of the triangles lifted breadth first.
 [[nodiscard]] Layer combinatorial_dirichlet_layer(const NetGeometry& geometry, std::uint32_t vertex);
+
+/// The triangles of the collars that a pseudo net leaves uncovered; nothing for other nets.
+[[nodiscard]] std::optional<Layer> collar_layer(const certify::Document& net);
 
 /// Closed geodesics, once around each, of a geodesics file about the same surface, with the same net or another one. A
 /// document as certify::read_geodesics returns it. Throws NetGeometryError if the surface is another one, or a word

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,7 @@ DrawOptions shown(const DrawRequest& request, const certify::Document& net) {
   options.covering_disks = has("disks");
   options.packing_disks = has("half-disks");
   if (has("tiles")) options.layers.push_back(tile_layer(NetGeometry(net)));
+  if (const std::optional<Layer> collars = collar_layer(net)) options.layers.push_back(*collars);
   if (!request.geodesics.empty()) options.layers.push_back(load_geodesics_layer(request.geodesics, net));
   return options;
 }

@@ -46,6 +46,7 @@ std::string page(const ViewRequest& request, const certify::Document& net, const
     options.title = request.title.empty() ? std::filesystem::path(request.net).filename().string() : request.title;
     options.certificate = certificate;
     options.layers = curve_layers(NetGeometry(net), report);
+    if (const std::optional<Layer> collars = collar_layer(net)) options.layers.push_back(*collars);
     if (!request.geodesics.empty()) options.layers.push_back(load_geodesics_layer(request.geodesics, net));
     return viewer_page(net, options);
   } catch (const NetGeometryError& error) {

@@ -200,6 +200,12 @@ good view "$data/certify/refuted/covering-epsilon-too-small.json" -o refuted.htm
 grep -q '^verdict: REFUTED$' output || complain 'view of a refuted net says no verdict'
 grep -q '"verdict": "REFUTED"' refuted.html || complain 'a page of a refuted net'
 "$epsnet" view net.json -o - 2>report >piped.html && [ -s piped.html ] || complain 'a page on standard output'
+good surface fenchel-nielsen --pants-graph '0-0 0-1 1-1' --lengths 1,1e-6,2 --twists 0 -o pinched.json
+good net pinched.json --epsilon 0.3 --pseudo -o pinched-net.json
+good draw pinched-net.json -o pinched.svg --legend
+grep -q '<title>collars</title>' pinched.svg || complain 'no collars in the picture of a pseudo net'
+good view pinched-net.json -o pinched.html
+grep -q '"name": "collars"' pinched.html || complain 'no collars in the page of a pseudo net'
 good spectrum s.json --up-to 3 -o spectrum.json
 good draw net.json -o geodesics.svg --geodesics spectrum.json
 grep -q '<title>closed geodesics</title>' geodesics.svg || complain 'no geodesics in the picture'
