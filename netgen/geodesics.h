@@ -37,8 +37,8 @@ struct GeodesicsOptions {
 /// cut the surface.
 [[nodiscard]] certify::GeodesicsDocument thick_thin(const Surface& surface, const GeodesicsOptions& options = {});
 
-/// The half-width w of the collar of a small curve, sinh w = 1/sinh(ℓ/2) (thesis Definition I.21), enclosed for a length
-/// that is enclosed.
+/// The half-width w of the collar of a small curve, sinh w = 1/sinh(ℓ/2) (thesis Definition I.21), enclosed for a
+/// length that is enclosed.
 [[nodiscard]] certify::Interval collar_half_width(certify::Interval length);
 
 }  // namespace epsnet

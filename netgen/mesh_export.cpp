@@ -65,7 +65,8 @@ Mesh mesh(const NetGeometry& geometry, const Lifts& lifts) {
     number[dart] = number[first];
   }
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    result.triangles.push_back({number[3 * t], number[3 * t + 1], number[3 * t + 2]});
+    result.triangles.push_back(
+        {number[std::size_t{3} * t], number[std::size_t{3} * t + 1], number[std::size_t{3} * t + 2]});
   return result;
 }
 
