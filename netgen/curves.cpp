@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "epsnet/certify/text.h"
 #include "epsnet/netgen/dirichlet.h"
 
 namespace epsnet {
@@ -206,42 +207,100 @@ Layer combinatorial_dirichlet_layer(const NetGeometry& geometry, std::uint32_t v
   return layer;
 }
 
-std::optional<Layer> collar_layer(const certify::Document& net) {
-  if (!net.collars || net.collars->empty()) return std::nullopt;
-  Layer layer{.name = "collars", .colour = "#e0b400"};
-  for (const certify::Collar& collar : *net.collars)
-    layer.triangles.insert(layer.triangles.end(), collar.triangles.begin(), collar.triangles.end());
-  return layer;
+namespace {
+
+/// The axis of a closed path of a tile, in the tile's coordinates.
+struct ClosedPath {
+  Isometry<Mp256> element;
+  Mp256 length;
+  Isometry<Mp256> from_diameter;  ///< Takes the diameter from −1 to 1 to the axis, 0 to the point of it nearest to 0.
+
+  /// The point at a place along the axis and a distance from it, positive on the left (hyperbolic lengths).
+  [[nodiscard]] Point at(const Mp256& along, const Mp256& distance) const {
+    const auto shift = Isometry<Mp256>::translation({Mp256(tanh(along / 2)), 0});
+    return from_diameter(shift({0, Mp256(tanh(distance / 2))}));
+  }
+};
+
+ClosedPath closed_path(const NetGeometry& geometry, const Tiles& tiles, std::uint32_t home,
+                       const std::vector<std::uint32_t>& word) {
+  const SideTable& sides = geometry.sides();
+  std::uint32_t tile = home;
+  Isometry<Mp256> g;
+  for (const std::uint32_t side : word) {
+    if (sides.tile_of_side[side] != tile) throw NetGeometryError("a word is no path of sides");
+    g = normalized(tiles.parts.crossings[side] * g);
+    tile = sides.tile_of_side[sides.partner[side]];
+  }
+  const auto ends = axis(g);
+  if (tile != home || !ends) throw NetGeometryError("a word is no closed geodesic");
+  const Mp256 half_chord = sqrt(norm(ends->to - ends->from)) / 2;
+  const Point foot = Mp256(1 / (2 * (1 + half_chord))) * (ends->from + ends->to);
+  // The direction of the axis, seen from its foot: a rotation by half the angle, twice.
+  const Point direction = inverse(Isometry<Mp256>::translation(foot))(ends->to);
+  const Point half = direction.x > 0 ? Point{direction.x + 1, direction.y} : Point{direction.y, 1 - direction.x};
+  return {g, displacement_length(g), normalized(Isometry<Mp256>::translation(foot) * Isometry<Mp256>{half, {}})};
 }
 
-Layer geodesics_layer(const NetGeometry& geometry, const certify::GeodesicsDocument& geodesics) {
-  Layer layer{.name = "closed geodesics", .colour = "#b0247a"};
+void append(Layer& layer, const std::vector<Arc>& arcs) {
+  layer.arcs.insert(layer.arcs.end(), arcs.begin(), arcs.end());
+}
+
+/// One period of the two curves at a distance from an axis, as chords.
+void append_equidistants(Layer& layer, const NetGeometry& geometry, const Placement& start, const ClosedPath& path,
+                         const Mp256& distance) {
+  constexpr int kChords = 48;
+  for (const Mp256& height : {distance, Mp256(-distance)}) {
+    Placement near = start;
+    for (int i = 0; i < kChords; ++i) {
+      append(layer, cut_segment(geometry, near, path.at(path.length * i / kChords, height),
+                                path.at(path.length * (i + 1) / kChords, height)));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Layer> collar_layers(const NetGeometry& geometry) {
+  const certify::Document& net = geometry.document();
+  if (!net.collars || net.collars->empty()) return {};
+  const Tiles tiles(geometry);
+  Layer triangles{.name = "triangles of collars", .colour = "#e0b400"};
+  Layer boundaries{.name = "epsilon-collars", .colour = "#b06f00"};
+  Mp256 half_epsilon;
+  mpfr_set_q(half_epsilon.backend().data(), certify::parse_decimal(net.epsilon)->get_mpq_t(), MPFR_RNDN);
+  half_epsilon /= 2;
+  for (const certify::Collar& collar : *net.collars) {
+    triangles.triangles.insert(triangles.triangles.end(), collar.triangles.begin(), collar.triangles.end());
+    const std::uint32_t tile = net.charts[net.vertices[collar.vertices[0]].chart].tile;
+    const ClosedPath core = closed_path(geometry, tiles, tile, collar.core);
+    // sinh(ε/2) = sinh(ℓ/2) cosh d (thesis Theorem I.24).
+    const Mp256 ratio = sinh(half_epsilon) / sinh(Mp256(core.length / 2));
+    if (ratio > 1) append_equidistants(boundaries, geometry, tiles.near[tile], core, acosh(ratio));
+  }
+  return {triangles, boundaries};
+}
+
+std::vector<Layer> geodesics_layers(const NetGeometry& geometry, const certify::GeodesicsDocument& geodesics) {
+  std::vector<Layer> layers{{.name = "closed geodesics", .colour = "#b0247a"}};
+  const bool small_curves = geodesics.claim == certify::Claim::thick_thin;
+  if (small_curves) layers.push_back({.name = "collars of small curves", .colour = "#2a8c5a"});
   const certify::Document& source = geodesics.net;
   const certify::Surface& surface = geometry.document().surface;
   if (source.surface.tiles != surface.tiles || source.surface.gluing != surface.gluing ||
       source.surface.regular_genus != surface.regular_genus)
     throw NetGeometryError("these are geodesics of another surface");
-  const SideTable& sides = geometry.sides();
   const Tiles tiles(geometry);
   for (const certify::ClosedGeodesic& geodesic : geodesics.geodesics) {
-    const std::uint32_t home = source.charts[source.vertices[geodesic.vertex].chart].tile;
-    std::uint32_t tile = home;
-    Isometry<Mp256> g;
-    for (const std::uint32_t side : geodesic.word) {
-      if (sides.tile_of_side[side] != tile) throw NetGeometryError("a word is no path of sides");
-      g = normalized(tiles.parts.crossings[side] * g);
-      tile = sides.tile_of_side[sides.partner[side]];
+    const std::uint32_t tile = source.charts[source.vertices[geodesic.vertex].chart].tile;
+    const ClosedPath path = closed_path(geometry, tiles, tile, geodesic.word);
+    Placement near = tiles.near[tile];
+    append(layers[0], cut_segment(geometry, near, path.at(0, 0), path.at(path.length, 0)));
+    if (small_curves) {
+      append_equidistants(layers[1], geometry, near, path, asinh(Mp256(1 / sinh(Mp256(path.length / 2)))));
     }
-    const auto ends = axis(g);
-    if (tile != home || !ends) throw NetGeometryError("a word is no closed geodesic");
-    // Once around, from the foot of the perpendicular from 0 to the axis.
-    const Mp256 half_chord = sqrt(norm(ends->to - ends->from)) / 2;
-    const Point foot = Mp256(1 / (2 * (1 + half_chord))) * (ends->from + ends->to);
-    Placement near = tiles.near[home];
-    const std::vector<Arc> arcs = cut_segment(geometry, near, foot, g(foot));
-    layer.arcs.insert(layer.arcs.end(), arcs.begin(), arcs.end());
   }
-  return layer;
+  return layers;
 }
 
 }  // namespace epsnet

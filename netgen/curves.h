@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,12 +42,15 @@ struct Layer {
 /// The edges on the boundary of the combinatorial Dirichlet domain of a vertex: of the triangles lifted breadth first.
 [[nodiscard]] Layer combinatorial_dirichlet_layer(const NetGeometry& geometry, std::uint32_t vertex);
 
-/// The triangles of the collars that a pseudo net leaves uncovered; nothing for other nets.
-[[nodiscard]] std::optional<Layer> collar_layer(const certify::Document& net);
+/// Of a pseudo net: the triangles of its collars, and the boundaries of its ε-collars (the bananas of thesis figure
+/// III.9), which these triangles do not quite fill. Nothing for other nets.
+[[nodiscard]] std::vector<Layer> collar_layers(const NetGeometry& geometry);
 
-/// Closed geodesics, once around each, of a geodesics file about the same surface, with the same net or another one. A
-/// document as certify::read_geodesics returns it. Throws NetGeometryError if the surface is another one, or a word
-/// does not stand for a closed geodesic.
-[[nodiscard]] Layer geodesics_layer(const NetGeometry& geometry, const certify::GeodesicsDocument& geodesics);
+/// Closed geodesics, once around each, of a geodesics file about the same surface, with the same net or another one; of
+/// a thick-thin decomposition also the boundaries of the collars of the small curves. A document as
+/// certify::read_geodesics returns it. Throws NetGeometryError if the surface is another one, or a word does not stand
+/// for a closed geodesic.
+[[nodiscard]] std::vector<Layer> geodesics_layers(const NetGeometry& geometry,
+                                                  const certify::GeodesicsDocument& geodesics);
 
 }  // namespace epsnet

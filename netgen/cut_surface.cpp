@@ -9,10 +9,10 @@ namespace {
 /// The cells of the triangles, cut along arcs, and which of them hang together.
 class Cells {
  public:
-  Cells(const Triangulation& triangulation, const std::vector<std::vector<Arc>>& curves)
+  Cells(const Triangulation& triangulation, const std::vector<std::vector<CornerArc>>& curves)
       : triangulation_(triangulation), arcs_(triangulation.triangle_count()), first_(triangulation.triangle_count()) {
     for (const auto& curve : curves) {
-      for (const Arc& arc : curve) ++arcs_[arc.triangle][arc.corner];
+      for (const CornerArc& arc : curve) ++arcs_[arc.triangle][arc.corner];
     }
     std::uint32_t count = 0;
     for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
@@ -70,7 +70,7 @@ class Cells {
 }  // namespace
 
 std::vector<certify::Piece> cut_surface(const Triangulation& triangulation,
-                                        const std::vector<std::vector<Arc>>& curves) {
+                                        const std::vector<std::vector<CornerArc>>& curves) {
   Cells cells(triangulation, curves);
   // The curves themselves, circles, have characteristic 0, so that of a piece is that of its interior.
   std::vector<int> characteristic(cells.size());
@@ -99,7 +99,7 @@ std::vector<certify::Piece> cut_surface(const Triangulation& triangulation,
     return pieces[piece_of[component]];
   };
   for (std::uint32_t c = 0; c < curves.size(); ++c) {
-    const Arc& arc = curves[c].front();
+    const CornerArc& arc = curves[c].front();
     for (const std::uint32_t side : {0U, 1U}) {
       const bool at_corner = arc.corner_is_left == (side == 0);
       piece(cells.at_corner(arc.triangle, arc.corner, at_corner ? arc.rank : arc.rank + 1))

@@ -9,7 +9,7 @@
 namespace epsnet {
 
 /// A simple closed curve passing through a triangle: it cuts off one corner.
-struct Arc {
+struct CornerArc {
   std::uint32_t triangle;
   std::uint32_t corner;  ///< The one cut off,
   bool corner_is_left;   ///< on the left of the directed curve,
@@ -21,6 +21,6 @@ struct Arc {
 /// joined across edges, and V − E + F is 2 − 2g − b for a component of genus g with b boundaries. In the order of their
 /// first boundaries; without curves the one piece is the surface. O(triangles + arcs).
 [[nodiscard]] std::vector<certify::Piece> cut_surface(const Triangulation& triangulation,
-                                                      const std::vector<std::vector<Arc>>& curves);
+                                                      const std::vector<std::vector<CornerArc>>& curves);
 
 }  // namespace epsnet

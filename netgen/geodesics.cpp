@@ -194,9 +194,9 @@ std::vector<certify::Piece> pieces(const Triangulation& triangulation,
                                    const std::vector<typename AxisCatalogue<T>::Geodesic>& geodesics) {
   struct Ranked {
     const typename AxisCatalogue<T>::Step* step;
-    Arc* arc;
+    CornerArc* arc;
   };
-  std::vector<std::vector<Arc>> curves;
+  std::vector<std::vector<CornerArc>> curves;
   std::vector<std::vector<Ranked>> at_corner(std::size_t{3} * triangulation.triangle_count());
   for (const auto& geodesic : geodesics) {
     auto& arcs = curves.emplace_back();

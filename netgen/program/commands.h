@@ -41,7 +41,7 @@ void add_threads(CLI::App& command, unsigned& threads);
 void add_geodesics(CLI::App& command, std::string& file);
 /// The closed geodesics of a geodesics file about the net's surface as a layer of a picture. Throws JobError, and as
 /// the reader.
-[[nodiscard]] Layer load_geodesics_layer(const std::string& file, const certify::Document& net);
+[[nodiscard]] std::vector<Layer> load_geodesics_layers(const std::string& file, const certify::Document& net);
 /// The value of --epsilon.
 [[nodiscard]] inline Epsilon parse_epsilon(const std::string& text) { return parse_length("--epsilon", text); }
 

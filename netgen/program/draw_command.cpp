@@ -39,8 +39,10 @@ DrawOptions shown(const DrawRequest& request, const certify::Document& net) {
   options.covering_disks = has("disks");
   options.packing_disks = has("half-disks");
   if (has("tiles")) options.layers.push_back(tile_layer(NetGeometry(net)));
-  if (const std::optional<Layer> collars = collar_layer(net)) options.layers.push_back(*collars);
-  if (!request.geodesics.empty()) options.layers.push_back(load_geodesics_layer(request.geodesics, net));
+  for (Layer& layer : collar_layers(NetGeometry(net))) options.layers.push_back(std::move(layer));
+  if (!request.geodesics.empty()) {
+    for (Layer& layer : load_geodesics_layers(request.geodesics, net)) options.layers.push_back(std::move(layer));
+  }
   return options;
 }
 

@@ -38,10 +38,10 @@ void add_geodesics(CLI::App& command, std::string& file) {
       ->option_text("FILE");
 }
 
-Layer load_geodesics_layer(const std::string& file, const certify::Document& net) {
+std::vector<Layer> load_geodesics_layers(const std::string& file, const certify::Document& net) {
   const certify::GeodesicsDocument document = certify::read_geodesics(file);
   try {
-    return geodesics_layer(NetGeometry(net), document);
+    return geodesics_layers(NetGeometry(net), document);
   } catch (const NetGeometryError& error) {
     throw JobError(file + ": " + error.what());
   }

@@ -46,8 +46,10 @@ std::string page(const ViewRequest& request, const certify::Document& net, const
     options.title = request.title.empty() ? std::filesystem::path(request.net).filename().string() : request.title;
     options.certificate = certificate;
     options.layers = curve_layers(NetGeometry(net), report);
-    if (const std::optional<Layer> collars = collar_layer(net)) options.layers.push_back(*collars);
-    if (!request.geodesics.empty()) options.layers.push_back(load_geodesics_layer(request.geodesics, net));
+    for (Layer& layer : collar_layers(NetGeometry(net))) options.layers.push_back(std::move(layer));
+    if (!request.geodesics.empty()) {
+      for (Layer& layer : load_geodesics_layers(request.geodesics, net)) options.layers.push_back(std::move(layer));
+    }
     return viewer_page(net, options);
   } catch (const NetGeometryError& error) {
     throw JobError(request.net + ": " + error.what());

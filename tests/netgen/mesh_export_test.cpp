@@ -183,13 +183,13 @@ TEST(Curves, aClosedGeodesicIsCutWithoutLossOnAnyNetOfItsSurface) {
   for (std::uint32_t side = 0; side < 8; ++side) {
     // One tile: every side is a loop.
     geodesics.geodesics = {{.vertex = 1, .word = {side}}};
-    const Layer layer = geodesics_layer(geometry, geodesics);
+    const Layer layer = geodesics_layers(geometry, geodesics)[0];
     EXPECT_NEAR(total_length(layer), displacement_length(convert<double>(parts.crossings[side])), 1e-9);
   }
   geodesics.geodesics = {{.vertex = 0, .word = {}}};
-  EXPECT_THROW((void)geodesics_layer(geometry, geodesics), NetGeometryError);
+  EXPECT_THROW((void)geodesics_layers(geometry, geodesics), NetGeometryError);
   geodesics.net = compute_net(random_octagon(1), Epsilon("0.7")).net;
-  EXPECT_THROW((void)geodesics_layer(geometry, geodesics), NetGeometryError);
+  EXPECT_THROW((void)geodesics_layers(geometry, geodesics), NetGeometryError);
 }
 
 }  // namespace
