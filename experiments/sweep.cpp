@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <ctime>
@@ -18,6 +17,7 @@
 
 #include "epsnet/certify/check.h"
 #include "epsnet/certify/geodesics_check.h"
+#include "epsnet/certify/parallel.h"
 #include "epsnet/certify/text.h"
 #include "epsnet/experiments/record_file.h"
 #include "epsnet/netgen/atomic_file.h"
@@ -103,16 +103,7 @@ class Sweep {
 
   /// Returns the number of surfaces that failed, each with a line on standard error.
   std::size_t run() {
-    std::vector<std::thread> threads;
-    const std::size_t count = std::min<std::size_t>(request_.threads, jobs_.size());
-    for (std::size_t i = 0; i < count; ++i) threads.emplace_back([this] { work(); });
-    for (std::thread& thread : threads) thread.join();
-    return failures_;
-  }
-
- private:
-  void work() {
-    for (std::size_t i = next_++; i < jobs_.size(); i = next_++) {
+    certify::for_each_parallel(jobs_.size(), request_.threads, [this](unsigned, std::size_t i) {
       try {
         make(jobs_[i]);
       } catch (const std::exception& error) {
@@ -120,8 +111,11 @@ class Sweep {
         ++failures_;
         std::cerr << "sweep: " << jobs_[i].surface.string() << ": " << error.what() << '\n';
       }
-    }
+    });
+    return failures_;
   }
+
+ private:
 
   void make(const Job& job) {
     const Surface surface = load_surface(job.surface);
@@ -149,7 +143,6 @@ class Sweep {
   const Request& request_;
   std::vector<Job> jobs_;
   std::vector<Epsilon> epsilons_;
-  std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;  // Of all below.
   std::size_t nets_ = 0;
   std::size_t failures_ = 0;

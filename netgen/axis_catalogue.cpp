@@ -19,43 +19,26 @@ T zero_level() {
   return boost::multiprecision::ldexp(T(1), std::is_same_v<T, Mp256> ? -80 : -200);
 }
 
+/// The Euclidean square.
+template <class T>
+T size2(const LorentzVector<T>& v) {
+  return v.x * v.x + v.y * v.y + v.t * v.t;
+}
+
 }  // namespace
-
-/// The functional that vanishes on the axis and is positive to the left of it: the fixed points z, |z| = 1, of
-/// f = (a, b) solve Im(b̄z) = Im a. Lorentz square sinh²(ℓ/2).
-template <class T>
-typename AxisCatalogue<T>::Vector AxisCatalogue<T>::axis_of(const Isometry<T>& f) {
-  return {{T(-f.b.y), f.b.x}, T(-f.a.y)};
-}
-
-template <class T>
-T AxisCatalogue<T>::determinant(const Vector& u, const Vector& v, const Vector& w) {
-  return cross(u.xi, v.xi) * w.tau + cross(v.xi, w.xi) * u.tau + cross(w.xi, u.xi) * v.tau;
-}
-
-template <class T>
-typename AxisCatalogue<T>::Vector AxisCatalogue<T>::image(const Isometry<T>& f, const Vector& x) {
-  const T tau = (norm(f.a) + norm(f.b)) * x.tau + 2 * dot(f.b, f.a * x.xi);
-  return {f.a * f.a * x.xi + f.b * f.b * conj(x.xi) + T(2 * x.tau) * (f.a * f.b), tau};
-}
 
 template <class T>
 bool AxisCatalogue<T>::same_axis(const Isometry<T>& f, const Isometry<T>& g) {
-  const Vector u = axis_of(f);
-  const Vector v = axis_of(g);
-  const T size = (norm(u.xi) + u.tau * u.tau) * (norm(v.xi) + v.tau * v.tau);
-  const Complex<T> across = v.tau * u.xi - u.tau * v.xi;
-  const T turn = cross(u.xi, v.xi);
+  const Vector u = axis_normal(f);
+  const Vector v = axis_normal(g);
   const T level = zero_level<T>();
-  return norm(across) + turn * turn <= level * level * size;
+  return size2(lorentz_cross(u, v)) <= level * level * size2(u) * size2(v);
 }
 
 /// Unit normals u, v of two lines have |⟨u, v⟩| < 1 exactly if the lines cross.
 template <class T>
 bool AxisCatalogue<T>::axes_cross(const Isometry<T>& f, const Isometry<T>& g) {
-  const Vector u = axis_of(f);
-  const Vector v = axis_of(g);
-  const T product = dot(u.xi, v.xi) - u.tau * v.tau;
+  const T product = lorentz_product(axis_normal(f), axis_normal(g));
   return product * product < isometry_discriminant(f) * isometry_discriminant(g);
 }
 
@@ -75,8 +58,7 @@ template <class T>
 typename AxisCatalogue<T>::Vector AxisCatalogue<T>::corner(std::uint32_t t, std::uint32_t i) {
   const auto [vertex, l] = triangulation_.corner(t, i);
   const Complex<T> z = convert<T>(triangulation_.vertex(vertex).z);
-  const T scale = 1 / (1 - norm(z));
-  const Vector x{T(2 * scale) * z, (1 + norm(z)) * scale};
+  const Vector x = on_hyperboloid(z);
   return l == kIdentity ? x : image(label(l), x);
 }
 
@@ -97,7 +79,7 @@ Isometry<T> AxisCatalogue<T>::element(const ReturnPath& path) {
 
 template <class T>
 T AxisCatalogue<T>::distance_from_axis(Dart start, const Isometry<T>& element) {
-  const T side = pairing(axis_of(element), corner(triangle_of(start), corner_of(start)));
+  const T side = lorentz_product(axis_normal(element), corner(triangle_of(start), corner_of(start)));
   using boost::multiprecision::abs;
   using boost::multiprecision::asinh;
   using boost::multiprecision::sqrt;
@@ -109,10 +91,10 @@ template <class T>
 typename AxisCatalogue<T>::Place AxisCatalogue<T>::walk_to_axis(Dart start, const Isometry<T>& element) {
   Place place{triangle_of(start), element};
   const Vector x = corner(triangle_of(start), corner_of(start));
-  const Vector axis = axis_of(element);
+  const Vector axis = axis_normal(element);
   // x minus its component along the normal of the axis; its length does not matter.
-  const T component = pairing(axis, x) / isometry_discriminant(element);
-  Vector foot{x.xi - component * axis.xi, T(x.tau + component * axis.tau)};
+  const T component = lorentz_product(axis, x) / isometry_discriminant(element);
+  Vector foot = x + T(-component) * axis;
   std::uint32_t entered = 3;
   for (std::size_t steps = 0; steps < kMostSteps; ++steps) {
     std::array<Vector, 3> corners;
@@ -120,8 +102,8 @@ typename AxisCatalogue<T>::Place AxisCatalogue<T>::walk_to_axis(Dart start, cons
     std::uint32_t leave = 3;
     for (std::uint32_t i = 0; i < 3 && leave == 3; ++i) {
       // A foot on an edge or a vertex is in every triangle there.
-      const T level = zero_level<T>() * corners[i].tau * corners[next(i)].tau * foot.tau;
-      if (i != entered && determinant(corners[i], corners[next(i)], foot) < -level) leave = i;
+      const T level = zero_level<T>() * corners[i].t * corners[next(i)].t * foot.t;
+      if (i != entered && lorentz_product(lorentz_cross(corners[i], corners[next(i)]), foot) < -level) leave = i;
     }
     if (leave == 3) return place;
     const Dart d = make_dart(place.triangle, leave);
@@ -144,14 +126,14 @@ std::optional<std::uint32_t> AxisCatalogue<T>::find(const Place& place) const {
 template <class T>
 std::optional<std::pair<typename AxisCatalogue<T>::Step, Dart>> AxisCatalogue<T>::step_in(const Place& place,
                                                                                           bool& through_vertex) {
-  const Vector axis = axis_of(place.element);
-  const T size = boost::multiprecision::sqrt(T(norm(axis.xi) + axis.tau * axis.tau));
+  const Vector axis = axis_normal(place.element);
+  const T size = boost::multiprecision::sqrt(size2(axis));
   std::array<T, 3> side;
   std::array<bool, 3> left;
   for (std::uint32_t i = 0; i < 3; ++i) {
     const Vector x = corner(place.triangle, i);
-    side[i] = pairing(axis, x);
-    const bool on_axis = boost::multiprecision::abs(side[i]) <= zero_level<T>() * size * x.tau;
+    side[i] = lorentz_product(axis, x);
+    const bool on_axis = boost::multiprecision::abs(side[i]) <= zero_level<T>() * size * x.t;
     if (on_axis) side[i] = 0;
     through_vertex = through_vertex || on_axis;
     left[i] = side[i] >= 0;
@@ -182,12 +164,12 @@ std::vector<typename AxisCatalogue<T>::Step> AxisCatalogue<T>::follow(Place plac
       leave = step->second;
     } else {
       // Pushed out of this triangle at a vertex or along an edge: around that vertex, or across that edge, it passes.
-      const Vector axis = axis_of(place.element);
+      const Vector axis = axis_normal(place.element);
       std::optional<T> least;
       for (std::uint32_t i = 0; i < 3; ++i) {
         const auto distance = [&](std::uint32_t k) {
           const Vector x = corner(place.triangle, k);
-          return T(boost::multiprecision::abs(pairing(axis, x)) / x.tau);
+          return T(boost::multiprecision::abs(lorentz_product(axis, x)) / x.t);
         };
         const T farther = std::max(distance(i), distance(next(i)));
         if (i != entered && (!least || farther < *least)) {

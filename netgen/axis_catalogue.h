@@ -4,7 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "epsnet/kernel/isometry.h"
+#include "epsnet/kernel/lorentz.h"
+#include "epsnet/kernel/numbers.h"
 #include "epsnet/netgen/unfolding.h"
 #include "epsnet/triangulation/triangulation.h"
 
@@ -52,11 +53,7 @@ class AxisCatalogue {
   [[nodiscard]] const std::vector<Geodesic>& geodesics() const { return geodesics_; }
 
  private:
-  /// A vector of Minkowski space or a functional on it, as in unfolding.cpp.
-  struct Vector {
-    Complex<T> xi;
-    T tau;
-  };
+  using Vector = LorentzVector<T>;
   struct Place {
     std::uint32_t triangle;
     Isometry<T> element;
@@ -66,12 +63,6 @@ class AxisCatalogue {
     Isometry<T> element;
   };
 
-  [[nodiscard]] static Vector axis_of(const Isometry<T>& f);
-  [[nodiscard]] static T pairing(const Vector& functional, const Vector& x) {
-    return dot(functional.xi, x.xi) + functional.tau * x.tau;
-  }
-  [[nodiscard]] static T determinant(const Vector& u, const Vector& v, const Vector& w);
-  [[nodiscard]] static Vector image(const Isometry<T>& f, const Vector& x);
   [[nodiscard]] static bool same_axis(const Isometry<T>& f, const Isometry<T>& g);
   [[nodiscard]] static bool axes_cross(const Isometry<T>& f, const Isometry<T>& g);
   [[nodiscard]] static Isometry<T> conjugate(const Isometry<T>& by, const Isometry<T>& f);

@@ -13,35 +13,19 @@
 namespace epsnet {
 namespace {
 
-LorentzVector operator+(const LorentzVector& u, const LorentzVector& v) { return {u.x + v.x, u.y + v.y, u.t + v.t}; }
-LorentzVector operator*(const Mp1024& s, const LorentzVector& v) { return {s * v.x, s * v.y, s * v.t}; }
-Mp1024 product(const LorentzVector& u, const LorentzVector& v) { return u.x * v.x + u.y * v.y - u.t * v.t; }
-/// Orthogonal to both; of length 1 if they are a point and a unit vector orthogonal to it.
-LorentzVector cross(const LorentzVector& u, const LorentzVector& v) {
-  return {u.y * v.t - u.t * v.y, u.t * v.x - u.x * v.t, u.y * v.x - u.x * v.y};
-}
-
-LorentzVector on_hyperboloid(const Complex<Mp1024>& z) {
-  const Mp1024 scale = 1 / (1 - norm(z));
-  return {2 * scale * z.x, 2 * scale * z.y, scale * (1 + norm(z))};
-}
-
-Complex<Mp1024> in_disk(const LorentzVector& v) { return {v.x / (1 + v.t), v.y / (1 + v.t)}; }
-
-/// The core of a translation (a, b) as it is seen from z. The fixed points are the z with |z| = 1 and Im(b̄z) = Im a, so
-/// that (−Im b, Re b, Im a) is normal to the axis; its square is |b|² − (Im a)² = sinh²(length/2).
+/// The core of a translation as it is seen from z.
 Core core_of(std::uint32_t chart, const Isometry<Mp1024>& f, const Mp1024& sinh2, const Complex<Mp1024>& z) {
   const Mp1024 scale = 1 / sqrt(isometry_discriminant(f));
-  const LorentzVector normal = scale * LorentzVector{-f.b.y, f.b.x, f.a.y};
-  const LorentzVector p = on_hyperboloid(z);
-  const Mp1024 height = product(p, normal);  // sinh of the distance.
-  const LorentzVector foot = Mp1024(1 / sqrt(Mp1024(1 + height * height))) * (p + Mp1024(-height) * normal);
-  return {chart, sinh2, foot, cross(foot, normal), normal};
+  const LorentzVector<Mp1024> normal = scale * axis_normal(f);
+  const LorentzVector<Mp1024> p = on_hyperboloid(z);
+  const Mp1024 height = lorentz_product(p, normal);  // sinh of the distance.
+  const LorentzVector<Mp1024> foot = Mp1024(1 / sqrt(Mp1024(1 + height * height))) * (p + Mp1024(-height) * normal);
+  return {chart, sinh2, foot, lorentz_cross(foot, normal), normal};
 }
 
 /// The point at the distance `shift` along the core from its foot, and from there at `height` on one side.
 Complex<Mp1024> point_beside(const Core& core, const Mp1024& height, const Mp1024& shift) {
-  const LorentzVector on_core = Mp1024(cosh(shift)) * core.foot + Mp1024(sinh(shift)) * core.along;
+  const LorentzVector<Mp1024> on_core = Mp1024(cosh(shift)) * core.foot + Mp1024(sinh(shift)) * core.along;
   return in_disk(Mp1024(cosh(height)) * on_core + Mp1024(sinh(height)) * core.normal);
 }
 
@@ -135,7 +119,7 @@ bool Collars::is_handled(const Core& core, std::uint32_t t, LabelId label) {
   const LabelId to_core = atlas.product(side.to_core, atlas.product(atlas.inverse(corner.label), to_last));
   const Complex<Mp1024> z = atlas.lift<Mp1024>(to_core, {0, 0});
   // Different cores no longer than ε ≤ ln √2 are more than 2 arsinh(1/sinh(ε/2)) > 3 apart (collar theorem).
-  return abs(product(on_hyperboloid(z), side.normal)) < 0.01;
+  return abs(lorentz_product(on_hyperboloid(z), side.normal)) < 0.01;
 }
 
 std::vector<Dart> Collars::way_to_collar(std::uint32_t t) const {

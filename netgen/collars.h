@@ -6,24 +6,20 @@
 #include <vector>
 
 #include "epsnet/certify/document.h"
-#include "epsnet/kernel/isometry.h"
+#include "epsnet/kernel/lorentz.h"
+#include "epsnet/kernel/numbers.h"
 #include "epsnet/netgen/epsilon.h"
 #include "epsnet/triangulation/triangulation.h"
 
 namespace epsnet {
 
-/// A point or a direction of the hyperboloid model, with the form x² + y² − t².
-struct LorentzVector {
-  Mp1024 x, y, t;
-};
-
 /// A closed geodesic no longer than ε as it is seen from a vertex near it.
 struct Core {
-  std::uint32_t chart;   ///< The vertex' chart, whose coordinates are used below.
-  Mp1024 sinh2;          ///< sinh²(length/2).
-  LorentzVector foot;    ///< The point of the lifted core, a line, that is nearest to the vertex;
-  LorentzVector along;   ///< the unit vector along the line there,
-  LorentzVector normal;  ///< and that orthogonal to the line, the same everywhere.
+  std::uint32_t chart;           ///< The vertex' chart, whose coordinates are used below.
+  Mp1024 sinh2;                  ///< sinh²(length/2).
+  LorentzVector<Mp1024> foot;    ///< The point of the lifted core, a line, that is nearest to the vertex;
+  LorentzVector<Mp1024> along;   ///< the unit vector along the line there,
+  LorentzVector<Mp1024> normal;  ///< and that orthogonal to the line, the same everywhere.
 };
 
 /// The collars of short closed geodesics that a pseudo ε-net leaves empty (thesis III.5).
@@ -68,9 +64,9 @@ class Collars {
   [[nodiscard]] std::optional<Dart> loop_of(std::uint32_t t);
   /// What is known of a vertex of a collar.
   struct Side {
-    std::uint32_t partner;  ///< The chart of the other vertex of the collar.
-    LabelId to_core;        ///< From its chart to the one in which the core is known.
-    LorentzVector normal;   ///< Of the core.
+    std::uint32_t partner;         ///< The chart of the other vertex of the collar.
+    LabelId to_core;               ///< From its chart to the one in which the core is known.
+    LorentzVector<Mp1024> normal;  ///< Of the core.
   };
   struct Inserted {
     std::uint32_t vertex;

@@ -18,25 +18,8 @@ struct Unfolding::Visit {
   std::uint32_t
       entered;  ///< The corner whose dart was crossed on the way in; in the first triangle that of the vertex.
   std::uint32_t next_edge;  ///< The first edge across which nothing was looked for yet.
-  Vector vertex;
+  LorentzVector<double> vertex;
 };
-
-Unfolding::Vector Unfolding::from_disk(const Complex<double>& z) {
-  const double scale = 1 / (1 - norm(z));
-  return {2 * scale * z, (1 + norm(z)) * scale};
-}
-
-/// The functional X ↦ det(u, v, X).
-Unfolding::Vector Unfolding::cross(const Vector& u, const Vector& v) {
-  return {{u.xi.y * v.tau - u.tau * v.xi.y, u.tau * v.xi.x - u.xi.x * v.tau}, u.xi.x * v.xi.y - u.xi.y * v.xi.x};
-}
-
-/// With X = (2uv̄, |u|² + |v|²) for the pair (u, v) = (z, 1)/√(1 − |z|²), on which f acts as a matrix.
-Unfolding::Vector Unfolding::image(const Isometry<double>& f, const Vector& x) {
-  const Complex<double> ab = f.a * f.b;
-  const double tau = (norm(f.a) + norm(f.b)) * x.tau + 2 * dot(f.b, f.a * x.xi);
-  return {f.a * f.a * x.xi + f.b * f.b * conj(x.xi) + 2 * x.tau * ab, tau};
-}
 
 Unfolding::Unfolding(Triangulation& triangulation, double largest_circumradius)
     : triangulation_(triangulation),
@@ -61,29 +44,28 @@ Unfolding::Cell Unfolding::make_cell(Triangulation& triangulation, std::uint32_t
   for (std::uint32_t i = 0; i < 3; ++i) {
     // Rounded once: corners may be far away in a triangle that is as long as a collar.
     const auto [vertex, label] = triangulation.corner(t, i);
-    const Vector x = from_disk(triangulation.vertex(vertex).z);
+    const LorentzVector<double> x = on_hyperboloid(triangulation.vertex(vertex).z);
     cell.corner[i] = label == kIdentity ? x : image(triangulation.atlas().isometry(label), x);
   }
   for (std::uint32_t i = 0; i < 3; ++i) {
-    Vector line = cross(cell.corner[i], cell.corner[next(i)]);
-    const double size = std::sqrt(std::max(norm(line.xi) - line.tau * line.tau, 1e-300));
-    cell.line[i] = {(1 / size) * line.xi, line.tau / size};
-    cell.power = {cell.power.xi + line.xi, cell.power.tau + line.tau};
+    const LorentzVector<double> line = lorentz_cross(cell.corner[i], cell.corner[next(i)]);
+    cell.line[i] = (1 / std::sqrt(std::max(lorentz_product(line, line), 1e-300))) * line;
+    cell.power = cell.power + line;
   }
-  const double determinant = pairing(cross(cell.corner[0], cell.corner[1]), cell.corner[2]);
-  cell.power = {(1 / determinant) * cell.power.xi, cell.power.tau / determinant};
+  const double determinant = lorentz_product(lorentz_cross(cell.corner[0], cell.corner[1]), cell.corner[2]);
+  cell.power = (1 / determinant) * cell.power;
   return cell;
 }
 
-bool Unfolding::is_child(const Visit& parent, std::uint32_t edge, const Vector& carried) const {
+bool Unfolding::is_child(const Visit& parent, std::uint32_t edge, const LorentzVector<double>& carried) const {
   const Dart across = triangulation_.opposite(make_dart(parent.triangle, edge));
   const Cell& cell = cells_[triangle_of(across)];
-  const double slack = kSlack * carried.tau;
+  const double slack = kSlack * carried.t;
   // What cannot be told counts as yes here and as no there: a triangle may be visited twice, but is not missed.
   for (std::uint32_t k = 0; k < corner_of(across); ++k) {
-    if (pairing(cell.line[k], carried) < -slack) return false;
+    if (lorentz_product(cell.line[k], carried) < -slack) return false;
   }
-  return pairing(cell.line[corner_of(across)], carried) < slack;
+  return lorentz_product(cell.line[corner_of(across)], carried) < slack;
 }
 
 Isometry<double> Unfolding::element(const std::vector<Visit>& way, std::uint32_t corner) const {
@@ -104,15 +86,15 @@ void Unfolding::report(const std::vector<Visit>& way, const Search& search, std:
   const Cell& cell = cells_[here.triangle];
   const std::uint32_t vertex = triangulation_.corner(way.front().triangle, way.front().entered).vertex;
   const double farthest = std::cosh(search.displacement) * (1 + kSlack);
-  const double slack = kSlack * here.vertex.tau;
+  const double slack = kSlack * here.vertex.t;
   for (std::uint32_t j = 0; j < 3; ++j) {
     if (triangulation_.corner(here.triangle, j).vertex != vertex) continue;
     // Of the triangles around a lift the one through which it is seen; of two beside an edge to it the one on the left.
     const bool seen = way.size() == 1 ? j == next(here.entered)
-                                      : pairing(cell.line[j], here.vertex) >= -slack &&
-                                            pairing(cell.line[previous(j)], here.vertex) >= -slack;
-    const Vector& lift = cell.corner[j];
-    if (!seen || lift.tau * here.vertex.tau - dot(lift.xi, here.vertex.xi) > farthest) continue;
+                                      : lorentz_product(cell.line[j], here.vertex) >= -slack &&
+                                            lorentz_product(cell.line[previous(j)], here.vertex) >= -slack;
+    const LorentzVector<double>& lift = cell.corner[j];
+    if (!seen || -lorentz_product(lift, here.vertex) > farthest) continue;
     const Isometry<double> g = element(way, j);
     const bool inverse_comes = g.b.y < -kSlack * (std::abs(g.b.x) + std::abs(g.b.y));
     if (inverse_comes || std::abs(g.a.x) > std::cosh(search.translation / 2) * (1 + kSlack)) continue;
@@ -144,9 +126,10 @@ std::vector<ReturnPath> Unfolding::returns(std::uint32_t vertex, const Search& s
       const std::uint32_t edge = here.next_edge++;
       if (way.size() == 1 ? edge != next(here.entered) : edge == here.entered) continue;
       const std::uint32_t step = cells_[here.triangle].step[edge];
-      const Vector carried = step == 0 ? here.vertex : image(isometries_[step], here.vertex);
+      const LorentzVector<double> carried = step == 0 ? here.vertex : image(isometries_[step], here.vertex);
       const Dart across = triangulation_.opposite(make_dart(here.triangle, edge));
-      if (pairing(cells_[triangle_of(across)].power, carried) > most_power || !is_child(here, edge, carried)) continue;
+      if (lorentz_product(cells_[triangle_of(across)].power, carried) > most_power || !is_child(here, edge, carried))
+        continue;
       way.push_back({triangle_of(across), corner_of(across), 0, carried});
       report(way, search, found);
     }

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "epsnet/kernel/isometry.h"
+#include "epsnet/kernel/lorentz.h"
 #include "epsnet/triangulation/triangulation.h"
 
 namespace epsnet {
@@ -41,28 +41,16 @@ class Unfolding {
   [[nodiscard]] std::vector<ReturnPath> returns(std::uint32_t vertex, const Search& search) const;
 
  private:
-  /// A vector of Minkowski space, (ξ, τ) with ξ = 2z/(1 − |z|²), τ = (1 + |z|²)/(1 − |z|²) for the point z of the disk;
-  /// or a linear functional on it.
-  struct Vector {
-    Complex<double> xi;
-    double tau;
-  };
   struct Cell {
-    std::array<Vector, 3> corner;
-    std::array<Vector, 3> line;  ///< By dart: sinh of the distance from the edge's line, positive inside.
-    Vector power;                ///< 1 at the corners; cosh d(·, C)/cosh R for the circumcentre C and circumradius R.
+    std::array<LorentzVector<double>, 3> corner;
+    std::array<LorentzVector<double>, 3> line;  ///< By dart: the unit normal of the edge, positive inside.
+    LorentzVector<double> power;  ///< ⟨power, X⟩ = cosh d(X, C)/cosh R for the circumcentre C and the circumradius R.
     std::array<std::uint32_t, 3> step;  ///< By dart: which isometry leads to the chart of the triangle across.
   };
   struct Visit;
 
-  [[nodiscard]] static Vector from_disk(const Complex<double>& z);
-  [[nodiscard]] static double pairing(const Vector& functional, const Vector& x) {
-    return functional.xi.x * x.xi.x + functional.xi.y * x.xi.y + functional.tau * x.tau;
-  }
-  [[nodiscard]] static Vector cross(const Vector& u, const Vector& v);
-  [[nodiscard]] static Vector image(const Isometry<double>& f, const Vector& x);
-  [[nodiscard]] Cell make_cell(Triangulation& triangulation, std::uint32_t t);
-  [[nodiscard]] bool is_child(const Visit& parent, std::uint32_t edge, const Vector& carried) const;
+  [[nodiscard]] static Cell make_cell(Triangulation& triangulation, std::uint32_t t);
+  [[nodiscard]] bool is_child(const Visit& parent, std::uint32_t edge, const LorentzVector<double>& carried) const;
   [[nodiscard]] Isometry<double> element(const std::vector<Visit>& way, std::uint32_t corner) const;
   void report(const std::vector<Visit>& way, const Search& search, std::vector<ReturnPath>& found) const;
 

@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 
 #include "epsnet/netgen/decimal.h"
 #include "epsnet/netgen/fenchel_nielsen_request.h"
@@ -221,8 +223,12 @@ RC_GTEST_PROP(FenchelNielsenProperty, TwistsAreShiftsOfTheMarks, ()) {
 // ---- Requests ----
 
 FenchelNielsenRequest request_of(const std::string& json) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "epsnet-fenchel-nielsen.json";
+  // Tests run side by side: each has a file of its own.
+  const std::filesystem::path path =
+      std::filesystem::path(testing::TempDir()) / ("epsnet-fenchel-nielsen-" + std::to_string(getpid()) + ".json");
   std::ofstream(path) << json;
+  const auto remove = [](const std::filesystem::path* file) { std::filesystem::remove(*file); };
+  const std::unique_ptr<const std::filesystem::path, decltype(remove)> guard(&path, remove);
   return load_fenchel_nielsen(path);
 }
 
