@@ -57,14 +57,15 @@ void LiftedPlane::place_triangle(std::uint32_t t) {
     corners_[dart] = unit_vector(labels_[corner_label(net_, dart)], vertex.x, vertex.y, precision_);
   }
   Ball determinant;
-  for (std::uint32_t dart = 3 * t; dart < 3 * t + 3; ++dart) {
+  const std::uint32_t first = 3 * t;
+  for (std::uint32_t dart = first; dart < first + 3; ++dart) {
     lines_[dart] = cross_product(corners_[dart], corners_[next_dart(dart)], precision_);
   }
-  dot(determinant.get(), lines_[3 * t], corners_[3 * t + 2], precision_);
+  dot(determinant.get(), lines_[first], corners_[first + 2], precision_);
   BallVector& alpha = alphas_[t];
   for (std::size_t i = 0; i < 3; ++i) {
-    arb_add(alpha[i], lines_[3 * t][i], lines_[3 * t + 1][i], precision_);
-    arb_add(alpha[i], alpha[i], lines_[3 * t + 2][i], precision_);
+    arb_add(alpha[i], lines_[first][i], lines_[first + 1][i], precision_);
+    arb_add(alpha[i], alpha[i], lines_[first + 2][i], precision_);
     arb_div(alpha[i], alpha[i], determinant.get(), precision_);
   }
 }

@@ -116,7 +116,6 @@ class Sweep {
   }
 
  private:
-
   void make(const Job& job) {
     const Surface surface = load_surface(job.surface);
     const std::string name = job.surface.stem().string();

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "epsnet/certify/text.h"
+#include "epsnet/kernel/lorentz.h"
 #include "epsnet/netgen/dirichlet.h"
 
 namespace epsnet {
@@ -41,6 +42,12 @@ std::array<Point, 3> klein_corners(const NetGeometry& geometry, const Placement&
 /// Twice the area of the triangle u, v, w: positive if w is on the left of the line from u to v.
 Mp256 side_of(const Point& u, const Point& v, const Point& w) { return cross(v - u, w - u); }
 
+/// A walk of more steps than are tried.
+class WalkError : public NetGeometryError {
+ public:
+  using NetGeometryError::NetGeometryError;
+};
+
 /// Walks to a lifted triangle that contains a point (Klein coordinates), each step across a side that separates them:
 /// a visibility walk, which comes to an end in a Delaunay triangulation (thesis Theorem II.3).
 void walk_to(const NetGeometry& geometry, Placement& placement, const Point& target) {
@@ -52,7 +59,7 @@ void walk_to(const NetGeometry& geometry, Placement& placement, const Point& tar
     if (i == 3) return;
     placement = neighbour(geometry, placement, i);
   }
-  throw NetGeometryError("a walk does not come to an end: the triangles are no triangulation");
+  throw WalkError("a walk does not come to an end: the triangles are no triangulation");
 }
 
 /// A part of a segment, from one share of its way to another.
@@ -213,7 +220,7 @@ namespace {
 struct ClosedPath {
   Isometry<Mp256> element;
   Mp256 length;
-  Isometry<Mp256> from_diameter;  ///< Takes the diameter from −1 to 1 to the axis, 0 to the point of it nearest to 0.
+  Isometry<Mp256> from_diameter;  ///< Takes the diameter from −1 to 1 to the axis, 0 to the foot of the base point.
 
   /// The point at a place along the axis and a distance from it, positive on the left (hyperbolic lengths).
   [[nodiscard]] Point at(const Mp256& along, const Mp256& distance) const {
@@ -222,8 +229,10 @@ struct ClosedPath {
   }
 };
 
+/// A closed path of a tile by its word; places along it are counted from the foot of `base`, a point of the tile's
+/// disk.
 ClosedPath closed_path(const NetGeometry& geometry, const Tiles& tiles, std::uint32_t home,
-                       const std::vector<std::uint32_t>& word) {
+                       const std::vector<std::uint32_t>& word, const Point& base) {
   const SideTable& sides = geometry.sides();
   std::uint32_t tile = home;
   Isometry<Mp256> g;
@@ -234,8 +243,11 @@ ClosedPath closed_path(const NetGeometry& geometry, const Tiles& tiles, std::uin
   }
   const auto ends = axis(g);
   if (tile != home || !ends) throw NetGeometryError("a word is no closed geodesic");
-  const Mp256 half_chord = sqrt(norm(ends->to - ends->from)) / 2;
-  const Point foot = Mp256(1 / (2 * (1 + half_chord))) * (ends->from + ends->to);
+  // X minus its component along the normal of the axis, scaled back to the hyperboloid.
+  const LorentzVector<Mp256> normal = axis_normal(g);
+  const LorentzVector<Mp256> x = on_hyperboloid(base);
+  const LorentzVector<Mp256> on_axis = x + Mp256(-lorentz_product(normal, x) / isometry_discriminant(g)) * normal;
+  const Point foot = in_disk(Mp256(1 / sqrt(Mp256(-lorentz_product(on_axis, on_axis)))) * on_axis);
   // The direction of the axis, seen from its foot: a rotation by half the angle, twice.
   const Point direction = inverse(Isometry<Mp256>::translation(foot))(ends->to);
   const Point half = direction.x > 0 ? Point{direction.x + 1, direction.y} : Point{direction.y, 1 - direction.x};
@@ -246,17 +258,20 @@ void append(Layer& layer, const std::vector<Arc>& arcs) {
   layer.arcs.insert(layer.arcs.end(), arcs.begin(), arcs.end());
 }
 
-/// One period of the two curves at a distance from an axis, as chords.
+/// One period of the two curves at a distance from an axis, as chords. Left out where a walk to them winds around a
+/// very short core too often.
 void append_equidistants(Layer& layer, const NetGeometry& geometry, const Placement& start, const ClosedPath& path,
                          const Mp256& distance) {
   constexpr int kChords = 48;
-  for (const Mp256& height : {distance, Mp256(-distance)}) {
-    Placement near = start;
-    for (int i = 0; i < kChords; ++i) {
-      append(layer, cut_segment(geometry, near, path.at(path.length * i / kChords, height),
-                                path.at(path.length * (i + 1) / kChords, height)));
+  for (const Mp256& height : {distance, Mp256(-distance)}) try {
+      Placement near = start;
+      for (int i = 0; i < kChords; ++i) {
+        append(layer, cut_segment(geometry, near, path.at(path.length * i / kChords, height),
+                                  path.at(path.length * (i + 1) / kChords, height)));
+      }
+    } catch (const WalkError&) {
+      continue;
     }
-  }
 }
 
 }  // namespace
@@ -272,11 +287,15 @@ std::vector<Layer> collar_layers(const NetGeometry& geometry) {
   half_epsilon /= 2;
   for (const certify::Collar& collar : *net.collars) {
     triangles.triangles.insert(triangles.triangles.end(), collar.triangles.begin(), collar.triangles.end());
-    const std::uint32_t tile = net.charts[net.vertices[collar.vertices[0]].chart].tile;
-    const ClosedPath core = closed_path(geometry, tiles, tile, collar.core);
+    // From a vertex of the collar: from elsewhere a walk may wind around a short core very often.
+    const certify::Vertex& vertex = net.vertices[collar.vertices[0]];
+    const Isometry<Mp256>& frame = tiles.parts.frames[vertex.chart];
+    const Placement start = placement_at(geometry, collar.vertices[0], frame);
+    const ClosedPath core = closed_path(geometry, tiles, net.charts[vertex.chart].tile, collar.core,
+                                        frame({Mp256(vertex.x), Mp256(vertex.y)}));
     // sinh(ε/2) = sinh(ℓ/2) cosh d (thesis Theorem I.24).
     const Mp256 ratio = sinh(half_epsilon) / sinh(Mp256(core.length / 2));
-    if (ratio > 1) append_equidistants(boundaries, geometry, tiles.near[tile], core, acosh(ratio));
+    if (ratio > 1) append_equidistants(boundaries, geometry, start, core, acosh(ratio));
   }
   return {triangles, boundaries};
 }
@@ -293,7 +312,7 @@ std::vector<Layer> geodesics_layers(const NetGeometry& geometry, const certify::
   const Tiles tiles(geometry);
   for (const certify::ClosedGeodesic& geodesic : geodesics.geodesics) {
     const std::uint32_t tile = source.charts[source.vertices[geodesic.vertex].chart].tile;
-    const ClosedPath path = closed_path(geometry, tiles, tile, geodesic.word);
+    const ClosedPath path = closed_path(geometry, tiles, tile, geodesic.word, {0, 0});
     Placement near = tiles.near[tile];
     append(layers[0], cut_segment(geometry, near, path.at(0, 0), path.at(path.length, 0)));
     if (small_curves) {

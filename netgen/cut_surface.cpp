@@ -103,7 +103,7 @@ std::vector<certify::Piece> cut_surface(const Triangulation& triangulation,
     for (const std::uint32_t side : {0U, 1U}) {
       const bool at_corner = arc.corner_is_left == (side == 0);
       piece(cells.at_corner(arc.triangle, arc.corner, at_corner ? arc.rank : arc.rank + 1))
-          .boundaries.push_back({c, side});
+          .boundaries.emplace_back(c, side);
     }
   }
   if (curves.empty()) (void)piece(0);

@@ -203,9 +203,10 @@ grep -q '"verdict": "REFUTED"' refuted.html || complain 'a page of a refuted net
 good surface fenchel-nielsen --pants-graph '0-0 0-1 1-1' --lengths 1,1e-6,2 --twists 0 -o pinched.json
 good net pinched.json --epsilon 0.3 --pseudo -o pinched-net.json
 good draw pinched-net.json -o pinched.svg --legend
-grep -q '<title>collars</title>' pinched.svg || complain 'no collars in the picture of a pseudo net'
+grep -q '<title>triangles of collars</title>' pinched.svg || complain 'no collars in the picture of a pseudo net'
+grep -q '<title>epsilon-collars</title>' pinched.svg || complain 'no boundaries of collars in the picture of a pseudo net'
 good view pinched-net.json -o pinched.html
-grep -q '"name": "collars"' pinched.html || complain 'no collars in the page of a pseudo net'
+grep -q '"name": "epsilon-collars"' pinched.html || complain 'no collars in the page of a pseudo net'
 good spectrum s.json --up-to 3 -o spectrum.json
 good draw net.json -o geodesics.svg --geodesics spectrum.json
 grep -q '<title>closed geodesics</title>' geodesics.svg || complain 'no geodesics in the picture'
