@@ -120,9 +120,10 @@ struct Interval {
   bool operator==(const Interval&) const = default;
 };
 
-/// The next binary64 below (above) x.
-[[nodiscard]] inline double below(double x) { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
-[[nodiscard]] inline double above(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
+/// A binary64 below (above) x, a unit in the last place or two away: |x| 2⁻⁵² is at least such a unit, and where it
+/// underflows the least positive number is one. NaN if x is NaN, and below +∞, above −∞.
+[[nodiscard]] inline double below(double x) { return x - (std::fabs(x) * 0x1p-52 + 0x1p-1074); }
+[[nodiscard]] inline double above(double x) { return x + (std::fabs(x) * 0x1p-52 + 0x1p-1074); }
 
 /// An interval that contains the ball; everything if the ball is not finite.
 ///

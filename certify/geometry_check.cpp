@@ -166,7 +166,7 @@ class Pass {
 
   Questions examine_covering(std::uint32_t t, LiftedTriangle& lifted, Findings& findings) const {
     lifted.measure_circumradius(sinh_squared_.get(), precision_);
-    const Tri inside = certainly_less(lifted.radius_numerator.get(), lifted.radius_limit.get());
+    const Tri inside = certainly_positive(lifted.radius_slack.get());
     const Interval squared = quotient(lifted.radius_numerator.get(), lifted.radius_denominator.get());
     if (inside == Tri::no) {
       findings.refute(kCovering, t,
@@ -216,9 +216,7 @@ class Pass {
     const bool loop = start(document_, dart) == start(document_, next_dart(dart));
     const std::optional<Rule> rule = length_rule(document_, collars_, dart);
     lifted.measure_edge(half_sinh_squared_.get(), i, precision_);
-    // D < sinh²(ε/2) A B means shorter than ε.
-    const Tri short_edge =
-        rule ? certainly_less(lifted.squared_difference[i].get(), lifted.length_limit.get()) : Tri::no;
+    const Tri short_edge = rule ? certainly_positive(lifted.length_lack.get()) : Tri::no;
     const Interval squared = quotient(lifted.squared_difference[i].get(), lifted.gap_product.get());
     if (short_edge == Tri::yes) {
       findings.refute(*rule, t,

@@ -6,11 +6,10 @@
 namespace epsnet::certify {
 namespace {
 
-/// x² + y².
-void norm(arb_ptr result, arb_ptr scratch, acb_srcptr z, slong precision) {
-  arb_sqr(result, acb_realref(z), precision);
-  arb_sqr(scratch, acb_imagref(z), precision);
-  arb_add(result, result, scratch, precision);
+/// x² + y²: the parts of a complex ball are an array of two.
+void norm(arb_ptr result, acb_srcptr z, slong precision) {
+  arb_srcptr parts = acb_realref(z);
+  arb_dot(result, nullptr, 0, parts, 1, parts, 1, 2, precision);
 }
 
 /// Im(x̄ y) = x.re y.im − x.im y.re.
@@ -20,67 +19,61 @@ void cross(arb_ptr result, arb_ptr scratch, acb_srcptr x, acb_srcptr y, slong pr
   arb_sub(result, result, scratch, precision);
 }
 
-/// An interval around a ball that is finite: |mid| in double, widened by the radius and by two units in the last place,
-/// one for the rounding of mid and one for that of the sum.
+/// The point of a vertex in its chart, exactly.
+void read(ComplexBall& z, const Vertex& vertex) {
+  arb_set_d(z.re(), vertex.x);
+  arb_set_d(z.im(), vertex.y);
+}
+
+/// An interval around a ball that is finite: the midpoint in binary64, widened by the radius and by units in the last
+/// place: of each end for the rounding of the sum, and of the end and of the radius for that of the midpoint, which is
+/// no larger than both together.
 Interval fast_interval(arb_srcptr x) {
   const double middle = arf_get_d(arb_midref(x), ARF_RND_NEAR);
   const double radius = above(mag_get_d(arb_radref(x)));
   return {below(below(middle - radius)), above(above(middle + radius))};
 }
 
-bool all_identity(const Triangle& t) { return t.label[0] == 0 && t.label[1] == 0; }
-
 }  // namespace
 
-void LiftedTriangle::place(Corner& corner, const Vertex& vertex, const BallIsometry* label, slong precision) {
-  arb_set_d(z_.re(), vertex.x);
-  arb_set_d(z_.im(), vertex.y);
-  if (label == nullptr) {
-    acb_set(corner.n.get(), z_.get());
-    acb_one(corner.d.get());
-    return;
+void LiftedTriangle::move(ComplexBall& z, const BallIsometry& label, Way way, slong precision) {
+  // With a and b of the label's inverse, ā and −b, where it is the way back. The image is n e/|e|² with n = a z + b and
+  // e, the conjugate of b̄ z + ā, = b z̄ + a.
+  acb_ptr n = product_.get();
+  acb_ptr e = other_product_.get();
+  acb_conj(e, z.get());
+  acb_mul(e, e, label.b.get(), precision);
+  if (way == Way::forth) {
+    acb_mul(n, z.get(), label.a.get(), precision);
+    acb_add(n, n, label.b.get(), precision);
+    acb_add(e, e, label.a.get(), precision);
+  } else {
+    acb_conj(to_far_.get(), label.a.get());
+    acb_mul(n, z.get(), to_far_.get(), precision);
+    acb_sub(n, n, label.b.get(), precision);
+    acb_sub(e, to_far_.get(), e, precision);
   }
-  acb_mul(corner.n.get(), label->a.get(), z_.get(), precision);
-  acb_add(corner.n.get(), corner.n.get(), label->b.get(), precision);
-  // d = b̄ w + ā is the conjugate of b w̄ + a.
-  acb_conj(z_.get(), z_.get());
-  acb_mul(corner.d.get(), label->b.get(), z_.get(), precision);
-  acb_add(corner.d.get(), corner.d.get(), label->a.get(), precision);
-  acb_conj(corner.d.get(), corner.d.get());
-}
-
-void LiftedTriangle::difference(ComplexBall& result, const Corner& x, const Corner& y, slong precision) {
-  acb_mul(result.get(), x.n.get(), y.d.get(), precision);
-  acb_mul(product_.get(), y.n.get(), x.d.get(), precision);
-  acb_sub(result.get(), result.get(), product_.get(), precision);
+  norm(stretch_.get(), e, precision);
+  acb_mul(z.get(), n, e, precision);
+  acb_div_arb(z.get(), z.get(), stretch_.get(), precision);
 }
 
 void LiftedTriangle::load(const Document& document, const LabelTable& labels, std::uint32_t t, slong precision) {
   const Triangle& triangle = document.triangles[t];
-  identity_ = all_identity(triangle);
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vertex& vertex = document.vertices[triangle.vertex[i]];
-    const std::uint32_t number = i == 0 ? 0 : triangle.label[i - 1];
-    Corner& corner = corner_[i];
-    if (identity_) {
-      arb_set_d(corner.n.re(), vertex.x);
-      arb_set_d(corner.n.im(), vertex.y);
-      norm(gap[i].get(), t_[0].get(), corner.n.get(), precision);
-    } else {
-      place(corner, vertex, number == 0 ? nullptr : &labels[number], precision);
-      norm(gap[i].get(), t_[0].get(), z_.get(), precision);
-    }
+    ComplexBall& z = corner_[i];
+    read(z, document.vertices[triangle.vertex[i]]);
+    norm(gap[i].get(), z.get(), precision);
     arb_sub_ui(gap[i].get(), gap[i].get(), 1, precision);
     arb_neg(gap[i].get(), gap[i].get());
+    const std::uint32_t number = i == 0 ? 0 : triangle.label[i - 1];
+    if (number == 0) continue;
+    move(z, labels[number], Way::forth, precision);
+    arb_div(gap[i].get(), gap[i].get(), stretch_.get(), precision);
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = i == 2 ? 0 : i + 1;
-    if (identity_) {
-      acb_sub(side_[i].get(), corner_[j].n.get(), corner_[i].n.get(), precision);
-    } else {
-      difference(side_[i], corner_[j], corner_[i], precision);
-    }
-    norm(squared_difference[i].get(), t_[0].get(), side_[i].get(), precision);
+    acb_sub(side_[i].get(), corner_[i == 2 ? 0 : i + 1].get(), corner_[i].get(), precision);
+    norm(squared_difference[i].get(), side_[i].get(), precision);
   }
 }
 
@@ -88,49 +81,25 @@ void LiftedTriangle::measure_orientation(slong precision) {
   arb_ptr result = orientation.get();
   arb_ptr term = t_[0].get();
   arb_ptr scratch = t_[1].get();
-  if (identity_) {
-    // Rows (x, y, (1+|z|²)/2); subtract row 0 from the others: |z_i|² − |z_0|² = A_0 − A_i =: f_i. With the sides
-    // s = z_1 − z_0 and u = z_0 − z_2 the determinant is half of
-    //   (2 − A_0) (−s×u) + x_0 (s.y f_2 + u.y f_1) − y_0 (s.x f_2 + u.x f_1).
-    acb_srcptr s = side_[0].get();
-    acb_srcptr u = side_[2].get();
-    arb_ptr f1 = t_[2].get();
-    arb_ptr f2 = t_[3].get();
-    arb_sub(f1, gap[0].get(), gap[1].get(), precision);
-    arb_sub(f2, gap[0].get(), gap[2].get(), precision);
-    cross(result, scratch, u, s, precision);
-    arb_sub_ui(term, gap[0].get(), 2, precision);
-    arb_neg(term, term);
-    arb_mul(result, result, term, precision);
-    arb_mul(term, acb_imagref(s), f2, precision);
-    arb_mul(scratch, acb_imagref(u), f1, precision);
-    arb_add(term, term, scratch, precision);
-    arb_mul(term, term, corner_[0].n.re(), precision);
-    arb_add(result, result, term, precision);
-    arb_mul(term, acb_realref(s), f2, precision);
-    arb_mul(scratch, acb_realref(u), f1, precision);
-    arb_add(term, term, scratch, precision);
-    arb_mul(term, term, corner_[0].n.im(), precision);
-    arb_sub(result, result, term, precision);
-    return;
-  }
-  // Take corner 0 to the origin: z ↦ (z − z_0)/(1 − z̄_0 z). For z = n/d, z_0 = n_0/d_0 the image is
-  // (n d_0 − n_0 d)/(d d̄_0 − n n̄_0), up to a turn that is the same for both others. The triangle is counterclockwise if
-  // the image of corner 2 is counterclockwise from that of corner 1: Im(conj(w_1) w_2) > 0 with w = p/q, so
-  // Im(conj(p_1 q̄_1) p_2 q̄_2) > 0.
-  const auto image = [&](ComplexBall& w, const Corner& z, acb_srcptr p) {
-    acb_conj(other_product_.get(), corner_[0].d.get());
-    acb_mul(w.get(), z.d.get(), other_product_.get(), precision);
-    acb_conj(other_product_.get(), corner_[0].n.get());
-    acb_mul(product_.get(), z.n.get(), other_product_.get(), precision);
-    acb_sub(w.get(), w.get(), product_.get(), precision);
-    acb_conj(w.get(), w.get());
-    acb_mul(w.get(), w.get(), p, precision);
-  };
-  image(to_far_, corner_[1], side_[0].get());
-  image(across_, corner_[2], side_[2].get());
-  // side_[2] is corner 0 minus corner 2: the sign of the second image is turned.
-  cross(result, scratch, across_.get(), to_far_.get(), precision);
+  // Rows (x, y, (1+|z|²)/2); subtract row 0 from the others: |z_i|² − |z_0|² = A_0 − A_i =: f_i. With the sides
+  // s = z_1 − z_0 and u = z_0 − z_2 the determinant is half of
+  //   (2 − A_0) (−s×u) + x_0 (s.y f_2 + u.y f_1) − y_0 (s.x f_2 + u.x f_1).
+  acb_srcptr s = side_[0].get();
+  acb_srcptr u = side_[2].get();
+  arb_ptr f1 = t_[2].get();
+  arb_ptr f2 = t_[3].get();
+  arb_sub(f1, gap[0].get(), gap[1].get(), precision);
+  arb_sub(f2, gap[0].get(), gap[2].get(), precision);
+  cross(result, scratch, u, s, precision);
+  arb_sub_ui(term, gap[0].get(), 2, precision);
+  arb_neg(term, term);
+  arb_mul(result, result, term, precision);
+  arb_mul(term, acb_imagref(s), f2, precision);
+  arb_addmul(term, acb_imagref(u), f1, precision);
+  arb_addmul(result, term, corner_[0].re(), precision);
+  arb_mul(term, acb_realref(s), f2, precision);
+  arb_addmul(term, acb_realref(u), f1, precision);
+  arb_submul(result, term, corner_[0].im(), precision);
 }
 
 void LiftedTriangle::measure_circumradius(arb_srcptr sinh_squared, slong precision) {
@@ -153,12 +122,14 @@ void LiftedTriangle::measure_circumradius(arb_srcptr sinh_squared, slong precisi
   arb_mul(numerator, squared_difference[0].get(), squared_difference[1].get(), precision);
   arb_mul(numerator, numerator, squared_difference[2].get(), precision);
   arb_mul_2exp_si(numerator, numerator, 2);
-  arb_mul(radius_limit.get(), sinh_squared, denominator, precision);
+  arb_mul(radius_slack.get(), sinh_squared, denominator, precision);
+  arb_sub(radius_slack.get(), radius_slack.get(), numerator, precision);
 }
 
 void LiftedTriangle::measure_edge(arb_srcptr half_sinh_squared, std::uint32_t edge, slong precision) {
   arb_mul(gap_product.get(), gap[edge].get(), gap[edge == 2 ? 0 : edge + 1].get(), precision);
-  arb_mul(length_limit.get(), gap_product.get(), half_sinh_squared, precision);
+  arb_mul(length_lack.get(), gap_product.get(), half_sinh_squared, precision);
+  arb_sub(length_lack.get(), length_lack.get(), squared_difference[edge].get(), precision);
 }
 
 void LiftedTriangle::measure_cross_ratio(const Document& document, const LabelTable& labels, std::uint32_t t,
@@ -166,37 +137,29 @@ void LiftedTriangle::measure_cross_ratio(const Document& document, const LabelTa
   const std::uint32_t dart = 3 * t + edge;
   const std::uint32_t other = opposite(document, dart);
   const std::uint32_t far = previous_dart(other);
-  const Triangle& neighbour = document.triangles[other / 3];
-  const Vertex& far_vertex = document.vertices[start(document, far)];
-  const Corner& z2 = corner_[edge == 2 ? 0 : edge + 1];
-  if (identity_ && all_identity(neighbour)) {
-    // The two triangles share a vertex and have no other label than the identity: one chart for all.
-    arb_set_d(far_.n.re(), far_vertex.x);
-    arb_set_d(far_.n.im(), far_vertex.y);
-    const Corner& z3 = corner_[edge == 0 ? 2 : edge - 1];
-    acb_sub(to_far_.get(), z2.n.get(), far_.n.get(), precision);
-    acb_sub(across_.get(), z3.n.get(), far_.n.get(), precision);
+  read(far_, document.vertices[start(document, far)]);
+  // From the neighbour's chart to that of t, through the corner that the dart leaves: L_{t,i} L_{t',j+1}⁻¹ L_{t',far}.
+  const std::uint32_t here = corner_label(document, dart);
+  const std::uint32_t there = corner_label(document, next_dart(other));
+  const std::uint32_t last = corner_label(document, far);
+  const auto lift = [&](std::uint32_t number, Way way) {
+    if (number != 0) move(far_, labels[number], way, precision);
+  };
+  if (here == there) {
+    lift(last, Way::forth);
   } else {
-    // From the neighbour's chart to that of t, through the corner that the dart leaves: L_{t,i} L_{t',j+1}⁻¹
-    // L_{t',far}.
-    const std::uint32_t here = corner_label(document, dart);
-    const std::uint32_t there = corner_label(document, next_dart(other));
-    const std::uint32_t last = corner_label(document, far);
-    BallIsometry lift = last == 0 ? identity_isometry() : labels[last];
-    if (here != there) {
-      if (there != 0) lift = compose(inverse(labels[there]), lift, precision);
-      if (here != 0) lift = compose(labels[here], lift, precision);
+    if (there != last) {
+      lift(last, Way::forth);
+      lift(there, Way::back);
     }
-    place(far_, far_vertex, &lift, precision);
-    if (identity_) {
-      for (Corner& corner : corner_) acb_one(corner.d.get());
-    }
-    difference(to_far_, z2, far_, precision);
-    difference(across_, corner_[edge == 0 ? 2 : edge - 1], far_, precision);
+    lift(here, Way::forth);
   }
+  const std::uint32_t before = edge == 0 ? 2 : edge - 1;
+  acb_sub(to_far_.get(), corner_[edge == 2 ? 0 : edge + 1].get(), far_.get(), precision);
+  acb_sub(across_.get(), corner_[before].get(), far_.get(), precision);
   // side_[edge] = z2 − z0; the side before it in the triangle is z0 − z3, so the sign of the denominator is turned.
   acb_mul(product_.get(), across_.get(), side_[edge].get(), precision);
-  acb_mul(other_product_.get(), side_[edge == 0 ? 2 : edge - 1].get(), to_far_.get(), precision);
+  acb_mul(other_product_.get(), side_[before].get(), to_far_.get(), precision);
   // Im(N/D) has the sign of Im(conj(D) N); here D is minus other_product_.
   cross(cross_ratio.get(), t_[0].get(), product_.get(), other_product_.get(), precision);
 }

@@ -29,13 +29,12 @@ class LabelTable {
 /// The measures of one triangle in the chart it lives in, in balls; reused from triangle to triangle so that nothing is
 /// allocated.
 ///
-/// A corner is z = n/d with n = a w + b, d = b̄ w + ā for the vertex w and its label (a, b), |a|² − |b|² = 1. So
-/// |d|² − |n|² = 1 − |w|² =: A, the corner's gap. Nothing is divided: every quantity below is homogeneous. With all
-/// labels the identity, n = w and d = 1, which has code of its own because almost all triangles are so.
+/// A corner is z = (a w + b)/(b̄ w + ā) for the vertex w and its label (a, b), |a|² − |b|² = 1. Its gap 1 − |z|² is
+/// (1 − |w|²)/|b̄ w + ā|², a quotient that loses nothing where |z| is near 1.
 class LiftedTriangle {
  public:
-  /// Reads triangle t: gaps, and squared differences D_i = |n_i d_j − n_j d_i|² of corners i and j = i + 1 (mod 3), for
-  /// which sinh²(length/2) = D_i/(A_i A_j).
+  /// Reads triangle t: corners z_i, gaps A_i = 1 − |z_i|², and squared differences D_i = |z_j − z_i|² for j = i + 1
+  /// (mod 3), for which sinh²(length/2) = D_i/(A_i A_j).
   void load(const Document& document, const LabelTable& labels, std::uint32_t t, slong precision);
 
   /// orientation: positive exactly if the triangle is strictly counterclockwise in the hyperbolic plane.
@@ -43,14 +42,16 @@ class LiftedTriangle {
   /// It is det(x, y, (1 + |z|²)/2) of the corners, a positive multiple of the determinant in the hyperboloid model.
   void measure_orientation(slong precision);
 
-  /// The circumradius R: sinh²R = radius_numerator/radius_denominator, R > ε or no circumcircle at all exactly if
-  /// radius_numerator > radius_limit = sinh²ε · radius_denominator (for corners that are not all on one line).
+  /// The circumradius R: sinh²R = radius_numerator/radius_denominator; R < ε exactly if radius_slack =
+  /// sinh²ε · radius_denominator − radius_numerator is positive (for corners that are not all on one line; where there
+  /// is no circumcircle it is negative).
   ///
   /// With a, b, c = sinh² of half the sides, sinh²R = 4abc/(2(ab + bc + ca) − a² − b² − c²); there is a circumcircle
   /// exactly if the denominator is positive (docs/proof.md, Lemma 5). Both are multiplied by (A_0 A_1 A_2)².
   void measure_circumradius(arb_srcptr sinh_squared, slong precision);
 
-  /// length_limit = half_sinh_squared · A_i A_j, gap_product = A_i A_j, for edge i from corner i to corner j.
+  /// For edge i, from corner i to corner j: gap_product = A_i A_j, and length_lack = sinh²(ε/2) A_i A_j − D_i, positive
+  /// exactly if the edge is shorter than ε. `half_sinh_squared` is sinh²(ε/2).
   void measure_edge(arb_srcptr half_sinh_squared, std::uint32_t edge, slong precision);
 
   /// cross_ratio: a positive multiple of Im (z3−z1)(z2−z0)/((z3−z0)(z2−z1)), z0 z2 the edge of the dart 3t + edge,
@@ -61,31 +62,28 @@ class LiftedTriangle {
   Ball orientation;
   Ball radius_numerator;
   Ball radius_denominator;
-  Ball radius_limit;
-  Ball length_limit;
+  Ball radius_slack;
+  Ball length_lack;
   Ball gap_product;
   Ball cross_ratio;
   std::array<Ball, 3> squared_difference;
   std::array<Ball, 3> gap;
 
  private:
-  struct Corner {
-    ComplexBall n;
-    ComplexBall d;
-  };
+  /// The direction in which a label takes a point.
+  enum class Way { forth, back };
 
-  void place(Corner& corner, const Vertex& vertex, const BallIsometry* label, slong precision);
-  void difference(ComplexBall& result, const Corner& x, const Corner& y, slong precision);
+  /// Takes z to its image under a label, in place; stretch_ becomes |b̄ z + ā|² of the old z.
+  void move(ComplexBall& z, const BallIsometry& label, Way way, slong precision);
 
-  std::array<Corner, 3> corner_;
-  bool identity_ = true;  ///< All three labels are the identity: every d is 1.
-  Corner far_;
-  std::array<ComplexBall, 3> side_;  ///< z_j − z_i of the edges (homogeneous).
+  std::array<ComplexBall, 3> corner_;
+  ComplexBall far_;
+  std::array<ComplexBall, 3> side_;  ///< z_j − z_i.
   ComplexBall to_far_;
   ComplexBall across_;
-  ComplexBall z_;
   ComplexBall product_;
   ComplexBall other_product_;
+  Ball stretch_;
   std::array<Ball, 4> t_;
 };
 

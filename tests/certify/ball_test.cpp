@@ -42,6 +42,20 @@ TEST(BallTraps, ComparingNanIsUnknown) {
   EXPECT_EQ(certainly_positive(x.get()), Tri::unknown);
 }
 
+TEST(Binary64, AboveAndBelowAreNextNumbersOrBeyond) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double x : {0.0, 0x1p-1074, 3 * 0x1p-1074, 0x1p-1022, 0x1.8p-1023, 0x1.fffffffffffffp-970, 0x1p-970, 0.1,
+                         1 - 0x1p-53, 1.0, 1 + 0x1p-52, 2 - 0x1p-52, 1e300, std::numeric_limits<double>::max()}) {
+    for (const double y : {x, -x}) {
+      EXPECT_GE(above(y), std::nextafter(y, kInfinity)) << y;
+      EXPECT_LE(below(y), std::nextafter(y, -kInfinity)) << y;
+      EXPECT_LE(above(y) - y, 4 * (std::nextafter(std::fabs(y), kInfinity) - std::fabs(y))) << y;
+    }
+  }
+  EXPECT_EQ(above(kInfinity), kInfinity);
+  EXPECT_EQ(below(-kInfinity), -kInfinity);
+}
+
 TEST(BallTraps, SetPredicatesSayYesToNan) {
   // Documented here so that nobody uses them as evidence.
   EXPECT_NE(arb_contains_zero(nan_ball().get()), 0);
