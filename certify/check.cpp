@@ -88,7 +88,7 @@ Certificate check(const Document& document, const CheckOptions& options) {
   }
 
   progress("surface");
-  SurfaceOutcome surface = check_surface(document.surface);
+  SurfaceOutcome surface = check_surface(document.surface, threads);
   certificate.rules.push_back(surface.report);
   if (surface.report.verdict != Verdict::verified) return conclude(std::move(certificate));
   certificate.counts.genus = surface.genus;

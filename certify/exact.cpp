@@ -12,6 +12,8 @@ Gaussian conjugate(const Gaussian& x) { return {x.re, -x.im}; }
 mpz_class norm(const Gaussian& x) { return x.re * x.re + x.im * x.im; }
 
 ExactPoint exact_point(const RationalPoint& point) {
+  // Often the denominators are equal, and then no gcd is needed.
+  if (point.x.get_den() == point.y.get_den()) return {{point.x.get_num(), point.y.get_num()}, point.x.get_den()};
   mpz_class m;
   mpz_lcm(m.get_mpz_t(), point.x.get_den().get_mpz_t(), point.y.get_den().get_mpz_t());
   const mpz_class x = point.x.get_num() * (m / point.x.get_den());

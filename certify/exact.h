@@ -130,12 +130,16 @@ template <class Number>
 
 /// 1 if the hyperbolic triangle is strictly counterclockwise, −1 if strictly clockwise, 0 if a geodesic contains the
 /// three points. Determinant of the three points as vectors of the hyperboloid model, up to scale.
-template <class Point>
-[[nodiscard]] int orientation(const Point& z0, const Point& z1, const Point& z2) {
-  const auto u = hyperboloid_vector(z0);
-  const auto v = hyperboloid_vector(z1);
-  const auto w = hyperboloid_vector(z2);
+template <class Real>
+[[nodiscard]] int orientation(const HyperboloidVector<Real>& u, const HyperboloidVector<Real>& v,
+                              const HyperboloidVector<Real>& w) {
   return sign(u.x * (v.y * w.t - v.t * w.y) - u.y * (v.x * w.t - v.t * w.x) + u.t * (v.x * w.y - v.y * w.x));
+}
+
+template <class Number>
+[[nodiscard]] int orientation(const MovedPoint<Number>& z0, const MovedPoint<Number>& z1,
+                              const MovedPoint<Number>& z2) {
+  return orientation(hyperboloid_vector(z0), hyperboloid_vector(z1), hyperboloid_vector(z2));
 }
 
 /// The sign of Im (z3−z1)(z2−z0)/((z3−z0)(z2−z1)): the edge z0 z2 with z1 on its right and z3 on its left is not

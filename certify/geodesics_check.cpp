@@ -89,8 +89,8 @@ Document extended(const GeodesicsDocument& document) {
   return net;
 }
 
-LabelParts label_parts(const Document& net) {
-  LabelParts parts{check_surface(net.surface).crossings, {}};
+LabelParts label_parts(const Document& net, unsigned threads) {
+  LabelParts parts{check_surface(net.surface, threads).crossings, {}};
   for (const Chart& chart : net.charts) parts.frames.push_back(translation_to(exact_point(chart.centre)));
   return parts;
 }
@@ -102,7 +102,7 @@ class GeodesicsCheck {
         options_(options),
         threads_(threads),
         net_(extended(document)),
-        parts_(label_parts(net_)),
+        parts_(label_parts(net_, threads)),
         evaluator_(net_, parts_),
         first_darts_(first_darts(net_)),
         elements_(document.geodesics.size()),

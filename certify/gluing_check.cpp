@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <compare>
-#include <map>
 #include <set>
+#include <span>
 #include <string>
 
 namespace epsnet::certify {
@@ -23,6 +23,28 @@ struct Item {
   Equation equation;
   std::uint32_t dart;  ///< The first dart with this equation.
   Tri holds = Tri::unknown;
+};
+
+/// Numbers in increasing order, each once.
+class SortedNumbers {
+ public:
+  /// add(x, numbers) appends the numbers of x, for every x of the range.
+  template <class Range, class Add>
+  SortedNumbers(const Range& range, const Add& add) {
+    for (const auto& x : range) add(x, numbers_);
+    std::sort(numbers_.begin(), numbers_.end());
+    numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
+  }
+
+  [[nodiscard]] std::size_t size() const { return numbers_.size(); }
+  [[nodiscard]] std::uint32_t operator[](std::size_t i) const { return numbers_[i]; }
+  [[nodiscard]] std::size_t index(std::uint32_t number) const {
+    return static_cast<std::size_t>(std::lower_bound(numbers_.begin(), numbers_.end(), number) - numbers_.begin());
+  }
+  [[nodiscard]] std::span<const std::uint32_t> values() const { return numbers_; }
+
+ private:
+  std::vector<std::uint32_t> numbers_;
 };
 
 /// The equations that are not trivial, each with its first dart, in the order of these.
@@ -83,43 +105,47 @@ GluingOutcome check_gluing(const Document& document, const LabelEvaluator& evalu
   outcome.max_precision = 0;
 
   // One disk for each tile that carries an equation; a tile without a disk (never seen) leaves its equations undecided.
-  std::map<std::uint32_t, std::optional<InscribedDisk>> disks;
-  for (const Item& item : items) {
-    const std::uint32_t tile = document.charts[item.equation.chart].tile;
-    if (!disks.contains(tile)) disks[tile] = inscribed_disk(document.surface, tile, max_precision);
-  }
+  const SortedNumbers charts(items, [](const Item& item, auto& numbers) { numbers.push_back(item.equation.chart); });
+  const SortedNumbers tiles(
+      items, [&](const Item& item, auto& numbers) { numbers.push_back(document.charts[item.equation.chart].tile); });
+  std::vector<std::optional<InscribedDisk>> disks(tiles.size());
+  for_each_parallel(tiles.size(), threads, [&](unsigned, std::size_t i) {
+    disks[i] = inscribed_disk(document.surface, tiles[i], max_precision);
+  });
+  const auto disk_of = [&](std::uint32_t chart) -> const std::optional<InscribedDisk>& {
+    return disks[tiles.index(document.charts[chart].tile)];
+  };
 
   std::vector<std::size_t> pending(items.size());
   for (std::size_t i = 0; i < pending.size(); ++i) pending[i] = i;
   for (slong precision = 64; !pending.empty(); precision = std::min(2 * precision, max_precision)) {
     outcome.max_precision = static_cast<std::uint64_t>(precision);
-    std::vector<std::uint32_t> numbers;
-    for (const std::size_t i : pending) {
+    const SortedNumbers numbers(pending, [&](std::size_t i, auto& result) {
       for (const std::uint32_t number : items[i].equation.labels) {
-        if (number != 0) numbers.push_back(number);
+        if (number != 0) result.push_back(number);
       }
-    }
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    });
     const std::vector<BallIsometry> labels =
-        evaluator.evaluate(numbers, precision, std::min(4 * precision, 2 * max_precision), threads);
+        evaluator.evaluate(numbers.values(), precision, std::min(4 * precision, 2 * max_precision), threads);
     const BallIsometry identity = identity_isometry();
+    // From 0 to the disk's centre, in the coordinates of each chart.
+    std::vector<BallIsometry> bases(charts.size());
+    for_each_parallel(charts.size(), threads, [&](unsigned, std::size_t i) {
+      const auto& disk = disk_of(charts[i]);
+      if (disk) {
+        bases[i] = to_balls(compose(inverse(parts.frames[charts[i]]), translation_to(disk->centre)), precision);
+      }
+    });
     for_each_parallel(pending.size(), threads, [&](unsigned, std::size_t p) {
       Item& item = items[pending[p]];
-      const std::uint32_t chart = item.equation.chart;
-      const auto& disk = disks.at(document.charts[chart].tile);
+      const auto& disk = disk_of(item.equation.chart);
       if (!disk) return;
       std::array<const BallIsometry*, 4> factors{};
       for (std::size_t i = 0; i < 4; ++i) {
         const std::uint32_t number = item.equation.labels[i];
-        factors[i] = number == 0 ? &identity
-                                 : &labels[static_cast<std::size_t>(
-                                       std::lower_bound(numbers.begin(), numbers.end(), number) - numbers.begin())];
+        factors[i] = number == 0 ? &identity : &labels[numbers.index(number)];
       }
-      // From 0 to the disk's centre, in the coordinates of the chart.
-      const BallIsometry base =
-          to_balls(compose(inverse(parts.frames[chart]), translation_to(disk->centre)), precision);
-      item.holds = holds(factors, base, disk->sinh_radius, precision);
+      item.holds = holds(factors, bases[charts.index(item.equation.chart)], disk->sinh_radius, precision);
     });
     std::erase_if(pending, [&](std::size_t i) { return items[i].holds != Tri::unknown; });
     if (precision >= max_precision) break;

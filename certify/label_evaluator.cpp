@@ -69,12 +69,12 @@ std::vector<BallIsometry> LabelEvaluator::evaluate(std::span<const std::uint32_t
     }
     std::vector<BallIsometry> crossings(side_used.size());
     std::vector<BallIsometry> frames(chart_used.size());
-    for (std::size_t s = 0; s < side_used.size(); ++s) {
+    for_each_parallel(side_used.size(), threads, [&](unsigned, std::size_t s) {
       if (side_used[s]) crossings[s] = ball_crossing(parts_.crossings, static_cast<std::uint32_t>(s), working);
-    }
-    for (std::size_t c = 0; c < chart_used.size(); ++c) {
+    });
+    for_each_parallel(chart_used.size(), threads, [&](unsigned, std::size_t c) {
       if (chart_used[c]) frames[c] = to_balls(parts_.frames[c], working);
-    }
+    });
     const bool last = working >= cap;
     for_each_parallel(numbers.size(), threads, [&](unsigned, std::size_t i) {
       if (done[i]) return;

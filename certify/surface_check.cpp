@@ -1,3 +1,4 @@
+#include <epsnet/certify/parallel.h>
 #include <epsnet/certify/surface_check.h>
 #include <epsnet/certify/surface_sides.h>
 
@@ -16,6 +17,15 @@ constexpr slong kApothemPrecision = 128;
 
 using Problem = std::optional<std::string>;
 using ExactTile = std::vector<ExactPoint>;
+
+/// The first problem among problem(0), …, problem(count − 1), which do not depend on each other.
+template <class Find>
+auto first_problem(std::size_t count, unsigned threads, const Find& problem) {
+  std::vector<decltype(problem(0))> problems(count);
+  for_each_parallel(count, threads, [&](unsigned, std::size_t i) { problems[i] = problem(i); });
+  const auto found = std::find_if(problems.begin(), problems.end(), [](const auto& p) { return p.has_value(); });
+  return found != problems.end() ? std::move(*found) : std::nullopt;
+}
 
 std::string named(const char* what, std::size_t index) { return std::string(what) + " " + std::to_string(index); }
 
@@ -38,14 +48,17 @@ Problem convexity_problem(const ExactTile& tile, std::size_t t) {
     if (gap(tile[k]) <= 0) return named("vertex", k) + " of tile " + std::to_string(t) + " is not inside the unit disk";
   }
   const std::string tile_name = named("tile", t) + " is not strictly convex and counterclockwise: ";
+  std::vector<HyperboloidVector<mpz_class>> v;
+  v.reserve(n);
+  for (const ExactPoint& vertex : tile) v.push_back(hyperboloid_vector(vertex));
   for (std::size_t k = 0; k < n; ++k) {
-    if (orientation(tile[k], tile[(k + 1) % n], tile[(k + 2) % n]) <= 0) {
+    if (orientation(v[k], v[(k + 1) % n], v[(k + 2) % n]) <= 0) {
       return tile_name + "no left turn at its vertex " + std::to_string((k + 1) % n);
     }
   }
   for (std::size_t k = 2; k < n; ++k) {
-    if (orientation(tile[0], tile[1], tile[k]) <= 0) return tile_name + named("vertex", k) + " is right of side 0";
-    if (k + 1 < n && orientation(tile[0], tile[k], tile[k + 1]) <= 0) {
+    if (orientation(v[0], v[1], v[k]) <= 0) return tile_name + named("vertex", k) + " is right of side 0";
+    if (k + 1 < n && orientation(v[0], v[k], v[k + 1]) <= 0) {
       return tile_name + named("vertex", k + 1) + " does not follow " + named("vertex", k) + " around vertex 0";
     }
   }
@@ -76,7 +89,7 @@ void interior_angle(arb_ptr result, const ExactPoint& v, const ExactPoint& next,
 /// Everything about one surface, laid out by side number.
 class SurfaceChecker {
  public:
-  explicit SurfaceChecker(const Surface& surface) : sides_(surface) {
+  SurfaceChecker(const Surface& surface, unsigned threads) : sides_(surface), threads_(threads) {
     for (const Tile& tile : surface.tiles) {
       ExactTile exact;
       for (const RationalPoint& vertex : tile) exact.push_back(exact_point(vertex));
@@ -85,8 +98,8 @@ class SurfaceChecker {
   }
 
   SurfaceOutcome check() {
-    Problem problem;
-    for (std::size_t t = 0; t < tiles_.size() && !problem; ++t) problem = convexity_problem(tiles_[t], t);
+    Problem problem =
+        first_problem(tiles_.size(), threads_, [&](std::size_t t) { return convexity_problem(tiles_[t], t); });
     if (!problem) problem = connection_problem();
     if (!problem) problem = genus_problem();
     if (!problem) problem = length_problem();
@@ -111,6 +124,8 @@ class SurfaceChecker {
  private:
   const ExactPoint& start(std::size_t side) const { return tiles_[sides_.tile[side]][sides_.corner[side]]; }
   const ExactPoint& end(std::size_t side) const { return start(sides_.next[side]); }
+  /// Crossing the side that leaves a vertex leads to the corner where the partner ends; the side that leaves it there.
+  std::size_t across(std::size_t side) const { return sides_.next[sides_.partner[side]]; }
 
   Problem connection_problem() const {
     std::vector<char> reached(tiles_.size(), 0);
@@ -137,9 +152,9 @@ class SurfaceChecker {
 
   Problem length_problem() {
     crossings_.resize(sides_.partner.size());
-    for (std::size_t s = 0; s < sides_.partner.size(); ++s) {
+    return first_problem(sides_.partner.size(), threads_, [&](std::size_t s) -> Problem {
       const std::size_t other = sides_.partner[s];
-      if (other < s) continue;
+      if (other < s) return std::nullopt;
       const Fraction own = length(start(s), end(s));
       const Fraction glued = length(start(other), end(other));
       if (own.numerator * glued.denominator != glued.numerator * own.denominator) {
@@ -147,46 +162,58 @@ class SurfaceChecker {
       }
       crossings_[s] = crossing(start(s), end(s), start(other), end(other));
       crossings_[other] = inverse(crossings_[s]);
-    }
-    return std::nullopt;
+      return std::nullopt;
+    });
   }
 
-  /// Around every vertex the crossings multiply to the identity, exactly, and the angles to one full turn.
   Problem vertex_problem() {
     std::vector<char> visited(sides_.partner.size(), 0);
-    std::vector<const ExactIsometry*> path;
-    Ball angle, turn;
-    arb_const_pi(turn.get(), kAnglePrecision);
-    arb_mul_2exp_si(turn.get(), turn.get(), 1);
+    std::vector<std::size_t> firsts;  // One side for each vertex.
     for (std::size_t first = 0; first < visited.size(); ++first) {
       if (visited[first]) continue;
-      path.clear();
-      Ball sum;
-      // Crossing the side that leaves the vertex leads to the corner where the partner ends.
-      for (std::size_t s = first; !visited[s]; s = sides_.next[sides_.partner[s]]) {
-        visited[s] = 1;
-        path.push_back(&crossings_[s]);
-        interior_angle(angle.get(), start(s), end(s), start(sides_.previous[s]));
-        arb_add(sum.get(), sum.get(), angle.get(), kAnglePrecision);
-      }
-      if (!is_identity(compose_path(path))) {
-        return "the " + std::to_string(path.size()) + " corners around " + corner_name(sides_, first) +
-               " do not close up: the product of the crossings is not the identity";
-      }
-      // The sum is now a positive multiple of 2π; the ball says which.
-      arb_div(sum.get(), sum.get(), turn.get(), kAnglePrecision);
-      fmpz_t turns;
-      fmpz_init(turns);
-      const bool unique = arb_get_unique_fmpz(turns, sum.get()) != 0;
-      const slong count = unique && fmpz_fits_si(turns) ? fmpz_get_si(turns) : 0;
-      fmpz_clear(turns);
-      if (!unique) undecided_ = true;
-      if (count != 1) {
-        return "the angles around " + corner_name(sides_, first) + " add up to " +
-               (unique ? std::to_string(count) : "an unknown number of") + " full turns, not to one";
-      }
+      firsts.push_back(first);
+      for (std::size_t s = first; !visited[s]; s = across(s)) visited[s] = 1;
     }
-    return std::nullopt;
+    const auto found = first_problem(firsts.size(), threads_, [&](std::size_t i) { return problem_around(firsts[i]); });
+    if (!found) return std::nullopt;
+    undecided_ = found->undecided;
+    return found->text;
+  }
+
+  struct AngleProblem {
+    std::string text;
+    bool undecided;
+  };
+
+  /// Around every vertex the crossings multiply to the identity, exactly, and the angles to one full turn.
+  [[nodiscard]] std::optional<AngleProblem> problem_around(std::size_t first) const {
+    std::vector<const ExactIsometry*> path;
+    Ball angle, turn, sum;
+    arb_const_pi(turn.get(), kAnglePrecision);
+    arb_mul_2exp_si(turn.get(), turn.get(), 1);
+    std::size_t s = first;
+    do {
+      path.push_back(&crossings_[s]);
+      interior_angle(angle.get(), start(s), end(s), start(sides_.previous[s]));
+      arb_add(sum.get(), sum.get(), angle.get(), kAnglePrecision);
+      s = across(s);
+    } while (s != first);
+    if (!is_identity(compose_path(path))) {
+      return AngleProblem{"the " + std::to_string(path.size()) + " corners around " + corner_name(sides_, first) +
+                              " do not close up: the product of the crossings is not the identity",
+                          false};
+    }
+    // The sum is now a positive multiple of 2π; the ball says which.
+    arb_div(sum.get(), sum.get(), turn.get(), kAnglePrecision);
+    fmpz_t turns;
+    fmpz_init(turns);
+    const bool unique = arb_get_unique_fmpz(turns, sum.get()) != 0;
+    const slong count = unique && fmpz_fits_si(turns) ? fmpz_get_si(turns) : 0;
+    fmpz_clear(turns);
+    if (count == 1) return std::nullopt;
+    return AngleProblem{"the angles around " + corner_name(sides_, first) + " add up to " +
+                            (unique ? std::to_string(count) : "an unknown number of") + " full turns, not to one",
+                        !unique};
   }
 
   Problem genus_problem() {
@@ -194,7 +221,7 @@ class SurfaceChecker {
     for (std::size_t first = 0; first < visited.size(); ++first) {
       if (visited[first]) continue;
       ++cycles_;
-      for (std::size_t s = first; !visited[s]; s = sides_.next[sides_.partner[s]]) visited[s] = 1;
+      for (std::size_t s = first; !visited[s]; s = across(s)) visited[s] = 1;
     }
     const auto euler =
         static_cast<std::int64_t>(cycles_ + tiles_.size()) - static_cast<std::int64_t>(sides_.partner.size() / 2);
@@ -207,6 +234,7 @@ class SurfaceChecker {
   }
 
   SurfaceSides sides_;
+  unsigned threads_;
   std::vector<ExactTile> tiles_;
   std::vector<ExactIsometry> crossings_;
   std::size_t cycles_ = 0;
@@ -319,8 +347,8 @@ SurfaceOutcome regular_outcome(std::uint32_t genus) {
 
 }  // namespace
 
-SurfaceOutcome check_surface(const Surface& surface) {
-  return surface.regular_genus == 0 ? SurfaceChecker(surface).check() : regular_outcome(surface.regular_genus);
+SurfaceOutcome check_surface(const Surface& surface, unsigned threads) {
+  return surface.regular_genus == 0 ? SurfaceChecker(surface, threads).check() : regular_outcome(surface.regular_genus);
 }
 
 std::optional<InscribedDisk> inscribed_disk(const Tile& tile, long cap) {

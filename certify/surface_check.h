@@ -16,7 +16,7 @@ struct SurfaceOutcome {
 /// docs/proof.md, section 2). Everything is exact but the angle sums, where balls tell an integer from its neighbours.
 /// A regular 4g-gon is one by theorem (section 9): nothing is left to compute. Needs a document without structure
 /// problem. Quasi-linear in the number of digits.
-[[nodiscard]] SurfaceOutcome check_surface(const Surface& surface);
+[[nodiscard]] SurfaceOutcome check_surface(const Surface& surface, unsigned threads = 1);
 
 /// A disk of radius ≥ arsinh(sinh_radius) about `centre`, inside a tile.
 struct InscribedDisk {

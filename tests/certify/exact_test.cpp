@@ -50,13 +50,17 @@ TEST(Exact, PathsComposeInTheOrderOfTheWord) {
   EXPECT_TRUE(is_identity(compose_path({})));
 }
 
+int turn(const ExactPoint& p, const ExactPoint& q, const ExactPoint& r) {
+  return orientation(hyperboloid_vector(p), hyperboloid_vector(q), hyperboloid_vector(r));
+}
+
 TEST(Exact, OrientationIsHyperbolic) {
-  EXPECT_EQ(orientation(point(0, 0, 1), point(1, 0, 2), point(0, 1, 2)), 1);
-  EXPECT_EQ(orientation(point(0, 0, 1), point(0, 1, 2), point(1, 0, 2)), -1);
-  EXPECT_EQ(orientation(point(0, 0, 1), point(1, 1, 4), point(1, 1, 2)), 0);
+  EXPECT_EQ(turn(point(0, 0, 1), point(1, 0, 2), point(0, 1, 2)), 1);
+  EXPECT_EQ(turn(point(0, 0, 1), point(0, 1, 2), point(1, 0, 2)), -1);
+  EXPECT_EQ(turn(point(0, 0, 1), point(1, 1, 4), point(1, 1, 2)), 0);
   // The hyperbolic line through (1/2, ±1/2) passes the axis at 0.382; (2/5, 0) lies right of it, left of the chord.
-  EXPECT_EQ(orientation(point(1, -1, 2), point(1, 1, 2), point(2, 0, 5)), -1);
-  EXPECT_EQ(orientation(point(1, -1, 2), point(1, 1, 2), point(1, 0, 3)), 1);
+  EXPECT_EQ(turn(point(1, -1, 2), point(1, 1, 2), point(2, 0, 5)), -1);
+  EXPECT_EQ(turn(point(1, -1, 2), point(1, 1, 2), point(1, 0, 3)), 1);
 }
 
 TEST(Exact, CrossRatioSignIsTheInCircleTest) {
