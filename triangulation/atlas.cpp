@@ -4,6 +4,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "epsnet/kernel/lorentz.h"
 #include "epsnet/kernel/plane.h"
 #include "epsnet/kernel/predicates.h"
 
@@ -23,29 +24,37 @@ constexpr int kSameLabelBits = 90;
 
 std::uint64_t pair_key(std::uint32_t first, std::uint32_t second) { return (std::uint64_t{first} << 32) | second; }
 
+/// The integer e with 2^e ≤ |x| < 2^(e+1); a very small one for 0.
+template <class T>
+double binary_exponent(const T& x) {
+  return x == 0 ? -1e18 : static_cast<double>(mpfr_get_exp(x.backend().data()) - 1);
+}
+
 /// An upper bound of log2 of the operator norm |a| + |b| ≤ 2|a| of a normalised isometry, at most 2.5 too large. No
 /// arithmetic, exponents only.
 template <class T>
 double log2_norm(const Isometry<T>& f) {
-  return 2.5 + static_cast<double>(std::max(ilogb(f.a.x), ilogb(f.a.y)));
+  return 2.5 + std::max(binary_exponent(f.a.x), binary_exponent(f.a.y));
 }
+
+/// ν(f) = |a| + |b|.
+double size_of(const Isometry<double>& f) { return std::sqrt(norm(f.a)) + std::sqrt(norm(f.b)); }
 
 /// For every factor an upper bound of log2 of the norm of the product of those that come after it, computed in
 /// binary64; nothing if binary64 may be off by more than a factor of 2.
 template <class T>
 std::optional<std::vector<double>> sizes_from_the_end(const std::vector<Isometry<T>>& factors) {
-  const auto norm_of = [](const Isometry<double>& f) { return std::sqrt(norm(f.a)) + std::sqrt(norm(f.b)); };
   std::vector<double> sizes(factors.size());
   Isometry<double> product;
   double error = 0;  // Of the product, as a norm.
   for (std::size_t i = factors.size(); i-- > 0;) {
-    const double size = norm_of(product);
+    const double size = size_of(product);
     if (!(error <= size / 2)) {
       return std::nullopt;
     }
     sizes[i] = 1 + std::log2(size);
     const Isometry<double> factor = convert<double>(factors[i]);
-    error = (error + 16 * kUnitRoundoff * size) * 1.001 * norm_of(factor);
+    error = (error + 16 * kUnitRoundoff * size) * 1.001 * size_of(factor);
     product = product * factor;
   }
   return sizes;
@@ -124,21 +133,74 @@ Word concatenated(const Surface& surface, Word first, const Word& then) {
 }
 
 Atlas::Atlas(const Surface& surface) : surface_(&surface) {
+  crossings_.reserve(surface.side_count());
   for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
-    crossings_.push_back(convert<Mp256>(surface.crossing_as<Mp1024>(s)));
+    const std::uint32_t partner = surface.partner(s);
+    crossings_.push_back(partner < s ? epsnet::inverse(crossings_[partner])
+                                     : convert<Mp256>(surface.crossing_as<Mp1024>(s)));
   }
+  disks_.reserve(surface.tiles().size());
+  for (const Tile& tile : surface.tiles()) {
+    disks_.push_back(disk_inside(tile));
+  }
+}
+
+Atlas::Disk Atlas::disk_inside(const Tile& tile) {
+  std::vector<LorentzVector<double>> corners;  // In the Klein model, t = 1.
+  LorentzVector<double> sum;
+  for (const Complex<Rational>& vertex : tile) {
+    const Complex<double> z = convert<double>(vertex);
+    const double scale = 2 / (1 + norm(z));
+    corners.push_back({scale * z.x, scale * z.y, 1});
+    sum = sum + corners.back();
+  }
+  const double square = -lorentz_product(sum, sum);
+  const double height = sum.t * sum.t;
+  // Far from the origin, and for sides whose ends are near each other and the unit circle, binary64 has lost too much.
+  constexpr double kEnough = 1e-4;
+  if (!(square > kEnough * height)) {
+    return {{}, 0};
+  }
+  const LorentzVector<double> centre = 1 / std::sqrt(square) * sum;
+  double sinh_radius = 1;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const LorentzVector<double> normal = lorentz_cross(corners[k], corners[k + 1 < corners.size() ? k + 1 : 0]);
+    const double normal_square = lorentz_product(normal, normal);
+    if (!(normal_square > kEnough * normal.t * normal.t) || !(normal_square > kEnough * kEnough)) {
+      return {{}, 0};
+    }
+    sinh_radius = std::min(sinh_radius, lorentz_product(normal, centre) / std::sqrt(normal_square));
+  }
+  // Half of it makes up for all rounding, which is below 1e-8.
+  return {in_disk(centre), sinh_radius > 1e-4 ? sinh_radius / 2 : 0};
 }
 
 std::uint32_t Atlas::add_chart(Chart chart) {
   const std::uint32_t c = chart_count();
   charts_of_tile_[chart.tile].push_back(c);
-  charts_.push_back({std::move(chart), {}});
+  Disk disk = disks_[chart.tile];
+  disk.centre = epsnet::inverse(Isometry<double>::translation(convert<double>(chart.centre)))(disk.centre);
+  constexpr double kFarthest = 0.999;
+  if (!(norm(disk.centre) < kFarthest)) {
+    disk.sinh_radius = 0;
+  }
+  charts_.push_back({std::move(chart), disk, {}, {}});
+  charts_.back().unit_frame = normalized(frame<Mp256>(c));
   return c;
 }
 
 template <class T>
 Isometry<T> Atlas::frame(std::uint32_t c) const {
   return Isometry<T>::translation(convert<T>(charts_[c].chart.centre));
+}
+
+template <class T>
+Isometry<T> Atlas::unit_frame(std::uint32_t c) const {
+  if constexpr (std::is_same_v<T, Mp256>) {
+    return charts_[c].unit_frame;
+  } else {
+    return normalized(frame<T>(c));
+  }
 }
 
 template <class T>
@@ -154,17 +216,17 @@ template <class T>
 Atlas::Evaluation<T> Atlas::evaluate(std::uint32_t from, std::uint32_t to, const Word& word) const {
   // The value is a product M_n … M_0; an error in M_i is magnified by the partial products on its two sides. Factors
   // have determinant 1, the product is not normalised again: |a|² − |b|² has lost its bits where |a| is large.
-  std::vector<Isometry<T>> factors{normalized(frame<T>(from))};
+  std::vector<Isometry<T>> factors{unit_frame<T>(from)};
   for (const std::uint32_t s : word) {
     factors.push_back(crossing<T>(s));
   }
-  factors.push_back(normalized(epsnet::inverse(frame<T>(to))));
-  std::vector<double> before;
-  Isometry<T> product;
-  double lost = 0;
-  for (const Isometry<T>& f : factors) {
-    before.push_back(log2_norm(product) + log2_norm(f));
-    product = f * product;
+  factors.push_back(epsnet::inverse(unit_frame<T>(to)));
+  Isometry<T> product = factors.front();
+  std::vector<double> before{log2_norm(product)};
+  double lost = 2 * before.front();
+  for (std::size_t i = 1; i < factors.size(); ++i) {
+    before.push_back(log2_norm(product) + log2_norm(factors[i]));
+    product = factors[i] * product;
     // A product that has come out too small through cancellation has lost as much as went into it.
     lost = std::max(lost, before.back() + log2_norm(product));
   }
@@ -213,7 +275,7 @@ LabelId Atlas::label(std::uint32_t from, std::uint32_t to, Word word) {
 template <class MakeWord>
 LabelId Atlas::find_or_add(std::uint32_t from, std::uint32_t to, const Isometry<Mp256>& isometry, double accuracy,
                            const MakeWord& word) {
-  const auto small = [](const Mp256& x) { return x == 0 || ilogb(x) < -kSameLabelBits; };
+  const auto small = [](const Mp256& x) { return binary_exponent(x) < -kSameLabelBits; };
   const auto equal = [&](const Isometry<Mp256>& f, const Isometry<Mp256>& g) {
     return (small(f.a.x - g.a.x) && small(f.a.y - g.a.y) && small(f.b.x - g.b.x) && small(f.b.y - g.b.y)) ||
            (small(f.a.x + g.a.x) && small(f.a.y + g.a.y) && small(f.b.x + g.b.x) && small(f.b.y + g.b.y));
@@ -238,6 +300,44 @@ LabelId Atlas::find_or_add(std::uint32_t from, std::uint32_t to, const Isometry<
   return id;
 }
 
+std::optional<LabelId> Atlas::find_product(const LabelEntry& f, const LabelEntry& g) const {
+  // Two isometries are the same if they take the centre of a disk that the group moves off itself to points nearer than
+  // twice its radius: sinh of half of the distance of n/d and n'/d' is |n d' − n' d|/(1 − |centre|²).
+  const Disk& disk = charts_[g.from].disk;
+  const double size = size_of(f.rounded) * size_of(g.rounded);
+  const double gap = 1 - norm(disk.centre);
+  struct Image {
+    Complex<double> n;
+    Complex<double> d;
+  };
+  const auto image = [&](const Isometry<double>& h) {
+    return Image{h.a * disk.centre + h.b, conj(h.b) * disk.centre + conj(h.a)};
+  };
+  const Image product = image(f.rounded * g.rounded);
+  // docs/error-bounds.md, E6.
+  const auto is_product = [&](const Isometry<double>& h) -> std::optional<bool> {
+    if (!(64 * kUnitRoundoff * size * size_of(h) <= 0.25 * disk.sinh_radius * gap)) {
+      return std::nullopt;
+    }
+    const Image other = image(h);
+    return norm(product.n * other.d - other.n * product.d) < 0.25 * disk.sinh_radius * disk.sinh_radius * gap * gap;
+  };
+  if (g.from == f.to) {
+    if (const auto same = is_product({}); !same || *same) {
+      return same ? std::optional(kIdentity) : std::nullopt;
+    }
+  }
+  const auto same_charts = by_charts_.find(pair_key(g.from, f.to));
+  if (same_charts != by_charts_.end()) {
+    for (const LabelId l : same_charts->second) {
+      if (const auto same = is_product(isometry(l)); !same || *same) {
+        return same ? std::optional(l) : std::nullopt;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 LabelId Atlas::product_of_others(LabelId f, LabelId g) {
   const auto [known, is_new] = products_.try_emplace(pair_key(f, g), kUnknown);
   if (!is_new) {
@@ -245,6 +345,9 @@ LabelId Atlas::product_of_others(LabelId f, LabelId g) {
   }
   const LabelEntry& left = labels_[f - 1];
   const LabelEntry& right = labels_[g - 1];
+  if (const auto found = find_product(left, right)) {
+    return known->second = *found;
+  }
   const auto word = [&] { return concatenated(*surface_, right.word, left.word); };
   const double accuracy =
       std::min(left.accuracy, right.accuracy) - log2_norm(left.precise) - log2_norm(right.precise) - 3;

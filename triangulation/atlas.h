@@ -105,8 +105,16 @@ class Atlas {
   [[nodiscard]] std::optional<Place> place_nearby(std::uint32_t c, const Complex<double>& z);
 
  private:
+  /// A disk (its interior) that meets none of its images under the group: an isometry of the group other than 1 moves
+  /// its centre by twice its radius or more.
+  struct Disk {
+    Complex<double> centre;
+    double sinh_radius;  ///< 0 where binary64 does not see such a disk.
+  };
   struct ChartEntry {
     Chart chart;
+    Disk disk;  ///< In the coordinates of the chart.
+    Isometry<Mp256> unit_frame;
     std::vector<LabelId> incoming;
   };
   struct LabelEntry {
@@ -122,6 +130,10 @@ class Atlas {
 
   [[nodiscard]] LabelId product_of_others(LabelId f, LabelId g);
   [[nodiscard]] LabelId inverse_of_other(LabelId f);
+  /// A disk inside of a tile, in its coordinates.
+  [[nodiscard]] static Disk disk_inside(const Tile& tile);
+  /// The label of f ∘ g among those that exist; nothing if it is new or if binary64 does not tell.
+  [[nodiscard]] std::optional<LabelId> find_product(const LabelEntry& f, const LabelEntry& g) const;
   /// `word` is asked for its word if the label is new.
   template <class MakeWord>
   [[nodiscard]] LabelId find_or_add(std::uint32_t from, std::uint32_t to, const Isometry<Mp256>& isometry,
@@ -143,11 +155,15 @@ class Atlas {
   };
   template <class T>
   [[nodiscard]] Value<T> evaluate_to(double bits, std::uint32_t from, std::uint32_t to, const Word& word) const;
+  /// The frame of a chart, of determinant 1.
+  template <class T>
+  [[nodiscard]] Isometry<T> unit_frame(std::uint32_t c) const;
   template <class T>
   [[nodiscard]] Isometry<T> crossing(std::uint32_t s) const;
 
   const Surface* surface_;
   std::vector<Isometry<Mp256>> crossings_;
+  std::vector<Disk> disks_;  ///< By tile.
   std::vector<ChartEntry> charts_;
   std::deque<LabelEntry> labels_;
   std::unordered_map<std::uint64_t, LabelId> products_;

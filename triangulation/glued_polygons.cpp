@@ -76,6 +76,8 @@ bool points_up(const KleinVector& p, const KleinVector& q) {
 ScaledPoint scaled(const Complex<Rational>& z) {
   const Integer x_denominator = denominator(z.x);
   const Integer y_denominator = denominator(z.y);
+  // Often they are equal, and then no gcd is needed.
+  if (x_denominator == y_denominator) return {{numerator(z.x), numerator(z.y)}, x_denominator};
   const Integer m = lcm(x_denominator, y_denominator);
   return {{numerator(z.x) * (m / x_denominator), numerator(z.y) * (m / y_denominator)}, m};
 }
@@ -116,6 +118,10 @@ Isometry<Rational> integral_crossing(const ScaledPoint& p, const ScaledPoint& q,
   half.x += norm(u) * norm(v2);
   // A half turn: z ↦ −z is (i z)/(−i).
   if (half == Complex<Integer>{0, 0}) half = {0, 1};
+  // Only its direction counts; smaller numbers are faster from here on.
+  const Integer excess = gcd(half.x, half.y);
+  half.x /= excess;
+  half.y /= excess;
   Complex<Integer> a = (p2.m * p.m) * half - (p2.n * conj(p.n)) * conj(half);
   Complex<Integer> b = p.m * (p2.n * conj(half)) - p2.m * (p.n * half);
   const Integer content = gcd(gcd(a.x, a.y), gcd(b.x, b.y));
