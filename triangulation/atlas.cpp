@@ -157,8 +157,7 @@ Atlas::Disk Atlas::disk_inside(const Tile& tile) {
   const double square = -lorentz_product(sum, sum);
   const double height = sum.t * sum.t;
   // Far from the origin, and for sides whose ends are near each other and the unit circle, binary64 has lost too much.
-  constexpr double kEnough = 1e-4;
-  if (!(square > kEnough * height)) {
+  if (!(square > 1e-4 * height)) {
     return {{}, 0};
   }
   const LorentzVector<double> centre = 1 / std::sqrt(square) * sum;
@@ -166,12 +165,13 @@ Atlas::Disk Atlas::disk_inside(const Tile& tile) {
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const LorentzVector<double> normal = lorentz_cross(corners[k], corners[k + 1 < corners.size() ? k + 1 : 0]);
     const double normal_square = lorentz_product(normal, normal);
-    if (!(normal_square > kEnough * normal.t * normal.t) || !(normal_square > kEnough * kEnough)) {
+    if (!(normal_square > std::max(1e-12, 1e-8 * normal.t * normal.t))) {
       return {{}, 0};
     }
     sinh_radius = std::min(sinh_radius, lorentz_product(normal, centre) / std::sqrt(normal_square));
   }
-  // Half of it makes up for all rounding, which is below 1e-8.
+  // Half of it makes up for all rounding, which is below a thousandth of it: products and normals are off by a few
+  // 1e-16 times sizes below 100, squares by 1e-5 of themselves.
   return {in_disk(centre), sinh_radius > 1e-4 ? sinh_radius / 2 : 0};
 }
 
