@@ -141,15 +141,18 @@ Atlas::Atlas(const Surface& surface) : surface_(&surface) {
   }
   disks_.reserve(surface.tiles().size());
   for (const Tile& tile : surface.tiles()) {
-    disks_.push_back(disk_inside(tile));
+    const std::size_t first = corners_.size();
+    for (const Complex<Rational>& corner : tile) {
+      corners_.push_back(convert<double>(corner));
+    }
+    disks_.push_back(disk_inside(std::span(corners_).subspan(first)));
   }
 }
 
-Atlas::Disk Atlas::disk_inside(const Tile& tile) {
+Atlas::Disk Atlas::disk_inside(std::span<const Complex<double>> tile) {
   std::vector<LorentzVector<double>> corners;  // In the Klein model, t = 1.
   LorentzVector<double> sum;
-  for (const Complex<Rational>& vertex : tile) {
-    const Complex<double> z = convert<double>(vertex);
+  for (const Complex<double>& z : tile) {
     const double scale = 2 / (1 + norm(z));
     corners.push_back({scale * z.x, scale * z.y, 1});
     sum = sum + corners.back();
@@ -204,11 +207,13 @@ Isometry<T> Atlas::unit_frame(std::uint32_t c) const {
 }
 
 template <class T>
-Isometry<T> Atlas::crossing(std::uint32_t s) const {
+const Isometry<T>& Atlas::crossing(std::uint32_t s) const {
   if constexpr (std::is_same_v<T, Mp256>) {
     return crossings_[s];
   } else {
-    return surface_->crossing_as<T>(s);
+    auto& known = std::get<Known<T>>(known_).crossings;
+    const auto found = known.find(s);
+    return found != known.end() ? found->second : known.emplace(s, surface_->crossing_as<T>(s)).first->second;
   }
 }
 
@@ -378,14 +383,7 @@ const Isometry<T>& Atlas::isometry_in(LabelId l) {
   } else if constexpr (std::is_same_v<T, Mp256>) {
     return labels_[l - 1].precise;
   } else {
-    auto& known = [this]() -> auto& {
-      if constexpr (std::is_same_v<T, Mp1024>) {
-        return at_1024_;
-      } else {
-        return at_4096_;
-      }
-    }
-    ();
+    auto& known = std::get<Known<T>>(known_).labels;
     const auto found = known.find(l);
     if (found != known.end()) {
       return found->second;
@@ -434,17 +432,25 @@ Atlas::Place Atlas::place(std::uint32_t c, const Complex<Mp1024>& z, bool exact)
   Complex<Mp1024> w = frame<Mp1024>(c)(z);
   std::uint32_t tile = charts_[c].chart.tile;
   Word path;
+  // Most sides are seen in binary64 to have the point on their left.
+  const auto is_left_of = [&](std::uint32_t first, std::uint32_t k, std::uint32_t next) {
+    constexpr double kRounding = 2 * kUnitRoundoff;
+    const StageSign seen =
+        orientation_stage<double>(corners_[first + k], corners_[first + next], convert<double>(w), kRounding);
+    const Tile& vertices = surface_->tiles()[tile];
+    return seen.certain ? seen.sign > 0
+                        : orientation_determinant(convert<Mp1024>(vertices[k]), convert<Mp1024>(vertices[next]), w) >= 0;
+  };
   constexpr std::size_t kLongestPath = 10'000;
   for (bool inside = false; !inside;) {
     inside = true;
-    const Tile& vertices = surface_->tiles()[tile];
-    const auto n = static_cast<std::uint32_t>(vertices.size());
+    const auto n = static_cast<std::uint32_t>(surface_->tiles()[tile].size());
+    const std::uint32_t first = surface_->side_number(tile, 0);
     for (std::uint32_t k = 0; k < n && inside; ++k) {
-      const std::uint32_t s = surface_->side_number(tile, k);
+      const std::uint32_t s = first + k;
       const bool goes_back = !path.empty() && surface_->partner(path.back()) == s;
-      if (!goes_back &&
-          orientation_determinant(convert<Mp1024>(vertices[k]), convert<Mp1024>(vertices[(k + 1) % n]), w) < 0) {
-        w = surface_->crossing_as<Mp1024>(s)(w);
+      if (!goes_back && !is_left_of(first, k, (k + 1) % n)) {
+        w = crossing<Mp1024>(s)(w);
         path.push_back(s);
         tile = surface_->tile_of_side(surface_->partner(s));
         inside = false;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -130,8 +131,8 @@ class Atlas {
 
   [[nodiscard]] LabelId product_of_others(LabelId f, LabelId g);
   [[nodiscard]] LabelId inverse_of_other(LabelId f);
-  /// A disk inside of a tile, in its coordinates.
-  [[nodiscard]] static Disk disk_inside(const Tile& tile);
+  /// A disk inside of a tile, from its corners, in its coordinates.
+  [[nodiscard]] static Disk disk_inside(std::span<const Complex<double>> tile);
   /// The label of f ∘ g among those that exist; nothing if it is new or if binary64 does not tell.
   [[nodiscard]] std::optional<LabelId> find_product(const LabelEntry& f, const LabelEntry& g) const;
   /// `word` is asked for its word if the label is new.
@@ -159,17 +160,24 @@ class Atlas {
   template <class T>
   [[nodiscard]] Isometry<T> unit_frame(std::uint32_t c) const;
   template <class T>
-  [[nodiscard]] Isometry<T> crossing(std::uint32_t s) const;
+  [[nodiscard]] const Isometry<T>& crossing(std::uint32_t s) const;
+
+  /// What was asked for in one field above Mp256.
+  template <class T>
+  struct Known {
+    std::unordered_map<LabelId, Isometry<T>> labels;
+    std::unordered_map<std::uint32_t, Isometry<T>> crossings;
+  };
 
   const Surface* surface_;
   std::vector<Isometry<Mp256>> crossings_;
-  std::vector<Disk> disks_;  ///< By tile.
+  std::vector<Complex<double>> corners_;  ///< Of all tiles, by the side that starts there; rounded.
+  std::vector<Disk> disks_;               ///< By tile.
   std::vector<ChartEntry> charts_;
   std::deque<LabelEntry> labels_;
   std::unordered_map<std::uint64_t, LabelId> products_;
   std::unordered_map<std::uint64_t, std::vector<LabelId>> by_charts_;
-  std::unordered_map<LabelId, Isometry<Mp1024>> at_1024_;
-  std::unordered_map<LabelId, Isometry<Mp4096>> at_4096_;
+  mutable std::tuple<Known<Mp1024>, Known<Mp4096>> known_;
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> charts_of_tile_;
 };
 

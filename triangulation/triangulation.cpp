@@ -143,31 +143,11 @@ void Triangulation::cut_tiles(const std::optional<BasePoint>& base) {
       }
       continue;
     }
-    // The tile is halved again and again by diagonals: a triangle (i, m, j) under the chord from i to j, then the
-    // chords (i, m) and (m, j).
-    struct Chord {
-      std::uint32_t i, j;
-      std::optional<Dart> above;  // The dart from i to j of the triangle on its other side.
-    };
-    std::vector<Chord> chords{{0, sides - 1, std::nullopt}};
-    while (!chords.empty()) {
-      const Chord chord = chords.back();
-      chords.pop_back();
-      if (chord.j == chord.i + 1) {
-        dart_of_side[first + chord.i] = *chord.above;
-        continue;
-      }
-      const std::uint32_t m = (chord.i + chord.j) / 2;
-      const std::uint32_t t = add_triangle();
-      set(t, corners[chord.i], corners[m], corners[chord.j], nullptr);
-      if (chord.above) {
-        link(make_dart(t, 2), *chord.above, nullptr);
-      } else {
-        dart_of_side[first + chord.j] = make_dart(t, 2);  // The side from the last corner to the first.
-      }
-      chords.push_back({chord.i, m, make_dart(t, 0)});
-      chords.push_back({m, chord.j, make_dart(t, 1)});
-    }
+    const std::vector<Dart> darts = cut_polygon(sides, [&](std::uint32_t t, std::uint32_t i, std::uint32_t m,
+                                                           std::uint32_t j) {
+      set(t, corners[i], corners[m], corners[j], nullptr);
+    });
+    std::copy(darts.begin(), darts.end(), dart_of_side.begin() + first);
   }
   for (std::uint32_t s = 0; s < n; ++s) {
     triangles_[triangle_of(dart_of_side[s])].opposite[corner_of(dart_of_side[s])] = dart_of_side[surface.partner(s)];
@@ -176,33 +156,66 @@ void Triangulation::cut_tiles(const std::optional<BasePoint>& base) {
 
 void Triangulation::cut_regular() {
   // The centres of the copies of the tile around a corner make a polygon, dual to the tile: one vertex on the surface.
-  // It is cut by the diagonals from its first corner.
+  // Its corners are cocircular, so it may be cut in any way.
   const Surface& surface = atlas_.surface();
   const std::uint32_t n = surface.side_count();
   add_vertex({{0, 0}, atlas_.add_chart({0, {0, 0}})});
   const std::vector<std::uint32_t> cycle = corner_cycle(surface, 0);
-  // Corner i of the polygon, counterclockwise, is copy n − i of the tile; the word leads from there to copy 0.
-  const auto corner = [&](std::uint32_t i) -> Corner {
-    const Word there(cycle.begin(), cycle.begin() + (i == 0 ? 0 : n - i));
-    return {0, atlas_.label(0, 0, concatenated(surface, {}, reversed(surface, there)))};
-  };
-  for (std::uint32_t i = 1; i + 1 < n; ++i) {
-    const std::uint32_t t = add_triangle();
-    set(t, corner(0), corner(i), corner(i + 1), nullptr);
-    if (i > 1) {
-      link(make_dart(t, 0), make_dart(t - 1, 2), nullptr);
+  // Corner i of the polygon, counterclockwise, is copy n − i of the tile, and copy k + 1 is behind side cycle[k] of
+  // copy k. The path from corner j to corner i < j is the shorter one of the two around the tile's corner.
+  const auto label = [&](std::uint32_t i, std::uint32_t j) {
+    const auto from = cycle.begin() + (n - j);
+    const auto to = cycle.begin() + (n - i);
+    Word word(from, to);
+    if (2 * (j - i) > n) {
+      word.assign(to, cycle.end());
+      word.insert(word.end(), cycle.begin(), from);
+      word = reversed(surface, word);
     }
-  }
+    return atlas_.label(0, 0, std::move(word));
+  };
+  const std::vector<Dart> darts =
+      cut_polygon(n, [&](std::uint32_t t, std::uint32_t i, std::uint32_t m, std::uint32_t j) {
+        set(t, {0, kIdentity}, {0, label(i, m)}, {0, label(i, j)}, nullptr);
+      });
   // Its side from corner i to i + 1 crosses a side of the tile.
   std::vector<Dart> dart_of_side(n);
   for (std::uint32_t i = 0; i < n; ++i) {
-    dart_of_side[cycle[n - i - 1]] = i == 0       ? make_dart(0, 0)
-                                     : i + 1 == n ? make_dart(triangle_count() - 1, 2)
-                                                  : make_dart(i - 1, 1);
+    dart_of_side[cycle[n - i - 1]] = darts[i];
   }
   for (std::uint32_t s = 0; s < n; ++s) {
     triangles_[triangle_of(dart_of_side[s])].opposite[corner_of(dart_of_side[s])] = dart_of_side[surface.partner(s)];
   }
+}
+
+template <class SetCorners>
+std::vector<Dart> Triangulation::cut_polygon(std::uint32_t n, const SetCorners& set_corners) {
+  // A triangle (i, m, j) under the chord from i to j, then the chords (i, m) and (m, j).
+  struct Chord {
+    std::uint32_t i, j;
+    std::optional<Dart> above;  // The dart from i to j of the triangle on its other side.
+  };
+  std::vector<Dart> result(n);
+  std::vector<Chord> chords{{0, n - 1, std::nullopt}};
+  while (!chords.empty()) {
+    const Chord chord = chords.back();
+    chords.pop_back();
+    if (chord.j == chord.i + 1) {
+      result[chord.i] = *chord.above;
+      continue;
+    }
+    const std::uint32_t m = (chord.i + chord.j) / 2;
+    const std::uint32_t t = add_triangle();
+    set_corners(t, chord.i, m, chord.j);
+    if (chord.above) {
+      link(make_dart(t, 2), *chord.above, nullptr);
+    } else {
+      result[n - 1] = make_dart(t, 2);
+    }
+    chords.push_back({chord.i, m, make_dart(t, 0)});
+    chords.push_back({m, chord.j, make_dart(t, 1)});
+  }
+  return result;
 }
 
 void Triangulation::require_room(std::size_t triangles) const {

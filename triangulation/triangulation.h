@@ -266,6 +266,11 @@ class Triangulation {
 
   void cut_tiles(const std::optional<BasePoint>& base);
   void cut_regular();
+  /// Adds triangles that cut a polygon of n corners: halved again and again by diagonals, so that few triangles have
+  /// corners far apart. `set_corners(t, i, m, j)` sets the corners of triangle t to those of the polygon, i < m < j.
+  /// Returns the dart from corner k to corner k + 1 for every k.
+  template <class SetCorners>
+  [[nodiscard]] std::vector<Dart> cut_polygon(std::uint32_t n, const SetCorners& set_corners);
 
   /// An edge of the boundary of a region of triangles: its dart inside and the one outside, before the region is filled
   /// anew.
