@@ -28,7 +28,8 @@ class RationalCrossings {
   [[nodiscard]] BallIsometry balls(std::uint32_t side, slong precision) const {
     return to_balls(crossings_[side], precision);
   }
-  [[nodiscard]] const ExactIsometry& exact(std::uint32_t side) const { return crossings_[side]; }
+  /// The value of a word.
+  [[nodiscard]] ExactIsometry exact(std::span<const std::uint32_t> word) const;
   [[nodiscard]] static ExactIsometry embed(const ExactIsometry& f) { return f; }
   /// About the bits of the value of a word between two frames that have `frame_bits` together.
   [[nodiscard]] std::size_t product_bits(std::size_t frame_bits, std::span<const std::uint32_t> word) const;
@@ -38,17 +39,18 @@ class RationalCrossings {
 };
 
 /// Of the regular 4g-gon: side k has the crossing (a, −s ζ^k), in the notation of regular_number.h.
+///
+/// Words turn around corners, and a turn has a closed form: what is exact takes time by turns, not by letters.
 class RegularCrossings {
  public:
   using Number = RegularNumber;
-  /// More than for rational surfaces: words around a corner have values far smaller than the guess of product_bits.
-  static constexpr std::size_t kMaxExactBits = std::size_t{1} << 26;
+  static constexpr std::size_t kMaxExactBits = std::size_t{1} << 21;
 
   explicit RegularCrossings(std::uint32_t genus) : ring_(std::make_unique<RegularRing>(genus)) {}
 
   [[nodiscard]] std::size_t size() const { return 4 * std::size_t{ring_->genus()}; }
   [[nodiscard]] BallIsometry balls(std::uint32_t side, slong precision) const;
-  [[nodiscard]] Isometry<RegularNumber> exact(std::uint32_t side) const;
+  [[nodiscard]] Isometry<RegularNumber> exact(std::span<const std::uint32_t> word) const;
   [[nodiscard]] Isometry<RegularNumber> embed(const ExactIsometry& f) const;
   [[nodiscard]] std::size_t product_bits(std::size_t frame_bits, std::span<const std::uint32_t> word) const;
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 /// The hyperbolic plane without rounding: points, isometries and predicates over a ring of complex numbers.
@@ -70,13 +71,20 @@ template <class Number>
   return {conjugate(f.a), mpz_class(-1) * f.b};
 }
 
-/// factor(last − 1) ∘ … ∘ factor(first), first < last, by a balanced tree of products: quasi-linear in the size of the
-/// result.
-template <class Factor>
-[[nodiscard]] auto compose_range(std::size_t first, std::size_t last, const Factor& factor) {
+/// factor(last − 1) ∘ … ∘ factor(first), first < last, by a balanced tree of products f ∘ g = composed(f, g): exactly,
+/// quasi-linear in the size of the result; in balls, with a loss of bits by the logarithm of the number of factors if
+/// no product of consecutive ones is large.
+template <class Factor, class Composed>
+[[nodiscard]] auto compose_range(std::size_t first, std::size_t last, const Factor& factor, const Composed& composed)
+    -> std::decay_t<decltype(factor(first))> {
   if (last - first == 1) return factor(first);
   const std::size_t middle = first + (last - first) / 2;
-  return compose(compose_range(middle, last, factor), compose_range(first, middle, factor));
+  return composed(compose_range(middle, last, factor, composed), compose_range(first, middle, factor, composed));
+}
+
+template <class Factor>
+[[nodiscard]] auto compose_range(std::size_t first, std::size_t last, const Factor& factor) {
+  return compose_range(first, last, factor, [](const auto& f, const auto& g) { return compose(f, g); });
 }
 
 /// z ↦ (z + c)/(1 + c̄z).

@@ -79,13 +79,17 @@ std::vector<BallIsometry> LabelEvaluator::evaluate(std::span<const std::uint32_t
     for_each_parallel(numbers.size(), threads, [&](unsigned, std::size_t i) {
       if (done[i]) return;
       const Label& label = document_.labels[numbers[i] - 1];
-      BallIsometry result = frames[label.from];
       const auto& word = words_[numbers[i] - 1];
       // 96 bits are always spent.
       const auto affordable = static_cast<slong>(std::max<std::size_t>(96, kMaxLabelWork / (word.size() + 1)));
       const slong bits_spent = std::min(working, affordable);
-      for (const std::uint32_t side : word) result = compose(crossings[side], result, bits_spent);
-      results[i] = compose(inverse(frames[label.to]), result, bits_spent);
+      const auto composed = [&](const BallIsometry& f, const BallIsometry& g) { return compose(f, g, bits_spent); };
+      results[i] = frames[label.from];
+      if (!word.empty()) {
+        const auto crossing = [&](std::size_t k) -> const BallIsometry& { return crossings[word[k]]; };
+        results[i] = composed(compose_range(0, word.size(), crossing, composed), results[i]);
+      }
+      results[i] = composed(inverse(frames[label.to]), results[i]);
       done[i] = last || working >= affordable || accurate(results[i], precision);
     });
     if (std::find(done.begin(), done.end(), 0) == done.end()) return results;

@@ -34,12 +34,8 @@ class LabelEvaluator {
                                                                              std::uint32_t number) const {
     if (number == 0) return crossings.embed(exact_identity());
     const Label& label = document_.labels[number - 1];
-    const auto& word = words_[number - 1];
-    auto result = compose_range(0, word.size() + 2, [&](std::size_t i) {
-      if (i == 0) return crossings.embed(parts_.frames[label.from]);
-      if (i == word.size() + 1) return crossings.embed(inverse(parts_.frames[label.to]));
-      return crossings.exact(word[i - 1]);
-    });
+    auto result = compose(crossings.exact(words_[number - 1]), crossings.embed(parts_.frames[label.from]));
+    result = compose(crossings.embed(inverse(parts_.frames[label.to])), result);
     reduce(result);
     return result;
   }

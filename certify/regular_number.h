@@ -2,49 +2,19 @@
 
 #include <epsnet/certify/ball.h>
 #include <epsnet/certify/exact.h>
-#if __has_include(<flint/fmpz_poly.h>)
-#include <flint/fmpz_poly.h>
-#else
-#include <fmpz_poly.h>
-#endif
 
 #include <cstdint>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <vector>
 
 /// The numbers of the regular 4g-gon, exactly: Z[ζ, s] with ζ = e^{iπ/(2g)} and s = √(a² − 1), a = cot(π/(4g)).
 ///
-/// a = i(ζ + 1)/(ζ − 1) = −ζ^g(ζ + ζ² + … + ζ^{2g−1}) is in Z[ζ], so all crossings are over this ring (docs/proof.md,
-/// section 9). A number is A + B s; A and B are polynomials in ζ of degree less than 2g, calculated with modulo
-/// ζ^{2g} + 1 = 0. That is not the least relation of ζ: different polynomials may be the same number.
+/// a = −ζ^g(ζ + ζ² + … + ζ^{2g−1}) is in Z[ζ], so all crossings are over this ring (docs/proof.md, section 9). A number
+/// is kept as the expression that makes it; `sign` evaluates that as often as it takes: bounds of all conjugates, images
+/// in finite fields, and balls.
 namespace epsnet::certify {
-
-/// Owner of FLINT's polynomials with integer coefficients.
-class IntegerPolynomial {
- public:
-  IntegerPolynomial() { fmpz_poly_init(value_); }
-  IntegerPolynomial(const IntegerPolynomial& other) {
-    fmpz_poly_init(value_);
-    fmpz_poly_set(value_, other.value_);
-  }
-  IntegerPolynomial(IntegerPolynomial&& other) noexcept {
-    fmpz_poly_init(value_);
-    fmpz_poly_swap(value_, other.value_);
-  }
-  IntegerPolynomial& operator=(const IntegerPolynomial& other) {
-    fmpz_poly_set(value_, other.value_);
-    return *this;
-  }
-  IntegerPolynomial& operator=(IntegerPolynomial&& other) noexcept {
-    fmpz_poly_swap(value_, other.value_);
-    return *this;
-  }
-  ~IntegerPolynomial() { fmpz_poly_clear(value_); }
-
-  [[nodiscard]] fmpz_poly_struct* get() { return value_; }
-  [[nodiscard]] const fmpz_poly_struct* get() const { return value_; }
-
- private:
-  fmpz_poly_t value_;
-};
 
 /// What the numbers of one genus have in common.
 class RegularRing {
@@ -52,28 +22,57 @@ class RegularRing {
   explicit RegularRing(std::uint32_t genus);
 
   [[nodiscard]] std::uint32_t genus() const { return genus_; }
-  /// cot(π/(4g)) and s² as polynomials in ζ.
-  [[nodiscard]] const IntegerPolynomial& cotangent() const { return cotangent_; }
-  [[nodiscard]] const IntegerPolynomial& s_squared() const { return s_squared_; }
-  /// The least polynomial of ζ over Q, the cyclotomic polynomial of order 4g.
-  [[nodiscard]] const IntegerPolynomial& cyclotomic() const { return cyclotomic_; }
+
+  /// Where embeddings of Q(ζ, s) in C send ζ and s: to e^{iθ}, θ = kπ/(2g), and to a root of cot²(θ/2) − 1, real or
+  /// imaginary. One stands for four: θ and −θ, two roots. Logarithms have the base 2^(1/kLogScale), rounded up.
+  struct Embeddings {
+    std::int64_t log_s;
+    std::int64_t log_inverse_sine;  ///< Of 1/sin(θ/2).
+    bool s_is_real;
+  };
+  static constexpr std::int64_t kLogScale = 1024;
+  [[nodiscard]] const std::vector<Embeddings>& embeddings() const { return embeddings_; }
+
+  /// A homomorphism to the field of p elements: where ζ and s go.
+  class Residues;
+  /// Of different primes p > 2^kResidueBits, in a fixed order. For any number of threads.
+  [[nodiscard]] const Residues& residues(std::size_t i) const;
+  static constexpr std::int64_t kResidueBits = 61;
+
+  ~RegularRing();
+  RegularRing(const RegularRing&) = delete;
+  RegularRing& operator=(const RegularRing&) = delete;
 
  private:
   std::uint32_t genus_;
-  IntegerPolynomial cotangent_;
-  IntegerPolynomial s_squared_;
-  IntegerPolynomial cyclotomic_;
+  std::vector<Embeddings> embeddings_;
+  mutable std::mutex mutex_;
+  mutable std::deque<Residues> residues_;  ///< Those that were asked for. References stay valid.
 };
 
-/// even + odd · s. The ring must outlive its numbers.
+/// How a number is made of others.
+struct RegularExpression;
+
+/// A number of the ring. The ring must outlive it.
 struct RegularNumber {
   const RegularRing* ring;
-  IntegerPolynomial even;
-  IntegerPolynomial odd;
+  std::shared_ptr<const RegularExpression> expression;  ///< Null: 0.
 };
 
 /// A Gaussian integer as a number of the ring; i = ζ^g.
 [[nodiscard]] RegularNumber regular_number(const RegularRing& ring, const Gaussian& x);
+/// ζ^k, and s.
+[[nodiscard]] RegularNumber power_of_zeta(const RegularRing& ring, std::int64_t k);
+[[nodiscard]] RegularNumber regular_s(const RegularRing& ring);
+
+/// Which way a path turns around a corner of the tile: crossing side k is followed by k + 2g + 1 or k + 2g − 1.
+enum class Turn { counterclockwise, clockwise };
+/// The product of `count` ≥ 1 crossings that turn around one corner; the first is that of `side` (docs/proof.md, Lemma
+/// 9.2).
+[[nodiscard]] Isometry<RegularNumber> regular_turn(const RegularRing& ring, std::uint32_t side, std::uint32_t count,
+                                                   Turn turn);
+/// log2 of the product of all conjugates of an entry of that, roughly.
+[[nodiscard]] std::size_t regular_turn_bits(const RegularRing& ring, std::uint32_t count);
 
 // Numbers of the same ring only.
 [[nodiscard]] RegularNumber operator+(const RegularNumber& x, const RegularNumber& y);
@@ -89,13 +88,11 @@ struct RegularNumber {
 [[nodiscard]] RegularNumber twice_real(const RegularNumber& x);
 [[nodiscard]] RegularNumber twice_imaginary(const RegularNumber& x);
 
-/// The same isometry with the common divisor of its coefficients taken out.
-void reduce(Isometry<RegularNumber>& f);
+/// Expressions have no divisor to be taken out.
+inline void reduce(Isometry<RegularNumber>& /*f*/) {}
 
-/// Whether the number is 0, exactly: A + B s = 0 if and only if A = B = 0, since s is not in Q(ζ) (docs/proof.md, Lemma
-/// 9).
-[[nodiscard]] bool is_zero(const RegularNumber& x);
-/// The sign of a real number: 0 exactly, otherwise by balls of more and more bits, which must end.
+/// The sign of a real number, exactly: 0 if it is 0 in enough finite fields (docs/proof.md, Lemma 9), otherwise by balls
+/// of more and more bits, which must end. Time: the size of the expression times the bits of its norm.
 [[nodiscard]] int sign(const RegularNumber& x);
 
 /// a = cot(π/(4g)) = cosh ρ and s = √(a² − 1) = sinh ρ, ρ the distance of the centre from the sides.

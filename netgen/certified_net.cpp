@@ -93,7 +93,10 @@ Refined refined(const Surface& surface, const Epsilon& epsilon, const NetOptions
   const auto start = Clock::now();
   Refined result{Triangulation(surface, options.base), std::nullopt};
   Triangulation& triangulation = result.triangulation;
-  statistics.initial_flips = triangulation.make_delaunay();
+  // A regular surface begins with a Delaunay triangulation, all ties, which take all bits there are.
+  if (!surface.is_regular()) {
+    statistics.initial_flips = triangulation.make_delaunay();
+  }
   if (options.base) {
     statistics.removed = reduce_to_vertex_0(triangulation);
   }

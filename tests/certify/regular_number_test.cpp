@@ -2,25 +2,21 @@
 #include <epsnet/certify/surface_sides.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <complex>
+#include <numeric>
 #include <vector>
 
 namespace epsnet::certify {
 namespace {
 
-RegularNumber power_of_zeta(const RegularRing& ring, slong k) {
-  RegularNumber result{&ring, {}, {}};
-  fmpz_poly_set_coeff_si(result.even.get(), k, 1);
-  return result;
-}
-
 RegularNumber integer(const RegularRing& ring, const mpz_class& value) { return regular_number(ring, {value, 0}); }
-RegularNumber cotangent(const RegularRing& ring) { return {&ring, ring.cotangent(), {}}; }
-
-RegularNumber s(const RegularRing& ring) {
-  RegularNumber result{&ring, {}, {}};
-  fmpz_poly_set_coeff_si(result.odd.get(), 0, 1);
-  return result;
+/// The crossing of one side.
+Isometry<RegularNumber> crossing(const RegularRing& ring, std::uint32_t side) {
+  return regular_turn(ring, side, 1, Turn::counterclockwise);
 }
+RegularNumber cotangent(const RegularRing& ring) { return crossing(ring, 0).a; }
+bool is_zero(const RegularNumber& x) { return sign(norm(x)) == 0; }
 
 /// The ball contains the real number, by exact comparisons with its ends.
 void expect_contains(arb_srcptr ball, const RegularNumber& x) {
@@ -47,31 +43,30 @@ TEST(RegularNumber, CotangentIsWhatTheFormulaSays) {
     const RegularNumber zeta = power_of_zeta(ring, 1);
     const RegularNumber one = integer(ring, 1);
     EXPECT_TRUE(is_zero(cotangent(ring) * (zeta - one) - Gaussian{0, 1} * (zeta + one)));
-    EXPECT_TRUE(is_zero(s(ring) * s(ring) + one - cotangent(ring) * cotangent(ring)));
+    EXPECT_TRUE(is_zero(regular_s(ring) * regular_s(ring) + one - cotangent(ring) * cotangent(ring)));
     Ball cosh, sinh;
     set_regular_apothem(cosh.get(), sinh.get(), genus, 64);
     expect_contains(cosh.get(), cotangent(ring));
-    expect_contains(sinh.get(), s(ring));
+    expect_contains(sinh.get(), regular_s(ring));
   }
 }
 
 TEST(RegularNumber, ZeroIsFoundWhereverTheLeastRelationHides) {
   for (std::uint32_t genus = 2; genus <= 40; ++genus) {
     const RegularRing ring(genus);
-    // ζ^(2g) + 1 = 0 is used in calculations; for odd divisors p of g, 1 − ζ^(2g/p) + ζ^(4g/p) − … = 0 is not.
+    // For odd divisors p of g, 1 − ζ^(2g/p) + ζ^(4g/p) − … = 0.
     for (std::uint32_t p = 3; p <= genus; p += 2) {
       if (genus % p != 0) continue;
       RegularNumber sum = integer(ring, 0);
       for (std::uint32_t k = 0; k < p; ++k) {
-        sum = sum + mpz_class(k % 2 == 0 ? 1 : -1) * power_of_zeta(ring, slong{k} * (2 * genus / p));
+        sum = sum + mpz_class(k % 2 == 0 ? 1 : -1) * power_of_zeta(ring, std::int64_t{k} * (2 * genus / p));
       }
-      EXPECT_FALSE(fmpz_poly_is_zero(sum.even.get()));
       EXPECT_TRUE(is_zero(sum));
-      EXPECT_TRUE(is_zero(sum * s(ring)));
+      EXPECT_TRUE(is_zero(sum * regular_s(ring)));
       EXPECT_EQ(sign(norm(sum + integer(ring, 1)) - integer(ring, 1)), 0);
     }
     EXPECT_FALSE(is_zero(power_of_zeta(ring, 1) - integer(ring, 1)));
-    EXPECT_FALSE(is_zero(s(ring)));
+    EXPECT_FALSE(is_zero(regular_s(ring)));
   }
 }
 
@@ -80,7 +75,7 @@ TEST(RegularNumber, SignsOfNumbersThatAreNearlyZero) {
     const RegularRing ring(genus);
     Ball cosh, sinh;
     set_regular_apothem(cosh.get(), sinh.get(), genus, 4000);
-    for (const auto& [ball, number] : {std::pair{&cosh, cotangent(ring)}, std::pair{&sinh, s(ring)}}) {
+    for (const auto& [ball, number] : {std::pair{&cosh, cotangent(ring)}, std::pair{&sinh, regular_s(ring)}}) {
       // The integer below 2^3000 times the number.
       arb_mul_2exp_si(ball->get(), ball->get(), 3000);
       arb_floor(ball->get(), ball->get(), 4000);
@@ -95,6 +90,80 @@ TEST(RegularNumber, SignsOfNumbersThatAreNearlyZero) {
       EXPECT_EQ(sign(scale * number - integer(ring, floor + 1)), -1);
     }
     EXPECT_EQ(sign(integer(ring, 0)), 0);
+  }
+}
+
+TEST(RegularNumber, MultiplesOfThePrimesTriedAreNotZero) {
+  // Whatever the primes 1 + 4g m below 2^62 are that a sign begins with, the product of the first of them is no zero.
+  for (const std::uint32_t genus : {2U, 3U, 7U}) {
+    const RegularRing ring(genus);
+    const mpz_class order = 4 * genus;
+    mpz_class p = (mpz_class(1) << 62) / order * order + 1;
+    mpz_class product = 1;
+    for (int found = 0; found < 40; p -= order) {
+      if (p >= mpz_class(1) << 62 || mpz_probab_prime_p(p.get_mpz_t(), 30) == 0) continue;
+      product *= p;
+      ++found;
+    }
+    for (const RegularNumber& x : {integer(ring, 1), cotangent(ring), regular_s(ring)}) {
+      EXPECT_EQ(sign(product * x), 1);
+      EXPECT_EQ(sign(mpz_class(-product) * x), -1);
+      EXPECT_EQ(sign(product * x - product * x), 0);
+    }
+  }
+}
+
+TEST(RegularNumber, TurnsAreProductsOfCrossings) {
+  for (const std::uint32_t genus : {2U, 3U, 4U, 6U, 15U}) {
+    const RegularRing ring(genus);
+    for (const Turn turn : {Turn::counterclockwise, Turn::clockwise}) {
+      const std::uint32_t step = turn == Turn::counterclockwise ? 2 * genus + 1 : 2 * genus - 1;
+      for (const std::uint32_t start : {0U, 1U, 3 * genus}) {
+        Isometry<RegularNumber> product = crossing(ring, start);
+        for (std::uint32_t count = 1; count <= 4 * genus + 2; ++count) {
+          const Isometry<RegularNumber> closed = regular_turn(ring, start, count, turn);
+          EXPECT_TRUE(is_zero(closed.a - product.a)) << genus << ' ' << start << ' ' << count;
+          EXPECT_TRUE(is_zero(closed.b - product.b)) << genus << ' ' << start << ' ' << count;
+          product = compose(crossing(ring, (start + count * step) % (4 * genus)), product);
+        }
+      }
+    }
+  }
+}
+
+/// The crossing of a side in the embedding ζ ↦ ζ^k.
+std::array<std::complex<double>, 4> embedded_crossing(std::uint32_t genus, std::uint32_t k, std::uint32_t side) {
+  const double angle = M_PI * k / (2 * genus);
+  const std::complex<double> i_to_k = k % 4 == 1 ? std::complex<double>(0, 1) : std::complex<double>(0, -1);
+  const std::complex<double> zeta = std::polar(1.0, angle);
+  const std::complex<double> a = i_to_k * (zeta + 1.0) / (zeta - 1.0);
+  const std::complex<double> s = std::sqrt(a * a - 1.0);
+  return {a, -s * std::polar(1.0, angle * side), -s * std::polar(1.0, -angle * side), a};
+}
+
+TEST(RegularNumber, ConjugatesOfTurnsAreWithinTheirBounds) {
+  for (const std::uint32_t genus : {2U, 3U, 5U, 9U, 16U}) {
+    const RegularRing ring(genus);
+    for (std::uint32_t count = 1; count <= 4 * genus; ++count) {
+      double log_norm = 0;
+      std::size_t embeddings = 0;
+      for (std::uint32_t k = 1; k < 2 * genus; k += 2) {
+        if (std::gcd(k, 4 * genus) != 1) continue;
+        std::array<std::complex<double>, 4> product{1, 0, 0, 1};
+        for (std::uint32_t i = 0; i < count; ++i) {
+          const auto m = embedded_crossing(genus, k, i * (2 * genus + 1) % (4 * genus));
+          product = {m[0] * product[0] + m[1] * product[2], m[0] * product[1] + m[1] * product[3],
+                     m[2] * product[0] + m[3] * product[2], m[2] * product[1] + m[3] * product[3]};
+        }
+        log_norm += 2 * std::log2(std::max({1.0, std::abs(product[0]), std::abs(product[1])}));
+        ++embeddings;
+      }
+      ASSERT_EQ(ring.embeddings().size(), embeddings);
+      // No less, up to the rounding of the bound to an integer; and no useless bound.
+      EXPECT_GE(static_cast<double>(regular_turn_bits(ring, count)) + 1, log_norm) << genus << ' ' << count;
+    }
+    // A bound for all counts, so it is good for those in the middle.
+    EXPECT_LE(regular_turn_bits(ring, 2 * genus), 8 * ring.embeddings().size());
   }
 }
 
@@ -117,10 +186,10 @@ TEST(RegularCrossings, BallsContainTheExactOnes) {
     ASSERT_EQ(crossings.size(), 4 * genus);
     for (std::uint32_t side = 0; side < 4 * genus; ++side) {
       const BallIsometry balls = crossings.balls(side, 64);
-      const auto exact = crossings.exact(side);
+      const auto exact = crossings.exact(std::array{side});
       expect_contains(balls.a, exact.a);
       expect_contains(balls.b, exact.b);
-      const auto back = compose(exact, crossings.exact((side + 2 * genus) % (4 * genus)));
+      const auto back = compose(exact, crossings.exact(std::array{(side + 2 * genus) % (4 * genus)}));
       EXPECT_TRUE(is_zero(back.b));
       EXPECT_EQ(sign(twice_imaginary(back.a)), 0);
     }
@@ -174,7 +243,7 @@ TEST(RegularCrossings, TheCornersCloseUpExactlyAndNotBefore) {
     auto product = crossings.embed(exact_identity());
     std::uint32_t side = 0;
     for (std::uint32_t count = 1; count <= 4 * genus; ++count) {
-      product = compose(crossings.exact(side), product);
+      product = compose(crossings.exact(std::array{side}), product);
       side = sides.next[sides.partner[side]];
       EXPECT_EQ(is_zero(product.b), count == 4 * genus);
       EXPECT_EQ(side == 0, count == 4 * genus);
