@@ -1,6 +1,7 @@
 #include "epsnet/triangulation/atlas.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <type_traits>
 
@@ -69,6 +70,7 @@ double image_error(const Isometry<double>& f) {
 
 /// A path that turns around a vertex crosses one side after the other of those that end there.
 enum class Turn { counterclockwise, clockwise };
+constexpr std::size_t turn_index(Turn turn) { return turn == Turn::clockwise ? 1 : 0; }
 
 /// The crossing that continues a turn after side s: next to the partner of s in its tile.
 std::uint32_t next_crossing(const Surface& surface, std::uint32_t s, Turn turn) {
@@ -77,6 +79,15 @@ std::uint32_t next_crossing(const Surface& surface, std::uint32_t s, Turn turn) 
   const std::uint32_t first = surface.side_number(tile, 0);
   const auto n = static_cast<std::uint32_t>(surface.tiles()[tile].size());
   return first + (partner - first + (turn == Turn::counterclockwise ? 1 : n - 1)) % n;
+}
+
+/// The crossings of one full turn that goes on from side s.
+std::uint32_t crossings_around(const Surface& surface, std::uint32_t s, Turn turn) {
+  if (turn == Turn::counterclockwise) return surface.corners_around(s);
+  const std::uint32_t tile = surface.tile_of_side(s);
+  const std::uint32_t first = surface.side_number(tile, 0);
+  const auto n = static_cast<std::uint32_t>(surface.tiles()[tile].size());
+  return surface.corners_around(first + (s - first + 1) % n);
 }
 
 template <class T>
@@ -96,35 +107,43 @@ Word reversed(const Surface& surface, const Word& word) {
 
 Word concatenated(const Surface& surface, Word first, const Word& then) {
   Word& word = first;
+  // For every letter and both turns, how many letters up to this one turn around one vertex.
+  std::vector<std::array<std::uint32_t, 2>> runs;
+  const auto append_runs = [&] {
+    const std::size_t i = runs.size();
+    runs.push_back({1, 1});
+    for (const Turn turn : {Turn::counterclockwise, Turn::clockwise}) {
+      if (i > 0 && next_crossing(surface, word[i - 1], turn) == word[i]) {
+        runs[i][turn_index(turn)] = runs[i - 1][turn_index(turn)] + 1;
+      }
+    }
+  };
+  while (runs.size() < word.size()) append_runs();
   // Letters still to come, the next one last.
   Word rest(then.rbegin(), then.rend());
   while (!rest.empty()) {
     word.push_back(rest.back());
+    append_runs();
     rest.pop_back();
     if (word.size() >= 2 && word[word.size() - 2] == surface.partner(word.back())) {
       word.resize(word.size() - 2);
+      runs.resize(word.size());
       continue;
     }
     for (const Turn turn : {Turn::counterclockwise, Turn::clockwise}) {
       // The end of the word that turns around one vertex, and the crossings that complete the turn.
-      std::size_t run = 1;
-      while (run < word.size() &&
-             next_crossing(surface, word[word.size() - run - 1], turn) == word[word.size() - run]) {
-        ++run;
-      }
-      const std::uint32_t start = word[word.size() - run];
-      Word completion;
-      std::uint32_t s = next_crossing(surface, word.back(), turn);
-      while (s != start && completion.size() < run) {
-        completion.push_back(s);
-        s = next_crossing(surface, s, turn);
-      }
-      if (s == start && completion.size() < run) {
+      const std::uint32_t run = runs.back()[turn_index(turn)];
+      const std::uint32_t all = crossings_around(surface, word.back(), turn);
+      const std::uint32_t completion = (all - run % all) % all;
+      if (completion < run) {
         // More than half of the way around: go around the other way.
-        word.resize(word.size() - run);
-        for (const std::uint32_t c : completion) {
-          rest.push_back(surface.partner(c));
+        std::uint32_t s = word.back();
+        for (std::uint32_t k = 0; k < completion; ++k) {
+          s = next_crossing(surface, s, turn);
+          rest.push_back(surface.partner(s));
         }
+        word.resize(word.size() - run);
+        runs.resize(word.size());
         break;
       }
     }

@@ -27,7 +27,10 @@ Surface::Surface(std::vector<Tile> tiles, std::vector<Gluing> gluing)
   side_tile_ = std::move(polygons.side_tile);
   partner_ = std::move(polygons.partner);
   vertex_class_ = std::move(polygons.vertex_class);
-  vertex_class_count_ = polygons.vertex_class_count;
+  vertex_class_sizes_.resize(polygons.vertex_class_count);
+  for (const std::uint32_t c : vertex_class_) {
+    ++vertex_class_sizes_[c];
+  }
 }
 
 Surface Surface::regular(std::uint32_t genus) {
@@ -57,7 +60,7 @@ Surface Surface::regular(std::uint32_t genus) {
   }
   surface.tiles_.push_back(std::move(tile));
   surface.first_side_.push_back(0);
-  surface.vertex_class_count_ = 1;
+  surface.vertex_class_sizes_ = {n};
   return surface;
 }
 

@@ -79,7 +79,13 @@ class Surface {
   /// The corners (tile, vertex) are numbered like the sides that start there. `vertex_class(c)` is the point of the
   /// surface that corner c is, numbered from 0 in the order of first occurrence.
   [[nodiscard]] std::uint32_t vertex_class(std::uint32_t corner) const { return vertex_class_[corner]; }
-  [[nodiscard]] std::uint32_t vertex_class_count() const { return vertex_class_count_; }
+  [[nodiscard]] std::uint32_t vertex_class_count() const {
+    return static_cast<std::uint32_t>(vertex_class_sizes_.size());
+  }
+  /// The number of corners at the point that corner c is.
+  [[nodiscard]] std::uint32_t corners_around(std::uint32_t corner) const {
+    return vertex_class_sizes_[vertex_class_[corner]];
+  }
 
  private:
   Surface() = default;
@@ -93,7 +99,7 @@ class Surface {
   std::vector<std::uint32_t> partner_;
   std::vector<Isometry<Rational>> crossing_;
   std::vector<std::uint32_t> vertex_class_;
-  std::uint32_t vertex_class_count_ = 0;
+  std::vector<std::uint32_t> vertex_class_sizes_;
   std::uint32_t genus_ = 0;
 };
 
