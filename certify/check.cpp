@@ -119,9 +119,10 @@ Certificate check(const Document& document, const CheckOptions& options) {
   }
 
   // An undecided gluing leaves the triangles what they are: their own rules can still be refuted.
-  const GeometryOutcome geometry = check_geometry(document, evaluator, bounded, threads);
+  GeometryOutcome geometry = check_geometry(document, evaluator, bounded, threads);
   certificate.rules.insert(certificate.rules.end(), geometry.reports.begin(), geometry.reports.end());
-  certificate.counts.exact_ties = geometry.exact_ties;
+  certificate.counts.exact_ties = geometry.ties.size();
+  certificate.ties = std::move(geometry.ties);
   certificate.counts.triangles_beyond_64_bits = geometry.triangles_beyond_64_bits;
   certificate.counts.max_precision_used = std::max(certificate.counts.max_precision_used, geometry.max_precision);
   certificate.enclosures = Enclosures{.epsilon = geometry.epsilon,

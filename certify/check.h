@@ -86,6 +86,8 @@ struct Certificate {
   /// evaluated.
   std::vector<RuleReport> rules;
   Counts counts;
+  /// The edges whose four corners are exactly cocircular, each by its smaller dart, in order.
+  std::vector<std::uint32_t> ties;
   std::optional<Enclosures> enclosures;      ///< Present if the geometry was evaluated.
   std::optional<GeodesicsCounts> geodesics;  ///< Present for a geodesics file whose net is verified.
 };

@@ -55,7 +55,7 @@ class Extreme {
 /// What was found in some of the triangles. Combined in file order, so nothing depends on which thread found what.
 struct Findings {
   std::array<std::optional<Violation>, 5> refuted;
-  std::uint64_t exact_ties = 0;
+  std::vector<std::uint32_t> ties;
   Extreme circumradius;  ///< Of sinh² R.
   Extreme longest;       ///< Of sinh²(d/2), as the two below.
   Extreme shortest_edge;
@@ -69,7 +69,7 @@ struct Findings {
     for (const Rule rule : kRules) {
       if (other.refuted[rule]) refute(rule, other.refuted[rule]->triangle, other.refuted[rule]->text);
     }
-    exact_ties += other.exact_ties;
+    ties.insert(ties.end(), other.ties.begin(), other.ties.end());
     if (const auto& x = other.circumradius.value()) circumradius.largest(*x);
     if (const auto& x = other.longest.value()) longest.largest(*x);
     if (const auto& x = other.shortest_edge.value()) shortest_edge.smallest(*x);
@@ -194,14 +194,14 @@ class Pass {
     lifted.measure_cross_ratio(document_, labels_, t, i, precision_);
     if (arb_is_zero(lifted.cross_ratio.get())) {
       // Nothing was rounded, as happens with coordinates of few digits: a tie already proved.
-      ++findings.exact_ties;
+      findings.ties.push_back(3 * t + i);
       return 0;
     }
     Tri positive = certainly_positive(lifted.cross_ratio.get());
     if (positive == Tri::unknown && try_exactly() && exact_cross_ratio_is_feasible(document_, evaluator_, 3 * t + i)) {
       const int sign = exact_cross_ratio_sign(document_, evaluator_, 3 * t + i);
       positive = sign > 0 ? Tri::yes : Tri::no;
-      if (sign == 0) ++findings.exact_ties;
+      if (sign == 0) findings.ties.push_back(3 * t + i);
     }
     if (positive == Tri::yes) {
       findings.refute(
@@ -351,7 +351,8 @@ GeometryOutcome check_geometry(const Document& document, const LabelEvaluator& e
   Ball radius;
   set_rational(radius.get(), epsilon, 128);
   outcome.epsilon = outer_interval(radius.get());
-  outcome.exact_ties = all.exact_ties;
+  outcome.ties = std::move(all.ties);
+  std::sort(outcome.ties.begin(), outcome.ties.end());
   if (const auto& x = all.circumradius.value()) outcome.largest_circumradius = length_interval(*x, 1);
   if (const auto& x = all.longest.value()) outcome.longest_edge = length_interval(*x, 2);
   if (const auto& x = all.shortest_edge.value()) outcome.shortest_edge = length_interval(*x, 2);
@@ -360,7 +361,7 @@ GeometryOutcome check_geometry(const Document& document, const LabelEvaluator& e
   const std::string edges = std::to_string(3 * document.triangles.size() / 2);
   const std::array<std::string, 5> proved{
       "all " + std::to_string(document.triangles.size()) + " triangles are strictly counterclockwise",
-      "all " + edges + " edges are Delaunay, " + std::to_string(all.exact_ties) + " of them exact ties",
+      "all " + edges + " edges are Delaunay, " + std::to_string(outcome.ties.size()) + " of them exact ties",
       std::string("every circumradius") + (collars.pseudo() ? " outside of collars" : "") +
           " is at most epsilon; the largest lies in " + text(outcome.largest_circumradius),
       outcome.shortest_edge ? std::string("every edge between different vertices") +

@@ -9,7 +9,7 @@ namespace epsnet::certify {
 
 struct GeometryOutcome {
   std::vector<RuleReport> reports;  ///< orientation, delaunay, covering, packing; thick, if it is a pseudo net.
-  std::uint64_t exact_ties = 0;
+  std::vector<std::uint32_t> ties;  ///< The smaller darts of the edges that are exact ties, in order.
   std::uint64_t triangles_beyond_64_bits = 0;
   std::uint64_t max_precision = 64;
   Interval epsilon{};

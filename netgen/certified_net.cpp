@@ -37,8 +37,6 @@ class Renumbering {
   std::vector<std::uint32_t> used_;
 };
 
-constexpr std::uint32_t document_dart(Dart d) { return 3 * triangle_of(d) + corner_of(d); }
-
 }  // namespace
 
 certify::Document net_document(const Triangulation& triangulation, const Epsilon& epsilon) {
@@ -91,12 +89,8 @@ Refined refined(const Surface& surface, const Epsilon& epsilon, const NetOptions
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
   const auto start = Clock::now();
-  Refined result{Triangulation(surface, options.base), std::nullopt};
+  Refined result{delaunay_start(surface, options.base, &statistics.initial_flips), std::nullopt};
   Triangulation& triangulation = result.triangulation;
-  // A regular surface begins with a Delaunay triangulation, all ties, which take all bits there are.
-  if (!surface.is_regular()) {
-    statistics.initial_flips = triangulation.make_delaunay();
-  }
   if (options.base) {
     statistics.removed = reduce_to_vertex_0(triangulation);
   }

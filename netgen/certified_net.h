@@ -86,6 +86,9 @@ struct UncertifiedNet {
   NetStatistics statistics;
 };
 
+/// A dart of a triangulation as net files number it.
+[[nodiscard]] constexpr std::uint32_t document_dart(Dart d) { return 3 * triangle_of(d) + corner_of(d); }
+
 /// A triangulation as the plain data of a net file. Charts and labels that nothing uses are left out. O(size).
 [[nodiscard]] certify::Document net_document(const Triangulation& triangulation, const Epsilon& epsilon);
 

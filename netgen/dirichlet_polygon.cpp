@@ -1,8 +1,11 @@
 #include "epsnet/netgen/dirichlet_polygon.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <sstream>
 
+#include "epsnet/certify/check.h"
 #include "epsnet/certify/text.h"
 #include "epsnet/kernel/plane.h"
 #include "epsnet/netgen/certified_net.h"
@@ -11,23 +14,32 @@
 namespace epsnet {
 namespace {
 
-/// The edge of d is Delaunay, but its other diagonal would be, too.
-bool is_tie(Triangulation& triangulation, Dart d) {
-  return triangulation.is_delaunay(d) && [&] {
-    const Dart e = triangulation.opposite(d);
-    const LabelId across = triangulation.transition(d);
-    const Corner far = triangulation.corner(triangle_of(e), previous(corner_of(e)));
-    const std::uint32_t t = triangle_of(d);
-    return triangulation.in_circle(triangulation.corner(t, 0), triangulation.corner(t, 1), triangulation.corner(t, 2),
-                                   {far.vertex, triangulation.atlas().product(across, far.label)}) == 0;
-  }();
+certify::Certificate verified(const certify::Document& triangulation) {
+  certify::Certificate certificate = certify::check(triangulation);
+  if (certificate.verdict != certify::Verdict::verified) {
+    throw NetError("the triangulation dual to the Dirichlet domain was not verified: " +
+                   std::string(certify::name(certificate.verdict)) + ": " + certificate.rule + ": " +
+                   certificate.message);
+  }
+  return certificate;
+}
+
+/// The word of the element that takes the start of a dart to its end, made of the words that were verified by steps
+/// which need no numbers.
+Word word_along(const Triangulation& triangulation, Dart d) {
+  const Atlas& atlas = triangulation.atlas();
+  const auto word = [&](std::uint32_t corner) {
+    const LabelId label = triangulation.corner(triangle_of(d), corner).label;
+    return label == kIdentity ? Word{} : atlas.word(label);
+  };
+  const Surface& surface = triangulation.surface();
+  return concatenated(surface, word(next(corner_of(d))), reversed(surface, word(corner_of(d))));
 }
 
 }  // namespace
 
 DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<BasePoint>& base) try {
-  Triangulation triangulation(surface, base);
-  (void)triangulation.make_delaunay();
+  Triangulation triangulation = delaunay_start(surface, base);
   (void)reduce_to_vertex_0(triangulation);
   Atlas& atlas = triangulation.atlas();
   // The lifts of the base point around 0, counterclockwise: the ends of the darts that leave it.
@@ -36,35 +48,41 @@ DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<B
   const Complex<Mp256> origin = convert<Mp256>(triangulation.vertex(0).z);
   const Isometry<Mp256> to_origin = Isometry<Mp256>::translation(-origin);
   std::vector<Complex<Mp256>> lifts;
-  std::vector<LabelId> labels;
   for (const Dart d : star) {
-    labels.push_back(triangulation.label_along(d));
-    lifts.push_back(to_origin(atlas.lift<Mp256>(labels.back(), triangulation.vertex(0).z)));
+    lifts.push_back(to_origin(atlas.lift<Mp256>(triangulation.label_along(d), triangulation.vertex(0).z)));
+  }
+  // Centre k is that of the triangle clockwise of dart k, where its side starts.
+  std::vector<Complex<Mp256>> centres;
+  double largest_circumradius = 0;
+  const std::size_t n = star.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto centre = circumcentre(Complex<Mp256>{}, lifts[(k + n - 1) % n], lifts[k]);
+    if (!centre) {
+      throw NetError("a vertex of the Dirichlet domain is farther away than 256 bits can tell");
+    }
+    centres.push_back(*centre);
+    largest_circumradius =
+        std::max(largest_circumradius, static_cast<double>(distance(Complex<Mp256>{}, centres.back())));
   }
 
   DirichletPolygon polygon;
+  polygon.triangulation = net_document(triangulation, Epsilon(std::floor(largest_circumradius) + 2));
+  const std::vector<std::uint32_t> ties = verified(polygon.triangulation).ties;
+  polygon.ties = static_cast<std::uint32_t>(ties.size());
   std::map<Dart, std::uint32_t> side_of;
-  const std::size_t n = star.size();
   for (std::size_t k = 0; k < n; ++k) {
-    if (is_tie(triangulation, star[k])) {
-      ++polygon.ties;
+    const std::uint32_t edge = std::min(document_dart(star[k]), document_dart(triangulation.opposite(star[k])));
+    if (std::binary_search(ties.begin(), ties.end(), edge)) {
       continue;
     }
-    // The side starts at the centre of the triangle clockwise of its dart.
-    const auto vertex = circumcentre(Complex<Mp256>{}, lifts[(k + n - 1) % n], lifts[k]);
-    if (!vertex) {
-      throw NetError("a vertex of the Dirichlet domain is farther away than 256 bits can tell");
-    }
     side_of[star[k]] = static_cast<std::uint32_t>(polygon.sides.size());
-    polygon.vertices.push_back(convert<double>(*vertex));
-    polygon.sides.push_back({labels[k] == kIdentity ? Word{} : atlas.word(labels[k]), 0,
+    polygon.vertices.push_back(convert<double>(centres[k]));
+    polygon.sides.push_back({word_along(triangulation, star[k]), 0,
                              static_cast<double>(distance(Complex<Mp256>{}, lifts[k])) / 2});
   }
-  polygon.ties /= 2;
   for (const auto& [dart, side] : side_of) {
     polygon.sides[side].partner = side_of.at(triangulation.opposite(dart));
   }
-  polygon.triangulation = net_document(triangulation, Epsilon("1"));
   return polygon;
 } catch (const LimitError& error) {
   throw NetError(error.what());

@@ -128,6 +128,14 @@ bool handle_collars(Triangulation& triangulation, Collars& collars) {
 
 }  // namespace
 
+Triangulation delaunay_start(const Surface& surface, const std::optional<BasePoint>& base, std::uint64_t* flips) {
+  Triangulation triangulation(surface, base);
+  // A regular surface is cut into Delaunay triangles from the start; to see its ties would take all bits there are.
+  const std::uint64_t count = surface.is_regular() ? 0 : triangulation.make_delaunay();
+  if (flips != nullptr) *flips = count;
+  return triangulation;
+}
+
 std::uint32_t reduce_to_packing(Triangulation& triangulation, const Threshold& apart) {
   const auto goes = [&](Dart d) { return too_close(triangulation, d, apart); };
   return Reduction(triangulation, goes).run();

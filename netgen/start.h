@@ -1,12 +1,18 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "epsnet/netgen/certified_net.h"
 #include "epsnet/netgen/collars.h"
 #include "epsnet/triangulation/triangulation.h"
 
 namespace epsnet {
+
+/// The Delaunay triangulation of the vertices that Triangulation's constructor gives; `flips`, if given, is how many
+/// edges were flipped.
+[[nodiscard]] Triangulation delaunay_start(const Surface& surface, const std::optional<BasePoint>& base,
+                                           std::uint64_t* flips = nullptr);
 
 /// Removes vertices of a Delaunay triangulation until the rest is an ε-packing, the legitimate start of Algorithm
 /// IV.4.1: edges between different vertices that are not longer than ε are contracted; where that would turn a triangle

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "epsnet/certify/check.h"
 #include "epsnet/kernel/plane.h"
 #include "support/triangulations.h"
 
@@ -42,6 +43,33 @@ void expect_dirichlet(const DirichletPolygon& polygon, std::uint32_t genus, cons
   }
 }
 
+/// The words are the pairings, evaluated with 1024 bits: γ0 is at twice the distance of the side, in the direction of
+/// its middle; partners have inverse words; and 0 is no nearer to any corner than what γ makes of it.
+void expect_words(const DirichletPolygon& polygon, const Surface& surface, const Complex<Rational>& base,
+                  const std::string& name) {
+  const auto to_base = Isometry<Mp1024>::translation(convert<Mp1024>(-base));
+  const std::size_t n = polygon.sides.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    Isometry<Mp1024> gamma;
+    for (const std::uint32_t s : polygon.sides[k].word) gamma = surface.crossing_as<Mp1024>(s) * gamma;
+    const auto lift = convert<double>(to_base(gamma(convert<Mp1024>(base))));
+    EXPECT_NEAR(distance(Complex<double>{}, lift), 2 * polygon.sides[k].distance, 1e-6) << name;
+    for (const std::size_t end : {k, (k + 1) % n}) {
+      const Complex<double>& corner = polygon.vertices[end];
+      EXPECT_NEAR(distance(corner, lift), distance(corner, Complex<double>{}), 1e-5) << name;
+    }
+    EXPECT_EQ(concatenated(surface, polygon.sides[k].word, polygon.sides[polygon.sides[k].partner].word), Word{});
+  }
+}
+
+/// A proof of the triangulation that the sides are read from, with their ties.
+void expect_proved(const DirichletPolygon& polygon, const std::string& name) {
+  const certify::Certificate certificate = certify::check(polygon.triangulation);
+  EXPECT_EQ(certificate.verdict, certify::Verdict::verified) << name << ": " << certificate.message;
+  EXPECT_EQ(certificate.counts.exact_ties, polygon.ties) << name;
+  EXPECT_EQ(polygon.triangulation.vertices.size(), 1U);
+}
+
 TEST(DirichletPolygon, OfEverySurface) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
     if (named.name.find("thin") == std::string::npos && named.name.find("short") == std::string::npos &&
@@ -52,8 +80,11 @@ TEST(DirichletPolygon, OfEverySurface) {
 }
 
 TEST(DirichletPolygon, OfARegularSurfaceIsItsPolygon) {
-  for (const std::uint32_t genus : {2u, 3u, 5u}) {
-    const DirichletPolygon polygon = dirichlet_polygon(Surface::regular(genus), std::nullopt);
+  for (const std::uint32_t genus : {2u, 3u, 10u}) {
+    const Surface surface = Surface::regular(genus);
+    const DirichletPolygon polygon = dirichlet_polygon(surface, std::nullopt);
+    expect_proved(polygon, "regular");
+    expect_words(polygon, surface, {}, "regular");
     EXPECT_EQ(polygon.sides.size(), 4 * genus);
     EXPECT_EQ(polygon.ties, 4 * genus - 3);
     expect_dirichlet(polygon, genus, "regular");
@@ -68,11 +99,31 @@ TEST(DirichletPolygon, OfARegularSurfaceIsItsPolygon) {
 TEST(DirichletPolygon, BaseOfASymmetricOctagonIsItsCentre) {
   const DirichletPolygon polygon = dirichlet_polygon(random_octagon(123), BasePoint{0, {0, 0}});
   expect_dirichlet(polygon, 2, "octagon");
+  expect_proved(polygon, "octagon");
+  expect_words(polygon, random_octagon(123), {}, "octagon");
   // Symmetric with respect to the centre.
   const std::size_t n = polygon.sides.size();
   for (std::size_t k = 0; k < n; ++k) {
     EXPECT_NEAR(polygon.sides[k].distance, polygon.sides[(k + n / 2) % n].distance, 1e-12);
   }
+}
+
+TEST(DirichletPolygon, OfABasePoint) {
+  const Surface surface = random_octagon(7);
+  const Complex<Rational> base{Rational(1, 10), Rational(-1, 3)};
+  const DirichletPolygon polygon = dirichlet_polygon(surface, BasePoint{0, base});
+  expect_dirichlet(polygon, 2, "base point");
+  expect_proved(polygon, "base point");
+  expect_words(polygon, surface, base, "base point");
+}
+
+TEST(DirichletPolygon, OfAThinSurface) {
+  // A cuff of length 1/1000, in whose collar the domain is long and narrow.
+  FenchelNielsen coordinates = random_coordinates(PantsGraph::parse("0-1 0-1 0-1"), 3);
+  coordinates.lengths[1] = Rational(1, 1000);
+  const DirichletPolygon polygon = dirichlet_polygon(fenchel_nielsen_surface(coordinates), std::nullopt);
+  EXPECT_EQ(polygon.sides.size(), 18U - 2 * polygon.ties);
+  expect_proved(polygon, "thin");
 }
 
 TEST(DirichletPolygon, JsonHasEverySide) {
