@@ -12,8 +12,8 @@
 /// The numbers of the regular 4g-gon, exactly: Z[ζ, s] with ζ = e^{iπ/(2g)} and s = √(a² − 1), a = cot(π/(4g)).
 ///
 /// a = −ζ^g(ζ + ζ² + … + ζ^{2g−1}) is in Z[ζ], so all crossings are over this ring (docs/proof.md, section 9). A number
-/// is kept as the expression that makes it; `sign` evaluates that as often as it takes: bounds of all conjugates, images
-/// in finite fields, and balls.
+/// is kept as the expression that makes it; `sign` evaluates that as often as it takes: bounds of all conjugates,
+/// images in finite fields, and balls.
 namespace epsnet::certify {
 
 /// What the numbers of one genus have in common.
@@ -91,8 +91,8 @@ enum class Turn { counterclockwise, clockwise };
 /// Expressions have no divisor to be taken out.
 inline void reduce(Isometry<RegularNumber>& /*f*/) {}
 
-/// The sign of a real number, exactly: 0 if it is 0 in enough finite fields (docs/proof.md, Lemma 9), otherwise by balls
-/// of more and more bits, which must end. Time: the size of the expression times the bits of its norm.
+/// The sign of a real number, exactly: 0 if it is 0 in enough finite fields (docs/proof.md, Lemma 9.1), otherwise by
+/// balls of more and more bits, which must end. Time: the size of the expression times the bits of its norm.
 [[nodiscard]] int sign(const RegularNumber& x);
 
 /// a = cot(π/(4g)) = cosh ρ and s = √(a² − 1) = sinh ρ, ρ the distance of the centre from the sides.

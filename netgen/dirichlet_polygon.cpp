@@ -77,8 +77,8 @@ DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<B
     }
     side_of[star[k]] = static_cast<std::uint32_t>(polygon.sides.size());
     polygon.vertices.push_back(convert<double>(centres[k]));
-    polygon.sides.push_back({word_along(triangulation, star[k]), 0,
-                             static_cast<double>(distance(Complex<Mp256>{}, lifts[k])) / 2});
+    polygon.sides.push_back(
+        {word_along(triangulation, star[k]), 0, static_cast<double>(distance(Complex<Mp256>{}, lifts[k])) / 2});
   }
   for (const auto& [dart, side] : side_of) {
     polygon.sides[side].partner = side_of.at(triangulation.opposite(dart));

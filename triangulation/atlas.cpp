@@ -457,8 +457,9 @@ Atlas::Place Atlas::place(std::uint32_t c, const Complex<Mp1024>& z, bool exact)
     const StageSign seen =
         orientation_stage<double>(corners_[first + k], corners_[first + next], convert<double>(w), kRounding);
     const Tile& vertices = surface_->tiles()[tile];
-    return seen.certain ? seen.sign > 0
-                        : orientation_determinant(convert<Mp1024>(vertices[k]), convert<Mp1024>(vertices[next]), w) >= 0;
+    return seen.certain
+               ? seen.sign > 0
+               : orientation_determinant(convert<Mp1024>(vertices[k]), convert<Mp1024>(vertices[next]), w) >= 0;
   };
   constexpr std::size_t kLongestPath = 10'000;
   for (bool inside = false; !inside;) {

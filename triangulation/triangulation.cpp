@@ -143,10 +143,10 @@ void Triangulation::cut_tiles(const std::optional<BasePoint>& base) {
       }
       continue;
     }
-    const std::vector<Dart> darts = cut_polygon(sides, [&](std::uint32_t t, std::uint32_t i, std::uint32_t m,
-                                                           std::uint32_t j) {
-      set(t, corners[i], corners[m], corners[j], nullptr);
-    });
+    const std::vector<Dart> darts =
+        cut_polygon(sides, [&](std::uint32_t t, std::uint32_t i, std::uint32_t m, std::uint32_t j) {
+          set(t, corners[i], corners[m], corners[j], nullptr);
+        });
     std::copy(darts.begin(), darts.end(), dart_of_side.begin() + first);
   }
   for (std::uint32_t s = 0; s < n; ++s) {

@@ -43,7 +43,8 @@ void add_dirichlet_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<DirichletRequest>();
   DirichletRequest& request = *shared;
   CLI::App* command = app.add_subcommand(
-      "dirichlet", "The Dirichlet domain of a point: its sides with their pairings as words, proved, and its vertices, rounded.");
+      "dirichlet",
+      "The Dirichlet domain of a point: its sides with their pairings as words, proved, and its vertices, rounded.");
   command->add_option("SURFACE", request.surface, "a surface file")->required()->option_text("REQUIRED");
   command
       ->add_option("--base", request.base,

@@ -133,6 +133,8 @@ TEST(Regular, CentresAreVerifiedAndAllDiagonalsAreTies) {
     EXPECT_EQ(certificate.counts.genus, genus);
     EXPECT_EQ(certificate.counts.tiles, 1U);
     EXPECT_EQ(certificate.counts.exact_ties, 4 * genus - 3);
+    ASSERT_EQ(certificate.ties.size(), 4 * genus - 3);
+    for (std::uint32_t k = 0; k < certificate.ties.size(); ++k) EXPECT_EQ(certificate.ties[k], 3 * k);
     ASSERT_TRUE(certificate.enclosures.has_value());
     EXPECT_NEAR(certificate.enclosures->largest_circumradius.upper, circumradius(genus), 1e-6);
     ASSERT_TRUE(certificate.enclosures->shortest_loop.has_value());
