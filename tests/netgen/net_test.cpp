@@ -365,14 +365,7 @@ TEST(Thesis, TheListOfTrianglesMatters) {
 
 RC_GTEST_PROP(NetProperty, FenchelNielsenSurfacesAreVerified, ()) {
   const std::uint32_t genus = 2 + any_index(4u);
-  FenchelNielsen coordinates = random_coordinates(PantsGraph::random(genus, any_index(1000u)), any_index(1000u));
-  for (std::size_t edge = 0; edge < coordinates.lengths.size(); ++edge) {
-    const Rational turns = coordinates.twists[edge] / coordinates.lengths[edge];
-    // Logarithmically uniform from 1e-10 to 30.
-    coordinates.lengths[edge] = Rational(1e-10 * std::pow(3e11, any_share()));
-    coordinates.twists[edge] = coordinates.lengths[edge] * turns;
-  }
-  const Surface surface = fenchel_nielsen_surface(coordinates);
+  const Surface surface = fenchel_nielsen_surface(test::any_coordinates(genus, 1e-10, 30));
   const std::string epsilon = any_epsilon(0.4, 5);
   const CertifiedNet net = certified_net(surface, Epsilon(epsilon), kOneThread);
   RC_ASSERT(net.certificate.verdict == Verdict::verified);

@@ -33,10 +33,7 @@ const NetOptions kPseudo{.pseudo = true, .check = {.threads = 1}};
 /// A surface of genus 2, or of the genus of a graph, whose first cuffs have these lengths.
 Surface with_cuffs(const std::vector<Rational>& lengths, PantsGraph graph = PantsGraph::chain(2)) {
   FenchelNielsen coordinates = random_coordinates(std::move(graph), 3);
-  for (std::size_t e = 0; e < lengths.size(); ++e) {
-    coordinates.twists[e] *= lengths[e] / coordinates.lengths[e];
-    coordinates.lengths[e] = lengths[e];
-  }
+  for (std::size_t e = 0; e < lengths.size(); ++e) test::set_cuff_length(coordinates, e, lengths[e]);
   return fenchel_nielsen_surface(coordinates);
 }
 
@@ -161,13 +158,7 @@ TEST(PseudoNet, FileReadsBackTheSame) {
 
 RC_GTEST_PROP(PseudoNetProperty, FenchelNielsenSurfacesAreVerified, ()) {
   const std::uint32_t genus = 2 + any_index(3u);
-  FenchelNielsen coordinates = random_coordinates(PantsGraph::random(genus, any_index(1000u)), any_index(1000u));
-  for (std::size_t e = 0; e < coordinates.lengths.size(); ++e) {
-    const Rational turns = coordinates.twists[e] / coordinates.lengths[e];
-    // Logarithmically uniform from 1e-14 to 5.
-    coordinates.lengths[e] = Rational(1e-14 * std::pow(5e14, any_share()));
-    coordinates.twists[e] = coordinates.lengths[e] * turns;
-  }
+  const FenchelNielsen coordinates = test::any_coordinates(genus, 1e-14, 5);
   const Surface surface = fenchel_nielsen_surface(coordinates);
   const Epsilon epsilon(std::round((0.2 + 0.14 * any_share()) * 1e4) / 1e4);
   NetOptions options = kPseudo;

@@ -75,6 +75,21 @@ inline const NamedSurface& any_tiled_surface() {
 /// A number in [0, 1), of 30 bits.
 inline double any_share() { return std::ldexp(static_cast<double>(any_index<std::uint32_t>(1u << 30)), -30); }
 
+/// Gives a cuff another length and keeps its twist, as a share of the length.
+inline void set_cuff_length(FenchelNielsen& coordinates, std::size_t edge, const Rational& length) {
+  coordinates.twists[edge] *= length / coordinates.lengths[edge];
+  coordinates.lengths[edge] = length;
+}
+
+/// Coordinates on a random graph: the lengths of the cuffs logarithmically uniform in [shortest, longest), any twists.
+inline FenchelNielsen any_coordinates(std::uint32_t genus, double shortest, double longest) {
+  FenchelNielsen coordinates = random_coordinates(PantsGraph::random(genus, any_index(1000u)), any_index(1000u));
+  for (std::size_t edge = 0; edge < coordinates.lengths.size(); ++edge) {
+    set_cuff_length(coordinates, edge, Rational(shortest * std::pow(longest / shortest, any_share())));
+  }
+  return coordinates;
+}
+
 /// A path of at most `longest` crossings that starts in a tile, not always without crossings that are undone at once.
 inline Word any_word(const Surface& surface, std::uint32_t tile, std::size_t longest) {
   Word word;
