@@ -15,8 +15,6 @@ namespace {
 using Point = Complex<Rational>;
 using Corners = std::array<Point, 3>;
 
-std::string triangle_name(std::uint32_t t) { return "triangle " + std::to_string(t); }
-
 /// A surface that is given by a construction instead of by rational vertices has none.
 void require_tiles(bool has_tiles) {
   if (!has_tiles) {
@@ -26,27 +24,17 @@ void require_tiles(bool has_tiles) {
   }
 }
 
-/// Triangles in coordinates of their own, glued by darts 3t + i.
-class Triangles {
- public:
-  Triangles() = default;
-  Triangles(const Triangles&) = delete;
-  Triangles& operator=(const Triangles&) = delete;
-  virtual ~Triangles() = default;
-  [[nodiscard]] virtual std::uint32_t count() const = 0;
-  [[nodiscard]] virtual std::uint32_t opposite(std::uint32_t dart) const = 0;
-  [[nodiscard]] virtual Corners corners(std::uint32_t t) = 0;
-};
-
 /// Rotated so that the dart is the first one.
 Corners seen_along(std::uint32_t dart, Corners corners) {
   std::rotate(corners.begin(), corners.begin() + dart % 3, corners.end());
   return corners;
 }
 
-Complex<Rational> cross_ratio_of_edge(Triangles& triangles, std::uint32_t dart, std::uint32_t opposite) {
-  const Corners own = seen_along(dart, triangles.corners(dart / 3));
-  const Corners other = seen_along(opposite, triangles.corners(opposite / 3));
+/// Of the edge of two darts that are glued, each with the corners of its triangle.
+Complex<Rational> cross_ratio_of_edge(std::uint32_t dart, const Corners& corners, std::uint32_t opposite,
+                                      const Corners& opposite_corners) {
+  const Corners own = seen_along(dart, corners);
+  const Corners other = seen_along(opposite, opposite_corners);
   const ScaledPoint a = scaled(own[0]);
   const ScaledPoint b = scaled(own[1]);
   const ScaledPoint c = scaled(own[2]);
@@ -62,25 +50,28 @@ Complex<Rational> cross_ratio_of_edge(Triangles& triangles, std::uint32_t dart, 
   return value(cross_ratio_of_corners(corner_ratio(a, b, c), corner_ratio(other_a, other_b, d)));
 }
 
-TriangulationStream stream_of(Triangles& triangles) {
+/// Of `count` triangles in coordinates of their own (`corners`), glued by darts 3t + i (`opposite`).
+template <class Triangles>
+TriangulationStream stream_of(Triangles triangles) {
   TriangulationStream stream;
   for (std::uint32_t t = 0; t < triangles.count(); ++t) {
     const auto [a, b, c] = triangles.corners(t);
     if (orientation(klein(scaled(a)), klein(scaled(b)), klein(scaled(c))) <= 0) {
-      throw TriangulationStreamError(triangle_name(t) + " is not strictly counterclockwise");
+      throw TriangulationStreamError("triangle " + std::to_string(t) + " is not strictly counterclockwise");
     }
     stream.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
   }
   for (std::uint32_t d = 0; d < 3 * triangles.count(); ++d) {
     const std::uint32_t e = triangles.opposite(d);
-    if (d < e) stream.edges.push_back({d, e, cross_ratio_of_edge(triangles, d, e)});
+    if (d > e) continue;
+    stream.edges.push_back({d, e, cross_ratio_of_edge(d, triangles.corners(d / 3), e, triangles.corners(e / 3))});
   }
   stream.anchor = {0, triangles.corners(0)};
   return stream;
 }
 
 /// The tiles of a surface, cut by the diagonals from their vertex 0.
-class TriangulatedTiles final : public Triangles {
+class TriangulatedTiles {
  public:
   explicit TriangulatedTiles(const Surface& surface) : surface_(surface) {
     require_tiles(!surface.is_regular());
@@ -91,9 +82,9 @@ class TriangulatedTiles final : public Triangles {
     }
   }
 
-  [[nodiscard]] std::uint32_t count() const override { return static_cast<std::uint32_t>(triangles_.size()); }
-  [[nodiscard]] std::uint32_t opposite(std::uint32_t dart) const override { return opposite_[dart]; }
-  [[nodiscard]] Corners corners(std::uint32_t t) override {
+  [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(triangles_.size()); }
+  [[nodiscard]] std::uint32_t opposite(std::uint32_t dart) const { return opposite_[dart]; }
+  [[nodiscard]] Corners corners(std::uint32_t t) {
     const auto [tile, second] = triangles_[t];
     const Tile& vertices = surface_.tiles()[tile];
     return {vertices[0], vertices[second], vertices[second + 1]};
@@ -138,7 +129,7 @@ Isometry<Rational> integral(const Isometry<Rational>& f) {
 }
 
 /// The triangles of a net document, in the charts of their first corners.
-class NetTriangles final : public Triangles {
+class NetTriangles {
  public:
   explicit NetTriangles(const certify::Document& net) : net_(net) {
     if (const auto problem = certify::structure_problem(net)) throw TriangulationStreamError("not a net: " + *problem);
@@ -148,11 +139,9 @@ class NetTriangles final : public Triangles {
     evaluate_labels();
   }
 
-  [[nodiscard]] std::uint32_t count() const override { return static_cast<std::uint32_t>(net_.triangles.size()); }
-  [[nodiscard]] std::uint32_t opposite(std::uint32_t dart) const override {
-    return net_.triangles[dart / 3].opposite[dart % 3];
-  }
-  [[nodiscard]] Corners corners(std::uint32_t t) override {
+  [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(net_.triangles.size()); }
+  [[nodiscard]] std::uint32_t opposite(std::uint32_t dart) const { return net_.triangles[dart / 3].opposite[dart % 3]; }
+  [[nodiscard]] Corners corners(std::uint32_t t) {
     const certify::Triangle& triangle = net_.triangles[t];
     if (triangle.label[0] == 0 && triangle.label[1] == 0) return computed_corners(triangle);
     const auto [known, is_new] = labelled_.try_emplace(t);
@@ -207,15 +196,11 @@ class NetTriangles final : public Triangles {
 
 }  // namespace
 
-TriangulationStream triangulation_stream(const Surface& surface) {
-  TriangulatedTiles triangles(surface);
-  return stream_of(triangles);
-}
+TriangulationStream triangulation_stream(const Surface& surface) { return stream_of(TriangulatedTiles(surface)); }
 
 TriangulationStream triangulation_stream(const certify::Document& net) {
   try {
-    NetTriangles triangles(net);
-    return stream_of(triangles);
+    return stream_of(NetTriangles(net));
   } catch (const SurfaceError& error) {
     throw TriangulationStreamError(std::string("not a net: ") + error.what());
   }
