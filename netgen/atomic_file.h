@@ -3,14 +3,15 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
-#include <stdexcept>
+
+#include "epsnet/triangulation/error.h"
 
 namespace epsnet {
 
 /// A file could not be written. what() is one line: the path and the reason ("No space left on device").
-class WriteError : public std::runtime_error {
+class WriteError : public Error {
  public:
-  using std::runtime_error::runtime_error;
+  using Error::Error;
 };
 
 /// Writes a file so that it is either complete or as it was before: into a temporary file in the same directory,

@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "epsnet/certify/check.h"
 #include "epsnet/certify/document.h"
 #include "epsnet/netgen/epsilon.h"
+#include "epsnet/triangulation/error.h"
 #include "epsnet/triangulation/surface.h"
 #include "epsnet/triangulation/triangulation.h"
 
@@ -68,9 +68,9 @@ struct NetStatistics {
 };
 
 /// No net was found that could be proved; what() says why. The surface and ε are valid.
-class NetError : public std::runtime_error {
+class NetError : public Error {
  public:
-  using std::runtime_error::runtime_error;
+  using Error::Error;
 };
 
 /// An ε-net whose certificate says VERIFIED.

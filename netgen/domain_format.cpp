@@ -125,11 +125,11 @@ Surface load_domain(const std::filesystem::path& path) {
 
 std::string write_domain(const Surface& surface) {
   if (surface.is_regular()) {
-    throw std::invalid_argument("a regular polygon has no rational vertices, so the domain format cannot hold it");
+    throw DomainError("a regular polygon has no rational vertices, so the domain format cannot hold it");
   }
   if (surface.tiles().size() != 1) {
-    throw std::invalid_argument("the domain format holds one polygon, the surface has " +
-                                std::to_string(surface.tiles().size()) + " tiles; the triangulation format holds them");
+    throw DomainError("the domain format holds one polygon, the surface has " + std::to_string(surface.tiles().size()) +
+                      " tiles; the triangulation format holds them");
   }
   std::string text = std::to_string(surface.side_count()) + "\n";
   for (std::uint32_t s = 0; s < surface.side_count(); ++s) text += std::to_string(surface.partner(s)) + "\n";

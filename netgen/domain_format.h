@@ -1,10 +1,10 @@
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
+#include "epsnet/triangulation/error.h"
 #include "epsnet/triangulation/surface.h"
 
 /// CGAL's text format for fundamental polygons of closed hyperbolic surfaces.
@@ -14,11 +14,11 @@
 /// vertex k + 1. All separated by white space.
 namespace epsnet {
 
-/// The text is not the polygon of a surface. what() is one line: "NAME:LINE: what was wrong, what was expected"; NAME
-/// alone where no line is to blame.
-class DomainError : public std::runtime_error {
+/// The text is not the polygon of a surface, or a surface cannot be written as one. what() is one line: "NAME:LINE:
+/// what was wrong, what was expected"; NAME alone where no line is to blame.
+class DomainError : public Error {
  public:
-  using std::runtime_error::runtime_error;
+  using Error::Error;
 };
 
 /// The largest number of sides of a polygon that is not convex. Finding out whether it intersects itself takes
@@ -37,8 +37,8 @@ inline constexpr std::size_t kMaxNonConvexSides = 4096;
 /// Reads a file of at most 256 MiB. Throws DomainError, also if the file cannot be read.
 [[nodiscard]] Surface load_domain(const std::filesystem::path& path);
 
-/// The text for a surface of one tile, every coordinate as `p/q`, as CGAL writes it. Throws std::invalid_argument if
-/// there are several tiles.
+/// The text for a surface of one tile, every coordinate as `p/q`, as CGAL writes it. Throws DomainError if there
+/// are several tiles, or if it is a regular polygon.
 [[nodiscard]] std::string write_domain(const Surface& surface);
 
 }  // namespace epsnet

@@ -10,7 +10,7 @@
 namespace epsnet {
 namespace {
 
-using Error = FenchelNielsenRequestError;
+using RequestError = FenchelNielsenRequestError;
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t kShown = 40;
@@ -19,7 +19,7 @@ std::string in_quotes(std::string_view text) {
 
 std::uint64_t seed_of(const FenchelNielsenRequest& request, const char* what) {
   if (!request.seed) {
-    throw Error(std::string("seed: needed to draw the ") + what);
+    throw RequestError(std::string("seed: needed to draw the ") + what);
   }
   return *request.seed;
 }
@@ -28,7 +28,7 @@ PantsGraph graph_of(const FenchelNielsenRequest& request) {
   const std::string& graph = request.graph;
   const auto genus = [&] {
     if (!request.genus) {
-      throw Error("genus: needed for the pants graph " + in_quotes(graph.empty() ? "random" : graph));
+      throw RequestError("genus: needed for the pants graph " + in_quotes(graph.empty() ? "random" : graph));
     }
     return *request.genus;
   };
@@ -46,13 +46,13 @@ PantsGraph graph_of(const FenchelNielsenRequest& request) {
     return PantsGraph::tree(genus());
   }
   if (graph.find_first_of("0123456789") == std::string::npos) {
-    throw Error("pants graph: expected chain, ring, tree, random or edges such as \"0-1 0-1 0-1\", not " +
-                in_quotes(graph));
+    throw RequestError("pants graph: expected chain, ring, tree, random or edges such as \"0-1 0-1 0-1\", not " +
+                       in_quotes(graph));
   }
   PantsGraph edges = PantsGraph::parse(graph);
   if (request.genus && *request.genus != edges.genus()) {
-    throw Error("genus: " + std::to_string(*request.genus) + ", but the pants graph has genus " +
-                std::to_string(edges.genus()));
+    throw RequestError("genus: " + std::to_string(*request.genus) + ", but the pants graph has genus " +
+                       std::to_string(edges.genus()));
   }
   return edges;
 }
@@ -63,7 +63,7 @@ std::vector<Rational> numbers(const std::vector<std::string>& texts, const char*
   for (const std::string& text : texts) {
     const std::optional<Rational> value = parse_decimal(text);
     if (!value) {
-      throw Error(std::string(what) + ": expected a number such as 0.5, -1e-3 or 1/3, not " + in_quotes(text));
+      throw RequestError(std::string(what) + ": expected a number such as 0.5, -1e-3 or 1/3, not " + in_quotes(text));
     }
     result.push_back(*value);
   }
@@ -71,8 +71,8 @@ std::vector<Rational> numbers(const std::vector<std::string>& texts, const char*
     result.resize(edges, result.front());
   }
   if (result.size() != edges) {
-    throw Error(std::string(what) + ": expected 1 or " + std::to_string(edges) +
-                ", one for each edge of the graph, not " + std::to_string(result.size()));
+    throw RequestError(std::string(what) + ": expected 1 or " + std::to_string(edges) +
+                       ", one for each edge of the graph, not " + std::to_string(result.size()));
   }
   return result;
 }
@@ -97,11 +97,11 @@ class Reader {
       } else if (key == "twists") {
         request.twists = texts(value, key);
       } else {
-        throw Error("unknown member " + in_quotes(key) + ", expected graph, genus, seed, lengths or twists");
+        throw RequestError("unknown member " + in_quotes(key) + ", expected graph, genus, seed, lengths or twists");
       }
     }
     if (document.current_location().error() != simdjson::OUT_OF_BOUNDS) {
-      throw Error("something follows the object");
+      throw RequestError("something follows the object");
     }
     return request;
   }
@@ -115,7 +115,7 @@ class Reader {
   static T take(simdjson::simdjson_result<T> result, std::string_view expected) {
     T value;
     if (const auto error = std::move(result).get(value)) {
-      throw Error("expected " + std::string(expected) + " (" + simdjson::error_message(error) + ")");
+      throw RequestError("expected " + std::string(expected) + " (" + simdjson::error_message(error) + ")");
     }
     return value;
   }
@@ -168,20 +168,20 @@ FenchelNielsenRequest load_fenchel_nielsen(const std::filesystem::path& path) {
   try {
     std::error_code error;
     if (const std::uintmax_t size = std::filesystem::file_size(path, error); error || size > kMostBytes) {
-      throw Error(error ? "cannot read: " + error.message() : "more than 256 MiB");
+      throw RequestError(error ? "cannot read: " + error.message() : "more than 256 MiB");
     }
     simdjson::padded_string text;
     if (const auto problem = simdjson::padded_string::load(path.string()).get(text)) {
-      throw Error(std::string("cannot read: ") + simdjson::error_message(problem));
+      throw RequestError(std::string("cannot read: ") + simdjson::error_message(problem));
     }
     simdjson::ondemand::parser parser;
     simdjson::ondemand::document document;
     if (const auto problem = parser.iterate(text).get(document)) {
-      throw Error(std::string("not JSON: ") + simdjson::error_message(problem));
+      throw RequestError(std::string("not JSON: ") + simdjson::error_message(problem));
     }
     return Reader().read(document);
-  } catch (const Error& error) {
-    throw Error(path.string() + ": " + error.what());
+  } catch (const RequestError& error) {
+    throw RequestError(path.string() + ": " + error.what());
   }
 }
 

@@ -3,18 +3,18 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "epsnet/netgen/fenchel_nielsen.h"
+#include "epsnet/triangulation/error.h"
 
 namespace epsnet {
 
 /// A request that cannot be meant; what() names the option or member.
-class FenchelNielsenRequestError : public std::invalid_argument {
+class FenchelNielsenRequestError : public Error {
  public:
-  using std::invalid_argument::invalid_argument;
+  using Error::Error;
 };
 
 /// Fenchel–Nielsen coordinates as somebody writes them down, on a command line or in a JSON file. What is left out is

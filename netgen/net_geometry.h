@@ -2,21 +2,21 @@
 
 #include <array>
 #include <cstdint>
-#include <stdexcept>
 #include <vector>
 
 #include "epsnet/certify/document.h"
 #include "epsnet/kernel/isometry.h"
 #include "epsnet/kernel/numbers.h"
+#include "epsnet/triangulation/error.h"
 
 /// A net document as points and isometries, for pictures and summaries. Nothing here is proved; that is certify's
 /// office.
 namespace epsnet {
 
 /// The document is not a net, or its numbers are beyond what this module computes with. what() is one line.
-class NetGeometryError : public std::runtime_error {
+class NetGeometryError : public Error {
  public:
-  using std::runtime_error::runtime_error;
+  using Error::Error;
 };
 
 /// The combinatorics of the tiles of a surface document: what the gluing says.

@@ -2,17 +2,18 @@
 
 #include <array>
 #include <cstdint>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "epsnet/triangulation/error.h"
+
 namespace epsnet {
 
 /// A pants graph that is none: not trivalent, not connected, too large; what() names the node.
-class PantsGraphError : public std::invalid_argument {
+class PantsGraphError : public Error {
  public:
-  using std::invalid_argument::invalid_argument;
+  using Error::Error;
 };
 
 /// A connected trivalent graph: 2g − 2 nodes, the pairs of pants, and 3g − 3 edges, the cuffs of a pants decomposition

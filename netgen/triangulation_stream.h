@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <iosfwd>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "epsnet/certify/document.h"
+#include "epsnet/triangulation/error.h"
 #include "epsnet/triangulation/surface.h"
 
 /// CGAL's text format for geometric triangulations of closed hyperbolic surfaces: a combinatorial map, the exact
@@ -19,9 +19,9 @@ namespace epsnet {
 
 /// The text is not a triangulation of a surface, or a net cannot be written as one. what() is one line: "NAME:LINE:
 /// what was wrong, what was expected"; NAME alone where no line is to blame.
-class TriangulationStreamError : public std::runtime_error {
+class TriangulationStreamError : public Error {
  public:
-  using std::runtime_error::runtime_error;
+  using Error::Error;
 };
 
 /// What the text says, member by member.

@@ -2,13 +2,13 @@
 
 #include <cstdint>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "epsnet/kernel/isometry.h"
 #include "epsnet/kernel/numbers.h"
+#include "epsnet/triangulation/error.h"
 
 namespace epsnet {
 
@@ -26,9 +26,9 @@ struct Gluing {
 };
 
 /// Tiles and a gluing that are not a closed hyperbolic surface; what() names the element and the numbers.
-class SurfaceError : public std::invalid_argument {
+class SurfaceError : public Error {
  public:
-  using std::invalid_argument::invalid_argument;
+  using Error::Error;
 };
 
 /// A path that crosses sides, as side numbers: the first is a side of the tile where the path starts.

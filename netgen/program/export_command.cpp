@@ -63,7 +63,7 @@ void export_file(const ExportRequest& request) {
     const TriangulationStream stream =
         std::visit([](const auto& source) { return triangulation_stream(source); }, contents);
     write_output(request.output, [&](std::ostream& out) { write_triangulation_stream(stream, out); });
-  } catch (const std::invalid_argument& error) {
+  } catch (const DomainError& error) {
     throw JobError(request.file + ": " + error.what());
   } catch (const NetGeometryError& error) {
     throw JobError(request.file + ": " + error.what());

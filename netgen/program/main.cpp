@@ -14,13 +14,9 @@
 #include <string_view>
 
 #include "epsnet/certify/reader.h"
-#include "epsnet/netgen/atomic_file.h"
-#include "epsnet/netgen/domain_format.h"
-#include "epsnet/netgen/fenchel_nielsen_request.h"
-#include "epsnet/netgen/net_geometry.h"
 #include "epsnet/netgen/program/commands.h"
 #include "epsnet/netgen/program/output.h"
-#include "epsnet/netgen/triangulation_stream.h"
+#include "epsnet/triangulation/error.h"
 
 /// The program `epsnet`: makes surfaces, computes and certifies nets, draws them, and says what is in files.
 namespace {
@@ -122,25 +118,11 @@ int run(int argc, char** argv) {
     return fail(kExitUsage, error.what());
   } catch (const std::bad_alloc&) {
     return fail(kExitFailed, "not enough memory");
-  } catch (const JobError& error) {
+  } catch (const Error& error) {
     return fail(kExitFailed, error.what());
   } catch (const certify::FileError& error) {
     return fail(kExitFailed, error.what());
   } catch (const certify::MalformedError& error) {
-    return fail(kExitFailed, error.what());
-  } catch (const SurfaceError& error) {
-    return fail(kExitFailed, error.what());
-  } catch (const FenchelNielsenRequestError& error) {
-    return fail(kExitFailed, error.what());
-  } catch (const DomainError& error) {
-    return fail(kExitFailed, error.what());
-  } catch (const TriangulationStreamError& error) {
-    return fail(kExitFailed, error.what());
-  } catch (const NetError& error) {
-    return fail(kExitFailed, error.what());
-  } catch (const NetGeometryError& error) {
-    return fail(kExitFailed, error.what());
-  } catch (const WriteError& error) {
     return fail(kExitFailed, error.what());
   }
 }

@@ -10,6 +10,7 @@
 
 #include "epsnet/certify/ball.h"
 #include "epsnet/certify/document.h"
+#include "epsnet/triangulation/error.h"
 #include "epsnet/triangulation/surface.h"
 
 /// What the commands of the program share: files in and out, progress, errors.
@@ -22,9 +23,9 @@ class UsageError : public std::runtime_error {
 };
 
 /// The job cannot be done; what() says why.
-class JobError : public std::runtime_error {
+class JobError : public Error {
  public:
-  using std::runtime_error::runtime_error;
+  using Error::Error;
 };
 
 /// "-" means standard output.

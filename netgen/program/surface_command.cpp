@@ -48,7 +48,7 @@ void make_fenchel_nielsen(FenchelNielsenCommand command) {
   const FenchelNielsen coordinates = [&] {
     try {
       return resolve(command.request);
-    } catch (const std::invalid_argument& error) {
+    } catch (const Error& error) {
       throw UsageError(error.what());
     }
   }();

@@ -155,7 +155,7 @@ TEST(DomainFormat, StraightAnglesAndSeveralVertices) {
   EXPECT_EQ(surface.genus(), 2U);
   EXPECT_EQ(surface.vertex_class_count(), 4U);
   EXPECT_EQ(surface.tiles().size(), 12U);
-  EXPECT_THROW(static_cast<void>(write_domain(surface)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(write_domain(surface)), DomainError);
 }
 
 TEST(DomainFormat, ManySidesAndStraightAngles) {

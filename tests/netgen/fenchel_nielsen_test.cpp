@@ -236,7 +236,7 @@ void expect_request_error(const std::string& json, const std::string& problem) {
   try {
     (void)resolve(request_of(json));
     ADD_FAILURE() << json;
-  } catch (const std::invalid_argument& error) {
+  } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr(problem)) << json;
   }
 }
