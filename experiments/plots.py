@@ -1,5 +1,6 @@
 """The plots of docs/experiments.md."""
 
+from contextlib import contextmanager
 from pathlib import Path
 
 import matplotlib
@@ -27,21 +28,31 @@ def epsilon_axis(axes) -> None:
     axes.invert_xaxis()
 
 
+@contextmanager
+def plot(directory: Path, name: str, ylabel: str, xlabel: str | None = None):
+    """One pair of axes, saved with its labels and a legend; without an xlabel, epsilon falls from left to right."""
+    _, axes = plt.subplots()
+    yield axes
+    if xlabel is None:
+        epsilon_axis(axes)
+    else:
+        axes.set_xlabel(xlabel)
+    axes.set_ylabel(ylabel)
+    axes.legend()
+    save(directory, name)
+
+
 def points(directory, main) -> None:
     """Table IV.3: the points of every net between the bounds."""
-    figure, axes = plt.subplots()
-    groups = {float(e): group for e, group in tables.by_epsilon(main).items()}
-    upper = [tables.most(group[0]) for group in groups.values()]
-    ratio = [[r["vertices"] / tables.most(r) for r in group] for group in groups.values()]
-    axes.fill_between(list(groups), [min(r) for r in ratio], [max(r) for r in ratio], alpha=0.2, label="all surfaces")
-    axes.plot(list(groups), [sum(r) / len(r) for r in ratio], label="mean")
-    axes.plot(list(groups), [tables.least(group[0]) / u for group, u in zip(groups.values(), upper)], "k--", label="lower bound")
-    thesis = {float(e): n * float(e) ** 2 / 16 for e, n in tables.THESIS_POINTS.items()}
-    axes.plot(list(thesis), list(thesis.values()), "rx", label="thesis, Table IV.3")
-    axes.set_ylabel("points / (16/ε²)")
-    epsilon_axis(axes)
-    axes.legend()
-    save(directory, "points")
+    with plot(directory, "points", "points / (16/ε²)") as axes:
+        groups = {float(e): group for e, group in tables.by_epsilon(main).items()}
+        upper = [tables.most(group[0]) for group in groups.values()]
+        ratio = [[r["vertices"] / tables.most(r) for r in group] for group in groups.values()]
+        axes.fill_between(list(groups), [min(r) for r in ratio], [max(r) for r in ratio], alpha=0.2, label="all surfaces")
+        axes.plot(list(groups), [sum(r) / len(r) for r in ratio], label="mean")
+        axes.plot(list(groups), [tables.least(group[0]) / u for group, u in zip(groups.values(), upper)], "k--", label="lower bound")
+        thesis = {float(e): n * float(e) ** 2 / 16 for e, n in tables.THESIS_POINTS.items()}
+        axes.plot(list(thesis), list(thesis.values()), "rx", label="thesis, Table IV.3")
 
 
 def walks(directory, main) -> None:
@@ -62,75 +73,51 @@ def walks(directory, main) -> None:
 
 def flips(directory, main) -> None:
     """Figure IV.12."""
-    figure, axes = plt.subplots()
-    axes.plot(*means(main, tables.flips_per_insertion), label="flips, list A")
-    axes.plot([float(e) for e in tables.THESIS_FLIPS], list(tables.THESIS_FLIPS.values()), "rx", label="thesis")
-    axes.set_ylabel("flips per insertion")
-    epsilon_axis(axes)
-    axes.legend()
-    save(directory, "flips")
+    with plot(directory, "flips", "flips per insertion") as axes:
+        axes.plot(*means(main, tables.flips_per_insertion), label="flips, list A")
+        axes.plot([float(e) for e in tables.THESIS_FLIPS], list(tables.THESIS_FLIPS.values()), "rx", label="thesis")
 
 
 def seconds(directory, main, cavity) -> None:
     """Figure IV.13."""
-    figure, axes = plt.subplots()
-    epsilons, values = means(main, lambda group: tables.mean(group, "net_seconds"))
-    axes.loglog(epsilons, [tables.thesis_seconds(e) for e in epsilons], "r--", label="thesis: 0.0901/ε^1.5962")
-    axes.loglog(*means(main, lambda group: tables.mean(group, "certificate_seconds")), label="certificate")
-    axes.loglog(epsilons, values, label="net, flips, list A")
-    axes.loglog(*means(cavity, lambda group: tables.mean(group, "net_seconds")), label="net, cavity, list C")
-    axes.set_ylabel("seconds, one core")
-    epsilon_axis(axes)
-    axes.legend()
-    save(directory, "seconds")
+    with plot(directory, "seconds", "seconds, one core") as axes:
+        epsilons, values = means(main, lambda group: tables.mean(group, "net_seconds"))
+        axes.loglog(epsilons, [tables.thesis_seconds(e) for e in epsilons], "r--", label="thesis: 0.0901/ε^1.5962")
+        axes.loglog(*means(main, lambda group: tables.mean(group, "certificate_seconds")), label="certificate")
+        axes.loglog(epsilons, values, label="net, flips, list A")
+        axes.loglog(*means(cavity, lambda group: tables.mean(group, "net_seconds")), label="net, cavity, list C")
 
 
 def lists(directory, data) -> None:
     """Table IV.2, the points: what the order of the list does to the net."""
-    figure, axes = plt.subplots()
-    for letter in "ABCD":
-        epsilons, values = means(data[f"list-{letter}-flips"], lambda group: tables.mean(group, "vertices") / tables.most(group[0]))
-        axes.semilogx(epsilons, values, "o--" if letter == "C" else "o-", label=f"variant {letter}")  # A and C coincide.
-    axes.set_ylabel("points / (16/ε²)")
-    epsilon_axis(axes)
-    axes.legend()
-    save(directory, "lists")
+    with plot(directory, "lists", "points / (16/ε²)") as axes:
+        for letter in "ABCD":
+            epsilons, values = means(data[f"list-{letter}-flips"], lambda group: tables.mean(group, "vertices") / tables.most(group[0]))
+            axes.semilogx(epsilons, values, "o--" if letter == "C" else "o-", label=f"variant {letter}")  # A and C coincide.
 
 
 def thin(directory, records) -> None:
     """Table IV.4."""
-    figure, axes = plt.subplots()
-    epsilons, values = means(records, lambda group: tables.mean(group, "vertices"))
-    axes.semilogy(epsilons, values, "o", label="mean of our surfaces")
-    axes.semilogy(epsilons, [tables.thin_model(e) for e in epsilons], "k--", label="0.5383 (16/ε² + w/ε)")
-    axes.semilogy([float(e) for e in tables.THESIS_THIN], list(tables.THESIS_THIN.values()), "rx", label="thesis, Table IV.4")
-    axes.set_ylabel("points")
-    epsilon_axis(axes)
-    axes.legend()
-    save(directory, "thin")
+    with plot(directory, "thin", "points") as axes:
+        epsilons, values = means(records, lambda group: tables.mean(group, "vertices"))
+        axes.semilogy(epsilons, values, "o", label="mean of our surfaces")
+        axes.semilogy(epsilons, [tables.thin_model(e) for e in epsilons], "k--", label="0.5383 (16/ε² + w/ε)")
+        axes.semilogy([float(e) for e in tables.THESIS_THIN], list(tables.THESIS_THIN.values()), "rx", label="thesis, Table IV.4")
 
 
 def genera(directory, data) -> None:
     """Table IV.5 and IV.6.4: the points of every net of higher genus."""
-    figure, axes = plt.subplots()
-    records = data.get("genus-3", []) + data.get("higher-genus", [])
-    for epsilon in sorted({r["epsilon"] for r in data.get("higher-genus", records)}, reverse=True):
-        chosen = [r for r in records if r["epsilon"] == epsilon]
-        axes.semilogx([r["genus"] for r in chosen], [r["vertices"] / tables.most(r) for r in chosen], "o", alpha=0.5, label=f"ε = {epsilon}")
-    axes.set_xlabel("genus")
-    axes.set_ylabel("points / (16(g − 1)/ε²)")
-    axes.legend()
-    save(directory, "genera")
+    with plot(directory, "genera", "points / (16(g − 1)/ε²)", "genus") as axes:
+        records = data.get("genus-3", []) + data.get("higher-genus", [])
+        for epsilon in sorted({r["epsilon"] for r in data.get("higher-genus", records)}, reverse=True):
+            chosen = [r for r in records if r["epsilon"] == epsilon]
+            axes.semilogx([r["genus"] for r in chosen], [r["vertices"] / tables.most(r) for r in chosen], "o", alpha=0.5, label=f"ε = {epsilon}")
 
 
 def systoles(directory, records) -> None:
-    figure, axes = plt.subplots()
-    axes.plot(sorted(r["systole_lower"] for r in records), "o", markersize=3)
-    axes.axhline(0.5, color="r", linestyle="--", label="thesis: 173 of 180 are above")
-    axes.set_xlabel("surfaces, by systole")
-    axes.set_ylabel("systole")
-    axes.legend()
-    save(directory, "systoles")
+    with plot(directory, "systoles", "systole", "surfaces, by systole") as axes:
+        axes.plot(sorted(r["systole_lower"] for r in records), "o", markersize=3)
+        axes.axhline(0.5, color="r", linestyle="--", label="thesis: 173 of 180 are above")
 
 
 def draw(directory: Path, data: dict[str, list[dict]]) -> None:
