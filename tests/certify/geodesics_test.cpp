@@ -187,7 +187,9 @@ TEST(Geodesics, SpectrumOfBolza) {
 }
 
 TEST(Geodesics, MoreOfTheSpectrumOfBolza) {
-  // Half the numbers of oriented geodesics of Aurich, Sieber and Steiner (Phys. Rev. Lett. 61, 1988): 24, 24, 48, 96.
+  // Half the numbers of primitive conjugacy classes of the group with cosh(length/2) = 1 + √2, 3 + 2√2, 5 + 3√2 and
+  // 7 + 5√2: 24, 24, 48 and 96. They were also counted apart from this code, in exact arithmetic over Z[exp(iπ/4)]: all
+  // elements that move the centre so little that every class has one among them, up to conjugation by side pairings.
   const GeodesicsDocument document = spectrum(load("regular-2-26-vertices.json"), "6.8", 6);
   const Certificate certificate = check_geodesics(document);
   EXPECT_EQ(certificate.verdict, Verdict::verified) << certificate.rule << ": " << certificate.message;

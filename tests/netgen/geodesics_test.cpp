@@ -64,8 +64,10 @@ TEST(Systole, OfAThinSurfaceIsItsShortCuff) {
   }
 }
 
-/// 24, 24 and 48 shortest oriented closed geodesics: Aurich and Steiner, "On the periodic orbits of a strongly chaotic
-/// system" (1988), for the regular octagon.
+/// cosh(length/2) = m + n√2 with integers m and n (Aurich, Bogomolny and Steiner, "Periodic orbits on the regular
+/// hyperbolic octagon", Physica D 48, 1991). The numbers are those that tests/certify/geodesics_test.cpp counts by
+/// brute force; the second one, 12, is a theorem of Saha and Sanki too ("Complexity in Bolza surface",
+/// arXiv:2311.18483).
 TEST(Spectrum, OfTheBolzaSurface) {
   const GeodesicsDocument document = spectrum(Surface::regular(2), Epsilon("5.9"));
   ASSERT_EQ(document.clusters.size(), 3U);
