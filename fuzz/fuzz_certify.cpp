@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <numbers>
 #include <random>
 #include <sstream>
 #include <string>
@@ -125,12 +126,51 @@ void mutate_gluing(Surface& surface, Chooser& choose) {
   std::swap(one.other_side, other.other_side);
 }
 
+/// A collar less, one twice, or one with another member; a net without collars gets one, and so becomes a pseudo net.
+void mutate_collars(Document& document, std::size_t sides, Chooser& choose) {
+  const auto any_vertex = [&] { return choose.below(document.vertices.size()); };
+  const auto any_triangle = [&] { return choose.below(document.triangles.size()); };
+  if (!document.collars) document.collars.emplace();
+  std::vector<Collar>& collars = *document.collars;
+  if (collars.empty()) {
+    collars.push_back({{}, {0, 1}, {any_vertex(), any_vertex()}, {any_triangle(), any_triangle()}});
+    return;
+  }
+  const std::uint32_t c = choose.below(collars.size());
+  Collar& collar = collars[c];
+  const std::uint32_t i = choose.below(2);
+  switch (choose.below(7)) {
+    case 0:
+      collars.erase(collars.begin() + c);
+      break;
+    case 1:
+      collars.push_back(Collar(collar));
+      break;
+    case 2:
+      collar.vertices[i] = any_vertex();
+      break;
+    case 3:
+      collar.triangles[i] = any_triangle();
+      break;
+    case 4:
+      mutate_word(collar.core, sides, choose);
+      break;
+    case 5:
+      mutate_number(collar.length[i], choose);
+      break;
+    default:  // Seen from the other side: the same collar only if the core's word fits there as well.
+      std::swap(collar.vertices[0], collar.vertices[1]);
+      std::swap(collar.triangles[0], collar.triangles[1]);
+  }
+}
+
 /// One change of a kind that leaves a net file, though usually no net.
 void mutate(Document& document, Chooser& choose) {
   const bool regular = document.surface.regular_genus != 0;
   std::size_t sides = std::size_t{4} * document.surface.regular_genus;
   for (const Tile& tile : document.surface.tiles) sides += tile.size();
-  switch (choose.below(9)) {
+  // Half of the changes of a pseudo net are made where it differs from a net.
+  switch (choose.below(document.collars ? 20 : 10)) {
     case 0:
       mutate_point(choose.of(document.vertices), choose);
       break;
@@ -159,12 +199,15 @@ void mutate(Document& document, Chooser& choose) {
     case 7:
       std::swap(choose.of(document.triangles), choose.of(document.triangles));
       break;
-    default:
+    case 8:
       std::swap(choose.of(document.vertices), choose.of(document.vertices));
+      break;
+    default:
+      mutate_collars(document, sides, choose);
   }
 }
 
-/// Facts about every ε-net that are checked here in another way, without geometry of single triangles.
+/// Facts about every ε-net and pseudo ε-net that are checked here in another way, without geometry of single triangles.
 void require_plausible(const Document& document, const Certificate& certificate) {
   const std::size_t vertices = document.vertices.size();
   const std::size_t triangles = document.triangles.size();
@@ -173,10 +216,15 @@ void require_plausible(const Document& document, const Certificate& certificate)
   require(certificate.counts.vertices == vertices && certificate.counts.triangles == triangles);
   const auto genus = static_cast<double>(certificate.counts.genus);
   require(genus >= 2 && triangles == 2 * vertices + 4 * certificate.counts.genus - 4);
-  if (document.collars) return;  // Which covers the thick part only.
-  // Disks of radius ε around the vertices cover the area: V · 4π sinh²(ε/2) >= 4π (g − 1), with room for rounding.
+  // The cores of collars are disjoint simple closed geodesics.
+  const std::size_t collars = document.collars ? document.collars->size() : 0;
+  require(certificate.counts.collars.value_or(0) == collars && collars <= 3 * certificate.counts.genus - 3);
+  // Disks of radius ε around the vertices cover all but the points within d of C cores, where a core of length l has
+  // sinh(l/2) cosh d = sinh(ε/2) and so 2l sinh d <= 4 sinh(ε/2) as the area of these points: V · 4π sinh²(ε/2) >=
+  // 4π (g − 1) − C · 4 sinh(ε/2), with room for rounding.
   const double sinh_half = std::sinh(certificate.enclosures->epsilon.upper / 2);
-  require(static_cast<double>(vertices) * sinh_half * sinh_half >= (genus - 1) * (1 - 1e-9));
+  require(static_cast<double>(vertices) * sinh_half * sinh_half >=
+          (genus - 1) * (1 - 1e-9) - static_cast<double>(collars) * sinh_half / std::numbers::pi);
 }
 
 }  // namespace
