@@ -6,7 +6,6 @@
 #include "epsnet/kernel/plane.h"
 #include "epsnet/netgen/gaussian_fraction.h"
 #include "epsnet/netgen/triangulation_stream.h"
-#include "epsnet/triangulation/glued_polygons.h"
 
 /// The surface of a triangulation that is given by cross-ratios: triangles are placed one after the other, breadth
 /// first, beginning with the anchor.

@@ -7,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "epsnet/triangulation/glued_polygons.h"
+#include "epsnet/triangulation/exact_points.h"
+#include "epsnet/triangulation/surface.h"
 
 namespace epsnet {
 

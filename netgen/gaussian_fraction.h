@@ -1,30 +1,14 @@
 #pragma once
 
-#include "epsnet/triangulation/glued_polygons.h"
+#include "epsnet/triangulation/exact_points.h"
 
 /// The shapes of triangles and cross-ratios, exactly and without a single gcd before the result.
 namespace epsnet {
-
-/// A number of Q(i) as a quotient n/d of Gaussian integers, not in lowest terms.
-struct GaussianFraction {
-  Complex<Integer> n;
-  Complex<Integer> d;
-};
 
 /// The number, in lowest terms.
 [[nodiscard]] inline Complex<Rational> value(const GaussianFraction& f) {
   const Integer modulus = norm(f.d);
   return {Rational(dot(f.d, f.n), modulus), Rational(cross(f.d, f.n), modulus)};
-}
-
-/// p − q times both denominators.
-[[nodiscard]] inline Complex<Integer> scaled_difference(const ScaledPoint& p, const ScaledPoint& q) {
-  return q.m * p.n - p.m * q.n;
-}
-
-/// z as seen from p: its image under the isometry that takes p to 0, (z − p)/(1 − p̄z).
-[[nodiscard]] inline GaussianFraction seen_from(const ScaledPoint& p, const ScaledPoint& z) {
-  return {scaled_difference(z, p), Complex<Integer>{p.m * z.m, 0} - conj(p.n) * z.n};
 }
 
 /// The segments from a to b and from c to d have the same length.

@@ -25,7 +25,7 @@ struct Fraction {
 };
 
 Fraction squared_sinh_of_half(const ScaledPoint& p, const ScaledPoint& q) {
-  return {norm(p.m * q.n - q.m * p.n), disk_gap(p) * disk_gap(q)};
+  return {norm(scaled_difference(p, q)), disk_gap(p) * disk_gap(q)};
 }
 
 double length(const Fraction& fraction) {
@@ -65,6 +65,13 @@ Complex<Integer> product(std::vector<Complex<Integer>>&& factors) {
   return std::move(factors.front());
 }
 
+/// A positive multiple of the direction at p in which q lies, as seen after p was moved to 0 by z ↦ (z−p)/(1−p̄z). 0 if
+/// and only if p = q.
+Complex<Integer> direction(const ScaledPoint& p, const ScaledPoint& q) {
+  const GaussianFraction seen = seen_from(p, q);
+  return seen.n * conj(seen.d);
+}
+
 /// The direction from p to q in the Klein model lies in the upper half of the circle, [0, π).
 bool points_up(const KleinVector& p, const KleinVector& q) {
   const int y = sign(Integer(q.y * p.t - p.y * q.t));
@@ -72,62 +79,6 @@ bool points_up(const KleinVector& p, const KleinVector& q) {
 }
 
 }  // namespace
-
-ScaledPoint scaled(const Complex<Rational>& z) {
-  const Integer x_denominator = denominator(z.x);
-  const Integer y_denominator = denominator(z.y);
-  // Often they are equal, and then no gcd is needed.
-  if (x_denominator == y_denominator) return {{numerator(z.x), numerator(z.y)}, x_denominator};
-  const Integer m = lcm(x_denominator, y_denominator);
-  return {{numerator(z.x) * (m / x_denominator), numerator(z.y) * (m / y_denominator)}, m};
-}
-
-Integer disk_gap(const ScaledPoint& z) { return z.m * z.m - norm(z.n); }
-
-KleinVector klein(const ScaledPoint& z) {
-  const Integer twice = 2 * z.m;
-  return {twice * z.n.x, twice * z.n.y, z.m * z.m + norm(z.n)};
-}
-
-int orientation(const KleinVector& p, const KleinVector& q, const KleinVector& r) {
-  return sign(Integer(p.x * (q.y * r.t - q.t * r.y) + p.y * (q.t * r.x - q.x * r.t) + p.t * (q.x * r.y - q.y * r.x)));
-}
-
-bool lexicographically_less(const KleinVector& p, const KleinVector& q) {
-  const int x = sign(Integer(p.x * q.t - q.x * p.t));
-  return x != 0 ? x < 0 : p.y * q.t < q.y * p.t;
-}
-
-Complex<Integer> direction(const ScaledPoint& p, const ScaledPoint& q) {
-  // (q−p)/(1−p̄q), the quotient u/v turned into the product u v̄.
-  const Complex<Integer> across = p.m * q.n - q.m * p.n;
-  const Complex<Integer> scale = Complex<Integer>{p.m * q.m, 0} - conj(p.n) * q.n;
-  return across * conj(scale);
-}
-
-Isometry<Rational> integral_crossing(const ScaledPoint& p, const ScaledPoint& q, const ScaledPoint& p2,
-                                     const ScaledPoint& q2) {
-  // With p and p2 moved to 0, the rotation that remains has the argument of `turn`. Its half angle is that of |turn| +
-  // turn, and |turn| is an integer because the sides have equal lengths: |w|² = |w2|² for w = u/v, w2 = u2/v2, turn = ū
-  // v u2 v̄2, so |turn| = |u|²|v2|².
-  const Complex<Integer> u = p.m * q.n - q.m * p.n;
-  const Complex<Integer> u2 = p2.m * q2.n - q2.m * p2.n;
-  const Complex<Integer> v = Complex<Integer>{p.m * q.m, 0} - conj(p.n) * q.n;
-  const Complex<Integer> v2 = Complex<Integer>{p2.m * q2.m, 0} - conj(p2.n) * q2.n;
-  Complex<Integer> half = (conj(u) * v) * (u2 * conj(v2));
-  half.x += norm(u) * norm(v2);
-  // A half turn: z ↦ −z is (i z)/(−i).
-  if (half == Complex<Integer>{0, 0}) half = {0, 1};
-  // Only its direction counts; smaller numbers are faster from here on.
-  const Integer excess = gcd(half.x, half.y);
-  half.x /= excess;
-  half.y /= excess;
-  Complex<Integer> a = (p2.m * p.m) * half - (p2.n * conj(p.n)) * conj(half);
-  Complex<Integer> b = p.m * (p2.n * conj(half)) - p2.m * (p.n * half);
-  const Integer content = gcd(gcd(a.x, a.y), gcd(b.x, b.y));
-  for (Integer* coefficient : {&a.x, &a.y, &b.x, &b.y}) *coefficient /= content;
-  return {convert<Rational>(a), convert<Rational>(b)};
-}
 
 GluedPolygons::GluedPolygons(const std::vector<Tile>& tiles, const std::vector<Gluing>& gluing) : tiles_(tiles) {
   number_sides();

@@ -5,51 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "epsnet/triangulation/exact_points.h"
 #include "epsnet/triangulation/surface.h"
 
 /// The exact conditions of Poincaré's polygon theorem, for polygons that need not be convex: what `Surface` and the
 /// import of polygons share.
 namespace epsnet {
-
-/// Integers of any size (GMP).
-using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
-
-/// A point n/m of the Poincaré disk: a Gaussian integer over a positive integer. No gcd is ever taken in products of
-/// these.
-struct ScaledPoint {
-  Complex<Integer> n;
-  Integer m;
-};
-
-[[nodiscard]] ScaledPoint scaled(const Complex<Rational>& z);
-
-/// m² − |n|²: positive if and only if the point lies in the open unit disk.
-[[nodiscard]] Integer disk_gap(const ScaledPoint& z);
-
-/// A positive multiple of (Klein coordinates, 1) = (2z/(1+|z|²), 1). Hyperbolic lines are the planes through 0 of these
-/// vectors.
-struct KleinVector {
-  Integer x;
-  Integer y;
-  Integer t;
-};
-
-[[nodiscard]] KleinVector klein(const ScaledPoint& z);
-
-/// The sign of the turn p, q, r along hyperbolic lines: 1 left, 0 straight (or coincident points), −1 right.
-[[nodiscard]] int orientation(const KleinVector& p, const KleinVector& q, const KleinVector& r);
-
-/// Orders points by their Klein coordinates x, then y.
-[[nodiscard]] bool lexicographically_less(const KleinVector& p, const KleinVector& q);
-
-/// A positive multiple of the direction at p in which q lies, as seen after p was moved to 0 by z ↦ (z−p)/(1−p̄z). 0 if
-/// and only if p = q.
-[[nodiscard]] Complex<Integer> direction(const ScaledPoint& p, const ScaledPoint& q);
-
-/// The isometry that takes p to p2 and q to q2, with Gaussian integers as coefficients that have no common integer
-/// factor. Requires d(p, q) = d(p2, q2) > 0.
-[[nodiscard]] Isometry<Rational> integral_crossing(const ScaledPoint& p, const ScaledPoint& q, const ScaledPoint& p2,
-                                                   const ScaledPoint& q2);
 
 /// Polygons glued side to side, being checked. Every member throws SurfaceError, which names the first element that
 /// fails.
@@ -78,8 +39,6 @@ class GluedPolygons {
   /// exactly; which multiple, doubles tell. Quasi-linear in the number of digits.
   void check_angles() const;
 
-  /// True if the corner turns left; false for straight and reflex ones.
-  [[nodiscard]] bool strictly_convex(std::uint32_t corner) const { return corner_[corner].y > 0; }
   /// The polygon goes clockwise. Exact for simple polygons.
   [[nodiscard]] bool clockwise(std::uint32_t tile) const;
 
@@ -104,6 +63,8 @@ class GluedPolygons {
   /// "side 3", or "tile 2, side 3" where there are several tiles.
   [[nodiscard]] std::string name(const char* element, std::uint32_t side) const;
   [[nodiscard]] std::string tile_name(std::uint32_t tile) const;
+  /// True if the corner turns left; false for straight and reflex ones.
+  [[nodiscard]] bool strictly_convex(std::uint32_t corner) const { return corner_[corner].y > 0; }
   /// The interior angle, in (0, 2π), to within 2⁻⁵⁰.
   [[nodiscard]] double angle(std::uint32_t corner) const;
 
