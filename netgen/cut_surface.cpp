@@ -1,7 +1,8 @@
 #include "epsnet/netgen/cut_surface.h"
 
 #include <array>
-#include <numeric>
+
+#include "epsnet/netgen/disjoint_sets.h"
 
 namespace epsnet {
 namespace {
@@ -19,17 +20,12 @@ class Cells {
       first_[t] = count;
       count += arcs_[t][0] + arcs_[t][1] + arcs_[t][2] + 1;
     }
-    parent_.resize(count);
-    std::iota(parent_.begin(), parent_.end(), 0U);
-    for_each_segment([&](std::uint32_t cell, std::uint32_t beyond) { parent_[component(cell)] = component(beyond); });
+    components_ = DisjointSets(count);
+    for_each_segment([&](std::uint32_t cell, std::uint32_t beyond) { components_.join(cell, beyond); });
   }
 
-  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(parent_.size()); }
-
-  [[nodiscard]] std::uint32_t component(std::uint32_t cell) {
-    while (parent_[cell] != cell) cell = parent_[cell] = parent_[parent_[cell]];
-    return cell;
-  }
+  [[nodiscard]] std::uint32_t size() const { return components_.size(); }
+  [[nodiscard]] std::uint32_t component(std::uint32_t cell) { return components_.find(cell); }
 
   /// The cell with `rank` arcs between it and a corner. The central cell is the last one of every corner.
   [[nodiscard]] std::uint32_t at_corner(std::uint32_t t, std::uint32_t corner, std::uint32_t rank) const {
@@ -64,7 +60,7 @@ class Cells {
   const Triangulation& triangulation_;
   std::vector<std::array<std::uint32_t, 3>> arcs_;  ///< By triangle and corner: how many arcs cut it off.
   std::vector<std::uint32_t> first_;
-  std::vector<std::uint32_t> parent_;
+  DisjointSets components_{0};
 };
 
 }  // namespace

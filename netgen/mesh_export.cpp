@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include "epsnet/certify/text.h"
 #include "epsnet/kernel/plane.h"
+#include "epsnet/netgen/disjoint_sets.h"
 #include "epsnet/netgen/lifts.h"
 
 namespace epsnet {
@@ -30,33 +30,21 @@ struct Mesh {
   std::vector<bool> on_boundary;                        ///< By dart.
 };
 
-/// The least element of a class; halves the paths it walks.
-std::uint32_t find(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 Mesh mesh(const NetGeometry& geometry, const Lifts& lifts) {
   const std::vector<certify::Triangle>& triangles = geometry.document().triangles;
   Mesh result;
   result.on_boundary = boundary_darts(geometry, lifts);
   // Corners, named by the darts that start there, are the same across edges inside of the drawing.
-  std::vector<std::uint32_t> parent(3 * triangles.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto join = [&](std::uint32_t a, std::uint32_t b) {
-    a = find(parent, a);
-    b = find(parent, b);
-    parent[std::max(a, b)] = std::min(a, b);
-  };
-  for (std::uint32_t dart = 0; dart < parent.size(); ++dart) {
+  DisjointSets corners(3 * triangles.size());
+  for (std::uint32_t dart = 0; dart < corners.size(); ++dart) {
     if (result.on_boundary[dart]) continue;
     const std::uint32_t other = triangles[dart / 3].opposite[dart % 3];
-    join(dart, dart_after(other));
-    join(dart_after(dart), other);
+    corners.join(dart, dart_after(other));
+    corners.join(dart_after(dart), other);
   }
-  std::vector<std::uint32_t> number(parent.size());
-  for (std::uint32_t dart = 0; dart < parent.size(); ++dart) {
-    const std::uint32_t first = find(parent, dart);
+  std::vector<std::uint32_t> number(corners.size());
+  for (std::uint32_t dart = 0; dart < corners.size(); ++dart) {
+    const std::uint32_t first = corners.find(dart);
     if (first == dart) {
       number[dart] = static_cast<std::uint32_t>(result.points.size());
       result.points.push_back(

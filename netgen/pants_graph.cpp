@@ -4,8 +4,9 @@
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 #include <charconv>
-#include <numeric>
 #include <string>
+
+#include "epsnet/netgen/disjoint_sets.h"
 
 namespace epsnet {
 namespace {
@@ -23,23 +24,11 @@ void require_genus(std::uint32_t genus) {
 
 /// The nodes reached from node 0.
 std::size_t reached(const NodePairs& edges, std::size_t nodes) {
-  // Union-find, by the smallest node of a component.
-  std::vector<std::uint32_t> parent(nodes);
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto root = [&](std::uint32_t node) {
-    while (parent[node] != node) {
-      node = parent[node] = parent[parent[node]];
-    }
-    return node;
-  };
-  for (const auto& [a, b] : edges) {
-    const std::uint32_t first = root(a);
-    const std::uint32_t second = root(b);
-    parent[std::max(first, second)] = std::min(first, second);
-  }
+  DisjointSets components(nodes);
+  for (const auto& [a, b] : edges) components.join(a, b);
   std::size_t count = 0;
   for (std::uint32_t node = 0; node < nodes; ++node) {
-    count += root(node) == 0 ? 1 : 0;
+    count += components.find(node) == 0 ? 1 : 0;
   }
   return count;
 }
