@@ -50,6 +50,19 @@ template <class T>
   return norm(u) * cross(v, w) + norm(v) * cross(w, u) + norm(w) * cross(u, v);
 }
 
+/// A point of the Poincaré disk in Klein coordinates, where geodesics are straight: 2z/(1 + |z|²).
+template <class T>
+[[nodiscard]] Complex<T> to_klein(const Complex<T>& z) {
+  return T(T(2) / (T(1) + norm(z))) * z;
+}
+
+/// A point given by Klein coordinates in the Poincaré disk: k/(1 + √(1 − |k|²)). Needs square roots in T.
+template <class T>
+[[nodiscard]] Complex<T> from_klein(const Complex<T>& k) {
+  using std::sqrt;
+  return T(T(1) / (T(1) + T(sqrt(T(T(1) - norm(k)))))) * k;
+}
+
 /// The cross-ratio [z1, z2, z3, z4] = (z4 − z2)(z3 − z1)/((z4 − z1)(z3 − z2)) (thesis Definition I.40). For z1, z2, z3,
 /// z4 counterclockwise the edge (z1, z3) is not Delaunay if and only if the imaginary part is positive (Theorem I.42).
 template <class T>

@@ -7,16 +7,13 @@
 #include <vector>
 
 #include "epsnet/netgen/collars.h"
+#include "epsnet/netgen/gmp.h"
 #include "epsnet/netgen/refine.h"
 #include "epsnet/netgen/start.h"
 #include "epsnet/netgen/surface_file.h"
 
 namespace epsnet {
 namespace {
-
-mpq_class to_gmp(const Rational& q) { return mpq_class(q.backend().data()); }
-
-certify::RationalPoint to_document(const Complex<Rational>& z) { return {to_gmp(z.x), to_gmp(z.y)}; }
 
 /// Numbers the members of a large set that are used, in the order of their first use.
 class Renumbering {
@@ -61,7 +58,7 @@ certify::Document net_document(const Triangulation& triangulation, const Epsilon
                              {label_number(triangle.label(1)), label_number(triangle.label(2))}});
   }
   for (const std::uint32_t c : chart_number.used()) {
-    net.charts.push_back({atlas.chart(c).tile, to_document(atlas.chart(c).centre)});
+    net.charts.push_back({atlas.chart(c).tile, to_gmp(atlas.chart(c).centre)});
   }
   for (const LabelId l : label_number.used()) {
     if (l != kIdentity) {

@@ -10,7 +10,9 @@
 
 #include "epsnet/certify/text.h"
 #include "epsnet/kernel/lorentz.h"
+#include "epsnet/kernel/plane.h"
 #include "epsnet/netgen/dirichlet.h"
+#include "epsnet/netgen/gmp.h"
 
 namespace epsnet {
 namespace {
@@ -23,10 +25,6 @@ const Mp256& tolerance() {
   return value;
 }
 
-// In Klein coordinates geodesics are straight.
-Point klein(const Point& z) { return Mp256(Mp256(2) / (Mp256(1) + norm(z))) * z; }
-Point poincare(const Point& k) { return Mp256(1 / (1 + sqrt(Mp256(1 - norm(k))))) * k; }
-
 /// The corners of a lifted triangle in Klein coordinates.
 std::array<Point, 3> klein_corners(const NetGeometry& geometry, const Placement& placement) {
   std::array<Point, 3> result;
@@ -34,7 +32,7 @@ std::array<Point, 3> klein_corners(const NetGeometry& geometry, const Placement&
   for (std::uint32_t i = 0; i < 3; ++i) {
     const certify::Vertex& v = document.vertices[document.triangles[placement.triangle].vertex[i]];
     const std::uint32_t label = geometry.corner_label(3 * placement.triangle + i);
-    result[i] = klein((placement.isometry * geometry.label(label).precise)({Mp256(v.x), Mp256(v.y)}));
+    result[i] = to_klein((placement.isometry * geometry.label(label).precise)({Mp256(v.x), Mp256(v.y)}));
   }
   return result;
 }
@@ -96,6 +94,10 @@ std::tuple<std::uint32_t, Mp256, Mp256> key(const Placement& placement, const Po
   return {placement.triangle, floor(ldexp(corner.x, 110)), floor(ldexp(corner.y, 110))};
 }
 
+void append(Layer& layer, const std::vector<Arc>& arcs) {
+  layer.arcs.insert(layer.arcs.end(), arcs.begin(), arcs.end());
+}
+
 /// The tiles of the surface of a net, each in its own coordinates, with a lift of a triangle near it.
 struct Tiles {
   explicit Tiles(const NetGeometry& geometry);
@@ -112,11 +114,7 @@ Tiles::Tiles(const NetGeometry& geometry) : parts(geometry.document(), geometry.
       document.surface.regular_genus != 0 ? rounded_polygon(document.surface.regular_genus) : document.surface;
   for (const certify::Tile& tile : surface.tiles) {
     std::vector<Point>& points = corners.emplace_back();
-    for (const certify::RationalPoint& z : tile) {
-      Point& point = points.emplace_back();
-      mpfr_set_q(point.x.backend().data(), z.x.get_mpq_t(), MPFR_RNDN);
-      mpfr_set_q(point.y.backend().data(), z.y.get_mpq_t(), MPFR_RNDN);
-    }
+    for (const certify::RationalPoint& z : tile) points.push_back(rounded<Mp256>(z));
   }
   if (document.vertices.empty()) throw NetGeometryError("there is no vertex");
   // Tile by tile; a lift of a triangle near a side is one near the neighbour's side.
@@ -136,7 +134,7 @@ Tiles::Tiles(const NetGeometry& geometry) : parts(geometry.document(), geometry.
       const std::uint32_t other = sides.tile_of_side[sides.partner[s]];
       if (done[other]) continue;
       Placement there = near[tile];
-      walk_to(geometry, there, klein(corners[tile][s - sides.first_side[tile]]));
+      walk_to(geometry, there, to_klein(corners[tile][s - sides.first_side[tile]]));
       reach(other, {there.triangle, normalized(parts.crossings[s] * there.isometry)});
     }
   }
@@ -146,9 +144,9 @@ Tiles::Tiles(const NetGeometry& geometry) : parts(geometry.document(), geometry.
 
 std::vector<Arc> cut_segment(const NetGeometry& geometry, Placement& near, const Complex<Mp256>& p,
                              const Complex<Mp256>& q) {
-  const Point from = klein(p);
-  const Point to = klein(q);
-  const auto point_at = [&](const Mp256& share) { return poincare(from + share * (to - from)); };
+  const Point from = to_klein(p);
+  const Point to = to_klein(q);
+  const auto point_at = [&](const Mp256& share) { return from_klein(from + share * (to - from)); };
   walk_to(geometry, near, from);
   std::vector<std::pair<Mp256, Arc>> pieces;
   std::set<std::tuple<std::uint32_t, Mp256, Mp256>> seen;
@@ -186,9 +184,7 @@ Layer tile_layer(const NetGeometry& geometry) {
     const std::uint32_t tile = sides.tile_of_side[s];
     const std::vector<Point>& corners = tiles.corners[tile];
     const std::size_t k = s - sides.first_side[tile];
-    const std::vector<Arc> arcs =
-        cut_segment(geometry, tiles.near[tile], corners[k], corners[(k + 1) % corners.size()]);
-    layer.arcs.insert(layer.arcs.end(), arcs.begin(), arcs.end());
+    append(layer, cut_segment(geometry, tiles.near[tile], corners[k], corners[(k + 1) % corners.size()]));
   }
   return layer;
 }
@@ -198,9 +194,8 @@ Layer dirichlet_layer(const NetGeometry& geometry, std::uint32_t vertex) {
   const DirichletDomain domain = dirichlet_domain(geometry, vertex);
   Placement near = placement_at(geometry, vertex, to_centre(geometry, vertex));
   for (std::size_t i = 0; i < domain.vertices.size(); ++i) {
-    const std::vector<Arc> arcs = cut_segment(geometry, near, convert<Mp256>(domain.vertices[i]),
-                                              convert<Mp256>(domain.vertices[(i + 1) % domain.vertices.size()]));
-    layer.arcs.insert(layer.arcs.end(), arcs.begin(), arcs.end());
+    append(layer, cut_segment(geometry, near, convert<Mp256>(domain.vertices[i]),
+                              convert<Mp256>(domain.vertices[(i + 1) % domain.vertices.size()])));
   }
   return layer;
 }
@@ -254,10 +249,6 @@ ClosedPath closed_path(const NetGeometry& geometry, const Tiles& tiles, std::uin
   return {g, displacement_length(g), normalized(Isometry<Mp256>::translation(foot) * Isometry<Mp256>{half, {}})};
 }
 
-void append(Layer& layer, const std::vector<Arc>& arcs) {
-  layer.arcs.insert(layer.arcs.end(), arcs.begin(), arcs.end());
-}
-
 /// One period of the two curves at a distance from an axis, as chords. Left out where a walk to them winds around a
 /// very short core too often.
 void append_equidistants(Layer& layer, const NetGeometry& geometry, const Placement& start, const ClosedPath& path,
@@ -282,9 +273,7 @@ std::vector<Layer> collar_layers(const NetGeometry& geometry) {
   const Tiles tiles(geometry);
   Layer triangles{.name = "triangles of collars", .colour = "#e0b400"};
   Layer boundaries{.name = "epsilon-collars", .colour = "#b06f00"};
-  Mp256 half_epsilon;
-  mpfr_set_q(half_epsilon.backend().data(), certify::parse_decimal(net.epsilon)->get_mpq_t(), MPFR_RNDN);
-  half_epsilon /= 2;
+  const Mp256 half_epsilon = rounded<Mp256>(geometry.epsilon()) / 2;
   for (const certify::Collar& collar : *net.collars) {
     triangles.triangles.insert(triangles.triangles.end(), collar.triangles.begin(), collar.triangles.end());
     // From a vertex of the collar: from elsewhere a walk may wind around a short core very often.

@@ -11,22 +11,13 @@
 #include <string>
 #include <tuple>
 
+#include "epsnet/kernel/plane.h"
+#include "epsnet/netgen/gmp.h"
+
 namespace epsnet {
 namespace {
 
 using Point = Complex<double>;
-
-/// Poincaré to Klein coordinates.
-template <class T>
-Complex<T> klein(const Complex<T>& z) {
-  return T(T(2) / (T(1) + norm(z))) * z;
-}
-
-/// Klein to Poincaré coordinates.
-template <class T>
-Complex<T> poincare(const Complex<T>& k) {
-  return T(1 / (1 + sqrt(T(1 - norm(k))))) * k;
-}
 
 /// The convex polygon of the points that are nearer to 0 than to given points, in the Klein model.
 ///
@@ -113,7 +104,7 @@ class VoronoiCell {
 
   [[nodiscard]] std::vector<Point> vertices() const {
     std::vector<Point> result;
-    for (const Corner& corner : corners_) result.push_back(convert<double>(poincare(corner.k)));
+    for (const Corner& corner : corners_) result.push_back(convert<double>(from_klein(corner.k)));
     return result;
   }
 
@@ -172,12 +163,8 @@ class Search {
     const certify::Surface regular =
         surface.regular_genus != 0 ? rounded_polygon(surface.regular_genus) : certify::Surface();
     for (const certify::Tile& tile : surface.regular_genus != 0 ? regular.tiles : surface.tiles) {
-      std::vector<PrecisePoint> corners(tile.size());
-      for (std::size_t k = 0; k < tile.size(); ++k) {
-        mpfr_set_q(corners[k].x.backend().data(), tile[k].x.get_mpq_t(), MPFR_RNDN);
-        mpfr_set_q(corners[k].y.backend().data(), tile[k].y.get_mpq_t(), MPFR_RNDN);
-      }
-      tiles_.push_back(std::move(corners));
+      std::vector<PrecisePoint>& corners = tiles_.emplace_back();
+      for (const certify::RationalPoint& z : tile) corners.push_back(rounded<T>(z));
     }
   }
 
@@ -221,7 +208,7 @@ class Search {
 
   [[nodiscard]] Copy copy(std::uint32_t tile, const Isometry<T>& isometry) const {
     Copy result{tile, normalized(isometry), {}};
-    for (const PrecisePoint& z : tiles_[tile]) result.corners.push_back(klein(result.isometry(z)));
+    for (const PrecisePoint& z : tiles_[tile]) result.corners.push_back(to_klein(result.isometry(z)));
     return result;
   }
 

@@ -5,15 +5,10 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <deque>
 #include <map>
-#include <queue>
 #include <set>
-#include <tuple>
 #include <utility>
 
-#include "epsnet/certify/text.h"
-#include "epsnet/kernel/plane.h"
 #include "epsnet/netgen/dirichlet.h"
 
 namespace epsnet {
@@ -271,12 +266,10 @@ class Picture {
         options_(options),
         paper_(options.size),
         lifts_(lift_triangles(geometry_, options.order, options.centre)),
+        epsilon_(geometry_.epsilon().get_d()),
         on_boundary_(boundary_darts(geometry_, lifts_)) {
     // Edges of a net are about 1.4 ε long. Strokes must leave the triangles of fine nets white.
-    const double epsilon = certify::parse_decimal(document.epsilon).value_or(mpq_class(1)).get_d();
-    epsilon_ = epsilon;
-    epsilon_text_ = document.epsilon.size() <= 40 ? document.epsilon : certify::shortest(epsilon);
-    const double edge = 1.4 * epsilon * paper_.scale({});
+    const double edge = 1.4 * epsilon_ * paper_.scale({});
     const double unit = options.size / 1000.0;
     edge_width_ = std::clamp(0.03 * edge, 0.08 * unit, 1.2 * unit);
     dot_width_ = std::clamp(0.09 * edge, 0.2 * unit, 6.0 * unit);
@@ -371,10 +364,7 @@ class Picture {
       // The golden angle keeps the hues of neighbouring numbers apart.
       return "hsl(" + fixed(std::fmod(chart * 137.508, 360), 0) + ",45%,85%)";
     }
-    const auto z = geometry_.corners(triangle);
-    const auto radius = sinh2_circumradius(z[0], z[1], z[2]);
-    const double r = radius.denominator > 0 ? std::asinh(std::sqrt(radius.numerator / radius.denominator)) : epsilon_;
-    return shade(2 * r / epsilon_ - 1);
+    return shade(2 * geometry_.circumradius(triangle) / epsilon_ - 1);
   }
 
   /// Triangles of a colour are one path, with a hairline around it that covers the seams smoothing leaves.
@@ -525,8 +515,8 @@ class Picture {
     if (options_.vertices) legend.add("#b5442e", "vertex " + std::to_string(options_.centre));
     if (options_.dirichlet) legend.add(kDirichletColour, "Dirichlet domain");
     if (options_.combinatorial_dirichlet) legend.add(kCombinatorialColour, "combinatorial Dirichlet domain");
-    if (options_.covering_disks) legend.add(kCoveringColour, "disks of radius " + epsilon_text_);
-    if (options_.packing_disks) legend.add(kPackingColour, "disks of radius " + epsilon_text_ + "/2");
+    if (options_.covering_disks) legend.add(kCoveringColour, "disks of radius " + geometry_.epsilon_text());
+    if (options_.packing_disks) legend.add(kPackingColour, "disks of radius " + geometry_.epsilon_text() + "/2");
     for (const Layer& layer : options_.layers) legend.add(layer.colour, layer.name);
     if (options_.colouring == Colouring::circumradius) {
       for (const double share : {0.0, 0.33, 0.67, 1.0})
@@ -541,7 +531,7 @@ class Picture {
     const std::string middle = fixed(paper_.middle(), 1);
     const std::string what = "Delaunay triangulation with " + std::to_string(document_.vertices.size()) +
                              " vertices and " + std::to_string(document_.triangles.size()) + " triangles, epsilon " +
-                             epsilon_text_;
+                             geometry_.epsilon_text();
     std::string desc = "One lift of every triangle in the Poincare disk, connected, by " +
                        std::string(options_.order == DrawOrder::weight ? "least weight |u|^2+|v|^2 of the edge crossed"
                                                                        : "breadth-first search") +
@@ -561,8 +551,7 @@ class Picture {
   DrawOptions options_;
   Paper paper_;
   Lifts lifts_;
-  double epsilon_ = 0;
-  std::string epsilon_text_;
+  double epsilon_;
   std::vector<bool> on_boundary_;  ///< By dart.
   double edge_width_ = 0;          ///< In pixels, in the centre.
   double dot_width_ = 0;

@@ -8,6 +8,7 @@
 
 #include "epsnet/certify/text.h"
 #include "epsnet/kernel/plane.h"
+#include "epsnet/netgen/gmp.h"
 #include "epsnet/netgen/net_geometry.h"
 
 namespace epsnet {
@@ -27,7 +28,7 @@ std::size_t digits(const mpz_class& n) {
 
 /// The height of a rational number in digits: those of the longer of numerator and denominator, in lowest terms.
 std::size_t height(const Rational& q) {
-  const mpq_class copy(q.backend().data());
+  const mpq_class copy = to_gmp(q);
   return std::max(digits(copy.get_num()), digits(copy.get_den()));
 }
 
@@ -94,9 +95,7 @@ Measures measure(const NetGeometry& geometry) {
       if (triangle.opposite[i] < 3 * t + i && !left_out[triangle.opposite[i] / 3]) continue;
       (triangle.vertex[i] == triangle.vertex[j] ? result.loops : result.edges).add(distance(z[i], z[j]));
     }
-    const auto radius = sinh2_circumradius(z[0], z[1], z[2]);
-    result.circumradii.add(radius.denominator > 0 ? std::asinh(std::sqrt(radius.numerator / radius.denominator))
-                                                  : std::numeric_limits<double>::infinity());
+    result.circumradii.add(geometry.circumradius(t));
   }
   return result;
 }
@@ -202,11 +201,11 @@ std::string surface_info(const Surface& surface) {
 std::string net_info(const certify::Document& net) {
   const NetGeometry geometry(net);
   const Measures measures = measure(geometry);
-  const double epsilon = certify::parse_decimal(net.epsilon).value_or(mpq_class(0)).get_d();
+  const double epsilon = geometry.epsilon().get_d();
   const SideTable& sides = geometry.sides();
   std::ostringstream out;
   line(out, "file", "net (not verified here: run certify)");
-  line(out, "epsilon", net.epsilon.size() <= 40 ? net.epsilon : certify::shortest(epsilon));
+  line(out, "epsilon", geometry.epsilon_text());
   line(out, "genus", sides.genus);
   line(out, "area 4 pi (g-1)", area(sides.genus));
   line(out, "tiles", sides.first_side.size() - 1);

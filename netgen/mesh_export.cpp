@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <ostream>
@@ -58,11 +57,9 @@ Mesh mesh(const NetGeometry& geometry, const Lifts& lifts) {
   return result;
 }
 
-double circumradius(const NetGeometry& geometry, std::uint32_t triangle) {
-  const auto z = geometry.corners(triangle);
-  const auto radius = sinh2_circumradius(z[0], z[1], z[2]);
-  return radius.denominator > 0 ? std::asinh(std::sqrt(radius.numerator / radius.denominator))
-                                : std::numeric_limits<double>::max();
+/// Infinity, which JSON does not have, as the largest number.
+std::string circumradius_text(const NetGeometry& geometry, std::uint32_t triangle) {
+  return shortest(std::min(geometry.circumradius(triangle), std::numeric_limits<double>::max()));
 }
 
 /// With more bits where the ends are in different charts, perhaps far from each other.
@@ -148,7 +145,7 @@ void write_vtu(const certify::Document& net, std::ostream& out) {
   array("Int64", "Name=\"vertex\"", drawn.points.size(),
         [&](std::uint32_t i) { return std::to_string(drawn.points[i].vertex); });
   out << "</PointData>\n<CellData Scalars=\"circumradius\">\n";
-  array("Float64", "Name=\"circumradius\"", n, [&](std::uint32_t t) { return shortest(circumradius(geometry, t)); });
+  array("Float64", "Name=\"circumradius\"", n, [&](std::uint32_t t) { return circumradius_text(geometry, t); });
   array("Int64", "Name=\"triangle\"", n, [](std::uint32_t t) { return std::to_string(t); });
   out << "</CellData>\n<Points>\n";
   array("Float64", "Name=\"Points\" NumberOfComponents=\"3\"", drawn.points.size(),
@@ -175,8 +172,7 @@ void write_mesh_json(const certify::Document& net, std::ostream& out) {
   const NetGeometry geometry(net);
   const Lifts lifts = lift_triangles(geometry, DrawOrder::weight);
   const Mesh drawn = mesh(geometry, lifts);
-  const double epsilon = certify::parse_decimal(net.epsilon).value_or(mpq_class(1)).get_d();
-  out << "{\"format\": \"epsnet-mesh\", \"version\": 1, \"epsilon\": " << shortest(epsilon)
+  out << "{\"format\": \"epsnet-mesh\", \"version\": 1, \"epsilon\": " << shortest(geometry.epsilon().get_d())
       << ", \"genus\": " << geometry.sides().genus << ", \"vertex_count\": " << net.vertices.size();
   Rows points(out, "points");
   for (const Mesh::Point& point : drawn.points)
@@ -189,7 +185,7 @@ void write_mesh_json(const certify::Document& net, std::ostream& out) {
   for (const certify::Triangle& triangle : net.triangles) opposite.add("[" + joined(triangle.opposite, ", ") + "]");
   opposite.end();
   Rows radii(out, "circumradii");
-  for (std::uint32_t t = 0; t < net.triangles.size(); ++t) radii.add(shortest(circumradius(geometry, t)));
+  for (std::uint32_t t = 0; t < net.triangles.size(); ++t) radii.add(circumradius_text(geometry, t));
   radii.end();
   write_pairings(geometry, lifts, drawn.on_boundary, out);
   Rows corner_labels(out, "corner_labels");

@@ -6,22 +6,13 @@
 #include <string>
 
 #include "epsnet/certify/structure_check.h"
+#include "epsnet/certify/text.h"
+#include "epsnet/kernel/plane.h"
+#include "epsnet/netgen/gmp.h"
 #include "epsnet/triangulation/surface.h"
 
 namespace epsnet {
 namespace {
-
-template <class T>
-T rounded(const mpq_class& q) {
-  T x;
-  mpfr_set_q(x.backend().data(), q.get_mpq_t(), MPFR_RNDN);
-  return x;
-}
-
-template <class T>
-Complex<T> rounded(const certify::RationalPoint& p) {
-  return {rounded<T>(p.x), rounded<T>(p.y)};
-}
 
 /// The labels of a document at one precision.
 template <class T>
@@ -99,8 +90,7 @@ certify::Surface rounded_polygon(std::uint32_t regular_genus) {
   const Surface surface = Surface::regular(regular_genus);
   certify::Surface result;
   certify::Tile& tile = result.tiles.emplace_back();
-  for (const Complex<Rational>& z : surface.tiles()[0])
-    tile.push_back({mpq_class(z.x.backend().data()), mpq_class(z.y.backend().data())});
+  for (const Complex<Rational>& z : surface.tiles()[0]) tile.push_back(to_gmp(z));
   for (const Gluing& g : surface.gluing()) result.gluing.push_back({g.tile, g.side, g.other_tile, g.other_side});
   return result;
 }
@@ -182,6 +172,7 @@ NetGeometry::NetGeometry(const certify::Document& document) : document_(&documen
   if (const auto problem = certify::structure_problem(document)) throw NetGeometryError(*problem);
   check_opposites(document);
   sides_ = side_table(document.surface);
+  epsilon_ = *certify::parse_decimal(document.epsilon);
   StagedEvaluator evaluator(document, sides_);
   labels_.resize(document.labels.size() + 1);
   for (std::size_t row = 0; row < document.labels.size(); ++row)
@@ -200,6 +191,18 @@ std::array<Complex<double>, 3> NetGeometry::corners(std::uint32_t triangle) cons
     result[i] = number == 0 ? Complex<double>{v.x, v.y} : labels_[number].rounded({v.x, v.y});
   }
   return result;
+}
+
+double NetGeometry::circumradius(std::uint32_t triangle) const {
+  const auto z = corners(triangle);
+  const auto sinh2 = sinh2_circumradius(z[0], z[1], z[2]);
+  return sinh2.denominator > 0 ? std::asinh(std::sqrt(sinh2.numerator / sinh2.denominator))
+                               : std::numeric_limits<double>::infinity();
+}
+
+std::string NetGeometry::epsilon_text() const {
+  constexpr std::size_t kShort = 40;
+  return document_->epsilon.size() <= kShort ? document_->epsilon : certify::shortest(epsilon_.get_d());
 }
 
 }  // namespace epsnet

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <gmpxx.h>
+
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "epsnet/certify/document.h"
@@ -77,12 +80,20 @@ class NetGeometry {
   /// The three corners of a triangle, counterclockwise, in the chart of its vertex 0.
   [[nodiscard]] std::array<Complex<double>, 3> corners(std::uint32_t triangle) const;
 
+  /// The hyperbolic circumradius of a triangle; infinity if its corners lie on no circle.
+  [[nodiscard]] double circumradius(std::uint32_t triangle) const;
+
   [[nodiscard]] const SideTable& sides() const { return sides_; }
+  /// ε, exactly.
+  [[nodiscard]] const mpq_class& epsilon() const { return epsilon_; }
+  /// ε for people: as the document writes it if that is short, else rounded to binary64.
+  [[nodiscard]] std::string epsilon_text() const;
 
  private:
   const certify::Document* document_;
   std::vector<PreciseIsometry> labels_;
   SideTable sides_;
+  mpq_class epsilon_;
 };
 
 }  // namespace epsnet

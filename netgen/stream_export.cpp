@@ -1,12 +1,11 @@
 #include <algorithm>
 #include <unordered_map>
-#include <utility>
 
 #include "epsnet/certify/structure_check.h"
 #include "epsnet/netgen/gaussian_fraction.h"
+#include "epsnet/netgen/gmp.h"
 #include "epsnet/netgen/surface_file.h"
 #include "epsnet/netgen/triangulation_stream.h"
-#include "epsnet/triangulation/glued_polygons.h"
 
 /// Surfaces and nets as triangulations that are given by cross-ratios.
 namespace epsnet {
@@ -168,15 +167,10 @@ class NetTriangles {
     for (const certify::Label& label : net_.labels) {
       Isometry<Rational> path;
       for (const std::uint32_t side : label.word) path = surface.crossing(side) * path;
-      const auto to = Isometry<Rational>::translation(centre(label.to));
-      const auto from = Isometry<Rational>::translation(centre(label.from));
+      const auto to = Isometry<Rational>::translation(from_gmp(net_.charts[label.to].centre));
+      const auto from = Isometry<Rational>::translation(from_gmp(net_.charts[label.from].centre));
       labels_.push_back(integral(inverse(to) * path * from));
     }
-  }
-
-  [[nodiscard]] Point centre(std::uint32_t chart) const {
-    const certify::RationalPoint& c = net_.charts[chart].centre;
-    return {Rational(c.x.get_mpq_t()), Rational(c.y.get_mpq_t())};
   }
 
   [[nodiscard]] Corners computed_corners(const certify::Triangle& triangle) const {

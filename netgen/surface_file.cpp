@@ -7,14 +7,9 @@
 #include "epsnet/certify/reader.h"
 #include "epsnet/certify/writer.h"
 #include "epsnet/netgen/atomic_file.h"
+#include "epsnet/netgen/gmp.h"
 
 namespace epsnet {
-namespace {
-
-mpq_class to_mpq(const Rational& value) { return mpq_class(value.backend().data()); }
-Rational to_rational(const mpq_class& value) { return Rational(value.get_mpq_t()); }
-
-}  // namespace
 
 certify::Surface to_document(const Surface& surface) {
   certify::Surface document;
@@ -25,7 +20,7 @@ certify::Surface to_document(const Surface& surface) {
   }
   for (const Tile& tile : surface.tiles()) {
     certify::Tile& copy = document.tiles.emplace_back();
-    for (const auto& [x, y] : tile) copy.push_back({to_mpq(x), to_mpq(y)});
+    for (const Complex<Rational>& z : tile) copy.push_back(to_gmp(z));
   }
   for (const auto& [tile, side, other_tile, other_side] : surface.gluing()) {
     document.gluing.push_back({tile, side, other_tile, other_side});
@@ -42,7 +37,7 @@ Surface from_document(const certify::Surface& surface) {
   std::vector<Tile> tiles;
   for (const certify::Tile& tile : surface.tiles) {
     Tile& copy = tiles.emplace_back();
-    for (const auto& [x, y] : tile) copy.push_back({to_rational(x), to_rational(y)});
+    for (const certify::RationalPoint& z : tile) copy.push_back(from_gmp(z));
   }
   std::vector<Gluing> gluing;
   for (const auto& [tile, side, other_tile, other_side] : surface.gluing) {

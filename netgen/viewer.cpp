@@ -136,10 +136,10 @@ class Facts {
   std::string out_;
 };
 
-std::string facts_json(const NetGeometry& geometry, const certify::Certificate* certificate, double epsilon) {
+std::string facts_json(const NetGeometry& geometry, const certify::Certificate* certificate) {
   const certify::Document& document = geometry.document();
   Facts facts;
-  facts.add("ε", document.epsilon.size() <= 40 ? document.epsilon : certify::shortest(epsilon));
+  facts.add("ε", geometry.epsilon_text());
   facts.add("genus", std::to_string(geometry.sides().genus));
   facts.add("vertices", std::to_string(document.vertices.size()));
   facts.add("triangles", std::to_string(document.triangles.size()));
@@ -158,7 +158,6 @@ std::string facts_json(const NetGeometry& geometry, const certify::Certificate* 
 std::string net_json(const NetGeometry& geometry, const ViewerOptions& options) {
   const certify::Document& document = geometry.document();
   const certify::Certificate* certificate = options.certificate;
-  const double epsilon = certify::parse_decimal(document.epsilon).value_or(mpq_class(1)).get_d();
   std::vector<std::uint32_t> opposite;
   std::vector<std::uint32_t> vertex_darts(document.vertices.size(), 0);
   for (std::uint32_t t = 0; t < document.triangles.size(); ++t) {
@@ -182,8 +181,8 @@ std::string net_json(const NetGeometry& geometry, const ViewerOptions& options) 
          json_string(certificate == nullptr || certificate->message.empty()
                          ? ""
                          : certificate->rule + ": " + certificate->message) +
-         ",\n\"epsilon\": " + certify::shortest(epsilon) +
-         ", \"facts\": " + facts_json(geometry, certificate, epsilon) + ",\n\"opposite\": " + base64(opposite) +
+         ",\n\"epsilon\": " + certify::shortest(geometry.epsilon().get_d()) +
+         ", \"facts\": " + facts_json(geometry, certificate) + ",\n\"opposite\": " + base64(opposite) +
          ",\n\"vertex_darts\": " + base64(vertex_darts) + ",\n\"points\": " + base64(points) +
          ",\n\"charts\": " + base64(charts) + ",\n\"isometries\": " + base64(labels.isometries) +
          ",\n\"edge_labels\": " + base64(labels.pairs) + ",\n\"layers\": [" + layers + "]}\n";

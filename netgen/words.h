@@ -15,6 +15,7 @@
 
 #include "epsnet/certify/text.h"
 #include "epsnet/kernel/numbers.h"
+#include "epsnet/netgen/gmp.h"
 
 /// What the readers of text formats share: words separated by white space, and the line that each is on.
 namespace epsnet {
@@ -61,7 +62,7 @@ class Words {
       fail(certify::in_quotes(word) + " found, expected " + expected +
            ": a rational number p/q or p of at most 10^6 digits (decimals are not accepted)");
     }
-    return Rational(value->get_mpq_t());
+    return from_gmp(*value);
   }
 
   /// The line of the last word.

@@ -1,7 +1,6 @@
 #include "epsnet/triangulation/triangulation.h"
 
 #include <algorithm>
-#include <deque>
 
 namespace epsnet {
 namespace {
@@ -71,12 +70,9 @@ BasePoint centre_of_tile(const Surface& surface, std::uint32_t tile) {
   }
   require_tile(surface, tile);
   const Tile& vertices = surface.tiles()[tile];
-  Complex<Mp1024> klein;
-  for (const Complex<Rational>& vertex : vertices) {
-    const auto z = convert<Mp1024>(vertex);
-    klein = klein + Mp1024(2 / ((1 + norm(z)) * vertices.size())) * z;
-  }
-  const Complex<Mp1024> centre = Mp1024(1 / (1 + sqrt(Mp1024(1 - norm(klein))))) * klein;
+  Complex<Mp1024> sum;
+  for (const Complex<Rational>& vertex : vertices) sum = sum + to_klein(convert<Mp1024>(vertex));
+  const Complex<Mp1024> centre = from_klein(Mp1024(Mp1024(1) / vertices.size()) * sum);
   // As few bits as are enough.
   for (int bits = 8;; bits *= 2) {
     const Mp1024 scale = ldexp(Mp1024(1), bits);

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <gmpxx.h>
+#include <mpfr.h>
+
+#include "epsnet/certify/document.h"
+#include "epsnet/kernel/complex.h"
+#include "epsnet/kernel/numbers.h"
+
+/// The numbers of documents, GMP's own classes, as numbers of the kernel and back.
+namespace epsnet {
+
+[[nodiscard]] inline mpq_class to_gmp(const Rational& q) { return mpq_class(q.backend().data()); }
+[[nodiscard]] inline certify::RationalPoint to_gmp(const Complex<Rational>& z) { return {to_gmp(z.x), to_gmp(z.y)}; }
+
+[[nodiscard]] inline Rational from_gmp(const mpq_class& q) { return Rational(q.get_mpq_t()); }
+[[nodiscard]] inline Complex<Rational> from_gmp(const certify::RationalPoint& z) {
+  return {from_gmp(z.x), from_gmp(z.y)};
+}
+
+/// The nearest number of a multiprecision field.
+template <class T>
+[[nodiscard]] T rounded(const mpq_class& q) {
+  T x;
+  mpfr_set_q(x.backend().data(), q.get_mpq_t(), MPFR_RNDN);
+  return x;
+}
+template <class T>
+[[nodiscard]] Complex<T> rounded(const certify::RationalPoint& z) {
+  return {rounded<T>(z.x), rounded<T>(z.y)};
+}
+
+}  // namespace epsnet
