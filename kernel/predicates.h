@@ -135,14 +135,7 @@ template <class T>
   const T aa = T(1) - norm(a);
   const T bb = T(1) - norm(b);
   const T cc = T(1) - norm(c);
-  const T x = ab * cc;
-  const T y = bc * aa;
-  const T z = ca * bb;
-  const T sum = x + y;
-  const T rest = sum - z;
-  const T left = T(4) * ab * bc * ca;
-  const T heron = T(4) * x * y - rest * rest;
-  const T scale = (sum + z) * (sum + z);
+  const auto [left, heron, scale] = sinh2_circumradius<T>(ab, bc, ca, aa, bb, cc);
   // Relative errors of the squared chords and of 1 − |z|².
   const T smallest = std::min({aa, bb, cc});
   T chord = T(5) * u;
