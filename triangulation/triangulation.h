@@ -162,8 +162,14 @@ class Triangulation {
   }
   /// The circumcentre of triangle t in its chart, in binary64 where that is accurate enough to be inside of the circle.
   [[nodiscard]] std::optional<Complex<double>> circumcentre_fast(std::uint32_t t) const;
+  /// The same from lifts in T (Mp256, Mp1024), if there is one.
+  template <class T>
+  [[nodiscard]] std::optional<Complex<Mp1024>> circumcentre_precise(std::uint32_t t);
+
+  /// Sets and takes back the mark of a triangle (`Triangle::marked`).
   void mark(std::uint32_t t) { triangles_[t].labels_and_mark |= 1; }
   void unmark(std::uint32_t t) { triangles_[t].labels_and_mark &= ~std::uint64_t{1}; }
+
   // Asks the memory for what an insertion at triangle t is going to touch, one step of indirection after the other.
   void prefetch_triangle(std::uint32_t t) const { __builtin_prefetch(&triangles_[t]); }
   void prefetch_neighbours(std::uint32_t t) const {
@@ -182,9 +188,6 @@ class Triangulation {
       __builtin_prefetch(&triangles_[triangle_of(neighbour.opposite[previous(i)])]);
     }
   }
-  /// The same from lifts in T (Mp256, Mp1024), if there is one.
-  template <class T>
-  [[nodiscard]] std::optional<Complex<Mp1024>> circumcentre_precise(std::uint32_t t);
 
   /// Replaces the edge of d by the other diagonal of the two triangles beside it, and returns a dart of the new edge.
   /// The two triangles may share more edges. Requires their lifts side by side to make a strictly convex quadrilateral;
