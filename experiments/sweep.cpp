@@ -1,7 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
-#include <cstdint>
 #include <ctime>
 #include <exception>
 #include <filesystem>

@@ -5,7 +5,6 @@
 #include <limits>
 #include <string>
 #include <unordered_set>
-#include <utility>
 
 #include "epsnet/kernel/plane.h"
 #include "epsnet/netgen/certified_net.h"

@@ -8,16 +8,13 @@
 #include <utility>
 #include <vector>
 
+#include "epsnet/certify/text.h"
 #include "epsnet/netgen/info.h"
 
 namespace epsnet {
 namespace {
 
-std::string text(double x) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, x).ptr};
-}
-
+std::string text(double x) { return certify::shortest(x); }
 std::string text(std::uint64_t n) { return std::to_string(n); }
 
 /// Microseconds are all that a clock tells.

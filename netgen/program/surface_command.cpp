@@ -1,6 +1,5 @@
 #include <map>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 #include "epsnet/certify/writer.h"
