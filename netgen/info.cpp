@@ -45,7 +45,6 @@ class Summary {
   }
   [[nodiscard]] std::uint64_t count() const { return count_; }
   [[nodiscard]] double least() const { return least_; }
-  [[nodiscard]] double greatest() const { return greatest_; }
   [[nodiscard]] std::string text() const {
     if (count_ == 0) return "none";
     std::ostringstream out;

@@ -86,17 +86,36 @@ BasePoint centre_of_tile(const Surface& surface, std::uint32_t tile) {
 
 void Triangulation::cut_tiles(const std::optional<BasePoint>& base) {
   const Surface& surface = atlas_.surface();
-  const std::uint32_t n = surface.side_count();
   const std::uint32_t first_class = base ? 1 : 0;  // The number of vertex class 0 as a vertex.
   if (base) {
     add_vertex({{0, 0}, atlas_.add_chart({base->tile, base->z})});
   }
-  // The charts of the vertices are their first corners; and the word from there to every corner.
-  std::vector<Word> words(n);
+  const std::vector<Word> words = add_vertex_classes(first_class);
+  std::vector<Dart> dart_of_side;
+  for (std::uint32_t tile = 0; tile < surface.tiles().size(); ++tile) {
+    const std::uint32_t first = surface.side_number(tile, 0);
+    // The corners lifted to one chart: the base point's, or that of the tile's first corner.
+    const bool has_base = base && base->tile == tile;
+    const std::uint32_t reference = has_base ? charts_[0] : charts_[first_class + surface.vertex_class(first)];
+    const Word to_reference = has_base ? Word{} : reversed(surface, words[first]);
+    std::vector<Corner> corners;
+    for (std::uint32_t side = first; side < first + surface.tiles()[tile].size(); ++side) {
+      const std::uint32_t v = first_class + surface.vertex_class(side);
+      corners.push_back({v, atlas_.label(charts_[v], reference, concatenated(surface, words[side], to_reference))});
+    }
+    const std::vector<Dart> darts = has_base ? cut_around({0, kIdentity}, corners) : cut_by_halves(corners);
+    dart_of_side.insert(dart_of_side.end(), darts.begin(), darts.end());
+  }
+  glue_sides(dart_of_side);
+}
+
+std::vector<Word> Triangulation::add_vertex_classes(std::uint32_t first_class) {
+  const Surface& surface = atlas_.surface();
+  std::vector<Word> words(surface.side_count());
   points_.resize(first_class + surface.vertex_class_count());
   charts_.resize(points_.size());
   std::vector<bool> placed(surface.vertex_class_count(), false);
-  for (std::uint32_t corner = 0; corner < n; ++corner) {
+  for (std::uint32_t corner = 0; corner < words.size(); ++corner) {
     const std::uint32_t v = surface.vertex_class(corner);
     if (placed[v]) {
       continue;
@@ -112,41 +131,64 @@ void Triangulation::cut_tiles(const std::optional<BasePoint>& base) {
                                               : reversed(surface, concatenated(surface, {}, Word(here, cycle.end())));
     }
   }
+  return words;
+}
 
-  std::vector<Dart> dart_of_side(n);
-  for (std::uint32_t tile = 0; tile < surface.tiles().size(); ++tile) {
-    const std::uint32_t first = surface.side_number(tile, 0);
-    const auto sides = static_cast<std::uint32_t>(surface.tiles()[tile].size());
-    // The corners lifted to one chart: the base point's, or that of the tile's first corner.
-    const bool has_base = base && base->tile == tile;
-    const std::uint32_t reference = has_base ? charts_[0] : charts_[first_class + surface.vertex_class(first)];
-    const Word to_reference = has_base ? Word{} : reversed(surface, words[first]);
-    std::vector<Corner> corners;
-    for (std::uint32_t k = 0; k < sides; ++k) {
-      const std::uint32_t v = first_class + surface.vertex_class(first + k);
-      corners.push_back(
-          {v, atlas_.label(charts_[v], reference, concatenated(surface, words[first + k], to_reference))});
-    }
-    if (has_base) {
-      const std::uint32_t first_triangle = triangle_count();
-      for (std::uint32_t k = 0; k < sides; ++k) {
-        const std::uint32_t t = add_triangle();
-        set(t, {0, kIdentity}, corners[k], corners[(k + 1) % sides], nullptr);
-        dart_of_side[first + k] = make_dart(t, 1);
-      }
-      for (std::uint32_t k = 0; k < sides; ++k) {
-        link(make_dart(first_triangle + k, 2), make_dart(first_triangle + (k + 1) % sides, 0), nullptr);
-      }
+std::vector<Dart> Triangulation::cut_around(Corner centre, const std::vector<Corner>& corners) {
+  const std::uint32_t first = triangle_count();
+  std::vector<Dart> darts;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const std::uint32_t t = add_triangle();
+    set(t, centre, corners[k], corners[(k + 1) % corners.size()], nullptr);
+    darts.push_back(make_dart(t, 1));
+  }
+  for (std::uint32_t t = first; t < triangle_count(); ++t) {
+    link(make_dart(t, 2), make_dart(t + 1 < triangle_count() ? t + 1 : first, 0), nullptr);
+  }
+  return darts;
+}
+
+template <class SetCorners>
+std::vector<Dart> Triangulation::cut_by_halves(std::uint32_t n, const SetCorners& set_corners) {
+  // A triangle (i, m, j) under the chord from i to j, then the chords (i, m) and (m, j).
+  struct Chord {
+    std::uint32_t i, j;
+    std::optional<Dart> above;  // The dart from i to j of the triangle on its other side.
+  };
+  std::vector<Dart> darts(n);
+  std::vector<Chord> chords{{0, n - 1, std::nullopt}};
+  while (!chords.empty()) {
+    const Chord chord = chords.back();
+    chords.pop_back();
+    if (chord.j == chord.i + 1) {
+      darts[chord.i] = *chord.above;
       continue;
     }
-    const std::vector<Dart> darts =
-        cut_polygon(sides, [&](std::uint32_t t, std::uint32_t i, std::uint32_t m, std::uint32_t j) {
-          set(t, corners[i], corners[m], corners[j], nullptr);
-        });
-    std::copy(darts.begin(), darts.end(), dart_of_side.begin() + first);
+    const std::uint32_t m = (chord.i + chord.j) / 2;
+    const std::uint32_t t = add_triangle();
+    set_corners(t, chord.i, m, chord.j);
+    if (chord.above) {
+      link(make_dart(t, 2), *chord.above, nullptr);
+    } else {
+      darts[n - 1] = make_dart(t, 2);  // The side from the last corner to the first.
+    }
+    chords.push_back({chord.i, m, make_dart(t, 0)});
+    chords.push_back({m, chord.j, make_dart(t, 1)});
   }
-  for (std::uint32_t s = 0; s < n; ++s) {
-    triangles_[triangle_of(dart_of_side[s])].opposite[corner_of(dart_of_side[s])] = dart_of_side[surface.partner(s)];
+  return darts;
+}
+
+std::vector<Dart> Triangulation::cut_by_halves(const std::vector<Corner>& corners) {
+  return cut_by_halves(static_cast<std::uint32_t>(corners.size()),
+                       [&](std::uint32_t t, std::uint32_t i, std::uint32_t m, std::uint32_t j) {
+                         set(t, corners[i], corners[m], corners[j], nullptr);
+                       });
+}
+
+void Triangulation::glue_sides(const std::vector<Dart>& dart_of_side) {
+  for (std::uint32_t s = 0; s < dart_of_side.size(); ++s) {
+    const Dart d = dart_of_side[s];
+    triangles_[triangle_of(d)].opposite[corner_of(d)] = dart_of_side[surface().partner(s)];
   }
 }
 
@@ -171,7 +213,7 @@ void Triangulation::cut_regular() {
     return atlas_.label(0, 0, std::move(word));
   };
   const std::vector<Dart> darts =
-      cut_polygon(n, [&](std::uint32_t t, std::uint32_t i, std::uint32_t m, std::uint32_t j) {
+      cut_by_halves(n, [&](std::uint32_t t, std::uint32_t i, std::uint32_t m, std::uint32_t j) {
         set(t, {0, kIdentity}, {0, label(i, m)}, {0, label(i, j)}, nullptr);
       });
   // Its side from corner i to i + 1 crosses a side of the tile.
@@ -179,39 +221,7 @@ void Triangulation::cut_regular() {
   for (std::uint32_t i = 0; i < n; ++i) {
     dart_of_side[cycle[n - i - 1]] = darts[i];
   }
-  for (std::uint32_t s = 0; s < n; ++s) {
-    triangles_[triangle_of(dart_of_side[s])].opposite[corner_of(dart_of_side[s])] = dart_of_side[surface.partner(s)];
-  }
-}
-
-template <class SetCorners>
-std::vector<Dart> Triangulation::cut_polygon(std::uint32_t n, const SetCorners& set_corners) {
-  // A triangle (i, m, j) under the chord from i to j, then the chords (i, m) and (m, j).
-  struct Chord {
-    std::uint32_t i, j;
-    std::optional<Dart> above;  // The dart from i to j of the triangle on its other side.
-  };
-  std::vector<Dart> result(n);
-  std::vector<Chord> chords{{0, n - 1, std::nullopt}};
-  while (!chords.empty()) {
-    const Chord chord = chords.back();
-    chords.pop_back();
-    if (chord.j == chord.i + 1) {
-      result[chord.i] = *chord.above;
-      continue;
-    }
-    const std::uint32_t m = (chord.i + chord.j) / 2;
-    const std::uint32_t t = add_triangle();
-    set_corners(t, chord.i, m, chord.j);
-    if (chord.above) {
-      link(make_dart(t, 2), *chord.above, nullptr);
-    } else {
-      result[n - 1] = make_dart(t, 2);
-    }
-    chords.push_back({chord.i, m, make_dart(t, 0)});
-    chords.push_back({m, chord.j, make_dart(t, 1)});
-  }
-  return result;
+  glue_sides(dart_of_side);
 }
 
 void Triangulation::require_room(std::size_t triangles) const {

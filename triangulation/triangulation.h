@@ -269,11 +269,18 @@ class Triangulation {
 
   void cut_tiles(const std::optional<BasePoint>& base);
   void cut_regular();
-  /// Adds triangles that cut a polygon of n corners: halved again and again by diagonals, so that few triangles have
-  /// corners far apart. `set_corners(t, i, m, j)` sets the corners of triangle t to those of the polygon, i < m < j.
-  /// Returns the dart from corner k to corner k + 1 for every k.
+  /// Makes the vertex classes vertices, from number `first_class` on, each the origin of a chart of its first corner.
+  /// Returns the words from the tiles of these first corners to the tiles of all corners of the class, by corner.
+  [[nodiscard]] std::vector<Word> add_vertex_classes(std::uint32_t first_class);
+  /// Cuts a polygon with these corners into triangles: around a vertex inside of it, or again and again into halves, by
+  /// diagonals, so that few triangles have corners far apart. Returns the darts of its sides, from corner k to k + 1.
+  [[nodiscard]] std::vector<Dart> cut_around(Corner centre, const std::vector<Corner>& corners);
+  [[nodiscard]] std::vector<Dart> cut_by_halves(const std::vector<Corner>& corners);
+  /// The same for n corners; `set_corners(t, i, m, j)` sets those of triangle t to the polygon's, i < m < j.
   template <class SetCorners>
-  [[nodiscard]] std::vector<Dart> cut_polygon(std::uint32_t n, const SetCorners& set_corners);
+  [[nodiscard]] std::vector<Dart> cut_by_halves(std::uint32_t n, const SetCorners& set_corners);
+  /// Glues the triangles along the sides of the tiles; the darts by side number.
+  void glue_sides(const std::vector<Dart>& dart_of_side);
 
   /// An edge of the boundary of a region of triangles: its dart inside and the one outside, before the region is filled
   /// anew.
