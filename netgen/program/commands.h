@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "epsnet/netgen/certified_net.h"
 #include "epsnet/netgen/curves.h"

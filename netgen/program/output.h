@@ -5,7 +5,6 @@
 #include <iosfwd>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <variant>
 
 #include "epsnet/certify/ball.h"
