@@ -130,8 +130,10 @@ bool handle_collars(Triangulation& triangulation, Collars& collars) {
 
 Triangulation delaunay_start(const Surface& surface, const std::optional<BasePoint>& base, std::uint64_t* flips) {
   Triangulation triangulation(surface, base);
-  // A regular surface is cut into Delaunay triangles from the start; to see its ties would take all bits there are.
-  const std::uint64_t count = surface.is_regular() ? 0 : triangulation.make_delaunay();
+  // Around its centre a regular surface is cut into Delaunay triangles; to see their ties would take all bits there
+  // are.
+  const bool is_delaunay = surface.is_regular() && triangulation.vertex_count() == 1;
+  const std::uint64_t count = is_delaunay ? 0 : triangulation.make_delaunay();
   if (flips != nullptr) *flips = count;
   return triangulation;
 }

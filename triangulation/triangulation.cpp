@@ -52,15 +52,13 @@ void require_inside(const Surface& surface, const BasePoint& base) {
 }  // namespace
 
 Triangulation::Triangulation(const Surface& surface, const std::optional<BasePoint>& base) : atlas_(surface) {
-  if (!surface.is_regular()) {
-    if (base) {
-      require_inside(surface, *base);
-    }
-    cut_tiles(base);
-  } else if (base && (base->tile != 0 || base->z != Complex<Rational>{})) {
-    throw SurfaceError("the base point of a regular surface is its centre, 0 in tile 0");
-  } else {
+  if (base) {
+    require_inside(surface, *base);
+  }
+  if (surface.is_regular() && (!base || base->z == Complex<Rational>{})) {
     cut_regular();
+  } else {
+    cut_tiles(base);
   }
 }
 

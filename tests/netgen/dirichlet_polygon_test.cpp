@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -94,6 +95,40 @@ TEST(DirichletPolygon, OfARegularSurfaceIsItsPolygon) {
       EXPECT_NEAR(std::cosh(polygon.sides[k].distance), 1 / std::tan(std::numbers::pi / (4 * genus)), 1e-12);
     }
   }
+}
+
+TEST(DirichletPolygon, OfAnyPointOfARegularSurface) {
+  for (const std::uint32_t genus : {2u, 5u}) {
+    const Surface surface = Surface::regular(genus);
+    // A point on an axis of symmetry has ties, another one has none.
+    std::vector<std::uint32_t> ties;
+    for (const Complex<Rational>& base :
+         {Complex<Rational>{Rational(1, 4), Rational(0)}, {Rational(3, 10), Rational(-1, 5)}}) {
+      const DirichletPolygon polygon = dirichlet_polygon(surface, BasePoint{0, base});
+      expect_dirichlet(polygon, genus, "regular");
+      expect_proved(polygon, "regular");
+      expect_words(polygon, surface, base, "regular");
+      ties.push_back(polygon.ties);
+    }
+    EXPECT_GT(ties[0], 0U);
+    EXPECT_EQ(ties[1], 0U);
+  }
+}
+
+TEST(DirichletPolygon, LooksTheSameFromPointsThatASymmetryExchanges) {
+  const Surface bolza = Surface::regular(2);
+  const DirichletPolygon one = dirichlet_polygon(bolza, BasePoint{0, {Rational(1, 4), Rational(1, 7)}});
+  const DirichletPolygon quarter_turn = dirichlet_polygon(bolza, BasePoint{0, {Rational(-1, 7), Rational(1, 4)}});
+  const auto distances = [](const DirichletPolygon& polygon) {
+    std::vector<double> result;
+    for (const DirichletPolygon::Side& side : polygon.sides) result.push_back(side.distance);
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  const std::vector<double> expected = distances(one);
+  const std::vector<double> found = distances(quarter_turn);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_NEAR(found[k], expected[k], 1e-12);
 }
 
 TEST(DirichletPolygon, BaseOfASymmetricOctagonIsItsCentre) {

@@ -175,6 +175,8 @@ for surface in fn thin bolza; do
   good dirichlet "$surface.json" --base 0 -o domain.json
   grep -q '"partner"' domain.json || complain "no sides in the Dirichlet domain of $surface"
 done
+good net bolza.json --epsilon 0.5 --base 0,0.1,1/7 -o net.json
+verified net.json
 good dirichlet bolza.json -o - --svg domain.svg
 grep -q 'path' domain.svg || complain 'no picture of the Dirichlet domain'
 
@@ -292,7 +294,7 @@ bad 1 'no-such' surface fenchel-nielsen --from no-such.json -o out/s.json
 bad 1 'at most 1000' surface regular --genus 1001 -o out/s.json
 bad 1 'not strictly inside' net fn.json --epsilon 1 --base 0,1,0 -o out/n.json
 bad 1 'the surface has 4 tiles' net fn.json --epsilon 1 --base 4 -o out/n.json
-bad 1 'centre' net bolza.json --epsilon 1 --base 0,0.1,0 -o out/n.json
+bad 1 'not left of side 0' net bolza.json --epsilon 1 --base 0,0.9,0 -o out/n.json
 bad 1 'no-such' dirichlet no-such.json -o out/d.json
 bad 1 'no rational' export bolza.json --format domain -o out/x.txt
 bad 1 'no rational' export bolza.json --format triangulation -o out/x.txt
