@@ -3,6 +3,7 @@
 #include <simdjson.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "epsnet/netgen/decimal.h"
@@ -82,8 +83,12 @@ class Reader {
  public:
   FenchelNielsenRequest read(simdjson::ondemand::document& document) {
     FenchelNielsenRequest request;
+    std::set<std::string> seen;
     for (auto field : object(document)) {
       const std::string key(take(field.unescaped_key(), "a member's name"));
+      if (!seen.insert(key).second) {
+        throw Error("member " + in_quotes(key) + " occurs twice");
+      }
       simdjson::ondemand::value value = take(field.value(), key);
       if (key == "graph") {
         request.graph = std::string(take(value.get_string(), "graph: a string"));

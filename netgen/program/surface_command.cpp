@@ -32,6 +32,16 @@ struct FenchelNielsenCommand {
   std::string output;
 };
 
+Surface requested_surface(const FenchelNielsenCommand& command) {
+  try {
+    return fenchel_nielsen_surface(resolve(command.request));
+  } catch (const Error& error) {
+    if (!command.file.empty()) throw FenchelNielsenRequestError(command.file + ": " + error.what());
+    if (dynamic_cast<const SurfaceError*>(&error) != nullptr) throw;
+    throw UsageError(error.what());
+  }
+}
+
 void make_fenchel_nielsen(FenchelNielsenCommand command) {
   if (!command.file.empty()) {
     const FenchelNielsenRequest given = command.request;
@@ -44,14 +54,7 @@ void make_fenchel_nielsen(FenchelNielsenCommand command) {
     if (!given.twists.empty()) command.request.twists = given.twists;
   }
   check_output_directory(command.output);
-  const FenchelNielsen coordinates = [&] {
-    try {
-      return resolve(command.request);
-    } catch (const Error& error) {
-      throw UsageError(error.what());
-    }
-  }();
-  write_surface_file(fenchel_nielsen_surface(coordinates), command.output);
+  write_surface_file(requested_surface(command), command.output);
 }
 
 void make_regular(const SurfaceRequest& request) {

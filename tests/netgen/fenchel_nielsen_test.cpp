@@ -265,6 +265,7 @@ TEST(FenchelNielsenRequest, BadOnesAreNamed) {
   expect_request_error("{", "expected");
   expect_request_error(R"({"genus": 2, "seed": 1} x)", "expected an object");
   expect_request_error(R"({"Genus": 2})", "unknown member \"Genus\"");
+  expect_request_error(R"({"genus": 2, "seed": 1, "genus": 3})", "member \"genus\" occurs twice");
   expect_request_error(R"({"genus": -2})", "genus: an integer");
   expect_request_error(R"({"genus": 2})", "seed: needed");
   expect_request_error(R"({"seed": 2})", "genus: needed");

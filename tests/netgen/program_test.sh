@@ -291,6 +291,10 @@ bad 64 'psilon' net s.json --epsilon "$line" -o out/n.json
 bad 1 'a length must be at least' surface fenchel-nielsen --seed 1 --genus 2 --lengths 0 -o out/s.json
 bad 1 'a length must be at least' surface fenchel-nielsen --seed 1 --genus 2 --lengths=-1 -o out/s.json
 bad 1 'no-such' surface fenchel-nielsen --from no-such.json -o out/s.json
+echo '{"graph": "0-1 0-1 0-1", "lengths": [1, 0, 1], "twists": [0]}' >short.json
+bad 1 'short.json: edge 1 (0-1): a length must be at least' surface fenchel-nielsen --from short.json -o out/s.json
+echo '{"graph": "0-1 0-1 0-1", "lengths": [1, Infinity, 1], "twists": [0]}' >infinite.json
+bad 1 'infinite.json: lengths: expected a number.*"Infinity"' surface fenchel-nielsen --from infinite.json -o out/s.json
 bad 1 'at most 1000' surface regular --genus 1001 -o out/s.json
 bad 1 'not strictly inside' net fn.json --epsilon 1 --base 0,1,0 -o out/n.json
 bad 1 'the surface has 4 tiles' net fn.json --epsilon 1 --base 4 -o out/n.json
