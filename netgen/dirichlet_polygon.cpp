@@ -45,24 +45,25 @@ DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<B
   // The lifts of the base point around 0, counterclockwise: the ends of the darts that leave it.
   const std::vector<Dart> clockwise = triangulation.star(make_dart(0, 0));
   const std::vector<Dart> star(clockwise.rbegin(), clockwise.rend());
-  const Complex<Mp256> origin = convert<Mp256>(triangulation.vertex(0).z);
-  const Isometry<Mp256> to_origin = Isometry<Mp256>::translation(-origin);
-  std::vector<Complex<Mp256>> lifts;
+  // Where closed geodesics are short, the lifts lie closer to the boundary of the disk than 256 bits can tell.
+  const Complex<Mp1024> origin = convert<Mp1024>(triangulation.vertex(0).z);
+  const Isometry<Mp1024> to_origin = Isometry<Mp1024>::translation(-origin);
+  std::vector<Complex<Mp1024>> lifts;
   for (const Dart d : star) {
-    lifts.push_back(to_origin(atlas.lift<Mp256>(triangulation.label_along(d), triangulation.vertex(0).z)));
+    lifts.push_back(to_origin(atlas.lift<Mp1024>(triangulation.label_along(d), triangulation.vertex(0).z)));
   }
   // Centre k is that of the triangle clockwise of dart k, where its side starts.
-  std::vector<Complex<Mp256>> centres;
+  std::vector<Complex<Mp1024>> centres;
   double largest_circumradius = 0;
   const std::size_t n = star.size();
   for (std::size_t k = 0; k < n; ++k) {
-    const auto centre = circumcentre(Complex<Mp256>{}, lifts[(k + n - 1) % n], lifts[k]);
+    const auto centre = circumcentre(Complex<Mp1024>{}, lifts[(k + n - 1) % n], lifts[k]);
     if (!centre) {
-      throw NetError("a vertex of the Dirichlet domain is farther away than 256 bits can tell");
+      throw NetError("a vertex of the Dirichlet domain is farther away than 1024 bits can tell");
     }
     centres.push_back(*centre);
     largest_circumradius =
-        std::max(largest_circumradius, static_cast<double>(distance(Complex<Mp256>{}, centres.back())));
+        std::max(largest_circumradius, static_cast<double>(distance(Complex<Mp1024>{}, centres.back())));
   }
 
   DirichletPolygon polygon;
@@ -78,7 +79,7 @@ DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<B
     side_of[star[k]] = static_cast<std::uint32_t>(polygon.sides.size());
     polygon.vertices.push_back(convert<double>(centres[k]));
     polygon.sides.push_back(
-        {word_along(triangulation, star[k]), 0, static_cast<double>(distance(Complex<Mp256>{}, lifts[k])) / 2});
+        {word_along(triangulation, star[k]), 0, static_cast<double>(distance(Complex<Mp1024>{}, lifts[k])) / 2});
   }
   for (const auto& [dart, side] : side_of) {
     polygon.sides[side].partner = side_of.at(triangulation.opposite(dart));

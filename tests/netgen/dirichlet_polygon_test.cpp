@@ -161,6 +161,21 @@ TEST(DirichletPolygon, OfAThinSurface) {
   expect_proved(polygon, "thin");
 }
 
+TEST(DirichletPolygon, OfAVeryShortCurve) {
+  // Vertices are e^-100 from the boundary of the disk and more: no binary64, but sides and their distances.
+  const Rational length(1, boost::multiprecision::pow(boost::multiprecision::mpz_int(10), 20));
+  const Surface surface =
+      fenchel_nielsen_surface({PantsGraph::parse("0-0 0-1 1-1"), {1, length, 2}, {Rational(1, 10), 0, Rational(1, 2)}});
+  const DirichletPolygon polygon = dirichlet_polygon(surface, std::nullopt);
+  expect_proved(polygon, "very short");
+  ASSERT_EQ(polygon.sides.size(), 18 - 2 * polygon.ties);
+  for (std::size_t k = 0; k < polygon.sides.size(); ++k) {
+    const DirichletPolygon::Side& partner = polygon.sides[polygon.sides[k].partner];
+    EXPECT_EQ(partner.partner, k);
+    EXPECT_NEAR(partner.distance, polygon.sides[k].distance, 1e-9);
+  }
+}
+
 TEST(DirichletPolygon, JsonHasEverySide) {
   const std::string json = dirichlet_json(dirichlet_polygon(Surface::regular(2), std::nullopt));
   EXPECT_EQ(json.rfind("{\"format\": \"epsnet-dirichlet\", \"version\": 1,", 0), 0U);
