@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <string>
 #include <type_traits>
 
 #include "epsnet/kernel/lorentz.h"
 #include "epsnet/kernel/plane.h"
 #include "epsnet/kernel/predicates.h"
+#include "epsnet/triangulation/curve_bound.h"
 
 namespace epsnet {
 namespace {
@@ -20,8 +23,10 @@ constexpr double kLabelAccuracy = 150;
 constexpr double kAbsoluteAccuracy = 100;
 /// Two labels g and gh between the same charts are equal if the coordinates of their matrices agree to 2⁻⁹⁰: for h ≠ 1
 /// of length ℓ the difference g(h − 1) has the determinant 2 − tr h = −4 sinh²(ℓ/4), whatever the size of g, so that
-/// some entry of it is larger than sinh(ℓ/4).
+/// some coordinate of it is larger than ℓ/√8.
 constexpr int kSameLabelBits = 90;
+/// So closed geodesics must certainly be this long, 3·10⁻²⁷.
+constexpr double kShortestCurve = 0x1p-88;
 
 std::uint64_t pair_key(std::uint32_t first, std::uint32_t second) { return (std::uint64_t{first} << 32) | second; }
 
@@ -79,6 +84,12 @@ std::uint32_t next_crossing(const Surface& surface, std::uint32_t s, Turn turn) 
   const std::uint32_t first = surface.side_number(tile, 0);
   const auto n = static_cast<std::uint32_t>(surface.tiles()[tile].size());
   return first + (partner - first + (turn == Turn::counterclockwise ? 1 : n - 1)) % n;
+}
+
+std::string two_digits(double value) {
+  std::array<char, 32> text{};
+  (void)std::snprintf(text.data(), text.size(), "%.1e", value);
+  return text.data();
 }
 
 /// The crossings of one full turn that goes on from side s.
@@ -152,6 +163,12 @@ Word concatenated(const Surface& surface, Word first, const Word& then) {
 }
 
 Atlas::Atlas(const Surface& surface) : surface_(&surface) {
+  for (std::uint32_t t = 0; t < surface.tiles().size() && !surface.is_regular(); ++t) {
+    if (const double shortest = curve_bound(surface.tiles()[t]); shortest < kShortestCurve) {
+      throw LimitError("tile " + std::to_string(t) + " is too thin: closed geodesics through it may be as short as " +
+                       two_digits(shortest) + ", expected at least " + two_digits(kShortestCurve));
+    }
+  }
   crossings_.reserve(surface.side_count());
   for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
     const std::uint32_t partner = surface.partner(s);

@@ -44,7 +44,8 @@ inline constexpr double kChartRadius = 0.7;
 /// Labels are few, a few hundred to thousands whatever the number of triangles; products and inverses are memoised.
 class Atlas {
  public:
-  /// Keeps a reference to the surface.
+  /// Keeps a reference to the surface. Throws LimitError, which names the tile, if closed geodesics may be too short
+  /// for labels to be told apart, that is about 10⁻²⁶.
   explicit Atlas(const Surface& surface);
 
   [[nodiscard]] const Surface& surface() const { return *surface_; }

@@ -290,6 +290,9 @@ bad 64 'psilon' net s.json --epsilon "$line" -o out/n.json
 # ---- Files ----
 bad 1 'a length must be at least' surface fenchel-nielsen --seed 1 --genus 2 --lengths 0 -o out/s.json
 bad 1 'a length must be at least' surface fenchel-nielsen --seed 1 --genus 2 --lengths=-1 -o out/s.json
+for command in 'net --epsilon 0.5' 'net --epsilon 0.3 --pseudo' 'net --epsilon 0.5 --base 0' dirichlet systole; do
+  bad 1 'tile 0 is too thin: closed geodesics through it may be as short as' $command "$data/surfaces/cuff-1e-28.json" -o out/x.json
+done
 bad 1 'no-such' surface fenchel-nielsen --from no-such.json -o out/s.json
 echo '{"graph": "0-1 0-1 0-1", "lengths": [1, 0, 1], "twists": [0]}' >short.json
 bad 1 'short.json: edge 1 (0-1): a length must be at least' surface fenchel-nielsen --from short.json -o out/s.json

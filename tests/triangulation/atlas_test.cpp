@@ -1,11 +1,12 @@
 #include "epsnet/triangulation/atlas.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
 #include <set>
 
 #include "epsnet/kernel/plane.h"
+#include "epsnet/netgen/surface_file.h"
 #include "support/triangulations.h"
 
 namespace epsnet {
@@ -111,6 +112,17 @@ TEST(Atlas, LabelsOfASurfaceOfManyTiles) {
   EXPECT_EQ(atlas.product(atlas.inverse(across), across), kIdentity);
   const Complex<double> z{0.25, -0.5};
   EXPECT_EQ(atlas.lift<Mp256>(across, z), convert<Mp256>(z));
+}
+
+TEST(Atlas, RefusesClosedGeodesicsThatAreTooShort) {
+  const Surface surface = load_surface(EPSNET_TEST_DATA "/surfaces/cuff-1e-28.json");
+  try {
+    const Atlas atlas(surface);
+    ADD_FAILURE() << "no error";
+  } catch (const LimitError& error) {
+    EXPECT_THAT(error.what(),
+                testing::HasSubstr("tile 0 is too thin: closed geodesics through it may be as short as 5.0e-29"));
+  }
 }
 
 TEST(Word, ReversedAndConcatenatedUndoEachOther) {
