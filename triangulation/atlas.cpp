@@ -327,25 +327,26 @@ LabelId Atlas::find_or_add(std::uint32_t from, std::uint32_t to, const Isometry<
   const Isometry<double> rounded = convert<double>(isometry);
   std::vector<LabelId>& same_charts = by_charts_[pair_key(from, to)];
   for (const LabelId l : same_charts) {
-    const LabelEntry& entry = labels_[l - 1];
+    const Complex<double>& b = this->isometry(l).b;
     const double tolerance = 1e-12 * (norm(rounded.a) + 1);
-    const bool close = std::min(norm(entry.rounded.b - rounded.b), norm(entry.rounded.b + rounded.b)) <= tolerance;
-    if (close && equal(entry.precise, isometry)) {
+    const bool close = std::min(norm(b - rounded.b), norm(b + rounded.b)) <= tolerance;
+    if (close && equal(labels_[l - 1].precise, isometry)) {
       return l;
     }
   }
-  labels_.push_back({from, to, rounded, image_error(rounded), kUnknown, isometry, accuracy, word()});
+  labels_.push_back({from, to, kUnknown, isometry, accuracy, word()});
+  rounded_.push_back({rounded, image_error(rounded)});
   const LabelId id = static_cast<LabelId>(labels_.size());
   same_charts.push_back(id);
   charts_[to].incoming.push_back(id);
   return id;
 }
 
-std::optional<LabelId> Atlas::find_product(const LabelEntry& f, const LabelEntry& g) const {
+std::optional<LabelId> Atlas::find_product(LabelId f, LabelId g) const {
   // Two isometries are the same if they take the centre of a disk that the group moves off itself to points nearer than
   // twice its radius: sinh of half of the distance of n/d and n'/d' is |n d' − n' d|/(1 − |centre|²).
-  const Disk& disk = charts_[g.from].disk;
-  const double size = size_of(f.rounded) * size_of(g.rounded);
+  const Disk& disk = charts_[from(g)].disk;
+  const double size = size_of(isometry(f)) * size_of(isometry(g));
   const double gap = 1 - norm(disk.centre);
   struct Image {
     Complex<double> n;
@@ -354,7 +355,7 @@ std::optional<LabelId> Atlas::find_product(const LabelEntry& f, const LabelEntry
   const auto image = [&](const Isometry<double>& h) {
     return Image{h.a * disk.centre + h.b, conj(h.b) * disk.centre + conj(h.a)};
   };
-  const Image product = image(f.rounded * g.rounded);
+  const Image product = image(isometry(f) * isometry(g));
   // docs/error-bounds.md, E6.
   const auto is_product = [&](const Isometry<double>& h) -> std::optional<bool> {
     if (!(64 * kUnitRoundoff * size * size_of(h) <= 0.25 * disk.sinh_radius * gap)) {
@@ -363,12 +364,12 @@ std::optional<LabelId> Atlas::find_product(const LabelEntry& f, const LabelEntry
     const Image other = image(h);
     return norm(product.n * other.d - other.n * product.d) < 0.25 * disk.sinh_radius * disk.sinh_radius * gap * gap;
   };
-  if (g.from == f.to) {
+  if (from(g) == to(f)) {
     if (const auto same = is_product({}); !same || *same) {
       return same ? std::optional(kIdentity) : std::nullopt;
     }
   }
-  const auto same_charts = by_charts_.find(pair_key(g.from, f.to));
+  const auto same_charts = by_charts_.find(pair_key(from(g), to(f)));
   if (same_charts != by_charts_.end()) {
     for (const LabelId l : same_charts->second) {
       if (const auto same = is_product(isometry(l)); !same || *same) {
@@ -384,11 +385,11 @@ LabelId Atlas::product_of_others(LabelId f, LabelId g) {
   if (!is_new) {
     return known->second;
   }
-  const LabelEntry& left = labels_[f - 1];
-  const LabelEntry& right = labels_[g - 1];
-  if (const auto found = find_product(left, right)) {
+  if (const auto found = find_product(f, g)) {
     return known->second = *found;
   }
+  const LabelEntry& left = labels_[f - 1];
+  const LabelEntry& right = labels_[g - 1];
   const auto word = [&] { return concatenated(*surface_, right.word, left.word); };
   const double accuracy =
       std::min(left.accuracy, right.accuracy) - log2_norm(left.precise) - log2_norm(right.precise) - 3;
@@ -415,7 +416,7 @@ LabelId Atlas::inverse_of_other(LabelId f) {
 template <class T>
 const Isometry<T>& Atlas::isometry_in(LabelId l) {
   if constexpr (std::is_same_v<T, double>) {
-    return labels_[l - 1].rounded;
+    return rounded_[l - 1].isometry;
   } else if constexpr (std::is_same_v<T, Mp256>) {
     return labels_[l - 1].precise;
   } else {

@@ -79,8 +79,8 @@ class Atlas {
 
   /// The isometry of a label, not the identity, in binary64. `error(l)` bounds the Euclidean distance of the computed
   /// image of a point with |z| ≤ 0.75 from the true image (docs/error-bounds.md, E5).
-  [[nodiscard]] const Isometry<double>& isometry(LabelId l) const { return labels_[l - 1].rounded; }
-  [[nodiscard]] double error(LabelId l) const { return labels_[l - 1].error; }
+  [[nodiscard]] const Isometry<double>& isometry(LabelId l) const { return rounded_[l - 1].isometry; }
+  [[nodiscard]] double error(LabelId l) const { return rounded_[l - 1].error; }
 
   /// The same, determinant 1, in Mp256 (about 200 bits), Mp1024 (620 bits, relative to the entries) or Mp4096 (2020).
   /// Evaluated when first asked for.
@@ -122,12 +122,15 @@ class Atlas {
   struct LabelEntry {
     std::uint32_t from;
     std::uint32_t to;
-    Isometry<double> rounded;
-    double error;
     LabelId inverse;  ///< kUnknown until asked for.
     Isometry<Mp256> precise;
     double accuracy;  ///< `precise` is within 2^−accuracy, relative to its entries.
     Word word;
+  };
+
+  struct Rounded {
+    Isometry<double> isometry;
+    double error;
   };
 
   [[nodiscard]] LabelId product_of_others(LabelId f, LabelId g);
@@ -135,7 +138,7 @@ class Atlas {
   /// A disk inside of a tile, from its corners, in its coordinates.
   [[nodiscard]] static Disk disk_inside(std::span<const Complex<double>> tile);
   /// The label of f ∘ g among those that exist; nothing if it is new or if binary64 does not tell.
-  [[nodiscard]] std::optional<LabelId> find_product(const LabelEntry& f, const LabelEntry& g) const;
+  [[nodiscard]] std::optional<LabelId> find_product(LabelId f, LabelId g) const;
   /// `word` is asked for its word if the label is new.
   template <class MakeWord>
   [[nodiscard]] LabelId find_or_add(std::uint32_t from, std::uint32_t to, const Isometry<Mp256>& isometry,
@@ -176,6 +179,7 @@ class Atlas {
   std::vector<Disk> disks_;               ///< By tile.
   std::vector<ChartEntry> charts_;
   std::deque<LabelEntry> labels_;
+  std::deque<Rounded> rounded_;  ///< By label; apart, as the fast path wants nothing else.
   std::unordered_map<std::uint64_t, LabelId> products_;
   std::unordered_map<std::uint64_t, std::vector<LabelId>> by_charts_;
   mutable std::tuple<Known<Mp1024>, Known<Mp4096>> known_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "epsnet/kernel/lorentz.h"
@@ -76,25 +77,34 @@ T squared_bound(const Measured<T>& tile) {
   return bound;
 }
 
+/// The bound from its sinh².
+double bound_from(double square) { return 0.99 * std::asinh(std::sqrt(square)); }
+
+/// The bound, computed in T, if no vertex is farther than `farthest` (cosh of the distance from 0) and the bound is at
+/// least `least` (sinh²).
+template <class T>
+std::optional<double> bound_in(const Tile& tile, double farthest, double least) {
+  const Measured<T> measured(tile);
+  if (!(measured.farthest <= farthest)) {
+    return std::nullopt;
+  }
+  const auto square = static_cast<double>(squared_bound(measured));
+  return square >= least ? std::optional(bound_from(square)) : std::nullopt;
+}
+
 }  // namespace
 
 double curve_bound(const Tile& tile) {
-  // Where vertices are near and the bound is large, binary64 is off by less than a hundredth.
-  const Measured<double> rounded(tile);
-  if (rounded.farthest <= 100) {
-    const double bound = squared_bound(rounded);
-    if (bound >= 1e-4) {
-      return 0.99 * std::asinh(std::sqrt(bound));
-    }
+  // Where vertices are near and the bound is large, few bits are off by less than a hundredth.
+  if (const auto bound = bound_in<double>(tile, 100, 1e-4)) {
+    return *bound;
+  }
+  if (const auto bound = bound_in<Mp256>(tile, 1e10, 1e-20)) {
+    return *bound;
   }
   // 300 digits are enough for vertices so near and bounds so large.
   constexpr double kLeast = 1e-90;
-  const Measured<Mp1024> precise(tile);
-  if (!(precise.farthest <= 1e95)) {
-    return kLeast;
-  }
-  const auto bound = static_cast<double>(squared_bound(precise));
-  return std::max(kLeast, 0.99 * std::asinh(std::sqrt(std::max(bound, 0.0))));
+  return std::max(kLeast, bound_in<Mp1024>(tile, 1e95, 0).value_or(kLeast));
 }
 
 }  // namespace epsnet

@@ -1,6 +1,7 @@
 #include "epsnet/triangulation/surface.h"
 
 #include <boost/math/constants/constants.hpp>
+#include <future>
 #include <utility>
 
 #include "epsnet/triangulation/glued_polygons.h"
@@ -13,7 +14,11 @@ Surface::Surface(std::vector<Tile> tiles, std::vector<Gluing> gluing)
   polygons.check_vertices();
   polygons.check_convex();
   polygons.check_lengths();
-  polygons.check_angles();
+  // Angles take as long as all crossings: side by side with them where there are many.
+  constexpr std::size_t kMany = 100;
+  std::future<void> angles =
+      std::async(polygons.partner.size() > kMany ? std::launch::async : std::launch::deferred,
+                 [&polygons] { polygons.check_angles(); });
   const std::vector<ScaledPoint>& points = polygons.points();
   crossing_.resize(polygons.partner.size());
   for (std::uint32_t s = 0; s < crossing_.size(); ++s) {
@@ -22,6 +27,7 @@ Surface::Surface(std::vector<Tile> tiles, std::vector<Gluing> gluing)
     crossing_[s] = integral_crossing(points[s], points[polygons.next(s)], points[polygons.next(other)], points[other]);
     crossing_[other] = inverse(crossing_[s]);
   }
+  angles.get();
   genus_ = polygons.genus();
   first_side_ = std::move(polygons.first_side);
   side_tile_ = std::move(polygons.side_tile);
