@@ -67,11 +67,13 @@ std::vector<Item> collect(const Document& document) {
   return items;
 }
 
-/// Whether L_a L_b⁻¹ = L_c L_d⁻¹, from the displacement of `base`, the inscribed disk's centre, by their quotient.
+/// Whether L_a L_b⁻¹ = L_c L_d⁻¹, from the displacement of `base`, the inscribed disk's centre, by their quotient. A
+/// label that is null is the identity.
 Tri holds(const std::array<const BallIsometry*, 4>& labels, const BallIsometry& base, const Ball& sinh_radius,
           slong precision) {
   const auto quotient = [&](const BallIsometry* f, const BallIsometry* g) {
-    return compose(compose(*f, inverse(*g), precision), base, precision);
+    BallIsometry result = g == nullptr ? base : compose(inverse(*g), base, precision);
+    return f == nullptr ? result : compose(*f, result, precision);
   };
   const BallIsometry difference =
       compose(inverse(quotient(labels[2], labels[3])), quotient(labels[0], labels[1]), precision);
@@ -127,7 +129,6 @@ GluingOutcome check_gluing(const Document& document, const LabelEvaluator& evalu
     });
     const std::vector<BallIsometry> labels =
         evaluator.evaluate(numbers.values(), precision, std::min(4 * precision, 2 * max_precision), threads);
-    const BallIsometry identity = identity_isometry();
     // From 0 to the disk's centre, in the coordinates of each chart.
     std::vector<BallIsometry> bases(charts.size());
     for_each_parallel(charts.size(), threads, [&](unsigned, std::size_t i) {
@@ -143,7 +144,7 @@ GluingOutcome check_gluing(const Document& document, const LabelEvaluator& evalu
       std::array<const BallIsometry*, 4> factors{};
       for (std::size_t i = 0; i < 4; ++i) {
         const std::uint32_t number = item.equation.labels[i];
-        factors[i] = number == 0 ? &identity : &labels[numbers.index(number)];
+        factors[i] = number == 0 ? nullptr : &labels[numbers.index(number)];
       }
       item.holds = holds(factors, bases[charts.index(item.equation.chart)], disk->sinh_radius, precision);
     });

@@ -16,9 +16,8 @@ Surface::Surface(std::vector<Tile> tiles, std::vector<Gluing> gluing)
   polygons.check_lengths();
   // Angles take as long as all crossings: side by side with them where there are many.
   constexpr std::size_t kMany = 100;
-  std::future<void> angles =
-      std::async(polygons.partner.size() > kMany ? std::launch::async : std::launch::deferred,
-                 [&polygons] { polygons.check_angles(); });
+  std::future<void> angles = std::async(polygons.partner.size() > kMany ? std::launch::async : std::launch::deferred,
+                                        [&polygons] { polygons.check_angles(); });
   const std::vector<ScaledPoint>& points = polygons.points();
   crossing_.resize(polygons.partner.size());
   for (std::uint32_t s = 0; s < crossing_.size(); ++s) {
