@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "epsnet/netgen/certified_net.h"
@@ -43,6 +44,22 @@ void add_geodesics(CLI::App& command, std::string& file);
 /// The closed geodesics of a geodesics file about the net's surface as a layer of a picture. Throws JobError, and as
 /// the reader.
 [[nodiscard]] std::vector<Layer> load_geodesics_layers(const std::string& file, const certify::Document& net);
+/// For an option with named values, in the order in which an error lists them.
+template <class T>
+[[nodiscard]] CLI::Validator one_of(std::vector<std::pair<std::string, T>> choices) {
+  return {[choices = std::move(choices)](std::string& text) {
+            std::string expected;
+            for (const auto& [name, value] : choices) {
+              if (text == name) {
+                text = std::to_string(static_cast<int>(value));  // What CLI11 reads a T from.
+                return std::string();
+              }
+              expected += (expected.empty() ? "" : ", ") + name;
+            }
+            return "expected one of " + expected + ", not \"" + text.substr(0, 80) + "\"";
+          },
+          ""};
+}
 /// The value of --epsilon.
 [[nodiscard]] inline Epsilon parse_epsilon(const std::string& text) { return parse_length("--epsilon", text); }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -70,8 +69,7 @@ void add_draw_command(CLI::App& app, Job& chosen) {
   draw_command
       ->add_option("--order", request.options.order,
                    "which triangle is lifted next: across the edge of least weight, or breadth-first")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, DrawOrder>{{"weight", DrawOrder::weight}, {"bfs", DrawOrder::breadth_first}}))
+      ->transform(one_of<DrawOrder>({{"weight", DrawOrder::weight}, {"bfs", DrawOrder::breadth_first}}))
       ->option_text("weight|bfs [weight]");
   draw_command
       ->add_option("--show", request.show,
@@ -87,8 +85,8 @@ void add_draw_command(CLI::App& app, Job& chosen) {
       ->add_option("--colour,--color", request.options.colouring,
                    "what triangles are filled with: circumradius is pale at epsilon/2 and dark at epsilon; chart is a "
                    "colour for each chart of the file")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Colouring>{
-          {"none", Colouring::none}, {"circumradius", Colouring::circumradius}, {"chart", Colouring::chart}}))
+      ->transform(one_of<Colouring>(
+          {{"none", Colouring::none}, {"circumradius", Colouring::circumradius}, {"chart", Colouring::chart}}))
       ->option_text("none|circumradius|chart [none]");
   draw_command->add_flag("--legend", request.options.legend, "say in a corner what the colours mean");
   draw_command->add_option("--centre,--center", request.options.centre, "the vertex in the centre")

@@ -1,5 +1,4 @@
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <variant>
@@ -86,13 +85,12 @@ void add_export_command(CLI::App& app, Job& chosen) {
                    "net: off or vtu, one lift of every triangle; edges, a table of vertices and lengths; json, all of "
                    "it")
       ->required()
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, ExportFormat>{{"domain", ExportFormat::domain},
-                                                                      {"triangulation", ExportFormat::triangulation},
-                                                                      {"off", ExportFormat::off},
-                                                                      {"vtu", ExportFormat::vtu},
-                                                                      {"edges", ExportFormat::edges},
-                                                                      {"json", ExportFormat::json}}))
+      ->transform(one_of<ExportFormat>({{"domain", ExportFormat::domain},
+                                        {"triangulation", ExportFormat::triangulation},
+                                        {"off", ExportFormat::off},
+                                        {"vtu", ExportFormat::vtu},
+                                        {"edges", ExportFormat::edges},
+                                        {"json", ExportFormat::json}}))
       ->option_text("domain|triangulation|off|vtu|edges|json REQUIRED");
   add_output(*command, request.output, "the text to write");
   command->footer(

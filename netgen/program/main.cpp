@@ -101,6 +101,12 @@ int run(int argc, char** argv) {
     app.exit(success);  // --help, --version
     std::cout.flush();
     return std::cout ? kExitFine : fail(kExitFailed, "cannot write to standard output");
+  } catch (const CLI::ConversionError& error) {
+    // "Could not convert: OPTION = TEXT": all that is converted are whole numbers.
+    const std::string text = error.what();
+    const std::size_t colon = text.find(": ");
+    return fail(kExitUsage, (colon == std::string::npos ? text : text.substr(colon + 2)) +
+                                ": not a whole number that the option can take (try --help)");
   } catch (const CLI::ParseError& error) {
     return fail(kExitUsage, std::string(error.what()) + " (try --help)");
   }

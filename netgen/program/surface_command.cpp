@@ -1,4 +1,3 @@
-#include <map>
 #include <memory>
 #include <string>
 
@@ -137,10 +136,9 @@ void add_surface_command(CLI::App& app, Job& chosen) {
   import_command
       ->add_option("--format", import_request->format,
                    "what FILE is; auto tells by its second word, \"yes\" or \"no\" in a triangulation")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, ExchangeFormat>{{"auto", ExchangeFormat::automatic},
-                                                {"domain", ExchangeFormat::domain},
-                                                {"triangulation", ExchangeFormat::triangulation}}))
+      ->transform(one_of<ExchangeFormat>({{"auto", ExchangeFormat::automatic},
+                                          {"domain", ExchangeFormat::domain},
+                                          {"triangulation", ExchangeFormat::triangulation}}))
       ->option_text("auto|domain|triangulation [auto]");
   add_output(*import_command, import_request->output, "the surface file to write");
   import_command->footer(

@@ -301,6 +301,9 @@ bad 1 'infinite.json: lengths: expected a number.*"Infinity"' surface fenchel-ni
 bad 1 'at most 1000' surface regular --genus 1001 -o out/s.json
 bad 1 'not strictly inside' net fn.json --epsilon 1 --base 0,1,0 -o out/n.json
 bad 1 'the surface has 4 tiles' net fn.json --epsilon 1 --base 4 -o out/n.json
+bad 64 'expected one of cavity, flips, not "both"' net fn.json --epsilon 1 --insert both -o out/n.json
+bad 64 'expected one of domain, triangulation, off, vtu, edges, json, not "obj"' export fn.json --format obj -o out/e
+bad 64 '--genus = three: not a whole number' surface regular --genus three -o out/s.json
 bad 1 'not left of side 0' net bolza.json --epsilon 1 --base 0,0.9,0 -o out/n.json
 bad 1 'no-such' dirichlet no-such.json -o out/d.json
 bad 1 'no rational' export bolza.json --format domain -o out/x.txt
