@@ -299,8 +299,13 @@ Atlas::Value<T> Atlas::evaluate_to(double bits, std::uint32_t from, std::uint32_
       return rounded(value, 1024);
     }
   }
-  if (const auto value = evaluate<Mp4096>(from, to, word); value.bits_lost + bits <= 4096) {
-    return rounded(value, 4096);
+  // Where triangles start so far from Delaunay that their words grow and grow, this is where it ends: the paths of nets
+  // have a few dozen sides, or as many as a polygon.
+  const std::size_t longest = 500 + surface_->side_count();
+  if (word.size() <= longest) {
+    if (const auto value = evaluate<Mp4096>(from, to, word); value.bits_lost + bits <= 4096) {
+      return rounded(value, 4096);
+    }
   }
   throw LimitError("a path of " + std::to_string(word.size()) + " sides leads too far to be evaluated");
 }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "epsnet/kernel/plane.h"
+#include "epsnet/netgen/fenchel_nielsen.h"
 #include "epsnet/netgen/surface_file.h"
 #include "support/triangulations.h"
 
@@ -123,6 +124,15 @@ TEST(Atlas, RefusesClosedGeodesicsThatAreTooShort) {
     EXPECT_THAT(error.what(),
                 testing::HasSubstr("tile 0 is too thin: closed geodesics through it may be as short as 5.0e-29"));
   }
+}
+
+TEST(Atlas, PathsThatLeadFarAreFollowedUpToALength) {
+  // Side 0 of a pair of pants leads around a cuff, here of length 1.
+  const Surface surface = fenchel_nielsen_surface({PantsGraph::parse("0-0 0-1 1-1"), {1, 1, 1}, {0, 0, 0}});
+  Atlas atlas(surface);
+  (void)atlas.add_chart({0, {}});
+  EXPECT_NE(atlas.label(0, 0, Word(500, 0)), kIdentity);
+  EXPECT_THROW((void)atlas.label(0, 0, Word(900, 0)), LimitError);
 }
 
 TEST(Word, ReversedAndConcatenatedUndoEachOther) {
