@@ -286,7 +286,7 @@ class RegularRing::Residues {
     };
     ulong zeta = 0;
     for (ulong base = 2; zeta == 0 || !has_order(zeta); ++base) {
-      zeta = n_powmod2_preinv(base, (p - 1) / order_, p_, inverse_);
+      zeta = n_powmod2_preinv(base, static_cast<slong>((p - 1) / order_), p_, inverse_);
     }
     ulong step = 1;
     for (std::uint32_t k = 0; k < kBlock; ++k, step = times(step, zeta)) small_.push_back(step);

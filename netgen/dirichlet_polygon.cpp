@@ -49,6 +49,7 @@ DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<B
   const Complex<Mp1024> origin = convert<Mp1024>(triangulation.vertex(0).z);
   const Isometry<Mp1024> to_origin = Isometry<Mp1024>::translation(-origin);
   std::vector<Complex<Mp1024>> lifts;
+  lifts.reserve(star.size());
   for (const Dart d : star) {
     lifts.push_back(to_origin(atlas.lift<Mp1024>(triangulation.label_along(d), triangulation.vertex(0).z)));
   }
