@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 /// Owners of Arb's real and complex balls, and comparisons that cannot be misread.
 ///
@@ -89,11 +90,43 @@ class ComplexBall {
   return arb_ge(x, y) ? Tri::no : Tri::unknown;
 }
 
-/// x > 0.
+/// x > 0. Not finite is `unknown`.
 [[nodiscard]] inline Tri certainly_positive(arb_srcptr x) {
   if (!arb_is_finite(x)) return Tri::unknown;
   if (arb_is_positive(x)) return Tri::yes;
   return arb_is_nonpositive(x) ? Tri::no : Tri::unknown;
+}
+
+/// x < 0. Not finite is `unknown`.
+[[nodiscard]] inline Tri certainly_negative(arb_srcptr x) {
+  if (!arb_is_finite(x)) return Tri::unknown;
+  if (arb_is_negative(x)) return Tri::yes;
+  return arb_is_nonnegative(x) ? Tri::no : Tri::unknown;
+}
+
+/// 1 or −1 if all points of the ball have this sign; else 0, which says nothing. 0 if not finite.
+[[nodiscard]] inline int certain_sign(arb_srcptr x) {
+  return certainly_positive(x) == Tri::yes ? 1 : certainly_negative(x) == Tri::yes ? -1 : 0;
+}
+
+/// True only if the ball is the single point 0. False says nothing; false if not finite.
+[[nodiscard]] inline bool is_exactly_zero(arb_srcptr x) { return arb_is_zero(x) != 0; }
+
+/// False for NaN and for balls with an infinite end. Says nothing about the value.
+[[nodiscard]] inline bool is_finite(arb_srcptr x) { return arb_is_finite(x) != 0; }
+
+/// True only if no point of one ball is a point of the other, so that the values differ. False says nothing; false for
+/// NaN.
+[[nodiscard]] inline bool certainly_different(acb_srcptr x, acb_srcptr y) { return acb_overlaps(x, y) == 0; }
+
+/// The integer in the ball, if there is exactly one and it is of the size of a machine word. Nothing if not finite.
+[[nodiscard]] inline std::optional<slong> only_integer(arb_srcptr x) {
+  fmpz_t integer;
+  fmpz_init(integer);
+  const bool unique = arb_get_unique_fmpz(integer, x) != 0 && fmpz_fits_si(integer) != 0;
+  const std::optional<slong> result = unique ? std::optional(fmpz_get_si(integer)) : std::nullopt;
+  fmpz_clear(integer);
+  return result;
 }
 
 /// The integer, rounded to `precision` bits with a radius that covers the rounding.

@@ -57,14 +57,20 @@ std::string_view name(Verdict verdict) {
   return "MALFORMED";
 }
 
-std::string_view claim(const Certificate& certificate) {
-  if (certificate.geodesics) return "closed geodesics";
-  return certificate.counts.collars ? "a pseudo epsilon-net: an epsilon-net of the epsilon-thick part"
-                                    : "an epsilon-net";
-}
-
 Certificate check(const Document& document, const CheckOptions& options) {
+  const auto progress = [&](std::string_view rule) {
+    if (options.progress) options.progress(rule, 0);
+  };
   Certificate certificate;
+  progress("structure");
+  if (const auto problem = structure_problem(document)) {
+    certificate.verdict = Verdict::malformed;
+    certificate.rule = "structure";
+    certificate.message = *problem;
+    return certificate;
+  }
+  certificate.claim =
+      document.collars ? "a pseudo epsilon-net: an epsilon-net of the epsilon-thick part" : "an epsilon-net";
   certificate.counts.vertices = document.vertices.size();
   certificate.counts.triangles = document.triangles.size();
   certificate.counts.edges = 3 * document.triangles.size() / 2;
@@ -75,17 +81,6 @@ Certificate check(const Document& document, const CheckOptions& options) {
   const unsigned threads = options.threads != 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1U);
   CheckOptions bounded = options;
   bounded.max_precision = std::clamp(options.max_precision, kLeastPrecision, kGreatestPrecision);
-  const auto progress = [&](std::string_view rule) {
-    if (options.progress) options.progress(rule, 0);
-  };
-
-  progress("structure");
-  if (const auto problem = structure_problem(document)) {
-    certificate.verdict = Verdict::malformed;
-    certificate.rule = "structure";
-    certificate.message = *problem;
-    return certificate;
-  }
 
   progress("surface");
   SurfaceOutcome surface = check_surface(document.surface, threads);

@@ -79,6 +79,7 @@ struct GeodesicsCounts {
 /// The answer to `check`. There is no conversion to bool: compare `verdict`.
 struct Certificate {
   Verdict verdict = Verdict::undecided;
+  std::string claim;    ///< What holds if the verdict is `verified`, in words; empty if malformed. One line.
   std::string rule;     ///< The rule that decided a verdict other than `verified`; "structure" if malformed.
   std::string message;  ///< That rule's text; empty if verified.
   /// The rules that were evaluated, in the order surface, map, gluing, orientation, delaunay, covering, packing; in a
@@ -91,9 +92,6 @@ struct Certificate {
   std::optional<Enclosures> enclosures;      ///< Present if the geometry was evaluated.
   std::optional<GeodesicsCounts> geodesics;  ///< Present for a geodesics file whose net is verified.
 };
-
-/// What a document of this kind claims to be, in words.
-[[nodiscard]] std::string_view claim(const Certificate& certificate);
 
 /// Checks everything. A document of whatever content gives a certificate; exceptions mean that the machine failed
 /// (std::bad_alloc, std::system_error).

@@ -7,11 +7,6 @@
 namespace epsnet::certify {
 namespace {
 
-int certain_sign(arb_srcptr x) {
-  if (arb_is_positive(x)) return 1;
-  return arb_is_negative(x) ? -1 : 0;
-}
-
 /// T g T⁻¹.
 BallIsometry conjugate_by(const BallIsometry& t, const BallIsometry& g, slong precision) {
   BallIsometry result = compose(compose(t, g, precision), inverse(t), precision);
@@ -19,7 +14,7 @@ BallIsometry conjugate_by(const BallIsometry& t, const BallIsometry& g, slong pr
   return result;
 }
 
-bool is_finite(const BallVector& x) { return arb_is_finite(x[0]) && arb_is_finite(x[1]) && arb_is_finite(x[2]); }
+bool all_finite(const BallVector& x) { return is_finite(x[0]) && is_finite(x[1]) && is_finite(x[2]); }
 
 class ChordSearch {
  public:
@@ -89,7 +84,7 @@ class ChordSearch {
     Ball value;
     for (std::uint32_t dart = 3 * triangle; dart < 3 * triangle + 3; ++dart) {
       dot(value.get(), plane_.line(dart), point, plane_.precision());
-      if (arb_is_negative(value.get())) return dart;
+      if (certainly_negative(value.get()) == Tri::yes) return dart;
     }
     return Chord::kNone;
   }
@@ -107,9 +102,10 @@ class ChordSearch {
 
   /// The axis and the sides of the corners; false if there is no axis to this precision.
   [[nodiscard]] bool measure(Chord& chord) const {
-    if (!arb_is_positive(chord.element.a.re())) return false;
+    // The sides of the axis are told apart only by an element whose sign is chosen.
+    if (certainly_positive(chord.element.a.re()) != Tri::yes) return false;
     chord.axis = axis_row(chord.element, plane_.precision());
-    if (!is_finite(chord.axis)) return false;
+    if (!all_finite(chord.axis)) return false;
     Ball value;
     for (std::uint32_t i = 0; i < 3; ++i) {
       dot(value.get(), chord.axis, plane_.corner(3 * chord.triangle + i), plane_.precision());
@@ -159,7 +155,7 @@ class ChordSearch {
 
 Interval translation_length(const BallIsometry& element, slong precision) {
   Ball length;
-  arb_acosh(length.get(), element.a.re(), precision);
+  arb_acosh(length.get(), cosh_half_length(element).get(), precision);
   arb_mul_2exp_si(length.get(), length.get(), 1);
   const Interval interval = outer_interval(length.get());
   return {std::max(interval.lower, 0.0), interval.upper};

@@ -30,7 +30,7 @@ struct ChordList {
   std::vector<Chord> chords;
 };
 
-/// The length of an element from cosh(l/2) = Re a > 1, rounded outward; from 0 up if balls do not tell Re a > 1.
+/// The length of an element from cosh(l/2) = |Re a| > 1, rounded outward; from 0 up if balls do not tell |Re a| > 1.
 [[nodiscard]] Interval translation_length(const BallIsometry& element, slong precision);
 
 /// A dart that leaves each vertex.

@@ -12,6 +12,8 @@ namespace {
 
 /// Chords and steps of one candidate at most.
 constexpr std::size_t kMaxChords = 100'000;
+/// Bits of two lengths that agree before they are compared exactly.
+constexpr slong kTieBits = 30;
 
 std::string text(Interval x) {
   return std::string("[").append(shortest(x.lower)).append(", ").append(shortest(x.upper)).append("]");
@@ -28,7 +30,7 @@ class CompletenessCheck::Pass {
         net_(plane.net()),
         table_(table),
         first_darts_(first_darts(net_)),
-        cosh_half_(check.cosh_half_bound(plane.precision())) {
+        cosh_half_(check.cosh_half_bound(plane)) {
     const slong precision = plane.precision();
     Ball cosh_epsilon, squared_sinh;
     set_rational(epsilon_.get(), *parse_decimal(net_.epsilon), precision);
@@ -52,12 +54,12 @@ class CompletenessCheck::Pass {
     const BallVector place = position(v);
     std::vector<BallIsometry> known;
     Tri answer = Tri::yes;
-    const auto report = [&](const BallIsometry& element) {
-      answer = judge(v, element, &place, known, vertex);
+    const auto report = [&](const BallIsometry& element, const LabelProduct& product) {
+      answer = judge(v, element, product, &place, known, vertex);
       return answer == Tri::yes ? Search::go_on : Search::stop;
     };
-    OrbitOutcome outcome{.limit_reached = true};
-    if (!is_hopeless()) {
+    OrbitOutcome outcome{.limit_reached = is_hopeless()};
+    if (!outcome.limit_reached) {
       outcome =
           search_orbit(plane_, first_darts_[v], cosh_distance_, sinh_distance_, tanh_epsilon_, check_.limit_, report);
     }
@@ -73,7 +75,7 @@ class CompletenessCheck::Pass {
     arb_mul_2exp_si(least.get(), cosh_distance_.get(), 1);
     arb_sub_ui(least.get(), least.get(), 2, plane_.precision());
     arb_set_ui(limit.get(), check_.limit_);
-    return !arb_is_finite(least.get()) || arb_gt(least.get(), limit.get()) != 0;
+    return certainly_less(limit.get(), least.get()) == Tri::yes;
   }
 
   /// True if the vertex is deep; then its short loop is the only candidate.
@@ -84,8 +86,11 @@ class CompletenessCheck::Pass {
       choose_sign(element);
       if (!is_deep(v, element)) continue;
       vertex.deep = true;
+      const LabelProduct product = [&] {
+        return std::vector<SignedLabel>{{corner_label(net_, dart), true}, {corner_label(net_, next_dart(dart)), false}};
+      };
       std::vector<BallIsometry> known;
-      vertex.complete = judge(v, element, nullptr, known, vertex);
+      vertex.complete = judge(v, element, product, nullptr, known, vertex);
       return true;
     }
     return false;
@@ -117,30 +122,39 @@ class CompletenessCheck::Pass {
 
   /// Whether the element, in the chart of vertex v, is no geodesic that the list lacks: `yes` if it is too long, the
   /// identity, in the list, or (unless `place` is null) if its axis is further than ε from the vertex at `place`.
-  [[nodiscard]] Tri judge(std::uint32_t v, const BallIsometry& element, const BallVector* place,
-                          std::vector<BallIsometry>& known, Vertex& vertex) const {
-    const Tri shorter = certainly_less(element.a.re(), cosh_half_.get());
+  [[nodiscard]] Tri judge(std::uint32_t v, const BallIsometry& element, const LabelProduct& product,
+                          const BallVector* place, std::vector<BallIsometry>& known, Vertex& vertex) const {
+    const Tri shorter = certainly_less(cosh_half_length(element).get(), cosh_half_.get());
     if (shorter == Tri::no) return Tri::yes;
     const std::uint32_t chart = net_.vertices[v].chart;
     const Tri trivial = plane_.same(chart, element, identity_isometry());
     if (trivial == Tri::yes) return Tri::yes;
-    if (check_.document_.claim == Claim::systole) {
-      if (shorter == Tri::unknown || trivial == Tri::unknown) return Tri::unknown;
-      vertex.text = missing_text(v, element, "is shorter");
-      return Tri::no;
-    }
     if (place != nullptr && is_far(element, *place)) return Tri::yes;
+    if (trivial == Tri::unknown) return Tri::unknown;
     for (const BallIsometry& other : known) {
       if (plane_.same(chart, element, other) == Tri::yes) return Tri::yes;
     }
     ++vertex.candidates;
-    const Tri found = is_listed(v, element);
+    const bool systole = check_.document_.claim == Claim::systole;
+    const Tri found = systole ? is_no_shorter(element, shorter, product) : is_listed(v, element, shorter, product);
     if (found == Tri::yes) known.push_back(element);
-    if (found != Tri::no || shorter == Tri::yes) {
-      if (found == Tri::no) vertex.text = missing_text(v, element, "is not in the list");
-      return found;
-    }
-    return Tri::unknown;
+    if (found == Tri::no) vertex.text = missing_text(v, element, systole ? "is shorter" : "is not in the list");
+    return found;
+  }
+
+  /// Whether an element is at least as long as the systole listed; `shorter` is what balls say of the contrary.
+  [[nodiscard]] Tri is_no_shorter(const BallIsometry& element, Tri shorter, const LabelProduct& product) const {
+    if (shorter == Tri::yes) return Tri::no;
+    if (!is_near_tie(element)) return Tri::unknown;
+    const auto word = check_.evaluator_.word(product());
+    const auto sign = check_.traces_.compare(word, check_.evaluator_.word(check_.first_element()));
+    if (!sign) return Tri::unknown;
+    return *sign < 0 ? Tri::no : Tri::yes;
+  }
+
+  /// Whether lengths that balls do not tell apart are so near that the exact numbers should be asked, not more bits.
+  [[nodiscard]] bool is_near_tie(const BallIsometry& element) const {
+    return arb_rel_accuracy_bits(element.a.re()) >= kTieBits && arb_rel_accuracy_bits(cosh_half_.get()) >= kTieBits;
   }
 
   [[nodiscard]] bool is_far(const BallIsometry& element, const BallVector& place) const {
@@ -150,7 +164,19 @@ class CompletenessCheck::Pass {
     return certainly_less(sinh_epsilon_.get(), distance.get()) == Tri::yes;
   }
 
-  [[nodiscard]] Tri is_listed(std::uint32_t v, const BallIsometry& element) const {
+  /// Whether an element is in the list or too long to have to be there; `shorter` is what balls say of the latter.
+  [[nodiscard]] Tri is_listed(std::uint32_t v, const BallIsometry& element, Tri shorter,
+                              const LabelProduct& product) const {
+    const Tri found = has_chord_in_list(v, element);
+    if (found != Tri::no || shorter == Tri::yes) return found;
+    // It is missing if it is short enough. An `up_to` is never a length, 2 arsinh 1 may be one.
+    if (check_.document_.claim != Claim::thick_thin || !is_near_tie(element)) return Tri::unknown;
+    const auto sign = check_.traces_.compare_with_short(check_.evaluator_.word(product()));
+    if (!sign) return Tri::unknown;
+    return *sign > 0 ? Tri::yes : Tri::no;
+  }
+
+  [[nodiscard]] Tri has_chord_in_list(std::uint32_t v, const BallIsometry& element) const {
     const Interval length = translation_length(element, plane_.precision());
     Tri found = Tri::no;
     const auto list = find_chords(plane_, first_darts_[v], element, kMaxChords, [&](const Chord& chord) {
@@ -179,8 +205,11 @@ class CompletenessCheck::Pass {
   Ball sinh_distance_;
 };
 
-CompletenessCheck::CompletenessCheck(const GeodesicsDocument& document, const CheckOptions& options)
+CompletenessCheck::CompletenessCheck(const GeodesicsDocument& document, const LabelEvaluator& evaluator,
+                                     const CheckOptions& options)
     : document_(document),
+      evaluator_(evaluator),
+      traces_(evaluator),
       limit_(options.max_visits / std::max<std::size_t>(document.net.vertices.size(), 1)),
       vertices_(document.net.vertices.size()),
       loops_(document.net.vertices.size()) {
@@ -211,7 +240,9 @@ RuleReport CompletenessCheck::check(const LiftedPlane& plane, const ChordTable& 
                 : name + ": not decided whether all geodesics near it are in the list, with " +
                       std::to_string(plane.precision()) + " bits"};
   }
-  if (document_.claim == Claim::systole) return {"complete", Verdict::verified, "no closed geodesic is shorter"};
+  if (document_.claim == Claim::systole) {
+    return {"complete", Verdict::verified, "no closed geodesic is shorter than geodesic 0"};
+  }
   return {"complete", Verdict::verified,
           "no primitive closed geodesic of length at most " + bound_name() + " is missing"};
 }
@@ -235,21 +266,21 @@ std::uint64_t CompletenessCheck::deep_vertices() const {
       std::count_if(vertices_.begin(), vertices_.end(), [](const Vertex& v) { return v.deep; }));
 }
 
-Ball CompletenessCheck::cosh_half_bound(slong precision) const {
+Ball CompletenessCheck::cosh_half_bound(const LiftedPlane& plane) const {
   Ball result;
   switch (document_.claim) {
     case Claim::thick_thin:
-      arb_sqrt_ui(result.get(), 2, precision);
-      return result;
+      arb_sqrt_ui(result.get(), 2, plane.precision());
+      break;
     case Claim::systole:
-      arb_set_d(result.get(), document_.geodesics[0].length.lower);
+      result = cosh_half_length(plane.label(first_element()));
       break;
     case Claim::spectrum:
-      set_rational(result.get(), *parse_decimal(document_.up_to), precision);
+      set_rational(result.get(), *parse_decimal(document_.up_to), plane.precision());
+      arb_mul_2exp_si(result.get(), result.get(), -1);
+      arb_cosh(result.get(), result.get(), plane.precision());
       break;
   }
-  arb_mul_2exp_si(result.get(), result.get(), -1);
-  arb_cosh(result.get(), result.get(), precision);
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <epsnet/certify/check.h>
 #include <epsnet/certify/chord_table.h>
+#include <epsnet/certify/exact_traces.h>
 #include <epsnet/certify/geodesics_document.h>
 
 #include <string>
@@ -10,14 +11,16 @@
 namespace epsnet::certify {
 
 /// Rule `complete`: every primitive closed geodesic of length at most L is in the list, or, for a systole, none is
-/// shorter than the lower end of its enclosure (docs/proof.md, section 11).
+/// shorter than the one listed (docs/proof.md, section 11).
 ///
 /// Vertex by vertex: what one precision decides is not asked again at the next. L is the `up_to` of a spectrum, 2
-/// arsinh 1 for a thick-thin decomposition, and that lower end for a systole.
+/// arsinh 1 for a thick-thin decomposition, and the length of the geodesic listed for a systole. Lengths that balls do
+/// not tell apart are compared exactly.
 class CompletenessCheck {
  public:
-  /// Both must outlive the check. The document has no structure problem and its net is verified.
-  CompletenessCheck(const GeodesicsDocument& document, const CheckOptions& options);
+  /// All must outlive the check. The document has no structure problem and its net is verified. The evaluator's
+  /// document is that net with the words of the geodesics as further labels, in the order of the list.
+  CompletenessCheck(const GeodesicsDocument& document, const LabelEvaluator& evaluator, const CheckOptions& options);
 
   /// Continues with the vertices that are still open; the table is that of the list's geodesics at the precision of the
   /// plane. The report does not depend on the number of threads.
@@ -29,8 +32,8 @@ class CompletenessCheck {
   [[nodiscard]] std::uint64_t candidates() const;
   [[nodiscard]] std::uint64_t deep_vertices() const;
 
-  /// cosh(L/2).
-  [[nodiscard]] Ball cosh_half_bound(slong precision) const;
+  /// cosh(L/2). The plane is of the evaluator's document.
+  [[nodiscard]] Ball cosh_half_bound(const LiftedPlane& plane) const;
   /// L in words.
   [[nodiscard]] std::string bound_name() const;
 
@@ -45,7 +48,14 @@ class CompletenessCheck {
   };
   class Pass;
 
+  /// The label number of the first geodesic's word.
+  [[nodiscard]] std::uint32_t first_element() const {
+    return static_cast<std::uint32_t>(document_.net.labels.size()) + 1;
+  }
+
   const GeodesicsDocument& document_;
+  const LabelEvaluator& evaluator_;
+  ExactTraces traces_;
   std::uint64_t limit_;  ///< Visits for one vertex.
   std::vector<Vertex> vertices_;
   std::vector<std::vector<std::uint32_t>> loops_;  ///< By vertex: darts from it to itself.

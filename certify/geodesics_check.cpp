@@ -1,6 +1,7 @@
 #include <epsnet/certify/chord_table.h>
 #include <epsnet/certify/completeness_check.h>
 #include <epsnet/certify/cut_surface.h>
+#include <epsnet/certify/exact_traces.h>
 #include <epsnet/certify/geodesics_check.h>
 #include <epsnet/certify/geodesics_structure.h>
 #include <epsnet/certify/parallel.h>
@@ -15,8 +16,6 @@
 namespace epsnet::certify {
 namespace {
 
-/// Exact arithmetic is tried from this precision on.
-constexpr slong kExactFrom = 128;
 /// Triangles of a net at most: each takes a kilobyte, and more vertices than this makes are no help.
 constexpr std::size_t kMaxTriangles = std::size_t{1} << 20;
 
@@ -34,50 +33,6 @@ Ball cosh_half(double x, slong precision) {
   arb_cosh(result.get(), result.get(), precision);
   return result;
 }
-
-/// The exact values of words from a tile to itself, over the ring of one kind of crossings.
-template <class CrossingsOfAKind>
-class ExactTraces {
- public:
-  using Number = typename CrossingsOfAKind::Number;
-
-  ExactTraces(const LabelEvaluator& evaluator, const CrossingsOfAKind& crossings)
-      : evaluator_(evaluator), crossings_(crossings) {}
-
-  [[nodiscard]] bool feasible(std::uint32_t number) const {
-    return evaluator_.exact_bits(number) <= CrossingsOfAKind::kMaxExactBits;
-  }
-
-  /// Whether two labels have the same translation length: 4 cosh²(l/2) = tr²/det.
-  [[nodiscard]] bool equal(std::uint32_t number, std::uint32_t other) const {
-    const auto f = evaluator_.evaluate_exactly(crossings_, number);
-    const auto g = evaluator_.evaluate_exactly(crossings_, other);
-    const Real left = squared_trace(f) * determinant_of(g);
-    const Real right = squared_trace(g) * determinant_of(f);
-    return sign(left - right) == 0;
-  }
-
-  /// The sign of l − 2 arsinh 1: there tr²/det = 4·2.
-  [[nodiscard]] int compare_with_short(std::uint32_t number) const {
-    const auto f = evaluator_.evaluate_exactly(crossings_, number);
-    const Real determinant = determinant_of(f);
-    const Real twice = determinant + determinant;
-    const Real four_times = twice + twice;
-    return sign(squared_trace(f) - (four_times + four_times));
-  }
-
- private:
-  using Real = decltype(norm(std::declval<Number>()));
-
-  [[nodiscard]] static Real squared_trace(const Isometry<Number>& f) {
-    const Real trace = twice_real(f.a);
-    return trace * trace;
-  }
-  [[nodiscard]] static Real determinant_of(const Isometry<Number>& f) { return norm(f.a) - norm(f.b); }
-
-  const LabelEvaluator& evaluator_;
-  const CrossingsOfAKind& crossings_;
-};
 
 /// The net with the words of the geodesics as further labels, which no triangle uses.
 Document extended(const GeodesicsDocument& document) {
@@ -106,7 +61,8 @@ class GeodesicsCheck {
         evaluator_(net_, parts_),
         first_darts_(first_darts(net_)),
         elements_(document.geodesics.size()),
-        completeness_(document, options) {
+        traces_(evaluator_),
+        completeness_(document, evaluator_, options) {
     std::iota(elements_.begin(), elements_.end(), static_cast<std::uint32_t>(document.net.labels.size()) + 1);
     for (const char* rule : {"geodesics", "distinct", "simple", "equal", "complete", "pieces"}) {
       reports_.push_back({rule, Verdict::undecided, "not decided"});
@@ -215,7 +171,7 @@ class GeodesicsCheck {
       for (std::size_t i = 0; i < elements_.size(); ++i) {
         const BallIsometry f = element(plane, i);
         const Tri enclosed = is_enclosed(f, document_.geodesics[i].length);
-        const Tri within = document_.claim == Claim::systole ? Tri::yes : is_within(f, i);
+        const Tri within = document_.claim == Claim::systole ? Tri::yes : is_within(plane, f, i);
         if (enclosed != wanted && within != wanted) continue;
         const bool wrong = wanted == Tri::no;
         const std::string actual = " has a length in " + text(translation_length(f, plane.precision()));
@@ -234,22 +190,19 @@ class GeodesicsCheck {
 
   /// lo ≤ l ≤ hi; equality is impossible, as cosh(l/2) is algebraic.
   [[nodiscard]] Tri is_enclosed(const BallIsometry& f, Interval length) const {
-    const Tri above_lower = certainly_less(cosh_half(length.lower, precision_).get(), f.a.re());
-    const Tri below_upper = certainly_less(f.a.re(), cosh_half(length.upper, precision_).get());
+    const Ball cosh = cosh_half_length(f);
+    const Tri above_lower = certainly_less(cosh_half(length.lower, precision_).get(), cosh.get());
+    const Tri below_upper = certainly_less(cosh.get(), cosh_half(length.upper, precision_).get());
     if (above_lower == Tri::no || below_upper == Tri::no) return Tri::no;
     return above_lower == Tri::yes && below_upper == Tri::yes ? Tri::yes : Tri::unknown;
   }
 
-  [[nodiscard]] Tri is_within(const BallIsometry& f, std::size_t i) const {
-    const Tri less = certainly_less(f.a.re(), completeness_.cosh_half_bound(precision_).get());
-    if (less != Tri::unknown || document_.claim != Claim::thick_thin || precision_ < kExactFrom) return less;
-    return std::visit(
-        [&](const auto& crossings) {
-          const ExactTraces traces(evaluator_, crossings);
-          if (!traces.feasible(elements_[i])) return Tri::unknown;
-          return traces.compare_with_short(elements_[i]) > 0 ? Tri::no : Tri::yes;
-        },
-        evaluator_.crossings());
+  [[nodiscard]] Tri is_within(const LiftedPlane& plane, const BallIsometry& f, std::size_t i) const {
+    const Tri less = certainly_less(cosh_half_length(f).get(), completeness_.cosh_half_bound(plane).get());
+    if (less != Tri::unknown || document_.claim != Claim::thick_thin) return less;
+    const auto sign = traces_.compare_with_short(evaluator_.word(elements_[i]));
+    if (!sign) return Tri::unknown;
+    return *sign > 0 ? Tri::no : Tri::yes;
   }
 
   // Rule equal.
@@ -275,13 +228,9 @@ class GeodesicsCheck {
   }
 
   [[nodiscard]] Tri lengths_equal(std::uint32_t number, std::uint32_t other) const {
-    return std::visit(
-        [&](const auto& crossings) {
-          const ExactTraces traces(evaluator_, crossings);
-          if (!traces.feasible(number) || !traces.feasible(other)) return Tri::unknown;
-          return traces.equal(number, other) ? Tri::yes : Tri::no;
-        },
-        evaluator_.crossings());
+    const auto sign = traces_.compare(evaluator_.word(number), evaluator_.word(other));
+    if (!sign) return Tri::unknown;
+    return *sign == 0 ? Tri::yes : Tri::no;
   }
 
   // Rule distinct.
@@ -406,10 +355,28 @@ class GeodesicsCheck {
   LabelEvaluator evaluator_;
   std::vector<std::uint32_t> first_darts_;
   std::vector<std::uint32_t> elements_;  ///< By geodesic: its label number in net_.
+  ExactTraces traces_;
   CompletenessCheck completeness_;
   std::vector<RuleReport> reports_;
   slong precision_ = 64;
 };
+
+/// What the document says of its list, in words.
+std::string claim_of(const GeodesicsDocument& document) {
+  const std::string count = std::to_string(document.geodesics.size());
+  switch (document.claim) {
+    case Claim::systole:
+      return "the systole: no closed geodesic is shorter than geodesic 0, whose length lies in " +
+             text(document.geodesics[0].length);
+    case Claim::spectrum:
+      return "the spectrum: the " + count + " primitive closed geodesics of length at most " +
+             in_quotes(document.up_to) + ", up to orientation";
+    case Claim::thick_thin:
+      break;
+  }
+  return "the thick-thin decomposition: the " + count +
+         " primitive closed geodesics of length at most 2 arsinh 1, up to orientation, and the pieces without them";
+}
 
 /// Adds the reports to the certificate of a verified net.
 void conclude(Certificate& certificate, std::vector<RuleReport> reports) {
@@ -437,6 +404,7 @@ Certificate check_geodesics(const GeodesicsDocument& document, const CheckOption
     return malformed;
   }
   Certificate certificate = check(document.net, options);
+  certificate.claim = claim_of(document);
   if (certificate.verdict != Verdict::verified) return certificate;
   CheckOptions bounded = options;
   bounded.max_precision = std::clamp(options.max_precision, kLeastPrecision, kGreatestPrecision);

@@ -16,7 +16,7 @@ namespace epsnet::certify {
 
 /// What the list of geodesics is said to be.
 ///
-/// `systole`: one closed geodesic, and none is shorter than the lower end of its enclosure. `spectrum`: all primitive
+/// `systole`: one closed geodesic, and none is shorter. `spectrum`: all primitive
 /// closed geodesics of length at most `up_to`, up to orientation. `thick_thin`: the same for 2 arsinh 1, with the
 /// pieces of the surface cut along them.
 enum class Claim { systole, spectrum, thick_thin };

@@ -192,7 +192,7 @@ class Pass {
 
   Questions examine_delaunay(std::uint32_t t, std::uint32_t i, LiftedTriangle& lifted, Findings& findings) const {
     lifted.measure_cross_ratio(document_, labels_, t, i, precision_);
-    if (arb_is_zero(lifted.cross_ratio.get())) {
+    if (is_exactly_zero(lifted.cross_ratio.get())) {
       // Nothing was rounded, as happens with coordinates of few digits: a tie already proved.
       findings.ties.push_back(3 * t + i);
       return 0;

@@ -34,22 +34,36 @@ bool accurate(const BallIsometry& f, slong precision) {
 LabelEvaluator::LabelEvaluator(const Document& document, const LabelParts& parts) : document_(document), parts_(parts) {
   exact_bits_.reserve(document.labels.size());
   words_.reserve(document.labels.size());
-  const SurfaceSides sides(document.surface);
-  number_of_sides_ = sides.partner.size();
+  partner_ = SurfaceSides(document.surface).partner;
   for (const Label& label : document.labels) {
     std::vector<std::uint32_t> word;
-    for (const std::uint32_t side : label.word) {
-      if (!word.empty() && sides.partner[word.back()] == side) {
-        word.pop_back();
-      } else {
-        word.push_back(side);
-      }
-    }
+    for (const std::uint32_t side : label.word) append(word, side);
     const std::size_t frame_bits = bits(parts_.frames[label.from]) + bits(parts_.frames[label.to]);
     exact_bits_.push_back(
         std::visit([&](const auto& crossings) { return crossings.product_bits(frame_bits, word); }, parts_.crossings));
     words_.push_back(std::move(word));
   }
+}
+
+void LabelEvaluator::append(std::vector<std::uint32_t>& word, std::uint32_t side) const {
+  if (!word.empty() && partner_[word.back()] == side) {
+    word.pop_back();
+  } else {
+    word.push_back(side);
+  }
+}
+
+std::vector<std::uint32_t> LabelEvaluator::word(std::span<const SignedLabel> product) const {
+  std::vector<std::uint32_t> result;
+  for (auto factor = product.rbegin(); factor != product.rend(); ++factor) {
+    const std::span<const std::uint32_t> letters = word(factor->number);
+    if (factor->inverted) {
+      for (auto side = letters.rbegin(); side != letters.rend(); ++side) append(result, partner_[*side]);
+    } else {
+      for (const std::uint32_t side : letters) append(result, side);
+    }
+  }
+  return result;
 }
 
 std::vector<BallIsometry> LabelEvaluator::evaluate(std::span<const std::uint32_t> numbers, slong precision, slong cap,
@@ -59,7 +73,7 @@ std::vector<BallIsometry> LabelEvaluator::evaluate(std::span<const std::uint32_t
   // More bits than the wanted ones from the start: a product of n letters loses about log2(n) bits.
   for (slong working = precision + 32;; working = std::min(2 * working, cap)) {
     // Every crossing and frame in use is rounded once, not once for each letter.
-    std::vector<char> side_used(number_of_sides_, 0);
+    std::vector<char> side_used(partner_.size(), 0);
     std::vector<char> chart_used(parts_.frames.size(), 0);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       if (done[i]) continue;

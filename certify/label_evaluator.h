@@ -15,6 +15,12 @@ struct LabelParts {
   std::vector<ExactIsometry> frames;  ///< By chart: from the chart to its tile.
 };
 
+/// A label or its inverse.
+struct SignedLabel {
+  std::uint32_t number;
+  bool inverted;
+};
+
 /// Evaluates labels of one document.
 class LabelEvaluator {
  public:
@@ -43,14 +49,26 @@ class LabelEvaluator {
   /// About the number of bits of evaluate_exactly(number), without evaluating; 0 for the identity, number 0.
   [[nodiscard]] std::size_t exact_bits(std::uint32_t number) const { return number == 0 ? 0 : exact_bits_[number - 1]; }
 
+  /// The word of a label number, freely reduced; empty for the identity, number 0.
+  [[nodiscard]] std::span<const std::uint32_t> word(std::uint32_t number) const {
+    return number == 0 ? std::span<const std::uint32_t>() : words_[number - 1];
+  }
+
+  /// The word of a product of labels, the last one applied first, freely reduced. The charts fit, so that all frames
+  /// but the first and the last cancel.
+  [[nodiscard]] std::vector<std::uint32_t> word(std::span<const SignedLabel> product) const;
+
   [[nodiscard]] const Crossings& crossings() const { return parts_.crossings; }
 
  private:
+  /// Crosses one more side, and back again if it was the last one.
+  void append(std::vector<std::uint32_t>& word, std::uint32_t side) const;
+
   const Document& document_;
   const LabelParts& parts_;
   std::vector<std::vector<std::uint32_t>> words_;  ///< By label number minus 1, freely reduced.
   std::vector<std::size_t> exact_bits_;
-  std::size_t number_of_sides_ = 0;
+  std::vector<std::uint32_t> partner_;  ///< By side: the one it is glued to.
 };
 
 }  // namespace epsnet::certify

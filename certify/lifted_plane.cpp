@@ -22,9 +22,9 @@ BallVector cross_product(const BallVector& u, const BallVector& v, slong precisi
   return result;
 }
 
-/// Whether no point of one ball is a point of the other, in a or in b.
+/// Whether (a, b) certainly differ; only if their signs are chosen does this mean different isometries.
 bool disjoint(const BallIsometry& f, const BallIsometry& g) {
-  return acb_overlaps(f.a.get(), g.a.get()) == 0 || acb_overlaps(f.b.get(), g.b.get()) == 0;
+  return certainly_different(f.a.get(), g.a.get()) || certainly_different(f.b.get(), g.b.get());
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ void LiftedPlane::find_disks(const LabelParts& parts, slong cap) {
 Tri LiftedPlane::same(std::uint32_t chart, const BallIsometry& f, const BallIsometry& g) const {
   if (disjoint(f, g)) {
     // The signs mean something only where they could be chosen.
-    const bool signs = arb_is_positive(f.a.re()) && arb_is_positive(g.a.re());
+    const bool signs = certainly_positive(f.a.re()) == Tri::yes && certainly_positive(g.a.re()) == Tri::yes;
     return signs ? Tri::no : Tri::unknown;
   }
   const auto& disk = disks_[chart];

@@ -57,9 +57,15 @@ BallVector unit_vector(const BallIsometry& label, double x, double y, slong prec
 }
 
 void choose_sign(BallIsometry& f) {
-  if (!arb_is_negative(f.a.re())) return;
+  if (certainly_negative(f.a.re()) != Tri::yes) return;
   acb_neg(f.a.get(), f.a.get());
   acb_neg(f.b.get(), f.b.get());
+}
+
+Ball cosh_half_length(const BallIsometry& f) {
+  Ball result;
+  arb_abs(result.get(), f.a.re());
+  return result;
 }
 
 BallVector axis_row(const BallIsometry& f, slong precision) {

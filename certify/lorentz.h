@@ -60,8 +60,12 @@ struct BallMatrix {
 [[nodiscard]] BallMatrix lorentz_matrix(const BallIsometry& f, slong precision);
 [[nodiscard]] BallVector apply(const BallMatrix& m, const BallVector& x, slong precision);
 
-/// The same isometry with Re a > 0; the sign of (a, b) means nothing. Unchanged if balls do not tell.
+/// The same isometry with Re a > 0; the sign of (a, b) means nothing. Unchanged if balls do not tell: whoever compares
+/// Re a afterwards asks for its sign first, or for cosh_half_length.
 void choose_sign(BallIsometry& f);
+
+/// cosh(l/2) = |Re a| for the translation length l, whatever the sign of (a, b).
+[[nodiscard]] Ball cosh_half_length(const BallIsometry& f);
 
 /// The row of the unit normal of the axis of f, positive on the left of the axis directed like the translation. f is
 /// hyperbolic with Re a = cosh(l/2), l its translation length. Not finite if balls do not tell Re a > 1.

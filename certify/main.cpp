@@ -115,7 +115,8 @@ std::string as_text(const Certificate& certificate) {
                      [&](const char* key, Interval value) { out << key << ": " << interval_text(value) << '\n'; });
   }
   if (certificate.geodesics) visit_geodesics_counts(*certificate.geodesics, line);
-  out << "claim: " << claim(certificate) << '\n' << verdict_line(certificate) << '\n';
+  if (!certificate.claim.empty()) out << "claim: " << certificate.claim << '\n';
+  out << verdict_line(certificate) << '\n';
   return out.str();
 }
 
@@ -134,9 +135,9 @@ std::string json_number(double x) { return std::isfinite(x) ? shortest(x) : "nul
 
 std::string as_json(const Certificate& certificate) {
   std::ostringstream out;
-  out << "{\"verdict\": " << json_string(name(certificate.verdict))
-      << ", \"claim\": " << json_string(claim(certificate)) << ", \"rule\": " << json_string(certificate.rule)
-      << ", \"message\": " << json_string(certificate.message) << ", \"rules\": [";
+  out << "{\"verdict\": " << json_string(name(certificate.verdict)) << ", \"claim\": " << json_string(certificate.claim)
+      << ", \"rule\": " << json_string(certificate.rule) << ", \"message\": " << json_string(certificate.message)
+      << ", \"rules\": [";
   const char* separator = "";
   for (const RuleReport& report : certificate.rules) {
     out << separator << "{\"rule\": " << json_string(report.rule)

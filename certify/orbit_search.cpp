@@ -17,8 +17,8 @@ constexpr std::uint32_t kNoEdge = 3;
 class OrbitSearch {
  public:
   OrbitSearch(const LiftedPlane& plane, std::uint32_t dart, std::uint64_t limit,
-              const std::function<Search(const BallIsometry&)>& report)
-      : plane_(plane), net_(plane.net()), vertex_(start(net_, dart)), limit_(limit), report_(report) {
+              const std::function<Search(const BallIsometry&, const LabelProduct&)>& report)
+      : plane_(plane), net_(plane.net()), root_(dart), vertex_(start(net_, dart)), limit_(limit), report_(report) {
     place_root(dart);
   }
 
@@ -39,7 +39,7 @@ class OrbitSearch {
   }
 
   OrbitOutcome run() {
-    if (!arb_is_finite(bound_.get()) || !accurate(frames_.back()) || !visit(path_.back())) return outcome_;
+    if (!is_finite(bound_.get()) || !accurate(frames_.back()) || !visit(path_.back())) return outcome_;
     while (!path_.empty()) {
       Step& step = path_.back();
       if (step.next_edge == 3) {
@@ -97,15 +97,15 @@ class OrbitSearch {
   }
 
   [[nodiscard]] static bool accurate(const Frame& frame) {
-    return arb_is_finite(frame.q[2]) && arb_rel_accuracy_bits(frame.q[2]) >= kLeastAccuracy;
+    return is_finite(frame.q[2]) && arb_rel_accuracy_bits(frame.q[2]) >= kLeastAccuracy;
   }
 
   /// Visits the neighbour across a dart of the last triangle if it may be that one's child and is near enough. False if
   /// the search must end.
   bool try_child(std::uint32_t dart) {
-    // The child has this edge between itself and q: q is strictly on our side of it.
+    // The child has this edge between itself and q: q is strictly on our side of it. Left out only if certainly not.
     dot(value_.get(), plane_.line(dart), frames_.back().q, plane_.precision());
-    if (arb_is_nonpositive(value_.get())) return true;
+    if (certainly_positive(value_.get()) == Tri::no) return true;
     const std::uint32_t other = opposite(net_, dart);
     const bool own_frame = enter_frame(dart);
     if (own_frame && !accurate(frames_.back())) return false;
@@ -133,10 +133,10 @@ class OrbitSearch {
     const BallVector& q = frames_.back().q;
     for (std::uint32_t dart = entry - entry % 3; dart < entry; ++dart) {
       dot(value_.get(), plane_.line(dart), q, plane_.precision());
-      if (arb_is_negative(value_.get())) return false;
+      if (certainly_negative(value_.get()) == Tri::yes) return false;
     }
     dot(value_.get(), plane_.alpha(entry / 3), q, plane_.precision());
-    return arb_gt(value_.get(), bound_.get()) == 0;
+    return certainly_less(bound_.get(), value_.get()) != Tri::yes;
   }
 
   /// Counts the triangle and reports its corners that are lifts of the vertex. False if the search must end.
@@ -150,16 +150,31 @@ class OrbitSearch {
       BallIsometry element =
           compose(inverse(frames_.back().from_base), plane_.label(corner_label(net_, dart)), plane_.precision());
       choose_sign(element);
-      if (report_(element) == Search::stop) return false;
+      const LabelProduct product = [&] { return labels_to(dart); };
+      if (report_(element, product) == Search::stop) return false;
     }
     return true;
   }
 
+  /// The labels of the way from the vertex at the root to the corner of the last triangle where the dart starts, and
+  /// back by that corner's own: (T_k ⋯ T_1 L_root)⁻¹ L_dart with T = L_there L_here⁻¹ across each dart.
+  [[nodiscard]] std::vector<SignedLabel> labels_to(std::uint32_t dart) const {
+    std::vector<SignedLabel> product{{corner_label(net_, root_), true}};
+    for (std::size_t i = 1; i < path_.size(); ++i) {
+      const std::uint32_t there = 3 * path_[i].triangle + path_[i].entry;
+      product.push_back({corner_label(net_, opposite(net_, there)), false});
+      product.push_back({corner_label(net_, next_dart(there)), true});
+    }
+    product.push_back({corner_label(net_, dart), false});
+    return product;
+  }
+
   const LiftedPlane& plane_;
   const Document& net_;
+  std::uint32_t root_;  ///< The dart that leaves the vertex in the first triangle.
   std::uint32_t vertex_;
   std::uint64_t limit_;
-  const std::function<Search(const BallIsometry&)>& report_;
+  const std::function<Search(const BallIsometry&, const LabelProduct&)>& report_;
   std::vector<Frame> frames_;
   std::vector<Step> path_;
   Ball cosh_shift_;
@@ -172,7 +187,7 @@ class OrbitSearch {
 
 OrbitOutcome search_orbit(const LiftedPlane& plane, std::uint32_t dart, const Ball& cosh_distance,
                           const Ball& sinh_distance, const Ball& tanh_radius, std::uint64_t limit,
-                          const std::function<Search(const BallIsometry&)>& report) {
+                          const std::function<Search(const BallIsometry&, const LabelProduct&)>& report) {
   OrbitSearch search(plane, dart, limit, report);
   search.set_bound(cosh_distance, sinh_distance, tanh_radius);
   return search.run();

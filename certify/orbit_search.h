@@ -4,12 +4,17 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 /// The elements of the surface's group that move a vertex little, by reverse search (docs/proof.md, section 11).
 namespace epsnet::certify {
 
 /// What is asked at every lift of the vertex that is found, in the order of the search.
 enum class Search { go_on, stop };
+
+/// An element as a product of labels, the last one applied first, which is worked out where it is asked for: it leads
+/// from the chart of the vertex to itself.
+using LabelProduct = std::function<std::vector<SignedLabel>()>;
 
 struct OrbitOutcome {
   bool complete = false;  ///< Every element wanted was reported; false if this precision or `limit` does not suffice.
@@ -27,6 +32,6 @@ struct OrbitOutcome {
 /// the visits, memory to the depth.
 [[nodiscard]] OrbitOutcome search_orbit(const LiftedPlane& plane, std::uint32_t dart, const Ball& cosh_distance,
                                         const Ball& sinh_distance, const Ball& tanh_radius, std::uint64_t limit,
-                                        const std::function<Search(const BallIsometry&)>& report);
+                                        const std::function<Search(const BallIsometry&, const LabelProduct&)>& report);
 
 }  // namespace epsnet::certify

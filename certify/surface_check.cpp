@@ -205,15 +205,11 @@ class SurfaceChecker {
     }
     // The sum is now a positive multiple of 2π; the ball says which.
     arb_div(sum.get(), sum.get(), turn.get(), kAnglePrecision);
-    fmpz_t turns;
-    fmpz_init(turns);
-    const bool unique = arb_get_unique_fmpz(turns, sum.get()) != 0;
-    const slong count = unique && fmpz_fits_si(turns) ? fmpz_get_si(turns) : 0;
-    fmpz_clear(turns);
-    if (count == 1) return std::nullopt;
+    const std::optional<slong> turns = only_integer(sum.get());
+    if (turns == 1) return std::nullopt;
     return AngleProblem{"the angles around " + corner_name(sides_, first) + " add up to " +
-                            (unique ? std::to_string(count) : "an unknown number of") + " full turns, not to one",
-                        !unique};
+                            (turns ? std::to_string(*turns) : "an unknown number of") + " full turns, not to one",
+                        !turns};
   }
 
   Problem genus_problem() {

@@ -42,6 +42,39 @@ TEST(BallTraps, ComparingNanIsUnknown) {
   EXPECT_EQ(certainly_positive(x.get()), Tri::unknown);
 }
 
+TEST(BallTraps, NamedPredicatesSayNothingOfNan) {
+  const Ball x = nan_ball();
+  EXPECT_EQ(certainly_negative(x.get()), Tri::unknown);
+  EXPECT_EQ(certain_sign(x.get()), 0);
+  EXPECT_FALSE(is_exactly_zero(x.get()));
+  EXPECT_FALSE(is_finite(x.get()));
+  EXPECT_EQ(only_integer(x.get()), std::nullopt);
+  ComplexBall z, one;
+  acb_indeterminate(z.get());
+  acb_one(one.get());
+  EXPECT_FALSE(certainly_different(z.get(), one.get()));
+  EXPECT_FALSE(certainly_different(one.get(), z.get()));
+}
+
+TEST(Ball, SignsThatAreCertain) {
+  EXPECT_EQ(certain_sign(ball(0.5, 2).get()), 1);
+  EXPECT_EQ(certain_sign(ball(-0.5, 2).get()), -1);
+  EXPECT_EQ(certain_sign(ball(0.25, 2).get()), 0) << "0 is a point of the ball";
+  EXPECT_EQ(certainly_negative(ball(0.25, 2).get()), Tri::no) << "0 is not negative";
+  EXPECT_EQ(certainly_negative(ball(-0.25, 1).get()), Tri::unknown);
+  Ball zero;
+  EXPECT_EQ(certain_sign(zero.get()), 0);
+  EXPECT_TRUE(is_exactly_zero(zero.get()));
+  EXPECT_FALSE(is_exactly_zero(ball(0, 900).get()));
+}
+
+TEST(Ball, TheOnlyInteger) {
+  EXPECT_EQ(only_integer(ball(2.1, 2).get()), 2);
+  EXPECT_EQ(only_integer(ball(2.5, 3).get()), std::nullopt) << "none";
+  EXPECT_EQ(only_integer(ball(2.5, 0).get()), std::nullopt) << "two";
+  EXPECT_EQ(only_integer(ball(0x1p80, 5).get()), std::nullopt) << "too large";
+}
+
 TEST(Binary64, AboveAndBelowAreNextNumbersOrBeyond) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const double x : {0.0, 0x1p-1074, 3 * 0x1p-1074, 0x1p-1022, 0x1.8p-1023, 0x1.fffffffffffffp-970, 0x1p-970, 0.1,

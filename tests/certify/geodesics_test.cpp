@@ -2,6 +2,7 @@
 #include <epsnet/certify/reader.h>
 #include <epsnet/certify/surface_sides.h>
 #include <epsnet/certify/writer.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,6 +18,8 @@
 /// length, told apart by their least conjugate.
 namespace epsnet::certify {
 namespace {
+
+using testing::HasSubstr;
 
 Document load(const std::string& name) { return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name); }
 
@@ -336,7 +339,44 @@ TEST(Geodesics, SystoleThatIsNone) {
   document.geodesics[0] = bolza_to_5().geodesics[12];
   EXPECT_EQ(outcome(document), "REFUTED: complete");
   document.geodesics[0].length.lower = 3;
-  EXPECT_EQ(outcome(document), "VERIFIED") << "none is shorter than 3";
+  EXPECT_EQ(outcome(document), "REFUTED: complete") << "none is shorter than 3, but some are than this one";
+  const GeodesicsDocument longer = spectrum(bolza(), "5.9", 5);
+  document.geodesics[0] = longer.geodesics.back();
+  ASSERT_GT(document.geodesics[0].length.lower, 5.828);
+  document.geodesics[0].length = {3.057, 6.1139};
+  EXPECT_EQ(outcome(document), "REFUTED: complete");
+}
+
+TEST(Geodesics, EverySystoleIsOne) {
+  // Twelve geodesics of exactly equal length: none is shorter than any of them.
+  for (std::size_t i = 0; i < 12; ++i) {
+    GeodesicsDocument document = systole(bolza());
+    document.geodesics[0] = bolza_to_5().geodesics[i];
+    EXPECT_EQ(outcome(document), "VERIFIED") << i;
+    document.geodesics[0].length = {2, 3.9};
+    EXPECT_EQ(outcome(document), "VERIFIED") << i;
+  }
+}
+
+TEST(Geodesics, LongConjugateOfASystole) {
+  // To 64 bits the ball of Re a holds numbers of both signs, so it may not be compared with cosh(l/2): more bits.
+  const GeodesicsDocument document =
+      read_geodesics(std::string(EPSNET_TEST_DATA) + "/geodesics/systole-long-conjugate.json");
+  ASSERT_EQ(document.geodesics[0].word.size(), 56U);
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  EXPECT_EQ(check_geodesics(document, {.threads = 1, .max_precision = 64}).verdict, Verdict::undecided);
+}
+
+TEST(Geodesics, TheClaimIsSaid) {
+  EXPECT_THAT(check_geodesics(systole(bolza())).claim, HasSubstr("lies in [3.05714"));
+  EXPECT_THAT(check_geodesics(bolza_to_5()).claim,
+              HasSubstr("the 24 primitive closed geodesics of length at most \"5\""));
+  GeodesicsDocument malformed = bolza_to_5();
+  malformed.clusters.clear();
+  const Certificate certificate = check_geodesics(malformed);
+  EXPECT_EQ(certificate.verdict, Verdict::malformed);
+  EXPECT_EQ(certificate.claim, "");
+  EXPECT_EQ(certificate.counts.vertices, 0U);
 }
 
 TEST(Geodesics, NetThatIsNone) {
