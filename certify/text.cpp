@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <system_error>
 
 namespace epsnet::certify {
 namespace {
@@ -14,6 +16,88 @@ std::size_t leading_digits(std::string_view text) {
 }
 
 mpz_class integer(std::string_view digits) { return mpz_class(std::string(digits), 10); }
+
+mpz_class power_of_ten(unsigned long exponent) {
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, exponent);
+  return power;
+}
+
+/// The parts of a JSON number, -?(0|[1-9][0-9]*)(\.[0-9]+)?([eE][+-]?[0-9]+)?.
+struct JsonNumber {
+  bool negative = false;
+  std::string_view whole;
+  std::string_view fraction;
+  bool negative_exponent = false;
+  std::string_view exponent;
+};
+
+std::optional<JsonNumber> split_json_number(std::string_view text) {
+  JsonNumber number;
+  const auto take = [&](std::string_view characters) {
+    if (text.empty() || characters.find(text.front()) == std::string_view::npos) return false;
+    text.remove_prefix(1);
+    return true;
+  };
+  const auto take_digits = [&] {
+    const std::string_view digits = text.substr(0, leading_digits(text));
+    text.remove_prefix(digits.size());
+    return digits;
+  };
+  number.negative = take("-");
+  number.whole = take_digits();
+  if (number.whole.empty() || (number.whole.size() > 1 && number.whole.front() == '0')) return std::nullopt;
+  if (take(".")) {
+    number.fraction = take_digits();
+    if (number.fraction.empty()) return std::nullopt;
+  }
+  if (take("eE")) {
+    number.negative_exponent = text.starts_with('-');
+    take("+-");
+    number.exponent = take_digits();
+    if (number.exponent.empty()) return std::nullopt;
+  }
+  if (!text.empty()) return std::nullopt;
+  return number;
+}
+
+/// |x| to the nearest multiple of 2⁻¹⁰⁷⁴, ties to even, in exact arithmetic: the standard leaves open what from_chars
+/// gives for numbers below the normal ones. Infinity if the result is above 2⁻¹⁰²², the least normal number.
+double nearest_subnormal(const JsonNumber& number) {
+  std::string digits(number.whole);
+  digits += number.fraction;
+  const std::size_t zeros = std::min(digits.find_first_not_of('0'), digits.size());
+  if (zeros == digits.size()) return 0;
+  long exponent = 0;
+  // An exponent that does not fit in 64 bits outweighs the digits of any file.
+  const bool huge =
+      std::from_chars(number.exponent.data(), number.exponent.data() + number.exponent.size(), exponent).ec ==
+      std::errc::result_out_of_range;
+  constexpr long kFar = 1L << 62;
+  if (huge || exponent > kFar) exponent = kFar;
+  if (number.negative_exponent) exponent = -exponent;
+  // |x| = 0.d₁d₂… · 10^exponent with d₁ ≠ 0.
+  exponent += static_cast<long>(number.whole.size()) - static_cast<long>(zeros);
+  if (exponent > -307) return HUGE_VAL;
+  if (exponent < -323) return 0;  // |x| < 10⁻³²⁴ < 2⁻¹⁰⁷⁵, half of the least subnormal number.
+  digits.erase(0, zeros);
+  // A tie, an odd multiple of 2⁻¹⁰⁷⁵, has at most 1075 digits: of those after that it only matters whether they are 0.
+  constexpr std::size_t kDigits = 1100;
+  if (digits.size() > kDigits) {
+    const bool more = digits.find_first_not_of('0', kDigits) != std::string::npos;
+    digits.resize(kDigits);
+    if (more) digits += '1';
+  }
+  // The quotient and remainder of |x| by 2⁻¹⁰⁷⁴.
+  const mpz_class dividend = integer(digits) << 1074;
+  const mpz_class divisor = power_of_ten(digits.size() + static_cast<unsigned long>(-exponent));
+  mpz_class quotient;
+  mpz_class remainder;
+  mpz_fdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), dividend.get_mpz_t(), divisor.get_mpz_t());
+  const int half = cmp(2 * remainder, divisor);
+  if (half > 0 || (half == 0 && mpz_odd_p(quotient.get_mpz_t()) != 0)) ++quotient;
+  return quotient <= mpz_class(1) << 52 ? std::ldexp(quotient.get_d(), -1074) : HUGE_VAL;
+}
 
 }  // namespace
 
@@ -71,8 +155,7 @@ std::optional<mpq_class> parse_decimal(std::string_view text) {
     text = {};
   }
   if (!text.empty()) return std::nullopt;
-  mpz_class power;
-  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(exponent < 0 ? -exponent : exponent));
+  const mpz_class power = power_of_ten(static_cast<unsigned long>(exponent < 0 ? -exponent : exponent));
   mpq_class value(integer(digits));
   if (exponent < 0) {
     value.get_den() = power;
@@ -82,6 +165,18 @@ std::optional<mpq_class> parse_decimal(std::string_view text) {
   }
   if (negative) value = -value;
   return value;
+}
+
+std::optional<double> parse_binary64(std::string_view text) {
+  const auto number = split_json_number(text);
+  if (!number) return std::nullopt;
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (end != text.data() + text.size()) return std::nullopt;
+  if (error == std::errc() && std::isnormal(value)) return value;
+  value = nearest_subnormal(*number);
+  if (std::isinf(value)) return std::nullopt;
+  return number->negative ? -value : value;
 }
 
 std::string in_quotes(std::string_view text) {

@@ -200,16 +200,5 @@ TEST(Reader, EveryPrefixOfANetIsMalformed) {
   }
 }
 
-TEST(Text, DecimalsAreExact) {
-  EXPECT_EQ(parse_decimal("0.1"), mpq_class(1, 10));
-  EXPECT_EQ(parse_decimal("1.25e-1"), mpq_class(1, 8));
-  EXPECT_EQ(parse_decimal("25E+2"), mpq_class(2500));
-  EXPECT_EQ(parse_decimal("-3/6"), mpq_class(-1, 2));
-  for (const char* text :
-       {"", ".1", "1.", "1e", "1e+", "1e12345", "1 ", "+1", "1/0", "1/", "/2", "0x1", "1_0", "--1"}) {
-    EXPECT_FALSE(parse_decimal(text).has_value()) << text;
-  }
-}
-
 }  // namespace
 }  // namespace epsnet::certify
