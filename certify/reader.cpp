@@ -3,10 +3,14 @@
 #include <epsnet/certify/structure_check.h>
 #include <epsnet/certify/text.h>
 #include <simdjson.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cstdio>
+#include <cstring>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -454,6 +458,9 @@ void parse(simdjson::padded_string_view text, std::string_view name, const ReadD
   const Place place{.member = "document"};
   try {
     if (text.size() > kMaxFileBytes) fail(place, "the file is larger than the limit of 4 GiB");
+    // Some versions of simdjson skip it, others do not.
+    if (std::string_view(text).starts_with("\xef\xbb\xbf"))
+      fail(place, "begins with a byte order mark, expected an object");
     simdjson::ondemand::parser parser;
     simdjson::ondemand::document json;
     if (const auto error = parser.iterate(text).get(json)) {
@@ -506,46 +513,20 @@ GeodesicsDocument parse_padded_geodesics(simdjson::padded_string_view text, std:
   return document;
 }
 
-/// Whether the text begins to be an object with this format. Errors are for the reader proper.
-bool has_format(simdjson::padded_string_view text, std::string_view wanted) {
-  if (text.size() > kMaxFileBytes) return false;
+/// What the text, if it begins to be an object, says in its member `format`. Errors are for the reader proper.
+std::string format_of(simdjson::padded_string_view text) {
+  if (text.size() > kMaxFileBytes) return "";
   simdjson::ondemand::parser parser;
   simdjson::ondemand::document json;
-  std::string_view format;
-  if (parser.iterate(text).get(json)) return false;
-  return json["format"].get_string().get(format) == simdjson::SUCCESS && format == wanted;
-}
-
-/// The bytes of a regular file or of a pipe. Devices are refused: /dev/zero would never end.
-std::string load(const std::filesystem::path& path) {
-  const std::string name = in_quotes(path.string());
-  std::error_code status_error;
-  const auto type = std::filesystem::status(path, status_error).type();
-  if (status_error || (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::fifo)) {
-    throw FileError("cannot read " + name + ": not a file");
+  object members;
+  if (parser.iterate(text).get(json) || json.get_object().get(members)) return "";
+  for (auto field : members) {
+    std::string_view key;
+    std::string_view format;
+    if (field.unescaped_key().get(key)) return "";
+    if (key == "format") return field.value().get_string().get(format) ? "" : std::string(format);
   }
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file) throw FileError("cannot open " + name);
-  std::string bytes;
-  if (type == std::filesystem::file_type::regular) {
-    const auto size = std::filesystem::file_size(path, status_error);
-    if (!status_error && size > kMaxFileBytes) {
-      throw MalformedError(name + ": document: the file is larger than the limit of 4 GiB");
-    }
-    if (!status_error) bytes.reserve(size + simdjson::SIMDJSON_PADDING);
-  }
-  constexpr std::size_t kChunk = 1 << 20;
-  for (std::size_t read = kChunk; read == kChunk;) {
-    const std::size_t old_size = bytes.size();
-    bytes.resize(old_size + kChunk);
-    read = std::fread(bytes.data() + old_size, 1, kChunk, file.get());
-    bytes.resize(old_size + read);
-    if (bytes.size() > kMaxFileBytes) {
-      throw MalformedError(name + ": document: the file is larger than the limit of 4 GiB");
-    }
-  }
-  if (std::ferror(file.get())) throw FileError("cannot read " + name);
-  return bytes;
+  return "";
 }
 
 /// simdjson reads up to SIMDJSON_PADDING bytes past the end; a reserve of that size makes it legal without a copy.
@@ -556,9 +537,49 @@ simdjson::padded_string_view padded(std::string& bytes) {
 
 }  // namespace
 
+std::string display_name(const std::filesystem::path& path) {
+  return path == "-" ? "standard input" : path_in_quotes(path.string());
+}
+
+std::string load(const std::filesystem::path& path) {
+  const std::string name = display_name(path);
+  const auto fail_to_read = [&](const std::string& why) { throw FileError(name + ": " + why); };
+  std::FILE* file = stdin;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> opened(nullptr, &std::fclose);
+  if (path != "-") {
+    opened.reset(std::fopen(path.c_str(), "rb"));
+    if (!opened)
+      fail_to_read(errno == ENOENT ? "no such file" : "cannot be opened: " + std::string(std::strerror(errno)));
+    file = opened.get();
+  }
+  struct stat status {};
+  if (fstat(fileno(file), &status) != 0) fail_to_read("cannot be read: " + std::string(std::strerror(errno)));
+  if (S_ISDIR(status.st_mode)) fail_to_read("is a directory, expected a file");
+  // Of the devices only a terminal ends: /dev/zero never would.
+  if ((S_ISCHR(status.st_mode) && isatty(fileno(file)) == 0) || S_ISBLK(status.st_mode)) {
+    fail_to_read("is a device, expected a file");
+  }
+  std::string bytes;
+  if (S_ISREG(status.st_mode) && static_cast<std::uint64_t>(status.st_size) <= kMaxFileBytes) {
+    bytes.reserve(static_cast<std::size_t>(status.st_size) + simdjson::SIMDJSON_PADDING);
+  }
+  constexpr std::size_t kChunk = 1 << 20;
+  for (std::size_t read = kChunk; read == kChunk;) {
+    const std::size_t old_size = bytes.size();
+    bytes.resize(old_size + kChunk);
+    read = std::fread(bytes.data() + old_size, 1, kChunk, file);
+    bytes.resize(old_size + read);
+    if (bytes.size() > kMaxFileBytes) {
+      throw MalformedError(name + ": document: the file is larger than the limit of 4 GiB");
+    }
+  }
+  if (std::ferror(file) != 0) fail_to_read("cannot be read: " + std::string(std::strerror(errno)));
+  return bytes;
+}
+
 Document read_net(const std::filesystem::path& path) {
   std::string bytes = load(path);
-  return parse_padded_net(padded(bytes), in_quotes(path.filename().string()));
+  return parse_padded_net(padded(bytes), display_name(path));
 }
 
 Document parse_net(std::string_view text, std::string_view name) {
@@ -567,7 +588,7 @@ Document parse_net(std::string_view text, std::string_view name) {
 
 Surface read_surface(const std::filesystem::path& path) {
   std::string bytes = load(path);
-  return parse_padded_surface(padded(bytes), in_quotes(path.filename().string()));
+  return parse_padded_surface(padded(bytes), display_name(path));
 }
 
 Surface parse_surface(std::string_view text, std::string_view name) {
@@ -576,7 +597,7 @@ Surface parse_surface(std::string_view text, std::string_view name) {
 
 GeodesicsDocument read_geodesics(const std::filesystem::path& path) {
   std::string bytes = load(path);
-  return parse_padded_geodesics(padded(bytes), in_quotes(path.filename().string()));
+  return parse_padded_geodesics(padded(bytes), display_name(path));
 }
 
 GeodesicsDocument parse_geodesics(std::string_view text, std::string_view name) {
@@ -584,10 +605,12 @@ GeodesicsDocument parse_geodesics(std::string_view text, std::string_view name) 
 }
 
 std::variant<Document, GeodesicsDocument> read_claim(const std::filesystem::path& path) {
-  std::string bytes = load(path);
+  return parse_claim(load(path), display_name(path));
+}
+
+std::variant<Document, GeodesicsDocument> parse_claim(std::string bytes, std::string_view name) {
   const simdjson::padded_string_view text = padded(bytes);
-  const std::string name = in_quotes(path.filename().string());
-  if (has_format(text, "epsnet-geodesics")) return parse_padded_geodesics(text, name);
+  if (format_of(text) == "epsnet-geodesics") return parse_padded_geodesics(text, name);
   return parse_padded_net(text, name);
 }
 

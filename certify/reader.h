@@ -22,32 +22,42 @@ class MalformedError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The file cannot be opened or read at all; nothing is said about its contents.
+/// The file cannot be opened or read at all; nothing is said about its contents. what() is "NAME: why", one line.
 class FileError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Reads a net file of at most 4 GiB. Throws FileError or MalformedError.
+/// How messages call a file: its path as given, in quotation marks, or `standard input` for "-".
+[[nodiscard]] std::string display_name(const std::filesystem::path& path);
+
+/// The bytes of a file, a pipe or a terminal, at most 4 GiB, read once; "-" is standard input here and below. Throws
+/// FileError, or MalformedError if there are more.
+[[nodiscard]] std::string load(const std::filesystem::path& path);
+
+/// Reads a net file. Throws FileError or MalformedError.
 [[nodiscard]] Document read_net(const std::filesystem::path& path);
 
 /// Reads a net file from memory; `name` stands for the file in messages. Throws MalformedError.
 [[nodiscard]] Document parse_net(std::string_view text, std::string_view name);
 
-/// Reads a surface file of at most 4 GiB. Throws FileError or MalformedError.
+/// Reads a surface file. Throws FileError or MalformedError.
 [[nodiscard]] Surface read_surface(const std::filesystem::path& path);
 
 /// Reads a surface file from memory; `name` stands for the file in messages. Throws MalformedError.
 [[nodiscard]] Surface parse_surface(std::string_view text, std::string_view name);
 
-/// Reads a geodesics file of at most 4 GiB. Throws FileError or MalformedError.
+/// Reads a geodesics file. Throws FileError or MalformedError.
 [[nodiscard]] GeodesicsDocument read_geodesics(const std::filesystem::path& path);
 
 /// Reads a geodesics file from memory; `name` stands for the file in messages. Throws MalformedError.
 [[nodiscard]] GeodesicsDocument parse_geodesics(std::string_view text, std::string_view name);
 
-/// Reads a net file or a geodesics file of at most 4 GiB, whichever its member `format` says; anything else is taken
-/// for a net file. Throws FileError or MalformedError.
+/// Reads a net file or a geodesics file, whichever its member `format` says; anything else is taken for a net file.
+/// Throws FileError or MalformedError.
 [[nodiscard]] std::variant<Document, GeodesicsDocument> read_claim(const std::filesystem::path& path);
+
+/// Reads a net file or a geodesics file from memory; `name` stands for the file in messages. Throws MalformedError.
+[[nodiscard]] std::variant<Document, GeodesicsDocument> parse_claim(std::string bytes, std::string_view name);
 
 }  // namespace epsnet::certify

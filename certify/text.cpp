@@ -1,8 +1,10 @@
 #include <epsnet/certify/text.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <system_error>
 
 namespace epsnet::certify {
@@ -99,6 +101,23 @@ double nearest_subnormal(const JsonNumber& number) {
   return quotient <= mpz_class(1) << 52 ? std::ldexp(quotient.get_d(), -1074) : HUGE_VAL;
 }
 
+/// The length of the printable character in UTF-8 that the text begins with; 0 if it begins with anything else.
+std::size_t printable_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
+  const std::uint32_t lead = byte(0);
+  if (lead < 0x80) return lead >= 0x20 && lead != 0x7f ? 1 : 0;
+  const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+  if (lead < 0xc0 || lead >= 0xf8 || text.size() < length) return 0;
+  std::uint32_t code = lead & (0xffU >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xc0U) != 0x80) return 0;
+    code = code << 6U | (byte(i) & 0x3fU);
+  }
+  constexpr std::array<std::uint32_t, 5> kLeast{0, 0, 0xa0, 0x800, 0x10000};  // Below 0xa0 are control characters.
+  const bool surrogate = code >= 0xd800 && code < 0xe000;
+  return code >= kLeast[length] && code <= 0x10ffff && !surrogate ? length : 0;
+}
+
 }  // namespace
 
 std::optional<mpq_class> parse_rational(std::string_view text) {
@@ -185,6 +204,24 @@ std::string in_quotes(std::string_view text) {
   for (const char c : text.substr(0, kShown)) result += (c >= ' ' && c <= '~' && c != '"' && c != '\\') ? c : '?';
   if (text.size() > kShown) result += "...";
   return result + '"';
+}
+
+std::string printable(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t length = printable_length(text);
+    result += length == 0 ? "?" : text.substr(0, length);
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return result;
+}
+
+std::string path_in_quotes(std::string_view path) {
+  std::string text = printable(path);
+  for (char& c : text) {
+    if (c == '"' || c == '\\') c = '?';
+  }
+  return '"' + text + '"';
 }
 
 std::string shortest(double value) {

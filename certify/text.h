@@ -28,6 +28,12 @@ inline constexpr std::size_t kMaxRationalDigits = 1'000'000;
 /// line of our own output.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
+/// The text without what is not printable UTF-8: each byte of that is replaced by a question mark.
+[[nodiscard]] std::string printable(std::string_view text);
+
+/// A path in quotation marks, all of it, printable on one line.
+[[nodiscard]] std::string path_in_quotes(std::string_view path);
+
 /// Shortest decimal that reads back as the same binary64.
 [[nodiscard]] std::string shortest(double value);
 

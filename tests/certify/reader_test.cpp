@@ -3,7 +3,11 @@
 #include <epsnet/certify/writer.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstdio>
+#include <optional>
 #include <sstream>
 
 namespace epsnet::certify {
@@ -197,6 +201,421 @@ TEST(Reader, EveryPrefixOfANetIsMalformed) {
   const std::string text = to_text(sample());
   for (std::size_t length = 0; length + 2 < text.size(); ++length) {
     ASSERT_NE(complaint(text.substr(0, length)), "") << length;
+  }
+}
+
+/// Whether a text is JSON as RFC 8259 has it, in UTF-8, without lone surrogates: a reader that shares nothing with the
+/// one under test.
+class JsonGrammar {
+ public:
+  [[nodiscard]] static bool accepts(std::string_view text) {
+    JsonGrammar grammar{text};
+    return grammar.value() && grammar.text_.empty();
+  }
+
+ private:
+  explicit JsonGrammar(std::string_view text) : text_(text) { space(); }
+
+  void space() { text_.remove_prefix(std::min(text_.find_first_not_of(" \t\n\r"), text_.size())); }
+
+  bool take(std::string_view prefix) {
+    if (!text_.starts_with(prefix)) return false;
+    text_.remove_prefix(prefix.size());
+    return true;
+  }
+
+  bool token(std::string_view token) {
+    if (!take(token)) return false;
+    space();
+    return true;
+  }
+
+  bool value() {
+    if (token("{")) return token("}") || rest("}", [&] { return string() && token(":") && value(); });
+    if (token("[")) return token("]") || rest("]", [&] { return value(); });
+    if (text_.starts_with('"')) return string();
+    return token("true") || token("false") || token("null") || number();
+  }
+
+  template <class Element>
+  bool rest(std::string_view end, const Element& element) {
+    do {
+      if (!element()) return false;
+    } while (token(","));
+    return token(end);
+  }
+
+  bool digits() {
+    const std::size_t length = std::min(text_.find_first_not_of("0123456789"), text_.size());
+    text_.remove_prefix(length);
+    return length != 0;
+  }
+
+  bool number() {
+    take("-");
+    if (!take("0") && !digits()) return false;
+    if (take(".") && !digits()) return false;
+    if (take("e") || take("E")) {
+      if (!take("+")) take("-");
+      if (!digits()) return false;
+    }
+    space();
+    return true;
+  }
+
+  int hexadecimal() {
+    const std::string_view digits = text_.substr(0, 4);
+    if (digits.size() < 4 || digits.find_first_not_of("0123456789abcdefABCDEF") != std::string_view::npos) return -1;
+    text_.remove_prefix(4);
+    return std::stoi(std::string(digits), nullptr, 16);
+  }
+
+  bool escape() {
+    if (take("u")) {
+      const int code = hexadecimal();
+      if (code < 0 || (code >= 0xdc00 && code < 0xe000)) return false;
+      if (code < 0xd800 || code >= 0xe000) return true;
+      if (!take("\\u")) return false;
+      const int low = hexadecimal();
+      return low >= 0xdc00 && low < 0xe000;
+    }
+    const bool known = !text_.empty() && std::string_view("\"\\/bfnrt").find(text_.front()) != std::string_view::npos;
+    if (known) text_.remove_prefix(1);
+    return known;
+  }
+
+  bool in_range(std::size_t i, int least, int most) {
+    const int byte = i < text_.size() ? static_cast<unsigned char>(text_[i]) : -1;
+    return least <= byte && byte <= most;
+  }
+
+  /// The table of RFC 3629, section 4.
+  bool character() {
+    std::size_t length = 0;
+    if (in_range(0, 0x20, 0x7f)) length = 1;
+    if (in_range(0, 0xc2, 0xdf)) length = 2;
+    if (in_range(0, 0xe0, 0xef)) length = 3;
+    if (in_range(0, 0xf0, 0xf4)) length = 4;
+    if (length == 0) return false;
+    if (in_range(0, 0xe0, 0xe0) && !in_range(1, 0xa0, 0xbf)) return false;
+    if (in_range(0, 0xed, 0xed) && !in_range(1, 0x80, 0x9f)) return false;
+    if (in_range(0, 0xf0, 0xf0) && !in_range(1, 0x90, 0xbf)) return false;
+    if (in_range(0, 0xf4, 0xf4) && !in_range(1, 0x80, 0x8f)) return false;
+    for (std::size_t i = 1; i < length; ++i) {
+      if (!in_range(i, 0x80, 0xbf)) return false;
+    }
+    text_.remove_prefix(length);
+    return true;
+  }
+
+  bool string() {
+    if (!take("\"")) return false;
+    while (!text_.starts_with('"')) {
+      if (!(take("\\") ? escape() : character())) return false;
+    }
+    return token("\"");
+  }
+
+  std::string_view text_;
+};
+
+/// Every kind of value that a file can have, and white space of every kind between them.
+const std::string kSmallNet = R"( {"format":"epsnet-net" ,"version": 1,
+"surface":{"kind":"regular","genus":2,"about":"a\u00e9\n\ud83d\ude00)"
+                              "\xcf\x80\xf0\x9f\x98\x80"
+                              R"("},"epsilon":"1\/2","charts":[[0,"0","-1/3"]],
+"labels":[[0,0,[0,1]],[0,0,[]]],"vertices":[[0 ,-0.25e-1,0.5	]],"triangles":[[0,0,0,0,1,2,0,1]]
+,"collars":[{"core":[3],"length":[0,1.5E+0],"vertices":[0,0],"triangles":[0,0]}]} )";
+const std::string kSmallGeodesics = R"({"claim":"thick-thin","net":{"format":"epsnet-net","version":1,
+"surface":{"kind":"tiles","tiles":[[["0","0"],["1/2","0"],["0","1/2"],["1/3","0"]]],"gluing":[[0,0,0,1],[0,3,0,2]]},
+"epsilon":"0.1","charts":[[0,"0","0"]],"labels":[],"vertices":[[0,0.0,0]],"triangles":[]},
+"geodesics":[{"vertex":0,"word":[0],"length":[0.5,0.75],"simple":true}],
+"clusters":[{"first":0,"count":1,"equal":false}],"pieces":[{"genus":1,"boundaries":[[0,0],[0,1]]}],
+"version":1,"format":"epsnet-geodesics"})";
+
+std::string claim_complaint(const std::string& text) {
+  try {
+    static_cast<void>(parse_claim(text, "test"));
+  } catch (const MalformedError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Reader, WhatItAcceptsIsJson) {
+  using namespace std::string_literals;
+  const std::string bytes =
+      "\0\x01\b\t\n\v\f\r\x1a\x1f "
+      "!\"#%&'()*+,-./0123456789:;<=?@AEINTU[\\]_`abefnrtu{|}~\x7f\x80\xa0\xbf\xc0\xc3\xe2\xed\xef"
+      "\xf0\xf4\xff"s;
+  for (const std::string& text : {kSmallNet, kSmallGeodesics}) {
+    ASSERT_EQ(claim_complaint(text), "");
+    ASSERT_TRUE(JsonGrammar::accepts(text));
+    int accepted = 0;
+    const auto try_out = [&](const std::string& changed) {
+      if (claim_complaint(changed) != "") return;
+      ++accepted;
+      EXPECT_TRUE(JsonGrammar::accepts(changed)) << changed;
+    };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      try_out(std::string(text).erase(i, 1));
+      for (const char byte : bytes) {
+        try_out(std::string(text).insert(i, 1, byte));
+        try_out(std::string(text).replace(i, 1, 1, byte));
+      }
+    }
+    EXPECT_GT(accepted, 1000);
+  }
+}
+
+/// What is left of a file in memory behind its end is never read as part of it.
+TEST(Reader, NothingBehindTheEndIsRead) {
+  const std::string text = kSmallGeodesics;
+  for (std::size_t length = 0; length < text.size(); ++length) {
+    std::string bytes = text;
+    bytes.reserve(2 * text.size() + 1000);
+    bytes.resize(length);
+    EXPECT_THROW(static_cast<void>(parse_claim(std::move(bytes), "test")), MalformedError) << length;
+  }
+}
+
+TEST(Reader, IndicesAreDigitsOfANumberThatFitsIn32Bits) {
+  const auto complaint_about = [](const std::string& index) {
+    return surface_complaint(R"({"kind": "regular", "genus": )" + index + "}");
+  };
+  for (const char* index : {"2", " 2 ", "\t2\r\n", "1000"}) EXPECT_EQ(complaint_about(index), "") << index;
+  for (const char* index : {"",
+                            "+2",
+                            "-2",
+                            "-0",
+                            "02",
+                            "00",
+                            "2.0",
+                            "2.",
+                            "2e0",
+                            "2E0",
+                            "20e-1",
+                            "0x2",
+                            "2 2",
+                            "2,",
+                            ",2",
+                            "2x",
+                            "x2",
+                            "2]",
+                            "[2]",
+                            "{}",
+                            "\"2\"",
+                            "null",
+                            "true",
+                            "2\v",
+                            "\f2",
+                            "2\f",
+                            "2\x1a",
+                            "\xc2\xa0"
+                            "2",
+                            "2_0",
+                            "\xd9\xa2"}) {
+    EXPECT_NE(complaint_about(index), "") << index;
+  }
+  EXPECT_EQ(complaint_about("4294967295"), "test: surface.genus: the genus 4294967295 is more than the limit of 1000");
+  // 2 modulo 2^32, 2^63, 2^64, 2^128 among them.
+  for (const char* index : {"4294967296", "4294967298", "9223372036854775808", "9223372036854775810",
+                            "18446744073709551615", "18446744073709551616", "18446744073709551618",
+                            "99999999999999999999", "340282366920938463463374607431768211458"}) {
+    EXPECT_EQ(complaint_about(index), "test: surface.genus: the index \"" + std::string(index) + "\" is too large");
+  }
+  EXPECT_EQ(
+      complaint_about("2.0"),
+      "test: surface.genus: \"2.0\" found, expected an index: an integer >= 0 without sign, fraction or exponent");
+}
+
+TEST(Reader, NumbersAreReadExactlyWhereverTheyStand) {
+  const auto net = [](const std::string& number) { return replaced(kSmallNet, "-0.25e-1", number); };
+  for (const char* number : {"0.50000000000000000000", " 5e-1\n", "0.5", "\t0.500"}) {
+    EXPECT_EQ(parse_net(net(number), "test").vertices[0].x, 0.5) << number;
+  }
+  for (const char* number : {"+0.5", ".5", "0.", "00.5", "0.5f", "0.5 0.5", "0x1p-1", "NaN", "-Infinity", "1e999",
+                             "\"0.5\"", "null", "[0.5]", "0.5\v", "\f0.5", "0.5\x1a", "0,5", ""}) {
+    EXPECT_NE(complaint(net(number)), "") << number;
+  }
+  EXPECT_EQ(complaint(net("1e999")), "test: vertices[0]: \"1e999\" found, expected a finite binary64 number");
+  const auto document = parse_claim(replaced(kSmallGeodesics, "0.5", "0.36893488147419103232"), "test");
+  EXPECT_EQ(std::get<GeodesicsDocument>(document).geodesics[0].length.lower, 0.36893488147419103232);
+}
+
+std::string utf8(std::uint32_t code) {
+  const auto byte = [](std::uint32_t bits) { return static_cast<char>(static_cast<unsigned char>(bits)); };
+  if (code < 0x80) return {byte(code)};
+  if (code < 0x800) return {byte(0xc0 | code >> 6U), byte(0x80 | (code & 0x3fU))};
+  if (code < 0x10000) return {byte(0xe0 | code >> 12U), byte(0x80 | (code >> 6U & 0x3fU)), byte(0x80 | (code & 0x3fU))};
+  return {byte(0xf0 | code >> 18U), byte(0x80 | (code >> 12U & 0x3fU)), byte(0x80 | (code >> 6U & 0x3fU)),
+          byte(0x80 | (code & 0x3fU))};
+}
+
+/// `written` as the text of `about`: what it is read as, nothing if it is malformed.
+std::optional<std::string> string_read(const std::string& written) {
+  try {
+    return parse_surface(surface_text(R"({"kind": "regular", "genus": 2, "about": ")" + written + "\"}"), "test").about;
+  } catch (const MalformedError&) {
+    return std::nullopt;
+  }
+}
+
+std::string unicode_escape(std::uint32_t code, const char* format = "\\u%04x") {
+  std::array<char, 8> text{};
+  std::snprintf(text.data(), text.size(), format, code);
+  return text.data();
+}
+
+TEST(Reader, EveryEscapeIsReadOrRefused) {
+  for (std::uint32_t code = 0; code < 0x10000; ++code) {
+    const bool surrogate = code >= 0xd800 && code < 0xe000;
+    const auto wanted = surrogate ? std::nullopt : std::optional(utf8(code));
+    ASSERT_EQ(string_read(unicode_escape(code)), wanted) << code;
+    ASSERT_EQ(string_read(unicode_escape(code, "\\u%04X")), wanted) << code;
+  }
+  for (const std::uint32_t high : {0xd800U, 0xd83dU, 0xdbffU}) {
+    for (std::uint32_t low = 0; low < 0x10000; ++low) {
+      const bool pair = low >= 0xdc00 && low < 0xe000;
+      const auto wanted =
+          pair ? std::optional(utf8(0x10000 + ((high - 0xd800) << 10U) + (low - 0xdc00))) : std::nullopt;
+      ASSERT_EQ(string_read(unicode_escape(high) + unicode_escape(low)), wanted) << high << ' ' << low;
+    }
+  }
+  EXPECT_EQ(string_read(R"(\"\\\/\b\f\n\r\t)"), "\"\\/\b\f\n\r\t");
+  for (const char* escape : {R"(\)",
+                             R"(\x41)",
+                             R"(\')",
+                             R"(\0)",
+                             R"(\a)",
+                             R"(\v)",
+                             R"(\U0041)",
+                             R"(\u)",
+                             R"(\u12)",
+                             R"(\u123)",
+                             R"(\u123g)",
+                             R"(\u 123)",
+                             R"(\u+123)",
+                             R"(\u-123)",
+                             R"(\ud800\)",
+                             R"(\ud800x)",
+                             R"(\ud800\n)",
+                             R"(\ud800\u)",
+                             R"(\ud800\udc0)",
+                             R"(\ud800 \udc00)",
+                             R"(\udc00\ud800)",
+                             "\\\n",
+                             "\\\xcf\x80"}) {
+    EXPECT_EQ(string_read(escape), std::nullopt) << escape;
+  }
+  for (std::size_t before = 0; before < 70; ++before) {
+    for (std::size_t pairs = 0; pairs < 70; ++pairs) {
+      const std::string text = std::string(before, 'a') + std::string(2 * pairs, '\\');
+      ASSERT_EQ(string_read(text), text.substr(0, before + pairs));
+      ASSERT_EQ(string_read(text + '\\'), std::nullopt);
+      ASSERT_EQ(string_read(text + "\\\""), text.substr(0, before + pairs) + '"');
+    }
+  }
+  // Every string and every key may be written so.
+  const std::string escaped =
+      replaced(replaced(kSmallNet, "-1/3", R"(\u002d\u0031\/3)"), "\"charts\"", R"("\u0063harts")");
+  EXPECT_EQ(parse_net(escaped, "test"), parse_net(kSmallNet, "test"));
+}
+
+TEST(Reader, BytesThatAreNoUtf8AreRefusedWhereverTheyStand) {
+  for (std::size_t before = 0; before < 70; ++before) {
+    const std::string text(before, 'a');
+    for (const char* bytes :
+         {"\x80", "\xbf", "\xc0\x80", "\xc1\xbf", "\xc3", "\xe0\x80\x80", "\xe0\x9f\xbf", "\xe2\x82", "\xed\xa0\x80",
+          "\xed\xbf\xbf", "\xf0\x80\x80\x80", "\xf0\x8f\xbf\xbf", "\xf0\x9f\x98", "\xf4\x90\x80\x80",
+          "\xf5\x80\x80\x80", "\xf8\x88\x80\x80\x80", "\xfe", "\xff"}) {
+      EXPECT_EQ(string_read(text + bytes), std::nullopt) << before;
+    }
+    for (const char* bytes : {"\x7f", "\xc2\x80", "\xdf\xbf", "\xe0\xa0\x80", "\xed\x9f\xbf", "\xee\x80\x80",
+                              "\xef\xbf\xbf", "\xf0\x90\x80\x80", "\xf4\x8f\xbf\xbf"}) {
+      EXPECT_EQ(string_read(text + bytes), text + bytes) << before;
+    }
+    for (char control = 0; control < ' '; ++control) {
+      EXPECT_EQ(string_read(text + control), std::nullopt) << before << ' ' << static_cast<int>(control);
+    }
+  }
+}
+
+TEST(Reader, KeysAreComparedAfterUnescaping) {
+  const std::string escaped = replaced(kSmallGeodesics, "\"epsnet-geodesics\"", "\"epsnet-\\u0067eodesics\"");
+  const std::string in_both = replaced(escaped, "\"version\":1,\"format\"", "\"version\":1,\"\\u0066ormat\"");
+  for (const std::string& text : {escaped, in_both}) {
+    EXPECT_EQ(std::get<GeodesicsDocument>(parse_claim(text, "test")),
+              std::get<GeodesicsDocument>(parse_claim(kSmallGeodesics, "test")));
+  }
+  EXPECT_EQ(claim_complaint(replaced(kSmallNet, "\"format\"", "\"\\u0066ormat\"")), "");
+  const std::string twice = replaced(kSmallNet, "\"format\"", "\"\\u0066ormat\":\"epsnet-net\",\"format\"");
+  EXPECT_EQ(claim_complaint(twice), "test: net: repeated member \"format\"");
+  EXPECT_EQ(surface_complaint(R"({"kind": "regular", "genus": 2, "g\u0065nus": 3})"),
+            "test: surface: repeated member \"genus\"");
+  EXPECT_EQ(surface_complaint(R"({"kind": "regular", "genus\u0000": 2, "genus": 2})"),
+            "test: surface: unknown member \"genus?\"");
+}
+
+TEST(Reader, DepthIsNoDanger) {
+  for (const std::size_t depth : {2U, 1000U, 1025U, 1'000'000U}) {
+    for (const std::string& deep : {std::string(depth, '['), std::string(depth, '['), std::string(depth, '{')}) {
+      EXPECT_NE(claim_complaint(deep), "");
+      for (const char* at : {"\"epsnet-net\"", "2", "\"1\\/2\"", "[[0,\"0\",\"-1/3\"]]", "-0.25e-1", "[3]"}) {
+        EXPECT_NE(claim_complaint(replaced(kSmallNet, at, deep)), "") << at;
+        EXPECT_NE(claim_complaint(replaced(kSmallNet, at, deep + std::string(depth, ']'))), "") << at;
+      }
+    }
+    std::string objects;
+    for (std::size_t i = 0; i < depth; ++i) objects += "{\"surface\":";
+    EXPECT_NE(claim_complaint(objects), "");
+    EXPECT_NE(claim_complaint(objects + "1" + std::string(depth, '}')), "");
+  }
+}
+
+TEST(Reader, NothingButWhiteSpaceMayFollow) {
+  using namespace std::string_literals;
+  const std::string text = kSmallNet.substr(0, kSmallNet.size() - 1);
+  EXPECT_EQ(claim_complaint(text + " \t\n\r"), "");
+  EXPECT_EQ(claim_complaint(" \t\n\r" + text), "");
+  for (const std::string& more : {"x"s,    "{}"s,   "{"s, "}"s,    "]"s,  ","s,  "\0"s, "\f"s,           "\v"s,
+                                  "\x1a"s, "null"s, "1"s, "\"\""s, "\""s, "//"s, "#"s,  "\xef\xbb\xbf"s, "\xc2\xa0"s,
+                                  "\\"s,   ":"s,    text}) {
+    EXPECT_NE(claim_complaint(text + more), "") << more;
+    EXPECT_NE(claim_complaint(text + "\n" + more), "") << more;
+    EXPECT_NE(claim_complaint(more + text), "") << more;
+  }
+  for (const char* nothing : {"", " ", "\n\n", "\xef\xbb\xbf"}) EXPECT_NE(claim_complaint(nothing), "");
+}
+
+TEST(Reader, AByteOrderMarkIsRefused) {
+  EXPECT_EQ(claim_complaint("\xef\xbb\xbf" + kSmallNet),
+            "test: document: begins with a byte order mark, expected an object");
+  EXPECT_EQ(claim_complaint("\xef\xbb\xbf" + kSmallGeodesics),
+            "test: document: begins with a byte order mark, expected an object");
+}
+
+TEST(Reader, FilesThatCannotBeReadAreNoFiles) {
+  const auto why = [](const std::string& path) -> std::string {
+    try {
+      static_cast<void>(load(path));
+    } catch (const FileError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(why("no/such/file.json"), "\"no/such/file.json\": no such file");
+  EXPECT_EQ(why(EPSNET_TEST_DATA), "\"" EPSNET_TEST_DATA "\": is a directory, expected a file");
+  EXPECT_EQ(why("/dev/zero"), "\"/dev/zero\": is a device, expected a file");
+}
+
+TEST(Reader, ComplaintsNameThePathAsGiven) {
+  const std::string path = std::string(EPSNET_TEST_DATA) + "/certify/malformed/empty.json";
+  try {
+    static_cast<void>(read_net(path));
+    FAIL();
+  } catch (const MalformedError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("\"" + path + "\": ")) << error.what();
   }
 }
 

@@ -20,6 +20,15 @@ TEST(Text, DecimalsAreExact) {
   }
 }
 
+TEST(Text, PathsAreShownAsGivenOnOneLine) {
+  EXPECT_EQ(path_in_quotes("a b/n\xc3\xa4he-\xce\xb5.json"), "\"a b/n\xc3\xa4he-\xce\xb5.json\"");
+  EXPECT_EQ(path_in_quotes(std::string(300, 'a')), "\"" + std::string(300, 'a') + "\"");
+  EXPECT_EQ(path_in_quotes("a\nVERIFIED\n\x1b[2J\x7f\xc2\x9b\"\\"), "\"a?VERIFIED??[2J?????\"");
+  EXPECT_EQ(path_in_quotes("\xff\xc3/\xed\xa0\x80\xc0\xaf"),
+            "\"?"
+            "?/?????\"");
+}
+
 mpq_class power(unsigned base, long exponent) {
   mpz_class value;
   mpz_ui_pow_ui(value.get_mpz_t(), base, static_cast<unsigned long>(std::abs(exponent)));
@@ -88,7 +97,7 @@ std::string decimal(mpq_class value) {
   return text + std::string(places - digits.size(), '0') + digits;
 }
 
-TEST(Binary64, IsReadToNearestEven) {
+TEST(ParseBinary64, IsReadToNearestEven) {
   EXPECT_EQ(parse_binary64("0.50000000000000000000"), 0.5);
   EXPECT_EQ(parse_binary64("0.18446744073709551616"), 0.18446744073709551616);
   EXPECT_EQ(parse_binary64("0.1000000000000000055511151231257827021181583404541015625"), 0.1);
@@ -154,7 +163,7 @@ TEST(Binary64, IsReadToNearestEven) {
   }
 }
 
-TEST(Binary64, ExponentsOfAnySizeAreRead) {
+TEST(ParseBinary64, ExponentsOfAnySizeAreRead) {
   EXPECT_EQ(parse_binary64("1e-99999999999999999999999999"), 0.0);
   EXPECT_TRUE(std::signbit(parse_binary64("-1e-99999999999999999999999999").value()));
   EXPECT_EQ(parse_binary64("0e99999999999999999999999999"), 0.0);
@@ -169,7 +178,7 @@ TEST(Binary64, ExponentsOfAnySizeAreRead) {
   EXPECT_EQ(parse_binary64("5" + std::string(5000, '0') + "e-5325"), 0.0);
 }
 
-TEST(Binary64, TextThatIsNoJsonNumberIsNone) {
+TEST(ParseBinary64, TextThatIsNoJsonNumberIsNone) {
   for (const char* text :
        {"",      "-",    "+1",    ".5",    "5.",    "5.e3",     "-.5",  "00",  "01",    "-01",  "1e",  "1e+",
         "e5",    "0x10", "1p3",   "inf",   "nan",   "Infinity", "-inf", "NaN", "1 ",    " 1",   "1\n", "1,",
@@ -200,7 +209,7 @@ void expect_exact_around_tie(double value, std::size_t digits) {
   expect_exact(below + std::string(digits, '9'));
 }
 
-TEST(Binary64, TiesGoToEven) {
+TEST(ParseBinary64, TiesGoToEven) {
   for (const double value : {0.0,
                              5e-324,
                              1e-323,
@@ -234,23 +243,23 @@ rc::Gen<double> any_finite() {
                       });
 }
 
-RC_GTEST_PROP(Binary64Property, ShortestDecimalsComeBack, ()) {
+RC_GTEST_PROP(ParseBinary64Property, ShortestDecimalsComeBack, ()) {
   const double value = *any_finite();
   RC_ASSERT(std::bit_cast<std::uint64_t>(parse_binary64(shortest(value)).value()) ==
             std::bit_cast<std::uint64_t>(value));
 }
 
-RC_GTEST_PROP(Binary64Property, DecimalsInFullComeBack, ()) {
+RC_GTEST_PROP(ParseBinary64Property, DecimalsInFullComeBack, ()) {
   const double value = *any_finite();
   if (value != 0) RC_ASSERT(parse_binary64(decimal(mpq_class(value))) == value);
 }
 
-RC_GTEST_PROP(Binary64Property, TiesAreExact, ()) {
+RC_GTEST_PROP(ParseBinary64Property, TiesAreExact, ()) {
   expect_exact_around_tie(std::abs(*any_finite()), *rc::gen::inRange<std::size_t>(0, 800));
   RC_ASSERT(!testing::Test::HasFailure());
 }
 
-RC_GTEST_PROP(Binary64Property, AnyNumberIsExact, ()) {
+RC_GTEST_PROP(ParseBinary64Property, AnyNumberIsExact, ()) {
   const auto digits = [](int least, int most) {
     const auto size = static_cast<std::size_t>(*rc::gen::inRange(least, most));
     return *rc::gen::container<std::string>(size, rc::gen::elementOf(std::string("0123456789")));
@@ -266,7 +275,7 @@ RC_GTEST_PROP(Binary64Property, AnyNumberIsExact, ()) {
 }
 
 /// Twenty digits and a little more after "0.", the numbers that simdjson 3.0.1 read modulo 2^64.
-RC_GTEST_PROP(Binary64Property, FractionsOfTwentyDigitsAreExact, ()) {
+RC_GTEST_PROP(ParseBinary64Property, FractionsOfTwentyDigitsAreExact, ()) {
   const auto size = *rc::gen::inRange<std::size_t>(18, 26);
   expect_exact("0." + *rc::gen::container<std::string>(size, rc::gen::elementOf(std::string("0123456789"))));
   RC_ASSERT(!testing::Test::HasFailure());
