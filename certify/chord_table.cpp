@@ -25,7 +25,11 @@ BallIsometry power_of(const BallIsometry& f, std::uint32_t exponent, slong preci
 }  // namespace
 
 ChordTable::ChordTable(const LiftedPlane& plane, std::vector<Member> members, unsigned threads)
-    : plane_(plane), lists_(members.size()), lengths_(members.size()), places_(plane.net().triangles.size()) {
+    : plane_(plane),
+      lists_(members.size()),
+      lengths_(members.size()),
+      places_(plane.net().triangles.size()),
+      places_by_axis_(plane.net().triangles.size()) {
   for (const Member& member : members) first_darts_.push_back(member.first_dart);
   const std::size_t limit = std::min(kMaxChords, kMaxChordsInAll / std::max<std::size_t>(members.size(), 1));
   std::vector<char> found(members.size(), 0);
@@ -39,9 +43,27 @@ ChordTable::ChordTable(const LiftedPlane& plane, std::vector<Member> members, un
   complete_ = std::find(found.begin(), found.end(), 0) == found.end();
   for (std::uint32_t i = 0; i < lists_.size(); ++i) {
     for (std::uint32_t k = 0; k < lists_[i].chords.size(); ++k) {
-      places_[lists_[i].chords[k].triangle].push_back({i, k});
+      const Chord& chord = lists_[i].chords[k];
+      std::vector<Place>& places = places_[chord.triangle];
+      places_by_axis_[chord.triangle].insert(chord.key, static_cast<std::uint32_t>(places.size()));
+      places.push_back({i, k});
     }
   }
+}
+
+std::span<const ChordTable::Place> ChordTable::in_triangle(std::uint32_t triangle, std::uint32_t geodesic) const {
+  const std::vector<Place>& places = places_[triangle];
+  const auto [first, last] = std::equal_range(places.begin(), places.end(), Place{geodesic, 0},
+                                              [](Place x, Place y) { return x.geodesic < y.geodesic; });
+  return {first, last};
+}
+
+std::vector<ChordTable::Place> ChordTable::on_axis(const Chord& chord) const {
+  std::vector<Place> found;
+  for (const std::uint32_t i : places_by_axis_[chord.triangle].near(chord.key)) {
+    found.push_back(places_[chord.triangle][i]);
+  }
+  return found;
 }
 
 Tri ChordTable::is_power(const Chord& chord, const BallIsometry& root, std::uint32_t exponent) const {
@@ -58,7 +80,7 @@ Tri ChordTable::is_power(const Chord& chord, const BallIsometry& root, std::uint
 
 ChordTable::Match ChordTable::find(const Chord& chord, Interval length, std::uint32_t except) const {
   Match match;
-  for (const Place place : places_[chord.triangle]) {
+  for (const Place place : on_axis(chord)) {
     if (place.geodesic == except) continue;
     // k l ∈ length for l in the member's enclosure: the exponents between two quotients, rounded outward.
     const Interval member = lengths_[place.geodesic];

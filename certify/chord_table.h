@@ -1,7 +1,9 @@
 #pragma once
 
 #include <epsnet/certify/chords.h>
+#include <epsnet/certify/interval_index.h>
 
+#include <span>
 #include <vector>
 
 namespace epsnet::certify {
@@ -28,8 +30,13 @@ class ChordTable {
     std::uint32_t geodesic;
     std::uint32_t chord;
   };
-  /// All chords in a triangle.
+  /// All chords in a triangle, by geodesic and chord.
   [[nodiscard]] const std::vector<Place>& in_triangle(std::uint32_t triangle) const { return places_[triangle]; }
+  /// Those of one geodesic.
+  [[nodiscard]] std::span<const Place> in_triangle(std::uint32_t triangle, std::uint32_t geodesic) const;
+  /// Every chord in the triangle of the given one that may be on the same axis: all others are certainly not. In order
+  /// of geodesic and chord.
+  [[nodiscard]] std::vector<Place> on_axis(const Chord& chord) const;
   [[nodiscard]] const Chord& chord(Place place) const { return lists_[place.geodesic].chords[place.chord]; }
 
   struct Match {
@@ -38,7 +45,8 @@ class ChordTable {
     std::uint32_t power = 0;
   };
   /// Whether the chord's element, of the length given, is a power of a chord of the list or of the inverse of one, the
-  /// geodesic `except` left out. `unknown` if it may be.
+  /// geodesic `except` left out. `unknown` if it may be. Only chords that may be on its axis are compared, which are
+  /// few.
   [[nodiscard]] Match find(const Chord& chord, Interval length, std::uint32_t except = Chord::kNone) const;
 
  private:
@@ -48,7 +56,8 @@ class ChordTable {
   std::vector<std::uint32_t> first_darts_;
   std::vector<ChordList> lists_;
   std::vector<Interval> lengths_;
-  std::vector<std::vector<Place>> places_;
+  std::vector<std::vector<Place>> places_;     ///< By triangle.
+  std::vector<IntervalIndex> places_by_axis_;  ///< By triangle: indices of places by the chords' keys.
   bool complete_ = true;
 };
 

@@ -1,7 +1,9 @@
 #include <epsnet/certify/chords.h>
 #include <epsnet/certify/darts.h>
+#include <epsnet/certify/interval_index.h>
 
 #include <algorithm>
+#include <array>
 #include <unordered_map>
 
 namespace epsnet::certify {
@@ -12,6 +14,17 @@ BallIsometry conjugate_by(const BallIsometry& t, const BallIsometry& g, slong pr
   BallIsometry result = compose(compose(t, g, precision), inverse(t), precision);
   choose_sign(result);
   return result;
+}
+
+/// |⟨w, n⟩| for the unit normal n of an axis: the same for both directions of the axis, so lines with different values
+/// differ. The weights w lie on no symmetry of the surfaces that people make, so that different lines rarely have one
+/// value; nothing depends on that but the time.
+Interval axis_key(const BallVector& axis, slong precision) {
+  constexpr std::array<slong, 3> kWeights{577, 341, 199};
+  Ball value;
+  for (std::size_t i = 0; i < 3; ++i) arb_addmul_si(value.get(), axis[i], kWeights[i], precision);
+  arb_abs(value.get(), value.get());
+  return outer_interval(value.get());
 }
 
 bool all_finite(const BallVector& x) { return is_finite(x[0]) && is_finite(x[1]) && is_finite(x[2]); }
@@ -45,7 +58,7 @@ class ChordSearch {
 
   /// All chords from the first one, up to where `visit` says false; false if balls do not decide.
   bool flood(const std::function<bool(const Chord&)>& visit) {
-    by_triangle_[list_.chords[0].triangle].push_back(0);
+    by_triangle_[list_.chords[0].triangle].insert(list_.chords[0].key, 0);
     for (std::uint32_t i = 0; i < list_.chords.size(); ++i) {
       if (visit && !visit(list_.chords[i])) return true;
       for (std::uint32_t edge = 0; edge < 3; ++edge) {
@@ -106,6 +119,7 @@ class ChordSearch {
     if (certainly_positive(chord.element.a.re()) != Tri::yes) return false;
     chord.axis = axis_row(chord.element, plane_.precision());
     if (!all_finite(chord.axis)) return false;
+    chord.key = axis_key(chord.axis, plane_.precision());
     Ball value;
     for (std::uint32_t i = 0; i < 3; ++i) {
       dot(value.get(), chord.axis, plane_.corner(3 * chord.triangle + i), plane_.precision());
@@ -131,15 +145,15 @@ class ChordSearch {
 
   /// Adds a chord that is not there yet.
   bool add(Chord&& chord) {
-    std::vector<std::uint32_t>& known = by_triangle_[chord.triangle];
+    IntervalIndex& known = by_triangle_[chord.triangle];
     const std::uint32_t chart = chart_of_triangle(net_, chord.triangle);
-    for (const std::uint32_t i : known) {
+    for (const std::uint32_t i : known.near(chord.key)) {
       const Tri same = plane_.same(chart, list_.chords[i].element, chord.element);
       if (same == Tri::yes) return true;
       if (same == Tri::unknown) return false;
     }
     if (list_.chords.size() >= limit_) return false;
-    known.push_back(static_cast<std::uint32_t>(list_.chords.size()));
+    known.insert(chord.key, static_cast<std::uint32_t>(list_.chords.size()));
     list_.chords.push_back(std::move(chord));
     return true;
   }
@@ -148,7 +162,7 @@ class ChordSearch {
   const Document& net_;
   std::size_t limit_;
   ChordList list_;
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> by_triangle_;
+  std::unordered_map<std::uint32_t, IntervalIndex> by_triangle_;  ///< By the chords' keys.
 };
 
 }  // namespace

@@ -19,6 +19,7 @@ struct Chord {
   std::uint32_t triangle = 0;
   BallIsometry element;
   BallVector axis;               ///< axis_row(element).
+  Interval key{};                ///< Of the axis, directed either way: what encloses a number that the axis has.
   std::array<int, 3> side{};     ///< Of the corners: 1 certainly left of the axis, −1 certainly right, else 0.
   std::uint32_t parent = kNone;  ///< The chord of the same geodesic from which this one was reached.
   std::uint32_t dart = kNone;    ///< The dart crossed from there.
@@ -39,8 +40,7 @@ struct ChordList {
 /// The chords of the axis of `element`, which is written in the chart of the vertex that `first_dart` leaves; one
 /// after the other to `visit`, until it says false. Every triangle that the axis truly meets is among them.
 ///
-/// Nothing if this precision does not suffice, or after `limit` chords or steps. O(n m) for n chords of which at most m
-/// are in one triangle.
+/// Nothing if this precision does not suffice, or after `limit` chords or steps. O(n log n) for n chords.
 [[nodiscard]] std::optional<ChordList> find_chords(const LiftedPlane& plane, std::uint32_t first_dart,
                                                    const BallIsometry& element, std::size_t limit,
                                                    const std::function<bool(const Chord&)>& visit = {});

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <span>
 #include <thread>
 
 namespace epsnet::certify {
@@ -279,8 +280,10 @@ class GeodesicsCheck {
     Tri result = Tri::no;
     for (std::uint32_t k = 0; k < table.list(i).chords.size(); ++k) {
       const Chord& chord = table.list(i).chords[k];
-      for (const ChordTable::Place place : table.in_triangle(chord.triangle)) {
-        if (place.geodesic == i ? (with_others || place.chord >= k) : !with_others) continue;
+      const auto places = with_others ? std::span<const ChordTable::Place>(table.in_triangle(chord.triangle))
+                                      : table.in_triangle(chord.triangle, static_cast<std::uint32_t>(i));
+      for (const ChordTable::Place place : places) {
+        if (place.geodesic == i && (with_others || place.chord >= k)) continue;
         const Tri crossing = cross(plane, chord, table.chord(place));
         if (crossing == Tri::yes) return crossing;
         if (crossing == Tri::unknown) result = crossing;

@@ -1,5 +1,7 @@
+#include <epsnet/certify/chord_table.h>
 #include <epsnet/certify/geodesics_check.h>
 #include <epsnet/certify/reader.h>
+#include <epsnet/certify/surface_check.h>
 #include <epsnet/certify/surface_sides.h>
 #include <epsnet/certify/writer.h>
 #include <gmock/gmock.h>
@@ -11,6 +13,7 @@
 #include <complex>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -203,6 +206,100 @@ TEST(Geodesics, MoreOfTheSpectrumOfBolza) {
       std::count_if(document.geodesics.begin(), document.geodesics.end(), [](const auto& g) { return g.simple; });
   EXPECT_GT(simple, 24);
   EXPECT_LT(simple, 96);
+}
+
+/// The chords of a list's geodesics at 128 bits.
+class TestedTable {
+ public:
+  explicit TestedTable(const GeodesicsDocument& document)
+      : net_(document.net), first_number_(static_cast<std::uint32_t>(net_.labels.size()) + 1) {
+    for (const ClosedGeodesic& geodesic : document.geodesics) {
+      const std::uint32_t chart = net_.vertices[geodesic.vertex].chart;
+      net_.labels.push_back({chart, chart, geodesic.word});
+    }
+    parts_.crossings = check_surface(net_.surface, 1).crossings;
+    for (const Chart& chart : net_.charts) parts_.frames.push_back(translation_to(exact_point(chart.centre)));
+    evaluator_.emplace(net_, parts_);
+    plane_.emplace(net_, *evaluator_, parts_, 128, 1024, 1);
+    std::vector<ChordTable::Member> members;
+    for (std::uint32_t i = 0; i < document.geodesics.size(); ++i) {
+      members.push_back({first_darts(net_)[document.geodesics[i].vertex], plane_->label(first_number_ + i)});
+    }
+    table_.emplace(*plane_, std::move(members), 1);
+  }
+
+  [[nodiscard]] const LiftedPlane& plane() const { return *plane_; }
+  [[nodiscard]] const ChordTable& table() const { return *table_; }
+
+ private:
+  Document net_;
+  std::uint32_t first_number_;
+  LabelParts parts_;
+  std::optional<LabelEvaluator> evaluator_;
+  std::optional<LiftedPlane> plane_;
+  std::optional<ChordTable> table_;
+};
+
+TEST(ChordTable, ComparesAChordWithThoseOnItsAxisOnly) {
+  // Not with all in its triangle: that would take the square of the number of geodesics.
+  const TestedTable tested(spectrum(bolza(), "6.8", 6));
+  const ChordTable& table = tested.table();
+  ASSERT_TRUE(table.complete());
+  std::size_t chords = 0;
+  std::size_t comparisons = 0;
+  std::size_t pairs = 0;
+  for (std::uint32_t i = 0; i < table.size(); ++i) {
+    for (std::uint32_t k = 0; k < table.list(i).chords.size(); ++k) {
+      const Chord& chord = table.list(i).chords[k];
+      const auto found = table.on_axis(chord);
+      EXPECT_TRUE(std::any_of(found.begin(), found.end(),
+                              [&](const ChordTable::Place& place) { return place.geodesic == i && place.chord == k; }));
+      ++chords;
+      comparisons += found.size();
+      pairs += table.in_triangle(chord.triangle).size();
+    }
+  }
+  EXPECT_EQ(table.size(), 96U);
+  EXPECT_GT(pairs, 50 * chords);
+  EXPECT_LT(comparisons, chords + chords / 100);
+}
+
+TEST(ChordTable, FindsPowersAndInversesOfEveryChord) {
+  const TestedTable tested(bolza_to_5());
+  const ChordTable& table = tested.table();
+  const slong precision = tested.plane().precision();
+  for (std::uint32_t i = 0; i < table.size(); ++i) {
+    for (const Chord& chord : table.list(i).chords) {
+      Chord other = chord;
+      const auto find = [&] { return table.find(other, translation_length(other.element, precision)); };
+      EXPECT_EQ(find().found, Tri::yes);
+      EXPECT_EQ(find().geodesic, i);
+      EXPECT_EQ(find().power, 1U);
+      other.element = inverse(chord.element);
+      EXPECT_EQ(find().found, Tri::yes);
+      EXPECT_EQ(find().geodesic, i);
+      other.element = compose(other.element, compose(other.element, other.element, precision), precision);
+      EXPECT_EQ(find().found, Tri::yes);
+      EXPECT_EQ(find().geodesic, i);
+      EXPECT_EQ(find().power, 3U);
+      EXPECT_EQ(table.find(chord, table.length(i), i).found, Tri::no) << "nothing but itself";
+    }
+  }
+}
+
+TEST(ChordTable, FindsAChordWhereItsKeyIsWideOrOnlyTouchesThatOfTheTable) {
+  const TestedTable tested(bolza_to_5());
+  const ChordTable& table = tested.table();
+  for (std::uint32_t i = 0; i < table.size(); ++i) {
+    const Chord& chord = table.list(i).chords.front();
+    const Interval key = chord.key;
+    for (const Interval other : {Interval{key.lower - 1, key.lower}, Interval{key.upper, key.upper + 1},
+                                 Interval{-1e300, 1e300}, Interval{key.upper, key.upper}}) {
+      Chord known = chord;
+      known.key = other;
+      EXPECT_EQ(table.find(known, table.length(i)).geodesic, i);
+    }
+  }
 }
 
 // Broken in one place: each rule is named.

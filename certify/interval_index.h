@@ -1,0 +1,30 @@
+#pragma once
+
+#include <epsnet/certify/ball.h>
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace epsnet::certify {
+
+/// Items by intervals that enclose a number each has. Items whose numbers may be equal are found together: the
+/// intervals of two equal numbers have a point in common, so no pair of equal numbers is missed, however wide the
+/// intervals are.
+class IntervalIndex {
+ public:
+  /// O(log n).
+  void insert(Interval x, std::uint32_t item);
+
+  /// Every item whose interval meets x, in ascending order, and perhaps some whose interval is as near to x as it is
+  /// wide. O(k log k + c log n) for k of them and intervals whose widths have c different exponents.
+  [[nodiscard]] std::vector<std::uint32_t> near(Interval x) const;
+
+ private:
+  /// By an exponent e of the width, which is less than 2^e: the lower ends. So an upper end is less than 2^e higher,
+  /// and one wide interval does not slow down the search among narrow ones.
+  std::map<int, std::multimap<double, std::uint32_t>> by_width_;
+  std::vector<std::uint32_t> unbounded_;  ///< Items about whose numbers binary64 says nothing.
+};
+
+}  // namespace epsnet::certify
