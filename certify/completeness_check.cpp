@@ -35,7 +35,6 @@ class CompletenessCheck::Pass {
     Ball cosh_epsilon, squared_sinh;
     set_rational(epsilon_.get(), *parse_decimal(net_.epsilon), precision);
     arb_sinh_cosh(sinh_epsilon_.get(), cosh_epsilon.get(), epsilon_.get(), precision);
-    arb_tanh(tanh_epsilon_.get(), epsilon_.get(), precision);
     // sinh(D/2) = sinh(L/2) cosh ε; cosh D = 1 + 2 sinh²(D/2).
     arb_sqr(squared_sinh.get(), cosh_half_.get(), precision);
     arb_sub_ui(squared_sinh.get(), squared_sinh.get(), 1, precision);
@@ -52,16 +51,15 @@ class CompletenessCheck::Pass {
     vertex.text.clear();
     if (examine_loops(v, vertex)) return;
     const BallVector place = position(v);
-    std::vector<BallIsometry> known;
     Tri answer = Tri::yes;
     const auto report = [&](const BallIsometry& element, const LabelProduct& product) {
-      answer = judge(v, element, product, &place, known, vertex);
+      if (inverse_will_do(element)) return Search::go_on;
+      answer = judge(v, element, product, &place, vertex);
       return answer == Tri::yes ? Search::go_on : Search::stop;
     };
     OrbitOutcome outcome{.limit_reached = is_hopeless()};
     if (!outcome.limit_reached) {
-      outcome =
-          search_orbit(plane_, first_darts_[v], cosh_distance_, sinh_distance_, tanh_epsilon_, check_.limit_, report);
+      outcome = search_orbit(plane_, first_darts_[v], cosh_distance_, sinh_distance_, check_.limit_, report);
     }
     vertex.visits += outcome.visits;
     vertex.limit_reached = outcome.limit_reached;
@@ -69,11 +67,11 @@ class CompletenessCheck::Pass {
   }
 
  private:
-  /// Whether triangles, each of area less than π, cannot cover a disk of radius D within the limit.
+  /// Whether triangles, each of area less than π, cannot cover within the limit the disk of the radius r with cosh r =
+  /// cosh(D)/2: there α ≤ cosh r + sinh r tanh ε < cosh D, so that all that meet it are visited.
   [[nodiscard]] bool is_hopeless() const {
     Ball least, limit;
-    arb_mul_2exp_si(least.get(), cosh_distance_.get(), 1);
-    arb_sub_ui(least.get(), least.get(), 2, plane_.precision());
+    arb_sub_ui(least.get(), cosh_distance_.get(), 2, plane_.precision());
     arb_set_ui(limit.get(), check_.limit_);
     return certainly_less(limit.get(), least.get()) == Tri::yes;
   }
@@ -89,8 +87,7 @@ class CompletenessCheck::Pass {
       const LabelProduct product = [&] {
         return std::vector<SignedLabel>{{corner_label(net_, dart), true}, {corner_label(net_, next_dart(dart)), false}};
       };
-      std::vector<BallIsometry> known;
-      vertex.complete = judge(v, element, product, nullptr, known, vertex);
+      vertex.complete = judge(v, element, product, nullptr, vertex);
       return true;
     }
     return false;
@@ -120,10 +117,16 @@ class CompletenessCheck::Pass {
     return unit_vector(identity_isometry(), net_.vertices[v].x, net_.vertices[v].y, plane_.precision());
   }
 
+  /// Whether another element will be reported for the geodesic, the inverse: it moves the vertex as far, and b changes
+  /// its sign. Of each pair at least one is left.
+  [[nodiscard]] static bool inverse_will_do(const BallIsometry& element) {
+    return certainly_positive(element.a.re()) == Tri::yes && certainly_negative(element.b.im()) == Tri::yes;
+  }
+
   /// Whether the element, in the chart of vertex v, is no geodesic that the list lacks: `yes` if it is too long, the
   /// identity, in the list, or (unless `place` is null) if its axis is further than ε from the vertex at `place`.
   [[nodiscard]] Tri judge(std::uint32_t v, const BallIsometry& element, const LabelProduct& product,
-                          const BallVector* place, std::vector<BallIsometry>& known, Vertex& vertex) const {
+                          const BallVector* place, Vertex& vertex) const {
     const Tri shorter = certainly_less(cosh_half_length(element).get(), cosh_half_.get());
     if (shorter == Tri::no) return Tri::yes;
     const std::uint32_t chart = net_.vertices[v].chart;
@@ -131,13 +134,9 @@ class CompletenessCheck::Pass {
     if (trivial == Tri::yes) return Tri::yes;
     if (place != nullptr && is_far(element, *place)) return Tri::yes;
     if (trivial == Tri::unknown) return Tri::unknown;
-    for (const BallIsometry& other : known) {
-      if (plane_.same(chart, element, other) == Tri::yes) return Tri::yes;
-    }
     ++vertex.candidates;
     const bool systole = check_.document_.claim == Claim::systole;
     const Tri found = systole ? is_no_shorter(element, shorter, product) : is_listed(v, element, shorter, product);
-    if (found == Tri::yes) known.push_back(element);
     if (found == Tri::no) vertex.text = missing_text(v, element, systole ? "is shorter" : "is not in the list");
     return found;
   }
@@ -200,7 +199,6 @@ class CompletenessCheck::Pass {
   Ball cosh_half_;
   Ball epsilon_;
   Ball sinh_epsilon_;
-  Ball tanh_epsilon_;
   Ball cosh_distance_;
   Ball sinh_distance_;
 };

@@ -2,6 +2,7 @@
 #include <epsnet/certify/orbit_search.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace epsnet::certify {
@@ -18,15 +19,21 @@ class OrbitSearch {
  public:
   OrbitSearch(const LiftedPlane& plane, std::uint32_t dart, std::uint64_t limit,
               const std::function<Search(const BallIsometry&, const LabelProduct&)>& report)
-      : plane_(plane), net_(plane.net()), root_(dart), vertex_(start(net_, dart)), limit_(limit), report_(report) {
-    place_root(dart);
+      : plane_(plane), net_(plane.net()), root_(dart), limit_(limit), report_(report) {
+    place_root();
   }
 
-  /// The greatest value of a triangle's α at q if one of its corners is within D of the vertex:
-  /// α(q) = cosh d(q, C)/cosh R ≤ cosh(D' + R)/cosh R = cosh D' + sinh D' tanh R with D' = D + d(q, ṽ).
-  void set_bound(const Ball& cosh_distance, const Ball& sinh_distance, const Ball& tanh_radius) {
+  /// The greatest value at q of the α of gΔ, Δ the root, if gṽ is within D of the vertex: α(q) = cosh d(q, C)/cosh R
+  /// ≤ cosh(D' + R)/cosh R = cosh D' + sinh D' tanh R with D' = D + d(q, ṽ) and R the circumradius of Δ.
+  void set_bound(const Ball& cosh_distance, const Ball& sinh_distance) {
     const slong precision = plane_.precision();
-    Ball sinh_shift, product;
+    // α is the product with a vector of square −1/cosh²R.
+    Ball tanh_radius;
+    const BallVector& alpha = plane_.alpha(root_ / 3);
+    lorentz_product(tanh_radius.get(), alpha, alpha, precision);
+    arb_add_ui(tanh_radius.get(), tanh_radius.get(), 1, precision);
+    arb_sqrtpos(tanh_radius.get(), tanh_radius.get(), precision);
+    Ball sinh_shift;
     arb_sqr(sinh_shift.get(), cosh_shift_.get(), precision);
     arb_sub_ui(sinh_shift.get(), sinh_shift.get(), 1, precision);
     arb_sqrtpos(sinh_shift.get(), sinh_shift.get(), precision);
@@ -54,11 +61,12 @@ class OrbitSearch {
   }
 
  private:
-  /// The chart of a visited triangle, seen from that of the vertex: shared by all visited next to each other in one
-  /// chart.
+  /// The chart of a visited triangle: shared by all visited next to each other in one chart. Most are left before
+  /// anything is reported there, so the way from the chart of the vertex is put together when it is asked for.
   struct Frame {
-    BallIsometry from_base;
+    const BallIsometry* from_previous;  ///< Null for the first.
     BallVector q;
+    std::optional<BallIsometry> from_base;
   };
 
   /// A lifted triangle on the way from the root: the edge by which it was entered and the next edge to leave it by.
@@ -69,11 +77,10 @@ class OrbitSearch {
     bool own_frame;
   };
 
-  void place_root(std::uint32_t dart) {
+  void place_root() {
     const slong precision = plane_.precision();
-    Frame frame;
-    frame.from_base = plane_.label(corner_label(net_, dart));
-    std::uint32_t corner = dart;
+    Frame frame{nullptr, {}, plane_.label(corner_label(net_, root_))};
+    std::uint32_t corner = root_;
     for (const ulong weight : kWeights) {
       for (std::size_t i = 0; i < 3; ++i) {
         arb_addmul_ui(frame.q[i], plane_.corner(corner)[i], weight, precision);
@@ -85,10 +92,10 @@ class OrbitSearch {
     arb_neg(scale.get(), scale.get());
     arb_rsqrt(scale.get(), scale.get(), precision);
     for (std::size_t i = 0; i < 3; ++i) arb_mul(frame.q[i], frame.q[i], scale.get(), precision);
-    lorentz_product(cosh_shift_.get(), frame.q, plane_.corner(dart), precision);
+    lorentz_product(cosh_shift_.get(), frame.q, plane_.corner(root_), precision);
     arb_neg(cosh_shift_.get(), cosh_shift_.get());
     frames_.push_back(std::move(frame));
-    path_.push_back({dart / 3, kNoEdge, 0, true});
+    path_.push_back({root_ / 3, kNoEdge, 0, true});
   }
 
   void leave() {
@@ -121,11 +128,20 @@ class OrbitSearch {
   bool enter_frame(std::uint32_t dart) {
     const auto* transition = plane_.transition(dart);
     if (transition == nullptr) return false;
-    const slong precision = plane_.precision();
-    const Frame& here = frames_.back();
-    Frame there{compose(transition->isometry, here.from_base, precision), apply(transition->matrix, here.q, precision)};
-    frames_.push_back(std::move(there));
+    frames_.push_back(
+        {&transition->isometry, apply(transition->matrix, frames_.back().q, plane_.precision()), std::nullopt});
     return true;
+  }
+
+  /// From the chart of the vertex to the current one.
+  const BallIsometry& from_base() {
+    std::size_t known = frames_.size() - 1;
+    while (!frames_[known].from_base) --known;
+    for (; known + 1 < frames_.size(); ++known) {
+      frames_[known + 1].from_base =
+          compose(*frames_[known + 1].from_previous, *frames_[known].from_base, plane_.precision());
+    }
+    return *frames_.back().from_base;
   }
 
   /// Whether no edge before that of `entry` certainly separates its triangle from q, and α is not certainly too large.
@@ -135,44 +151,40 @@ class OrbitSearch {
       dot(value_.get(), plane_.line(dart), q, plane_.precision());
       if (certainly_negative(value_.get()) == Tri::yes) return false;
     }
-    dot(value_.get(), plane_.alpha(entry / 3), q, plane_.precision());
-    return certainly_less(bound_.get(), value_.get()) != Tri::yes;
+    // The bound minus α(q): cheaper than a comparison of the two.
+    arb_dot(value_.get(), bound_.get(), 1, plane_.alpha(entry / 3)[0], 1, q[0], 1, 3, plane_.precision());
+    return certainly_negative(value_.get()) != Tri::yes;
   }
 
-  /// Counts the triangle and reports its corners that are lifts of the vertex. False if the search must end.
+  /// Counts the triangle and reports the element that takes the root to it, if there is one. False if the search must
+  /// end.
   bool visit(const Step& step) {
     if (++outcome_.visits > limit_) {
       outcome_.limit_reached = true;
       return false;
     }
-    for (std::uint32_t dart = 3 * step.triangle; dart < 3 * step.triangle + 3; ++dart) {
-      if (start(net_, dart) != vertex_) continue;
-      BallIsometry element =
-          compose(inverse(frames_.back().from_base), plane_.label(corner_label(net_, dart)), plane_.precision());
-      choose_sign(element);
-      const LabelProduct product = [&] { return labels_to(dart); };
-      if (report_(element, product) == Search::stop) return false;
-    }
-    return true;
+    if (step.triangle != root_ / 3) return true;
+    BallIsometry element = compose(inverse(from_base()), plane_.label(corner_label(net_, root_)), plane_.precision());
+    choose_sign(element);
+    return report_(element, [&] { return labels_to_end(); }) == Search::go_on;
   }
 
-  /// The labels of the way from the vertex at the root to the corner of the last triangle where the dart starts, and
-  /// back by that corner's own: (T_k ⋯ T_1 L_root)⁻¹ L_dart with T = L_there L_here⁻¹ across each dart.
-  [[nodiscard]] std::vector<SignedLabel> labels_to(std::uint32_t dart) const {
+  /// The labels of the way from the vertex at the root to its lift in the last triangle, and back by that corner's own:
+  /// (T_k ⋯ T_1 L_root)⁻¹ L_root with T = L_there L_here⁻¹ across each dart.
+  [[nodiscard]] std::vector<SignedLabel> labels_to_end() const {
     std::vector<SignedLabel> product{{corner_label(net_, root_), true}};
     for (std::size_t i = 1; i < path_.size(); ++i) {
       const std::uint32_t there = 3 * path_[i].triangle + path_[i].entry;
       product.push_back({corner_label(net_, opposite(net_, there)), false});
       product.push_back({corner_label(net_, next_dart(there)), true});
     }
-    product.push_back({corner_label(net_, dart), false});
+    product.push_back({corner_label(net_, root_), false});
     return product;
   }
 
   const LiftedPlane& plane_;
   const Document& net_;
   std::uint32_t root_;  ///< The dart that leaves the vertex in the first triangle.
-  std::uint32_t vertex_;
   std::uint64_t limit_;
   const std::function<Search(const BallIsometry&, const LabelProduct&)>& report_;
   std::vector<Frame> frames_;
@@ -186,10 +198,10 @@ class OrbitSearch {
 }  // namespace
 
 OrbitOutcome search_orbit(const LiftedPlane& plane, std::uint32_t dart, const Ball& cosh_distance,
-                          const Ball& sinh_distance, const Ball& tanh_radius, std::uint64_t limit,
+                          const Ball& sinh_distance, std::uint64_t limit,
                           const std::function<Search(const BallIsometry&, const LabelProduct&)>& report) {
   OrbitSearch search(plane, dart, limit, report);
-  search.set_bound(cosh_distance, sinh_distance, tanh_radius);
+  search.set_bound(cosh_distance, sinh_distance);
   return search.run();
 }
 

@@ -23,15 +23,14 @@ struct OrbitOutcome {
 };
 
 /// Reports every element g of the group, written in the chart of the vertex v that the dart leaves, with d(ṽ, gṽ) ≤ D,
-/// 1 among them, some more than once, and others. `cosh_distance` and `sinh_distance` are those of D, `tanh_radius`
-/// that of a bound of all circumradii.
+/// 1 among them, some perhaps more than once, and others. `cosh_distance` and `sinh_distance` are those of D.
 ///
-/// The lifted triangles are a tree whose root contains a point q near ṽ: the parent of a triangle is its neighbour
-/// across the first edge whose line separates it from q. The tree is walked without memory of what was seen, and left
-/// where cosh d(q, C)/cosh R, which does not decrease from parent to child, is too large. Time is proportional to
-/// the visits, memory to the depth.
+/// The lifted triangles are a tree whose root Δ, that of the dart, contains a point q near ṽ: the parent of a triangle
+/// is its neighbour across the first edge whose line separates it from q. The tree is walked without memory of what was
+/// seen, and left where cosh d(q, C)/cosh R, which does not decrease from parent to child, is too large. Each gΔ that
+/// is visited is a report of g. Time is proportional to the visits, memory to the depth.
 [[nodiscard]] OrbitOutcome search_orbit(const LiftedPlane& plane, std::uint32_t dart, const Ball& cosh_distance,
-                                        const Ball& sinh_distance, const Ball& tanh_radius, std::uint64_t limit,
+                                        const Ball& sinh_distance, std::uint64_t limit,
                                         const std::function<Search(const BallIsometry&, const LabelProduct&)>& report);
 
 }  // namespace epsnet::certify

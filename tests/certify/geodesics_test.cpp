@@ -1,5 +1,6 @@
 #include <epsnet/certify/chord_table.h>
 #include <epsnet/certify/geodesics_check.h>
+#include <epsnet/certify/orbit_search.h>
 #include <epsnet/certify/reader.h>
 #include <epsnet/certify/surface_check.h>
 #include <epsnet/certify/surface_sides.h>
@@ -239,6 +240,50 @@ class TestedTable {
   std::optional<LiftedPlane> plane_;
   std::optional<ChordTable> table_;
 };
+
+TEST(OrbitSearch, ReportsEveryElementThatMovesTheVertexLittleAndEachOnce) {
+  const Document net = bolza();
+  const TestedTable tested(systole(net));
+  const slong precision = tested.plane().precision();
+  constexpr double kDistance = 6;
+  Ball cosh, sinh, distance;
+  arb_set_d(distance.get(), kDistance);
+  arb_sinh_cosh(sinh.get(), cosh.get(), distance.get(), precision);
+  std::vector<Element> elements;
+  std::vector<std::uint32_t> word;
+  each_word(4, word, [&](const auto& w) { elements.push_back(value(w)); });
+  std::uint32_t vertices = 0;
+  for (std::uint32_t v = 0; v < net.vertices.size(); ++v) {
+    const Chart& chart = net.charts[net.vertices[v].chart];
+    if (exact_point(chart.centre).n != Gaussian{}) continue;
+    ++vertices;
+    const std::complex<double> z(net.vertices[v].x, net.vertices[v].y);
+    std::map<std::array<long, 4>, std::uint32_t> reports;
+    const auto scaled = [](arb_srcptr x) { return std::lround(1e6 * arf_get_d(arb_midref(x), ARF_RND_NEAR)); };
+    const auto outcome =
+        search_orbit(tested.plane(), first_darts(net)[v], cosh, sinh, 1'000'000,
+                     [&](const BallIsometry& element, const LabelProduct&) {
+                       const auto& [f, g] = element;
+                       ++reports[std::array<long, 4>{scaled(f.re()), scaled(f.im()), scaled(g.re()), scaled(g.im())}];
+                       return Search::go_on;
+                     });
+    EXPECT_TRUE(outcome.complete);
+    std::uint32_t near = 0;
+    for (const Element& g : elements) {
+      const std::complex<double> image = (g.first * z + g.second) / (std::conj(g.second) * z + std::conj(g.first));
+      const double sinh_half = std::abs(image - z) / std::sqrt((1 - std::norm(image)) * (1 - std::norm(z)));
+      if (2 * std::asinh(sinh_half) > kDistance - 1e-6) continue;
+      ++near;
+      const double sign = g.first.real() > 0 ? 1e6 : -1e6;
+      const std::array<long, 4> key{std::lround(sign * g.first.real()), std::lround(sign * g.first.imag()),
+                                    std::lround(sign * g.second.real()), std::lround(sign * g.second.imag())};
+      EXPECT_TRUE(reports.contains(key)) << "vertex " << v;
+    }
+    EXPECT_GT(near, 40U);
+    for (const auto& [key, count] : reports) EXPECT_EQ(count, 1U) << "vertex " << v;
+  }
+  EXPECT_GT(vertices, 3U);
+}
 
 TEST(ChordTable, ComparesAChordWithThoseOnItsAxisOnly) {
   // Not with all in its triangle: that would take the square of the number of geodesics.
