@@ -1,6 +1,6 @@
 #include "epsnet/netgen/axis_catalogue.h"
 
-#include <array>
+#include <map>
 #include <string>
 
 #include "epsnet/netgen/certified_net.h"
@@ -35,6 +35,18 @@ bool AxisCatalogue<T>::same_axis(const Isometry<T>& f, const Isometry<T>& g) {
   return size2(lorentz_cross(u, v)) <= level * level * size2(u) * size2(v);
 }
 
+/// A number of an axis, whichever way it is directed: the absolute product of its normal, scaled to Euclidean length 1,
+/// with a fixed vector, rounded. On no line of the symmetries that surfaces have, so that axes rarely have one in
+/// common.
+template <class T>
+double AxisCatalogue<T>::key(const Isometry<T>& f) {
+  const Vector normal = axis_normal(f);
+  const Vector weights{T(0.71), T(0.53), T(0.47)};
+  using boost::multiprecision::abs;
+  using boost::multiprecision::sqrt;
+  return static_cast<double>(T(abs(lorentz_product(weights, normal)) / sqrt(size2(normal))));
+}
+
 /// Unit normals u, v of two lines have |⟨u, v⟩| < 1 exactly if the lines cross.
 template <class T>
 bool AxisCatalogue<T>::axes_cross(const Isometry<T>& f, const Isometry<T>& g) {
@@ -55,23 +67,37 @@ Isometry<T> AxisCatalogue<T>::label(LabelId l) {
 }
 
 template <class T>
-typename AxisCatalogue<T>::Vector AxisCatalogue<T>::corner(std::uint32_t t, std::uint32_t i) {
-  const auto [vertex, l] = triangulation_.corner(t, i);
-  const Complex<T> z = convert<T>(triangulation_.vertex(vertex).z);
-  const Vector x = on_hyperboloid(z);
-  return l == kIdentity ? x : image(label(l), x);
+const typename AxisCatalogue<T>::Corners& AxisCatalogue<T>::corners(std::uint32_t t) {
+  if (!corners_[t]) {
+    corners_[t].emplace();
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const auto [vertex, l] = triangulation_.corner(t, i);
+      const Complex<T> z = convert<T>(triangulation_.vertex(vertex).z);
+      const Vector x = on_hyperboloid(z);
+      (*corners_[t])[i] = l == kIdentity ? x : image(label(l), x);
+    }
+  }
+  return *corners_[t];
 }
 
 template <class T>
-Isometry<T> AxisCatalogue<T>::step_across(Dart d) {
-  return inverse(label(triangulation_.transition(d)));
+typename AxisCatalogue<T>::Vector AxisCatalogue<T>::carried(Dart d, const Vector& x) {
+  const LabelId l = triangulation_.transition(d);
+  return l == kIdentity ? x : image(inverse(label(l)), x);
+}
+
+template <class T>
+typename AxisCatalogue<T>::Place AxisCatalogue<T>::beyond(Dart d, const Isometry<T>& element) {
+  const LabelId l = triangulation_.transition(d);
+  return {triangle_of(triangulation_.opposite(d)), l == kIdentity ? element : conjugate(inverse(label(l)), element)};
 }
 
 template <class T>
 Isometry<T> AxisCatalogue<T>::element(const ReturnPath& path) {
   Isometry<T> result = label(triangulation_.corner(triangle_of(path.end), corner_of(path.end)).label);
   for (std::size_t i = path.darts.size(); i-- > 0;) {
-    result = label(triangulation_.transition(path.darts[i])) * result;
+    const LabelId l = triangulation_.transition(path.darts[i]);
+    if (l != kIdentity) result = label(l) * result;
   }
   result = result * inverse(label(triangulation_.corner(triangle_of(path.start), corner_of(path.start)).label));
   return result.a.x < 0 ? Isometry<T>{-result.a, -result.b} : result;
@@ -79,7 +105,7 @@ Isometry<T> AxisCatalogue<T>::element(const ReturnPath& path) {
 
 template <class T>
 T AxisCatalogue<T>::distance_from_axis(Dart start, const Isometry<T>& element) {
-  const T side = lorentz_product(axis_normal(element), corner(triangle_of(start), corner_of(start)));
+  const T side = lorentz_product(axis_normal(element), corners(triangle_of(start))[corner_of(start)]);
   using boost::multiprecision::abs;
   using boost::multiprecision::asinh;
   using boost::multiprecision::sqrt;
@@ -90,35 +116,38 @@ T AxisCatalogue<T>::distance_from_axis(Dart start, const Isometry<T>& element) {
 template <class T>
 typename AxisCatalogue<T>::Place AxisCatalogue<T>::walk_to_axis(Dart start, const Isometry<T>& element) {
   Place place{triangle_of(start), element};
-  const Vector x = corner(triangle_of(start), corner_of(start));
+  const Vector x = corners(triangle_of(start))[corner_of(start)];
   const Vector axis = axis_normal(element);
   // x minus its component along the normal of the axis; its length does not matter.
   const T component = lorentz_product(axis, x) / isometry_discriminant(element);
   Vector foot = x + T(-component) * axis;
   std::uint32_t entered = 3;
   for (std::size_t steps = 0; steps < kMostSteps; ++steps) {
-    std::array<Vector, 3> corners;
-    for (std::uint32_t i = 0; i < 3; ++i) corners[i] = corner(place.triangle, i);
+    const Corners& y = corners(place.triangle);
     std::uint32_t leave = 3;
     for (std::uint32_t i = 0; i < 3 && leave == 3; ++i) {
       // A foot on an edge or a vertex is in every triangle there.
-      const T level = zero_level<T>() * corners[i].t * corners[next(i)].t * foot.t;
-      if (i != entered && lorentz_product(lorentz_cross(corners[i], corners[next(i)]), foot) < -level) leave = i;
+      const T level = zero_level<T>() * y[i].t * y[next(i)].t * foot.t;
+      if (i != entered && lorentz_product(lorentz_cross(y[i], y[next(i)]), foot) < -level) leave = i;
     }
     if (leave == 3) return place;
     const Dart d = make_dart(place.triangle, leave);
-    const Isometry<T> across = step_across(d);
-    place = {triangle_of(triangulation_.opposite(d)), conjugate(across, place.element)};
+    place = beyond(d, place.element);
     entered = corner_of(triangulation_.opposite(d));
-    foot = image(across, foot);
+    foot = carried(d, foot);
   }
   throw NetError("the axis of a closed geodesic was not reached in " + std::to_string(kMostSteps) + " steps");
 }
 
 template <class T>
-std::optional<std::uint32_t> AxisCatalogue<T>::find(const Place& place) const {
-  for (const Known& known : axes_in_[place.triangle]) {
-    if (same_axis(known.element, place.element)) return known.geodesic;
+std::optional<std::uint32_t> AxisCatalogue<T>::find(const Place& place) {
+  // Far above the rounding and the level of same_axis; too large a margin costs time only.
+  constexpr double kMargin = 1e-12;
+  const std::multimap<double, Known>& known = axes_in_[place.triangle];
+  const double wanted = key(place.element);
+  for (auto i = known.lower_bound(wanted - kMargin); i != known.end() && i->first <= wanted + kMargin; ++i) {
+    ++comparisons_;
+    if (same_axis(i->second.element, place.element)) return i->second.geodesic;
   }
   return std::nullopt;
 }
@@ -131,7 +160,7 @@ std::optional<std::pair<typename AxisCatalogue<T>::Step, Dart>> AxisCatalogue<T>
   std::array<T, 3> side;
   std::array<bool, 3> left;
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const Vector x = corner(place.triangle, i);
+    const Vector& x = corners(place.triangle)[i];
     side[i] = lorentz_product(axis, x);
     const bool on_axis = boost::multiprecision::abs(side[i]) <= zero_level<T>() * size * x.t;
     if (on_axis) side[i] = 0;
@@ -168,7 +197,7 @@ std::vector<typename AxisCatalogue<T>::Step> AxisCatalogue<T>::follow(Place plac
       std::optional<T> least;
       for (std::uint32_t i = 0; i < 3; ++i) {
         const auto distance = [&](std::uint32_t k) {
-          const Vector x = corner(place.triangle, k);
+          const Vector& x = corners(place.triangle)[k];
           return T(boost::multiprecision::abs(lorentz_product(axis, x)) / x.t);
         };
         const T farther = std::max(distance(i), distance(next(i)));
@@ -179,21 +208,21 @@ std::vector<typename AxisCatalogue<T>::Step> AxisCatalogue<T>::follow(Place plac
       }
       if (!steps.empty()) break;
     }
-    place = {triangle_of(triangulation_.opposite(leave)), conjugate(step_across(leave), place.element)};
+    place = beyond(leave, place.element);
     entered = corner_of(triangulation_.opposite(leave));
   }
   throw NetError("a closed geodesic could not be followed through the triangulation");
 }
 
 template <class T>
-bool AxisCatalogue<T>::is_simple(std::uint32_t geodesic, const std::vector<Step>& steps) const {
+bool AxisCatalogue<T>::is_simple(const std::vector<Step>& steps) {
+  std::map<std::uint32_t, std::vector<const Step*>> by_triangle;
   for (const Step& step : steps) {
-    for (const Known& other : axes_in_[step.triangle]) {
-      if (other.geodesic == geodesic && !same_axis(other.element, step.element) &&
-          axes_cross(other.element, step.element)) {
-        return false;
-      }
+    std::vector<const Step*>& others = by_triangle[step.triangle];
+    for (const Step* other : others) {
+      if (axes_cross(other->element, step.element)) return false;
     }
+    others.push_back(&step);
   }
   return true;
 }
@@ -210,12 +239,12 @@ std::uint32_t AxisCatalogue<T>::find_or_add(const ReturnPath& path, const Isomet
   }
   const auto number = static_cast<std::uint32_t>(geodesics_.size());
   const auto enter = [&](const std::vector<Step>& passed) {
-    for (const Step& step : passed) axes_in_[step.triangle].push_back({number, step.element});
+    for (const Step& step : passed) axes_in_[step.triangle].emplace(key(step.element), Known{number, step.element});
   };
   enter(steps);
   // Directed the other way it is pushed to the other side, where the inverse of the element will look for it.
   if (through_vertex) enter(follow({place.triangle, inverse(place.element)}, through_vertex));
-  const bool simple = is_simple(number, steps);
+  const bool simple = is_simple(steps);
   geodesics_.push_back({displacement_length(element), path, std::move(steps), simple});
   return number;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -23,7 +25,7 @@ template <class T>
 class AxisCatalogue {
  public:
   explicit AxisCatalogue(Triangulation& triangulation)
-      : triangulation_(triangulation), axes_in_(triangulation.triangle_count()) {}
+      : triangulation_(triangulation), corners_(triangulation.triangle_count()), axes_in_(corners_.size()) {}
 
   /// A triangle that a geodesic passes through. The geodesic cuts the corner `cut` off from the other two.
   struct Step {
@@ -48,9 +50,14 @@ class AxisCatalogue {
 
   /// The geodesic of an element of a path: the number of a known one, of which it may be a power or the inverse; else
   /// it becomes a new one. Roots must come before their powers. Throws NetError if its axis is not found.
+  ///
+  /// O(log n) for n axes known in a triangle, and time by the triangles that are walked through.
   std::uint32_t find_or_add(const ReturnPath& path, const Isometry<T>& element);
 
   [[nodiscard]] const std::vector<Geodesic>& geodesics() const { return geodesics_; }
+
+  /// How many pairs of axes were compared so far to find those that are the same.
+  [[nodiscard]] std::uint64_t comparisons() const { return comparisons_; }
 
  private:
   using Vector = LorentzVector<T>;
@@ -62,24 +69,30 @@ class AxisCatalogue {
     std::uint32_t geodesic;
     Isometry<T> element;
   };
+  using Corners = std::array<Vector, 3>;
 
+  [[nodiscard]] static double key(const Isometry<T>& f);
   [[nodiscard]] static bool same_axis(const Isometry<T>& f, const Isometry<T>& g);
   [[nodiscard]] static bool axes_cross(const Isometry<T>& f, const Isometry<T>& g);
   [[nodiscard]] static Isometry<T> conjugate(const Isometry<T>& by, const Isometry<T>& f);
-  [[nodiscard]] Vector corner(std::uint32_t t, std::uint32_t i);
+  [[nodiscard]] const Corners& corners(std::uint32_t t);
   [[nodiscard]] Isometry<T> label(LabelId l);
-  /// The isometry from the chart of a dart's triangle to that of the triangle across.
-  [[nodiscard]] Isometry<T> step_across(Dart d);
+  /// A vector carried from the chart of a dart's triangle to that of the triangle across.
+  [[nodiscard]] Vector carried(Dart d, const Vector& x);
+  /// The triangle across a dart, with the element carried there.
+  [[nodiscard]] Place beyond(Dart d, const Isometry<T>& element);
   [[nodiscard]] Place walk_to_axis(Dart start, const Isometry<T>& element);
-  [[nodiscard]] std::optional<std::uint32_t> find(const Place& place) const;
+  [[nodiscard]] std::optional<std::uint32_t> find(const Place& place);
   /// The triangle's step of an axis, if it passes through, and the dart through which it leaves.
   [[nodiscard]] std::optional<std::pair<Step, Dart>> step_in(const Place& place, bool& through_vertex);
   [[nodiscard]] std::vector<Step> follow(Place place, bool& through_vertex);
-  [[nodiscard]] bool is_simple(std::uint32_t geodesic, const std::vector<Step>& steps) const;
+  [[nodiscard]] static bool is_simple(const std::vector<Step>& steps);
 
   Triangulation& triangulation_;
   std::vector<Geodesic> geodesics_;
-  std::vector<std::vector<Known>> axes_in_;  ///< By triangle.
+  std::vector<std::optional<Corners>> corners_;        ///< By triangle, where they were asked for.
+  std::vector<std::multimap<double, Known>> axes_in_;  ///< By triangle: by `key`.
+  std::uint64_t comparisons_ = 0;
 };
 
 extern template class AxisCatalogue<Mp256>;
