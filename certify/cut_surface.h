@@ -12,7 +12,7 @@ namespace epsnet::certify {
 /// each, and its boundaries in increasing order. The components are in the order of their first triangle.
 ///
 /// A vertex on a geodesic counts as on its left: the curves are pushed slightly to the right (docs/proof.md, section
-/// 10). Whether a vertex lies on one is decided exactly where 128 bits do not tell. `elements[i]` is the label number
+/// 11). Whether a vertex lies on one is decided exactly where 128 bits do not tell. `elements[i]` is the label number
 /// of geodesic i, whose element is the inverse of that label. Nothing if this precision does not suffice. O(n log n), n
 /// the number of triangles and chords.
 [[nodiscard]] std::optional<std::vector<Piece>> cut_surface(const LiftedPlane& plane, const LabelEvaluator& evaluator,
