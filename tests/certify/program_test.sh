@@ -1,6 +1,6 @@
 #!/bin/sh
-# program_test.sh CERTIFY DATA: every file of DATA/VERDICT/ gives that verdict's exit code and last line; so do usage errors
-# and a full disk. Exit code 0 exactly if the last line is VERIFIED.
+# program_test.sh CERTIFY DATA: every file of DATA/VERDICT/ gives that verdict's exit code and last line; so do several
+# files, usage errors and a full disk. Exit code 0 exactly if the last line is VERIFIED.
 certify=$1
 data=$2
 failures=0
@@ -39,35 +39,134 @@ for file in "$data"/undecided/*; do expect 2 'UNDECIDED: ' "$file"; done
 for file in "$data"/malformed/*; do expect 3 'MALFORMED: ' "$file"; done
 expect 64 ''
 expect 64 '' --no-such-option
-expect 64 '' --threads -1 "$data"/verified/octagon-1-vertex.json
 expect 64 '' "$data"/no-such-file.json
 expect 64 '' "$data"
 expect 64 '' /dev/zero
-expect 64 'Exit codes' --help
+expect 64 'or --version' --help
+expect 64 'certify ' --version
 
 good=$data/verified/octagon-1-vertex.json
-if [ "$("$certify" "$good" | tail -n 1)" != VERIFIED ]; then
-  echo "VERIFIED does not stand alone on the last line"
+other=$data/verified/octagon-9-vertices.json
+refuted=$data/refuted/surface-torus.json
+malformed=$data/malformed/empty.json
+undecided=$data/undecided/packing-epsilon-is-the-edge-length-to-2600-digits.json
+missing=no/such/file.json
+
+fail() {
+  echo "$*"
   failures=$((failures + 1))
-fi
+}
+# says TEXT ARGUMENTS...: what certify prints, on whatever channel, has a line that is TEXT.
+says() {
+  text=$1
+  shift
+  runs=$((runs + 1))
+  "$certify" "$@" 2>&1 | grep -Fqx -- "$text" || fail "certify $*: no line '$text'"
+}
+
+if [ "$("$certify" "$good" | tail -n 1)" != VERIFIED ]; then fail "VERIFIED does not stand alone on the last line"; fi
+
+# Numbers in options are digits.
+for option in --threads --max-precision --max-visits; do
+  for value in -1 +1 1.0 1e2 0x10 ' 1' '1 ' x 18446744073709551616 99999999999999999999; do
+    expect 64 '' $option "$value" "$good"
+    expect 64 '' "$option=$value" "$good"
+    says "$option: \"$value\" is not an integer from $(
+      case $option in
+        --threads) echo 0 to 1024 ;;
+        --max-precision) echo 64 to 1048576 ;;
+        *) echo 1 to 18446744073709551615 ;;
+      esac
+    )" $option "$value" "$good"
+  done
+done
+expect 64 '' --threads 1025 "$good"
+expect 64 '' --max-precision 63 "$good"
+expect 64 '' --max-precision 1048577 "$good"
+expect 64 '' --max-visits 0 "$good"
+expect 0 VERIFIED --threads 1 --max-precision 64 --max-visits 18446744073709551615 "$good"
+
+says '--thread: no such option, did you mean --threads?' --thread 2 "$good"
+says '--max-precison: no such option, did you mean --max-precision?' --max-precison=100 "$good"
+says '--jsn: no such option, did you mean --json?' --jsn
+says '--frobnicate: no such option' --frobnicate "$good"
+says "certify: \"$missing\": no such file" "$missing"
+says "certify: \"$data\": is a directory, expected a file" "$data"
+says "certify: \"/dev/zero\": is a device, expected a file" /dev/zero
+far=$data/malformed/vertex-chart-out-of-range.json
+says "MALFORMED: \"$far\": vertices[0]: chart 1 does not exist, expected less than 1" "$far"
+
+# The SHA-256 is that of the bytes. Of a malformed file nothing is counted and nothing claimed.
+for file in "$good" "$malformed" "$refuted"; do
+  sum=$(sha256sum <"$file" | cut -d ' ' -f 1)
+  says "sha256: $sum" "$file"
+  "$certify" --json "$file" | grep -q "\"sha256\": \"$sum\"" || fail "--json $file: not the sum of sha256sum"
+done
+for file in "$data"/malformed/*; do
+  "$certify" "$file" | grep -v -e '^sha256: ' -e '^MALFORMED: ' && fail "$file: more than that it is malformed"
+  "$certify" --json "$file" | grep -e '"counts"' -e '"claim"' -e '"rules"' && fail "--json $file: counts or claims"
+done
+
+# Standard input and pipes are read once.
+expect 0 VERIFIED - <"$good"
+for input in - /dev/stdin; do
+  if [ "$(sed '' "$good" | "$certify" "$input" | tail -n 1)" != VERIFIED ]; then fail "a pipe as $input is not read"; fi
+done
+expect 64 '' - - <"$good"
+expect 64 '' - </dev/zero
+: | "$certify" - | grep -q '^MALFORMED: standard input: ' || fail "standard input is not named"
+
+# Several files: the last line and the exit code are those of the first that is not verified.
+expect 0 VERIFIED "$good" "$other" "$good"
+expect 1 "REFUTED: \"$refuted\": surface: " "$good" "$refuted" "$undecided" "$malformed" "$missing" "$other"
+expect 2 "UNDECIDED: \"$undecided\": packing: " "$undecided" "$refuted" "$good"
+expect 3 "MALFORMED: \"$malformed\": document: " "$good" "$malformed" "$refuted"
+expect 64 "ERROR: \"$missing\": no such file" "$good" "$missing" "$refuted" "$other"
+says 'verified: 2 of 4 files' "$good" "$missing" "$refuted" "$other"
+says "\"$missing\": ERROR: no such file" "$good" "$missing"
+says "\"$good\": VERIFIED" "$good" "$refuted"
+"$certify" "$good" "$refuted" "$other" | grep -qx VERIFIED && fail "of several files, not all verified, a line is VERIFIED"
+lines=$("$certify" --json "$good" "$refuted" "$missing" "$other" 2>/dev/null | grep -c '^{"verdict": .*}$')
+if [ "$lines" != 4 ]; then fail "--json of four files has $lines objects"; fi
+expect 1 '{"verdict": "VERIFIED", "file": ' --json "$refuted" "$other"
+
 if [ -w /dev/full ]; then
   "$certify" "$good" >/dev/full 2>/dev/null
-  if [ $? != 70 ]; then
-    echo "a full disk does not give exit code 70"
-    failures=$((failures + 1))
-  fi
+  if [ $? != 70 ]; then fail "a full disk does not give exit code 70"; fi
 fi
+# A limit on the size of files is a full disk, not a death by signal.
+output=$(mktemp)
+(
+  ulimit -f 0
+  exec "$certify" "$good" >"$output" 2>/dev/null
+)
+if [ $? != 70 ]; then fail "a limit on the size of files does not give exit code 70"; fi
+rm -f "$output"
+# A stack that runs out gives exit code 70. How much is enough depends on the machine: too little for the loader kills
+# by signal, enough is verified; there is a size between.
+size=12
+code=0
+{
+  while [ $size -lt 400 ] && [ "$code" != 70 ]; do
+    (
+      # shellcheck disable=SC3045  # dash and bash have it.
+      ulimit -s $size
+      exec "$certify" --threads 1 "$other" >/dev/null 2>&1
+    )
+    code=$?
+    size=$((size + 1))
+  done
+} 2>/dev/null
+if [ "$code" != 70 ]; then fail "a stack that runs out does not give exit code 70"; fi
 parsed=$(mktemp)
 "$certify" --print-parsed "$good" | sed '/^surface: /,$d' >"$parsed"
 if ! cmp -s "$parsed" "$good" && ! "$certify" "$parsed" >/dev/null; then
-  echo "what --print-parsed prints is not the document"
-  failures=$((failures + 1))
+  fail "what --print-parsed prints is not the document"
 fi
 rm -f "$parsed"
 
-if [ "$runs" -lt 80 ]; then
-  echo "only $runs runs: are the data there?"
-  failures=$((failures + 1))
+if [ "$runs" -lt 200 ]; then
+  fail "only $runs runs: are the data there?"
 fi
 echo "$runs runs, $failures failures"
 [ "$failures" = 0 ]
