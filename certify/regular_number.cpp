@@ -1,9 +1,6 @@
 #include <epsnet/certify/regular_number.h>
-#if __has_include(<flint/ulong_extras.h>)
+#include <flint/fmpq.h>
 #include <flint/ulong_extras.h>
-#else
-#include <ulong_extras.h>
-#endif
 
 #include <algorithm>
 #include <array>

@@ -53,7 +53,7 @@ foreach(package Threads simdjson)
     list(APPEND epsnet_missing ${package})
   endif()
 endforeach()
-find_package(Boost QUIET)
+find_package(Boost QUIET CONFIG)  # CMake leaves the search to the config file that Boost installs (policy CMP0167).
 if(NOT TARGET Boost::headers)
   list(APPEND epsnet_missing Boost)
 endif()

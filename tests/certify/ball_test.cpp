@@ -1,5 +1,6 @@
 #include <epsnet/certify/ball.h>
 #include <epsnet/certify/isometry.h>
+#include <flint/fmpq.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
