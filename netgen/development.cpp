@@ -4,11 +4,13 @@
 
 #include "epsnet/certify/text.h"
 #include "epsnet/kernel/plane.h"
+#include "epsnet/netgen/anchor_search.h"
 #include "epsnet/netgen/gaussian_fraction.h"
+#include "epsnet/netgen/gaussian_integers.h"
 #include "epsnet/netgen/triangulation_stream.h"
 
 /// The surface of a triangulation that is given by cross-ratios: triangles are placed one after the other, breadth
-/// first, beginning with the anchor.
+/// first, beginning with the anchors.
 namespace epsnet {
 namespace {
 
@@ -31,28 +33,6 @@ std::string decimal(const Point& z) { return "(" + decimal(z.x) + ", " + decimal
 
 bool counterclockwise(const ScaledPoint& a, const ScaledPoint& b, const ScaledPoint& c) {
   return orientation(klein(a), klein(b), klein(c)) > 0;
-}
-
-/// The integer nearest to n/d, d > 0.
-Integer nearest(const Integer& n, const Integer& d) {
-  const Integer twice = 2 * n + d;
-  const Integer quotient = twice / (2 * d);
-  return twice < 0 && quotient * 2 * d != twice ? Integer(quotient - 1) : quotient;
-}
-
-/// n/d for Gaussian integers, rounded to a Gaussian integer.
-Complex<Integer> nearest(const Complex<Integer>& n, const Complex<Integer>& d) {
-  const Integer norm_d = norm(d);
-  return {nearest(dot(d, n), norm_d), nearest(cross(d, n), norm_d)};
-}
-
-/// A greatest common divisor of two Gaussian integers, not both 0. Quadratic time.
-Complex<Integer> gaussian_gcd(Complex<Integer> a, Complex<Integer> b) {
-  while (b != Complex<Integer>{0, 0}) {
-    Complex<Integer> rest = a - nearest(a, b) * b;
-    a = std::exchange(b, std::move(rest));
-  }
-  return a;
 }
 
 /// A Gaussian integer j such that z times j̄/j is simple: of all numbers of Q(i) with the modulus of z one with the
@@ -91,6 +71,7 @@ class Development {
   Development(const TriangulationStream& stream, std::string_view name)
       : stream_(stream),
         name_(name),
+        anchors_(stream.anchors),
         tiles_(stream.triangles.size()),
         limit_(stream.triangles.size()),
         place_(3 * stream.triangles.size()),
@@ -106,7 +87,7 @@ class Development {
   }
 
   Surface surface() {
-    place_anchor();
+    place_anchors();
     place_others();
     for (std::uint32_t e = 0; e < stream_.edges.size(); ++e) {
       if (!is_used_[e]) check_edge(stream_.edges[e]);
@@ -128,35 +109,37 @@ class Development {
   }
 
  private:
-  void place_anchor() {
-    if (!stream_.anchor) {
-      fail(
-          "there is no anchor, expected \"yes\", a dart and the three points of its triangle: cross-ratios alone give "
-          "the points up to a Moebius map of the plane");
-    }
-    const auto& [dart, points] = *stream_.anchor;
+  void place_anchors() {
+    is_placed_.assign(tiles_.size(), false);
+    if (anchors_.empty()) anchors_.push_back(find_anchor(stream_, name_));
+    for (const TriangulationStream::Anchor& anchor : anchors_) place_anchor(anchor);
+  }
+
+  void place_anchor(const TriangulationStream::Anchor& anchor) {
+    const auto& [dart, points] = anchor;
+    const auto [tile, side] = place_[dart];
+    const std::string name = anchors_.size() == 1 ? "the anchor" : "the anchor of triangle " + std::to_string(tile);
     for (std::size_t i = 0; i < 3; ++i) {
       room_ += kMaxGrowth * bits(points[i]);
       if (disk_gap(scaled(points[i])) <= 0) {
-        fail("point " + std::to_string(i) + " of the anchor, " + decimal(points[i]) +
+        fail("point " + std::to_string(i) + " of " + name + ", " + decimal(points[i]) +
              ", lies outside of the open unit disk");
       }
     }
     if (!counterclockwise(scaled(points[0]), scaled(points[1]), scaled(points[2]))) {
-      fail("the points of the anchor are not counterclockwise, expected the start of dart " + std::to_string(dart) +
+      fail("the points of " + name + " are not counterclockwise, expected the start of dart " + std::to_string(dart) +
            ", its end, and a third point on the left");
     }
-    const auto [tile, side] = place_[dart];
     for (std::uint32_t i = 0; i < 3; ++i) tiles_[tile][(side + i) % 3] = points[i];
     limit_[tile] = comfortable(tiles_[tile]);
-    is_placed_.assign(tiles_.size(), false);
     is_placed_[tile] = true;
   }
 
+  /// Breadth first, from all anchors.
   void place_others() {
     std::queue<std::uint32_t> pending;
-    pending.push(place_[stream_.anchor->dart].tile);
-    std::size_t placed = 1;
+    for (const TriangulationStream::Anchor& anchor : anchors_) pending.push(place_[anchor.dart].tile);
+    std::size_t placed = pending.size();
     for (; !pending.empty(); pending.pop()) {
       for (const std::uint32_t d : stream_.triangles[pending.front()]) {
         const std::uint32_t neighbour = place_[opposite(d)].tile;
@@ -249,7 +232,8 @@ class Development {
     const ScaledPoint expected = scaled(edge.cross_ratio);
     if (expected.m * ratio.n != expected.n * ratio.d) {
       fail(edge_name(edge) + " has the cross-ratio " + decimal(edge.cross_ratio) +
-           " by the text, and by the other cross-ratios " + decimal(value(ratio)) + kExpected);
+           " by the text, and by the " + (anchors_.size() > 1 ? "anchors " : "other cross-ratios ") +
+           decimal(value(ratio)) + kExpected);
     }
   }
 
@@ -274,6 +258,7 @@ class Development {
 
   const TriangulationStream& stream_;
   std::string_view name_;
+  std::vector<TriangulationStream::Anchor> anchors_;
   std::vector<Corners> tiles_;
   std::vector<std::size_t> limit_;   ///< How many bits corners may have in the coordinates of a triangle.
   std::vector<Place> place_;         ///< By dart.

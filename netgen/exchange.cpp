@@ -18,8 +18,8 @@ Surface import_surface(std::string_view text, std::string_view name, ExchangeFor
   } catch (const DomainError& error) {
     if (!guess) throw;
     throw DomainError(std::string(error.what()) +
-                      " (read as the domain format: the second word is neither \"yes\" nor \"no\", as in the "
-                      "triangulation format)");
+                      " (read as the domain format: the second word is neither \"yes\" nor \"no\", nor do points of "
+                      "a first triangle follow, as in the triangulation formats)");
   }
 }
 

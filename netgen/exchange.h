@@ -9,9 +9,9 @@ namespace epsnet {
 
 /// The text formats in which surfaces are exchanged with other programs (docs/exchange-formats.md).
 enum class ExchangeFormat {
-  automatic,      ///< Whichever the text is: its second word is `yes` or `no` in triangulations and only there.
+  automatic,      ///< Whichever the text is: see is_triangulation_stream.
   domain,         ///< A polygon (domain_format.h).
-  triangulation,  ///< A triangulation by cross-ratios (triangulation_stream.h).
+  triangulation,  ///< A triangulation by cross-ratios, with an anchor, none, or one of each triangle.
 };
 
 /// The surface that a text describes. `name` stands for the text in messages; an error after a guess says what was

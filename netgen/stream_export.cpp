@@ -65,7 +65,7 @@ TriangulationStream stream_of(Triangles triangles) {
     if (d > e) continue;
     stream.edges.push_back({d, e, cross_ratio_of_edge(d, triangles.corners(d / 3), e, triangles.corners(e / 3))});
   }
-  stream.anchor = {0, triangles.corners(0)};
+  stream.anchors = {{0, triangles.corners(0)}};
   return stream;
 }
 

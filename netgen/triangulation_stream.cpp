@@ -1,5 +1,7 @@
 #include "epsnet/netgen/triangulation_stream.h"
 
+#include <algorithm>
+#include <charconv>
 #include <ostream>
 
 #include "epsnet/certify/text.h"
@@ -16,8 +18,8 @@ class Reader {
 
   TriangulationStream read() {
     read_dart_count();
-    read_anchor();
-    read_triangles();
+    const bool all_anchored = read_anchor();
+    read_triangles(all_anchored);
     read_edges();
     words_.expect_end("the last edge");
     return std::move(stream_);
@@ -38,20 +40,35 @@ class Reader {
     range_ = ", from 0 to " + std::to_string(darts_ - 1) + " (the text claims " + std::to_string(darts_) + " darts)";
   }
 
-  void read_anchor() {
-    const std::string expected = "\"yes\" or \"no\": whether there is an anchor";
-    const std::string_view word = words_.next(expected);
-    if (word == "no") return;
+  /// Reads the anchor, if there is one in this place. True if a dart comes instead: each triangle then has its own.
+  bool read_anchor() {
+    const std::string expected = "\"yes\" or \"no\": whether there is an anchor, or the first dart of triangle 0" + range_;
+    const std::string_view word = Words(words_).next(expected);
+    if (word.find_first_not_of("0123456789") == std::string_view::npos) return true;
+    static_cast<void>(words_.next(expected));
+    if (word == "no") return false;
     if (word != "yes") words_.fail(certify::in_quotes(word) + " found, expected " + expected);
-    stream_.anchor.emplace();
-    stream_.anchor->dart = dart("the dart of the anchor");
+    read_lift("the anchor");
+    return false;
+  }
+
+  /// A dart and the points of its triangle.
+  void read_lift(const std::string& name) {
+    TriangulationStream::Anchor& anchor = stream_.anchors.emplace_back();
+    anchor.dart = dart("the dart of " + name);
+    if (!stream_.triangles.empty()) {
+      const TriangulationStream::Triangle& triangle = stream_.triangles.back();
+      if (std::find(triangle.begin(), triangle.end(), anchor.dart) == triangle.end()) {
+        words_.fail("dart " + std::to_string(anchor.dart) + " found, expected the dart of " + name +
+                    ", one of this triangle");
+      }
+    }
     for (std::size_t i = 0; i < 3; ++i) {
-      stream_.anchor->points[i] =
-          complex("point " + std::to_string(i) + " of the anchor", "x coordinate", "y coordinate");
+      anchor.points[i] = complex("point " + std::to_string(i) + " of " + name, "x coordinate", "y coordinate");
     }
   }
 
-  void read_triangles() {
+  void read_triangles(bool all_anchored) {
     std::vector<std::uint32_t> triangle_of(darts_, kUnset);
     for (std::uint32_t t = 0; t < darts_ / 3; ++t) {
       const std::string place = " of triangle " + std::to_string(t);
@@ -64,6 +81,7 @@ class Reader {
       const std::uint32_t last = next_dart("the dart before the first one");
       const std::uint32_t second = next_dart("the dart after the first one");
       stream_.triangles.push_back({first, second, last});
+      if (all_anchored) read_lift("the anchor" + place);
     }
   }
 
@@ -114,12 +132,21 @@ class Reader {
 
 bool is_triangulation_stream(std::string_view text) {
   constexpr std::string_view kWhiteSpace = " \t\n\v\f\r";
-  const auto skip = [&](std::size_t length) { text.remove_prefix(std::min(length, text.size())); };
-  skip(text.find_first_not_of(kWhiteSpace));
-  skip(text.find_first_of(kWhiteSpace));
-  skip(text.find_first_not_of(kWhiteSpace));
-  const std::string_view second = text.substr(0, text.find_first_of(kWhiteSpace));
-  return second == "yes" || second == "no";
+  const auto next = [&] {
+    text.remove_prefix(std::min(text.find_first_not_of(kWhiteSpace), text.size()));
+    const std::string_view word = text.substr(0, text.find_first_of(kWhiteSpace));
+    text.remove_prefix(word.size());
+    return word;
+  };
+  const std::string_view count = next();
+  const std::string_view second = next();
+  if (second == "yes" || second == "no") return true;
+  std::uint32_t darts = 0;
+  if (std::from_chars(count.data(), count.data() + count.size(), darts).ec != std::errc() || darts % 6 != 0) return false;
+  for (std::size_t i = 2; i < 5; ++i) static_cast<void>(next());
+  bool has_fraction = false;
+  for (std::size_t i = 5; i < 11; ++i) has_fraction |= next().find('/') != std::string_view::npos;
+  return has_fraction;
 }
 
 TriangulationStream read_triangulation_stream(std::string_view text, std::string_view name) {
@@ -132,12 +159,20 @@ Surface load_triangulation_stream(const std::filesystem::path& path) {
 }
 
 void write_triangulation_stream(const TriangulationStream& stream, std::ostream& out) {
-  out << 3 * stream.triangles.size() << '\n' << (stream.anchor ? "yes" : "no") << '\n';
-  if (stream.anchor) {
-    out << stream.anchor->dart << '\n';
-    for (const auto& [x, y] : stream.anchor->points) out << x.str() << ' ' << y.str() << '\n';
+  const bool all_anchored = stream.anchors.size() > 1;
+  out << 3 * stream.triangles.size() << '\n';
+  if (!all_anchored) out << (stream.anchors.empty() ? "no" : "yes") << '\n';
+  if (stream.anchors.size() == 1) {
+    out << stream.anchors[0].dart << '\n';
+    for (const auto& [x, y] : stream.anchors[0].points) out << x.str() << ' ' << y.str() << '\n';
   }
-  for (const auto& [first, second, last] : stream.triangles) out << first << '\n' << last << '\n' << second << '\n';
+  for (std::size_t t = 0; t < stream.triangles.size(); ++t) {
+    const auto& [first, second, last] = stream.triangles[t];
+    out << first << '\n' << last << '\n' << second << '\n';
+    if (!all_anchored) continue;
+    out << stream.anchors[t].dart << '\n';
+    for (const auto& [x, y] : stream.anchors[t].points) out << x.str() << '\n' << y.str() << '\n';
+  }
   for (const auto& [dart, opposite, ratio] : stream.edges) {
     out << dart << '\n' << opposite << '\n' << ratio.x.str() << '\n' << ratio.y.str() << '\n';
   }

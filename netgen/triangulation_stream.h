@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <iosfwd>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -12,8 +11,8 @@
 #include "epsnet/triangulation/error.h"
 #include "epsnet/triangulation/surface.h"
 
-/// CGAL's text format for geometric triangulations of closed hyperbolic surfaces: a combinatorial map, the exact
-/// cross-ratio of every edge, and perhaps one lift of one triangle (docs/exchange-formats.md).
+/// CGAL's text formats for geometric triangulations of closed hyperbolic surfaces: a combinatorial map, the exact
+/// cross-ratio of every edge, and a lift of one triangle, of all, or of none (docs/exchange-formats.md).
 namespace epsnet {
 
 /// The text is not a triangulation of a surface, or a net cannot be written as one. what() is one line: "NAME:LINE:
@@ -46,14 +45,16 @@ struct TriangulationStream {
     bool operator==(const Anchor&) const = default;
   };
 
-  std::optional<Anchor> anchor;
+  /// None; one; or one of each triangle, in their order, all in disks of their own.
+  std::vector<Anchor> anchors;
   std::vector<Triangle> triangles;
   std::vector<Edge> edges;
   bool operator==(const TriangulationStream&) const = default;
 };
 
-/// True if the text is, as far as its first two words tell, a triangulation and not a polygon in the domain format. No
-/// text is both: the second word is `yes` or `no` in the one and a number in the other.
+/// True if the text is, as far as its first eleven words tell, a triangulation and not a polygon in the domain format.
+/// No text is both: the second word is `yes` or `no`, or there is a fraction among the six coordinates of the first
+/// triangle's anchor (points of the open disk, not all 0), where a polygon of so many sides still has indices.
 [[nodiscard]] bool is_triangulation_stream(std::string_view text);
 
 /// Reads the text and checks its combinatorics: every dart belongs to one triangle and to one edge. `name` stands for
@@ -61,12 +62,12 @@ struct TriangulationStream {
 [[nodiscard]] TriangulationStream read_triangulation_stream(std::string_view text, std::string_view name);
 
 /// The surface of a triangulation: tile t is triangle t, side i of it the triangle's dart i, in coordinates of its own;
-/// the tile of the anchor has the coordinates of the anchor.
+/// the tile of an anchor has the coordinates of the anchor. Without any, one is found (anchor_search.h).
 ///
 /// Checked completely and exactly: triangles counterclockwise and in the disk, cross-ratios as given, angles around
 /// every vertex adding up to 2π (see `Surface`). Requires the combinatorics that read_triangulation_stream checks.
-/// Throws TriangulationStreamError: also if there is no anchor, and if a coordinate has more than 10^6 digits, or all
-/// together have more than a thousand times as many as the stream.
+/// Throws TriangulationStreamError: also if there is no anchor and none is found, and if a coordinate has more than
+/// 10^6 digits, or all together have more than a thousand times as many as the stream.
 [[nodiscard]] Surface develop(const TriangulationStream& stream, std::string_view name);
 
 /// The surface of a file of at most 256 MiB. Throws TriangulationStreamError, also if the file cannot be read.
@@ -85,7 +86,7 @@ struct TriangulationStream {
 [[nodiscard]] TriangulationStream triangulation_stream(const certify::Document& net);
 
 /// The text, each number as `p/q` or `p` in lowest terms, each triangle as CGAL writes it: a dart, the previous, the
-/// next.
+/// next. With an anchor of each triangle it is the format of CGAL's Delaunay class.
 void write_triangulation_stream(const TriangulationStream& stream, std::ostream& out);
 
 }  // namespace epsnet

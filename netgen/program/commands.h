@@ -20,6 +20,7 @@ using Job = std::function<void()>;
 // Each adds a command to the program, which sets `chosen` where it is called.
 void add_surface_command(CLI::App& app, Job& chosen);
 void add_net_command(CLI::App& app, Job& chosen);
+void add_import_net_command(CLI::App& app, Job& chosen);
 void add_dirichlet_command(CLI::App& app, Job& chosen);
 void add_systole_command(CLI::App& app, Job& chosen);
 void add_spectrum_command(CLI::App& app, Job& chosen);

@@ -27,6 +27,7 @@ using namespace epsnet::program;
 // Nothing but these is ever returned.
 constexpr int kExitFine = 0;
 constexpr int kExitFailed = 1;
+constexpr int kExitUndecided = 2;
 constexpr int kExitUsage = 64;
 constexpr int kExitInternal = 70;
 
@@ -80,6 +81,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(0, 1);
   add_surface_command(app, chosen);
   add_net_command(app, chosen);
+  add_import_net_command(app, chosen);
   add_systole_command(app, chosen);
   add_spectrum_command(app, chosen);
   add_thick_thin_command(app, chosen);
@@ -94,7 +96,7 @@ int run(int argc, char** argv) {
       "  epsnet surface octagon --seed 123 -o s.json\n"
       "  epsnet net s.json --epsilon 0.1 -o net.json --svg net.svg\n"
       "  certify net.json\n\n"
-      "Exit codes: 0 fine, 1 the job failed, 64 wrong usage, 70 internal fault.");
+      "Exit codes: 0 fine, 1 the job failed, 2 undecided (import-net), 64 wrong usage, 70 internal fault.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
@@ -114,7 +116,7 @@ int run(int argc, char** argv) {
   if (!chosen)
     return fail(kExitUsage, app.got_subcommand("surface")
                                 ? "surface: which one, octagon, fenchel-nielsen, regular or import? (try --help)"
-                                : "which command, surface, net, systole, spectrum, thick-thin, dirichlet, draw, view, "
+                                : "which command, surface, net, import-net, systole, spectrum, thick-thin, dirichlet, draw, view, "
                                   "info or export? (try --help)");
 
   try {
@@ -124,6 +126,8 @@ int run(int argc, char** argv) {
     return fail(kExitUsage, error.what());
   } catch (const std::bad_alloc&) {
     return fail(kExitFailed, "not enough memory");
+  } catch (const UndecidedError& error) {
+    return fail(kExitUndecided, error.what());
   } catch (const Error& error) {
     return fail(kExitFailed, error.what());
   } catch (const certify::FileError& error) {

@@ -27,6 +27,12 @@ class JobError : public Error {
   using Error::Error;
 };
 
+/// The job was done, and its question is neither proved nor refuted.
+class UndecidedError : public JobError {
+ public:
+  using JobError::JobError;
+};
+
 /// "-" means standard output.
 [[nodiscard]] bool is_stdout(const std::string& path);
 

@@ -60,7 +60,7 @@ std::string with_line(const std::string& text, std::size_t line, const std::stri
 TriangulationStream glued(const std::vector<Tile>& triangles,
                           const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges) {
   TriangulationStream stream;
-  stream.anchor = {0, {triangles[0][0], triangles[0][1], triangles[0][2]}};
+  stream.anchors = {{0, {triangles[0][0], triangles[0][1], triangles[0][2]}}};
   for (std::uint32_t t = 0; t < triangles.size(); ++t) stream.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
   const auto point = [&](std::uint32_t dart, std::uint32_t k) { return triangles[dart / 3][(dart % 3 + k) % 3]; };
   for (const auto& [d, e] : edges) {
@@ -178,7 +178,7 @@ TEST(TriangulationStream, Anchor) {
   EXPECT_THAT(complaint(with_line(good, 5, "-1/2 0")), HasSubstr("the points of the anchor are not counterclockwise"));
   EXPECT_THAT(complaint(with_line(good, 5, "0 0")), HasSubstr("the points of the anchor are not counterclockwise"));
   TriangulationStream stream = sample();
-  stream.anchor.reset();
+  stream.anchors.clear();
   EXPECT_EQ(read_triangulation_stream(text_of(stream), "copy"), stream);
   EXPECT_THAT(complaint(stream),
               StartsWith("f.txt: there is no anchor, expected \"yes\", a dart and the three points"));
@@ -252,12 +252,12 @@ TEST(TriangulationStream, EveryNumberCounts) {
   }
   for (std::size_t i = 0; i < 3; ++i) {
     TriangulationStream bad = good;
-    bad.anchor->points[i].x -= little;
+    bad.anchors[0].points[i].x -= little;
     EXPECT_THAT(complaint(bad), HasSubstr("not those of a closed hyperbolic surface")) << i;
   }
   // Another circle of the plane as the unit circle.
   TriangulationStream bad = good;
-  for (auto& z : bad.anchor->points) z = Rational(99, 100) * z;
+  for (auto& z : bad.anchors[0].points) z = Rational(99, 100) * z;
   EXPECT_THAT(complaint(bad), HasSubstr("not those of a closed hyperbolic surface"));
 }
 
@@ -274,9 +274,9 @@ TEST(TriangulationStream, MessagesNameEdges) {
 
 TEST(TriangulationStream, ThirdVertexInTheWrongPlace) {
   const TriangulationStream good = sample();
-  const Complex<Rational> a = good.anchor->points[0];  // Lambdas of clang 14 do not capture structured bindings.
-  const Complex<Rational> b = good.anchor->points[1];
-  const Complex<Rational> c = good.anchor->points[2];
+  const Complex<Rational> a = good.anchors[0].points[0];  // Lambdas of clang 14 do not capture structured bindings.
+  const Complex<Rational> b = good.anchors[0].points[1];
+  const Complex<Rational> c = good.anchors[0].points[2];
   const auto with_third = [&](const Complex<Rational>& d) {
     TriangulationStream stream = good;
     stream.edges[0].cross_ratio = cross_ratio(a, d, b, c);  // The edge of darts 0 and 7, triangles 0 and 2.
@@ -408,8 +408,8 @@ RC_GTEST_PROP(TriangulationStreamProperty, AnyPlaceOfTheAnchorIsTheSameSurface, 
   const auto t = test::any_index(static_cast<std::uint32_t>(before.tiles().size()));
   const auto i = test::any_index(3U);
   const auto isometry = *test::isometries();
-  stream.anchor->dart = stream.triangles[t][i];
-  for (std::size_t k = 0; k < 3; ++k) stream.anchor->points[k] = isometry(before.tiles()[t][(i + k) % 3]);
+  stream.anchors[0].dart = stream.triangles[t][i];
+  for (std::size_t k = 0; k < 3; ++k) stream.anchors[0].points[k] = isometry(before.tiles()[t][(i + k) % 3]);
   const Surface after = develop(stream, "moved");
   RC_ASSERT(triangulation_stream(after).edges == triangulation_stream(before).edges);
 }
@@ -422,7 +422,7 @@ RC_GTEST_PROP(TriangulationStreamProperty, NumbersOfDartsDoNotMatter, ()) {
   std::vector<std::uint32_t> number(3 * stream.triangles.size());
   std::iota(number.begin(), number.end(), 0U);
   for (std::size_t k = number.size(); k > 1; --k) std::swap(number[k - 1], number[test::any_index(k)]);
-  stream.anchor->dart = number[stream.anchor->dart];
+  stream.anchors[0].dart = number[stream.anchors[0].dart];
   for (auto& [a, b, c] : stream.triangles) {
     a = number[a];
     b = number[b];

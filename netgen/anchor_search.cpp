@@ -1,0 +1,394 @@
+#include "epsnet/netgen/anchor_search.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "epsnet/netgen/disjoint_sets.h"
+#include "epsnet/netgen/gaussian_fraction.h"
+#include "epsnet/netgen/gaussian_integers.h"
+#include "epsnet/netgen/two_squares.h"
+
+namespace epsnet {
+namespace {
+
+constexpr std::uint32_t kUnset = ~std::uint32_t{0};
+/// Any corner of any triangle will do, some have simpler numbers.
+constexpr std::size_t kMostTriangles = 64;
+
+using Gaussian = Complex<Integer>;
+
+/// A point u/v of the complex plane with infinity.
+struct Projective {
+  Gaussian u;
+  Gaussian v;
+};
+
+/// 0 if and only if the points are equal.
+Gaussian bracket(const Projective& p, const Projective& q) { return p.u * q.v - p.v * q.u; }
+
+Projective combination(const Gaussian& s, const Projective& p, const Gaussian& t, const Projective& q) {
+  return {s * p.u + t * q.u, s * p.v + t * q.v};
+}
+
+/// A Möbius map of the plane, by its columns: the images of infinity and 0, scaled. Up to a factor.
+struct Moebius {
+  Projective infinity{{1, 0}, {0, 0}};
+  Projective zero{{0, 0}, {1, 0}};
+
+  Projective operator()(const Projective& p) const { return combination(p.u, infinity, p.v, zero); }
+  [[nodiscard]] Gaussian determinant() const { return bracket(infinity, zero); }
+};
+
+/// Without a common integer factor.
+Moebius reduced(Moebius m) {
+  Integer content = 0;
+  const auto visit = [&](const auto& action) {
+    for (Projective* p : {&m.infinity, &m.zero}) {
+      for (Gaussian* z : {&p->u, &p->v}) {
+        action(z->x);
+        action(z->y);
+      }
+    }
+  };
+  visit([&](Integer& x) { content = gcd(content, x); });
+  if (content > 1) visit([&](Integer& x) { x /= content; });
+  return m;
+}
+
+Moebius operator*(const Moebius& f, const Moebius& g) { return reduced(Moebius{f(g.infinity), f(g.zero)}); }
+Moebius inverse(const Moebius& m) {
+  return {{m.zero.v, -m.infinity.v}, {-m.zero.u, m.infinity.u}};
+}
+
+/// The map that takes infinity, 0 and 1 to three different points.
+Moebius map_to(const std::array<Projective, 3>& points) {
+  const auto& [p, q, r] = points;
+  const Gaussian s = bracket(r, q);
+  const Gaussian t = bracket(p, r);
+  return reduced(Moebius{{s * p.u, s * p.v}, {t * q.u, t * q.v}});
+}
+
+/// Infinity, 0 and 1, from the one of this number on.
+std::array<Projective, 3> frame_from(std::uint32_t i) {
+  std::array<Projective, 3> result{{{{1, 0}, {0, 0}}, {{0, 0}, {1, 0}}, {{1, 0}, {1, 0}}}};
+  std::rotate(result.begin(), result.begin() + i, result.end());
+  return result;
+}
+
+/// A Hermitian form a|u|² + 2 Re(b ū v) + c|v|², up to a positive factor.
+struct Hermitian {
+  Integer a;
+  Gaussian b;
+  Integer c;
+
+  /// p*Hq.
+  [[nodiscard]] Gaussian operator()(const Projective& p, const Projective& q) const {
+    const Gaussian first = a * q.u + b * q.v;
+    const Gaussian second = conj(b) * q.u + c * q.v;
+    return conj(p.u) * first + conj(p.v) * second;
+  }
+  /// p*Hp.
+  [[nodiscard]] Integer operator()(const Projective& p) const { return (*this)(p, p).x; }
+};
+
+Hermitian reduced(Hermitian h) {
+  const Integer content = gcd(gcd(h.a, h.c), gcd(h.b.x, h.b.y));
+  if (content > 1) h = {h.a / content, {h.b.x / content, h.b.y / content}, h.c / content};
+  return h;
+}
+
+/// m*Hm: the form in the coordinates before m.
+Hermitian pulled_back(const Hermitian& h, const Moebius& m) {
+  return reduced(Hermitian{h(m.infinity), h(m.infinity, m.zero), h(m.zero)});
+}
+
+/// Rows of linear equations for four rational unknowns, in echelon form.
+class Equations {
+ public:
+  using Row = std::array<Rational, 4>;
+
+  void add(Row row) {
+    for (const auto& [pivot, known] : rows_) {
+      if (row[pivot] != 0) subtract(row, Rational(row[pivot] / known[pivot]), known);
+    }
+    const auto pivot = static_cast<std::size_t>(
+        std::find_if(row.begin(), row.end(), [](const Rational& x) { return x != 0; }) - row.begin());
+    if (pivot == row.size()) return;
+    for (auto& [other, known] : rows_) {
+      if (known[pivot] != 0) subtract(known, Rational(known[pivot] / row[pivot]), row);
+    }
+    rows_.emplace_back(pivot, std::move(row));
+  }
+
+  [[nodiscard]] std::size_t rank() const { return rows_.size(); }
+
+  /// A solution that is not 0, of rank 3.
+  [[nodiscard]] Row solution() const {
+    std::array<bool, 4> is_pivot{};
+    for (const auto& [pivot, row] : rows_) is_pivot[pivot] = true;
+    const auto free = static_cast<std::size_t>(std::find(is_pivot.begin(), is_pivot.end(), false) - is_pivot.begin());
+    Row result{};
+    result[free] = 1;
+    for (const auto& [pivot, row] : rows_) result[pivot] = -row[free] / row[pivot];
+    return result;
+  }
+
+ private:
+  static void subtract(Row& from, const Rational& factor, const Row& row) {
+    for (std::size_t i = 0; i < from.size(); ++i) from[i] -= factor * row[i];
+  }
+
+  std::vector<std::pair<std::size_t, Row>> rows_;
+};
+
+/// n/d in lowest terms.
+GaussianFraction in_lowest_terms(const Complex<Rational>& z) {
+  const ScaledPoint point = scaled(z);
+  const Gaussian denominator{point.m, 0};
+  const Gaussian common = gaussian_gcd(denominator, point.n);
+  return {nearest(point.n, common), nearest(denominator, common)};
+}
+
+/// Each triangle has a frame: the plane where its darts start at infinity, 0 and 1.
+class AnchorSearch {
+ public:
+  AnchorSearch(const TriangulationStream& stream, std::string_view name)
+      : stream_(stream), name_(name), place_(3 * count()), edge_(3 * count()), parent_(count(), kUnset) {
+    for (std::uint32_t t = 0; t < count(); ++t) {
+      for (std::uint32_t i = 0; i < 3; ++i) place_[stream.triangles[t][i]] = {t, i};
+    }
+    for (std::uint32_t e = 0; e < stream.edges.size(); ++e) {
+      edge_[stream.edges[e].dart] = edge_[stream.edges[e].opposite] = e;
+    }
+  }
+
+  TriangulationStream::Anchor anchor() {
+    grow_tree();
+    std::vector<Hermitian> forms{invariant_form()};
+    const std::size_t tries = std::min(kMostTriangles, order_.size());
+    for (std::size_t k = 0; k < tries; ++k) {
+      const std::uint32_t t = order_[k];
+      if (k > 0) {
+        const auto parent = std::find(order_.begin(), order_.end(), place_[parent_[t]].triangle) - order_.begin();
+        forms.push_back(pulled_back(forms[static_cast<std::size_t>(parent)], transition(parent_[t])));
+      }
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        if (const auto found = anchor_at(stream_.triangles[t][i], forms.back())) return *found;
+      }
+    }
+    fail(
+        "there is no anchor, and the numbers are too large to find one; expected, in place of \"no\": \"yes\", a dart "
+        "and the three points of its triangle (its start, its end and the third vertex) in the unit disk" +
+        std::string(kFromCgal));
+  }
+
+ private:
+  struct Place {
+    std::uint32_t triangle = kUnset;
+    std::uint32_t side = 0;
+  };
+
+  static constexpr const char* kFromCgal =
+      "; CGAL's Delaunay class writes the anchors of all triangles with its member to_stream, operator<< none";
+
+  [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(stream_.triangles.size()); }
+  [[nodiscard]] std::uint32_t opposite(std::uint32_t dart) const {
+    const TriangulationStream::Edge& edge = stream_.edges[edge_[dart]];
+    return edge.dart == dart ? edge.opposite : edge.dart;
+  }
+  /// The dart k steps counterclockwise in its triangle.
+  [[nodiscard]] std::uint32_t turned(std::uint32_t dart, std::uint32_t k) const {
+    const auto [triangle, side] = place_[dart];
+    return stream_.triangles[triangle][(side + k) % 3];
+  }
+
+  /// A tree of triangles, breadth first from triangle 0; `parent_` is the dart that it was reached across.
+  void grow_tree() {
+    order_.push_back(0);
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+      for (const std::uint32_t d : stream_.triangles[order_[k]]) {
+        const std::uint32_t t = place_[opposite(d)].triangle;
+        if (t == 0 || parent_[t] != kUnset) continue;
+        parent_[t] = d;
+        order_.push_back(t);
+      }
+    }
+    if (order_.size() == count()) return;
+    std::uint32_t t = 1;
+    while (parent_[t] != kUnset) ++t;
+    fail("the surface is not connected: no path of edges leads from triangle 0 to triangle " + std::to_string(t));
+  }
+
+  /// Darts of the 2g edges that neither the tree crosses nor a tree of edges contains: the loops through the tree and
+  /// across them generate the group.
+  [[nodiscard]] std::vector<std::uint32_t> generators() const {
+    std::vector<bool> is_crossed(stream_.edges.size());
+    for (const std::uint32_t d : parent_) {
+      if (d != kUnset) is_crossed[edge_[d]] = true;
+    }
+    // Darts with the same start.
+    DisjointSets vertices(3 * count());
+    for (std::uint32_t d = 0; d < vertices.size(); ++d) vertices.join(d, turned(opposite(d), 1));
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t e = 0; e < stream_.edges.size(); ++e) {
+      if (is_crossed[e]) continue;
+      const auto& edge = stream_.edges[e];
+      if (vertices.find(edge.dart) == vertices.find(edge.opposite)) {
+        result.push_back(edge.dart);
+      } else {
+        vertices.join(edge.dart, edge.opposite);
+      }
+    }
+    return result;
+  }
+
+  /// From the frame of the triangle beyond a dart to that of the dart's.
+  [[nodiscard]] Moebius transition(std::uint32_t dart) const {
+    const auto& [a, b, c] = frame_from(place_[dart].side);
+    const ScaledPoint ratio = scaled(stream_.edges[edge_[dart]].cross_ratio);
+    // [a, d, b, c] = R is R [c,a][b,d] = [c,d][b,a] with brackets of homogeneous coordinates, linear in d.
+    const Projective d = combination(ratio.n * bracket(c, a), b, -(ratio.m * bracket(b, a)), c);
+    std::array<Projective, 3> points;
+    const std::uint32_t other = place_[opposite(dart)].side;
+    points[other] = b;
+    points[(other + 1) % 3] = a;
+    points[(other + 2) % 3] = d;
+    const Moebius result = map_to(points);
+    if (result.determinant() == Gaussian{0, 0}) {
+      fail("the edge of darts " + std::to_string(dart) + " and " + std::to_string(opposite(dart)) +
+           " has a cross-ratio that makes the third vertex of a triangle one of its ends");
+    }
+    return result;
+  }
+
+  /// From the frame of a triangle to that of triangle 0, along the tree.
+  [[nodiscard]] Moebius frame(std::uint32_t triangle) const {
+    Moebius result;
+    for (std::uint32_t t = triangle; t != 0; t = place_[parent_[t]].triangle) result = transition(parent_[t]) * result;
+    return result;
+  }
+
+  [[nodiscard]] Hermitian invariant_form() const {
+    Equations equations;
+    for (const std::uint32_t d : generators()) {
+      const Moebius there = frame(place_[d].triangle);
+      const Moebius beyond = frame(place_[opposite(d)].triangle);
+      add_equations(there * transition(d) * inverse(beyond), equations);
+      if (equations.rank() >= 3) break;
+    }
+    if (equations.rank() != 3) fail_without_circle();
+    const Equations::Row x = equations.solution();
+    const Integer m = lcm(lcm(Integer(denominator(x[0])), Integer(denominator(x[1]))),
+                          lcm(Integer(denominator(x[2])), Integer(denominator(x[3]))));
+    const auto integer = [&](const Rational& q) { return Integer(numerator(q) * (m / denominator(q))); };
+    return reduced(Hermitian{integer(x[0]), {integer(x[1]), integer(x[2])}, integer(x[3])});
+  }
+
+  /// g*Hg = |det g|H, in the unknowns a, Re b, Im b, c of H.
+  void add_equations(const Moebius& g, Equations& equations) const {
+    const Integer square = norm(g.determinant());
+    const Integer scale = sqrt(square);
+    if (scale * scale != square) fail_without_circle();
+    const std::array<Hermitian, 4> basis{{{1, {0, 0}, 0}, {0, {1, 0}, 0}, {0, {0, 1}, 0}, {0, {0, 0}, 1}}};
+    std::array<Equations::Row, 4> rows;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Hermitian& h = basis[k];
+      const Gaussian b = h(g.infinity, g.zero) - scale * h.b;
+      rows[0][k] = h(g.infinity) - scale * h.a;
+      rows[1][k] = b.x;
+      rows[2][k] = b.y;
+      rows[3][k] = h(g.zero) - scale * h.c;
+    }
+    for (Equations::Row& row : rows) equations.add(std::move(row));
+  }
+
+  /// The triangle of the dart with the dart's start at 0, if the place of its end is found. H is the form in the frame
+  /// of the triangle.
+  [[nodiscard]] std::optional<TriangulationStream::Anchor> anchor_at(std::uint32_t dart, const Hermitian& h) const {
+    const auto& [a, b, c] = frame_from(place_[dart].side);
+    // w is a reflected in the circle: a*Hw = 0.
+    const Gaussian first = h(a, {{1, 0}, {0, 0}});
+    const Gaussian second = h(a, {{0, 0}, {1, 0}});
+    const Projective w{-second, first};
+    const Integer inside = h(a);
+    const Integer outside = h(w);
+    if (inside * outside >= 0 || inside * h(b) <= 0 || inside * h(c) <= 0) fail_without_circle();
+    // The coordinate [p,a]/[p,w] is 0 at a; scaled so that b is at 1, the square of the circle's radius is 1/t.
+    const Rational t(-outside * norm(bracket(b, a)), inside * norm(bracket(b, w)));
+    const Complex<Rational> sigma = value({bracket(c, a) * bracket(b, w), bracket(c, w) * bracket(b, a)});
+    // All neighbours are at κz with z known: κ = n/m, |n|² and |m|² being the terms of t, turns up in their quotients.
+    std::vector<Gaussian> numerators;
+    std::vector<Gaussian> denominators;
+    for (const Complex<Rational>& z : star(dart, sigma)) {
+      const GaussianFraction fraction = in_lowest_terms(z);
+      numerators.push_back(fraction.n);
+      denominators.push_back(fraction.d);
+    }
+    const TwoSquares n = two_squares(Integer(numerator(t)), denominators);
+    const TwoSquares m = two_squares(Integer(denominator(t)), numerators);
+    if (n.obstacle) fail_for(*n.obstacle);
+    if (m.obstacle) fail_for(*m.obstacle);
+    if (!n.root || !m.root) return std::nullopt;
+    const Complex<Rational> kappa = value({*n.root, *m.root});
+    return TriangulationStream::Anchor{dart, {Complex<Rational>{0, 0}, kappa, kappa * sigma}};
+  }
+
+  /// The neighbours of the start of a dart, seen from it, the dart's end at 1 and the third vertex at `sigma`; as many
+  /// as are of use.
+  [[nodiscard]] std::vector<Complex<Rational>> star(std::uint32_t dart, const Complex<Rational>& sigma) const {
+    constexpr std::size_t kMost = 32;
+    const Complex<Rational> start{0, 0};
+    std::vector<Complex<Rational>> result{sigma};
+    Complex<Rational> end{1, 0};
+    for (std::uint32_t d = dart; result.size() < kMost;) {
+      // Across the side from the third vertex to the start.
+      const std::uint32_t side = turned(d, 2);
+      d = opposite(side);
+      if (d == dart) break;
+      const Complex<Rational> third = result.back();
+      const GaussianFraction next =
+          fourth_point(scaled(third), scaled(start), scaled(end), scaled(stream_.edges[edge_[side]].cross_ratio));
+      if (next.d == Gaussian{0, 0}) break;
+      result.push_back(value(next));
+      end = third;
+    }
+    return result;
+  }
+
+  [[noreturn]] void fail_without_circle() const {
+    fail(
+        "there is no anchor, and the cross-ratios keep no circle of the plane that could be the boundary of the disk: "
+        "these cross-ratios are not those of a closed hyperbolic surface");
+  }
+
+  [[noreturn]] void fail_for(const Integer& obstacle) const {
+    std::string number = obstacle.str();
+    if (number.size() > 40) number = "a number of " + std::to_string(number.size()) + " digits";
+    fail("there is no anchor, and there can be none: no disk has rational points with these cross-ratios, as " + number +
+         ", which is 3 modulo 4, keeps tanh^2 of half the length of an edge from being a sum of two rational squares");
+  }
+
+  [[noreturn]] void fail(const std::string& message) const {
+    throw TriangulationStreamError(std::string(name_) + ": " + message);
+  }
+
+  const TriangulationStream& stream_;
+  std::string_view name_;
+  std::vector<Place> place_;         ///< By dart.
+  std::vector<std::uint32_t> edge_;  ///< By dart.
+  /// By triangle: the dart, of a triangle nearer to triangle 0, that it lies beyond.
+  std::vector<std::uint32_t> parent_;
+  std::vector<std::uint32_t> order_;
+};
+
+}  // namespace
+
+TriangulationStream::Anchor find_anchor(const TriangulationStream& stream, std::string_view name) {
+  return AnchorSearch(stream, name).anchor();
+}
+
+}  // namespace epsnet

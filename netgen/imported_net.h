@@ -1,0 +1,25 @@
+#pragma once
+
+#include "epsnet/certify/document.h"
+#include "epsnet/netgen/epsilon.h"
+#include "epsnet/triangulation/error.h"
+#include "epsnet/triangulation/surface.h"
+
+namespace epsnet {
+
+/// The tiles of a surface cannot be the triangles of a net; what() says why.
+class ImportedNetError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// The tiles of a surface as the triangles of a net: exactly this triangulation, with nothing moved, added or flipped.
+/// Whether it is an ε-net is for certify::check to say.
+///
+/// Triangle t is tile t, its dart i side i of the tile; vertices are the surface's vertex classes, in their order. Each
+/// is the origin of a chart of its own, whose exact centre is the corner of a tile, so that nothing is rounded.
+/// Throws ImportedNetError unless all tiles are triangles, and if words grow beyond what a net file may hold
+/// (docs/format.md): about the sum of the squares of all degrees. Time and memory are proportional to that.
+[[nodiscard]] certify::Document net_of_tiles(const Surface& surface, const Epsilon& epsilon);
+
+}  // namespace epsnet
