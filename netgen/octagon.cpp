@@ -89,24 +89,6 @@ std::optional<Half> truncated(const Candidate& candidate) {
   return half;
 }
 
-/// Moves z3 along the geodesic through it and −z0 to the place where the area condition holds. False if there is none.
-bool close_up(Half& half) {
-  const auto& [z0, z1, z2, z3] = half;
-  const Complex<Rational> one{1, 0};
-  // With w = (z3 + z0)/(1 + z0 z3), the condition is Im[A (1 + z0 z2 − (z0 + z2) w̄)] = 0 up to a positive factor, A the
-  // first two factors.
-  const Complex<Rational> w = (z3 + z0) / (one + z0 * z3);
-  const Complex<Rational> first = (one - z0 * conj(z1)) * (one - z1 * conj(z2));
-  const Rational slope = (first * (z0 + z2) * conj(w)).y;
-  if (slope == 0) return false;
-  const Rational lambda = (first * (one + z0 * z2)).y / slope;
-  const Complex<Rational> moved = lambda * w;
-  const Complex<Rational> scale = one - z0 * moved;
-  if (norm(scale) == 0) return false;
-  half[3] = (moved - z0) / scale;
-  return true;
-}
-
 /// The points lie in the upper half of the disk, z0 excepted, which is real, and their arguments increase.
 bool well_placed(const Half& half) {
   for (std::size_t i = 0; i < half.size(); ++i) {
@@ -118,6 +100,24 @@ bool well_placed(const Half& half) {
 
 }  // namespace
 
+std::optional<std::array<Complex<Rational>, 4>> closed_up(const std::array<Complex<Rational>, 4>& half) {
+  const auto& [z0, z1, z2, z3] = half;
+  const Complex<Rational> one{1, 0};
+  // With w = (z3 + z0)/(1 + z̄0 z3), the condition is Im[A (1 + z̄0 z2 − (z0 + z2) w̄)] = 0 up to a positive factor, A the
+  // first two factors.
+  const Complex<Rational> seen = one + conj(z0) * z3;
+  if (norm(seen) == 0) return std::nullopt;
+  const Complex<Rational> w = (z3 + z0) / seen;
+  const Complex<Rational> first = (one - z0 * conj(z1)) * (one - z1 * conj(z2));
+  const Rational slope = (first * (z0 + z2) * conj(w)).y;
+  if (slope == 0) return std::nullopt;
+  const Rational lambda = (first * (one + conj(z0) * z2)).y / slope;
+  const Complex<Rational> moved = lambda * w;
+  const Complex<Rational> scale = one - conj(z0) * moved;
+  if (norm(scale) == 0) return std::nullopt;
+  return Half{z0, z1, z2, (moved - z0) / scale};
+}
+
 Surface symmetric_octagon(const std::array<Complex<Rational>, 4>& half) {
   Tile tile(half.begin(), half.end());
   for (const Complex<Rational>& z : half) tile.push_back(-z);
@@ -127,9 +127,11 @@ Surface symmetric_octagon(const std::array<Complex<Rational>, 4>& half) {
 Surface random_octagon(std::int32_t seed) {
   Draws draws(seed);
   for (;;) {
-    std::optional<Half> half = truncated(draw_candidate(draws));
+    const std::optional<Half> half = truncated(draw_candidate(draws));
     // z0 > 0 is part of `well_placed`, tested early because it fails for most candidates that fail.
-    if (half && (*half)[0].x > 0 && close_up(*half) && well_placed(*half)) return symmetric_octagon(*half);
+    if (!half || (*half)[0].x <= 0) continue;
+    const std::optional<Half> closed = closed_up(*half);
+    if (closed && well_placed(*closed)) return symmetric_octagon(*closed);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "epsnet/triangulation/surface.h"
 
@@ -11,9 +12,13 @@ namespace epsnet {
 /// side k + 4).
 ///
 /// Throws SurfaceError if the octagon is not one: strictly convex, counterclockwise, in the unit disk, and of area 4π,
-/// so that its angles add up to 2π. For z0 real the last is Im[(1−z0 z̄1)(1−z1 z̄2)(1−z2 z̄3)(1+z3 z̄0)] = 0 (Aigon-Dupuy,
+/// so that its angles add up to 2π. The last is Im[(1−z0 z̄1)(1−z1 z̄2)(1−z2 z̄3)(1+z3 z̄0)] = 0 (Aigon-Dupuy,
 /// Buser, Cibils, Künzle, Steiner, "Hyperbolic octagons and Teichmüller space in genus 2", 2005).
 [[nodiscard]] Surface symmetric_octagon(const std::array<Complex<Rational>, 4>& half);
+
+/// The points with z3 moved along the line through it and −z0 to the place where the octagon has the area 4π, if there
+/// is one: it may lie outside of the disk, and the octagon may not be convex.
+[[nodiscard]] std::optional<std::array<Complex<Rational>, 4>> closed_up(const std::array<Complex<Rational>, 4>& half);
 
 /// The random symmetric octagon of the thesis (IV.2.1), with rational vertices, for a seed.
 ///

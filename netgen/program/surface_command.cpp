@@ -1,7 +1,12 @@
+#include <algorithm>
+#include <array>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "epsnet/certify/writer.h"
+#include "epsnet/netgen/decimal.h"
 #include "epsnet/netgen/exchange.h"
 #include "epsnet/netgen/fenchel_nielsen_request.h"
 #include "epsnet/netgen/octagon.h"
@@ -13,7 +18,8 @@ namespace epsnet::program {
 namespace {
 
 struct SurfaceRequest {
-  std::int32_t seed = 0;
+  std::optional<std::int32_t> seed;
+  std::string coordinates;
   std::uint32_t genus = 0;
   std::string file;
   ExchangeFormat format = ExchangeFormat::automatic;
@@ -60,7 +66,58 @@ void make_regular(const SurfaceRequest& request) {
   write_surface_file(Surface::regular(request.genus), request.output);
 }
 
-void make_octagon(const SurfaceRequest& request) { write_surface_file(random_octagon(request.seed), request.output); }
+using Octagon = std::array<Complex<Rational>, 4>;
+
+/// The value of --coordinates. Throws UsageError.
+Octagon parse_coordinates(const std::string& text) {
+  std::vector<Rational> numbers;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find(',', start), text.size());
+    const std::string word = text.substr(start, end - start);
+    const auto number = parse_decimal(word);
+    if (!number) {
+      throw UsageError("--coordinates: \"" + word.substr(0, 80) + "\" found, expected " +
+                       (numbers.size() % 2 == 0 ? "x" : "y") + std::to_string(numbers.size() / 2) +
+                       ", a decimal or a fraction");
+    }
+    numbers.push_back(*number);
+    start = end + 1;
+  }
+  if (numbers.size() != 8) {
+    throw UsageError("--coordinates: " + std::to_string(numbers.size()) +
+                     " numbers found, expected 8: x0,y0,x1,y1,x2,y2,x3,y3, the first four vertices counterclockwise");
+  }
+  return {{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}, {numbers[4], numbers[5]}, {numbers[6], numbers[7]}}};
+}
+
+/// What z3 would have to be for the octagon to close up; empty if that does not help.
+std::string closing_hint(const Octagon& half) {
+  const std::optional<Octagon> closed = closed_up(half);
+  if (!closed || *closed == half) return "";
+  try {
+    static_cast<void>(symmetric_octagon(*closed));
+  } catch (const SurfaceError&) {
+    return "";
+  }
+  return "; with these z0, z1, z2 it closes up for x3,y3 = " + (*closed)[3].x.str() + "," + (*closed)[3].y.str();
+}
+
+Surface octagon_of(const std::string& coordinates) {
+  const Octagon half = parse_coordinates(coordinates);
+  try {
+    return symmetric_octagon(half);
+  } catch (const SurfaceError& error) {
+    throw UsageError("--coordinates: not a symmetric octagon of genus 2: " + std::string(error.what()) +
+                     closing_hint(half));
+  }
+}
+
+void make_octagon(const SurfaceRequest& request) {
+  if (!request.seed && request.coordinates.empty())
+    throw UsageError("surface octagon: expected --seed or --coordinates (try --help)");
+  check_output_directory(request.output);
+  write_surface_file(request.seed ? random_octagon(*request.seed) : octagon_of(request.coordinates), request.output);
+}
 
 void import_surface(const SurfaceRequest& request) {
   write_surface_file(import_surface_file(request.file, request.format), request.output);
@@ -75,12 +132,22 @@ void add_surface_command(CLI::App& app, Job& chosen) {
 
   const auto octagon_request = std::make_shared<SurfaceRequest>();
   CLI::App* octagon = surface->add_subcommand(
-      "octagon", "A random surface of genus 2: a symmetric octagon, the same as CGAL 6.1 makes from that seed.");
-  octagon->add_option("--seed", octagon_request->seed, "a 32-bit integer; the same seed gives the same surface")
-      ->required()
-      ->option_text("N REQUIRED");
+      "octagon",
+      "A surface of genus 2 from a symmetric octagon: random, the same as CGAL 6.1 makes from that seed, or given.");
+  CLI::Option* seed =
+      octagon->add_option("--seed", octagon_request->seed, "a 32-bit integer; the same seed gives the same surface")
+          ->option_text("N");
+  octagon
+      ->add_option("--coordinates", octagon_request->coordinates,
+                   "the octagon z0, z1, z2, z3, -z0, -z1, -z2, -z3, counterclockwise, opposite sides glued; exact "
+                   "decimals or fractions. Where it does not close up, the error says for which z3 it does")
+      ->excludes(seed)
+      ->option_text("X0,Y0,...,X3,Y3");
   add_output(*octagon, octagon_request->output, "the surface file to write");
-  octagon->footer("Example:\n  epsnet surface octagon --seed 123 -o s.json");
+  octagon->footer(
+      "Example:\n"
+      "  epsnet surface octagon --seed 123 -o s.json\n"
+      "  epsnet surface octagon --coordinates 5/6,0,3/5,3/5,0,5/6,-3/5,3/5 -o s.json");
   octagon->callback([&chosen, octagon_request] { chosen = [octagon_request] { make_octagon(*octagon_request); }; });
 
   const auto fenchel_request = std::make_shared<FenchelNielsenCommand>();
@@ -129,13 +196,11 @@ void add_surface_command(CLI::App& app, Job& chosen) {
   CLI::App* import_command = surface->add_subcommand(
       "import",
       "A surface of any genus from a text of CGAL, checked exactly: a polygon with rational vertices (domain) or "
-      "triangles with rational cross-ratios and an anchor (triangulation).");
+      "triangles with rational cross-ratios, with an anchor, none, or one for each (triangulation).");
   import_command->add_option("FILE", import_request->file, "the text (docs/exchange-formats.md)")
       ->required()
       ->option_text("REQUIRED");
-  import_command
-      ->add_option("--format", import_request->format,
-                   "what FILE is; auto tells by its second word, \"yes\" or \"no\" in a triangulation")
+  import_command->add_option("--format", import_request->format, "what FILE is; auto tells by its first words")
       ->transform(one_of<ExchangeFormat>({{"auto", ExchangeFormat::automatic},
                                           {"domain", ExchangeFormat::domain},
                                           {"triangulation", ExchangeFormat::triangulation}}))

@@ -180,8 +180,76 @@ TEST(TriangulationStream, Anchor) {
   TriangulationStream stream = sample();
   stream.anchors.clear();
   EXPECT_EQ(read_triangulation_stream(text_of(stream), "copy"), stream);
-  EXPECT_THAT(complaint(stream),
-              StartsWith("f.txt: there is no anchor, expected \"yes\", a dart and the three points"));
+  EXPECT_EQ(complaint(stream), "accepted");  // It is found.
+}
+
+/// As CGAL's Delaunay class writes it: every triangle with the coordinates of its tile, from its dart i on.
+TriangulationStream with_all_anchors(TriangulationStream stream, std::uint32_t i) {
+  const Surface surface = develop(stream, "stream");
+  stream.anchors.clear();
+  for (std::uint32_t t = 0; t < stream.triangles.size(); ++t) {
+    const Tile& tile = surface.tiles()[t];
+    stream.anchors.push_back({stream.triangles[t][i], {tile[i], tile[(i + 1) % 3], tile[(i + 2) % 3]}});
+  }
+  return stream;
+}
+
+TEST(TriangulationStream, AnAnchorForEachTriangle) {
+  for (const auto& path : test::data_files("triangulations")) {
+    const TriangulationStream stream = read_triangulation_stream(test::file_text(path), "sample");
+    for (const std::uint32_t i : {0U, 1U, 2U}) {
+      const TriangulationStream anchored = with_all_anchors(stream, i);
+      const std::string text = text_of(anchored);
+      EXPECT_TRUE(is_triangulation_stream(text)) << path;
+      EXPECT_EQ(read_triangulation_stream(text, "anchored"), anchored) << path;
+      EXPECT_EQ(import_surface(text, "anchored", ExchangeFormat::automatic).tiles(), develop(stream, "s").tiles())
+          << path;
+      EXPECT_EQ(import_surface(text, "anchored", ExchangeFormat::triangulation).tiles(), develop(stream, "s").tiles());
+    }
+  }
+}
+
+TEST(TriangulationStream, AnchorsOfTrianglesAreChecked) {
+  const TriangulationStream stream = with_all_anchors(sample(), 1);
+  const std::string good =
+      text_of(stream);  // Triangle t is on the lines 10t + 2 to 10t + 11, edge e on 4e + 102 to 105.
+  EXPECT_THAT(
+      complaint(with_line(good, 15, "0")),
+      StartsWith("f.txt:15: dart 0 found, expected the dart of the anchor of triangle 1, one of this triangle"));
+  EXPECT_THAT(complaint(with_line(good, 15, "30")),
+              StartsWith("f.txt:15: 30 found, expected the dart of the anchor of triangle 1, from 0 to 29"));
+  EXPECT_THAT(complaint(with_line(good, 16, "0.5")),
+              StartsWith("f.txt:16: \"0.5\" found, expected the x coordinate of point 0 of the anchor of triangle 1"));
+  EXPECT_THAT(complaint(with_line(good, 16, "1")), StartsWith("f.txt: point 0 of the anchor of triangle 1, (1, "));
+  EXPECT_THAT(complaint(good.substr(0, good.size() / 2)), HasSubstr("the text ends here, expected the "));
+  EXPECT_THAT(complaint(good + "1"), HasSubstr("follows the last edge"));
+  for (std::size_t t = 0; t < stream.anchors.size(); ++t) {
+    TriangulationStream bad = stream;
+    bad.anchors[t].points[2].x += Rational(1, 1'000'000'000);
+    EXPECT_THAT(complaint(bad), HasSubstr("not those of a closed hyperbolic surface")) << t;
+    bad = stream;
+    std::rotate(bad.anchors[t].points.begin(), bad.anchors[t].points.begin() + 1, bad.anchors[t].points.end());
+    EXPECT_THAT(complaint(bad), HasSubstr("not those of a closed hyperbolic surface")) << t;
+    bad = stream;
+    std::swap(bad.anchors[t].points[0], bad.anchors[t].points[1]);
+    EXPECT_THAT(complaint(bad),
+                HasSubstr("the points of the anchor of triangle " + std::to_string(t) + " are not counterclockwise"));
+  }
+  for (std::size_t e = 0; e < stream.edges.size(); ++e) {
+    TriangulationStream bad = stream;
+    bad.edges[e].cross_ratio.y += Rational(1, 1'000'000'000);
+    EXPECT_THAT(complaint(bad), HasSubstr(" by the text, and by the anchors (")) << e;
+  }
+}
+
+TEST(TriangulationStream, PolygonsAreNotTakenForTriangulations) {
+  for (const char* const folder : {"polygons", "octagons"}) {
+    for (const auto& path : test::data_files(folder)) EXPECT_FALSE(is_triangulation_stream(test::file_text(path)));
+  }
+  EXPECT_FALSE(is_triangulation_stream(""));
+  EXPECT_FALSE(is_triangulation_stream("18 0 2 1"));
+  EXPECT_FALSE(is_triangulation_stream("18 3 4 5 0 1 2 9 10 11 6 7 8"));
+  EXPECT_TRUE(is_triangulation_stream("18 0 2 1 0 0 0 1/2"));
 }
 
 TEST(TriangulationStream, Triangles) {

@@ -1,0 +1,107 @@
+#!/bin/sh
+# import_net_test.sh EPSNET CERTIFY DATA: a triangulation as a net file, as it is, in all formats of CGAL; octagons by their coordinates.
+epsnet=$1
+certify=$2
+data=$3
+failures=0
+here=$(mktemp -d) || exit 1
+trap 'rm -rf "$here"' EXIT
+cd "$here" || exit 1
+
+complain() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+# runs CODE TEXT ARGUMENTS...: the program ends with this code; TEXT (grep) is in what it says, on whatever stream.
+runs() {
+  expected=$1
+  text=$2
+  shift 2
+  "$epsnet" "$@" >output 2>messages
+  code=$?
+  [ $code = "$expected" ] || complain "epsnet $*: exit code $code, expected $expected: $(cat messages)"
+  [ -z "$text" ] || grep -q -e "$text" output messages || complain "epsnet $*: expected '$text' in $(cat output messages)"
+  if [ "$expected" = 0 ]; then
+    [ ! -s messages ] || complain "epsnet $*: standard error says $(cat messages)"
+  else
+    [ "$(wc -l <messages)" = 1 ] || complain "epsnet $*: not one line on standard error: $(cat messages)"
+  fi
+}
+
+# certified CODE LINE FILE: what certify says last.
+certified() {
+  last=$("$certify" "$3")
+  code=$?
+  [ $code = "$1" ] || complain "certify $3: exit code $code, expected $1"
+  echo "$last" | tail -n 1 | grep -q -e "$2" || complain "certify $3: expected '$2', found $(echo "$last" | tail -n 1)"
+}
+
+without_anchor() { awk 'NR == 2 {print "no"; next} NR >= 3 && NR <= 6 {next} {print}' "$1"; }
+
+# A net there and back: as many vertices, and still a net.
+runs 0 '' surface octagon --seed 123 -o s.json
+runs 0 'VERIFIED' net s.json --epsilon 0.26 -o net.json
+vertices=$(grep '^vertices: ' output)
+runs 0 '' export net.json --format triangulation -o t.txt
+runs 0 '^verdict: VERIFIED$' import-net t.txt --epsilon 0.26 -o imported.json
+grep -q "^$vertices\$" output || complain "import-net changed the number of vertices: $(cat output), expected $vertices"
+certified 0 '^VERIFIED$' imported.json
+runs 0 '' export imported.json --format triangulation -o again.txt
+[ "$(tail -n +7 t.txt)" = "$(tail -n +7 again.txt)" ] || complain "the triangulation of the imported net is another one"
+
+# Without its anchor it is the same net.
+without_anchor t.txt >bare.txt
+runs 0 '^verdict: VERIFIED$' import-net bare.txt --epsilon 0.26 -o bare.json
+certified 0 '^VERIFIED$' bare.json
+runs 0 '' surface import bare.txt -o bare-surface.json
+runs 0 '^genus: 2$' info bare-surface.json
+
+# What is no net is written all the same, with the culprit.
+runs 1 '^epsnet: t.txt: REFUTED: covering: triangle ' import-net t.txt --epsilon 0.25 -o small.json
+certified 1 '^REFUTED: covering' small.json
+runs 1 '^epsnet: t.txt: REFUTED: packing: ' import-net t.txt --epsilon 0.28 -o large.json
+certified 1 '^REFUTED: packing' large.json
+runs 0 '' surface import "$data/polygons/polygon-g3-rnd0.txt" -o g3.json
+runs 0 '' export g3.json --format triangulation -o fan.txt
+runs 1 '^why: delaunay: .*dart' import-net fan.txt --epsilon 0.5 -o fan.json
+certified 1 '^REFUTED: delaunay' fan.json
+"$epsnet" import-net t.txt --epsilon 0.26 -o - >piped.json 2>messages || complain "import-net to standard output"
+cmp -s piped.json imported.json || complain "standard output is another net"
+grep -q '^verdict: VERIFIED$' messages || complain "no report beside standard output"
+
+# What is no triangulation of a surface is not written.
+rm -f none.json
+runs 1 'no-such.txt' import-net no-such.txt --epsilon 1 -o none.json
+runs 1 'g2-seed-1.txt:.*a polygon is read by "surface import"' import-net "$data/octagons/g2-seed-1.txt" --epsilon 1 -o none.json
+{ head -n -1 t.txt; echo 1/3; } >moved.txt
+runs 1 '^epsnet: moved.txt: ' import-net moved.txt --epsilon 1 -o none.json
+head -c 5000 t.txt >cut.txt
+runs 1 '^epsnet: cut.txt:[0-9]*: ' import-net cut.txt --epsilon 1 -o none.json
+runs 64 'epsilon' import-net t.txt --epsilon 0 -o none.json
+runs 64 'epsilon' import-net t.txt -o none.json
+runs 64 'FILE' import-net --epsilon 1 -o none.json
+runs 1 'no directory' import-net t.txt --epsilon 1 -o no-such/none.json
+runs 0 'Example' import-net --help
+[ ! -e none.json ] || complain "a net of nothing was written"
+
+# Octagons by their coordinates.
+runs 0 '' surface octagon --coordinates 5/6,0,0.6,0.6,0,5/6,-3/5,0.6 -o o.json
+runs 0 '^genus: 2$' info o.json
+z=$(awk 'NR >= 10 && NR <= 13 {print $1 "," $2}' "$data/octagons/g2-seed-123.txt" | paste -sd ,)
+runs 0 '' surface octagon --coordinates "$z" -o given.json
+cmp -s given.json s.json || complain "the octagon of seed 123 by its coordinates is another one"
+runs 64 'add up to .*, not to 2\*pi.*closes up for x3,y3 = ' surface octagon --coordinates 5/6,0,0.6,0.6,0,5/6,-0.6,0.59 -o none.json
+z3=$(sed 's/.* for x3,y3 = //' messages)
+runs 0 '' surface octagon --coordinates "5/6,0,0.6,0.6,0,5/6,$z3" -o closed.json
+runs 64 'coordinates: 6 numbers found, expected 8' surface octagon --coordinates 5/6,0,0.6,0.6,0,5/6 -o none.json
+runs 64 'coordinates: "half" found, expected y1' surface octagon --coordinates 5/6,0,0.6,half,0,5/6,-3/5,0.6 -o none.json
+runs 64 'vertex 1 lies outside of the unit circle' surface octagon --coordinates 5/6,0,0.9,0.6,0,5/6,-3/5,0.6 -o none.json
+runs 64 'not strictly convex at its vertex 1' surface octagon --coordinates 5/6,0,0.1,0.1,0,5/6,-3/5,0.6 -o none.json
+runs 64 'clockwise' surface octagon --coordinates=-3/5,0.6,0,5/6,0.6,0.6,5/6,0 -o none.json
+runs 64 'coordinates' surface octagon --seed 1 --coordinates 1,2 -o none.json
+runs 64 'expected --seed or --coordinates' surface octagon -o none.json
+[ ! -e none.json ] || complain "a wrong octagon was written"
+
+[ $failures = 0 ] || { echo "$failures failures"; exit 1; }
+echo "all as expected"
