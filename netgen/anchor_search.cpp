@@ -17,7 +17,12 @@ namespace {
 
 constexpr std::uint32_t kUnset = ~std::uint32_t{0};
 /// Any corner of any triangle will do, some have simpler numbers.
-constexpr std::size_t kMostTriangles = 64;
+constexpr std::size_t kMostTriangles = 16;
+// Limits for numbers that no triangulation of a surface has, of a size that would take minutes.
+constexpr std::size_t kMostLoopBits = std::size_t{1} << 22;
+constexpr std::size_t kMostBitsOfAllPaths = std::size_t{1} << 30;
+/// Euclid's algorithm takes quadratic time.
+constexpr std::size_t kMostStarBits = std::size_t{1} << 13;
 
 using Gaussian = Complex<Integer>;
 
@@ -43,6 +48,10 @@ struct Moebius {
   [[nodiscard]] Gaussian determinant() const { return bracket(infinity, zero); }
 };
 
+std::size_t bits(const Integer& n) { return n == 0 ? 1 : std::size_t{msb(Integer(abs(n)))} + 1; }
+std::size_t bits(const Gaussian& z) { return bits(z.x) + bits(z.y); }
+std::size_t bits(const Moebius& m) { return bits(m.infinity.u) + bits(m.infinity.v) + bits(m.zero.u) + bits(m.zero.v); }
+
 /// Without a common integer factor.
 Moebius reduced(Moebius m) {
   Integer content = 0;
@@ -59,10 +68,8 @@ Moebius reduced(Moebius m) {
   return m;
 }
 
-Moebius operator*(const Moebius& f, const Moebius& g) { return reduced(Moebius{f(g.infinity), f(g.zero)}); }
-Moebius inverse(const Moebius& m) {
-  return {{m.zero.v, -m.infinity.v}, {-m.zero.u, m.infinity.u}};
-}
+Moebius operator*(const Moebius& f, const Moebius& g) { return {f(g.infinity), f(g.zero)}; }
+Moebius inverse(const Moebius& m) { return {{m.zero.v, -m.infinity.v}, {-m.zero.u, m.infinity.u}}; }
 
 /// The map that takes infinity, 0 and 1 to three different points.
 Moebius map_to(const std::array<Projective, 3>& points) {
@@ -180,10 +187,7 @@ class AnchorSearch {
         if (const auto found = anchor_at(stream_.triangles[t][i], forms.back())) return *found;
       }
     }
-    fail(
-        "there is no anchor, and the numbers are too large to find one; expected, in place of \"no\": \"yes\", a dart "
-        "and the three points of its triangle (its start, its end and the third vertex) in the unit disk" +
-        std::string(kFromCgal));
+    fail_to_find();
   }
 
  private:
@@ -191,9 +195,6 @@ class AnchorSearch {
     std::uint32_t triangle = kUnset;
     std::uint32_t side = 0;
   };
-
-  static constexpr const char* kFromCgal =
-      "; CGAL's Delaunay class writes the anchors of all triangles with its member to_stream, operator<< none";
 
   [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(stream_.triangles.size()); }
   [[nodiscard]] std::uint32_t opposite(std::uint32_t dart) const {
@@ -243,6 +244,16 @@ class AnchorSearch {
         vertices.join(edge.dart, edge.opposite);
       }
     }
+    // The shortest paths have the smallest numbers.
+    std::vector<std::uint32_t> depth(count());
+    for (const std::uint32_t t : order_) {
+      if (t != 0) depth[t] = depth[place_[parent_[t]].triangle] + 1;
+    }
+    const auto length = [&](std::uint32_t d) {
+      return depth[place_[d].triangle] + depth[place_[opposite(d)].triangle];
+    };
+    std::stable_sort(result.begin(), result.end(),
+                     [&](std::uint32_t d, std::uint32_t e) { return length(d) < length(e); });
     return result;
   }
 
@@ -266,18 +277,25 @@ class AnchorSearch {
   }
 
   /// From the frame of a triangle to that of triangle 0, along the tree.
-  [[nodiscard]] Moebius frame(std::uint32_t triangle) const {
+  [[nodiscard]] Moebius frame(std::uint32_t triangle, std::size_t& work) const {
     Moebius result;
-    for (std::uint32_t t = triangle; t != 0; t = place_[parent_[t]].triangle) result = transition(parent_[t]) * result;
-    return result;
+    for (std::uint32_t t = triangle; t != 0; t = place_[parent_[t]].triangle) {
+      result = transition(parent_[t]) * result;
+      work += bits(result);
+      if (work > kMostBitsOfAllPaths) fail_to_find();
+    }
+    return reduced(result);
   }
 
   [[nodiscard]] Hermitian invariant_form() const {
     Equations equations;
+    std::size_t work = 0;
     for (const std::uint32_t d : generators()) {
-      const Moebius there = frame(place_[d].triangle);
-      const Moebius beyond = frame(place_[opposite(d)].triangle);
-      add_equations(there * transition(d) * inverse(beyond), equations);
+      const Moebius there = frame(place_[d].triangle, work);
+      const Moebius beyond = frame(place_[opposite(d)].triangle, work);
+      const Moebius loop = there * transition(d) * inverse(beyond);
+      if (bits(loop) > kMostLoopBits) fail_to_find();
+      add_equations(reduced(loop), equations);
       if (equations.rank() >= 3) break;
     }
     if (equations.rank() != 3) fail_without_circle();
@@ -324,6 +342,7 @@ class AnchorSearch {
     std::vector<Gaussian> numerators;
     std::vector<Gaussian> denominators;
     for (const Complex<Rational>& z : star(dart, sigma)) {
+      if (bits(scaled(z).n) > kMostStarBits || bits(scaled(z).m) > kMostStarBits) break;
       const GaussianFraction fraction = in_lowest_terms(z);
       numerators.push_back(fraction.n);
       denominators.push_back(fraction.d);
@@ -365,10 +384,18 @@ class AnchorSearch {
         "these cross-ratios are not those of a closed hyperbolic surface");
   }
 
+  [[noreturn]] void fail_to_find() const {
+    fail(
+        "there is no anchor, and the numbers are too large to find one; expected, in place of \"no\": \"yes\", a dart "
+        "and the three points of its triangle (its start, its end and the third vertex) in the unit disk; CGAL's "
+        "Delaunay class writes the anchors of all triangles with its member to_stream, operator<< none");
+  }
+
   [[noreturn]] void fail_for(const Integer& obstacle) const {
     std::string number = obstacle.str();
     if (number.size() > 40) number = "a number of " + std::to_string(number.size()) + " digits";
-    fail("there is no anchor, and there can be none: no disk has rational points with these cross-ratios, as " + number +
+    fail("there is no anchor, and there can be none: no disk has rational points with these cross-ratios, as " +
+         number +
          ", which is 3 modulo 4, keeps tanh^2 of half the length of an edge from being a sum of two rational squares");
   }
 

@@ -231,9 +231,8 @@ class Development {
     const GaussianFraction ratio = cross_ratio_of_corners(sigma, tau);
     const ScaledPoint expected = scaled(edge.cross_ratio);
     if (expected.m * ratio.n != expected.n * ratio.d) {
-      fail(edge_name(edge) + " has the cross-ratio " + decimal(edge.cross_ratio) +
-           " by the text, and by the " + (anchors_.size() > 1 ? "anchors " : "other cross-ratios ") +
-           decimal(value(ratio)) + kExpected);
+      fail(edge_name(edge) + " has the cross-ratio " + decimal(edge.cross_ratio) + " by the text, and by the " +
+           (anchors_.size() > 1 ? "anchors " : "other cross-ratios ") + decimal(value(ratio)) + kExpected);
     }
   }
 

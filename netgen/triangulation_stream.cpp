@@ -42,7 +42,8 @@ class Reader {
 
   /// Reads the anchor, if there is one in this place. True if a dart comes instead: each triangle then has its own.
   bool read_anchor() {
-    const std::string expected = "\"yes\" or \"no\": whether there is an anchor, or the first dart of triangle 0" + range_;
+    const std::string expected =
+        "\"yes\" or \"no\": whether there is an anchor, or the first dart of triangle 0" + range_;
     const std::string_view word = Words(words_).next(expected);
     if (word.find_first_not_of("0123456789") == std::string_view::npos) return true;
     static_cast<void>(words_.next(expected));
@@ -142,7 +143,8 @@ bool is_triangulation_stream(std::string_view text) {
   const std::string_view second = next();
   if (second == "yes" || second == "no") return true;
   std::uint32_t darts = 0;
-  if (std::from_chars(count.data(), count.data() + count.size(), darts).ec != std::errc() || darts % 6 != 0) return false;
+  if (std::from_chars(count.data(), count.data() + count.size(), darts).ec != std::errc() || darts % 6 != 0)
+    return false;
   for (std::size_t i = 2; i < 5; ++i) static_cast<void>(next());
   bool has_fraction = false;
   for (std::size_t i = 5; i < 11; ++i) has_fraction |= next().find('/') != std::string_view::npos;

@@ -6,6 +6,7 @@ namespace epsnet {
 namespace {
 
 constexpr unsigned kMostBits = 20'000;
+constexpr unsigned kMostPrimeBits = 4096;
 constexpr std::uint32_t kSmallPrimes = 1U << 16;
 /// Each round is wrong about a composite number with a probability below 1/4; the result is checked in any case.
 constexpr int kPrimalityRounds = 32;
@@ -40,7 +41,7 @@ class Search {
     take_square();
     if (rest_ == 1) return {root_, {}};
     if (rest_ % 4 == 3) return {{}, rest_};
-    if (is_prime(rest_)) {
+    if (msb(rest_) < kMostPrimeBits && is_prime(rest_)) {
       if (const auto root = prime_root(rest_)) return {*root * root_, {}};
     }
     return {};

@@ -17,9 +17,10 @@ struct TwoSquares {
 /// Writes n > 0 as a sum of two squares, that is as the norm of a Gaussian integer.
 ///
 /// Primes below 2¹⁶ are divided out; a greatest common divisor with a hint splits off a Gaussian factor without
-/// factoring its norm; what is left is a square, a prime, or too hard: then neither member of the result is there. So
-/// nothing found is no proof that there is nothing, except with an obstacle (Fermat). Deterministic; quadratic time in
-/// the number of digits for each hint, cubic for a prime. Numbers of more than 20,000 bits are too hard.
+/// factoring its norm; what is left is a square, a prime of at most 4,096 bits, or too hard: then neither member of the
+/// result is there. So nothing found is no proof that there is nothing, except with an obstacle (Fermat).
+/// Deterministic; quadratic time in the number of digits for each hint, cubic for a prime. Numbers of more than 20,000
+/// bits are too hard.
 [[nodiscard]] TwoSquares two_squares(const Integer& n, const std::vector<Complex<Integer>>& hints);
 
 }  // namespace epsnet

@@ -114,10 +114,11 @@ int run(int argc, char** argv) {
   }
 
   if (!chosen)
-    return fail(kExitUsage, app.got_subcommand("surface")
-                                ? "surface: which one, octagon, fenchel-nielsen, regular or import? (try --help)"
-                                : "which command, surface, net, import-net, systole, spectrum, thick-thin, dirichlet, draw, view, "
-                                  "info or export? (try --help)");
+    return fail(kExitUsage,
+                app.got_subcommand("surface")
+                    ? "surface: which one, octagon, fenchel-nielsen, regular or import? (try --help)"
+                    : "which command, surface, net, import-net, systole, spectrum, thick-thin, dirichlet, draw, view, "
+                      "info or export? (try --help)");
 
   try {
     chosen();
