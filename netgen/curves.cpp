@@ -13,6 +13,7 @@
 #include "epsnet/kernel/plane.h"
 #include "epsnet/netgen/dirichlet.h"
 #include "epsnet/netgen/gmp.h"
+#include "epsnet/netgen/palette.h"
 
 namespace epsnet {
 namespace {
@@ -176,7 +177,7 @@ std::vector<Arc> cut_segment(const NetGeometry& geometry, Placement& near, const
 }
 
 Layer tile_layer(const NetGeometry& geometry) {
-  Layer layer{.name = "fundamental tiles", .colour = "#7a4fa3"};
+  Layer layer{.name = "fundamental tiles", .colour = palette::kTiles};
   const SideTable& sides = geometry.sides();
   Tiles tiles(geometry);
   for (std::uint32_t s = 0; s < sides.partner.size(); ++s) {
@@ -190,7 +191,7 @@ Layer tile_layer(const NetGeometry& geometry) {
 }
 
 Layer dirichlet_layer(const NetGeometry& geometry, std::uint32_t vertex) {
-  Layer layer{.name = "Dirichlet domain of vertex " + std::to_string(vertex), .colour = "#c8553d"};
+  Layer layer{.name = "Dirichlet domain of vertex " + std::to_string(vertex), .colour = palette::kDirichlet};
   const DirichletDomain domain = dirichlet_domain(geometry, vertex);
   Placement near = placement_at(geometry, vertex, to_centre(geometry, vertex));
   for (std::size_t i = 0; i < domain.vertices.size(); ++i) {
@@ -201,7 +202,8 @@ Layer dirichlet_layer(const NetGeometry& geometry, std::uint32_t vertex) {
 }
 
 Layer combinatorial_dirichlet_layer(const NetGeometry& geometry, std::uint32_t vertex) {
-  Layer layer{.name = "combinatorial Dirichlet domain of vertex " + std::to_string(vertex), .colour = "#d08a1d"};
+  Layer layer{.name = "combinatorial Dirichlet domain of vertex " + std::to_string(vertex),
+              .colour = palette::kCombinatorialDirichlet};
   const Lifts lifts = lift_triangles(geometry, DrawOrder::breadth_first, vertex);
   const std::vector<bool> on_boundary = boundary_darts(geometry, lifts);
   for (std::uint32_t dart = 0; dart < on_boundary.size(); ++dart)
@@ -271,8 +273,8 @@ std::vector<Layer> collar_layers(const NetGeometry& geometry) {
   const certify::Document& net = geometry.document();
   if (!net.collars || net.collars->empty()) return {};
   const Tiles tiles(geometry);
-  Layer triangles{.name = "triangles of collars", .colour = "#e0b400"};
-  Layer boundaries{.name = "epsilon-collars", .colour = "#b06f00"};
+  Layer triangles{.name = "triangles of collars", .colour = palette::kCollarTriangles};
+  Layer boundaries{.name = "epsilon-collars", .colour = palette::kEpsilonCollars};
   const Mp256 half_epsilon = rounded<Mp256>(geometry.epsilon()) / 2;
   for (const certify::Collar& collar : *net.collars) {
     triangles.triangles.insert(triangles.triangles.end(), collar.triangles.begin(), collar.triangles.end());
@@ -290,19 +292,22 @@ std::vector<Layer> collar_layers(const NetGeometry& geometry) {
 }
 
 std::vector<Layer> geodesics_layers(const NetGeometry& geometry, const certify::GeodesicsDocument& geodesics) {
-  std::vector<Layer> layers{{.name = "closed geodesics", .colour = "#b0247a"}};
+  std::vector<Layer> layers{{.name = "closed geodesics", .colour = palette::kGeodesics}};
   const bool small_curves = geodesics.claim == certify::Claim::thick_thin;
-  if (small_curves) layers.push_back({.name = "collars of small curves", .colour = "#2a8c5a"});
+  if (small_curves) layers.push_back({.name = "collars of small curves", .colour = palette::kSmallCurveCollars});
   const certify::Document& source = geodesics.net;
   const certify::Surface& surface = geometry.document().surface;
   if (source.surface.tiles != surface.tiles || source.surface.gluing != surface.gluing ||
       source.surface.regular_genus != surface.regular_genus)
     throw NetGeometryError("these are geodesics of another surface");
   const Tiles tiles(geometry);
-  for (const certify::ClosedGeodesic& geodesic : geodesics.geodesics) {
+  for (std::size_t i = 0; i < geodesics.geodesics.size(); ++i) {
+    const certify::ClosedGeodesic& geodesic = geodesics.geodesics[i];
     const std::uint32_t tile = source.charts[source.vertices[geodesic.vertex].chart].tile;
     const ClosedPath path = closed_path(geometry, tiles, tile, geodesic.word, {0, 0});
     Placement near = tiles.near[tile];
+    layers[0].parts.push_back({"geodesic " + std::to_string(i) + (geodesic.simple ? ", simple" : ""),
+                               path.length.convert_to<double>(), layers[0].arcs.size()});
     append(layers[0], cut_segment(geometry, near, path.at(0, 0), path.at(path.length, 0)));
     if (small_curves) {
       append_equidistants(layers[1], geometry, near, path, asinh(Mp256(1 / sinh(Mp256(path.length / 2)))));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -19,12 +20,20 @@ struct Arc {
 
 /// What a picture shows beside the triangulation: arcs, edges or triangles, all in one colour.
 struct Layer {
+  /// A closed geodesic: the arcs from `first_arc` on, up to the next part's, one after the other along it.
+  struct Part {
+    std::string name;
+    double length;  ///< Rounded.
+    std::size_t first_arc;
+  };
+
   std::string name;
   std::string colour;  ///< "#rrggbb".
   bool on = true;      ///< Whether a viewer shows it at first.
   std::vector<Arc> arcs = {};
   std::vector<std::uint32_t> darts = {};
   std::vector<std::uint32_t> triangles = {};
+  std::vector<Part> parts = {};  ///< Only of closed geodesics, one for each.
 };
 
 /// The segment from p to q, cut by the lifted triangles that it meets. `near` is a lift from which a walk finds the
@@ -46,10 +55,10 @@ struct Layer {
 /// III.9), which these triangles do not quite fill. Nothing for other nets.
 [[nodiscard]] std::vector<Layer> collar_layers(const NetGeometry& geometry);
 
-/// Closed geodesics, once around each, of a geodesics file about the same surface, with the same net or another one; of
-/// a thick-thin decomposition also the boundaries of the collars of the small curves. A document as
-/// certify::read_geodesics returns it. Throws NetGeometryError if the surface is another one, or a word does not stand
-/// for a closed geodesic.
+/// Closed geodesics, once around each, of a geodesics file about the same surface, with the same net or another one,
+/// each a part of the first layer, in the file's order; of a thick-thin decomposition also the boundaries of the
+/// collars of the small curves. A document as certify::read_geodesics returns it. Throws NetGeometryError if the
+/// surface is another one, or a word does not stand for a closed geodesic.
 [[nodiscard]] std::vector<Layer> geodesics_layers(const NetGeometry& geometry,
                                                   const certify::GeodesicsDocument& geodesics);
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "epsnet/netgen/dirichlet.h"
+#include "epsnet/netgen/palette.h"
 
 namespace epsnet {
 namespace {
@@ -198,11 +199,6 @@ class PathsByWidth {
 
 // ---- The picture ----
 
-constexpr const char* kDirichletColour = "#c8553d";
-constexpr const char* kCombinatorialColour = "#d08a1d";
-constexpr const char* kCoveringColour = "#4c8c6b";
-constexpr const char* kPackingColour = "#8a6bb0";
-
 /// From pale yellow, at 0, to blue, at 1, in 24 steps: few colours make a short file.
 std::string shade(double share) {
   constexpr int kSteps = 24;
@@ -220,6 +216,11 @@ std::string shade(double share) {
   return out;
 }
 
+/// The golden angle keeps the hues of neighbouring numbers apart.
+std::string chart_colour(std::uint32_t chart) {
+  return "hsl(" + fixed(std::fmod(chart * 137.508, 360), 0) + ",45%,85%)";
+}
+
 /// Text between the tags of XML.
 std::string escaped(const std::string& text) {
   std::string out;
@@ -235,28 +236,86 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-/// Rows of colours and names in the upper left corner, which the disk leaves free.
+/// How a legend shows what a name stands for.
+enum class Mark { area, line, dot };
+
+/// Rows of marks and names in the upper left corner, which the disk leaves free; names have a margin of white, so that
+/// they can be read on anything.
 class Legend {
  public:
   explicit Legend(double unit) : unit_(unit) {}
 
-  void add(const std::string& colour, const std::string& name) {
-    const double y = 18 * unit_ * (1 + rows_++);
-    out_ += "<rect x=\"" + fixed(10 * unit_, 1) + "\" y=\"" + fixed(y - 9 * unit_, 1) + "\" width=\"" +
-            fixed(11 * unit_, 1) + "\" height=\"" + fixed(11 * unit_, 1) + "\" fill=\"" + colour + "\"/>\n<text x=\"" +
-            fixed(27 * unit_, 1) + "\" y=\"" + fixed(y, 1) + "\">" + escaped(name) + "</text>\n";
+  void add(Mark mark, const std::string& colour, const std::string& name) {
+    next_row();
+    add_mark(mark, colour, 10);
+    add_text(name, 27);
+  }
+
+  /// Several areas with short names to a row.
+  void add_areas(const std::vector<std::pair<std::string, std::string>>& colours_and_names) {
+    constexpr std::size_t kPerRow = 4;
+    for (std::size_t i = 0; i < colours_and_names.size(); ++i) {
+      const double x = 10 + 38.0 * static_cast<double>(i % kPerRow);
+      if (i % kPerRow == 0) next_row();
+      add_mark(Mark::area, colours_and_names[i].first, x);
+      add_text(colours_and_names[i].second, x + 14);
+    }
+  }
+
+  void add_text_row(const std::string& text) {
+    next_row();
+    add_text(text, 10);
   }
 
   [[nodiscard]] std::string group() const {
-    return "<g class=\"legend\" font-family=\"sans-serif\" font-size=\"" + fixed(12 * unit_, 1) +
-           "\" fill=\"#1d2b3a\">\n" + out_ + "</g>\n";
+    return "<g class=\"legend\">\n" + marks_ + "<g font-family=\"sans-serif\" font-size=\"" + length(12) +
+           "\" fill=\"#1d2b3a\" stroke=\"" + palette::kPaper + "\" stroke-width=\"" + length(3) +
+           "\" stroke-linejoin=\"round\" paint-order=\"stroke\">\n" + texts_ + "</g>\n</g>\n";
   }
 
  private:
+  [[nodiscard]] std::string length(double units) const { return fixed(units * unit_, 1); }
+
+  void next_row() { y_ += 18; }
+
+  void add_text(const std::string& text, double x) {
+    texts_ += "<text x=\"" + length(x) + "\" y=\"" + length(y_) + "\">" + escaped(text) + "</text>\n";
+  }
+
+  void add_mark(Mark mark, const std::string& colour, double x) {
+    if (mark == Mark::area) {
+      marks_ += "<rect x=\"" + length(x) + "\" y=\"" + length(y_ - 9) + "\" width=\"" + length(11) + "\" height=\"" +
+                length(11) + "\" fill=\"" + colour + "\"/>\n";
+    } else if (mark == Mark::line) {
+      marks_ += "<path stroke=\"" + colour + "\" stroke-width=\"" + length(2.5) + "\" d=\"M" + length(x) + ' ' +
+                length(y_ - 4) + 'h' + length(11) + "\"/>\n";
+    } else {
+      marks_ += "<circle cx=\"" + length(x + 5.5) + "\" cy=\"" + length(y_ - 4) + "\" r=\"" + length(4) + "\" fill=\"" +
+                colour + "\"/>\n";
+    }
+  }
+
   double unit_;
-  int rows_ = 0;
-  std::string out_;
+  double y_ = 0;
+  std::string marks_;
+  std::string texts_;
 };
+
+/// What a legend calls a layer: of closed geodesics also their number and lengths.
+std::string legend_name(const Layer& layer) {
+  if (layer.parts.empty()) return layer.name;
+  double shortest = layer.parts[0].length;
+  double longest = shortest;
+  for (const Layer::Part& part : layer.parts) {
+    shortest = std::min(shortest, part.length);
+    longest = std::max(longest, part.length);
+  }
+  // Four digits tell lengths apart that are not of one cluster, and hide that equal ones are rounded.
+  const std::string from = fixed(shortest, 4);
+  const std::string to = fixed(longest, 4);
+  return layer.name + ": " + std::to_string(layer.parts.size()) +
+         (from == to ? " of length " + from : " of lengths " + from + " to " + to);
+}
 
 class Picture {
  public:
@@ -279,9 +338,10 @@ class Picture {
   [[nodiscard]] std::string svg() {
     std::string body = domain_path();
     if (options_.colouring != Colouring::none) body += colour_group();
-    if (options_.covering_disks) body += disk_group("covering", "disks of radius epsilon", kCoveringColour, epsilon_);
+    if (options_.covering_disks)
+      body += disk_group("covering", "disks of radius epsilon", palette::kCoveringDisks, epsilon_);
     if (options_.packing_disks)
-      body += disk_group("packing", "disks of radius epsilon/2", kPackingColour, epsilon_ / 2);
+      body += disk_group("packing", "disks of radius epsilon/2", palette::kPackingDisks, epsilon_ / 2);
     for (const Layer& layer : options_.layers) body += area_group(layer);
     if (options_.triangles) body += edge_group();
     if (options_.combinatorial_dirichlet) body += combinatorial_dirichlet_path();
@@ -340,8 +400,9 @@ class Picture {
     options.order = DrawOrder::breadth_first;
     const std::string data =
         options_.order == DrawOrder::breadth_first ? outline() : Picture(document_, options).outline();
-    return std::string("<path class=\"combinatorial-dirichlet\" fill=\"none\" stroke=\"") + kCombinatorialColour +
-           "\" stroke-width=\"" + fixed(outline_width_, 3) + "\" d=\"" + data + "\"/>\n";
+    return std::string("<path class=\"combinatorial-dirichlet\" fill=\"none\" stroke=\"") +
+           palette::kCombinatorialDirichlet + "\" stroke-width=\"" + fixed(outline_width_, 3) + "\" d=\"" + data +
+           "\"/>\n";
   }
 
   void add_triangle(Path& path, const Lifts::LiftedTriangle& triangle) const {
@@ -358,12 +419,12 @@ class Picture {
     return std::max({norm(a - b), norm(b - c), norm(c - a)}) * paper_.radius() * paper_.radius() > 0.01;
   }
 
+  [[nodiscard]] std::uint32_t chart_of(std::uint32_t triangle) const {
+    return document_.vertices[document_.triangles[triangle].vertex[0]].chart;
+  }
+
   [[nodiscard]] std::string colour_of(std::uint32_t triangle) const {
-    if (options_.colouring == Colouring::chart) {
-      const std::uint32_t chart = document_.vertices[document_.triangles[triangle].vertex[0]].chart;
-      // The golden angle keeps the hues of neighbouring numbers apart.
-      return "hsl(" + fixed(std::fmod(chart * 137.508, 360), 0) + ",45%,85%)";
-    }
+    if (options_.colouring == Colouring::chart) return chart_colour(chart_of(triangle));
     return shade(2 * geometry_.circumradius(triangle) / epsilon_ - 1);
   }
 
@@ -395,13 +456,13 @@ class Picture {
     if (layer.triangles.empty()) return "";
     Path path(paper_);
     for (const std::uint32_t triangle : layer.triangles) add_triangle(path, lifts_.lifted[lifts_.place[triangle]]);
-    return "<path class=\"layer\" fill=\"" + layer.colour + "\" fill-opacity=\"0.4\" d=\"" + path.data() +
+    return "<path class=\"layer\" fill=\"" + layer.colour + "\" fill-opacity=\"0.6\" d=\"" + path.data() +
            "\"><title>" + escaped(layer.name) + "</title></path>\n";
   }
 
   [[nodiscard]] std::string curve_group(const Layer& layer) const {
     if (layer.arcs.empty() && layer.darts.empty()) return "";
-    PathsByWidth paths(paper_, outline_width_);
+    PathsByWidth paths(paper_, 1.4 * outline_width_);
     for (const Arc& arc : layer.arcs) {
       const Isometry<double>& placement = lifts_.placements[lifts_.lifted[lifts_.place[arc.triangle]].placement];
       add_tapered(paths, placement(arc.from), placement(arc.to));
@@ -464,8 +525,8 @@ class Picture {
         }
       }
     }
-    std::string out =
-        "<g class=\"edges\" fill=\"none\" stroke=\"#33475b\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
+    std::string out = std::string("<g class=\"edges\" fill=\"none\" stroke=\"") + palette::kEdges +
+                      "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
     inner.append_to(out);
     out +=
         "</g>\n<g class=\"outline\" fill=\"none\" stroke=\"#1d2b3a\" stroke-linecap=\"round\" "
@@ -474,26 +535,38 @@ class Picture {
     return out + "</g>\n";
   }
 
+  /// Dots of less than half a pixel are a grey veil, which ends where they are left out.
+  [[nodiscard]] bool shows_all_vertices() const { return dot_width_ >= 0.5; }
+
   [[nodiscard]] std::string dot_group() {
     PathsByWidth dots(paper_, dot_width_);
-    PathsByWidth base(paper_, std::max(1.6 * dot_width_, 0.004 * options_.size));
+    // The centre has a rim of white, so that it can be seen on dark triangles.
+    const double base_width = std::max(1.6 * dot_width_, 0.006 * options_.size);
+    PathsByWidth base(paper_, base_width);
+    PathsByWidth rim(paper_, 1.5 * base_width);
     std::set<Place> drawn;
     for (const Lifts::LiftedTriangle& triangle : lifts_.lifted) {
       for (std::uint32_t i = 0; i < 3; ++i) {
         const Point& z = triangle.corner[i];
         const double share = std::max(0.0, 1 - norm(z));
         const bool is_base = document_.triangles[triangle.triangle].vertex[i] == options_.centre;
-        // Dots of less than half a pixel are a grey veil, which ends where they are left out.
-        if (!is_base && dot_width_ < 0.5) continue;
+        if (!is_base && !shows_all_vertices()) continue;
         if (dot_width_ * share < 0.1 || !drawn.insert(paper_.place(z)).second) continue;
         (is_base ? base : dots).at(share).dot(z);
+        if (is_base) rim.at(share).dot(z);
       }
     }
-    std::string out = "<g class=\"vertices\" fill=\"none\" stroke=\"#10202f\" stroke-linecap=\"round\">\n";
-    dots.append_to(out);
-    out += "</g>\n<g class=\"base-vertex\" fill=\"none\" stroke=\"#b5442e\" stroke-linecap=\"round\">\n";
-    base.append_to(out);
-    return out + "</g>\n";
+    std::string out;
+    const auto append = [&](const char* name, const char* colour, const PathsByWidth& paths) {
+      out +=
+          std::string("<g class=\"") + name + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-linecap=\"round\">\n";
+      paths.append_to(out);
+      out += "</g>\n";
+    };
+    append("vertices", palette::kVertices, dots);
+    append("rim", palette::kPaper, rim);
+    append("base-vertex", palette::kCentre, base);
+    return out;
   }
 
   [[nodiscard]] std::string dirichlet_group() const {
@@ -501,7 +574,7 @@ class Picture {
     PathsByWidth paths(paper_, 1.4 * outline_width_);
     for (std::size_t i = 0; i < domain.vertices.size(); ++i)
       add_tapered(paths, domain.vertices[i], domain.vertices[(i + 1) % domain.vertices.size()]);
-    std::string out = std::string("<g class=\"dirichlet\" fill=\"none\" stroke=\"") + kDirichletColour +
+    std::string out = std::string("<g class=\"dirichlet\" fill=\"none\" stroke=\"") + palette::kDirichlet +
                       "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n"
                       "<title>Dirichlet domain of vertex " +
                       std::to_string(options_.centre) + "</title>\n";
@@ -511,19 +584,38 @@ class Picture {
 
   [[nodiscard]] std::string legend_group() const {
     Legend legend(std::max(options_.size, 700U) / 1000.0);
-    if (options_.triangles) legend.add("#33475b", "triangles");
-    if (options_.vertices) legend.add("#b5442e", "vertex " + std::to_string(options_.centre));
-    if (options_.dirichlet) legend.add(kDirichletColour, "Dirichlet domain");
-    if (options_.combinatorial_dirichlet) legend.add(kCombinatorialColour, "combinatorial Dirichlet domain");
-    if (options_.covering_disks) legend.add(kCoveringColour, "disks of radius " + geometry_.epsilon_text());
-    if (options_.packing_disks) legend.add(kPackingColour, "disks of radius " + geometry_.epsilon_text() + "/2");
-    for (const Layer& layer : options_.layers) legend.add(layer.colour, layer.name);
+    if (options_.triangles) legend.add(Mark::line, palette::kEdges, "triangles");
+    if (options_.vertices && shows_all_vertices()) legend.add(Mark::dot, palette::kVertices, "vertices");
+    if (options_.vertices) legend.add(Mark::dot, palette::kCentre, "vertex " + std::to_string(options_.centre));
+    if (options_.dirichlet) legend.add(Mark::line, palette::kDirichlet, "Dirichlet domain");
+    if (options_.combinatorial_dirichlet)
+      legend.add(Mark::line, palette::kCombinatorialDirichlet, "combinatorial Dirichlet domain");
+    if (options_.covering_disks)
+      legend.add(Mark::area, palette::kCoveringDisks, "disks of radius " + geometry_.epsilon_text());
+    if (options_.packing_disks)
+      legend.add(Mark::area, palette::kPackingDisks, "disks of radius " + geometry_.epsilon_text() + "/2");
+    for (const Layer& layer : options_.layers)
+      legend.add(layer.triangles.empty() ? Mark::line : Mark::area, layer.colour, legend_name(layer));
     if (options_.colouring == Colouring::circumradius) {
       for (const double share : {0.0, 0.33, 0.67, 1.0})
-        legend.add(shade(share),
+        legend.add(Mark::area, shade(share),
                    "circumradius " + fixed((1 + share) / 2, 2) + " epsilon" + (share == 0 ? " or less" : ""));
     }
+    if (options_.colouring == Colouring::chart) add_charts(legend);
     return legend.group();
+  }
+
+  /// The colours of the charts that triangles have, as far as there is room.
+  void add_charts(Legend& legend) const {
+    constexpr std::size_t kMost = 16;
+    std::set<std::uint32_t> charts;
+    for (std::uint32_t t = 0; t < document_.triangles.size(); ++t) charts.insert(chart_of(t));
+    std::vector<std::pair<std::string, std::string>> named;
+    for (const std::uint32_t chart : charts)
+      if (named.size() < kMost) named.emplace_back(chart_colour(chart), std::to_string(chart));
+    legend.add_text_row("triangles by chart:");
+    legend.add_areas(named);
+    if (charts.size() > kMost) legend.add_text_row("and " + std::to_string(charts.size() - kMost) + " more charts");
   }
 
   [[nodiscard]] std::string head() const {
@@ -541,7 +633,8 @@ class Picture {
       desc += " " + std::to_string(edges_left_out_) + " edges shorter than 0.1 pixel are left out.";
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + size + "\" height=\"" + size + "\" viewBox=\"0 0 " +
            size + " " + size + "\">\n<title>" + what + "</title>\n<desc>" + desc +
-           "</desc>\n<circle class=\"disk\" cx=\"" + middle + "\" cy=\"" + middle + "\" r=\"" +
+           "</desc>\n<rect class=\"background\" width=\"" + size + "\" height=\"" + size + "\" fill=\"" +
+           palette::kPaper + "\"/>\n<circle class=\"disk\" cx=\"" + middle + "\" cy=\"" + middle + "\" r=\"" +
            fixed(paper_.radius(), 2) + "\" fill=\"#fff\" stroke=\"#8a94a0\" stroke-width=\"" +
            fixed(0.8 * options_.size / 1000, 2) + "\"/>\n";
   }

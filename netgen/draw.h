@@ -34,7 +34,7 @@ struct DrawOptions {
 };
 
 /// The net as an SVG picture: the edges of one lift of every triangle as geodesic arcs, the vertices as dots, the
-/// boundary circle.
+/// boundary circle, on white.
 ///
 /// Strokes and dots shrink with the hyperbolic metric towards the circle; edges and dots too small to see (a tenth of a
 /// pixel) are left out, and <desc> says so. Arcs that a chord follows to within 0.01 pixel are written as chords. Equal

@@ -11,6 +11,7 @@
 
 #include "epsnet/certify/text.h"
 #include "epsnet/netgen/lifts.h"
+#include "epsnet/netgen/palette.h"
 #include "epsnet/netgen/viewer_page.h"
 
 namespace epsnet {
@@ -114,7 +115,23 @@ std::string layer_json(const Layer& layer) {
   }
   if (!layer.darts.empty()) out += ", \"darts\": " + base64(layer.darts);
   if (!layer.triangles.empty()) out += ", \"triangles\": " + base64(layer.triangles);
+  if (!layer.parts.empty()) {
+    std::string parts;
+    for (const Layer::Part& part : layer.parts) {
+      parts += (parts.empty() ? "[" : ", [") + json_string(part.name) + ", " + certify::shortest(part.length) + ", " +
+               std::to_string(part.first_arc) + "]";
+    }
+    out += ", \"parts\": [" + parts + "]";
+  }
   return out + "}";
+}
+
+/// The colours of what every page can show.
+std::string palette_json() {
+  return "{\"edges\": " + json_string(palette::kEdges) + ", \"vertices\": " + json_string(palette::kVertices) +
+         ", \"centre\": " + json_string(palette::kCentre) + ", \"covering\": " + json_string(palette::kCoveringDisks) +
+         ", \"packing\": " + json_string(palette::kPackingDisks) +
+         ", \"dirichlet\": " + json_string(palette::kDirichlet) + "}";
 }
 
 /// A margin for people: four digits.
@@ -182,10 +199,11 @@ std::string net_json(const NetGeometry& geometry, const ViewerOptions& options) 
                          ? ""
                          : certificate->rule + ": " + certificate->message) +
          ",\n\"epsilon\": " + certify::shortest(geometry.epsilon().get_d()) +
-         ", \"facts\": " + facts_json(geometry, certificate) + ",\n\"opposite\": " + base64(opposite) +
-         ",\n\"vertex_darts\": " + base64(vertex_darts) + ",\n\"points\": " + base64(points) +
-         ",\n\"charts\": " + base64(charts) + ",\n\"isometries\": " + base64(labels.isometries) +
-         ",\n\"edge_labels\": " + base64(labels.pairs) + ",\n\"layers\": [" + layers + "]}\n";
+         ", \"facts\": " + facts_json(geometry, certificate) + ",\n\"palette\": " + palette_json() +
+         ",\n\"opposite\": " + base64(opposite) + ",\n\"vertex_darts\": " + base64(vertex_darts) +
+         ",\n\"points\": " + base64(points) + ",\n\"charts\": " + base64(charts) +
+         ",\n\"isometries\": " + base64(labels.isometries) + ",\n\"edge_labels\": " + base64(labels.pairs) +
+         ",\n\"layers\": [" + layers + "]}\n";
 }
 
 }  // namespace

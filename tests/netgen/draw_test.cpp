@@ -17,8 +17,11 @@
 #include "epsnet/netgen/certified_net.h"
 #include "epsnet/netgen/dirichlet.h"
 #include "epsnet/netgen/domain_format.h"
+#include "epsnet/netgen/geodesics.h"
 #include "epsnet/netgen/info.h"
 #include "epsnet/netgen/octagon.h"
+#include "epsnet/netgen/viewer.h"
+#include "support/triangulations.h"
 
 namespace epsnet {
 namespace {
@@ -326,6 +329,148 @@ TEST(Draw, showsWhatIsAskedFor) {
   EXPECT_THAT(plain, HasSubstr("class=\"vertices\""));
   EXPECT_THAT(draw_svg(net, {.triangles = false}), Not(HasSubstr("class=\"edges\"")));
   EXPECT_THAT(draw_svg(net, {.vertices = false}), Not(HasSubstr("class=\"vertices\"")));
+}
+
+/// The values of an attribute, in the order of the text.
+std::vector<std::string> values_of(const std::string& text, const std::string& attribute) {
+  std::vector<std::string> result;
+  const std::string mark = attribute + "=\"";
+  for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1))
+    result.push_back(text.substr(at + mark.size(), text.find('"', at + mark.size()) - at - mark.size()));
+  return result;
+}
+
+std::string legend_of(const std::string& picture) {
+  const std::size_t from = picture.find("<g class=\"legend\">");
+  EXPECT_NE(from, std::string::npos);
+  return picture.substr(from);
+}
+
+/// CIELAB coordinates of "#rrggbb" (sRGB, D65): distances are about proportional to what eyes see.
+std::array<double, 3> lab(const std::string& colour) {
+  std::array<double, 3> rgb{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double x = std::stoi(colour.substr(1 + 2 * i, 2), nullptr, 16) / 255.0;
+    rgb[i] = x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+  }
+  const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; };
+  const double x = f((0.4124 * rgb[0] + 0.3576 * rgb[1] + 0.1805 * rgb[2]) / 0.95047);
+  const double y = f(0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]);
+  const double z = f((0.0193 * rgb[0] + 0.1192 * rgb[1] + 0.9505 * rgb[2]) / 1.08883);
+  return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
+/// A pseudo net with a collar, its small curves and every other layer.
+struct EverythingShown {
+  EverythingShown() {
+    FenchelNielsen coordinates = random_coordinates(PantsGraph::chain(2), 1);
+    test::set_cuff_length(coordinates, 0, Rational(1, 10));
+    const Surface surface = fenchel_nielsen_surface(coordinates);
+    net = compute_net(surface, Epsilon("0.3"), {.pseudo = true}).net;
+    const NetGeometry geometry(net);
+    options.dirichlet = options.combinatorial_dirichlet = true;
+    options.covering_disks = options.packing_disks = true;
+    options.legend = true;
+    options.layers = collar_layers(geometry);
+    options.layers.push_back(tile_layer(geometry));
+    for (Layer& layer : geodesics_layers(geometry, thick_thin(surface))) options.layers.push_back(layer);
+  }
+  certify::Document net;
+  DrawOptions options;
+};
+
+TEST(Draw, isOnWhiteSoThatItCanBeReadOnADarkPage) {
+  const std::string picture = draw_svg(octagon_net(123, "0.3"), {.size = 300});
+  const std::size_t background =
+      picture.find("<rect class=\"background\" width=\"300\" height=\"300\" fill=\"#ffffff\"/>");
+  ASSERT_NE(background, std::string::npos);
+  for (const char* drawn : {"<circle", "<path"}) EXPECT_GT(picture.find(drawn), background) << drawn;
+}
+
+TEST(Draw, coloursOfALegendDiffer) {
+  const EverythingShown shown;
+  const std::string legend = legend_of(draw_svg(shown.net, shown.options));
+  const std::string marks = legend.substr(0, legend.find("<g font"));
+  std::vector<std::string> colours = values_of(marks, "fill");
+  for (const std::string& colour : values_of(marks, "stroke")) colours.push_back(colour);
+  ASSERT_GE(colours.size(), 12U) << legend;
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto a = lab(colours[i]);
+      const auto b = lab(colours[j]);
+      EXPECT_GT(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 15) << colours[i] << " and " << colours[j];
+    }
+  }
+}
+
+TEST(Draw, whatALegendNamesIsDrawnInItsColour) {
+  const EverythingShown shown;
+  const std::string picture = draw_svg(shown.net, shown.options);
+  const std::string legend = legend_of(picture);
+  const std::string drawn = picture.substr(0, picture.size() - legend.size());
+  const std::string marks = legend.substr(0, legend.find("<g font"));
+  for (const char* attribute : {"fill", "stroke"}) {
+    for (const std::string& colour : values_of(marks, attribute))
+      EXPECT_THAT(drawn, HasSubstr('"' + colour + '"')) << "nothing is drawn in " << colour;
+  }
+}
+
+TEST(Draw, aLegendCountsGeodesicsAndSaysHowLongTheyAre) {
+  const EverythingShown shown;
+  const Layer& geodesics = *std::find_if(shown.options.layers.begin(), shown.options.layers.end(),
+                                         [](const Layer& layer) { return layer.name == "closed geodesics"; });
+  const std::size_t count = geodesics.parts.size();
+  ASSERT_GT(count, 0U);
+  EXPECT_THAT(legend_of(draw_svg(shown.net, shown.options)),
+              HasSubstr(">closed geodesics: " + std::to_string(count) + " of length"));
+  EXPECT_THAT(legend_of(draw_svg(shown.net, shown.options)), HasSubstr(" 0.1000"));
+}
+
+TEST(Draw, aLegendHasTheColoursOfCharts) {
+  const certify::Document net =
+      compute_net(fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(3), 1)), Epsilon("0.3")).net;
+  const std::string picture = draw_svg(net, {.colouring = Colouring::chart, .legend = true});
+  const std::string legend = legend_of(picture);
+  std::set<std::string> charts;
+  for (const certify::Triangle& triangle : net.triangles)
+    charts.insert(std::to_string(net.vertices[triangle.vertex[0]].chart));
+  ASSERT_GT(charts.size(), 2U);
+  ASSERT_LE(charts.size(), 16U);
+  for (const std::string& chart : charts) EXPECT_THAT(legend, HasSubstr('>' + chart + "</text>"));
+  const std::string drawn = picture.substr(0, picture.size() - legend.size());
+  std::set<std::string> hues;
+  for (const std::string& colour : values_of(legend, "fill")) {
+    if (!colour.starts_with("hsl(")) continue;
+    EXPECT_THAT(drawn, HasSubstr("fill=\"" + colour + '"'));
+    hues.insert(colour);
+  }
+  EXPECT_EQ(hues.size(), charts.size());
+}
+
+TEST(Draw, aLegendOfManyChartsStaysShort) {
+  const certify::Document net =
+      compute_net(fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(12), 1)), Epsilon("0.6")).net;
+  std::set<std::uint32_t> charts;
+  for (const certify::Triangle& triangle : net.triangles) charts.insert(net.vertices[triangle.vertex[0]].chart);
+  ASSERT_GT(charts.size(), 16U);
+  const std::string legend = legend_of(draw_svg(net, {.colouring = Colouring::chart, .legend = true}));
+  EXPECT_THAT(legend, HasSubstr("and " + std::to_string(charts.size() - 16) + " more charts"));
+}
+
+TEST(Viewer, listsTheGeodesicsWithTheirArcs) {
+  const EverythingShown shown;
+  const std::string page = viewer_page(shown.net, {.title = "net", .layers = shown.options.layers});
+  const Layer& geodesics = *std::find_if(shown.options.layers.begin(), shown.options.layers.end(),
+                                         [](const Layer& layer) { return layer.name == "closed geodesics"; });
+  EXPECT_THAT(page, HasSubstr("\"parts\": [[\"geodesic 0, simple\", 0.1"));
+  for (std::size_t i = 0; i < geodesics.parts.size(); ++i) {
+    const std::size_t end = i + 1 < geodesics.parts.size() ? geodesics.parts[i + 1].first_arc : geodesics.arcs.size();
+    ASSERT_LT(geodesics.parts[i].first_arc, end);
+    double length = 0;
+    for (std::size_t k = geodesics.parts[i].first_arc; k < end; ++k)
+      length += 2 * std::asinh(std::sqrt(sinh2_half_distance(geodesics.arcs[k].from, geodesics.arcs[k].to)));
+    EXPECT_NEAR(length, geodesics.parts[i].length, 1e-9) << geodesics.parts[i].name;
+  }
 }
 
 TEST(Draw, centresTheVertexAskedFor) {

@@ -1,0 +1,77 @@
+#!/bin/sh
+# pictures.sh EPSNET SOURCES: makes the pictures of docs/images again, all that epsnet draws, by the commands of docs/gallery.md.
+# pictures.sh --check EPSNET SOURCES: makes them elsewhere, and fails where docs/images has others.
+# Of a PNG picture the SVG picture behind it is compared, by its SHA-256 in docs/images/png-sources.sha256: renderers
+# differ in pixels.
+set -eu
+check=false
+if [ "$1" = --check ]; then
+  check=true
+  shift
+fi
+EPSNET=$(realpath "$1")
+images=$2/docs/images
+export EPSNET
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/bin" "$work/made"
+
+# What the commands call epsnet: it draws a PNG picture as SVG as well, X.png as X.png.svg.
+cat >"$work/bin/epsnet" <<'END'
+#!/bin/sh
+"$EPSNET" "$@" || exit
+case "$*" in *.png*) ;; *) exit 0 ;; esac
+for argument; do
+  shift
+  case $argument in
+    --png) ;;
+    *.png) set -- "$@" "$argument.svg" ;;
+    *) set -- "$@" "$argument" ;;
+  esac
+done
+exec "$EPSNET" "$@"
+END
+chmod +x "$work/bin/epsnet"
+
+# Every block of commands of the document, in its order.
+awk '/^```sh$/ { on = 1; next } /^```$/ { on = 0 } on' "$2/docs/gallery.md" >"$work/commands"
+[ -s "$work/commands" ] || { echo "docs/gallery.md has no block of commands" >&2; exit 1; }
+cd "$work/made"
+PATH=$work/bin:$PATH sh -eu "$work/commands" >"$work/report" 2>&1 || { tail -n 5 "$work/report" >&2; exit 1; }
+for source in *.png.svg; do
+  sum=$(sha256sum <"$source")
+  printf '%s  %s\n' "${sum%% *}" "${source%.svg}" >>png-sources.sha256
+  rm "$source"
+done
+rm -f -- *.json
+
+if ! $check; then
+  cp -- * "$images"
+  exit 0
+fi
+
+failures=0
+complain() {
+  echo "FAILED: $*" >&2
+  failures=$((failures + 1))
+}
+for picture in *; do
+  if [ ! -f "$images/$picture" ]; then
+    complain "docs/images/$picture is missing: build the target 'pictures'"
+  else
+    case $picture in
+      *.png) ;;
+      *) cmp -s "$picture" "$images/$picture" || complain "docs/images/$picture is not what docs/gallery.md makes: build the target 'pictures'" ;;
+    esac
+  fi
+done
+cd "$images"
+for picture in *.*; do
+  [ -f "$work/made/$picture" ] || complain "no command of docs/gallery.md makes docs/images/$picture"
+  case $picture in *.sha256) continue ;; esac
+  grep -q "images/$picture)" ../gallery.md ../../README.md || complain "no document shows docs/images/$picture"
+done
+for shown in $(grep -Eho "images/[A-Za-z0-9./-]*[.](svg|png)" ../gallery.md ../../README.md | sort -u); do
+  [ -f "../$shown" ] || complain "docs/$shown is shown and does not exist"
+done
+[ $failures = 0 ]
