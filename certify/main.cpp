@@ -389,7 +389,7 @@ int run(int argc, char** argv) {
       "certify");
   app.add_option("FILE", request.files, "net files and geodesics files (docs/format.md); \"-\" is standard input")
       ->required()
-      ->option_text("FILE... REQUIRED");
+      ->option_text("... REQUIRED");
   app.add_flag("--json", request.json, "one JSON object on one line for each file, nothing else");
   app.add_option("--threads", request.options.threads, "number of threads, at most 1024; 0 is one per core")
       ->check(integer_between(0, 1024))
@@ -402,7 +402,8 @@ int run(int argc, char** argv) {
                  "lifted triangles visited before a list of geodesics is undecided, at least 1")
       ->check(integer_between(1, std::numeric_limits<std::uint64_t>::max()))
       ->option_text("N [100000000]");
-  app.add_flag("--print-parsed", request.print_parsed, "first print the document as it was understood");
+  app.add_flag("--print-parsed", request.print_parsed, "first print the document as it was understood")
+      ->excludes("--json");
   app.set_version_flag("--version", "certify " EPSNET_VERSION);
   app.footer(
       "Examples:\n"

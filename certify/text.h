@@ -9,7 +9,8 @@
 /// Text of the file format (docs/format.md, "Numbers") and text for messages.
 namespace epsnet::certify {
 
-/// The largest number of digits of one rational, leading zeros and exponent included.
+/// The largest number of digits of one rational, numerator and denominator together, or of one decimal, before and
+/// after the point together and without the exponent. Leading zeros count.
 inline constexpr std::size_t kMaxRationalDigits = 1'000'000;
 
 /// The value of a `rational`: -?[0-9]+ or -?[0-9]+/[0-9]+, in lowest terms. Nothing if the text is anything else, if

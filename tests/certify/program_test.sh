@@ -39,6 +39,7 @@ for file in "$data"/undecided/*; do expect 2 'UNDECIDED: ' "$file"; done
 for file in "$data"/malformed/*; do expect 3 'MALFORMED: ' "$file"; done
 expect 64 ''
 expect 64 '' --no-such-option
+expect 64 '' --json --print-parsed "$data"/verified/octagon-1-vertex.json
 expect 64 '' "$data"/no-such-file.json
 expect 64 '' "$data"
 expect 64 '' /dev/zero

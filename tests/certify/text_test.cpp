@@ -20,6 +20,14 @@ TEST(Text, DecimalsAreExact) {
   }
 }
 
+TEST(Text, DigitsAreCountedWithLeadingZeros) {
+  const std::string half(500'000, '0');
+  EXPECT_EQ(parse_rational("-" + half + "/" + half.substr(1) + "1"), 0);
+  EXPECT_FALSE(parse_rational(half + "/" + half + "1").has_value());
+  EXPECT_EQ(parse_decimal("-" + half + "." + half + "e-9999"), 0);
+  EXPECT_FALSE(parse_decimal(half + "." + half + "0").has_value());
+}
+
 TEST(Text, PathsAreShownAsGivenOnOneLine) {
   EXPECT_EQ(path_in_quotes("a b/n\xc3\xa4he-\xce\xb5.json"), "\"a b/n\xc3\xa4he-\xce\xb5.json\"");
   EXPECT_EQ(path_in_quotes(std::string(300, 'a')), "\"" + std::string(300, 'a') + "\"");
