@@ -45,7 +45,7 @@ class Builder {
       const std::uint32_t next = surface_.partner(side);
       if (next == corner) return;
       path_[next] = concatenated(surface_, path_[c], {side});
-      count_letters(path_[next]);
+      count_letters(path_[next], path_letters_);
       c = next;
     }
   }
@@ -73,15 +73,15 @@ class Builder {
     const auto [known, is_new] =
         labels_.try_emplace({from, to, word}, static_cast<std::uint32_t>(net_.labels.size() + 1));
     if (is_new) {
-      count_letters(word);
+      count_letters(word, label_letters_);
       net_.labels.push_back({from, to, std::move(word)});
     }
     return known->second;
   }
 
-  void count_letters(const Word& word) {
-    letters_ += word.size();
-    if (letters_ > kMostLetters) {
+  static void count_letters(const Word& word, std::size_t& letters) {
+    letters += word.size();
+    if (letters > kMostLetters) {
       throw ImportedNetError(
           "the triangulation has vertices of so many triangles that its words have more than 10^7 letters, the limit "
           "of a net file");
@@ -93,7 +93,8 @@ class Builder {
   /// By corner: from the tile of the chart of its vertex to its own.
   std::vector<Word> path_;
   std::map<std::tuple<std::uint32_t, std::uint32_t, Word>, std::uint32_t> labels_;
-  std::size_t letters_ = 0;
+  std::size_t path_letters_ = 0;
+  std::size_t label_letters_ = 0;
 };
 
 }  // namespace

@@ -35,6 +35,27 @@ TEST(Octagon, SymmetricOctagonIsChecked) {
   EXPECT_THROW(static_cast<void>(symmetric_octagon(half)), SurfaceError);
 }
 
+TEST(Octagon, ClosesUpWhereTheLastVertexIsMoved) {
+  const Surface surface = random_octagon(321);
+  std::array<Complex<Rational>, 4> half;
+  std::copy_n(surface.tiles()[0].begin(), 4, half.begin());
+  EXPECT_EQ(closed_up(half), half);
+  // Along the line through −z0 and z3, and turned: z0 need not be real.
+  const Isometry<Rational> there = Isometry<Rational>::translation(-half[0]);
+  std::array<Complex<Rational>, 4> moved = half;
+  moved[3] = there(Rational(9, 10) * inverse(there)(half[3]));
+  EXPECT_EQ(closed_up(moved), half);
+  const Complex<Rational> turn{Rational(3, 5), Rational(4, 5)};
+  for (auto* points : {&half, &moved}) {
+    for (Complex<Rational>& z : *points) z = turn * z;
+  }
+  EXPECT_EQ(closed_up(moved), half);
+  EXPECT_EQ(symmetric_octagon(half).genus(), 2U);
+  // Nothing on the line through −z0 and z3 if they are one point.
+  moved[3] = -moved[0];
+  EXPECT_FALSE(closed_up(moved).has_value());
+}
+
 RC_GTEST_PROP(OctagonProperty, EverySeedGivesTheSameSurfaceOfGenusTwoTwice, (std::int32_t seed)) {
   const Surface surface = random_octagon(seed);
   RC_ASSERT(surface.genus() == 2U);
