@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "epsnet/netgen/axis_catalogue.h"
+#include "epsnet/netgen/certified_net.h"
 #include "epsnet/netgen/cut_surface.h"
 #include "epsnet/netgen/unfolding.h"
 #include "support/triangulations.h"
@@ -119,6 +121,52 @@ TEST(Spectrum, HasEveryShortWordOfAnOctagon) {
       words = std::move(longer);
     }
     EXPECT_GT(found, 100);
+  }
+}
+
+struct ElementOfPath {
+  ReturnPath path;
+  Isometry<Mp256> element;
+};
+
+/// The elements of all closed geodesics of length at most 7, by length, many for one geodesic.
+std::vector<ElementOfPath> elements_up_to_7(Triangulation& triangulation, AxisCatalogue<Mp256>& catalogue) {
+  const Unfolding unfolding(triangulation, 1);
+  std::vector<ElementOfPath> result;
+  for (std::uint32_t v = 0; v < triangulation.vertex_count(); ++v) {
+    for (const ReturnPath& path : unfolding.returns(v, {2 * std::asinh(std::sinh(3.5) * std::cosh(1.0)), 7})) {
+      result.push_back({path, catalogue.element(path)});
+    }
+  }
+  std::stable_sort(result.begin(), result.end(), [](const ElementOfPath& x, const ElementOfPath& y) {
+    return displacement_length(x.element) < displacement_length(y.element);
+  });
+  return result;
+}
+
+TEST(AxisCatalogue, ComparesAnElementWithThoseOnItsAxisOnly) {
+  // Not with all in its triangle: that would take the square of the number of geodesics.
+  const Surface surface = random_octagon(5);
+  NetStatistics statistics;
+  Triangulation triangulation = net_triangulation(surface, Epsilon("1"), {}, statistics);
+  AxisCatalogue<Mp256> catalogue(triangulation);
+  const std::vector<ElementOfPath> elements = elements_up_to_7(triangulation, catalogue);
+  for (const ElementOfPath& e : elements) (void)catalogue.find_or_add(e.path, e.element);
+  EXPECT_GT(elements.size(), 600U);
+  EXPECT_GE(catalogue.geodesics().size(), 97U);
+  EXPECT_LE(catalogue.comparisons(), elements.size() + elements.size() / 100);
+}
+
+TEST(AxisCatalogue, KnowsPowersAndInverses) {
+  const Surface surface = random_octagon(5);
+  NetStatistics statistics;
+  Triangulation triangulation = net_triangulation(surface, Epsilon("1"), {}, statistics);
+  AxisCatalogue<Mp256> catalogue(triangulation);
+  for (const ElementOfPath& e : elements_up_to_7(triangulation, catalogue)) {
+    const std::uint32_t number = catalogue.find_or_add(e.path, e.element);
+    const Isometry<Mp256> square = e.element * e.element;
+    EXPECT_EQ(catalogue.find_or_add(e.path, square), number);
+    EXPECT_EQ(catalogue.find_or_add(e.path, inverse(square * e.element)), number);
   }
 }
 
