@@ -12,9 +12,13 @@
     return sum;
   };
   // offsetX and offsetY of a made event follow from its client coordinates.
-  const at = (type, x, y) => {
+  const at = (type, x, y, pointerId = 1) => {
     const box = canvas.getBoundingClientRect();
-    canvas.dispatchEvent(new PointerEvent(type, {bubbles: true, pointerId: 1, clientX: box.left + x, clientY: box.top + y}));
+    canvas.dispatchEvent(new PointerEvent(type, {bubbles: true, pointerId, clientX: box.left + x, clientY: box.top + y}));
+  };
+  // What goes wrong in one part is no excuse for the others.
+  const test = (name, body) => {
+    try { body(); } catch (error) { failures.push(`${name}: ${error}`); }
   };
 
   // What is unfolded is a part of the universal cover: edges have the lengths of the net, triangles are counterclockwise, no lift comes twice.
@@ -40,76 +44,402 @@
     for (let k = 0; k < 40; ++k) expect(find(0.7 * Math.cos(2.4 * k) * k / 40, 0.7 * Math.sin(2.4 * k) * k / 40) !== null, `${where}: a hole`);
   }
 
-  checkUnfolding('start');
-  near(vertex[here.dart], 0, 0, 'the vertex in the centre at the start');
+  const isOn = new Map(layers.map(layer => [layer.id, layer.on]));
+  test('the start', () => {
+    checkUnfolding('start');
+    near(vertex[here.dart], 0, 0, 'the vertex in the centre at the start');
+  });
 
-  // A drag takes the point that was grabbed along.
-  const grabbedPoint = toDisk(ox + 60, oy - 40), where = find(...grabbedPoint);
-  at('pointerdown', ox + 60, oy - 40);
-  at('pointermove', ox + 20, oy + 30);
-  at('pointerup', ox + 20, oy + 30);
-  checkUnfolding('after a drag');
-  expect(find(...toDisk(ox + 20, oy + 30)).triangle === where.triangle, 'the triangle grabbed is not under the pointer');
+  test('a drag', () => {
+    // A drag takes the point that was grabbed along.
+    const grabbedPoint = toDisk(ox + 60, oy - 40), where = find(...grabbedPoint);
+    at('pointerdown', ox + 60, oy - 40);
+    at('pointermove', ox + 20, oy + 30);
+    at('pointerup', ox + 20, oy + 30);
+    checkUnfolding('after a drag');
+    expect(find(...toDisk(ox + 20, oy + 30)).triangle === where.triangle, 'the triangle grabbed is not under the pointer');
+  });
 
-  // There and back is where one was (directions that differ by 2^-53 are e^15 as far apart after a way of 15).
-  home();
-  const dart = here.dart;
-  for (let k = 0; k < 75; ++k) move(translation(0.1, 0.02));
-  checkUnfolding('far away');
-  for (let k = 0; k < 75; ++k) move(translation(-0.1, -0.02));
-  near(Math.hypot(...place(here.frame, here.dart)), 0, 1e-6, 'the way back');
-  expect(vertex[here.dart] === vertex[dart], 'the way back ends at another vertex');
-  let seed = 1;
-  for (let k = 0; k < 1000; ++k) {
-    seed = (seed * 16807) % 2147483647;
-    move(translation(0.3 * Math.cos(seed), 0.3 * Math.sin(seed)));
-  }
-  checkUnfolding('after a random walk');
+  test('there and back', () => {
+    // There and back is where one was (directions that differ by 2^-53 are e^15 as far apart after a way of 15).
+    home();
+    const dart = here.dart;
+    for (let k = 0; k < 75; ++k) move(translation(0.1, 0.02));
+    checkUnfolding('far away');
+    for (let k = 0; k < 75; ++k) move(translation(-0.1, -0.02));
+    near(Math.hypot(...place(here.frame, here.dart)), 0, 1e-6, 'the way back');
+    expect(vertex[here.dart] === vertex[dart], 'the way back ends at another vertex');
+    let seed = 1;
+    for (let k = 0; k < 1000; ++k) {
+      seed = (seed * 16807) % 2147483647;
+      move(translation(0.3 * Math.cos(seed), 0.3 * Math.sin(seed)));
+    }
+    checkUnfolding('after a random walk');
+  });
 
-  // Keys, wheel, double click.
-  const frame = Array.from(here.frame);
-  dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowLeft'}));
-  expect(frame.some((x, i) => Math.abs(x - here.frame[i]) > 1e-3), 'an arrow key does not turn');
-  dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight'}));
-  expect(frame.every((x, i) => Math.abs(x - here.frame[i]) < 1e-9), 'the other arrow key does not turn back');
-  const zoomBefore = zoom;
-  canvas.dispatchEvent(new WheelEvent('wheel', {deltaY: -500, cancelable: true}));
-  expect(zoom > 1.5 * zoomBefore, 'the wheel does not zoom');
-  checkUnfolding('zoomed');
-  dispatchEvent(new KeyboardEvent('keydown', {key: 'Home'}));
-  expect(zoom === zoomBefore, 'Home does not lead home');
+  test('keys in the picture', () => {
+    home();
+    const press = (key, more) => {
+      const event = new KeyboardEvent('keydown', {key, bubbles: true, cancelable: true, ...more});
+      canvas.dispatchEvent(event);
+      return event.defaultPrevented;
+    };
+    const frame = Array.from(here.frame), isAsBefore = () => frame.every((x, i) => Math.abs(x - here.frame[i]) < 1e-9);
+    for (const [there, back, shiftKey] of [['ArrowLeft', 'ArrowRight', true], ['ArrowLeft', 'ArrowRight', false], ['ArrowUp', 'ArrowDown', false]]) {
+      expect(press(there, {shiftKey}), `${there} is not taken`);
+      expect(!isAsBefore(), `${there} does not move`);
+      press(back, {shiftKey});
+      expect(isAsBefore(), `${back} does not move back`);
+    }
+    press('ArrowLeft', {});
+    expect(place(here.frame, vertexDart[0])[0] > 0.01 && Math.abs(place(here.frame, vertexDart[0])[1]) < 1e-9, 'ArrowLeft does not look to the left');
+    home();
+    const zoomBefore = zoom;
+    press('+', {shiftKey: true});
+    expect(zoom > zoomBefore, '+ does not zoom');
+    press('-', {});
+    near(zoom, zoomBefore, 1e-9, 'zoom after + and -');
+    press('Enter', {});
+    expect($('status').textContent.includes('vertex 0'), `Enter says ${$('status').textContent}`);
+    press('+', {});
+    press('Home', {});
+    expect(zoom === zoomBefore && isAsBefore(), 'Home does not lead home');
+  });
 
-  // Every switch and every colouring changes the picture and changes it back.
-  draw(kMost);
-  hovered = null;
-  for (const box of document.querySelectorAll('#layers input')) {
+  test('keys that belong to others', () => {
+    home();
+    const frame = here.frame, zoomBefore = zoom;
+    const untouched = (target, key, more) => {
+      const event = new KeyboardEvent('keydown', {key, bubbles: true, cancelable: true, ...more});
+      target.dispatchEvent(event);
+      expect(!event.defaultPrevented && here.frame === frame && zoom === zoomBefore, `${JSON.stringify(more)} ${key} is swallowed on ${target.id || target.tagName}`);
+    };
+    for (const key of ['ArrowLeft', 'ArrowUp', 'ArrowDown', 'Home', '+', '-'])
+      for (const target of [document.querySelector('#colours input'), document.querySelector('#layers input'), document.body]) untouched(target, key, {});
+    for (const more of [{ctrlKey: true}, {metaKey: true}, {altKey: true}]) for (const key of ['+', '-', 'ArrowLeft', 'Home']) untouched(canvas, key, more);
+  });
+
+  test('wheel', () => {
+    home();
     draw(kMost);
-    const one = pixels();
-    box.click();
-    draw(kMost);
-    expect(pixels() !== one, `switch ${box.id} changes nothing`);
-    box.click();
-    draw(kMost);
-    expect(pixels() === one, `switch ${box.id} does not change back`);
-  }
-  const shown = new Set();
-  for (const choice of document.querySelectorAll('#colours input')) {
-    choice.click();
-    draw(kMost);
-    shown.add(pixels());
-  }
-  expect(shown.size >= 2, 'the colourings look the same');
+    const zoomBefore = zoom, x = ox + 50, y = oy - 30, box = canvas.getBoundingClientRect(), under = find(...toDisk(x, y));
+    canvas.dispatchEvent(new WheelEvent('wheel', {deltaY: -500, cancelable: true, clientX: box.left + x, clientY: box.top + y}));
+    expect(zoom > 1.5 * zoomBefore, 'the wheel does not zoom');
+    checkUnfolding('zoomed');
+    expect(find(...toDisk(x, y)).triangle === under.triangle, 'what is under the pointer does not stay there');
+    home();
+  });
 
-  // Hovering says what is there.
-  at('pointermove', ox, oy);
-  expect($('hover').textContent.includes('vertex 0'), `hovering over vertex 0 says ${$('hover').textContent}`);
-  expect(/circumradius [0-9.]+$/.test($('hover').textContent), `no circumradius in ${$('hover').textContent}`);
-  const [u, v] = [corner(0, 0), corner(0, 1)], seenFromU = apply(translation(-u[0], -u[1]), ...v);
-  const half = 1 / (1 + Math.sqrt(1 - seenFromU[0] ** 2 - seenFromU[1] ** 2));
-  const middle = apply(translation(...u), half * seenFromU[0], half * seenFromU[1]);
-  at('pointermove', ox + scale * middle[0], oy - scale * middle[1]);
-  expect($('hover').textContent.includes('length'), `hovering over an edge says ${$('hover').textContent}`);
-  for (let t = 0; t < triangleCount; ++t) expect(radius[t] <= 1.000001 * epsilon || net.verdict !== 'VERIFIED', `circumradius ${radius[t]}`);
+  // ---- Fingers ----
 
-  document.body.textContent = failures.length === 0 ? 'viewer-test: passed' : 'viewer-test: ' + failures.slice(0, 8).join('; ');
+  // Puts two fingers down, moves them along their ways in turns, and takes them up.
+  const fingersMove = (first, second, steps) => {
+    at('pointerdown', ...first(0), 1);
+    at('pointerdown', ...second(0), 2);
+    for (let k = 1; k <= steps; ++k) {
+      at('pointermove', ...first(k / steps), 1);
+      at('pointermove', ...second(k / steps), 2);
+    }
+    at('pointerup', ...first(1), 1);
+    at('pointerup', ...second(1), 2);
+    draw(kMost);
+  };
+  test('two fingers apart', () => {
+    home();
+    draw(kMost);
+    const zoomBefore = zoom, middle = [ox - 20, oy + 30], under = find(...toDisk(...middle));
+    const finger = sign => s => [middle[0] + sign * (40 + 40 * s), middle[1]];
+    fingersMove(finger(-1), finger(1), 10);
+    near(zoom, 2 * zoomBefore, 1e-6, 'zoom by two fingers twice as far apart');
+    expect(find(...toDisk(...middle)).triangle === under.triangle, 'what is between the fingers does not stay there');
+    checkUnfolding('after two fingers');
+    home();
+  });
+  test('two fingers turn', () => {
+    home();
+    draw(kMost);
+    // A triangle at the vertex in the centre, and the direction of another corner.
+    const t = lift.triangle[0], c = [0, 1, 2].find(i => vertex[3 * t + i] === 0 && Math.hypot(...corner(0, i)) < 1e-9), other = (c + 1) % 3;
+    const angleOf = slot => Math.atan2(corner(slot, other)[1], corner(slot, other)[0]);
+    const before = angleOf(0), zoomBefore = zoom;
+    const finger = sign => s => [ox + sign * 80 * Math.cos(s * Math.PI / 2), oy - sign * 80 * Math.sin(s * Math.PI / 2)];
+    fingersMove(finger(1), finger(-1), 90);
+    const slot = [...Array(lift.count).keys()].find(k => lift.triangle[k] === t && Math.hypot(...corner(k, c)) < 0.02);
+    expect(slot !== undefined, 'the centre moved');
+    near(Math.cos(angleOf(slot) - before - Math.PI / 2), 1, 1e-3, 'a quarter of a turn');
+    near(zoom, zoomBefore, 1e-2, 'zoom after a turn');
+    home();
+  });
+  test('two fingers move', () => {
+    home();
+    draw(kMost);
+    const under = find(...toDisk(ox + 23, oy - 11)), zoomBefore = zoom;
+    fingersMove(s => [ox - 17 + 60 * s, oy - 11 + 40 * s], s => [ox + 63 + 60 * s, oy - 11 + 40 * s], 20);
+    expect(find(...toDisk(ox + 83, oy + 29)).triangle === under.triangle, 'what is between the fingers does not come along');
+    near(zoom, zoomBefore, 1e-6, 'zoom after a move');
+    home();
+  });
+  test('a tap asks what is there', () => {
+    home();
+    draw(kMost);
+    at('pointerdown', ox, oy, 3);
+    at('pointerup', ox, oy, 3);
+    expect($('hover').style.display === 'block' && $('hover').textContent.includes('vertex 0'), 'a tap says nothing');
+    at('pointerdown', ox, oy, 3);
+    at('pointermove', ox + 50, oy, 3);
+    at('pointerup', ox + 50, oy, 3);
+    expect($('hover').style.display === 'none', 'a drag says what is there');
+    home();
+  });
+
+  test('switches and colourings', () => {
+    // Every switch and every colouring changes the picture and changes it back.
+    draw(kMost);
+    hovered = null;
+    home();
+    for (const box of document.querySelectorAll('#layers input')) {
+      draw(kMost);
+      const one = pixels();
+      box.click();
+      draw(kMost);
+      expect(pixels() !== one, `switch ${box.id} changes nothing`);
+      box.click();
+      draw(kMost);
+      expect(pixels() === one, `switch ${box.id} does not change back`);
+    }
+    const looks = new Set();
+    for (const choice of document.querySelectorAll('#colours input')) {
+      choice.click();
+      draw(kMost);
+      looks.add(pixels());
+    }
+    expect(looks.size >= 2, 'the colourings look the same');
+  });
+
+  test('hovering', () => {
+    home();
+    draw(kMost);
+    // Hovering says what is there.
+    at('pointermove', ox, oy);
+    expect($('hover').textContent.includes('vertex 0'), `hovering over vertex 0 says ${$('hover').textContent}`);
+    expect(/circumradius [0-9.]+$/.test($('hover').textContent), `no circumradius in ${$('hover').textContent}`);
+    const [u, v] = [corner(0, 0), corner(0, 1)], seenFromU = apply(translation(-u[0], -u[1]), ...v);
+    const half = 1 / (1 + Math.sqrt(1 - seenFromU[0] ** 2 - seenFromU[1] ** 2));
+    const middle = apply(translation(...u), half * seenFromU[0], half * seenFromU[1]);
+    at('pointermove', ox + scale * middle[0], oy - scale * middle[1]);
+    expect($('hover').textContent.includes('length'), `hovering over an edge says ${$('hover').textContent}`);
+    const inCollar = t => layers.some(layer => layer.name === 'triangles of collars' && layer.isTriangle.has(t));
+    for (let t = 0; t < triangleCount; ++t)
+      expect(radius[t] <= 1.000001 * epsilon || inCollar(t) || net.verdict !== 'VERIFIED', `circumradius ${radius[t]}`);
+  });
+
+  // ---- The panel, the legend, the geodesics ----
+
+  const legendText = () => [...document.querySelectorAll('#legend li')].map(row => row.textContent);
+  test('the legend follows the picture', () => {
+    for (const layer of layers) {
+      if (layer.on) $(layer.id).click();
+    }
+    $('colour-none').click();
+    expect(legendText().length === 0, `a legend of nothing: ${legendText()}`);
+    for (const layer of layers) {
+      $(layer.id).click();
+      expect(legendText().some(text => text.startsWith(layer.name)), `${layer.name} is not in the legend`);
+      $(layer.id).click();
+      expect(!legendText().some(text => text.startsWith(layer.name)), `${layer.name} stays in the legend`);
+    }
+    $('colour-circumradius').click();
+    expect(legendText().some(text => text.includes('circumradius')), 'no circumradii in the legend');
+    $('colour-chart').click();
+    expect(!legendText().some(text => text.includes('circumradius')), 'circumradii in a legend of charts');
+    const shown = new Set([...Array(lift.count).keys()].map(slot => chart[vertex[3 * lift.triangle[slot]]]));
+    for (const k of [...shown].slice(0, 8)) expect(legendText().includes(`chart ${k}`), `chart ${k} is not in the legend`);
+    $('colour-circumradius').click();
+    for (const layer of layers) if (layer.on !== isOn.get(layer.id)) $(layer.id).click();
+  });
+
+  test('what can be used has a name, and shows the focus', () => {
+    const nameOf = control => control.getAttribute('aria-label') || control.textContent.trim() || (control.labels || [])[0]?.textContent.trim() ||
+        (control.getAttribute('aria-labelledby') || '').split(' ').map(id => $(id)?.textContent).join(' ').trim();
+    const controls = document.querySelectorAll('button, input, select, canvas[tabindex]');
+    expect(controls.length > 12, `only ${controls.length} controls`);
+    for (const control of controls) {
+      const what = control.id || control.tagName;
+      expect(nameOf(control), `${what} has no name`);
+      expect(control.tabIndex === 0, `${what} is out of the order of the page`);
+      if (control.disabled || control.getClientRects().length === 0) continue;
+      control.focus();
+      expect(document.activeElement === control, `${what} does not take the focus`);
+      expect(parseFloat(getComputedStyle(control).outlineWidth) >= 2, `${what} does not show the focus`);
+    }
+    document.activeElement.blur();
+    expect($('status').getAttribute('role') === 'status', 'the status is not said aloud');
+    expect(canvas.getAttribute('role') !== null && $(canvas.getAttribute('aria-describedby')).textContent.includes('Home'), 'the picture has no role, or keys that nobody is told');
+    const ids = [...document.querySelectorAll('[id]')].map(element => element.id);
+    expect(new Set(ids).size === ids.length, 'an id comes twice');
+    expect($('histogram').getAttribute('aria-label').includes('circumradii from'), 'the histogram says nothing');
+    for (const select of ['header', 'main', 'aside', 'h1']) expect(document.querySelector(select) !== null, `no ${select}`);
+    const choices = [...document.querySelectorAll('#colours input')];
+    expect(choices.every(choice => choice.closest('fieldset')?.querySelector('legend')), 'choices without a heading');
+  });
+
+  test('the buttons beside the picture', () => {
+    home();
+    const zoomBefore = zoom, frame = here.frame;
+    $('zoom-in').click();
+    expect(zoom > zoomBefore, 'zoom in');
+    $('zoom-out').click();
+    near(zoom, zoomBefore, 1e-9, 'zoom out');
+    $('turn-left').click();
+    expect(here.frame !== frame, 'turn left');
+    $('turn-right').click();
+    expect(here.frame.every((x, i) => Math.abs(x - frame[i]) < 1e-9), 'turn right');
+    $('zoom-in').click();
+    $('home').click();
+    expect(zoom === zoomBefore, 'home');
+    $('toggle').click();
+    expect($('panel').hidden && $('toggle').getAttribute('aria-expanded') === 'false', 'the panel does not close');
+    $('toggle').click();
+    expect(!$('panel').hidden && $('toggle').getAttribute('aria-expanded') === 'true', 'the panel does not open');
+  });
+
+  test('closed geodesics', () => {
+    const expected = net.layers.flatMap(layer => layer.parts || []);
+    expect($('geodesics').options.length === expected.length, `${$('geodesics').options.length} of ${expected.length} geodesics are listed`);
+    expect($('geodesics-section').hidden === (expected.length === 0), 'the list of geodesics is not there, or empty');
+    for (const g of geodesics) {
+      home();
+      hovered = null;
+      draw(kMost);
+      select(g);
+      draw(kMost);
+      expect($('geodesics').selectedIndex === geodesics.indexOf(g) && !$('travel').disabled, `${g.name} is not selected`);
+      expect(legendText().some(text => text.includes(g.name)), `${g.name} is not in the legend`);
+      goToSelected(0);
+      near(Math.hypot(...nearestArc()[0]), 0, 1e-6, `${g.name}: the distance from the centre`);
+      const lit = pixels();
+      select(null);
+      draw(kMost);
+      expect(pixels() !== lit, `${g.name} is not lit up`);
+      select(g);
+      // Once around a closed geodesic is the identity: the same corner, with the same frame.
+      const dart = here.dart, frame = Array.from(here.frame);
+      travel(0);
+      draw(kMost);
+      const slots = [...Array(lift.count).keys()].filter(slot => lift.triangle[slot] === (dart - dart % 3) / 3);
+      const there = place(frame, dart);
+      expect(slots.some(slot => Math.hypot(corner(slot, dart % 3)[0] - there[0], corner(slot, dart % 3)[1] - there[1]) < 1e-5), `${g.name}: once around is somewhere else`);
+      checkUnfolding(`after ${g.name}`);
+    }
+    select(null);
+    home();
+  });
+
+  test('the status', () => {
+    drawAtRest();
+    expect(/^[0-9]+ triangles in view, zoom [0-9.]+, near vertex [0-9]+$/.test($('status').textContent), `the status is ${$('status').textContent}`);
+    const before = $('status').textContent;
+    move(translation(0.1, 0));
+    draw(100);
+    expect($('status').textContent === before, 'the status is said while something moves');
+    home();
+  });
+
+  // ---- Schemes, saved pictures ----
+
+  test('a dark scheme', () => {
+    const paper = () => pen.getImageData(2, canvas.height - 3, 1, 1).data;
+    for (const [value, isDark] of [['dark', true], ['light', false]]) {
+      $('scheme').value = value;
+      $('scheme').dispatchEvent(new Event('change'));
+      expect((paper()[0] < 60) === isDark, `the picture is not ${value}`);
+      expect((luminance(getComputedStyle(document.body).backgroundColor.match(/[0-9]+/g).map(Number)) < 0.05) === isDark, `the page is not ${value}`);
+      for (const layer of layers)
+        expect(contrast(channels(onPaper(layer.colour)), channels(schemes[scheme].paper)) >= (isDark ? 4.4 : 1.5), `${layer.name} cannot be seen on ${value} paper`);
+    }
+  });
+
+  // The page is not loaded, and its text not looked at, before its images are: so there is time for this.
+  const bitmap = file => new Promise((resolve, reject) => {
+    const image = new Image();
+    image.onload = () => resolve(pixelsOf(image));
+    image.onerror = () => reject(new Error(`a saved ${file.type} is none`));
+    image.src = URL.createObjectURL(file);
+  });
+  const pixelsOf = source => {
+    const copy = document.createElement('canvas'), g = copy.getContext('2d');
+    copy.width = width;
+    copy.height = height;
+    g.drawImage(source, 0, 0, width, height);
+    return g.getImageData(0, 0, width, height).data;
+  };
+  // The share of points, below a height, where two pictures differ visibly.
+  const difference = (p, q, top) => {
+    let count = 0;
+    for (let i = 4 * top * width; i < p.length; i += 4)
+      if (Math.abs(p[i] - q[i]) + Math.abs(p[i + 1] - q[i + 1]) + Math.abs(p[i + 2] - q[i + 2]) > 150) ++count;
+    return count / (p.length / 4 - top * width);
+  };
+  const fromScreen = async file => difference(await bitmap(file), pixelsOf(canvas), Math.min(height, 40 + 18 * legendEntries().length));
+  // A few long arcs, circles and fills in both inks: a wrong bend would show.
+  const testInks = async () => {
+    zoom = 1;
+    frameView();
+    const sheet = document.createElement('canvas');
+    sheet.width = width;
+    sheet.height = height;
+    const inks = [new CanvasInk(sheet.getContext('2d')), new SvgInk()];
+    for (const ink of inks) {
+      const paper = ink.path(), arcs = ink.path(), disks = ink.path(), inner = ink.path();
+      paper.rect(0, 0, width, height);
+      ink.fill(paper, '#ffffff');
+      ring(inner, ox, oy, 0.9 * scale);
+      ink.clip(inner);
+      for (let k = 0; k < 8; ++k) {
+        const u = [0.95 * Math.cos(k), 0.95 * Math.sin(k)], v = [0.9 * Math.cos(k + 1 + 0.2 * k), 0.9 * Math.sin(k + 1 + 0.2 * k)];
+        if (k % 2 === 0) geodesic(arcs, ...u, ...v);
+        else geodesic(arcs, ...v, ...u);
+        circle(disks, 0.5 * Math.sin(3 * k), 0.5 * Math.cos(5 * k), 0.1 + 0.05 * k);
+      }
+      ink.fill(disks, '#2f9468', 0.5);
+      ink.stroke(arcs, '#b5197f', 4);
+      ink.endClip();
+    }
+    const different = difference(await bitmap(new Blob([inks[1].toString()], {type: 'image/svg+xml'})), pixelsOf(sheet), 0);
+    expect(different < 0.002, `arcs in SVG differ from those on the screen in ${different} of the points`);
+    home();
+  };
+  const testSaving = async () => {
+    for (const value of ['dark', 'light']) {
+      // Once with everything on.
+      if (value === 'light') for (const layer of layers) layer.on = true;
+      $('scheme').value = value;
+      $('scheme').dispatchEvent(new Event('change'));
+      const file = svgPicture(), ink = new SvgInk();
+      paint(ink);
+      legendOnPaper(ink);
+      const text = ink.toString(), svg = new DOMParser().parseFromString(text, 'image/svg+xml');
+      expect(file.type === 'image/svg+xml' && file.size === new Blob([text]).size, 'the SVG file is something else');
+      expect(svg.documentElement.localName === 'svg' && svg.querySelector('parsererror') === null, 'the SVG picture is no XML');
+      expect(!/NaN|Infinity|undefined/.test(text), 'the SVG picture has numbers that are none');
+      expect(svg.querySelector('title').textContent === net.title, 'the SVG picture has no title');
+      for (const entry of legendEntries()) expect([...svg.querySelectorAll('text')].some(row => row.textContent === entry.name), `${entry.name} is not in the saved legend`);
+      for (const picture of [file, pngPicture()]) {
+        const different = await fromScreen(picture);
+        expect(different < 0.04, `${value}: the picture in ${picture.type} differs from the screen in ${different} of its points`);
+      }
+    }
+    // The buttons offer files with names.
+    const names = [], click = HTMLAnchorElement.prototype.click;
+    HTMLAnchorElement.prototype.click = function() { names.push(this.download); };
+    $('save-svg').click();
+    $('save-png').click();
+    HTMLAnchorElement.prototype.click = click;
+    expect(names.length === 2 && names[0].endsWith('.svg') && names[1].endsWith('.png'), `files are called ${names}`);
+  };
+
+  (async () => {
+    for (const part of [testInks, testSaving]) try { await part(); } catch (error) { failures.push(`saving: ${error}`); }
+    document.body.textContent = failures.length === 0 ? 'viewer-' + 'test: passed' : 'viewer-' + 'test: ' + failures.slice(0, 12).join('; ');
+  })();
 }
