@@ -66,6 +66,13 @@ runs 0 '' surface import "$data/polygons/polygon-g3-rnd0.txt" -o g3.json
 runs 0 '' export g3.json --format triangulation -o fan.txt
 runs 1 '^why: delaunay: .*dart' import-net fan.txt --epsilon 0.5 -o fan.json
 certified 1 '^REFUTED: delaunay' fan.json
+for rule in covering packing; do
+  file=$(ls "$data/certify/undecided/$rule"-*.json)
+  epsilon=$(tr ',' '\n' <"$file" | sed -n 's/.*"epsilon": *"\([^"]*\)".*/\1/p')
+  runs 0 '' export "$file" --format triangulation -o undecided.txt
+  runs 2 "^epsnet: undecided.txt: UNDECIDED: $rule: " import-net undecided.txt --epsilon "$epsilon" -o undecided.json
+  certified 2 "^UNDECIDED: $rule" undecided.json
+done
 "$epsnet" import-net t.txt --epsilon 0.26 -o - >piped.json 2>messages || complain "import-net to standard output"
 cmp -s piped.json imported.json || complain "standard output is another net"
 grep -q '^verdict: VERIFIED$' messages || complain "no report beside standard output"

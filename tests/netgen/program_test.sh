@@ -220,7 +220,7 @@ for format in off vtu edges json; do
   "$epsnet" export net.json --format $format -o - | cmp -s - mesh.$format || complain "$format on standard output"
 done
 
-for command in '' surface 'surface octagon' 'surface fenchel-nielsen' 'surface regular' 'surface import' net dirichlet draw view info export; do
+for command in '' surface 'surface octagon' 'surface fenchel-nielsen' 'surface regular' 'surface import' net import-net dirichlet draw view info export; do
   # shellcheck disable=SC2086
   good $command --help
   grep -q 'Example' output || complain "epsnet $command --help has no example"
@@ -416,7 +416,7 @@ wrong() {
 }
 wrong 'wrong.txt:1: the text claims 1000000002 darts' 'NR==1 {$1 = "1000000002"} {print}'
 wrong 'wrong.txt:1: 31 darts found' 'NR==1 {$1 = "31"} {print}'
-wrong 'wrong.txt: there is no anchor' 'NR==2 {$1 = "no"} NR<3 || NR>6 {print}'
+wrong 'wrong.txt: there is no anchor, and the cross-ratios keep no circle' 'NR==2 {$1 = "no"} NR==40 {$1 = "7"} NR<3 || NR>6 {print}'
 wrong 'wrong.txt:12: dart 2 belongs to triangle 0 and to triangle 1' 'NR==12 {$1 = "2"} {print}'
 wrong 'wrong.txt:41: dart 7 belongs to edge 0 and to edge 1' 'NR==41 {$1 = "7"} {print}'
 wrong 'wrong.txt:39: "1/0" found' 'NR==39 {$1 = "1/0"} {print}'
