@@ -4,7 +4,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstring>
+#include <deque>
 #include <ostream>
 #include <streambuf>
 #include <string>
@@ -71,33 +77,82 @@ class Output : public std::streambuf {
   std::vector<char> buffer_;
 };
 
-/// Removes a file at the end unless told to keep it.
+/// The name of a temporary file where a signal handler finds it, which may not allocate.
+struct Name {
+  std::atomic<bool> used = false;
+  std::array<char, PATH_MAX> path = {};
+};
+/// More than are ever written at once; a file beyond would only not be removed by a signal.
+std::array<Name, 16> temporary_names;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+/// While it lives no signal comes in between.
+class SignalsBlocked {
+ public:
+  SignalsBlocked() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before_);
+  }
+  SignalsBlocked(const SignalsBlocked&) = delete;
+  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
+  ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_ = {};
+};
+
+/// A new file beside another one, of a name of its own; removed at the end, and by remove_temporary_files, unless it
+/// takes the place of the other one.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(fs::path path) : path_(std::move(path)) {}
+  /// `path` is for messages.
+  TemporaryFile(const fs::path& path, const fs::path& beside) {
+    const SignalsBlocked blocked;
+    for (int attempt = 0; descriptor_ < 0; ++attempt) {
+      path_ = beside.string() + ".tmp-" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
+      descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (descriptor_ < 0 && (errno != EEXIST || attempt == 1000)) fail(path, "cannot be created", errno);
+    }
+    for (Name& name : temporary_names) {
+      if (name.used || path_.size() >= name.path.size()) continue;
+      std::memcpy(name.path.data(), path_.c_str(), path_.size() + 1);
+      name.used = true;
+      name_ = &name;
+      break;
+    }
+  }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   ~TemporaryFile() {
-    if (!path_.empty()) ::unlink(path_.c_str());
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (path_.empty()) return;
+    const SignalsBlocked blocked;
+    ::unlink(path_.c_str());
+    forget();
   }
-  void keep() { path_.clear(); }
+
+  /// The descriptor, which the caller closes.
+  [[nodiscard]] int take_descriptor() { return std::exchange(descriptor_, -1); }
+
+  /// Renames it. The error, 0 if there was none.
+  [[nodiscard]] int take_place_of(const fs::path& target) {
+    const SignalsBlocked blocked;
+    if (::rename(path_.c_str(), target.c_str()) != 0) return errno;
+    forget();
+    return 0;
+  }
 
  private:
-  fs::path path_;
-};
-
-/// Where symbolic links lead, whether there is a file or not: rename() would replace the link itself.
-fs::path followed(const fs::path& path) {
-  fs::path target = path;
-  std::error_code error;
-  for (int links = 0; fs::is_symlink(target, error); ++links) {
-    if (links == 40) fail(path, "cannot be opened for writing", ELOOP);
-    const fs::path next = fs::read_symlink(target, error);
-    if (error) fail(path, "cannot be opened for writing", error.value());
-    target = target.parent_path() / next;
+  void forget() {
+    path_.clear();
+    if (name_ != nullptr) name_->used = false;
   }
-  return target;
-}
+
+  std::string path_;
+  int descriptor_ = -1;
+  Name* name_ = nullptr;
+};
 
 /// Hands the stream to `write` and closes the file.
 void write_all(const fs::path& path, int descriptor, const std::function<void(std::ostream&)>& write) {
@@ -111,34 +166,93 @@ void write_all(const fs::path& path, int descriptor, const std::function<void(st
 
 }  // namespace
 
-void write_file_atomically(const fs::path& path, const std::function<void(std::ostream&)>& write) {
+// rename() would replace the link itself.
+fs::path followed_links(const fs::path& path) {
+  fs::path target = path;
+  std::error_code error;
+  for (int links = 0; fs::is_symlink(target, error); ++links) {
+    if (links == 40) fail(path, "cannot be opened for writing", ELOOP);
+    const fs::path next = fs::read_symlink(target, error);
+    if (error) fail(path, "cannot be opened for writing", error.value());
+    target = target.parent_path() / next;
+  }
+  return target;
+}
+
+namespace {
+
+/// What is at a path before anything is written to it.
+struct Place {
+  fs::path target;  ///< Where symbolic links lead.
+  bool exists = false;
+  bool is_device = false;  ///< Or a pipe, a socket: written directly.
+  mode_t permissions = 0;  ///< Of a file that exists.
+};
+
+/// Throws WriteError where a file can certainly not be written.
+Place place_of(const fs::path& path) {
   if (path.empty()) throw WriteError("the path to write to is empty");
-  const fs::path target = followed(path);
-
+  Place place{.target = followed_links(path)};
   struct stat status = {};
-  const bool exists = ::stat(path.c_str(), &status) == 0;
-  if (exists && !S_ISREG(status.st_mode)) {
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor < 0) fail(path, "cannot be opened for writing", errno);
-    write_all(path, descriptor, write);
-    return;
+  place.exists = ::stat(path.c_str(), &status) == 0;
+  if (place.exists) {
+    if (S_ISDIR(status.st_mode)) fail(path, "cannot be written", EISDIR);
+    place.is_device = !S_ISREG(status.st_mode);
+    place.permissions = status.st_mode & 07777;
+    // rename() asks for no permission to write to the file that it replaces.
+    if (::access(path.c_str(), W_OK) != 0) fail(path, "cannot be opened for writing", errno);
+  } else {
+    const fs::path parent = place.target.parent_path();
+    std::error_code error;
+    if (const fs::path directory = parent.empty() ? "." : parent; !fs::is_directory(directory, error))
+      throw WriteError(path.string() + ": cannot be created: there is no directory " + directory.string());
   }
-  // rename() asks for no permission to write to the file that it replaces.
-  if (exists && ::access(path.c_str(), W_OK) != 0) fail(path, "cannot be opened for writing", errno);
+  return place;
+}
 
-  fs::path temporary;
-  int descriptor = -1;
-  for (int attempt = 0; descriptor < 0; ++attempt) {
-    temporary = target;
-    temporary += ".tmp-" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
-    descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor < 0 && (errno != EEXIST || attempt == 1000)) fail(path, "cannot be created", errno);
+}  // namespace
+
+void write_files_atomically(const std::vector<NewFile>& files, const std::function<void()>& before_renaming) {
+  std::vector<Place> places;
+  for (const NewFile& file : files) places.push_back(place_of(file.path));
+  std::deque<TemporaryFile> written;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (places[i].is_device) continue;
+    TemporaryFile& temporary = written.emplace_back(files[i].path, places[i].target);
+    const int descriptor = temporary.take_descriptor();
+    // Best effort: the contents matter.
+    if (places[i].exists) static_cast<void>(::fchmod(descriptor, places[i].permissions));
+    write_all(files[i].path, descriptor, files[i].write);
   }
-  TemporaryFile cleanup(temporary);
-  if (exists) static_cast<void>(::fchmod(descriptor, status.st_mode & 07777));  // Best effort: the contents matter.
-  write_all(path, descriptor, write);
-  if (::rename(temporary.c_str(), target.c_str()) != 0) fail(path, "cannot be replaced", errno);
-  cleanup.keep();
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (!places[i].is_device) continue;
+    const int descriptor = ::open(files[i].path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) fail(files[i].path, "cannot be opened for writing", errno);
+    write_all(files[i].path, descriptor, files[i].write);
+  }
+  if (before_renaming) before_renaming();
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (places[i].is_device) continue;
+    if (const int error = written.front().take_place_of(places[i].target))
+      fail(files[i].path, "cannot be replaced", error);
+    written.pop_front();
+  }
+}
+
+void write_file_atomically(const fs::path& path, const std::function<void(std::ostream&)>& write) {
+  write_files_atomically({{path, write}});
+}
+
+void check_writable(const fs::path& path) {
+  const Place place = place_of(path);
+  // Only a trial tells of names that are too long, quotas, file systems that cannot be written to.
+  if (!place.is_device) const TemporaryFile trial(path, place.target);
+}
+
+void remove_temporary_files() noexcept {
+  for (const Name& name : temporary_names) {
+    if (name.used) ::unlink(name.path.data());
+  }
 }
 
 }  // namespace epsnet

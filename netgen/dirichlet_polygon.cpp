@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "epsnet/certify/check.h"
@@ -111,6 +112,73 @@ std::string dirichlet_json(const DirichletPolygon& polygon) {
   }
   out << "\n ],\n \"ties\": " << polygon.ties << "}\n";
   return out.str();
+}
+
+namespace {
+
+using Json = nlohmann::json;
+
+[[noreturn]] void refuse(const std::string& problem) { throw DirichletFileError(problem); }
+
+const Json& member(const Json& object, const char* name, const std::string& place) {
+  if (!object.is_object()) refuse(place + ": expected an object");
+  const auto found = object.find(name);
+  if (found == object.end()) refuse(place + ": missing member \"" + name + "\"");
+  return *found;
+}
+
+std::uint32_t index(const Json& value, const std::string& place) {
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > ~std::uint32_t{0})
+    refuse(place + ": expected an integer from 0 to 2^32 - 1");
+  return value.get<std::uint32_t>();
+}
+
+double number(const Json& value, const std::string& place) {
+  if (!value.is_number()) refuse(place + ": expected a number");
+  return value.get<double>();
+}
+
+const Json& array(const Json& value, const std::string& place) {
+  if (!value.is_array()) refuse(place + ": expected an array");
+  return value;
+}
+
+DirichletPolygon polygon_of(const Json& file) {
+  const std::string whole = "Dirichlet domain";
+  if (member(file, "format", whole) != "epsnet-dirichlet") refuse("format: expected \"epsnet-dirichlet\"");
+  if (member(file, "version", whole) != 1) refuse("version: expected 1");
+  DirichletPolygon polygon;
+  const Json& sides = array(member(file, "sides", whole), "sides");
+  for (const Json& side : sides) {
+    const std::string place = "sides[" + std::to_string(polygon.sides.size()) + "]";
+    DirichletPolygon::Side& read = polygon.sides.emplace_back();
+    read.partner = index(member(side, "partner", place), place);
+    if (read.partner >= sides.size())
+      refuse(place + ": the partner " + std::to_string(read.partner) + ", but there are " +
+             std::to_string(sides.size()) + " sides");
+    read.distance = number(member(side, "distance", place), place);
+    for (const Json& letter : array(member(side, "word", place), place)) read.word.push_back(index(letter, place));
+  }
+  for (const Json& vertex : array(member(file, "vertices", whole), "vertices")) {
+    const std::string place = "vertices[" + std::to_string(polygon.vertices.size()) + "]";
+    if (array(vertex, place).size() != 2) refuse(place + ": expected [x, y]");
+    polygon.vertices.push_back({number(vertex[0], place), number(vertex[1], place)});
+  }
+  if (polygon.vertices.size() != polygon.sides.size())
+    refuse("vertices: there are " + std::to_string(polygon.vertices.size()) + ", and " +
+           std::to_string(polygon.sides.size()) + " sides");
+  polygon.ties = index(member(file, "ties", whole), "ties");
+  return polygon;
+}
+
+}  // namespace
+
+DirichletPolygon parse_dirichlet_json(std::string_view text, const std::string& name) try {
+  return polygon_of(Json::parse(text));
+} catch (const DirichletFileError& error) {
+  throw DirichletFileError(name + ": " + error.what());
+} catch (const Json::exception& error) {
+  throw DirichletFileError(name + ": not JSON: " + error.what());
 }
 
 }  // namespace epsnet

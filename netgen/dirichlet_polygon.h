@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "epsnet/certify/document.h"
+#include "epsnet/triangulation/error.h"
 #include "epsnet/triangulation/triangulation.h"
 
 namespace epsnet {
@@ -38,5 +40,15 @@ struct DirichletPolygon {
 
 /// As JSON (docs/format.md, "Dirichlet domain").
 [[nodiscard]] std::string dirichlet_json(const DirichletPolygon& polygon);
+
+/// A text that is not what dirichlet_json writes; what() is "NAME: what was wrong, what was expected".
+class DirichletFileError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Reads what dirichlet_json writes; the triangulation, which is not in it, is empty. `name` stands for the file in
+/// messages. Throws DirichletFileError.
+[[nodiscard]] DirichletPolygon parse_dirichlet_json(std::string_view text, const std::string& name);
 
 }  // namespace epsnet

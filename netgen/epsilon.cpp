@@ -19,7 +19,7 @@ namespace {
   if (text.size() > kShown) {
     shown += "...";
   }
-  throw std::invalid_argument("epsilon must be a positive number such as 0.1, 1e-3 or 1/10, not \"" + shown + "\"");
+  throw std::invalid_argument("expected a positive number such as 0.1, 1e-3 or 1/10, not \"" + shown + "\"");
 }
 
 Rational parse(const std::string& text) {

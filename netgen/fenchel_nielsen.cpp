@@ -128,13 +128,14 @@ void check(const FenchelNielsen& coordinates) {
   for (std::size_t e = 0; e < n; ++e) {
     const Rational& length = coordinates.lengths[e];
     if (length < shortest || length > longest) {
-      throw SurfaceError(edge_name(coordinates, e) + ": a length must be at least 1e-25 and at most 100, not " +
-                         (length <= 0         ? "zero or negative"
-                          : length < shortest ? "less"
-                                              : "more"));
+      throw CoordinateError("lengths", edge_name(coordinates, e) +
+                                           ": a length must be at least 1e-25 and at most 100, not " +
+                                           (length <= 0         ? "zero or negative"
+                                            : length < shortest ? "less"
+                                                                : "more"));
     }
     if (abs(coordinates.twists[e]) > largest_twist) {
-      throw SurfaceError(edge_name(coordinates, e) + ": a twist must be at most 1e100");
+      throw CoordinateError("twists", edge_name(coordinates, e) + ": a twist must be at most 1e100");
     }
   }
 }

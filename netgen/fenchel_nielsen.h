@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "epsnet/netgen/pants_graph.h"
@@ -20,13 +22,24 @@ struct FenchelNielsen {
   std::vector<Rational> twists;
 };
 
+/// A length or a twist out of range; what() names its edge.
+class CoordinateError : public SurfaceError {
+ public:
+  CoordinateError(std::string member, const std::string& problem) : SurfaceError(problem), member_(std::move(member)) {}
+  /// "lengths" or "twists".
+  [[nodiscard]] const std::string& member() const { return member_; }
+
+ private:
+  std::string member_;
+};
+
 /// The surface with these coordinates, made of 2g − 2 convex heptagons with rational vertices (a pair of pants cut
 /// open), exact: its lengths differ from the ones asked for by a factor within 1 ± 2⁻⁵⁰, its twists, taken modulo the
 /// lengths, by at most 2⁻⁵⁰ lengths.
 ///
 /// Scheme: r = exp(length/2) is made rational; then the axes of the cuffs have rational ends, and every pair of pants
 /// and every gluing is a rational matrix. docs/fenchel-nielsen.md derives it. Linear in the genus.
-/// Throws SurfaceError: not as many lengths and twists as edges, a length outside of [1e-25, 100], named by its edge.
+/// Throws SurfaceError: not as many lengths and twists as edges; CoordinateError: a length outside of [1e-25, 100].
 [[nodiscard]] Surface fenchel_nielsen_surface(const FenchelNielsen& coordinates);
 
 /// Random coordinates on a graph, the same for a seed on every machine: lengths uniform in [1, 4], twists uniform in

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "epsnet/netgen/decimal.h"
+#include "epsnet/netgen/words.h"
 
 namespace epsnet {
 namespace {
@@ -20,40 +21,54 @@ std::string in_quotes(std::string_view text) {
 
 std::uint64_t seed_of(const FenchelNielsenRequest& request, const char* what) {
   if (!request.seed) {
-    throw RequestError(std::string("seed: needed to draw the ") + what);
+    throw RequestError("seed", std::string("needed to draw the ") + what);
   }
   return *request.seed;
 }
 
-PantsGraph graph_of(const FenchelNielsenRequest& request) {
+/// What `make` returns, its errors being those of a member.
+template <class Make>
+auto blaming(const char* member, const Make& make) {
+  try {
+    return make();
+  } catch (const PantsGraphError& error) {
+    throw RequestError(member, error.what());
+  }
+}
+
+/// The genus, which the graph, if one is named, has to have.
+std::uint32_t genus_of(const FenchelNielsenRequest& request) {
+  if (!request.genus) {
+    throw RequestError("genus", "needed for the pants graph " +
+                                    in_quotes(request.graph.empty() ? std::string("random") : request.graph));
+  }
+  (void)blaming("genus", [&] { return PantsGraph::chain(*request.genus); });
+  return *request.genus;
+}
+
+/// The graph, or none: a random one is drawn later.
+std::optional<PantsGraph> graph_of(const FenchelNielsenRequest& request) {
   const std::string& graph = request.graph;
-  const auto genus = [&] {
-    if (!request.genus) {
-      throw RequestError("genus: needed for the pants graph " + in_quotes(graph.empty() ? "random" : graph));
-    }
-    return *request.genus;
-  };
   if (graph.empty() || graph == "random") {
-    const std::uint32_t g = genus();
-    return PantsGraph::random(g, seed_of(request, "pants graph"));
+    return std::nullopt;
   }
   if (graph == "chain") {
-    return PantsGraph::chain(genus());
+    return PantsGraph::chain(genus_of(request));
   }
   if (graph == "ring") {
-    return PantsGraph::ring(genus());
+    return PantsGraph::ring(genus_of(request));
   }
   if (graph == "tree") {
-    return PantsGraph::tree(genus());
+    return PantsGraph::tree(genus_of(request));
   }
   if (graph.find_first_of("0123456789") == std::string::npos) {
-    throw RequestError("pants graph: expected chain, ring, tree, random or edges such as \"0-1 0-1 0-1\", not " +
-                       in_quotes(graph));
+    throw RequestError("graph",
+                       "expected chain, ring, tree, random or edges such as \"0-1 0-1 0-1\", not " + in_quotes(graph));
   }
-  PantsGraph edges = PantsGraph::parse(graph);
+  PantsGraph edges = blaming("graph", [&] { return PantsGraph::parse(graph); });
   if (request.genus && *request.genus != edges.genus()) {
-    throw RequestError("genus: " + std::to_string(*request.genus) + ", but the pants graph has genus " +
-                       std::to_string(edges.genus()));
+    throw RequestError(
+        "genus", std::to_string(*request.genus) + ", but the pants graph has genus " + std::to_string(edges.genus()));
   }
   return edges;
 }
@@ -64,7 +79,7 @@ std::vector<Rational> numbers(const std::vector<std::string>& texts, const char*
   for (const std::string& text : texts) {
     const std::optional<Rational> value = parse_decimal(text);
     if (!value) {
-      throw RequestError(std::string(what) + ": expected a number such as 0.5, -1e-3 or 1/3, not " + in_quotes(text));
+      throw RequestError(what, "expected a number such as 0.5, -1e-3 or 1/3, not " + in_quotes(text));
     }
     result.push_back(*value);
   }
@@ -72,8 +87,8 @@ std::vector<Rational> numbers(const std::vector<std::string>& texts, const char*
     result.resize(edges, result.front());
   }
   if (result.size() != edges) {
-    throw RequestError(std::string(what) + ": expected 1 or " + std::to_string(edges) +
-                       ", one for each edge of the graph, not " + std::to_string(result.size()));
+    throw RequestError(what, "expected 1 or " + std::to_string(edges) + ", one for each edge of the graph, not " +
+                                 std::to_string(result.size()));
   }
   return result;
 }
@@ -87,7 +102,7 @@ class Reader {
     for (auto field : object(document)) {
       const std::string key(take(field.unescaped_key(), "a member's name"));
       if (!seen.insert(key).second) {
-        throw Error("member " + in_quotes(key) + " occurs twice");
+        throw RequestError("member " + in_quotes(key) + " occurs twice");
       }
       simdjson::ondemand::value value = take(field.value(), key);
       if (key == "graph") {
@@ -147,44 +162,42 @@ class Reader {
 }  // namespace
 
 FenchelNielsen resolve(const FenchelNielsenRequest& request) {
-  PantsGraph graph = graph_of(request);
-  const std::size_t edges = graph.edges().size();
-  if (request.lengths.empty() || request.twists.empty()) {
-    const char* what = !request.lengths.empty() ? "twists" : !request.twists.empty() ? "lengths" : "lengths and twists";
-    FenchelNielsen coordinates = random_coordinates(std::move(graph), seed_of(request, what));
-    if (!request.lengths.empty()) {
+  std::optional<PantsGraph> graph = graph_of(request);
+  const std::size_t edges = graph ? graph->edges().size() : 3 * std::size_t{genus_of(request)} - 3;
+  const bool draw_lengths = request.lengths.empty();
+  const bool draw_twists = request.twists.empty();
+  std::vector<Rational> lengths, twists;
+  if (!draw_lengths) lengths = numbers(request.lengths, "lengths", edges);
+  if (!draw_twists) twists = numbers(request.twists, "twists", edges);
+  // What is given is fine; the rest is drawn.
+  if (!graph) graph = PantsGraph::random(genus_of(request), seed_of(request, "pants graph"));
+  if (draw_lengths || draw_twists) {
+    const char* what = !draw_lengths ? "twists" : !draw_twists ? "lengths" : "lengths and twists";
+    FenchelNielsen drawn = random_coordinates(*graph, seed_of(request, what));
+    if (draw_twists) {
+      twists = std::move(drawn.twists);
       // Twists are drawn as shares of the length.
-      const std::vector<Rational> lengths = numbers(request.lengths, "lengths", edges);
-      for (std::size_t e = 0; e < edges; ++e) {
-        coordinates.twists[e] *= lengths[e] / coordinates.lengths[e];
-      }
-      coordinates.lengths = lengths;
+      for (std::size_t e = 0; e < edges && !draw_lengths; ++e) twists[e] *= lengths[e] / drawn.lengths[e];
     }
-    if (!request.twists.empty()) {
-      coordinates.twists = numbers(request.twists, "twists", edges);
-    }
-    return coordinates;
+    if (draw_lengths) lengths = std::move(drawn.lengths);
   }
-  return {std::move(graph), numbers(request.lengths, "lengths", edges), numbers(request.twists, "twists", edges)};
+  return {*std::move(graph), std::move(lengths), std::move(twists)};
+}
+
+FenchelNielsenRequest parse_fenchel_nielsen(const std::string& text) {
+  const simdjson::padded_string padded(text);
+  simdjson::ondemand::parser parser;
+  simdjson::ondemand::document document;
+  if (const auto problem = parser.iterate(padded).get(document)) {
+    throw RequestError(std::string("not JSON: ") + simdjson::error_message(problem));
+  }
+  return Reader().read(document);
 }
 
 FenchelNielsenRequest load_fenchel_nielsen(const std::filesystem::path& path) {
-  constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 28;
+  const std::string text = read_text_file<RequestError>(path);
   try {
-    std::error_code error;
-    if (const std::uintmax_t size = std::filesystem::file_size(path, error); error || size > kMostBytes) {
-      throw RequestError(error ? "cannot read: " + error.message() : "more than 256 MiB");
-    }
-    simdjson::padded_string text;
-    if (const auto problem = simdjson::padded_string::load(path.string()).get(text)) {
-      throw RequestError(std::string("cannot read: ") + simdjson::error_message(problem));
-    }
-    simdjson::ondemand::parser parser;
-    simdjson::ondemand::document document;
-    if (const auto problem = parser.iterate(text).get(document)) {
-      throw RequestError(std::string("not JSON: ") + simdjson::error_message(problem));
-    }
-    return Reader().read(document);
+    return parse_fenchel_nielsen(text);
   } catch (const RequestError& error) {
     throw RequestError(path.string() + ": " + error.what());
   }

@@ -11,10 +11,20 @@
 
 namespace epsnet {
 
-/// A request that cannot be meant; what() names the option or member.
+/// A request that cannot be meant. what() is "MEMBER: PROBLEM" where one member is to blame.
 class FenchelNielsenRequestError : public Error {
  public:
-  using Error::Error;
+  explicit FenchelNielsenRequestError(const std::string& problem) : Error(problem), problem_(problem) {}
+  FenchelNielsenRequestError(const std::string& member, const std::string& problem)
+      : Error(member + ": " + problem), member_(member), problem_(problem) {}
+
+  /// "graph", "genus", "seed", "lengths", "twists", or empty.
+  [[nodiscard]] const std::string& member() const { return member_; }
+  [[nodiscard]] const std::string& problem() const { return problem_; }
+
+ private:
+  std::string member_;
+  std::string problem_;
 };
 
 /// Fenchel–Nielsen coordinates as somebody writes them down, on a command line or in a JSON file. What is left out is
@@ -29,11 +39,15 @@ struct FenchelNielsenRequest {
   std::vector<std::string> twists;
 };
 
-/// The coordinates that are meant. Throws FenchelNielsenRequestError, PantsGraphError.
+/// The coordinates that are meant. What is given is checked before a seed is asked for. Throws
+/// FenchelNielsenRequestError.
 [[nodiscard]] FenchelNielsen resolve(const FenchelNielsenRequest& request);
 
-/// Reads a request from a JSON object with some of the members "graph", "genus", "seed", "lengths", "twists"; numbers
-/// are exact decimals, bare or in strings. Throws FenchelNielsenRequestError, which starts with the path.
+/// Reads a request from the text of a JSON object with some of the members "graph", "genus", "seed", "lengths",
+/// "twists"; numbers are exact decimals, bare or in strings. Throws FenchelNielsenRequestError.
+[[nodiscard]] FenchelNielsenRequest parse_fenchel_nielsen(const std::string& text);
+
+/// The same of a file of at most 256 MiB. Throws FenchelNielsenRequestError, whose problem starts with the path.
 [[nodiscard]] FenchelNielsenRequest load_fenchel_nielsen(const std::filesystem::path& path);
 
 }  // namespace epsnet

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
 
@@ -14,11 +15,26 @@
 namespace epsnet {
 namespace {
 
-/// Six significant digits, "%g", which is the stream's default.
-template <class T>
-void line(std::ostringstream& out, const char* name, const T& value) {
-  out << name << ": " << value << '\n';
-}
+using Json = nlohmann::ordered_json;
+
+/// Facts as they are gathered: a line, six significant digits, "%g", the stream's default; and a member of the object.
+class Gathered {
+ public:
+  template <class T>
+  void add(const char* name, const char* key, const T& value) {
+    line(name, value);
+    json[key] = value;
+  }
+  /// A line alone.
+  template <class T>
+  void line(const char* name, const T& value) {
+    text << name << ": " << value << '\n';
+  }
+  [[nodiscard]] Facts facts() const { return {text.str(), json.dump(-1, ' ', false, Json::error_handler_t::replace)}; }
+
+  std::ostringstream text;
+  Json json = Json::object();
+};
 
 /// The number of decimal digits of |n|.
 std::size_t digits(const mpz_class& n) {
@@ -50,6 +66,11 @@ class Summary {
     std::ostringstream out;
     out << least_ << " to " << greatest_ << ", mean " << sum_ / static_cast<double>(count_);
     return out.str();
+  }
+  /// Null where there are no values.
+  [[nodiscard]] Json json() const {
+    if (count_ == 0) return nullptr;
+    return Json::object({{"min", least_}, {"max", greatest_}, {"mean", sum_ / static_cast<double>(count_)}});
   }
 
  private:
@@ -107,28 +128,37 @@ std::string percent(std::uint64_t part, std::uint64_t whole) {
   return out.str();
 }
 
-void add_bounds(std::ostringstream& out, std::size_t vertices, std::uint32_t genus, double epsilon) {
+void add_bounds(Gathered& out, std::size_t vertices, std::uint32_t genus, double epsilon) {
   const double least = least_vertices(genus, epsilon);
   const double most = most_vertices(genus, epsilon);
   const auto count = static_cast<double>(vertices);
-  out << "lower bound (g-1)/sinh^2(epsilon/2): " << least << " vertices, here " << count / least << " times that\n";
-  out << "upper bound 16(g-1)/epsilon^2, if the systole is at least epsilon: " << most << " vertices, here "
-      << count / most << " times that\n";
+  out.text << "lower bound (g-1)/sinh^2(epsilon/2): " << least << " vertices, here " << count / least
+           << " times that\n";
+  out.text << "upper bound 16(g-1)/epsilon^2, if the systole is at least epsilon: " << most << " vertices, here "
+           << count / most << " times that\n";
+  out.json["vertices_lower_bound"] = least;
+  out.json["vertices_upper_bound"] = most;
 }
 
-void add_systole(std::ostringstream& out, const Summary& loops, double epsilon) {
+void add_systole(Gathered& out, const Summary& loops, double epsilon) {
   const double shortest = loops.count() > 0 ? loops.least() : std::numeric_limits<double>::infinity();
-  out << "systole, if this net is verified (run certify): at least " << systole_lower_bound(epsilon, shortest);
-  if (loops.count() > 0) out << ", at most " << loops.least() << " (the shortest loop)";
-  out << '\n';
+  const double bound = systole_lower_bound(epsilon, shortest);
+  out.text << "systole, if this net is verified (run certify): at least " << bound;
+  if (loops.count() > 0) out.text << ", at most " << loops.least() << " (the shortest loop)";
+  out.text << '\n';
+  out.json["systole_if_verified"] =
+      Json::object({{"at_least", bound}, {"at_most", loops.count() > 0 ? Json(loops.least()) : Json(nullptr)}});
 }
 
 /// A pseudo net says nothing of the points and loops in its collars.
-void add_collars(std::ostringstream& out, const std::vector<certify::Collar>& collars) {
-  line(out, "pseudo net, collars", collars.size());
+void add_collars(Gathered& out, const std::vector<certify::Collar>& collars) {
+  out.line("pseudo net, collars", collars.size());
+  Json& list = out.json["collars"] = Json::array();
   for (const certify::Collar& collar : collars) {
-    out << "collar at vertices " << collar.vertices[0] << ", " << collar.vertices[1] << ": core of length "
-        << collar.length[0] << ", " << collar.core.size() << " letters\n";
+    out.text << "collar at vertices " << collar.vertices[0] << ", " << collar.vertices[1] << ": core of length "
+             << collar.length[0] << ", " << collar.core.size() << " letters\n";
+    list.push_back(
+        Json::object({{"vertices", collar.vertices}, {"core_length", collar.length}, {"core", collar.core}}));
   }
 }
 
@@ -154,23 +184,30 @@ double systole_lower_bound(double epsilon, double shortest_loop) {
 
 namespace {
 
+/// One line: no text of a file can pass for another line of ours.
 std::string shortened(const std::string& text) {
   constexpr std::size_t kShown = 200;
-  return text.size() <= kShown ? text : text.substr(0, kShown) + "...";
+  std::string result = text.size() <= kShown ? text : text.substr(0, kShown) + "...";
+  for (char& c : result) c = static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
+  return result;
 }
 
 }  // namespace
 
-std::string surface_info(const Surface& surface) {
-  std::ostringstream out;
-  line(out, "file", "surface");
-  line(out, "genus", surface.genus());
-  line(out, "area 4 pi (g-1)", area(surface.genus()));
-  if (!surface.about().empty()) line(out, "about", shortened(surface.about()));
-  line(out, "tiles", surface.tiles().size());
-  line(out, "sides", surface.side_count());
-  line(out, "vertices", surface.vertex_class_count());
-  if (surface.is_regular()) line(out, "kind", "the regular " + std::to_string(surface.side_count()) + "-gon");
+Facts surface_info(const Surface& surface, const std::string& kind) {
+  Gathered out;
+  out.add("file", "file", kind);
+  out.add("genus", "genus", surface.genus());
+  out.add("area 4 pi (g-1)", "area", area(surface.genus()));
+  if (!surface.about().empty()) {
+    out.line("about", shortened(surface.about()));
+    out.json["about"] = surface.about();
+  }
+  out.add("tiles", "tiles", surface.tiles().size());
+  out.add("sides", "sides", surface.side_count());
+  out.add("vertices", "vertices", surface.vertex_class_count());
+  if (surface.is_regular()) out.line("kind", "the regular " + std::to_string(surface.side_count()) + "-gon");
+  out.json["regular"] = surface.is_regular();
   std::size_t longest = 0;
   std::size_t total = 0;
   double perimeter = 0;
@@ -188,47 +225,78 @@ std::string surface_info(const Surface& surface) {
       perimeter += length;
     }
   }
-  line(out, "height of the coordinates",
-       surface.is_regular()
-           ? "algebraic, not rational"
-           : "up to " + std::to_string(longest) + " digits, mean " + std::to_string(total / 2 / surface.side_count()));
-  line(out, "side lengths", sides.text());
-  line(out, "perimeter of all tiles", perimeter);
-  return out.str();
+  const std::size_t mean = total / 2 / surface.side_count();
+  out.line("height of the coordinates",
+           surface.is_regular() ? "algebraic, not rational"
+                                : "up to " + std::to_string(longest) + " digits, mean " + std::to_string(mean));
+  if (!surface.is_regular()) out.json["digits"] = Json::object({{"max", longest}, {"mean", mean}});
+  out.line("side lengths", sides.text());
+  out.json["side_lengths"] = sides.json();
+  out.add("perimeter of all tiles", "perimeter", perimeter);
+  return out.facts();
 }
 
-std::string net_info(const certify::Document& net) {
+Facts net_info(const certify::Document& net) {
   const NetGeometry geometry(net);
   const Measures measures = measure(geometry);
   const double epsilon = geometry.epsilon().get_d();
   const SideTable& sides = geometry.sides();
-  std::ostringstream out;
-  line(out, "file", "net (not verified here: run certify)");
-  line(out, "epsilon", geometry.epsilon_text());
-  line(out, "genus", sides.genus);
-  line(out, "area 4 pi (g-1)", area(sides.genus));
-  line(out, "tiles", sides.first_side.size() - 1);
-  line(out, "vertices", net.vertices.size());
-  line(out, "edges", net.triangles.size() * 3 / 2);
-  line(out, "triangles", net.triangles.size());
+  Gathered out;
+  out.line("file", "net (not verified here: run certify)");
+  out.json["file"] = net.collars ? "pseudo net" : "net";
+  out.add("epsilon", "epsilon", geometry.epsilon_text());
+  out.add("genus", "genus", sides.genus);
+  out.add("area 4 pi (g-1)", "area", area(sides.genus));
+  out.add("tiles", "tiles", sides.first_side.size() - 1);
+  out.add("vertices", "vertices", net.vertices.size());
+  out.add("edges", "edges", net.triangles.size() * 3 / 2);
+  out.add("triangles", "triangles", net.triangles.size());
   if (!net.collars) add_bounds(out, net.vertices.size(), sides.genus, epsilon);
-  line(out, "charts", net.charts.size());
-  line(out, "labels", net.labels.size());
+  out.add("charts", "charts", net.charts.size());
+  out.add("labels", "labels", net.labels.size());
   std::size_t longest_word = 0;
   for (const certify::Label& label : net.labels) longest_word = std::max(longest_word, label.word.size());
-  line(out, "longest word", longest_word);
-  line(out, "identity labels", percent(measures.identities, 2 * net.triangles.size()));
-  line(out, "triangles without other labels", percent(measures.plain_triangles, net.triangles.size()));
-  line(out, "edges between different vertices", measures.edges.text());
-  line(out, "loop edges", measures.loops.count());
-  if (measures.loops.count() > 0) line(out, "loop lengths", measures.loops.text());
-  line(out, "circumradii", measures.circumradii.text());
+  out.add("longest word", "longest_word", longest_word);
+  out.line("identity labels", percent(measures.identities, 2 * net.triangles.size()));
+  out.line("triangles without other labels", percent(measures.plain_triangles, net.triangles.size()));
+  out.json["identity_labels"] = measures.identities;
+  out.json["triangles_without_other_labels"] = measures.plain_triangles;
+  out.line("edges between different vertices", measures.edges.text());
+  out.json["edge_lengths"] = measures.edges.json();
+  out.add("loop edges", "loops", measures.loops.count());
+  if (measures.loops.count() > 0) out.line("loop lengths", measures.loops.text());
+  out.json["loop_lengths"] = measures.loops.json();
+  out.line("circumradii", measures.circumradii.text());
+  out.json["circumradii"] = measures.circumradii.json();
   if (net.collars) {
     add_collars(out, *net.collars);
   } else {
     add_systole(out, measures.loops, epsilon);
   }
-  return out.str();
+  return out.facts();
+}
+
+Facts dirichlet_info(const DirichletPolygon& polygon) {
+  Summary distances;
+  std::size_t longest_word = 0;
+  for (const DirichletPolygon::Side& side : polygon.sides) {
+    distances.add(side.distance);
+    longest_word = std::max(longest_word, side.word.size());
+  }
+  double farthest = 0;
+  for (const Complex<double>& z : polygon.vertices) {
+    farthest = std::max(farthest, 2 * std::atanh(std::min(1.0, std::hypot(z.x, z.y))));
+  }
+  Gathered out;
+  out.line("file", "Dirichlet domain");
+  out.json["file"] = "dirichlet";
+  out.add("sides", "sides", polygon.sides.size());
+  out.add("ties", "ties", polygon.ties);
+  out.line("distances of the sides from the base point", distances.text());
+  out.json["side_distances"] = distances.json();
+  out.add("distance of the farthest vertex", "farthest_vertex", farthest);
+  out.add("longest word", "longest_word", longest_word);
+  return out.facts();
 }
 
 }  // namespace epsnet

@@ -4,18 +4,29 @@
 #include <string>
 
 #include "epsnet/certify/document.h"
+#include "epsnet/netgen/dirichlet_polygon.h"
 #include "epsnet/triangulation/surface.h"
 
-/// What is in a surface or net file, for people. Numbers are computed in floating point: nothing here is proved.
+/// What is in a file, for people and for programs. Numbers are computed in floating point: nothing here is proved.
 namespace epsnet {
 
-/// "name: value" lines about a surface: genus, tiles, sides, vertices, the size of the coordinates, area, perimeter.
-[[nodiscard]] std::string surface_info(const Surface& surface);
+/// The same facts twice.
+struct Facts {
+  std::string text;  ///< "name: value" lines, six digits.
+  std::string json;  ///< One JSON object without line ends, digits that round-trip (docs/exchange-formats.md).
+};
 
-/// "name: value" lines about a net: ε, counts against the thesis' bounds, charts, labels, edges, circumradii, and what
+/// About a surface: genus, tiles, sides, vertices, the size of the coordinates, area, perimeter. `kind` says what file
+/// it is from.
+[[nodiscard]] Facts surface_info(const Surface& surface, const std::string& kind = "surface");
+
+/// About a net: ε, counts against the thesis' bounds, charts, labels, edges, circumradii, and what
 /// the loops among the edges say about the systole if the net is verified. Lengths are hyperbolic. Throws
 /// NetGeometryError if the document is not a net. O(triangles).
-[[nodiscard]] std::string net_info(const certify::Document& net);
+[[nodiscard]] Facts net_info(const certify::Document& net);
+
+/// About a Dirichlet domain: its sides, how far they and its vertices are from the base point.
+[[nodiscard]] Facts dirichlet_info(const DirichletPolygon& polygon);
 
 /// (g − 1)/sinh²(ε/2): no ε-covering of a surface of genus g has fewer points (thesis Theorem III.2).
 [[nodiscard]] double least_vertices(std::uint32_t genus, double epsilon);

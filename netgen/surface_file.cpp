@@ -48,13 +48,25 @@ Surface from_document(const certify::Surface& surface) {
   return result;
 }
 
-Surface load_surface(const std::filesystem::path& path) {
-  const certify::Surface document = certify::read_surface(path);
+namespace {
+
+/// As from_document; errors name the file.
+Surface from_file(const certify::Surface& document, const std::string& name) {
   try {
     return from_document(document);
   } catch (const SurfaceError& error) {
-    throw SurfaceError(path.string() + ": " + error.what());
+    throw SurfaceError(name + ": " + error.what());
   }
+}
+
+}  // namespace
+
+Surface load_surface(const std::filesystem::path& path) {
+  return from_file(certify::read_surface(path), path.string());
+}
+
+Surface parse_surface_file(std::string_view text, const std::string& name) {
+  return from_file(certify::parse_surface(text, name), name);
 }
 
 void save_surface(const Surface& surface, const std::filesystem::path& path) {

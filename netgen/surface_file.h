@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "epsnet/certify/document.h"
 #include "epsnet/triangulation/surface.h"
@@ -16,6 +18,9 @@ namespace epsnet {
 /// Reads a surface file. Throws certify::FileError, certify::MalformedError, or SurfaceError if the file is well-formed
 /// but not a surface; what() is one line that starts with the path.
 [[nodiscard]] Surface load_surface(const std::filesystem::path& path);
+
+/// The same from memory; `name` stands for the file in messages. Throws certify::MalformedError, SurfaceError.
+[[nodiscard]] Surface parse_surface_file(std::string_view text, const std::string& name);
 
 /// Writes a surface file, atomically; the same bytes for equal surfaces. Throws WriteError (atomic_file.h).
 void save_surface(const Surface& surface, const std::filesystem::path& path);

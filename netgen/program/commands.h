@@ -6,8 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "epsnet/certify/check.h"
+#include "epsnet/certify/geodesics_document.h"
 #include "epsnet/netgen/certified_net.h"
 #include "epsnet/netgen/curves.h"
+#include "epsnet/netgen/info.h"
+#include "epsnet/netgen/program/output.h"
 #include "epsnet/triangulation/surface.h"
 #include "epsnet/triangulation/triangulation.h"
 
@@ -32,16 +36,30 @@ void add_export_command(CLI::App& app, Job& chosen);
 
 // Options that several commands have.
 
+/// A file to read, required. `name` is that of the argument, such as NET.
+void add_input(CLI::App& command, const char* name, std::string& path, const char* what);
+/// An option with a file to read or to write.
+CLI::Option* add_file(CLI::App& command, const char* option, std::string& path, const std::string& what);
 /// -o FILE, required. `what` says what is written.
 void add_output(CLI::App& command, std::string& output, const char* what);
+/// --json: the report as one JSON object.
+void add_json(CLI::App& command, bool& json);
 /// --threads N.
 void add_threads(CLI::App& command, unsigned& threads);
 /// The point that --base names: "tile,x,y", or "tile": the centre of the tile. Throws UsageError.
 [[nodiscard]] BasePoint parse_base(const std::string& text, const Surface& surface);
+/// A number of the command line as files have it: ".5" is "0.5" and "-.5" is "-0.5". Any other text stays as it is.
+[[nodiscard]] std::string with_leading_zero(const std::string& number);
 /// The value of an option that is a positive length. Throws UsageError, which names the option.
 [[nodiscard]] Epsilon parse_length(const std::string& option, const std::string& text);
 /// --geodesics FILE.
 void add_geodesics(CLI::App& command, std::string& file);
+/// Facts of info.h as what a command has to say.
+[[nodiscard]] inline Report facts_report(const Facts& facts) { return {facts.text, Json::parse(facts.json)}; }
+/// What the certificate of a net proved.
+[[nodiscard]] Report certificate_report(const certify::Certificate& certificate);
+/// What a geodesics file says, as lines and as an object.
+[[nodiscard]] Report geodesics_report(const certify::GeodesicsDocument& document);
 /// The closed geodesics of a geodesics file about the net's surface as a layer of a picture. Throws JobError, and as
 /// the reader.
 [[nodiscard]] std::vector<Layer> load_geodesics_layers(const std::string& file, const certify::Document& net);

@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
-#include "epsnet/certify/reader.h"
 #include "epsnet/netgen/draw.h"
 #include "epsnet/netgen/net_geometry.h"
 #include "epsnet/netgen/program/commands.h"
+#include "epsnet/netgen/program/input.h"
 #include "epsnet/netgen/program/output.h"
 #include "epsnet/netgen/program/png.h"
 
@@ -45,15 +45,16 @@ DrawOptions shown(const DrawRequest& request, const certify::Document& net) {
 }
 
 void draw(const DrawRequest& request) {
-  check_output_directory(request.output);
-  const certify::Document net = certify::read_net(request.net);
+  const FileType type = request.png ? FileType::png : picture_type("--output", request.output);
+  check_files({{"NET", request.net}, {"--geodesics", request.geodesics}}, {{"--output", request.output, type}});
+  const certify::Document net = read_net_input(request.net);
   std::string svg;
   try {
     svg = draw_svg(net, shown(request, net));
   } catch (const NetGeometryError& error) {
     throw JobError(request.net + ": " + error.what());
   }
-  const std::string picture = request.png ? png_of_svg(svg, request.options.size) : std::move(svg);
+  const std::string picture = type == FileType::png ? png_of_svg(svg, request.options.size) : std::move(svg);
   write_output(request.output, [&](std::ostream& out) { out << picture; });
 }
 
@@ -64,8 +65,9 @@ void add_draw_command(CLI::App& app, Job& chosen) {
   DrawRequest& request = *shared;
   CLI::App* draw_command = app.add_subcommand(
       "draw", "Draw a net: one lift of every triangle, with one vertex in the centre of the Poincare disk.");
-  draw_command->add_option("NET", request.net, "a net file")->required()->option_text("REQUIRED");
-  add_output(*draw_command, request.output, "the SVG file to write, or PNG with --png");
+  add_input(*draw_command, "NET", request.net, "a net file");
+  add_output(*draw_command, request.output,
+             "the picture to write, SVG or PNG as its name ends in .svg or .png, SVG without an extension");
   draw_command
       ->add_option("--order", request.options.order,
                    "which triangle is lifted next: across the edge of least weight, or breadth-first")
@@ -92,14 +94,14 @@ void add_draw_command(CLI::App& app, Job& chosen) {
   draw_command->add_option("--centre,--center", request.options.centre, "the vertex in the centre")
       ->option_text("V [0]");
   add_geodesics(*draw_command, request.geodesics);
-  draw_command->add_flag("--png", request.png, "write a PNG picture");
+  draw_command->add_flag("--png", request.png, "write a PNG picture, to standard output too");
   draw_command->add_option("--size", request.options.size, "width and height in pixels")
       ->check(CLI::Range(50U, 20000U))
       ->option_text("PX [1000]");
   draw_command->footer(
       "Example:\n"
       "  epsnet draw net.json -o net.svg --dirichlet\n"
-      "  epsnet draw net.json -o net.png --png --show triangles,half-disks --colour circumradius --legend");
+      "  epsnet draw net.json -o net.png --show triangles,half-disks --colour circumradius --legend");
   draw_command->callback([&chosen, shared] { chosen = [shared] { draw(*shared); }; });
 }
 

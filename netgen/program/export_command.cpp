@@ -1,12 +1,14 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "epsnet/netgen/domain_format.h"
 #include "epsnet/netgen/mesh_export.h"
 #include "epsnet/netgen/net_geometry.h"
 #include "epsnet/netgen/program/commands.h"
+#include "epsnet/netgen/program/input.h"
 #include "epsnet/netgen/program/output.h"
 #include "epsnet/netgen/triangulation_stream.h"
 
@@ -21,10 +23,33 @@ struct ExportRequest {
   std::string output;
 };
 
-std::string domain_text(const std::variant<Surface, certify::Document>& contents) {
+/// What can be exported of what a file holds.
+using Exportable = std::variant<Surface, certify::Document>;
+Exportable exportable(Contents contents, const std::string& file) {
+  if (auto* surface = std::get_if<Surface>(&contents)) return std::move(*surface);
+  if (auto* net = std::get_if<certify::Document>(&contents)) return std::move(*net);
+  if (auto* imported = std::get_if<ImportedSurface>(&contents)) return std::move(imported->surface);
+  throw JobError(file + ": expected a surface file or a net file, not " +
+                 (std::holds_alternative<DirichletPolygon>(contents) ? "a Dirichlet domain" : "a geodesics file"));
+}
+
+std::string domain_text(const Exportable& contents) {
   const auto* surface = std::get_if<Surface>(&contents);
-  if (surface == nullptr) throw JobError("the domain format holds a polygon, not a net; use --format triangulation");
+  if (surface == nullptr) throw DomainError("the domain format holds a polygon, not a net; use --format triangulation");
   return write_domain(*surface);
+}
+
+FileType file_type(ExportFormat format) {
+  switch (format) {
+    case ExportFormat::off:
+      return FileType::off;
+    case ExportFormat::vtu:
+      return FileType::vtu;
+    case ExportFormat::json:
+      return FileType::json;
+    default:
+      return FileType::text;
+  }
 }
 
 /// What writes the format of a net, rounded; none for the exact formats.
@@ -44,8 +69,8 @@ std::function<void(const certify::Document&, std::ostream&)> mesh_writer(ExportF
 }
 
 void export_file(const ExportRequest& request) {
-  check_output_directory(request.output);
-  const auto contents = load_surface_or_net(request.file);
+  check_files({{"FILE", request.file}}, {{"--output", request.output, file_type(request.format)}});
+  const Exportable contents = exportable(read_any_input(request.file), request.file);
   try {
     if (const auto write = mesh_writer(request.format)) {
       const auto* net = std::get_if<certify::Document>(&contents);
@@ -77,7 +102,7 @@ void add_export_command(CLI::App& app, Job& chosen) {
   ExportRequest& request = *shared;
   CLI::App* command = app.add_subcommand(
       "export", "Write a surface or a net as a text that other programs read: CGAL's, exactly, or a mesh.");
-  command->add_option("FILE", request.file, "a surface file or a net file")->required()->option_text("REQUIRED");
+  add_input(*command, "FILE", request.file, "a surface file or a net file");
   command
       ->add_option("--format", request.format,
                    "exact, for CGAL: domain, the polygon of a surface of one tile; triangulation, the triangles of a "

@@ -8,8 +8,8 @@
 #include "epsnet/certify/writer.h"
 #include "epsnet/netgen/geodesics.h"
 #include "epsnet/netgen/program/commands.h"
+#include "epsnet/netgen/program/input.h"
 #include "epsnet/netgen/program/output.h"
-#include "epsnet/netgen/surface_file.h"
 
 /// The commands systole, spectrum and thick-thin: lists of closed geodesics, each with its proof.
 namespace epsnet::program {
@@ -24,6 +24,7 @@ struct GeodesicsRequest {
   std::string epsilon = "1";
   std::string output;
   bool no_certify = false;
+  bool json = false;
   unsigned threads = 0;
 };
 
@@ -71,6 +72,39 @@ std::string geodesics_text(const GeodesicsDocument& document) {
   return out.str();
 }
 
+Json geodesics_json(const GeodesicsDocument& document) {
+  const bool small = document.claim == certify::Claim::thick_thin;
+  Json result = Json::object();
+  result["claim"] = document.claim == certify::Claim::systole ? "systole" : small ? "thick-thin" : "spectrum";
+  if (document.claim == certify::Claim::spectrum) result["up_to"] = document.up_to;
+  result["geodesics"] = Json::array();
+  for (const ClosedGeodesic& geodesic : document.geodesics) {
+    Json& entry = result["geodesics"].emplace_back(Json::object());
+    entry["length"] = interval_json(geodesic.length);
+    if (small) entry["collar_half_width"] = interval_json(collar_half_width(geodesic.length));
+    entry["simple"] = geodesic.simple;
+    entry["word"] = geodesic.word;
+  }
+  if (document.claim != certify::Claim::systole) {
+    result["clusters"] = Json::array();
+    for (const certify::Cluster& cluster : document.clusters) {
+      result["clusters"].push_back(
+          Json::object({{"first", cluster.first}, {"count", cluster.count}, {"equal", cluster.equal}}));
+    }
+  }
+  if (small) {
+    result["pieces"] = Json::array();
+    for (const certify::Piece& piece : document.pieces) {
+      Json& entry = result["pieces"].emplace_back(Json::object({{"genus", piece.genus}}));
+      entry["boundaries"] = Json::array();
+      for (const auto& [geodesic, side] : piece.boundaries) {
+        entry["boundaries"].push_back(Json::object({{"geodesic", geodesic}, {"side", side == 0 ? "left" : "right"}}));
+      }
+    }
+  }
+  return result;
+}
+
 /// Throws JobError unless all of it is verified.
 void certify_geodesics(const GeodesicsDocument& document, unsigned threads) {
   ProgressLine progress;
@@ -87,8 +121,8 @@ void certify_geodesics(const GeodesicsDocument& document, unsigned threads) {
 }
 
 void list_geodesics(const GeodesicsRequest& request, const Compute& compute) {
-  if (!request.output.empty()) check_output_directory(request.output);
-  const Surface surface = load_surface(request.surface);
+  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::json}});
+  const Surface surface = read_surface_input(request.surface);
   GeodesicsDocument document;
   {
     ProgressLine progress;
@@ -96,32 +130,40 @@ void list_geodesics(const GeodesicsRequest& request, const Compute& compute) {
     options.progress = [&](const std::string& what, double share) { progress.show(what, share); };
     document = compute(surface, options);
   }
-  std::string report = "verdict: not certified (--no-certify): nothing is proved\n";
+  Report report{"verdict: not certified (--no-certify): nothing is proved\n",
+                Json::object({{"verdict", "not certified"}})};
   if (!request.no_certify) {
     certify_geodesics(document, request.threads);
-    report = "verdict: VERIFIED\n";
+    report = {"verdict: VERIFIED\n", Json::object({{"verdict", "VERIFIED"}})};
   }
   if (!request.output.empty()) {
     write_output(request.output, [&](std::ostream& out) { certify::write_geodesics(document, out); });
   }
-  write_report(report + geodesics_text(document), is_stdout(request.output));
+  const Report list = geodesics_report(document);
+  report.text += list.text;
+  report.json.update(list.json);
+  write_report(report, request.json, is_stdout(request.output));
 }
 
 /// The options that the three commands share.
 void add_common(CLI::App& command, GeodesicsRequest& request) {
-  command.add_option("SURFACE", request.surface, "a surface file")->required()->option_text("REQUIRED");
-  command
-      .add_option("-o,--output", request.output, "the geodesics file to write, for certify; \"-\" is standard output")
-      ->option_text("FILE");
+  add_input(command, "SURFACE", request.surface, "a surface file");
+  add_file(command, "-o,--output", request.output,
+           "the geodesics file to write, for certify; \"-\" is standard output");
   command
       .add_option("--epsilon", request.epsilon,
                   "of the net from whose vertices the search starts; any gives the same list")
       ->option_text("E [1]");
   command.add_flag("--no-certify", request.no_certify, "do not check the list: nothing is proved");
+  add_json(command, request.json);
   add_threads(command, request.threads);
 }
 
 }  // namespace
+
+Report geodesics_report(const GeodesicsDocument& document) {
+  return {geodesics_text(document), geodesics_json(document)};
+}
 
 void add_systole_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<GeodesicsRequest>();

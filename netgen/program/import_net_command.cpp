@@ -5,9 +5,9 @@
 #include "epsnet/certify/writer.h"
 #include "epsnet/netgen/imported_net.h"
 #include "epsnet/netgen/program/commands.h"
+#include "epsnet/netgen/program/input.h"
 #include "epsnet/netgen/program/output.h"
 #include "epsnet/netgen/triangulation_stream.h"
-#include "epsnet/netgen/words.h"
 
 namespace epsnet::program {
 namespace {
@@ -16,15 +16,15 @@ struct ImportNetRequest {
   std::string file;
   std::string epsilon;
   std::string output;
+  bool json = false;
   certify::CheckOptions check;
 };
 
-TriangulationStream load_stream(const std::string& file) {
-  const std::string text = read_text_file<TriangulationStreamError>(file);
+TriangulationStream stream_of(const TextInput& input) {
   try {
-    return read_triangulation_stream(text, file);
+    return read_triangulation_stream(input.text, input.name);
   } catch (const TriangulationStreamError& error) {
-    if (is_triangulation_stream(text)) throw;
+    if (is_triangulation_stream(input.text)) throw;
     throw JobError(std::string(error.what()) +
                    " (a triangulation is expected; a polygon is read by \"surface import\")");
   }
@@ -38,35 +38,32 @@ certify::Certificate certificate_of(const certify::Document& net, certify::Check
   return certify::check(net, options);
 }
 
-std::string report_text(const certify::Document& net, const certify::Certificate& certificate) {
-  std::string report = "verdict: " + std::string(certify::name(certificate.verdict)) + '\n';
-  if (certificate.verdict != certify::Verdict::verified)
-    report += "why: " + certificate.rule + ": " + certificate.message + '\n';
-  report += "vertices: " + std::to_string(net.vertices.size()) + '\n';
-  report += "triangles: " + std::to_string(net.triangles.size()) + '\n';
-  if (certificate.enclosures) {
-    report += "largest circumradius: " + interval_text(certificate.enclosures->largest_circumradius) + '\n';
-    if (certificate.enclosures->shortest_edge)
-      report +=
-          "shortest edge between different vertices: " + interval_text(*certificate.enclosures->shortest_edge) + '\n';
+Report import_report(const certify::Certificate& certificate) {
+  Report report = certificate_report(certificate);
+  if (certificate.verdict != certify::Verdict::verified) {
+    report.text += "why: " + certificate.rule + ": " + certificate.message + '\n';
+    report.json["rule"] = certificate.rule;
+    report.json["message"] = certificate.message;
   }
+  report.text += "triangles: " + std::to_string(certificate.counts.triangles) + '\n';
   return report;
 }
 
 void import_net(const ImportNetRequest& request) {
   const Epsilon epsilon = parse_epsilon(request.epsilon);
-  check_output_directory(request.output);
+  check_files({{"FILE", request.file}}, {{"--output", request.output, FileType::json}});
+  const TextInput input = read_text_input(request.file);
   certify::Document net;
   try {
-    net = net_of_tiles(develop(load_stream(request.file), request.file), epsilon);
+    net = net_of_tiles(develop(stream_of(input), input.name), epsilon);
   } catch (const ImportedNetError& error) {
-    throw JobError(request.file + ": " + error.what());
+    throw JobError(input.name + ": " + error.what());
   }
   const certify::Certificate certificate = certificate_of(net, request.check);
   // Whatever the verdict: to know it is what the command is for, and the file is what it is about.
   write_output(request.output, [&](std::ostream& out) { certify::write_net(net, out); });
-  write_report(report_text(net, certificate), is_stdout(request.output));
-  const std::string why = request.file + ": " + std::string(certify::name(certificate.verdict)) + ": " +
+  write_report(import_report(certificate), request.json, is_stdout(request.output));
+  const std::string why = input.name + ": " + std::string(certify::name(certificate.verdict)) + ": " +
                           certificate.rule + ": " + certificate.message;
   if (certificate.verdict == certify::Verdict::undecided) throw UndecidedError(why);
   if (certificate.verdict != certify::Verdict::verified) throw JobError(why);
@@ -81,16 +78,14 @@ void add_import_net_command(CLI::App& app, Job& chosen) {
       "import-net",
       "A triangulation of CGAL as a net file, exactly as it is: no vertex is moved, added or removed and no edge "
       "flipped. Says whether it is an epsilon-net.");
-  command
-      ->add_option("FILE", request.file,
-                   "triangles with rational cross-ratios, with an anchor, none, or one for each triangle "
-                   "(docs/exchange-formats.md)")
-      ->required()
-      ->option_text("REQUIRED");
+  add_input(*command, "FILE", request.file,
+            "triangles with rational cross-ratios, with an anchor, none, or one for each triangle "
+            "(docs/exchange-formats.md)");
   command->add_option("--epsilon", request.epsilon, "a positive decimal or fraction: 0.1 is exactly 1/10")
       ->required()
       ->option_text("E REQUIRED");
   add_output(*command, request.output, "the net file to write, whatever the verdict");
+  add_json(*command, request.json);
   add_threads(*command, request.check.threads);
   command->footer(
       "Example:\n"

@@ -5,33 +5,55 @@
 #include "epsnet/netgen/info.h"
 #include "epsnet/netgen/net_geometry.h"
 #include "epsnet/netgen/program/commands.h"
+#include "epsnet/netgen/program/input.h"
 #include "epsnet/netgen/program/output.h"
 
 namespace epsnet::program {
 namespace {
 
-std::string info_text(const std::string& path) {
-  const auto contents = load_surface_or_net(path);
-  if (const auto* surface = std::get_if<Surface>(&contents)) return surface_info(*surface);
-  try {
-    return net_info(std::get<certify::Document>(contents));
-  } catch (const NetGeometryError& error) {
-    throw JobError(path + ": " + error.what());
-  }
-}
+struct InfoRequest {
+  std::string file;
+  bool json = false;
+};
 
-void print_info(const std::string& path) {
-  const std::string text = info_text(path);
-  write_stdout([&](std::ostream& out) { out << text; });
+/// What is said of each kind of contents.
+struct InfoOf {
+  Report operator()(const Surface& surface) const { return facts_report(surface_info(surface)); }
+  Report operator()(const certify::Document& net) const { return facts_report(net_info(net)); }
+  Report operator()(const DirichletPolygon& polygon) const { return facts_report(dirichlet_info(polygon)); }
+  Report operator()(const ImportedSurface& imported) const {
+    const bool polygon = imported.format == ExchangeFormat::domain;
+    return facts_report(surface_info(imported.surface, polygon ? "polygon, a text of the domain format"
+                                                               : "triangulation, a text with cross-ratios"));
+  }
+  Report operator()(const certify::GeodesicsDocument& document) const {
+    Report list = geodesics_report(document);
+    Report report{"file: closed geodesics (not verified here: run certify)\n" + list.text,
+                  Json::object({{"file", "geodesics"}})};
+    report.json.update(list.json);
+    return report;
+  }
+};
+
+void print_info(const InfoRequest& request) {
+  check_files({{"FILE", request.file}}, {});
+  const Contents contents = read_any_input(request.file);
+  try {
+    write_report(std::visit(InfoOf(), contents), request.json, false);
+  } catch (const NetGeometryError& error) {
+    throw JobError(request.file + ": " + error.what());
+  }
 }
 
 }  // namespace
 
 void add_info_command(CLI::App& app, Job& chosen) {
-  const auto shared = std::make_shared<std::string>();
-  CLI::App* info = app.add_subcommand("info", "Say what is in a surface file or a net file.");
-  info->add_option("FILE", *shared, "a surface file or a net file")->required()->option_text("REQUIRED");
-  info->footer("Example:\n  epsnet info net.json");
+  const auto shared = std::make_shared<InfoRequest>();
+  CLI::App* info = app.add_subcommand(
+      "info", "Say what is in a file: a surface, a net, closed geodesics, a Dirichlet domain, a text to import.");
+  add_input(*info, "FILE", shared->file, "any file that epsnet writes for itself or imports");
+  add_json(*info, shared->json);
+  info->footer("Example:\n  epsnet info net.json\n  epsnet info --json s.json");
   info->callback([&chosen, shared] { chosen = [shared] { print_info(*shared); }; });
 }
 

@@ -14,8 +14,10 @@
 #include <string_view>
 
 #include "epsnet/certify/reader.h"
+#include "epsnet/netgen/atomic_file.h"
 #include "epsnet/netgen/program/commands.h"
 #include "epsnet/netgen/program/output.h"
+#include "epsnet/netgen/program/parse_error.h"
 #include "epsnet/triangulation/error.h"
 
 /// The program `epsnet`: makes surfaces, computes and certifies nets, draws them, and says what is in files.
@@ -96,29 +98,18 @@ int run(int argc, char** argv) {
       "  epsnet surface octagon --seed 123 -o s.json\n"
       "  epsnet net s.json --epsilon 0.1 -o net.json --svg net.svg\n"
       "  certify net.json\n\n"
-      "Exit codes: 0 fine, 1 the job failed, 2 undecided (import-net), 64 wrong usage, 70 internal fault.");
+      "Exit codes: 0 fine, 1 the job failed, 2 undecided (import-net), 64 wrong usage (the command line alone is "
+      "wrong),\n70 internal fault. Interrupted, nothing stays behind.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
     app.exit(success);  // --help, --version
     std::cout.flush();
     return std::cout ? kExitFine : fail(kExitFailed, "cannot write to standard output");
-  } catch (const CLI::ConversionError& error) {
-    // "Could not convert: OPTION = TEXT": all that is converted are whole numbers.
-    const std::string text = error.what();
-    const std::size_t colon = text.find(": ");
-    return fail(kExitUsage, (colon == std::string::npos ? text : text.substr(colon + 2)) +
-                                ": not a whole number that the option can take (try --help)");
   } catch (const CLI::ParseError& error) {
-    return fail(kExitUsage, std::string(error.what()) + " (try --help)");
+    return fail(kExitUsage, explained(app, error));
   }
-
-  if (!chosen)
-    return fail(kExitUsage,
-                app.got_subcommand("surface")
-                    ? "surface: which one, octagon, fenchel-nielsen, regular or import? (try --help)"
-                    : "which command, surface, net, import-net, systole, spectrum, thick-thin, dirichlet, draw, view, "
-                      "info or export? (try --help)");
+  if (!chosen) return fail(kExitUsage, no_command_message(app));
 
   try {
     chosen();
@@ -141,15 +132,27 @@ int run(int argc, char** argv) {
 /// The end for everything that cannot be caught: GMP and FLINT out of memory, std::terminate, a crash.
 /// Async-signal-safe.
 [[noreturn]] void end_on_signal(int) {
+  remove_temporary_files();
   constexpr std::string_view kText = "epsnet: internal fault\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, kText.data(), kText.size());
   _exit(kExitInternal);
+}
+
+/// Interrupted: nothing stays behind, and whoever waits for the program sees the signal. Async-signal-safe.
+void end_interrupted(int signal) {
+  remove_temporary_files();
+  std::signal(signal, SIG_DFL);
+  static_cast<void>(raise(signal));  // Comes when this handler returns.
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   for (const int signal : {SIGABRT, SIGFPE, SIGSEGV, SIGBUS, SIGILL}) std::signal(signal, end_on_signal);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM}) {
+    // What is ignored stays ignored: nohup.
+    if (std::signal(signal, end_interrupted) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
   // Errors of writing, then, with a message.
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
   std::ios::sync_with_stdio(false);

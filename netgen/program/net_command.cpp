@@ -4,9 +4,11 @@
 #include <ctime>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "epsnet/certify/check.h"
 #include "epsnet/certify/writer.h"
@@ -15,8 +17,8 @@
 #include "epsnet/netgen/info.h"
 #include "epsnet/netgen/net_record.h"
 #include "epsnet/netgen/program/commands.h"
+#include "epsnet/netgen/program/input.h"
 #include "epsnet/netgen/program/output.h"
-#include "epsnet/netgen/surface_file.h"
 
 namespace epsnet::program {
 namespace {
@@ -44,6 +46,7 @@ struct NetRequest {
   std::string base;
   bool no_certify = false;
   bool stats = false;
+  bool json = false;
   NetOptions options;
 };
 
@@ -71,19 +74,11 @@ std::string ratio_text(std::uint64_t part, std::uint64_t whole) {
   return ratio_text(static_cast<double>(part), static_cast<double>(whole));
 }
 
-/// What the certificate proved, in three lines.
-std::string certificate_text(const certify::Certificate& certificate) {
-  std::ostringstream out;
-  out << "verdict: " << certify::name(certificate.verdict) << '\n'
-      << "vertices: " << certificate.counts.vertices << '\n';
-  if (certificate.counts.collars) out << "pseudo net, collars: " << *certificate.counts.collars << '\n';
-  if (certificate.enclosures) {
-    out << "largest circumradius: " << interval_text(certificate.enclosures->largest_circumradius) << '\n';
-    out << "shortest edge between different vertices: "
-        << (certificate.enclosures->shortest_edge ? interval_text(*certificate.enclosures->shortest_edge) : "none")
-        << '\n';
-  }
-  return out.str();
+Report uncertified_report(const certify::Document& net) {
+  return {"verdict: not certified (--no-certify): nothing is proved about this net\nvertices: " +
+              std::to_string(net.vertices.size()) + "\n",
+          Json::object(
+              {{"verdict", "not certified"}, {"vertices", net.vertices.size()}, {"triangles", net.triangles.size()}})};
 }
 
 /// Walks and flips in the terms of the thesis (IV.6.2, figures IV.11 and IV.12).
@@ -129,6 +124,37 @@ std::string statistics_text(const UncertifiedNet& net, std::uint32_t genus, doub
   return out.str();
 }
 
+/// The same numbers as statistics_text.
+Json statistics_json(const UncertifiedNet& net, std::uint32_t genus, double epsilon, const NetRequest& request,
+                     const PhaseTimes& times) {
+  const NetStatistics& s = net.statistics;
+  Json result = Json::object({{"insertions", s.insertions}, {"flips", s.flips}});
+  if (request.options.insertion == Insertion::flips) {
+    result["located"] = s.located;
+    result["located_at_start"] = s.located_at_start;
+    result["walk_steps"] = s.walk_steps;
+    result["longest_walk"] = s.longest_walk;
+  }
+  result["initial_flips"] = s.initial_flips;
+  result["removed"] = s.removed;
+  result["vertices_lower_bound"] = least_vertices(genus, epsilon);
+  result["vertices_upper_bound"] = most_vertices(genus, epsilon);
+  if (request.options.pseudo) result["undone"] = s.undone;
+  result["charts"] = s.charts;
+  result["labels"] = s.labels;
+  result["multiprecision"] = s.multiprecision;
+  const double document = std::max(0.0, times.computing - s.start_seconds - s.refine_seconds);
+  Json seconds = Json::object({{"reading", times.reading},
+                               {"start", s.start_seconds},
+                               {"refinement", s.refine_seconds},
+                               {"document", document}});
+  if (!request.no_certify) seconds["certification"] = times.certifying;
+  if (!request.svg.empty()) seconds["drawing"] = times.drawing;
+  seconds["writing"] = times.writing;
+  result["seconds"] = std::move(seconds);
+  return result;
+}
+
 UncertifiedNet compute(const Surface& surface, const Epsilon& epsilon, NetOptions options) {
   ProgressLine progress;
   options.progress = [&](std::uint64_t vertices, double share) {
@@ -152,19 +178,17 @@ certify::Certificate certify_net(const certify::Document& net, certify::CheckOpt
 }
 
 void check_request(const NetRequest& request) {
-  if (is_stdout(request.output) && is_stdout(request.svg))
-    throw UsageError("--output and --svg cannot both be standard output");
   if (is_stdout(request.record)) throw UsageError("--record cannot be standard output");
   if (request.no_certify && !request.record.empty()) throw UsageError("--record is for certified nets");
-  for (const std::string& file : {request.output, request.svg, request.record})
-    if (!file.empty()) check_output_directory(file);
+  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::json},
+                                               {"--svg", request.svg, FileType::svg},
+                                               {"--record", request.record, FileType::text}});
 }
 
-void write_record(const NetRequest& request, const UncertifiedNet& net, const certify::Certificate& certificate,
-                  const NetSeconds& seconds) {
+std::string record_text(const NetRequest& request, const UncertifiedNet& net, const certify::Certificate& certificate,
+                        const NetSeconds& seconds) {
   const std::string name = std::filesystem::path(request.surface).stem().string();
-  const std::string line = net_record(name, net, certificate, request.options, seconds);
-  write_output(request.record, [&](std::ostream& out) { out << net_record_columns() << '\n' << line << '\n'; });
+  return net_record_columns() + '\n' + net_record(name, net, certificate, request.options, seconds) + '\n';
 }
 
 void make_net(const NetRequest& request) {
@@ -175,7 +199,7 @@ void make_net(const NetRequest& request) {
 
   PhaseTimes times;
   Stopwatch watch;
-  const Surface surface = load_surface(request.surface);
+  const Surface surface = read_surface_input(request.surface);
   times.reading = watch.lap();
   NetOptions options = request.options;
   if (!request.base.empty()) options.base = parse_base(request.base, surface);
@@ -185,38 +209,65 @@ void make_net(const NetRequest& request) {
   times.computing = watch.lap();
   certify::Certificate certificate;
   if (!request.no_certify) certificate = certify_net(net.net, request.options.check);
-  std::string report = request.no_certify
-                           ? "verdict: not certified (--no-certify): nothing is proved about this net\nvertices: " +
-                                 std::to_string(net.net.vertices.size()) + "\n"
-                           : certificate_text(certificate);
+  Report report = request.no_certify ? uncertified_report(net.net) : certificate_report(certificate);
   const NetSeconds seconds{computed - start, processor_seconds() - computed};
   times.certifying = watch.lap();
   std::string svg;
   if (!request.svg.empty()) svg = draw_svg(net.net);
   times.drawing = watch.lap();
-  write_output(request.output, [&](std::ostream& out) { certify::write_net(net.net, out); });
-  if (!request.svg.empty()) write_output(request.svg, [&](std::ostream& out) { out << svg; });
-  if (!request.record.empty()) write_record(request, net, certificate, seconds);
+  std::string record;
+  if (!request.record.empty()) record = record_text(request, net, certificate, seconds);
+  write_outputs({{request.output, [&](std::ostream& out) { certify::write_net(net.net, out); }},
+                 {request.svg, [&](std::ostream& out) { out << svg; }},
+                 {request.record, [&](std::ostream& out) { out << record; }}});
   times.writing = watch.lap();
-  if (request.stats)
-    report += statistics_text(net, surface.genus(), static_cast<double>(epsilon.value()), request, times);
-  write_report(report, is_stdout(request.output) || is_stdout(request.svg));
+  if (request.stats) {
+    const auto rounded = static_cast<double>(epsilon.value());
+    report.text += statistics_text(net, surface.genus(), rounded, request, times);
+    report.json["statistics"] = statistics_json(net, surface.genus(), rounded, request, times);
+  }
+  write_report(report, request.json, is_stdout(request.output) || is_stdout(request.svg));
 }
 
 }  // namespace
+
+Report certificate_report(const certify::Certificate& certificate) {
+  std::ostringstream out;
+  Report report;
+  out << "verdict: " << certify::name(certificate.verdict) << '\n'
+      << "vertices: " << certificate.counts.vertices << '\n';
+  report.json = Json::object({{"verdict", certify::name(certificate.verdict)},
+                              {"genus", certificate.counts.genus},
+                              {"vertices", certificate.counts.vertices},
+                              {"edges", certificate.counts.edges},
+                              {"triangles", certificate.counts.triangles}});
+  if (certificate.counts.collars) {
+    out << "pseudo net, collars: " << *certificate.counts.collars << '\n';
+    report.json["collars"] = *certificate.counts.collars;
+  }
+  if (certificate.enclosures) {
+    const certify::Interval& circumradius = certificate.enclosures->largest_circumradius;
+    const std::optional<certify::Interval>& edge = certificate.enclosures->shortest_edge;
+    out << "largest circumradius: " << interval_text(circumradius) << '\n'
+        << "shortest edge between different vertices: " << (edge ? interval_text(*edge) : "none") << '\n';
+    report.json["largest_circumradius"] = interval_json(circumradius);
+    report.json["shortest_edge"] = edge ? interval_json(*edge) : Json(nullptr);
+  }
+  report.text = out.str();
+  return report;
+}
 
 void add_net_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<NetRequest>();
   NetRequest& request = *shared;
   CLI::App* net = app.add_subcommand("net", "Compute an epsilon-net of a surface, prove it, write it.");
-  net->add_option("SURFACE", request.surface, "a surface file")->required()->option_text("REQUIRED");
+  add_input(*net, "SURFACE", request.surface, "a surface file");
   net->add_option("--epsilon", request.epsilon, "a positive decimal or fraction: 0.1 is exactly 1/10")
       ->required()
       ->option_text("E REQUIRED");
   add_output(*net, request.output, "the net file to write, only if the net is verified");
-  net->add_option("--svg", request.svg, "also draw the net; \"-\" is standard output")->option_text("FILE");
-  net->add_option("--record", request.record, "also write what the thesis measures as a table of one line (CSV)")
-      ->option_text("FILE");
+  add_file(*net, "--svg", request.svg, "also draw the net; \"-\" is standard output");
+  add_file(*net, "--record", request.record, "also write what the thesis measures as a table of one line (CSV)");
   net->add_option(
          "--base", request.base,
          "start from this point alone: of tile T, strictly inside of it, exact; T alone is the centre of the tile")
@@ -243,6 +294,7 @@ void add_net_command(CLI::App& app, Job& chosen) {
                                         {"D", TriangleList::largest_first}}))
       ->option_text("A|B|C|D [C]");
   net->add_flag("--stats", request.stats, "also print what the thesis measures, and times");
+  add_json(*net, request.json);
   add_threads(*net, request.options.check.threads);
   net->footer(
       "Example:\n"

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 
 #include "epsnet/certify/reader.h"
 #include "epsnet/netgen/decimal.h"
@@ -11,10 +10,41 @@
 
 namespace epsnet::program {
 
+namespace {
+
+/// A path that is empty is a mistake, such as a shell variable that is not set; so is an option in its place.
+CLI::Validator path_given() {
+  return {[](const std::string& path) -> std::string {
+            if (path.empty()) return "the path is empty";
+            if (path.size() > 1 && path.front() == '-')
+              return "expected a path, not \"" + path.substr(0, 80) + "\" (a file of that name is ./" +
+                     path.substr(0, 80) + ")";
+            return "";
+          },
+          ""};
+}
+
+}  // namespace
+
+void add_input(CLI::App& command, const char* name, std::string& path, const char* what) {
+  command.add_option(name, path, std::string(what) + "; \"-\" is standard input")
+      ->required()
+      ->check(path_given())
+      ->option_text("REQUIRED");
+}
+
+CLI::Option* add_file(CLI::App& command, const char* option, std::string& path, const std::string& what) {
+  return command.add_option(option, path, what)->check(path_given())->option_text("FILE");
+}
+
 void add_output(CLI::App& command, std::string& output, const char* what) {
-  command.add_option("-o,--output", output, std::string(what) + "; \"-\" is standard output")
+  add_file(command, "-o,--output", output, std::string(what) + "; \"-\" is standard output")
       ->required()
       ->option_text("FILE REQUIRED");
+}
+
+void add_json(CLI::App& command, bool& json) {
+  command.add_flag("--json", json, "print the report as one JSON object (docs/exchange-formats.md)");
 }
 
 void add_threads(CLI::App& command, unsigned& threads) {
@@ -23,19 +53,25 @@ void add_threads(CLI::App& command, unsigned& threads) {
       ->option_text("N [0]");
 }
 
+std::string with_leading_zero(const std::string& number) {
+  const std::size_t sign = number.starts_with('-') ? 1 : 0;
+  if (number.size() < sign + 2 || number[sign] != '.') return number;
+  std::string completed = number.substr(0, sign) + "0" + number.substr(sign);
+  return parse_decimal(completed) ? completed : number;
+}
+
 Epsilon parse_length(const std::string& option, const std::string& text) {
   try {
-    return Epsilon(text);
+    // A negative one is quoted as it was given.
+    return Epsilon(text.starts_with('-') ? text : with_leading_zero(text));
   } catch (const std::invalid_argument& error) {
     throw UsageError(option + ": " + error.what());
   }
 }
 
 void add_geodesics(CLI::App& command, std::string& file) {
-  command
-      .add_option("--geodesics", file,
-                  "also show the closed geodesics of this file of the same surface (systole, spectrum, thick-thin)")
-      ->option_text("FILE");
+  add_file(command, "--geodesics", file,
+           "also show the closed geodesics of this file of the same surface (systole, spectrum, thick-thin)");
 }
 
 std::vector<Layer> load_geodesics_layers(const std::string& file, const certify::Document& net) {
@@ -51,11 +87,17 @@ BasePoint parse_base(const std::string& text, const Surface& surface) {
   const std::size_t first = std::min(text.find(','), text.size());
   const std::string tile = text.substr(0, first);
   const bool digits = !tile.empty() && tile.size() <= 9 && tile.find_first_not_of("0123456789") == std::string::npos;
-  if (digits && first == text.size()) return centre_of_tile(surface, static_cast<std::uint32_t>(std::stoul(tile)));
+  if (digits && first == text.size()) {
+    try {
+      return centre_of_tile(surface, static_cast<std::uint32_t>(std::stoul(tile)));
+    } catch (const SurfaceError& error) {
+      throw JobError(std::string("--base: ") + error.what());
+    }
+  }
   const std::size_t second = text.find(',', first + 1);
   if (digits && second != std::string::npos) {
-    const auto x = parse_decimal(std::string_view(text).substr(first + 1, second - first - 1));
-    const auto y = parse_decimal(std::string_view(text).substr(second + 1));
+    const auto x = parse_decimal(with_leading_zero(text.substr(first + 1, second - first - 1)));
+    const auto y = parse_decimal(with_leading_zero(text.substr(second + 1)));
     if (x && y) return {static_cast<std::uint32_t>(std::stoul(tile)), {*x, *y}};
   }
   throw UsageError("--base: expected a tile and a point of it, as in 0,1/10,-0.25, or a tile alone, not \"" +

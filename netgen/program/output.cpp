@@ -1,21 +1,22 @@
 #include "epsnet/netgen/program/output.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <system_error>
+#include <utility>
 
-#include "epsnet/certify/reader.h"
 #include "epsnet/certify/text.h"
-#include "epsnet/netgen/atomic_file.h"
-#include "epsnet/netgen/surface_file.h"
 
 namespace epsnet::program {
 
-bool is_stdout(const std::string& path) { return path == "-"; }
+bool is_stdout(const std::string& path) {
+  return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
 
 void write_stdout(const std::function<void(std::ostream&)>& write) {
   write(std::cout);
@@ -23,61 +24,176 @@ void write_stdout(const std::function<void(std::ostream&)>& write) {
   if (!std::cout || std::fflush(stdout) != 0) throw JobError("cannot write to standard output");
 }
 
-void write_output(const std::string& path, const std::function<void(std::ostream&)>& write) {
-  if (is_stdout(path)) {
-    write_stdout(write);
-  } else {
-    write_file_atomically(path, write);
-  }
-}
-
-void check_output_directory(const std::string& path) {
-  if (is_stdout(path)) return;
-  std::filesystem::path directory = std::filesystem::path(path).parent_path();
-  if (directory.empty()) directory = ".";
-  std::error_code error;
-  if (!std::filesystem::is_directory(directory, error))
-    throw JobError("cannot write '" + path + "': no directory '" + directory.string() + "'");
-}
-
-void write_report(const std::string& report, bool stdout_taken) {
-  if (stdout_taken) {
-    std::cerr << report;
-  } else {
-    write_stdout([&](std::ostream& out) { out << report; });
-  }
-}
-
 namespace {
 
-/// A guess, made from the first bytes; members of a file may come in any order. The reader decides.
-bool looks_like_surface(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string head(4096, '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(file.gcount()));
-  return head.find("\"epsnet-surface\"") != std::string::npos;
+namespace fs = std::filesystem;
+
+struct TypeOfFile {
+  FileType type;
+  std::vector<std::string> extensions;  ///< The first is the usual one. None: any that is not of another type.
+  std::string what;
+};
+
+const std::vector<TypeOfFile>& types_of_files() {
+  static const std::vector<TypeOfFile> types{
+      {FileType::json, {}, "JSON"},
+      {FileType::text, {}, "plain text"},
+      {FileType::svg, {".svg"}, "an SVG picture"},
+      {FileType::png, {".png"}, "a PNG picture"},
+      {FileType::html, {".html", ".htm", ".xhtml"}, "an HTML page"},
+      {FileType::off, {".off"}, "OFF"},
+      {FileType::vtu, {".vtu"}, "VTU"},
+  };
+  return types;
+}
+
+const TypeOfFile& type_of_file(FileType type) {
+  const auto& types = types_of_files();
+  return *std::find_if(types.begin(), types.end(), [&](const TypeOfFile& t) { return t.type == type; });
+}
+
+/// In small letters; none of a directory, which is to be refused as such.
+std::string extension_of(const std::string& path) {
+  std::error_code error;
+  if (is_stdout(path) || fs::is_directory(path, error)) return "";
+  std::string result = fs::path(path).extension().string();
+  for (char& c : result) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return result;
+}
+
+/// The type of which alone an extension is, if there is one.
+const TypeOfFile* type_of_extension(const std::string& extension) {
+  for (const TypeOfFile& type : types_of_files()) {
+    if (std::find(type.extensions.begin(), type.extensions.end(), extension) != type.extensions.end()) return &type;
+  }
+  return nullptr;
+}
+
+void check_extension(const OutputFile& output) {
+  const TypeOfFile& type = type_of_file(output.type);
+  const std::string extension = extension_of(output.path);
+  if (extension.empty()) return;
+  const TypeOfFile* other = type_of_extension(extension);
+  if (other == &type) return;
+  const bool is_picture = output.type == FileType::svg || output.type == FileType::png;
+  if (other == nullptr && !is_picture) return;
+  throw UsageError(output.option + ": " + output.path + ": this is " + type.what +
+                   (type.extensions.empty() ? "" : ", so the name must end in " + type.extensions.front()) +
+                   (other != nullptr ? "; " + extension + " is for " + other->what : ""));
+}
+
+/// What there is at a path, however it is spelled.
+struct Identity {
+  struct stat status = {};
+  bool exists = false;
+  fs::path would_be;  ///< Where a file would be made.
+};
+
+Identity identity_of(const std::string& path, int standard_stream) {
+  Identity result;
+  if (path == "-" || (standard_stream == STDOUT_FILENO && is_stdout(path))) {
+    result.exists = ::fstat(standard_stream, &result.status) == 0;
+    return result;
+  }
+  result.exists = ::stat(path.c_str(), &result.status) == 0;
+  std::error_code error;
+  if (!result.exists) result.would_be = fs::weakly_canonical(followed_links(path), error);
+  return result;
+}
+
+bool are_one(const Identity& a, const Identity& b) {
+  if (a.exists && b.exists) return a.status.st_dev == b.status.st_dev && a.status.st_ino == b.status.st_ino;
+  return !a.exists && !b.exists && !a.would_be.empty() && a.would_be == b.would_be;
+}
+
+/// "--output (x.json)".
+std::string named(const std::string& option, const std::string& path) {
+  return option + (path == "-" ? "" : " (" + path + ")");
 }
 
 }  // namespace
 
-std::variant<Surface, certify::Document> load_surface_or_net(const std::string& path) {
-  if (looks_like_surface(path)) return load_surface(path);
-  try {
-    return certify::read_net(path);
-  } catch (const certify::MalformedError& not_a_net) {
-    try {
-      (void)certify::read_surface(path);
-    } catch (const certify::MalformedError&) {
-      throw not_a_net;
+FileType picture_type(const std::string& option, const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension.empty() || extension == ".svg") return FileType::svg;
+  if (extension == ".png") return FileType::png;
+  throw UsageError(option + ": " + path + ": a picture is .svg or .png, not " + extension);
+}
+
+void check_files(const std::vector<InputFile>& inputs, const std::vector<OutputFile>& all_outputs) {
+  std::vector<OutputFile> outputs;
+  bool stdout_taken = false;
+  for (const OutputFile& output : all_outputs) {
+    if (output.path.empty()) continue;
+    outputs.push_back(output);
+    stdout_taken = stdout_taken || is_stdout(output.path);
+    check_extension(output);
+  }
+  // Where the report goes.
+  if (!stdout_taken) outputs.push_back({"standard output", "-", FileType::text});
+
+  std::vector<Identity> written;
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    written.push_back(identity_of(outputs[i].path, STDOUT_FILENO));
+    for (std::size_t k = 0; k < i; ++k) {
+      if (is_stdout(outputs[i].path) && is_stdout(outputs[k].path))
+        throw UsageError(outputs[k].option + " and " + outputs[i].option + " cannot both be standard output");
+      // A device such as /dev/null loses nothing that it was not to lose.
+      if (are_one(written[i], written[k]) && !S_ISCHR(written[i].status.st_mode))
+        throw UsageError(named(outputs[k].option, outputs[k].path) + " and " +
+                         named(outputs[i].option, outputs[i].path) + " are one file");
     }
-    return load_surface(path);
+  }
+  std::vector<Identity> read;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    read.push_back(inputs[i].path.empty() ? Identity() : identity_of(inputs[i].path, STDIN_FILENO));
+    if (inputs[i].path.empty()) continue;
+    for (std::size_t k = 0; k < i; ++k) {
+      if (are_one(read[i], read[k]) && !S_ISREG(read[i].status.st_mode))
+        throw UsageError(named(inputs[k].option, inputs[k].path) + " and " + named(inputs[i].option, inputs[i].path) +
+                         " are one stream, which can be read only once");
+    }
+    for (std::size_t k = 0; k < outputs.size(); ++k) {
+      if (are_one(read[i], written[k]) && (!read[i].exists || S_ISREG(read[i].status.st_mode)))
+        throw UsageError(named(outputs[k].option, outputs[k].path) + " would overwrite the input, " +
+                         named(inputs[i].option, inputs[i].path));
+    }
+  }
+  for (const OutputFile& output : outputs) {
+    if (!is_stdout(output.path)) check_writable(output.path);
+  }
+}
+
+void write_outputs(std::vector<NewFile> files) {
+  std::erase_if(files, [](const NewFile& file) { return file.path.empty(); });
+  const auto standard = std::stable_partition(files.begin(), files.end(),
+                                              [](const NewFile& file) { return !is_stdout(file.path.string()); });
+  const std::vector<NewFile> to_stdout(standard, files.end());
+  files.erase(standard, files.end());
+  write_files_atomically(files, [&] {
+    for (const NewFile& file : to_stdout) write_stdout(file.write);
+  });
+}
+
+void write_output(const std::string& path, const std::function<void(std::ostream&)>& write) {
+  write_outputs({{path, write}});
+}
+
+void write_report(const Report& report, bool as_json, bool stdout_taken) {
+  const std::string text =
+      as_json ? report.json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n' : report.text;
+  if (stdout_taken) {
+    std::cerr << text;
+  } else {
+    write_stdout([&](std::ostream& out) { out << text; });
   }
 }
 
 std::string interval_text(certify::Interval x) {
   return "[" + certify::shortest(x.lower) + ", " + certify::shortest(x.upper) + "]";
 }
+
+Json interval_json(certify::Interval x) { return Json::array({x.lower, x.upper}); }
 
 ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0) {}
 

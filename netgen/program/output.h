@@ -3,16 +3,16 @@
 #include <chrono>
 #include <functional>
 #include <iosfwd>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
-#include <variant>
+#include <vector>
 
 #include "epsnet/certify/ball.h"
-#include "epsnet/certify/document.h"
+#include "epsnet/netgen/atomic_file.h"
 #include "epsnet/triangulation/error.h"
-#include "epsnet/triangulation/surface.h"
 
-/// What the commands of the program share: files in and out, progress, errors.
+/// What the commands of the program share: files out, reports, progress, errors.
 namespace epsnet::program {
 
 /// An option's value that cannot be meant.
@@ -33,26 +33,54 @@ class UndecidedError : public JobError {
   using JobError::JobError;
 };
 
-/// "-" means standard output.
+/// "-" and the names that the system has for it mean standard output.
 [[nodiscard]] bool is_stdout(const std::string& path);
 
 /// Throws JobError if standard output takes no more.
 void write_stdout(const std::function<void(std::ostream&)>& write);
 
-/// Writes a complete file or none.
+/// What a command writes to a file.
+enum class FileType { json, text, svg, png, html, off, vtu };
+
+/// A file that a command reads. An empty path stands for an option that was not given.
+struct InputFile {
+  std::string option;
+  std::string path;
+};
+
+/// A file that a command writes. An empty path stands for an option that was not given.
+struct OutputFile {
+  std::string option;
+  std::string path;
+  FileType type;
+};
+
+/// The type that the name of a picture ends in: .svg or .png; svg for standard output and where the name has no
+/// extension. Throws UsageError, which says what there is.
+[[nodiscard]] FileType picture_type(const std::string& option, const std::string& path);
+
+/// To be called before any work. Throws UsageError if two outputs, or an input and an output, are one file, however
+/// they are spelled, or if the name of an output ends as those of another type of file do; WriteError if an output
+/// cannot be made. A pipe is not read twice.
+void check_files(const std::vector<InputFile>& inputs, const std::vector<OutputFile>& outputs);
+
+/// Writes complete files, all or none; those without a path are left out.
+void write_outputs(std::vector<NewFile> files);
 void write_output(const std::string& path, const std::function<void(std::ostream&)>& write);
 
-/// Fails now, rather than after a long computation, if there is no such directory.
-void check_output_directory(const std::string& path);
+/// What a command has to say: lines for people, and the same facts for programs.
+using Json = nlohmann::ordered_json;
+struct Report {
+  std::string text;
+  Json json = Json::object();
+};
 
-/// A report to standard output, or to standard error if a file goes to standard output: a net there stays a net.
-void write_report(const std::string& report, bool stdout_taken);
-
-/// A surface file or a net file. Throws as the readers of both.
-[[nodiscard]] std::variant<Surface, certify::Document> load_surface_or_net(const std::string& path);
+/// To standard output, or to standard error if a file goes to standard output: a net there stays a net.
+void write_report(const Report& report, bool as_json, bool stdout_taken);
 
 /// "[lower, upper]", digits that round-trip.
 [[nodiscard]] std::string interval_text(certify::Interval x);
+[[nodiscard]] Json interval_json(certify::Interval x);
 
 /// Shows how far we are on a terminal, after the first second; wipes its line at the end.
 class ProgressLine {

@@ -9,8 +9,10 @@
 #include "epsnet/netgen/decimal.h"
 #include "epsnet/netgen/exchange.h"
 #include "epsnet/netgen/fenchel_nielsen_request.h"
+#include "epsnet/netgen/info.h"
 #include "epsnet/netgen/octagon.h"
 #include "epsnet/netgen/program/commands.h"
+#include "epsnet/netgen/program/input.h"
 #include "epsnet/netgen/program/output.h"
 #include "epsnet/netgen/surface_file.h"
 
@@ -24,46 +26,68 @@ struct SurfaceRequest {
   std::string file;
   ExchangeFormat format = ExchangeFormat::automatic;
   std::string output;
+  bool json = false;
 };
 
-void write_surface_file(const Surface& surface, const std::string& output) {
+void write_surface_file(const Surface& surface, const std::string& output, bool json) {
   const certify::Surface document = to_document(surface);
   write_output(output, [&](std::ostream& out) { certify::write_surface(document, out); });
+  if (json) write_report(facts_report(surface_info(surface)), true, is_stdout(output));
 }
 
 struct FenchelNielsenCommand {
   FenchelNielsenRequest request;
   std::string file;
   std::string output;
+  bool json = false;
 };
 
-Surface requested_surface(const FenchelNielsenCommand& command) {
+/// Runs `make`; what is wrong in what it makes is the fault of the file, if there is one, or else of the command line.
+/// `of_file` says of a member of the request whether it comes from the file.
+template <class Make, class OfFile>
+auto blaming_the_source(const std::string& file, const OfFile& of_file, const Make& make) {
   try {
-    return fenchel_nielsen_surface(resolve(command.request));
-  } catch (const Error& error) {
-    if (!command.file.empty()) throw FenchelNielsenRequestError(command.file + ": " + error.what());
-    if (dynamic_cast<const SurfaceError*>(&error) != nullptr) throw;
-    throw UsageError(error.what());
+    return make();
+  } catch (const FenchelNielsenRequestError& error) {
+    if (!file.empty() && of_file(error.member())) throw JobError(file + ": " + error.what());
+    if (error.member().empty()) throw UsageError(error.what());
+    throw UsageError((error.member() == "graph" ? "--pants-graph" : "--" + error.member()) + ": " + error.problem());
+  } catch (const CoordinateError& error) {
+    if (!file.empty() && of_file(error.member())) throw JobError(file + ": " + error.what());
+    throw UsageError("--" + error.member() + ": " + error.what());
   }
 }
 
 void make_fenchel_nielsen(FenchelNielsenCommand command) {
-  if (!command.file.empty()) {
-    const FenchelNielsenRequest given = command.request;
-    command.request = load_fenchel_nielsen(command.file);
-    // The command line comes before the file.
-    if (!given.graph.empty()) command.request.graph = given.graph;
-    if (given.genus) command.request.genus = given.genus;
-    if (given.seed) command.request.seed = given.seed;
-    if (!given.lengths.empty()) command.request.lengths = given.lengths;
-    if (!given.twists.empty()) command.request.twists = given.twists;
-  }
-  check_output_directory(command.output);
-  write_surface_file(requested_surface(command), command.output);
+  check_files({{"--from", command.file}}, {{"--output", command.output, FileType::json}});
+  FenchelNielsenRequest& request = command.request;
+  for (std::string& length : request.lengths) length = with_leading_zero(length);
+  for (std::string& twist : request.twists) twist = with_leading_zero(twist);
+  const FenchelNielsenRequest given = request;
+  const auto of_file = [&](const std::string& member) {
+    return !((member == "graph" && !given.graph.empty()) || (member == "genus" && given.genus) ||
+             (member == "seed" && given.seed) || (member == "lengths" && !given.lengths.empty()) ||
+             (member == "twists" && !given.twists.empty()));
+  };
+  const std::string name = command.file == "-" ? "standard input" : command.file;
+  const Surface surface = blaming_the_source(name, of_file, [&] {
+    if (!command.file.empty()) {
+      request = parse_fenchel_nielsen(read_text_input(command.file).text);
+      // The command line comes before the file.
+      if (!given.graph.empty()) request.graph = given.graph;
+      if (given.genus) request.genus = given.genus;
+      if (given.seed) request.seed = given.seed;
+      if (!given.lengths.empty()) request.lengths = given.lengths;
+      if (!given.twists.empty()) request.twists = given.twists;
+    }
+    return fenchel_nielsen_surface(resolve(request));
+  });
+  write_surface_file(surface, command.output, command.json);
 }
 
 void make_regular(const SurfaceRequest& request) {
-  write_surface_file(Surface::regular(request.genus), request.output);
+  check_files({}, {{"--output", request.output, FileType::json}});
+  write_surface_file(Surface::regular(request.genus), request.output, request.json);
 }
 
 using Octagon = std::array<Complex<Rational>, 4>;
@@ -74,7 +98,7 @@ Octagon parse_coordinates(const std::string& text) {
   for (std::size_t start = 0; start <= text.size();) {
     const std::size_t end = std::min(text.find(',', start), text.size());
     const std::string word = text.substr(start, end - start);
-    const auto number = parse_decimal(word);
+    const auto number = parse_decimal(with_leading_zero(word));
     if (!number) {
       throw UsageError("--coordinates: \"" + word.substr(0, 80) + "\" found, expected " +
                        (numbers.size() % 2 == 0 ? "x" : "y") + std::to_string(numbers.size() / 2) +
@@ -115,12 +139,15 @@ Surface octagon_of(const std::string& coordinates) {
 void make_octagon(const SurfaceRequest& request) {
   if (!request.seed && request.coordinates.empty())
     throw UsageError("surface octagon: expected --seed or --coordinates (try --help)");
-  check_output_directory(request.output);
-  write_surface_file(request.seed ? random_octagon(*request.seed) : octagon_of(request.coordinates), request.output);
+  check_files({}, {{"--output", request.output, FileType::json}});
+  write_surface_file(request.seed ? random_octagon(*request.seed) : octagon_of(request.coordinates), request.output,
+                     request.json);
 }
 
-void import_surface(const SurfaceRequest& request) {
-  write_surface_file(import_surface_file(request.file, request.format), request.output);
+void import_surface_text(const SurfaceRequest& request) {
+  check_files({{"FILE", request.file}}, {{"--output", request.output, FileType::json}});
+  const TextInput input = read_text_input(request.file);
+  write_surface_file(import_surface(input.text, input.name, request.format), request.output, request.json);
 }
 
 }  // namespace
@@ -144,6 +171,7 @@ void add_surface_command(CLI::App& app, Job& chosen) {
       ->excludes(seed)
       ->option_text("X0,Y0,...,X3,Y3");
   add_output(*octagon, octagon_request->output, "the surface file to write");
+  add_json(*octagon, octagon_request->json);
   octagon->footer(
       "Example:\n"
       "  epsnet surface octagon --seed 123 -o s.json\n"
@@ -157,7 +185,9 @@ void add_surface_command(CLI::App& app, Job& chosen) {
       "A surface of any genus from its Fenchel-Nielsen coordinates, exact and within 2^-50 of them. What is left out "
       "is drawn with the seed: lengths between 1 and 4, any twist.");
   fenchel->add_option("--genus", pants.request.genus, "2 or more; not needed with a list of edges")->option_text("G");
-  fenchel->add_option("--seed", pants.request.seed, "the same seed gives the same surface")->option_text("N");
+  fenchel->add_option("--seed", pants.request.seed, "0 to 2^64 - 1; the same seed gives the same surface")
+      ->check(CLI::NonNegativeNumber.description(""))
+      ->option_text("N");
   fenchel
       ->add_option("--pants-graph", pants.request.graph,
                    "a trivalent graph: its edges as in \"0-1 0-1 0-1\", a node for each pair of pants, or one of the "
@@ -170,11 +200,11 @@ void add_surface_command(CLI::App& app, Job& chosen) {
       ->add_option("--twists", pants.request.twists, "as hyperbolic lengths, or one for all; a full turn is the length")
       ->delimiter(',')
       ->option_text("T,T,...");
-  fenchel
-      ->add_option("--from", pants.file,
-                   "a JSON object with members graph, genus, seed, lengths, twists; options given here come first")
-      ->option_text("FILE");
+  add_file(*fenchel, "--from", pants.file,
+           "a JSON object with members graph, genus, seed, lengths, twists; options given here come first; \"-\" is "
+           "standard input");
   add_output(*fenchel, pants.output, "the surface file to write");
+  add_json(*fenchel, pants.json);
   fenchel->footer(
       "Example:\n"
       "  epsnet surface fenchel-nielsen --genus 7 --seed 3 -o s.json\n"
@@ -187,8 +217,12 @@ void add_surface_command(CLI::App& app, Job& chosen) {
   const auto regular_request = std::make_shared<SurfaceRequest>();
   CLI::App* regular = surface->add_subcommand(
       "regular", "The regular 4g-gon with opposite sides glued, itself and not a rational neighbour: Bolza for g = 2.");
-  regular->add_option("--genus", regular_request->genus, "2 to 1000")->required()->option_text("G REQUIRED");
+  regular->add_option("--genus", regular_request->genus, "2 to 1000")
+      ->required()
+      ->check(CLI::Range(2U, 1000U))
+      ->option_text("G REQUIRED");
   add_output(*regular, regular_request->output, "the surface file to write");
+  add_json(*regular, regular_request->json);
   regular->footer("Example:\n  epsnet surface regular --genus 2 -o bolza.json");
   regular->callback([&chosen, regular_request] { chosen = [regular_request] { make_regular(*regular_request); }; });
 
@@ -197,21 +231,20 @@ void add_surface_command(CLI::App& app, Job& chosen) {
       "import",
       "A surface of any genus from a text of CGAL, checked exactly: a polygon with rational vertices (domain) or "
       "triangles with rational cross-ratios, with an anchor, none, or one for each (triangulation).");
-  import_command->add_option("FILE", import_request->file, "the text (docs/exchange-formats.md)")
-      ->required()
-      ->option_text("REQUIRED");
+  add_input(*import_command, "FILE", import_request->file, "the text (docs/exchange-formats.md)");
   import_command->add_option("--format", import_request->format, "what FILE is; auto tells by its first words")
       ->transform(one_of<ExchangeFormat>({{"auto", ExchangeFormat::automatic},
                                           {"domain", ExchangeFormat::domain},
                                           {"triangulation", ExchangeFormat::triangulation}}))
       ->option_text("auto|domain|triangulation [auto]");
   add_output(*import_command, import_request->output, "the surface file to write");
+  add_json(*import_command, import_request->json);
   import_command->footer(
       "Example:\n"
       "  epsnet surface import polygon.txt -o s.json\n"
       "  epsnet surface import triangulation.txt -o s.json");
   import_command->callback(
-      [&chosen, import_request] { chosen = [import_request] { import_surface(*import_request); }; });
+      [&chosen, import_request] { chosen = [import_request] { import_surface_text(*import_request); }; });
 }
 
 }  // namespace epsnet::program

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "epsnet/certify/check.h"
-#include "epsnet/certify/reader.h"
 #include "epsnet/netgen/net_geometry.h"
 #include "epsnet/netgen/program/commands.h"
+#include "epsnet/netgen/program/input.h"
 #include "epsnet/netgen/program/output.h"
 #include "epsnet/netgen/viewer.h"
 
@@ -19,18 +19,20 @@ struct ViewRequest {
   std::string title;
   std::string geodesics;
   bool no_certify = false;
+  bool json = false;
   certify::CheckOptions check;
 };
 
 /// The curves that a page can show, at first switched off. What cannot be computed is named in `report`.
-std::vector<Layer> curve_layers(const NetGeometry& geometry, std::string& report) {
+std::vector<Layer> curve_layers(const NetGeometry& geometry, Report& report) {
   std::vector<Layer> layers;
   const auto add = [&](const char* name, const auto& make) {
     try {
       layers.push_back(make());
       layers.back().on = false;
     } catch (const NetGeometryError& error) {
-      report += std::string("left out: ") + name + ": " + error.what() + '\n';
+      report.text += std::string("left out: ") + name + ": " + error.what() + '\n';
+      report.json["left_out"][name] = error.what();
     }
   };
   add("fundamental tiles", [&] { return tile_layer(geometry); });
@@ -40,7 +42,7 @@ std::vector<Layer> curve_layers(const NetGeometry& geometry, std::string& report
 }
 
 std::string page(const ViewRequest& request, const certify::Document& net, const certify::Certificate* certificate,
-                 std::string& report) {
+                 Report& report) {
   try {
     ViewerOptions options;
     options.title = request.title.empty() ? std::filesystem::path(request.net).filename().string() : request.title;
@@ -57,18 +59,25 @@ std::string page(const ViewRequest& request, const certify::Document& net, const
 }
 
 void view(const ViewRequest& request) {
-  check_output_directory(request.output);
-  const certify::Document net = certify::read_net(request.net);
+  check_files({{"NET", request.net}, {"--geodesics", request.geodesics}},
+              {{"--output", request.output, FileType::html}});
+  const certify::Document net = read_net_input(request.net);
   std::optional<certify::Certificate> certificate;
-  std::string report = "verdict: not certified (--no-certify): nothing is proved about this net\n";
+  Report report{"verdict: not certified (--no-certify): nothing is proved about this net\n",
+                Json::object({{"verdict", "not certified"}})};
   if (!request.no_certify) {
     certificate = certify::check(net, request.check);
-    report = "verdict: " + std::string(certify::name(certificate->verdict)) + '\n';
-    if (!certificate->message.empty()) report += certificate->rule + ": " + certificate->message + '\n';
+    report.text = "verdict: " + std::string(certify::name(certificate->verdict)) + '\n';
+    report.json["verdict"] = certify::name(certificate->verdict);
+    if (!certificate->message.empty()) {
+      report.text += certificate->rule + ": " + certificate->message + '\n';
+      report.json["rule"] = certificate->rule;
+      report.json["message"] = certificate->message;
+    }
   }
   const std::string html = page(request, net, certificate ? &*certificate : nullptr, report);
   write_output(request.output, [&](std::ostream& out) { out << html; });
-  write_report(report, is_stdout(request.output));
+  write_report(report, request.json, is_stdout(request.output));
 }
 
 }  // namespace
@@ -78,11 +87,12 @@ void add_view_command(CLI::App& app, Job& chosen) {
   ViewRequest& request = *shared;
   CLI::App* command = app.add_subcommand(
       "view", "A page to travel in the surface of a net, with its verdict: one HTML file that needs nothing else.");
-  command->add_option("NET", request.net, "a net file")->required()->option_text("REQUIRED");
+  add_input(*command, "NET", request.net, "a net file");
   add_output(*command, request.output, "the HTML file to write");
   command->add_option("--title", request.title, "the page's title")->option_text("TEXT [the file's name]");
   add_geodesics(*command, request.geodesics);
   command->add_flag("--no-certify", request.no_certify, "do not check the net; the page says so");
+  add_json(*command, request.json);
   add_threads(*command, request.check.threads);
   command->footer(
       "Example:\n  epsnet view net.json -o view.html\n\n"

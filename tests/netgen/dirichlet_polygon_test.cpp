@@ -183,5 +183,23 @@ TEST(DirichletPolygon, JsonHasEverySide) {
   EXPECT_NE(json.find("\"partner\": 7"), std::string::npos);
 }
 
+TEST(DirichletPolygon, JsonReadsBackTheSame) {
+  for (const Surface& surface : {Surface::regular(2), random_octagon(123)}) {
+    const std::string json = dirichlet_json(dirichlet_polygon(surface, std::nullopt));
+    EXPECT_EQ(dirichlet_json(parse_dirichlet_json(json, "test")), json);
+    // What is cut off is not JSON; what has another number in it is another domain or none.
+    EXPECT_THROW((void)parse_dirichlet_json(std::string_view(json).substr(0, json.size() - 3), "test"),
+                 DirichletFileError);
+  }
+  for (const char* text : {"", "[]", "{}", "1", "{\"format\": \"epsnet-net\"}", "\xff"}) {
+    try {
+      (void)parse_dirichlet_json(text, "test");
+      ADD_FAILURE() << text;
+    } catch (const DirichletFileError& error) {
+      EXPECT_EQ(std::string(error.what()).rfind("test: ", 0), 0U) << error.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace epsnet

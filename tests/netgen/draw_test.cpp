@@ -548,7 +548,7 @@ TEST(Info, systoleBoundHoldsOnSurfacesWithKnownShortCurves) {
   // The short curve of these surfaces has the length in the name, to within a few percent, by construction; the upper
   // bound is a loop edge of the net.
   const certify::Document net = polygon_net("polygon-g2-thin-1e-4.txt", "0.3");
-  const std::string text = net_info(net);
+  const std::string text = net_info(net).text;
   const std::size_t at = text.find("(run certify): at least ");
   ASSERT_NE(at, std::string::npos) << text;
   const double lower = std::stod(text.substr(at + 24));
@@ -560,12 +560,12 @@ TEST(Info, systoleBoundHoldsOnSurfacesWithKnownShortCurves) {
 }
 
 TEST(Info, countsWhatIsThere) {
-  const std::string net = net_info(verified("octagon-33-vertices.json"));
+  const std::string net = net_info(verified("octagon-33-vertices.json")).text;
   EXPECT_THAT(net, HasSubstr("vertices: 33\n"));
   EXPECT_THAT(net, HasSubstr("edges: 105\n"));
   EXPECT_THAT(net, HasSubstr("triangles: 70\n"));
   EXPECT_THAT(net, HasSubstr("genus: 2\n"));
-  const std::string surface = surface_info(random_octagon(1));
+  const std::string surface = surface_info(random_octagon(1)).text;
   EXPECT_THAT(surface, HasSubstr("genus: 2\n"));
   EXPECT_THAT(surface, HasSubstr("sides: 8\n"));
   EXPECT_THAT(surface, HasSubstr("area 4 pi (g-1): 12.5664\n"));

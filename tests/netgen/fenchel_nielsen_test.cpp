@@ -259,6 +259,26 @@ TEST(FenchelNielsenRequest, WhatIsLeftOutIsDrawn) {
   }
 }
 
+TEST(FenchelNielsenRequest, WhatIsGivenIsCheckedBeforeASeedIsAskedFor) {
+  const auto blamed = [](const std::string& json) {
+    try {
+      (void)resolve(parse_fenchel_nielsen(json));
+    } catch (const FenchelNielsenRequestError& error) {
+      return error.member();
+    }
+    return std::string("nothing");
+  };
+  EXPECT_EQ(blamed(R"({"genus": 1})"), "genus");
+  EXPECT_EQ(blamed(R"({"genus": 4000000000})"), "genus");
+  EXPECT_EQ(blamed("{}"), "genus");
+  EXPECT_EQ(blamed(R"({"genus": 2, "lengths": [1, 2]})"), "lengths");
+  EXPECT_EQ(blamed(R"({"genus": 2, "twists": ["x"]})"), "twists");
+  EXPECT_EQ(blamed(R"({"graph": "star", "genus": 2})"), "graph");
+  EXPECT_EQ(blamed(R"({"graph": "0-0 0-0 1-1"})"), "graph");
+  EXPECT_EQ(blamed(R"({"genus": 2, "lengths": [1], "twists": [0]})"), "seed");
+  EXPECT_EQ(blamed(R"({"graph": "ring", "genus": 2, "lengths": [1], "twists": [0]})"), "nothing");
+}
+
 TEST(FenchelNielsenRequest, BadOnesAreNamed) {
   expect_request_error("", "not JSON");
   expect_request_error("[]", "expected an object");

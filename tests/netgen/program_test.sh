@@ -1,65 +1,9 @@
 #!/bin/sh
-# program_test.sh EPSNET CERTIFY DATA: drives the programs end to end. A job that succeeds has exit code 0; one that fails has the exit code expected, one line on
-# standard error that starts with "epsnet: ", and leaves no file, not even a temporary one.
+# program_test.sh EPSNET CERTIFY DATA: drives the programs end to end.
 epsnet=$1
 certify=$2
 data=$3
-failures=0
-runs=0
-here=$(mktemp -d) || exit 1
-trap 'rm -rf "$here"' EXIT
-cd "$here" || exit 1
-mkdir out
-messages=$here/messages
-
-complain() {
-  echo "FAILED: $*"
-  failures=$((failures + 1))
-}
-
-# good ARGUMENTS...: the program succeeds, without a word on standard error.
-good() {
-  runs=$((runs + 1))
-  "$epsnet" "$@" >output 2>"$messages"
-  code=$?
-  [ $code = 0 ] || complain "epsnet $*: exit code $code: $(cat "$messages")"
-  [ ! -s "$messages" ] || complain "epsnet $*: standard error says $(cat "$messages")"
-}
-
-# bad CODE TEXT ARGUMENTS...: it fails with this exit code and one line with this text (grep), and leaves nothing in out/.
-bad() {
-  expected=$1
-  text=$2
-  shift 2
-  runs=$((runs + 1))
-  (
-    # No run may need much memory: what a file claims is not what is there.
-    [ -n "$no_memory_limit" ] || ulimit -v 4000000
-    exec "$epsnet" "$@" >output 2>"$messages"
-  )
-  code=$?
-  [ $code = "$expected" ] || complain "epsnet $*: exit code $code, expected $expected: $(cat "$messages")"
-  [ "$(wc -l <"$messages")" = 1 ] || complain "epsnet $*: not one line on standard error: $(cat "$messages")"
-  grep -q '^epsnet: ' "$messages" || complain "epsnet $*: the message does not start with 'epsnet: ': $(cat "$messages")"
-  grep -q -e "$text" "$messages" || complain "epsnet $*: expected '$text' in $(cat "$messages")"
-  [ -z "$(ls -A out)" ] || {
-    complain "epsnet $*: leaves $(ls -A out)"
-    rm -rf out
-    mkdir out
-  }
-}
-
-verified() {
-  runs=$((runs + 1))
-  last=$("$certify" "$1" | tail -n 1)
-  [ "$last" = VERIFIED ] || complain "certify $1: $last"
-}
-
-same() { cmp -s "$1" "$2" || complain "$1 and $2 differ"; }
-
-# Address sanitizer needs terabytes of address space.
-no_memory_limit=
-if (ulimit -v 4000000 && "$epsnet" --help) >/dev/null 2>&1; then :; else no_memory_limit=yes; fi
+. "$(dirname "$0")/program_functions.sh"
 
 # ---- The main job ----
 for seed in 1 123 -7; do
@@ -288,8 +232,8 @@ lines'
 bad 64 'psilon' net s.json --epsilon "$line" -o out/n.json
 
 # ---- Files ----
-bad 1 'a length must be at least' surface fenchel-nielsen --seed 1 --genus 2 --lengths 0 -o out/s.json
-bad 1 'a length must be at least' surface fenchel-nielsen --seed 1 --genus 2 --lengths=-1 -o out/s.json
+bad 64 '--lengths: edge 0 .*a length must be at least' surface fenchel-nielsen --seed 1 --genus 2 --lengths 0 -o out/s.json
+bad 64 '--lengths: edge 0 .*a length must be at least' surface fenchel-nielsen --seed 1 --genus 2 --lengths=-1 -o out/s.json
 for command in 'net --epsilon 0.5' 'net --epsilon 0.3 --pseudo' 'net --epsilon 0.5 --base 0' dirichlet systole; do
   bad 1 'tile 0 is too thin: closed geodesics through it may be as short as' $command "$data/surfaces/cuff-1e-28.json" -o out/x.json
 done
@@ -298,12 +242,13 @@ echo '{"graph": "0-1 0-1 0-1", "lengths": [1, 0, 1], "twists": [0]}' >short.json
 bad 1 'short.json: edge 1 (0-1): a length must be at least' surface fenchel-nielsen --from short.json -o out/s.json
 echo '{"graph": "0-1 0-1 0-1", "lengths": [1, Infinity, 1], "twists": [0]}' >infinite.json
 bad 1 'infinite.json: lengths: expected a number.*"Infinity"' surface fenchel-nielsen --from infinite.json -o out/s.json
-bad 1 'at most 1000' surface regular --genus 1001 -o out/s.json
+bad 64 '--genus: Value 1001 not in range 2 to 1000' surface regular --genus 1001 -o out/s.json
 bad 1 'not strictly inside' net fn.json --epsilon 1 --base 0,1,0 -o out/n.json
 bad 1 'the surface has 4 tiles' net fn.json --epsilon 1 --base 4 -o out/n.json
 bad 64 'expected one of cavity, flips, not "both"' net fn.json --epsilon 1 --insert both -o out/n.json
 bad 64 'expected one of domain, triangulation, off, vtu, edges, json, not "obj"' export fn.json --format obj -o out/e
-bad 64 '--genus = three: not a whole number' surface regular --genus three -o out/s.json
+bad 64 '--genus: Value three not in range 2 to 1000' surface regular --genus three
+bad 64 '--seed = three: not a whole number' surface octagon --seed three -o out/s.json
 bad 1 'not left of side 0' net bolza.json --epsilon 1 --base 0,0.9,0 -o out/n.json
 bad 1 'no-such' dirichlet no-such.json -o out/d.json
 bad 1 'no rational' export bolza.json --format domain -o out/x.txt
@@ -417,6 +362,9 @@ wrong() {
 wrong 'wrong.txt:1: the text claims 1000000002 darts' 'NR==1 {$1 = "1000000002"} {print}'
 wrong 'wrong.txt:1: 31 darts found' 'NR==1 {$1 = "31"} {print}'
 wrong 'wrong.txt: there is no anchor, and the cross-ratios keep no circle' 'NR==2 {$1 = "no"} NR==40 {$1 = "7"} NR<3 || NR>6 {print}'
+# Without an anchor it is the same surface.
+awk 'NR==2 {$1 = "no"} NR<3 || NR>6 {print}' "$triangulation" >bare.txt
+good surface import bare.txt -o bare.json
 wrong 'wrong.txt:12: dart 2 belongs to triangle 0 and to triangle 1' 'NR==12 {$1 = "2"} {print}'
 wrong 'wrong.txt:41: dart 7 belongs to edge 0 and to edge 1' 'NR==41 {$1 = "7"} {print}'
 wrong 'wrong.txt:39: "1/0" found' 'NR==39 {$1 = "1/0"} {print}'

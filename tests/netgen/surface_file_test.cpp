@@ -136,7 +136,7 @@ TEST_F(AtomicFile, DiskFull) {
 
 TEST_F(AtomicFile, NotWritable) {
   EXPECT_THAT(complaint<WriteError>([&] { write_text(directory_ / "none" / "a", "x"); }),
-              HasSubstr("none/a: cannot be created: No such file or directory"));
+              HasSubstr("none/a: cannot be created: there is no directory "));
   EXPECT_THAT(complaint<WriteError>([&] { write_text(directory_, "x"); }), HasSubstr("Is a directory"));
   EXPECT_THAT(complaint<WriteError>([&] { write_text("", "x"); }), HasSubstr("path to write to is empty"));
   EXPECT_EQ(files(), 0U);
@@ -157,6 +157,64 @@ TEST_F(AtomicFile, LinksAndPermissionsStay) {
   fs::create_symlink("loop", directory_ / "loop");
   EXPECT_THAT(complaint<WriteError>([&] { write_text(directory_ / "loop", "x"); }),
               HasSubstr("loop: cannot be opened"));
+}
+
+TEST_F(AtomicFile, AllOrNone) {
+  const fs::path first = directory_ / "first";
+  write_text(first, "old");
+  const NewFile text{first, [](std::ostream& out) { out << "new"; }};
+  const NewFile other{directory_ / "second", text.write};
+  // One that cannot be written, at whatever place; a disk that is full; something else that fails.
+  for (const std::vector<NewFile>& files_to_write :
+       {std::vector<NewFile>{text, {directory_ / "none" / "a", text.write}},
+        std::vector<NewFile>{text, {directory_, text.write}},
+        std::vector<NewFile>{text, other, {"/dev/full", text.write}},
+        std::vector<NewFile>{{"/dev/full", text.write}, text, other}}) {
+    EXPECT_THROW(write_files_atomically(files_to_write), WriteError);
+    EXPECT_EQ(test::file_text(first), "old");
+    EXPECT_EQ(files(), 1U);
+  }
+  EXPECT_THROW(write_files_atomically({text, other}, [] { throw std::domain_error("no more"); }), std::domain_error);
+  EXPECT_EQ(test::file_text(first), "old");
+  EXPECT_EQ(files(), 1U);
+  write_files_atomically({text, other}, [&] { EXPECT_EQ(test::file_text(first), "old"); });
+  EXPECT_EQ(test::file_text(first), "new");
+  EXPECT_EQ(test::file_text(directory_ / "second"), "new");
+  EXPECT_EQ(files(), 2U);
+}
+
+TEST_F(AtomicFile, WhatASignalHandlerRemovesIsGone) {
+  const fs::path path = directory_ / "a";
+  write_text(path, "old");
+  std::size_t before = 0;
+  std::size_t after = 0;
+  EXPECT_THROW(write_file_atomically(path,
+                                     [&](std::ostream& out) {
+                                       out << "new";
+                                       before = files();
+                                       remove_temporary_files();
+                                       after = files();
+                                     }),
+               WriteError);
+  EXPECT_EQ(before, 2U);
+  EXPECT_EQ(after, 1U);
+  EXPECT_EQ(test::file_text(path), "old");
+  remove_temporary_files();
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(AtomicFile, WritableIsToldBefore) {
+  write_text(directory_ / "a", "old");
+  check_writable(directory_ / "a");
+  check_writable(directory_ / "new");
+  check_writable("/dev/null");
+  EXPECT_EQ(test::file_text(directory_ / "a"), "old");
+  EXPECT_EQ(files(), 1U);
+  // A name that is fine, but not with what is added to it for the temporary file, is one that cannot be written.
+  for (const fs::path& path : {directory_, directory_ / "none" / "a", fs::path(), directory_ / std::string(255, 'x')}) {
+    EXPECT_THROW(check_writable(path), WriteError) << path;
+  }
+  EXPECT_EQ(files(), 1U);
 }
 
 }  // namespace

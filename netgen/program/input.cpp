@@ -1,0 +1,103 @@
+#include "epsnet/netgen/program/input.h"
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "epsnet/certify/reader.h"
+#include "epsnet/certify/text.h"
+#include "epsnet/netgen/program/output.h"
+#include "epsnet/netgen/surface_file.h"
+#include "epsnet/netgen/triangulation_stream.h"
+
+namespace epsnet::program {
+namespace {
+
+/// Stops at the member "format" of the outermost object, wherever it is, and keeps no other.
+class FormatFinder : public nlohmann::json_sax<Json> {
+ public:
+  std::optional<std::string> format;
+
+  bool start_object(std::size_t) override { return enter(true); }
+  bool start_array(std::size_t) override { return enter(false); }
+  bool end_object() override { return leave(); }
+  bool end_array() override { return leave(); }
+  bool key(std::string& name) override {
+    here_ = depth_ == 1 && name == "format";
+    return true;
+  }
+  bool string(std::string& value) override {
+    if (here_) format = value;
+    return !here_;
+  }
+  bool null() override { return !here_; }
+  bool boolean(bool) override { return !here_; }
+  bool number_integer(std::int64_t) override { return !here_; }
+  bool number_unsigned(std::uint64_t) override { return !here_; }
+  bool number_float(double, const std::string&) override { return !here_; }
+  bool binary(Json::binary_t&) override { return false; }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override { return false; }
+
+ private:
+  bool enter(bool object) { return (depth_++ > 0 || object) && !here_; }
+  bool leave() { return --depth_ > 0; }
+
+  std::size_t depth_ = 0;
+  bool here_ = false;
+};
+
+bool is_json(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && (text[first] == '{' || text[first] == '[');
+}
+
+/// How readers of texts call a file, which add the line: "NAME:LINE: ".
+std::string text_name(const std::string& path) { return path == "-" ? "standard input" : path; }
+
+TextInput text_input(const std::string& path, std::string bytes) {
+  constexpr std::size_t kMaxTextBytes = std::size_t{256} << 20;
+  if (bytes.size() > kMaxTextBytes) throw JobError(text_name(path) + ": is larger than 256 MiB");
+  return {text_name(path), std::move(bytes)};
+}
+
+}  // namespace
+
+TextInput read_text_input(const std::string& path) { return text_input(path, certify::load(path)); }
+
+Surface read_surface_input(const std::string& path) {
+  const std::string text = certify::load(path);
+  const std::string name = certify::display_name(path);
+  if (!is_json(text))
+    throw JobError(name + ": not JSON, expected a surface file; 'epsnet surface import' makes one of a text");
+  return parse_surface_file(text, name);
+}
+
+certify::Document read_net_input(const std::string& path) {
+  const std::string text = certify::load(path);
+  const std::string name = certify::display_name(path);
+  if (!is_json(text)) throw JobError(name + ": not JSON, expected a net file, made by 'epsnet net'");
+  return certify::parse_net(text, name);
+}
+
+Contents read_any_input(const std::string& path) {
+  std::string text = certify::load(path);
+  if (!is_json(text)) {
+    const TextInput input = text_input(path, std::move(text));
+    const ExchangeFormat format =
+        is_triangulation_stream(input.text) ? ExchangeFormat::triangulation : ExchangeFormat::domain;
+    return ImportedSurface{format, import_surface(input.text, input.name, ExchangeFormat::automatic)};
+  }
+  const std::string name = certify::display_name(path);
+  FormatFinder finder;
+  Json::sax_parse(text, &finder);
+  const std::string format = finder.format.value_or("");
+  if (format == "epsnet-surface") return parse_surface_file(text, name);
+  if (format == "epsnet-net") return certify::parse_net(text, name);
+  if (format == "epsnet-geodesics") return certify::parse_geodesics(text, name);
+  if (format == "epsnet-dirichlet") return parse_dirichlet_json(text, name);
+  throw JobError(name + ": " +
+                 (finder.format ? "the member \"format\" is " + certify::in_quotes(format) : "no member \"format\"") +
+                 ", expected epsnet-surface, epsnet-net, epsnet-geodesics or epsnet-dirichlet");
+}
+
+}  // namespace epsnet::program

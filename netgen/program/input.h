@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "epsnet/certify/document.h"
+#include "epsnet/certify/geodesics_document.h"
+#include "epsnet/netgen/dirichlet_polygon.h"
+#include "epsnet/netgen/exchange.h"
+#include "epsnet/triangulation/surface.h"
+
+/// Files in: every file that a command reads is read once (certify::load), so that it may be a pipe; "-" is standard
+/// input. Errors name the path as it was given. All throw certify::FileError, and what the readers of the formats
+/// throw.
+namespace epsnet::program {
+
+/// A text that another program wrote, and what messages call it.
+struct TextInput {
+  std::string name;
+  std::string text;
+};
+/// At most 256 MiB. Throws JobError for more.
+[[nodiscard]] TextInput read_text_input(const std::string& path);
+
+[[nodiscard]] Surface read_surface_input(const std::string& path);
+[[nodiscard]] certify::Document read_net_input(const std::string& path);
+
+/// A surface that was imported from a text of another program.
+struct ImportedSurface {
+  ExchangeFormat format;
+  Surface surface;
+};
+
+/// What any file that the program writes or imports holds.
+using Contents =
+    std::variant<Surface, certify::Document, certify::GeodesicsDocument, DirichletPolygon, ImportedSurface>;
+[[nodiscard]] Contents read_any_input(const std::string& path);
+
+}  // namespace epsnet::program

@@ -1,0 +1,370 @@
+#!/bin/sh
+# command_line_test.sh EPSNET CERTIFY DATA: that no command line loses a file, and what is said of those that cannot be meant.
+epsnet=$1
+certify=$2
+data=$3
+. "$(dirname "$0")/program_functions.sh"
+
+good surface octagon --seed 123 -o s.json
+good net s.json --epsilon 0.5 -o net.json
+good systole s.json -o systole.json
+good spectrum s.json --up-to 3 -o spectrum.json
+good dirichlet s.json -o domain.json
+echo '{"genus": 3, "seed": 3}' >request.json
+triangulation="$data/triangulations/triangulation-g2-e0.2.txt"
+polygon="$data/polygons/polygon-g3-rnd0.txt"
+cp "$polygon" polygon.txt
+ln -s s.json link.json
+ln -s out/x.json dangling.json
+mkdir folder
+ln -s . folder/here
+cp s.json saved.json
+cp net.json saved-net.json
+
+# ---- Two files that are one ----
+input='would overwrite the input'
+bad 64 "--output (s.json) $input, SURFACE (s.json)" net s.json --epsilon 0.5 -o s.json
+for spelled in ./s.json folder/../s.json "$PWD/s.json" link.json folder/here/../s.json; do
+  bad 64 "$input" net s.json --epsilon 0.5 -o "$spelled"
+  bad 64 "$input" net "$spelled" --epsilon 0.5 -o s.json
+  bad 64 "$input" net s.json --epsilon 0.5 -o out/x.json --record "$spelled"
+  bad 64 "$input" systole s.json -o "$spelled"
+  bad 64 "$input" spectrum s.json --up-to 3 -o "$spelled"
+  bad 64 "$input" thick-thin s.json -o "$spelled"
+  bad 64 "$input" dirichlet s.json -o "$spelled"
+  bad 64 "$input" export s.json --format triangulation -o "$spelled"
+done
+bad 64 "$input" surface import polygon.txt -o polygon.txt
+bad 64 "$input" surface fenchel-nielsen --from request.json -o ./request.json
+bad 64 "$input" view net.json -o net.json
+bad 64 "$input" net - --epsilon 0.5 -o s.json <s.json
+cp s.json out.svg
+bad 64 "--output (out.svg) $input, --geodesics (./out.svg)" draw net.json --geodesics ./out.svg -o out.svg
+cp net.json net-as.svg
+bad 64 "$input" draw net-as.svg -o net-as.svg
+same net.json net-as.svg
+for spelled in out/x.svg ./out/x.svg out/../out/x.svg "$PWD/out/x.svg" folder/../out/x.svg; do
+  bad 64 'are one file' net s.json --epsilon 0.5 -o out/x --svg out/x.svg --record "$PWD/out/x"
+  bad 64 '.svg' net s.json --epsilon 0.5 -o "$spelled" --svg out/x.svg
+done
+bad 64 'x.json' net s.json --epsilon 0.5 -o out/x.json --svg out/x.json
+for spelled in out/x.json ./out/x.json folder/here/../out/x.json dangling.json; do
+  bad 64 "--output (out/x.json) and --record ($spelled) are one file" net s.json --epsilon 0.5 -o out/x.json --record "$spelled"
+done
+bad 64 'are one file' dirichlet s.json -o out/x --svg ./out/x
+bad 64 'cannot both be standard output' net s.json --epsilon 0.5 -o - --svg /dev/stdout
+bad 64 'are one stream, which can be read only once' draw - --geodesics - -o out/x.svg </dev/null
+same s.json saved.json
+same net.json saved-net.json
+# The report is an output as well.
+cp s.json report.json
+runs=$((runs + 1))
+"$epsnet" info report.json >>report.json 2>"$messages"
+[ $? = 64 ] || complain "a report into its own input: $(cat "$messages")"
+same s.json report.json
+good net s.json --epsilon 0.5 -o /dev/null --svg /dev/null
+
+# ---- Outputs that cannot be made are found before any work: no input is missed yet ----
+mkdir out.d
+long=$(printf '%0255d' 0)
+for target in out.d out.d/ no-such/x "$long" no-such/; do
+  for command in 'net --epsilon 0.5' systole 'spectrum --up-to 3' thick-thin dirichlet draw view 'export --format domain' 'surface import' 'import-net --epsilon 0.5'; do
+    # shellcheck disable=SC2086
+    bad 1 'epsnet: \(out.d\|no-such\|000*\)/*x*: cannot be' $command no-such.json -o "$target"
+  done
+  bad 1 'cannot be' net no-such.json --epsilon 0.5 -o out/x.json --svg "$target"
+  bad 1 'cannot be' net no-such.json --epsilon 0.5 -o out/x.json --record "$target"
+  bad 1 'cannot be' dirichlet no-such.json -o out/x.json --svg "$target"
+  bad 1 'cannot be' surface octagon --seed 1 -o "$target"
+  bad 1 'cannot be' surface regular --genus 2 -o "$target"
+  bad 1 'cannot be' surface fenchel-nielsen --from no-such.json -o "$target"
+done
+# All outputs or none: the second does not fit on its disk.
+if [ -w /dev/full ]; then
+  echo precious >out/kept.json
+  runs=$((runs + 1))
+  "$epsnet" net s.json --epsilon 0.5 -o out/kept.json --record /dev/full >output 2>"$messages"
+  [ $? = 1 ] || complain "a full disk: $(cat "$messages")"
+  [ "$(cat out/*)" = precious ] || complain 'a file is replaced although another one could not be written'
+  rm out/kept.json
+fi
+
+# ---- Interrupted ----
+# interrupted SIGNAL CODE: a run that waits for the reader of a pipe, its file written beside the old one, gets the signal.
+interrupted() {
+  runs=$((runs + 1))
+  echo precious >out/kept.json
+  rm -f pipe.svg
+  mkfifo pipe.svg
+  env --default-signal="$1" "$epsnet" net s.json --epsilon 0.5 -o out/kept.json --svg pipe.svg >output 2>&1 &
+  pid=$!
+  while kill -0 $pid 2>"$messages" && [ "$(ls -A out)" = kept.json ] && [ "$(cat out/kept.json)" = precious ]; do sleep 0.02; done
+  [ "$(cat out/kept.json)" = precious ] || complain "the old file is replaced before all is written"
+  kill -"$1" $pid
+  wait $pid 2>"$messages"
+  code=$?
+  [ $code = "$2" ] || complain "SIG$1: exit code $code, expected $2: $(cat output)"
+  [ "$(ls -A out)" = kept.json ] || complain "SIG$1 leaves $(ls -A out)"
+  [ "$(cat out/kept.json)" = precious ] || complain "SIG$1 changes the file that was there"
+  rm -f out/kept.json out/*.tmp-*
+}
+interrupted INT 130
+interrupted TERM 143
+interrupted HUP 129
+interrupted QUIT 131
+# At any other moment: the old file or the new one, and nothing else.
+good net s.json --epsilon 0.05 -o fine.json
+for pause in 0 1 2 3 4 5 6 7 8 9; do
+  for step in 0 3 6; do
+    runs=$((runs + 1))
+    echo precious >out/kept.json
+    "$epsnet" net s.json --epsilon 0.05 --no-certify -o out/kept.json >output 2>&1 &
+    pid=$!
+    sleep "0.0$pause$step"
+    kill -TERM $pid 2>"$messages"
+    wait $pid 2>"$messages"
+    [ "$(ls -A out)" = kept.json ] || complain "SIGTERM leaves $(ls -A out)"
+    [ "$(cat out/kept.json)" = precious ] || cmp -s out/kept.json fine.json || complain 'SIGTERM leaves half a file'
+    rm -f out/*
+  done
+done
+# What is ignored stays ignored, as nohup wants.
+runs=$((runs + 1))
+rm -f pipe.svg
+mkfifo pipe.svg
+env --ignore-signal=HUP "$epsnet" net s.json --epsilon 0.5 -o out/x.json --svg pipe.svg >output 2>&1 &
+pid=$!
+while kill -0 $pid 2>"$messages" && [ -z "$(ls -A out)" ]; do sleep 0.02; done
+kill -HUP $pid && cat pipe.svg >piped.svg
+wait $pid || complain "a signal that is ignored: $(cat output)"
+verified out/x.json
+rm -f out/*
+
+# ---- The format follows the extension ----
+is_png() { [ "$(head -c 4 "$1" | tail -c 3)" = PNG ] || complain "$1 is no PNG"; }
+is_svg() { grep -q '<svg' "$1" || complain "$1 is no SVG"; }
+for name in p.png P.PNG folder/a.b.png; do
+  good draw net.json -o $name --size 100
+  is_png $name
+done
+for name in p.svg P.SVG picture folder.d.svg; do
+  good draw net.json -o $name --size 100
+  is_svg $name
+done
+good draw net.json --png -o picture --size 100
+is_png picture
+"$epsnet" draw net.json -o - --png --size 100 >piped.png
+is_png piped.png
+"$epsnet" draw net.json -o - --size 100 >piped.svg
+is_svg piped.svg
+for extension in jpg gif pdf json txt html tmp; do
+  bad 64 ".svg or .png, not .$extension" draw net.json -o out/x.$extension
+  bad 64 'the name must end in .svg' net s.json --epsilon 0.5 -o out/x.json --svg out/x.$extension
+  bad 64 'the name must end in .svg' dirichlet s.json -o out/x.json --svg out/x.$extension
+done
+bad 64 'SVG picture, so the name must end in .svg; .png is for a PNG picture' net s.json --epsilon 0.5 -o out/x.json --svg out/x.png
+bad 64 'PNG picture, so the name must end in .png; .svg is for an SVG picture' draw net.json --png -o out/x.svg
+bad 64 'JSON; .png is for a PNG picture' surface octagon --seed 1 -o out/x.png
+bad 64 'JSON; .svg is for an SVG picture' net s.json --epsilon 0.5 -o out/x.svg
+bad 64 'JSON; .html is for an HTML page' systole s.json -o out/x.html
+bad 64 'HTML page, so the name must end in .html' view net.json -o out/x.svg
+bad 64 'VTU, so the name must end in .vtu; .off is for OFF' export net.json --format vtu -o out/x.off
+bad 64 'OFF, so the name must end in .off; .vtu is for VTU' export net.json --format off -o out/x.vtu
+bad 64 'plain text; .vtu is for VTU' export net.json --format edges -o out/x.vtu
+
+# ---- Standard input, and pipes, which are read once ----
+# piped FILE ARGUMENTS...: what the program prints of "-" and of /dev/stdin, a pipe, is what it prints of the file, IN standing for it.
+piped() {
+  file=$1
+  shift
+  for input in - /dev/stdin "$file"; do
+    runs=$((runs + 1))
+    arguments=
+    for word in "$@"; do
+      [ "$word" = IN ] && word=$input
+      arguments="$arguments $word"
+    done
+    # shellcheck disable=SC2086
+    cat "$file" | "$epsnet" $arguments >"output.$((runs % 3))" 2>"$messages" || complain "epsnet $arguments: $(cat "$messages")"
+  done
+  cmp -s output.0 output.1 && cmp -s output.1 output.2 || complain "epsnet $*: not the same of a pipe"
+  [ -s output.0 ] || complain "epsnet $*: nothing"
+}
+for file in s.json net.json systole.json spectrum.json domain.json "$triangulation" "$polygon"; do
+  piped "$file" info IN
+  piped "$file" info --json IN
+done
+piped s.json net IN --epsilon 0.5 -o -
+piped s.json systole IN
+piped s.json spectrum IN --up-to 3
+piped s.json thick-thin IN
+piped s.json dirichlet IN -o -
+piped net.json draw IN -o -
+piped spectrum.json draw net.json --geodesics IN -o -
+piped net.json view IN --title net --no-certify -o -
+piped s.json export IN --format domain -o -
+piped net.json export IN --format off -o -
+piped "$triangulation" surface import IN -o -
+piped "$polygon" surface import IN -o -
+piped request.json surface fenchel-nielsen --from IN -o -
+runs=$((runs + 1))
+"$epsnet" surface octagon --seed 123 -o - | "$epsnet" net - --epsilon 0.5 -o - 2>"$messages" | cmp -s - net.json || complain "programs in a row: $(cat "$messages")"
+# A name that begins with "-" is an option that was meant.
+bad 64 '"--stats" follows' net s.json --epsilon 0.5 -o out/x.json --svg --stats
+bad 64 '"-o" follows' net s.json --epsilon -o out/x.json
+
+# ---- Facts for programs ----
+# json PATTERN ARGUMENTS...: one object on one line of standard output, which fits the pattern (grep), and not a word elsewhere.
+json() {
+  pattern=$1
+  shift
+  good "$@"
+  [ "$(wc -l <output)" = 1 ] || complain "epsnet $*: not one line: $(cat output)"
+  grep -q '^{.*}$' output || complain "epsnet $*: no object: $(cat output)"
+  grep -q -e "$pattern" output || complain "epsnet $*: expected $pattern in $(cat output)"
+}
+json '^{"file":"surface","genus":2,"area":12.56[0-9]*,"tiles":1,"sides":8,"vertices":1,"regular":false,' info --json s.json
+json '^{"file":"net","epsilon":"0.5","genus":2,.*"vertices":34,"edges":108,"triangles":72,' info --json net.json
+json '^{"file":"geodesics","claim":"systole","geodesics":\[{"length":\[0.5476464113685[0-9]*,0.5476464113685[0-9]*\],"simple":true,"word":\[5,0\]}\]}$' info --json systole.json
+json '^{"file":"geodesics","claim":"spectrum","up_to":"3","geodesics":\[{.*}\],"clusters":\[{"first":0,"count":1,"equal":true},' info --json spectrum.json
+json '^{"file":"dirichlet","sides":18,"ties":0,"side_distances":{"min":1.26765[0-9]*,' info --json domain.json
+json '^{"file":"triangulation, a text with cross-ratios","genus":2,' info --json "$triangulation"
+json '^{"file":"polygon, a text of the domain format","genus":3,' info --json "$polygon"
+json '^{"verdict":"VERIFIED","genus":2,"vertices":34,"edges":108,"triangles":72,"largest_circumradius":\[0.49[0-9]*,0.49[0-9]*\],"shortest_edge":\[0.50[0-9]*,0.50[0-9]*\]}$' net s.json --epsilon 0.5 -o x.json --json
+json '"statistics":{"insertions":33,"flips":.*"seconds":{"reading":.*}}}$' net s.json --epsilon 0.5 -o x.json --json --stats
+json '^{"verdict":"not certified","vertices":34,"triangles":72}$' net s.json --epsilon 0.5 -o x.json --json --no-certify
+json '^{"verdict":"VERIFIED","claim":"systole","geodesics":\[{"length":\[0.5476464113685[0-9]*,' systole s.json --json
+json '^{"verdict":"VERIFIED","claim":"spectrum","up_to":"3","geodesics":\[{' spectrum s.json --up-to 3 --json
+json '^{"verdict":"VERIFIED","claim":"thick-thin","geodesics":\[{.*"collar_half_width":\[1.99.*"pieces":\[{"genus":1,"boundaries":\[{"geodesic":0,"side":"left"},' thick-thin s.json --json
+json '^{"file":"dirichlet","sides":18,"ties":0,' dirichlet s.json -o x.json --json
+json '^{"verdict":"VERIFIED"}$' view net.json -o x.html --json
+json '^{"file":"surface","genus":2,' surface octagon --seed 1 -o x.json --json
+json '"regular":true,' surface regular --genus 2 -o x.json --json
+json '^{"file":"surface","genus":3,' surface fenchel-nielsen --genus 3 --seed 3 -o x.json --json
+json '^{"file":"surface","genus":3,' surface import "$polygon" -o x.json --json
+good surface fenchel-nielsen --pants-graph '0-0 0-1 1-1' --lengths 1,1e-8,2 --twists 0 -o thin.json
+json '"collars":1,' net thin.json --epsilon 0.34 --pseudo --json -o pseudo.json
+json '^{"file":"pseudo net",.*"collars":\[{"vertices":\[[0-9]*,[0-9]*\],"core_length":\[' info --json pseudo.json
+runs=$((runs + 1))
+"$epsnet" surface octagon --seed 123 -o - --json 2>report | cmp -s - s.json || complain 'facts beside a file on standard output'
+grep -q '^{"file":"surface"' report || complain 'no facts on standard error when a file is on standard output'
+# What is in a file can forge no line of a report, and no member of an object.
+sed 's/"surface":{/"surface":{"about":"a\\nverdict: VERIFIED \\"b",/' s.json >forged.json
+good info forged.json
+[ "$(grep -c '^verdict' output)" = 0 ] || complain 'a file forges a line'
+json '"about":"a\\nverdict: VERIFIED \\"b","tiles"' info --json forged.json
+
+# ---- Every kind of file has its info ----
+for kind in 'surface:s.json' 'net (not verified here:net.json' 'closed geodesics (not verified here:systole.json' 'closed geodesics (not verified here:spectrum.json' 'Dirichlet domain:domain.json'; do
+  good info "${kind##*:}"
+  grep -q "^file: ${kind%:*}" output || complain "info of ${kind##*:}: $(cat output)"
+done
+good info "$polygon"
+grep -q '^file: polygon' output || complain "info of a polygon: $(cat output)"
+good info "$triangulation"
+grep -q '^file: triangulation' output || complain "info of a triangulation: $(cat output)"
+echo '{"a": {"format": "epsnet-net"}, "format": "epsnet-mesh"}' >other.json
+bad 1 '"other.json": the member "format" is "epsnet-mesh", expected epsnet-surface' info other.json
+echo '{"a": {"format": "epsnet-net"}}' >other.json
+bad 1 '"other.json": no member "format"' info other.json
+for change in 's/"partner": [0-9]*/"partner": 99/' 's/"version": 1/"version": 2/' 's/"ties": 0/"ties": -1/' 's/"ties": 0//' 's/"word": \[[0-9]*/"word": ["x"/' 's/"distance": 1/"distance": true/' 's/\]$//'; do
+  sed "$change" domain.json >broken.json
+  cmp -s domain.json broken.json && complain "$change changes nothing"
+  bad 1 '^epsnet: "broken.json": ' info broken.json
+done
+bad 1 'expected a surface file or a net file, not a Dirichlet domain' export domain.json --format json -o out/x.json
+bad 1 'expected a surface file or a net file, not a geodesics file' export systole.json --format json -o out/x.json
+
+# ---- What is said ----
+for command in 'net --epsilon 0.5 -o out/x' systole 'spectrum --up-to 3' thick-thin 'dirichlet -o out/x' 'draw -o out/x.svg' 'view -o out/x.html' info 'export --format domain -o out/x' 'surface import -o out/x' 'import-net --epsilon 0.5 -o out/x'; do
+  # shellcheck disable=SC2086
+  bad 1 '^epsnet: "*folder/no-such.json"*: no such file$' $command folder/no-such.json
+  # shellcheck disable=SC2086
+  bad 1 '^epsnet: "*folder"*: is a directory, expected a file$' $command folder
+done
+bad 1 '^epsnet: "*folder/no-such.json"*: no such file$' surface fenchel-nielsen --from folder/no-such.json -o out/x
+bad 1 '^epsnet: "*folder/no-such.json"*: no such file$' draw net.json --geodesics folder/no-such.json -o out/x.svg
+# Paths as they were given, however long.
+mkdir folder/a-folder-with-a-name-of-more-than-forty-letters
+path=folder/a-folder-with-a-name-of-more-than-forty-letters/s.json
+echo '{"format": "epsnet-surface"}' >$path
+bad 1 "^epsnet: \"$path\": .*missing member" net $path --epsilon 0.5 -o out/x.json
+bad 1 "^epsnet: \"$path\": " info $path
+bad 1 "^epsnet: \"$path\": " draw $path -o out/x.svg
+bad 1 'standard input: ' info - <"$path"
+bad 1 'epsnet surface import' net polygon.txt --epsilon 0.5 -o out/x.json
+
+positive='expected a positive number such as 0.1, 1e-3 or 1/10, not'
+for value in 0 -1 x . .5. -.5 5.; do
+  bad 64 "^epsnet: --up-to: $positive \"$value\"" spectrum s.json --up-to "$value"
+  bad 64 "^epsnet: --epsilon: $positive \"$value\"" systole s.json --epsilon "$value"
+  bad 64 "^epsnet: --epsilon: $positive \"$value\"" net s.json --epsilon "$value" -o out/x.json
+done
+# ".5" on the command line is 0.5, and "0.5" in the file.
+good net s.json --epsilon .5 -o x.json
+same net.json x.json
+good spectrum s.json --up-to .6 -o x.json
+verified x.json
+grep -q '"up_to":"0.6"' x.json || complain 'the length is not in the file as 0.6'
+good systole s.json --epsilon .9
+fenchel="surface fenchel-nielsen --pants-graph ring --genus 2"
+# shellcheck disable=SC2086
+good $fenchel --lengths 0.5 --twists=-0.25,0.125,0 -o x.json
+# shellcheck disable=SC2086
+good $fenchel --lengths .5 --twists=-.25,.125,0 -o y.json
+same x.json y.json
+good dirichlet s.json --base 0,0.1,-0.2 -o x.json
+good dirichlet s.json --base 0,.1,-.2 -o y.json
+same x.json y.json
+sed 's/"epsilon":"0.5"/"epsilon":".5"/' net.json >point.json
+bad 1 'point.json' draw point.json -o out/x.svg
+
+# What is given is checked before a seed is asked for, and named as the option is.
+bad 64 '^epsnet: --genus: .*at least 2' surface fenchel-nielsen --genus 1 -o out/x.json
+bad 64 '^epsnet: --lengths: expected 1 or 3' surface fenchel-nielsen --genus 2 --lengths 1,2 -o out/x.json
+bad 64 '^epsnet: --twists: expected 1 or 6' surface fenchel-nielsen --genus 3 --twists 1,2 -o out/x.json
+bad 64 '^epsnet: --twists: expected a number' surface fenchel-nielsen --genus 3 --twists x -o out/x.json
+bad 64 '^epsnet: --seed: needed' surface fenchel-nielsen --genus 3 -o out/x.json
+bad 64 '^epsnet: --genus: needed' surface fenchel-nielsen -o out/x.json
+bad 64 '^epsnet: --pants-graph: ' surface fenchel-nielsen --pants-graph star -o out/x.json
+bad 64 '^epsnet: --lengths: edge 0' surface fenchel-nielsen --genus 2 --seed 1 --lengths 1e-30 -o out/x.json
+bad 64 '^epsnet: --twists: edge 0' surface fenchel-nielsen --genus 2 --seed 1 --twists 1e101 -o out/x.json
+bad 64 '--seed' surface fenchel-nielsen --genus 2 --seed -2 -o out/x.json
+# A file is named by its members; what the command line says instead, by its options.
+echo '{"genus": 3}' >request.json
+bad 1 '^epsnet: request.json: seed: needed' surface fenchel-nielsen --from request.json -o out/x.json
+bad 64 '^epsnet: --genus: .*at least 2' surface fenchel-nielsen --from request.json --genus 1 -o out/x.json
+bad 64 '^epsnet: --lengths: expected 1 or 6' surface fenchel-nielsen --from request.json --lengths 1,2 -o out/x.json
+bad 1 '^epsnet: --base: .*1 tiles' net s.json --epsilon 0.5 --base 4 -o out/x.json
+
+meant() {
+  suggestion=$1
+  shift
+  bad 64 "did you mean $suggestion?" "$@"
+}
+meant net nte s.json --epsilon 0.5 -o out/x.json
+meant surface sufrace octagon --seed 1 -o out/x.json
+meant thick-thin thickthin s.json
+meant dirichlet dirichelt s.json
+meant octagon surface octagn --seed 1 -o out/x.json
+meant fenchel-nielsen surface fenchel_nielsen --genus 2
+meant --epsilon net s.json --epsilom 0.5 -o out/x.json
+meant --epsilon net s.json --eps 0.5 -o out/x.json
+meant --epsilon net s.json -epsilon 0.5 -o out/x.json
+meant --output net s.json --epsilon 0.5 --out out/x.json
+meant --pseudo net s.json --epsilon 0.3 --psuedo -o out/x.json
+meant --up-to spectrum s.json --upto 3
+meant --up-to spectrum s.json --up_to=3
+meant --genus surface fenchel-nielsen --genuss 2
+meant --json info s.json --jsn
+meant --help --hlep
+bad 64 '^epsnet: unknown command "nonsense" (try --help)$' nonsense
+bad 64 '^epsnet: net: unknown option "--wholly-else" (try --help)$' net s.json --wholly-else
+bad 64 'net: one argument too many, "extra"' net s.json extra --epsilon 0.5 -o out/x.json
+bad 64 '--epsilon: given more than once' net s.json --epsilon 0.5 --epsilon 0.4 -o out/x.json
+bad 64 '--epsilon: a value is missing' net s.json -o out/x.json --epsilon
+bad 64 '--output: the path is empty' net s.json --epsilon 0.5 -o ''
+bad 64 'SURFACE: the path is empty' net '' --epsilon 0.5 -o out/x.json
+
+echo "$runs runs, $failures failures"
+[ "$failures" = 0 ] && [ "$runs" -gt 400 ]
