@@ -92,6 +92,20 @@ std::string two_digits(double value) {
   return text.data();
 }
 
+/// How many crossings of a word, from the i-th on, turn around one vertex.
+std::size_t turn_length(const Surface& surface, const Word& word, std::size_t i, Turn turn) {
+  std::size_t end = i + 1;
+  while (end < word.size() && next_crossing(surface, word[end - 1], turn) == word[end]) ++end;
+  return end - i;
+}
+
+/// A path that turns around a vertex with as many crossings as this is one factor of a product.
+constexpr std::uint32_t kLongTurn = 16;
+
+/// The field in which the crossings around a vertex are multiplied up for products in T.
+template <class T>
+using TurnField = std::conditional_t<std::is_same_v<T, Mp256>, Mp1024, T>;
+
 /// The crossings of one full turn that goes on from side s.
 std::uint32_t crossings_around(const Surface& surface, std::uint32_t s, Turn turn) {
   if (turn == Turn::counterclockwise) return surface.corners_around(s);
@@ -99,6 +113,17 @@ std::uint32_t crossings_around(const Surface& surface, std::uint32_t s, Turn tur
   const std::uint32_t first = surface.side_number(tile, 0);
   const auto n = static_cast<std::uint32_t>(surface.tiles()[tile].size());
   return surface.corners_around(first + (s - first + 1) % n);
+}
+
+/// The points p, q of the disk, rounded to nearest, have certainly |z|² > square, z being q with p moved to the origin.
+bool certainly_farther(const Complex<double>& p, const Complex<double>& q, double square) {
+  // |z|²/(1 − |z|²) = |p − q|²/((1 − |p|²)(1 − |q|²)). Each rounded point is within 0.8 u of the true one, so the
+  // distance is off by less than 2u, and by 4u with its own rounding, and a factor of the denominator by less than 5u.
+  constexpr double kError = 8 * kUnitRoundoff;
+  const double distance = std::sqrt(norm(p - q)) - kError;
+  const double heights = (1 - norm(p) + kError) * (1 - norm(q) + kError);
+  constexpr double kMargin = 1.001;  // For the roundings that are relative.
+  return distance > 0 && distance * distance * (1 - square) > kMargin * square * heights;
 }
 
 template <class T>
@@ -175,6 +200,16 @@ Atlas::Atlas(const Surface& surface) : surface_(&surface) {
     crossings_.push_back(partner < s ? epsnet::inverse(crossings_[partner])
                                      : convert<Mp256>(surface.crossing_as<Mp1024>(s)));
   }
+  const auto is_long = [&](std::uint32_t corner) { return surface.corners_around(corner) >= 2 * kLongTurn; };
+  constexpr std::uint32_t kUnset = ~std::uint32_t{0};
+  for (std::uint32_t corner = 0; corner < surface.side_count(); ++corner) {
+    if (!is_long(corner)) continue;
+    if (place_in_turn_.empty()) place_in_turn_.assign(surface.side_count(), kUnset);
+    std::uint32_t place = 0;
+    for (std::uint32_t s = corner; place_in_turn_[s] == kUnset; s = next_crossing(surface, s, Turn::counterclockwise)) {
+      place_in_turn_[s] = place++;
+    }
+  }
   disks_.reserve(surface.tiles().size());
   for (const Tile& tile : surface.tiles()) {
     const std::size_t first = corners_.size();
@@ -218,12 +253,13 @@ std::uint32_t Atlas::add_chart(Chart chart) {
   const std::uint32_t c = chart_count();
   charts_of_tile_[chart.tile].push_back(c);
   Disk disk = disks_[chart.tile];
-  disk.centre = epsnet::inverse(Isometry<double>::translation(convert<double>(chart.centre)))(disk.centre);
+  const Complex<double> centre = convert<double>(chart.centre);
+  disk.centre = epsnet::inverse(Isometry<double>::translation(centre))(disk.centre);
   constexpr double kFarthest = 0.999;
   if (!(norm(disk.centre) < kFarthest)) {
     disk.sinh_radius = 0;
   }
-  charts_.push_back({std::move(chart), disk, {}, {}});
+  charts_.push_back({std::move(chart), centre, disk, {}, {}});
   charts_.back().unit_frame = normalized(frame<Mp256>(c));
   return c;
 }
@@ -254,14 +290,72 @@ const Isometry<T>& Atlas::crossing(std::uint32_t s) const {
 }
 
 template <class T>
+const Atlas::Turns<T>& Atlas::turns(std::uint32_t corner) const {
+  auto& known = std::get<Known<T>>(known_).turns;
+  const std::uint32_t vertex = surface_->vertex_class(corner);
+  if (const auto found = known.find(vertex); found != known.end()) {
+    return found->second;
+  }
+  std::uint32_t s = corner;
+  while (place_in_turn_[s] != 0) s = next_crossing(*surface_, s, Turn::counterclockwise);
+  Turns<T> result{{Isometry<T>{}}, 0};
+  double largest_product = 1;
+  double largest_crossing = 1;
+  for (std::uint32_t i = 1; i < surface_->corners_around(corner); ++i) {
+    const Isometry<T>& next = crossing<T>(s);
+    result.products.push_back(next * result.products.back());
+    largest_product = std::max(largest_product, log2_norm(result.products.back()));
+    largest_crossing = std::max(largest_crossing, log2_norm(next));
+    s = next_crossing(*surface_, s, Turn::counterclockwise);
+  }
+  factor_count_ += result.products.size();
+  // docs/error-bounds.md, E5.
+  result.bits_lost =
+      4 * largest_product + largest_crossing + std::log2(static_cast<double>(result.products.size())) + 5;
+  return known.emplace(vertex, std::move(result)).first->second;
+}
+
+template <class T>
+double Atlas::append_factors(const Word& word, std::vector<Isometry<T>>& factors) const {
+  double missing = 0;
+  const auto product_of_turn = [&](std::uint32_t first, std::size_t length) {
+    const Turns<TurnField<T>>& around = turns<TurnField<T>>(first);
+    const std::size_t n = around.products.size();
+    const std::size_t start = place_in_turn_[first];
+    missing = std::max(missing, around.bits_lost + kMantissaBits<T> - kMantissaBits<TurnField<T>>);
+    return convert<T>(around.products[(start + length) % n] * epsnet::inverse(around.products[start]));
+  };
+  for (std::size_t i = 0; i < word.size();) {
+    if (!place_in_turn_.empty()) {
+      const std::size_t forward = turn_length(*surface_, word, i, Turn::counterclockwise);
+      const std::size_t backward = turn_length(*surface_, word, i, Turn::clockwise);
+      if (forward >= kLongTurn) {
+        factors.push_back(product_of_turn(word[i], forward));
+        i += forward;
+        continue;
+      }
+      if (backward >= kLongTurn) {
+        // The path backwards turns counterclockwise.
+        const std::uint32_t last = word[i + backward - 1];
+        factors.push_back(epsnet::inverse(product_of_turn(surface_->partner(last), backward)));
+        i += backward;
+        continue;
+      }
+    }
+    factors.push_back(crossing<T>(word[i]));
+    ++i;
+  }
+  return missing;
+}
+
+template <class T>
 Atlas::Evaluation<T> Atlas::evaluate(std::uint32_t from, std::uint32_t to, const Word& word) const {
   // The value is a product M_n … M_0; an error in M_i is magnified by the partial products on its two sides. Factors
   // have determinant 1, the product is not normalised again: |a|² − |b|² has lost its bits where |a| is large.
   std::vector<Isometry<T>> factors{unit_frame<T>(from)};
-  for (const std::uint32_t s : word) {
-    factors.push_back(crossing<T>(s));
-  }
+  const double missing = append_factors<T>(word, factors);
   factors.push_back(epsnet::inverse(unit_frame<T>(to)));
+  factor_count_ += factors.size();
   Isometry<T> product = factors.front();
   std::vector<double> before{log2_norm(product)};
   double lost = 2 * before.front();
@@ -281,7 +375,7 @@ Atlas::Evaluation<T> Atlas::evaluate(std::uint32_t from, std::uint32_t to, const
     }
   }
   // The factors' own rounding, about 8 operations deep, and their number.
-  return {product, lost + 8 + std::log2(static_cast<double>(factors.size()))};
+  return {product, lost + missing + 8 + std::log2(static_cast<double>(factors.size()))};
 }
 
 template <class T>
@@ -386,6 +480,12 @@ std::optional<LabelId> Atlas::find_product(LabelId f, LabelId g) const {
 }
 
 LabelId Atlas::product_of_others(LabelId f, LabelId g) {
+  const LabelId result = looked_up_product(f, g);
+  recent_[recent_slot(f, g)] = {f, g, result};
+  return result;
+}
+
+LabelId Atlas::looked_up_product(LabelId f, LabelId g) {
   const auto [known, is_new] = products_.try_emplace(pair_key(f, g), kUnknown);
   if (!is_new) {
     return known->second;
@@ -416,6 +516,15 @@ LabelId Atlas::inverse_of_other(LabelId f) {
     return result;
   }
   return entry.inverse;
+}
+
+LabelId Atlas::power(LabelId f, std::uint64_t n) {
+  LabelId result = kIdentity;
+  for (LabelId square = f; n > 0; n /= 2) {
+    if (n % 2 != 0) result = product(square, result);
+    if (n > 1) square = product(square, square);
+  }
+  return result;
 }
 
 template <class T>
@@ -506,7 +615,12 @@ Atlas::Place Atlas::place(std::uint32_t c, const Complex<Mp1024>& z, bool exact)
   std::optional<std::uint32_t> nearest;
   if (!exact) {
     double best = 0.6 * 0.6;
+    // Most charts are seen in binary64 to be farther than that.
+    const Complex<double> seen = convert<double>(w);
     for (const std::uint32_t candidate : charts_of_tile_[tile]) {
+      if (certainly_farther(charts_[candidate].centre, seen, best)) {
+        continue;
+      }
       const double distance2 = static_cast<double>(norm(epsnet::inverse(frame<Mp1024>(candidate))(w)));
       if (distance2 < best) {
         best = distance2;

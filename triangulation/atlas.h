@@ -67,15 +67,23 @@ class Atlas {
   [[nodiscard]] const Word& word(LabelId l) const { return labels_[l - 1].word; }
   /// The labels, the identity not among them, that lead to a chart.
   [[nodiscard]] std::span<const LabelId> labels_to(std::uint32_t c) const { return charts_[c].incoming; }
+  /// The isometries that were multiplied so far to evaluate words: what a new label costs.
+  [[nodiscard]] std::uint64_t factor_count() const { return factor_count_; }
 
   /// f ∘ g; g leads to the chart that f leads from.
   [[nodiscard]] LabelId product(LabelId f, LabelId g) {
     if (f == kIdentity) {
       return g;
     }
-    return g == kIdentity ? f : product_of_others(f, g);
+    if (g == kIdentity) {
+      return f;
+    }
+    const RecentProduct& recent = recent_[recent_slot(f, g)];
+    return recent.f == f && recent.g == g ? recent.product : product_of_others(f, g);
   }
   [[nodiscard]] LabelId inverse(LabelId f) { return f == kIdentity ? kIdentity : inverse_of_other(f); }
+  /// f ∘ f ∘ … ∘ f, n times; f leads from a chart to itself. O(log n) products.
+  [[nodiscard]] LabelId power(LabelId f, std::uint64_t n);
 
   /// The isometry of a label, not the identity, in binary64. `error(l)` bounds the Euclidean distance of the computed
   /// image of a point with |z| ≤ 0.75 from the true image (docs/error-bounds.md, E5).
@@ -115,7 +123,8 @@ class Atlas {
   };
   struct ChartEntry {
     Chart chart;
-    Disk disk;  ///< In the coordinates of the chart.
+    Complex<double> centre;  ///< chart.centre, rounded.
+    Disk disk;               ///< In the coordinates of the chart.
     Isometry<Mp256> unit_frame;
     std::vector<LabelId> incoming;
   };
@@ -133,7 +142,21 @@ class Atlas {
     double error;
   };
 
+  /// A product that was asked for lately: most are asked for again and again.
+  struct RecentProduct {
+    LabelId f = kIdentity;
+    LabelId g = kIdentity;
+    LabelId product = kIdentity;
+  };
+  static constexpr unsigned kRecentBits = 12;
+  [[nodiscard]] static std::size_t recent_slot(LabelId f, LabelId g) {
+    constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15;  // Multiplicative hashing.
+    return static_cast<std::size_t>((((std::uint64_t{f} << 32) | g) * kGolden) >> (64 - kRecentBits));
+  }
+
   [[nodiscard]] LabelId product_of_others(LabelId f, LabelId g);
+  /// The same, without a look at the products asked for lately.
+  [[nodiscard]] LabelId looked_up_product(LabelId f, LabelId g);
   [[nodiscard]] LabelId inverse_of_other(LabelId f);
   /// A disk inside of a tile, from its corners, in its coordinates.
   [[nodiscard]] static Disk disk_inside(std::span<const Complex<double>> tile);
@@ -151,6 +174,19 @@ class Atlas {
   };
   template <class T>
   [[nodiscard]] Evaluation<T> evaluate(std::uint32_t from, std::uint32_t to, const Word& word) const;
+  /// The crossings around a vertex, multiplied up: products[i] is the product of the first i of them.
+  template <class T>
+  struct Turns {
+    std::vector<Isometry<T>> products;
+    double bits_lost;  ///< A quotient of two of them is within 2^(bits_lost − bits of T).
+  };
+  /// Those around the vertex of a corner.
+  template <class T>
+  [[nodiscard]] const Turns<T>& turns(std::uint32_t corner) const;
+  /// Appends the crossings of a word to a list of factors; where the word turns around a vertex with many of them, one
+  /// factor for all. Returns by how many bits the worst factor misses the accuracy of a rounded one.
+  template <class T>
+  [[nodiscard]] double append_factors(const Word& word, std::vector<Isometry<T>>& factors) const;
   /// The value to within 2^−accuracy relative to its entries, accuracy ≥ bits, computed in a field that is large
   /// enough.
   template <class T>
@@ -171,16 +207,22 @@ class Atlas {
   struct Known {
     std::unordered_map<LabelId, Isometry<T>> labels;
     std::unordered_map<std::uint32_t, Isometry<T>> crossings;
+    std::unordered_map<std::uint32_t, Turns<T>> turns;  ///< By vertex class.
   };
 
   const Surface* surface_;
   std::vector<Isometry<Mp256>> crossings_;
+  /// By side: which one it is of those that are crossed one after the other around its vertex. Empty if there is no
+  /// vertex with so many that paths turn far around it.
+  std::vector<std::uint32_t> place_in_turn_;
+  mutable std::uint64_t factor_count_ = 0;
   std::vector<Complex<double>> corners_;  ///< Of all tiles, by the side that starts there; rounded.
   std::vector<Disk> disks_;               ///< By tile.
   std::vector<ChartEntry> charts_;
   std::deque<LabelEntry> labels_;
   std::deque<Rounded> rounded_;  ///< By label; apart, as the fast path wants nothing else.
   std::unordered_map<std::uint64_t, LabelId> products_;
+  std::vector<RecentProduct> recent_ = std::vector<RecentProduct>(std::size_t{1} << kRecentBits);
   std::unordered_map<std::uint64_t, std::vector<LabelId>> by_charts_;
   mutable std::tuple<Known<Mp1024>, Known<Mp4096>> known_;
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> charts_of_tile_;

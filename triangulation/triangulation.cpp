@@ -424,8 +424,10 @@ std::uint64_t Triangulation::restore_delaunay(std::vector<Dart>& pending, Journa
     const Dart d = pending.back();
     pending.pop_back();
     if (!is_delaunay(d)) {
-      const Dart f = flip(d, journal);
+      const bool untwisted = untwist(d, journal);
+      const Dart f = untwisted ? d : flip(d, journal);
       ++flips;
+      if (untwisted) pending.push_back(d);
       for (const Dart side : {next_dart(f), previous_dart(f), next_dart(opposite(f)), previous_dart(opposite(f))}) {
         pending.push_back(side);
       }

@@ -195,7 +195,7 @@ class Triangulation {
   /// an edge that is not Delaunay does (thesis Theorem I.31).
   Dart flip(Dart d, Journal* journal = nullptr);
   /// Flips until every edge is locally Delaunay (thesis Theorem I.32), starting from the given darts; returns the
-  /// number of flips.
+  /// number of flips. Many flips around one short closed curve are made at once, and count as one.
   std::uint64_t restore_delaunay(std::vector<Dart>& pending, Journal* journal = nullptr);
   /// The same from all edges.
   std::uint64_t make_delaunay();
@@ -268,6 +268,10 @@ class Triangulation {
  private:
   Triangulation(const Triangulation&) = default;
 
+  /// Where the two triangles beside d make an annulus around a short closed curve and the edges across turn around it
+  /// many times more than a Delaunay triangulation lets them: undoes all of these turns, which would take as many
+  /// flips. False, with nothing changed, elsewhere. The darts stay where they are.
+  [[nodiscard]] bool untwist(Dart d, Journal* journal);
   void cut_tiles(const std::optional<BasePoint>& base);
   void cut_regular();
   /// Makes the vertex classes vertices, from number `first_class` on, each the origin of a chart of its first corner.
