@@ -117,7 +117,7 @@ std::uint32_t crossings_around(const Surface& surface, std::uint32_t s, Turn tur
 
 /// The points p, q of the disk, rounded to nearest, have certainly |z|² > square, z being q with p moved to the origin.
 bool certainly_farther(const Complex<double>& p, const Complex<double>& q, double square) {
-  // |z|²/(1 − |z|²) = |p − q|²/((1 − |p|²)(1 − |q|²)). Each rounded point is within 0.8 u of the true one, so the
+  // |z|²/(1 − |z|²) = |p − q|²/((1 − |p|²)(1 − |q|²)). Each rounded point is within u of the true one, so the
   // distance is off by less than 2u, and by 4u with its own rounding, and a factor of the denominator by less than 5u.
   constexpr double kError = 8 * kUnitRoundoff;
   const double distance = std::sqrt(norm(p - q)) - kError;

@@ -48,6 +48,7 @@ bool Triangulation::untwist(Dart d, Journal* journal) {
   const Corner p = corner(t, of_p);
   const Corner turned_p = corner(t, previous(corner_of(d)));
   const LabelId tau = atlas_.product(turned_p.label, atlas_.inverse(p.label));
+  if (tau == kIdentity) return false;
   const Isometry<double>& rounded = atlas_.isometry(tau);
   constexpr double kRounding = 16 * kUnitRoundoff;
   if (isometry_discriminant(rounded) - kRounding * (norm(rounded.a) + norm(rounded.b)) > kShort) return false;
@@ -62,10 +63,12 @@ bool Triangulation::untwist(Dart d, Journal* journal) {
   // The edges across are short if the feet of p and τᵏf, k ≤ turns < k + 1, are as near as they can be.
   const double turns = std::floor(static_cast<double>(Mp1024(place(p) - place(f))) / length);
   if (!(std::fabs(turns) >= kManyTurns)) return false;
-  if (!(std::fabs(turns) * static_cast<double>(atlas_.word(tau).size()) <= kMostLetters)) {
+  const double letters = std::fabs(turns) * static_cast<double>(atlas_.word(tau).size());
+  if (!(letters <= kMostLetters)) {
     throw LimitError("edges of the start turn " + two_digits(std::fabs(turns)) +
-                     " times around a closed curve of length " + two_digits(length) +
-                     ", expected at most 100000 sides that are crossed; cut the surface otherwise");
+                     " times around a closed curve of length " + two_digits(length) + ", across " +
+                     two_digits(letters) + " sides, expected at most " + two_digits(kMostLetters) +
+                     "; the surface must be cut into other tiles");
   }
   const LabelId twist =
       atlas_.power(turns < 0 ? atlas_.inverse(tau) : tau, static_cast<std::uint64_t>(std::fabs(turns)));
