@@ -41,23 +41,8 @@ Interval area_of(std::uint64_t genus) {
   return outer_interval(area.get());
 }
 
-}  // namespace
-
-std::string_view name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::verified:
-      return "VERIFIED";
-    case Verdict::refuted:
-      return "REFUTED";
-    case Verdict::undecided:
-      return "UNDECIDED";
-    case Verdict::malformed:
-      break;
-  }
-  return "MALFORMED";
-}
-
-Certificate check(const Document& document, const CheckOptions& options) {
+/// All rules; work is not counted yet.
+Certificate check_rules(const Document& document, const CheckOptions& options, const Budget& budget) {
   const auto progress = [&](std::string_view rule) {
     if (options.progress) options.progress(rule, 0);
   };
@@ -83,7 +68,7 @@ Certificate check(const Document& document, const CheckOptions& options) {
   bounded.max_precision = std::clamp(options.max_precision, kLeastPrecision, kGreatestPrecision);
 
   progress("surface");
-  SurfaceOutcome surface = check_surface(document.surface, threads);
+  SurfaceOutcome surface = check_surface(document.surface, threads, budget);
   certificate.rules.push_back(surface.report);
   if (surface.report.verdict != Verdict::verified) return conclude(std::move(certificate));
   certificate.counts.genus = surface.genus;
@@ -93,10 +78,16 @@ Certificate check(const Document& document, const CheckOptions& options) {
   if (certificate.rules.back().verdict != Verdict::verified) return conclude(std::move(certificate));
 
   progress("gluing");
-  LabelParts parts{std::move(surface.crossings), {}};
-  parts.frames.reserve(document.charts.size());
-  for (const Chart& chart : document.charts) parts.frames.push_back(translation_to(exact_point(chart.centre)));
-  const LabelEvaluator evaluator(document, parts);
+  LabelParts parts{std::move(surface.crossings), {}, budget};
+  std::optional<LabelEvaluator> labels;
+  try {
+    parts.frames = chart_frames(document.charts, budget);
+    labels.emplace(document, parts);
+  } catch (const BudgetSpent& spent) {
+    certificate.rules.push_back({"gluing", Verdict::undecided, spent.what()});
+    return conclude(std::move(certificate));
+  }
+  const LabelEvaluator& evaluator = *labels;
   const GluingOutcome gluing = check_gluing(document, evaluator, parts, bounded.max_precision, threads);
   certificate.rules.push_back(gluing.report);
   certificate.counts.label_identities = gluing.identities;
@@ -128,6 +119,34 @@ Certificate check(const Document& document, const CheckOptions& options) {
                                       .shortest_loop = geometry.shortest_loop,
                                       .shortest_core = shortest_core};
   return conclude(std::move(certificate));
+}
+
+}  // namespace
+
+std::string_view name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::verified:
+      return "VERIFIED";
+    case Verdict::refuted:
+      return "REFUTED";
+    case Verdict::undecided:
+      return "UNDECIDED";
+    case Verdict::malformed:
+      break;
+  }
+  return "MALFORMED";
+}
+
+Certificate check(const Document& document, const CheckOptions& options) {
+  return check(document, options,
+               Budget(options.max_work != 0 ? options.max_work : work_allowed(least_bytes(document))));
+}
+
+Certificate check(const Document& document, const CheckOptions& options, const Budget& budget) {
+  const std::uint64_t before = budget.left();
+  Certificate certificate = check_rules(document, options, budget);
+  certificate.counts.work = before - budget.left();
+  return certificate;
 }
 
 }  // namespace epsnet::certify

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <epsnet/certify/ball.h>
+#include <epsnet/certify/budget.h>
 #include <epsnet/certify/document.h>
 
 #include <cstdint>
@@ -27,6 +28,8 @@ inline constexpr long kGreatestPrecision = 1L << 20;
 struct CheckOptions {
   unsigned threads = 0;       ///< 0: as many as the machine has cores. The result is the same for any number.
   long max_precision = 8192;  ///< Bits; beyond, a comparison is undecided. At least 64, at most 2²⁰.
+  /// Units of work (budget.h) after which what is left is undecided; 0: what a file of this size may take.
+  std::uint64_t max_work = 0;
   /// Geodesics files only: lifted triangles visited; with more, a list is not decided to be complete.
   std::uint64_t max_visits = 100'000'000;
   /// Called now and then, from the calling thread only, with a rule's name and the share done, 0 to 1.
@@ -52,6 +55,7 @@ struct Counts {
   std::uint64_t exact_ties = 0;        ///< Edges whose four corners are exactly cocircular.
   std::uint64_t triangles_beyond_64_bits = 0;
   std::uint64_t max_precision_used = 0;  ///< Bits, largest of the rules from gluing on.
+  std::uint64_t work = 0;                ///< Units (budget.h) that all rules took; the same for any number of threads.
   std::optional<std::uint64_t> collars;  ///< Of a pseudo net; absent in any other.
 };
 
@@ -97,7 +101,13 @@ struct Certificate {
 /// (std::bad_alloc, std::system_error).
 ///
 /// The verdict: malformed if the structure is broken; else refuted if any evaluated rule is, and the first such rule is
-/// named; else undecided if any is; else verified. O(n log n) time, n the size of the document, at fixed precision.
+/// named; else undecided if any is; else verified. Rules that cannot change this are left undecided. O(n log n) time, n
+/// the size of the document, at fixed precision.
+///
+/// What needs more work than `max_work` in all is undecided; a rule that was refuted before stays refuted.
 [[nodiscard]] Certificate check(const Document& document, const CheckOptions& options = {});
+
+/// The same, with an account of work that others draw on as well, instead of `max_work`.
+[[nodiscard]] Certificate check(const Document& document, const CheckOptions& options, const Budget& budget);
 
 }  // namespace epsnet::certify

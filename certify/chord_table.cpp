@@ -8,12 +8,11 @@
 namespace epsnet::certify {
 namespace {
 
-/// Chords of one geodesic at most, and of all: a few hundred bytes each.
-constexpr std::size_t kMaxChords = 100'000;
-constexpr std::size_t kMaxChordsInAll = 4'000'000;
 /// The greatest exponent of a power, and the number of exponents that enclosures may leave; beyond, nothing is decided.
 constexpr double kMaxPower = 1e6;
 constexpr double kMaxExponents = 16;
+/// Operations of balls that a comparison with a power takes.
+constexpr std::uint64_t kPowerOperations = 60;
 
 BallIsometry power_of(const BallIsometry& f, std::uint32_t exponent, slong precision) {
   if (exponent == 1) return f;
@@ -31,12 +30,11 @@ ChordTable::ChordTable(const LiftedPlane& plane, std::vector<Member> members, un
       places_(plane.net().triangles.size()),
       places_by_axis_(plane.net().triangles.size()) {
   for (const Member& member : members) first_darts_.push_back(member.first_dart);
-  const std::size_t limit = std::min(kMaxChords, kMaxChordsInAll / std::max<std::size_t>(members.size(), 1));
   std::vector<char> found(members.size(), 0);
   for_each_parallel(members.size(), threads, [&](unsigned, std::size_t i) {
     choose_sign(members[i].element);
     lengths_[i] = translation_length(members[i].element, plane.precision());
-    auto list = find_chords(plane, members[i].first_dart, members[i].element, limit);
+    auto list = find_chords(plane, members[i].first_dart, members[i].element);
     found[i] = list.has_value();
     if (list) lists_[i] = *std::move(list);
   });
@@ -80,7 +78,9 @@ Tri ChordTable::is_power(const Chord& chord, const BallIsometry& root, std::uint
 
 ChordTable::Match ChordTable::find(const Chord& chord, Interval length, std::uint32_t except) const {
   Match match;
-  for (const Place place : on_axis(chord)) {
+  const std::vector<Place> places = on_axis(chord);
+  plane_.spend(1, places.size());
+  for (const Place place : places) {
     if (place.geodesic == except) continue;
     // k l ∈ length for l in the member's enclosure: the exponents between two quotients, rounded outward.
     const Interval member = lengths_[place.geodesic];
@@ -92,6 +92,7 @@ ChordTable::Match ChordTable::find(const Chord& chord, Interval length, std::uin
     }
     if (least > most) continue;
     for (auto power = static_cast<std::uint32_t>(least); power <= most; ++power) {
+      plane_.spend(kPowerOperations);
       const Tri answer = is_power(chord, this->chord(place).element, power);
       if (answer == Tri::yes) return {Tri::yes, place.geodesic, power};
       if (answer == Tri::unknown) match.found = Tri::unknown;

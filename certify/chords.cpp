@@ -9,6 +9,10 @@
 namespace epsnet::certify {
 namespace {
 
+/// Operations of balls that a chord takes, and a comparison of two.
+constexpr std::uint64_t kChordOperations = 150;
+constexpr std::uint64_t kComparisonOperations = 4;
+
 /// T g T⁻¹.
 BallIsometry conjugate_by(const BallIsometry& t, const BallIsometry& g, slong precision) {
   BallIsometry result = compose(compose(t, g, precision), inverse(t), precision);
@@ -31,7 +35,7 @@ bool all_finite(const BallVector& x) { return is_finite(x[0]) && is_finite(x[1])
 
 class ChordSearch {
  public:
-  ChordSearch(const LiftedPlane& plane, std::size_t limit) : plane_(plane), net_(plane.net()), limit_(limit) {}
+  explicit ChordSearch(const LiftedPlane& plane) : plane_(plane), net_(plane.net()) {}
 
   /// From the first triangle of the vertex to a triangle that the axis possibly meets; false if it is not found.
   bool approach(std::uint32_t first_dart, const BallIsometry& element) {
@@ -41,11 +45,7 @@ class ChordSearch {
     chord.element = conjugate_by(plane_.label(corner_label(net_, first_dart)), element, precision);
     if (!measure(chord)) return false;
     BallVector foot = foot_of(plane_.corner(first_dart), chord.axis);
-    for (std::size_t steps = 0; steps < limit_; ++steps) {
-      if (!misses(chord)) {
-        list_.chords.push_back(std::move(chord));
-        return true;
-      }
+    while (misses(chord)) {
       const std::uint32_t dart = dart_towards(chord.triangle, foot);
       if (dart == Chord::kNone) return false;
       list_.approach.push_back(dart);
@@ -53,7 +53,8 @@ class ChordSearch {
       if (!measure(chord)) return false;
       if (const auto* transition = plane_.transition(dart)) foot = apply(transition->matrix, foot, precision);
     }
-    return false;
+    list_.chords.push_back(std::move(chord));
+    return true;
   }
 
   /// All chords from the first one, up to where `visit` says false; false if balls do not decide.
@@ -115,6 +116,7 @@ class ChordSearch {
 
   /// The axis and the sides of the corners; false if there is no axis to this precision.
   [[nodiscard]] bool measure(Chord& chord) const {
+    plane_.spend(kChordOperations);
     // The sides of the axis are told apart only by an element whose sign is chosen.
     if (certainly_positive(chord.element.a.re()) != Tri::yes) return false;
     chord.axis = axis_row(chord.element, plane_.precision());
@@ -147,12 +149,14 @@ class ChordSearch {
   bool add(Chord&& chord) {
     IntervalIndex& known = by_triangle_[chord.triangle];
     const std::uint32_t chart = chart_of_triangle(net_, chord.triangle);
-    for (const std::uint32_t i : known.near(chord.key)) {
+    const std::vector<std::uint32_t> near = known.near(chord.key);
+    plane_.spend(kComparisonOperations, near.size());
+    for (const std::uint32_t i : near) {
       const Tri same = plane_.same(chart, list_.chords[i].element, chord.element);
       if (same == Tri::yes) return true;
       if (same == Tri::unknown) return false;
     }
-    if (list_.chords.size() >= limit_) return false;
+    plane_.keep(10);
     known.insert(chord.key, static_cast<std::uint32_t>(list_.chords.size()));
     list_.chords.push_back(std::move(chord));
     return true;
@@ -160,7 +164,6 @@ class ChordSearch {
 
   const LiftedPlane& plane_;
   const Document& net_;
-  std::size_t limit_;
   ChordList list_;
   std::unordered_map<std::uint32_t, IntervalIndex> by_triangle_;  ///< By the chords' keys.
 };
@@ -184,8 +187,8 @@ std::vector<std::uint32_t> first_darts(const Document& net) {
 }
 
 std::optional<ChordList> find_chords(const LiftedPlane& plane, std::uint32_t first_dart, const BallIsometry& element,
-                                     std::size_t limit, const std::function<bool(const Chord&)>& visit) {
-  ChordSearch search(plane, limit);
+                                     const std::function<bool(const Chord&)>& visit) {
+  ChordSearch search(plane);
   if (!search.approach(first_dart, element) || !search.flood(visit)) return std::nullopt;
   return std::move(search).list();
 }

@@ -2,6 +2,7 @@
 
 #include <epsnet/certify/lifted_plane.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -14,6 +15,12 @@ namespace epsnet::certify {
 
 /// One lifted triangle, in the chart of its triangle, that an axis possibly meets.
 struct Chord {
+  /// Whether the axis certainly meets the triangle: it has corners on both sides.
+  [[nodiscard]] bool is_certain() const {
+    const auto [least, most] = std::minmax_element(side.begin(), side.end());
+    return *least < 0 && *most > 0;
+  }
+
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   std::uint32_t triangle = 0;
@@ -40,9 +47,9 @@ struct ChordList {
 /// The chords of the axis of `element`, which is written in the chart of the vertex that `first_dart` leaves; one
 /// after the other to `visit`, until it says false. Every triangle that the axis truly meets is among them.
 ///
-/// Nothing if this precision does not suffice, or after `limit` chords or steps. O(n log n) for n chords.
+/// Nothing if this precision does not suffice; BudgetSpent if the budget does not. O(n log n) for n chords.
 [[nodiscard]] std::optional<ChordList> find_chords(const LiftedPlane& plane, std::uint32_t first_dart,
-                                                   const BallIsometry& element, std::size_t limit,
+                                                   const BallIsometry& element,
                                                    const std::function<bool(const Chord&)>& visit = {});
 
 }  // namespace epsnet::certify

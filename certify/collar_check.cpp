@@ -5,6 +5,7 @@
 #include <epsnet/certify/text.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
 
 namespace epsnet::certify {
@@ -73,18 +74,6 @@ Ball norm(const ComplexBall& z, slong precision) {
   arb_sqr(square.get(), z.im(), precision);
   arb_add(result.get(), result.get(), square.get(), precision);
   return result;
-}
-
-/// The isometry of a word from the tile of a chart to itself, in the coordinates of the chart. Twice a million letters
-/// are worked out with few bits.
-BallIsometry isometry_of(const LabelParts& parts, std::uint32_t chart, const std::vector<std::uint32_t>& word,
-                         slong precision) {
-  constexpr slong kMostWork = slong{1} << 26;
-  const slong bits = std::min(precision, std::max<slong>(96, kMostWork / static_cast<slong>(word.size() + 1)));
-  const BallIsometry frame = to_balls(parts.frames[chart], bits);
-  BallIsometry result = frame;
-  for (const std::uint32_t side : word) result = compose(ball_crossing(parts.crossings, side, bits), result, bits);
-  return compose(inverse(frame), result, bits);
 }
 
 /// sinh(l/2) sinh(h) with the length l of a translation γ and the distance h from its axis, positive on one side of it,
@@ -276,13 +265,15 @@ class CollarChecker {
   }
 
   /// Clauses (c) to (g) of one collar.
-  [[nodiscard]] Clause examine(std::size_t c, slong precision, CollarsOutcome& outcome) const {
+  [[nodiscard]] Clause examine(std::size_t c, slong precision, CollarsOutcome& outcome) {
+    const auto bits_used = static_cast<std::uint64_t>(precision);
+    parts_.budget.spend(500 * ball_work(bits_used) + 20 * function_work(bits_used));
     const Collar& collar = (*document_.collars)[c];
     const auto [p, q] = collar.vertices;
     const std::uint32_t at_p = *loop_dart(document_, collar.triangles[0], p, q);
     const BallIsometry from = label(at_p, precision);
     const BallIsometry to = label(next_dart(at_p), precision);
-    std::vector<Clause> all{core_clause(collar, compose(inverse(from), to, precision), precision)};
+    std::vector<Clause> all{core_clause(c, compose(inverse(from), to, precision), precision)};
     if (all.front().holds == Tri::yes) {
       // From here on in the chart of the triangle.
       const BallIsometry loop = compose(to, inverse(from), precision);
@@ -301,14 +292,23 @@ class CollarChecker {
     return first_failure(all);
   }
 
+  const std::optional<InscribedDisk>& disk_of(std::uint32_t tile) {
+    const auto [found, is_new] = disks_.try_emplace(tile);
+    if (is_new) found->second = inscribed_disk(document_.surface, tile, max_precision_, parts_.budget);
+    return found->second;
+  }
+
   /// Clause (c): the loop at p, an isometry of p's chart, is the core or its inverse.
-  [[nodiscard]] Clause core_clause(const Collar& collar, const BallIsometry& loop, slong precision) const {
+  [[nodiscard]] Clause core_clause(std::size_t c, const BallIsometry& loop, slong precision) {
+    const Collar& collar = (*document_.collars)[c];
     const std::uint32_t chart = document_.vertices[collar.vertices[0]].chart;
-    const auto disk = inscribed_disk(document_.surface, document_.charts[chart].tile, max_precision_);
+    const auto& disk = disk_of(document_.charts[chart].tile);
     Tri same = Tri::unknown;
     if (disk) {
-      const BallIsometry core = isometry_of(parts_, chart, collar.core, 4 * precision);
+      const BallIsometry core =
+          evaluator_.evaluate(std::array{evaluator_.core_number(c)}, precision, 4 * precision, 1).front();
       // From 0 to the disk's centre, in the coordinates of the chart.
+      parts_.budget.spend(to_balls_work(bits(parts_.frames[chart]) + bits(disk->centre), 0));
       const BallIsometry base =
           to_balls(compose(inverse(parts_.frames[chart]), translation_to(disk->centre)), precision);
       same = Tri::no;
@@ -335,6 +335,7 @@ class CollarChecker {
   const LabelParts& parts_;
   slong max_precision_;
   mpq_class epsilon_;
+  std::map<std::uint32_t, std::optional<InscribedDisk>> disks_;  ///< By tile.
 };
 
 }  // namespace
@@ -351,7 +352,13 @@ CollarMembers::CollarMembers(const Document& document) : pseudo_(document.collar
 
 CollarsOutcome check_collars(const Document& document, const LabelEvaluator& evaluator, const LabelParts& parts,
                              long max_precision) {
-  return CollarChecker(document, evaluator, parts, max_precision).run();
+  try {
+    return CollarChecker(document, evaluator, parts, max_precision).run();
+  } catch (const BudgetSpent& spent) {
+    CollarsOutcome outcome;
+    outcome.report = {"collars", Verdict::undecided, spent.what()};
+    return outcome;
+  }
 }
 
 }  // namespace epsnet::certify

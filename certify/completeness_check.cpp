@@ -10,10 +10,10 @@
 namespace epsnet::certify {
 namespace {
 
-/// Chords and steps of one candidate at most.
-constexpr std::size_t kMaxChords = 100'000;
 /// Bits of two lengths that agree before they are compared exactly.
 constexpr slong kTieBits = 30;
+/// Operations of balls that a candidate takes before its chords are looked for.
+constexpr std::uint64_t kJudgeOperations = 60;
 
 std::string text(Interval x) {
   return std::string("[").append(shortest(x.lower)).append(", ").append(shortest(x.upper)).append("]");
@@ -127,6 +127,7 @@ class CompletenessCheck::Pass {
   /// identity, in the list, or (unless `place` is null) if its axis is further than ε from the vertex at `place`.
   [[nodiscard]] Tri judge(std::uint32_t v, const BallIsometry& element, const LabelProduct& product,
                           const BallVector* place, Vertex& vertex) const {
+    plane_.spend(kJudgeOperations);
     const Tri shorter = certainly_less(cosh_half_length(element).get(), cosh_half_.get());
     if (shorter == Tri::no) return Tri::yes;
     const std::uint32_t chart = net_.vertices[v].chart;
@@ -178,7 +179,7 @@ class CompletenessCheck::Pass {
   [[nodiscard]] Tri has_chord_in_list(std::uint32_t v, const BallIsometry& element) const {
     const Interval length = translation_length(element, plane_.precision());
     Tri found = Tri::no;
-    const auto list = find_chords(plane_, first_darts_[v], element, kMaxChords, [&](const Chord& chord) {
+    const auto list = find_chords(plane_, first_darts_[v], element, [&](const Chord& chord) {
       const Tri here = table_.find(chord, length).found;
       if (here != Tri::no) found = here;
       return here != Tri::yes;
@@ -208,6 +209,7 @@ CompletenessCheck::CompletenessCheck(const GeodesicsDocument& document, const La
     : document_(document),
       evaluator_(evaluator),
       traces_(evaluator),
+      up_to_(document.claim == Claim::spectrum ? *parse_decimal(document.up_to) : mpq_class()),
       limit_(options.max_visits / std::max<std::size_t>(document.net.vertices.size(), 1)),
       vertices_(document.net.vertices.size()),
       loops_(document.net.vertices.size()) {
@@ -224,7 +226,10 @@ RuleReport CompletenessCheck::check(const LiftedPlane& plane, const ChordTable& 
   for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
     if (vertices_[v].complete == Tri::unknown && !vertices_[v].limit_reached) open.push_back(v);
   }
-  for_each_parallel(open.size(), threads, [&](unsigned, std::size_t i) { pass.examine(open[i], vertices_[open[i]]); });
+  // What is begun is forgotten if the budget ends it, so that the counts do not depend on the number of threads.
+  std::vector<Vertex> vertices = vertices_;
+  for_each_parallel(open.size(), threads, [&](unsigned, std::size_t i) { pass.examine(open[i], vertices[open[i]]); });
+  vertices_ = std::move(vertices);
 
   const auto find = [&](Tri wanted) {
     return std::find_if(vertices_.begin(), vertices_.end(), [&](const Vertex& v) { return v.complete == wanted; });
@@ -274,7 +279,7 @@ Ball CompletenessCheck::cosh_half_bound(const LiftedPlane& plane) const {
       result = cosh_half_length(plane.label(first_element()));
       break;
     case Claim::spectrum:
-      set_rational(result.get(), *parse_decimal(document_.up_to), plane.precision());
+      set_rational(result.get(), up_to_, plane.precision());
       arb_mul_2exp_si(result.get(), result.get(), -1);
       arb_cosh(result.get(), result.get(), plane.precision());
       break;

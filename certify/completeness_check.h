@@ -56,6 +56,7 @@ class CompletenessCheck {
   const GeodesicsDocument& document_;
   const LabelEvaluator& evaluator_;
   ExactTraces traces_;
+  mpq_class up_to_;      ///< Of a spectrum.
   std::uint64_t limit_;  ///< Visits for one vertex.
   std::vector<Vertex> vertices_;
   std::vector<std::vector<std::uint32_t>> loops_;  ///< By vertex: darts from it to itself.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <epsnet/certify/budget.h>
 #include <epsnet/certify/isometry.h>
 #include <epsnet/certify/regular_number.h>
 
@@ -28,6 +29,15 @@ class RationalCrossings {
   [[nodiscard]] BallIsometry balls(std::uint32_t side, slong precision) const {
     return to_balls(crossings_[side], precision);
   }
+  /// Of the two above and of product_bits, for each letter.
+  [[nodiscard]] std::uint64_t ball_work(std::uint32_t side, std::uint64_t precision) const {
+    return to_balls_work(bits(crossings_[side]), precision);
+  }
+  [[nodiscard]] static std::uint64_t letter_work() { return 20; }
+  /// Of `exact` and what is calculated with its value: a value of so many bits.
+  [[nodiscard]] static std::uint64_t exact_work(std::size_t value_bits) {
+    return 4000 + 100 * certify::product_work(value_bits);
+  }
   /// The value of a word.
   [[nodiscard]] ExactIsometry exact(std::span<const std::uint32_t> word) const;
   [[nodiscard]] static ExactIsometry embed(const ExactIsometry& f) { return f; }
@@ -46,10 +56,17 @@ class RegularCrossings {
   using Number = RegularNumber;
   static constexpr std::size_t kMaxExactBits = std::size_t{1} << 21;
 
-  explicit RegularCrossings(std::uint32_t genus) : ring_(std::make_unique<RegularRing>(genus)) {}
+  explicit RegularCrossings(std::uint32_t genus, const Budget& budget = {})
+      : ring_(std::make_unique<RegularRing>(genus, budget)) {}
 
   [[nodiscard]] std::size_t size() const { return 4 * std::size_t{ring_->genus()}; }
   [[nodiscard]] BallIsometry balls(std::uint32_t side, slong precision) const;
+  [[nodiscard]] static std::uint64_t ball_work(std::uint32_t /*side*/, std::uint64_t precision) {
+    return 4 * function_work(precision);
+  }
+  [[nodiscard]] std::uint64_t letter_work() const { return 8 * ring_->embeddings().size(); }
+  /// Expressions alone; `sign` takes its own work off the budget.
+  [[nodiscard]] static std::uint64_t exact_work(std::size_t value_bits) { return 4000 + value_bits / 8; }
   [[nodiscard]] Isometry<RegularNumber> exact(std::span<const std::uint32_t> word) const;
   [[nodiscard]] Isometry<RegularNumber> embed(const ExactIsometry& f) const;
   [[nodiscard]] std::size_t product_bits(std::size_t frame_bits, std::span<const std::uint32_t> word) const;

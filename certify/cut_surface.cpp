@@ -157,6 +157,7 @@ class Cutter {
     // The chord meets the edge from X to Y at X⟨n, Y⟩ − Y⟨n, X⟩ up to a factor: nearer to X the smaller |⟨n, X⟩|/|⟨n,
     // Y⟩|.
     const auto nearer = [&](const Arc& x, const Arc& y) {
+      plane_.spend(20);
       Ball left, right;
       distance_product(left, x, dart, y, next_dart(dart));
       distance_product(right, y, dart, x, next_dart(dart));

@@ -23,6 +23,20 @@ ExactPoint exact_point(const RationalPoint& point) {
 
 ExactPoint exact_point(double x, double y) { return exact_point(RationalPoint{mpq_class(x), mpq_class(y)}); }
 
+std::size_t bits(const ExactPoint& point) {
+  std::size_t sum = 0;
+  for (const mpz_class* number : {&point.n.re, &point.n.im, &point.m}) sum += mpz_sizeinbase(number->get_mpz_t(), 2);
+  return sum;
+}
+
+std::uint64_t exact_point_work(const RationalPoint& point) {
+  std::size_t sum = 0;
+  for (const mpq_class* number : {&point.x, &point.y}) {
+    sum += mpz_sizeinbase(number->get_num_mpz_t(), 2) + mpz_sizeinbase(number->get_den_mpz_t(), 2);
+  }
+  return 32 * product_work(sum);
+}
+
 mpz_class gap(const ExactPoint& point) { return point.m * point.m - norm(point.n); }
 
 ExactIsometry translation_to(const ExactPoint& c) { return {{c.m, 0}, c.n}; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <epsnet/certify/budget.h>
 #include <epsnet/certify/document.h>
 #include <gmpxx.h>
 
@@ -45,6 +46,11 @@ struct ExactPoint {
 [[nodiscard]] ExactPoint exact_point(const RationalPoint& point);
 /// A binary64 is a rational number; x and y are finite.
 [[nodiscard]] ExactPoint exact_point(double x, double y);
+
+/// The number of bits of all three integers.
+[[nodiscard]] std::size_t bits(const ExactPoint& point);
+/// The work of `exact_point` and of a few products and divisors of what it gives.
+[[nodiscard]] std::uint64_t exact_point_work(const RationalPoint& point);
 
 /// m² − |n|², positive exactly for points inside the disk.
 [[nodiscard]] mpz_class gap(const ExactPoint& point);

@@ -13,11 +13,12 @@ namespace epsnet::certify {
 ///
 /// A word here leads from a tile to itself, is freely reduced, and does not evaluate to the identity: an element of the
 /// group that is hyperbolic. An element and its conjugates have one length, so frames of charts do not matter. Nothing
-/// is returned where a word is too long to be evaluated exactly.
+/// is returned where a word is too long to be evaluated exactly; BudgetSpent, if that is too much work.
 class ExactTraces {
  public:
   /// The evaluator must outlive the traces.
-  explicit ExactTraces(const LabelEvaluator& evaluator) : crossings_(evaluator.crossings()) {}
+  explicit ExactTraces(const LabelEvaluator& evaluator)
+      : crossings_(evaluator.crossings()), budget_(evaluator.budget()) {}
 
   /// The sign of l(word) − l(other).
   [[nodiscard]] std::optional<int> compare(std::span<const std::uint32_t> word,
@@ -28,6 +29,7 @@ class ExactTraces {
 
  private:
   const Crossings& crossings_;
+  const Budget& budget_;
 };
 
 }  // namespace epsnet::certify

@@ -45,20 +45,20 @@ Document extended(const GeodesicsDocument& document) {
   return net;
 }
 
-LabelParts label_parts(const Document& net, unsigned threads) {
-  LabelParts parts{check_surface(net.surface, threads).crossings, {}};
-  for (const Chart& chart : net.charts) parts.frames.push_back(translation_to(exact_point(chart.centre)));
-  return parts;
+LabelParts label_parts(const Document& net, unsigned threads, const Budget& budget) {
+  SurfaceOutcome surface = check_surface(net.surface, threads, budget);
+  if (surface.report.verdict != Verdict::verified) throw BudgetSpent();
+  return {std::move(surface.crossings), chart_frames(net.charts, budget), budget};
 }
 
 class GeodesicsCheck {
  public:
-  GeodesicsCheck(const GeodesicsDocument& document, const CheckOptions& options, unsigned threads)
+  GeodesicsCheck(const GeodesicsDocument& document, const CheckOptions& options, unsigned threads, const Budget& budget)
       : document_(document),
         options_(options),
         threads_(threads),
         net_(extended(document)),
-        parts_(label_parts(net_, threads)),
+        parts_(label_parts(net_, threads, budget)),
         evaluator_(net_, parts_),
         first_darts_(first_darts(net_)),
         elements_(document.geodesics.size()),
@@ -75,7 +75,14 @@ class GeodesicsCheck {
     for (slong precision = std::min<slong>(64, options_.max_precision);;
          precision = std::min<slong>(2 * precision, options_.max_precision)) {
       precision_ = precision;
-      pass(precision);
+      try {
+        pass(precision);
+      } catch (const BudgetSpent& spent) {
+        for (RuleReport& report : reports_) {
+          if (report.verdict == Verdict::undecided) report.text = spent.what();
+        }
+        break;
+      }
       // Nothing can be said about a list whose elements are wrong.
       if (verdict(kGeodesics) == Verdict::refuted) {
         reports_.resize(1);
@@ -236,16 +243,31 @@ class GeodesicsCheck {
 
   // Rule distinct.
 
+  /// Another geodesic of the list of which geodesic i is a power. Where the axis certainly meets a triangle, the chord
+  /// is one of every geodesic wanted: one such chord will do, that with the fewest others in its triangle.
+  [[nodiscard]] static ChordTable::Match match_of(const ChordTable& table, std::uint32_t i) {
+    const std::vector<Chord>& chords = table.list(i).chords;
+    const Chord* best = nullptr;
+    for (const Chord& chord : chords) {
+      if (!chord.is_certain()) continue;
+      if (best == nullptr || table.in_triangle(chord.triangle).size() < table.in_triangle(best->triangle).size()) {
+        best = &chord;
+      }
+    }
+    if (best != nullptr) return table.find(*best, table.length(i), i);
+    ChordTable::Match result;
+    for (const Chord& chord : chords) {
+      const ChordTable::Match match = table.find(chord, table.length(i), i);
+      if (match.found != Tri::no) result = match;
+      if (match.found == Tri::yes) break;
+    }
+    return result;
+  }
+
   void check_distinct(const ChordTable& table) {
     std::vector<ChordTable::Match> matches(table.size());
-    for_each_parallel(table.size(), threads_, [&](unsigned, std::size_t i) {
-      const auto index = static_cast<std::uint32_t>(i);
-      for (const Chord& chord : table.list(i).chords) {
-        const ChordTable::Match match = table.find(chord, table.length(i), index);
-        if (match.found != Tri::no) matches[i] = match;
-        if (match.found == Tri::yes) return;
-      }
-    });
+    for_each_parallel(table.size(), threads_,
+                      [&](unsigned, std::size_t i) { matches[i] = match_of(table, static_cast<std::uint32_t>(i)); });
     for (const Tri wanted : {Tri::yes, Tri::unknown}) {
       for (std::size_t i = 0; i < matches.size(); ++i) {
         if (matches[i].found != wanted) continue;
@@ -282,6 +304,7 @@ class GeodesicsCheck {
       const Chord& chord = table.list(i).chords[k];
       const auto places = with_others ? std::span<const ChordTable::Place>(table.in_triangle(chord.triangle))
                                       : table.in_triangle(chord.triangle, static_cast<std::uint32_t>(i));
+      plane.spend(4, places.size());
       for (const ChordTable::Place place : places) {
         if (place.geodesic == i && (with_others || place.chord >= k)) continue;
         const Tri crossing = cross(plane, chord, table.chord(place));
@@ -406,7 +429,9 @@ Certificate check_geodesics(const GeodesicsDocument& document, const CheckOption
     malformed.message = *problem;
     return malformed;
   }
-  Certificate certificate = check(document.net, options);
+  const std::uint64_t work = options.max_work != 0 ? options.max_work : work_allowed(least_bytes(document));
+  const Budget budget(work);
+  Certificate certificate = check(document.net, options, budget);
   certificate.claim = claim_of(document);
   if (certificate.verdict != Verdict::verified) return certificate;
   CheckOptions bounded = options;
@@ -416,9 +441,14 @@ Certificate check_geodesics(const GeodesicsDocument& document, const CheckOption
     return certificate;
   }
   const unsigned threads = options.threads != 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1U);
-  GeodesicsCheck geodesics(document, bounded, threads);
-  conclude(certificate, geodesics.run());
-  certificate.geodesics = geodesics.counts();
+  try {
+    GeodesicsCheck geodesics(document, bounded, threads, budget);
+    conclude(certificate, geodesics.run());
+    certificate.geodesics = geodesics.counts();
+  } catch (const BudgetSpent& spent) {
+    conclude(certificate, {{"geodesics", Verdict::undecided, spent.what()}});
+  }
+  certificate.counts.work = work - budget.left();
   return certificate;
 }
 

@@ -22,6 +22,7 @@ using Questions = std::uint8_t;
 constexpr Questions kOrientationBit = 1;
 constexpr Questions kCoveringBit = 2;
 constexpr Questions delaunay_bit(std::uint32_t edge) { return static_cast<Questions>(4U << edge); }
+constexpr Questions kDelaunayBits = delaunay_bit(0) | delaunay_bit(1) | delaunay_bit(2);
 constexpr Questions length_bit(std::uint32_t edge) { return static_cast<Questions>(32U << edge); }
 
 /// Bits of relative accuracy that a length must have before it counts as measured, for useful enclosures.
@@ -30,6 +31,8 @@ constexpr slong kMeasuredBits = 30;
 constexpr slong kExactFrom = 256;
 /// Triangles handed to a thread at a time.
 constexpr std::size_t kBlock = 2048;
+/// Operations of balls that a triangle takes.
+constexpr std::uint64_t kBallOperations = 150;
 
 /// The first triangle of a rule that fails, in file order, with its text.
 struct Violation {
@@ -151,16 +154,26 @@ class Pass {
     return static_cast<Questions>(still_open);
   }
 
+  /// Works on a question of rule `orientation` or `delaunay` without rounding; true if it is decided.
+  bool examine_exactly(std::uint32_t t, Questions question, Findings& findings) const {
+    if (question == kOrientationBit) {
+      if (!exact_orientation_is_feasible(document_, evaluator_, t)) return false;
+      if (exact_orientation(document_, evaluator_, t) <= 0) refute_orientation(t, findings);
+      return true;
+    }
+    const std::uint32_t i = question == delaunay_bit(0) ? 0 : question == delaunay_bit(1) ? 1 : 2;
+    if (!exact_cross_ratio_is_feasible(document_, evaluator_, 3 * t + i)) return false;
+    const int sign = exact_cross_ratio_sign(document_, evaluator_, 3 * t + i);
+    if (sign > 0) refute_delaunay(t, i, findings);
+    if (sign == 0) findings.ties.push_back(3 * t + i);
+    return true;
+  }
+
  private:
   Questions examine_orientation(std::uint32_t t, LiftedTriangle& lifted, Findings& findings) const {
     lifted.measure_orientation(precision_);
-    Tri positive = certainly_positive(lifted.orientation.get());
-    if (positive == Tri::unknown && try_exactly() && exact_orientation_is_feasible(document_, evaluator_, t)) {
-      positive = exact_orientation(document_, evaluator_, t) > 0 ? Tri::yes : Tri::no;
-    }
-    if (positive == Tri::no) {
-      findings.refute(kOrientation, t, triangle_name(document_, t) + " is not strictly counterclockwise");
-    }
+    const Tri positive = certainly_positive(lifted.orientation.get());
+    if (positive == Tri::no) refute_orientation(t, findings);
     return positive == Tri::unknown ? kOrientationBit : Questions{0};
   }
 
@@ -197,17 +210,8 @@ class Pass {
       findings.ties.push_back(3 * t + i);
       return 0;
     }
-    Tri positive = certainly_positive(lifted.cross_ratio.get());
-    if (positive == Tri::unknown && try_exactly() && exact_cross_ratio_is_feasible(document_, evaluator_, 3 * t + i)) {
-      const int sign = exact_cross_ratio_sign(document_, evaluator_, 3 * t + i);
-      positive = sign > 0 ? Tri::yes : Tri::no;
-      if (sign == 0) findings.ties.push_back(3 * t + i);
-    }
-    if (positive == Tri::yes) {
-      findings.refute(
-          kDelaunay, t,
-          edge_name(document_, 3 * t + i) + " is not Delaunay: the cross-ratio has positive imaginary part");
-    }
+    const Tri positive = certainly_positive(lifted.cross_ratio.get());
+    if (positive == Tri::yes) refute_delaunay(t, i, findings);
     return positive == Tri::unknown ? delaunay_bit(i) : Questions{0};
   }
 
@@ -232,7 +236,14 @@ class Pass {
     return short_edge == Tri::unknown ? length_bit(i) : Questions{0};
   }
 
-  [[nodiscard]] bool try_exactly() const { return precision_ >= kExactFrom || last_; }
+  void refute_orientation(std::uint32_t t, Findings& findings) const {
+    findings.refute(kOrientation, t, triangle_name(document_, t) + " is not strictly counterclockwise");
+  }
+
+  void refute_delaunay(std::uint32_t t, std::uint32_t i, Findings& findings) const {
+    findings.refute(kDelaunay, t,
+                    edge_name(document_, 3 * t + i) + " is not Delaunay: the cross-ratio has positive imaginary part");
+  }
 
   [[nodiscard]] static bool measured(const Ball& x) { return arb_rel_accuracy_bits(x.get()) >= kMeasuredBits; }
 
@@ -265,31 +276,180 @@ LabelTable needed_labels(const Document& document, const LabelEvaluator& evaluat
   return {numbers, evaluator.evaluate(numbers, precision, cap, threads), document.labels.size()};
 }
 
-RuleReport report(Rule rule, const Document& document, const CollarMembers& collars, const Findings& findings,
-                  const std::vector<std::uint32_t>& open_triangles, const std::vector<Questions>& open, long bits) {
-  if (findings.refuted[rule]) return {kRuleNames[rule], Verdict::refuted, findings.refuted[rule]->text};
-  for (std::size_t k = 0; k < open_triangles.size(); ++k) {
-    const std::uint32_t t = open_triangles[k];
-    const std::string with = ", with " + std::to_string(bits) + " bits";
-    if (rule == kOrientation && (open[k] & kOrientationBit)) {
-      return {kRuleNames[rule], Verdict::undecided,
-              triangle_name(document, t) + ": not decided whether it is strictly counterclockwise" + with};
+/// The triangles that are still open, in file order, and what was found in the others.
+class Questionnaire {
+ public:
+  Questionnaire(const Document& document, const CollarMembers& collars)
+      : document_(document), collars_(collars), triangles_(document.triangles.size()), open_(triangles_.size()) {
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+      triangles_[t] = t;
+      open_[t] = kOrientationBit | kCoveringBit;
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        if (3 * t + i < opposite(document, 3 * t + i)) {
+          open_[t] = static_cast<Questions>(open_[t] | delaunay_bit(i) | length_bit(i));
+        }
+      }
     }
-    if (rule == kCovering && (open[k] & kCoveringBit)) {
-      return {kRuleNames[rule], Verdict::undecided,
-              triangle_name(document, t) + ": not decided whether " +
-                  (collars.has_triangle(t) ? "it has a circumcircle" : "the circumradius is at most epsilon") + with};
+  }
+
+  [[nodiscard]] const std::vector<std::uint32_t>& triangles() const { return triangles_; }
+  [[nodiscard]] const std::vector<Questions>& open() const { return open_; }
+  [[nodiscard]] const Findings& findings() const { return all_; }
+
+  /// examine(worker, t, open, findings) for all that are open; it returns what stays open.
+  template <class Examine>
+  void ask(unsigned threads, const CheckOptions& options, const Examine& examine) {
+    const std::size_t blocks = (triangles_.size() + kBlock - 1) / kBlock;
+    std::vector<Findings> found(blocks);
+    for_each_parallel(blocks, threads, [&](unsigned worker, std::size_t block) {
+      const std::size_t end = std::min(triangles_.size(), (block + 1) * kBlock);
+      for (std::size_t k = block * kBlock; k < end; ++k) {
+        open_[k] = examine(worker, triangles_[k], open_[k], found[block]);
+      }
+      if (worker == 0 && options.progress) {
+        options.progress("geometry", static_cast<double>(block) / static_cast<double>(blocks));
+      }
+    });
+    for (const Findings& findings : found) all_.add(findings);
+    forget_settled();
+  }
+
+  /// decide(t, question, findings) for the open questions of some kinds; it says whether it could. In blocks that get
+  /// longer, so that what comes first in the file does not wait for the rest; what a block finds counts when all of it
+  /// is done, and BudgetSpent ends what is begun.
+  template <class Decide>
+  void ask_one_by_one(unsigned kinds, unsigned threads, const Decide& decide) {
+    std::vector<std::pair<std::size_t, Questions>> questions;
+    for (std::size_t k = 0; k < triangles_.size(); ++k) {
+      for (unsigned bit = 1; bit <= kinds; bit <<= 1) {
+        if (kinds & bit & open_[k]) questions.emplace_back(k, static_cast<Questions>(bit));
+      }
+    }
+    std::size_t size = 1;
+    for (std::size_t first = 0; first < questions.size(); first += size, size = std::min(2 * size, kBlock)) {
+      const std::size_t count = std::min(size, questions.size() - first);
+      std::vector<Findings> found(count);
+      std::vector<char> decided(count, 0);
+      for_each_parallel(count, threads, [&](unsigned, std::size_t i) {
+        const auto [k, question] = questions[first + i];
+        if (open_[k] & question) decided[i] = decide(triangles_[k], question, found[i]);
+      });
+      bool refuted = false;
+      for (std::size_t i = 0; i < count; ++i) {
+        if (!decided[i]) continue;
+        for (const Rule rule : kRules) refuted = refuted || found[i].refuted[rule];
+        const auto [k, question] = questions[first + i];
+        open_[k] = static_cast<Questions>(open_[k] & ~question);
+        all_.add(found[i]);
+      }
+      if (refuted) drop_idle();
+    }
+    forget_settled();
+  }
+
+  /// At the end. `all_asked`: the last pass asked everything that is open, so that all lengths were measured somehow;
+  /// what was not measured may be anything.
+  void finish(bool all_asked) {
+    constexpr Interval kAnything{0, std::numeric_limits<double>::infinity()};
+    if (!measures_dropped_ && (all_asked || std::none_of(open_.begin(), open_.end(), measures))) return;
+    all_.circumradius.largest(kAnything);
+    all_.longest.largest(kAnything);
+    all_.shortest_edge.smallest(kAnything);
+    all_.shortest_loop.smallest(kAnything);
+  }
+
+  /// The rule that is refuted, if questions of this rule were dropped for it.
+  [[nodiscard]] std::optional<Rule> dropped_for(Rule rule) const { return dropped_for_[rule]; }
+
+ private:
+  /// Whether a question asks for the circumradius or a length.
+  static bool measures(Questions questions) { return (questions & ~(kOrientationBit | kDelaunayBits)) != 0; }
+
+  /// Once a rule is refuted, only the rules before it, and itself at triangles before the one found, can change what
+  /// the certificate says first. The rest is not asked any more.
+  void drop_idle() {
+    const auto refuted =
+        std::find_if(kRules.begin(), kRules.end(), [&](Rule r) { return all_.refuted[r].has_value(); });
+    if (refuted == kRules.end()) return;
+    for (std::size_t k = 0; k < open_.size(); ++k) {
+      Questions kept = 0;
+      for (const Rule rule : kRules) {
+        const Questions questions = questions_of(rule, k);
+        if (rule < *refuted || (rule == *refuted && triangles_[k] < all_.refuted[rule]->triangle)) {
+          kept = static_cast<Questions>(kept | questions);
+        } else if (open_[k] & questions) {
+          dropped_for_[rule] = *refuted;
+        }
+      }
+      measures_dropped_ = measures_dropped_ || measures(static_cast<Questions>(open_[k] & ~kept));
+      open_[k] = static_cast<Questions>(open_[k] & kept);
+    }
+  }
+
+  void forget_settled() {
+    drop_idle();
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < triangles_.size(); ++k) {
+      if (open_[k] == 0) continue;
+      triangles_[kept] = triangles_[k];
+      open_[kept++] = open_[k];
+    }
+    triangles_.resize(kept);
+    open_.resize(kept);
+  }
+
+  /// The questions of triangle number k that belong to a rule.
+  [[nodiscard]] Questions questions_of(Rule rule, std::size_t k) const {
+    if (rule == kOrientation) return kOrientationBit;
+    if (rule == kDelaunay) return kDelaunayBits;
+    if (rule == kCovering) return kCoveringBit;
+    Questions result = 0;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (length_rule(document_, collars_, 3 * triangles_[k] + i) == rule) {
+        result = static_cast<Questions>(result | length_bit(i));
+      }
+    }
+    return result;
+  }
+
+  const Document& document_;
+  const CollarMembers& collars_;
+  std::vector<std::uint32_t> triangles_;
+  std::vector<Questions> open_;
+  Findings all_;
+  std::array<std::optional<Rule>, 5> dropped_for_;
+  bool measures_dropped_ = false;
+};
+
+RuleReport report(Rule rule, const Document& document, const CollarMembers& collars, const Questionnaire& asked,
+                  const std::string& why) {
+  const Findings& findings = asked.findings();
+  if (findings.refuted[rule]) return {kRuleNames[rule], Verdict::refuted, findings.refuted[rule]->text};
+  const auto undecided = [&](const std::string& text) {
+    return RuleReport{kRuleNames[rule], Verdict::undecided, text};
+  };
+  for (std::size_t k = 0; k < asked.triangles().size(); ++k) {
+    const std::uint32_t t = asked.triangles()[k];
+    const Questions open = asked.open()[k];
+    if (rule == kOrientation && (open & kOrientationBit)) {
+      return undecided(triangle_name(document, t) + ": not decided whether it is strictly counterclockwise" + why);
+    }
+    if (rule == kCovering && (open & kCoveringBit)) {
+      return undecided(triangle_name(document, t) + ": not decided whether " +
+                       (collars.has_triangle(t) ? "it has a circumcircle" : "the circumradius is at most epsilon") +
+                       why);
     }
     for (std::uint32_t i = 0; i < 3; ++i) {
-      if (rule == kDelaunay && (open[k] & delaunay_bit(i))) {
-        return {kRuleNames[rule], Verdict::undecided,
-                edge_name(document, 3 * t + i) + ": not decided whether it is Delaunay" + with};
+      if (rule == kDelaunay && (open & delaunay_bit(i))) {
+        return undecided(edge_name(document, 3 * t + i) + ": not decided whether it is Delaunay" + why);
       }
-      if ((open[k] & length_bit(i)) && length_rule(document, collars, 3 * t + i) == rule) {
-        return {kRuleNames[rule], Verdict::undecided,
-                edge_name(document, 3 * t + i) + ": not decided whether it is at least epsilon long" + with};
+      if ((open & length_bit(i)) && length_rule(document, collars, 3 * t + i) == rule) {
+        return undecided(edge_name(document, 3 * t + i) + ": not decided whether it is at least epsilon long" + why);
       }
     }
+  }
+  if (const auto refuted = asked.dropped_for(rule)) {
+    return undecided(std::string("not decided, as rule ") + kRuleNames[*refuted] + " is refuted");
   }
   return {kRuleNames[rule], Verdict::verified, ""};
 }
@@ -300,58 +460,50 @@ GeometryOutcome check_geometry(const Document& document, const LabelEvaluator& e
                                unsigned threads) {
   const mpq_class epsilon = *parse_decimal(document.epsilon);
   const CollarMembers collars(document);
-  std::vector<std::uint32_t> triangles(document.triangles.size());
-  std::vector<Questions> open(document.triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    triangles[t] = t;
-    open[t] = kOrientationBit | kCoveringBit;
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      if (3 * t + i < opposite(document, 3 * t + i)) {
-        open[t] = static_cast<Questions>(open[t] | delaunay_bit(i) | length_bit(i));
-      }
-    }
-  }
-
+  Questionnaire questions(document, collars);
   GeometryOutcome outcome;
-  Findings all;
   const slong cap = options.max_precision;
-  for (slong precision = std::min<slong>(64, cap); !triangles.empty(); precision = std::min(2 * precision, cap)) {
-    const bool last = precision >= cap;
-    const LabelTable labels =
-        needed_labels(document, evaluator, triangles, precision, std::min(4 * precision, 2 * cap), threads);
-    const Pass pass(document, collars, evaluator, labels, epsilon, precision, last);
-    const std::size_t blocks = (triangles.size() + kBlock - 1) / kBlock;
-    std::vector<Findings> found(blocks);
-    std::vector<std::unique_ptr<LiftedTriangle>> lifted(std::max(threads, 1U));
-    for_each_parallel(blocks, threads, [&](unsigned worker, std::size_t block) {
-      if (!lifted[worker]) lifted[worker] = std::make_unique<LiftedTriangle>();
-      const std::size_t end = std::min(triangles.size(), (block + 1) * kBlock);
-      for (std::size_t k = block * kBlock; k < end; ++k) {
-        open[k] = pass.examine(triangles[k], open[k], *lifted[worker], found[block]);
+  std::string why = ", with " + std::to_string(cap) + " bits";
+  bool all_asked = true;
+  try {
+    bool exactly = false;
+    for (slong precision = std::min<slong>(64, cap); !questions.triangles().empty();
+         precision = std::min(2 * precision, cap)) {
+      const bool last = precision >= cap;
+      all_asked = false;
+      evaluator.budget().spend(kBallOperations * ball_work(static_cast<std::uint64_t>(precision)),
+                               questions.triangles().size());
+      const LabelTable labels = needed_labels(document, evaluator, questions.triangles(), precision,
+                                              std::min(4 * precision, 2 * cap), threads);
+      const Pass pass(document, collars, evaluator, labels, epsilon, precision, last);
+      std::vector<std::unique_ptr<LiftedTriangle>> lifted(std::max(threads, 1U));
+      questions.ask(threads, options, [&](unsigned worker, std::uint32_t t, Questions open, Findings& findings) {
+        if (!lifted[worker]) lifted[worker] = std::make_unique<LiftedTriangle>();
+        return pass.examine(t, open, *lifted[worker], findings);
+      });
+      all_asked = last;
+      outcome.max_precision = static_cast<std::uint64_t>(precision);
+      if (!exactly && (precision >= kExactFrom || last)) {
+        exactly = true;
+        for (const unsigned kinds : {unsigned{kOrientationBit}, unsigned{kDelaunayBits}}) {
+          questions.ask_one_by_one(kinds, threads, [&](std::uint32_t t, Questions question, Findings& findings) {
+            return pass.examine_exactly(t, question, findings);
+          });
+        }
       }
-      if (worker == 0 && options.progress) {
-        options.progress("geometry", static_cast<double>(block) / static_cast<double>(blocks));
-      }
-    });
-    for (const Findings& findings : found) all.add(findings);
-    outcome.max_precision = static_cast<std::uint64_t>(precision);
-
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < triangles.size(); ++k) {
-      if (open[k] == 0) continue;
-      triangles[kept] = triangles[k];
-      open[kept++] = open[k];
+      if (precision == 64) outcome.triangles_beyond_64_bits = questions.triangles().size();
+      if (last) break;
     }
-    triangles.resize(kept);
-    open.resize(kept);
-    if (precision == 64) outcome.triangles_beyond_64_bits = kept;
-    if (last) break;
+  } catch (const BudgetSpent& spent) {
+    why = std::string(": ") + spent.what();
   }
+  questions.finish(all_asked);
+  const Findings& all = questions.findings();
 
   Ball radius;
   set_rational(radius.get(), epsilon, 128);
   outcome.epsilon = outer_interval(radius.get());
-  outcome.ties = std::move(all.ties);
+  outcome.ties = all.ties;
   std::sort(outcome.ties.begin(), outcome.ties.end());
   if (const auto& x = all.circumradius.value()) outcome.largest_circumradius = length_interval(*x, 1);
   if (const auto& x = all.longest.value()) outcome.longest_edge = length_interval(*x, 2);
@@ -371,7 +523,7 @@ GeometryOutcome check_geometry(const Document& document, const LabelEvaluator& e
       "every loop at a vertex of no collar is at least epsilon long"};
   for (const Rule rule : kRules) {
     if (rule == kThick && !collars.pseudo()) break;
-    outcome.reports.push_back(report(rule, document, collars, all, triangles, open, options.max_precision));
+    outcome.reports.push_back(report(rule, document, collars, questions, why));
     if (outcome.reports.back().verdict == Verdict::verified) outcome.reports.back().text = proved[rule];
   }
   return outcome;

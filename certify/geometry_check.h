@@ -26,8 +26,9 @@ struct GeometryOutcome {
 /// loops at other vertices are at least ε long (section 10).
 ///
 /// Balls of 64 bits first, then twice as many for what they left open, and so on up to max_precision; exact ties of the
-/// first two rules are decided exactly. Needs rules `surface` and `map`. O(n) time; the result does not depend on the
-/// number of threads. `progress` as in CheckOptions.
+/// first two rules are decided exactly, in file order. What cannot change the first refuted rule, or the triangle that
+/// refutes it, is left undecided, and so is what the budget does not allow. Needs rules `surface` and `map`. O(n) time;
+/// the result does not depend on the number of threads. `progress` as in CheckOptions.
 [[nodiscard]] GeometryOutcome check_geometry(const Document& document, const LabelEvaluator& evaluator,
                                              const CheckOptions& options, unsigned threads);
 

@@ -111,45 +111,61 @@ GluingOutcome check_gluing(const Document& document, const LabelEvaluator& evalu
   const SortedNumbers tiles(
       items, [&](const Item& item, auto& numbers) { numbers.push_back(document.charts[item.equation.chart].tile); });
   std::vector<std::optional<InscribedDisk>> disks(tiles.size());
-  for_each_parallel(tiles.size(), threads, [&](unsigned, std::size_t i) {
-    disks[i] = inscribed_disk(document.surface, tiles[i], max_precision);
-  });
   const auto disk_of = [&](std::uint32_t chart) -> const std::optional<InscribedDisk>& {
     return disks[tiles.index(document.charts[chart].tile)];
   };
 
   std::vector<std::size_t> pending(items.size());
   for (std::size_t i = 0; i < pending.size(); ++i) pending[i] = i;
-  for (slong precision = 64; !pending.empty(); precision = std::min(2 * precision, max_precision)) {
-    outcome.max_precision = static_cast<std::uint64_t>(precision);
-    const SortedNumbers numbers(pending, [&](std::size_t i, auto& result) {
-      for (const std::uint32_t number : items[i].equation.labels) {
-        if (number != 0) result.push_back(number);
-      }
+  std::string why = ", with " + std::to_string(max_precision) + " bits";
+  try {
+    for_each_parallel(tiles.size(), threads, [&](unsigned, std::size_t i) {
+      disks[i] = inscribed_disk(document.surface, tiles[i], max_precision, parts.budget);
     });
-    const std::vector<BallIsometry> labels =
-        evaluator.evaluate(numbers.values(), precision, std::min(4 * precision, 2 * max_precision), threads);
-    // From 0 to the disk's centre, in the coordinates of each chart.
-    std::vector<BallIsometry> bases(charts.size());
-    for_each_parallel(charts.size(), threads, [&](unsigned, std::size_t i) {
-      const auto& disk = disk_of(charts[i]);
-      if (disk) {
-        bases[i] = to_balls(compose(inverse(parts.frames[charts[i]]), translation_to(disk->centre)), precision);
+    for (slong precision = 64; !pending.empty(); precision = std::min(2 * precision, max_precision)) {
+      const auto bits_used = static_cast<std::uint64_t>(precision);
+      parts.budget.spend(100 * ball_work(bits_used), pending.size());
+      for (const std::uint32_t chart : charts.values()) {
+        const std::size_t disk_bits = disk_of(chart) ? bits(disk_of(chart)->centre) : 0;
+        parts.budget.spend(to_balls_work(bits(parts.frames[chart]) + disk_bits, bits_used));
       }
-    });
-    for_each_parallel(pending.size(), threads, [&](unsigned, std::size_t p) {
-      Item& item = items[pending[p]];
-      const auto& disk = disk_of(item.equation.chart);
-      if (!disk) return;
-      std::array<const BallIsometry*, 4> factors{};
-      for (std::size_t i = 0; i < 4; ++i) {
-        const std::uint32_t number = item.equation.labels[i];
-        factors[i] = number == 0 ? nullptr : &labels[numbers.index(number)];
-      }
-      item.holds = holds(factors, bases[charts.index(item.equation.chart)], disk->sinh_radius, precision);
-    });
-    std::erase_if(pending, [&](std::size_t i) { return items[i].holds != Tri::unknown; });
-    if (precision >= max_precision) break;
+      outcome.max_precision = bits_used;
+      const SortedNumbers numbers(pending, [&](std::size_t i, auto& result) {
+        for (const std::uint32_t number : items[i].equation.labels) {
+          if (number != 0) result.push_back(number);
+        }
+      });
+      const std::vector<BallIsometry> labels =
+          evaluator.evaluate(numbers.values(), precision, std::min(4 * precision, 2 * max_precision), threads);
+      // From 0 to the disk's centre, in the coordinates of each chart.
+      std::vector<BallIsometry> bases(charts.size());
+      for_each_parallel(charts.size(), threads, [&](unsigned, std::size_t i) {
+        const auto& disk = disk_of(charts[i]);
+        if (disk) {
+          bases[i] = to_balls(compose(inverse(parts.frames[charts[i]]), translation_to(disk->centre)), precision);
+        }
+      });
+      for_each_parallel(pending.size(), threads, [&](unsigned, std::size_t p) {
+        Item& item = items[pending[p]];
+        const auto& disk = disk_of(item.equation.chart);
+        if (!disk) return;
+        std::array<const BallIsometry*, 4> factors{};
+        for (std::size_t i = 0; i < 4; ++i) {
+          const std::uint32_t number = item.equation.labels[i];
+          factors[i] = number == 0 ? nullptr : &labels[numbers.index(number)];
+        }
+        item.holds = holds(factors, bases[charts.index(item.equation.chart)], disk->sinh_radius, precision);
+      });
+      const auto wrong =
+          std::find_if(items.begin(), items.end(), [](const Item& item) { return item.holds == Tri::no; });
+      // Only an equation before the first that is wrong can change the answer.
+      std::erase_if(pending, [&](std::size_t i) {
+        return items[i].holds != Tri::unknown || items.begin() + static_cast<std::ptrdiff_t>(i) > wrong;
+      });
+      if (precision >= max_precision) break;
+    }
+  } catch (const BudgetSpent& spent) {
+    why = std::string(": ") + spent.what();
   }
 
   for (const Tri wrong : {Tri::no, Tri::unknown}) {
@@ -158,8 +174,7 @@ GluingOutcome check_gluing(const Document& document, const LabelEvaluator& evalu
     outcome.report.verdict = wrong == Tri::no ? Verdict::refuted : Verdict::undecided;
     outcome.report.text =
         edge_text(*found) + (wrong == Tri::no ? ": the two triangles do not fit, the labels differ in the group"
-                                              : ": not decided whether the labels agree in the group, with " +
-                                                    std::to_string(max_precision) + " bits");
+                                              : ": not decided whether the labels agree in the group" + why);
     return outcome;
   }
   outcome.report.verdict = Verdict::verified;

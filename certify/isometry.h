@@ -1,6 +1,7 @@
 #pragma once
 
 #include <epsnet/certify/ball.h>
+#include <epsnet/certify/budget.h>
 #include <epsnet/certify/exact.h>
 
 /// Isometries of the Poincaré disk in ball arithmetic.
@@ -18,6 +19,10 @@ struct BallIsometry {
 [[nodiscard]] BallIsometry inverse(const BallIsometry& f);
 /// The exact isometry, scaled to determinant 1, to about `precision` bits.
 [[nodiscard]] BallIsometry to_balls(const ExactIsometry& f, slong precision);
+/// The work of that, for an isometry of so many bits: its determinant is exact.
+[[nodiscard]] constexpr std::uint64_t to_balls_work(std::uint64_t exact_bits, std::uint64_t precision) {
+  return 2 * product_work(exact_bits) + 32 * ball_work(precision);
+}
 /// |f(0)|²/(1 − |f(0)|²) = |b|² = sinh²(d/2), d the distance of 0 and f(0).
 void half_displacement_squared(arb_ptr result, const BallIsometry& f, slong precision);
 

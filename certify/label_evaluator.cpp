@@ -1,14 +1,10 @@
 #include <epsnet/certify/label_evaluator.h>
 #include <epsnet/certify/parallel.h>
-#include <epsnet/certify/surface_sides.h>
 
 #include <algorithm>
 
 namespace epsnet::certify {
 namespace {
-
-/// The letters of one word times bits that are spent at most: a second or so. Words of a net have a few dozen letters.
-constexpr std::size_t kMaxLabelWork = std::size_t{1} << 26;
 
 /// Whether a and b are known to 2^−precision relative to |a| ≥ 1, |b|.
 bool accurate(const BallIsometry& f, slong precision) {
@@ -31,18 +27,37 @@ bool accurate(const BallIsometry& f, slong precision) {
 
 }  // namespace
 
-LabelEvaluator::LabelEvaluator(const Document& document, const LabelParts& parts) : document_(document), parts_(parts) {
-  exact_bits_.reserve(document.labels.size());
-  words_.reserve(document.labels.size());
-  partner_ = SurfaceSides(document.surface).partner;
-  for (const Label& label : document.labels) {
-    std::vector<std::uint32_t> word;
-    for (const std::uint32_t side : label.word) append(word, side);
-    const std::size_t frame_bits = bits(parts_.frames[label.from]) + bits(parts_.frames[label.to]);
-    exact_bits_.push_back(
-        std::visit([&](const auto& crossings) { return crossings.product_bits(frame_bits, word); }, parts_.crossings));
-    words_.push_back(std::move(word));
+std::vector<ExactIsometry> chart_frames(const std::vector<Chart>& charts, const Budget& budget) {
+  std::vector<ExactIsometry> frames;
+  frames.reserve(charts.size());
+  for (const Chart& chart : charts) {
+    budget.spend(exact_point_work(chart.centre));
+    frames.push_back(translation_to(exact_point(chart.centre)));
   }
+  return frames;
+}
+
+LabelEvaluator::LabelEvaluator(const Document& document, const LabelParts& parts)
+    : parts_(parts), first_core_(document.labels.size() + 1), partner_(SurfaceSides(document.surface).partner) {
+  for (const Label& label : document.labels) add(label.from, label.to, label.word);
+  if (!document.collars) return;
+  for (const Collar& collar : *document.collars) {
+    const std::uint32_t chart = document.vertices[collar.vertices[0]].chart;
+    add(chart, chart, collar.core);
+  }
+}
+
+void LabelEvaluator::add(std::uint32_t from, std::uint32_t to, const std::vector<std::uint32_t>& word) {
+  std::vector<std::uint32_t> reduced;
+  for (const std::uint32_t side : word) append(reduced, side);
+  const std::size_t frame_bits = bits(parts_.frames[from]) + bits(parts_.frames[to]);
+  exact_bits_.push_back(std::visit(
+      [&](const auto& crossings) {
+        parts_.budget.spend(crossings.letter_work(), reduced.size());
+        return crossings.product_bits(frame_bits, reduced);
+      },
+      parts_.crossings));
+  labels_.push_back({from, to, std::move(reduced)});
 }
 
 void LabelEvaluator::append(std::vector<std::uint32_t>& word, std::uint32_t side) const {
@@ -73,38 +88,51 @@ std::vector<BallIsometry> LabelEvaluator::evaluate(std::span<const std::uint32_t
   // More bits than the wanted ones from the start: a product of n letters loses about log2(n) bits.
   for (slong working = precision + 32;; working = std::min(2 * working, cap)) {
     // Every crossing and frame in use is rounded once, not once for each letter.
-    std::vector<char> side_used(partner_.size(), 0);
-    std::vector<char> chart_used(parts_.frames.size(), 0);
+    std::vector<std::uint32_t> sides;
+    std::vector<std::uint32_t> charts;
+    std::size_t pending = 0;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       if (done[i]) continue;
-      const Label& label = document_.labels[numbers[i] - 1];
-      chart_used[label.from] = chart_used[label.to] = 1;
-      for (const std::uint32_t side : words_[numbers[i] - 1]) side_used[side] = 1;
+      const Label& label = labels_[numbers[i] - 1];
+      charts.insert(charts.end(), {label.from, label.to});
+      sides.insert(sides.end(), label.word.begin(), label.word.end());
+      ++pending;
     }
-    std::vector<BallIsometry> crossings(side_used.size());
-    std::vector<BallIsometry> frames(chart_used.size());
-    for_each_parallel(side_used.size(), threads, [&](unsigned, std::size_t s) {
-      if (side_used[s]) crossings[s] = ball_crossing(parts_.crossings, static_cast<std::uint32_t>(s), working);
+    const auto wide = static_cast<std::uint64_t>(working);
+    budget().spend(20 * ball_work(wide), sides.size() + 3 * pending);
+    budget().spend(memory_work(200 + wide / 2), pending);
+    for (std::vector<std::uint32_t>* used : {&sides, &charts}) {
+      std::sort(used->begin(), used->end());
+      used->erase(std::unique(used->begin(), used->end()), used->end());
+    }
+    for (const std::uint32_t side : sides) {
+      budget().spend(std::visit([&](const auto& kind) { return kind.ball_work(side, wide); }, parts_.crossings));
+    }
+    for (const std::uint32_t chart : charts) budget().spend(to_balls_work(bits(parts_.frames[chart]), wide));
+    std::vector<BallIsometry> crossings(sides.size());
+    std::vector<BallIsometry> frames(charts.size());
+    for_each_parallel(sides.size(), threads, [&](unsigned, std::size_t k) {
+      crossings[k] = ball_crossing(parts_.crossings, sides[k], working);
     });
-    for_each_parallel(chart_used.size(), threads, [&](unsigned, std::size_t c) {
-      if (chart_used[c]) frames[c] = to_balls(parts_.frames[c], working);
-    });
+    for_each_parallel(charts.size(), threads,
+                      [&](unsigned, std::size_t k) { frames[k] = to_balls(parts_.frames[charts[k]], working); });
+    const auto place = [](const std::vector<std::uint32_t>& used, std::uint32_t number) {
+      return static_cast<std::size_t>(std::lower_bound(used.begin(), used.end(), number) - used.begin());
+    };
     const bool last = working >= cap;
     for_each_parallel(numbers.size(), threads, [&](unsigned, std::size_t i) {
       if (done[i]) return;
-      const Label& label = document_.labels[numbers[i] - 1];
-      const auto& word = words_[numbers[i] - 1];
-      // 96 bits are always spent.
-      const auto affordable = static_cast<slong>(std::max<std::size_t>(96, kMaxLabelWork / (word.size() + 1)));
-      const slong bits_spent = std::min(working, affordable);
-      const auto composed = [&](const BallIsometry& f, const BallIsometry& g) { return compose(f, g, bits_spent); };
-      results[i] = frames[label.from];
-      if (!word.empty()) {
-        const auto crossing = [&](std::size_t k) -> const BallIsometry& { return crossings[word[k]]; };
-        results[i] = composed(compose_range(0, word.size(), crossing, composed), results[i]);
+      const Label& label = labels_[numbers[i] - 1];
+      const auto composed = [&](const BallIsometry& f, const BallIsometry& g) { return compose(f, g, working); };
+      results[i] = frames[place(charts, label.from)];
+      if (!label.word.empty()) {
+        const auto crossing = [&](std::size_t k) -> const BallIsometry& {
+          return crossings[place(sides, label.word[k])];
+        };
+        results[i] = composed(compose_range(0, label.word.size(), crossing, composed), results[i]);
       }
-      results[i] = composed(inverse(frames[label.to]), results[i]);
-      done[i] = last || working >= affordable || accurate(results[i], precision);
+      results[i] = composed(inverse(frames[place(charts, label.to)]), results[i]);
+      done[i] = last || accurate(results[i], precision);
     });
     if (std::find(done.begin(), done.end(), 0) == done.end()) return results;
   }

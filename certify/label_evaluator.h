@@ -1,7 +1,9 @@
 #pragma once
 
+#include <epsnet/certify/budget.h>
 #include <epsnet/certify/crossings.h>
 #include <epsnet/certify/document.h>
+#include <epsnet/certify/surface_sides.h>
 
 #include <cstdint>
 #include <span>
@@ -9,11 +11,15 @@
 
 namespace epsnet::certify {
 
-/// What the labels are made of: the crossings of the sides and the frames of the charts.
+/// What the labels are made of: the crossings of the sides and the frames of the charts; and the account of work.
 struct LabelParts {
   Crossings crossings;
   std::vector<ExactIsometry> frames;  ///< By chart: from the chart to its tile.
+  Budget budget = {};
 };
+
+/// The frames of charts. BudgetSpent, if that is too much work.
+[[nodiscard]] std::vector<ExactIsometry> chart_frames(const std::vector<Chart>& charts, const Budget& budget);
 
 /// A label or its inverse.
 struct SignedLabel {
@@ -21,7 +27,10 @@ struct SignedLabel {
   bool inverted;
 };
 
-/// Evaluates labels of one document.
+/// Evaluates labels of one document, and the cores of its collars: words from the tile of the first vertex' chart to
+/// itself, which are labels from that chart to itself, with the numbers after those of the file.
+///
+/// All that it does is taken off the budget first; BudgetSpent, if that is too much.
 class LabelEvaluator {
  public:
   /// Both must outlive the evaluator. O(letters of all words). Words are reduced freely: a side followed by its partner
@@ -39,8 +48,9 @@ class LabelEvaluator {
   [[nodiscard]] Isometry<typename CrossingsOfAKind::Number> evaluate_exactly(const CrossingsOfAKind& crossings,
                                                                              std::uint32_t number) const {
     if (number == 0) return crossings.embed(exact_identity());
-    const Label& label = document_.labels[number - 1];
-    auto result = compose(crossings.exact(words_[number - 1]), crossings.embed(parts_.frames[label.from]));
+    parts_.budget.spend(CrossingsOfAKind::exact_work(exact_bits(number)));
+    const Label& label = labels_[number - 1];
+    auto result = compose(crossings.exact(label.word), crossings.embed(parts_.frames[label.from]));
     result = compose(crossings.embed(inverse(parts_.frames[label.to])), result);
     reduce(result);
     return result;
@@ -49,9 +59,14 @@ class LabelEvaluator {
   /// About the number of bits of evaluate_exactly(number), without evaluating; 0 for the identity, number 0.
   [[nodiscard]] std::size_t exact_bits(std::uint32_t number) const { return number == 0 ? 0 : exact_bits_[number - 1]; }
 
+  /// The label number of the core of a collar.
+  [[nodiscard]] std::uint32_t core_number(std::size_t collar) const {
+    return static_cast<std::uint32_t>(first_core_ + collar);
+  }
+
   /// The word of a label number, freely reduced; empty for the identity, number 0.
   [[nodiscard]] std::span<const std::uint32_t> word(std::uint32_t number) const {
-    return number == 0 ? std::span<const std::uint32_t>() : words_[number - 1];
+    return number == 0 ? std::span<const std::uint32_t>() : labels_[number - 1].word;
   }
 
   /// The word of a product of labels, the last one applied first, freely reduced. The charts fit, so that all frames
@@ -59,15 +74,17 @@ class LabelEvaluator {
   [[nodiscard]] std::vector<std::uint32_t> word(std::span<const SignedLabel> product) const;
 
   [[nodiscard]] const Crossings& crossings() const { return parts_.crossings; }
+  [[nodiscard]] const Budget& budget() const { return parts_.budget; }
 
  private:
   /// Crosses one more side, and back again if it was the last one.
   void append(std::vector<std::uint32_t>& word, std::uint32_t side) const;
+  void add(std::uint32_t from, std::uint32_t to, const std::vector<std::uint32_t>& word);
 
-  const Document& document_;
   const LabelParts& parts_;
-  std::vector<std::vector<std::uint32_t>> words_;  ///< By label number minus 1, freely reduced.
+  std::vector<Label> labels_;  ///< By label number minus 1, words freely reduced.
   std::vector<std::size_t> exact_bits_;
+  std::size_t first_core_ = 0;
   std::vector<std::uint32_t> partner_;  ///< By side: the one it is glued to.
 };
 

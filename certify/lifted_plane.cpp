@@ -31,8 +31,10 @@ bool disjoint(const BallIsometry& f, const BallIsometry& g) {
 
 LiftedPlane::LiftedPlane(const Document& net, const LabelEvaluator& evaluator, const LabelParts& parts, slong precision,
                          slong cap, unsigned threads)
-    : net_(net), precision_(precision) {
+    : net_(net), budget_(evaluator.budget()), precision_(precision) {
   const std::size_t triangles = net.triangles.size();
+  spend(250, triangles);
+  keep(21, triangles);
   evaluate_labels(evaluator, cap, threads);
   corners_.resize(3 * triangles);
   lines_.resize(3 * triangles);
@@ -83,6 +85,8 @@ void LiftedPlane::find_transitions() {
     const auto [found, is_new] = numbers.try_emplace({here, there}, transitions_.size() + 1);
     transition_of_[dart] = found->second;
     if (!is_new) continue;
+    spend(40);
+    keep(13);
     BallIsometry isometry = compose(labels_[there], inverse(labels_[here]), precision_);
     BallMatrix matrix = lorentz_matrix(isometry, precision_);
     transitions_.push_back({std::move(isometry), std::move(matrix)});
@@ -94,10 +98,12 @@ void LiftedPlane::find_disks(const LabelParts& parts, slong cap) {
   for (std::uint32_t c = 0; c < net_.charts.size(); ++c) {
     const std::uint32_t tile = net_.charts[c].tile;
     const auto [found, is_new] = by_tile.try_emplace(tile);
-    if (is_new) found->second = inscribed_disk(net_.surface, tile, cap);
+    if (is_new) found->second = inscribed_disk(net_.surface, tile, cap, budget_);
     disks_.emplace_back();
     if (!found->second) continue;
     const InscribedDisk& disk = *found->second;
+    budget_.spend(to_balls_work(bits(parts.frames[c]) + bits(disk.centre), static_cast<std::uint64_t>(precision_)));
+    keep(5);
     disks_.back().emplace();
     disks_.back()->base = to_balls(compose(inverse(parts.frames[c]), translation_to(disk.centre)), precision_);
     arb_sqr(disks_.back()->sinh_squared_radius.get(), disk.sinh_radius.get(), precision_);

@@ -18,6 +18,14 @@ class LiftedPlane {
 
   [[nodiscard]] slong precision() const { return precision_; }
   [[nodiscard]] const Document& net() const { return net_; }
+  /// Takes the work of so many operations of balls off the budget.
+  void spend(std::uint64_t operations, std::uint64_t times = 1) const {
+    budget_.spend(operations * ball_work(static_cast<std::uint64_t>(precision_)), times);
+  }
+  /// The same for memory for so many balls.
+  void keep(std::uint64_t balls, std::uint64_t times = 1) const {
+    budget_.spend(memory_work(balls * (48 + static_cast<std::uint64_t>(precision_) / 8)), times);
+  }
 
   /// The value of a label number; 0 is the identity.
   [[nodiscard]] const BallIsometry& label(std::uint32_t number) const { return labels_[number]; }
@@ -50,6 +58,7 @@ class LiftedPlane {
   void find_disks(const LabelParts& parts, slong cap);
 
   const Document& net_;
+  const Budget& budget_;
   slong precision_;
   std::vector<BallIsometry> labels_;
   std::vector<BallVector> corners_;

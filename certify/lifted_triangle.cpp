@@ -205,7 +205,10 @@ class ExactCorners {
 
   [[nodiscard]] MovedPoint<Number> lift(const Isometry<Number>& isometry, std::uint32_t dart) const {
     const Vertex& vertex = document_.vertices[start(document_, dart)];
-    return moved(isometry, exact_point(vertex.x, vertex.y));
+    const ExactPoint point = exact_point(vertex.x, vertex.y);
+    // Products of up to six numbers of each of the corners are compared.
+    evaluator_.budget().spend(CrossingsOfAKind::exact_work(8 * bits(point)));
+    return moved(isometry, point);
   }
 
   const Document& document_;

@@ -96,6 +96,7 @@ void visit_counts(const Counts& c, const Visit& visit) {
   visit("exact_ties", c.exact_ties);
   visit("triangles_beyond_64_bits", c.triangles_beyond_64_bits);
   visit("max_precision_used", c.max_precision_used);
+  visit("work", c.work);
   if (c.collars) visit("collars", *c.collars);
 }
 
@@ -402,6 +403,10 @@ int run(int argc, char** argv) {
                  "lifted triangles visited before a list of geodesics is undecided, at least 1")
       ->check(integer_between(1, std::numeric_limits<std::uint64_t>::max()))
       ->option_text("N [100000000]");
+  app.add_option("--max-work", request.options.max_work,
+                 "units of work before the rest is undecided; 0 is as many as a file of this size may take")
+      ->check(integer_between(0, std::numeric_limits<std::uint64_t>::max()))
+      ->option_text("N [0]");
   app.add_flag("--print-parsed", request.print_parsed, "first print the document as it was understood")
       ->excludes("--json");
   app.set_version_flag("--version", "certify " EPSNET_VERSION);

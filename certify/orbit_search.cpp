@@ -14,6 +14,8 @@ constexpr slong kLeastAccuracy = 16;
 /// symmetries, so that balls can nearly always tell on which side of an edge it lies.
 constexpr std::array<ulong, 3> kWeights{967, 22, 11};
 constexpr std::uint32_t kNoEdge = 3;
+/// Operations of balls that a visit takes.
+constexpr std::uint64_t kVisitOperations = 130;
 
 class OrbitSearch {
  public:
@@ -159,6 +161,7 @@ class OrbitSearch {
   /// Counts the triangle and reports the element that takes the root to it, if there is one. False if the search must
   /// end.
   bool visit(const Step& step) {
+    plane_.spend(kVisitOperations);
     if (++outcome_.visits > limit_) {
       outcome_.limit_reached = true;
       return false;

@@ -345,7 +345,7 @@ class RegularRing::Residues {
   bool useful_;
 };
 
-RegularRing::RegularRing(std::uint32_t genus) : genus_(genus) {
+RegularRing::RegularRing(std::uint32_t genus, Budget budget) : genus_(genus), budget_(std::move(budget)) {
   constexpr slong kPrecision = 64;
   Ball sine, square;
   for (std::uint32_t k = 1; k < 2 * genus; k += 2) {
@@ -371,6 +371,7 @@ const RegularRing::Residues& RegularRing::residues(std::size_t i) const {
   const ulong step = 4 * ulong{genus_};
   ulong p = residues_.empty() ? (ulong{1} << (kResidueBits + 1)) / step * step + 1 : residues_.back().prime();
   while (residues_.size() <= i) {
+    budget_.spend(100'000 + 20 * step);
     do p -= step;
     while (!n_is_prime(p));
     Residues next(genus_, p);
@@ -461,17 +462,23 @@ RegularNumber twice_imaginary(const RegularNumber& x) {
 int sign(const RegularNumber& x) {
   if (!x.expression) return 0;
   const std::vector<Step> steps = steps_of(*x.expression);
+  const Budget& budget = x.ring->budget();
+  // Each step was made, put in a list and gets a bound for each embedding.
+  budget.spend(200 + 4 * x.ring->embeddings().size(), steps.size());
   const Bounds::Value bounds = evaluate(steps, Bounds(*x.ring));
   // Of the norm over the field of the real numbers among those of Q(ζ, s), of which every embedding counted is two.
   const std::int64_t log_norm = 2 * std::accumulate(bounds.begin(), bounds.end(), std::int64_t{0});
   bool zero = true;
   std::int64_t log_primes = 0;
   for (std::size_t i = 0; zero && log_primes <= log_norm; ++i) {
+    budget.spend(10, steps.size());
     zero = evaluate(steps, x.ring->residues(i)).x == 0;
     log_primes += RegularRing::kResidueBits * RegularRing::kLogScale;
   }
   if (zero) return 0;
   for (slong precision = 128;; precision *= 2) {
+    const auto bits = static_cast<std::uint64_t>(precision);
+    budget.spend(function_work(bits) + memory_work(bits / 4), steps.size());
     const ComplexBall value = evaluate(steps, Balls(*x.ring, precision));
     const Tri positive = certainly_positive(value.re());
     if (positive != Tri::unknown) return positive == Tri::yes ? 1 : -1;

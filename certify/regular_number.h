@@ -1,6 +1,7 @@
 #pragma once
 
 #include <epsnet/certify/ball.h>
+#include <epsnet/certify/budget.h>
 #include <epsnet/certify/exact.h>
 
 #include <cstdint>
@@ -19,9 +20,11 @@ namespace epsnet::certify {
 /// What the numbers of one genus have in common.
 class RegularRing {
  public:
-  explicit RegularRing(std::uint32_t genus);
+  /// `sign` takes its work off the budget.
+  explicit RegularRing(std::uint32_t genus, Budget budget = {});
 
   [[nodiscard]] std::uint32_t genus() const { return genus_; }
+  [[nodiscard]] const Budget& budget() const { return budget_; }
 
   /// Where embeddings of Q(ζ, s) in C send ζ and s: to e^{iθ}, θ = kπ/(2g), and to a root of cot²(θ/2) − 1, real or
   /// imaginary. One stands for four: θ and −θ, two roots. Logarithms have the base 2^(1/kLogScale), rounded up.
@@ -45,6 +48,7 @@ class RegularRing {
 
  private:
   std::uint32_t genus_;
+  Budget budget_;
   std::vector<Embeddings> embeddings_;
   mutable std::mutex mutex_;
   mutable std::deque<Residues> residues_;  ///< Those that were asked for. References stay valid.
@@ -92,7 +96,8 @@ enum class Turn { counterclockwise, clockwise };
 inline void reduce(Isometry<RegularNumber>& /*f*/) {}
 
 /// The sign of a real number, exactly: 0 if it is 0 in enough finite fields (docs/proof.md, Lemma 9.1), otherwise by
-/// balls of more and more bits, which must end. Time: the size of the expression times the bits of its norm.
+/// balls of more and more bits, which must end. Time: the size of the expression times the bits of its norm;
+/// BudgetSpent, if that is too much.
 [[nodiscard]] int sign(const RegularNumber& x);
 
 /// a = cot(π/(4g)) = cosh ρ and s = √(a² − 1) = sinh ρ, ρ the distance of the centre from the sides.

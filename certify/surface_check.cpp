@@ -89,17 +89,23 @@ void interior_angle(arb_ptr result, const ExactPoint& v, const ExactPoint& next,
 /// Everything about one surface, laid out by side number.
 class SurfaceChecker {
  public:
-  SurfaceChecker(const Surface& surface, unsigned threads) : sides_(surface), threads_(threads) {
+  SurfaceChecker(const Surface& surface, unsigned threads, const Budget& budget)
+      : sides_(surface), threads_(threads), budget_(budget) {
     for (const Tile& tile : surface.tiles) {
       ExactTile exact;
-      for (const RationalPoint& vertex : tile) exact.push_back(exact_point(vertex));
+      for (const RationalPoint& vertex : tile) {
+        budget.spend(exact_point_work(vertex));
+        exact.push_back(exact_point(vertex));
+      }
       tiles_.push_back(std::move(exact));
     }
   }
 
   SurfaceOutcome check() {
-    Problem problem =
-        first_problem(tiles_.size(), threads_, [&](std::size_t t) { return convexity_problem(tiles_[t], t); });
+    Problem problem = first_problem(tiles_.size(), threads_, [&](std::size_t t) {
+      spend_on_corners(t);
+      return convexity_problem(tiles_[t], t);
+    });
     if (!problem) problem = connection_problem();
     if (!problem) problem = genus_problem();
     if (!problem) problem = length_problem();
@@ -126,6 +132,12 @@ class SurfaceChecker {
   const ExactPoint& end(std::size_t side) const { return start(sides_.next[side]); }
   /// Crossing the side that leaves a vertex leads to the corner where the partner ends; the side that leaves it there.
   std::size_t across(std::size_t side) const { return sides_.next[sides_.partner[side]]; }
+
+  /// Three determinants of three vectors, and a crossing and an angle, for each corner: numbers of some four times the
+  /// bits of a vertex, and two greatest common divisors.
+  void spend_on_corners(std::size_t t) const {
+    for (const ExactPoint& vertex : tiles_[t]) budget_.spend(100 * product_work(4 * bits(vertex)));
+  }
 
   Problem connection_problem() const {
     std::vector<char> reached(tiles_.size(), 0);
@@ -198,6 +210,10 @@ class SurfaceChecker {
       arb_add(sum.get(), sum.get(), angle.get(), kAnglePrecision);
       s = across(s);
     } while (s != first);
+    // A tree of products; each of its levels has all the bits.
+    std::size_t path_bits = 0;
+    for (const ExactIsometry* f : path) path_bits += bits(*f);
+    budget_.spend(8 * product_work(path_bits), std::bit_width(path.size()));
     if (!is_identity(compose_path(path))) {
       return AngleProblem{"the " + std::to_string(path.size()) + " corners around " + corner_name(sides_, first) +
                               " do not close up: the product of the crossings is not the identity",
@@ -231,6 +247,7 @@ class SurfaceChecker {
 
   SurfaceSides sides_;
   unsigned threads_;
+  const Budget& budget_;
   std::vector<ExactTile> tiles_;
   std::vector<ExactIsometry> crossings_;
   std::size_t cycles_ = 0;
@@ -323,7 +340,7 @@ void sinh_distance(arb_ptr result, const ExactPoint& z, const ExactPoint& p, con
 }
 
 /// What holds by theorem for the regular 4g-gon with angles π/(2g), opposite sides glued (docs/proof.md, section 9).
-SurfaceOutcome regular_outcome(std::uint32_t genus) {
+SurfaceOutcome regular_outcome(std::uint32_t genus, const Budget& budget) {
   SurfaceOutcome outcome;
   outcome.report.rule = "surface";
   // The structure check refuses other genera; the theorem needs this one condition, so it is looked at again.
@@ -337,20 +354,32 @@ SurfaceOutcome regular_outcome(std::uint32_t genus) {
                         std::to_string(4 * genus) + "-gon with interior angles pi/" + std::to_string(2 * genus) +
                         ", opposite sides glued" + (genus == 2 ? " (the Bolza surface)" : "");
   outcome.genus = genus;
-  outcome.crossings = RegularCrossings(genus);
+  outcome.crossings = RegularCrossings(genus, budget);
   return outcome;
 }
 
 }  // namespace
 
-SurfaceOutcome check_surface(const Surface& surface, unsigned threads) {
-  return surface.regular_genus == 0 ? SurfaceChecker(surface, threads).check() : regular_outcome(surface.regular_genus);
+SurfaceOutcome check_surface(const Surface& surface, unsigned threads, const Budget& budget) {
+  if (surface.regular_genus != 0) return regular_outcome(surface.regular_genus, budget);
+  try {
+    return SurfaceChecker(surface, threads, budget).check();
+  } catch (const BudgetSpent& spent) {
+    SurfaceOutcome outcome;
+    outcome.report = {"surface", Verdict::undecided, spent.what()};
+    return outcome;
+  }
 }
 
-std::optional<InscribedDisk> inscribed_disk(const Tile& tile, long cap) {
+std::optional<InscribedDisk> inscribed_disk(const Tile& tile, long cap, const Budget& budget) {
   ExactTile exact;
-  for (const RationalPoint& vertex : tile) exact.push_back(exact_point(vertex));
+  for (const RationalPoint& vertex : tile) {
+    budget.spend(exact_point_work(vertex));
+    exact.push_back(exact_point(vertex));
+  }
   for (slong precision = 128; precision <= std::max(2 * cap, 128L); precision *= 2) {
+    budget.spend(80 * ball_work(static_cast<std::uint64_t>(precision)), exact.size());
+    for (const ExactPoint& vertex : exact) budget.spend(4 * product_work(bits(vertex)));
     InscribedDisk disk{approximate_centre(exact, precision), {}};
     if (gap(disk.centre) <= 0) continue;
     bool inside = true;
@@ -369,8 +398,9 @@ std::optional<InscribedDisk> inscribed_disk(const Tile& tile, long cap) {
   return std::nullopt;
 }
 
-std::optional<InscribedDisk> inscribed_disk(const Surface& surface, std::uint32_t tile, long cap) {
-  if (surface.regular_genus == 0) return inscribed_disk(surface.tiles[tile], cap);
+std::optional<InscribedDisk> inscribed_disk(const Surface& surface, std::uint32_t tile, long cap,
+                                            const Budget& budget) {
+  if (surface.regular_genus == 0) return inscribed_disk(surface.tiles[tile], cap, budget);
   InscribedDisk disk{{{0, 0}, 1}, {}};
   Ball cosh;
   set_regular_apothem(cosh.get(), disk.sinh_radius.get(), surface.regular_genus, kApothemPrecision);

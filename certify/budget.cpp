@@ -1,0 +1,41 @@
+#include <epsnet/certify/budget.h>
+
+namespace epsnet::certify {
+namespace {
+
+std::uint64_t digits(const mpq_class& x) {
+  const std::uint64_t numerator = mpz_sizeinbase(x.get_num_mpz_t(), 10);
+  return x.get_den() == 1 ? numerator : numerator + mpz_sizeinbase(x.get_den_mpz_t(), 10);
+}
+
+std::uint64_t digits(const RationalPoint& z) { return digits(z.x) + digits(z.y); }
+
+/// A letter of a word and its comma.
+std::uint64_t letters(const std::vector<std::uint32_t>& word) { return 2 * word.size(); }
+
+}  // namespace
+
+std::uint64_t least_bytes(const Document& document) {
+  std::uint64_t bytes = document.epsilon.size();
+  for (const Tile& tile : document.surface.tiles) {
+    for (const RationalPoint& vertex : tile) bytes += 8 + digits(vertex);
+  }
+  bytes += 10 * document.surface.gluing.size();
+  for (const Chart& chart : document.charts) bytes += 10 + digits(chart.centre);
+  for (const Label& label : document.labels) bytes += 9 + letters(label.word);
+  bytes += 8 * document.vertices.size() + 18 * document.triangles.size();
+  if (document.collars) {
+    for (const Collar& collar : *document.collars) bytes += 64 + letters(collar.core);
+  }
+  return bytes;
+}
+
+std::uint64_t least_bytes(const GeodesicsDocument& document) {
+  std::uint64_t bytes = least_bytes(document.net) + document.up_to.size();
+  for (const ClosedGeodesic& geodesic : document.geodesics) bytes += 52 + letters(geodesic.word);
+  bytes += 34 * document.clusters.size();
+  for (const Piece& piece : document.pieces) bytes += 26 + 6 * piece.boundaries.size();
+  return bytes;
+}
+
+}  // namespace epsnet::certify

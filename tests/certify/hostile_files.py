@@ -1,0 +1,726 @@
+#!/usr/bin/env python3
+"""hostile_files.py DATA EPSNET DIRECTORY [KIND...]: writes files below 1 MB that are made to take long or much memory.
+
+One file for each kind, DIRECTORY/KIND.json. DATA is tests/data, EPSNET the program. docs/format.md says what a file may
+take ("Limits"). Without kinds, all of them; their names, if DIRECTORY is "-".
+"""
+import cmath
+import json
+import math
+import os
+import random
+import subprocess
+import sys
+import tempfile
+from decimal import Decimal, getcontext
+from fractions import Fraction
+
+if hasattr(sys, "set_int_max_str_digits"):
+    sys.set_int_max_str_digits(0)
+SIZE = 950_000
+data = epsnet_program = None
+kinds = {}
+
+
+def kind(function):
+    kinds[function.__name__.replace("_", "-")] = function
+    return function
+
+
+def net(name):
+    with open(os.path.join(data, "certify", "verified", name + ".json")) as file:
+        return json.load(file)
+
+
+def geodesics(name):
+    with open(os.path.join(data, "geodesics", name + ".json")) as file:
+        return json.load(file)
+
+
+def epsnet(*command, surface):
+    """What `epsnet COMMAND` writes for the surface that `epsnet surface SURFACE` makes."""
+    with tempfile.TemporaryDirectory() as folder:
+        made, result = os.path.join(folder, "s.json"), os.path.join(folder, "r.json")
+        subprocess.run([epsnet_program, "surface", *surface, "-o", made], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([epsnet_program, command[0], made, *command[1:], "-o", result], check=True,
+                       stdout=subprocess.DEVNULL)
+        with open(result) as file:
+            return json.load(file)
+
+
+def digits(count, seed=1):
+    """A number of so many digits between 10^(count - 1) and 2 10^(count - 1), odd."""
+    return 10 ** (count - 1) + random.Random(seed).randrange(10 ** (count - 1)) | 1
+
+
+def rational(x):
+    return f"{x.numerator}/{x.denominator}"
+
+
+def near(x, count, seed=1):
+    """A rational of so many digits in all near the number x."""
+    denominator = digits(count // 2, seed)
+    return rational(Fraction(round(Fraction(x) * denominator) | 1, denominator))
+
+
+def turns_left(points):
+    """Whether three points are counterclockwise in the hyperbolic plane, clearly."""
+    u, v, w = [(2 * x, 2 * y, 1 + x * x + y * y) for x, y in ((float(x), float(y)) for x, y in points)]
+    return (u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) +
+            u[2] * (v[0] * w[1] - v[1] * w[0])) > 1e-6
+
+
+def relator(sides):
+    """A word of a 2n-gon with opposite sides glued that turns once around the corner where all corners meet."""
+    word, side = [], 0
+    for _ in range(sides):
+        word.append(side)
+        side = ((side + sides // 2) + 1) % sides
+    return word
+
+
+def reduced_word(sides, letters, seed=1):
+    """A random word without backtracking on a polygon with opposite sides glued."""
+    choose, word = random.Random(seed), []
+    while len(word) < letters:
+        side = choose.randrange(sides)
+        if not word or (side + sides // 2) % sides != word[-1]:
+            word.append(side)
+    return word
+
+
+def regular_net(genus, digits_of_epsilon=12):
+    """The net of one vertex, the centre of the regular polygon, all of whose circumradii are equal; epsilon is a little
+    more than those."""
+    document = epsnet("net", "--epsilon", "25", surface=["regular", "--genus", str(genus)])
+    getcontext().prec = digits_of_epsilon + 30
+    # cosh R = cot²(π/4g), R = ln(cosh R + √(cosh² R − 1)).
+    angle = decimal_pi() / (4 * genus)
+    sine, term, k = angle, angle, 1
+    while abs(term) > Decimal(10) ** -getcontext().prec:
+        term *= -angle * angle / ((k + 1) * (k + 2))
+        sine += term
+        k += 2
+    cosh = (1 - sine * sine) / (sine * sine)
+    radius = (cosh + (cosh * cosh - 1).sqrt()).ln()
+    document["epsilon"] = str(radius.quantize(Decimal(10) ** -digits_of_epsilon) + Decimal(10) ** -digits_of_epsilon)
+    return document
+
+
+def decimal_pi():
+    """Machin's formula."""
+    unit = 10 ** (getcontext().prec + 10)
+
+    def arctan_inverse(x):
+        total = term = unit // x
+        k = 1
+        while term:
+            term //= -x * x
+            k += 2
+            total += term // k
+        return total
+    return Decimal(4 * (4 * arctan_inverse(5) - arctan_inverse(239))) / unit
+
+
+def filled(word, unit, document, rest=0):
+    """word + unit + unit + …, as long as the document stays below the size."""
+    each = len(json.dumps(unit, separators=(",", ":")))
+    room = SIZE - rest - len(json.dumps(document, separators=(",", ":")))
+    return word + unit * max(0, min(room // each, (10**6 - len(word)) // len(unit)))
+
+
+# Labels.
+
+@kind
+def label_of_a_power():
+    document = net("octagon-1-vertex")
+    document["labels"][0][2] = filled(document["labels"][0][2], [3, 3], document)
+    return document
+
+
+@kind
+def label_with_relators():
+    document = net("octagon-1-vertex")
+    document["labels"][0][2] = filled(document["labels"][0][2], relator(8), document)
+    return document
+
+
+@kind
+def labels_all_with_relators():
+    document = net("octagon-1-vertex")
+    for label in document["labels"]:
+        label[2] = label[2] + relator(8) * 4500
+    return document
+
+
+@kind
+def label_that_cancels():
+    document = net("octagon-1-vertex")
+    document["labels"][0][2] = filled(document["labels"][0][2], [3, 7], document)
+    return document
+
+
+@kind
+def label_random():
+    document = net("octagon-1-vertex")
+    document["labels"][0][2] = reduced_word(8, 400_000)
+    return document
+
+
+@kind
+def labels_unused():
+    document = net("octagon-1-vertex")
+    document["labels"] += [[0, 0, []]] * 90_000
+    return document
+
+
+@kind
+def labels_unused_of_a_regular_surface():
+    document = regular_net(997)
+    document["labels"] += [[0, 0, reduced_word(4 * 997, 100, k)] for k in range(800)]
+    return document
+
+
+# Charts.
+
+@kind
+def chart_of_50000_digits_and_collinear_vertices():
+    document = net("octagon-9-vertices")
+    document["charts"] = [[chart[0], near(0.1, 50_000), near(0.2, 50_000)] for chart in document["charts"]]
+    document["vertices"] = [[0, k / 16, 0.0] for k in range(9)]
+    return document
+
+
+@kind
+def chart_of_200000_digits():
+    document = net("octagon-1-vertex")
+    document["charts"] = [[0, near(0.93729, 450_000, 3), near(0.00001, 450_000, 4)]]
+    document["vertices"] = [[0, 0.0, 0.0]]
+    return document
+
+
+@kind
+def charts_of_their_own_for_all_vertices():
+    document = net("octagon-33-vertices")
+    centres = [document["charts"][c][1:] for c, _, _ in document["vertices"]]
+    assert all(centre == ["0", "0"] for centre in centres)
+    old_labels, labels, numbers = document["labels"], [], {}
+    for triangle in document["triangles"]:
+        for i in (1, 2):
+            key = (triangle[i], triangle[0], triangle[5 + i])
+            if key not in numbers:
+                labels.append([key[0], key[1], old_labels[key[2] - 1][2] if key[2] else []])
+                numbers[key] = len(labels)
+            triangle[5 + i] = numbers[key]
+    document["labels"] = labels
+    document["charts"] = [[0, near(x, 13_000, 2 * v), near(y, 13_000, 2 * v + 1)]
+                          for v, (_, x, y) in enumerate(document["vertices"])]
+    document["vertices"] = [[v, 0.0, 0.0] for v in range(len(document["vertices"]))]
+    return document
+
+
+@kind
+def chart_near_the_circle():
+    document = net("octagon-1-vertex")
+    document["charts"] = [[0, rational(1 - Fraction(1, 10**100_000)), "0"]]
+    return document
+
+
+@kind
+def chart_rather_near_the_circle():
+    document = net("octagon-1-vertex")
+    document["charts"] = [[0, rational(1 - Fraction(1, 10**1_000)), "0"]]
+    return document
+
+
+@kind
+def charts_of_a_regular_surface():
+    document = regular_net(100)
+    document["charts"] = [[0, near(1e-9, 20_000), near(1e-9, 20_000, 2)]]
+    return document
+
+
+# Surfaces.
+
+@kind
+def tile_of_long_coordinates():
+    document = net("octagon-1-vertex")
+    centre = (Fraction(near(0.1, 3_500, 5)), Fraction(near(0.05, 3_500, 6)))
+
+    def moved(x, y):
+        # (z + c)/(1 + c̄ z).
+        c, d = centre
+        real, imaginary = 1 + c * x + d * y, c * y - d * x
+        square = real * real + imaginary * imaginary
+        return (((x + c) * real + (y + d) * imaginary) / square, ((y + d) * real - (x + c) * imaginary) / square)
+    tile = document["surface"]["tiles"][0]
+    document["surface"]["tiles"] = [[[rational(z) for z in moved(Fraction(x), Fraction(y))] for x, y in tile]]
+    return document
+
+
+@kind
+def tile_of_random_long_coordinates():
+    document = net("octagon-1-vertex")
+    tile = document["surface"]["tiles"][0]
+    document["surface"]["tiles"] = [[[near(Fraction(z), 58_000, 16 * k + i) for i, z in enumerate(vertex)]
+                                     for k, vertex in enumerate(tile)]]
+    return document
+
+
+@kind
+def tile_of_many_sides():
+    """Points of a circle, symmetric, opposite sides glued: a surface that does not close up."""
+    half = 4_000
+    points = []
+    for k in range(half):
+        t = Fraction(round(10**6 * math.tan(math.pi * (k + 0.5) / half / 2)), 10**6)
+        points.append((Fraction(99, 100) * (1 - t * t) / (1 + t * t), Fraction(99, 100) * 2 * t / (1 + t * t)))
+    points += [(-x, -y) for x, y in points]
+    document = net("octagon-1-vertex")
+    document["surface"] = {"kind": "tiles", "tiles": [[[rational(z) for z in point] for point in points]],
+                           "gluing": [[0, k, 0, k + half] for k in range(half)]}
+    return document
+
+
+@kind
+def tiles_cut_into_many():
+    """The octagon cut into triangles by rational points, three for one again and again."""
+    choose = random.Random(1)
+    document = net("octagon-1-vertex")
+    octagon = [(Fraction(x), Fraction(y)) for x, y in document["surface"]["tiles"][0]]
+    centre = (Fraction(0), Fraction(0))
+    tiles = [[centre, octagon[k], octagon[(k + 1) % 8]] for k in range(8)]
+    while len(tiles) < 1_700:
+        k = choose.randrange(len(tiles))
+        a, b, c = tiles[k]
+        x = Fraction(round(10**7 * float(a[0] + b[0] + c[0]) / 3), 10**7)
+        y = Fraction(round(10**7 * float(a[1] + b[1] + c[1]) / 3), 10**7)
+        parts = [[a, b, (x, y)], [b, c, (x, y)], [c, a, (x, y)]]
+        if all(turns_left(part) for part in parts):
+            tiles[k:k + 1] = parts
+    sides = {}
+    for t, tile in enumerate(tiles):
+        for k in range(3):
+            sides[tile[k], tile[(k + 1) % 3]] = (t, k)
+    gluing = []
+    for (p, q), (t, k) in sides.items():
+        other = sides.get((q, p))
+        if other is None:
+            i = octagon.index(p)
+            other = sides[octagon[(i + 4) % 8], octagon[(i + 5) % 8]]
+        if (t, k) < other:
+            gluing.append([t, k, *other])
+    document["surface"] = {"kind": "tiles", "gluing": gluing,
+                           "tiles": [[[rational(z) for z in point] for point in tile] for tile in tiles]}
+    document["charts"] = [[0, "0", "0"]]
+    document["labels"] = []
+    for triangle in document["triangles"]:
+        triangle[6:] = [0, 0]
+    return document
+
+
+@kind
+def high_genus_of_many_tiles():
+    return epsnet("net", "--epsilon", "20", surface=["fenchel-nielsen", "--genus", "90", "--seed", "1"])
+
+
+# Triangles.
+
+@kind
+def triangles_all_collinear():
+    document = epsnet("net", "--epsilon", "0.04", surface=["octagon", "--seed", "5"])
+    document["vertices"] = [[c, (k - 2_000) / 4_096, 0.0] for k, (c, _, _) in enumerate(document["vertices"])]
+    return document
+
+
+@kind
+def triangles_nearly_collinear():
+    document = epsnet("net", "--epsilon", "0.04", surface=["octagon", "--seed", "5"])
+    document["vertices"] = [[c, x, y * 1e-300] for c, x, y in document["vertices"]]
+    return document
+
+
+@kind
+def vertices_at_the_circle():
+    document = epsnet("net", "--epsilon", "0.05", surface=["octagon", "--seed", "5"])
+    for vertex in document["vertices"]:
+        angle = cmath.phase(complex(vertex[1], vertex[2]))
+        vertex[1:] = [math.cos(angle) * (1 - 2e-16), math.sin(angle) * (1 - 2e-16)]
+    return document
+
+
+@kind
+def circumradii_all_epsilon():
+    return regular_net(997, 3_000)
+
+
+@kind
+def circumradii_all_epsilon_in_a_chart_of_many_digits():
+    document = regular_net(300, 3_000)
+    document["charts"] = [[0, near(1e-9, 200_000), near(1e-9, 200_000, 2)]]
+    document["vertices"] = [[0, -1e-9, -1e-9]]
+    return document
+
+
+@kind
+def epsilon_of_900000_digits():
+    document = net("octagon-1-vertex")
+    document["epsilon"] = f"4.{digits(900_000)}"
+    return document
+
+
+@kind
+def epsilon_rational_of_900000_digits():
+    document = net("octagon-1-vertex")
+    document["epsilon"] = near(4, 900_000)
+    return document
+
+
+# Regular surfaces.
+
+@kind
+def regular_genus_997():
+    return regular_net(997)
+
+
+@kind
+def regular_genus_997_in_another_chart():
+    document = regular_net(997)
+    document["charts"] = [[0, near(0.3, 1_000), near(-0.2, 1_000, 2)]]
+    document["vertices"] = [[0, -0.25, 0.125]]
+    return document
+
+
+@kind
+def regular_with_relators():
+    document = regular_net(100)
+    for label in document["labels"]:
+        label[2] = label[2] + relator(400)
+    return document
+
+
+@kind
+def regular_with_one_long_word():
+    document = regular_net(2)
+    document["labels"][0][2] = document["labels"][0][2] + relator(8) * 50_000
+    return document
+
+
+@kind
+def regular_with_one_random_word():
+    document = regular_net(20)
+    document["labels"][0][2] = reduced_word(80, 250_000)
+    return document
+
+
+@kind
+def regular_with_words_of_2000_turns():
+    document = regular_net(2)
+    for k, label in enumerate(document["labels"]):
+        path = reduced_word(8, 2_000, k)
+        label[2] = label[2] + path + [(s + 4) % 8 for s in reversed(path)][1:] + [(path[0] + 4) % 8]
+        label[2] = path + relator(8) + [(s + 4) % 8 for s in reversed(path)] + label[2]
+    return document
+
+
+# Collars.
+
+def pseudo_net(genus=2, length="0.01"):
+    if genus == 2:
+        return epsnet("net", "--epsilon", "0.3", "--pseudo",
+                      surface=["fenchel-nielsen", "--pants-graph", "0-0 0-1 1-1", "--lengths", f"1.3,{length},2",
+                               "--seed", "1"])
+    return epsnet("net", "--epsilon", "0.3", "--pseudo",
+                  surface=["fenchel-nielsen", "--genus", str(genus), "--seed", "1", "--lengths",
+                           ",".join([length] * (3 * genus - 3))])
+
+
+def there_and_back(document, core):
+    """A letter that may follow the word, and the one that takes it back."""
+    sizes = [len(tile) for tile in document["surface"]["tiles"]]
+    first = [sum(sizes[:t]) for t in range(len(sizes))]
+    partner = {}
+    for t, k, u, j in document["surface"]["gluing"]:
+        partner[first[t] + k], partner[first[u] + j] = first[u] + j, first[t] + k
+    return [core[0], partner[core[0]]], partner
+
+
+@kind
+def collar_core_that_cancels():
+    document = pseudo_net()
+    core = document["collars"][0]["core"]
+    pair, _ = there_and_back(document, core)
+    document["collars"][0]["core"] = pair * 5_000 + core
+    return document
+
+
+@kind
+def collar_core_that_cancels_in_450000_letters():
+    document = pseudo_net()
+    core = document["collars"][0]["core"]
+    pair, _ = there_and_back(document, core)
+    document["collars"][0]["core"] = filled([], pair, document) + core
+    return document
+
+
+@kind
+def collar_core_of_a_power():
+    document = pseudo_net()
+    core = document["collars"][0]["core"]
+    document["collars"][0]["core"] = filled(core, core, document)
+    return document
+
+
+@kind
+def collar_in_a_tile_of_long_coordinates():
+    document = pseudo_net(length="1e-12")
+    chart = document["vertices"][document["collars"][0]["vertices"][0]][0]
+    document["charts"] = [[t, x, y] if c != chart else [t, near(Fraction(x), 50_000), near(Fraction(y), 50_000, 2)]
+                          for c, (t, x, y) in enumerate(document["charts"])]
+    core = document["collars"][0]["core"]
+    document["collars"][0]["core"] = filled(core, core, document)
+    return document
+
+
+@kind
+def collars_many():
+    return pseudo_net(12)
+
+
+# Closed geodesics.
+
+def floating_crossings(sides):
+    """Crossings of the polygon with opposite sides glued as pairs (a, b)."""
+    n = len(sides)
+    result = []
+    for k in range(n):
+        p, q = sides[k], sides[(k + 1) % n]
+        p2, q2 = sides[(k + n // 2) % n], sides[(k + n // 2 + 1) % n]
+        w = (q - p) / (1 - p.conjugate() * q)
+        w2 = (p2 - q2) / (1 - q2.conjugate() * p2)
+        turn = cmath.exp(0.5j * cmath.phase(w2 / w))
+        result.append(compose((1, q2), compose((turn, 0), (1, -p))))
+    return [normalized(f) for f in result]
+
+
+def compose(f, g):
+    return (f[0] * g[0] + f[1] * complex(g[1]).conjugate(), f[0] * g[1] + f[1] * complex(g[0]).conjugate())
+
+
+def normalized(f):
+    scale = math.sqrt(abs(f[0]) ** 2 - abs(f[1]) ** 2)
+    return (f[0] / scale, f[1] / scale)
+
+
+def length_of(word, crossings):
+    """The translation length of a word, from a product that is scaled down now and then."""
+    f, log = (1.0, 0.0), 0.0
+    for k, side in enumerate(word):
+        f = compose(crossings[side], f)
+        if k % 50 == 49:
+            size = abs(f[0])
+            f, log = (f[0] / size, f[1] / size), log + math.log(size)
+    trace = abs(2 * complex(f[0]).real)
+    if log < 20:
+        trace *= math.exp(log)
+        return 2 * math.acosh(max(trace / 2, 1))
+    return 2 * (log + math.log(trace))
+
+
+def list_of(document, words, claim="spectrum", up_to=None, equal=False, slack=1e-6):
+    """A geodesics file of one net with opposite sides of one octagon glued."""
+    octagon = [complex(float(Fraction(x)), float(Fraction(y))) for x, y in document["surface"]["tiles"][0]]
+    crossings = floating_crossings(octagon)
+    rows = []
+    for word in words:
+        length = length_of(word, crossings)
+        if length < 0.1:
+            continue
+        rows.append({"vertex": 0, "word": word, "length": [length * (1 - slack), length * (1 + slack)],
+                     "simple": False})
+    rows.sort(key=lambda row: row["length"][0])
+    result = {"format": "epsnet-geodesics", "version": 1, "claim": claim, "net": document, "geodesics": rows}
+    if claim == "spectrum":
+        result["up_to"] = up_to or str(math.ceil(rows[-1]["length"][1]) + 1)
+    if claim != "systole":
+        clusters, end = [], 0
+        for i, row in enumerate(rows):
+            if not clusters or row["length"][0] > end:
+                clusters.append({"first": i, "count": 0, "equal": equal})
+            clusters[-1]["count"] += 1
+            end = max(end, row["length"][1])
+        result["clusters"] = clusters
+    if claim == "thick-thin":
+        result["pieces"] = []
+    return result
+
+
+@kind
+def geodesics_300_of_250_letters():
+    return list_of(net("octagon-1-vertex"), [reduced_word(8, 250, k) for k in range(300)])
+
+
+@kind
+def geodesics_1200_of_300_letters():
+    return list_of(net("octagon-1-vertex"), [reduced_word(8, 300, k) for k in range(1_200)])
+
+
+@kind
+def geodesics_5000_of_30_letters():
+    return list_of(net("octagon-1-vertex"), [reduced_word(8, 30, k) for k in range(5_000)])
+
+
+@kind
+def geodesics_permuted():
+    """Words of nearly equal lengths: every pair has to be told apart."""
+    words = []
+    for k in range(2_500):
+        blocks = [[0], [1, 1], [2, 2, 2], [3], [0, 0, 1], [1, 2], [3, 3, 2], [0, 3]] * 4
+        random.Random(k).shuffle(blocks)
+        words.append(sum(blocks, []))
+    return list_of(net("octagon-1-vertex"), words, slack=0.3)
+
+
+@kind
+def geodesics_of_one_random_word():
+    return list_of(net("octagon-1-vertex"), [reduced_word(8, 400_000)])
+
+
+@kind
+def geodesics_of_one_long_twist():
+    return list_of(net("octagon-1-vertex"), [[0] * 400_000 + [1]])
+
+
+@kind
+def geodesics_of_twists():
+    return list_of(net("octagon-1-vertex"), [[0] * k + [1] for k in range(1, 800)])
+
+
+@kind
+def geodesics_in_clusters_said_to_be_equal():
+    word = reduced_word(8, 60)
+    words = [word[k % 60:] + word[:k % 60] for k in range(3_000)]
+    return list_of(net("octagon-1-vertex"), words, equal=True)
+
+
+@kind
+def geodesics_equal_and_long():
+    word = reduced_word(8, 60_000)
+    return list_of(net("octagon-1-vertex"), [word[k:] + word[:k] for k in range(7)], equal=True)
+
+
+@kind
+def geodesics_on_a_fine_net():
+    document = epsnet("net", "--epsilon", "0.12", surface=["octagon", "--seed", "5"])
+    return list_of(document, [reduced_word(8, 300, k) for k in range(500)])
+
+
+@kind
+def geodesics_of_a_regular_surface():
+    document = regular_net(20)
+    words = [reduced_word(80, 200, k) for k in range(800)]
+    cosh = 1 / math.tan(math.pi / 80)
+    sinh = math.sqrt(cosh * cosh - 1)
+    crossings = [(cosh, -sinh * cmath.exp(1j * math.pi * k / 40)) for k in range(80)]
+    rows = []
+    for word in words:
+        length = length_of(word, crossings)
+        rows.append({"vertex": 0, "word": word, "length": [length * (1 - 1e-6), length * (1 + 1e-6)], "simple": False})
+    rows.sort(key=lambda row: row["length"][0])
+    result = list_of(net("octagon-1-vertex"), [[0]])
+    result.update(net=document, geodesics=rows, up_to="10000")
+    end, clusters = 0, []
+    for i, row in enumerate(rows):
+        if row["length"][0] > end:
+            clusters.append({"first": i, "count": 0, "equal": True})
+        clusters[-1]["count"] += 1
+        end = max(end, row["length"][1])
+    result["clusters"] = clusters
+    return result
+
+
+@kind
+def spectrum_up_to_9999_digits():
+    return list_of(net("octagon-1-vertex"), [[0]], up_to="1e9999")
+
+
+@kind
+def spectrum_up_to_a_number_of_500000_digits():
+    words = [reduced_word(8, 12, k) for k in range(2_500)]
+    return list_of(net("octagon-1-vertex"), words, up_to=f"200.{digits(500_000)}")
+
+
+@kind
+def spectrum_up_to_14_of_few():
+    return list_of(net("octagon-1-vertex"), [[0], [1], [2], [3]], up_to="14")
+
+
+@kind
+def systole_on_a_fine_net():
+    result = epsnet("systole", surface=["octagon", "--seed", "5"])
+    document = epsnet("net", "--epsilon", "0.045", surface=["octagon", "--seed", "5"])
+    row = dict(result["geodesics"][0])
+    octagon = list_of(document, [row["word"]], claim="systole", slack=1e-9)
+    octagon["geodesics"][0]["simple"] = row["simple"]
+    return octagon
+
+
+@kind
+def systole_of_a_long_word():
+    return list_of(net("octagon-1-vertex"), [reduced_word(8, 300_000)], claim="systole")
+
+
+@kind
+def systole_of_genus_300():
+    # The translation along side 0 is 2 arcosh(cot(π/1200)) long, 13.2; nothing is known to be shorter.
+    document = regular_net(300)
+    result = list_of(net("octagon-1-vertex"), [[0]], claim="systole")
+    result["net"] = document
+    length = 2 * math.acosh(1 / math.tan(math.pi / 1200))
+    result["geodesics"] = [{"vertex": 0, "word": [0], "length": [length - 1e-9, length + 1e-9], "simple": True}]
+    return result
+
+
+@kind
+def thick_thin_of_long_words():
+    result = geodesics("three-cuffs")
+    pair, partner = there_and_back(result["net"], result["geodesics"][0]["word"])
+    result["geodesics"][0]["word"] = filled([], pair, result) + result["geodesics"][0]["word"]
+    return result
+
+
+@kind
+def thick_thin_of_a_long_conjugate():
+    """A word that goes around the second cuff a hundred thousand times, then the geodesic, then back."""
+    result = geodesics("three-cuffs")
+    _, partner = there_and_back(result["net"], result["geodesics"][0]["word"])
+    around = result["geodesics"][1]["word"]
+    count = 30_000
+    back = [partner[s] for s in reversed(around)]
+    result["geodesics"][0]["word"] = around * count + result["geodesics"][0]["word"] + back * count
+    return result
+
+
+@kind
+def pieces_many():
+    result = geodesics("three-cuffs")
+    result["pieces"] = result["pieces"] + [{"genus": 0, "boundaries": []}] * 25_000
+    return result
+
+
+def main():
+    global data, epsnet_program
+    data, epsnet_program, directory, *wanted = sys.argv[1:]
+    if directory == "-":
+        print("\n".join(kinds))
+        return
+    os.makedirs(directory, exist_ok=True)
+    for name in wanted or kinds:
+        text = json.dumps(kinds[name](), separators=(",", ":"))
+        if len(text) >= 1_000_000:
+            sys.exit(f"{name} has {len(text)} bytes")
+        with open(os.path.join(directory, name + ".json"), "w") as file:
+            file.write(text)
+
+
+main()
