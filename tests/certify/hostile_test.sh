@@ -33,3 +33,21 @@ expect() {
   rm -f "$folder/$kind.json"
 }
 
+expect chart-of-50000-digits-and-collinear-vertices 'REFUTED: orientation'
+expect chart-of-200000-digits VERIFIED
+expect charts-of-their-own-for-all-vertices VERIFIED
+expect circumradii-all-epsilon-in-a-chart-of-many-digits UNDECIDED
+expect label-that-cancels VERIFIED
+expect label-random 'REFUTED: gluing'
+expect tile-of-random-long-coordinates 'REFUTED: surface'
+expect epsilon-of-900000-digits VERIFIED
+expect collar-core-that-cancels VERIFIED
+expect collar-core-that-cancels-in-450000-letters VERIFIED
+expect collar-in-a-tile-of-long-coordinates UNDECIDED
+expect geodesics-300-of-250-letters ''
+expect spectrum-up-to-9999-digits UNDECIDED
+expect thick-thin-of-long-words VERIFIED
+expect thick-thin-of-a-long-conjugate ''
+
+echo "$runs runs, $failures failures"
+[ "$failures" = 0 ]
