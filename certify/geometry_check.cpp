@@ -301,15 +301,18 @@ class Questionnaire {
   void ask(unsigned threads, const CheckOptions& options, const Examine& examine) {
     const std::size_t blocks = (triangles_.size() + kBlock - 1) / kBlock;
     std::vector<Findings> found(blocks);
+    // What is open changes together with what was found, so that an exception leaves both as they were.
+    std::vector<Questions> open(open_.size());
     for_each_parallel(blocks, threads, [&](unsigned worker, std::size_t block) {
       const std::size_t end = std::min(triangles_.size(), (block + 1) * kBlock);
       for (std::size_t k = block * kBlock; k < end; ++k) {
-        open_[k] = examine(worker, triangles_[k], open_[k], found[block]);
+        open[k] = examine(worker, triangles_[k], open_[k], found[block]);
       }
       if (worker == 0 && options.progress) {
         options.progress("geometry", static_cast<double>(block) / static_cast<double>(blocks));
       }
     });
+    open_ = std::move(open);
     for (const Findings& findings : found) all_.add(findings);
     forget_settled();
   }
