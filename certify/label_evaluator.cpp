@@ -99,7 +99,7 @@ std::vector<BallIsometry> LabelEvaluator::evaluate(std::span<const std::uint32_t
       ++pending;
     }
     const auto wide = static_cast<std::uint64_t>(working);
-    budget().spend(20 * ball_work(wide), sides.size() + 3 * pending);
+    budget().spend(28 * ball_work(wide), sides.size() + 3 * pending);
     budget().spend(memory_work(200 + wide / 2), pending);
     for (std::vector<std::uint32_t>* used : {&sides, &charts}) {
       std::sort(used->begin(), used->end());

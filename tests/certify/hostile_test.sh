@@ -43,7 +43,7 @@ expect tile-of-random-long-coordinates 'REFUTED: surface'
 expect epsilon-of-900000-digits VERIFIED
 expect collar-core-that-cancels VERIFIED
 expect collar-core-that-cancels-in-450000-letters VERIFIED
-expect collar-in-a-tile-of-long-coordinates UNDECIDED
+expect collar-in-a-tile-of-long-coordinates 'REFUTED: collars'
 expect geodesics-300-of-250-letters ''
 expect spectrum-up-to-9999-digits UNDECIDED
 expect thick-thin-of-long-words VERIFIED
