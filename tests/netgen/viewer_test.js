@@ -390,9 +390,8 @@
     sheet.height = height;
     const inks = [new CanvasInk(sheet.getContext('2d')), new SvgInk()];
     for (const ink of inks) {
-      const paper = ink.path(), arcs = ink.path(), disks = ink.path(), inner = ink.path();
-      paper.rect(0, 0, width, height);
-      ink.fill(paper, '#ffffff');
+      const arcs = ink.path(), disks = ink.path(), inner = ink.path();
+      ink.background('#ffffff');
       ring(inner, ox, oy, 0.9 * scale);
       ink.clip(inner);
       for (let k = 0; k < 8; ++k) {

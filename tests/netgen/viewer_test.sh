@@ -60,7 +60,7 @@ page octagon net.json --geodesics spectrum.json
 layout
 page 'one vertex' "$data/certify/verified/octagon-1-vertex.json"
 page 'regular, centre' "$data/certify/verified/regular-3-centre.json"
-"$epsnet" surface fenchel-nielsen --genus 3 --lengths 1e-3,1,2,1e-2,1,2 --twists 0.2 -o thin.json --pants-graph chain
+"$epsnet" surface fenchel-nielsen --genus 3 --lengths 3e-2,1,2,1e-1,1,2 --twists 0.2 -o thin.json --pants-graph chain
 "$epsnet" net thin.json --epsilon 0.5 -o thin-net.json >report
 page 'thin collars' thin-net.json
 "$epsnet" surface fenchel-nielsen --pants-graph "0-0 0-1 1-1" --lengths 1.3,0.1,2 --seed 1 -o collar.json
