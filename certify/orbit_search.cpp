@@ -15,7 +15,7 @@ constexpr slong kLeastAccuracy = 16;
 constexpr std::array<ulong, 3> kWeights{967, 22, 11};
 constexpr std::uint32_t kNoEdge = 3;
 /// Operations of balls that a visit takes.
-constexpr std::uint64_t kVisitOperations = 130;
+constexpr std::uint64_t kVisitOperations = 40;
 
 class OrbitSearch {
  public:
