@@ -91,8 +91,17 @@
       press(back, {shiftKey});
       expect(isAsBefore(), `${back} does not move back`);
     }
+    // To look to the left moves the surface to the right; in thin parts another vertex may then be the nearest.
+    home();
     press('ArrowLeft', {});
-    expect(place(here.frame, vertexDart[0])[0] > 0.01 && Math.abs(place(here.frame, vertexDart[0])[1]) < 1e-9, 'ArrowLeft does not look to the left');
+    const pressed = here.dart, pressedFrame = Array.from(here.frame);
+    home();
+    expect(stepLength() > 0.01, 'a step is too short to be seen');
+    move(translation(stepLength(), 0));
+    expect(here.dart === pressed && pressedFrame.every((x, i) => Math.abs(x - here.frame[i]) < 1e-9), 'ArrowLeft does not look to the left');
+    home();
+    move(translation(1e-6, 0));
+    near(place(here.frame, vertexDart[0])[0], 1e-6, 1e-9, 'a translation to the right');
     home();
     const zoomBefore = zoom;
     press('+', {shiftKey: true});
