@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "epsnet/certify/check.h"
+#include "epsnet/certify/exact/checker.h"
 #include "epsnet/certify/reader.h"
 #include "epsnet/certify/writer.h"
 #include "epsnet/netgen/certified_net.h"
@@ -18,7 +19,8 @@
 #include "netgen/oracle.h"
 #include "support/scale.h"
 
-/// Single random defects in verified nets: `certify` must say what the oracle says.
+/// Single random defects in verified nets: `certify` must say what the oracle says, and `certify-exact` what `certify`
+/// says.
 namespace epsnet {
 namespace {
 
@@ -301,6 +303,14 @@ std::string outcome(const Document& mutant, test::Oracle& oracle) {
     case Verdict::undecided:
       break;
   }
+  // The second checker agrees, wherever both decide, and names the same rule.
+  const exact::Result second = exact::check(written(mutant));
+  if (certificate.verdict != Verdict::undecided && second.verdict != exact::Verdict::undecided) {
+    EXPECT_EQ(static_cast<int>(second.verdict), static_cast<int>(certificate.verdict)) << second.message;
+    EXPECT_EQ(second.rule, certificate.verdict == Verdict::refuted ? certificate.rule : "") << second.message;
+  }
+  EXPECT_FALSE(second.verdict == exact::Verdict::undecided && certificate.verdict == Verdict::verified)
+      << second.rule << ": " << second.message;
   // The reader sees a broken structure too, and nothing else; NaN and infinity cannot even be written.
   try {
     EXPECT_EQ(certify::parse_net(written(mutant), "mutant"), mutant);

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+/// A second checker of net files, for surfaces made of rational tiles: integers only.
+///
+/// It shares nothing with the checker beside it: no ball arithmetic, no floating point, no JSON library, no threads, no
+/// line of code. It is written against docs/format.md and docs/proof.md, in the order of the latter's sections.
+namespace epsnet::exact {
+
+/// The values are the exit codes of the program.
+enum class Verdict { verified = 0, refuted = 1, undecided = 2, malformed = 3 };
+
+struct Result {
+  Verdict verdict = Verdict::undecided;
+  std::string rule;     ///< The rule that decided; empty if verified or malformed.
+  std::string message;  ///< Of a refuted rule the first culprit; empty if verified.
+};
+
+/// The verdict on a net file. Regular surfaces, pseudo nets and geodesics files are undecided: "not for this checker".
+/// Linear time in the size of the file but for the exact numbers of labels. Throws std::bad_alloc only.
+[[nodiscard]] Result check(std::string_view text);
+
+}  // namespace epsnet::exact

@@ -1,0 +1,348 @@
+#include <epsnet/certify/exact/json.h>
+
+#include <algorithm>
+
+namespace epsnet::exact {
+namespace {
+
+constexpr int kMaxDepth = 8;
+constexpr std::size_t kMaxDigits = 1'000'000;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Takes the digits at the beginning of the text away.
+std::string_view take_digits(std::string_view& text) {
+  std::size_t n = 0;
+  while (n < text.size() && is_digit(text[n])) ++n;
+  const std::string_view digits = text.substr(0, n);
+  text.remove_prefix(n);
+  return digits;
+}
+
+bool take(std::string_view& text, char c) {
+  if (!text.starts_with(c)) return false;
+  text.remove_prefix(1);
+  return true;
+}
+
+mpz_class integer(std::string_view digits) { return mpz_class(std::string(digits), 10); }
+
+mpz_class power_of_ten(unsigned long exponent) {
+  mpz_class result;
+  mpz_ui_pow_ui(result.get_mpz_t(), 10, exponent);
+  return result;
+}
+
+class Parser {
+ public:
+  explicit Parser(std::string_view text) : text_(text) {}
+
+  Json document() {
+    Json result = value(0);
+    skip_space();
+    if (at_ != text_.size()) fail("text after the end of the document");
+    return result;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw Malformed("byte " + std::to_string(at_) + ": " + what);
+  }
+
+  [[nodiscard]] char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+
+  void skip_space() {
+    while (at_ < text_.size() && std::string_view(" \t\n\r").find(text_[at_]) != std::string_view::npos) ++at_;
+  }
+
+  void expect(char c) {
+    skip_space();
+    if (at_ == text_.size() || text_[at_] != c) fail(std::string("expected '") + c + "'");
+    ++at_;
+  }
+
+  bool next_is(char c) {
+    skip_space();
+    return at_ < text_.size() && text_[at_] == c;
+  }
+
+  Json value(int depth) {
+    skip_space();
+    Json result;
+    switch (peek()) {
+      case '{':
+        if (depth == kMaxDepth) fail("nested too deep");
+        object(result, depth + 1);
+        break;
+      case '[':
+        if (depth == kMaxDepth) fail("nested too deep");
+        array(result, depth + 1);
+        break;
+      case '"':
+        result.kind = Json::Kind::string;
+        result.text = string();
+        break;
+      default:
+        scalar(result);
+    }
+    return result;
+  }
+
+  void object(Json& result, int depth) {
+    result.kind = Json::Kind::object;
+    expect('{');
+    if (!next_is('}')) {
+      do {
+        skip_space();
+        std::string name = string();
+        for (const Json::Member& other : result.members) {
+          if (other.name == name) fail("a member occurs twice");
+        }
+        // No object of the format has more members; without a limit the search above would take quadratic time.
+        if (result.members.size() == 16) fail("an object with too many members");
+        expect(':');
+        result.members.push_back({std::move(name), value(depth)});
+      } while (next_is(',') && ++at_ != 0);
+    }
+    expect('}');
+  }
+
+  void array(Json& result, int depth) {
+    result.kind = Json::Kind::array;
+    expect('[');
+    if (!next_is(']')) {
+      do {
+        result.elements.push_back(value(depth));
+      } while (next_is(',') && ++at_ != 0);
+    }
+    expect(']');
+  }
+
+  void scalar(Json& result) {
+    const std::size_t start = at_;
+    while (at_ < text_.size() && std::string_view(" \t\n\r,]}:").find(text_[at_]) == std::string_view::npos) ++at_;
+    result.text = text_.substr(start, at_ - start);
+    result.kind = Json::Kind::literal;
+    if (result.text == "true" || result.text == "false" || result.text == "null") return;
+    result.kind = Json::Kind::number;
+    std::string_view rest = result.text;
+    take(rest, '-');
+    const std::string_view whole = take_digits(rest);
+    bool good = !whole.empty() && (whole.size() == 1 || whole.front() != '0');
+    if (take(rest, '.')) good = !take_digits(rest).empty() && good;
+    if (take(rest, 'e') || take(rest, 'E')) {
+      if (!take(rest, '-')) take(rest, '+');
+      good = !take_digits(rest).empty() && good;
+    }
+    if (!good || !rest.empty()) {
+      at_ = start;
+      fail("not a value");
+    }
+  }
+
+  std::uint32_t hexadecimal() {
+    std::uint32_t code = 0;
+    for (int i = 0; i < 4; ++i, ++at_) {
+      const char c = peek();
+      const std::size_t digit = std::string_view("0123456789abcdef").find(c >= 'A' && c <= 'F' ? char(c + 32) : c);
+      if (c == '\0' || digit == std::string_view::npos) fail("expected four hexadecimal digits");
+      code = 16 * code + static_cast<std::uint32_t>(digit);
+    }
+    return code;
+  }
+
+  void escape(std::string& result) {
+    const char c = peek();
+    ++at_;
+    const std::size_t simple = std::string_view("\"\\/bfnrt").find(c);
+    if (c != '\0' && simple != std::string_view::npos) {
+      result += "\"\\/\b\f\n\r\t"[simple];
+      return;
+    }
+    if (c != 'u') fail("an escape that JSON does not have");
+    std::uint32_t code = hexadecimal();
+    if (code >= 0xDC00 && code <= 0xDFFF) fail("a lone surrogate");
+    if (code >= 0xD800 && code <= 0xDBFF) {
+      if (peek() != '\\') fail("a lone surrogate");
+      ++at_;
+      if (peek() != 'u') fail("a lone surrogate");
+      ++at_;
+      const std::uint32_t low = hexadecimal();
+      if (low < 0xDC00 || low > 0xDFFF) fail("a lone surrogate");
+      code = 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00);
+    }
+    append_utf8(result, code);
+  }
+
+  static void append_utf8(std::string& result, std::uint32_t code) {
+    const auto byte = [&](std::uint32_t x) { result += static_cast<char>(static_cast<unsigned char>(x)); };
+    if (code < 0x80) return byte(code);
+    const int more = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
+    byte((more == 1 ? 0xC0U : more == 2 ? 0xE0U : 0xF0U) | code >> (6 * more));
+    for (int i = more; i-- > 0;) byte(0x80U | (code >> (6 * i) & 0x3FU));
+  }
+
+  /// One character of more than a byte, which must be shortest, no surrogate, and at most U+10FFFF.
+  void multibyte(std::string& result) {
+    const auto byte = [&](std::size_t i) -> std::uint32_t {
+      return at_ + i < text_.size() ? static_cast<unsigned char>(text_[at_ + i]) : 0U;
+    };
+    const std::uint32_t first = byte(0);
+    const std::size_t more = first >= 0xF0 ? 3 : first >= 0xE0 ? 2 : 1;
+    std::uint32_t code = first & (more == 3 ? 0x07U : more == 2 ? 0x0FU : 0x1FU);
+    bool good = first >= 0xC2 && first <= 0xF4;
+    for (std::size_t i = 1; i <= more; ++i) {
+      good = good && (byte(i) & 0xC0U) == 0x80U;
+      code = code << 6 | (byte(i) & 0x3FU);
+    }
+    const std::uint32_t least = more == 3 ? 0x10000 : more == 2 ? 0x800 : 0x80;
+    if (!good || code < least || code > 0x10FFFF || (code >= 0xD800 && code <= 0xDFFF))
+      fail("bytes that are not UTF-8");
+    result += text_.substr(at_, more + 1);
+    at_ += more + 1;
+  }
+
+  std::string string() {
+    expect('"');
+    std::string result;
+    while (true) {
+      if (at_ == text_.size()) fail("a string without end");
+      const char c = text_[at_];
+      if (c == '"') break;
+      if (static_cast<unsigned char>(c) < 0x20) fail("a control character in a string");
+      if (static_cast<unsigned char>(c) >= 0x80) {
+        multibyte(result);
+        continue;
+      }
+      ++at_;
+      if (c == '\\') {
+        escape(result);
+      } else {
+        result += c;
+      }
+    }
+    ++at_;
+    return result;
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+[[noreturn]] void wrong(const Json& value, const char* expected) {
+  throw Malformed("'" + value.text.substr(0, 40) + "' found, expected " + expected);
+}
+
+const std::string& string_of(const Json& value, const char* expected) {
+  if (value.kind != Json::Kind::string) wrong(value, expected);
+  return value.text;
+}
+
+}  // namespace
+
+Json parse_json(std::string_view text) { return Parser(text).document(); }
+
+std::uint32_t to_index(const Json& value) {
+  const bool digits = value.kind == Json::Kind::number && std::all_of(value.text.begin(), value.text.end(), is_digit);
+  if (!digits || value.text.size() > 10) wrong(value, "an index");
+  const std::uint64_t index = std::stoull(value.text);
+  if (index > 0xFFFFFFFFU) wrong(value, "an index");
+  return static_cast<std::uint32_t>(index);
+}
+
+mpq_class to_rational(const Json& value) {
+  std::string_view text = string_of(value, "a rational in a string");
+  const bool negative = take(text, '-');
+  const std::string_view numerator = take_digits(text);
+  std::string_view denominator = "1";
+  std::size_t digits = numerator.size();
+  if (take(text, '/')) {
+    denominator = take_digits(text);
+    digits += denominator.size();
+  }
+  if (numerator.empty() || denominator.empty() || !text.empty() || digits > kMaxDigits) wrong(value, "a rational");
+  mpq_class result(integer(numerator), integer(denominator));
+  if (result.get_den() == 0) wrong(value, "a rational");
+  result.canonicalize();
+  return negative ? mpq_class(-result) : result;
+}
+
+mpq_class to_decimal(const Json& value) {
+  std::string_view text = string_of(value, "a decimal in a string");
+  if (text.find('/') != std::string_view::npos) return to_rational(value);
+  const bool negative = take(text, '-');
+  const std::string_view whole = take_digits(text);
+  bool good = !whole.empty();
+  std::string_view fraction;
+  if (take(text, '.')) {
+    fraction = take_digits(text);
+    good = good && !fraction.empty();
+  }
+  long exponent = 0;
+  if (take(text, 'e') || take(text, 'E')) {
+    const bool down = take(text, '-');
+    if (!down) take(text, '+');
+    const std::string_view digits = take_digits(text);
+    good = good && !digits.empty() && digits.size() <= 4;
+    if (good) exponent = std::stol(std::string(digits));
+    if (down) exponent = -exponent;
+  }
+  if (!good || !text.empty() || whole.size() + fraction.size() > kMaxDigits) wrong(value, "a decimal");
+  exponent -= static_cast<long>(fraction.size());
+  const mpz_class mantissa = integer(std::string(whole).append(fraction));
+  const mpz_class scale = power_of_ten(static_cast<unsigned long>(std::abs(exponent)));
+  mpq_class result = exponent < 0 ? mpq_class(mantissa, scale) : mpq_class(mantissa * scale);
+  result.canonicalize();
+  return negative ? mpq_class(-result) : result;
+}
+
+Binary64 to_binary64(const Json& value) {
+  if (value.kind != Json::Kind::number) wrong(value, "a number");
+  std::string_view text = value.text;
+  const bool negative = take(text, '-');
+  std::string digits(take_digits(text));
+  long exponent = 0;
+  if (take(text, '.')) {
+    const std::string_view fraction = take_digits(text);
+    digits += fraction;
+    exponent = -static_cast<long>(fraction.size());
+  }
+  if (!text.empty()) {
+    text.remove_prefix(1);
+    const bool down = take(text, '-');
+    if (!down) take(text, '+');
+    const std::size_t zeros = std::min(text.find_first_not_of('0'), text.size());
+    text.remove_prefix(zeros);
+    // Beyond 10^15 no digits of a file make up for it.
+    const long written = text.empty() ? 0 : text.size() > 15 ? 1'000'000'000'000'000 : std::stol(std::string(text));
+    exponent += down ? -written : written;
+  }
+  const mpz_class mantissa = integer(digits);
+  if (mantissa == 0) return {};
+  const auto size = static_cast<long>(mpz_sizeinbase(mantissa.get_mpz_t(), 10));  // Or one more than the digits.
+  if (size + exponent < -330) return {};  // Less than 10^-330, half of the least binary64 is more.
+  if (size + exponent > 330) wrong(value, "a finite binary64 number");
+  mpz_class numerator = mantissa;
+  mpz_class denominator = 1;
+  (exponent < 0 ? denominator : numerator) *= power_of_ten(static_cast<unsigned long>(std::abs(exponent)));
+  // The quotient by 2^k has 53 bits, or k is that of the subnormal numbers.
+  const auto bits = [](const mpz_class& x) { return static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2)); };
+  long k = std::max(bits(numerator) - bits(denominator) - 53, -1074L);
+  const auto divide = [&](mpz_class& quotient, mpz_class& remainder, mpz_class& divisor) {
+    const mpz_class dividend = k < 0 ? mpz_class(numerator << static_cast<mp_bitcnt_t>(-k)) : numerator;
+    divisor = k < 0 ? denominator : mpz_class(denominator << static_cast<mp_bitcnt_t>(k));
+    mpz_fdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), dividend.get_mpz_t(), divisor.get_mpz_t());
+  };
+  mpz_class quotient, remainder, divisor;
+  divide(quotient, remainder, divisor);
+  if (bits(quotient) > 53) {
+    ++k;
+    divide(quotient, remainder, divisor);
+  }
+  const int half = cmp(2 * remainder, divisor);
+  if (half > 0 || (half == 0 && mpz_odd_p(quotient.get_mpz_t()) != 0)) ++quotient;
+  if (bits(quotient) + k > 1024) wrong(value, "a finite binary64 number");
+  return {negative ? mpz_class(-quotient) : quotient, k};
+}
+
+}  // namespace epsnet::exact

@@ -1,0 +1,57 @@
+#include <epsnet/certify/exact/checker.h>
+
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+/// The program `certify-exact FILE`: reads a net file (`-` is standard input) and prints one verdict line.
+namespace {
+
+constexpr int kExitUsage = 64;
+constexpr int kExitInternal = 70;
+constexpr std::size_t kMaxBytes = std::size_t{1} << 32;
+constexpr const char* kUsage =
+    "Usage: certify-exact FILE\n\n"
+    "Checks a net file by integers alone: a second opinion beside certify, for surfaces made of rational tiles.\n"
+    "FILE is read completely; - is standard input. Example: certify-exact net.json\n\n"
+    "The line of output is VERIFIED, REFUTED: rule: why, UNDECIDED: rule: why, or MALFORMED: why.\n"
+    "Exit codes: 0 verified, 1 refuted, 2 undecided, 3 malformed file, 64 usage, 70 internal fault.\n";
+
+int run(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::istream& in = path == "-" ? std::cin : file;
+  std::string text;
+  for (std::string chunk(std::size_t{1} << 20, '\0'); in && text.size() <= kMaxBytes;) {
+    in.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
+    text.append(chunk, 0, static_cast<std::size_t>(in.gcount()));
+  }
+  if (in.bad() || text.size() > kMaxBytes || (path != "-" && !file.is_open())) {
+    std::cerr << "certify-exact: cannot read \"" << path << "\", or it is larger than 4 GiB\n";
+    return kExitUsage;
+  }
+  const epsnet::exact::Result result = epsnet::exact::check(text);
+  constexpr const char* kNames[] = {"VERIFIED", "REFUTED", "UNDECIDED", "MALFORMED"};
+  const auto code = static_cast<int>(result.verdict);
+  std::cout << kNames[code];
+  if (!result.rule.empty()) std::cout << ": " << result.rule;
+  if (!result.message.empty()) std::cout << ": " << result.message;
+  std::cout << std::endl;
+  return std::cout ? code : kExitInternal;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2 || std::string(argv[1]) == "--help") {
+    (argc == 2 ? std::cout : std::cerr) << kUsage;
+    return kExitUsage;
+  }
+  try {
+    return run(argv[1]);
+  } catch (const std::exception& error) {
+    std::cerr << "certify-exact: internal fault: " << error.what() << '\n';
+    return kExitInternal;
+  }
+}
