@@ -459,7 +459,7 @@ void parse(simdjson::padded_string_view text, std::string_view name, const ReadD
   try {
     if (text.size() > kMaxFileBytes) fail(place, "the file is larger than the limit of 4 GiB");
     // Some versions of simdjson skip it, others do not.
-    if (std::string_view(text).starts_with("\xef\xbb\xbf"))
+    if (std::string_view(text.data(), text.size()).starts_with("\xef\xbb\xbf"))
       fail(place, "begins with a byte order mark, expected an object");
     simdjson::ondemand::parser parser;
     simdjson::ondemand::document json;

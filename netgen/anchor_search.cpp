@@ -164,7 +164,11 @@ GaussianFraction in_lowest_terms(const Complex<Rational>& z) {
 class AnchorSearch {
  public:
   AnchorSearch(const TriangulationStream& stream, std::string_view name)
-      : stream_(stream), name_(name), place_(3 * count()), edge_(3 * count()), parent_(count(), kUnset) {
+      : stream_(stream),
+        name_(name),
+        place_(std::size_t{3} * count()),
+        edge_(std::size_t{3} * count()),
+        parent_(count(), kUnset) {
     for (std::uint32_t t = 0; t < count(); ++t) {
       for (std::uint32_t i = 0; i < 3; ++i) place_[stream.triangles[t][i]] = {t, i};
     }
@@ -232,7 +236,7 @@ class AnchorSearch {
       if (d != kUnset) is_crossed[edge_[d]] = true;
     }
     // Darts with the same start.
-    DisjointSets vertices(3 * count());
+    DisjointSets vertices(std::size_t{3} * count());
     for (std::uint32_t d = 0; d < vertices.size(); ++d) vertices.join(d, turned(opposite(d), 1));
     std::vector<std::uint32_t> result;
     for (std::uint32_t e = 0; e < stream_.edges.size(); ++e) {
@@ -268,7 +272,7 @@ class AnchorSearch {
     points[other] = b;
     points[(other + 1) % 3] = a;
     points[(other + 2) % 3] = d;
-    const Moebius result = map_to(points);
+    Moebius result = map_to(points);
     if (result.determinant() == Gaussian{0, 0}) {
       fail("the edge of darts " + std::to_string(dart) + " and " + std::to_string(opposite(dart)) +
            " has a cross-ratio that makes the third vertex of a triangle one of its ends");

@@ -214,6 +214,7 @@ Place place_of(const fs::path& path) {
 
 void write_files_atomically(const std::vector<NewFile>& files, const std::function<void()>& before_renaming) {
   std::vector<Place> places;
+  places.reserve(files.size());
   for (const NewFile& file : files) places.push_back(place_of(file.path));
   std::deque<TemporaryFile> written;
   for (std::size_t i = 0; i < files.size(); ++i) {

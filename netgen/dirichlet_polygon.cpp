@@ -138,8 +138,8 @@ double number(const Json& value, const std::string& place) {
   return value.get<double>();
 }
 
-const Json& array(const Json& value, const std::string& place) {
-  if (!value.is_array()) refuse(place + ": expected an array");
+const Json& array(const Json& value, std::string_view place) {
+  if (!value.is_array()) refuse(std::string(place) + ": expected an array");
   return value;
 }
 
