@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -63,6 +64,8 @@ void add_geodesics(CLI::App& command, std::string& file);
 /// The closed geodesics of a geodesics file about the net's surface as a layer of a picture. Throws JobError, and as
 /// the reader.
 [[nodiscard]] std::vector<Layer> load_geodesics_layers(const std::string& file, const certify::Document& net);
+/// For an option with a whole number, least and most included. CLI11's own words for it differ between versions.
+[[nodiscard]] CLI::Validator integer_between(std::uint64_t least, std::uint64_t most);
 /// For an option with named values, in the order in which an error lists them.
 template <class T>
 [[nodiscard]] CLI::Validator one_of(std::vector<std::pair<std::string, T>> choices) {

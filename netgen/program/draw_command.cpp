@@ -96,7 +96,7 @@ void add_draw_command(CLI::App& app, Job& chosen) {
   add_geodesics(*draw_command, request.geodesics);
   draw_command->add_flag("--png", request.png, "write a PNG picture, to standard output too");
   draw_command->add_option("--size", request.options.size, "width and height in pixels")
-      ->check(CLI::Range(50U, 20000U))
+      ->check(integer_between(50, 20000))
       ->option_text("PX [1000]");
   draw_command->footer(
       "Example:\n"

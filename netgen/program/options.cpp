@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include "epsnet/certify/reader.h"
 #include "epsnet/netgen/decimal.h"
@@ -47,9 +50,21 @@ void add_json(CLI::App& command, bool& json) {
   command.add_flag("--json", json, "print the report as one JSON object (docs/exchange-formats.md)");
 }
 
+CLI::Validator integer_between(std::uint64_t least, std::uint64_t most) {
+  return {[=](const std::string& text) -> std::string {
+            std::uint64_t value = 0;
+            const char* const end = text.data() + text.size();
+            const auto [stop, error] = std::from_chars(text.data(), end, value);
+            if (error == std::errc() && stop == end && least <= value && value <= most) return "";
+            return "expected an integer from " + std::to_string(least) + " to " + std::to_string(most) + ", not \"" +
+                   text.substr(0, 80) + "\"";
+          },
+          ""};
+}
+
 void add_threads(CLI::App& command, unsigned& threads) {
   command.add_option("--threads", threads, "of the certificate; 0 is one per core")
-      ->check(CLI::Range(0U, 1024U))
+      ->check(integer_between(0, 1024))
       ->option_text("N [0]");
 }
 

@@ -219,7 +219,7 @@ void add_surface_command(CLI::App& app, Job& chosen) {
       "regular", "The regular 4g-gon with opposite sides glued, itself and not a rational neighbour: Bolza for g = 2.");
   regular->add_option("--genus", regular_request->genus, "2 to 1000")
       ->required()
-      ->check(CLI::Range(2U, 1000U))
+      ->check(integer_between(2, 1000))
       ->option_text("G REQUIRED");
   add_output(*regular, regular_request->output, "the surface file to write");
   add_json(*regular, regular_request->json);

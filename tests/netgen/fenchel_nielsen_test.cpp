@@ -206,9 +206,9 @@ RC_GTEST_PROP(FenchelNielsenProperty, TwistsAreShiftsOfTheMarks, ()) {
     expected.push_back(2 * acosh(Mp1024(cosh_half_d * cosh(Mp1024(shift / 2)))));
     Word word{cuff_side(surface, {0, 0})};
     for (int i = 0; i < std::abs(turns); ++i) {
-      const Word around = cuff_word(surface, {0, 1});
-      const Word turn = turns > 0 ? around : reversed(surface, around);
-      word.insert(word.end(), turn.begin(), turn.end());
+      Word turn = cuff_word(surface, {0, 1});
+      if (turns < 0) turn = reversed(surface, turn);
+      for (const std::uint32_t side : turn) word.push_back(side);
     }
     got.push_back(length_of(surface, word));
   }

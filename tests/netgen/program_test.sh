@@ -242,12 +242,12 @@ echo '{"graph": "0-1 0-1 0-1", "lengths": [1, 0, 1], "twists": [0]}' >short.json
 bad 1 'short.json: edge 1 (0-1): a length must be at least' surface fenchel-nielsen --from short.json -o out/s.json
 echo '{"graph": "0-1 0-1 0-1", "lengths": [1, Infinity, 1], "twists": [0]}' >infinite.json
 bad 1 'infinite.json: lengths: expected a number.*"Infinity"' surface fenchel-nielsen --from infinite.json -o out/s.json
-bad 64 '--genus: Value 1001 not in range 2 to 1000' surface regular --genus 1001 -o out/s.json
+bad 64 '--genus: expected an integer from 2 to 1000, not "1001"' surface regular --genus 1001 -o out/s.json
 bad 1 'not strictly inside' net fn.json --epsilon 1 --base 0,1,0 -o out/n.json
 bad 1 'the surface has 4 tiles' net fn.json --epsilon 1 --base 4 -o out/n.json
 bad 64 'expected one of cavity, flips, not "both"' net fn.json --epsilon 1 --insert both -o out/n.json
 bad 64 'expected one of domain, triangulation, off, vtu, edges, json, not "obj"' export fn.json --format obj -o out/e
-bad 64 '--genus: Value three not in range 2 to 1000' surface regular --genus three
+bad 64 '--genus: expected an integer from 2 to 1000, not "three"' surface regular --genus three
 bad 64 '--seed = three: not a whole number' surface octagon --seed three -o out/s.json
 bad 1 'not left of side 0' net bolza.json --epsilon 1 --base 0,0.9,0 -o out/n.json
 bad 1 'no-such' dirichlet no-such.json -o out/d.json
