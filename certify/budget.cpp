@@ -1,4 +1,4 @@
-#include <epsnet/certify/budget.h>
+#include "certify/budget.h"
 
 namespace epsnet::certify {
 namespace {

@@ -1,11 +1,11 @@
-#include <epsnet/certify/check.h>
-#include <epsnet/certify/collar_check.h>
-#include <epsnet/certify/geometry_check.h>
-#include <epsnet/certify/gluing_check.h>
-#include <epsnet/certify/map_check.h>
-#include <epsnet/certify/structure_check.h>
-#include <epsnet/certify/surface_check.h>
-#include <epsnet/certify/surface_sides.h>
+#include "certify/check.h"
+#include "certify/collar_check.h"
+#include "certify/geometry_check.h"
+#include "certify/gluing_check.h"
+#include "certify/map_check.h"
+#include "certify/structure_check.h"
+#include "certify/surface_check.h"
+#include "certify/surface_sides.h"
 
 #include <algorithm>
 #include <thread>

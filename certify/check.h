@@ -1,8 +1,8 @@
 #pragma once
 
-#include <epsnet/certify/ball.h>
-#include <epsnet/certify/budget.h>
-#include <epsnet/certify/document.h>
+#include "certify/ball.h"
+#include "certify/budget.h"
+#include "certify/document.h"
 
 #include <cstdint>
 #include <functional>

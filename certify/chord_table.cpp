@@ -1,6 +1,6 @@
-#include <epsnet/certify/chord_table.h>
-#include <epsnet/certify/darts.h>
-#include <epsnet/certify/parallel.h>
+#include "certify/chord_table.h"
+#include "certify/darts.h"
+#include "certify/parallel.h"
 
 #include <algorithm>
 #include <cmath>

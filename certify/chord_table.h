@@ -1,7 +1,7 @@
 #pragma once
 
-#include <epsnet/certify/chords.h>
-#include <epsnet/certify/interval_index.h>
+#include "certify/chords.h"
+#include "certify/interval_index.h"
 
 #include <span>
 #include <vector>

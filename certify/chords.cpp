@@ -1,6 +1,6 @@
-#include <epsnet/certify/chords.h>
-#include <epsnet/certify/darts.h>
-#include <epsnet/certify/interval_index.h>
+#include "certify/chords.h"
+#include "certify/darts.h"
+#include "certify/interval_index.h"
 
 #include <algorithm>
 #include <array>

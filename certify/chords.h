@@ -1,6 +1,6 @@
 #pragma once
 
-#include <epsnet/certify/lifted_plane.h>
+#include "certify/lifted_plane.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,8 +1,8 @@
-#include <epsnet/certify/collar_check.h>
-#include <epsnet/certify/darts.h>
-#include <epsnet/certify/gluing_check.h>
-#include <epsnet/certify/surface_check.h>
-#include <epsnet/certify/text.h>
+#include "certify/collar_check.h"
+#include "certify/darts.h"
+#include "certify/gluing_check.h"
+#include "certify/surface_check.h"
+#include "certify/text.h"
 
 #include <algorithm>
 #include <map>

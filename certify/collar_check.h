@@ -1,7 +1,7 @@
 #pragma once
 
-#include <epsnet/certify/check.h>
-#include <epsnet/certify/label_evaluator.h>
+#include "certify/check.h"
+#include "certify/label_evaluator.h"
 
 #include <optional>
 #include <unordered_map>

@@ -1,8 +1,8 @@
-#include <epsnet/certify/completeness_check.h>
-#include <epsnet/certify/darts.h>
-#include <epsnet/certify/orbit_search.h>
-#include <epsnet/certify/parallel.h>
-#include <epsnet/certify/text.h>
+#include "certify/completeness_check.h"
+#include "certify/darts.h"
+#include "certify/orbit_search.h"
+#include "certify/parallel.h"
+#include "certify/text.h"
 
 #include <algorithm>
 #include <numeric>

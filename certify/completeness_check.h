@@ -1,9 +1,9 @@
 #pragma once
 
-#include <epsnet/certify/check.h>
-#include <epsnet/certify/chord_table.h>
-#include <epsnet/certify/exact_traces.h>
-#include <epsnet/certify/geodesics_document.h>
+#include "certify/check.h"
+#include "certify/chord_table.h"
+#include "certify/exact_traces.h"
+#include "certify/geodesics_document.h"
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-#include <epsnet/certify/crossings.h>
+#include "certify/crossings.h"
 
 #include <algorithm>
 

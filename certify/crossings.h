@@ -1,8 +1,8 @@
 #pragma once
 
-#include <epsnet/certify/budget.h>
-#include <epsnet/certify/isometry.h>
-#include <epsnet/certify/regular_number.h>
+#include "certify/budget.h"
+#include "certify/isometry.h"
+#include "certify/regular_number.h"
 
 #include <cstdint>
 #include <memory>

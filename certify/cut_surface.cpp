@@ -1,5 +1,5 @@
-#include <epsnet/certify/cut_surface.h>
-#include <epsnet/certify/darts.h>
+#include "certify/cut_surface.h"
+#include "certify/darts.h"
 
 #include <algorithm>
 #include <array>

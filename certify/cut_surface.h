@@ -1,7 +1,7 @@
 #pragma once
 
-#include <epsnet/certify/chord_table.h>
-#include <epsnet/certify/geodesics_document.h>
+#include "certify/chord_table.h"
+#include "certify/geodesics_document.h"
 
 #include <optional>
 #include <vector>

@@ -1,4 +1,4 @@
-#include <epsnet/certify/exact.h>
+#include "certify/exact.h"
 
 namespace epsnet::certify {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <epsnet/certify/budget.h>
-#include <epsnet/certify/document.h>
 #include <gmpxx.h>
+#include "certify/budget.h"
+#include "certify/document.h"
 
 #include <array>
 #include <span>

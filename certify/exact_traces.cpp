@@ -1,4 +1,4 @@
-#include <epsnet/certify/exact_traces.h>
+#include "certify/exact_traces.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <epsnet/certify/label_evaluator.h>
+#include "certify/label_evaluator.h"
 
 #include <cstdint>
 #include <optional>

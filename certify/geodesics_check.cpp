@@ -1,12 +1,12 @@
-#include <epsnet/certify/chord_table.h>
-#include <epsnet/certify/completeness_check.h>
-#include <epsnet/certify/cut_surface.h>
-#include <epsnet/certify/exact_traces.h>
-#include <epsnet/certify/geodesics_check.h>
-#include <epsnet/certify/geodesics_structure.h>
-#include <epsnet/certify/parallel.h>
-#include <epsnet/certify/surface_check.h>
-#include <epsnet/certify/text.h>
+#include "certify/geodesics_check.h"
+#include "certify/chord_table.h"
+#include "certify/completeness_check.h"
+#include "certify/cut_surface.h"
+#include "certify/exact_traces.h"
+#include "certify/geodesics_structure.h"
+#include "certify/parallel.h"
+#include "certify/surface_check.h"
+#include "certify/text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <epsnet/certify/ball.h>
-#include <epsnet/certify/document.h>
+#include "certify/ball.h"
+#include "certify/document.h"
 
 #include <cstdint>
 #include <string>

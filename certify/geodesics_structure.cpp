@@ -1,7 +1,7 @@
-#include <epsnet/certify/geodesics_structure.h>
-#include <epsnet/certify/structure_check.h>
-#include <epsnet/certify/surface_sides.h>
-#include <epsnet/certify/text.h>
+#include "certify/geodesics_structure.h"
+#include "certify/structure_check.h"
+#include "certify/surface_sides.h"
+#include "certify/text.h"
 
 #include <algorithm>
 #include <cmath>

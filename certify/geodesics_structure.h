@@ -1,6 +1,6 @@
 #pragma once
 
-#include <epsnet/certify/geodesics_document.h>
+#include "certify/geodesics_document.h"
 
 #include <optional>
 #include <string>

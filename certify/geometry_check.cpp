@@ -1,9 +1,9 @@
-#include <epsnet/certify/collar_check.h>
-#include <epsnet/certify/darts.h>
-#include <epsnet/certify/geometry_check.h>
-#include <epsnet/certify/lifted_triangle.h>
-#include <epsnet/certify/parallel.h>
-#include <epsnet/certify/text.h>
+#include "certify/geometry_check.h"
+#include "certify/collar_check.h"
+#include "certify/darts.h"
+#include "certify/lifted_triangle.h"
+#include "certify/parallel.h"
+#include "certify/text.h"
 
 #include <algorithm>
 #include <memory>

@@ -1,7 +1,7 @@
-#include <epsnet/certify/darts.h>
-#include <epsnet/certify/gluing_check.h>
-#include <epsnet/certify/parallel.h>
-#include <epsnet/certify/surface_check.h>
+#include "certify/gluing_check.h"
+#include "certify/darts.h"
+#include "certify/parallel.h"
+#include "certify/surface_check.h"
 
 #include <algorithm>
 #include <compare>

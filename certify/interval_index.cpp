@@ -1,4 +1,4 @@
-#include <epsnet/certify/interval_index.h>
+#include "certify/interval_index.h"
 
 #include <algorithm>
 #include <cmath>

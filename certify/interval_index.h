@@ -1,6 +1,6 @@
 #pragma once
 
-#include <epsnet/certify/ball.h>
+#include "certify/ball.h"
 
 #include <cstdint>
 #include <map>

@@ -1,4 +1,4 @@
-#include <epsnet/certify/isometry.h>
+#include "certify/isometry.h"
 
 namespace epsnet::certify {
 namespace {

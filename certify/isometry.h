@@ -1,8 +1,8 @@
 #pragma once
 
-#include <epsnet/certify/ball.h>
-#include <epsnet/certify/budget.h>
-#include <epsnet/certify/exact.h>
+#include "certify/ball.h"
+#include "certify/budget.h"
+#include "certify/exact.h"
 
 /// Isometries of the Poincaré disk in ball arithmetic.
 namespace epsnet::certify {

@@ -1,5 +1,5 @@
-#include <epsnet/certify/label_evaluator.h>
-#include <epsnet/certify/parallel.h>
+#include "certify/label_evaluator.h"
+#include "certify/parallel.h"
 
 #include <algorithm>
 

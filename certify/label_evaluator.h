@@ -1,9 +1,9 @@
 #pragma once
 
-#include <epsnet/certify/budget.h>
-#include <epsnet/certify/crossings.h>
-#include <epsnet/certify/document.h>
-#include <epsnet/certify/surface_sides.h>
+#include "certify/budget.h"
+#include "certify/crossings.h"
+#include "certify/document.h"
+#include "certify/surface_sides.h"
 
 #include <cstdint>
 #include <span>

@@ -1,6 +1,6 @@
-#include <epsnet/certify/darts.h>
-#include <epsnet/certify/lifted_plane.h>
-#include <epsnet/certify/surface_check.h>
+#include "certify/lifted_plane.h"
+#include "certify/darts.h"
+#include "certify/surface_check.h"
 
 #include <map>
 #include <numeric>

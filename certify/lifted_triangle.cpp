@@ -1,5 +1,5 @@
-#include <epsnet/certify/darts.h>
-#include <epsnet/certify/lifted_triangle.h>
+#include "certify/lifted_triangle.h"
+#include "certify/darts.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <epsnet/certify/ball.h>
-#include <epsnet/certify/document.h>
-#include <epsnet/certify/label_evaluator.h>
+#include "certify/ball.h"
+#include "certify/document.h"
+#include "certify/label_evaluator.h"
 
 #include <array>
 #include <cstdint>

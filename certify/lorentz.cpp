@@ -1,4 +1,4 @@
-#include <epsnet/certify/lorentz.h>
+#include "certify/lorentz.h"
 
 namespace epsnet::certify {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <epsnet/certify/isometry.h>
+#include "certify/isometry.h"
 
 /// The hyperboloid model in ball arithmetic.
 ///

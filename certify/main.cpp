@@ -1,10 +1,10 @@
-#include <epsnet/certify/check.h>
-#include <epsnet/certify/geodesics_check.h>
-#include <epsnet/certify/reader.h>
-#include <epsnet/certify/text.h>
-#include <epsnet/certify/writer.h>
 #include <nettle/sha2.h>
 #include <unistd.h>
+#include "certify/check.h"
+#include "certify/geodesics_check.h"
+#include "certify/reader.h"
+#include "certify/text.h"
+#include "certify/writer.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include <epsnet/certify/darts.h>
-#include <epsnet/certify/map_check.h>
+#include "certify/map_check.h"
+#include "certify/darts.h"
 
 #include <string>
 

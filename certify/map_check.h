@@ -1,6 +1,6 @@
 #pragma once
 
-#include <epsnet/certify/check.h>
+#include "certify/check.h"
 
 namespace epsnet::certify {
 

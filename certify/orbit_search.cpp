@@ -1,5 +1,5 @@
-#include <epsnet/certify/darts.h>
-#include <epsnet/certify/orbit_search.h>
+#include "certify/orbit_search.h"
+#include "certify/darts.h"
 
 #include <array>
 #include <optional>

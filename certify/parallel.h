@@ -1,6 +1,6 @@
 #pragma once
 
-#include <epsnet/certify/ball.h>
+#include "certify/ball.h"
 
 #include <algorithm>
 #include <atomic>

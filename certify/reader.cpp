@@ -1,10 +1,10 @@
-#include <epsnet/certify/geodesics_structure.h>
-#include <epsnet/certify/reader.h>
-#include <epsnet/certify/structure_check.h>
-#include <epsnet/certify/text.h>
+#include "certify/reader.h"
 #include <simdjson.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "certify/geodesics_structure.h"
+#include "certify/structure_check.h"
+#include "certify/text.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <epsnet/certify/document.h>
-#include <epsnet/certify/geodesics_document.h>
+#include "certify/document.h"
+#include "certify/geodesics_document.h"
 
 #include <filesystem>
 #include <stdexcept>

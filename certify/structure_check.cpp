@@ -1,6 +1,6 @@
-#include <epsnet/certify/structure_check.h>
-#include <epsnet/certify/surface_sides.h>
-#include <epsnet/certify/text.h>
+#include "certify/structure_check.h"
+#include "certify/surface_sides.h"
+#include "certify/text.h"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <epsnet/certify/document.h>
+#include "certify/document.h"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
-#include <epsnet/certify/parallel.h>
-#include <epsnet/certify/surface_check.h>
-#include <epsnet/certify/surface_sides.h>
+#include "certify/surface_check.h"
+#include "certify/parallel.h"
+#include "certify/surface_sides.h"
 
 #include <algorithm>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <epsnet/certify/check.h>
-#include <epsnet/certify/crossings.h>
+#include "certify/check.h"
+#include "certify/crossings.h"
 
 namespace epsnet::certify {
 

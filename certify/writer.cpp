@@ -1,4 +1,4 @@
-#include <epsnet/certify/writer.h>
+#include "certify/writer.h"
 
 #include <charconv>
 #include <ostream>

@@ -1,3 +1,3 @@
-# cmake -DFILE=F -DNAME=N -DOUTPUT=H -P embed.cmake: writes the header H in which epsnet::N is the text of the file F.
+# cmake -DFILE=F -DNAME=N -DHEADER=H -DOUTPUT=C -P embed.cmake: writes the source C, which defines epsnet::N, declared in H, as the text of F.
 file(READ ${FILE} text)
-file(WRITE ${OUTPUT} "#pragma once\n\n#include <string_view>\n\nnamespace epsnet {\ninline constexpr std::string_view ${NAME} = R\"embedded(${text})embedded\";\n}\n")
+file(WRITE ${OUTPUT} "#include \"${HEADER}\"\n\nnamespace epsnet {\nconst std::string_view ${NAME} = R\"embedded(${text})embedded\";\n}\n")

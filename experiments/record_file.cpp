@@ -1,4 +1,4 @@
-#include "epsnet/experiments/record_file.h"
+#include "experiments/record_file.h"
 
 #include <algorithm>
 #include <boost/crc.hpp>

@@ -13,18 +13,18 @@
 #include <thread>
 #include <vector>
 
-#include "epsnet/certify/check.h"
-#include "epsnet/certify/geodesics_check.h"
-#include "epsnet/certify/parallel.h"
-#include "epsnet/certify/text.h"
-#include "epsnet/experiments/record_file.h"
-#include "epsnet/netgen/atomic_file.h"
-#include "epsnet/netgen/certified_net.h"
-#include "epsnet/netgen/epsilon.h"
-#include "epsnet/netgen/geodesics.h"
-#include "epsnet/netgen/net_record.h"
-#include "epsnet/netgen/program/output.h"
-#include "epsnet/netgen/surface_file.h"
+#include "certify/check.h"
+#include "certify/geodesics_check.h"
+#include "certify/parallel.h"
+#include "certify/text.h"
+#include "experiments/record_file.h"
+#include "netgen/atomic_file.h"
+#include "netgen/certified_net.h"
+#include "netgen/epsilon.h"
+#include "netgen/geodesics.h"
+#include "netgen/net_record.h"
+#include "netgen/program/output.h"
+#include "netgen/surface_file.h"
 
 /// The program `sweep`: certified nets of many surfaces for many ε, or their certified systoles, surfaces side by side;
 /// a file of records for each.

@@ -1,6 +1,6 @@
-#include <epsnet/certify/check.h>
-#include <epsnet/certify/reader.h>
-#include <epsnet/certify/writer.h>
+#include "certify/check.h"
+#include "certify/reader.h"
+#include "certify/writer.h"
 
 #include <algorithm>
 #include <cmath>

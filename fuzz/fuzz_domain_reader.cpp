@@ -1,6 +1,6 @@
-#include <epsnet/certify/surface_check.h>
-#include <epsnet/netgen/domain_format.h>
-#include <epsnet/netgen/surface_file.h>
+#include "certify/surface_check.h"
+#include "netgen/domain_format.h"
+#include "netgen/surface_file.h"
 
 #include <cstddef>
 #include <cstdint>

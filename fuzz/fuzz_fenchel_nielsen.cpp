@@ -1,4 +1,4 @@
-#include <epsnet/netgen/fenchel_nielsen.h>
+#include "netgen/fenchel_nielsen.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "nets.h"
+#include "fuzz/nets.h"
 
 namespace {
 

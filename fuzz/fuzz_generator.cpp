@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "nets.h"
+#include "fuzz/nets.h"
 
 namespace {
 

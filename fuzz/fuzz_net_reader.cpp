@@ -1,5 +1,5 @@
-#include <epsnet/certify/reader.h>
-#include <epsnet/certify/writer.h>
+#include "certify/reader.h"
+#include "certify/writer.h"
 
 #include <cstdint>
 #include <cstdlib>

@@ -1,7 +1,7 @@
-#include <epsnet/certify/reader.h>
-#include <epsnet/certify/surface_check.h>
-#include <epsnet/certify/writer.h>
-#include <epsnet/netgen/surface_file.h>
+#include "certify/reader.h"
+#include "certify/surface_check.h"
+#include "certify/writer.h"
+#include "netgen/surface_file.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
-#include <epsnet/certify/surface_check.h>
-#include <epsnet/netgen/surface_file.h>
-#include <epsnet/netgen/triangulation_stream.h>
+#include "certify/surface_check.h"
+#include "netgen/surface_file.h"
+#include "netgen/triangulation_stream.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <epsnet/certify/check.h>
-#include <epsnet/certify/reader.h>
-#include <epsnet/certify/writer.h>
-#include <epsnet/netgen/certified_net.h>
+#include "certify/check.h"
+#include "certify/reader.h"
+#include "certify/writer.h"
+#include "netgen/certified_net.h"
 
 #include <cmath>
 #include <cstddef>

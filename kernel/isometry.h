@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "epsnet/kernel/complex.h"
+#include "kernel/complex.h"
 
 namespace epsnet {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "epsnet/kernel/isometry.h"
+#include "kernel/isometry.h"
 
 namespace epsnet {
 

@@ -4,7 +4,7 @@
 #include <boost/multiprecision/mpfr.hpp>
 #include <limits>
 
-#include "epsnet/kernel/complex.h"
+#include "kernel/complex.h"
 
 /// The fields that the kernel computes in.
 namespace epsnet {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <optional>
 
-#include "epsnet/kernel/complex.h"
-#include "epsnet/kernel/isometry.h"
+#include "kernel/complex.h"
+#include "kernel/isometry.h"
 
 /// The formulas of the hyperbolic plane in the Poincaré disk, over any field; no signs are certified here (predicates.h
 /// does that).

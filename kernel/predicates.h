@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "epsnet/kernel/numbers.h"
-#include "epsnet/kernel/plane.h"
+#include "kernel/numbers.h"
+#include "kernel/plane.h"
 
 /// One stage of a staged predicate: a sign that is proved, or "unsure".
 ///

@@ -1,4 +1,4 @@
-#include "epsnet/netgen/anchor_search.h"
+#include "netgen/anchor_search.h"
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "epsnet/netgen/disjoint_sets.h"
-#include "epsnet/netgen/gaussian_fraction.h"
-#include "epsnet/netgen/gaussian_integers.h"
-#include "epsnet/netgen/two_squares.h"
+#include "netgen/disjoint_sets.h"
+#include "netgen/gaussian_fraction.h"
+#include "netgen/gaussian_integers.h"
+#include "netgen/two_squares.h"
 
 namespace epsnet {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "epsnet/netgen/triangulation_stream.h"
+#include "netgen/triangulation_stream.h"
 
 namespace epsnet {
 

@@ -1,4 +1,4 @@
-#include "epsnet/netgen/atomic_file.h"
+#include "netgen/atomic_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -5,7 +5,7 @@
 #include <iosfwd>
 #include <vector>
 
-#include "epsnet/triangulation/error.h"
+#include "triangulation/error.h"
 
 namespace epsnet {
 

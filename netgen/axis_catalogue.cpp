@@ -1,9 +1,9 @@
-#include "epsnet/netgen/axis_catalogue.h"
+#include "netgen/axis_catalogue.h"
 
 #include <map>
 #include <string>
 
-#include "epsnet/netgen/certified_net.h"
+#include "netgen/certified_net.h"
 
 namespace epsnet {
 namespace {

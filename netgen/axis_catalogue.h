@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "epsnet/kernel/lorentz.h"
-#include "epsnet/kernel/numbers.h"
-#include "epsnet/netgen/unfolding.h"
-#include "epsnet/triangulation/triangulation.h"
+#include "kernel/lorentz.h"
+#include "kernel/numbers.h"
+#include "netgen/unfolding.h"
+#include "triangulation/triangulation.h"
 
 namespace epsnet {
 

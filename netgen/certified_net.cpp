@@ -1,4 +1,4 @@
-#include "epsnet/netgen/certified_net.h"
+#include "netgen/certified_net.h"
 
 #include <chrono>
 #include <optional>
@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "epsnet/netgen/collars.h"
-#include "epsnet/netgen/gmp.h"
-#include "epsnet/netgen/refine.h"
-#include "epsnet/netgen/start.h"
-#include "epsnet/netgen/surface_file.h"
+#include "netgen/collars.h"
+#include "netgen/gmp.h"
+#include "netgen/refine.h"
+#include "netgen/start.h"
+#include "netgen/surface_file.h"
 
 namespace epsnet {
 namespace {

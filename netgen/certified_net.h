@@ -4,12 +4,12 @@
 #include <functional>
 #include <optional>
 
-#include "epsnet/certify/check.h"
-#include "epsnet/certify/document.h"
-#include "epsnet/netgen/epsilon.h"
-#include "epsnet/triangulation/error.h"
-#include "epsnet/triangulation/surface.h"
-#include "epsnet/triangulation/triangulation.h"
+#include "certify/check.h"
+#include "certify/document.h"
+#include "netgen/epsilon.h"
+#include "triangulation/error.h"
+#include "triangulation/surface.h"
+#include "triangulation/triangulation.h"
 
 namespace epsnet {
 

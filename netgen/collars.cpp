@@ -1,4 +1,4 @@
-#include "epsnet/netgen/collars.h"
+#include "netgen/collars.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <string>
 #include <unordered_set>
 
-#include "epsnet/kernel/plane.h"
-#include "epsnet/netgen/certified_net.h"
+#include "kernel/plane.h"
+#include "netgen/certified_net.h"
 
 namespace epsnet {
 namespace {

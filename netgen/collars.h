@@ -5,11 +5,11 @@
 #include <unordered_map>
 #include <vector>
 
-#include "epsnet/certify/document.h"
-#include "epsnet/kernel/lorentz.h"
-#include "epsnet/kernel/numbers.h"
-#include "epsnet/netgen/epsilon.h"
-#include "epsnet/triangulation/triangulation.h"
+#include "certify/document.h"
+#include "kernel/lorentz.h"
+#include "kernel/numbers.h"
+#include "netgen/epsilon.h"
+#include "triangulation/triangulation.h"
 
 namespace epsnet {
 

@@ -1,4 +1,4 @@
-#include "epsnet/netgen/curves.h"
+#include "netgen/curves.h"
 
 #include <algorithm>
 #include <array>
@@ -8,12 +8,12 @@
 #include <tuple>
 #include <utility>
 
-#include "epsnet/certify/text.h"
-#include "epsnet/kernel/lorentz.h"
-#include "epsnet/kernel/plane.h"
-#include "epsnet/netgen/dirichlet.h"
-#include "epsnet/netgen/gmp.h"
-#include "epsnet/netgen/palette.h"
+#include "certify/text.h"
+#include "kernel/lorentz.h"
+#include "kernel/plane.h"
+#include "netgen/dirichlet.h"
+#include "netgen/gmp.h"
+#include "netgen/palette.h"
 
 namespace epsnet {
 namespace {

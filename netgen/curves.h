@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "epsnet/certify/geodesics_document.h"
-#include "epsnet/netgen/lifts.h"
+#include "certify/geodesics_document.h"
+#include "netgen/lifts.h"
 
 /// Curves on the surface of a net, cut by its triangles, for pictures.
 namespace epsnet {

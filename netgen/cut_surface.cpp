@@ -1,8 +1,8 @@
-#include "epsnet/netgen/cut_surface.h"
+#include "netgen/cut_surface.h"
 
 #include <array>
 
-#include "epsnet/netgen/disjoint_sets.h"
+#include "netgen/disjoint_sets.h"
 
 namespace epsnet {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "epsnet/certify/geodesics_document.h"
-#include "epsnet/triangulation/triangulation.h"
+#include "certify/geodesics_document.h"
+#include "triangulation/triangulation.h"
 
 namespace epsnet {
 

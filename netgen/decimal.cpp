@@ -1,4 +1,4 @@
-#include "epsnet/netgen/decimal.h"
+#include "netgen/decimal.h"
 
 #include <algorithm>
 #include <cstdlib>

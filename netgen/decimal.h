@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "epsnet/kernel/numbers.h"
+#include "kernel/numbers.h"
 
 namespace epsnet {
 

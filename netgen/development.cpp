@@ -2,12 +2,12 @@
 #include <queue>
 #include <utility>
 
-#include "epsnet/certify/text.h"
-#include "epsnet/kernel/plane.h"
-#include "epsnet/netgen/anchor_search.h"
-#include "epsnet/netgen/gaussian_fraction.h"
-#include "epsnet/netgen/gaussian_integers.h"
-#include "epsnet/netgen/triangulation_stream.h"
+#include "certify/text.h"
+#include "kernel/plane.h"
+#include "netgen/anchor_search.h"
+#include "netgen/gaussian_fraction.h"
+#include "netgen/gaussian_integers.h"
+#include "netgen/triangulation_stream.h"
 
 /// The surface of a triangulation that is given by cross-ratios: triangles are placed one after the other, breadth
 /// first, beginning with the anchors.

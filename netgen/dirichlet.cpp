@@ -1,4 +1,4 @@
-#include "epsnet/netgen/dirichlet.h"
+#include "netgen/dirichlet.h"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -11,8 +11,8 @@
 #include <string>
 #include <tuple>
 
-#include "epsnet/kernel/plane.h"
-#include "epsnet/netgen/gmp.h"
+#include "kernel/plane.h"
+#include "netgen/gmp.h"
 
 namespace epsnet {
 namespace {

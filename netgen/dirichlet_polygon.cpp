@@ -1,4 +1,4 @@
-#include "epsnet/netgen/dirichlet_polygon.h"
+#include "netgen/dirichlet_polygon.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "epsnet/certify/check.h"
-#include "epsnet/certify/text.h"
-#include "epsnet/kernel/plane.h"
-#include "epsnet/netgen/certified_net.h"
-#include "epsnet/netgen/start.h"
+#include "certify/check.h"
+#include "certify/text.h"
+#include "kernel/plane.h"
+#include "netgen/certified_net.h"
+#include "netgen/start.h"
 
 namespace epsnet {
 namespace {

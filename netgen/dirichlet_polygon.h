@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "epsnet/certify/document.h"
-#include "epsnet/triangulation/error.h"
-#include "epsnet/triangulation/triangulation.h"
+#include "certify/document.h"
+#include "triangulation/error.h"
+#include "triangulation/triangulation.h"
 
 namespace epsnet {
 

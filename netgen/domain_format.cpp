@@ -1,14 +1,14 @@
-#include "epsnet/netgen/domain_format.h"
+#include "netgen/domain_format.h"
 
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "epsnet/certify/text.h"
-#include "epsnet/netgen/ear_clipping.h"
-#include "epsnet/netgen/words.h"
-#include "epsnet/triangulation/glued_polygons.h"
+#include "certify/text.h"
+#include "netgen/ear_clipping.h"
+#include "netgen/words.h"
+#include "triangulation/glued_polygons.h"
 
 namespace epsnet {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "epsnet/triangulation/error.h"
-#include "epsnet/triangulation/surface.h"
+#include "triangulation/error.h"
+#include "triangulation/surface.h"
 
 /// CGAL's text format for fundamental polygons of closed hyperbolic surfaces.
 ///

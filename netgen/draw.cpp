@@ -1,4 +1,4 @@
-#include "epsnet/netgen/draw.h"
+#include "netgen/draw.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include <set>
 #include <utility>
 
-#include "epsnet/netgen/dirichlet.h"
-#include "epsnet/netgen/palette.h"
+#include "netgen/dirichlet.h"
+#include "netgen/palette.h"
 
 namespace epsnet {
 namespace {

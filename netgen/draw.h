@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "epsnet/certify/document.h"
-#include "epsnet/netgen/curves.h"
-#include "epsnet/netgen/lifts.h"
+#include "certify/document.h"
+#include "netgen/curves.h"
+#include "netgen/lifts.h"
 
 /// Pictures of nets.
 namespace epsnet {

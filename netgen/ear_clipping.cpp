@@ -1,4 +1,4 @@
-#include "epsnet/netgen/ear_clipping.h"
+#include "netgen/ear_clipping.h"
 
 #include <algorithm>
 #include <cmath>

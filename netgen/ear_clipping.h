@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "epsnet/triangulation/exact_points.h"
-#include "epsnet/triangulation/surface.h"
+#include "triangulation/exact_points.h"
+#include "triangulation/surface.h"
 
 namespace epsnet {
 

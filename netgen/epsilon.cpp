@@ -1,4 +1,4 @@
-#include "epsnet/netgen/epsilon.h"
+#include "netgen/epsilon.h"
 
 #include <mpfr.h>
 
@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "epsnet/netgen/decimal.h"
+#include "netgen/decimal.h"
 
 namespace epsnet {
 namespace {

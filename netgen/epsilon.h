@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "epsnet/kernel/numbers.h"
+#include "kernel/numbers.h"
 
 namespace epsnet {
 

@@ -1,10 +1,10 @@
-#include "epsnet/netgen/exchange.h"
+#include "netgen/exchange.h"
 
 #include <string>
 
-#include "epsnet/netgen/domain_format.h"
-#include "epsnet/netgen/triangulation_stream.h"
-#include "epsnet/netgen/words.h"
+#include "netgen/domain_format.h"
+#include "netgen/triangulation_stream.h"
+#include "netgen/words.h"
 
 namespace epsnet {
 

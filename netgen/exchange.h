@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "epsnet/triangulation/surface.h"
+#include "triangulation/surface.h"
 
 namespace epsnet {
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "epsnet/netgen/pants_graph.h"
-#include "epsnet/triangulation/surface.h"
+#include "netgen/pants_graph.h"
+#include "triangulation/surface.h"
 
 namespace epsnet {
 

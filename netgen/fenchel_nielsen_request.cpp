@@ -1,4 +1,4 @@
-#include "epsnet/netgen/fenchel_nielsen_request.h"
+#include "netgen/fenchel_nielsen_request.h"
 
 #include <simdjson.h>
 
@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "epsnet/netgen/decimal.h"
-#include "epsnet/netgen/words.h"
+#include "netgen/decimal.h"
+#include "netgen/words.h"
 
 namespace epsnet {
 namespace {

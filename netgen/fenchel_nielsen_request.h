@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "epsnet/netgen/fenchel_nielsen.h"
-#include "epsnet/triangulation/error.h"
+#include "netgen/fenchel_nielsen.h"
+#include "triangulation/error.h"
 
 namespace epsnet {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "epsnet/triangulation/exact_points.h"
+#include "triangulation/exact_points.h"
 
 /// Division of Gaussian integers.
 namespace epsnet {

@@ -1,4 +1,4 @@
-#include "epsnet/netgen/geodesics.h"
+#include "netgen/geodesics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "epsnet/certify/parallel.h"
-#include "epsnet/netgen/axis_catalogue.h"
-#include "epsnet/netgen/certified_net.h"
-#include "epsnet/netgen/cut_surface.h"
-#include "epsnet/netgen/unfolding.h"
+#include "certify/parallel.h"
+#include "netgen/axis_catalogue.h"
+#include "netgen/certified_net.h"
+#include "netgen/cut_surface.h"
+#include "netgen/unfolding.h"
 
 namespace epsnet {
 namespace {

@@ -3,9 +3,9 @@
 #include <functional>
 #include <string>
 
-#include "epsnet/certify/geodesics_document.h"
-#include "epsnet/netgen/epsilon.h"
-#include "epsnet/triangulation/surface.h"
+#include "certify/geodesics_document.h"
+#include "netgen/epsilon.h"
+#include "triangulation/surface.h"
 
 /// Closed geodesics of a surface: the systole, the length spectrum, the small curves. docs/geodesics.md says how and
 /// why.

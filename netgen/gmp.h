@@ -3,9 +3,9 @@
 #include <gmpxx.h>
 #include <mpfr.h>
 
-#include "epsnet/certify/document.h"
-#include "epsnet/kernel/complex.h"
-#include "epsnet/kernel/numbers.h"
+#include "certify/document.h"
+#include "kernel/complex.h"
+#include "kernel/numbers.h"
 
 /// The numbers of documents, GMP's own classes, as numbers of the kernel and back.
 namespace epsnet {

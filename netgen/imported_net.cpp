@@ -1,4 +1,4 @@
-#include "epsnet/netgen/imported_net.h"
+#include "netgen/imported_net.h"
 
 #include <map>
 #include <string>
@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "epsnet/netgen/surface_file.h"
-#include "epsnet/triangulation/atlas.h"
+#include "netgen/surface_file.h"
+#include "triangulation/atlas.h"
 
 namespace epsnet {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "epsnet/certify/document.h"
-#include "epsnet/netgen/epsilon.h"
-#include "epsnet/triangulation/error.h"
-#include "epsnet/triangulation/surface.h"
+#include "certify/document.h"
+#include "netgen/epsilon.h"
+#include "triangulation/error.h"
+#include "triangulation/surface.h"
 
 namespace epsnet {
 

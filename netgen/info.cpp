@@ -1,4 +1,4 @@
-#include "epsnet/netgen/info.h"
+#include "netgen/info.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@
 #include <numbers>
 #include <sstream>
 
-#include "epsnet/certify/text.h"
-#include "epsnet/kernel/plane.h"
-#include "epsnet/netgen/gmp.h"
-#include "epsnet/netgen/net_geometry.h"
+#include "certify/text.h"
+#include "kernel/plane.h"
+#include "netgen/gmp.h"
+#include "netgen/net_geometry.h"
 
 namespace epsnet {
 namespace {

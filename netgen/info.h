@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <string>
 
-#include "epsnet/certify/document.h"
-#include "epsnet/netgen/dirichlet_polygon.h"
-#include "epsnet/triangulation/surface.h"
+#include "certify/document.h"
+#include "netgen/dirichlet_polygon.h"
+#include "triangulation/surface.h"
 
 /// What is in a file, for people and for programs. Numbers are computed in floating point: nothing here is proved.
 namespace epsnet {

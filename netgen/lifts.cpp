@@ -1,4 +1,4 @@
-#include "epsnet/netgen/lifts.h"
+#include "netgen/lifts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "epsnet/netgen/mesh_export.h"
+#include "netgen/mesh_export.h"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "epsnet/certify/text.h"
-#include "epsnet/kernel/plane.h"
-#include "epsnet/netgen/disjoint_sets.h"
-#include "epsnet/netgen/lifts.h"
+#include "certify/text.h"
+#include "kernel/plane.h"
+#include "netgen/disjoint_sets.h"
+#include "netgen/lifts.h"
 
 namespace epsnet {
 namespace {

@@ -1,15 +1,15 @@
-#include "epsnet/netgen/net_geometry.h"
+#include "netgen/net_geometry.h"
 
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
 
-#include "epsnet/certify/structure_check.h"
-#include "epsnet/certify/text.h"
-#include "epsnet/kernel/plane.h"
-#include "epsnet/netgen/gmp.h"
-#include "epsnet/triangulation/surface.h"
+#include "certify/structure_check.h"
+#include "certify/text.h"
+#include "kernel/plane.h"
+#include "netgen/gmp.h"
+#include "triangulation/surface.h"
 
 namespace epsnet {
 namespace {

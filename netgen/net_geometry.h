@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "epsnet/certify/document.h"
-#include "epsnet/kernel/isometry.h"
-#include "epsnet/kernel/numbers.h"
-#include "epsnet/triangulation/error.h"
+#include "certify/document.h"
+#include "kernel/isometry.h"
+#include "kernel/numbers.h"
+#include "triangulation/error.h"
 
 /// A net document as points and isometries, for pictures and summaries. Nothing here is proved; that is certify's
 /// office.

@@ -1,4 +1,4 @@
-#include "epsnet/netgen/net_record.h"
+#include "netgen/net_record.h"
 
 #include <charconv>
 #include <cstdint>
@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "epsnet/certify/text.h"
-#include "epsnet/netgen/info.h"
+#include "certify/text.h"
+#include "netgen/info.h"
 
 namespace epsnet {
 namespace {

@@ -1,4 +1,4 @@
-#include "epsnet/netgen/octagon.h"
+#include "netgen/octagon.h"
 
 #include <boost/random/linear_congruential.hpp>
 #include <boost/random/uniform_01.hpp>

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "epsnet/triangulation/surface.h"
+#include "triangulation/surface.h"
 
 namespace epsnet {
 

@@ -1,4 +1,4 @@
-#include "epsnet/netgen/pants_graph.h"
+#include "netgen/pants_graph.h"
 
 #include <algorithm>
 #include <boost/random/mersenne_twister.hpp>
@@ -6,7 +6,7 @@
 #include <charconv>
 #include <string>
 
-#include "epsnet/netgen/disjoint_sets.h"
+#include "netgen/disjoint_sets.h"
 
 namespace epsnet {
 namespace {

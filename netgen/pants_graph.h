@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "epsnet/triangulation/error.h"
+#include "triangulation/error.h"
 
 namespace epsnet {
 

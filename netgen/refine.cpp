@@ -1,4 +1,4 @@
-#include "epsnet/netgen/refine.h"
+#include "netgen/refine.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "epsnet/netgen/start.h"
-#include "epsnet/netgen/triangle_list.h"
+#include "netgen/start.h"
+#include "netgen/triangle_list.h"
 
 namespace epsnet {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "epsnet/netgen/certified_net.h"
-#include "epsnet/netgen/collars.h"
-#include "epsnet/triangulation/triangulation.h"
+#include "netgen/certified_net.h"
+#include "netgen/collars.h"
+#include "triangulation/triangulation.h"
 
 namespace epsnet {
 

@@ -1,4 +1,4 @@
-#include "epsnet/netgen/start.h"
+#include "netgen/start.h"
 
 #include <optional>
 #include <vector>

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "epsnet/certify/structure_check.h"
-#include "epsnet/netgen/gaussian_fraction.h"
-#include "epsnet/netgen/gmp.h"
-#include "epsnet/netgen/surface_file.h"
-#include "epsnet/netgen/triangulation_stream.h"
+#include "certify/structure_check.h"
+#include "netgen/gaussian_fraction.h"
+#include "netgen/gmp.h"
+#include "netgen/surface_file.h"
+#include "netgen/triangulation_stream.h"
 
 /// Surfaces and nets as triangulations that are given by cross-ratios.
 namespace epsnet {

@@ -1,13 +1,13 @@
-#include "epsnet/netgen/surface_file.h"
+#include "netgen/surface_file.h"
 
 #include <ostream>
 #include <utility>
 #include <vector>
 
-#include "epsnet/certify/reader.h"
-#include "epsnet/certify/writer.h"
-#include "epsnet/netgen/atomic_file.h"
-#include "epsnet/netgen/gmp.h"
+#include "certify/reader.h"
+#include "certify/writer.h"
+#include "netgen/atomic_file.h"
+#include "netgen/gmp.h"
 
 namespace epsnet {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "epsnet/certify/document.h"
-#include "epsnet/triangulation/surface.h"
+#include "certify/document.h"
+#include "triangulation/surface.h"
 
 namespace epsnet {
 

@@ -1,11 +1,11 @@
-#include "epsnet/netgen/triangulation_stream.h"
+#include "netgen/triangulation_stream.h"
 
 #include <algorithm>
 #include <charconv>
 #include <ostream>
 
-#include "epsnet/certify/text.h"
-#include "epsnet/netgen/words.h"
+#include "certify/text.h"
+#include "netgen/words.h"
 
 namespace epsnet {
 namespace {

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "epsnet/certify/document.h"
-#include "epsnet/triangulation/error.h"
-#include "epsnet/triangulation/surface.h"
+#include "certify/document.h"
+#include "triangulation/error.h"
+#include "triangulation/surface.h"
 
 /// CGAL's text formats for geometric triangulations of closed hyperbolic surfaces: a combinatorial map, the exact
 /// cross-ratio of every edge, and a lift of one triangle, of all, or of none (docs/exchange-formats.md).

@@ -1,6 +1,6 @@
-#include "epsnet/netgen/two_squares.h"
+#include "netgen/two_squares.h"
 
-#include "epsnet/netgen/gaussian_integers.h"
+#include "netgen/gaussian_integers.h"
 
 namespace epsnet {
 namespace {

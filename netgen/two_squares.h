@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "epsnet/triangulation/exact_points.h"
+#include "triangulation/exact_points.h"
 
 namespace epsnet {
 

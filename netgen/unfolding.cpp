@@ -1,4 +1,4 @@
-#include "epsnet/netgen/unfolding.h"
+#include "netgen/unfolding.h"
 
 #include <cmath>
 #include <unordered_map>

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "epsnet/kernel/lorentz.h"
-#include "epsnet/triangulation/triangulation.h"
+#include "kernel/lorentz.h"
+#include "triangulation/triangulation.h"
 
 namespace epsnet {
 

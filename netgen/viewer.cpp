@@ -1,4 +1,4 @@
-#include "epsnet/netgen/viewer.h"
+#include "netgen/viewer.h"
 
 #include <algorithm>
 #include <array>
@@ -9,10 +9,10 @@
 #include <string_view>
 #include <utility>
 
-#include "epsnet/certify/text.h"
-#include "epsnet/netgen/lifts.h"
-#include "epsnet/netgen/palette.h"
-#include "epsnet/netgen/viewer_page.h"
+#include "certify/text.h"
+#include "netgen/lifts.h"
+#include "netgen/palette.h"
+#include "netgen/viewer_page.h"
 
 namespace epsnet {
 namespace {

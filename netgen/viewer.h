@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "epsnet/certify/check.h"
-#include "epsnet/certify/document.h"
-#include "epsnet/netgen/curves.h"
+#include "certify/check.h"
+#include "certify/document.h"
+#include "netgen/curves.h"
 
 /// A net as a page to look at and to travel in.
 namespace epsnet {

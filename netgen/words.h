@@ -13,9 +13,9 @@
 #include <system_error>
 #include <vector>
 
-#include "epsnet/certify/text.h"
-#include "epsnet/kernel/numbers.h"
-#include "epsnet/netgen/gmp.h"
+#include "certify/text.h"
+#include "kernel/numbers.h"
+#include "netgen/gmp.h"
 
 /// What the readers of text formats share: words separated by white space, and the line that each is on.
 namespace epsnet {

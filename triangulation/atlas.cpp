@@ -1,4 +1,4 @@
-#include "epsnet/triangulation/atlas.h"
+#include "triangulation/atlas.h"
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,10 @@
 #include <string>
 #include <type_traits>
 
-#include "epsnet/kernel/lorentz.h"
-#include "epsnet/kernel/plane.h"
-#include "epsnet/kernel/predicates.h"
-#include "epsnet/triangulation/curve_bound.h"
+#include "kernel/lorentz.h"
+#include "kernel/plane.h"
+#include "kernel/predicates.h"
+#include "triangulation/curve_bound.h"
 
 namespace epsnet {
 namespace {

@@ -9,9 +9,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "epsnet/kernel/isometry.h"
-#include "epsnet/kernel/numbers.h"
-#include "epsnet/triangulation/surface.h"
+#include "kernel/isometry.h"
+#include "kernel/numbers.h"
+#include "triangulation/surface.h"
 
 namespace epsnet {
 

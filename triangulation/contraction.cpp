@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "epsnet/triangulation/triangulation.h"
+#include "triangulation/triangulation.h"
 
 /// The removal of vertices: contraction of edges, and moves that make them possible.
 namespace epsnet {

@@ -1,11 +1,11 @@
-#include "epsnet/triangulation/curve_bound.h"
+#include "triangulation/curve_bound.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
 
-#include "epsnet/kernel/lorentz.h"
+#include "kernel/lorentz.h"
 
 namespace epsnet {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "epsnet/triangulation/surface.h"
+#include "triangulation/surface.h"
 
 namespace epsnet {
 

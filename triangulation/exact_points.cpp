@@ -1,4 +1,4 @@
-#include "epsnet/triangulation/exact_points.h"
+#include "triangulation/exact_points.h"
 
 namespace epsnet {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "epsnet/kernel/isometry.h"
-#include "epsnet/kernel/numbers.h"
+#include "kernel/isometry.h"
+#include "kernel/numbers.h"
 
 /// Points of the Poincaré disk with rational coordinates, as integers: products of these take no gcd, which would be
 /// most of the work.

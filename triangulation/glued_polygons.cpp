@@ -1,4 +1,4 @@
-#include "epsnet/triangulation/glued_polygons.h"
+#include "triangulation/glued_polygons.h"
 
 #include <cmath>
 #include <cstdio>

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "epsnet/triangulation/exact_points.h"
-#include "epsnet/triangulation/surface.h"
+#include "triangulation/exact_points.h"
+#include "triangulation/surface.h"
 
 /// The exact conditions of Poincaré's polygon theorem, for polygons that need not be convex: what `Surface` and the
 /// import of polygons share.

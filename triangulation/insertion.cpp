@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "epsnet/triangulation/triangulation.h"
+#include "triangulation/triangulation.h"
 
 /// The insertion of a vertex into a triangulation: splitting a triangle or an edge, Bowyer–Watson's cavity, and the
 /// cavity in binary64.

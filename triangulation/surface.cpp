@@ -1,10 +1,10 @@
-#include "epsnet/triangulation/surface.h"
+#include "triangulation/surface.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <future>
 #include <utility>
 
-#include "epsnet/triangulation/glued_polygons.h"
+#include "triangulation/glued_polygons.h"
 
 namespace epsnet {
 

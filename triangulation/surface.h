@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "epsnet/kernel/isometry.h"
-#include "epsnet/kernel/numbers.h"
-#include "epsnet/triangulation/error.h"
+#include "kernel/isometry.h"
+#include "kernel/numbers.h"
+#include "triangulation/error.h"
 
 namespace epsnet {
 

@@ -1,4 +1,4 @@
-#include "epsnet/triangulation/threshold.h"
+#include "triangulation/threshold.h"
 
 #include <mpfr.h>
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "epsnet/kernel/numbers.h"
+#include "kernel/numbers.h"
 
 namespace epsnet {
 

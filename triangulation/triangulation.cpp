@@ -1,4 +1,4 @@
-#include "epsnet/triangulation/triangulation.h"
+#include "triangulation/triangulation.h"
 
 #include <algorithm>
 

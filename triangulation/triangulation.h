@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "epsnet/kernel/predicates.h"
-#include "epsnet/triangulation/atlas.h"
-#include "epsnet/triangulation/threshold.h"
+#include "kernel/predicates.h"
+#include "triangulation/atlas.h"
+#include "triangulation/threshold.h"
 
 namespace epsnet {
 

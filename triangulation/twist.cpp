@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "epsnet/kernel/isometry.h"
-#include "epsnet/triangulation/triangulation.h"
+#include "kernel/isometry.h"
+#include "triangulation/triangulation.h"
 
 /// Dehn twists: the turns of edges around a short closed curve, undone all at once.
 namespace epsnet {

@@ -1,5 +1,5 @@
-#include <epsnet/certify/exact/checker.h>
-#include <epsnet/certify/exact/json.h>
+#include "certify/exact/checker.h"
+#include "certify/exact/json.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include <epsnet/certify/exact/json.h>
+#include "certify/exact/json.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <epsnet/certify/exact/checker.h>
+#include "certify/exact/checker.h"
 
 #include <cstdio>
 #include <exception>

@@ -7,14 +7,14 @@
 #include <utility>
 #include <vector>
 
-#include "epsnet/certify/check.h"
-#include "epsnet/certify/geodesics_document.h"
-#include "epsnet/netgen/certified_net.h"
-#include "epsnet/netgen/curves.h"
-#include "epsnet/netgen/info.h"
-#include "epsnet/netgen/program/output.h"
-#include "epsnet/triangulation/surface.h"
-#include "epsnet/triangulation/triangulation.h"
+#include "certify/check.h"
+#include "certify/geodesics_document.h"
+#include "netgen/certified_net.h"
+#include "netgen/curves.h"
+#include "netgen/info.h"
+#include "netgen/program/output.h"
+#include "triangulation/surface.h"
+#include "triangulation/triangulation.h"
 
 /// The commands of the program `epsnet`, a file each: what the command line says of them, and what they do.
 namespace epsnet::program {

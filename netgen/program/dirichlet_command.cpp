@@ -2,12 +2,12 @@
 #include <optional>
 #include <string>
 
-#include "epsnet/netgen/dirichlet_polygon.h"
-#include "epsnet/netgen/draw.h"
-#include "epsnet/netgen/info.h"
-#include "epsnet/netgen/program/commands.h"
-#include "epsnet/netgen/program/input.h"
-#include "epsnet/netgen/program/output.h"
+#include "netgen/dirichlet_polygon.h"
+#include "netgen/draw.h"
+#include "netgen/info.h"
+#include "netgen/program/commands.h"
+#include "netgen/program/input.h"
+#include "netgen/program/output.h"
 
 namespace epsnet::program {
 namespace {

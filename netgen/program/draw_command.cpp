@@ -4,12 +4,12 @@
 #include <utility>
 #include <vector>
 
-#include "epsnet/netgen/draw.h"
-#include "epsnet/netgen/net_geometry.h"
-#include "epsnet/netgen/program/commands.h"
-#include "epsnet/netgen/program/input.h"
-#include "epsnet/netgen/program/output.h"
-#include "epsnet/netgen/program/png.h"
+#include "netgen/draw.h"
+#include "netgen/net_geometry.h"
+#include "netgen/program/commands.h"
+#include "netgen/program/input.h"
+#include "netgen/program/output.h"
+#include "netgen/program/png.h"
 
 namespace epsnet::program {
 namespace {

@@ -4,13 +4,13 @@
 #include <utility>
 #include <variant>
 
-#include "epsnet/netgen/domain_format.h"
-#include "epsnet/netgen/mesh_export.h"
-#include "epsnet/netgen/net_geometry.h"
-#include "epsnet/netgen/program/commands.h"
-#include "epsnet/netgen/program/input.h"
-#include "epsnet/netgen/program/output.h"
-#include "epsnet/netgen/triangulation_stream.h"
+#include "netgen/domain_format.h"
+#include "netgen/mesh_export.h"
+#include "netgen/net_geometry.h"
+#include "netgen/program/commands.h"
+#include "netgen/program/input.h"
+#include "netgen/program/output.h"
+#include "netgen/triangulation_stream.h"
 
 namespace epsnet::program {
 namespace {

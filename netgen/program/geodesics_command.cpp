@@ -5,13 +5,13 @@
 #include <sstream>
 #include <string>
 
-#include "epsnet/certify/check.h"
-#include "epsnet/certify/geodesics_check.h"
-#include "epsnet/certify/writer.h"
-#include "epsnet/netgen/geodesics.h"
-#include "epsnet/netgen/program/commands.h"
-#include "epsnet/netgen/program/input.h"
-#include "epsnet/netgen/program/output.h"
+#include "certify/check.h"
+#include "certify/geodesics_check.h"
+#include "certify/writer.h"
+#include "netgen/geodesics.h"
+#include "netgen/program/commands.h"
+#include "netgen/program/input.h"
+#include "netgen/program/output.h"
 
 /// The commands systole, spectrum and thick-thin: lists of closed geodesics, each with its proof.
 namespace epsnet::program {

@@ -1,13 +1,13 @@
 #include <memory>
 #include <string>
 
-#include "epsnet/certify/check.h"
-#include "epsnet/certify/writer.h"
-#include "epsnet/netgen/imported_net.h"
-#include "epsnet/netgen/program/commands.h"
-#include "epsnet/netgen/program/input.h"
-#include "epsnet/netgen/program/output.h"
-#include "epsnet/netgen/triangulation_stream.h"
+#include "certify/check.h"
+#include "certify/writer.h"
+#include "netgen/imported_net.h"
+#include "netgen/program/commands.h"
+#include "netgen/program/input.h"
+#include "netgen/program/output.h"
+#include "netgen/triangulation_stream.h"
 
 namespace epsnet::program {
 namespace {

@@ -2,11 +2,11 @@
 #include <string>
 #include <variant>
 
-#include "epsnet/netgen/info.h"
-#include "epsnet/netgen/net_geometry.h"
-#include "epsnet/netgen/program/commands.h"
-#include "epsnet/netgen/program/input.h"
-#include "epsnet/netgen/program/output.h"
+#include "netgen/info.h"
+#include "netgen/net_geometry.h"
+#include "netgen/program/commands.h"
+#include "netgen/program/input.h"
+#include "netgen/program/output.h"
 
 namespace epsnet::program {
 namespace {

@@ -1,14 +1,14 @@
-#include "epsnet/netgen/program/input.h"
+#include "netgen/program/input.h"
 
 #include <cstdint>
 #include <optional>
 #include <utility>
 
-#include "epsnet/certify/reader.h"
-#include "epsnet/certify/text.h"
-#include "epsnet/netgen/program/output.h"
-#include "epsnet/netgen/surface_file.h"
-#include "epsnet/netgen/triangulation_stream.h"
+#include "certify/reader.h"
+#include "certify/text.h"
+#include "netgen/program/output.h"
+#include "netgen/surface_file.h"
+#include "netgen/triangulation_stream.h"
 
 namespace epsnet::program {
 namespace {

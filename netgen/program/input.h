@@ -3,11 +3,11 @@
 #include <string>
 #include <variant>
 
-#include "epsnet/certify/document.h"
-#include "epsnet/certify/geodesics_document.h"
-#include "epsnet/netgen/dirichlet_polygon.h"
-#include "epsnet/netgen/exchange.h"
-#include "epsnet/triangulation/surface.h"
+#include "certify/document.h"
+#include "certify/geodesics_document.h"
+#include "netgen/dirichlet_polygon.h"
+#include "netgen/exchange.h"
+#include "triangulation/surface.h"
 
 /// Files in: every file that a command reads is read once (certify::load), so that it may be a pipe; "-" is standard
 /// input. Errors name the path as it was given. All throw certify::FileError, and what the readers of the formats

@@ -13,12 +13,12 @@
 #include <string>
 #include <string_view>
 
-#include "epsnet/certify/reader.h"
-#include "epsnet/netgen/atomic_file.h"
-#include "epsnet/netgen/program/commands.h"
-#include "epsnet/netgen/program/output.h"
-#include "epsnet/netgen/program/parse_error.h"
-#include "epsnet/triangulation/error.h"
+#include "certify/reader.h"
+#include "netgen/atomic_file.h"
+#include "netgen/program/commands.h"
+#include "netgen/program/output.h"
+#include "netgen/program/parse_error.h"
+#include "triangulation/error.h"
 
 /// The program `epsnet`: makes surfaces, computes and certifies nets, draws them, and says what is in files.
 namespace {

@@ -10,15 +10,15 @@
 #include <string_view>
 #include <utility>
 
-#include "epsnet/certify/check.h"
-#include "epsnet/certify/writer.h"
-#include "epsnet/netgen/certified_net.h"
-#include "epsnet/netgen/draw.h"
-#include "epsnet/netgen/info.h"
-#include "epsnet/netgen/net_record.h"
-#include "epsnet/netgen/program/commands.h"
-#include "epsnet/netgen/program/input.h"
-#include "epsnet/netgen/program/output.h"
+#include "certify/check.h"
+#include "certify/writer.h"
+#include "netgen/certified_net.h"
+#include "netgen/draw.h"
+#include "netgen/info.h"
+#include "netgen/net_record.h"
+#include "netgen/program/commands.h"
+#include "netgen/program/input.h"
+#include "netgen/program/output.h"
 
 namespace epsnet::program {
 namespace {

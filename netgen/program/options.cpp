@@ -5,11 +5,11 @@
 #include <string>
 #include <system_error>
 
-#include "epsnet/certify/reader.h"
-#include "epsnet/netgen/decimal.h"
-#include "epsnet/netgen/net_geometry.h"
-#include "epsnet/netgen/program/commands.h"
-#include "epsnet/netgen/program/output.h"
+#include "certify/reader.h"
+#include "netgen/decimal.h"
+#include "netgen/net_geometry.h"
+#include "netgen/program/commands.h"
+#include "netgen/program/output.h"
 
 namespace epsnet::program {
 

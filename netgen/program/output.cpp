@@ -1,4 +1,4 @@
-#include "epsnet/netgen/program/output.h"
+#include "netgen/program/output.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "epsnet/certify/text.h"
+#include "certify/text.h"
 
 namespace epsnet::program {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "epsnet/certify/ball.h"
-#include "epsnet/netgen/atomic_file.h"
-#include "epsnet/triangulation/error.h"
+#include "certify/ball.h"
+#include "netgen/atomic_file.h"
+#include "triangulation/error.h"
 
 /// What the commands of the program share: files out, reports, progress, errors.
 namespace epsnet::program {

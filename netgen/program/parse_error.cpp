@@ -1,4 +1,4 @@
-#include "epsnet/netgen/program/parse_error.h"
+#include "netgen/program/parse_error.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,10 +1,10 @@
-#include "epsnet/netgen/program/png.h"
+#include "netgen/program/png.h"
 
 #include <librsvg/rsvg.h>
 
 #include <memory>
 
-#include "epsnet/netgen/program/output.h"
+#include "netgen/program/output.h"
 
 namespace epsnet::program {
 namespace {

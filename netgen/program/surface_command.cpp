@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "epsnet/certify/writer.h"
-#include "epsnet/netgen/decimal.h"
-#include "epsnet/netgen/exchange.h"
-#include "epsnet/netgen/fenchel_nielsen_request.h"
-#include "epsnet/netgen/info.h"
-#include "epsnet/netgen/octagon.h"
-#include "epsnet/netgen/program/commands.h"
-#include "epsnet/netgen/program/input.h"
-#include "epsnet/netgen/program/output.h"
-#include "epsnet/netgen/surface_file.h"
+#include "certify/writer.h"
+#include "netgen/decimal.h"
+#include "netgen/exchange.h"
+#include "netgen/fenchel_nielsen_request.h"
+#include "netgen/info.h"
+#include "netgen/octagon.h"
+#include "netgen/program/commands.h"
+#include "netgen/program/input.h"
+#include "netgen/program/output.h"
+#include "netgen/surface_file.h"
 
 namespace epsnet::program {
 namespace {

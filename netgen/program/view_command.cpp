@@ -3,12 +3,12 @@
 #include <optional>
 #include <string>
 
-#include "epsnet/certify/check.h"
-#include "epsnet/netgen/net_geometry.h"
-#include "epsnet/netgen/program/commands.h"
-#include "epsnet/netgen/program/input.h"
-#include "epsnet/netgen/program/output.h"
-#include "epsnet/netgen/viewer.h"
+#include "certify/check.h"
+#include "netgen/net_geometry.h"
+#include "netgen/program/commands.h"
+#include "netgen/program/input.h"
+#include "netgen/program/output.h"
+#include "netgen/viewer.h"
 
 namespace epsnet::program {
 namespace {

@@ -13,10 +13,10 @@
 #include <random>
 #include <vector>
 
-#include "epsnet/certify/check.h"
-#include "epsnet/netgen/certified_net.h"
-#include "epsnet/netgen/octagon.h"
-#include "epsnet/netgen/refine.h"
+#include "certify/check.h"
+#include "netgen/certified_net.h"
+#include "netgen/octagon.h"
+#include "netgen/refine.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
-#include <epsnet/certify/ball.h>
-#include <epsnet/certify/isometry.h>
+#include "certify/ball.h"
 #include <flint/fmpq.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include "certify/isometry.h"
 
 #include <cmath>
 

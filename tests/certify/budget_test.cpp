@@ -1,8 +1,8 @@
-#include <epsnet/certify/budget.h>
-#include <epsnet/certify/check.h>
-#include <epsnet/certify/geodesics_check.h>
-#include <epsnet/certify/reader.h>
+#include "certify/budget.h"
 #include <gtest/gtest.h>
+#include "certify/check.h"
+#include "certify/geodesics_check.h"
+#include "certify/reader.h"
 
 #include <random>
 

@@ -1,7 +1,7 @@
-#include <epsnet/certify/check.h>
-#include <epsnet/certify/darts.h>
-#include <epsnet/certify/reader.h>
+#include "certify/check.h"
 #include <gtest/gtest.h>
+#include "certify/darts.h"
+#include "certify/reader.h"
 
 #include <cmath>
 #include <limits>

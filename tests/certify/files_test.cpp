@@ -1,7 +1,7 @@
-#include <epsnet/certify/check.h>
-#include <epsnet/certify/geodesics_check.h>
-#include <epsnet/certify/reader.h>
 #include <gtest/gtest.h>
+#include "certify/check.h"
+#include "certify/geodesics_check.h"
+#include "certify/reader.h"
 
 #include <filesystem>
 #include <set>

@@ -1,12 +1,12 @@
-#include <epsnet/certify/chord_table.h>
-#include <epsnet/certify/geodesics_check.h>
-#include <epsnet/certify/orbit_search.h>
-#include <epsnet/certify/reader.h>
-#include <epsnet/certify/surface_check.h>
-#include <epsnet/certify/surface_sides.h>
-#include <epsnet/certify/writer.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include "certify/chord_table.h"
+#include "certify/geodesics_check.h"
+#include "certify/orbit_search.h"
+#include "certify/reader.h"
+#include "certify/surface_check.h"
+#include "certify/surface_sides.h"
+#include "certify/writer.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
-#include <epsnet/certify/reader.h>
-#include <epsnet/certify/text.h>
-#include <epsnet/certify/writer.h>
+#include "certify/reader.h"
 #include <gtest/gtest.h>
+#include "certify/text.h"
+#include "certify/writer.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
-#include <epsnet/certify/crossings.h>
-#include <epsnet/certify/surface_sides.h>
 #include <gtest/gtest.h>
+#include "certify/crossings.h"
+#include "certify/surface_sides.h"
 
 #include <array>
 #include <complex>

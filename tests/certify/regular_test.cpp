@@ -1,9 +1,9 @@
-#include <epsnet/certify/check.h>
-#include <epsnet/certify/lifted_triangle.h>
-#include <epsnet/certify/reader.h>
-#include <epsnet/certify/surface_check.h>
-#include <epsnet/certify/surface_sides.h>
 #include <gtest/gtest.h>
+#include "certify/check.h"
+#include "certify/lifted_triangle.h"
+#include "certify/reader.h"
+#include "certify/surface_check.h"
+#include "certify/surface_sides.h"
 
 #include <algorithm>
 #include <cmath>

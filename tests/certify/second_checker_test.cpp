@@ -1,8 +1,8 @@
-#include <epsnet/certify/exact/checker.h>
-#include <epsnet/certify/exact/json.h>
-#include <epsnet/certify/text.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include "certify/exact/checker.h"
+#include "certify/exact/json.h"
+#include "certify/text.h"
 
 #include <array>
 #include <filesystem>

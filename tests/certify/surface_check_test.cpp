@@ -1,6 +1,6 @@
-#include <epsnet/certify/reader.h>
-#include <epsnet/certify/surface_check.h>
+#include "certify/surface_check.h"
 #include <gtest/gtest.h>
+#include "certify/reader.h"
 
 #include <filesystem>
 #include <string>

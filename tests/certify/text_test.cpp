@@ -1,4 +1,4 @@
-#include <epsnet/certify/text.h>
+#include "certify/text.h"
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

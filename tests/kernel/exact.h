@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "epsnet/kernel/numbers.h"
+#include "kernel/numbers.h"
 
 namespace epsnet::test {
 

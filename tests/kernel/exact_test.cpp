@@ -1,11 +1,11 @@
-#include "exact.h"
+#include "tests/kernel/exact.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "epsnet/kernel/plane.h"
-#include "support/scale.h"
+#include "kernel/plane.h"
+#include "tests/support/scale.h"
 
 namespace epsnet {
 namespace {

@@ -1,4 +1,4 @@
-#include "epsnet/kernel/isometry.h"
+#include "kernel/isometry.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -10,11 +10,11 @@
 #include <string>
 #include <utility>
 
-#include "epsnet/kernel/numbers.h"
-#include "epsnet/kernel/plane.h"
-#include "random_points.h"
-#include "rational_points.h"
-#include "support/scale.h"
+#include "kernel/numbers.h"
+#include "kernel/plane.h"
+#include "tests/kernel/random_points.h"
+#include "tests/kernel/rational_points.h"
+#include "tests/support/scale.h"
 
 namespace epsnet {
 namespace {

@@ -1,12 +1,12 @@
-#include "epsnet/kernel/lorentz.h"
+#include "kernel/lorentz.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "epsnet/kernel/numbers.h"
-#include "epsnet/kernel/plane.h"
-#include "random_points.h"
-#include "rational_points.h"
+#include "kernel/numbers.h"
+#include "kernel/plane.h"
+#include "tests/kernel/random_points.h"
+#include "tests/kernel/rational_points.h"
 
 namespace epsnet {
 namespace {

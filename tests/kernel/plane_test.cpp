@@ -1,4 +1,4 @@
-#include "epsnet/kernel/plane.h"
+#include "kernel/plane.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,10 +7,10 @@
 #include <array>
 #include <cmath>
 
-#include "epsnet/kernel/numbers.h"
-#include "random_points.h"
-#include "rational_points.h"
-#include "support/scale.h"
+#include "kernel/numbers.h"
+#include "tests/kernel/random_points.h"
+#include "tests/kernel/rational_points.h"
+#include "tests/support/scale.h"
 
 namespace epsnet {
 namespace {

@@ -1,4 +1,4 @@
-#include "epsnet/kernel/predicates.h"
+#include "kernel/predicates.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -11,10 +11,10 @@
 #include <string>
 #include <type_traits>
 
-#include "exact.h"
-#include "random_points.h"
-#include "rational_points.h"
-#include "support/scale.h"
+#include "tests/kernel/exact.h"
+#include "tests/kernel/random_points.h"
+#include "tests/kernel/rational_points.h"
+#include "tests/support/scale.h"
 
 namespace epsnet {
 namespace {

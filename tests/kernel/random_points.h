@@ -6,8 +6,8 @@
 #include <limits>
 #include <random>
 
-#include "epsnet/kernel/isometry.h"
-#include "epsnet/kernel/numbers.h"
+#include "kernel/isometry.h"
+#include "kernel/numbers.h"
 
 /// Random points of the disk in binary64 and in multiprecision, near-degenerate on purpose.
 namespace epsnet::test {

@@ -1,4 +1,4 @@
-#include "epsnet/netgen/anchor_search.h"
+#include "netgen/anchor_search.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,13 +6,13 @@
 
 #include <cmath>
 
-#include "epsnet/kernel/plane.h"
-#include "epsnet/netgen/certified_net.h"
-#include "epsnet/netgen/domain_format.h"
-#include "epsnet/netgen/octagon.h"
-#include "epsnet/netgen/two_squares.h"
-#include "support/polygons.h"
-#include "support/triangulations.h"
+#include "kernel/plane.h"
+#include "netgen/certified_net.h"
+#include "netgen/domain_format.h"
+#include "netgen/octagon.h"
+#include "netgen/two_squares.h"
+#include "tests/support/polygons.h"
+#include "tests/support/triangulations.h"
 
 namespace epsnet {
 namespace {

@@ -1,4 +1,4 @@
-#include "epsnet/netgen/dirichlet_polygon.h"
+#include "netgen/dirichlet_polygon.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "epsnet/certify/check.h"
-#include "epsnet/kernel/plane.h"
-#include "support/triangulations.h"
+#include "certify/check.h"
+#include "kernel/plane.h"
+#include "tests/support/triangulations.h"
 
 namespace epsnet {
 namespace {

@@ -1,12 +1,12 @@
-#include "epsnet/netgen/domain_format.h"
+#include "netgen/domain_format.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "epsnet/netgen/ear_clipping.h"
-#include "epsnet/netgen/octagon.h"
-#include "support/polygons.h"
+#include "netgen/ear_clipping.h"
+#include "netgen/octagon.h"
+#include "tests/support/polygons.h"
 
 namespace epsnet {
 namespace {

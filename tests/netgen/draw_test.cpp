@@ -1,4 +1,4 @@
-#include "epsnet/netgen/draw.h"
+#include "netgen/draw.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,16 +12,16 @@
 #include <string>
 #include <vector>
 
-#include "epsnet/certify/reader.h"
-#include "epsnet/kernel/plane.h"
-#include "epsnet/netgen/certified_net.h"
-#include "epsnet/netgen/dirichlet.h"
-#include "epsnet/netgen/domain_format.h"
-#include "epsnet/netgen/geodesics.h"
-#include "epsnet/netgen/info.h"
-#include "epsnet/netgen/octagon.h"
-#include "epsnet/netgen/viewer.h"
-#include "support/triangulations.h"
+#include "certify/reader.h"
+#include "kernel/plane.h"
+#include "netgen/certified_net.h"
+#include "netgen/dirichlet.h"
+#include "netgen/domain_format.h"
+#include "netgen/geodesics.h"
+#include "netgen/info.h"
+#include "netgen/octagon.h"
+#include "netgen/viewer.h"
+#include "tests/support/triangulations.h"
 
 namespace epsnet {
 namespace {

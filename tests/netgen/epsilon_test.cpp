@@ -1,4 +1,4 @@
-#include "epsnet/netgen/epsilon.h"
+#include "netgen/epsilon.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "support/triangulations.h"
+#include "tests/support/triangulations.h"
 
 namespace epsnet {
 namespace {

@@ -1,4 +1,4 @@
-#include "epsnet/netgen/fenchel_nielsen.h"
+#include "netgen/fenchel_nielsen.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,9 +11,9 @@
 #include <fstream>
 #include <memory>
 
-#include "epsnet/netgen/decimal.h"
-#include "epsnet/netgen/fenchel_nielsen_request.h"
-#include "support/triangulations.h"
+#include "netgen/decimal.h"
+#include "netgen/fenchel_nielsen_request.h"
+#include "tests/support/triangulations.h"
 
 namespace epsnet {
 namespace {

@@ -1,4 +1,4 @@
-#include "epsnet/netgen/geodesics.h"
+#include "netgen/geodesics.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "epsnet/netgen/axis_catalogue.h"
-#include "epsnet/netgen/certified_net.h"
-#include "epsnet/netgen/cut_surface.h"
-#include "epsnet/netgen/unfolding.h"
-#include "support/triangulations.h"
+#include "netgen/axis_catalogue.h"
+#include "netgen/certified_net.h"
+#include "netgen/cut_surface.h"
+#include "netgen/unfolding.h"
+#include "tests/support/triangulations.h"
 
 namespace epsnet {
 namespace {

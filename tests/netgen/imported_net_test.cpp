@@ -1,4 +1,4 @@
-#include "epsnet/netgen/imported_net.h"
+#include "netgen/imported_net.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,14 +6,14 @@
 
 #include <map>
 
-#include "epsnet/certify/check.h"
-#include "epsnet/netgen/certified_net.h"
-#include "epsnet/netgen/fenchel_nielsen_request.h"
-#include "epsnet/netgen/gmp.h"
-#include "epsnet/netgen/octagon.h"
-#include "epsnet/netgen/triangulation_stream.h"
-#include "support/polygons.h"
-#include "support/triangulations.h"
+#include "certify/check.h"
+#include "netgen/certified_net.h"
+#include "netgen/fenchel_nielsen_request.h"
+#include "netgen/gmp.h"
+#include "netgen/octagon.h"
+#include "netgen/triangulation_stream.h"
+#include "tests/support/polygons.h"
+#include "tests/support/triangulations.h"
 
 namespace epsnet {
 namespace {

@@ -1,4 +1,4 @@
-#include "epsnet/netgen/mesh_export.h"
+#include "netgen/mesh_export.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
-#include "epsnet/certify/check.h"
-#include "epsnet/kernel/plane.h"
-#include "epsnet/netgen/certified_net.h"
-#include "epsnet/netgen/curves.h"
-#include "epsnet/netgen/fenchel_nielsen.h"
-#include "epsnet/netgen/net_geometry.h"
-#include "epsnet/netgen/octagon.h"
+#include "certify/check.h"
+#include "kernel/plane.h"
+#include "netgen/certified_net.h"
+#include "netgen/curves.h"
+#include "netgen/fenchel_nielsen.h"
+#include "netgen/net_geometry.h"
+#include "netgen/octagon.h"
 
 namespace epsnet {
 namespace {

@@ -9,15 +9,15 @@
 #include <random>
 #include <sstream>
 
-#include "epsnet/certify/check.h"
-#include "epsnet/certify/exact/checker.h"
-#include "epsnet/certify/reader.h"
-#include "epsnet/certify/writer.h"
-#include "epsnet/netgen/certified_net.h"
-#include "epsnet/netgen/domain_format.h"
-#include "epsnet/netgen/octagon.h"
+#include "certify/check.h"
+#include "certify/exact/checker.h"
+#include "certify/reader.h"
+#include "certify/writer.h"
+#include "netgen/certified_net.h"
+#include "netgen/domain_format.h"
+#include "netgen/octagon.h"
 #include "netgen/oracle.h"
-#include "support/scale.h"
+#include "tests/support/scale.h"
 
 /// Single random defects in verified nets: `certify` must say what the oracle says, and `certify-exact` what `certify`
 /// says.

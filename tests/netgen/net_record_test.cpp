@@ -1,4 +1,4 @@
-#include "epsnet/netgen/net_record.h"
+#include "netgen/net_record.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "epsnet/netgen/octagon.h"
+#include "netgen/octagon.h"
 
 namespace epsnet {
 namespace {

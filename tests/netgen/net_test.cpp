@@ -1,4 +1,4 @@
-#include "epsnet/netgen/certified_net.h"
+#include "netgen/certified_net.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "epsnet/certify/reader.h"
-#include "epsnet/certify/writer.h"
-#include "epsnet/netgen/exchange.h"
-#include "support/polygons.h"
-#include "support/scale.h"
-#include "support/triangulations.h"
+#include "certify/reader.h"
+#include "certify/writer.h"
+#include "netgen/exchange.h"
+#include "tests/support/polygons.h"
+#include "tests/support/scale.h"
+#include "tests/support/triangulations.h"
 
 namespace epsnet {
 namespace {

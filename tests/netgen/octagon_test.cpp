@@ -1,11 +1,11 @@
-#include "epsnet/netgen/octagon.h"
+#include "netgen/octagon.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "epsnet/netgen/domain_format.h"
-#include "support/polygons.h"
+#include "netgen/domain_format.h"
+#include "tests/support/polygons.h"
 
 namespace epsnet {
 namespace {

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "epsnet/certify/document.h"
-#include "epsnet/kernel/plane.h"
-#include "epsnet/netgen/epsilon.h"
-#include "epsnet/netgen/surface_file.h"
-#include "epsnet/triangulation/threshold.h"
+#include "certify/document.h"
+#include "kernel/plane.h"
+#include "netgen/epsilon.h"
+#include "netgen/surface_file.h"
+#include "triangulation/threshold.h"
 
 /// A second opinion on net files, for the tests of `certify`: docs/format.md and the rules of docs/proof.md, written
 /// down once more with the kernel's formulas at 1024 bits, simple and slow, nothing shared with the certifier.

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "epsnet/certify/reader.h"
-#include "epsnet/certify/writer.h"
-#include "epsnet/netgen/certified_net.h"
-#include "epsnet/netgen/collars.h"
-#include "epsnet/netgen/refine.h"
-#include "support/triangulations.h"
+#include "certify/reader.h"
+#include "certify/writer.h"
+#include "netgen/certified_net.h"
+#include "netgen/collars.h"
+#include "netgen/refine.h"
+#include "tests/support/triangulations.h"
 
 /// Pseudo epsilon-nets: the generator, and every clause of the certifier's rules `collars` and `thick` broken alone.
 namespace epsnet {

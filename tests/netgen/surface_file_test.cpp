@@ -1,4 +1,4 @@
-#include "epsnet/netgen/surface_file.h"
+#include "netgen/surface_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,11 +6,11 @@
 
 #include <ostream>
 
-#include "epsnet/certify/reader.h"
-#include "epsnet/netgen/atomic_file.h"
-#include "epsnet/netgen/domain_format.h"
-#include "epsnet/netgen/octagon.h"
-#include "support/polygons.h"
+#include "certify/reader.h"
+#include "netgen/atomic_file.h"
+#include "netgen/domain_format.h"
+#include "netgen/octagon.h"
+#include "tests/support/polygons.h"
 
 namespace epsnet {
 namespace {

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <iostream>
 
-#include "epsnet/certify/geodesics_check.h"
-#include "epsnet/netgen/certified_net.h"
-#include "epsnet/netgen/domain_format.h"
-#include "epsnet/netgen/fenchel_nielsen.h"
-#include "epsnet/netgen/geodesics.h"
-#include "epsnet/netgen/octagon.h"
+#include "certify/geodesics_check.h"
+#include "netgen/certified_net.h"
+#include "netgen/domain_format.h"
+#include "netgen/fenchel_nielsen.h"
+#include "netgen/geodesics.h"
+#include "netgen/octagon.h"
 
 namespace epsnet {
 namespace {

@@ -1,4 +1,4 @@
-#include "epsnet/netgen/triangle_list.h"
+#include "netgen/triangle_list.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "epsnet/netgen/triangulation_stream.h"
+#include "netgen/triangulation_stream.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,13 +8,13 @@
 #include <numeric>
 #include <sstream>
 
-#include "epsnet/netgen/certified_net.h"
-#include "epsnet/netgen/domain_format.h"
-#include "epsnet/netgen/exchange.h"
-#include "epsnet/netgen/octagon.h"
-#include "epsnet/triangulation/glued_polygons.h"
-#include "support/polygons.h"
-#include "support/triangulations.h"
+#include "netgen/certified_net.h"
+#include "netgen/domain_format.h"
+#include "netgen/exchange.h"
+#include "netgen/octagon.h"
+#include "tests/support/polygons.h"
+#include "tests/support/triangulations.h"
+#include "triangulation/glued_polygons.h"
 
 namespace epsnet {
 namespace {

@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "support/scale.h"
+#include "tests/support/scale.h"
 
 /// Runs the tests with a fixed RapidCheck seed and 100 cases per property, scaled by EPSNET_TEST_MULTIPLIER.
 /// RC_PARAMS in the environment replaces both, for example RC_PARAMS="seed=7 max_success=10000".

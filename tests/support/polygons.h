@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "epsnet/triangulation/surface.h"
+#include "triangulation/surface.h"
 
 /// Polygons for tests, and ways to change them that leave the surface as it is.
 namespace epsnet::test {

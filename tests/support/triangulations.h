@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "epsnet/netgen/domain_format.h"
-#include "epsnet/netgen/fenchel_nielsen.h"
-#include "epsnet/netgen/octagon.h"
-#include "epsnet/triangulation/triangulation.h"
+#include "netgen/domain_format.h"
+#include "netgen/fenchel_nielsen.h"
+#include "netgen/octagon.h"
+#include "triangulation/triangulation.h"
 
 /// Surfaces, points and canonical forms for the tests of atlas, triangulation and nets.
 namespace epsnet::test {

@@ -1,14 +1,14 @@
-#include "epsnet/triangulation/atlas.h"
+#include "triangulation/atlas.h"
 
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
 #include <set>
 
-#include "epsnet/kernel/plane.h"
-#include "epsnet/netgen/fenchel_nielsen.h"
-#include "epsnet/netgen/surface_file.h"
-#include "support/triangulations.h"
+#include "kernel/plane.h"
+#include "netgen/fenchel_nielsen.h"
+#include "netgen/surface_file.h"
+#include "tests/support/triangulations.h"
 
 namespace epsnet {
 namespace {

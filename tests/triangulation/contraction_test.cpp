@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "epsnet/netgen/start.h"
-#include "support/triangulations.h"
+#include "netgen/start.h"
+#include "tests/support/triangulations.h"
 
 /// Contraction of edges, moves of vertices, and the start that they make.
 namespace epsnet {

@@ -1,9 +1,9 @@
-#include "epsnet/triangulation/curve_bound.h"
+#include "triangulation/curve_bound.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "support/triangulations.h"
+#include "tests/support/triangulations.h"
 
 namespace epsnet {
 namespace {

@@ -1,4 +1,4 @@
-#include "epsnet/triangulation/threshold.h"
+#include "triangulation/threshold.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "support/triangulations.h"
+#include "tests/support/triangulations.h"
 
 namespace epsnet {
 namespace {

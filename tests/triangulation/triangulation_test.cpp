@@ -1,4 +1,4 @@
-#include "epsnet/triangulation/triangulation.h"
+#include "triangulation/triangulation.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "support/triangulations.h"
+#include "tests/support/triangulations.h"
 
 namespace epsnet {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "epsnet/kernel/plane.h"
-#include "epsnet/netgen/certified_net.h"
-#include "epsnet/netgen/domain_format.h"
-#include "epsnet/netgen/start.h"
+#include "kernel/plane.h"
+#include "netgen/certified_net.h"
+#include "netgen/domain_format.h"
+#include "netgen/start.h"
 
 /// What is done at once instead of step by step: many turns around a short closed curve, and paths that turn far around
 /// a vertex of many corners.
