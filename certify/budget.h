@@ -1,7 +1,7 @@
 #pragma once
 
-#include "certify/document.h"
-#include "certify/geodesics_document.h"
+#include "certify/document/document.h"
+#include "certify/document/geodesics_document.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,11 +1,11 @@
 #include "certify/check.h"
 #include "certify/collar_check.h"
+#include "certify/document/structure_check.h"
+#include "certify/document/surface_sides.h"
 #include "certify/geometry_check.h"
 #include "certify/gluing_check.h"
 #include "certify/map_check.h"
-#include "certify/structure_check.h"
 #include "certify/surface_check.h"
-#include "certify/surface_sides.h"
 
 #include <algorithm>
 #include <thread>

@@ -2,7 +2,7 @@
 
 #include "certify/ball.h"
 #include "certify/budget.h"
-#include "certify/document.h"
+#include "certify/document/document.h"
 
 #include <cstdint>
 #include <functional>

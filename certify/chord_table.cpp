@@ -1,5 +1,5 @@
 #include "certify/chord_table.h"
-#include "certify/darts.h"
+#include "certify/document/darts.h"
 #include "certify/parallel.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "certify/chords.h"
-#include "certify/darts.h"
+#include "certify/document/darts.h"
 #include "certify/interval_index.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "certify/collar_check.h"
-#include "certify/darts.h"
+#include "certify/document/darts.h"
+#include "certify/document/text.h"
 #include "certify/gluing_check.h"
 #include "certify/surface_check.h"
-#include "certify/text.h"
 
 #include <algorithm>
 #include <map>

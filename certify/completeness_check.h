@@ -2,8 +2,8 @@
 
 #include "certify/check.h"
 #include "certify/chord_table.h"
+#include "certify/document/geodesics_document.h"
 #include "certify/exact_traces.h"
-#include "certify/geodesics_document.h"
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 #include "certify/cut_surface.h"
-#include "certify/darts.h"
+#include "certify/document/darts.h"
 
 #include <algorithm>
 #include <array>

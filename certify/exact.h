@@ -2,7 +2,7 @@
 
 #include <gmpxx.h>
 #include "certify/budget.h"
-#include "certify/document.h"
+#include "certify/document/document.h"
 
 #include <array>
 #include <span>

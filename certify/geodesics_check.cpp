@@ -2,11 +2,11 @@
 #include "certify/chord_table.h"
 #include "certify/completeness_check.h"
 #include "certify/cut_surface.h"
+#include "certify/document/geodesics_structure.h"
+#include "certify/document/text.h"
 #include "certify/exact_traces.h"
-#include "certify/geodesics_structure.h"
 #include "certify/parallel.h"
 #include "certify/surface_check.h"
-#include "certify/text.h"
 
 #include <algorithm>
 #include <array>

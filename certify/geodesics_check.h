@@ -1,7 +1,7 @@
 #pragma once
 
 #include "certify/check.h"
-#include "certify/geodesics_document.h"
+#include "certify/document/geodesics_document.h"
 
 /// The checker of geodesics files: decides whether a list of closed geodesics is what it is said to be (docs/proof.md,
 /// section 11).

@@ -1,9 +1,9 @@
 #include "certify/geometry_check.h"
 #include "certify/collar_check.h"
-#include "certify/darts.h"
+#include "certify/document/darts.h"
+#include "certify/document/text.h"
 #include "certify/lifted_triangle.h"
 #include "certify/parallel.h"
-#include "certify/text.h"
 
 #include <algorithm>
 #include <memory>

@@ -1,5 +1,5 @@
 #include "certify/gluing_check.h"
-#include "certify/darts.h"
+#include "certify/document/darts.h"
 #include "certify/parallel.h"
 #include "certify/surface_check.h"
 

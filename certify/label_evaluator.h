@@ -2,8 +2,8 @@
 
 #include "certify/budget.h"
 #include "certify/crossings.h"
-#include "certify/document.h"
-#include "certify/surface_sides.h"
+#include "certify/document/document.h"
+#include "certify/document/surface_sides.h"
 
 #include <cstdint>
 #include <span>

@@ -1,5 +1,5 @@
 #include "certify/lifted_plane.h"
-#include "certify/darts.h"
+#include "certify/document/darts.h"
 #include "certify/surface_check.h"
 
 #include <map>

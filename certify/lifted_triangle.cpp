@@ -1,5 +1,5 @@
 #include "certify/lifted_triangle.h"
-#include "certify/darts.h"
+#include "certify/document/darts.h"
 
 #include <algorithm>
 

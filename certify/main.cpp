@@ -1,9 +1,9 @@
 #include <nettle/sha2.h>
 #include <unistd.h>
 #include "certify/check.h"
+#include "certify/document/text.h"
 #include "certify/geodesics_check.h"
 #include "certify/reader.h"
-#include "certify/text.h"
 #include "certify/writer.h"
 
 #include <CLI/CLI.hpp>

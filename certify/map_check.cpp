@@ -1,5 +1,5 @@
 #include "certify/map_check.h"
-#include "certify/darts.h"
+#include "certify/document/darts.h"
 
 #include <string>
 

@@ -1,5 +1,5 @@
 #include "certify/orbit_search.h"
-#include "certify/darts.h"
+#include "certify/document/darts.h"
 
 #include <array>
 #include <optional>

@@ -2,9 +2,9 @@
 #include <simdjson.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "certify/geodesics_structure.h"
-#include "certify/structure_check.h"
-#include "certify/text.h"
+#include "certify/document/geodesics_structure.h"
+#include "certify/document/structure_check.h"
+#include "certify/document/text.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "certify/check.h"
+#include "certify/document/text.h"
 #include "certify/geodesics_check.h"
 #include "certify/parallel.h"
-#include "certify/text.h"
 #include "experiments/record_file.h"
 #include "netgen/atomic_file.h"
 #include "netgen/certified_net.h"

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "certify/check.h"
-#include "certify/document.h"
+#include "certify/document/document.h"
 #include "netgen/epsilon.h"
 #include "triangulation/error.h"
 #include "triangulation/surface.h"

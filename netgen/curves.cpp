@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "certify/text.h"
+#include "certify/document/text.h"
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/dirichlet.h"

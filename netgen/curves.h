@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/geodesics_document.h"
+#include "certify/document/geodesics_document.h"
 #include "netgen/lifts.h"
 
 /// Curves on the surface of a net, cut by its triangles, for pictures.

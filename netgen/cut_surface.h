@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "certify/geodesics_document.h"
+#include "certify/document/geodesics_document.h"
 #include "triangulation/triangulation.h"
 
 namespace epsnet {

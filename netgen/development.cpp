@@ -2,7 +2,7 @@
 #include <queue>
 #include <utility>
 
-#include "certify/text.h"
+#include "certify/document/text.h"
 #include "kernel/plane.h"
 #include "netgen/anchor_search.h"
 #include "netgen/gaussian_fraction.h"

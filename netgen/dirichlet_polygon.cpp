@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "certify/check.h"
-#include "certify/text.h"
+#include "certify/document/text.h"
 #include "kernel/plane.h"
 #include "netgen/certified_net.h"
 #include "netgen/start.h"

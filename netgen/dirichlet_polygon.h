@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "certify/document.h"
+#include "certify/document/document.h"
 #include "triangulation/error.h"
 #include "triangulation/triangulation.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/text.h"
+#include "certify/document/text.h"
 #include "netgen/ear_clipping.h"
 #include "netgen/words.h"
 #include "triangulation/glued_polygons.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/document.h"
+#include "certify/document/document.h"
 #include "netgen/curves.h"
 #include "netgen/lifts.h"
 

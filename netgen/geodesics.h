@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "certify/geodesics_document.h"
+#include "certify/document/geodesics_document.h"
 #include "netgen/epsilon.h"
 #include "triangulation/surface.h"
 

@@ -3,7 +3,7 @@
 #include <gmpxx.h>
 #include <mpfr.h>
 
-#include "certify/document.h"
+#include "certify/document/document.h"
 #include "kernel/complex.h"
 #include "kernel/numbers.h"
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "certify/text.h"
+#include "certify/document/text.h"
 #include "kernel/plane.h"
 #include "netgen/gmp.h"
 #include "netgen/net_geometry.h"

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "certify/document.h"
+#include "certify/document/document.h"
 #include "netgen/dirichlet_polygon.h"
 #include "triangulation/surface.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/text.h"
+#include "certify/document/text.h"
 #include "kernel/plane.h"
 #include "netgen/disjoint_sets.h"
 #include "netgen/lifts.h"

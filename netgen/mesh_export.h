@@ -2,7 +2,7 @@
 
 #include <iosfwd>
 
-#include "certify/document.h"
+#include "certify/document/document.h"
 
 /// Nets in the formats of other programs (docs/exchange-formats.md), rounded to binary64: nothing here is proved. All
 /// throw NetGeometryError if the document is not a net, take O(n log n) time, and write equal bytes for equal

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "certify/structure_check.h"
-#include "certify/text.h"
+#include "certify/document/structure_check.h"
+#include "certify/document/text.h"
 #include "kernel/plane.h"
 #include "netgen/gmp.h"
 #include "triangulation/surface.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/document.h"
+#include "certify/document/document.h"
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
 #include "triangulation/error.h"

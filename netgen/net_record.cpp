@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/text.h"
+#include "certify/document/text.h"
 #include "netgen/info.h"
 
 namespace epsnet {

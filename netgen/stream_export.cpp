@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "certify/structure_check.h"
+#include "certify/document/structure_check.h"
 #include "netgen/gaussian_fraction.h"
 #include "netgen/gmp.h"
 #include "netgen/surface_file.h"

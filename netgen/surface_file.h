@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "certify/document.h"
+#include "certify/document/document.h"
 #include "triangulation/surface.h"
 
 namespace epsnet {

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <ostream>
 
-#include "certify/text.h"
+#include "certify/document/text.h"
 #include "netgen/words.h"
 
 namespace epsnet {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "certify/document.h"
+#include "certify/document/document.h"
 #include "triangulation/error.h"
 #include "triangulation/surface.h"
 

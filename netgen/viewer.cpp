@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "certify/text.h"
+#include "certify/document/text.h"
 #include "netgen/lifts.h"
 #include "netgen/palette.h"
 #include "netgen/viewer_page.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "certify/document.h"
+#include "certify/document/document.h"
 #include "netgen/curves.h"
 
 /// A net as a page to look at and to travel in.

@@ -13,7 +13,7 @@
 #include <system_error>
 #include <vector>
 
-#include "certify/text.h"
+#include "certify/document/text.h"
 #include "kernel/numbers.h"
 #include "netgen/gmp.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "certify/geodesics_document.h"
+#include "certify/document/geodesics_document.h"
 #include "netgen/certified_net.h"
 #include "netgen/curves.h"
 #include "netgen/info.h"

@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "certify/document/text.h"
 #include "certify/reader.h"
-#include "certify/text.h"
 #include "netgen/program/output.h"
 #include "netgen/surface_file.h"
 #include "netgen/triangulation_stream.h"

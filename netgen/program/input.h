@@ -3,8 +3,8 @@
 #include <string>
 #include <variant>
 
-#include "certify/document.h"
-#include "certify/geodesics_document.h"
+#include "certify/document/document.h"
+#include "certify/document/geodesics_document.h"
 #include "netgen/dirichlet_polygon.h"
 #include "netgen/exchange.h"
 #include "triangulation/surface.h"

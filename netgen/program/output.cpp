@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "certify/text.h"
+#include "certify/document/text.h"
 
 namespace epsnet::program {
 

@@ -1,6 +1,6 @@
 #include "certify/check.h"
 #include <gtest/gtest.h>
-#include "certify/darts.h"
+#include "certify/document/darts.h"
 #include "certify/reader.h"
 
 #include <cmath>

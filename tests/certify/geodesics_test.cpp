@@ -1,11 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include "certify/chord_table.h"
+#include "certify/document/surface_sides.h"
 #include "certify/geodesics_check.h"
 #include "certify/orbit_search.h"
 #include "certify/reader.h"
 #include "certify/surface_check.h"
-#include "certify/surface_sides.h"
 #include "certify/writer.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "certify/reader.h"
 #include <gtest/gtest.h>
-#include "certify/text.h"
+#include "certify/document/text.h"
 #include "certify/writer.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 #include "certify/crossings.h"
-#include "certify/surface_sides.h"
+#include "certify/document/surface_sides.h"
 
 #include <array>
 #include <complex>

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 #include "certify/check.h"
+#include "certify/document/surface_sides.h"
 #include "certify/lifted_triangle.h"
 #include "certify/reader.h"
 #include "certify/surface_check.h"
-#include "certify/surface_sides.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include "certify/document/text.h"
 #include "certify/exact/checker.h"
 #include "certify/exact/json.h"
-#include "certify/text.h"
 
 #include <array>
 #include <filesystem>

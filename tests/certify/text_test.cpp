@@ -1,4 +1,4 @@
-#include "certify/text.h"
+#include "certify/document/text.h"
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

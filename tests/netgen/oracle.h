@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/document.h"
+#include "certify/document/document.h"
 #include "kernel/plane.h"
 #include "netgen/epsilon.h"
 #include "netgen/surface_file.h"

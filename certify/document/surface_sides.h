@@ -1,6 +1,6 @@
 #pragma once
 
-#include "certify/document.h"
+#include "certify/document/document.h"
 
 #include <cstdint>
 #include <vector>

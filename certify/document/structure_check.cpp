@@ -1,6 +1,6 @@
-#include "certify/structure_check.h"
-#include "certify/surface_sides.h"
-#include "certify/text.h"
+#include "certify/document/structure_check.h"
+#include "certify/document/surface_sides.h"
+#include "certify/document/text.h"
 
 #include <cmath>
 #include <limits>

@@ -1,7 +1,7 @@
-#include "certify/geodesics_structure.h"
-#include "certify/structure_check.h"
-#include "certify/surface_sides.h"
-#include "certify/text.h"
+#include "certify/document/geodesics_structure.h"
+#include "certify/document/structure_check.h"
+#include "certify/document/surface_sides.h"
+#include "certify/document/text.h"
 
 #include <algorithm>
 #include <cmath>

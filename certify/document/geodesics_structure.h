@@ -1,6 +1,6 @@
 #pragma once
 
-#include "certify/geodesics_document.h"
+#include "certify/document/geodesics_document.h"
 
 #include <optional>
 #include <string>

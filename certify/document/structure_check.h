@@ -1,6 +1,6 @@
 #pragma once
 
-#include "certify/document.h"
+#include "certify/document/document.h"
 
 #include <optional>
 #include <string>

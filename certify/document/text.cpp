@@ -1,4 +1,4 @@
-#include "certify/text.h"
+#include "certify/document/text.h"
 
 #include <algorithm>
 #include <array>
