@@ -1,8 +1,8 @@
 #pragma once
 
-#include "certify/ball.h"
-#include "certify/budget.h"
 #include "certify/document/document.h"
+#include "certify/numbers/ball.h"
+#include "certify/numbers/budget.h"
 
 #include <cstdint>
 #include <functional>

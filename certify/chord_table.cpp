@@ -1,6 +1,6 @@
 #include "certify/chord_table.h"
 #include "certify/document/darts.h"
-#include "certify/parallel.h"
+#include "certify/numbers/parallel.h"
 
 #include <algorithm>
 #include <cmath>

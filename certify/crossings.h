@@ -1,8 +1,8 @@
 #pragma once
 
-#include "certify/budget.h"
-#include "certify/isometry.h"
-#include "certify/regular_number.h"
+#include "certify/numbers/budget.h"
+#include "certify/numbers/isometry.h"
+#include "certify/numbers/regular_number.h"
 
 #include <cstdint>
 #include <memory>

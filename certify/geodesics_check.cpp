@@ -5,7 +5,7 @@
 #include "certify/document/geodesics_structure.h"
 #include "certify/document/text.h"
 #include "certify/exact_traces.h"
-#include "certify/parallel.h"
+#include "certify/numbers/parallel.h"
 #include "certify/surface_check.h"
 
 #include <algorithm>

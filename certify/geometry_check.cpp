@@ -3,7 +3,7 @@
 #include "certify/document/darts.h"
 #include "certify/document/text.h"
 #include "certify/lifted_triangle.h"
-#include "certify/parallel.h"
+#include "certify/numbers/parallel.h"
 
 #include <algorithm>
 #include <memory>

@@ -1,6 +1,6 @@
 #include "certify/gluing_check.h"
 #include "certify/document/darts.h"
-#include "certify/parallel.h"
+#include "certify/numbers/parallel.h"
 #include "certify/surface_check.h"
 
 #include <algorithm>

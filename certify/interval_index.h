@@ -1,6 +1,6 @@
 #pragma once
 
-#include "certify/ball.h"
+#include "certify/numbers/ball.h"
 
 #include <cstdint>
 #include <map>

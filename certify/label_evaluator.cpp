@@ -1,5 +1,5 @@
 #include "certify/label_evaluator.h"
-#include "certify/parallel.h"
+#include "certify/numbers/parallel.h"
 
 #include <algorithm>
 

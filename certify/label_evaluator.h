@@ -1,9 +1,9 @@
 #pragma once
 
-#include "certify/budget.h"
 #include "certify/crossings.h"
 #include "certify/document/document.h"
 #include "certify/document/surface_sides.h"
+#include "certify/numbers/budget.h"
 
 #include <cstdint>
 #include <span>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "certify/ball.h"
 #include "certify/document/document.h"
 #include "certify/label_evaluator.h"
+#include "certify/numbers/ball.h"
 
 #include <array>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "certify/isometry.h"
+#include "certify/numbers/isometry.h"
 
 /// The hyperboloid model in ball arithmetic.
 ///

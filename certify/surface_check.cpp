@@ -1,6 +1,6 @@
 #include "certify/surface_check.h"
 #include "certify/document/surface_sides.h"
-#include "certify/parallel.h"
+#include "certify/numbers/parallel.h"
 
 #include <algorithm>
 #include <string>

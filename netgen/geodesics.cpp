@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/parallel.h"
+#include "certify/numbers/parallel.h"
 #include "netgen/axis_catalogue.h"
 #include "netgen/certified_net.h"
 #include "netgen/cut_surface.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/ball.h"
+#include "certify/numbers/ball.h"
 #include "netgen/atomic_file.h"
 #include "triangulation/error.h"
 

@@ -1,8 +1,8 @@
-#include "certify/ball.h"
+#include "certify/numbers/ball.h"
 #include <flint/fmpq.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-#include "certify/isometry.h"
+#include "certify/numbers/isometry.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "certify/budget.h"
+#include "certify/numbers/budget.h"
 #include <gtest/gtest.h>
 #include "certify/check.h"
 #include "certify/geodesics_check.h"

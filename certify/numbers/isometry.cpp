@@ -1,4 +1,4 @@
-#include "certify/isometry.h"
+#include "certify/numbers/isometry.h"
 
 namespace epsnet::certify {
 namespace {

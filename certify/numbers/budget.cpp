@@ -1,4 +1,4 @@
-#include "certify/budget.h"
+#include "certify/numbers/budget.h"
 
 namespace epsnet::certify {
 namespace {

@@ -1,4 +1,4 @@
-#include "certify/regular_number.h"
+#include "certify/numbers/regular_number.h"
 #include <flint/fmpq.h>
 #include <flint/ulong_extras.h>
 

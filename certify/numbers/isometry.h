@@ -1,8 +1,8 @@
 #pragma once
 
-#include "certify/ball.h"
-#include "certify/budget.h"
-#include "certify/exact.h"
+#include "certify/numbers/ball.h"
+#include "certify/numbers/budget.h"
+#include "certify/numbers/exact.h"
 
 /// Isometries of the Poincaré disk in ball arithmetic.
 namespace epsnet::certify {

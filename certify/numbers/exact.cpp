@@ -1,4 +1,4 @@
-#include "certify/exact.h"
+#include "certify/numbers/exact.h"
 
 namespace epsnet::certify {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <gmpxx.h>
-#include "certify/budget.h"
 #include "certify/document/document.h"
+#include "certify/numbers/budget.h"
 
 #include <array>
 #include <span>
