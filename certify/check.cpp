@@ -1,5 +1,5 @@
 #include "certify/check.h"
-#include "certify/collar_check.h"
+#include "certify/collars/collar_check.h"
 #include "certify/document/structure_check.h"
 #include "certify/document/surface_sides.h"
 #include "certify/geometry_check.h"

@@ -1,4 +1,4 @@
-#include "certify/collar_check.h"
+#include "certify/collars/collar_check.h"
 #include "certify/document/darts.h"
 #include "certify/document/text.h"
 #include "certify/gluing_check.h"
