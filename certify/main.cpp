@@ -2,7 +2,7 @@
 #include <unistd.h>
 #include "certify/check.h"
 #include "certify/document/text.h"
-#include "certify/geodesics_check.h"
+#include "certify/geodesics/geodesics_check.h"
 #include "certify/reader.h"
 #include "certify/writer.h"
 

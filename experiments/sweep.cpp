@@ -15,7 +15,7 @@
 
 #include "certify/check.h"
 #include "certify/document/text.h"
-#include "certify/geodesics_check.h"
+#include "certify/geodesics/geodesics_check.h"
 #include "certify/numbers/parallel.h"
 #include "experiments/record_file.h"
 #include "netgen/atomic_file.h"

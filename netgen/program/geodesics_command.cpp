@@ -6,7 +6,7 @@
 #include <string>
 
 #include "certify/check.h"
-#include "certify/geodesics_check.h"
+#include "certify/geodesics/geodesics_check.h"
 #include "certify/writer.h"
 #include "netgen/geodesics.h"
 #include "netgen/program/commands.h"

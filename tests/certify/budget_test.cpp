@@ -1,7 +1,7 @@
 #include "certify/numbers/budget.h"
 #include <gtest/gtest.h>
 #include "certify/check.h"
-#include "certify/geodesics_check.h"
+#include "certify/geodesics/geodesics_check.h"
 #include "certify/reader.h"
 
 #include <random>

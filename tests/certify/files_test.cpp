@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 #include "certify/check.h"
-#include "certify/geodesics_check.h"
+#include "certify/geodesics/geodesics_check.h"
 #include "certify/reader.h"
 
 #include <filesystem>

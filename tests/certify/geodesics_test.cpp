@@ -1,9 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include "certify/chord_table.h"
 #include "certify/document/surface_sides.h"
-#include "certify/geodesics_check.h"
-#include "certify/orbit_search.h"
+#include "certify/geodesics/chord_table.h"
+#include "certify/geodesics/geodesics_check.h"
+#include "certify/geodesics/orbit_search.h"
 #include "certify/reader.h"
 #include "certify/surface_check.h"
 #include "certify/writer.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "certify/geodesics_check.h"
+#include "certify/geodesics/geodesics_check.h"
 #include "netgen/certified_net.h"
 #include "netgen/domain_format.h"
 #include "netgen/fenchel_nielsen.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "certify/lifted_plane.h"
+#include "certify/geodesics/lifted_plane.h"
 
 #include <cstdint>
 #include <functional>

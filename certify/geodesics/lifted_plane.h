@@ -1,7 +1,7 @@
 #pragma once
 
+#include "certify/geodesics/lorentz.h"
 #include "certify/label_evaluator.h"
-#include "certify/lorentz.h"
 
 #include <optional>
 #include <vector>

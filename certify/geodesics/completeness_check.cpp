@@ -1,8 +1,8 @@
-#include "certify/completeness_check.h"
+#include "certify/geodesics/completeness_check.h"
 #include "certify/document/darts.h"
 #include "certify/document/text.h"
+#include "certify/geodesics/orbit_search.h"
 #include "certify/numbers/parallel.h"
-#include "certify/orbit_search.h"
 
 #include <algorithm>
 #include <numeric>

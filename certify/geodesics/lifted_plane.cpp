@@ -1,4 +1,4 @@
-#include "certify/lifted_plane.h"
+#include "certify/geodesics/lifted_plane.h"
 #include "certify/document/darts.h"
 #include "certify/surface_check.h"
 

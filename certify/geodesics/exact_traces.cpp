@@ -1,4 +1,4 @@
-#include "certify/exact_traces.h"
+#include "certify/geodesics/exact_traces.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "certify/cut_surface.h"
+#include "certify/geodesics/cut_surface.h"
 #include "certify/document/darts.h"
 
 #include <algorithm>

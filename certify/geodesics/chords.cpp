@@ -1,6 +1,6 @@
-#include "certify/chords.h"
+#include "certify/geodesics/chords.h"
 #include "certify/document/darts.h"
-#include "certify/interval_index.h"
+#include "certify/geodesics/interval_index.h"
 
 #include <algorithm>
 #include <array>

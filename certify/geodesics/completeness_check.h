@@ -1,9 +1,9 @@
 #pragma once
 
 #include "certify/check.h"
-#include "certify/chord_table.h"
 #include "certify/document/geodesics_document.h"
-#include "certify/exact_traces.h"
+#include "certify/geodesics/chord_table.h"
+#include "certify/geodesics/exact_traces.h"
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "certify/orbit_search.h"
+#include "certify/geodesics/orbit_search.h"
 #include "certify/document/darts.h"
 
 #include <array>

@@ -1,4 +1,4 @@
-#include "certify/chord_table.h"
+#include "certify/geodesics/chord_table.h"
 #include "certify/document/darts.h"
 #include "certify/numbers/parallel.h"
 

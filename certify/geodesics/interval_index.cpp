@@ -1,4 +1,4 @@
-#include "certify/interval_index.h"
+#include "certify/geodesics/interval_index.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "certify/lorentz.h"
+#include "certify/geodesics/lorentz.h"
 
 namespace epsnet::certify {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "certify/chords.h"
-#include "certify/interval_index.h"
+#include "certify/geodesics/chords.h"
+#include "certify/geodesics/interval_index.h"
 
 #include <span>
 #include <vector>

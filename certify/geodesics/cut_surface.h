@@ -1,7 +1,7 @@
 #pragma once
 
-#include "certify/chord_table.h"
 #include "certify/document/geodesics_document.h"
+#include "certify/geodesics/chord_table.h"
 
 #include <optional>
 #include <vector>
