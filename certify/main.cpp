@@ -2,9 +2,9 @@
 #include <unistd.h>
 #include "certify/check.h"
 #include "certify/document/text.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
 #include "certify/geodesics/geodesics_check.h"
-#include "certify/reader.h"
-#include "certify/writer.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "certify/check.h"
-#include "certify/reader.h"
-#include "certify/writer.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#include "certify/reader.h"
-#include "certify/writer.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
 
 #include <cstdint>
 #include <cstdlib>

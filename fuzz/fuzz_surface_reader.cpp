@@ -1,6 +1,6 @@
-#include "certify/reader.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
 #include "certify/surface_check.h"
-#include "certify/writer.h"
 #include "netgen/surface_file.h"
 
 #include <cstddef>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "certify/check.h"
-#include "certify/reader.h"
-#include "certify/writer.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
 #include "netgen/certified_net.h"
 
 #include <cmath>

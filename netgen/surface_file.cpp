@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "certify/reader.h"
-#include "certify/writer.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
 #include "netgen/atomic_file.h"
 #include "netgen/gmp.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "certify/check.h"
+#include "certify/file/writer.h"
 #include "certify/geodesics/geodesics_check.h"
-#include "certify/writer.h"
 #include "netgen/geodesics.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"

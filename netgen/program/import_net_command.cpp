@@ -2,7 +2,7 @@
 #include <string>
 
 #include "certify/check.h"
-#include "certify/writer.h"
+#include "certify/file/writer.h"
 #include "netgen/imported_net.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"

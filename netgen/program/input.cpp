@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "certify/document/text.h"
-#include "certify/reader.h"
+#include "certify/file/reader.h"
 #include "netgen/program/output.h"
 #include "netgen/surface_file.h"
 #include "netgen/triangulation_stream.h"

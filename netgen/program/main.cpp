@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-#include "certify/reader.h"
+#include "certify/file/reader.h"
 #include "netgen/atomic_file.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/output.h"

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "certify/check.h"
-#include "certify/writer.h"
+#include "certify/file/writer.h"
 #include "netgen/certified_net.h"
 #include "netgen/draw.h"
 #include "netgen/info.h"

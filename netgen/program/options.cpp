@@ -5,7 +5,7 @@
 #include <string>
 #include <system_error>
 
-#include "certify/reader.h"
+#include "certify/file/reader.h"
 #include "netgen/decimal.h"
 #include "netgen/net_geometry.h"
 #include "netgen/program/commands.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/writer.h"
+#include "certify/file/writer.h"
 #include "netgen/decimal.h"
 #include "netgen/exchange.h"
 #include "netgen/fenchel_nielsen_request.h"

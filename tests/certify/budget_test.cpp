@@ -1,8 +1,8 @@
 #include "certify/numbers/budget.h"
 #include <gtest/gtest.h>
 #include "certify/check.h"
+#include "certify/file/reader.h"
 #include "certify/geodesics/geodesics_check.h"
-#include "certify/reader.h"
 
 #include <random>
 

@@ -1,7 +1,7 @@
 #include "certify/check.h"
 #include <gtest/gtest.h>
 #include "certify/document/darts.h"
-#include "certify/reader.h"
+#include "certify/file/reader.h"
 
 #include <cmath>
 #include <limits>

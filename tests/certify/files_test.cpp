@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include "certify/check.h"
+#include "certify/file/reader.h"
 #include "certify/geodesics/geodesics_check.h"
-#include "certify/reader.h"
 
 #include <filesystem>
 #include <set>

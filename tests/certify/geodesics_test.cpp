@@ -1,12 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include "certify/document/surface_sides.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
 #include "certify/geodesics/chord_table.h"
 #include "certify/geodesics/geodesics_check.h"
 #include "certify/geodesics/orbit_search.h"
-#include "certify/reader.h"
 #include "certify/surface_check.h"
-#include "certify/writer.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
-#include "certify/reader.h"
+#include "certify/file/reader.h"
 #include <gtest/gtest.h>
 #include "certify/document/text.h"
-#include "certify/writer.h"
+#include "certify/file/writer.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include "certify/check.h"
 #include "certify/document/surface_sides.h"
+#include "certify/file/reader.h"
 #include "certify/lifted_triangle.h"
-#include "certify/reader.h"
 #include "certify/surface_check.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "certify/surface_check.h"
 #include <gtest/gtest.h>
-#include "certify/reader.h"
+#include "certify/file/reader.h"
 
 #include <filesystem>
 #include <string>

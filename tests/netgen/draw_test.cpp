@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/reader.h"
+#include "certify/file/reader.h"
 #include "kernel/plane.h"
 #include "netgen/certified_net.h"
 #include "netgen/dirichlet.h"

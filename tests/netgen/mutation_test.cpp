@@ -11,8 +11,8 @@
 
 #include "certify/check.h"
 #include "certify/exact/checker.h"
-#include "certify/reader.h"
-#include "certify/writer.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
 #include "netgen/certified_net.h"
 #include "netgen/domain_format.h"
 #include "netgen/octagon.h"

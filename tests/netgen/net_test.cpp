@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "certify/reader.h"
-#include "certify/writer.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
 #include "netgen/exchange.h"
 #include "tests/support/polygons.h"
 #include "tests/support/scale.h"

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "certify/reader.h"
-#include "certify/writer.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
 #include "netgen/certified_net.h"
 #include "netgen/collars.h"
 #include "netgen/refine.h"

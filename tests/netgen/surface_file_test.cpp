@@ -6,7 +6,7 @@
 
 #include <ostream>
 
-#include "certify/reader.h"
+#include "certify/file/reader.h"
 #include "netgen/atomic_file.h"
 #include "netgen/domain_format.h"
 #include "netgen/octagon.h"

@@ -1,4 +1,4 @@
-#include "certify/writer.h"
+#include "certify/file/writer.h"
 
 #include <charconv>
 #include <ostream>

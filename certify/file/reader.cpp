@@ -1,4 +1,4 @@
-#include "certify/reader.h"
+#include "certify/file/reader.h"
 #include <simdjson.h>
 #include <sys/stat.h>
 #include <unistd.h>
