@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "netgen/disjoint_sets.h"
+#include "netgen/base/disjoint_sets.h"
 #include "netgen/gaussian_fraction.h"
 #include "netgen/gaussian_integers.h"
 #include "netgen/two_squares.h"

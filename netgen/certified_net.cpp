@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "netgen/base/gmp.h"
 #include "netgen/collars.h"
-#include "netgen/gmp.h"
 #include "netgen/refine.h"
 #include "netgen/start.h"
 #include "netgen/surface_file.h"

@@ -6,7 +6,7 @@
 
 #include "certify/check.h"
 #include "certify/document/document.h"
-#include "netgen/epsilon.h"
+#include "netgen/base/epsilon.h"
 #include "triangulation/error.h"
 #include "triangulation/surface.h"
 #include "triangulation/triangulation.h"

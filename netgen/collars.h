@@ -8,7 +8,7 @@
 #include "certify/document/document.h"
 #include "kernel/lorentz.h"
 #include "kernel/numbers.h"
-#include "netgen/epsilon.h"
+#include "netgen/base/epsilon.h"
 #include "triangulation/triangulation.h"
 
 namespace epsnet {

@@ -11,8 +11,8 @@
 #include "certify/document/text.h"
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
+#include "netgen/base/gmp.h"
 #include "netgen/dirichlet.h"
-#include "netgen/gmp.h"
 #include "netgen/palette.h"
 
 namespace epsnet {

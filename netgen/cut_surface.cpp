@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "netgen/disjoint_sets.h"
+#include "netgen/base/disjoint_sets.h"
 
 namespace epsnet {
 namespace {

@@ -12,7 +12,7 @@
 #include <tuple>
 
 #include "kernel/plane.h"
-#include "netgen/gmp.h"
+#include "netgen/base/gmp.h"
 
 namespace epsnet {
 namespace {

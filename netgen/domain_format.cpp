@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "certify/document/text.h"
+#include "netgen/base/words.h"
 #include "netgen/ear_clipping.h"
-#include "netgen/words.h"
 #include "triangulation/glued_polygons.h"
 
 namespace epsnet {

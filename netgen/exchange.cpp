@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "netgen/base/words.h"
 #include "netgen/domain_format.h"
 #include "netgen/triangulation_stream.h"
-#include "netgen/words.h"
 
 namespace epsnet {
 

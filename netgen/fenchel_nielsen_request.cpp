@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "netgen/decimal.h"
-#include "netgen/words.h"
+#include "netgen/base/decimal.h"
+#include "netgen/base/words.h"
 
 namespace epsnet {
 namespace {

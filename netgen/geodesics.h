@@ -4,7 +4,7 @@
 #include <string>
 
 #include "certify/document/geodesics_document.h"
-#include "netgen/epsilon.h"
+#include "netgen/base/epsilon.h"
 #include "triangulation/surface.h"
 
 /// Closed geodesics of a surface: the systole, the length spectrum, the small curves. docs/geodesics.md says how and

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "certify/document/document.h"
-#include "netgen/epsilon.h"
+#include "netgen/base/epsilon.h"
 #include "triangulation/error.h"
 #include "triangulation/surface.h"
 

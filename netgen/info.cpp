@@ -9,7 +9,7 @@
 
 #include "certify/document/text.h"
 #include "kernel/plane.h"
-#include "netgen/gmp.h"
+#include "netgen/base/gmp.h"
 #include "netgen/net_geometry.h"
 
 namespace epsnet {

@@ -10,7 +10,7 @@
 
 #include "certify/document/text.h"
 #include "kernel/plane.h"
-#include "netgen/disjoint_sets.h"
+#include "netgen/base/disjoint_sets.h"
 #include "netgen/lifts.h"
 
 namespace epsnet {

@@ -8,7 +8,7 @@
 #include "certify/document/structure_check.h"
 #include "certify/document/text.h"
 #include "kernel/plane.h"
-#include "netgen/gmp.h"
+#include "netgen/base/gmp.h"
 #include "triangulation/surface.h"
 
 namespace epsnet {

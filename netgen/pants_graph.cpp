@@ -6,7 +6,7 @@
 #include <charconv>
 #include <string>
 
-#include "netgen/disjoint_sets.h"
+#include "netgen/base/disjoint_sets.h"
 
 namespace epsnet {
 namespace {

@@ -2,8 +2,8 @@
 #include <unordered_map>
 
 #include "certify/document/structure_check.h"
+#include "netgen/base/gmp.h"
 #include "netgen/gaussian_fraction.h"
-#include "netgen/gmp.h"
 #include "netgen/surface_file.h"
 #include "netgen/triangulation_stream.h"
 

@@ -6,8 +6,8 @@
 
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "netgen/atomic_file.h"
-#include "netgen/gmp.h"
+#include "netgen/base/atomic_file.h"
+#include "netgen/base/gmp.h"
 
 namespace epsnet {
 

@@ -5,7 +5,7 @@
 #include <ostream>
 
 #include "certify/document/text.h"
-#include "netgen/words.h"
+#include "netgen/base/words.h"
 
 namespace epsnet {
 namespace {

@@ -14,7 +14,7 @@
 #include <string_view>
 
 #include "certify/file/reader.h"
-#include "netgen/atomic_file.h"
+#include "netgen/base/atomic_file.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/output.h"
 #include "netgen/program/parse_error.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "certify/numbers/ball.h"
-#include "netgen/atomic_file.h"
+#include "netgen/base/atomic_file.h"
 #include "triangulation/error.h"
 
 /// What the commands of the program share: files out, reports, progress, errors.

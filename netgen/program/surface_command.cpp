@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "certify/file/writer.h"
-#include "netgen/decimal.h"
+#include "netgen/base/decimal.h"
 #include "netgen/exchange.h"
 #include "netgen/fenchel_nielsen_request.h"
 #include "netgen/info.h"

@@ -1,4 +1,4 @@
-#include "netgen/epsilon.h"
+#include "netgen/base/epsilon.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <memory>
 
-#include "netgen/decimal.h"
+#include "netgen/base/decimal.h"
 #include "netgen/fenchel_nielsen_request.h"
 #include "tests/support/triangulations.h"
 

@@ -7,9 +7,9 @@
 #include <map>
 
 #include "certify/check.h"
+#include "netgen/base/gmp.h"
 #include "netgen/certified_net.h"
 #include "netgen/fenchel_nielsen_request.h"
-#include "netgen/gmp.h"
 #include "netgen/octagon.h"
 #include "netgen/triangulation_stream.h"
 #include "tests/support/polygons.h"

@@ -7,7 +7,7 @@
 
 #include "certify/document/document.h"
 #include "kernel/plane.h"
-#include "netgen/epsilon.h"
+#include "netgen/base/epsilon.h"
 #include "netgen/surface_file.h"
 #include "triangulation/threshold.h"
 

@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "certify/file/reader.h"
-#include "netgen/atomic_file.h"
+#include "netgen/base/atomic_file.h"
 #include "netgen/domain_format.h"
 #include "netgen/octagon.h"
 #include "tests/support/polygons.h"

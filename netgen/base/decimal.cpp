@@ -1,4 +1,4 @@
-#include "netgen/decimal.h"
+#include "netgen/base/decimal.h"
 
 #include <algorithm>
 #include <cstdlib>

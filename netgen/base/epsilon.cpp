@@ -1,4 +1,4 @@
-#include "netgen/epsilon.h"
+#include "netgen/base/epsilon.h"
 
 #include <mpfr.h>
 
@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "netgen/decimal.h"
+#include "netgen/base/decimal.h"
 
 namespace epsnet {
 namespace {

@@ -15,7 +15,7 @@
 
 #include "certify/document/text.h"
 #include "kernel/numbers.h"
-#include "netgen/gmp.h"
+#include "netgen/base/gmp.h"
 
 /// What the readers of text formats share: words separated by white space, and the line that each is on.
 namespace epsnet {

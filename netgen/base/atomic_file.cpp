@@ -1,4 +1,4 @@
-#include "netgen/atomic_file.h"
+#include "netgen/base/atomic_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
