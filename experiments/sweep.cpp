@@ -24,7 +24,7 @@
 #include "netgen/geodesics.h"
 #include "netgen/net_record.h"
 #include "netgen/program/output.h"
-#include "netgen/surface_file.h"
+#include "netgen/surfaces/surface_file.h"
 
 /// The program `sweep`: certified nets of many surfaces for many ε, or their certified systoles, surfaces side by side;
 /// a file of records for each.

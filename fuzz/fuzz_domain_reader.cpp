@@ -1,6 +1,6 @@
 #include "certify/surface_check.h"
 #include "netgen/domain_format.h"
-#include "netgen/surface_file.h"
+#include "netgen/surfaces/surface_file.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "certify/surface_check.h"
-#include "netgen/surface_file.h"
+#include "netgen/surfaces/surface_file.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #include "certify/surface_check.h"
-#include "netgen/surface_file.h"
+#include "netgen/surfaces/surface_file.h"
 #include "netgen/triangulation_stream.h"
 
 #include <cstddef>

@@ -10,7 +10,7 @@
 #include "netgen/collars.h"
 #include "netgen/refine.h"
 #include "netgen/start.h"
-#include "netgen/surface_file.h"
+#include "netgen/surfaces/surface_file.h"
 
 namespace epsnet {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "netgen/surface_file.h"
+#include "netgen/surfaces/surface_file.h"
 #include "triangulation/atlas.h"
 
 namespace epsnet {

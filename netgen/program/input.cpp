@@ -7,7 +7,7 @@
 #include "certify/document/text.h"
 #include "certify/file/reader.h"
 #include "netgen/program/output.h"
-#include "netgen/surface_file.h"
+#include "netgen/surfaces/surface_file.h"
 #include "netgen/triangulation_stream.h"
 
 namespace epsnet::program {

@@ -8,13 +8,13 @@
 #include "certify/file/writer.h"
 #include "netgen/base/decimal.h"
 #include "netgen/exchange.h"
-#include "netgen/fenchel_nielsen_request.h"
 #include "netgen/info.h"
-#include "netgen/octagon.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
-#include "netgen/surface_file.h"
+#include "netgen/surfaces/fenchel_nielsen_request.h"
+#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surface_file.h"
 
 namespace epsnet::program {
 namespace {

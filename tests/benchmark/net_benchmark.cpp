@@ -15,8 +15,8 @@
 
 #include "certify/check.h"
 #include "netgen/certified_net.h"
-#include "netgen/octagon.h"
 #include "netgen/refine.h"
+#include "netgen/surfaces/octagon.h"
 
 namespace {
 

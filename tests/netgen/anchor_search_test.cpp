@@ -9,7 +9,7 @@
 #include "kernel/plane.h"
 #include "netgen/certified_net.h"
 #include "netgen/domain_format.h"
-#include "netgen/octagon.h"
+#include "netgen/surfaces/octagon.h"
 #include "netgen/two_squares.h"
 #include "tests/support/polygons.h"
 #include "tests/support/triangulations.h"

@@ -5,7 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "netgen/ear_clipping.h"
-#include "netgen/octagon.h"
+#include "netgen/surfaces/octagon.h"
 #include "tests/support/polygons.h"
 
 namespace epsnet {

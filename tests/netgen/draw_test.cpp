@@ -19,7 +19,7 @@
 #include "netgen/domain_format.h"
 #include "netgen/geodesics.h"
 #include "netgen/info.h"
-#include "netgen/octagon.h"
+#include "netgen/surfaces/octagon.h"
 #include "netgen/viewer.h"
 #include "tests/support/triangulations.h"
 

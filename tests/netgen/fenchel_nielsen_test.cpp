@@ -1,4 +1,4 @@
-#include "netgen/fenchel_nielsen.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include <memory>
 
 #include "netgen/base/decimal.h"
-#include "netgen/fenchel_nielsen_request.h"
+#include "netgen/surfaces/fenchel_nielsen_request.h"
 #include "tests/support/triangulations.h"
 
 namespace epsnet {

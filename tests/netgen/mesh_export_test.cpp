@@ -15,9 +15,9 @@
 #include "kernel/plane.h"
 #include "netgen/certified_net.h"
 #include "netgen/curves.h"
-#include "netgen/fenchel_nielsen.h"
 #include "netgen/net_geometry.h"
-#include "netgen/octagon.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/octagon.h"
 
 namespace epsnet {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "netgen/octagon.h"
+#include "netgen/surfaces/octagon.h"
 
 namespace epsnet {
 namespace {

@@ -1,4 +1,4 @@
-#include "netgen/octagon.h"
+#include "netgen/surfaces/octagon.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@
 #include "certify/document/document.h"
 #include "kernel/plane.h"
 #include "netgen/base/epsilon.h"
-#include "netgen/surface_file.h"
+#include "netgen/surfaces/surface_file.h"
 #include "triangulation/threshold.h"
 
 /// A second opinion on net files, for the tests of `certify`: docs/format.md and the rules of docs/proof.md, written

@@ -1,4 +1,4 @@
-#include "netgen/surface_file.h"
+#include "netgen/surfaces/surface_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include "certify/file/reader.h"
 #include "netgen/base/atomic_file.h"
 #include "netgen/domain_format.h"
-#include "netgen/octagon.h"
+#include "netgen/surfaces/octagon.h"
 #include "tests/support/polygons.h"
 
 namespace epsnet {

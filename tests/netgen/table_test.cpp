@@ -6,9 +6,9 @@
 #include "certify/geodesics/geodesics_check.h"
 #include "netgen/certified_net.h"
 #include "netgen/domain_format.h"
-#include "netgen/fenchel_nielsen.h"
 #include "netgen/geodesics.h"
-#include "netgen/octagon.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/octagon.h"
 
 namespace epsnet {
 namespace {

@@ -11,7 +11,7 @@
 #include "netgen/certified_net.h"
 #include "netgen/domain_format.h"
 #include "netgen/exchange.h"
-#include "netgen/octagon.h"
+#include "netgen/surfaces/octagon.h"
 #include "tests/support/polygons.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/glued_polygons.h"

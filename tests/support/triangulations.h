@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "netgen/domain_format.h"
-#include "netgen/fenchel_nielsen.h"
-#include "netgen/octagon.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/octagon.h"
 #include "triangulation/triangulation.h"
 
 /// Surfaces, points and canonical forms for the tests of atlas, triangulation and nets.

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "kernel/plane.h"
-#include "netgen/fenchel_nielsen.h"
-#include "netgen/surface_file.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/surface_file.h"
 #include "tests/support/triangulations.h"
 
 namespace epsnet {

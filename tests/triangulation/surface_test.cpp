@@ -5,7 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "netgen/domain_format.h"
-#include "netgen/octagon.h"
+#include "netgen/surfaces/octagon.h"
 #include "tests/support/polygons.h"
 
 namespace epsnet {

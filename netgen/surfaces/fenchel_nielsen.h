@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "netgen/pants_graph.h"
+#include "netgen/surfaces/pants_graph.h"
 #include "triangulation/surface.h"
 
 namespace epsnet {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "netgen/fenchel_nielsen.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
 #include "triangulation/error.h"
 
 namespace epsnet {

@@ -1,4 +1,4 @@
-#include "netgen/fenchel_nielsen_request.h"
+#include "netgen/surfaces/fenchel_nielsen_request.h"
 
 #include <simdjson.h>
 

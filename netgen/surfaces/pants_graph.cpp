@@ -1,4 +1,4 @@
-#include "netgen/pants_graph.h"
+#include "netgen/surfaces/pants_graph.h"
 
 #include <algorithm>
 #include <boost/random/mersenne_twister.hpp>

@@ -1,4 +1,4 @@
-#include "netgen/fenchel_nielsen.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
 
 #include <array>
 #include <boost/random/mersenne_twister.hpp>

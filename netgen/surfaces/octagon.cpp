@@ -1,4 +1,4 @@
-#include "netgen/octagon.h"
+#include "netgen/surfaces/octagon.h"
 
 #include <boost/random/linear_congruential.hpp>
 #include <boost/random/uniform_01.hpp>

@@ -1,4 +1,4 @@
-#include "netgen/surface_file.h"
+#include "netgen/surfaces/surface_file.h"
 
 #include <ostream>
 #include <utility>
