@@ -5,8 +5,8 @@
 #include <vector>
 
 /// The file of a surface in a sweep: a line of parameters, the names of the columns, a record for each net
-/// (netgen/net_record.h) or the one of its systole, and a last line that says how many they are and the CRC-32 of all
-/// before it. A file that an interruption cut short, or that was made with other parameters, is no result.
+/// (netgen/nets/net_record.h) or the one of its systole, and a last line that says how many they are and the CRC-32 of
+/// all before it. A file that an interruption cut short, or that was made with other parameters, is no result.
 namespace epsnet::experiments {
 
 /// "# epsnet 0.1.0, sweep 1, TEXT": the version of the program and of the format, then what the results depend on.

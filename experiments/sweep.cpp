@@ -20,9 +20,9 @@
 #include "experiments/record_file.h"
 #include "netgen/base/atomic_file.h"
 #include "netgen/base/epsilon.h"
-#include "netgen/certified_net.h"
 #include "netgen/geodesics.h"
-#include "netgen/net_record.h"
+#include "netgen/nets/certified_net.h"
+#include "netgen/nets/net_record.h"
 #include "netgen/program/output.h"
 #include "netgen/surfaces/surface_file.h"
 

@@ -3,7 +3,7 @@
 #include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "netgen/certified_net.h"
+#include "netgen/nets/certified_net.h"
 
 #include <cmath>
 #include <cstddef>

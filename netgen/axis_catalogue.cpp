@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "netgen/certified_net.h"
+#include "netgen/nets/certified_net.h"
 
 namespace epsnet {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "certify/numbers/parallel.h"
 #include "netgen/axis_catalogue.h"
-#include "netgen/certified_net.h"
 #include "netgen/cut_surface.h"
+#include "netgen/nets/certified_net.h"
 #include "netgen/unfolding.h"
 
 namespace epsnet {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "certify/document/document.h"
-#include "netgen/dirichlet_polygon.h"
+#include "netgen/nets/dirichlet_polygon.h"
 #include "triangulation/surface.h"
 
 /// What is in a file, for people and for programs. Numbers are computed in floating point: nothing here is proved.

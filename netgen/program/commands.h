@@ -9,9 +9,9 @@
 
 #include "certify/check.h"
 #include "certify/document/geodesics_document.h"
-#include "netgen/certified_net.h"
 #include "netgen/curves.h"
 #include "netgen/info.h"
+#include "netgen/nets/certified_net.h"
 #include "netgen/program/output.h"
 #include "triangulation/surface.h"
 #include "triangulation/triangulation.h"

@@ -5,8 +5,8 @@
 
 #include "certify/document/document.h"
 #include "certify/document/geodesics_document.h"
-#include "netgen/dirichlet_polygon.h"
 #include "netgen/exchange.h"
+#include "netgen/nets/dirichlet_polygon.h"
 #include "triangulation/surface.h"
 
 /// Files in: every file that a command reads is read once (certify::load), so that it may be a pipe; "-" is standard

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "netgen/certified_net.h"
-#include "netgen/refine.h"
+#include "netgen/nets/certified_net.h"
+#include "netgen/nets/refine.h"
 #include "netgen/surfaces/octagon.h"
 
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "kernel/plane.h"
-#include "netgen/certified_net.h"
 #include "netgen/domain_format.h"
+#include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/two_squares.h"
 #include "tests/support/polygons.h"

@@ -1,4 +1,4 @@
-#include "netgen/dirichlet_polygon.h"
+#include "netgen/nets/dirichlet_polygon.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -14,11 +14,11 @@
 
 #include "certify/file/reader.h"
 #include "kernel/plane.h"
-#include "netgen/certified_net.h"
 #include "netgen/dirichlet.h"
 #include "netgen/domain_format.h"
 #include "netgen/geodesics.h"
 #include "netgen/info.h"
+#include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/viewer.h"
 #include "tests/support/triangulations.h"

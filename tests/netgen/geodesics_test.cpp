@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "netgen/axis_catalogue.h"
-#include "netgen/certified_net.h"
 #include "netgen/cut_surface.h"
+#include "netgen/nets/certified_net.h"
 #include "netgen/unfolding.h"
 #include "tests/support/triangulations.h"
 

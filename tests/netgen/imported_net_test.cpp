@@ -8,7 +8,7 @@
 
 #include "certify/check.h"
 #include "netgen/base/gmp.h"
-#include "netgen/certified_net.h"
+#include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen_request.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/triangulation_stream.h"

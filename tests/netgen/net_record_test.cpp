@@ -1,4 +1,4 @@
-#include "netgen/net_record.h"
+#include "netgen/nets/net_record.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "netgen/certified_net.h"
+#include "netgen/nets/certified_net.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

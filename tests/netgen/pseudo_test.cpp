@@ -12,9 +12,9 @@
 
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "netgen/certified_net.h"
-#include "netgen/collars.h"
-#include "netgen/refine.h"
+#include "netgen/nets/certified_net.h"
+#include "netgen/nets/collars.h"
+#include "netgen/nets/refine.h"
 #include "tests/support/triangulations.h"
 
 /// Pseudo epsilon-nets: the generator, and every clause of the certifier's rules `collars` and `thick` broken alone.

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "netgen/certified_net.h"
+#include "netgen/nets/certified_net.h"
 
 /// Nets of the regular 4g-gons, whose first triangulations are full of ties.
 namespace epsnet {

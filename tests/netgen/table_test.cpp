@@ -4,9 +4,9 @@
 #include <iostream>
 
 #include "certify/geodesics/geodesics_check.h"
-#include "netgen/certified_net.h"
 #include "netgen/domain_format.h"
 #include "netgen/geodesics.h"
+#include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 

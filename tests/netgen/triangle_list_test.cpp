@@ -1,4 +1,4 @@
-#include "netgen/triangle_list.h"
+#include "netgen/nets/triangle_list.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

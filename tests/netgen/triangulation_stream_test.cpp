@@ -8,9 +8,9 @@
 #include <numeric>
 #include <sstream>
 
-#include "netgen/certified_net.h"
 #include "netgen/domain_format.h"
 #include "netgen/exchange.h"
+#include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/polygons.h"
 #include "tests/support/triangulations.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "netgen/start.h"
+#include "netgen/nets/start.h"
 #include "tests/support/triangulations.h"
 
 /// Contraction of edges, moves of vertices, and the start that they make.

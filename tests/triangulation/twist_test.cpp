@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "kernel/plane.h"
-#include "netgen/certified_net.h"
 #include "netgen/domain_format.h"
-#include "netgen/start.h"
+#include "netgen/nets/certified_net.h"
+#include "netgen/nets/start.h"
 
 /// What is done at once instead of step by step: many turns around a short closed curve, and paths that turn far around
 /// a vertex of many corners.

@@ -1,4 +1,4 @@
-#include "netgen/collars.h"
+#include "netgen/nets/collars.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <unordered_set>
 
 #include "kernel/plane.h"
-#include "netgen/certified_net.h"
+#include "netgen/nets/certified_net.h"
 
 namespace epsnet {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "netgen/certified_net.h"
-#include "netgen/collars.h"
+#include "netgen/nets/certified_net.h"
+#include "netgen/nets/collars.h"
 #include "triangulation/triangulation.h"
 
 namespace epsnet {

@@ -1,4 +1,4 @@
-#include "netgen/refine.h"
+#include "netgen/nets/refine.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "netgen/start.h"
-#include "netgen/triangle_list.h"
+#include "netgen/nets/start.h"
+#include "netgen/nets/triangle_list.h"
 
 namespace epsnet {
 namespace {

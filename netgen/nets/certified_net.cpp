@@ -1,4 +1,4 @@
-#include "netgen/certified_net.h"
+#include "netgen/nets/certified_net.h"
 
 #include <chrono>
 #include <optional>
@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "netgen/base/gmp.h"
-#include "netgen/collars.h"
-#include "netgen/refine.h"
-#include "netgen/start.h"
+#include "netgen/nets/collars.h"
+#include "netgen/nets/refine.h"
+#include "netgen/nets/start.h"
 #include "netgen/surfaces/surface_file.h"
 
 namespace epsnet {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "netgen/certified_net.h"
+#include "netgen/nets/certified_net.h"
 
 /// A net as a line of a table: what a sweep over surfaces and ε keeps of it (docs/experiments.md).
 namespace epsnet {

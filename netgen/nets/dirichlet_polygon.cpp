@@ -1,4 +1,4 @@
-#include "netgen/dirichlet_polygon.h"
+#include "netgen/nets/dirichlet_polygon.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include "certify/check.h"
 #include "certify/document/text.h"
 #include "kernel/plane.h"
-#include "netgen/certified_net.h"
-#include "netgen/start.h"
+#include "netgen/nets/certified_net.h"
+#include "netgen/nets/start.h"
 
 namespace epsnet {
 namespace {

@@ -1,4 +1,4 @@
-#include "netgen/start.h"
+#include "netgen/nets/start.h"
 
 #include <optional>
 #include <vector>

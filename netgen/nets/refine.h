@@ -1,7 +1,7 @@
 #pragma once
 
-#include "netgen/certified_net.h"
-#include "netgen/collars.h"
+#include "netgen/nets/certified_net.h"
+#include "netgen/nets/collars.h"
 #include "triangulation/triangulation.h"
 
 namespace epsnet {
