@@ -20,7 +20,7 @@
 #include "experiments/record_file.h"
 #include "netgen/base/atomic_file.h"
 #include "netgen/base/epsilon.h"
-#include "netgen/geodesics.h"
+#include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/net_record.h"
 #include "netgen/program/output.h"

@@ -16,7 +16,7 @@
 #include "kernel/plane.h"
 #include "netgen/dirichlet.h"
 #include "netgen/domain_format.h"
-#include "netgen/geodesics.h"
+#include "netgen/geodesics/geodesics.h"
 #include "netgen/info.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/octagon.h"

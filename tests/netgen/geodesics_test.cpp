@@ -1,4 +1,4 @@
-#include "netgen/geodesics.h"
+#include "netgen/geodesics/geodesics.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "netgen/axis_catalogue.h"
-#include "netgen/cut_surface.h"
+#include "netgen/geodesics/axis_catalogue.h"
+#include "netgen/geodesics/cut_surface.h"
+#include "netgen/geodesics/unfolding.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/unfolding.h"
 #include "tests/support/triangulations.h"
 
 namespace epsnet {

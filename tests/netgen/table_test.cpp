@@ -5,7 +5,7 @@
 
 #include "certify/geodesics/geodesics_check.h"
 #include "netgen/domain_format.h"
-#include "netgen/geodesics.h"
+#include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"

@@ -1,4 +1,4 @@
-#include "netgen/axis_catalogue.h"
+#include "netgen/geodesics/axis_catalogue.h"
 
 #include <map>
 #include <string>

@@ -8,7 +8,7 @@
 
 #include "kernel/lorentz.h"
 #include "kernel/numbers.h"
-#include "netgen/unfolding.h"
+#include "netgen/geodesics/unfolding.h"
 #include "triangulation/triangulation.h"
 
 namespace epsnet {

@@ -1,4 +1,4 @@
-#include "netgen/geodesics.h"
+#include "netgen/geodesics/geodesics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "certify/numbers/parallel.h"
-#include "netgen/axis_catalogue.h"
-#include "netgen/cut_surface.h"
+#include "netgen/geodesics/axis_catalogue.h"
+#include "netgen/geodesics/cut_surface.h"
+#include "netgen/geodesics/unfolding.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/unfolding.h"
 
 namespace epsnet {
 namespace {

@@ -1,4 +1,4 @@
-#include "netgen/cut_surface.h"
+#include "netgen/geodesics/cut_surface.h"
 
 #include <array>
 

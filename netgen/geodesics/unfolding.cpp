@@ -1,4 +1,4 @@
-#include "netgen/unfolding.h"
+#include "netgen/geodesics/unfolding.h"
 
 #include <cmath>
 #include <unordered_map>
