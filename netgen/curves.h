@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "certify/document/geodesics_document.h"
-#include "netgen/lifts.h"
+#include "netgen/lifts/lifts.h"
 
 /// Curves on the surface of a net, cut by its triangles, for pictures.
 namespace epsnet {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "netgen/net_geometry.h"
+#include "netgen/lifts/net_geometry.h"
 
 /// The Dirichlet domain of a vertex of a net, for pictures.
 namespace epsnet {

@@ -6,7 +6,7 @@
 
 #include "certify/document/document.h"
 #include "netgen/curves.h"
-#include "netgen/lifts.h"
+#include "netgen/lifts/lifts.h"
 
 /// Pictures of nets.
 namespace epsnet {

@@ -11,7 +11,7 @@
 #include "certify/document/text.h"
 #include "kernel/plane.h"
 #include "netgen/base/disjoint_sets.h"
-#include "netgen/lifts.h"
+#include "netgen/lifts/lifts.h"
 
 namespace epsnet {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "certify/document/text.h"
-#include "netgen/lifts.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/palette.h"
 #include "netgen/viewer_page.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "certify/document/text.h"
-#include "netgen/info.h"
+#include "netgen/lifts/info.h"
 
 namespace epsnet {
 namespace {

@@ -10,7 +10,7 @@
 #include "certify/check.h"
 #include "certify/document/geodesics_document.h"
 #include "netgen/curves.h"
-#include "netgen/info.h"
+#include "netgen/lifts/info.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/program/output.h"
 #include "triangulation/surface.h"

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "netgen/draw.h"
-#include "netgen/info.h"
+#include "netgen/lifts/info.h"
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "netgen/draw.h"
-#include "netgen/net_geometry.h"
+#include "netgen/lifts/net_geometry.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"

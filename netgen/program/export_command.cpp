@@ -5,8 +5,8 @@
 #include <variant>
 
 #include "netgen/domain_format.h"
+#include "netgen/lifts/net_geometry.h"
 #include "netgen/mesh_export.h"
-#include "netgen/net_geometry.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"

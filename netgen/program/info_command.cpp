@@ -2,8 +2,8 @@
 #include <string>
 #include <variant>
 
-#include "netgen/info.h"
-#include "netgen/net_geometry.h"
+#include "netgen/lifts/info.h"
+#include "netgen/lifts/net_geometry.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"

@@ -13,7 +13,7 @@
 #include "certify/check.h"
 #include "certify/file/writer.h"
 #include "netgen/draw.h"
-#include "netgen/info.h"
+#include "netgen/lifts/info.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/net_record.h"
 #include "netgen/program/commands.h"

@@ -7,7 +7,7 @@
 
 #include "certify/file/reader.h"
 #include "netgen/base/decimal.h"
-#include "netgen/net_geometry.h"
+#include "netgen/lifts/net_geometry.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/output.h"
 

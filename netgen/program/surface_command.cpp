@@ -8,7 +8,7 @@
 #include "certify/file/writer.h"
 #include "netgen/base/decimal.h"
 #include "netgen/exchange.h"
-#include "netgen/info.h"
+#include "netgen/lifts/info.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "certify/check.h"
-#include "netgen/net_geometry.h"
+#include "netgen/lifts/net_geometry.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"

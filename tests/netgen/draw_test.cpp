@@ -17,7 +17,7 @@
 #include "netgen/dirichlet.h"
 #include "netgen/domain_format.h"
 #include "netgen/geodesics/geodesics.h"
-#include "netgen/info.h"
+#include "netgen/lifts/info.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/viewer.h"

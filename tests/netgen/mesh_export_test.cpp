@@ -14,7 +14,7 @@
 #include "certify/check.h"
 #include "kernel/plane.h"
 #include "netgen/curves.h"
-#include "netgen/net_geometry.h"
+#include "netgen/lifts/net_geometry.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "netgen/net_geometry.h"
+#include "netgen/lifts/net_geometry.h"
 
 /// Lifts of the triangles of a net to the Poincaré disk.
 namespace epsnet {

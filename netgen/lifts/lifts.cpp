@@ -1,4 +1,4 @@
-#include "netgen/lifts.h"
+#include "netgen/lifts/lifts.h"
 
 #include <algorithm>
 #include <cmath>

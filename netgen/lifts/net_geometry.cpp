@@ -1,4 +1,4 @@
-#include "netgen/net_geometry.h"
+#include "netgen/lifts/net_geometry.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "netgen/info.h"
+#include "netgen/lifts/info.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "certify/document/text.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
-#include "netgen/net_geometry.h"
+#include "netgen/lifts/net_geometry.h"
 
 namespace epsnet {
 namespace {
