@@ -9,9 +9,9 @@
 
 #include "certify/check.h"
 #include "certify/document/geodesics_document.h"
-#include "netgen/curves.h"
 #include "netgen/lifts/info.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/pictures/curves.h"
 #include "netgen/program/output.h"
 #include "triangulation/surface.h"
 #include "triangulation/triangulation.h"

@@ -2,9 +2,9 @@
 #include <optional>
 #include <string>
 
-#include "netgen/draw.h"
 #include "netgen/lifts/info.h"
 #include "netgen/nets/dirichlet_polygon.h"
+#include "netgen/pictures/draw.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "netgen/draw.h"
 #include "netgen/lifts/net_geometry.h"
+#include "netgen/pictures/draw.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"

@@ -12,10 +12,10 @@
 
 #include "certify/check.h"
 #include "certify/file/writer.h"
-#include "netgen/draw.h"
 #include "netgen/lifts/info.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/net_record.h"
+#include "netgen/pictures/draw.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"

@@ -5,10 +5,10 @@
 
 #include "certify/check.h"
 #include "netgen/lifts/net_geometry.h"
+#include "netgen/pictures/viewer.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
-#include "netgen/viewer.h"
 
 namespace epsnet::program {
 namespace {

@@ -1,4 +1,4 @@
-#include "netgen/draw.h"
+#include "netgen/pictures/draw.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,13 +14,13 @@
 
 #include "certify/file/reader.h"
 #include "kernel/plane.h"
-#include "netgen/dirichlet.h"
 #include "netgen/domain_format.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/lifts/info.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/pictures/dirichlet.h"
+#include "netgen/pictures/viewer.h"
 #include "netgen/surfaces/octagon.h"
-#include "netgen/viewer.h"
 #include "tests/support/triangulations.h"
 
 namespace epsnet {

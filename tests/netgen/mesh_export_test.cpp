@@ -13,9 +13,9 @@
 
 #include "certify/check.h"
 #include "kernel/plane.h"
-#include "netgen/curves.h"
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/pictures/curves.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 

@@ -1,4 +1,4 @@
-#include "netgen/curves.h"
+#include "netgen/pictures/curves.h"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +12,8 @@
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
-#include "netgen/dirichlet.h"
-#include "netgen/palette.h"
+#include "netgen/pictures/dirichlet.h"
+#include "netgen/pictures/palette.h"
 
 namespace epsnet {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "certify/document/document.h"
-#include "netgen/curves.h"
 #include "netgen/lifts/lifts.h"
+#include "netgen/pictures/curves.h"
 
 /// Pictures of nets.
 namespace epsnet {

@@ -5,7 +5,7 @@
 
 #include "certify/check.h"
 #include "certify/document/document.h"
-#include "netgen/curves.h"
+#include "netgen/pictures/curves.h"
 
 /// A net as a page to look at and to travel in.
 namespace epsnet {
@@ -17,7 +17,7 @@ struct ViewerOptions {
 };
 
 /// One HTML page that needs nothing else: the triangulation of the net, unfolded afresh around a point of view that can
-/// be moved without end, its numbers and its verdict (netgen/viewer.html is the page).
+/// be moved without end, its numbers and its verdict (netgen/pictures/viewer.html is the page).
 ///
 /// The page computes in binary64, but in coordinates around the point of view, which keep it exact to the eye wherever
 /// it goes; edges longer than about 60 are beyond it. Equal arguments give equal bytes. About 70 bytes per vertex.

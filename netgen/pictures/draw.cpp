@@ -1,4 +1,4 @@
-#include "netgen/draw.h"
+#include "netgen/pictures/draw.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include <set>
 #include <utility>
 
-#include "netgen/dirichlet.h"
-#include "netgen/palette.h"
+#include "netgen/pictures/dirichlet.h"
+#include "netgen/pictures/palette.h"
 
 namespace epsnet {
 namespace {

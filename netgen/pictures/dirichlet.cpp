@@ -1,4 +1,4 @@
-#include "netgen/dirichlet.h"
+#include "netgen/pictures/dirichlet.h"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>

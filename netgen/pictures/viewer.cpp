@@ -1,4 +1,4 @@
-#include "netgen/viewer.h"
+#include "netgen/pictures/viewer.h"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,8 @@
 
 #include "certify/document/text.h"
 #include "netgen/lifts/lifts.h"
-#include "netgen/palette.h"
-#include "netgen/viewer_page.h"
+#include "netgen/pictures/palette.h"
+#include "netgen/pictures/viewer_page.h"
 
 namespace epsnet {
 namespace {
