@@ -1,5 +1,5 @@
 #include "certify/surface_check.h"
-#include "netgen/domain_format.h"
+#include "netgen/exchange/domain_format.h"
 #include "netgen/surfaces/surface_file.h"
 
 #include <cstddef>

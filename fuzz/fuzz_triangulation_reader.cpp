@@ -1,6 +1,6 @@
 #include "certify/surface_check.h"
+#include "netgen/exchange/triangulation_stream.h"
 #include "netgen/surfaces/surface_file.h"
-#include "netgen/triangulation_stream.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -4,13 +4,13 @@
 #include <utility>
 #include <variant>
 
-#include "netgen/domain_format.h"
+#include "netgen/exchange/domain_format.h"
+#include "netgen/exchange/mesh_export.h"
+#include "netgen/exchange/triangulation_stream.h"
 #include "netgen/lifts/net_geometry.h"
-#include "netgen/mesh_export.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
-#include "netgen/triangulation_stream.h"
 
 namespace epsnet::program {
 namespace {

@@ -3,11 +3,11 @@
 
 #include "certify/check.h"
 #include "certify/file/writer.h"
-#include "netgen/imported_net.h"
+#include "netgen/exchange/imported_net.h"
+#include "netgen/exchange/triangulation_stream.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
-#include "netgen/triangulation_stream.h"
 
 namespace epsnet::program {
 namespace {

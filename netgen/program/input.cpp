@@ -6,9 +6,9 @@
 
 #include "certify/document/text.h"
 #include "certify/file/reader.h"
+#include "netgen/exchange/triangulation_stream.h"
 #include "netgen/program/output.h"
 #include "netgen/surfaces/surface_file.h"
-#include "netgen/triangulation_stream.h"
 
 namespace epsnet::program {
 namespace {

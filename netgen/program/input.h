@@ -5,7 +5,7 @@
 
 #include "certify/document/document.h"
 #include "certify/document/geodesics_document.h"
-#include "netgen/exchange.h"
+#include "netgen/exchange/exchange.h"
 #include "netgen/nets/dirichlet_polygon.h"
 #include "triangulation/surface.h"
 

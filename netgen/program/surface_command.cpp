@@ -7,7 +7,7 @@
 
 #include "certify/file/writer.h"
 #include "netgen/base/decimal.h"
-#include "netgen/exchange.h"
+#include "netgen/exchange/exchange.h"
 #include "netgen/lifts/info.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"

@@ -1,4 +1,4 @@
-#include "netgen/anchor_search.h"
+#include "netgen/exchange/anchor_search.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "kernel/plane.h"
-#include "netgen/domain_format.h"
+#include "netgen/exchange/domain_format.h"
+#include "netgen/exchange/two_squares.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/octagon.h"
-#include "netgen/two_squares.h"
 #include "tests/support/polygons.h"
 #include "tests/support/triangulations.h"
 

@@ -1,10 +1,10 @@
-#include "netgen/domain_format.h"
+#include "netgen/exchange/domain_format.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "netgen/ear_clipping.h"
+#include "netgen/exchange/ear_clipping.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/polygons.h"
 

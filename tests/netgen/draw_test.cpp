@@ -14,7 +14,7 @@
 
 #include "certify/file/reader.h"
 #include "kernel/plane.h"
-#include "netgen/domain_format.h"
+#include "netgen/exchange/domain_format.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/lifts/info.h"
 #include "netgen/nets/certified_net.h"

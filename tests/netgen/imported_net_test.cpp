@@ -1,4 +1,4 @@
-#include "netgen/imported_net.h"
+#include "netgen/exchange/imported_net.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,10 +8,10 @@
 
 #include "certify/check.h"
 #include "netgen/base/gmp.h"
+#include "netgen/exchange/triangulation_stream.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen_request.h"
 #include "netgen/surfaces/octagon.h"
-#include "netgen/triangulation_stream.h"
 #include "tests/support/polygons.h"
 #include "tests/support/triangulations.h"
 

@@ -1,4 +1,4 @@
-#include "netgen/mesh_export.h"
+#include "netgen/exchange/mesh_export.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

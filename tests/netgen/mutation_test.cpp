@@ -13,7 +13,7 @@
 #include "certify/exact/checker.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "netgen/domain_format.h"
+#include "netgen/exchange/domain_format.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/oracle.h"
 #include "netgen/surfaces/octagon.h"

@@ -12,7 +12,7 @@
 
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "netgen/exchange.h"
+#include "netgen/exchange/exchange.h"
 #include "tests/support/polygons.h"
 #include "tests/support/scale.h"
 #include "tests/support/triangulations.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "netgen/domain_format.h"
+#include "netgen/exchange/domain_format.h"
 #include "tests/support/polygons.h"
 
 namespace epsnet {

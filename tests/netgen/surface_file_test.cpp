@@ -8,7 +8,7 @@
 
 #include "certify/file/reader.h"
 #include "netgen/base/atomic_file.h"
-#include "netgen/domain_format.h"
+#include "netgen/exchange/domain_format.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/polygons.h"
 

@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "certify/geodesics/geodesics_check.h"
-#include "netgen/domain_format.h"
+#include "netgen/exchange/domain_format.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"

@@ -1,4 +1,4 @@
-#include "netgen/triangulation_stream.h"
+#include "netgen/exchange/triangulation_stream.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <numeric>
 #include <sstream>
 
-#include "netgen/domain_format.h"
-#include "netgen/exchange.h"
+#include "netgen/exchange/domain_format.h"
+#include "netgen/exchange/exchange.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/polygons.h"

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "netgen/domain_format.h"
+#include "netgen/exchange/domain_format.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 #include "triangulation/triangulation.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernel/plane.h"
-#include "netgen/domain_format.h"
+#include "netgen/exchange/domain_format.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/start.h"
 

@@ -1,4 +1,4 @@
-#include "netgen/ear_clipping.h"
+#include "netgen/exchange/ear_clipping.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "netgen/two_squares.h"
+#include "netgen/exchange/two_squares.h"
 
-#include "netgen/gaussian_integers.h"
+#include "netgen/exchange/gaussian_integers.h"
 
 namespace epsnet {
 namespace {

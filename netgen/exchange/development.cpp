@@ -4,10 +4,10 @@
 
 #include "certify/document/text.h"
 #include "kernel/plane.h"
-#include "netgen/anchor_search.h"
-#include "netgen/gaussian_fraction.h"
-#include "netgen/gaussian_integers.h"
-#include "netgen/triangulation_stream.h"
+#include "netgen/exchange/anchor_search.h"
+#include "netgen/exchange/gaussian_fraction.h"
+#include "netgen/exchange/gaussian_integers.h"
+#include "netgen/exchange/triangulation_stream.h"
 
 /// The surface of a triangulation that is given by cross-ratios: triangles are placed one after the other, breadth
 /// first, beginning with the anchors.

@@ -1,4 +1,4 @@
-#include "netgen/imported_net.h"
+#include "netgen/exchange/imported_net.h"
 
 #include <map>
 #include <string>

@@ -1,4 +1,4 @@
-#include "netgen/domain_format.h"
+#include "netgen/exchange/domain_format.h"
 
 #include <optional>
 #include <string>
@@ -7,7 +7,7 @@
 
 #include "certify/document/text.h"
 #include "netgen/base/words.h"
-#include "netgen/ear_clipping.h"
+#include "netgen/exchange/ear_clipping.h"
 #include "triangulation/glued_polygons.h"
 
 namespace epsnet {

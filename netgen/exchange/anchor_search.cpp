@@ -1,4 +1,4 @@
-#include "netgen/anchor_search.h"
+#include "netgen/exchange/anchor_search.h"
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "netgen/base/disjoint_sets.h"
-#include "netgen/gaussian_fraction.h"
-#include "netgen/gaussian_integers.h"
-#include "netgen/two_squares.h"
+#include "netgen/exchange/gaussian_fraction.h"
+#include "netgen/exchange/gaussian_integers.h"
+#include "netgen/exchange/two_squares.h"
 
 namespace epsnet {
 namespace {

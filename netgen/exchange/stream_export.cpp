@@ -3,9 +3,9 @@
 
 #include "certify/document/structure_check.h"
 #include "netgen/base/gmp.h"
-#include "netgen/gaussian_fraction.h"
+#include "netgen/exchange/gaussian_fraction.h"
+#include "netgen/exchange/triangulation_stream.h"
 #include "netgen/surfaces/surface_file.h"
-#include "netgen/triangulation_stream.h"
 
 /// Surfaces and nets as triangulations that are given by cross-ratios.
 namespace epsnet {

@@ -1,4 +1,4 @@
-#include "netgen/mesh_export.h"
+#include "netgen/exchange/mesh_export.h"
 
 #include <algorithm>
 #include <array>

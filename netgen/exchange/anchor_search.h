@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "netgen/triangulation_stream.h"
+#include "netgen/exchange/triangulation_stream.h"
 
 namespace epsnet {
 

@@ -1,4 +1,4 @@
-#include "netgen/triangulation_stream.h"
+#include "netgen/exchange/triangulation_stream.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,10 +1,10 @@
-#include "netgen/exchange.h"
+#include "netgen/exchange/exchange.h"
 
 #include <string>
 
 #include "netgen/base/words.h"
-#include "netgen/domain_format.h"
-#include "netgen/triangulation_stream.h"
+#include "netgen/exchange/domain_format.h"
+#include "netgen/exchange/triangulation_stream.h"
 
 namespace epsnet {
 
