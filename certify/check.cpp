@@ -1,5 +1,6 @@
 #include "certify/check.h"
 #include "certify/collars/collar_check.h"
+#include "certify/document/least_bytes.h"
 #include "certify/document/structure_check.h"
 #include "certify/document/surface_sides.h"
 #include "certify/geometry_check.h"
@@ -122,20 +123,6 @@ Certificate check_rules(const Document& document, const CheckOptions& options, c
 }
 
 }  // namespace
-
-std::string_view name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::verified:
-      return "VERIFIED";
-    case Verdict::refuted:
-      return "REFUTED";
-    case Verdict::undecided:
-      return "UNDECIDED";
-    case Verdict::malformed:
-      break;
-  }
-  return "MALFORMED";
-}
 
 Certificate check(const Document& document, const CheckOptions& options) {
   return check(document, options,

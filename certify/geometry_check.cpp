@@ -1,5 +1,5 @@
 #include "certify/geometry_check.h"
-#include "certify/collars/collar_check.h"
+#include "certify/collar_members.h"
 #include "certify/document/darts.h"
 #include "certify/document/text.h"
 #include "certify/lifted_triangle.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "certify/check.h"
+#include "certify/document/report.h"
 #include "certify/label_evaluator.h"
 
 #include <vector>

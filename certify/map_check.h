@@ -1,6 +1,7 @@
 #pragma once
 
-#include "certify/check.h"
+#include "certify/document/document.h"
+#include "certify/document/report.h"
 
 namespace epsnet::certify {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "certify/check.h"
 #include "certify/crossings.h"
+#include "certify/document/report.h"
 
 namespace epsnet::certify {
 

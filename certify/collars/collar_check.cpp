@@ -340,16 +340,6 @@ class CollarChecker {
 
 }  // namespace
 
-CollarMembers::CollarMembers(const Document& document) : pseudo_(document.collars.has_value()) {
-  if (!pseudo_ || document.collars->empty()) return;
-  triangles_.resize(document.triangles.size());
-  for (const Collar& collar : *document.collars) {
-    for (const std::uint32_t t : collar.triangles) triangles_[t] = true;
-    partners_[collar.vertices[0]] = collar.vertices[1];
-    partners_[collar.vertices[1]] = collar.vertices[0];
-  }
-}
-
 CollarsOutcome check_collars(const Document& document, const LabelEvaluator& evaluator, const LabelParts& parts,
                              long max_precision) {
   try {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "certify/document/document.h"
-#include "certify/numbers/ball.h"
+#include "certify/document/interval.h"
 
 #include <cstdint>
 #include <string>

@@ -1,5 +1,6 @@
 #include "certify/geodesics/geodesics_check.h"
 #include "certify/document/geodesics_structure.h"
+#include "certify/document/least_bytes.h"
 #include "certify/document/text.h"
 #include "certify/geodesics/chord_table.h"
 #include "certify/geodesics/completeness_check.h"

@@ -9,9 +9,10 @@
 #endif
 #include <gmpxx.h>
 
-#include <cmath>
 #include <limits>
 #include <optional>
+
+#include "certify/document/interval.h"
 
 /// Owners of Arb's real and complex balls, and comparisons that cannot be misread.
 ///
@@ -145,18 +146,6 @@ inline void set_rational(arb_ptr result, const mpq_class& value, slong precision
   set_integer(denominator.get(), value.get_den(), precision);
   arb_div(result, result, denominator.get(), precision);
 }
-
-/// A closed interval with binary64 ends.
-struct Interval {
-  double lower;
-  double upper;
-  bool operator==(const Interval&) const = default;
-};
-
-/// A binary64 below (above) x, a unit in the last place or two away: |x| 2⁻⁵² is at least such a unit, and where it
-/// underflows the least positive number is one. NaN if x is NaN, and below +∞, above −∞.
-[[nodiscard]] inline double below(double x) { return x - (std::fabs(x) * 0x1p-52 + 0x1p-1074); }
-[[nodiscard]] inline double above(double x) { return x + (std::fabs(x) * 0x1p-52 + 0x1p-1074); }
 
 /// An interval that contains the ball; everything if the ball is not finite.
 ///

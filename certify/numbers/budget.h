@@ -1,8 +1,5 @@
 #pragma once
 
-#include "certify/document/document.h"
-#include "certify/document/geodesics_document.h"
-
 #include <algorithm>
 #include <atomic>
 #include <bit>
@@ -75,10 +72,6 @@ class Budget {
 
 /// So many bytes kept: a budget of 2·10¹⁰ units is a gigabyte.
 [[nodiscard]] constexpr std::uint64_t memory_work(std::uint64_t bytes) { return 20 * bytes; }
-
-/// About the least number of bytes of a file with this content (docs/format.md, "Limits").
-[[nodiscard]] std::uint64_t least_bytes(const Document& document);
-[[nodiscard]] std::uint64_t least_bytes(const GeodesicsDocument& document);
 
 /// The work that a file may take, by its least number of bytes.
 [[nodiscard]] constexpr std::uint64_t work_allowed(std::uint64_t bytes) { return 15'000'000'000 + 8'000 * bytes; }

@@ -1,4 +1,4 @@
-#include "certify/numbers/budget.h"
+#include "certify/document/least_bytes.h"
 
 namespace epsnet::certify {
 namespace {

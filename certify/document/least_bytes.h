@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+
+#include "certify/document/document.h"
+#include "certify/document/geodesics_document.h"
+
+namespace epsnet::certify {
+
+/// About the least number of bytes of a file with this content (docs/format.md, "Limits").
+[[nodiscard]] std::uint64_t least_bytes(const Document& document);
+[[nodiscard]] std::uint64_t least_bytes(const GeodesicsDocument& document);
+
+}  // namespace epsnet::certify
