@@ -20,10 +20,10 @@
 #include "experiments/record_file.h"
 #include "netgen/base/atomic_file.h"
 #include "netgen/base/epsilon.h"
+#include "netgen/base/progress_line.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/net_record.h"
-#include "netgen/program/output.h"
 #include "netgen/surfaces/surface_file.h"
 
 /// The program `sweep`: certified nets of many surfaces for many ε, or their certified systoles, surfaces side by side;
@@ -143,7 +143,7 @@ class Sweep {
   std::mutex mutex_;  // Of all below.
   std::size_t nets_ = 0;
   std::size_t failures_ = 0;
-  program::ProgressLine progress_;
+  ProgressLine progress_;
 };
 
 /// What the records depend on besides the surface, and their columns.

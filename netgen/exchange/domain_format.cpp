@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "certify/document/text.h"
-#include "netgen/base/words.h"
+#include "netgen/base/token_reader.h"
 #include "netgen/exchange/ear_clipping.h"
 #include "triangulation/glued_polygons.h"
 
@@ -15,14 +15,14 @@ namespace {
 
 constexpr std::size_t kManySides = 256;
 
-using DomainWords = Words<DomainError>;
+using DomainTokens = TokenReader<DomainError>;
 
 struct Domain {
   Tile polygon;
   std::vector<Gluing> gluing;
 };
 
-std::vector<Gluing> read_pairing(DomainWords& words, std::uint32_t size) {
+std::vector<Gluing> read_pairing(DomainTokens& words, std::uint32_t size) {
   std::vector<std::uint32_t> partner;
   std::vector<std::size_t> line;
   const std::string range =
@@ -48,7 +48,7 @@ std::vector<Gluing> read_pairing(DomainWords& words, std::uint32_t size) {
 }
 
 Domain parse(std::string_view text, std::string_view name) {
-  DomainWords words(text, name);
+  DomainTokens words(text, name);
   const std::uint32_t size = words.index("the number of sides, an even number from 8 to 2^32 - 2");
   if (size < 8 || size % 2 != 0) {
     words.fail(std::to_string(size) + " sides found, expected an even number, at least 8 (genus 2)");

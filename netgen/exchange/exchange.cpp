@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "netgen/base/words.h"
+#include "netgen/base/token_reader.h"
 #include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/triangulation_stream.h"
 

@@ -5,7 +5,7 @@
 #include <ostream>
 
 #include "certify/document/text.h"
-#include "netgen/base/words.h"
+#include "netgen/base/token_reader.h"
 
 namespace epsnet {
 namespace {
@@ -44,7 +44,7 @@ class Reader {
   bool read_anchor() {
     const std::string expected =
         "\"yes\" or \"no\": whether there is an anchor, or the first dart of triangle 0" + range_;
-    const std::string_view word = Words(words_).next(expected);
+    const std::string_view word = TokenReader(words_).next(expected);
     if (word.find_first_not_of("0123456789") == std::string_view::npos) return true;
     static_cast<void>(words_.next(expected));
     if (word == "no") return false;
@@ -123,7 +123,7 @@ class Reader {
   }
 
   std::size_t text_size_;
-  Words<TriangulationStreamError> words_;
+  TokenReader<TriangulationStreamError> words_;
   std::uint32_t darts_ = 0;
   std::string range_;
   TriangulationStream stream_;

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "netgen/nets/certified_net.h"
+#include "netgen/nets/net_options.h"
 
 namespace epsnet {
 namespace {

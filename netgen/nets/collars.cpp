@@ -7,7 +7,7 @@
 #include <unordered_set>
 
 #include "kernel/plane.h"
-#include "netgen/nets/certified_net.h"
+#include "netgen/nets/net_options.h"
 
 namespace epsnet {
 namespace {

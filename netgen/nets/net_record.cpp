@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "certify/document/text.h"
-#include "netgen/lifts/info.h"
+#include "netgen/nets/bounds.h"
 
 namespace epsnet {
 namespace {

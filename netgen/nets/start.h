@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "netgen/nets/certified_net.h"
 #include "netgen/nets/collars.h"
+#include "netgen/nets/net_options.h"
 #include "triangulation/triangulation.h"
 
 namespace epsnet {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "certify/check.h"
 #include "certify/document/document.h"
+#include "certify/document/report.h"
 #include "netgen/pictures/curves.h"
 
 /// A net as a page to look at and to travel in.

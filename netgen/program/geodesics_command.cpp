@@ -8,6 +8,7 @@
 #include "certify/check.h"
 #include "certify/file/writer.h"
 #include "certify/geodesics/geodesics_check.h"
+#include "netgen/base/progress_line.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"

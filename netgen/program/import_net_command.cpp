@@ -3,6 +3,7 @@
 
 #include "certify/check.h"
 #include "certify/file/writer.h"
+#include "netgen/base/progress_line.h"
 #include "netgen/exchange/imported_net.h"
 #include "netgen/exchange/triangulation_stream.h"
 #include "netgen/program/commands.h"

@@ -12,7 +12,9 @@
 
 #include "certify/check.h"
 #include "certify/file/writer.h"
+#include "netgen/base/progress_line.h"
 #include "netgen/lifts/info.h"
+#include "netgen/nets/bounds.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/net_record.h"
 #include "netgen/pictures/draw.h"

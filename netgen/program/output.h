@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <functional>
 #include <iosfwd>
 #include <nlohmann/json.hpp>
@@ -81,21 +80,5 @@ void write_report(const Report& report, bool as_json, bool stdout_taken);
 /// "[lower, upper]", digits that round-trip.
 [[nodiscard]] std::string interval_text(certify::Interval x);
 [[nodiscard]] Json interval_json(certify::Interval x);
-
-/// Shows how far we are on a terminal, after the first second; wipes its line at the end.
-class ProgressLine {
- public:
-  ProgressLine();
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-  ~ProgressLine();
-
-  void show(const std::string& text, double share);
-
- private:
-  bool terminal_;
-  bool shown_once_ = false;
-  std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
-};
 
 }  // namespace epsnet::program

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "netgen/base/decimal.h"
-#include "netgen/base/words.h"
+#include "netgen/base/token_reader.h"
 
 namespace epsnet {
 namespace {

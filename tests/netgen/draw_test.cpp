@@ -17,6 +17,7 @@
 #include "netgen/exchange/domain_format.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/lifts/info.h"
+#include "netgen/nets/bounds.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/dirichlet.h"
 #include "netgen/pictures/viewer.h"

@@ -15,8 +15,8 @@
 #include "certify/file/writer.h"
 #include "netgen/exchange/domain_format.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/oracle.h"
 #include "netgen/surfaces/octagon.h"
+#include "tests/netgen/oracle.h"
 #include "tests/support/scale.h"
 
 /// Single random defects in verified nets: `certify` must say what the oracle says, and `certify-exact` what `certify`

@@ -23,10 +23,10 @@ namespace epsnet {
 /// The words of a text, read one after the other. Everything that is not as expected throws `Error`, an exception made
 /// from one line of text: "NAME:LINE: what was wrong, what was expected".
 template <class Error>
-class Words {
+class TokenReader {
  public:
   /// Keeps references to both.
-  Words(std::string_view text, std::string_view name) : rest_(text), name_(name) {}
+  TokenReader(std::string_view text, std::string_view name) : rest_(text), name_(name) {}
 
   /// The next word; `expected` completes the message if there is none.
   std::string_view next(const std::string& expected) {

@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+"""rooms_test.py ROOT: every #include of the project is one that the table of docs/rooms.md allows.
+
+Also: every include of an own file is spelled as its path from ROOT, and that file exists.
+"""
+
+import pathlib
+import re
+import sys
+
+CLOSED = {"netgen/program", "certify/program", "experiments", "fuzz", "tests"}  # Nobody else includes these.
+INCLUDE = re.compile(r'\s*#\s*include\s*(["<])([^">]+)[">]')
+
+
+def read_table(text):
+    rooms = {}
+    for line in text.splitlines():
+        cells = [cell.strip() for cell in line.split("|")]
+        if len(cells) == 5 and cells[1] not in ("room", "---"):
+            rooms[cells[1]] = set(cells[3].split())
+    return rooms
+
+
+def room_of(path, rooms):
+    """The longest room whose name the path starts with, at the end of a folder or of the name of a file."""
+    fits = [room for room in rooms if path.startswith((room + "/", room + "."))]
+    return max(fits, key=len, default=None)
+
+
+def violations(root, rooms):
+    names = {name for allowed in rooms.values() for name in allowed if name != "*"}
+    for name in sorted(names - rooms.keys()):
+        yield f"docs/rooms.md: {name} is allowed to somebody, but is no room"
+    folders = {room.split("/")[0] for room in rooms}
+    files = sorted(path for folder in folders for path in (root / folder).rglob("*") if path.suffix in (".h", ".cpp"))
+    if len(files) < 100:
+        yield f"{root}: only {len(files)} sources found"
+    used = set()
+    for file in files:
+        path = file.relative_to(root).as_posix()
+        if path.startswith("tests/install/"):  # A user's project.
+            continue
+        room = room_of(path, rooms)
+        used.add(room)
+        for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+            include = INCLUDE.match(line)
+            if not include:
+                continue
+            quote, target = include.groups()
+            place = f"{path}:{number}: {target}"
+            ours = target.split("/")[0] in folders | {"epsnet"}
+            if quote == '"' and not (root / target).is_file():
+                yield f"{place}: no such file; own files are spelled as their path from the top folder"
+            elif quote == "<" and ours:
+                yield f"{place}: own files are included with quotation marks, as their path from the top folder"
+            elif quote == '"':
+                other = room_of(target, rooms)
+                if other != room and (other in CLOSED or not rooms[room] & {other, "*"}):
+                    yield f"{place}: {room} may not include {other} (docs/rooms.md)"
+    for room in sorted(rooms.keys() - used):
+        yield f"docs/rooms.md: {room} has no source"
+
+
+def self_test():
+    """A table and paths of which the answers are known."""
+    rooms = read_table("| room | owns | may include |\n| --- | --- | --- |\n| a | x | a/b |\n| a/b | y | |\n| a/check | z | * |\n")
+    assert rooms == {"a": {"a/b"}, "a/b": set(), "a/check": {"*"}}, rooms
+    assert room_of("a/x.h", rooms) == "a" and room_of("a/b/x.h", rooms) == "a/b"
+    assert room_of("a/check.h", rooms) == "a/check" and room_of("a/checks.h", rooms) == "a" and room_of("c.h", rooms) is None
+
+
+def main():
+    self_test()
+    root = pathlib.Path(sys.argv[1])
+    found = list(violations(root, read_table((root / "docs/rooms.md").read_text(encoding="utf-8"))))
+    print("\n".join(found))
+    return 1 if found else 0
+
+
+sys.exit(main())
