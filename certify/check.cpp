@@ -1,4 +1,8 @@
 #include "certify/check.h"
+
+#include <algorithm>
+#include <thread>
+
 #include "certify/collars/collar_check.h"
 #include "certify/document/least_bytes.h"
 #include "certify/document/structure_check.h"
@@ -7,9 +11,6 @@
 #include "certify/gluing_check.h"
 #include "certify/map_check.h"
 #include "certify/surface_check.h"
-
-#include <algorithm>
-#include <thread>
 
 namespace epsnet::certify {
 namespace {
@@ -43,7 +44,7 @@ Interval area_of(std::uint64_t genus) {
 }
 
 /// All rules; work is not counted yet.
-Certificate check_rules(const Document& document, const CheckOptions& options, const Budget& budget) {
+Certificate check_rules(const NetDocument& document, const CheckOptions& options, const Budget& budget) {
   const auto progress = [&](std::string_view rule) {
     if (options.progress) options.progress(rule, 0);
   };
@@ -124,12 +125,12 @@ Certificate check_rules(const Document& document, const CheckOptions& options, c
 
 }  // namespace
 
-Certificate check(const Document& document, const CheckOptions& options) {
+Certificate check(const NetDocument& document, const CheckOptions& options) {
   return check(document, options,
                Budget(options.max_work != 0 ? options.max_work : work_allowed(least_bytes(document))));
 }
 
-Certificate check(const Document& document, const CheckOptions& options, const Budget& budget) {
+Certificate check(const NetDocument& document, const CheckOptions& options, const Budget& budget) {
   const std::uint64_t before = budget.left();
   Certificate certificate = check_rules(document, options, budget);
   certificate.counts.work = before - budget.left();

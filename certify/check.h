@@ -15,9 +15,9 @@ namespace epsnet::certify {
 /// the size of the document, at fixed precision.
 ///
 /// What needs more work than `max_work` in all is undecided; a rule that was refuted before stays refuted.
-[[nodiscard]] Certificate check(const Document& document, const CheckOptions& options = {});
+[[nodiscard]] Certificate check(const NetDocument& document, const CheckOptions& options = {});
 
 /// The same, with an account of work that others draw on as well, instead of `max_work`.
-[[nodiscard]] Certificate check(const Document& document, const CheckOptions& options, const Budget& budget);
+[[nodiscard]] Certificate check(const NetDocument& document, const CheckOptions& options, const Budget& budget);
 
 }  // namespace epsnet::certify

@@ -12,7 +12,7 @@ namespace epsnet::certify {
 class CollarMembers {
  public:
   /// Needs a document without structure problem. O(number of triangles) if there is a collar.
-  explicit CollarMembers(const Document& document);
+  explicit CollarMembers(const NetDocument& document);
 
   /// Whether the net is a pseudo net.
   [[nodiscard]] bool pseudo() const { return pseudo_; }

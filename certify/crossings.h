@@ -1,14 +1,14 @@
 #pragma once
 
-#include "certify/numbers/budget.h"
-#include "certify/numbers/isometry.h"
-#include "certify/numbers/regular_number.h"
-
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <variant>
 #include <vector>
+
+#include "certify/numbers/budget.h"
+#include "certify/numbers/isometry.h"
+#include "certify/numbers/regular_number.h"
 
 /// The crossings of a surface's sides, in balls of any precision and exactly. Each kind of surface has a ring of its
 /// own, `Number`, over which everything about it is exact; the geometry (exact.h) is the same.

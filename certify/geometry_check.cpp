@@ -1,13 +1,14 @@
 #include "certify/geometry_check.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
 #include "certify/collar_members.h"
 #include "certify/document/darts.h"
 #include "certify/document/text.h"
 #include "certify/lifted_triangle.h"
 #include "certify/numbers/parallel.h"
-
-#include <algorithm>
-#include <memory>
-#include <string>
 
 namespace epsnet::certify {
 namespace {
@@ -98,19 +99,19 @@ Interval length_interval(Interval squared_sinh, slong factor) {
   return {end(squared_sinh.lower).lower, end(squared_sinh.upper).upper};
 }
 
-std::string triangle_name(const Document& document, std::size_t t) {
+std::string triangle_name(const NetDocument& document, std::size_t t) {
   const auto& v = document.triangles[t].vertex;
   return "triangle " + std::to_string(t) + " (vertices " + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " +
          std::to_string(v[2]) + ")";
 }
 
-std::string edge_name(const Document& document, std::uint32_t dart) {
+std::string edge_name(const NetDocument& document, std::uint32_t dart) {
   return "the edge of dart " + std::to_string(dart) + " from vertex " + std::to_string(start(document, dart)) +
          " to vertex " + std::to_string(start(document, next_dart(dart)));
 }
 
 /// The rule that says that an edge is at least ε long; nothing if it may have any length.
-std::optional<Rule> length_rule(const Document& document, const CollarMembers& collars, std::uint32_t dart) {
+std::optional<Rule> length_rule(const NetDocument& document, const CollarMembers& collars, std::uint32_t dart) {
   const std::uint32_t u = start(document, dart);
   const std::uint32_t v = start(document, next_dart(dart));
   if (u == v) return collars.pseudo() && !collars.has_vertex(u) ? std::optional(kThick) : std::nullopt;
@@ -120,7 +121,7 @@ std::optional<Rule> length_rule(const Document& document, const CollarMembers& c
 /// One run over the open triangles at one precision.
 class Pass {
  public:
-  Pass(const Document& document, const CollarMembers& collars, const LabelEvaluator& evaluator,
+  Pass(const NetDocument& document, const CollarMembers& collars, const LabelEvaluator& evaluator,
        const LabelTable& labels, const mpq_class& epsilon, slong precision, bool last)
       : document_(document),
         collars_(collars),
@@ -247,7 +248,7 @@ class Pass {
 
   [[nodiscard]] static bool measured(const Ball& x) { return arb_rel_accuracy_bits(x.get()) >= kMeasuredBits; }
 
-  const Document& document_;
+  const NetDocument& document_;
   const CollarMembers& collars_;
   const LabelEvaluator& evaluator_;
   const LabelTable& labels_;
@@ -259,7 +260,7 @@ class Pass {
 };
 
 /// The labels that the open triangles and their neighbours carry, evaluated at one precision.
-LabelTable needed_labels(const Document& document, const LabelEvaluator& evaluator,
+LabelTable needed_labels(const NetDocument& document, const LabelEvaluator& evaluator,
                          const std::vector<std::uint32_t>& triangles, slong precision, slong cap, unsigned threads) {
   std::vector<char> used(document.labels.size() + 1, 0);
   const auto use = [&](std::uint32_t t) {
@@ -279,7 +280,7 @@ LabelTable needed_labels(const Document& document, const LabelEvaluator& evaluat
 /// The triangles that are still open, in file order, and what was found in the others.
 class Questionnaire {
  public:
-  Questionnaire(const Document& document, const CollarMembers& collars)
+  Questionnaire(const NetDocument& document, const CollarMembers& collars)
       : document_(document), collars_(collars), triangles_(document.triangles.size()), open_(triangles_.size()) {
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
       triangles_[t] = t;
@@ -415,7 +416,7 @@ class Questionnaire {
     return result;
   }
 
-  const Document& document_;
+  const NetDocument& document_;
   const CollarMembers& collars_;
   std::vector<std::uint32_t> triangles_;
   std::vector<Questions> open_;
@@ -424,7 +425,7 @@ class Questionnaire {
   bool measures_dropped_ = false;
 };
 
-RuleReport report(Rule rule, const Document& document, const CollarMembers& collars, const Questionnaire& asked,
+RuleReport report(Rule rule, const NetDocument& document, const CollarMembers& collars, const Questionnaire& asked,
                   const std::string& why) {
   const Findings& findings = asked.findings();
   if (findings.refuted[rule]) return {kRuleNames[rule], Verdict::refuted, findings.refuted[rule]->text};
@@ -459,8 +460,8 @@ RuleReport report(Rule rule, const Document& document, const CollarMembers& coll
 
 }  // namespace
 
-GeometryOutcome check_geometry(const Document& document, const LabelEvaluator& evaluator, const CheckOptions& options,
-                               unsigned threads) {
+GeometryOutcome check_geometry(const NetDocument& document, const LabelEvaluator& evaluator,
+                               const CheckOptions& options, unsigned threads) {
   const mpq_class epsilon = *parse_decimal(document.epsilon);
   const CollarMembers collars(document);
   Questionnaire questions(document, collars);

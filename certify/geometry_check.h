@@ -1,9 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include "certify/document/report.h"
 #include "certify/label_evaluator.h"
-
-#include <vector>
 
 namespace epsnet::certify {
 
@@ -29,7 +29,7 @@ struct GeometryOutcome {
 /// first two rules are decided exactly, in file order. What cannot change the first refuted rule, or the triangle that
 /// refutes it, is left undecided, and so is what the budget does not allow. Needs rules `surface` and `map`. O(n) time;
 /// the result does not depend on the number of threads. `progress` as in CheckOptions.
-[[nodiscard]] GeometryOutcome check_geometry(const Document& document, const LabelEvaluator& evaluator,
+[[nodiscard]] GeometryOutcome check_geometry(const NetDocument& document, const LabelEvaluator& evaluator,
                                              const CheckOptions& options, unsigned threads);
 
 }  // namespace epsnet::certify

@@ -1,13 +1,14 @@
 #include "certify/gluing_check.h"
-#include "certify/document/darts.h"
-#include "certify/numbers/parallel.h"
-#include "certify/surface_check.h"
 
 #include <algorithm>
 #include <compare>
 #include <set>
 #include <span>
 #include <string>
+
+#include "certify/document/darts.h"
+#include "certify/numbers/parallel.h"
+#include "certify/surface_check.h"
 
 namespace epsnet::certify {
 namespace {
@@ -48,7 +49,7 @@ class SortedNumbers {
 };
 
 /// The equations that are not trivial, each with its first dart, in the order of these.
-std::vector<Item> collect(const Document& document) {
+std::vector<Item> collect(const NetDocument& document) {
   std::set<Equation> seen;
   std::vector<Item> items;
   for (std::uint32_t dart = 0; dart < 3 * document.triangles.size(); ++dart) {
@@ -98,7 +99,7 @@ Tri is_identity(const BallIsometry& element, const Ball& sinh_radius, slong prec
   return certainly_positive(displacement.get()) == Tri::yes ? Tri::no : Tri::unknown;
 }
 
-GluingOutcome check_gluing(const Document& document, const LabelEvaluator& evaluator, const LabelParts& parts,
+GluingOutcome check_gluing(const NetDocument& document, const LabelEvaluator& evaluator, const LabelParts& parts,
                            long max_precision, unsigned threads) {
   std::vector<Item> items = collect(document);
   GluingOutcome outcome;

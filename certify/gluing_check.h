@@ -21,7 +21,7 @@ struct GluingOutcome {
 /// An element of the group that moves the centre of a disk inside a tile by less than twice the radius is 1, so balls
 /// decide equality (docs/proof.md, section 4). Needs rules `surface` and `map`. O(n log n) for look-ups and one
 /// evaluation for each different equation.
-[[nodiscard]] GluingOutcome check_gluing(const Document& document, const LabelEvaluator& evaluator,
+[[nodiscard]] GluingOutcome check_gluing(const NetDocument& document, const LabelEvaluator& evaluator,
                                          const LabelParts& parts, long max_precision, unsigned threads);
 
 }  // namespace epsnet::certify

@@ -1,7 +1,8 @@
 #include "certify/label_evaluator.h"
-#include "certify/numbers/parallel.h"
 
 #include <algorithm>
+
+#include "certify/numbers/parallel.h"
 
 namespace epsnet::certify {
 namespace {
@@ -27,21 +28,21 @@ bool accurate(const BallIsometry& f, slong precision) {
 
 }  // namespace
 
-std::vector<ExactIsometry> chart_frames(const std::vector<Chart>& charts, const Budget& budget) {
+std::vector<ExactIsometry> chart_frames(const std::vector<NetDocument::Chart>& charts, const Budget& budget) {
   std::vector<ExactIsometry> frames;
   frames.reserve(charts.size());
-  for (const Chart& chart : charts) {
+  for (const NetDocument::Chart& chart : charts) {
     budget.spend(exact_point_work(chart.centre));
     frames.push_back(translation_to(exact_point(chart.centre)));
   }
   return frames;
 }
 
-LabelEvaluator::LabelEvaluator(const Document& document, const LabelParts& parts)
+LabelEvaluator::LabelEvaluator(const NetDocument& document, const LabelParts& parts)
     : parts_(parts), first_core_(document.labels.size() + 1), partner_(SurfaceSides(document.surface).partner) {
-  for (const Label& label : document.labels) add(label.from, label.to, label.word);
+  for (const NetDocument::Label& label : document.labels) add(label.from, label.to, label.word);
   if (!document.collars) return;
-  for (const Collar& collar : *document.collars) {
+  for (const NetDocument::Collar& collar : *document.collars) {
     const std::uint32_t chart = document.vertices[collar.vertices[0]].chart;
     add(chart, chart, collar.core);
   }
@@ -93,7 +94,7 @@ std::vector<BallIsometry> LabelEvaluator::evaluate(std::span<const std::uint32_t
     std::size_t pending = 0;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       if (done[i]) continue;
-      const Label& label = labels_[numbers[i] - 1];
+      const NetDocument::Label& label = labels_[numbers[i] - 1];
       charts.insert(charts.end(), {label.from, label.to});
       sides.insert(sides.end(), label.word.begin(), label.word.end());
       ++pending;
@@ -122,7 +123,7 @@ std::vector<BallIsometry> LabelEvaluator::evaluate(std::span<const std::uint32_t
     const bool last = working >= cap;
     for_each_parallel(numbers.size(), threads, [&](unsigned, std::size_t i) {
       if (done[i]) return;
-      const Label& label = labels_[numbers[i] - 1];
+      const NetDocument::Label& label = labels_[numbers[i] - 1];
       const auto composed = [&](const BallIsometry& f, const BallIsometry& g) { return compose(f, g, working); };
       results[i] = frames[place(charts, label.from)];
       if (!label.word.empty()) {

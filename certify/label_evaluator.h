@@ -1,13 +1,13 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "certify/crossings.h"
 #include "certify/document/document.h"
 #include "certify/document/surface_sides.h"
 #include "certify/numbers/budget.h"
-
-#include <cstdint>
-#include <span>
-#include <vector>
 
 namespace epsnet::certify {
 
@@ -19,7 +19,8 @@ struct LabelParts {
 };
 
 /// The frames of charts. BudgetSpent, if that is too much work.
-[[nodiscard]] std::vector<ExactIsometry> chart_frames(const std::vector<Chart>& charts, const Budget& budget);
+[[nodiscard]] std::vector<ExactIsometry> chart_frames(const std::vector<NetDocument::Chart>& charts,
+                                                      const Budget& budget);
 
 /// A label or its inverse.
 struct SignedLabel {
@@ -35,7 +36,7 @@ class LabelEvaluator {
  public:
   /// Both must outlive the evaluator. O(letters of all words). Words are reduced freely: a side followed by its partner
   /// is no path, so the values stay the same.
-  LabelEvaluator(const Document& document, const LabelParts& parts);
+  LabelEvaluator(const NetDocument& document, const LabelParts& parts);
 
   /// L = F_to⁻¹ ∘ g ∘ F_from of the label numbers given (each ≥ 1, increasing), each with a relative error of about
   /// 2^−precision: long words are worked out with more bits, up to `cap` (or a little above `precision`, if that is
@@ -49,7 +50,7 @@ class LabelEvaluator {
                                                                              std::uint32_t number) const {
     if (number == 0) return crossings.embed(exact_identity());
     parts_.budget.spend(CrossingsOfAKind::exact_work(exact_bits(number)));
-    const Label& label = labels_[number - 1];
+    const NetDocument::Label& label = labels_[number - 1];
     auto result = compose(crossings.exact(label.word), crossings.embed(parts_.frames[label.from]));
     result = compose(crossings.embed(inverse(parts_.frames[label.to])), result);
     reduce(result);
@@ -82,7 +83,7 @@ class LabelEvaluator {
   void add(std::uint32_t from, std::uint32_t to, const std::vector<std::uint32_t>& word);
 
   const LabelParts& parts_;
-  std::vector<Label> labels_;  ///< By label number minus 1, words freely reduced.
+  std::vector<NetDocument::Label> labels_;  ///< By label number minus 1, words freely reduced.
   std::vector<std::size_t> exact_bits_;
   std::size_t first_core_ = 0;
   std::vector<std::uint32_t> partner_;  ///< By side: the one it is glued to.

@@ -1,7 +1,8 @@
 #include "certify/lifted_triangle.h"
-#include "certify/document/darts.h"
 
 #include <algorithm>
+
+#include "certify/document/darts.h"
 
 namespace epsnet::certify {
 namespace {
@@ -20,7 +21,7 @@ void cross(arb_ptr result, arb_ptr scratch, acb_srcptr x, acb_srcptr y, slong pr
 }
 
 /// The point of a vertex in its chart, exactly.
-void read(ComplexBall& z, const Vertex& vertex) {
+void read(ComplexBall& z, const NetDocument::Vertex& vertex) {
   arb_set_d(z.re(), vertex.x);
   arb_set_d(z.im(), vertex.y);
 }
@@ -58,8 +59,8 @@ void LiftedTriangle::move(ComplexBall& z, const BallIsometry& label, Way way, sl
   acb_div_arb(z.get(), z.get(), stretch_.get(), precision);
 }
 
-void LiftedTriangle::load(const Document& document, const LabelTable& labels, std::uint32_t t, slong precision) {
-  const Triangle& triangle = document.triangles[t];
+void LiftedTriangle::load(const NetDocument& document, const LabelTable& labels, std::uint32_t t, slong precision) {
+  const NetDocument::Triangle& triangle = document.triangles[t];
   for (std::size_t i = 0; i < 3; ++i) {
     ComplexBall& z = corner_[i];
     read(z, document.vertices[triangle.vertex[i]]);
@@ -132,7 +133,7 @@ void LiftedTriangle::measure_edge(arb_srcptr half_sinh_squared, std::uint32_t ed
   arb_sub(length_lack.get(), length_lack.get(), squared_difference[edge].get(), precision);
 }
 
-void LiftedTriangle::measure_cross_ratio(const Document& document, const LabelTable& labels, std::uint32_t t,
+void LiftedTriangle::measure_cross_ratio(const NetDocument& document, const LabelTable& labels, std::uint32_t t,
                                          std::uint32_t edge, slong precision) {
   const std::uint32_t dart = 3 * t + edge;
   const std::uint32_t other = opposite(document, dart);
@@ -183,7 +184,7 @@ class ExactCorners {
  public:
   using Number = typename CrossingsOfAKind::Number;
 
-  ExactCorners(const Document& document, const LabelEvaluator& evaluator, const CrossingsOfAKind& crossings)
+  ExactCorners(const NetDocument& document, const LabelEvaluator& evaluator, const CrossingsOfAKind& crossings)
       : document_(document), evaluator_(evaluator), crossings_(crossings) {}
 
   /// The corner where the dart starts, in the chart of its triangle.
@@ -204,19 +205,19 @@ class ExactCorners {
   }
 
   [[nodiscard]] MovedPoint<Number> lift(const Isometry<Number>& isometry, std::uint32_t dart) const {
-    const Vertex& vertex = document_.vertices[start(document_, dart)];
+    const NetDocument::Vertex& vertex = document_.vertices[start(document_, dart)];
     const ExactPoint point = exact_point(vertex.x, vertex.y);
     // Products of up to six numbers of each of the corners are compared.
     evaluator_.budget().spend(CrossingsOfAKind::exact_work(8 * bits(point)));
     return moved(isometry, point);
   }
 
-  const Document& document_;
+  const NetDocument& document_;
   const LabelEvaluator& evaluator_;
   const CrossingsOfAKind& crossings_;
 };
 
-std::size_t triangle_bits(const Document& document, const LabelEvaluator& evaluator, std::uint32_t t) {
+std::size_t triangle_bits(const NetDocument& document, const LabelEvaluator& evaluator, std::uint32_t t) {
   const auto& label = document.triangles[t].label;
   return evaluator.exact_bits(label[0]) + evaluator.exact_bits(label[1]);
 }
@@ -227,7 +228,7 @@ std::size_t max_exact_bits(const LabelEvaluator& evaluator) {
 
 }  // namespace
 
-int exact_orientation(const Document& document, const LabelEvaluator& evaluator, std::uint32_t t) {
+int exact_orientation(const NetDocument& document, const LabelEvaluator& evaluator, std::uint32_t t) {
   return std::visit(
       [&](const auto& crossings) {
         const ExactCorners corners(document, evaluator, crossings);
@@ -236,7 +237,7 @@ int exact_orientation(const Document& document, const LabelEvaluator& evaluator,
       evaluator.crossings());
 }
 
-int exact_cross_ratio_sign(const Document& document, const LabelEvaluator& evaluator, std::uint32_t dart) {
+int exact_cross_ratio_sign(const NetDocument& document, const LabelEvaluator& evaluator, std::uint32_t dart) {
   return std::visit(
       [&](const auto& crossings) {
         const ExactCorners corners(document, evaluator, crossings);
@@ -246,11 +247,11 @@ int exact_cross_ratio_sign(const Document& document, const LabelEvaluator& evalu
       evaluator.crossings());
 }
 
-bool exact_orientation_is_feasible(const Document& document, const LabelEvaluator& evaluator, std::uint32_t t) {
+bool exact_orientation_is_feasible(const NetDocument& document, const LabelEvaluator& evaluator, std::uint32_t t) {
   return triangle_bits(document, evaluator, t) <= max_exact_bits(evaluator);
 }
 
-bool exact_cross_ratio_is_feasible(const Document& document, const LabelEvaluator& evaluator, std::uint32_t dart) {
+bool exact_cross_ratio_is_feasible(const NetDocument& document, const LabelEvaluator& evaluator, std::uint32_t dart) {
   return triangle_bits(document, evaluator, dart / 3) +
              triangle_bits(document, evaluator, opposite(document, dart) / 3) <=
          max_exact_bits(evaluator);

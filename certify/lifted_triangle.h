@@ -1,12 +1,12 @@
 #pragma once
 
-#include "certify/document/document.h"
-#include "certify/label_evaluator.h"
-#include "certify/numbers/ball.h"
-
 #include <array>
 #include <cstdint>
 #include <vector>
+
+#include "certify/document/document.h"
+#include "certify/label_evaluator.h"
+#include "certify/numbers/ball.h"
 
 namespace epsnet::certify {
 
@@ -35,7 +35,7 @@ class LiftedTriangle {
  public:
   /// Reads triangle t: corners z_i, gaps A_i = 1 − |z_i|², and squared differences D_i = |z_j − z_i|² for j = i + 1
   /// (mod 3), for which sinh²(length/2) = D_i/(A_i A_j).
-  void load(const Document& document, const LabelTable& labels, std::uint32_t t, slong precision);
+  void load(const NetDocument& document, const LabelTable& labels, std::uint32_t t, slong precision);
 
   /// orientation: positive exactly if the triangle is strictly counterclockwise in the hyperbolic plane.
   ///
@@ -56,7 +56,7 @@ class LiftedTriangle {
 
   /// cross_ratio: a positive multiple of Im (z3−z1)(z2−z0)/((z3−z0)(z2−z1)), z0 z2 the edge of the dart 3t + edge,
   /// z3 the third corner of t on its left, z1 the far corner of the neighbour on its right, lifted to the chart of t.
-  void measure_cross_ratio(const Document& document, const LabelTable& labels, std::uint32_t t, std::uint32_t edge,
+  void measure_cross_ratio(const NetDocument& document, const LabelTable& labels, std::uint32_t t, std::uint32_t edge,
                            slong precision);
 
   Ball orientation;
@@ -93,14 +93,15 @@ class LiftedTriangle {
 [[nodiscard]] Interval quotient(arb_srcptr numerator, arb_srcptr denominator);
 
 /// The sign of LiftedTriangle::orientation for triangle t, exactly.
-[[nodiscard]] int exact_orientation(const Document& document, const LabelEvaluator& evaluator, std::uint32_t t);
+[[nodiscard]] int exact_orientation(const NetDocument& document, const LabelEvaluator& evaluator, std::uint32_t t);
 /// The sign of LiftedTriangle::cross_ratio for the edge of a dart, exactly.
-[[nodiscard]] int exact_cross_ratio_sign(const Document& document, const LabelEvaluator& evaluator, std::uint32_t dart);
+[[nodiscard]] int exact_cross_ratio_sign(const NetDocument& document, const LabelEvaluator& evaluator,
+                                         std::uint32_t dart);
 
 /// Whether the numbers that these two make are of a size to calculate with.
-[[nodiscard]] bool exact_orientation_is_feasible(const Document& document, const LabelEvaluator& evaluator,
+[[nodiscard]] bool exact_orientation_is_feasible(const NetDocument& document, const LabelEvaluator& evaluator,
                                                  std::uint32_t t);
-[[nodiscard]] bool exact_cross_ratio_is_feasible(const Document& document, const LabelEvaluator& evaluator,
+[[nodiscard]] bool exact_cross_ratio_is_feasible(const NetDocument& document, const LabelEvaluator& evaluator,
                                                  std::uint32_t dart);
 
 }  // namespace epsnet::certify

@@ -1,7 +1,8 @@
 #include "certify/map_check.h"
-#include "certify/document/darts.h"
 
 #include <string>
+
+#include "certify/document/darts.h"
 
 namespace epsnet::certify {
 namespace {
@@ -13,7 +14,7 @@ std::string dart_name(std::size_t dart) {
          std::to_string(dart % 3) + ")";
 }
 
-Problem opposite_problem(const Document& document) {
+Problem opposite_problem(const NetDocument& document) {
   for (std::uint32_t dart = 0; dart < 3 * document.triangles.size(); ++dart) {
     const std::uint32_t other = opposite(document, dart);
     if (other == dart) return dart_name(dart) + " is its own opposite";
@@ -31,7 +32,7 @@ Problem opposite_problem(const Document& document) {
 }
 
 /// The darts that leave a vertex, each followed by the next one around it, form exactly one cycle.
-Problem vertex_problem(const Document& document) {
+Problem vertex_problem(const NetDocument& document) {
   std::vector<bool> visited(3 * document.triangles.size());
   std::vector<bool> met(document.vertices.size());
   for (std::uint32_t first = 0; first < visited.size(); ++first) {
@@ -48,7 +49,7 @@ Problem vertex_problem(const Document& document) {
   return std::nullopt;
 }
 
-Problem connection_problem(const Document& document) {
+Problem connection_problem(const NetDocument& document) {
   std::vector<bool> reached(document.triangles.size());
   std::vector<std::uint32_t> pending{0};
   reached[0] = true;
@@ -68,7 +69,7 @@ Problem connection_problem(const Document& document) {
   return std::nullopt;
 }
 
-Problem euler_problem(const Document& document, std::uint64_t genus) {
+Problem euler_problem(const NetDocument& document, std::uint64_t genus) {
   const auto vertices = static_cast<std::int64_t>(document.vertices.size());
   const auto triangles = static_cast<std::int64_t>(document.triangles.size());
   const std::int64_t edges = 3 * triangles / 2;
@@ -81,7 +82,7 @@ Problem euler_problem(const Document& document, std::uint64_t genus) {
 
 }  // namespace
 
-RuleReport check_map(const Document& document, std::uint64_t genus) {
+RuleReport check_map(const NetDocument& document, std::uint64_t genus) {
   Problem problem;
   if (document.vertices.empty()) problem = "there is no vertex";
   if (!problem && document.triangles.empty()) problem = "there is no triangle";

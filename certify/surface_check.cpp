@@ -1,9 +1,10 @@
 #include "certify/surface_check.h"
-#include "certify/document/surface_sides.h"
-#include "certify/numbers/parallel.h"
 
 #include <algorithm>
 #include <string>
+
+#include "certify/document/surface_sides.h"
+#include "certify/numbers/parallel.h"
 
 namespace epsnet::certify {
 namespace {
@@ -89,9 +90,9 @@ void interior_angle(arb_ptr result, const ExactPoint& v, const ExactPoint& next,
 /// Everything about one surface, laid out by side number.
 class SurfaceChecker {
  public:
-  SurfaceChecker(const Surface& surface, unsigned threads, const Budget& budget)
+  SurfaceChecker(const SurfaceDocument& surface, unsigned threads, const Budget& budget)
       : sides_(surface), threads_(threads), budget_(budget) {
-    for (const Tile& tile : surface.tiles) {
+    for (const SurfaceDocument::Tile& tile : surface.tiles) {
       ExactTile exact;
       for (const RationalPoint& vertex : tile) {
         budget.spend(exact_point_work(vertex));
@@ -360,7 +361,7 @@ SurfaceOutcome regular_outcome(std::uint32_t genus, const Budget& budget) {
 
 }  // namespace
 
-SurfaceOutcome check_surface(const Surface& surface, unsigned threads, const Budget& budget) {
+SurfaceOutcome check_surface(const SurfaceDocument& surface, unsigned threads, const Budget& budget) {
   if (surface.regular_genus != 0) return regular_outcome(surface.regular_genus, budget);
   try {
     return SurfaceChecker(surface, threads, budget).check();
@@ -371,7 +372,7 @@ SurfaceOutcome check_surface(const Surface& surface, unsigned threads, const Bud
   }
 }
 
-std::optional<InscribedDisk> inscribed_disk(const Tile& tile, long cap, const Budget& budget) {
+std::optional<InscribedDisk> inscribed_disk(const SurfaceDocument::Tile& tile, long cap, const Budget& budget) {
   ExactTile exact;
   for (const RationalPoint& vertex : tile) {
     budget.spend(exact_point_work(vertex));
@@ -398,7 +399,7 @@ std::optional<InscribedDisk> inscribed_disk(const Tile& tile, long cap, const Bu
   return std::nullopt;
 }
 
-std::optional<InscribedDisk> inscribed_disk(const Surface& surface, std::uint32_t tile, long cap,
+std::optional<InscribedDisk> inscribed_disk(const SurfaceDocument& surface, std::uint32_t tile, long cap,
                                             const Budget& budget) {
   if (surface.regular_genus == 0) return inscribed_disk(surface.tiles[tile], cap, budget);
   InscribedDisk disk{{{0, 0}, 1}, {}};

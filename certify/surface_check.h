@@ -17,7 +17,8 @@ struct SurfaceOutcome {
 /// A regular 4g-gon is one by theorem (section 9): nothing is left to compute. Needs a document without structure
 /// problem. Quasi-linear in the number of digits;
 /// undecided, if that is more work than the budget allows.
-[[nodiscard]] SurfaceOutcome check_surface(const Surface& surface, unsigned threads = 1, const Budget& budget = {});
+[[nodiscard]] SurfaceOutcome check_surface(const SurfaceDocument& surface, unsigned threads = 1,
+                                           const Budget& budget = {});
 
 /// A disk of radius ≥ arsinh(sinh_radius) about `centre`, inside a tile.
 struct InscribedDisk {
@@ -27,10 +28,11 @@ struct InscribedDisk {
 
 /// A disk inside a strictly convex tile, to be used as a neighbourhood that no isometry of the group but 1 moves less
 /// than twice its radius. Any tile has one; it is found with more and more bits. `cap` bounds the bits: nothing then.
-[[nodiscard]] std::optional<InscribedDisk> inscribed_disk(const Tile& tile, long cap, const Budget& budget = {});
+[[nodiscard]] std::optional<InscribedDisk> inscribed_disk(const SurfaceDocument::Tile& tile, long cap,
+                                                          const Budget& budget = {});
 
 /// The same for tile number `tile` of a surface that passed check_surface. A regular 4g-gon has its inscribed circle.
-[[nodiscard]] std::optional<InscribedDisk> inscribed_disk(const Surface& surface, std::uint32_t tile, long cap,
+[[nodiscard]] std::optional<InscribedDisk> inscribed_disk(const SurfaceDocument& surface, std::uint32_t tile, long cap,
                                                           const Budget& budget = {});
 
 }  // namespace epsnet::certify

@@ -19,7 +19,7 @@
 #include "certify/numbers/parallel.h"
 #include "experiments/record_file.h"
 #include "netgen/base/atomic_file.h"
-#include "netgen/base/epsilon.h"
+#include "netgen/base/length.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
@@ -60,7 +60,7 @@ double processor_seconds() {
 }
 
 /// The record of a net that is proved. Throws NetError.
-std::string certified_record(const std::string& name, const Surface& surface, const Epsilon& epsilon,
+std::string certified_record(const std::string& name, const Surface& surface, const Length& epsilon,
                              const NetOptions& options) {
   const double start = processor_seconds();
   const UncertifiedNet net = compute_net(surface, epsilon, options);
@@ -122,7 +122,7 @@ class Sweep {
       records.push_back(systole_record(name, surface));
       show_progress();
     }
-    for (const Epsilon& epsilon : epsilons_) {
+    for (const Length& epsilon : epsilons_) {
       records.push_back(certified_record(name, surface, epsilon, request_.options));
       show_progress();
     }
@@ -174,7 +174,7 @@ void check(const Request& request) {
     if (!stems.insert(surface.stem().string()).second)
       throw std::invalid_argument("two surfaces are called " + surface.stem().string());
   if (request.systoles != request.epsilons.empty()) throw std::invalid_argument("either --epsilons or --systoles");
-  for (const std::string& epsilon : request.epsilons) (void)Epsilon(epsilon);
+  for (const std::string& epsilon : request.epsilons) (void)Length(epsilon);
 }
 
 int run(int argc, char** argv) {

@@ -1,7 +1,3 @@
-#include "certify/check.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -13,6 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "certify/check.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 
 namespace {
@@ -23,7 +23,7 @@ void require(bool condition) {
   if (!condition) std::abort();
 }
 
-std::string to_text(const Document& document) {
+std::string to_text(const NetDocument& document) {
   std::ostringstream out;
   write_net(document, out);
   return out.str();
@@ -101,7 +101,7 @@ void mutate_word(std::vector<std::uint32_t>& word, std::size_t sides, Chooser& c
   }
 }
 
-void mutate_triangle(Triangle& triangle, const Document& document, Chooser& choose) {
+void mutate_triangle(NetDocument::Triangle& triangle, const NetDocument& document, Chooser& choose) {
   const std::uint32_t i = choose.below(3);
   switch (choose.below(4)) {
     case 0:
@@ -119,32 +119,32 @@ void mutate_triangle(Triangle& triangle, const Document& document, Chooser& choo
 }
 
 /// The sides of a surface are paired otherwise.
-void mutate_gluing(Surface& surface, Chooser& choose) {
-  Gluing& one = choose.of(surface.gluing);
-  Gluing& other = choose.of(surface.gluing);
+void mutate_gluing(SurfaceDocument& surface, Chooser& choose) {
+  SurfaceDocument::Gluing& one = choose.of(surface.gluing);
+  SurfaceDocument::Gluing& other = choose.of(surface.gluing);
   std::swap(one.other_tile, other.other_tile);
   std::swap(one.other_side, other.other_side);
 }
 
 /// A collar less, one twice, or one with another member; a net without collars gets one, and so becomes a pseudo net.
-void mutate_collars(Document& document, std::size_t sides, Chooser& choose) {
+void mutate_collars(NetDocument& document, std::size_t sides, Chooser& choose) {
   const auto any_vertex = [&] { return choose.below(document.vertices.size()); };
   const auto any_triangle = [&] { return choose.below(document.triangles.size()); };
   if (!document.collars) document.collars.emplace();
-  std::vector<Collar>& collars = *document.collars;
+  std::vector<NetDocument::Collar>& collars = *document.collars;
   if (collars.empty()) {
     collars.push_back({{}, {0, 1}, {any_vertex(), any_vertex()}, {any_triangle(), any_triangle()}});
     return;
   }
   const std::uint32_t c = choose.below(collars.size());
-  Collar& collar = collars[c];
+  NetDocument::Collar& collar = collars[c];
   const std::uint32_t i = choose.below(2);
   switch (choose.below(7)) {
     case 0:
       collars.erase(collars.begin() + c);
       break;
     case 1:
-      collars.push_back(Collar(collar));
+      collars.push_back(NetDocument::Collar(collar));
       break;
     case 2:
       collar.vertices[i] = any_vertex();
@@ -165,10 +165,10 @@ void mutate_collars(Document& document, std::size_t sides, Chooser& choose) {
 }
 
 /// One change of a kind that leaves a net file, though usually no net.
-void mutate(Document& document, Chooser& choose) {
+void mutate(NetDocument& document, Chooser& choose) {
   const bool regular = document.surface.regular_genus != 0;
   std::size_t sides = std::size_t{4} * document.surface.regular_genus;
-  for (const Tile& tile : document.surface.tiles) sides += tile.size();
+  for (const SurfaceDocument::Tile& tile : document.surface.tiles) sides += tile.size();
   // Half of the changes of a pseudo net are made where it differs from a net.
   switch (choose.below(document.collars ? 20 : 10)) {
     case 0:
@@ -208,7 +208,7 @@ void mutate(Document& document, Chooser& choose) {
 }
 
 /// Facts about every ε-net and pseudo ε-net that are checked here in another way, without geometry of single triangles.
-void require_plausible(const Document& document, const Certificate& certificate) {
+void require_plausible(const NetDocument& document, const Certificate& certificate) {
   const std::size_t vertices = document.vertices.size();
   const std::size_t triangles = document.triangles.size();
   require(certificate.message.empty() && certificate.rules.size() == (document.collars ? 9U : 7U) &&
@@ -231,7 +231,7 @@ void require_plausible(const Document& document, const Certificate& certificate)
 
 /// Any bytes end in a verdict, the same for any number of threads, and nothing implausible is verified.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  Document document;
+  NetDocument document;
   try {
     document = parse_net({reinterpret_cast<const char*>(data), size}, "input");
   } catch (const MalformedError&) {
@@ -252,7 +252,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   Chooser choose(seed);
   if (choose.below(50) == 0) return LLVMFuzzerMutate(data, size, max_size);
   try {
-    Document document = parse_net({reinterpret_cast<const char*>(data), size}, "input");
+    NetDocument document = parse_net({reinterpret_cast<const char*>(data), size}, "input");
     if (document.vertices.empty() || document.triangles.empty()) return LLVMFuzzerMutate(data, size, max_size);
     for (unsigned changes = 1 + choose.below(2); changes > 0; --changes) mutate(document, choose);
     const std::string text = to_text(document);

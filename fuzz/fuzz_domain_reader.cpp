@@ -1,11 +1,11 @@
-#include "certify/surface_check.h"
-#include "netgen/exchange/domain_format.h"
-#include "netgen/surfaces/surface_file.h"
-
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
+
+#include "certify/surface_check.h"
+#include "netgen/exchange/domain_format.h"
+#include "netgen/surfaces/surface_file.h"
 
 namespace {
 

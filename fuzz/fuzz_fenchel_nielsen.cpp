@@ -1,5 +1,3 @@
-#include "netgen/surfaces/fenchel_nielsen.h"
-
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -7,6 +5,7 @@
 #include <vector>
 
 #include "fuzz/nets.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
 
 namespace {
 

@@ -1,9 +1,9 @@
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
-
 #include <cstdint>
 #include <cstdlib>
 #include <sstream>
+
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
 
 /// Any bytes are a geodesics file or a MalformedError; what is written reads back the same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

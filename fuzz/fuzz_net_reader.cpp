@@ -1,14 +1,14 @@
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
-
 #include <cstdint>
 #include <cstdlib>
 #include <sstream>
 
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+
 /// Any bytes are a net or a MalformedError; a net that is written reads back the same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace epsnet::certify;
-  Document document;
+  NetDocument document;
   try {
     document = parse_net({reinterpret_cast<const char*>(data), size}, "input");
   } catch (const MalformedError&) {

@@ -1,12 +1,12 @@
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
-#include "certify/surface_check.h"
-#include "netgen/surfaces/surface_file.h"
-
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <sstream>
+
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+#include "certify/surface_check.h"
+#include "netgen/surfaces/surface_file.h"
 
 namespace {
 
@@ -14,7 +14,7 @@ void require(bool condition) {
   if (!condition) std::abort();
 }
 
-bool accepted(const epsnet::certify::Surface& surface) {
+bool accepted(const epsnet::certify::SurfaceDocument& surface) {
   try {
     require(epsnet::to_document(epsnet::from_document(surface)) == surface);
     return true;
@@ -29,7 +29,7 @@ bool accepted(const epsnet::certify::Surface& surface) {
 /// accepts a surface if and only if the certifier proves it to be one.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace epsnet::certify;
-  Surface surface;
+  SurfaceDocument surface;
   try {
     surface = parse_surface({reinterpret_cast<const char*>(data), size}, "input");
   } catch (const MalformedError&) {

@@ -1,13 +1,13 @@
-#include "certify/surface_check.h"
-#include "netgen/exchange/triangulation_stream.h"
-#include "netgen/surfaces/surface_file.h"
-
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
 #include <sstream>
 #include <string>
+
+#include "certify/surface_check.h"
+#include "netgen/exchange/triangulation_stream.h"
+#include "netgen/surfaces/surface_file.h"
 
 namespace {
 

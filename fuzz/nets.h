@@ -1,15 +1,15 @@
 #pragma once
 
-#include "certify/check.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
-#include "netgen/nets/certified_net.h"
-
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <sstream>
+
+#include "certify/check.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+#include "netgen/nets/certified_net.h"
 
 /// What the fuzz targets share that make surfaces from bytes and nets of them.
 namespace fuzz {
@@ -43,7 +43,7 @@ inline void require_net(const epsnet::Surface& surface, double least, Bytes& byt
   epsnet::NetOptions options;
   options.insertion = (choice & 1U) != 0 ? epsnet::Insertion::flips : epsnet::Insertion::cavity;
   options.walk = (choice & 2U) != 0 ? epsnet::Walk::straight : epsnet::Walk::visibility;
-  options.pseudo = (choice & 4U) != 0 && epsnet::Epsilon(epsilon).allows_pseudo_nets();
+  options.pseudo = (choice & 4U) != 0 && epsnet::Length(epsilon).allows_pseudo_nets();
   options.list = static_cast<epsnet::TriangleList>((choice >> 3U) & 3U);
   options.check.threads = 1;
 

@@ -1,7 +1,6 @@
 #include "triangulation/threshold.h"
 
 #include <mpfr.h>
-
 #include <type_traits>
 #include <utility>
 

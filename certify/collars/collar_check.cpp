@@ -1,25 +1,26 @@
 #include "certify/collars/collar_check.h"
-#include "certify/document/darts.h"
-#include "certify/document/text.h"
-#include "certify/gluing_check.h"
-#include "certify/surface_check.h"
 
 #include <algorithm>
 #include <map>
 #include <string>
+
+#include "certify/document/darts.h"
+#include "certify/document/text.h"
+#include "certify/gluing_check.h"
+#include "certify/surface_check.h"
 
 namespace epsnet::certify {
 namespace {
 
 using Problem = std::optional<std::string>;
 
-std::string name_of(const Document& document, std::size_t c) {
+std::string name_of(const NetDocument& document, std::size_t c) {
   const auto& [p, q] = (*document.collars)[c].vertices;
   return "collar " + std::to_string(c) + " (vertices " + std::to_string(p) + ", " + std::to_string(q) + ")";
 }
 
 /// The dart of a triangle that goes from `twice` to itself, if the corners are `twice`, `twice` and `once`.
-std::optional<std::uint32_t> loop_dart(const Document& document, std::uint32_t t, std::uint32_t twice,
+std::optional<std::uint32_t> loop_dart(const NetDocument& document, std::uint32_t t, std::uint32_t twice,
                                        std::uint32_t once) {
   for (std::uint32_t dart = 3 * t; dart < 3 * t + 3; ++dart) {
     if (start(document, dart) == twice && start(document, next_dart(dart)) == twice &&
@@ -32,7 +33,7 @@ std::optional<std::uint32_t> loop_dart(const Document& document, std::uint32_t t
 
 /// Clause (b): the two triangles are an annulus between a loop at p and a loop at q. The darts p → p → q → p of t and
 /// q → q → p → q of u: p → q lies across q → p.
-Problem shape_problem(const Document& document, const Collar& collar) {
+Problem shape_problem(const NetDocument& document, const NetDocument::Collar& collar) {
   const auto [p, q] = collar.vertices;
   const auto [t, u] = collar.triangles;
   const auto at_p = loop_dart(document, t, p, q);
@@ -47,11 +48,11 @@ Problem shape_problem(const Document& document, const Collar& collar) {
 }
 
 /// Clauses (a) and (b) for all collars: which is the first wrong one, and what is wrong.
-Problem combinatorial_problem(const Document& document) {
+Problem combinatorial_problem(const NetDocument& document) {
   std::vector<bool> triangle_used(document.triangles.size(), false);
   std::vector<bool> vertex_used(document.vertices.size(), false);
   for (std::size_t c = 0; c < document.collars->size(); ++c) {
-    const Collar& collar = (*document.collars)[c];
+    const NetDocument::Collar& collar = (*document.collars)[c];
     for (const std::uint32_t t : collar.triangles) {
       if (triangle_used[t]) return name_of(document, c) + ": triangle " + std::to_string(t) + " is named twice";
       triangle_used[t] = true;
@@ -79,7 +80,8 @@ Ball norm(const ComplexBall& z, slong precision) {
 /// sinh(l/2) sinh(h) with the length l of a translation γ and the distance h from its axis, positive on one side of it,
 /// of the point to which a label takes a vertex. The fixed points of γ = (a, b) are the z with |z| = 1 and Im(b̄z) =
 /// Im a, so this is (2 Im(b̄z) − (1 + |z|²) Im a)/(1 − |z|²); with z = n/d nothing but 1 − |w|² is divided by.
-Ball height(const BallIsometry& translation, const BallIsometry& label, const Vertex& vertex, slong precision) {
+Ball height(const BallIsometry& translation, const BallIsometry& label, const NetDocument::Vertex& vertex,
+            slong precision) {
   ComplexBall w, n, d, product;
   arb_set_d(w.re(), vertex.x);
   arb_set_d(w.im(), vertex.y);
@@ -171,7 +173,7 @@ struct Clause {
 };
 
 /// Clauses (d) to (g).
-std::vector<Clause> clauses(const Collar& collar, const Measures& m, slong precision) {
+std::vector<Clause> clauses(const NetDocument::Collar& collar, const Measures& m, slong precision) {
   const Interval length = outer_interval(m.length.get());
   const std::string found = "the core has a length in [" + shortest(length.lower) + ", " + shortest(length.upper) + "]";
   Ball least, most, product;
@@ -196,7 +198,8 @@ std::vector<Clause> clauses(const Collar& collar, const Measures& m, slong preci
 /// Decides collars one after the other, each with the precision that it needs.
 class CollarChecker {
  public:
-  CollarChecker(const Document& document, const LabelEvaluator& evaluator, const LabelParts& parts, long max_precision)
+  CollarChecker(const NetDocument& document, const LabelEvaluator& evaluator, const LabelParts& parts,
+                long max_precision)
       : document_(document),
         evaluator_(evaluator),
         parts_(parts),
@@ -268,7 +271,7 @@ class CollarChecker {
   [[nodiscard]] Clause examine(std::size_t c, slong precision, CollarsOutcome& outcome) {
     const auto bits_used = static_cast<std::uint64_t>(precision);
     parts_.budget.spend(500 * ball_work(bits_used) + 20 * function_work(bits_used));
-    const Collar& collar = (*document_.collars)[c];
+    const NetDocument::Collar& collar = (*document_.collars)[c];
     const auto [p, q] = collar.vertices;
     const std::uint32_t at_p = *loop_dart(document_, collar.triangles[0], p, q);
     const BallIsometry from = label(at_p, precision);
@@ -300,7 +303,7 @@ class CollarChecker {
 
   /// Clause (c): the loop at p, an isometry of p's chart, is the core or its inverse.
   [[nodiscard]] Clause core_clause(std::size_t c, const BallIsometry& loop, slong precision) {
-    const Collar& collar = (*document_.collars)[c];
+    const NetDocument::Collar& collar = (*document_.collars)[c];
     const std::uint32_t chart = document_.vertices[collar.vertices[0]].chart;
     const auto& disk = disk_of(document_.charts[chart].tile);
     Tri same = Tri::unknown;
@@ -330,7 +333,7 @@ class CollarChecker {
            "]; their vertices are in the thick part and cover what they have of it";
   }
 
-  const Document& document_;
+  const NetDocument& document_;
   const LabelEvaluator& evaluator_;
   const LabelParts& parts_;
   slong max_precision_;
@@ -340,7 +343,7 @@ class CollarChecker {
 
 }  // namespace
 
-CollarsOutcome check_collars(const Document& document, const LabelEvaluator& evaluator, const LabelParts& parts,
+CollarsOutcome check_collars(const NetDocument& document, const LabelEvaluator& evaluator, const LabelParts& parts,
                              long max_precision) {
   try {
     return CollarChecker(document, evaluator, parts, max_precision).run();

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "certify/document/report.h"
 #include "certify/label_evaluator.h"
-
-#include <optional>
 
 namespace epsnet::certify {
 
@@ -19,7 +19,7 @@ struct CollarsOutcome {
 /// (docs/proof.md, section 10, clauses (a) to (g)).
 ///
 /// Combinatorics exactly, lengths by balls of more and more bits. Needs rules `surface`, `map` and `gluing`. O(n).
-[[nodiscard]] CollarsOutcome check_collars(const Document& document, const LabelEvaluator& evaluator,
+[[nodiscard]] CollarsOutcome check_collars(const NetDocument& document, const LabelEvaluator& evaluator,
                                            const LabelParts& parts, long max_precision);
 
 }  // namespace epsnet::certify

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <gmpxx.h>
-
 #include <array>
 #include <cstdint>
+#include <gmpxx.h>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,80 +19,80 @@ struct RationalPoint {
   bool operator==(const RationalPoint&) const = default;
 };
 
-/// A strictly convex polygon, vertices counterclockwise; side k goes from vertex k to vertex k + 1.
-using Tile = std::vector<RationalPoint>;
+/// A surface file: tiles glued side to side, or a surface known by name.
+struct SurfaceDocument {
+  /// A strictly convex polygon, vertices counterclockwise; side k goes from vertex k to vertex k + 1.
+  using Tile = std::vector<RationalPoint>;
 
-/// Side `side` of tile `tile` is glued to side `other_side` of tile `other_tile`.
-struct Gluing {
-  std::uint32_t tile;
-  std::uint32_t side;
-  std::uint32_t other_tile;
-  std::uint32_t other_side;
-  bool operator==(const Gluing&) const = default;
-};
+  /// Side `side` of tile `tile` is glued to side `other_side` of tile `other_tile`.
+  struct Gluing {
+    std::uint32_t tile;
+    std::uint32_t side;
+    std::uint32_t other_tile;
+    std::uint32_t other_side;
+    bool operator==(const Gluing&) const = default;
+  };
 
-/// Tiles glued side to side, or a surface known by name.
-struct Surface {
   std::vector<Tile> tiles;
   std::vector<Gluing> gluing;
   std::uint32_t regular_genus = 0;  ///< Not 0: the regular 4g-gon of this genus; tiles and gluing are then empty.
   std::string about;                ///< Free text in UTF-8, no part of any claim.
-  bool operator==(const Surface&) const = default;
-};
-
-/// The disk of a tile with the origin moved to `centre`: z ↦ (z + c)/(1 + c̄z) leads to the tile's coordinates.
-struct Chart {
-  std::uint32_t tile;
-  RationalPoint centre;
-  bool operator==(const Chart&) const = default;
-};
-
-/// The isometry of a word from the coordinates of chart `from` to those of chart `to`.
-struct Label {
-  std::uint32_t from;
-  std::uint32_t to;
-  std::vector<std::uint32_t> word;
-  bool operator==(const Label&) const = default;
-};
-
-/// The point of the surface with the coordinate x + iy in a chart.
-struct Vertex {
-  double x;
-  double y;
-  std::uint32_t chart;
-  bool operator==(const Vertex&) const = default;
-};
-
-/// Corners counterclockwise in the chart of vertex[0]; opposite[i] is the dart 3t' + j across dart 3t + i;
-/// label[i − 1] is the label number of corner i, 0 for the identity.
-struct Triangle {
-  std::array<std::uint32_t, 3> vertex;
-  std::array<std::uint32_t, 3> opposite;
-  std::array<std::uint32_t, 2> label;
-  bool operator==(const Triangle&) const = default;
-};
-
-/// The collar of a short closed geodesic, its core, that a pseudo net leaves uncovered: the annulus of two triangles
-/// between a loop at vertices[0] and a loop at vertices[1], one on each side of the core. triangles[0] has vertices[0]
-/// at two of its corners, triangles[1] at one.
-struct Collar {
-  std::vector<std::uint32_t> core;  ///< A word from the tile of the chart of vertices[0] to itself.
-  std::array<double, 2> length;     ///< Ends of an interval that contains the core's length.
-  std::array<std::uint32_t, 2> vertices;
-  std::array<std::uint32_t, 2> triangles;
-  bool operator==(const Collar&) const = default;
+  bool operator==(const SurfaceDocument&) const = default;
 };
 
 /// A net file. Label number k ≥ 1 is labels[k − 1].
-struct Document {
-  Surface surface;
+struct NetDocument {
+  /// The disk of a tile with the origin moved to `centre`: z ↦ (z + c)/(1 + c̄z) leads to the tile's coordinates.
+  struct Chart {
+    std::uint32_t tile;
+    RationalPoint centre;
+    bool operator==(const Chart&) const = default;
+  };
+
+  /// The isometry of a word from the coordinates of chart `from` to those of chart `to`.
+  struct Label {
+    std::uint32_t from;
+    std::uint32_t to;
+    std::vector<std::uint32_t> word;
+    bool operator==(const Label&) const = default;
+  };
+
+  /// The point of the surface with the coordinate x + iy in a chart.
+  struct Vertex {
+    double x;
+    double y;
+    std::uint32_t chart;
+    bool operator==(const Vertex&) const = default;
+  };
+
+  /// Corners counterclockwise in the chart of vertex[0]; opposite[i] is the dart 3t' + j across dart 3t + i;
+  /// label[i − 1] is the label number of corner i, 0 for the identity.
+  struct Triangle {
+    std::array<std::uint32_t, 3> vertex;
+    std::array<std::uint32_t, 3> opposite;
+    std::array<std::uint32_t, 2> label;
+    bool operator==(const Triangle&) const = default;
+  };
+
+  /// The collar of a short closed geodesic, its core, that a pseudo net leaves uncovered: the annulus of two triangles
+  /// between a loop at vertices[0] and a loop at vertices[1], one on each side of the core. triangles[0] has
+  /// vertices[0] at two of its corners, triangles[1] at one.
+  struct Collar {
+    std::vector<std::uint32_t> core;  ///< A word from the tile of the chart of vertices[0] to itself.
+    std::array<double, 2> length;     ///< Ends of an interval that contains the core's length.
+    std::array<std::uint32_t, 2> vertices;
+    std::array<std::uint32_t, 2> triangles;
+    bool operator==(const Collar&) const = default;
+  };
+
+  SurfaceDocument surface;
   std::string epsilon;  ///< A decimal or a rational, exactly as written.
   std::vector<Chart> charts;
   std::vector<Label> labels;
   std::vector<Vertex> vertices;
   std::vector<Triangle> triangles;
   std::optional<std::vector<Collar>> collars;  ///< Present, perhaps empty, in a pseudo net.
-  bool operator==(const Document&) const = default;
+  bool operator==(const NetDocument&) const = default;
 };
 
 }  // namespace epsnet::certify

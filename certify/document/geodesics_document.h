@@ -1,12 +1,12 @@
 #pragma once
 
-#include "certify/document/document.h"
-#include "certify/document/interval.h"
-
 #include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "certify/document/document.h"
+#include "certify/document/interval.h"
 
 /// The contents of a geodesics file as plain data, member by member as docs/format.md defines them.
 ///
@@ -52,7 +52,7 @@ struct Piece {
 
 struct GeodesicsDocument {
   Claim claim = Claim::systole;
-  Document net;
+  NetDocument net;
   std::string up_to;  ///< A decimal as written; only for a spectrum, else empty.
   std::vector<ClosedGeodesic> geodesics;
   std::vector<Cluster> clusters;  ///< Empty for a systole.

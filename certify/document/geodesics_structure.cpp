@@ -1,10 +1,11 @@
 #include "certify/document/geodesics_structure.h"
-#include "certify/document/structure_check.h"
-#include "certify/document/surface_sides.h"
-#include "certify/document/text.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "certify/document/structure_check.h"
+#include "certify/document/surface_sides.h"
+#include "certify/document/text.h"
 
 namespace epsnet::certify {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "certify/document/geodesics_document.h"
-
 #include <optional>
 #include <string>
+
+#include "certify/document/geodesics_document.h"
 
 namespace epsnet::certify {
 

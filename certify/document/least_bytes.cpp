@@ -15,17 +15,17 @@ std::uint64_t letters(const std::vector<std::uint32_t>& word) { return 2 * word.
 
 }  // namespace
 
-std::uint64_t least_bytes(const Document& document) {
+std::uint64_t least_bytes(const NetDocument& document) {
   std::uint64_t bytes = document.epsilon.size();
-  for (const Tile& tile : document.surface.tiles) {
+  for (const SurfaceDocument::Tile& tile : document.surface.tiles) {
     for (const RationalPoint& vertex : tile) bytes += 8 + digits(vertex);
   }
   bytes += 10 * document.surface.gluing.size();
-  for (const Chart& chart : document.charts) bytes += 10 + digits(chart.centre);
-  for (const Label& label : document.labels) bytes += 9 + letters(label.word);
+  for (const NetDocument::Chart& chart : document.charts) bytes += 10 + digits(chart.centre);
+  for (const NetDocument::Label& label : document.labels) bytes += 9 + letters(label.word);
   bytes += 8 * document.vertices.size() + 18 * document.triangles.size();
   if (document.collars) {
-    for (const Collar& collar : *document.collars) bytes += 64 + letters(collar.core);
+    for (const NetDocument::Collar& collar : *document.collars) bytes += 64 + letters(collar.core);
   }
   return bytes;
 }

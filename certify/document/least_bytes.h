@@ -8,7 +8,7 @@
 namespace epsnet::certify {
 
 /// About the least number of bytes of a file with this content (docs/format.md, "Limits").
-[[nodiscard]] std::uint64_t least_bytes(const Document& document);
+[[nodiscard]] std::uint64_t least_bytes(const NetDocument& document);
 [[nodiscard]] std::uint64_t least_bytes(const GeodesicsDocument& document);
 
 }  // namespace epsnet::certify

@@ -1,9 +1,10 @@
 #include "certify/document/structure_check.h"
-#include "certify/document/surface_sides.h"
-#include "certify/document/text.h"
 
 #include <cmath>
 #include <limits>
+
+#include "certify/document/surface_sides.h"
+#include "certify/document/text.h"
 
 namespace epsnet::certify {
 namespace {
@@ -27,7 +28,7 @@ bool inside_disk(double x, double y) {
   return exact_x * exact_x + exact_y * exact_y < 1;
 }
 
-Problem gluing_problem(const Surface& surface) {
+Problem gluing_problem(const SurfaceDocument& surface) {
   std::vector<std::vector<bool>> glued;
   glued.reserve(surface.tiles.size());
   std::size_t sides = 0;
@@ -59,7 +60,7 @@ Problem gluing_problem(const Surface& surface) {
   return std::nullopt;
 }
 
-Problem regular_problem(const Surface& surface) {
+Problem regular_problem(const SurfaceDocument& surface) {
   if (!surface.tiles.empty()) return "surface.tiles: a regular surface has none";
   if (!surface.gluing.empty()) return "surface.gluing: a regular surface has none";
   if (const auto problem = regular_genus_problem(surface.regular_genus)) return "surface.genus: " + *problem;
@@ -84,9 +85,9 @@ Problem word_problem(const SurfaceSides& sides, const std::vector<std::uint32_t>
          target;
 }
 
-Problem label_problem(const Document& document, const SurfaceSides& sides) {
+Problem label_problem(const NetDocument& document, const SurfaceSides& sides) {
   for (std::size_t row = 0; row < document.labels.size(); ++row) {
-    const Label& label = document.labels[row];
+    const NetDocument::Label& label = document.labels[row];
     for (const std::uint32_t chart : {label.from, label.to}) {
       if (chart >= document.charts.size())
         return at("labels", row) + out_of_range("chart", chart, document.charts.size());
@@ -100,9 +101,9 @@ Problem label_problem(const Document& document, const SurfaceSides& sides) {
 }
 
 /// Needs vertices without problem.
-Problem collar_problem(const Document& document, const SurfaceSides& sides) {
+Problem collar_problem(const NetDocument& document, const SurfaceSides& sides) {
   for (std::size_t row = 0; row < document.collars->size(); ++row) {
-    const Collar& collar = (*document.collars)[row];
+    const NetDocument::Collar& collar = (*document.collars)[row];
     for (const std::uint32_t v : collar.vertices) {
       if (v >= document.vertices.size())
         return at("collars", row) + out_of_range("vertex", v, document.vertices.size());
@@ -125,11 +126,11 @@ Problem collar_problem(const Document& document, const SurfaceSides& sides) {
   return std::nullopt;
 }
 
-Problem triangle_problem(const Document& document) {
+Problem triangle_problem(const NetDocument& document) {
   if (document.triangles.size() > (std::size_t{1} << 30)) return "triangles: more than the limit of 2^30 rows";
   const std::size_t darts = 3 * document.triangles.size();
   for (std::size_t row = 0; row < document.triangles.size(); ++row) {
-    const Triangle& triangle = document.triangles[row];
+    const NetDocument::Triangle& triangle = document.triangles[row];
     for (const std::uint32_t v : triangle.vertex) {
       if (v >= document.vertices.size())
         return at("triangles", row) + out_of_range("vertex", v, document.vertices.size());
@@ -166,19 +167,19 @@ Problem regular_genus_problem(std::uint32_t genus) {
   return std::nullopt;
 }
 
-Problem structure_problem(const Surface& surface) {
+Problem structure_problem(const SurfaceDocument& surface) {
   if (surface.about.size() > kMaxAboutBytes) return "surface.about: more than the limit of 1 MiB";
   return surface.regular_genus == 0 ? gluing_problem(surface) : regular_problem(surface);
 }
 
-Problem structure_problem(const Document& document) {
+Problem structure_problem(const NetDocument& document) {
   if (auto problem = structure_problem(document.surface)) return problem;
   const auto epsilon = parse_decimal(document.epsilon);
   if (!epsilon) return "epsilon: " + in_quotes(document.epsilon) + " is not a decimal, such as \"0.01\"";
   if (*epsilon <= 0) return "epsilon: " + in_quotes(document.epsilon) + " is not positive";
   const std::size_t tiles = number_of_tiles(document.surface);
   for (std::size_t row = 0; row < document.charts.size(); ++row) {
-    const Chart& chart = document.charts[row];
+    const NetDocument::Chart& chart = document.charts[row];
     if (chart.tile >= tiles) return at("charts", row) + out_of_range("tile", chart.tile, tiles);
     if (chart.centre.x * chart.centre.x + chart.centre.y * chart.centre.y >= 1) {
       return at("charts", row) + "the centre is not inside the unit disk";
@@ -187,7 +188,7 @@ Problem structure_problem(const Document& document) {
   const SurfaceSides sides(document.surface);
   if (auto problem = label_problem(document, sides)) return problem;
   for (std::size_t row = 0; row < document.vertices.size(); ++row) {
-    const Vertex& vertex = document.vertices[row];
+    const NetDocument::Vertex& vertex = document.vertices[row];
     if (vertex.chart >= document.charts.size()) {
       return at("vertices", row) + out_of_range("chart", vertex.chart, document.charts.size());
     }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "certify/document/document.h"
-
 #include <optional>
 #include <string>
+
+#include "certify/document/document.h"
 
 /// What a document must satisfy before any rule of check.h makes sense: indices point somewhere, every side is glued
 /// once, words compose, labels are used in the charts they belong to, coordinates are finite and inside the disk.
@@ -20,9 +20,9 @@ inline constexpr std::size_t kMaxAboutBytes = std::size_t{1} << 20;
 
 /// The first problem, "PLACE: what is wrong, what was expected"; nothing if there is none. Corners of tiles are not
 /// examined (that is rule `surface`).
-[[nodiscard]] std::optional<std::string> structure_problem(const Surface& surface);
+[[nodiscard]] std::optional<std::string> structure_problem(const SurfaceDocument& surface);
 
 /// As above, for the whole document.
-[[nodiscard]] std::optional<std::string> structure_problem(const Document& document);
+[[nodiscard]] std::optional<std::string> structure_problem(const NetDocument& document);
 
 }  // namespace epsnet::certify

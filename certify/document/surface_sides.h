@@ -1,13 +1,13 @@
 #pragma once
 
-#include "certify/document/document.h"
-
 #include <cstdint>
 #include <vector>
 
+#include "certify/document/document.h"
+
 namespace epsnet::certify {
 
-[[nodiscard]] inline std::size_t number_of_tiles(const Surface& surface) {
+[[nodiscard]] inline std::size_t number_of_tiles(const SurfaceDocument& surface) {
   return surface.regular_genus == 0 ? surface.tiles.size() : 1;
 }
 
@@ -15,9 +15,9 @@ namespace epsnet::certify {
 ///
 /// Needs indices in range and every side glued once (structure_problem). O(number of sides).
 struct SurfaceSides {
-  explicit SurfaceSides(const Surface& surface) {
+  explicit SurfaceSides(const SurfaceDocument& surface) {
     if (surface.regular_genus == 0) {
-      for (const Tile& polygon : surface.tiles) add_tile(static_cast<std::uint32_t>(polygon.size()));
+      for (const SurfaceDocument::Tile& polygon : surface.tiles) add_tile(static_cast<std::uint32_t>(polygon.size()));
       for (const auto& [t, k, other_t, other_k] : surface.gluing) glue(first[t] + k, first[other_t] + other_k);
     } else {
       add_tile(4 * surface.regular_genus);

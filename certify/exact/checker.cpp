@@ -1,5 +1,4 @@
 #include "certify/exact/checker.h"
-#include "certify/exact/json.h"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +8,8 @@
 #include <span>
 #include <utility>
 #include <vector>
+
+#include "certify/exact/json.h"
 
 namespace epsnet::exact {
 namespace {

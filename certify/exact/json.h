@@ -1,8 +1,7 @@
 #pragma once
 
-#include <gmpxx.h>
-
 #include <cstdint>
+#include <gmpxx.h>
 #include <stdexcept>
 #include <string>
 #include <string_view>

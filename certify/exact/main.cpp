@@ -1,10 +1,10 @@
-#include "certify/exact/checker.h"
-
 #include <cstdio>
 #include <exception>
 #include <fstream>
 #include <iostream>
 #include <string>
+
+#include "certify/exact/checker.h"
 
 /// The program `certify-exact FILE`: reads a net file (`-` is standard input) and prints one verdict line.
 namespace {

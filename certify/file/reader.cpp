@@ -1,10 +1,4 @@
 #include "certify/file/reader.h"
-#include <simdjson.h>
-#include <sys/stat.h>
-#include <unistd.h>
-#include "certify/document/geodesics_structure.h"
-#include "certify/document/structure_check.h"
-#include "certify/document/text.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -14,7 +8,14 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <simdjson.h>
+#include <sys/stat.h>
 #include <system_error>
+#include <unistd.h>
+
+#include "certify/document/geodesics_structure.h"
+#include "certify/document/structure_check.h"
+#include "certify/document/text.h"
 
 namespace epsnet::certify {
 namespace {
@@ -185,9 +186,9 @@ RationalPoint read_point(simdjson::simdjson_result<value> item, const Place& pla
   return point;
 }
 
-void read_tiles(simdjson::simdjson_result<value> rows, std::vector<Tile>& tiles) {
+void read_tiles(simdjson::simdjson_result<value> rows, std::vector<SurfaceDocument::Tile>& tiles) {
   read_rows(rows, "surface.tiles", kMaxRows, [&](simdjson::simdjson_result<value> row, const Place& at) {
-    Tile tile;
+    SurfaceDocument::Tile tile;
     read_array(row, at, "an array of vertices",
                [&](simdjson::simdjson_result<value> vertex, std::size_t) { tile.push_back(read_point(vertex, at)); });
     if (tile.size() < 3) {
@@ -197,7 +198,7 @@ void read_tiles(simdjson::simdjson_result<value> rows, std::vector<Tile>& tiles)
   });
 }
 
-void read_gluing(simdjson::simdjson_result<value> rows, std::vector<Gluing>& gluing) {
+void read_gluing(simdjson::simdjson_result<value> rows, std::vector<SurfaceDocument::Gluing>& gluing) {
   read_rows(rows, "surface.gluing", kMaxRows, [&](simdjson::simdjson_result<value> row, const Place& at) {
     std::array<std::uint32_t, 4> numbers{};
     read_tuple(row, at, 4, "[t, k, t', k'], four indices",
@@ -214,9 +215,9 @@ std::uint32_t read_regular_genus(simdjson::simdjson_result<value> item) {
   return genus;
 }
 
-Surface read_surface_object(simdjson::simdjson_result<value> item) {
+SurfaceDocument read_surface_object(simdjson::simdjson_result<value> item) {
   const Place place{.member = "surface"};
-  Surface surface;
+  SurfaceDocument surface;
   std::string kind;
   const std::vector<Member> members{
       {"kind", [&](auto text) { kind = std::string(expect(text.get_string(), place, "a string")); }},
@@ -239,8 +240,8 @@ Surface read_surface_object(simdjson::simdjson_result<value> item) {
   return surface;
 }
 
-Chart read_chart(simdjson::simdjson_result<value> row, const Place& at) {
-  Chart chart{};
+NetDocument::Chart read_chart(simdjson::simdjson_result<value> row, const Place& at) {
+  NetDocument::Chart chart{};
   read_tuple(row, at, 3, "[t, x, y], a tile and two rationals",
              [&](simdjson::simdjson_result<value> element, std::size_t i) {
                if (i == 0) {
@@ -264,8 +265,8 @@ std::vector<std::uint32_t> read_word(simdjson::simdjson_result<value> item, cons
   return word;
 }
 
-Label read_label(simdjson::simdjson_result<value> row, const Place& at, std::size_t& letters_in_all) {
-  Label label{};
+NetDocument::Label read_label(simdjson::simdjson_result<value> row, const Place& at, std::size_t& letters_in_all) {
+  NetDocument::Label label{};
   read_tuple(row, at, 3, "[from, to, word], two charts and an array of sides",
              [&](simdjson::simdjson_result<value> element, std::size_t i) {
                if (i == 2) {
@@ -277,8 +278,8 @@ Label read_label(simdjson::simdjson_result<value> row, const Place& at, std::siz
   return label;
 }
 
-Vertex read_vertex(simdjson::simdjson_result<value> row, const Place& at) {
-  Vertex vertex{};
+NetDocument::Vertex read_vertex(simdjson::simdjson_result<value> row, const Place& at) {
+  NetDocument::Vertex vertex{};
   read_tuple(row, at, 3, "[c, x, y], a chart and two numbers",
              [&](simdjson::simdjson_result<value> element, std::size_t i) {
                if (i == 0) {
@@ -290,15 +291,15 @@ Vertex read_vertex(simdjson::simdjson_result<value> row, const Place& at) {
   return vertex;
 }
 
-Triangle read_triangle(simdjson::simdjson_result<value> row, const Place& at) {
+NetDocument::Triangle read_triangle(simdjson::simdjson_result<value> row, const Place& at) {
   std::array<std::uint32_t, 8> n{};
   read_tuple(row, at, 8, "[v0, v1, v2, o0, o1, o2, l1, l2], eight indices",
              [&](simdjson::simdjson_result<value> element, std::size_t i) { n[i] = read_index(element, at); });
   return {.vertex = {n[0], n[1], n[2]}, .opposite = {n[3], n[4], n[5]}, .label = {n[6], n[7]}};
 }
 
-Collar read_collar(simdjson::simdjson_result<value> row, const Place& at, std::size_t& letters_in_all) {
-  Collar collar{};
+NetDocument::Collar read_collar(simdjson::simdjson_result<value> row, const Place& at, std::size_t& letters_in_all) {
+  NetDocument::Collar collar{};
   const auto read_pair = [&](simdjson::simdjson_result<value> item, const char* expected, auto& pair,
                              const auto& read_element) {
     read_tuple(item, at, 2, expected,
@@ -312,7 +313,7 @@ Collar read_collar(simdjson::simdjson_result<value> row, const Place& at, std::s
   return collar;
 }
 
-std::vector<Member> net_members(Document& document, std::size_t& letters_in_all) {
+std::vector<Member> net_members(NetDocument& document, std::size_t& letters_in_all) {
   const Place place{.member = "net"};
   return {text_member("format", "epsnet-net", place),
           version_member(place),
@@ -478,8 +479,8 @@ void parse(simdjson::padded_string_view text, std::string_view name, const ReadD
   }
 }
 
-Document parse_padded_net(simdjson::padded_string_view text, std::string_view name) {
-  Document document;
+NetDocument parse_padded_net(simdjson::padded_string_view text, std::string_view name) {
+  NetDocument document;
   parse(text, name, [&](object members) {
     std::size_t letters_in_all = 0;
     read_members(members, {.member = "net"}, net_members(document, letters_in_all));
@@ -488,8 +489,8 @@ Document parse_padded_net(simdjson::padded_string_view text, std::string_view na
   return document;
 }
 
-Surface parse_padded_surface(simdjson::padded_string_view text, std::string_view name) {
-  Surface surface;
+SurfaceDocument parse_padded_surface(simdjson::padded_string_view text, std::string_view name) {
+  SurfaceDocument surface;
   parse(text, name, [&](object members) {
     const Place place{.member = "surface file"};
     read_members(members, place,
@@ -577,21 +578,21 @@ std::string load(const std::filesystem::path& path) {
   return bytes;
 }
 
-Document read_net(const std::filesystem::path& path) {
+NetDocument read_net(const std::filesystem::path& path) {
   std::string bytes = load(path);
   return parse_padded_net(padded(bytes), display_name(path));
 }
 
-Document parse_net(std::string_view text, std::string_view name) {
+NetDocument parse_net(std::string_view text, std::string_view name) {
   return parse_padded_net(simdjson::padded_string(text), name);
 }
 
-Surface read_surface(const std::filesystem::path& path) {
+SurfaceDocument read_surface(const std::filesystem::path& path) {
   std::string bytes = load(path);
   return parse_padded_surface(padded(bytes), display_name(path));
 }
 
-Surface parse_surface(std::string_view text, std::string_view name) {
+SurfaceDocument parse_surface(std::string_view text, std::string_view name) {
   return parse_padded_surface(simdjson::padded_string(text), name);
 }
 
@@ -604,11 +605,11 @@ GeodesicsDocument parse_geodesics(std::string_view text, std::string_view name) 
   return parse_padded_geodesics(simdjson::padded_string(text), name);
 }
 
-std::variant<Document, GeodesicsDocument> read_claim(const std::filesystem::path& path) {
+std::variant<NetDocument, GeodesicsDocument> read_claim(const std::filesystem::path& path) {
   return parse_claim(load(path), display_name(path));
 }
 
-std::variant<Document, GeodesicsDocument> parse_claim(std::string bytes, std::string_view name) {
+std::variant<NetDocument, GeodesicsDocument> parse_claim(std::string bytes, std::string_view name) {
   const simdjson::padded_string_view text = padded(bytes);
   if (format_of(text) == "epsnet-geodesics") return parse_padded_geodesics(text, name);
   return parse_padded_net(text, name);

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "certify/document/document.h"
-#include "certify/document/geodesics_document.h"
-
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <variant>
+
+#include "certify/document/document.h"
+#include "certify/document/geodesics_document.h"
 
 /// The strict reader of net files, surface files and geodesics files, version 1 (docs/format.md is the law).
 ///
@@ -36,16 +36,16 @@ class FileError : public std::runtime_error {
 [[nodiscard]] std::string load(const std::filesystem::path& path);
 
 /// Reads a net file. Throws FileError or MalformedError.
-[[nodiscard]] Document read_net(const std::filesystem::path& path);
+[[nodiscard]] NetDocument read_net(const std::filesystem::path& path);
 
 /// Reads a net file from memory; `name` stands for the file in messages. Throws MalformedError.
-[[nodiscard]] Document parse_net(std::string_view text, std::string_view name);
+[[nodiscard]] NetDocument parse_net(std::string_view text, std::string_view name);
 
 /// Reads a surface file. Throws FileError or MalformedError.
-[[nodiscard]] Surface read_surface(const std::filesystem::path& path);
+[[nodiscard]] SurfaceDocument read_surface(const std::filesystem::path& path);
 
 /// Reads a surface file from memory; `name` stands for the file in messages. Throws MalformedError.
-[[nodiscard]] Surface parse_surface(std::string_view text, std::string_view name);
+[[nodiscard]] SurfaceDocument parse_surface(std::string_view text, std::string_view name);
 
 /// Reads a geodesics file. Throws FileError or MalformedError.
 [[nodiscard]] GeodesicsDocument read_geodesics(const std::filesystem::path& path);
@@ -55,9 +55,9 @@ class FileError : public std::runtime_error {
 
 /// Reads a net file or a geodesics file, whichever its member `format` says; anything else is taken for a net file.
 /// Throws FileError or MalformedError.
-[[nodiscard]] std::variant<Document, GeodesicsDocument> read_claim(const std::filesystem::path& path);
+[[nodiscard]] std::variant<NetDocument, GeodesicsDocument> read_claim(const std::filesystem::path& path);
 
 /// Reads a net file or a geodesics file from memory; `name` stands for the file in messages. Throws MalformedError.
-[[nodiscard]] std::variant<Document, GeodesicsDocument> parse_claim(std::string bytes, std::string_view name);
+[[nodiscard]] std::variant<NetDocument, GeodesicsDocument> parse_claim(std::string bytes, std::string_view name);
 
 }  // namespace epsnet::certify

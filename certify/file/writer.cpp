@@ -91,9 +91,9 @@ void write_numbers(Buffer& buffer, std::initializer_list<std::uint32_t> numbers)
   write_list(buffer, std::vector<std::uint32_t>(numbers), [&](std::uint32_t n) { buffer.number(n); });
 }
 
-void write_tiles(Buffer& buffer, const Surface& surface) {
+void write_tiles(Buffer& buffer, const SurfaceDocument& surface) {
   buffer.text("\"tiles\",\n\"tiles\":");
-  write_rows(buffer, surface.tiles, [&](const Tile& tile) {
+  write_rows(buffer, surface.tiles, [&](const SurfaceDocument::Tile& tile) {
     write_list(buffer, tile, [&](const RationalPoint& vertex) {
       buffer.text("[");
       write_coordinates(buffer, vertex);
@@ -101,12 +101,12 @@ void write_tiles(Buffer& buffer, const Surface& surface) {
     });
   });
   buffer.text(",\n\"gluing\":");
-  write_rows(buffer, surface.gluing, [&](const Gluing& g) {
+  write_rows(buffer, surface.gluing, [&](const SurfaceDocument::Gluing& g) {
     write_numbers(buffer, {g.tile, g.side, g.other_tile, g.other_side});
   });
 }
 
-void write_surface_object(Buffer& buffer, const Surface& surface) {
+void write_surface_object(Buffer& buffer, const SurfaceDocument& surface) {
   buffer.text("{\"kind\":");
   if (surface.regular_genus == 0) {
     write_tiles(buffer, surface);
@@ -121,10 +121,10 @@ void write_surface_object(Buffer& buffer, const Surface& surface) {
   buffer.text("}");
 }
 
-void write_collars(Buffer& buffer, const std::vector<Collar>& collars) {
+void write_collars(Buffer& buffer, const std::vector<NetDocument::Collar>& collars) {
   const auto number = [&](auto n) { buffer.number(n); };
   buffer.text(",\n\"collars\":");
-  write_rows(buffer, collars, [&](const Collar& collar) {
+  write_rows(buffer, collars, [&](const NetDocument::Collar& collar) {
     buffer.text("{\"core\":");
     write_list(buffer, collar.core, number);
     buffer.text(",\"length\":");
@@ -137,13 +137,13 @@ void write_collars(Buffer& buffer, const std::vector<Collar>& collars) {
   });
 }
 
-void write_net_object(Buffer& buffer, const Document& document) {
+void write_net_object(Buffer& buffer, const NetDocument& document) {
   buffer.text("{\"format\":\"epsnet-net\",\"version\":1,\n\"surface\":");
   write_surface_object(buffer, document.surface);
   buffer.text(",\n\"epsilon\":");
   buffer.string(document.epsilon);
   buffer.text(",\n\"charts\":");
-  write_rows(buffer, document.charts, [&](const Chart& chart) {
+  write_rows(buffer, document.charts, [&](const NetDocument::Chart& chart) {
     buffer.text("[");
     buffer.number(chart.tile);
     buffer.text(",");
@@ -151,7 +151,7 @@ void write_net_object(Buffer& buffer, const Document& document) {
     buffer.text("]");
   });
   buffer.text(",\n\"labels\":");
-  write_rows(buffer, document.labels, [&](const Label& label) {
+  write_rows(buffer, document.labels, [&](const NetDocument::Label& label) {
     buffer.text("[");
     buffer.number(label.from);
     buffer.text(",");
@@ -161,7 +161,7 @@ void write_net_object(Buffer& buffer, const Document& document) {
     buffer.text("]");
   });
   buffer.text(",\n\"vertices\":");
-  write_rows(buffer, document.vertices, [&](const Vertex& vertex) {
+  write_rows(buffer, document.vertices, [&](const NetDocument::Vertex& vertex) {
     buffer.text("[");
     buffer.number(vertex.chart);
     buffer.text(",");
@@ -171,7 +171,7 @@ void write_net_object(Buffer& buffer, const Document& document) {
     buffer.text("]");
   });
   buffer.text(",\n\"triangles\":");
-  write_rows(buffer, document.triangles, [&](const Triangle& t) {
+  write_rows(buffer, document.triangles, [&](const NetDocument::Triangle& t) {
     buffer.text("[");
     for (const std::uint32_t n : t.vertex) {
       buffer.number(n);
@@ -238,7 +238,7 @@ void write_piece(Buffer& buffer, const Piece& piece) {
 
 }  // namespace
 
-void write_surface(const Surface& surface, std::ostream& out) {
+void write_surface(const SurfaceDocument& surface, std::ostream& out) {
   Buffer buffer(out);
   buffer.text("{\"format\":\"epsnet-surface\",\"version\":1,\n\"surface\":");
   write_surface_object(buffer, surface);
@@ -246,7 +246,7 @@ void write_surface(const Surface& surface, std::ostream& out) {
   buffer.flush();
 }
 
-void write_net(const Document& document, std::ostream& out) {
+void write_net(const NetDocument& document, std::ostream& out) {
   Buffer buffer(out);
   write_net_object(buffer, document);
   buffer.text("\n");

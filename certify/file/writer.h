@@ -1,9 +1,9 @@
 #pragma once
 
+#include <iosfwd>
+
 #include "certify/document/document.h"
 #include "certify/document/geodesics_document.h"
-
-#include <iosfwd>
 
 /// Writes the files of docs/format.md. Not trusted: the checker reads what was written with reader.h.
 ///
@@ -11,9 +11,9 @@
 /// parse_net(write_net(x)) == x. O(size), buffered. Errors show in the state of the stream.
 namespace epsnet::certify {
 
-void write_net(const Document& document, std::ostream& out);
+void write_net(const NetDocument& document, std::ostream& out);
 
-void write_surface(const Surface& surface, std::ostream& out);
+void write_surface(const SurfaceDocument& surface, std::ostream& out);
 
 /// Writes the members that the document's claim has, and no others.
 void write_geodesics(const GeodesicsDocument& document, std::ostream& out);

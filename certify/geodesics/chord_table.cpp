@@ -1,9 +1,10 @@
 #include "certify/geodesics/chord_table.h"
-#include "certify/document/darts.h"
-#include "certify/numbers/parallel.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "certify/document/darts.h"
+#include "certify/numbers/parallel.h"
 
 namespace epsnet::certify {
 namespace {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "certify/geodesics/chords.h"
-#include "certify/geodesics/interval_index.h"
-
 #include <span>
 #include <vector>
+
+#include "certify/geodesics/chords.h"
+#include "certify/geodesics/interval_index.h"
 
 namespace epsnet::certify {
 

@@ -1,10 +1,11 @@
 #include "certify/geodesics/chords.h"
-#include "certify/document/darts.h"
-#include "certify/geodesics/interval_index.h"
 
 #include <algorithm>
 #include <array>
 #include <unordered_map>
+
+#include "certify/document/darts.h"
+#include "certify/geodesics/interval_index.h"
 
 namespace epsnet::certify {
 namespace {
@@ -163,7 +164,7 @@ class ChordSearch {
   }
 
   const LiftedPlane& plane_;
-  const Document& net_;
+  const NetDocument& net_;
   ChordList list_;
   std::unordered_map<std::uint32_t, IntervalIndex> by_triangle_;  ///< By the chords' keys.
 };
@@ -178,7 +179,7 @@ Interval translation_length(const BallIsometry& element, slong precision) {
   return {std::max(interval.lower, 0.0), interval.upper};
 }
 
-std::vector<std::uint32_t> first_darts(const Document& net) {
+std::vector<std::uint32_t> first_darts(const NetDocument& net) {
   std::vector<std::uint32_t> darts(net.vertices.size());
   for (std::uint32_t dart = 3 * static_cast<std::uint32_t>(net.triangles.size()); dart-- > 0;) {
     darts[start(net, dart)] = dart;

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "certify/geodesics/lifted_plane.h"
-
 #include <algorithm>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
+
+#include "certify/geodesics/lifted_plane.h"
 
 /// Closed geodesics as finite sets of chords: a pair (t, g) for each lifted triangle that the axis of an element meets,
 /// modulo the element's centralizer, where t is the triangle and g the element written in the chart of t
@@ -42,7 +42,7 @@ struct ChordList {
 [[nodiscard]] Interval translation_length(const BallIsometry& element, slong precision);
 
 /// A dart that leaves each vertex.
-[[nodiscard]] std::vector<std::uint32_t> first_darts(const Document& net);
+[[nodiscard]] std::vector<std::uint32_t> first_darts(const NetDocument& net);
 
 /// The chords of the axis of `element`, which is written in the chart of the vertex that `first_dart` leaves; one
 /// after the other to `visit`, until it says false. Every triangle that the axis truly meets is among them.

@@ -1,11 +1,12 @@
 #include "certify/geodesics/completeness_check.h"
+
+#include <algorithm>
+#include <numeric>
+
 #include "certify/document/darts.h"
 #include "certify/document/text.h"
 #include "certify/geodesics/orbit_search.h"
 #include "certify/numbers/parallel.h"
-
-#include <algorithm>
-#include <numeric>
 
 namespace epsnet::certify {
 namespace {
@@ -194,7 +195,7 @@ class CompletenessCheck::Pass {
 
   const CompletenessCheck& check_;
   const LiftedPlane& plane_;
-  const Document& net_;
+  const NetDocument& net_;
   const ChordTable& table_;
   std::vector<std::uint32_t> first_darts_;
   Ball cosh_half_;
@@ -213,7 +214,7 @@ CompletenessCheck::CompletenessCheck(const GeodesicsDocument& document, const La
       limit_(options.max_visits / std::max<std::size_t>(document.net.vertices.size(), 1)),
       vertices_(document.net.vertices.size()),
       loops_(document.net.vertices.size()) {
-  const Document& net = document.net;
+  const NetDocument& net = document.net;
   for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
     const std::uint32_t v = start(net, dart);
     if (v == start(net, next_dart(dart)) && dart < opposite(net, dart)) loops_[v].push_back(dart);

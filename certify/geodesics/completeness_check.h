@@ -1,12 +1,12 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "certify/check.h"
 #include "certify/document/geodesics_document.h"
 #include "certify/geodesics/chord_table.h"
 #include "certify/geodesics/exact_traces.h"
-
-#include <string>
-#include <vector>
 
 namespace epsnet::certify {
 

@@ -1,10 +1,11 @@
 #include "certify/geodesics/cut_surface.h"
-#include "certify/document/darts.h"
 
 #include <algorithm>
 #include <array>
 #include <map>
 #include <numeric>
+
+#include "certify/document/darts.h"
 
 namespace epsnet::certify {
 namespace {
@@ -17,7 +18,7 @@ class ExactSide {
  public:
   using Number = typename CrossingsOfAKind::Number;
 
-  ExactSide(const Document& net, const LabelEvaluator& evaluator, const CrossingsOfAKind& crossings)
+  ExactSide(const NetDocument& net, const LabelEvaluator& evaluator, const CrossingsOfAKind& crossings)
       : net_(net), evaluator_(evaluator), crossings_(crossings) {}
 
   /// The sign of ⟨n, X⟩, X the corner where `dart` starts; the element is the inverse of label `number` at the vertex
@@ -34,7 +35,7 @@ class ExactSide {
       reduce(to_chart);
     }
     const Isometry<Number> element = compose(to_chart, compose(inverse(label(number)), inverse(to_chart)));
-    const Vertex& vertex = net_.vertices[start(net_, dart)];
+    const NetDocument::Vertex& vertex = net_.vertices[start(net_, dart)];
     const auto x = hyperboloid_vector(moved(label(corner_label(net_, dart)), exact_point(vertex.x, vertex.y)));
     // The normal is (−Im b, Re b, Im a), with the sign of Re a.
     const int value =
@@ -58,7 +59,7 @@ class ExactSide {
     return bits;
   }
 
-  const Document& net_;
+  const NetDocument& net_;
   const LabelEvaluator& evaluator_;
   const CrossingsOfAKind& crossings_;
 };
@@ -257,7 +258,7 @@ class Cutter {
   }
 
   const LiftedPlane& plane_;
-  const Document& net_;
+  const NetDocument& net_;
   const LabelEvaluator& evaluator_;
   const ChordTable& table_;
   const std::vector<std::uint32_t>& elements_;

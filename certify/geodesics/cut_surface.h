@@ -1,10 +1,10 @@
 #pragma once
 
-#include "certify/document/geodesics_document.h"
-#include "certify/geodesics/chord_table.h"
-
 #include <optional>
 #include <vector>
+
+#include "certify/document/geodesics_document.h"
+#include "certify/geodesics/chord_table.h"
 
 namespace epsnet::certify {
 

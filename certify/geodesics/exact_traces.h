@@ -1,10 +1,10 @@
 #pragma once
 
-#include "certify/label_evaluator.h"
-
 #include <cstdint>
 #include <optional>
 #include <span>
+
+#include "certify/label_evaluator.h"
 
 namespace epsnet::certify {
 

@@ -1,4 +1,11 @@
 #include "certify/geodesics/geodesics_check.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <span>
+#include <thread>
+
 #include "certify/document/geodesics_structure.h"
 #include "certify/document/least_bytes.h"
 #include "certify/document/text.h"
@@ -8,12 +15,6 @@
 #include "certify/geodesics/exact_traces.h"
 #include "certify/numbers/parallel.h"
 #include "certify/surface_check.h"
-
-#include <algorithm>
-#include <array>
-#include <numeric>
-#include <span>
-#include <thread>
 
 namespace epsnet::certify {
 namespace {
@@ -37,8 +38,8 @@ Ball cosh_half(double x, slong precision) {
 }
 
 /// The net with the words of the geodesics as further labels, which no triangle uses.
-Document extended(const GeodesicsDocument& document) {
-  Document net = document.net;
+NetDocument extended(const GeodesicsDocument& document) {
+  NetDocument net = document.net;
   for (const ClosedGeodesic& geodesic : document.geodesics) {
     const std::uint32_t chart = net.vertices[geodesic.vertex].chart;
     net.labels.push_back({chart, chart, geodesic.word});
@@ -46,7 +47,7 @@ Document extended(const GeodesicsDocument& document) {
   return net;
 }
 
-LabelParts label_parts(const Document& net, unsigned threads, const Budget& budget) {
+LabelParts label_parts(const NetDocument& net, unsigned threads, const Budget& budget) {
   SurfaceOutcome surface = check_surface(net.surface, threads, budget);
   if (surface.report.verdict != Verdict::verified) throw BudgetSpent();
   return {std::move(surface.crossings), chart_frames(net.charts, budget), budget};
@@ -377,7 +378,7 @@ class GeodesicsCheck {
   const GeodesicsDocument& document_;
   const CheckOptions& options_;
   unsigned threads_;
-  Document net_;
+  NetDocument net_;
   LabelParts parts_;
   LabelEvaluator evaluator_;
   std::vector<std::uint32_t> first_darts_;

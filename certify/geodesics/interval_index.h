@@ -1,10 +1,10 @@
 #pragma once
 
-#include "certify/numbers/ball.h"
-
 #include <cstdint>
 #include <map>
 #include <vector>
+
+#include "certify/numbers/ball.h"
 
 namespace epsnet::certify {
 

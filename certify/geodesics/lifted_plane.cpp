@@ -1,9 +1,10 @@
 #include "certify/geodesics/lifted_plane.h"
-#include "certify/document/darts.h"
-#include "certify/surface_check.h"
 
 #include <map>
 #include <numeric>
+
+#include "certify/document/darts.h"
+#include "certify/surface_check.h"
 
 namespace epsnet::certify {
 namespace {
@@ -29,8 +30,8 @@ bool disjoint(const BallIsometry& f, const BallIsometry& g) {
 
 }  // namespace
 
-LiftedPlane::LiftedPlane(const Document& net, const LabelEvaluator& evaluator, const LabelParts& parts, slong precision,
-                         slong cap, unsigned threads)
+LiftedPlane::LiftedPlane(const NetDocument& net, const LabelEvaluator& evaluator, const LabelParts& parts,
+                         slong precision, slong cap, unsigned threads)
     : net_(net), budget_(evaluator.budget()), precision_(precision) {
   const std::size_t triangles = net.triangles.size();
   spend(250, triangles);
@@ -55,7 +56,7 @@ void LiftedPlane::evaluate_labels(const LabelEvaluator& evaluator, slong cap, un
 
 void LiftedPlane::place_triangle(std::uint32_t t) {
   for (std::uint32_t dart = 3 * t; dart < 3 * t + 3; ++dart) {
-    const Vertex& vertex = net_.vertices[start(net_, dart)];
+    const NetDocument::Vertex& vertex = net_.vertices[start(net_, dart)];
     corners_[dart] = unit_vector(labels_[corner_label(net_, dart)], vertex.x, vertex.y, precision_);
   }
   Ball determinant;

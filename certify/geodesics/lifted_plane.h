@@ -1,10 +1,10 @@
 #pragma once
 
-#include "certify/geodesics/lorentz.h"
-#include "certify/label_evaluator.h"
-
 #include <optional>
 #include <vector>
+
+#include "certify/geodesics/lorentz.h"
+#include "certify/label_evaluator.h"
 
 /// The lifted triangulation at one precision: each triangle in its chart, and what leads across its darts.
 namespace epsnet::certify {
@@ -13,11 +13,11 @@ namespace epsnet::certify {
 class LiftedPlane {
  public:
   /// `net` may have labels that no triangle uses. O(size of the net) time and memory, about 1 kB a triangle.
-  LiftedPlane(const Document& net, const LabelEvaluator& evaluator, const LabelParts& parts, slong precision, slong cap,
-              unsigned threads);
+  LiftedPlane(const NetDocument& net, const LabelEvaluator& evaluator, const LabelParts& parts, slong precision,
+              slong cap, unsigned threads);
 
   [[nodiscard]] slong precision() const { return precision_; }
-  [[nodiscard]] const Document& net() const { return net_; }
+  [[nodiscard]] const NetDocument& net() const { return net_; }
   /// Takes the work of so many operations of balls off the budget.
   void spend(std::uint64_t operations, std::uint64_t times = 1) const {
     budget_.spend(operations * ball_work(static_cast<std::uint64_t>(precision_)), times);
@@ -57,7 +57,7 @@ class LiftedPlane {
   void find_transitions();
   void find_disks(const LabelParts& parts, slong cap);
 
-  const Document& net_;
+  const NetDocument& net_;
   const Budget& budget_;
   slong precision_;
   std::vector<BallIsometry> labels_;

@@ -1,9 +1,10 @@
 #include "certify/geodesics/orbit_search.h"
-#include "certify/document/darts.h"
 
 #include <array>
 #include <optional>
 #include <vector>
+
+#include "certify/document/darts.h"
 
 namespace epsnet::certify {
 namespace {
@@ -186,7 +187,7 @@ class OrbitSearch {
   }
 
   const LiftedPlane& plane_;
-  const Document& net_;
+  const NetDocument& net_;
   std::uint32_t root_;  ///< The dart that leaves the vertex in the first triangle.
   std::uint64_t limit_;
   const std::function<Search(const BallIsometry&, const LabelProduct&)>& report_;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "certify/geodesics/lifted_plane.h"
-
 #include <cstdint>
 #include <functional>
 #include <vector>
+
+#include "certify/geodesics/lifted_plane.h"
 
 /// The elements of the surface's group that move a vertex little, by reverse search (docs/proof.md, section 11).
 namespace epsnet::certify {

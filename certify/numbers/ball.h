@@ -8,7 +8,6 @@
 #include <arb.h>
 #endif
 #include <gmpxx.h>
-
 #include <limits>
 #include <optional>
 

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <gmpxx.h>
-#include "certify/document/document.h"
-#include "certify/numbers/budget.h"
-
 #include <array>
+#include <gmpxx.h>
 #include <span>
 #include <type_traits>
 #include <vector>
+
+#include "certify/document/document.h"
+#include "certify/numbers/budget.h"
 
 /// The hyperbolic plane without rounding: points, isometries and predicates over a ring of complex numbers.
 ///

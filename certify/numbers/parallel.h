@@ -1,13 +1,13 @@
 #pragma once
 
-#include "certify/numbers/ball.h"
-
 #include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
+
+#include "certify/numbers/ball.h"
 
 namespace epsnet::certify {
 

@@ -1,9 +1,9 @@
 #include "certify/numbers/regular_number.h"
-#include <flint/fmpq.h>
-#include <flint/ulong_extras.h>
 
 #include <algorithm>
 #include <array>
+#include <flint/fmpq.h>
+#include <flint/ulong_extras.h>
 #include <numeric>
 #include <unordered_map>
 #include <utility>

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "certify/numbers/ball.h"
-#include "certify/numbers/budget.h"
-#include "certify/numbers/exact.h"
-
 #include <cstdint>
 #include <deque>
 #include <memory>
 #include <mutex>
 #include <vector>
+
+#include "certify/numbers/ball.h"
+#include "certify/numbers/budget.h"
+#include "certify/numbers/exact.h"
 
 /// The numbers of the regular 4g-gon, exactly: Z[ζ, s] with ζ = e^{iπ/(2g)} and s = √(a² − 1), a = cot(π/(4g)).
 ///

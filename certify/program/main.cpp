@@ -1,11 +1,3 @@
-#include <nettle/sha2.h>
-#include <unistd.h>
-#include "certify/check.h"
-#include "certify/document/text.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
-#include "certify/geodesics/geodesics_check.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -16,12 +8,20 @@
 #include <exception>
 #include <iostream>
 #include <limits>
+#include <nettle/sha2.h>
 #include <numeric>
 #include <sstream>
 #include <string>
+#include <unistd.h>
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include "certify/check.h"
+#include "certify/document/text.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+#include "certify/geodesics/geodesics_check.h"
 
 /// The program `certify`: reads net files and geodesics files, prints for each what each rule proved and, last, one
 /// verdict line.
@@ -271,7 +271,7 @@ FileReport check_file(const Request& request, const std::string& path) {
     const std::string prefix = report.name + ": ";
     return std::string(text.starts_with(prefix) ? text.substr(prefix.size()) : text);
   };
-  std::variant<Document, GeodesicsDocument> document;
+  std::variant<NetDocument, GeodesicsDocument> document;
   try {
     std::string bytes = load(path);
     report.sha256 = sha256(bytes);
@@ -287,12 +287,12 @@ FileReport check_file(const Request& request, const std::string& path) {
   }
   const auto* geodesics = std::get_if<GeodesicsDocument>(&document);
   if (request.print_parsed && geodesics != nullptr) write_geodesics(*geodesics, std::cout);
-  if (request.print_parsed && geodesics == nullptr) write_net(std::get<Document>(document), std::cout);
+  if (request.print_parsed && geodesics == nullptr) write_net(std::get<NetDocument>(document), std::cout);
   Progress progress;
   CheckOptions options = request.options;
   options.progress = [&](std::string_view rule, double share) { progress.show(rule, share); };
   report.certificate =
-      geodesics != nullptr ? check_geodesics(*geodesics, options) : check(std::get<Document>(document), options);
+      geodesics != nullptr ? check_geodesics(*geodesics, options) : check(std::get<NetDocument>(document), options);
   return report;
 }
 

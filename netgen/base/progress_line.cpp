@@ -1,8 +1,7 @@
 #include "netgen/base/progress_line.h"
 
-#include <unistd.h>
-
 #include <cstdio>
+#include <unistd.h>
 
 namespace epsnet {
 

@@ -20,12 +20,12 @@ constexpr std::uint32_t previous_side(std::uint32_t s) { return next_side(next_s
 
 class Builder {
  public:
-  Builder(const Surface& surface, const Epsilon& epsilon) : surface_(surface), path_(surface.side_count()) {
+  Builder(const Surface& surface, const Length& epsilon) : surface_(surface), path_(surface.side_count()) {
     net_.surface = to_document(surface);
     net_.epsilon = epsilon.text();
   }
 
-  certify::Document net() {
+  certify::NetDocument net() {
     for (std::uint32_t corner = 0; corner < surface_.side_count(); ++corner) {
       if (surface_.vertex_class(corner) == net_.vertices.size()) add_vertex(corner);
     }
@@ -51,7 +51,7 @@ class Builder {
   }
 
   void add_triangle(std::uint32_t t) {
-    certify::Triangle& triangle = net_.triangles.emplace_back();
+    certify::NetDocument::Triangle& triangle = net_.triangles.emplace_back();
     for (std::uint32_t i = 0; i < 3; ++i) {
       triangle.vertex[i] = surface_.vertex_class(3 * t + i);
       triangle.opposite[i] = surface_.partner(3 * t + i);
@@ -89,7 +89,7 @@ class Builder {
   }
 
   const Surface& surface_;
-  certify::Document net_;
+  certify::NetDocument net_;
   /// By corner: from the tile of the chart of its vertex to its own.
   std::vector<Word> path_;
   std::map<std::tuple<std::uint32_t, std::uint32_t, Word>, std::uint32_t> labels_;
@@ -99,7 +99,7 @@ class Builder {
 
 }  // namespace
 
-certify::Document net_of_tiles(const Surface& surface, const Epsilon& epsilon) {
+certify::NetDocument net_of_tiles(const Surface& surface, const Length& epsilon) {
   for (std::size_t t = 0; t < surface.tiles().size(); ++t) {
     if (surface.is_regular() || surface.tiles()[t].size() != 3) {
       throw ImportedNetError("tile " + std::to_string(t) + " has " + std::to_string(surface.tiles()[t].size()) +

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "certify/document/document.h"
-#include "netgen/base/epsilon.h"
+#include "netgen/base/length.h"
 #include "triangulation/error.h"
 #include "triangulation/surface.h"
 
@@ -20,6 +20,6 @@ class ImportedNetError : public Error {
 /// is the origin of a chart of its own, whose exact centre is the corner of a tile, so that nothing is rounded.
 /// Throws ImportedNetError unless all tiles are triangles, and if words grow beyond what a net file may hold
 /// (docs/format.md): about the sum of the squares of all degrees. Time and memory are proportional to that.
-[[nodiscard]] certify::Document net_of_tiles(const Surface& surface, const Epsilon& epsilon);
+[[nodiscard]] certify::NetDocument net_of_tiles(const Surface& surface, const Length& epsilon);
 
 }  // namespace epsnet

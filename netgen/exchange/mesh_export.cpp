@@ -30,7 +30,7 @@ struct Mesh {
 };
 
 Mesh mesh(const NetGeometry& geometry, const Lifts& lifts) {
-  const std::vector<certify::Triangle>& triangles = geometry.document().triangles;
+  const std::vector<certify::NetDocument::Triangle>& triangles = geometry.document().triangles;
   Mesh result;
   result.on_boundary = boundary_darts(geometry, lifts);
   // Corners, named by the darts that start there, are the same across edges inside of the drawing.
@@ -64,9 +64,9 @@ std::string circumradius_text(const NetGeometry& geometry, std::uint32_t triangl
 
 /// With more bits where the ends are in different charts, perhaps far from each other.
 double edge_length(const NetGeometry& geometry, std::uint32_t dart) {
-  const certify::Document& net = geometry.document();
-  const certify::Vertex& u = net.vertices[net.triangles[dart / 3].vertex[dart % 3]];
-  const certify::Vertex& v = net.vertices[net.triangles[dart / 3].vertex[dart_after(dart) % 3]];
+  const certify::NetDocument& net = geometry.document();
+  const certify::NetDocument::Vertex& u = net.vertices[net.triangles[dart / 3].vertex[dart % 3]];
+  const certify::NetDocument::Vertex& v = net.vertices[net.triangles[dart / 3].vertex[dart_after(dart) % 3]];
   const std::uint32_t at_u = geometry.corner_label(dart);
   const std::uint32_t at_v = geometry.corner_label(dart_after(dart));
   if (at_u == at_v) return distance(Complex<double>{u.x, u.y}, Complex<double>{v.x, v.y});
@@ -104,7 +104,7 @@ class Rows {
 /// The isometries that take the drawn neighbour of a boundary side to the place beyond that side.
 void write_pairings(const NetGeometry& geometry, const Lifts& lifts, const std::vector<bool>& on_boundary,
                     std::ostream& out) {
-  const certify::Document& net = geometry.document();
+  const certify::NetDocument& net = geometry.document();
   Rows rows(out, "pairings");
   for (std::uint32_t dart = 0; dart < on_boundary.size(); ++dart) {
     if (!on_boundary[dart]) continue;
@@ -122,7 +122,7 @@ void write_pairings(const NetGeometry& geometry, const Lifts& lifts, const std::
 
 }  // namespace
 
-void write_off(const certify::Document& net, std::ostream& out) {
+void write_off(const certify::NetDocument& net, std::ostream& out) {
   const NetGeometry geometry(net);
   const Mesh drawn = mesh(geometry, lift_triangles(geometry, DrawOrder::weight));
   out << "OFF\n" << drawn.points.size() << ' ' << drawn.triangles.size() << " 0\n";
@@ -130,7 +130,7 @@ void write_off(const certify::Document& net, std::ostream& out) {
   for (const auto& triangle : drawn.triangles) out << "3 " << joined(triangle, " ") << '\n';
 }
 
-void write_vtu(const certify::Document& net, std::ostream& out) {
+void write_vtu(const certify::NetDocument& net, std::ostream& out) {
   const NetGeometry geometry(net);
   const Mesh drawn = mesh(geometry, lift_triangles(geometry, DrawOrder::weight));
   const auto array = [&](const char* type, const std::string& attributes, std::size_t count, const auto& text) {
@@ -157,18 +157,18 @@ void write_vtu(const certify::Document& net, std::ostream& out) {
   out << "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
-void write_edges(const certify::Document& net, std::ostream& out) {
+void write_edges(const certify::NetDocument& net, std::ostream& out) {
   const NetGeometry geometry(net);
   out << "u\tv\tlength\n";
   for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
-    const certify::Triangle& triangle = net.triangles[dart / 3];
+    const certify::NetDocument::Triangle& triangle = net.triangles[dart / 3];
     if (triangle.opposite[dart % 3] < dart) continue;
     out << triangle.vertex[dart % 3] << '\t' << triangle.vertex[dart_after(dart) % 3] << '\t'
         << shortest(edge_length(geometry, dart)) << '\n';
   }
 }
 
-void write_mesh_json(const certify::Document& net, std::ostream& out) {
+void write_mesh_json(const certify::NetDocument& net, std::ostream& out) {
   const NetGeometry geometry(net);
   const Lifts lifts = lift_triangles(geometry, DrawOrder::weight);
   const Mesh drawn = mesh(geometry, lifts);
@@ -182,14 +182,16 @@ void write_mesh_json(const certify::Document& net, std::ostream& out) {
   for (const auto& triangle : drawn.triangles) triangles.add("[" + joined(triangle, ", ") + "]");
   triangles.end();
   Rows opposite(out, "opposite");
-  for (const certify::Triangle& triangle : net.triangles) opposite.add("[" + joined(triangle.opposite, ", ") + "]");
+  for (const certify::NetDocument::Triangle& triangle : net.triangles)
+    opposite.add("[" + joined(triangle.opposite, ", ") + "]");
   opposite.end();
   Rows radii(out, "circumradii");
   for (std::uint32_t t = 0; t < net.triangles.size(); ++t) radii.add(circumradius_text(geometry, t));
   radii.end();
   write_pairings(geometry, lifts, drawn.on_boundary, out);
   Rows corner_labels(out, "corner_labels");
-  for (const certify::Triangle& triangle : net.triangles) corner_labels.add("[" + joined(triangle.label, ", ") + "]");
+  for (const certify::NetDocument::Triangle& triangle : net.triangles)
+    corner_labels.add("[" + joined(triangle.label, ", ") + "]");
   corner_labels.end();
   Rows labels(out, "labels");
   for (std::uint32_t number = 0; number <= net.labels.size(); ++number) {

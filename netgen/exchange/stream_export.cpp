@@ -130,7 +130,7 @@ Isometry<Rational> integral(const Isometry<Rational>& f) {
 /// The triangles of a net document, in the charts of their first corners.
 class NetTriangles {
  public:
-  explicit NetTriangles(const certify::Document& net) : net_(net) {
+  explicit NetTriangles(const certify::NetDocument& net) : net_(net) {
     if (const auto problem = certify::structure_problem(net)) throw TriangulationStreamError("not a net: " + *problem);
     require_tiles(!net.surface.tiles.empty());
     if (net.triangles.empty()) throw TriangulationStreamError("not a net: there are no triangles");
@@ -141,7 +141,7 @@ class NetTriangles {
   [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(net_.triangles.size()); }
   [[nodiscard]] std::uint32_t opposite(std::uint32_t dart) const { return net_.triangles[dart / 3].opposite[dart % 3]; }
   [[nodiscard]] Corners corners(std::uint32_t t) {
-    const certify::Triangle& triangle = net_.triangles[t];
+    const certify::NetDocument::Triangle& triangle = net_.triangles[t];
     if (triangle.label[0] == 0 && triangle.label[1] == 0) return computed_corners(triangle);
     const auto [known, is_new] = labelled_.try_emplace(t);
     if (is_new) known->second = computed_corners(triangle);
@@ -164,7 +164,7 @@ class NetTriangles {
   void evaluate_labels() {
     if (net_.labels.empty()) return;
     const Surface surface = from_document(net_.surface);
-    for (const certify::Label& label : net_.labels) {
+    for (const certify::NetDocument::Label& label : net_.labels) {
       Isometry<Rational> path;
       for (const std::uint32_t side : label.word) path = surface.crossing(side) * path;
       const auto to = Isometry<Rational>::translation(from_gmp(net_.charts[label.to].centre));
@@ -173,7 +173,7 @@ class NetTriangles {
     }
   }
 
-  [[nodiscard]] Corners computed_corners(const certify::Triangle& triangle) const {
+  [[nodiscard]] Corners computed_corners(const certify::NetDocument::Triangle& triangle) const {
     return {corner(triangle.vertex[0], 0), corner(triangle.vertex[1], triangle.label[0]),
             corner(triangle.vertex[2], triangle.label[1])};
   }
@@ -182,7 +182,7 @@ class NetTriangles {
     return label == 0 ? z : labels_[label - 1](z);
   }
 
-  const certify::Document& net_;
+  const certify::NetDocument& net_;
   std::vector<Isometry<Rational>> labels_;
   /// Corners of triangles that have labels: these are few, and their numbers are large.
   std::unordered_map<std::uint32_t, Corners> labelled_;
@@ -192,7 +192,7 @@ class NetTriangles {
 
 TriangulationStream triangulation_stream(const Surface& surface) { return stream_of(TriangulatedTiles(surface)); }
 
-TriangulationStream triangulation_stream(const certify::Document& net) {
+TriangulationStream triangulation_stream(const certify::NetDocument& net) {
   try {
     return stream_of(NetTriangles(net));
   } catch (const SurfaceError& error) {

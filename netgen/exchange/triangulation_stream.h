@@ -83,7 +83,7 @@ struct TriangulationStream {
 /// Nothing is proved (certify does that), but nothing is written that is not a map of triangles that fit: throws
 /// TriangulationStreamError if the document is not well-formed or the sides of two triangles differ where they are
 /// glued.
-[[nodiscard]] TriangulationStream triangulation_stream(const certify::Document& net);
+[[nodiscard]] TriangulationStream triangulation_stream(const certify::NetDocument& net);
 
 /// The text, each number as `p/q` or `p` in lowest terms, each triangle as CGAL writes it: a dart, the previous, the
 /// next. With an anchor of each triangle it is the format of CGAL's Delaunay class.

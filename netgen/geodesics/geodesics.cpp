@@ -268,7 +268,7 @@ certify::GeodesicsDocument systole(const Surface& surface, const GeodesicsOption
                      [&]<class T>(Search& search, const T&) { return shortest_geodesic<T>(search, options); });
 }
 
-certify::GeodesicsDocument spectrum(const Surface& surface, const Epsilon& up_to, const GeodesicsOptions& options) {
+certify::GeodesicsDocument spectrum(const Surface& surface, const Length& up_to, const GeodesicsOptions& options) {
   return with_search(surface, options, [&]<class T>(Search& search, const T&) {
     certify::GeodesicsDocument result =
         all_geodesics<T>(search, options, certify::Claim::spectrum, static_cast<T>(up_to.value()));

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "certify/document/geodesics_document.h"
-#include "netgen/base/epsilon.h"
+#include "netgen/base/length.h"
 #include "triangulation/surface.h"
 
 /// Closed geodesics of a surface: the systole, the length spectrum, the small curves. docs/geodesics.md says how and
@@ -17,7 +17,7 @@ namespace epsnet {
 struct GeodesicsOptions {
   /// The covering that the search starts from. Small values make many searches, large ones long searches; the optimum
   /// is flat, near 1 (docs/geodesics.md).
-  Epsilon epsilon{"1"};
+  Length epsilon{"1"};
   unsigned threads = 0;  ///< 0: as many as the machine has cores. The result is the same for any number.
   /// Called now and then, from the calling thread only, with what is going on and the share of it done, 0 to 1.
   std::function<void(const std::string&, double)> progress = {};
@@ -29,7 +29,7 @@ struct GeodesicsOptions {
 
 /// All primitive closed geodesics of length at most `up_to`, up to orientation, by length. About e^L/(2L) of them, in
 /// time about proportional to e^L, L = up_to.
-[[nodiscard]] certify::GeodesicsDocument spectrum(const Surface& surface, const Epsilon& up_to,
+[[nodiscard]] certify::GeodesicsDocument spectrum(const Surface& surface, const Length& up_to,
                                                   const GeodesicsOptions& options = {});
 
 /// The small curves, which are the closed geodesics of length at most 2 arsinh 1: at most 3g − 3, simple and pairwise

@@ -90,10 +90,10 @@ struct Measures {
 };
 
 /// By triangle: whether it is one of a collar. These are as long as the collar, beyond binary64.
-std::vector<bool> in_collars(const certify::Document& net) {
+std::vector<bool> in_collars(const certify::NetDocument& net) {
   std::vector<bool> result(net.triangles.size());
   if (!net.collars) return result;
-  for (const certify::Collar& collar : *net.collars) {
+  for (const certify::NetDocument::Collar& collar : *net.collars) {
     for (const std::uint32_t t : collar.triangles) result[t] = true;
   }
   return result;
@@ -102,10 +102,10 @@ std::vector<bool> in_collars(const certify::Document& net) {
 /// Edges are measured in a triangle outside of collars, those between the two vertices of a collar not at all.
 Measures measure(const NetGeometry& geometry) {
   Measures result;
-  const certify::Document& net = geometry.document();
+  const certify::NetDocument& net = geometry.document();
   const std::vector<bool> left_out = in_collars(net);
   for (std::uint32_t t = 0; t < net.triangles.size(); ++t) {
-    const certify::Triangle& triangle = net.triangles[t];
+    const certify::NetDocument::Triangle& triangle = net.triangles[t];
     const auto identities = static_cast<std::uint64_t>(std::count(triangle.label.begin(), triangle.label.end(), 0U));
     result.identities += identities;
     result.plain_triangles += identities == 2 ? 1 : 0;
@@ -152,10 +152,10 @@ void add_systole(Gathered& out, const Summary& loops, double epsilon) {
 }
 
 /// A pseudo net says nothing of the points and loops in its collars.
-void add_collars(Gathered& out, const std::vector<certify::Collar>& collars) {
+void add_collars(Gathered& out, const std::vector<certify::NetDocument::Collar>& collars) {
   out.line("pseudo net, collars", collars.size());
   Json& list = out.json["collars"] = Json::array();
-  for (const certify::Collar& collar : collars) {
+  for (const certify::NetDocument::Collar& collar : collars) {
     out.text << "collar at vertices " << collar.vertices[0] << ", " << collar.vertices[1] << ": core of length "
              << collar.length[0] << ", " << collar.core.size() << " letters\n";
     list.push_back(
@@ -219,7 +219,7 @@ Facts surface_info(const Surface& surface, const std::string& kind) {
   return out.facts();
 }
 
-Facts net_info(const certify::Document& net) {
+Facts net_info(const certify::NetDocument& net) {
   const NetGeometry geometry(net);
   const Measures measures = measure(geometry);
   const double epsilon = geometry.epsilon().get_d();
@@ -238,7 +238,7 @@ Facts net_info(const certify::Document& net) {
   out.add("charts", "charts", net.charts.size());
   out.add("labels", "labels", net.labels.size());
   std::size_t longest_word = 0;
-  for (const certify::Label& label : net.labels) longest_word = std::max(longest_word, label.word.size());
+  for (const certify::NetDocument::Label& label : net.labels) longest_word = std::max(longest_word, label.word.size());
   out.add("longest word", "longest_word", longest_word);
   out.line("identity labels", percent(measures.identities, 2 * net.triangles.size()));
   out.line("triangles without other labels", percent(measures.plain_triangles, net.triangles.size()));

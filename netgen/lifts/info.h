@@ -23,7 +23,7 @@ struct Facts {
 /// About a net: ε, counts against the thesis' bounds, charts, labels, edges, circumradii, and what
 /// the loops among the edges say about the systole if the net is verified. Lengths are hyperbolic. Throws
 /// NetGeometryError if the document is not a net. O(triangles).
-[[nodiscard]] Facts net_info(const certify::Document& net);
+[[nodiscard]] Facts net_info(const certify::NetDocument& net);
 
 /// About a Dirichlet domain: its sides, how far they and its vertices are from the base point.
 [[nodiscard]] Facts dirichlet_info(const DirichletPolygon& polygon);

@@ -105,7 +105,7 @@ class Lifter {
   using Edge = std::pair<double, std::uint32_t>;  ///< Weight and dart; the dart breaks ties.
 
   const NetGeometry& geometry_;
-  const std::vector<certify::Triangle>& triangles_;
+  const std::vector<certify::NetDocument::Triangle>& triangles_;
   DrawOrder order_;
   std::uint32_t centre_;
   Placements placements_;
@@ -120,12 +120,12 @@ std::uint32_t dart_after(std::uint32_t dart) { return dart % 3 == 2 ? dart - 2 :
 Isometry<Mp256> to_centre(const NetGeometry& geometry, std::uint32_t vertex) {
   if (vertex >= geometry.document().vertices.size())
     throw NetGeometryError("there is no vertex " + std::to_string(vertex));
-  const certify::Vertex& v = geometry.document().vertices[vertex];
+  const certify::NetDocument::Vertex& v = geometry.document().vertices[vertex];
   return Isometry<Mp256>::translation({Mp256(-v.x), Mp256(-v.y)});
 }
 
 Placement placement_at(const NetGeometry& geometry, std::uint32_t vertex, const Isometry<Mp256>& frame) {
-  const std::vector<certify::Triangle>& triangles = geometry.document().triangles;
+  const std::vector<certify::NetDocument::Triangle>& triangles = geometry.document().triangles;
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (triangles[t].vertex[i] == vertex)
@@ -149,7 +149,7 @@ Lifts lift_triangles(const NetGeometry& geometry, DrawOrder order, std::uint32_t
 }
 
 std::vector<bool> boundary_darts(const NetGeometry& geometry, const Lifts& lifts) {
-  const std::vector<certify::Triangle>& triangles = geometry.document().triangles;
+  const std::vector<certify::NetDocument::Triangle>& triangles = geometry.document().triangles;
   const auto corner = [&](std::uint32_t dart) { return lifts.lifted[lifts.place[dart / 3]].corner[dart % 3]; };
   // Lifts of a point are the same or, measured at the scale of the place, far apart.
   const auto same = [](const Complex<double>& u, const Complex<double>& v) {

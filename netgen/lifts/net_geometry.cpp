@@ -18,10 +18,10 @@ namespace {
 template <class T>
 class Evaluator {
  public:
-  Evaluator(const certify::Document& document, const SideTable& sides) : parts_(document, sides) {}
+  Evaluator(const certify::NetDocument& document, const SideTable& sides) : parts_(document, sides) {}
 
   /// The label, to 120 bits; nothing if this precision cannot promise that.
-  [[nodiscard]] std::optional<Isometry<Mp256>> label(const certify::Label& label) const {
+  [[nodiscard]] std::optional<Isometry<Mp256>> label(const certify::NetDocument::Label& label) const {
     // With determinants 1 every product of k factors is off by at most about k 2^−p times the product of their sizes; a
     // factor itself, made from points as far out as its size says, loses twice its size. The sum, not the size of the
     // result, bounds it: a path may wander off and return.
@@ -48,7 +48,7 @@ class Evaluator {
   Parts<T> parts_;
 };
 
-void check_opposites(const certify::Document& document) {
+void check_opposites(const certify::NetDocument& document) {
   for (std::uint32_t t = 0; t < document.triangles.size(); ++t) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       const std::uint32_t dart = 3 * t + i;
@@ -63,11 +63,11 @@ void check_opposites(const certify::Document& document) {
 /// Evaluates with more and more bits, each label with no more than it needs.
 class StagedEvaluator {
  public:
-  StagedEvaluator(const certify::Document& document, const SideTable& sides)
+  StagedEvaluator(const certify::NetDocument& document, const SideTable& sides)
       : document_(document), sides_(sides), at_256_(document, sides) {}
 
   [[nodiscard]] Isometry<Mp256> label(std::size_t row) {
-    const certify::Label& label = document_.labels[row];
+    const certify::NetDocument::Label& label = document_.labels[row];
     if (const auto result = at_256_.label(label)) return *result;
     if (!at_1024_) at_1024_.emplace(document_, sides_);
     if (const auto result = at_1024_->label(label)) return *result;
@@ -77,7 +77,7 @@ class StagedEvaluator {
   }
 
  private:
-  const certify::Document& document_;
+  const certify::NetDocument& document_;
   const SideTable& sides_;
   Evaluator<Mp256> at_256_;
   std::optional<Evaluator<Mp1024>> at_1024_;
@@ -86,16 +86,16 @@ class StagedEvaluator {
 
 }  // namespace
 
-certify::Surface rounded_polygon(std::uint32_t regular_genus) {
+certify::SurfaceDocument rounded_polygon(std::uint32_t regular_genus) {
   const Surface surface = Surface::regular(regular_genus);
-  certify::Surface result;
-  certify::Tile& tile = result.tiles.emplace_back();
+  certify::SurfaceDocument result;
+  certify::SurfaceDocument::Tile& tile = result.tiles.emplace_back();
   for (const Complex<Rational>& z : surface.tiles()[0]) tile.push_back(to_gmp(z));
   for (const Gluing& g : surface.gluing()) result.gluing.push_back({g.tile, g.side, g.other_tile, g.other_side});
   return result;
 }
 
-SideTable side_table(const certify::Surface& surface) {
+SideTable side_table(const certify::SurfaceDocument& surface) {
   if (surface.regular_genus != 0) return side_table(rounded_polygon(surface.regular_genus));
   SideTable table;
   std::uint32_t count = 0;
@@ -106,7 +106,7 @@ SideTable side_table(const certify::Surface& surface) {
   }
   table.first_side.push_back(count);
   table.partner.resize(count);
-  for (const certify::Gluing& g : surface.gluing) {
+  for (const certify::SurfaceDocument::Gluing& g : surface.gluing) {
     const std::uint32_t s = table.first_side[g.tile] + g.side;
     const std::uint32_t other = table.first_side[g.other_tile] + g.other_side;
     table.partner[s] = other;
@@ -139,7 +139,7 @@ double size_in_bits(const Isometry<T>& f) {
 }
 
 template <class T>
-Parts<T>::Parts(const certify::Document& document, const SideTable& sides) {
+Parts<T>::Parts(const certify::NetDocument& document, const SideTable& sides) {
   std::optional<Surface> regular;
   if (document.surface.regular_genus != 0) regular = Surface::regular(document.surface.regular_genus);
   for (std::uint32_t side = 0; side < sides.partner.size(); ++side) {
@@ -150,14 +150,14 @@ Parts<T>::Parts(const certify::Document& document, const SideTable& sides) {
     // Side k from p to q goes to side j from p' to q': p to q' and q to p'.
     const auto corner = [&](std::uint32_t s, std::uint32_t offset) {
       const std::uint32_t tile = sides.tile_of_side[s];
-      const certify::Tile& corners = document.surface.tiles[tile];
+      const certify::SurfaceDocument::Tile& corners = document.surface.tiles[tile];
       return rounded<T>(corners[(s - sides.first_side[tile] + offset) % corners.size()]);
     };
     const std::uint32_t other = sides.partner[side];
     crossings.push_back(
         normalized(segment_to_segment(corner(side, 0), corner(side, 1), corner(other, 1), corner(other, 0))));
   }
-  for (const certify::Chart& chart : document.charts)
+  for (const certify::NetDocument::Chart& chart : document.charts)
     frames.push_back(normalized(Isometry<T>::translation(rounded<T>(chart.centre))));
 }
 
@@ -168,7 +168,7 @@ template double size_in_bits(const Isometry<Mp256>& f);
 template double size_in_bits(const Isometry<Mp1024>& f);
 template double size_in_bits(const Isometry<Mp4096>& f);
 
-NetGeometry::NetGeometry(const certify::Document& document) : document_(&document) {
+NetGeometry::NetGeometry(const certify::NetDocument& document) : document_(&document) {
   if (const auto problem = certify::structure_problem(document)) throw NetGeometryError(*problem);
   check_opposites(document);
   sides_ = side_table(document.surface);
@@ -186,7 +186,7 @@ std::uint32_t NetGeometry::corner_label(std::uint32_t dart) const {
 std::array<Complex<double>, 3> NetGeometry::corners(std::uint32_t triangle) const {
   std::array<Complex<double>, 3> result;
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const certify::Vertex& v = document_->vertices[document_->triangles[triangle].vertex[i]];
+    const certify::NetDocument::Vertex& v = document_->vertices[document_->triangles[triangle].vertex[i]];
     const std::uint32_t number = corner_label(3 * triangle + i);
     result[i] = number == 0 ? Complex<double>{v.x, v.y} : labels_[number].rounded({v.x, v.y});
   }

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <gmpxx.h>
-
 #include <array>
 #include <cstdint>
+#include <gmpxx.h>
 #include <string>
 #include <vector>
 
@@ -33,10 +32,10 @@ struct SideTable {
 
 /// The tile of a regular surface with its vertices rounded to 256 bits, and its gluing, as if it were a rational one:
 /// for pictures.
-[[nodiscard]] certify::Surface rounded_polygon(std::uint32_t regular_genus);
+[[nodiscard]] certify::SurfaceDocument rounded_polygon(std::uint32_t regular_genus);
 
 /// O(sides). Requires that every side is glued exactly once (certify::structure_problem).
-[[nodiscard]] SideTable side_table(const certify::Surface& surface);
+[[nodiscard]] SideTable side_table(const certify::SurfaceDocument& surface);
 
 /// What labels are made of, rounded to the bits of T (Mp256, Mp1024, Mp4096). Isometries have determinant 1. Their
 /// entries are as large as e^(d/2) for points at distance d from the origin, and lose about four times the logarithm of
@@ -46,7 +45,7 @@ struct Parts {
   std::vector<Isometry<T>> crossings;  ///< By side number: from the coordinates of its tile to those of its partner's.
   std::vector<Isometry<T>> frames;     ///< By chart: from its coordinates to those of its tile.
 
-  Parts(const certify::Document& document, const SideTable& sides);
+  Parts(const certify::NetDocument& document, const SideTable& sides);
 };
 
 /// log2 of |a| + |b| for |a|² − |b|² = 1: half the displacement of 0, in bits, and a little more. Infinite if it is not
@@ -69,9 +68,9 @@ class NetGeometry {
   /// Evaluates all labels. Throws NetGeometryError if the structure of the document is broken
   /// (certify::structure_problem), if `opposite` is not a fixed-point-free involution, or if a label needs more than
   /// 4096 bits. O(triangles + letters of all words).
-  explicit NetGeometry(const certify::Document& document);
+  explicit NetGeometry(const certify::NetDocument& document);
 
-  [[nodiscard]] const certify::Document& document() const { return *document_; }
+  [[nodiscard]] const certify::NetDocument& document() const { return *document_; }
 
   /// The label number of the corner where a dart starts; 0, the identity, for corner 0.
   [[nodiscard]] std::uint32_t corner_label(std::uint32_t dart) const;
@@ -90,7 +89,7 @@ class NetGeometry {
   [[nodiscard]] std::string epsilon_text() const;
 
  private:
-  const certify::Document* document_;
+  const certify::NetDocument* document_;
   std::vector<PreciseIsometry> labels_;
   SideTable sides_;
   mpq_class epsilon_;

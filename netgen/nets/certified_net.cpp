@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "certify/check.h"
 #include "netgen/base/gmp.h"
 #include "netgen/nets/collars.h"
 #include "netgen/nets/refine.h"
@@ -36,9 +37,9 @@ class Renumbering {
 
 }  // namespace
 
-certify::Document net_document(const Triangulation& triangulation, const Epsilon& epsilon) {
+certify::NetDocument net_document(const Triangulation& triangulation, const Length& epsilon) {
   const Atlas& atlas = triangulation.atlas();
-  certify::Document net;
+  certify::NetDocument net;
   net.surface = to_document(triangulation.surface());
   net.epsilon = epsilon.text();
   Renumbering chart_number(atlas.chart_count());
@@ -72,10 +73,10 @@ namespace {
 
 struct Refined {
   Triangulation triangulation;
-  std::optional<std::vector<certify::Collar>> collars;  ///< Of a pseudo net.
+  std::optional<std::vector<certify::NetDocument::Collar>> collars;  ///< Of a pseudo net.
 };
 
-Refined refined(const Surface& surface, const Epsilon& epsilon, const NetOptions& options,
+Refined refined(const Surface& surface, const Length& epsilon, const NetOptions& options,
                 NetStatistics& statistics) try {
   if (options.pseudo && !epsilon.allows_pseudo_nets()) {
     throw std::invalid_argument("epsilon = " + epsilon.text() +
@@ -110,12 +111,12 @@ Refined refined(const Surface& surface, const Epsilon& epsilon, const NetOptions
 
 }  // namespace
 
-Triangulation net_triangulation(const Surface& surface, const Epsilon& epsilon, const NetOptions& options,
+Triangulation net_triangulation(const Surface& surface, const Length& epsilon, const NetOptions& options,
                                 NetStatistics& statistics) {
   return refined(surface, epsilon, options, statistics).triangulation;
 }
 
-UncertifiedNet compute_net(const Surface& surface, const Epsilon& epsilon, const NetOptions& options) {
+UncertifiedNet compute_net(const Surface& surface, const Length& epsilon, const NetOptions& options) {
   UncertifiedNet result;
   Refined net = refined(surface, epsilon, options, result.statistics);
   result.net = net_document(net.triangulation, epsilon);
@@ -125,7 +126,7 @@ UncertifiedNet compute_net(const Surface& surface, const Epsilon& epsilon, const
   return result;
 }
 
-CertifiedNet certified_net(const Surface& surface, const Epsilon& epsilon, const NetOptions& options) {
+CertifiedNet certified_net(const Surface& surface, const Length& epsilon, const NetOptions& options) {
   UncertifiedNet net = compute_net(surface, epsilon, options);
   certify::Certificate certificate = certify::check(net.net, options.check);
   if (certificate.verdict != certify::Verdict::verified) {
@@ -136,7 +137,7 @@ CertifiedNet certified_net(const Surface& surface, const Epsilon& epsilon, const
 }
 
 CertifiedNet certified_net(const Surface& surface, double epsilon, const NetOptions& options) {
-  return certified_net(surface, Epsilon(epsilon), options);
+  return certified_net(surface, Length(epsilon), options);
 }
 
 }  // namespace epsnet

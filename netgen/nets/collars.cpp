@@ -32,7 +32,7 @@ Mp1024 length_of(const Core& core) { return 2 * asinh(Mp1024(sqrt(core.sinh2)));
 
 }  // namespace
 
-Collars::Collars(Triangulation& triangulation, const Epsilon& epsilon)
+Collars::Collars(Triangulation& triangulation, const Length& epsilon)
     : triangulation_(triangulation), epsilon_(epsilon.value()) {
   const Mp1024 s = sinh(Mp1024(epsilon_ / 2));
   sinh2_half_ = s * s;
@@ -197,10 +197,10 @@ void Collars::insert_pair(const Core& core, std::uint32_t t, LabelId label, Jour
   sides_[chart_q] = {chart_p, q.to_core, core.normal};
 }
 
-std::vector<certify::Collar> Collars::documents() {
+std::vector<certify::NetDocument::Collar> Collars::documents() {
   // By the chart of the vertex: the loop of the triangle that has it twice.
   std::unordered_map<std::uint32_t, Dart> loops;
-  std::vector<certify::Collar> result;
+  std::vector<certify::NetDocument::Collar> result;
   const auto vertex_of = [&](Dart d) { return triangulation_.corner(triangle_of(d), corner_of(d)).vertex; };
   for (std::uint32_t t = 0; !sides_.empty() && t < triangulation_.triangle_count(); ++t) {
     const std::optional<Dart> loop = loop_of(t);

@@ -8,7 +8,7 @@
 #include "certify/document/document.h"
 #include "kernel/lorentz.h"
 #include "kernel/numbers.h"
-#include "netgen/base/epsilon.h"
+#include "netgen/base/length.h"
 #include "triangulation/triangulation.h"
 
 namespace epsnet {
@@ -31,7 +31,7 @@ struct Core {
 class Collars {
  public:
   /// Keeps a reference to the triangulation.
-  Collars(Triangulation& triangulation, const Epsilon& epsilon);
+  Collars(Triangulation& triangulation, const Length& epsilon);
 
   /// The core of a loop edge shorter than l_ε, sinh(l_ε/2) = √2 sinh(ε/2), at the start of d; nothing if there is no
   /// such loop or its core is longer than ε. If the vertices are an ε-packing and the triangulation is Delaunay, every
@@ -53,7 +53,7 @@ class Collars {
   [[nodiscard]] bool has_triangle(std::uint32_t t);
 
   /// The collars as a net file has them. Throws NetError if one is not an annulus of two triangles. O(n).
-  [[nodiscard]] std::vector<certify::Collar> documents();
+  [[nodiscard]] std::vector<certify::NetDocument::Collar> documents();
 
  private:
   /// The chart of the other vertex of the collar of v.

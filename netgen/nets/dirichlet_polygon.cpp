@@ -15,7 +15,7 @@
 namespace epsnet {
 namespace {
 
-certify::Certificate verified(const certify::Document& triangulation) {
+certify::Certificate verified(const certify::NetDocument& triangulation) {
   certify::Certificate certificate = certify::check(triangulation);
   if (certificate.verdict != certify::Verdict::verified) {
     throw NetError("the triangulation dual to the Dirichlet domain was not verified: " +
@@ -69,7 +69,7 @@ DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<B
   }
 
   DirichletPolygon polygon;
-  polygon.triangulation = net_document(triangulation, Epsilon(std::floor(largest_circumradius) + 2));
+  polygon.triangulation = net_document(triangulation, Length(std::floor(largest_circumradius) + 2));
   const std::vector<std::uint32_t> ties = verified(polygon.triangulation).ties;
   polygon.ties = static_cast<std::uint32_t>(ties.size());
   std::map<Dart, std::uint32_t> side_of;

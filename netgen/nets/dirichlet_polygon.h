@@ -28,7 +28,7 @@ struct DirichletPolygon {
   /// How many edges of the triangulation are exact ties: sides of length 0, which are left out.
   std::uint32_t ties = 0;
   /// The triangulation itself as a net of one vertex; ε is larger than all circumradii, so that it is one.
-  certify::Document triangulation;
+  certify::NetDocument triangulation;
 };
 
 /// The Dirichlet domain of a point of a surface; without one, of the surface's first vertex (the centre, if it is

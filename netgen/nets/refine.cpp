@@ -23,7 +23,7 @@ using ListOf =
 template <TriangleList kList>
 class Refinement {
  public:
-  Refinement(Triangulation& triangulation, const Epsilon& epsilon, const NetOptions& options, NetStatistics& statistics,
+  Refinement(Triangulation& triangulation, const Length& epsilon, const NetOptions& options, NetStatistics& statistics,
              Collars* collars)
       : triangulation_(triangulation),
         options_(options),
@@ -348,7 +348,7 @@ class Refinement {
 
 }  // namespace
 
-void refine(Triangulation& triangulation, const Epsilon& epsilon, const NetOptions& options, NetStatistics& statistics,
+void refine(Triangulation& triangulation, const Length& epsilon, const NetOptions& options, NetStatistics& statistics,
             Collars* collars) {
   switch (options.list) {
     case TriangleList::large_back:

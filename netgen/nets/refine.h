@@ -13,7 +13,7 @@ namespace epsnet {
 /// before the certifier sees them. With `collars` until they are a pseudo ε-net (Algorithm III.10): collars of
 /// cores no longer than ε are emptied, and the triangles in them left as they are. Throws NetError where that cannot be
 /// done.
-void refine(Triangulation& triangulation, const Epsilon& epsilon, const NetOptions& options, NetStatistics& statistics,
+void refine(Triangulation& triangulation, const Length& epsilon, const NetOptions& options, NetStatistics& statistics,
             Collars* collars = nullptr);
 
 }  // namespace epsnet

@@ -29,9 +29,9 @@ const Mp256& tolerance() {
 /// The corners of a lifted triangle in Klein coordinates.
 std::array<Point, 3> klein_corners(const NetGeometry& geometry, const Placement& placement) {
   std::array<Point, 3> result;
-  const certify::Document& document = geometry.document();
+  const certify::NetDocument& document = geometry.document();
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const certify::Vertex& v = document.vertices[document.triangles[placement.triangle].vertex[i]];
+    const certify::NetDocument::Vertex& v = document.vertices[document.triangles[placement.triangle].vertex[i]];
     const std::uint32_t label = geometry.corner_label(3 * placement.triangle + i);
     result[i] = to_klein((placement.isometry * geometry.label(label).precise)({Mp256(v.x), Mp256(v.y)}));
   }
@@ -109,11 +109,11 @@ struct Tiles {
 };
 
 Tiles::Tiles(const NetGeometry& geometry) : parts(geometry.document(), geometry.sides()) {
-  const certify::Document& document = geometry.document();
+  const certify::NetDocument& document = geometry.document();
   const SideTable& sides = geometry.sides();
-  const certify::Surface surface =
+  const certify::SurfaceDocument surface =
       document.surface.regular_genus != 0 ? rounded_polygon(document.surface.regular_genus) : document.surface;
-  for (const certify::Tile& tile : surface.tiles) {
+  for (const certify::SurfaceDocument::Tile& tile : surface.tiles) {
     std::vector<Point>& points = corners.emplace_back();
     for (const certify::RationalPoint& z : tile) points.push_back(rounded<Mp256>(z));
   }
@@ -270,16 +270,16 @@ void append_equidistants(Layer& layer, const NetGeometry& geometry, const Placem
 }  // namespace
 
 std::vector<Layer> collar_layers(const NetGeometry& geometry) {
-  const certify::Document& net = geometry.document();
+  const certify::NetDocument& net = geometry.document();
   if (!net.collars || net.collars->empty()) return {};
   const Tiles tiles(geometry);
   Layer triangles{.name = "triangles of collars", .colour = palette::kCollarTriangles};
   Layer boundaries{.name = "epsilon-collars", .colour = palette::kEpsilonCollars};
   const Mp256 half_epsilon = rounded<Mp256>(geometry.epsilon()) / 2;
-  for (const certify::Collar& collar : *net.collars) {
+  for (const certify::NetDocument::Collar& collar : *net.collars) {
     triangles.triangles.insert(triangles.triangles.end(), collar.triangles.begin(), collar.triangles.end());
     // From a vertex of the collar: from elsewhere a walk may wind around a short core very often.
-    const certify::Vertex& vertex = net.vertices[collar.vertices[0]];
+    const certify::NetDocument::Vertex& vertex = net.vertices[collar.vertices[0]];
     const Isometry<Mp256>& frame = tiles.parts.frames[vertex.chart];
     const Placement start = placement_at(geometry, collar.vertices[0], frame);
     const ClosedPath core = closed_path(geometry, tiles, net.charts[vertex.chart].tile, collar.core,
@@ -295,8 +295,8 @@ std::vector<Layer> geodesics_layers(const NetGeometry& geometry, const certify::
   std::vector<Layer> layers{{.name = "closed geodesics", .colour = palette::kGeodesics}};
   const bool small_curves = geodesics.claim == certify::Claim::thick_thin;
   if (small_curves) layers.push_back({.name = "collars of small curves", .colour = palette::kSmallCurveCollars});
-  const certify::Document& source = geodesics.net;
-  const certify::Surface& surface = geometry.document().surface;
+  const certify::NetDocument& source = geodesics.net;
+  const certify::SurfaceDocument& surface = geometry.document().surface;
   if (source.surface.tiles != surface.tiles || source.surface.gluing != surface.gluing ||
       source.surface.regular_genus != surface.regular_genus)
     throw NetGeometryError("these are geodesics of another surface");

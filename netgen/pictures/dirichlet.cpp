@@ -159,10 +159,10 @@ class Search {
         area_(4 * boost::math::constants::pi<T>() * (T(geometry.sides().genus) - 1)),
         max_copies_(max_copies),
         by_tile_(geometry.sides().first_side.size() - 1) {
-    const certify::Surface& surface = geometry.document().surface;
-    const certify::Surface regular =
-        surface.regular_genus != 0 ? rounded_polygon(surface.regular_genus) : certify::Surface();
-    for (const certify::Tile& tile : surface.regular_genus != 0 ? regular.tiles : surface.tiles) {
+    const certify::SurfaceDocument& surface = geometry.document().surface;
+    const certify::SurfaceDocument regular =
+        surface.regular_genus != 0 ? rounded_polygon(surface.regular_genus) : certify::SurfaceDocument();
+    for (const certify::SurfaceDocument::Tile& tile : surface.regular_genus != 0 ? regular.tiles : surface.tiles) {
       std::vector<PrecisePoint>& corners = tiles_.emplace_back();
       for (const certify::RationalPoint& z : tile) corners.push_back(rounded<T>(z));
     }
@@ -299,7 +299,7 @@ class Search {
 template <class T>
 DirichletDomain search(const NetGeometry& geometry, std::uint32_t vertex, const Parts<T>& parts,
                        std::uint32_t max_copies) {
-  const certify::Vertex& v = geometry.document().vertices[vertex];
+  const certify::NetDocument::Vertex& v = geometry.document().vertices[vertex];
   const std::uint32_t tile = geometry.document().charts[v.chart].tile;
   const Isometry<T> to_screen = normalized(Isometry<T>::translation({T(-v.x), T(-v.y)}));
   return Search<T>(geometry, parts, max_copies).run(tile, to_screen * inverse(parts.frames[v.chart]));

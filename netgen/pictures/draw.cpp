@@ -319,7 +319,7 @@ std::string legend_name(const Layer& layer) {
 
 class Picture {
  public:
-  Picture(const certify::Document& document, const DrawOptions& options)
+  Picture(const certify::NetDocument& document, const DrawOptions& options)
       : document_(document),
         geometry_(document),
         options_(options),
@@ -639,7 +639,7 @@ class Picture {
            fixed(0.8 * options_.size / 1000, 2) + "\"/>\n";
   }
 
-  const certify::Document& document_;
+  const certify::NetDocument& document_;
   NetGeometry geometry_;
   DrawOptions options_;
   Paper paper_;
@@ -654,7 +654,7 @@ class Picture {
 
 }  // namespace
 
-std::string draw_svg(const certify::Document& document, const DrawOptions& options) {
+std::string draw_svg(const certify::NetDocument& document, const DrawOptions& options) {
   return Picture(document, options).svg();
 }
 

@@ -40,6 +40,6 @@ struct DrawOptions {
 /// pixel) are left out, and <desc> says so. Arcs that a chord follows to within 0.01 pixel are written as chords. Equal
 /// documents and options give equal bytes. Throws NetGeometryError if the document is not a net (its structure is
 /// checked, its geometry is not).
-[[nodiscard]] std::string draw_svg(const certify::Document& document, const DrawOptions& options = {});
+[[nodiscard]] std::string draw_svg(const certify::NetDocument& document, const DrawOptions& options = {});
 
 }  // namespace epsnet

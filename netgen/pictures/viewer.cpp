@@ -154,7 +154,7 @@ class Facts {
 };
 
 std::string facts_json(const NetGeometry& geometry, const certify::Certificate* certificate) {
-  const certify::Document& document = geometry.document();
+  const certify::NetDocument& document = geometry.document();
   Facts facts;
   facts.add("ε", geometry.epsilon_text());
   facts.add("genus", std::to_string(geometry.sides().genus));
@@ -173,7 +173,7 @@ std::string facts_json(const NetGeometry& geometry, const certify::Certificate* 
 }
 
 std::string net_json(const NetGeometry& geometry, const ViewerOptions& options) {
-  const certify::Document& document = geometry.document();
+  const certify::NetDocument& document = geometry.document();
   const certify::Certificate* certificate = options.certificate;
   std::vector<std::uint32_t> opposite;
   std::vector<std::uint32_t> vertex_darts(document.vertices.size(), 0);
@@ -185,7 +185,7 @@ std::string net_json(const NetGeometry& geometry, const ViewerOptions& options) 
   }
   std::vector<double> points;
   std::vector<std::uint32_t> charts;
-  for (const certify::Vertex& v : document.vertices) {
+  for (const certify::NetDocument::Vertex& v : document.vertices) {
     points.insert(points.end(), {v.x, v.y});
     charts.push_back(v.chart);
   }
@@ -208,7 +208,7 @@ std::string net_json(const NetGeometry& geometry, const ViewerOptions& options) 
 
 }  // namespace
 
-std::string viewer_page(const certify::Document& document, const ViewerOptions& options) {
+std::string viewer_page(const certify::NetDocument& document, const ViewerOptions& options) {
   const NetGeometry geometry(document);
   std::string page(kViewerPage);
   const auto put = [&](std::string_view mark, const std::string& text) {

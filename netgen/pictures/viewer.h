@@ -22,6 +22,6 @@ struct ViewerOptions {
 /// The page computes in binary64, but in coordinates around the point of view, which keep it exact to the eye wherever
 /// it goes; edges longer than about 60 are beyond it. Equal arguments give equal bytes. About 70 bytes per vertex.
 /// Throws NetGeometryError if the document is not a net. O(triangles).
-[[nodiscard]] std::string viewer_page(const certify::Document& document, const ViewerOptions& options);
+[[nodiscard]] std::string viewer_page(const certify::NetDocument& document, const ViewerOptions& options);
 
 }  // namespace epsnet

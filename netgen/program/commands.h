@@ -52,7 +52,7 @@ void add_threads(CLI::App& command, unsigned& threads);
 /// A number of the command line as files have it: ".5" is "0.5" and "-.5" is "-0.5". Any other text stays as it is.
 [[nodiscard]] std::string with_leading_zero(const std::string& number);
 /// The value of an option that is a positive length. Throws UsageError, which names the option.
-[[nodiscard]] Epsilon parse_length(const std::string& option, const std::string& text);
+[[nodiscard]] Length parse_length(const std::string& option, const std::string& text);
 /// --geodesics FILE.
 void add_geodesics(CLI::App& command, std::string& file);
 /// Facts of info.h as what a command has to say.
@@ -63,7 +63,7 @@ void add_geodesics(CLI::App& command, std::string& file);
 [[nodiscard]] Report geodesics_report(const certify::GeodesicsDocument& document);
 /// The closed geodesics of a geodesics file about the net's surface as a layer of a picture. Throws JobError, and as
 /// the reader.
-[[nodiscard]] std::vector<Layer> load_geodesics_layers(const std::string& file, const certify::Document& net);
+[[nodiscard]] std::vector<Layer> load_geodesics_layers(const std::string& file, const certify::NetDocument& net);
 /// For an option with a whole number, least and most included. CLI11's own words for it differ between versions.
 [[nodiscard]] CLI::Validator integer_between(std::uint64_t least, std::uint64_t most);
 /// For an option with named values, in the order in which an error lists them.
@@ -83,6 +83,6 @@ template <class T>
           ""};
 }
 /// The value of --epsilon.
-[[nodiscard]] inline Epsilon parse_epsilon(const std::string& text) { return parse_length("--epsilon", text); }
+[[nodiscard]] inline Length parse_epsilon(const std::string& text) { return parse_length("--epsilon", text); }
 
 }  // namespace epsnet::program

@@ -25,7 +25,7 @@ struct DrawRequest {
 };
 
 /// The options that --show names.
-DrawOptions shown(const DrawRequest& request, const certify::Document& net) {
+DrawOptions shown(const DrawRequest& request, const certify::NetDocument& net) {
   DrawOptions options = request.options;
   const auto has = [&](const char* name) {
     return std::find(request.show.begin(), request.show.end(), name) != request.show.end();
@@ -47,7 +47,7 @@ DrawOptions shown(const DrawRequest& request, const certify::Document& net) {
 void draw(const DrawRequest& request) {
   const FileType type = request.png ? FileType::png : picture_type("--output", request.output);
   check_files({{"NET", request.net}, {"--geodesics", request.geodesics}}, {{"--output", request.output, type}});
-  const certify::Document net = read_net_input(request.net);
+  const certify::NetDocument net = read_net_input(request.net);
   std::string svg;
   try {
     svg = draw_svg(net, shown(request, net));

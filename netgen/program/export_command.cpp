@@ -24,10 +24,10 @@ struct ExportRequest {
 };
 
 /// What can be exported of what a file holds.
-using Exportable = std::variant<Surface, certify::Document>;
+using Exportable = std::variant<Surface, certify::NetDocument>;
 Exportable exportable(Contents contents, const std::string& file) {
   if (auto* surface = std::get_if<Surface>(&contents)) return std::move(*surface);
-  if (auto* net = std::get_if<certify::Document>(&contents)) return std::move(*net);
+  if (auto* net = std::get_if<certify::NetDocument>(&contents)) return std::move(*net);
   if (auto* imported = std::get_if<ImportedSurface>(&contents)) return std::move(imported->surface);
   throw JobError(file + ": expected a surface file or a net file, not " +
                  (std::holds_alternative<DirichletPolygon>(contents) ? "a Dirichlet domain" : "a geodesics file"));
@@ -53,7 +53,7 @@ FileType file_type(ExportFormat format) {
 }
 
 /// What writes the format of a net, rounded; none for the exact formats.
-std::function<void(const certify::Document&, std::ostream&)> mesh_writer(ExportFormat format) {
+std::function<void(const certify::NetDocument&, std::ostream&)> mesh_writer(ExportFormat format) {
   switch (format) {
     case ExportFormat::off:
       return write_off;
@@ -73,7 +73,7 @@ void export_file(const ExportRequest& request) {
   const Exportable contents = exportable(read_any_input(request.file), request.file);
   try {
     if (const auto write = mesh_writer(request.format)) {
-      const auto* net = std::get_if<certify::Document>(&contents);
+      const auto* net = std::get_if<certify::NetDocument>(&contents);
       if (net == nullptr) throw JobError(request.file + ": a surface has no triangulation; this format takes a net");
       write_output(request.output, [&](std::ostream& out) { write(*net, out); });
       return;

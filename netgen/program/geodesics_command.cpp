@@ -198,7 +198,7 @@ void add_spectrum_command(CLI::App& app, Job& chosen) {
       "spectrum.json");
   command->callback([&chosen, shared] {
     chosen = [shared] {
-      const Epsilon up_to = parse_length("--up-to", shared->up_to);
+      const Length up_to = parse_length("--up-to", shared->up_to);
       list_geodesics(*shared, [&](const Surface& surface, const GeodesicsOptions& options) {
         return spectrum(surface, up_to, options);
       });

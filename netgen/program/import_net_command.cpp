@@ -31,7 +31,7 @@ TriangulationStream stream_of(const TextInput& input) {
   }
 }
 
-certify::Certificate certificate_of(const certify::Document& net, certify::CheckOptions options) {
+certify::Certificate certificate_of(const certify::NetDocument& net, certify::CheckOptions options) {
   ProgressLine progress;
   options.progress = [&](std::string_view rule, double share) {
     progress.show("certificate: " + std::string(rule), share);
@@ -51,10 +51,10 @@ Report import_report(const certify::Certificate& certificate) {
 }
 
 void import_net(const ImportNetRequest& request) {
-  const Epsilon epsilon = parse_epsilon(request.epsilon);
+  const Length epsilon = parse_epsilon(request.epsilon);
   check_files({{"FILE", request.file}}, {{"--output", request.output, FileType::json}});
   const TextInput input = read_text_input(request.file);
-  certify::Document net;
+  certify::NetDocument net;
   try {
     net = net_of_tiles(develop(stream_of(input), input.name), epsilon);
   } catch (const ImportedNetError& error) {

@@ -19,7 +19,7 @@ struct InfoRequest {
 /// What is said of each kind of contents.
 struct InfoOf {
   Report operator()(const Surface& surface) const { return facts_report(surface_info(surface)); }
-  Report operator()(const certify::Document& net) const { return facts_report(net_info(net)); }
+  Report operator()(const certify::NetDocument& net) const { return facts_report(net_info(net)); }
   Report operator()(const DirichletPolygon& polygon) const { return facts_report(dirichlet_info(polygon)); }
   Report operator()(const ImportedSurface& imported) const {
     const bool polygon = imported.format == ExchangeFormat::domain;

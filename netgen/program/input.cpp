@@ -72,7 +72,7 @@ Surface read_surface_input(const std::string& path) {
   return parse_surface_file(text, name);
 }
 
-certify::Document read_net_input(const std::string& path) {
+certify::NetDocument read_net_input(const std::string& path) {
   const std::string text = certify::load(path);
   const std::string name = certify::display_name(path);
   if (!is_json(text)) throw JobError(name + ": not JSON, expected a net file, made by 'epsnet net'");

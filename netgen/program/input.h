@@ -23,7 +23,7 @@ struct TextInput {
 [[nodiscard]] TextInput read_text_input(const std::string& path);
 
 [[nodiscard]] Surface read_surface_input(const std::string& path);
-[[nodiscard]] certify::Document read_net_input(const std::string& path);
+[[nodiscard]] certify::NetDocument read_net_input(const std::string& path);
 
 /// A surface that was imported from a text of another program.
 struct ImportedSurface {
@@ -33,7 +33,7 @@ struct ImportedSurface {
 
 /// What any file that the program writes or imports holds.
 using Contents =
-    std::variant<Surface, certify::Document, certify::GeodesicsDocument, DirichletPolygon, ImportedSurface>;
+    std::variant<Surface, certify::NetDocument, certify::GeodesicsDocument, DirichletPolygon, ImportedSurface>;
 [[nodiscard]] Contents read_any_input(const std::string& path);
 
 }  // namespace epsnet::program

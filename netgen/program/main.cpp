@@ -1,7 +1,3 @@
-#include <sys/resource.h>
-#include <sys/sysinfo.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
@@ -12,6 +8,9 @@
 #include <new>
 #include <string>
 #include <string_view>
+#include <sys/resource.h>
+#include <sys/sysinfo.h>
+#include <unistd.h>
 
 #include "certify/file/reader.h"
 #include "netgen/base/atomic_file.h"

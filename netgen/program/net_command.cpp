@@ -76,7 +76,7 @@ std::string ratio_text(std::uint64_t part, std::uint64_t whole) {
   return ratio_text(static_cast<double>(part), static_cast<double>(whole));
 }
 
-Report uncertified_report(const certify::Document& net) {
+Report uncertified_report(const certify::NetDocument& net) {
   return {"verdict: not certified (--no-certify): nothing is proved about this net\nvertices: " +
               std::to_string(net.vertices.size()) + "\n",
           Json::object(
@@ -157,7 +157,7 @@ Json statistics_json(const UncertifiedNet& net, std::uint32_t genus, double epsi
   return result;
 }
 
-UncertifiedNet compute(const Surface& surface, const Epsilon& epsilon, NetOptions options) {
+UncertifiedNet compute(const Surface& surface, const Length& epsilon, NetOptions options) {
   ProgressLine progress;
   options.progress = [&](std::uint64_t vertices, double share) {
     progress.show("net: " + std::to_string(vertices) + " vertices", share);
@@ -166,7 +166,7 @@ UncertifiedNet compute(const Surface& surface, const Epsilon& epsilon, NetOption
 }
 
 /// The certificate of a verified net. Throws JobError for any other.
-certify::Certificate certify_net(const certify::Document& net, certify::CheckOptions options) {
+certify::Certificate certify_net(const certify::NetDocument& net, certify::CheckOptions options) {
   ProgressLine progress;
   options.progress = [&](std::string_view rule, double share) {
     progress.show("certificate: " + std::string(rule), share);
@@ -194,7 +194,7 @@ std::string record_text(const NetRequest& request, const UncertifiedNet& net, co
 }
 
 void make_net(const NetRequest& request) {
-  const Epsilon epsilon = parse_epsilon(request.epsilon);
+  const Length epsilon = parse_epsilon(request.epsilon);
   if (request.options.pseudo && !epsilon.allows_pseudo_nets())
     throw UsageError("--epsilon: " + epsilon.text() + " is more than ln sqrt(2) = 0.34657..., the limit for --pseudo");
   check_request(request);

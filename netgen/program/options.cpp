@@ -75,10 +75,10 @@ std::string with_leading_zero(const std::string& number) {
   return parse_decimal(completed) ? completed : number;
 }
 
-Epsilon parse_length(const std::string& option, const std::string& text) {
+Length parse_length(const std::string& option, const std::string& text) {
   try {
     // A negative one is quoted as it was given.
-    return Epsilon(text.starts_with('-') ? text : with_leading_zero(text));
+    return Length(text.starts_with('-') ? text : with_leading_zero(text));
   } catch (const std::invalid_argument& error) {
     throw UsageError(option + ": " + error.what());
   }
@@ -89,7 +89,7 @@ void add_geodesics(CLI::App& command, std::string& file) {
            "also show the closed geodesics of this file of the same surface (systole, spectrum, thick-thin)");
 }
 
-std::vector<Layer> load_geodesics_layers(const std::string& file, const certify::Document& net) {
+std::vector<Layer> load_geodesics_layers(const std::string& file, const certify::NetDocument& net) {
   const certify::GeodesicsDocument document = certify::read_geodesics(file);
   try {
     return geodesics_layers(NetGeometry(net), document);

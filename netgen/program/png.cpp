@@ -1,7 +1,6 @@
 #include "netgen/program/png.h"
 
 #include <librsvg/rsvg.h>
-
 #include <memory>
 
 #include "netgen/program/output.h"

@@ -41,7 +41,7 @@ std::vector<Layer> curve_layers(const NetGeometry& geometry, Report& report) {
   return layers;
 }
 
-std::string page(const ViewRequest& request, const certify::Document& net, const certify::Certificate* certificate,
+std::string page(const ViewRequest& request, const certify::NetDocument& net, const certify::Certificate* certificate,
                  Report& report) {
   try {
     ViewerOptions options;
@@ -61,7 +61,7 @@ std::string page(const ViewRequest& request, const certify::Document& net, const
 void view(const ViewRequest& request) {
   check_files({{"NET", request.net}, {"--geodesics", request.geodesics}},
               {{"--output", request.output, FileType::html}});
-  const certify::Document net = read_net_input(request.net);
+  const certify::NetDocument net = read_net_input(request.net);
   std::optional<certify::Certificate> certificate;
   Report report{"verdict: not certified (--no-certify): nothing is proved about this net\n",
                 Json::object({{"verdict", "not certified"}})};

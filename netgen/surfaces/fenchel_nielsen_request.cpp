@@ -1,9 +1,8 @@
 #include "netgen/surfaces/fenchel_nielsen_request.h"
 
-#include <simdjson.h>
-
 #include <algorithm>
 #include <set>
+#include <simdjson.h>
 #include <utility>
 
 #include "netgen/base/decimal.h"

@@ -11,15 +11,15 @@
 
 namespace epsnet {
 
-certify::Surface to_document(const Surface& surface) {
-  certify::Surface document;
+certify::SurfaceDocument to_document(const Surface& surface) {
+  certify::SurfaceDocument document;
   document.about = surface.about();
   if (surface.is_regular()) {
     document.regular_genus = surface.genus();
     return document;
   }
   for (const Tile& tile : surface.tiles()) {
-    certify::Tile& copy = document.tiles.emplace_back();
+    certify::SurfaceDocument::Tile& copy = document.tiles.emplace_back();
     for (const Complex<Rational>& z : tile) copy.push_back(to_gmp(z));
   }
   for (const auto& [tile, side, other_tile, other_side] : surface.gluing()) {
@@ -28,14 +28,14 @@ certify::Surface to_document(const Surface& surface) {
   return document;
 }
 
-Surface from_document(const certify::Surface& surface) {
+Surface from_document(const certify::SurfaceDocument& surface) {
   if (surface.regular_genus != 0) {
     Surface regular = Surface::regular(surface.regular_genus);
     regular.set_about(surface.about);
     return regular;
   }
   std::vector<Tile> tiles;
-  for (const certify::Tile& tile : surface.tiles) {
+  for (const certify::SurfaceDocument::Tile& tile : surface.tiles) {
     Tile& copy = tiles.emplace_back();
     for (const certify::RationalPoint& z : tile) copy.push_back(from_gmp(z));
   }
@@ -51,7 +51,7 @@ Surface from_document(const certify::Surface& surface) {
 namespace {
 
 /// As from_document; errors name the file.
-Surface from_file(const certify::Surface& document, const std::string& name) {
+Surface from_file(const certify::SurfaceDocument& document, const std::string& name) {
   try {
     return from_document(document);
   } catch (const SurfaceError& error) {
@@ -70,7 +70,7 @@ Surface parse_surface_file(std::string_view text, const std::string& name) {
 }
 
 void save_surface(const Surface& surface, const std::filesystem::path& path) {
-  const certify::Surface document = to_document(surface);
+  const certify::SurfaceDocument document = to_document(surface);
   write_file_atomically(path, [&](std::ostream& out) { certify::write_surface(document, out); });
 }
 

@@ -10,10 +10,10 @@
 namespace epsnet {
 
 /// The surface as plain data of a surface file or net file (docs/format.md). O(size).
-[[nodiscard]] certify::Surface to_document(const Surface& surface);
+[[nodiscard]] certify::SurfaceDocument to_document(const Surface& surface);
 
 /// The surface that a file describes, checked completely. Throws SurfaceError.
-[[nodiscard]] Surface from_document(const certify::Surface& surface);
+[[nodiscard]] Surface from_document(const certify::SurfaceDocument& surface);
 
 /// Reads a surface file. Throws certify::FileError, certify::MalformedError, or SurfaceError if the file is well-formed
 /// but not a surface; what() is one line that starts with the path.

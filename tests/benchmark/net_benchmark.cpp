@@ -4,13 +4,12 @@
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
-
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <map>
 #include <random>
+#include <sys/resource.h>
 #include <vector>
 
 #include "certify/check.h"
@@ -27,7 +26,7 @@ constexpr std::int32_t kSeed = 123;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// ε as a benchmark's integer argument: thousandths.
-epsnet::Epsilon epsilon_of(std::int64_t thousandths) { return epsnet::Epsilon(std::to_string(thousandths) + "/1000"); }
+epsnet::Length epsilon_of(std::int64_t thousandths) { return epsnet::Length(std::to_string(thousandths) + "/1000"); }
 
 /// The best rates seen, in points per second, by number of points: for the ratio at the end.
 std::map<std::size_t, double> best_net_rate;
@@ -35,7 +34,7 @@ std::map<std::size_t, double> best_net_rate;
 /// Inserted points per second, from the octagon to the finished triangulation; nothing written, nothing certified.
 void generate(benchmark::State& state, epsnet::Insertion insertion) {
   const epsnet::Surface surface = epsnet::random_octagon(kSeed);
-  const epsnet::Epsilon epsilon = epsilon_of(state.range(0));
+  const epsnet::Length epsilon = epsilon_of(state.range(0));
   epsnet::NetOptions options;
   options.insertion = insertion;
   std::size_t points = 0;

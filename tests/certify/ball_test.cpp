@@ -1,10 +1,11 @@
 #include "certify/numbers/ball.h"
+
+#include <cmath>
 #include <flint/fmpq.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-#include "certify/numbers/isometry.h"
 
-#include <cmath>
+#include "certify/numbers/isometry.h"
 
 namespace epsnet::certify {
 namespace {

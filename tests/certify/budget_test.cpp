@@ -1,17 +1,19 @@
 #include "certify/numbers/budget.h"
+
 #include <gtest/gtest.h>
+#include <random>
+
 #include "certify/check.h"
+#include "certify/document/least_bytes.h"
 #include "certify/file/reader.h"
 #include "certify/geodesics/geodesics_check.h"
-
-#include <random>
 
 /// The work that a file may take: counted, the same for any number of threads, and never exceeded.
 namespace epsnet::certify {
 namespace {
 
 std::string path(const std::string& name) { return std::string(EPSNET_TEST_DATA) + "/" + name; }
-Document load(const std::string& name) { return read_net(path("certify/verified/" + name)); }
+NetDocument load(const std::string& name) { return read_net(path("certify/verified/" + name)); }
 
 /// All that a certificate says in words.
 std::string text(const Certificate& certificate) {
@@ -68,7 +70,7 @@ TEST(Budget, WorkDoesNotDependOnThreads) {
 
 TEST(Budget, NothingIsVerifiedWithLessWorkThanItTakes) {
   for (const char* name : {"octagon-9-vertices.json", "regular-3-centre.json", "square-of-cocircular-vertices.json"}) {
-    const Document document = load(name);
+    const NetDocument document = load(name);
     const std::uint64_t work = check(document, {.threads = 1}).counts.work;
     EXPECT_EQ(check(document, {.threads = 2, .max_work = work}).verdict, Verdict::verified);
     for (const std::uint64_t less : {std::uint64_t{1}, work / 16, work / 4, work / 2, work - work / 8, work - 1}) {
@@ -116,8 +118,9 @@ mpq_class near(const mpq_class& x, unsigned long count) {
 
 TEST(Budget, TheFirstTriangleThatIsWrongEndsTheSearch) {
   // Exact arithmetic on numbers of 50,000 digits would have to tell for nearly all triangles and edges.
-  Document document = load("octagon-9-vertices.json");
-  for (Chart& chart : document.charts) chart.centre = {near(mpq_class(1, 10), 50'000), near(mpq_class(1, 5), 50'000)};
+  NetDocument document = load("octagon-9-vertices.json");
+  for (NetDocument::Chart& chart : document.charts)
+    chart.centre = {near(mpq_class(1, 10), 50'000), near(mpq_class(1, 5), 50'000)};
   for (std::size_t v = 0; v < document.vertices.size(); ++v) document.vertices[v] = {static_cast<double>(v) / 16, 0, 0};
   const Certificate certificate = check(document, {.threads = 2});
   EXPECT_EQ(certificate.verdict, Verdict::refuted);
@@ -127,7 +130,7 @@ TEST(Budget, TheFirstTriangleThatIsWrongEndsTheSearch) {
 
 TEST(Budget, ARefutedRuleStaysRefutedWhateverComesLater) {
   // With 64 bits the second vertex is found to be in a wrong place; there is no work left for more.
-  Document document = load("octagon-9-vertices.json");
+  NetDocument document = load("octagon-9-vertices.json");
   std::swap(document.vertices[1], document.vertices[2]);
   const Certificate certificate = check(document, {.threads = 1});
   ASSERT_EQ(certificate.verdict, Verdict::refuted);
@@ -137,7 +140,7 @@ TEST(Budget, ARefutedRuleStaysRefutedWhateverComesLater) {
 }
 
 TEST(Budget, EnclosuresOfWhatWasNotMeasuredAreWide) {
-  const Document document = load("octagon-33-vertices.json");
+  const NetDocument document = load("octagon-33-vertices.json");
   const std::uint64_t work = check(document, {.threads = 1}).counts.work;
   const Certificate certificate = check(document, {.threads = 1, .max_work = work - 1});
   ASSERT_EQ(certificate.verdict, Verdict::undecided);

@@ -1,40 +1,43 @@
 #include "certify/check.h"
-#include <gtest/gtest.h>
-#include "certify/document/darts.h"
-#include "certify/file/reader.h"
 
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
 #include <map>
 #include <random>
 
+#include "certify/document/darts.h"
+#include "certify/file/reader.h"
+
 namespace epsnet::certify {
 namespace {
 
-Document load(const std::string& name) { return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name); }
-Document nine() { return load("octagon-9-vertices.json"); }
-Document one() { return load("octagon-1-vertex.json"); }
-Document square() { return load("square-of-cocircular-vertices.json"); }
+NetDocument load(const std::string& name) {
+  return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
+}
+NetDocument nine() { return load("octagon-9-vertices.json"); }
+NetDocument one() { return load("octagon-1-vertex.json"); }
+NetDocument square() { return load("square-of-cocircular-vertices.json"); }
 
 /// The verdict and, if it is not VERIFIED, the rule.
-std::string outcome(const Document& document) {
+std::string outcome(const NetDocument& document) {
   const Certificate certificate = check(document, {.threads = 1});
   return std::string(name(certificate.verdict)) + (certificate.rule.empty() ? "" : ": " + certificate.rule);
 }
 
 /// The same net with every vertex in a chart of its own, centred there: all coordinates become 0, all labels
 /// non-trivial. Needs charts with the centre 0 in the file.
-Document recharted(Document document) {
-  std::vector<Label> old_labels = document.labels;
+NetDocument recharted(NetDocument document) {
+  std::vector<NetDocument::Label> old_labels = document.labels;
   std::map<std::array<std::uint32_t, 3>, std::uint32_t> numbers;
   document.labels.clear();
-  std::vector<Chart> charts;
-  for (Vertex& vertex : document.vertices) {
+  std::vector<NetDocument::Chart> charts;
+  for (NetDocument::Vertex& vertex : document.vertices) {
     charts.push_back({document.charts[vertex.chart].tile, {mpq_class(vertex.x), mpq_class(vertex.y)}});
     vertex = {0, 0, static_cast<std::uint32_t>(charts.size() - 1)};
   }
   document.charts = charts;
-  for (Triangle& triangle : document.triangles) {
+  for (NetDocument::Triangle& triangle : document.triangles) {
     for (std::size_t i = 1; i < 3; ++i) {
       const std::uint32_t from = triangle.vertex[i];
       const std::uint32_t to = triangle.vertex[0];
@@ -75,8 +78,8 @@ TEST(Check, CertificateTellsWhatWasMeasured) {
 }
 
 TEST(Check, ChartsAreOnlyNames) {
-  for (const Document& document : {nine(), square()}) {
-    const Document moved = recharted(document);
+  for (const NetDocument& document : {nine(), square()}) {
+    const NetDocument moved = recharted(document);
     const Certificate before = check(document);
     const Certificate after = check(moved);
     EXPECT_EQ(after.verdict, Verdict::verified) << after.message;
@@ -102,8 +105,8 @@ TEST(Check, NearTiesAreDecidedEitherWay) {
   std::size_t verified = 0;
   std::size_t refuted = 0;
   for (const double direction : {-1.0, 1.0}) {
-    Document document = square();
-    for (Vertex& vertex : document.vertices) {
+    NetDocument document = square();
+    for (NetDocument::Vertex& vertex : document.vertices) {
       if (vertex.x == 0.1875 && vertex.y == 0.1875) vertex.x = std::nextafter(vertex.x, direction);
     }
     const Certificate certificate = check(document);
@@ -117,7 +120,7 @@ TEST(Check, NearTiesAreDecidedEitherWay) {
 
 TEST(Check, ThreadsDoNotMatter) {
   for (const char* file : {"octagon-33-vertices.json", "square-of-cocircular-vertices.json"}) {
-    Document document = load(file);
+    NetDocument document = load(file);
     for (const char* epsilon : {"0.75", "0.5", "0.3"}) {
       document.epsilon = epsilon;
       const Certificate single = check(document, {.threads = 1});
@@ -131,7 +134,7 @@ TEST(Check, ThreadsDoNotMatter) {
 
 TEST(Check, VacuousDocumentsAreRejected) {
   EXPECT_EQ(outcome({}), "MALFORMED: structure");
-  Document document = nine();
+  NetDocument document = nine();
   document.vertices.clear();
   document.triangles.clear();
   EXPECT_EQ(outcome(document), "REFUTED: map");
@@ -145,19 +148,19 @@ TEST(Check, VacuousDocumentsAreRejected) {
 
 TEST(Check, NumbersThatAreNoneAreMalformed) {
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1.0, -2.0}) {
-    Document document = nine();
+    NetDocument document = nine();
     document.vertices[4].y = bad;
     EXPECT_EQ(outcome(document), "MALFORMED: structure");
   }
   for (const char* bad : {"", "nan", "-1", "0", "1e99999"}) {
-    Document document = nine();
+    NetDocument document = nine();
     document.epsilon = bad;
     EXPECT_EQ(outcome(document), "MALFORMED: structure");
   }
 }
 
 TEST(Check, ExtremeEpsilonsEnd) {
-  Document document = nine();
+  NetDocument document = nine();
   document.epsilon = "1e-9999";
   EXPECT_EQ(outcome(document), "REFUTED: covering");
   document.epsilon = "1e9999";
@@ -167,7 +170,7 @@ TEST(Check, ExtremeEpsilonsEnd) {
 
 TEST(Check, MoreBitsDecideMore) {
   // The shortest edge to 30 digits (mpmath), rounded down: shorter by less than 64 bits can see.
-  Document document = nine();
+  NetDocument document = nine();
   document.epsilon = "1.041236299642140448353580617796";
   const Certificate coarse = check(document, {.threads = 1, .max_precision = 64});
   EXPECT_EQ(coarse.verdict, Verdict::undecided);
@@ -179,7 +182,7 @@ TEST(Check, MoreBitsDecideMore) {
 }
 
 TEST(Check, VertexOnTheEdgeOfTheDisk) {
-  Document document = nine();
+  NetDocument document = nine();
   document.vertices[2] = {std::nextafter(1.0, 0.0), 0, 0};
   EXPECT_EQ(check(document).verdict, Verdict::refuted);
   document.vertices[2] = {5e-324, -5e-324, 0};
@@ -187,7 +190,7 @@ TEST(Check, VertexOnTheEdgeOfTheDisk) {
 }
 
 TEST(Check, TwoVerticesAtOnePlaceAreRefuted) {
-  Document document = nine();
+  NetDocument document = nine();
   document.vertices[2] = document.vertices[5];
   const Certificate certificate = check(document);
   EXPECT_EQ(certificate.verdict, Verdict::refuted);
@@ -195,7 +198,7 @@ TEST(Check, TwoVerticesAtOnePlaceAreRefuted) {
 
 TEST(Check, LongWordsThatCancelAreTheSameElement) {
   // s … s s' … s' in front of a word changes nothing; no balls could follow it that far out and back.
-  Document document = nine();
+  NetDocument document = nine();
   const std::uint32_t side = document.labels[0].word[0];
   const std::uint32_t partner = (side + 4) % 8;
   std::vector<std::uint32_t>& word = document.labels[0].word;
@@ -209,7 +212,7 @@ TEST(Check, LongWordsThatCancelAreTheSameElement) {
 
 TEST(Check, RelationOfTheGroupIsTheIdentity) {
   // Around the octagon's only vertex: a word of eight letters that is trivial in the group but not as a word.
-  Document document = one();
+  NetDocument document = one();
   std::vector<std::uint32_t> relation;
   std::uint32_t side = 0;
   do {
@@ -227,10 +230,10 @@ TEST(Check, RelationOfTheGroupIsTheIdentity) {
 // Single defects, each in every place: none may be verified.
 
 TEST(Mutation, EveryOppositeDart) {
-  const Document good = nine();
+  const NetDocument good = nine();
   for (std::size_t dart = 0; dart < 66; ++dart) {
     for (const std::uint32_t wrong : {0U, 17U, 65U}) {
-      Document document = good;
+      NetDocument document = good;
       std::uint32_t& opposite = document.triangles[dart / 3].opposite[dart % 3];
       if (opposite == wrong) continue;
       opposite = wrong;
@@ -240,9 +243,9 @@ TEST(Mutation, EveryOppositeDart) {
 }
 
 TEST(Mutation, EveryCornersVertex) {
-  const Document good = nine();
+  const NetDocument good = nine();
   for (std::size_t corner = 0; corner < 66; ++corner) {
-    Document document = good;
+    NetDocument document = good;
     std::uint32_t& vertex = document.triangles[corner / 3].vertex[corner % 3];
     vertex = (vertex + 1) % 9;
     EXPECT_EQ(outcome(document), "REFUTED: map");
@@ -269,10 +272,10 @@ TEST(Mutation, EveryLabelNumber) {
         return number;
     }
   };
-  const Document good = nine();
+  const NetDocument good = nine();
   for (std::size_t corner = 0; corner < 44; ++corner) {
     for (std::uint32_t wrong = 0; wrong <= good.labels.size(); ++wrong) {
-      Document document = good;
+      NetDocument document = good;
       std::uint32_t& number = document.triangles[corner / 2].label[corner % 2];
       const bool same = element(number) == element(wrong);
       number = wrong;
@@ -282,15 +285,15 @@ TEST(Mutation, EveryLabelNumber) {
 }
 
 TEST(Mutation, EveryLetter) {
-  const Document good = nine();
+  const NetDocument good = nine();
   for (std::size_t l = 0; l < good.labels.size(); ++l) {
     for (std::size_t i = 0; i < good.labels[l].word.size(); ++i) {
-      Document document = good;
+      NetDocument document = good;
       std::uint32_t& letter = document.labels[l].word[i];
       letter = (letter + 4) % 8;
       // A label that no triangle uses may say anything.
       bool used = false;
-      for (const Triangle& t : good.triangles) used = used || t.label[0] == l + 1 || t.label[1] == l + 1;
+      for (const NetDocument::Triangle& t : good.triangles) used = used || t.label[0] == l + 1 || t.label[1] == l + 1;
       EXPECT_EQ(outcome(document), used ? "REFUTED: gluing" : "VERIFIED");
     }
   }
@@ -298,8 +301,8 @@ TEST(Mutation, EveryLetter) {
 
 TEST(Mutation, TrianglesTurnedOver) {
   // Corners 1 and 2 exchanged in every triangle: the same triangles, clockwise.
-  Document document = nine();
-  for (Triangle& t : document.triangles) {
+  NetDocument document = nine();
+  for (NetDocument::Triangle& t : document.triangles) {
     std::swap(t.vertex[1], t.vertex[2]);
     std::swap(t.label[0], t.label[1]);
     std::swap(t.opposite[0], t.opposite[2]);
@@ -309,9 +312,9 @@ TEST(Mutation, TrianglesTurnedOver) {
 }
 
 TEST(Mutation, EveryVertexMoved) {
-  const Document good = nine();
+  const NetDocument good = nine();
   for (std::size_t v = 0; v < good.vertices.size(); ++v) {
-    Document document = good;
+    NetDocument document = good;
     document.vertices[v].x = std::nextafter(document.vertices[v].x, 1.0);
     EXPECT_EQ(outcome(document), "VERIFIED") << "one unit in the last place is still a net";
     document.vertices[v].x = -document.vertices[v].x + 0.01;
@@ -322,13 +325,13 @@ TEST(Mutation, EveryVertexMoved) {
 TEST(Mutation, RotatedTrianglesStayVerified) {
   // Corner 0 of every triangle becomes its corner 2. Needs labels L_i relative to the new corner 0; possible here where
   // the labels of a triangle are all the identity.
-  Document document = load("octagon-33-vertices.json");
+  NetDocument document = load("octagon-33-vertices.json");
   std::vector<bool> turn(document.triangles.size());
   for (std::size_t t = 0; t < turn.size(); ++t) {
     turn[t] = document.triangles[t].label == std::array<std::uint32_t, 2>{0, 0};
   }
   for (std::size_t t = 0; t < turn.size(); ++t) {
-    Triangle& triangle = document.triangles[t];
+    NetDocument::Triangle& triangle = document.triangles[t];
     for (std::uint32_t& dart : triangle.opposite) {
       if (turn[dart / 3]) dart = next_dart(dart);
     }

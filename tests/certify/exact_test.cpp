@@ -1,4 +1,5 @@
 #include "certify/numbers/exact.h"
+
 #include <gtest/gtest.h>
 
 namespace epsnet::certify {

@@ -1,11 +1,11 @@
+#include <filesystem>
 #include <gtest/gtest.h>
+#include <set>
+#include <string>
+
 #include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/geodesics/geodesics_check.h"
-
-#include <filesystem>
-#include <set>
-#include <string>
 
 /// Every file under tests/data/certify/VERDICT has that verdict; refuted and undecided ones are named RULE-defect.
 namespace epsnet::certify {
@@ -23,7 +23,7 @@ Certificate check_file(const std::filesystem::path& path) {
   const auto claim = read_claim(path);
   const auto* geodesics = std::get_if<GeodesicsDocument>(&claim);
   return geodesics != nullptr ? check_geodesics(*geodesics, {.threads = 2})
-                              : check(std::get<Document>(claim), {.threads = 2});
+                              : check(std::get<NetDocument>(claim), {.threads = 2});
 }
 
 void expect_verdict(const std::string& folder, Verdict verdict, std::size_t at_least, bool named_by_rule) {

@@ -1,5 +1,15 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+
 #include "certify/document/surface_sides.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
@@ -8,16 +18,6 @@
 #include "certify/geodesics/orbit_search.h"
 #include "certify/surface_check.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <complex>
-#include <functional>
-#include <map>
-#include <optional>
-#include <set>
-#include <sstream>
-
 /// Geodesics files. The lists are found here by brute force in binary64: words of the group in the order of their
 /// length, told apart by their least conjugate.
 namespace epsnet::certify {
@@ -25,10 +25,12 @@ namespace {
 
 using testing::HasSubstr;
 
-Document load(const std::string& name) { return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name); }
+NetDocument load(const std::string& name) {
+  return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
+}
 
 /// The Bolza surface with 10 and with 4 vertices.
-Document bolza() { return load("regular-2-10-vertices.json"); }
+NetDocument bolza() { return load("regular-2-10-vertices.json"); }
 
 std::string outcome(const GeodesicsDocument& document) {
   const Certificate certificate = check_geodesics(document, {.threads = 2, .max_precision = 1024});
@@ -154,7 +156,7 @@ std::vector<Cluster> clusters(const std::vector<ClosedGeodesic>& geodesics) {
   return result;
 }
 
-GeodesicsDocument spectrum(const Document& net, const std::string& up_to, std::size_t letters) {
+GeodesicsDocument spectrum(const NetDocument& net, const std::string& up_to, std::size_t letters) {
   GeodesicsDocument document;
   document.claim = Claim::spectrum;
   document.net = net;
@@ -164,7 +166,7 @@ GeodesicsDocument spectrum(const Document& net, const std::string& up_to, std::s
   return document;
 }
 
-GeodesicsDocument systole(const Document& net) {
+GeodesicsDocument systole(const NetDocument& net) {
   GeodesicsDocument document;
   document.net = net;
   document.geodesics = {octagon_spectrum(3.1, 1).at(0)};
@@ -219,7 +221,8 @@ class TestedTable {
       net_.labels.push_back({chart, chart, geodesic.word});
     }
     parts_.crossings = check_surface(net_.surface, 1).crossings;
-    for (const Chart& chart : net_.charts) parts_.frames.push_back(translation_to(exact_point(chart.centre)));
+    for (const NetDocument::Chart& chart : net_.charts)
+      parts_.frames.push_back(translation_to(exact_point(chart.centre)));
     evaluator_.emplace(net_, parts_);
     plane_.emplace(net_, *evaluator_, parts_, 128, 1024, 1);
     std::vector<ChordTable::Member> members;
@@ -233,7 +236,7 @@ class TestedTable {
   [[nodiscard]] const ChordTable& table() const { return *table_; }
 
  private:
-  Document net_;
+  NetDocument net_;
   std::uint32_t first_number_;
   LabelParts parts_;
   std::optional<LabelEvaluator> evaluator_;
@@ -242,7 +245,7 @@ class TestedTable {
 };
 
 TEST(OrbitSearch, ReportsEveryElementThatMovesTheVertexLittleAndEachOnce) {
-  const Document net = bolza();
+  const NetDocument net = bolza();
   const TestedTable tested(systole(net));
   const slong precision = tested.plane().precision();
   constexpr double kDistance = 6;
@@ -254,7 +257,7 @@ TEST(OrbitSearch, ReportsEveryElementThatMovesTheVertexLittleAndEachOnce) {
   each_word(4, word, [&](const auto& w) { elements.push_back(value(w)); });
   std::uint32_t vertices = 0;
   for (std::uint32_t v = 0; v < net.vertices.size(); ++v) {
-    const Chart& chart = net.charts[net.vertices[v].chart];
+    const NetDocument::Chart& chart = net.charts[net.vertices[v].chart];
     if (exact_point(chart.centre).n != Gaussian{}) continue;
     ++vertices;
     const std::complex<double> z(net.vertices[v].x, net.vertices[v].y);

@@ -1,10 +1,10 @@
 #include "certify/geodesics/interval_index.h"
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
+#include <rapidcheck/gtest.h>
 #include <vector>
 
 namespace epsnet::certify {

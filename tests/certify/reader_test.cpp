@@ -1,20 +1,21 @@
 #include "certify/file/reader.h"
-#include <gtest/gtest.h>
-#include "certify/document/text.h"
-#include "certify/file/writer.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <gtest/gtest.h>
 #include <optional>
 #include <sstream>
+
+#include "certify/document/text.h"
+#include "certify/file/writer.h"
 
 namespace epsnet::certify {
 namespace {
 
-Document sample() { return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/octagon-9-vertices.json"); }
+NetDocument sample() { return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/octagon-9-vertices.json"); }
 
-std::string to_text(const Document& document) {
+std::string to_text(const NetDocument& document) {
   std::ostringstream out;
   write_net(document, out);
   return out.str();
@@ -36,7 +37,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 TEST(Reader, ReadsWhatTheWriterWrites) {
-  const Document document = sample();
+  const NetDocument document = sample();
   const std::string text = to_text(document);
   EXPECT_EQ(parse_net(text, "test"), document);
   EXPECT_EQ(to_text(parse_net(text, "test")), text);
@@ -62,7 +63,7 @@ std::string surface_complaint(const std::string& object) {
   return "";
 }
 
-std::string to_text(const Surface& surface) {
+std::string to_text(const SurfaceDocument& surface) {
   std::ostringstream out;
   write_surface(surface, out);
   return out.str();
@@ -70,13 +71,13 @@ std::string to_text(const Surface& surface) {
 
 TEST(Reader, RegularSurfacesComeBack) {
   for (const std::uint32_t genus : {2U, 3U, 1000U}) {
-    Surface surface;
+    SurfaceDocument surface;
     surface.regular_genus = genus;
     EXPECT_EQ(parse_surface(to_text(surface), "test"), surface);
   }
-  const Surface last_member_says_it = parse_surface(surface_text(R"({"genus": 7, "kind": "regular"})"), "test");
+  const SurfaceDocument last_member_says_it = parse_surface(surface_text(R"({"genus": 7, "kind": "regular"})"), "test");
   EXPECT_EQ(last_member_says_it.regular_genus, 7U);
-  Document document;
+  NetDocument document;
   document.surface.regular_genus = 2;
   document.epsilon = "1";
   document.charts = {{0, {0, 0}}};
@@ -92,9 +93,9 @@ TEST(Reader, RegularSurfacesComeBack) {
 TEST(Reader, FreeTextComesBack) {
   std::string every_character = "\xcf\x80 \xe2\x89\xa5 3";
   for (char c = 0; c >= 0 && c < 127; ++c) every_character += c;
-  Surface regular;
+  SurfaceDocument regular;
   regular.regular_genus = 2;
-  for (Surface surface : {regular, sample().surface}) {
+  for (SurfaceDocument surface : {regular, sample().surface}) {
     surface.about = every_character;
     EXPECT_EQ(parse_surface(to_text(surface), "test"), surface);
     surface.about.assign(std::size_t{1} << 20, 'a');
@@ -134,14 +135,14 @@ TEST(Reader, MembersComeInAnyOrderAndRationalsNeedNotBeReduced) {
   const std::string text = R"({"surface": {"gluing": [[0,0,0,1]], "kind": "tiles",
       "tiles": [[["0","0"],["-2/4","000"],["0","1/2"],["1/3","-0"]]]}, "version": 1, "format": "epsnet-surface"})";
   EXPECT_THROW(static_cast<void>(parse_surface(text, "test")), MalformedError);  // Two sides are not glued.
-  const Surface surface = parse_surface(replaced(text, "[[0,0,0,1]]", "[[0,0,0,1],[0,2,0,3]]"), "test");
+  const SurfaceDocument surface = parse_surface(replaced(text, "[[0,0,0,1]]", "[[0,0,0,1],[0,2,0,3]]"), "test");
   EXPECT_EQ(surface.tiles[0][1].x, mpq_class(-1, 2));
   EXPECT_EQ(surface.tiles[0][1].y, 0);
   EXPECT_EQ(surface.tiles[0][3].y, 0);
 }
 
 TEST(Reader, ComplaintsNameFilePlaceAndExpectation) {
-  Document document = sample();
+  NetDocument document = sample();
   document.triangles[17].vertex[1] = 1000;
   const std::string text = complaint(to_text(document));
   EXPECT_EQ(text, "test: triangles[17]: vertex 1000 does not exist, expected less than 9");
@@ -157,9 +158,10 @@ TEST(Reader, ComplaintsAreOneHarmlessLine) {
 
 TEST(Reader, WordsMustCompose) {
   // Cut the octagon in two: side 0 leaves tile 0 for tile 1, so a word cannot go on with a side of tile 0.
-  Document document = sample();
-  const Tile v = document.surface.tiles[0];
-  document.surface.tiles = {Tile{v[0], v[1], v[2], v[3], v[4]}, Tile{v[4], v[5], v[6], v[7], v[0]}};
+  NetDocument document = sample();
+  const SurfaceDocument::Tile v = document.surface.tiles[0];
+  document.surface.tiles = {SurfaceDocument::Tile{v[0], v[1], v[2], v[3], v[4]},
+                            SurfaceDocument::Tile{v[4], v[5], v[6], v[7], v[0]}};
   document.surface.gluing = {{0, 4, 1, 4}, {0, 0, 1, 0}, {0, 1, 1, 1}, {0, 2, 1, 2}, {0, 3, 1, 3}};
   document.labels = {{0, 0, {0, 5}}};
   document.triangles.clear();
@@ -171,7 +173,7 @@ TEST(Reader, WordsMustCompose) {
 }
 
 TEST(Reader, WordsHaveALimit) {
-  Document document = sample();
+  NetDocument document = sample();
   document.labels.push_back({0, 0, {}});
   for (int i = 0; i < 500'000; ++i) {
     document.labels.back().word.push_back(0);

@@ -1,11 +1,11 @@
-#include <gtest/gtest.h>
-#include "certify/crossings.h"
-#include "certify/document/surface_sides.h"
-
 #include <array>
 #include <complex>
+#include <gtest/gtest.h>
 #include <numeric>
 #include <vector>
+
+#include "certify/crossings.h"
+#include "certify/document/surface_sides.h"
 
 namespace epsnet::certify {
 namespace {
@@ -236,7 +236,7 @@ TEST(RegularCrossings, SidesGoToTheirPartnersReversed) {
 
 TEST(RegularCrossings, TheCornersCloseUpExactlyAndNotBefore) {
   for (std::uint32_t genus = 2; genus <= 12; ++genus) {
-    Surface surface;
+    SurfaceDocument surface;
     surface.regular_genus = genus;
     const SurfaceSides sides(surface);
     const RegularCrossings crossings(genus);

@@ -1,14 +1,14 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <gtest/gtest.h>
+#include <map>
+
 #include "certify/check.h"
 #include "certify/document/surface_sides.h"
 #include "certify/file/reader.h"
 #include "certify/lifted_triangle.h"
 #include "certify/surface_check.h"
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <map>
 
 /// Regular 4g-gons, above all the net of one vertex, the tile's centre: around a corner of the tile its 4g lifts are
 /// the corners of a regular polygon, the dual one, so every triangulation of that is Delaunay and all its diagonals are
@@ -49,7 +49,7 @@ class Fan {
     for (const auto& [ends, dart] : darts_) document_.triangles[dart / 3].opposite[dart % 3] = opposite(ends);
   }
 
-  Document document() && { return std::move(document_); }
+  NetDocument document() && { return std::move(document_); }
 
  private:
   using Ends = std::pair<std::uint32_t, std::uint32_t>;
@@ -57,7 +57,7 @@ class Fan {
   /// From copy j's coordinates to those of copy 0: back over the sides crossed, or on around the corner if that is
   /// shorter.
   std::uint32_t label(std::uint32_t j) {
-    Label label{0, 0, {}};
+    NetDocument::Label label{0, 0, {}};
     if (2 * j <= sides_) {
       for (std::uint32_t i = j; i > 0; --i) label.word.push_back(partner_[crossed_[i - 1]]);
     } else {
@@ -83,19 +83,19 @@ class Fan {
   std::vector<std::uint32_t> partner_;
   std::vector<std::uint32_t> crossed_;
   std::map<Ends, std::uint32_t> darts_;
-  Document document_;
+  NetDocument document_;
 };
 
-Document fan(std::uint32_t genus) { return Fan(genus).document(); }
+NetDocument fan(std::uint32_t genus) { return Fan(genus).document(); }
 
-std::string outcome(const Document& document) {
+std::string outcome(const NetDocument& document) {
   const Certificate certificate = check(document, {.threads = 1});
   return std::string(name(certificate.verdict)) + (certificate.rule.empty() ? "" : ": " + certificate.rule);
 }
 
 TEST(Regular, SurfaceIsOneByTheorem) {
   for (const std::uint32_t genus : {2U, 3U, 1000U}) {
-    Surface surface;
+    SurfaceDocument surface;
     surface.regular_genus = genus;
     const SurfaceOutcome outcome = check_surface(surface);
     EXPECT_EQ(outcome.report.verdict, Verdict::verified);
@@ -110,7 +110,7 @@ TEST(Regular, SurfaceIsOneByTheorem) {
 
 TEST(Regular, AllCornersAreOneCycle) {
   for (std::uint32_t genus = 2; genus <= 100; ++genus) {
-    Surface surface;
+    SurfaceDocument surface;
     surface.regular_genus = genus;
     const SurfaceSides sides(surface);
     std::uint32_t corners = 0;
@@ -126,7 +126,7 @@ TEST(Regular, AllCornersAreOneCycle) {
 TEST(Regular, CentresAreVerifiedAndAllDiagonalsAreTies) {
   for (std::uint32_t genus = 2; genus <= 20; ++genus) {
     SCOPED_TRACE(genus);
-    const Document document = fan(genus);
+    const NetDocument document = fan(genus);
     ASSERT_EQ(document.triangles.size(), 4 * genus - 2);
     const Certificate certificate = check(document);
     EXPECT_EQ(certificate.verdict, Verdict::verified) << certificate.rule << ": " << certificate.message;
@@ -156,7 +156,7 @@ TEST(Regular, GenusTwoIsTheBolzaSurface) {
 
 TEST(Regular, EpsilonBelowTheCircumradiusIsRefuted) {
   for (const std::uint32_t genus : {2U, 3U, 8U, 20U}) {
-    Document document = fan(genus);
+    NetDocument document = fan(genus);
     document.epsilon = decimal(circumradius(genus) - 1e-9);
     EXPECT_EQ(outcome(document), "REFUTED: covering");
   }
@@ -167,7 +167,7 @@ TEST(Regular, TiesDoNotDependOnCharts) {
   // simple as before.
   for (const std::uint32_t genus : {2U, 3U, 6U}) {
     for (const auto& [x, y] : {std::pair{0.25, 0.0}, std::pair{-0.375, 0.4375}, std::pair{0.1, 0.7}}) {
-      Document document = fan(genus);
+      NetDocument document = fan(genus);
       document.charts[0].centre = {mpq_class(x), mpq_class(y)};
       document.vertices[0] = {-x, -y, 0};
       const Certificate certificate = check(document);
@@ -181,7 +181,7 @@ TEST(Regular, VertexMovedALittleIsRefuted) {
   for (const std::uint32_t genus : {2U, 5U}) {
     for (const auto& [x, y] :
          {std::pair{1e-9, 0.0}, std::pair{0.0, 1e-9}, std::pair{-1e-9, 1e-9}, std::pair{5e-324, 0.0}}) {
-      Document document = fan(genus);
+      NetDocument document = fan(genus);
       document.vertices[0] = {x, y, 0};
       const Certificate certificate = check(document);
       EXPECT_EQ(certificate.verdict, Verdict::refuted);
@@ -191,10 +191,10 @@ TEST(Regular, VertexMovedALittleIsRefuted) {
 }
 
 TEST(Regular, EveryLabelReplacedIsRefuted) {
-  const Document good = fan(2);
+  const NetDocument good = fan(2);
   for (std::size_t corner = 0; corner < 2 * good.triangles.size(); ++corner) {
     for (std::uint32_t wrong = 0; wrong <= good.labels.size(); ++wrong) {
-      Document document = good;
+      NetDocument document = good;
       std::uint32_t& number = document.triangles[corner / 2].label[corner % 2];
       if (number == wrong) continue;
       number = wrong;
@@ -204,10 +204,10 @@ TEST(Regular, EveryLabelReplacedIsRefuted) {
 }
 
 TEST(Regular, EveryLetterReplacedIsRefuted) {
-  const Document good = fan(3);
+  const NetDocument good = fan(3);
   for (std::size_t l = 0; l < good.labels.size(); ++l) {
     for (std::size_t i = 0; i < good.labels[l].word.size(); ++i) {
-      Document document = good;
+      NetDocument document = good;
       std::uint32_t& letter = document.labels[l].word[i];
       letter = (letter + 1) % 12;
       EXPECT_EQ(outcome(document), "REFUTED: gluing");
@@ -216,14 +216,14 @@ TEST(Regular, EveryLetterReplacedIsRefuted) {
 }
 
 TEST(Regular, EveryPairOfOppositesSwappedIsRefuted) {
-  const Document good = fan(2);
+  const NetDocument good = fan(2);
   const auto darts = static_cast<std::uint32_t>(3 * good.triangles.size());
-  const auto of = [](Document& document, std::uint32_t dart) -> std::uint32_t& {
+  const auto of = [](NetDocument& document, std::uint32_t dart) -> std::uint32_t& {
     return document.triangles[dart / 3].opposite[dart % 3];
   };
   for (std::uint32_t a = 0; a < darts; ++a) {
     for (std::uint32_t b = 0; b < darts; ++b) {
-      Document document = good;
+      NetDocument document = good;
       const std::uint32_t other_a = of(document, a);
       const std::uint32_t other_b = of(document, b);
       if (a >= other_a || b >= other_b || a == b) continue;
@@ -241,8 +241,8 @@ TEST(Regular, EveryPairOfOppositesSwappedIsRefuted) {
 }
 
 TEST(Regular, ReversedFanIsRefuted) {
-  Document document = fan(4);
-  for (Triangle& t : document.triangles) {
+  NetDocument document = fan(4);
+  for (NetDocument::Triangle& t : document.triangles) {
     std::swap(t.label[0], t.label[1]);
     std::swap(t.opposite[0], t.opposite[2]);
     for (std::uint32_t& dart : t.opposite) dart = dart / 3 * 3 + (2 - dart % 3);
@@ -255,7 +255,7 @@ TEST(Regular, ThreePointsOnALineAreFoundExactly) {
   // the least step off the axis is seen.
   for (const std::uint32_t genus : {2U, 3U, 20U}) {
     for (const auto& [x, y] : {std::pair{0.0, 0.0}, std::pair{0.3125, -0.5}}) {
-      Document document = fan(genus);
+      NetDocument document = fan(genus);
       document.charts[0].centre = {mpq_class(x), mpq_class(y)};
       document.vertices = {{-x, -y, 0}, {-x, std::nextafter(-y, 1.0), 0}};
       document.labels = {{0, 0, {0}}, {0, 0, {0, 0}}};
@@ -272,7 +272,7 @@ TEST(Regular, ThreePointsOnALineAreFoundExactly) {
   }
 }
 
-Document file(const std::string& name) { return read_net(std::string(EPSNET_TEST_DATA) + "/certify/" + name); }
+NetDocument file(const std::string& name) { return read_net(std::string(EPSNET_TEST_DATA) + "/certify/" + name); }
 
 TEST(Regular, TiesOfSymmetricVerticesAreFound) {
   // z and iz are exact in binary64: squares around the centre and around the corner of the tile.
@@ -289,7 +289,7 @@ TEST(Regular, NearTiesOfSymmetricVerticesAreDecidedEitherWay) {
   std::size_t refuted = 0;
   for (std::size_t v = 0; v < 4; ++v) {
     for (const double direction : {-1.0, 1.0}) {
-      Document document = file("verified/regular-2-4-rotated-vertices.json");
+      NetDocument document = file("verified/regular-2-4-rotated-vertices.json");
       document.vertices[v].x = std::nextafter(document.vertices[v].x, direction);
       const Certificate certificate = check(document);
       EXPECT_EQ(certificate.counts.exact_ties, 0U);
@@ -302,13 +302,13 @@ TEST(Regular, NearTiesOfSymmetricVerticesAreDecidedEitherWay) {
 }
 
 TEST(Regular, WrongGenusIsRefuted) {
-  Document document = fan(3);
+  NetDocument document = fan(3);
   document.surface.regular_genus = 4;
   EXPECT_EQ(outcome(document), "REFUTED: map");
 }
 
 TEST(Regular, DocumentsThatAreNoneAreMalformed) {
-  Document document = fan(2);
+  NetDocument document = fan(2);
   document.surface.gluing = {{0, 0, 0, 4}};
   EXPECT_EQ(outcome(document), "MALFORMED: structure");
   document = fan(2);
@@ -327,7 +327,7 @@ TEST(Regular, DocumentsThatAreNoneAreMalformed) {
 }
 
 TEST(Regular, ThreadsDoNotMatter) {
-  const Document document = fan(7);
+  const NetDocument document = fan(7);
   const Certificate single = check(document, {.threads = 1});
   const Certificate several = check(document, {.threads = 5});
   EXPECT_EQ(single.verdict, several.verdict);

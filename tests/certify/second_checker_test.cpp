@@ -1,14 +1,14 @@
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-#include "certify/document/text.h"
-#include "certify/exact/checker.h"
-#include "certify/exact/json.h"
-
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 #include <sstream>
 #include <string>
+
+#include "certify/document/text.h"
+#include "certify/exact/checker.h"
+#include "certify/exact/json.h"
 
 /// The checker of integers alone: the files of tests/data/certify, and its numbers beside those of the first checker.
 /// Mutants of nets are in tests/netgen/mutation_test.cpp.

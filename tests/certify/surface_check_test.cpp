@@ -1,20 +1,21 @@
 #include "certify/surface_check.h"
-#include <gtest/gtest.h>
-#include "certify/file/reader.h"
 
 #include <filesystem>
+#include <gtest/gtest.h>
 #include <string>
+
+#include "certify/file/reader.h"
 
 namespace epsnet::certify {
 namespace {
 
-Tile tile(std::initializer_list<std::pair<mpq_class, mpq_class>> vertices) {
-  Tile result;
+SurfaceDocument::Tile tile(std::initializer_list<std::pair<mpq_class, mpq_class>> vertices) {
+  SurfaceDocument::Tile result;
   for (const auto& [x, y] : vertices) result.push_back({x, y});
   return result;
 }
 
-Surface octagon() {
+SurfaceDocument octagon() {
   return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/octagon-1-vertex.json").surface;
 }
 
@@ -27,7 +28,7 @@ TEST(SurfaceCheck, OctagonHasGenusTwo) {
 
 TEST(SurfaceCheck, OneCoordinateChangedInTheLastDigitIsRefuted) {
   for (std::size_t k = 0; k < 8; ++k) {
-    Surface surface = octagon();
+    SurfaceDocument surface = octagon();
     surface.tiles[0][k].x += mpq_class(1, mpz_class("1000000000000000000000000000000000000000"));
     EXPECT_EQ(check_surface(surface).report.verdict, Verdict::refuted);
   }
@@ -35,7 +36,7 @@ TEST(SurfaceCheck, OneCoordinateChangedInTheLastDigitIsRefuted) {
 
 TEST(SurfaceCheck, PolygonThatWindsTwiceIsRefuted) {
   // Left turns everywhere, but a pentagram: turning number 2.
-  Surface surface = octagon();
+  SurfaceDocument surface = octagon();
   surface.tiles = {tile({{mpq_class(1, 2), 0},
                          {mpq_class(-2, 5), mpq_class(3, 10)},
                          {mpq_class(3, 20), mpq_class(-12, 25)},
@@ -50,7 +51,7 @@ TEST(SurfaceCheck, PolygonThatWindsTwiceIsRefuted) {
 }
 
 TEST(SurfaceCheck, ThreeCornersOnALineAreRefuted) {
-  Surface surface = octagon();
+  SurfaceDocument surface = octagon();
   surface.tiles[0][1] = {0, 0};
   surface.tiles[0][0] = {mpq_class(1, 2), 0};
   surface.tiles[0][2] = {mpq_class(-1, 2), 0};
@@ -59,10 +60,11 @@ TEST(SurfaceCheck, ThreeCornersOnALineAreRefuted) {
 
 TEST(SurfaceCheck, SplitOctagonIsTheSameSurface) {
   // Cut along the diagonal from corner 0 to corner 4: two pentagons, one more pair of sides.
-  const Surface whole = octagon();
-  const Tile& v = whole.tiles[0];
-  Surface cut;
-  cut.tiles = {Tile{v[0], v[1], v[2], v[3], v[4]}, Tile{v[4], v[5], v[6], v[7], v[0]}};
+  const SurfaceDocument whole = octagon();
+  const SurfaceDocument::Tile& v = whole.tiles[0];
+  SurfaceDocument cut;
+  cut.tiles = {SurfaceDocument::Tile{v[0], v[1], v[2], v[3], v[4]},
+               SurfaceDocument::Tile{v[4], v[5], v[6], v[7], v[0]}};
   cut.gluing = {{0, 4, 1, 4}};
   for (std::uint32_t k = 0; k < 4; ++k) cut.gluing.push_back({0, k, 1, k});
   const SurfaceOutcome outcome = check_surface(cut);
@@ -73,8 +75,8 @@ TEST(SurfaceCheck, SplitOctagonIsTheSameSurface) {
 TEST(SurfaceCheck, ConeAngleOfThreeFullTurnsIsRefuted) {
   // Three copies of the octagon, glued so that going round the vertex once leads to the next copy: a branched cover.
   // All lengths agree and the crossings around its one vertex multiply to the identity; only the angle tells.
-  const Surface octagon_surface = octagon();
-  Surface cover;
+  const SurfaceDocument octagon_surface = octagon();
+  SurfaceDocument cover;
   cover.tiles.assign(3, octagon_surface.tiles[0]);
   const std::array<std::array<std::uint32_t, 3>, 4> sheet{{{1, 0, 2}, {0, 2, 1}, {0, 1, 2}, {0, 1, 2}}};
   for (std::uint32_t side = 0; side < 4; ++side) {
@@ -88,7 +90,7 @@ TEST(SurfaceCheck, ConeAngleOfThreeFullTurnsIsRefuted) {
 TEST(SurfaceCheck, InscribedDiskOfNearlyIdealTriangle) {
   // Corners at distance 1e-14 of the circle.
   const mpq_class r(mpz_class("99999999999999"), mpz_class("100000000000000"));
-  const Tile thin =
+  const SurfaceDocument::Tile thin =
       tile({{r, 0}, {mpq_class(-3, 5) * r, mpq_class(4, 5) * r}, {mpq_class(-3, 5) * r, mpq_class(-4, 5) * r}});
   const auto disk = inscribed_disk(thin, 8192);
   ASSERT_TRUE(disk.has_value());
@@ -99,7 +101,7 @@ TEST(SurfaceCheck, InscribedDiskOfNearlyIdealTriangle) {
 
 TEST(SurfaceCheck, InscribedDiskOfASliver) {
   const mpq_class tiny(1, mpz_class("1000000000000000000000000000000000000000000000000"));
-  const Tile sliver = tile({{mpq_class(-1, 2), 0}, {mpq_class(1, 2), 0}, {0, tiny}});
+  const SurfaceDocument::Tile sliver = tile({{mpq_class(-1, 2), 0}, {mpq_class(1, 2), 0}, {0, tiny}});
   const auto disk = inscribed_disk(sliver, 8192);
   ASSERT_TRUE(disk.has_value());
   EXPECT_GT(outer_interval(disk->sinh_radius.get()).lower, 0);

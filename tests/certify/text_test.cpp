@@ -1,10 +1,10 @@
 #include "certify/document/text.h"
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <bit>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
+#include <rapidcheck/gtest.h>
 
 namespace epsnet::certify {
 namespace {

@@ -1,7 +1,6 @@
 #include "tests/kernel/exact.h"
 
 #include <gtest/gtest.h>
-
 #include <random>
 
 #include "kernel/plane.h"

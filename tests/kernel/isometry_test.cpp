@@ -1,12 +1,11 @@
 #include "kernel/isometry.h"
 
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <optional>
+#include <rapidcheck/gtest.h>
 #include <string>
 #include <utility>
 

@@ -1,11 +1,10 @@
 #include "kernel/plane.h"
 
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include "kernel/numbers.h"
 #include "tests/kernel/random_points.h"

@@ -1,12 +1,11 @@
 #include "kernel/predicates.h"
 
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
+#include <rapidcheck/gtest.h>
 #include <sstream>
 #include <string>
 #include <type_traits>

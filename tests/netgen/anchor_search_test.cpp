@@ -1,10 +1,9 @@
 #include "netgen/exchange/anchor_search.h"
 
+#include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include <cmath>
 
 #include "kernel/plane.h"
 #include "netgen/exchange/domain_format.h"
@@ -61,7 +60,7 @@ TEST(AnchorSearch, FindsTheDiskOfPolygons) {
 }
 
 TEST(AnchorSearch, FindsTheDiskOfNets) {
-  expect_found(triangulation_stream(compute_net(random_octagon(123), Epsilon("0.2")).net));
+  expect_found(triangulation_stream(compute_net(random_octagon(123), Length("0.2")).net));
 }
 
 RC_GTEST_PROP(AnchorSearchProperty, FindsTheDiskOfOctagons, (std::int32_t seed)) {

@@ -1,11 +1,10 @@
 #include "netgen/nets/dirichlet_polygon.h"
 
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numbers>
+#include <rapidcheck/gtest.h>
 
 #include "certify/check.h"
 #include "kernel/plane.h"

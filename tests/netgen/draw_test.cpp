@@ -1,13 +1,12 @@
 #include "netgen/pictures/draw.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <numbers>
+#include <rapidcheck/gtest.h>
 #include <set>
 #include <string>
 #include <vector>
@@ -33,16 +32,16 @@ using ::testing::ThrowsMessage;
 
 using Point = Complex<double>;
 
-certify::Document verified(const char* name) {
+certify::NetDocument verified(const char* name) {
   return certify::read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
 }
 
-certify::Document octagon_net(std::int32_t seed, const char* epsilon) {
-  return compute_net(random_octagon(seed), Epsilon(epsilon)).net;
+certify::NetDocument octagon_net(std::int32_t seed, const char* epsilon) {
+  return compute_net(random_octagon(seed), Length(epsilon)).net;
 }
 
-certify::Document polygon_net(const char* name, const char* epsilon) {
-  return compute_net(load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/" + name), Epsilon(epsilon)).net;
+certify::NetDocument polygon_net(const char* name, const char* epsilon) {
+  return compute_net(load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/" + name), Length(epsilon)).net;
 }
 
 double euclidean(const Point& u, const Point& v) { return std::sqrt(norm(u - v)); }
@@ -60,7 +59,7 @@ double area(const std::array<Point, 3>& z) {
 }
 
 /// What must hold for the lifts of any verified net.
-void expect_good_lifts(const certify::Document& net, DrawOrder order) {
+void expect_good_lifts(const certify::NetDocument& net, DrawOrder order) {
   const NetGeometry geometry(net);
   const Lifts lifts = lift_triangles(geometry, order);
   ASSERT_EQ(lifts.lifted.size(), net.triangles.size());
@@ -107,7 +106,7 @@ TEST(Lifts, surviveThinPartsAndHighGenus) {
 }
 
 TEST(Lifts, byWeightTakeTheEdgeOfLeastWeight) {
-  const certify::Document net = octagon_net(5, "0.4");
+  const certify::NetDocument net = octagon_net(5, "0.4");
   const NetGeometry geometry(net);
   const Lifts lifts = lift_triangles(geometry, DrawOrder::weight);
   for (std::size_t i = 1; i < lifts.lifted.size(); ++i) {
@@ -129,7 +128,7 @@ TEST(Lifts, byWeightTakeTheEdgeOfLeastWeight) {
 }
 
 TEST(Lifts, breadthFirstOrderIsByEdgesCrossed) {
-  const certify::Document net = octagon_net(5, "0.4");
+  const certify::NetDocument net = octagon_net(5, "0.4");
   const Lifts lifts = lift_triangles(NetGeometry(net), DrawOrder::breadth_first);
   std::vector<std::uint32_t> depth(net.triangles.size(), 0xffffffff);
   depth[lifts.lifted[0].triangle] = 0;
@@ -143,7 +142,7 @@ TEST(Lifts, breadthFirstOrderIsByEdgesCrossed) {
 
 /// The vertices of a Dirichlet domain are the circumcentres of the Delaunay triangles around the base point (thesis
 /// IV.5), in the triangulation whose only vertex it is; so the distances to the base are circumradii, each three times.
-void expect_circumcentres(const certify::Document& net) {
+void expect_circumcentres(const certify::NetDocument& net) {
   ASSERT_EQ(net.vertices.size(), 1U);
   const NetGeometry geometry(net);
   std::vector<double> expected;
@@ -174,7 +173,7 @@ TEST(DirichletDomain, verticesAreCircumcentres) {
 
 TEST(DirichletDomain, hasTheAreaOfTheSurfaceForAnyVertex) {
   for (const char* name : {"polygon-g2-thin-1e-4.txt", "polygon-g2-thin-1e-8.txt", "polygon-g4-treeloops.txt"}) {
-    const certify::Document net = polygon_net(name, "0.6");
+    const certify::NetDocument net = polygon_net(name, "0.6");
     const NetGeometry geometry(net);
     for (const std::uint32_t vertex : {0U, static_cast<std::uint32_t>(net.vertices.size() / 2)}) {
       const DirichletDomain domain = dirichlet_domain(geometry, vertex);
@@ -186,7 +185,7 @@ TEST(DirichletDomain, hasTheAreaOfTheSurfaceForAnyVertex) {
 }
 
 RC_GTEST_PROP(DirichletDomainProperty, closesForAnyVertexOfAnyOctagon, ()) {
-  const certify::Document net = octagon_net(*rc::gen::inRange(1, 1000), "0.5");
+  const certify::NetDocument net = octagon_net(*rc::gen::inRange(1, 1000), "0.5");
   const auto vertex = *rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(net.vertices.size()));
   const NetGeometry geometry(net);
   const DirichletDomain domain = dirichlet_domain(geometry, vertex);
@@ -286,7 +285,7 @@ TEST(Draw, arcsAreOrthogonalToTheBoundaryCircle) {
 }
 
 TEST(Draw, isDeterministicAndDependsOnItsOptions) {
-  const certify::Document net = octagon_net(123, "0.3");
+  const certify::NetDocument net = octagon_net(123, "0.3");
   std::set<std::string> pictures;
   for (const DrawOrder order : {DrawOrder::weight, DrawOrder::breadth_first}) {
     for (const bool dirichlet : {false, true}) {
@@ -305,7 +304,7 @@ TEST(Draw, isDeterministicAndDependsOnItsOptions) {
 }
 
 TEST(Draw, showsWhatIsAskedFor) {
-  const certify::Document net = octagon_net(123, "0.3");
+  const certify::NetDocument net = octagon_net(123, "0.3");
   const std::string plain = draw_svg(net);
   const auto expect_changed = [&](const char* what, const char* mark, const auto& change) {
     DrawOptions options;
@@ -367,7 +366,7 @@ struct EverythingShown {
     FenchelNielsen coordinates = random_coordinates(PantsGraph::chain(2), 1);
     test::set_cuff_length(coordinates, 0, Rational(1, 10));
     const Surface surface = fenchel_nielsen_surface(coordinates);
-    net = compute_net(surface, Epsilon("0.3"), {.pseudo = true}).net;
+    net = compute_net(surface, Length("0.3"), {.pseudo = true}).net;
     const NetGeometry geometry(net);
     options.dirichlet = options.combinatorial_dirichlet = true;
     options.covering_disks = options.packing_disks = true;
@@ -376,7 +375,7 @@ struct EverythingShown {
     options.layers.push_back(tile_layer(geometry));
     for (Layer& layer : geodesics_layers(geometry, thick_thin(surface))) options.layers.push_back(layer);
   }
-  certify::Document net;
+  certify::NetDocument net;
   DrawOptions options;
 };
 
@@ -428,12 +427,12 @@ TEST(Draw, aLegendCountsGeodesicsAndSaysHowLongTheyAre) {
 }
 
 TEST(Draw, aLegendHasTheColoursOfCharts) {
-  const certify::Document net =
-      compute_net(fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(3), 1)), Epsilon("0.3")).net;
+  const certify::NetDocument net =
+      compute_net(fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(3), 1)), Length("0.3")).net;
   const std::string picture = draw_svg(net, {.colouring = Colouring::chart, .legend = true});
   const std::string legend = legend_of(picture);
   std::set<std::string> charts;
-  for (const certify::Triangle& triangle : net.triangles)
+  for (const certify::NetDocument::Triangle& triangle : net.triangles)
     charts.insert(std::to_string(net.vertices[triangle.vertex[0]].chart));
   ASSERT_GT(charts.size(), 2U);
   ASSERT_LE(charts.size(), 16U);
@@ -449,10 +448,11 @@ TEST(Draw, aLegendHasTheColoursOfCharts) {
 }
 
 TEST(Draw, aLegendOfManyChartsStaysShort) {
-  const certify::Document net =
-      compute_net(fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(12), 1)), Epsilon("0.6")).net;
+  const certify::NetDocument net =
+      compute_net(fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(12), 1)), Length("0.6")).net;
   std::set<std::uint32_t> charts;
-  for (const certify::Triangle& triangle : net.triangles) charts.insert(net.vertices[triangle.vertex[0]].chart);
+  for (const certify::NetDocument::Triangle& triangle : net.triangles)
+    charts.insert(net.vertices[triangle.vertex[0]].chart);
   ASSERT_GT(charts.size(), 16U);
   const std::string legend = legend_of(draw_svg(net, {.colouring = Colouring::chart, .legend = true}));
   EXPECT_THAT(legend, HasSubstr("and " + std::to_string(charts.size() - 16) + " more charts"));
@@ -475,7 +475,7 @@ TEST(Viewer, listsTheGeodesicsWithTheirArcs) {
 }
 
 TEST(Draw, centresTheVertexAskedFor) {
-  const certify::Document net = octagon_net(123, "0.3");
+  const certify::NetDocument net = octagon_net(123, "0.3");
   const Lifts lifts = lift_triangles(NetGeometry(net), DrawOrder::weight, 5);
   const Lifts::LiftedTriangle& first = lifts.lifted.front();
   bool found = false;
@@ -487,23 +487,23 @@ TEST(Draw, centresTheVertexAskedFor) {
 }
 
 TEST(Draw, isOfModerateSize) {
-  const certify::Document net = octagon_net(123, "0.03");
+  const certify::NetDocument net = octagon_net(123, "0.03");
   const std::string picture = draw_svg(net);
   EXPECT_LT(picture.size(), 100 * net.vertices.size());
   EXPECT_GT(picture.size(), 20 * net.vertices.size());
 }
 
 TEST(Draw, writesNoUnboundedTextOfTheDocument) {
-  certify::Document net = verified("octagon-1-vertex.json");
+  certify::NetDocument net = verified("octagon-1-vertex.json");
   net.epsilon = "1" + std::string(100000, '0');
   EXPECT_LT(draw_svg(net).size(), 20000U);
 }
 
 TEST(Draw, refusesWhatIsNoNet) {
-  const certify::Document good = verified("octagon-9-vertices.json");
+  const certify::NetDocument good = verified("octagon-9-vertices.json");
   const auto draw_changed = [&](const auto& change) {
     return [&, change] {
-      certify::Document net = good;
+      certify::NetDocument net = good;
       change(net);
       return draw_svg(net);
     };
@@ -518,7 +518,7 @@ TEST(Draw, refusesWhatIsNoNet) {
                 // A second copy of all triangles, connected within itself only.
                 const auto n = static_cast<std::uint32_t>(net.triangles.size());
                 for (std::uint32_t t = 0; t < n; ++t) {
-                  certify::Triangle copy = net.triangles[t];
+                  certify::NetDocument::Triangle copy = net.triangles[t];
                   for (std::uint32_t& dart : copy.opposite) dart += 3 * n;
                   net.triangles.push_back(copy);
                 }
@@ -548,7 +548,7 @@ TEST(Info, systoleBoundImpliesLemmaIII15) {
 TEST(Info, systoleBoundHoldsOnSurfacesWithKnownShortCurves) {
   // The short curve of these surfaces has the length in the name, to within a few percent, by construction; the upper
   // bound is a loop edge of the net.
-  const certify::Document net = polygon_net("polygon-g2-thin-1e-4.txt", "0.3");
+  const certify::NetDocument net = polygon_net("polygon-g2-thin-1e-4.txt", "0.3");
   const std::string text = net_info(net).text;
   const std::size_t at = text.find("(run certify): at least ");
   ASSERT_NE(at, std::string::npos) << text;

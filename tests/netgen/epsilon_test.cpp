@@ -1,14 +1,12 @@
-#include "netgen/base/epsilon.h"
-
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <initializer_list>
 #include <limits>
+#include <rapidcheck/gtest.h>
 #include <stdexcept>
 #include <string>
 
+#include "netgen/base/length.h"
 #include "tests/support/triangulations.h"
 
 namespace epsnet {
@@ -18,7 +16,7 @@ namespace {
 void expect_rejected(std::initializer_list<const char*> texts) {
   for (const char* text : texts) {
     try {
-      const Epsilon epsilon{std::string(text)};
+      const Length epsilon{std::string(text)};
       ADD_FAILURE() << '"' << text << "\" is accepted as " << epsilon.value();
     } catch (const std::invalid_argument& error) {
       EXPECT_NE(std::string(error.what()).find('"' + std::string(text) + '"'), std::string::npos) << error.what();
@@ -42,7 +40,7 @@ TEST(Epsilon, ByTheGrammarOnly) {
 
 TEST(Epsilon, IsTheExactNumberAndItsText) {
   const auto expect_value = [](const char* text, const char* value) {
-    const Epsilon epsilon{std::string(text)};
+    const Length epsilon{std::string(text)};
     EXPECT_EQ(epsilon.value(), Rational(value)) << text;
     EXPECT_EQ(epsilon.text(), text);
   };
@@ -65,16 +63,16 @@ TEST(Epsilon, IsTheExactNumberAndItsText) {
 }
 
 TEST(Epsilon, ExtremeExponentsAreNumbers) {
-  EXPECT_GT(Epsilon("1e9999").value(), Rational(1000000));
-  EXPECT_GT(Epsilon("1e-9999").value(), 0);
-  EXPECT_LT(Epsilon("1e-9999").value(), Rational(1, 1000000));
+  EXPECT_GT(Length("1e9999").value(), Rational(1000000));
+  EXPECT_GT(Length("1e-9999").value(), 0);
+  EXPECT_LT(Length("1e-9999").value(), Rational(1, 1000000));
 }
 
 TEST(Epsilon, LongTextsAreNumbersUpToALimit) {
-  EXPECT_EQ(Epsilon("0.1" + std::string(5000, '0')).value(), Rational(1, 10));
-  EXPECT_THROW(Epsilon("0.1" + std::string(1'000'000, '0')), std::invalid_argument);
+  EXPECT_EQ(Length("0.1" + std::string(5000, '0')).value(), Rational(1, 10));
+  EXPECT_THROW(Length("0.1" + std::string(1'000'000, '0')), std::invalid_argument);
   try {
-    const Epsilon epsilon(std::string(1'000'000, 'x'));
+    const Length epsilon(std::string(1'000'000, 'x'));
     FAIL();
   } catch (const std::invalid_argument& error) {
     EXPECT_LT(std::string(error.what()).size(), 200U) << "a message is one readable line";
@@ -82,27 +80,27 @@ TEST(Epsilon, LongTextsAreNumbersUpToALimit) {
 }
 
 TEST(Epsilon, OfADoubleIsItsShortestDecimal) {
-  EXPECT_EQ(Epsilon(0.1).value(), Rational(1, 10));
-  EXPECT_EQ(Epsilon(0.1).text(), "0.1");
-  EXPECT_EQ(Epsilon(2.0).value(), Rational(2));
-  EXPECT_EQ(Epsilon(1e-5).value(), Rational(1, 100000));
-  EXPECT_GT(Epsilon(std::numeric_limits<double>::max()).value(), Rational(1));
-  EXPECT_GT(Epsilon(std::numeric_limits<double>::denorm_min()).value(), Rational(0));
+  EXPECT_EQ(Length(0.1).value(), Rational(1, 10));
+  EXPECT_EQ(Length(0.1).text(), "0.1");
+  EXPECT_EQ(Length(2.0).value(), Rational(2));
+  EXPECT_EQ(Length(1e-5).value(), Rational(1, 100000));
+  EXPECT_GT(Length(std::numeric_limits<double>::max()).value(), Rational(1));
+  EXPECT_GT(Length(std::numeric_limits<double>::denorm_min()).value(), Rational(0));
   for (const double bad : {0.0, -0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity(),
                            -std::numeric_limits<double>::infinity()}) {
-    EXPECT_THROW(Epsilon{bad}, std::invalid_argument) << bad;
+    EXPECT_THROW(Length{bad}, std::invalid_argument) << bad;
   }
 }
 
 RC_GTEST_PROP(EpsilonProperty, DoublesRoundTrip, ()) {
   const double value = std::ldexp(1 + test::any_share(), static_cast<int>(test::any_index(200u)) - 150);
-  RC_ASSERT(std::stod(Epsilon(value).text()) == value);
+  RC_ASSERT(std::stod(Length(value).text()) == value);
 }
 
 RC_GTEST_PROP(EpsilonProperty, AnyTextIsANumberOrAnInvalidArgument, ()) {
   const std::string text = *rc::gen::container<std::string>(rc::gen::elementOf(std::string("0019.eE+-/ x")));
   try {
-    RC_ASSERT(Epsilon(text).value() > 0);
+    RC_ASSERT(Length(text).value() > 0);
   } catch (const std::invalid_argument&) {
     RC_SUCCEED("rejected");
   }

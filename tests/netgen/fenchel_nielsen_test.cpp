@@ -1,15 +1,14 @@
 #include "netgen/surfaces/fenchel_nielsen.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <memory>
+#include <rapidcheck/gtest.h>
+#include <unistd.h>
 
 #include "netgen/base/decimal.h"
 #include "netgen/surfaces/fenchel_nielsen_request.h"

@@ -1,12 +1,11 @@
 #include "netgen/geodesics/geodesics.h"
 
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <iostream>
 #include <numbers>
+#include <rapidcheck/gtest.h>
 #include <set>
 #include <string>
 #include <vector>
@@ -71,7 +70,7 @@ TEST(Systole, OfAThinSurfaceIsItsShortCuff) {
 /// brute force; the second one, 12, is a theorem of Saha and Sanki too ("Complexity in Bolza surface",
 /// arXiv:2311.18483).
 TEST(Spectrum, OfTheBolzaSurface) {
-  const GeodesicsDocument document = spectrum(Surface::regular(2), Epsilon("5.9"));
+  const GeodesicsDocument document = spectrum(Surface::regular(2), Length("5.9"));
   ASSERT_EQ(document.clusters.size(), 3U);
   const double root = std::sqrt(2.0);
   const std::vector<std::pair<std::uint32_t, double>> expected{{12, 1 + root}, {12, 3 + 2 * root}, {24, 5 + 3 * root}};
@@ -85,7 +84,7 @@ TEST(Spectrum, OfTheBolzaSurface) {
 
 TEST(Spectrum, WordsAreClosedGeodesicsOfTheirLengths) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
-    const GeodesicsDocument document = spectrum(named.surface, Epsilon("3"));
+    const GeodesicsDocument document = spectrum(named.surface, Length("3"));
     for (const ClosedGeodesic& geodesic : document.geodesics) {
       EXPECT_NEAR(length_of_word(named.surface, geodesic.word), length_of(geodesic), 1e-12) << named.name;
     }
@@ -97,7 +96,7 @@ TEST(Spectrum, WordsAreClosedGeodesicsOfTheirLengths) {
 TEST(Spectrum, HasEveryShortWordOfAnOctagon) {
   for (const std::int32_t seed : {1, 5, 9}) {
     const Surface surface = random_octagon(seed);
-    const std::vector<double> listed = lengths_of(spectrum(surface, Epsilon("5")));
+    const std::vector<double> listed = lengths_of(spectrum(surface, Length("5")));
     std::vector<Isometry<Mp256>> generators;
     for (std::uint32_t s = 0; s < surface.side_count(); ++s) generators.push_back(surface.crossing_as<Mp256>(s));
     std::vector<Isometry<Mp256>> words{{}};
@@ -148,7 +147,7 @@ TEST(AxisCatalogue, ComparesAnElementWithThoseOnItsAxisOnly) {
   // Not with all in its triangle: that would take the square of the number of geodesics.
   const Surface surface = random_octagon(5);
   NetStatistics statistics;
-  Triangulation triangulation = net_triangulation(surface, Epsilon("1"), {}, statistics);
+  Triangulation triangulation = net_triangulation(surface, Length("1"), {}, statistics);
   AxisCatalogue<Mp256> catalogue(triangulation);
   const std::vector<ElementOfPath> elements = elements_up_to_7(triangulation, catalogue);
   for (const ElementOfPath& e : elements) (void)catalogue.find_or_add(e.path, e.element);
@@ -160,7 +159,7 @@ TEST(AxisCatalogue, ComparesAnElementWithThoseOnItsAxisOnly) {
 TEST(AxisCatalogue, KnowsPowersAndInverses) {
   const Surface surface = random_octagon(5);
   NetStatistics statistics;
-  Triangulation triangulation = net_triangulation(surface, Epsilon("1"), {}, statistics);
+  Triangulation triangulation = net_triangulation(surface, Length("1"), {}, statistics);
   AxisCatalogue<Mp256> catalogue(triangulation);
   for (const ElementOfPath& e : elements_up_to_7(triangulation, catalogue)) {
     const std::uint32_t number = catalogue.find_or_add(e.path, e.element);
@@ -175,7 +174,7 @@ TEST(AxisCatalogue, KnowsPowersAndInverses) {
 TEST(Spectrum, KnowsFiguresOfEight) {
   FenchelNielsen coordinates = random_coordinates(PantsGraph::parse("0-1 0-1 0-1"), 1);
   coordinates.lengths = {1, Rational(11, 10), Rational(12, 10)};
-  const GeodesicsDocument document = spectrum(fenchel_nielsen_surface(coordinates), Epsilon("4.3"));
+  const GeodesicsDocument document = spectrum(fenchel_nielsen_surface(coordinates), Length("4.3"));
   for (const auto& [a, b, c] : std::vector<std::array<double, 3>>{{1, 1.1, 1.2}, {1, 1.2, 1.1}, {1.1, 1.2, 1}}) {
     const double expected = 2 * std::acosh(2 * std::cosh(a / 2) * std::cosh(b / 2) + std::cosh(c / 2));
     const auto eights = std::count_if(document.geodesics.begin(), document.geodesics.end(), [&](const auto& geodesic) {
@@ -188,11 +187,11 @@ TEST(Spectrum, KnowsFiguresOfEight) {
 
 RC_GTEST_PROP(SpectrumProperty, DoesNotDependOnTheNet, ()) {
   const test::NamedSurface& named = test::any_tiled_surface();
-  const Epsilon up_to(std::to_string(10 + any_index(25)) + "/10");
+  const Length up_to(std::to_string(10 + any_index(25)) + "/10");
   GeodesicsOptions options;
   options.threads = 1;
   const GeodesicsDocument a = spectrum(named.surface, up_to, options);
-  options.epsilon = Epsilon(std::to_string(5 + any_index(8)) + "/10");
+  options.epsilon = Length(std::to_string(5 + any_index(8)) + "/10");
   const GeodesicsDocument b = spectrum(named.surface, up_to, options);
   expect_near(lengths_of(a), lengths_of(b), 1e-14);
   std::vector<bool> simple_a;
@@ -208,9 +207,9 @@ RC_GTEST_PROP(SpectrumProperty, DoesNotDependOnTheThreads, ()) {
   const test::NamedSurface& named = test::any_tiled_surface();
   GeodesicsOptions options;
   options.threads = 1;
-  const GeodesicsDocument one = spectrum(named.surface, Epsilon("3"), options);
+  const GeodesicsDocument one = spectrum(named.surface, Length("3"), options);
   options.threads = 3;
-  RC_ASSERT(spectrum(named.surface, Epsilon("3"), options) == one);
+  RC_ASSERT(spectrum(named.surface, Length("3"), options) == one);
 }
 
 /// A twist by a full turn gives another marking of the same surface.
@@ -220,10 +219,10 @@ RC_GTEST_PROP(SpectrumProperty, IsThatOfTheSurfaceAndNotOfItsMarking, ()) {
   FenchelNielsen coordinates = random_coordinates(PantsGraph::random(genus, seed), seed);
   const auto cuff = any_index(coordinates.lengths.size());
   coordinates.twists[cuff] = 0;
-  const std::vector<double> a = lengths_of(spectrum(fenchel_nielsen_surface(coordinates), Epsilon("3.5")));
+  const std::vector<double> a = lengths_of(spectrum(fenchel_nielsen_surface(coordinates), Length("3.5")));
   coordinates.twists[cuff] = coordinates.lengths[cuff];
   // The surface made is within 2⁻⁵⁰ of the one asked for.
-  expect_near(a, lengths_of(spectrum(fenchel_nielsen_surface(coordinates), Epsilon("3.5"))), 1e-10);
+  expect_near(a, lengths_of(spectrum(fenchel_nielsen_surface(coordinates), Length("3.5"))), 1e-10);
 }
 
 /// Cuffs that are all short cut the surface into its pairs of pants.

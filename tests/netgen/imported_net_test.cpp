@@ -2,9 +2,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <map>
+#include <rapidcheck/gtest.h>
 
 #include "certify/check.h"
 #include "netgen/base/gmp.h"
@@ -21,7 +20,7 @@ namespace {
 using testing::HasSubstr;
 
 certify::Certificate verdict_on(const TriangulationStream& stream, const std::string& epsilon) {
-  return certify::check(net_of_tiles(develop(stream, "stream"), Epsilon(epsilon)), {.threads = 1});
+  return certify::check(net_of_tiles(develop(stream, "stream"), Length(epsilon)), {.threads = 1});
 }
 
 Surface pants(const std::string& seed) {
@@ -62,9 +61,9 @@ Surface flipped(const Surface& surface, std::uint32_t side) {
 
 TEST(ImportedNet, AnExportedNetIsTheSameNet) {
   for (const Surface& surface : {random_octagon(123), pants("7")}) {
-    const CertifiedNet original = certified_net(surface, Epsilon("0.3"));
+    const CertifiedNet original = certified_net(surface, Length("0.3"));
     const TriangulationStream stream = triangulation_stream(original.net);
-    const certify::Document net = net_of_tiles(develop(stream, "stream"), Epsilon("0.3"));
+    const certify::NetDocument net = net_of_tiles(develop(stream, "stream"), Length("0.3"));
     const certify::Certificate certificate = certify::check(net);
     EXPECT_EQ(certificate.verdict, certify::Verdict::verified) << certificate.rule << ": " << certificate.message;
     EXPECT_EQ(certificate.counts.vertices, original.net.vertices.size());
@@ -85,10 +84,10 @@ TEST(ImportedNet, AnExportedNetIsTheSameNet) {
 TEST(ImportedNet, VerticesAreTheGivenOnesExactly) {
   for (const auto& path : test::data_files("triangulations")) {
     const Surface surface = load_triangulation_stream(path);
-    const certify::Document net = net_of_tiles(surface, Epsilon("1"));
+    const certify::NetDocument net = net_of_tiles(surface, Length("1"));
     ASSERT_EQ(net.vertices.size(), surface.vertex_class_count());
-    for (const certify::Vertex& vertex : net.vertices) {
-      const certify::Chart& chart = net.charts[vertex.chart];
+    for (const certify::NetDocument::Vertex& vertex : net.vertices) {
+      const certify::NetDocument::Chart& chart = net.charts[vertex.chart];
       EXPECT_EQ(std::make_pair(vertex.x, vertex.y), std::make_pair(0., 0.));
       const Tile& tile = surface.tiles()[chart.tile];
       EXPECT_NE(std::find(tile.begin(), tile.end(), from_gmp(chart.centre)), tile.end());
@@ -98,7 +97,7 @@ TEST(ImportedNet, VerticesAreTheGivenOnesExactly) {
 }
 
 TEST(ImportedNet, WrongEpsilonIsRefutedWithTheCulprit) {
-  const TriangulationStream stream = triangulation_stream(certified_net(random_octagon(123), Epsilon("0.3")).net);
+  const TriangulationStream stream = triangulation_stream(certified_net(random_octagon(123), Length("0.3")).net);
   const certify::Certificate smaller = verdict_on(stream, "0.29");
   EXPECT_EQ(smaller.verdict, certify::Verdict::refuted);
   EXPECT_EQ(smaller.rule, "covering");
@@ -110,7 +109,7 @@ TEST(ImportedNet, WrongEpsilonIsRefutedWithTheCulprit) {
 }
 
 TEST(ImportedNet, AFlippedEdgeIsRefutedAndNamed) {
-  const Surface surface = develop(triangulation_stream(certified_net(pants("7"), Epsilon("0.5")).net), "net");
+  const Surface surface = develop(triangulation_stream(certified_net(pants("7"), Length("0.5")).net), "net");
   std::size_t flips = 0;
   for (std::uint32_t side = 0; side < surface.side_count() && flips < 10; ++side) {
     std::optional<Surface> bad;
@@ -133,7 +132,8 @@ TEST(ImportedNet, AFlippedEdgeIsRefutedAndNamed) {
 
 TEST(ImportedNet, OneVertexAndAllEdgesLoops) {
   // The diagonals of an octagon, as they are: nobody flips them.
-  const certify::Document net = net_of_tiles(develop(triangulation_stream(random_octagon(1)), "octagon"), Epsilon("3"));
+  const certify::NetDocument net =
+      net_of_tiles(develop(triangulation_stream(random_octagon(1)), "octagon"), Length("3"));
   ASSERT_EQ(net.vertices.size(), 1U);
   const certify::Certificate certificate = certify::check(net);
   EXPECT_EQ(certificate.verdict, certify::Verdict::refuted);
@@ -141,16 +141,16 @@ TEST(ImportedNet, OneVertexAndAllEdgesLoops) {
 }
 
 TEST(ImportedNet, TilesMustBeTriangles) {
-  EXPECT_THROW(static_cast<void>(net_of_tiles(random_octagon(1), Epsilon("1"))), ImportedNetError);
-  EXPECT_THROW(static_cast<void>(net_of_tiles(Surface::regular(2), Epsilon("1"))), ImportedNetError);
+  EXPECT_THROW(static_cast<void>(net_of_tiles(random_octagon(1), Length("1"))), ImportedNetError);
+  EXPECT_THROW(static_cast<void>(net_of_tiles(Surface::regular(2), Length("1"))), ImportedNetError);
 }
 
 RC_GTEST_PROP(ImportedNetProperty, WhateverIsImportedIsMadeOfTheGivenTriangles, ()) {
   const auto seed = *rc::gen::inRange<std::int32_t>(-1000, 1000);
   const std::string epsilon = *rc::gen::element<std::string>("0.4", "0.6", "1");
-  const UncertifiedNet made = compute_net(random_octagon(seed), Epsilon(epsilon));
+  const UncertifiedNet made = compute_net(random_octagon(seed), Length(epsilon));
   const TriangulationStream stream = triangulation_stream(made.net);
-  const certify::Document net = net_of_tiles(develop(stream, "stream"), Epsilon(epsilon));
+  const certify::NetDocument net = net_of_tiles(develop(stream, "stream"), Length(epsilon));
   RC_ASSERT(certify::check(net, {.threads = 1}).verdict == certify::Verdict::verified);
   RC_ASSERT(triangulation_stream(net).edges == stream.edges);
 }

@@ -1,11 +1,10 @@
 #include "netgen/exchange/mesh_export.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <set>
 #include <sstream>
 #include <string>
@@ -23,15 +22,15 @@ namespace epsnet {
 namespace {
 
 using Point = Complex<double>;
-using Writer = void (*)(const certify::Document&, std::ostream&);
+using Writer = void (*)(const certify::NetDocument&, std::ostream&);
 
-std::string text(Writer write, const certify::Document& net) {
+std::string text(Writer write, const certify::NetDocument& net) {
   std::ostringstream out;
   write(net, out);
   return out.str();
 }
 
-certify::Document net_of(const char* epsilon) { return compute_net(random_octagon(123), Epsilon(epsilon)).net; }
+certify::NetDocument net_of(const char* epsilon) { return compute_net(random_octagon(123), Length(epsilon)).net; }
 
 struct Off {
   std::vector<Point> points;
@@ -77,7 +76,7 @@ std::vector<Edge> read_edges(const std::string& text) {
 /// Every edge of the surface is in the drawing, with its length; the drawing is a disk.
 TEST(MeshExport, offHasTheEdgesOfTheTable) {
   for (const char* epsilon : {"0.2", "0.5", "30"}) {
-    const certify::Document net = net_of(epsilon);
+    const certify::NetDocument net = net_of(epsilon);
     const Off off = read_off(text(write_off, net));
     ASSERT_EQ(off.triangles.size(), net.triangles.size());
     std::set<std::pair<std::size_t, std::size_t>> drawn;
@@ -101,7 +100,7 @@ TEST(MeshExport, offHasTheEdgesOfTheTable) {
 TEST(MeshExport, edgesAgreeWithTheCertificate) {
   FenchelNielsen coordinates = random_coordinates(PantsGraph::chain(2), 3);
   coordinates.lengths.front() = 1e-6;
-  const certify::Document net = compute_net(fenchel_nielsen_surface(coordinates), Epsilon("0.4")).net;
+  const certify::NetDocument net = compute_net(fenchel_nielsen_surface(coordinates), Length("0.4")).net;
   const certify::Certificate certificate = certify::check(net);
   ASSERT_EQ(certificate.verdict, certify::Verdict::verified);
   double shortest_edge = 1e9;
@@ -120,7 +119,7 @@ TEST(MeshExport, edgesAgreeWithTheCertificate) {
 }
 
 TEST(MeshExport, vtuCountsWhatIsThere) {
-  const certify::Document net = net_of("0.3");
+  const certify::NetDocument net = net_of("0.3");
   const std::string vtu = text(write_vtu, net);
   const Off off = read_off(text(write_off, net));
   EXPECT_THAT(vtu, ::testing::HasSubstr("NumberOfPoints=\"" + std::to_string(off.points.size()) +
@@ -130,7 +129,7 @@ TEST(MeshExport, vtuCountsWhatIsThere) {
 }
 
 TEST(MeshExport, refusesWhatIsNoNet) {
-  certify::Document net = net_of("0.5");
+  certify::NetDocument net = net_of("0.5");
   net.triangles[0].vertex[1] = 1000000;
   for (const Writer write : {write_off, write_vtu, write_edges, write_mesh_json})
     EXPECT_THROW(text(write, net), NetGeometryError);
@@ -150,7 +149,7 @@ TEST(Curves, tilesAreCutWithoutLoss) {
   for (std::size_t k = 0; k < tile.size(); ++k)
     perimeter += distance(convert<double>(tile[k]), convert<double>(tile[(k + 1) % tile.size()]));
   for (const char* epsilon : {"0.1", "0.5"}) {
-    const certify::Document net = compute_net(surface, Epsilon(epsilon)).net;
+    const certify::NetDocument net = compute_net(surface, Length(epsilon)).net;
     const Layer layer = tile_layer(NetGeometry(net));
     EXPECT_NEAR(total_length(layer), perimeter / 2, 1e-9);
     EXPECT_GT(layer.arcs.size(), perimeter / 2 / (2 * std::stod(epsilon)));
@@ -158,7 +157,7 @@ TEST(Curves, tilesAreCutWithoutLoss) {
 }
 
 TEST(Curves, arcsAreInTheirTriangles) {
-  const certify::Document net = net_of("0.3");
+  const certify::NetDocument net = net_of("0.3");
   const NetGeometry geometry(net);
   const Layer layer = dirichlet_layer(geometry, 0);
   EXPECT_FALSE(layer.arcs.empty());
@@ -175,7 +174,7 @@ TEST(Curves, arcsAreInTheirTriangles) {
 }
 
 TEST(Curves, aClosedGeodesicIsCutWithoutLossOnAnyNetOfItsSurface) {
-  const certify::Document net = net_of("0.3");
+  const certify::NetDocument net = net_of("0.3");
   const NetGeometry geometry(net);
   certify::GeodesicsDocument geodesics;
   geodesics.net = net_of("0.7");
@@ -188,7 +187,7 @@ TEST(Curves, aClosedGeodesicIsCutWithoutLossOnAnyNetOfItsSurface) {
   }
   geodesics.geodesics = {{.vertex = 0, .word = {}}};
   EXPECT_THROW((void)geodesics_layers(geometry, geodesics), NetGeometryError);
-  geodesics.net = compute_net(random_octagon(1), Epsilon("0.7")).net;
+  geodesics.net = compute_net(random_octagon(1), Length("0.7")).net;
   EXPECT_THROW((void)geodesics_layers(geometry, geodesics), NetGeometryError);
 }
 

@@ -1,7 +1,6 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <functional>
+#include <gtest/gtest.h>
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -24,7 +23,7 @@
 namespace epsnet {
 namespace {
 
-using certify::Document;
+using certify::NetDocument;
 using certify::Verdict;
 
 /// The same numbers with every standard library.
@@ -64,127 +63,130 @@ mpq_class some_step(Random& random) {
   return mpq_class(random.below(2) == 0 ? 1 : -1, power);
 }
 
-double& coordinate(Document& net, Random& random) {
-  certify::Vertex& v = random.of(net.vertices);
+double& coordinate(NetDocument& net, Random& random) {
+  certify::NetDocument::Vertex& v = random.of(net.vertices);
   return random.below(2) == 0 ? v.x : v.y;
 }
 mpq_class& coordinate(certify::RationalPoint& z, Random& random) { return random.below(2) == 0 ? z.x : z.y; }
 
-std::uint32_t& letter(Document& net, Random& random) {
+std::uint32_t& letter(NetDocument& net, Random& random) {
   std::vector<std::uint32_t*> letters;
-  for (certify::Label& l : net.labels) {
+  for (certify::NetDocument::Label& l : net.labels) {
     for (std::uint32_t& s : l.word) letters.push_back(&s);
   }
   return *random.of(letters);
 }
 
-std::size_t side_count(const Document& net) {
+std::size_t side_count(const NetDocument& net) {
   std::size_t n = 0;
-  for (const certify::Tile& tile : net.surface.tiles) n += tile.size();
+  for (const certify::SurfaceDocument::Tile& tile : net.surface.tiles) n += tile.size();
   return n;
 }
 
 struct Mutation {
   const char* name;
-  std::function<void(Document&, Random&)> apply;
+  std::function<void(NetDocument&, Random&)> apply;
 };
 
 const std::vector<Mutation>& mutations() {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   static const std::vector<Mutation> all{
       {"vertex moved by an ulp",
-       [](Document& net, Random& r) {
+       [](NetDocument& net, Random& r) {
          double& x = coordinate(net, r);
          x = std::nextafter(x, r.sign());
        }},
-      {"vertex moved by 1e-6", [](Document& net, Random& r) { coordinate(net, r) += 1e-6 * r.sign(); }},
-      {"vertex moved by up to 0.3", [](Document& net, Random& r) { coordinate(net, r) += 0.3 * r.share() * r.sign(); }},
+      {"vertex moved by 1e-6", [](NetDocument& net, Random& r) { coordinate(net, r) += 1e-6 * r.sign(); }},
+      {"vertex moved by up to 0.3",
+       [](NetDocument& net, Random& r) { coordinate(net, r) += 0.3 * r.share() * r.sign(); }},
       {"vertex anywhere",
-       [](Document& net, Random& r) {
+       [](NetDocument& net, Random& r) {
          const std::vector<double> numbers{
              0.0,       -0.0, 1.0,    -1.0, 0.999999, 2.0,          -1e300,
              kInfinity, 1e-9, 5e-324, 0.5,  -0.5,     std::nan(""), std::nextafter(1.0, 0.0)};
          coordinate(net, r) = numbers[r.below(numbers.size())];
        }},
       {"vertex mirrored",
-       [](Document& net, Random& r) {
+       [](NetDocument& net, Random& r) {
          double& x = coordinate(net, r);
          x = -x;
        }},
-      {"vertices exchanged", [](Document& net, Random& r) { std::swap(r.of(net.vertices), r.of(net.vertices)); }},
+      {"vertices exchanged", [](NetDocument& net, Random& r) { std::swap(r.of(net.vertices), r.of(net.vertices)); }},
       {"vertex in another chart",
-       [](Document& net, Random& r) { change_index(r.of(net.vertices).chart, net.charts.size() + 1, r); }},
-      {"vertex dropped", [](Document& net, Random&) { net.vertices.pop_back(); }},
-      {"vertex added", [](Document& net, Random& r) { net.vertices.push_back(r.of(net.vertices)); }},
-      {"chart moved", [](Document& net, Random& r) { coordinate(r.of(net.charts).centre, r) += some_step(r); }},
+       [](NetDocument& net, Random& r) { change_index(r.of(net.vertices).chart, net.charts.size() + 1, r); }},
+      {"vertex dropped", [](NetDocument& net, Random&) { net.vertices.pop_back(); }},
+      {"vertex added", [](NetDocument& net, Random& r) { net.vertices.push_back(r.of(net.vertices)); }},
+      {"chart moved", [](NetDocument& net, Random& r) { coordinate(r.of(net.charts).centre, r) += some_step(r); }},
       {"chart mirrored",
-       [](Document& net, Random& r) {
+       [](NetDocument& net, Random& r) {
          mpq_class& x = coordinate(r.of(net.charts).centre, r);
          x = -x;
        }},
       {"chart of another tile",
-       [](Document& net, Random& r) { change_index(r.of(net.charts).tile, net.surface.tiles.size() + 1, r); }},
-      {"chart dropped", [](Document& net, Random&) { net.charts.pop_back(); }},
+       [](NetDocument& net, Random& r) { change_index(r.of(net.charts).tile, net.surface.tiles.size() + 1, r); }},
+      {"chart dropped", [](NetDocument& net, Random&) { net.charts.pop_back(); }},
       {"epsilon a little different",
-       [](Document& net, Random& r) {
-         mpq_class value(Epsilon(net.epsilon).value().backend().data());
+       [](NetDocument& net, Random& r) {
+         mpq_class value(Length(net.epsilon).value().backend().data());
          value *= 1 + some_step(r);
          net.epsilon = value.get_str();
        }},
       {"epsilon up to twice or half",
-       [](Document& net, Random& r) {
+       [](NetDocument& net, Random& r) {
          const double factor = std::exp2(r.share() * r.sign());
          std::ostringstream text;
-         text << factor * static_cast<double>(Epsilon(net.epsilon).value());
+         text << factor * static_cast<double>(Length(net.epsilon).value());
          net.epsilon = text.str();
        }},
       {"epsilon something else",
-       [](Document& net, Random& r) {
+       [](NetDocument& net, Random& r) {
          const std::vector<const char*> texts{"0",   "-1",   "",        "nan", "inf", "1/0",    "0x1", "1e9999",
                                               "100", "1e-9", "1e-9999", "0.0", "1 ",  "-0.5e1", "1/",  "1e99999"};
          net.epsilon = texts[r.below(texts.size())];
        }},
-      {"letter changed", [](Document& net, Random& r) { change_index(letter(net, r), side_count(net) + 1, r); }},
+      {"letter changed", [](NetDocument& net, Random& r) { change_index(letter(net, r), side_count(net) + 1, r); }},
       {"letter dropped",
-       [](Document& net, Random& r) {
+       [](NetDocument& net, Random& r) {
          auto& word = r.of(net.labels).word;
          if (!word.empty()) word.erase(word.begin() + r.below(word.size()));
        }},
       {"letter added",
-       [](Document& net, Random& r) {
+       [](NetDocument& net, Random& r) {
          auto& word = r.of(net.labels).word;
          word.insert(word.begin() + r.below(word.size() + 1), r.below(side_count(net)));
        }},
       {"word reversed",
-       [](Document& net, Random& r) {
+       [](NetDocument& net, Random& r) {
          auto& word = r.of(net.labels).word;
          std::reverse(word.begin(), word.end());
        }},
-      {"words exchanged", [](Document& net, Random& r) { std::swap(r.of(net.labels).word, r.of(net.labels).word); }},
+      {"words exchanged", [](NetDocument& net, Random& r) { std::swap(r.of(net.labels).word, r.of(net.labels).word); }},
       {"a side crossed there and back",
-       [](Document& net, Random& r) {
+       [](NetDocument& net, Random& r) {
          // The same element of the group, so the same net.
          auto& word = r.of(net.labels).word;
-         const certify::Gluing& g = r.of(net.surface.gluing);
+         const certify::SurfaceDocument::Gluing& g = r.of(net.surface.gluing);
          if (net.surface.tiles.size() == 1)
            word.insert(word.begin() + r.below(word.size() + 1), {g.side, g.other_side});
        }},
       {"label to another chart",
-       [](Document& net, Random& r) {
-         certify::Label& l = r.of(net.labels);
+       [](NetDocument& net, Random& r) {
+         certify::NetDocument::Label& l = r.of(net.labels);
          change_index(r.below(2) == 0 ? l.from : l.to, net.charts.size() + 1, r);
        }},
-      {"labels exchanged", [](Document& net, Random& r) { std::swap(r.of(net.labels), r.of(net.labels)); }},
+      {"labels exchanged", [](NetDocument& net, Random& r) { std::swap(r.of(net.labels), r.of(net.labels)); }},
       {"label dropped",
-       [](Document& net, Random& r) { net.labels.erase(net.labels.begin() + r.below(net.labels.size())); }},
+       [](NetDocument& net, Random& r) { net.labels.erase(net.labels.begin() + r.below(net.labels.size())); }},
       {"corner of another vertex",
-       [](Document& net, Random& r) { change_index(r.of(net.triangles).vertex[r.below(3)], net.vertices.size(), r); }},
+       [](NetDocument& net, Random& r) {
+         change_index(r.of(net.triangles).vertex[r.below(3)], net.vertices.size(), r);
+       }},
       {"another opposite",
-       [](Document& net, Random& r) {
+       [](NetDocument& net, Random& r) {
          change_index(r.of(net.triangles).opposite[r.below(3)], 3 * net.triangles.size(), r);
        }},
       {"two edges glued otherwise",
-       [](Document& net, Random& r) {
+       [](NetDocument& net, Random& r) {
          // a–b and c–d become a–d and c–b: still an involution.
          const auto across = [&](std::uint32_t d) -> std::uint32_t& { return net.triangles[d / 3].opposite[d % 3]; };
          const std::uint32_t a = r.below(3 * net.triangles.size());
@@ -198,13 +200,15 @@ const std::vector<Mutation>& mutations() {
          across(b) = c;
        }},
       {"corner with another label",
-       [](Document& net, Random& r) { change_index(r.of(net.triangles).label[r.below(2)], net.labels.size() + 1, r); }},
+       [](NetDocument& net, Random& r) {
+         change_index(r.of(net.triangles).label[r.below(2)], net.labels.size() + 1, r);
+       }},
       {"corner with another label that fits",
-       [](Document& net, Random& r) {
-         certify::Triangle& t = r.of(net.triangles);
+       [](NetDocument& net, Random& r) {
+         certify::NetDocument::Triangle& t = r.of(net.triangles);
          std::uint32_t& l = t.label[r.below(2)];
-         const certify::Label wanted =
-             l == 0 ? certify::Label{net.vertices[t.vertex[0]].chart, net.vertices[t.vertex[0]].chart, {}}
+         const certify::NetDocument::Label wanted =
+             l == 0 ? certify::NetDocument::Label{net.vertices[t.vertex[0]].chart, net.vertices[t.vertex[0]].chart, {}}
                     : net.labels[l - 1];
          for (int i = 0; i < 50; ++i) {
            const std::uint32_t other = r.below(net.labels.size());
@@ -215,55 +219,55 @@ const std::vector<Mutation>& mutations() {
          }
        }},
       {"corners' labels exchanged",
-       [](Document& net, Random& r) {
-         certify::Triangle& t = r.of(net.triangles);
+       [](NetDocument& net, Random& r) {
+         certify::NetDocument::Triangle& t = r.of(net.triangles);
          std::swap(t.label[0], t.label[1]);
        }},
       {"triangle turned over",
-       [](Document& net, Random& r) {
-         certify::Triangle& t = r.of(net.triangles);
+       [](NetDocument& net, Random& r) {
+         certify::NetDocument::Triangle& t = r.of(net.triangles);
          std::swap(t.vertex[1], t.vertex[2]);
          std::swap(t.label[0], t.label[1]);
        }},
-      {"triangles exchanged", [](Document& net, Random& r) { std::swap(r.of(net.triangles), r.of(net.triangles)); }},
+      {"triangles exchanged", [](NetDocument& net, Random& r) { std::swap(r.of(net.triangles), r.of(net.triangles)); }},
       {"triangle dropped",
-       [](Document& net, Random& r) { net.triangles.erase(net.triangles.begin() + r.below(net.triangles.size())); }},
-      {"triangle doubled", [](Document& net, Random& r) { net.triangles.push_back(r.of(net.triangles)); }},
+       [](NetDocument& net, Random& r) { net.triangles.erase(net.triangles.begin() + r.below(net.triangles.size())); }},
+      {"triangle doubled", [](NetDocument& net, Random& r) { net.triangles.push_back(r.of(net.triangles)); }},
       {"polygon's vertex moved",
-       [](Document& net, Random& r) { coordinate(r.of(r.of(net.surface.tiles)), r) += some_step(r); }},
+       [](NetDocument& net, Random& r) { coordinate(r.of(r.of(net.surface.tiles)), r) += some_step(r); }},
       {"polygon's vertices exchanged",
-       [](Document& net, Random& r) {
-         certify::Tile& tile = r.of(net.surface.tiles);
+       [](NetDocument& net, Random& r) {
+         certify::SurfaceDocument::Tile& tile = r.of(net.surface.tiles);
          std::swap(r.of(tile), r.of(tile));
        }},
       {"polygon reversed",
-       [](Document& net, Random& r) {
-         certify::Tile& tile = r.of(net.surface.tiles);
+       [](NetDocument& net, Random& r) {
+         certify::SurfaceDocument::Tile& tile = r.of(net.surface.tiles);
          std::reverse(tile.begin(), tile.end());
        }},
-      {"polygon's vertex dropped", [](Document& net, Random& r) { r.of(net.surface.tiles).pop_back(); }},
+      {"polygon's vertex dropped", [](NetDocument& net, Random& r) { r.of(net.surface.tiles).pop_back(); }},
       {"gluing changed",
-       [](Document& net, Random& r) {
-         certify::Gluing& g = r.of(net.surface.gluing);
+       [](NetDocument& net, Random& r) {
+         certify::SurfaceDocument::Gluing& g = r.of(net.surface.gluing);
          change_index(r.below(2) == 0 ? g.side : g.other_side, side_count(net), r);
        }},
       {"gluings crossed",
-       [](Document& net, Random& r) {
+       [](NetDocument& net, Random& r) {
          std::swap(r.of(net.surface.gluing).other_side, r.of(net.surface.gluing).other_side);
        }},
       {"gluing turned round",
-       [](Document& net, Random& r) {
+       [](NetDocument& net, Random& r) {
          // The same pairs: still the same net.
-         certify::Gluing& g = r.of(net.surface.gluing);
+         certify::SurfaceDocument::Gluing& g = r.of(net.surface.gluing);
          g = {g.other_tile, g.other_side, g.tile, g.side};
        }},
-      {"gluing dropped", [](Document& net, Random&) { net.surface.gluing.pop_back(); }},
-      {"tile added", [](Document& net, Random&) { net.surface.tiles.push_back(net.surface.tiles[0]); }},
+      {"gluing dropped", [](NetDocument& net, Random&) { net.surface.gluing.pop_back(); }},
+      {"tile added", [](NetDocument& net, Random&) { net.surface.tiles.push_back(net.surface.tiles[0]); }},
   };
   return all;
 }
 
-std::string written(const Document& net) {
+std::string written(const NetDocument& net) {
   std::ostringstream out;
   certify::write_net(net, out);
   return out.str();
@@ -289,7 +293,7 @@ void print(const Table& table) {
 }
 
 /// Checks one mutant and returns what became of it.
-std::string outcome(const Document& mutant, test::Oracle& oracle) {
+std::string outcome(const NetDocument& mutant, test::Oracle& oracle) {
   const std::string broken = oracle.broken_rule(mutant);
   const certify::Certificate certificate = certify::check(mutant, {.threads = 1, .max_precision = 2048});
   switch (certificate.verdict) {
@@ -325,7 +329,7 @@ std::string outcome(const Document& mutant, test::Oracle& oracle) {
 
 struct Base {
   std::string name;
-  Document net;
+  NetDocument net;
 };
 
 std::vector<Base> bases() {
@@ -333,17 +337,17 @@ std::vector<Base> bases() {
   for (const auto& [seed, epsilon] :
        std::vector<std::pair<std::int32_t, const char*>>{{123, "1.5"}, {321, "0.8"}, {2, "0.5"}, {7, "3"}}) {
     result.push_back({"octagon " + std::to_string(seed) + ", epsilon " + epsilon,
-                      certified_net(random_octagon(seed), Epsilon(epsilon)).net});
+                      certified_net(random_octagon(seed), Length(epsilon)).net});
   }
   // A short curve: charts and words that lead far into its collar.
   const Surface thin = load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g2-thin-1e-4.txt");
-  result.push_back({"thin, epsilon 1.5", certified_net(thin, Epsilon("1.5")).net});
+  result.push_back({"thin, epsilon 1.5", certified_net(thin, Length("1.5")).net});
   // The octagon 123 as two triangles and a hexagon.
   const Surface octagon = random_octagon(123);
   const Tile& v = octagon.tiles()[0];
   const Surface tiles({{v[0], v[1], v[2]}, {v[4], v[5], v[6]}, {v[0], v[2], v[3], v[4], v[6], v[7]}},
                       {{0, 0, 1, 0}, {0, 1, 1, 1}, {2, 1, 2, 4}, {2, 2, 2, 5}, {0, 2, 2, 0}, {1, 2, 2, 3}});
-  result.push_back({"three tiles, epsilon 0.9", certified_net(tiles, Epsilon("0.9")).net});
+  result.push_back({"three tiles, epsilon 0.9", certified_net(tiles, Length("0.9")).net});
   return result;
 }
 
@@ -363,7 +367,7 @@ TEST(Mutation, NoMutantIsVerifiedUnlessTheOracleAgrees) {
     test::Oracle oracle;
     for (int round = 0; round < rounds; ++round) {
       for (const Mutation& mutation : mutations()) {
-        Document mutant = net;
+        NetDocument mutant = net;
         if (mutant.labels.empty()) continue;
         mutation.apply(mutant, random);
         if (mutant == net) continue;

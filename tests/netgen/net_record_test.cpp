@@ -1,7 +1,6 @@
 #include "netgen/nets/net_record.h"
 
 #include <gtest/gtest.h>
-
 #include <map>
 #include <sstream>
 #include <string>
@@ -22,7 +21,7 @@ std::vector<std::string> fields(const std::string& line) {
 }
 
 std::map<std::string, std::string> record(const char* epsilon, const NetOptions& options) {
-  const UncertifiedNet net = compute_net(random_octagon(9), Epsilon(epsilon), options);
+  const UncertifiedNet net = compute_net(random_octagon(9), Length(epsilon), options);
   const certify::Certificate certificate = certify::check(net.net);
   const auto names = fields(net_record_columns());
   const auto values = fields(net_record("octagon-9", net, certificate, options, {0.25, 1.5}));
@@ -67,7 +66,7 @@ TEST(NetRecord, HasWhatIsProved) {
 }
 
 TEST(NetRecord, QuotesNamesThatNeedIt) {
-  const UncertifiedNet net = compute_net(random_octagon(9), Epsilon("20"));
+  const UncertifiedNet net = compute_net(random_octagon(9), Length("20"));
   EXPECT_TRUE(net_record("a,\"b\"", net, certify::check(net.net), {}, {}).starts_with("\"a,\"\"b\"\"\",20,"));
 }
 

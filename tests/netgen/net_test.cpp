@@ -1,11 +1,8 @@
-#include "netgen/nets/certified_net.h"
-
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -13,6 +10,7 @@
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "netgen/exchange/exchange.h"
+#include "netgen/nets/certified_net.h"
 #include "tests/support/polygons.h"
 #include "tests/support/scale.h"
 #include "tests/support/triangulations.h"
@@ -26,7 +24,7 @@ using test::any_share;
 
 const NetOptions kOneThread{.check = {.threads = 1}};
 
-std::string text_of(const certify::Document& net) {
+std::string text_of(const certify::NetDocument& net) {
   std::ostringstream out;
   certify::write_net(net, out);
   return out.str();
@@ -68,7 +66,7 @@ double short_curve(const Surface& surface) {
 
 void expect_verified(const Surface& surface, const std::string& epsilon, const NetOptions& options = {}) {
   try {
-    const CertifiedNet net = certified_net(surface, Epsilon(epsilon), options);
+    const CertifiedNet net = certified_net(surface, Length(epsilon), options);
     EXPECT_EQ(net.certificate.verdict, Verdict::verified);
     EXPECT_EQ(net.certificate.counts.genus, surface.genus());
     const double lower = (surface.genus() - 1) / std::pow(std::sinh(std::stod(epsilon) / 2), 2);
@@ -81,7 +79,7 @@ void expect_verified(const Surface& surface, const std::string& epsilon, const N
 TEST(Net, OfAnEpsilonBeyondTheDiameterIsOneVertex) {
   for (const std::int32_t seed : {1, 123, 321}) {
     for (const char* epsilon : {"8", "20", "300"}) {
-      const CertifiedNet net = certified_net(random_octagon(seed), Epsilon(epsilon));
+      const CertifiedNet net = certified_net(random_octagon(seed), Length(epsilon));
       EXPECT_EQ(net.net.vertices.size(), 1U);
       EXPECT_EQ(net.net.triangles.size(), 6U);
       EXPECT_EQ(net.statistics.insertions, 0U);
@@ -93,13 +91,13 @@ TEST(Net, OfAnEpsilonBeyondTheDiameterIsOneVertex) {
 TEST(Net, DoubleEpsilonIsItsShortestDecimal) {
   const CertifiedNet net = certified_net(random_octagon(123), 0.5);
   EXPECT_EQ(net.net.epsilon, "0.5");
-  EXPECT_EQ(text_of(net.net), text_of(certified_net(random_octagon(123), Epsilon("0.5")).net));
+  EXPECT_EQ(text_of(net.net), text_of(certified_net(random_octagon(123), Length("0.5")).net));
 }
 
 TEST(Net, UncertifiedIsTheSameNet) {
   const Surface surface = random_octagon(5);
-  const UncertifiedNet net = compute_net(surface, Epsilon("0.4"));
-  EXPECT_EQ(text_of(net.net), text_of(certified_net(surface, Epsilon("0.4")).net));
+  const UncertifiedNet net = compute_net(surface, Length("0.4"));
+  EXPECT_EQ(text_of(net.net), text_of(certified_net(surface, Length("0.4")).net));
 }
 
 TEST(Net, FileReadsBackTheSame) {
@@ -110,13 +108,13 @@ TEST(Net, FileReadsBackTheSame) {
 TEST(Net, StatisticsAreConsistent) {
   const Surface surface = random_octagon(9);
   const NetStatistics flips =
-      compute_net(surface, Epsilon("0.2"), {.insertion = Insertion::flips, .walk = Walk::visibility}).statistics;
+      compute_net(surface, Length("0.2"), {.insertion = Insertion::flips, .walk = Walk::visibility}).statistics;
   EXPECT_EQ(flips.located, flips.insertions);
   EXPECT_LE(flips.located_at_start, flips.located);
   EXPECT_GE(flips.walk_steps, flips.located - flips.located_at_start);
   EXPECT_LE(flips.longest_walk, 10U);
   EXPECT_GT(flips.charts, 0U);
-  const UncertifiedNet cavity = compute_net(surface, Epsilon("0.2"));
+  const UncertifiedNet cavity = compute_net(surface, Length("0.2"));
   EXPECT_EQ(cavity.statistics.insertions + 1, cavity.net.vertices.size());
   EXPECT_EQ(cavity.statistics.located, 0U);
   EXPECT_EQ(cavity.statistics.charts, cavity.net.charts.size());
@@ -131,7 +129,7 @@ TEST(Net, ProgressGrows) {
     vertices.push_back(n);
     shares.push_back(share);
   }};
-  (void)compute_net(random_octagon(3), Epsilon("0.012"), options);
+  (void)compute_net(random_octagon(3), Length("0.012"), options);
   ASSERT_FALSE(shares.empty());
   EXPECT_TRUE(std::is_sorted(vertices.begin(), vertices.end()));
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
@@ -142,7 +140,7 @@ TEST(Net, ProgressGrows) {
 TEST(Net, EpsilonsThatNeedTooMuchMemoryAreRefused) {
   const Surface surface = random_octagon(1);
   for (const char* epsilon : {"1e-6", "1e-100", "1e-9999"}) {
-    EXPECT_THROW((void)compute_net(surface, Epsilon(epsilon)), NetError) << epsilon;
+    EXPECT_THROW((void)compute_net(surface, Length(epsilon)), NetError) << epsilon;
   }
 }
 
@@ -164,25 +162,25 @@ TEST(Net, BasePointIsTheStart) {
     base = base + Rational(1, 7) * z;
   }
   const NetOptions options{.base = BasePoint{3, base}};
-  const CertifiedNet far = certified_net(surface, Epsilon("9"), options);
+  const CertifiedNet far = certified_net(surface, Length("9"), options);
   EXPECT_EQ(far.net.vertices.size(), 1U);
   EXPECT_EQ(far.statistics.removed, surface.vertex_class_count());
-  for (const certify::Document& net : {far.net, certified_net(surface, Epsilon("0.5"), options).net}) {
+  for (const certify::NetDocument& net : {far.net, certified_net(surface, Length("0.5"), options).net}) {
     // Vertex 0 is the base point itself.
-    const certify::Vertex& vertex = net.vertices[0];
+    const certify::NetDocument::Vertex& vertex = net.vertices[0];
     EXPECT_EQ(vertex.x, 0);
     EXPECT_EQ(vertex.y, 0);
     EXPECT_EQ(net.charts[vertex.chart].tile, 3U);
     EXPECT_EQ(net.charts[vertex.chart].centre.x, mpq_class(base.x.backend().data()));
     EXPECT_EQ(net.charts[vertex.chart].centre.y, mpq_class(base.y.backend().data()));
   }
-  EXPECT_THROW((void)compute_net(surface, Epsilon("1"), {.base = BasePoint{0, {1, 0}}}), SurfaceError);
+  EXPECT_THROW((void)compute_net(surface, Length("1"), {.base = BasePoint{0, {1, 0}}}), SurfaceError);
 }
 
 TEST(Net, RegularSurfacesAreVerified) {
   for (const std::uint32_t genus : {2u, 3u, 4u, 7u}) {
     const Surface surface = Surface::regular(genus);
-    const CertifiedNet centre = certified_net(surface, Epsilon("20"));
+    const CertifiedNet centre = certified_net(surface, Length("20"));
     EXPECT_EQ(centre.net.vertices.size(), 1U);
     EXPECT_EQ(centre.certificate.counts.exact_ties, 4 * genus - 3) << "all diagonals of the dual polygon";
     for (const char* epsilon : {"1.5", "0.5", "0.2"}) {
@@ -299,7 +297,7 @@ struct Means {
 Means means(int octagons, const char* epsilon, const NetOptions& options = {}) {
   Means sum;
   for (std::int32_t seed = 1; seed <= octagons; ++seed) {
-    const UncertifiedNet net = compute_net(random_octagon(seed), Epsilon(epsilon), options);
+    const UncertifiedNet net = compute_net(random_octagon(seed), Length(epsilon), options);
     const NetStatistics& s = net.statistics;
     sum.vertices += static_cast<double>(net.net.vertices.size());
     sum.flips_per_insertion += static_cast<double>(s.flips) / static_cast<double>(s.insertions);
@@ -367,7 +365,7 @@ RC_GTEST_PROP(NetProperty, FenchelNielsenSurfacesAreVerified, ()) {
   const std::uint32_t genus = 2 + any_index(4u);
   const Surface surface = fenchel_nielsen_surface(test::any_coordinates(genus, 1e-10, 30));
   const std::string epsilon = any_epsilon(0.4, 5);
-  const CertifiedNet net = certified_net(surface, Epsilon(epsilon), kOneThread);
+  const CertifiedNet net = certified_net(surface, Length(epsilon), kOneThread);
   RC_ASSERT(net.certificate.verdict == Verdict::verified);
   RC_ASSERT(net.certificate.counts.genus == genus);
 }
@@ -375,7 +373,7 @@ RC_GTEST_PROP(NetProperty, FenchelNielsenSurfacesAreVerified, ()) {
 RC_GTEST_PROP(NetProperty, IsVerifiedAndItsSizeLiesBetweenTheBounds, ()) {
   const Surface surface = random_octagon(any_seed());
   const std::string epsilon = any_epsilon(0.15, 5);
-  const CertifiedNet net = certified_net(surface, Epsilon(epsilon), kOneThread);
+  const CertifiedNet net = certified_net(surface, Length(epsilon), kOneThread);
   RC_ASSERT(net.certificate.verdict == Verdict::verified);
   RC_ASSERT(net.certificate.rules.size() == 7U);
   const auto vertices = static_cast<double>(net.net.vertices.size());
@@ -400,7 +398,7 @@ RC_GTEST_PROP(NetProperty, IsVerifiedWhateverTheWay, ()) {
         options.insertion = insertion;
         options.walk = walk;
         options.list = list;
-        RC_ASSERT(certified_net(surface, Epsilon(epsilon), options).certificate.verdict == Verdict::verified);
+        RC_ASSERT(certified_net(surface, Length(epsilon), options).certificate.verdict == Verdict::verified);
       }
     }
   }
@@ -410,7 +408,7 @@ RC_GTEST_PROP(NetProperty, OfAMovedAndRelabelledPolygonIsVerified, ()) {
   test::PairedPolygon polygon = test::paired_polygon(random_octagon(any_seed()));
   polygon = test::rotated(polygon, any_index(8u));
   polygon.vertices = test::moved(*test::isometries(), polygon.vertices);
-  const CertifiedNet net = certified_net(polygon.surface(), Epsilon(any_epsilon(0.3, 2)), kOneThread);
+  const CertifiedNet net = certified_net(polygon.surface(), Length(any_epsilon(0.3, 2)), kOneThread);
   RC_ASSERT(net.certificate.verdict == Verdict::verified);
   RC_ASSERT(net.certificate.counts.genus == 2U);
 }
@@ -418,17 +416,17 @@ RC_GTEST_PROP(NetProperty, OfAMovedAndRelabelledPolygonIsVerified, ()) {
 RC_GTEST_PROP(NetProperty, OfTheSurfaceCutDifferentlyIsVerified, ()) {
   const test::PairedPolygon octagon = test::paired_polygon(random_octagon(any_seed()));
   const Surface surface = read_domain(test::domain_text(test::cut_and_pasted(octagon, any_index(8u))), "cut");
-  const CertifiedNet net = certified_net(surface, Epsilon(any_epsilon(0.4, 2)), kOneThread);
+  const CertifiedNet net = certified_net(surface, Length(any_epsilon(0.4, 2)), kOneThread);
   RC_ASSERT(net.certificate.verdict == Verdict::verified);
 }
 
 RC_GTEST_PROP(NetProperty, IsTheSameBytesEveryTime, ()) {
   const std::int32_t seed = any_seed();
   const std::string epsilon = any_epsilon(0.3, 3);
-  const CertifiedNet one = certified_net(random_octagon(seed), Epsilon(epsilon), kOneThread);
+  const CertifiedNet one = certified_net(random_octagon(seed), Length(epsilon), kOneThread);
   NetOptions many;
   many.check.threads = 2 + any_index(4u);
-  const CertifiedNet other = certified_net(random_octagon(seed), Epsilon(epsilon), many);
+  const CertifiedNet other = certified_net(random_octagon(seed), Length(epsilon), many);
   RC_ASSERT(text_of(one.net) == text_of(other.net));
   for (std::size_t i = 0; i < one.certificate.rules.size(); ++i) {
     RC_ASSERT(one.certificate.rules[i].text == other.certificate.rules[i].text);

@@ -7,7 +7,7 @@
 
 #include "certify/document/document.h"
 #include "kernel/plane.h"
-#include "netgen/base/epsilon.h"
+#include "netgen/base/length.h"
 #include "netgen/surfaces/surface_file.h"
 #include "triangulation/threshold.h"
 
@@ -22,7 +22,7 @@ class Oracle {
 
   /// The first rule that the document breaks, in the order structure, surface, map, gluing, orientation, delaunay,
   /// covering, packing; empty if it breaks none.
-  [[nodiscard]] std::string broken_rule(const certify::Document& document) {
+  [[nodiscard]] std::string broken_rule(const certify::NetDocument& document) {
     net_ = &document;
     if (!structure()) return "structure";
     if (!surface_ || !(document.surface == known_)) {
@@ -59,9 +59,9 @@ class Oracle {
   [[nodiscard]] static std::uint32_t preceding(std::uint32_t dart) { return dart / 3 * 3 + (dart + 2) % 3; }
 
   [[nodiscard]] bool structure() const {
-    const certify::Document& net = *net_;
+    const certify::NetDocument& net = *net_;
     try {
-      static_cast<void>(Epsilon(net.epsilon));
+      static_cast<void>(Length(net.epsilon));
     } catch (const std::invalid_argument&) {
       return false;
     }
@@ -72,18 +72,18 @@ class Oracle {
       for (std::uint32_t k = 0; k < net.surface.tiles[t].size(); ++k) sides.emplace_back(t, k);
     }
     std::vector<std::pair<std::uint32_t, std::uint32_t>> glued;
-    for (const certify::Gluing& g : net.surface.gluing) {
+    for (const certify::SurfaceDocument::Gluing& g : net.surface.gluing) {
       glued.emplace_back(g.tile, g.side);
       glued.emplace_back(g.other_tile, g.other_side);
     }
     auto sorted = glued;
     std::sort(sorted.begin(), sorted.end());
     if (sides.empty() || sorted != sides) return false;
-    for (const certify::Chart& c : net.charts) {
+    for (const certify::NetDocument::Chart& c : net.charts) {
       if (c.tile >= net.surface.tiles.size() || norm(rational(c.centre)) >= 1) return false;
     }
     const auto number = [&](std::uint32_t s) { return sides[s]; };
-    for (const certify::Label& l : net.labels) {
+    for (const certify::NetDocument::Label& l : net.labels) {
       if (l.from >= net.charts.size() || l.to >= net.charts.size()) return false;
       std::uint32_t tile = net.charts[l.from].tile;
       for (const std::uint32_t s : l.word) {
@@ -93,11 +93,11 @@ class Oracle {
       }
       if (tile != net.charts[l.to].tile) return false;
     }
-    for (const certify::Vertex& v : net.vertices) {
+    for (const certify::NetDocument::Vertex& v : net.vertices) {
       if (v.chart >= net.charts.size() || !std::isfinite(v.x) || !std::isfinite(v.y)) return false;
       if (norm(Complex<Rational>{Rational(v.x), Rational(v.y)}) >= 1) return false;
     }
-    for (const certify::Triangle& t : net.triangles) {
+    for (const certify::NetDocument::Triangle& t : net.triangles) {
       for (const std::uint32_t v : t.vertex) {
         if (v >= net.vertices.size()) return false;
       }
@@ -147,7 +147,7 @@ class Oracle {
     const auto frame = [&](std::uint32_t c) {
       return Map::translation(convert<Mp1024>(rational(net_->charts[c].centre)));
     };
-    for (const certify::Label& l : net_->labels) {
+    for (const certify::NetDocument::Label& l : net_->labels) {
       Map g = frame(l.from);
       for (const std::uint32_t s : l.word) g = convert<Mp1024>(surface_->crossing(s)) * g;
       labels_.push_back(normalized(inverse(frame(l.to)) * g));
@@ -159,7 +159,7 @@ class Oracle {
   }
   /// The corner a dart leaves, in the chart of its triangle.
   [[nodiscard]] Point corner(std::uint32_t dart) const {
-    const certify::Vertex& v = net_->vertices[vertex(dart)];
+    const certify::NetDocument::Vertex& v = net_->vertices[vertex(dart)];
     return label(dart)(Point{Mp1024(v.x), Mp1024(v.y)});
   }
   /// From the chart of the triangle across a dart to the chart of the dart's triangle.
@@ -195,22 +195,22 @@ class Oracle {
     });
   }
   [[nodiscard]] bool covering() const {
-    const Mp1024 bound = Threshold(Epsilon(net_->epsilon).value()).at<Mp1024>()[1];
+    const Mp1024 bound = Threshold(Length(net_->epsilon).value()).at<Mp1024>()[1];
     return every_dart([&](std::uint32_t d) {
       const auto r = sinh2_circumradius(corner(d), corner(following(d)), corner(preceding(d)));
       return r.denominator > 0 && r.numerator <= bound * r.denominator + zero_;
     });
   }
   [[nodiscard]] bool packing() const {
-    const Mp1024 bound = Threshold(Rational(Epsilon(net_->epsilon).value() / 2)).at<Mp1024>()[0];
+    const Mp1024 bound = Threshold(Rational(Length(net_->epsilon).value() / 2)).at<Mp1024>()[0];
     return every_dart([&](std::uint32_t d) {
       return vertex(d) == vertex(following(d)) || sinh2_half_distance(corner(d), corner(following(d))) >= bound - zero_;
     });
   }
 
   Mp1024 zero_;
-  const certify::Document* net_ = nullptr;
-  certify::Surface known_;
+  const certify::NetDocument* net_ = nullptr;
+  certify::SurfaceDocument known_;
   std::optional<Surface> surface_;
   std::vector<Map> labels_;
 };

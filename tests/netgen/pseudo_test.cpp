@@ -1,10 +1,9 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <numbers>
+#include <rapidcheck/gtest.h>
 #include <set>
 #include <sstream>
 #include <string>
@@ -22,7 +21,7 @@ namespace epsnet {
 namespace {
 
 using certify::Certificate;
-using certify::Document;
+using certify::NetDocument;
 using certify::Verdict;
 using test::any_index;
 using test::any_share;
@@ -50,7 +49,7 @@ double most_vertices_of_pseudo_net(std::uint32_t genus, double epsilon) {
 std::size_t expect_verified(const Surface& surface, const std::string& epsilon, std::size_t collars,
                             const NetOptions& options = kPseudo) {
   try {
-    const CertifiedNet net = certified_net(surface, Epsilon(epsilon), options);
+    const CertifiedNet net = certified_net(surface, Length(epsilon), options);
     EXPECT_EQ(net.certificate.verdict, Verdict::verified);
     EXPECT_EQ(net.certificate.rules.size(), 9U);
     EXPECT_EQ(net.certificate.counts.collars, collars) << epsilon;
@@ -119,7 +118,7 @@ TEST(PseudoNet, CollarsAreFoundFromAfar) {
       options.base = centre_of_tile(surface, 0);
       options.insertion = insertion;
       expect_verified(surface, "0.2", 2, options);
-      EXPECT_GE(compute_net(surface, Epsilon("0.2"), options).statistics.undone, 1U);
+      EXPECT_GE(compute_net(surface, Length("0.2"), options).statistics.undone, 1U);
     }
   }
 }
@@ -129,38 +128,38 @@ TEST(PseudoNet, WithoutShortCurvesItIsTheNet) {
   for (const Surface& surface : surfaces) {
     for (const char* epsilon : {"0.34", "0.2"}) {
       expect_verified(surface, epsilon, 0);
-      Document pseudo = compute_net(surface, Epsilon(epsilon), kPseudo).net;
+      NetDocument pseudo = compute_net(surface, Length(epsilon), kPseudo).net;
       EXPECT_TRUE(pseudo.collars && pseudo.collars->empty());
       pseudo.collars.reset();
-      EXPECT_EQ(pseudo, compute_net(surface, Epsilon(epsilon)).net);
+      EXPECT_EQ(pseudo, compute_net(surface, Length(epsilon)).net);
     }
   }
 }
 
 TEST(PseudoNet, EpsilonIsAtMostLnSqrt2) {
   // ln √2 = 0.346573590279972654708…
-  EXPECT_TRUE(Epsilon("0.34657359027997265470").allows_pseudo_nets());
-  EXPECT_FALSE(Epsilon("0.34657359027997265471").allows_pseudo_nets());
-  EXPECT_TRUE(Epsilon("1e-300").allows_pseudo_nets());
-  EXPECT_FALSE(Epsilon("1e300").allows_pseudo_nets());
+  EXPECT_TRUE(Length("0.34657359027997265470").allows_pseudo_nets());
+  EXPECT_FALSE(Length("0.34657359027997265471").allows_pseudo_nets());
+  EXPECT_TRUE(Length("1e-300").allows_pseudo_nets());
+  EXPECT_FALSE(Length("1e300").allows_pseudo_nets());
   const Surface surface = with_cuffs({power_of_ten(2)});
-  EXPECT_THROW((void)compute_net(surface, Epsilon("0.34657359027997265471"), kPseudo), std::invalid_argument);
+  EXPECT_THROW((void)compute_net(surface, Length("0.34657359027997265471"), kPseudo), std::invalid_argument);
   expect_verified(surface, "0.34657359027997265470", 1);
 }
 
 TEST(PseudoNet, FileReadsBackTheSame) {
-  const Document net = compute_net(with_cuffs({power_of_ten(12)}), Epsilon("0.34"), kPseudo).net;
+  const NetDocument net = compute_net(with_cuffs({power_of_ten(12)}), Length("0.34"), kPseudo).net;
   std::ostringstream out;
   certify::write_net(net, out);
   EXPECT_EQ(certify::parse_net(out.str(), "net"), net);
-  EXPECT_EQ(net, compute_net(with_cuffs({power_of_ten(12)}), Epsilon("0.34"), kPseudo).net);
+  EXPECT_EQ(net, compute_net(with_cuffs({power_of_ten(12)}), Length("0.34"), kPseudo).net);
 }
 
 RC_GTEST_PROP(PseudoNetProperty, FenchelNielsenSurfacesAreVerified, ()) {
   const std::uint32_t genus = 2 + any_index(3u);
   const FenchelNielsen coordinates = test::any_coordinates(genus, 1e-14, 5);
   const Surface surface = fenchel_nielsen_surface(coordinates);
-  const Epsilon epsilon(std::round((0.2 + 0.14 * any_share()) * 1e4) / 1e4);
+  const Length epsilon(std::round((0.2 + 0.14 * any_share()) * 1e4) / 1e4);
   NetOptions options = kPseudo;
   options.insertion = any_index(2u) == 0 ? Insertion::cavity : Insertion::flips;
   if (any_index(2u) == 0) {
@@ -179,14 +178,14 @@ RC_GTEST_PROP(PseudoNetProperty, FenchelNielsenSurfacesAreVerified, ()) {
 // ---- What the certifier refuses ----
 
 /// Two collars, of lengths 1/100 and 1/10.
-const Document& good() {
-  static const Document net =
-      compute_net(with_cuffs({Rational(1, 100), Rational(1, 10)}), Epsilon("0.34"), kPseudo).net;
+const NetDocument& good() {
+  static const NetDocument net =
+      compute_net(with_cuffs({Rational(1, 100), Rational(1, 10)}), Length("0.34"), kPseudo).net;
   return net;
 }
 
 /// The verdict and, if it is not VERIFIED, rule and message.
-std::string outcome(const Document& document, long max_precision = 2048) {
+std::string outcome(const NetDocument& document, long max_precision = 2048) {
   const Certificate certificate = certify::check(document, {.threads = 1, .max_precision = max_precision});
   if (certificate.verdict == Verdict::verified) return "VERIFIED";
   return std::string(certify::name(certificate.verdict)) + ": " + certificate.rule + ": " + certificate.message;
@@ -203,13 +202,13 @@ TEST(PseudoCertificate, SaysWhatItIs) {
   for (const auto& report : certificate.rules) rules.push_back(report.rule);
   EXPECT_EQ(rules, (std::vector<std::string>{"surface", "map", "gluing", "collars", "orientation", "delaunay",
                                              "covering", "packing", "thick"}));
-  const Certificate plain = certify::check(compute_net(random_octagon(1), Epsilon("0.5")).net);
+  const Certificate plain = certify::check(compute_net(random_octagon(1), Length("0.5")).net);
   EXPECT_EQ(plain.claim, "an epsilon-net");
   EXPECT_FALSE(plain.counts.collars.has_value());
 }
 
 TEST(PseudoCertificate, EpsilonIsAtMostLnSqrt2) {
-  Document net = good();
+  NetDocument net = good();
   net.epsilon = "0.34657359027997265471";
   EXPECT_THAT(outcome(net), HasSubstr("REFUTED: collars: epsilon: it is greater than ln sqrt(2)"));
   net.epsilon = "1e9999";
@@ -217,7 +216,7 @@ TEST(PseudoCertificate, EpsilonIsAtMostLnSqrt2) {
 }
 
 TEST(PseudoCertificate, CollarsAreDisjoint) {
-  Document net = good();
+  NetDocument net = good();
   net.collars->push_back(net.collars->front());
   EXPECT_THAT(outcome(net), HasSubstr("REFUTED: collars: collar 2"));
   EXPECT_THAT(outcome(net), HasSubstr("is named twice"));
@@ -233,7 +232,7 @@ TEST(PseudoCertificate, CollarsAreDisjoint) {
 }
 
 TEST(PseudoCertificate, TrianglesHaveTheirCorners) {
-  Document net = good();
+  NetDocument net = good();
   std::swap((*net.collars)[0].triangles[0], (*net.collars)[0].triangles[1]);
   EXPECT_THAT(outcome(net), HasSubstr("has not two corners at the first vertex"));
   net = good();
@@ -248,7 +247,7 @@ TEST(PseudoCertificate, TrianglesAreGluedToAnAnnulus) {
   // Nets of few vertices have many triangles ppq and qqp, most of them not glued along two edges.
   std::size_t seen = 0;
   for (const std::int32_t seed : {1, 2, 3, 4, 5, 6, 7, 8}) {
-    Document net = compute_net(random_octagon(seed), Epsilon("2")).net;
+    NetDocument net = compute_net(random_octagon(seed), Length("2")).net;
     net.epsilon = "0.3";
     const auto find = [&](std::uint32_t p, std::uint32_t q) {
       std::vector<std::uint32_t> result;
@@ -276,7 +275,7 @@ TEST(PseudoCertificate, TrianglesAreGluedToAnAnnulus) {
 
 TEST(PseudoCertificate, TheCoreIsTheLoop) {
   const std::string refused = "REFUTED: collars: collar 0";
-  Document net = good();
+  NetDocument net = good();
   std::vector<std::uint32_t>& word = (*net.collars)[0].core;
   const std::vector<std::uint32_t> core = word;
   word.insert(word.end(), core.begin(), core.end());
@@ -285,7 +284,7 @@ TEST(PseudoCertificate, TheCoreIsTheLoop) {
   word.clear();
   EXPECT_THAT(outcome(net), HasSubstr("is not the core"));
   // Another curve through the same tile: some side pairing.
-  for (const certify::Label& label : net.labels) {
+  for (const certify::NetDocument::Label& label : net.labels) {
     const std::uint32_t tile = net.charts[net.vertices[(*net.collars)[0].vertices[0]].chart].tile;
     if (net.charts[label.from].tile != tile || net.charts[label.to].tile != tile || label.word.empty()) continue;
     const bool same = label.word == core;
@@ -300,7 +299,7 @@ TEST(PseudoCertificate, TheCoreIsTheLoop) {
 }
 
 TEST(PseudoCertificate, TheLengthIsEnclosed) {
-  Document net = good();
+  NetDocument net = good();
   auto& length = (*net.collars)[1].length;
   length = {0, 1};
   EXPECT_EQ(outcome(net), "VERIFIED");
@@ -311,7 +310,7 @@ TEST(PseudoCertificate, TheLengthIsEnclosed) {
 }
 
 TEST(PseudoCertificate, TheCoreIsNoLongerThanEpsilon) {
-  Document net = compute_net(with_cuffs({Rational(1, 10)}), Epsilon("0.34"), kPseudo).net;
+  NetDocument net = compute_net(with_cuffs({Rational(1, 10)}), Length("0.34"), kPseudo).net;
   net.epsilon = "0.05";
   EXPECT_THAT(outcome(net), HasSubstr("REFUTED: collars: collar 0"));
   EXPECT_THAT(outcome(net), HasSubstr("greater than epsilon"));
@@ -319,8 +318,8 @@ TEST(PseudoCertificate, TheCoreIsNoLongerThanEpsilon) {
 
 /// Vertex p of collar 1 moved by a hyperbolic distance in a direction; its coordinate was 0. Labels fit as before.
 std::string outcome_moved(double distance, double angle) {
-  Document net = good();
-  certify::Vertex& vertex = net.vertices[(*net.collars)[1].vertices[0]];
+  NetDocument net = good();
+  certify::NetDocument::Vertex& vertex = net.vertices[(*net.collars)[1].vertices[0]];
   EXPECT_EQ(vertex.x, 0);
   EXPECT_EQ(vertex.y, 0);
   vertex.x = std::tanh(distance / 2) * std::cos(angle);
@@ -353,13 +352,13 @@ TEST(PseudoCertificate, VerticesLieOnBothSidesInTheThickPartAndCover) {
 }
 
 TEST(PseudoCertificate, ACollarThatIsNotNamedIsNotCovered) {
-  Document net = good();
+  NetDocument net = good();
   net.collars->erase(net.collars->begin());
   EXPECT_THAT(outcome(net), HasSubstr("REFUTED: covering"));
   net.collars.reset();
   EXPECT_THAT(outcome(net), HasSubstr("REFUTED: covering"));
   // In a collar as wide as ε/4 the triangles are small, but the two vertices are close.
-  net = compute_net(with_cuffs({Rational(2499999, 10000000)}), Epsilon("0.25"), kPseudo).net;
+  net = compute_net(with_cuffs({Rational(2499999, 10000000)}), Length("0.25"), kPseudo).net;
   EXPECT_EQ(outcome(net), "VERIFIED");
   net.collars->clear();
   EXPECT_THAT(outcome(net), HasSubstr("REFUTED: packing"));
@@ -367,7 +366,7 @@ TEST(PseudoCertificate, ACollarThatIsNotNamedIsNotCovered) {
 
 TEST(PseudoCertificate, VerticesOfNoCollarAreThick) {
   // A net of the whole surface has vertices in the thin part.
-  Document net = compute_net(with_cuffs({Rational(1, 10)}), Epsilon("0.34")).net;
+  NetDocument net = compute_net(with_cuffs({Rational(1, 10)}), Length("0.34")).net;
   EXPECT_EQ(outcome(net), "VERIFIED");
   net.collars.emplace();
   EXPECT_THAT(outcome(net), HasSubstr("REFUTED: thick: the edge of dart"));
@@ -376,7 +375,7 @@ TEST(PseudoCertificate, VerticesOfNoCollarAreThick) {
 TEST(PseudoCertificate, TrianglesOfCollarsNeedACircumcircle) {
   // An annulus cut by edges that turn around the core: no Delaunay triangles, and at last ones on no circle.
   const Surface surface = with_cuffs({Rational(3, 10)});
-  const Epsilon epsilon("0.34");
+  const Length epsilon("0.34");
   Triangulation triangulation(surface);
   triangulation.make_delaunay();
   Collars collars(triangulation, epsilon);
@@ -391,7 +390,7 @@ TEST(PseudoCertificate, TrianglesOfCollarsNeedACircumcircle) {
     const auto& v = triangulation.triangle(t).vertex;
     while (v[loop] != v[next(loop)]) ++loop;
     (void)triangulation.flip(make_dart(t, next(loop)));
-    Document net = net_document(triangulation, epsilon);
+    NetDocument net = net_document(triangulation, epsilon);
     net.collars = collars.documents();
     const Certificate certificate = certify::check(net, {.threads = 1});
     ASSERT_EQ(certificate.rules.size(), 9U) << certificate.message;
@@ -408,20 +407,25 @@ TEST(PseudoCertificate, FewBitsLeaveShortCoresUndecided) {
 
 TEST(PseudoCertificate, WhatIsNoCollarIsMalformed) {
   const auto broken = [](const auto& change) {
-    Document net = good();
+    NetDocument net = good();
     change(net.collars->front());
     return outcome(net);
   };
   const std::string malformed = "MALFORMED: structure: collars[0]: ";
-  EXPECT_THAT(broken([](certify::Collar& c) { c.vertices[1] = 100000; }), HasSubstr(malformed + "vertex 100000"));
-  EXPECT_THAT(broken([](certify::Collar& c) { c.triangles[0] = 100000; }), HasSubstr(malformed + "triangle 100000"));
-  EXPECT_THAT(broken([](certify::Collar& c) { c.core = {1000}; }), HasSubstr(malformed + "side 1000"));
-  EXPECT_THAT(broken([](certify::Collar& c) { c.core = {13}; }),
+  EXPECT_THAT(broken([](certify::NetDocument::Collar& c) { c.vertices[1] = 100000; }),
+              HasSubstr(malformed + "vertex 100000"));
+  EXPECT_THAT(broken([](certify::NetDocument::Collar& c) { c.triangles[0] = 100000; }),
+              HasSubstr(malformed + "triangle 100000"));
+  EXPECT_THAT(broken([](certify::NetDocument::Collar& c) { c.core = {1000}; }), HasSubstr(malformed + "side 1000"));
+  EXPECT_THAT(broken([](certify::NetDocument::Collar& c) { c.core = {13}; }),
               HasSubstr(malformed + "letter 0 is side 13 of tile 1"));
-  EXPECT_THAT(broken([](certify::Collar& c) { std::swap(c.length[0], c.length[1]); }), HasSubstr("is not an interval"));
+  EXPECT_THAT(broken([](certify::NetDocument::Collar& c) { std::swap(c.length[0], c.length[1]); }),
+              HasSubstr("is not an interval"));
   for (const double number : {-1.0, std::nan(""), HUGE_VAL}) {
-    EXPECT_THAT(broken([&](certify::Collar& c) { c.length[0] = number; }), HasSubstr("is not an interval"));
-    EXPECT_THAT(broken([&](certify::Collar& c) { c.length[1] = number; }), HasSubstr("is not an interval"));
+    EXPECT_THAT(broken([&](certify::NetDocument::Collar& c) { c.length[0] = number; }),
+                HasSubstr("is not an interval"));
+    EXPECT_THAT(broken([&](certify::NetDocument::Collar& c) { c.length[1] = number; }),
+                HasSubstr("is not an interval"));
   }
 }
 

@@ -1,6 +1,5 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <string>
 
 #include "netgen/nets/certified_net.h"
@@ -11,7 +10,7 @@ namespace {
 
 void expect_net(std::uint32_t genus, const char* epsilon) {
   SCOPED_TRACE("genus " + std::to_string(genus) + ", epsilon " + epsilon);
-  const CertifiedNet net = certified_net(Surface::regular(genus), Epsilon(epsilon));
+  const CertifiedNet net = certified_net(Surface::regular(genus), Length(epsilon));
   EXPECT_EQ(net.certificate.verdict, certify::Verdict::verified);
   EXPECT_EQ(net.certificate.counts.genus, genus);
   // Theorem III.2 of the thesis; what refinement gives is 2.2 times as many.
@@ -29,7 +28,7 @@ TEST(RegularNets, OfEveryGenusToTwenty) {
 TEST(RegularNets, OfGenusHundred) { expect_net(100, "0.5"); }
 
 TEST(RegularNets, OfOneVertexAndGenusThousand) {
-  const CertifiedNet net = certified_net(Surface::regular(1000), Epsilon("20"));
+  const CertifiedNet net = certified_net(Surface::regular(1000), Length("20"));
   EXPECT_EQ(net.net.vertices.size(), 1U);
   EXPECT_EQ(net.certificate.counts.exact_ties, 3997U) << "all diagonals of the dual polygon";
 }

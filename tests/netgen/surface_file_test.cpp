@@ -2,9 +2,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
-
 #include <ostream>
+#include <sys/stat.h>
 
 #include "certify/file/reader.h"
 #include "netgen/base/atomic_file.h"

@@ -1,6 +1,5 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <iostream>
 
 #include "certify/geodesics/geodesics_check.h"
@@ -18,7 +17,7 @@ void expect_mean(const char* epsilon, double thesis, double tolerance) {
   constexpr std::int32_t kOctagons = 180;
   double vertices = 0;
   for (std::int32_t seed = 1; seed <= kOctagons; ++seed) {
-    vertices += static_cast<double>(compute_net(random_octagon(seed), Epsilon(epsilon)).net.vertices.size());
+    vertices += static_cast<double>(compute_net(random_octagon(seed), Length(epsilon)).net.vertices.size());
   }
   std::cout << "epsilon " << epsilon << ": " << vertices / kOctagons << " vertices, thesis " << thesis << '\n';
   EXPECT_NEAR(vertices / kOctagons, thesis, tolerance * thesis);
@@ -59,7 +58,7 @@ TEST(TableIV4, OneShortCuff) {
       FenchelNielsen coordinates = random_coordinates(PantsGraph::ring(2), seed);
       coordinates.lengths[0] = Rational(1, 10'000);
       coordinates.twists[0] = 0;
-      const CertifiedNet net = certified_net(fenchel_nielsen_surface(coordinates), Epsilon(epsilon));
+      const CertifiedNet net = certified_net(fenchel_nielsen_surface(coordinates), Length(epsilon));
       mean += static_cast<double>(net.net.vertices.size()) / kSurfaces;
     }
     std::cout << "epsilon " << epsilon << ": " << mean << " vertices, thesis or model " << thesis << '\n';
@@ -76,7 +75,7 @@ TEST(TableIV5, GenusThree) {
     constexpr std::uint64_t kSurfaces = 50;
     for (std::uint64_t seed = 1; seed <= kSurfaces; ++seed) {
       const Surface surface = fenchel_nielsen_surface(random_coordinates(PantsGraph::random(3, seed), seed));
-      mean += static_cast<double>(compute_net(surface, Epsilon(epsilon)).net.vertices.size()) / kSurfaces;
+      mean += static_cast<double>(compute_net(surface, Length(epsilon)).net.vertices.size()) / kSurfaces;
     }
     std::cout << "epsilon " << epsilon << ": " << mean << " vertices, thesis " << thesis << '\n';
     EXPECT_NEAR(mean, thesis, 0.03 * thesis);
@@ -86,7 +85,7 @@ TEST(TableIV5, GenusThree) {
 TEST(LargeGenus, FenchelNielsenSurfacesAreVerified) {
   for (const auto& [genus, epsilon] : {std::pair{30u, "0.5"}, {100u, "0.25"}, {300u, "0.5"}}) {
     const Surface surface = fenchel_nielsen_surface(random_coordinates(PantsGraph::random(genus, 1), 1));
-    EXPECT_EQ(certified_net(surface, Epsilon(epsilon)).certificate.counts.genus, genus);
+    EXPECT_EQ(certified_net(surface, Length(epsilon)).certificate.counts.genus, genus);
   }
 }
 
@@ -94,7 +93,7 @@ TEST(LargeGenus, IsVerified) {
   for (const char* name : {"g20-rnd0", "g50-small"}) {
     const Surface surface = load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
     for (const char* epsilon : {"3", "0.5", "0.2"}) {
-      EXPECT_EQ(certified_net(surface, Epsilon(epsilon)).certificate.verdict, certify::Verdict::verified) << name;
+      EXPECT_EQ(certified_net(surface, Length(epsilon)).certificate.verdict, certify::Verdict::verified) << name;
     }
   }
 }

@@ -1,9 +1,8 @@
 #include "netgen/nets/triangle_list.h"
 
+#include <array>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <array>
 #include <numeric>
 
 namespace epsnet {

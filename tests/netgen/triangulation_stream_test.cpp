@@ -1,11 +1,10 @@
 #include "netgen/exchange/triangulation_stream.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
-#include <algorithm>
 #include <numeric>
+#include <rapidcheck/gtest.h>
 #include <sstream>
 
 #include "netgen/exchange/domain_format.h"
@@ -422,7 +421,7 @@ TEST(TriangulationStream, Files) {
   EXPECT_THROW(static_cast<void>(load_triangulation_stream("/dev/null")), TriangulationStreamError);
 }
 
-std::string net_complaint(const certify::Document& net) {
+std::string net_complaint(const certify::NetDocument& net) {
   try {
     static_cast<void>(triangulation_stream(net));
   } catch (const TriangulationStreamError& error) {
@@ -432,10 +431,10 @@ std::string net_complaint(const certify::Document& net) {
 }
 
 TEST(TriangulationStream, NetsThatAreNone) {
-  const certify::Document good = compute_net(random_octagon(123), Epsilon("0.5")).net;
+  const certify::NetDocument good = compute_net(random_octagon(123), Length("0.5")).net;
   EXPECT_EQ(net_complaint(good), "accepted");
   EXPECT_THAT(net_complaint({}), StartsWith("not a net: "));
-  certify::Document net = good;
+  certify::NetDocument net = good;
   net.triangles[3].vertex[1] = 1'000'000;
   EXPECT_THAT(net_complaint(net), StartsWith("not a net: "));
   net = good;
@@ -446,7 +445,7 @@ TEST(TriangulationStream, NetsThatAreNone) {
   EXPECT_THAT(net_complaint(net), StartsWith("not a net: side "));
   net = good;
   const auto moved = std::find_if(net.triangles.begin(), net.triangles.end(),
-                                  [](const certify::Triangle& t) { return t.label[0] != 0; });
+                                  [](const certify::NetDocument::Triangle& t) { return t.label[0] != 0; });
   ASSERT_NE(moved, net.triangles.end());
   net.labels[moved->label[0] - 1].word.clear();
   net.labels[moved->label[0] - 1].to = net.labels[moved->label[0] - 1].from;
@@ -456,7 +455,7 @@ TEST(TriangulationStream, NetsThatAreNone) {
 RC_GTEST_PROP(TriangulationStreamProperty, NetThereAndBack, ()) {
   const auto seed = *rc::gen::inRange<std::int32_t>(-1000, 1000);
   const std::string epsilon = *rc::gen::element<std::string>("0.3", "0.5", "0.8", "2");
-  const certify::Document net = compute_net(random_octagon(seed), Epsilon(epsilon)).net;
+  const certify::NetDocument net = compute_net(random_octagon(seed), Length(epsilon)).net;
   const TriangulationStream stream = triangulation_stream(net);
   RC_ASSERT(stream.triangles.size() == net.triangles.size());
   // The README of the format: not Delaunay if and only if the imaginary part is positive.

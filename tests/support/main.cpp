@@ -1,5 +1,5 @@
-#include <gtest/gtest.h>
 #include <cstdlib>
+#include <gtest/gtest.h>
 #include <string>
 
 #include "tests/support/scale.h"

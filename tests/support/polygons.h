@@ -1,10 +1,9 @@
 #pragma once
 
-#include <rapidcheck.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <rapidcheck.h>
 #include <sstream>
 #include <string>
 #include <utility>

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <rapidcheck.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <deque>
 #include <numbers>
 #include <optional>
+#include <rapidcheck.h>
 #include <string>
 #include <utility>
 #include <vector>

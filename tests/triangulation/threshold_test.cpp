@@ -1,9 +1,8 @@
 #include "triangulation/threshold.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include <cmath>
 #include <string>
 
 #include "tests/support/triangulations.h"

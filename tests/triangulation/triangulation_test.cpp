@@ -1,10 +1,9 @@
 #include "triangulation/triangulation.h"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <numbers>
 #include <random>
+#include <rapidcheck/gtest.h>
 #include <set>
 
 #include "tests/support/triangulations.h"

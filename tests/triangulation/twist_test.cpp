@@ -1,7 +1,6 @@
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -80,14 +79,14 @@ TEST(Untwisting, TakesFewFlipsAndFewPredicatesInMultiprecision) {
 
 TEST(Untwisting, NetsOfTwistedOctagonsAreVerified) {
   for (const char* length : {"1e-2", "1e-4"}) {
-    const CertifiedNet net = certified_net(twisted_octagon(length), Epsilon("0.5"));
+    const CertifiedNet net = certified_net(twisted_octagon(length), Length("0.5"));
     EXPECT_EQ(net.certificate.verdict, certify::Verdict::verified) << length;
   }
 }
 
 TEST(Untwisting, ManyMoreTurnsThanWordsMayHaveLettersAreAnError) {
   try {
-    (void)certified_net(twisted_octagon("1e-6"), Epsilon("0.5"));
+    (void)certified_net(twisted_octagon("1e-6"), Length("0.5"));
     FAIL() << "70,000 turns are no label that can be written down";
   } catch (const NetError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("turn 7e+04 times around a closed curve of length 1e-06"));
@@ -159,7 +158,7 @@ TEST(AtlasTurns, AreOneFactorInNetsOfRegularPolygons) {
   // Crossing by crossing: 383,351 factors, and the more per label the larger the genus.
   NetStatistics statistics;
   const Surface surface = Surface::regular(100);
-  const Triangulation triangulation = net_triangulation(surface, Epsilon("0.5"), {}, statistics);
+  const Triangulation triangulation = net_triangulation(surface, Length("0.5"), {}, statistics);
   EXPECT_LE(triangulation.atlas().factor_count(), 100'000U);
 }
 

@@ -2,7 +2,6 @@
 #include <epsnet/certify/writer.h>
 #include <epsnet/netgen/certified_net.h>
 #include <epsnet/netgen/octagon.h>
-
 #include <fstream>
 #include <iostream>
 

@@ -9,11 +9,11 @@ namespace epsnet {
 /// ε as an exact number: a decimal such as "0.1" (that is 1/10) or a rational "p/q", positive; a hyperbolic length.
 ///
 /// Throws std::invalid_argument, which quotes the text, for anything else: not a number, zero, negative, NaN, infinite.
-class Epsilon {
+class Length {
  public:
-  explicit Epsilon(std::string text);
-  /// The shortest decimal that reads back as `value`: Epsilon(0.1) is 1/10.
-  explicit Epsilon(double value);
+  explicit Length(std::string text);
+  /// The shortest decimal that reads back as `value`: Length(0.1) is 1/10.
+  explicit Length(double value);
 
   [[nodiscard]] const std::string& text() const { return text_; }
   [[nodiscard]] const Rational& value() const { return value_; }

@@ -1,9 +1,8 @@
-#include "netgen/base/epsilon.h"
-
-#include <mpfr.h>
+#include "netgen/base/length.h"
 
 #include <charconv>
 #include <cmath>
+#include <mpfr.h>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -40,7 +39,7 @@ std::string shortest_decimal(double value) {
 
 }  // namespace
 
-bool Epsilon::allows_pseudo_nets() const {
+bool Length::allows_pseudo_nets() const {
   const Rational twice = 2 * value_;
   // ln 2 is irrational, so enough bits tell.
   for (mpfr_prec_t bits = 128;; bits *= 2) {
@@ -57,8 +56,8 @@ bool Epsilon::allows_pseudo_nets() const {
   }
 }
 
-Epsilon::Epsilon(std::string text) : text_(std::move(text)), value_(parse(text_)) {}
+Length::Length(std::string text) : text_(std::move(text)), value_(parse(text_)) {}
 
-Epsilon::Epsilon(double value) : Epsilon(shortest_decimal(value)) {}
+Length::Length(double value) : Length(shortest_decimal(value)) {}
 
 }  // namespace epsnet
