@@ -139,7 +139,7 @@ class Sweep {
 
   const Request& request_;
   std::vector<Job> jobs_;
-  std::vector<Epsilon> epsilons_;
+  std::vector<Length> epsilons_;
   std::mutex mutex_;  // Of all below.
   std::size_t nets_ = 0;
   std::size_t failures_ = 0;

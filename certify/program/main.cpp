@@ -22,6 +22,7 @@
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "certify/geodesics/geodesics_check.h"
+#include "certify/numbers/ball.h"
 
 /// The program `certify`: reads net files and geodesics files, prints for each what each rule proved and, last, one
 /// verdict line.

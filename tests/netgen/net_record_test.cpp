@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/check.h"
 #include "netgen/surfaces/octagon.h"
 
 namespace epsnet {
