@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <flint/flint.h>
 #include <iostream>
 #include <limits>
 #include <nettle/sha2.h>
