@@ -80,10 +80,7 @@ constexpr std::size_t turn_index(Turn turn) { return turn == Turn::clockwise ? 1
 /// The crossing that continues a turn after side s: next to the partner of s in its tile.
 std::uint32_t next_crossing(const Surface& surface, std::uint32_t s, Turn turn) {
   const std::uint32_t partner = surface.partner(s);
-  const std::uint32_t tile = surface.tile_of_side(partner);
-  const std::uint32_t first = surface.side_number(tile, 0);
-  const auto n = static_cast<std::uint32_t>(surface.tiles()[tile].size());
-  return first + (partner - first + (turn == Turn::counterclockwise ? 1 : n - 1)) % n;
+  return turn == Turn::counterclockwise ? surface.next_side(partner) : surface.previous_side(partner);
 }
 
 std::string two_digits(double value) {
@@ -108,11 +105,7 @@ using TurnField = std::conditional_t<std::is_same_v<T, Mp256>, Mp1024, T>;
 
 /// The crossings of one full turn that goes on from side s.
 std::uint32_t crossings_around(const Surface& surface, std::uint32_t s, Turn turn) {
-  if (turn == Turn::counterclockwise) return surface.corners_around(s);
-  const std::uint32_t tile = surface.tile_of_side(s);
-  const std::uint32_t first = surface.side_number(tile, 0);
-  const auto n = static_cast<std::uint32_t>(surface.tiles()[tile].size());
-  return surface.corners_around(first + (s - first + 1) % n);
+  return surface.corners_around(turn == Turn::counterclockwise ? s : surface.next_side(s));
 }
 
 /// The points p, q of the disk, rounded to nearest, have certainly |z|² > square, z being q with p moved to the origin.
@@ -187,7 +180,8 @@ Word concatenated(const Surface& surface, Word first, const Word& then) {
   return first;
 }
 
-Atlas::Atlas(const Surface& surface) : surface_(&surface) {
+Atlas::Atlas(Surface surface_of_atlas) : surface_(std::move(surface_of_atlas)) {
+  const Surface& surface = surface_;
   for (std::uint32_t t = 0; t < surface.tiles().size() && !surface.is_regular(); ++t) {
     if (const double shortest = curve_bound(surface.tiles()[t]); shortest < kShortestCurve) {
       throw LimitError("tile " + std::to_string(t) + " is too thin: closed geodesics through it may be as short as " +
@@ -285,28 +279,28 @@ const Isometry<T>& Atlas::crossing(std::uint32_t s) const {
   } else {
     auto& known = std::get<Known<T>>(known_).crossings;
     const auto found = known.find(s);
-    return found != known.end() ? found->second : known.emplace(s, surface_->crossing_as<T>(s)).first->second;
+    return found != known.end() ? found->second : known.emplace(s, surface_.crossing_as<T>(s)).first->second;
   }
 }
 
 template <class T>
 const Atlas::Turns<T>& Atlas::turns(std::uint32_t corner) const {
   auto& known = std::get<Known<T>>(known_).turns;
-  const std::uint32_t vertex = surface_->vertex_class(corner);
+  const std::uint32_t vertex = surface_.vertex_class(corner);
   if (const auto found = known.find(vertex); found != known.end()) {
     return found->second;
   }
   std::uint32_t s = corner;
-  while (place_in_turn_[s] != 0) s = next_crossing(*surface_, s, Turn::counterclockwise);
+  while (place_in_turn_[s] != 0) s = next_crossing(surface_, s, Turn::counterclockwise);
   Turns<T> result{{Isometry<T>{}}, 0};
   double largest_product = 1;
   double largest_crossing = 1;
-  for (std::uint32_t i = 1; i < surface_->corners_around(corner); ++i) {
+  for (std::uint32_t i = 1; i < surface_.corners_around(corner); ++i) {
     const Isometry<T>& next = crossing<T>(s);
     result.products.push_back(next * result.products.back());
     largest_product = std::max(largest_product, log2_norm(result.products.back()));
     largest_crossing = std::max(largest_crossing, log2_norm(next));
-    s = next_crossing(*surface_, s, Turn::counterclockwise);
+    s = next_crossing(surface_, s, Turn::counterclockwise);
   }
   factor_count_ += result.products.size();
   // docs/error-bounds.md, E5.
@@ -327,8 +321,8 @@ double Atlas::append_factors(const Word& word, std::vector<Isometry<T>>& factors
   };
   for (std::size_t i = 0; i < word.size();) {
     if (!place_in_turn_.empty()) {
-      const std::size_t forward = turn_length(*surface_, word, i, Turn::counterclockwise);
-      const std::size_t backward = turn_length(*surface_, word, i, Turn::clockwise);
+      const std::size_t forward = turn_length(surface_, word, i, Turn::counterclockwise);
+      const std::size_t backward = turn_length(surface_, word, i, Turn::clockwise);
       if (forward >= kLongTurn) {
         factors.push_back(product_of_turn(word[i], forward));
         i += forward;
@@ -337,7 +331,7 @@ double Atlas::append_factors(const Word& word, std::vector<Isometry<T>>& factors
       if (backward >= kLongTurn) {
         // The path backwards turns counterclockwise.
         const std::uint32_t last = word[i + backward - 1];
-        factors.push_back(epsnet::inverse(product_of_turn(surface_->partner(last), backward)));
+        factors.push_back(epsnet::inverse(product_of_turn(surface_.partner(last), backward)));
         i += backward;
         continue;
       }
@@ -395,7 +389,7 @@ Atlas::Value<T> Atlas::evaluate_to(double bits, std::uint32_t from, std::uint32_
   }
   // Where triangles start so far from Delaunay that their words grow and grow, this is where it ends: the paths of nets
   // have a few dozen sides, or as many as a polygon.
-  const std::size_t longest = 500 + surface_->side_count();
+  const std::size_t longest = 500 + surface_.side_count();
   if (word.size() <= longest) {
     if (const auto value = evaluate<Mp4096>(from, to, word); value.bits_lost + bits <= 4096) {
       return rounded(value, 4096);
@@ -495,7 +489,7 @@ LabelId Atlas::looked_up_product(LabelId f, LabelId g) {
   }
   const LabelEntry& left = labels_[f - 1];
   const LabelEntry& right = labels_[g - 1];
-  const auto word = [&] { return concatenated(*surface_, right.word, left.word); };
+  const auto word = [&] { return concatenated(surface_, right.word, left.word); };
   const double accuracy =
       std::min(left.accuracy, right.accuracy) - log2_norm(left.precise) - log2_norm(right.precise) - 3;
   const LabelId result =
@@ -510,7 +504,7 @@ LabelId Atlas::inverse_of_other(LabelId f) {
   LabelEntry& entry = labels_[f - 1];
   if (entry.inverse == kUnknown) {
     const LabelId result = find_or_add(entry.to, entry.from, epsnet::inverse(entry.precise), entry.accuracy,
-                                       [&] { return reversed(*surface_, entry.word); });
+                                       [&] { return reversed(surface_, entry.word); });
     labels_[f - 1].inverse = result;
     labels_[result - 1].inverse = f;
     return result;
@@ -588,7 +582,7 @@ Atlas::Place Atlas::place(std::uint32_t c, const Complex<Mp1024>& z, bool exact)
     constexpr double kRounding = 2 * kUnitRoundoff;
     const StageSign seen =
         orientation_stage<double>(corners_[first + k], corners_[first + next], convert<double>(w), kRounding);
-    const Tile& vertices = surface_->tiles()[tile];
+    const Tile& vertices = surface_.tiles()[tile];
     return seen.certain
                ? seen.sign > 0
                : orientation_determinant(convert<Mp1024>(vertices[k]), convert<Mp1024>(vertices[next]), w) >= 0;
@@ -596,15 +590,15 @@ Atlas::Place Atlas::place(std::uint32_t c, const Complex<Mp1024>& z, bool exact)
   constexpr std::size_t kLongestPath = 10'000;
   for (bool inside = false; !inside;) {
     inside = true;
-    const auto n = static_cast<std::uint32_t>(surface_->tiles()[tile].size());
-    const std::uint32_t first = surface_->side_number(tile, 0);
+    const auto n = static_cast<std::uint32_t>(surface_.tiles()[tile].size());
+    const std::uint32_t first = surface_.side_number(tile, 0);
     for (std::uint32_t k = 0; k < n && inside; ++k) {
       const std::uint32_t s = first + k;
-      const bool goes_back = !path.empty() && surface_->partner(path.back()) == s;
+      const bool goes_back = !path.empty() && surface_.partner(path.back()) == s;
       if (!goes_back && !is_left_of(first, k, (k + 1) % n)) {
         w = crossing<Mp1024>(s)(w);
         path.push_back(s);
-        tile = surface_->tile_of_side(surface_->partner(s));
+        tile = surface_.tile_of_side(surface_.partner(s));
         inside = false;
       }
     }
@@ -637,7 +631,7 @@ Atlas::Place Atlas::place(std::uint32_t c, const Complex<Mp1024>& z, bool exact)
   }
   const Complex<double> rounded =
       exact ? Complex<double>{0, 0} : convert<double>(epsnet::inverse(frame<Mp1024>(*nearest))(w));
-  return {*nearest, rounded, label(*nearest, c, reversed(*surface_, path))};
+  return {*nearest, rounded, label(*nearest, c, reversed(surface_, path))};
 }
 
 template Isometry<Mp256> Atlas::frame<Mp256>(std::uint32_t) const;

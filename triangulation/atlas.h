@@ -4,21 +4,21 @@
 #include <deque>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <tuple>
 #include <unordered_map>
 #include <vector>
 
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
+#include "triangulation/error.h"
 #include "triangulation/surface.h"
 
 namespace epsnet {
 
 /// A surface or a triangulation is beyond a limit: too many triangles or labels, a path too long to be evaluated.
-class LimitError : public std::runtime_error {
+class LimitError : public Error {
  public:
-  using std::runtime_error::runtime_error;
+  using Error::Error;
 };
 
 /// A chart: the Poincaré disk of a tile with the origin moved to `centre`; the point z of the chart has the coordinate
@@ -44,11 +44,11 @@ inline constexpr double kChartRadius = 0.7;
 /// Labels are few, a few hundred to thousands whatever the number of triangles; products and inverses are memoised.
 class Atlas {
  public:
-  /// Keeps a reference to the surface. Throws LimitError, which names the tile, if closed geodesics may be too short
+  /// Throws LimitError, which names the tile, if closed geodesics may be too short
   /// for labels to be told apart, that is about 10⁻²⁶.
-  explicit Atlas(const Surface& surface);
+  explicit Atlas(Surface surface);
 
-  [[nodiscard]] const Surface& surface() const { return *surface_; }
+  [[nodiscard]] const Surface& surface() const { return surface_; }
 
   [[nodiscard]] std::uint32_t add_chart(Chart chart);
   [[nodiscard]] std::uint32_t chart_count() const { return static_cast<std::uint32_t>(charts_.size()); }
@@ -210,7 +210,7 @@ class Atlas {
     std::unordered_map<std::uint32_t, Turns<T>> turns;  ///< By vertex class.
   };
 
-  const Surface* surface_;
+  Surface surface_;
   std::vector<Isometry<Mp256>> crossings_;
   /// By side: which one it is of those that are crossed one after the other around its vertex. Empty if there is no
   /// vertex with so many that paths turn far around it.

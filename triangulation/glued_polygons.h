@@ -20,8 +20,9 @@ namespace epsnet {
 class GluedPolygons {
  public:
   /// Every polygon has at least 3 vertices, every side is glued once and not to itself, the surface is connected and of
-  /// genus ≥ 2. O(sides).
+  /// genus ≥ 2. O(sides). Keeps a reference to the tiles.
   GluedPolygons(const std::vector<Tile>& tiles, const std::vector<Gluing>& gluing);
+  GluedPolygons(std::vector<Tile>&&, const std::vector<Gluing>&) = delete;
 
   /// All vertices lie in the open unit disk and successive ones differ. Needed by everything below.
   void check_vertices();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,7 +37,8 @@ using Word = std::vector<std::uint32_t>;
 /// A closed hyperbolic surface, exact: finitely many convex tiles, each in coordinates of its own, glued side to side
 /// by isometries.
 ///
-/// Sides have numbers: the sides of tile 0 in order, then those of tile 1, and so on. Immutable.
+/// Sides have numbers: the sides of tile 0 in order, then those of tile 1, and so on. A value: what the surface is
+/// never changes, and copies share it, so that whoever needs a surface keeps a copy. O(1) to copy.
 class Surface {
  public:
   /// Checks everything, exactly: tiles in the disk, strictly convex, counterclockwise; a fixed-point-free pairing of
@@ -44,62 +46,84 @@ class Surface {
   /// of its crossings the identity (Poincaré's polygon theorem); connected; genus at least 2. Throws SurfaceError,
   /// which names the first element that fails. Quasi-linear in the number of digits.
   Surface(std::vector<Tile> tiles, std::vector<Gluing> gluing);
+  // Copied where it could be moved from: there is no surface without data.
+  Surface(const Surface&) = default;
+  Surface& operator=(const Surface&) = default;
+  ~Surface() = default;
 
   /// The regular 4g-gon with the interior angle π/2g, centred at 0, the midpoint of side k in the direction kπ/2g,
   /// opposite sides glued by translations: the Bolza surface for g = 2. It closes up by theorem (docs/proof.md). Its
   /// coordinates are algebraic numbers: `tiles` has them rounded to 256 bits, `crossing_as` gives the crossings to any
   /// precision. Throws SurfaceError unless 2 ≤ g ≤ 1000.
   [[nodiscard]] static Surface regular(std::uint32_t genus);
-  [[nodiscard]] bool is_regular() const { return regular_; }
+  [[nodiscard]] bool is_regular() const { return data_->regular; }
 
-  [[nodiscard]] std::uint32_t genus() const { return genus_; }
-  /// Where the surface comes from, in words; no part of what it is.
+  [[nodiscard]] std::uint32_t genus() const { return data_->genus; }
+  /// Where the surface comes from, in words; no part of what it is, and of this copy alone.
   [[nodiscard]] const std::string& about() const { return about_; }
   void set_about(std::string text) { about_ = std::move(text); }
-  [[nodiscard]] const std::vector<Tile>& tiles() const { return tiles_; }
+  [[nodiscard]] const std::vector<Tile>& tiles() const { return data_->tiles; }
   /// The pairs as given to the constructor.
-  [[nodiscard]] const std::vector<Gluing>& gluing() const { return gluing_; }
+  [[nodiscard]] const std::vector<Gluing>& gluing() const { return data_->gluing; }
 
-  [[nodiscard]] std::uint32_t side_count() const { return static_cast<std::uint32_t>(partner_.size()); }
+  [[nodiscard]] std::uint32_t side_count() const { return static_cast<std::uint32_t>(data_->partner.size()); }
   [[nodiscard]] std::uint32_t side_number(std::uint32_t tile, std::uint32_t side) const {
-    return first_side_[tile] + side;
+    return data_->first_side[tile] + side;
   }
-  [[nodiscard]] std::uint32_t tile_of_side(std::uint32_t s) const { return side_tile_[s]; }
+  [[nodiscard]] std::uint32_t tile_of_side(std::uint32_t s) const { return data_->side_tile[s]; }
+  /// The sides after and before side s, counterclockwise around its tile.
+  [[nodiscard]] std::uint32_t next_side(std::uint32_t s) const {
+    const std::uint32_t tile = tile_of_side(s);
+    return s + 1 < side_count() && tile_of_side(s + 1) == tile ? s + 1 : side_number(tile, 0);
+  }
+  [[nodiscard]] std::uint32_t previous_side(std::uint32_t s) const {
+    const std::uint32_t tile = tile_of_side(s);
+    const std::uint32_t first = side_number(tile, 0);
+    return s > first ? s - 1 : first + static_cast<std::uint32_t>(tiles()[tile].size()) - 1;
+  }
   /// The side that side s is glued to.
-  [[nodiscard]] std::uint32_t partner(std::uint32_t s) const { return partner_[s]; }
+  [[nodiscard]] std::uint32_t partner(std::uint32_t s) const { return data_->partner[s]; }
   /// The isometry from the coordinates of the tile of side s to the coordinates of the tile of its partner, the start
-  /// of s to the end of the partner. Its coefficients are Gaussian integers without a common integer factor. Not for
-  /// `is_regular` surfaces.
-  [[nodiscard]] const Isometry<Rational>& crossing(std::uint32_t s) const { return crossing_[s]; }
+  /// of s to the end of the partner. Its coefficients are Gaussian integers without a common integer factor. Throws
+  /// std::logic_error for `is_regular` surfaces, whose crossings are not rational.
+  [[nodiscard]] const Isometry<Rational>& crossing(std::uint32_t s) const;
   /// The same rounded to T (Mp256, Mp1024, Mp4096), determinant 1.
   template <class T>
   [[nodiscard]] Isometry<T> crossing_as(std::uint32_t s) const;
 
   /// The corners (tile, vertex) are numbered like the sides that start there. `vertex_class(c)` is the point of the
   /// surface that corner c is, numbered from 0 in the order of first occurrence.
-  [[nodiscard]] std::uint32_t vertex_class(std::uint32_t corner) const { return vertex_class_[corner]; }
+  [[nodiscard]] std::uint32_t vertex_class(std::uint32_t corner) const { return data_->vertex_class[corner]; }
   [[nodiscard]] std::uint32_t vertex_class_count() const {
-    return static_cast<std::uint32_t>(vertex_class_sizes_.size());
+    return static_cast<std::uint32_t>(data_->vertex_class_sizes.size());
   }
   /// The number of corners at the point that corner c is.
   [[nodiscard]] std::uint32_t corners_around(std::uint32_t corner) const {
-    return vertex_class_sizes_[vertex_class_[corner]];
+    return data_->vertex_class_sizes[vertex_class(corner)];
   }
+  /// These corners, `corner` first, clockwise around the point: side s, crossed, leads to the corner at the end of its
+  /// partner, the start of the side after that one. As a word, a part of it leads from the tile of its first corner to
+  /// that of the corner after its last.
+  [[nodiscard]] Word corner_cycle(std::uint32_t corner) const;
 
  private:
-  Surface() = default;
+  struct Data {
+    bool regular = false;
+    std::vector<Tile> tiles;
+    std::vector<Gluing> gluing;
+    std::vector<std::uint32_t> first_side;
+    std::vector<std::uint32_t> side_tile;
+    std::vector<std::uint32_t> partner;
+    std::vector<Isometry<Rational>> crossing;
+    std::vector<std::uint32_t> vertex_class;
+    std::vector<std::uint32_t> vertex_class_sizes;
+    std::uint32_t genus = 0;
+  };
+  explicit Surface(Data data) : data_(std::make_shared<const Data>(std::move(data))) {}
+  [[nodiscard]] static Data checked(std::vector<Tile> tiles, std::vector<Gluing> gluing);
 
-  bool regular_ = false;
+  std::shared_ptr<const Data> data_;
   std::string about_;
-  std::vector<Tile> tiles_;
-  std::vector<Gluing> gluing_;
-  std::vector<std::uint32_t> first_side_;
-  std::vector<std::uint32_t> side_tile_;
-  std::vector<std::uint32_t> partner_;
-  std::vector<Isometry<Rational>> crossing_;
-  std::vector<std::uint32_t> vertex_class_;
-  std::vector<std::uint32_t> vertex_class_sizes_;
-  std::uint32_t genus_ = 0;
 };
 
 }  // namespace epsnet

@@ -7,23 +7,6 @@ namespace {
 
 constexpr std::uint32_t kMostTriangles = 1u << 30;
 
-/// The corners that are the same point of the surface as `start`, clockwise around it: side s, crossed, leads to the
-/// corner at the end of its partner, the start of the side after that one. As a word, a part of it leads from the tile
-/// of its first corner to that of the corner after its last.
-std::vector<std::uint32_t> corner_cycle(const Surface& surface, std::uint32_t start) {
-  std::vector<std::uint32_t> cycle;
-  std::uint32_t corner = start;
-  do {
-    cycle.push_back(corner);
-    const std::uint32_t partner = surface.partner(corner);
-    const std::uint32_t tile = surface.tile_of_side(partner);
-    const std::uint32_t first = surface.side_number(tile, 0);
-    const auto sides = static_cast<std::uint32_t>(surface.tiles()[tile].size());
-    corner = first + (partner - first + 1) % sides;
-  } while (corner != start);
-  return cycle;
-}
-
 void require_tile(const Surface& surface, std::uint32_t tile) {
   if (tile >= surface.tiles().size()) {
     throw SurfaceError("the base point is in tile " + std::to_string(tile) + ", the surface has " +
@@ -121,7 +104,7 @@ std::vector<Word> Triangulation::add_vertex_classes(std::uint32_t first_class) {
     placed[v] = true;
     const std::uint32_t tile = surface.tile_of_side(corner);
     charts_[first_class + v] = atlas_.add_chart({tile, surface.tiles()[tile][corner - surface.side_number(tile, 0)]});
-    const std::vector<std::uint32_t> cycle = corner_cycle(surface, corner);
+    const Word cycle = surface.corner_cycle(corner);
     // To corner i of the cycle leads the first part of it, or the rest of it backwards: the shorter one.
     for (std::size_t i = 0; i < cycle.size(); ++i) {
       const auto here = cycle.begin() + static_cast<std::ptrdiff_t>(i);
@@ -196,7 +179,7 @@ void Triangulation::cut_regular() {
   const Surface& surface = atlas_.surface();
   const std::uint32_t n = surface.side_count();
   add_vertex({{0, 0}, atlas_.add_chart({0, {0, 0}})});
-  const std::vector<std::uint32_t> cycle = corner_cycle(surface, 0);
+  const Word cycle = surface.corner_cycle(0);
   // Corner i of the polygon, counterclockwise, is copy n − i of the tile, and copy k + 1 is behind side cycle[k] of
   // copy k. The path from corner j to corner i < j is the shorter one of the two around the tile's corner.
   const auto label = [&](std::uint32_t i, std::uint32_t j) {

@@ -103,8 +103,8 @@ class Triangulation {
   /// The tiles of the surface cut into triangles; the vertices are the vertex classes of the tiles, exactly. With a
   /// base point, strictly inside of a tile, that is vertex 0, the corners of its tile are joined to it, and the vertex
   /// classes follow. A regular surface has one vertex, its centre, and Delaunay triangles, unless there is another base
-  /// point; then the place of its vertex class is taken by a point nearer to it than 2^-250. Keeps a reference to the
-  /// surface. Throws SurfaceError for a base point that is not inside of its tile.
+  /// point; then the place of its vertex class is taken by a point nearer to it than 2^-250. Throws SurfaceError for a
+  /// base point that is not inside of its tile.
   explicit Triangulation(const Surface& surface, const std::optional<BasePoint>& base = std::nullopt);
   Triangulation(Triangulation&&) = default;
   Triangulation& operator=(Triangulation&&) = default;

@@ -106,20 +106,6 @@ inline std::uint32_t end_tile(const Surface& surface, std::uint32_t tile, const 
   return word.empty() ? tile : surface.tile_of_side(surface.partner(word.back()));
 }
 
-/// Once around a vertex of the surface, starting in a side's tile at the side's start: the identity of the group.
-inline Word relator(const Surface& surface, std::uint32_t side) {
-  Word word;
-  std::uint32_t s = side;
-  do {
-    word.push_back(s);
-    const std::uint32_t partner = surface.partner(s);
-    const std::uint32_t tile = surface.tile_of_side(partner);
-    const auto sides = static_cast<std::uint32_t>(surface.tiles()[tile].size());
-    s = surface.side_number(tile, (partner - surface.side_number(tile, 0) + 1) % sides);
-  } while (s != side);
-  return word;
-}
-
 /// A triangle or an edge on the surface: vertices and the isometries between their charts.
 using Signature = std::array<std::uint32_t, 5>;
 

@@ -71,7 +71,7 @@ TEST(Atlas, RelatorsAreTheIdentity) {
   for (const auto& [name, surface] : gallery()) {
     Atlas atlas = three_charts(surface);
     for (std::uint32_t side = 0; side < surface.side_count(); ++side) {
-      Word word = test::relator(surface, side);
+      Word word = surface.corner_cycle(side);
       EXPECT_EQ(atlas.label(0, 0, word), kIdentity) << name << ", side " << side;
       EXPECT_EQ(atlas.label(1, 1, reversed(surface, word)), kIdentity) << name << ", side " << side;
       word.pop_back();
@@ -152,7 +152,7 @@ RC_GTEST_PROP(AtlasProperty, EqualWordsAreOneLabel, ()) {
   // A detour around a vertex, or over a side and back, anywhere on the way.
   Word longer = word;
   const auto side = any_index(surface.side_count());
-  const Word detour = any_index(2u) == 0 ? Word{side, surface.partner(side)} : test::relator(surface, side);
+  const Word detour = any_index(2u) == 0 ? Word{side, surface.partner(side)} : surface.corner_cycle(side);
   longer.insert(longer.begin() + static_cast<std::ptrdiff_t>(any_index(word.size() + 1)), detour.begin(), detour.end());
   RC_ASSERT(atlas.label(from, to, longer) == label);
 }
@@ -164,7 +164,7 @@ RC_GTEST_PROP(AtlasProperty, LabelsAreEqualIfAndOnlyIfTheirIsometriesAre, ()) {
   Word other = any_word(surface, 0, 3);
   // Half of the time the rest of a relator, so that short words can be equal.
   if (any_index(2u) == 0) {
-    const Word around = test::relator(surface, any_index(surface.side_count()));
+    const Word around = surface.corner_cycle(any_index(surface.side_count()));
     other = concatenated(surface, word, around);
     const auto last = std::min<std::size_t>(other.size(), any_index<std::size_t>(2));
     other.resize(other.size() - last);

@@ -1,12 +1,17 @@
 #include "triangulation/surface.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
 
 #include "netgen/exchange/domain_format.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/polygons.h"
+#include "triangulation/glued_polygons.h"
 
 namespace epsnet {
 namespace {
@@ -203,13 +208,86 @@ TEST(Surface, SeveralTilesInTheirOwnCoordinates) {
   EXPECT_EQ(surface.crossing(0)(tile[0]), frame(tile[5]));
 }
 
-#ifdef EPSNET_FM_GENUS_5
 TEST(Surface, CoordinatesOfAThousandDigits) {
-  const Surface surface = load_domain(EPSNET_FM_GENUS_5);
+  PairedPolygon polygon =
+      test::paired_polygon(load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g5-rnd0.txt"));
+  // An isometry whose centre has numerators and denominators of 600 digits.
+  const Integer power = pow(Integer(10), 600);
+  polygon.vertices =
+      test::moved(Isometry<Rational>::translation({Rational(power / 7, power + 9), Rational(power / 11, power + 1)}),
+                  polygon.vertices);
+  ASSERT_GT(numerator(polygon.vertices[0].x).str().size(), 1000U);
+  const Surface surface = read_domain(test::domain_text(polygon), "polygon");
   EXPECT_EQ(surface.genus(), 5U);
-  EXPECT_EQ(surface.vertex_class_count(), 1U);
+  EXPECT_EQ(surface.vertex_class_count(), test::paired_polygon(surface).surface().vertex_class_count());
+  EXPECT_EQ(surface.tiles()[0], polygon.vertices);
 }
-#endif
+
+TEST(Surface, CopiesShareTheirDataAndNotTheirText) {
+  Surface surface = octagon().surface();
+  surface.set_about("the first");
+  Surface copy = surface;
+  EXPECT_EQ(&copy.tiles(), &surface.tiles());
+  EXPECT_EQ(copy.about(), "the first");
+  copy.set_about("the second");
+  EXPECT_EQ(surface.about(), "the first");
+}
+
+TEST(Surface, IsThereAfterItWasMovedFrom) {
+  Surface surface = octagon().surface();
+  const Surface moved = std::move(surface);
+  EXPECT_EQ(surface.genus(), 2U);  // NOLINT(bugprone-use-after-move): that is the test.
+  EXPECT_EQ(moved.genus(), 2U);
+}
+
+TEST(Surface, SidesAroundATile) {
+  for (const auto& path : test::data_files("polygons")) {
+    const Surface surface = load_domain(path);
+    for (std::uint32_t tile = 0; tile < surface.tiles().size(); ++tile) {
+      const auto n = static_cast<std::uint32_t>(surface.tiles()[tile].size());
+      for (std::uint32_t k = 0; k < n; ++k) {
+        EXPECT_EQ(surface.next_side(surface.side_number(tile, k)), surface.side_number(tile, (k + 1) % n)) << path;
+        EXPECT_EQ(surface.previous_side(surface.side_number(tile, (k + 1) % n)), surface.side_number(tile, k)) << path;
+      }
+    }
+  }
+}
+
+TEST(Surface, CornerCyclesGoOnceAroundAVertex) {
+  for (const auto& path : test::data_files("polygons")) {
+    const Surface surface = load_domain(path);
+    for (std::uint32_t corner = 0; corner < surface.side_count(); ++corner) {
+      Word cycle = surface.corner_cycle(corner);
+      EXPECT_EQ(cycle.front(), corner) << path;
+      for (std::size_t i = 0; i < cycle.size(); ++i) {
+        // Across side cycle[i] lies the tile of the corner that follows, and its start is where that side's start goes.
+        const std::uint32_t following = cycle[(i + 1) % cycle.size()];
+        const auto start = [&](std::uint32_t s) {
+          const std::uint32_t tile = surface.tile_of_side(s);
+          return surface.tiles()[tile][s - surface.side_number(tile, 0)];
+        };
+        EXPECT_EQ(surface.tile_of_side(following), surface.tile_of_side(surface.partner(cycle[i]))) << path;
+        EXPECT_EQ(surface.crossing(cycle[i])(start(cycle[i])), start(following)) << path;
+      }
+      std::sort(cycle.begin(), cycle.end());
+      Word members;
+      for (std::uint32_t other = 0; other < surface.side_count(); ++other) {
+        if (surface.vertex_class(other) == surface.vertex_class(corner)) members.push_back(other);
+      }
+      EXPECT_EQ(cycle, members) << path;
+      EXPECT_EQ(members.size(), surface.corners_around(corner)) << path;
+    }
+  }
+}
+
+TEST(Surface, CrossingsOfARegularSurfaceAreNotRational) {
+  EXPECT_THROW((void)Surface::regular(2).crossing(0), std::logic_error);
+}
+
+TEST(GluedPolygons, ARowOfTilesThatEndsAtOnceIsNoInput) {
+  static_assert(std::is_constructible_v<GluedPolygons, const std::vector<Tile>&, const std::vector<Gluing>&>);
+  static_assert(!std::is_constructible_v<GluedPolygons, std::vector<Tile>, const std::vector<Gluing>&>);
+}
 
 RC_GTEST_PROP(SurfaceProperty, RelabelledOrMovedPolygonIsTheSameSurface, ()) {
   const auto files = test::data_files("polygons");

@@ -180,6 +180,20 @@ TEST(Triangulation, EdgesOfTwoTrianglesThatShareTwoAreFlipped) {
   EXPECT_GT(flips, 10);
 }
 
+TEST(Triangulation, KeepsTheSurfaceItIsMadeOf) {
+  Triangulation triangulation(random_octagon(123));  // A temporary: what is used below is the triangulation's copy.
+  EXPECT_EQ(triangulation.surface().genus(), 2U);
+  EXPECT_EQ(triangulation.surface().tiles(), random_octagon(123).tiles());
+  (void)triangulation.make_delaunay();
+  EXPECT_EQ(triangulation.problem(), "");
+  Triangulation copy = [] { return Triangulation(random_octagon(123)).clone(); }();
+  (void)copy.make_delaunay();
+  EXPECT_EQ(snapshot(copy), snapshot(triangulation));
+  Atlas atlas(random_octagon(123));
+  (void)atlas.add_chart({0, {}});
+  EXPECT_EQ(atlas.label(0, 0, atlas.surface().corner_cycle(0)), kIdentity);
+}
+
 TEST(Triangulation, CloneIsApart) {
   Triangulation triangulation(gallery()[1].surface);
   Triangulation copy = triangulation.clone();
