@@ -126,14 +126,10 @@ Certificate check_rules(const NetDocument& document, const CheckOptions& options
 }  // namespace
 
 Certificate check(const NetDocument& document, const CheckOptions& options) {
-  return check(document, options,
-               Budget(options.max_work != 0 ? options.max_work : work_allowed(least_bytes(document))));
-}
-
-Certificate check(const NetDocument& document, const CheckOptions& options, const Budget& budget) {
-  const std::uint64_t before = budget.left();
+  const std::uint64_t work = options.max_work != 0 ? options.max_work : work_allowed(least_bytes(document));
+  const Budget budget(work);
   Certificate certificate = check_rules(document, options, budget);
-  certificate.counts.work = before - budget.left();
+  certificate.counts.work = work - budget.left();
   return certificate;
 }
 

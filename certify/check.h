@@ -2,7 +2,6 @@
 
 #include "certify/document/document.h"
 #include "certify/document/report.h"
-#include "certify/numbers/budget.h"
 
 /// The checker: decides whether a document proves what it claims (docs/proof.md).
 namespace epsnet::certify {
@@ -16,8 +15,5 @@ namespace epsnet::certify {
 ///
 /// What needs more work than `max_work` in all is undecided; a rule that was refuted before stays refuted.
 [[nodiscard]] Certificate check(const NetDocument& document, const CheckOptions& options = {});
-
-/// The same, with an account of work that others draw on as well, instead of `max_work`.
-[[nodiscard]] Certificate check(const NetDocument& document, const CheckOptions& options, const Budget& budget);
 
 }  // namespace epsnet::certify

@@ -1,6 +1,7 @@
 #include "certify/geometry_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 

@@ -1,8 +1,10 @@
 #include "certify/lifted_triangle.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "certify/document/darts.h"
+#include "certify/numbers/rounding.h"
 
 namespace epsnet::certify {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "certify/document/darts.h"
 #include "certify/numbers/parallel.h"
+#include "certify/numbers/rounding.h"
 
 namespace epsnet::certify {
 namespace {

@@ -431,12 +431,13 @@ Certificate check_geodesics(const GeodesicsDocument& document, const CheckOption
     malformed.message = *problem;
     return malformed;
   }
-  const std::uint64_t work = options.max_work != 0 ? options.max_work : work_allowed(least_bytes(document));
-  const Budget budget(work);
-  Certificate certificate = check(document.net, options, budget);
+  CheckOptions bounded = options;
+  bounded.max_work = options.max_work != 0 ? options.max_work : work_allowed(least_bytes(document));
+  Certificate certificate = check(document.net, bounded);
   certificate.claim = claim_of(document);
   if (certificate.verdict != Verdict::verified) return certificate;
-  CheckOptions bounded = options;
+  // What the net has left of the work.
+  const Budget budget(bounded.max_work - certificate.counts.work);
   bounded.max_precision = std::clamp(options.max_precision, kLeastPrecision, kGreatestPrecision);
   if (document.net.triangles.size() > kMaxTriangles) {
     conclude(certificate, {{"geodesics", Verdict::undecided, "the net has more than the limit of 2^20 triangles"}});
@@ -450,7 +451,7 @@ Certificate check_geodesics(const GeodesicsDocument& document, const CheckOption
   } catch (const BudgetSpent& spent) {
     conclude(certificate, {{"geodesics", Verdict::undecided, spent.what()}});
   }
-  certificate.counts.work = work - budget.left();
+  certificate.counts.work = bounded.max_work - budget.left();
   return certificate;
 }
 

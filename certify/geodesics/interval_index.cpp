@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "certify/numbers/rounding.h"
+
 namespace epsnet::certify {
 
 void IntervalIndex::insert(Interval x, std::uint32_t item) {

@@ -6,6 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "certify/numbers/isometry.h"
+#include "certify/numbers/rounding.h"
 
 namespace epsnet::certify {
 namespace {
