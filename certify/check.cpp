@@ -43,92 +43,137 @@ Interval area_of(std::uint64_t genus) {
   return outer_interval(area.get());
 }
 
-/// All rules; work is not counted yet.
-Certificate check_rules(const NetDocument& document, const CheckOptions& options, const Budget& budget) {
-  const auto progress = [&](std::string_view rule) {
-    if (options.progress) options.progress(rule, 0);
-  };
+Certificate malformed(const std::string& problem) {
   Certificate certificate;
-  progress("structure");
-  if (const auto problem = structure_problem(document)) {
-    certificate.verdict = Verdict::malformed;
-    certificate.rule = "structure";
-    certificate.message = *problem;
-    return certificate;
-  }
-  certificate.claim =
-      document.collars ? "a pseudo epsilon-net: an epsilon-net of the epsilon-thick part" : "an epsilon-net";
-  certificate.counts.vertices = document.vertices.size();
-  certificate.counts.triangles = document.triangles.size();
-  certificate.counts.edges = 3 * document.triangles.size() / 2;
-  certificate.counts.tiles = number_of_tiles(document.surface);
-  certificate.counts.charts = document.charts.size();
-  certificate.counts.labels = document.labels.size();
-  if (document.collars) certificate.counts.collars = document.collars->size();
-  const unsigned threads = options.threads != 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1U);
-  CheckOptions bounded = options;
-  bounded.max_precision = std::clamp(options.max_precision, kLeastPrecision, kGreatestPrecision);
-
-  progress("surface");
-  SurfaceOutcome surface = check_surface(document.surface, threads, budget);
-  certificate.rules.push_back(surface.report);
-  if (surface.report.verdict != Verdict::verified) return conclude(std::move(certificate));
-  certificate.counts.genus = surface.genus;
-
-  progress("map");
-  certificate.rules.push_back(check_map(document, surface.genus));
-  if (certificate.rules.back().verdict != Verdict::verified) return conclude(std::move(certificate));
-
-  progress("gluing");
-  LabelParts parts{std::move(surface.crossings), {}, budget};
-  std::optional<LabelEvaluator> labels;
-  try {
-    parts.frames = chart_frames(document.charts, budget);
-    labels.emplace(document, parts);
-  } catch (const BudgetSpent& spent) {
-    certificate.rules.push_back({"gluing", Verdict::undecided, spent.what()});
-    return conclude(std::move(certificate));
-  }
-  const LabelEvaluator& evaluator = *labels;
-  const GluingOutcome gluing = check_gluing(document, evaluator, parts, bounded.max_precision, threads);
-  certificate.rules.push_back(gluing.report);
-  certificate.counts.label_identities = gluing.identities;
-  certificate.counts.max_precision_used = gluing.max_precision;
-  if (gluing.report.verdict == Verdict::refuted) return conclude(std::move(certificate));
-
-  std::optional<Interval> shortest_core;
-  if (document.collars) {
-    progress("collars");
-    const CollarsOutcome collars = check_collars(document, evaluator, parts, bounded.max_precision);
-    certificate.rules.push_back(collars.report);
-    certificate.counts.max_precision_used = std::max(certificate.counts.max_precision_used, collars.max_precision);
-    if (collars.report.verdict == Verdict::refuted) return conclude(std::move(certificate));
-    shortest_core = collars.shortest_core;
-  }
-
-  // An undecided gluing leaves the triangles what they are: their own rules can still be refuted.
-  GeometryOutcome geometry = check_geometry(document, evaluator, bounded, threads);
-  certificate.rules.insert(certificate.rules.end(), geometry.reports.begin(), geometry.reports.end());
-  certificate.counts.exact_ties = geometry.ties.size();
-  certificate.ties = std::move(geometry.ties);
-  certificate.counts.triangles_beyond_64_bits = geometry.triangles_beyond_64_bits;
-  certificate.counts.max_precision_used = std::max(certificate.counts.max_precision_used, geometry.max_precision);
-  certificate.enclosures = Enclosures{.epsilon = geometry.epsilon,
-                                      .area = area_of(surface.genus),
-                                      .largest_circumradius = geometry.largest_circumradius,
-                                      .longest_edge = geometry.longest_edge,
-                                      .shortest_edge = geometry.shortest_edge,
-                                      .shortest_loop = geometry.shortest_loop,
-                                      .shortest_core = shortest_core};
-  return conclude(std::move(certificate));
+  certificate.verdict = Verdict::malformed;
+  certificate.rule = "structure";
+  certificate.message = problem;
+  return certificate;
 }
+
+CheckOptions bounded(CheckOptions options) {
+  if (options.threads == 0) options.threads = std::max(std::thread::hardware_concurrency(), 1U);
+  options.max_precision = std::clamp(options.max_precision, kLeastPrecision, kGreatestPrecision);
+  return options;
+}
+
+/// The rules in their order, each with what the rules before it made; work is not counted yet.
+class RuleChecker {
+ public:
+  RuleChecker(const NetDocument& document, const CheckOptions& options, const Budget& budget)
+      : document_(document), options_(bounded(options)), parts_{{}, {}, budget} {}
+
+  Certificate run() {
+    progress("structure");
+    if (const auto problem = structure_problem(document_)) return malformed(*problem);
+    describe();
+    if (surface() && map() && gluing() && collars()) geometry();
+    return conclude(std::move(certificate_));
+  }
+
+ private:
+  void progress(std::string_view rule) const {
+    if (options_.progress) options_.progress(rule, 0);
+  }
+
+  /// Adds a report; whether its verdict is not `refuted`.
+  bool add(RuleReport report) {
+    certificate_.rules.push_back(std::move(report));
+    return certificate_.rules.back().verdict != Verdict::refuted;
+  }
+
+  void used(std::uint64_t precision) {
+    certificate_.counts.max_precision_used = std::max(certificate_.counts.max_precision_used, precision);
+  }
+
+  /// The claim, and what can be counted before anything is proved.
+  void describe() {
+    certificate_.claim =
+        document_.collars ? "a pseudo epsilon-net: an epsilon-net of the epsilon-thick part" : "an epsilon-net";
+    Counts& counts = certificate_.counts;
+    counts.vertices = document_.vertices.size();
+    counts.triangles = document_.triangles.size();
+    counts.edges = 3 * document_.triangles.size() / 2;
+    counts.tiles = number_of_tiles(document_.surface);
+    counts.charts = document_.charts.size();
+    counts.labels = document_.labels.size();
+    if (document_.collars) counts.collars = document_.collars->size();
+  }
+
+  // Each rule says whether the next one can be asked.
+
+  bool surface() {
+    progress("surface");
+    SurfaceOutcome outcome = check_surface(document_.surface, options_.threads, parts_.budget);
+    add(outcome.report);
+    if (outcome.report.verdict != Verdict::verified) return false;
+    certificate_.counts.genus = outcome.genus;
+    parts_.crossings = std::move(outcome.crossings);
+    return true;
+  }
+
+  bool map() {
+    progress("map");
+    add(check_map(document_, certificate_.counts.genus));
+    return certificate_.rules.back().verdict == Verdict::verified;
+  }
+
+  bool gluing() {
+    progress("gluing");
+    try {
+      parts_.frames = chart_frames(document_.charts, parts_.budget);
+      evaluator_.emplace(document_, parts_);
+    } catch (const BudgetSpent& spent) {
+      add({"gluing", Verdict::undecided, spent.what()});
+      return false;
+    }
+    const GluingOutcome outcome =
+        check_gluing(document_, *evaluator_, parts_, options_.max_precision, options_.threads);
+    certificate_.counts.label_identities = outcome.identities;
+    used(outcome.max_precision);
+    // An undecided gluing leaves the triangles what they are: their own rules can still be refuted.
+    return add(outcome.report);
+  }
+
+  bool collars() {
+    if (!document_.collars) return true;
+    progress("collars");
+    const CollarsOutcome outcome = check_collars(document_, *evaluator_, parts_, options_.max_precision);
+    used(outcome.max_precision);
+    shortest_core_ = outcome.shortest_core;
+    return add(outcome.report);
+  }
+
+  void geometry() {
+    GeometryOutcome outcome = check_geometry(document_, *evaluator_, options_, options_.threads);
+    for (RuleReport& report : outcome.reports) add(std::move(report));
+    certificate_.counts.exact_ties = outcome.ties.size();
+    certificate_.ties = std::move(outcome.ties);
+    certificate_.counts.triangles_beyond_64_bits = outcome.triangles_beyond_64_bits;
+    used(outcome.max_precision);
+    certificate_.enclosures = Enclosures{.epsilon = outcome.epsilon,
+                                         .area = area_of(certificate_.counts.genus),
+                                         .largest_circumradius = outcome.largest_circumradius,
+                                         .longest_edge = outcome.longest_edge,
+                                         .shortest_edge = outcome.shortest_edge,
+                                         .shortest_loop = outcome.shortest_loop,
+                                         .shortest_core = shortest_core_};
+  }
+
+  const NetDocument& document_;
+  CheckOptions options_;
+  LabelParts parts_;
+  std::optional<LabelEvaluator> evaluator_;  ///< From rule `gluing` on.
+  std::optional<Interval> shortest_core_;
+  Certificate certificate_;
+};
 
 }  // namespace
 
 Certificate check(const NetDocument& document, const CheckOptions& options) {
   const std::uint64_t work = options.max_work != 0 ? options.max_work : work_allowed(least_bytes(document));
   const Budget budget(work);
-  Certificate certificate = check_rules(document, options, budget);
+  Certificate certificate = RuleChecker(document, options, budget).run();
   certificate.counts.work = work - budget.left();
   return certificate;
 }
