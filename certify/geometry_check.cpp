@@ -10,6 +10,7 @@
 #include "certify/document/text.h"
 #include "certify/lifted_triangle.h"
 #include "certify/numbers/parallel.h"
+#include "certify/numbers/precision.h"
 
 namespace epsnet::certify {
 namespace {
@@ -29,8 +30,6 @@ constexpr Questions length_bit(std::uint32_t edge) { return static_cast<Question
 
 /// Bits of relative accuracy that a length must have before it counts as measured, for useful enclosures.
 constexpr slong kMeasuredBits = 30;
-/// Exact arithmetic is tried from this precision on: ties defeat every precision; near ties do not reach this one.
-constexpr slong kExactFrom = 256;
 /// Triangles handed to a thread at a time.
 constexpr std::size_t kBlock = 2048;
 /// Operations of balls that a triangle takes.
@@ -82,10 +81,6 @@ struct Findings {
   }
 };
 
-std::string text(Interval x) {
-  return std::string("[").append(shortest(x.lower)).append(", ").append(shortest(x.upper)).append("]");
-}
-
 /// From an interval of sinh² of a length to one of the length, times `factor` (1 or 2).
 Interval length_interval(Interval squared_sinh, slong factor) {
   Ball x;
@@ -119,17 +114,37 @@ std::optional<Rule> length_rule(const NetDocument& document, const CollarMembers
   return collars.are_partners(u, v) ? std::nullopt : std::optional(kPacking);
 }
 
+void refute_orientation(const NetDocument& document, std::uint32_t t, Findings& findings) {
+  findings.refute(kOrientation, t, triangle_name(document, t) + " is not strictly counterclockwise");
+}
+
+void refute_delaunay(const NetDocument& document, std::uint32_t dart, Findings& findings) {
+  findings.refute(kDelaunay, dart / 3,
+                  edge_name(document, dart) + " is not Delaunay: the cross-ratio has positive imaginary part");
+}
+
+/// Works on a question of rule `orientation` or `delaunay` without rounding; true if it is decided.
+bool examine_exactly(const NetDocument& document, const LabelEvaluator& evaluator, std::uint32_t t, Questions question,
+                     Findings& findings) {
+  if (question == kOrientationBit) {
+    if (!exact_orientation_is_feasible(document, evaluator, t)) return false;
+    if (exact_orientation(document, evaluator, t) <= 0) refute_orientation(document, t, findings);
+    return true;
+  }
+  const std::uint32_t dart = 3 * t + (question == delaunay_bit(0) ? 0 : question == delaunay_bit(1) ? 1 : 2);
+  if (!exact_cross_ratio_is_feasible(document, evaluator, dart)) return false;
+  const int sign = exact_cross_ratio_sign(document, evaluator, dart);
+  if (sign > 0) refute_delaunay(document, dart, findings);
+  if (sign == 0) findings.ties.push_back(dart);
+  return true;
+}
+
 /// One run over the open triangles at one precision.
 class Pass {
  public:
-  Pass(const NetDocument& document, const CollarMembers& collars, const LabelEvaluator& evaluator,
-       const LabelTable& labels, const mpq_class& epsilon, slong precision, bool last)
-      : document_(document),
-        collars_(collars),
-        evaluator_(evaluator),
-        labels_(labels),
-        precision_(precision),
-        last_(last) {
+  Pass(const NetDocument& document, const CollarMembers& collars, const LabelTable& labels, const mpq_class& epsilon,
+       slong precision, bool last)
+      : document_(document), collars_(collars), labels_(labels), precision_(precision), last_(last) {
     Ball radius;
     set_rational(radius.get(), epsilon, precision);
     epsilon_ = outer_interval(radius.get());
@@ -156,26 +171,11 @@ class Pass {
     return static_cast<Questions>(still_open);
   }
 
-  /// Works on a question of rule `orientation` or `delaunay` without rounding; true if it is decided.
-  bool examine_exactly(std::uint32_t t, Questions question, Findings& findings) const {
-    if (question == kOrientationBit) {
-      if (!exact_orientation_is_feasible(document_, evaluator_, t)) return false;
-      if (exact_orientation(document_, evaluator_, t) <= 0) refute_orientation(t, findings);
-      return true;
-    }
-    const std::uint32_t i = question == delaunay_bit(0) ? 0 : question == delaunay_bit(1) ? 1 : 2;
-    if (!exact_cross_ratio_is_feasible(document_, evaluator_, 3 * t + i)) return false;
-    const int sign = exact_cross_ratio_sign(document_, evaluator_, 3 * t + i);
-    if (sign > 0) refute_delaunay(t, i, findings);
-    if (sign == 0) findings.ties.push_back(3 * t + i);
-    return true;
-  }
-
  private:
   Questions examine_orientation(std::uint32_t t, LiftedTriangle& lifted, Findings& findings) const {
     lifted.measure_orientation(precision_);
     const Tri positive = certainly_positive(lifted.orientation.get());
-    if (positive == Tri::no) refute_orientation(t, findings);
+    if (positive == Tri::no) refute_orientation(document_, t, findings);
     return positive == Tri::unknown ? kOrientationBit : Questions{0};
   }
 
@@ -185,8 +185,8 @@ class Pass {
     const Interval squared = quotient(lifted.radius_numerator.get(), lifted.radius_denominator.get());
     if (inside == Tri::no) {
       findings.refute(kCovering, t,
-                      triangle_name(document_, t) + " has a circumradius in " + text(length_interval(squared, 1)) +
-                          ", greater than epsilon in " + text(epsilon_) +
+                      triangle_name(document_, t) + " has a circumradius in " + to_string(length_interval(squared, 1)) +
+                          ", greater than epsilon in " + to_string(epsilon_) +
                           (std::isinf(squared.upper) ? " (or no circumcircle)" : ""));
     }
     if (!last_ && (inside == Tri::unknown || (inside == Tri::yes && !measured(lifted.radius_numerator)) ||
@@ -213,7 +213,7 @@ class Pass {
       return 0;
     }
     const Tri positive = certainly_positive(lifted.cross_ratio.get());
-    if (positive == Tri::yes) refute_delaunay(t, i, findings);
+    if (positive == Tri::yes) refute_delaunay(document_, 3 * t + i, findings);
     return positive == Tri::unknown ? delaunay_bit(i) : Questions{0};
   }
 
@@ -226,8 +226,8 @@ class Pass {
     const Interval squared = quotient(lifted.squared_difference[i].get(), lifted.gap_product.get());
     if (short_edge == Tri::yes) {
       findings.refute(*rule, t,
-                      edge_name(document_, dart) + " has a length in " + text(length_interval(squared, 2)) +
-                          ", less than epsilon in " + text(epsilon_));
+                      edge_name(document_, dart) + " has a length in " + to_string(length_interval(squared, 2)) +
+                          ", less than epsilon in " + to_string(epsilon_));
     }
     if (!last_ && short_edge != Tri::yes &&
         (short_edge == Tri::unknown || !measured(lifted.squared_difference[i]) || !measured(lifted.gap_product))) {
@@ -238,20 +238,10 @@ class Pass {
     return short_edge == Tri::unknown ? length_bit(i) : Questions{0};
   }
 
-  void refute_orientation(std::uint32_t t, Findings& findings) const {
-    findings.refute(kOrientation, t, triangle_name(document_, t) + " is not strictly counterclockwise");
-  }
-
-  void refute_delaunay(std::uint32_t t, std::uint32_t i, Findings& findings) const {
-    findings.refute(kDelaunay, t,
-                    edge_name(document_, 3 * t + i) + " is not Delaunay: the cross-ratio has positive imaginary part");
-  }
-
   [[nodiscard]] static bool measured(const Ball& x) { return arb_rel_accuracy_bits(x.get()) >= kMeasuredBits; }
 
   const NetDocument& document_;
   const CollarMembers& collars_;
-  const LabelEvaluator& evaluator_;
   const LabelTable& labels_;
   slong precision_;
   bool last_;
@@ -426,112 +416,155 @@ class Questionnaire {
   bool measures_dropped_ = false;
 };
 
-RuleReport report(Rule rule, const NetDocument& document, const CollarMembers& collars, const Questionnaire& asked,
-                  const std::string& why) {
-  const Findings& findings = asked.findings();
-  if (findings.refuted[rule]) return {kRuleNames[rule], Verdict::refuted, findings.refuted[rule]->text};
-  const auto undecided = [&](const std::string& text) {
-    return RuleReport{kRuleNames[rule], Verdict::undecided, text};
-  };
-  for (std::size_t k = 0; k < asked.triangles().size(); ++k) {
-    const std::uint32_t t = asked.triangles()[k];
-    const Questions open = asked.open()[k];
+/// Asks all questions, and says what the answers prove.
+class GeometryChecker {
+ public:
+  GeometryChecker(const NetDocument& document, const LabelEvaluator& evaluator, const CheckOptions& options,
+                  unsigned threads)
+      : document_(document),
+        evaluator_(evaluator),
+        options_(options),
+        threads_(threads),
+        epsilon_(*parse_decimal(document.epsilon)),
+        collars_(document),
+        questions_(document, collars_),
+        why_(", with " + std::to_string(options.max_precision) + " bits") {}
+
+  GeometryOutcome run() {
+    bool all_asked = true;
+    try {
+      const auto attempt = [&](slong precision) {
+        all_asked = false;
+        ask(precision);
+        all_asked = is_last(precision);
+        decide_exactly(precision);
+        if (precision == kFirstPrecision) outcome_.triangles_beyond_64_bits = questions_.triangles().size();
+        return questions_.triangles().empty();
+      };
+      if (!questions_.triangles().empty()) with_rising_precision(options_.max_precision, attempt);
+    } catch (const BudgetSpent& spent) {
+      why_ = std::string(": ") + spent.what();
+    }
+    questions_.finish(all_asked);
+    enclose();
+    const std::array<std::string, 5> proved = proved_texts();
+    for (const Rule rule : kRules) {
+      if (rule == kThick && !collars_.pseudo()) break;
+      outcome_.reports.push_back(report(rule));
+      if (outcome_.reports.back().verdict == Verdict::verified) outcome_.reports.back().text = proved[rule];
+    }
+    return std::move(outcome_);
+  }
+
+ private:
+  [[nodiscard]] bool is_last(slong precision) const { return precision >= options_.max_precision; }
+
+  /// All open questions, in balls.
+  void ask(slong precision) {
+    evaluator_.budget().spend(kBallOperations * ball_work(static_cast<std::uint64_t>(precision)),
+                              questions_.triangles().size());
+    const LabelTable labels = needed_labels(document_, evaluator_, questions_.triangles(), precision,
+                                            std::min(4 * precision, 2 * options_.max_precision), threads_);
+    const Pass pass(document_, collars_, labels, epsilon_, precision, is_last(precision));
+    std::vector<std::unique_ptr<LiftedTriangle>> lifted(std::max(threads_, 1U));
+    questions_.ask(threads_, options_, [&](unsigned worker, std::uint32_t t, Questions open, Findings& findings) {
+      if (!lifted[worker]) lifted[worker] = std::make_unique<LiftedTriangle>();
+      return pass.examine(t, open, *lifted[worker], findings);
+    });
+    outcome_.max_precision = static_cast<std::uint64_t>(precision);
+  }
+
+  /// What is left of the rules that have ties, once, when the precision is high enough.
+  void decide_exactly(slong precision) {
+    if (decided_exactly_ || !(precision >= kExactFromForEdges || is_last(precision))) return;
+    decided_exactly_ = true;
+    for (const unsigned kinds : {unsigned{kOrientationBit}, unsigned{kDelaunayBits}}) {
+      questions_.ask_one_by_one(kinds, threads_, [&](std::uint32_t t, Questions question, Findings& findings) {
+        return examine_exactly(document_, evaluator_, t, question, findings);
+      });
+    }
+  }
+
+  void enclose() {
+    const Findings& all = questions_.findings();
+    Ball radius;
+    set_rational(radius.get(), epsilon_, 128);
+    outcome_.epsilon = outer_interval(radius.get());
+    outcome_.ties = all.ties;
+    std::sort(outcome_.ties.begin(), outcome_.ties.end());
+    if (const auto& x = all.circumradius.value()) outcome_.largest_circumradius = length_interval(*x, 1);
+    if (const auto& x = all.longest.value()) outcome_.longest_edge = length_interval(*x, 2);
+    if (const auto& x = all.shortest_edge.value()) outcome_.shortest_edge = length_interval(*x, 2);
+    if (const auto& x = all.shortest_loop.value()) outcome_.shortest_loop = length_interval(*x, 2);
+  }
+
+  /// By rule.
+  [[nodiscard]] std::array<std::string, 5> proved_texts() const {
+    const std::string edges = std::to_string(3 * document_.triangles.size() / 2);
+    return {"all " + std::to_string(document_.triangles.size()) + " triangles are strictly counterclockwise",
+            "all " + edges + " edges are Delaunay, " + std::to_string(outcome_.ties.size()) + " of them exact ties",
+            std::string("every circumradius") + (collars_.pseudo() ? " outside of collars" : "") +
+                " is at most epsilon; the largest lies in " + to_string(outcome_.largest_circumradius),
+            outcome_.shortest_edge
+                ? std::string("every edge between different vertices") +
+                      (collars_.pseudo() ? " that are not those of one collar" : "") +
+                      " is at least epsilon long; the shortest lies in " + to_string(*outcome_.shortest_edge)
+                : std::string("there is only one vertex, every edge is a loop"),
+            "every loop at a vertex of no collar is at least epsilon long"};
+  }
+
+  /// Without the text of a rule that is verified.
+  [[nodiscard]] RuleReport report(Rule rule) const {
+    const Findings& findings = questions_.findings();
+    if (findings.refuted[rule]) return {kRuleNames[rule], Verdict::refuted, findings.refuted[rule]->text};
+    for (std::size_t k = 0; k < questions_.triangles().size(); ++k) {
+      const auto undecided = undecided_text(rule, questions_.triangles()[k], questions_.open()[k]);
+      if (undecided) return {kRuleNames[rule], Verdict::undecided, *undecided + why_};
+    }
+    if (const auto refuted = questions_.dropped_for(rule)) {
+      return {kRuleNames[rule], Verdict::undecided,
+              std::string("not decided, as rule ") + kRuleNames[*refuted] + " is refuted"};
+    }
+    return {kRuleNames[rule], Verdict::verified, ""};
+  }
+
+  /// What a rule leaves open in triangle t, of which these questions are; nothing if that is nothing.
+  [[nodiscard]] std::optional<std::string> undecided_text(Rule rule, std::uint32_t t, Questions open) const {
     if (rule == kOrientation && (open & kOrientationBit)) {
-      return undecided(triangle_name(document, t) + ": not decided whether it is strictly counterclockwise" + why);
+      return triangle_name(document_, t) + ": not decided whether it is strictly counterclockwise";
     }
     if (rule == kCovering && (open & kCoveringBit)) {
-      return undecided(triangle_name(document, t) + ": not decided whether " +
-                       (collars.has_triangle(t) ? "it has a circumcircle" : "the circumradius is at most epsilon") +
-                       why);
+      return triangle_name(document_, t) + ": not decided whether " +
+             (collars_.has_triangle(t) ? "it has a circumcircle" : "the circumradius is at most epsilon");
     }
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (rule == kDelaunay && (open & delaunay_bit(i))) {
-        return undecided(edge_name(document, 3 * t + i) + ": not decided whether it is Delaunay" + why);
+        return edge_name(document_, 3 * t + i) + ": not decided whether it is Delaunay";
       }
-      if ((open & length_bit(i)) && length_rule(document, collars, 3 * t + i) == rule) {
-        return undecided(edge_name(document, 3 * t + i) + ": not decided whether it is at least epsilon long" + why);
+      if ((open & length_bit(i)) && length_rule(document_, collars_, 3 * t + i) == rule) {
+        return edge_name(document_, 3 * t + i) + ": not decided whether it is at least epsilon long";
       }
     }
+    return std::nullopt;
   }
-  if (const auto refuted = asked.dropped_for(rule)) {
-    return undecided(std::string("not decided, as rule ") + kRuleNames[*refuted] + " is refuted");
-  }
-  return {kRuleNames[rule], Verdict::verified, ""};
-}
+
+  const NetDocument& document_;
+  const LabelEvaluator& evaluator_;
+  const CheckOptions& options_;
+  unsigned threads_;
+  mpq_class epsilon_;
+  CollarMembers collars_;
+  Questionnaire questions_;
+  std::string why_;  ///< What is not decided is not.
+  bool decided_exactly_ = false;
+  GeometryOutcome outcome_;
+};
 
 }  // namespace
 
 GeometryOutcome check_geometry(const NetDocument& document, const LabelEvaluator& evaluator,
                                const CheckOptions& options, unsigned threads) {
-  const mpq_class epsilon = *parse_decimal(document.epsilon);
-  const CollarMembers collars(document);
-  Questionnaire questions(document, collars);
-  GeometryOutcome outcome;
-  const slong cap = options.max_precision;
-  std::string why = ", with " + std::to_string(cap) + " bits";
-  bool all_asked = true;
-  try {
-    bool exactly = false;
-    for (slong precision = std::min<slong>(64, cap); !questions.triangles().empty();
-         precision = std::min(2 * precision, cap)) {
-      const bool last = precision >= cap;
-      all_asked = false;
-      evaluator.budget().spend(kBallOperations * ball_work(static_cast<std::uint64_t>(precision)),
-                               questions.triangles().size());
-      const LabelTable labels = needed_labels(document, evaluator, questions.triangles(), precision,
-                                              std::min(4 * precision, 2 * cap), threads);
-      const Pass pass(document, collars, evaluator, labels, epsilon, precision, last);
-      std::vector<std::unique_ptr<LiftedTriangle>> lifted(std::max(threads, 1U));
-      questions.ask(threads, options, [&](unsigned worker, std::uint32_t t, Questions open, Findings& findings) {
-        if (!lifted[worker]) lifted[worker] = std::make_unique<LiftedTriangle>();
-        return pass.examine(t, open, *lifted[worker], findings);
-      });
-      all_asked = last;
-      outcome.max_precision = static_cast<std::uint64_t>(precision);
-      if (!exactly && (precision >= kExactFrom || last)) {
-        exactly = true;
-        for (const unsigned kinds : {unsigned{kOrientationBit}, unsigned{kDelaunayBits}}) {
-          questions.ask_one_by_one(kinds, threads, [&](std::uint32_t t, Questions question, Findings& findings) {
-            return pass.examine_exactly(t, question, findings);
-          });
-        }
-      }
-      if (precision == 64) outcome.triangles_beyond_64_bits = questions.triangles().size();
-      if (last) break;
-    }
-  } catch (const BudgetSpent& spent) {
-    why = std::string(": ") + spent.what();
-  }
-  questions.finish(all_asked);
-  const Findings& all = questions.findings();
-
-  Ball radius;
-  set_rational(radius.get(), epsilon, 128);
-  outcome.epsilon = outer_interval(radius.get());
-  outcome.ties = all.ties;
-  std::sort(outcome.ties.begin(), outcome.ties.end());
-  if (const auto& x = all.circumradius.value()) outcome.largest_circumradius = length_interval(*x, 1);
-  if (const auto& x = all.longest.value()) outcome.longest_edge = length_interval(*x, 2);
-  if (const auto& x = all.shortest_edge.value()) outcome.shortest_edge = length_interval(*x, 2);
-  if (const auto& x = all.shortest_loop.value()) outcome.shortest_loop = length_interval(*x, 2);
-
-  const std::string edges = std::to_string(3 * document.triangles.size() / 2);
-  const std::array<std::string, 5> proved{
-      "all " + std::to_string(document.triangles.size()) + " triangles are strictly counterclockwise",
-      "all " + edges + " edges are Delaunay, " + std::to_string(outcome.ties.size()) + " of them exact ties",
-      std::string("every circumradius") + (collars.pseudo() ? " outside of collars" : "") +
-          " is at most epsilon; the largest lies in " + text(outcome.largest_circumradius),
-      outcome.shortest_edge ? std::string("every edge between different vertices") +
-                                  (collars.pseudo() ? " that are not those of one collar" : "") +
-                                  " is at least epsilon long; the shortest lies in " + text(*outcome.shortest_edge)
-                            : std::string("there is only one vertex, every edge is a loop"),
-      "every loop at a vertex of no collar is at least epsilon long"};
-  for (const Rule rule : kRules) {
-    if (rule == kThick && !collars.pseudo()) break;
-    outcome.reports.push_back(report(rule, document, collars, questions, why));
-    if (outcome.reports.back().verdict == Verdict::verified) outcome.reports.back().text = proved[rule];
-  }
-  return outcome;
+  return GeometryChecker(document, evaluator, options, threads).run();
 }
 
 }  // namespace epsnet::certify

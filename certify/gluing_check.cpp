@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <compare>
+#include <numeric>
 #include <set>
 #include <span>
 #include <string>
 
 #include "certify/document/darts.h"
 #include "certify/numbers/parallel.h"
+#include "certify/numbers/precision.h"
 #include "certify/surface_check.h"
 
 namespace epsnet::certify {
@@ -88,6 +90,136 @@ std::string edge_text(const Item& item) {
          std::to_string(l[1]) + ", " + std::to_string(l[3]) + " on the other";
 }
 
+/// The equations, and which of them hold.
+class GluingChecker {
+ public:
+  GluingChecker(const NetDocument& document, const LabelEvaluator& evaluator, const LabelParts& parts,
+                long max_precision, unsigned threads)
+      : document_(document),
+        evaluator_(evaluator),
+        parts_(parts),
+        max_precision_(max_precision),
+        threads_(threads),
+        items_(collect(document)),
+        pending_(items_.size()),
+        charts_(items_, [](const Item& item, auto& numbers) { numbers.push_back(item.equation.chart); }),
+        tiles_(items_,
+               [&](const Item& item, auto& numbers) { numbers.push_back(document.charts[item.equation.chart].tile); }),
+        disks_(tiles_.size()) {
+    std::iota(pending_.begin(), pending_.end(), std::size_t{0});
+  }
+
+  GluingOutcome run() {
+    std::string why = ", with " + std::to_string(max_precision_) + " bits";
+    try {
+      find_disks();
+      const auto attempt = [&](slong precision) {
+        decide(precision);
+        return pending_.empty();
+      };
+      if (!pending_.empty()) with_rising_precision(max_precision_, attempt);
+    } catch (const BudgetSpent& spent) {
+      why = std::string(": ") + spent.what();
+    }
+    return {report(why), items_.size(), bits_used_};
+  }
+
+ private:
+  /// One disk for each tile that carries an equation; a tile without a disk (never seen) leaves its equations
+  /// undecided.
+  void find_disks() {
+    for_each_parallel(tiles_.size(), threads_, [&](unsigned, std::size_t i) {
+      disks_[i] = inscribed_disk(document_.surface, tiles_[i], max_precision_, parts_.budget);
+    });
+  }
+
+  [[nodiscard]] const std::optional<InscribedDisk>& disk_of(std::uint32_t chart) const {
+    return disks_[tiles_.index(document_.charts[chart].tile)];
+  }
+
+  /// Asks all that are pending, and forgets those that are decided.
+  void decide(slong precision) {
+    spend(precision);
+    bits_used_ = static_cast<std::uint64_t>(precision);
+    const SortedNumbers numbers(pending_, [&](std::size_t i, auto& result) {
+      for (const std::uint32_t number : items_[i].equation.labels) {
+        if (number != 0) result.push_back(number);
+      }
+    });
+    const std::vector<BallIsometry> labels =
+        evaluator_.evaluate(numbers.values(), precision, std::min(4 * precision, 2 * max_precision_), threads_);
+    const std::vector<BallIsometry> bases = bases_of_charts(precision);
+    for_each_parallel(pending_.size(), threads_, [&](unsigned, std::size_t p) {
+      Item& item = items_[pending_[p]];
+      const auto& disk = disk_of(item.equation.chart);
+      if (!disk) return;
+      std::array<const BallIsometry*, 4> factors{};
+      for (std::size_t i = 0; i < 4; ++i) {
+        const std::uint32_t number = item.equation.labels[i];
+        factors[i] = number == 0 ? nullptr : &labels[numbers.index(number)];
+      }
+      item.holds = holds(factors, bases[charts_.index(item.equation.chart)], disk->sinh_radius, precision);
+    });
+    forget_decided();
+  }
+
+  void spend(slong precision) const {
+    const auto bits_used = static_cast<std::uint64_t>(precision);
+    parts_.budget.spend(100 * ball_work(bits_used), pending_.size());
+    for (const std::uint32_t chart : charts_.values()) {
+      const std::size_t disk_bits = disk_of(chart) ? bits(disk_of(chart)->centre) : 0;
+      parts_.budget.spend(to_balls_work(bits(parts_.frames[chart]) + disk_bits, bits_used));
+    }
+  }
+
+  /// From 0 to the disk's centre, in the coordinates of each chart.
+  [[nodiscard]] std::vector<BallIsometry> bases_of_charts(slong precision) const {
+    std::vector<BallIsometry> bases(charts_.size());
+    for_each_parallel(charts_.size(), threads_, [&](unsigned, std::size_t i) {
+      const auto& disk = disk_of(charts_[i]);
+      if (disk) {
+        bases[i] = to_balls(compose(inverse(parts_.frames[charts_[i]]), translation_to(disk->centre)), precision);
+      }
+    });
+    return bases;
+  }
+
+  /// Only an equation before the first that is wrong can change the answer.
+  void forget_decided() {
+    const auto wrong =
+        std::find_if(items_.begin(), items_.end(), [](const Item& item) { return item.holds == Tri::no; });
+    std::erase_if(pending_, [&](std::size_t i) {
+      return items_[i].holds != Tri::unknown || items_.begin() + static_cast<std::ptrdiff_t>(i) > wrong;
+    });
+  }
+
+  [[nodiscard]] RuleReport report(const std::string& why) const {
+    for (const Tri wrong : {Tri::no, Tri::unknown}) {
+      const auto found =
+          std::find_if(items_.begin(), items_.end(), [&](const Item& item) { return item.holds == wrong; });
+      if (found == items_.end()) continue;
+      return {"gluing", wrong == Tri::no ? Verdict::refuted : Verdict::undecided,
+              edge_text(*found) + (wrong == Tri::no ? ": the two triangles do not fit, the labels differ in the group"
+                                                    : ": not decided whether the labels agree in the group" + why)};
+    }
+    return {"gluing", Verdict::verified,
+            "the triangles fit across every edge; " + std::to_string(items_.size()) +
+                " different equations of labels hold in the group of the surface"};
+  }
+
+  const NetDocument& document_;
+  const LabelEvaluator& evaluator_;
+  const LabelParts& parts_;
+  slong max_precision_;
+  unsigned threads_;
+  std::vector<Item> items_;
+  std::vector<std::size_t> pending_;  ///< Those that are not decided and matter.
+  SortedNumbers charts_;
+  SortedNumbers tiles_;
+  std::vector<std::optional<InscribedDisk>> disks_;  ///< By place in tiles_.
+  std::uint64_t bits_used_ = 0;
+};
+
 }  // namespace
 
 Tri is_identity(const BallIsometry& element, const Ball& sinh_radius, slong precision) {
@@ -101,87 +233,7 @@ Tri is_identity(const BallIsometry& element, const Ball& sinh_radius, slong prec
 
 GluingOutcome check_gluing(const NetDocument& document, const LabelEvaluator& evaluator, const LabelParts& parts,
                            long max_precision, unsigned threads) {
-  std::vector<Item> items = collect(document);
-  GluingOutcome outcome;
-  outcome.report.rule = "gluing";
-  outcome.identities = items.size();
-  outcome.max_precision = 0;
-
-  // One disk for each tile that carries an equation; a tile without a disk (never seen) leaves its equations undecided.
-  const SortedNumbers charts(items, [](const Item& item, auto& numbers) { numbers.push_back(item.equation.chart); });
-  const SortedNumbers tiles(
-      items, [&](const Item& item, auto& numbers) { numbers.push_back(document.charts[item.equation.chart].tile); });
-  std::vector<std::optional<InscribedDisk>> disks(tiles.size());
-  const auto disk_of = [&](std::uint32_t chart) -> const std::optional<InscribedDisk>& {
-    return disks[tiles.index(document.charts[chart].tile)];
-  };
-
-  std::vector<std::size_t> pending(items.size());
-  for (std::size_t i = 0; i < pending.size(); ++i) pending[i] = i;
-  std::string why = ", with " + std::to_string(max_precision) + " bits";
-  try {
-    for_each_parallel(tiles.size(), threads, [&](unsigned, std::size_t i) {
-      disks[i] = inscribed_disk(document.surface, tiles[i], max_precision, parts.budget);
-    });
-    for (slong precision = 64; !pending.empty(); precision = std::min(2 * precision, max_precision)) {
-      const auto bits_used = static_cast<std::uint64_t>(precision);
-      parts.budget.spend(100 * ball_work(bits_used), pending.size());
-      for (const std::uint32_t chart : charts.values()) {
-        const std::size_t disk_bits = disk_of(chart) ? bits(disk_of(chart)->centre) : 0;
-        parts.budget.spend(to_balls_work(bits(parts.frames[chart]) + disk_bits, bits_used));
-      }
-      outcome.max_precision = bits_used;
-      const SortedNumbers numbers(pending, [&](std::size_t i, auto& result) {
-        for (const std::uint32_t number : items[i].equation.labels) {
-          if (number != 0) result.push_back(number);
-        }
-      });
-      const std::vector<BallIsometry> labels =
-          evaluator.evaluate(numbers.values(), precision, std::min(4 * precision, 2 * max_precision), threads);
-      // From 0 to the disk's centre, in the coordinates of each chart.
-      std::vector<BallIsometry> bases(charts.size());
-      for_each_parallel(charts.size(), threads, [&](unsigned, std::size_t i) {
-        const auto& disk = disk_of(charts[i]);
-        if (disk) {
-          bases[i] = to_balls(compose(inverse(parts.frames[charts[i]]), translation_to(disk->centre)), precision);
-        }
-      });
-      for_each_parallel(pending.size(), threads, [&](unsigned, std::size_t p) {
-        Item& item = items[pending[p]];
-        const auto& disk = disk_of(item.equation.chart);
-        if (!disk) return;
-        std::array<const BallIsometry*, 4> factors{};
-        for (std::size_t i = 0; i < 4; ++i) {
-          const std::uint32_t number = item.equation.labels[i];
-          factors[i] = number == 0 ? nullptr : &labels[numbers.index(number)];
-        }
-        item.holds = holds(factors, bases[charts.index(item.equation.chart)], disk->sinh_radius, precision);
-      });
-      const auto wrong =
-          std::find_if(items.begin(), items.end(), [](const Item& item) { return item.holds == Tri::no; });
-      // Only an equation before the first that is wrong can change the answer.
-      std::erase_if(pending, [&](std::size_t i) {
-        return items[i].holds != Tri::unknown || items.begin() + static_cast<std::ptrdiff_t>(i) > wrong;
-      });
-      if (precision >= max_precision) break;
-    }
-  } catch (const BudgetSpent& spent) {
-    why = std::string(": ") + spent.what();
-  }
-
-  for (const Tri wrong : {Tri::no, Tri::unknown}) {
-    const auto found = std::find_if(items.begin(), items.end(), [&](const Item& item) { return item.holds == wrong; });
-    if (found == items.end()) continue;
-    outcome.report.verdict = wrong == Tri::no ? Verdict::refuted : Verdict::undecided;
-    outcome.report.text =
-        edge_text(*found) + (wrong == Tri::no ? ": the two triangles do not fit, the labels differ in the group"
-                                              : ": not decided whether the labels agree in the group" + why);
-    return outcome;
-  }
-  outcome.report.verdict = Verdict::verified;
-  outcome.report.text = "the triangles fit across every edge; " + std::to_string(items.size()) +
-                        " different equations of labels hold in the group of the surface";
-  return outcome;
+  return GluingChecker(document, evaluator, parts, max_precision, threads).run();
 }
 
 }  // namespace epsnet::certify

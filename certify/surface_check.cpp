@@ -4,7 +4,9 @@
 #include <string>
 
 #include "certify/document/surface_sides.h"
+#include "certify/numbers/ball_vector.h"
 #include "certify/numbers/parallel.h"
+#include "certify/numbers/precision.h"
 
 namespace epsnet::certify {
 namespace {
@@ -15,6 +17,9 @@ constexpr slong kAnglePrecision = 128;
 /// Bits for the radius of a regular polygon's inscribed circle, which is only compared with what is 0 or twice as
 /// large.
 constexpr slong kApothemPrecision = 128;
+
+/// Bits of the first attempt to find an inscribed disk.
+constexpr slong kFirstDiskPrecision = 128;
 
 using Problem = std::optional<std::string>;
 using ExactTile = std::vector<ExactPoint>;
@@ -119,10 +124,10 @@ class SurfaceChecker {
       return outcome;
     }
     outcome.report.verdict = Verdict::verified;
-    outcome.report.text = "a closed hyperbolic surface of genus " + std::to_string(genus_) + ": " +
-                          std::to_string(tiles_.size()) + " convex tiles, " +
-                          std::to_string(sides_.partner.size() / 2) + " pairs of sides of exactly equal length, " +
-                          std::to_string(cycles_) + " vertex cycles that close up exactly with total angle 2*pi";
+    outcome.report.text =
+        "a closed hyperbolic surface of genus " + std::to_string(genus_) + ": " + std::to_string(tiles_.size()) +
+        " convex tiles, " + std::to_string(sides_.partner.size() / 2) + " pairs of sides of exactly equal length, " +
+        std::to_string(vertices_.size()) + " vertex cycles that close up exactly with total angle 2*pi";
     outcome.genus = genus_;
     outcome.crossings = RationalCrossings(std::move(crossings_));
     return outcome;
@@ -131,8 +136,6 @@ class SurfaceChecker {
  private:
   const ExactPoint& start(std::size_t side) const { return tiles_[sides_.tile[side]][sides_.corner[side]]; }
   const ExactPoint& end(std::size_t side) const { return start(sides_.next[side]); }
-  /// Crossing the side that leaves a vertex leads to the corner where the partner ends; the side that leaves it there.
-  std::size_t across(std::size_t side) const { return sides_.next[sides_.partner[side]]; }
 
   /// Three determinants of three vectors, and a crossing and an angle, for each corner: numbers of some four times the
   /// bits of a vertex, and two greatest common divisors.
@@ -142,14 +145,12 @@ class SurfaceChecker {
 
   Problem connection_problem() const {
     std::vector<char> reached(tiles_.size(), 0);
-    std::vector<std::uint32_t> first_side(tiles_.size());
-    for (std::size_t s = sides_.tile.size(); s-- > 0;) first_side[sides_.tile[s]] = static_cast<std::uint32_t>(s);
     std::vector<std::uint32_t> pending{0};
     reached[0] = 1;
     while (!pending.empty()) {
       const std::uint32_t t = pending.back();
       pending.pop_back();
-      for (std::size_t s = first_side[t]; s < first_side[t] + tiles_[t].size(); ++s) {
+      for (std::size_t s = sides_.first[t]; s < sides_.first[t] + tiles_[t].size(); ++s) {
         const std::uint32_t neighbour = sides_.tile[sides_.partner[s]];
         if (!reached[neighbour]) {
           reached[neighbour] = 1;
@@ -180,14 +181,8 @@ class SurfaceChecker {
   }
 
   Problem vertex_problem() {
-    std::vector<char> visited(sides_.partner.size(), 0);
-    std::vector<std::size_t> firsts;  // One side for each vertex.
-    for (std::size_t first = 0; first < visited.size(); ++first) {
-      if (visited[first]) continue;
-      firsts.push_back(first);
-      for (std::size_t s = first; !visited[s]; s = across(s)) visited[s] = 1;
-    }
-    const auto found = first_problem(firsts.size(), threads_, [&](std::size_t i) { return problem_around(firsts[i]); });
+    const auto found =
+        first_problem(vertices_.size(), threads_, [&](std::size_t i) { return problem_around(vertices_[i]); });
     if (!found) return std::nullopt;
     undecided_ = found->undecided;
     return found->text;
@@ -199,17 +194,17 @@ class SurfaceChecker {
   };
 
   /// Around every vertex the crossings multiply to the identity, exactly, and the angles to one full turn.
-  [[nodiscard]] std::optional<AngleProblem> problem_around(std::size_t first) const {
+  [[nodiscard]] std::optional<AngleProblem> problem_around(std::uint32_t first) const {
     std::vector<const ExactIsometry*> path;
     Ball angle, turn, sum;
     arb_const_pi(turn.get(), kAnglePrecision);
     arb_mul_2exp_si(turn.get(), turn.get(), 1);
-    std::size_t s = first;
+    std::uint32_t s = first;
     do {
       path.push_back(&crossings_[s]);
       interior_angle(angle.get(), start(s), end(s), start(sides_.previous[s]));
       arb_add(sum.get(), sum.get(), angle.get(), kAnglePrecision);
-      s = across(s);
+      s = sides_.next_around(s);
     } while (s != first);
     // A tree of products; each of its levels has all the bits.
     std::size_t path_bits = 0;
@@ -230,14 +225,9 @@ class SurfaceChecker {
   }
 
   Problem genus_problem() {
-    std::vector<char> visited(sides_.partner.size(), 0);
-    for (std::size_t first = 0; first < visited.size(); ++first) {
-      if (visited[first]) continue;
-      ++cycles_;
-      for (std::size_t s = first; !visited[s]; s = across(s)) visited[s] = 1;
-    }
-    const auto euler =
-        static_cast<std::int64_t>(cycles_ + tiles_.size()) - static_cast<std::int64_t>(sides_.partner.size() / 2);
+    vertices_ = sides_.vertices();
+    const auto euler = static_cast<std::int64_t>(vertices_.size() + tiles_.size()) -
+                       static_cast<std::int64_t>(sides_.partner.size() / 2);
     if (euler == 2) return "the surface is a sphere, expected genus at least 2";
     if (euler == 0) return "the surface is a torus, expected genus at least 2";
     // An oriented closed connected surface has even characteristic at most 2; anything else is a fault of ours.
@@ -251,93 +241,100 @@ class SurfaceChecker {
   const Budget& budget_;
   std::vector<ExactTile> tiles_;
   std::vector<ExactIsometry> crossings_;
-  std::size_t cycles_ = 0;
+  std::vector<std::uint32_t> vertices_;  ///< One side that leaves it for each vertex of the surface.
   std::uint64_t genus_ = 0;
   bool undecided_ = false;
 };
 
 /// (2x, 2y, 1 + |z|²) in balls, a positive multiple of the point of the hyperboloid.
-struct BallVector {
-  Ball x;
-  Ball y;
-  Ball t;
-};
-
 BallVector ball_vector(const ExactPoint& z, slong precision) {
   BallVector v;
-  set_integer(v.x.get(), 2 * z.m * z.n.re, precision);
-  set_integer(v.y.get(), 2 * z.m * z.n.im, precision);
-  set_integer(v.t.get(), norm(z.n) + z.m * z.m, precision);
+  set_integer(v[0], 2 * z.m * z.n.re, precision);
+  set_integer(v[1], 2 * z.m * z.n.im, precision);
+  set_integer(v[2], norm(z.n) + z.m * z.m, precision);
   return v;
 }
 
-/// A point inside the tile near the mean of its vertices in the Klein model, with about `precision` bits.
-ExactPoint approximate_centre(const ExactTile& tile, slong precision) {
-  Ball x, y, part;
+/// The mean of the tile's vertices in the Klein model, in balls.
+std::array<Ball, 2> klein_mean(const ExactTile& tile, slong precision) {
+  std::array<Ball, 2> mean;
+  Ball part;
   for (const ExactPoint& vertex : tile) {
     const BallVector v = ball_vector(vertex, precision);
-    arb_div(part.get(), v.x.get(), v.t.get(), precision);
-    arb_add(x.get(), x.get(), part.get(), precision);
-    arb_div(part.get(), v.y.get(), v.t.get(), precision);
-    arb_add(y.get(), y.get(), part.get(), precision);
+    for (std::size_t i = 0; i < 2; ++i) {
+      arb_div(part.get(), v[i], v[2], precision);
+      arb_add(mean[i].get(), mean[i].get(), part.get(), precision);
+    }
   }
-  // From Klein k to Poincaré k/(1 + √(1 − |k|²)). Only a good guess is needed, so midpoints do.
+  for (Ball& x : mean) arb_div_ui(x.get(), x.get(), static_cast<ulong>(tile.size()), precision);
+  return mean;
+}
+
+/// From the Klein model, k, to the Poincaré disk, k/(1 + √(1 − |k|²)).
+void klein_to_poincare(std::array<Ball, 2>& k, slong precision) {
   Ball root, square;
-  const auto size = static_cast<ulong>(tile.size());
-  arb_div_ui(x.get(), x.get(), size, precision);
-  arb_div_ui(y.get(), y.get(), size, precision);
-  arb_get_mid_arb(x.get(), x.get());
-  arb_get_mid_arb(y.get(), y.get());
-  arb_sqr(root.get(), x.get(), precision);
-  arb_sqr(square.get(), y.get(), precision);
+  arb_sqr(root.get(), k[0].get(), precision);
+  arb_sqr(square.get(), k[1].get(), precision);
   arb_add(root.get(), root.get(), square.get(), precision);
   arb_sub_ui(root.get(), root.get(), 1, precision);
   arb_neg(root.get(), root.get());
   arb_sqrtpos(root.get(), root.get(), precision);
   arb_add_ui(root.get(), root.get(), 1, precision);
-  arb_div(x.get(), x.get(), root.get(), precision);
-  arb_div(y.get(), y.get(), root.get(), precision);
-  // The centre is the integer nearest to 2^precision times the guess, over 2^precision.
-  ExactPoint centre;
-  centre.m = 1;
-  mpz_mul_2exp(centre.m.get_mpz_t(), centre.m.get_mpz_t(), static_cast<mp_bitcnt_t>(precision));
+  for (Ball& x : k) arb_div(x.get(), x.get(), root.get(), precision);
+}
+
+/// The integer nearest to 2^precision times the midpoint of x; 0 if x is not finite.
+mpz_class scaled_to_integer(Ball x, slong precision) {
+  mpz_class result;
+  arb_mul_2exp_si(x.get(), x.get(), precision);
+  if (!arb_is_finite(x.get())) return result;
   fmpz_t integer;
   fmpz_init(integer);
-  for (const auto& [ball, target] : {std::pair{&x, &centre.n.re}, std::pair{&y, &centre.n.im}}) {
-    arb_mul_2exp_si(ball->get(), ball->get(), precision);
-    if (!arb_is_finite(ball->get())) continue;  // Leaves 0, which the caller tests like any other guess.
-    arf_get_fmpz(integer, arb_midref(ball->get()), ARF_RND_NEAR);
-    fmpz_get_mpz(target->get_mpz_t(), integer);
-  }
+  arf_get_fmpz(integer, arb_midref(x.get()), ARF_RND_NEAR);
+  fmpz_get_mpz(result.get_mpz_t(), integer);
   fmpz_clear(integer);
-  return centre;
+  return result;
+}
+
+/// A point inside the tile near the mean of its vertices in the Klein model, with about `precision` bits. Only a good
+/// guess is needed, which the caller tests: midpoints do.
+ExactPoint approximate_centre(const ExactTile& tile, slong precision) {
+  std::array<Ball, 2> centre = klein_mean(tile, precision);
+  for (Ball& x : centre) arb_get_mid_arb(x.get(), x.get());
+  klein_to_poincare(centre, precision);
+  ExactPoint result{{scaled_to_integer(centre[0], precision), scaled_to_integer(centre[1], precision)}, 1};
+  mpz_mul_2exp(result.m.get_mpz_t(), result.m.get_mpz_t(), static_cast<mp_bitcnt_t>(precision));
+  return result;
 }
 
 /// sinh of the distance of z from the line through p and q, positive on its left: det(p, q, z)/(|p × q| |z|) with the
 /// Lorentz norms |p × q|² = ⟨p,q⟩² − ⟨p,p⟩⟨q,q⟩ and |z|² = −⟨z,z⟩ = (1−|z|²)².
 void sinh_distance(arb_ptr result, const ExactPoint& z, const ExactPoint& p, const ExactPoint& q, slong precision) {
-  const BallVector u = ball_vector(p, precision);
-  const BallVector v = ball_vector(q, precision);
-  const BallVector w = ball_vector(z, precision);
-  // The normal p × q (Euclidean cross product); its Lorentz norm is x² + y² − t².
-  Ball x, y, t, size, product;
-  const auto cross = [&](Ball& out, const Ball& a, const Ball& b, const Ball& c, const Ball& d) {
-    arb_mul(out.get(), a.get(), d.get(), precision);
-    arb_submul(out.get(), b.get(), c.get(), precision);
-  };
-  cross(x, u.y, u.t, v.y, v.t);
-  cross(y, u.t, u.x, v.t, v.x);
-  cross(t, u.x, u.y, v.x, v.y);
-  arb_sqr(size.get(), x.get(), precision);
-  arb_addmul(size.get(), y.get(), y.get(), precision);
-  arb_submul(size.get(), t.get(), t.get(), precision);
+  const BallVector normal = cross_product(ball_vector(p, precision), ball_vector(q, precision), precision);
+  Ball size, product;
+  lorentz_product(size.get(), normal, normal, precision);
   arb_sqrt(size.get(), size.get(), precision);
   set_integer(product.get(), gap(z), precision);
   arb_mul(size.get(), size.get(), product.get(), precision);
-  arb_mul(result, x.get(), w.x.get(), precision);
-  arb_addmul(result, y.get(), w.y.get(), precision);
-  arb_addmul(result, t.get(), w.t.get(), precision);
+  dot(result, normal, ball_vector(z, precision), precision);
   arb_div(result, result, size.get(), precision);
+}
+
+/// The disk about a point that touches the first of the tile's sides; nothing unless the point is certainly inside.
+std::optional<InscribedDisk> disk_about(ExactPoint centre, const ExactTile& tile, slong precision) {
+  if (gap(centre) <= 0) return std::nullopt;
+  InscribedDisk disk{std::move(centre), {}};
+  Ball distance;
+  for (std::size_t k = 0; k < tile.size(); ++k) {
+    sinh_distance(distance.get(), disk.centre, tile[k], tile[(k + 1) % tile.size()], precision);
+    if (certainly_positive(distance.get()) != Tri::yes) return std::nullopt;
+    if (k == 0) {
+      disk.sinh_radius = distance;
+    } else {
+      arb_min(disk.sinh_radius.get(), disk.sinh_radius.get(), distance.get(), precision);
+    }
+  }
+  return disk;
 }
 
 /// What holds by theorem for the regular 4g-gon with angles π/(2g), opposite sides glued (docs/proof.md, section 9).
@@ -378,25 +375,15 @@ std::optional<InscribedDisk> inscribed_disk(const SurfaceDocument::Tile& tile, l
     budget.spend(exact_point_work(vertex));
     exact.push_back(exact_point(vertex));
   }
-  for (slong precision = 128; precision <= std::max(2 * cap, 128L); precision *= 2) {
+  std::optional<InscribedDisk> disk;
+  const auto attempt = [&](slong precision) {
     budget.spend(80 * ball_work(static_cast<std::uint64_t>(precision)), exact.size());
     for (const ExactPoint& vertex : exact) budget.spend(4 * product_work(bits(vertex)));
-    InscribedDisk disk{approximate_centre(exact, precision), {}};
-    if (gap(disk.centre) <= 0) continue;
-    bool inside = true;
-    Ball distance;
-    for (std::size_t k = 0; k < exact.size() && inside; ++k) {
-      sinh_distance(distance.get(), disk.centre, exact[k], exact[(k + 1) % exact.size()], precision);
-      inside = certainly_positive(distance.get()) == Tri::yes;
-      if (k == 0) {
-        disk.sinh_radius = distance;
-      } else {
-        arb_min(disk.sinh_radius.get(), disk.sinh_radius.get(), distance.get(), precision);
-      }
-    }
-    if (inside) return disk;
-  }
-  return std::nullopt;
+    disk = disk_about(approximate_centre(exact, precision), exact, precision);
+    return disk.has_value();
+  };
+  with_rising_precision(std::max(2 * cap, kFirstDiskPrecision), attempt, kFirstDiskPrecision);
+  return disk;
 }
 
 std::optional<InscribedDisk> inscribed_disk(const SurfaceDocument& surface, std::uint32_t tile, long cap,

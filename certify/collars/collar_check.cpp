@@ -7,6 +7,7 @@
 #include "certify/document/darts.h"
 #include "certify/document/text.h"
 #include "certify/gluing_check.h"
+#include "certify/numbers/precision.h"
 #include "certify/surface_check.h"
 
 namespace epsnet::certify {
@@ -175,7 +176,7 @@ struct Clause {
 /// Clauses (d) to (g).
 std::vector<Clause> clauses(const NetDocument::Collar& collar, const Measures& m, slong precision) {
   const Interval length = outer_interval(m.length.get());
-  const std::string found = "the core has a length in [" + shortest(length.lower) + ", " + shortest(length.upper) + "]";
+  const std::string found = "the core has a length in " + to_string(length);
   Ball least, most, product;
   arb_set_d(least.get(), collar.length[0]);
   arb_set_d(most.get(), collar.length[1]);
@@ -236,20 +237,18 @@ class CollarChecker {
   /// Asks with more and more bits.
   template <class Question>
   void decide(const std::string& subject, CollarsOutcome& outcome, const Question& question) const {
-    for (slong precision = std::min<slong>(64, max_precision_);; precision = std::min(2 * precision, max_precision_)) {
+    Clause clause{Tri::unknown, ""};
+    with_rising_precision(max_precision_, [&](slong precision) {
       outcome.max_precision = std::max(outcome.max_precision, static_cast<std::uint64_t>(precision));
-      const Clause clause = question(precision);
-      if (clause.holds == Tri::yes) return;
-      if (clause.holds == Tri::no) {
-        outcome.report = {"collars", Verdict::refuted, subject + ": " + clause.otherwise};
-        return;
-      }
-      if (precision >= max_precision_) {
-        outcome.report = {"collars", Verdict::undecided,
-                          subject + ": not decided, with " + std::to_string(precision) +
-                              " bits, that it is not so that " + clause.otherwise};
-        return;
-      }
+      clause = question(precision);
+      return clause.holds != Tri::unknown;
+    });
+    if (clause.holds == Tri::no) {
+      outcome.report = {"collars", Verdict::refuted, subject + ": " + clause.otherwise};
+    } else if (clause.holds == Tri::unknown) {
+      outcome.report = {"collars", Verdict::undecided,
+                        subject + ": not decided, with " + std::to_string(max_precision_) +
+                            " bits, that it is not so that " + clause.otherwise};
     }
   }
 
@@ -328,9 +327,8 @@ class CollarChecker {
   [[nodiscard]] std::string proved(const CollarsOutcome& outcome) const {
     if (document_.collars->empty()) return "there are none, and epsilon is at most ln sqrt(2)";
     return std::to_string(document_.collars->size()) + " annuli of two triangles around closed geodesics no longer " +
-           "than epsilon, the shortest of a length in [" + shortest(outcome.shortest_core->lower) + ", " +
-           shortest(outcome.shortest_core->upper) +
-           "]; their vertices are in the thick part and cover what they have of it";
+           "than epsilon, the shortest of a length in " + to_string(*outcome.shortest_core) +
+           "; their vertices are in the thick part and cover what they have of it";
   }
 
   const NetDocument& document_;

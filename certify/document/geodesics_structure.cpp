@@ -12,8 +12,6 @@ namespace {
 
 using Problem = std::optional<std::string>;
 
-std::string at(const char* member, std::size_t row) { return std::string(member) + "[" + std::to_string(row) + "]: "; }
-
 /// What is wrong with a word that must lead from the tile to itself.
 Problem word_problem(const std::vector<std::uint32_t>& word, std::uint32_t tile, const SurfaceSides& sides) {
   std::uint32_t here = tile;
@@ -32,7 +30,7 @@ Problem word_problem(const std::vector<std::uint32_t>& word, std::uint32_t tile,
 
 Problem length_problem(Interval length) {
   if (std::isfinite(length.upper) && 0 < length.lower && length.lower <= length.upper) return std::nullopt;
-  return "the length [" + shortest(length.lower) + ", " + shortest(length.upper) + "] is not 0 < lo <= hi";
+  return "the length " + to_string(length) + " is not 0 < lo <= hi";
 }
 
 Problem geodesics_problem(const GeodesicsDocument& document) {

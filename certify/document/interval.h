@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace epsnet::certify {
 
 /// A closed interval with binary64 ends.
@@ -8,5 +10,8 @@ struct Interval {
   double upper;
   bool operator==(const Interval&) const = default;
 };
+
+/// "[lower, upper]", each end as the shortest decimal that reads back as the same binary64.
+[[nodiscard]] std::string to_string(Interval x);
 
 }  // namespace epsnet::certify

@@ -16,4 +16,16 @@ std::string_view name(Verdict verdict) {
   return "MALFORMED";
 }
 
+std::string to_string(const RuleReport& report) {
+  return report.rule + ": " + std::string(name(report.verdict)) + ": " + report.text;
+}
+
+std::string verdict_line(const Certificate& certificate, std::string_view subject) {
+  std::string line(name(certificate.verdict));
+  if (certificate.verdict == Verdict::verified) return line;
+  if (!subject.empty()) line.append(": ").append(subject);
+  if (certificate.verdict != Verdict::malformed) line += ": " + certificate.rule;
+  return line + ": " + certificate.message;
+}
+
 }  // namespace epsnet::certify

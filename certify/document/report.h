@@ -41,6 +41,9 @@ struct RuleReport {
   std::string text;  ///< What was proved, or the first element in file order that fails, with its numbers. One line.
 };
 
+/// "rule: VERDICT: text".
+[[nodiscard]] std::string to_string(const RuleReport& report);
+
 struct Counts {
   std::uint64_t vertices = 0;
   std::uint64_t edges = 0;
@@ -94,5 +97,10 @@ struct Certificate {
   std::optional<Enclosures> enclosures;      ///< Present if the geometry was evaluated.
   std::optional<GeodesicsCounts> geodesics;  ///< Present for a geodesics file whose net is verified.
 };
+
+/// The verdict and why it is none other, on one line: "VERIFIED", "REFUTED: rule: message", "UNDECIDED: rule: message"
+/// or "MALFORMED: message". `subject`, if it is not empty, says of what, after a verdict other than VERIFIED:
+/// "REFUTED: subject: rule: message".
+[[nodiscard]] std::string verdict_line(const Certificate& certificate, std::string_view subject = {});
 
 }  // namespace epsnet::certify

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "certify/document/interval.h"
 #include "certify/document/surface_sides.h"
 #include "certify/document/text.h"
 
@@ -10,8 +11,6 @@ namespace epsnet::certify {
 namespace {
 
 using Problem = std::optional<std::string>;
-
-std::string at(const char* member, std::size_t row) { return std::string(member) + "[" + std::to_string(row) + "]: "; }
 
 std::string out_of_range(const char* what, std::size_t index, std::size_t size) {
   return std::string(what) + " " + std::to_string(index) + " does not exist, expected less than " +
@@ -114,8 +113,8 @@ Problem collar_problem(const NetDocument& document, const SurfaceSides& sides) {
     }
     const auto [least, most] = collar.length;
     if (!(std::isfinite(most) && 0 <= least && least <= most)) {
-      return at("collars", row) + "the length [" + shortest(least) + ", " + shortest(most) +
-             "] is not an interval of numbers >= 0";
+      return at("collars", row) + "the length " + to_string(Interval{least, most}) +
+             " is not an interval of numbers >= 0";
     }
     const std::uint32_t v = collar.vertices[0];
     const std::uint32_t tile = document.charts[document.vertices[v].chart].tile;
@@ -158,6 +157,8 @@ Problem triangle_problem(const NetDocument& document) {
 }
 
 }  // namespace
+
+std::string at(const char* member, std::size_t row) { return std::string(member) + "[" + std::to_string(row) + "]: "; }
 
 Problem regular_genus_problem(std::uint32_t genus) {
   if (genus < 2) return "the genus is " + std::to_string(genus) + ", expected at least 2";

@@ -15,6 +15,9 @@ namespace epsnet::certify {
 inline constexpr std::uint32_t kMaxRegularGenus = 1000;
 inline constexpr std::size_t kMaxAboutBytes = std::size_t{1} << 20;
 
+/// The place of a row, at the beginning of a problem: "MEMBER[ROW]: ".
+[[nodiscard]] std::string at(const char* member, std::size_t row);
+
 /// What is wrong with the genus of a regular 4g-gon; nothing if it is in range.
 [[nodiscard]] std::optional<std::string> regular_genus_problem(std::uint32_t genus);
 

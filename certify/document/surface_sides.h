@@ -27,6 +27,22 @@ struct SurfaceSides {
     for (std::uint32_t s = 0; s < tile.size(); ++s) previous[next[s]] = s;
   }
 
+  /// The next side around a vertex of the surface, clockwise: across the side that leaves it, then the side that
+  /// leaves it there.
+  [[nodiscard]] std::uint32_t next_around(std::size_t side) const { return next[partner[side]]; }
+
+  /// The vertices of the surface, each by its first side that leaves it, in order. O(number of sides).
+  [[nodiscard]] std::vector<std::uint32_t> vertices() const {
+    std::vector<bool> visited(partner.size());
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t s = 0; s < visited.size(); ++s) {
+      if (visited[s]) continue;
+      result.push_back(s);
+      for (std::uint32_t around = s; !visited[around]; around = next_around(around)) visited[around] = true;
+    }
+    return result;
+  }
+
   std::vector<std::uint32_t> first;     ///< The first side of a tile.
   std::vector<std::uint32_t> tile;      ///< The tile of a side.
   std::vector<std::uint32_t> corner;    ///< The vertex of the tile where the side starts.

@@ -16,10 +16,6 @@ constexpr slong kTieBits = 30;
 /// Operations of balls that a candidate takes before its chords are looked for.
 constexpr std::uint64_t kJudgeOperations = 60;
 
-std::string text(Interval x) {
-  return std::string("[").append(shortest(x.lower)).append(", ").append(shortest(x.upper)).append("]");
-}
-
 }  // namespace
 
 /// All vertices at one precision.
@@ -190,7 +186,7 @@ class CompletenessCheck::Pass {
 
   [[nodiscard]] std::string missing_text(std::uint32_t v, const BallIsometry& element, const char* what) const {
     return "a closed geodesic near vertex " + std::to_string(v) + " of length in " +
-           text(translation_length(element, plane_.precision())) + " " + what;
+           to_string(translation_length(element, plane_.precision())) + " " + what;
   }
 
   const CompletenessCheck& check_;

@@ -6,11 +6,10 @@
 #include <numeric>
 
 #include "certify/document/darts.h"
+#include "certify/numbers/precision.h"
 
 namespace epsnet::certify {
 namespace {
-
-constexpr slong kExactFrom = 128;
 
 /// The side of an axis on which a corner of one of its chords lies, over the ring of one kind of crossings.
 template <class CrossingsOfAKind>
@@ -117,7 +116,8 @@ class Cutter {
     std::array<int, 3> side = chord.side;
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (side[i] != 0) continue;
-      const auto sign = plane_.precision() < kExactFrom ? std::nullopt : exact_side(place, 3 * chord.triangle + i);
+      const auto sign =
+          plane_.precision() < kExactFromForAxes ? std::nullopt : exact_side(place, 3 * chord.triangle + i);
       if (!sign) return std::nullopt;
       side[i] = *sign < 0 ? -1 : 1;
     }

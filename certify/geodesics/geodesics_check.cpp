@@ -14,6 +14,7 @@
 #include "certify/geodesics/cut_surface.h"
 #include "certify/geodesics/exact_traces.h"
 #include "certify/numbers/parallel.h"
+#include "certify/numbers/precision.h"
 #include "certify/surface_check.h"
 
 namespace epsnet::certify {
@@ -23,10 +24,6 @@ namespace {
 constexpr std::size_t kMaxTriangles = std::size_t{1} << 20;
 
 std::string geodesic_name(std::size_t i) { return "geodesic " + std::to_string(i); }
-
-std::string text(Interval x) {
-  return std::string("[").append(shortest(x.lower)).append(", ").append(shortest(x.upper)).append("]");
-}
 
 /// cosh(x/2) of a binary64.
 Ball cosh_half(double x, slong precision) {
@@ -74,23 +71,21 @@ class GeodesicsCheck {
 
   /// The reports of the rules that the claim needs.
   std::vector<RuleReport> run() {
-    for (slong precision = std::min<slong>(64, options_.max_precision);;
-         precision = std::min<slong>(2 * precision, options_.max_precision)) {
-      precision_ = precision;
-      try {
+    try {
+      with_rising_precision(options_.max_precision, [&](slong precision) {
+        precision_ = precision;
         pass(precision);
-      } catch (const BudgetSpent& spent) {
-        for (RuleReport& report : reports_) {
-          if (report.verdict == Verdict::undecided) report.text = spent.what();
-        }
-        break;
-      }
+        return verdict(kGeodesics) == Verdict::refuted || all_decided();
+      });
       // Nothing can be said about a list whose elements are wrong.
       if (verdict(kGeodesics) == Verdict::refuted) {
         reports_.resize(1);
         return std::move(reports_);
       }
-      if (precision >= options_.max_precision || all_decided()) break;
+    } catch (const BudgetSpent& spent) {
+      for (RuleReport& report : reports_) {
+        if (report.verdict == Verdict::undecided) report.text = spent.what();
+      }
     }
     std::vector<RuleReport> result;
     for (const Rule rule : {kGeodesics, kDistinct, kSimple, kEqual, kComplete, kPieces}) {
@@ -184,10 +179,10 @@ class GeodesicsCheck {
         const Tri within = document_.claim == Claim::systole ? Tri::yes : is_within(plane, f, i);
         if (enclosed != wanted && within != wanted) continue;
         const bool wrong = wanted == Tri::no;
-        const std::string actual = " has a length in " + text(translation_length(f, plane.precision()));
+        const std::string actual = " has a length in " + to_string(translation_length(f, plane.precision()));
         const std::string what =
             enclosed == wanted
-                ? (wrong ? ", not in " : ", not decided whether in ") + text(document_.geodesics[i].length)
+                ? (wrong ? ", not in " : ", not decided whether in ") + to_string(document_.geodesics[i].length)
                 : (wrong ? ", more than " : ", not decided whether at most ") + completeness_.bound_name();
         report(kGeodesics, wrong ? Verdict::refuted : Verdict::undecided,
                geodesic_name(i) + actual + what + (wrong ? "" : ", with " + bits()));
@@ -395,7 +390,7 @@ std::string claim_of(const GeodesicsDocument& document) {
   switch (document.claim) {
     case Claim::systole:
       return "the systole: no closed geodesic is shorter than geodesic 0, whose length lies in " +
-             text(document.geodesics[0].length);
+             to_string(document.geodesics[0].length);
     case Claim::spectrum:
       return "the spectrum: the " + count + " primitive closed geodesics of length at most " +
              in_quotes(document.up_to) + ", up to orientation";

@@ -9,20 +9,6 @@
 namespace epsnet::certify {
 namespace {
 
-/// u × v: the row that vanishes on u and v.
-BallVector cross_product(const BallVector& u, const BallVector& v, slong precision) {
-  BallVector result;
-  Ball product;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t k = (i + 2) % 3;
-    arb_mul(result[i], u[j], v[k], precision);
-    arb_mul(product.get(), u[k], v[j], precision);
-    arb_sub(result[i], result[i], product.get(), precision);
-  }
-  return result;
-}
-
 /// Whether (a, b) certainly differ; only if their signs are chosen does this mean different isometries.
 bool disjoint(const BallIsometry& f, const BallIsometry& g) {
   return certainly_different(f.a.get(), g.a.get()) || certainly_different(f.b.get(), g.b.get());

@@ -2,13 +2,6 @@
 
 namespace epsnet::certify {
 
-void lorentz_product(arb_ptr result, const BallVector& u, const BallVector& v, slong precision) {
-  Ball last;
-  arb_mul(last.get(), u[2], v[2], precision);
-  arb_neg(last.get(), last.get());
-  arb_dot(result, last.get(), 0, u[0], 1, v[0], 1, 2, precision);
-}
-
 BallMatrix lorentz_matrix(const BallIsometry& f, slong precision) {
   // With w = 2z and t = 1 + |z|²: w' = a² w + b² w̄ + 2ab t, t' = 2 Re(a b̄ w) + (|a|² + |b|²) t.
   ComplexBall a2, b2, ab, a_conj_b;

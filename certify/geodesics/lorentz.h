@@ -1,5 +1,6 @@
 #pragma once
 
+#include "certify/numbers/ball_vector.h"
 #include "certify/numbers/isometry.h"
 
 /// The hyperboloid model in ball arithmetic.
@@ -8,46 +9,6 @@
 /// u₂v₂; −⟨X, Y⟩ is the cosh of the distance. Linear functionals are kept as rows, so that their value is the plain dot
 /// product: the row of ⟨n, ·⟩ is (n₀, n₁, −n₂).
 namespace epsnet::certify {
-
-/// Three balls side by side: a vector or a row.
-class BallVector {
- public:
-  BallVector() {
-    for (arb_struct& x : entries_) arb_init(&x);
-  }
-  BallVector(const BallVector& other) : BallVector() { *this = other; }
-  BallVector(BallVector&& other) noexcept : BallVector() { swap(other); }
-  BallVector& operator=(const BallVector& other) {
-    if (this == &other) return *this;
-    for (std::size_t i = 0; i < 3; ++i) arb_set(&entries_[i], &other.entries_[i]);
-    return *this;
-  }
-  BallVector& operator=(BallVector&& other) noexcept {
-    swap(other);
-    return *this;
-  }
-  ~BallVector() {
-    for (arb_struct& x : entries_) arb_clear(&x);
-  }
-
-  [[nodiscard]] arb_ptr operator[](std::size_t i) { return &entries_[i]; }
-  [[nodiscard]] arb_srcptr operator[](std::size_t i) const { return &entries_[i]; }
-
- private:
-  void swap(BallVector& other) {
-    for (std::size_t i = 0; i < 3; ++i) arb_swap(&entries_[i], &other.entries_[i]);
-  }
-
-  arb_struct entries_[3];
-};
-
-/// The plain dot product, of a row and a vector.
-inline void dot(arb_ptr result, const BallVector& row, const BallVector& x, slong precision) {
-  arb_dot(result, nullptr, 0, row[0], 1, x[0], 1, 3, precision);
-}
-
-/// ⟨u, v⟩ of two vectors, or of two rows.
-void lorentz_product(arb_ptr result, const BallVector& u, const BallVector& v, slong precision);
 
 /// The unit vector of the point L(x + iy).
 [[nodiscard]] BallVector unit_vector(const BallIsometry& label, double x, double y, slong precision);

@@ -4,9 +4,12 @@
 #include <array>
 #include <flint/fmpq.h>
 #include <flint/ulong_extras.h>
+#include <limits>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
+
+#include "certify/numbers/precision.h"
 
 namespace epsnet::certify {
 
@@ -476,13 +479,17 @@ int sign(const RegularNumber& x) {
     log_primes += RegularRing::kResidueBits * RegularRing::kLogScale;
   }
   if (zero) return 0;
-  for (slong precision = 128;; precision *= 2) {
+  // The number is not 0, so some precision tells its sign.
+  Tri positive = Tri::unknown;
+  const auto attempt = [&](slong precision) {
     const auto bits = static_cast<std::uint64_t>(precision);
     budget.spend(function_work(bits) + memory_work(bits / 4), steps.size());
     const ComplexBall value = evaluate(steps, Balls(*x.ring, precision));
-    const Tri positive = certainly_positive(value.re());
-    if (positive != Tri::unknown) return positive == Tri::yes ? 1 : -1;
-  }
+    positive = certainly_positive(value.re());
+    return positive != Tri::unknown;
+  };
+  with_rising_precision(std::numeric_limits<slong>::max() / 2, attempt, 128);
+  return positive == Tri::yes ? 1 : -1;
 }
 
 void set_regular_apothem(arb_ptr cosh, arb_ptr sinh, std::uint32_t genus, slong precision) {

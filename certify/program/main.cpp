@@ -81,10 +81,6 @@ void catch_signals() {
 // FLINT's own spelling: for clang, a function type with this attribute differs from one with [[noreturn]].
 FLINT_NORETURN void end_on_flint_abort() { end_on_signal(0); }
 
-std::string interval_text(Interval x) {
-  return std::string("[").append(shortest(x.lower)).append(", ").append(shortest(x.upper)).append("]");
-}
-
 /// A list of names and values, for both kinds of output.
 template <class Visit>
 void visit_counts(const Counts& c, const Visit& visit) {
@@ -138,13 +134,8 @@ int exit_code(const FileReport& report) {
 
 /// The verdict, and why it is none other. `place` names the file, or is empty.
 std::string verdict_line(const FileReport& report, const std::string& place) {
-  const Certificate& certificate = report.certificate;
-  if (!report.error.empty()) return "ERROR: " + place + report.error;
-  std::string line(name(certificate.verdict));
-  if (certificate.verdict == Verdict::verified) return line;
-  line += ": " + place;
-  if (certificate.verdict != Verdict::malformed) line += certificate.rule + ": ";
-  return line + certificate.message;
+  if (report.error.empty()) return verdict_line(report.certificate, place);
+  return "ERROR: " + (place.empty() ? "" : place + ": ") + report.error;
 }
 
 /// All lines but the verdict. Of a malformed file nothing is counted and nothing claimed.
@@ -152,7 +143,7 @@ std::string as_text(const FileReport& report) {
   const Certificate& certificate = report.certificate;
   std::ostringstream out;
   for (const RuleReport& rule : certificate.rules) {
-    out << rule.rule << ": " << name(rule.verdict) << ": " << rule.text << '\n';
+    out << to_string(rule) << '\n';
   }
   const bool read = report.error.empty() && certificate.verdict != Verdict::malformed;
   if (read) {
@@ -160,7 +151,7 @@ std::string as_text(const FileReport& report) {
     visit_counts(certificate.counts, line);
     if (certificate.enclosures) {
       visit_enclosures(*certificate.enclosures,
-                       [&](const char* key, Interval value) { out << key << ": " << interval_text(value) << '\n'; });
+                       [&](const char* key, Interval value) { out << key << ": " << to_string(value) << '\n'; });
     }
     if (certificate.geodesics) visit_geodesics_counts(*certificate.geodesics, line);
   }
@@ -316,7 +307,7 @@ int check_files(const Request& request) {
     if (own_code == kExitVerified) ++verified;
     if (code == kExitVerified && own_code != kExitVerified) {
       code = own_code;
-      last_line = verdict_line(report, several || malformed ? report.name + ": " : "");
+      last_line = verdict_line(report, several || malformed ? report.name : "");
     }
     if (!report.error.empty()) std::cerr << "certify: " << report.name << ": " << report.error << '\n';
     if (request.json) {

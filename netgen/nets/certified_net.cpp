@@ -130,8 +130,7 @@ CertifiedNet certified_net(const Surface& surface, const Length& epsilon, const 
   UncertifiedNet net = compute_net(surface, epsilon, options);
   certify::Certificate certificate = certify::check(net.net, options.check);
   if (certificate.verdict != certify::Verdict::verified) {
-    throw NetError("the net was not verified: " + std::string(certify::name(certificate.verdict)) + ": " +
-                   certificate.rule + ": " + certificate.message);
+    throw NetError("the net was not verified: " + certify::verdict_line(certificate));
   }
   return {std::move(net.net), std::move(certificate), net.statistics};
 }

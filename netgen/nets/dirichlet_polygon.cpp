@@ -19,8 +19,7 @@ certify::Certificate verified(const certify::NetDocument& triangulation) {
   certify::Certificate certificate = certify::check(triangulation);
   if (certificate.verdict != certify::Verdict::verified) {
     throw NetError("the triangulation dual to the Dirichlet domain was not verified: " +
-                   std::string(certify::name(certificate.verdict)) + ": " + certificate.rule + ": " +
-                   certificate.message);
+                   certify::verdict_line(certificate));
   }
   return certificate;
 }

@@ -44,7 +44,7 @@ std::string geodesics_text(const GeodesicsDocument& document) {
   std::ostringstream out;
   if (document.claim == certify::Claim::systole) {
     const ClosedGeodesic& shortest = document.geodesics.front();
-    out << "systole: " << interval_text(shortest.length) << '\n'
+    out << "systole: " << to_string(shortest.length) << '\n'
         << "simple: " << (shortest.simple ? "yes" : "no") << '\n'
         << "word: " << word_text(shortest.word) << '\n';
     return out.str();
@@ -55,8 +55,8 @@ std::string geodesics_text(const GeodesicsDocument& document) {
   for (const certify::Cluster& cluster : document.clusters) {
     for (std::uint32_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
       const ClosedGeodesic& geodesic = document.geodesics[i];
-      out << i << ": length " << interval_text(geodesic.length);
-      if (small) out << ", collar of half-width " << interval_text(collar_half_width(geodesic.length));
+      out << i << ": length " << to_string(geodesic.length);
+      if (small) out << ", collar of half-width " << to_string(collar_half_width(geodesic.length));
       if (!small) out << (geodesic.simple ? ", simple" : ", not simple");
       if (cluster.count > 1) {
         out << ", one of " << cluster.count << (cluster.equal ? " of equal length" : " of lengths that overlap");
@@ -119,8 +119,7 @@ void certify_geodesics(const GeodesicsDocument& document, unsigned threads) {
   };
   const certify::Certificate certificate = certify::check_geodesics(document, options);
   if (certificate.verdict != certify::Verdict::verified) {
-    throw JobError("not certified: " + std::string(certify::name(certificate.verdict)) + ": " + certificate.rule +
-                   ": " + certificate.message + "; nothing was written");
+    throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
   }
 }
 

@@ -64,8 +64,7 @@ void import_net(const ImportNetRequest& request) {
   // Whatever the verdict: to know it is what the command is for, and the file is what it is about.
   write_output(request.output, [&](std::ostream& out) { certify::write_net(net, out); });
   write_report(import_report(certificate), request.json, is_stdout(request.output));
-  const std::string why = input.name + ": " + std::string(certify::name(certificate.verdict)) + ": " +
-                          certificate.rule + ": " + certificate.message;
+  const std::string why = input.name + ": " + certify::verdict_line(certificate);
   if (certificate.verdict == certify::Verdict::undecided) throw UndecidedError(why);
   if (certificate.verdict != certify::Verdict::verified) throw JobError(why);
 }

@@ -173,8 +173,7 @@ certify::Certificate certify_net(const certify::NetDocument& net, certify::Check
   };
   certify::Certificate certificate = certify::check(net, options);
   if (certificate.verdict != certify::Verdict::verified) {
-    throw JobError("no certified net: " + std::string(certify::name(certificate.verdict)) + ": " + certificate.rule +
-                   ": " + certificate.message + "; nothing was written");
+    throw JobError("no certified net: " + certify::verdict_line(certificate) + "; nothing was written");
   }
   return certificate;
 }
@@ -250,8 +249,8 @@ Report certificate_report(const certify::Certificate& certificate) {
   if (certificate.enclosures) {
     const certify::Interval& circumradius = certificate.enclosures->largest_circumradius;
     const std::optional<certify::Interval>& edge = certificate.enclosures->shortest_edge;
-    out << "largest circumradius: " << interval_text(circumradius) << '\n'
-        << "shortest edge between different vertices: " << (edge ? interval_text(*edge) : "none") << '\n';
+    out << "largest circumradius: " << to_string(circumradius) << '\n'
+        << "shortest edge between different vertices: " << (edge ? to_string(*edge) : "none") << '\n';
     report.json["largest_circumradius"] = interval_json(circumradius);
     report.json["shortest_edge"] = edge ? interval_json(*edge) : Json(nullptr);
   }

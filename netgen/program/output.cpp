@@ -188,10 +188,6 @@ void write_report(const Report& report, bool as_json, bool stdout_taken) {
   }
 }
 
-std::string interval_text(certify::Interval x) {
-  return "[" + certify::shortest(x.lower) + ", " + certify::shortest(x.upper) + "]";
-}
-
 Json interval_json(certify::Interval x) { return Json::array({x.lower, x.upper}); }
 
 }  // namespace epsnet::program

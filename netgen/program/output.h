@@ -77,8 +77,6 @@ struct Report {
 /// To standard output, or to standard error if a file goes to standard output: a net there stays a net.
 void write_report(const Report& report, bool as_json, bool stdout_taken);
 
-/// "[lower, upper]", digits that round-trip.
-[[nodiscard]] std::string interval_text(certify::Interval x);
 [[nodiscard]] Json interval_json(certify::Interval x);
 
 }  // namespace epsnet::program

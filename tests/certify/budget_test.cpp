@@ -20,7 +20,7 @@ std::string text(const Certificate& certificate) {
   std::string result(name(certificate.verdict));
   result += ": " + certificate.rule + ": " + certificate.message + "\n";
   for (const RuleReport& report : certificate.rules) {
-    result += report.rule + ": " + std::string(name(report.verdict)) + ": " + report.text + "\n";
+    result += to_string(report) + "\n";
   }
   return result;
 }

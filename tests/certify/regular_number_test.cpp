@@ -244,7 +244,7 @@ TEST(RegularCrossings, TheCornersCloseUpExactlyAndNotBefore) {
     std::uint32_t side = 0;
     for (std::uint32_t count = 1; count <= 4 * genus; ++count) {
       product = compose(crossings.exact(std::array{side}), product);
-      side = sides.next[sides.partner[side]];
+      side = sides.next_around(side);
       EXPECT_EQ(is_zero(product.b), count == 4 * genus);
       EXPECT_EQ(side == 0, count == 4 * genus);
     }

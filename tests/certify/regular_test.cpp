@@ -37,7 +37,7 @@ class Fan {
     const SurfaceSides sides(document_.surface);
     partner_ = sides.partner;
     std::uint32_t side = 0;
-    for (std::uint32_t j = 0; j < sides_; ++j, side = sides.next[sides.partner[side]]) crossed_.push_back(side);
+    for (std::uint32_t j = 0; j < sides_; ++j, side = sides.next_around(side)) crossed_.push_back(side);
     EXPECT_EQ(side, 0U);
     for (std::uint32_t k = 1; k + 1 < sides_; ++k) {
       document_.triangles.push_back({{0, 0, 0}, {}, {label(k + 1), label(k)}});
@@ -116,7 +116,7 @@ TEST(Regular, AllCornersAreOneCycle) {
     std::uint32_t corners = 0;
     std::uint32_t side = 0;
     do {
-      side = sides.next[sides.partner[side]];
+      side = sides.next_around(side);
       ++corners;
     } while (side != 0);
     EXPECT_EQ(corners, 4 * genus);

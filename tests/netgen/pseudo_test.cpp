@@ -188,8 +188,7 @@ const NetDocument& good() {
 /// The verdict and, if it is not VERIFIED, rule and message.
 std::string outcome(const NetDocument& document, long max_precision = 2048) {
   const Certificate certificate = certify::check(document, {.threads = 1, .max_precision = max_precision});
-  if (certificate.verdict == Verdict::verified) return "VERIFIED";
-  return std::string(certify::name(certificate.verdict)) + ": " + certificate.rule + ": " + certificate.message;
+  return verdict_line(certificate);
 }
 
 TEST(PseudoCertificate, SaysWhatItIs) {
