@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <concepts>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -25,8 +26,10 @@ namespace epsnet {
 template <class Error>
 class TokenReader {
  public:
-  /// Keeps references to both.
+  /// Keeps a reference to the text, which must outlive it. `name` stands for the text in messages.
   TokenReader(std::string_view text, std::string_view name) : rest_(text), name_(name) {}
+  template <std::same_as<std::string> Text>
+  TokenReader(Text&&, std::string_view) = delete;  // A temporary string would be gone.
 
   /// The next word; `expected` completes the message if there is none.
   std::string_view next(const std::string& expected) {
@@ -69,7 +72,7 @@ class TokenReader {
   [[nodiscard]] std::size_t line() const { return line_; }
   [[noreturn]] void fail(const std::string& message) const { fail_at(line_, message); }
   [[noreturn]] void fail_at(std::size_t line, const std::string& message) const {
-    throw Error(std::string(name_) + ":" + std::to_string(line) + ": " + message);
+    throw Error(name_ + ":" + std::to_string(line) + ": " + message);
   }
 
  private:
@@ -83,7 +86,7 @@ class TokenReader {
   }
 
   std::string_view rest_;
-  std::string_view name_;
+  std::string name_;
   std::size_t line_ = 1;
 };
 

@@ -24,6 +24,7 @@ namespace epsnet {
 template <class T>
 class AxisCatalogue {
  public:
+  /// Keeps a reference to the triangulation.
   explicit AxisCatalogue(Triangulation& triangulation)
       : triangulation_(triangulation), corners_(triangulation.triangle_count()), axes_in_(corners_.size()) {}
 

@@ -26,7 +26,8 @@ struct ReturnPath {
 /// triangle stays in its chart, and the vertex is carried into it: most steps are steps between triangles of one chart.
 class Unfolding {
  public:
-  /// Evaluates everything once. `largest_circumradius` bounds the circumradii (hyperbolic). O(triangles).
+  /// Keeps a reference to the triangulation, and evaluates everything once. `largest_circumradius` bounds the
+  /// circumradii (hyperbolic). O(triangles).
   Unfolding(Triangulation& triangulation, double largest_circumradius);
 
   struct Search {

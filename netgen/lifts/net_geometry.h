@@ -69,6 +69,7 @@ class NetGeometry {
   /// (certify::structure_problem), if `opposite` is not a fixed-point-free involution, or if a label needs more than
   /// 4096 bits. O(triangles + letters of all words).
   explicit NetGeometry(const certify::NetDocument& document);
+  explicit NetGeometry(const certify::NetDocument&&) = delete;  // It would be gone.
 
   [[nodiscard]] const certify::NetDocument& document() const { return *document_; }
 

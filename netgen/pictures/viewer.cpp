@@ -153,14 +153,14 @@ class Facts {
   std::string out_;
 };
 
-std::string facts_json(const NetGeometry& geometry, const certify::Certificate* certificate) {
+std::string facts_json(const NetGeometry& geometry, const std::optional<certify::Certificate>& certificate) {
   const certify::NetDocument& document = geometry.document();
   Facts facts;
   facts.add("ε", geometry.epsilon_text());
   facts.add("genus", std::to_string(geometry.sides().genus));
   facts.add("vertices", std::to_string(document.vertices.size()));
   facts.add("triangles", std::to_string(document.triangles.size()));
-  if (certificate == nullptr || !certificate->enclosures) return facts.json();
+  if (!certificate || !certificate->enclosures) return facts.json();
   const certify::Enclosures& enclosures = *certificate->enclosures;
   facts.add("circumradii ≤", certify::shortest(enclosures.largest_circumradius.upper));
   facts.add("margin to ε", four_digits(enclosures.epsilon.lower - enclosures.largest_circumradius.upper));
@@ -174,7 +174,7 @@ std::string facts_json(const NetGeometry& geometry, const certify::Certificate* 
 
 std::string net_json(const NetGeometry& geometry, const ViewerOptions& options) {
   const certify::NetDocument& document = geometry.document();
-  const certify::Certificate* certificate = options.certificate;
+  const std::optional<certify::Certificate>& certificate = options.certificate;
   std::vector<std::uint32_t> opposite;
   std::vector<std::uint32_t> vertex_darts(document.vertices.size(), 0);
   for (std::uint32_t t = 0; t < document.triangles.size(); ++t) {
@@ -192,12 +192,11 @@ std::string net_json(const NetGeometry& geometry, const ViewerOptions& options) 
   const EdgeLabels labels = edge_labels(geometry);
   std::string layers;
   for (const Layer& layer : options.layers) layers += (layers.empty() ? "" : ",\n") + layer_json(layer);
-  return "{\"title\": " + json_string(options.title) + ", \"verdict\": " +
-         json_string(certificate == nullptr ? "not certified" : certify::name(certificate->verdict)) +
+  return "{\"title\": " + json_string(options.title) +
+         ", \"verdict\": " + json_string(certificate ? certify::name(certificate->verdict) : "not certified") +
          ", \"message\": " +
-         json_string(certificate == nullptr || certificate->message.empty()
-                         ? ""
-                         : certificate->rule + ": " + certificate->message) +
+         json_string(!certificate || certificate->message.empty() ? ""
+                                                                  : certificate->rule + ": " + certificate->message) +
          ",\n\"epsilon\": " + certify::shortest(geometry.epsilon().get_d()) +
          ", \"facts\": " + facts_json(geometry, certificate) + ",\n\"palette\": " + palette_json() +
          ",\n\"opposite\": " + base64(opposite) + ",\n\"vertex_darts\": " + base64(vertex_darts) +

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,9 +12,10 @@
 namespace epsnet {
 
 struct ViewerOptions {
-  std::string title;                                  ///< Plain text in UTF-8.
-  const certify::Certificate* certificate = nullptr;  ///< What the page says of the net; without one, "not certified".
-  std::vector<Layer> layers = {};                     ///< Shown on top of the triangulation, each with a switch.
+  std::string title;  ///< Plain text in UTF-8.
+  /// What the page says of the net; without one, "not certified".
+  std::optional<certify::Certificate> certificate = {};
+  std::vector<Layer> layers = {};  ///< Shown on top of the triangulation, each with a switch.
 };
 
 /// One HTML page that needs nothing else: the triangulation of the net, unfolded afresh around a point of view that can

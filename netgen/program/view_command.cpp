@@ -41,8 +41,8 @@ std::vector<Layer> curve_layers(const NetGeometry& geometry, Report& report) {
   return layers;
 }
 
-std::string page(const ViewRequest& request, const certify::NetDocument& net, const certify::Certificate* certificate,
-                 Report& report) {
+std::string page(const ViewRequest& request, const certify::NetDocument& net,
+                 const std::optional<certify::Certificate>& certificate, Report& report) {
   try {
     ViewerOptions options;
     options.title = request.title.empty() ? std::filesystem::path(request.net).filename().string() : request.title;
@@ -75,7 +75,7 @@ void view(const ViewRequest& request) {
       report.json["message"] = certificate->message;
     }
   }
-  const std::string html = page(request, net, certificate ? &*certificate : nullptr, report);
+  const std::string html = page(request, net, certificate, report);
   write_output(request.output, [&](std::ostream& out) { out << html; });
   write_report(report, request.json, is_stdout(request.output));
 }

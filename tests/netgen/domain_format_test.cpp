@@ -3,13 +3,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <string>
+#include <type_traits>
 
+#include "netgen/base/token_reader.h"
 #include "netgen/exchange/ear_clipping.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/polygons.h"
 
 namespace epsnet {
 namespace {
+
+// What keeps a reference cannot be made from a temporary.
+static_assert(std::is_constructible_v<TokenReader<DomainError>, const std::string&, std::string>);
+static_assert(!std::is_constructible_v<TokenReader<DomainError>, std::string, std::string>);
 
 using test::PairedPolygon;
 using testing::HasSubstr;

@@ -9,6 +9,7 @@
 #include <rapidcheck/gtest.h>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "certify/file/reader.h"
@@ -43,6 +44,11 @@ certify::NetDocument octagon_net(std::int32_t seed, const char* epsilon) {
 certify::NetDocument polygon_net(const char* name, const char* epsilon) {
   return compute_net(load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/" + name), Length(epsilon)).net;
 }
+
+// What keeps a reference cannot be made from a temporary.
+static_assert(std::is_constructible_v<NetGeometry, const certify::NetDocument&>);
+static_assert(!std::is_constructible_v<NetGeometry, certify::NetDocument>);
+static_assert(!std::is_constructible_v<NetGeometry, const certify::NetDocument>);
 
 double euclidean(const Point& u, const Point& v) { return std::sqrt(norm(u - v)); }
 

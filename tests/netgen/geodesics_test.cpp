@@ -8,6 +8,7 @@
 #include <rapidcheck/gtest.h>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "netgen/geodesics/axis_catalogue.h"
@@ -18,6 +19,12 @@
 
 namespace epsnet {
 namespace {
+
+// What keeps a reference cannot be made from a temporary.
+static_assert(std::is_constructible_v<Unfolding, Triangulation&, double>);
+static_assert(!std::is_constructible_v<Unfolding, Triangulation, double>);
+static_assert(std::is_constructible_v<AxisCatalogue<Mp256>, Triangulation&>);
+static_assert(!std::is_constructible_v<AxisCatalogue<Mp256>, Triangulation>);
 
 using certify::ClosedGeodesic;
 using certify::GeodesicsDocument;
