@@ -1,9 +1,10 @@
 # Targets that look at the sources: format, format-check (clang-format) and tidy (clang-tidy over compile_commands.json).
-set(folders certify kernel triangulation netgen experiments tests fuzz)
+set(folders certify kernel triangulation netgen experiments tests fuzz examples)
 list(TRANSFORM folders PREPEND ${CMAKE_SOURCE_DIR}/)
 list(TRANSFORM folders APPEND /*.h OUTPUT_VARIABLE headers)
 list(TRANSFORM folders APPEND /*.cpp OUTPUT_VARIABLE sources)
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${headers} ${sources})
+list(APPEND sources ${CMAKE_SOURCE_DIR}/epsnet.h)
 
 add_custom_target(format COMMAND clang-format -i ${sources} VERBATIM)
 add_custom_target(format-check COMMAND clang-format --dry-run -Werror ${sources} VERBATIM)

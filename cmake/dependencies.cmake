@@ -1,7 +1,7 @@
 # The libraries epsnet is linked with, found in the same way by its own build and by find_package(epsnet):
 #   GMP::GMP, GMP::GMPXX, MPFR::MPFR, FLINT::FLINT (FLINT with Arb: two libraries before FLINT 3), simdjson::simdjson,
 #   Threads::Threads, and the Boost headers as Boost::headers.
-# Sets epsnet_missing to what is not there.
+# Sets epsnet_missing to what is not there. Where epsnet_is_shared is set, only what the public headers include is looked for.
 
 set(epsnet_missing "")
 
@@ -39,20 +39,22 @@ endmacro()
 epsnet_import(GMP::GMP gmp.h gmp)
 epsnet_import(GMP::GMPXX gmpxx.h gmpxx GMP::GMP)
 epsnet_import(MPFR::MPFR mpfr.h mpfr GMP::GMP)
-find_path(EPSNET_INCLUDE_flint_arb_h flint/arb.h)
-mark_as_advanced(EPSNET_INCLUDE_flint_arb_h)
-if(EPSNET_INCLUDE_flint_arb_h)
-  epsnet_import(FLINT::FLINT flint/arb.h flint MPFR::MPFR)
-else()
-  epsnet_import(FLINT::FLINT arb.h flint-arb flint MPFR::MPFR)
-endif()
-
-foreach(package Threads simdjson)
-  find_package(${package} QUIET)
-  if(NOT ${package}_FOUND)
-    list(APPEND epsnet_missing ${package})
+if(NOT epsnet_is_shared)
+  find_path(EPSNET_INCLUDE_flint_arb_h flint/arb.h)
+  mark_as_advanced(EPSNET_INCLUDE_flint_arb_h)
+  if(EPSNET_INCLUDE_flint_arb_h)
+    epsnet_import(FLINT::FLINT flint/arb.h flint MPFR::MPFR)
+  else()
+    epsnet_import(FLINT::FLINT arb.h flint-arb flint MPFR::MPFR)
   endif()
-endforeach()
+
+  foreach(package Threads simdjson)
+    find_package(${package} QUIET)
+    if(NOT ${package}_FOUND)
+      list(APPEND epsnet_missing ${package})
+    endif()
+  endforeach()
+endif()
 find_package(Boost QUIET CONFIG)  # CMake leaves the search to the config file that Boost installs (policy CMP0167).
 if(NOT TARGET Boost::headers)
   list(APPEND epsnet_missing Boost)
