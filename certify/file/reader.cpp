@@ -530,6 +530,12 @@ std::string format_of(simdjson::padded_string_view text) {
   return "";
 }
 
+std::variant<NetDocument, GeodesicsDocument> parse_padded_claim(simdjson::padded_string_view text,
+                                                                std::string_view name) {
+  if (format_of(text) == "epsnet-geodesics") return parse_padded_geodesics(text, name);
+  return parse_padded_net(text, name);
+}
+
 /// simdjson reads up to SIMDJSON_PADDING bytes past the end; a reserve of that size makes it legal without a copy.
 simdjson::padded_string_view padded(std::string& bytes) {
   bytes.reserve(bytes.size() + simdjson::SIMDJSON_PADDING);
@@ -606,13 +612,16 @@ GeodesicsDocument parse_geodesics(std::string_view text, std::string_view name) 
 }
 
 std::variant<NetDocument, GeodesicsDocument> read_claim(const std::filesystem::path& path) {
-  return parse_claim(load(path), display_name(path));
+  std::string bytes = load(path);
+  return parse_claim_in_place(bytes, display_name(path));
 }
 
-std::variant<NetDocument, GeodesicsDocument> parse_claim(std::string bytes, std::string_view name) {
-  const simdjson::padded_string_view text = padded(bytes);
-  if (format_of(text) == "epsnet-geodesics") return parse_padded_geodesics(text, name);
-  return parse_padded_net(text, name);
+std::variant<NetDocument, GeodesicsDocument> parse_claim(std::string_view text, std::string_view name) {
+  return parse_padded_claim(simdjson::padded_string(text), name);
+}
+
+std::variant<NetDocument, GeodesicsDocument> parse_claim_in_place(std::string& bytes, std::string_view name) {
+  return parse_padded_claim(padded(bytes), name);
 }
 
 }  // namespace epsnet::certify

@@ -58,6 +58,10 @@ class FileError : public std::runtime_error {
 [[nodiscard]] std::variant<NetDocument, GeodesicsDocument> read_claim(const std::filesystem::path& path);
 
 /// Reads a net file or a geodesics file from memory; `name` stands for the file in messages. Throws MalformedError.
-[[nodiscard]] std::variant<NetDocument, GeodesicsDocument> parse_claim(std::string bytes, std::string_view name);
+[[nodiscard]] std::variant<NetDocument, GeodesicsDocument> parse_claim(std::string_view text, std::string_view name);
+
+/// The same without a copy of the bytes. They stay as they are; their capacity may grow.
+[[nodiscard]] std::variant<NetDocument, GeodesicsDocument> parse_claim_in_place(std::string& bytes,
+                                                                                std::string_view name);
 
 }  // namespace epsnet::certify

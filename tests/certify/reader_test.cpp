@@ -374,7 +374,7 @@ TEST(Reader, NothingBehindTheEndIsRead) {
     std::string bytes = text;
     bytes.reserve(2 * text.size() + 1000);
     bytes.resize(length);
-    EXPECT_THROW(static_cast<void>(parse_claim(std::move(bytes), "test")), MalformedError) << length;
+    EXPECT_THROW(static_cast<void>(parse_claim_in_place(bytes, "test")), MalformedError) << length;
   }
 }
 

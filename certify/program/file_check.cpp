@@ -1,0 +1,107 @@
+#include "certify/program/file_check.h"
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <nettle/sha2.h>
+#include <string_view>
+#include <unistd.h>
+#include <utility>
+#include <variant>
+
+#include "certify/check.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+#include "certify/geodesics/geodesics_check.h"
+#include "certify/program/second_checker.h"
+
+namespace epsnet::certify::program {
+namespace {
+
+/// Shows how far we are on a terminal, after the first second; wipes its line at the end.
+class Progress {
+ public:
+  void show(std::string_view rule, double share) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!terminal_ || now - shown_ < std::chrono::milliseconds(shown_once_ ? 200 : 1000)) return;
+    shown_ = now;
+    shown_once_ = true;
+    std::fprintf(stderr, "\r%-14.*s %3.0f %%", static_cast<int>(rule.size()), rule.data(), 100 * share);
+  }
+  ~Progress() {
+    if (shown_once_) std::fputs("\r                      \r", stderr);
+  }
+
+ private:
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+  bool shown_once_ = false;
+  std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
+};
+
+std::string sha256(std::string_view bytes) {
+  sha256_ctx context;
+  sha256_init(&context);
+  sha256_update(&context, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+  std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
+  sha256_digest(&context, digest.size(), digest.data());
+  std::string text;
+  for (const std::uint8_t byte : digest) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    text += {kDigits[byte / 16U], kDigits[byte % 16U]};
+  }
+  return text;
+}
+
+/// What the second checker says of the bytes, and what follows from it.
+void add_second_opinion(FileReport& report, std::string_view bytes) {
+  report.second = ask_second_checker(bytes);
+  report.certificate = agreed(std::move(report.certificate), *report.second);
+}
+
+}  // namespace
+
+FileReport check_file(const Request& request, const std::string& path) {
+  FileReport report{.name = display_name(path), .path = path};
+  const auto without_name = [&](const std::exception& error) {
+    const std::string_view text = error.what();
+    const std::string prefix = report.name + ": ";
+    return std::string(text.starts_with(prefix) ? text.substr(prefix.size()) : text);
+  };
+  std::variant<NetDocument, GeodesicsDocument> document;
+  std::string bytes;
+  try {
+    bytes = load(path);
+    report.sha256 = sha256(bytes);
+    document = parse_claim_in_place(bytes, report.name);
+  } catch (const FileError& error) {
+    report.error = without_name(error);
+    return report;
+  } catch (const MalformedError& error) {
+    report.certificate.verdict = Verdict::malformed;
+    report.certificate.rule = "structure";
+    report.certificate.message = without_name(error);
+    if (request.exact || bytes.size() <= kBytesCheckedTwice) add_second_opinion(report, bytes);
+    return report;
+  }
+  const auto* geodesics = std::get_if<GeodesicsDocument>(&document);
+  const NetDocument& net = geodesics != nullptr ? geodesics->net : std::get<NetDocument>(document);
+  if (request.print_parsed && geodesics != nullptr) write_geodesics(*geodesics, std::cout);
+  if (request.print_parsed && geodesics == nullptr) write_net(net, std::cout);
+  const bool twice =
+      request.exact || (net.triangles.size() <= kTrianglesCheckedTwice && bytes.size() <= kBytesCheckedTwice);
+  if (!twice) std::string().swap(bytes);  // They may be gigabytes.
+  Progress progress;
+  CheckOptions options = request.options;
+  options.progress = [&](std::string_view rule, double share) { progress.show(rule, share); };
+  report.certificate = geodesics != nullptr ? check_geodesics(*geodesics, options) : check(net, options);
+  report.is_claim = report.certificate.verdict != Verdict::malformed;
+  if (twice) {
+    progress.show("second checker", 0);
+    add_second_opinion(report, bytes);
+  }
+  return report;
+}
+
+}  // namespace epsnet::certify::program

@@ -1,0 +1,138 @@
+#include "certify/program/options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <iostream>
+#include <limits>
+#include <numeric>
+#include <string_view>
+#include <utility>
+
+#include "certify/document/text.h"
+#include "certify/program/output.h"
+#include "certify/program/second_checker.h"
+
+namespace epsnet::certify::program {
+namespace {
+
+/// Accepts digits only, where CLI11 also takes signs: -1 as an unsigned number is 2⁶⁴ − 1.
+CLI::Validator integer_between(std::uint64_t least, std::uint64_t most) {
+  return {[=](const std::string& text) -> std::string {
+            std::uint64_t value = 0;
+            const char* const end = text.data() + text.size();
+            const auto [stop, error] = std::from_chars(text.data(), end, value);
+            if (error == std::errc() && stop == end && least <= value && value <= most) return "";
+            return in_quotes(text) + " is not an integer from " + std::to_string(least) + " to " + std::to_string(most);
+          },
+          ""};
+}
+
+/// The number of letters to insert, remove or replace to make the one text the other.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string unknown_option(const CLI::App& app) {
+  std::string unknown = printable(app.remaining().at(0));
+  unknown.erase(std::min(unknown.find('='), unknown.size()));
+  std::string nearest;
+  std::size_t distance = 3;  // More is no slip of the finger.
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& long_name : option->get_lnames()) {
+      const std::size_t own = edit_distance(unknown, "--" + long_name);
+      if (own < distance) nearest = "--" + long_name;
+      distance = std::min(distance, own);
+    }
+  }
+  return unknown + ": no such option" + (nearest.empty() ? "" : ", did you mean " + nearest + "?");
+}
+
+constexpr const char* kDescription =
+    "Decides whether a net file proves that its vertices are an epsilon-net of its surface, or of the thick part of "
+    "it\n"
+    "(a pseudo net), and its triangles a Delaunay triangulation, or a geodesics file that its closed geodesics are "
+    "the\n"
+    "systole, the spectrum up to a length or the thick-thin decomposition: every number is enclosed in balls, every\n"
+    "claim is derived again.";
+
+void add_options(CLI::App& app, Request& request) {
+  app.add_option("FILE", request.files, "net files and geodesics files (docs/format.md); \"-\" is standard input")
+      ->required()
+      ->option_text("... REQUIRED");
+  app.add_flag("--exact", request.exact,
+               "ask the second checker (certify-exact) about nets of any size; else up to " +
+                   std::to_string(kTrianglesCheckedTwice) + " triangles and 4 MB");
+  app.add_flag("--json", request.json, "one JSON object on one line for each file, nothing else");
+  app.add_option("--threads", request.options.threads, "number of threads, at most 1024; 0 is one per core")
+      ->check(integer_between(0, 1024))
+      ->option_text("N [0]");
+  app.add_option("--max-precision", request.options.max_precision,
+                 "bits after which a comparison is undecided, 64 to 1048576")
+      ->check(integer_between(kLeastPrecision, kGreatestPrecision))
+      ->option_text("N [8192]");
+  app.add_option("--max-visits", request.options.max_visits,
+                 "lifted triangles visited before a list of geodesics is undecided, at least 1")
+      ->check(integer_between(1, std::numeric_limits<std::uint64_t>::max()))
+      ->option_text("N [100000000]");
+  app.add_option("--max-work", request.options.max_work,
+                 "units of work before the rest is undecided; 0 is as many as a file of this size may take")
+      ->check(integer_between(0, std::numeric_limits<std::uint64_t>::max()))
+      ->option_text("N [0]");
+  app.add_flag("--print-parsed", request.print_parsed, "first print the document as it was understood")
+      ->excludes("--json");
+  app.set_version_flag("--version", "certify " EPSNET_VERSION);
+  app.footer(
+      "Examples:\n"
+      "  certify net.json && echo 'this is an epsilon-net'\n"
+      "  certify results/*.json\n\n"
+      "The last line of output is VERIFIED, REFUTED: rule: why, UNDECIDED: rule: why, or MALFORMED: why.\n"
+      "Of several files it is VERIFIED if all of them are; else it names the first that is not, and the exit code is\n"
+      "that file's. The line sha256 identifies the bytes that were checked.\n"
+      "A net is checked twice: in balls, and by integers alone if its surface is made of rational tiles. The line\n"
+      "second checker says what the second one found, the line verified by who verified the file. If one verifies "
+      "what\n"
+      "the other refutes, the verdict is UNDECIDED: the two checkers disagree.\n"
+      "Exit codes: 0 verified, 1 refuted, 2 undecided, 3 malformed file, 64 usage, a file that cannot be read, --help\n"
+      "or --version, 70 internal fault.");
+}
+
+}  // namespace
+
+std::variant<Request, int> parse_command_line(int argc, char** argv) {
+  Request request;
+  CLI::App app(kDescription, "certify");
+  add_options(app, request);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help_or_version) {
+    // --help succeeds as a command, but nothing is verified: it must not look like success to a script.
+    app.exit(help_or_version);
+    std::cout.flush();
+    return kExitUsage;
+  } catch (const CLI::ParseError& error) {
+    if (app.remaining().empty()) {
+      app.exit(error);
+    } else {
+      std::cerr << unknown_option(app) << "\nRun with --help for more information.\n";
+    }
+    return kExitUsage;
+  }
+  if (std::count(request.files.begin(), request.files.end(), "-") > 1) {
+    std::cerr << "FILE: standard input can be read only once, expected one \"-\"\n";
+    return kExitUsage;
+  }
+  return request;
+}
+
+}  // namespace epsnet::certify::program

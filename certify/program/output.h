@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "certify/document/report.h"
+#include "certify/program/second_checker.h"
+
+/// What the program says of a file, in words and in JSON.
+namespace epsnet::certify::program {
+
+// Nothing but these is ever returned. 0 if and only if the last line of stdout says VERIFIED, for all files.
+inline constexpr int kExitVerified = 0;
+inline constexpr int kExitRefuted = 1;
+inline constexpr int kExitUndecided = 2;
+inline constexpr int kExitMalformed = 3;
+inline constexpr int kExitUsage = 64;
+inline constexpr int kExitInternal = 70;
+
+/// What is said of one file.
+struct FileReport {
+  std::string name = {};                     ///< As in messages.
+  std::string path = {};                     ///< As given.
+  std::string sha256 = {};                   ///< Of the bytes that were read; empty if none could be.
+  std::string error = {};                    ///< Why it could not be read; the certificate says nothing then.
+  bool is_claim = false;                     ///< Whether it was understood, so that there is something to count.
+  Certificate certificate = {};              ///< Of both checkers. Its message begins without the file's name.
+  std::optional<SecondOpinion> second = {};  ///< Nothing if it was not asked.
+};
+
+[[nodiscard]] int exit_code(const FileReport& report);
+
+/// The verdict, and why it is none other. `place` names the file, or is empty.
+[[nodiscard]] std::string verdict_line(const FileReport& report, const std::string& place);
+
+/// All lines but the verdict. Of a malformed file nothing is counted and nothing claimed.
+[[nodiscard]] std::string as_text(const FileReport& report);
+
+/// One object on one line.
+[[nodiscard]] std::string as_json(const FileReport& report);
+
+}  // namespace epsnet::certify::program

@@ -1,0 +1,18 @@
+#include <cstdlib>
+#include <string_view>
+
+#include "certify/exact/checker.h"
+
+/// A second checker that says of every file what EPSNET_SECOND_VERDICT says, to see the program `certify` when its two
+/// checkers disagree. No file is known for which the true ones do.
+namespace epsnet::exact {
+
+Result check(std::string_view /*text*/) {
+  const std::string_view wanted = std::getenv("EPSNET_SECOND_VERDICT");
+  if (wanted == "VERIFIED") return {Verdict::verified, "", ""};
+  if (wanted == "REFUTED") return {Verdict::refuted, "delaunay", "no edge is\nDelaunay"};
+  if (wanted == "MALFORMED") return {Verdict::malformed, "", "not JSON"};
+  return {Verdict::undecided, "document", "not for this checker: any"};
+}
+
+}  // namespace epsnet::exact
