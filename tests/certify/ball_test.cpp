@@ -59,7 +59,7 @@ TEST(BallTraps, NamedPredicatesSayNothingOfNan) {
   EXPECT_FALSE(certainly_different(one.get(), z.get()));
 }
 
-TEST(Ball, SignsThatAreCertain) {
+TEST(Ball, SignsAreCertainOnlyIfAllPointsHaveThem) {
   EXPECT_EQ(certain_sign(ball(0.5, 2).get()), 1);
   EXPECT_EQ(certain_sign(ball(-0.5, 2).get()), -1);
   EXPECT_EQ(certain_sign(ball(0.25, 2).get()), 0) << "0 is a point of the ball";
@@ -71,7 +71,7 @@ TEST(Ball, SignsThatAreCertain) {
   EXPECT_FALSE(is_exactly_zero(ball(0, 900).get()));
 }
 
-TEST(Ball, TheOnlyInteger) {
+TEST(Ball, AnIntegerIsFoundOnlyIfItIsTheOnlyOne) {
   EXPECT_EQ(only_integer(ball(2.1, 2).get()), 2);
   EXPECT_EQ(only_integer(ball(2.5, 3).get()), std::nullopt) << "none";
   EXPECT_EQ(only_integer(ball(2.5, 0).get()), std::nullopt) << "two";
@@ -139,7 +139,7 @@ TEST(BallTraps, InfiniteBallsProveNothing) {
   EXPECT_EQ(all.upper, std::numeric_limits<double>::infinity());
 }
 
-TEST(Ball, ComparisonsOfTouchingBalls) {
+TEST(Ball, TouchingBallsAreNotCompared) {
   EXPECT_EQ(certainly_less(ball(0, 1).get(), ball(1.5, 1).get()), Tri::yes);
   EXPECT_EQ(certainly_less(ball(0, 1).get(), ball(1, 1).get()), Tri::unknown);  // Both may be 1/2.
   EXPECT_EQ(certainly_less(ball(2, 1).get(), ball(1, 1).get()), Tri::no);       // At best both are 3/2.
@@ -158,7 +158,7 @@ TEST(Ball, OuterIntervalRoundsOutward) {
   EXPECT_EQ(above(x.lower), x.upper);
 }
 
-TEST(Ball, OuterIntervalOfHugeAndTinyNumbers) {
+TEST(Ball, OuterIntervalHoldsHugeAndTinyNumbers) {
   Ball x = ball(1, 10);
   arb_mul_2exp_si(x.get(), x.get(), 5000);
   EXPECT_LE(outer_interval(x.get()).lower, std::numeric_limits<double>::max());

@@ -181,7 +181,7 @@ TEST(Check, MoreBitsDecideMore) {
   EXPECT_EQ(fine.counts.max_precision_used, 128U);
 }
 
-TEST(Check, VertexOnTheEdgeOfTheDisk) {
+TEST(Check, VerticesAtTheEndsOfBinary64AreRefuted) {
   NetDocument document = nine();
   document.vertices[2] = {std::nextafter(1.0, 0.0), 0, 0};
   EXPECT_EQ(check(document).verdict, Verdict::refuted);
@@ -229,7 +229,7 @@ TEST(Check, RelationOfTheGroupIsTheIdentity) {
 
 // Single defects, each in every place: none may be verified.
 
-TEST(Mutation, EveryOppositeDart) {
+TEST(Mutation, EveryWrongOppositeDartIsRefuted) {
   const NetDocument good = nine();
   for (std::size_t dart = 0; dart < 66; ++dart) {
     for (const std::uint32_t wrong : {0U, 17U, 65U}) {
@@ -242,7 +242,7 @@ TEST(Mutation, EveryOppositeDart) {
   }
 }
 
-TEST(Mutation, EveryCornersVertex) {
+TEST(Mutation, EveryWrongVertexOfACornerIsRefuted) {
   const NetDocument good = nine();
   for (std::size_t corner = 0; corner < 66; ++corner) {
     NetDocument document = good;
@@ -252,7 +252,7 @@ TEST(Mutation, EveryCornersVertex) {
   }
 }
 
-TEST(Mutation, EveryLabelNumber) {
+TEST(Mutation, EveryWrongLabelNumberIsRefuted) {
   // Some words of this file are different words of one element of the group (found apart from this program, with
   // mpmath at 300 bits): such a label may stand for the other.
   const auto element = [](std::uint32_t number) {
@@ -284,7 +284,7 @@ TEST(Mutation, EveryLabelNumber) {
   }
 }
 
-TEST(Mutation, EveryLetter) {
+TEST(Mutation, EveryWrongLetterIsRefuted) {
   const NetDocument good = nine();
   for (std::size_t l = 0; l < good.labels.size(); ++l) {
     for (std::size_t i = 0; i < good.labels[l].word.size(); ++i) {
@@ -299,7 +299,7 @@ TEST(Mutation, EveryLetter) {
   }
 }
 
-TEST(Mutation, TrianglesTurnedOver) {
+TEST(Mutation, TrianglesTurnedOverAreRefuted) {
   // Corners 1 and 2 exchanged in every triangle: the same triangles, clockwise.
   NetDocument document = nine();
   for (NetDocument::Triangle& t : document.triangles) {
@@ -311,7 +311,7 @@ TEST(Mutation, TrianglesTurnedOver) {
   EXPECT_EQ(outcome(document), "REFUTED: orientation");
 }
 
-TEST(Mutation, EveryVertexMoved) {
+TEST(Mutation, EveryVertexMovedFarIsRefuted) {
   const NetDocument good = nine();
   for (std::size_t v = 0; v < good.vertices.size(); ++v) {
     NetDocument document = good;

@@ -70,7 +70,7 @@ TEST(RegularNumber, ZeroIsFoundWhereverTheLeastRelationHides) {
   }
 }
 
-TEST(RegularNumber, SignsOfNumbersThatAreNearlyZero) {
+TEST(RegularNumber, SignsOfNumbersThatAreNearlyZeroAreFound) {
   for (const std::uint32_t genus : {2U, 3U, 7U, 20U}) {
     const RegularRing ring(genus);
     Ball cosh, sinh;

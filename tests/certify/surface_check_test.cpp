@@ -87,7 +87,7 @@ TEST(SurfaceCheck, ConeAngleOfThreeFullTurnsIsRefuted) {
   EXPECT_NE(outcome.report.text.find("3 full turns"), std::string::npos) << outcome.report.text;
 }
 
-TEST(SurfaceCheck, InscribedDiskOfNearlyIdealTriangle) {
+TEST(SurfaceCheck, ANearlyIdealTriangleHasAnInscribedDisk) {
   // Corners at distance 1e-14 of the circle.
   const mpq_class r(mpz_class("99999999999999"), mpz_class("100000000000000"));
   const SurfaceDocument::Tile thin =
@@ -99,7 +99,7 @@ TEST(SurfaceCheck, InscribedDiskOfNearlyIdealTriangle) {
   EXPECT_LT(outer_interval(disk->sinh_radius.get()).upper, 0.58);
 }
 
-TEST(SurfaceCheck, InscribedDiskOfASliver) {
+TEST(SurfaceCheck, ASliverHasAnInscribedDisk) {
   const mpq_class tiny(1, mpz_class("1000000000000000000000000000000000000000000000000"));
   const SurfaceDocument::Tile sliver = tile({{mpq_class(-1, 2), 0}, {mpq_class(1, 2), 0}, {0, tiny}});
   const auto disk = inscribed_disk(sliver, 8192);
