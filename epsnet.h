@@ -2,8 +2,8 @@
 
 /// All of epsnet that is made for programs of others: surfaces, nets, certificates, closed geodesics, pictures, files.
 ///
-/// A program that only checks files needs certify/check.h, certify/geodesics/geodesics_check.h and certify/file/reader.h
-/// and is linked with the library `epsnet_certify` alone.
+/// A program that only checks files needs certify/check.h, certify/geodesics/geodesics_check.h and
+/// certify/file/reader.h and is linked with the library `epsnet_certify` alone.
 
 #include "certify/check.h"
 #include "certify/document/document.h"

@@ -37,7 +37,12 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/epsnet-config.cmake cmake/dependencies
   DESTINATION ${package} COMPONENT development)
 
 # pkg-config epsnet, pkg-config epsnet-certify. Headers of Boost and GMP make programs call GMP and MPFR themselves.
-file(RELATIVE_PATH to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+if(EPSNET_DEBIAN)
+  set(pc_prefix ${CMAKE_INSTALL_PREFIX})
+else()  # Wherever it is moved.
+  file(RELATIVE_PATH to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+  set(pc_prefix "\${pcfiledir}/${to_prefix}")
+endif()
 function(epsnet_pkg_config name description requires libs libs_private)
   if(NOT BUILD_SHARED_LIBS)  # Then every program needs all.
     string(APPEND libs " ${libs_private}")
@@ -55,7 +60,14 @@ epsnet_pkg_config(epsnet "${PROJECT_DESCRIPTION}" "epsnet-certify = ${PROJECT_VE
 epsnet_pkg_config(epsnet-certify "Checker of epsilon-nets of closed hyperbolic surfaces" "" "-lepsnet_certify -lgmpxx -lgmp"
   "${flint} -lmpfr -lsimdjson -pthread -lm")
 
+include(cmake/help.cmake)
+
 # Licence and documents.
-install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
+install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
-install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+if(EPSNET_DEBIAN)
+  include(cmake/debian.cmake)
+else()
+  install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
+  install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+endif()

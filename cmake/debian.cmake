@@ -1,0 +1,48 @@
+# Debian packages: cmake --preset package && cmake --build --preset package && cpack --preset package (.ci/package does that).
+#   epsnet          the programs, their manual pages and completion, the documents
+#   libepsnet0.2    the shared libraries
+#   libepsnet-dev   headers, the packages of CMake and pkg-config, the examples
+set(abi ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+set(CPACK_PACKAGE_CONTACT "The epsnet authors <epsnet@example.org>")
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(version "${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}")
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL programs libraries development)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR}/certify ${CMAKE_BINARY_DIR}/netgen)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
+set(about " An epsilon-net is a finite set of points such that every point of the surface is within epsilon of one of them and no two are closer than
+ epsilon. Every net is proved by an independent checker in ball arithmetic.")
+string(REPLACE "\n" "" about "${about}")
+
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME epsnet)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION math)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS "libepsnet${abi} (= ${version})")
+set(CPACK_COMPONENT_PROGRAMS_DESCRIPTION "certified epsilon-nets of closed hyperbolic surfaces\n${about}")
+
+set(CPACK_DEBIAN_LIBRARIES_PACKAGE_NAME libepsnet${abi})
+set(CPACK_DEBIAN_LIBRARIES_PACKAGE_SECTION libs)
+set(CPACK_COMPONENT_LIBRARIES_DESCRIPTION "certified epsilon-nets of closed hyperbolic surfaces - libraries\n${about}")
+
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libepsnet-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libepsnet${abi} (= ${version}), libboost-dev, libgmp-dev, libmpfr-dev")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "certified epsilon-nets of closed hyperbolic surfaces - development\n${about}")
+
+# What Debian wants of each package: copyright and changelog.
+set(name epsnet)
+configure_file(cmake/debian-changelog.in debian/changelog.Debian @ONLY)
+execute_process(COMMAND gzip -9nf debian/changelog.Debian WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} COMMAND_ERROR_IS_FATAL ANY)
+foreach(component PROGRAMS LIBRARIES DEVELOPMENT)
+  set(folder ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${component}_PACKAGE_NAME})
+  string(TOLOWER ${component} lower)
+  install(FILES LICENSE DESTINATION ${folder} RENAME copyright COMPONENT ${lower})
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/debian/changelog.Debian.gz DESTINATION ${folder} COMPONENT ${lower})
+endforeach()
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libepsnet-dev COMPONENT development)
+include(CPack)
