@@ -37,7 +37,7 @@ struct DrawOptions {
 /// boundary circle, on white.
 ///
 /// Strokes and dots shrink with the hyperbolic metric towards the circle; edges and dots too small to see (a tenth of a
-/// pixel) are left out, and <desc> says so. Arcs that a chord follows to within 0.01 pixel are written as chords. Equal
+/// pixel) are left out, and `<desc>` says so. Arcs that a chord follows to within 0.01 pixel are written as chords. Equal
 /// documents and options give equal bytes. Throws NetGeometryError if the document is not a net (its structure is
 /// checked, its geometry is not).
 [[nodiscard]] std::string draw_svg(const certify::NetDocument& document, const DrawOptions& options = {});

@@ -1,0 +1,40 @@
+# The site, in build/site/html: the documents and the reference of the public headers. cmake --build --preset release --target site
+# needs the Debian packages of the group `site` (.ci/setup site). Warnings are errors.
+set(site ${CMAKE_CURRENT_BINARY_DIR}/site)
+set(headers "")
+get_property(header_sets GLOBAL PROPERTY epsnet_header_sets)
+foreach(header_set ${header_sets})
+  get_target_property(files ${header_set} HEADER_SET)
+  get_target_property(folder ${header_set} SOURCE_DIR)
+  foreach(file ${files})
+    get_filename_component(file ${file} ABSOLUTE BASE_DIR ${folder})
+    list(APPEND headers ${file})
+  endforeach()
+endforeach()
+set(names ${headers})
+list(TRANSFORM names REPLACE "^${PROJECT_SOURCE_DIR}/" "")
+list(JOIN headers " " headers)
+configure_file(docs/site/Doxyfile.in ${site}/Doxyfile @ONLY)
+
+find_program(EPSNET_DOXYGEN doxygen)
+find_program(EPSNET_SPHINX sphinx-build)
+mark_as_advanced(EPSNET_DOXYGEN EPSNET_SPHINX)
+if(EPSNET_DOXYGEN AND EPSNET_SPHINX)
+  set(source ${site}/source)
+  add_custom_target(site
+    # As the repository has them, so that links from one to the other hold.
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${source} ${site}/xml ${site}/html
+    COMMAND ${CMAKE_COMMAND} -E copy_directory docs ${source}/docs
+    COMMAND ${CMAKE_COMMAND} -E copy README.md CHANGELOG.md CITATION.cff LICENSE ${source}
+    COMMAND ${CMAKE_COMMAND} -E rename ${source}/docs/site/reference ${source}/reference
+    COMMAND ${CMAKE_COMMAND} -E rename ${source}/docs/site/index.md ${source}/index.md
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${source}/docs/site
+    COMMAND ${EPSNET_DOXYGEN} ${site}/Doxyfile
+    COMMAND python3 docs/site/check_reference.py ${site}/xml docs/site/reference ${names}
+    COMMAND ${EPSNET_SPHINX} -W --keep-going -q -b html -c docs/site -D breathe_projects.epsnet=${site}/xml -D release=${PROJECT_VERSION} ${source} ${site}/html
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} VERBATIM)
+else()
+  add_custom_target(site
+    COMMAND ${CMAKE_COMMAND} -E echo "The site needs Doxygen, Sphinx, MyST, Breathe and furo: .ci/setup site, then configure again."
+    COMMAND ${CMAKE_COMMAND} -E false VERBATIM)
+endif()
