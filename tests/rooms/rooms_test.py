@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """rooms_test.py ROOT: every #include of the project is one that the table of docs/rooms.md allows.
 
-Also: every include of an own file is spelled as its path from ROOT, and that file exists.
+Also: every include of an own file is spelled as its path from ROOT, and that file exists; and the public headers, which the rooms' CMakeLists.txt
+name, are those that epsnet.h leads to.
 """
 
 import pathlib
+import posixpath
 import re
 import sys
 
@@ -61,10 +63,39 @@ def violations(root, rooms):
         yield f"docs/rooms.md: {room} has no source"
 
 
+def own_includes(file):
+    matches = (INCLUDE.match(line) for line in file.read_text(encoding="utf-8").splitlines())
+    return [match.group(2) for match in matches if match and match.group(1) == '"']
+
+
+def named_public(text, folder):
+    """The headers after epsnet_public_headers(ROOM, as paths from ROOT."""
+    names = " ".join(re.findall(r"epsnet_public_headers\(\w+([^)]*)\)", text)).split()
+    return {posixpath.normpath(posixpath.join(folder, name)) for name in names}
+
+
+def public_violations(root):
+    reached = {"epsnet.h"}
+    pending = ["epsnet.h"]
+    while pending:
+        for name in own_includes(root / pending.pop()):
+            if name not in reached and (root / name).is_file():
+                reached.add(name)
+                pending.append(name)
+    named = set()
+    for file in sorted(root.glob("*/CMakeLists.txt")):
+        named |= named_public(file.read_text(encoding="utf-8"), file.parent.name)
+    for name in sorted(reached - named):
+        yield f"{name}: epsnet.h leads to it, so name it after epsnet_public_headers in {name.split('/')[0]}/CMakeLists.txt"
+    for name in sorted(named - reached):
+        yield f"{name}: is installed (epsnet_public_headers), but epsnet.h does not lead to it"
+
+
 def self_test():
     """A table and paths of which the answers are known."""
     rooms = read_table("| room | owns | may include |\n| --- | --- | --- |\n| a | x | a/b |\n| a/b | y | |\n| a/check | z | * |\n")
     assert rooms == {"a": {"a/b"}, "a/b": set(), "a/check": {"*"}}, rooms
+    assert named_public("epsnet_public_headers(a\n  ../epsnet.h\n  b/x.h)", "a") == {"epsnet.h", "a/b/x.h"}
     assert room_of("a/x.h", rooms) == "a" and room_of("a/b/x.h", rooms) == "a/b"
     assert room_of("a/check.h", rooms) == "a/check" and room_of("a/checks.h", rooms) == "a" and room_of("c.h", rooms) is None
 
@@ -72,7 +103,7 @@ def self_test():
 def main():
     self_test()
     root = pathlib.Path(sys.argv[1])
-    found = list(violations(root, read_table((root / "docs/rooms.md").read_text(encoding="utf-8"))))
+    found = list(public_violations(root)) + list(violations(root, read_table((root / "docs/rooms.md").read_text(encoding="utf-8"))))
     print("\n".join(found))
     return 1 if found else 0
 
