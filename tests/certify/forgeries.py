@@ -1,0 +1,2500 @@
+#!/usr/bin/env python3
+"""False certificates, one idea each, and the rule that refutes each of them in both checkers.
+
+forgeries.py check CERTIFY CERTIFY-EXACT [NAME...]: makes the files (all, or those named), asks both programs, and fails
+    unless exit code, last line and rule are those of the table, and docs/attack.md has that table.
+forgeries.py write NAME: the file, to standard output.
+forgeries.py names: all names.
+forgeries.py document: writes the tables of docs/attack.md anew.
+
+A forgery is made from a true file of tests/data/forgeries by the function of its name, whose docstring says the
+idea, and why it is false or what it is aimed at where that is not plain. Disguises are true files that look unusual:
+they stay VERIFIED, so that no checker refutes by refusing.
+"""
+import copy
+import json
+import math
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from decimal import ROUND_FLOOR, Decimal, localcontext
+from fractions import Fraction
+
+sys.dont_write_bytecode = True  # Nothing is written beside the sources.
+
+from forgeries_plane import (Gaussian, Mesh, Surface, arsinh_sqrt, following, net_of_tiles, orientation, point, preceding,
+                             rational, sinh2_circumradius, sinh2_half, translation_to, written_point)
+
+if hasattr(sys, "set_int_max_str_digits"):
+    sys.set_int_max_str_digits(0)
+TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+SEEDS = os.path.join(TOP, "tests", "data", "forgeries")
+DOCUMENT = os.path.join(TOP, "docs", "attack.md")
+LEFT = "UNDECIDED: document: not for this checker"
+VERIFIED = "VERIFIED"
+CODES = {"VERIFIED": 0, "REFUTED": 1, "UNDECIDED": 2, "MALFORMED": 3}
+
+
+class Entry:
+    def __init__(self, function, group, certify, exact, also, says):
+        self.make, self.group, self.certify, self.also, self.says = function, group, certify, also, says
+        self.exact = exact or ("MALFORMED" if certify.startswith("MALFORMED") else certify)
+        self.name = function.__name__.replace("_", "-")
+        self.idea = re.sub(r"\s+", " ", function.__doc__.strip())
+
+
+entries = {}
+group = None
+
+
+def forgery(certify, exact=None, also=(), says=""):
+    """certify: how the last line begins; exact: that of certify-exact, by default the same; also: further rules that are
+    refuted, as they cannot be kept; says: a regular expression for what is said by both, where a rule has clauses."""
+    def register(function):
+        entry = Entry(function, group, certify, exact, set(also), says)
+        assert entry.name not in entries, entry.name
+        entries[entry.name] = entry
+        return function
+    return register
+
+
+def disguise(exact=VERIFIED):
+    return forgery(VERIFIED, exact)
+
+
+def refuted(rule, exact=None, also=(), says=""):
+    return forgery("REFUTED: " + rule, exact, also, says)
+
+
+def malformed(place="", exact=None):
+    """place: what certify names; that of a text that is no JSON depends on its library."""
+    return forgery("MALFORMED" + (": " + place if place else ""), exact)
+
+
+# ---- Files -------------------------------------------------------------------------------------------------------
+
+
+def seed(name):
+    with open(os.path.join(SEEDS, name + ".json"), encoding="utf-8") as file:
+        return json.load(file)
+
+
+class Raw(str):
+    """A value that is written as these characters."""
+
+
+def text(value):
+    """The bytes of a document, with Raw values as they are."""
+    tokens = []
+
+    def prepared(x):
+        if isinstance(x, Raw):
+            tokens.append(str(x))
+            return f"@raw{len(tokens) - 1}@"
+        if isinstance(x, dict):
+            return {k: prepared(v) for k, v in x.items()}
+        if isinstance(x, list) and len(x) < 100_000:
+            return [prepared(v) for v in x]
+        return x
+    result = json.dumps(prepared(value), separators=(",", ":"))
+    if tokens:
+        result = re.sub(r'"@raw(\d+)@"', lambda match: tokens[int(match[1])], result)
+    return result.encode()
+
+
+def with_(document, **changes):
+    return {**document, **changes}
+
+
+def octagon():
+    return seed("octagon")
+
+
+def largest_radius(mesh):
+    return max(sinh2_circumradius(*mesh.corners(t)) for t in range(len(mesh.vertex)))
+
+
+def shortest_edge(mesh):
+    return min(mesh.length(d) for d in range(len(mesh.opposite)) if mesh.start(d) != mesh.start(following(d)))
+
+
+def to_60_digits(x, step=0):
+    """The decimal rounded down after 60 digits, and so many units of the last one added."""
+    with localcontext() as context:
+        context.prec = 100
+        unit = Decimal(1).scaleb(-60)
+        return str(x.quantize(unit, ROUND_FLOOR) + step * unit)
+
+
+def radius_of(mesh):
+    return arsinh_sqrt(largest_radius(mesh))
+
+
+def edge_of(mesh):
+    with localcontext() as context:
+        context.prec = 100
+        return 2 * arsinh_sqrt(shortest_edge(mesh))
+
+
+def parity(side):
+    """A crossing of sides 0 and 4 of an octagon with opposite sides glued: a homomorphism to the integers."""
+    return {0: 1, 4: -1}.get(side, 0)
+
+
+def tiled_octagon():
+    """The net of the octagon cut along its own edges: triangles as tiles. Tiles and opposite darts."""
+    mesh = Mesh(octagon())
+    return [mesh.corners(t) for t in range(len(mesh.vertex))], mesh.opposite, mesh
+
+
+def symmetric_surface(a=Fraction(5, 6), b=None):
+    """The octagon with the corners a, (1 + i)b and so on, turned; its angles add up to 2π if and only if ab = 1/2."""
+    b = b or 1 / (2 * a)
+    corners = [(a, 0), (b, b), (0, a), (-b, b), (-a, 0), (-b, -b), (0, -a), (b, -b)]
+    return {"kind": "tiles", "tiles": [[[rational(Fraction(x)), rational(Fraction(y))] for x, y in corners]],
+            "gluing": [[0, k, 0, k + 4] for k in range(4)]}
+
+
+def symmetric_net(**surface):
+    """One vertex, the centre of the symmetric octagon, and its Delaunay triangulation."""
+    return with_(seed("symmetric-octagon-centre"), surface=symmetric_surface(**surface))
+
+
+RELATOR = [0, 5, 2, 7, 4, 1, 6, 3]  # Once around the corner of an octagon with opposite sides glued.
+
+
+def with_word(document, change, k=0):
+    """Label k + 1 with its word changed."""
+    document["labels"][k][2] = change(document["labels"][k][2])
+    return document
+
+
+def inverse(word):
+    return [(side + 4) % 8 for side in reversed(word)]
+
+
+def commutator(x, y):
+    return x + y + inverse(x) + inverse(y)
+
+
+# ---- The text ----------------------------------------------------------------------------------------------------
+
+group = "text"
+
+
+@malformed()
+def key_twice_under_an_escape():
+    """`"epsilon"` and after it `"epsil\\u006fn"`, the same key with another value.
+
+    A reader that compares keys as they are written takes one, another reader the other."""
+    return text(octagon()).replace(b'"epsilon":"1"', b'"epsilon":"1","epsil\\u006fn":"0.5"')
+
+
+@malformed()
+def key_twice_with_the_true_value_first():
+    """Two members `surface`, the one of the net and another octagon."""
+    document = text(octagon())
+    return document[:-1] + b',"surface":' + text(symmetric_surface()) + b"}"
+
+
+@malformed()
+def key_with_a_byte_zero_at_its_end():
+    """A second `"epsilon\\u0000"`: a reader that stops at the byte 0 sees `epsilon` twice, or the false one."""
+    return text(octagon()).replace(b'"epsilon":"1"', b'"epsilon\\u0000":"1","epsilon":"1"')
+
+
+@malformed()
+def key_of_another_alphabet():
+    """`epsilon` with a Cyrillic е, beside the true one."""
+    return text(octagon()).replace(b'"epsilon"', '"еpsilon":"1","epsilon"'.encode())
+
+
+@malformed()
+def key_in_capitals():
+    """`"Epsilon"`."""
+    return text(octagon()).replace(b'"epsilon"', b'"Epsilon"')
+
+
+@malformed()
+def byte_order_mark():
+    """A byte order mark before the document, which the format does not allow."""
+    return b"\xef\xbb\xbf" + text(octagon())
+
+
+@malformed()
+def utf_16():
+    """The file in UTF-16."""
+    return text(octagon()).decode().encode("utf-16")
+
+
+@malformed()
+def overlong_quote():
+    """The quote that ends a text as two bytes, C0 A2, an overlong form that is no UTF-8."""
+    return text(octagon()).replace(b'"kind":', b'"about":"\xc0\xa2","kind":', 1)
+
+
+@malformed()
+def lone_surrogate():
+    """Half of a surrogate pair in the free text."""
+    return text(octagon()).replace(b'"kind":', b'"about":"\\ud834 and nothing","kind":', 1)
+
+
+@malformed()
+def comma_at_the_end():
+    """A comma after the last triangle."""
+    return text(octagon())[:-2] + b",]}"
+
+
+@malformed()
+def comment_that_hides_epsilon():
+    """A comment between two values, which some readers skip."""
+    return text(octagon()).replace(b'"epsilon":"1"', b'"epsilon":/*"1"*/"1"')
+
+
+@malformed()
+def second_document_after_the_first():
+    """A true file, and a second document after it."""
+    return text(octagon()) + text(octagon())
+
+
+@malformed()
+def byte_zero_after_the_end():
+    """A true file, a byte 0, and something else."""
+    return text(octagon()) + b"\0{}"
+
+
+@malformed()
+def nested_a_million_times():
+    """A million opening brackets: a reader that calls itself runs out of stack."""
+    return text(octagon()).replace(b'"labels":[', b'"labels":[' + b"[" * 1_000_000)
+
+
+@malformed()
+def objects_nested_a_hundred_thousand_times():
+    """`{"about":` again and again as the free text."""
+    return text(octagon()).replace(b'"kind":', b'"about":' + b'{"about":' * 100_000 + b'0' +
+                                   b"}" * 100_000 + b',"kind":', 1)
+
+
+@malformed()
+def file_that_stops():
+    """A true file without its last byte."""
+    return text(octagon())[:-1]
+
+
+# ---- Numbers -----------------------------------------------------------------------------------------------------
+
+group = "numbers"
+
+
+def with_raw_coordinate(token):
+    """The octagon with the x of vertex 3 written so."""
+    document = octagon()
+    document["vertices"][3][1] = Raw(token)
+    return document
+
+
+@malformed("vertices[1]")
+def index_as_1e0():
+    """A chart's index 1 as `1e0`."""
+    document = octagon()
+    document["vertices"][1][0] = Raw("1e0")
+    return document
+
+
+@malformed("vertices[1]")
+def index_as_a_decimal():
+    """A chart's index 1 as `1.0`."""
+    document = octagon()
+    document["vertices"][1][0] = Raw("1.0")
+    return document
+
+
+@malformed("vertices[0]")
+def index_minus_zero():
+    """A chart's index 0 as `-0`."""
+    document = octagon()
+    document["vertices"][0][0] = Raw("-0")
+    return document
+
+
+@malformed("vertices[1]")
+def index_with_a_leading_zero():
+    """A chart's index 1 as `01`, which is octal elsewhere."""
+    document = octagon()
+    document["vertices"][1][0] = Raw("01")
+    return document
+
+
+@malformed("vertices[1]")
+def index_as_a_string():
+    """A chart's index 1 as `"1"`."""
+    document = octagon()
+    document["vertices"][1][0] = "1"
+    return document
+
+
+@malformed("labels[0]")
+def index_minus_one():
+    """A letter −1, the last side for those who count from the end."""
+    return with_word(octagon(), lambda word: [-1] + word[1:])
+
+
+@malformed("version")
+def version_plus_2_to_32():
+    """Version 2³² + 1, which is 1 in 32 bits."""
+    return with_(octagon(), version=2**32 + 1)
+
+
+@malformed("charts[0]")
+def tile_of_a_chart_plus_2_to_64():
+    """The tile 2⁶⁴ of a chart, which is 0 in 64 bits."""
+    document = octagon()
+    document["charts"][0][0] = 2**64
+    return document
+
+
+@malformed("surface.gluing[0]")
+def glued_side_plus_2_to_32():
+    """A glued side 2³² + 4, which is 4 in 32 bits."""
+    document = octagon()
+    document["surface"]["gluing"][0][3] += 2**32
+    return document
+
+
+@malformed("labels[0]")
+def letter_plus_2_to_32():
+    """A letter of a word plus 2³²."""
+    return with_word(octagon(), lambda word: [word[0] + 2**32] + word[1:])
+
+
+@malformed("labels[0]")
+def chart_of_a_label_plus_2_to_64():
+    """The chart of a label plus 2⁶⁴."""
+    document = octagon()
+    document["labels"][0][1] += 2**64
+    return document
+
+
+@malformed("vertices[1]")
+def chart_of_a_vertex_plus_2_to_32():
+    """The chart of a vertex plus 2³²."""
+    document = octagon()
+    document["vertices"][1][0] += 2**32
+    return document
+
+
+@malformed("triangles[0]")
+def vertex_plus_2_to_32():
+    """A corner of a triangle plus 2³²."""
+    document = octagon()
+    document["triangles"][0][0] += 2**32
+    return document
+
+
+@malformed("triangles[0]")
+def dart_plus_2_to_32():
+    """An opposite dart plus 2³²."""
+    document = octagon()
+    document["triangles"][0][3] += 2**32
+    return document
+
+
+@malformed("triangles[0]")
+def dart_plus_2_to_64():
+    """An opposite dart plus 2⁶⁴."""
+    document = octagon()
+    document["triangles"][0][3] += 2**64
+    return document
+
+
+@malformed("triangles[1]")
+def label_number_plus_2_to_32():
+    """The label number of a triangle plus 2³²."""
+    document = octagon()
+    document["triangles"][1][7] += 2**32
+    return document
+
+
+@malformed("triangles[0]")
+def dart_2_to_31():
+    """An opposite dart 2³¹, negative in 32 bits."""
+    document = octagon()
+    document["triangles"][0][3] = 2**31
+    return document
+
+
+@malformed("triangles[0]")
+def dart_of_32_ones():
+    """An opposite dart 2³² − 1, which programs keep for "none"."""
+    document = octagon()
+    document["triangles"][0][3] = 2**32 - 1
+    return document
+
+
+@malformed("triangles[1]")
+def label_number_of_32_ones():
+    """The label number 2³² − 1: one more is 0, and the identity."""
+    document = octagon()
+    document["triangles"][1][7] = 2**32 - 1
+    return document
+
+
+@malformed("surface.gluing[0]")
+def glued_side_of_32_ones():
+    """A side glued to side 2³² − 1, which programs keep for "none"."""
+    document = octagon()
+    document["surface"]["gluing"][0][3] = 2**32 - 1
+    return document
+
+
+@malformed("surface.genus", exact=LEFT)
+def genus_plus_2_to_32():
+    """A regular surface of genus 2³² + 2."""
+    document = seed("regular")
+    document["surface"]["genus"] += 2**32
+    return document
+
+
+@refuted("delaunay", also=["covering", "packing"])
+def coordinate_wrapped_at_2_to_64():
+    """A coordinate of twenty digits that is the true one modulo 2⁶⁴.
+
+    The fault of simdjson 3.0.1: what is written is another point."""
+    document = with_(Mesh(octagon()).write(), vertices=[[v, 0.0, 0.0] for v in range(9)])
+    document["vertices"][3][1] = Raw("0." + str(2**64).rjust(20, "0"))
+    return document
+
+
+@malformed("vertices[3]")
+def coordinate_that_rounds_to_1():
+    """0.99999999999999999999, whose binary64 is 1."""
+    document = with_raw_coordinate("0." + "9" * 20)
+    document["vertices"][3][2] = 0
+    return document
+
+
+@malformed("vertices[3]")
+def vertex_outside_by_4e_17():
+    """The vertex (0.6, 0.8): as binary64 numbers, |z|² is 1 + 4·10⁻¹⁷, and computed in binary64 it is 1."""
+    document = octagon()
+    document["vertices"][3][1:] = [0.6, 0.8]
+    return document
+
+
+@malformed("charts[1]")
+def centre_on_the_circle():
+    """A chart with the centre 3/5 + 4/5 i."""
+    document = octagon()
+    document["charts"][1][1:] = ["3/5", "4/5"]
+    return document
+
+
+@malformed("vertices[3]")
+def coordinate_too_large_for_binary64():
+    """1e309, infinity to some readers."""
+    return with_raw_coordinate("1e309")
+
+
+@malformed("vertices[3]")
+def coordinate_of_an_exponent_that_overflows():
+    """0.1 with the exponent 2⁶⁴, which is 0 in 64 bits."""
+    return with_raw_coordinate("0.1e18446744073709551616")
+
+
+@malformed("vertices[3]")
+def coordinate_not_a_number():
+    """`NaN`, of which every comparison is false."""
+    return with_raw_coordinate("NaN")
+
+
+@malformed("vertices[3]")
+def coordinate_with_a_plus():
+    """`+0.1`."""
+    return with_raw_coordinate("+0.1")
+
+
+@malformed("vertices[3]")
+def coordinate_that_begins_with_a_point():
+    """`.1`."""
+    return with_raw_coordinate(".1")
+
+
+@malformed("epsilon")
+def epsilon_zero_with_an_exponent():
+    """`0e9999`."""
+    return with_(octagon(), epsilon="0e9999")
+
+
+@malformed("epsilon")
+def epsilon_minus_zero():
+    """`-0`."""
+    return with_(octagon(), epsilon="-0")
+
+
+@malformed("epsilon")
+def epsilon_minus_one():
+    """`-1`: its square, and sinh² of it, are those of 1."""
+    return with_(octagon(), epsilon="-1")
+
+
+@malformed("epsilon")
+def epsilon_over_zero():
+    """`1/0`."""
+    return with_(octagon(), epsilon="1/0")
+
+
+@malformed("epsilon")
+def epsilon_minus_over_minus():
+    """`-1/-1`."""
+    return with_(octagon(), epsilon="-1/-1")
+
+
+@malformed("epsilon")
+def epsilon_with_an_exponent_of_five_digits():
+    """`1e00000`: at most four digits are allowed, whatever they say."""
+    return with_(octagon(), epsilon="1e00000")
+
+
+@malformed("epsilon")
+def epsilon_of_wide_digits():
+    """`１`, a digit to Unicode."""
+    return with_(octagon(), epsilon="１")
+
+
+@malformed("epsilon")
+def epsilon_with_a_line_feed():
+    """`1\\n`."""
+    return with_(octagon(), epsilon="1\n")
+
+
+@malformed("epsilon")
+def epsilon_with_a_byte_zero():
+    """`1\\u00009`: a reader that stops at the byte 0 sees 1."""
+    return with_(octagon(), epsilon="1\0" + "9")
+
+
+@malformed("epsilon")
+def epsilon_without_quotes():
+    """The number 1, not the string."""
+    return with_(octagon(), epsilon=1)
+
+
+@malformed("epsilon")
+def epsilon_of_a_million_and_one_digits():
+    """1.000… with one digit more than the format allows."""
+    return with_(octagon(), epsilon="1." + "0" * 1_000_000)
+
+
+@malformed("surface.tiles[0]")
+def rational_of_a_million_and_one_digits():
+    """A corner of the tile, exactly, not reduced, with one digit more than the format allows."""
+    document = octagon()
+    zeros = "0" * 499_996
+    document["surface"]["tiles"][0][0] = [f"9373{zeros}/10000{zeros}", "0"]
+    return document
+
+
+@malformed("surface.tiles[0]")
+def rational_as_a_decimal():
+    """A corner's coordinate 9373/10000 as `0.9373`."""
+    document = octagon()
+    document["surface"]["tiles"][0][0] = ["0.9373", "0"]
+    return document
+
+
+# ---- Structure ---------------------------------------------------------------------------------------------------
+
+group = "structure"
+
+
+@malformed("labels[0]")
+def word_of_a_million_and_one_letters():
+    """A true label whose word goes to and fro until it has more letters than the format allows."""
+    return with_word(octagon(), lambda word: [3, 7] * ((1_000_002 - len(word)) // 2) + word)
+
+
+@malformed("labels[26]")
+def words_of_ten_million_and_two_letters():
+    """Eleven words none of which is too long, and all together are."""
+    document = octagon()
+    document["labels"] += [[0, 0, [3, 7] * 500_000]] * 10 + [[0, 0, [3, 7]]]
+    return document
+
+
+@malformed("labels[0]")
+def word_that_is_no_path():
+    """A word that crosses a side of a tile in which it is not."""
+    document = seed("curve-of-1e-12")
+    tiles = Surface(document["surface"])
+    label = next(row for row in document["labels"] if row[2])
+    tile = tiles.tile_of[label[2][0]]
+    label[2][0] = next(s for s, t in enumerate(tiles.tile_of) if t != tile)
+    return document
+
+
+@malformed("labels[0]")
+def word_that_ends_in_another_tile():
+    """A path, to a tile that is not that of the label's chart."""
+    document = seed("curve-of-1e-12")
+    tiles = Surface(document["surface"])
+    label = next(row for row in document["labels"] if row[2])
+    to = document["charts"][label[1]][0]
+    side = next(s for s, t in enumerate(tiles.tile_of) if t == to and tiles.tile_of[tiles.partner[s]] != to)
+    label[2].append(side)
+    return document
+
+
+@malformed("triangles[2]")
+def identity_between_two_equal_charts():
+    """Label number 0 between two charts that are equal, but are two."""
+    document = octagon()
+    document["charts"].append(list(document["charts"][2]))
+    document["vertices"][8][0] = len(document["charts"]) - 1
+    return document
+
+
+@malformed("triangles[1]")
+def label_from_another_chart():
+    """A triangle whose label leads from the chart of another vertex."""
+    document = octagon()
+    document["triangles"][1][6] = 1
+    return document
+
+
+@malformed("surface.gluing[4]")
+def side_glued_twice():
+    """Side 4 is glued to two sides."""
+    document = octagon()
+    document["surface"]["gluing"].append([0, 0, 0, 4])
+    return document
+
+
+@malformed("surface.gluing[0]")
+def side_glued_to_itself():
+    """Side 0 glued to itself, folded in its midpoint: a cone point of angle π."""
+    document = octagon()
+    document["surface"]["gluing"][0] = [0, 0, 0, 0]
+    document["surface"]["gluing"].append([0, 4, 0, 4])
+    return document
+
+
+@malformed("surface.gluing")
+def side_not_glued():
+    """Sides 3 and 7 glued to nothing: a surface with boundary."""
+    document = octagon()
+    del document["surface"]["gluing"][3]
+    return document
+
+
+@malformed("net")
+def version_2():
+    """A version that does not exist."""
+    return with_(octagon(), version=2)
+
+
+@malformed("surface")
+def kind_of_both():
+    """A surface of tiles that has a genus too."""
+    document = octagon()
+    document["surface"]["genus"] = 2
+    return document
+
+
+# ---- Surface -----------------------------------------------------------------------------------------------------
+
+group = "surface"
+
+
+@refuted("surface", says="2 full turns")
+def cone_angle_of_4_pi():
+    """The double cover of a surface, branched in two vertices, as a surface of its own, and the cover of its net.
+
+    Sides are equal, the corners close up, the map is a map of that surface, every triangle is right; only two angles are
+    4π."""
+    tiles, opposite, mesh = tiled_octagon()
+    dart = next(d for d in range(len(opposite)) if mesh.start(d) != mesh.start(following(d)))
+    return net_of_tiles(tiles * 2, branched(opposite, dart, 2), "1")
+
+
+def branched(opposite, dart, degree):
+    """The cyclic cover that is cut along one edge: branched in its ends."""
+    n = len(opposite)
+    shift = {dart: 1, opposite[dart]: -1}
+    return [(sheet + shift.get(d, 0)) % degree * n + opposite[d] for sheet in range(degree) for d in range(n)]
+
+
+@refuted("surface", says="3 full turns")
+def cone_angle_of_6_pi():
+    """The same with three sheets."""
+    tiles, opposite, mesh = tiled_octagon()
+    dart = next(d for d in range(len(opposite)) if mesh.start(d) != mesh.start(following(d)))
+    return net_of_tiles(tiles * 3, branched(opposite, dart, 3), "1")
+
+
+@refuted("surface", says="do not close up")
+def cone_angle_of_2_pi_and_1e_9():
+    """An octagon with equal opposite sides whose angles add up to some 2π + 10⁻⁹."""
+    return symmetric_net(a=Fraction(5, 6), b=Fraction(3, 5) - Fraction(1, 6 * 10**9))
+
+
+@refuted("surface", says="do not close up")
+def cone_angle_of_2_pi_less_1e_60():
+    """The same with some 2π − 10⁻⁶⁰."""
+    return symmetric_net(a=Fraction(5, 6), b=Fraction(3, 5) + Fraction(1, 10**60))
+
+
+@refuted("surface", says="do not close up")
+def equal_opposite_sides_and_angles_that_miss_2_pi():
+    """An octagon with equal opposite sides, far from closing up.
+
+    Programs that ask for no more than sides of equal length make nets of it."""
+    return symmetric_net(a=Fraction(5, 6), b=Fraction(1, 2))
+
+
+@refuted("surface", says="do not close up")
+def corner_rounded_to_40_digits():
+    """The octagon with two opposite corners rounded to 40 digits: sides are equal by symmetry, the angles miss 2π."""
+    document = octagon()
+    tile = document["surface"]["tiles"][0]
+    for k, sign in ((3, 1), (7, -1)):
+        tile[k] = [rational(Fraction(sign * round(abs(Fraction(z)) * 10**40) * (1 if Fraction(tile[3][i]) > 0 else -1),
+                                     10**40)) for i, z in enumerate(tile[3])]
+    return document
+
+
+@refuted("surface")
+def pairing_that_preserves_orientation():
+    """Neighbouring sides of an octagon of equal sides are glued, aabbccdd: a surface that is not orientable, if a
+    pairing could keep the direction of a side; as it turns it around, it is a sphere with sharp cone points."""
+    document = symmetric_net()
+    document["surface"]["gluing"] = [[0, k, 0, k + 1] for k in range(0, 8, 2)]
+    return document
+
+
+@refuted("surface")
+def pairing_of_a_torus():
+    """An octagon of equal sides glued to a torus with cone points."""
+    document = symmetric_net()
+    document["surface"]["gluing"] = [[0, 0, 0, 2], [0, 1, 0, 3], [0, 4, 0, 5], [0, 6, 0, 7]]
+    return document
+
+
+@refuted("surface", says="not strictly convex")
+def clockwise_tile():
+    """The tile, mirrored: its interior is on the right of its sides."""
+    document = symmetric_net()
+    document["surface"]["tiles"][0] = [[x, "-" + y if y[0] not in "-0" else y.lstrip("-")]
+                                       for x, y in document["surface"]["tiles"][0]]
+    return document
+
+
+@refuted("surface", says="tile 21 is not strictly convex")
+def last_tile_clockwise():
+    """Twenty-two tiles, of which only the last one is clockwise: two of its corners are exchanged."""
+    tiles, opposite, _ = tiled_octagon()
+    document = net_of_tiles(tiles, opposite, "1")
+    last = document["surface"]["tiles"][-1]
+    last[0], last[1] = last[1], last[0]
+    return document
+
+
+@refuted("surface", says="tile 21, which is not of equal length")
+def last_sides_differ_by_1e_40():
+    """Twenty-two tiles; a corner of the last one is moved by 10⁻⁴⁰, so that two pairs of sides are not equal."""
+    tiles, opposite, _ = tiled_octagon()
+    document = net_of_tiles(tiles, opposite, "1")
+    corner = document["surface"]["tiles"][-1][2]
+    corner[0] = rational(Fraction(corner[0]) + Fraction(1, 10**40))
+    return document
+
+
+def with_a_corner_on_a_side(move):
+    """The octagon of one vertex with one corner more inside of side 0, moved a little away from the interior, and its
+    image in side 4."""
+    document = seed("octagon-of-one-vertex")
+    surface = Surface(document["surface"])
+    p, q = surface.ends(0)
+    there = translation_to(p)
+    end = there.inverse()(q)
+    # Seen from p the side is straight.
+    z = there(Gaussian(end.re / 3 + move * end.im, end.im / 3 - move * end.re))
+    tile = document["surface"]["tiles"][0]
+    other = surface.crossing(0)(z)
+    document["surface"]["tiles"] = [tile[:1] + [written_point(z)] + tile[1:5] + [written_point(other)] + tile[5:]]
+    document["surface"]["gluing"] = [[0, 0, 0, 6], [0, 1, 0, 5], [0, 2, 0, 7], [0, 3, 0, 8], [0, 4, 0, 9]]
+    names = {0: 0, 4: 6, 1: 2, 2: 3, 3: 4, 5: 7, 6: 8, 7: 9}
+    document["labels"] = [[f, t, [names[s] for s in word]] for f, t, word in document["labels"]]
+    return document
+
+
+@refuted("surface", says="not strictly convex")
+def corner_of_angle_pi():
+    """The octagon with a corner on side 0 and one on side 4, of angle π: the same surface, but no strictly convex
+    tile."""
+    return with_a_corner_on_a_side(Fraction(0))
+
+
+@refuted("surface", says="not strictly convex")
+def corner_of_more_than_pi():
+    """The same with the corner on side 0 moved inward by 10⁻³⁰, the other one outward: lengths and angles are right."""
+    return with_a_corner_on_a_side(Fraction(-1, 10**30))
+
+
+@refuted("surface", says="not strictly convex")
+def octagram():
+    """The octagon of equal sides, its corners visited in threes: a left turn at every one, around three times."""
+    document = symmetric_net()
+    tile = document["surface"]["tiles"][0]
+    document["surface"]["tiles"] = [[tile[3 * k % 8] for k in range(8)]]
+    return document
+
+
+@refuted("surface")
+def corner_on_the_circle():
+    """A corner at 3/5 + 4/5 i, at infinity."""
+    document = octagon()
+    document["surface"]["tiles"][0][1] = ["3/5", "4/5"]
+    return document
+
+
+@refuted("surface", says="connected")
+def two_surfaces():
+    """Two octagons, each glued to itself; the net is on the first."""
+    document = octagon()
+    document["surface"]["tiles"] *= 2
+    document["surface"]["gluing"] += [[1, k, 1, k + 4] for k in range(4)]
+    return document
+
+
+@refuted("surface", says="not of equal length")
+def sides_glued_to_the_wrong_ones():
+    """Sides are glued as commutators, to a surface of genus 2 with one corner, but they are not of equal length."""
+    document = octagon()
+    document["surface"]["gluing"] = [[0, 0, 0, 2], [0, 1, 0, 3], [0, 4, 0, 6], [0, 5, 0, 7]]
+    return document
+
+
+# ---- Map ---------------------------------------------------------------------------------------------------------
+
+group = "map"
+
+
+def covered(degree, opposite, document, mesh):
+    """The net whose triangles are the sheets of a cover with these darts: vertices are those of the base, repeated."""
+    n = len(mesh.vertex)
+    vertices, triangles, rows = [], [], document["triangles"]
+    seen = [None] * (3 * n * degree)
+    for first in range(len(seen)):
+        if seen[first] is not None:
+            continue
+        base = rows[first // 3 % n][first % 3]
+        vertices.append(document["vertices"][base])
+        dart = first
+        while seen[dart] is None:
+            seen[dart] = len(vertices) - 1
+            dart = opposite[preceding(dart)]
+    for t in range(n * degree):
+        triangles.append(seen[3 * t:3 * t + 3] + opposite[3 * t:3 * t + 3] + rows[t % n][6:])
+    return with_(document, vertices=vertices, triangles=triangles)
+
+
+@refuted("map", says="-4")
+def double_cover():
+    """The triangles of the double cover of the surface, without branch points: every vertex and triangle twice.
+
+    Every label, triangle, edge and radius is right; only the Euler characteristic is −4."""
+    mesh = Mesh(octagon())
+    return covered(2, mesh.cover(2, parity), octagon(), mesh)
+
+
+@refuted("map", says="-10")
+def cover_of_five_sheets():
+    """The same with five sheets, one after the other."""
+    mesh = Mesh(octagon())
+    return covered(5, mesh.cover(5, parity), octagon(), mesh)
+
+
+@refuted("map", says="-6")
+def double_cover_with_branch_points():
+    """Two sheets that are cut along one edge and glued crosswise: both ends are branch points, where the angles of the
+    triangles add up to 4π."""
+    mesh = Mesh(octagon())
+    return covered(2, branched(mesh.opposite, 0, 2), octagon(), mesh)
+
+
+@refuted("map", says="connected")
+def double_cover_and_a_sphere():
+    """The double cover and, beside it, a sphere of two triangles: the Euler characteristic is −4 + 2, that of the
+    surface.
+
+    Only connectedness is broken (and the sphere's second triangle is clockwise)."""
+    mesh = Mesh(octagon())
+    document = covered(2, mesh.cover(2, parity), octagon(), mesh)
+    row, n, v = octagon()["triangles"][0], 3 * len(document["triangles"]), len(document["vertices"])
+    a, b, c = v, v + 1, v + 2
+    document["vertices"] += [octagon()["vertices"][row[i]] for i in range(3)]
+    # Both are frames of a, so that one pair of labels serves both.
+    document["triangles"] += [[a, b, c, n + 5, n + 4, n + 3, row[6], row[7]], [a, c, b, n + 2, n + 1, n, row[7], row[6]]]
+    return document
+
+
+@refuted("map", says="connected")
+def two_copies():
+    """Everything twice, side by side."""
+    document = octagon()
+    n, v = 3 * len(document["triangles"]), len(document["vertices"])
+    document["vertices"] *= 2
+    document["triangles"] += [[x + v for x in row[:3]] + [x + n for x in row[3:6]] + row[6:]
+                              for row in document["triangles"]]
+    return document
+
+
+@refuted("map", says="= 2")
+def map_of_a_sphere():
+    """Two triangles, back to back."""
+    document = octagon()
+    row = document["triangles"][0]
+    document["vertices"] = [document["vertices"][v] for v in row[:3]]
+    document["triangles"] = [[0, 1, 2, 5, 4, 3, row[6], row[7]], [0, 2, 1, 2, 1, 0, row[7], row[6]]]
+    return document
+
+
+@refuted("map", says="= 0")
+def map_of_a_torus():
+    """One vertex, three edges, two triangles: every vertex, dart and label is in order, the genus is not."""
+    document = seed("octagon-of-one-vertex")
+    document["triangles"] = [[0, 0, 0, 3, 4, 5, 1, 2], [0, 0, 0, 0, 1, 2, 2, 1]]
+    return document
+
+
+@refuted("map")
+def vertex_under_two_names():
+    """A vertex has a second number, at the same point, in half of its triangles."""
+    document = octagon()
+    document["vertices"].append(document["vertices"][0])
+    mesh = Mesh(octagon())
+    star = mesh.star(0)
+    for dart in star[:len(star) // 2]:
+        document["triangles"][dart // 3][dart % 3] = len(document["vertices"]) - 1
+    return document
+
+
+@refuted("map", says="vertex 3.* cycle")
+def two_vertices_under_one_name():
+    """Two vertices of one chart get one number: it has two cycles of darts."""
+    document = octagon()
+    for row in document["triangles"]:
+        row[:3] = [3 if v == 8 else v for v in row[:3]]
+    document["vertices"].pop()
+    return document
+
+
+@refuted("map", says="vertex 9")
+def vertex_in_no_triangle():
+    """A further vertex, which covers whatever it covers, in no triangle."""
+    document = octagon()
+    document["vertices"].append([0, 0.3, 0.3])
+    return document
+
+
+@refuted("map")
+def dart_opposite_to_itself():
+    """A dart is its own opposite: an edge folded, or with nothing behind it."""
+    document = octagon()
+    row = document["triangles"][0]
+    other = row[3]
+    document["triangles"][other // 3][3 + other % 3] = other
+    row[3] = 0
+    return document
+
+
+@refuted("map")
+def opposite_of_another_edge():
+    """A dart's opposite is one whose opposite is another dart."""
+    document = octagon()
+    document["triangles"][0][3] = document["triangles"][5][4]
+    return document
+
+
+@refuted("map")
+def edges_of_other_vertices_glued():
+    """Two edges exchange their other sides, which join other vertices."""
+    document = octagon()
+    o = [d for row in document["triangles"] for d in row[3:6]]
+    a, b = o[0], o[7]
+    for x, y in ((0, b), (b, 0), (7, a), (a, 7)):
+        document["triangles"][x // 3][3 + x % 3] = y
+    return document
+
+
+@refuted("map", says="cycle")
+def disk_cut_out_and_sewn_up():
+    """Two neighbouring triangles are left out, and the hole is closed by gluing its four sides in pairs; all vertices are
+    one, so that every dart fits."""
+    document = seed("octagon-of-one-vertex")
+    mesh = Mesh(document)
+    other = mesh.opposite[0]
+    hole = [following(0), preceding(0), following(other), preceding(other)]
+    outer = [mesh.opposite[d] for d in hole]
+    for x, y in ((0, 1), (2, 3)):
+        mesh.opposite[outer[x]], mesh.opposite[outer[y]] = outer[y], outer[x]
+    mesh.drop_triangles({0, other // 3})
+    return mesh.write()
+
+
+@refuted("map")
+def no_triangle():
+    """Vertices, and no triangle: nothing that could be wrong."""
+    return with_(octagon(), triangles=[])
+
+
+@refuted("map")
+def nothing_at_all():
+    """No vertex, no triangle."""
+    return with_(octagon(), triangles=[], vertices=[], labels=[], charts=[])
+
+
+@refuted("map", exact=LEFT)
+def genus_of_another_surface():
+    """A net of the regular surface of genus 2, said to be one of genus 3."""
+    document = seed("regular")
+    document["surface"]["genus"] = 3
+    return document
+
+
+# ---- Gluing ------------------------------------------------------------------------------------------------------
+
+group = "gluing"
+
+
+@refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
+def label_with_one_letter_replaced():
+    """One letter of one word is another one."""
+    return with_word(octagon(), lambda word: [(word[0] + 1) % 8] + word[1:])
+
+
+@refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
+def label_with_one_letter_left_out():
+    """One letter of one word is missing."""
+    return with_word(octagon(), lambda word: word[1:])
+
+
+@refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
+def label_conjugated():
+    """A label's word, from a chart to itself, is replaced by a conjugate: trace and translation length are the same."""
+    return with_word(seed("octagon-of-one-vertex"), lambda word: [1] + word + [5])
+
+
+@refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
+def label_turned():
+    """The letters of a word in cyclic order, begun elsewhere."""
+    return with_word(seed("octagon-of-one-vertex"), lambda word: word[1:] + word[:1])
+
+
+@refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
+def label_squared():
+    """A label's word twice: the same axis."""
+    return with_word(seed("octagon-of-one-vertex"), lambda word: word + word)
+
+
+@refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
+def label_inverted():
+    """A label's word, inverted: the same axis and length."""
+    return with_word(seed("octagon-of-one-vertex"), inverse)
+
+
+@refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
+def label_read_backwards():
+    """The letters of a word in the other order: what one gets by multiplying from the wrong side."""
+    return with_word(seed("octagon-of-one-vertex"), lambda word: word[::-1])
+
+
+@refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
+def label_of_the_identity():
+    """The empty word in place of a label."""
+    return with_word(seed("octagon-of-one-vertex"), lambda word: [])
+
+
+@refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
+def two_labels_exchanged():
+    """Two words are exchanged."""
+    document = seed("octagon-of-one-vertex")
+    document["labels"][:2] = document["labels"][1::-1]
+    return document
+
+
+@refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
+def label_with_a_relator_less_a_letter():
+    """A word and seven of the eight letters once around the corner."""
+    return with_word(octagon(), lambda word: RELATOR[:7] + word)
+
+
+@refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
+def label_with_the_letters_of_a_relator():
+    """A word and the eight letters around the corner, two of them exchanged."""
+    return with_word(octagon(), lambda word: RELATOR[:2] + RELATOR[3:1:-1] + RELATOR[4:] + word)
+
+
+@refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
+def label_with_a_commutator():
+    """A word and a commutator: nothing that homology sees."""
+    return with_word(seed("octagon-of-one-vertex"), lambda word: commutator([0], [1]) + word)
+
+
+@refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
+def label_with_a_commutator_of_commutators():
+    """A word and [[a, b], [b, c]]: nothing that a metabelian quotient sees."""
+    return with_word(seed("octagon-of-one-vertex"),
+                     lambda word: commutator(commutator([0], [1]), commutator([1], [2])) + word)
+
+
+@refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
+def label_with_a_power_of_a_thousand():
+    """A word and the thousandth power of a side: far beyond the range of binary64."""
+    return with_word(octagon(), lambda word: [0] * 1_000 + word)
+
+
+def around_the_short_curve(letters):
+    """The net with a curve of length 10⁻¹² with so many letters of that curve before a label of its tile."""
+    document = seed("curve-of-1e-12")
+    surface = Surface(document["surface"])
+    # The cuffs inside of one pair of pants are glued side to side of one tile; the shortest of them is the curve.
+    best = None
+    for label in document["labels"]:
+        tile = document["charts"][label[0]][0]
+        for s, t in enumerate(surface.tile_of):
+            if t == tile and surface.tile_of[surface.partner[s]] == t:
+                g = surface.crossing(s)
+                z = point(*document["charts"][label[0]][1:])
+                moved = float(sinh2_half(z, g(z)))
+                if best is None or moved < best[0]:
+                    best = moved, label, s
+    best[1][2] = [best[2]] * letters + best[1][2]
+    return document
+
+
+@refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
+def label_with_a_curve_of_length_1e_12():
+    """A word and once around a closed geodesic of length 10⁻¹²: where that is near, the point hardly moves."""
+    return around_the_short_curve(1)
+
+
+@refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
+def label_of_a_million_letters_of_which_one_is_wrong():
+    """A word that goes to and fro, 10⁶ letters in all, one of them wrong."""
+    def change(word):
+        result = [3, 7] * ((1_000_000 - len(word)) // 2) + word
+        result[500_000] = 2
+        return result
+    return with_word(symmetric_net(), change)
+
+
+@refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
+def pairing_of_another_surface():
+    """The net of the octagon of equal sides with opposite sides glued, its sides glued as commutators: also a surface of
+    genus 2, and every word is a path."""
+    document = seed("symmetric-octagon")
+    document["surface"]["gluing"] = [[0, 0, 0, 2], [0, 1, 0, 3], [0, 4, 0, 6], [0, 5, 0, 7]]
+    return document
+
+
+@refuted("gluing", exact=LEFT, also=["orientation", "delaunay", "covering", "packing"])
+def label_of_a_regular_surface():
+    """One letter of one word of a net on the regular surface is the next one, which all symmetries make its equal."""
+    return with_word(seed("regular-of-one-vertex"), lambda word: [(word[0] + 1) % 8] + word[1:])
+
+
+# ---- Orientation -------------------------------------------------------------------------------------------------
+
+group = "orientation"
+
+
+@refuted("orientation", also=["delaunay"])
+def mirror_image_of_the_map():
+    """All triangles the other way around: a map, labels that fit, the same points and lengths."""
+    document = octagon()
+    flipped = []
+    # The mirrored triangle has the corners 0, 2, 1: its darts are the old ones 2, 1, 0, backwards.
+    for v0, v1, v2, o0, o1, o2, l1, l2 in document["triangles"]:
+        flipped.append([v0, v2, v1] + [o // 3 * 3 + 2 - o % 3 for o in (o2, o1, o0)] + [l2, l1])
+    return with_(document, triangles=flipped)
+
+
+@refuted("orientation", also=["delaunay", "covering", "packing"])
+def mirror_image_of_the_surface():
+    """The net on the mirror image of its octagon: sides are numbered so that all labels fit in the group."""
+    document = octagon()
+    tile = document["surface"]["tiles"][0]
+    document["surface"]["tiles"] = [[[x, rational(-Fraction(y))] for x, y in [tile[-k % 8] for k in range(8)]]]
+    return document
+
+
+@refuted("orientation", also=["delaunay", "covering", "packing"])
+def mirror_image_of_the_vertices():
+    """The net with all coordinates of vertices and charts conjugated."""
+    document = octagon()
+    document["charts"] = [[t, x, rational(-Fraction(y))] for t, x, y in document["charts"]]
+    document["vertices"] = [[c, x, -y] for c, x, y in document["vertices"]]
+    return document
+
+
+@refuted("orientation", also=["delaunay", "covering", "packing"])
+def surface_of_other_lengths():
+    """The net of one octagon on another one of the same genus: sides have the same numbers, so all labels fit in the
+    group."""
+    document = octagon()
+    document["surface"] = symmetric_surface()
+    return document
+
+
+@refuted("orientation", also=["delaunay", "covering", "packing"])
+def labels_all_the_identity():
+    """All words are empty: every equation of labels holds, the whole map is laid into one disk."""
+    document = octagon()
+    document["labels"] = [[f, t, []] for f, t, _ in document["labels"]]
+    return document
+
+
+@refuted("orientation", also=["delaunay", "covering", "packing"])
+def labels_in_a_cyclic_group():
+    """Every word is mapped to a power of side 0 by how often it crosses sides 0 and 4: a homomorphism, so every equation
+    of labels holds; the map is laid onto an annulus."""
+    document = octagon()
+    document["labels"] = [[f, t, [0 if n > 0 else 4] * abs(n)]
+                          for f, t, n in ((f, t, sum(map(parity, word))) for f, t, word in document["labels"])]
+    return document
+
+
+@refuted("orientation", also=["delaunay", "covering", "packing"])
+def labels_turned_by_one_side():
+    """Every letter is the next side: an automorphism of the group, as the relation is symmetric, but none of the
+    surface."""
+    document = octagon()
+    document["labels"] = [[f, t, [(s + 1) % 8 for s in word]] for f, t, word in document["labels"]]
+    return document
+
+
+@refuted("orientation", also=["delaunay", "covering", "packing"])
+def labels_of_a_dehn_twist():
+    """Every word is changed by a Dehn twist: the relation of the group is a w a⁻¹ w′ with words w, w′ without a, side 0,
+    and a becomes a w. So every equation of labels holds."""
+    document = seed("octagon-of-one-vertex")
+    surface = Surface(document["surface"])
+    image = {**{s: [s] for s in range(8)}, 0: [0, 5, 2, 7], 4: [3, 6, 1, 4]}
+    document["labels"] = [[f, t, surface.reduced(sum((image[s] for s in word), []))] for f, t, word in
+                          document["labels"]]
+    return document
+
+
+@refuted("orientation", also=["delaunay", "covering", "packing"])
+def all_vertices_in_one_point():
+    """All vertices have the coordinate of the first one."""
+    document = octagon()
+    document["vertices"] = [[c, 0, 0] for c, _, _ in document["vertices"]]
+    return document
+
+
+def with_flat_triangle(beyond):
+    """The octagon's net with one vertex moved onto the opposite side of one of its triangles, or beyond it."""
+    mesh = Mesh(octagon())
+    for dart in range(len(mesh.opposite)):
+        t, v = dart // 3, mesh.start(preceding(dart))
+        if dart % 3 != 1 or mesh.start(dart) == v or mesh.start(following(dart)) == v:
+            continue
+        # The triangle's corner 0 is v itself, in its own tile; the opposite side goes from p to q.
+        p, q = mesh.corner(dart), mesh.corner(following(dart))
+        there = translation_to(p)
+        z, end = there.inverse()(mesh.points[v][1]), there.inverse()(q)
+        share = Fraction(round(1000 * float((z * end.conjugate()).re / end.norm())), 1000)
+        foot = Gaussian(end.re * share + beyond * end.im, end.im * share - beyond * end.re)
+        moved = Mesh(octagon())
+        moved.points[v] = (mesh.points[v][0], there(foot))
+        others = [u for u in range(len(mesh.vertex)) if u != t]
+        if all(orientation(*moved.corners(u)) > 0 for u in others):
+            assert (orientation(*moved.corners(t)) == 0) == (beyond == 0)
+            return moved.write()
+    raise AssertionError
+
+
+@refuted("orientation", also=["delaunay", "covering", "packing"])
+def flat_triangle():
+    """One vertex is moved exactly onto the opposite side of one of its triangles; all other triangles stay
+    counterclockwise."""
+    return with_flat_triangle(Fraction(0))
+
+
+@refuted("orientation", also=["delaunay", "covering", "packing"])
+def triangle_turned_over_by_1e_40():
+    """The same vertex moved 10⁻⁴⁰ further, beyond that side."""
+    return with_flat_triangle(Fraction(1, 10**40))
+
+
+@refuted("orientation", also=["delaunay", "covering", "packing"])
+def centres_of_charts_exchanged():
+    """Two charts exchange their centres."""
+    document = octagon()
+    charts = document["charts"]
+    charts[0], charts[1] = charts[1], charts[0]
+    return document
+
+
+# ---- Delaunay ----------------------------------------------------------------------------------------------------
+
+group = "delaunay"
+
+
+@refuted("delaunay", also=["covering"])
+def edge_flipped():
+    """One edge is replaced by the other diagonal of its quadrilateral."""
+    mesh = Mesh(octagon())
+    mesh.flip(next(d for d in range(len(mesh.opposite)) if mesh.is_flippable(d)))
+    return mesh.write()
+
+
+def tie():
+    """The mesh of the square of four vertices on a circle, and the dart of its diagonal."""
+    mesh = Mesh(seed("square"))
+    return mesh, next(d for d in range(len(mesh.opposite)) if mesh.excess(d) == 0)
+
+
+def with_tie_missed_by(distance):
+    """One end of the diagonal of the square moved towards the other one, or away from it."""
+    mesh, dart = tie()
+    v = mesh.start(preceding(dart))
+    tile, z = mesh.points[v]
+    mesh.points[v] = (tile, Gaussian(z.re * (1 + distance), z.im))
+    return mesh
+
+
+@refuted("delaunay")
+def tie_missed_by_1e_30():
+    """Four vertices on a circle but for 10⁻³⁰, with the diagonal that is not Delaunay."""
+    mesh = with_tie_missed_by(Fraction(1, 10**30))
+    _, dart = tie()
+    if mesh.excess(dart) <= 0:
+        mesh = with_tie_missed_by(Fraction(-1, 10**30))
+    return mesh.write()
+
+
+@refuted("delaunay")
+def tie_missed_by_the_least_binary64():
+    """Four vertices on a circle but for 2⁻¹⁰⁷⁴, the least binary64 number, a coordinate of one of them in a chart of its
+    own."""
+    mesh, dart = tie()
+    document = mesh.write()
+    v = mesh.start(preceding(dart))
+    for least in (Raw("4.9406564584124654e-324"), Raw("-4.9406564584124654e-324")):
+        document["vertices"][v] = [v, least, 0]
+        z = mesh.points[v][1]
+        moved = translation_to(z)(Gaussian(Fraction(1 if least[0] != "-" else -1, 2**1074)))
+        changed = Mesh(seed("square"))
+        changed.points[v] = (changed.points[v][0], moved)
+        if changed.excess(dart) > 0:
+            return document
+    raise AssertionError
+
+
+@refuted("delaunay", exact=LEFT)
+def tie_of_a_regular_surface_missed():
+    """Symmetric vertices of the regular octagon, one of them moved by one unit in the last place."""
+    document = seed("regular-of-one-vertex")
+    document["vertices"][0][1] = 1e-16
+    return document
+
+
+@refuted("delaunay", also=["covering"])
+def packing_hidden_by_a_flip():
+    """Two vertices nearer than ε, not joined as their edge is flipped away: every edge is at least ε long."""
+    mesh, dart = with_close_pair()
+    mesh.flip(dart)
+    return mesh.write()
+
+
+def with_close_pair():
+    """The octagon's net with a vertex more that is nearer than ε to one other vertex alone, and the edge between them,
+    which can be flipped. The place was found by trying some."""
+    mesh = Mesh(octagon())
+    v = mesh.insert(2, Gaussian(Fraction(-824929, 10**6), Fraction(-24929, 500_000)))
+    mesh.make_delaunay()
+    # sinh²(ε/2) is 0.2715402….
+    short = [d for d in mesh.star(v) if mesh.length(d) < Fraction(2715, 10**4)]
+    assert len(short) == 1 and mesh.is_flippable(short[0])
+    return mesh, short[0]
+
+
+def of_2400_triangles():
+    """A net of 2,400 triangles: that of the cover of the symmetric octagon with 150 sheets, a surface of genus 151."""
+    mesh = Mesh(seed("symmetric-octagon"))
+
+    def rounded(x):
+        return x if abs(x) == Fraction(5, 6) else Fraction(round(x * 16), 16)
+    mesh.points = [(t, Gaussian(rounded(z.re), rounded(z.im))) for t, z in mesh.points]
+    mesh.make_delaunay()
+    tiles = [mesh.corners(t) for t in range(len(mesh.vertex))]
+    return net_of_tiles(tiles * 150, mesh.cover(150, parity), "1.1")
+
+
+@refuted("delaunay", also=["covering"], says="dart 7[0-9]{3} ")
+def edge_flipped_in_the_last_of_2400_triangles():
+    """A net of 2,400 triangles, the wrong diagonal in two of the last."""
+    mesh = Mesh(of_2400_triangles())
+    mesh.flip(next(d for d in range(3 * 2_399, 0, -1) if mesh.opposite[d] // 3 > 2_300 and mesh.is_flippable(d)))
+    return mesh.write()
+
+
+# ---- Covering ----------------------------------------------------------------------------------------------------
+
+group = "covering"
+
+
+@refuted("covering")
+def epsilon_1e_60_less_than_the_largest_radius():
+    """ε is the largest circumradius, rounded down after 60 digits."""
+    return with_(octagon(), epsilon=to_60_digits(radius_of(Mesh(octagon()))))
+
+
+@refuted("covering")
+def disk_left_uncovered():
+    """A true net without one of its vertices, and the Delaunay triangulation of the others."""
+    mesh = Mesh(octagon())
+    mesh.remove(3)
+    mesh.make_delaunay()
+    return mesh.write()
+
+
+@refuted("covering")
+def surface_longer_by_1e_30():
+    """The net of a symmetric octagon on one whose lengths differ by some 10⁻³⁰; ε lies between the two covering radii."""
+    one, other = symmetric_net(), symmetric_net(a=Fraction(5, 6) + Fraction(1, 10**30))
+    radii = sorted((radius_of(Mesh(document)), k) for k, document in enumerate((one, other)))
+    with localcontext() as context:
+        context.prec = 100
+        epsilon = to_60_digits((radii[0][0] + radii[1][0]) / 2)
+    return with_((one, other)[radii[1][1]], epsilon=epsilon)
+
+
+@refuted("covering")
+def vertex_moved_by_1e_50():
+    """ε is more than the largest circumradius by less than 10⁻⁵⁰; a corner of that triangle is moved outward by 10⁻⁵⁰."""
+    mesh = Mesh(octagon())
+    epsilon = to_60_digits(radius_of(mesh), 1)
+    worst = max(range(len(mesh.vertex)), key=lambda t: sinh2_circumradius(*mesh.corners(t)))
+    v = mesh.vertex[worst][0]
+    tile, z = mesh.points[v]
+    before = largest_radius(mesh)
+    for step in (Gaussian(1), Gaussian(-1), Gaussian(0, 1), Gaussian(0, -1)):
+        mesh.points[v] = (tile, z + Gaussian(step.re / 10**50, step.im / 10**50))
+        if largest_radius(mesh) - before > Fraction(1, 10**51):
+            return mesh.write(epsilon)
+    raise AssertionError
+
+
+@refuted("covering")
+def epsilon_1e_minus_9999():
+    """ε = 10⁻⁹⁹⁹⁹, so that no edge is too short."""
+    return with_(octagon(), epsilon="1e-9999")
+
+
+@refuted("covering", exact=LEFT)
+def epsilon_1e_60_less_than_the_radius_of_the_regular_octagon():
+    """ε is arcosh(3 + 2√2), the circumradius of the regular octagon, rounded down after 60 digits."""
+    return with_(seed("regular-of-one-vertex"), epsilon=to_60_digits(regular_radius()))
+
+
+def regular_radius():
+    with localcontext() as context:
+        context.prec = 100
+        cosh = 3 + 2 * Decimal(2).sqrt()
+        return (cosh + (cosh * cosh - 1).sqrt()).ln()
+
+
+@refuted("covering", says="triangle 2[23][0-9]{2} ")
+def radius_too_large_in_the_last_of_2400_triangles():
+    """A net of 2,400 triangles and a disk left uncovered in one of the last sheets: a vertex is missing there."""
+    mesh = Mesh(of_2400_triangles())
+    t = 2_300
+    v = mesh.vertex[t][0]
+    around = {mesh.start(following(d)) for d in mesh.star(v)}
+    mesh.remove(v)
+    around = [w - (w > v) for w in around]
+    make_delaunay_around(mesh, around)
+    return mesh.write()
+
+
+def make_delaunay_around(mesh, vertices):
+    changed = True
+    while changed:
+        changed = False
+        for v in vertices:
+            for dart in mesh.star(v):
+                for edge in (dart, following(dart)):
+                    if not changed and mesh.excess(edge) > 0:
+                        mesh.flip(edge)
+                        changed = True
+
+
+# ---- Packing -----------------------------------------------------------------------------------------------------
+
+group = "packing"
+
+
+@refuted("packing")
+def epsilon_1e_60_more_than_the_shortest_edge():
+    """ε is the shortest edge, rounded up after 60 digits."""
+    mesh = Mesh(octagon())
+    return with_(octagon(), epsilon=to_60_digits(edge_of(mesh), 1))
+
+
+@refuted("packing")
+def vertex_and_its_twin():
+    """Beside a vertex another one, 10⁻³⁰ away, and the Delaunay triangulation of all."""
+    mesh = Mesh(octagon())
+    t = next(t for t in range(len(mesh.vertex)))
+    corners = mesh.corners(t)
+    share = Fraction(1, 10**30)
+    a, b, c = corners
+    z = Gaussian(a.re + (b.re + c.re - 2 * a.re) * share, a.im + (b.im + c.im - 2 * a.im) * share)
+    mesh.insert(t, z)
+    mesh.make_delaunay()
+    return mesh.write()
+
+
+@refuted("packing")
+def one_vertex_too_many():
+    """A true net and one vertex more, nearer than ε to one other vertex alone."""
+    return with_close_pair()[0].write()
+
+
+@refuted("packing", says="dart 7[0-9]{3} ")
+def one_vertex_too_many_in_the_last_of_2400_triangles():
+    """A net of 2,400 triangles, with one vertex more in the last sheet, too near to others."""
+    mesh = Mesh(of_2400_triangles())
+    a, b, c = mesh.corners(2_399)
+    z = Gaussian((a.re + b.re + c.re) / 3, (a.im + b.im + c.im) / 3)
+    v = mesh.insert(2_399, Gaussian(Fraction(round(z.re * 64), 64), Fraction(round(z.im * 64), 64)))
+    make_delaunay_around(mesh, [v])
+    return mesh.write()
+
+
+@refuted("packing", exact=LEFT)
+def epsilon_more_than_the_edges_of_a_regular_surface():
+    """A net of the regular surface with an ε between its shortest edge and that and 10⁻¹⁵."""
+    return with_(seed("regular"), epsilon="1.52857091948099")
+
+
+# ---- Collars -----------------------------------------------------------------------------------------------------
+
+group = "collars"
+
+
+def collars(*changes):
+    """The pseudo net, its collars changed: (number, member, value)."""
+    document = seed("collars")
+    for k, member, value in changes:
+        document["collars"][k][member] = value
+    return document
+
+
+@refuted("collars", exact=LEFT)
+def collars_that_exchange_their_cores():
+    """The words and lengths of two collars are exchanged, as far as they are paths from the right tile."""
+    document = collars()
+    tile = [document["charts"][document["vertices"][c["vertices"][0]][0]][0] for c in document["collars"]]
+    surface = Surface(document["surface"])
+    for c, t in zip(document["collars"], tile):
+        c["core"] = [next(s for s, u in enumerate(surface.tile_of)
+                          if u == t and surface.tile_of[surface.partner[s]] == t and [s] != c["core"])]
+    return document
+
+
+@refuted("collars", exact=LEFT)
+def collars_that_exchange_their_lengths():
+    """The lengths of two collars are exchanged."""
+    document = collars()
+    a, b = document["collars"]
+    a["length"], b["length"] = b["length"], a["length"]
+    return document
+
+
+@refuted("collars", exact=LEFT)
+def collars_that_exchange_a_triangle():
+    """The second triangles of two collars are exchanged: no two of them make an annulus."""
+    document = collars()
+    a, b = document["collars"]
+    a["triangles"][1], b["triangles"][1] = b["triangles"][1], a["triangles"][1]
+    return document
+
+
+@refuted("collars", exact=LEFT)
+def collars_that_exchange_a_vertex():
+    """The second vertices of two collars are exchanged."""
+    document = collars()
+    a, b = document["collars"]
+    a["vertices"][1], b["vertices"][1] = b["vertices"][1], a["vertices"][1]
+    return document
+
+
+@refuted("collars", exact=LEFT)
+def collar_twice():
+    """The same collar twice."""
+    document = collars()
+    document["collars"].append(document["collars"][0])
+    return document
+
+
+@refuted("collars", exact=LEFT)
+def collar_twice_from_its_other_side():
+    """The same collar once more, seen from its other vertex."""
+    document = collars()
+    c = document["collars"][1]
+    document["collars"].append({**c, "vertices": c["vertices"][::-1], "triangles": c["triangles"][::-1]})
+    return document
+
+
+@refuted("collars", exact=LEFT)
+def core_squared():
+    """The core is the square of the loop."""
+    return collars((1, "core", collars()["collars"][1]["core"] * 2))
+
+
+@refuted("collars", exact=LEFT)
+def core_conjugated():
+    """The core is a conjugate of the loop: the same geodesic, another element."""
+    document = collars()
+    c = document["collars"][1]
+    surface = Surface(document["surface"])
+    tile = document["charts"][document["vertices"][c["vertices"][0]][0]][0]
+    # A loop that is no power of the core: to the other tile, around a cuff there, and back.
+    there = next(s for s, t in enumerate(surface.tile_of) if t == tile != surface.tile_of[surface.partner[s]])
+    other = surface.tile_of[surface.partner[there]]
+    cuff = next(s for s, t in enumerate(surface.tile_of) if t == other == surface.tile_of[surface.partner[s]])
+    loop = [there, cuff, surface.partner[there]]
+    c["core"] = loop + c["core"] + surface.inverse_word(loop)
+    return document
+
+
+@refuted("collars", exact=LEFT)
+def core_empty():
+    """The core is the empty word."""
+    return collars((1, "core", []))
+
+
+@refuted("collars", exact=LEFT)
+def length_of_the_core_too_small():
+    """The core is said to be shorter than it is by one unit in the last place."""
+    length = 0.25
+    return collars((1, "length", [0.2, below(length)]))
+
+
+def below(x):
+    return math.nextafter(x, 0)
+
+
+@refuted("collars", exact=LEFT)
+def length_of_the_core_too_large():
+    """The core is said to be longer than it is, by 10⁻¹⁵."""
+    return collars((1, "length", [0.25 + 1e-15, 0.3]))
+
+
+@refuted("collars", exact=LEFT)
+def length_of_the_core_zero():
+    """The core is said to have the length 0, a cusp."""
+    return collars((1, "length", [0, 0]))
+
+
+@refuted("collars", exact=LEFT)
+def core_longer_than_epsilon():
+    """ε is 0.2, less than the core of one collar, which is 0.25 long."""
+    document = collars()
+    return with_(document, epsilon="0.2", collars=document["collars"][::-1])
+
+
+@refuted("collars", exact=LEFT, also=["covering"])
+def collar_wider_than_its_vertices_cover():
+    """ε is 0.3: a collar's vertices are too far away to cover its part of the thick part."""
+    return with_(collars(), epsilon="0.3")
+
+
+@refuted("collars", exact=LEFT, also=["packing"])
+def vertices_of_a_collar_in_the_thin_part():
+    """ε is 0.3465, so that the vertices of a collar have loops that are shorter."""
+    return with_(collars(), epsilon="0.3465")
+
+
+@refuted("collars", exact=LEFT)
+def epsilon_more_than_the_logarithm_of_root_2():
+    """ε is ln √2, rounded up after 60 digits."""
+    with localcontext() as context:
+        context.prec = 100
+        return with_(collars(), epsilon=to_60_digits(Decimal(2).ln() / 2, 1))
+
+
+@refuted("collars", exact=LEFT)
+def collar_where_there_is_none():
+    """Two ordinary neighbouring triangles are said to be a collar, the length being that of the first core."""
+    document = collars()
+    t, row = next((t, row) for t, row in enumerate(document["triangles"]) if len(set(row[:3])) == 3)
+    document["collars"].append({"core": [], "length": [0.1, 0.2], "vertices": row[:2], "triangles": [t, row[3] // 3]})
+    document["collars"] = document["collars"][::-1]
+    return document
+
+
+@refuted("covering", exact=LEFT, also=["packing", "thick"])
+def collar_left_out():
+    """One of two collars is not said to be one."""
+    document = collars()
+    document["collars"].pop()
+    return document
+
+
+@refuted("covering", also=["packing"])
+def collars_left_out_of_a_net():
+    """A pseudo net without its member `collars`: a net, for the second checker too."""
+    document = collars()
+    del document["collars"]
+    return document
+
+
+@refuted("thick", exact=LEFT)
+def vertices_in_the_thin_part():
+    """A net, with the empty list of collars: vertices around a short geodesic are in the thin part."""
+    return seed("net-with-short-curves")
+
+
+@malformed("collars[0]", exact=LEFT)
+def triangle_of_a_collar_of_32_ones():
+    """A collar's triangle 2³² − 1."""
+    return collars((0, "triangles", [collars()["collars"][0]["triangles"][0], 2**32 - 1]))
+
+
+@malformed("collars[0]", exact=LEFT)
+def vertex_of_a_collar_plus_2_to_32():
+    """A collar's vertex plus 2³²."""
+    p, q = collars()["collars"][0]["vertices"]
+    return collars((0, "vertices", [p, q + 2**32]))
+
+
+@malformed("collars[0]", exact=LEFT)
+def length_of_the_core_the_other_way_around():
+    """The length of a core between 0.3 and 0.2."""
+    return collars((0, "length", [0.3, 0.2]))
+
+
+# ---- Geodesics ---------------------------------------------------------------------------------------------------
+
+group = "geodesics"
+
+
+def runs(document):
+    """The clusters that the lengths make, all said to be of equal length."""
+    clusters, end = [], 0
+    for i, row in enumerate(document["geodesics"]):
+        if row["length"][0] > end:
+            clusters.append({"first": i, "count": 0, "equal": True})
+        clusters[-1]["count"] += 1
+        end = max(end, row["length"][1])
+    return with_(document, clusters=clusters)
+
+
+def spectrum():
+    return seed("spectrum")
+
+
+@refuted("complete", exact=LEFT)
+def spectrum_without_one():
+    """One geodesic in the middle of the list is left out."""
+    document = spectrum()
+    del document["geodesics"][len(document["geodesics"]) // 2]
+    return runs(document)
+
+
+@refuted("complete", exact=LEFT)
+def spectrum_without_the_first():
+    """The shortest geodesic is left out."""
+    document = spectrum()
+    del document["geodesics"][0]
+    return runs(document)
+
+
+@refuted("complete", exact=LEFT)
+def spectrum_without_one_just_below_its_bound():
+    """The longest geodesic is left out, `up_to` being more than its length by 10⁻¹⁵."""
+    document = spectrum()
+    last = document["geodesics"].pop()
+    return runs(with_(document, up_to=repr(last["length"][1])))
+
+
+@refuted("complete", exact=LEFT)
+def spectrum_without_one_of_twelve_equal_ones():
+    """One of the twelve systoles of the Bolza surface is left out."""
+    document = seed("spectrum-of-equal-lengths")
+    del document["geodesics"][7]
+    return runs(document)
+
+
+@refuted("geodesics", exact=LEFT)
+def spectrum_with_one_beyond_its_bound():
+    """`up_to` is less than the longest length by 10⁻¹⁵."""
+    document = spectrum()
+    return with_(document, up_to=repr(document["geodesics"][-1]["length"][0] - 1e-15))
+
+
+@refuted("distinct", exact=LEFT)
+def spectrum_with_a_power():
+    """Twice around the shortest geodesic, as one more; `up_to` is such that nothing else is missing but for longer ones."""
+    document = spectrum()
+    row = copy.deepcopy(document["geodesics"][0])
+    row["word"] *= 2
+    row["length"] = [2 * x for x in row["length"]]
+    document["geodesics"].append(row)
+    return runs(with_(document, up_to="5"))
+
+
+@refuted("distinct", exact=LEFT)
+def spectrum_with_a_twin():
+    """The shortest geodesic again, as another loop, conjugated, in place of the second one."""
+    document = spectrum()
+    rows = document["geodesics"]
+    twin = copy.deepcopy(rows[0])
+    twin["word"] = twin["word"][1:] + twin["word"][:1]
+    rows.insert(1, twin)
+    return runs(document)
+
+
+@refuted("distinct", exact=LEFT)
+def spectrum_with_an_inverse():
+    """The shortest geodesic again, the other way around."""
+    document = spectrum()
+    rows = document["geodesics"]
+    rows.insert(1, {**rows[0], "word": inverse(rows[0]["word"])})
+    return runs(document)
+
+
+@refuted("distinct", exact=LEFT)
+def spectrum_with_a_twin_for_one_left_out():
+    """One of twelve geodesics of equal length is replaced by another one of them, inverted and conjugated: their number
+    is right."""
+    document = seed("spectrum-of-equal-lengths")
+    word = document["geodesics"][0]["word"]
+    document["geodesics"][7] = {**document["geodesics"][0], "word": [2] + inverse(word) + [6]}
+    return document
+
+
+@refuted("geodesics", exact=LEFT)
+def length_too_small_by_one_unit():
+    """A length's upper end is the binary64 number below the lower end of the true enclosure."""
+    document = spectrum()
+    low = document["geodesics"][0]["length"][0]
+    document["geodesics"][0]["length"] = [low - 1e-3, below(low)]
+    return document
+
+
+@refuted("geodesics", exact=LEFT)
+def word_of_the_identity():
+    """A word that goes once around the corner of the octagon, and so is no geodesic."""
+    document = spectrum()
+    document["geodesics"][0]["word"] = list(RELATOR)
+    return document
+
+
+@refuted("geodesics", exact=LEFT)
+def word_of_another_geodesic():
+    """The word of the second geodesic with the length of the first."""
+    document = spectrum()
+    rows = document["geodesics"]
+    rows[0]["word"], rows[0]["vertex"] = rows[1]["word"], rows[1]["vertex"]
+    return document
+
+
+@refuted("simple", exact=LEFT)
+def simple_geodesic_said_to_cross_itself():
+    """A simple geodesic is said not to be simple."""
+    document = spectrum()
+    document["geodesics"][1]["simple"] = False
+    return document
+
+
+@refuted("simple", exact=LEFT)
+def figure_eight_said_to_be_simple():
+    """A geodesic that crosses itself is said to be simple."""
+    document = seed("spectrum-with-a-figure-eight")
+    next(row for row in document["geodesics"] if not row["simple"])["simple"] = True
+    return document
+
+
+@refuted("equal", exact=LEFT)
+def lengths_said_to_be_equal():
+    """The enclosures of two lengths are widened until they meet, and the lengths said to be equal."""
+    document = spectrum()
+    a, b = document["geodesics"][:2]
+    a["length"][1] = b["length"][1] = max(a["length"][1], b["length"][1])
+    return runs(document)
+
+
+@malformed("clusters[0]", exact=LEFT)
+def clusters_that_are_not_the_runs():
+    """Twelve equal lengths as two clusters of six."""
+    document = seed("spectrum-of-equal-lengths")
+    document["clusters"] = [{"first": 0, "count": 6, "equal": True}, {"first": 6, "count": 6, "equal": True}]
+    return document
+
+
+@malformed("clusters[0]", exact=LEFT)
+def cluster_of_2_to_32_more():
+    """A cluster of 2³² + 12 geodesics."""
+    document = seed("spectrum-of-equal-lengths")
+    document["clusters"][0]["count"] += 2**32
+    return document
+
+
+@malformed("clusters[0]", exact=LEFT)
+def cluster_that_overflows():
+    """Clusters of 2³² − 1 and 13 geodesics: twelve in 32 bits."""
+    document = seed("spectrum-of-equal-lengths")
+    document["clusters"] = [{"first": 0, "count": 2**32 - 1, "equal": True},
+                            {"first": 2**32 - 1, "count": 13, "equal": True}]
+    return document
+
+
+@refuted("complete", exact=LEFT)
+def systole_that_is_the_second():
+    """The second shortest geodesic is said to be the shortest."""
+    document = seed("systole")
+    second = seed("spectrum")["geodesics"][1]
+    return with_(document, net=seed("spectrum")["net"], geodesics=[second])
+
+
+@refuted("complete", exact=LEFT)
+def systole_run_through_twice():
+    """The square of the systole is said to be it."""
+    document = seed("systole")
+    row = document["geodesics"][0]
+    row["word"] *= 2
+    row["length"] = [2 * x for x in row["length"]]
+    return document
+
+
+@refuted("geodesics", exact=LEFT)
+def systole_too_short():
+    """The systole with a length that is less by 10⁻¹⁵."""
+    document = seed("systole")
+    row = document["geodesics"][0]
+    row["length"] = [row["length"][0] - 2e-15, row["length"][0] - 1e-15]
+    return document
+
+
+@malformed("geodesics[0]", exact=LEFT)
+def systole_between_nearly_nothing_and_its_length():
+    """The length of the systole between 10⁻³⁰⁰ and 2.3: a true enclosure that says nothing."""
+    document = seed("systole")
+    document["geodesics"][0]["length"] = [1e-300, 2.3]
+    return document
+
+
+@malformed("geodesics[0]", exact=LEFT)
+def vertex_of_a_geodesic_plus_2_to_32():
+    """A geodesic's vertex plus 2³²."""
+    document = seed("systole")
+    document["geodesics"][0]["vertex"] += 2**32
+    return document
+
+
+@malformed("geodesics file", exact=LEFT)
+def spectrum_said_to_be_small_curves():
+    """A spectrum under the claim `thick-thin`, for which it has no pieces."""
+    return with_(spectrum(), claim="thick-thin")
+
+
+@refuted("covering", exact=LEFT)
+def geodesics_of_a_net_that_is_none():
+    """The net of a list of geodesics has an ε that is too small."""
+    document = spectrum()
+    document["net"]["epsilon"] = "0.9"
+    return document
+
+
+@malformed("net", exact=LEFT)
+def geodesics_of_a_pseudo_net():
+    """The net of a list of geodesics has the empty list of collars, and may so leave disks uncovered."""
+    document = spectrum()
+    document["net"]["collars"] = []
+    return document
+
+
+def small_curves():
+    return seed("small-curves")
+
+
+@refuted("complete", exact=LEFT)
+def small_curve_left_out():
+    """The shortest of three small curves is left out, and the pieces are those of the other two."""
+    document = small_curves()
+    del document["geodesics"][0]
+    document["pieces"] = [{"genus": 0, "boundaries": [[0, 0], [0, 1], [1, 0], [1, 1]]}]
+    return runs(document)
+
+
+@refuted("pieces", exact=LEFT)
+def piece_of_another_genus():
+    """A pair of pants is said to have genus 1."""
+    document = small_curves()
+    document["pieces"][0]["genus"] = 1
+    return document
+
+
+@refuted("pieces", exact=LEFT)
+def piece_on_the_other_side():
+    """The two sides of one curve are exchanged between two pieces."""
+    document = small_curves()
+    other = {(0, 0): [0, 1], (0, 1): [0, 0]}
+    for piece in document["pieces"]:
+        piece["boundaries"] = [other.get(tuple(b), b) for b in piece["boundaries"]]
+    return document
+
+
+@refuted("pieces", exact=LEFT)
+def pieces_made_one():
+    """Two pairs of pants are said to be one piece."""
+    document = small_curves()
+    document["pieces"] = [{"genus": 0, "boundaries": sum((piece["boundaries"] for piece in document["pieces"]), [])}]
+    return document
+
+
+@refuted("pieces", exact=LEFT)
+def piece_without_boundary():
+    """A sphere without boundary beside the pieces."""
+    document = small_curves()
+    document["pieces"].append({"genus": 0, "boundaries": []})
+    return document
+
+
+@malformed("pieces[0]", exact=LEFT)
+def boundary_of_a_third_side():
+    """A boundary on side 2 of a curve."""
+    document = small_curves()
+    document["pieces"][0]["boundaries"][0][1] = 2
+    return document
+
+
+# ---- Disguises ---------------------------------------------------------------------------------------------------
+
+group = "disguises"
+
+
+@disguise()
+def as_it_is():
+    """The net that most forgeries are made from."""
+    return octagon()
+
+
+@disguise(LEFT)
+def collars_as_they_are():
+    """The pseudo net of the forged collars."""
+    return collars()
+
+
+@disguise(LEFT)
+def spectrum_as_it_is():
+    """The spectrum of the forged ones."""
+    return spectrum()
+
+
+@disguise(LEFT)
+def equal_lengths_as_they_are():
+    """The twelve systoles of the Bolza surface."""
+    return seed("spectrum-of-equal-lengths")
+
+
+@disguise(LEFT)
+def figure_eight_as_it_is():
+    """A spectrum with a geodesic that crosses itself."""
+    return seed("spectrum-with-a-figure-eight")
+
+
+@disguise(LEFT)
+def systole_as_it_is():
+    """The systole."""
+    return seed("systole")
+
+
+@disguise(LEFT)
+def small_curves_as_they_are():
+    """The small curves and pieces."""
+    return small_curves()
+
+
+@disguise()
+def curve_of_1e_12_as_it_is():
+    """The surface with a closed geodesic of length 10⁻¹²."""
+    return seed("curve-of-1e-12")
+
+
+@disguise()
+def one_vertex_as_it_is():
+    """The net of one vertex."""
+    return seed("octagon-of-one-vertex")
+
+
+@disguise()
+def symmetric_octagon_as_it_is():
+    """The octagon of equal sides, with one vertex in its centre."""
+    return symmetric_net()
+
+
+@disguise()
+def symmetric_octagon_of_another_length():
+    """The same with lengths that differ by 10⁻³⁰."""
+    return symmetric_net(a=Fraction(5, 6) + Fraction(1, 10**30))
+
+
+@disguise()
+def short_curves_as_they_are():
+    """The net of the vertices in the thin part, as a net."""
+    document = seed("net-with-short-curves")
+    del document["collars"]
+    return document
+
+
+@disguise(LEFT)
+def regular_as_it_is():
+    """The regular surface."""
+    return seed("regular")
+
+
+@disguise()
+def triangles_as_tiles():
+    """The net's own triangles are the tiles."""
+    tiles, opposite, _ = tiled_octagon()
+    return net_of_tiles(tiles, opposite, "1")
+
+
+@disguise()
+def double_cover_of_surface_and_net():
+    """The double cover of the surface as a surface of genus 3, and that of the net."""
+    tiles, opposite, mesh = tiled_octagon()
+    return net_of_tiles(tiles * 2, mesh.cover(2, parity), "1")
+
+
+@disguise()
+def cover_of_150_sheets_of_surface_and_net():
+    """The cover of both with 150 sheets, 2,400 triangles."""
+    return of_2400_triangles()
+
+
+@disguise()
+def chart_for_every_vertex():
+    """Every vertex is the centre of a chart of its own."""
+    return Mesh(octagon()).write()
+
+
+@disguise()
+def keys_escaped():
+    """Every letter of every key as an escape."""
+    return re.sub(rb'"([a-z]+)":', lambda match: b'"' + b"".join(b"\\u%04X" % c for c in match[1]) + b'":',
+                  text(octagon()))
+
+
+@disguise()
+def strings_escaped():
+    """Every character of every rational as an escape, the slash also as `\\/`."""
+    return re.sub(rb'"([0-9/-]+)"',
+                  lambda match: b'"' + b"".join(b"\\/" if c == 47 else b"\\u%04x" % c for c in match[1]) + b'"',
+                  text(octagon()))
+
+
+@disguise()
+def keys_in_another_order():
+    """All members in reverse order."""
+    document = octagon()
+    document["surface"] = dict(reversed(document["surface"].items()))
+    return dict(reversed(document.items()))
+
+
+@disguise()
+def white_space_everywhere():
+    """Tabs, line feeds, carriage returns and spaces between all symbols."""
+    return b" \r\n\t" + re.sub(rb'([,:\[\]{}])(?=[^"]|"[a-z0-9-])', b"\\1 \t\r\n", text(octagon())) + b"\n \t"
+
+
+@disguise()
+def free_text_that_looks_like_a_net():
+    """The free text is a net with another ε."""
+    document = octagon()
+    document["surface"]["about"] = text(with_(octagon(), epsilon="0.1")).decode() + '\0"}]'
+    return document
+
+
+@disguise()
+def epsilon_in_other_ways():
+    """ε = 1 as `00010.000E-1`."""
+    return with_(octagon(), epsilon="00010.000E-1")
+
+
+@disguise()
+def epsilon_as_a_fraction():
+    """ε = 1 as `007/7`."""
+    return with_(octagon(), epsilon="007/7")
+
+
+@disguise()
+def epsilon_of_a_million_digits():
+    """ε = 1 with 10⁶ digits, as many as the format allows."""
+    return with_(octagon(), epsilon="1." + "0" * 999_999)
+
+
+@disguise()
+def rational_of_a_million_digits():
+    """A corner of the tile, not reduced, with 10⁶ digits, as many as the format allows."""
+    document = octagon()
+    zeros = "0" * 499_995
+    document["surface"]["tiles"][0][0] = [f"09373{zeros}/10000{zeros}", "0"]
+    return document
+
+
+@disguise()
+def rationals_not_reduced():
+    """Every rational times 6/6, with zeros in front and a minus before zeros."""
+    def change(x):
+        x = Fraction(x)
+        return ("-" if x <= 0 else "") + f"00{abs(x.numerator) * 6}/0{x.denominator * 6}"
+    document = octagon()
+    document["surface"]["tiles"] = [[[change(z) for z in vertex] for vertex in tile]
+                                    for tile in document["surface"]["tiles"]]
+    document["charts"] = [[t, change(x), change(y)] for t, x, y in document["charts"]]
+    return document
+
+
+def coordinates(change):
+    document = octagon()
+    document["vertices"] = [[c, Raw(change(x)), Raw(change(y))] for c, x, y in document["vertices"]]
+    return document
+
+
+@disguise()
+def coordinates_with_exponents():
+    """Every coordinate with a capital E, a sign and zeros in its exponent."""
+    def change(x):
+        mantissa, exponent = f"{x:.16e}".split("e")
+        return f"{mantissa}E{exponent[0]}000{exponent[1:]}"
+    return coordinates(change)
+
+
+@disguise()
+def coordinates_in_full():
+    """Every coordinate with all digits of its binary64 number, hundreds of them for the small ones."""
+    return coordinates(lambda x: format(Decimal(x), "f"))
+
+
+@disguise()
+def coordinates_with_zeros_at_their_end():
+    """Every coordinate with a hundred zeros at its end."""
+    return coordinates(lambda x: format(Decimal(repr(x)), "f") + ("" if "." in format(Decimal(repr(x)), "f") else ".") +
+                       "0" * 100)
+
+
+@disguise()
+def coordinates_that_round_to_the_same():
+    """Every coordinate with a digit more, less than half a unit of the last place away."""
+    def change(x):
+        return "0.0" if x == 0 else format(Decimal(x) * (1 + Decimal(10) ** -17), "f")
+    return coordinates(change)
+
+
+@disguise()
+def zeros_of_all_kinds():
+    """The coordinate 0 as `-0.0e99999999999999999999`, and as 10⁻⁴⁰⁰."""
+    document = octagon()
+    document["vertices"][0] = [0, Raw("-0.0e99999999999999999999"), Raw("1e-400")]
+    return document
+
+
+@disguise()
+def word_of_a_million_letters():
+    """A word that goes to and fro, 10⁶ letters in all."""
+    return with_word(symmetric_net(), lambda word: [3, 7] * ((1_000_000 - len(word)) // 2) + word)
+
+
+@disguise()
+def word_with_relators():
+    """A word and a hundred times around the corner of the octagon."""
+    return with_word(octagon(), lambda word: RELATOR * 100 + word)
+
+
+@disguise()
+def charts_and_labels_that_nothing_uses():
+    """A chart and labels more, not reduced, trivial and repeated."""
+    document = octagon()
+    document["charts"].append([0, "99999999999999999999/100000000000000000000", "0"])
+    document["labels"] += [[3, 3, RELATOR], [3, 0, []], [3, 0, []], [0, 3, [0, 4, 1, 5]]]
+    return document
+
+
+@disguise()
+def exact_tie():
+    """Four vertices on a circle, with one diagonal."""
+    return seed("square")
+
+
+@disguise()
+def exact_tie_flipped():
+    """The same with the other diagonal."""
+    mesh, dart = tie()
+    mesh.flip(dart)
+    return mesh.write()
+
+
+@disguise()
+def tie_missed_on_the_right_side():
+    """Four vertices on a circle but for 10⁻³⁰, with the diagonal that is Delaunay."""
+    mesh = with_tie_missed_by(Fraction(1, 10**30))
+    _, dart = tie()
+    if mesh.excess(dart) >= 0:
+        mesh = with_tie_missed_by(Fraction(-1, 10**30))
+    return mesh.write()
+
+
+@disguise()
+def epsilon_1e_60_more_than_the_largest_radius():
+    """ε is the largest circumradius, rounded up after 60 digits."""
+    return with_(octagon(), epsilon=to_60_digits(radius_of(Mesh(octagon())), 1))
+
+
+@disguise()
+def epsilon_1e_60_less_than_the_shortest_edge():
+    """ε is the shortest edge, rounded down after 60 digits."""
+    return with_(octagon(), epsilon=to_60_digits(edge_of(Mesh(octagon()))))
+
+
+@disguise(LEFT)
+def epsilon_1e_60_more_than_the_radius_of_the_regular_octagon():
+    """ε is the circumradius of the regular octagon, rounded up after 60 digits."""
+    return with_(seed("regular-of-one-vertex"), epsilon=to_60_digits(regular_radius(), 1))
+
+
+@disguise(LEFT)
+def core_inverted():
+    """The core of a collar is the inverse of the loop, which the format allows."""
+    document = collars()
+    surface = Surface(document["surface"])
+    for c in document["collars"]:
+        c["core"] = surface.inverse_word(c["core"])
+    return document
+
+
+@disguise(LEFT)
+def enclosures_made_wide():
+    """The lengths of cores and all that is true of them between 0 and 0.3."""
+    return collars((0, "length", [0, 0.3]), (1, "length", [0, 0.3]))
+
+
+# ---- Asking the programs -----------------------------------------------------------------------------------------
+
+
+def contents(name):
+    made = entries[name].make()
+    return made if isinstance(made, bytes) else text(made)
+
+
+def agrees(line, expected):
+    """certify names the file between MALFORMED and the place."""
+    line = re.sub(r'^MALFORMED: "[^"]*": ', "MALFORMED: ", line)
+    return (line + ": ").startswith(expected + ": ")
+
+
+def run(program, path, *options):
+    """Exit code and lines of output."""
+    done = subprocess.run([program, *options, path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=300)
+    # What certify-exact quotes may have a line feed in it.
+    output = re.sub(r"(?s)^MALFORMED: .*", lambda match: match[0].replace("\n", " "),
+                    done.stdout.decode("utf-8", "replace").rstrip("\n"))
+    return done.returncode, output.split("\n")
+
+
+def problems_of(name, certify, exact, folder):
+    entry = entries[name]
+    path = os.path.join(folder, name + ".json")
+    with open(path, "wb") as file:
+        file.write(contents(name))
+    problems = []
+    for program, options, expected in ((certify, ["--threads", "1"], entry.certify), (exact, [], entry.exact)):
+        code, lines = run(program, path, *options)
+        last = lines[-1]
+        if not agrees(last, expected):
+            problems.append(f"{name}: {os.path.basename(program)} says '{last[:200]}', expected '{expected}'")
+        elif code != CODES[last.split(":")[0]]:
+            problems.append(f"{name}: {os.path.basename(program)} has the exit code {code} with '{last[:200]}'")
+        if not expected.startswith("UNDECIDED") and not re.search(entry.says, last):
+            problems.append(f"{name}: {os.path.basename(program)} says '{last[:200]}', expected '{entry.says}'")
+        if program == certify and not problems:
+            rules = {line.split(":")[0] for line in lines[:-1] if re.match(r"[a-z]+: REFUTED", line)}
+            more = rules - entry.also - set(entry.certify.split(": "))
+            if more:
+                problems.append(f"{name}: also refuted by {', '.join(sorted(more))}")
+    os.remove(path)
+    return problems
+
+
+def check(certify, exact, names):
+    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
+        problems = sum(pool.map(lambda name: problems_of(name, certify, exact, folder), names), [])
+    return problems
+
+
+# ---- docs/attack.md ----------------------------------------------------------------------------------------------
+
+GROUPS = {
+    "text": "The text", "numbers": "Numbers", "structure": "Structure", "surface": "Rule `surface`",
+    "map": "Rule `map`", "gluing": "Rule `gluing`", "orientation": "Rule `orientation`",
+    "delaunay": "Rule `delaunay`", "covering": "Rule `covering`", "packing": "Rule `packing`",
+    "collars": "Pseudo nets", "geodesics": "Closed geodesics", "disguises": "Disguises"}
+
+
+def tables():
+    lines = []
+    for key, title in GROUPS.items():
+        lines += ["", f"### {title}", "", "| file | idea | `certify` | `certify-exact` |", "| --- | --- | --- | --- |"]
+        for entry in entries.values():
+            if entry.group == key:
+                exact = "not for this checker" if entry.exact == LEFT else entry.exact
+                certify = entry.certify.rstrip("[")
+                lines.append(f"| `{entry.name}` | {entry.idea.replace('|', chr(92) + '|')} | {certify} | {exact} |")
+    return "\n".join(lines) + "\n"
+
+
+def document():
+    with open(DOCUMENT, encoding="utf-8") as file:
+        head, mark, rest = file.read().partition("<!-- made by tests/certify/forgeries.py document -->\n")
+    _, end, tail = rest.partition("\n<!-- end -->")
+    false = sum(entry.group != "disguises" for entry in entries.values())
+    head = re.sub(r"\d+ forgeries and \d+ disguises", f"{false} forgeries and {len(entries) - false} disguises", head)
+    return head + mark + tables() + end + tail
+
+
+def main():
+    command, *arguments = sys.argv[1:] or ["--help"]
+    if command == "check" and len(arguments) >= 2:
+        problems = check(*arguments[:2], arguments[2:] or list(entries))
+        if not arguments[2:]:
+            with open(DOCUMENT, encoding="utf-8") as file:
+                if file.read() != document():
+                    problems.append("docs/attack.md is not what `forgeries.py document` writes")
+        print("\n".join(problems + [f"{len(arguments[2:] or entries)} files, {len(problems)} problems"]))
+        sys.exit(1 if problems else 0)
+    if command == "write" and len(arguments) == 1:
+        sys.stdout.buffer.write(contents(arguments[0]))
+    elif command == "names":
+        print("\n".join(entries))
+    elif command == "document":
+        made = document()
+        with open(DOCUMENT, "w", encoding="utf-8") as file:
+            file.write(made)
+    else:
+        sys.exit(__doc__)
+
+
+if __name__ == "__main__":
+    main()
