@@ -25,8 +25,8 @@ from fractions import Fraction
 
 sys.dont_write_bytecode = True  # Nothing is written beside the sources.
 
-from forgeries_plane import (Gaussian, Mesh, Surface, arsinh_sqrt, following, net_of_tiles, orientation, point, preceding,
-                             rational, sinh2_circumradius, sinh2_half, translation_to, written_point)
+from forgeries_plane import (Gaussian, Mesh, Surface, arsinh_sqrt, following, net_of_tiles, orientation, point,
+                             preceding, rational, sinh2_circumradius, sinh2_half, translation_to, written_point)
 
 if hasattr(sys, "set_int_max_str_digits"):
     sys.set_int_max_str_digits(0)
@@ -51,8 +51,8 @@ group = None
 
 
 def forgery(certify, exact=None, also=(), says=""):
-    """certify: how the last line begins; exact: that of certify-exact, by default the same; also: further rules that are
-    refuted, as they cannot be kept; says: a regular expression for what is said by both, where a rule has clauses."""
+    """certify: how the last line begins; exact: that of certify-exact, by default the same; also: further rules that
+    are refuted, as they cannot be kept; says: a regular expression for what is said by both, where a rule has clauses."""
     def register(function):
         entry = Entry(function, group, certify, exact, set(also), says)
         assert entry.name not in entries, entry.name
@@ -277,6 +277,22 @@ def objects_nested_a_hundred_thousand_times():
     """`{"about":` again and again as the free text."""
     return text(octagon()).replace(b'"kind":', b'"about":' + b'{"about":' * 100_000 + b'0' +
                                    b"}" * 100_000 + b',"kind":', 1)
+
+
+@malformed("surface.about")
+def free_text_of_a_mebibyte_and_one_byte():
+    """The free text has 2²⁰ + 1 bytes."""
+    document = octagon()
+    document["surface"]["about"] = "a" * (2**20 + 1)
+    return document
+
+
+@malformed("surface.about")
+def free_text_of_a_mebibyte_in_characters():
+    """The free text has 2²⁰ characters of two bytes each: the limit is one of bytes."""
+    document = octagon()
+    document["surface"]["about"] = "é" * 2**20
+    return json.dumps(document, ensure_ascii=False).encode()
 
 
 @malformed()
@@ -713,8 +729,8 @@ group = "surface"
 def cone_angle_of_4_pi():
     """The double cover of a surface, branched in two vertices, as a surface of its own, and the cover of its net.
 
-    Sides are equal, the corners close up, the map is a map of that surface, every triangle is right; only two angles are
-    4π."""
+    Sides are equal, the corners close up, the map is a map of that surface, every triangle is right; only two angles
+    are 4π."""
     tiles, opposite, mesh = tiled_octagon()
     dart = next(d for d in range(len(opposite)) if mesh.start(d) != mesh.start(following(d)))
     return net_of_tiles(tiles * 2, branched(opposite, dart, 2), "1")
@@ -938,7 +954,8 @@ def double_cover_and_a_sphere():
     a, b, c = v, v + 1, v + 2
     document["vertices"] += [octagon()["vertices"][row[i]] for i in range(3)]
     # Both are frames of a, so that one pair of labels serves both.
-    document["triangles"] += [[a, b, c, n + 5, n + 4, n + 3, row[6], row[7]], [a, c, b, n + 2, n + 1, n, row[7], row[6]]]
+    document["triangles"] += [[a, b, c, n + 5, n + 4, n + 3, row[6], row[7]],
+                              [a, c, b, n + 2, n + 1, n, row[7], row[6]]]
     return document
 
 
@@ -1033,8 +1050,8 @@ def edges_of_other_vertices_glued():
 
 @refuted("map", says="cycle")
 def disk_cut_out_and_sewn_up():
-    """Two neighbouring triangles are left out, and the hole is closed by gluing its four sides in pairs; all vertices are
-    one, so that every dart fits."""
+    """Two neighbouring triangles are left out, and the hole is closed by gluing its four sides in pairs; all vertices
+    are one, so that every dart fits."""
     document = seed("octagon-of-one-vertex")
     mesh = Mesh(document)
     other = mesh.opposite[0]
@@ -1195,8 +1212,8 @@ def label_of_a_million_letters_of_which_one_is_wrong():
 
 @refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
 def pairing_of_another_surface():
-    """The net of the octagon of equal sides with opposite sides glued, its sides glued as commutators: also a surface of
-    genus 2, and every word is a path."""
+    """The net of the octagon of equal sides with opposite sides glued, its sides glued as commutators: also a surface
+    of genus 2, and every word is a path."""
     document = seed("symmetric-octagon")
     document["surface"]["gluing"] = [[0, 0, 0, 2], [0, 1, 0, 3], [0, 4, 0, 6], [0, 5, 0, 7]]
     return document
@@ -1261,8 +1278,8 @@ def labels_all_the_identity():
 
 @refuted("orientation", also=["delaunay", "covering", "packing"])
 def labels_in_a_cyclic_group():
-    """Every word is mapped to a power of side 0 by how often it crosses sides 0 and 4: a homomorphism, so every equation
-    of labels holds; the map is laid onto an annulus."""
+    """Every word is mapped to a power of side 0 by how often it crosses sides 0 and 4: a homomorphism, so every
+    equation of labels holds; the map is laid onto an annulus."""
     document = octagon()
     document["labels"] = [[f, t, [0 if n > 0 else 4] * abs(n)]
                           for f, t, n in ((f, t, sum(map(parity, word))) for f, t, word in document["labels"])]
@@ -1280,8 +1297,8 @@ def labels_turned_by_one_side():
 
 @refuted("orientation", also=["delaunay", "covering", "packing"])
 def labels_of_a_dehn_twist():
-    """Every word is changed by a Dehn twist: the relation of the group is a w a⁻¹ w′ with words w, w′ without a, side 0,
-    and a becomes a w. So every equation of labels holds."""
+    """Every word is changed by a Dehn twist: the relation of the group is a w a⁻¹ w′ with words w, w′ without a,
+    side 0, and a becomes a w. So every equation of labels holds."""
     document = seed("octagon-of-one-vertex")
     surface = Surface(document["surface"])
     image = {**{s: [s] for s in range(8)}, 0: [0, 5, 2, 7], 4: [3, 6, 1, 4]}
@@ -1382,8 +1399,8 @@ def tie_missed_by_1e_30():
 
 @refuted("delaunay")
 def tie_missed_by_the_least_binary64():
-    """Four vertices on a circle but for 2⁻¹⁰⁷⁴, the least binary64 number, a coordinate of one of them in a chart of its
-    own."""
+    """Four vertices on a circle but for 2⁻¹⁰⁷⁴, the least binary64 number, a coordinate of one of them in a chart of
+    its own."""
     mesh, dart = tie()
     document = mesh.write()
     v = mesh.start(preceding(dart))
@@ -1468,7 +1485,8 @@ def disk_left_uncovered():
 
 @refuted("covering")
 def surface_longer_by_1e_30():
-    """The net of a symmetric octagon on one whose lengths differ by some 10⁻³⁰; ε lies between the two covering radii."""
+    """The net of a symmetric octagon on one whose lengths differ by some 10⁻³⁰; ε lies between the two covering
+    radii."""
     one, other = symmetric_net(), symmetric_net(a=Fraction(5, 6) + Fraction(1, 10**30))
     radii = sorted((radius_of(Mesh(document)), k) for k, document in enumerate((one, other)))
     with localcontext() as context:
@@ -1479,7 +1497,8 @@ def surface_longer_by_1e_30():
 
 @refuted("covering")
 def vertex_moved_by_1e_50():
-    """ε is more than the largest circumradius by less than 10⁻⁵⁰; a corner of that triangle is moved outward by 10⁻⁵⁰."""
+    """ε is more than the largest circumradius by less than 10⁻⁶⁰; a corner of that triangle is moved outward by
+    10⁻⁵⁰."""
     mesh = Mesh(octagon())
     epsilon = to_60_digits(radius_of(mesh), 1)
     worst = max(range(len(mesh.vertex)), key=lambda t: sinh2_circumradius(*mesh.corners(t)))
@@ -1652,6 +1671,18 @@ def collar_twice_from_its_other_side():
     document = collars()
     c = document["collars"][1]
     document["collars"].append({**c, "vertices": c["vertices"][::-1], "triangles": c["triangles"][::-1]})
+    return document
+
+
+@refuted("collars", exact=LEFT, says="vertex 0 is named twice")
+def collars_with_a_vertex_in_common():
+    """A third collar of other triangles, at a vertex of the first one."""
+    document = collars()
+    used = {t for c in document["collars"] for t in c["triangles"]}
+    t, row = next((t, row) for t, row in enumerate(document["triangles"]) if 0 in row[:3] and t not in used)
+    other = next(o // 3 for o in row[3:6] if o // 3 not in used)
+    second = next(v for v in row[:3] if v not in (0, 1, 3, 4))
+    document["collars"].append({**document["collars"][0], "vertices": [0, second], "triangles": [t, other]})
     return document
 
 
@@ -1829,6 +1860,13 @@ def spectrum_without_one_just_below_its_bound():
 
 
 @refuted("complete", exact=LEFT)
+def spectrum_of_nothing():
+    """No geodesic at all, up to 2.2647398959355344, more than the systole by less than 10⁻¹⁵."""
+    return with_(spectrum(), geodesics=[], clusters=[],
+                 up_to=repr(math.nextafter(spectrum()["geodesics"][0]["length"][1], 3)))
+
+
+@refuted("complete", exact=LEFT)
 def spectrum_without_one_of_twelve_equal_ones():
     """One of the twelve systoles of the Bolza surface is left out."""
     document = seed("spectrum-of-equal-lengths")
@@ -1845,18 +1883,19 @@ def spectrum_with_one_beyond_its_bound():
 
 @refuted("distinct", exact=LEFT)
 def spectrum_with_a_power():
-    """Twice around the shortest geodesic, as one more; `up_to` is such that nothing else is missing but for longer ones."""
-    document = spectrum()
+    """Twice around the shortest geodesic, as one more of a list that has all."""
+    document = seed("spectrum-with-a-figure-eight")
     row = copy.deepcopy(document["geodesics"][0])
     row["word"] *= 2
     row["length"] = [2 * x for x in row["length"]]
     document["geodesics"].append(row)
-    return runs(with_(document, up_to="5"))
+    document["geodesics"].sort(key=lambda row: row["length"][0])
+    return runs(document)
 
 
 @refuted("distinct", exact=LEFT)
 def spectrum_with_a_twin():
-    """The shortest geodesic again, as another loop, conjugated, in place of the second one."""
+    """The shortest geodesic again, as another loop, conjugated."""
     document = spectrum()
     rows = document["geodesics"]
     twin = copy.deepcopy(rows[0])
@@ -2038,6 +2077,18 @@ def small_curve_left_out():
     return runs(document)
 
 
+@refuted("geodesics", exact=LEFT)
+def small_curve_that_is_too_long():
+    """Among the small curves is the next geodesic, longer than 2 arsinh 1."""
+    document = small_curves()
+    longer = next(row for row in seed("spectrum-with-a-figure-eight")["geodesics"] if row["length"][0] > 1.77)
+    assert document["net"] == seed("spectrum-with-a-figure-eight")["net"]
+    k = len(document["geodesics"])
+    document["geodesics"].append(longer)
+    document["pieces"][0]["boundaries"] += [[k, 0], [k, 1]]
+    return runs(document)
+
+
 @refuted("pieces", exact=LEFT)
 def piece_of_another_genus():
     """A pair of pants is said to have genus 1."""
@@ -2101,6 +2152,12 @@ def collars_as_they_are():
 def spectrum_as_it_is():
     """The spectrum of the forged ones."""
     return spectrum()
+
+
+@disguise(LEFT)
+def spectrum_of_nothing_below_the_systole():
+    """No geodesic at all, up to a number less than the systole by less than 10⁻¹⁵."""
+    return with_(spectrum(), geodesics=[], clusters=[], up_to=repr(below(spectrum()["geodesics"][0]["length"][0])))
 
 
 @disguise(LEFT)
@@ -2226,6 +2283,14 @@ def free_text_that_looks_like_a_net():
     document = octagon()
     document["surface"]["about"] = text(with_(octagon(), epsilon="0.1")).decode() + '\0"}]'
     return document
+
+
+@disguise()
+def free_text_of_a_mebibyte():
+    """The free text has 2²⁰ bytes, the most that is allowed."""
+    document = octagon()
+    document["surface"]["about"] = "é" * 2**19
+    return json.dumps(document, ensure_ascii=False).encode()
 
 
 @disguise()

@@ -181,8 +181,8 @@ def preceding(dart):
 
 
 class Mesh:
-    """A net taken apart: every vertex is a point of a tile, the centre of a chart of its own; corner i of a triangle has
-    a word that leads from the tile of its vertex to the tile of the triangle's corner 0, and that of corner 0 is empty.
+    """A net taken apart: every vertex is a point of a tile, the centre of a chart of its own; corner i of a triangle
+    has a word that leads from the tile of its vertex to the tile of the triangle's corner 0; that of corner 0 is empty.
     """
 
     def __init__(self, document):
@@ -234,7 +234,8 @@ class Mesh:
         """Whether the two triangles make a strictly convex quadrilateral."""
         if dart // 3 == self.opposite[dart] // 3:
             return False
-        a, b, c, d = self.corner(dart), self.corner(following(dart)), self.corner(preceding(dart)), self.far_corner(dart)
+        a, b, c = self.corner(dart), self.corner(following(dart)), self.corner(preceding(dart))
+        d = self.far_corner(dart)
         return orientation(a, d, c) > 0 and orientation(d, b, c) > 0
 
     def set_triangle(self, t, vertices, words, opposite):
@@ -376,7 +377,8 @@ def cycles_of(opposite):
 
 
 def net_of_tiles(tiles, opposite, epsilon):
-    """The surface of triangular tiles, side k of tile t being dart 3t + k, and the net whose triangles are the tiles."""
+    """The surface of triangular tiles, side k of tile t being dart 3t + k, and the net whose triangles are the tiles.
+    """
     cycle, count = cycles_of(opposite)
     # The words from the tile of a vertex' first dart to the tile of each dart that leaves it, going around.
     word, first_dart = [None] * len(opposite), [None] * count
