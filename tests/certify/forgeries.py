@@ -753,14 +753,14 @@ def cone_angle_of_6_pi():
 
 @refuted("surface", says="do not close up")
 def cone_angle_of_2_pi_and_1e_9():
-    """An octagon with equal opposite sides whose angles add up to some 2π + 10⁻⁹."""
-    return symmetric_net(a=Fraction(5, 6), b=Fraction(3, 5) - Fraction(1, 6 * 10**9))
+    """An octagon with equal opposite sides whose angles add up to 2π + 10⁻⁹, nearly."""
+    return symmetric_net(a=Fraction(5, 6), b=Fraction(3, 5) - Fraction(3, 8 * 10**10))
 
 
 @refuted("surface", says="do not close up")
 def cone_angle_of_2_pi_less_1e_60():
-    """The same with some 2π − 10⁻⁶⁰."""
-    return symmetric_net(a=Fraction(5, 6), b=Fraction(3, 5) + Fraction(1, 10**60))
+    """The same with 2π − 10⁻⁶⁰, nearly."""
+    return symmetric_net(a=Fraction(5, 6), b=Fraction(3, 5) + Fraction(3, 8 * 10**61))
 
 
 @refuted("surface", says="do not close up")
