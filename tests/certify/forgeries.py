@@ -52,7 +52,7 @@ group = None
 
 def forgery(certify, exact=None, also=(), says=""):
     """certify: how the last line begins; exact: that of certify-exact, by default the same; also: further rules that
-    are refuted, as they cannot be kept; says: a regular expression for what is said by both, where a rule has clauses."""
+    are refuted, as they cannot be kept; says: a regular expression for what both say, where a rule has clauses."""
     def register(function):
         entry = Entry(function, group, certify, exact, set(also), says)
         assert entry.name not in entries, entry.name
@@ -1627,7 +1627,8 @@ def collars_that_exchange_their_cores():
     ways = []
     for c in (a, b):
         tile = document["charts"][document["vertices"][c["vertices"][0]][0]][0]
-        ways.append(next([s] for s, t in enumerate(surface.tile_of) if t == tile != surface.tile_of[surface.partner[s]]))
+        ways.append(next([s] for s, t in enumerate(surface.tile_of)
+                         if t == tile != surface.tile_of[surface.partner[s]]))
     a["core"], b["core"] = [way + c["core"] + surface.inverse_word(way) for way, c in zip(ways, (b, a))]
     a["length"], b["length"] = b["length"], a["length"]
     return document
