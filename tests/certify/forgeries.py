@@ -2519,7 +2519,10 @@ def problems_of(name, certify, exact, folder):
             problems.append(f"{name}: {os.path.basename(program)} says '{last[:200]}', expected '{entry.says}'")
         if program == certify and not problems:
             rules = {line.split(":")[0] for line in lines[:-1] if re.match(r"[a-z]+: REFUTED", line)}
-            more = rules - entry.also - set(entry.certify.split(": "))
+            rule = entry.certify.split(": ")[-1]
+            if entry.certify.startswith("REFUTED") and rule not in rules:
+                problems.append(f"{name}: the first checker does not refute it by {rule}")
+            more = rules - entry.also - {rule}
             if more:
                 problems.append(f"{name}: also refuted by {', '.join(sorted(more))}")
     os.remove(path)
