@@ -16,23 +16,25 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR}/certify ${CMAKE_BINARY_DIR}/netgen)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
-set(about " An epsilon-net is a finite set of points such that every point of the surface is within epsilon of one of them and no two are closer than
- epsilon. Every net is proved by an independent checker in ball arithmetic.")
-string(REPLACE "\n" "" about "${about}")
+set(about "An epsilon-net is a finite set of points such that every point of the
+surface is within epsilon of one of them and no two are closer than epsilon.
+Every net is proved by an independent checker in ball arithmetic.")
 
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME epsnet)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION math)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS "libepsnet${abi} (= ${version})")
-set(CPACK_COMPONENT_PROGRAMS_DESCRIPTION "certified epsilon-nets of closed hyperbolic surfaces\n${about}")
+set(CPACK_COMPONENT_PROGRAMS_DESCRIPTION "${about}")
 
 set(CPACK_DEBIAN_LIBRARIES_PACKAGE_NAME libepsnet${abi})
 set(CPACK_DEBIAN_LIBRARIES_PACKAGE_SECTION libs)
-set(CPACK_COMPONENT_LIBRARIES_DESCRIPTION "certified epsilon-nets of closed hyperbolic surfaces - libraries\n${about}")
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/debian/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_LIBRARIES_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_BINARY_DIR}/debian/triggers)
+set(CPACK_COMPONENT_LIBRARIES_DESCRIPTION "${about}\n.\nThese are the shared libraries.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libepsnet-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libepsnet${abi} (= ${version}), libboost-dev, libgmp-dev, libmpfr-dev")
-set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "certified epsilon-nets of closed hyperbolic surfaces - development\n${about}")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "${about}\n.\nThese are the headers, the packages of CMake and pkg-config, and examples.")
 
 # What Debian wants of each package: copyright and changelog.
 set(name epsnet)

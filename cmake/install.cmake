@@ -64,7 +64,7 @@ include(cmake/help.cmake)
 
 # Licence and documents.
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs PATTERN site EXCLUDE)
 if(EPSNET_DEBIAN)
   include(cmake/debian.cmake)
 else()
