@@ -186,16 +186,13 @@ int run(int argc, char** argv) {
   app.add_option("-o,--output", request.output, "an existing directory; finished files in it are kept")->required();
   app.add_option("--threads", request.threads, "surfaces at the same time; 0 is one per core");
   app.add_option("--insert", request.options.insertion, "cavity or flips")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Insertion>{{"cavity", Insertion::cavity}, {"flips", Insertion::flips}}));
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, Insertion>(kInsertionNames.begin(), kInsertionNames.end())));
   app.add_option("--locate", request.options.walk, "visibility or straight")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Walk>{{"visibility", Walk::visibility}, {"straight", Walk::straight}}));
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Walk>(kWalkNames.begin(), kWalkNames.end())));
   app.add_option("--list", request.options.list, "A, B, C or D, as in epsnet net")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, TriangleList>{{"A", TriangleList::all_back},
-                                                                              {"B", TriangleList::all_front},
-                                                                              {"C", TriangleList::large_back},
-                                                                              {"D", TriangleList::largest_first}}));
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, TriangleList>(kTriangleListNames.begin(), kTriangleListNames.end())));
   try {
     app.parse(argc, argv);
     check(request);

@@ -83,6 +83,10 @@ std::uint32_t next_crossing(const Surface& surface, std::uint32_t s, Turn turn) 
   return turn == Turn::counterclockwise ? surface.next_side(partner) : surface.previous_side(partner);
 }
 
+[[noreturn]] void throw_too_far(std::size_t sides) {
+  throw LimitError("a path of " + std::to_string(sides) + " sides leads too far to be evaluated");
+}
+
 std::string two_digits(double value) {
   std::array<char, 32> text{};
   (void)std::snprintf(text.data(), text.size(), "%.1e", value);
@@ -373,7 +377,8 @@ Atlas::Evaluation<T> Atlas::evaluate(std::uint32_t from, std::uint32_t to, const
 }
 
 template <class T>
-Atlas::Value<T> Atlas::evaluate_to(double bits, std::uint32_t from, std::uint32_t to, const Word& word) const {
+std::optional<Atlas::Value<T>> Atlas::evaluate_to(double bits, std::uint32_t from, std::uint32_t to,
+                                                  const Word& word) const {
   const auto rounded = [](const auto& value, double field_bits) {
     return Value<T>{convert<T>(value.isometry), std::min(field_bits - value.bits_lost, kMantissaBits<T> - 4.0)};
   };
@@ -395,15 +400,25 @@ Atlas::Value<T> Atlas::evaluate_to(double bits, std::uint32_t from, std::uint32_
       return rounded(value, 4096);
     }
   }
-  throw LimitError("a path of " + std::to_string(word.size()) + " sides leads too far to be evaluated");
+  return std::nullopt;
+}
+
+std::optional<LabelId> Atlas::find_label(std::uint32_t from, std::uint32_t to, Word word) {
+  std::optional<Value<Mp256>> value = evaluate_to<Mp256>(kLabelAccuracy + 10, from, to, word);
+  if (value && value->accuracy < kAbsoluteAccuracy + log2_norm(value->isometry)) {
+    value = evaluate_to<Mp256>(240, from, to, word);
+  }
+  if (!value) {
+    return std::nullopt;
+  }
+  return find_or_add(from, to, value->isometry, value->accuracy, [&] { return std::move(word); });
 }
 
 LabelId Atlas::label(std::uint32_t from, std::uint32_t to, Word word) {
-  Value<Mp256> value = evaluate_to<Mp256>(kLabelAccuracy + 10, from, to, word);
-  if (value.accuracy < kAbsoluteAccuracy + log2_norm(value.isometry)) {
-    value = evaluate_to<Mp256>(240, from, to, word);
-  }
-  return find_or_add(from, to, value.isometry, value.accuracy, [&] { return std::move(word); });
+  const std::size_t sides = word.size();
+  const std::optional<LabelId> result = find_label(from, to, std::move(word));
+  if (!result) throw_too_far(sides);
+  return *result;
 }
 
 template <class MakeWord>
@@ -535,7 +550,9 @@ const Isometry<T>& Atlas::isometry_in(LabelId l) {
     }
     const LabelEntry& entry = labels_[l - 1];
     constexpr double kBits = std::is_same_v<T, Mp1024> ? 620 : 2020;
-    return known.emplace(l, evaluate_to<T>(kBits, entry.from, entry.to, entry.word).isometry).first->second;
+    const auto value = evaluate_to<T>(kBits, entry.from, entry.to, entry.word);
+    if (!value) throw_too_far(entry.word.size());
+    return known.emplace(l, value->isometry).first->second;
   }
 }
 
@@ -571,67 +588,85 @@ std::optional<Atlas::Place> Atlas::place_nearby(std::uint32_t c, const Complex<d
   return best;
 }
 
-Atlas::Place Atlas::place(std::uint32_t c, const Complex<Mp1024>& z, bool exact) {
-  // Walk from tile to tile until the point lies in the one whose coordinates it has. Far from the origin bits are worth
-  // less, so there are many.
-  Complex<Mp1024> w = frame<Mp1024>(c)(z);
-  std::uint32_t tile = charts_[c].chart.tile;
-  Word path;
+std::optional<std::uint32_t> Atlas::side_before(std::uint32_t tile, const Complex<Mp1024>& z,
+                                                std::optional<std::uint32_t> entered) const {
+  const Tile& vertices = surface_.tiles()[tile];
+  const auto n = static_cast<std::uint32_t>(vertices.size());
+  const std::uint32_t first = surface_.side_number(tile, 0);
   // Most sides are seen in binary64 to have the point on their left.
-  const auto is_left_of = [&](std::uint32_t first, std::uint32_t k, std::uint32_t next) {
+  const auto is_left_of = [&](std::uint32_t k, std::uint32_t next) {
     constexpr double kRounding = 2 * kUnitRoundoff;
     const StageSign seen =
-        orientation_stage<double>(corners_[first + k], corners_[first + next], convert<double>(w), kRounding);
-    const Tile& vertices = surface_.tiles()[tile];
+        orientation_stage<double>(corners_[first + k], corners_[first + next], convert<double>(z), kRounding);
     return seen.certain
                ? seen.sign > 0
-               : orientation_determinant(convert<Mp1024>(vertices[k]), convert<Mp1024>(vertices[next]), w) >= 0;
+               : orientation_determinant(convert<Mp1024>(vertices[k]), convert<Mp1024>(vertices[next]), z) >= 0;
   };
+  for (std::uint32_t k = 0; k < n; ++k) {
+    if (entered != first + k && !is_left_of(k, (k + 1) % n)) {
+      return first + k;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Atlas::TilePoint> Atlas::walk_through_tiles(std::uint32_t tile, const Complex<Mp1024>& z) const {
   constexpr std::size_t kLongestPath = 10'000;
-  for (bool inside = false; !inside;) {
-    inside = true;
-    const auto n = static_cast<std::uint32_t>(surface_.tiles()[tile].size());
-    const std::uint32_t first = surface_.side_number(tile, 0);
-    for (std::uint32_t k = 0; k < n && inside; ++k) {
-      const std::uint32_t s = first + k;
-      const bool goes_back = !path.empty() && surface_.partner(path.back()) == s;
-      if (!goes_back && !is_left_of(first, k, (k + 1) % n)) {
-        w = crossing<Mp1024>(s)(w);
-        path.push_back(s);
-        tile = surface_.tile_of_side(surface_.partner(s));
-        inside = false;
-      }
+  TilePoint point{tile, z, {}};
+  std::optional<std::uint32_t> entered;
+  while (const std::optional<std::uint32_t> s = side_before(point.tile, point.z, entered)) {
+    point.z = crossing<Mp1024>(*s)(point.z);
+    point.path.push_back(*s);
+    entered = surface_.partner(*s);
+    point.tile = surface_.tile_of_side(*entered);
+    if (point.path.size() > kLongestPath) {
+      return std::nullopt;
     }
-    if (path.size() > kLongestPath) {
-      throw LimitError("a point lies more than " + std::to_string(kLongestPath) + " tiles away");
-    }
+  }
+  return point;
+}
+
+std::optional<std::uint32_t> Atlas::chart_near(const TilePoint& point) const {
+  const auto charts = charts_of_tile_.find(point.tile);
+  if (charts == charts_of_tile_.end()) {
+    return std::nullopt;
   }
   std::optional<std::uint32_t> nearest;
-  if (!exact) {
-    double best = 0.6 * 0.6;
-    // Most charts are seen in binary64 to be farther than that.
-    const Complex<double> seen = convert<double>(w);
-    for (const std::uint32_t candidate : charts_of_tile_[tile]) {
-      if (certainly_farther(charts_[candidate].centre, seen, best)) {
-        continue;
-      }
-      const double distance2 = static_cast<double>(norm(epsnet::inverse(frame<Mp1024>(candidate))(w)));
-      if (distance2 < best) {
-        best = distance2;
-        nearest = candidate;
-      }
+  double best = 0.6 * 0.6;
+  // Most charts are seen in binary64 to be farther than that.
+  const Complex<double> seen = convert<double>(point.z);
+  for (const std::uint32_t candidate : charts->second) {
+    if (certainly_farther(charts_[candidate].centre, seen, best)) {
+      continue;
+    }
+    const double distance2 = static_cast<double>(norm(epsnet::inverse(frame<Mp1024>(candidate))(point.z)));
+    if (distance2 < best) {
+      best = distance2;
+      nearest = candidate;
     }
   }
-  if (!nearest) {
+  return nearest;
+}
+
+std::optional<Atlas::Place> Atlas::place(std::uint32_t c, const Complex<Mp1024>& z, Precision precision) {
+  // In the tile whose coordinates it has: far from the origin bits are worth less, so there are many.
+  const std::optional<TilePoint> point = walk_through_tiles(charts_[c].chart.tile, frame<Mp1024>(c)(z));
+  if (!point) {
+    return std::nullopt;
+  }
+  const bool exact = precision == Precision::bits_256;
+  std::optional<std::uint32_t> chart = exact ? std::nullopt : chart_near(*point);
+  if (!chart) {
     // Short centres where binary64 places them well, else all the bits there are.
-    const bool round = !exact && norm(w) < 0.999999;
+    const bool round = !exact && norm(point->z) < 0.999999;
     const Complex<Rational> centre =
-        round ? convert<Rational>(convert<double>(w)) : convert<Rational>(convert<Mp256>(w));
-    nearest = add_chart({tile, centre});
+        round ? convert<Rational>(convert<double>(point->z)) : convert<Rational>(convert<Mp256>(point->z));
+    chart = add_chart({point->tile, centre});
   }
   const Complex<double> rounded =
-      exact ? Complex<double>{0, 0} : convert<double>(epsnet::inverse(frame<Mp1024>(*nearest))(w));
-  return {*nearest, rounded, label(*nearest, c, reversed(surface_, path))};
+      exact ? Complex<double>{0, 0} : convert<double>(epsnet::inverse(frame<Mp1024>(*chart))(point->z));
+  const std::optional<LabelId> to_c = find_label(*chart, c, reversed(surface_, point->path));
+  return to_c ? std::optional(Place{*chart, rounded, *to_c}) : std::nullopt;
 }
 
 template Isometry<Mp256> Atlas::frame<Mp256>(std::uint32_t) const;

@@ -57,7 +57,8 @@ class Atlas {
   template <class T>
   [[nodiscard]] Isometry<T> frame(std::uint32_t c) const;
 
-  /// The label of a word from the tile of chart `from` to the tile of chart `to`.
+  /// The label of a word from the tile of chart `from` to the tile of chart `to`. Throws LimitError if the word leads
+  /// too far to be evaluated.
   [[nodiscard]] LabelId label(std::uint32_t from, std::uint32_t to, Word word);
   /// The number of labels, the identity included.
   [[nodiscard]] std::uint32_t label_count() const { return static_cast<std::uint32_t>(labels_.size()) + 1; }
@@ -102,19 +103,38 @@ class Atlas {
   [[nodiscard]] static T lift_error();
 
   /// The point of the surface with coordinate z in chart c as a vertex: a chart, coordinates with |z| ≤ kChartRadius
-  /// there, and the label from that chart to c. The coordinates are rounded to binary64; `exact` makes the point the
-  /// origin of a chart of its own, so that 256 bits of z are kept.
+  /// there, and the label from that chart to c.
   struct Place {
     std::uint32_t chart;
     Complex<double> z;
     LabelId label;
   };
-  [[nodiscard]] Place place(std::uint32_t c, const Complex<Mp1024>& z, bool exact);
+  enum class Precision {
+    binary64,  ///< Coordinates near the origin of a chart, rounded to binary64.
+    bits_256,  ///< The point becomes the origin of a chart of its own, so that 256 bits of z are kept.
+  };
+  /// Nothing if the point is too far away: 10,000 tiles, or farther than labels can be evaluated.
+  [[nodiscard]] std::optional<Place> place(std::uint32_t c, const Complex<Mp1024>& z, Precision precision);
   /// The same for a point known in binary64, by the labels that exist; nothing if none takes it near the origin of a
   /// chart.
   [[nodiscard]] std::optional<Place> place_nearby(std::uint32_t c, const Complex<double>& z);
 
  private:
+  /// A point in the coordinates of the tile that contains it, and the path to that tile.
+  struct TilePoint {
+    std::uint32_t tile;
+    Complex<Mp1024> z;
+    Word path;
+  };
+  /// The point with the coordinate z in a tile; nothing if it is too many tiles away.
+  [[nodiscard]] std::optional<TilePoint> walk_through_tiles(std::uint32_t tile, const Complex<Mp1024>& z) const;
+  /// A side of a tile on whose right z lies, other than `entered`, the one through which a walk came; nothing if z is
+  /// in the tile.
+  [[nodiscard]] std::optional<std::uint32_t> side_before(std::uint32_t tile, const Complex<Mp1024>& z,
+                                                         std::optional<std::uint32_t> entered) const;
+  /// The chart of the tile whose origin is nearest to the point, if that is near.
+  [[nodiscard]] std::optional<std::uint32_t> chart_near(const TilePoint& point) const;
+
   /// A disk (its interior) that meets none of its images under the group: an isometry of the group other than 1 moves
   /// its centre by twice its radius or more.
   struct Disk {
@@ -188,14 +208,17 @@ class Atlas {
   template <class T>
   [[nodiscard]] double append_factors(const Word& word, std::vector<Isometry<T>>& factors) const;
   /// The value to within 2^−accuracy relative to its entries, accuracy ≥ bits, computed in a field that is large
-  /// enough.
+  /// enough; nothing if no field is.
   template <class T>
   struct Value {
     Isometry<T> isometry;
     double accuracy;
   };
   template <class T>
-  [[nodiscard]] Value<T> evaluate_to(double bits, std::uint32_t from, std::uint32_t to, const Word& word) const;
+  [[nodiscard]] std::optional<Value<T>> evaluate_to(double bits, std::uint32_t from, std::uint32_t to,
+                                                    const Word& word) const;
+  /// As `label`; nothing if the word leads too far to be evaluated.
+  [[nodiscard]] std::optional<LabelId> find_label(std::uint32_t from, std::uint32_t to, Word word);
   /// The frame of a chart, of determinant 1.
   template <class T>
   [[nodiscard]] Isometry<T> unit_frame(std::uint32_t c) const;

@@ -25,7 +25,7 @@ KleinVector klein(const ScaledPoint& z) {
 }
 
 int orientation(const KleinVector& p, const KleinVector& q, const KleinVector& r) {
-  return sign(Integer(p.x * (q.y * r.t - q.t * r.y) + p.y * (q.t * r.x - q.x * r.t) + p.t * (q.x * r.y - q.y * r.x)));
+  return sign(lorentz_product(lorentz_cross(p, q), r));
 }
 
 bool lexicographically_less(const KleinVector& p, const KleinVector& q) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernel/isometry.h"
+#include "kernel/lorentz.h"
 #include "kernel/numbers.h"
 
 /// Points of the Poincaré disk with rational coordinates, as integers: products of these take no gcd, which would be
@@ -33,13 +34,9 @@ struct GaussianFraction {
 /// z as seen from p: its image under the isometry that takes p to 0, (z − p)/(1 − p̄z).
 [[nodiscard]] GaussianFraction seen_from(const ScaledPoint& p, const ScaledPoint& z);
 
-/// A positive multiple of (Klein coordinates, 1) = (2z/(1+|z|²), 1). Hyperbolic lines are the planes through 0 of these
-/// vectors.
-struct KleinVector {
-  Integer x;
-  Integer y;
-  Integer t;
-};
+/// A point as a positive multiple of (Klein coordinates, 1) = (2z/(1+|z|²), 1), which is one of its vector on the
+/// hyperboloid. Hyperbolic lines are the planes through 0 of these vectors.
+using KleinVector = LorentzVector<Integer>;
 
 [[nodiscard]] KleinVector klein(const ScaledPoint& z);
 

@@ -1,3 +1,5 @@
+#include "triangulation/twist.h"
+
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -5,7 +7,7 @@
 #include <string>
 
 #include "kernel/isometry.h"
-#include "triangulation/triangulation.h"
+#include "triangulation/editor.h"
 
 /// Dehn twists: the turns of edges around a short closed curve, undone all at once.
 namespace epsnet {
@@ -32,61 +34,66 @@ std::string two_digits(double value) {
 
 }  // namespace
 
-bool Triangulation::untwist(Dart d, Journal* journal) {
+bool untwist(Triangulation& triangulation, Dart d, Journal* journal) {
   // The quadrilateral a, f, b, c beside d = (a, b), lifted to the chart of d's triangle. If two opposite sides are
   // glued to each other, by τ, the other two are loops: those of p and τp, and of f and τf. The edges across are
   // (p, τᵏf) for two successive k, the sides and the diagonal; other values of k are other triangulations of the same
   // annulus.
-  const Dart e = opposite(d);
-  const bool next_glued = opposite(next_dart(d)) == next_dart(e);
-  const bool previous_glued = opposite(previous_dart(d)) == previous_dart(e);
+  const Dart e = triangulation.opposite(d);
+  const bool next_glued = triangulation.opposite(next_dart(d)) == next_dart(e);
+  const bool previous_glued = triangulation.opposite(previous_dart(d)) == previous_dart(e);
   if (!next_glued && !previous_glued) return false;
+  Atlas& atlas = triangulation.atlas();
   const std::uint32_t t = triangle_of(d);
   const std::uint32_t s = triangle_of(e);
   const std::uint32_t of_p = next_glued ? corner_of(d) : next(corner_of(d));
   const std::uint32_t of_turned_f = next_glued ? next(corner_of(d)) : corner_of(d);
-  const Corner p = corner(t, of_p);
-  const Corner turned_p = corner(t, previous(corner_of(d)));
-  const LabelId tau = atlas_.product(turned_p.label, atlas_.inverse(p.label));
+  const Corner p = triangulation.corner(t, of_p);
+  const Corner turned_p = triangulation.corner(t, previous(corner_of(d)));
+  const LabelId tau = atlas.product(turned_p.label, atlas.inverse(p.label));
   if (tau == kIdentity) return false;
-  const Isometry<double>& rounded = atlas_.isometry(tau);
+  const Isometry<double>& rounded = atlas.isometry(tau);
   constexpr double kRounding = 16 * kUnitRoundoff;
   if (isometry_discriminant(rounded) - kRounding * (norm(rounded.a) + norm(rounded.b)) > kShort) return false;
 
-  const LabelId across = transition(d);
-  const Corner f = moved(across, corner(s, previous(corner_of(e))));
-  const Isometry<Mp1024> translation = atlas_.isometry_in<Mp1024>(tau);
+  const LabelId across = triangulation.transition(d);
+  const Corner f = triangulation.moved(across, triangulation.corner(s, previous(corner_of(e))));
+  const Isometry<Mp1024> translation = atlas.isometry_in<Mp1024>(tau);
   const auto axis = epsnet::axis(translation);
   if (!axis) return false;
-  const auto place = [&](const Corner& c) { return along(*axis, atlas_.lift<Mp1024>(c.label, points_[c.vertex])); };
+  const auto place = [&](const Corner& c) {
+    return along(*axis, atlas.lift<Mp1024>(c.label, triangulation.vertex(c.vertex).z));
+  };
   const auto length = static_cast<double>(displacement_length(translation));
   // The edges across are short if the feet of p and τᵏf, k ≤ turns < k + 1, are as near as they can be.
   const double turns = std::floor(static_cast<double>(Mp1024(place(p) - place(f))) / length);
   if (!(std::fabs(turns) >= kManyTurns)) return false;
-  const double letters = std::fabs(turns) * static_cast<double>(atlas_.word(tau).size());
+  const double letters = std::fabs(turns) * static_cast<double>(atlas.word(tau).size());
   if (!(letters <= kMostLetters)) {
     throw LimitError("edges of the start turn " + two_digits(std::fabs(turns)) +
                      " times around a closed curve of length " + two_digits(length) + ", across " +
                      two_digits(letters) + " sides, expected at most " + two_digits(kMostLetters) +
                      "; the surface must be cut into other tiles");
   }
-  const LabelId twist =
-      atlas_.power(turns < 0 ? atlas_.inverse(tau) : tau, static_cast<std::uint64_t>(std::fabs(turns)));
+  const LabelId twist = atlas.power(turns < 0 ? atlas.inverse(tau) : tau, static_cast<std::uint64_t>(std::fabs(turns)));
 
   std::array<Corner, 3> own;
   std::array<Corner, 3> others;
   for (std::uint32_t i = 0; i < 3; ++i) {
-    own[i] = corner(t, i);
-    others[i] = moved(across, corner(s, i));
+    own[i] = triangulation.corner(t, i);
+    others[i] = triangulation.moved(across, triangulation.corner(s, i));
   }
-  const auto turn = [&](Corner& c) { c = moved(twist, c); };
+  const auto turn = [&](Corner& c) { c = triangulation.moved(twist, c); };
   turn(own[of_turned_f]);
   turn(others[previous(corner_of(e))]);
   turn(others[next_glued ? corner_of(e) : next(corner_of(e))]);
   // Labels still fit, and V − E + F is the same: what is left to ask is whether triangles are counterclockwise.
-  if (orientation(own[0], own[1], own[2]) <= 0 || orientation(others[0], others[1], others[2]) <= 0) return false;
-  set(t, own[0], own[1], own[2], journal);
-  set(s, others[0], others[1], others[2], journal);
+  if (triangulation.orientation(own[0], own[1], own[2]) <= 0 ||
+      triangulation.orientation(others[0], others[1], others[2]) <= 0)
+    return false;
+  const Editor editor(triangulation, journal);
+  editor.set(t, own[0], own[1], own[2]);
+  editor.set(s, others[0], others[1], others[2]);
   return true;
 }
 

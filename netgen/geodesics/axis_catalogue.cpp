@@ -187,7 +187,7 @@ std::vector<typename AxisCatalogue<T>::Step> AxisCatalogue<T>::follow(Place plac
       if (same_axis(place.element, steps[0].element)) return steps;
     }
     const auto step = step_in(place, through_vertex);
-    Dart leave = 0;
+    Dart leave{};
     if (step) {
       steps.push_back(step->first);
       leave = step->second;

@@ -28,7 +28,7 @@ class Search {
   Search(const Surface& surface, const GeodesicsOptions& options)
       : options_(options),
         epsilon_(static_cast<double>(options.epsilon.value())),
-        triangulation_(net_triangulation(surface, options.epsilon, net_options(), statistics_)),
+        triangulation_(triangulated_net(surface, options.epsilon, net_options()).triangulation),
         unfolding_(triangulation_, epsilon_),
         deep_(triangulation_.vertex_count()) {
     AxisCatalogue<Mp1024> exact(triangulation_);
@@ -112,7 +112,6 @@ class Search {
 
   const GeodesicsOptions& options_;
   double epsilon_;
-  NetStatistics statistics_;
   Triangulation triangulation_;
   Unfolding unfolding_;
   std::vector<bool> deep_;
@@ -253,12 +252,10 @@ certify::GeodesicsDocument shortest_geodesic(Search& search, const GeodesicsOpti
 
 /// Calls `job` with the arithmetic that the shortest geodesics of the surface ask for.
 template <class Job>
-certify::GeodesicsDocument with_search(const Surface& surface, const GeodesicsOptions& options, const Job& job) try {
+certify::GeodesicsDocument with_search(const Surface& surface, const GeodesicsOptions& options, const Job& job) {
   Search search(surface, options);
   constexpr double kShort = 1e-6;
   return search.shortest_core() < kShort ? job(search, Mp1024()) : job(search, Mp256());
-} catch (const LimitError& error) {
-  throw NetError(error.what());
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 
 #include "kernel/plane.h"
 #include "netgen/nets/net_options.h"
+#include "triangulation/insertion.h"
+#include "triangulation/walk.h"
 
 namespace epsnet {
 namespace {
@@ -29,6 +31,11 @@ Complex<Mp1024> point_beside(const Core& core, const Mp1024& height, const Mp102
 }
 
 Mp1024 length_of(const Core& core) { return 2 * asinh(Mp1024(sqrt(core.sinh2))); }
+
+[[noreturn]] void no_place(const Core& core) {
+  throw NetError("no place was found for a vertex beside a closed geodesic of length " +
+                 std::to_string(static_cast<double>(length_of(core))));
+}
 
 }  // namespace
 
@@ -52,9 +59,8 @@ bool Collars::are_partners(std::uint32_t u, std::uint32_t v) const {
 }
 
 bool Collars::is_short_loop(Dart d) {
-  const std::uint32_t t = triangle_of(d);
-  const std::uint32_t v = triangulation_.corner(t, corner_of(d)).vertex;
-  if (triangulation_.corner(t, next(corner_of(d))).vertex != v) {
+  const std::uint32_t v = triangulation_.corner(d).vertex;
+  if (triangulation_.corner(next_dart(d)).vertex != v) {
     return false;
   }
   const Complex<double> z = triangulation_.vertex(v).z;
@@ -67,7 +73,7 @@ std::optional<Core> Collars::core_at(Dart d) {
     if (!is_short_loop(x)) {
       continue;
     }
-    const Vertex vertex = triangulation_.vertex(triangulation_.corner(triangle_of(x), corner_of(x)).vertex);
+    const Vertex vertex = triangulation_.vertex(triangulation_.corner(x).vertex);
     const auto& f = triangulation_.atlas().isometry_in<Mp1024>(triangulation_.label_along(x));
     const Mp1024 sinh2 = isometry_discriminant(f) / f.determinant();
     if (sinh2 <= sinh2_half_) {
@@ -96,11 +102,9 @@ bool Collars::is_handled(const Core& core, std::uint32_t t, LabelId label) {
     return false;
   }
   Atlas& atlas = triangulation_.atlas();
-  const Atlas::Place foot = atlas.place(core.chart, in_disk(core.foot), true);
-  const std::uint32_t v = triangulation_.add_vertex({foot.z, foot.chart});
+  const Atlas::Place foot = place_near(core, in_disk(core.foot));
   const LabelId to_t = atlas.product(label, foot.label);
-  const Location location = triangulation_.locate_visibility(t, {v, to_t}, kMostSteps);
-  triangulation_.pop_vertex();
+  const Location location = locate(triangulation_, t, {foot.chart, foot.z, to_t}, Walk::visibility, kMostSteps);
   const LabelId to_triangle = atlas.product(atlas.inverse(location.transition), to_t);
   // In a collar that is handled the foot is in its annulus: two triangles, or more as long as there are vertices of the
   // start in it. A way out of the annulus leads through a triangle with one of its two vertices, so that the first
@@ -113,7 +117,7 @@ bool Collars::is_handled(const Core& core, std::uint32_t t, LabelId label) {
   for (std::size_t k = 0; k + 1 < way.size(); ++k) {
     to_last = atlas.product(atlas.inverse(triangulation_.transition(way[k])), to_last);
   }
-  const Corner corner = triangulation_.corner(triangle_of(way.back()), corner_of(way.back()));
+  const Corner corner = triangulation_.corner(way.back());
   const Side& side = sides_.at(triangulation_.vertex(corner.vertex).chart);
   const LabelId to_core = atlas.product(side.to_core, atlas.product(atlas.inverse(corner.label), to_last));
   const Complex<Mp1024> z = atlas.lift<Mp1024>(to_core, {0, 0});
@@ -127,7 +131,7 @@ std::vector<Dart> Collars::way_to_collar(std::uint32_t t) const {
     std::size_t before;
     Dart through;
   };
-  std::vector<Visit> visits{{t, 0, 0}};
+  std::vector<Visit> visits{{t, 0, Dart{}}};
   std::unordered_set<std::uint32_t> seen{t};
   for (std::size_t k = 0; k < visits.size(); ++k) {
     for (std::uint32_t i = 0; i < 3; ++i) {
@@ -149,32 +153,22 @@ std::vector<Dart> Collars::way_to_collar(std::uint32_t t) const {
   return {};
 }
 
+Atlas::Place Collars::place_near(const Core& core, const Complex<Mp1024>& z) {
+  const auto place = triangulation_.atlas().place(core.chart, z, Atlas::Precision::bits_256);
+  if (!place) no_place(core);
+  return *place;
+}
+
 Collars::Inserted Collars::insert(const Core& core, const Complex<Mp1024>& z, std::uint32_t t, LabelId label,
                                   Journal* journal) {
   Atlas& atlas = triangulation_.atlas();
-  const Atlas::Place place = atlas.place(core.chart, z, true);
-  const std::uint32_t v = triangulation_.add_vertex({place.z, place.chart});
-  const Corner p{v, atlas.product(label, place.label)};
-  const Location location = triangulation_.locate_visibility(t, p, kMostSteps);
-  const LabelId to_face = atlas.product(atlas.inverse(location.transition), p.label);
-  if (location.type == Location::Type::face) {
-    triangulation_.split_face(triangle_of(location.dart), v, to_face, journal);
-  } else if (location.type == Location::Type::edge) {
-    triangulation_.split_edge(location.dart, v, to_face, journal);
-  } else {
-    throw NetError("no place was found for a vertex beside a closed geodesic of length " +
-                   std::to_string(static_cast<double>(length_of(core))));
-  }
-  pending_.clear();
-  for (const std::uint32_t s : triangulation_.new_triangles()) {
-    pending_.push_back(make_dart(s, 1));
-  }
-  (void)triangulation_.restore_delaunay(pending_, journal);
-  // Flips leave the new vertex in the triangles that have it.
-  const std::uint32_t s = triangulation_.new_triangles().front();
-  const auto& corners = triangulation_.triangle(s).vertex;
-  const auto i = static_cast<std::uint32_t>(std::find(corners.begin(), corners.end(), v) - corners.begin());
-  return {v, place.label, s, atlas.product(triangulation_.corner(s, i).label, atlas.inverse(place.label))};
+  const Atlas::Place place = place_near(core, z);
+  const auto inserted = insert_by_flips(triangulation_, t, {place.chart, place.z, atlas.product(label, place.label)},
+                                        Walk::visibility, kMostSteps, journal);
+  if (!inserted) no_place(core);
+  const Corner corner = triangulation_.corner(inserted->dart);
+  return {inserted->vertex, place.label, triangle_of(inserted->dart),
+          atlas.product(corner.label, atlas.inverse(place.label))};
 }
 
 void Collars::insert_pair(const Core& core, std::uint32_t t, LabelId label, Journal* journal) {
@@ -201,7 +195,7 @@ std::vector<certify::NetDocument::Collar> Collars::documents() {
   // By the chart of the vertex: the loop of the triangle that has it twice.
   std::unordered_map<std::uint32_t, Dart> loops;
   std::vector<certify::NetDocument::Collar> result;
-  const auto vertex_of = [&](Dart d) { return triangulation_.corner(triangle_of(d), corner_of(d)).vertex; };
+  const auto vertex_of = [&](Dart d) { return triangulation_.corner(d).vertex; };
   for (std::uint32_t t = 0; !sides_.empty() && t < triangulation_.triangle_count(); ++t) {
     const std::optional<Dart> loop = loop_of(t);
     if (!loop) {

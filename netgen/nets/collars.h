@@ -9,6 +9,7 @@
 #include "kernel/lorentz.h"
 #include "kernel/numbers.h"
 #include "netgen/base/length.h"
+#include "triangulation/journal.h"
 #include "triangulation/triangulation.h"
 
 namespace epsnet {
@@ -74,6 +75,8 @@ class Collars {
     std::uint32_t triangle;  ///< One of those around it, and
     LabelId label;           ///< from the core's chart to that of this triangle.
   };
+  /// A point of a core's chart as the origin of a chart of its own. Throws NetError.
+  [[nodiscard]] Atlas::Place place_near(const Core& core, const Complex<Mp1024>& z);
   [[nodiscard]] Inserted insert(const Core& core, const Complex<Mp1024>& z, std::uint32_t t, LabelId label,
                                 Journal* journal);
   /// The darts to cross from a triangle to the nearest one with a vertex of a collar, and last the dart that leaves
@@ -88,7 +91,6 @@ class Collars {
   Mp1024 epsilon_;
   Mp1024 sinh2_half_;                              ///< sinh²(ε/2).
   std::unordered_map<std::uint32_t, Side> sides_;  ///< By the chart of the vertex.
-  std::vector<Dart> pending_;
 };
 
 }  // namespace epsnet

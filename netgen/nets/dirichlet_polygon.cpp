@@ -38,8 +38,8 @@ Word word_along(const Triangulation& triangulation, Dart d) {
 
 }  // namespace
 
-DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<BasePoint>& base) try {
-  Triangulation triangulation = delaunay_start(surface, base);
+DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<BasePoint>& base) {
+  Triangulation triangulation = delaunay_start(surface, base).triangulation;
   (void)reduce_to_vertex_0(triangulation);
   Atlas& atlas = triangulation.atlas();
   // The lifts of the base point around 0, counterclockwise: the ends of the darts that leave it.
@@ -86,8 +86,6 @@ DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<B
     polygon.sides[side].partner = side_of.at(triangulation.opposite(dart));
   }
   return polygon;
-} catch (const LimitError& error) {
-  throw NetError(error.what());
 }
 
 std::string dirichlet_json(const DirichletPolygon& polygon) {

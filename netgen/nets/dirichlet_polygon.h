@@ -34,8 +34,8 @@ struct DirichletPolygon {
 /// The Dirichlet domain of a point of a surface; without one, of the surface's first vertex (the centre, if it is
 /// regular). Proved: the words, the partners, and which sides there are; distances and vertices are rounded. The time
 /// is that of the one-vertex Delaunay triangulation, mostly its labels: milliseconds for genus 2, tenths of a second
-/// for genus 20. Throws SurfaceError (a base point not inside of its tile), NetError, also if the triangulation is not
-/// verified.
+/// for genus 20. Throws SurfaceError (a base point not inside of its tile), LimitError, NetError, also if the
+/// triangulation is not verified.
 [[nodiscard]] DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<BasePoint>& base);
 
 /// As JSON (docs/format.md, "Dirichlet domain").

@@ -1,12 +1,17 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "certify/document/report.h"
+#include "triangulation/base_point.h"
 #include "triangulation/error.h"
-#include "triangulation/triangulation.h"
+#include "triangulation/walk.h"
 
 /// What a net can be asked for, and what its computation says of itself.
 namespace epsnet {
@@ -17,9 +22,6 @@ enum class Insertion {
   cavity,  ///< Bowyer–Watson from the large triangle itself; the fast way.
   flips,   ///< The thesis' way (IV.4.3 to IV.4.5): walk, split, flip. Yields the statistics of the thesis.
 };
-
-/// How `Insertion::flips` finds the triangle that contains a circumcentre (thesis Chapter II, IV.4.3).
-enum class Walk { visibility, straight };
 
 /// Which triangles are listed to be looked at, and in which order (thesis IV.4.7; the variants of Table IV.2). Large:
 /// the circumradius is more than ε. All give ε-nets, each other ones.
@@ -37,7 +39,7 @@ struct NetOptions {
   /// The start is this point alone; without it, all vertices of the tiles that are not too close to others.
   std::optional<BasePoint> base = {};
   Insertion insertion = Insertion::cavity;
-  Walk walk = Walk::visibility;
+  Walk walk = Walk::visibility;  ///< How `Insertion::flips` finds the triangle that contains a circumcentre.
   TriangleList list = TriangleList::large_back;
   /// A pseudo ε-net (thesis Definition III.7): points of the ε-thick part that cover it; ε at most ln √2.
   bool pseudo = false;
@@ -63,6 +65,38 @@ struct NetStatistics {
   double start_seconds = 0;   ///< Initial Delaunay triangulation.
   double refine_seconds = 0;  ///< Refinement.
 };
+
+/// The values of an option with the names that they have on command lines and in records.
+template <class Option, std::size_t N>
+using OptionNames = std::array<std::pair<std::string_view, Option>, N>;
+inline constexpr OptionNames<Insertion, 2> kInsertionNames{
+    {{"cavity", Insertion::cavity}, {"flips", Insertion::flips}}};
+inline constexpr OptionNames<Walk, 2> kWalkNames{{{"visibility", Walk::visibility}, {"straight", Walk::straight}}};
+/// The letters of the thesis' Table IV.2.
+inline constexpr OptionNames<TriangleList, 4> kTriangleListNames{{{"A", TriangleList::all_back},
+                                                                  {"B", TriangleList::all_front},
+                                                                  {"C", TriangleList::large_back},
+                                                                  {"D", TriangleList::largest_first}}};
+
+/// The name of a value of an option.
+template <class Option, std::size_t N>
+[[nodiscard]] constexpr std::string_view name_in(const OptionNames<Option, N>& names, Option value) {
+  for (const auto& [name, option] : names) {
+    if (option == value) return name;
+  }
+  return {};
+}
+/// The value of an option with a name; nothing if there is none.
+template <class Option, std::size_t N>
+[[nodiscard]] constexpr std::optional<Option> value_in(const OptionNames<Option, N>& names, std::string_view name) {
+  for (const auto& [known, option] : names) {
+    if (known == name) return option;
+  }
+  return std::nullopt;
+}
+[[nodiscard]] constexpr std::string_view name(Insertion insertion) { return name_in(kInsertionNames, insertion); }
+[[nodiscard]] constexpr std::string_view name(Walk walk) { return name_in(kWalkNames, walk); }
+[[nodiscard]] constexpr std::string_view name(TriangleList list) { return name_in(kTriangleListNames, list); }
 
 /// No net was found that could be proved; what() says why. The surface and ε are valid.
 class NetError : public Error {

@@ -42,9 +42,9 @@ Columns columns(const std::string& surface, const UncertifiedNet& net, const cer
   const double loop_or_infinity = loop ? loop->lower : std::numeric_limits<double>::infinity();
   return {{"surface", quoted(surface)},
           {"epsilon", net.net.epsilon},
-          {"insertion", name(options.insertion)},
-          {"walk", options.insertion == Insertion::flips ? name(options.walk) : ""},
-          {"list", name(options.list)},
+          {"insertion", std::string(name(options.insertion))},
+          {"walk", std::string(options.insertion == Insertion::flips ? name(options.walk) : "")},
+          {"list", std::string(name(options.list))},
           {"verdict", std::string(certify::name(certificate.verdict))},
           {"genus", text(counts.genus)},
           {"vertices", text(counts.vertices)},
@@ -81,24 +81,6 @@ std::string net_record(const std::string& surface, const UncertifiedNet& net, co
   for (const auto& [name, value] : columns(surface, net, certificate, options, seconds))
     result += (name == std::string_view("surface") ? "" : ",") + value;
   return result;
-}
-
-std::string name(Insertion insertion) { return insertion == Insertion::cavity ? "cavity" : "flips"; }
-
-std::string name(Walk walk) { return walk == Walk::visibility ? "visibility" : "straight"; }
-
-std::string name(TriangleList list) {
-  switch (list) {
-    case TriangleList::all_back:
-      return "A";
-    case TriangleList::all_front:
-      return "B";
-    case TriangleList::large_back:
-      return "C";
-    case TriangleList::largest_first:
-      break;
-  }
-  return "D";
 }
 
 }  // namespace epsnet

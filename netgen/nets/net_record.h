@@ -25,9 +25,4 @@ struct NetSeconds {
                                      const certify::Certificate& certificate, const NetOptions& options,
                                      const NetSeconds& seconds);
 
-/// "cavity" or "flips"; "visibility" or "straight"; "A", "B", "C" or "D", the letters of the thesis' Table IV.2.
-[[nodiscard]] std::string name(Insertion insertion);
-[[nodiscard]] std::string name(Walk walk);
-[[nodiscard]] std::string name(TriangleList list);
-
 }  // namespace epsnet

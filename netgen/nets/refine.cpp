@@ -10,6 +10,12 @@
 
 #include "netgen/nets/start.h"
 #include "netgen/nets/triangle_list.h"
+#include "triangulation/cavity.h"
+#include "triangulation/circumcentre.h"
+#include "triangulation/insertion.h"
+#include "triangulation/journal.h"
+#include "triangulation/local_insertion.h"
+#include "triangulation/marks.h"
 
 namespace epsnet {
 namespace {
@@ -23,11 +29,9 @@ using ListOf =
 template <TriangleList kList>
 class Refinement {
  public:
-  Refinement(Triangulation& triangulation, const Length& epsilon, const NetOptions& options, NetStatistics& statistics,
-             Collars* collars)
+  Refinement(Triangulation& triangulation, const Length& epsilon, const NetOptions& options, Collars* collars)
       : triangulation_(triangulation),
         options_(options),
-        statistics_(statistics),
         collars_(collars),
         large_(epsilon.value()),
         apart_(epsilon.value() / 2) {
@@ -44,7 +48,7 @@ class Refinement {
     triangulation_.reserve(static_cast<std::size_t>(1.1 * expected_ + 1000));
   }
 
-  void run() {
+  [[nodiscard]] NetStatistics run() {
     statistics_.removed += reduce_to_packing(triangulation_, apart_);
     if (collars_ != nullptr) {
       statistics_.removed += clear_collars(triangulation_, apart_, *collars_);
@@ -60,9 +64,9 @@ class Refinement {
       // a function of its own: g++ 12 removes calls of functions that do nothing but prefetch.)
       if constexpr (std::is_same_v<ListOf<kList>, TriangleQueue>) {
         if (list_.size() > 12) {
-          triangulation_.prefetch_triangle(list_[12]);
-          triangulation_.prefetch_neighbours(list_[7]);
-          triangulation_.prefetch_second_neighbours(list_[3]);
+          prefetch_triangle(triangulation_, list_[12]);
+          prefetch_neighbours(triangulation_, list_[7]);
+          prefetch_second_neighbours(triangulation_, list_[3]);
         }
       }
       // As in the thesis, where the list has darts that outlive their triangles (IV.4.7), whatever triangle is in the
@@ -72,7 +76,7 @@ class Refinement {
         continue;
       }
       if (!kLargeAlone && !is_to_go(t)) {
-        triangulation_.unmark(t);
+        unmark(triangulation_, t);
         continue;
       }
       insert_circumcentre(t);
@@ -82,6 +86,7 @@ class Refinement {
         options_.progress(triangulation_.vertex_count(), std::min(0.99, triangulation_.vertex_count() / expected_));
       }
     }
+    return statistics_;
   }
 
  private:
@@ -97,7 +102,7 @@ class Refinement {
   /// Puts a new triangle on the list; where only large ones are listed, if it is to go.
   void enter(std::uint32_t t) {
     if (!kLargeAlone || is_to_go(t)) {
-      triangulation_.mark(t);
+      mark(triangulation_, t);
       push({&t, 1});
     }
   }
@@ -125,7 +130,7 @@ class Refinement {
 
   /// sinh²(R/2), R the circumradius; infinite where binary64 does not see the centre.
   [[nodiscard]] double circumradius_order(std::uint32_t t) const {
-    const auto centre = triangulation_.circumcentre_fast(t);
+    const auto centre = circumcentre_fast(triangulation_, t);
     if (!centre || norm(*centre) >= 1) {
       return std::numeric_limits<double>::infinity();
     }
@@ -135,29 +140,30 @@ class Refinement {
 
   void insert_circumcentre(std::uint32_t t) {
     // Nearly always binary64 sees the centre well, and it stays in the triangle's chart.
-    const auto centre_in_chart = triangulation_.circumcentre_fast(t);
+    const auto centre_in_chart = circumcentre_fast(triangulation_, t);
     const std::uint32_t chart = triangulation_.chart_of(t);
     if (centre_in_chart && norm(*centre_in_chart) <= kChartRadius * kChartRadius) {
       if (options_.insertion == Insertion::cavity &&
-          triangulation_.insert_locally(t, *centre_in_chart, apart_, large_, new_triangles_)) {
+          insert_locally(triangulation_, t, *centre_in_chart, apart_, large_, new_triangles_)) {
         enter(new_triangles_);
         statistics_.flips += new_triangles_.count - 3;
         return;
       }
-      if (insert(t, {chart, *centre_in_chart, kIdentity}, true)) {
+      if (insert(t, {chart, *centre_in_chart, kIdentity}, InCircle::known)) {
         return;
       }
     } else if (centre_in_chart && norm(*centre_in_chart) < 0.95) {
       Atlas& atlas = triangulation_.atlas();
-      const auto nearby = atlas.place_nearby(chart, *centre_in_chart);
-      if (insert(t, nearby ? *nearby : atlas.place(chart, convert<Mp1024>(*centre_in_chart), false), false)) {
+      std::optional<Atlas::Place> place = atlas.place_nearby(chart, *centre_in_chart);
+      if (!place) place = atlas.place(chart, convert<Mp1024>(*centre_in_chart), Atlas::Precision::binary64);
+      if (place && insert(t, *place, InCircle::unknown)) {
         return;
       }
     }
     // Binary64 does not see the centre, or the rounded one is too close to a vertex: more bits, at last those of a
     // point that is the origin of a chart of its own.
-    if (insert_precise(t, triangulation_.circumcentre_precise<Mp256>(t)) ||
-        insert_precise(t, triangulation_.circumcentre_precise<Mp1024>(t))) {
+    if (insert_precise(t, circumcentre_precise<Mp256>(triangulation_, t)) ||
+        insert_precise(t, circumcentre_precise<Mp1024>(triangulation_, t))) {
       return;
     }
     throw NetError("no point near the circumcentre of a triangle with vertices " +
@@ -170,117 +176,110 @@ class Refinement {
   /// Makes a centre the next vertex, rounded to binary64 or, if that is too close to a vertex, as the origin of a chart
   /// of its own. False, with nothing changed, if neither works.
   [[nodiscard]] bool insert_precise(std::uint32_t t, const std::optional<Complex<Mp1024>>& centre) {
-    return centre && (insert_at(t, *centre, false) || insert_at(t, *centre, true));
+    return centre &&
+           (insert_at(t, *centre, Atlas::Precision::binary64) || insert_at(t, *centre, Atlas::Precision::bits_256));
   }
 
-  [[nodiscard]] bool insert_at(std::uint32_t t, const Complex<Mp1024>& centre, bool exact) {
-    std::optional<Atlas::Place> place;
-    try {
-      place = triangulation_.atlas().place(triangulation_.chart_of(t), centre, exact);
-    } catch (const LimitError&) {
-      return false;  // Too far away to be the centre: with more bits it may be near.
-    }
-    return insert(t, *place, false);
+  [[nodiscard]] bool insert_at(std::uint32_t t, const Complex<Mp1024>& centre, Atlas::Precision precision) {
+    // Where it is too far away to be the centre, with more bits it may be near.
+    const auto place = triangulation_.atlas().place(triangulation_.chart_of(t), centre, precision);
+    return place && insert(t, *place, InCircle::unknown);
   }
 
-  /// Makes a point the next vertex. `in_circle`: it is known to lie in the circumcircle of t. False, with nothing
-  /// changed, if that is not so or if the point cannot be proved to be at distance ε from all vertices.
-  [[nodiscard]] bool insert(std::uint32_t t, const Atlas::Place& place, bool in_circle) {
-    const std::uint32_t v = triangulation_.add_vertex({place.z, place.chart});
+  /// Whether a point is known to lie in the circumcircle of a triangle.
+  enum class InCircle { known, unknown };
+
+  /// Makes a point the next vertex. False, with nothing changed, if it is not in the circumcircle of t or cannot be
+  /// proved to be at distance ε from all vertices.
+  [[nodiscard]] bool insert(std::uint32_t t, const Atlas::Place& place, InCircle in_circle) {
+    const std::uint32_t v = add_vertex(triangulation_, {place.z, place.chart});
     const Corner p{v, place.label};
-    const bool in_conflict =
-        in_circle || triangulation_.in_circle(triangulation_.corner(t, 0), triangulation_.corner(t, 1),
-                                              triangulation_.corner(t, 2), p) > 0;
+    const bool in_conflict = in_circle == InCircle::known ||
+                             triangulation_.in_circle(triangulation_.corner(t, 0), triangulation_.corner(t, 1),
+                                                      triangulation_.corner(t, 2), p) > 0;
     if (in_conflict && options_.insertion == Insertion::cavity) {
-      const auto accept = [&](Corner q) { return triangulation_.compare_distance(q, p, apart_) > 0; };
-      if (triangulation_.insert_in_cavity(t, v, place.label, accept)) {
-        for (const std::uint32_t s : triangulation_.new_triangles()) {
+      const auto is_apart = [&](const Cavity::Edge& e) {
+        return triangulation_.compare_distance(e.from, p, apart_) > 0;
+      };
+      if (cavity_.find(triangulation_, t, p) && std::ranges::all_of(cavity_.boundary(), is_apart)) {
+        const std::span<const std::uint32_t> fan = cavity_.fill(triangulation_, p, nullptr);
+        for (const std::uint32_t s : fan) {
           enter(s);
         }
         // A cavity of k triangles has k + 2 edges: what splitting one triangle and k − 1 flips make.
-        statistics_.flips += triangulation_.new_triangles().size() - 3;
+        statistics_.flips += fan.size() - 3;
         return true;
       }
     }
-    triangulation_.pop_vertex();
-    return in_conflict && insert_by_flips(t, place);
+    pop_vertex(triangulation_);
+    return in_conflict && insert_with_flips(t, place);
   }
 
   /// Walk, split, flip (thesis IV.4.3 to IV.4.5). False, with nothing changed, if the point turns out too close to a
   /// vertex, or too far from t.
-  [[nodiscard]] bool insert_by_flips(std::uint32_t t, const Atlas::Place& place) {
-    Journal journal = triangulation_.open_journal();
-    const std::uint32_t v = triangulation_.add_vertex({place.z, place.chart});
-    const Corner p{v, place.label};
+  [[nodiscard]] bool insert_with_flips(std::uint32_t t, const Atlas::Place& place) {
+    Journal journal = open_journal(triangulation_);
     // From the triangle of which it is the circumcentre, a point is a few steps away, at first perhaps as many as there
     // are triangles (the fan of a regular polygon); unless its rounding moved it around a very short curve.
     const std::uint32_t most_steps = 40 + initial_triangles_;
-    const Location location = options_.walk == Walk::visibility ? triangulation_.locate_visibility(t, p, most_steps)
-                                                                : triangulation_.locate_straight(t, p, most_steps);
-    const LabelId label =
-        triangulation_.atlas().product(triangulation_.atlas().inverse(location.transition), place.label);
-    if (location.type == Location::Type::vertex || location.type == Location::Type::not_found) {
-      triangulation_.undo(journal);
+    const auto inserted = insert_by_flips(triangulation_, t, place, options_.walk, most_steps, &journal);
+    if (!inserted) {
       return false;
     }
-    if (location.type == Location::Type::face) {
-      triangulation_.split_face(triangle_of(location.dart), v, label, &journal);
-    } else {
-      triangulation_.split_edge(location.dart, v, label, &journal);
-    }
-    pending_.clear();
-    for (const std::uint32_t s : triangulation_.new_triangles()) {
-      pending_.push_back(make_dart(s, 1));
-    }
-    const std::uint64_t flips = triangulation_.restore_delaunay(pending_, &journal);
-
     const std::vector<std::uint32_t> changed = changed_triangles(journal);
-    for (const std::uint32_t s : changed) {
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        const Corner a = triangulation_.corner(s, i);
-        const Corner b = triangulation_.corner(s, next(i));
-        if (a.vertex != b.vertex && (a.vertex == v || b.vertex == v) &&
-            triangulation_.compare_distance(a, b, apart_) <= 0) {
-          triangulation_.undo(journal);
-          return false;
-        }
-      }
+    const std::uint32_t v = inserted->vertex;
+    const auto is_new = [v](std::uint32_t a, std::uint32_t b) { return a == v || b == v; };
+    if (short_edge(changed, is_new)) {
+      undo(triangulation_, journal);
+      return false;
     }
-    if (leads_to_collar(t, place, v, journal)) {
+    if (leads_to_collar(t, place, inserted->dart, journal)) {
       return true;
     }
     for (const std::uint32_t s : changed) {
       enter(s);
     }
-    statistics_.flips += flips;
+    statistics_.flips += inserted->flips;
     if (options_.insertion == Insertion::flips) {
       ++statistics_.located;
-      statistics_.located_at_start += location.steps == 0 ? 1 : 0;
-      statistics_.walk_steps += location.steps;
-      statistics_.longest_walk = std::max<std::uint64_t>(statistics_.longest_walk, location.steps);
+      statistics_.located_at_start += inserted->steps == 0 ? 1 : 0;
+      statistics_.walk_steps += inserted->steps;
+      statistics_.longest_walk = std::max<std::uint64_t>(statistics_.longest_walk, inserted->steps);
     }
     return true;
   }
 
-  /// Whether the vertex v that insert_by_flips has just inserted is in the l_ε-collar of a core no longer than ε whose
-  /// collar was not handled before. Then the insertion is undone and the collar handled (Algorithm III.10, step 2).
+  /// The first dart of some triangles that leads from one vertex to another, `counts(from, to)`, and is not proved to
+  /// be longer than ε; nothing if there is none.
+  template <class Counts>
+  [[nodiscard]] std::optional<Dart> short_edge(std::span<const std::uint32_t> triangles, const Counts& counts) {
+    for (const std::uint32_t s : triangles) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const Corner a = triangulation_.corner(s, i);
+        const Corner b = triangulation_.corner(s, next(i));
+        if (a.vertex != b.vertex && counts(a.vertex, b.vertex) && triangulation_.compare_distance(a, b, apart_) <= 0) {
+          return make_dart(s, i);
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Whether the vertex that insert_by_flips has just inserted, from which d leaves, is in the l_ε-collar of a core no
+  /// longer than ε whose collar was not handled before. Then the insertion is undone and the collar handled (Algorithm
+  /// III.10, step 2).
   ///
   /// It is enough to ask here: a vertex in such a collar has a loop edge (Lemma III.8), and a cavity makes none, as it
-  /// joins its new vertex to old ones only; find_cavity says no where lifts of the cavity meet.
-  [[nodiscard]] bool leads_to_collar(std::uint32_t t, const Atlas::Place& place, std::uint32_t v,
-                                     const Journal& journal) {
+  /// joins its new vertex to old ones only; Cavity::find says no where lifts of the cavity meet.
+  [[nodiscard]] bool leads_to_collar(std::uint32_t t, const Atlas::Place& place, Dart d, const Journal& journal) {
     if (collars_ == nullptr) {
       return false;
     }
-    // Flips leave the new vertex in the triangles that have it.
-    const std::uint32_t s = triangulation_.new_triangles().front();
-    const auto& corners = triangulation_.triangle(s).vertex;
-    const auto i = static_cast<std::uint32_t>(std::find(corners.begin(), corners.end(), v) - corners.begin());
-    const std::optional<Core> core = collars_->core_at(make_dart(s, i));
-    if (!core || collars_->is_handled(*core, s, triangulation_.corner(s, i).label)) {
+    const std::optional<Core> core = collars_->core_at(d);
+    if (!core || collars_->is_handled(*core, triangle_of(d), triangulation_.corner(d).label)) {
       return false;
     }
-    triangulation_.undo(journal);
+    undo(triangulation_, journal);
     ++statistics_.undone;
     handle_collar(t, place.label, *core);
     return true;
@@ -293,19 +292,15 @@ class Refinement {
   /// (Lemma III.11). And no later vertex is in the circumdisk of a triangle of the annulus: what that has outside of
   /// the annulus is in the same disks. So these triangles stay. Collars::documents and the certifier see to it.
   void handle_collar(std::uint32_t t, LabelId label, const Core& core) {
-    Journal journal = triangulation_.open_journal();
+    Journal journal = open_journal(triangulation_);
     collars_->insert_pair(core, t, label, &journal);
     const std::vector<std::uint32_t> changed = changed_triangles(journal);
-    for (const std::uint32_t s : changed) {
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        const Corner a = triangulation_.corner(s, i);
-        const Corner b = triangulation_.corner(s, next(i));
-        if (a.vertex != b.vertex && !collars_->are_partners(a.vertex, b.vertex) &&
-            triangulation_.compare_distance(a, b, apart_) <= 0) {
-          throw NetError("a vertex beside a short closed geodesic is closer than epsilon to vertex " +
-                         std::to_string(std::min(a.vertex, b.vertex)));
-        }
-      }
+    const auto no_partners = [this](std::uint32_t a, std::uint32_t b) { return !collars_->are_partners(a, b); };
+    if (const std::optional<Dart> d = short_edge(changed, no_partners)) {
+      const std::uint32_t near =
+          std::min(triangulation_.corner(*d).vertex, triangulation_.corner(next_dart(*d)).vertex);
+      throw NetError("a vertex beside a short closed geodesic is closer than epsilon to vertex " +
+                     std::to_string(near));
     }
     for (const std::uint32_t s : changed) {
       enter(s);
@@ -335,31 +330,31 @@ class Refinement {
 
   Triangulation& triangulation_;
   const NetOptions& options_;
-  NetStatistics& statistics_;
+  NetStatistics statistics_;
   Collars* collars_;  ///< Null unless the net is a pseudo net.
   Threshold large_;
   Threshold apart_;
   double expected_;
   std::uint32_t initial_triangles_ = 0;
   ListOf<kList> list_;
-  std::vector<Dart> pending_;
+  Cavity cavity_;
   NewTriangles new_triangles_;
 };
 
 }  // namespace
 
-void refine(Triangulation& triangulation, const Length& epsilon, const NetOptions& options, NetStatistics& statistics,
-            Collars* collars) {
+NetStatistics refine(Triangulation& triangulation, const Length& epsilon, const NetOptions& options, Collars* collars) {
   switch (options.list) {
-    case TriangleList::large_back:
-      return Refinement<TriangleList::large_back>(triangulation, epsilon, options, statistics, collars).run();
     case TriangleList::all_back:
-      return Refinement<TriangleList::all_back>(triangulation, epsilon, options, statistics, collars).run();
+      return Refinement<TriangleList::all_back>(triangulation, epsilon, options, collars).run();
     case TriangleList::all_front:
-      return Refinement<TriangleList::all_front>(triangulation, epsilon, options, statistics, collars).run();
+      return Refinement<TriangleList::all_front>(triangulation, epsilon, options, collars).run();
     case TriangleList::largest_first:
-      return Refinement<TriangleList::largest_first>(triangulation, epsilon, options, statistics, collars).run();
+      return Refinement<TriangleList::largest_first>(triangulation, epsilon, options, collars).run();
+    case TriangleList::large_back:
+      break;
   }
+  return Refinement<TriangleList::large_back>(triangulation, epsilon, options, collars).run();
 }
 
 }  // namespace epsnet

@@ -12,8 +12,8 @@ namespace epsnet {
 /// Every inserted point is proved to be at least ε from the others, every triangle left to have circumradius at most ε,
 /// before the certifier sees them. With `collars` until they are a pseudo ε-net (Algorithm III.10): collars of
 /// cores no longer than ε are emptied, and the triangles in them left as they are. Throws NetError where that cannot be
-/// done.
-void refine(Triangulation& triangulation, const Length& epsilon, const NetOptions& options, NetStatistics& statistics,
-            Collars* collars = nullptr);
+/// done. Returns what it did; `initial_flips`, `collars` and what concerns the result as a document are left to others.
+NetStatistics refine(Triangulation& triangulation, const Length& epsilon, const NetOptions& options,
+                     Collars* collars = nullptr);
 
 }  // namespace epsnet

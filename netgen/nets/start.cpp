@@ -3,6 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "triangulation/contraction.h"
+#include "triangulation/flip.h"
+
 namespace epsnet {
 namespace {
 
@@ -31,7 +34,7 @@ class Reduction {
   }
 
  private:
-  [[nodiscard]] std::uint32_t from(Dart d) const { return triangulation_.corner(triangle_of(d), corner_of(d)).vertex; }
+  [[nodiscard]] std::uint32_t from(Dart d) const { return triangulation_.corner(d).vertex; }
   [[nodiscard]] std::uint32_t to(Dart d) const { return from(next_dart(d)); }
 
   bool contract_where_possible() {
@@ -40,7 +43,7 @@ class Reduction {
       for (std::uint32_t i = 0; i < 3 && t < triangulation_.triangle_count(); ++i) {
         const Dart d = make_dart(t, i);
         if (from(d) != to(d) && goes_(d)) {
-          if (const std::optional<Dart> merged = triangulation_.contract(d)) {
+          if (const std::optional<Dart> merged = contract(triangulation_, d)) {
             restore(*merged);
             changed = true;
           }
@@ -77,7 +80,8 @@ class Reduction {
       length /= 2;
       const Complex<Mp1024> step = Mp1024(tanh(length) / size) * way;
       const Complex<Mp1024> target = (step + a) / (one + conj(a) * step);
-      if (triangulation_.move_vertex(d, atlas.place(start.chart, target, false))) {
+      const auto place = atlas.place(start.chart, target, Atlas::Precision::binary64);
+      if (place && move_vertex(triangulation_, d, *place)) {
         restore(d);
         return true;
       }
@@ -92,7 +96,7 @@ class Reduction {
       pending_.push_back(x);
       pending_.push_back(next_dart(x));
     }
-    (void)triangulation_.restore_delaunay(pending_);
+    (void)restore_delaunay(triangulation_, pending_);
   }
 
   Triangulation& triangulation_;
@@ -101,10 +105,7 @@ class Reduction {
 };
 
 bool too_close(Triangulation& triangulation, Dart d, const Threshold& apart) {
-  const std::uint32_t t = triangle_of(d);
-  const Corner a = triangulation.corner(t, corner_of(d));
-  const Corner b = triangulation.corner(t, next(corner_of(d)));
-  return triangulation.compare_distance(a, b, apart) <= 0;
+  return triangulation.compare_distance(triangulation.corner(d), triangulation.corner(next_dart(d)), apart) <= 0;
 }
 
 /// Inserts the two vertices for every core that a vertex of no collar has and that was not handled before; says whether
@@ -128,14 +129,13 @@ bool handle_collars(Triangulation& triangulation, Collars& collars) {
 
 }  // namespace
 
-Triangulation delaunay_start(const Surface& surface, const std::optional<BasePoint>& base, std::uint64_t* flips) {
-  Triangulation triangulation(surface, base);
+DelaunayStart delaunay_start(const Surface& surface, const std::optional<BasePoint>& base) {
+  DelaunayStart start{Triangulation(surface, base), 0};
   // Around its centre a regular surface is cut into Delaunay triangles; to see their ties would take all bits there
   // are.
-  const bool is_delaunay = surface.is_regular() && triangulation.vertex_count() == 1;
-  const std::uint64_t count = is_delaunay ? 0 : triangulation.make_delaunay();
-  if (flips != nullptr) *flips = count;
-  return triangulation;
+  const bool is_delaunay = surface.is_regular() && start.triangulation.vertex_count() == 1;
+  if (!is_delaunay) start.flips = make_delaunay(start.triangulation);
+  return start;
 }
 
 std::uint32_t reduce_to_packing(Triangulation& triangulation, const Threshold& apart) {
@@ -145,7 +145,7 @@ std::uint32_t reduce_to_packing(Triangulation& triangulation, const Threshold& a
 
 std::uint32_t clear_collars(Triangulation& triangulation, const Threshold& apart, Collars& collars) {
   const auto goes = [&](Dart d) {
-    return !collars.has_vertex(triangulation.corner(triangle_of(d), corner_of(d)).vertex) &&
+    return !collars.has_vertex(triangulation.corner(d).vertex) &&
            (too_close(triangulation, d, apart) || collars.core_at(d).has_value());
   };
   std::uint32_t removed = 0;
@@ -157,7 +157,7 @@ std::uint32_t clear_collars(Triangulation& triangulation, const Threshold& apart
 }
 
 std::uint32_t reduce_to_vertex_0(Triangulation& triangulation) {
-  const auto leaves_another = [&](Dart d) { return triangulation.corner(triangle_of(d), corner_of(d)).vertex != 0; };
+  const auto leaves_another = [&](Dart d) { return triangulation.corner(d).vertex != 0; };
   return Reduction(triangulation, leaves_another).run();
 }
 

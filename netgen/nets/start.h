@@ -9,10 +9,13 @@
 
 namespace epsnet {
 
-/// The Delaunay triangulation of the vertices that Triangulation's constructor gives; `flips`, if given, is how many
-/// edges were flipped.
-[[nodiscard]] Triangulation delaunay_start(const Surface& surface, const std::optional<BasePoint>& base,
-                                           std::uint64_t* flips = nullptr);
+struct DelaunayStart {
+  Triangulation triangulation;
+  std::uint64_t flips;  ///< How many edges were flipped.
+};
+
+/// The Delaunay triangulation of the vertices that Triangulation's constructor gives.
+[[nodiscard]] DelaunayStart delaunay_start(const Surface& surface, const std::optional<BasePoint>& base);
 
 /// Removes vertices of a Delaunay triangulation until the rest is an ε-packing, the legitimate start of Algorithm
 /// IV.4.1: edges between different vertices that are not longer than ε are contracted; where that would turn a triangle

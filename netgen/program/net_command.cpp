@@ -280,19 +280,16 @@ void add_net_command(CLI::App& app, Job& chosen) {
   CLI::Option* insert =
       net->add_option("--insert", request.options.insertion,
                       "how points are inserted: cavity is fast; flips is the way of the thesis, with its statistics")
-          ->transform(one_of<Insertion>({{"cavity", Insertion::cavity}, {"flips", Insertion::flips}}))
+          ->transform(one_of<Insertion>({kInsertionNames.begin(), kInsertionNames.end()}))
           ->option_text("cavity|flips [cavity]");
   CLI::Option* locate = net->add_option("--locate", request.options.walk,
                                         "the walk with which --insert flips, implied by this, finds triangles")
-                            ->transform(one_of<Walk>({{"visibility", Walk::visibility}, {"straight", Walk::straight}}))
+                            ->transform(one_of<Walk>({kWalkNames.begin(), kWalkNames.end()}))
                             ->option_text("visibility|straight [visibility]");
   net->add_option("--list", request.options.list,
                   "the triangles listed to be looked at, variants A to D of the thesis' Table IV.2: A all, the oldest "
                   "first; B all, the newest first; C large ones, the oldest first; D large ones, the largest first")
-      ->transform(one_of<TriangleList>({{"A", TriangleList::all_back},
-                                        {"B", TriangleList::all_front},
-                                        {"C", TriangleList::large_back},
-                                        {"D", TriangleList::largest_first}}))
+      ->transform(one_of<TriangleList>({kTriangleListNames.begin(), kTriangleListNames.end()}))
       ->option_text("A|B|C|D [C]");
   net->add_flag("--stats", request.stats, "also print what the thesis measures, and times");
   add_json(*net, request.json);

@@ -16,6 +16,7 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
 #include "netgen/surfaces/octagon.h"
+#include "triangulation/flip.h"
 
 namespace {
 
@@ -41,9 +42,8 @@ void generate(benchmark::State& state, epsnet::Insertion insertion) {
   for (auto _ : state) {
     const auto start = Clock::now();
     epsnet::Triangulation triangulation(surface);
-    (void)triangulation.make_delaunay();
-    epsnet::NetStatistics statistics;
-    epsnet::refine(triangulation, epsilon, options, statistics);
+    (void)epsnet::make_delaunay(triangulation);
+    (void)epsnet::refine(triangulation, epsilon, options);
     const double seconds = seconds_since(start);
     state.SetIterationTime(seconds);
     points = triangulation.vertex_count();
@@ -127,9 +127,8 @@ void report_memory() {
   const epsnet::Surface surface = epsnet::random_octagon(kSeed);
   const long before = peak_kilobytes();
   epsnet::Triangulation triangulation(surface);
-  (void)triangulation.make_delaunay();
-  epsnet::NetStatistics statistics;
-  epsnet::refine(triangulation, epsilon_of(2), {}, statistics);
+  (void)epsnet::make_delaunay(triangulation);
+  (void)epsnet::refine(triangulation, epsilon_of(2), {});
   const double bytes = 1024.0 * static_cast<double>(peak_kilobytes() - before);
   std::printf("memory: %.1f bytes per vertex at the peak of generation (%u vertices)\n",
               bytes / triangulation.vertex_count(), triangulation.vertex_count());

@@ -40,32 +40,32 @@ RC_GTEST_PROP(IsometryProperty, KeepsDistances, ()) {
   const Isometry<Rational> f = rational_isometry();
   RC_ASSERT(sinh2_half_distance(f(p), f(q)) == sinh2_half_distance(p, q));
 }
-RC_GTEST_PROP(IsometryProperty, Group1_ProductIsComposition, ()) {
+RC_GTEST_PROP(IsometryProperty, ProductIsComposition, ()) {
   const Isometry<Rational> f = rational_isometry(), g = rational_isometry();
   const auto z = rational_point();
   RC_ASSERT((f * g)(z) == f(g(z)));
 }
-RC_GTEST_PROP(IsometryProperty, Group2_ProductIsAssociative, ()) {
+RC_GTEST_PROP(IsometryProperty, ProductIsAssociative, ()) {
   const Isometry<Rational> f = rational_isometry(), g = rational_isometry(), h = rational_isometry();
   const Isometry<Rational> left = (f * g) * h;
   const Isometry<Rational> right = f * (g * h);
   RC_ASSERT(left.a == right.a);
   RC_ASSERT(left.b == right.b);
 }
-RC_GTEST_PROP(IsometryProperty, Group3_IdentityIsNeutral, ()) {
+RC_GTEST_PROP(IsometryProperty, IdentityIsNeutral, ()) {
   const Isometry<Rational> f = rational_isometry();
   const Isometry<Rational> one;
   RC_ASSERT((one * f).a == f.a && (one * f).b == f.b);
   RC_ASSERT((f * one).a == f.a && (f * one).b == f.b);
 }
-RC_GTEST_PROP(IsometryProperty, Group4_Inverse, ()) {
+RC_GTEST_PROP(IsometryProperty, InverseUndoesIt, ()) {
   const Isometry<Rational> f = rational_isometry();
   const auto z = rational_point();
   RC_ASSERT(inverse(f)(f(z)) == z);
   RC_ASSERT(f(inverse(f)(z)) == z);
   RC_ASSERT(classify(f * inverse(f)) == IsometryKind::identity);
 }
-RC_GTEST_PROP(IsometryProperty, Group5_InverseOfProduct, ()) {
+RC_GTEST_PROP(IsometryProperty, InverseOfAProductIsTheReversedProduct, ()) {
   const Isometry<Rational> f = rational_isometry(), g = rational_isometry();
   RC_ASSERT(same(inverse(f * g), inverse(g) * inverse(f)));
 }

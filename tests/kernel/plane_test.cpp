@@ -55,22 +55,22 @@ TEST(Distance, OfPoints1e12ApartIsNotOneOfArcosh) {
   EXPECT_LT(abs(Mp256(exact / acosh(Mp256(1 + delta)) - 1)), tolerance(100));
 }
 
-RC_GTEST_PROP(DistanceProperty, Metric1_Symmetric, ()) {
+RC_GTEST_PROP(DistanceProperty, IsSymmetric, ()) {
   const auto p = rational_point(), q = rational_point();
   RC_ASSERT(sinh2_half_distance(p, q) == sinh2_half_distance(q, p));
 }
-RC_GTEST_PROP(DistanceProperty, Metric2_ZeroForEqualPointsAlone, ()) {
+RC_GTEST_PROP(DistanceProperty, IsZeroForEqualPointsAlone, ()) {
   const auto p = rational_point(), q = rational_point();
   RC_ASSERT((sinh2_half_distance(p, q) == 0) == (p == q));
   RC_ASSERT(sinh2_half_distance(p, p) == 0);
 }
-RC_GTEST_PROP(DistanceProperty, Metric3_TriangleInequality, ()) {
+RC_GTEST_PROP(DistanceProperty, ObeysTheTriangleInequality, ()) {
   const auto p = convert<Mp256>(rational_point());
   const auto q = convert<Mp256>(rational_point());
   const auto r = convert<Mp256>(rational_point());
   RC_ASSERT(distance(p, r) <= distance(p, q) + distance(q, r) + tolerance(240));
 }
-RC_GTEST_PROP(DistanceProperty, InvariantUnderIsometries, ()) {
+RC_GTEST_PROP(DistanceProperty, IsInvariantUnderIsometries, ()) {
   const auto p = rational_point(), q = rational_point();
   const Isometry<Rational> f = rational_isometry();
   RC_ASSERT(sinh2_half_distance(f(p), f(q)) == sinh2_half_distance(p, q));
@@ -138,14 +138,17 @@ TEST(Circumcentre, OfPointsOnADiameterOrAHypercycleIsNone) {
   EXPECT_TRUE(circumcentre(west, Complex<double>{0, -0.5}, east).has_value());
 }
 
-RC_GTEST_PROP(CrossRatioProperty, TheoremI42_ImaginaryPartHasTheSignOfTheInCircleTest, ()) {
+/// Thesis Theorem I.42.
+RC_GTEST_PROP(CrossRatioProperty, ImaginaryPartHasTheSignOfTheInCircleTest, ()) {
   const auto a = rational_point(), b = rational_point(), c = rational_point(), d = rational_point();
   RC_PRE(!(a == d) && !(b == c));
   const Rational determinant = in_circle_determinant(a, b, c, d);
   // More than the sign: Im R times the square of the denominator's modulus is the determinant.
   RC_ASSERT(cross_ratio(a, b, c, d).y * norm((d - a) * (c - b)) == determinant);
 }
-RC_GTEST_PROP(CrossRatioProperty, TheoremI41_RealForCocircularPoints, ()) {
+
+/// Thesis Theorem I.41.
+RC_GTEST_PROP(CrossRatioProperty, IsRealForCocircularPoints, ()) {
   // On the circle around 0 through a rational point, by rational rotations; then moved.
   const Complex<Rational> p{Rational(*rc::gen::inRange(1, 96), 97), Rational(0)};
   const Isometry<Rational> f = rational_isometry();
@@ -155,7 +158,7 @@ RC_GTEST_PROP(CrossRatioProperty, TheoremI41_RealForCocircularPoints, ()) {
   RC_ASSERT(cross_ratio(a, b, c, d).y == 0);
   RC_ASSERT(in_circle_determinant(a, b, c, d) == 0);
 }
-RC_GTEST_PROP(CrossRatioProperty, InvariantUnderIsometries, ()) {
+RC_GTEST_PROP(CrossRatioProperty, IsInvariantUnderIsometries, ()) {
   const auto a = rational_point(), b = rational_point(), c = rational_point(), d = rational_point();
   RC_PRE(!(a == d) && !(b == c));
   const Isometry<Rational> f = rational_isometry();

@@ -572,11 +572,11 @@ TEST(StageUnderflow, HugeThresholdsDoNotMagnifyIt) {
 using test::rational_isometry;
 using test::rational_point;
 
-RC_GTEST_PROP(InCircleProperty, Identity1_CyclicRotation, ()) {
+RC_GTEST_PROP(InCircleProperty, KeepsItsSignUnderCyclicRotation, ()) {
   const auto a = rational_point(), b = rational_point(), c = rational_point(), d = rational_point();
   RC_ASSERT(in_circle_determinant(a, b, c, d) == in_circle_determinant(b, c, a, d));
 }
-RC_GTEST_PROP(InCircleProperty, Identity2_OddUnderExchangeOfAnyTwo, ()) {
+RC_GTEST_PROP(InCircleProperty, IsOddUnderExchangeOfAnyTwo, ()) {
   std::array p{rational_point(), rational_point(), rational_point(), rational_point()};
   const Rational before = in_circle_determinant(p[0], p[1], p[2], p[3]);
   const std::size_t i = *rc::gen::inRange<std::size_t>(0, 3);
@@ -584,19 +584,19 @@ RC_GTEST_PROP(InCircleProperty, Identity2_OddUnderExchangeOfAnyTwo, ()) {
   std::swap(p[i], p[j]);
   RC_ASSERT(in_circle_determinant(p[0], p[1], p[2], p[3]) == -before);
 }
-RC_GTEST_PROP(InCircleProperty, Identity3_ZeroForCoincidentPoints, ()) {
+RC_GTEST_PROP(InCircleProperty, IsZeroForCoincidentPoints, ()) {
   std::array p{rational_point(), rational_point(), rational_point(), rational_point()};
   const std::size_t i = *rc::gen::inRange<std::size_t>(0, 3);
   const std::size_t j = *rc::gen::inRange<std::size_t>(i + 1, 4);
   p[i] = p[j];
   RC_ASSERT(in_circle_determinant(p[0], p[1], p[2], p[3]) == 0);
 }
-RC_GTEST_PROP(InCircleProperty, Identity4_SignIsInvariantUnderIsometries, ()) {
+RC_GTEST_PROP(InCircleProperty, SignIsInvariantUnderIsometries, ()) {
   const auto a = rational_point(), b = rational_point(), c = rational_point(), d = rational_point();
   const Isometry<Rational> f = rational_isometry();
   RC_ASSERT(sign(in_circle_determinant(f(a), f(b), f(c), f(d))) == sign(in_circle_determinant(a, b, c, d)));
 }
-RC_GTEST_PROP(InCircleProperty, Identity5_StagesKeepTheSymmetry, ()) {
+RC_GTEST_PROP(InCircleProperty, StagesKeepTheSymmetry, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
   const auto p = test::adversarial_points<double, 4>(random);
   const double e = random() % 2 == 0 ? 0 : 1e-12;
@@ -607,27 +607,27 @@ RC_GTEST_PROP(InCircleProperty, Identity5_StagesKeepTheSymmetry, ()) {
   RC_ASSERT(!s.certain || !swapped.certain || swapped.sign == -s.sign);
 }
 
-RC_GTEST_PROP(OrientationProperty, Identity1_CyclicRotation, ()) {
+RC_GTEST_PROP(OrientationProperty, KeepsItsSignUnderCyclicRotation, ()) {
   const auto a = rational_point(), b = rational_point(), c = rational_point();
   RC_ASSERT(orientation_determinant(a, b, c) == orientation_determinant(b, c, a));
 }
-RC_GTEST_PROP(OrientationProperty, Identity2_OddUnderExchange, ()) {
+RC_GTEST_PROP(OrientationProperty, IsOddUnderExchange, ()) {
   const auto a = rational_point(), b = rational_point(), c = rational_point();
   RC_ASSERT(orientation_determinant(a, b, c) == -orientation_determinant(b, a, c));
 }
-RC_GTEST_PROP(OrientationProperty, Identity3_ZeroOnTheGeodesic, ()) {
+RC_GTEST_PROP(OrientationProperty, IsZeroOnTheGeodesic, ()) {
   // Points on a diameter, moved: any geodesic.
   const Isometry<Rational> f = rational_isometry();
   const auto on_diameter = [] { return Complex<Rational>{Rational(*rc::gen::inRange(-96, 97), 97), Rational(0)}; };
   RC_ASSERT(orientation_determinant(f(on_diameter()), f(on_diameter()), f(on_diameter())) == 0);
 }
-RC_GTEST_PROP(OrientationProperty, Identity4_SignIsInvariantUnderIsometries, ()) {
+RC_GTEST_PROP(OrientationProperty, SignIsInvariantUnderIsometries, ()) {
   const auto a = rational_point(), b = rational_point(), c = rational_point();
   const Isometry<Rational> f = rational_isometry();
   RC_ASSERT(sign(orientation_determinant(f(a), f(b), f(c))) == sign(orientation_determinant(a, b, c)));
 }
 
-RC_GTEST_PROP(CircumradiusProperty, Identity1_Symmetric, ()) {
+RC_GTEST_PROP(CircumradiusProperty, IsSymmetric, ()) {
   std::array p{rational_point(), rational_point(), rational_point()};
   const auto r = sinh2_circumradius(p[0], p[1], p[2]);
   const std::size_t i = *rc::gen::inRange<std::size_t>(0, 2);
@@ -636,12 +636,12 @@ RC_GTEST_PROP(CircumradiusProperty, Identity1_Symmetric, ()) {
   RC_ASSERT(swapped.numerator == r.numerator);
   RC_ASSERT(swapped.denominator == r.denominator);
 }
-RC_GTEST_PROP(CircumradiusProperty, Identity2_DenominatorIsAtMostTheScale, ()) {
+RC_GTEST_PROP(CircumradiusProperty, DenominatorIsAtMostTheScale, ()) {
   const auto r = sinh2_circumradius(rational_point(), rational_point(), rational_point());
   RC_ASSERT(r.denominator <= r.scale);
   RC_ASSERT(-r.denominator <= r.scale);
 }
-RC_GTEST_PROP(CircumradiusProperty, Identity3_InvariantUnderIsometries, ()) {
+RC_GTEST_PROP(CircumradiusProperty, IsInvariantUnderIsometries, ()) {
   const auto a = rational_point(), b = rational_point(), c = rational_point();
   const Isometry<Rational> f = rational_isometry();
   const auto r = sinh2_circumradius(a, b, c);
@@ -649,7 +649,7 @@ RC_GTEST_PROP(CircumradiusProperty, Identity3_InvariantUnderIsometries, ()) {
   RC_ASSERT(r.numerator * moved.denominator == moved.numerator * r.denominator);
   RC_ASSERT(sign(r.denominator) == sign(moved.denominator));
 }
-RC_GTEST_PROP(CircumradiusProperty, Identity4_LongerThanHalfOfEachEdge, ()) {
+RC_GTEST_PROP(CircumradiusProperty, IsLongerThanHalfOfEachEdge, ()) {
   // sinh R ≥ sinh(d/2): the denominator times sinh²(d/2) is at most the numerator.
   const auto a = rational_point(), b = rational_point(), c = rational_point();
   const auto r = sinh2_circumradius(a, b, c);

@@ -16,6 +16,7 @@
 #include "netgen/geodesics/unfolding.h"
 #include "netgen/nets/certified_net.h"
 #include "tests/support/triangulations.h"
+#include "triangulation/flip.h"
 
 namespace epsnet {
 namespace {
@@ -153,8 +154,7 @@ std::vector<ElementOfPath> elements_up_to_7(Triangulation& triangulation, AxisCa
 TEST(AxisCatalogue, ComparesAnElementWithThoseOnItsAxisOnly) {
   // Not with all in its triangle: that would take the square of the number of geodesics.
   const Surface surface = random_octagon(5);
-  NetStatistics statistics;
-  Triangulation triangulation = net_triangulation(surface, Length("1"), {}, statistics);
+  Triangulation triangulation = triangulated_net(surface, Length("1")).triangulation;
   AxisCatalogue<Mp256> catalogue(triangulation);
   const std::vector<ElementOfPath> elements = elements_up_to_7(triangulation, catalogue);
   for (const ElementOfPath& e : elements) (void)catalogue.find_or_add(e.path, e.element);
@@ -165,8 +165,7 @@ TEST(AxisCatalogue, ComparesAnElementWithThoseOnItsAxisOnly) {
 
 TEST(AxisCatalogue, KnowsPowersAndInverses) {
   const Surface surface = random_octagon(5);
-  NetStatistics statistics;
-  Triangulation triangulation = net_triangulation(surface, Length("1"), {}, statistics);
+  Triangulation triangulation = triangulated_net(surface, Length("1")).triangulation;
   AxisCatalogue<Mp256> catalogue(triangulation);
   for (const ElementOfPath& e : elements_up_to_7(triangulation, catalogue)) {
     const std::uint32_t number = catalogue.find_or_add(e.path, e.element);
@@ -296,7 +295,7 @@ TEST(CutSurface, AlongNothing) {
 RC_GTEST_PROP(UnfoldingProperty, WaysComeBack, ()) {
   const Surface surface = random_octagon(any_index<std::int32_t>(1000));
   Triangulation triangulation(surface);
-  (void)triangulation.make_delaunay();
+  (void)make_delaunay(triangulation);
   const std::uint32_t v = any_index(triangulation.vertex_count());
   const Unfolding unfolding(triangulation, 5);
   for (const ReturnPath& path : unfolding.returns(v, {4, 4})) {

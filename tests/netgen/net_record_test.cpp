@@ -54,6 +54,29 @@ TEST(NetRecord, SaysHowTheNetWasMade) {
   EXPECT_EQ(cavity["located"], "0");
 }
 
+TEST(OptionNames, LeadFromValuesToNamesAndBack) {
+  EXPECT_EQ(name(Insertion::cavity), "cavity");
+  EXPECT_EQ(name(Insertion::flips), "flips");
+  EXPECT_EQ(name(Walk::visibility), "visibility");
+  EXPECT_EQ(name(Walk::straight), "straight");
+  // The letters of the thesis' Table IV.2.
+  EXPECT_EQ(name(TriangleList::all_back), "A");
+  EXPECT_EQ(name(TriangleList::all_front), "B");
+  EXPECT_EQ(name(TriangleList::large_back), "C");
+  EXPECT_EQ(name(TriangleList::largest_first), "D");
+  const auto expect_back = [](const auto& names) {
+    for (const auto& [text, value] : names) {
+      EXPECT_EQ(name(value), text);
+      EXPECT_EQ(value_in(names, text), value);
+    }
+    EXPECT_FALSE(value_in(names, "E").has_value());
+    EXPECT_FALSE(value_in(names, "").has_value());
+  };
+  expect_back(kInsertionNames);
+  expect_back(kWalkNames);
+  expect_back(kTriangleListNames);
+}
+
 TEST(NetRecord, HasWhatIsProved) {
   auto net = record("0.2", {});
   EXPECT_LT(std::stod(net["largest_circumradius_upper"]), 0.2);

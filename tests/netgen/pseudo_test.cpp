@@ -16,6 +16,7 @@
 #include "netgen/nets/collars.h"
 #include "netgen/nets/refine.h"
 #include "tests/support/triangulations.h"
+#include "triangulation/flip.h"
 
 /// Pseudo epsilon-nets: the generator, and every clause of the certifier's rules `collars` and `thick` broken alone.
 namespace epsnet {
@@ -377,10 +378,9 @@ TEST(PseudoCertificate, TrianglesOfCollarsNeedACircumcircle) {
   const Surface surface = with_cuffs({Rational(3, 10)});
   const Length epsilon("0.34");
   Triangulation triangulation(surface);
-  triangulation.make_delaunay();
+  make_delaunay(triangulation);
   Collars collars(triangulation, epsilon);
-  NetStatistics statistics;
-  refine(triangulation, epsilon, kPseudo, statistics, &collars);
+  (void)refine(triangulation, epsilon, kPseudo, &collars);
   ASSERT_EQ(collars.count(), 1U);
   std::string covering;
   for (int turns = 0; turns < 100 && covering.find("has no circumcircle") == std::string::npos; ++turns) {
@@ -389,7 +389,7 @@ TEST(PseudoCertificate, TrianglesOfCollarsNeedACircumcircle) {
     std::uint32_t loop = 0;
     const auto& v = triangulation.triangle(t).vertex;
     while (v[loop] != v[next(loop)]) ++loop;
-    (void)triangulation.flip(make_dart(t, next(loop)));
+    (void)flip(triangulation, make_dart(t, next(loop)));
     NetDocument net = net_document(triangulation, epsilon);
     net.collars = collars.documents();
     const Certificate certificate = certify::check(net, {.threads = 1});

@@ -14,6 +14,8 @@
 #include "netgen/exchange/domain_format.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
+#include "triangulation/flip.h"
+#include "triangulation/insertion.h"
 #include "triangulation/triangulation.h"
 
 /// Surfaces, points and canonical forms for the tests of atlas, triangulation and nets.
@@ -146,8 +148,7 @@ inline std::vector<Signature> triangles_of(Triangulation& triangulation) {
 /// The corner across an edge, in the chart of the edge's triangle.
 inline Corner corner_across(Triangulation& triangulation, Dart d) {
   const Dart e = triangulation.opposite(d);
-  const Corner c = triangulation.corner(triangle_of(e), previous(corner_of(e)));
-  return {c.vertex, triangulation.atlas().product(triangulation.transition(d), c.label)};
+  return triangulation.moved(triangulation.transition(d), triangulation.corner(previous_dart(e)));
 }
 
 /// 1 if the edge is not Delaunay, 0 if the two triangles have the same circumcircle, −1 if the edge is in every
@@ -191,10 +192,9 @@ inline std::optional<Dart> not_delaunay(Triangulation& triangulation) {
 
 /// The two triangles beside an edge make a strictly convex quadrilateral, so that it can be flipped.
 inline bool flippable(Triangulation& triangulation, Dart d) {
-  const std::uint32_t t = triangle_of(d);
-  const Corner a = triangulation.corner(t, corner_of(d));
-  const Corner b = triangulation.corner(t, next(corner_of(d)));
-  const Corner c = triangulation.corner(t, previous(corner_of(d)));
+  const Corner a = triangulation.corner(d);
+  const Corner b = triangulation.corner(next_dart(d));
+  const Corner c = triangulation.corner(previous_dart(d));
   const Corner f = corner_across(triangulation, d);
   return triangulation.orientation(c, a, f) > 0 && triangulation.orientation(f, b, c) > 0;
 }
@@ -228,7 +228,7 @@ inline Atlas::Place place_in(Triangulation& triangulation, std::uint32_t t, cons
   if (norm(z) <= Mp256(0.25)) {
     return {chart, convert<double>(z), kIdentity};
   }
-  return triangulation.atlas().place(chart, convert<Mp1024>(z), false);
+  return triangulation.atlas().place(chart, convert<Mp1024>(z), Atlas::Precision::binary64).value();
 }
 
 /// The point of a triangle with weights w (positive) on its corners, by linear interpolation on the hyperboloid.
@@ -257,34 +257,17 @@ inline Atlas::Place any_point(Triangulation& triangulation, std::uint32_t t) {
   return weighted_point(triangulation, t, {a, b, c});
 }
 
-/// Makes a point the next vertex by walk, split and flips; `label` leads from its chart to the chart of triangle t.
+/// Makes a point the next vertex, found by the straight walk; `label` leads from its chart to the chart of triangle t.
 /// False, with nothing changed, if there is a vertex already.
 inline bool insert_by_flips(Triangulation& triangulation, std::uint32_t t, const Atlas::Place& place,
                             Journal* journal = nullptr) {
-  const std::uint32_t v = triangulation.add_vertex({place.z, place.chart});
-  const Location location = triangulation.locate_straight(t, {v, place.label});
-  const LabelId label = triangulation.atlas().product(triangulation.atlas().inverse(location.transition), place.label);
-  if (location.type == Location::Type::vertex) {
-    triangulation.pop_vertex();
-    return false;
-  }
-  if (location.type == Location::Type::face) {
-    triangulation.split_face(triangle_of(location.dart), v, label, journal);
-  } else {
-    triangulation.split_edge(location.dart, v, label, journal);
-  }
-  std::vector<Dart> pending;
-  for (const std::uint32_t s : triangulation.new_triangles()) {
-    pending.push_back(make_dart(s, 1));
-  }
-  triangulation.restore_delaunay(pending, journal);
-  return true;
+  return epsnet::insert_by_flips(triangulation, t, place, Walk::straight, kAnySteps, journal).has_value();
 }
 
 /// The Delaunay triangulation of a surface's own vertices and `points` random points more.
 inline Triangulation any_delaunay(const Surface& surface, std::uint32_t points) {
   Triangulation triangulation(surface);
-  triangulation.make_delaunay();
+  make_delaunay(triangulation);
   for (std::uint32_t i = 0; i < points; ++i) {
     const auto t = any_index(triangulation.triangle_count());
     static_cast<void>(insert_by_flips(triangulation, t, any_point(triangulation, t)));

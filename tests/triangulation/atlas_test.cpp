@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 #include <set>
 
+#include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/surface_file.h"
@@ -228,15 +229,44 @@ RC_GTEST_PROP(AtlasProperty, PlaceKeepsThePoint, ()) {
   const std::uint32_t c = any_index(3u);
   const Complex<Mp256> z = convert<Mp256>(any_point_of_disk(0.999));
   const bool exact = any_index(2u) == 1;
-  const Atlas::Place place = atlas.place(c, convert<Mp1024>(z), exact);
+  const auto found =
+      atlas.place(c, convert<Mp1024>(z), exact ? Atlas::Precision::bits_256 : Atlas::Precision::binary64);
+  RC_ASSERT(found.has_value());
+  const Atlas::Place& place = *found;
   RC_ASSERT(norm(place.z) <= kChartRadius * kChartRadius);
   RC_ASSERT((place.label == kIdentity ? c : atlas.from(place.label)) == place.chart);
   RC_ASSERT((place.label == kIdentity ? c : atlas.to(place.label)) == c);
   const Complex<Mp256> back = atlas.lift<Mp256>(place.label, place.z);
-  // Hyperbolic distances: rounding to binary64 near the origin moves a point by some 2⁻⁵³; `exact` by nothing that 256
-  // bits lose on the way.
+  // Hyperbolic distances: rounding to binary64 near the origin moves a point by some 2⁻⁵³; `bits_256` by nothing that
+  // 256 bits lose on the way.
   const double moved = static_cast<double>(distance(back, z));
   RC_ASSERT(moved <= (exact ? 0x1p-130 : 0x1p-50));
+}
+
+TEST(Atlas, APointTooFarAwayHasNoPlace) {
+  // Two units of length along a closed geodesic of length 1e-6 are millions of tiles.
+  const Surface& surface = test::tiled_gallery().back().surface;
+  Atlas atlas(surface);
+  bool found = false;
+  for (std::uint32_t s = 0; s < surface.side_count() && !found; ++s) {
+    const std::uint32_t tile = surface.tile_of_side(s);
+    const std::uint32_t beyond = surface.tile_of_side(surface.partner(s));
+    for (std::uint32_t k = 0; k < surface.tiles()[beyond].size() && !found; ++k) {
+      const std::uint32_t then = surface.side_number(beyond, k);
+      const auto turn = normalized(convert<Mp1024>(surface.crossing(then) * surface.crossing(s)));
+      const auto around = axis(turn);
+      found = surface.tile_of_side(surface.partner(then)) == tile && around && displacement_length(turn) < 1e-5;
+      if (!found) continue;
+      const std::uint32_t chart = atlas.add_chart({tile, {}});
+      for (const double distance : {-3.0, 3.0}) {
+        const LorentzVector<Mp1024> ends = LorentzVector<Mp1024>{around->from.x, around->from.y, 1} +
+                                           exp(Mp1024(distance)) * LorentzVector<Mp1024>{around->to.x, around->to.y, 1};
+        const Complex<Mp1024> z = in_disk(Mp1024(1 / sqrt(Mp1024(-lorentz_product(ends, ends)))) * ends);
+        EXPECT_FALSE(atlas.place(chart, z, Atlas::Precision::binary64).has_value());
+      }
+    }
+  }
+  EXPECT_TRUE(found);
 }
 
 RC_GTEST_PROP(AtlasProperty, PlaceNearbyIsTheSamePoint, ()) {
@@ -244,10 +274,11 @@ RC_GTEST_PROP(AtlasProperty, PlaceNearbyIsTheSamePoint, ()) {
   Atlas atlas = three_charts(surface);
   const std::uint32_t c = any_index(3u);
   const Complex<double> z = any_point_of_disk(0.95);
-  const Atlas::Place known = atlas.place(c, convert<Mp1024>(z), false);
+  const auto known = atlas.place(c, convert<Mp1024>(z), Atlas::Precision::binary64);
+  RC_ASSERT(known.has_value());
   const auto nearby = atlas.place_nearby(c, z);
   // By now there is a label that leads near enough, unless `place` found the chart itself.
-  RC_ASSERT(nearby.has_value() || known.label == kIdentity);
+  RC_ASSERT(nearby.has_value() || known->label == kIdentity);
   RC_PRE(nearby.has_value());
   RC_ASSERT(norm(nearby->z) <= kChartRadius * kChartRadius);
   RC_ASSERT(atlas.from(nearby->label) == nearby->chart);

@@ -5,8 +5,17 @@
 #include <random>
 #include <rapidcheck/gtest.h>
 #include <set>
+#include <type_traits>
 
+#include "netgen/nets/net_document.h"
 #include "tests/support/triangulations.h"
+#include "triangulation/flip.h"
+#include "triangulation/insertion.h"
+#include "triangulation/journal.h"
+#include "triangulation/local_insertion.h"
+#include "triangulation/marks.h"
+#include "triangulation/problem.h"
+#include "triangulation/walk.h"
 
 namespace epsnet {
 namespace {
@@ -73,7 +82,7 @@ struct Symmetric {
 
   Symmetric(std::int32_t seed, const std::vector<Complex<double>>& points)
       : surface(random_octagon(seed)), triangulation(surface), chart(triangulation.atlas().add_chart({0, {}})) {
-    triangulation.make_delaunay();
+    make_delaunay(triangulation);
     for (const Complex<double>& z : points) {
       insert(z);
       insert(-z);
@@ -99,14 +108,14 @@ std::vector<Complex<double>> any_points(std::size_t less_than = 12) {
 TEST(Triangulation, OfAllPolygonsIsSoundBeforeAndAfterDelaunay) {
   for (const auto& [name, surface] : gallery()) {
     Triangulation triangulation(surface);
-    EXPECT_EQ(triangulation.problem(), "") << name;
+    EXPECT_EQ(problem(triangulation), "") << name;
     EXPECT_EQ(triangulation.vertex_count(), surface.vertex_class_count()) << name;
     EXPECT_NEAR(total_area(triangulation), area_of(surface), 1e-9) << name;
-    (void)triangulation.make_delaunay();
-    EXPECT_EQ(triangulation.problem(), "") << name;
+    (void)make_delaunay(triangulation);
+    EXPECT_EQ(problem(triangulation), "") << name;
     EXPECT_NEAR(total_area(triangulation), area_of(surface), 1e-9) << name;
     EXPECT_FALSE(test::not_delaunay(triangulation).has_value()) << name;
-    EXPECT_EQ(triangulation.make_delaunay(), 0U) << name;
+    EXPECT_EQ(make_delaunay(triangulation), 0U) << name;
   }
 }
 
@@ -114,16 +123,16 @@ TEST(Triangulation, ThirtyOctagonsAreSound) {
   for (std::int32_t seed = 1; seed <= 30; ++seed) {
     const Surface surface = random_octagon(seed);
     Triangulation triangulation(surface);
-    EXPECT_EQ(triangulation.problem(), "") << seed;
-    (void)triangulation.make_delaunay();
-    EXPECT_EQ(triangulation.problem(), "") << seed;
+    EXPECT_EQ(problem(triangulation), "") << seed;
+    (void)make_delaunay(triangulation);
+    EXPECT_EQ(problem(triangulation), "") << seed;
     EXPECT_NEAR(total_area(triangulation), area_of(surface), 1e-9) << seed;
   }
 }
 
 TEST(Triangulation, OfAnOctagonHasOneVertexAndLoopsOnly) {
   Triangulation triangulation(gallery()[0].surface);
-  (void)triangulation.make_delaunay();
+  (void)make_delaunay(triangulation);
   EXPECT_EQ(triangulation.vertex_count(), 1U);
   EXPECT_EQ(triangulation.triangle_count(), 6U);
   for (std::uint32_t t = 0; t < 6; ++t) {
@@ -144,12 +153,12 @@ TEST(Triangulation, OfManyTiles) {
       Surface({{v[0], v[1], v[2]}, {v[4], v[5], v[6]}, {v[0], v[2], v[3], v[4], v[6], v[7]}},
               {{0, 0, 1, 0}, {0, 1, 1, 1}, {2, 1, 2, 4}, {2, 2, 2, 5}, {0, 2, 2, 0}, {1, 2, 2, 3}})};
   Triangulation whole(octagon);
-  (void)whole.make_delaunay();
+  (void)make_delaunay(whole);
   for (const Surface& surface : surfaces) {
     Triangulation triangulation(surface);
-    EXPECT_EQ(triangulation.problem(), "");
-    (void)triangulation.make_delaunay();
-    EXPECT_EQ(triangulation.problem(), "");
+    EXPECT_EQ(problem(triangulation), "");
+    (void)make_delaunay(triangulation);
+    EXPECT_EQ(problem(triangulation), "");
     EXPECT_EQ(triangulation.triangle_count(), whole.triangle_count());
     EXPECT_NEAR(total_area(triangulation), area_of(octagon), 1e-9);
   }
@@ -160,7 +169,7 @@ TEST(Triangulation, EdgesOfTwoTrianglesThatShareTwoAreFlipped) {
   std::mt19937 random(1);
   for (const auto& [name, surface] : gallery()) {
     Triangulation triangulation(surface);
-    (void)triangulation.make_delaunay();
+    (void)make_delaunay(triangulation);
     for (int i = 0; i < 60; ++i) {
       const Dart d = make_dart(static_cast<std::uint32_t>(random() % triangulation.triangle_count()),
                                static_cast<std::uint32_t>(random() % 3));
@@ -169,9 +178,9 @@ TEST(Triangulation, EdgesOfTwoTrianglesThatShareTwoAreFlipped) {
       }
       if (test::flippable(triangulation, d)) {
         const auto before = triangles_of(triangulation);
-        const Dart f = triangulation.flip(d);
-        EXPECT_EQ(triangulation.problem(), "") << name;
-        (void)triangulation.flip(f);
+        const Dart f = flip(triangulation, d);
+        EXPECT_EQ(problem(triangulation), "") << name;
+        (void)flip(triangulation, f);
         EXPECT_EQ(triangles_of(triangulation), before) << name;
         ++flips;
       }
@@ -184,10 +193,10 @@ TEST(Triangulation, KeepsTheSurfaceItIsMadeOf) {
   Triangulation triangulation(random_octagon(123));  // A temporary: what is used below is the triangulation's copy.
   EXPECT_EQ(triangulation.surface().genus(), 2U);
   EXPECT_EQ(triangulation.surface().tiles(), random_octagon(123).tiles());
-  (void)triangulation.make_delaunay();
-  EXPECT_EQ(triangulation.problem(), "");
+  (void)make_delaunay(triangulation);
+  EXPECT_EQ(problem(triangulation), "");
   Triangulation copy = [] { return Triangulation(random_octagon(123)).clone(); }();
-  (void)copy.make_delaunay();
+  (void)make_delaunay(copy);
   EXPECT_EQ(snapshot(copy), snapshot(triangulation));
   Atlas atlas(random_octagon(123));
   (void)atlas.add_chart({0, {}});
@@ -200,30 +209,46 @@ TEST(Triangulation, CloneIsApart) {
   EXPECT_EQ(snapshot(copy), snapshot(triangulation));
   for (std::uint32_t i = 0; i < 9; ++i) {
     if (test::flippable(triangulation, make_dart(i / 3, i % 3))) {
-      (void)triangulation.flip(make_dart(i / 3, i % 3));
+      (void)flip(triangulation, make_dart(i / 3, i % 3));
     }
   }
   EXPECT_FALSE(snapshot(copy) == snapshot(triangulation));
-  EXPECT_EQ(copy.problem(), "");
+  EXPECT_EQ(problem(copy), "");
 }
 
 TEST(Triangulation, ProblemsAreSeen) {
   for (const auto& [name, surface] : gallery()) {
     Triangulation triangulation(surface);
-    (void)triangulation.add_vertex({{0, 0}, 0});
-    EXPECT_NE(triangulation.problem(), "") << "a vertex without a triangle";
-    triangulation.pop_vertex();
-    EXPECT_EQ(triangulation.problem(), "");
+    (void)add_vertex(triangulation, {{0, 0}, 0});
+    EXPECT_NE(problem(triangulation), "") << "a vertex without a triangle";
+    pop_vertex(triangulation);
+    EXPECT_EQ(problem(triangulation), "");
     // The three edges of a vertex of degree three have no strictly convex quadrilateral; to flip one all the same turns
     // a triangle over.
     const Atlas::Place place = test::weighted_point(triangulation, 0, {1, 1, 1});
-    triangulation.split_face(0, triangulation.add_vertex({place.z, place.chart}), place.label);
-    EXPECT_EQ(triangulation.problem(), "") << name;
-    for (const std::uint32_t t : triangulation.new_triangles()) {
+    const auto around = split_face(triangulation, 0, add_vertex(triangulation, {place.z, place.chart}), place.label);
+    EXPECT_EQ(problem(triangulation), "") << name;
+    for (const std::uint32_t t : around) {
       EXPECT_FALSE(test::flippable(triangulation, make_dart(t, 0))) << name;
       Triangulation broken = triangulation.clone();
-      (void)broken.flip(make_dart(t, 0));
-      EXPECT_NE(broken.problem(), "") << name;
+      (void)flip(broken, make_dart(t, 0));
+      EXPECT_NE(problem(broken), "") << name;
+    }
+  }
+}
+
+TEST(Dart, IsATypeOfItsOwn) {
+  static_assert(!std::is_convertible_v<std::uint32_t, Dart>);
+  static_assert(!std::is_convertible_v<Dart, std::uint32_t>);
+  for (std::uint32_t t = 0; t < 5; ++t) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const Dart d = make_dart(t, i);
+      EXPECT_EQ(triangle_of(d), t);
+      EXPECT_EQ(corner_of(d), i);
+      EXPECT_EQ(next_dart(d), make_dart(t, (i + 1) % 3));
+      EXPECT_EQ(previous_dart(d), make_dart(t, (i + 2) % 3));
+      EXPECT_EQ(triangulation_dart(document_dart(d)), d);
+      EXPECT_EQ(document_dart(d), 3 * t + i);
     }
   }
 }
@@ -232,11 +257,11 @@ TEST(Locate, TheCentreOfASymmetricOctagonIsOnAnEdge) {
   for (const std::int32_t seed : {1, 2, 3, 123, 321}) {
     Symmetric s(seed, {});
     Triangulation& triangulation = s.triangulation;
-    const std::uint32_t v = triangulation.add_vertex({{0, 0}, s.chart});
+    const std::uint32_t v = add_vertex(triangulation, {{0, 0}, s.chart});
     for (std::uint32_t start = 0; start < triangulation.triangle_count(); ++start) {
       const Corner p{v, some_label(triangulation, v, start, {})};
       for (const Location& location :
-           {triangulation.locate_visibility(start, p), triangulation.locate_straight(start, p)}) {
+           {locate_visibility(triangulation, start, p), locate_straight(triangulation, start, p)}) {
         EXPECT_EQ(location.type, Location::Type::edge) << seed;
         EXPECT_TRUE(lies_there(triangulation, p, location)) << seed;
       }
@@ -247,13 +272,13 @@ TEST(Locate, TheCentreOfASymmetricOctagonIsOnAnEdge) {
 TEST(Locate, VerticesAreFoundFromEverywhere) {
   for (const auto& [name, surface] : gallery()) {
     Triangulation triangulation(surface);
-    (void)triangulation.make_delaunay();
-    const std::uint32_t v = triangulation.add_vertex(triangulation.vertex(0));
+    (void)make_delaunay(triangulation);
+    const std::uint32_t v = add_vertex(triangulation, triangulation.vertex(0));
     for (std::uint32_t start = 0; start < triangulation.triangle_count(); ++start) {
       for (const Word& word : {Word{}, Word{start}}) {
         const Corner p{v, some_label(triangulation, v, start, word)};
         for (const Location& location :
-             {triangulation.locate_visibility(start, p), triangulation.locate_straight(start, p)}) {
+             {locate_visibility(triangulation, start, p), locate_straight(triangulation, start, p)}) {
           EXPECT_EQ(location.type, Location::Type::vertex) << name;
           const Corner found = triangulation.corner(triangle_of(location.dart), corner_of(location.dart));
           EXPECT_EQ(found.vertex, 0U);
@@ -267,18 +292,18 @@ TEST(Locate, VerticesAreFoundFromEverywhere) {
 TEST(Locate, APointOfTheFirstTriangleNeedsNoStep) {
   for (const auto& [name, surface] : gallery()) {
     Triangulation triangulation(surface);
-    (void)triangulation.make_delaunay();
+    (void)make_delaunay(triangulation);
     for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
       const Atlas::Place place = test::weighted_point(triangulation, t, {1, 1, 1});
-      const std::uint32_t v = triangulation.add_vertex({place.z, place.chart});
-      for (const Location& location :
-           {triangulation.locate_visibility(t, {v, place.label}), triangulation.locate_straight(t, {v, place.label})}) {
+      const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
+      for (const Location& location : {locate_visibility(triangulation, t, {v, place.label}),
+                                       locate_straight(triangulation, t, {v, place.label})}) {
         EXPECT_EQ(location.type, Location::Type::face) << name;
         EXPECT_EQ(triangle_of(location.dart), t) << name;
         EXPECT_EQ(location.transition, kIdentity) << name;
         EXPECT_EQ(location.steps, 0U) << name;
       }
-      triangulation.pop_vertex();
+      pop_vertex(triangulation);
     }
   }
 }
@@ -288,19 +313,19 @@ TEST(Insert, PointsOnAnEdgeBothWays) {
   // (1/4, 0) is exactly on the edge between these two.
   Symmetric s(123, {{0.25, 0}, {0.1, 0.35}, {-0.125, 0.25}, {0.3, 0.3}});
   Triangulation& triangulation = s.triangulation;
-  ASSERT_EQ(triangulation.problem(), "");
+  ASSERT_EQ(problem(triangulation), "");
   for (const double x : {0.0, 0.0625, -0.1875, 0x1p-30, 1.0 / 3}) {
     Triangulation by_flips = triangulation.clone();
     const Atlas::Place place = s.place({x, 0}, 0);
-    const std::uint32_t v = triangulation.add_vertex({place.z, place.chart});
-    const Location location = triangulation.locate_straight(0, {v, place.label});
+    const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
+    const Location location = locate_straight(triangulation, 0, {v, place.label});
     EXPECT_EQ(location.type, Location::Type::edge) << x;
     const LabelId label =
         triangulation.atlas().product(triangulation.atlas().inverse(location.transition), place.label);
-    ASSERT_TRUE(triangulation.insert_in_cavity(triangle_of(location.dart), v, label, kAcceptAll)) << x;
-    EXPECT_EQ(triangulation.problem(), "") << x;
+    ASSERT_TRUE(insert_in_cavity(triangulation, triangle_of(location.dart), v, label, kAcceptAll).has_value()) << x;
+    EXPECT_EQ(problem(triangulation), "") << x;
     EXPECT_TRUE(test::insert_by_flips(by_flips, 0, place)) << x;
-    EXPECT_EQ(by_flips.problem(), "") << x;
+    EXPECT_EQ(problem(by_flips), "") << x;
     EXPECT_EQ(tessellation_of(by_flips, triangulation.atlas()), tessellation_of(triangulation)) << x;
   }
 }
@@ -308,7 +333,7 @@ TEST(Insert, PointsOnAnEdgeBothWays) {
 TEST(Insert, ACavityThatIsNotAcceptedChangesNothing) {
   Triangulation triangulation = [] {
     Triangulation result(gallery()[1].surface);
-    (void)result.make_delaunay();
+    (void)make_delaunay(result);
     return result;
   }();
   std::mt19937 random(7);
@@ -319,17 +344,17 @@ TEST(Insert, ACavityThatIsNotAcceptedChangesNothing) {
   int calls = 0;
   for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
     const Atlas::Place place = test::weighted_point(triangulation, t, {1, 1, 1});
-    const std::uint32_t v = triangulation.add_vertex({place.z, place.chart});
+    const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
     const auto before = snapshot(triangulation);
     const auto refuse = [&](Corner c) {
       ++calls;
       return c.vertex != triangulation.triangle(t).vertex[2];
     };
-    Journal journal = triangulation.open_journal();
-    EXPECT_FALSE(triangulation.insert_in_cavity(t, v, place.label, refuse, &journal));
+    Journal journal = open_journal(triangulation);
+    EXPECT_FALSE(insert_in_cavity(triangulation, t, v, place.label, refuse, &journal).has_value());
     EXPECT_EQ(snapshot(triangulation), before);
     EXPECT_TRUE(journal.overwritten.empty());
-    triangulation.pop_vertex();
+    pop_vertex(triangulation);
   }
   EXPECT_GT(calls, 0);
 }
@@ -345,14 +370,14 @@ RC_GTEST_PROP(TriangulationProperty, FlipsAndDelaunayGiveTheSameTessellation, ()
   for (std::uint32_t i = 0; i < tries; ++i) {
     const Dart d = any_dart(triangulation);
     if (test::flippable(triangulation, d)) {
-      (void)triangulation.flip(d);
+      (void)flip(triangulation, d);
       ++flips;
     }
   }
   RC_CLASSIFY(flips == 0, "no flip");
-  RC_ASSERT(triangulation.problem() == "");
-  (void)triangulation.make_delaunay();
-  RC_ASSERT(triangulation.problem() == "");
+  RC_ASSERT(problem(triangulation) == "");
+  (void)make_delaunay(triangulation);
+  RC_ASSERT(problem(triangulation) == "");
   RC_ASSERT(!test::not_delaunay(triangulation));
   RC_ASSERT(tessellation_of(triangulation) == tessellation);
   RC_ASSERT(ties || triangles_of(triangulation) == triangles);
@@ -363,15 +388,15 @@ RC_GTEST_PROP(TriangulationProperty, TwoFlipsUndoEachOther, ()) {
   const Dart d = any_dart(triangulation);
   RC_PRE(test::flippable(triangulation, d));
   const auto before = triangles_of(triangulation);
-  const Dart f = triangulation.flip(d);
-  RC_ASSERT(triangulation.problem() == "");
+  const Dart f = flip(triangulation, d);
+  RC_ASSERT(problem(triangulation) == "");
   RC_ASSERT(triangles_of(triangulation) != before);
   RC_ASSERT(test::flippable(triangulation, f));
-  const Dart g = triangulation.flip(f);
+  const Dart g = flip(triangulation, f);
   RC_ASSERT(triangles_of(triangulation) == before);
   // Four flips of one edge are the identity of darts as well.
   const auto once = snapshot(triangulation);
-  const Dart h = triangulation.flip(triangulation.flip(triangulation.flip(triangulation.flip(g))));
+  const Dart h = flip(triangulation, flip(triangulation, flip(triangulation, flip(triangulation, g))));
   RC_ASSERT(triangulation.opposite(h) == triangulation.opposite(g));
   for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
     RC_ASSERT(triangulation.triangle(t).vertex == once.triangles[t].vertex);
@@ -384,24 +409,24 @@ RC_GTEST_PROP(TriangulationProperty, CavityAndFlipsInsertTheSame, ()) {
   const auto t = any_index(triangulation.triangle_count());
   const Atlas::Place place = any_point(triangulation, t);
   Triangulation by_flips = triangulation.clone();
-  const std::uint32_t v = triangulation.add_vertex({place.z, place.chart});
+  const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
   const Corner p{v, place.label};
   RC_PRE(triangulation.in_circle(triangulation.corner(t, 0), triangulation.corner(t, 1), triangulation.corner(t, 2),
                                  p) > 0);
   const auto before = snapshot(triangulation);
-  const bool inserted = triangulation.insert_in_cavity(t, v, place.label, kAcceptAll);
+  const auto inserted = insert_in_cavity(triangulation, t, v, place.label, kAcceptAll);
   RC_CLASSIFY(!inserted, "the cavity meets itself");
   if (!inserted) {
     RC_ASSERT(snapshot(triangulation) == before);
     return;
   }
-  RC_ASSERT(triangulation.problem() == "");
+  RC_ASSERT(problem(triangulation) == "");
   RC_ASSERT(!test::not_delaunay(triangulation));
   RC_ASSERT(test::insert_by_flips(by_flips, t, place));
-  RC_ASSERT(by_flips.problem() == "");
+  RC_ASSERT(problem(by_flips) == "");
   RC_ASSERT(tessellation_of(by_flips, triangulation.atlas()) == tessellation_of(triangulation));
   // The new triangles are a fan around the vertex.
-  for (const std::uint32_t s : triangulation.new_triangles()) {
+  for (const std::uint32_t s : *inserted) {
     RC_ASSERT(triangulation.triangle(s).vertex[0] == v);
     RC_ASSERT(triangle_of(triangulation.opposite(make_dart(s, 0))) != s);
   }
@@ -412,7 +437,7 @@ RC_GTEST_PROP(TriangulationProperty, CavityAndFlipsInsertTheSame, ()) {
       corners += w == v ? 1 : 0;
     }
   }
-  RC_ASSERT(corners == triangulation.new_triangles().size());
+  RC_ASSERT(corners == inserted->size());
 }
 
 RC_GTEST_PROP(TriangulationProperty, TheFastInsertionIsTheCavity, ()) {
@@ -428,7 +453,7 @@ RC_GTEST_PROP(TriangulationProperty, TheFastInsertionIsTheCavity, ()) {
   const auto before = snapshot(triangulation);
 
   NewTriangles made;
-  const bool inserted = triangulation.insert_locally(t, place.z, apart, large, made);
+  const bool inserted = insert_locally(triangulation, t, place.z, apart, large, made);
   RC_CLASSIFY(inserted, "inserted");
   if (!inserted) {
     RC_ASSERT(snapshot(triangulation) == before);
@@ -437,18 +462,18 @@ RC_GTEST_PROP(TriangulationProperty, TheFastInsertionIsTheCavity, ()) {
   const bool labelled = std::any_of(made.slots.begin(), made.slots.begin() + made.count,
                                     [&](std::uint32_t slot) { return !triangulation.triangle(slot).all_identity(); });
   RC_CLASSIFY(labelled, "with labels");
-  RC_ASSERT(triangulation.problem() == "");
-  const std::uint32_t v = by_cavity.add_vertex({place.z, place.chart});
+  RC_ASSERT(problem(triangulation) == "");
+  const std::uint32_t v = add_vertex(by_cavity, {place.z, place.chart});
   const auto accept = [&](Corner c) { return by_cavity.compare_distance(c, {v, place.label}, apart) > 0; };
-  RC_ASSERT(by_cavity.insert_in_cavity(t, v, place.label, accept));
+  const auto around = insert_in_cavity(by_cavity, t, v, place.label, accept);
+  RC_ASSERT(around.has_value());
   RC_ASSERT(triangles_of(by_cavity, triangulation.atlas()) == triangles_of(triangulation));
   // Slot for slot; the same triangles are large, and marked.
-  RC_ASSERT(std::equal(made.slots.begin(), made.slots.begin() + made.count, by_cavity.new_triangles().begin(),
-                       by_cavity.new_triangles().end()));
+  RC_ASSERT(std::equal(made.slots.begin(), made.slots.begin() + made.count, around->begin(), around->end()));
   std::vector<std::uint32_t> large_slots;
-  for (const std::uint32_t slot : by_cavity.new_triangles()) {
+  for (const std::uint32_t slot : *around) {
     if (by_cavity.compare_circumradius(slot, large) > 0) {
-      by_cavity.mark(slot);
+      mark(by_cavity, slot);
       large_slots.push_back(slot);
     }
     const Triangle& expected = by_cavity.triangle(slot);
@@ -466,12 +491,12 @@ RC_GTEST_PROP(TriangulationProperty, SplitFacesAreSound, ()) {
   Triangulation triangulation = any_delaunay(surface, any_index(6u));
   const auto t = any_index(triangulation.triangle_count());
   const Atlas::Place place = any_point(triangulation, t);
-  const std::uint32_t v = triangulation.add_vertex({place.z, place.chart});
-  const Location location = triangulation.locate_visibility(t, {v, place.label});
+  const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
+  const Location location = locate_visibility(triangulation, t, {v, place.label});
   RC_PRE(location.type == Location::Type::face && triangle_of(location.dart) == t);
-  triangulation.split_face(t, v, place.label);
-  RC_ASSERT(triangulation.problem() == "");
-  RC_ASSERT(triangulation.new_triangles().size() == 3U);
+  const auto around = split_face(triangulation, t, v, place.label);
+  RC_ASSERT(problem(triangulation) == "");
+  RC_ASSERT(around.size() == 3U);
   RC_ASSERT(std::abs(total_area(triangulation) - area_of(surface)) < 1e-9);
 }
 
@@ -479,31 +504,31 @@ RC_GTEST_PROP(TriangulationProperty, SplitEdgesAreSound, ()) {
   Symmetric s(any_index<std::int32_t>(200), any_points());
   Triangulation& triangulation = s.triangulation;
   const Atlas::Place place = s.place({0, 0}, 0);
-  const std::uint32_t v = triangulation.add_vertex({place.z, place.chart});
-  const Location location = triangulation.locate_visibility(0, {v, place.label});
+  const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
+  const Location location = locate_visibility(triangulation, 0, {v, place.label});
   RC_ASSERT(location.type == Location::Type::edge);
   const LabelId label = triangulation.atlas().product(triangulation.atlas().inverse(location.transition), place.label);
   const auto before = snapshot(triangulation);
-  Journal journal = triangulation.open_journal();
-  triangulation.split_edge(location.dart, v, label, &journal);
-  RC_ASSERT(triangulation.problem() == "");
-  RC_ASSERT(triangulation.new_triangles().size() == 4U);
+  Journal journal = open_journal(triangulation);
+  const auto around = split_edge(triangulation, location.dart, v, label, &journal);
+  RC_ASSERT(problem(triangulation) == "");
+  RC_ASSERT(around.size() == 4U);
   RC_ASSERT(std::abs(total_area(triangulation) - area_of(s.surface)) < 1e-9);
   std::vector<Dart> pending;
-  for (const std::uint32_t t : triangulation.new_triangles()) {
+  for (const std::uint32_t t : around) {
     pending.push_back(make_dart(t, 1));
   }
-  (void)triangulation.restore_delaunay(pending, &journal);
-  RC_ASSERT(triangulation.problem() == "");
+  (void)restore_delaunay(triangulation, pending, &journal);
+  RC_ASSERT(problem(triangulation) == "");
   RC_ASSERT(!test::not_delaunay(triangulation));
-  triangulation.undo(journal);
+  undo(triangulation, journal);
   RC_ASSERT(snapshot(triangulation) == before);
 }
 
 RC_GTEST_PROP(TriangulationProperty, UndoRestoresEverything, ()) {
   Triangulation triangulation = any_delaunay(any_surface().surface, any_index(20u));
   const auto before = snapshot(triangulation);
-  Journal journal = triangulation.open_journal();
+  Journal journal = open_journal(triangulation);
   const auto operations = 1 + any_index(6u);
   for (std::uint32_t i = 0; i < operations; ++i) {
     const auto t = any_index(triangulation.triangle_count());
@@ -511,7 +536,7 @@ RC_GTEST_PROP(TriangulationProperty, UndoRestoresEverything, ()) {
       case 0: {
         const Dart d = any_dart(triangulation);
         if (test::flippable(triangulation, d)) {
-          (void)triangulation.flip(d, &journal);
+          (void)flip(triangulation, d, &journal);
         }
         break;
       }
@@ -524,19 +549,19 @@ RC_GTEST_PROP(TriangulationProperty, UndoRestoresEverything, ()) {
         for (std::uint32_t s = 0; s < triangulation.triangle_count(); ++s) {
           pending.insert(pending.end(), {make_dart(s, 0), make_dart(s, 1), make_dart(s, 2)});
         }
-        (void)triangulation.restore_delaunay(pending, &journal);
+        (void)restore_delaunay(triangulation, pending, &journal);
         const Atlas::Place place = any_point(triangulation, t);
-        const std::uint32_t v = triangulation.add_vertex({place.z, place.chart});
-        if (!triangulation.insert_in_cavity(t, v, place.label, kAcceptAll, &journal)) {
-          triangulation.pop_vertex();
+        const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
+        if (!insert_in_cavity(triangulation, t, v, place.label, kAcceptAll, &journal)) {
+          pop_vertex(triangulation);
         }
       }
     }
   }
-  RC_ASSERT(triangulation.problem() == "");
-  triangulation.undo(journal);
+  RC_ASSERT(problem(triangulation) == "");
+  undo(triangulation, journal);
   RC_ASSERT(snapshot(triangulation) == before);
-  RC_ASSERT(triangulation.problem() == "");
+  RC_ASSERT(problem(triangulation) == "");
 }
 
 RC_GTEST_PROP(TriangulationProperty, WalksFindTheSameTriangleFromEverywhere, ()) {
@@ -544,13 +569,13 @@ RC_GTEST_PROP(TriangulationProperty, WalksFindTheSameTriangleFromEverywhere, ())
   Triangulation triangulation = any_delaunay(surface, any_index(25u));
   const auto t = any_index(triangulation.triangle_count());
   const Atlas::Place place = any_point(triangulation, t);
-  const std::uint32_t v = triangulation.add_vertex({place.z, place.chart});
+  const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
   std::set<std::pair<std::uint32_t, LabelId>> found;
   for (int i = 0; i < 3; ++i) {
     const auto start = any_index(triangulation.triangle_count());
     const Corner p{v, some_label(triangulation, v, start, test::any_word(surface, 0, 2))};
-    const Location visible = triangulation.locate_visibility(start, p);
-    const Location straight = triangulation.locate_straight(start, p);
+    const Location visible = locate_visibility(triangulation, start, p);
+    const Location straight = locate_straight(triangulation, start, p);
     RC_ASSERT(lies_there(triangulation, p, visible));
     RC_ASSERT(lies_there(triangulation, p, straight));
     RC_ASSERT(visible.type == Location::Type::face);
@@ -570,15 +595,15 @@ RC_GTEST_PROP(TriangulationProperty, TheStraightWalkEndsInEveryTriangulation, ()
   for (int i = 0; i < 10; ++i) {
     const Dart d = any_dart(triangulation);
     if (test::flippable(triangulation, d)) {
-      (void)triangulation.flip(d);
+      (void)flip(triangulation, d);
     }
   }
   const auto t = any_index(triangulation.triangle_count());
   const Atlas::Place place = any_point(triangulation, t);
-  const std::uint32_t v = triangulation.add_vertex({place.z, place.chart});
+  const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
   for (std::uint32_t start = 0; start < triangulation.triangle_count(); ++start) {
     const Corner p{v, some_label(triangulation, v, start, {})};
-    RC_ASSERT(lies_there(triangulation, p, triangulation.locate_straight(start, p)));
+    RC_ASSERT(lies_there(triangulation, p, locate_straight(triangulation, start, p)));
   }
 }
 
@@ -589,11 +614,11 @@ RC_GTEST_PROP(TriangulationProperty, WalksAgreeOnEdgesAndVertices, ()) {
   const bool centre = any_index(2u) == 0;
   const Vertex vertex =
       centre ? Vertex{{0, 0}, s.chart} : triangulation.vertex(any_index(triangulation.vertex_count()));
-  const std::uint32_t v = triangulation.add_vertex(vertex);
+  const std::uint32_t v = add_vertex(triangulation, vertex);
   const auto start = any_index(triangulation.triangle_count());
   const Corner p{v, some_label(triangulation, v, start, test::any_word(s.surface, 0, 1))};
-  const Location visible = triangulation.locate_visibility(start, p);
-  const Location straight = triangulation.locate_straight(start, p);
+  const Location visible = locate_visibility(triangulation, start, p);
+  const Location straight = locate_straight(triangulation, start, p);
   RC_ASSERT(visible.type == (centre ? Location::Type::edge : Location::Type::vertex));
   RC_ASSERT(straight.type == visible.type);
   RC_ASSERT(lies_there(triangulation, p, visible));

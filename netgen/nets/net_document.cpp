@@ -1,0 +1,156 @@
+#include "netgen/nets/net_document.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "netgen/base/gmp.h"
+#include "netgen/surfaces/surface_file.h"
+#include "triangulation/assembly.h"
+
+namespace epsnet {
+namespace {
+
+/// Numbers the members of a large set that are used, in the order of their first use.
+class Renumbering {
+ public:
+  explicit Renumbering(std::size_t size) : number_(size, kUnused) {}
+  [[nodiscard]] std::uint32_t operator()(std::uint32_t i) {
+    if (number_[i] == kUnused) {
+      number_[i] = static_cast<std::uint32_t>(used_.size());
+      used_.push_back(i);
+    }
+    return number_[i];
+  }
+  [[nodiscard]] const std::vector<std::uint32_t>& used() const { return used_; }
+
+ private:
+  static constexpr std::uint32_t kUnused = ~std::uint32_t{0};
+  std::vector<std::uint32_t> number_;
+  std::vector<std::uint32_t> used_;
+};
+
+}  // namespace
+
+certify::NetDocument net_document(const Triangulation& triangulation, const Length& epsilon) {
+  const Atlas& atlas = triangulation.atlas();
+  certify::NetDocument net;
+  net.surface = to_document(triangulation.surface());
+  net.epsilon = epsilon.text();
+  Renumbering chart_number(atlas.chart_count());
+  Renumbering label_number(atlas.label_count());
+  (void)label_number(kIdentity);
+  net.vertices.reserve(triangulation.vertex_count());
+  for (std::uint32_t v = 0; v < triangulation.vertex_count(); ++v) {
+    const Vertex& vertex = triangulation.vertex(v);
+    net.vertices.push_back({vertex.z.x, vertex.z.y, chart_number(vertex.chart)});
+  }
+  net.triangles.reserve(triangulation.triangle_count());
+  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+    const Triangle& triangle = triangulation.triangle(t);
+    net.triangles.push_back({triangle.vertex,
+                             {document_dart(triangle.opposite[0]), document_dart(triangle.opposite[1]),
+                              document_dart(triangle.opposite[2])},
+                             {label_number(triangle.label(1)), label_number(triangle.label(2))}});
+  }
+  for (const std::uint32_t c : chart_number.used()) {
+    net.charts.push_back({atlas.chart(c).tile, to_gmp(atlas.chart(c).centre)});
+  }
+  for (const LabelId l : label_number.used()) {
+    if (l != kIdentity) {
+      net.labels.push_back({chart_number(atlas.from(l)), chart_number(atlas.to(l)), atlas.word(l)});
+    }
+  }
+  return net;
+}
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& what) { throw TriangulationError(what); }
+
+void add_charts(const certify::NetDocument& net, Atlas& atlas) {
+  for (const certify::NetDocument::Chart& chart : net.charts) {
+    const std::string name = "chart " + std::to_string(atlas.chart_count());
+    if (chart.tile >= atlas.surface().tiles().size()) {
+      refuse(name + " is in tile " + std::to_string(chart.tile) + ", the surface has " +
+             std::to_string(atlas.surface().tiles().size()));
+    }
+    const Complex<Rational> centre = from_gmp(chart.centre);
+    if (norm(centre) >= 1) refuse(name + " has its centre outside of the unit disk");
+    (void)atlas.add_chart({chart.tile, centre});
+  }
+}
+
+/// The word leads from the tile of chart `from` to that of chart `to`.
+void check_label(const certify::NetDocument::Label& label, const std::string& name, const Atlas& atlas) {
+  for (const std::uint32_t chart : {label.from, label.to}) {
+    if (chart >= atlas.chart_count()) {
+      refuse(name + " names chart " + std::to_string(chart) + ", there are " + std::to_string(atlas.chart_count()));
+    }
+  }
+  const Surface& surface = atlas.surface();
+  std::uint32_t tile = atlas.chart(label.from).tile;
+  for (const std::uint32_t side : label.word) {
+    if (side >= surface.side_count() || surface.tile_of_side(side) != tile) {
+      refuse(name + " crosses side " + std::to_string(side) + ", which tile " + std::to_string(tile) +
+             " does not have");
+    }
+    tile = surface.tile_of_side(surface.partner(side));
+  }
+  if (tile != atlas.chart(label.to).tile) {
+    refuse(name + " ends in tile " + std::to_string(tile) + ", its chart is in tile " +
+           std::to_string(atlas.chart(label.to).tile));
+  }
+}
+
+/// The labels of a document as those of an atlas, by their numbers in the document.
+std::vector<LabelId> add_labels(const certify::NetDocument& net, Atlas& atlas) {
+  std::vector<LabelId> labels{kIdentity};
+  for (const certify::NetDocument::Label& label : net.labels) {
+    check_label(label, "label " + std::to_string(labels.size()), atlas);
+    labels.push_back(atlas.label(label.from, label.to, label.word));
+  }
+  return labels;
+}
+
+/// A triangle of a document of `count` triangles.
+Triangle triangle_of(const certify::NetDocument::Triangle& triangle, std::size_t count,
+                     const std::vector<LabelId>& labels, const std::string& name) {
+  for (const std::uint32_t dart : triangle.opposite) {
+    if (dart / 3 >= count) {
+      refuse(name + " is glued to dart " + std::to_string(dart) + ", there are " + std::to_string(3 * count));
+    }
+  }
+  for (const std::uint32_t label : triangle.label) {
+    if (label >= labels.size()) {
+      refuse(name + " has label " + std::to_string(label) + ", there are " + std::to_string(labels.size()));
+    }
+    if (labels[label] > kLargestLabel) throw LimitError("more than 2^24 labels");
+  }
+  const auto& [first, second, third] = triangle.opposite;
+  return {triangle.vertex,
+          {triangulation_dart(first), triangulation_dart(second), triangulation_dart(third)},
+          Triangle::packed(labels[triangle.label[0]], labels[triangle.label[1]])};
+}
+
+}  // namespace
+
+Triangulation triangulation_of(const certify::NetDocument& net) {
+  Atlas atlas(from_document(net.surface));
+  add_charts(net, atlas);
+  const std::vector<LabelId> labels = add_labels(net, atlas);
+  std::vector<Vertex> vertices;
+  vertices.reserve(net.vertices.size());
+  for (const certify::NetDocument::Vertex& vertex : net.vertices) {
+    vertices.push_back({{vertex.x, vertex.y}, vertex.chart});
+  }
+  std::vector<Triangle> triangles;
+  triangles.reserve(net.triangles.size());
+  for (const certify::NetDocument::Triangle& triangle : net.triangles) {
+    triangles.push_back(
+        triangle_of(triangle, net.triangles.size(), labels, "triangle " + std::to_string(triangles.size())));
+  }
+  return assembled(std::move(atlas), vertices, triangles);
+}
+
+}  // namespace epsnet

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+
+#include "triangulation/triangulation.h"
+
+namespace epsnet {
+
+/// Moves the start vertex of d along d into its end, which it becomes; vertices and triangles are renumbered: the last
+/// ones take the numbers of those that vanish. Returns a dart that leaves the merged vertex; nothing, with nothing
+/// changed, if the two are one vertex or if some triangle would not stay counterclockwise. (What is left is again a
+/// triangulation: labels fit, triangles are counterclockwise and V − E + F is the same.) O(n).
+[[nodiscard]] std::optional<Dart> contract(Triangulation& triangulation, Dart d);
+
+/// Moves the start vertex of d to a place, given by its label to that vertex' chart. False, with nothing changed, if
+/// some triangle would not stay counterclockwise. O(n).
+[[nodiscard]] bool move_vertex(Triangulation& triangulation, Dart d, const Atlas::Place& place);
+
+}  // namespace epsnet

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+
+namespace epsnet {
+
+/// A dart: the edge of triangle t from corner i to corner i + 1, directed.
+///
+/// A type of its own, as files number darts in another way (docs/format.md): `document_dart` and `triangulation_dart`
+/// (netgen/nets/net_document.h) lead from one to the other.
+enum class Dart : std::uint32_t {};
+
+[[nodiscard]] constexpr Dart make_dart(std::uint32_t triangle, std::uint32_t corner) {
+  return Dart{4 * triangle + corner};
+}
+[[nodiscard]] constexpr std::uint32_t triangle_of(Dart d) { return static_cast<std::uint32_t>(d) >> 2; }
+[[nodiscard]] constexpr std::uint32_t corner_of(Dart d) { return static_cast<std::uint32_t>(d) & 3; }
+/// Corner i + 1 and i + 2 modulo 3.
+[[nodiscard]] constexpr std::uint32_t next(std::uint32_t i) { return i == 2 ? 0 : i + 1; }
+[[nodiscard]] constexpr std::uint32_t previous(std::uint32_t i) { return i == 0 ? 2 : i - 1; }
+/// The next dart of the same triangle, and the one before.
+[[nodiscard]] constexpr Dart next_dart(Dart d) { return make_dart(triangle_of(d), next(corner_of(d))); }
+[[nodiscard]] constexpr Dart previous_dart(Dart d) { return make_dart(triangle_of(d), previous(corner_of(d))); }
+
+}  // namespace epsnet

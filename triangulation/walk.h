@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+
+#include "triangulation/triangulation.h"
+
+namespace epsnet {
+
+/// Where a point is (thesis IV.4.3).
+struct Location {
+  enum class Type { face, edge, vertex, not_found };  ///< not_found: not within the steps allowed.
+  Type type;
+  Dart dart;           ///< Of the triangle that contains the point; the edge, or the vertex it leaves, if it is on one.
+  LabelId transition;  ///< From that triangle's chart to the chart in which the point was given.
+  std::uint32_t steps;  ///< Triangles entered after the first one.
+};
+
+/// How the triangle that contains a point is found (thesis Chapter II, IV.4.3).
+enum class Walk {
+  visibility,  ///< Crosses any edge behind which the point lies; ends in a Delaunay triangulation (Theorem II.1).
+  straight,    ///< Follows the geodesic from a corner; ends in every triangulation.
+};
+
+/// No limit to the steps of a walk.
+inline constexpr std::uint32_t kAnySteps = ~0u;
+
+/// Where vertex p, lifted by its label to the chart of triangle `start`, lies.
+[[nodiscard]] Location locate(Triangulation& triangulation, std::uint32_t start, Corner p, Walk walk,
+                              std::uint32_t most_steps = kAnySteps);
+/// The same for a point that is no vertex; its label leads to the chart of `start`.
+[[nodiscard]] Location locate(Triangulation& triangulation, std::uint32_t start, const Atlas::Place& point, Walk walk,
+                              std::uint32_t most_steps = kAnySteps);
+
+[[nodiscard]] Location locate_visibility(Triangulation& triangulation, std::uint32_t start, Corner p,
+                                         std::uint32_t most_steps = kAnySteps);
+[[nodiscard]] Location locate_straight(Triangulation& triangulation, std::uint32_t start, Corner p,
+                                       std::uint32_t most_steps = kAnySteps);
+
+}  // namespace epsnet
