@@ -28,7 +28,7 @@ struct SignedLabel {
   bool inverted;
 };
 
-/// Evaluates labels of one document, and the cores of its collars: words from the tile of the first vertex' chart to
+/// Evaluates labels of one document, and the cores of its collars: words from the tile of the first vertex's chart to
 /// itself, which are labels from that chart to itself, with the numbers after those of the file.
 ///
 /// All that it does is taken off the budget first; BudgetSpent, if that is too much.

@@ -24,8 +24,8 @@ int main() {
   if (epsnet::certify::check_geodesics(spectrum).verdict != epsnet::certify::Verdict::verified) {
     return 1;
   }
-  for (const epsnet::certify::Cluster& cluster : spectrum.clusters) {
-    const epsnet::certify::ClosedGeodesic& first = spectrum.geodesics[cluster.first];
+  for (const epsnet::certify::GeodesicsDocument::Cluster& cluster : spectrum.clusters) {
+    const epsnet::certify::GeodesicsDocument::ClosedGeodesic& first = spectrum.geodesics[cluster.first];
     std::cout << cluster.count << (cluster.count == 1 ? " geodesic" : " geodesics") << " of length "
               << first.length.lower << (cluster.equal ? ", exactly equal\n" : "\n");
   }

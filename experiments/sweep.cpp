@@ -81,7 +81,7 @@ std::string systole_record(const std::string& name, const Surface& surface) {
   const certify::Certificate certificate = certify::check_geodesics(document, {.threads = kThreads});
   if (certificate.verdict != certify::Verdict::verified)
     throw NetError("the systole was not verified: " + certificate.rule + ": " + certificate.message);
-  const certify::ClosedGeodesic& geodesic = document.geodesics.front();
+  const certify::GeodesicsDocument::ClosedGeodesic& geodesic = document.geodesics.front();
   std::ostringstream record;
   record << name << ',' << certify::name(certificate.verdict) << ',' << surface.genus() << ','
          << certify::shortest(geodesic.length.lower) << ',' << certify::shortest(geodesic.length.upper) << ','

@@ -63,7 +63,7 @@ Problem systole_problem(const GeodesicsDocument& document) {
 }
 
 Problem up_to_problem(const GeodesicsDocument& document) {
-  if (document.claim != Claim::spectrum) {
+  if (document.claim != GeodesicsDocument::Claim::spectrum) {
     if (document.up_to.empty()) return std::nullopt;
     return "up_to: only a spectrum has it";
   }
@@ -74,8 +74,8 @@ Problem up_to_problem(const GeodesicsDocument& document) {
 }
 
 /// The runs that the enclosures make, of which only `equal` is free.
-std::vector<Cluster> runs(const std::vector<ClosedGeodesic>& geodesics) {
-  std::vector<Cluster> result;
+std::vector<GeodesicsDocument::Cluster> runs(const std::vector<GeodesicsDocument::ClosedGeodesic>& geodesics) {
+  std::vector<GeodesicsDocument::Cluster> result;
   double end = 0;
   for (std::uint32_t i = 0; i < geodesics.size(); ++i) {
     const Interval length = geodesics[i].length;
@@ -87,7 +87,7 @@ std::vector<Cluster> runs(const std::vector<ClosedGeodesic>& geodesics) {
 }
 
 Problem clusters_problem(const GeodesicsDocument& document) {
-  const std::vector<Cluster> expected = runs(document.geodesics);
+  const std::vector<GeodesicsDocument::Cluster> expected = runs(document.geodesics);
   const auto& rows = document.clusters;
   for (std::size_t i = 0; i < std::max(rows.size(), expected.size()); ++i) {
     if (i < rows.size() && i < expected.size() && rows[i].first == expected[i].first &&
@@ -103,7 +103,7 @@ Problem clusters_problem(const GeodesicsDocument& document) {
 }
 
 Problem pieces_problem(const GeodesicsDocument& document) {
-  if (document.claim != Claim::thick_thin) {
+  if (document.claim != GeodesicsDocument::Claim::thick_thin) {
     if (document.pieces.empty()) return std::nullopt;
     return "pieces: only a thick-thin decomposition has them";
   }
@@ -134,7 +134,7 @@ Problem structure_problem(const GeodesicsDocument& document) {
   // The search relies on vertices near every point of the surface.
   if (document.net.collars) return "net: collars, a pseudo net; expected a net of the whole surface";
   if (auto problem = geodesics_problem(document)) return problem;
-  if (document.claim == Claim::systole) return systole_problem(document);
+  if (document.claim == GeodesicsDocument::Claim::systole) return systole_problem(document);
   if (auto problem = up_to_problem(document)) return problem;
   if (auto problem = clusters_problem(document)) return problem;
   return pieces_problem(document);

@@ -32,9 +32,9 @@ std::uint64_t least_bytes(const NetDocument& document) {
 
 std::uint64_t least_bytes(const GeodesicsDocument& document) {
   std::uint64_t bytes = least_bytes(document.net) + document.up_to.size();
-  for (const ClosedGeodesic& geodesic : document.geodesics) bytes += 52 + letters(geodesic.word);
+  for (const GeodesicsDocument::ClosedGeodesic& geodesic : document.geodesics) bytes += 52 + letters(geodesic.word);
   bytes += 34 * document.clusters.size();
-  for (const Piece& piece : document.pieces) bytes += 26 + 6 * piece.boundaries.size();
+  for (const GeodesicsDocument::Piece& piece : document.pieces) bytes += 26 + 6 * piece.boundaries.size();
   return bytes;
 }
 

@@ -207,7 +207,7 @@ void read_gluing(simdjson::simdjson_result<value> rows, std::vector<SurfaceDocum
   });
 }
 
-/// A genus of 0 would read as "not regular" in a Surface, so the range is checked here.
+/// A genus of 0 would read as "not regular" in the document, so the range is checked here.
 std::uint32_t read_regular_genus(simdjson::simdjson_result<value> item) {
   const Place place{.member = "surface.genus"};
   const std::uint32_t genus = read_index(item, place);
@@ -361,12 +361,12 @@ bool read_truth(simdjson::simdjson_result<value> item, const Place& at) {
   return expect(item.get_bool(), at, "true or false");
 }
 
-Claim read_claim_name(simdjson::simdjson_result<value> item) {
+GeodesicsDocument::Claim read_claim_name(simdjson::simdjson_result<value> item) {
   const Place place{.member = "claim"};
   const std::string_view text = expect(item.get_string(), place, "a string");
-  if (text == "systole") return Claim::systole;
-  if (text == "spectrum") return Claim::spectrum;
-  if (text == "thick-thin") return Claim::thick_thin;
+  if (text == "systole") return GeodesicsDocument::Claim::systole;
+  if (text == "spectrum") return GeodesicsDocument::Claim::spectrum;
+  if (text == "thick-thin") return GeodesicsDocument::Claim::thick_thin;
   fail(place, in_quotes(text) + " is not \"systole\", \"spectrum\" or \"thick-thin\"");
 }
 
@@ -378,8 +378,9 @@ Interval read_interval(simdjson::simdjson_result<value> item, const Place& at) {
   return interval;
 }
 
-ClosedGeodesic read_geodesic(simdjson::simdjson_result<value> row, const Place& at, std::size_t& letters_in_all) {
-  ClosedGeodesic geodesic;
+GeodesicsDocument::ClosedGeodesic read_geodesic(simdjson::simdjson_result<value> row, const Place& at,
+                                                std::size_t& letters_in_all) {
+  GeodesicsDocument::ClosedGeodesic geodesic;
   read_members(expect(row.get_object(), at, "an object"), at,
                {{"vertex", [&](auto item) { geodesic.vertex = read_index(item, at); }},
                 {"word", [&](auto item) { geodesic.word = read_word(item, at, letters_in_all); }},
@@ -388,8 +389,8 @@ ClosedGeodesic read_geodesic(simdjson::simdjson_result<value> row, const Place& 
   return geodesic;
 }
 
-Cluster read_cluster(simdjson::simdjson_result<value> row, const Place& at) {
-  Cluster cluster;
+GeodesicsDocument::Cluster read_cluster(simdjson::simdjson_result<value> row, const Place& at) {
+  GeodesicsDocument::Cluster cluster;
   read_members(expect(row.get_object(), at, "an object"), at,
                {{"first", [&](auto item) { cluster.first = read_index(item, at); }},
                 {"count", [&](auto item) { cluster.count = read_index(item, at); }},
@@ -397,8 +398,8 @@ Cluster read_cluster(simdjson::simdjson_result<value> row, const Place& at) {
   return cluster;
 }
 
-Piece read_piece(simdjson::simdjson_result<value> row, const Place& at) {
-  Piece piece;
+GeodesicsDocument::Piece read_piece(simdjson::simdjson_result<value> row, const Place& at) {
+  GeodesicsDocument::Piece piece;
   const auto read_boundary = [&](simdjson::simdjson_result<value> item, std::size_t) {
     std::array<std::uint32_t, 2> n{};
     read_tuple(item, at, 2, "[geodesic, side], two indices",
@@ -442,15 +443,15 @@ std::vector<Member> geodesics_members(GeodesicsDocument& document, std::size_t& 
 }
 
 /// Which of the last three members of geodesics_members there must be is known only when all have been read.
-void check_members_of_claim(Claim claim, const std::vector<bool>& seen) {
+void check_members_of_claim(GeodesicsDocument::Claim claim, const std::vector<bool>& seen) {
   const Place place{.member = "geodesics file"};
   const auto expect_member = [&](std::size_t index, const char* name, bool wanted) {
     if (seen[index] == wanted) return;
     fail(place, (wanted ? "missing member " : "unknown member ") + in_quotes(name) + " for this claim");
   };
-  expect_member(5, "up_to", claim == Claim::spectrum);
-  expect_member(6, "clusters", claim != Claim::systole);
-  expect_member(7, "pieces", claim == Claim::thick_thin);
+  expect_member(5, "up_to", claim == GeodesicsDocument::Claim::spectrum);
+  expect_member(6, "clusters", claim != GeodesicsDocument::Claim::systole);
+  expect_member(7, "pieces", claim == GeodesicsDocument::Claim::thick_thin);
 }
 
 /// Runs `read_document` on the parsed text and puts the file's name in front of every complaint.

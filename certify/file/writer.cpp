@@ -190,13 +190,13 @@ void write_net_object(Buffer& buffer, const NetDocument& document) {
   buffer.text("}");
 }
 
-const char* claim_text(Claim claim) {
+const char* claim_text(GeodesicsDocument::Claim claim) {
   switch (claim) {
-    case Claim::systole:
+    case GeodesicsDocument::Claim::systole:
       return "systole";
-    case Claim::spectrum:
+    case GeodesicsDocument::Claim::spectrum:
       return "spectrum";
-    case Claim::thick_thin:
+    case GeodesicsDocument::Claim::thick_thin:
       break;
   }
   return "thick-thin";
@@ -204,7 +204,7 @@ const char* claim_text(Claim claim) {
 
 const char* truth_text(bool value) { return value ? "true" : "false"; }
 
-void write_geodesic(Buffer& buffer, const ClosedGeodesic& geodesic) {
+void write_geodesic(Buffer& buffer, const GeodesicsDocument::ClosedGeodesic& geodesic) {
   buffer.text("{\"vertex\":");
   buffer.number(geodesic.vertex);
   buffer.text(",\"word\":");
@@ -218,7 +218,7 @@ void write_geodesic(Buffer& buffer, const ClosedGeodesic& geodesic) {
   buffer.text("}");
 }
 
-void write_cluster(Buffer& buffer, const Cluster& cluster) {
+void write_cluster(Buffer& buffer, const GeodesicsDocument::Cluster& cluster) {
   buffer.text("{\"first\":");
   buffer.number(cluster.first);
   buffer.text(",\"count\":");
@@ -228,7 +228,7 @@ void write_cluster(Buffer& buffer, const Cluster& cluster) {
   buffer.text("}");
 }
 
-void write_piece(Buffer& buffer, const Piece& piece) {
+void write_piece(Buffer& buffer, const GeodesicsDocument::Piece& piece) {
   buffer.text("{\"genus\":");
   buffer.number(piece.genus);
   buffer.text(",\"boundaries\":");
@@ -259,19 +259,20 @@ void write_geodesics(const GeodesicsDocument& document, std::ostream& out) {
   buffer.string(claim_text(document.claim));
   buffer.text(",\n\"net\":");
   write_net_object(buffer, document.net);
-  if (document.claim == Claim::spectrum) {
+  if (document.claim == GeodesicsDocument::Claim::spectrum) {
     buffer.text(",\n\"up_to\":");
     buffer.string(document.up_to);
   }
   buffer.text(",\n\"geodesics\":");
-  write_rows(buffer, document.geodesics, [&](const ClosedGeodesic& row) { write_geodesic(buffer, row); });
-  if (document.claim != Claim::systole) {
+  write_rows(buffer, document.geodesics,
+             [&](const GeodesicsDocument::ClosedGeodesic& row) { write_geodesic(buffer, row); });
+  if (document.claim != GeodesicsDocument::Claim::systole) {
     buffer.text(",\n\"clusters\":");
-    write_rows(buffer, document.clusters, [&](const Cluster& row) { write_cluster(buffer, row); });
+    write_rows(buffer, document.clusters, [&](const GeodesicsDocument::Cluster& row) { write_cluster(buffer, row); });
   }
-  if (document.claim == Claim::thick_thin) {
+  if (document.claim == GeodesicsDocument::Claim::thick_thin) {
     buffer.text(",\n\"pieces\":");
-    write_rows(buffer, document.pieces, [&](const Piece& row) { write_piece(buffer, row); });
+    write_rows(buffer, document.pieces, [&](const GeodesicsDocument::Piece& row) { write_piece(buffer, row); });
   }
   buffer.text("}\n");
   buffer.flush();

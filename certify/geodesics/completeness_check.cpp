@@ -133,7 +133,7 @@ class CompletenessCheck::Pass {
     if (place != nullptr && is_far(element, *place)) return Tri::yes;
     if (trivial == Tri::unknown) return Tri::unknown;
     ++vertex.candidates;
-    const bool systole = check_.document_.claim == Claim::systole;
+    const bool systole = check_.document_.claim == GeodesicsDocument::Claim::systole;
     const Tri found = systole ? is_no_shorter(element, shorter, product) : is_listed(v, element, shorter, product);
     if (found == Tri::no) vertex.text = missing_text(v, element, systole ? "is shorter" : "is not in the list");
     return found;
@@ -167,7 +167,7 @@ class CompletenessCheck::Pass {
     const Tri found = has_chord_in_list(v, element);
     if (found != Tri::no || shorter == Tri::yes) return found;
     // It is missing if it is short enough. An `up_to` is never a length, 2 arsinh 1 may be one.
-    if (check_.document_.claim != Claim::thick_thin || !is_near_tie(element)) return Tri::unknown;
+    if (check_.document_.claim != GeodesicsDocument::Claim::thick_thin || !is_near_tie(element)) return Tri::unknown;
     const auto sign = check_.traces_.compare_with_short(check_.evaluator_.word(product()));
     if (!sign) return Tri::unknown;
     return *sign > 0 ? Tri::yes : Tri::no;
@@ -206,7 +206,7 @@ CompletenessCheck::CompletenessCheck(const GeodesicsDocument& document, const La
     : document_(document),
       evaluator_(evaluator),
       traces_(evaluator),
-      up_to_(document.claim == Claim::spectrum ? *parse_decimal(document.up_to) : mpq_class()),
+      up_to_(document.claim == GeodesicsDocument::Claim::spectrum ? *parse_decimal(document.up_to) : mpq_class()),
       limit_(options.max_visits / std::max<std::size_t>(document.net.vertices.size(), 1)),
       vertices_(document.net.vertices.size()),
       loops_(document.net.vertices.size()) {
@@ -240,7 +240,7 @@ RuleReport CompletenessCheck::check(const LiftedPlane& plane, const ChordTable& 
                 : name + ": not decided whether all geodesics near it are in the list, with " +
                       std::to_string(plane.precision()) + " bits"};
   }
-  if (document_.claim == Claim::systole) {
+  if (document_.claim == GeodesicsDocument::Claim::systole) {
     return {"complete", Verdict::verified, "no closed geodesic is shorter than geodesic 0"};
   }
   return {"complete", Verdict::verified,
@@ -269,13 +269,13 @@ std::uint64_t CompletenessCheck::deep_vertices() const {
 Ball CompletenessCheck::cosh_half_bound(const LiftedPlane& plane) const {
   Ball result;
   switch (document_.claim) {
-    case Claim::thick_thin:
+    case GeodesicsDocument::Claim::thick_thin:
       arb_sqrt_ui(result.get(), 2, plane.precision());
       break;
-    case Claim::systole:
+    case GeodesicsDocument::Claim::systole:
       result = cosh_half_length(plane.label(first_element()));
       break;
-    case Claim::spectrum:
+    case GeodesicsDocument::Claim::spectrum:
       set_rational(result.get(), up_to_, plane.precision());
       arb_mul_2exp_si(result.get(), result.get(), -1);
       arb_cosh(result.get(), result.get(), plane.precision());
@@ -285,7 +285,7 @@ Ball CompletenessCheck::cosh_half_bound(const LiftedPlane& plane) const {
 }
 
 std::string CompletenessCheck::bound_name() const {
-  return document_.claim == Claim::thick_thin ? "2 arsinh 1" : in_quotes(document_.up_to);
+  return document_.claim == GeodesicsDocument::Claim::thick_thin ? "2 arsinh 1" : in_quotes(document_.up_to);
 }
 
 }  // namespace epsnet::certify

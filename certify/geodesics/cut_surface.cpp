@@ -96,7 +96,7 @@ class Cutter {
         first_darts_(first_darts(net_)),
         arcs_(3 * net_.triangles.size()) {}
 
-  std::optional<std::vector<Piece>> run() {
+  std::optional<std::vector<GeodesicsDocument::Piece>> run() {
     for (std::uint32_t t = 0; t < net_.triangles.size(); ++t) {
       for (const ChordTable::Place place : table_.in_triangle(t)) {
         if (!add_arc(t, place)) return std::nullopt;
@@ -209,7 +209,7 @@ class Cutter {
     return arcs_[dart].size() + arcs_[next_dart(dart)].size() + 1;
   }
 
-  std::optional<std::vector<Piece>> pieces() {
+  std::optional<std::vector<GeodesicsDocument::Piece>> pieces() {
     Partition partition(cells_);
     for (std::uint32_t dart = 0; dart < arcs_.size(); ++dart) {
       const std::uint32_t other = opposite(net_, dart);
@@ -228,8 +228,9 @@ class Cutter {
     return components(partition, euler);
   }
 
-  std::optional<std::vector<Piece>> components(Partition& partition, const std::map<std::size_t, long>& euler) const {
-    std::map<std::size_t, Piece> by_root;
+  std::optional<std::vector<GeodesicsDocument::Piece>> components(Partition& partition,
+                                                                  const std::map<std::size_t, long>& euler) const {
+    std::map<std::size_t, GeodesicsDocument::Piece> by_root;
     for (const auto& [root, unused] : euler) by_root[root];
     std::vector<std::size_t> component(2 * table_.size(), cells_);
     for (std::uint32_t dart = 0; dart < arcs_.size(); ++dart) {
@@ -246,7 +247,7 @@ class Cutter {
         }
       }
     }
-    std::vector<Piece> result;
+    std::vector<GeodesicsDocument::Piece> result;
     for (auto& [root, piece] : by_root) {
       const long twice_genus = 2 - euler.at(root) - static_cast<long>(piece.boundaries.size());
       if (twice_genus < 0 || twice_genus % 2 != 0) return std::nullopt;
@@ -271,8 +272,10 @@ class Cutter {
 
 }  // namespace
 
-std::optional<std::vector<Piece>> cut_surface(const LiftedPlane& plane, const LabelEvaluator& evaluator,
-                                              const ChordTable& table, const std::vector<std::uint32_t>& elements) {
+std::optional<std::vector<GeodesicsDocument::Piece>> cut_surface(const LiftedPlane& plane,
+                                                                 const LabelEvaluator& evaluator,
+                                                                 const ChordTable& table,
+                                                                 const std::vector<std::uint32_t>& elements) {
   return Cutter(plane, evaluator, table, elements).run();
 }
 

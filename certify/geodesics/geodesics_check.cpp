@@ -37,7 +37,7 @@ Ball cosh_half(double x, slong precision) {
 /// The net with the words of the geodesics as further labels, which no triangle uses.
 NetDocument extended(const GeodesicsDocument& document) {
   NetDocument net = document.net;
-  for (const ClosedGeodesic& geodesic : document.geodesics) {
+  for (const GeodesicsDocument::ClosedGeodesic& geodesic : document.geodesics) {
     const std::uint32_t chart = net.vertices[geodesic.vertex].chart;
     net.labels.push_back({chart, chart, geodesic.word});
   }
@@ -109,8 +109,8 @@ class GeodesicsCheck {
   [[nodiscard]] bool open(Rule rule) const { return needed(rule) && verdict(rule) == Verdict::undecided; }
 
   [[nodiscard]] bool needed(Rule rule) const {
-    if (rule == kPieces) return document_.claim == Claim::thick_thin;
-    return document_.claim != Claim::systole || (rule != kDistinct && rule != kEqual);
+    if (rule == kPieces) return document_.claim == GeodesicsDocument::Claim::thick_thin;
+    return document_.claim != GeodesicsDocument::Claim::systole || (rule != kDistinct && rule != kEqual);
   }
 
   /// Whether more bits can change nothing.
@@ -176,7 +176,7 @@ class GeodesicsCheck {
       for (std::size_t i = 0; i < elements_.size(); ++i) {
         const BallIsometry f = element(plane, i);
         const Tri enclosed = is_enclosed(f, document_.geodesics[i].length);
-        const Tri within = document_.claim == Claim::systole ? Tri::yes : is_within(plane, f, i);
+        const Tri within = document_.claim == GeodesicsDocument::Claim::systole ? Tri::yes : is_within(plane, f, i);
         if (enclosed != wanted && within != wanted) continue;
         const bool wrong = wanted == Tri::no;
         const std::string actual = " has a length in " + to_string(translation_length(f, plane.precision()));
@@ -204,7 +204,7 @@ class GeodesicsCheck {
 
   [[nodiscard]] Tri is_within(const LiftedPlane& plane, const BallIsometry& f, std::size_t i) const {
     const Tri less = certainly_less(cosh_half_length(f).get(), completeness_.cosh_half_bound(plane).get());
-    if (less != Tri::unknown || document_.claim != Claim::thick_thin) return less;
+    if (less != Tri::unknown || document_.claim != GeodesicsDocument::Claim::thick_thin) return less;
     const auto sign = traces_.compare_with_short(evaluator_.word(elements_[i]));
     if (!sign) return Tri::unknown;
     return *sign > 0 ? Tri::no : Tri::yes;
@@ -214,7 +214,7 @@ class GeodesicsCheck {
 
   void check_equal() {
     std::size_t claimed = 0;
-    for (const Cluster& cluster : document_.clusters) {
+    for (const GeodesicsDocument::Cluster& cluster : document_.clusters) {
       if (!cluster.equal) continue;
       ++claimed;
       for (std::uint32_t i = cluster.first + 1; i < cluster.first + cluster.count; ++i) {
@@ -313,7 +313,7 @@ class GeodesicsCheck {
   }
 
   void check_simple(const LiftedPlane& plane, const ChordTable& table) {
-    const bool disjoint = document_.claim == Claim::thick_thin;
+    const bool disjoint = document_.claim == GeodesicsDocument::Claim::thick_thin;
     std::vector<std::array<Tri, 2>> meets(table.size(), {Tri::no, Tri::no});
     for_each_parallel(table.size(), threads_, [&](unsigned, std::size_t i) {
       meets[i] = {meet(plane, table, i, false), disjoint ? meet(plane, table, i, true) : Tri::no};
@@ -333,8 +333,9 @@ class GeodesicsCheck {
       report(kSimple, Verdict::undecided, geodesic_name(i) + ": not decided what it crosses, with " + bits());
       return;
     }
-    const auto simple = std::count_if(document_.geodesics.begin(), document_.geodesics.end(),
-                                      [](const ClosedGeodesic& geodesic) { return geodesic.simple; });
+    const auto simple =
+        std::count_if(document_.geodesics.begin(), document_.geodesics.end(),
+                      [](const GeodesicsDocument::ClosedGeodesic& geodesic) { return geodesic.simple; });
     report(kSimple, Verdict::verified,
            std::to_string(simple) + " of " + std::to_string(meets.size()) + " are simple" +
                (disjoint ? ", and they are pairwise disjoint" : ""));
@@ -348,10 +349,12 @@ class GeodesicsCheck {
       reports_[kPieces].text = "not decided how the geodesics cut the triangles, with " + bits();
       return;
     }
-    const auto boundaries = [](const Piece& x, const Piece& y) { return x.boundaries < y.boundaries; };
-    std::vector<Piece> actual = *found;
-    std::vector<Piece> claimed = document_.pieces;
-    for (Piece& piece : claimed) std::sort(piece.boundaries.begin(), piece.boundaries.end());
+    const auto boundaries = [](const GeodesicsDocument::Piece& x, const GeodesicsDocument::Piece& y) {
+      return x.boundaries < y.boundaries;
+    };
+    std::vector<GeodesicsDocument::Piece> actual = *found;
+    std::vector<GeodesicsDocument::Piece> claimed = document_.pieces;
+    for (GeodesicsDocument::Piece& piece : claimed) std::sort(piece.boundaries.begin(), piece.boundaries.end());
     std::sort(actual.begin(), actual.end(), boundaries);
     std::sort(claimed.begin(), claimed.end(), boundaries);
     if (actual == claimed) {
@@ -361,7 +364,7 @@ class GeodesicsCheck {
     }
   }
 
-  static std::string pieces_text(const std::vector<Piece>& pieces) {
+  static std::string pieces_text(const std::vector<GeodesicsDocument::Piece>& pieces) {
     constexpr std::size_t kShown = 20;
     std::string result = std::to_string(pieces.size()) + " pieces (genus, boundaries):";
     for (std::size_t i = 0; i < std::min(pieces.size(), kShown); ++i) {
@@ -388,13 +391,13 @@ class GeodesicsCheck {
 std::string claim_of(const GeodesicsDocument& document) {
   const std::string count = std::to_string(document.geodesics.size());
   switch (document.claim) {
-    case Claim::systole:
+    case GeodesicsDocument::Claim::systole:
       return "the systole: no closed geodesic is shorter than geodesic 0, whose length lies in " +
              to_string(document.geodesics[0].length);
-    case Claim::spectrum:
+    case GeodesicsDocument::Claim::spectrum:
       return "the spectrum: the " + count + " primitive closed geodesics of length at most " +
              in_quotes(document.up_to) + ", up to orientation";
-    case Claim::thick_thin:
+    case GeodesicsDocument::Claim::thick_thin:
       break;
   }
   return "the thick-thin decomposition: the " + count +

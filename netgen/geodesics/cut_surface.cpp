@@ -65,8 +65,8 @@ class Cells {
 
 }  // namespace
 
-std::vector<certify::Piece> cut_surface(const Triangulation& triangulation,
-                                        const std::vector<std::vector<CornerArc>>& curves) {
+std::vector<certify::GeodesicsDocument::Piece> cut_surface(const Triangulation& triangulation,
+                                                           const std::vector<std::vector<CornerArc>>& curves) {
   Cells cells(triangulation, curves);
   // The curves themselves, circles, have characteristic 0, so that of a piece is that of its interior.
   std::vector<int> characteristic(cells.size());
@@ -84,8 +84,8 @@ std::vector<certify::Piece> cut_surface(const Triangulation& triangulation,
   constexpr std::uint32_t kNone = ~0U;
   std::vector<std::uint32_t> piece_of(cells.size(), kNone);
   std::vector<std::uint32_t> component_of;
-  std::vector<certify::Piece> pieces;
-  const auto piece = [&](std::uint32_t cell) -> certify::Piece& {
+  std::vector<certify::GeodesicsDocument::Piece> pieces;
+  const auto piece = [&](std::uint32_t cell) -> certify::GeodesicsDocument::Piece& {
     const std::uint32_t component = cells.component(cell);
     if (piece_of[component] == kNone) {
       piece_of[component] = static_cast<std::uint32_t>(pieces.size());

@@ -20,7 +20,7 @@ struct CornerArc {
 /// boundaries (curve, side), side 0 on the left. No topology but counting: arcs cut triangles into cells, cells are
 /// joined across edges, and V − E + F is 2 − 2g − b for a component of genus g with b boundaries. In the order of their
 /// first boundaries; without curves the one piece is the surface. O(triangles + arcs).
-[[nodiscard]] std::vector<certify::Piece> cut_surface(const Triangulation& triangulation,
-                                                      const std::vector<std::vector<CornerArc>>& curves);
+[[nodiscard]] std::vector<certify::GeodesicsDocument::Piece> cut_surface(
+    const Triangulation& triangulation, const std::vector<std::vector<CornerArc>>& curves);
 
 }  // namespace epsnet

@@ -159,7 +159,8 @@ Word word_of(Triangulation& triangulation, const ReturnPath& path) {
 }
 
 template <class T>
-certify::ClosedGeodesic to_document(Triangulation& triangulation, const typename AxisCatalogue<T>::Geodesic& geodesic) {
+certify::GeodesicsDocument::ClosedGeodesic to_document(Triangulation& triangulation,
+                                                       const typename AxisCatalogue<T>::Geodesic& geodesic) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double length = static_cast<double>(geodesic.length);
   const Dart start = geodesic.path.start;
@@ -171,16 +172,17 @@ certify::ClosedGeodesic to_document(Triangulation& triangulation, const typename
 
 /// Runs of overlapping enclosures. Lengths that agree to a hundred bits are claimed to be equal; certify decides.
 template <class T>
-std::vector<certify::Cluster> clusters(const std::vector<typename AxisCatalogue<T>::Geodesic>& geodesics,
-                                       const std::vector<certify::ClosedGeodesic>& documents) {
-  std::vector<certify::Cluster> result;
+std::vector<certify::GeodesicsDocument::Cluster> clusters(
+    const std::vector<typename AxisCatalogue<T>::Geodesic>& geodesics,
+    const std::vector<certify::GeodesicsDocument::ClosedGeodesic>& documents) {
+  std::vector<certify::GeodesicsDocument::Cluster> result;
   double reach = 0;
   for (std::uint32_t i = 0; i < documents.size(); ++i) {
     if (result.empty() || documents[i].length.lower > reach) {
       result.push_back({i, 0, true});
     }
     reach = std::max(reach, documents[i].length.upper);
-    certify::Cluster& last = result.back();
+    certify::GeodesicsDocument::Cluster& last = result.back();
     ++last.count;
     const T difference = geodesics[i].length - geodesics[last.first].length;
     last.equal = last.equal && difference <= boost::multiprecision::ldexp(geodesics[i].length, -100);
@@ -189,8 +191,8 @@ std::vector<certify::Cluster> clusters(const std::vector<typename AxisCatalogue<
 }
 
 template <class T>
-std::vector<certify::Piece> pieces(const Triangulation& triangulation,
-                                   const std::vector<typename AxisCatalogue<T>::Geodesic>& geodesics) {
+std::vector<certify::GeodesicsDocument::Piece> pieces(
+    const Triangulation& triangulation, const std::vector<typename AxisCatalogue<T>::Geodesic>& geodesics) {
   struct Ranked {
     const typename AxisCatalogue<T>::Step* step;
     CornerArc* arc;
@@ -217,8 +219,8 @@ std::vector<certify::Piece> pieces(const Triangulation& triangulation,
 
 /// The document of all geodesics of length at most `up_to`.
 template <class T>
-certify::GeodesicsDocument all_geodesics(Search& search, const GeodesicsOptions& options, certify::Claim claim,
-                                         const T& up_to) {
+certify::GeodesicsDocument all_geodesics(Search& search, const GeodesicsOptions& options,
+                                         certify::GeodesicsDocument::Claim claim, const T& up_to) {
   const AxisCatalogue<T> catalogue = find_all<T>(search, up_to);
   certify::GeodesicsDocument result;
   result.claim = claim;
@@ -226,7 +228,8 @@ certify::GeodesicsDocument all_geodesics(Search& search, const GeodesicsOptions&
     result.geodesics.push_back(to_document<T>(search.triangulation(), geodesic));
   }
   result.clusters = clusters<T>(catalogue.geodesics(), result.geodesics);
-  if (claim == certify::Claim::thick_thin) result.pieces = pieces<T>(search.triangulation(), catalogue.geodesics());
+  if (claim == certify::GeodesicsDocument::Claim::thick_thin)
+    result.pieces = pieces<T>(search.triangulation(), catalogue.geodesics());
   result.net = net_document(search.triangulation(), options.epsilon);
   return result;
 }
@@ -243,7 +246,7 @@ certify::GeodesicsDocument shortest_geodesic(Search& search, const GeodesicsOpti
     if (catalogue.geodesics().empty() && bound < most) continue;
     if (catalogue.geodesics().empty()) throw NetError("no closed geodesic was found up to the bound of the systole");
     certify::GeodesicsDocument result;
-    result.claim = certify::Claim::systole;
+    result.claim = certify::GeodesicsDocument::Claim::systole;
     result.geodesics.push_back(to_document<T>(search.triangulation(), catalogue.geodesics().front()));
     result.net = net_document(search.triangulation(), options.epsilon);
     return result;
@@ -268,7 +271,7 @@ certify::GeodesicsDocument systole(const Surface& surface, const GeodesicsOption
 certify::GeodesicsDocument spectrum(const Surface& surface, const Length& up_to, const GeodesicsOptions& options) {
   return with_search(surface, options, [&]<class T>(Search& search, const T&) {
     certify::GeodesicsDocument result =
-        all_geodesics<T>(search, options, certify::Claim::spectrum, static_cast<T>(up_to.value()));
+        all_geodesics<T>(search, options, certify::GeodesicsDocument::Claim::spectrum, static_cast<T>(up_to.value()));
     result.up_to = up_to.text();
     return result;
   });
@@ -276,7 +279,8 @@ certify::GeodesicsDocument spectrum(const Surface& surface, const Length& up_to,
 
 certify::GeodesicsDocument thick_thin(const Surface& surface, const GeodesicsOptions& options) {
   return with_search(surface, options, [&]<class T>(Search& search, const T&) {
-    return all_geodesics<T>(search, options, certify::Claim::thick_thin, T(2 * boost::multiprecision::asinh(T(1))));
+    return all_geodesics<T>(search, options, certify::GeodesicsDocument::Claim::thick_thin,
+                            T(2 * boost::multiprecision::asinh(T(1))));
   });
 }
 

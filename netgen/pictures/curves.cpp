@@ -293,7 +293,7 @@ std::vector<Layer> collar_layers(const NetGeometry& geometry) {
 
 std::vector<Layer> geodesics_layers(const NetGeometry& geometry, const certify::GeodesicsDocument& geodesics) {
   std::vector<Layer> layers{{.name = "closed geodesics", .colour = palette::kGeodesics}};
-  const bool small_curves = geodesics.claim == certify::Claim::thick_thin;
+  const bool small_curves = geodesics.claim == certify::GeodesicsDocument::Claim::thick_thin;
   if (small_curves) layers.push_back({.name = "collars of small curves", .colour = palette::kSmallCurveCollars});
   const certify::NetDocument& source = geodesics.net;
   const certify::SurfaceDocument& surface = geometry.document().surface;
@@ -302,7 +302,7 @@ std::vector<Layer> geodesics_layers(const NetGeometry& geometry, const certify::
     throw NetGeometryError("these are geodesics of another surface");
   const Tiles tiles(geometry);
   for (std::size_t i = 0; i < geodesics.geodesics.size(); ++i) {
-    const certify::ClosedGeodesic& geodesic = geodesics.geodesics[i];
+    const certify::GeodesicsDocument::ClosedGeodesic& geodesic = geodesics.geodesics[i];
     const std::uint32_t tile = source.charts[source.vertices[geodesic.vertex].chart].tile;
     const ClosedPath path = closed_path(geometry, tiles, tile, geodesic.word, {0, 0});
     Placement near = tiles.near[tile];

@@ -18,7 +18,7 @@
 namespace epsnet::program {
 namespace {
 
-using certify::ClosedGeodesic;
+using ClosedGeodesic = certify::GeodesicsDocument::ClosedGeodesic;
 using certify::GeodesicsDocument;
 
 struct GeodesicsRequest {
@@ -42,17 +42,17 @@ std::string word_text(const std::vector<std::uint32_t>& word) {
 /// "name: value" lines of a systole; a row for each geodesic else.
 std::string geodesics_text(const GeodesicsDocument& document) {
   std::ostringstream out;
-  if (document.claim == certify::Claim::systole) {
+  if (document.claim == certify::GeodesicsDocument::Claim::systole) {
     const ClosedGeodesic& shortest = document.geodesics.front();
     out << "systole: " << to_string(shortest.length) << '\n'
         << "simple: " << (shortest.simple ? "yes" : "no") << '\n'
         << "word: " << word_text(shortest.word) << '\n';
     return out.str();
   }
-  const bool small = document.claim == certify::Claim::thick_thin;
+  const bool small = document.claim == certify::GeodesicsDocument::Claim::thick_thin;
   out << "closed geodesics: " << document.geodesics.size() << ", primitive, up to orientation, of length at most "
       << (small ? "2 arsinh 1" : document.up_to) << '\n';
-  for (const certify::Cluster& cluster : document.clusters) {
+  for (const certify::GeodesicsDocument::Cluster& cluster : document.clusters) {
     for (std::uint32_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
       const ClosedGeodesic& geodesic = document.geodesics[i];
       out << i << ": length " << to_string(geodesic.length);
@@ -65,7 +65,7 @@ std::string geodesics_text(const GeodesicsDocument& document) {
     }
   }
   for (std::size_t p = 0; p < document.pieces.size(); ++p) {
-    const certify::Piece& piece = document.pieces[p];
+    const certify::GeodesicsDocument::Piece& piece = document.pieces[p];
     out << "piece " << p << ": genus " << piece.genus << ", " << piece.boundaries.size()
         << (piece.boundaries.size() == 1 ? " boundary" : " boundaries");
     for (const auto& [geodesic, side] : piece.boundaries)
@@ -76,10 +76,12 @@ std::string geodesics_text(const GeodesicsDocument& document) {
 }
 
 Json geodesics_json(const GeodesicsDocument& document) {
-  const bool small = document.claim == certify::Claim::thick_thin;
+  const bool small = document.claim == certify::GeodesicsDocument::Claim::thick_thin;
   Json result = Json::object();
-  result["claim"] = document.claim == certify::Claim::systole ? "systole" : small ? "thick-thin" : "spectrum";
-  if (document.claim == certify::Claim::spectrum) result["up_to"] = document.up_to;
+  result["claim"] = document.claim == certify::GeodesicsDocument::Claim::systole ? "systole"
+                    : small                                                      ? "thick-thin"
+                                                                                 : "spectrum";
+  if (document.claim == certify::GeodesicsDocument::Claim::spectrum) result["up_to"] = document.up_to;
   result["geodesics"] = Json::array();
   for (const ClosedGeodesic& geodesic : document.geodesics) {
     Json& entry = result["geodesics"].emplace_back(Json::object());
@@ -88,16 +90,16 @@ Json geodesics_json(const GeodesicsDocument& document) {
     entry["simple"] = geodesic.simple;
     entry["word"] = geodesic.word;
   }
-  if (document.claim != certify::Claim::systole) {
+  if (document.claim != certify::GeodesicsDocument::Claim::systole) {
     result["clusters"] = Json::array();
-    for (const certify::Cluster& cluster : document.clusters) {
+    for (const certify::GeodesicsDocument::Cluster& cluster : document.clusters) {
       result["clusters"].push_back(
           Json::object({{"first", cluster.first}, {"count", cluster.count}, {"equal", cluster.equal}}));
     }
   }
   if (small) {
     result["pieces"] = Json::array();
-    for (const certify::Piece& piece : document.pieces) {
+    for (const certify::GeodesicsDocument::Piece& piece : document.pieces) {
       Json& entry = result["pieces"].emplace_back(Json::object({{"genus", piece.genus}}));
       entry["boundaries"] = Json::array();
       for (const auto& [geodesic, side] : piece.boundaries) {

@@ -122,7 +122,7 @@ void each_word(std::size_t letters, std::vector<std::uint32_t>& word,
 
 /// All primitive closed geodesics of the regular octagon of length at most `bound` that words of so many letters make,
 /// up to orientation.
-std::vector<ClosedGeodesic> octagon_spectrum(double bound, std::size_t letters) {
+std::vector<GeodesicsDocument::ClosedGeodesic> octagon_spectrum(double bound, std::size_t letters) {
   std::vector<std::pair<double, std::vector<std::uint32_t>>> words;
   std::vector<std::uint32_t> word;
   each_word(letters, word, [&](const auto& w) {
@@ -130,7 +130,7 @@ std::vector<ClosedGeodesic> octagon_spectrum(double bound, std::size_t letters) 
       words.emplace_back(length(w), w);
   });
   std::stable_sort(words.begin(), words.end(), [](const auto& x, const auto& y) { return x.first < y.first - 1e-7; });
-  std::vector<ClosedGeodesic> result;
+  std::vector<GeodesicsDocument::ClosedGeodesic> result;
   std::set<Key> known;
   for (const auto& [l, w] : words) {
     if (known.contains(key(value(w)))) continue;
@@ -147,8 +147,8 @@ std::vector<ClosedGeodesic> octagon_spectrum(double bound, std::size_t letters) 
 }
 
 /// The runs of the lengths, said to be equal.
-std::vector<Cluster> clusters(const std::vector<ClosedGeodesic>& geodesics) {
-  std::vector<Cluster> result;
+std::vector<GeodesicsDocument::Cluster> clusters(const std::vector<GeodesicsDocument::ClosedGeodesic>& geodesics) {
+  std::vector<GeodesicsDocument::Cluster> result;
   for (std::uint32_t i = 0; i < geodesics.size(); ++i) {
     if (i == 0 || geodesics[i].length.lower > geodesics[i - 1].length.upper) result.push_back({i, 0, true});
     ++result.back().count;
@@ -158,7 +158,7 @@ std::vector<Cluster> clusters(const std::vector<ClosedGeodesic>& geodesics) {
 
 GeodesicsDocument spectrum(const NetDocument& net, const std::string& up_to, std::size_t letters) {
   GeodesicsDocument document;
-  document.claim = Claim::spectrum;
+  document.claim = GeodesicsDocument::Claim::spectrum;
   document.net = net;
   document.up_to = up_to;
   document.geodesics = octagon_spectrum(std::stod(up_to), letters);
@@ -203,7 +203,7 @@ TEST(Geodesics, MoreOfTheSpectrumOfBolzaIsVerified) {
   const Certificate certificate = check_geodesics(document);
   EXPECT_EQ(certificate.verdict, Verdict::verified) << certificate.rule << ": " << certificate.message;
   std::vector<std::uint32_t> counts;
-  for (const Cluster& cluster : document.clusters) counts.push_back(cluster.count);
+  for (const GeodesicsDocument::Cluster& cluster : document.clusters) counts.push_back(cluster.count);
   EXPECT_EQ(counts, (std::vector<std::uint32_t>{12, 12, 24, 48}));
   const auto simple =
       std::count_if(document.geodesics.begin(), document.geodesics.end(), [](const auto& g) { return g.simple; });
@@ -216,7 +216,7 @@ class TestedTable {
  public:
   explicit TestedTable(const GeodesicsDocument& document)
       : net_(document.net), first_number_(static_cast<std::uint32_t>(net_.labels.size()) + 1) {
-    for (const ClosedGeodesic& geodesic : document.geodesics) {
+    for (const GeodesicsDocument::ClosedGeodesic& geodesic : document.geodesics) {
       const std::uint32_t chart = net_.vertices[geodesic.vertex].chart;
       net_.labels.push_back({chart, chart, geodesic.word});
     }
@@ -368,7 +368,7 @@ TEST(Geodesics, OneLeftOutIsRefuted) {
 }
 
 /// The document with one more geodesic, put after those of the same length.
-GeodesicsDocument with(GeodesicsDocument document, ClosedGeodesic geodesic) {
+GeodesicsDocument with(GeodesicsDocument document, GeodesicsDocument::ClosedGeodesic geodesic) {
   const auto place = std::upper_bound(document.geodesics.begin(), document.geodesics.end(), geodesic,
                                       [](const auto& x, const auto& y) { return x.length.lower < y.length.lower; });
   document.geodesics.insert(place, geodesic);
@@ -378,17 +378,17 @@ GeodesicsDocument with(GeodesicsDocument document, ClosedGeodesic geodesic) {
 
 TEST(Geodesics, OneListedTwiceIsRefuted) {
   for (const std::size_t i : {0U, 5U, 13U, 20U}) {
-    const ClosedGeodesic geodesic = bolza_to_5().geodesics[i];
-    ClosedGeodesic elsewhere = geodesic;
+    const GeodesicsDocument::ClosedGeodesic geodesic = bolza_to_5().geodesics[i];
+    GeodesicsDocument::ClosedGeodesic elsewhere = geodesic;
     elsewhere.vertex = 5;
     EXPECT_EQ(outcome(with(bolza_to_5(), geodesic)), "REFUTED: distinct");
     EXPECT_EQ(outcome(with(bolza_to_5(), elsewhere)), "REFUTED: distinct");
-    ClosedGeodesic inverse = geodesic;
+    GeodesicsDocument::ClosedGeodesic inverse = geodesic;
     std::reverse(inverse.word.begin(), inverse.word.end());
     for (std::uint32_t& side : inverse.word) side = partner(side);
     EXPECT_EQ(outcome(with(bolza_to_5(), inverse)), "REFUTED: distinct");
     for (std::uint32_t side = 0; side < 8; ++side) {
-      ClosedGeodesic conjugate = geodesic;
+      GeodesicsDocument::ClosedGeodesic conjugate = geodesic;
       conjugate.word.insert(conjugate.word.begin(), side);
       conjugate.word.push_back(partner(side));
       EXPECT_EQ(outcome(with(bolza_to_5(), conjugate)), "REFUTED: distinct");
@@ -399,7 +399,7 @@ TEST(Geodesics, OneListedTwiceIsRefuted) {
 TEST(Geodesics, APowerIsRefuted) {
   GeodesicsDocument document = spectrum(bolza(), "6.2", 6);
   EXPECT_EQ(outcome(document), "VERIFIED");
-  ClosedGeodesic twice = document.geodesics[3];
+  GeodesicsDocument::ClosedGeodesic twice = document.geodesics[3];
   twice.word.insert(twice.word.end(), twice.word.begin(), twice.word.end());
   twice.length = {length(twice.word) - 1e-9, length(twice.word) + 1e-9};
   EXPECT_EQ(outcome(with(document, twice)), "REFUTED: distinct");
@@ -478,8 +478,9 @@ TEST(Geodesics, AWrongSimpleIsRefuted) {
   EXPECT_EQ(outcome(good), "VERIFIED");
   for (const bool simple : {true, false}) {
     GeodesicsDocument document = good;
-    const auto found = std::find_if(document.geodesics.begin(), document.geodesics.end(),
-                                    [&](const ClosedGeodesic& geodesic) { return geodesic.simple == simple; });
+    const auto found =
+        std::find_if(document.geodesics.begin(), document.geodesics.end(),
+                     [&](const GeodesicsDocument::ClosedGeodesic& geodesic) { return geodesic.simple == simple; });
     ASSERT_NE(found, document.geodesics.end());
     found->simple = !simple;
     EXPECT_EQ(outcome(document), "REFUTED: simple");
@@ -488,7 +489,7 @@ TEST(Geodesics, AWrongSimpleIsRefuted) {
 
 TEST(Geodesics, DifferentLengthsCalledEqualAreRefuted) {
   GeodesicsDocument document = bolza_to_5();
-  for (ClosedGeodesic& geodesic : document.geodesics) geodesic.length = {3, 5};
+  for (GeodesicsDocument::ClosedGeodesic& geodesic : document.geodesics) geodesic.length = {3, 5};
   document.clusters = clusters(document.geodesics);
   ASSERT_EQ(document.clusters.size(), 1U);
   EXPECT_EQ(outcome(document), "REFUTED: equal");
@@ -600,7 +601,7 @@ TEST(ThickThin, DecompositionsAreVerified) {
 TEST(ThickThin, ThreeCuffsBoundTwoPairsOfPants) {
   const GeodesicsDocument document = three_cuffs();
   ASSERT_EQ(document.pieces.size(), 2U);
-  for (const Piece& piece : document.pieces) {
+  for (const GeodesicsDocument::Piece& piece : document.pieces) {
     EXPECT_EQ(piece.genus, 0U);
     EXPECT_EQ(piece.boundaries.size(), 3U);
   }
@@ -617,7 +618,7 @@ TEST(ThickThin, WrongPiecesAreRefuted) {
   for (std::size_t i = 0; i < 3; ++i) {
     // The two sides of one geodesic exchanged.
     document = three_cuffs();
-    for (Piece& piece : document.pieces) {
+    for (GeodesicsDocument::Piece& piece : document.pieces) {
       for (auto& [geodesic, side] : piece.boundaries) {
         if (geodesic == i) side = 1 - side;
       }
@@ -646,7 +647,7 @@ TEST(ThickThin, OneLeftOutIsRefuted) {
       GeodesicsDocument document = good;
       document.geodesics.erase(document.geodesics.begin() + i);
       document.clusters = clusters(document.geodesics);
-      for (Piece& piece : document.pieces) {
+      for (GeodesicsDocument::Piece& piece : document.pieces) {
         std::erase_if(piece.boundaries, [&](const auto& side) { return side.first == i; });
         for (auto& [geodesic, side] : piece.boundaries) geodesic -= geodesic > i ? 1 : 0;
       }
@@ -663,11 +664,11 @@ TEST(ThickThin, AWrongSimpleIsRefuted) {
 
 TEST(ThickThin, IsASpectrumAndBeginsWithTheSystole) {
   for (GeodesicsDocument document : {three_cuffs(), thin()}) {
-    document.claim = Claim::spectrum;
+    document.claim = GeodesicsDocument::Claim::spectrum;
     document.pieces.clear();
     document.up_to = "1.7627";
     EXPECT_EQ(outcome(document), "VERIFIED");
-    document.claim = Claim::systole;
+    document.claim = GeodesicsDocument::Claim::systole;
     document.up_to.clear();
     document.clusters.clear();
     document.geodesics.resize(1);

@@ -27,7 +27,7 @@ static_assert(!std::is_constructible_v<Unfolding, Triangulation, double>);
 static_assert(std::is_constructible_v<AxisCatalogue<Mp256>, Triangulation&>);
 static_assert(!std::is_constructible_v<AxisCatalogue<Mp256>, Triangulation>);
 
-using certify::ClosedGeodesic;
+using ClosedGeodesic = certify::GeodesicsDocument::ClosedGeodesic;
 using certify::GeodesicsDocument;
 using test::any_index;
 
@@ -83,7 +83,7 @@ TEST(Spectrum, OfTheBolzaSurface) {
   const double root = std::sqrt(2.0);
   const std::vector<std::pair<std::uint32_t, double>> expected{{12, 1 + root}, {12, 3 + 2 * root}, {24, 5 + 3 * root}};
   for (std::size_t i = 0; i < 3; ++i) {
-    const certify::Cluster& cluster = document.clusters[i];
+    const certify::GeodesicsDocument::Cluster& cluster = document.clusters[i];
     EXPECT_EQ(cluster.count, expected[i].first);
     EXPECT_TRUE(cluster.equal);
     EXPECT_NEAR(length_of(document.geodesics[cluster.first]), 2 * std::acosh(expected[i].second), 1e-13);
@@ -243,7 +243,7 @@ RC_GTEST_PROP(ThickThinProperty, FindsThePairsOfPants, ()) {
   std::sort(cuffs.begin(), cuffs.end());
   expect_near(lengths_of(document), cuffs, 1e-12);
   RC_ASSERT(document.pieces.size() == 2 * genus - 2);
-  for (const certify::Piece& piece : document.pieces) {
+  for (const certify::GeodesicsDocument::Piece& piece : document.pieces) {
     RC_ASSERT(piece.genus == 0U);
     RC_ASSERT(piece.boundaries.size() == 3U);
   }
@@ -257,7 +257,7 @@ RC_GTEST_PROP(ThickThinProperty, PiecesMakeUpTheSurface, ()) {
   RC_ASSERT(document.geodesics.size() <= 3 * genus - 3);
   int characteristic = 0;
   std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
-  for (const certify::Piece& piece : document.pieces) {
+  for (const certify::GeodesicsDocument::Piece& piece : document.pieces) {
     characteristic += 2 - 2 * static_cast<int>(piece.genus) - static_cast<int>(piece.boundaries.size());
     sides.insert(piece.boundaries.begin(), piece.boundaries.end());
   }
@@ -270,7 +270,7 @@ TEST(ThickThin, OfASurfaceWithoutSmallCurvesIsThickInOnePiece) {
   const GeodesicsDocument document = thick_thin(Surface::regular(3));
   EXPECT_TRUE(document.geodesics.empty());
   ASSERT_EQ(document.pieces.size(), 1U);
-  EXPECT_EQ(document.pieces[0], (certify::Piece{3, {}}));
+  EXPECT_EQ(document.pieces[0], (certify::GeodesicsDocument::Piece{3, {}}));
 }
 
 /// A separating curve: a handle on each side. They are nearly the modular torus, whose systole, 2 arcosh(3/2), is
@@ -281,14 +281,14 @@ TEST(CutSurface, AlongASeparatingCuff) {
   coordinates.twists = {0, 0, 0};
   const GeodesicsDocument document = thick_thin(fenchel_nielsen_surface(coordinates));
   ASSERT_EQ(document.pieces.size(), 2U);
-  EXPECT_EQ(document.pieces[0], (certify::Piece{1, {{0, 0}}}));
-  EXPECT_EQ(document.pieces[1], (certify::Piece{1, {{0, 1}}}));
+  EXPECT_EQ(document.pieces[0], (certify::GeodesicsDocument::Piece{1, {{0, 0}}}));
+  EXPECT_EQ(document.pieces[1], (certify::GeodesicsDocument::Piece{1, {{0, 1}}}));
 }
 
 /// Without curves there is one piece, of the genus of the surface.
 TEST(CutSurface, AlongNothing) {
   const Surface surface = random_octagon(1);
-  EXPECT_EQ(cut_surface(Triangulation(surface), {}), (std::vector<certify::Piece>{{2, {}}}));
+  EXPECT_EQ(cut_surface(Triangulation(surface), {}), (std::vector<certify::GeodesicsDocument::Piece>{{2, {}}}));
 }
 
 /// Each way leads from the vertex to a lift of it no farther away than asked.
