@@ -26,12 +26,12 @@ if(EPSNET_DOXYGEN AND EPSNET_SPHINX)
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${source} ${site}/xml ${site}/html
     COMMAND ${CMAKE_COMMAND} -E copy_directory docs ${source}/docs
     COMMAND ${CMAKE_COMMAND} -E copy README.md CHANGELOG.md CITATION.cff LICENSE ${source}
-    COMMAND ${CMAKE_COMMAND} -E rename ${source}/docs/site/reference ${source}/reference
     COMMAND ${CMAKE_COMMAND} -E rename ${source}/docs/site/index.md ${source}/index.md
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${source}/docs/site
     COMMAND ${EPSNET_DOXYGEN} ${site}/Doxyfile
-    COMMAND python3 docs/site/check_reference.py ${site}/xml docs/site/reference ${names}
-    COMMAND ${EPSNET_SPHINX} -W --keep-going -q -b html -c docs/site -D breathe_projects.epsnet=${site}/xml -D release=${PROJECT_VERSION} ${source} ${site}/html
+    COMMAND python3 docs/site/reference.py ${site}/xml docs/site/reference ${source}/reference ${names}
+    COMMAND ${EPSNET_SPHINX} -W --keep-going -q -b html -c docs/site -D breathe_projects.epsnet=${site}/xml -D release=${PROJECT_VERSION}
+      ${source} ${site}/html
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} VERBATIM)
 else()
   add_custom_target(site

@@ -23,6 +23,7 @@ enum class Verdict { verified, refuted, undecided, malformed };
 inline constexpr long kLeastPrecision = 64;
 inline constexpr long kGreatestPrecision = 1L << 20;
 
+/// What a check is asked for. None of it changes what a verdict means.
 struct CheckOptions {
   unsigned threads = 0;       ///< 0: as many as the machine has cores. The result is the same for any number.
   long max_precision = 8192;  ///< Bits; beyond, a comparison is undecided. At least 64, at most 2²⁰.
@@ -44,6 +45,7 @@ struct RuleReport {
 /// "rule: VERDICT: text".
 [[nodiscard]] std::string to_string(const RuleReport& report);
 
+/// Sizes of what was checked, and what it took.
 struct Counts {
   std::uint64_t vertices = 0;
   std::uint64_t edges = 0;

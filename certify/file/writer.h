@@ -11,8 +11,10 @@
 /// parse_net(write_net(x)) == x. O(size), buffered. Errors show in the state of the stream.
 namespace epsnet::certify {
 
+/// Writes a net file.
 void write_net(const NetDocument& document, std::ostream& out);
 
+/// Writes a surface file.
 void write_surface(const SurfaceDocument& surface, std::ostream& out);
 
 /// Writes the members that the document's claim has, and no others.

@@ -25,6 +25,7 @@ struct FenchelNielsen {
 /// A length or a twist out of range; what() names its edge.
 class CoordinateError : public SurfaceError {
  public:
+  /// Of a member, with what is wrong.
   CoordinateError(std::string member, const std::string& problem) : SurfaceError(problem), member_(std::move(member)) {}
   /// "lengths" or "twists".
   [[nodiscard]] const std::string& member() const { return member_; }
