@@ -34,9 +34,10 @@ struct SignedLabel {
 /// All that it does is taken off the budget first; BudgetSpent, if that is too much.
 class LabelEvaluator {
  public:
-  /// Both must outlive the evaluator. O(letters of all words). Words are reduced freely: a side followed by its partner
-  /// is no path, so the values stay the same.
+  /// The parts must outlive the evaluator. O(letters of all words). Words are reduced freely: a side followed by its
+  /// partner is no path, so the values stay the same.
   LabelEvaluator(const NetDocument& document, const LabelParts& parts);
+  LabelEvaluator(const NetDocument& document, const LabelParts&& parts) = delete;
 
   /// L = F_to⁻¹ ∘ g ∘ F_from of the label numbers given (each ≥ 1, increasing), each with a relative error of about
   /// 2^−precision: long words are worked out with more bits, up to `cap` (or a little above `precision`, if that is

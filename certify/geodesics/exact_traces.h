@@ -19,6 +19,7 @@ class ExactTraces {
   /// The evaluator must outlive the traces.
   explicit ExactTraces(const LabelEvaluator& evaluator)
       : crossings_(evaluator.crossings()), budget_(evaluator.budget()) {}
+  explicit ExactTraces(const LabelEvaluator&& evaluator) = delete;
 
   /// The sign of l(word) − l(other).
   [[nodiscard]] std::optional<int> compare(std::span<const std::uint32_t> word,

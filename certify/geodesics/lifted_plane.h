@@ -12,9 +12,12 @@ namespace epsnet::certify {
 /// One precision's view of a net that passed `check`. Reads only after construction, so threads may share it.
 class LiftedPlane {
  public:
-  /// `net` may have labels that no triangle uses. O(size of the net) time and memory, about 1 kB a triangle.
+  /// `net`, which must outlive the plane, may have labels that no triangle uses. O(size of the net) time and memory,
+  /// about 1 kB a triangle.
   LiftedPlane(const NetDocument& net, const LabelEvaluator& evaluator, const LabelParts& parts, slong precision,
               slong cap, unsigned threads);
+  LiftedPlane(const NetDocument&& net, const LabelEvaluator& evaluator, const LabelParts& parts, slong precision,
+              slong cap, unsigned threads) = delete;
 
   [[nodiscard]] slong precision() const { return precision_; }
   [[nodiscard]] const NetDocument& net() const { return net_; }
