@@ -34,6 +34,7 @@ template <class T>
   return {f.a * g.a + f.b * conj(g.b), f.a * g.b + f.b * conj(g.a)};
 }
 
+/// The inverse, (ā, −b).
 template <class T>
 [[nodiscard]] constexpr Isometry<T> inverse(const Isometry<T>& f) {
   return {conj(f.a), -f.b};
@@ -49,6 +50,7 @@ template <class T>
   return {s * f.a, s * f.b};
 }
 
+/// The isometry with its coefficients converted to another field.
 template <class To, class From>
 [[nodiscard]] constexpr Isometry<To> convert(const Isometry<From>& f) {
   return {convert<To>(f.a), convert<To>(f.b)};

@@ -23,7 +23,9 @@ using Multiprecision = boost::multiprecision::number<
 
 /// The stages above binary64 in which staged predicates and constructions work, in this order.
 using Mp256 = Multiprecision<256>;
+/// The second stage.
 using Mp1024 = Multiprecision<1024>;
+/// The last stage.
 using Mp4096 = Multiprecision<4096>;
 
 /// The unit roundoff of a binary64 operation, 2⁻⁵³.

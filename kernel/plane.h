@@ -94,6 +94,7 @@ template <class T>
   return {T(4) * ab * bc * ca, T(4) * x * y - rest * rest, (sum + z) * (sum + z)};
 }
 
+/// The same from the points.
 template <class T>
 [[nodiscard]] Sinh2Circumradius<T> sinh2_circumradius(const Complex<T>& a, const Complex<T>& b, const Complex<T>& c) {
   return sinh2_circumradius<T>(norm(a - b), norm(b - c), norm(c - a), T(1) - norm(a), T(1) - norm(b), T(1) - norm(c));

@@ -179,6 +179,7 @@ template <class T>
       detail::underflow_bound<T>();
   return detail::sign_beyond(T(r.numerator - s_high * r.denominator), bound);
 }
+/// The same from the points.
 template <class T>
 [[nodiscard]] StageSign circumradius_stage_near_origin(const Complex<T>& a, const Complex<T>& b, const Complex<T>& c,
                                                        const T& s_high) {
@@ -195,6 +196,7 @@ template <class T>
   const T bound = unit_roundoff<T>() * (T(8) * chord2 + T(128) * limit) + detail::underflow_bound<T>();
   return detail::sign_beyond(T(chord2 - limit), bound);
 }
+/// The same from the points.
 template <class T>
 [[nodiscard]] StageSign distance_stage_near_origin(const Complex<T>& p, const Complex<T>& q, const T& s_high) {
   return distance_stage_near_origin<T>(norm(p - q), T(1) - norm(p), T(1) - norm(q), s_high);

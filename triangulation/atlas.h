@@ -44,14 +44,18 @@ inline constexpr double kChartRadius = 0.7;
 /// Labels are few, a few hundred to thousands whatever the number of triangles; products and inverses are memoised.
 class Atlas {
  public:
-  /// Throws LimitError, which names the tile, if closed geodesics may be too short
-  /// for labels to be told apart, that is about 10⁻²⁶.
+  /// Throws LimitError, which names the tile, if closed geodesics may be too short for labels
+  /// to be told apart, that is about 10⁻²⁶.
   explicit Atlas(Surface surface);
 
+  /// The surface whose charts these are.
   [[nodiscard]] const Surface& surface() const { return surface_; }
 
+  /// Adds a chart, which is not looked for among those that there are; returns its number.
   [[nodiscard]] std::uint32_t add_chart(Chart chart);
+  /// Charts are numbered from 0.
   [[nodiscard]] std::uint32_t chart_count() const { return static_cast<std::uint32_t>(charts_.size()); }
+  /// The chart of a number.
   [[nodiscard]] const Chart& chart(std::uint32_t c) const { return charts_[c].chart; }
   /// The isometry from the coordinates of a chart to those of its tile.
   template <class T>
@@ -62,9 +66,11 @@ class Atlas {
   [[nodiscard]] LabelId label(std::uint32_t from, std::uint32_t to, Word word);
   /// The number of labels, the identity included.
   [[nodiscard]] std::uint32_t label_count() const { return static_cast<std::uint32_t>(labels_.size()) + 1; }
-  /// The chart a label (not the identity) leads from, the one it leads to, and its word.
+  /// The chart a label (not the identity) leads from.
   [[nodiscard]] std::uint32_t from(LabelId l) const { return labels_[l - 1].from; }
+  /// The chart it leads to.
   [[nodiscard]] std::uint32_t to(LabelId l) const { return labels_[l - 1].to; }
+  /// Its word, from the tile of the one chart to that of the other.
   [[nodiscard]] const Word& word(LabelId l) const { return labels_[l - 1].word; }
   /// The labels, the identity not among them, that lead to a chart.
   [[nodiscard]] std::span<const LabelId> labels_to(std::uint32_t c) const { return charts_[c].incoming; }
@@ -82,13 +88,15 @@ class Atlas {
     const RecentProduct& recent = recent_[recent_slot(f, g)];
     return recent.f == f && recent.g == g ? recent.product : product_of_others(f, g);
   }
+  /// The label of the inverse isometry.
   [[nodiscard]] LabelId inverse(LabelId f) { return f == kIdentity ? kIdentity : inverse_of_other(f); }
   /// f ∘ f ∘ … ∘ f, n times; f leads from a chart to itself. O(log n) products.
   [[nodiscard]] LabelId power(LabelId f, std::uint64_t n);
 
-  /// The isometry of a label, not the identity, in binary64. `error(l)` bounds the Euclidean distance of the computed
-  /// image of a point with |z| ≤ 0.75 from the true image (docs/error-bounds.md, E5).
+  /// The isometry of a label, not the identity, in binary64.
   [[nodiscard]] const Isometry<double>& isometry(LabelId l) const { return rounded_[l - 1].isometry; }
+  /// Bounds the Euclidean distance of the image of a point with |z| ≤ 0.75 that is computed with `isometry` from the
+  /// true image (docs/error-bounds.md, E5).
   [[nodiscard]] double error(LabelId l) const { return rounded_[l - 1].error; }
 
   /// The same, determinant 1, in Mp256 (about 200 bits), Mp1024 (620 bits, relative to the entries) or Mp4096 (2020).
@@ -99,6 +107,7 @@ class Atlas {
   /// The image of a point with |z| ≤ 0.75 under a label, to within `lift_error<T>()`.
   template <class T>
   [[nodiscard]] Complex<T> lift(LabelId l, const Complex<double>& z);
+  /// The error of `lift` in T.
   template <class T>
   [[nodiscard]] static T lift_error();
 
@@ -109,11 +118,13 @@ class Atlas {
     Complex<double> z;
     LabelId label;
   };
+  /// How exactly `place` keeps a point.
   enum class Precision {
     binary64,  ///< Coordinates near the origin of a chart, rounded to binary64.
     bits_256,  ///< The point becomes the origin of a chart of its own, so that 256 bits of z are kept.
   };
-  /// Nothing if the point is too far away: 10,000 tiles, or farther than labels can be evaluated.
+  /// The point with coordinate z in chart c as a vertex. Nothing if the point is too far away: 10,000 tiles, or farther
+  /// than labels can be evaluated.
   [[nodiscard]] std::optional<Place> place(std::uint32_t c, const Complex<Mp1024>& z, Precision precision);
   /// The same for a point known in binary64, by the labels that exist; nothing if none takes it near the origin of a
   /// chart.

@@ -12,7 +12,7 @@ namespace epsnet {
 /// triangulation: labels fit, triangles are counterclockwise and V − E + F is the same.) O(n).
 [[nodiscard]] std::optional<Dart> contract(Triangulation& triangulation, Dart d);
 
-/// Moves the start vertex of d to a place, given by its label to that vertex' chart. False, with nothing changed, if
+/// Moves the start vertex of d to a place, given by its label to that vertex's chart. False, with nothing changed, if
 /// some triangle would not stay counterclockwise. O(n).
 [[nodiscard]] bool move_vertex(Triangulation& triangulation, Dart d, const Atlas::Place& place);
 

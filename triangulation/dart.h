@@ -10,16 +10,21 @@ namespace epsnet {
 /// (netgen/nets/net_document.h) lead from one to the other.
 enum class Dart : std::uint32_t {};
 
+/// Dart i of a triangle, i < 3.
 [[nodiscard]] constexpr Dart make_dart(std::uint32_t triangle, std::uint32_t corner) {
   return Dart{4 * triangle + corner};
 }
+/// The triangle of a dart.
 [[nodiscard]] constexpr std::uint32_t triangle_of(Dart d) { return static_cast<std::uint32_t>(d) >> 2; }
+/// The corner of its triangle from which it leaves.
 [[nodiscard]] constexpr std::uint32_t corner_of(Dart d) { return static_cast<std::uint32_t>(d) & 3; }
-/// Corner i + 1 and i + 2 modulo 3.
+/// Corner i + 1 modulo 3.
 [[nodiscard]] constexpr std::uint32_t next(std::uint32_t i) { return i == 2 ? 0 : i + 1; }
+/// Corner i + 2 modulo 3.
 [[nodiscard]] constexpr std::uint32_t previous(std::uint32_t i) { return i == 0 ? 2 : i - 1; }
-/// The next dart of the same triangle, and the one before.
+/// The next dart of the same triangle.
 [[nodiscard]] constexpr Dart next_dart(Dart d) { return make_dart(triangle_of(d), next(corner_of(d))); }
+/// The dart before it in the same triangle.
 [[nodiscard]] constexpr Dart previous_dart(Dart d) { return make_dart(triangle_of(d), previous(corner_of(d))); }
 
 }  // namespace epsnet

@@ -16,8 +16,8 @@ std::uint32_t add_vertex(Triangulation& triangulation, const Vertex& v);
 /// Takes back the last add_vertex; no triangle may have the vertex.
 void pop_vertex(Triangulation& triangulation);
 
-/// Splits triangle t into three at a vertex in its interior. `label` leads from the vertex' chart to t's chart. Returns
-/// the triangles around the vertex: it is their corner 0, dart 1 is opposite to it.
+/// Splits triangle t into three at a vertex in its interior. `label` leads from the vertex's chart to t's chart.
+/// Returns the triangles around the vertex: it is their corner 0, dart 1 is opposite to it.
 std::vector<std::uint32_t> split_face(Triangulation& triangulation, std::uint32_t t, std::uint32_t vertex,
                                       LabelId label, Journal* journal = nullptr);
 /// Splits the edge of d, and the two triangles beside it, at a vertex in its interior. `label` leads from the vertex'
@@ -26,7 +26,7 @@ std::vector<std::uint32_t> split_edge(Triangulation& triangulation, Dart d, std:
                                       Journal* journal = nullptr);
 
 /// Makes `vertex` (added, in no triangle) a vertex of the Delaunay triangulation by Bowyer–Watson, starting at triangle
-/// t, which must be in conflict with it. `label` leads from the vertex' chart to t's chart. Returns the triangles
+/// t, which must be in conflict with it. `label` leads from the vertex's chart to t's chart. Returns the triangles
 /// around the vertex, as split_face; nothing, with nothing changed, if the cavity meets a lift of itself (few vertices,
 /// short loops), or `accept(corners of the link)` says no. Requires a Delaunay triangulation.
 [[nodiscard]] std::optional<std::vector<std::uint32_t>> insert_in_cavity(Triangulation& triangulation, std::uint32_t t,

@@ -56,26 +56,34 @@ class Surface {
   /// coordinates are algebraic numbers: `tiles` has them rounded to 256 bits, `crossing_as` gives the crossings to any
   /// precision. Throws SurfaceError unless 2 ≤ g ≤ 1000.
   [[nodiscard]] static Surface regular(std::uint32_t genus);
+  /// Made by `regular`.
   [[nodiscard]] bool is_regular() const { return data_->regular; }
 
+  /// At least 2.
   [[nodiscard]] std::uint32_t genus() const { return data_->genus; }
   /// Where the surface comes from, in words; no part of what it is, and of this copy alone.
   [[nodiscard]] const std::string& about() const { return about_; }
+  /// Sets the text of `about`, of this copy.
   void set_about(std::string text) { about_ = std::move(text); }
+  /// The polygons, each in coordinates of its own.
   [[nodiscard]] const std::vector<Tile>& tiles() const { return data_->tiles; }
   /// The pairs as given to the constructor.
   [[nodiscard]] const std::vector<Gluing>& gluing() const { return data_->gluing; }
 
+  /// The number of sides of all tiles.
   [[nodiscard]] std::uint32_t side_count() const { return static_cast<std::uint32_t>(data_->partner.size()); }
+  /// The number, among those of all tiles, of a side of a tile.
   [[nodiscard]] std::uint32_t side_number(std::uint32_t tile, std::uint32_t side) const {
     return data_->first_side[tile] + side;
   }
+  /// The tile that has side s.
   [[nodiscard]] std::uint32_t tile_of_side(std::uint32_t s) const { return data_->side_tile[s]; }
-  /// The sides after and before side s, counterclockwise around its tile.
+  /// The side after side s, counterclockwise around its tile.
   [[nodiscard]] std::uint32_t next_side(std::uint32_t s) const {
     const std::uint32_t tile = tile_of_side(s);
     return s + 1 < side_count() && tile_of_side(s + 1) == tile ? s + 1 : side_number(tile, 0);
   }
+  /// The side before side s.
   [[nodiscard]] std::uint32_t previous_side(std::uint32_t s) const {
     const std::uint32_t tile = tile_of_side(s);
     const std::uint32_t first = side_number(tile, 0);
@@ -94,6 +102,7 @@ class Surface {
   /// The corners (tile, vertex) are numbered like the sides that start there. `vertex_class(c)` is the point of the
   /// surface that corner c is, numbered from 0 in the order of first occurrence.
   [[nodiscard]] std::uint32_t vertex_class(std::uint32_t corner) const { return data_->vertex_class[corner]; }
+  /// The number of points of the surface that corners are.
   [[nodiscard]] std::uint32_t vertex_class_count() const {
     return static_cast<std::uint32_t>(data_->vertex_class_sizes.size());
   }

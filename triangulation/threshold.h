@@ -12,12 +12,15 @@ namespace epsnet {
 /// MPFR, so the same on every machine.
 class Threshold {
  public:
+  /// sinh²x, x > 0.
   explicit Threshold(Rational x);
 
+  /// The ends in T: double, Mp256, Mp1024, Mp4096.
   template <class T>
   [[nodiscard]] const std::array<T, 2>& at() const;
-  /// The ends at the binary64 stage.
+  /// The lower end at the binary64 stage.
   [[nodiscard]] double low() const { return ends_[0]; }
+  /// The upper end at the binary64 stage.
   [[nodiscard]] double high() const { return ends_[1]; }
 
  private:

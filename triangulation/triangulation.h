@@ -27,6 +27,7 @@ struct Triangle {
   std::array<Dart, 3> opposite;
   std::uint64_t labels_and_mark;  ///< Label of corner 1 (24 bits), of corner 2 (24 bits), 15 zeros, the mark.
 
+  /// The label of a corner; the identity for corner 0.
   [[nodiscard]] LabelId label(std::uint32_t corner) const {
     return corner == 0   ? kIdentity
            : corner == 1 ? static_cast<LabelId>(labels_and_mark >> 40)
@@ -36,6 +37,7 @@ struct Triangle {
   [[nodiscard]] static constexpr std::uint64_t packed(LabelId l1, LabelId l2) {
     return (std::uint64_t{l1} << 40) | (std::uint64_t{l2} << 16);
   }
+  /// Whether all corners are given in the chart of the triangle.
   [[nodiscard]] bool all_identity() const { return (labels_and_mark >> 16) == 0; }
   /// Lost when the slot gets another triangle: for algorithms that keep lists of triangles.
   [[nodiscard]] bool marked() const { return (labels_and_mark & 1) != 0; }
@@ -71,17 +73,26 @@ class Triangulation {
   Triangulation(Triangulation&&) = default;
   Triangulation& operator=(Triangulation&&) = default;
   ~Triangulation() = default;
+  /// A copy.
   [[nodiscard]] Triangulation clone() const { return *this; }
+  /// Reserves memory for so many vertices and their triangles.
   void reserve(std::size_t vertices);
 
+  /// The surface that is triangulated.
   [[nodiscard]] const Surface& surface() const { return atlas_.surface(); }
+  /// The charts of the vertices and the labels of the corners.
   [[nodiscard]] Atlas& atlas() { return atlas_; }
+  /// The same of a triangulation that is const.
   [[nodiscard]] const Atlas& atlas() const { return atlas_; }
+  /// Vertices are numbered from 0.
   [[nodiscard]] std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(points_.size()); }
+  /// Triangles are numbered from 0.
   [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangles_.size()); }
+  /// The vertex of a number.
   [[nodiscard]] Vertex vertex(std::uint32_t v) const { return {points_[v], charts_[v]}; }
   /// The coordinate of a vertex in its chart.
   [[nodiscard]] const Complex<double>& point(std::uint32_t v) const { return points_[v]; }
+  /// The triangle of a number.
   [[nodiscard]] const Triangle& triangle(std::uint32_t t) const { return triangles_[t]; }
   /// The chart of a triangle: that of its corner 0.
   [[nodiscard]] std::uint32_t chart_of(std::uint32_t t) const { return charts_[triangles_[t].vertex[0]]; }

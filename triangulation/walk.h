@@ -8,7 +8,8 @@ namespace epsnet {
 
 /// Where a point is (thesis IV.4.3).
 struct Location {
-  enum class Type { face, edge, vertex, not_found };  ///< not_found: not within the steps allowed.
+  /// Inside of a triangle, on an edge, on a vertex; or not found within the steps allowed.
+  enum class Type { face, edge, vertex, not_found };
   Type type;
   Dart dart;           ///< Of the triangle that contains the point; the edge, or the vertex it leaves, if it is on one.
   LabelId transition;  ///< From that triangle's chart to the chart in which the point was given.
@@ -31,8 +32,10 @@ inline constexpr std::uint32_t kAnySteps = ~0u;
 [[nodiscard]] Location locate(Triangulation& triangulation, std::uint32_t start, const Atlas::Place& point, Walk walk,
                               std::uint32_t most_steps = kAnySteps);
 
+/// `locate` by the visibility walk (thesis Theorem II.1): requires a Delaunay triangulation.
 [[nodiscard]] Location locate_visibility(Triangulation& triangulation, std::uint32_t start, Corner p,
                                          std::uint32_t most_steps = kAnySteps);
+/// `locate` by the straight walk from corner 0 of `start` (thesis Chapter II).
 [[nodiscard]] Location locate_straight(Triangulation& triangulation, std::uint32_t start, Corner p,
                                        std::uint32_t most_steps = kAnySteps);
 

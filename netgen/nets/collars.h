@@ -16,7 +16,7 @@ namespace epsnet {
 
 /// A closed geodesic no longer than ε as it is seen from a vertex near it.
 struct Core {
-  std::uint32_t chart;           ///< The vertex' chart, whose coordinates are used below.
+  std::uint32_t chart;           ///< The vertex's chart, whose coordinates are used below.
   Mp1024 sinh2;                  ///< sinh²(length/2).
   LorentzVector<Mp1024> foot;    ///< The point of the lifted core, a line, that is nearest to the vertex;
   LorentzVector<Mp1024> along;   ///< the unit vector along the line there,

@@ -35,6 +35,7 @@ enum class TriangleList {
 /// The progress of a computation: the vertices so far and the share done, 0 to 1.
 using Progress = std::function<void(std::uint64_t vertices, double share)>;
 
+/// What net is wanted, and how it is made.
 struct NetOptions {
   /// The start is this point alone; without it, all vertices of the tiles that are not too close to others.
   std::optional<BasePoint> base = {};
@@ -94,8 +95,11 @@ template <class Option, std::size_t N>
   }
   return std::nullopt;
 }
+/// "cavity" or "flips".
 [[nodiscard]] constexpr std::string_view name(Insertion insertion) { return name_in(kInsertionNames, insertion); }
+/// "visibility" or "straight".
 [[nodiscard]] constexpr std::string_view name(Walk walk) { return name_in(kWalkNames, walk); }
+/// "A" to "D".
 [[nodiscard]] constexpr std::string_view name(TriangleList list) { return name_in(kTriangleListNames, list); }
 
 /// No net was found that could be proved; what() says why. The surface and ε are valid.

@@ -9,6 +9,7 @@
 
 namespace epsnet {
 
+/// What a refinement starts from.
 struct DelaunayStart {
   Triangulation triangulation;
   std::uint64_t flips;  ///< How many edges were flipped.
