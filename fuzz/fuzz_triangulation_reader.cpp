@@ -18,7 +18,7 @@ void require(bool condition) {
 std::optional<epsnet::TriangulationStream> read(std::string_view text) {
   try {
     return epsnet::read_triangulation_stream(text, "input");
-  } catch (const epsnet::TriangulationStreamError&) {
+  } catch (const epsnet::ExchangeError&) {
     return std::nullopt;
   }
 }
@@ -26,7 +26,7 @@ std::optional<epsnet::TriangulationStream> read(std::string_view text) {
 std::optional<epsnet::Surface> develop(const epsnet::TriangulationStream& stream) {
   try {
     return epsnet::develop(stream, "input");
-  } catch (const epsnet::TriangulationStreamError&) {
+  } catch (const epsnet::ExchangeError&) {
     return std::nullopt;
   }
 }
@@ -39,7 +39,7 @@ std::string text_of(const epsnet::TriangulationStream& stream) {
 
 }  // namespace
 
-/// Any bytes are a triangulation or a TriangulationStreamError; the text that is written reads back the same. If it has
+/// Any bytes are a triangulation or an ExchangeError; the text that is written reads back the same. If it has
 /// a surface, the certifier agrees that it is one, and its cross-ratios make the same surface again.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto stream = read({reinterpret_cast<const char*>(data), size});

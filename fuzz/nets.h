@@ -43,7 +43,7 @@ inline void require_net(const epsnet::Surface& surface, double least, Bytes& byt
   epsnet::NetOptions options;
   options.insertion = (choice & 1U) != 0 ? epsnet::Insertion::flips : epsnet::Insertion::cavity;
   options.walk = (choice & 2U) != 0 ? epsnet::Walk::straight : epsnet::Walk::visibility;
-  options.pseudo = (choice & 4U) != 0 && epsnet::Length(epsilon).allows_pseudo_nets();
+  options.pseudo = (choice & 4U) != 0 && epsnet::allows_pseudo_nets(epsnet::Length(epsilon));
   options.list = static_cast<epsnet::TriangleList>((choice >> 3U) & 3U);
   options.check.threads = 1;
 

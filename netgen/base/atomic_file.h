@@ -5,15 +5,9 @@
 #include <iosfwd>
 #include <vector>
 
-#include "triangulation/error.h"
+#include "netgen/base/write_error.h"
 
 namespace epsnet {
-
-/// A file could not be written. what() is one line: the path and the reason ("No space left on device").
-class WriteError : public Error {
- public:
-  using Error::Error;
-};
 
 /// A file to be made: its path, and what writes its contents to a stream.
 struct NewFile {

@@ -2,8 +2,11 @@
 
 #include <gmpxx.h>
 #include <mpfr.h>
+#include <optional>
+#include <string_view>
 
 #include "certify/document/document.h"
+#include "certify/document/text.h"
 #include "kernel/complex.h"
 #include "kernel/numbers.h"
 
@@ -16,6 +19,13 @@ namespace epsnet {
 [[nodiscard]] inline Rational from_gmp(const mpq_class& q) { return Rational(q.get_mpq_t()); }
 [[nodiscard]] inline Complex<Rational> from_gmp(const certify::RationalPoint& z) {
   return {from_gmp(z.x), from_gmp(z.y)};
+}
+
+/// The exact value of a decimal or rational as docs/format.md defines it ("-0.25", "1e-3", "1/10"): 0.1 is 1/10.
+/// Nothing for any other text, and beyond the limits of files.
+[[nodiscard]] inline std::optional<Rational> parse_decimal(std::string_view text) {
+  const std::optional<mpq_class> value = certify::parse_decimal(text);
+  return value ? std::optional(from_gmp(*value)) : std::nullopt;
 }
 
 /// The nearest number of a multiprecision field.

@@ -2,12 +2,12 @@
 
 #include <charconv>
 #include <cmath>
-#include <mpfr.h>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
-#include "netgen/base/decimal.h"
+#include "netgen/base/gmp.h"
 
 namespace epsnet {
 namespace {
@@ -38,23 +38,6 @@ std::string shortest_decimal(double value) {
 }
 
 }  // namespace
-
-bool Length::allows_pseudo_nets() const {
-  const Rational twice = 2 * value_;
-  // ln 2 is irrational, so enough bits tell.
-  for (mpfr_prec_t bits = 128;; bits *= 2) {
-    mpfr_t limit;
-    mpfr_init2(limit, bits);
-    mpfr_const_log2(limit, MPFR_RNDD);
-    const bool below = mpfr_cmp_q(limit, twice.backend().data()) >= 0;
-    mpfr_const_log2(limit, MPFR_RNDU);
-    const bool above = mpfr_cmp_q(limit, twice.backend().data()) <= 0;
-    mpfr_clear(limit);
-    if (below != above) {
-      return below;
-    }
-  }
-}
 
 Length::Length(std::string text) : text_(std::move(text)), value_(parse(text_)) {}
 

@@ -6,19 +6,21 @@
 
 namespace epsnet {
 
-/// ε as an exact number: a decimal such as "0.1" (that is 1/10) or a rational "p/q", positive; a hyperbolic length.
+/// A positive hyperbolic length, exactly: a decimal such as "0.1" (that is 1/10) or a rational "p/q". ε is one.
 ///
-/// Throws std::invalid_argument, which quotes the text, for anything else: not a number, zero, negative, NaN, infinite.
+/// What is anything else (not a number, zero, negative, NaN, infinite, more than 10⁶ digits) throws
+/// std::invalid_argument, whose what() is one line that quotes the text, shortened.
 class Length {
  public:
+  /// The number that the text is, by the grammar of docs/format.md ("decimal").
   explicit Length(std::string text);
   /// The shortest decimal that reads back as `value`: Length(0.1) is 1/10.
   explicit Length(double value);
 
+  /// The number as it was given.
   [[nodiscard]] const std::string& text() const { return text_; }
+  /// Its exact value.
   [[nodiscard]] const Rational& value() const { return value_; }
-  /// Whether ε ≤ ln √2, decided exactly: the limit for pseudo ε-nets (thesis Lemma III.9).
-  [[nodiscard]] bool allows_pseudo_nets() const;
 
  private:
   std::string text_;

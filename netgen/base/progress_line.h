@@ -2,6 +2,9 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
+
+#include "netgen/base/progress.h"
 
 namespace epsnet {
 
@@ -13,7 +16,10 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();
 
-  void show(const std::string& text, double share);
+  void show(std::string_view text, double share);
+
+  /// What shows the progress of a computation on this line, which must outlive it. `prefix` comes before its text.
+  [[nodiscard]] Progress shower(std::string prefix = "");
 
  private:
   bool terminal_;

@@ -403,9 +403,7 @@ class AnchorSearch {
          ", which is 3 modulo 4, keeps tanh^2 of half the length of an edge from being a sum of two rational squares");
   }
 
-  [[noreturn]] void fail(const std::string& message) const {
-    throw TriangulationStreamError(std::string(name_) + ": " + message);
-  }
+  [[noreturn]] void fail(const std::string& message) const { throw ExchangeError(std::string(name_) + ": " + message); }
 
   const TriangulationStream& stream_;
   std::string_view name_;

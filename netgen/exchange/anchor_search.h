@@ -16,7 +16,7 @@ namespace epsnet {
 /// from 0 to any κ with |κ|² = tanh²(d/2). For streams that were made from rational points that is so, and κ is found
 /// by greatest common divisors in Z[i], as all cross-ratios have been made with it (docs/exchange-formats.md).
 ///
-/// Requires the combinatorics that read_triangulation_stream checks. Throws TriangulationStreamError if there is no
+/// Requires the combinatorics that read_triangulation_stream checks. Throws ExchangeError if there is no
 /// such circle, if there is no such κ, or if none was found, and then says what to write into the text.
 [[nodiscard]] TriangulationStream::Anchor find_anchor(const TriangulationStream& stream, std::string_view name);
 

@@ -249,9 +249,7 @@ class Development {
     return edge.dart == dart ? edge.opposite : edge.dart;
   }
 
-  [[noreturn]] void fail(const std::string& message) const {
-    throw TriangulationStreamError(std::string(name_) + ": " + message);
-  }
+  [[noreturn]] void fail(const std::string& message) const { throw ExchangeError(std::string(name_) + ": " + message); }
 
   static constexpr const char* kExpected = ": these cross-ratios are not those of a closed hyperbolic surface";
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "certify/document/text.h"
-#include "netgen/base/token_reader.h"
 #include "netgen/exchange/ear_clipping.h"
+#include "netgen/exchange/token_reader.h"
 #include "triangulation/glued_polygons.h"
 
 namespace epsnet {
@@ -15,14 +15,12 @@ namespace {
 
 constexpr std::size_t kManySides = 256;
 
-using DomainTokens = TokenReader<DomainError>;
-
 struct Domain {
   Tile polygon;
   std::vector<Gluing> gluing;
 };
 
-std::vector<Gluing> read_pairing(DomainTokens& words, std::uint32_t size) {
+std::vector<Gluing> read_pairing(TokenReader& words, std::uint32_t size) {
   std::vector<std::uint32_t> partner;
   std::vector<std::size_t> line;
   const std::string range =
@@ -48,7 +46,7 @@ std::vector<Gluing> read_pairing(DomainTokens& words, std::uint32_t size) {
 }
 
 Domain parse(std::string_view text, std::string_view name) {
-  DomainTokens words(text, name);
+  TokenReader words(text, name);
   const std::uint32_t size = words.index("the number of sides, an even number from 8 to 2^32 - 2");
   if (size < 8 || size % 2 != 0) {
     words.fail(std::to_string(size) + " sides found, expected an even number, at least 8 (genus 2)");
@@ -115,21 +113,17 @@ Surface read_domain(std::string_view text, std::string_view name) {
   try {
     return make_surface(std::move(domain));
   } catch (const SurfaceError& error) {
-    throw DomainError(std::string(name) + ": " + error.what());
+    throw ExchangeError(std::string(name) + ": " + error.what());
   }
-}
-
-Surface load_domain(const std::filesystem::path& path) {
-  return read_domain(read_text_file<DomainError>(path), path.string());
 }
 
 std::string write_domain(const Surface& surface) {
   if (surface.is_regular()) {
-    throw DomainError("a regular polygon has no rational vertices, so the domain format cannot hold it");
+    throw ExchangeError("a regular polygon has no rational vertices, so the domain format cannot hold it");
   }
   if (surface.tiles().size() != 1) {
-    throw DomainError("the domain format holds one polygon, the surface has " + std::to_string(surface.tiles().size()) +
-                      " tiles; the triangulation format holds them");
+    throw ExchangeError("the domain format holds one polygon, the surface has " +
+                        std::to_string(surface.tiles().size()) + " tiles; the triangulation format holds them");
   }
   std::string text = std::to_string(surface.side_count()) + "\n";
   for (std::uint32_t s = 0; s < surface.side_count(); ++s) text += std::to_string(surface.partner(s)) + "\n";

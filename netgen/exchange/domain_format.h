@@ -1,10 +1,9 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
+#include <cstddef>
 #include <string_view>
 
-#include "triangulation/error.h"
+#include "netgen/exchange/exchange.h"
 #include "triangulation/surface.h"
 
 /// CGAL's text format for fundamental polygons of closed hyperbolic surfaces.
@@ -14,13 +13,6 @@
 /// vertex k + 1. All separated by white space.
 namespace epsnet {
 
-/// The text is not the polygon of a surface, or a surface cannot be written as one. what() is one line: "NAME:LINE:
-/// what was wrong, what was expected"; NAME alone where no line is to blame.
-class DomainError : public Error {
- public:
-  using Error::Error;
-};
-
 /// The largest number of sides of a polygon that is not convex. Finding out whether it intersects itself takes
 /// quadratic time.
 inline constexpr std::size_t kMaxNonConvexSides = 4096;
@@ -29,16 +21,9 @@ inline constexpr std::size_t kMaxNonConvexSides = 4096;
 ///
 /// A strictly convex polygon becomes the one tile of the surface. Any other simple counterclockwise polygon, with
 /// reflex or straight angles, is triangulated exactly, by diagonals; the tiles are the triangles, in the coordinates of
-/// the polygon. `name` stands for the text in messages. Throws DomainError. Whatever the text claims, memory is linear
-/// in its length; so is time, up to logarithmic factors, for convex polygons: about a second per megabyte at worst
-/// (coordinates of 10^6 digits).
+/// the polygon. `name` stands for the text in messages. Throws ExchangeError. Whatever the text claims, memory is
+/// linear in its length; so is time, up to logarithmic factors, for convex polygons: about a second per megabyte at
+/// worst (coordinates of 10^6 digits).
 [[nodiscard]] Surface read_domain(std::string_view text, std::string_view name);
-
-/// Reads a file of at most 256 MiB. Throws DomainError, also if the file cannot be read.
-[[nodiscard]] Surface load_domain(const std::filesystem::path& path);
-
-/// The text for a surface of one tile, every coordinate as `p/q`, as CGAL writes it. Throws DomainError if there
-/// are several tiles, or if it is a regular polygon.
-[[nodiscard]] std::string write_domain(const Surface& surface);
 
 }  // namespace epsnet

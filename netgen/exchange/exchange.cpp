@@ -1,30 +1,29 @@
 #include "netgen/exchange/exchange.h"
 
-#include <string>
-
-#include "netgen/base/token_reader.h"
+#include "certify/file/reader.h"
 #include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/triangulation_stream.h"
 
 namespace epsnet {
 
 Surface import_surface(std::string_view text, std::string_view name, ExchangeFormat format) {
+  if (text.size() > kMaxTextBytes) throw ExchangeError(std::string(name) + ": is larger than 256 MiB");
   const bool guess = format == ExchangeFormat::automatic;
   if (format == ExchangeFormat::triangulation || (guess && is_triangulation_stream(text))) {
     return develop(read_triangulation_stream(text, name), name);
   }
   try {
     return read_domain(text, name);
-  } catch (const DomainError& error) {
+  } catch (const ExchangeError& error) {
     if (!guess) throw;
-    throw DomainError(std::string(error.what()) +
-                      " (read as the domain format: the second word is neither \"yes\" nor \"no\", nor do points of "
-                      "a first triangle follow, as in the triangulation formats)");
+    throw ExchangeError(std::string(error.what()) +
+                        " (read as the domain format: the second word is neither \"yes\" nor \"no\", nor do points of "
+                        "a first triangle follow, as in the triangulation formats)");
   }
 }
 
 Surface import_surface_file(const std::filesystem::path& path, ExchangeFormat format) {
-  return import_surface(read_text_file<DomainError>(path), path.string(), format);
+  return import_surface(certify::load(path), path.string(), format);
 }
 
 }  // namespace epsnet

@@ -1,11 +1,11 @@
-#include "netgen/exchange/imported_net.h"
-
 #include <map>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "certify/document/darts.h"
+#include "netgen/exchange/exchange.h"
 #include "netgen/surfaces/surface_file.h"
 #include "triangulation/atlas.h"
 
@@ -14,9 +14,14 @@ namespace {
 
 constexpr std::size_t kMostLetters = 10'000'000;  // Of all words of a net file (docs/format.md).
 
-/// The next side of the same triangle, or the next corner: both have the same numbers.
-constexpr std::uint32_t next_side(std::uint32_t s) { return s - s % 3 + (s % 3 + 1) % 3; }
-constexpr std::uint32_t previous_side(std::uint32_t s) { return next_side(next_side(s)); }
+// Side 3t + i of a triangle has the number of its dart.
+using certify::next_dart;
+using certify::previous_dart;
+
+/// Whether a label leads from the chart of a side's end to that of its start, or the other way.
+enum class Way { to_start, to_end };
+
+constexpr Way reverse(Way way) { return way == Way::to_start ? Way::to_end : Way::to_start; }
 
 class Builder {
  public:
@@ -41,7 +46,7 @@ class Builder {
     net_.vertices.push_back({0, 0, static_cast<std::uint32_t>(net_.vertices.size())});
     for (std::uint32_t c = corner;;) {
       // Counterclockwise, across the side that ends here; its partner starts here.
-      const std::uint32_t side = previous_side(c);
+      const std::uint32_t side = previous_dart(c);
       const std::uint32_t next = surface_.partner(side);
       if (next == corner) return;
       path_[next] = concatenated(surface_, path_[c], {side});
@@ -56,16 +61,17 @@ class Builder {
       triangle.vertex[i] = surface_.vertex_class(3 * t + i);
       triangle.opposite[i] = surface_.partner(3 * t + i);
     }
-    triangle.label = {label(3 * t, false), label(3 * t + 2, true)};
+    triangle.label = {label(3 * t, Way::to_start), label(3 * t + 2, Way::to_end)};
   }
 
-  /// The label along a side from the chart of its end to that of its start, or the other way. The word is that of the
-  /// side's triangle or of the one beyond, whichever has the smaller number: both then use the same label.
-  std::uint32_t label(std::uint32_t side, bool forward) {
+  /// The label along a side. The word is that of the side's triangle or of the one beyond, whichever has the smaller
+  /// number: both then use the same label.
+  std::uint32_t label(std::uint32_t side, Way way) {
     const std::uint32_t partner = surface_.partner(side);
-    if (partner < side) return label(partner, !forward);
-    const std::uint32_t start = forward ? side : next_side(side);
-    const std::uint32_t end = forward ? next_side(side) : side;
+    if (partner < side) return label(partner, reverse(way));
+    // The label leads from `start` to `end`.
+    const std::uint32_t start = way == Way::to_end ? side : next_dart(side);
+    const std::uint32_t end = way == Way::to_end ? next_dart(side) : side;
     const std::uint32_t from = surface_.vertex_class(start);
     const std::uint32_t to = surface_.vertex_class(end);
     Word word = concatenated(surface_, path_[start], reversed(surface_, path_[end]));
@@ -82,7 +88,7 @@ class Builder {
   static void count_letters(const Word& word, std::size_t& letters) {
     letters += word.size();
     if (letters > kMostLetters) {
-      throw ImportedNetError(
+      throw ExchangeError(
           "the triangulation has vertices of so many triangles that its words have more than 10^7 letters, the limit "
           "of a net file");
     }
@@ -102,8 +108,8 @@ class Builder {
 certify::NetDocument net_of_tiles(const Surface& surface, const Length& epsilon) {
   for (std::size_t t = 0; t < surface.tiles().size(); ++t) {
     if (surface.is_regular() || surface.tiles()[t].size() != 3) {
-      throw ImportedNetError("tile " + std::to_string(t) + " has " + std::to_string(surface.tiles()[t].size()) +
-                             " sides, expected triangles: the triangulation is to be that of the tiles");
+      throw ExchangeError("tile " + std::to_string(t) + " has " + std::to_string(surface.tiles()[t].size()) +
+                          " sides, expected triangles: the triangulation is to be that of the tiles");
     }
   }
   return Builder(surface, epsilon).net();

@@ -1,5 +1,3 @@
-#include "netgen/exchange/mesh_export.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -8,9 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "certify/document/darts.h"
 #include "certify/document/text.h"
 #include "kernel/plane.h"
 #include "netgen/base/disjoint_sets.h"
+#include "netgen/exchange/exchange.h"
 #include "netgen/lifts/lifts.h"
 
 namespace epsnet {
@@ -38,8 +38,8 @@ Mesh mesh(const NetGeometry& geometry, const Lifts& lifts) {
   for (std::uint32_t dart = 0; dart < corners.size(); ++dart) {
     if (result.on_boundary[dart]) continue;
     const std::uint32_t other = triangles[dart / 3].opposite[dart % 3];
-    corners.join(dart, dart_after(other));
-    corners.join(dart_after(dart), other);
+    corners.join(dart, certify::next_dart(other));
+    corners.join(certify::next_dart(dart), other);
   }
   std::vector<std::uint32_t> number(corners.size());
   for (std::uint32_t dart = 0; dart < corners.size(); ++dart) {
@@ -65,10 +65,10 @@ std::string circumradius_text(const NetGeometry& geometry, std::uint32_t triangl
 /// With more bits where the ends are in different charts, perhaps far from each other.
 double edge_length(const NetGeometry& geometry, std::uint32_t dart) {
   const certify::NetDocument& net = geometry.document();
-  const certify::NetDocument::Vertex& u = net.vertices[net.triangles[dart / 3].vertex[dart % 3]];
-  const certify::NetDocument::Vertex& v = net.vertices[net.triangles[dart / 3].vertex[dart_after(dart) % 3]];
-  const std::uint32_t at_u = geometry.corner_label(dart);
-  const std::uint32_t at_v = geometry.corner_label(dart_after(dart));
+  const certify::NetDocument::Vertex& u = net.vertices[certify::start(net, dart)];
+  const certify::NetDocument::Vertex& v = net.vertices[certify::start(net, certify::next_dart(dart))];
+  const std::uint32_t at_u = certify::corner_label(net, dart);
+  const std::uint32_t at_v = certify::corner_label(net, certify::next_dart(dart));
   if (at_u == at_v) return distance(Complex<double>{u.x, u.y}, Complex<double>{v.x, v.y});
   const Isometry<Mp256> label = inverse(geometry.label(at_u).precise) * geometry.label(at_v).precise;
   return static_cast<double>(distance(Complex<Mp256>{Mp256(u.x), Mp256(u.y)}, label({Mp256(v.x), Mp256(v.y)})));
@@ -161,9 +161,8 @@ void write_edges(const certify::NetDocument& net, std::ostream& out) {
   const NetGeometry geometry(net);
   out << "u\tv\tlength\n";
   for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
-    const certify::NetDocument::Triangle& triangle = net.triangles[dart / 3];
-    if (triangle.opposite[dart % 3] < dart) continue;
-    out << triangle.vertex[dart % 3] << '\t' << triangle.vertex[dart_after(dart) % 3] << '\t'
+    if (certify::opposite(net, dart) < dart) continue;
+    out << certify::start(net, dart) << '\t' << certify::start(net, certify::next_dart(dart)) << '\t'
         << shortest(edge_length(geometry, dart)) << '\n';
   }
 }
@@ -173,7 +172,7 @@ void write_mesh_json(const certify::NetDocument& net, std::ostream& out) {
   const Lifts lifts = lift_triangles(geometry, DrawOrder::weight);
   const Mesh drawn = mesh(geometry, lifts);
   out << "{\"format\": \"epsnet-mesh\", \"version\": 1, \"epsilon\": " << shortest(geometry.epsilon().get_d())
-      << ", \"genus\": " << geometry.sides().genus << ", \"vertex_count\": " << net.vertices.size();
+      << ", \"genus\": " << geometry.genus() << ", \"vertex_count\": " << net.vertices.size();
   Rows points(out, "points");
   for (const Mesh::Point& point : drawn.points)
     points.add("[" + point_text(point.place, ", ") + ", " + std::to_string(point.vertex) + "]");

@@ -1,10 +1,14 @@
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <unordered_map>
 
+#include "certify/document/darts.h"
 #include "certify/document/structure_check.h"
 #include "netgen/base/gmp.h"
 #include "netgen/exchange/gaussian_fraction.h"
 #include "netgen/exchange/triangulation_stream.h"
+#include "netgen/lifts/net_geometry.h"
 #include "netgen/surfaces/surface_file.h"
 
 /// Surfaces and nets as triangulations that are given by cross-ratios.
@@ -17,7 +21,7 @@ using Corners = std::array<Point, 3>;
 /// A surface that is given by a construction instead of by rational vertices has none.
 void require_tiles(bool has_tiles) {
   if (!has_tiles) {
-    throw TriangulationStreamError(
+    throw ExchangeError(
         "the surface has no rational tiles, so its cross-ratios are not rational; only surfaces with rational vertices "
         "can be written as a triangulation");
   }
@@ -43,8 +47,8 @@ Complex<Rational> cross_ratio_of_edge(std::uint32_t dart, const Corners& corners
   const ScaledPoint other_b = scaled(other[0]);
   const ScaledPoint other_a = scaled(other[1]);
   if (!equally_long(a, b, other_a, other_b)) {
-    throw TriangulationStreamError("the triangles do not fit: darts " + std::to_string(dart) + " and " +
-                                   std::to_string(opposite) + " are glued, but differ in length");
+    throw ExchangeError("the triangles do not fit: darts " + std::to_string(dart) + " and " + std::to_string(opposite) +
+                        " are glued, but differ in length");
   }
   return value(cross_ratio_of_corners(corner_ratio(a, b, c), corner_ratio(other_a, other_b, d)));
 }
@@ -56,7 +60,7 @@ TriangulationStream stream_of(Triangles triangles) {
   for (std::uint32_t t = 0; t < triangles.count(); ++t) {
     const auto [a, b, c] = triangles.corners(t);
     if (orientation(klein(scaled(a)), klein(scaled(b)), klein(scaled(c))) <= 0) {
-      throw TriangulationStreamError("triangle " + std::to_string(t) + " is not strictly counterclockwise");
+      throw ExchangeError("triangle " + std::to_string(t) + " is not strictly counterclockwise");
     }
     stream.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
   }
@@ -131,15 +135,15 @@ Isometry<Rational> integral(const Isometry<Rational>& f) {
 class NetTriangles {
  public:
   explicit NetTriangles(const certify::NetDocument& net) : net_(net) {
-    if (const auto problem = certify::structure_problem(net)) throw TriangulationStreamError("not a net: " + *problem);
+    if (const auto problem = certify::structure_problem(net)) throw ExchangeError("not a net: " + *problem);
     require_tiles(!net.surface.tiles.empty());
-    if (net.triangles.empty()) throw TriangulationStreamError("not a net: there are no triangles");
-    for (std::uint32_t d = 0; d < 3 * count(); ++d) check_opposite(d);
+    if (net.triangles.empty()) throw ExchangeError("not a net: there are no triangles");
+    check_darts();
     evaluate_labels();
   }
 
   [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(net_.triangles.size()); }
-  [[nodiscard]] std::uint32_t opposite(std::uint32_t dart) const { return net_.triangles[dart / 3].opposite[dart % 3]; }
+  [[nodiscard]] std::uint32_t opposite(std::uint32_t dart) const { return certify::opposite(net_, dart); }
   [[nodiscard]] Corners corners(std::uint32_t t) {
     const certify::NetDocument::Triangle& triangle = net_.triangles[t];
     if (triangle.label[0] == 0 && triangle.label[1] == 0) return computed_corners(triangle);
@@ -149,16 +153,15 @@ class NetTriangles {
   }
 
  private:
-  [[nodiscard]] std::uint32_t start(std::uint32_t dart) const { return net_.triangles[dart / 3].vertex[dart % 3]; }
-  [[nodiscard]] std::uint32_t end(std::uint32_t dart) const {
-    return net_.triangles[dart / 3].vertex[(dart % 3 + 1) % 3];
-  }
-
-  void check_opposite(std::uint32_t dart) const {
-    const std::uint32_t other = opposite(dart);
-    if (other != dart && opposite(other) == dart && start(dart) == end(other) && end(dart) == start(other)) return;
-    throw TriangulationStreamError("not a net: dart " + std::to_string(dart) + " and its opposite " +
-                                   std::to_string(other) + " do not belong together");
+  /// Darts are paired, and run between the same vertices, there and back.
+  void check_darts() const {
+    std::optional<std::uint32_t> wrong = unpaired_dart(net_);
+    for (std::uint32_t d = 0; d < 3 * count() && !wrong; ++d) {
+      if (certify::start(net_, d) != certify::start(net_, certify::next_dart(opposite(d)))) wrong = d;
+    }
+    if (!wrong) return;
+    throw ExchangeError("not a net: dart " + std::to_string(*wrong) + " and its opposite " +
+                        std::to_string(opposite(*wrong)) + " do not belong together");
   }
 
   void evaluate_labels() {
@@ -196,8 +199,16 @@ TriangulationStream triangulation_stream(const certify::NetDocument& net) {
   try {
     return stream_of(NetTriangles(net));
   } catch (const SurfaceError& error) {
-    throw TriangulationStreamError(std::string("not a net: ") + error.what());
+    throw ExchangeError(std::string("not a net: ") + error.what());
   }
+}
+
+void write_triangulation(const Surface& surface, std::ostream& out) {
+  write_triangulation_stream(triangulation_stream(surface), out);
+}
+
+void write_triangulation(const certify::NetDocument& net, std::ostream& out) {
+  write_triangulation_stream(triangulation_stream(net), out);
 }
 
 }  // namespace epsnet

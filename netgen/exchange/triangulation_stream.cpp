@@ -5,7 +5,7 @@
 #include <ostream>
 
 #include "certify/document/text.h"
-#include "netgen/base/token_reader.h"
+#include "netgen/exchange/token_reader.h"
 
 namespace epsnet {
 namespace {
@@ -123,7 +123,7 @@ class Reader {
   }
 
   std::size_t text_size_;
-  TokenReader<TriangulationStreamError> words_;
+  TokenReader words_;
   std::uint32_t darts_ = 0;
   std::string range_;
   TriangulationStream stream_;
@@ -153,11 +153,6 @@ bool is_triangulation_stream(std::string_view text) {
 
 TriangulationStream read_triangulation_stream(std::string_view text, std::string_view name) {
   return Reader(text, name).read();
-}
-
-Surface load_triangulation_stream(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  return develop(read_triangulation_stream(read_text_file<TriangulationStreamError>(path), name), name);
 }
 
 void write_triangulation_stream(const TriangulationStream& stream, std::ostream& out) {

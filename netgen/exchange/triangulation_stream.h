@@ -2,25 +2,17 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <iosfwd>
 #include <string_view>
 #include <vector>
 
 #include "certify/document/document.h"
-#include "triangulation/error.h"
+#include "netgen/exchange/exchange.h"
 #include "triangulation/surface.h"
 
 /// CGAL's text formats for geometric triangulations of closed hyperbolic surfaces: a combinatorial map, the exact
 /// cross-ratio of every edge, and a lift of one triangle, of all, or of none (docs/exchange-formats.md).
 namespace epsnet {
-
-/// The text is not a triangulation of a surface, or a net cannot be written as one. what() is one line: "NAME:LINE:
-/// what was wrong, what was expected"; NAME alone where no line is to blame.
-class TriangulationStreamError : public Error {
- public:
-  using Error::Error;
-};
 
 /// What the text says, member by member.
 struct TriangulationStream {
@@ -58,7 +50,7 @@ struct TriangulationStream {
 [[nodiscard]] bool is_triangulation_stream(std::string_view text);
 
 /// Reads the text and checks its combinatorics: every dart belongs to one triangle and to one edge. `name` stands for
-/// the text in messages. Throws TriangulationStreamError. Whatever the text claims, memory is linear in its length.
+/// the text in messages. Throws ExchangeError. Whatever the text claims, memory is linear in its length.
 [[nodiscard]] TriangulationStream read_triangulation_stream(std::string_view text, std::string_view name);
 
 /// The surface of a triangulation: tile t is triangle t, side i of it the triangle's dart i, in coordinates of its own;
@@ -66,12 +58,9 @@ struct TriangulationStream {
 ///
 /// Checked completely and exactly: triangles counterclockwise and in the disk, cross-ratios as given, angles around
 /// every vertex adding up to 2π (see `Surface`). Requires the combinatorics that read_triangulation_stream checks.
-/// Throws TriangulationStreamError: also if there is no anchor and none is found, and if a coordinate has more than
+/// Throws ExchangeError: also if there is no anchor and none is found, and if a coordinate has more than
 /// 10^6 digits, or all together have more than a thousand times as many as the stream.
 [[nodiscard]] Surface develop(const TriangulationStream& stream, std::string_view name);
-
-/// The surface of a file of at most 256 MiB. Throws TriangulationStreamError, also if the file cannot be read.
-[[nodiscard]] Surface load_triangulation_stream(const std::filesystem::path& path);
 
 /// The tiles of a surface as a triangulation, those with more than three sides cut by the diagonals from their vertex
 /// 0. Dart 3t + i is side i of triangle t; triangle 0 is the anchor.
@@ -81,7 +70,7 @@ struct TriangulationStream {
 /// rational. Dart 3t + i is dart i of triangle t; triangle 0 is the anchor.
 ///
 /// Nothing is proved (certify does that), but nothing is written that is not a map of triangles that fit: throws
-/// TriangulationStreamError if the document is not well-formed or the sides of two triangles differ where they are
+/// ExchangeError if the document is not well-formed or the sides of two triangles differ where they are
 /// glued.
 [[nodiscard]] TriangulationStream triangulation_stream(const certify::NetDocument& net);
 

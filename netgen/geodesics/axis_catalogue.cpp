@@ -153,8 +153,8 @@ std::optional<std::uint32_t> AxisCatalogue<T>::find(const Place& place) {
 }
 
 template <class T>
-std::optional<std::pair<typename AxisCatalogue<T>::Step, Dart>> AxisCatalogue<T>::step_in(const Place& place,
-                                                                                          bool& through_vertex) {
+typename AxisCatalogue<T>::Passage AxisCatalogue<T>::passage(const Place& place) {
+  Passage result;
   const Vector axis = axis_normal(place.element);
   const T size = boost::multiprecision::sqrt(size2(axis));
   std::array<T, 3> side;
@@ -164,50 +164,54 @@ std::optional<std::pair<typename AxisCatalogue<T>::Step, Dart>> AxisCatalogue<T>
     side[i] = lorentz_product(axis, x);
     const bool on_axis = boost::multiprecision::abs(side[i]) <= zero_level<T>() * size * x.t;
     if (on_axis) side[i] = 0;
-    through_vertex = through_vertex || on_axis;
+    result.meets_vertex = result.meets_vertex || on_axis;
     left[i] = side[i] >= 0;
   }
-  if (left[0] == left[1] && left[1] == left[2]) return std::nullopt;
+  if (left[0] == left[1] && left[1] == left[2]) return result;
   const std::uint32_t cut = left[1] == left[2] ? 0 : left[0] == left[2] ? 1 : 2;
   // The geodesic leaves where the boundary, run through counterclockwise, comes from its right to its left.
   std::uint32_t leave = 0;
   while (left[leave] || !left[next(leave)]) ++leave;
   const T position = side[cut] / (side[cut] - side[next(cut)]);
-  return std::pair{Step{place.triangle, place.element, cut, left[cut], position}, make_dart(place.triangle, leave)};
+  result.step = Step{place.triangle, place.element, cut, left[cut], position};
+  result.leave = make_dart(place.triangle, leave);
+  return result;
+}
+
+template <class T>
+Dart AxisCatalogue<T>::way_to_axis(const Place& place, std::uint32_t entered) {
+  const Vector axis = axis_normal(place.element);
+  const auto distance = [&](std::uint32_t k) {
+    const Vector& x = corners(place.triangle)[k];
+    return T(boost::multiprecision::abs(lorentz_product(axis, x)) / x.t);
+  };
+  Dart leave{};
+  std::optional<T> least;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const T farther = std::max(distance(i), distance(next(i)));
+    if (i != entered && (!least || farther < *least)) {
+      least = farther;
+      leave = make_dart(place.triangle, i);
+    }
+  }
+  return leave;
 }
 
 /// One period, from a triangle that contains a point of the axis.
 template <class T>
-std::vector<typename AxisCatalogue<T>::Step> AxisCatalogue<T>::follow(Place place, bool& through_vertex) {
-  std::vector<Step> steps;
+typename AxisCatalogue<T>::Period AxisCatalogue<T>::follow(Place place) {
+  Period period;
+  std::vector<Step>& steps = period.steps;
   std::uint32_t entered = 3;
   while (steps.size() < kMostSteps) {
-    if (!steps.empty() && place.triangle == steps[0].triangle) {
-      // Back where it began: the same element, not another lift of the same geodesic.
-      if (same_axis(place.element, steps[0].element)) return steps;
-    }
-    const auto step = step_in(place, through_vertex);
-    Dart leave{};
-    if (step) {
-      steps.push_back(step->first);
-      leave = step->second;
-    } else {
-      // Pushed out of this triangle at a vertex or along an edge: around that vertex, or across that edge, it passes.
-      const Vector axis = axis_normal(place.element);
-      std::optional<T> least;
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        const auto distance = [&](std::uint32_t k) {
-          const Vector& x = corners(place.triangle)[k];
-          return T(boost::multiprecision::abs(lorentz_product(axis, x)) / x.t);
-        };
-        const T farther = std::max(distance(i), distance(next(i)));
-        if (i != entered && (!least || farther < *least)) {
-          least = farther;
-          leave = make_dart(place.triangle, i);
-        }
-      }
-      if (!steps.empty()) break;
-    }
+    // Back where it began: the same element, not another lift of the same geodesic.
+    if (!steps.empty() && place.triangle == steps[0].triangle && same_axis(place.element, steps[0].element))
+      return period;
+    const Passage here = passage(place);
+    period.meets_vertex = period.meets_vertex || here.meets_vertex;
+    if (!here.step && !steps.empty()) break;
+    if (here.step) steps.push_back(*here.step);
+    const Dart leave = here.step ? here.leave : way_to_axis(place, entered);
     place = beyond(leave, place.element);
     entered = corner_of(triangulation_.opposite(leave));
   }
@@ -231,8 +235,8 @@ template <class T>
 std::uint32_t AxisCatalogue<T>::find_or_add(const ReturnPath& path, const Isometry<T>& element) {
   const Place place = walk_to_axis(path.start, element);
   if (const auto known = find(place)) return *known;
-  bool through_vertex = false;
-  std::vector<Step> steps = follow(place, through_vertex);
+  Period period = follow(place);
+  std::vector<Step>& steps = period.steps;
   // The place may be a triangle out of which the geodesic was pushed.
   for (const Step& step : steps) {
     if (const auto known = find({step.triangle, step.element})) return *known;
@@ -243,7 +247,7 @@ std::uint32_t AxisCatalogue<T>::find_or_add(const ReturnPath& path, const Isomet
   };
   enter(steps);
   // Directed the other way it is pushed to the other side, where the inverse of the element will look for it.
-  if (through_vertex) enter(follow({place.triangle, inverse(place.element)}, through_vertex));
+  if (period.meets_vertex) enter(follow({place.triangle, inverse(place.element)}).steps);
   const bool simple = is_simple(steps);
   geodesics_.push_back({displacement_length(element), path, std::move(steps), simple});
   return number;

@@ -84,9 +84,22 @@ class AxisCatalogue {
   [[nodiscard]] Place beyond(Dart d, const Isometry<T>& element);
   [[nodiscard]] Place walk_to_axis(Dart start, const Isometry<T>& element);
   [[nodiscard]] std::optional<std::uint32_t> find(const Place& place);
-  /// The triangle's step of an axis, if it passes through, and the dart through which it leaves.
-  [[nodiscard]] std::optional<std::pair<Step, Dart>> step_in(const Place& place, bool& through_vertex);
-  [[nodiscard]] std::vector<Step> follow(Place place, bool& through_vertex);
+  /// How an axis passes through a triangle.
+  struct Passage {
+    std::optional<Step> step;  ///< Nothing if the axis passes by.
+    Dart leave{};              ///< Through which it leaves; with a step only.
+    bool meets_vertex = false;
+  };
+  [[nodiscard]] Passage passage(const Place& place);
+  /// Out of a triangle that the axis was pushed out of at a vertex or along an edge: across the edge nearest to it, but
+  /// not back across the edge of corner `entered`.
+  [[nodiscard]] Dart way_to_axis(const Place& place, std::uint32_t entered);
+  /// One period of an axis.
+  struct Period {
+    std::vector<Step> steps;
+    bool meets_vertex = false;
+  };
+  [[nodiscard]] Period follow(Place place);
   [[nodiscard]] static bool is_simple(const std::vector<Step>& steps);
 
   Triangulation& triangulation_;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -28,7 +29,8 @@ class Search {
   Search(const Surface& surface, const GeodesicsOptions& options)
       : options_(options),
         epsilon_(static_cast<double>(options.epsilon.value())),
-        triangulation_(triangulated_net(surface, options.epsilon, net_options()).triangulation),
+        triangulation_(
+            triangulated_net(surface, options.epsilon, NetOptions{.progress = options.progress}).triangulation),
         unfolding_(triangulation_, epsilon_),
         deep_(triangulation_.vertex_count()) {
     AxisCatalogue<Mp1024> exact(triangulation_);
@@ -61,7 +63,7 @@ class Search {
     return all;
   }
 
-  void report(const std::string& what, double share) const {
+  void report(std::string_view what, double share) const {
     if (options_.progress) options_.progress(what, share);
   }
 
@@ -70,14 +72,6 @@ class Search {
   [[nodiscard]] double shortest_core() const { return shortest_core_; }
 
  private:
-  [[nodiscard]] NetOptions net_options() const {
-    NetOptions result;
-    if (options_.progress) {
-      result.progress = [this](std::uint64_t, double share) { options_.progress("net", share); };
-    }
-    return result;
-  }
-
   [[nodiscard]] bool is_loop(Dart d) const {
     const std::uint32_t t = triangle_of(d);
     return triangulation_.corner(t, corner_of(d)).vertex == triangulation_.corner(t, next(corner_of(d))).vertex;

@@ -1,26 +1,25 @@
 #pragma once
 
-#include <functional>
-#include <string>
-
 #include "certify/document/geodesics_document.h"
 #include "netgen/base/length.h"
+#include "netgen/base/progress.h"
 #include "triangulation/surface.h"
 
 /// Closed geodesics of a surface: the systole, the length spectrum, the small curves. docs/geodesics.md says how and
 /// why.
 ///
 /// What these functions return is not proved yet; certify::check_geodesics proves it. All are deterministic and throw
-/// NetError where a limit is met.
+/// NetError where no net or no closed geodesic is found or a search would be too long, LimitError where the surface is
+/// beyond the numbers of the generator; both are an Error.
 namespace epsnet {
 
+/// How closed geodesics are searched for.
 struct GeodesicsOptions {
   /// The covering that the search starts from. Small values make many searches, large ones long searches; the optimum
   /// is flat, near 1 (docs/geodesics.md).
   Length epsilon{"1"};
-  unsigned threads = 0;  ///< 0: as many as the machine has cores. The result is the same for any number.
-  /// Called now and then, from the calling thread only, with what is going on and the share of it done, 0 to 1.
-  std::function<void(const std::string&, double)> progress = {};
+  unsigned threads = 0;    ///< 0: as many as the machine has cores. The result is the same for any number.
+  Progress progress = {};  ///< Called now and then, if given.
 };
 
 /// A shortest closed geodesic; its length is the systole. A search up to the systole σ of genus g, some

@@ -10,7 +10,7 @@
 namespace epsnet {
 
 /// A way through the triangulation from a vertex to a lift of the same vertex, which names an element of the group: the
-/// one that takes the vertex' lift at the start to the one at the end.
+/// one that takes the vertex's lift at the start to the one at the end.
 struct ReturnPath {
   Dart start;               ///< Leaves the vertex; its triangle is the first.
   std::vector<Dart> darts;  ///< Crossed one after the other, each a dart of the triangle that is left.

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "certify/document/surface_sides.h"
 #include "certify/document/text.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
@@ -223,18 +224,17 @@ Facts net_info(const certify::NetDocument& net) {
   const NetGeometry geometry(net);
   const Measures measures = measure(geometry);
   const double epsilon = geometry.epsilon().get_d();
-  const SideTable& sides = geometry.sides();
   Gathered out;
   out.line("file", "net (not verified here: run certify)");
   out.json["file"] = net.collars ? "pseudo net" : "net";
   out.add("epsilon", "epsilon", geometry.epsilon_text());
-  out.add("genus", "genus", sides.genus);
-  out.add("area 4 pi (g-1)", "area", area(sides.genus));
-  out.add("tiles", "tiles", sides.first_side.size() - 1);
+  out.add("genus", "genus", geometry.genus());
+  out.add("area 4 pi (g-1)", "area", area(geometry.genus()));
+  out.add("tiles", "tiles", geometry.sides().first.size());
   out.add("vertices", "vertices", net.vertices.size());
   out.add("edges", "edges", net.triangles.size() * 3 / 2);
   out.add("triangles", "triangles", net.triangles.size());
-  if (!net.collars) add_bounds(out, net.vertices.size(), sides.genus, epsilon);
+  if (!net.collars) add_bounds(out, net.vertices.size(), geometry.genus(), epsilon);
   out.add("charts", "charts", net.charts.size());
   out.add("labels", "labels", net.labels.size());
   std::size_t longest_word = 0;

@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "certify/document/darts.h"
+
 namespace epsnet {
 namespace {
 
@@ -15,8 +17,9 @@ constexpr std::uint32_t kNone = 0xffffffff;
 
 /// The labels of the corner where a dart starts, in its triangle and in the one on the other side.
 std::pair<std::uint32_t, std::uint32_t> labels_across(const NetGeometry& geometry, std::uint32_t dart) {
-  const std::uint32_t opposite = geometry.document().triangles[dart / 3].opposite[dart % 3];
-  return {geometry.corner_label(dart), geometry.corner_label(dart_after(opposite))};
+  const certify::NetDocument& net = geometry.document();
+  return {certify::corner_label(net, dart),
+          certify::corner_label(net, certify::next_dart(certify::opposite(net, dart)))};
 }
 
 /// The isometry from the chart of a triangle to the screen, shared by neighbours with which it is the same.
@@ -115,8 +118,6 @@ class Lifter {
 
 }  // namespace
 
-std::uint32_t dart_after(std::uint32_t dart) { return dart % 3 == 2 ? dart - 2 : dart + 1; }
-
 Isometry<Mp256> to_centre(const NetGeometry& geometry, std::uint32_t vertex) {
   if (vertex >= geometry.document().vertices.size())
     throw NetGeometryError("there is no vertex " + std::to_string(vertex));
@@ -129,7 +130,7 @@ Placement placement_at(const NetGeometry& geometry, std::uint32_t vertex, const 
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (triangles[t].vertex[i] == vertex)
-        return {t, frame * inverse(geometry.label(geometry.corner_label(3 * t + i)).precise)};
+        return {t, frame * inverse(geometry.label(certify::corner_label(geometry.document(), 3 * t + i)).precise)};
     }
   }
   throw NetGeometryError("vertex " + std::to_string(vertex) + " is a corner of no triangle");
@@ -158,7 +159,8 @@ std::vector<bool> boundary_darts(const NetGeometry& geometry, const Lifts& lifts
   std::vector<bool> result(3 * triangles.size());
   for (std::uint32_t dart = 0; dart < result.size(); ++dart) {
     const std::uint32_t other = triangles[dart / 3].opposite[dart % 3];
-    result[dart] = !(same(corner(dart), corner(dart_after(other))) && same(corner(dart_after(dart)), corner(other)));
+    result[dart] = !(same(corner(dart), corner(certify::next_dart(other))) &&
+                     same(corner(certify::next_dart(dart)), corner(other)));
   }
   return result;
 }

@@ -4,17 +4,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "netgen/lifts/layout.h"
 #include "netgen/lifts/net_geometry.h"
 
 /// Lifts of the triangles of a net to the Poincaré disk.
 namespace epsnet {
-
-/// The order in which triangles get their lift (thesis IV.5).
-enum class DrawOrder {
-  weight,  ///< Next the triangle across the edge uv of least |u|² + |v|²: looks like the Dirichlet domain (figure
-           ///< IV.9).
-  breadth_first,  ///< By the number of edges crossed: the combinatorial Dirichlet domain (figure IV.10, bottom).
-};
 
 /// One lift of every triangle of a net in the Poincaré disk, connected, with one vertex in the centre.
 struct Lifts {
@@ -53,8 +47,5 @@ struct Placement {
 
 /// The lifted triangle on the other side of the side from corner `side` to the next one.
 [[nodiscard]] Placement neighbour(const NetGeometry& geometry, const Placement& placement, std::uint32_t side);
-
-/// The dart of the same triangle of a document that starts where this one ends.
-[[nodiscard]] std::uint32_t dart_after(std::uint32_t dart);
 
 }  // namespace epsnet

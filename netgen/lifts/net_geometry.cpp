@@ -5,7 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "certify/document/darts.h"
 #include "certify/document/structure_check.h"
+#include "certify/document/surface_sides.h"
 #include "certify/document/text.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
@@ -18,7 +20,7 @@ namespace {
 template <class T>
 class Evaluator {
  public:
-  Evaluator(const certify::NetDocument& document, const SideTable& sides) : parts_(document, sides) {}
+  Evaluator(const certify::NetDocument& document, const certify::SurfaceSides& sides) : parts_(document, sides) {}
 
   /// The label, to 120 bits; nothing if this precision cannot promise that.
   [[nodiscard]] std::optional<Isometry<Mp256>> label(const certify::NetDocument::Label& label) const {
@@ -48,22 +50,38 @@ class Evaluator {
   Parts<T> parts_;
 };
 
-void check_opposites(const certify::NetDocument& document) {
-  for (std::uint32_t t = 0; t < document.triangles.size(); ++t) {
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const std::uint32_t dart = 3 * t + i;
-      const std::uint32_t opposite = document.triangles[t].opposite[i];
-      if (opposite == dart || document.triangles[opposite / 3].opposite[opposite % 3] != dart)
-        throw NetGeometryError("triangles[" + std::to_string(t) + "]: dart " + std::to_string(dart) +
-                               " and its opposite " + std::to_string(opposite) + " do not belong together");
-    }
+/// The document, if NetGeometry can begin with it.
+const certify::NetDocument& checked(const certify::NetDocument& document) {
+  if (const auto problem = certify::structure_problem(document)) throw NetGeometryError(*problem);
+  if (const auto dart = unpaired_dart(document)) {
+    throw NetGeometryError("triangles[" + std::to_string(*dart / 3) + "]: dart " + std::to_string(*dart) +
+                           " and its opposite " + std::to_string(certify::opposite(document, *dart)) +
+                           " do not belong together");
   }
+  return document;
+}
+
+/// 0 if V − E + F gives no genus.
+std::uint32_t genus_of(const certify::SurfaceSides& sides) {
+  // Corner s is where side s starts. Across the side before it the same point is where the partner starts: a
+  // permutation, whose cycles are the points of the surface.
+  std::vector<bool> seen(sides.partner.size(), false);
+  std::int64_t points = 0;
+  for (std::uint32_t start = 0; start < seen.size(); ++start) {
+    if (seen[start]) continue;
+    ++points;
+    for (std::uint32_t corner = start; !seen[corner]; corner = sides.partner[sides.previous[corner]])
+      seen[corner] = true;
+  }
+  const std::int64_t characteristic =
+      points - static_cast<std::int64_t>(seen.size() / 2) + static_cast<std::int64_t>(sides.first.size());
+  return characteristic <= 2 && characteristic % 2 == 0 ? static_cast<std::uint32_t>((2 - characteristic) / 2) : 0;
 }
 
 /// Evaluates with more and more bits, each label with no more than it needs.
 class StagedEvaluator {
  public:
-  StagedEvaluator(const certify::NetDocument& document, const SideTable& sides)
+  StagedEvaluator(const certify::NetDocument& document, const certify::SurfaceSides& sides)
       : document_(document), sides_(sides), at_256_(document, sides) {}
 
   [[nodiscard]] Isometry<Mp256> label(std::size_t row) {
@@ -78,7 +96,7 @@ class StagedEvaluator {
 
  private:
   const certify::NetDocument& document_;
-  const SideTable& sides_;
+  const certify::SurfaceSides& sides_;
   Evaluator<Mp256> at_256_;
   std::optional<Evaluator<Mp1024>> at_1024_;
   std::optional<Evaluator<Mp4096>> at_4096_;
@@ -95,41 +113,12 @@ certify::SurfaceDocument rounded_polygon(std::uint32_t regular_genus) {
   return result;
 }
 
-SideTable side_table(const certify::SurfaceDocument& surface) {
-  if (surface.regular_genus != 0) return side_table(rounded_polygon(surface.regular_genus));
-  SideTable table;
-  std::uint32_t count = 0;
-  for (std::uint32_t tile = 0; tile < surface.tiles.size(); ++tile) {
-    table.first_side.push_back(count);
-    count += static_cast<std::uint32_t>(surface.tiles[tile].size());
-    table.tile_of_side.resize(count, tile);
+std::optional<std::uint32_t> unpaired_dart(const certify::NetDocument& document) {
+  for (std::uint32_t dart = 0; dart < 3 * document.triangles.size(); ++dart) {
+    const std::uint32_t other = certify::opposite(document, dart);
+    if (other == dart || certify::opposite(document, other) != dart) return dart;
   }
-  table.first_side.push_back(count);
-  table.partner.resize(count);
-  for (const certify::SurfaceDocument::Gluing& g : surface.gluing) {
-    const std::uint32_t s = table.first_side[g.tile] + g.side;
-    const std::uint32_t other = table.first_side[g.other_tile] + g.other_side;
-    table.partner[s] = other;
-    table.partner[other] = s;
-  }
-  // Corner k of a tile is where side k starts. Across the side before it the same point is where the partner starts: a
-  // permutation, whose cycles are the points of the surface.
-  std::vector<bool> seen(count, false);
-  for (std::uint32_t start = 0; start < count; ++start) {
-    if (seen[start]) continue;
-    ++table.vertex_class_count;
-    for (std::uint32_t corner = start; !seen[corner];) {
-      seen[corner] = true;
-      const std::uint32_t tile = table.tile_of_side[corner];
-      const std::uint32_t before = corner == table.first_side[tile] ? table.first_side[tile + 1] - 1 : corner - 1;
-      corner = table.partner[before];
-    }
-  }
-  const std::int64_t characteristic = std::int64_t{table.vertex_class_count} - std::int64_t{count / 2} +
-                                      static_cast<std::int64_t>(surface.tiles.size());
-  if (characteristic <= 2 && characteristic % 2 == 0)
-    table.genus = static_cast<std::uint32_t>((2 - characteristic) / 2);
-  return table;
+  return std::nullopt;
 }
 
 template <class T>
@@ -139,7 +128,7 @@ double size_in_bits(const Isometry<T>& f) {
 }
 
 template <class T>
-Parts<T>::Parts(const certify::NetDocument& document, const SideTable& sides) {
+Parts<T>::Parts(const certify::NetDocument& document, const certify::SurfaceSides& sides) {
   std::optional<Surface> regular;
   if (document.surface.regular_genus != 0) regular = Surface::regular(document.surface.regular_genus);
   for (std::uint32_t side = 0; side < sides.partner.size(); ++side) {
@@ -149,9 +138,8 @@ Parts<T>::Parts(const certify::NetDocument& document, const SideTable& sides) {
     }
     // Side k from p to q goes to side j from p' to q': p to q' and q to p'.
     const auto corner = [&](std::uint32_t s, std::uint32_t offset) {
-      const std::uint32_t tile = sides.tile_of_side[s];
-      const certify::SurfaceDocument::Tile& corners = document.surface.tiles[tile];
-      return rounded<T>(corners[(s - sides.first_side[tile] + offset) % corners.size()]);
+      const certify::SurfaceDocument::Tile& corners = document.surface.tiles[sides.tile[s]];
+      return rounded<T>(corners[(sides.corner[s] + offset) % corners.size()]);
     };
     const std::uint32_t other = sides.partner[side];
     crossings.push_back(
@@ -168,26 +156,22 @@ template double size_in_bits(const Isometry<Mp256>& f);
 template double size_in_bits(const Isometry<Mp1024>& f);
 template double size_in_bits(const Isometry<Mp4096>& f);
 
-NetGeometry::NetGeometry(const certify::NetDocument& document) : document_(&document) {
-  if (const auto problem = certify::structure_problem(document)) throw NetGeometryError(*problem);
-  check_opposites(document);
-  sides_ = side_table(document.surface);
-  epsilon_ = *certify::parse_decimal(document.epsilon);
-  StagedEvaluator evaluator(document, sides_);
+NetGeometry::NetGeometry(const certify::NetDocument& document)
+    : document_(&checked(document)),
+      sides_(std::make_shared<const certify::SurfaceSides>(document.surface)),
+      genus_(genus_of(*sides_)),
+      epsilon_(*certify::parse_decimal(document.epsilon)) {
+  StagedEvaluator evaluator(document, *sides_);
   labels_.resize(document.labels.size() + 1);
   for (std::size_t row = 0; row < document.labels.size(); ++row)
     labels_[row + 1] = PreciseIsometry(evaluator.label(row));
-}
-
-std::uint32_t NetGeometry::corner_label(std::uint32_t dart) const {
-  return dart % 3 == 0 ? 0 : document_->triangles[dart / 3].label[dart % 3 - 1];
 }
 
 std::array<Complex<double>, 3> NetGeometry::corners(std::uint32_t triangle) const {
   std::array<Complex<double>, 3> result;
   for (std::uint32_t i = 0; i < 3; ++i) {
     const certify::NetDocument::Vertex& v = document_->vertices[document_->triangles[triangle].vertex[i]];
-    const std::uint32_t number = corner_label(3 * triangle + i);
+    const std::uint32_t number = certify::corner_label(*document_, 3 * triangle + i);
     result[i] = number == 0 ? Complex<double>{v.x, v.y} : labels_[number].rounded({v.x, v.y});
   }
   return result;

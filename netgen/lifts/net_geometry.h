@@ -3,39 +3,30 @@
 #include <array>
 #include <cstdint>
 #include <gmpxx.h>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "certify/document/document.h"
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
-#include "triangulation/error.h"
+#include "netgen/lifts/layout.h"
 
-/// A net document as points and isometries, for pictures and summaries. Nothing here is proved; that is certify's
-/// office.
+namespace epsnet::certify {
+struct SurfaceSides;
+}
+
+/// A net document as points and isometries, for pictures and summaries. Nothing here is proved.
 namespace epsnet {
-
-/// The document is not a net, or its numbers are beyond what this module computes with. what() is one line.
-class NetGeometryError : public Error {
- public:
-  using Error::Error;
-};
-
-/// The combinatorics of the tiles of a surface document: what the gluing says.
-struct SideTable {
-  std::vector<std::uint32_t> first_side;    ///< By tile, and last the number of sides.
-  std::vector<std::uint32_t> partner;       ///< By side number.
-  std::vector<std::uint32_t> tile_of_side;  ///< By side number.
-  std::uint32_t vertex_class_count = 0;     ///< Points of the surface that corners of tiles are.
-  std::uint32_t genus = 0;                  ///< From V − E + F = 2 − 2g; 0 if that gives no genus.
-};
 
 /// The tile of a regular surface with its vertices rounded to 256 bits, and its gluing, as if it were a rational one:
 /// for pictures.
 [[nodiscard]] certify::SurfaceDocument rounded_polygon(std::uint32_t regular_genus);
 
-/// O(sides). Requires that every side is glued exactly once (certify::structure_problem).
-[[nodiscard]] SideTable side_table(const certify::SurfaceDocument& surface);
+/// The first dart whose opposite is itself or does not lead back; nothing if `opposite` is an involution without fixed
+/// points. Requires indices in range (certify::structure_problem). O(triangles).
+[[nodiscard]] std::optional<std::uint32_t> unpaired_dart(const certify::NetDocument& document);
 
 /// What labels are made of, rounded to the bits of T (Mp256, Mp1024, Mp4096). Isometries have determinant 1. Their
 /// entries are as large as e^(d/2) for points at distance d from the origin, and lose about four times the logarithm of
@@ -45,7 +36,7 @@ struct Parts {
   std::vector<Isometry<T>> crossings;  ///< By side number: from the coordinates of its tile to those of its partner's.
   std::vector<Isometry<T>> frames;     ///< By chart: from its coordinates to those of its tile.
 
-  Parts(const certify::NetDocument& document, const SideTable& sides);
+  Parts(const certify::NetDocument& document, const certify::SurfaceSides& sides);
 };
 
 /// log2 of |a| + |b| for |a|² − |b|² = 1: half the displacement of 0, in bits, and a little more. Infinite if it is not
@@ -73,9 +64,8 @@ class NetGeometry {
 
   [[nodiscard]] const certify::NetDocument& document() const { return *document_; }
 
-  /// The label number of the corner where a dart starts; 0, the identity, for corner 0.
-  [[nodiscard]] std::uint32_t corner_label(std::uint32_t dart) const;
-  /// The label with this number, from the chart of its vertex to the chart of its triangle. Determinant 1.
+  /// The label with this number (certify::corner_label; 0 is the identity), from the chart of its vertex to the chart
+  /// of its triangle. Determinant 1.
   [[nodiscard]] const PreciseIsometry& label(std::uint32_t number) const { return labels_[number]; }
   /// The three corners of a triangle, counterclockwise, in the chart of its vertex 0.
   [[nodiscard]] std::array<Complex<double>, 3> corners(std::uint32_t triangle) const;
@@ -83,7 +73,10 @@ class NetGeometry {
   /// The hyperbolic circumradius of a triangle; infinity if its corners lie on no circle.
   [[nodiscard]] double circumradius(std::uint32_t triangle) const;
 
-  [[nodiscard]] const SideTable& sides() const { return sides_; }
+  /// The sides of the tiles (certify/document/surface_sides.h).
+  [[nodiscard]] const certify::SurfaceSides& sides() const { return *sides_; }
+  /// Of the surface, from V − E + F = 2 − 2g for its tiles; 0 if that gives no genus.
+  [[nodiscard]] std::uint32_t genus() const { return genus_; }
   /// ε, exactly.
   [[nodiscard]] const mpq_class& epsilon() const { return epsilon_; }
   /// ε for people: as the document writes it if that is short, else rounded to binary64.
@@ -92,7 +85,8 @@ class NetGeometry {
  private:
   const certify::NetDocument* document_;
   std::vector<PreciseIsometry> labels_;
-  SideTable sides_;
+  std::shared_ptr<const certify::SurfaceSides> sides_;
+  std::uint32_t genus_;
   mpq_class epsilon_;
 };
 

@@ -21,7 +21,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 TriangulatedNet triangulated_net(const Surface& surface, const Length& epsilon, const NetOptions& options) {
-  if (options.pseudo && !epsilon.allows_pseudo_nets()) {
+  if (options.pseudo && !allows_pseudo_nets(epsilon)) {
     throw std::invalid_argument("epsilon = " + epsilon.text() +
                                 " is too large for a pseudo net, the limit is ln sqrt(2) = 0.3465...");
   }

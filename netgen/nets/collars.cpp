@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mpfr.h>
 #include <string>
 #include <unordered_set>
 
@@ -223,6 +224,23 @@ std::vector<certify::NetDocument::Collar> Collars::documents() {
     throw NetError("a collar of a short closed geodesic did not stay an annulus of two triangles");
   }
   return result;
+}
+
+bool allows_pseudo_nets(const Length& epsilon) {
+  const Rational twice = 2 * epsilon.value();
+  // ln 2 is irrational, so enough bits tell.
+  for (mpfr_prec_t bits = 128;; bits *= 2) {
+    mpfr_t limit;
+    mpfr_init2(limit, bits);
+    mpfr_const_log2(limit, MPFR_RNDD);
+    const bool below = mpfr_cmp_q(limit, twice.backend().data()) >= 0;
+    mpfr_const_log2(limit, MPFR_RNDU);
+    const bool above = mpfr_cmp_q(limit, twice.backend().data()) <= 0;
+    mpfr_clear(limit);
+    if (below != above) {
+      return below;
+    }
+  }
 }
 
 }  // namespace epsnet

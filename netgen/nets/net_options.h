@@ -3,12 +3,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "certify/document/report.h"
+#include "netgen/base/length.h"
+#include "netgen/base/progress.h"
 #include "triangulation/base_point.h"
 #include "triangulation/error.h"
 #include "triangulation/walk.h"
@@ -32,9 +33,6 @@ enum class TriangleList {
   largest_first,  ///< Variant D: large triangles alone, the largest first.
 };
 
-/// The progress of a computation: the vertices so far and the share done, 0 to 1.
-using Progress = std::function<void(std::uint64_t vertices, double share)>;
-
 /// What net is wanted, and how it is made.
 struct NetOptions {
   /// The start is this point alone; without it, all vertices of the tiles that are not too close to others.
@@ -45,8 +43,11 @@ struct NetOptions {
   /// A pseudo ε-net (thesis Definition III.7): points of the ε-thick part that cover it; ε at most ln √2.
   bool pseudo = false;
   certify::CheckOptions check = {};  ///< For the certificate: threads, precision cap, progress.
-  Progress progress = {};            ///< Called now and then while the net grows, if given.
+  Progress progress = {};            ///< While the net grows: "net: N vertices".
 };
+
+/// Whether ε ≤ ln √2, decided exactly: the limit for pseudo ε-nets (thesis Lemma III.9).
+[[nodiscard]] bool allows_pseudo_nets(const Length& epsilon);
 
 /// What a run did, in the terms of the thesis (IV.6.2).
 struct NetStatistics {

@@ -83,7 +83,8 @@ class Refinement {
       ++statistics_.insertions;
       constexpr std::uint64_t kReportEvery = 1 << 14;
       if (options_.progress && ++count % kReportEvery == 0) {
-        options_.progress(triangulation_.vertex_count(), std::min(0.99, triangulation_.vertex_count() / expected_));
+        options_.progress("net: " + std::to_string(triangulation_.vertex_count()) + " vertices",
+                          std::min(0.99, triangulation_.vertex_count() / expected_));
       }
     }
     return statistics_;

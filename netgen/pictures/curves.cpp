@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <optional>
 #include <queue>
 #include <set>
 #include <tuple>
 #include <utility>
 
+#include "certify/document/darts.h"
+#include "certify/document/surface_sides.h"
 #include "certify/document/text.h"
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
@@ -32,7 +35,7 @@ std::array<Point, 3> klein_corners(const NetGeometry& geometry, const Placement&
   const certify::NetDocument& document = geometry.document();
   for (std::uint32_t i = 0; i < 3; ++i) {
     const certify::NetDocument::Vertex& v = document.vertices[document.triangles[placement.triangle].vertex[i]];
-    const std::uint32_t label = geometry.corner_label(3 * placement.triangle + i);
+    const std::uint32_t label = certify::corner_label(document, 3 * placement.triangle + i);
     result[i] = to_klein((placement.isometry * geometry.label(label).precise)({Mp256(v.x), Mp256(v.y)}));
   }
   return result;
@@ -41,24 +44,26 @@ std::array<Point, 3> klein_corners(const NetGeometry& geometry, const Placement&
 /// Twice the area of the triangle u, v, w: positive if w is on the left of the line from u to v.
 Mp256 side_of(const Point& u, const Point& v, const Point& w) { return cross(v - u, w - u); }
 
-/// A walk of more steps than are tried.
-class WalkError : public NetGeometryError {
- public:
-  using NetGeometryError::NetGeometryError;
-};
-
-/// Walks to a lifted triangle that contains a point (Klein coordinates), each step across a side that separates them:
-/// a visibility walk, which comes to an end in a Delaunay triangulation (thesis Theorem II.3).
-void walk_to(const NetGeometry& geometry, Placement& placement, const Point& target) {
+/// A lifted triangle that contains a point (Klein coordinates), found by a walk from another one, each step across a
+/// side that separates it from the point: a visibility walk, which comes to an end in a Delaunay triangulation (thesis
+/// Theorem II.3). Nothing if it takes more steps than are tried.
+std::optional<Placement> walk_to(const NetGeometry& geometry, Placement placement, const Point& target) {
   const std::size_t most = 1000 + 20 * geometry.document().triangles.size();
   for (std::size_t steps = 0; steps < most; ++steps) {
     const std::array<Point, 3> corners = klein_corners(geometry, placement);
     std::uint32_t i = 0;
     while (i < 3 && side_of(corners[i], corners[(i + 1) % 3], target) >= -tolerance()) ++i;
-    if (i == 3) return;
+    if (i == 3) return placement;
     placement = neighbour(geometry, placement, i);
   }
-  throw WalkError("a walk does not come to an end: the triangles are no triangulation");
+  return std::nullopt;
+}
+
+/// The result of a walk that ends in every triangulation.
+template <class T>
+T required(std::optional<T> result) {
+  if (!result) throw NetGeometryError("a walk does not come to an end: the triangles are no triangulation");
+  return *std::move(result);
 }
 
 /// A part of a segment, from one share of its way to another.
@@ -110,7 +115,7 @@ struct Tiles {
 
 Tiles::Tiles(const NetGeometry& geometry) : parts(geometry.document(), geometry.sides()) {
   const certify::NetDocument& document = geometry.document();
-  const SideTable& sides = geometry.sides();
+  const certify::SurfaceSides& sides = geometry.sides();
   const certify::SurfaceDocument surface =
       document.surface.regular_genus != 0 ? rounded_polygon(document.surface.regular_genus) : document.surface;
   for (const certify::SurfaceDocument::Tile& tile : surface.tiles) {
@@ -131,11 +136,11 @@ Tiles::Tiles(const NetGeometry& geometry) : parts(geometry.document(), geometry.
   reach(document.charts[chart].tile, placement_at(geometry, 0, parts.frames[chart]));
   for (; !pending.empty(); pending.pop()) {
     const std::uint32_t tile = pending.front();
-    for (std::uint32_t s = sides.first_side[tile]; s < sides.first_side[tile + 1]; ++s) {
-      const std::uint32_t other = sides.tile_of_side[sides.partner[s]];
+    for (std::uint32_t k = 0; k < corners[tile].size(); ++k) {
+      const std::uint32_t s = sides.first[tile] + k;
+      const std::uint32_t other = sides.tile[sides.partner[s]];
       if (done[other]) continue;
-      Placement there = near[tile];
-      walk_to(geometry, there, to_klein(corners[tile][s - sides.first_side[tile]]));
+      const Placement there = required(walk_to(geometry, near[tile], to_klein(corners[tile][k])));
       reach(other, {there.triangle, normalized(parts.crossings[s] * there.isometry)});
     }
   }
@@ -143,15 +148,16 @@ Tiles::Tiles(const NetGeometry& geometry) : parts(geometry.document(), geometry.
 
 }  // namespace
 
-std::vector<Arc> cut_segment(const NetGeometry& geometry, Placement& near, const Complex<Mp256>& p,
-                             const Complex<Mp256>& q) {
+std::optional<CutSegment> cut_segment(const NetGeometry& geometry, const Placement& near, const Complex<Mp256>& p,
+                                      const Complex<Mp256>& q) {
   const Point from = to_klein(p);
   const Point to = to_klein(q);
   const auto point_at = [&](const Mp256& share) { return from_klein(from + share * (to - from)); };
-  walk_to(geometry, near, from);
+  const std::optional<Placement> first = walk_to(geometry, near, from);
+  if (!first) return std::nullopt;
   std::vector<std::pair<Mp256, Arc>> pieces;
   std::set<std::tuple<std::uint32_t, Mp256, Mp256>> seen;
-  std::deque<Placement> pending{near};
+  std::deque<Placement> pending{*first};
   // A segment may cross a triangle many times, but if lifts do not fit together there is no end.
   const std::size_t most = 10000 + 20 * geometry.document().triangles.size();
   for (; !pending.empty(); pending.pop_front()) {
@@ -168,35 +174,48 @@ std::vector<Arc> cut_segment(const NetGeometry& geometry, Placement& near, const
     }
     for (std::uint32_t side = 0; side < 3; ++side) pending.push_back(neighbour(geometry, placement, side));
   }
-  walk_to(geometry, near, to);
+  std::optional<Placement> last = walk_to(geometry, *first, to);
+  if (!last) return std::nullopt;
   std::stable_sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<Arc> arcs;
-  arcs.reserve(pieces.size());
-  for (const auto& piece : pieces) arcs.push_back(piece.second);
-  return arcs;
+  CutSegment result{{}, *std::move(last)};
+  result.arcs.reserve(pieces.size());
+  for (const auto& piece : pieces) result.arcs.push_back(piece.second);
+  return result;
 }
+
+namespace {
+
+/// Adds a segment to a layer; `near` becomes a lift at its end. Throws NetGeometryError where cut_segment gives
+/// nothing.
+void append_segment(Layer& layer, const NetGeometry& geometry, Placement& near, const Complex<Mp256>& p,
+                    const Complex<Mp256>& q) {
+  CutSegment segment = required(cut_segment(geometry, near, p, q));
+  append(layer, segment.arcs);
+  near = std::move(segment.end);
+}
+
+}  // namespace
 
 Layer tile_layer(const NetGeometry& geometry) {
   Layer layer{.name = "fundamental tiles", .colour = palette::kTiles};
-  const SideTable& sides = geometry.sides();
+  const certify::SurfaceSides& sides = geometry.sides();
   Tiles tiles(geometry);
   for (std::uint32_t s = 0; s < sides.partner.size(); ++s) {
     if (sides.partner[s] < s) continue;
-    const std::uint32_t tile = sides.tile_of_side[s];
+    const std::uint32_t tile = sides.tile[s];
     const std::vector<Point>& corners = tiles.corners[tile];
-    const std::size_t k = s - sides.first_side[tile];
-    append(layer, cut_segment(geometry, tiles.near[tile], corners[k], corners[(k + 1) % corners.size()]));
+    const std::size_t k = sides.corner[s];
+    append_segment(layer, geometry, tiles.near[tile], corners[k], corners[(k + 1) % corners.size()]);
   }
   return layer;
 }
 
 Layer dirichlet_layer(const NetGeometry& geometry, std::uint32_t vertex) {
   Layer layer{.name = "Dirichlet domain of vertex " + std::to_string(vertex), .colour = palette::kDirichlet};
-  const DirichletDomain domain = dirichlet_domain(geometry, vertex);
+  const std::vector<Complex<double>> domain = dirichlet_domain(geometry, vertex);
   Placement near = placement_at(geometry, vertex, to_centre(geometry, vertex));
-  for (std::size_t i = 0; i < domain.vertices.size(); ++i) {
-    append(layer, cut_segment(geometry, near, convert<Mp256>(domain.vertices[i]),
-                              convert<Mp256>(domain.vertices[(i + 1) % domain.vertices.size()])));
+  for (std::size_t i = 0; i < domain.size(); ++i) {
+    append_segment(layer, geometry, near, convert<Mp256>(domain[i]), convert<Mp256>(domain[(i + 1) % domain.size()]));
   }
   return layer;
 }
@@ -230,13 +249,13 @@ struct ClosedPath {
 /// disk.
 ClosedPath closed_path(const NetGeometry& geometry, const Tiles& tiles, std::uint32_t home,
                        const std::vector<std::uint32_t>& word, const Point& base) {
-  const SideTable& sides = geometry.sides();
+  const certify::SurfaceSides& sides = geometry.sides();
   std::uint32_t tile = home;
   Isometry<Mp256> g;
   for (const std::uint32_t side : word) {
-    if (sides.tile_of_side[side] != tile) throw NetGeometryError("a word is no path of sides");
+    if (sides.tile[side] != tile) throw NetGeometryError("a word is no path of sides");
     g = normalized(tiles.parts.crossings[side] * g);
-    tile = sides.tile_of_side[sides.partner[side]];
+    tile = sides.tile[sides.partner[side]];
   }
   const auto ends = axis(g);
   if (tile != home || !ends) throw NetGeometryError("a word is no closed geodesic");
@@ -256,15 +275,16 @@ ClosedPath closed_path(const NetGeometry& geometry, const Tiles& tiles, std::uin
 void append_equidistants(Layer& layer, const NetGeometry& geometry, const Placement& start, const ClosedPath& path,
                          const Mp256& distance) {
   constexpr int kChords = 48;
-  for (const Mp256& height : {distance, Mp256(-distance)}) try {
-      Placement near = start;
-      for (int i = 0; i < kChords; ++i) {
-        append(layer, cut_segment(geometry, near, path.at(path.length * i / kChords, height),
-                                  path.at(path.length * (i + 1) / kChords, height)));
-      }
-    } catch (const WalkError&) {
-      continue;
+  for (const Mp256& height : {distance, Mp256(-distance)}) {
+    Placement near = start;
+    for (int i = 0; i < kChords; ++i) {
+      std::optional<CutSegment> chord = cut_segment(geometry, near, path.at(path.length * i / kChords, height),
+                                                    path.at(path.length * (i + 1) / kChords, height));
+      if (!chord) break;
+      append(layer, chord->arcs);
+      near = std::move(chord->end);
     }
+  }
 }
 
 }  // namespace
@@ -308,12 +328,28 @@ std::vector<Layer> geodesics_layers(const NetGeometry& geometry, const certify::
     Placement near = tiles.near[tile];
     layers[0].parts.push_back({"geodesic " + std::to_string(i) + (geodesic.simple ? ", simple" : ""),
                                path.length.convert_to<double>(), layers[0].arcs.size()});
-    append(layers[0], cut_segment(geometry, near, path.at(0, 0), path.at(path.length, 0)));
+    append_segment(layers[0], geometry, near, path.at(0, 0), path.at(path.length, 0));
     if (small_curves) {
       append_equidistants(layers[1], geometry, near, path, asinh(Mp256(1 / sinh(Mp256(path.length / 2)))));
     }
   }
   return layers;
+}
+
+Layer tile_layer(const certify::NetDocument& net) { return tile_layer(NetGeometry(net)); }
+
+Layer dirichlet_layer(const certify::NetDocument& net, std::uint32_t vertex) {
+  return dirichlet_layer(NetGeometry(net), vertex);
+}
+
+Layer combinatorial_dirichlet_layer(const certify::NetDocument& net, std::uint32_t vertex) {
+  return combinatorial_dirichlet_layer(NetGeometry(net), vertex);
+}
+
+std::vector<Layer> collar_layers(const certify::NetDocument& net) { return collar_layers(NetGeometry(net)); }
+
+std::vector<Layer> geodesics_layers(const certify::NetDocument& net, const certify::GeodesicsDocument& geodesics) {
+  return geodesics_layers(NetGeometry(net), geodesics);
 }
 
 }  // namespace epsnet

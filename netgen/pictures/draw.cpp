@@ -1,16 +1,18 @@
 #include "netgen/pictures/draw.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "certify/document/darts.h"
+#include "netgen/lifts/lifts.h"
+#include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/pictures/dirichlet.h"
+#include "netgen/pictures/legend.h"
 #include "netgen/pictures/palette.h"
+#include "netgen/pictures/svg_path.h"
 
 namespace epsnet {
 namespace {
@@ -18,288 +20,6 @@ namespace {
 using Point = Complex<double>;
 
 constexpr std::uint32_t kNone = 0xffffffff;
-
-// ---- Geodesics on paper ----
-
-/// A place on paper in hundredths of a pixel, the resolution of the file.
-struct Place {
-  std::int64_t x;
-  std::int64_t y;
-  bool operator==(const Place&) const = default;
-  bool operator<(const Place& other) const { return std::pair(x, y) < std::pair(other.x, other.y); }
-};
-
-/// The disk on paper: centre in the middle, y upwards.
-class Paper {
- public:
-  explicit Paper(std::uint32_t size) : radius_(0.485 * size), middle_(0.5 * size) {}
-
-  [[nodiscard]] double radius() const { return radius_; }  ///< Of the disk, in pixels.
-  [[nodiscard]] double middle() const { return middle_; }
-  [[nodiscard]] Place place(const Point& z) const {
-    return {std::llround(100 * (middle_ + radius_ * z.x)), std::llround(100 * (middle_ - radius_ * z.y))};
-  }
-  /// The length on paper of a small segment of hyperbolic length 1 at z.
-  [[nodiscard]] double scale(const Point& z) const { return radius_ * std::max(0.0, 1 - norm(z)) / 2; }
-
- private:
-  double radius_;
-  double middle_;
-};
-
-/// The Euclidean radius of the geodesic through u and v, for |u|, |v| < 1; the sign says on which side of it 0 lies
-/// (positive: left). 0 for a diameter.
-double curvature(const Point& u, const Point& v) {
-  // The centre c of a circle orthogonal to the unit circle has 2 Re(c̄z) = 1 + |z|² for its points z, and radius² = |c|²
-  // − 1.
-  const double twice_area = cross(u, v);
-  const double a = 1 + norm(u);
-  const double b = 1 + norm(v);
-  // 2c·cross(u, v) = (a v − b u) turned by −90°; so with w = a v − b u, radius² = (|w|² − 4 cross²)/(4 cross²).
-  const double rest = norm(a * v - b * u) - 4 * twice_area * twice_area;
-  if (!(rest > 0)) return 0;
-  return 2 * twice_area / std::sqrt(rest);
-}
-
-/// Writes x/100 without trailing zeros.
-void append_hundredths(std::string& out, std::int64_t x) {
-  if (x < 0) out += '-';
-  const std::int64_t a = std::abs(x);
-  const std::int64_t rest = a % 100;
-  if (a >= 100 || rest == 0) out += std::to_string(a / 100);
-  if (rest == 0) return;
-  out += '.';
-  out += static_cast<char>('0' + rest / 10);
-  if (rest % 10 != 0) out += static_cast<char>('0' + rest % 10);
-}
-
-/// A number with a space in front unless a sign separates it already.
-void append_separated(std::string& out, std::int64_t x) {
-  if (x >= 0) out += ' ';
-  append_hundredths(out, x);
-}
-
-std::string fixed(double x, int digits) {
-  std::array<char, 64> buffer;
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x, std::chars_format::fixed, digits);
-  return {buffer.data(), result.ptr};
-}
-
-/// The data of an SVG path, in relative coordinates from rounded place to rounded place, so that rounding does not add
-/// up.
-class Path {
- public:
-  explicit Path(const Paper& paper) : paper_(&paper) {}
-
-  void move(const Point& z) {
-    const Place place = paper_->place(z);
-    if (!data_.empty() && place == last_) return;
-    append('m', place);
-  }
-
-  /// The geodesic from u to v; the pen is at u.
-  void geodesic(const Point& u, const Point& v) {
-    const Place place = paper_->place(v);
-    if (place == last_) return;
-    const double k = curvature(u, v);
-    const double chord = paper_->radius() * std::sqrt(norm(v - u));
-    const double radius = paper_->radius() / std::abs(k);  // Infinite for a diameter.
-    // The arc is chord²/(8 radius) away from the chord.
-    if (chord * chord <= 8 * 0.01 * radius) {
-      append('l', place);
-      return;
-    }
-    data_ += 'a';
-    const auto r = std::llround(100 * radius);
-    append_hundredths(data_, r);
-    append_separated(data_, r);
-    // With 0 on the left (k > 0) the arc bends to the left on its way, and paper has y downwards: that is sweep 1.
-    data_ += k > 0 ? " 0 0 1" : " 0 0 0";
-    command_ = 'a';
-    append('a', place);
-  }
-
-  /// The hyperbolic circle of a radius about z, a Euclidean one. Nothing if it is smaller than a fifth of a pixel.
-  void circle(const Point& z, double radius) {
-    const double t = std::tanh(radius / 2);
-    const double scale = 1 / (1 - t * t * norm(z));
-    const auto r = std::llround(100 * paper_->radius() * t * (1 - norm(z)) * scale);
-    if (r < 10) return;
-    Place left = paper_->place((1 - t * t) * scale * z);
-    left.x -= r;
-    append('m', left);
-    for (const std::int64_t way : {2 * r, -2 * r}) {
-      data_ += 'a';
-      append_hundredths(data_, r);
-      append_separated(data_, r);
-      data_ += " 0 1 0";
-      command_ = 'a';
-      append('a', {left.x + (way > 0 ? way : 0), left.y});
-    }
-    close();
-  }
-
-  void dot(const Point& z) {
-    move(z);
-    data_ += "h0";
-    command_ = 'h';
-  }
-  void close() {
-    data_ += 'z';
-    command_ = 'z';
-  }
-
-  [[nodiscard]] const std::string& data() const { return data_; }
-
- private:
-  /// The command and the way to the place; the letter is left out where it goes without saying: a line after a line or
-  /// a move.
-  void append(char command, const Place& place) {
-    if (command == command_ || (command == 'l' && command_ == 'm')) {
-      append_separated(data_, place.x - last_.x);
-    } else {
-      data_ += command;
-      append_hundredths(data_, place.x - last_.x);
-    }
-    append_separated(data_, place.y - last_.y);
-    command_ = command;
-    last_ = place;
-  }
-
-  const Paper* paper_;
-  std::string data_;
-  char command_ = 'z';
-  Place last_{};  ///< Where the pen is. The first move is from 0.
-};
-
-/// Paths in classes of stroke width: powers of ∜2, too fine to see, the widest first.
-class PathsByWidth {
- public:
-  PathsByWidth(const Paper& paper, double widest) : paper_(&paper), widest_(widest) {}
-
-  /// The path for strokes of a share, at most 1, of the greatest width. Strokes of less than a twentieth of a pixel
-  /// vanish in some renderers, which shows as an edge in the shading of fine nets; that is the least.
-  Path& at(double share) {
-    const double least = std::min(1.0, 0.05 / widest_);
-    const auto rank = static_cast<int>(std::lround(-4 * std::log2(std::clamp(share, least, 1.0))));
-    return paths_.try_emplace(rank, *paper_).first->second;
-  }
-
-  void append_to(std::string& out) const {
-    for (const auto& [rank, path] : paths_)
-      out +=
-          "<path stroke-width=\"" + fixed(widest_ * std::pow(2, -0.25 * rank), 3) + "\" d=\"" + path.data() + "\"/>\n";
-  }
-
- private:
-  const Paper* paper_;
-  double widest_;
-  std::map<int, Path> paths_;
-};
-
-// ---- The picture ----
-
-/// From pale yellow, at 0, to blue, at 1, in 24 steps: few colours make a short file.
-std::string shade(double share) {
-  constexpr int kSteps = 24;
-  constexpr std::array<std::array<double, 3>, 4> kStops{
-      {{255, 252, 224}, {199, 227, 201}, {111, 178, 205}, {44, 99, 164}}};
-  const double s = 3 * (std::floor(std::clamp(share, 0.0, 0.999) * kSteps) + 0.5) / kSteps;
-  const auto stop = static_cast<std::size_t>(s);
-  std::string out = "#";
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double from = kStops[stop][i];
-    const auto value = static_cast<unsigned>(std::lround(from + (s - std::floor(s)) * (kStops[stop + 1][i] - from)));
-    out += "0123456789abcdef"[value / 16];
-    out += "0123456789abcdef"[value % 16];
-  }
-  return out;
-}
-
-/// The golden angle keeps the hues of neighbouring numbers apart.
-std::string chart_colour(std::uint32_t chart) {
-  return "hsl(" + fixed(std::fmod(chart * 137.508, 360), 0) + ",45%,85%)";
-}
-
-/// Text between the tags of XML.
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<') {
-      out += "&lt;";
-    } else if (c == '&') {
-      out += "&amp;";
-    } else if (static_cast<unsigned char>(c) >= 32) {
-      out += c;
-    }
-  }
-  return out;
-}
-
-/// How a legend shows what a name stands for.
-enum class Mark { area, line, dot };
-
-/// Rows of marks and names in the upper left corner, which the disk leaves free; names have a margin of white, so that
-/// they can be read on anything.
-class Legend {
- public:
-  explicit Legend(double unit) : unit_(unit) {}
-
-  void add(Mark mark, const std::string& colour, const std::string& name) {
-    next_row();
-    add_mark(mark, colour, 10);
-    add_text(name, 27);
-  }
-
-  /// Several areas with short names to a row.
-  void add_areas(const std::vector<std::pair<std::string, std::string>>& colours_and_names) {
-    constexpr std::size_t kPerRow = 4;
-    for (std::size_t i = 0; i < colours_and_names.size(); ++i) {
-      const double x = 10 + 38.0 * static_cast<double>(i % kPerRow);
-      if (i % kPerRow == 0) next_row();
-      add_mark(Mark::area, colours_and_names[i].first, x);
-      add_text(colours_and_names[i].second, x + 14);
-    }
-  }
-
-  void add_text_row(const std::string& text) {
-    next_row();
-    add_text(text, 10);
-  }
-
-  [[nodiscard]] std::string group() const {
-    return "<g class=\"legend\">\n" + marks_ + "<g font-family=\"sans-serif\" font-size=\"" + length(12) +
-           "\" fill=\"#1d2b3a\" stroke=\"" + palette::kPaper + "\" stroke-width=\"" + length(3) +
-           "\" stroke-linejoin=\"round\" paint-order=\"stroke\">\n" + texts_ + "</g>\n</g>\n";
-  }
-
- private:
-  [[nodiscard]] std::string length(double units) const { return fixed(units * unit_, 1); }
-
-  void next_row() { y_ += 18; }
-
-  void add_text(const std::string& text, double x) {
-    texts_ += "<text x=\"" + length(x) + "\" y=\"" + length(y_) + "\">" + escaped(text) + "</text>\n";
-  }
-
-  void add_mark(Mark mark, const std::string& colour, double x) {
-    if (mark == Mark::area) {
-      marks_ += "<rect x=\"" + length(x) + "\" y=\"" + length(y_ - 9) + "\" width=\"" + length(11) + "\" height=\"" +
-                length(11) + "\" fill=\"" + colour + "\"/>\n";
-    } else if (mark == Mark::line) {
-      marks_ += "<path stroke=\"" + colour + "\" stroke-width=\"" + length(2.5) + "\" d=\"M" + length(x) + ' ' +
-                length(y_ - 4) + 'h' + length(11) + "\"/>\n";
-    } else {
-      marks_ += "<circle cx=\"" + length(x + 5.5) + "\" cy=\"" + length(y_ - 4) + "\" r=\"" + length(4) + "\" fill=\"" +
-                colour + "\"/>\n";
-    }
-  }
-
-  double unit_;
-  double y_ = 0;
-  std::string marks_;
-  std::string texts_;
-};
 
 /// What a legend calls a layer: of closed geodesics also their number and lengths.
 std::string legend_name(const Layer& layer) {
@@ -319,8 +39,10 @@ std::string legend_name(const Layer& layer) {
 
 class Picture {
  public:
-  Picture(const certify::NetDocument& document, const DrawOptions& options)
+  /// `polygon`: the Dirichlet domain of the centre, if it is known.
+  Picture(const certify::NetDocument& document, const DrawOptions& options, const std::vector<Point>* polygon = nullptr)
       : document_(document),
+        polygon_(polygon),
         geometry_(document),
         options_(options),
         paper_(options.size),
@@ -357,19 +79,15 @@ class Picture {
     return lifts_.lifted[lifts_.place[dart / 3]];
   }
   [[nodiscard]] const Point& start(std::uint32_t dart) const { return lifted(dart).corner[dart % 3]; }
-  [[nodiscard]] const Point& end(std::uint32_t dart) const {
-    return lifted(dart).corner[(dart + 1 - dart / 3 * 3) % 3];
-  }
-  [[nodiscard]] std::uint32_t opposite(std::uint32_t dart) const {
-    return document_.triangles[dart / 3].opposite[dart % 3];
-  }
+  [[nodiscard]] const Point& end(std::uint32_t dart) const { return lifted(dart).corner[certify::next_dart(dart) % 3]; }
+  [[nodiscard]] std::uint32_t opposite(std::uint32_t dart) const { return certify::opposite(document_, dart); }
 
   /// The boundary dart that follows a boundary dart around the drawing: turn around its end, inside of the drawing.
   [[nodiscard]] std::uint32_t next_on_boundary(std::uint32_t dart) const {
-    std::uint32_t next = dart_after(dart);
+    std::uint32_t next = certify::next_dart(dart);
     for (std::size_t turns = 0; !on_boundary_[next]; ++turns) {
       if (turns > on_boundary_.size()) throw NetGeometryError("the triangles do not fit around a vertex");
-      next = dart_after(opposite(next));
+      next = certify::next_dart(opposite(next));
     }
     return next;
   }
@@ -420,7 +138,7 @@ class Picture {
   }
 
   [[nodiscard]] std::uint32_t chart_of(std::uint32_t triangle) const {
-    return document_.vertices[document_.triangles[triangle].vertex[0]].chart;
+    return certify::chart_of_triangle(document_, triangle);
   }
 
   [[nodiscard]] std::string colour_of(std::uint32_t triangle) const {
@@ -465,9 +183,9 @@ class Picture {
     PathsByWidth paths(paper_, 1.4 * outline_width_);
     for (const Arc& arc : layer.arcs) {
       const Isometry<double>& placement = lifts_.placements[lifts_.lifted[lifts_.place[arc.triangle]].placement];
-      add_tapered(paths, placement(arc.from), placement(arc.to));
+      paths.add_tapered(placement(arc.from), placement(arc.to));
     }
-    for (const std::uint32_t dart : layer.darts) add_tapered(paths, start(dart), end(dart));
+    for (const std::uint32_t dart : layer.darts) paths.add_tapered(start(dart), end(dart));
     std::string out = "<g class=\"layer\" fill=\"none\" stroke=\"" + layer.colour +
                       "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<title>" + escaped(layer.name) +
                       "</title>\n";
@@ -475,38 +193,14 @@ class Picture {
     return out + "</g>\n";
   }
 
-  /// Adds the geodesic from u to v to the paths, in pieces if it is so long that its stroke has to taper. False if it
-  /// is too small to see.
-  bool add_tapered(PathsByWidth& paths, const Point& u, const Point& v) const {
-    const double chord = std::sqrt(norm(v - u));
-    if (chord * paper_.radius() < 0.1) return false;
-    // Along a geodesic the scale changes by at most e^length.
-    const double length = 2 * std::asinh(chord / std::sqrt(std::max(1e-30, (1 - norm(u)) * (1 - norm(v)))));
-    const int pieces = std::clamp(static_cast<int>(std::ceil(length / 0.8)), 1, 64);
-    // The geodesic seen from u is a straight line.
-    const Isometry<double> to_u = Isometry<double>::translation(u);
-    const Point direction = inverse(to_u)(v);
-    const double reach = std::sqrt(norm(direction));
-    Point from = u;
-    for (int i = 1; i <= pieces; ++i) {
-      const Point to = i == pieces ? v : to_u(std::tanh(length * i / (2.0 * pieces)) / reach * direction);
-      const Point middle = 0.5 * (from + to);
-      Path& path = paths.at(1 - norm(middle));
-      path.move(from);
-      path.geodesic(from, to);
-      from = to;
-    }
-    return true;
-  }
-
   /// An edge of the same kind, on the boundary or not, that leaves the end of a dart and is not done; kNone if none was
   /// found.
   [[nodiscard]] std::uint32_t unfinished_edge_at_end(std::uint32_t dart, const std::vector<bool>& done) const {
-    std::uint32_t next = dart_after(dart);
+    std::uint32_t next = certify::next_dart(dart);
     for (int turns = 0; turns < 32; ++turns) {
       if (on_boundary_[next] == on_boundary_[dart] && !done[next]) return next;
       if (on_boundary_[next]) return kNone;
-      next = dart_after(opposite(next));
+      next = certify::next_dart(opposite(next));
     }
     return kNone;
   }
@@ -521,7 +215,7 @@ class Picture {
         for (std::uint32_t dart = first; dart != kNone && !done[dart]; dart = unfinished_edge_at_end(dart, done)) {
           done[dart] = true;
           if (!on_boundary_[dart]) done[opposite(dart)] = true;
-          if (!add_tapered(on_boundary_[dart] ? outline : inner, start(dart), end(dart))) ++edges_left_out_;
+          if (!(on_boundary_[dart] ? outline : inner).add_tapered(start(dart), end(dart))) ++edges_left_out_;
         }
       }
     }
@@ -570,10 +264,9 @@ class Picture {
   }
 
   [[nodiscard]] std::string dirichlet_group() const {
-    const DirichletDomain domain = dirichlet_domain(geometry_, options_.centre);
+    const std::vector<Point> domain = polygon_ != nullptr ? *polygon_ : dirichlet_domain(geometry_, options_.centre);
     PathsByWidth paths(paper_, 1.4 * outline_width_);
-    for (std::size_t i = 0; i < domain.vertices.size(); ++i)
-      add_tapered(paths, domain.vertices[i], domain.vertices[(i + 1) % domain.vertices.size()]);
+    for (std::size_t i = 0; i < domain.size(); ++i) paths.add_tapered(domain[i], domain[(i + 1) % domain.size()]);
     std::string out = std::string("<g class=\"dirichlet\" fill=\"none\" stroke=\"") + palette::kDirichlet +
                       "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n"
                       "<title>Dirichlet domain of vertex " +
@@ -640,6 +333,7 @@ class Picture {
   }
 
   const certify::NetDocument& document_;
+  const std::vector<Point>* polygon_;
   NetGeometry geometry_;
   DrawOptions options_;
   Paper paper_;
@@ -656,6 +350,13 @@ class Picture {
 
 std::string draw_svg(const certify::NetDocument& document, const DrawOptions& options) {
   return Picture(document, options).svg();
+}
+
+std::string draw_svg(const DirichletPolygon& polygon, const DrawOptions& options) {
+  DrawOptions with_domain = options;
+  with_domain.dirichlet = true;
+  with_domain.centre = 0;
+  return Picture(polygon.triangulation, with_domain, &polygon.vertices).svg();
 }
 
 }  // namespace epsnet

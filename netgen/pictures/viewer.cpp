@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "certify/document/darts.h"
 #include "certify/document/text.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/pictures/palette.h"
@@ -86,8 +87,8 @@ EdgeLabels edge_labels(const NetGeometry& geometry) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers;
   const std::size_t darts = 3 * geometry.document().triangles.size();
   for (std::uint32_t dart = 0; dart < darts; ++dart) {
-    const std::uint32_t at_start = geometry.corner_label(dart);
-    const std::uint32_t at_end = geometry.corner_label(dart_after(dart));
+    const std::uint32_t at_start = certify::corner_label(geometry.document(), dart);
+    const std::uint32_t at_end = certify::corner_label(geometry.document(), certify::next_dart(dart));
     if (at_start == at_end) continue;
     const auto [entry, is_new] =
         numbers.try_emplace({at_start, at_end}, static_cast<std::uint32_t>(result.isometries.size() / 4));
@@ -157,7 +158,7 @@ std::string facts_json(const NetGeometry& geometry, const std::optional<certify:
   const certify::NetDocument& document = geometry.document();
   Facts facts;
   facts.add("ε", geometry.epsilon_text());
-  facts.add("genus", std::to_string(geometry.sides().genus));
+  facts.add("genus", std::to_string(geometry.genus()));
   facts.add("vertices", std::to_string(document.vertices.size()));
   facts.add("triangles", std::to_string(document.triangles.size()));
   if (!certificate || !certificate->enclosures) return facts.json();

@@ -6,11 +6,12 @@
 
 #include "certify/document/document.h"
 #include "certify/document/report.h"
-#include "netgen/pictures/curves.h"
+#include "netgen/pictures/draw.h"
 
 /// A net as a page to look at and to travel in.
 namespace epsnet {
 
+/// What a page says and shows.
 struct ViewerOptions {
   std::string title;  ///< Plain text in UTF-8.
   /// What the page says of the net; without one, "not certified".

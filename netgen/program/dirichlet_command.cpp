@@ -31,7 +31,7 @@ void make_dirichlet(const DirichletRequest& request) {
   if (!request.svg.empty()) {
     DrawOptions options;
     options.dirichlet = true;
-    svg = draw_svg(polygon.triangulation, options);
+    svg = draw_svg(polygon, options);
   }
   write_outputs({{request.output, [&](std::ostream& out) { out << dirichlet_json(polygon); }},
                  {request.svg, [&](std::ostream& out) { out << svg; }}});

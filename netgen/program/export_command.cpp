@@ -4,9 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include "netgen/exchange/domain_format.h"
-#include "netgen/exchange/mesh_export.h"
-#include "netgen/exchange/triangulation_stream.h"
+#include "netgen/exchange/exchange.h"
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
@@ -35,7 +33,8 @@ Exportable exportable(Contents contents, const std::string& file) {
 
 std::string domain_text(const Exportable& contents) {
   const auto* surface = std::get_if<Surface>(&contents);
-  if (surface == nullptr) throw DomainError("the domain format holds a polygon, not a net; use --format triangulation");
+  if (surface == nullptr)
+    throw ExchangeError("the domain format holds a polygon, not a net; use --format triangulation");
   return write_domain(*surface);
 }
 
@@ -83,14 +82,12 @@ void export_file(const ExportRequest& request) {
       write_output(request.output, [&](std::ostream& out) { out << text; });
       return;
     }
-    const TriangulationStream stream =
-        std::visit([](const auto& source) { return triangulation_stream(source); }, contents);
-    write_output(request.output, [&](std::ostream& out) { write_triangulation_stream(stream, out); });
-  } catch (const DomainError& error) {
+    write_output(request.output, [&](std::ostream& out) {
+      std::visit([&](const auto& source) { write_triangulation(source, out); }, contents);
+    });
+  } catch (const ExchangeError& error) {
     throw JobError(request.file + ": " + error.what());
   } catch (const NetGeometryError& error) {
-    throw JobError(request.file + ": " + error.what());
-  } catch (const TriangulationStreamError& error) {
     throw JobError(request.file + ": " + error.what());
   }
 }

@@ -116,9 +116,7 @@ void certify_geodesics(const GeodesicsDocument& document, unsigned threads) {
   certify::CheckOptions options;
   options.threads = threads;
   options.max_work = std::numeric_limits<std::uint64_t>::max();  // A list made here takes as long as was asked for.
-  options.progress = [&](std::string_view rule, double share) {
-    progress.show("certificate: " + std::string(rule), share);
-  };
+  options.progress = progress.shower("certificate: ");
   const certify::Certificate certificate = certify::check_geodesics(document, options);
   if (certificate.verdict != certify::Verdict::verified) {
     throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
@@ -132,7 +130,7 @@ void list_geodesics(const GeodesicsRequest& request, const Compute& compute) {
   {
     ProgressLine progress;
     GeodesicsOptions options{.epsilon = parse_epsilon(request.epsilon), .threads = request.threads};
-    options.progress = [&](const std::string& what, double share) { progress.show(what, share); };
+    options.progress = progress.shower();
     document = compute(surface, options);
   }
   Report report{"verdict: not certified (--no-certify): nothing is proved\n",

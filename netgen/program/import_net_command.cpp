@@ -4,7 +4,7 @@
 #include "certify/check.h"
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
-#include "netgen/exchange/imported_net.h"
+#include "netgen/exchange/exchange.h"
 #include "netgen/exchange/triangulation_stream.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
@@ -21,10 +21,10 @@ struct ImportNetRequest {
   certify::CheckOptions check;
 };
 
-TriangulationStream stream_of(const TextInput& input) {
+Surface triangles_of(const TextInput& input) {
   try {
-    return read_triangulation_stream(input.text, input.name);
-  } catch (const TriangulationStreamError& error) {
+    return import_surface(input.text, input.name, ExchangeFormat::triangulation);
+  } catch (const ExchangeError& error) {
     if (is_triangulation_stream(input.text)) throw;
     throw JobError(std::string(error.what()) +
                    " (a triangulation is expected; a polygon is read by \"surface import\")");
@@ -33,9 +33,7 @@ TriangulationStream stream_of(const TextInput& input) {
 
 certify::Certificate certificate_of(const certify::NetDocument& net, certify::CheckOptions options) {
   ProgressLine progress;
-  options.progress = [&](std::string_view rule, double share) {
-    progress.show("certificate: " + std::string(rule), share);
-  };
+  options.progress = progress.shower("certificate: ");
   return certify::check(net, options);
 }
 
@@ -54,10 +52,11 @@ void import_net(const ImportNetRequest& request) {
   const Length epsilon = parse_epsilon(request.epsilon);
   check_files({{"FILE", request.file}}, {{"--output", request.output, FileType::json}});
   const TextInput input = read_text_input(request.file);
+  const Surface surface = triangles_of(input);
   certify::NetDocument net;
   try {
-    net = net_of_tiles(develop(stream_of(input), input.name), epsilon);
-  } catch (const ImportedNetError& error) {
+    net = net_of_tiles(surface, epsilon);
+  } catch (const ExchangeError& error) {
     throw JobError(input.name + ": " + error.what());
   }
   const certify::Certificate certificate = certificate_of(net, request.check);

@@ -54,15 +54,9 @@ bool is_json(const std::string& text) {
 /// How readers of texts call a file, which add the line: "NAME:LINE: ".
 std::string text_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
-TextInput text_input(const std::string& path, std::string bytes) {
-  constexpr std::size_t kMaxTextBytes = std::size_t{256} << 20;
-  if (bytes.size() > kMaxTextBytes) throw JobError(text_name(path) + ": is larger than 256 MiB");
-  return {text_name(path), std::move(bytes)};
-}
-
 }  // namespace
 
-TextInput read_text_input(const std::string& path) { return text_input(path, certify::load(path)); }
+TextInput read_text_input(const std::string& path) { return {text_name(path), certify::load(path)}; }
 
 Surface read_surface_input(const std::string& path) {
   const std::string text = certify::load(path);
@@ -80,12 +74,11 @@ certify::NetDocument read_net_input(const std::string& path) {
 }
 
 Contents read_any_input(const std::string& path) {
-  std::string text = certify::load(path);
+  const std::string text = certify::load(path);
   if (!is_json(text)) {
-    const TextInput input = text_input(path, std::move(text));
     const ExchangeFormat format =
-        is_triangulation_stream(input.text) ? ExchangeFormat::triangulation : ExchangeFormat::domain;
-    return ImportedSurface{format, import_surface(input.text, input.name, ExchangeFormat::automatic)};
+        is_triangulation_stream(text) ? ExchangeFormat::triangulation : ExchangeFormat::domain;
+    return ImportedSurface{format, import_surface(text, text_name(path))};
   }
   const std::string name = certify::display_name(path);
   FormatFinder finder;

@@ -19,7 +19,6 @@ struct TextInput {
   std::string name;
   std::string text;
 };
-/// At most 256 MiB. Throws JobError for more.
 [[nodiscard]] TextInput read_text_input(const std::string& path);
 
 [[nodiscard]] Surface read_surface_input(const std::string& path);

@@ -159,18 +159,14 @@ Json statistics_json(const UncertifiedNet& net, std::uint32_t genus, double epsi
 
 UncertifiedNet compute(const Surface& surface, const Length& epsilon, NetOptions options) {
   ProgressLine progress;
-  options.progress = [&](std::uint64_t vertices, double share) {
-    progress.show("net: " + std::to_string(vertices) + " vertices", share);
-  };
+  options.progress = progress.shower();
   return compute_net(surface, epsilon, options);
 }
 
 /// The certificate of a verified net. Throws JobError for any other.
 certify::Certificate certify_net(const certify::NetDocument& net, certify::CheckOptions options) {
   ProgressLine progress;
-  options.progress = [&](std::string_view rule, double share) {
-    progress.show("certificate: " + std::string(rule), share);
-  };
+  options.progress = progress.shower("certificate: ");
   certify::Certificate certificate = certify::check(net, options);
   if (certificate.verdict != certify::Verdict::verified) {
     throw JobError("no certified net: " + certify::verdict_line(certificate) + "; nothing was written");
@@ -194,7 +190,7 @@ std::string record_text(const NetRequest& request, const UncertifiedNet& net, co
 
 void make_net(const NetRequest& request) {
   const Length epsilon = parse_epsilon(request.epsilon);
-  if (request.options.pseudo && !epsilon.allows_pseudo_nets())
+  if (request.options.pseudo && !allows_pseudo_nets(epsilon))
     throw UsageError("--epsilon: " + epsilon.text() + " is more than ln sqrt(2) = 0.34657..., the limit for --pseudo");
   check_request(request);
 

@@ -6,7 +6,7 @@
 #include <system_error>
 
 #include "certify/file/reader.h"
-#include "netgen/base/decimal.h"
+#include "netgen/base/gmp.h"
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/output.h"

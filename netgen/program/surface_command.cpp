@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "certify/file/writer.h"
-#include "netgen/base/decimal.h"
+#include "netgen/base/gmp.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/info.h"
 #include "netgen/program/commands.h"

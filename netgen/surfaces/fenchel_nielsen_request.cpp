@@ -5,8 +5,7 @@
 #include <simdjson.h>
 #include <utility>
 
-#include "netgen/base/decimal.h"
-#include "netgen/base/token_reader.h"
+#include "netgen/base/gmp.h"
 
 namespace epsnet {
 namespace {
@@ -191,15 +190,6 @@ FenchelNielsenRequest parse_fenchel_nielsen(const std::string& text) {
     throw RequestError(std::string("not JSON: ") + simdjson::error_message(problem));
   }
   return Reader().read(document);
-}
-
-FenchelNielsenRequest load_fenchel_nielsen(const std::filesystem::path& path) {
-  const std::string text = read_text_file<RequestError>(path);
-  try {
-    return parse_fenchel_nielsen(text);
-  } catch (const RequestError& error) {
-    throw RequestError(path.string() + ": " + error.what());
-  }
 }
 
 }  // namespace epsnet

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,8 +45,5 @@ struct FenchelNielsenRequest {
 /// Reads a request from the text of a JSON object with some of the members "graph", "genus", "seed", "lengths",
 /// "twists"; numbers are exact decimals, bare or in strings. Throws FenchelNielsenRequestError.
 [[nodiscard]] FenchelNielsenRequest parse_fenchel_nielsen(const std::string& text);
-
-/// The same of a file of at most 256 MiB. Throws FenchelNielsenRequestError, whose problem starts with the path.
-[[nodiscard]] FenchelNielsenRequest load_fenchel_nielsen(const std::filesystem::path& path);
 
 }  // namespace epsnet

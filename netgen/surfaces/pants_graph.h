@@ -10,7 +10,7 @@
 
 namespace epsnet {
 
-/// A pants graph that is none: not trivalent, not connected, too large; what() names the node.
+/// Edges that are not those of a pants graph: not trivalent, not connected, too many; what() names the node.
 class PantsGraphError : public Error {
  public:
   using Error::Error;

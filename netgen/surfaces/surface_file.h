@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "certify/document/document.h"
+#include "netgen/base/write_error.h"
 #include "triangulation/surface.h"
 
 namespace epsnet {
@@ -22,7 +23,7 @@ namespace epsnet {
 /// The same from memory; `name` stands for the file in messages. Throws certify::MalformedError, SurfaceError.
 [[nodiscard]] Surface parse_surface_file(std::string_view text, const std::string& name);
 
-/// Writes a surface file, atomically; the same bytes for equal surfaces. Throws WriteError (atomic_file.h).
+/// Writes a surface file, atomically; the same bytes for equal surfaces. Throws WriteError.
 void save_surface(const Surface& surface, const std::filesystem::path& path);
 
 }  // namespace epsnet

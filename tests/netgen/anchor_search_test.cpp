@@ -7,6 +7,7 @@
 
 #include "kernel/plane.h"
 #include "netgen/exchange/domain_format.h"
+#include "netgen/exchange/exchange.h"
 #include "netgen/exchange/two_squares.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/octagon.h"
@@ -39,7 +40,7 @@ std::string complaint(TriangulationStream stream) {
   stream.anchors.clear();
   try {
     static_cast<void>(develop(stream, "f.txt"));
-  } catch (const TriangulationStreamError& error) {
+  } catch (const ExchangeError& error) {
     return error.what();
   }
   return "accepted";
@@ -55,7 +56,7 @@ TEST(AnchorSearch, FindsTheDiskOfAllSamples) {
 TEST(AnchorSearch, FindsTheDiskOfPolygons) {
   for (const auto& path : test::data_files("polygons")) {
     SCOPED_TRACE(path);
-    expect_found(triangulation_stream(load_domain(path)));
+    expect_found(triangulation_stream(import_surface_file(path)));
   }
 }
 

@@ -6,8 +6,10 @@
 #include <string>
 #include <type_traits>
 
-#include "netgen/base/token_reader.h"
+#include "certify/file/reader.h"
 #include "netgen/exchange/ear_clipping.h"
+#include "netgen/exchange/exchange.h"
+#include "netgen/exchange/token_reader.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/polygons.h"
 
@@ -15,8 +17,8 @@ namespace epsnet {
 namespace {
 
 // What keeps a reference cannot be made from a temporary.
-static_assert(std::is_constructible_v<TokenReader<DomainError>, const std::string&, std::string>);
-static_assert(!std::is_constructible_v<TokenReader<DomainError>, std::string, std::string>);
+static_assert(std::is_constructible_v<TokenReader, const std::string&, std::string>);
+static_assert(!std::is_constructible_v<TokenReader, std::string, std::string>);
 
 using test::PairedPolygon;
 using testing::HasSubstr;
@@ -27,7 +29,7 @@ PairedPolygon octagon() { return test::paired_polygon(random_octagon(123)); }
 std::string complaint(const std::string& text) {
   try {
     static_cast<void>(read_domain(text, "f.txt"));
-  } catch (const DomainError& error) {
+  } catch (const ExchangeError& error) {
     return error.what();
   }
   return "accepted";
@@ -44,7 +46,7 @@ TEST(DomainFormat, AllPolygonsAreAccepted) {
   ASSERT_EQ(files.size(), 21U);
   for (const auto& path : files) {
     const std::string name = path.stem().string();  // polygon-gN-…
-    const Surface surface = load_domain(path);
+    const Surface surface = import_surface_file(path);
     EXPECT_EQ(surface.genus(), std::stoul(name.substr(name.find("-g") + 2))) << path;
     EXPECT_EQ(surface.tiles().size(), 1U) << path;
     EXPECT_EQ(read_domain(write_domain(surface), "copy").tiles(), surface.tiles()) << path;
@@ -162,12 +164,12 @@ TEST(DomainFormat, StraightAnglesAndSeveralVertices) {
   EXPECT_EQ(surface.genus(), 2U);
   EXPECT_EQ(surface.vertex_class_count(), 4U);
   EXPECT_EQ(surface.tiles().size(), 12U);
-  EXPECT_THROW(static_cast<void>(write_domain(surface)), DomainError);
+  EXPECT_THROW(static_cast<void>(write_domain(surface)), ExchangeError);
 }
 
 TEST(DomainFormat, ManySidesAndStraightAngles) {
   PairedPolygon polygon =
-      test::paired_polygon(load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g50-small.txt"));
+      test::paired_polygon(import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g50-small.txt"));
   for (std::uint32_t added = 0; added < 30; ++added)
     polygon = test::with_vertex_on_side(polygon, 7 * added, Rational(1, 2));
   ASSERT_EQ(polygon.partner.size(), 260U);
@@ -177,10 +179,10 @@ TEST(DomainFormat, ManySidesAndStraightAngles) {
   EXPECT_EQ(surface.tiles().size(), 258U);
 }
 
-TEST(DomainFormat, Files) {
-  EXPECT_THROW(static_cast<void>(load_domain("/nonexistent/domain.txt")), DomainError);
-  EXPECT_THROW(static_cast<void>(load_domain(EPSNET_TEST_DATA)), DomainError);
-  EXPECT_THROW(static_cast<void>(load_domain("/dev/null")), DomainError);
+TEST(DomainFormat, FilesThatCannotBeRead) {
+  EXPECT_THROW(static_cast<void>(import_surface_file("/nonexistent/domain.txt")), certify::FileError);
+  EXPECT_THROW(static_cast<void>(import_surface_file(EPSNET_TEST_DATA)), certify::FileError);
+  EXPECT_THROW(static_cast<void>(import_surface_file("/dev/null", ExchangeFormat::domain)), ExchangeError);
 }
 
 TEST(EarClipping, EarsWithVerticesOnTheirDiagonals) {
@@ -215,7 +217,8 @@ TEST(EarClipping, EarsWithVerticesOnTheirDiagonals) {
 
 RC_GTEST_PROP(DomainFormatProperty, NonConvexPolygonIsTheSameSurface, ()) {
   const auto files = test::data_files("polygons");
-  PairedPolygon polygon = test::paired_polygon(load_domain(files[*rc::gen::inRange<std::size_t>(0, files.size())]));
+  PairedPolygon polygon =
+      test::paired_polygon(import_surface_file(files[*rc::gen::inRange<std::size_t>(0, files.size())]));
   const Surface before = polygon.surface();
   const auto k = *rc::gen::inRange<std::uint32_t>(0, before.side_count());
   RC_PRE(before.partner(k) != (k + 1) % before.side_count());
@@ -240,7 +243,7 @@ RC_GTEST_PROP(DomainFormatProperty, ChangedByteIsAnErrorOrAnotherSurface, (std::
   text[*rc::gen::inRange<std::size_t>(0, text.size())] = static_cast<char>(byte);
   try {
     RC_ASSERT(read_domain(text, "test").genus() == 2U);
-  } catch (const DomainError& error) {
+  } catch (const ExchangeError& error) {
     RC_ASSERT(std::string(error.what()).find('\n') == std::string::npos);
   }
 }

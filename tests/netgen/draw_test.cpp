@@ -12,15 +12,20 @@
 #include <type_traits>
 #include <vector>
 
+#include "certify/document/darts.h"
 #include "certify/file/reader.h"
 #include "kernel/plane.h"
 #include "netgen/exchange/domain_format.h"
+#include "netgen/exchange/exchange.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/lifts/info.h"
 #include "netgen/nets/bounds.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/nets/dirichlet_polygon.h"
+#include "netgen/pictures/curves.h"
 #include "netgen/pictures/dirichlet.h"
 #include "netgen/pictures/viewer.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
 
@@ -42,7 +47,7 @@ certify::NetDocument octagon_net(std::int32_t seed, const char* epsilon) {
 }
 
 certify::NetDocument polygon_net(const char* name, const char* epsilon) {
-  return compute_net(load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/" + name), Length(epsilon)).net;
+  return compute_net(import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/" + name), Length(epsilon)).net;
 }
 
 // What keeps a reference cannot be made from a temporary.
@@ -94,10 +99,10 @@ void expect_good_lifts(const certify::NetDocument& net, DrawOrder order) {
     EXPECT_TRUE(attached) << "triangle " << triangle;
   }
   EXPECT_GE(at_centre, 1U);
-  EXPECT_NEAR(total, 4 * std::numbers::pi * (geometry.sides().genus - 1.0), 1e-6);
+  EXPECT_NEAR(total, 4 * std::numbers::pi * (geometry.genus() - 1.0), 1e-6);
 }
 
-TEST(Lifts, areConnectedIsometricAndFillTheSurface) {
+TEST(Lifts, AreConnectedIsometricAndFillTheSurface) {
   for (const DrawOrder order : {DrawOrder::weight, DrawOrder::breadth_first}) {
     expect_good_lifts(verified("octagon-1-vertex.json"), order);
     expect_good_lifts(verified("octagon-33-vertices.json"), order);
@@ -106,12 +111,12 @@ TEST(Lifts, areConnectedIsometricAndFillTheSurface) {
   }
 }
 
-TEST(Lifts, surviveThinPartsAndHighGenus) {
+TEST(Lifts, SurviveThinPartsAndHighGenus) {
   expect_good_lifts(polygon_net("polygon-g2-thin-1e-4.txt", "0.5"), DrawOrder::weight);
   expect_good_lifts(polygon_net("polygon-g10-rnd0.txt", "0.7"), DrawOrder::weight);
 }
 
-TEST(Lifts, byWeightTakeTheEdgeOfLeastWeight) {
+TEST(Lifts, ByWeightTakeTheEdgeOfLeastWeight) {
   const certify::NetDocument net = octagon_net(5, "0.4");
   const NetGeometry geometry(net);
   const Lifts lifts = lift_triangles(geometry, DrawOrder::weight);
@@ -133,7 +138,7 @@ TEST(Lifts, byWeightTakeTheEdgeOfLeastWeight) {
   }
 }
 
-TEST(Lifts, breadthFirstOrderIsByEdgesCrossed) {
+TEST(Lifts, BreadthFirstOrderIsByEdgesCrossed) {
   const certify::NetDocument net = octagon_net(5, "0.4");
   const Lifts lifts = lift_triangles(NetGeometry(net), DrawOrder::breadth_first);
   std::vector<std::uint32_t> depth(net.triangles.size(), 0xffffffff);
@@ -157,9 +162,8 @@ void expect_circumcentres(const certify::NetDocument& net) {
     const auto radius = sinh2_circumradius(z[0], z[1], z[2]);
     expected.insert(expected.end(), 3, radius.numerator / radius.denominator);
   }
-  const DirichletDomain domain = dirichlet_domain(geometry, 0);
   std::vector<double> found;
-  for (const Point& z : domain.vertices) {
+  for (const Point& z : dirichlet_domain(geometry, 0)) {
     const double s = sinh2_half_distance(Point{}, z);
     found.push_back(4 * s * (1 + s));  // sinh² d
   }
@@ -169,7 +173,7 @@ void expect_circumcentres(const certify::NetDocument& net) {
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i] / expected[i], 1, 1e-5);
 }
 
-TEST(DirichletDomain, verticesAreCircumcentres) {
+TEST(DirichletDomain, VerticesAreCircumcentres) {
   expect_circumcentres(verified("octagon-1-vertex.json"));
   expect_circumcentres(verified("g2-small-1-vertex.json"));
   for (const std::int32_t seed : {1, 2, 3, 123, 321}) expect_circumcentres(octagon_net(seed, "20"));
@@ -177,26 +181,107 @@ TEST(DirichletDomain, verticesAreCircumcentres) {
   expect_circumcentres(polygon_net("polygon-g10-rnd0.txt", "30"));
 }
 
-TEST(DirichletDomain, hasTheAreaOfTheSurfaceForAnyVertex) {
+/// The area of a polygon around 0, counterclockwise.
+double area_of_polygon(const std::vector<Point>& corners) {
+  double total = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    // For a triangle with corners 0, u, v: tan(area/2) = Im(ūv)/(1 − Re(ūv)).
+    const Point& u = corners[i];
+    const Point& v = corners[(i + 1) % corners.size()];
+    total += 2 * std::atan2(cross(u, v), 1 - dot(u, v));
+  }
+  return total;
+}
+
+/// Some lifts of a vertex, around one of them at 0 with directions as in its chart, none of these at 0: the images of
+/// 0 under the isometries that glue the sides of the drawn triangles.
+std::vector<Point> other_lifts(const NetGeometry& geometry, std::uint32_t vertex) {
+  const certify::NetDocument& net = geometry.document();
+  const Lifts lifts = lift_triangles(geometry, DrawOrder::weight, vertex);
+  const std::vector<bool> on_boundary = boundary_darts(geometry, lifts);
+  const auto placement = [&](std::uint32_t triangle) {
+    return convert<Mp256>(lifts.placements[lifts.lifted[lifts.place[triangle]].placement]);
+  };
+  std::vector<Point> result;
+  for (std::uint32_t dart = 0; dart < on_boundary.size(); ++dart) {
+    if (!on_boundary[dart]) continue;
+    const Placement beyond = neighbour(geometry, {dart / 3, placement(dart / 3)}, dart % 3);
+    const Isometry<Mp256> g = beyond.isometry * inverse(placement(certify::opposite(net, dart) / 3));
+    result.push_back(convert<double>(g(Complex<Mp256>{})));
+  }
+  return result;
+}
+
+/// A polygon of the area of the surface whose corners are nowhere nearer to other lifts of the vertex than to 0 is its
+/// Dirichlet domain, turned the right way.
+void expect_dirichlet_domain(const certify::NetDocument& net, std::uint32_t vertex) {
+  const NetGeometry geometry(net);
+  const std::vector<Point> domain = dirichlet_domain(geometry, vertex);
+  EXPECT_NEAR(area_of_polygon(domain), 4 * std::numbers::pi * (geometry.genus() - 1.0), 1e-6);
+  for (std::size_t i = 0; i < domain.size(); ++i) EXPECT_GE(cross(domain[i], domain[(i + 1) % domain.size()]), 0);
+  const std::vector<Point> lifts = other_lifts(geometry, vertex);
+  EXPECT_GE(lifts.size(), 8U);
+  for (const Point& z : domain) {
+    for (const Point& lift : lifts)
+      EXPECT_LE(sinh2_half_distance(Point{}, z), sinh2_half_distance(lift, z) * (1 + 1e-6)) << "vertex " << vertex;
+  }
+}
+
+TEST(DirichletDomain, IsNearestToItsVertexForAnyVertex) {
+  for (const certify::NetDocument& net :
+       {octagon_net(123, "0.5"), polygon_net("polygon-g3-rnd0.txt", "0.8"),
+        compute_net(fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(3), 1)), Length("0.8")).net,
+        compute_net(Surface::regular(2), Length("0.8")).net}) {
+    // The corners of tiles come first; the last vertices may lie in any tile.
+    const auto count = static_cast<std::uint32_t>(net.vertices.size());
+    for (const std::uint32_t vertex : {0U, 1U, 2U, 3U, count / 2, count - 1}) expect_dirichlet_domain(net, vertex);
+  }
+}
+
+TEST(DirichletDomain, HasTheAreaOfTheSurfaceForAnyVertex) {
   for (const char* name : {"polygon-g2-thin-1e-4.txt", "polygon-g2-thin-1e-8.txt", "polygon-g4-treeloops.txt"}) {
     const certify::NetDocument net = polygon_net(name, "0.6");
     const NetGeometry geometry(net);
     for (const std::uint32_t vertex : {0U, static_cast<std::uint32_t>(net.vertices.size() / 2)}) {
-      const DirichletDomain domain = dirichlet_domain(geometry, vertex);
-      EXPECT_NEAR(domain.area, 4 * std::numbers::pi * (geometry.sides().genus - 1.0), 1e-6) << name;
-      for (std::size_t i = 0; i < domain.vertices.size(); ++i)
-        EXPECT_GE(cross(domain.vertices[i], domain.vertices[(i + 1) % domain.vertices.size()]), 0);
+      const std::vector<Point> domain = dirichlet_domain(geometry, vertex);
+      EXPECT_NEAR(area_of_polygon(domain), 4 * std::numbers::pi * (geometry.genus() - 1.0), 1e-6) << name;
+      for (std::size_t i = 0; i < domain.size(); ++i) EXPECT_GE(cross(domain[i], domain[(i + 1) % domain.size()]), 0);
     }
   }
 }
 
-RC_GTEST_PROP(DirichletDomainProperty, closesForAnyVertexOfAnyOctagon, ()) {
+TEST(DirichletDomain, OfASurfaceThatIsNoneIsRefused) {
+  certify::NetDocument net = octagon_net(123, "0.5");
+  net.surface.tiles[0][2].x += mpq_class(1, 1000);
+  const NetGeometry geometry(net);
+  EXPECT_THAT([&] { return dirichlet_domain(geometry, 0); }, ThrowsMessage<NetGeometryError>(HasSubstr("side")));
+  EXPECT_THROW((void)dirichlet_domain(geometry, 1'000'000), NetGeometryError);
+}
+
+TEST(DirichletDomain, OfAHighGenusIsRefused) {
+  const certify::NetDocument net =
+      compute_net(fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(101), 1)), Length("2")).net;
+  EXPECT_THAT([&] { return dirichlet_domain(NetGeometry(net), 0); },
+              ThrowsMessage<NetGeometryError>(HasSubstr("up to genus 100")));
+}
+
+RC_GTEST_PROP(DirichletDomainProperty, ClosesForAnyVertexOfAnyOctagon, ()) {
   const certify::NetDocument net = octagon_net(*rc::gen::inRange(1, 1000), "0.5");
   const auto vertex = *rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(net.vertices.size()));
   const NetGeometry geometry(net);
-  const DirichletDomain domain = dirichlet_domain(geometry, vertex);
-  RC_ASSERT(std::abs(domain.area - 4 * std::numbers::pi) < 1e-6);
-  RC_ASSERT(domain.vertices.size() >= 8 && domain.vertices.size() <= 18);
+  const std::vector<Point> domain = dirichlet_domain(geometry, vertex);
+  RC_ASSERT(std::abs(area_of_polygon(domain) - 4 * std::numbers::pi) < 1e-6);
+  RC_ASSERT(domain.size() >= 8 && domain.size() <= 18);
+}
+
+TEST(Draw, ThePictureOfADirichletPolygonShowsThatPolygon) {
+  const Surface surface = random_octagon(123);
+  const DirichletPolygon polygon = dirichlet_polygon(surface, BasePoint{0, {Rational(1, 10), Rational(1, 5)}});
+  EXPECT_EQ(draw_svg(polygon), draw_svg(polygon, {.dirichlet = true}));
+  EXPECT_THAT(draw_svg(polygon), HasSubstr("class=\"dirichlet\""));
+  DirichletPolygon turned = polygon;
+  for (Point& z : turned.vertices) z = Point{-z.y, z.x};
+  EXPECT_NE(draw_svg(turned), draw_svg(polygon));
 }
 
 // ---- The picture ----
@@ -271,7 +356,7 @@ std::vector<SvgArc> arcs_of(const std::string& svg) {
   return result;
 }
 
-TEST(Draw, arcsAreOrthogonalToTheBoundaryCircle) {
+TEST(Draw, ArcsAreOrthogonalToTheBoundaryCircle) {
   const DrawOptions options{.order = DrawOrder::weight, .dirichlet = true, .size = 1000};
   const std::vector<SvgArc> arcs = arcs_of(draw_svg(verified("octagon-33-vertices.json"), options));
   ASSERT_GT(arcs.size(), 100U);
@@ -290,7 +375,7 @@ TEST(Draw, arcsAreOrthogonalToTheBoundaryCircle) {
   EXPECT_GT(tested, 50U);
 }
 
-TEST(Draw, isDeterministicAndDependsOnItsOptions) {
+TEST(Draw, IsDeterministicAndDependsOnItsOptions) {
   const certify::NetDocument net = octagon_net(123, "0.3");
   std::set<std::string> pictures;
   for (const DrawOrder order : {DrawOrder::weight, DrawOrder::breadth_first}) {
@@ -309,7 +394,7 @@ TEST(Draw, isDeterministicAndDependsOnItsOptions) {
   EXPECT_EQ(pictures.size(), 8U);
 }
 
-TEST(Draw, showsWhatIsAskedFor) {
+TEST(Draw, ShowsWhatIsAskedFor) {
   const certify::NetDocument net = octagon_net(123, "0.3");
   const std::string plain = draw_svg(net);
   const auto expect_changed = [&](const char* what, const char* mark, const auto& change) {
@@ -328,7 +413,7 @@ TEST(Draw, showsWhatIsAskedFor) {
   expect_changed("charts", "class=\"colours\"", [](DrawOptions& o) { o.colouring = Colouring::chart; });
   expect_changed("legend", "class=\"legend\"", [](DrawOptions& o) { o.legend = true; });
   expect_changed("tiles", "<title>fundamental tiles</title>",
-                 [&](DrawOptions& o) { o.layers.push_back(tile_layer(NetGeometry(net))); });
+                 [&](DrawOptions& o) { o.layers.push_back(tile_layer(net)); });
   expect_changed("escapes", "<title>a&lt;b&amp;c</title>",
                  [](DrawOptions& o) { o.layers.push_back({.name = "a<b&c", .colour = "#123456", .triangles = {0}}); });
   EXPECT_THAT(plain, HasSubstr("class=\"edges\""));
@@ -385,7 +470,7 @@ struct EverythingShown {
   DrawOptions options;
 };
 
-TEST(Draw, isOnWhiteSoThatItCanBeReadOnADarkPage) {
+TEST(Draw, IsOnWhiteSoThatItCanBeReadOnADarkPage) {
   const std::string picture = draw_svg(octagon_net(123, "0.3"), {.size = 300});
   const std::size_t background =
       picture.find("<rect class=\"background\" width=\"300\" height=\"300\" fill=\"#ffffff\"/>");
@@ -393,7 +478,7 @@ TEST(Draw, isOnWhiteSoThatItCanBeReadOnADarkPage) {
   for (const char* drawn : {"<circle", "<path"}) EXPECT_GT(picture.find(drawn), background) << drawn;
 }
 
-TEST(Draw, coloursOfALegendDiffer) {
+TEST(Draw, ColoursOfALegendDiffer) {
   const EverythingShown shown;
   const std::string legend = legend_of(draw_svg(shown.net, shown.options));
   const std::string marks = legend.substr(0, legend.find("<g font"));
@@ -409,7 +494,7 @@ TEST(Draw, coloursOfALegendDiffer) {
   }
 }
 
-TEST(Draw, whatALegendNamesIsDrawnInItsColour) {
+TEST(Draw, WhatALegendNamesIsDrawnInItsColour) {
   const EverythingShown shown;
   const std::string picture = draw_svg(shown.net, shown.options);
   const std::string legend = legend_of(picture);
@@ -421,7 +506,7 @@ TEST(Draw, whatALegendNamesIsDrawnInItsColour) {
   }
 }
 
-TEST(Draw, aLegendCountsGeodesicsAndSaysHowLongTheyAre) {
+TEST(Draw, ALegendCountsGeodesicsAndSaysHowLongTheyAre) {
   const EverythingShown shown;
   const Layer& geodesics = *std::find_if(shown.options.layers.begin(), shown.options.layers.end(),
                                          [](const Layer& layer) { return layer.name == "closed geodesics"; });
@@ -432,7 +517,7 @@ TEST(Draw, aLegendCountsGeodesicsAndSaysHowLongTheyAre) {
   EXPECT_THAT(legend_of(draw_svg(shown.net, shown.options)), HasSubstr(" 0.1000"));
 }
 
-TEST(Draw, aLegendHasTheColoursOfCharts) {
+TEST(Draw, ALegendHasTheColoursOfCharts) {
   const certify::NetDocument net =
       compute_net(fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(3), 1)), Length("0.3")).net;
   const std::string picture = draw_svg(net, {.colouring = Colouring::chart, .legend = true});
@@ -453,7 +538,7 @@ TEST(Draw, aLegendHasTheColoursOfCharts) {
   EXPECT_EQ(hues.size(), charts.size());
 }
 
-TEST(Draw, aLegendOfManyChartsStaysShort) {
+TEST(Draw, ALegendOfManyChartsStaysShort) {
   const certify::NetDocument net =
       compute_net(fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(12), 1)), Length("0.6")).net;
   std::set<std::uint32_t> charts;
@@ -464,7 +549,7 @@ TEST(Draw, aLegendOfManyChartsStaysShort) {
   EXPECT_THAT(legend, HasSubstr("and " + std::to_string(charts.size() - 16) + " more charts"));
 }
 
-TEST(Viewer, listsTheGeodesicsWithTheirArcs) {
+TEST(Viewer, ListsTheGeodesicsWithTheirArcs) {
   const EverythingShown shown;
   const std::string page = viewer_page(shown.net, {.title = "net", .layers = shown.options.layers});
   const Layer& geodesics = *std::find_if(shown.options.layers.begin(), shown.options.layers.end(),
@@ -480,7 +565,7 @@ TEST(Viewer, listsTheGeodesicsWithTheirArcs) {
   }
 }
 
-TEST(Draw, centresTheVertexAskedFor) {
+TEST(Draw, CentresTheVertexAskedFor) {
   const certify::NetDocument net = octagon_net(123, "0.3");
   const Lifts lifts = lift_triangles(NetGeometry(net), DrawOrder::weight, 5);
   const Lifts::LiftedTriangle& first = lifts.lifted.front();
@@ -492,20 +577,20 @@ TEST(Draw, centresTheVertexAskedFor) {
               ThrowsMessage<NetGeometryError>(HasSubstr("no vertex 1000000")));
 }
 
-TEST(Draw, isOfModerateSize) {
+TEST(Draw, IsOfModerateSize) {
   const certify::NetDocument net = octagon_net(123, "0.03");
   const std::string picture = draw_svg(net);
   EXPECT_LT(picture.size(), 100 * net.vertices.size());
   EXPECT_GT(picture.size(), 20 * net.vertices.size());
 }
 
-TEST(Draw, writesNoUnboundedTextOfTheDocument) {
+TEST(Draw, WritesNoUnboundedTextOfTheDocument) {
   certify::NetDocument net = verified("octagon-1-vertex.json");
   net.epsilon = "1" + std::string(100000, '0');
   EXPECT_LT(draw_svg(net).size(), 20000U);
 }
 
-TEST(Draw, refusesWhatIsNoNet) {
+TEST(Draw, RefusesWhatIsNoNet) {
   const certify::NetDocument good = verified("octagon-9-vertices.json");
   const auto draw_changed = [&](const auto& change) {
     return [&, change] {
@@ -534,7 +619,7 @@ TEST(Draw, refusesWhatIsNoNet) {
 
 // ---- Information ----
 
-TEST(Info, boundsAreThoseOfTheThesis) {
+TEST(Info, BoundsAreThoseOfTheThesis) {
   // Table IV.3: lower bounds 100 and 1,600, upper bounds 400 and 6,400 for ε = 0.2 and 0.05 in genus 2.
   EXPECT_EQ(std::lround(least_vertices(2, 0.2)), 100);
   EXPECT_EQ(std::lround(least_vertices(2, 0.05)), 1600);
@@ -542,7 +627,7 @@ TEST(Info, boundsAreThoseOfTheThesis) {
   EXPECT_EQ(std::lround(most_vertices(2, 0.05)), 6400);
 }
 
-TEST(Info, systoleBoundImpliesLemmaIII15) {
+TEST(Info, SystoleBoundImpliesLemmaIII15) {
   const double infinity = std::numeric_limits<double>::infinity();
   for (double epsilon = 0.01; epsilon < std::asinh(1.0); epsilon += 0.01)
     EXPECT_GE(systole_lower_bound(epsilon, infinity), epsilon);
@@ -551,7 +636,7 @@ TEST(Info, systoleBoundImpliesLemmaIII15) {
   EXPECT_GE(systole_lower_bound(2000, infinity), 0);
 }
 
-TEST(Info, systoleBoundHoldsOnSurfacesWithKnownShortCurves) {
+TEST(Info, SystoleBoundHoldsOnSurfacesWithKnownShortCurves) {
   // The short curve of these surfaces has the length in the name, to within a few percent, by construction; the upper
   // bound is a loop edge of the net.
   const certify::NetDocument net = polygon_net("polygon-g2-thin-1e-4.txt", "0.3");
@@ -566,7 +651,7 @@ TEST(Info, systoleBoundHoldsOnSurfacesWithKnownShortCurves) {
   EXPECT_LE(upper, 1.1e-4);
 }
 
-TEST(Info, countsWhatIsThere) {
+TEST(Info, CountsWhatIsThere) {
   const std::string net = net_info(verified("octagon-33-vertices.json")).text;
   EXPECT_THAT(net, HasSubstr("vertices: 33\n"));
   EXPECT_THAT(net, HasSubstr("edges: 105\n"));

@@ -3,31 +3,7 @@
 epsnet=$1
 certify=$2
 data=$3
-failures=0
-here=$(mktemp -d) || exit 1
-trap 'rm -rf "$here"' EXIT
-cd "$here" || exit 1
-
-complain() {
-  echo "FAILED: $*"
-  failures=$((failures + 1))
-}
-
-# runs CODE TEXT ARGUMENTS...: the program ends with this code; TEXT (grep) is in what it says, on whatever stream.
-runs() {
-  expected=$1
-  text=$2
-  shift 2
-  "$epsnet" "$@" >output 2>messages
-  code=$?
-  [ $code = "$expected" ] || complain "epsnet $*: exit code $code, expected $expected: $(cat messages)"
-  [ -z "$text" ] || grep -q -e "$text" output messages || complain "epsnet $*: expected '$text' in $(cat output messages)"
-  if [ "$expected" = 0 ]; then
-    [ ! -s messages ] || complain "epsnet $*: standard error says $(cat messages)"
-  else
-    [ "$(wc -l <messages)" = 1 ] || complain "epsnet $*: not one line on standard error: $(cat messages)"
-  fi
-}
+. "$(dirname "$0")/program_functions.sh"
 
 # certified CODE LINE FILE: what certify says last.
 certified() {
@@ -40,75 +16,79 @@ certified() {
 without_anchor() { awk 'NR == 2 {print "no"; next} NR >= 3 && NR <= 6 {next} {print}' "$1"; }
 
 # A net there and back: as many vertices, and still a net.
-runs 0 '' surface octagon --seed 123 -o s.json
-runs 0 'VERIFIED' net s.json --epsilon 0.26 -o net.json
+good surface octagon --seed 123 -o s.json
+good net s.json --epsilon 0.26 -o net.json
+says 'VERIFIED'
 vertices=$(grep '^vertices: ' output)
-runs 0 '' export net.json --format triangulation -o t.txt
-runs 0 '^verdict: VERIFIED$' import-net t.txt --epsilon 0.26 -o imported.json
+good export net.json --format triangulation -o t.txt
+good import-net t.txt --epsilon 0.26 -o imported.json
+says '^verdict: VERIFIED$'
 grep -q "^$vertices\$" output || complain "import-net changed the number of vertices: $(cat output), expected $vertices"
 certified 0 '^VERIFIED$' imported.json
-runs 0 '' export imported.json --format triangulation -o again.txt
+good export imported.json --format triangulation -o again.txt
 [ "$(tail -n +7 t.txt)" = "$(tail -n +7 again.txt)" ] || complain "the triangulation of the imported net is another one"
 
 # Without its anchor it is the same net.
 without_anchor t.txt >bare.txt
-runs 0 '^verdict: VERIFIED$' import-net bare.txt --epsilon 0.26 -o bare.json
+good import-net bare.txt --epsilon 0.26 -o bare.json
+says '^verdict: VERIFIED$'
 certified 0 '^VERIFIED$' bare.json
-runs 0 '' surface import bare.txt -o bare-surface.json
-runs 0 '^genus: 2$' info bare-surface.json
+good surface import bare.txt -o bare-surface.json
+good info bare-surface.json
+says '^genus: 2$'
 
 # What is no net is written all the same, with the culprit.
-runs 1 '^epsnet: t.txt: REFUTED: covering: triangle ' import-net t.txt --epsilon 0.25 -o small.json
+bad 1 '^epsnet: t.txt: REFUTED: covering: triangle ' import-net t.txt --epsilon 0.25 -o small.json
 certified 1 '^REFUTED: covering' small.json
-runs 1 '^epsnet: t.txt: REFUTED: packing: ' import-net t.txt --epsilon 0.28 -o large.json
+bad 1 '^epsnet: t.txt: REFUTED: packing: ' import-net t.txt --epsilon 0.28 -o large.json
 certified 1 '^REFUTED: packing' large.json
-runs 0 '' surface import "$data/polygons/polygon-g3-rnd0.txt" -o g3.json
-runs 0 '' export g3.json --format triangulation -o fan.txt
-runs 1 '^why: delaunay: .*dart' import-net fan.txt --epsilon 0.5 -o fan.json
+good surface import "$data/polygons/polygon-g3-rnd0.txt" -o g3.json
+good export g3.json --format triangulation -o fan.txt
+bad 1 'REFUTED: delaunay' import-net fan.txt --epsilon 0.5 -o fan.json
+says '^why: delaunay: .*dart'
 certified 1 '^REFUTED: delaunay' fan.json
 for rule in covering packing; do
   file=$(ls "$data/certify/undecided/$rule"-*.json)
   epsilon=$(tr ',' '\n' <"$file" | sed -n 's/.*"epsilon": *"\([^"]*\)".*/\1/p')
-  runs 0 '' export "$file" --format triangulation -o undecided.txt
-  runs 2 "^epsnet: undecided.txt: UNDECIDED: $rule: " import-net undecided.txt --epsilon "$epsilon" -o undecided.json
+  good export "$file" --format triangulation -o undecided.txt
+  bad 2 "^epsnet: undecided.txt: UNDECIDED: $rule: " import-net undecided.txt --epsilon "$epsilon" -o undecided.json
   certified 2 "^UNDECIDED: $rule" undecided.json
 done
-"$epsnet" import-net t.txt --epsilon 0.26 -o - >piped.json 2>messages || complain "import-net to standard output"
+"$epsnet" import-net t.txt --epsilon 0.26 -o - >piped.json 2>"$messages" || complain "import-net to standard output"
 cmp -s piped.json imported.json || complain "standard output is another net"
-grep -q '^verdict: VERIFIED$' messages || complain "no report beside standard output"
+grep -q '^verdict: VERIFIED$' "$messages" || complain "no report beside standard output"
 
 # What is no triangulation of a surface is not written.
-rm -f none.json
-runs 1 'no-such.txt' import-net no-such.txt --epsilon 1 -o none.json
-runs 1 'g2-seed-1.txt:.*a polygon is read by "surface import"' import-net "$data/octagons/g2-seed-1.txt" --epsilon 1 -o none.json
+bad 1 'no-such.txt' import-net no-such.txt --epsilon 1 -o out/none.json
+bad 1 'g2-seed-1.txt:.*a polygon is read by "surface import"' import-net "$data/octagons/g2-seed-1.txt" --epsilon 1 -o out/none.json
 { head -n -1 t.txt; echo 1/3; } >moved.txt
-runs 1 '^epsnet: moved.txt: ' import-net moved.txt --epsilon 1 -o none.json
+bad 1 '^epsnet: moved.txt: ' import-net moved.txt --epsilon 1 -o out/none.json
 head -c 5000 t.txt >cut.txt
-runs 1 '^epsnet: cut.txt:[0-9]*: ' import-net cut.txt --epsilon 1 -o none.json
-runs 64 'epsilon' import-net t.txt --epsilon 0 -o none.json
-runs 64 'epsilon' import-net t.txt -o none.json
-runs 64 'FILE' import-net --epsilon 1 -o none.json
-runs 1 'no directory' import-net t.txt --epsilon 1 -o no-such/none.json
-runs 0 'Example' import-net --help
-[ ! -e none.json ] || complain "a net of nothing was written"
+bad 1 '^epsnet: cut.txt:[0-9]*: ' import-net cut.txt --epsilon 1 -o out/none.json
+bad 64 'epsilon' import-net t.txt --epsilon 0 -o out/none.json
+bad 64 'epsilon' import-net t.txt -o out/none.json
+bad 64 'FILE' import-net --epsilon 1 -o out/none.json
+bad 1 'no directory' import-net t.txt --epsilon 1 -o out/no-such/none.json
+good import-net --help
+says 'Example'
 
 # Octagons by their coordinates.
-runs 0 '' surface octagon --coordinates 5/6,0,0.6,0.6,0,5/6,-3/5,0.6 -o o.json
-runs 0 '^genus: 2$' info o.json
+good surface octagon --coordinates 5/6,0,0.6,0.6,0,5/6,-3/5,0.6 -o o.json
+good info o.json
+says '^genus: 2$'
 z=$(awk 'NR >= 10 && NR <= 13 {print $1 "," $2}' "$data/octagons/g2-seed-123.txt" | paste -sd ,)
-runs 0 '' surface octagon --coordinates "$z" -o given.json
+good surface octagon --coordinates "$z" -o given.json
 cmp -s given.json s.json || complain "the octagon of seed 123 by its coordinates is another one"
-runs 64 'add up to .*, not to 2\*pi.*closes up for x3,y3 = ' surface octagon --coordinates 5/6,0,0.6,0.6,0,5/6,-0.6,0.59 -o none.json
-z3=$(sed 's/.* for x3,y3 = //' messages)
-runs 0 '' surface octagon --coordinates "5/6,0,0.6,0.6,0,5/6,$z3" -o closed.json
-runs 64 'coordinates: 6 numbers found, expected 8' surface octagon --coordinates 5/6,0,0.6,0.6,0,5/6 -o none.json
-runs 64 'coordinates: "half" found, expected y1' surface octagon --coordinates 5/6,0,0.6,half,0,5/6,-3/5,0.6 -o none.json
-runs 64 'vertex 1 lies outside of the unit circle' surface octagon --coordinates 5/6,0,0.9,0.6,0,5/6,-3/5,0.6 -o none.json
-runs 64 'not strictly convex at its vertex 1' surface octagon --coordinates 5/6,0,0.1,0.1,0,5/6,-3/5,0.6 -o none.json
-runs 64 'clockwise' surface octagon --coordinates=-3/5,0.6,0,5/6,0.6,0.6,5/6,0 -o none.json
-runs 64 'coordinates' surface octagon --seed 1 --coordinates 1,2 -o none.json
-runs 64 'expected --seed or --coordinates' surface octagon -o none.json
-[ ! -e none.json ] || complain "a wrong octagon was written"
+bad 64 'add up to .*, not to 2\*pi.*closes up for x3,y3 = ' surface octagon --coordinates 5/6,0,0.6,0.6,0,5/6,-0.6,0.59 -o out/none.json
+z3=$(sed 's/.* for x3,y3 = //' "$messages")
+good surface octagon --coordinates "5/6,0,0.6,0.6,0,5/6,$z3" -o closed.json
+bad 64 'coordinates: 6 numbers found, expected 8' surface octagon --coordinates 5/6,0,0.6,0.6,0,5/6 -o out/none.json
+bad 64 'coordinates: "half" found, expected y1' surface octagon --coordinates 5/6,0,0.6,half,0,5/6,-3/5,0.6 -o out/none.json
+bad 64 'vertex 1 lies outside of the unit circle' surface octagon --coordinates 5/6,0,0.9,0.6,0,5/6,-3/5,0.6 -o out/none.json
+bad 64 'not strictly convex at its vertex 1' surface octagon --coordinates 5/6,0,0.1,0.1,0,5/6,-3/5,0.6 -o out/none.json
+bad 64 'clockwise' surface octagon --coordinates=-3/5,0.6,0,5/6,0.6,0.6,5/6,0 -o out/none.json
+bad 64 'coordinates' surface octagon --seed 1 --coordinates 1,2 -o out/none.json
+bad 64 'expected --seed or --coordinates' surface octagon -o out/none.json
 
 [ $failures = 0 ] || { echo "$failures failures"; exit 1; }
 echo "all as expected"

@@ -1,5 +1,3 @@
-#include "netgen/exchange/imported_net.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
@@ -7,6 +5,7 @@
 
 #include "certify/check.h"
 #include "netgen/base/gmp.h"
+#include "netgen/exchange/exchange.h"
 #include "netgen/exchange/triangulation_stream.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen_request.h"
@@ -83,7 +82,7 @@ TEST(ImportedNet, AnExportedNetIsTheSameNet) {
 
 TEST(ImportedNet, VerticesAreTheGivenOnesExactly) {
   for (const auto& path : test::data_files("triangulations")) {
-    const Surface surface = load_triangulation_stream(path);
+    const Surface surface = import_surface_file(path);
     const certify::NetDocument net = net_of_tiles(surface, Length("1"));
     ASSERT_EQ(net.vertices.size(), surface.vertex_class_count());
     for (const certify::NetDocument::Vertex& vertex : net.vertices) {
@@ -141,8 +140,8 @@ TEST(ImportedNet, OneVertexAndAllEdgesLoops) {
 }
 
 TEST(ImportedNet, TilesMustBeTriangles) {
-  EXPECT_THROW(static_cast<void>(net_of_tiles(random_octagon(1), Length("1"))), ImportedNetError);
-  EXPECT_THROW(static_cast<void>(net_of_tiles(Surface::regular(2), Length("1"))), ImportedNetError);
+  EXPECT_THROW(static_cast<void>(net_of_tiles(random_octagon(1), Length("1"))), ExchangeError);
+  EXPECT_THROW(static_cast<void>(net_of_tiles(Surface::regular(2), Length("1"))), ExchangeError);
 }
 
 RC_GTEST_PROP(ImportedNetProperty, WhateverIsImportedIsMadeOfTheGivenTriangles, ()) {

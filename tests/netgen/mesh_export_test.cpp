@@ -1,5 +1,3 @@
-#include "netgen/exchange/mesh_export.h"
-
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -12,6 +10,7 @@
 
 #include "certify/check.h"
 #include "kernel/plane.h"
+#include "netgen/exchange/exchange.h"
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/curves.h"
@@ -74,7 +73,7 @@ std::vector<Edge> read_edges(const std::string& text) {
 }
 
 /// Every edge of the surface is in the drawing, with its length; the drawing is a disk.
-TEST(MeshExport, offHasTheEdgesOfTheTable) {
+TEST(MeshExport, OffHasTheEdgesOfTheTable) {
   for (const char* epsilon : {"0.2", "0.5", "30"}) {
     const certify::NetDocument net = net_of(epsilon);
     const Off off = read_off(text(write_off, net));
@@ -97,7 +96,7 @@ TEST(MeshExport, offHasTheEdgesOfTheTable) {
   }
 }
 
-TEST(MeshExport, edgesAgreeWithTheCertificate) {
+TEST(MeshExport, EdgesAgreeWithTheCertificate) {
   FenchelNielsen coordinates = random_coordinates(PantsGraph::chain(2), 3);
   coordinates.lengths.front() = 1e-6;
   const certify::NetDocument net = compute_net(fenchel_nielsen_surface(coordinates), Length("0.4")).net;
@@ -118,7 +117,7 @@ TEST(MeshExport, edgesAgreeWithTheCertificate) {
   EXPECT_NEAR(longest, certificate.enclosures->longest_edge.upper, 1e-12);
 }
 
-TEST(MeshExport, vtuCountsWhatIsThere) {
+TEST(MeshExport, VtuCountsWhatIsThere) {
   const certify::NetDocument net = net_of("0.3");
   const std::string vtu = text(write_vtu, net);
   const Off off = read_off(text(write_off, net));
@@ -128,7 +127,7 @@ TEST(MeshExport, vtuCountsWhatIsThere) {
   EXPECT_EQ(lines, 2 * off.points.size() + 5 * off.triangles.size() + 29);
 }
 
-TEST(MeshExport, refusesWhatIsNoNet) {
+TEST(MeshExport, RefusesWhatIsNoNet) {
   certify::NetDocument net = net_of("0.5");
   net.triangles[0].vertex[1] = 1000000;
   for (const Writer write : {write_off, write_vtu, write_edges, write_mesh_json})
@@ -142,7 +141,7 @@ double total_length(const Layer& layer) {
   return sum;
 }
 
-TEST(Curves, tilesAreCutWithoutLoss) {
+TEST(Curves, TilesAreCutWithoutLoss) {
   const Surface surface = random_octagon(123);
   double perimeter = 0;
   const Tile& tile = surface.tiles()[0];
@@ -156,7 +155,7 @@ TEST(Curves, tilesAreCutWithoutLoss) {
   }
 }
 
-TEST(Curves, arcsAreInTheirTriangles) {
+TEST(Curves, ArcsAreInTheirTriangles) {
   const certify::NetDocument net = net_of("0.3");
   const NetGeometry geometry(net);
   const Layer layer = dirichlet_layer(geometry, 0);
@@ -173,7 +172,7 @@ TEST(Curves, arcsAreInTheirTriangles) {
   }
 }
 
-TEST(Curves, aClosedGeodesicIsCutWithoutLossOnAnyNetOfItsSurface) {
+TEST(Curves, AClosedGeodesicIsCutWithoutLossOnAnyNetOfItsSurface) {
   const certify::NetDocument net = net_of("0.3");
   const NetGeometry geometry(net);
   certify::GeodesicsDocument geodesics;

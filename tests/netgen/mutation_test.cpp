@@ -13,6 +13,7 @@
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "netgen/exchange/domain_format.h"
+#include "netgen/exchange/exchange.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/netgen/oracle.h"
@@ -340,7 +341,7 @@ std::vector<Base> bases() {
                       certified_net(random_octagon(seed), Length(epsilon)).net});
   }
   // A short curve: charts and words that lead far into its collar.
-  const Surface thin = load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g2-thin-1e-4.txt");
+  const Surface thin = import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g2-thin-1e-4.txt");
   result.push_back({"thin, epsilon 1.5", certified_net(thin, Length("1.5")).net});
   // The octagon 123 as two triangles and a hexagon.
   const Surface octagon = random_octagon(123);

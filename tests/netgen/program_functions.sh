@@ -45,6 +45,9 @@ bad() {
   }
 }
 
+# says TEXT: the last run said this text (grep), on whatever stream.
+says() { grep -q -e "$1" output "$messages" || complain "expected '$1' in $(cat output "$messages")"; }
+
 verified() {
   runs=$((runs + 1))
   last=$("$certify" "$1" | tail -n 1)

@@ -140,10 +140,10 @@ TEST(PseudoNet, WithoutShortCurvesItIsTheNet) {
 
 TEST(PseudoNet, EpsilonIsAtMostLnSqrt2) {
   // ln √2 = 0.346573590279972654708…
-  EXPECT_TRUE(Length("0.34657359027997265470").allows_pseudo_nets());
-  EXPECT_FALSE(Length("0.34657359027997265471").allows_pseudo_nets());
-  EXPECT_TRUE(Length("1e-300").allows_pseudo_nets());
-  EXPECT_FALSE(Length("1e300").allows_pseudo_nets());
+  EXPECT_TRUE(allows_pseudo_nets(Length("0.34657359027997265470")));
+  EXPECT_FALSE(allows_pseudo_nets(Length("0.34657359027997265471")));
+  EXPECT_TRUE(allows_pseudo_nets(Length("1e-300")));
+  EXPECT_FALSE(allows_pseudo_nets(Length("1e300")));
   const Surface surface = with_cuffs({power_of_ten(2)});
   EXPECT_THROW((void)compute_net(surface, Length("0.34657359027997265471"), kPseudo), std::invalid_argument);
   expect_verified(surface, "0.34657359027997265470", 1);

@@ -8,6 +8,7 @@
 #include "certify/file/reader.h"
 #include "netgen/base/atomic_file.h"
 #include "netgen/exchange/domain_format.h"
+#include "netgen/exchange/exchange.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/polygons.h"
 
@@ -56,7 +57,7 @@ void write_text(const fs::path& path, const std::string& text) {
 
 TEST_F(SurfaceFile, RoundTrip) {
   for (const auto& path : test::data_files("polygons")) {
-    const Surface surface = load_domain(path);
+    const Surface surface = import_surface_file(path);
     save_surface(surface, directory_ / "a.json");
     const Surface copy = load_surface(directory_ / "a.json");
     EXPECT_EQ(copy.tiles(), surface.tiles());

@@ -4,6 +4,7 @@
 
 #include "certify/geodesics/geodesics_check.h"
 #include "netgen/exchange/domain_format.h"
+#include "netgen/exchange/exchange.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
@@ -91,7 +92,7 @@ TEST(LargeGenus, FenchelNielsenSurfacesAreVerified) {
 
 TEST(LargeGenus, IsVerified) {
   for (const char* name : {"g20-rnd0", "g50-small"}) {
-    const Surface surface = load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
+    const Surface surface = import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
     for (const char* epsilon : {"3", "0.5", "0.2"}) {
       EXPECT_EQ(certified_net(surface, Length(epsilon)).certificate.verdict, certify::Verdict::verified) << name;
     }

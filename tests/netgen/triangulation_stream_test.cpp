@@ -7,6 +7,7 @@
 #include <rapidcheck/gtest.h>
 #include <sstream>
 
+#include "certify/file/reader.h"
 #include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/nets/certified_net.h"
@@ -38,7 +39,7 @@ std::string text_of(const TriangulationStream& stream) {
 std::string complaint(const std::string& text) {
   try {
     static_cast<void>(develop(read_triangulation_stream(text, "f.txt"), "f.txt"));
-  } catch (const TriangulationStreamError& error) {
+  } catch (const ExchangeError& error) {
     return error.what();
   }
   return "accepted";
@@ -113,7 +114,7 @@ TEST(TriangulationStream, AllSamplesAreAccepted) {
     const std::string name = path.stem().string();  // triangulation-gN-…
     const std::string text = test::file_text(path);
     const TriangulationStream stream = read_triangulation_stream(text, name);
-    const Surface surface = load_triangulation_stream(path);
+    const Surface surface = import_surface_file(path);
     EXPECT_EQ(surface.genus(), std::stoul(name.substr(name.find("-g") + 2))) << name;
     EXPECT_EQ(surface.tiles().size(), stream.triangles.size()) << name;
     EXPECT_EQ(triangulation_stream(surface), stream) << name;
@@ -124,7 +125,7 @@ TEST(TriangulationStream, AllSamplesAreAccepted) {
 
 TEST(TriangulationStream, CrossRatiosByTheBook) {
   for (const auto& path : test::data_files("triangulations")) {
-    const Surface surface = load_triangulation_stream(path);
+    const Surface surface = import_surface_file(path);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
       if (s < surface.partner(s)) edges.emplace_back(s, surface.partner(s));
@@ -135,7 +136,7 @@ TEST(TriangulationStream, CrossRatiosByTheBook) {
 
 TEST(TriangulationStream, PolygonsAsTriangulations) {
   for (const auto& path : test::data_files("polygons")) {
-    const Surface polygon = load_domain(path);
+    const Surface polygon = import_surface_file(path);
     const TriangulationStream stream = triangulation_stream(polygon);
     EXPECT_EQ(ratios(stream), ratios(fan(test::paired_polygon(polygon)))) << path;
     const Surface surface = develop(stream, "polygon");
@@ -415,16 +416,17 @@ TEST(TriangulationStream, Formats) {
   EXPECT_THAT(tiles("8 4", ExchangeFormat::domain), testing::Not(HasSubstr("read as")));
 }
 
-TEST(TriangulationStream, Files) {
-  EXPECT_THROW(static_cast<void>(load_triangulation_stream("/nonexistent")), TriangulationStreamError);
-  EXPECT_THROW(static_cast<void>(load_triangulation_stream(EPSNET_TEST_DATA)), TriangulationStreamError);
-  EXPECT_THROW(static_cast<void>(load_triangulation_stream("/dev/null")), TriangulationStreamError);
+TEST(TriangulationStream, FilesThatCannotBeRead) {
+  const auto load = [](const char* path) { (void)import_surface_file(path, ExchangeFormat::triangulation); };
+  EXPECT_THROW(load("/nonexistent"), certify::FileError);
+  EXPECT_THROW(load(EPSNET_TEST_DATA), certify::FileError);
+  EXPECT_THROW(load("/dev/null"), ExchangeError);
 }
 
 std::string net_complaint(const certify::NetDocument& net) {
   try {
     static_cast<void>(triangulation_stream(net));
-  } catch (const TriangulationStreamError& error) {
+  } catch (const ExchangeError& error) {
     return error.what();
   }
   return "accepted";
@@ -522,7 +524,7 @@ RC_GTEST_PROP(TriangulationStreamProperty, ChangedByteIsAnErrorOrTheSame, (std::
     const Surface surface = develop(read_triangulation_stream(text, "f"), "f");
     // White space, or a surface with another lift of the anchor: there is no other one close by.
     RC_ASSERT(ratios(triangulation_stream(surface)) == ratios(sample()));
-  } catch (const TriangulationStreamError& error) {
+  } catch (const ExchangeError& error) {
     RC_ASSERT(std::string(error.what()).find('\n') == std::string::npos);
   }
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "netgen/exchange/domain_format.h"
+#include "netgen/exchange/exchange.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 #include "triangulation/flip.h"
@@ -34,7 +35,8 @@ inline const std::deque<NamedSurface>& gallery() {
       result.push_back({"octagon " + std::to_string(seed), random_octagon(seed)});
     }
     for (const char* name : {"g2-small", "g2-theta", "g2-thin-1e-4", "g3-rnd0", "g4-treeloops", "g5-rnd0", "g8-rnd0"}) {
-      result.push_back({name, load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt")});
+      result.push_back(
+          {name, import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt")});
     }
     return result;
   }();

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "netgen/exchange/domain_format.h"
+#include "netgen/exchange/exchange.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/polygons.h"
 #include "triangulation/glued_polygons.h"
@@ -48,7 +49,7 @@ TEST(Surface, OctagonHasGenusTwoAndOneVertex) {
 
 TEST(Surface, CrossingTakesASideToItsPartnerReversed) {
   for (const auto& path : test::data_files("polygons")) {
-    const Surface surface = load_domain(path);
+    const Surface surface = import_surface_file(path);
     ASSERT_EQ(surface.tiles().size(), 1U);
     const Tile& tile = surface.tiles()[0];
     for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
@@ -210,7 +211,7 @@ TEST(Surface, SeveralTilesInTheirOwnCoordinates) {
 
 TEST(Surface, CoordinatesOfAThousandDigits) {
   PairedPolygon polygon =
-      test::paired_polygon(load_domain(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g5-rnd0.txt"));
+      test::paired_polygon(import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g5-rnd0.txt"));
   // An isometry whose centre has numerators and denominators of 600 digits.
   const Integer power = pow(Integer(10), 600);
   polygon.vertices =
@@ -242,7 +243,7 @@ TEST(Surface, IsThereAfterItWasMovedFrom) {
 
 TEST(Surface, SidesAroundATile) {
   for (const auto& path : test::data_files("polygons")) {
-    const Surface surface = load_domain(path);
+    const Surface surface = import_surface_file(path);
     for (std::uint32_t tile = 0; tile < surface.tiles().size(); ++tile) {
       const auto n = static_cast<std::uint32_t>(surface.tiles()[tile].size());
       for (std::uint32_t k = 0; k < n; ++k) {
@@ -255,7 +256,7 @@ TEST(Surface, SidesAroundATile) {
 
 TEST(Surface, CornerCyclesGoOnceAroundAVertex) {
   for (const auto& path : test::data_files("polygons")) {
-    const Surface surface = load_domain(path);
+    const Surface surface = import_surface_file(path);
     for (std::uint32_t corner = 0; corner < surface.side_count(); ++corner) {
       Word cycle = surface.corner_cycle(corner);
       EXPECT_EQ(cycle.front(), corner) << path;
@@ -291,7 +292,8 @@ TEST(GluedPolygons, ARowOfTilesThatEndsAtOnceIsNoInput) {
 
 RC_GTEST_PROP(SurfaceProperty, RelabelledOrMovedPolygonIsTheSameSurface, ()) {
   const auto files = test::data_files("polygons");
-  PairedPolygon polygon = test::paired_polygon(load_domain(files[*rc::gen::inRange<std::size_t>(0, files.size())]));
+  PairedPolygon polygon =
+      test::paired_polygon(import_surface_file(files[*rc::gen::inRange<std::size_t>(0, files.size())]));
   const Surface before = polygon.surface();
   polygon = test::rotated(polygon, *rc::gen::inRange<std::uint32_t>(0, before.side_count()));
   polygon.vertices = test::moved(*test::isometries(), polygon.vertices);

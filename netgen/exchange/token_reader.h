@@ -1,29 +1,23 @@
 #pragma once
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <concepts>
 #include <cstdint>
-#include <cstdio>
-#include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <vector>
 
 #include "certify/document/text.h"
 #include "kernel/numbers.h"
 #include "netgen/base/gmp.h"
+#include "netgen/exchange/exchange.h"
 
-/// What the readers of text formats share: words separated by white space, and the line that each is on.
 namespace epsnet {
 
-/// The words of a text, read one after the other. Everything that is not as expected throws `Error`, an exception made
-/// from one line of text: "NAME:LINE: what was wrong, what was expected".
-template <class Error>
+/// The words of a text, separated by white space, read one after the other. Everything that is not as expected throws
+/// ExchangeError.
 class TokenReader {
  public:
   /// Keeps a reference to the text, which must outlive it. `name` stands for the text in messages.
@@ -72,7 +66,7 @@ class TokenReader {
   [[nodiscard]] std::size_t line() const { return line_; }
   [[noreturn]] void fail(const std::string& message) const { fail_at(line_, message); }
   [[noreturn]] void fail_at(std::size_t line, const std::string& message) const {
-    throw Error(name_ + ":" + std::to_string(line) + ": " + message);
+    throw ExchangeError(name_ + ":" + std::to_string(line) + ": " + message);
   }
 
  private:
@@ -89,24 +83,5 @@ class TokenReader {
   std::string name_;
   std::size_t line_ = 1;
 };
-
-/// The contents of a file of at most 256 MiB. Throws `Error` where the file cannot be read.
-template <class Error>
-[[nodiscard]] std::string read_text_file(const std::filesystem::path& path) {
-  constexpr std::size_t kMaxFileSize = std::size_t{256} << 20;
-  const std::string name = path.string();
-  const auto fail = [&](const std::string& what) { throw Error(name + ": " + what); };
-  const auto reason = [] { return std::system_category().message(errno); };
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"), &std::fclose);
-  if (!file) fail("cannot be opened: " + reason());
-  std::string text;
-  std::vector<char> block(std::size_t{1} << 16);
-  while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
-    if (count > kMaxFileSize - text.size()) fail("is larger than 256 MiB");
-    text.append(block.data(), count);
-  }
-  if (std::ferror(file.get()) != 0) fail("cannot be read: " + reason());
-  return text;
-}
 
 }  // namespace epsnet

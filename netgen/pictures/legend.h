@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What colours mean, and which there are beside the palette.
+namespace epsnet {
+
+/// From pale yellow, at 0, to blue, at 1, in 24 steps: few colours make a short file.
+[[nodiscard]] std::string shade(double share);
+
+/// The golden angle keeps the hues of neighbouring numbers apart.
+[[nodiscard]] std::string chart_colour(std::uint32_t chart);
+
+/// Text between the tags of XML.
+[[nodiscard]] std::string escaped(const std::string& text);
+
+/// How a legend shows what a name stands for.
+enum class Mark { area, line, dot };
+
+/// Rows of marks and names in the upper left corner, which the disk leaves free; names have a margin of white, so that
+/// they can be read on anything.
+class Legend {
+ public:
+  /// A unit is as many pixels.
+  explicit Legend(double unit) : unit_(unit) {}
+
+  void add(Mark mark, const std::string& colour, const std::string& name);
+  /// Several areas with short names to a row.
+  void add_areas(const std::vector<std::pair<std::string, std::string>>& colours_and_names);
+  void add_text_row(const std::string& text);
+
+  /// The group of SVG elements.
+  [[nodiscard]] std::string group() const;
+
+ private:
+  [[nodiscard]] std::string length(double units) const;
+  void next_row() { y_ += 18; }
+  void add_text(const std::string& text, double x);
+  void add_mark(Mark mark, const std::string& colour, double x);
+
+  double unit_;
+  double y_ = 0;
+  std::string marks_;
+  std::string texts_;
+};
+
+}  // namespace epsnet

@@ -1,0 +1,160 @@
+#include "netgen/pictures/svg_path.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+#include "kernel/isometry.h"
+
+namespace epsnet {
+namespace {
+
+using Point = Complex<double>;
+
+/// The Euclidean radius of the geodesic through u and v, for |u|, |v| < 1; the sign says on which side of it 0 lies
+/// (positive: left). 0 for a diameter.
+double curvature(const Point& u, const Point& v) {
+  // The centre c of a circle orthogonal to the unit circle has 2 Re(c̄z) = 1 + |z|² for its points z, and radius² = |c|²
+  // − 1.
+  const double twice_area = cross(u, v);
+  const double a = 1 + norm(u);
+  const double b = 1 + norm(v);
+  // 2c·cross(u, v) = (a v − b u) turned by −90°; so with w = a v − b u, radius² = (|w|² − 4 cross²)/(4 cross²).
+  const double rest = norm(a * v - b * u) - 4 * twice_area * twice_area;
+  if (!(rest > 0)) return 0;
+  return 2 * twice_area / std::sqrt(rest);
+}
+
+/// Writes x/100 without trailing zeros.
+void append_hundredths(std::string& out, std::int64_t x) {
+  if (x < 0) out += '-';
+  const std::int64_t a = std::abs(x);
+  const std::int64_t rest = a % 100;
+  if (a >= 100 || rest == 0) out += std::to_string(a / 100);
+  if (rest == 0) return;
+  out += '.';
+  out += static_cast<char>('0' + rest / 10);
+  if (rest % 10 != 0) out += static_cast<char>('0' + rest % 10);
+}
+
+/// A number with a space in front unless a sign separates it already.
+void append_separated(std::string& out, std::int64_t x) {
+  if (x >= 0) out += ' ';
+  append_hundredths(out, x);
+}
+
+}  // namespace
+
+Place Paper::place(const Point& z) const {
+  return {std::llround(100 * (middle_ + radius_ * z.x)), std::llround(100 * (middle_ - radius_ * z.y))};
+}
+
+void Path::move(const Point& z) {
+  const Place place = paper_->place(z);
+  if (!data_.empty() && place == last_) return;
+  append('m', place);
+}
+
+void Path::geodesic(const Point& u, const Point& v) {
+  const Place place = paper_->place(v);
+  if (place == last_) return;
+  const double k = curvature(u, v);
+  const double chord = paper_->radius() * std::sqrt(norm(v - u));
+  const double radius = paper_->radius() / std::abs(k);  // Infinite for a diameter.
+  // The arc is chord²/(8 radius) away from the chord.
+  if (chord * chord <= 8 * 0.01 * radius) {
+    append('l', place);
+    return;
+  }
+  // With 0 on the left (k > 0) the arc bends to the left on its way, and paper has y downwards: that is sweep 1.
+  append_arc(std::llround(100 * radius), k > 0 ? " 0 0 1" : " 0 0 0");
+  append('a', place);
+}
+
+void Path::circle(const Point& z, double radius) {
+  const double t = std::tanh(radius / 2);
+  const double scale = 1 / (1 - t * t * norm(z));
+  const auto r = std::llround(100 * paper_->radius() * t * (1 - norm(z)) * scale);
+  if (r < 10) return;
+  Place left = paper_->place((1 - t * t) * scale * z);
+  left.x -= r;
+  append('m', left);
+  for (const std::int64_t way : {2 * r, -2 * r}) {
+    append_arc(r, " 0 1 0");
+    append('a', {left.x + (way > 0 ? way : 0), left.y});
+  }
+  close();
+}
+
+void Path::dot(const Point& z) {
+  move(z);
+  data_ += "h0";
+  command_ = 'h';
+}
+
+void Path::close() {
+  data_ += 'z';
+  command_ = 'z';
+}
+
+void Path::append(char command, const Place& place) {
+  if (command == command_ || (command == 'l' && command_ == 'm')) {
+    append_separated(data_, place.x - last_.x);
+  } else {
+    data_ += command;
+    append_hundredths(data_, place.x - last_.x);
+  }
+  append_separated(data_, place.y - last_.y);
+  command_ = command;
+  last_ = place;
+}
+
+void Path::append_arc(std::int64_t r, const char* flags) {
+  data_ += 'a';
+  append_hundredths(data_, r);
+  append_separated(data_, r);
+  data_ += flags;
+  command_ = 'a';
+}
+
+Path& PathsByWidth::at(double share) {
+  const double least = std::min(1.0, 0.05 / widest_);
+  const auto rank = static_cast<int>(std::lround(-4 * std::log2(std::clamp(share, least, 1.0))));
+  return paths_.try_emplace(rank, *paper_).first->second;
+}
+
+bool PathsByWidth::add_tapered(const Point& u, const Point& v) {
+  const double chord = std::sqrt(norm(v - u));
+  if (chord * paper_->radius() < 0.1) return false;
+  // Along a geodesic the scale changes by at most e^length.
+  const double length = 2 * std::asinh(chord / std::sqrt(std::max(1e-30, (1 - norm(u)) * (1 - norm(v)))));
+  const int pieces = std::clamp(static_cast<int>(std::ceil(length / 0.8)), 1, 64);
+  // The geodesic seen from u is a straight line.
+  const Isometry<double> to_u = Isometry<double>::translation(u);
+  const Point direction = inverse(to_u)(v);
+  const double reach = std::sqrt(norm(direction));
+  Point from = u;
+  for (int i = 1; i <= pieces; ++i) {
+    const Point to = i == pieces ? v : to_u(std::tanh(length * i / (2.0 * pieces)) / reach * direction);
+    const Point middle = 0.5 * (from + to);
+    Path& path = at(1 - norm(middle));
+    path.move(from);
+    path.geodesic(from, to);
+    from = to;
+  }
+  return true;
+}
+
+void PathsByWidth::append_to(std::string& out) const {
+  for (const auto& [rank, path] : paths_)
+    out += "<path stroke-width=\"" + fixed(widest_ * std::pow(2, -0.25 * rank), 3) + "\" d=\"" + path.data() + "\"/>\n";
+}
+
+std::string fixed(double x, int digits) {
+  std::array<char, 64> buffer;
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x, std::chars_format::fixed, digits);
+  return {buffer.data(), result.ptr};
+}
+
+}  // namespace epsnet

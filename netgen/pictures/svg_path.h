@@ -1,0 +1,93 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "kernel/complex.h"
+
+/// Geodesics on paper: the disk in pixels, SVG paths.
+namespace epsnet {
+
+/// A place on paper in hundredths of a pixel, the resolution of the file.
+struct Place {
+  std::int64_t x;
+  std::int64_t y;
+  bool operator==(const Place&) const = default;
+  bool operator<(const Place& other) const { return std::pair(x, y) < std::pair(other.x, other.y); }
+};
+
+/// The disk on paper: centre in the middle, y upwards.
+class Paper {
+ public:
+  explicit Paper(std::uint32_t size) : radius_(0.485 * size), middle_(0.5 * size) {}
+
+  [[nodiscard]] double radius() const { return radius_; }  ///< Of the disk, in pixels.
+  [[nodiscard]] double middle() const { return middle_; }
+  [[nodiscard]] Place place(const Complex<double>& z) const;
+  /// The length on paper of a small segment of hyperbolic length 1 at z.
+  [[nodiscard]] double scale(const Complex<double>& z) const { return radius_ * std::max(0.0, 1 - norm(z)) / 2; }
+
+ private:
+  double radius_;
+  double middle_;
+};
+
+/// The data of an SVG path, in relative coordinates from rounded place to rounded place, so that rounding does not add
+/// up. Keeps a reference to the paper.
+class Path {
+ public:
+  explicit Path(const Paper& paper) : paper_(&paper) {}
+  explicit Path(const Paper&&) = delete;
+
+  void move(const Complex<double>& z);
+  /// The geodesic from u to v; the pen is at u.
+  void geodesic(const Complex<double>& u, const Complex<double>& v);
+  /// The hyperbolic circle of a radius about z, a Euclidean one. Nothing if it is smaller than a fifth of a pixel.
+  void circle(const Complex<double>& z, double radius);
+  void dot(const Complex<double>& z);
+  void close();
+
+  [[nodiscard]] const std::string& data() const { return data_; }
+
+ private:
+  /// The command and the way to the place; the letter is left out where it goes without saying: a line after a line or
+  /// a move.
+  void append(char command, const Place& place);
+  /// The parameters of an arc of a circle of radius r, in hundredths of a pixel, but for its end.
+  void append_arc(std::int64_t r, const char* flags);
+
+  const Paper* paper_;
+  std::string data_;
+  char command_ = 'z';
+  Place last_{};  ///< Where the pen is. The first move is from 0.
+};
+
+/// Paths in classes of stroke width: powers of ∜2, too fine to see, the widest first. Keeps a reference to the paper.
+class PathsByWidth {
+ public:
+  PathsByWidth(const Paper& paper, double widest) : paper_(&paper), widest_(widest) {}
+  PathsByWidth(const Paper&&, double) = delete;
+
+  /// The path for strokes of a share, at most 1, of the greatest width. Strokes of less than a twentieth of a pixel
+  /// vanish in some renderers, which shows as an edge in the shading of fine nets; that is the least.
+  [[nodiscard]] Path& at(double share);
+
+  /// Adds the geodesic from u to v, in pieces if it is so long that its stroke has to taper. False if it is too small
+  /// to see.
+  bool add_tapered(const Complex<double>& u, const Complex<double>& v);
+
+  void append_to(std::string& out) const;
+
+ private:
+  const Paper* paper_;
+  double widest_;
+  std::map<int, Path> paths_;
+};
+
+/// x with a fixed number of digits after the point.
+[[nodiscard]] std::string fixed(double x, int digits);
+
+}  // namespace epsnet
