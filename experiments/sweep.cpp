@@ -149,8 +149,9 @@ class Sweep {
 /// What the records depend on besides the surface, and their columns.
 std::string way(const Request& request) {
   if (request.systoles) return std::string("systole\n") + kSystoleColumns;
-  std::string result = "insertion " + name(request.options.insertion) + ", walk " + name(request.options.walk) +
-                       ", list " + name(request.options.list) + ", epsilon";
+  std::string result = "insertion ";
+  result.append(name(request.options.insertion)).append(", walk ").append(name(request.options.walk));
+  result.append(", list ").append(name(request.options.list)).append(", epsilon");
   for (const std::string& epsilon : request.epsilons) result += ' ' + epsilon;
   return result + '\n' + net_record_columns();
 }
