@@ -12,6 +12,7 @@ namespace epsnet {
 
 /// One lift of every triangle of a net in the Poincaré disk, connected, with one vertex in the centre.
 struct Lifts {
+  /// A triangle in the disk.
   struct LiftedTriangle {
     std::uint32_t triangle;
     std::uint32_t placement;  ///< Index in `placements`.

@@ -36,6 +36,7 @@ struct Parts {
   std::vector<Isometry<T>> crossings;  ///< By side number: from the coordinates of its tile to those of its partner's.
   std::vector<Isometry<T>> frames;     ///< By chart: from its coordinates to those of its tile.
 
+  /// Evaluates them.
   Parts(const certify::NetDocument& document, const certify::SurfaceSides& sides);
 };
 
@@ -50,6 +51,7 @@ struct PreciseIsometry {
   Isometry<double> rounded;
 
   PreciseIsometry() = default;
+  /// Rounds an isometry.
   explicit PreciseIsometry(const Isometry<Mp256>& f) : precise(f), rounded(convert<double>(f)) {}
 };
 
@@ -62,6 +64,7 @@ class NetGeometry {
   explicit NetGeometry(const certify::NetDocument& document);
   explicit NetGeometry(const certify::NetDocument&&) = delete;  // It would be gone.
 
+  /// The document as given.
   [[nodiscard]] const certify::NetDocument& document() const { return *document_; }
 
   /// The label with this number (certify::corner_label; 0 is the identity), from the chart of its vertex to the chart

@@ -26,6 +26,7 @@ class PantsGraph {
     std::uint32_t cuff;
     bool operator==(const End&) const = default;
   };
+  /// The two cuffs that an edge joins.
   using Edge = std::array<End, 2>;
 
   /// From the nodes at the two ends of every edge. A node's cuffs are numbered in the order in which the edges name it.
@@ -43,8 +44,11 @@ class PantsGraph {
   /// The edges "0-1 0-1 0-1" of a list; separators are spaces and commas. Throws PantsGraphError, also for bad syntax.
   [[nodiscard]] static PantsGraph parse(std::string_view text);
 
+  /// Of the surfaces with this graph.
   [[nodiscard]] std::uint32_t genus() const { return static_cast<std::uint32_t>(edges_.size() / 3 + 1); }
+  /// The number of nodes, 2g − 2.
   [[nodiscard]] std::uint32_t pants_count() const { return 2 * genus() - 2; }
+  /// The edges in the order in which they were given.
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
   /// The number of the edge at a cuff.
   [[nodiscard]] std::uint32_t edge_at(std::uint32_t pants, std::uint32_t cuff) const { return at_[3 * pants + cuff]; }
