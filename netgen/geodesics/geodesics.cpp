@@ -19,6 +19,13 @@
 namespace epsnet {
 namespace {
 
+/// Those of the net for a search. (A function: of the temporary g++ 12 warns that it may be used uninitialized.)
+NetOptions net_options(const GeodesicsOptions& options) {
+  NetOptions result;
+  result.progress = options.progress;
+  return result;
+}
+
 /// A net, and which of its vertices lie so deep in collars that only the cores pass them.
 ///
 /// A closed geodesic that is not the core of one of the collars has a point outside of all of them (docs/geodesics.md),
@@ -29,8 +36,7 @@ class Search {
   Search(const Surface& surface, const GeodesicsOptions& options)
       : options_(options),
         epsilon_(static_cast<double>(options.epsilon.value())),
-        triangulation_(
-            triangulated_net(surface, options.epsilon, NetOptions{.progress = options.progress}).triangulation),
+        triangulation_(triangulated_net(surface, options.epsilon, net_options(options)).triangulation),
         unfolding_(triangulation_, epsilon_),
         deep_(triangulation_.vertex_count()) {
     AxisCatalogue<Mp1024> exact(triangulation_);
