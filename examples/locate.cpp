@@ -51,11 +51,6 @@ epsnet::Placement locate(const epsnet::NetGeometry& geometry, epsnet::Placement 
   }
 }
 
-double distance(const Point& p, const Point& q) {
-  const Number ratio = norm(p - q) / ((1 - norm(p)) * (1 - norm(q)));
-  return 2 * std::asinh(std::sqrt(static_cast<double>(ratio)));
-}
-
 int main() {
   const epsnet::CertifiedNet result = epsnet::certified_net(epsnet::random_octagon(123), epsnet::Length("0.25"));
   const epsnet::NetGeometry geometry(result.net);
@@ -66,7 +61,7 @@ int main() {
     const epsnet::Placement found = locate(geometry, start, point);
     double nearest = std::numeric_limits<double>::infinity();
     for (const Point& corner : corners(geometry, found)) {
-      nearest = std::min(nearest, distance(point, corner));
+      nearest = std::min(nearest, static_cast<double>(epsnet::distance(point, corner)));
     }
     // The net is a covering: this is never more than 0.25.
     std::cout << '(' << x << ", " << y << "): triangle " << found.triangle << ", nearest corner at " << nearest << '\n';

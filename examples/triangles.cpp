@@ -20,11 +20,6 @@
 
 using Point = epsnet::Complex<double>;  // A point x + iy of the Poincaré disk.
 
-// The hyperbolic distance of two points of the disk.
-double distance(const Point& p, const Point& q) {
-  return 2 * std::asinh(std::sqrt(norm(p - q) / ((1 - norm(p)) * (1 - norm(q)))));
-}
-
 // The angle at p of the triangle pqr: with p moved to 0 the two sides are straight.
 double angle(const Point& p, const Point& q, const Point& r) {
   const auto to_centre = epsnet::Isometry<double>::translation(-p);
@@ -50,7 +45,7 @@ int main() {
     for (std::uint32_t i = 0; i < 3; ++i) {
       const Point& next = p[(i + 1) % 3];
       area -= angle(p[i], next, p[(i + 2) % 3]);
-      const double length = distance(p[i], next);
+      const double length = epsnet::distance(p[i], next);
       shortest = std::min(shortest, length);
       longest = std::max(longest, length);
       sum += length;

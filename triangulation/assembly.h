@@ -2,16 +2,9 @@
 
 #include <span>
 
-#include "triangulation/error.h"
 #include "triangulation/triangulation.h"
 
 namespace epsnet {
-
-/// Vertices and triangles that are no triangulation; what() names the first element that is wrong.
-class TriangulationError : public Error {
- public:
-  using Error::Error;
-};
 
 /// The triangulation of these vertices and triangles, whose charts and labels are those of the atlas; nothing is
 /// flipped or renumbered. Throws TriangulationError if it is not sound (`problem`). O(n).

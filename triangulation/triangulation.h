@@ -10,6 +10,7 @@
 #include "triangulation/atlas.h"
 #include "triangulation/base_point.h"
 #include "triangulation/dart.h"
+#include "triangulation/error.h"
 #include "triangulation/threshold.h"
 
 namespace epsnet {
@@ -54,14 +55,20 @@ struct Corner {
   bool operator==(const Corner&) const = default;
 };
 
+/// Vertices and triangles that are no triangulation; what() names the first element that is wrong.
+class TriangulationError : public Error {
+ public:
+  using Error::Error;
+};
+
 /// A geometric triangulation of a closed hyperbolic surface by geodesic triangles, in local coordinates.
 ///
 /// A combinatorial map whose triangle corners carry isometries. One vertex, loops, multiple edges and triangles that
 /// share several edges are normal. Not copied by accident: `clone` does that.
 ///
-/// The data, darts and predicates; what changes or searches a triangulation is in files of its own (walk.h, flip.h,
-/// insertion.h, contraction.h, journal.h, problem.h). Predicates and labels may add labels to the atlas, so most need a
-/// triangulation that is not const.
+/// The data, darts and predicates; `locate` (walk.h) searches one. What changes it serves the refinement of nets and is
+/// not installed (docs/design.md). Predicates and labels may add labels to the atlas, so most need a triangulation that
+/// is not const.
 class Triangulation {
  public:
   /// The tiles of the surface cut into triangles; the vertices are the vertex classes of the tiles, exactly. With a

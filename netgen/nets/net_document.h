@@ -20,7 +20,7 @@ namespace epsnet {
 /// or computed anew, so that net_document gives the same document again if it made the first one. Collars are no part
 /// of a triangulation: those of a pseudo net are left out, and epsilon is. Whether it is a net is not asked.
 ///
-/// Throws SurfaceError if there is no such surface, TriangulationError (assembly.h) for charts, labels, vertices or
+/// Throws SurfaceError if there is no such surface, TriangulationError for charts, labels, vertices or
 /// triangles that do not fit, LimitError. O(size), and the time of `Surface` and of evaluating the labels.
 [[nodiscard]] Triangulation triangulation_of(const certify::NetDocument& net);
 
