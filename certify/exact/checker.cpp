@@ -54,9 +54,7 @@ struct Point {
 Point lowest_terms(Gaussian n, mpz_class m) {
   mpz_class common = gcd(gcd(n.re, n.im), m);
   if (common > 1) {
-    n.re /= common;
-    n.im /= common;
-    m /= common;
+    for (mpz_class* x : {&n.re, &n.im, &m}) *x /= common;
   }
   return {std::move(n), std::move(m)};
 }
@@ -99,16 +97,10 @@ bool is_identity(const Isometry& f) { return f.a.im == 0 && f.b.re == 0 && f.b.i
 /// z ↦ (z + c)/(1 + c̄z).
 Isometry translation_to(const Point& c) { return {{c.m, 0}, c.n}; }
 
-std::size_t bits(const Isometry& f) {
-  std::size_t result = 0;
-  for (const mpz_class* x : {&f.a.re, &f.a.im, &f.b.re, &f.b.im}) result += mpz_sizeinbase(x->get_mpz_t(), 2);
-  return result;
-}
-
-std::size_t bits(const Point& z) {
-  return mpz_sizeinbase(z.n.re.get_mpz_t(), 2) + mpz_sizeinbase(z.n.im.get_mpz_t(), 2) +
-         mpz_sizeinbase(z.m.get_mpz_t(), 2);
-}
+std::size_t bits(const mpz_class& n) { return mpz_sizeinbase(n.get_mpz_t(), 2); }
+std::size_t bits(const Gaussian& x) { return bits(x.re) + bits(x.im); }
+std::size_t bits(const Isometry& f) { return bits(f.a) + bits(f.b); }
+std::size_t bits(const Point& z) { return bits(z.n) + bits(z.m); }
 
 // ---- The document ------------------------------------------------------------------------------------------------
 
@@ -173,8 +165,12 @@ const std::vector<Json>& tuple(const Json& value, std::size_t size, const char* 
   return elements;
 }
 
+bool is_text(const Json& value, std::string_view text) {
+  return value.kind == Json::Kind::string && value.text == text;
+}
+
 void expect_text(const Json& value, std::string_view text, const char* what) {
-  if (value.kind != Json::Kind::string || value.text != text) throw Malformed(std::string(what) + " is another one");
+  if (!is_text(value, text)) throw Malformed(std::string(what) + " is another one");
 }
 
 Point read_rational_point(const Json& x, const Json& y) {
@@ -345,10 +341,7 @@ class Checker {
       const std::size_t size = net_.tiles[t].size();
       if (size < 3) throw Malformed("a tile has less than three vertices");
       first_side_.push_back(static_cast<Index>(tile_of_.size()));
-      for (Index k = 0; k < size; ++k) {
-        tile_of_.push_back(t);
-        vertex_of_.push_back(k);
-      }
+      tile_of_.insert(tile_of_.end(), size, t);
     }
     if (tile_of_.empty()) throw Malformed("there is no tile");
     constexpr Index kNone = 0xFFFFFFFFU;
@@ -418,16 +411,18 @@ class Checker {
 
   // Section 2: the surface.
 
-  [[nodiscard]] const Point& side_start(Index s) const { return net_.tiles[tile_of_[s]][vertex_of_[s]]; }
+  /// The vertex of its tile where a side starts.
+  [[nodiscard]] Index vertex_of(Index s) const { return s - first_side_[tile_of_[s]]; }
+  [[nodiscard]] const Point& side_start(Index s) const { return net_.tiles[tile_of_[s]][vertex_of(s)]; }
   [[nodiscard]] Index side_after(Index s) const {
-    return vertex_of_[s] + 1 < net_.tiles[tile_of_[s]].size() ? s + 1 : s - vertex_of_[s];
+    return vertex_of(s) + 1 < net_.tiles[tile_of_[s]].size() ? s + 1 : s - vertex_of(s);
   }
   [[nodiscard]] Index side_before(Index s) const {
-    return vertex_of_[s] > 0 ? s - 1 : s + static_cast<Index>(net_.tiles[tile_of_[s]].size()) - 1;
+    return vertex_of(s) > 0 ? s - 1 : s + static_cast<Index>(net_.tiles[tile_of_[s]].size()) - 1;
   }
   [[nodiscard]] const Point& side_end(Index s) const { return side_start(side_after(s)); }
   [[nodiscard]] std::string side_name(Index s) const {
-    return "side " + number(vertex_of_[s]) + " of tile " + number(tile_of_[s]);
+    return "side " + number(vertex_of(s)) + " of tile " + number(tile_of_[s]);
   }
 
   void check_surface() {
@@ -505,7 +500,7 @@ class Checker {
     for (Index first = 0; first < seen.size(); ++first) {
       if (seen[first]) continue;
       ++cycles;
-      const std::string name = "vertex " + number(vertex_of_[first]) + " of tile " + number(tile_of_[first]);
+      const std::string name = "vertex " + number(vertex_of(first)) + " of tile " + number(tile_of_[first]);
       std::vector<const Isometry*> path;
       Gaussian direction{1, 0};
       int turns = 0;
@@ -517,7 +512,7 @@ class Checker {
         const bool was_below = is_below(direction);
         direction = direction * interior_angle(s);
         if (was_below && !is_below(direction)) ++turns;
-        size += mpz_sizeinbase(direction.re.get_mpz_t(), 2) + mpz_sizeinbase(direction.im.get_mpz_t(), 2);
+        size += bits(direction);
         if (size > kMaxBitsOfDirections) throw TooLarge{"too many corners around " + name};
         path.push_back(&crossings_[s]);
         s = side_after(partner_[s]);
@@ -663,24 +658,19 @@ class Checker {
   static Bounds squared_sinh(const mpq_class& x) {
     if (x > 1000) throw TooLarge{"epsilon is greater than 1000"};
     // So many bits that the first term, x², has 256.
-    const auto size = static_cast<long>(mpz_sizeinbase(x.get_den_mpz_t(), 2)) -
-                      static_cast<long>(mpz_sizeinbase(x.get_num_mpz_t(), 2));
+    const auto size = static_cast<long>(bits(x.get_den())) - static_cast<long>(bits(x.get_num()));
     const auto k = static_cast<mp_bitcnt_t>(256 + 2 * std::max(size, 0L));
     if (k > 100'000) throw TooLarge{"epsilon is too small"};
-    const auto floor = [](const mpz_class& n, const mpz_class& d) {
-      mpz_class q;
-      mpz_fdiv_q(q.get_mpz_t(), n.get_mpz_t(), d.get_mpz_t());
-      return q;
-    };
     const mpz_class scale = mpz_class(1) << k;
-    const mpz_class low = floor(x.get_num() * x.get_num() * scale, x.get_den() * x.get_den());
+    const mpz_class low = x.get_num() * x.get_num() * scale / (x.get_den() * x.get_den());
     const mpz_class high = low + 1;
-    // Terms t_1 = x² and t_(i+1) = t_i 4x²/((2i + 1)(2i + 2)), rounded down and up.
+    // Terms t_1 = x² and t_(i+1) = t_i 4x²/((2i + 1)(2i + 2)), rounded down and up; quotients of integers are rounded
+    // down.
     mpz_class lower = low, upper = high, t = low, u = high;
     for (unsigned long i = 1;; ++i) {
       const mpz_class divisor = mpz_class((2 * i + 1) * (2 * i + 2)) << k;
-      t = floor(t * low * 4, divisor);
-      u = floor(u * high * 4, divisor) + 1;
+      t = t * low * 4 / divisor;
+      u = u * high * 4 / divisor + 1;
       lower += t;
       upper += u;
       // From here on each term is less than half of the one before: the rest is less than the last one.
@@ -727,7 +717,6 @@ class Checker {
   const Net& net_;
   std::vector<Index> first_side_;  ///< By tile.
   std::vector<Index> tile_of_;     ///< By side.
-  std::vector<Index> vertex_of_;   ///< By side: the vertex of the tile where it starts.
   std::vector<Index> partner_;     ///< By side.
   std::vector<Isometry> crossings_;
   std::int64_t euler_ = 0;
@@ -739,12 +728,12 @@ class Checker {
 std::optional<std::string> not_for_this_checker(const Json& root) {
   if (root.kind != Json::Kind::object) throw Malformed("expected an object");
   const Json& format = member(root, "format");
-  if (format.kind == Json::Kind::string && format.text == "epsnet-geodesics") return "a geodesics file";
+  if (is_text(format, "epsnet-geodesics")) return "a geodesics file";
   expect_text(format, "epsnet-net", "the format");
   if (find(root, "collars") != nullptr) return "a pseudo net";
   const Json* surface = find(root, "surface");
   const Json* kind = surface == nullptr ? nullptr : find(*surface, "kind");
-  if (kind != nullptr && kind->kind == Json::Kind::string && kind->text == "regular") return "a regular surface";
+  if (kind != nullptr && is_text(*kind, "regular")) return "a regular surface";
   return std::nullopt;
 }
 

@@ -12,10 +12,8 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Takes the digits at the beginning of the text away.
 std::string_view take_digits(std::string_view& text) {
-  std::size_t n = 0;
-  while (n < text.size() && is_digit(text[n])) ++n;
-  const std::string_view digits = text.substr(0, n);
-  text.remove_prefix(n);
+  const std::string_view digits = text.substr(0, text.find_first_not_of("0123456789"));
+  text.remove_prefix(digits.size());
   return digits;
 }
 
@@ -27,9 +25,46 @@ bool take(std::string_view& text, char c) {
 
 mpz_class integer(std::string_view digits) { return mpz_class(std::string(digits), 10); }
 
-mpz_class power_of_ten(unsigned long exponent) {
-  mpz_class result;
-  mpz_ui_pow_ui(result.get_mpz_t(), 10, exponent);
+/// A number as it is written, -?[0-9]+(\.[0-9]+)?([eE][+-]?[0-9]+)?: the integer `digits` times 10^exponent.
+struct Written {
+  bool good = false;  ///< The text is of this form.
+  bool negative = false;
+  std::string digits = {};  ///< Before and after the point.
+  long exponent = 0;        ///< Cut off at 10^15, which no digits of a file make up for.
+  std::size_t exponent_digits = 0;
+};
+
+Written as_written(std::string_view text) {
+  Written result;
+  result.negative = take(text, '-');
+  result.digits = take_digits(text);
+  result.good = !result.digits.empty();
+  if (take(text, '.')) {
+    const std::string_view fraction = take_digits(text);
+    result.good = result.good && !fraction.empty();
+    result.digits += fraction;
+    result.exponent = -static_cast<long>(fraction.size());
+  }
+  if (take(text, 'e') || take(text, 'E')) {
+    const bool down = take(text, '-');
+    if (!down) take(text, '+');
+    std::string_view power = take_digits(text);
+    result.exponent_digits = power.size();
+    result.good = result.good && !power.empty();
+    power.remove_prefix(std::min(power.find_first_not_of('0'), power.size()));
+    const long size = power.empty() ? 0 : power.size() > 15 ? 1'000'000'000'000'000 : std::stol(std::string(power));
+    result.exponent += down ? -size : size;
+  }
+  result.good = result.good && text.empty();
+  return result;
+}
+
+/// Its absolute value, not in lowest terms.
+mpq_class magnitude(const Written& number) {
+  mpq_class result(integer(number.digits));
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(number.exponent)));
+  (number.exponent < 0 ? result.get_den() : result.get_num()) *= power;
   return result;
 }
 
@@ -56,8 +91,7 @@ class Parser {
   }
 
   void expect(char c) {
-    skip_space();
-    if (at_ == text_.size() || text_[at_] != c) fail(std::string("expected '") + c + "'");
+    if (!next_is(c)) fail(std::string("expected '") + c + "'");
     ++at_;
   }
 
@@ -69,21 +103,17 @@ class Parser {
   Json value(int depth) {
     skip_space();
     Json result;
-    switch (peek()) {
-      case '{':
-        if (depth == kMaxDepth) fail("nested too deep");
-        object(result, depth + 1);
-        break;
-      case '[':
-        if (depth == kMaxDepth) fail("nested too deep");
-        array(result, depth + 1);
-        break;
-      case '"':
-        result.kind = Json::Kind::string;
-        result.text = string();
-        break;
-      default:
-        scalar(result);
+    const char c = peek();
+    if ((c == '{' || c == '[') && depth == kMaxDepth) fail("nested too deep");
+    if (c == '{') {
+      object(result, depth + 1);
+    } else if (c == '[') {
+      array(result, depth + 1);
+    } else if (c == '"') {
+      result.kind = Json::Kind::string;
+      result.text = string();
+    } else {
+      scalar(result);
     }
     return result;
   }
@@ -125,16 +155,11 @@ class Parser {
     result.kind = Json::Kind::literal;
     if (result.text == "true" || result.text == "false" || result.text == "null") return;
     result.kind = Json::Kind::number;
-    std::string_view rest = result.text;
-    take(rest, '-');
-    const std::string_view whole = take_digits(rest);
-    bool good = !whole.empty() && (whole.size() == 1 || whole.front() != '0');
-    if (take(rest, '.')) good = !take_digits(rest).empty() && good;
-    if (take(rest, 'e') || take(rest, 'E')) {
-      if (!take(rest, '-')) take(rest, '+');
-      good = !take_digits(rest).empty() && good;
-    }
-    if (!good || !rest.empty()) {
+    const Written number = as_written(result.text);
+    // Of several digits before the point the first is not 0.
+    const std::size_t first = number.negative ? 1 : 0;
+    const bool zeros = result.text.size() > first + 1 && result.text[first] == '0' && is_digit(result.text[first + 1]);
+    if (!number.good || zeros) {
       at_ = start;
       fail("not a value");
     }
@@ -163,10 +188,8 @@ class Parser {
     std::uint32_t code = hexadecimal();
     if (code >= 0xDC00 && code <= 0xDFFF) fail("a lone surrogate");
     if (code >= 0xD800 && code <= 0xDBFF) {
-      if (peek() != '\\') fail("a lone surrogate");
-      ++at_;
-      if (peek() != 'u') fail("a lone surrogate");
-      ++at_;
+      if (text_.substr(at_, 2) != "\\u") fail("a lone surrogate");
+      at_ += 2;
       const std::uint32_t low = hexadecimal();
       if (low < 0xDC00 || low > 0xDFFF) fail("a lone surrogate");
       code = 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00);
@@ -268,81 +291,40 @@ mpq_class to_rational(const Json& value) {
 }
 
 mpq_class to_decimal(const Json& value) {
-  std::string_view text = string_of(value, "a decimal in a string");
-  if (text.find('/') != std::string_view::npos) return to_rational(value);
-  const bool negative = take(text, '-');
-  const std::string_view whole = take_digits(text);
-  bool good = !whole.empty();
-  std::string_view fraction;
-  if (take(text, '.')) {
-    fraction = take_digits(text);
-    good = good && !fraction.empty();
-  }
-  long exponent = 0;
-  if (take(text, 'e') || take(text, 'E')) {
-    const bool down = take(text, '-');
-    if (!down) take(text, '+');
-    const std::string_view digits = take_digits(text);
-    good = good && !digits.empty() && digits.size() <= 4;
-    if (good) exponent = std::stol(std::string(digits));
-    if (down) exponent = -exponent;
-  }
-  if (!good || !text.empty() || whole.size() + fraction.size() > kMaxDigits) wrong(value, "a decimal");
-  exponent -= static_cast<long>(fraction.size());
-  const mpz_class mantissa = integer(std::string(whole).append(fraction));
-  const mpz_class scale = power_of_ten(static_cast<unsigned long>(std::abs(exponent)));
-  mpq_class result = exponent < 0 ? mpq_class(mantissa, scale) : mpq_class(mantissa * scale);
+  const std::string& text = string_of(value, "a decimal in a string");
+  if (text.find('/') != std::string::npos) return to_rational(value);
+  const Written number = as_written(text);
+  if (!number.good || number.exponent_digits > 4 || number.digits.size() > kMaxDigits) wrong(value, "a decimal");
+  mpq_class result = magnitude(number);
   result.canonicalize();
-  return negative ? mpq_class(-result) : result;
+  return number.negative ? mpq_class(-result) : result;
 }
 
 Binary64 to_binary64(const Json& value) {
   if (value.kind != Json::Kind::number) wrong(value, "a number");
-  std::string_view text = value.text;
-  const bool negative = take(text, '-');
-  std::string digits(take_digits(text));
-  long exponent = 0;
-  if (take(text, '.')) {
-    const std::string_view fraction = take_digits(text);
-    digits += fraction;
-    exponent = -static_cast<long>(fraction.size());
-  }
-  if (!text.empty()) {
-    text.remove_prefix(1);
-    const bool down = take(text, '-');
-    if (!down) take(text, '+');
-    const std::size_t zeros = std::min(text.find_first_not_of('0'), text.size());
-    text.remove_prefix(zeros);
-    // Beyond 10^15 no digits of a file make up for it.
-    const long written = text.empty() ? 0 : text.size() > 15 ? 1'000'000'000'000'000 : std::stol(std::string(text));
-    exponent += down ? -written : written;
-  }
-  const mpz_class mantissa = integer(digits);
-  if (mantissa == 0) return {};
-  const auto size = static_cast<long>(mpz_sizeinbase(mantissa.get_mpz_t(), 10));  // Or one more than the digits.
-  if (size + exponent < -330) return {};  // Less than 10^-330, half of the least binary64 is more.
-  if (size + exponent > 330) wrong(value, "a finite binary64 number");
-  mpz_class numerator = mantissa;
-  mpz_class denominator = 1;
-  (exponent < 0 ? denominator : numerator) *= power_of_ten(static_cast<unsigned long>(std::abs(exponent)));
+  const Written number = as_written(value.text);
+  const mpz_class digits = integer(number.digits);
+  if (digits == 0) return {};
+  const auto size = static_cast<long>(mpz_sizeinbase(digits.get_mpz_t(), 10));  // Or one more than the digits.
+  if (size + number.exponent < -330) return {};  // Less than 10^-330, half of the least binary64 is more.
+  if (size + number.exponent > 330) wrong(value, "a finite binary64 number");
+  const mpq_class exact = magnitude(number);
+  const mpz_class& numerator = exact.get_num();
+  const mpz_class& denominator = exact.get_den();
   // The quotient by 2^k has 53 bits, or k is that of the subnormal numbers.
   const auto bits = [](const mpz_class& x) { return static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2)); };
   long k = std::max(bits(numerator) - bits(denominator) - 53, -1074L);
-  const auto divide = [&](mpz_class& quotient, mpz_class& remainder, mpz_class& divisor) {
+  mpz_class quotient, remainder, divisor;
+  for (;; ++k) {
     const mpz_class dividend = k < 0 ? mpz_class(numerator << static_cast<mp_bitcnt_t>(-k)) : numerator;
     divisor = k < 0 ? denominator : mpz_class(denominator << static_cast<mp_bitcnt_t>(k));
     mpz_fdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), dividend.get_mpz_t(), divisor.get_mpz_t());
-  };
-  mpz_class quotient, remainder, divisor;
-  divide(quotient, remainder, divisor);
-  if (bits(quotient) > 53) {
-    ++k;
-    divide(quotient, remainder, divisor);
+    if (bits(quotient) <= 53) break;
   }
   const int half = cmp(2 * remainder, divisor);
   if (half > 0 || (half == 0 && mpz_odd_p(quotient.get_mpz_t()) != 0)) ++quotient;
   if (bits(quotient) + k > 1024) wrong(value, "a finite binary64 number");
-  return {negative ? mpz_class(-quotient) : quotient, k};
+  return {number.negative ? mpz_class(-quotient) : quotient, k};
 }
 
 }  // namespace epsnet::exact

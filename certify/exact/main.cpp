@@ -19,7 +19,14 @@ constexpr const char* kUsage =
     "The line of output is VERIFIED, REFUTED: rule: why, UNDECIDED: rule: why, or MALFORMED: why.\n"
     "Exit codes: 0 verified, 1 refuted, 2 undecided, 3 malformed file, 64 usage, 70 internal fault.\n";
 
-int run(const std::string& path) {
+}  // namespace
+
+int main(int argc, char** argv) try {
+  if (argc != 2 || std::string(argv[1]) == "--help") {
+    (argc == 2 ? std::cout : std::cerr) << kUsage;
+    return kExitUsage;
+  }
+  const std::string path = argv[1];
   std::ifstream file(path, std::ios::binary);
   std::istream& in = path == "-" ? std::cin : file;
   std::string text;
@@ -39,19 +46,7 @@ int run(const std::string& path) {
   if (!result.message.empty()) std::cout << ": " << result.message;
   std::cout << std::endl;
   return std::cout ? code : kExitInternal;
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-  if (argc != 2 || std::string(argv[1]) == "--help") {
-    (argc == 2 ? std::cout : std::cerr) << kUsage;
-    return kExitUsage;
-  }
-  try {
-    return run(argv[1]);
-  } catch (const std::exception& error) {
-    std::cerr << "certify-exact: internal fault: " << error.what() << '\n';
-    return kExitInternal;
-  }
+} catch (const std::exception& error) {
+  std::cerr << "certify-exact: internal fault: " << error.what() << '\n';
+  return kExitInternal;
 }
