@@ -411,7 +411,7 @@ TEST(PseudoCertificate, WhatIsNoCollarIsMalformed) {
     change(net.collars->front());
     return outcome(net);
   };
-  const std::string malformed = "MALFORMED: structure: collars[0]: ";
+  const std::string malformed = "MALFORMED: collars[0]: ";
   EXPECT_THAT(broken([](certify::NetDocument::Collar& c) { c.vertices[1] = 100000; }),
               HasSubstr(malformed + "vertex 100000"));
   EXPECT_THAT(broken([](certify::NetDocument::Collar& c) { c.triangles[0] = 100000; }),
