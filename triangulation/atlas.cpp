@@ -184,7 +184,7 @@ Word concatenated(const Surface& surface, Word first, const Word& then) {
   return first;
 }
 
-Atlas::Atlas(Surface surface_of_atlas) : surface_(std::move(surface_of_atlas)) {
+Atlas::Atlas(const Surface& surface_of_atlas) : surface_(surface_of_atlas) {
   const Surface& surface = surface_;
   for (std::uint32_t t = 0; t < surface.tiles().size() && !surface.is_regular(); ++t) {
     if (const double shortest = curve_bound(surface.tiles()[t]); shortest < kShortestCurve) {

@@ -46,7 +46,7 @@ class Atlas {
  public:
   /// Throws LimitError, which names the tile, if closed geodesics may be too short for labels
   /// to be told apart, that is about 10⁻²⁶.
-  explicit Atlas(Surface surface);
+  explicit Atlas(const Surface& surface);
 
   /// The surface whose charts these are.
   [[nodiscard]] const Surface& surface() const { return surface_; }

@@ -60,10 +60,8 @@ std::optional<InsertedVertex> insert_by_flips(Triangulation& triangulation, std:
   const std::vector<std::uint32_t> around =
       location.type == Location::Type::face ? split_face(triangulation, triangle_of(location.dart), v, label, journal)
                                             : split_edge(triangulation, location.dart, v, label, journal);
-  std::vector<Dart> pending;
-  for (const std::uint32_t s : around) {
-    pending.push_back(make_dart(s, 1));
-  }
+  std::vector<Dart> pending(around.size());
+  std::transform(around.begin(), around.end(), pending.begin(), [](std::uint32_t s) { return make_dart(s, 1); });
   const std::uint64_t flips = restore_delaunay(triangulation, pending, journal);
   // Flips leave the new vertex in the triangles that have it.
   const auto& corners = triangulation.triangle(around.front()).vertex;
