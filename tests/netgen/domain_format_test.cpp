@@ -183,6 +183,7 @@ TEST(DomainFormat, FilesThatCannotBeRead) {
   EXPECT_THROW(static_cast<void>(import_surface_file("/nonexistent/domain.txt")), certify::FileError);
   EXPECT_THROW(static_cast<void>(import_surface_file(EPSNET_TEST_DATA)), certify::FileError);
   EXPECT_THROW(static_cast<void>(import_surface_file("/dev/null", ExchangeFormat::domain)), certify::FileError);
+  EXPECT_THROW(static_cast<void>(import_surface("", "empty", ExchangeFormat::domain)), ExchangeError);
 }
 
 TEST(EarClipping, EarsWithVerticesOnTheirDiagonals) {

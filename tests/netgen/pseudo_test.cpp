@@ -409,6 +409,7 @@ TEST(PseudoCertificate, WhatIsNoCollarIsMalformed) {
   const auto broken = [](const auto& change) {
     NetDocument net = good();
     change(net.collars->front());
+    EXPECT_EQ(certify::check(net).rule, "structure");
     return outcome(net);
   };
   const std::string malformed = "MALFORMED: collars[0]: ";

@@ -421,6 +421,7 @@ TEST(TriangulationStream, FilesThatCannotBeRead) {
   EXPECT_THROW(load("/nonexistent"), certify::FileError);
   EXPECT_THROW(load(EPSNET_TEST_DATA), certify::FileError);
   EXPECT_THROW(load("/dev/null"), certify::FileError);
+  EXPECT_THROW((void)import_surface("", "empty", ExchangeFormat::triangulation), ExchangeError);
 }
 
 std::string net_complaint(const certify::NetDocument& net) {
