@@ -1,0 +1,278 @@
+#!/usr/bin/env python3
+"""Runs the tests against the mutants of the checkers (mutate.py) until one fails.
+
+run.py FOLDER all       [OPTIONS]   all mutants that have no result yet, then the report
+run.py FOLDER again     [OPTIONS]   those that survived, with the tests of now
+run.py FOLDER report    [OPTIONS]   counts, and the survivors without an argument; fails if there is one
+run.py FOLDER show      [OPTIONS]   every survivor without an argument: number, place, change, tests that reach it
+run.py FOLDER document              writes the table of docs/attack.md anew
+run.py FOLDER mutant NUMBER         runs all tests that reach this mutant, and says which see it
+run.py FOLDER fresh                 forgets all results
+
+FOLDER is tests/certify/mutants in a build folder. Options: --only REGEX (file:function), --runner NAME (certify, nets),
+--seconds S (tests of one mutant in all, without mutant; default 8), --jobs N (default 2), --tests REGEX.
+
+Results are kept in FOLDER/results.json under what is changed, not its number, so that they outlive other changes of the
+sources; `reach` is found anew whenever a runner is newer. Survivors are argued in survivors.json.
+"""
+import argparse
+import collections
+import importlib.util
+import json
+import os
+import re
+import subprocess
+import sys
+import threading
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+TOP = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
+RUNNERS = ("certify", "nets")
+DOCUMENT = os.path.join(TOP, "docs", "attack.md")
+
+
+def key_of(m):
+    return "|".join((m["file"], m["function"], m["line"], m["from"], m["to"], str(m["nth"])))
+
+
+class Folder:
+    def __init__(self, path):
+        self.path = path
+        with open(os.path.join(path, "tree", "mutants.json"), encoding="utf-8") as file:
+            self.mutants = json.load(file)
+        self.by_id = {m["id"]: m for m in self.mutants}
+        self.lock = threading.Lock()
+        self.results = {}
+        if os.path.exists(self.at("results.json")):
+            with open(self.at("results.json"), encoding="utf-8") as file:
+                self.results = json.load(file)
+
+    def at(self, name):
+        return os.path.join(self.path, name)
+
+    def save(self):
+        with open(self.at("results.json.new"), "w", encoding="utf-8") as file:
+            json.dump(self.results, file, ensure_ascii=False, indent=0)
+        os.replace(self.at("results.json.new"), self.at("results.json"))
+
+    def write_files(self):
+        script = os.path.join(os.path.dirname(HERE), "forgeries.py")
+        table = self.at("files/files.tsv")
+        if os.path.exists(table) and os.path.getmtime(table) > os.path.getmtime(script):
+            return
+        os.makedirs(self.at("files"), exist_ok=True)
+        sys.path.insert(0, os.path.dirname(script))
+        spec = importlib.util.spec_from_file_location("forgeries", script)
+        forgeries = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(forgeries)
+        lines = []
+        for name, entry in forgeries.entries.items():
+            with open(self.at(f"files/{name}.json"), "wb") as file:
+                file.write(forgeries.contents(name))
+            lines.append("\t".join((name, entry.certify, entry.exact, ",".join(sorted(entry.also)), entry.says)))
+        with open(table, "w", encoding="utf-8") as file:
+            file.write("\n".join(lines) + "\n")
+
+    def reach(self, runner):
+        """{mutant: [(milliseconds, test number, name)]} of the tests that pass."""
+        program, table = self.at("mutants_" + runner), self.at(f"reach-{runner}.tsv")
+        if not os.path.exists(table) or os.path.getmtime(table) < os.path.getmtime(program):
+            print(f"which mutants the tests of mutants_{runner} reach", flush=True)
+            with open(table + ".new", "w", encoding="utf-8") as file:
+                subprocess.run(["nice", program, self.at("files"), "--reach"], stdout=file, check=True)
+            os.replace(table + ".new", table)
+        result = collections.defaultdict(list)
+        with open(table, encoding="utf-8") as file:
+            for line in file:
+                number, time, passes, name, reached = line.rstrip("\n").split("\t")
+                if passes != "passes":
+                    print(f"without a mutant {name} fails", flush=True)
+                    continue
+                for m in reached.split():
+                    result[int(m)].append((float(time), int(number), name))
+        for tests in result.values():
+            tests.sort()
+        return result
+
+
+class Runner:
+    def __init__(self, folder, name):
+        self.process = subprocess.Popen(["nice", folder.at("mutants_" + name), folder.at("files"), "--run"],
+                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
+    def run(self, mutant, tests):
+        self.process.stdin.write(f"{mutant} " + " ".join(f"{t[1]}:{t[0]}" for t in tests) + "\n")
+        self.process.stdin.flush()
+        return self.process.stdout.readline().rstrip("\n").split("\t")
+
+
+def run(folder, runner, wanted, reach, options):
+    """Those that survive."""
+    killers = collections.defaultdict(list)  # By function: the tests that killed there last.
+    pending = collections.deque(wanted)
+    survivors, done = [], [0]
+
+    def work():
+        process = Runner(folder, runner)
+        while True:
+            with folder.lock:
+                if not pending:
+                    break
+                m = pending.popleft()
+                recent = killers[m["file"], m["function"]][-4:]
+            tests = [t for t in reach.get(m["id"], []) if re.search(options.tests, t[2])]
+            first = [t for t in tests if t[2] in recent]
+            order, spent = [], 0
+            for t in first + [t for t in tests if t not in first]:
+                if spent + t[0] > 1000 * options.seconds:
+                    break
+                spent += t[0]
+                order.append(t)
+            answer = process.run(m["id"], order) if order else [str(m["id"]), "survived", "", "0"]
+            with folder.lock:
+                done[0] += 1
+                entry = folder.results.setdefault(key_of(m), {})
+                entry["how"], entry["test"] = answer[1], answer[2]
+                entry["tests"] = len(order)
+                entry["reached"] = entry.get("reached", False) or bool(tests)
+                if answer[1] == "survived":
+                    survivors.append(m)
+                else:
+                    recent = killers[m["file"], m["function"]]
+                    if answer[2] in recent:
+                        recent.remove(answer[2])
+                    recent.append(answer[2])
+                if done[0] % 200 == 0:
+                    print(f"{runner}: {done[0]} of {len(wanted)}, {len(survivors)} survive", flush=True)
+                    folder.save()
+    threads = [threading.Thread(target=work) for _ in range(options.jobs)]
+    for t in threads:
+        t.start()
+    for t in threads:
+        t.join()
+    folder.save()
+    return survivors
+
+
+def arguments_of(folder):
+    """{key: why}; groups may name whole functions by giving neither line nor change."""
+    with open(os.path.join(HERE, "survivors.json"), encoding="utf-8") as file:
+        groups = json.load(file)
+    return groups
+
+
+def matches(entry, m):
+    return all(re.fullmatch(entry[k], m[k]) if k in ("file", "function") else entry[k] == m[k] for k in entry)
+
+
+def argued(groups, m):
+    for group in groups:
+        for entry in group["mutants"]:
+            if matches(entry, m):
+                return group
+    return None
+
+
+def report(folder, options, show=False):
+    groups = arguments_of(folder)
+    wanted = select(folder, options)
+    count = collections.Counter()
+    unexplained = []
+    for m in wanted:
+        result = folder.results.get(key_of(m))
+        how = result["how"] if result else "not run"
+        if how == "survived":
+            if argued(groups, m):
+                how = "argued"
+            else:
+                unexplained.append((m, result))
+        count[how] += 1
+    if show:
+        for m, result in unexplained:
+            print(f"{m['id']} {m['file']}:{m['line_number']} {m['function']} [{m['kind']}] {'' if result['reached'] else 'NOT REACHED '}"
+                  f"{m['from'][:110]}  =>  {m['to'][:110]}\n      {m['line'][:150]}")
+    print(", ".join(f"{how} {n}" for how, n in sorted(count.items())), f"of {len(wanted)}")
+    print(f"survivors without an argument: {len(unexplained)}")
+    return not unexplained
+
+
+def select(folder, options):
+    return [m for m in folder.mutants if re.search(options.only, m["file"] + ":" + m["function"])]
+
+
+def table(folder):
+    groups = arguments_of(folder)
+    rooms = collections.defaultdict(collections.Counter)
+    for m in folder.mutants:
+        parts = m["file"].split("/")
+        room = "certify" if len(parts) == 2 else "/".join(parts[:2])
+        result = folder.results.get(key_of(m), {"how": "not run"})
+        how = "argued" if result["how"] == "survived" and argued(groups, m) else result["how"]
+        rooms[room][how] += 1
+        rooms["all"][how] += 1
+    lines = ["| room | mutants | a test fails | crash | hang | survive, argued | survive |", "| --- | --- | --- | --- | --- | --- | --- |"]
+    for room in sorted(rooms, key=lambda r: (r == "all", r)):
+        c = rooms[room]
+        lines.append(f"| {room} | {sum(c.values())} | {c['failed']} | {c['crashed']} | {c['hung']} | {c['argued']} | {c['survived']} |")
+    lines += ["", "Why those that are argued change nothing:", ""]
+    for group in groups:
+        n = sum(any(matches(e, m) for e in group["mutants"]) for m in folder.mutants
+                if folder.results.get(key_of(m), {}).get("how") == "survived")
+        where = ", ".join(sorted({e["file"].replace("\\", "") for e in group["mutants"]}))
+        lines.append(f"* {group['why']} ({n}: {where})")
+    return "\n".join(lines) + "\n"
+
+
+def document(folder):
+    mark, end = "<!-- made by tests/certify/mutants/run.py document -->\n", "\n<!-- end of mutants -->"
+    with open(DOCUMENT, encoding="utf-8") as file:
+        head, found, rest = file.read().partition(mark)
+    assert found
+    _, _, tail = rest.partition(end)
+    with open(DOCUMENT, "w", encoding="utf-8") as file:
+        file.write(head + mark + table(folder) + end + tail)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder")
+    parser.add_argument("command", choices=("all", "again", "report", "show", "document", "mutant", "fresh"))
+    parser.add_argument("number", nargs="?", type=int)
+    parser.add_argument("--only", default="")
+    parser.add_argument("--runner", default=None)
+    parser.add_argument("--seconds", type=float, default=8)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--tests", default="")
+    options = parser.parse_args()
+    folder = Folder(options.folder)
+    if options.command == "fresh":
+        folder.results = {}
+        folder.save()
+        return
+    if options.command == "document":
+        document(folder)
+        return
+    runners = [options.runner] if options.runner else list(RUNNERS)
+    if options.command == "mutant":
+        folder.write_files()
+        m = folder.by_id[options.number]
+        print(json.dumps(m, indent=1, ensure_ascii=False))
+        for name in runners:
+            process = Runner(folder, name)
+            for t in folder.reach(name).get(options.number, []):
+                if re.search(options.tests, t[2]):
+                    print(f"{t[0]:8.1f} ms  {process.run(options.number, [t])[1]:9} {t[2]}", flush=True)
+        return
+    if options.command in ("all", "again"):
+        folder.write_files()
+        wanted = [m for m in select(folder, options)
+                  if (key_of(m) not in folder.results if options.command == "all"
+                      else folder.results.get(key_of(m), {}).get("how") == "survived")]
+        for name in runners:
+            wanted = run(folder, name, wanted, folder.reach(name), options)
+    if not report(folder, options, options.command == "show"):
+        sys.exit(1)
+
+
+if __name__ == "__main__":
+    main()
