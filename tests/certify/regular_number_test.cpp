@@ -1,5 +1,9 @@
 #include <array>
+#include <cmath>
 #include <complex>
+#include <flint/fmpz_lll.h>
+#include <flint/fmpz_mat.h>
+#include <flint/ulong_extras.h>
 #include <gtest/gtest.h>
 #include <numeric>
 #include <vector>
@@ -250,6 +254,76 @@ TEST(RegularCrossings, TheCornersCloseUpExactlyAndNotBefore) {
     }
     EXPECT_EQ(sign(twice_imaginary(product.a)), 0);
   }
+}
+
+/// The integer as itself, as a sum of ones that are doubled, and as a product of twos and sums with one.
+enum class Made { asItIs, bySums, byProducts };
+RegularNumber integer(const RegularRing& ring, long value, Made made) {
+  if (made == Made::asItIs) return integer(ring, value);
+  RegularNumber result = integer(ring, 0);
+  const unsigned long size = value < 0 ? -static_cast<unsigned long>(value) : static_cast<unsigned long>(value);
+  for (int bit = 63; bit >= 0; --bit) {
+    if (made == Made::bySums) {
+      result = result + result;
+    } else if (result.expression) {
+      result = integer(ring, 2) * result;
+    }
+    if (size >> bit & 1U) result = result + integer(ring, 1);
+  }
+  return value < 0 ? integer(ring, 0) - result : result;
+}
+
+TEST(RegularNumber, NumbersThatArePrimesOfTheFirstFieldsAreNotZero) {
+  // c₀ + c₁√2 + c₂s + c₃√2s of genus 2 that is 0 modulo a prime near 2⁶², with c as small as can be: its norm is hardly
+  // more than the prime. A norm bounded by half of its bits, or without the bits of sums, would call it 0.
+  const RegularRing ring(2);
+  const RegularNumber root = twice_real(power_of_zeta(ring, 1));
+  const RegularNumber s = regular_s(ring);
+  const double root_value = std::sqrt(2);
+  const double s_value = std::sqrt((1 + root_value) * (1 + root_value) - 1);
+  int seen = 0;
+  ulong p = (ulong{1} << 62) + 1;
+  for (int primes = 0; primes < 8; ++primes) {
+    do p -= 8;
+    while (!n_is_prime(p));
+    const ulong r = n_sqrtmod(2, p);
+    ASSERT_NE(r, 0U);
+    for (const ulong root_residue : {r, p - r}) {
+      // s² = a² − 1 with a = 1 + √2.
+      const ulong a = n_addmod(1, root_residue, p);
+      const ulong s_residue = n_sqrtmod(n_submod(n_mulmod2(a, a, p), 1, p), p);
+      if (s_residue == 0) continue;
+      for (const ulong t : {s_residue, p - s_residue}) {
+        fmpz_mat_t basis;
+        fmpz_mat_init(basis, 4, 4);
+        fmpz_set_ui(fmpz_mat_entry(basis, 0, 0), p);
+        const std::array<ulong, 3> residues{root_residue, t, n_mulmod2(root_residue, t, p)};
+        for (slong i = 1; i < 4; ++i) {
+          fmpz_set_ui(fmpz_mat_entry(basis, i, 0), p - residues[static_cast<std::size_t>(i - 1)]);
+          fmpz_one(fmpz_mat_entry(basis, i, i));
+        }
+        fmpz_lll_t lll;
+        fmpz_lll_context_init_default(lll);
+        fmpz_lll(basis, nullptr, lll);
+        for (slong i = 0; i < 4; ++i) {
+          std::array<long, 4> c{};
+          for (slong k = 0; k < 4; ++k) c[static_cast<std::size_t>(k)] = fmpz_get_si(fmpz_mat_entry(basis, i, k));
+          const double value = static_cast<double>(c[0]) + static_cast<double>(c[1]) * root_value +
+                               s_value * (static_cast<double>(c[2]) + static_cast<double>(c[3]) * root_value);
+          if (std::fabs(value) < 1) continue;
+          ++seen;
+          for (const Made made : {Made::asItIs, Made::bySums, Made::byProducts}) {
+            const auto number = [&](std::size_t k) { return integer(ring, c[k], made); };
+            const RegularNumber x = number(0) + number(1) * root + (number(2) + number(3) * root) * s;
+            EXPECT_EQ(sign(x), value > 0 ? 1 : -1);
+            EXPECT_EQ(sign(x - x), 0);
+          }
+        }
+        fmpz_mat_clear(basis);
+      }
+    }
+  }
+  EXPECT_GT(seen, 16);
 }
 
 }  // namespace

@@ -16,13 +16,13 @@ written in their stead is made of the text of the source. One change of a place 
   call         exchanged for its counterpart: bounds from below and above, rounding directions, sinh and cosh, ...
   dropped      a statement that is a call or an assignment
 
-What does not bear on a verdict is left out: messages, the account of work, the writer, the programs.
+What does not bear on a verdict is left out: messages, counts, the account of work, the bits of balls (the inclusion
+principle holds for any), the writer, the programs.
 """
 import concurrent.futures
 import json
 import os
 import re
-import shutil
 import subprocess
 import sys
 
@@ -32,7 +32,12 @@ LEFT_OUT = ("certify/program/", "certify/exact/main.cpp", "certify/file/writer."
 # Here texts are not only messages.
 TEXT_MATTERS = ("certify/exact/json.", "certify/document/text.", "certify/file/reader.")
 # Statements that only give memory back, ask for it, or count work.
-NO_EFFECT = re.compile(r"(_clear|_init|^reserve|^shrink_to_fit|^spend\w*|^progress\w*|^flint_cleanup|^report_progress)$")
+NO_EFFECT = re.compile(r"(_clear|_init|^reserve|^shrink_to_fit|^spend\w*|^progress\w*|^flint_cleanup|^report_progress|^used)$")
+# What is counted, and what an estimate of work or memory is: it can only make UNDECIDED of what is decided.
+COUNTED = re.compile(r"(^|[.>_])(max_precision|bits_used_|counts\.\w+|triangles_beyond_64_bits|threads_?|identities)$")
+ESTIMATES = re.compile(r"^spend|_work$|^work_|(^|_)bits$|^progress|_is_feasible$|^max_exact_bits")
+# Bits of a ball: the inclusion principle holds for any precision, and a lower one only leaves more open.
+PRECISIONS = re.compile(r"^k(\w*Precision|\w*Bits|ExactFrom\w*)$")
 
 NEIGHBOURS = {"<": ("<=", ">="), "<=": ("<", ">"), ">": (">=", "<="), ">=": (">", "<"), "==": ("!=",), "!=": ("==",)}
 SWAPS = {"+": "-", "-": "+", "*": "/", "/": "*", "<<": ">>", ">>": "<<", "&": "|", "|": "&", "^": "&",
@@ -117,10 +122,8 @@ class Reader:
                     self.plain(place["expansionLoc"])
                 else:
                     self.plain(place)
-        for key in ("inner",):
-            for child in node.get(key, ()):
-                if isinstance(child, dict):
-                    self.visit_locations(child)
+        for child in self.kids(node):
+            self.visit_locations(child)
 
     def span(self, node):
         """(tree, begin, end), or nothing if it is not in a file of certify/ or is the inside of a macro."""
@@ -227,7 +230,6 @@ class Reader:
         if t is None or t in ("true", "false"):
             return
         for value in force:
-            # The operands are still evaluated no more: a condition that throws or counts does so no longer.
             self.change(node, "condition", value)
 
     def binary(self, node, left, right):
@@ -249,6 +251,8 @@ class Reader:
             ordered = not any("Tri" in t or "Verdict" in t or "iterator" in t or "string" in t or "optional" in t or "*" in t
                               or "bool" == t or "dependent" in t or "Gaussian" in t for t in types)
             numbers = all(re.search(r"int|long|size_t|double|char|mpz|mpq|__gmp|short|difference_type", t) for t in types)
+            if y in ("0", "0U") and re.search(r"unsigned|size_t|uint", " ".join(types | {self.type_of(self.explicit(left))})):
+                numbers = False  # <= is ==.
             if operator in ("==", "!=") and ordered and numbers:
                 choice += ["<=", ">="] if operator == "==" else ["<", ">"]
             for other in choice:
@@ -274,7 +278,7 @@ class Reader:
         if "iterator" in self.type_of(left) + self.type_of(right) or "*" in self.type_of(left) + self.type_of(right):
             if "iterator" not in kind and "*" not in kind:
                 return operator  # The sum of two iterators is none.
-        if operator in SWAPS:
+        if operator in SWAPS and not re.search(r"precision", x + y):
             text = f"({x} {SWAPS[operator]} {y})"
             if '"' in x + y or "basic_string" in kind or any(self.is_text(k) for k in (left, right)):
                 return operator
@@ -312,7 +316,7 @@ class Reader:
             if len(self.kids(inner)) > 1 and self.is_text(self.kids(inner)[1]) and not self.text_matters(node):
                 return
         elif kind == "BinaryOperator":
-            if inner.get("opcode") != "=":
+            if inner.get("opcode") != "=" or COUNTED.search(self.text(self.kids(inner)[0]) or ""):
                 return
         elif kind not in ("CompoundAssignOperator", "UnaryOperator"):
             return
@@ -327,7 +331,7 @@ class Reader:
         if kind is None:
             return
         if kind in ("StaticAssertDecl", "EnumDecl", "ConstantExpr", "SubstNonTypeTemplateParmExpr", "TemplateArgument",
-                    "UnaryExprOrTypeTraitExpr", "TypeAliasDecl", "TypedefDecl", "ConceptDecl", "CXXCtorInitializer_"):
+                    "UnaryExprOrTypeTraitExpr", "TypeAliasDecl", "TypedefDecl", "ConceptDecl"):
             return
         kids = self.kids(node)
         if kind in ("FunctionDecl", "CXXMethodDecl", "CXXConstructorDecl", "CXXDestructorDecl", "CXXConversionDecl"):
@@ -339,7 +343,7 @@ class Reader:
             in_lambda = node.get("name") == "operator()" and self.function
             if re.fullmatch(r"(const )?(std::)?(string|string_view)", returns) and not self.text_matters(node) and not in_lambda:
                 return
-            if kind == "CXXDestructorDecl":
+            if kind == "CXXDestructorDecl" or ESTIMATES.search(node.get("name", "")):
                 return
             outer = (self.function, self.returns)
             if not in_lambda:
@@ -353,6 +357,8 @@ class Reader:
             outer = self.function
             for kid in kids:
                 if kid.get("kind") == "FieldDecl":
+                    if "int" in kid.get("type", {}).get("qualType", ""):
+                        continue  # Counts start from 0.
                     self.function = node.get("name", "?")
                     self.walk(kid)
                     self.function = outer
@@ -385,6 +391,8 @@ class Reader:
             # A message. What is called in it matters no more than it does.
             return
         t = self.text(node) if is_expression else None
+        if t and re.fullmatch(r"(\d+ \* )?(precision|max_precision_?|cap)|std::min\([^()]*precision[^()]*\)", t):
+            return
         if kind in ("BinaryOperator", "CompoundAssignOperator") and len(kids) == 2:
             self.binary(node, kids[0], kids[1])
         elif kind == "CXXOperatorCallExpr" and len(kids) == 3:
@@ -414,7 +422,7 @@ class Reader:
                 for other in ENUMERATORS.get(typed, ()):
                     if other != name:
                         self.change(node, "constant", t[:len(t) - len(name)] + other)
-            elif declared.get("id") in self.constants and re.fullmatch(r"(const )?(std::)?(u?int\d+_t|slong|ulong|(unsigned )?(int|long)|size_t|double|unsigned|mp_\w+)", declared.get("type", {}).get("qualType", "")):
+            elif declared.get("id") in self.constants and not PRECISIONS.search(name) and re.fullmatch(r"(const )?(std::)?(u?int\d+_t|slong|ulong|(unsigned )?(int|long)|size_t|double|unsigned|mp_\w+)", declared.get("type", {}).get("qualType", "")):
                 for new in (f"({t} + 1)", f"({t} - 1)", f"({t} * 2)", f"({t} / 2)"):
                     self.change(node, "constant", f"static_cast<std::decay_t<decltype({t})>>({new})")
         elif kind in ("CallExpr", "CXXMemberCallExpr"):
@@ -436,6 +444,8 @@ class Reader:
                 count = self.text(kids[1])
                 self.change(kids[1], "bound", f"mutant::one_less({count})")
                 self.change(kids[1], "bound", f"mutant::at_most_one({count})")
+            if re.match(r"(arb|acb)_", name) and len(kids) > 3 and self.type_of(self.explicit(kids[-1])) in ("int", "long"):
+                kids = kids[:-1]  # The precision.
             for left, right in (("FLOOR", "CEIL"), ("CEIL", "FLOOR")):
                 if t and "ARF_RND_" + left in t and len(t) < 200:
                     self.wrap(node, "call", None, (t.replace("ARF_RND_" + left, "ARF_RND_" + right), "direction"))
@@ -477,8 +487,6 @@ class Reader:
                         x, y = self.text(self.kids(c)[0]), self.text(self.kids(c)[1])
                         if x and y and re.search(r"int|long|size_t|unsigned", self.type_of(self.explicit(self.kids(c)[0]))):
                             self.change(c, "bound", f"({x} + 1 {c['opcode']} {y})")
-                if every[3].get("kind"):
-                    self.part(every[3]) if False else None
                 self.part(every[4])
         elif kind == "CXXForRangeStmt":
             every = node.get("inner", [])
@@ -524,9 +532,8 @@ class Reader:
             for k in self.kids(node):
                 if k.get("kind") in ("FieldDecl", "CXXMethodDecl"):
                     self.siblings[k.get("id")] = members
-        for kid in node.get("inner", ()):
-            if isinstance(kid, dict):
-                self.collect_constants(kid)
+        for kid in self.kids(node):
+            self.collect_constants(kid)
 
 
 def documents(text):
@@ -610,7 +617,7 @@ def render(tree, spans, number):
             if any(kind in ("condition", "logic", "comparison") for kind, _ in tree.changes[span].values()):
                 body = f"static_cast<bool>({body})"
             body = f"mutant::value({body})" if valued else body
-            chain = "".join(f"mutant::at({n}) ? {r if same or not valued else r} : " for n, r, same in arms)
+            chain = "".join(f"mutant::at({n}) ? {r} : " for n, r, _ in arms)
             body = f"({chain}{body})"
         for kind, what, form in tree.wraps.get(span, []):
             if form is None:
@@ -633,6 +640,16 @@ def render(tree, spans, number):
     return inside(0, len(text), roots)
 
 
+def write(path, data):
+    """Only if it changes, so that what is made of it is not made again."""
+    if os.path.exists(path):
+        with open(path, "rb") as file:
+            if file.read() == data:
+                return
+    with open(path, "wb") as file:
+        file.write(data)
+
+
 def main():
     source, target = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
     clang = sys.argv[3] if len(sys.argv) > 3 else "clang++"
@@ -647,7 +664,7 @@ def main():
             out = os.path.join(target, path)
             os.makedirs(os.path.dirname(out), exist_ok=True)
             if path.startswith(LEFT_OUT):
-                shutil.copyfile(os.path.join(source, path), out)
+                write(out, text)
                 continue
             texts[path] = text
             if name.endswith(".cpp"):
@@ -685,20 +702,18 @@ def main():
     for path in sorted(trees):
         tree = trees[path]
         body = render(tree, set(tree.changes) | set(tree.wraps), number)
-        with open(os.path.join(target, path), "wb") as file:
-            lead = b'#include "mutant.h"\n#line 1 "' + path.encode() + b'"\n'
-            file.write((b"#pragma once\n" if path.endswith(".h") else b"") + lead + body.encode("latin-1"))
-    shutil.copyfile(os.path.join(os.path.dirname(os.path.abspath(__file__)), "mutant.h"), os.path.join(target, "mutant.h"))
+        lead = b'#include "mutant.h"\n#line 1 "' + path.encode() + b'"\n'
+        write(os.path.join(target, path), (b"#pragma once\n" if path.endswith(".h") else b"") + lead + body.encode("latin-1"))
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "mutant.h"), "rb") as file:
+        write(os.path.join(target, "mutant.h"), file.read())
     # The same change twice on a line is told apart by its number.
     seen = {}
     for m in mutants:
         key = (m["file"], m["function"], m["line"], m["from"], m["to"])
         seen[key] = seen.get(key, 0) + 1
         m["nth"] = seen[key]
-    with open(os.path.join(target, "mutants.json"), "w", encoding="utf-8") as file:
-        json.dump(mutants, file, ensure_ascii=False, indent=0)
-    with open(os.path.join(target, "mutant_count.h"), "w", encoding="utf-8") as file:
-        file.write(f"#define MUTANT_COUNT {len(mutants) + 1}\n")
+    write(os.path.join(target, "mutants.json"), json.dumps(mutants, ensure_ascii=False, indent=0).encode())
+    write(os.path.join(target, "mutant_count.h"), f"#define MUTANT_COUNT {len(mutants) + 1}\n".encode())
     print(f"{len(mutants)} mutants of {sum(bool(t.changes or t.wraps) for t in trees.values())} files")
 
 

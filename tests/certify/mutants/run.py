@@ -13,7 +13,7 @@ FOLDER is tests/certify/mutants in a build folder. Options: --only REGEX (file:f
 --seconds S (tests of one mutant in all, without mutant; default 8), --jobs N (default 2), --tests REGEX.
 
 Results are kept in FOLDER/results.json under what is changed, not its number, so that they outlive other changes of the
-sources; `reach` is found anew whenever a runner is newer. Survivors are argued in survivors.json.
+sources; `reach` is found anew whenever a runner is newer. Survivors are argued in survivors*.json beside this script.
 """
 import argparse
 import collections
@@ -40,6 +40,10 @@ class Folder:
         self.path = path
         with open(os.path.join(path, "tree", "mutants.json"), encoding="utf-8") as file:
             self.mutants = json.load(file)
+        if os.environ.get("MUTANTS_ONLY_OF"):
+            with open(os.environ["MUTANTS_ONLY_OF"], encoding="utf-8") as file:
+                wanted = {key_of(m) for m in json.load(file)}
+            self.mutants = [m for m in self.mutants if key_of(m) in wanted]
         self.by_id = {m["id"]: m for m in self.mutants}
         self.lock = threading.Lock()
         self.results = {}
@@ -154,10 +158,13 @@ def run(folder, runner, wanted, reach, options):
     return survivors
 
 
-def arguments_of(folder):
-    """{key: why}; groups may name whole functions by giving neither line nor change."""
-    with open(os.path.join(HERE, "survivors.json"), encoding="utf-8") as file:
-        groups = json.load(file)
+def arguments():
+    """The groups of survivors*.json: why, and of which mutants; whole functions by giving neither line nor change."""
+    groups = []
+    for name in sorted(os.listdir(HERE)):
+        if re.fullmatch(r"survivors\w*\.json", name):
+            with open(os.path.join(HERE, name), encoding="utf-8") as file:
+                groups += json.load(file)
     return groups
 
 
@@ -174,7 +181,7 @@ def argued(groups, m):
 
 
 def report(folder, options, show=False):
-    groups = arguments_of(folder)
+    groups = arguments()
     wanted = select(folder, options)
     count = collections.Counter()
     unexplained = []
@@ -201,7 +208,7 @@ def select(folder, options):
 
 
 def table(folder):
-    groups = arguments_of(folder)
+    groups = arguments()
     rooms = collections.defaultdict(collections.Counter)
     for m in folder.mutants:
         parts = m["file"].split("/")

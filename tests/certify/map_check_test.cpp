@@ -1,0 +1,145 @@
+#include "certify/map_check.h"
+
+#include <gtest/gtest.h>
+#include <string>
+
+#include "certify/document/darts.h"
+#include "certify/file/reader.h"
+
+/// Rule `map` alone: each defect is named, where it is first in the file.
+namespace epsnet::certify {
+namespace {
+
+NetDocument load(const std::string& name) {
+  return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
+}
+
+bool says(const RuleReport& report, const std::string& text) {
+  return report.verdict == Verdict::refuted && report.text.find(text) != std::string::npos;
+}
+
+/// The first dart that is its own opposite, is not the opposite of its opposite, or does not start where that ends.
+std::string first_culprit(const NetDocument& document) {
+  for (std::uint32_t dart = 0; dart < 3 * document.triangles.size(); ++dart) {
+    const std::uint32_t other = opposite(document, dart);
+    if (other == dart)
+      return "dart " + std::to_string(dart) + " (triangle " + std::to_string(dart / 3) + ", edge " +
+             std::to_string(dart % 3) + ") is its own opposite";
+    if (opposite(document, other) != dart || start(document, dart) != start(document, next_dart(other))) {
+      return "dart " + std::to_string(dart) + " (triangle " + std::to_string(dart / 3) + ", edge " +
+             std::to_string(dart % 3) + ") " +
+             (opposite(document, other) != dart ? "has the opposite dart" : "starts at vertex");
+    }
+  }
+  return "";
+}
+
+TEST(MapCheck, TheFirstWrongOppositeIsNamed) {
+  for (const char* file : {"octagon-9-vertices.json", "octagon-1-vertex.json"}) {
+    const NetDocument good = load(file);
+    const auto darts = static_cast<std::uint32_t>(3 * good.triangles.size());
+    for (std::uint32_t dart = 0; dart < darts; ++dart) {
+      for (const std::uint32_t wrong : {0U, dart, darts / 2, darts - 1}) {
+        // One way only, and both ways.
+        NetDocument document = good;
+        document.triangles[dart / 3].opposite[dart % 3] = wrong;
+        const std::string one_way = first_culprit(document);
+        if (!one_way.empty())
+          EXPECT_TRUE(says(check_map(document, 2), one_way)) << one_way << '\n' << check_map(document, 2).text;
+        document.triangles[wrong / 3].opposite[wrong % 3] = dart;
+        const std::string both_ways = first_culprit(document);
+        if (!both_ways.empty())
+          EXPECT_TRUE(says(check_map(document, 2), both_ways)) << both_ways << '\n' << check_map(document, 2).text;
+      }
+      // An edge folded on itself: both its darts are their own opposites.
+      NetDocument document = good;
+      const std::uint32_t other = opposite(good, dart);
+      document.triangles[dart / 3].opposite[dart % 3] = dart;
+      document.triangles[other / 3].opposite[other % 3] = other;
+      EXPECT_TRUE(says(check_map(document, 2), first_culprit(document))) << check_map(document, 2).text;
+    }
+  }
+}
+
+TEST(MapCheck, TheFirstWrongCornerIsNamed) {
+  const NetDocument good = load("octagon-9-vertices.json");
+  for (std::uint32_t dart = 0; dart < 66; ++dart) {
+    for (const std::uint32_t wrong : {0U, 8U}) {
+      NetDocument document = good;
+      document.triangles[dart / 3].vertex[dart % 3] = wrong;
+      if (start(good, dart) != wrong)
+        EXPECT_TRUE(says(check_map(document, 2), first_culprit(document))) << check_map(document, 2).text;
+    }
+  }
+}
+
+TEST(MapCheck, ACycleOfOneDartIsACycle) {
+  // A sphere of two triangles, each a cone over a loop at B: the two tips are one vertex A of the file. The lonely dart
+  // of each tip is each of the three of its triangle.
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    for (std::uint32_t j = 0; j < 3; ++j) {
+      NetDocument document;
+      document.vertices.resize(2);
+      document.triangles.resize(2);
+      for (const auto& [t, k, other] : {std::array{0U, i, 3 + (j + 1) % 3}, std::array{1U, j, (i + 1) % 3}}) {
+        NetDocument::Triangle& triangle = document.triangles[t];
+        triangle.vertex = {1, 1, 1};
+        triangle.vertex[k] = 0;
+        triangle.opposite[k] = 3 * t + (k + 2) % 3;
+        triangle.opposite[(k + 2) % 3] = 3 * t + k;
+        triangle.opposite[(k + 1) % 3] = other;
+      }
+      EXPECT_TRUE(says(check_map(document, 0), "vertex 0 form more than one cycle")) << check_map(document, 0).text;
+      // With a vertex for each tip it is a sphere.
+      document.vertices.resize(3);
+      document.triangles[1].vertex[j] = 2;
+      EXPECT_EQ(check_map(document, 0).verdict, Verdict::verified) << check_map(document, 0).text;
+      for (const std::uint64_t genus : {1U, 2U})
+        EXPECT_TRUE(says(check_map(document, genus), "V - E + F = 3 - 3 + 2 = 2"));
+    }
+  }
+}
+
+TEST(MapCheck, EveryVertexIsInATriangle) {
+  const NetDocument good = load("octagon-9-vertices.json");
+  for (std::uint32_t idle = 0; idle <= 9; ++idle) {
+    NetDocument document = good;
+    document.vertices.push_back(document.vertices.front());
+    for (NetDocument::Triangle& triangle : document.triangles) {
+      for (std::uint32_t& vertex : triangle.vertex) vertex += vertex >= idle;
+    }
+    EXPECT_TRUE(says(check_map(document, 2), "vertex " + std::to_string(idle) + " belongs to no triangle"));
+  }
+}
+
+TEST(MapCheck, TwoNetsAreNotConnected) {
+  const NetDocument one = load("octagon-1-vertex.json");
+  const auto triangles = static_cast<std::uint32_t>(one.triangles.size());
+  NetDocument two = one;
+  two.vertices.push_back(one.vertices[0]);
+  for (NetDocument::Triangle triangle : one.triangles) {
+    triangle.vertex = {1, 1, 1};
+    for (std::uint32_t& dart : triangle.opposite) dart += 3 * triangles;
+    two.triangles.push_back(triangle);
+  }
+  EXPECT_TRUE(says(check_map(two, 2), "from triangle 0 to triangle " + std::to_string(triangles)));
+  // The Euler characteristic of both together is that of genus 3.
+  EXPECT_TRUE(says(check_map(two, 3), "not connected"));
+}
+
+TEST(MapCheck, EmptyOnesAreNone) {
+  NetDocument document;
+  EXPECT_TRUE(says(check_map(document, 2), "there is no vertex"));
+  document.vertices.resize(1);
+  EXPECT_TRUE(says(check_map(document, 2), "there is no triangle"));
+}
+
+TEST(MapCheck, TheGenusIsExact) {
+  for (std::uint64_t genus = 0; genus < 5; ++genus) {
+    EXPECT_EQ(check_map(load("octagon-9-vertices.json"), genus).verdict,
+              genus == 2 ? Verdict::verified : Verdict::refuted);
+  }
+}
+
+}  // namespace
+}  // namespace epsnet::certify
