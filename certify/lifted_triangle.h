@@ -39,7 +39,7 @@ class LiftedTriangle {
 
   /// orientation: positive exactly if the triangle is strictly counterclockwise in the hyperbolic plane.
   ///
-  /// It is det(x, y, (1 + |z|²)/2) of the corners, a positive multiple of the determinant in the hyperboloid model.
+  /// It is det(x, y, 1 + |z|²) of the corners, a positive multiple of the determinant in the hyperboloid model.
   void measure_orientation(slong precision);
 
   /// The circumradius R: sinh²R = radius_numerator/radius_denominator; R < ε exactly if radius_slack =

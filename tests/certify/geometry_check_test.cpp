@@ -1,0 +1,430 @@
+#include "certify/geometry_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <gtest/gtest.h>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <string>
+
+#include "certify/check.h"
+#include "certify/document/darts.h"
+#include "certify/file/reader.h"
+#include "certify/lifted_triangle.h"
+#include "certify/surface_check.h"
+
+/// What is measured of lifted triangles, against the definitions in binary64, and the rules about them alone, on
+/// documents that need not be nets.
+namespace epsnet::certify {
+namespace {
+
+using Point = std::complex<double>;
+
+NetDocument load(const std::string& name) { return read_net(std::string(EPSNET_TEST_DATA) + "/" + name); }
+
+struct Setting {
+  explicit Setting(const NetDocument& document, const Budget& budget = {})
+      : parts{check_surface(document.surface).crossings, chart_frames(document.charts, budget), budget},
+        evaluator(document, parts) {}
+  LabelParts parts;
+  LabelEvaluator evaluator;
+};
+
+GeometryOutcome outcome(const NetDocument& document, unsigned threads = 1) {
+  const Setting setting(document);
+  return check_geometry(document, setting.evaluator, {}, threads);
+}
+
+/// The same points with every vertex in a chart of its own, centred about half the way to it: coordinates and labels
+/// are all different from 0. Needs one chart in the file for each tile, with the centre 0.
+NetDocument halfway(NetDocument document) {
+  const std::vector<NetDocument::Label> old_labels = document.labels;
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t> numbers;
+  std::vector<NetDocument::Chart> charts;
+  for (NetDocument::Vertex& vertex : document.vertices) {
+    const Point z(vertex.x, vertex.y);
+    const Point c(vertex.x / 2 + 0.01, vertex.y / 2 - 0.02);
+    const Point rest = (z - c) / (1.0 - std::conj(c) * z);
+    charts.push_back({document.charts[vertex.chart].tile, {mpq_class(c.real()), mpq_class(c.imag())}});
+    vertex = {rest.real(), rest.imag(), static_cast<std::uint32_t>(charts.size() - 1)};
+  }
+  document.charts = charts;
+  document.labels.clear();
+  for (NetDocument::Triangle& triangle : document.triangles) {
+    for (std::size_t i = 1; i < 3; ++i) {
+      const std::uint32_t from = triangle.vertex[i];
+      const std::uint32_t to = triangle.vertex[0];
+      std::uint32_t& number = triangle.label[i - 1];
+      if (number == 0 && from == to) continue;
+      const auto [found, is_new] = numbers.try_emplace({from, to, number}, document.labels.size() + 1);
+      if (is_new)
+        document.labels.push_back({from, to, number == 0 ? std::vector<std::uint32_t>{} : old_labels[number - 1].word});
+      number = found->second;
+    }
+  }
+  return document;
+}
+
+NetDocument nine() { return load("certify/verified/octagon-9-vertices.json"); }
+NetDocument square() { return load("certify/verified/square-of-cocircular-vertices.json"); }
+
+/// True nets, and the same with vertices moved so far that triangles turn over and edges cease to be Delaunay.
+std::vector<NetDocument> documents() {
+  std::vector<NetDocument> result{nine(), halfway(nine()), load("certify/verified/octagon-33-vertices.json"),
+                                  halfway(load("certify/verified/octagon-33-vertices.json")), halfway(square())};
+  const std::size_t count = result.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const double by : {0.05, 0.4}) {
+      NetDocument document = result[i];
+      for (std::size_t v = 0; v < document.vertices.size(); v += 3) {
+        NetDocument::Vertex& vertex = document.vertices[v];
+        const Point z = Point(vertex.x, vertex.y) * (1 - by) + std::polar(by * 0.8, static_cast<double>(v));
+        vertex.x = z.real();
+        vertex.y = z.imag();
+      }
+      result.push_back(document);
+    }
+  }
+  return result;
+}
+
+class Reference {
+ public:
+  explicit Reference(const NetDocument& document) : document_(document), setting_(document) {}
+
+  /// Where a label takes a point, or its inverse, by the definition.
+  [[nodiscard]] Point lifted(std::uint32_t number, Point z) const {
+    const auto [a, b] = isometry(number);
+    return (a * z + b) / (std::conj(b) * z + std::conj(a));
+  }
+  [[nodiscard]] Point back(std::uint32_t number, Point z) const {
+    const auto [a, b] = isometry(number);
+    return (std::conj(a) * z - b) / (a - std::conj(b) * z);
+  }
+  [[nodiscard]] Point vertex(std::uint32_t dart) const {
+    const NetDocument::Vertex& v = document_.vertices[start(document_, dart)];
+    return {v.x, v.y};
+  }
+  [[nodiscard]] Point corner(std::uint32_t dart) const { return lifted(corner_label(document_, dart), vertex(dart)); }
+  /// The corner beyond the edge of a dart: into the chart of the neighbour, through the common corner, into this one.
+  [[nodiscard]] Point far_corner(std::uint32_t dart) const {
+    const std::uint32_t other = opposite(document_, dart);
+    const Point there = corner(previous_dart(other));
+    return lifted(corner_label(document_, dart), back(corner_label(document_, next_dart(other)), there));
+  }
+
+  /// det(x, y, 1 + |z|²).
+  [[nodiscard]] double orientation(std::uint32_t t) const {
+    std::array<std::array<double, 3>, 3> m{};
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const Point z = corner(3 * t + i);
+      m[i] = {z.real(), z.imag(), 1 + std::norm(z)};
+    }
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+  }
+  /// Im (z3−z1)(z2−z0)/((z3−z0)(z2−z1)).
+  [[nodiscard]] double cross_ratio(std::uint32_t dart) const {
+    const Point z0 = corner(dart), z1 = far_corner(dart), z2 = corner(next_dart(dart)),
+                z3 = corner(previous_dart(dart));
+    return ((z3 - z1) * (z2 - z0) / ((z3 - z0) * (z2 - z1))).imag();
+  }
+  /// sinh² of half the length of the edge of a dart.
+  [[nodiscard]] double squared(std::uint32_t dart) const {
+    const Point p = corner(dart), q = corner(next_dart(dart));
+    return std::norm(p - q) / ((1 - std::norm(p)) * (1 - std::norm(q)));
+  }
+  [[nodiscard]] const LabelEvaluator& evaluator() const { return setting_.evaluator; }
+
+ private:
+  [[nodiscard]] std::pair<Point, Point> isometry(std::uint32_t number) const {
+    const ExactIsometry f =
+        setting_.evaluator.evaluate_exactly(std::get<RationalCrossings>(setting_.parts.crossings), number);
+    const mpq_class scale(1, norm(f.a));  // Of a², so that numbers fit in binary64.
+    const double a = std::sqrt(1 / (1 - mpq_class(mpq_class(norm(f.b)) * scale).get_d()));
+    const Gaussian quotient = f.b * conjugate(f.a);
+    // b/a, and the direction of a.
+    const Point ratio(mpq_class(quotient.re * scale).get_d(), mpq_class(quotient.im * scale).get_d());
+    mpf_class x(f.a.re, 200), y(f.a.im, 200), size = sqrt(mpf_class(norm(f.a), 400));
+    const Point direction(mpf_class(x / size).get_d(), mpf_class(y / size).get_d());
+    return {a * direction, a * direction * ratio};
+  }
+
+  const NetDocument& document_;
+  Setting setting_;
+};
+
+double middle(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
+
+TEST(LiftedTriangle, MeasuresAreWhatTheyAreDefinedToBe) {
+  std::map<std::string, int> met;
+  for (const NetDocument& document : documents()) {
+    const Reference reference(document);
+    std::vector<std::uint32_t> numbers(document.labels.size());
+    std::iota(numbers.begin(), numbers.end(), 1U);
+    const LabelTable labels(numbers, reference.evaluator().evaluate(numbers, 128, 512, 1), numbers.size());
+    const double epsilon = 0.7;
+    Ball ball, half;
+    arb_set_d(ball.get(), std::pow(std::sinh(epsilon), 2));
+    arb_set_d(half.get(), std::pow(std::sinh(epsilon / 2), 2));
+    LiftedTriangle lifted;
+    for (std::uint32_t t = 0; t < document.triangles.size(); ++t) {
+      lifted.load(document, labels, t, 128);
+      lifted.measure_orientation(128);
+      const double orientation = reference.orientation(t);
+      EXPECT_NEAR(middle(lifted.orientation), orientation, 1e-9);
+      if (std::fabs(orientation) > 1e-9) {
+        EXPECT_EQ(exact_orientation(document, reference.evaluator(), t), orientation > 0 ? 1 : -1);
+        ++met[orientation > 0 ? "counterclockwise" : "clockwise"];
+      }
+      lifted.measure_circumradius(ball.get(), 128);
+      // sinh R = 2 sinh(a/2) sinh(b/2) sinh(c/2)/√(…), scaled by the gaps.
+      double gaps = 1;
+      std::array<double, 3> s{};
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        s[i] = reference.squared(3 * t + i);
+        gaps *= std::pow(1 - std::norm(reference.corner(3 * t + i)), 2);
+        EXPECT_NEAR(middle(lifted.gap[i]), 1 - std::norm(reference.corner(3 * t + i)), 1e-12);
+      }
+      const double numerator = 4 * s[0] * s[1] * s[2] * gaps;
+      const double denominator =
+          (2 * (s[0] * s[1] + s[1] * s[2] + s[2] * s[0]) - s[0] * s[0] - s[1] * s[1] - s[2] * s[2]) * gaps;
+      const double slack = std::pow(std::sinh(epsilon), 2) * denominator - numerator;
+      EXPECT_NEAR(middle(lifted.radius_numerator), numerator, 1e-9 * (1 + numerator));
+      EXPECT_NEAR(middle(lifted.radius_denominator), denominator, 1e-9);
+      EXPECT_NEAR(middle(lifted.radius_slack), slack, 1e-9);
+      ++met[denominator > 0 ? "circle" : "no circle"];
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const std::uint32_t dart = 3 * t + i;
+        lifted.measure_edge(half.get(), i, 128);
+        const double product =
+            (1 - std::norm(reference.corner(dart))) * (1 - std::norm(reference.corner(next_dart(dart))));
+        EXPECT_NEAR(middle(lifted.gap_product), product, 1e-12);
+        EXPECT_NEAR(middle(lifted.length_lack), (std::pow(std::sinh(epsilon / 2), 2) - s[i]) * product, 1e-9);
+        lifted.measure_cross_ratio(document, labels, t, i, 128);
+        const double cross = reference.cross_ratio(dart);
+        if (std::fabs(cross) > 1e-6) {
+          EXPECT_EQ(middle(lifted.cross_ratio) > 0, cross > 0) << cross;
+          EXPECT_EQ(exact_cross_ratio_sign(document, reference.evaluator(), dart), cross > 0 ? 1 : -1);
+          ++met[cross > 0 ? "not Delaunay" : "Delaunay"];
+          const std::uint32_t other = opposite(document, dart);
+          const std::uint32_t here = corner_label(document, dart), there = corner_label(document, next_dart(other));
+          ++met[here == there ? "common label" : here < there ? "greater label" : "smaller label"];
+        }
+      }
+    }
+  }
+  for (const char* what : {"counterclockwise", "clockwise", "circle", "no circle", "Delaunay", "not Delaunay",
+                           "common label", "greater label", "smaller label"}) {
+    EXPECT_GT(met[what], 10) << what;
+  }
+}
+
+TEST(LiftedTriangle, QuotientsContainEveryQuotient) {
+  // Balls with wide radii, far apart in size: the interval contains the quotients of the ends, and is hardly wider.
+  const auto ball = [](double middle, double radius) {
+    Ball x, r;
+    arb_set_d(x.get(), middle);
+    arb_set_d(r.get(), radius);
+    arb_add_error(x.get(), r.get());
+    return x;
+  };
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double n : {1.0 / 3, 1e-200, 7.3e150, 1.0}) {
+    for (const double d : {1.0 / 7, 3e-100, 2e100, 1.0}) {
+      for (const double r : {0.0, 1e-17, 1e-9, 0.5}) {
+        for (const double s : {0.0, 1e-17, 1e-9, 0.5}) {
+          const Interval interval = quotient(ball(n, n * r).get(), ball(d, d * s).get());
+          const mpq_class least = (mpq_class(n) - mpq_class(n * r)) / (mpq_class(d) + mpq_class(d * s));
+          const mpq_class most = (mpq_class(n) + mpq_class(n * r)) / (mpq_class(d) - mpq_class(d * s));
+          EXPECT_LE(mpq_class(interval.lower), least);
+          EXPECT_GE(mpq_class(interval.upper), most);
+          EXPECT_GE(interval.lower, least.get_d() * (1 - 1e-8));
+          EXPECT_LE(interval.upper, most.get_d() * (1 + 1e-8));
+        }
+      }
+    }
+  }
+  const auto expect = [&](const Ball& n, const Ball& d, double lower, double upper) {
+    const Interval interval = quotient(n.get(), d.get());
+    EXPECT_EQ(interval.lower, lower);
+    EXPECT_EQ(interval.upper, upper);
+  };
+  Ball none;
+  arb_indeterminate(none.get());
+  expect(none, ball(1, 0), 0, kInfinity);
+  expect(ball(1, 0), none, 0, kInfinity);
+  expect(ball(1, 0), ball(-1, 0.5), 0, kInfinity);
+  const Interval open = quotient(ball(1, 0.5).get(), ball(1, 2).get());
+  EXPECT_GT(open.lower, 0.16);
+  EXPECT_LE(open.lower, 0.5 / 3);
+  EXPECT_EQ(open.upper, kInfinity);
+  const Interval from_zero = quotient(ball(1, 2).get(), ball(1, 0).get());
+  EXPECT_EQ(from_zero.lower, 0);
+  EXPECT_GE(from_zero.upper, 3);
+  EXPECT_LT(from_zero.upper, 3.001);
+}
+
+/// The triangles of a net again and again: no net, but every triangle and edge is what it was.
+NetDocument copies(const NetDocument& document, std::uint32_t count) {
+  NetDocument result = document;
+  const auto darts = static_cast<std::uint32_t>(3 * document.triangles.size());
+  for (std::uint32_t k = 1; k < count; ++k) {
+    for (NetDocument::Triangle triangle : document.triangles) {
+      for (std::uint32_t& dart : triangle.opposite) dart += k * darts;
+      result.triangles.push_back(triangle);
+    }
+  }
+  return result;
+}
+
+const RuleReport& rule(const GeometryOutcome& outcome, const std::string& name) {
+  return *std::find_if(outcome.reports.begin(), outcome.reports.end(),
+                       [&](const RuleReport& report) { return report.rule == name; });
+}
+
+TEST(GeometryCheck, EveryTriangleOfSeveralBlocksIsAsked) {
+  // 4,400 triangles; one of them is turned over, or its neighbour is another: about the ends of blocks of 2,048.
+  const NetDocument good = copies(nine(), 200);
+  ASSERT_EQ(good.triangles.size(), 4400U);
+  for (const RuleReport& report : outcome(good).reports) EXPECT_EQ(report.verdict, Verdict::verified) << report.text;
+  for (const std::size_t t : {0U, 1023U, 2046U, 2047U, 2048U, 4095U, 4096U, 4399U}) {
+    NetDocument document = good;
+    NetDocument::Triangle& triangle = document.triangles[t];
+    std::swap(triangle.vertex[1], triangle.vertex[2]);
+    std::swap(triangle.label[0], triangle.label[1]);
+    const RuleReport report = rule(outcome(document, 2), "orientation");
+    EXPECT_EQ(report.verdict, Verdict::refuted) << t;
+    EXPECT_TRUE(report.text.starts_with("triangle " + std::to_string(t) + " ")) << report.text;
+  }
+}
+
+TEST(GeometryCheck, EveryCircumradiusAndLengthOfSeveralBlocksIsMeasured) {
+  // The copy of one triangle has a vertex of its own, far away.
+  const NetDocument good = copies(nine(), 200);
+  for (const std::size_t t : {0U, 2046U, 2047U, 2048U, 4095U, 4096U, 4399U}) {
+    NetDocument document = good;
+    const std::uint32_t old = document.triangles[t].vertex[0];
+    document.vertices.push_back(document.vertices[old]);
+    document.vertices.back().x = -0.9;
+    document.vertices.back().y = 0.3;
+    document.triangles[t].vertex[0] = static_cast<std::uint32_t>(document.vertices.size() - 1);
+    const GeometryOutcome found = outcome(document);
+    const bool refuted = std::any_of(found.reports.begin(), found.reports.end(),
+                                     [](const RuleReport& report) { return report.verdict == Verdict::refuted; });
+    EXPECT_TRUE(refuted) << t << found.reports[0].text << found.reports[2].text;
+  }
+}
+
+TEST(GeometryCheck, TiesOfSeveralBlocksAreAllFoundAndInOrder) {
+  const NetDocument one = square();
+  const GeometryOutcome single = outcome(one);
+  ASSERT_EQ(single.ties.size(), 1U);
+  const auto darts = static_cast<std::uint32_t>(3 * one.triangles.size());
+  const NetDocument many = copies(one, 2100);  // In blocks of 1, 2, 4, ..., 2,048.
+  const GeometryOutcome found = outcome(many, 2);
+  std::vector<std::uint32_t> expected;
+  for (std::uint32_t k = 0; k < 2100; ++k) expected.push_back(single.ties[0] + k * darts);
+  EXPECT_EQ(found.ties, expected);
+  for (const RuleReport& report : found.reports) EXPECT_EQ(report.verdict, Verdict::verified) << report.text;
+}
+
+TEST(GeometryCheck, AnEdgeThatMissesATieIsFoundAmongTies) {
+  // Copies of the square; in one of them a corner is moved by a unit in the last place, to where the diagonal is wrong.
+  const NetDocument one = square();
+  const std::uint32_t tie = outcome(one).ties.at(0);
+  const auto darts = static_cast<std::uint32_t>(3 * one.triangles.size());
+  for (const std::uint32_t k : {0U, 1U, 2U, 3U, 6U, 7U, 19U}) {
+    int refuted = 0;
+    for (const double direction : {-1.0, 1.0}) {
+      NetDocument document = copies(one, 20);
+      const std::uint32_t corner = previous_dart(tie) + k * darts;
+      const std::uint32_t vertex = start(document, corner);
+      document.vertices.push_back(document.vertices[vertex]);
+      NetDocument::Vertex& moved = document.vertices.back();
+      moved.x = std::nextafter(moved.x, direction);
+      for (std::uint32_t t = k * darts / 3; t < (k + 1) * darts / 3; ++t) {
+        for (std::uint32_t& v : document.triangles[t].vertex) {
+          if (v == vertex) v = static_cast<std::uint32_t>(document.vertices.size() - 1);
+        }
+      }
+      const RuleReport report = rule(outcome(document), "delaunay");
+      if (report.verdict != Verdict::refuted) continue;
+      ++refuted;
+      EXPECT_TRUE(report.text.starts_with("the edge of dart " + std::to_string(tie + k * darts) + " ")) << report.text;
+    }
+    EXPECT_EQ(refuted, 1) << k;
+  }
+}
+
+TEST(GeometryCheck, WhatIsNotAskedIsNotVerified) {
+  // Ties that are left when the orientation is refuted.
+  NetDocument document = copies(square(), 2);
+  NetDocument::Triangle& triangle = document.triangles.front();
+  std::swap(triangle.vertex[1], triangle.vertex[2]);
+  std::swap(triangle.label[0], triangle.label[1]);
+  const GeometryOutcome found = outcome(document);
+  EXPECT_EQ(rule(found, "orientation").verdict, Verdict::refuted);
+  EXPECT_NE(rule(found, "delaunay").verdict, Verdict::verified);
+}
+
+TEST(GeometryCheck, WithLessWorkItIsUndecidedAndNeverMore) {
+  const NetDocument document = square();
+  int left_open = 0;
+  int decided = 0;
+  for (double work = 1000; work < 1e9; work *= 1.2) {
+    const Budget budget(static_cast<std::uint64_t>(work));
+    try {
+      const Setting setting(document, budget);
+      const GeometryOutcome found = check_geometry(document, setting.evaluator, {}, 1);
+      if (rule(found, "delaunay").verdict == Verdict::verified) {
+        EXPECT_EQ(found.ties.size(), 1U);
+        ++decided;
+      } else {
+        EXPECT_EQ(rule(found, "delaunay").verdict, Verdict::undecided);
+        left_open += rule(found, "orientation").verdict == Verdict::verified;
+      }
+    } catch (const BudgetSpent&) {
+    }
+  }
+  EXPECT_GT(left_open, 0);
+  EXPECT_GT(decided, 0);
+}
+
+TEST(GeometryCheck, OnlyPseudoNetsHaveThickLoops) {
+  // A net of one vertex has loops only, and ε may be greater than any of them.
+  NetDocument one = load("certify/verified/octagon-1-vertex.json");
+  one.epsilon = "9";
+  EXPECT_EQ(check(one).verdict, Verdict::verified) << check(one).message;
+  // As a pseudo net without collars it says that no loop is shorter than ε.
+  NetDocument pseudo = one;
+  pseudo.collars = std::vector<NetDocument::Collar>{};
+  const GeometryOutcome found = outcome(pseudo);
+  EXPECT_EQ(rule(found, "thick").verdict, Verdict::refuted);
+  pseudo.epsilon = "0.1";
+  EXPECT_EQ(rule(outcome(pseudo), "thick").verdict, Verdict::verified);
+}
+
+TEST(GeometryCheck, EnclosuresContainWhatIsMeasured) {
+  const NetDocument document = nine();
+  const Reference reference(document);
+  double longest = 0;
+  double shortest = 100;
+  for (std::uint32_t dart = 0; dart < 3 * document.triangles.size(); ++dart) {
+    const double length = 2 * std::asinh(std::sqrt(reference.squared(dart)));
+    longest = std::max(longest, length);
+    shortest = std::min(shortest, length);
+  }
+  const GeometryOutcome found = outcome(document);
+  EXPECT_NEAR(found.longest_edge.lower, longest, 1e-12);
+  EXPECT_NEAR(found.longest_edge.upper, longest, 1e-12);
+  EXPECT_LT(found.longest_edge.lower, found.longest_edge.upper);
+  EXPECT_NEAR(found.shortest_edge->lower, shortest, 1e-12);
+  EXPECT_NEAR(found.shortest_edge->upper, shortest, 1e-12);
+  EXPECT_LT(found.shortest_edge->lower, found.shortest_edge->upper);
+}
+
+}  // namespace
+}  // namespace epsnet::certify
