@@ -1,11 +1,18 @@
 #include "certify/numbers/ball.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <flint/fmpq.h>
 #include <gtest/gtest.h>
+#include <limits>
 #include <rapidcheck/gtest.h>
+#include <stdexcept>
+#include <vector>
 
 #include "certify/numbers/isometry.h"
+#include "certify/numbers/parallel.h"
+#include "certify/numbers/precision.h"
 #include "certify/numbers/rounding.h"
 
 namespace epsnet::certify {
@@ -209,6 +216,84 @@ RC_GTEST_PROP(BallProperty, CompositionContainsTheExactOne, ()) {
   Ball square;
   half_displacement_squared(square.get(), balls, precision);
   RC_ASSERT(contains(square, mpq_class(norm(exact.b)) / determinant(exact)));
+}
+
+TEST(Ball, OuterIntervalHoldsBothEndsOfAWideBall) {
+  for (const double middle : {1.0, -1.0, 0.0, 1e-3}) {
+    const Interval interval = outer_interval(ball(middle, 1).get());  // ± 1/2.
+    EXPECT_LE(interval.lower, middle - 0.5);
+    EXPECT_GE(interval.upper, middle + 0.5);
+    EXPECT_NEAR(interval.lower, middle - 0.5, 1e-9);
+    EXPECT_NEAR(interval.upper, middle + 0.5, 1e-9);
+  }
+}
+
+TEST(Ball, WhatIsNotFiniteIsUnknown) {
+  Ball infinite, minus, one;
+  arb_pos_inf(infinite.get());
+  arb_neg_inf(minus.get());
+  arb_one(one.get());
+  for (const Ball& x : {infinite, minus, nan_ball()}) {
+    EXPECT_EQ(certainly_less(x.get(), one.get()), Tri::unknown);
+    EXPECT_EQ(certainly_less(one.get(), x.get()), Tri::unknown);
+    EXPECT_EQ(certainly_positive(x.get()), Tri::unknown);
+    EXPECT_EQ(certainly_negative(x.get()), Tri::unknown);
+    EXPECT_EQ(outer_interval(x.get()).lower, -std::numeric_limits<double>::infinity());
+    EXPECT_EQ(outer_interval(x.get()).upper, std::numeric_limits<double>::infinity());
+  }
+}
+
+TEST(Ball, BallsAreDifferentIfTheyHaveNoPointInCommon) {
+  ComplexBall x, y;
+  acb_set_si(x.get(), 1);
+  acb_set_si(y.get(), 2);
+  EXPECT_TRUE(certainly_different(x.get(), y.get()));
+  EXPECT_FALSE(certainly_different(x.get(), x.get()));
+  mag_set_ui(arb_radref(y.re()), 1);
+  EXPECT_FALSE(certainly_different(x.get(), y.get()));
+}
+
+TEST(Parallel, EveryIndexOnceByAnyNumberOfThreads) {
+  for (const unsigned threads : {0U, 1U, 2U, 5U}) {
+    for (const std::size_t count : {0U, 1U, 3U, 100U}) {
+      std::vector<std::atomic<int>> times(count);
+      for_each_parallel(count, threads, [&](unsigned worker, std::size_t i) {
+        EXPECT_LT(worker, std::max(threads, 1U));
+        ++times[i];
+      });
+      for (const auto& n : times) EXPECT_EQ(n, 1);
+    }
+  }
+}
+
+TEST(Parallel, AnExceptionArrivesWhereverItIsThrown) {
+  for (const unsigned threads : {1U, 2U, 5U}) {
+    for (const std::size_t bad : {0U, 50U, 99U}) {
+      EXPECT_THROW(for_each_parallel(100, threads,
+                                     [&](unsigned, std::size_t i) {
+                                       if (i == bad) throw std::runtime_error("this one");
+                                     }),
+                   std::runtime_error);
+    }
+  }
+}
+
+TEST(Precision, RisesUntilItIsDecidedOrTheCapIsReached) {
+  std::vector<long> asked;
+  const auto until = [&](long enough) {
+    return [&asked, enough](long precision) {
+      asked.push_back(precision);
+      return precision >= enough;
+    };
+  };
+  EXPECT_TRUE(with_rising_precision(1000, until(200)));
+  EXPECT_EQ(asked, (std::vector<long>{64, 128, 256}));
+  asked.clear();
+  EXPECT_FALSE(with_rising_precision(200, until(1000)));
+  EXPECT_EQ(asked, (std::vector<long>{64, 128, 200}));
+  asked.clear();
+  EXPECT_TRUE(with_rising_precision(40, until(40)));
+  EXPECT_EQ(asked, (std::vector<long>{40}));
 }
 
 }  // namespace

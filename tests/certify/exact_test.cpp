@@ -79,5 +79,43 @@ TEST(Exact, Binary64EntersExactly) {
   EXPECT_LT(z.n.im, 0);
 }
 
+TEST(Exact, OnlyRealMultiplesOfOneAreTheIdentity) {
+  for (const long k : {1, 7, -3}) EXPECT_TRUE(is_identity({{k, 0}, {0, 0}}));
+  for (const long k : {1, -1}) {
+    EXPECT_FALSE(is_identity({{3, k}, {0, 0}}));
+    EXPECT_FALSE(is_identity({{3, 0}, {k, 0}}));
+    EXPECT_FALSE(is_identity({{3, 0}, {0, k}}));
+  }
+}
+
+TEST(Exact, ThreePointsOfAGeodesicHaveNoOrientation) {
+  // Points of two diameters, moved: exactly on a line, and a hair beside it.
+  const auto moved_point = [](const ExactPoint& z) {
+    const MovedPoint<Gaussian> w = moved(translation_to(point(2, 3, 7)), z);
+    return ExactPoint{w.n * conjugate(w.d), norm(w.d)};
+  };
+  for (const auto& [x, y] : {std::pair{1L, 0L}, std::pair{0L, 1L}, std::pair{3L, -4L}}) {
+    const long scale = 6'000'000'000;
+    const auto at = [&](long share, long beside) {
+      return moved_point(point(share * x * scale / 60 - beside * y, share * y * scale / 60 + beside * x, scale));
+    };
+    const ExactPoint p = at(-5, 0), q = at(1, 0), r = at(7, 0);
+    for (const auto& orientation_of : {std::array{p, q, r}, std::array{q, r, p}, std::array{r, q, p}}) {
+      EXPECT_EQ(orientation(hyperboloid_vector(orientation_of[0]), hyperboloid_vector(orientation_of[1]),
+                            hyperboloid_vector(orientation_of[2])),
+                0);
+    }
+    EXPECT_EQ(orientation(hyperboloid_vector(p), hyperboloid_vector(r), hyperboloid_vector(at(1, 1))), 1);
+    EXPECT_EQ(orientation(hyperboloid_vector(p), hyperboloid_vector(r), hyperboloid_vector(at(1, -1))), -1);
+  }
+}
+
+TEST(Exact, CoordinatesNeedNoCommonDenominator) {
+  const ExactPoint z = exact_point({mpq_class(1, 6), mpq_class(-2, 9)});
+  EXPECT_EQ(mpq_class(z.n.re) / z.m, mpq_class(1, 6));
+  EXPECT_EQ(mpq_class(z.n.im) / z.m, mpq_class(-2, 9));
+  EXPECT_GT(z.m, 0);
+}
+
 }  // namespace
 }  // namespace epsnet::certify
