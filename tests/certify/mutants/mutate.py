@@ -36,8 +36,8 @@ NO_EFFECT = re.compile(r"(_clear|_init|^reserve|^shrink_to_fit|^spend\w*|^progre
 # What is counted, and what an estimate of work or memory is: it can only make UNDECIDED of what is decided.
 COUNTED = re.compile(r"(^|[.>_])(max_precision|bits_used_|counts\.\w+|triangles_beyond_64_bits|threads_?|identities)$")
 ESTIMATES = re.compile(r"^spend|_work$|^work_|(^|_)bits$|^progress|_is_feasible$|^max_exact_bits")
-# Bits of a ball: the inclusion principle holds for any precision, and a lower one only leaves more open.
-PRECISIONS = re.compile(r"^k(\w*Precision|\w*Bits|ExactFrom\w*)$")
+# Infinity is what it is with one more. Bits of a ball: the inclusion principle holds for any precision, and a lower one only leaves more open.
+PRECISIONS = re.compile(r"^k(Infinity|\w*Precision|\w*Bits|ExactFrom\w*)$")
 
 NEIGHBOURS = {"<": ("<=", ">="), "<=": ("<", ">"), ">": (">=", "<="), ">=": (">", "<"), "==": ("!=",), "!=": ("==",)}
 SWAPS = {"+": "-", "-": "+", "*": "/", "/": "*", "<<": ">>", ">>": "<<", "&": "|", "|": "&", "^": "&",
@@ -299,7 +299,8 @@ class Reader:
                 if new >= 0:
                     self.change(node, "constant", f"{new}{match[2]}")
         elif re.search(r"[.eEpP]", t):
-            for new in (f"({t} + 1)", f"({t} - 1)", f"(2 * {t})", f"({t} / 2)"):
+            zero = re.fullmatch(r"0*\.?0*", t)
+            for new in (f"({t} + 1)", f"({t} - 1)") + (() if zero else (f"(2 * {t})", f"({t} / 2)")):
                 self.change(node, "constant", new)
 
     def statement(self, node):
