@@ -1,0 +1,222 @@
+#include "certify/geodesics/orbit_search.h"
+
+#include <gtest/gtest.h>
+#include <map>
+
+#include "lifted_reference.h"
+
+/// The reverse search of docs/proof.md, Lemma 15, against all lifted triangles of a region, found without pruning.
+namespace epsnet::certify {
+namespace {
+
+NetDocument net_of(const std::string& name) {
+  return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
+}
+
+/// The point q near the start of the dart: the sum of the corners of its triangle with these weights, and the vertex.
+constexpr Vector kWeights{967, 22, 11};
+
+Complex point_near(const Reference& reference, std::uint32_t dart) {
+  Vector sum{};
+  for (const Real weight : kWeights) {
+    const Vector x = vector_of(reference.corner(dart));
+    for (std::size_t i = 0; i < 3; ++i) sum[i] += weight * x[i];
+    dart = next_dart(dart);
+  }
+  const Real scale = std::sqrt(-lorentz(sum, sum));
+  return point_of({sum[0] / scale, sum[1] / scale, sum[2] / scale});
+}
+
+/// The lifted triangles with α(q) ≤ cosh(D' + R)/cosh R, D' = D + d(q, v), R the circumradius of the first.
+struct Wanted {
+  std::uint64_t triangles = 0;
+  std::map<Key, Real> elements;  ///< Of the lifts of the first triangle: how far each moves the vertex.
+  Real gap = 1e9;                ///< How near an α comes to the bound, relatively.
+};
+
+Wanted wanted(const Reference& reference, std::uint32_t dart, Real distance_bound) {
+  const Complex q = point_near(reference, dart);
+  const Complex v = reference.corner(dart);
+  const Real radius = reference.circumradius(dart / 3);
+  const Real bound = std::cosh(distance_bound + distance(q, v) + radius) / std::cosh(radius);
+  const Move to_root = reference.label(corner_label(reference.net(), dart));
+  Wanted result;
+  // cosh d(q, C) = α(q) cosh R.
+  const Real largest = reference.largest_circumradius();
+  for (const Lift& lift : reference.lifts(dart / 3, q, std::acosh(bound * std::cosh(largest)) + largest)) {
+    const Vector n = reference.circumcentre(lift.triangle);
+    const Real alpha = -lorentz(n, vector_of(image(lift.to_chart, q)));
+    result.gap = std::min(result.gap, std::abs(alpha / bound - 1));
+    if (alpha > bound) continue;
+    ++result.triangles;
+    if (lift.triangle != dart / 3) continue;
+    const Move element = inverted(to_root) * inverted(lift.to_chart) * to_root;
+    result.elements[key_of(element)] = distance(image(inverted(lift.to_chart), v), v);
+  }
+  return result;
+}
+
+struct Found {
+  OrbitOutcome outcome;
+  std::map<Key, int> elements;
+  bool products_fit = true;
+};
+
+Found search(const LiftedNet& lifted, const Reference& reference, std::uint32_t dart, Real distance_bound,
+             std::uint64_t limit = 1'000'000) {
+  Ball distance, cosh, sinh;
+  arb_set_d(distance.get(), static_cast<double>(distance_bound));
+  arb_sinh_cosh(sinh.get(), cosh.get(), distance.get(), lifted.plane().precision());
+  Found found;
+  found.outcome = search_orbit(lifted.plane(), dart, cosh, sinh, limit,
+                               [&](const BallIsometry& element, const LabelProduct& product) {
+                                 ++found.elements[key_of(middle(element))];
+                                 const auto labels = product();
+                                 if (key_of(reference.value(labels)) != key_of(middle(element)))
+                                   found.products_fit = false;
+                                 return Search::go_on;
+                               });
+  return found;
+}
+
+struct Instance {
+  const char* name;
+  double distance;
+};
+
+TEST(OrbitSearch, VisitsExactlyTheTrianglesWithinTheBound) {
+  for (const auto& [name, distance] : std::vector<Instance>{{"regular-2-10-vertices.json", 0.1},
+                                                            {"regular-2-10-vertices.json", 3.3},
+                                                            {"regular-2-4-rotated-vertices.json", 2.1},
+                                                            {"octagon-9-vertices.json", 2.1}}) {
+    const NetDocument net = net_of(name);
+    const Reference reference(net);
+    const LiftedNet lifted(net);
+    // Every corner of a triangle is once the vertex.
+    for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); dart += 4) {
+      const Wanted all = wanted(reference, dart, distance);
+      ASSERT_GT(all.gap, 1e-9) << "too near to be told in long double";
+      const Found found = search(lifted, reference, dart, distance);
+      EXPECT_TRUE(found.outcome.complete);
+      EXPECT_FALSE(found.outcome.limit_reached);
+      EXPECT_EQ(found.outcome.visits, all.triangles) << name << " dart " << dart;
+      EXPECT_TRUE(found.products_fit) << name << " dart " << dart;
+      ASSERT_EQ(found.elements.size(), all.elements.size()) << name << " dart " << dart;
+      for (const auto& [key, count] : found.elements) {
+        EXPECT_EQ(count, 1);
+        EXPECT_TRUE(all.elements.contains(key)) << name << " dart " << dart;
+      }
+    }
+  }
+}
+
+TEST(OrbitSearch, EndsIncompleteWhereItsLimitOrTheReportEndsIt) {
+  const NetDocument net = net_of("regular-2-10-vertices.json");
+  const Reference reference(net);
+  const LiftedNet lifted(net);
+  const std::uint64_t visits = search(lifted, reference, 0, 3.3).outcome.visits;
+  ASSERT_GT(visits, 100U);
+  const OrbitOutcome enough = search(lifted, reference, 0, 3.3, visits).outcome;
+  EXPECT_TRUE(enough.complete);
+  EXPECT_FALSE(enough.limit_reached);
+  for (const std::uint64_t limit : {visits - 1, std::uint64_t{1}, std::uint64_t{0}}) {
+    const OrbitOutcome outcome = search(lifted, reference, 0, 3.3, limit).outcome;
+    EXPECT_FALSE(outcome.complete);
+    EXPECT_TRUE(outcome.limit_reached);
+    EXPECT_EQ(outcome.visits, limit + 1);
+  }
+  // The first report is 1, at the root; the next ends the search.
+  Ball cosh, sinh;
+  arb_set_d(cosh.get(), std::cosh(3.3));
+  arb_set_d(sinh.get(), std::sinh(3.3));
+  for (const int last : {1, 2}) {
+    int reports = 0;
+    const OrbitOutcome outcome = search_orbit(
+        lifted.plane(), 0, cosh, sinh, visits,
+        [&](const BallIsometry&, const LabelProduct&) { return ++reports == last ? Search::stop : Search::go_on; });
+    EXPECT_EQ(reports, last);
+    EXPECT_FALSE(outcome.complete);
+    EXPECT_FALSE(outcome.limit_reached);
+    EXPECT_LT(outcome.visits, visits);
+  }
+}
+
+TEST(OrbitSearch, VisitsWhatIsPerhapsWithinABoundThatIsNotKnown) {
+  const NetDocument net = net_of("regular-2-10-vertices.json");
+  const Reference reference(net);
+  const LiftedNet lifted(net);
+  for (const double distance : {1.6, 2.7}) {
+    // Any distance from 0 to 2D: what D wants is perhaps wanted.
+    Ball cosh, sinh;
+    arb_set_d(cosh.get(), std::cosh(distance));
+    mag_set_d(arb_radref(cosh.get()), std::cosh(distance) - 1);
+    arb_set_d(sinh.get(), std::sinh(distance));
+    const OrbitOutcome outcome = search_orbit(lifted.plane(), 0, cosh, sinh, 1'000'000,
+                                              [&](const BallIsometry&, const LabelProduct&) { return Search::go_on; });
+    EXPECT_TRUE(outcome.complete);
+    EXPECT_GE(outcome.visits, wanted(reference, 0, distance).triangles);
+  }
+}
+
+/// Nets in which the point q of a dart lies, to binary64, on the line of an edge of a lifted triangle: a vertex is
+/// moved until the line passes q, and is left on both sides of it.
+std::vector<NetDocument> nets_with_q_on_a_line(const NetDocument& net, std::uint32_t dart, Real radius) {
+  const Reference reference(net);
+  const Complex q = point_near(reference, dart);
+  const auto& root = net.triangles[dart / 3].vertex;
+  std::vector<NetDocument> found;
+  for (const Lift& lift : reference.lifts(dart / 3, q, radius)) {
+    const Vector x = vector_of(image(lift.to_chart, q));
+    for (std::uint32_t edge = 3 * lift.triangle; edge < 3 * lift.triangle + 3; ++edge) {
+      for (const std::uint32_t end : {edge, next_dart(edge)}) {
+        const std::uint32_t w = start(net, end);
+        if (std::find(root.begin(), root.end(), w) != root.end()) continue;
+        NetDocument moved = net;
+        const auto is_left = [&](double shift) {
+          moved.vertices[w].x = net.vertices[w].x + shift;
+          const NetDocument::Vertex& vertex = moved.vertices[w];
+          const auto place = [&](std::uint32_t d) {
+            if (start(net, d) != w) return vector_of(reference.corner(d));
+            return vector_of(image(reference.label(corner_label(net, d)), Complex(vertex.x, vertex.y)));
+          };
+          return determinant(place(edge), place(next_dart(edge)), x) > 0;
+        };
+        double low = -0.03;
+        double high = 0.03;
+        const bool before = is_left(low);
+        if (before == is_left(high)) continue;
+        for (double middle = 0; middle != low && middle != high; middle = (low + high) / 2) {
+          (is_left(middle) == before ? low : high) = middle;
+        }
+        for (const double shift : {low, high}) {
+          (void)is_left(shift);
+          found.push_back(moved);
+        }
+      }
+    }
+  }
+  return found;
+}
+
+TEST(OrbitSearch, OmitsNothingWhereBallsDoNotTellOnWhichSideOfAnEdgeQLies) {
+  // There it visits a triangle that is perhaps a child.
+  const NetDocument net = net_of("regular-2-10-vertices.json");
+  std::uint64_t complete = 0;
+  std::uint64_t twice = 0;
+  for (const std::uint32_t dart : {0U, 13U, 31U}) {
+    for (const NetDocument& moved : nets_with_q_on_a_line(net, dart, 2)) {
+      const Reference reference(moved);
+      const Wanted all = wanted(reference, dart, 1.6);
+      const OrbitOutcome outcome = search(LiftedNet(moved, 50), reference, dart, 1.6).outcome;
+      if (!outcome.complete) continue;
+      ++complete;
+      EXPECT_GE(outcome.visits, all.triangles) << "dart " << dart;
+      if (outcome.visits > all.triangles) ++twice;
+    }
+  }
+  EXPECT_GT(complete, 20U);
+  EXPECT_GT(twice, 2U);
+}
+
+}  // namespace
+}  // namespace epsnet::certify
