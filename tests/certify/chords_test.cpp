@@ -1,0 +1,357 @@
+#include "certify/geodesics/chords.h"
+
+#include <gtest/gtest.h>
+#include <map>
+
+#include "certify/geodesics/chord_table.h"
+#include "lifted_reference.h"
+
+/// Chords of closed geodesics against all lifted triangles near an axis, found without looking at sides; and tables of
+/// chords where balls do not decide.
+namespace epsnet::certify {
+namespace {
+
+NetDocument net_of(const std::string& name) {
+  return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
+}
+
+/// A triangle and an element in its chart.
+using PairKey = std::pair<std::uint32_t, Key>;
+
+/// All pairs of a triangle and the element in its chart for lifted triangles that the axis meets, as closed sets, with
+/// the sides of the corners: −1, 1, or 0 for a corner on the axis. The segment from v to the foot on the axis and the
+/// axis lead through triangles with a corner at most d(v, axis) + R away from the axis.
+std::map<PairKey, std::array<int, 3>> pairs_of(const Reference& reference, std::uint32_t first_dart,
+                                               const Move& element) {
+  const NetDocument& net = reference.net();
+  const auto conjugated = [](const Move& f, const Move& g) { return f * g * inverted(f); };
+  const Move start_element = conjugated(reference.label(corner_label(net, first_dart)), element);
+  const Real reach = std::sinh(std::asinh(std::abs(side_of_axis(start_element, reference.corner(first_dart)))) +
+                               reference.largest_circumradius());
+  std::map<PairKey, std::array<int, 3>> found;
+  std::set<PairKey> known;
+  std::deque<std::pair<std::uint32_t, Move>> open;
+  const auto add = [&](std::uint32_t triangle, const Move& g) {
+    if (!known.insert({triangle, key_of(g)}).second) return;
+    std::array<int, 3> sides{};
+    Real nearest = 1e9;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const Real side = side_of_axis(with_sign(g), reference.corner(3 * triangle + i));
+      nearest = std::min(nearest, std::abs(side));
+      sides[i] = side > 1e-9 ? 1 : side < -1e-9 ? -1 : 0;
+    }
+    if (nearest > reach) return;
+    open.emplace_back(triangle, g);
+    const auto [least, most] = std::minmax_element(sides.begin(), sides.end());
+    if (*least <= 0 && *most >= 0) found[{triangle, key_of(g)}] = sides;
+  };
+  add(first_dart / 3, start_element);
+  for (; !open.empty(); open.pop_front()) {
+    const auto [triangle, g] = open.front();
+    for (std::uint32_t dart = 3 * triangle; dart < 3 * triangle + 3; ++dart) {
+      add(opposite(net, dart) / 3, conjugated(reference.transition(dart), g));
+    }
+  }
+  return found;
+}
+
+/// Words at a vertex: side pairings of the octagon and products of them, with axes through vertices among them.
+std::vector<GeodesicsDocument::ClosedGeodesic> words_at(std::uint32_t vertex,
+                                                        const std::vector<std::vector<std::uint32_t>>& words) {
+  std::vector<GeodesicsDocument::ClosedGeodesic> result;
+  for (const auto& word : words) result.push_back({vertex, word, {1, 2}, true});
+  return result;
+}
+
+const std::vector<std::vector<std::uint32_t>> kWords{{0},       {1},          {7},          {0, 1},       {0, 3},
+                                                     {0, 2, 5}, {0, 1, 6, 6}, {3, 0, 1, 7}, {2, 2, 0, 5}, {0, 0, 1}};
+
+BallIsometry carried(const BallIsometry& f, const BallIsometry& g) {
+  BallIsometry result = compose(compose(f, g, 128), inverse(f), 128);
+  choose_sign(result);
+  return result;
+}
+
+struct Tested {
+  const char* name;
+  std::vector<std::uint32_t> vertices;
+};
+
+TEST(Chords, AreThePairsOfAllTrianglesThatTheAxisMeets) {
+  std::uint32_t found_lists = 0;
+  std::uint32_t touching = 0;
+  std::uint32_t walked = 0;
+  for (const auto& [name, vertices] :
+       std::vector<Tested>{{"regular-2-10-vertices.json", {0, 1, 5}}, {"regular-2-4-rotated-vertices.json", {0, 2}}}) {
+    const NetDocument net = net_of(name);
+    const Reference reference(net);
+    for (const std::uint32_t v : vertices) {
+      const LiftedNet lifted(net, words_at(v, kWords));
+      const LiftedPlane& plane = lifted.plane();
+      const std::uint32_t first = first_darts(net)[v];
+      for (std::size_t i = 0; i < kWords.size(); ++i) {
+        const std::string what = std::string(name) + " vertex " + std::to_string(v) + " word " + std::to_string(i);
+        const BallIsometry element = lifted.element(i);
+        const auto expected = pairs_of(reference, first, middle(element));
+        const auto list = find_chords(plane, first, element);
+        ASSERT_TRUE(list.has_value()) << what;
+        ++found_lists;
+        std::map<PairKey, std::array<int, 3>> found;
+        for (const Chord& chord : list->chords) {
+          EXPECT_TRUE(found.try_emplace({chord.triangle, key_of(middle(chord.element))}, chord.side).second) << what;
+          const auto [least, most] = std::minmax_element(chord.side.begin(), chord.side.end());
+          EXPECT_EQ(chord.is_certain(), *least < 0 && *most > 0);
+          if (!chord.is_certain()) ++touching;
+        }
+        // What is 0 here, is so to 30 bits: the ends of a triangle that the axis nearly misses.
+        for (const auto& [pair, sides] : expected) {
+          const bool met = std::find(sides.begin(), sides.end(), 1) != sides.end() &&
+                           std::find(sides.begin(), sides.end(), -1) != sides.end() &&
+                           std::find(sides.begin(), sides.end(), 0) == sides.end();
+          EXPECT_TRUE(!met || found.contains(pair)) << what;
+        }
+        for (const auto& [pair, sides] : found) {
+          ASSERT_TRUE(expected.contains(pair)) << what;
+          for (std::uint32_t k = 0; k < 3; ++k) {
+            EXPECT_TRUE(sides[k] == expected.at(pair)[k] || expected.at(pair)[k] == 0) << what;
+          }
+        }
+        // The way to each chord.
+        BallIsometry here = carried(plane.label(corner_label(net, first)), element);
+        std::uint32_t triangle = first / 3;
+        const auto across = [&](std::uint32_t dart) {
+          EXPECT_EQ(dart / 3, triangle) << what;
+          if (const auto* transition = plane.transition(dart)) here = carried(transition->isometry, here);
+          triangle = opposite(net, dart) / 3;
+        };
+        for (const std::uint32_t dart : list->approach) across(dart);
+        walked += !list->approach.empty() ? 1 : 0;
+        for (const Chord& chord : list->chords) {
+          if (chord.parent != Chord::kNone) {
+            triangle = list->chords[chord.parent].triangle;
+            here = list->chords[chord.parent].element;
+            across(chord.dart);
+          }
+          EXPECT_EQ(triangle, chord.triangle) << what;
+          EXPECT_EQ(key_of(middle(here)), key_of(middle(chord.element))) << what;
+        }
+      }
+    }
+  }
+  EXPECT_GT(found_lists, 40U);
+  EXPECT_GT(touching, 0U) << "axes through vertices";
+  EXPECT_GT(walked, 5U) << "axes that do not meet the first triangle";
+}
+
+TEST(Chords, EndWhereTheVisitorSaysSo) {
+  const NetDocument net = net_of("regular-2-10-vertices.json");
+  const LiftedNet lifted(net, words_at(0, kWords));
+  const std::uint32_t first = first_darts(net)[0];
+  const auto all = find_chords(lifted.plane(), first, lifted.element(6));
+  ASSERT_TRUE(all.has_value());
+  for (std::size_t last = 1; last <= all->chords.size(); ++last) {
+    std::vector<PairKey> seen;
+    const auto list = find_chords(lifted.plane(), first, lifted.element(6), [&](const Chord& chord) {
+      seen.emplace_back(chord.triangle, key_of(middle(chord.element)));
+      return seen.size() < last;
+    });
+    ASSERT_TRUE(list.has_value());
+    ASSERT_EQ(seen.size(), last);
+    for (std::size_t i = 0; i < last; ++i) {
+      EXPECT_EQ(seen[i], PairKey(all->chords[i].triangle, key_of(middle(all->chords[i].element))));
+    }
+  }
+}
+
+/// The element, known to so many bits.
+BallIsometry blurred(BallIsometry f, int bits) {
+  for (arb_ptr x : {f.a.re(), f.a.im(), f.b.re(), f.b.im()}) {
+    mag_t radius;
+    mag_init(radius);
+    mag_set_ui_2exp_si(radius, 1, -bits);
+    mag_add(arb_radref(x), arb_radref(x), radius);
+    mag_clear(radius);
+  }
+  return f;
+}
+
+TEST(Chords, AreAllFoundOrNone) {
+  // The less is known of an element, the less often balls tell sides and equality: then more pairs may be found, or
+  // nothing is said; never are some missing.
+  const NetDocument net = net_of("regular-2-10-vertices.json");
+  const Reference reference(net);
+  std::uint32_t some = 0;
+  std::uint32_t none = 0;
+  for (const std::uint32_t v : {0U, 1U, 5U}) {
+    const LiftedNet lifted(net, words_at(v, kWords));
+    const std::uint32_t first = first_darts(net)[v];
+    for (std::size_t i = 0; i < kWords.size(); ++i) {
+      const auto expected = pairs_of(reference, first, middle(lifted.element(i)));
+      for (int bits = 0; bits < 45; ++bits) {
+        const auto list = find_chords(lifted.plane(), first, blurred(lifted.element(i), bits));
+        ++(list ? some : none);
+        if (!list) continue;
+        std::set<std::uint32_t> triangles;
+        for (const Chord& chord : list->chords) {
+          triangles.insert(chord.triangle);
+          EXPECT_EQ(chord.is_certain(), std::find(chord.side.begin(), chord.side.end(), 1) != chord.side.end() &&
+                                            std::find(chord.side.begin(), chord.side.end(), -1) != chord.side.end());
+        }
+        EXPECT_GE(list->chords.size(), expected.size()) << "word " << i << ", " << bits << " bits";
+        for (const auto& [pair, sides] : expected) {
+          EXPECT_TRUE(triangles.contains(pair.first)) << "word " << i << ", " << bits << " bits";
+        }
+      }
+    }
+  }
+  EXPECT_GT(some, 100U);
+  EXPECT_GT(none, 100U);
+}
+
+TEST(Chords, AreNotFoundForWhatHasNoAxis) {
+  const NetDocument net = net_of("regular-2-10-vertices.json");
+  const LiftedNet lifted(net, words_at(0, kWords));
+  const std::uint32_t first = first_darts(net)[0];
+  EXPECT_FALSE(find_chords(lifted.plane(), first, identity_isometry()).has_value());
+  BallIsometry turned = lifted.element(0);
+  EXPECT_TRUE(find_chords(lifted.plane(), first, turned).has_value());
+  mag_set_d(arb_radref(turned.a.re()), 5);
+  EXPECT_FALSE(find_chords(lifted.plane(), first, turned).has_value()) << "no sign is chosen";
+}
+
+TEST(Chords, TheFirstDartLeavesTheVertex) {
+  for (const char* name : {"regular-2-10-vertices.json", "octagon-1-vertex.json"}) {
+    const NetDocument net = net_of(name);
+    const auto darts = first_darts(net);
+    ASSERT_EQ(darts.size(), net.vertices.size());
+    for (std::uint32_t v = 0; v < darts.size(); ++v) {
+      EXPECT_EQ(start(net, darts[v]), v);
+      for (std::uint32_t dart = 0; dart < darts[v]; ++dart) EXPECT_NE(start(net, dart), v);
+    }
+  }
+}
+
+TEST(Chords, TranslationLengthsAreRoundedOutward) {
+  BallIsometry f = identity_isometry();
+  for (const int sign : {1, -1}) {
+    arb_set_d(f.a.re(), sign * std::cosh(1.5));
+    const Interval length = translation_length(f, 128);
+    EXPECT_NEAR(length.lower, 3, 1e-14);
+    EXPECT_NEAR(length.upper, 3, 1e-14);
+    EXPECT_LT(length.lower, length.upper);
+  }
+  arb_set_d(f.a.re(), 1.5);
+  mag_set_d(arb_radref(f.a.re()), 0.25);
+  EXPECT_LE(translation_length(f, 128).lower, 2 * std::acosh(1.25));
+  EXPECT_GT(translation_length(f, 128).lower, 1);
+  EXPECT_GE(translation_length(f, 128).upper, 2 * std::acosh(1.75));
+  EXPECT_LT(translation_length(f, 128).upper, 3);
+  mag_set_d(arb_radref(f.a.re()), 1);
+  const Interval unknown = translation_length(f, 128);
+  EXPECT_EQ(unknown.lower, 0);
+  EXPECT_EQ(unknown.upper, std::numeric_limits<double>::infinity());
+}
+
+// Tables.
+
+using Words = std::vector<std::vector<std::uint32_t>>;
+
+/// The words' chords at vertex 0 of the Bolza surface.
+class Table {
+ public:
+  explicit Table(const Words& words) : lifted(net_of("regular-2-10-vertices.json"), words_at(0, words)) {
+    std::vector<ChordTable::Member> members;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      members.push_back({first_darts(lifted.net())[0], lifted.element(i)});
+    }
+    table.emplace(lifted.plane(), std::move(members), 1);
+  }
+
+  Table(const Table&) = delete;
+  Table& operator=(const Table&) = delete;
+
+  LiftedNet lifted;
+  std::optional<ChordTable> table;
+};
+
+constexpr Interval kAnyLength{0.5, 8};
+
+TEST(ChordTable, IsCompleteOnlyWithTheChordsOfAllMembers) {
+  EXPECT_TRUE(Table(Words{{0}, {0, 1}}).table->complete());
+  EXPECT_FALSE(Table(Words{{0}, {}}).table->complete());
+  EXPECT_FALSE(Table(Words{{}, {0}}).table->complete());
+  EXPECT_FALSE(Table(Words{{0}, {}, {0, 1}}).table->complete());
+}
+
+TEST(ChordTable, KnowsWhichChordsLieInATriangle) {
+  const Table tested(Words{{0}, {0, 1}, {0, 3}, {0, 1, 6, 6}});
+  const ChordTable& table = *tested.table;
+  std::size_t chords = 0;
+  for (std::uint32_t t = 0; t < tested.lifted.net().triangles.size(); ++t) {
+    std::size_t here = 0;
+    for (std::uint32_t i = 0; i < table.size(); ++i) {
+      for (const ChordTable::Place place : table.in_triangle(t, i)) {
+        EXPECT_EQ(place.geodesic, i);
+        EXPECT_EQ(table.chord(place).triangle, t);
+        ++here;
+      }
+    }
+    EXPECT_EQ(here, table.in_triangle(t).size());
+    chords += here;
+  }
+  std::size_t all = 0;
+  for (std::uint32_t i = 0; i < table.size(); ++i) {
+    all += table.list(i).chords.size();
+    EXPECT_EQ(table.first_dart(i), first_darts(tested.lifted.net())[0]);
+  }
+  EXPECT_EQ(chords, all);
+}
+
+TEST(ChordTable, SaysNeitherYesNorNoOfAChordThatIsNotKnown) {
+  const Table tested(Words{{0}, {0, 1}});
+  const ChordTable& table = *tested.table;
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    for (Chord chord : table.list(i).chords) {
+      EXPECT_EQ(table.find(chord, kAnyLength).found, Tri::yes);
+      EXPECT_EQ(table.find(chord, kAnyLength, i).found, Tri::no);
+      EXPECT_EQ(table.find(chord, kAnyLength, 1 - i).found, Tri::yes);
+      EXPECT_EQ(table.find(chord, {0.5, 1}).found, Tri::no) << "all are longer";
+      for (const bool turned : {false, true}) {
+        Chord wide = chord;
+        if (turned) wide.element = inverse(wide.element);
+        wide.element = blurred(wide.element, -3);
+        EXPECT_EQ(table.find(wide, kAnyLength).found, Tri::unknown);
+        EXPECT_EQ(table.find(wide, kAnyLength, i).found, Tri::no) << "other axes";
+      }
+      // Exponents that are too many, too large or not bounded decide nothing.
+      EXPECT_EQ(table.find(chord, {1, 1e3}).found, Tri::unknown);
+      EXPECT_EQ(table.find(chord, {1e8, 1e8}).found, Tri::unknown);
+      EXPECT_EQ(table.find(chord, {1, std::numeric_limits<double>::infinity()}).found, Tri::unknown);
+    }
+  }
+}
+
+TEST(ChordTable, FindsAPowerAtTheEndsOfItsLength) {
+  const Table tested(Words{{0}, {0, 0, 0}, {0, 0, 0, 0, 0, 0}});
+  const ChordTable& table = *tested.table;
+  const double once = (table.length(0).lower + table.length(0).upper) / 2;
+  for (const std::uint32_t i : {1U, 2U}) {
+    const std::uint32_t power = 3 * i;
+    const Chord& chord = table.list(i).chords.front();
+    const auto find = [&](double lower, double upper) { return table.find(chord, {lower * once, upper * once}, i); };
+    for (const auto& [lower, upper] :
+         {std::pair{power - 1e-9, power + 1e-9}, {power - 1e-9, power + 0.9}, {power - 0.9, power + 1e-9}}) {
+      const ChordTable::Match match = find(lower, upper);
+      EXPECT_EQ(match.found, Tri::yes);
+      EXPECT_EQ(match.power, i == 1 || match.geodesic == 0 ? power : 2);
+    }
+    EXPECT_EQ(table.find(chord, table.length(i), i).found, Tri::yes);
+    EXPECT_EQ(find(power + 0.01, power + 0.99).found, Tri::no) << "no whole number between";
+    EXPECT_EQ(find(0.5, 0.9).found, Tri::no);
+  }
+  // The third power is no power of the sixth.
+  EXPECT_EQ(table.find(table.list(1).chords.front(), table.length(1), 0).geodesic, 1U);
+}
+
+}  // namespace
+}  // namespace epsnet::certify

@@ -1,0 +1,224 @@
+#include "certify/geodesics/lifted_plane.h"
+
+#include <gtest/gtest.h>
+
+#include "lifted_reference.h"
+
+/// Vectors, axes and lifted triangles of certify/geodesics against the same in long double; and when two elements are
+/// said to be the same.
+namespace epsnet::certify {
+namespace {
+
+constexpr double kNear = 1e-9;
+
+NetDocument net_of(const std::string& name) {
+  return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
+}
+
+void expect_near(const Vector& x, const Vector& y, const std::string& what) {
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(static_cast<double>(x[i]), static_cast<double>(y[i]), kNear) << what;
+}
+
+Real dot_of(const BallVector& row, const Vector& x) {
+  const Vector r = middle(row);
+  return r[0] * x[0] + r[1] * x[1] + r[2] * x[2];
+}
+
+const std::vector<Complex> kPoints{{0, 0}, {0.3L, 0.1L}, {-0.2L, 0.55L}, {-0.1L, -0.7L}, {0.62L, -0.4L}};
+
+TEST(Lorentz, MatricesMoveVectorsAsIsometriesMovePoints) {
+  const NetDocument net = net_of("regular-2-10-vertices.json");
+  const Reference reference(net);
+  const LiftedNet lifted(net);
+  for (std::uint32_t k = 0; k <= net.labels.size(); ++k) {
+    const BallIsometry& label = lifted.plane().label(k);
+    const BallMatrix matrix = lorentz_matrix(label, 128);
+    for (const Complex z : kPoints) {
+      const auto x = static_cast<double>(z.real());
+      const auto y = static_cast<double>(z.imag());
+      const Vector expected = vector_of(image(reference.label(k), Complex(x, y)));
+      const BallVector unit = unit_vector(label, x, y, 128);
+      expect_near(middle(unit), expected, "unit_vector");
+      expect_near(middle(apply(matrix, unit_vector(identity_isometry(), x, y, 128), 128)), expected, "matrix");
+    }
+  }
+}
+
+TEST(Lorentz, AnAxisIsPositiveOnTheLeftByTheSinhOfTheDistance) {
+  const NetDocument net = net_of("regular-2-10-vertices.json");
+  const LiftedNet lifted(net);
+  std::uint32_t tested = 0;
+  for (std::uint32_t k = 1; k <= net.labels.size(); ++k) {
+    const NetDocument::Label& label = net.labels[k - 1];
+    if (label.from != label.to) continue;
+    for (const bool inverted : {false, true}) {
+      BallIsometry f = inverted ? inverse(lifted.plane().label(k)) : lifted.plane().label(k);
+      choose_sign(f);
+      const BallVector row = axis_row(f, 128);
+      for (const Complex z : kPoints) {
+        EXPECT_NEAR(static_cast<double>(dot_of(row, vector_of(z))), static_cast<double>(side_of_axis(middle(f), z)),
+                    kNear);
+      }
+      ++tested;
+    }
+  }
+  EXPECT_GT(tested, 4U);
+  // Along the real axis to the right: i/2 is on the left.
+  BallIsometry shift = identity_isometry();
+  arb_set_d(shift.a.re(), std::cosh(1.0));
+  arb_set_d(shift.b.re(), std::sinh(1.0));
+  EXPECT_NEAR(static_cast<double>(dot_of(axis_row(shift, 64), vector_of({0, 0.5L}))), 4.0 / 3, kNear);
+  EXPECT_FALSE(is_finite(axis_row(identity_isometry(), 64)[0])) << "no axis";
+}
+
+TEST(Lorentz, SignsAreChosenWhereBallsTellThem) {
+  BallIsometry f;
+  arb_set_d(f.a.re(), -3);
+  arb_set_d(f.a.im(), 1);
+  arb_set_d(f.b.re(), 2);
+  arb_set_d(f.b.im(), -5);
+  EXPECT_EQ(middle(cosh_half_length(f).get()), 3);
+  choose_sign(f);
+  EXPECT_EQ(middle(f), (Move{{3, -1}, {-2, 5}}));
+  choose_sign(f);
+  EXPECT_EQ(middle(f), (Move{{3, -1}, {-2, 5}}));
+  arb_set_d(f.a.re(), -3);
+  mag_set_d(arb_radref(f.a.re()), 4);
+  choose_sign(f);
+  EXPECT_EQ(middle(f), (Move{{-3, -1}, {-2, 5}})) << "0 is in the ball";
+}
+
+TEST(LiftedPlane, PlacesCornersLinesAndCircumcentres) {
+  for (const char* name : {"regular-2-10-vertices.json", "octagon-9-vertices.json"}) {
+    const NetDocument net = net_of(name);
+    const Reference reference(net);
+    const LiftedNet lifted(net);
+    for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
+      const std::string what = std::string(name) + " dart " + std::to_string(dart);
+      const std::uint32_t third = next_dart(next_dart(dart));
+      const Vector here = vector_of(reference.corner(dart));
+      const Vector there = vector_of(reference.corner(next_dart(dart)));
+      const Vector opposite_corner = vector_of(reference.corner(third));
+      expect_near(middle(lifted.plane().corner(dart)), here, what);
+      EXPECT_NEAR(static_cast<double>(dot_of(lifted.plane().line(dart), here)), 0, kNear) << what;
+      EXPECT_NEAR(static_cast<double>(dot_of(lifted.plane().line(dart), there)), 0, kNear) << what;
+      EXPECT_GT(dot_of(lifted.plane().line(dart), opposite_corner), 0.01L) << what;
+      const Vector n = reference.circumcentre(dart / 3);
+      expect_near(middle(lifted.plane().alpha(dart / 3)), {-n[0], -n[1], n[2]}, what);
+      EXPECT_NEAR(static_cast<double>(dot_of(lifted.plane().alpha(dart / 3), here)), 1, kNear) << what;
+    }
+  }
+}
+
+TEST(LiftedPlane, LeadsAcrossEveryDart) {
+  for (const char* name : {"regular-2-10-vertices.json", "octagon-9-vertices.json"}) {
+    const NetDocument net = net_of(name);
+    const Reference reference(net);
+    const LiftedNet lifted(net);
+    std::uint32_t without = 0;
+    for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
+      const std::uint32_t other = opposite(net, dart);
+      const Move expected = reference.transition(dart);
+      const LiftedPlane::Transition* transition = lifted.plane().transition(dart);
+      if (transition == nullptr) {
+        ++without;
+        EXPECT_EQ(key_of(expected), key_of({1, 0}));
+        expect_near(middle(lifted.plane().corner(dart)), middle(lifted.plane().corner(next_dart(other))), "start");
+        expect_near(middle(lifted.plane().corner(next_dart(dart))), middle(lifted.plane().corner(other)), "end");
+        continue;
+      }
+      EXPECT_EQ(key_of(middle(transition->isometry)), key_of(expected));
+      expect_near(middle(apply(transition->matrix, lifted.plane().corner(dart), 128)),
+                  middle(lifted.plane().corner(next_dart(other))), "start");
+      expect_near(middle(apply(transition->matrix, lifted.plane().corner(next_dart(dart)), 128)),
+                  middle(lifted.plane().corner(other)), "end");
+    }
+    EXPECT_GT(without, 0U) << name;
+    EXPECT_LT(without, 3 * net.triangles.size()) << name;
+  }
+}
+
+// Which elements are the same. The chart is that of the centre of the regular octagon; its side pairings move the
+// centre by exactly twice the radius of the inscribed disk, the least that any element but 1 does.
+
+/// The element of a word at the centre of the regular octagon.
+BallIsometry element_of(const LiftedNet& lifted, std::size_t i) {
+  BallIsometry result = lifted.plane().label(lifted.element_number(i));
+  choose_sign(result);
+  return result;
+}
+
+/// The number of the chart at the centre, and a vertex of it.
+std::uint32_t central_chart(const NetDocument& net) {
+  for (std::uint32_t c = 0; c < net.charts.size(); ++c) {
+    if (exact_point(net.charts[c].centre).n == Gaussian{}) return c;
+  }
+  ADD_FAILURE() << "no chart at the centre";
+  return 0;
+}
+
+std::vector<GeodesicsDocument::ClosedGeodesic> words_at_centre(const NetDocument& net,
+                                                               const std::vector<std::vector<std::uint32_t>>& words) {
+  std::uint32_t v = 0;
+  while (net.vertices[v].chart != central_chart(net)) ++v;
+  std::vector<GeodesicsDocument::ClosedGeodesic> result;
+  for (const auto& word : words) result.push_back({v, word, {1, 2}, true});
+  return result;
+}
+
+/// The ball of both points.
+void cover(arb_ptr x, arb_srcptr y) { arb_union(x, x, y, 64); }
+
+BallIsometry both(BallIsometry f, const BallIsometry& g) {
+  cover(f.a.re(), g.a.re());
+  cover(f.a.im(), g.a.im());
+  cover(f.b.re(), g.b.re());
+  cover(f.b.im(), g.b.im());
+  return f;
+}
+
+TEST(LiftedPlane, TellsElementsApart) {
+  const NetDocument net = net_of("regular-2-10-vertices.json");
+  // Sides 0 and 1 have one a and different b, the products of two one b and different a.
+  const LiftedNet lifted(net, words_at_centre(net, {{0}, {1}, {0, 1}, {1, 0}, {0, 1, 5, 1}, {4}}));
+  const std::uint32_t chart = central_chart(net);
+  const LiftedPlane& plane = lifted.plane();
+  std::vector<BallIsometry> elements{identity_isometry()};
+  for (std::size_t i = 0; i < 6; ++i) elements.push_back(element_of(lifted, i));
+  EXPECT_EQ(key_of(middle(elements[3]))[2], key_of(middle(elements[4]))[2]);
+  EXPECT_EQ(key_of(middle(elements[3]))[3], key_of(middle(elements[4]))[3]);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+      // Word 4 is word 2.
+      const bool equal = i == k || (i == 3 && k == 5) || (i == 5 && k == 3);
+      EXPECT_EQ(plane.same(chart, elements[i], elements[k]), equal ? Tri::yes : Tri::no) << i << ", " << k;
+      if (equal) continue;
+      BallIsometry turned = elements[i];
+      acb_neg(turned.a.get(), turned.a.get());
+      acb_neg(turned.b.get(), turned.b.get());
+      EXPECT_EQ(plane.same(chart, turned, elements[k]), Tri::unknown) << "no sign is chosen";
+      EXPECT_EQ(plane.same(chart, elements[k], turned), Tri::unknown) << "no sign is chosen";
+      EXPECT_EQ(plane.same(chart, both(elements[i], elements[k]), elements[k]), Tri::unknown) << i << ", " << k;
+      EXPECT_EQ(plane.same(chart, elements[i], both(elements[i], elements[k])), Tri::unknown) << i << ", " << k;
+    }
+  }
+}
+
+TEST(LiftedPlane, ElementsAreTheSameIfTheyMoveTheCentreByLessThanTheDiskIsWide) {
+  const NetDocument net = net_of("regular-2-10-vertices.json");
+  const LiftedNet lifted(net, words_at_centre(net, {{0}}));
+  const std::uint32_t chart = central_chart(net);
+  const BallIsometry one = identity_isometry();
+  const BallIsometry side = element_of(lifted, 0);
+  // b of the side pairing is −sinh r, r the radius of the disk: a ball up to there holds two elements, one just short
+  // of it holds 1 alone.
+  for (const auto& [share, expected] : {std::pair{1.000001, Tri::unknown}, {0.999999, Tri::yes}, {0.5, Tri::yes}}) {
+    BallIsometry wide = one;
+    mag_set_d(arb_radref(wide.b.re()), std::abs(static_cast<double>(middle(side.b.re()))) * share);
+    EXPECT_EQ(lifted.plane().same(chart, one, wide), expected) << share;
+    EXPECT_EQ(lifted.plane().same(chart, wide, one), expected) << share;
+  }
+}
+
+}  // namespace
+}  // namespace epsnet::certify
