@@ -1,0 +1,145 @@
+#include <gtest/gtest.h>
+
+#include "certify/geodesics/completeness_check.h"
+#include "certify/geodesics/geodesics_check.h"
+#include "lifted_reference.h"
+
+/// Rule `complete`: what it looks at against its definition in docs/proof.md, and lengths that are nearly the bound.
+namespace epsnet::certify {
+namespace {
+
+GeodesicsDocument load(const std::string& name) {
+  return read_geodesics(std::string(EPSNET_TEST_DATA) + "/geodesics/" + name);
+}
+
+std::string outcome(const GeodesicsDocument& document) {
+  const Certificate certificate = check_geodesics(document, {.threads = 2, .max_precision = 1024});
+  return std::string(name(certificate.verdict)) + (certificate.rule.empty() ? "" : ": " + certificate.rule);
+}
+
+/// The list without geodesic i.
+GeodesicsDocument without(GeodesicsDocument document, std::uint32_t i) {
+  document.geodesics.erase(document.geodesics.begin() + i);
+  document.clusters.clear();
+  for (std::uint32_t k = 0; k < document.geodesics.size(); ++k) document.clusters.push_back({k, 1, true});
+  for (GeodesicsDocument::Piece& piece : document.pieces) {
+    std::erase_if(piece.boundaries, [&](const auto& side) { return side.first == i; });
+    for (auto& [geodesic, side] : piece.boundaries) geodesic -= geodesic > i ? 1 : 0;
+  }
+  return document;
+}
+
+struct Counts {
+  std::uint64_t visits = 0;
+  std::uint64_t candidates = 0;
+  std::uint64_t deep = 0;
+};
+
+/// What the rule looks at, for a bound L: for a vertex that a short loop makes deep (Lemma 13) that loop; for every
+/// other the lifted triangles of Lemma 15 with sinh(D/2) = sinh(L/2) cosh ε, and of the elements found those, one of
+/// each two inverse ones, that are not 1 nor longer than L and whose axis comes within ε of the vertex.
+Counts expected_counts(const NetDocument& net, Real bound) {
+  const Reference reference(net);
+  const Real epsilon = std::stold(net.epsilon);
+  const Real distance_bound = 2 * std::asinh(std::sinh(bound / 2) * std::cosh(epsilon));
+  const auto is_within = [&](const Move& f) { return std::abs(f.first.real()) < std::cosh(bound / 2) + 1e-12L; };
+  Counts counts;
+  const auto firsts = first_darts(net);
+  for (std::uint32_t v = 0; v < net.vertices.size(); ++v) {
+    const Complex place(net.vertices[v].x, net.vertices[v].y);
+    bool deep = false;
+    for (std::uint32_t dart = 0; dart < 3 * net.triangles.size() && !deep; ++dart) {
+      if (start(net, dart) != v || start(net, next_dart(dart)) != v || opposite(net, dart) < dart) continue;
+      const Move loop = with_sign(inverted(reference.label(corner_label(net, dart))) *
+                                  reference.label(corner_label(net, next_dart(dart))));
+      const Real sinh_half = std::sqrt(loop.first.real() * loop.first.real() - 1);
+      deep = sinh_half < 1 && std::asinh(std::abs(side_of_axis(loop, place))) + epsilon < std::asinh(1 / sinh_half);
+      if (deep && is_within(loop)) ++counts.candidates;
+    }
+    if (deep) {
+      ++counts.deep;
+      continue;
+    }
+    const Wanted all = wanted(reference, firsts[v], distance_bound);
+    EXPECT_GT(all.gap, 1e-9) << "too near to be told in long double";
+    counts.visits += all.triangles;
+    for (const auto& [key, element] : all.elements) {
+      const Move f = with_sign(element);
+      if (f.second.imag() < -1e-12L || !is_within(f) || key == key_of({1, 0})) continue;
+      if (std::abs(side_of_axis(f, place)) <= std::sinh(epsilon)) ++counts.candidates;
+    }
+  }
+  return counts;
+}
+
+void expect_counts(const GeodesicsDocument& document, Real bound, const std::string& what) {
+  const Certificate certificate = check_geodesics(document, {.threads = 1});
+  ASSERT_EQ(certificate.verdict, Verdict::verified) << what << ": " << certificate.message;
+  const Counts expected = expected_counts(document.net, bound);
+  EXPECT_EQ(certificate.geodesics->lifted_triangles, expected.visits) << what;
+  EXPECT_EQ(certificate.geodesics->candidates, expected.candidates) << what;
+  EXPECT_EQ(certificate.geodesics->deep_vertices, expected.deep) << what;
+}
+
+GeodesicsDocument bolza_systole(const std::string& name) {
+  GeodesicsDocument document;
+  document.net = read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
+  document.geodesics = {{0, {0}, {3.057, 3.0572}, true}};
+  return document;
+}
+
+TEST(Completeness, LooksAtWhatTheLemmasSay) {
+  const char* ten = "regular-2-10-vertices.json";
+  expect_counts(bolza_systole(ten), 2 * std::acosh(1 + std::sqrt(Real{2})), "the systole");
+  for (const char* name : {ten, "regular-2-4-rotated-vertices.json"}) {
+    GeodesicsDocument none = bolza_systole(name);
+    none.claim = GeodesicsDocument::Claim::spectrum;
+    none.geodesics.clear();
+    for (const char* up_to : {"3", "0.5"}) {
+      none.up_to = up_to;
+      expect_counts(none, std::stold(none.up_to), name);
+    }
+  }
+  GeodesicsDocument cuffs = load("three-cuffs.json");
+  expect_counts(cuffs, 2 * std::asinh(Real{1}), "three cuffs");
+  cuffs.claim = GeodesicsDocument::Claim::spectrum;
+  cuffs.pieces.clear();
+  cuffs.up_to = "1.9";
+  expect_counts(cuffs, std::stold(cuffs.up_to), "the spectrum of three cuffs");
+  // Another radius, with which fewer vertices are deep.
+  for (const char* epsilon : {"1.02", "1.05"}) {
+    GeodesicsDocument wider = load("three-cuffs.json");
+    wider.net.epsilon = epsilon;
+    if (outcome(wider) == "VERIFIED") expect_counts(wider, 2 * std::asinh(Real{1}), epsilon);
+  }
+}
+
+// The bound 2 arsinh 1 is a length itself on some surfaces, and nearly one on others.
+
+TEST(Completeness, ACurveOfLength2Arsinh1IsSmallAndOneThatIsLongerBy1e20IsNot) {
+  const GeodesicsDocument exactly = load("one-curve-of-2-arsinh-1.json");
+  const GeodesicsDocument less = load("one-curve-of-2-arsinh-1-less-1e-20.json");
+  const GeodesicsDocument more = load("no-curve-of-2-arsinh-1-and-1e-20-more.json");
+  EXPECT_EQ(outcome(exactly), "VERIFIED");
+  EXPECT_EQ(outcome(without(exactly, 0)), "REFUTED: complete");
+  EXPECT_EQ(outcome(less), "VERIFIED");
+  EXPECT_EQ(outcome(without(less, 0)), "REFUTED: complete");
+  EXPECT_EQ(outcome(more), "VERIFIED");
+  GeodesicsDocument listed = more;
+  listed.geodesics = exactly.geodesics;
+  listed.clusters = exactly.clusters;
+  listed.pieces = exactly.pieces;
+  EXPECT_EQ(outcome(listed), "REFUTED: geodesics") << "longer than 2 arsinh 1";
+  // It is the shortest of its surface, and no spectrum up to less has it.
+  listed.claim = GeodesicsDocument::Claim::spectrum;
+  listed.pieces.clear();
+  listed.up_to = "1.76274717404";
+  EXPECT_EQ(outcome(listed), "VERIFIED");
+  EXPECT_EQ(outcome(without(listed, 0)), "REFUTED: complete");
+  listed.up_to = "1.76274717403";
+  EXPECT_EQ(outcome(listed), "REFUTED: geodesics");
+  EXPECT_EQ(outcome(without(listed, 0)), "VERIFIED");
+}
+
+}  // namespace
+}  // namespace epsnet::certify
