@@ -497,6 +497,64 @@ TEST(Geodesics, DifferentLengthsCalledEqualAreRefuted) {
   EXPECT_EQ(outcome(document), "VERIFIED");
 }
 
+/// The verdict of one rule.
+std::string verdict_of(const GeodesicsDocument& document, const std::string& rule) {
+  for (const RuleReport& report : check_geodesics(document, {.threads = 1, .max_precision = 256}).rules) {
+    if (report.rule == rule) return std::string(name(report.verdict));
+  }
+  return "none";
+}
+
+TEST(Geodesics, EveryLengthOfAClusterIsCompared) {
+  // Elements of 2 arcosh(1 + √2) and of 2 arcosh(3 + 2√2), in any order, in one cluster.
+  const GeodesicsDocument all = spectrum(bolza(), "6.8", 6);
+  const auto document = [&](const std::vector<std::size_t>& elements) {
+    GeodesicsDocument result = all;
+    result.geodesics.clear();
+    for (const std::size_t i : elements) {
+      result.geodesics.push_back(all.geodesics[i]);
+      result.geodesics.back().length = {3, 5};
+    }
+    result.clusters = clusters(result.geodesics);
+    return result;
+  };
+  EXPECT_EQ(verdict_of(document({0, 1, 2}), "equal"), "VERIFIED");
+  EXPECT_EQ(verdict_of(document({12, 13}), "equal"), "VERIFIED");
+  for (const std::vector<std::size_t>& elements : std::vector<std::vector<std::size_t>>{
+           {0, 12}, {12, 0}, {0, 1, 12}, {0, 12, 1}, {12, 0, 1}, {12, 13, 0}, {12, 0, 13}, {0, 1, 2, 3, 4, 12}}) {
+    EXPECT_EQ(outcome(document(elements)), "REFUTED: equal");
+  }
+  // Only what is said to be equal; and every cluster is looked at.
+  GeodesicsDocument two = document({0, 12});
+  for (const std::size_t i : {24U, 48U}) {
+    two.geodesics.push_back(all.geodesics[i]);
+    two.geodesics.back().length = {5.5, 7};
+  }
+  two.clusters = clusters(two.geodesics);
+  ASSERT_EQ(two.clusters.size(), 2U);
+  two.clusters[0].equal = false;
+  EXPECT_EQ(outcome(two), "REFUTED: equal");
+  two.clusters[1].equal = false;
+  EXPECT_EQ(verdict_of(two, "equal"), "VERIFIED");
+  two.clusters[0].equal = true;
+  EXPECT_EQ(outcome(two), "REFUTED: equal");
+}
+
+TEST(Geodesics, WordsTooLongToBeComparedAreNotCalledEqual) {
+  GeodesicsDocument document;
+  document.claim = GeodesicsDocument::Claim::spectrum;
+  document.net = load("octagon-9-vertices.json");
+  document.up_to = "40";
+  // A conjugate of side 2: balls do not know it.
+  std::vector<std::uint32_t> lengthy;
+  for (int i = 0; i < 80'000; ++i) lengthy.push_back(i % 2);
+  lengthy.push_back(2);
+  for (int i = 0; i < 80'000; ++i) lengthy.push_back(partner(lengthy[79'999 - i]));
+  document.geodesics = {{0, {0}, {0.1, 30}, true}, {0, lengthy, {0.1, 30}, true}};
+  document.clusters = {{0, 2, true}};
+  EXPECT_EQ(verdict_of(document, "equal"), "UNDECIDED");
+}
+
 TEST(Geodesics, ALongerGeodesicIsNoSystole) {
   GeodesicsDocument document = systole(bolza());
   document.geodesics[0] = bolza_to_5().geodesics[12];
