@@ -1,0 +1,240 @@
+#include "certify/geodesics/cut_surface.h"
+
+#include <gtest/gtest.h>
+#include <map>
+
+#include "lifted_reference.h"
+
+/// The pieces that simple closed geodesics leave of the Bolza surface, against its homology.
+namespace epsnet::certify {
+namespace {
+
+using Word = std::vector<std::uint32_t>;
+using Pieces = std::vector<GeodesicsDocument::Piece>;
+
+/// The simple closed geodesics of the regular octagon of length at most 6, up to orientation.
+const std::vector<Word> kSimple{{5, 3, 0},
+                                {3, 0, 5, 2, 4, 7},
+                                {2, 1, 4, 6},
+                                {6, 0, 7, 4, 2},
+                                {7, 2, 3},
+                                {2, 5, 2, 7, 6},
+                                {6, 0, 5, 2, 2},
+                                {3, 6, 3, 0, 7},
+                                {2, 0, 3, 6},
+                                {6, 0, 2, 7, 4, 2},
+                                {2, 1, 6},
+                                {7, 0, 3},
+                                {7, 7, 1, 3},
+                                {6, 1, 6, 3, 0, 2},
+                                {2, 7, 2, 5, 0, 6},
+                                {1, 4, 7, 6},
+                                {7, 4, 2, 7, 4, 1, 0, 3},
+                                {3, 0, 2, 7},
+                                {6, 1, 6, 3, 0, 3, 5, 2},
+                                {5, 0, 5, 2},
+                                {6, 1, 4, 1, 3, 0, 5, 2},
+                                {7, 5, 0, 3, 0, 3},
+                                {5, 2, 7, 2},
+                                {4, 2},
+                                {7, 1, 6, 1, 3},
+                                {1, 4, 7, 4, 6},
+                                {7, 4, 1, 7, 2},
+                                {7, 5, 2, 7, 4, 2, 3},
+                                {6, 4, 7, 4, 2},
+                                {6, 1, 4, 6, 3},
+                                {0, 5, 0, 3, 6},
+                                {5, 7, 2, 5, 0},
+                                {2, 3, 0, 3, 6},
+                                {3, 0, 5, 0, 7},
+                                {7, 5, 2, 0, 5, 2},
+                                {2, 4, 3, 6},
+                                {7, 5, 2, 7, 4},
+                                {2, 3},
+                                {3, 2, 5, 2, 7},
+                                {1, 4, 7, 1, 6},
+                                {6, 0, 5, 5, 2},
+                                {7, 4, 7, 2, 5, 2},
+                                {7, 2, 2},
+                                {7, 4, 7, 2, 7, 0, 3},
+                                {0, 5, 3, 0, 5, 2},
+                                {6, 3, 0, 5, 0, 3},
+                                {0, 1},
+                                {1, 2}};
+
+/// The class of a word in H₁ = ℤ⁴: side k + 4 is side k backward.
+std::array<int, 4> homology(const Word& word) {
+  std::array<int, 4> result{};
+  for (const std::uint32_t side : word) result[side % 4] += side < 4 ? 1 : -1;
+  return result;
+}
+
+class Bolza {
+ public:
+  explicit Bolza(const std::string& name, slong precision = 128)
+      : lifted_(read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name), geodesics(), precision) {}
+
+  static std::vector<GeodesicsDocument::ClosedGeodesic> geodesics() {
+    std::vector<GeodesicsDocument::ClosedGeodesic> result;
+    for (const Word& word : kSimple) result.push_back({0, word, {1, 6}, true});
+    return result;
+  }
+
+  [[nodiscard]] ChordTable table(const std::vector<std::uint32_t>& curves, int bits = 1000) const {
+    std::vector<ChordTable::Member> members;
+    for (const std::uint32_t i : curves) {
+      members.push_back({first_darts(lifted_.net())[0], lifted_.element(i)});
+      BallIsometry& f = members.back().element;
+      for (arb_ptr x : {f.a.re(), f.a.im(), f.b.re(), f.b.im()}) arb_add_error_2exp_si(x, -bits);
+    }
+    return {lifted_.plane(), std::move(members), 1};
+  }
+
+  [[nodiscard]] std::optional<Pieces> cut(const std::vector<std::uint32_t>& curves, const ChordTable& chords) const {
+    std::vector<std::uint32_t> numbers;
+    for (const std::uint32_t i : curves) numbers.push_back(lifted_.element_number(i));
+    return cut_surface(lifted_.plane(), lifted_.evaluator(), chords, numbers);
+  }
+
+  /// By pairs of curves, whether they have no point in common.
+  [[nodiscard]] std::vector<std::vector<bool>> disjoint() const {
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t i = 0; i < kSimple.size(); ++i) all.push_back(i);
+    const ChordTable chords = table(all);
+    std::vector<std::vector<bool>> result(all.size(), std::vector<bool>(all.size(), true));
+    for (std::uint32_t t = 0; t < lifted_.net().triangles.size(); ++t) {
+      for (const auto x : chords.in_triangle(t)) {
+        for (const auto y : chords.in_triangle(t)) {
+          const Vector m = middle(chords.chord(x).axis);
+          const Vector n = middle(chords.chord(y).axis);
+          if (std::abs(lorentz(m, n)) < 1 - 1e-9L) result[x.geodesic][y.geodesic] = false;
+        }
+      }
+    }
+    return result;
+  }
+
+ private:
+  LiftedNet lifted_;
+};
+
+/// What holds for the pieces of a surface of genus 2 cut along disjoint simple geodesics, no two the same: each side of
+/// each bounds one piece; χ of all is −2, that of each negative; the boundary of a piece is 0 in homology, and nothing
+/// else is among the curves, so that there is one piece more than they have relations.
+void expect_pieces(const Pieces& pieces, const std::vector<std::uint32_t>& curves) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+  int euler = 0;
+  for (const GeodesicsDocument::Piece& piece : pieces) {
+    std::array<int, 4> boundary{};
+    for (const auto& [geodesic, side] : piece.boundaries) {
+      ++sides[{geodesic, side}];
+      const auto around = homology(kSimple[curves[geodesic]]);
+      for (std::size_t k = 0; k < 4; ++k) boundary[k] += side == 0 ? around[k] : -around[k];
+    }
+    EXPECT_EQ(boundary, (std::array<int, 4>{}));
+    const int chi = 2 - 2 * static_cast<int>(piece.genus) - static_cast<int>(piece.boundaries.size());
+    EXPECT_LT(chi, 0);
+    euler += chi;
+    EXPECT_TRUE(std::is_sorted(piece.boundaries.begin(), piece.boundaries.end()));
+  }
+  EXPECT_EQ(euler, -2);
+  EXPECT_EQ(sides.size(), 2 * curves.size());
+  for (const auto& [side, count] : sides) EXPECT_EQ(count, 1);
+  // The relations, by elimination over ℚ.
+  std::vector<std::array<double, 4>> rows;
+  for (const std::uint32_t i : curves) {
+    const auto h = homology(kSimple[i]);
+    rows.push_back({double(h[0]), double(h[1]), double(h[2]), double(h[3])});
+  }
+  std::size_t rank = 0;
+  for (std::size_t column = 0; column < 4 && rank < rows.size(); ++column) {
+    std::size_t pivot = rank;
+    while (pivot < rows.size() && std::abs(rows[pivot][column]) < 1e-9) ++pivot;
+    if (pivot == rows.size()) continue;
+    std::swap(rows[rank], rows[pivot]);
+    for (std::size_t i = rank + 1; i < rows.size(); ++i) {
+      const double factor = rows[i][column] / rows[rank][column];
+      for (std::size_t k = 0; k < 4; ++k) rows[i][k] -= factor * rows[rank][k];
+    }
+    ++rank;
+  }
+  EXPECT_EQ(pieces.size(), 1 + curves.size() - rank);
+}
+
+/// All sets of one, two or three disjoint curves.
+std::vector<std::vector<std::uint32_t>> sets_of_disjoint(const Bolza& bolza) {
+  const auto disjoint = bolza.disjoint();
+  std::vector<std::vector<std::uint32_t>> result;
+  for (std::uint32_t i = 0; i < kSimple.size(); ++i) {
+    result.push_back({i});
+    for (std::uint32_t j = 0; j < i; ++j) {
+      if (!disjoint[i][j]) continue;
+      result.push_back({i, j});
+      for (std::uint32_t k = 0; k < j; ++k) {
+        if (disjoint[i][k] && disjoint[j][k]) result.push_back({i, j, k});
+      }
+    }
+  }
+  return result;
+}
+
+TEST(CutSurface, LeavesThePiecesThatHomologySays) {
+  for (const char* name : {"regular-2-10-vertices.json", "regular-2-4-rotated-vertices.json"}) {
+    const Bolza bolza(name);
+    std::array<int, 4> sizes{};
+    for (const std::vector<std::uint32_t>& curves : sets_of_disjoint(bolza)) {
+      const auto pieces = bolza.cut(curves, bolza.table(curves));
+      ASSERT_TRUE(pieces.has_value());
+      expect_pieces(*pieces, curves);
+      ++sizes[curves.size()];
+    }
+    EXPECT_EQ(sizes[1], 48);
+    EXPECT_GT(sizes[2], 20);
+    EXPECT_GT(sizes[3], 10);
+    EXPECT_EQ(bolza.cut({}, bolza.table({})), (Pieces{{2, {}}}));
+  }
+}
+
+TEST(CutSurface, SaysNothingRatherThanSomethingWrong) {
+  // The less is known of the curves, the less often balls tell on which side a corner lies and in which order curves
+  // cut off a corner.
+  std::uint32_t some = 0;
+  std::uint32_t none = 0;
+  const Bolza exact("regular-2-10-vertices.json");
+  const auto sets = sets_of_disjoint(exact);
+  for (const slong precision : {64, 128}) {
+    const Bolza bolza("regular-2-10-vertices.json", precision);
+    for (std::size_t s = 0; s < sets.size(); s += 11) {
+      const auto expected = exact.cut(sets[s], exact.table(sets[s]));
+      for (int bits = 0; bits < 40; bits += 2) {
+        const ChordTable chords = bolza.table(sets[s], bits);
+        if (!chords.complete()) continue;
+        const auto pieces = bolza.cut(sets[s], chords);
+        ++(pieces ? some : none);
+        EXPECT_TRUE(!pieces || pieces == expected) << bits << " bits";
+      }
+    }
+  }
+  EXPECT_GT(some, 20U);
+  EXPECT_GT(none, 10U);
+}
+
+TEST(CutSurface, AsksOnlyFor128BitsForCornersOnACurve) {
+  // Side 0 pairs opposite sides of the octagon: its axis leads through the centre, a vertex.
+  const Bolza coarse("regular-2-10-vertices.json", 64);
+  const Bolza fine("regular-2-10-vertices.json", 128);
+  std::uint32_t through = 0;
+  for (std::uint32_t i = 0; i < kSimple.size(); ++i) {
+    const ChordTable chords = coarse.table({i});
+    bool touches = false;
+    for (const Chord& chord : chords.list(0).chords) {
+      touches = touches || std::find(chord.side.begin(), chord.side.end(), 0) != chord.side.end();
+    }
+    EXPECT_EQ(coarse.cut({i}, chords).has_value(), !touches) << i;
+    if (touches) ++through;
+  }
+  EXPECT_GT(through, 2U);
+}
+
+}  // namespace
+}  // namespace epsnet::certify
