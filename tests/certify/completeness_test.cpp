@@ -114,6 +114,24 @@ TEST(Completeness, LooksAtWhatTheLemmasSay) {
   }
 }
 
+TEST(Completeness, FindsAGeodesicThatOnlyTheWholeBoundReaches) {
+  // A net of one vertex, ε little more than its covering radius, and a systole as far from the vertex as can be: the
+  // search finds it with the bound D of Lemma 14, and with 0.98 D no more. The surface, of cuffs 0.739, 0.909, 1.331
+  // and twists 0.026, 0.327, 0.034 on the graph 0-0 0-1 1-1, was found by trying many.
+  const GeodesicsDocument systole = load("systole-far-from-the-only-vertex.json");
+  ASSERT_EQ(systole.net.vertices.size(), 1U);
+  EXPECT_EQ(outcome(systole), "VERIFIED");
+  GeodesicsDocument spectrum = systole;
+  spectrum.claim = GeodesicsDocument::Claim::spectrum;
+  spectrum.clusters = {{0, 1, true}};
+  spectrum.up_to = "0.739001";
+  EXPECT_EQ(outcome(spectrum), "VERIFIED");
+  EXPECT_EQ(outcome(without(spectrum, 0)), "REFUTED: complete");
+  spectrum.up_to = "0.738999";
+  EXPECT_EQ(outcome(spectrum), "REFUTED: geodesics");
+  EXPECT_EQ(outcome(without(spectrum, 0)), "VERIFIED");
+}
+
 // The bound 2 arsinh 1 is a length itself on some surfaces, and nearly one on others.
 
 TEST(Completeness, ACurveOfLength2Arsinh1IsSmallAndOneThatIsLongerBy1e20IsNot) {
