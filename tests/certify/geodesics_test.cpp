@@ -470,6 +470,8 @@ TEST(Geodesics, TooManyVisitsAreUndecided) {
   const Certificate certificate = check_geodesics(bolza_to_5(), {.threads = 1, .max_visits = 1000});
   EXPECT_EQ(certificate.verdict, Verdict::undecided);
   EXPECT_EQ(certificate.rule, "complete");
+  EXPECT_THAT(certificate.message, HasSubstr("its share of the limit"));
+  EXPECT_EQ(certificate.geodesics->max_precision_used, 64U) << "more bits do not help";
   EXPECT_LT(certificate.geodesics->lifted_triangles, 2000U);
 }
 
