@@ -137,6 +137,25 @@ TEST(Completeness, FindsAGeodesicThatOnlyTheWholeBoundReaches) {
   EXPECT_EQ(outcome(without(spectrum, 0)), "VERIFIED");
 }
 
+TEST(Completeness, EndsTheSearchOfAVertexAtAnElementThatIsNotDecided) {
+  // Whatever is found after it: to 64 bits it is not known whether systoles, of length 2 arcosh(1 + √2) =
+  // 3.057141838961996322544912369587…, are within these bounds.
+  GeodesicsDocument none = bolza_systole("regular-2-10-vertices.json");
+  none.claim = GeodesicsDocument::Claim::spectrum;
+  none.geodesics.clear();
+  none.up_to = "3.0571";
+  const std::uint64_t all = check_geodesics(none, {.threads = 1}).geodesics->lifted_triangles;
+  for (const auto& [up_to, expected] : {std::pair{"3.057141838961996322544912369", "VERIFIED"},
+                                        {"3.057141838961996322544912370", "REFUTED: complete"}}) {
+    none.up_to = up_to;
+    const Certificate coarse = check_geodesics(none, {.threads = 1, .max_precision = 64});
+    EXPECT_EQ(coarse.verdict, Verdict::undecided) << up_to;
+    EXPECT_EQ(coarse.rule, "complete") << up_to;
+    EXPECT_LT(coarse.geodesics->lifted_triangles, all / 2) << up_to;
+    EXPECT_EQ(outcome(none), expected) << up_to;
+  }
+}
+
 // The bound 2 arsinh 1 is a length itself on some surfaces, and nearly one on others.
 
 TEST(Completeness, ACurveOfLength2Arsinh1IsSmallAndOneThatIsLongerBy1e20IsNot) {
