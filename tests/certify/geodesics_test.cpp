@@ -363,6 +363,7 @@ TEST(Geodesics, OneLeftOutIsRefuted) {
   document.geodesics.clear();
   document.clusters.clear();
   EXPECT_EQ(outcome(document), "REFUTED: complete");
+  EXPECT_THAT(check_geodesics(document).message, HasSubstr("is not in the list"));
   document.up_to = "3.05";
   EXPECT_EQ(outcome(document), "VERIFIED") << "the systole is longer";
 }
@@ -561,6 +562,7 @@ TEST(Geodesics, ALongerGeodesicIsNoSystole) {
   GeodesicsDocument document = systole(bolza());
   document.geodesics[0] = bolza_to_5().geodesics[12];
   EXPECT_EQ(outcome(document), "REFUTED: complete");
+  EXPECT_THAT(check_geodesics(document).message, HasSubstr("is shorter"));
   document.geodesics[0].length.lower = 3;
   EXPECT_EQ(outcome(document), "REFUTED: complete") << "none is shorter than 3, but some are than this one";
   const GeodesicsDocument longer = spectrum(bolza(), "5.9", 5);
