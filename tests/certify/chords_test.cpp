@@ -4,7 +4,7 @@
 #include <map>
 
 #include "certify/geodesics/chord_table.h"
-#include "lifted_reference.h"
+#include "tests/certify/lifted_reference.h"
 
 /// Chords of closed geodesics against all lifted triangles near an axis, found without looking at sides; and tables of
 /// chords where balls do not decide.

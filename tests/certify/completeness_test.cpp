@@ -2,7 +2,7 @@
 
 #include "certify/geodesics/completeness_check.h"
 #include "certify/geodesics/geodesics_check.h"
-#include "lifted_reference.h"
+#include "tests/certify/lifted_reference.h"
 
 /// Rule `complete`: what it looks at against its definition in docs/proof.md, and lengths that are nearly the bound.
 namespace epsnet::certify {

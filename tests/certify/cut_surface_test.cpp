@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <map>
 
-#include "lifted_reference.h"
+#include "tests/certify/lifted_reference.h"
 
 /// The pieces that simple closed geodesics leave of the Bolza surface, against its homology.
 namespace epsnet::certify {

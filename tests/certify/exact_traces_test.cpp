@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lifted_reference.h"
+#include "tests/certify/lifted_reference.h"
 
 /// Exact comparisons of lengths against long double, on a surface over each ring; and on surfaces where a length is
 /// 2 arsinh 1, or nearly that.

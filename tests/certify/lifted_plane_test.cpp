@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lifted_reference.h"
+#include "tests/certify/lifted_reference.h"
 
 /// Vectors, axes and lifted triangles of certify/geodesics against the same in long double; and when two elements are
 /// said to be the same.

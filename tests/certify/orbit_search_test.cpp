@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <map>
 
-#include "lifted_reference.h"
+#include "tests/certify/lifted_reference.h"
 
 /// The reverse search of docs/proof.md, Lemma 15, against all lifted triangles of a region, found without pruning.
 namespace epsnet::certify {
