@@ -40,10 +40,6 @@ class Folder:
         self.path = path
         with open(os.path.join(path, "tree", "mutants.json"), encoding="utf-8") as file:
             self.mutants = json.load(file)
-        if os.environ.get("MUTANTS_ONLY_OF"):
-            with open(os.environ["MUTANTS_ONLY_OF"], encoding="utf-8") as file:
-                wanted = {key_of(m) for m in json.load(file)}
-            self.mutants = [m for m in self.mutants if key_of(m) in wanted]
         self.by_id = {m["id"]: m for m in self.mutants}
         self.lock = threading.Lock()
         self.results = {}
@@ -217,10 +213,12 @@ def table(folder):
         how = "argued" if result["how"] == "survived" and argued(groups, m) else result["how"]
         rooms[room][how] += 1
         rooms["all"][how] += 1
-    lines = ["| room | mutants | a test fails | crash | hang | survive, argued | survive |", "| --- | --- | --- | --- | --- | --- | --- |"]
+    lines = ["| room | mutants | a test fails | crash | hang | survive, argued | survive | not run yet |",
+             "| --- | --- | --- | --- | --- | --- | --- | --- |"]
     for room in sorted(rooms, key=lambda r: (r == "all", r)):
         c = rooms[room]
-        lines.append(f"| {room} | {sum(c.values())} | {c['failed']} | {c['crashed']} | {c['hung']} | {c['argued']} | {c['survived']} |")
+        lines.append(f"| {room} | {sum(c.values())} | {c['failed']} | {c['crashed']} | {c['hung']} | {c['argued']} | {c['survived']} | "
+                     f"{c['not run']} |")
     lines += ["", "Why those that are argued change nothing:", ""]
     for group in groups:
         n = sum(any(matches(e, m) for e in group["mutants"]) for m in folder.mutants
