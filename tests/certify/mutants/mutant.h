@@ -9,7 +9,7 @@
 /// What the mutated copy of the checkers calls.
 namespace mutant {
 
-extern unsigned active;       ///< The mutant that runs; 0: none.
+extern unsigned active;         ///< The mutant that runs; 0: none.
 extern unsigned char* reached;  ///< One byte for each mutant, not 0 if its place was reached.
 
 /// Whether this mutant runs.

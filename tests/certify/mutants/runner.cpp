@@ -8,6 +8,8 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iostream>
+#include <mutant.h>
+#include <mutant_count.h>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -22,8 +24,6 @@
 #include "certify/exact/checker.h"
 #include "certify/file/reader.h"
 #include "certify/geodesics/geodesics_check.h"
-#include <mutant.h>
-#include <mutant_count.h>
 
 /// Runs the tests of this program against mutants, each in a process of its own (a fork: no start, no loading).
 ///
@@ -50,8 +50,8 @@ struct Shared {
 Shared* shared = nullptr;
 // Tests' static objects may call the checkers before main.
 const bool ready = [] {
-  shared = static_cast<Shared*>(
-      mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
+  shared =
+      static_cast<Shared*>(mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
   mutant::reached = shared->reached;
   return true;
 }();
@@ -163,7 +163,8 @@ std::vector<std::string> test_names() {
 void limit_time(double milliseconds) {
   itimerval timer{};
   timer.it_value.tv_sec = static_cast<time_t>(milliseconds / 1000);
-  timer.it_value.tv_usec = static_cast<suseconds_t>(1000 * (milliseconds - 1000.0 * static_cast<double>(timer.it_value.tv_sec)));
+  timer.it_value.tv_usec =
+      static_cast<suseconds_t>(1000 * (milliseconds - 1000.0 * static_cast<double>(timer.it_value.tv_sec)));
   setitimer(ITIMER_PROF, &timer, nullptr);
   alarm(static_cast<unsigned>(20 + milliseconds / 200));
 }
@@ -194,7 +195,9 @@ int forked(const Body& body, rusage* usage) {
 }
 
 double milliseconds(const rusage& usage) {
-  const auto of = [](const timeval& t) { return 1e3 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_usec); };
+  const auto of = [](const timeval& t) {
+    return 1e3 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_usec);
+  };
   return of(usage.ru_utime) + of(usage.ru_stime);
 }
 
@@ -249,7 +252,8 @@ int main(int argc, char** argv) {
       how = "crashed";
     }
     std::printf("%u\t%s\t%s\t%.0f\n", number, how,
-                std::strcmp(how, "survived") == 0 ? "" : names[static_cast<std::size_t>(shared->test)].c_str(), milliseconds(usage));
+                std::strcmp(how, "survived") == 0 ? "" : names[static_cast<std::size_t>(shared->test)].c_str(),
+                milliseconds(usage));
     std::fflush(stdout);
   }
   return 0;
