@@ -2,10 +2,12 @@
 
 /// All of epsnet that is made for programs of others: surfaces, nets, certificates, closed geodesics, pictures, files.
 ///
-/// A program that only checks files needs certify/check.h, certify/geodesics/geodesics_check.h and
-/// certify/file/reader.h and is linked with the library `epsnet_certify` alone.
+/// A program that only checks files needs certify/check.h, certify/geodesics/geodesics_check.h,
+/// certify/distances/distance_check.h and certify/file/reader.h and is linked with the library `epsnet_certify` alone.
 
 #include "certify/check.h"
+#include "certify/distances/distance_check.h"
+#include "certify/document/distance_document.h"
 #include "certify/document/document.h"
 #include "certify/document/geodesics_document.h"
 #include "certify/document/interval.h"
@@ -20,6 +22,7 @@
 #include "netgen/base/length.h"
 #include "netgen/base/progress.h"
 #include "netgen/base/write_error.h"
+#include "netgen/distances/distance.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/lifts/layout.h"

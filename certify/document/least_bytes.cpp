@@ -38,4 +38,10 @@ std::uint64_t least_bytes(const GeodesicsDocument& document) {
   return bytes;
 }
 
+std::uint64_t least_bytes(const DistanceDocument& document) {
+  std::uint64_t bytes = least_bytes(document.net) + 64 + digits(document.point.z);
+  for (const std::vector<std::uint32_t>& path : document.paths) bytes += 3 + letters(path);
+  return bytes;
+}
+
 }  // namespace epsnet::certify

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "certify/document/distance_document.h"
 #include "certify/document/document.h"
 #include "certify/document/geodesics_document.h"
 
@@ -10,5 +11,6 @@ namespace epsnet::certify {
 /// About the least number of bytes of a file with this content (docs/format.md, "Limits").
 [[nodiscard]] std::uint64_t least_bytes(const NetDocument& document);
 [[nodiscard]] std::uint64_t least_bytes(const GeodesicsDocument& document);
+[[nodiscard]] std::uint64_t least_bytes(const DistanceDocument& document);
 
 }  // namespace epsnet::certify

@@ -13,6 +13,7 @@
 #include <system_error>
 #include <unistd.h>
 
+#include "certify/document/distance_structure.h"
 #include "certify/document/geodesics_structure.h"
 #include "certify/document/structure_check.h"
 #include "certify/document/text.h"
@@ -454,6 +455,30 @@ void check_members_of_claim(GeodesicsDocument::Claim claim, const std::vector<bo
   expect_member(7, "pieces", claim == GeodesicsDocument::Claim::thick_thin);
 }
 
+DistanceDocument::Point read_place(simdjson::simdjson_result<value> item) {
+  const NetDocument::Chart read = read_chart(item, {.member = "point"});
+  return {.tile = read.tile, .z = read.centre};
+}
+
+std::vector<Member> distance_members(DistanceDocument& document, std::size_t& letters_in_all) {
+  using Row = simdjson::simdjson_result<value>;
+  return {text_member("format", "epsnet-distance", {.member = "distance file"}),
+          version_member({.member = "distance file"}),
+          {"net",
+           [&](Row item) {
+             const Place at{.member = "net"};
+             read_members(expect(item.get_object(), at, "an object"), at, net_members(document.net, letters_in_all));
+           }},
+          {"point", [&](Row item) { document.point = read_place(item); }},
+          {"distance", [&](Row item) { document.distance = read_interval(item, {.member = "distance"}); }},
+          {"paths",
+           [&](Row item) {
+             read_rows(item, "paths", kMaxRows,
+                       [&](Row row, const Place& at) { document.paths.push_back(read_word(row, at, letters_in_all)); });
+           }},
+          {"equal", [&](Row item) { document.equal = read_truth(item, {.member = "equal"}); }}};
+}
+
 /// Runs `read_document` on the parsed text and puts the file's name in front of every complaint.
 template <class ReadDocument>
 void parse(simdjson::padded_string_view text, std::string_view name, const ReadDocument& read_document) {
@@ -515,6 +540,16 @@ GeodesicsDocument parse_padded_geodesics(simdjson::padded_string_view text, std:
   return document;
 }
 
+DistanceDocument parse_padded_distance(simdjson::padded_string_view text, std::string_view name) {
+  DistanceDocument document;
+  parse(text, name, [&](object members) {
+    std::size_t letters_in_all = 0;
+    read_members(members, {.member = "distance file"}, distance_members(document, letters_in_all));
+    if (const auto problem = structure_problem(document)) throw MalformedError(*problem);
+  });
+  return document;
+}
+
 /// What the text, if it begins to be an object, says in its member `format`. Errors are for the reader proper.
 std::string format_of(simdjson::padded_string_view text) {
   if (text.size() > kMaxFileBytes) return "";
@@ -531,9 +566,10 @@ std::string format_of(simdjson::padded_string_view text) {
   return "";
 }
 
-std::variant<NetDocument, GeodesicsDocument> parse_padded_claim(simdjson::padded_string_view text,
-                                                                std::string_view name) {
-  if (format_of(text) == "epsnet-geodesics") return parse_padded_geodesics(text, name);
+ClaimDocument parse_padded_claim(simdjson::padded_string_view text, std::string_view name) {
+  const std::string format = format_of(text);
+  if (format == "epsnet-geodesics") return parse_padded_geodesics(text, name);
+  if (format == "epsnet-distance") return parse_padded_distance(text, name);
   return parse_padded_net(text, name);
 }
 
@@ -612,16 +648,25 @@ GeodesicsDocument parse_geodesics(std::string_view text, std::string_view name) 
   return parse_padded_geodesics(simdjson::padded_string(text), name);
 }
 
-std::variant<NetDocument, GeodesicsDocument> read_claim(const std::filesystem::path& path) {
+DistanceDocument read_distance(const std::filesystem::path& path) {
+  std::string bytes = load(path);
+  return parse_padded_distance(padded(bytes), display_name(path));
+}
+
+DistanceDocument parse_distance(std::string_view text, std::string_view name) {
+  return parse_padded_distance(simdjson::padded_string(text), name);
+}
+
+ClaimDocument read_claim(const std::filesystem::path& path) {
   std::string bytes = load(path);
   return parse_claim_in_place(bytes, display_name(path));
 }
 
-std::variant<NetDocument, GeodesicsDocument> parse_claim(std::string_view text, std::string_view name) {
+ClaimDocument parse_claim(std::string_view text, std::string_view name) {
   return parse_padded_claim(simdjson::padded_string(text), name);
 }
 
-std::variant<NetDocument, GeodesicsDocument> parse_claim_in_place(std::string& bytes, std::string_view name) {
+ClaimDocument parse_claim_in_place(std::string& bytes, std::string_view name) {
   return parse_padded_claim(padded(bytes), name);
 }
 

@@ -6,10 +6,12 @@
 #include <string_view>
 #include <variant>
 
+#include "certify/document/distance_document.h"
 #include "certify/document/document.h"
 #include "certify/document/geodesics_document.h"
 
-/// The strict reader of net files, surface files and geodesics files, version 1 (docs/format.md is the law).
+/// The strict reader of net files, surface files, geodesics files and distance files, version 1 (docs/format.md is the
+/// law).
 ///
 /// Everything that the format does not allow is an error: an unknown, missing or repeated member, a wrong type, an
 /// index written as 1.0, a binary64 that overflows, text after the document, an index that points nowhere, a word that
@@ -53,15 +55,23 @@ class FileError : public std::runtime_error {
 /// Reads a geodesics file from memory; `name` stands for the file in messages. Throws MalformedError.
 [[nodiscard]] GeodesicsDocument parse_geodesics(std::string_view text, std::string_view name);
 
-/// Reads a net file or a geodesics file, whichever its member `format` says; anything else is taken for a net file.
-/// Throws FileError or MalformedError.
-[[nodiscard]] std::variant<NetDocument, GeodesicsDocument> read_claim(const std::filesystem::path& path);
+/// Reads a distance file. Throws FileError or MalformedError.
+[[nodiscard]] DistanceDocument read_distance(const std::filesystem::path& path);
 
-/// Reads a net file or a geodesics file from memory; `name` stands for the file in messages. Throws MalformedError.
-[[nodiscard]] std::variant<NetDocument, GeodesicsDocument> parse_claim(std::string_view text, std::string_view name);
+/// Reads a distance file from memory; `name` stands for the file in messages. Throws MalformedError.
+[[nodiscard]] DistanceDocument parse_distance(std::string_view text, std::string_view name);
+
+/// What a file that can be checked holds.
+using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocument>;
+
+/// Reads a file that can be checked, of the kind that its member `format` says; any other is taken for a net file.
+/// Throws FileError or MalformedError.
+[[nodiscard]] ClaimDocument read_claim(const std::filesystem::path& path);
+
+/// The same from memory; `name` stands for the file in messages. Throws MalformedError.
+[[nodiscard]] ClaimDocument parse_claim(std::string_view text, std::string_view name);
 
 /// The same without a copy of the bytes. They stay as they are; their capacity may grow.
-[[nodiscard]] std::variant<NetDocument, GeodesicsDocument> parse_claim_in_place(std::string& bytes,
-                                                                                std::string_view name);
+[[nodiscard]] ClaimDocument parse_claim_in_place(std::string& bytes, std::string_view name);
 
 }  // namespace epsnet::certify

@@ -278,4 +278,26 @@ void write_geodesics(const GeodesicsDocument& document, std::ostream& out) {
   buffer.flush();
 }
 
+void write_distance(const DistanceDocument& document, std::ostream& out) {
+  Buffer buffer(out);
+  buffer.text("{\"format\":\"epsnet-distance\",\"version\":1,\n\"net\":");
+  write_net_object(buffer, document.net);
+  buffer.text(",\n\"point\":[");
+  buffer.number(document.point.tile);
+  buffer.text(",");
+  write_coordinates(buffer, document.point.z);
+  buffer.text("],\n\"distance\":[");
+  buffer.number(document.distance.lower);
+  buffer.text(",");
+  buffer.number(document.distance.upper);
+  buffer.text("],\n\"paths\":");
+  write_rows(buffer, document.paths, [&](const std::vector<std::uint32_t>& path) {
+    write_list(buffer, path, [&](std::uint32_t side) { buffer.number(side); });
+  });
+  buffer.text(",\n\"equal\":");
+  buffer.text(truth_text(document.equal));
+  buffer.text("}\n");
+  buffer.flush();
+}
+
 }  // namespace epsnet::certify

@@ -2,6 +2,7 @@
 
 #include <iosfwd>
 
+#include "certify/document/distance_document.h"
 #include "certify/document/document.h"
 #include "certify/document/geodesics_document.h"
 
@@ -19,5 +20,8 @@ void write_surface(const SurfaceDocument& surface, std::ostream& out);
 
 /// Writes the members that the document's claim has, and no others.
 void write_geodesics(const GeodesicsDocument& document, std::ostream& out);
+
+/// Writes a distance file.
+void write_distance(const DistanceDocument& document, std::ostream& out);
 
 }  // namespace epsnet::certify

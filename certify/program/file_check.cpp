@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "certify/check.h"
+#include "certify/distances/distance_check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "certify/geodesics/geodesics_check.h"
@@ -54,6 +55,22 @@ std::string sha256(std::string_view bytes) {
   return text;
 }
 
+const NetDocument& net_of(const NetDocument& net) { return net; }
+const NetDocument& net_of(const GeodesicsDocument& document) { return document.net; }
+const NetDocument& net_of(const DistanceDocument& document) { return document.net; }
+
+void write(const NetDocument& net, std::ostream& out) { write_net(net, out); }
+void write(const GeodesicsDocument& document, std::ostream& out) { write_geodesics(document, out); }
+void write(const DistanceDocument& document, std::ostream& out) { write_distance(document, out); }
+
+Certificate certificate_of(const NetDocument& net, const CheckOptions& options) { return check(net, options); }
+Certificate certificate_of(const GeodesicsDocument& document, const CheckOptions& options) {
+  return check_geodesics(document, options);
+}
+Certificate certificate_of(const DistanceDocument& document, const CheckOptions& options) {
+  return check_distance(document, options);
+}
+
 /// What the second checker says of the bytes, and what follows from it.
 void add_second_opinion(FileReport& report, std::string_view bytes) {
   report.second = ask_second_checker(bytes);
@@ -69,7 +86,7 @@ FileReport check_file(const Request& request, const std::string& path) {
     const std::string prefix = report.name + ": ";
     return std::string(text.starts_with(prefix) ? text.substr(prefix.size()) : text);
   };
-  std::variant<NetDocument, GeodesicsDocument> document;
+  ClaimDocument document;
   std::string bytes;
   try {
     bytes = load(path);
@@ -85,17 +102,15 @@ FileReport check_file(const Request& request, const std::string& path) {
     if (request.exact || bytes.size() <= kBytesCheckedTwice) add_second_opinion(report, bytes);
     return report;
   }
-  const auto* geodesics = std::get_if<GeodesicsDocument>(&document);
-  const NetDocument& net = geodesics != nullptr ? geodesics->net : std::get<NetDocument>(document);
-  if (request.print_parsed && geodesics != nullptr) write_geodesics(*geodesics, std::cout);
-  if (request.print_parsed && geodesics == nullptr) write_net(net, std::cout);
+  const NetDocument& net = std::visit([](const auto& claim) -> const NetDocument& { return net_of(claim); }, document);
+  if (request.print_parsed) std::visit([](const auto& claim) { write(claim, std::cout); }, document);
   const bool twice =
       request.exact || (net.triangles.size() <= kTrianglesCheckedTwice && bytes.size() <= kBytesCheckedTwice);
   if (!twice) std::string().swap(bytes);  // They may be gigabytes.
   Progress progress;
   CheckOptions options = request.options;
   options.progress = [&](std::string_view rule, double share) { progress.show(rule, share); };
-  report.certificate = geodesics != nullptr ? check_geodesics(*geodesics, options) : check(net, options);
+  report.certificate = std::visit([&](const auto& claim) { return certificate_of(claim, options); }, document);
   report.is_claim = report.certificate.verdict != Verdict::malformed;
   if (twice) {
     progress.show("second checker", 0);

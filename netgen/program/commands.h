@@ -27,6 +27,7 @@ void add_surface_command(CLI::App& app, Job& chosen);
 void add_net_command(CLI::App& app, Job& chosen);
 void add_import_net_command(CLI::App& app, Job& chosen);
 void add_dirichlet_command(CLI::App& app, Job& chosen);
+void add_distance_command(CLI::App& app, Job& chosen);
 void add_systole_command(CLI::App& app, Job& chosen);
 void add_spectrum_command(CLI::App& app, Job& chosen);
 void add_thick_thin_command(CLI::App& app, Job& chosen);
@@ -47,8 +48,9 @@ void add_output(CLI::App& command, std::string& output, const char* what);
 void add_json(CLI::App& command, bool& json);
 /// --threads N.
 void add_threads(CLI::App& command, unsigned& threads);
-/// The point that --base names: "tile,x,y", or "tile": the centre of the tile. Throws UsageError.
-[[nodiscard]] BasePoint parse_base(const std::string& text, const Surface& surface);
+/// The point that --base, or another option, names: "tile,x,y", or "tile": the centre of the tile. Throws UsageError.
+[[nodiscard]] BasePoint parse_base(const std::string& text, const Surface& surface,
+                                   const std::string& option = "--base");
 /// A number of the command line as files have it: ".5" is "0.5" and "-.5" is "-0.5". Any other text stays as it is.
 [[nodiscard]] std::string with_leading_zero(const std::string& number);
 /// The value of an option that is a positive length. Throws UsageError, which names the option.

@@ -87,6 +87,7 @@ int run(int argc, char** argv) {
   add_spectrum_command(app, chosen);
   add_thick_thin_command(app, chosen);
   add_dirichlet_command(app, chosen);
+  add_distance_command(app, chosen);
   add_draw_command(app, chosen);
   add_view_command(app, chosen);
   add_info_command(app, chosen);

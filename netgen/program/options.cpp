@@ -98,7 +98,7 @@ std::vector<Layer> load_geodesics_layers(const std::string& file, const certify:
   }
 }
 
-BasePoint parse_base(const std::string& text, const Surface& surface) {
+BasePoint parse_base(const std::string& text, const Surface& surface, const std::string& option) {
   const std::size_t first = std::min(text.find(','), text.size());
   const std::string tile = text.substr(0, first);
   const bool digits = !tile.empty() && tile.size() <= 9 && tile.find_first_not_of("0123456789") == std::string::npos;
@@ -106,7 +106,7 @@ BasePoint parse_base(const std::string& text, const Surface& surface) {
     try {
       return centre_of_tile(surface, static_cast<std::uint32_t>(std::stoul(tile)));
     } catch (const SurfaceError& error) {
-      throw JobError(std::string("--base: ") + error.what());
+      throw JobError(option + ": " + error.what());
     }
   }
   const std::size_t second = text.find(',', first + 1);
@@ -115,7 +115,7 @@ BasePoint parse_base(const std::string& text, const Surface& surface) {
     const auto y = parse_decimal(with_leading_zero(text.substr(second + 1)));
     if (x && y) return {static_cast<std::uint32_t>(std::stoul(tile)), {*x, *y}};
   }
-  throw UsageError("--base: expected a tile and a point of it, as in 0,1/10,-0.25, or a tile alone, not \"" +
+  throw UsageError(option + ": expected a tile and a point of it, as in 0,1/10,-0.25, or a tile alone, not \"" +
                    text.substr(0, 80) + "\"");
 }
 

@@ -1,0 +1,228 @@
+#include "netgen/distances/distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "kernel/plane.h"
+#include "netgen/base/gmp.h"
+#include "netgen/nets/dirichlet_polygon.h"
+#include "netgen/nets/net_options.h"
+#include "triangulation/atlas.h"
+
+namespace epsnet {
+namespace {
+
+/// Lengths that agree to so many bits are claimed to be equal; certify decides. Those of very thin surfaces may agree
+/// to a hundred without being equal.
+constexpr int kEqualBits = 300;
+
+bool is_strictly_inside(const Surface& surface, const BasePoint& point) {
+  try {
+    require_inside(surface, point);
+    return true;
+  } catch (const SurfaceError&) {
+    return false;
+  }
+}
+
+/// The isometry of a word.
+Isometry<Mp1024> value(const Surface& surface, const Word& word) {
+  Isometry<Mp1024> result;
+  for (const std::uint32_t side : word) result = surface.crossing_as<Mp1024>(side) * result;
+  return result;
+}
+
+/// A shortest path of tiles.
+Word path_of_tiles(const Surface& surface, std::uint32_t from, std::uint32_t to) {
+  // By tile: the side through which it was reached.
+  std::vector<std::optional<std::uint32_t>> entered(surface.tiles().size());
+  std::vector<std::uint32_t> queue{to};
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const std::uint32_t tile = queue[i];
+    for (std::uint32_t k = 0; k < surface.tiles()[tile].size(); ++k) {
+      const std::uint32_t partner = surface.partner(surface.side_number(tile, k));
+      const std::uint32_t next = surface.tile_of_side(partner);
+      if (next == to || entered[next]) continue;
+      entered[next] = partner;
+      queue.push_back(next);
+    }
+  }
+  Word word;
+  for (std::uint32_t tile = from; tile != to; tile = surface.tile_of_side(surface.partner(word.back()))) {
+    word.push_back(*entered[tile]);
+  }
+  return word;
+}
+
+/// The lifts of q around p, from one to the next by the neighbours of p: the Dirichlet domain of p contains a nearest
+/// one, from any other one of its neighbours is nearer (docs/proof.md, Lemma 17).
+class LiftsOfPoint {
+ public:
+  struct Path {
+    Word word;
+    Complex<Mp1024> end;  ///< In the disk with p at 0.
+    Mp1024 length;
+  };
+
+  LiftsOfPoint(const Surface& surface, const BasePoint& p, const DirichletPolygon& polygon) : surface_(surface) {
+    const Complex<Mp1024> centre = convert<Mp1024>(p.z);
+    from_tile_ = Isometry<Mp1024>::translation(-centre);
+    const Isometry<Mp1024> to_tile = Isometry<Mp1024>::translation(centre);
+    for (const DirichletPolygon::Side& side : polygon.sides) {
+      const Isometry<Mp1024> element = from_tile_ * value(surface, side.word) * to_tile;
+      neighbours_.push_back({&side.word, element(Complex<Mp1024>{}), inverse(element)});
+    }
+  }
+
+  /// All paths to a point of the surface that are not longer than the greatest of lengths that binary64 does not tell
+  /// from the least, and the enclosure of these.
+  [[nodiscard]] std::pair<std::vector<Path>, certify::Interval> shortest(std::uint32_t start,
+                                                                         const BasePoint& q) const {
+    Word word = path_of_tiles(surface_, start, q.tile);
+    const Complex<Mp1024> end = from_tile_(inverse(value(surface_, word))(convert<Mp1024>(q.z)));
+    const Path nearest = descended({std::move(word), end, distance(Complex<Mp1024>{}, end)});
+    const certify::Interval enclosure = enclosing(nearest.length);
+    std::vector<Path> paths{nearest};
+    std::multimap<double, std::size_t> by_end{{static_cast<double>(end_key(nearest)), 0}};
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      for (const Neighbour& neighbour : neighbours_) {
+        if (distance(neighbour.place, paths[i].end) > enclosure.upper) continue;
+        Path next = moved(paths[i], neighbour);
+        const double key = end_key(next);
+        constexpr double kReach = 1e-12;
+        const bool known = std::any_of(by_end.lower_bound(key - kReach), by_end.upper_bound(key + kReach),
+                                       [&](const auto& item) { return same_end(next, paths[item.second]); });
+        if (known) continue;
+        by_end.emplace(key, paths.size());
+        paths.push_back(std::move(next));
+      }
+    }
+    std::stable_sort(paths.begin(), paths.end(),
+                     [](const Path& a, const Path& b) { return a.length + ldexp(Mp1024(1), -kEqualBits) < b.length; });
+    return {std::move(paths), enclosure};
+  }
+
+ private:
+  struct Neighbour {
+    const Word* word;
+    Complex<Mp1024> place;  ///< γ0 for its element γ.
+    Isometry<Mp1024> back;  ///< γ⁻¹.
+  };
+
+  /// What is seen from a neighbour: first to it, then along the path.
+  [[nodiscard]] Path moved(const Path& path, const Neighbour& neighbour) const {
+    const Complex<Mp1024> end = neighbour.back(path.end);
+    return {concatenated(surface_, *neighbour.word, path.word), end, distance(Complex<Mp1024>{}, end)};
+  }
+
+  [[nodiscard]] Path descended(Path path) const {
+    constexpr int kMostSteps = 1'000'000;
+    for (int step = 0; step < kMostSteps; ++step) {
+      const Neighbour* best = nullptr;
+      Mp1024 least = path.length - ldexp(Mp1024(1), -kEqualBits);
+      for (const Neighbour& neighbour : neighbours_) {
+        const Mp1024 length = distance(neighbour.place, path.end);
+        if (length >= least) continue;
+        least = length;
+        best = &neighbour;
+      }
+      if (best == nullptr) return path;
+      path = moved(path, *best);
+    }
+    throw NetError("no shortest path was found within " + std::to_string(kMostSteps) + " steps");
+  }
+
+  /// The least binary64 interval around a length and what it may be off by.
+  [[nodiscard]] static certify::Interval enclosing(const Mp1024& length) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const Mp1024 error = ldexp(Mp1024(length > 1 ? length : Mp1024(1)), -kEqualBits);
+    if (length < ldexp(error, 60)) return {0, static_cast<double>(ldexp(error, 61))};
+    // The error is far below a unit in the last place.
+    certify::Interval result{static_cast<double>(length), static_cast<double>(length)};
+    while (result.lower > length - error) result.lower = std::nextafter(result.lower, 0.0);
+    while (result.upper < length + error) result.upper = std::nextafter(result.upper, kInfinity);
+    return result;
+  }
+
+  [[nodiscard]] static double end_key(const Path& path) { return static_cast<double>(path.end.x); }
+  [[nodiscard]] static bool same_end(const Path& a, const Path& b) {
+    return sinh2_half_distance(a.end, b.end) < ldexp(Mp1024(1), -kEqualBits);
+  }
+
+  const Surface& surface_;
+  Isometry<Mp1024> from_tile_;
+  std::vector<Neighbour> neighbours_;
+};
+
+}  // namespace
+
+void require_in_tile(const Surface& surface, const BasePoint& point) {
+  const std::size_t tiles = surface.tiles().size();
+  if (point.tile >= tiles) {
+    throw SurfaceError("the point is in tile " + std::to_string(point.tile) + ", the surface has " +
+                       std::to_string(tiles) + " tiles");
+  }
+  const Tile& tile = surface.tiles()[point.tile];
+  for (std::size_t k = 0; k < tile.size(); ++k) {
+    if (norm(point.z) < 1 && orientation_determinant(tile[k], tile[(k + 1) % tile.size()], point.z) >= 0) continue;
+    throw SurfaceError("the point is not in tile " + std::to_string(point.tile) + ": it is on the right of side " +
+                       std::to_string(k));
+  }
+}
+
+BasePoint point_of_vertex(const Surface& surface, const certify::NetDocument& net, std::uint32_t vertex) {
+  const std::string name = "vertex " + std::to_string(vertex);
+  if (vertex >= net.vertices.size()) {
+    throw NetError(name + " does not exist, the net has " + std::to_string(net.vertices.size()));
+  }
+  const auto& [x, y, c] = net.vertices[vertex];
+  const certify::NetDocument::Chart& chart = net.charts[c];
+  BasePoint point{chart.tile, Isometry<Rational>::translation(from_gmp(chart.centre))({Rational(x), Rational(y)})};
+  // A walk along a line would need more care; this one leads nearer to the tile's inside with each step.
+  constexpr int kMostTiles = 10'000;
+  for (int tiles = 0; tiles < kMostTiles; ++tiles) {
+    const Tile& tile = surface.tiles()[point.tile];
+    std::uint32_t k = 0;
+    while (k < tile.size() && orientation_determinant(tile[k], tile[(k + 1) % tile.size()], point.z) >= 0) ++k;
+    if (k == tile.size()) return point;
+    if (surface.is_regular()) {
+      throw NetError(name + " is not in the tile of its chart, so that its coordinates there are not rational");
+    }
+    const std::uint32_t side = surface.side_number(point.tile, k);
+    point = {surface.tile_of_side(surface.partner(side)), surface.crossing(side)(point.z)};
+  }
+  throw NetError(name + " is more than " + std::to_string(kMostTiles) + " tiles away from that of its chart");
+}
+
+certify::DistanceDocument distance(const Surface& surface, const BasePoint& p, const BasePoint& q,
+                                   const DistanceOptions& options) {
+  require_in_tile(surface, p);
+  require_in_tile(surface, q);
+  if (!is_strictly_inside(surface, p)) {
+    if (is_strictly_inside(surface, q)) return distance(surface, q, p, options);
+    throw SurfaceError("both points are on the boundary of their tiles, expected one strictly inside");
+  }
+  const DirichletPolygon polygon = dirichlet_polygon(surface, p);
+  auto [paths, enclosure] = LiftsOfPoint(surface, p, polygon).shortest(p.tile, q);
+  certify::DistanceDocument result;
+  result.net = polygon.triangulation;
+  result.point = {q.tile, to_gmp(q.z)};
+  result.distance = p.tile == q.tile && p.z == q.z ? certify::Interval{0, 0} : enclosure;
+  result.equal = paths.back().length - paths.front().length <= ldexp(Mp1024(1), -kEqualBits);
+  for (LiftsOfPoint::Path& path : paths) result.paths.push_back(std::move(path.word));
+  if (result.distance.upper - result.distance.lower > options.width) {
+    std::ostringstream message;
+    message << "binary64 encloses the distance in " << to_string(result.distance) << ", which is wider than "
+            << options.width;
+    throw NetError(message.str());
+  }
+  return result;
+}
+
+}  // namespace epsnet

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+
+#include "certify/document/distance_document.h"
+#include "triangulation/base_point.h"
+#include "triangulation/surface.h"
+
+/// The distance between two points of a surface, with all shortest geodesics. docs/distances.md says how and why.
+namespace epsnet {
+
+/// What is asked of a distance.
+struct DistanceOptions {
+  /// The enclosure is as narrow as binary64 numbers allow; one that is wider than this (hyperbolic length) is an error.
+  double width = 1e-12;
+};
+
+/// Throws SurfaceError unless the point is in its tile, the sides among it.
+void require_in_tile(const Surface& surface, const BasePoint& point);
+
+/// A vertex of a net of this surface as a point of the tile in which it lies, exactly. Throws NetError if there is no
+/// such vertex, and on a regular surface if it is not in the tile of its chart: then its coordinates are not rational.
+[[nodiscard]] BasePoint point_of_vertex(const Surface& surface, const certify::NetDocument& net, std::uint32_t vertex);
+
+/// The distance between p and q and all geodesics between them that are not longer than the upper end of its enclosure,
+/// as paths from p to q; if p is not strictly inside of its tile, from q to p (then `point` is p).
+///
+/// What is returned is not proved yet; certify::check_distance proves it. Deterministic. The time is that of the
+/// Dirichlet domain of p, however far q is and however short closed geodesics are. Throws SurfaceError for a point that
+/// is not in its tile and if neither is strictly inside; NetError if the enclosure is wider than asked for; LimitError.
+[[nodiscard]] certify::DistanceDocument distance(const Surface& surface, const BasePoint& p, const BasePoint& q,
+                                                 const DistanceOptions& options = {});
+
+}  // namespace epsnet

@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "certify/distances/distance_check.h"
+#include "certify/file/writer.h"
+#include "netgen/base/gmp.h"
+#include "netgen/distances/distance.h"
+#include "netgen/program/commands.h"
+#include "netgen/program/input.h"
+#include "netgen/program/output.h"
+#include "netgen/surfaces/surface_file.h"
+#include "triangulation/atlas.h"
+
+namespace epsnet::program {
+namespace {
+
+struct DistanceRequest {
+  std::string surface;
+  std::string p;
+  std::string q;
+  std::string output;
+  std::string width = "1e-12";
+  bool json = false;
+};
+
+/// A surface, and the net in whose file it is.
+struct PlacesInput {
+  Surface surface;
+  std::optional<certify::NetDocument> net;
+};
+
+PlacesInput read_places_input(const std::string& path) {
+  const Contents contents = read_any_input(path);
+  if (const auto* surface = std::get_if<Surface>(&contents)) return {*surface, std::nullopt};
+  if (const auto* net = std::get_if<certify::NetDocument>(&contents)) return {from_document(net->surface), *net};
+  throw JobError(path + ": expected a surface file or a net file");
+}
+
+BasePoint parse_place(const char* name, const std::string& text, const PlacesInput& input) try {
+  if (!text.starts_with('v')) {
+    const BasePoint point = parse_base(text, input.surface, name);
+    require_in_tile(input.surface, point);
+    return point;
+  }
+  const std::string digits = text.substr(1);
+  if (digits.empty() || digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string::npos) {
+    throw UsageError(std::string(name) + ": expected v and the number of a vertex, as in v17, not \"" +
+                     text.substr(0, 80) + "\"");
+  }
+  if (!input.net) throw UsageError(std::string(name) + ": \"" + text + "\" is a vertex, but the file is no net file");
+  return point_of_vertex(input.surface, *input.net, static_cast<std::uint32_t>(std::stoul(digits)));
+} catch (const SurfaceError& error) {
+  throw JobError(std::string(name) + ": " + error.what());
+} catch (const NetError& error) {
+  throw JobError(std::string(name) + ": " + error.what());
+}
+
+/// The paths from P to Q, whichever of the two the distance was measured from.
+std::vector<Word> words_from(const BasePoint& q, const Surface& surface, const certify::DistanceDocument& document) {
+  if (document.point == certify::DistanceDocument::Point{q.tile, to_gmp(q.z)}) return document.paths;
+  std::vector<Word> words;
+  for (const Word& word : document.paths) words.push_back(reversed(surface, word));
+  return words;
+}
+
+Report distance_report(const certify::DistanceDocument& document, const std::vector<Word>& words) {
+  Report report{"verdict: VERIFIED\ndistance: " + to_string(document.distance) + "\n",
+                Json::object({{"verdict", "VERIFIED"}, {"distance", interval_json(document.distance)}})};
+  report.text += "paths: " + std::to_string(words.size());
+  if (words.size() > 1) {
+    report.text += document.equal ? ", all the shortest ones, of exactly equal length"
+                                  : ", all that are not longer than the upper end";
+  }
+  report.text += '\n';
+  report.json["equal"] = document.equal;
+  report.json["paths"] = Json::array();
+  for (const Word& word : words) {
+    report.text += "word:";
+    for (const std::uint32_t side : word) report.text += " " + std::to_string(side);
+    report.text += '\n';
+    report.json["paths"].push_back(word);
+  }
+  return report;
+}
+
+void measure_distance(const DistanceRequest& request) {
+  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::json}});
+  const Length width = parse_length("--width", request.width);
+  const PlacesInput input = read_places_input(request.surface);
+  const BasePoint p = parse_place("P", request.p, input);
+  const BasePoint q = parse_place("Q", request.q, input);
+  const certify::DistanceDocument document =
+      distance(input.surface, p, q, {.width = static_cast<double>(width.value())});
+  certify::CheckOptions options;
+  options.max_work = std::numeric_limits<std::uint64_t>::max();  // It was made here.
+  const certify::Certificate certificate = certify::check_distance(document, options);
+  if (certificate.verdict != certify::Verdict::verified) {
+    throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
+  }
+  if (!request.output.empty()) {
+    write_output(request.output, [&](std::ostream& out) { certify::write_distance(document, out); });
+  }
+  write_report(distance_report(document, words_from(q, input.surface, document)), request.json,
+               is_stdout(request.output));
+}
+
+}  // namespace
+
+void add_distance_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<DistanceRequest>();
+  DistanceRequest& request = *shared;
+  CLI::App* command = app.add_subcommand(
+      "distance", "The distance between two points, enclosed and proved, and all shortest geodesics between them.");
+  add_input(*command, "SURFACE", request.surface, "a surface file, or a net file");
+  constexpr const char* kPoint =
+      "a point: of tile T, exact; T alone is its centre; vN is vertex N of the net file. One of the two is strictly "
+      "inside of its tile";
+  command->add_option("P", request.p, kPoint)->required()->option_text("T[,X,Y]|vN REQUIRED");
+  command->add_option("Q", request.q, "another one")->required()->option_text("T[,X,Y]|vN REQUIRED");
+  add_file(*command, "-o,--output", request.output,
+           "the distance file to write, for certify; \"-\" is standard output");
+  command
+      ->add_option("--width", request.width,
+                   "the enclosure is as narrow as binary64 allows; it is an error if it is wider than this")
+      ->option_text("W [1e-12]");
+  add_json(*command, request.json);
+  command->footer(
+      "Example:\n  epsnet distance s.json 0,0.1,-1/3 1,0,0\n  epsnet distance net.json v0 v17 -o d.json && certify "
+      "d.json");
+  command->callback([&chosen, shared] { chosen = [shared] { measure_distance(*shared); }; });
+}
+
+}  // namespace epsnet::program
