@@ -12,7 +12,7 @@
 #include "certify/program/output.h"
 #include "certify/program/signals.h"
 
-/// The program `certify`: reads net files and geodesics files, prints for each what each rule proved and, last, one
+/// The program `certify`: reads net, geodesics and distance files, prints for each what each rule proved and, last, one
 /// verdict line.
 namespace {
 

@@ -63,11 +63,11 @@ constexpr const char* kDescription =
     "it\n"
     "(a pseudo net), and its triangles a Delaunay triangulation, or a geodesics file that its closed geodesics are "
     "the\n"
-    "systole, the spectrum up to a length or the thick-thin decomposition: every number is enclosed in balls, every\n"
-    "claim is derived again.";
+    "systole, the spectrum up to a length or the thick-thin decomposition, or a distance file that its paths are the\n"
+    "shortest between two points: every number is enclosed in balls, every claim is derived again.";
 
 void add_options(CLI::App& app, Request& request) {
-  app.add_option("FILE", request.files, "net files and geodesics files (docs/format.md); \"-\" is standard input")
+  app.add_option("FILE", request.files, "net, geodesics and distance files (docs/format.md); \"-\" is standard input")
       ->required()
       ->option_text("... REQUIRED");
   app.add_flag("--exact", request.exact,

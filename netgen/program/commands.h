@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "certify/check.h"
+#include "certify/document/distance_document.h"
 #include "certify/document/geodesics_document.h"
 #include "netgen/lifts/info.h"
 #include "netgen/nets/certified_net.h"
@@ -63,6 +64,9 @@ void add_geodesics(CLI::App& command, std::string& file);
 [[nodiscard]] Report certificate_report(const certify::Certificate& certificate);
 /// What a geodesics file says, as lines and as an object.
 [[nodiscard]] Report geodesics_report(const certify::GeodesicsDocument& document);
+/// A distance and words of the shortest geodesics, as lines and as an object.
+[[nodiscard]] Report distance_report(const certify::DistanceDocument& document,
+                                     const std::vector<std::vector<std::uint32_t>>& words);
 /// The closed geodesics of a geodesics file about the net's surface as a layer of a picture. Throws JobError, and as
 /// the reader.
 [[nodiscard]] std::vector<Layer> load_geodesics_layers(const std::string& file, const certify::NetDocument& net);

@@ -1,9 +1,10 @@
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "certify/distances/distance_check.h"
 #include "certify/file/writer.h"
@@ -51,7 +52,8 @@ BasePoint parse_place(const char* name, const std::string& text, const PlacesInp
     throw UsageError(std::string(name) + ": expected v and the number of a vertex, as in v17, not \"" +
                      text.substr(0, 80) + "\"");
   }
-  if (!input.net) throw UsageError(std::string(name) + ": \"" + text + "\" is a vertex, but the file is no net file");
+  if (!input.net)
+    throw UsageError(std::string(name) + ": \"" + text.substr(0, 80) + "\" is a vertex, but the file is no net file");
   return point_of_vertex(input.surface, *input.net, static_cast<std::uint32_t>(std::stoul(digits)));
 } catch (const SurfaceError& error) {
   throw JobError(std::string(name) + ": " + error.what());
@@ -65,26 +67,6 @@ std::vector<Word> words_from(const BasePoint& q, const Surface& surface, const c
   std::vector<Word> words;
   for (const Word& word : document.paths) words.push_back(reversed(surface, word));
   return words;
-}
-
-Report distance_report(const certify::DistanceDocument& document, const std::vector<Word>& words) {
-  Report report{"verdict: VERIFIED\ndistance: " + to_string(document.distance) + "\n",
-                Json::object({{"verdict", "VERIFIED"}, {"distance", interval_json(document.distance)}})};
-  report.text += "paths: " + std::to_string(words.size());
-  if (words.size() > 1) {
-    report.text += document.equal ? ", all the shortest ones, of exactly equal length"
-                                  : ", all that are not longer than the upper end";
-  }
-  report.text += '\n';
-  report.json["equal"] = document.equal;
-  report.json["paths"] = Json::array();
-  for (const Word& word : words) {
-    report.text += "word:";
-    for (const std::uint32_t side : word) report.text += " " + std::to_string(side);
-    report.text += '\n';
-    report.json["paths"].push_back(word);
-  }
-  return report;
 }
 
 void measure_distance(const DistanceRequest& request) {
@@ -104,11 +86,33 @@ void measure_distance(const DistanceRequest& request) {
   if (!request.output.empty()) {
     write_output(request.output, [&](std::ostream& out) { certify::write_distance(document, out); });
   }
-  write_report(distance_report(document, words_from(q, input.surface, document)), request.json,
-               is_stdout(request.output));
+  Report report{"verdict: VERIFIED\n", Json::object({{"verdict", "VERIFIED"}})};
+  const Report found = distance_report(document, words_from(q, input.surface, document));
+  report.text += found.text;
+  report.json.update(found.json);
+  write_report(report, request.json, is_stdout(request.output));
 }
 
 }  // namespace
+
+Report distance_report(const certify::DistanceDocument& document, const std::vector<Word>& words) {
+  Report report{"distance: " + to_string(document.distance) + '\n',
+                Json::object({{"distance", interval_json(document.distance)}, {"equal", document.equal}})};
+  report.text += "paths: " + std::to_string(words.size());
+  if (words.size() > 1) {
+    report.text += document.equal ? ", all the shortest ones, of exactly equal length"
+                                  : ", all that are not longer than the upper end";
+  }
+  report.text += '\n';
+  report.json["paths"] = Json::array();
+  for (const Word& word : words) {
+    report.text += "word:";
+    for (const std::uint32_t side : word) report.text.append(" ").append(std::to_string(side));
+    report.text += '\n';
+    report.json["paths"].push_back(word);
+  }
+  return report;
+}
 
 void add_distance_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<DistanceRequest>();

@@ -33,6 +33,13 @@ struct InfoOf {
     report.json.update(list.json);
     return report;
   }
+  Report operator()(const certify::DistanceDocument& document) const {
+    Report list = distance_report(document, document.paths);
+    Report report{"file: a distance (not verified here: run certify)\n" + list.text,
+                  Json::object({{"file", "distance"}})};
+    report.json.update(list.json);
+    return report;
+  }
 };
 
 void print_info(const InfoRequest& request) {
@@ -50,7 +57,8 @@ void print_info(const InfoRequest& request) {
 void add_info_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<InfoRequest>();
   CLI::App* info = app.add_subcommand(
-      "info", "Say what is in a file: a surface, a net, closed geodesics, a Dirichlet domain, a text to import.");
+      "info",
+      "Say what is in a file: a surface, a net, closed geodesics, a distance, a Dirichlet domain, a text to import.");
   add_input(*info, "FILE", shared->file, "any file that epsnet writes for itself or imports");
   add_json(*info, shared->json);
   info->footer("Example:\n  epsnet info net.json\n  epsnet info --json s.json");

@@ -3,6 +3,7 @@
 #include <string>
 #include <variant>
 
+#include "certify/document/distance_document.h"
 #include "certify/document/document.h"
 #include "certify/document/geodesics_document.h"
 #include "netgen/exchange/exchange.h"
@@ -31,8 +32,8 @@ struct ImportedSurface {
 };
 
 /// What any file that the program writes or imports holds.
-using Contents =
-    std::variant<Surface, certify::NetDocument, certify::GeodesicsDocument, DirichletPolygon, ImportedSurface>;
+using Contents = std::variant<Surface, certify::NetDocument, certify::GeodesicsDocument, certify::DistanceDocument,
+                              DirichletPolygon, ImportedSurface>;
 [[nodiscard]] Contents read_any_input(const std::string& path);
 
 }  // namespace epsnet::program

@@ -2154,6 +2154,117 @@ def boundary_of_a_third_side():
     return document
 
 
+# ---- Distances ---------------------------------------------------------------------------------------------------
+
+group = "distances"
+
+
+def distance_file(name):
+    with open(os.path.join(TOP, "tests", "data", "distances", name + ".json"), encoding="utf-8") as file:
+        return json.load(file)
+
+
+def four_paths():
+    return distance_file("four-equal")
+
+
+def seven_paths():
+    return distance_file("across-a-cuff-of-1e-8")
+
+
+@refuted("nearest", exact=LEFT)
+def distance_without_one_of_four_equal_paths():
+    """One of four shortest paths of equal length is left out."""
+    document = four_paths()
+    del document["paths"][2]
+    return document
+
+
+@refuted("nearest", exact=LEFT)
+def distance_without_a_path_that_is_longer_by_1e_16():
+    """One of seven paths is left out: not a shortest one, and longer by less than binary64 tells."""
+    document = seven_paths()
+    del document["paths"][6]
+    return document
+
+
+@refuted("nearest", exact=LEFT)
+def distance_along_another_path():
+    """The one path listed goes once around a side first, and the distance is said to be as large as that."""
+    return with_(distance_file("bolza"), paths=[[2, 0]], distance=[0, 10])
+
+
+@refuted("nearest", exact=LEFT)
+def distance_with_an_upper_end_beyond_the_next_path():
+    """hi is more than the length of the next path, which is not listed."""
+    document = distance_file("bolza")
+    return with_(document, distance=[document["distance"][0], 5])
+
+
+@refuted("paths", exact=LEFT)
+def distance_too_large_by_1e_12():
+    """The enclosure is moved up by 10⁻¹²."""
+    document = distance_file("bolza")
+    return with_(document, distance=[x + 1e-12 for x in document["distance"]])
+
+
+@refuted("paths", exact=LEFT)
+def distance_too_small_by_1e_12():
+    """The enclosure is moved down by 10⁻¹²."""
+    document = distance_file("bolza")
+    return with_(document, distance=[x - 1e-12 for x in document["distance"]])
+
+
+@refuted("paths", exact=LEFT)
+def distance_with_a_longer_path():
+    """One of four paths goes around a closed geodesic first."""
+    document = four_paths()
+    document["paths"][1] = [0, 1] + document["paths"][1]
+    return document
+
+
+@refuted("paths", exact=LEFT, says="again")
+def distance_with_a_path_twice():
+    """One of four paths takes the place of another one, once around the corner of the octagon before it begins."""
+    document = four_paths()
+    document["paths"][3] = RELATOR + document["paths"][1]
+    return document
+
+
+@refuted("paths", exact=LEFT)
+def distance_zero_of_points_1e_400_apart():
+    """The distance of a point and one 10⁻⁴⁰⁰ away is said to be 0."""
+    document = distance_file("zero")
+    tile, x, y = document["point"]
+    return with_(document, point=[tile, rational(Fraction(x) + Fraction(1, 10**400)), y])
+
+
+@refuted("equal", exact=LEFT)
+def distance_with_lengths_that_are_nearly_equal():
+    """Seven lengths that agree in 15 digits are said to be equal."""
+    return with_(seven_paths(), equal=True)
+
+
+@malformed("net", exact=LEFT)
+def distance_in_a_net_of_more_vertices():
+    """A net of several vertices: the nearest vertex of the net may be another one."""
+    return with_(distance_file("bolza"), net=octagon(), paths=[[]])
+
+
+@malformed("paths[0]", exact=LEFT)
+def distance_along_a_path_to_another_tile():
+    """The path ends in the other tile."""
+    document = seven_paths()
+    del document["paths"][0][-1]
+    return document
+
+
+@malformed("distance", exact=LEFT)
+def distance_below_zero():
+    """The enclosure begins at −10⁻³⁰⁰."""
+    return with_(distance_file("zero"), distance=[-1e-300, 0])
+
+
 # ---- Disguises ---------------------------------------------------------------------------------------------------
 
 group = "disguises"
@@ -2205,6 +2316,26 @@ def systole_as_it_is():
 def small_curves_as_they_are():
     """The small curves and pieces."""
     return small_curves()
+
+
+@disguise(LEFT)
+def equal_distances_as_they_are():
+    """A distance with four shortest paths."""
+    return four_paths()
+
+
+@disguise(LEFT)
+def distance_with_words_in_other_letters():
+    """The same with words that go once around the corner of the octagon, and to and fro."""
+    document = four_paths()
+    document["paths"] = [RELATOR + [5, 1] + path for path in document["paths"]]
+    return document
+
+
+@disguise(LEFT)
+def distance_with_a_lower_end_of_zero():
+    """An enclosure that says less than it could."""
+    return with_(seven_paths(), distance=[-0.0, seven_paths()["distance"][1]])
 
 
 @disguise()
@@ -2541,7 +2672,7 @@ GROUPS = {
     "text": "The text", "numbers": "Numbers", "structure": "Structure", "surface": "Rule `surface`",
     "map": "Rule `map`", "gluing": "Rule `gluing`", "orientation": "Rule `orientation`",
     "delaunay": "Rule `delaunay`", "covering": "Rule `covering`", "packing": "Rule `packing`",
-    "collars": "Pseudo nets", "geodesics": "Closed geodesics", "disguises": "Disguises"}
+    "collars": "Pseudo nets", "geodesics": "Closed geodesics", "distances": "Distances", "disguises": "Disguises"}
 
 
 def tables():

@@ -10,6 +10,9 @@ good net s.json --epsilon 0.5 -o net.json
 good systole s.json -o systole.json
 good spectrum s.json --up-to 3 -o spectrum.json
 good dirichlet s.json -o domain.json
+good distance s.json 0,0.1,-1/3 0 -o distance.json
+verified distance.json
+good surface octagon --coordinates 5/6,0,0.6,0.6,0,5/6,-0.6,0.6 -o symmetric.json
 echo '{"genus": 3, "seed": 3}' >request.json
 triangulation="$data/triangulations/triangulation-g2-e0.2.txt"
 polygon="$data/polygons/polygon-g3-rnd0.txt"
@@ -32,6 +35,7 @@ for spelled in ./s.json folder/../s.json "$PWD/s.json" link.json folder/here/../
   bad 64 "$input" spectrum s.json --up-to 3 -o "$spelled"
   bad 64 "$input" thick-thin s.json -o "$spelled"
   bad 64 "$input" dirichlet s.json -o "$spelled"
+  bad 64 "$input" distance s.json 0 0,.1,0 -o "$spelled"
   bad 64 "$input" export s.json --format triangulation -o "$spelled"
 done
 bad 64 "$input" surface import polygon.txt -o polygon.txt
@@ -190,7 +194,7 @@ piped() {
   cmp -s output.0 output.1 && cmp -s output.1 output.2 || complain "epsnet $*: not the same of a pipe"
   [ -s output.0 ] || complain "epsnet $*: nothing"
 }
-for file in s.json net.json systole.json spectrum.json domain.json "$triangulation" "$polygon"; do
+for file in s.json net.json systole.json spectrum.json domain.json distance.json "$triangulation" "$polygon"; do
   piped "$file" info IN
   piped "$file" info --json IN
 done
@@ -199,6 +203,8 @@ piped s.json systole IN
 piped s.json spectrum IN --up-to 3
 piped s.json thick-thin IN
 piped s.json dirichlet IN -o -
+piped s.json distance IN 0 0,0.1,0 -o -
+piped net.json distance IN v3 v5
 piped net.json draw IN -o -
 piped spectrum.json draw net.json --geodesics IN -o -
 piped net.json view IN --title net --no-certify -o -
@@ -237,6 +243,9 @@ json '^{"verdict":"VERIFIED","claim":"systole","geodesics":\[{"length":\[0.54764
 json '^{"verdict":"VERIFIED","claim":"spectrum","up_to":"3","geodesics":\[{' spectrum s.json --up-to 3 --json
 json '^{"verdict":"VERIFIED","claim":"thick-thin","geodesics":\[{.*"collar_half_width":\[1.99.*"pieces":\[{"genus":1,"boundaries":\[{"geodesic":0,"side":"left"},' thick-thin s.json --json
 json '^{"file":"dirichlet","sides":18,"ties":0,' dirichlet s.json -o x.json --json
+json '^{"file":"distance","distance":\[0.72635597917927[0-9]*,0.72635597917927[0-9]*\],"equal":true,"paths":\[\[\]\]}$' info --json distance.json
+json '^{"verdict":"VERIFIED","distance":\[0.72635597917927[0-9]*,0.72635597917927[0-9]*\],"equal":true,"paths":\[\[\]\]}$' distance s.json 0,0.1,-1/3 0,0,0 --json
+json '^{"verdict":"VERIFIED","distance":\[0,0\],"equal":true,"paths":\[\[\]\]}$' distance net.json v3 v3 --json
 json '^{"verdict":"VERIFIED"}$' view net.json -o x.html --json
 json '^{"file":"surface","genus":2,' surface octagon --seed 1 -o x.json --json
 json '"regular":true,' surface regular --genus 2 -o x.json --json
@@ -274,6 +283,7 @@ for change in 's/"partner": [0-9]*/"partner": 99/' 's/"version": 1/"version": 2/
 done
 bad 1 'expected a surface file or a net file, not a Dirichlet domain' export domain.json --format json -o out/x.json
 bad 1 'expected a surface file or a net file, not a geodesics file' export systole.json --format json -o out/x.json
+bad 1 'expected a surface file or a net file, not a distance file' export distance.json --format json -o out/x.json
 
 # ---- What is said ----
 for command in 'net --epsilon 0.5 -o out/x' systole 'spectrum --up-to 3' thick-thin 'dirichlet -o out/x' 'draw -o out/x.svg' 'view -o out/x.html' info 'export --format domain -o out/x' 'surface import -o out/x' 'import-net --epsilon 0.5 -o out/x'; do
@@ -319,6 +329,20 @@ same x.json y.json
 sed 's/"epsilon":"0.5"/"epsilon":".5"/' net.json >point.json
 bad 1 'point.json' draw point.json -o out/x.svg
 
+# Points: which one is wrong, and why.
+bad 1 '^epsnet: Q: the point is in tile 1, the surface has 1 tiles' distance s.json 0 1,0,0
+bad 1 '^epsnet: P: the point is not in tile 0: it is on the right of side' distance s.json 0,0.9,0.3 0
+bad 1 '^epsnet: P: the point is not in tile 0: ' distance s.json 0,7,0 0
+bad 64 '^epsnet: Q: expected a tile and a point of it, as in 0,1/10,-0.25, or a tile alone, not "0,nan,0"' distance s.json 0 0,nan,0
+bad 64 '^epsnet: Q: expected a tile and a point of it' distance s.json 0 0,0.1
+bad 64 '^epsnet: P: expected v and the number of a vertex, as in v17, not "vx"' distance net.json vx v1
+bad 64 '^epsnet: P: "v1" is a vertex, but the file is no net file' distance s.json v1 0
+bad 1 '^epsnet: Q: vertex 34 does not exist, the net has 34' distance net.json v1 v34
+bad 64 '^epsnet: --width: expected a positive number' distance s.json 0 0 --width 0
+bad 1 'wider than 1e-17' distance s.json 0 0,0.1,0 --width 1e-17
+bad 1 'both points are on the boundary' distance symmetric.json 0,5/6,0 0,0.6,0.6
+bad 1 'expected a surface file or a net file' distance systole.json 0 0
+
 # What is given is checked before a seed is asked for, and named as the option is.
 bad 64 '^epsnet: --genus: .*at least 2' surface fenchel-nielsen --genus 1 -o out/x.json
 bad 64 '^epsnet: --lengths: expected 1 or 3' surface fenchel-nielsen --genus 2 --lengths 1,2 -o out/x.json
@@ -346,6 +370,7 @@ meant net nte s.json --epsilon 0.5 -o out/x.json
 meant surface sufrace octagon --seed 1 -o out/x.json
 meant thick-thin thickthin s.json
 meant dirichlet dirichelt s.json
+meant distance distence s.json 0 0
 meant octagon surface octagn --seed 1 -o out/x.json
 meant fenchel-nielsen surface fenchel_nielsen --genus 2
 meant --epsilon net s.json --epsilom 0.5 -o out/x.json

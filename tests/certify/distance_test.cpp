@@ -1,0 +1,320 @@
+#include <cmath>
+#include <functional>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <sstream>
+#include <string>
+
+#include "certify/distances/distance_check.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+
+/// Distance files. Each rule is broken by a file in which nothing else is wrong; nets are those of the rest of the
+/// tests.
+namespace epsnet::certify {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+DistanceDocument load(const std::string& name) {
+  return read_distance(std::string(EPSNET_TEST_DATA) + "/distances/" + name + ".json");
+}
+
+/// From the centre of a symmetric octagon with rational corners to its vertex: four shortest paths of equal length.
+DistanceDocument four_equal() { return load("four-equal"); }
+/// Seven lengths that differ by less than binary64 tells, none of them equal to another.
+DistanceDocument across_a_cuff() { return load("across-a-cuff-of-1e-8"); }
+DistanceDocument bolza() { return load("bolza"); }
+/// From a point to itself.
+DistanceDocument zero() { return load("zero"); }
+
+std::vector<std::string> all_files() { return {"four-equal", "across-a-cuff-of-1e-8", "bolza", "zero"}; }
+
+Certificate checked(const DistanceDocument& document) { return check_distance(document, {.threads = 2}); }
+
+/// "VERDICT", or "VERDICT: rule".
+std::string outcome(const DistanceDocument& document) {
+  const Certificate certificate = checked(document);
+  return std::string(name(certificate.verdict)) + (certificate.rule.empty() ? "" : ": " + certificate.rule);
+}
+
+/// The verdict of one rule; "" if it was not asked.
+std::string verdict_of(const std::string& rule, const DistanceDocument& document) {
+  for (const RuleReport& report : checked(document).rules) {
+    if (report.rule == rule) return std::string(name(report.verdict));
+  }
+  return "";
+}
+
+std::uint32_t partner(std::uint32_t side) { return (side + 4) % 8; }
+
+TEST(Distance, FilesAreVerifiedByTheRulesOfTheNetAndThreeMore) {
+  for (const std::string& file : all_files()) {
+    const Certificate certificate = checked(load(file));
+    EXPECT_EQ(certificate.verdict, Verdict::verified) << file << ": " << certificate.message;
+    ASSERT_EQ(certificate.rules.size(), 10U) << file;
+    EXPECT_EQ(certificate.rules[7].rule, "paths");
+    EXPECT_EQ(certificate.rules[8].rule, "equal");
+    EXPECT_EQ(certificate.rules[9].rule, "nearest");
+    EXPECT_THAT(certificate.claim, HasSubstr("lies in " + to_string(load(file).distance)));
+  }
+}
+
+TEST(Distance, TheClaimSaysWhatThePathsAre) {
+  EXPECT_THAT(checked(four_equal()).claim, HasSubstr("the 4 paths listed are all that are shortest"));
+  EXPECT_THAT(checked(across_a_cuff()).claim, HasSubstr("the 7 paths listed are all that are not longer than that"));
+  EXPECT_THAT(checked(bolza()).claim, HasSubstr("the path listed is the only shortest one"));
+}
+
+TEST(Distance, ANetThatIsNotValidIsRefutedByItsOwnRule) {
+  DistanceDocument document = bolza();
+  document.net.epsilon = "0.1";
+  EXPECT_EQ(outcome(document), "REFUTED: covering");
+}
+
+TEST(Distance, ALengthOutsideOfTheEnclosureIsRefuted) {
+  for (const auto& make : {four_equal, across_a_cuff, bolza}) {
+    for (const double shift : {-1e-12, 1e-12}) {
+      DistanceDocument document = make();
+      document.distance.lower += shift;
+      document.distance.upper += shift;
+      EXPECT_EQ(outcome(document), "REFUTED: paths");
+    }
+    DistanceDocument longer = make();
+    longer.distance.upper = std::nextafter(longer.distance.lower, 0.0);
+    longer.distance.lower = 0;
+    EXPECT_EQ(outcome(longer), "REFUTED: paths");
+  }
+}
+
+TEST(Distance, AWiderEnclosureHoldsAsLongAsNoOtherPathIsInIt) {
+  DistanceDocument document = bolza();
+  document.distance.lower = 0;
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  document.distance.upper += 1e-6;
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  document.distance.upper += 10;
+  EXPECT_EQ(outcome(document), "REFUTED: nearest");
+}
+
+TEST(Distance, ALongerPathIsRefuted) {
+  // Once around any side, then along the path.
+  for (std::uint32_t side = 0; side < 8; ++side) {
+    for (const auto& make : {four_equal, bolza}) {
+      DistanceDocument document = make();
+      document.paths[0].insert(document.paths[0].begin(), side);
+      const std::string found = outcome(document);
+      // One of four equal paths may become another one of them.
+      EXPECT_THAT(found, StartsWith("REFUTED: paths")) << side;
+      if (document.paths.size() > 1) continue;
+      // It is found to be longer, and a shorter one to be missing, in an enclosure of its own.
+      document.distance = {0, 40};
+      EXPECT_EQ(outcome(document), "REFUTED: nearest") << side;
+    }
+  }
+}
+
+TEST(Distance, AMissingPathIsRefuted) {
+  for (const auto& make : {four_equal, across_a_cuff}) {
+    const DistanceDocument document = make();
+    for (std::size_t i = 0; i < document.paths.size(); ++i) {
+      DistanceDocument without = document;
+      without.paths.erase(without.paths.begin() + static_cast<std::ptrdiff_t>(i));
+      EXPECT_EQ(outcome(without), "REFUTED: nearest") << i;
+      EXPECT_THAT(checked(without).message, HasSubstr("is missing"));
+    }
+    DistanceDocument first_alone = document;
+    first_alone.paths.resize(1);
+    EXPECT_EQ(outcome(first_alone), "REFUTED: nearest");
+  }
+}
+
+TEST(Distance, APathThatOccursTwiceIsRefutedHoweverItIsSpelled) {
+  for (const auto& make : {four_equal, bolza, zero}) {
+    const DistanceDocument document = make();
+    DistanceDocument twice = document;
+    twice.paths.push_back(document.paths[0]);
+    EXPECT_EQ(outcome(twice), "REFUTED: paths");
+    // Out and back again; and once around the vertex, which is a trivial loop.
+    twice.paths.back().insert(twice.paths.back().begin(), {5, partner(5)});
+    EXPECT_EQ(outcome(twice), "REFUTED: paths");
+    twice.paths.back() = document.paths[0];
+    std::vector<std::uint32_t> around;
+    for (std::uint32_t side = 0; around.size() < 8; side = (partner(side) + 1) % 8) around.push_back(side);
+    twice.paths.back().insert(twice.paths.back().begin(), around.begin(), around.end());
+    EXPECT_EQ(outcome(twice), "REFUTED: paths");
+    EXPECT_THAT(checked(twice).message, HasSubstr("again"));
+  }
+}
+
+TEST(Distance, LengthsThatAreNearlyEqualAreNotEqual) {
+  DistanceDocument document = across_a_cuff();
+  document.equal = true;
+  EXPECT_EQ(outcome(document), "REFUTED: equal");
+  // That they are is no duty to be said.
+  document = four_equal();
+  document.equal = false;
+  EXPECT_EQ(outcome(document), "VERIFIED");
+}
+
+/// On the Bolza surface the rotation by π takes the path from p to −p that leaves through k, then l, to the reverse of
+/// the one through l, then k.
+TEST(Distance, LengthsOnARegularSurfaceAreComparedOverItsRing) {
+  DistanceDocument document = bolza();
+  const RationalPoint centre = document.net.charts[document.net.vertices[0].chart].centre;
+  document.point.z = {-centre.x, -centre.y};
+  document.distance = {0, 20};
+  document.equal = true;
+  document.paths = {{0, 1}, {1, 0}};
+  EXPECT_EQ(verdict_of("paths", document), "VERIFIED");
+  EXPECT_EQ(verdict_of("equal", document), "VERIFIED");
+  EXPECT_EQ(verdict_of("nearest", document), "REFUTED");
+  document.paths = {{0, 1}, {2, 0}};
+  EXPECT_EQ(verdict_of("equal", document), "REFUTED");
+  // A point that is off by 10^-30.
+  document.paths = {{0, 1}, {1, 0}};
+  document.point.z.x += mpq_class("1/1000000000000000000000000000000");
+  EXPECT_EQ(verdict_of("paths", document), "VERIFIED");
+  EXPECT_EQ(verdict_of("equal", document), "REFUTED");
+}
+
+TEST(Distance, AnotherPointIsRefuted) {
+  for (const auto& make : {four_equal, across_a_cuff, bolza, zero}) {
+    DistanceDocument document = make();
+    document.point.z.x += mpq_class("1/1000000000");
+    EXPECT_EQ(outcome(document), "REFUTED: paths");
+  }
+}
+
+TEST(Distance, ZeroIsDecidedExactly) {
+  DistanceDocument document = zero();
+  EXPECT_EQ(document.distance, (Interval{0, 0}));
+  mpq_class tiny(1);
+  mpz_mul_2exp(tiny.get_den_mpz_t(), tiny.get_den_mpz_t(), 3000);
+  document.point.z.x += tiny;
+  EXPECT_EQ(outcome(document), "REFUTED: paths");
+  document.distance.upper = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  // 4·10^-324 is less than the least binary64; so is the distance.
+  document.distance.lower = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ(outcome(document), "REFUTED: paths");
+}
+
+TEST(Distance, ThreadsDoNotMatter) {
+  for (const std::string& file : all_files()) {
+    const Certificate one = check_distance(load(file), {.threads = 1});
+    const Certificate three = check_distance(load(file), {.threads = 3});
+    ASSERT_EQ(one.rules.size(), three.rules.size());
+    for (std::size_t i = 0; i < one.rules.size(); ++i) EXPECT_EQ(to_string(one.rules[i]), to_string(three.rules[i]));
+    EXPECT_EQ(one.counts.work, three.counts.work);
+  }
+}
+
+TEST(Distance, TooLittleWorkOrPrecisionIsUndecided) {
+  const std::uint64_t all = checked(across_a_cuff()).counts.work;
+  EXPECT_EQ(check_distance(across_a_cuff(), {.threads = 2, .max_work = all}).verdict, Verdict::verified);
+  for (const std::uint64_t work : {all - 1, all / 2, all / 10, std::uint64_t{1000}}) {
+    EXPECT_EQ(check_distance(across_a_cuff(), {.threads = 2, .max_work = work}).verdict, Verdict::undecided) << work;
+  }
+  // 21 is the distance: 64 bits do not tell the ends of the paths apart, nor lengths that differ by 10^-15.
+  EXPECT_EQ(check_distance(across_a_cuff(), {.threads = 2, .max_precision = 64}).verdict, Verdict::undecided);
+}
+
+TEST(Distance, MalformedDocuments) {
+  const auto complaint = [](const std::function<void(DistanceDocument&)>& change) {
+    DistanceDocument document = four_equal();
+    change(document);
+    const Certificate certificate = checked(document);
+    EXPECT_EQ(certificate.verdict, Verdict::malformed);
+    EXPECT_EQ(certificate.rule, "structure");
+    // The reader refuses what is written of it, with the same words.
+    std::ostringstream out;
+    write_distance(document, out);
+    try {
+      (void)parse_distance(out.str(), "test");
+      ADD_FAILURE() << "read: " << certificate.message;
+    } catch (const MalformedError& error) {
+      EXPECT_EQ(error.what(), "test: " + certificate.message);
+    }
+    return certificate.message;
+  };
+  using Document = DistanceDocument;
+  EXPECT_THAT(complaint([](Document& d) { d.net.vertices.push_back(d.net.vertices[0]); }),
+              HasSubstr("2 vertices, expected one"));
+  EXPECT_THAT(complaint([](Document& d) { d.net.collars.emplace(); }), HasSubstr("a pseudo net"));
+  EXPECT_THAT(complaint([](Document& d) { d.net.vertices[0].x = 2; }), HasSubstr("vertices[0]"));
+  EXPECT_THAT(complaint([](Document& d) { d.point.tile = 1; }), HasSubstr("point: tile 1 does not exist"));
+  EXPECT_THAT(complaint([](Document& d) {
+                d.point.z = {mpq_class(3, 5), mpq_class(4, 5)};
+              }),
+              HasSubstr("point: outside of the open unit disk"));
+  EXPECT_THAT(complaint([](Document& d) { d.distance = {2, 1}; }), HasSubstr("is not 0 <= lo <= hi"));
+  EXPECT_THAT(complaint([](Document& d) { d.distance = {-1, 1}; }), HasSubstr("is not 0 <= lo <= hi"));
+  EXPECT_THAT(complaint([](Document& d) { d.paths.clear(); }), HasSubstr("paths: no element"));
+  EXPECT_THAT(complaint([](Document& d) { d.paths[2] = {8}; }),
+              HasSubstr("paths[2]: the word crosses 8, which is no side of tile 0"));
+}
+
+TEST(Distance, AWordThatLeadsToAnotherTileIsMalformed) {
+  DistanceDocument document = across_a_cuff();
+  document.paths[3].pop_back();
+  const std::string message = checked(document).message;
+  EXPECT_THAT(message, HasSubstr("paths[3]: the word ends in tile"));
+  EXPECT_THAT(message, HasSubstr("expected that of the point"));
+}
+
+TEST(Distance, InfiniteOrUnorderedEnclosuresAreMalformed) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const Interval wrong : {Interval{0, kInfinity}, {std::nan(""), 1}, {0, std::nan("")}}) {
+    DistanceDocument document = bolza();
+    document.distance = wrong;
+    EXPECT_EQ(outcome(document), "MALFORMED: structure");
+  }
+}
+
+std::string written(const DistanceDocument& document) {
+  std::ostringstream out;
+  write_distance(document, out);
+  return out.str();
+}
+
+TEST(DistanceFile, WhatIsWrittenIsRead) {
+  for (const std::string& file : all_files()) {
+    const DistanceDocument document = load(file);
+    EXPECT_EQ(parse_distance(written(document), "test"), document);
+    EXPECT_EQ(std::get<DistanceDocument>(parse_claim(written(document), "test")), document);
+  }
+}
+
+TEST(DistanceFile, HasExactlyItsMembers) {
+  const std::string text = written(four_equal());
+  const auto complaint = [&](const std::string& old, const std::string& by) -> std::string {
+    std::string changed = text;
+    const std::size_t place = changed.rfind(old);
+    EXPECT_NE(place, std::string::npos) << old;
+    changed.replace(place, old.size(), by);
+    try {
+      (void)parse_distance(changed, "test");
+    } catch (const MalformedError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(complaint("\"equal\":true", "\"equal\":false"), "");
+  EXPECT_THAT(complaint(",\n\"equal\":true", ""), HasSubstr("missing member \"equal\""));
+  EXPECT_THAT(complaint("\"equal\":true", "\"equal\":1"), HasSubstr("equal: expected true or false"));
+  EXPECT_THAT(complaint("\"equal\":true", "\"equal\":true,\"equal\":true"), HasSubstr("repeated member"));
+  EXPECT_THAT(complaint("\"equal\":true", "\"equal\":true,\"p\":0"), HasSubstr("unknown member \"p\""));
+  EXPECT_THAT(complaint("\"5/6\",\"0\"]", "\"5/6\"]"), HasSubstr("point"));
+  EXPECT_THAT(complaint("\"5/6\",\"0\"]", "0.5,\"0\"]"), HasSubstr("point: expected a rational in a string"));
+  EXPECT_THAT(complaint("\"distance\":[", "\"distance\":[0,"), HasSubstr("distance: too many elements"));
+  EXPECT_THAT(complaint("\"paths\":[\n[]", "\"paths\":[\n[-1]"), HasSubstr("paths[0]: \"-1\" found"));
+  EXPECT_THAT(complaint("\"format\":\"epsnet-distance\"", "\"format\":\"epsnet-geodesics\""), HasSubstr("format"));
+  EXPECT_THAT(complaint("\"epsnet-distance\",\"version\":1", "\"epsnet-distance\",\"version\":2"),
+              HasSubstr("version 2 is not a version"));
+}
+
+}  // namespace
+}  // namespace epsnet::certify

@@ -1,0 +1,283 @@
+#include "netgen/distances/distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <set>
+#include <tuple>
+#include <vector>
+
+#include "certify/distances/distance_check.h"
+#include "kernel/plane.h"
+#include "netgen/nets/certified_net.h"
+#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surface_file.h"
+#include "tests/support/triangulations.h"
+
+namespace epsnet {
+namespace {
+
+using certify::DistanceDocument;
+using certify::Interval;
+using test::any_index;
+using test::any_share;
+using testing::HasSubstr;
+
+/// The outcome of the checker; "VERIFIED" if all is well.
+std::string verdict(const DistanceDocument& document) {
+  return certify::verdict_line(certify::check_distance(document, {.threads = 1}));
+}
+
+/// A random point strictly inside of a random tile.
+BasePoint any_place(const Surface& surface) {
+  const std::uint32_t tile = any_index(static_cast<std::uint32_t>(surface.tiles().size()));
+  const Complex<Rational> centre = centre_of_tile(surface, tile).z;
+  const Tile& corners = surface.tiles()[tile];
+  const Complex<Rational>& corner = corners[any_index(corners.size())];
+  // Towards a corner, in the Klein model, where tiles are convex.
+  const auto share = 0.95 * any_share();
+  const Complex<double> place =
+      from_klein((1 - share) * to_klein(convert<double>(centre)) + share * to_klein(convert<double>(corner)));
+  BasePoint point{tile, {Rational(place.x), Rational(place.y)}};
+  try {
+    require_inside(surface, point);
+  } catch (const SurfaceError&) {
+    point.z = centre;  // A tile as thin as that.
+  }
+  return point;
+}
+
+Interval distance_of(const Surface& surface, const BasePoint& p, const BasePoint& q) {
+  return distance(surface, p, q).distance;
+}
+
+/// The length of a path in numbers that know nothing of the rest.
+double length_of_path(const Surface& surface, const BasePoint& p, const BasePoint& q, const Word& word) {
+  Complex<Mp1024> z = convert<Mp1024>(p.z);
+  for (const std::uint32_t side : word) z = surface.crossing_as<Mp1024>(side)(z);
+  return static_cast<double>(distance(z, convert<Mp1024>(q.z)));
+}
+
+/// The least distance of q from the places that tiles have after at most `crossings` crossings, by brute force in
+/// binary64, for surfaces of one tile; places are told apart by their coordinates.
+double least_by_words(const Surface& surface, const BasePoint& p, const BasePoint& q, int crossings) {
+  std::vector<Isometry<double>> sides;
+  for (std::uint32_t s = 0; s < surface.side_count(); ++s)
+    sides.push_back(convert<double>(surface.crossing_as<Mp256>(s)));
+  const Complex<double> from = convert<double>(p.z);
+  const Complex<double> to = convert<double>(q.z);
+  double least = distance(from, to);
+  std::set<std::pair<long, long>> seen;
+  std::vector<Isometry<double>> level{Isometry<double>{}};
+  for (int i = 0; i < crossings; ++i) {
+    std::vector<Isometry<double>> next;
+    for (const Isometry<double>& element : level) {
+      for (const Isometry<double>& side : sides) {
+        const Isometry<double> product = normalized(side * element);
+        const Complex<double> place = product(from);
+        if (!seen.emplace(std::lround(place.x * 1e9), std::lround(place.y * 1e9)).second) continue;
+        least = std::min(least, distance(place, to));
+        next.push_back(product);
+      }
+    }
+    level = std::move(next);
+  }
+  return least;
+}
+
+TEST(Distance, OfPointsNearEachOtherIsThatOfTheDisk) {
+  const Surface bolza = Surface::regular(2);
+  const DistanceDocument document = distance(bolza, {0, {0, 0}}, {0, {Rational(3, 10), Rational(1, 10)}});
+  EXPECT_EQ(verdict(document), "VERIFIED");
+  EXPECT_EQ(document.paths, std::vector<Word>{{}});
+  const double expected = 2 * std::atanh(std::sqrt(0.1));
+  EXPECT_NEAR(document.distance.lower, expected, 1e-15);
+  EXPECT_LT(document.distance.upper - document.distance.lower, 1e-15);
+}
+
+TEST(Distance, ToItselfIsZero) {
+  for (const test::NamedSurface& named : test::tiled_gallery()) {
+    const BasePoint p = centre_of_tile(named.surface, 0);
+    const DistanceDocument document = distance(named.surface, p, p);
+    EXPECT_EQ(document.distance, (Interval{0, 0})) << named.name;
+    EXPECT_EQ(document.paths, std::vector<Word>{{}}) << named.name;
+    EXPECT_EQ(verdict(document), "VERIFIED") << named.name;
+  }
+}
+
+TEST(Distance, OfPointsCloserThanBinary64CanSay) {
+  const Surface bolza = Surface::regular(2);
+  Rational tiny(1);
+  for (int i = 0; i < 400; ++i) tiny /= 10;
+  const DistanceDocument document = distance(bolza, {0, {0, 0}}, {0, {tiny, 0}});
+  EXPECT_EQ(document.distance.lower, 0);
+  EXPECT_LT(document.distance.upper, 1e-60);
+  EXPECT_EQ(verdict(document), "VERIFIED");
+}
+
+/// A regular octagon's sides are the farther from its centre the larger the genus: from the centre to a corner there
+/// are 4g paths of equal length in a surface that has this symmetry.
+TEST(Distance, AllShortestPathsAreFound) {
+  const Rational far(5, 6);
+  const Rational near(3, 5);
+  const std::vector<Complex<Rational>> corners{{far, 0}, {near, near}, {0, far}, {-near, near}};
+  Tile tile = corners;
+  for (const Complex<Rational>& corner : corners) tile.push_back(-corner);
+  const Surface surface({tile}, {{0, 0, 0, 4}, {0, 1, 0, 5}, {0, 2, 0, 6}, {0, 3, 0, 7}});
+  const BasePoint centre{0, {0, 0}};
+  for (const Complex<Rational>& corner : tile) {
+    const BasePoint end{0, corner};
+    const DistanceDocument document = distance(surface, centre, end);
+    EXPECT_EQ(document.paths.size(), 4U);
+    EXPECT_TRUE(document.equal);
+    EXPECT_EQ(verdict(document), "VERIFIED");
+    EXPECT_NEAR(document.distance.lower, 2 * std::atanh(5.0 / 6), 1e-14);
+    // From the corner, which is on the boundary, the paths lead from the other end.
+    const DistanceDocument back = distance(surface, end, centre);
+    EXPECT_EQ(back, document);
+  }
+  EXPECT_THROW((void)distance(surface, {0, tile[0]}, {0, tile[1]}), SurfaceError);
+}
+
+TEST(Distance, AcrossAThinCuffAndAlongIt) {
+  for (const Rational& cuff : {Rational(1, 10'000), Rational(1, 100'000'000), Rational(1, 1'000'000'000'000)}) {
+    FenchelNielsen coordinates = random_coordinates(PantsGraph::random(2, 7), 7);
+    test::set_cuff_length(coordinates, 1, cuff);
+    const Surface surface = fenchel_nielsen_surface(coordinates);
+    std::vector<BasePoint> places;
+    for (std::uint32_t tile = 0; tile < surface.tiles().size(); ++tile) places.push_back(centre_of_tile(surface, tile));
+    for (const BasePoint& p : places) {
+      for (const BasePoint& q : places) {
+        const DistanceDocument document = distance(surface, p, q);
+        EXPECT_EQ(verdict(document), "VERIFIED") << cuff;
+        EXPECT_LT(document.distance.upper - document.distance.lower, 1e-12);
+      }
+    }
+  }
+}
+
+TEST(Distance, ErrorsSayWhichPointAndWhy) {
+  const Surface bolza = Surface::regular(2);
+  const BasePoint centre{0, {0, 0}};
+  const auto complaint = [&](const BasePoint& point, const DistanceOptions& options = {}) -> std::string {
+    try {
+      (void)distance(bolza, centre, point, options);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(complaint({1, {0, 0}}), HasSubstr("the point is in tile 1, the surface has 1 tiles"));
+  EXPECT_THAT(complaint({0, {Rational(9, 10), 0}}),
+              HasSubstr("the point is not in tile 0: it is on the right of side 0"));
+  EXPECT_THAT(complaint({0, {2, 0}}), HasSubstr("the point is not in tile 0"));
+  EXPECT_THAT(complaint({0, {Rational(1, 2), 0}}, {.width = 1e-17}), HasSubstr("wider than 1e-17"));
+}
+
+TEST(Distance, AVertexOfANetIsAPointOfATile) {
+  for (const test::NamedSurface& named : test::tiled_gallery()) {
+    const certify::NetDocument net = compute_net(named.surface, Length("0.7")).net;
+    const Surface surface = from_document(net.surface);
+    for (std::uint32_t v = 0; v < std::min<std::size_t>(net.vertices.size(), 20); ++v) {
+      const BasePoint point = [&] {
+        try {
+          return point_of_vertex(surface, net, v);
+        } catch (const NetError&) {
+          return BasePoint{~0u, {}};
+        }
+      }();
+      if (point.tile == ~0u) {
+        EXPECT_TRUE(surface.is_regular());
+        continue;
+      }
+      EXPECT_NO_THROW(require_in_tile(surface, point)) << named.name;
+    }
+    EXPECT_THROW((void)point_of_vertex(surface, net, static_cast<std::uint32_t>(net.vertices.size())), NetError);
+  }
+}
+
+/// Edges of a Delaunay triangulation to nearest vertices are shortest (docs/proof.md, Lemma 6).
+TEST(Distance, OfAVertexToANearestOneIsTheLengthOfAnEdge) {
+  const Surface surface = test::gallery()[0].surface;
+  const CertifiedNet net = certified_net(surface, Length("0.8"));
+  ASSERT_TRUE(net.certificate.enclosures->shortest_edge.has_value());
+  double least = 100;
+  std::vector<BasePoint> places;
+  for (std::uint32_t v = 0; v < net.net.vertices.size(); ++v) places.push_back(point_of_vertex(surface, net.net, v));
+  for (const BasePoint& p : places) {
+    for (const BasePoint& q : places) {
+      if (&p < &q) least = std::min(least, distance_of(surface, p, q).lower);
+    }
+  }
+  EXPECT_NEAR(least, net.certificate.enclosures->shortest_edge->lower, 1e-12);
+}
+
+RC_GTEST_PROP(DistanceProperty, IsVerifiedAndThePathsHaveItsLength, ()) {
+  const Surface& surface = test::any_tiled_surface().surface;
+  const BasePoint p = any_place(surface);
+  const BasePoint q = any_place(surface);
+  const DistanceDocument document = distance(surface, p, q);
+  RC_ASSERT(verdict(document) == "VERIFIED");
+  RC_ASSERT(document.distance.upper - document.distance.lower <= 1e-12);
+  for (const Word& word : document.paths) {
+    const double length = length_of_path(surface, p, q, word);
+    RC_ASSERT(std::abs(length - document.distance.lower) <= 1e-13 * std::max(1.0, length));
+  }
+}
+
+RC_GTEST_PROP(DistanceProperty, IsSymmetric, ()) {
+  const Surface& surface = test::any_tiled_surface().surface;
+  const BasePoint p = any_place(surface);
+  const BasePoint q = any_place(surface);
+  const DistanceDocument there = distance(surface, p, q);
+  const DistanceDocument back = distance(surface, q, p);
+  RC_ASSERT(there.distance == back.distance);
+  RC_ASSERT(there.paths.size() == back.paths.size());
+  for (const Word& word : back.paths) {
+    const double length = length_of_path(surface, p, q, reversed(surface, word));
+    RC_ASSERT(std::abs(length - there.distance.lower) <= 1e-13 * std::max(1.0, length));
+  }
+}
+
+RC_GTEST_PROP(DistanceProperty, SatisfiesTheTriangleInequality, ()) {
+  const Surface& surface = test::any_tiled_surface().surface;
+  const BasePoint p = any_place(surface);
+  const BasePoint q = any_place(surface);
+  const BasePoint r = any_place(surface);
+  const Interval pq = distance_of(surface, p, q);
+  const Interval qr = distance_of(surface, q, r);
+  const Interval pr = distance_of(surface, p, r);
+  RC_ASSERT(pr.lower <= (pq.upper + qr.upper) * (1 + 1e-15));
+}
+
+/// A point that moves by δ in its tile changes the distance by at most δ.
+RC_GTEST_PROP(DistanceProperty, IsLipschitz, ()) {
+  const Surface& surface = test::any_tiled_surface().surface;
+  const BasePoint p = any_place(surface);
+  const BasePoint q = any_place(surface);
+  BasePoint moved = q;
+  moved.z = Rational(1 - std::ldexp(1.0, -static_cast<int>(any_index(60u)) - 2)) * q.z;
+  try {
+    require_inside(surface, moved);
+  } catch (const SurfaceError&) {
+    RC_DISCARD("outside of the tile");
+  }
+  const auto step = static_cast<double>(distance(convert<Mp256>(q.z), convert<Mp256>(moved.z)));
+  const Interval before = distance_of(surface, p, q);
+  const Interval after = distance_of(surface, p, moved);
+  RC_ASSERT(std::abs(before.lower - after.lower) <= step * (1 + 1e-12) + 1e-14 * std::max(1.0, before.upper));
+}
+
+RC_GTEST_PROP(DistanceProperty, IsTheLeastThatWordsGive, ()) {
+  const Surface& surface = test::gallery()[any_index(3u)].surface;
+  if (surface.genus() != 2 || surface.tiles().size() != 1) RC_DISCARD("not an octagon");
+  const BasePoint p = any_place(surface);
+  const BasePoint q = any_place(surface);
+  const double least = least_by_words(surface, p, q, 4);
+  RC_ASSERT(std::abs(least - distance_of(surface, p, q).lower) <= 1e-9);
+}
+
+}  // namespace
+}  // namespace epsnet
