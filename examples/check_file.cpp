@@ -13,6 +13,7 @@
 //   VERIFIED: an epsilon-net
 
 #include <epsnet/certify/check.h>
+#include <epsnet/certify/distances/distance_check.h>
 #include <epsnet/certify/file/reader.h>
 #include <epsnet/certify/geodesics/geodesics_check.h>
 #include <exception>
@@ -27,14 +28,19 @@ int main(int argc, char** argv) {
     return 64;
   }
   try {
-    // A net file or a geodesics file, whichever it is. The reader is strict: what docs/format.md does not allow throws.
+    // A net file, a geodesics file or a distance file, whichever it is. The reader is strict: what docs/format.md does
+    // not allow throws.
     const auto document = certify::read_claim(argv[1]);
 
     // A document of whatever content gives a certificate.
-    const certify::Certificate certificate =
-        std::holds_alternative<certify::NetDocument>(document)
-            ? certify::check(std::get<certify::NetDocument>(document))
-            : certify::check_geodesics(std::get<certify::GeodesicsDocument>(document));
+    certify::Certificate certificate;
+    if (const auto* net = std::get_if<certify::NetDocument>(&document)) certificate = certify::check(*net);
+    if (const auto* list = std::get_if<certify::GeodesicsDocument>(&document)) {
+      certificate = certify::check_geodesics(*list);
+    }
+    if (const auto* distance = std::get_if<certify::DistanceDocument>(&document)) {
+      certificate = certify::check_distance(*distance);
+    }
 
     for (const certify::RuleReport& rule : certificate.rules) {
       std::cout << rule.rule << ": " << certify::name(rule.verdict) << '\n';

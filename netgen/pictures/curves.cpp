@@ -311,15 +311,24 @@ std::vector<Layer> collar_layers(const NetGeometry& geometry) {
   return {triangles, boundaries};
 }
 
+namespace {
+
+/// Throws NetGeometryError unless the curves of a net, `what`, are on the surface that is drawn.
+void require_same_surface(const NetGeometry& geometry, const certify::NetDocument& source, const char* what) {
+  const certify::SurfaceDocument& surface = geometry.document().surface;
+  if (source.surface.tiles != surface.tiles || source.surface.gluing != surface.gluing ||
+      source.surface.regular_genus != surface.regular_genus)
+    throw NetGeometryError(std::string("these are ") + what + " of another surface");
+}
+
+}  // namespace
+
 std::vector<Layer> geodesics_layers(const NetGeometry& geometry, const certify::GeodesicsDocument& geodesics) {
   std::vector<Layer> layers{{.name = "closed geodesics", .colour = palette::kGeodesics}};
   const bool small_curves = geodesics.claim == certify::GeodesicsDocument::Claim::thick_thin;
   if (small_curves) layers.push_back({.name = "collars of small curves", .colour = palette::kSmallCurveCollars});
   const certify::NetDocument& source = geodesics.net;
-  const certify::SurfaceDocument& surface = geometry.document().surface;
-  if (source.surface.tiles != surface.tiles || source.surface.gluing != surface.gluing ||
-      source.surface.regular_genus != surface.regular_genus)
-    throw NetGeometryError("these are geodesics of another surface");
+  require_same_surface(geometry, source, "geodesics");
   const Tiles tiles(geometry);
   for (std::size_t i = 0; i < geodesics.geodesics.size(); ++i) {
     const certify::GeodesicsDocument::ClosedGeodesic& geodesic = geodesics.geodesics[i];
@@ -336,6 +345,24 @@ std::vector<Layer> geodesics_layers(const NetGeometry& geometry, const certify::
   return layers;
 }
 
+Layer distance_layer(const NetGeometry& geometry, const certify::DistanceDocument& distance) {
+  Layer layer{.name = "shortest paths", .colour = palette::kPaths};
+  const certify::NetDocument& source = distance.net;
+  require_same_surface(geometry, source, "paths");
+  const Tiles tiles(geometry);
+  const certify::NetDocument::Vertex& vertex = source.vertices[0];
+  const certify::NetDocument::Chart& chart = source.charts[vertex.chart];
+  const Point start =
+      Isometry<Mp256>::translation(rounded<Mp256>(chart.centre))(Point{Mp256(vertex.x), Mp256(vertex.y)});
+  for (const std::vector<std::uint32_t>& path : distance.paths) {
+    Isometry<Mp256> value;
+    for (const std::uint32_t side : path) value = normalized(tiles.parts.crossings[side] * value);
+    Placement near = tiles.near[chart.tile];
+    append_segment(layer, geometry, near, start, inverse(value)(rounded<Mp256>(distance.point.z)));
+  }
+  return layer;
+}
+
 Layer tile_layer(const certify::NetDocument& net) { return tile_layer(NetGeometry(net)); }
 
 Layer dirichlet_layer(const certify::NetDocument& net, std::uint32_t vertex) {
@@ -350,6 +377,10 @@ std::vector<Layer> collar_layers(const certify::NetDocument& net) { return colla
 
 std::vector<Layer> geodesics_layers(const certify::NetDocument& net, const certify::GeodesicsDocument& geodesics) {
   return geodesics_layers(NetGeometry(net), geodesics);
+}
+
+Layer distance_layer(const certify::NetDocument& net, const certify::DistanceDocument& distance) {
+  return distance_layer(NetGeometry(net), distance);
 }
 
 }  // namespace epsnet

@@ -29,5 +29,6 @@ struct CutSegment {
 [[nodiscard]] std::vector<Layer> collar_layers(const NetGeometry& geometry);
 [[nodiscard]] std::vector<Layer> geodesics_layers(const NetGeometry& geometry,
                                                   const certify::GeodesicsDocument& geodesics);
+[[nodiscard]] Layer distance_layer(const NetGeometry& geometry, const certify::DistanceDocument& distance);
 
 }  // namespace epsnet

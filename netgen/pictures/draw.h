@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/document/distance_document.h"
 #include "certify/document/document.h"
 #include "certify/document/geodesics_document.h"
 #include "kernel/complex.h"
@@ -67,6 +68,10 @@ struct Layer {
 /// surface is another one, or a word does not stand for a closed geodesic.
 [[nodiscard]] std::vector<Layer> geodesics_layers(const certify::NetDocument& net,
                                                   const certify::GeodesicsDocument& geodesics);
+
+/// The paths of a distance file about the same surface, with the same net or another one. A document as
+/// certify::read_distance returns it. Throws NetGeometryError also if the surface is another one.
+[[nodiscard]] Layer distance_layer(const certify::NetDocument& net, const certify::DistanceDocument& distance);
 
 /// What a picture shows, and how.
 struct DrawOptions {

@@ -10,6 +10,7 @@
 #include "certify/file/writer.h"
 #include "netgen/base/gmp.h"
 #include "netgen/distances/distance.h"
+#include "netgen/pictures/draw.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
@@ -24,6 +25,7 @@ struct DistanceRequest {
   std::string p;
   std::string q;
   std::string output;
+  std::string svg;
   std::string width = "1e-12";
   bool json = false;
 };
@@ -70,7 +72,8 @@ std::vector<Word> words_from(const BasePoint& q, const Surface& surface, const c
 }
 
 void measure_distance(const DistanceRequest& request) {
-  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::json}});
+  check_files({{"SURFACE", request.surface}},
+              {{"--output", request.output, FileType::json}, {"--svg", request.svg, FileType::svg}});
   const Length width = parse_length("--width", request.width);
   const PlacesInput input = read_places_input(request.surface);
   const BasePoint p = parse_place("P", request.p, input);
@@ -83,14 +86,15 @@ void measure_distance(const DistanceRequest& request) {
   if (certificate.verdict != certify::Verdict::verified) {
     throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
   }
-  if (!request.output.empty()) {
-    write_output(request.output, [&](std::ostream& out) { certify::write_distance(document, out); });
-  }
+  std::string svg;
+  if (!request.svg.empty()) svg = draw_svg(document.net, {.layers = {distance_layer(document.net, document)}});
+  write_outputs({{request.output, [&](std::ostream& out) { certify::write_distance(document, out); }},
+                 {request.svg, [&](std::ostream& out) { out << svg; }}});
   Report report{"verdict: VERIFIED\n", Json::object({{"verdict", "VERIFIED"}})};
   const Report found = distance_report(document, words_from(q, input.surface, document));
   report.text += found.text;
   report.json.update(found.json);
-  write_report(report, request.json, is_stdout(request.output));
+  write_report(report, request.json, is_stdout(request.output) || is_stdout(request.svg));
 }
 
 }  // namespace
@@ -127,6 +131,8 @@ void add_distance_command(CLI::App& app, Job& chosen) {
   command->add_option("Q", request.q, "another one")->required()->option_text("T[,X,Y]|vN REQUIRED");
   add_file(*command, "-o,--output", request.output,
            "the distance file to write, for certify; \"-\" is standard output");
+  add_file(*command, "--svg", request.svg,
+           "also draw the paths, with the Delaunay triangulation of one of the points; \"-\" is standard output");
   command
       ->add_option("--width", request.width,
                    "the enclosure is as narrow as binary64 allows; it is an error if it is wider than this")

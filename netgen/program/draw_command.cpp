@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "certify/file/reader.h"
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/pictures/draw.h"
 #include "netgen/program/commands.h"
@@ -18,6 +19,7 @@ struct DrawRequest {
   std::string net;
   std::string output;
   std::string geodesics;
+  std::string distance;
   std::vector<std::string> show = {"triangles", "vertices"};
   bool dirichlet = false;
   bool png = false;
@@ -41,12 +43,20 @@ DrawOptions shown(const DrawRequest& request, const certify::NetDocument& net) {
   if (!request.geodesics.empty()) {
     for (Layer& layer : load_geodesics_layers(request.geodesics, net)) options.layers.push_back(std::move(layer));
   }
+  if (!request.distance.empty()) {
+    try {
+      options.layers.push_back(distance_layer(NetGeometry(net), certify::read_distance(request.distance)));
+    } catch (const NetGeometryError& error) {
+      throw JobError(request.distance + ": " + error.what());
+    }
+  }
   return options;
 }
 
 void draw(const DrawRequest& request) {
   const FileType type = request.png ? FileType::png : picture_type("--output", request.output);
-  check_files({{"NET", request.net}, {"--geodesics", request.geodesics}}, {{"--output", request.output, type}});
+  check_files({{"NET", request.net}, {"--geodesics", request.geodesics}, {"--distance", request.distance}},
+              {{"--output", request.output, type}});
   const certify::NetDocument net = read_net_input(request.net);
   std::string svg;
   try {
@@ -94,6 +104,8 @@ void add_draw_command(CLI::App& app, Job& chosen) {
   draw_command->add_option("--centre,--center", request.options.centre, "the vertex in the centre")
       ->option_text("V [0]");
   add_geodesics(*draw_command, request.geodesics);
+  add_file(*draw_command, "--distance", request.distance,
+           "also show the shortest paths of this file of the same surface (distance)");
   draw_command->add_flag("--png", request.png, "write a PNG picture, to standard output too");
   draw_command->add_option("--size", request.options.size, "width and height in pixels")
       ->check(integer_between(50, 20000))

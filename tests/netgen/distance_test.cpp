@@ -117,8 +117,8 @@ TEST(Distance, OfPointsCloserThanBinary64CanSay) {
   EXPECT_EQ(verdict(document), "VERIFIED");
 }
 
-/// A regular octagon's sides are the farther from its centre the larger the genus: from the centre to a corner there
-/// are 4g paths of equal length in a surface that has this symmetry.
+/// From the centre of an octagon with rational corners, symmetric to rotations by right angles, to the vertex of the
+/// surface, which is all corners: four of them are nearest.
 TEST(Distance, AllShortestPathsAreFound) {
   const Rational far(5, 6);
   const Rational near(3, 5);
