@@ -407,16 +407,25 @@ class DistanceCheck {
   slong precision_ = 64;
 };
 
+std::string point_name(std::uint32_t tile, const RationalPoint& z) {
+  return "(" + in_quotes(z.x.get_str()) + ", " + in_quotes(z.y.get_str()) + ") of tile " + std::to_string(tile);
+}
+
+/// p: a point of a tile if it is the centre of its chart.
+std::string vertex_name(const NetDocument& net) {
+  const NetDocument::Vertex& vertex = net.vertices[0];
+  const auto& [tile, centre] = net.charts[vertex.chart];
+  return vertex.x == 0 && vertex.y == 0 ? point_name(tile, centre) : "the net's vertex";
+}
+
 /// What the document says, in words.
 std::string claim_of(const DistanceDocument& document) {
-  const auto& [tile, z] = document.point;
-  const std::size_t count = document.paths.size();
-  const std::string what = document.equal || count == 1 ? "shortest" : "not longer than that";
-  return "the distance of the net's vertex from the point (" + in_quotes(z.x.get_str()) + ", " +
-         in_quotes(z.y.get_str()) + ") of tile " + std::to_string(tile) + " lies in " + to_string(document.distance) +
-         ", and " +
-         (count == 1 ? "the path listed is the only shortest one"
-                     : "the " + std::to_string(count) + " paths listed are all that are " + what);
+  const std::string count = std::to_string(document.paths.size());
+  return "the distance of " + vertex_name(document.net) + " from " + point_name(document.point.tile, document.point.z) +
+         " lies in " + to_string(document.distance) + ", and " +
+         (document.paths.size() == 1 ? "the path listed is the only shortest one"
+          : document.equal           ? "the " + count + " paths listed are all the shortest ones"
+                                     : "the " + count + " paths listed are all that are not longer than that");
 }
 
 /// Adds the reports to the certificate of a verified net.

@@ -11,7 +11,9 @@
 
 #include "certify/distances/distance_check.h"
 #include "kernel/plane.h"
+#include "netgen/lifts/layout.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/pictures/draw.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
 #include "tests/support/triangulations.h"
@@ -196,6 +198,21 @@ TEST(Distance, AVertexOfANetIsAPointOfATile) {
     }
     EXPECT_THROW((void)point_of_vertex(surface, net, static_cast<std::uint32_t>(net.vertices.size())), NetError);
   }
+}
+
+/// In the triangulation of the file itself, and in another net of the surface.
+TEST(Distance, APictureShowsThePathsInFullLength) {
+  const Surface& surface = test::gallery()[1].surface;
+  const DistanceDocument document =
+      distance(surface, {0, {Rational(1, 10), Rational(-1, 3)}}, {0, {Rational(-2, 5), Rational(1, 5)}});
+  for (const certify::NetDocument& net : {document.net, compute_net(surface, Length("0.5")).net}) {
+    const Layer layer = distance_layer(net, document);
+    double length = 0;
+    for (const Arc& arc : layer.arcs) length += distance(arc.from, arc.to);
+    EXPECT_NEAR(length, document.distance.lower * static_cast<double>(document.paths.size()), 1e-9);
+  }
+  const certify::NetDocument other = compute_net(test::gallery()[0].surface, Length("0.5")).net;
+  EXPECT_THROW((void)distance_layer(other, document), NetGeometryError);
 }
 
 /// Edges of a Delaunay triangulation to nearest vertices are shortest (docs/proof.md, Lemma 6).
