@@ -245,7 +245,7 @@ json '^{"verdict":"VERIFIED","claim":"thick-thin","geodesics":\[{.*"collar_half_
 json '^{"file":"dirichlet","sides":18,"ties":0,' dirichlet s.json -o x.json --json
 json '^{"file":"distance","distance":\[0.72635597917927[0-9]*,0.72635597917927[0-9]*\],"equal":true,"paths":\[\[\]\]}$' info --json distance.json
 json '^{"verdict":"VERIFIED","distance":\[0.72635597917927[0-9]*,0.72635597917927[0-9]*\],"equal":true,"paths":\[\[\]\]}$' distance s.json 0,0.1,-1/3 0,0,0 --json
-json '^{"verdict":"VERIFIED","distance":\[0,0\],"equal":true,"paths":\[\[\]\]}$' distance net.json v3 v3 --json
+json '^{"verdict":"VERIFIED","distance":\[0.0,0.0\],"equal":true,"paths":\[\[\]\]}$' distance net.json v3 v3 --json
 json '^{"verdict":"VERIFIED"}$' view net.json -o x.html --json
 json '^{"file":"surface","genus":2,' surface octagon --seed 1 -o x.json --json
 json '"regular":true,' surface regular --genus 2 -o x.json --json
