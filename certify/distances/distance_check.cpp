@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "certify/document/darts.h"
@@ -91,6 +92,14 @@ Interval key(const BallVector& x, slong precision) {
   arb_add(value.get(), value.get(), part.get(), precision);
   return outer_interval(value.get());
 }
+
+/// sinh² of half of a length, up to a factor that all lengths share.
+template <class CrossingsOfAKind>
+struct ExactLength {
+  using Real = decltype(norm(std::declval<typename CrossingsOfAKind::Number>()));
+  Real numerator;
+  Real denominator;
+};
 
 class DistanceCheck {
  public:
@@ -229,6 +238,21 @@ class DistanceCheck {
     return result;
   }
 
+  /// Of a path. Nothing if its numbers are not of a size to calculate with.
+  template <class CrossingsOfAKind>
+  [[nodiscard]] std::optional<ExactLength<CrossingsOfAKind>> exact_length(const CrossingsOfAKind& crossings,
+                                                                          std::size_t i) const {
+    if (evaluator_.exact_bits(number(i)) > CrossingsOfAKind::kMaxExactBits) return std::nullopt;
+    const NetDocument::Vertex& vertex = net_.vertices[0];
+    const ExactPoint from = exact_point(vertex.x, vertex.y);
+    budget().spend(CrossingsOfAKind::exact_work(2 * evaluator_.exact_bits(number(i)) +
+                                                8 * (certify::bits(from) + certify::bits(point_))));
+    // h(n/d, q) = |n − q d|²/((|d|² − |n|²)(1 − |q|²)).
+    const auto moved_from = moved(evaluator_.evaluate_exactly(crossings, number(i)), from);
+    return ExactLength<CrossingsOfAKind>{norm(point_.m * moved_from.n - point_.n * moved_from.d),
+                                         norm(moved_from.d) - norm(moved_from.n)};
+  }
+
   [[nodiscard]] Tri is_zero(const Ball& cosh, std::size_t i) const {
     Ball one;
     arb_one(one.get());
@@ -278,30 +302,6 @@ class DistanceCheck {
   }
 
   // Rule equal.
-
-  /// sinh² of half of a length, up to a factor that all lengths share.
-  template <class Real>
-  struct Fraction {
-    Real numerator;
-    Real denominator;
-  };
-
-  template <class CrossingsOfAKind>
-  [[nodiscard]] auto exact_length(const CrossingsOfAKind& crossings, std::size_t i) const {
-    using Number = typename CrossingsOfAKind::Number;
-    using Real = decltype(norm(std::declval<Number>()));
-    std::optional<Fraction<Real>> result;
-    if (evaluator_.exact_bits(number(i)) > CrossingsOfAKind::kMaxExactBits) return result;
-    const NetDocument::Vertex& vertex = net_.vertices[0];
-    const ExactPoint from = exact_point(vertex.x, vertex.y);
-    budget().spend(CrossingsOfAKind::exact_work(2 * evaluator_.exact_bits(number(i)) +
-                                                8 * (certify::bits(from) + certify::bits(point_))));
-    // h(n/d, q) = |n − q d|²/((|d|² − |n|²)(1 − |q|²)).
-    const MovedPoint<Number> moved_from = moved(evaluator_.evaluate_exactly(crossings, number(i)), from);
-    result.emplace(Fraction<Real>{norm(point_.m * moved_from.n - point_.n * moved_from.d),
-                                  norm(moved_from.d) - norm(moved_from.n)});
-    return result;
-  }
 
   void check_equal() {
     if (!document_.equal || document_.paths.size() == 1) {

@@ -200,6 +200,28 @@ TEST(Distance, AVertexOfANetIsAPointOfATile) {
   }
 }
 
+/// The symmetries of the octagon leave distances on the Bolza surface as they are.
+TEST(Distance, OnTheBolzaSurfaceIsSymmetricAndTheLeastThatWordsGive) {
+  const Surface bolza = Surface::regular(2);
+  const std::vector<Complex<Rational>> places{{0, 0},
+                                              {Rational(3, 5), 0},
+                                              {Rational(1, 3), Rational(1, 5)},
+                                              {Rational(-3, 5), Rational(1, 7)},
+                                              {Rational(-1, 2), Rational(-1, 2)},
+                                              {Rational(1, 4), Rational(-3, 5)}};
+  for (const Complex<Rational>& p : places) {
+    for (const Complex<Rational>& q : places) {
+      const DistanceDocument document = distance(bolza, {0, p}, {0, q});
+      EXPECT_EQ(verdict(document), "VERIFIED");
+      EXPECT_NEAR(document.distance.lower, least_by_words(bolza, {0, p}, {0, q}, 4), 1e-12);
+      const auto turned = [](const Complex<Rational>& z) { return Complex<Rational>{Rational(-z.y), z.x}; };
+      const auto mirrored = [](const Complex<Rational>& z) { return Complex<Rational>{z.y, z.x}; };
+      EXPECT_EQ(distance_of(bolza, {0, turned(p)}, {0, turned(q)}), document.distance);
+      EXPECT_EQ(distance_of(bolza, {0, mirrored(p)}, {0, mirrored(q)}), document.distance);
+    }
+  }
+}
+
 /// In the triangulation of the file itself, and in another net of the surface.
 TEST(Distance, APictureShowsThePathsInFullLength) {
   const Surface& surface = test::gallery()[1].surface;
