@@ -1,11 +1,7 @@
-#include <cmath>
-#include <functional>
 #include <gtest/gtest.h>
 #include <iomanip>
 #include <iostream>
-#include <limits>
 #include <map>
-#include <random>
 #include <sstream>
 
 #include "certify/check.h"
@@ -16,6 +12,7 @@
 #include "netgen/exchange/exchange.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/octagon.h"
+#include "tests/attack/mutations.h"
 #include "tests/netgen/oracle.h"
 #include "tests/support/scale.h"
 
@@ -24,249 +21,11 @@
 namespace epsnet {
 namespace {
 
+using attack::Mutation;
+using attack::mutations;
+using attack::Random;
 using certify::NetDocument;
 using certify::Verdict;
-
-/// The same numbers with every standard library.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  [[nodiscard]] std::uint32_t below(std::size_t n) { return static_cast<std::uint32_t>(engine_() % n); }
-  [[nodiscard]] double share() { return std::ldexp(static_cast<double>(engine_() >> 11), -53); }
-  [[nodiscard]] double sign() { return below(2) == 0 ? 1 : -1; }
-  template <class T>
-  [[nodiscard]] T& of(std::vector<T>& rows) {
-    return rows[below(rows.size())];
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
-
-/// Another index below n; sometimes one that is just too large, or as large as can be.
-void change_index(std::uint32_t& index, std::size_t n, Random& random) {
-  switch (random.below(12)) {
-    case 0:
-      index = static_cast<std::uint32_t>(n);
-      break;
-    case 1:
-      index = ~0U;
-      break;
-    default:
-      index = random.below(n);
-  }
-}
-
-/// A little or a lot, relative to numbers below 1.
-mpq_class some_step(Random& random) {
-  mpz_class power;
-  mpz_ui_pow_ui(power.get_mpz_t(), 10, 1 + random.below(40));
-  return mpq_class(random.below(2) == 0 ? 1 : -1, power);
-}
-
-double& coordinate(NetDocument& net, Random& random) {
-  certify::NetDocument::Vertex& v = random.of(net.vertices);
-  return random.below(2) == 0 ? v.x : v.y;
-}
-mpq_class& coordinate(certify::RationalPoint& z, Random& random) { return random.below(2) == 0 ? z.x : z.y; }
-
-std::uint32_t& letter(NetDocument& net, Random& random) {
-  std::vector<std::uint32_t*> letters;
-  for (certify::NetDocument::Label& l : net.labels) {
-    for (std::uint32_t& s : l.word) letters.push_back(&s);
-  }
-  return *random.of(letters);
-}
-
-std::size_t side_count(const NetDocument& net) {
-  std::size_t n = 0;
-  for (const certify::SurfaceDocument::Tile& tile : net.surface.tiles) n += tile.size();
-  return n;
-}
-
-struct Mutation {
-  const char* name;
-  std::function<void(NetDocument&, Random&)> apply;
-};
-
-const std::vector<Mutation>& mutations() {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  static const std::vector<Mutation> all{
-      {"vertex moved by an ulp",
-       [](NetDocument& net, Random& r) {
-         double& x = coordinate(net, r);
-         x = std::nextafter(x, r.sign());
-       }},
-      {"vertex moved by 1e-6", [](NetDocument& net, Random& r) { coordinate(net, r) += 1e-6 * r.sign(); }},
-      {"vertex moved by up to 0.3",
-       [](NetDocument& net, Random& r) { coordinate(net, r) += 0.3 * r.share() * r.sign(); }},
-      {"vertex anywhere",
-       [](NetDocument& net, Random& r) {
-         const std::vector<double> numbers{
-             0.0,       -0.0, 1.0,    -1.0, 0.999999, 2.0,          -1e300,
-             kInfinity, 1e-9, 5e-324, 0.5,  -0.5,     std::nan(""), std::nextafter(1.0, 0.0)};
-         coordinate(net, r) = numbers[r.below(numbers.size())];
-       }},
-      {"vertex mirrored",
-       [](NetDocument& net, Random& r) {
-         double& x = coordinate(net, r);
-         x = -x;
-       }},
-      {"vertices exchanged", [](NetDocument& net, Random& r) { std::swap(r.of(net.vertices), r.of(net.vertices)); }},
-      {"vertex in another chart",
-       [](NetDocument& net, Random& r) { change_index(r.of(net.vertices).chart, net.charts.size() + 1, r); }},
-      {"vertex dropped", [](NetDocument& net, Random&) { net.vertices.pop_back(); }},
-      {"vertex added", [](NetDocument& net, Random& r) { net.vertices.push_back(r.of(net.vertices)); }},
-      {"chart moved", [](NetDocument& net, Random& r) { coordinate(r.of(net.charts).centre, r) += some_step(r); }},
-      {"chart mirrored",
-       [](NetDocument& net, Random& r) {
-         mpq_class& x = coordinate(r.of(net.charts).centre, r);
-         x = -x;
-       }},
-      {"chart of another tile",
-       [](NetDocument& net, Random& r) { change_index(r.of(net.charts).tile, net.surface.tiles.size() + 1, r); }},
-      {"chart dropped", [](NetDocument& net, Random&) { net.charts.pop_back(); }},
-      {"epsilon a little different",
-       [](NetDocument& net, Random& r) {
-         mpq_class value(Length(net.epsilon).value().backend().data());
-         value *= 1 + some_step(r);
-         net.epsilon = value.get_str();
-       }},
-      {"epsilon up to twice or half",
-       [](NetDocument& net, Random& r) {
-         const double factor = std::exp2(r.share() * r.sign());
-         std::ostringstream text;
-         text << factor * static_cast<double>(Length(net.epsilon).value());
-         net.epsilon = text.str();
-       }},
-      {"epsilon something else",
-       [](NetDocument& net, Random& r) {
-         const std::vector<const char*> texts{"0",   "-1",   "",        "nan", "inf", "1/0",    "0x1", "1e9999",
-                                              "100", "1e-9", "1e-9999", "0.0", "1 ",  "-0.5e1", "1/",  "1e99999"};
-         net.epsilon = texts[r.below(texts.size())];
-       }},
-      {"letter changed", [](NetDocument& net, Random& r) { change_index(letter(net, r), side_count(net) + 1, r); }},
-      {"letter dropped",
-       [](NetDocument& net, Random& r) {
-         auto& word = r.of(net.labels).word;
-         if (!word.empty()) word.erase(word.begin() + r.below(word.size()));
-       }},
-      {"letter added",
-       [](NetDocument& net, Random& r) {
-         auto& word = r.of(net.labels).word;
-         word.insert(word.begin() + r.below(word.size() + 1), r.below(side_count(net)));
-       }},
-      {"word reversed",
-       [](NetDocument& net, Random& r) {
-         auto& word = r.of(net.labels).word;
-         std::reverse(word.begin(), word.end());
-       }},
-      {"words exchanged", [](NetDocument& net, Random& r) { std::swap(r.of(net.labels).word, r.of(net.labels).word); }},
-      {"a side crossed there and back",
-       [](NetDocument& net, Random& r) {
-         // The same element of the group, so the same net.
-         auto& word = r.of(net.labels).word;
-         const certify::SurfaceDocument::Gluing& g = r.of(net.surface.gluing);
-         if (net.surface.tiles.size() == 1)
-           word.insert(word.begin() + r.below(word.size() + 1), {g.side, g.other_side});
-       }},
-      {"label to another chart",
-       [](NetDocument& net, Random& r) {
-         certify::NetDocument::Label& l = r.of(net.labels);
-         change_index(r.below(2) == 0 ? l.from : l.to, net.charts.size() + 1, r);
-       }},
-      {"labels exchanged", [](NetDocument& net, Random& r) { std::swap(r.of(net.labels), r.of(net.labels)); }},
-      {"label dropped",
-       [](NetDocument& net, Random& r) { net.labels.erase(net.labels.begin() + r.below(net.labels.size())); }},
-      {"corner of another vertex",
-       [](NetDocument& net, Random& r) {
-         change_index(r.of(net.triangles).vertex[r.below(3)], net.vertices.size(), r);
-       }},
-      {"another opposite",
-       [](NetDocument& net, Random& r) {
-         change_index(r.of(net.triangles).opposite[r.below(3)], 3 * net.triangles.size(), r);
-       }},
-      {"two edges glued otherwise",
-       [](NetDocument& net, Random& r) {
-         // a–b and c–d become a–d and c–b: still an involution.
-         const auto across = [&](std::uint32_t d) -> std::uint32_t& { return net.triangles[d / 3].opposite[d % 3]; };
-         const std::uint32_t a = r.below(3 * net.triangles.size());
-         const std::uint32_t c = r.below(3 * net.triangles.size());
-         const std::uint32_t b = across(a);
-         const std::uint32_t d = across(c);
-         if (a == d) return;
-         across(a) = d;
-         across(d) = a;
-         across(c) = b;
-         across(b) = c;
-       }},
-      {"corner with another label",
-       [](NetDocument& net, Random& r) {
-         change_index(r.of(net.triangles).label[r.below(2)], net.labels.size() + 1, r);
-       }},
-      {"corner with another label that fits",
-       [](NetDocument& net, Random& r) {
-         certify::NetDocument::Triangle& t = r.of(net.triangles);
-         std::uint32_t& l = t.label[r.below(2)];
-         const certify::NetDocument::Label wanted =
-             l == 0 ? certify::NetDocument::Label{net.vertices[t.vertex[0]].chart, net.vertices[t.vertex[0]].chart, {}}
-                    : net.labels[l - 1];
-         for (int i = 0; i < 50; ++i) {
-           const std::uint32_t other = r.below(net.labels.size());
-           if (other + 1 != l && net.labels[other].from == wanted.from && net.labels[other].to == wanted.to) {
-             l = other + 1;
-             return;
-           }
-         }
-       }},
-      {"corners' labels exchanged",
-       [](NetDocument& net, Random& r) {
-         certify::NetDocument::Triangle& t = r.of(net.triangles);
-         std::swap(t.label[0], t.label[1]);
-       }},
-      {"triangle turned over",
-       [](NetDocument& net, Random& r) {
-         certify::NetDocument::Triangle& t = r.of(net.triangles);
-         std::swap(t.vertex[1], t.vertex[2]);
-         std::swap(t.label[0], t.label[1]);
-       }},
-      {"triangles exchanged", [](NetDocument& net, Random& r) { std::swap(r.of(net.triangles), r.of(net.triangles)); }},
-      {"triangle dropped",
-       [](NetDocument& net, Random& r) { net.triangles.erase(net.triangles.begin() + r.below(net.triangles.size())); }},
-      {"triangle doubled", [](NetDocument& net, Random& r) { net.triangles.push_back(r.of(net.triangles)); }},
-      {"polygon's vertex moved",
-       [](NetDocument& net, Random& r) { coordinate(r.of(r.of(net.surface.tiles)), r) += some_step(r); }},
-      {"polygon's vertices exchanged",
-       [](NetDocument& net, Random& r) {
-         certify::SurfaceDocument::Tile& tile = r.of(net.surface.tiles);
-         std::swap(r.of(tile), r.of(tile));
-       }},
-      {"polygon reversed",
-       [](NetDocument& net, Random& r) {
-         certify::SurfaceDocument::Tile& tile = r.of(net.surface.tiles);
-         std::reverse(tile.begin(), tile.end());
-       }},
-      {"polygon's vertex dropped", [](NetDocument& net, Random& r) { r.of(net.surface.tiles).pop_back(); }},
-      {"gluing changed",
-       [](NetDocument& net, Random& r) {
-         certify::SurfaceDocument::Gluing& g = r.of(net.surface.gluing);
-         change_index(r.below(2) == 0 ? g.side : g.other_side, side_count(net), r);
-       }},
-      {"gluings crossed",
-       [](NetDocument& net, Random& r) {
-         std::swap(r.of(net.surface.gluing).other_side, r.of(net.surface.gluing).other_side);
-       }},
-      {"gluing turned round",
-       [](NetDocument& net, Random& r) {
-         // The same pairs: still the same net.
-         certify::SurfaceDocument::Gluing& g = r.of(net.surface.gluing);
-         g = {g.other_tile, g.other_side, g.tile, g.side};
-       }},
-      {"gluing dropped", [](NetDocument& net, Random&) { net.surface.gluing.pop_back(); }},
-      {"tile added", [](NetDocument& net, Random&) { net.surface.tiles.push_back(net.surface.tiles[0]); }},
-  };
-  return all;
-}
 
 std::string written(const NetDocument& net) {
   std::ostringstream out;

@@ -1,0 +1,471 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <unistd.h>
+#include <variant>
+#include <vector>
+
+#include "certify/check.h"
+#include "certify/exact/checker.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+#include "certify/geodesics/geodesics_check.h"
+#include "netgen/exchange/exchange.h"
+#include "netgen/nets/certified_net.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/octagon.h"
+#include "tests/attack/mutations.h"
+#include "tests/attack/reference.h"
+
+/// Mutants of files: single and double defects of true files, in the document or in its text; what `certify` says of
+/// them is compared with what `certify-exact` says, and with the reference of this folder.
+namespace epsnet::attack {
+namespace {
+
+using certify::GeodesicsDocument;
+using certify::NetDocument;
+using certify::Verdict;
+using Document = std::variant<NetDocument, GeodesicsDocument>;
+
+/// A true file, and how often it is taken.
+struct Base {
+  std::string name;
+  Document document;
+  std::string text;
+  unsigned weight;
+  KnownGeodesics known;
+};
+
+struct Family {
+  std::string name;
+  unsigned weight;            ///< Its share of the mutants.
+  unsigned reference_one_of;  ///< Of so many mutants one is asked of the reference as well.
+  bool for_exact;             ///< Whether certify-exact decides such files.
+  std::vector<Base> bases;
+};
+
+std::string written(const Document& document) {
+  std::ostringstream out;
+  if (const auto* net = std::get_if<NetDocument>(&document)) {
+    certify::write_net(*net, out);
+  } else {
+    certify::write_geodesics(std::get<GeodesicsDocument>(document), out);
+  }
+  return out.str();
+}
+
+Base base(std::string name, Document document, unsigned weight = 1) {
+  std::string text = written(document);
+  KnownGeodesics known = std::holds_alternative<GeodesicsDocument>(document) ? learn(text) : KnownGeodesics();
+  return {std::move(name), std::move(document), std::move(text), weight, std::move(known)};
+}
+Base net(const std::string& name, const Surface& surface, const char* epsilon, unsigned weight = 1,
+         bool pseudo = false) {
+  NetOptions options;
+  options.pseudo = pseudo;
+  options.check.threads = 1;
+  return base(name + ", epsilon " + epsilon, certified_net(surface, Length(epsilon), options).net, weight);
+}
+Base file(const std::string& path, unsigned weight = 1) {
+  return base(path, certify::read_claim(EPSNET_TEST_DATA "/" + path), weight);
+}
+Surface polygon(const std::string& name) { return import_surface_file(EPSNET_TEST_DATA "/polygons/" + name + ".txt"); }
+Surface cuffs(const PantsGraph& graph, const std::vector<const char*>& lengths) {
+  FenchelNielsen coordinates{graph, {}, {}};
+  for (const char* length : lengths) {
+    coordinates.lengths.push_back(Length(length).value());
+    coordinates.twists.push_back(Rational(1, 3) * coordinates.lengths.back());
+  }
+  return fenchel_nielsen_surface(coordinates);
+}
+
+std::vector<Family> families() {
+  std::vector<Family> all;
+  const auto add = [&](std::string name, unsigned weight, unsigned reference_one_of,
+                       bool for_exact) -> std::vector<Base>& {
+    all.push_back({std::move(name), weight, reference_one_of, for_exact, {}});
+    return all.back().bases;
+  };
+  {
+    auto& b = add("octagons", 230, 16, true);
+    b.push_back(net("octagon 123", random_octagon(123), "0.9", 2));
+    b.push_back(net("octagon 321", random_octagon(321), "0.8", 1));
+    b.push_back(net("octagon 7", random_octagon(7), "1.2", 4));
+    b.push_back(file("forgeries/octagon.json", 3));
+    b.push_back(file("forgeries/symmetric-octagon.json", 3));
+    b.push_back(file("forgeries/symmetric-octagon-centre.json", 2));
+    b.push_back(file("certify/verified/square-of-cocircular-vertices.json", 2));
+  }
+  {
+    auto& b = add("polygons", 230, 16, true);
+    b.push_back(net("polygon-g2-small", polygon("polygon-g2-small"), "1", 3));
+    b.push_back(net("polygon-g2-theta", polygon("polygon-g2-theta"), "1.2", 3));
+    b.push_back(net("polygon-g3-small", polygon("polygon-g3-small"), "1.3", 2));
+    b.push_back(net("polygon-g3-rnd1", polygon("polygon-g3-rnd1"), "1.3", 1));
+    // The octagon 123 as two triangles and a hexagon.
+    const Surface octagon = random_octagon(123);
+    const Tile& v = octagon.tiles()[0];
+    const Surface tiles({{v[0], v[1], v[2]}, {v[4], v[5], v[6]}, {v[0], v[2], v[3], v[4], v[6], v[7]}},
+                        {{0, 0, 1, 0}, {0, 1, 1, 1}, {2, 1, 2, 4}, {2, 2, 2, 5}, {0, 2, 2, 0}, {1, 2, 2, 3}});
+    b.push_back(net("three tiles", tiles, "1", 3));
+  }
+  {
+    auto& b = add("Fenchel-Nielsen surfaces", 180, 16, true);
+    b.push_back(net("chain of genus 2, random", fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(2), 5)),
+                    "1.1", 3));
+    b.push_back(
+        net("ring of genus 2, random", fenchel_nielsen_surface(random_coordinates(PantsGraph::ring(2), 6)), "1.1", 3));
+    b.push_back(
+        net("tree of genus 3, random", fenchel_nielsen_surface(random_coordinates(PantsGraph::tree(3), 7)), "1.5", 1));
+    b.push_back(net("theta of equal cuffs", cuffs(PantsGraph::ring(2), {"2", "2", "2"}), "1", 2));
+  }
+  {
+    auto& b = add("thin surfaces", 150, 32, true);
+    b.push_back(net("polygon-g2-thin-1e-2", polygon("polygon-g2-thin-1e-2"), "1.5", 4));
+    b.push_back(net("polygon-g2-thin-1e-4", polygon("polygon-g2-thin-1e-4"), "2", 1));
+    b.push_back(net("a cuff of 1e-3", cuffs(PantsGraph::chain(2), {"2", "0.001", "2.5"}), "1.6", 2));
+  }
+  {
+    auto& b = add("regular nets", 100, 1, false);
+    b.push_back(net("regular of genus 2", Surface::regular(2), "1.2", 2));
+    b.push_back(file("forgeries/regular.json", 2));
+    b.push_back(file("forgeries/regular-of-one-vertex.json", 3));
+    b.push_back(file("certify/verified/regular-2-4-rotated-vertices.json", 4));
+    b.push_back(file("certify/verified/regular-3-centre.json", 4));
+    b.push_back(net("regular of genus 3", Surface::regular(3), "1.6", 1));
+    b.push_back(net("regular of genus 4", Surface::regular(4), "2", 1));
+  }
+  {
+    auto& b = add("pseudo nets", 60, 1, false);
+    b.push_back(file("forgeries/collars.json", 1));
+    b.push_back(net("three cuffs of 0.1", cuffs(PantsGraph::ring(2), {"0.1", "0.12", "0.15"}), "0.346", 2, true));
+    b.push_back(net("a cuff of 0.01", cuffs(PantsGraph::chain(2), {"0.2", "0.01", "0.2"}), "0.34", 1, true));
+  }
+  {
+    auto& b = add("geodesics", 50, 1, false);
+    b.push_back(file("forgeries/systole.json", 8));
+    b.push_back(file("forgeries/spectrum.json", 8));
+    b.push_back(file("forgeries/spectrum-of-equal-lengths.json", 4));
+    b.push_back(file("forgeries/small-curves.json", 8));
+    b.push_back(file("forgeries/spectrum-with-a-figure-eight.json", 1));
+    b.push_back(file("geodesics/three-cuffs.json", 8));
+  }
+  return all;
+}
+
+template <class T>
+T& weighted(std::vector<T>& rows, Random& random) {
+  unsigned sum = 0;
+  for (const T& row : rows) sum += row.weight;
+  std::uint32_t at = random.below(sum);
+  for (T& row : rows) {
+    if (at < row.weight) return row;
+    at -= row.weight;
+  }
+  throw std::logic_error("weights");
+}
+
+struct Mutant {
+  Family* family;
+  Base* base;
+  std::string text;
+  std::string how;
+};
+
+/// One defect of the document; its name.
+std::string defect(Document& document, Random& random) {
+  auto* geodesics = std::get_if<GeodesicsDocument>(&document);
+  if (geodesics != nullptr && random.below(5) != 0) {
+    const GeodesicsMutation& mutation = geodesics_mutations()[random.below(geodesics_mutations().size())];
+    mutation.apply(*geodesics, random);
+    return mutation.name;
+  }
+  NetDocument& net = geodesics != nullptr ? geodesics->net : std::get<NetDocument>(document);
+  const bool regular = net.surface.regular_genus != 0 && random.below(4) == 0;
+  const bool collars = net.collars && random.below(5) < 3;
+  const std::vector<Mutation>& list = collars ? collar_mutations() : regular ? regular_mutations() : mutations();
+  const Mutation& mutation = list[random.below(list.size())];
+  mutation.apply(net, random);
+  return mutation.name;
+}
+
+/// The mutant of this number: the same for a seed, whatever the others are.
+Mutant make(std::vector<Family>& all, std::uint64_t seed, std::uint64_t number) {
+  Random random(seed * 0x9E3779B97F4A7C15U + number);
+  Family& family = weighted(all, random);
+  Base& base = weighted(family.bases, random);
+  const bool bytes = random.below(8) == 0;
+  const bool twice = random.below(2) == 0;
+  for (;;) {
+    Mutant mutant{&family, &base, base.text, {}};
+    if (bytes) {
+      for (unsigned i = 0; i < 1U + (twice ? 1U : 0U);) {
+        try {
+          change_text(mutant.text, random);
+          ++i;
+        } catch (const NothingToChange&) {
+        }
+      }
+      mutant.how = "bytes";
+    } else {
+      Document document = base.document;
+      try {
+        mutant.how = defect(document, random);
+      } catch (const NothingToChange&) {
+        continue;
+      } catch (const std::out_of_range&) {
+        continue;
+      }
+      if (twice) {
+        // The first defect may have left nothing that a second one could start from.
+        Document second = document;
+        try {
+          const std::string name = defect(second, random);
+          document = std::move(second);
+          mutant.how += "; " + name;
+        } catch (const NothingToChange&) {
+        } catch (const std::out_of_range&) {
+        } catch (const std::invalid_argument&) {
+        }
+      }
+      mutant.text = written(document);
+    }
+    if (mutant.text != base.text) return mutant;
+  }
+}
+
+struct Opinion {
+  Verdict verdict = Verdict::undecided;
+  std::string rule;
+  std::string message;
+};
+
+Opinion ask_certify(const std::string& text) {
+  try {
+    const auto document = certify::parse_claim(text, "mutant");
+    const certify::CheckOptions options{.threads = 1, .max_precision = 4096};
+    const auto* geodesics = std::get_if<GeodesicsDocument>(&document);
+    const certify::Certificate c = geodesics != nullptr ? certify::check_geodesics(*geodesics, options)
+                                                        : certify::check(std::get<NetDocument>(document), options);
+    return {c.verdict, c.rule, c.message};
+  } catch (const certify::MalformedError& error) {
+    return {Verdict::malformed, "", error.what()};
+  }
+}
+
+Opinion ask_exact(const std::string& text) {
+  const exact::Result result = exact::check(text);
+  constexpr std::array<Verdict, 4> kVerdicts{Verdict::verified, Verdict::refuted, Verdict::undecided,
+                                             Verdict::malformed};
+  return {kVerdicts.at(static_cast<std::size_t>(result.verdict)), result.rule, result.message};
+}
+
+Opinion ask_reference(const std::string& text, const KnownGeodesics& known) {
+  const Answer answer = ask(text, &known);
+  constexpr std::array<Verdict, 4> kVerdicts{Verdict::verified, Verdict::refuted, Verdict::malformed,
+                                             Verdict::undecided};
+  const Verdict verdict = kVerdicts.at(static_cast<std::size_t>(answer.verdict));
+  return {verdict, verdict == Verdict::refuted ? answer.rule : "", answer.rule};
+}
+
+bool decided(const Opinion& opinion) { return opinion.verdict != Verdict::undecided; }
+/// Both decide, and not the same.
+bool disagree(const Opinion& one, const Opinion& other) {
+  return decided(one) && decided(other) && one.verdict != other.verdict;
+}
+
+/// A row of the table.
+struct Row {
+  std::uint64_t mutants = 0;
+  std::array<std::uint64_t, 4> verdict{};  ///< What `certify` says, by Verdict.
+  std::uint64_t exact_asked = 0;           ///< How often both answered, and
+  std::uint64_t exact_undecided = 0;       ///< how often the other one did not.
+  std::uint64_t reference_asked = 0;
+  std::uint64_t reference_undecided = 0;
+  std::uint64_t other_rules = 0;  ///< Both refute, by different rules.
+  std::uint64_t disagreements = 0;
+
+  void operator+=(const Row& other) {
+    mutants += other.mutants;
+    for (std::size_t i = 0; i < 4; ++i) verdict.at(i) += other.verdict.at(i);
+    exact_asked += other.exact_asked;
+    exact_undecided += other.exact_undecided;
+    reference_asked += other.reference_asked;
+    reference_undecided += other.reference_undecided;
+    other_rules += other.other_rules;
+    disagreements += other.disagreements;
+  }
+};
+
+struct Options {
+  std::uint64_t mutants = 1000;
+  std::uint64_t first = 0;
+  std::uint64_t seed = 1;
+  unsigned jobs = 1;
+  std::filesystem::path folder = ".";
+  bool details = false;
+};
+
+class Attack {
+ public:
+  Attack(const Options& options, std::vector<Family> all)
+      : options_(options), families_(std::move(all)), next_(options.first) {
+    for (const Family& family : families_) rows_[family.name];
+  }
+
+  /// Whether there was no disagreement.
+  bool run() {
+    for (Family& family : families_) {
+      for (Base& base : family.bases) unspoilt(family, base);
+    }
+    std::vector<std::thread> threads;
+    for (unsigned i = 0; i < options_.jobs; ++i) threads.emplace_back([this] { work(); });
+    for (std::thread& thread : threads) thread.join();
+    if (terminal_) std::fputs("\r                                        \r", stderr);
+    print();
+    return failures_ == 0;
+  }
+
+ private:
+  /// All say that the true file is true.
+  void unspoilt(const Family& family, const Base& base) {
+    const Opinion first = ask_certify(base.text);
+    const Opinion second = ask_reference(base.text, base.known);
+    const bool exact = !family.for_exact || ask_exact(base.text).verdict == Verdict::verified;
+    if (first.verdict == Verdict::verified && second.verdict == Verdict::verified && exact) return;
+    std::cerr << base.name << ": certify: " << first.message << "; reference: " << second.message << '\n';
+    ++failures_;
+  }
+
+  void work() {
+    std::map<std::string, Row> rows;
+    for (;;) {
+      const std::uint64_t number = next_++;
+      if (number >= options_.first + options_.mutants) break;
+      const Mutant mutant = make(families_, options_.seed, number);
+      examine(mutant, number, rows[mutant.family->name]);
+      if (terminal_ && number % 64 == 0) progress(number - options_.first);
+    }
+    const std::lock_guard lock(mutex_);
+    for (const auto& [name, row] : rows) rows_[name] += row;
+  }
+
+  void examine(const Mutant& mutant, std::uint64_t number, Row& row) {
+    const auto start = std::chrono::steady_clock::now();
+    const Opinion first = ask_certify(mutant.text);
+    const auto after_certify = std::chrono::steady_clock::now();
+    ++row.mutants;
+    ++row.verdict.at(static_cast<std::size_t>(first.verdict));
+    bool differ = false;
+    std::string others;
+    const auto compare = [&](const char* who, const Opinion& other, std::uint64_t& asked, std::uint64_t& undecided) {
+      ++asked;
+      if (!decided(other)) ++undecided;
+      if (first.verdict == Verdict::refuted && other.verdict == Verdict::refuted && first.rule != other.rule)
+        ++row.other_rules;
+      differ = differ || disagree(first, other);
+      others += std::string(", ") + who + ": " + std::string(certify::name(other.verdict)) + " " + other.rule + " " +
+                other.message;
+    };
+    if (mutant.family->for_exact)
+      compare("certify-exact", ask_exact(mutant.text), row.exact_asked, row.exact_undecided);
+    const auto after_exact = std::chrono::steady_clock::now();
+    if (number % mutant.family->reference_one_of == 0) {
+      compare("reference", ask_reference(mutant.text, mutant.base->known), row.reference_asked,
+              row.reference_undecided);
+    }
+    if (options_.details) {
+      const auto ms = [](auto a, auto b) { return std::chrono::duration<double, std::milli>(b - a).count(); };
+      const std::lock_guard lock(mutex_);
+      std::cout << number << '\t' << mutant.base->name << '\t' << mutant.how << '\t' << certify::name(first.verdict)
+                << ' ' << first.rule << ' ' << first.message << others << '\t' << ms(start, after_certify) << '\t'
+                << ms(after_certify, after_exact) << '\t' << ms(after_exact, std::chrono::steady_clock::now()) << '\n';
+    }
+    if (!differ) return;
+    ++row.disagreements;
+    const std::filesystem::path path =
+        options_.folder / ("disagreement-" + std::to_string(options_.seed) + "-" + std::to_string(number) + ".json");
+    const std::lock_guard lock(mutex_);
+    ++failures_;
+    std::ofstream(path, std::ios::binary) << mutant.text;
+    std::cerr << path.string() << ": " << mutant.base->name << ", " << mutant.how
+              << ": certify: " << certify::name(first.verdict) << ' ' << first.rule << ' ' << first.message << others
+              << '\n';
+  }
+
+  void progress(std::uint64_t done) {
+    const std::lock_guard lock(mutex_);
+    std::fprintf(stderr, "\r%llu of %llu mutants", static_cast<unsigned long long>(done),
+                 static_cast<unsigned long long>(options_.mutants));
+  }
+
+  void print() const {
+    std::cout << "| family | mutants | VERIFIED | REFUTED | MALFORMED | UNDECIDED | asked of `certify-exact` | "
+                 "UNDECIDED there "
+                 "| asked of the reference | unknown there | refuted by another rule | disagreements |\n"
+                 "| --- | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: |\n";
+    Row sum;
+    const auto line = [](const std::string& name, const Row& row) {
+      std::cout << "| " << name << " | " << row.mutants;
+      for (const Verdict v : {Verdict::verified, Verdict::refuted, Verdict::malformed, Verdict::undecided}) {
+        std::cout << " | " << row.verdict.at(static_cast<std::size_t>(v));
+      }
+      std::cout << " | " << row.exact_asked << " | " << row.exact_undecided << " | " << row.reference_asked << " | "
+                << row.reference_undecided << " | " << row.other_rules << " | " << row.disagreements << " |\n";
+    };
+    for (const Family& family : families_) {
+      line(family.name, rows_.at(family.name));
+      sum += rows_.at(family.name);
+    }
+    line("all", sum);
+  }
+
+  Options options_;
+  std::vector<Family> families_;
+  std::atomic<std::uint64_t> next_;
+  std::map<std::string, Row> rows_;
+  std::mutex mutex_;
+  std::atomic<std::uint64_t> failures_ = 0;
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+};
+
+}  // namespace
+}  // namespace epsnet::attack
+
+int main(int argc, char** argv) try {
+  epsnet::attack::Options options;
+  CLI::App app{
+      "Mutants of net files and geodesics files: single and double defects, in the document or in its bytes.\n"
+      "What certify says of each is compared with certify-exact and with an exact reference. A mutant on which two of "
+      "them\n"
+      "disagree is written to a file, and the exit code is 1. Example: attack_mutants --mutants 1000000 --jobs 2"};
+  app.add_option("--mutants", options.mutants, "How many")->capture_default_str();
+  app.add_option("--seed", options.seed, "Chooses all of them")->capture_default_str();
+  app.add_option("--first", options.first, "The number of the first one, to make a single one again")
+      ->capture_default_str();
+  app.add_option("--jobs", options.jobs, "Threads; the table is the same for any number")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  app.add_option("--folder", options.folder, "Where mutants that the checkers disagree about go")
+      ->capture_default_str();
+  app.add_flag("--details", options.details, "A line for each mutant: base, defects, verdicts, milliseconds");
+  CLI11_PARSE(app, argc, argv);
+  return epsnet::attack::Attack(options, epsnet::attack::families()).run() ? 0 : 1;
+} catch (const std::exception& error) {
+  std::cerr << "attack_mutants: " << error.what() << '\n';
+  return 70;
+}

@@ -1,0 +1,782 @@
+#include "tests/attack/mutations.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <limits>
+#include <sstream>
+
+#include "netgen/base/length.h"
+
+namespace epsnet::attack {
+namespace {
+
+using certify::GeodesicsDocument;
+using certify::NetDocument;
+
+/// Another index below n; sometimes one that is just too large, or as large as can be.
+void change_index(std::uint32_t& index, std::size_t n, Random& random) {
+  switch (random.below(12)) {
+    case 0:
+      index = static_cast<std::uint32_t>(n);
+      break;
+    case 1:
+      index = ~0U;
+      break;
+    default:
+      index = random.below(n);
+  }
+}
+
+/// A little or a lot, relative to numbers below 1.
+mpq_class some_step(Random& random) {
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, 1 + random.below(40));
+  return mpq_class(random.below(2) == 0 ? 1 : -1, power);
+}
+
+double& coordinate(NetDocument& net, Random& random) {
+  certify::NetDocument::Vertex& v = random.of(net.vertices);
+  return random.below(2) == 0 ? v.x : v.y;
+}
+mpq_class& coordinate(certify::RationalPoint& z, Random& random) { return random.below(2) == 0 ? z.x : z.y; }
+
+std::uint32_t& letter(NetDocument& net, Random& random) {
+  std::vector<std::uint32_t*> letters;
+  for (certify::NetDocument::Label& l : net.labels) {
+    for (std::uint32_t& s : l.word) letters.push_back(&s);
+  }
+  return *random.of(letters);
+}
+
+template <class T>
+void drop_last(std::vector<T>& rows) {
+  if (rows.empty()) throw NothingToChange{};
+  rows.pop_back();
+}
+
+/// Ends of intervals: a neighbour, a little or a lot more or less.
+void change_length(double& x, Random& r) {
+  switch (r.below(5)) {
+    case 0:
+      x = std::nextafter(x, r.sign() * 1e9);
+      break;
+    case 1:
+      x *= 1 + std::ldexp(r.sign(), -1 - static_cast<int>(r.below(50)));
+      break;
+    case 2:
+      x += std::ldexp(r.sign(), -1 - static_cast<int>(r.below(60)));
+      break;
+    case 3:
+      x = 0;
+      break;
+    default:
+      x *= 1 + r.share();
+  }
+}
+
+std::size_t side_count(const NetDocument& net) {
+  std::size_t n = std::size_t{4} * net.surface.regular_genus;
+  for (const certify::SurfaceDocument::Tile& tile : net.surface.tiles) n += tile.size();
+  return n;
+}
+
+/// Of every side the one that it is glued to.
+std::vector<std::uint32_t> partners(const certify::SurfaceDocument& surface) {
+  if (surface.regular_genus != 0) {
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t k = 0; k < 4 * surface.regular_genus; ++k) {
+      result.push_back((k + 2 * surface.regular_genus) % (4 * surface.regular_genus));
+    }
+    return result;
+  }
+  std::vector<std::uint32_t> first;
+  std::uint32_t sides = 0;
+  for (const certify::SurfaceDocument::Tile& tile : surface.tiles) {
+    first.push_back(sides);
+    sides += static_cast<std::uint32_t>(tile.size());
+  }
+  std::vector<std::uint32_t> result(sides);
+  for (const certify::SurfaceDocument::Gluing& g : surface.gluing) {
+    const std::uint32_t s = first.at(g.tile) + g.side;
+    const std::uint32_t t = first.at(g.other_tile) + g.other_side;
+    result.at(s) = t;
+    result.at(t) = s;
+  }
+  return result;
+}
+/// The word of the inverse.
+void invert(std::vector<std::uint32_t>& word, const certify::SurfaceDocument& surface) {
+  const std::vector<std::uint32_t> partner = partners(surface);
+  std::reverse(word.begin(), word.end());
+  for (std::uint32_t& s : word) s = partner.at(s);
+}
+
+void change_word(std::vector<std::uint32_t>& word, const NetDocument& net, Random& r) {
+  const std::uint32_t at = r.below(word.size() + 1);
+  const std::uint32_t side = r.below(side_count(net));
+  switch (r.below(5)) {
+    case 0:
+      word.insert(word.begin() + at, side);
+      break;
+    case 1:
+      if (at < word.size()) word.erase(word.begin() + at);
+      break;
+    case 2:
+      if (at < word.size()) word[at] = side;
+      break;
+    case 3: {
+      // Around: a conjugate, or with tiles no path.
+      if (word.empty()) break;
+      std::rotate(word.begin(), word.begin() + 1, word.end());
+      break;
+    }
+    default:
+      word.insert(word.begin() + at, {side, partners(net.surface).at(side)});
+  }
+}
+
+/// The runs that the lengths make, all of them not said to be equal but those that are as before.
+void make_clusters(GeodesicsDocument& file) {
+  if (file.claim == GeodesicsDocument::Claim::systole) return;
+  const std::vector<GeodesicsDocument::Cluster> before = std::move(file.clusters);
+  file.clusters.clear();
+  double end = 0;
+  for (std::uint32_t i = 0; i < file.geodesics.size(); ++i) {
+    const certify::Interval length = file.geodesics[i].length;
+    if (file.clusters.empty() || length.lower > end) file.clusters.push_back({i, 0, false});
+    ++file.clusters.back().count;
+    end = std::max(end, length.upper);
+  }
+  for (GeodesicsDocument::Cluster& c : file.clusters) {
+    for (const GeodesicsDocument::Cluster& old : before) {
+      if (old.first == c.first && old.count == c.count) c.equal = old.equal;
+    }
+  }
+}
+
+/// Sorts by lo; pieces keep their geodesics.
+void sort_geodesics(GeodesicsDocument& file) {
+  std::vector<std::uint32_t> order(file.geodesics.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    return file.geodesics[i].length.lower < file.geodesics[j].length.lower;
+  });
+  std::vector<GeodesicsDocument::ClosedGeodesic> sorted;
+  std::vector<std::uint32_t> place(order.size());
+  for (const std::uint32_t i : order) {
+    place[i] = static_cast<std::uint32_t>(sorted.size());
+    sorted.push_back(file.geodesics[i]);
+  }
+  file.geodesics = std::move(sorted);
+  for (GeodesicsDocument::Piece& piece : file.pieces) {
+    for (auto& [geodesic, side] : piece.boundaries) geodesic = place.at(geodesic);
+  }
+  make_clusters(file);
+}
+
+/// Takes a geodesic out, and sews the pieces on its sides together: the rest of the file is as it should be.
+void leave_out(GeodesicsDocument& file, std::uint32_t gone) {
+  file.geodesics.erase(file.geodesics.begin() + gone);
+  std::vector<std::size_t> at;
+  for (std::size_t p = 0; p < file.pieces.size(); ++p) {
+    auto& boundaries = file.pieces[p].boundaries;
+    for (std::size_t i = boundaries.size(); i-- > 0;) {
+      if (boundaries[i].first == gone) {
+        at.push_back(p);
+        boundaries.erase(boundaries.begin() + static_cast<std::ptrdiff_t>(i));
+      } else if (boundaries[i].first > gone) {
+        --boundaries[i].first;
+      }
+    }
+  }
+  if (at.size() == 2 && at[0] == at[1]) ++file.pieces[at[0]].genus;
+  if (at.size() == 2 && at[0] != at[1]) {
+    GeodesicsDocument::Piece& one = file.pieces[at[0]];
+    const GeodesicsDocument::Piece& other = file.pieces[at[1]];
+    one.genus += other.genus;
+    one.boundaries.insert(one.boundaries.end(), other.boundaries.begin(), other.boundaries.end());
+    file.pieces.erase(file.pieces.begin() + static_cast<std::ptrdiff_t>(at[1]));
+  }
+  make_clusters(file);
+}
+
+NetDocument::Collar& collar(NetDocument& net, Random& r) {
+  if (!net.collars) throw NothingToChange{};
+  return r.of(*net.collars);
+}
+
+}  // namespace
+
+const std::vector<Mutation>& mutations() {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  static const std::vector<Mutation> all{
+      {"vertex moved by an ulp",
+       [](NetDocument& net, Random& r) {
+         double& x = coordinate(net, r);
+         x = std::nextafter(x, r.sign());
+       }},
+      {"vertex moved by 1e-6", [](NetDocument& net, Random& r) { coordinate(net, r) += 1e-6 * r.sign(); }},
+      {"vertex moved by up to 0.3",
+       [](NetDocument& net, Random& r) { coordinate(net, r) += 0.3 * r.share() * r.sign(); }},
+      {"vertex anywhere",
+       [](NetDocument& net, Random& r) {
+         const std::vector<double> numbers{
+             0.0,       -0.0, 1.0,    -1.0, 0.999999, 2.0,          -1e300,
+             kInfinity, 1e-9, 5e-324, 0.5,  -0.5,     std::nan(""), std::nextafter(1.0, 0.0)};
+         coordinate(net, r) = numbers[r.below(numbers.size())];
+       }},
+      {"vertex mirrored",
+       [](NetDocument& net, Random& r) {
+         double& x = coordinate(net, r);
+         x = -x;
+       }},
+      {"vertices exchanged", [](NetDocument& net, Random& r) { std::swap(r.of(net.vertices), r.of(net.vertices)); }},
+      {"vertex in another chart",
+       [](NetDocument& net, Random& r) { change_index(r.of(net.vertices).chart, net.charts.size() + 1, r); }},
+      {"vertex dropped", [](NetDocument& net, Random&) { drop_last(net.vertices); }},
+      {"vertex added", [](NetDocument& net, Random& r) { net.vertices.push_back(r.of(net.vertices)); }},
+      {"chart moved", [](NetDocument& net, Random& r) { coordinate(r.of(net.charts).centre, r) += some_step(r); }},
+      {"chart mirrored",
+       [](NetDocument& net, Random& r) {
+         mpq_class& x = coordinate(r.of(net.charts).centre, r);
+         x = -x;
+       }},
+      {"chart of another tile",
+       [](NetDocument& net, Random& r) { change_index(r.of(net.charts).tile, net.surface.tiles.size() + 1, r); }},
+      {"chart dropped", [](NetDocument& net, Random&) { drop_last(net.charts); }},
+      {"epsilon a little different",
+       [](NetDocument& net, Random& r) {
+         mpq_class value(Length(net.epsilon).value().backend().data());
+         value *= 1 + some_step(r);
+         net.epsilon = value.get_str();
+       }},
+      {"epsilon up to twice or half",
+       [](NetDocument& net, Random& r) {
+         const double factor = std::exp2(r.share() * r.sign());
+         std::ostringstream text;
+         text << factor * static_cast<double>(Length(net.epsilon).value());
+         net.epsilon = text.str();
+       }},
+      {"epsilon something else",
+       [](NetDocument& net, Random& r) {
+         const std::vector<const char*> texts{"0",   "-1",   "",        "nan", "inf", "1/0",    "0x1", "1e9999",
+                                              "100", "1e-9", "1e-9999", "0.0", "1 ",  "-0.5e1", "1/",  "1e99999"};
+         net.epsilon = texts[r.below(texts.size())];
+       }},
+      {"letter changed", [](NetDocument& net, Random& r) { change_index(letter(net, r), side_count(net) + 1, r); }},
+      {"letter dropped",
+       [](NetDocument& net, Random& r) {
+         auto& word = r.of(net.labels).word;
+         if (!word.empty()) word.erase(word.begin() + r.below(word.size()));
+       }},
+      {"letter added",
+       [](NetDocument& net, Random& r) {
+         auto& word = r.of(net.labels).word;
+         word.insert(word.begin() + r.below(word.size() + 1), r.below(side_count(net)));
+       }},
+      {"word reversed",
+       [](NetDocument& net, Random& r) {
+         auto& word = r.of(net.labels).word;
+         std::reverse(word.begin(), word.end());
+       }},
+      {"words exchanged", [](NetDocument& net, Random& r) { std::swap(r.of(net.labels).word, r.of(net.labels).word); }},
+      {"a side crossed there and back",
+       [](NetDocument& net, Random& r) {
+         // The same element of the group, so the same net.
+         auto& word = r.of(net.labels).word;
+         const certify::SurfaceDocument::Gluing& g = r.of(net.surface.gluing);
+         if (net.surface.tiles.size() == 1)
+           word.insert(word.begin() + r.below(word.size() + 1), {g.side, g.other_side});
+       }},
+      {"label to another chart",
+       [](NetDocument& net, Random& r) {
+         certify::NetDocument::Label& l = r.of(net.labels);
+         change_index(r.below(2) == 0 ? l.from : l.to, net.charts.size() + 1, r);
+       }},
+      {"labels exchanged", [](NetDocument& net, Random& r) { std::swap(r.of(net.labels), r.of(net.labels)); }},
+      {"label dropped",
+       [](NetDocument& net, Random& r) { net.labels.erase(net.labels.begin() + r.below(net.labels.size())); }},
+      {"corner of another vertex",
+       [](NetDocument& net, Random& r) {
+         change_index(r.of(net.triangles).vertex[r.below(3)], net.vertices.size(), r);
+       }},
+      {"another opposite",
+       [](NetDocument& net, Random& r) {
+         change_index(r.of(net.triangles).opposite[r.below(3)], 3 * net.triangles.size(), r);
+       }},
+      {"two edges glued otherwise",
+       [](NetDocument& net, Random& r) {
+         // a–b and c–d become a–d and c–b: still an involution.
+         const auto across = [&](std::uint32_t d) -> std::uint32_t& { return net.triangles.at(d / 3).opposite[d % 3]; };
+         const std::uint32_t a = r.below(3 * net.triangles.size());
+         const std::uint32_t c = r.below(3 * net.triangles.size());
+         const std::uint32_t b = across(a);
+         const std::uint32_t d = across(c);
+         if (a == d) return;
+         across(a) = d;
+         across(d) = a;
+         across(c) = b;
+         across(b) = c;
+       }},
+      {"corner with another label",
+       [](NetDocument& net, Random& r) {
+         change_index(r.of(net.triangles).label[r.below(2)], net.labels.size() + 1, r);
+       }},
+      {"corner with another label that fits",
+       [](NetDocument& net, Random& r) {
+         certify::NetDocument::Triangle& t = r.of(net.triangles);
+         std::uint32_t& l = t.label[r.below(2)];
+         const certify::NetDocument::Label wanted =
+             l == 0 ? certify::NetDocument::Label{net.vertices.at(t.vertex[0]).chart,
+                                                  net.vertices.at(t.vertex[0]).chart,
+                                                  {}}
+                    : net.labels.at(l - 1);
+         for (int i = 0; i < 50; ++i) {
+           const std::uint32_t other = r.below(net.labels.size());
+           if (other + 1 != l && net.labels[other].from == wanted.from && net.labels[other].to == wanted.to) {
+             l = other + 1;
+             return;
+           }
+         }
+       }},
+      {"corners' labels exchanged",
+       [](NetDocument& net, Random& r) {
+         certify::NetDocument::Triangle& t = r.of(net.triangles);
+         std::swap(t.label[0], t.label[1]);
+       }},
+      {"triangle turned over",
+       [](NetDocument& net, Random& r) {
+         certify::NetDocument::Triangle& t = r.of(net.triangles);
+         std::swap(t.vertex[1], t.vertex[2]);
+         std::swap(t.label[0], t.label[1]);
+       }},
+      {"triangles exchanged", [](NetDocument& net, Random& r) { std::swap(r.of(net.triangles), r.of(net.triangles)); }},
+      {"triangle dropped",
+       [](NetDocument& net, Random& r) { net.triangles.erase(net.triangles.begin() + r.below(net.triangles.size())); }},
+      {"triangle doubled", [](NetDocument& net, Random& r) { net.triangles.push_back(r.of(net.triangles)); }},
+      {"polygon's vertex moved",
+       [](NetDocument& net, Random& r) { coordinate(r.of(r.of(net.surface.tiles)), r) += some_step(r); }},
+      {"polygon's vertices exchanged",
+       [](NetDocument& net, Random& r) {
+         certify::SurfaceDocument::Tile& tile = r.of(net.surface.tiles);
+         std::swap(r.of(tile), r.of(tile));
+       }},
+      {"polygon reversed",
+       [](NetDocument& net, Random& r) {
+         certify::SurfaceDocument::Tile& tile = r.of(net.surface.tiles);
+         std::reverse(tile.begin(), tile.end());
+       }},
+      {"polygon's vertex dropped", [](NetDocument& net, Random& r) { drop_last(r.of(net.surface.tiles)); }},
+      {"gluing changed",
+       [](NetDocument& net, Random& r) {
+         certify::SurfaceDocument::Gluing& g = r.of(net.surface.gluing);
+         change_index(r.below(2) == 0 ? g.side : g.other_side, side_count(net), r);
+       }},
+      {"gluings crossed",
+       [](NetDocument& net, Random& r) {
+         std::swap(r.of(net.surface.gluing).other_side, r.of(net.surface.gluing).other_side);
+       }},
+      {"gluing turned round",
+       [](NetDocument& net, Random& r) {
+         // The same pairs: still the same net.
+         certify::SurfaceDocument::Gluing& g = r.of(net.surface.gluing);
+         g = {g.other_tile, g.other_side, g.tile, g.side};
+       }},
+      {"gluing dropped", [](NetDocument& net, Random&) { drop_last(net.surface.gluing); }},
+      {"tile added",
+       [](NetDocument& net, Random&) {
+         net.surface.tiles.push_back(certify::SurfaceDocument::Tile(net.surface.tiles.at(0)));
+       }},
+  };
+  return all;
+}
+
+const std::vector<Mutation>& regular_mutations() {
+  static const std::vector<Mutation> all{
+      {"another genus", [](NetDocument& net, Random& r) { net.surface.regular_genus = r.below(6); }},
+      {"letters of a word turned",
+       [](NetDocument& net, Random& r) {
+         const auto sides = static_cast<std::uint32_t>(side_count(net));
+         const std::uint32_t turn = r.below(sides);
+         for (std::uint32_t& s : r.of(net.labels).word) s = (s + turn) % sides;
+       }},
+      {"all letters and nothing else turned",
+       [](NetDocument& net, Random& r) {
+         const auto sides = static_cast<std::uint32_t>(side_count(net));
+         const std::uint32_t turn = r.below(sides);
+         for (NetDocument::Label& l : net.labels) {
+           for (std::uint32_t& s : l.word) s = (s + turn) % sides;
+         }
+       }},
+      {"vertex at the centre",
+       [](NetDocument& net, Random& r) {
+         NetDocument::Vertex& v = r.of(net.vertices);
+         v.x = v.y = 0;
+       }},
+      {"all turned by a half",
+       [](NetDocument& net, Random&) {
+         // A symmetry of the surface: the same net.
+         const auto half = static_cast<std::uint32_t>(side_count(net) / 2);
+         for (NetDocument::Chart& c : net.charts) c.centre = {-c.centre.x, -c.centre.y};
+         for (NetDocument::Vertex& v : net.vertices) v = {-v.x, -v.y, v.chart};
+         for (NetDocument::Label& l : net.labels) {
+           for (std::uint32_t& s : l.word) s = (s + half) % (2 * half);
+         }
+       }},
+      {"a word gone round the corner",
+       [](NetDocument& net, Random& r) {
+         // All crossings around the one vertex: the identity.
+         const auto sides = static_cast<std::uint32_t>(side_count(net));
+         std::vector<std::uint32_t> round;
+         std::uint32_t s = r.below(sides);
+         do {
+           round.push_back(s);
+           s = (s + sides / 2 + 1) % sides;
+         } while (s != round.front());
+         auto& word = r.of(net.labels).word;
+         if (r.below(2) == 0) round.pop_back();
+         word.insert(word.begin() + r.below(word.size() + 1), round.begin(), round.end());
+       }},
+  };
+  return all;
+}
+
+const std::vector<Mutation>& collar_mutations() {
+  static const std::vector<Mutation> all{
+      {"collar dropped",
+       [](NetDocument& net, Random& r) {
+         static_cast<void>(collar(net, r));
+         net.collars->erase(net.collars->begin() + r.below(net.collars->size()));
+       }},
+      {"collars gone", [](NetDocument& net, Random&) { net.collars.reset(); }},
+      {"collar twice",
+       [](NetDocument& net, Random& r) { net.collars->push_back(NetDocument::Collar(collar(net, r))); }},
+      {"collar of another vertex",
+       [](NetDocument& net, Random& r) { change_index(collar(net, r).vertices[r.below(2)], net.vertices.size(), r); }},
+      {"collar of another triangle",
+       [](NetDocument& net, Random& r) {
+         change_index(collar(net, r).triangles[r.below(2)], net.triangles.size(), r);
+       }},
+      {"collar seen from the other side",
+       [](NetDocument& net, Random& r) {
+         NetDocument::Collar& c = collar(net, r);
+         std::swap(c.vertices[0], c.vertices[1]);
+         std::swap(c.triangles[0], c.triangles[1]);
+       }},
+      {"collar's triangles exchanged",
+       [](NetDocument& net, Random& r) {
+         NetDocument::Collar& c = collar(net, r);
+         std::swap(c.triangles[0], c.triangles[1]);
+       }},
+      {"parts of collars exchanged",
+       [](NetDocument& net, Random& r) {
+         NetDocument::Collar& c = collar(net, r);
+         NetDocument::Collar& d = collar(net, r);
+         switch (r.below(4)) {
+           case 0:
+             std::swap(c.core, d.core);
+             break;
+           case 1:
+             std::swap(c.length, d.length);
+             break;
+           case 2:
+             std::swap(c.vertices, d.vertices);
+             break;
+           default:
+             std::swap(c.triangles[r.below(2)], d.triangles[r.below(2)]);
+         }
+       }},
+      {"core changed", [](NetDocument& net, Random& r) { change_word(collar(net, r).core, net, r); }},
+      {"core inverted", [](NetDocument& net, Random& r) { invert(collar(net, r).core, net.surface); }},
+      {"core twice",
+       [](NetDocument& net, Random& r) {
+         auto& core = collar(net, r).core;
+         const std::vector<std::uint32_t> once = core;
+         core.insert(core.end(), once.begin(), once.end());
+       }},
+      {"length of a core", [](NetDocument& net, Random& r) { change_length(collar(net, r).length[r.below(2)], r); }},
+      {"vertex of a collar moved",
+       [](NetDocument& net, Random& r) {
+         NetDocument::Vertex& v = net.vertices.at(collar(net, r).vertices[r.below(2)]);
+         (r.below(2) == 0 ? v.x : v.y) += std::ldexp(r.sign(), -3 - static_cast<int>(r.below(50)));
+       }},
+      {"epsilon near a bound",
+       [](NetDocument& net, Random& r) {
+         // ln √2, the length of a core, or what is a little different.
+         double x = r.below(2) == 0 ? std::log(2) / 2 : collar(net, r).length[r.below(2)];
+         if (r.below(2) == 0) x *= 1 + std::ldexp(r.sign(), -static_cast<int>(r.below(54)));
+         std::ostringstream text;
+         text.precision(17);
+         text << std::fixed << x;
+         net.epsilon = text.str();
+       }},
+  };
+  return all;
+}
+
+const std::vector<GeodesicsMutation>& geodesics_mutations() {
+  static const std::vector<GeodesicsMutation> all{
+      {"geodesic left out, and all else fits",
+       [](GeodesicsDocument& file, Random& r) { leave_out(file, r.below(file.geodesics.size())); }},
+      {"geodesic dropped",
+       [](GeodesicsDocument& file, Random& r) {
+         file.geodesics.erase(file.geodesics.begin() + r.below(file.geodesics.size()));
+       }},
+      {"geodesic twice, once backwards perhaps",
+       [](GeodesicsDocument& file, Random& r) {
+         GeodesicsDocument::ClosedGeodesic twin = r.of(file.geodesics);
+         if (r.below(2) == 0) invert(twin.word, file.net.surface);
+         file.geodesics.push_back(std::move(twin));
+         sort_geodesics(file);
+       }},
+      {"power of a geodesic",
+       [](GeodesicsDocument& file, Random& r) {
+         GeodesicsDocument::ClosedGeodesic power = r.of(file.geodesics);
+         const std::vector<std::uint32_t> once = power.word;
+         power.word.insert(power.word.end(), once.begin(), once.end());
+         power.length = {2 * power.length.lower, 2 * power.length.upper};
+         if (r.below(2) == 0) power.simple = false;
+         if (r.below(2) == 0) {
+           r.of(file.geodesics) = power;
+         } else {
+           file.geodesics.push_back(power);
+         }
+         if (file.claim == GeodesicsDocument::Claim::spectrum) file.up_to = std::to_string(power.length.upper + 0.1);
+         sort_geodesics(file);
+       }},
+      {"direction",
+       [](GeodesicsDocument& file, Random& r) {
+         // The sides are exchanged, for those who look at them.
+         const std::uint32_t i = r.below(file.geodesics.size());
+         invert(file.geodesics[i].word, file.net.surface);
+         if (r.below(2) == 0) return;
+         for (GeodesicsDocument::Piece& piece : file.pieces) {
+           for (auto& [geodesic, side] : piece.boundaries) {
+             if (geodesic == i) side ^= 1U;
+           }
+         }
+       }},
+      {"word changed", [](GeodesicsDocument& file, Random& r) { change_word(r.of(file.geodesics).word, file.net, r); }},
+      {"word of another",
+       [](GeodesicsDocument& file, Random& r) { r.of(file.geodesics).word = r.of(file.geodesics).word; }},
+      {"word of a label",
+       [](GeodesicsDocument& file, Random& r) {
+         const NetDocument::Label& label = r.of(file.net.labels);
+         r.of(file.geodesics).word = label.word;
+       }},
+      {"geodesics exchanged",
+       [](GeodesicsDocument& file, Random& r) { std::swap(r.of(file.geodesics), r.of(file.geodesics)); }},
+      {"geodesics exchanged, and the pieces with them",
+       [](GeodesicsDocument& file, Random& r) {
+         const std::uint32_t i = r.below(file.geodesics.size());
+         const std::uint32_t j = r.below(file.geodesics.size());
+         std::swap(file.geodesics[i], file.geodesics[j]);
+         for (GeodesicsDocument::Piece& piece : file.pieces) {
+           for (auto& [geodesic, side] : piece.boundaries) geodesic = geodesic == i ? j : geodesic == j ? i : geodesic;
+         }
+         if (r.below(2) == 0) sort_geodesics(file);
+       }},
+      {"simple or not",
+       [](GeodesicsDocument& file, Random& r) {
+         bool& simple = r.of(file.geodesics).simple;
+         simple = !simple;
+       }},
+      {"length",
+       [](GeodesicsDocument& file, Random& r) {
+         certify::Interval& length = r.of(file.geodesics).length;
+         change_length(r.below(2) == 0 ? length.lower : length.upper, r);
+         if (r.below(2) == 0) sort_geodesics(file);
+       }},
+      {"enclosures wider",
+       [](GeodesicsDocument& file, Random& r) {
+         // True still, and the clusters larger.
+         const double by = std::ldexp(1, -static_cast<int>(r.below(50)));
+         for (auto& g : file.geodesics) g.length = {g.length.lower / (1 + by), g.length.upper * (1 + by)};
+         make_clusters(file);
+       }},
+      {"all enclosures moved",
+       [](GeodesicsDocument& file, Random& r) {
+         const double by = std::ldexp(r.sign(), -static_cast<int>(r.below(52)));
+         for (auto& g : file.geodesics) g.length = {g.length.lower * (1 + by), g.length.upper * (1 + by)};
+         make_clusters(file);
+       }},
+      {"vertex of another tile perhaps",
+       [](GeodesicsDocument& file, Random& r) {
+         change_index(r.of(file.geodesics).vertex, file.net.vertices.size(), r);
+       }},
+      {"equal or not",
+       [](GeodesicsDocument& file, Random& r) {
+         bool& equal = r.of(file.clusters).equal;
+         equal = !equal;
+       }},
+      {"cluster",
+       [](GeodesicsDocument& file, Random& r) {
+         GeodesicsDocument::Cluster& c = r.of(file.clusters);
+         change_index(r.below(2) == 0 ? c.first : c.count, file.geodesics.size() + 1, r);
+       }},
+      {"genus of a piece", [](GeodesicsDocument& file, Random& r) { r.of(file.pieces).genus = r.below(4); }},
+      {"boundary of a piece",
+       [](GeodesicsDocument& file, Random& r) {
+         auto& [geodesic, side] = r.of(r.of(file.pieces).boundaries);
+         if (r.below(2) == 0) {
+           change_index(geodesic, file.geodesics.size(), r);
+         } else {
+           side ^= 1U;
+         }
+       }},
+      {"boundaries exchanged",
+       [](GeodesicsDocument& file, Random& r) {
+         std::swap(r.of(r.of(file.pieces).boundaries), r.of(r.of(file.pieces).boundaries));
+       }},
+      {"pieces in another order",
+       [](GeodesicsDocument& file, Random& r) {
+         std::swap(r.of(file.pieces), r.of(file.pieces));
+         auto& boundaries = r.of(file.pieces).boundaries;
+         std::reverse(boundaries.begin(), boundaries.end());
+       }},
+      {"piece dropped", [](GeodesicsDocument& file, Random&) { drop_last(file.pieces); }},
+      {"piece added",
+       [](GeodesicsDocument& file, Random&) {
+         file.pieces.push_back({1, {}});
+       }},
+      {"another bound",
+       [](GeodesicsDocument& file, Random& r) {
+         if (file.up_to.empty()) throw NothingToChange{};
+         const certify::Interval length = r.of(file.geodesics).length;
+         std::ostringstream text;
+         text.precision(17);
+         text << std::fixed << (r.below(2) == 0 ? length.upper * (1 + 0.1 * r.share() * r.sign()) : length.lower);
+         file.up_to = text.str();
+       }},
+      {"a systole instead",
+       [](GeodesicsDocument& file, Random& r) {
+         file.geodesics = {GeodesicsDocument::ClosedGeodesic(r.of(file.geodesics))};
+         file.claim = GeodesicsDocument::Claim::systole;
+         file.up_to.clear();
+         file.clusters.clear();
+         file.pieces.clear();
+       }},
+      {"a spectrum instead",
+       [](GeodesicsDocument& file, Random& r) {
+         file.claim = GeodesicsDocument::Claim::spectrum;
+         std::ostringstream text;
+         text.precision(17);
+         text << std::fixed << file.geodesics.at(file.geodesics.size() - 1).length.upper + 1e-3 * r.share();
+         file.up_to = text.str();
+         file.pieces.clear();
+         make_clusters(file);
+       }},
+  };
+  return all;
+}
+
+void change_text(std::string& text, Random& r) {
+  if (text.empty()) throw NothingToChange{};
+  const std::uint32_t at = r.below(text.size());
+  /// The number, or the number in quotes, that begins at or after the place.
+  const auto number = [&] {
+    std::size_t begin = at;
+    while (begin < text.size() && std::isdigit(static_cast<unsigned char>(text[begin])) == 0) ++begin;
+    std::size_t end = begin;
+    while (end < text.size() && std::string_view("0123456789.eE+-/").find(text[end]) != std::string_view::npos) ++end;
+    if (begin == end) throw NothingToChange{};
+    if (begin > 0 && text[begin - 1] == '-') --begin;
+    return std::pair(begin, end - begin);
+  };
+  switch (r.below(10)) {
+    case 0:
+      text.erase(at, 1);
+      break;
+    case 1: {
+      constexpr std::string_view kBytes("0123456789-+.eE,:[]{}\"\\/ \t\ntfn\0\xff\xc3u", 35);
+      text[at] = kBytes[r.below(kBytes.size())];
+      break;
+    }
+    case 2: {
+      constexpr std::string_view kBytes("0123456789-+.eE,:[]{}\"\\/ \t\ntfn\0\xff\xc3u", 35);
+      text.insert(at, 1, kBytes[r.below(kBytes.size())]);
+      break;
+    }
+    case 3:
+      if (at + 1 < text.size()) std::swap(text[at], text[at + 1]);
+      break;
+    case 4: {  // A digit is another one.
+      std::size_t i = at;
+      while (i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) == 0) ++i;
+      if (i < text.size()) text[i] = static_cast<char>('0' + r.below(10));
+      break;
+    }
+    case 5: {  // A number is that of another place.
+      const auto [begin, size] = number();
+      const std::string copy = text.substr(begin, size);
+      const auto [other, other_size] = [&] {
+        std::size_t i = r.below(text.size());
+        while (i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) == 0) ++i;
+        std::size_t end = i;
+        while (end < text.size() && std::string_view("0123456789.eE+-/").find(text[end]) != std::string_view::npos)
+          ++end;
+        return std::pair(i, end - i);
+      }();
+      text.replace(other, other_size, copy);
+      break;
+    }
+    case 6: {  // A number is written otherwise.
+      const auto [begin, size] = number();
+      const std::string old = text.substr(begin, size);
+      const std::vector<std::string> forms{
+          old + "e0",
+          old + ".0",
+          old + "0",
+          "0" + old,
+          "-" + old,
+          old + "00000000000000000000",
+          old + "/1",
+          old + "E-0000",
+          old + "e00001",
+          "1" + old,
+          old + "e-400",
+          old + "e400",
+          "4294967296",
+          "18446744073709551616",
+          "4294967295",
+          old.find('.') == std::string::npos ? old + ".00000000000000000000" : old + "00000000000000000000"};
+      text.replace(begin, size, forms[r.below(forms.size())]);
+      break;
+    }
+    case 7: {  // A stretch is gone, or there twice.
+      const std::size_t size = 1 + r.below(40);
+      if (r.below(2) == 0) {
+        text.erase(at, size);
+      } else {
+        text.insert(at, text.substr(at, size));
+      }
+      break;
+    }
+    case 8: {  // A row: from a comma to the next one in the same array.
+      const std::size_t begin = text.find("],", at);
+      if (begin == std::string::npos) throw NothingToChange{};
+      const std::size_t end = text.find("],", begin + 2);
+      if (end == std::string::npos) throw NothingToChange{};
+      if (r.below(2) == 0) {
+        text.erase(begin, end - begin);
+      } else {
+        text.insert(begin, text.substr(begin, end - begin));
+      }
+      break;
+    }
+    default: {  // A character as an escape, spaces: mostly the same document.
+      const std::size_t quote = text.find('"', at);
+      if (quote == std::string::npos || quote + 1 >= text.size()) throw NothingToChange{};
+      const unsigned char c = static_cast<unsigned char>(text[quote + 1]);
+      if (std::isalnum(c) == 0) {
+        text.insert(quote, r.below(2) == 0 ? " \n\t" : "\f");
+      } else {
+        constexpr std::string_view kHex = "0123456789abcdef";
+        text.replace(quote + 1, 1, {'\\', 'u', '0', '0', kHex[c / 16U], kHex[c % 16U]});
+      }
+    }
+  }
+}
+
+}  // namespace epsnet::attack

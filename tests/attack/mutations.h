@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "certify/document/document.h"
+#include "certify/document/geodesics_document.h"
+
+/// Defects of documents and of their text, each chosen at random.
+namespace epsnet::attack {
+
+/// A document has nothing that a mutation could change.
+struct NothingToChange {};
+
+/// The same numbers with every standard library.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  [[nodiscard]] std::uint32_t below(std::size_t n) {
+    if (n == 0) throw NothingToChange{};
+    return static_cast<std::uint32_t>(engine_() % n);
+  }
+  [[nodiscard]] double share() { return std::ldexp(static_cast<double>(engine_() >> 11), -53); }
+  [[nodiscard]] double sign() { return below(2) == 0 ? 1 : -1; }
+  template <class T>
+  [[nodiscard]] T& of(std::vector<T>& rows) {
+    if (rows.empty()) throw NothingToChange{};
+    return rows[below(rows.size())];
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+struct Mutation {
+  const char* name;
+  std::function<void(certify::NetDocument&, Random&)> apply;
+};
+
+/// Defects of nets: most of them for surfaces made of tiles. NothingToChange is thrown where there is nothing to
+/// change.
+[[nodiscard]] const std::vector<Mutation>& mutations();
+/// Of regular surfaces and of pseudo nets alone.
+[[nodiscard]] const std::vector<Mutation>& regular_mutations();
+[[nodiscard]] const std::vector<Mutation>& collar_mutations();
+
+struct GeodesicsMutation {
+  const char* name;
+  std::function<void(certify::GeodesicsDocument&, Random&)> apply;
+};
+/// Of what a geodesics file has besides its net.
+[[nodiscard]] const std::vector<GeodesicsMutation>& geodesics_mutations();
+
+/// Changes bytes, tokens and numbers of a text as they are written.
+void change_text(std::string& text, Random& random);
+
+}  // namespace epsnet::attack
