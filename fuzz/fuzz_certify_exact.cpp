@@ -1,0 +1,56 @@
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "certify/check.h"
+#include "certify/exact/checker.h"
+#include "certify/file/reader.h"
+
+namespace {
+
+using namespace epsnet;
+
+/// What `certify` says of a file without its second checker. A geodesics file is no question for the second one.
+certify::Verdict first_opinion(std::string_view text, std::string& rule) {
+  try {
+    const auto document = certify::parse_claim(text, "input");
+    const auto* net = std::get_if<certify::NetDocument>(&document);
+    if (net == nullptr) return certify::Verdict::undecided;
+    const certify::Certificate certificate =
+        certify::check(*net, {.threads = 1, .max_precision = 512, .max_work = 400'000'000});
+    rule = certificate.rule;
+    return certificate.verdict;
+  } catch (const certify::MalformedError&) {
+    return certify::Verdict::malformed;
+  }
+}
+
+}  // namespace
+
+/// Any bytes: what both checkers decide they decide alike. A refuted file is refuted by the same rule.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const exact::Result second = exact::check(text);
+  if (second.verdict == exact::Verdict::undecided) return 0;
+  std::string rule;
+  const certify::Verdict first = first_opinion(text, rule);
+  if (first == certify::Verdict::undecided) return 0;
+  const auto same = [&] {
+    switch (second.verdict) {
+      case exact::Verdict::verified:
+        return first == certify::Verdict::verified;
+      case exact::Verdict::refuted:
+        return first == certify::Verdict::refuted && second.rule == rule;
+      case exact::Verdict::malformed:
+        return first == certify::Verdict::malformed;
+      case exact::Verdict::undecided:
+        break;
+    }
+    return true;
+  };
+  if (!same()) std::abort();
+  return 0;
+}
