@@ -708,6 +708,22 @@ def pieces_many():
     return result
 
 
+# What a reader keeps of each byte.
+
+@kind
+def empty_arrays_many():
+    document = net("octagon-1-vertex")
+    document["triangles"] = filled([], [[]], document)
+    return document
+
+
+@kind
+def members_many():
+    document = net("octagon-1-vertex")
+    document.update((f"m{i}", 0) for i in range(80_000))
+    return document
+
+
 def main():
     global data, epsnet_program
     data, epsnet_program, directory, *wanted = sys.argv[1:]

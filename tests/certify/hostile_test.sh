@@ -1,10 +1,11 @@
 #!/bin/sh
-# hostile_test.sh CERTIFY EPSNET DATA PYTHON: files below 1 MB that are made to take long or much memory (hostile_files.py) get
-# their verdict within the work that docs/format.md allows them and within 1 GB.
+# hostile_test.sh CERTIFY CERTIFY-EXACT EPSNET DATA PYTHON: files below 1 MB that are made to take long or much memory
+# (hostile_files.py) get their verdict within the work that docs/format.md allows them and within 1 GB, from both checkers.
 certify=$1
-epsnet=$2
-data=$3
-python=$4
+exact=$2
+epsnet=$3
+data=$4
+python=$5
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 failures=0
@@ -29,7 +30,18 @@ expect() {
     "$prefix"*) ;;
     *) fail "$kind $*: '$last', expected '$prefix'" ;;
   esac
-  [ "${work:-99999999999}" -le 23000000000 ] || fail "$kind $*: $work units of work"
+  case $last in
+    MALFORMED*) ;;  # No work is counted.
+    *) [ "${work:-99999999999}" -le 23000000000 ] || fail "$kind $*: $work units of work" ;;
+  esac
+  # The second checker counts no work: minutes of processor time are beyond what a file may take.
+  second=$(ulimit -v 1000000 && ulimit -t 300 && "$exact" "$folder/$kind.json")
+  code=$?
+  [ "$code" -le 3 ] || fail "$kind: certify-exact ends with $code"
+  case ${last%%:*},${second%%:*} in
+    UNDECIDED,* | *,UNDECIDED | VERIFIED,VERIFIED | REFUTED,REFUTED | MALFORMED,MALFORMED) ;;
+    *) fail "$kind: certify-exact says '$second'" ;;
+  esac
   rm -f "$folder/$kind.json"
 }
 
@@ -48,6 +60,8 @@ expect geodesics-300-of-250-letters ''
 expect spectrum-up-to-9999-digits UNDECIDED
 expect thick-thin-of-long-words VERIFIED
 expect thick-thin-of-a-long-conjugate ''
+expect empty-arrays-many MALFORMED
+expect members-many MALFORMED
 
 echo "$runs runs, $failures failures"
 [ "$failures" = 0 ]
