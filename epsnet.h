@@ -6,7 +6,9 @@
 /// certify/distances/distance_check.h and certify/file/reader.h and is linked with the library `epsnet_certify` alone.
 
 #include "certify/check.h"
+#include "certify/distances/cover_check.h"
 #include "certify/distances/distance_check.h"
+#include "certify/document/cover_document.h"
 #include "certify/document/distance_document.h"
 #include "certify/document/document.h"
 #include "certify/document/geodesics_document.h"
@@ -22,6 +24,7 @@
 #include "netgen/base/length.h"
 #include "netgen/base/progress.h"
 #include "netgen/base/write_error.h"
+#include "netgen/distances/cover.h"
 #include "netgen/distances/distance.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/geodesics/geodesics.h"

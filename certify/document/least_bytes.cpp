@@ -44,4 +44,11 @@ std::uint64_t least_bytes(const DistanceDocument& document) {
   return bytes;
 }
 
+std::uint64_t least_bytes(const CoverDocument& document) {
+  std::uint64_t bytes = least_bytes(document.net);
+  for (const CoverDocument::Triangulation& row : document.triangulations) bytes += 4 + letters(row.flips);
+  for (const std::vector<std::uint32_t>& row : document.cells) bytes += 2 + letters(row);
+  return bytes;
+}
+
 }  // namespace epsnet::certify

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "certify/document/cover_document.h"
 #include "certify/document/distance_document.h"
 #include "certify/document/document.h"
 #include "certify/document/geodesics_document.h"
@@ -12,5 +13,6 @@ namespace epsnet::certify {
 [[nodiscard]] std::uint64_t least_bytes(const NetDocument& document);
 [[nodiscard]] std::uint64_t least_bytes(const GeodesicsDocument& document);
 [[nodiscard]] std::uint64_t least_bytes(const DistanceDocument& document);
+[[nodiscard]] std::uint64_t least_bytes(const CoverDocument& document);
 
 }  // namespace epsnet::certify

@@ -730,6 +730,7 @@ std::optional<std::string> not_for_this_checker(const Json& root) {
   const Json& format = member(root, "format");
   if (is_text(format, "epsnet-geodesics")) return "a geodesics file";
   if (is_text(format, "epsnet-distance")) return "a distance file";
+  if (is_text(format, "epsnet-cover")) return "a cover file";
   expect_text(format, "epsnet-net", "the format");
   if (find(root, "collars") != nullptr) return "a pseudo net";
   const Json* surface = find(root, "surface");

@@ -13,6 +13,7 @@
 #include <system_error>
 #include <unistd.h>
 
+#include "certify/document/cover_structure.h"
 #include "certify/document/distance_structure.h"
 #include "certify/document/geodesics_structure.h"
 #include "certify/document/structure_check.h"
@@ -460,6 +461,51 @@ DistanceDocument::Point read_place(simdjson::simdjson_result<value> item) {
   return {.tile = read.tile, .z = read.centre};
 }
 
+/// A list of indices.
+std::vector<std::uint32_t> read_indices(simdjson::simdjson_result<value> item, const Place& place) {
+  std::vector<std::uint32_t> result;
+  read_array(item, place, "an array of indices", [&](simdjson::simdjson_result<value> element, std::size_t) {
+    result.push_back(read_index(element, place));
+  });
+  return result;
+}
+
+CoverDocument::Claim read_cover_claim(simdjson::simdjson_result<value> item) {
+  const Place place{.member = "claim"};
+  const std::string_view name = expect(item.get_string(), place, "a string");
+  if (name == "diameter") return CoverDocument::Claim::diameter;
+  if (name == "embedded-disk") return CoverDocument::Claim::embedded_disk;
+  fail(place, in_quotes(name) + " is no claim, expected \"diameter\" or \"embedded-disk\"");
+}
+
+CoverDocument::Triangulation read_flips(simdjson::simdjson_result<value> row, const Place& at) {
+  std::vector<std::uint32_t> numbers = read_indices(row, at);
+  if (numbers.empty()) fail(at, "no element, expected the number of a triangulation, and darts");
+  return {numbers[0], {numbers.begin() + 1, numbers.end()}};
+}
+
+std::vector<Member> cover_members(CoverDocument& document, std::size_t& letters_in_all) {
+  using Row = simdjson::simdjson_result<value>;
+  return {text_member("format", "epsnet-cover", {.member = "cover file"}),
+          version_member({.member = "cover file"}),
+          {"claim", [&](Row item) { document.claim = read_cover_claim(item); }},
+          {"net",
+           [&](Row item) {
+             const Place at{.member = "net"};
+             read_members(expect(item.get_object(), at, "an object"), at, net_members(document.net, letters_in_all));
+           }},
+          {"value", [&](Row item) { document.value = read_interval(item, {.member = "value"}); }},
+          {"triangulations",
+           [&](Row item) {
+             read_rows(item, "triangulations", kMaxRows,
+                       [&](Row row, const Place& at) { document.triangulations.push_back(read_flips(row, at)); });
+           }},
+          {"cells", [&](Row item) {
+             read_rows(item, "cells", kMaxRows,
+                       [&](Row row, const Place& at) { document.cells.push_back(read_indices(row, at)); });
+           }}};
+}
+
 std::vector<Member> distance_members(DistanceDocument& document, std::size_t& letters_in_all) {
   using Row = simdjson::simdjson_result<value>;
   return {text_member("format", "epsnet-distance", {.member = "distance file"}),
@@ -550,6 +596,16 @@ DistanceDocument parse_padded_distance(simdjson::padded_string_view text, std::s
   return document;
 }
 
+CoverDocument parse_padded_cover(simdjson::padded_string_view text, std::string_view name) {
+  CoverDocument document;
+  parse(text, name, [&](object members) {
+    std::size_t letters_in_all = 0;
+    read_members(members, {.member = "cover file"}, cover_members(document, letters_in_all));
+    if (const auto problem = structure_problem(document)) throw MalformedError(*problem);
+  });
+  return document;
+}
+
 /// What the text, if it begins to be an object, says in its member `format`. Errors are for the reader proper.
 std::string format_of(simdjson::padded_string_view text) {
   if (text.size() > kMaxFileBytes) return "";
@@ -570,6 +626,7 @@ ClaimDocument parse_padded_claim(simdjson::padded_string_view text, std::string_
   const std::string format = format_of(text);
   if (format == "epsnet-geodesics") return parse_padded_geodesics(text, name);
   if (format == "epsnet-distance") return parse_padded_distance(text, name);
+  if (format == "epsnet-cover") return parse_padded_cover(text, name);
   return parse_padded_net(text, name);
 }
 
@@ -655,6 +712,15 @@ DistanceDocument read_distance(const std::filesystem::path& path) {
 
 DistanceDocument parse_distance(std::string_view text, std::string_view name) {
   return parse_padded_distance(simdjson::padded_string(text), name);
+}
+
+CoverDocument read_cover(const std::filesystem::path& path) {
+  std::string bytes = load(path);
+  return parse_padded_cover(padded(bytes), display_name(path));
+}
+
+CoverDocument parse_cover(std::string_view text, std::string_view name) {
+  return parse_padded_cover(simdjson::padded_string(text), name);
 }
 
 ClaimDocument read_claim(const std::filesystem::path& path) {

@@ -6,12 +6,13 @@
 #include <string_view>
 #include <variant>
 
+#include "certify/document/cover_document.h"
 #include "certify/document/distance_document.h"
 #include "certify/document/document.h"
 #include "certify/document/geodesics_document.h"
 
-/// The strict reader of net files, surface files, geodesics files and distance files, version 1 (docs/format.md is the
-/// law).
+/// The strict reader of net files, surface files, geodesics files, distance files and cover files, version 1
+/// (docs/format.md is the law).
 ///
 /// Everything that the format does not allow is an error: an unknown, missing or repeated member, a wrong type, an
 /// index written as 1.0, a binary64 that overflows, text after the document, an index that points nowhere, a word that
@@ -61,8 +62,14 @@ class FileError : public std::runtime_error {
 /// Reads a distance file from memory; `name` stands for the file in messages. Throws MalformedError.
 [[nodiscard]] DistanceDocument parse_distance(std::string_view text, std::string_view name);
 
+/// Reads a cover file. Throws FileError or MalformedError.
+[[nodiscard]] CoverDocument read_cover(const std::filesystem::path& path);
+
+/// Reads a cover file from memory; `name` stands for the file in messages. Throws MalformedError.
+[[nodiscard]] CoverDocument parse_cover(std::string_view text, std::string_view name);
+
 /// What a file that can be checked holds.
-using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocument>;
+using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocument, CoverDocument>;
 
 /// Reads a file that can be checked, of the kind that its member `format` says; any other is taken for a net file.
 /// Throws FileError or MalformedError.

@@ -300,4 +300,28 @@ void write_distance(const DistanceDocument& document, std::ostream& out) {
   buffer.flush();
 }
 
+void write_cover(const CoverDocument& document, std::ostream& out) {
+  const auto number = [](Buffer& buffer) { return [&](std::uint32_t n) { buffer.number(n); }; };
+  Buffer buffer(out);
+  buffer.text("{\"format\":\"epsnet-cover\",\"version\":1,\n\"claim\":");
+  buffer.string(document.claim == CoverDocument::Claim::diameter ? "diameter" : "embedded-disk");
+  buffer.text(",\n\"net\":");
+  write_net_object(buffer, document.net);
+  buffer.text(",\n\"value\":[");
+  buffer.number(document.value.lower);
+  buffer.text(",");
+  buffer.number(document.value.upper);
+  buffer.text("],\n\"triangulations\":");
+  write_rows(buffer, document.triangulations, [&](const CoverDocument::Triangulation& row) {
+    std::vector<std::uint32_t> numbers{row.parent};
+    numbers.insert(numbers.end(), row.flips.begin(), row.flips.end());
+    write_list(buffer, numbers, number(buffer));
+  });
+  buffer.text(",\n\"cells\":");
+  write_rows(buffer, document.cells,
+             [&](const std::vector<std::uint32_t>& row) { write_list(buffer, row, number(buffer)); });
+  buffer.text("}\n");
+  buffer.flush();
+}
+
 }  // namespace epsnet::certify

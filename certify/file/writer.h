@@ -2,6 +2,7 @@
 
 #include <iosfwd>
 
+#include "certify/document/cover_document.h"
 #include "certify/document/distance_document.h"
 #include "certify/document/document.h"
 #include "certify/document/geodesics_document.h"
@@ -23,5 +24,8 @@ void write_geodesics(const GeodesicsDocument& document, std::ostream& out);
 
 /// Writes a distance file.
 void write_distance(const DistanceDocument& document, std::ostream& out);
+
+/// Writes a cover file.
+void write_cover(const CoverDocument& document, std::ostream& out);
 
 }  // namespace epsnet::certify

@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "certify/check.h"
+#include "certify/distances/cover_check.h"
 #include "certify/distances/distance_check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
@@ -58,10 +59,12 @@ std::string sha256(std::string_view bytes) {
 const NetDocument& net_of(const NetDocument& net) { return net; }
 const NetDocument& net_of(const GeodesicsDocument& document) { return document.net; }
 const NetDocument& net_of(const DistanceDocument& document) { return document.net; }
+const NetDocument& net_of(const CoverDocument& document) { return document.net; }
 
 void write(const NetDocument& net, std::ostream& out) { write_net(net, out); }
 void write(const GeodesicsDocument& document, std::ostream& out) { write_geodesics(document, out); }
 void write(const DistanceDocument& document, std::ostream& out) { write_distance(document, out); }
+void write(const CoverDocument& document, std::ostream& out) { write_cover(document, out); }
 
 Certificate certificate_of(const NetDocument& net, const CheckOptions& options) { return check(net, options); }
 Certificate certificate_of(const GeodesicsDocument& document, const CheckOptions& options) {
@@ -69,6 +72,9 @@ Certificate certificate_of(const GeodesicsDocument& document, const CheckOptions
 }
 Certificate certificate_of(const DistanceDocument& document, const CheckOptions& options) {
   return check_distance(document, options);
+}
+Certificate certificate_of(const CoverDocument& document, const CheckOptions& options) {
+  return check_cover(document, options);
 }
 
 /// What the second checker says of the bytes, and what follows from it.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "certify/check.h"
+#include "certify/document/cover_document.h"
 #include "certify/document/distance_document.h"
 #include "certify/document/geodesics_document.h"
 #include "netgen/lifts/info.h"
@@ -29,6 +30,9 @@ void add_net_command(CLI::App& app, Job& chosen);
 void add_import_net_command(CLI::App& app, Job& chosen);
 void add_dirichlet_command(CLI::App& app, Job& chosen);
 void add_distance_command(CLI::App& app, Job& chosen);
+void add_eccentricity_command(CLI::App& app, Job& chosen);
+void add_diameter_command(CLI::App& app, Job& chosen);
+void add_embedded_disk_command(CLI::App& app, Job& chosen);
 void add_systole_command(CLI::App& app, Job& chosen);
 void add_spectrum_command(CLI::App& app, Job& chosen);
 void add_thick_thin_command(CLI::App& app, Job& chosen);
@@ -64,6 +68,8 @@ void add_geodesics(CLI::App& command, std::string& file);
 [[nodiscard]] Report certificate_report(const certify::Certificate& certificate);
 /// What a geodesics file says, as lines and as an object.
 [[nodiscard]] Report geodesics_report(const certify::GeodesicsDocument& document);
+/// What a cover file says, as lines and as an object.
+[[nodiscard]] Report cover_report(const certify::CoverDocument& document);
 /// A distance and words of the shortest geodesics, as lines and as an object.
 [[nodiscard]] Report distance_report(const certify::DistanceDocument& document,
                                      const std::vector<std::vector<std::uint32_t>>& words);

@@ -28,8 +28,9 @@ Exportable exportable(Contents contents, const std::string& file) {
   if (auto* net = std::get_if<certify::NetDocument>(&contents)) return std::move(*net);
   if (auto* imported = std::get_if<ImportedSurface>(&contents)) return std::move(imported->surface);
   throw JobError(file + ": expected a surface file or a net file, not " +
-                 (std::holds_alternative<DirichletPolygon>(contents)             ? "a Dirichlet domain"
+                 (std::holds_alternative<DirichletPolygon>(contents)            ? "a Dirichlet domain"
                   : std::holds_alternative<certify::DistanceDocument>(contents) ? "a distance file"
+                  : std::holds_alternative<certify::CoverDocument>(contents)    ? "a cover file"
                                                                                 : "a geodesics file"));
 }
 

@@ -40,6 +40,12 @@ struct InfoOf {
     report.json.update(list.json);
     return report;
   }
+  Report operator()(const certify::CoverDocument& document) const {
+    Report bounds = cover_report(document);
+    Report report{"file: a cover (not verified here: run certify)\n" + bounds.text, Json::object({{"file", "cover"}})};
+    report.json.update(bounds.json);
+    return report;
+  }
 };
 
 void print_info(const InfoRequest& request) {
@@ -56,9 +62,9 @@ void print_info(const InfoRequest& request) {
 
 void add_info_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<InfoRequest>();
-  CLI::App* info = app.add_subcommand(
-      "info",
-      "Say what is in a file: a surface, a net, closed geodesics, a distance, a Dirichlet domain, a text to import.");
+  CLI::App* info = app.add_subcommand("info",
+                                      "Say what is in a file: a surface, a net, closed geodesics, a distance, a "
+                                      "diameter, a Dirichlet domain, a text to import.");
   add_input(*info, "FILE", shared->file, "any file that epsnet writes for itself or imports");
   add_json(*info, shared->json);
   info->footer("Example:\n  epsnet info net.json\n  epsnet info --json s.json");

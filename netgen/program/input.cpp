@@ -88,10 +88,12 @@ Contents read_any_input(const std::string& path) {
   if (format == "epsnet-net") return certify::parse_net(text, name);
   if (format == "epsnet-geodesics") return certify::parse_geodesics(text, name);
   if (format == "epsnet-distance") return certify::parse_distance(text, name);
+  if (format == "epsnet-cover") return certify::parse_cover(text, name);
   if (format == "epsnet-dirichlet") return parse_dirichlet_json(text, name);
-  throw JobError(name + ": " +
-                 (finder.format ? "the member \"format\" is " + certify::in_quotes(format) : "no member \"format\"") +
-                 ", expected epsnet-surface, epsnet-net, epsnet-geodesics, epsnet-distance or epsnet-dirichlet");
+  throw JobError(
+      name + ": " +
+      (finder.format ? "the member \"format\" is " + certify::in_quotes(format) : "no member \"format\"") +
+      ", expected epsnet-surface, epsnet-net, epsnet-geodesics, epsnet-distance, epsnet-cover or epsnet-dirichlet");
 }
 
 }  // namespace epsnet::program

@@ -3,6 +3,7 @@
 #include <string>
 #include <variant>
 
+#include "certify/document/cover_document.h"
 #include "certify/document/distance_document.h"
 #include "certify/document/document.h"
 #include "certify/document/geodesics_document.h"
@@ -33,7 +34,7 @@ struct ImportedSurface {
 
 /// What any file that the program writes or imports holds.
 using Contents = std::variant<Surface, certify::NetDocument, certify::GeodesicsDocument, certify::DistanceDocument,
-                              DirichletPolygon, ImportedSurface>;
+                              certify::CoverDocument, DirichletPolygon, ImportedSurface>;
 [[nodiscard]] Contents read_any_input(const std::string& path);
 
 }  // namespace epsnet::program

@@ -1,0 +1,464 @@
+#include "certify/distances/cover_check.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "certify/check.h"
+#include "certify/document/cover_structure.h"
+#include "certify/document/darts.h"
+#include "certify/document/least_bytes.h"
+#include "certify/document/text.h"
+#include "certify/geodesics/lorentz.h"
+#include "certify/label_evaluator.h"
+#include "certify/numbers/parallel.h"
+#include "certify/numbers/precision.h"
+#include "certify/surface_check.h"
+
+namespace epsnet::certify {
+namespace {
+
+/// Bits that cells are asked with first.
+constexpr slong kFirstPrecisionForCells = 128;
+/// Operations of balls for an edge at a point, a triangle at a point, and a cut.
+constexpr std::uint64_t kEdgeOperations = 6;
+constexpr std::uint64_t kTriangleOperations = 16;
+constexpr std::uint64_t kCutOperations = 12;
+constexpr std::uint64_t kFlipOperations = 40;
+/// Balls that an open cell keeps.
+constexpr std::uint64_t kCellBalls = 12;
+
+/// A triangulation with one vertex as combinatorial data: what is across each dart, and the element that leads from the
+/// dart's start to its end, 2k for element k and 2k + 1 for its inverse.
+struct Map {
+  std::vector<std::uint32_t> opposite;
+  std::vector<std::uint32_t> element;
+};
+
+/// Two elements one after the other: what becomes of the diagonal of a flip.
+struct Product {
+  std::uint32_t first;
+  std::uint32_t second;
+};
+
+/// Replaces the edge of dart d by the other diagonal, the element of number `diagonal`; its product is returned. The
+/// triangles abc and bax, d from a to b, become xca and cxb: d is then from x to c.
+Product flip(Map& map, std::uint32_t d, std::uint32_t diagonal) {
+  const std::uint32_t e = map.opposite[d];
+  const std::array<std::uint32_t, 4> from{previous_dart(d), next_dart(e), previous_dart(e), next_dart(d)};
+  const std::array<std::uint32_t, 4> to{next_dart(d), previous_dart(d), next_dart(e), previous_dart(e)};
+  const Map old = {{map.opposite[from[0]], map.opposite[from[1]], map.opposite[from[2]], map.opposite[from[3]]},
+                   {map.element[from[0]], map.element[from[1]], map.element[from[2]], map.element[from[3]]}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::uint32_t across = old.opposite[i];
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (old.opposite[i] == from[k]) across = to[k];
+    }
+    map.opposite[to[i]] = across;
+    map.opposite[across] = to[i];
+    map.element[to[i]] = old.element[i];
+  }
+  map.element[e] = 2 * diagonal;
+  map.element[d] = 2 * diagonal + 1;
+  // From c to a, and on to x.
+  return {old.element[0], old.element[1]};
+}
+
+/// An element g at one precision: sinh²(d(p, gp)/2) = square + ⟨normal, p⟩² for unit vectors p, as the normal of the
+/// axis has the square sinh²(l/2).
+struct Element {
+  BallIsometry isometry;
+  BallVector normal_row;
+  Ball square;
+};
+
+Element element_of(BallIsometry isometry, slong precision) {
+  Element result;
+  arb_neg(result.normal_row[0], isometry.b.im());
+  arb_set(result.normal_row[1], isometry.b.re());
+  arb_neg(result.normal_row[2], isometry.a.im());
+  Ball im_square;
+  half_displacement_squared(result.square.get(), isometry, precision);
+  arb_sqr(im_square.get(), isometry.a.im(), precision);
+  arb_sub(result.square.get(), result.square.get(), im_square.get(), precision);
+  result.isometry = std::move(isometry);
+  return result;
+}
+
+/// The corners of a cell as unit vectors, and the cosh of its sides' lengths, side i from corner i to corner i + 1.
+struct Cell {
+  std::array<BallVector, 3> corner;
+  std::array<Ball, 3> cosh;
+};
+
+/// The two parts of a cell that is cut from the midpoint of a side to the corner opposite to it.
+std::array<Cell, 2> halves(const Cell& cell, std::uint32_t side, slong precision) {
+  const std::uint32_t end = (side + 1) % 3;
+  const std::uint32_t far = (side + 2) % 3;
+  // cosh(d/2); the midpoint (U + V)/(2 cosh(d/2)); the cosh of its distance from the corner opposite.
+  Ball half, median;
+  arb_add_ui(half.get(), cell.cosh[side].get(), 1, precision);
+  arb_mul_2exp_si(half.get(), half.get(), -1);
+  arb_sqrt(half.get(), half.get(), precision);
+  BallVector middle;
+  for (std::size_t i = 0; i < 3; ++i) {
+    arb_add(middle[i], cell.corner[side][i], cell.corner[end][i], precision);
+    arb_div(middle[i], middle[i], half.get(), precision);
+    arb_mul_2exp_si(middle[i], middle[i], -1);
+  }
+  arb_add(median.get(), cell.cosh[end].get(), cell.cosh[far].get(), precision);
+  arb_div(median.get(), median.get(), half.get(), precision);
+  arb_mul_2exp_si(median.get(), median.get(), -1);
+  Cell first = cell;
+  first.corner[end] = middle;
+  first.cosh[side] = half;
+  first.cosh[end] = median;
+  Cell second = cell;
+  second.corner[side] = std::move(middle);
+  second.cosh[side] = std::move(half);
+  second.cosh[far] = std::move(median);
+  return {std::move(first), std::move(second)};
+}
+
+/// Of a net whose surface is one.
+LabelParts label_parts(const NetDocument& net, unsigned threads, const Budget& budget) {
+  SurfaceOutcome surface = check_surface(net.surface, threads, budget);
+  if (surface.report.verdict != Verdict::verified) throw BudgetSpent();
+  return {std::move(surface.crossings), chart_frames(net.charts, budget), budget};
+}
+
+class CoverCheck {
+ public:
+  CoverCheck(const CoverDocument& document, const CheckOptions& options, unsigned threads, const Budget& budget)
+      : document_(document),
+        options_(options),
+        threads_(threads),
+        budget_(budget),
+        parts_(label_parts(document.net, threads, budget)),
+        evaluator_(document.net, parts_),
+        darts_(static_cast<std::uint32_t>(3 * document.net.triangles.size())) {}
+
+  RuleReport lower(const Enclosures& net) const {
+    const double bound = document_.value.lower;
+    const bool diameter = document_.claim == CoverDocument::Claim::diameter;
+    Interval found = diameter ? net.largest_circumradius : net.shortest_loop.value_or(Interval{0, 0});
+    if (!diameter) found = {found.lower / 2, found.upper / 2};
+    const std::string what = diameter ? "the eccentricity" : "the injectivity radius";
+    const std::string text = what + " of the net's vertex lies in " + to_string(found);
+    if (found.lower >= bound) return {"lower", Verdict::verified, text};
+    return {"lower", found.upper < bound ? Verdict::refuted : Verdict::undecided,
+            text + ", expected at least " + shortest(bound)};
+  }
+
+  /// Makes all triangulations.
+  RuleReport triangulations() {
+    budget_.spend(memory_work(8 * darts_), document_.triangulations.size() + 1);
+    Map first;
+    for (std::uint32_t d = 0; d < darts_; ++d) {
+      first.opposite.push_back(opposite(document_.net, d));
+      first.element.push_back(kNone);
+    }
+    for (std::uint32_t d = 0; d < darts_; ++d) {
+      const std::uint32_t e = first.opposite[d];
+      if (first.element[d] != kNone) continue;
+      first.element[d] = 2 * static_cast<std::uint32_t>(edges_.size());
+      first.element[e] = first.element[d] + 1;
+      edges_.push_back(d);
+    }
+    maps_.push_back(std::move(first));
+    for (std::size_t k = 0; k < document_.triangulations.size(); ++k) {
+      const CoverDocument::Triangulation& row = document_.triangulations[k];
+      Map map = maps_[row.parent];
+      budget_.spend(50, row.flips.size());
+      for (const std::uint32_t d : row.flips) {
+        if (d / 3 == map.opposite[d] / 3) {
+          return {"triangulations", Verdict::refuted,
+                  "triangulation " + std::to_string(k + 1) + ": dart " + std::to_string(d) +
+                      " has the same triangle on both sides and cannot be flipped"};
+        }
+        products_.push_back(flip(map, d, static_cast<std::uint32_t>(edges_.size() + products_.size())));
+      }
+      maps_.push_back(std::move(map));
+    }
+    return {"triangulations", Verdict::verified,
+            std::to_string(maps_.size()) + " triangulations, " + std::to_string(products_.size()) + " flips"};
+  }
+
+  RuleReport cells() {
+    RuleReport report{"cells", Verdict::undecided, ""};
+    try {
+      with_rising_precision(
+          options_.max_precision,
+          [&](slong precision) {
+            precision_ = precision;
+            report = pass();
+            return report.verdict != Verdict::undecided;
+          },
+          kFirstPrecisionForCells);
+    } catch (const BudgetSpent& spent) {
+      report = {"cells", Verdict::undecided, spent.what()};
+    }
+    return report;
+  }
+
+  [[nodiscard]] std::uint64_t max_precision_used() const { return static_cast<std::uint64_t>(precision_); }
+
+ private:
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+  void spend(std::uint64_t operations, std::uint64_t times = 1) const {
+    budget_.spend(operations * ball_work(static_cast<std::uint64_t>(precision_)), times);
+  }
+
+  /// All elements of all triangulations, at the vertex' chart.
+  void evaluate() {
+    std::vector<std::uint32_t> numbers(document_.net.labels.size());
+    for (std::uint32_t k = 0; k < numbers.size(); ++k) numbers[k] = k + 1;
+    const std::vector<BallIsometry> values =
+        evaluator_.evaluate(numbers, precision_, std::min<slong>(4 * precision_, 2 * options_.max_precision), threads_);
+    const auto label = [&](std::uint32_t dart) {
+      const std::uint32_t number = corner_label(document_.net, dart);
+      return number == 0 ? identity_isometry() : values[number - 1];
+    };
+    spend(kFlipOperations, edges_.size() + products_.size());
+    budget_.spend(memory_work(8 * (48 + static_cast<std::uint64_t>(precision_) / 8)), edges_.size() + products_.size());
+    elements_.clear();
+    for (const std::uint32_t d : edges_) {
+      elements_.push_back(element_of(compose(inverse(label(d)), label(next_dart(d)), precision_), precision_));
+    }
+    const auto value = [&](std::uint32_t id) {
+      const BallIsometry& isometry = elements_[id / 2].isometry;
+      return id % 2 == 0 ? isometry : inverse(isometry);
+    };
+    for (const Product& product : products_) {
+      elements_.push_back(element_of(compose(value(product.first), value(product.second), precision_), precision_));
+    }
+    // sinh² of the upper bound.
+    arb_set_d(most_.get(), document_.value.upper);
+    arb_sinh(most_.get(), most_.get(), precision_);
+    arb_sqr(most_.get(), most_.get(), precision_);
+    // The triangles of the net, in the chart of the vertex.
+    const NetDocument::Vertex& vertex = document_.net.vertices[0];
+    triangles_.assign(darts_ / 3, {});
+    for (std::uint32_t d = 0; d < darts_; ++d) {
+      triangles_[d / 3].corner[d % 3] = unit_vector(label(d), vertex.x, vertex.y, precision_);
+    }
+    for (Cell& triangle : triangles_) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        lorentz_product(triangle.cosh[i].get(), triangle.corner[i], triangle.corner[(i + 1) % 3], precision_);
+        arb_neg(triangle.cosh[i].get(), triangle.cosh[i].get());
+      }
+    }
+  }
+
+  RuleReport pass() {
+    evaluate();
+    struct Outcome {
+      Tri within = Tri::yes;
+      std::size_t cell = 0;  ///< The first that is not.
+      std::size_t cells = 0;
+    };
+    std::vector<Outcome> outcomes(triangles_.size());
+    for_each_parallel(triangles_.size(), threads_, [&](unsigned worker, std::size_t t) {
+      if (worker == 0 && options_.progress) {
+        options_.progress("cells", static_cast<double>(t) / static_cast<double>(triangles_.size()));
+      }
+      Outcome& outcome = outcomes[t];
+      std::vector<Cell> open{triangles_[t]};
+      for (const std::uint32_t entry : document_.cells[t]) {
+        const Cell cell = std::move(open.back());
+        open.pop_back();
+        if (entry < 3) {
+          spend(kCutOperations);
+          budget_.spend(memory_work(kCellBalls * (48 + static_cast<std::uint64_t>(precision_) / 8)));
+          std::array<Cell, 2> parts = halves(cell, entry, precision_);
+          open.push_back(std::move(parts[1]));
+          open.push_back(std::move(parts[0]));
+          continue;
+        }
+        const Tri within = is_bounded(cell, entry - 3);
+        if (within != Tri::yes && outcome.within != Tri::no && (within == Tri::no || outcome.within == Tri::yes)) {
+          outcome.within = within;
+          outcome.cell = outcome.cells;
+        }
+        ++outcome.cells;
+      }
+    });
+    std::size_t cells = 0;
+    for (const Outcome& outcome : outcomes) cells += outcome.cells;
+    for (const Tri wanted : {Tri::no, Tri::unknown}) {
+      for (std::size_t t = 0; t < outcomes.size(); ++t) {
+        if (outcomes[t].within != wanted) continue;
+        const std::string place =
+            "cell " + std::to_string(outcomes[t].cell) + " of triangle " + std::to_string(t) + " has a corner where ";
+        const std::string bound = " at most " + shortest(document_.value.upper);
+        if (wanted == Tri::no) return {"cells", Verdict::refuted, place + "its bound is not" + bound};
+        return {"cells", Verdict::undecided,
+                place + "it is not decided whether its bound is" + bound + ", with " + std::to_string(precision_) +
+                    " bits"};
+      }
+    }
+    return {"cells", Verdict::verified,
+            std::to_string(cells) + " cells are bounded by " + shortest(document_.value.upper)};
+  }
+
+  /// sinh²(d/2) for the edge of an element at a point.
+  void displacement(arb_ptr result, std::uint32_t id, const BallVector& p) const {
+    const Element& element = elements_[id / 2];
+    dot(result, element.normal_row, p, precision_);
+    arb_sqr(result, result, precision_);
+    arb_add(result, result, element.square.get(), precision_);
+  }
+
+  [[nodiscard]] Tri is_bounded(const Cell& cell, std::uint32_t by) const {
+    return document_.claim == CoverDocument::Claim::diameter ? is_bounded_by_triangulation(cell, by)
+                                                             : is_bounded_by_edge(cell, by);
+  }
+
+  /// d(p, gp) ≤ 2hi at the corners, and g ≠ 1.
+  [[nodiscard]] Tri is_bounded_by_edge(const Cell& cell, std::uint32_t by) const {
+    spend(kEdgeOperations, 3);
+    Tri result = Tri::yes;
+    Tri moves = Tri::unknown;
+    Ball h;
+    for (const BallVector& p : cell.corner) {
+      displacement(h.get(), maps_[by / darts_].element[by % darts_], p);
+      if (certainly_positive(h.get()) == Tri::yes) moves = Tri::yes;
+      const Tri longer = certainly_less(most_.get(), h.get());
+      if (longer == Tri::yes) return Tri::no;
+      if (longer == Tri::unknown) result = Tri::unknown;
+    }
+    return moves == Tri::yes ? result : Tri::unknown;
+  }
+
+  /// At the corners of the cell, every triangle lies in a disk of radius hi.
+  [[nodiscard]] Tri is_bounded_by_triangulation(const Cell& cell, std::uint32_t by) const {
+    const Map& map = maps_[by];
+    spend(3 * (kEdgeOperations + kTriangleOperations), darts_ / 2);
+    Tri result = Tri::yes;
+    std::vector<Ball> h(darts_);
+    for (const BallVector& p : cell.corner) {
+      for (std::uint32_t d = 0; d < darts_; ++d) {
+        const std::uint32_t e = map.opposite[d];
+        if (d < e) displacement(h[d].get(), map.element[d], p);
+        if (d > e) h[d] = h[e];
+      }
+      for (std::uint32_t d = 0; d < darts_; d += 3) {
+        const Tri within = fits({&h[d], &h[d + 1], &h[d + 2]});
+        if (within == Tri::no) return within;
+        if (within == Tri::unknown) result = within;
+      }
+    }
+    return result;
+  }
+
+  /// Whether a triangle with the sides' sinh²(d/2) given lies in a disk of radius hi: its circumcircle is not larger,
+  /// or it is not acute and the disk with the longest side as diameter is not.
+  [[nodiscard]] Tri fits(const std::array<const Ball*, 3>& h) const {
+    Tri sides = Tri::yes;
+    for (const Ball* side : h) {
+      const Tri longer = certainly_less(most_.get(), side->get());
+      if (longer == Tri::yes) return Tri::no;
+      if (longer == Tri::unknown) sides = Tri::unknown;
+    }
+    // With sides that fit, a triangle that is not acute does.
+    bool acute = true;
+    Ball excess;
+    for (std::size_t i = 0; i < 3; ++i) {
+      arb_add(excess.get(), h[(i + 1) % 3]->get(), h[(i + 2) % 3]->get(), precision_);
+      arb_sub(excess.get(), excess.get(), h[i]->get(), precision_);
+      const Tri positive = certainly_positive(excess.get());
+      if (positive == Tri::no) return sides;
+      if (positive == Tri::unknown) acute = false;
+    }
+    // 4abc ≤ sinh²(hi) K with K = 4ab − (a + b − c)²; K > 0 follows, as abc > 0 for an acute triangle.
+    Ball left, right;
+    arb_mul(left.get(), h[0]->get(), h[1]->get(), precision_);
+    arb_mul_2exp_si(left.get(), left.get(), 2);
+    arb_sqr(right.get(), excess.get(), precision_);
+    // The last excess is that of side 2.
+    arb_sub(right.get(), left.get(), right.get(), precision_);
+    arb_mul(left.get(), left.get(), h[2]->get(), precision_);
+    const Tri circumcircle = certainly_positive(right.get());
+    arb_mul(right.get(), right.get(), most_.get(), precision_);
+    const Tri larger = certainly_less(right.get(), left.get());
+    if (circumcircle == Tri::yes && larger == Tri::no) return Tri::yes;
+    return acute && larger == Tri::yes ? Tri::no : Tri::unknown;
+  }
+
+  const CoverDocument& document_;
+  const CheckOptions& options_;
+  unsigned threads_;
+  const Budget& budget_;
+  LabelParts parts_;
+  LabelEvaluator evaluator_;
+  std::uint32_t darts_;
+  std::vector<Map> maps_;
+  std::vector<std::uint32_t> edges_;  ///< The net's: a dart of each.
+  std::vector<Product> products_;     ///< Element edges_.size() + k is product k.
+  std::vector<Element> elements_;
+  std::vector<Cell> triangles_;
+  Ball most_;
+  slong precision_ = kFirstPrecisionForCells;
+};
+
+std::string claim_of(const CoverDocument& document) {
+  const std::string what =
+      document.claim == CoverDocument::Claim::diameter ? "the diameter" : "the radius of the largest embedded disk";
+  return what + " lies in " + to_string(document.value);
+}
+
+/// Adds the reports to the certificate of a verified net; the first that is not verified decides.
+void conclude(Certificate& certificate, const std::vector<RuleReport>& reports) {
+  for (const Verdict wanted : {Verdict::refuted, Verdict::undecided}) {
+    if (certificate.verdict != Verdict::verified) break;
+    for (const RuleReport& report : reports) {
+      if (report.verdict != wanted) continue;
+      certificate.verdict = wanted;
+      certificate.rule = report.rule;
+      certificate.message = report.text;
+      break;
+    }
+  }
+  certificate.rules.insert(certificate.rules.end(), reports.begin(), reports.end());
+}
+
+}  // namespace
+
+Certificate check_cover(const CoverDocument& document, const CheckOptions& options) {
+  if (const auto problem = structure_problem(document)) {
+    Certificate malformed;
+    malformed.verdict = Verdict::malformed;
+    malformed.rule = "structure";
+    malformed.message = *problem;
+    return malformed;
+  }
+  CheckOptions bounded = options;
+  bounded.max_work = options.max_work != 0 ? options.max_work : work_allowed(least_bytes(document));
+  Certificate certificate = check(document.net, bounded);
+  certificate.claim = claim_of(document);
+  if (certificate.verdict != Verdict::verified) return certificate;
+  // What the net has left of the work.
+  const Budget budget(bounded.max_work - certificate.counts.work);
+  bounded.max_precision = std::clamp(options.max_precision, kLeastPrecision, kGreatestPrecision);
+  bounded.threads = options.threads != 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1U);
+  std::vector<RuleReport> reports;
+  try {
+    CoverCheck cover(document, bounded, bounded.threads, budget);
+    reports.push_back(cover.lower(*certificate.enclosures));
+    reports.push_back(cover.triangulations());
+    if (reports.back().verdict == Verdict::verified) reports.push_back(cover.cells());
+    certificate.counts.max_precision_used = std::max(certificate.counts.max_precision_used, cover.max_precision_used());
+  } catch (const BudgetSpent& spent) {
+    reports.push_back({"cells", Verdict::undecided, spent.what()});
+  }
+  conclude(certificate, reports);
+  certificate.counts.work = bounded.max_work - budget.left();
+  return certificate;
+}
+
+}  // namespace epsnet::certify

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "certify/document/cover_document.h"
+#include "certify/document/report.h"
+
+/// The checker of cover files: whether the diameter, or the radius of the largest embedded disk, lies between the
+/// bounds (docs/proof.md, section 14).
+namespace epsnet::certify {
+
+/// Checks the net first, with its seven rules; its certificate is the answer unless it is verified. Then come the rules
+///
+/// * `lower`: at the net's vertex the function is at least the lower bound;
+/// * `triangulations`: every flip is of an edge between two different triangles;
+/// * `cells`: at the three corners of each cell the convex function that bounds it is at most the upper bound.
+///
+/// As for `check`, a document of whatever content gives a certificate, which does not depend on the number of threads.
+/// O(cells · triangles) time.
+[[nodiscard]] Certificate check_cover(const CoverDocument& document, const CheckOptions& options = {});
+
+}  // namespace epsnet::certify

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "certify/document/document.h"
+#include "certify/document/interval.h"
+
+/// The contents of a cover file as plain data, member by member as docs/format.md defines them.
+///
+/// A document is only what a file says; nothing here is proved. `check_cover` (cover_check.h) says whether it holds.
+/// Lengths are hyperbolic.
+namespace epsnet::certify {
+
+/// A cover file: a bound for a function of the points of a surface that is proved cell by cell.
+struct CoverDocument {
+  /// What is said to lie between the bounds.
+  ///
+  /// `diameter`: the diameter, which is the greatest eccentricity. `embedded_disk`: the radius of the largest embedded
+  /// disk, which is the greatest injectivity radius.
+  enum class Claim { diameter, embedded_disk };
+
+  /// A triangulation with one vertex, made from another one by flips.
+  struct Triangulation {
+    std::uint32_t parent = 0;          ///< Number 0 is that of the net, number k ≥ 1 is triangulations[k − 1].
+    std::vector<std::uint32_t> flips;  ///< Darts, flipped one after the other.
+    bool operator==(const Triangulation&) const = default;
+  };
+
+  Claim claim = Claim::diameter;
+  NetDocument net;   ///< With one vertex, a point where the function is at least the lower bound.
+  Interval value{};  ///< 0 < lower ≤ upper.
+  std::vector<Triangulation> triangulations;
+  /// By triangle of the net: how it is cut into cells, in preorder. 0, 1 and 2 cut across an edge, 3 + k is a cell
+  /// where the bound is that of triangulation k; of dart d of triangulation k, for an embedded disk, if k is d + 3nk'
+  /// with n triangles.
+  std::vector<std::vector<std::uint32_t>> cells;
+  bool operator==(const CoverDocument&) const = default;
+};
+
+}  // namespace epsnet::certify

@@ -1,0 +1,387 @@
+#include "netgen/distances/cover.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <queue>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "netgen/distances/vertex_triangulation.h"
+#include "netgen/nets/net_document.h"
+#include "netgen/nets/net_options.h"
+#include "netgen/nets/start.h"
+#include "triangulation/contraction.h"
+#include "triangulation/flip.h"
+
+namespace epsnet {
+namespace {
+
+using certify::CoverDocument;
+
+/// The length whose sinh² is s.
+double length_of(double s) { return std::asinh(std::sqrt(s)); }
+
+using Number = EdgeElements::Number;
+using Point = LorentzVector<Number>;
+
+Point unit(const Point& p) { return Number(Number(1) / sqrt(Number(-lorentz_product(p, p)))) * p; }
+
+/// Branch and bound: the triangles of a triangulation with one vertex are cut until the bounds of all cells are at most
+/// the greatest value that was found plus the width.
+///
+/// The function is asked for at points inside of cells, where the Delaunay triangulation has it exactly; the bound of a
+/// cell is the least that the triangulations of its own point and of that of the cell it was cut from give at its
+/// corners.
+class CoverSearch {
+ public:
+  /// The base is Delaunay.
+  CoverSearch(Triangulation& base, CoverDocument::Claim claim, const CoverOptions& options, double width)
+      : claim_(claim), options_(options), width_(width), area_(4 * std::numbers::pi * (base.surface().genus() - 1.0)) {
+    known_.push_back({vertex_triangulation(base, elements_), 0, {}});
+    numbers_[known_[0].map.key()] = 0;
+    const Point vertex = on_hyperboloid(convert<Number>(base.vertex(0).z));
+    frames_.emplace_back(elements_, vertex);
+    const Site start{vertex, 0, 0};
+    look_at(start);
+    for (std::uint32_t d = 0; d < known_[0].map.opposite.size(); d += 3) {
+      const auto lift = [&](EdgeElements::Id id) { return image(elements_.isometry(id), vertex); };
+      const std::vector<EdgeElements::Id>& element = known_[0].map.element;
+      Place place{{vertex, lift(element[d]), lift(EdgeElements::inverse(element[d + 2]))}, {}};
+      for (std::size_t k = 0; k < 3; ++k) place.cosh[k] = -lorentz_product(place.corner[k], place.corner[(k + 1) % 3]);
+      add_cell(std::move(place), start);
+    }
+    roots_ = static_cast<std::uint32_t>(cells_.size());
+  }
+
+  void run() {
+    const double first_gap = upper() - lower();
+    while (upper() - lower() > width_) {
+      if (cells_.size() >= options_.most_cells) {
+        std::ostringstream message;
+        message.precision(17);
+        message << "not enclosed to the width wanted with " << options_.most_cells << " cells, only by [" << lower()
+                << ", " << upper() << "]";
+        throw NetError(message.str());
+      }
+      const std::uint32_t top = queue_.top().second;
+      queue_.pop();
+      cut(top);
+      if (options_.progress && cells_.size() % 1024 == 0) {
+        options_.progress("covering", std::log(first_gap / (upper() - lower())) / std::log(first_gap / width_));
+      }
+    }
+  }
+
+  [[nodiscard]] double lower() const { return highest_; }
+  [[nodiscard]] double upper() const { return queue_.top().first; }
+  /// Where the greatest value was found, in the chart of the base's vertex.
+  [[nodiscard]] const Point& summit() const { return summit_; }
+
+  /// The cells and the triangulations that they use.
+  void describe(CoverDocument& document) const {
+    std::vector<bool> used(known_.size());
+    for (const Cell& cell : cells_) {
+      if (cell.edge != kNotCut) continue;
+      for (std::uint32_t k = cell.bound_by; !used[k]; k = known_[k].parent) used[k] = true;
+    }
+    std::vector<std::uint32_t> number(known_.size());
+    for (std::uint32_t k = 1; k < known_.size(); ++k) {
+      if (!used[k]) continue;
+      document.triangulations.push_back({number[known_[k].parent], known_[k].flips});
+      number[k] = static_cast<std::uint32_t>(document.triangulations.size());
+    }
+    const auto darts = static_cast<std::uint32_t>(known_[0].map.opposite.size());
+    for (std::uint32_t root = 0; root < roots_; ++root) {
+      std::vector<std::uint32_t>& cells = document.cells.emplace_back();
+      std::vector<std::uint32_t> open{root};
+      while (!open.empty()) {
+        const Cell& cell = cells_[open.back()];
+        open.pop_back();
+        if (cell.edge != kNotCut) {
+          cells.push_back(cell.edge);
+          open.push_back(cell.first_part + 1);
+          open.push_back(cell.first_part);
+        } else if (claim_ == CoverDocument::Claim::diameter) {
+          cells.push_back(3 + number[cell.bound_by]);
+        } else {
+          cells.push_back(3 + number[cell.bound_by] * darts + cell.bound_by_dart);
+        }
+      }
+    }
+  }
+
+ private:
+  /// A place of the vertex, the number of a triangulation that is Delaunay there, and that of a frame nearby.
+  struct Site {
+    Point point;
+    std::uint32_t triangulation;
+    std::uint32_t frame;
+  };
+  struct Known {
+    VertexTriangulation map;
+    std::uint32_t parent;
+    std::vector<std::uint32_t> flips;
+  };
+  struct Bound {
+    double value;
+    std::uint32_t dart;  ///< That of the edge, for an embedded disk.
+  };
+  static constexpr std::uint32_t kNotCut = 3;
+  /// A triangle of unit vectors, with the cosh of its sides' lengths: side i is from corner i to corner i + 1. Kept
+  /// along when it is halved, both stay as accurate as they are.
+  struct Place {
+    std::array<Point, 3> corner;
+    std::array<Number, 3> cosh;
+
+    [[nodiscard]] Point centre() const { return unit(corner[0] + corner[1] + corner[2]); }
+  };
+  struct Cell {
+    Place place;
+    Site site;                   ///< A point inside.
+    std::uint32_t bound_by = 0;  ///< The triangulation that bounds the function in the cell.
+    std::uint32_t bound_by_dart = 0;
+    std::uint32_t edge = kNotCut;  ///< Across which it is cut.
+    std::uint32_t first_part = 0;  ///< The second follows.
+  };
+
+  [[nodiscard]] PlacedTriangulation placed(std::uint32_t k, std::uint32_t frame, const Frame::Point& p) {
+    return {known_[k].map, frames_[frame], p};
+  }
+
+  /// The frame to be used at a point: that one, or a new one if it is far away.
+  [[nodiscard]] std::uint32_t frame_at(std::uint32_t frame, const Point& p) {
+    constexpr double kFar = 1.5;  // cosh of the distance.
+    if (frames_[frame].point(p).t <= kFar) return frame;
+    for (std::uint32_t f = 0; f < frames_.size(); ++f) {
+      if (frames_[f].point(p).t <= kFar) return f;
+    }
+    frames_.emplace_back(elements_, unit(p));
+    return static_cast<std::uint32_t>(frames_.size()) - 1;
+  }
+
+  /// The site with the vertex moved along a line: as far as the triangles stay counterclockwise, then made Delaunay
+  /// again, and on.
+  [[nodiscard]] Site moved(const Site& from, const Point& to) {
+    Site here = from;
+    std::vector<Point> way{to};
+    constexpr std::size_t kMostHalvings = 10'000;
+    for (std::size_t halvings = 0; !way.empty();) {
+      const std::uint32_t frame = frame_at(here.frame, way.back());
+      const Frame::Point p = frames_[frame].point(way.back());
+      constexpr double kSurplus = 1e-9;
+      if (placed(here.triangulation, frame, p).area() < area_ + kSurplus) {
+        here = {way.back(), delaunay(here.triangulation, frame, way.back()), frame};
+        way.pop_back();
+      } else if (++halvings > kMostHalvings) {
+        throw NetError("the vertex of a triangulation could not be moved");
+      } else {
+        way.push_back(unit(here.point + unit(way.back())));
+      }
+    }
+    return here;
+  }
+
+  /// The number of the triangulation that flips make Delaunay at a point.
+  [[nodiscard]] std::uint32_t delaunay(std::uint32_t k, std::uint32_t frame, const Point& p) {
+    const Frame::Point local = frames_[frame].point(p);
+    std::optional<std::uint32_t> d = placed(k, frame, local).not_delaunay(elements_, p);
+    if (!d) return k;
+    Known next{known_[k].map, k, {}};
+    constexpr std::size_t kMostFlips = 100'000;
+    for (; d; d = PlacedTriangulation(next.map, frames_[frame], local).not_delaunay(elements_, p)) {
+      next.map.flip(elements_, *d);
+      next.flips.push_back(*d);
+      if (next.flips.size() > kMostFlips) throw NetError("a triangulation could not be made Delaunay");
+    }
+    const auto [found, is_new] = numbers_.try_emplace(next.map.key(), static_cast<std::uint32_t>(known_.size()));
+    if (is_new) known_.push_back(std::move(next));
+    return found->second;
+  }
+
+  /// The function, at a point where the triangulation is Delaunay.
+  void look_at(const Site& site) {
+    const PlacedTriangulation there = placed(site.triangulation, site.frame, frames_[site.frame].point(site.point));
+    const double value =
+        length_of(claim_ == CoverDocument::Claim::diameter ? there.largest_enclosure() : there.shortest_edge());
+    if (value <= highest_) return;
+    highest_ = value;
+    summit_ = site.point;
+  }
+
+  [[nodiscard]] Bound bound(const std::array<Frame::Point, 3>& corner, std::uint32_t frame, std::uint32_t k) {
+    if (claim_ == CoverDocument::Claim::diameter) {
+      double most = 0;
+      for (const Frame::Point& p : corner) most = std::max(most, placed(k, frame, p).largest_enclosure());
+      return {length_of(most), 0};
+    }
+    const std::array<PlacedTriangulation, 3> at{placed(k, frame, corner[0]), placed(k, frame, corner[1]),
+                                                placed(k, frame, corner[2])};
+    Bound least{std::numeric_limits<double>::infinity(), 0};
+    for (std::uint32_t d = 0; d < known_[k].map.opposite.size(); ++d) {
+      const double most = std::max({at[0].displacement(d), at[1].displacement(d), at[2].displacement(d)});
+      const double value = length_of(most);
+      if (value < least.value) least = {value, d};
+    }
+    return least;
+  }
+
+  void add_cell(Place place, const Site& near) {
+    const Point centre = place.centre();
+    const std::uint32_t frame = frame_at(near.frame, centre);
+    const std::array<Frame::Point, 3> local{frames_[frame].point(place.corner[0]),
+                                            frames_[frame].point(place.corner[1]),
+                                            frames_[frame].point(place.corner[2])};
+    Cell cell{.place = std::move(place), .site = near};
+    Bound best = bound(local, frame, near.triangulation);
+    cell.bound_by = near.triangulation;
+    if (best.value > highest_ + width_) {
+      cell.site = moved(near, centre);
+      look_at(cell.site);
+      if (cell.site.triangulation != near.triangulation) {
+        const Bound own = bound(local, frame, cell.site.triangulation);
+        if (own.value < best.value) {
+          best = own;
+          cell.bound_by = cell.site.triangulation;
+        }
+      }
+    }
+    cell.bound_by_dart = best.dart;
+    queue_.emplace(best.value, static_cast<std::uint32_t>(cells_.size()));
+    cells_.push_back(std::move(cell));
+  }
+
+  /// At the midpoint of the longest edge.
+  void cut(std::uint32_t number) {
+    const Place place = cells_[number].place;
+    const auto edge =
+        static_cast<std::uint32_t>(std::max_element(place.cosh.begin(), place.cosh.end()) - place.cosh.begin());
+    const std::uint32_t end = (edge + 1) % 3;
+    const std::uint32_t far = (edge + 2) % 3;
+    cells_[number].edge = edge;
+    cells_[number].first_part = static_cast<std::uint32_t>(cells_.size());
+    const Site site = cells_[number].site;
+    // With d the length of the edge: cosh(d/2), the midpoint, and the cosh of the median.
+    const Number half = sqrt(Number((1 + place.cosh[edge]) / 2));
+    const Number scale = 1 / (2 * half);
+    const Point middle = scale * (place.corner[edge] + place.corner[end]);
+    const Number median = scale * (place.cosh[end] + place.cosh[far]);
+    Place first = place;
+    first.corner[end] = middle;
+    first.cosh[edge] = half;
+    first.cosh[end] = median;
+    Place second = place;
+    second.corner[edge] = middle;
+    second.cosh[edge] = half;
+    second.cosh[far] = median;
+    add_cell(std::move(first), site);
+    add_cell(std::move(second), site);
+  }
+
+  CoverDocument::Claim claim_;
+  const CoverOptions& options_;
+  double width_;
+  double area_;
+  EdgeElements elements_;
+  std::deque<Frame> frames_;
+  std::vector<Known> known_;
+  std::map<std::vector<std::uint32_t>, std::uint32_t> numbers_;  ///< By key.
+  std::vector<Cell> cells_;
+  std::uint32_t roots_ = 0;
+  std::priority_queue<std::pair<double, std::uint32_t>> queue_;  ///< Cells that are not cut, by bound.
+  double highest_ = 0;
+  Point summit_{};
+};
+
+/// Moves the one vertex to a point of its chart's disk, and makes the triangulation Delaunay there.
+void move_to(Triangulation& triangulation, const Point& target) {
+  // The goal is in the chart of the vertex; the vertex may change to others on its way.
+  LabelId to_home = kIdentity;
+  const Complex<Number> goal = in_disk(unit(target));
+  double part = 1;
+  constexpr int kMostSteps = 10'000;
+  for (int steps = 0; steps < kMostSteps; ++steps) {
+    Atlas& atlas = triangulation.atlas();
+    const Vertex vertex = triangulation.vertex(0);
+    // The goal in the chart of the vertex.
+    const Complex<Number> end = to_home == kIdentity ? goal : atlas.isometry_in<Number>(atlas.inverse(to_home))(goal);
+    const Complex<Number> here = convert<Number>(vertex.z);
+    const Complex<Number> one{1, 0};
+    const Complex<Number> way = (end - here) / (one - conj(here) * end);
+    const Number size = sqrt(norm(way));
+    if (size == 0) return;
+    const Number length = atanh(size) * part;
+    const Complex<Number> step = Number(tanh(length) / size) * way;
+    const auto place = atlas.place(vertex.chart, (step + here) / (one + conj(here) * step), Atlas::Precision::binary64);
+    const Dart d = make_dart(0, 0);
+    if (!place || !move_vertex(triangulation, d, *place)) {
+      part /= 2;
+      continue;
+    }
+    to_home = atlas.product(to_home, place->label);
+    (void)make_delaunay(triangulation);
+    if (part == 1) return;
+    part = std::min(1.0, 2 * part);
+  }
+  throw NetError("the vertex of a triangulation could not be moved to where the function is largest");
+}
+
+CoverDocument cover(Triangulation& base, CoverDocument::Claim claim, const CoverOptions& options) {
+  {
+    CoverSearch search(base, claim, options, options.width / 4);
+    search.run();
+    move_to(base, search.summit());
+  }
+  CoverSearch search(base, claim, options, options.width * (1 - 1e-3));
+  search.run();
+  // Lengths are rounded a few times; certify proves what comes out.
+  constexpr double kRounding = 2e-15;
+  CoverDocument document;
+  document.claim = claim;
+  document.value = {search.lower() * (1 - kRounding), search.upper() * (1 + kRounding)};
+  search.describe(document);
+  return document;
+}
+
+Triangulation one_vertex_triangulation(const Surface& surface, const std::optional<BasePoint>& vertex) {
+  Triangulation result = delaunay_start(surface, vertex).triangulation;
+  (void)reduce_to_vertex_0(result);
+  return result;
+}
+
+CoverDocument cover(const Surface& surface, CoverDocument::Claim claim, const CoverOptions& options) {
+  if (!(options.width >= kLeastCoverWidth)) throw std::invalid_argument("the width is less than 1e-12");
+  Triangulation base = one_vertex_triangulation(surface, std::nullopt);
+  CoverDocument document = cover(base, claim, options);
+  document.net = net_document(base, Length(std::ceil(document.value.upper) + 2));
+  return document;
+}
+
+}  // namespace
+
+certify::NetDocument eccentricity_net(const Surface& surface, const BasePoint& vertex) {
+  Triangulation triangulation = one_vertex_triangulation(surface, vertex);
+  EdgeElements elements;
+  const VertexTriangulation map = vertex_triangulation(triangulation, elements);
+  const LorentzVector<EdgeElements::Number> place =
+      on_hyperboloid(convert<EdgeElements::Number>(triangulation.vertex(0).z));
+  Frame frame(elements, place);
+  const double eccentricity = length_of(PlacedTriangulation(map, frame, frame.point(place)).largest_enclosure());
+  return net_document(triangulation, Length(std::ceil(eccentricity) + 2));
+}
+
+CoverDocument diameter(const Surface& surface, const CoverOptions& options) {
+  return cover(surface, CoverDocument::Claim::diameter, options);
+}
+
+CoverDocument largest_embedded_disk(const Surface& surface, const CoverOptions& options) {
+  return cover(surface, CoverDocument::Claim::embedded_disk, options);
+}
+
+}  // namespace epsnet

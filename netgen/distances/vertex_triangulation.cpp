@@ -1,0 +1,198 @@
+#include "netgen/distances/vertex_triangulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "netgen/nets/net_document.h"
+
+namespace epsnet {
+namespace {
+
+std::uint32_t next_of(std::uint32_t dart) { return dart % 3 == 2 ? dart - 2 : dart + 1; }
+std::uint32_t previous_of(std::uint32_t dart) { return dart % 3 == 0 ? dart + 2 : dart - 1; }
+
+template <class To, class From>
+LorentzVector<To> rounded(const LorentzVector<From>& v) {
+  return {static_cast<To>(v.x), static_cast<To>(v.y), static_cast<To>(v.t)};
+}
+
+/// cot γ, γ the angle opposite to a dart in the Euclidean triangle with the sides sinh(d/2), whose squares `side` says;
+/// with the share `slack` of these more, to be on that side of rounding.
+///
+/// The circumcentre lies at a distance δ from the edge, on the side of the triangle if δ > 0, with sinh δ = tanh(d/2)
+/// cot γ, as cosh R = cosh δ cosh(d/2) and sinh R = sinh(d/2)/sin γ. Without a circumcircle the longest edge is to be
+/// flipped.
+template <class T, class Side>
+T cotangent(std::uint32_t dart, const Side& side, double slack) {
+  const T c = side(dart);
+  const T a = side(next_of(dart));
+  const T b = side(previous_of(dart));
+  const T excess = a + b - c + slack * (a + b + c);
+  const T square = 4 * a * b - excess * excess;
+  using std::sqrt;
+  if (square > 0) return excess / sqrt(square);
+  constexpr double kLarge = 1e300;
+  return c > a && c > b ? T(-kLarge) : T(kLarge);
+}
+
+}  // namespace
+
+EdgeElements::Id EdgeElements::add(const Isometry<Number>& g) {
+  // Equal elements come out of different products with hundreds of bits the same, so that they round to the same
+  // binary64 numbers, once what is noise is 0; if not, an element is kept twice, which does no harm.
+  LorentzVector<Number> normal = axis_normal(g.a.x < 0 ? Isometry<Number>{-g.a, -g.b} : g);
+  std::array<double, 3> key{static_cast<double>(normal.x), static_cast<double>(normal.y),
+                            static_cast<double>(normal.t)};
+  const double noise = 1e-40 * (std::abs(key[0]) + std::abs(key[1]));
+  for (double& x : key) x = std::abs(x) < noise ? 0 : x;
+  const bool inverted = key[0] < 0 || (key[0] == 0 && key[1] < 0);
+  if (inverted) {
+    normal = Number(-1) * normal;
+    for (double& x : key) x = 0 - x;
+  }
+  const auto [found, is_new] = numbers_.try_emplace(key, static_cast<std::uint32_t>(elements_.size()));
+  if (is_new) {
+    elements_.push_back({inverted ? epsnet::inverse(g) : g, normal, isometry_discriminant(g)});
+  }
+  return 2 * found->second + (inverted ? 1 : 0);
+}
+
+EdgeElements::Number EdgeElements::displacement(Id id, const LorentzVector<Number>& p) const {
+  const Element& element = elements_[id / 2];
+  const Number height = lorentz_product(element.normal, p);
+  return element.square + height * height;
+}
+
+Isometry<EdgeElements::Number> EdgeElements::isometry(Id id) const {
+  const Isometry<Number>& g = elements_[id / 2].isometry;
+  return id % 2 == 0 ? g : epsnet::inverse(g);
+}
+
+Frame::Frame(const EdgeElements& elements, const LorentzVector<EdgeElements::Number>& origin)
+    : elements_(elements), to_origin_(normalized(Isometry<EdgeElements::Number>::translation(-in_disk(origin)))) {}
+
+Frame::Point Frame::point(const LorentzVector<EdgeElements::Number>& p) const {
+  const Point v = rounded<double>(image(to_origin_, p));
+  const double scale = 1 / std::sqrt((v.t - v.x) * (v.t + v.x) - v.y * v.y);
+  return scale * v;
+}
+
+double Frame::displacement(EdgeElements::Id id, const Point& p) {
+  const std::size_t k = id / 2;
+  if (k >= axes_.size()) axes_.resize(elements_.size());
+  Axis& axis = axes_[k];
+  if (axis.square < 0) {
+    axis.normal = rounded<double>(image(to_origin_, elements_.element(k).normal));
+    axis.square = static_cast<double>(elements_.element(k).square);
+  }
+  const double height = lorentz_product(axis.normal, p);
+  return axis.square + height * height;
+}
+
+std::vector<std::uint32_t> VertexTriangulation::key() const {
+  std::vector<std::uint32_t> edges;
+  for (std::uint32_t d = 0; d < opposite.size(); ++d) {
+    if (d < opposite[d]) edges.push_back(element[d] / 2);
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+void VertexTriangulation::flip(EdgeElements& elements, std::uint32_t d) {
+  // The triangles abc and bax with the edge ab become xca and cxb: each of the outer edges moves on by one place.
+  const std::uint32_t e = opposite[d];
+  const std::array<std::uint32_t, 4> from{previous_of(d), next_of(e), previous_of(e), next_of(d)};
+  const std::array<std::uint32_t, 4> to{next_of(d), previous_of(d), next_of(e), previous_of(e)};
+  std::array<std::uint32_t, 4> across{};
+  std::array<EdgeElements::Id, 4> moved{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    across[i] = opposite[from[i]];
+    moved[i] = element[from[i]];
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto* inner = std::find(from.begin(), from.end(), across[i]);
+    const std::uint32_t other = inner == from.end() ? across[i] : to[static_cast<std::size_t>(inner - from.begin())];
+    opposite[to[i]] = other;
+    opposite[other] = to[i];
+    element[to[i]] = moved[i];
+  }
+  // From c to a and on to x.
+  const EdgeElements::Id diagonal = elements.product(moved[0], moved[1]);
+  element[e] = diagonal;
+  element[d] = EdgeElements::inverse(diagonal);
+}
+
+PlacedTriangulation::PlacedTriangulation(const VertexTriangulation& triangulation, Frame& frame, const Frame::Point& p)
+    : triangulation_(triangulation), displacement_(triangulation.opposite.size()) {
+  for (std::uint32_t d = 0; d < displacement_.size(); ++d) {
+    const std::uint32_t e = triangulation.opposite[d];
+    displacement_[d] = d < e ? frame.displacement(triangulation.element[d], p) : displacement_[e];
+  }
+}
+
+double PlacedTriangulation::largest_enclosure() const {
+  double largest = 0;
+  for (std::uint32_t d = 0; d < displacement_.size(); d += 3) {
+    double a = displacement_[d];
+    double b = displacement_[d + 1];
+    double c = displacement_[d + 2];
+    if (a > c) std::swap(a, c);
+    if (b > c) std::swap(b, c);
+    // sinh²R = 4abc/K (docs/proof.md, Lemma 5); for an obtuse triangle the disk whose diameter is the longest edge.
+    const double excess = a + b - c;
+    largest = std::max(largest, excess > 0 ? 4 * a * b * c / (4 * a * b - excess * excess) : c);
+  }
+  return largest;
+}
+
+double PlacedTriangulation::shortest_edge() const {
+  return *std::min_element(displacement_.begin(), displacement_.end());
+}
+
+double PlacedTriangulation::area() const {
+  double sum = 0;
+  for (std::uint32_t d = 0; d < displacement_.size(); d += 3) {
+    double a = displacement_[d];
+    double b = displacement_[d + 1];
+    double c = displacement_[d + 2];
+    if (a > c) std::swap(a, c);
+    if (b > c) std::swap(b, c);
+    // cos(A/2) = (1 + cosh a + cosh b + cosh c)/(4 cosh(a/2) cosh(b/2) cosh(c/2)) for the sides a, b, c; so tan(A/2) is
+    // √(K + 4abc)/(2 + a + b + c) for these, with K as in docs/proof.md, Lemma 5.
+    const double excess = a + b - c;
+    sum += 2 * std::atan2(std::sqrt(std::max(4 * a * b * (1 + c) - excess * excess, 0.0)), 2 + a + b + c);
+  }
+  return sum;
+}
+
+std::optional<std::uint32_t> PlacedTriangulation::not_delaunay(const EdgeElements& elements,
+                                                               const LorentzVector<EdgeElements::Number>& p) const {
+  const std::vector<std::uint32_t>& opposite = triangulation_.opposite;
+  const auto rounded_sides = [&](std::uint32_t d) { return displacement_[d]; };
+  const auto sides = [&](std::uint32_t d) { return elements.displacement(triangulation_.element[d], p); };
+  for (std::uint32_t d = 0; d < opposite.size(); ++d) {
+    const std::uint32_t e = opposite[d];
+    if (d > e || d / 3 == e / 3) continue;
+    // Relative to the squares of the sides.
+    constexpr double kRounding = 1e-13;
+    constexpr double kTie = 1e-100;
+    if (cotangent<double>(d, rounded_sides, kRounding) + cotangent<double>(e, rounded_sides, kRounding) < 0) return d;
+    if (cotangent<double>(d, rounded_sides, -kRounding) + cotangent<double>(e, rounded_sides, -kRounding) >= 0)
+      continue;
+    if (cotangent<EdgeElements::Number>(d, sides, kTie) + cotangent<EdgeElements::Number>(e, sides, kTie) < 0) return d;
+  }
+  return std::nullopt;
+}
+
+VertexTriangulation vertex_triangulation(Triangulation& triangulation, EdgeElements& elements) {
+  VertexTriangulation result;
+  const std::uint32_t darts = 3 * triangulation.triangle_count();
+  for (std::uint32_t d = 0; d < darts; ++d) {
+    result.opposite.push_back(document_dart(triangulation.opposite(triangulation_dart(d))));
+    const LabelId along = triangulation.label_along(triangulation_dart(d));
+    result.element.push_back(elements.add(triangulation.atlas().isometry_in<EdgeElements::Number>(along)));
+  }
+  return result;
+}
+
+}  // namespace epsnet

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "kernel/lorentz.h"
+#include "kernel/numbers.h"
+#include "triangulation/triangulation.h"
+
+/// Triangulations with one vertex that can stand anywhere: triangles whose edges are elements of the group.
+///
+/// If the vertex is the point p of the disk of one chart, the edge with the element g leads from p to gp. So one
+/// combinatorial triangulation is a triangulation at many p, and its functions of p are evaluated without any label.
+namespace epsnet {
+
+/// The elements of the group that edges have, each once, together with its inverse.
+class EdgeElements {
+ public:
+  using Number = Mp1024;
+  /// An element or the inverse of it: 2k or 2k + 1 for element k.
+  using Id = std::uint32_t;
+  [[nodiscard]] static Id inverse(Id id) { return id ^ 1U; }
+
+  /// The id of an isometry of determinant 1, hyperbolic.
+  [[nodiscard]] Id add(const Isometry<Number>& g);
+  [[nodiscard]] Isometry<Number> isometry(Id id) const;
+  [[nodiscard]] Id product(Id f, Id g) { return add(isometry(f) * isometry(g)); }
+  [[nodiscard]] std::size_t size() const { return elements_.size(); }
+  /// sinh²(d/2), d the distance of p, a unit vector, and gp: sinh²(l/2) + ⟨n, p⟩², l the translation length of g and n
+  /// the normal of its axis, of square sinh²(l/2).
+  [[nodiscard]] Number displacement(Id id, const LorentzVector<Number>& p) const;
+
+  struct Element {
+    Isometry<Number> isometry;
+    LorentzVector<Number> normal;
+    Number square;
+  };
+  [[nodiscard]] const Element& element(std::size_t k) const { return elements_[k]; }
+
+ private:
+  std::vector<Element> elements_;
+  std::map<std::array<double, 3>, std::uint32_t> numbers_;
+};
+
+/// A point of the disk near which elements are evaluated in binary64, with a relative error of about e^2d times the
+/// unit roundoff at the distance d from it.
+class Frame {
+ public:
+  /// A point of the plane in the coordinates of the frame, a unit vector.
+  using Point = LorentzVector<double>;
+
+  /// `origin` has square −1. The elements must outlive the frame.
+  Frame(const EdgeElements& elements, const LorentzVector<EdgeElements::Number>& origin);
+  [[nodiscard]] Point point(const LorentzVector<EdgeElements::Number>& p) const;
+  /// As that of the elements.
+  [[nodiscard]] double displacement(EdgeElements::Id id, const Point& p);
+
+ private:
+  struct Axis {
+    Point normal;
+    double square = -1;  ///< Negative: not asked for yet.
+  };
+  const EdgeElements& elements_;
+  Isometry<EdgeElements::Number> to_origin_;
+  std::vector<Axis> axes_;
+};
+
+/// Darts as net files number them: 3t + i leaves corner i of triangle t.
+struct VertexTriangulation {
+  std::vector<std::uint32_t> opposite;    ///< By dart.
+  std::vector<EdgeElements::Id> element;  ///< By dart: from its start to its end.
+
+  /// The edges' elements, sorted: the same for equal triangulations and no others.
+  [[nodiscard]] std::vector<std::uint32_t> key() const;
+  /// Replaces the edge of dart d, which has two different triangles, by the other diagonal of its quadrilateral, as
+  /// docs/format.md says: d and its opposite become the new edge, turned counterclockwise.
+  void flip(EdgeElements& elements, std::uint32_t d);
+};
+
+/// A triangulation with its vertex at a point: the lengths of edges, as sinh²(d/2) by dart, and what follows from
+/// these.
+class PlacedTriangulation {
+ public:
+  PlacedTriangulation(const VertexTriangulation& triangulation, Frame& frame, const Frame::Point& p);
+
+  [[nodiscard]] double displacement(std::uint32_t dart) const { return displacement_[dart]; }
+  /// sinh²ρ, ρ the greatest radius of a smallest disk around the corners of a triangle.
+  [[nodiscard]] double largest_enclosure() const;
+  /// sinh²(d/2) of the shortest edge.
+  [[nodiscard]] double shortest_edge() const;
+  /// The sum of the areas of all triangles: the area of the surface, if all are counterclockwise, and more otherwise.
+  [[nodiscard]] double area() const;
+  /// A dart of an edge that is not locally Delaunay and has two different triangles; p is the same point for the
+  /// elements, in case that binary64 does not tell.
+  [[nodiscard]] std::optional<std::uint32_t> not_delaunay(const EdgeElements& elements,
+                                                          const LorentzVector<EdgeElements::Number>& p) const;
+
+ private:
+  const VertexTriangulation& triangulation_;
+  std::vector<double> displacement_;
+};
+
+/// The elements and triangles of a triangulation with one vertex, in the chart of that vertex, dart by dart as in its
+/// document.
+[[nodiscard]] VertexTriangulation vertex_triangulation(Triangulation& triangulation, EdgeElements& elements);
+
+}  // namespace epsnet

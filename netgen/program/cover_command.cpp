@@ -1,0 +1,134 @@
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include "certify/distances/cover_check.h"
+#include "certify/file/writer.h"
+#include "netgen/base/progress_line.h"
+#include "netgen/distances/cover.h"
+#include "netgen/program/commands.h"
+#include "netgen/program/input.h"
+#include "netgen/program/output.h"
+
+namespace epsnet::program {
+namespace {
+
+struct CoverRequest {
+  std::string surface;
+  std::string output;
+  std::string width = "1e-6";
+  bool json = false;
+};
+
+using MakeCover = certify::CoverDocument (*)(const Surface&, const CoverOptions&);
+
+void enclose(const CoverRequest& request, MakeCover make) {
+  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::json}});
+  const auto width = static_cast<double>(parse_length("--width", request.width).value());
+  if (!(width >= kLeastCoverWidth)) throw UsageError("--width: less than the least width, 1e-12");
+  const Surface surface = read_surface_input(request.surface);
+  certify::CoverDocument document;
+  certify::Certificate certificate;
+  {
+    ProgressLine progress;
+    CoverOptions options;
+    options.width = width;
+    options.progress = progress.shower();
+    document = make(surface, options);
+  }
+  {
+    ProgressLine progress;
+    certify::CheckOptions options;
+    options.max_work = std::numeric_limits<std::uint64_t>::max();  // It was made here.
+    options.progress = progress.shower("certificate: ");
+    certificate = certify::check_cover(document, options);
+  }
+  if (certificate.verdict != certify::Verdict::verified) {
+    throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
+  }
+  write_outputs({{request.output, [&](std::ostream& out) { certify::write_cover(document, out); }}});
+  Report report{"verdict: VERIFIED\n", Json::object({{"verdict", "VERIFIED"}})};
+  const Report bounds = cover_report(document);
+  report.text += bounds.text;
+  report.json.update(bounds.json);
+  write_report(report, request.json, is_stdout(request.output));
+}
+
+void add_cover_command(CLI::App& app, Job& chosen, const char* name, const char* what, MakeCover make) {
+  const auto shared = std::make_shared<CoverRequest>();
+  CLI::App* command = app.add_subcommand(name, what);
+  add_input(*command, "SURFACE", shared->surface, "a surface file");
+  command->add_option("--width", shared->width, "of the enclosure: a length, at least 1e-12")->option_text("W [1e-6]");
+  add_file(*command, "-o,--output", shared->output, "the cover file to write, for certify; \"-\" is standard output");
+  add_json(*command, shared->json);
+  command->footer(std::string("Example:\n  epsnet ") + name +
+                  " s.json --width 1e-9 -o cover.json && certify cover.json");
+  command->callback([&chosen, shared, make] { chosen = [shared, make] { enclose(*shared, make); }; });
+}
+
+struct EccentricityRequest {
+  std::string surface;
+  std::string p;
+  std::string output;
+  bool json = false;
+};
+
+void measure_eccentricity(const EccentricityRequest& request) {
+  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::json}});
+  const Surface surface = read_surface_input(request.surface);
+  const certify::NetDocument net = eccentricity_net(surface, parse_base(request.p, surface, "P"));
+  const certify::Certificate certificate = certify::check(net);
+  if (certificate.verdict != certify::Verdict::verified) {
+    throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
+  }
+  write_outputs({{request.output, [&](std::ostream& out) { certify::write_net(net, out); }}});
+  const certify::Interval found = certificate.enclosures->largest_circumradius;
+  write_report({"verdict: VERIFIED\neccentricity: " + to_string(found) + '\n',
+                Json::object({{"verdict", "VERIFIED"}, {"eccentricity", interval_json(found)}})},
+               request.json, is_stdout(request.output));
+}
+
+}  // namespace
+
+Report cover_report(const certify::CoverDocument& document) {
+  const std::string name =
+      document.claim == certify::CoverDocument::Claim::diameter ? "diameter" : "embedded_disk_radius";
+  std::size_t cells = 0;
+  for (const auto& row : document.cells) {
+    for (const std::uint32_t entry : row) cells += entry >= 3 ? 1 : 0;
+  }
+  const std::size_t triangulations = document.triangulations.size() + 1;
+  return {name + ": " + to_string(document.value) + "\ncells: " + std::to_string(cells) +
+              "\ntriangulations: " + std::to_string(triangulations) + '\n',
+          Json::object({{name, interval_json(document.value)}, {"cells", cells}, {"triangulations", triangulations}})};
+}
+
+void add_eccentricity_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<EccentricityRequest>();
+  CLI::App* command = app.add_subcommand(
+      "eccentricity", "The greatest distance of a point of the surface from a given one, enclosed and proved.");
+  add_input(*command, "SURFACE", shared->surface, "a surface file");
+  command->add_option("P", shared->p, "the point: of tile T, strictly inside of it, exact; T alone is its centre")
+      ->required()
+      ->option_text("T[,X,Y] REQUIRED");
+  add_file(*command, "-o,--output", shared->output,
+           "the net file with the one vertex P to write, for certify: its largest circumradius is the eccentricity; "
+           "\"-\" is standard output");
+  add_json(*command, shared->json);
+  command->footer("Example:\n  epsnet eccentricity s.json 0,0.1,-1/3");
+  command->callback([&chosen, shared] { chosen = [shared] { measure_eccentricity(*shared); }; });
+}
+
+void add_diameter_command(CLI::App& app, Job& chosen) {
+  add_cover_command(app, chosen, "diameter", "The diameter, the greatest distance of two points, enclosed and proved.",
+                    &diameter);
+}
+
+void add_embedded_disk_command(CLI::App& app, Job& chosen) {
+  add_cover_command(app, chosen, "embedded-disk",
+                    "The radius of the largest embedded disk, the greatest injectivity radius, enclosed and proved.",
+                    &largest_embedded_disk);
+}
+
+}  // namespace epsnet::program
