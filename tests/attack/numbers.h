@@ -41,8 +41,8 @@ struct Root {
   B v{0};
 
   Root() = default;
-  Root(long n) : u(n) {}
-  Root(const mpz_class& n) : u(n) {}
+  explicit Root(long n) : u(n) {}
+  explicit Root(const mpz_class& n) : u(n) {}
   Root(B u_, B v_) : u(std::move(u_)), v(std::move(v_)) {}
 
   friend Root operator+(const Root& x, const Root& y) { return {B(x.u + y.u), B(x.v + y.v)}; }

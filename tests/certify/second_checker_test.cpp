@@ -123,5 +123,21 @@ TEST(SecondChecker, HalfwayCasesGoToTheEvenNumber) {
   EXPECT_THROW(read("1.7976931348623159e308"), Malformed);
 }
 
+TEST(SecondCheckersJson, JoinsSurrogatePairsAndRefusesHalves) {
+  EXPECT_EQ(parse_json(R"({"a": "\ud83d\ude00"})").members.at(0).value.text, "\xf0\x9f\x98\x80");
+  EXPECT_EQ(parse_json(R"({"a": "\ud800\udc00\udbff\udfff"})").members.at(0).value.text,
+            "\xf0\x90\x80\x80\xf4\x8f\xbf\xbf");
+  for (const char* half : {R"({"a": "\ud83d"})", R"({"a": "\ud83dx"})", R"({"a": "\ud83d\n"})",
+                           R"({"a": "\ud83d\ud83d"})", R"({"a": "\ud83d\ue000"})", R"({"a": "\ude00"})"}) {
+    EXPECT_THROW(static_cast<void>(parse_json(half)), Malformed) << half;
+  }
+}
+
+TEST(SecondCheckersJson, RefusesAStringWithoutEnd) {
+  for (const char* text : {R"({"a": "b)", R"({"a": "b\)", R"({"a": "\u00)", R"({"a)", "{\""}) {
+    EXPECT_THROW(static_cast<void>(parse_json(text)), Malformed) << text;
+  }
+}
+
 }  // namespace
 }  // namespace epsnet::exact
