@@ -386,7 +386,8 @@ const std::vector<Mutation>& mutations() {
       {"gluing dropped", [](NetDocument& net, Random&) { drop_last(net.surface.gluing); }},
       {"tile added",
        [](NetDocument& net, Random&) {
-         net.surface.tiles.push_back(certify::SurfaceDocument::Tile(net.surface.tiles.at(0)));
+         const certify::SurfaceDocument::Tile first = net.surface.tiles.at(0);
+         net.surface.tiles.push_back(first);
        }},
   };
   return all;
@@ -689,12 +690,12 @@ void change_text(std::string& text, Random& r) {
       text.erase(at, 1);
       break;
     case 1: {
-      constexpr std::string_view kBytes("0123456789-+.eE,:[]{}\"\\/ \t\ntfn\0\xff\xc3u", 35);
+      constexpr std::string_view kBytes("0123456789-+.eE,:[]{}\"\\/ \t\ntfn\0\xff\xc3u\0", 35);
       text[at] = kBytes[r.below(kBytes.size())];
       break;
     }
     case 2: {
-      constexpr std::string_view kBytes("0123456789-+.eE,:[]{}\"\\/ \t\ntfn\0\xff\xc3u", 35);
+      constexpr std::string_view kBytes("0123456789-+.eE,:[]{}\"\\/ \t\ntfn\0\xff\xc3u\0", 35);
       text.insert(at, 1, kBytes[r.below(kBytes.size())]);
       break;
     }
