@@ -22,6 +22,10 @@ namespace {
 /// to a hundred without being equal.
 constexpr int kEqualBits = 300;
 
+/// Paths in a document. The 4g-gon of the largest genus has 4000 from its centre to its vertex; across a cuff of length
+/// l there are some 10⁻⁷/l whose lengths differ by less than binary64 tells.
+constexpr std::size_t kMostPaths = 5000;
+
 bool is_strictly_inside(const Surface& surface, const BasePoint& point) {
   try {
     require_inside(surface, point);
@@ -99,6 +103,11 @@ class LiftsOfPoint {
         const bool known = std::any_of(by_end.lower_bound(key - kReach), by_end.upper_bound(key + kReach),
                                        [&](const auto& item) { return same_end(next, paths[item.second]); });
         if (known) continue;
+        if (paths.size() == kMostPaths) {
+          throw NetError("more than " + std::to_string(kMostPaths) +
+                         " paths have lengths that binary64 does not tell apart: they cross a closed geodesic that is "
+                         "too short");
+        }
         by_end.emplace(key, paths.size());
         paths.push_back(std::move(next));
       }

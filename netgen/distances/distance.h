@@ -27,7 +27,8 @@ void require_in_tile(const Surface& surface, const BasePoint& point);
 ///
 /// What is returned is not proved yet; certify::check_distance proves it. Deterministic. The time is that of the
 /// Dirichlet domain of p, however far q is and however short closed geodesics are. Throws SurfaceError for a point that
-/// is not in its tile and if neither is strictly inside; NetError if the enclosure is wider than asked for; LimitError.
+/// is not in its tile and if neither is strictly inside; NetError if the enclosure is wider than asked for, or if there
+/// are more than 5000 paths within it, as across a cuff shorter than 10⁻¹⁰; LimitError.
 [[nodiscard]] certify::DistanceDocument distance(const Surface& surface, const BasePoint& p, const BasePoint& q,
                                                  const DistanceOptions& options = {});
 
