@@ -4,7 +4,7 @@
 #include "certify/document/report.h"
 
 /// The checker of cover files: whether the diameter, or the radius of the largest embedded disk, lies between the
-/// bounds (docs/proof.md, section 14).
+/// bounds (docs/proof.md, section 15).
 namespace epsnet::certify {
 
 /// Checks the net first, with its seven rules; its certificate is the answer unless it is verified. Then come the rules

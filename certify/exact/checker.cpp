@@ -728,9 +728,8 @@ class Checker {
 std::optional<std::string> not_for_this_checker(const Json& root) {
   if (root.kind != Json::Kind::object) throw Malformed("expected an object");
   const Json& format = member(root, "format");
-  if (is_text(format, "epsnet-geodesics")) return "a geodesics file";
-  if (is_text(format, "epsnet-distance")) return "a distance file";
-  if (is_text(format, "epsnet-cover")) return "a cover file";
+  for (const std::string kind : {"geodesics", "distance", "cover"})
+    if (is_text(format, "epsnet-" + kind)) return "a " + kind + " file";
   expect_text(format, "epsnet-net", "the format");
   if (find(root, "collars") != nullptr) return "a pseudo net";
   const Json* surface = find(root, "surface");

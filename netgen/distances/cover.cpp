@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "certify/check.h"
 #include "netgen/distances/vertex_triangulation.h"
 #include "netgen/nets/net_document.h"
 #include "netgen/nets/net_options.h"
@@ -41,9 +42,16 @@ Point unit(const Point& p) { return Number(Number(1) / sqrt(Number(-lorentz_prod
 /// corners.
 class CoverSearch {
  public:
+  /// Whether the greatest value is sought, or that at the vertex of the base is to be it.
+  enum class Climb { yes, no };
+
   /// The base is Delaunay.
-  CoverSearch(Triangulation& base, CoverDocument::Claim claim, const CoverOptions& options, double width)
-      : claim_(claim), options_(options), width_(width), area_(4 * std::numbers::pi * (base.surface().genus() - 1.0)) {
+  CoverSearch(Triangulation& base, CoverDocument::Claim claim, const CoverOptions& options, double width, Climb climb)
+      : claim_(claim),
+        climb_(climb),
+        options_(options),
+        width_(width),
+        area_(4 * std::numbers::pi * (base.surface().genus() - 1.0)) {
     known_.push_back({vertex_triangulation(base, elements_), 0, {}});
     numbers_[known_[0].map.key()] = 0;
     const Point vertex = on_hyperboloid(convert<Number>(base.vertex(0).z));
@@ -168,19 +176,22 @@ class CoverSearch {
 
   /// The site with the vertex moved along a line: as far as the triangles stay counterclockwise, then made Delaunay
   /// again, and on.
-  [[nodiscard]] Site moved(const Site& from, const Point& to) {
+  /// Nothing if that takes too many steps or flips, as it may where closed curves are short.
+  [[nodiscard]] std::optional<Site> moved(const Site& from, const Point& to) {
     Site here = from;
     std::vector<Point> way{to};
-    constexpr std::size_t kMostHalvings = 10'000;
+    constexpr std::size_t kMostHalvings = 1000;
     for (std::size_t halvings = 0; !way.empty();) {
       const std::uint32_t frame = frame_at(here.frame, way.back());
       const Frame::Point p = frames_[frame].point(way.back());
       constexpr double kSurplus = 1e-9;
       if (placed(here.triangulation, frame, p).area() < area_ + kSurplus) {
-        here = {way.back(), delaunay(here.triangulation, frame, way.back()), frame};
+        const std::optional<std::uint32_t> there = delaunay(here.triangulation, frame, way.back());
+        if (!there) return std::nullopt;
+        here = {way.back(), *there, frame};
         way.pop_back();
       } else if (++halvings > kMostHalvings) {
-        throw NetError("the vertex of a triangulation could not be moved");
+        return std::nullopt;
       } else {
         way.push_back(unit(here.point + unit(way.back())));
       }
@@ -189,16 +200,16 @@ class CoverSearch {
   }
 
   /// The number of the triangulation that flips make Delaunay at a point.
-  [[nodiscard]] std::uint32_t delaunay(std::uint32_t k, std::uint32_t frame, const Point& p) {
+  [[nodiscard]] std::optional<std::uint32_t> delaunay(std::uint32_t k, std::uint32_t frame, const Point& p) {
     const Frame::Point local = frames_[frame].point(p);
     std::optional<std::uint32_t> d = placed(k, frame, local).not_delaunay(elements_, p);
     if (!d) return k;
     Known next{known_[k].map, k, {}};
-    constexpr std::size_t kMostFlips = 100'000;
+    constexpr std::size_t kMostFlips = 5000;
     for (; d; d = PlacedTriangulation(next.map, frames_[frame], local).not_delaunay(elements_, p)) {
       next.map.flip(elements_, *d);
       next.flips.push_back(*d);
-      if (next.flips.size() > kMostFlips) throw NetError("a triangulation could not be made Delaunay");
+      if (next.flips.size() > kMostFlips) return std::nullopt;
     }
     const auto [found, is_new] = numbers_.try_emplace(next.map.key(), static_cast<std::uint32_t>(known_.size()));
     if (is_new) known_.push_back(std::move(next));
@@ -241,9 +252,10 @@ class CoverSearch {
     Cell cell{.place = std::move(place), .site = near};
     Bound best = bound(local, frame, near.triangulation);
     cell.bound_by = near.triangulation;
-    if (best.value > highest_ + width_) {
-      cell.site = moved(near, centre);
-      look_at(cell.site);
+    const std::optional<Site> own_site = best.value > highest_ + width_ ? moved(near, centre) : std::nullopt;
+    if (own_site) {
+      cell.site = *own_site;
+      if (climb_ == Climb::yes) look_at(cell.site);
       if (cell.site.triangulation != near.triangulation) {
         const Bound own = bound(local, frame, cell.site.triangulation);
         if (own.value < best.value) {
@@ -285,6 +297,7 @@ class CoverSearch {
   }
 
   CoverDocument::Claim claim_;
+  Climb climb_;
   const CoverOptions& options_;
   double width_;
   double area_;
@@ -332,23 +345,6 @@ void move_to(Triangulation& triangulation, const Point& target) {
   throw NetError("the vertex of a triangulation could not be moved to where the function is largest");
 }
 
-CoverDocument cover(Triangulation& base, CoverDocument::Claim claim, const CoverOptions& options) {
-  {
-    CoverSearch search(base, claim, options, options.width / 4);
-    search.run();
-    move_to(base, search.summit());
-  }
-  CoverSearch search(base, claim, options, options.width * (1 - 1e-3));
-  search.run();
-  // Lengths are rounded a few times; certify proves what comes out.
-  constexpr double kRounding = 2e-15;
-  CoverDocument document;
-  document.claim = claim;
-  document.value = {search.lower() * (1 - kRounding), search.upper() * (1 + kRounding)};
-  search.describe(document);
-  return document;
-}
-
 Triangulation one_vertex_triangulation(const Surface& surface, const std::optional<BasePoint>& vertex) {
   Triangulation result = delaunay_start(surface, vertex).triangulation;
   (void)reduce_to_vertex_0(result);
@@ -358,8 +354,27 @@ Triangulation one_vertex_triangulation(const Surface& surface, const std::option
 CoverDocument cover(const Surface& surface, CoverDocument::Claim claim, const CoverOptions& options) {
   if (!(options.width >= kLeastCoverWidth)) throw std::invalid_argument("the width is less than 1e-12");
   Triangulation base = one_vertex_triangulation(surface, std::nullopt);
-  CoverDocument document = cover(base, claim, options);
-  document.net = net_document(base, Length(std::ceil(document.value.upper) + 2));
+  {
+    CoverSearch search(base, claim, options, options.width / 4, CoverSearch::Climb::yes);
+    search.run();
+    move_to(base, search.summit());
+  }
+  CoverSearch search(base, claim, options, options.width * (1 - 1e-3), CoverSearch::Climb::no);
+  search.run();
+  CoverDocument document;
+  document.claim = claim;
+  document.net = net_document(base, Length(std::ceil(search.upper()) + 2));
+  // Lengths are rounded a few times; certify proves what comes out. It knows the value at the vertex within bounds of
+  // its own.
+  constexpr double kRounding = 2e-15;
+  const certify::Certificate certificate = certify::check(document.net);
+  if (certificate.verdict != certify::Verdict::verified) {
+    throw NetError("the triangulation with one vertex was not verified: " + certify::verdict_line(certificate));
+  }
+  const double proved = claim == CoverDocument::Claim::diameter ? certificate.enclosures->largest_circumradius.lower
+                                                                : certificate.enclosures->shortest_loop->lower / 2;
+  document.value = {std::min(search.lower() * (1 - kRounding), proved), search.upper() * (1 + kRounding)};
+  search.describe(document);
   return document;
 }
 
