@@ -19,9 +19,9 @@ inline constexpr double kLeastCoverWidth = 1e-12;
 
 /// How the maximum of a function over a surface is enclosed.
 struct CoverOptions {
-  double width = 1e-6;                   ///< Of the enclosure; at least kLeastCoverWidth.
-  std::uint64_t most_cells = 2'000'000;  ///< More are not made.
-  Progress progress = {};                ///< Called now and then, if given.
+  double width = 1e-6;                 ///< Of the enclosure; at least kLeastCoverWidth.
+  std::uint64_t most_cells = 200'000;  ///< More are not made.
+  Progress progress = {};              ///< Called now and then, if given.
 };
 
 /// The Delaunay triangulation with one vertex as a net with an ε above its largest circumradius, which is the
