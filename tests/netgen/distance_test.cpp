@@ -207,7 +207,7 @@ TEST(Distance, OnTheBolzaSurfaceIsSymmetricAndTheLeastThatWordsGive) {
                                               {Rational(3, 5), 0},
                                               {Rational(1, 3), Rational(1, 5)},
                                               {Rational(-3, 5), Rational(1, 7)},
-                                              {Rational(-1, 2), Rational(-1, 2)},
+                                              {Rational(-2, 5), Rational(-2, 5)},
                                               {Rational(1, 4), Rational(-3, 5)}};
   for (const Complex<Rational>& p : places) {
     for (const Complex<Rational>& q : places) {
