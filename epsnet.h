@@ -6,6 +6,7 @@
 /// certify/distances/distance_check.h and certify/file/reader.h and is linked with the library `epsnet_certify` alone.
 
 #include "certify/check.h"
+#include "certify/claim_check.h"
 #include "certify/distances/cover_check.h"
 #include "certify/distances/distance_check.h"
 #include "certify/document/cover_document.h"

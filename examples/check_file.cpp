@@ -12,13 +12,10 @@
 //   packing: VERIFIED
 //   VERIFIED: an epsilon-net
 
-#include <epsnet/certify/check.h>
-#include <epsnet/certify/distances/distance_check.h>
+#include <epsnet/certify/claim_check.h>
 #include <epsnet/certify/file/reader.h>
-#include <epsnet/certify/geodesics/geodesics_check.h>
 #include <exception>
 #include <iostream>
-#include <variant>
 
 namespace certify = epsnet::certify;
 
@@ -28,19 +25,12 @@ int main(int argc, char** argv) {
     return 64;
   }
   try {
-    // A net file, a geodesics file or a distance file, whichever it is. The reader is strict: what docs/format.md does
-    // not allow throws.
-    const auto document = certify::read_claim(argv[1]);
+    // A net file, a geodesics file, a distance file or a cover file, whichever it is. The reader is strict: what
+    // docs/format.md does not allow throws.
+    const certify::ClaimDocument document = certify::read_claim(argv[1]);
 
     // A document of whatever content gives a certificate.
-    certify::Certificate certificate;
-    if (const auto* net = std::get_if<certify::NetDocument>(&document)) certificate = certify::check(*net);
-    if (const auto* list = std::get_if<certify::GeodesicsDocument>(&document)) {
-      certificate = certify::check_geodesics(*list);
-    }
-    if (const auto* distance = std::get_if<certify::DistanceDocument>(&document)) {
-      certificate = certify::check_distance(*distance);
-    }
+    const certify::Certificate certificate = certify::check_claim(document);
 
     for (const certify::RuleReport& rule : certificate.rules) {
       std::cout << rule.rule << ": " << certify::name(rule.verdict) << '\n';

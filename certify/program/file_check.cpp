@@ -11,12 +11,9 @@
 #include <utility>
 #include <variant>
 
-#include "certify/check.h"
-#include "certify/distances/cover_check.h"
-#include "certify/distances/distance_check.h"
+#include "certify/claim_check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "certify/geodesics/geodesics_check.h"
 #include "certify/program/second_checker.h"
 
 namespace epsnet::certify::program {
@@ -56,26 +53,10 @@ std::string sha256(std::string_view bytes) {
   return text;
 }
 
-const NetDocument& net_of(const NetDocument& net) { return net; }
-const NetDocument& net_of(const GeodesicsDocument& document) { return document.net; }
-const NetDocument& net_of(const DistanceDocument& document) { return document.net; }
-const NetDocument& net_of(const CoverDocument& document) { return document.net; }
-
 void write(const NetDocument& net, std::ostream& out) { write_net(net, out); }
 void write(const GeodesicsDocument& document, std::ostream& out) { write_geodesics(document, out); }
 void write(const DistanceDocument& document, std::ostream& out) { write_distance(document, out); }
 void write(const CoverDocument& document, std::ostream& out) { write_cover(document, out); }
-
-Certificate certificate_of(const NetDocument& net, const CheckOptions& options) { return check(net, options); }
-Certificate certificate_of(const GeodesicsDocument& document, const CheckOptions& options) {
-  return check_geodesics(document, options);
-}
-Certificate certificate_of(const DistanceDocument& document, const CheckOptions& options) {
-  return check_distance(document, options);
-}
-Certificate certificate_of(const CoverDocument& document, const CheckOptions& options) {
-  return check_cover(document, options);
-}
 
 /// What the second checker says of the bytes, and what follows from it.
 void add_second_opinion(FileReport& report, std::string_view bytes) {
@@ -108,7 +89,7 @@ FileReport check_file(const Request& request, const std::string& path) {
     if (request.exact || bytes.size() <= kBytesCheckedTwice) add_second_opinion(report, bytes);
     return report;
   }
-  const NetDocument& net = std::visit([](const auto& claim) -> const NetDocument& { return net_of(claim); }, document);
+  const NetDocument& net = net_of(document);
   if (request.print_parsed) std::visit([](const auto& claim) { write(claim, std::cout); }, document);
   const bool twice =
       request.exact || (net.triangles.size() <= kTrianglesCheckedTwice && bytes.size() <= kBytesCheckedTwice);
@@ -116,7 +97,7 @@ FileReport check_file(const Request& request, const std::string& path) {
   Progress progress;
   CheckOptions options = request.options;
   options.progress = [&](std::string_view rule, double share) { progress.show(rule, share); };
-  report.certificate = std::visit([&](const auto& claim) { return certificate_of(claim, options); }, document);
+  report.certificate = check_claim(document, options);
   report.is_claim = report.certificate.verdict != Verdict::malformed;
   if (twice) {
     progress.show("second checker", 0);

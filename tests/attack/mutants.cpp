@@ -19,11 +19,10 @@
 #include <variant>
 #include <vector>
 
-#include "certify/check.h"
+#include "certify/claim_check.h"
 #include "certify/exact/checker.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "certify/geodesics/geodesics_check.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
@@ -81,7 +80,9 @@ Base net(const std::string& name, const Surface& surface, const char* epsilon, u
   return base(name + ", epsilon " + epsilon, certified_net(surface, Length(epsilon), options).net, weight);
 }
 Base file(const std::string& path, unsigned weight = 1) {
-  return base(path, certify::read_claim(EPSNET_TEST_DATA "/" + path), weight);
+  const certify::ClaimDocument document = certify::read_claim(EPSNET_TEST_DATA "/" + path);
+  const auto* geodesics = std::get_if<GeodesicsDocument>(&document);
+  return base(path, geodesics != nullptr ? Document(*geodesics) : Document(std::get<NetDocument>(document)), weight);
 }
 Surface polygon(const std::string& name) { return import_surface_file(EPSNET_TEST_DATA "/polygons/" + name + ".txt"); }
 Surface cuffs(const PantsGraph& graph, const std::vector<const char*>& lengths) {
@@ -258,9 +259,7 @@ Opinion ask_certify(const std::string& text) {
   try {
     const auto document = certify::parse_claim(text, "mutant");
     const certify::CheckOptions options{.threads = 1, .max_precision = 4096};
-    const auto* geodesics = std::get_if<GeodesicsDocument>(&document);
-    const certify::Certificate c = geodesics != nullptr ? certify::check_geodesics(*geodesics, options)
-                                                        : certify::check(std::get<NetDocument>(document), options);
+    const certify::Certificate c = certify::check_claim(document, options);
     return {c.verdict, c.rule, c.message};
   } catch (const certify::MalformedError& error) {
     return {Verdict::malformed, "", error.what()};

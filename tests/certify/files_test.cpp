@@ -3,9 +3,8 @@
 #include <set>
 #include <string>
 
-#include "certify/check.h"
+#include "certify/claim_check.h"
 #include "certify/file/reader.h"
-#include "certify/geodesics/geodesics_check.h"
 
 /// Every file under tests/data/certify/VERDICT has that verdict; refuted and undecided ones are named RULE-defect.
 namespace epsnet::certify {
@@ -19,12 +18,7 @@ std::vector<std::filesystem::path> files(const std::string& verdict) {
   return result;
 }
 
-Certificate check_file(const std::filesystem::path& path) {
-  const auto claim = read_claim(path);
-  const auto* geodesics = std::get_if<GeodesicsDocument>(&claim);
-  return geodesics != nullptr ? check_geodesics(*geodesics, {.threads = 2})
-                              : check(std::get<NetDocument>(claim), {.threads = 2});
-}
+Certificate check_file(const std::filesystem::path& path) { return check_claim(read_claim(path), {.threads = 2}); }
 
 void expect_verdict(const std::string& folder, Verdict verdict, std::size_t at_least, bool named_by_rule) {
   const auto paths = files(folder);

@@ -20,10 +20,9 @@
 #include <unistd.h>
 #include <vector>
 
-#include "certify/check.h"
+#include "certify/claim_check.h"
 #include "certify/exact/checker.h"
 #include "certify/file/reader.h"
-#include "certify/geodesics/geodesics_check.h"
 
 /// Runs the tests of this program against mutants, each in a process of its own (a fork: no start, no loading).
 ///
@@ -70,10 +69,7 @@ class CertifyFile : public testing::Test {
   void TestBody() override {
     certify::Certificate certificate;
     try {
-      const auto claim = certify::read_claim(expected_.path);
-      const auto* geodesics = std::get_if<certify::GeodesicsDocument>(&claim);
-      certificate = geodesics != nullptr ? check_geodesics(*geodesics, {.threads = 1})
-                                         : certify::check(std::get<certify::NetDocument>(claim), {.threads = 1});
+      certificate = certify::check_claim(certify::read_claim(expected_.path), {.threads = 1});
     } catch (const certify::MalformedError& error) {
       certificate.verdict = certify::Verdict::malformed;
       certificate.message = error.what();

@@ -1,0 +1,26 @@
+#include "certify/claim_check.h"
+
+#include <variant>
+
+#include "certify/check.h"
+#include "certify/distances/cover_check.h"
+#include "certify/distances/distance_check.h"
+#include "certify/geodesics/geodesics_check.h"
+
+namespace epsnet::certify {
+
+Certificate check_claim(const ClaimDocument& document, const CheckOptions& options) {
+  if (const auto* geodesics = std::get_if<GeodesicsDocument>(&document)) return check_geodesics(*geodesics, options);
+  if (const auto* distance = std::get_if<DistanceDocument>(&document)) return check_distance(*distance, options);
+  if (const auto* cover = std::get_if<CoverDocument>(&document)) return check_cover(*cover, options);
+  return check(std::get<NetDocument>(document), options);
+}
+
+const NetDocument& net_of(const ClaimDocument& document) {
+  if (const auto* geodesics = std::get_if<GeodesicsDocument>(&document)) return geodesics->net;
+  if (const auto* distance = std::get_if<DistanceDocument>(&document)) return distance->net;
+  if (const auto* cover = std::get_if<CoverDocument>(&document)) return cover->net;
+  return std::get<NetDocument>(document);
+}
+
+}  // namespace epsnet::certify
