@@ -1,0 +1,21 @@
+#include <cstdint>
+#include <cstdlib>
+#include <sstream>
+
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+
+/// Any bytes are a cover file or a MalformedError; what is written reads back the same.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace epsnet::certify;
+  CoverDocument document;
+  try {
+    document = parse_cover({reinterpret_cast<const char*>(data), size}, "input");
+  } catch (const MalformedError&) {
+    return 0;
+  }
+  std::ostringstream out;
+  write_cover(document, out);
+  if (parse_cover(out.str(), "written") != document) std::abort();
+  return 0;
+}

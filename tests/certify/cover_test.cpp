@@ -1,0 +1,368 @@
+#include <cmath>
+#include <functional>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "certify/distances/cover_check.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+
+/// Cover files. Each rule is broken by a file in which nothing else is wrong.
+namespace epsnet::certify {
+namespace {
+
+using testing::HasSubstr;
+using Claim = CoverDocument::Claim;
+
+CoverDocument load(const std::string& name) {
+  return read_cover(std::string(EPSNET_TEST_DATA) + "/covers/" + name + ".json");
+}
+
+/// The diameter of the regular surface of genus 2, to all digits.
+CoverDocument regular() { return load("regular-diameter"); }
+/// The diameter of a random octagon, to within 1/2.
+CoverDocument octagon() { return load("octagon-diameter"); }
+/// The largest embedded disk of the same, to within 1/100.
+CoverDocument disk() { return load("octagon-embedded-disk"); }
+
+std::vector<CoverDocument> all_files() { return {regular(), octagon(), disk()}; }
+
+/// arcosh(cot²(π/8)): from the centre of the octagon to its corner.
+double regular_diameter() { return std::acosh(std::pow(std::tan(std::numbers::pi / 8), -2)); }
+
+Certificate checked(const CoverDocument& document) { return check_cover(document, {.threads = 2}); }
+
+/// "VERDICT", or "VERDICT: rule".
+std::string outcome(const CoverDocument& document) {
+  const Certificate certificate = checked(document);
+  return std::string(name(certificate.verdict)) + (certificate.rule.empty() ? "" : ": " + certificate.rule);
+}
+
+std::string written(const CoverDocument& document) {
+  std::ostringstream out;
+  write_cover(document, out);
+  return out.str();
+}
+
+/// How many of the documents that `change` makes, one for every leaf, are refuted by the rule `cells`; all others are
+/// verified.
+std::size_t refuted_by_cells(const CoverDocument& document,
+                             const std::function<std::vector<std::uint32_t>(std::uint32_t)>& others) {
+  std::size_t refuted = 0;
+  for (std::size_t t = 0; t < document.cells.size(); ++t) {
+    for (std::size_t i = 0; i < document.cells[t].size(); ++i) {
+      const std::uint32_t leaf = document.cells[t][i];
+      if (leaf < 3) continue;
+      for (const std::uint32_t other : others(leaf)) {
+        CoverDocument changed = document;
+        changed.cells[t][i] = other;
+        const Certificate certificate = checked(changed);
+        if (certificate.verdict == Verdict::verified) continue;
+        EXPECT_EQ(certificate.verdict, Verdict::refuted);
+        EXPECT_EQ(certificate.rule, "cells");
+        EXPECT_THAT(certificate.message, HasSubstr("of triangle " + std::to_string(t) + " has a corner where"));
+        ++refuted;
+      }
+    }
+  }
+  return refuted;
+}
+
+TEST(Cover, FilesAreVerifiedByTheRulesOfTheNetAndThreeMore) {
+  for (const CoverDocument& document : all_files()) {
+    const Certificate certificate = checked(document);
+    EXPECT_EQ(certificate.verdict, Verdict::verified) << certificate.message;
+    ASSERT_EQ(certificate.rules.size(), 10U);
+    EXPECT_EQ(certificate.rules[7].rule, "lower");
+    EXPECT_EQ(certificate.rules[8].rule, "triangulations");
+    EXPECT_EQ(certificate.rules[9].rule, "cells");
+    const bool diameter = document.claim == Claim::diameter;
+    EXPECT_EQ(certificate.claim, std::string(diameter ? "the diameter" : "the radius of the largest embedded disk") +
+                                     " lies in " + to_string(document.value));
+  }
+  EXPECT_LT(regular().value.lower, regular_diameter());
+  EXPECT_GT(regular().value.upper, regular_diameter());
+}
+
+TEST(Cover, ANetThatIsNotValidIsRefutedByItsOwnRule) {
+  CoverDocument document = regular();
+  document.net.epsilon = "0.1";
+  EXPECT_EQ(outcome(document), "REFUTED: covering");
+}
+
+TEST(Cover, ALowerBoundAboveTheValueAtTheVertexIsRefuted) {
+  for (CoverDocument document : all_files()) {
+    document.value.lower += 1e-12;
+    document.value.upper += 1e-12;
+    EXPECT_EQ(outcome(document), "REFUTED: lower");
+  }
+}
+
+TEST(Cover, AnUpperBoundBelowThatOfACellIsRefuted) {
+  for (CoverDocument document : all_files()) {
+    document.value.lower -= 1e-6;
+    document.value.upper -= 1e-9;
+    EXPECT_EQ(outcome(document), "REFUTED: cells");
+    document.value.upper = document.value.lower;
+    EXPECT_EQ(outcome(document), "REFUTED: cells");
+  }
+}
+
+TEST(Cover, WiderBoundsHold) {
+  for (CoverDocument document : all_files()) {
+    document.value.lower = std::numeric_limits<double>::denorm_min();
+    document.value.upper += 1;
+    EXPECT_EQ(outcome(document), "VERIFIED");
+  }
+}
+
+TEST(Cover, ACellWithTheTriangulationOfTheNetMayBeRefuted) {
+  const auto net = [](std::uint32_t leaf) {
+    return leaf == 3 ? std::vector<std::uint32_t>{} : std::vector<std::uint32_t>{3};
+  };
+  // On the regular surface hardly any cell is bounded to all digits by a triangulation that is not its own.
+  EXPECT_GT(refuted_by_cells(regular(), net), 30U);
+  EXPECT_GT(refuted_by_cells(octagon(), net), 10U);
+}
+
+TEST(Cover, ACellWithAnotherDartMayBeRefuted) {
+  const auto darts = static_cast<std::uint32_t>(3 * disk().net.triangles.size());
+  const auto others = [&](std::uint32_t leaf) {
+    std::vector<std::uint32_t> result;
+    const std::uint32_t first = leaf - (leaf - 3) % darts;
+    for (std::uint32_t dart = 0; dart < darts; ++dart) {
+      if (first + dart != leaf) result.push_back(first + dart);
+    }
+    return result;
+  };
+  std::size_t leaves = 0;
+  for (const auto& row : disk().cells) {
+    for (const std::uint32_t entry : row) leaves += entry >= 3 ? 1 : 0;
+  }
+  // The dart on the other side of the edge does it too; most of the sixteen others do not.
+  EXPECT_GT(refuted_by_cells(disk(), others), 8 * leaves);
+}
+
+TEST(Cover, AFlipThatIsLeftOutIsRefuted) {
+  for (const CoverDocument& document : all_files()) {
+    std::size_t refuted = 0;
+    for (std::size_t k = 0; k < document.triangulations.size(); ++k) {
+      for (std::size_t i = 0; i < document.triangulations[k].flips.size(); ++i) {
+        CoverDocument without = document;
+        auto& flips = without.triangulations[k].flips;
+        flips.erase(flips.begin() + static_cast<std::ptrdiff_t>(i));
+        const std::string found = outcome(without);
+        if (found == "VERIFIED") continue;
+        EXPECT_EQ(found, "REFUTED: cells");
+        ++refuted;
+      }
+    }
+    EXPECT_GT(refuted, document.triangulations.size() / 2);
+  }
+}
+
+/// A triangle that is glued to itself would leave a corner alone, a second vertex.
+TEST(Cover, OfATriangulationWithOneVertexEveryDartCanBeFlipped) {
+  std::mt19937 random(7);
+  for (CoverDocument document : all_files()) {
+    const auto darts = static_cast<std::uint32_t>(3 * document.net.triangles.size());
+    for (int row = 0; row < 20; ++row) {
+      std::vector<std::uint32_t> flips;
+      for (int i = 0; i < 100; ++i) flips.push_back(static_cast<std::uint32_t>(random()) % darts);
+      document.triangulations.push_back({static_cast<std::uint32_t>(document.triangulations.size()), flips});
+    }
+    EXPECT_EQ(check_cover(document, {.threads = 2, .max_work = std::uint64_t{1} << 50}).verdict, Verdict::verified);
+  }
+}
+
+/// Two flips of an edge turn it by half a turn; so four are none, whatever follows.
+TEST(Cover, FourFlipsOfAnEdgeAreNone) {
+  for (const CoverDocument& document : all_files()) {
+    const auto darts = static_cast<std::uint32_t>(3 * document.net.triangles.size());
+    CoverDocument turned = document;
+    for (std::size_t k = 0; k < turned.triangulations.size(); ++k) {
+      auto& flips = turned.triangulations[k].flips;
+      flips.insert(flips.begin(), 4, static_cast<std::uint32_t>(k) % darts);
+    }
+    EXPECT_EQ(outcome(turned), "VERIFIED");
+  }
+}
+
+TEST(Cover, ClaimsThatAreExchangedAreNotVerified) {
+  for (CoverDocument document : {regular(), octagon()}) {
+    document.claim = Claim::embedded_disk;
+    EXPECT_EQ(outcome(document), "REFUTED: lower");
+  }
+  CoverDocument document = disk();
+  document.claim = Claim::diameter;
+  EXPECT_EQ(outcome(document), "MALFORMED: structure");
+  // With leaves that exist it is the radius that is too small.
+  for (auto& row : document.cells) row = {3};
+  EXPECT_EQ(outcome(document), "REFUTED: cells");
+}
+
+/// Whatever is changed, what is verified is true.
+TEST(Cover, NoChangeMakesAFalseClaimVerified) {
+  std::mt19937 random(1);
+  const auto below = [&](std::size_t bound) { return static_cast<std::uint32_t>(random() % bound); };
+  const CoverDocument good = regular();
+  std::size_t verified = 0;
+  for (int run = 0; run < 500; ++run) {
+    CoverDocument document = good;
+    for (std::uint32_t changes = 1 + below(3); changes > 0; --changes) {
+      auto& cells = document.cells[below(document.cells.size())];
+      auto& row = document.triangulations[below(document.triangulations.size())];
+      switch (below(5)) {
+        case 0:
+          cells[below(cells.size())] = 3 + below(document.triangulations.size() + 1);
+          break;
+        case 1:
+          cells[below(cells.size())] = below(3);
+          break;
+        case 2:
+          row.flips.insert(row.flips.begin() + below(row.flips.size() + 1), below(18));
+          break;
+        case 3:
+          row.parent = below(document.triangulations.size());
+          break;
+        default: {
+          const double shift = std::ldexp(below(3) - 1.0, -static_cast<int>(below(50)));
+          (below(2) == 0 ? document.value.lower : document.value.upper) += shift;
+        }
+      }
+    }
+    if (checked(document).verdict != Verdict::verified) continue;
+    ++verified;
+    EXPECT_LT(document.value.lower, regular_diameter());
+    EXPECT_GT(document.value.upper, regular_diameter());
+  }
+  EXPECT_GT(verified, 10U);
+}
+
+TEST(Cover, ThreadsDoNotMatter) {
+  for (const CoverDocument& document : all_files()) {
+    const Certificate one = check_cover(document, {.threads = 1});
+    const Certificate three = check_cover(document, {.threads = 3});
+    ASSERT_EQ(one.rules.size(), three.rules.size());
+    for (std::size_t i = 0; i < one.rules.size(); ++i) EXPECT_EQ(to_string(one.rules[i]), to_string(three.rules[i]));
+    EXPECT_EQ(one.counts.work, three.counts.work);
+  }
+}
+
+TEST(Cover, TooLittleWorkOrPrecisionIsUndecided) {
+  for (const CoverDocument& document : all_files()) {
+    const std::uint64_t all = checked(document).counts.work;
+    EXPECT_EQ(check_cover(document, {.threads = 2, .max_work = all}).verdict, Verdict::verified);
+    for (const std::uint64_t work : {all - 1, all / 2, all / 10, std::uint64_t{1000}}) {
+      EXPECT_EQ(check_cover(document, {.threads = 2, .max_work = work}).verdict, Verdict::undecided) << work;
+    }
+  }
+}
+
+TEST(Cover, MalformedDocuments) {
+  const auto complaint = [](const CoverDocument& good, const std::function<void(CoverDocument&)>& change) {
+    CoverDocument document = good;
+    change(document);
+    const Certificate certificate = checked(document);
+    EXPECT_EQ(certificate.verdict, Verdict::malformed);
+    EXPECT_EQ(certificate.rule, "structure");
+    // The reader refuses what is written of it, with the same words.
+    std::ostringstream out;
+    write_cover(document, out);
+    try {
+      (void)parse_cover(out.str(), "test");
+      ADD_FAILURE() << "read: " << certificate.message;
+    } catch (const MalformedError& error) {
+      EXPECT_EQ(error.what(), "test: " + certificate.message);
+    }
+    return certificate.message;
+  };
+  using Document = CoverDocument;
+  for (const CoverDocument& good : all_files()) {
+    const std::size_t rows = good.triangulations.size();
+    const std::size_t triangles = good.net.triangles.size();
+    const auto bounds =
+        static_cast<std::uint32_t>((rows + 1) * (good.claim == Claim::embedded_disk ? 3 * triangles : 1));
+    EXPECT_THAT(complaint(good, [](Document& d) { d.net.vertices.push_back(d.net.vertices[0]); }),
+                HasSubstr("net: 2 vertices, expected one"));
+    EXPECT_THAT(complaint(good, [](Document& d) { d.net.collars.emplace(); }), HasSubstr("net: collars, a pseudo net"));
+    EXPECT_THAT(complaint(good, [](Document& d) { d.net.vertices[0].x = 2; }), HasSubstr("vertices[0]"));
+    for (const Interval wrong : {Interval{2, 1}, {0, 1}, {-1, 1}, {0, 0}}) {
+      EXPECT_THAT(complaint(good, [&](Document& d) { d.value = wrong; }),
+                  HasSubstr("value: " + to_string(wrong) + " is not 0 < lo <= hi"));
+    }
+    EXPECT_THAT(complaint(good, [](Document& d) { d.triangulations[0].parent = 1; }),
+                HasSubstr("triangulations[0]: is made from number 1, expected one before its own, 1"));
+    EXPECT_THAT(complaint(good, [](Document& d) { d.triangulations[4].parent = 7; }),
+                HasSubstr("triangulations[4]: is made from number 7, expected one before its own, 5"));
+    EXPECT_THAT(complaint(good, [](Document& d) { d.triangulations[2].flips.push_back(18); }),
+                HasSubstr("triangulations[2]: dart 18 does not exist"));
+    EXPECT_THAT(complaint(good, [](Document& d) { d.cells.pop_back(); }),
+                HasSubstr("cells: 5 elements, expected one for each of the 6 triangles"));
+    EXPECT_THAT(complaint(good, [](Document& d) { d.cells.push_back({3}); }), HasSubstr("cells: 7 elements"));
+    EXPECT_THAT(complaint(good, [](Document& d) { d.cells[1].push_back(3); }),
+                HasSubstr("cells[1]: more numbers than the subdivision has"));
+    EXPECT_THAT(complaint(good, [](Document& d) { d.cells[3].pop_back(); }),
+                HasSubstr("cells[3]: the subdivision ends early, 1 cells are missing"));
+    EXPECT_THAT(complaint(good, [](Document& d) { d.cells[0].back() = 0; }),
+                HasSubstr("cells[0]: the subdivision ends early, 2 cells are missing"));
+    EXPECT_THAT(complaint(good, [](Document& d) { d.cells[2].clear(); }), HasSubstr("cells[2]"));
+    EXPECT_THAT(complaint(good, [&](Document& d) { d.cells[5].back() = 3 + bounds; }),
+                HasSubstr("cells[5]: " + std::to_string(3 + bounds) + " names nothing that bounds a cell"));
+    EXPECT_THAT(complaint(good, [&](Document& d) { d.cells[5].back() = ~std::uint32_t{0}; }), HasSubstr("cells[5]"));
+  }
+}
+
+TEST(Cover, InfiniteOrUnorderedBoundsAreMalformed) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const Interval wrong : {Interval{1, kInfinity}, {std::nan(""), 3}, {1, std::nan("")}}) {
+    CoverDocument document = regular();
+    document.value = wrong;
+    EXPECT_EQ(outcome(document), "MALFORMED: structure");
+  }
+}
+
+TEST(CoverFile, WhatIsWrittenIsRead) {
+  for (const CoverDocument& document : all_files()) {
+    EXPECT_EQ(parse_cover(written(document), "test"), document);
+    EXPECT_EQ(std::get<CoverDocument>(parse_claim(written(document), "test")), document);
+  }
+}
+
+TEST(CoverFile, HasExactlyItsMembers) {
+  const std::string text = written(octagon());
+  const auto complaint = [&](const std::string& old, const std::string& by) -> std::string {
+    std::string changed = text;
+    const std::size_t place = changed.find(old);
+    EXPECT_NE(place, std::string::npos) << old;
+    changed.replace(place, old.size(), by);
+    try {
+      (void)parse_cover(changed, "test");
+    } catch (const MalformedError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(complaint("\"claim\":\"diameter\"", "\"claim\":\"embedded-disk\""), "");
+  EXPECT_THAT(complaint("\"claim\":\"diameter\"", "\"claim\":\"radius\""),
+              HasSubstr("claim: \"radius\" is no claim, expected \"diameter\" or \"embedded-disk\""));
+  EXPECT_THAT(complaint("\"claim\":\"diameter\",\n", ""), HasSubstr("missing member \"claim\""));
+  EXPECT_THAT(complaint("\"claim\"", "\"claim\":\"diameter\",\"claim\""), HasSubstr("repeated member"));
+  EXPECT_THAT(complaint("\"claim\"", "\"p\":0,\"claim\""), HasSubstr("unknown member \"p\""));
+  EXPECT_THAT(complaint("\"value\":[", "\"value\":[0,"), HasSubstr("value: too many elements"));
+  EXPECT_THAT(complaint("\"triangulations\":[\n[", "\"triangulations\":[\n[],["),
+              HasSubstr("triangulations[0]: no element, expected the number of a triangulation, and darts"));
+  EXPECT_THAT(complaint("\"triangulations\":[\n[0", "\"triangulations\":[\n[-1"), HasSubstr("triangulations[0]"));
+  EXPECT_THAT(complaint("\"cells\":[\n[", "\"cells\":[\n[1.5,"), HasSubstr("cells[0]"));
+  EXPECT_THAT(complaint("\"epsnet-cover\"", "\"epsnet-distance\""), HasSubstr("format"));
+  EXPECT_THAT(complaint("\"version\":1", "\"version\":2"), HasSubstr("version 2 is not a version"));
+}
+
+}  // namespace
+}  // namespace epsnet::certify
