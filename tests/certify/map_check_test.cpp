@@ -44,12 +44,14 @@ TEST(MapCheck, TheFirstWrongOppositeIsNamed) {
         NetDocument document = good;
         document.triangles[dart / 3].opposite[dart % 3] = wrong;
         const std::string one_way = first_culprit(document);
-        if (!one_way.empty())
+        if (!one_way.empty()) {
           EXPECT_TRUE(says(check_map(document, 2), one_way)) << one_way << '\n' << check_map(document, 2).text;
+        }
         document.triangles[wrong / 3].opposite[wrong % 3] = dart;
         const std::string both_ways = first_culprit(document);
-        if (!both_ways.empty())
+        if (!both_ways.empty()) {
           EXPECT_TRUE(says(check_map(document, 2), both_ways)) << both_ways << '\n' << check_map(document, 2).text;
+        }
       }
       // An edge folded on itself: both its darts are their own opposites.
       NetDocument document = good;
@@ -67,8 +69,9 @@ TEST(MapCheck, TheFirstWrongCornerIsNamed) {
     for (const std::uint32_t wrong : {0U, 8U}) {
       NetDocument document = good;
       document.triangles[dart / 3].vertex[dart % 3] = wrong;
-      if (start(good, dart) != wrong)
+      if (start(good, dart) != wrong) {
         EXPECT_TRUE(says(check_map(document, 2), first_culprit(document))) << check_map(document, 2).text;
+      }
     }
   }
 }
