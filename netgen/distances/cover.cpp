@@ -351,6 +351,17 @@ Triangulation one_vertex_triangulation(const Surface& surface, const std::option
   return result;
 }
 
+/// The Delaunay triangulation with one vertex as a net with an ε above the eccentricity.
+certify::NetDocument net_above_eccentricity(Triangulation& triangulation) {
+  EdgeElements elements;
+  const VertexTriangulation map = vertex_triangulation(triangulation, elements);
+  const LorentzVector<EdgeElements::Number> place =
+      on_hyperboloid(convert<EdgeElements::Number>(triangulation.vertex(0).z));
+  Frame frame(elements, place);
+  const double eccentricity = length_of(PlacedTriangulation(map, frame, frame.point(place)).largest_enclosure());
+  return net_document(triangulation, Length(std::ceil(eccentricity) + 2));
+}
+
 CoverDocument cover(const Surface& surface, CoverDocument::Claim claim, const CoverOptions& options) {
   if (!(options.width >= kLeastCoverWidth)) throw std::invalid_argument("the width is less than 1e-12");
   Triangulation base = one_vertex_triangulation(surface, std::nullopt);
@@ -363,7 +374,7 @@ CoverDocument cover(const Surface& surface, CoverDocument::Claim claim, const Co
   search.run();
   CoverDocument document;
   document.claim = claim;
-  document.net = net_document(base, Length(std::ceil(search.upper()) + 2));
+  document.net = net_above_eccentricity(base);
   // Lengths are rounded a few times; certify proves what comes out. It knows the value at the vertex within bounds of
   // its own.
   constexpr double kRounding = 2e-15;
@@ -382,13 +393,7 @@ CoverDocument cover(const Surface& surface, CoverDocument::Claim claim, const Co
 
 certify::NetDocument eccentricity_net(const Surface& surface, const BasePoint& vertex) {
   Triangulation triangulation = one_vertex_triangulation(surface, vertex);
-  EdgeElements elements;
-  const VertexTriangulation map = vertex_triangulation(triangulation, elements);
-  const LorentzVector<EdgeElements::Number> place =
-      on_hyperboloid(convert<EdgeElements::Number>(triangulation.vertex(0).z));
-  Frame frame(elements, place);
-  const double eccentricity = length_of(PlacedTriangulation(map, frame, frame.point(place)).largest_enclosure());
-  return net_document(triangulation, Length(std::ceil(eccentricity) + 2));
+  return net_above_eccentricity(triangulation);
 }
 
 CoverDocument diameter(const Surface& surface, const CoverOptions& options) {
