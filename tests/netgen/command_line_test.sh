@@ -12,7 +12,14 @@ good spectrum s.json --up-to 3 -o spectrum.json
 good dirichlet s.json -o domain.json
 good distance s.json 0,0.1,-1/3 0 -o distance.json
 verified distance.json
+good diameter s.json --width 0.1 -o diameter.json
+verified diameter.json
+good embedded-disk s.json --width 0.1 -o disk.json
+verified disk.json
+good eccentricity s.json 0,0.1,-1/3 -o eccentricity.json
+verified eccentricity.json
 good surface octagon --coordinates 5/6,0,0.6,0.6,0,5/6,-0.6,0.6 -o symmetric.json
+good surface regular --genus 2 -o regular.json
 echo '{"genus": 3, "seed": 3}' >request.json
 triangulation="$data/triangulations/triangulation-g2-e0.2.txt"
 polygon="$data/polygons/polygon-g3-rnd0.txt"
@@ -246,6 +253,9 @@ json '^{"file":"dirichlet","sides":18,"ties":0,' dirichlet s.json -o x.json --js
 json '^{"file":"distance","distance":\[0.72635597917927[0-9]*,0.72635597917927[0-9]*\],"equal":true,"paths":\[\[\]\]}$' info --json distance.json
 json '^{"verdict":"VERIFIED","distance":\[0.72635597917927[0-9]*,0.72635597917927[0-9]*\],"equal":true,"paths":\[\[\]\]}$' distance s.json 0,0.1,-1/3 0,0,0 --json
 json '^{"verdict":"VERIFIED","distance":\[0.0,0.0\],"equal":true,"paths":\[\[\]\]}$' distance net.json v3 v3 --json
+json '^{"verdict":"VERIFIED","diameter":\[2.44845244767[0-9]*,2.44845244767[0-9]*\],"cells":[0-9]*,"triangulations":[0-9]*}$' diameter regular.json --json
+json '^{"verdict":"VERIFIED","embedded_disk_radius":\[1.5[0-9]*,1.[56][0-9]*\],"cells":[0-9]*,"triangulations":[0-9]*}$' embedded-disk regular.json --width 0.1 --json
+json '^{"verdict":"VERIFIED","eccentricity":\[2.44845244767[0-9]*,2.44845244767[0-9]*\]}$' eccentricity regular.json 0 --json
 json '^{"verdict":"VERIFIED"}$' view net.json -o x.html --json
 json '^{"file":"surface","genus":2,' surface octagon --seed 1 -o x.json --json
 json '"regular":true,' surface regular --genus 2 -o x.json --json
@@ -342,6 +352,16 @@ bad 64 '^epsnet: --width: expected a positive number' distance s.json 0 0 --widt
 bad 1 'wider than 1e-17' distance s.json 0 0,0.1,0 --width 1e-17
 bad 1 'both points are on the boundary' distance symmetric.json 0,5/6,0 0,0.6,0.6
 bad 1 'expected a surface file or a net file' distance systole.json 0 0
+for command in diameter embedded-disk; do
+  for width in 0 -1 nan 0.1,0.2; do
+    bad 64 '^epsnet: --width: expected a positive number' "$command" s.json "--width=$width" -o out/x.json
+  done
+  bad 64 '^epsnet: --width: less than the least width, 1e-12' "$command" s.json --width 1e-13 -o out/x.json
+  bad 1 'expected "epsnet-surface"' "$command" systole.json -o out/x.json
+done
+bad 64 '^epsnet: P: expected a tile and a point of it, as in 0,1/10,-0.25, or a tile alone, not "0,nan,0"' eccentricity s.json 0,nan,0 -o out/x.json
+bad 1 '^epsnet: .*point is in tile 1, the surface has 1 tiles' eccentricity s.json 1,0,0 -o out/x.json
+bad 1 '^epsnet: .*point is not strictly inside of tile 0: ' eccentricity s.json 0,0.9,0.3 -o out/x.json
 
 # What is given is checked before a seed is asked for, and named as the option is.
 bad 64 '^epsnet: --genus: .*at least 2' surface fenchel-nielsen --genus 1 -o out/x.json

@@ -1,0 +1,252 @@
+#include "netgen/distances/cover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <numbers>
+#include <rapidcheck/gtest.h>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "certify/check.h"
+#include "certify/distances/cover_check.h"
+#include "kernel/plane.h"
+#include "netgen/distances/distance.h"
+#include "netgen/nets/net_options.h"
+#include "netgen/surfaces/octagon.h"
+#include "tests/support/triangulations.h"
+
+namespace epsnet {
+namespace {
+
+using certify::CoverDocument;
+using certify::Interval;
+using test::any_index;
+using test::any_share;
+using testing::HasSubstr;
+
+/// The outcome of the checker; "VERIFIED" if all is well.
+std::string verdict(const CoverDocument& document) {
+  return certify::verdict_line(certify::check_cover(document, {.threads = 1, .max_work = std::uint64_t{1} << 50}));
+}
+
+/// A random point strictly inside of a random tile.
+BasePoint any_place(const Surface& surface) {
+  const std::uint32_t tile = any_index(static_cast<std::uint32_t>(surface.tiles().size()));
+  const Complex<Rational> centre = centre_of_tile(surface, tile).z;
+  const Tile& corners = surface.tiles()[tile];
+  // Towards a corner, in the Klein model, where tiles are convex.
+  const Complex<double> corner = to_klein(convert<double>(corners[any_index(corners.size())]));
+  const auto share = 0.95 * any_share();
+  const Complex<double> place = from_klein((1 - share) * to_klein(convert<double>(centre)) + share * corner);
+  BasePoint point{tile, {Rational(place.x), Rational(place.y)}};
+  try {
+    require_inside(surface, point);
+  } catch (const SurfaceError&) {
+    point.z = centre;  // A tile as thin as that.
+  }
+  return point;
+}
+
+/// What the certificate of the net with the one vertex p says of it.
+struct AtPoint {
+  Interval eccentricity;
+  Interval injectivity_radius;
+};
+
+AtPoint at_point(const Surface& surface, const BasePoint& p) {
+  const certify::Certificate certificate = certify::check(eccentricity_net(surface, p), {.threads = 1});
+  EXPECT_EQ(certify::verdict_line(certificate), "VERIFIED");
+  const Interval loop = *certificate.enclosures->shortest_loop;
+  return {certificate.enclosures->largest_circumradius, {loop.lower / 2, loop.upper / 2}};
+}
+
+bool overlap(Interval a, Interval b) { return a.lower <= b.upper && b.lower <= a.upper; }
+
+/// The same surface, its octagon turned by an angle whose half has the tangent 1/2.
+Surface turned(const Surface& octagon) {
+  Tile tile;
+  const Complex<Rational> turn{Rational(3, 5), Rational(4, 5)};
+  for (const Complex<Rational>& z : octagon.tiles()[0]) tile.push_back(turn * z);
+  return Surface({tile}, {{0, 0, 0, 4}, {0, 1, 0, 5}, {0, 2, 0, 6}, {0, 3, 0, 7}});
+}
+
+/// The octagon cut into a quadrilateral, a pentagon and a triangle.
+Surface in_three_tiles(const Surface& octagon) {
+  const Tile& z = octagon.tiles()[0];
+  return Surface({{z[0], z[1], z[2], z[3]}, {z[0], z[3], z[4], z[5], z[6]}, {z[0], z[6], z[7]}},
+                 {{0, 3, 1, 0},  // The diagonals,
+                  {1, 4, 2, 0},
+                  {0, 0, 1, 2},  // and sides k and k + 4.
+                  {0, 1, 1, 3},
+                  {0, 2, 2, 1},
+                  {1, 1, 2, 2}});
+}
+
+/// From the centre of a regular 4g-gon to its corner (the diameter of the regular surface).
+double regular_diameter(std::uint32_t genus) {
+  return std::acosh(std::pow(std::tan(std::numbers::pi / (4 * genus)), -2));
+}
+
+/// Bavard's bound: cosh r ≤ 1/(2 sin(π/(12g − 6))).
+double bavard(std::uint32_t genus) { return std::acosh(1 / (2 * std::sin(std::numbers::pi / (12 * genus - 6)))); }
+
+TEST(Diameter, OfARegularSurfaceIsFromTheCentreToTheCorner) {
+  for (const std::uint32_t genus : {2u, 3u, 5u}) {
+    const CoverDocument document = diameter(Surface::regular(genus));
+    EXPECT_EQ(document.claim, CoverDocument::Claim::diameter);
+    EXPECT_EQ(verdict(document), "VERIFIED") << genus;
+    EXPECT_LT(document.value.lower, regular_diameter(genus));
+    EXPECT_GT(document.value.upper, regular_diameter(genus));
+    EXPECT_LE(document.value.upper - document.value.lower, 1e-6);
+  }
+}
+
+TEST(Diameter, TheLowerBoundIsTheEccentricityOfItsVertex) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Surface& surface = test::gallery()[i].surface;
+    const CoverDocument document = diameter(surface, {.width = 1e-3});
+    EXPECT_EQ(verdict(document), "VERIFIED");
+    const certify::Certificate net = certify::check(document.net);
+    EXPECT_GE(net.enclosures->largest_circumradius.upper, document.value.lower);
+    EXPECT_NEAR(net.enclosures->largest_circumradius.lower, document.value.lower, 1e-12);
+    EXPECT_LE(document.value.upper - document.value.lower, 1e-3);
+  }
+}
+
+TEST(Cover, WhateverTheWidthItIsVerifiedAndHoldsTheSame) {
+  const Surface& surface = test::gallery()[0].surface;
+  for (const auto make : {&diameter, &largest_embedded_disk}) {
+    const CoverDocument close = make(surface, {.width = 1e-5});
+    for (const double width : {1e-3, 0.01, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, std::numeric_limits<double>::infinity()}) {
+      const CoverDocument document = make(surface, {.width = width});
+      EXPECT_EQ(verdict(document), "VERIFIED") << width;
+      EXPECT_LE(document.value.upper - document.value.lower, width);
+      EXPECT_TRUE(overlap(document.value, close.value)) << width;
+    }
+  }
+}
+
+TEST(Cover, IsThatOfTheSurfaceWhateverItsTiles) {
+  const Surface& surface = test::gallery()[0].surface;
+  for (const auto make : {&diameter, &largest_embedded_disk}) {
+    const CoverDocument document = make(surface, {.width = 1e-5});
+    for (const Surface& other : {turned(surface), in_three_tiles(surface)}) {
+      const CoverDocument same = make(other, {.width = 1e-5});
+      EXPECT_EQ(verdict(same), "VERIFIED");
+      EXPECT_TRUE(overlap(document.value, same.value)) << to_string(document.value) << " and " << to_string(same.value);
+    }
+  }
+}
+
+TEST(Cover, OfThinSurfacesAndOfGenus3To5) {
+  for (const std::size_t i : {3u, 4u, 5u, 6u, 7u, 8u}) {
+    const test::NamedSurface& named = test::gallery()[i];
+    const CoverDocument wide = diameter(named.surface, {.width = 0.2});
+    EXPECT_EQ(verdict(wide), "VERIFIED") << named.name;
+    const CoverDocument disk = largest_embedded_disk(named.surface, {.width = 0.05});
+    EXPECT_EQ(verdict(disk), "VERIFIED") << named.name;
+    // The disk is embedded, its diameter at most that of the surface.
+    EXPECT_LE(disk.value.lower, wide.value.upper);
+  }
+}
+
+/// An embedded disk of radius r has the area 2π(cosh r − 1), the surface 4π(g − 1); and Bavard's bound is less.
+TEST(EmbeddedDisk, IsSmallerThanTheSurfaceAndThanBavardsBound) {
+  std::vector<Surface> surfaces{Surface::regular(2), Surface::regular(3)};
+  for (const std::size_t i : {0u, 1u, 2u, 3u, 6u}) surfaces.push_back(test::gallery()[i].surface);
+  for (const Surface& surface : surfaces) {
+    const CoverDocument document = largest_embedded_disk(surface, {.width = 1e-3});
+    EXPECT_EQ(document.claim, CoverDocument::Claim::embedded_disk);
+    EXPECT_EQ(verdict(document), "VERIFIED");
+    EXPECT_LE(document.value.upper - document.value.lower, 1e-3);
+    EXPECT_LT(2 * std::numbers::pi * (std::cosh(document.value.lower) - 1),
+              4 * std::numbers::pi * (surface.genus() - 1));
+    EXPECT_LE(document.value.lower, bavard(surface.genus()));
+    // The regular surface has one at the centre: half the distance of opposite sides, to all sides alike.
+    if (!surface.is_regular()) continue;
+    const double pi = std::numbers::pi;
+    EXPECT_GE(document.value.upper, std::acosh(1 / std::tan(pi / (4 * surface.genus()))) * (1 - 1e-14));
+  }
+}
+
+TEST(Cover, TooSmallAWidthAndTooFewCells) {
+  const Surface bolza = Surface::regular(2);
+  for (const auto make : {&diameter, &largest_embedded_disk}) {
+    for (const double width : {0.0, -1.0, 9e-13, std::nan("")}) {
+      EXPECT_THROW((void)make(bolza, {.width = width}), std::invalid_argument) << width;
+    }
+    EXPECT_NO_THROW((void)make(bolza, {.width = kLeastCoverWidth}));
+    try {
+      (void)make(test::gallery()[0].surface, {.width = 1e-6, .most_cells = 20});
+      ADD_FAILURE() << "enclosed";
+    } catch (const NetError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("not enclosed to the width wanted with 20 cells, only by ["));
+    }
+  }
+}
+
+TEST(Eccentricity, OfTheCentreOfARegularSurfaceIsTheDistanceToItsCorner) {
+  for (const std::uint32_t genus : {2u, 3u, 5u}) {
+    const Interval found = at_point(Surface::regular(genus), {0, {0, 0}}).eccentricity;
+    EXPECT_NEAR(found.lower, regular_diameter(genus), 1e-13);
+    EXPECT_NEAR(found.upper, regular_diameter(genus), 1e-13);
+  }
+}
+
+TEST(Eccentricity, IsOfAPointStrictlyInsideOfItsTile) {
+  const Surface bolza = Surface::regular(2);
+  EXPECT_THROW((void)eccentricity_net(bolza, {1, {0, 0}}), SurfaceError);
+  EXPECT_THROW((void)eccentricity_net(bolza, {0, {Rational(9, 10), 0}}), SurfaceError);
+}
+
+struct Covered {
+  Surface surface;
+  CoverDocument diameter;
+  CoverDocument disk;
+};
+
+/// Random octagons with both covers, made once.
+const std::vector<Covered>& covered_octagons() {
+  static const std::vector<Covered> all = [] {
+    std::vector<Covered> result;
+    for (std::int32_t seed = 1; seed <= 12; ++seed) {
+      const Surface surface = random_octagon(seed);
+      result.push_back({surface, diameter(surface, {.width = 0.02}), largest_embedded_disk(surface, {.width = 0.02})});
+      EXPECT_EQ(verdict(result.back().diameter), "VERIFIED") << seed;
+      EXPECT_EQ(verdict(result.back().disk), "VERIFIED") << seed;
+    }
+    return result;
+  }();
+  return all;
+}
+
+RC_GTEST_PROP(CoverProperty, NoPointOfARandomOctagonIsBeyondTheBounds, ()) {
+  const Covered& octagon = covered_octagons()[any_index(covered_octagons().size())];
+  for (int i = 0; i < 5; ++i) {
+    const AtPoint found = at_point(octagon.surface, any_place(octagon.surface));
+    RC_ASSERT(found.eccentricity.lower <= octagon.diameter.value.upper);
+    RC_ASSERT(found.injectivity_radius.lower <= octagon.disk.value.upper);
+    RC_ASSERT(found.injectivity_radius.lower <= found.eccentricity.upper);
+  }
+}
+
+/// The distance of two points is at most the eccentricity of either, and eccentricities differ by at most it.
+RC_GTEST_PROP(CoverProperty, EccentricitiesAndDistances, ()) {
+  const Surface& surface = test::gallery()[any_index(7u)].surface;
+  const BasePoint p = any_place(surface);
+  const BasePoint q = any_place(surface);
+  const AtPoint there = at_point(surface, p);
+  const AtPoint here = at_point(surface, q);
+  const Interval between = distance(surface, p, q).distance;
+  RC_ASSERT(between.lower <= there.eccentricity.upper);
+  RC_ASSERT(between.lower <= here.eccentricity.upper);
+  RC_ASSERT(there.eccentricity.lower <= (here.eccentricity.upper + between.upper) * (1 + 1e-15));
+  RC_ASSERT(there.injectivity_radius.lower <= (here.injectivity_radius.upper + between.upper) * (1 + 1e-15));
+}
+
+}  // namespace
+}  // namespace epsnet
