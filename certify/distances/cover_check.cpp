@@ -156,7 +156,7 @@ class CoverCheck {
 
   /// Makes all triangulations.
   RuleReport triangulations() {
-    budget_.spend(memory_work(8 * darts_), document_.triangulations.size() + 1);
+    budget_.spend(memory_work(8 * std::uint64_t{darts_}), document_.triangulations.size() + 1);
     Map first;
     for (std::uint32_t d = 0; d < darts_; ++d) {
       first.opposite.push_back(opposite(document_.net, d));

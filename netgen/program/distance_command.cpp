@@ -45,7 +45,7 @@ PlacesInput read_places_input(const std::string& path) {
 
 BasePoint parse_place(const char* name, const std::string& text, const PlacesInput& input) try {
   if (!text.starts_with('v')) {
-    const BasePoint point = parse_base(text, input.surface, name);
+    BasePoint point = parse_base(text, input.surface, name);
     require_in_tile(input.surface, point);
     return point;
   }

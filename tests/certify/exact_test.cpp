@@ -94,7 +94,9 @@ TEST(Exact, ThreePointsOfAGeodesicHaveNoOrientation) {
     const MovedPoint<Gaussian> w = moved(translation_to(point(2, 3, 7)), z);
     return ExactPoint{w.n * conjugate(w.d), norm(w.d)};
   };
-  for (const auto& [x, y] : {std::pair{1L, 0L}, std::pair{0L, 1L}, std::pair{3L, -4L}}) {
+  for (const std::array<long, 2>& direction : {std::array{1L, 0L}, std::array{0L, 1L}, std::array{3L, -4L}}) {
+    const long x = direction[0];
+    const long y = direction[1];
     const long scale = 6'000'000'000;
     const auto at = [&](long share, long beside) {
       return moved_point(point(share * x * scale / 60 - beside * y, share * y * scale / 60 + beside * x, scale));
