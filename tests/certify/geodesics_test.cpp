@@ -550,9 +550,9 @@ TEST(Geodesics, WordsTooLongToBeComparedAreNotCalledEqual) {
   document.up_to = "40";
   // A conjugate of side 2: balls do not know it.
   std::vector<std::uint32_t> lengthy;
-  for (int i = 0; i < 80'000; ++i) lengthy.push_back(i % 2);
+  for (std::uint32_t i = 0; i < 80'000; ++i) lengthy.push_back(i % 2);
   lengthy.push_back(2);
-  for (int i = 0; i < 80'000; ++i) lengthy.push_back(partner(lengthy[79'999 - i]));
+  for (std::size_t i = 0; i < 80'000; ++i) lengthy.push_back(partner(lengthy[79'999 - i]));
   document.geodesics = {{0, {0}, {0.1, 30}, true}, {0, lengthy, {0.1, 30}, true}};
   document.clusters = {{0, 2, true}};
   EXPECT_EQ(verdict_of(document, "equal"), "UNDECIDED");
