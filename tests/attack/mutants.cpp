@@ -14,7 +14,6 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <unistd.h>
 #include <variant>
 #include <vector>
@@ -23,6 +22,7 @@
 #include "certify/exact/checker.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
+#include "certify/numbers/parallel.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
@@ -331,9 +331,7 @@ class Attack {
     for (Family& family : families_) {
       for (Base& base : family.bases) unspoilt(family, base);
     }
-    std::vector<std::thread> threads;
-    for (unsigned i = 0; i < options_.jobs; ++i) threads.emplace_back([this] { work(); });
-    for (std::thread& thread : threads) thread.join();
+    certify::for_each_parallel(options_.jobs, options_.jobs, [this](unsigned, std::size_t) { work(); });
     if (terminal_) std::fputs("\r                                        \r", stderr);
     print();
     return failures_ == 0;
