@@ -8,9 +8,11 @@
 #include "certify/collar_members.h"
 #include "certify/document/darts.h"
 #include "certify/document/text.h"
+#include "certify/filter.h"
 #include "certify/lifted_triangle.h"
 #include "certify/numbers/parallel.h"
 #include "certify/numbers/precision.h"
+#include "certify/questions.h"
 
 namespace epsnet::certify {
 namespace {
@@ -18,15 +20,6 @@ namespace {
 enum Rule : std::size_t { kOrientation, kDelaunay, kCovering, kPacking, kThick };
 constexpr std::array kRules{kOrientation, kDelaunay, kCovering, kPacking, kThick};
 constexpr std::array<const char*, 5> kRuleNames{"orientation", "delaunay", "covering", "packing", "thick"};
-
-/// The questions about one triangle, one bit each: 0 orientation, 1 covering, 2 + i Delaunay and 5 + i length of edge
-/// i, asked at the smaller of the two darts of an edge only.
-using Questions = std::uint8_t;
-constexpr Questions kOrientationBit = 1;
-constexpr Questions kCoveringBit = 2;
-constexpr Questions delaunay_bit(std::uint32_t edge) { return static_cast<Questions>(4U << edge); }
-constexpr Questions kDelaunayBits = delaunay_bit(0) | delaunay_bit(1) | delaunay_bit(2);
-constexpr Questions length_bit(std::uint32_t edge) { return static_cast<Questions>(32U << edge); }
 
 /// Bits of relative accuracy that a length must have before it counts as measured, for useful enclosures.
 constexpr slong kMeasuredBits = 30;
@@ -54,6 +47,56 @@ class Extreme {
 
  private:
   std::optional<Interval> value_;
+};
+
+/// The measures that the filter settled and that may still be extreme: the largest circumradius, the longest or the
+/// shortest edge. These are asked in balls all the same, so that enclosures do not depend on the filter.
+class Candidates {
+ public:
+  struct Candidate {
+    std::size_t k;  ///< As in Questionnaire::open.
+    Questions question;
+    Interval measure;
+  };
+
+  void add(const Candidate& candidate) {
+    if (candidate.question == kCoveringBit) {
+      circumradius_ = std::max(circumradius_, candidate.measure.lower);
+    } else {
+      longest_ = std::max(longest_, candidate.measure.lower);
+      shortest_ = std::min(shortest_, candidate.measure.upper);
+    }
+    if (may_be_extreme(candidate)) candidates_.push_back(candidate);
+  }
+
+  void add(const Candidates& other) {
+    circumradius_ = std::max(circumradius_, other.circumradius_);
+    longest_ = std::max(longest_, other.longest_);
+    shortest_ = std::min(shortest_, other.shortest_);
+    candidates_.insert(candidates_.end(), other.candidates_.begin(), other.candidates_.end());
+  }
+
+  /// Calls body(candidate) for those that may be extreme among all.
+  template <class Body>
+  void for_each(const Body& body) const {
+    for (const Candidate& candidate : candidates_) {
+      if (may_be_extreme(candidate)) body(candidate);
+    }
+  }
+
+ private:
+  /// Balls that are called measured have intervals far narrower than this margin, so that one that is left out would
+  /// have changed no end of an enclosure.
+  [[nodiscard]] bool may_be_extreme(const Candidate& candidate) const {
+    constexpr double kMargin = 1 + 0x1p-20;
+    if (candidate.question == kCoveringBit) return candidate.measure.upper * kMargin >= circumradius_;
+    return candidate.measure.upper * kMargin >= longest_ || candidate.measure.lower <= shortest_ * kMargin;
+  }
+
+  double circumradius_ = 0;  ///< The largest is at least this.
+  double longest_ = 0;
+  double shortest_ = std::numeric_limits<double>::infinity();  ///< The shortest is at most this.
+  std::vector<Candidate> candidates_;
 };
 
 /// What was found in some of the triangles. Combined in file order, so nothing depends on which thread found what.
@@ -288,6 +331,29 @@ class Questionnaire {
   [[nodiscard]] const std::vector<Questions>& open() const { return open_; }
   [[nodiscard]] const Findings& findings() const { return all_; }
 
+  /// Takes away what the filter settles, but for measures that may be extreme.
+  void sift(const Filter& filter, unsigned threads) {
+    const std::size_t blocks = (triangles_.size() + kBlock - 1) / kBlock;
+    std::vector<Candidates> found(blocks);
+    for_each_parallel(blocks, threads, [&](unsigned, std::size_t block) {
+      const std::size_t end = std::min(triangles_.size(), (block + 1) * kBlock);
+      for (std::size_t k = block * kBlock; k < end; ++k) {
+        const Filter::Answer answer = filter.answer(triangles_[k], open_[k]);
+        open_[k] = static_cast<Questions>(open_[k] & ~answer.settled);
+        if (answer.settled & kCoveringBit) found[block].add({k, kCoveringBit, answer.circumradius});
+        for (std::uint32_t i = 0; i < 3; ++i) {
+          if (answer.settled & length_bit(i)) found[block].add({k, length_bit(i), answer.length[i]});
+        }
+      }
+    });
+    Candidates all;
+    for (const Candidates& candidates : found) all.add(candidates);
+    all.for_each([&](const Candidates::Candidate& candidate) {
+      open_[candidate.k] = static_cast<Questions>(open_[candidate.k] | candidate.question);
+    });
+    forget_settled();
+  }
+
   /// examine(worker, t, open, findings) for all that are open; it returns what stays open.
   template <class Examine>
   void ask(unsigned threads, const CheckOptions& options, const Examine& examine) {
@@ -433,6 +499,9 @@ class GeometryChecker {
   GeometryOutcome run() {
     bool all_asked = true;
     try {
+      // All are counted, whatever the filter settles, so that what a file may take does not depend on it.
+      evaluator_.budget().spend(kBallOperations * ball_work(kFirstPrecision), questions_.triangles().size());
+      if (options_.filter) sift();
       const auto attempt = [&](slong precision) {
         all_asked = false;
         ask(precision);
@@ -459,10 +528,26 @@ class GeometryChecker {
  private:
   [[nodiscard]] bool is_last(slong precision) const { return precision >= options_.max_precision; }
 
+  void sift() {
+    Ball radius;
+    Ball square;
+    set_rational(radius.get(), epsilon_, kFirstPrecision);
+    const auto squared_sinh = [&] {
+      arb_sinh(square.get(), radius.get(), kFirstPrecision);
+      arb_sqr(square.get(), square.get(), kFirstPrecision);
+      return outer_interval(square.get());
+    };
+    const Interval whole = squared_sinh();
+    arb_mul_2exp_si(radius.get(), radius.get(), -1);
+    questions_.sift(Filter(document_, collars_, whole, squared_sinh()), threads_);
+  }
+
   /// All open questions, in balls.
   void ask(slong precision) {
-    evaluator_.budget().spend(kBallOperations * ball_work(static_cast<std::uint64_t>(precision)),
-                              questions_.triangles().size());
+    if (precision > kFirstPrecision) {
+      evaluator_.budget().spend(kBallOperations * ball_work(static_cast<std::uint64_t>(precision)),
+                                questions_.triangles().size());
+    }
     const LabelTable labels = needed_labels(document_, evaluator_, questions_.triangles(), precision,
                                             std::min(4 * precision, 2 * options_.max_precision), threads_);
     const Pass pass(document_, collars_, labels, epsilon_, precision, is_last(precision));

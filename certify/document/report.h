@@ -31,6 +31,8 @@ struct CheckOptions {
   std::uint64_t max_work = 0;
   /// Geodesics files only: lifted triangles visited; with more, a list is not decided to be complete.
   std::uint64_t max_visits = 100'000'000;
+  /// Whether binary64, with bounds for its errors, is asked before balls (proof.md, section 16). Changes only the time.
+  bool filter = true;
   /// Called now and then, from the calling thread only, with a rule's name and the share done, 0 to 1.
   std::function<void(std::string_view, double)> progress = {};
 };

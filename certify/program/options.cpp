@@ -89,6 +89,9 @@ void add_options(CLI::App& app, Request& request) {
                  "units of work before the rest is undecided; 0 is as many as a file of this size may take")
       ->check(integer_between(0, std::numeric_limits<std::uint64_t>::max()))
       ->option_text("N [0]");
+  app.add_flag_callback(
+      "--no-filter", [&request] { request.options.filter = false; },
+      "ask everything in balls, without the filter in binary64: the same answer, some ten times slower");
   app.add_flag("--print-parsed", request.print_parsed, "first print the document as it was understood")
       ->excludes("--json");
   app.set_version_flag("--version", "certify " EPSNET_VERSION);

@@ -32,9 +32,25 @@ struct Setting {
   LabelEvaluator evaluator;
 };
 
+void expect_equal(const GeometryOutcome& a, const GeometryOutcome& b) {
+  ASSERT_EQ(a.reports.size(), b.reports.size());
+  for (std::size_t i = 0; i < a.reports.size(); ++i) EXPECT_EQ(to_string(a.reports[i]), to_string(b.reports[i]));
+  EXPECT_EQ(a.ties, b.ties);
+  EXPECT_EQ(a.triangles_beyond_64_bits, b.triangles_beyond_64_bits);
+  EXPECT_EQ(a.max_precision, b.max_precision);
+  EXPECT_EQ(a.epsilon, b.epsilon);
+  EXPECT_EQ(a.largest_circumradius, b.largest_circumradius);
+  EXPECT_EQ(a.longest_edge, b.longest_edge);
+  EXPECT_EQ(a.shortest_edge, b.shortest_edge);
+  EXPECT_EQ(a.shortest_loop, b.shortest_loop);
+}
+
+/// In balls alone, and the same with the filter.
 GeometryOutcome outcome(const NetDocument& document, unsigned threads = 1) {
   const Setting setting(document);
-  return check_geometry(document, setting.evaluator, {}, threads);
+  const GeometryOutcome result = check_geometry(document, setting.evaluator, {.filter = false}, threads);
+  expect_equal(check_geometry(document, setting.evaluator, {.filter = true}, threads), result);
+  return result;
 }
 
 /// The same points with every vertex in a chart of its own, centred about half the way to it: coordinates and labels

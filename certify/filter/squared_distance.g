@@ -1,0 +1,11 @@
+# Lemma 27 of docs/proof.md: filter::squared_distance in certify/filter.cpp. Names in capitals are exact.
+# S is the difference of two points that are given exactly, scaled by a power of two, so that the norm of the rounded
+# difference is at least 1 and less than 2.
+@fl = float<ieee_64, ne>;
+
+sx = fl(SX);  sy = fl(SY);
+squared fl= sx * sx + sy * sy;
+
+SQUARED = SX * SX + SY * SY;
+
+{ |sx| <= 2 /\ |sy| <= 2 -> |squared - SQUARED| <= 1b-47 }

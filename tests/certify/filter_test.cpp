@@ -1,0 +1,311 @@
+#include "certify/filter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include "certify/check.h"
+#include "certify/document/darts.h"
+#include "certify/file/reader.h"
+
+/// Whatever the filter says must be true in rationals; inputs are chosen where it hardly is.
+namespace epsnet::certify {
+namespace {
+
+using filter::Point;
+
+/// Exactly.
+struct Rational {
+  explicit Rational(Point z) : x(z.x), y(z.y) {}
+  Rational(mpq_class re, mpq_class im) : x(std::move(re)), y(std::move(im)) {}
+  mpq_class x;
+  mpq_class y;
+};
+Rational minus(const Rational& p, const Rational& q) { return {p.x - q.x, p.y - q.y}; }
+Rational times(const Rational& p, const Rational& q) { return {p.x * q.x - p.y * q.y, p.x * q.y + p.y * q.x}; }
+mpq_class cross(const Rational& p, const Rational& q) { return p.x * q.y - p.y * q.x; }
+mpq_class square(const Rational& p) { return p.x * p.x + p.y * p.y; }
+
+/// det(x, y, 1 + |z|²).
+mpq_class orientation(Point z0, Point z1, Point z2) {
+  const Rational a(z0), b(z1), c(z2);
+  const auto third = [](const Rational& z) { return mpq_class(1 + square(z)); };
+  return third(a) * cross(b, c) + third(b) * cross(c, a) + third(c) * cross(a, b);
+}
+
+/// Im of (z3−z1)(z2−z0) times the conjugate of (z3−z0)(z2−z1).
+mpq_class cross_ratio(Point z0, Point z1, Point z2, Point z3) {
+  const Rational a(z0), b(z1), c(z2), d(z3);
+  return cross(times(minus(d, a), minus(c, b)), times(minus(d, b), minus(c, a)));
+}
+
+mpq_class exact_gap(Point z) { return 1 - square(Rational(z)); }
+mpq_class exact_distance(Point p, Point q) { return square(minus(Rational(p), Rational(q))); }
+
+/// sinh²R of three points (Lemma 5).
+mpq_class exact_circumradius(const std::array<Point, 3>& z) {
+  std::array<mpq_class, 3> h;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    h[i] = exact_distance(z[i], z[j]) / (exact_gap(z[i]) * exact_gap(z[j]));
+  }
+  const mpq_class k = 2 * (h[0] * h[1] + h[1] * h[2] + h[2] * h[0]) - h[0] * h[0] - h[1] * h[1] - h[2] * h[2];
+  return 4 * h[0] * h[1] * h[2] / k;
+}
+
+bool contains(Interval x, const mpq_class& value) {
+  return mpq_class(x.lower) <= value && (std::isinf(x.upper) || value <= mpq_class(x.upper));
+}
+
+class Filtered : public testing::Test {
+ protected:
+  double uniform(double a, double b) { return a + (b - a) * static_cast<double>(random_() >> 11) * 0x1p-53; }
+  /// Between 2^a and 2^b, as often in each octave.
+  double scale(double a, double b) { return std::exp2(uniform(a, b)); }
+  Point in_disk(double radius) {
+    const double angle = uniform(0, 2 * std::numbers::pi);
+    const double r = radius * std::sqrt(uniform(0, 1));
+    return {r * std::cos(angle), r * std::sin(angle)};
+  }
+  std::mt19937_64 random_{20261122};
+};
+
+TEST_F(Filtered, DelaunayIsTrueWhereItIsSaid) {
+  int said = 0;
+  int silent = 0;
+  for (int k = 0; k < 100'000; ++k) {
+    // Four points in order on a circle, the last one a little outside or inside; rounding alone decides some.
+    const Point centre = in_disk(0.7);
+    const double radius = scale(-30, -2);
+    const double off = k % 3 == 0 ? 0 : (k % 2 == 0 ? 1 : -1) * scale(-60, -1);
+    std::array<double, 4> angle{};
+    for (double& a : angle) a = uniform(0, 2 * std::numbers::pi);
+    std::sort(angle.begin(), angle.end());
+    std::array<Point, 4> z{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double r = i == 1 ? radius * (1 + off) : radius;
+      z[i] = {centre.x + r * std::cos(angle[i]), centre.y + r * std::sin(angle[i])};
+    }
+    if (filter::delaunay(z[0], z[1], z[2], z[3])) {
+      ++said;
+      ASSERT_LT(cross_ratio(z[0], z[1], z[2], z[3]), 0);
+    } else if (cross_ratio(z[0], z[1], z[2], z[3]) < 0) {
+      ++silent;
+    }
+  }
+  EXPECT_GT(said, 10'000);
+  EXPECT_GT(silent, 1'000);
+}
+
+TEST_F(Filtered, TrianglesAreCounterclockwiseWhereItIsSaid) {
+  int said = 0;
+  int silent = 0;
+  for (int k = 0; k < 100'000; ++k) {
+    // Three points near a geodesic: the image of a diameter under a translation.
+    const Point c = in_disk(0.9);
+    const double turn = uniform(0, 2 * std::numbers::pi);
+    const double length = scale(-30, -1);
+    const double off = k % 3 == 0 ? 0 : (k % 2 == 0 ? 1 : -1) * scale(-60, -1);
+    const auto move = [&](double along, double across) {
+      const std::complex<double> z = std::polar(1.0, turn) * std::complex<double>(along, across);
+      const std::complex<double> t(c.x, c.y);
+      const std::complex<double> w = (z + t) / (1.0 + std::conj(t) * z);
+      return Point{w.real(), w.imag()};
+    };
+    const Point z0 = move(-length, 0);
+    const Point z1 = move(length * uniform(-1, 1), -length * off);
+    const Point z2 = move(length, 0);
+    if (filter::counterclockwise(z0, z1, z2)) {
+      ++said;
+      ASSERT_GT(orientation(z0, z1, z2), 0);
+    } else if (orientation(z0, z1, z2) > 0) {
+      ++silent;
+    }
+  }
+  EXPECT_GT(said, 10'000);
+  EXPECT_GT(silent, 1'000);
+}
+
+TEST_F(Filtered, MeasuresContainTheTrueOnes) {
+  int measured = 0;
+  for (int k = 0; k < 20'000; ++k) {
+    const Point centre = in_disk(k % 2 == 0 ? 0.7 : 0.9999);
+    const double size = scale(-40, -4);
+    std::array<Point, 3> z{};
+    std::array<double, 3> a{};
+    std::array<double, 3> d{};
+    for (Point& p : z) {
+      const Point q = in_disk(size);
+      p = {centre.x + q.x, centre.y + q.y};
+    }
+    if (std::any_of(z.begin(), z.end(), [](Point p) { return exact_gap(p) <= 0; })) continue;
+    bool accurate = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      a[i] = filter::gap(z[i]);
+      const filter::Squared s = filter::squared_distance(z[i], z[(i + 1) % 3]);
+      d[i] = s.value;
+      accurate = accurate && s.accurate && a[i] > 0;
+      if (a[i] > 0) ASSERT_LE(abs(mpq_class(a[i]) - exact_gap(z[i])), exact_gap(z[i]) * 0x1p-38);
+      if (s.accurate) {
+        const mpq_class distance = exact_distance(z[i], z[(i + 1) % 3]);
+        ASSERT_LE(abs(mpq_class(d[i]) - distance), distance * 0x1p-46);
+      }
+    }
+    if (!accurate) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const Interval x = filter::squared_half_sinh(d[i], a[i], a[j]);
+      ASSERT_TRUE(contains(x, exact_distance(z[i], z[j]) / (exact_gap(z[i]) * exact_gap(z[j]))));
+      ASSERT_LT(x.upper, x.lower * (1 + 0x1p-28));
+    }
+    const Interval r = filter::squared_sinh_of_circumradius(d, a);
+    if (!std::isinf(r.upper)) {
+      ++measured;
+      ASSERT_TRUE(contains(r, exact_circumradius(z)));
+      ASSERT_LT(r.upper, r.lower * (1 + 0x1p-15));
+    }
+  }
+  EXPECT_GT(measured, 10'000);
+}
+
+// What each bound is, to the last bit that matters: coordinates with few digits, so that nothing is rounded.
+
+TEST_F(Filtered, BoundOfDelaunay) {
+  // z0 = −1/2, z2 = 1/2, z3 = i/2, z1 = −i(1/2 + t): Im of the cross-ratio's product is −t(1 + t/2 …) exactly known.
+  const auto value = [](double t) { return cross_ratio({-0.5, 0}, {0, -0.5 - t}, {0.5, 0}, {0, 0.5}); };
+  const auto says = [](double t) { return filter::delaunay({-0.5, 0}, {0, -0.5 - t}, {0.5, 0}, {0, 0.5}); };
+  // The norms are 1 + t, 1, 1/2, 1/2 + t.
+  for (int e = 30; e < 52; ++e) {
+    const double t = std::ldexp(1, -e);
+    const mpq_class bound = mpq_class(0x1p-41) * (1 + mpq_class(t)) * mpq_class(0.5) * (mpq_class(0.5) + mpq_class(t));
+    EXPECT_EQ(says(t), -value(t) > bound) << e;
+    EXPECT_FALSE(says(-t)) << e;
+  }
+  EXPECT_TRUE(says(0x1p-41));
+  EXPECT_FALSE(says(0x1p-43));
+  EXPECT_FALSE(says(0));
+}
+
+TEST_F(Filtered, BoundOfOrientation) {
+  const auto says = [](double t) { return filter::counterclockwise({0, 0}, {0.5, 0}, {0.5, t}); };
+  // The determinant is t/2, the norms are 1/2.
+  EXPECT_TRUE(says(0x1p-42));
+  EXPECT_FALSE(says(0x1p-43));
+  EXPECT_FALSE(says(0x1p-44));
+  EXPECT_FALSE(says(-0x1p-10));
+}
+
+TEST_F(Filtered, LeastNormAndLeastGap) {
+  const auto triangle = [](double s) { return filter::counterclockwise({0, 0}, {s, 0}, {0, s}); };
+  EXPECT_TRUE(triangle(0x1p-99));
+  EXPECT_FALSE(triangle(0x1p-100));
+  EXPECT_FALSE(filter::counterclockwise({0, 0}, {0.5, 0}, {0, 0x1p-100}));
+  EXPECT_FALSE(filter::counterclockwise({0, 0}, {0x1p-100, 0}, {0, 0.5}));
+  const auto square = [](double s) { return filter::delaunay({-s, 0}, {0, -2 * s}, {s, 0}, {0, 2 * s}); };
+  EXPECT_TRUE(square(0x1p-99));
+  EXPECT_FALSE(square(0x1p-102));
+  EXPECT_TRUE(filter::squared_distance({0, 0}, {0, 0x1p-99}).accurate);
+  EXPECT_FALSE(filter::squared_distance({0, 0}, {0x1p-100, 0}).accurate);
+  EXPECT_EQ(filter::gap({0.5, 0.5}), 0.5);
+  EXPECT_EQ(filter::gap({0, std::sqrt(1 - 0x1p-11)}), 1 - std::sqrt(1 - 0x1p-11) * std::sqrt(1 - 0x1p-11));
+  EXPECT_EQ(filter::gap({std::sqrt(1 - 0x1p-13), 0}), 0);
+}
+
+TEST_F(Filtered, FlatTrianglesAreLeftToBalls) {
+  // Products x = y = 1 and z = 4 − t: K = 4 − (t − 2)² = 4t − t².
+  const auto measure = [](double t) { return filter::squared_sinh_of_circumradius({1, 1, 4 - t}, {1, 1, 1}); };
+  EXPECT_TRUE(std::isinf(measure(0).upper));
+  EXPECT_TRUE(std::isinf(measure(0x1p-9).upper));
+  EXPECT_FALSE(std::isinf(measure(0x1p-7).upper));
+  EXPECT_TRUE(contains(measure(0x1p-7), 4 * (4 - mpq_class(0x1p-7)) / (mpq_class(0x1p-5) - mpq_class(0x1p-14))));
+}
+
+// What is asked of which corners.
+
+NetDocument load(const std::string& name) { return read_net(std::string(EPSNET_TEST_DATA) + "/" + name); }
+
+constexpr Questions kAll = 255;
+
+/// sinh²ε and sinh²(ε/2) such that every question about lengths is easy.
+Filter easy(const NetDocument& document, const CollarMembers& collars) {
+  return {document, collars, {1e9, 1e9}, {1e-9, 1e-9}};
+}
+
+TEST_F(Filtered, OnlyTrianglesWithoutLabelsAreSettled) {
+  const NetDocument document = load("certify/verified/octagon-33-vertices.json");
+  const CollarMembers collars(document);
+  const Filter filter = easy(document, collars);
+  unsigned settled = 0;
+  for (std::uint32_t t = 0; t < document.triangles.size(); ++t) {
+    const NetDocument::Triangle& triangle = document.triangles[t];
+    const Questions answer = filter.answer(t, kAll).settled;
+    if (triangle.label[0] != 0 || triangle.label[1] != 0) {
+      EXPECT_EQ(answer, 0) << t;
+      continue;
+    }
+    EXPECT_NE(answer & kOrientationBit, 0) << t;
+    EXPECT_NE(answer & kCoveringBit, 0) << t;
+    EXPECT_EQ(filter.answer(t, 0).settled, 0);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      EXPECT_EQ((answer & length_bit(i)) != 0, triangle.vertex[i] != triangle.vertex[(i + 1) % 3]) << t;
+      const std::uint32_t other = triangle.opposite[i];
+      const bool plain =
+          corner_label(document, next_dart(other)) == 0 && corner_label(document, previous_dart(other)) == 0;
+      if (!plain) EXPECT_EQ(answer & delaunay_bit(i), 0) << t;
+      settled += plain && (answer & delaunay_bit(i)) != 0;
+    }
+  }
+  EXPECT_GT(settled, 0U);
+}
+
+TEST_F(Filtered, LengthsAreComparedWithTheirOwnBounds) {
+  const NetDocument document = load("certify/verified/octagon-33-vertices.json");
+  const CollarMembers collars(document);
+  const Filter all = easy(document, collars);
+  for (std::uint32_t t = 0; t < document.triangles.size(); ++t) {
+    const Filter::Answer answer = all.answer(t, kAll);
+    if ((answer.settled & kCoveringBit) == 0) continue;
+    const double radius = answer.circumradius.upper;
+    const auto covered = [&](double bound) {
+      return (Filter(document, collars, {bound, bound}, {0, 0}).answer(t, kAll).settled & kCoveringBit) != 0;
+    };
+    EXPECT_TRUE(covered(radius * 1.0001));
+    EXPECT_FALSE(covered(radius * 0.9999));
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if ((answer.settled & length_bit(i)) == 0) continue;
+      const auto long_enough = [&](double bound) {
+        return (Filter(document, collars, {0, 0}, {bound, bound}).answer(t, kAll).settled & length_bit(i)) != 0;
+      };
+      EXPECT_TRUE(long_enough(answer.length[i].lower * 0.9999));
+      EXPECT_FALSE(long_enough(answer.length[i].lower * 1.0001));
+    }
+  }
+}
+
+TEST_F(Filtered, CollarsAreLeftToBalls) {
+  NetDocument document = load("certify/verified/octagon-33-vertices.json");
+  const auto settled = [&](std::uint32_t t) {
+    const CollarMembers collars(document);
+    return easy(document, collars).answer(t, kAll).settled;
+  };
+  std::uint32_t t = 0;
+  while ((settled(t) & length_bit(0)) == 0) ++t;
+  const Questions before = settled(t);
+  document.collars.emplace();
+  EXPECT_EQ(settled(t), before);
+  NetDocument::Collar collar;
+  collar.vertices = {document.triangles[t].vertex[0], document.triangles[t].vertex[1]};
+  collar.triangles = {t + 1, t + 2};
+  document.collars->push_back(collar);
+  EXPECT_EQ(settled(t), before & ~length_bit(0));
+  document.collars->front().triangles = {t, t + 1};
+  EXPECT_EQ(settled(t), 0);
+}
+
+}  // namespace
+}  // namespace epsnet::certify
