@@ -41,8 +41,7 @@ int main(int argc, char** argv) try {
   const epsnet::exact::Result result = epsnet::exact::check(text);
   constexpr const char* kNames[] = {"VERIFIED", "REFUTED", "UNDECIDED", "MALFORMED"};
   const auto code = static_cast<int>(result.verdict);
-  std::cout << kNames[code];
-  if (!result.rule.empty()) std::cout << ": " << result.rule;
+  std::cout << kNames[code] << (result.rule.empty() ? "" : ": ") << result.rule;
   if (!result.message.empty()) std::cout << ": " << result.message;
   std::cout << std::endl;
   return std::cout ? code : kExitInternal;

@@ -18,6 +18,7 @@
 #include "certify/document/geodesics_structure.h"
 #include "certify/document/structure_check.h"
 #include "certify/document/text.h"
+#include "certify/file/compact.h"
 
 namespace epsnet::certify {
 namespace {
@@ -551,13 +552,32 @@ void parse(simdjson::padded_string_view text, std::string_view name, const ReadD
   }
 }
 
-NetDocument parse_padded_net(simdjson::padded_string_view text, std::string_view name) {
+/// Without a look at what the members say together.
+NetDocument parse_net_members(simdjson::padded_string_view text, std::string_view name) {
   NetDocument document;
   parse(text, name, [&](object members) {
     std::size_t letters_in_all = 0;
     read_members(members, {.member = "net"}, net_members(document, letters_in_all));
-    if (const auto problem = structure_problem(document)) throw MalformedError(*problem);
   });
+  return document;
+}
+
+bool is_compact(simdjson::padded_string_view text) { return certify::is_compact({text.data(), text.size()}); }
+
+NetDocument parse_padded_net(simdjson::padded_string_view text, std::string_view name) {
+  NetDocument document;
+  if (is_compact(text)) {
+    try {
+      document = parse_compact({text.data(), text.size()}, [](std::string_view head) {
+        return parse_net_members(simdjson::padded_string(head), "head");
+      });
+    } catch (const MalformedError& error) {
+      throw MalformedError(std::string(name) + ": " + error.what());
+    }
+  } else {
+    document = parse_net_members(text, name);
+  }
+  if (const auto problem = structure_problem(document)) throw MalformedError(std::string(name) + ": " + *problem);
   return document;
 }
 
@@ -623,6 +643,7 @@ std::string format_of(simdjson::padded_string_view text) {
 }
 
 ClaimDocument parse_padded_claim(simdjson::padded_string_view text, std::string_view name) {
+  if (is_compact(text)) return parse_padded_net(text, name);
   const std::string format = format_of(text);
   if (format == "epsnet-geodesics") return parse_padded_geodesics(text, name);
   if (format == "epsnet-distance") return parse_padded_distance(text, name);

@@ -38,7 +38,7 @@ class FileError : public std::runtime_error {
 /// FileError, or MalformedError if there are more.
 [[nodiscard]] std::string load(const std::filesystem::path& path);
 
-/// Reads a net file. Throws FileError or MalformedError.
+/// Reads a net file, compact or not. Throws FileError or MalformedError.
 [[nodiscard]] NetDocument read_net(const std::filesystem::path& path);
 
 /// Reads a net file from memory; `name` stands for the file in messages. Throws MalformedError.

@@ -1,7 +1,14 @@
 #include "certify/file/writer.h"
 
+#include <algorithm>
+#include <bit>
 #include <charconv>
 #include <ostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "certify/document/darts.h"
+#include "certify/file/compact.h"
 
 namespace epsnet::certify {
 namespace {
@@ -190,6 +197,55 @@ void write_net_object(Buffer& buffer, const NetDocument& document) {
   buffer.text("}");
 }
 
+/// Collects bytes, hands them to the stream in large pieces, and adds them to the checksum.
+class CompactBuffer {
+ public:
+  explicit CompactBuffer(std::ostream& out) : out_(out) { bytes_.reserve(kPiece + 8); }
+
+  void text(std::string_view bytes) {
+    flush();
+    bytes_ = bytes;
+    flush();
+  }
+
+  void number(std::uint64_t value, std::size_t width) {
+    for (std::size_t i = 0; i < width; ++i) bytes_ += static_cast<char>(static_cast<unsigned char>(value >> (8 * i)));
+    if (bytes_.size() >= kPiece) flush();
+  }
+
+  void checksum() {
+    flush();
+    number(sum_.value(), 8);
+    flush();
+  }
+
+ private:
+  void flush() {
+    sum_.add(bytes_);
+    out_.write(bytes_.data(), static_cast<std::streamsize>(bytes_.size()));
+    bytes_.clear();
+  }
+
+  static constexpr std::size_t kPiece = 1 << 20;
+  std::ostream& out_;
+  std::string bytes_;
+  CompactChecksum sum_;
+};
+
+/// Bytes that numbers below `count` take.
+std::uint32_t width_of(std::size_t count) { return count <= 1U << 8 ? 1 : count <= 1U << 16 ? 2 : 4; }
+
+void check_pairs(const NetDocument& document) {
+  const std::size_t darts = 3 * document.triangles.size();
+  for (std::uint32_t dart = 0; dart < darts; ++dart) {
+    const std::uint32_t other = opposite(document, dart);
+    if (other == dart || other >= darts || opposite(document, other) != dart) {
+      throw std::invalid_argument("the opposite of dart " + std::to_string(dart) + " is " + std::to_string(other) +
+                                  ", which does not lead back: a compact file cannot say that");
+    }
+  }
+}
+
 const char* claim_text(GeodesicsDocument::Claim claim) {
   switch (claim) {
     case GeodesicsDocument::Claim::systole:
@@ -237,6 +293,44 @@ void write_piece(Buffer& buffer, const GeodesicsDocument::Piece& piece) {
 }
 
 }  // namespace
+
+void write_compact_net(const NetDocument& document, std::ostream& out) {
+  check_pairs(document);
+  std::ostringstream head;
+  write_net({document.surface, document.epsilon, document.charts, document.labels, {}, {}, document.collars}, head);
+  const std::string text = head.str();
+  const std::size_t chart_width = width_of(document.charts.size());
+  const std::size_t label_width = width_of(document.labels.size() + 1);
+  CompactBuffer buffer(out);
+  buffer.text(kCompactMagic);
+  for (const std::size_t n :
+       {std::size_t{1}, text.size(), document.vertices.size(), document.triangles.size(), chart_width, label_width}) {
+    buffer.number(n, 4);
+  }
+  buffer.text(text);
+  for (const NetDocument::Vertex& v : document.vertices) buffer.number(std::bit_cast<std::uint64_t>(v.x), 8);
+  for (const NetDocument::Vertex& v : document.vertices) buffer.number(std::bit_cast<std::uint64_t>(v.y), 8);
+  for (const NetDocument::Vertex& v : document.vertices) buffer.number(v.chart, chart_width);
+  for (const NetDocument::Triangle& t : document.triangles) {
+    for (const std::uint32_t v : t.vertex) buffer.number(v, 4);
+  }
+  for (std::uint32_t dart = 0; dart < 3 * document.triangles.size(); ++dart) {
+    if (dart < opposite(document, dart)) buffer.number(opposite(document, dart), 4);
+  }
+  for (std::size_t t = 0; t < document.triangles.size(); t += 4) {
+    unsigned labelled = 0;
+    for (std::size_t corner = 0; corner < 8 && t + corner / 2 < document.triangles.size(); ++corner) {
+      if (document.triangles[t + corner / 2].label[corner % 2] != 0) labelled |= 1U << corner;
+    }
+    buffer.number(labelled, 1);
+  }
+  for (const NetDocument::Triangle& t : document.triangles) {
+    for (const std::uint32_t label : t.label) {
+      if (label != 0) buffer.number(label, label_width);
+    }
+  }
+  buffer.checksum();
+}
 
 void write_surface(const SurfaceDocument& surface, std::ostream& out) {
   Buffer buffer(out);

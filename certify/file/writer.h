@@ -16,6 +16,10 @@ namespace epsnet::certify {
 /// Writes a net file.
 void write_net(const NetDocument& document, std::ostream& out);
 
+/// Writes a compact net file, some 55 bytes for each vertex. Throws std::invalid_argument, before anything is written,
+/// if `opposite` is not an involution without fixed points: then only write_net can.
+void write_compact_net(const NetDocument& document, std::ostream& out);
+
 /// Writes a surface file.
 void write_surface(const SurfaceDocument& surface, std::ostream& out);
 

@@ -75,14 +75,14 @@ struct EccentricityRequest {
 };
 
 void measure_eccentricity(const EccentricityRequest& request) {
-  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::json}});
+  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, net_type(request.output)}});
   const Surface surface = read_surface_input(request.surface);
   const certify::NetDocument net = eccentricity_net(surface, parse_base(request.p, surface, "P"));
   const certify::Certificate certificate = certify::check(net);
   if (certificate.verdict != certify::Verdict::verified) {
     throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
   }
-  write_outputs({{request.output, [&](std::ostream& out) { certify::write_net(net, out); }}});
+  write_outputs({{request.output, [&](std::ostream& out) { write_net_file(net, request.output, out); }}});
   const certify::Interval found = certificate.enclosures->largest_circumradius;
   write_report({"verdict: VERIFIED\neccentricity: " + to_string(found) + '\n',
                 Json::object({{"verdict", "VERIFIED"}, {"eccentricity", interval_json(found)}})},

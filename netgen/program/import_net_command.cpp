@@ -50,7 +50,7 @@ Report import_report(const certify::Certificate& certificate) {
 
 void import_net(const ImportNetRequest& request) {
   const Length epsilon = parse_epsilon(request.epsilon);
-  check_files({{"FILE", request.file}}, {{"--output", request.output, FileType::json}});
+  check_files({{"FILE", request.file}}, {{"--output", request.output, net_type(request.output)}});
   const TextInput input = read_text_input(request.file);
   const Surface surface = triangles_of(input);
   certify::NetDocument net;
@@ -61,7 +61,7 @@ void import_net(const ImportNetRequest& request) {
   }
   const certify::Certificate certificate = certificate_of(net, request.check);
   // Whatever the verdict: to know it is what the command is for, and the file is what it is about.
-  write_output(request.output, [&](std::ostream& out) { certify::write_net(net, out); });
+  write_output(request.output, [&](std::ostream& out) { write_net_file(net, request.output, out); });
   write_report(import_report(certificate), request.json, is_stdout(request.output));
   const std::string why = input.name + ": " + certify::verdict_line(certificate);
   if (certificate.verdict == certify::Verdict::undecided) throw UndecidedError(why);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "certify/document/text.h"
+#include "certify/file/compact.h"
 #include "certify/file/reader.h"
 #include "netgen/exchange/triangulation_stream.h"
 #include "netgen/program/output.h"
@@ -69,12 +70,14 @@ Surface read_surface_input(const std::string& path) {
 certify::NetDocument read_net_input(const std::string& path) {
   const std::string text = certify::load(path);
   const std::string name = certify::display_name(path);
-  if (!is_json(text)) throw JobError(name + ": not JSON, expected a net file, made by 'epsnet net'");
+  if (!is_json(text) && !certify::is_compact(text))
+    throw JobError(name + ": neither JSON nor compact, expected a net file, made by 'epsnet net'");
   return certify::parse_net(text, name);
 }
 
 Contents read_any_input(const std::string& path) {
   const std::string text = certify::load(path);
+  if (certify::is_compact(text)) return certify::parse_net(text, certify::display_name(path));
   if (!is_json(text)) {
     const ExchangeFormat format =
         is_triangulation_stream(text) ? ExchangeFormat::triangulation : ExchangeFormat::domain;

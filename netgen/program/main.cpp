@@ -95,6 +95,7 @@ int run(int argc, char** argv) {
   add_view_command(app, chosen);
   add_info_command(app, chosen);
   add_export_command(app, chosen);
+  add_convert_command(app, chosen);
   app.set_version_flag("--version", "epsnet " EPSNET_VERSION);
   app.footer(
       "Example:\n"

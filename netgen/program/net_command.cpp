@@ -177,7 +177,7 @@ certify::Certificate certify_net(const certify::NetDocument& net, certify::Check
 void check_request(const NetRequest& request) {
   if (is_stdout(request.record)) throw UsageError("--record cannot be standard output");
   if (request.no_certify && !request.record.empty()) throw UsageError("--record is for certified nets");
-  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::json},
+  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, net_type(request.output)},
                                                {"--svg", request.svg, FileType::svg},
                                                {"--record", request.record, FileType::text}});
 }
@@ -214,7 +214,7 @@ void make_net(const NetRequest& request) {
   times.drawing = watch.lap();
   std::string record;
   if (!request.record.empty()) record = record_text(request, net, certificate, seconds);
-  write_outputs({{request.output, [&](std::ostream& out) { certify::write_net(net.net, out); }},
+  write_outputs({{request.output, [&](std::ostream& out) { write_net_file(net.net, request.output, out); }},
                  {request.svg, [&](std::ostream& out) { out << svg; }},
                  {request.record, [&](std::ostream& out) { out << record; }}});
   times.writing = watch.lap();

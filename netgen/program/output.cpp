@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "certify/document/text.h"
+#include "certify/file/writer.h"
 
 namespace epsnet::program {
 
@@ -36,6 +37,7 @@ struct TypeOfFile {
 const std::vector<TypeOfFile>& types_of_files() {
   static const std::vector<TypeOfFile> types{
       {FileType::json, {}, "JSON"},
+      {FileType::compact, {".epsn"}, "a compact net file"},
       {FileType::text, {}, "plain text"},
       {FileType::svg, {".svg"}, "an SVG picture"},
       {FileType::png, {".png"}, "a PNG picture"},
@@ -117,6 +119,22 @@ FileType picture_type(const std::string& option, const std::string& path) {
   if (extension.empty() || extension == ".svg") return FileType::svg;
   if (extension == ".png") return FileType::png;
   throw UsageError(option + ": " + path + ": a picture is .svg or .png, not " + extension);
+}
+
+FileType net_type(const std::string& path) {
+  return extension_of(path) == ".epsn" ? FileType::compact : FileType::json;
+}
+
+void write_net_file(const certify::NetDocument& net, const std::string& path, std::ostream& out) {
+  if (net_type(path) == FileType::json) {
+    certify::write_net(net, out);
+    return;
+  }
+  try {
+    certify::write_compact_net(net, out);
+  } catch (const std::invalid_argument& error) {
+    throw JobError(path + ": " + error.what());
+  }
 }
 
 void check_files(const std::vector<InputFile>& inputs, const std::vector<OutputFile>& all_outputs) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/document/document.h"
 #include "certify/numbers/ball.h"
 #include "netgen/base/atomic_file.h"
 #include "triangulation/error.h"
@@ -39,7 +40,7 @@ class UndecidedError : public JobError {
 void write_stdout(const std::function<void(std::ostream&)>& write);
 
 /// What a command writes to a file.
-enum class FileType { json, text, svg, png, html, off, vtu };
+enum class FileType { json, compact, text, svg, png, html, off, vtu };
 
 /// A file that a command reads. An empty path stands for an option that was not given.
 struct InputFile {
@@ -58,6 +59,9 @@ struct OutputFile {
 /// extension. Throws UsageError, which says what there is.
 [[nodiscard]] FileType picture_type(const std::string& option, const std::string& path);
 
+/// The type that the name of a net file ends in: compact for .epsn, else JSON.
+[[nodiscard]] FileType net_type(const std::string& path);
+
 /// To be called before any work. Throws UsageError if two outputs, or an input and an output, are one file, however
 /// they are spelled, or if the name of an output ends as those of another type of file do; WriteError if an output
 /// cannot be made. A pipe is not read twice.
@@ -66,6 +70,9 @@ void check_files(const std::vector<InputFile>& inputs, const std::vector<OutputF
 /// Writes complete files, all or none; those without a path are left out.
 void write_outputs(std::vector<NewFile> files);
 void write_output(const std::string& path, const std::function<void(std::ostream&)>& write);
+
+/// A net as a file of the type that its name ends in. JobError if it cannot be written so.
+void write_net_file(const certify::NetDocument& net, const std::string& path, std::ostream& out);
 
 /// What a command has to say: lines for people, and the same facts for programs.
 using Json = nlohmann::ordered_json;

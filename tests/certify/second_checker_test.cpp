@@ -40,6 +40,16 @@ void expect_verdicts(const std::string& folder, Verdict verdict, int at_least) {
   EXPECT_GE(decided, at_least);
 }
 
+TEST(SecondChecker, CompactFilesAreNotForIt) {
+  EXPECT_TRUE(
+      is_left_out(check("\x89"
+                        "EPSNET\n...")));
+  EXPECT_EQ(check("\x89"
+                  "EPSNETS")
+                .verdict,
+            Verdict::malformed);
+}
+
 TEST(SecondChecker, VerifiedFilesAreVerified) { expect_verdicts("verified", Verdict::verified, 9); }
 TEST(SecondChecker, RefutedFilesAreRefutedByTheRuleInTheirName) { expect_verdicts("refuted", Verdict::refuted, 26); }
 TEST(SecondChecker, NearTiesOfThousandsOfDigitsAreUndecided) { expect_verdicts("undecided", Verdict::undecided, 2); }

@@ -164,7 +164,31 @@ for format in off vtu edges json; do
   "$epsnet" export net.json --format $format -o - | cmp -s - mesh.$format || complain "$format on standard output"
 done
 
-for command in '' surface 'surface octagon' 'surface fenchel-nielsen' 'surface regular' 'surface import' net import-net dirichlet draw view info export; do
+# Compact net files, both ways, and wherever a net file is read.
+good convert net.json net.epsn
+[ "$(head -c 7 net.epsn | tail -c 6)" = EPSNET ] || complain "a compact file begins otherwise"
+good convert net.epsn back.json
+cmp -s net.json back.json || complain "a net that was converted and back is another"
+good convert net.epsn again.epsn
+cmp -s net.epsn again.epsn || complain "a compact file that was converted is another"
+"$epsnet" convert net.epsn - | cmp -s - net.json || complain "a net on standard output"
+"$epsnet" convert - from-pipe.json <net.epsn || complain "a compact file from a pipe"
+cmp -s net.json from-pipe.json || complain "a compact file from a pipe is another"
+good info net.epsn
+cp output info-of-compact
+good info net.json
+cmp -s output info-of-compact || complain "info of a compact file says something else"
+good draw net.epsn -o compact.svg
+"$certify" --json net.epsn | sed 's/"sha256": *"[^"]*"//; s/net.epsn//g' >compact-certificate
+"$certify" --json net.json | sed 's/"sha256": *"[^"]*"//; s/net.json//g' >json-certificate
+cmp -s compact-certificate json-certificate || complain "certify says something else of a compact file"
+bad 64 '.epsn is for a compact net file' surface octagon --seed 1 -o out/s.epsn
+bad 1 'expected a net file' convert polygon.txt out/x.epsn
+head -c 500 net.epsn >cut.epsn
+bad 1 'checksum' convert cut.epsn out/x.json
+bad 64 'TO' convert net.json
+
+for command in '' surface 'surface octagon' 'surface fenchel-nielsen' 'surface regular' 'surface import' net import-net dirichlet draw view info export convert; do
   # shellcheck disable=SC2086
   good $command --help
   grep -q 'Example' output || complain "epsnet $command --help has no example"

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include "certify/document/document.h"
+
+/// Compact net files: what a net file says of its surface as JSON, and the vertices and triangles as arrays
+/// (docs/format.md, "Compact net file").
+namespace epsnet::certify {
+
+/// What a compact file begins with; no text does.
+inline constexpr std::string_view kCompactMagic = "\211EPSNET\n";
+
+/// Whether the bytes begin as a compact file.
+[[nodiscard]] inline bool is_compact(std::string_view bytes) { return bytes.starts_with(kCompactMagic); }
+
+/// Reads a compact file: `read_head` makes of the JSON text a document without vertices and triangles, to which they
+/// are added. Throws MalformedError without the file's name. Indices may be out of range as in a document of any other
+/// file (structure_problem). O(size); no more memory than the document takes, however the sizes lie.
+[[nodiscard]] NetDocument parse_compact(std::string_view bytes,
+                                        const std::function<NetDocument(std::string_view)>& read_head);
+
+/// The checksum at the end of a compact file: XXH64 with the seed 0.
+class CompactChecksum {
+ public:
+  CompactChecksum();
+  ~CompactChecksum();
+  CompactChecksum(const CompactChecksum&) = delete;
+  CompactChecksum& operator=(const CompactChecksum&) = delete;
+
+  void add(std::string_view bytes);
+  [[nodiscard]] std::uint64_t value() const;
+
+ private:
+  void* state_;
+};
+
+}  // namespace epsnet::certify

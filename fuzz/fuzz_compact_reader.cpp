@@ -1,0 +1,32 @@
+#include <cstdint>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+
+#include "certify/file/compact.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+
+/// Any bytes, with the checksum that they ask for, are a compact net file or a MalformedError; what is read is written
+/// the same, also as JSON.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace epsnet::certify;
+  std::string bytes(reinterpret_cast<const char*>(data), size);
+  CompactChecksum sum;
+  sum.add(bytes);
+  for (unsigned i = 0; i < 8; ++i) bytes += static_cast<char>(static_cast<unsigned char>(sum.value() >> (8 * i)));
+  NetDocument document;
+  try {
+    document = parse_net(bytes, "input");
+  } catch (const MalformedError&) {
+    return 0;
+  }
+  std::ostringstream text;
+  write_net(document, text);
+  if (parse_net(text.str(), "written") != document) std::abort();
+  if (!is_compact(bytes)) return 0;
+  std::ostringstream compact;
+  write_compact_net(document, compact);
+  if (parse_net(compact.str(), "written") != document) std::abort();
+  return 0;
+}

@@ -1,0 +1,214 @@
+#include "certify/file/compact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <gtest/gtest.h>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+
+/// Compact net files say what net files say, and nothing that is damaged, cut off or contradictory is read.
+namespace epsnet::certify {
+namespace {
+
+NetDocument load_net(const std::string& name) { return read_net(std::string(EPSNET_TEST_DATA) + "/" + name); }
+
+std::string compact(const NetDocument& document) {
+  std::ostringstream out;
+  write_compact_net(document, out);
+  return out.str();
+}
+
+/// The bytes with the checksum that they ask for.
+std::string with_checksum(std::string bytes) {
+  bytes.resize(bytes.size() - 8);
+  CompactChecksum sum;
+  sum.add(bytes);
+  for (unsigned i = 0; i < 8; ++i) bytes += static_cast<char>(static_cast<unsigned char>(sum.value() >> (8 * i)));
+  return bytes;
+}
+
+std::string problem(const std::string& bytes) {
+  try {
+    (void)parse_net(bytes, "net.epsn");
+    return "";
+  } catch (const MalformedError& error) {
+    return error.what();
+  }
+}
+
+void set_word(std::string& bytes, std::size_t at, std::uint32_t value) {
+  for (unsigned i = 0; i < 4; ++i) bytes[at + i] = static_cast<char>(static_cast<unsigned char>(value >> (8 * i)));
+}
+std::uint32_t word(const std::string& bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (unsigned i = 0; i < 4; ++i) value |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
+  return value;
+}
+
+/// Where the parts of a file begin.
+struct Parts {
+  explicit Parts(const std::string& bytes) {
+    const std::size_t n = word(bytes, 16);
+    const std::size_t t = word(bytes, 20);
+    head = 32;
+    x = head + word(bytes, 12);
+    charts = x + 16 * n;
+    vertices = charts + n * word(bytes, 24);
+    opposites = vertices + 12 * t;
+    labelled = opposites + 6 * t;
+    labels = labelled + (2 * t + 7) / 8;
+  }
+  std::size_t head, x, charts, vertices, opposites, labelled, labels;
+};
+
+class Compact : public testing::Test {
+ protected:
+  /// What is said of the file after a change, its checksum made right.
+  std::string after(const std::function<void(std::string&)>& change) const {
+    std::string bytes = good_;
+    change(bytes);
+    return problem(with_checksum(bytes));
+  }
+  const NetDocument net_ = load_net("certify/verified/octagon-33-vertices.json");
+  const std::string good_ = compact(net_);
+  const Parts parts_{good_};
+};
+
+TEST_F(Compact, SaysWhatNetFilesSay) {
+  int nets = 0;
+  for (const char* folder : {"certify/verified", "certify/refuted", "certify/undecided"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(std::string(EPSNET_TEST_DATA) + "/" + folder)) {
+      ClaimDocument document;
+      try {
+        document = read_claim(entry.path());
+      } catch (const MalformedError&) {
+        continue;
+      }
+      const auto* net = std::get_if<NetDocument>(&document);
+      if (net == nullptr) continue;
+      std::string bytes;
+      try {
+        bytes = compact(*net);
+      } catch (const std::invalid_argument&) {
+        continue;  // Darts that are not paired.
+      }
+      ++nets;
+      const NetDocument read = parse_net(bytes, "compact");
+      EXPECT_EQ(read, *net) << entry.path();
+      EXPECT_EQ(compact(read), bytes);
+      EXPECT_EQ(std::get<NetDocument>(parse_claim(bytes, "compact")), *net);
+    }
+  }
+  EXPECT_GT(nets, 40);
+}
+
+TEST_F(Compact, NumbersKeepTheirSigns) {
+  NetDocument net = net_;
+  net.vertices[1].x = -0.0;
+  net.vertices[1].y = 5e-324;
+  const NetDocument read = parse_net(compact(net), "compact");
+  EXPECT_TRUE(std::signbit(read.vertices[1].x));
+  EXPECT_EQ(read.vertices[1].y, 5e-324);
+}
+
+TEST_F(Compact, DartsThatAreNotPairedCannotBeWritten) {
+  NetDocument net = net_;
+  net.triangles[0].opposite[1] = 1;
+  std::ostringstream out;
+  EXPECT_THROW(write_compact_net(net, out), std::invalid_argument);
+  EXPECT_EQ(out.str(), "");
+  net = net_;
+  net.triangles[0].opposite[1] = 4'000'000'000;
+  EXPECT_THROW(write_compact_net(net, out), std::invalid_argument);
+}
+
+TEST_F(Compact, AnyByteThatChangesIsNoticed) {
+  for (std::size_t i = 0; i < good_.size(); ++i) {
+    std::string bytes = good_;
+    bytes[i] = static_cast<char>(bytes[i] ^ 0x20);
+    EXPECT_NE(problem(bytes), "") << i;
+  }
+}
+
+TEST_F(Compact, AnyEndIsNoticed) {
+  for (std::size_t size = kCompactMagic.size(); size < good_.size(); ++size) {
+    EXPECT_TRUE(problem(good_.substr(0, size)).starts_with("net.epsn: checksum: ")) << size;
+  }
+  EXPECT_EQ(problem(good_ + '\0'),
+            "net.epsn: checksum: the file was damaged, or is not complete: its checksum is another");
+  EXPECT_EQ(problem(with_checksum(good_ + "12345678")), "net.epsn: checksum: 8 bytes too many before it");
+}
+
+TEST_F(Compact, EveryRuleOfTheFormatIsNamed) {
+  EXPECT_EQ(after([](std::string&) {}), "");
+  EXPECT_EQ(after([](std::string& b) { set_word(b, 8, 2); }),
+            "net.epsn: header: version 2 is not a version this program reads, expected 1");
+  EXPECT_TRUE(after([](std::string& b) {
+                set_word(b, 12, 0xffffffff);
+              }).starts_with("net.epsn: head: has 4294967295 bytes, of which "));
+  EXPECT_TRUE(after([](std::string& b) { set_word(b, 16, 0xffffffff); }).starts_with("net.epsn: vertices: has "));
+  EXPECT_EQ(after([](std::string& b) { set_word(b, 20, 0xffffffff); }),
+            "net.epsn: header: more than the limit of 1073741824 triangles");
+  EXPECT_TRUE(after([](std::string& b) { set_word(b, 20, 1U << 30); }).starts_with("net.epsn: triangles: has "));
+  EXPECT_EQ(after([](std::string& b) { set_word(b, 20, word(b, 20) - 1); }),
+            "net.epsn: triangles: an odd number of darts, which cannot be paired");
+  EXPECT_EQ(after([](std::string& b) { set_word(b, 24, 3); }),
+            "net.epsn: header: charts of vertices: a width of 3 bytes, expected 1, 2 or 4");
+  EXPECT_EQ(after([](std::string& b) { set_word(b, 28, 0); }),
+            "net.epsn: header: labels of corners: a width of 0 bytes, expected 1, 2 or 4");
+  EXPECT_TRUE(after([&](std::string& b) { b[parts_.head] = '['; }).starts_with("net.epsn: head: "));
+  EXPECT_EQ(after([&](std::string& b) { set_word(b, parts_.opposites, 0); }),
+            "net.epsn: opposites[0]: the opposite of dart 0 is 0, expected a later dart that has none");
+  EXPECT_EQ(after([&](std::string& b) { set_word(b, parts_.opposites, 3 * word(b, 20)); }),
+            "net.epsn: opposites[0]: the opposite of dart 0 is " + std::to_string(3 * net_.triangles.size()) +
+                ", expected a later dart that has none");
+  EXPECT_EQ(after([&](std::string& b) { set_word(b, parts_.opposites + 4, word(b, parts_.opposites)); }),
+            "net.epsn: opposites[1]: the opposite of dart 1 is " + std::to_string(net_.triangles[0].opposite[0]) +
+                ", expected a later dart that has none");
+  EXPECT_EQ(after([&](std::string& b) { b[parts_.labels] = 0; }),
+            "net.epsn: labels of corners[0]: 0, expected another, as the corner is said to have one");
+  ASSERT_NE(2 * net_.triangles.size() % 8, 0U);
+  EXPECT_EQ(after([&](std::string& b) { b[parts_.labels - 1] = static_cast<char>(b[parts_.labels - 1] | 0x80); }),
+            "net.epsn: labelled corners: a bit beyond the last corner is set");
+  // What a net file must not say either.
+  EXPECT_TRUE(
+      after([&](std::string& b) { set_word(b, parts_.vertices, 1U << 31); }).starts_with("net.epsn: triangles[0]: "));
+  EXPECT_TRUE(after([&](std::string& b) { b[parts_.charts] = 77; }).starts_with("net.epsn: vertices[0]: "));
+}
+
+TEST_F(Compact, TheHeadHasNoVertices) {
+  std::ostringstream text;
+  write_net(net_, text);
+  std::string bytes =
+      good_.substr(0, 12) + std::string(4, '\0') + good_.substr(16, 16) + text.str() + good_.substr(parts_.x);
+  set_word(bytes, 12, static_cast<std::uint32_t>(text.str().size()));
+  EXPECT_EQ(problem(with_checksum(bytes)), "net.epsn: head: vertices or triangles in the JSON text, expected none");
+}
+
+TEST_F(Compact, WhateverIsReadIsWrittenTheSame) {
+  std::mt19937_64 random(7);
+  int readable = 0;
+  for (int k = 0; k < 3000; ++k) {
+    std::string bytes = good_;
+    for (int changes = 0; changes < 1 + k % 3; ++changes) {
+      bytes[parts_.x + random() % (bytes.size() - 8 - parts_.x)] = static_cast<char>(random());
+    }
+    try {
+      const NetDocument document = parse_net(with_checksum(bytes), "compact");
+      ++readable;
+      EXPECT_EQ(parse_net(compact(document), "compact"), document);
+    } catch (const MalformedError&) {
+    }
+  }
+  EXPECT_GT(readable, 300);
+}
+
+}  // namespace
+}  // namespace epsnet::certify
