@@ -103,9 +103,10 @@ void close_edge(Triangulation& triangulation, Dart d) {
   }
 }
 
-}  // namespace
-
-std::optional<Dart> contract(Triangulation& triangulation, Dart d) {
+/// Moves the start vertex of d along d into its end. Nothing leads to the vertex and to the two triangles at d any
+/// more, but they are still there. Returns a dart that leaves the merged vertex; nothing, with nothing changed, if some
+/// triangle would not stay counterclockwise.
+std::optional<Dart> merge(Triangulation& triangulation, Dart d) {
   const Dart e = triangulation.opposite(d);
   const std::array<std::uint32_t, 2> vanishing{triangle_of(d), triangle_of(e)};
   const std::uint32_t v = triangulation.corner(d).vertex;
@@ -119,8 +120,38 @@ std::optional<Dart> contract(Triangulation& triangulation, Dart d) {
     return std::nullopt;
   }
   close_edge(triangulation, d);
+  return *survivor;
+}
+
+/// The numbers of what stays, counted in order.
+std::vector<std::uint32_t> numbers_without(const std::vector<bool>& goes) {
+  std::vector<std::uint32_t> result(goes.size());
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < goes.size(); ++i) {
+    result[i] = number;
+    if (!goes[i]) ++number;
+  }
+  return result;
+}
+
+template <class T>
+void erase(std::vector<T>& values, const std::vector<bool>& goes) {
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < goes.size(); ++i) {
+    if (!goes[i]) values[size++] = values[i];
+  }
+  values.resize(size);
+}
+
+}  // namespace
+
+std::optional<Dart> contract(Triangulation& triangulation, Dart d) {
+  const std::uint32_t v = triangulation.corner(d).vertex;
+  const auto [first, last] = std::minmax({triangle_of(d), triangle_of(triangulation.opposite(d))});
+  const std::optional<Dart> survivor = merge(triangulation, d);
+  if (!survivor) return std::nullopt;
   Dart left = *survivor;  // Leaves v, that is now w.
-  for (const std::uint32_t t : {std::max(vanishing[0], vanishing[1]), std::min(vanishing[0], vanishing[1])}) {
+  for (const std::uint32_t t : {last, first}) {
     if (triangle_of(left) == triangulation.triangle_count() - 1) {
       left = make_dart(t, corner_of(left));
     }
@@ -130,18 +161,52 @@ std::optional<Dart> contract(Triangulation& triangulation, Dart d) {
   return left;
 }
 
+std::uint32_t contract_all(Triangulation& triangulation, const std::function<bool(Dart)>& goes) {
+  std::vector<bool> vertex_goes(triangulation.vertex_count());
+  std::vector<bool> triangle_goes(triangulation.triangle_count());
+  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+    for (std::uint32_t i = 0; i < 3 && !triangle_goes[t]; ++i) {
+      const Dart d = make_dart(t, i);
+      const std::uint32_t v = triangulation.corner(d).vertex;
+      const std::uint32_t across = triangle_of(triangulation.opposite(d));
+      if (v != triangulation.corner(next_dart(d)).vertex && goes(d) && merge(triangulation, d)) {
+        vertex_goes[v] = true;
+        triangle_goes[t] = true;
+        triangle_goes[across] = true;
+      }
+    }
+  }
+  const std::vector<std::uint32_t> vertex_number = numbers_without(vertex_goes);
+  const std::vector<std::uint32_t> triangle_number = numbers_without(triangle_goes);
+  const Editor editor(triangulation);
+  erase(editor.points(), vertex_goes);
+  erase(editor.charts(), vertex_goes);
+  erase(editor.triangles(), triangle_goes);
+  for (Triangle& triangle : editor.triangles()) {
+    for (std::uint32_t& v : triangle.vertex) v = vertex_number[v];
+    for (Dart& d : triangle.opposite) d = make_dart(triangle_number[triangle_of(d)], corner_of(d));
+  }
+  return static_cast<std::uint32_t>(vertex_goes.size()) - triangulation.vertex_count();
+}
+
 bool move_vertex(Triangulation& triangulation, Dart d, const Atlas::Place& place) {
   const std::vector<Dart> around = triangulation.star(d);
   const std::uint32_t v = triangulation.corner(d).vertex;
   const Editor editor(triangulation);
   const std::uint32_t u = editor.add_vertex({place.z, place.chart});
   constexpr std::uint32_t kNone = ~std::uint32_t{0};
-  if (!replace_vertex(triangulation, around, {u, place.label}, {kNone, kNone})) {
-    editor.pop_vertex();
-    return false;
+  const bool moved = replace_vertex(triangulation, around, {u, place.label}, {kNone, kNone});
+  if (moved) {
+    // v becomes what u is.
+    for (const Dart x : around) {
+      std::array<std::uint32_t, 3>& vertices = editor.triangles()[triangle_of(x)].vertex;
+      std::replace(vertices.begin(), vertices.end(), u, v);
+    }
+    editor.points()[v] = place.z;
+    editor.charts()[v] = place.chart;
   }
-  remove_vertex(triangulation, v);  // u takes its number.
-  return true;
+  editor.pop_vertex();
+  return moved;
 }
 
 }  // namespace epsnet

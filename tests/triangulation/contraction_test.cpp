@@ -83,6 +83,22 @@ RC_GTEST_PROP(ContractionProperty, LeavesATriangulationOrEverything, ()) {
   RC_ASSERT(left.chart == end.chart);
 }
 
+RC_GTEST_PROP(ContractionProperty, AllAtOnceLeaveATriangulation, ()) {
+  const Surface& surface = test::any_tiled_surface().surface;
+  Triangulation t = test::any_delaunay(surface, any_index(40u));
+  const auto vertices = t.vertex_count();
+  const std::uint32_t kept = any_index(3u);
+  std::uint32_t asked = 0;
+  const auto goes = [&](Dart d) { return start_of(t, d) % 3 != kept && ++asked % 2 == 0; };
+  const auto before = test::snapshot(t);
+  const auto removed = contract_all(t, goes);
+  RC_CLASSIFY(removed > 1, "several removed");
+  RC_ASSERT(t.vertex_count() == vertices - removed);
+  RC_ASSERT(removed > 0 || test::snapshot(t) == before);
+  RC_ASSERT(problem(t) == "");
+  RC_ASSERT(std::abs(test::total_area(t) - test::area_of(surface)) < 1e-9);
+}
+
 RC_GTEST_PROP(ContractionProperty, MovesKeepTheTriangulation, ()) {
   const Surface& surface = test::any_tiled_surface().surface;
   Triangulation t = any_triangulation(surface);
