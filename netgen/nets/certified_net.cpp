@@ -9,6 +9,7 @@
 #include "certify/check.h"
 #include "netgen/nets/collars.h"
 #include "netgen/nets/refine.h"
+#include "netgen/nets/sparse.h"
 #include "netgen/nets/start.h"
 
 namespace epsnet {
@@ -25,6 +26,10 @@ TriangulatedNet triangulated_net(const Surface& surface, const Length& epsilon, 
     throw std::invalid_argument("epsilon = " + epsilon.text() +
                                 " is too large for a pseudo net, the limit is ln sqrt(2) = 0.3465...");
   }
+  if (options.pseudo && options.sparse) {
+    throw std::invalid_argument(
+        "a pseudo net cannot be sparse: its pairs of vertices beside short geodesics do not move");
+  }
   const auto start_time = std::chrono::steady_clock::now();
   DelaunayStart start = delaunay_start(surface, options.base);
   const std::uint32_t removed = options.base ? reduce_to_vertex_0(start.triangulation) : 0;
@@ -36,6 +41,8 @@ TriangulatedNet triangulated_net(const Surface& surface, const Length& epsilon, 
     net.statistics = refine(net.triangulation, epsilon, options, &collars);
     net.collars = collars.documents();
     net.statistics.collars = collars.count();
+  } else if (options.sparse) {
+    net.statistics = refine_sparsely(net.triangulation, epsilon, options);
   } else {
     net.statistics = refine(net.triangulation, epsilon, options);
   }

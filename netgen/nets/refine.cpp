@@ -35,15 +35,8 @@ class Refinement {
         collars_(collars),
         large_(epsilon.value()),
         apart_(epsilon.value() / 2) {
-    const double genus_term = triangulation.surface().genus() - 1.0;
-    const double s = std::sqrt(apart_.high());
-    // Theorem III.2 forces at least this many; experience (thesis IV.6.2) is 2.17 times that.
-    const double least = genus_term / (s * s);
-    constexpr double kMostVertices = 0x1p29;
-    if (!(least < kMostVertices)) {
-      throw NetError("epsilon = " + epsilon.text() + " needs more than " + std::to_string(std::uint64_t{1} << 29) +
-                     " vertices, the limit (thesis Theorem III.2)");
-    }
+    const double least = require_possible(triangulation.surface(), epsilon);
+    // Experience (thesis IV.6.2).
     expected_ = 2.17 * least + 1;
     triangulation_.reserve(static_cast<std::size_t>(1.1 * expected_ + 1000));
   }
@@ -343,6 +336,18 @@ class Refinement {
 };
 
 }  // namespace
+
+double require_possible(const Surface& surface, const Length& epsilon) {
+  const Threshold apart(epsilon.value() / 2);
+  const double s = std::sqrt(apart.high());
+  const double least = (surface.genus() - 1.0) / (s * s);
+  constexpr double kMostVertices = 0x1p29;
+  if (!(least < kMostVertices)) {
+    throw NetError("epsilon = " + epsilon.text() + " needs more than " + std::to_string(std::uint64_t{1} << 29) +
+                   " vertices, the limit (thesis Theorem III.2)");
+  }
+  return least;
+}
 
 NetStatistics refine(Triangulation& triangulation, const Length& epsilon, const NetOptions& options, Collars* collars) {
   switch (options.list) {

@@ -6,6 +6,10 @@
 
 namespace epsnet {
 
+/// The least number of vertices that a net of the surface may have (thesis Theorem III.2). Throws NetError if it is
+/// more than 2²⁹, the limit of `refine`.
+double require_possible(const Surface& surface, const Length& epsilon);
+
 /// Refines a Delaunay triangulation whose vertices are an ε-packing until they are an ε-net (thesis Algorithm IV.4.1
 /// with a list of IV.4.7).
 ///

@@ -34,6 +34,13 @@ same straight.json implied.json
 good net s.json --epsilon 0.2 -o b.json --list B --record record.csv
 verified b.json
 grep -q '^s,0.2,cavity,,B,VERIFIED,2,' record.csv || complain "the record: $(cat record.csv)"
+good net s.json --epsilon 0.1 -o sparse.json --sparse --stats
+verified sparse.json
+grep -q '^lower bound.* ratio 1\.4' output || complain "a sparse net is not sparse: $(cat output)"
+good net s.json --epsilon 0.1 -o sparse-again.json --sparse --threads 1
+same sparse.json sparse-again.json
+good net s.json --epsilon 0.4 -o sparse-flips.json --sparse --insert flips --list D --base 0
+verified sparse-flips.json
 good --version
 grep -q '^epsnet [0-9.]*$' output || complain "the version: $(cat output)"
 good net s.json --epsilon 0.2 -o unproved.json --no-certify
@@ -201,6 +208,8 @@ bad 64 'nonsense' nonsense
 bad 64 'octagon, fenchel-nielsen, regular or import' surface
 bad 64 'nonsense' surface nonsense
 bad 64 'seed' surface octagon -o out/s.json
+bad 64 '^epsnet: --sparse and --pseudo: a pseudo net cannot be sparse' net thin.json --epsilon 0.3 --sparse --pseudo -o out/net.json
+bad 64 '^epsnet: --sparse and --record: a record is of nets' net s.json --epsilon 0.3 --sparse --record out/r.csv -o out/net.json
 bad 64 'list' net s.json --epsilon 0.2 --list E -o out/net.json
 bad 64 'record cannot be standard output' net s.json --epsilon 0.2 -o out/net.json --record -
 bad 64 'certified nets' net s.json --epsilon 0.2 -o out/net.json --record out/r.csv --no-certify

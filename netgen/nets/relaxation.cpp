@@ -1,0 +1,238 @@
+#include "netgen/nets/relaxation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "kernel/predicates.h"
+#include "triangulation/contraction.h"
+#include "triangulation/editor.h"
+#include "triangulation/flip.h"
+
+namespace epsnet {
+namespace {
+
+double power(double x, unsigned n) {
+  double result = 1;
+  for (; n != 0; n >>= 1, x *= x) {
+    if ((n & 1) != 0) result *= x;
+  }
+  return result;
+}
+
+/// The weights, moves and circles are heuristic, in binary64; signs of predicates decide what is done to the
+/// triangulation: no triangle turns over, and no edge is flipped that is Delaunay.
+class Relaxation {
+ public:
+  Relaxation(Triangulation& triangulation, const Threshold& size, std::optional<std::uint32_t> kept)
+      : triangulation_(triangulation),
+        editor_(triangulation),
+        kept_(kept),
+        scale_(4 / size.high()),
+        before_(editor_.points()),
+        velocity_(triangulation.vertex_count()) {
+    find_circles();
+  }
+
+  void sweep(const RelaxationSweep& sweep) {
+    find_pulls(sweep.exponent);
+    move(sweep);
+    find_circles();
+    flip_where_needed();
+    change_charts();
+  }
+
+  [[nodiscard]] std::uint64_t flips() const { return flips_; }
+
+ private:
+  /// The circumcircle of a triangle in the disk of its chart, Euclidean.
+  struct Circle {
+    Complex<double> middle;
+    double radius2;  ///< The square of the radius.
+    double area;     ///< Twice that of the triangle with straight sides.
+  };
+  /// What the triangles around a vertex want of it: sums over their weights and the ways to their centres, in the
+  /// vertex' chart.
+  struct Pull {
+    double weight = 0;
+    Complex<double> way{0, 0};
+    Complex<double> way2{0, 0};
+  };
+
+  [[nodiscard]] Complex<double> lifted(const Triangle& triangle, std::uint32_t i) const {
+    const Complex<double>& z = triangulation_.point(triangle.vertex[i]);
+    const LabelId label = triangle.label(i);
+    return label == kIdentity ? z : triangulation_.atlas().isometry(label)(z);
+  }
+
+  /// False if the triangle is not counterclockwise.
+  [[nodiscard]] bool find_circle(std::uint32_t t) {
+    const Triangle& triangle = triangulation_.triangle(t);
+    const Complex<double> a = triangulation_.point(triangle.vertex[0]);
+    const Complex<double> b = lifted(triangle, 1);
+    const Complex<double> c = lifted(triangle, 2);
+    const StageSign seen = triangle.all_identity() ? orientation_stage<double>(a, b, c, 0) : StageSign{};
+    const int sign = seen.certain ? seen.sign
+                                  : triangulation_.orientation(triangulation_.corner(t, 0), triangulation_.corner(t, 1),
+                                                               triangulation_.corner(t, 2));
+    if (sign <= 0) return false;
+    const Complex<double> u = b - a;
+    const Complex<double> v = c - a;
+    const double uu = norm(u);
+    const double vv = norm(v);
+    const double uv = cross(u, v);
+    const double half = 0.5 / uv;
+    const Complex<double> from_a{(v.y * uu - u.y * vv) * half, (u.x * vv - v.x * uu) * half};
+    circles_[t] = {a + from_a, norm(from_a), uv};
+    return true;
+  }
+
+  /// The circles of all triangles. Where one is not counterclockwise its vertices go back to where they were before the
+  /// sweep, until all are: at worst everything is as it was.
+  void find_circles() {
+    circles_.resize(triangulation_.triangle_count());
+    bool all = false;
+    while (!all) {
+      all = true;
+      for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+        if (find_circle(t)) continue;
+        all = false;
+        for (const std::uint32_t v : triangulation_.triangle(t).vertex) {
+          editor_.points()[v] = before_[v];
+          velocity_[v] = {0, 0};
+        }
+      }
+    }
+  }
+
+  void find_pulls(unsigned exponent) {
+    pulls_.assign(triangulation_.vertex_count(), {});
+    for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+      const Circle& circle = circles_[t];
+      const Triangle& triangle = triangulation_.triangle(t);
+      // As in circumcentre_near_origin. Where the circle comes near the unit circle, or is none, the weight is NaN, and
+      // so are the sums of the triangle's vertices: they stay where they are.
+      const double sum = 1 + norm(circle.middle) - circle.radius2;
+      const double rest = sum * sum - 4 * norm(circle.middle);
+      constexpr double kSmallestRest = 0.01;
+      const double inverse = circle.area > 0 && rest > kSmallestRest ? 1 / rest : kNaN;
+      const Complex<double> hyperbolic_centre = (2 / (sum + std::sqrt(rest))) * circle.middle;
+      // sinh²R = 4 radius2/rest. The unit of areas is about 1/rest, up to a factor.
+      const double weight = circle.area * inverse * power(scale_ * circle.radius2 * inverse, exponent);
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const std::uint32_t v = triangle.vertex[i];
+        const LabelId label = triangle.label(i);
+        const Complex<double> centre = label == kIdentity
+                                           ? hyperbolic_centre
+                                           : epsnet::inverse(triangulation_.atlas().isometry(label))(hyperbolic_centre);
+        const Complex<double> way = centre - triangulation_.point(v);
+        Pull& pull = pulls_[v];
+        pull.weight += weight;
+        pull.way = pull.way + weight * way;
+        pull.way2 = pull.way2 + weight * (way * way);
+      }
+    }
+  }
+
+  void move(const RelaxationSweep& sweep) {
+    before_ = editor_.points();
+    for (std::uint32_t v = 0; v < triangulation_.vertex_count(); ++v) {
+      const Pull& pull = pulls_[v];
+      constexpr double kMost = std::numeric_limits<double>::max();
+      if (v == kept_ || !(pull.weight > 0 && pull.weight < kMost)) continue;
+      // With v moved to the origin, z at the way w from it has the coordinate (w + v̄w²/h + …)/h, h = 1 − |v|²: the
+      // mean of these, to second order, lest all vertices drift from or to the origin of the chart.
+      const Complex<double>& z = before_[v];
+      const Complex<double> bend = (1 / (1 - norm(z))) * conj(z);
+      const Complex<double> mean = (1 / pull.weight) * (pull.way + bend * pull.way2);
+      const Complex<double> way = sweep.momentum * velocity_[v] + sweep.step * mean;
+      velocity_[v] = way;
+      const Complex<double> moved = z + way - bend * (way * way);
+      // Predicates hold up to 0.75; in the next step the vertex gets another chart.
+      constexpr double kFarthest = 0.74;
+      if (norm(moved) < kFarthest * kFarthest) editor_.points()[v] = moved;
+    }
+  }
+
+  void flip_where_needed() {
+    Journal journal = open_journal(triangulation_);
+    for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const Dart d = make_dart(t, i);
+        if (!(d < triangulation_.opposite(d)) || is_seen_delaunay(d) || triangulation_.is_delaunay(d)) continue;
+        pending_.push_back(d);
+        flips_ += restore_delaunay(triangulation_, pending_, &journal);
+        for (const auto& [changed, old] : journal.overwritten) {
+          (void)find_circle(changed);  // Counterclockwise, as flips are of convex quadrilaterals.
+        }
+        journal.overwritten.clear();
+      }
+    }
+  }
+
+  /// Whether the circle of the triangle of d shows that d is Delaunay, for all that binary64 sees.
+  [[nodiscard]] bool is_seen_delaunay(Dart d) const {
+    const std::uint32_t t = triangle_of(d);
+    const Dart e = triangulation_.opposite(d);
+    const Triangle& across = triangulation_.triangle(triangle_of(e));
+    if (!triangulation_.triangle(t).all_identity() || !across.all_identity()) return false;
+    const Complex<double>& apex = triangulation_.point(across.vertex[previous(corner_of(e))]);
+    constexpr double kBeyond = 1 + 1e-9;
+    return norm(apex - circles_[t].middle) > kBeyond * circles_[t].radius2;
+  }
+
+  /// Vertices that have come too far from the origin of their chart get another one.
+  void change_charts() {
+    constexpr double kRadius2 = kChartRadius * kChartRadius;
+    const std::vector<Complex<double>>& points = editor_.points();
+    if (std::ranges::none_of(points, [](const Complex<double>& z) { return norm(z) > kRadius2; })) return;
+    for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        if (norm(points[triangulation_.triangle(t).vertex[i]]) > kRadius2) change_chart(make_dart(t, i));
+      }
+    }
+  }
+
+  /// The same for the vertex that d leaves.
+  void change_chart(Dart d) {
+    const std::uint32_t v = triangulation_.corner(d).vertex;
+    const Vertex vertex = triangulation_.vertex(v);
+    Atlas& atlas = triangulation_.atlas();
+    std::optional<Atlas::Place> place = atlas.place_nearby(vertex.chart, vertex.z);
+    if (!place) place = atlas.place(vertex.chart, convert<Mp1024>(vertex.z), Atlas::Precision::binary64);
+    // If its rounding turns a triangle over it is tried again after the next sweep.
+    if (!place || !move_vertex(triangulation_, d, *place)) return;
+    velocity_[v] = {0, 0};
+    for (const Dart x : triangulation_.star(d)) {
+      (void)find_circle(triangle_of(x));  // Counterclockwise, as move_vertex has seen.
+    }
+  }
+
+  static constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+  Triangulation& triangulation_;
+  const Editor editor_;
+  const std::optional<std::uint32_t> kept_;
+  const double scale_;  ///< 4/sinh²R of a typical triangle.
+  std::vector<Complex<double>> before_;
+  std::vector<Complex<double>> velocity_;
+  std::vector<Circle> circles_;
+  std::vector<Pull> pulls_;
+  std::vector<Dart> pending_;
+  std::uint64_t flips_ = 0;
+};
+
+}  // namespace
+
+std::uint64_t relax(Triangulation& triangulation, const Threshold& size, std::span<const RelaxationSweep> sweeps,
+                    std::optional<std::uint32_t> kept) {
+  Relaxation relaxation(triangulation, size, kept);
+  for (const RelaxationSweep& sweep : sweeps) {
+    relaxation.sweep(sweep);
+  }
+  // What binary64 took for Delaunay and is not.
+  return relaxation.flips() + make_delaunay(triangulation);
+}
+
+}  // namespace epsnet

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "netgen/nets/net_options.h"
+#include "triangulation/triangulation.h"
+
+namespace epsnet {
+
+/// Makes a Delaunay triangulation one of an ε-net with few points (docs/design.md, "Sparse nets"): refines it for a
+/// larger ε, relaxes it (`relax`), takes out vertices that are too close and inserts circumcentres of triangles that
+/// are too large, and ends with `refine`, so that what that proves holds here as well.
+///
+/// A vertex 0 that is the base point (`options.base`) is kept. Throws as `refine`. Returns what it did.
+NetStatistics refine_sparsely(Triangulation& triangulation, const Length& epsilon, const NetOptions& options);
+
+}  // namespace epsnet
