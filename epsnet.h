@@ -27,6 +27,7 @@
 #include "netgen/base/write_error.h"
 #include "netgen/distances/cover.h"
 #include "netgen/distances/distance.h"
+#include "netgen/distances/vertex_distances.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/lifts/layout.h"

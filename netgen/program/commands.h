@@ -30,6 +30,7 @@ void add_net_command(CLI::App& app, Job& chosen);
 void add_import_net_command(CLI::App& app, Job& chosen);
 void add_dirichlet_command(CLI::App& app, Job& chosen);
 void add_distance_command(CLI::App& app, Job& chosen);
+void add_distances_command(CLI::App& app, Job& chosen);
 void add_eccentricity_command(CLI::App& app, Job& chosen);
 void add_diameter_command(CLI::App& app, Job& chosen);
 void add_embedded_disk_command(CLI::App& app, Job& chosen);

@@ -63,7 +63,7 @@ CLI::Validator integer_between(std::uint64_t least, std::uint64_t most) {
 }
 
 void add_threads(CLI::App& command, unsigned& threads) {
-  command.add_option("--threads", threads, "of the certificate; 0 is one per core")
+  command.add_option("--threads", threads, "0 is one per core")
       ->check(integer_between(0, 1024))
       ->option_text("N [0]");
 }

@@ -44,6 +44,7 @@ const std::vector<TypeOfFile>& types_of_files() {
       {FileType::html, {".html", ".htm", ".xhtml"}, "an HTML page"},
       {FileType::off, {".off"}, "OFF"},
       {FileType::vtu, {".vtu"}, "VTU"},
+      {FileType::npy, {".npy"}, "a NumPy array"},
   };
   return types;
 }

@@ -11,6 +11,11 @@ good systole s.json -o systole.json
 good spectrum s.json --up-to 3 -o spectrum.json
 good dirichlet s.json -o domain.json
 good distance s.json 0,0.1,-1/3 0 -o distance.json
+good distances net.json -o d.npy --threads 3
+good distances net.json -o again.npy --threads 1
+same d.npy again.npy
+good distances net.json --from v5,v0-v2 --to v7 --bounds -o d.csv
+[ "$(wc -l <d.csv)" = 5 ] || complain "a table of four distances: $(cat d.csv)"
 verified distance.json
 good diameter s.json --width 0.1 -o diameter.json
 verified diameter.json
@@ -212,6 +217,7 @@ piped s.json thick-thin IN
 piped s.json dirichlet IN -o -
 piped s.json distance IN 0 0,0.1,0 -o -
 piped net.json distance IN v3 v5
+piped net.json distances IN -o -
 piped net.json draw IN -o -
 piped spectrum.json draw net.json --geodesics IN -o -
 piped net.json view IN --title net --no-certify -o -
@@ -348,6 +354,12 @@ bad 64 '^epsnet: Q: expected a tile and a point of it' distance s.json 0 0,0.1
 bad 64 '^epsnet: P: expected v and the number of a vertex, as in v17, not "vx"' distance net.json vx v1
 bad 64 '^epsnet: P: "v1" is a vertex, but the file is no net file' distance s.json v1 0
 bad 1 '^epsnet: Q: vertex 34 does not exist, the net has 34' distance net.json v1 v34
+bad 64 '^epsnet: --from: expected all, or vertices such as v0,v5,v10-v19, not "v1,"' distances net.json --from v1, -o out/d.csv
+bad 64 '^epsnet: --to: expected all, or vertices such as v0,v5,v10-v19, not "v3-v1"' distances net.json --to v3-v1 -o out/d.csv
+bad 64 '^epsnet: --to: expected all' distances net.json --to '' -o out/d.csv
+bad 1 '^epsnet: --to: vertex 34 does not exist, the net has 34' distances net.json --to v30-v34 -o out/d.csv
+bad 64 'a table is .npy or .csv' distances net.json -o out/d.txt
+bad 1 'expected "epsnet-net"' distances s.json -o out/d.npy
 bad 64 '^epsnet: --width: expected a positive number' distance s.json 0 0 --width 0
 bad 1 'wider than 1e-17' distance s.json 0 0,0.1,0 --width 1e-17
 bad 1 'both points are on the boundary' distance symmetric.json 0,5/6,0 0,0.6,0.6

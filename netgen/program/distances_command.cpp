@@ -1,0 +1,186 @@
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <sys/sysinfo.h>
+#include <utility>
+#include <vector>
+
+#include "certify/check.h"
+#include "netgen/base/progress_line.h"
+#include "netgen/distances/vertex_distances.h"
+#include "netgen/lifts/layout.h"
+#include "netgen/program/commands.h"
+#include "netgen/program/input.h"
+#include "netgen/program/output.h"
+
+namespace epsnet::program {
+namespace {
+
+struct DistancesRequest {
+  std::string net;
+  std::string output;
+  std::string from = "all";
+  std::string to = "all";
+  bool bounds = false;
+  bool json = false;
+  unsigned threads = 0;
+};
+
+/// The number of "v17"; nothing for any other text.
+std::optional<std::uint32_t> vertex_number(std::string_view text) {
+  if (!text.starts_with('v')) return std::nullopt;
+  std::uint32_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data() + 1, end, number);
+  return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
+}
+
+/// The vertices that "all", or "v0,v5-v9", names, in that order.
+std::vector<std::uint32_t> parse_vertices(const std::string& option, const std::string& text,
+                                          const certify::NetDocument& net) {
+  const std::size_t count = net.vertices.size();
+  std::vector<std::uint32_t> result;
+  if (text == "all") {
+    result.resize(count);
+    std::iota(result.begin(), result.end(), 0U);
+    return result;
+  }
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string item = text.substr(begin, end - begin);
+    const std::size_t dash = item.find('-');
+    const auto first = vertex_number(item.substr(0, dash));
+    const auto last = dash == std::string::npos ? first : vertex_number(item.substr(dash + 1));
+    if (!first || !last || *last < *first) {
+      throw UsageError(option + ": expected all, or vertices such as v0,v5,v10-v19, not \"" + text.substr(0, 80) +
+                       "\"");
+    }
+    if (*last >= count) {
+      throw JobError(option + ": vertex " + std::to_string(*last) + " does not exist, the net has " +
+                     std::to_string(count));
+    }
+    for (std::uint32_t v = *first; v <= *last; ++v) result.push_back(v);
+    begin = end + 1;
+  }
+  return result;
+}
+
+FileType table_type(const std::string& path) {
+  if (is_stdout(path) || path.ends_with(".csv")) return FileType::text;
+  if (path.ends_with(".npy")) return FileType::npy;
+  throw UsageError("--output: " + path + ": a table is .npy or .csv");
+}
+
+std::string gigabytes(double bytes) {
+  std::ostringstream out;
+  out.precision(3);
+  out << bytes / 1e9 << " GB";
+  return out.str();
+}
+
+/// Throws JobError if the table is larger than the machine's memory: before the work, not after it.
+void require_memory(std::size_t rows, std::size_t columns) {
+  struct sysinfo machine = {};
+  if (sysinfo(&machine) != 0) return;
+  const double memory = static_cast<double>(machine.totalram) * machine.mem_unit;
+  const double needed = distance_table_bytes(rows, columns);
+  if (needed <= 0.8 * memory) return;
+  throw JobError(std::to_string(rows) + " x " + std::to_string(columns) + " distances take " + gigabytes(needed) +
+                 ", the machine has " + gigabytes(memory) + "; take a part of them with --from, such as v0-v999");
+}
+
+/// Throws JobError unless the triangles are proved to triangulate the surface.
+certify::Certificate triangulation_certificate(const DistancesRequest& request, const certify::NetDocument& net) {
+  ProgressLine progress;
+  certify::CheckOptions options;
+  options.threads = request.threads;
+  options.progress = progress.shower("certificate: ");
+  certify::Certificate certificate = certify::check(net, options);
+  for (const char* rule : {"surface", "map", "gluing", "orientation"}) {
+    const bool holds =
+        std::any_of(certificate.rules.begin(), certificate.rules.end(), [&](const certify::RuleReport& report) {
+          return report.rule == rule && report.verdict == certify::Verdict::verified;
+        });
+    if (!holds) {
+      throw JobError(request.net + ": its triangles are not proved to triangulate the surface: " +
+                     certify::verdict_line(certificate));
+    }
+  }
+  return certificate;
+}
+
+void tabulate(const DistancesRequest& request) {
+  const FileType type = table_type(request.output);
+  check_files({{"NET", request.net}}, {{"--output", request.output, type}});
+  const certify::NetDocument net = read_net_input(request.net);
+  const std::vector<std::uint32_t> from = parse_vertices("--from", request.from, net);
+  const std::vector<std::uint32_t> to = parse_vertices("--to", request.to, net);
+  require_memory(from.size(), to.size());
+  const certify::Certificate certificate = triangulation_certificate(request, net);
+  DistanceTable table;
+  try {
+    ProgressLine progress;
+    table = vertex_distances(net, from, to, {.threads = request.threads, .progress = progress.shower()});
+  } catch (const NetGeometryError& error) {
+    throw JobError(request.net + ": " + error.what());
+  }
+  const TableEntries entries = request.bounds ? TableEntries::bounds : TableEntries::distances;
+  write_output(request.output, [&](std::ostream& out) {
+    type == FileType::npy ? write_npy(table, entries, out) : write_csv(table, entries, out);
+  });
+  double greatest = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    for (std::size_t k = 0; k < to.size(); ++k) greatest = std::max(greatest, table.distance(i, k));
+  }
+  const double error = table.error();
+  std::ostringstream text;
+  text << "net: " << certify::verdict_line(certificate) << '\n'
+       << "distances: " << from.size() << " x " << to.size() << '\n'
+       << "greatest: " << greatest << '\n'
+       << "error: at most " << error << '\n';
+  write_report({text.str(), Json::object({{"net", certify::verdict_line(certificate)},
+                                          {"rows", from.size()},
+                                          {"columns", to.size()},
+                                          {"greatest", greatest},
+                                          {"error", error}})},
+               request.json, is_stdout(request.output));
+}
+
+}  // namespace
+
+void add_distances_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<DistancesRequest>();
+  DistancesRequest& request = *shared;
+  CLI::App* command = app.add_subcommand("distances", "Distances between the vertices of a net, as a table.");
+  add_input(*command, "NET", request.net, "a net file; that its triangles triangulate the surface is proved first");
+  add_file(*command, "-o,--output", request.output,
+           "the table to write: .npy, an array of NumPy with a row for each vertex of --from and a column for each of "
+           "--to; .csv, lines of two vertices and their distance; \"-\" is standard output, .csv")
+      ->required()
+      ->option_text("FILE REQUIRED");
+  constexpr const char* kVertices = "v0,v5-v9|all [all]";
+  command->add_option("--from", request.from, "the vertices whose distances are asked for")->option_text(kVertices);
+  command->add_option("--to", request.to, "the vertices to which they are")->option_text(kVertices);
+  command->add_flag("--bounds", request.bounds,
+                    "write two numbers that enclose the distance instead of one that is near it");
+  add_json(*command, request.json);
+  add_threads(*command, request.threads);
+  command->footer(
+      "The report says how far the numbers may be from the distances, some 1e-14. That bound is proved on paper\n"
+      "(docs/distances.md); a certificate for one pair comes from 'epsnet distance'. It takes one search of the net "
+      "for\n"
+      "each vertex of --from.\n\n"
+      "Example:\n"
+      "  epsnet distances net.json -o d.npy\n"
+      "  epsnet distances net.json --from v0,v17 --bounds -o d.csv");
+  command->callback([&chosen, shared] { chosen = [shared] { tabulate(*shared); }; });
+}
+
+}  // namespace epsnet::program
