@@ -32,6 +32,7 @@
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/lifts/layout.h"
 #include "netgen/lifts/lifts.h"
+#include "netgen/lifts/locate.h"
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/net_document.h"

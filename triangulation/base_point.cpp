@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "kernel/plane.h"
 
@@ -52,6 +53,41 @@ BasePoint centre_of_tile(const Surface& surface, std::uint32_t tile) {
     if (!side_not_left_of(vertices, z) || bits > 1024) {
       return {tile, z};
     }
+  }
+}
+
+Word path_between_tiles(const Surface& surface, std::uint32_t from, std::uint32_t to) {
+  // By tile: the side through which it was reached.
+  std::vector<std::optional<std::uint32_t>> entered(surface.tiles().size());
+  std::vector<std::uint32_t> queue{to};
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const std::uint32_t tile = queue[i];
+    for (std::uint32_t k = 0; k < surface.tiles()[tile].size(); ++k) {
+      const std::uint32_t partner = surface.partner(surface.side_number(tile, k));
+      const std::uint32_t next = surface.tile_of_side(partner);
+      if (next == to || entered[next]) continue;
+      entered[next] = partner;
+      queue.push_back(next);
+    }
+  }
+  Word word;
+  for (std::uint32_t tile = from; tile != to; tile = surface.tile_of_side(surface.partner(word.back()))) {
+    word.push_back(*entered[tile]);
+  }
+  return word;
+}
+
+void require_in_tile(const Surface& surface, const BasePoint& point) {
+  const std::size_t tiles = surface.tiles().size();
+  if (point.tile >= tiles) {
+    throw SurfaceError("the point is in tile " + std::to_string(point.tile) + ", the surface has " +
+                       std::to_string(tiles) + " tiles");
+  }
+  const Tile& tile = surface.tiles()[point.tile];
+  for (std::size_t k = 0; k < tile.size(); ++k) {
+    if (norm(point.z) < 1 && orientation_determinant(tile[k], tile[(k + 1) % tile.size()], point.z) >= 0) continue;
+    throw SurfaceError("the point is not in tile " + std::to_string(point.tile) + ": it is on the right of side " +
+                       std::to_string(k));
   }
 }
 

@@ -19,4 +19,10 @@ struct BasePoint {
 /// Throws SurfaceError if the point is not strictly inside of its tile.
 void require_inside(const Surface& surface, const BasePoint& base);
 
+/// Throws SurfaceError unless the point is in its tile, the sides among it.
+void require_in_tile(const Surface& surface, const BasePoint& point);
+
+/// A word of fewest crossings from one tile to another. O(sides).
+[[nodiscard]] Word path_between_tiles(const Surface& surface, std::uint32_t from, std::uint32_t to);
+
 }  // namespace epsnet

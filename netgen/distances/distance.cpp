@@ -9,8 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "certify/document/darts.h"
+#include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
+#include "netgen/lifts/net_geometry.h"
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/nets/net_options.h"
 #include "triangulation/atlas.h"
@@ -42,28 +45,6 @@ Isometry<Mp1024> value(const Surface& surface, const Word& word) {
   return result;
 }
 
-/// A shortest path of tiles.
-Word path_of_tiles(const Surface& surface, std::uint32_t from, std::uint32_t to) {
-  // By tile: the side through which it was reached.
-  std::vector<std::optional<std::uint32_t>> entered(surface.tiles().size());
-  std::vector<std::uint32_t> queue{to};
-  for (std::size_t i = 0; i < queue.size(); ++i) {
-    const std::uint32_t tile = queue[i];
-    for (std::uint32_t k = 0; k < surface.tiles()[tile].size(); ++k) {
-      const std::uint32_t partner = surface.partner(surface.side_number(tile, k));
-      const std::uint32_t next = surface.tile_of_side(partner);
-      if (next == to || entered[next]) continue;
-      entered[next] = partner;
-      queue.push_back(next);
-    }
-  }
-  Word word;
-  for (std::uint32_t tile = from; tile != to; tile = surface.tile_of_side(surface.partner(word.back()))) {
-    word.push_back(*entered[tile]);
-  }
-  return word;
-}
-
 /// The lifts of q around p, from one to the next by the neighbours of p: the Dirichlet domain of p contains a nearest
 /// one, from any other one of its neighbours is nearer (docs/proof.md, Lemma 17).
 class LiftsOfPoint {
@@ -88,7 +69,7 @@ class LiftsOfPoint {
   /// from the least, and the enclosure of these.
   [[nodiscard]] std::pair<std::vector<Path>, certify::Interval> shortest(std::uint32_t start,
                                                                          const BasePoint& q) const {
-    Word word = path_of_tiles(surface_, start, q.tile);
+    Word word = path_between_tiles(surface_, start, q.tile);
     const Complex<Mp1024> end = from_tile_(inverse(value(surface_, word))(convert<Mp1024>(q.z)));
     const Path nearest = descended({std::move(word), end, distance(Complex<Mp1024>{}, end)});
     const certify::Interval enclosure = enclosing(nearest.length);
@@ -171,28 +152,10 @@ class LiftsOfPoint {
 
 }  // namespace
 
-void require_in_tile(const Surface& surface, const BasePoint& point) {
-  const std::size_t tiles = surface.tiles().size();
-  if (point.tile >= tiles) {
-    throw SurfaceError("the point is in tile " + std::to_string(point.tile) + ", the surface has " +
-                       std::to_string(tiles) + " tiles");
-  }
-  const Tile& tile = surface.tiles()[point.tile];
-  for (std::size_t k = 0; k < tile.size(); ++k) {
-    if (norm(point.z) < 1 && orientation_determinant(tile[k], tile[(k + 1) % tile.size()], point.z) >= 0) continue;
-    throw SurfaceError("the point is not in tile " + std::to_string(point.tile) + ": it is on the right of side " +
-                       std::to_string(k));
-  }
-}
+namespace {
 
-BasePoint point_of_vertex(const Surface& surface, const certify::NetDocument& net, std::uint32_t vertex) {
-  const std::string name = "vertex " + std::to_string(vertex);
-  if (vertex >= net.vertices.size()) {
-    throw NetError(name + " does not exist, the net has " + std::to_string(net.vertices.size()));
-  }
-  const auto& [x, y, c] = net.vertices[vertex];
-  const certify::NetDocument::Chart& chart = net.charts[c];
-  BasePoint point{chart.tile, Isometry<Rational>::translation(from_gmp(chart.centre))({Rational(x), Rational(y)})};
+/// A point given in the coordinates of a tile, in the tile that contains it. `name` stands for it in messages.
+BasePoint moved_into_its_tile(const Surface& surface, BasePoint point, const std::string& name) {
   // A walk along a line would need more care; this one leads nearer to the tile's inside with each step.
   constexpr int kMostTiles = 10'000;
   for (int tiles = 0; tiles < kMostTiles; ++tiles) {
@@ -207,6 +170,52 @@ BasePoint point_of_vertex(const Surface& surface, const certify::NetDocument& ne
     point = {surface.tile_of_side(surface.partner(side)), surface.crossing(side)(point.z)};
   }
   throw NetError(name + " is more than " + std::to_string(kMostTiles) + " tiles away from that of its chart");
+}
+
+}  // namespace
+
+BasePoint point_of_vertex(const Surface& surface, const certify::NetDocument& net, std::uint32_t vertex) {
+  const std::string name = "vertex " + std::to_string(vertex);
+  if (vertex >= net.vertices.size()) {
+    throw NetError(name + " does not exist, the net has " + std::to_string(net.vertices.size()));
+  }
+  const auto& [x, y, c] = net.vertices[vertex];
+  const certify::NetDocument::Chart& chart = net.charts[c];
+  return moved_into_its_tile(
+      surface, {chart.tile, Isometry<Rational>::translation(from_gmp(chart.centre))({Rational(x), Rational(y)})}, name);
+}
+
+BasePoint point_of_triangle(const Surface& surface, const certify::NetDocument& net, std::uint32_t triangle,
+                            const std::array<Rational, 3>& weights) {
+  const std::string name = "the point of triangle " + std::to_string(triangle);
+  if (triangle >= net.triangles.size()) {
+    throw NetError("triangle " + std::to_string(triangle) + " does not exist, the net has " +
+                   std::to_string(net.triangles.size()));
+  }
+  if (*std::min_element(weights.begin(), weights.end()) < 0) throw NetError(name + " has a negative weight");
+  const auto zeros = std::count(weights.begin(), weights.end(), 0);
+  if (zeros == 3) throw NetError(name + " has no weight but 0");
+  const NetGeometry geometry(net);
+  LorentzVector<Mp256> sum;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const std::uint32_t v = net.triangles[triangle].vertex[i];
+    if (zeros == 2 && weights[i] != 0) return point_of_vertex(surface, net, v);
+    const Isometry<Mp256>& label = geometry.label(certify::corner_label(net, 3 * triangle + i)).precise;
+    const Complex<Mp256> corner = label({Mp256(net.vertices[v].x), Mp256(net.vertices[v].y)});
+    sum = sum + Mp256(weights[i]) * on_hyperboloid(corner);
+  }
+  const certify::NetDocument::Chart& chart = net.charts[certify::chart_of_triangle(net, triangle)];
+  const Mp256 length = sqrt(Mp256(-lorentz_product(sum, sum)));
+  const Complex<Mp256> z = Isometry<Mp256>::translation(rounded<Mp256>(chart.centre))(
+      in_disk(LorentzVector<Mp256>(Mp256(1 / length) * sum)));
+  const auto to_rational = [](const Mp256& x) {
+    constexpr int kBits = 100;
+    mpq_class result;
+    mpfr_get_z(result.get_num().get_mpz_t(), Mp256(ldexp(x, kBits)).backend().data(), MPFR_RNDN);
+    mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), kBits);
+    return from_gmp(result);
+  };
+  return moved_into_its_tile(surface, {chart.tile, {to_rational(z.x), to_rational(z.y)}}, name);
 }
 
 certify::DistanceDocument distance(const Surface& surface, const BasePoint& p, const BasePoint& q,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "certify/document/distance_document.h"
@@ -15,12 +16,17 @@ struct DistanceOptions {
   double width = 1e-12;
 };
 
-/// Throws SurfaceError unless the point is in its tile, the sides among it.
-void require_in_tile(const Surface& surface, const BasePoint& point);
-
 /// A vertex of a net of this surface as a point of the tile in which it lies, exactly. Throws NetError if there is no
 /// such vertex, and on a regular surface if it is not in the tile of its chart: then its coordinates are not rational.
 [[nodiscard]] BasePoint point_of_vertex(const Surface& surface, const certify::NetDocument& net, std::uint32_t vertex);
+
+/// The point of a triangle of a net with these weights: the Lorentz vectors (x, y, t) of its corners on the hyperboloid
+/// x² + y² − t² = −1, lifted together, times their weights, add up to a vector on the ray of the point. (1, 1, 1) is
+/// the centroid, (1, 1, 0) the midpoint of side 0. Coordinates in the tile of the triangle's chart are rounded to
+/// multiples of 2⁻¹⁰⁰, except that one weight alone is that vertex, exactly. Throws NetError as point_of_vertex, and
+/// for weights that are negative or all 0.
+[[nodiscard]] BasePoint point_of_triangle(const Surface& surface, const certify::NetDocument& net,
+                                          std::uint32_t triangle, const std::array<Rational, 3>& weights);
 
 /// The distance between p and q and all geodesics between them that are not longer than the upper end of its enclosure,
 /// as paths from p to q; if p is not strictly inside of its tile, from q to p (then `point` is p).

@@ -30,9 +30,15 @@ TriangulatedNet triangulated_net(const Surface& surface, const Length& epsilon, 
     throw std::invalid_argument(
         "a pseudo net cannot be sparse: its pairs of vertices beside short geodesics do not move");
   }
+  if (options.pseudo && !options.points.empty()) throw std::invalid_argument("a pseudo net of given points");
+  if (options.sparse && !options.points.empty()) {
+    throw std::invalid_argument("a sparse net of given points: its vertices move");
+  }
   const auto start_time = std::chrono::steady_clock::now();
-  DelaunayStart start = delaunay_start(surface, options.base);
-  const std::uint32_t removed = options.base ? reduce_to_vertex_0(start.triangulation) : 0;
+  std::vector<BasePoint> points = options.points;
+  if (options.base) points.insert(points.begin(), *options.base);
+  DelaunayStart start = points.empty() ? delaunay_start(surface, std::nullopt)
+                                       : delaunay_start_of_points(surface, points, Threshold(epsilon.value() / 2));
   const double start_seconds = seconds_since(start_time);
   const auto refinement_time = std::chrono::steady_clock::now();
   TriangulatedNet net{std::move(start.triangulation), {}, std::nullopt};
@@ -47,7 +53,7 @@ TriangulatedNet triangulated_net(const Surface& surface, const Length& epsilon, 
     net.statistics = refine(net.triangulation, epsilon, options);
   }
   net.statistics.initial_flips = start.flips;
-  net.statistics.removed += removed;
+  net.statistics.removed += start.removed;
   net.statistics.multiprecision = net.triangulation.multiprecision_count();
   net.statistics.start_seconds = start_seconds;
   net.statistics.refine_seconds = seconds_since(refinement_time);

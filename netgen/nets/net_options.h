@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "certify/document/report.h"
 #include "netgen/base/length.h"
@@ -37,6 +39,10 @@ enum class TriangleList {
 struct NetOptions {
   /// The start is this point alone; without it, all vertices of the tiles that are not too close to others.
   std::optional<BasePoint> base = {};
+  /// These points, strictly inside of their tiles, are vertices, exactly where they are: the start is they alone, after
+  /// the base if there is one. No two may be closer than ε (ClosePointsError). Not for pseudo nets, which remove
+  /// vertices from collars.
+  std::vector<BasePoint> points = {};
   Insertion insertion = Insertion::cavity;
   Walk walk = Walk::visibility;  ///< How `Insertion::flips` finds the triangle that contains a circumcentre.
   TriangleList list = TriangleList::large_back;
@@ -110,6 +116,25 @@ template <class Option, std::size_t N>
 class NetError : public Error {
  public:
   using Error::Error;
+};
+
+/// Two points that are to be vertices are not farther than ε from each other.
+class ClosePointsError : public NetError {
+ public:
+  /// By their vertices, `first` < `second`: the base, if there is one, then the points in their order.
+  ClosePointsError(std::uint32_t first, std::uint32_t second)
+      : NetError("points " + std::to_string(first) + " and " + std::to_string(second) +
+                 " are not farther than epsilon from each other"),
+        first_(first),
+        second_(second) {}
+  /// The vertex of the first one.
+  [[nodiscard]] std::uint32_t first() const { return first_; }
+  /// The vertex of the second one.
+  [[nodiscard]] std::uint32_t second() const { return second_; }
+
+ private:
+  std::uint32_t first_;
+  std::uint32_t second_;
 };
 
 }  // namespace epsnet

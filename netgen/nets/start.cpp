@@ -1,10 +1,12 @@
 #include "netgen/nets/start.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "triangulation/contraction.h"
 #include "triangulation/flip.h"
+#include "triangulation/insertion.h"
 
 namespace epsnet {
 namespace {
@@ -135,6 +137,35 @@ DelaunayStart delaunay_start(const Surface& surface, const std::optional<BasePoi
   // are.
   const bool is_delaunay = surface.is_regular() && start.triangulation.vertex_count() == 1;
   if (!is_delaunay) start.flips = make_delaunay(start.triangulation);
+  return start;
+}
+
+DelaunayStart delaunay_start_of_points(const Surface& surface, const std::vector<BasePoint>& points,
+                                       const Threshold& apart) {
+  for (const BasePoint& point : points) require_inside(surface, point);
+  DelaunayStart start = delaunay_start(surface, points.front());
+  Triangulation& triangulation = start.triangulation;
+  start.removed = reduce_to_vertex_0(triangulation);
+  for (std::uint32_t v = 1; v < points.size(); ++v) {
+    const auto& [tile, z] = points[v];
+    Atlas& atlas = triangulation.atlas();
+    const std::uint32_t chart = atlas.add_chart({tile, z});
+    const std::uint32_t there = triangulation.chart_of(0);
+    const LabelId label = atlas.label(chart, there, path_between_tiles(surface, tile, atlas.chart(there).tile));
+    const Atlas::Place place{chart, {0, 0}, label};
+    const Location location = locate(triangulation, 0, place, Walk::straight);
+    if (location.type == Location::Type::vertex) {
+      throw ClosePointsError(triangulation.corner(location.dart).vertex, v);
+    }
+    const auto inserted = insert_by_flips(triangulation, 0, place, Walk::straight, kAnySteps);
+    if (!inserted) throw NetError("point " + std::to_string(v) + " could not be made a vertex");
+    start.flips += inserted->flips;
+    // The nearest other vertex is a neighbour.
+    for (const Dart d : triangulation.star(inserted->dart)) {
+      const std::uint32_t other = triangulation.corner(next_dart(d)).vertex;
+      if (other != v && too_close(triangulation, d, apart)) throw ClosePointsError(other, v);
+    }
+  }
   return start;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "netgen/nets/collars.h"
 #include "netgen/nets/net_options.h"
@@ -12,11 +13,18 @@ namespace epsnet {
 /// What a refinement starts from.
 struct DelaunayStart {
   Triangulation triangulation;
-  std::uint64_t flips;  ///< How many edges were flipped.
+  std::uint64_t flips;        ///< How many edges were flipped.
+  std::uint32_t removed = 0;  ///< How many vertices of the surface's own.
 };
 
 /// The Delaunay triangulation of the vertices that Triangulation's constructor gives.
 [[nodiscard]] DelaunayStart delaunay_start(const Surface& surface, const std::optional<BasePoint>& base);
+
+/// The Delaunay triangulation of these points, one at least, as vertices 0, 1, 2, …, each the origin of a chart of its
+/// own. Throws SurfaceError for a point that is not strictly inside of its tile, ClosePointsError for points that are
+/// not farther apart than twice `apart`.
+[[nodiscard]] DelaunayStart delaunay_start_of_points(const Surface& surface, const std::vector<BasePoint>& points,
+                                                     const Threshold& apart);
 
 /// Removes vertices of a Delaunay triangulation until the rest is an ε-packing, the legitimate start of Algorithm
 /// IV.4.1: edges between different vertices that are not longer than ε are contracted; where that would turn a triangle

@@ -3,7 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "netgen/lifts/info.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/curves.h"
+#include "netgen/program/input.h"
 #include "netgen/program/output.h"
 #include "triangulation/surface.h"
 #include "triangulation/triangulation.h"
@@ -30,6 +33,7 @@ void add_net_command(CLI::App& app, Job& chosen);
 void add_import_net_command(CLI::App& app, Job& chosen);
 void add_dirichlet_command(CLI::App& app, Job& chosen);
 void add_distance_command(CLI::App& app, Job& chosen);
+void add_locate_command(CLI::App& app, Job& chosen);
 void add_distances_command(CLI::App& app, Job& chosen);
 void add_eccentricity_command(CLI::App& app, Job& chosen);
 void add_diameter_command(CLI::App& app, Job& chosen);
@@ -58,6 +62,17 @@ void add_threads(CLI::App& command, unsigned& threads);
 /// The point that --base, or another option, names: "tile,x,y", or "tile": the centre of the tile. Throws UsageError.
 [[nodiscard]] BasePoint parse_base(const std::string& text, const Surface& surface,
                                    const std::string& option = "--base");
+/// What --help says of a point of a surface file or a net file.
+inline constexpr const char* kPointHelp =
+    "a point: of tile T, exact; T alone is its centre; of a net file also vN, vertex N, or tN:A,B,C, the point of "
+    "triangle N with these weights on its corners in the hyperboloid model";
+/// A required argument that is a point.
+void add_point(CLI::App& command, const char* name, std::string& text, const std::string& what);
+/// The point that an argument, or a line of a file, names. Throws UsageError for a text that names none, JobError for
+/// what is not there; both begin with `name`.
+[[nodiscard]] BasePoint parse_point(const std::string& name, const std::string& text, const SurfaceOrNet& input);
+/// The number of "v17", for the letter v; nothing for any other text.
+[[nodiscard]] std::optional<std::uint32_t> number_after(char letter, std::string_view text);
 /// A number of the command line as files have it: ".5" is "0.5" and "-.5" is "-0.5". Any other text stays as it is.
 [[nodiscard]] std::string with_leading_zero(const std::string& number);
 /// The value of an option that is a positive length. Throws UsageError, which names the option.

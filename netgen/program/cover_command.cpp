@@ -76,8 +76,8 @@ struct EccentricityRequest {
 
 void measure_eccentricity(const EccentricityRequest& request) {
   check_files({{"SURFACE", request.surface}}, {{"--output", request.output, net_type(request.output)}});
-  const Surface surface = read_surface_input(request.surface);
-  const certify::NetDocument net = eccentricity_net(surface, parse_base(request.p, surface, "P"));
+  const SurfaceOrNet input = read_surface_or_net(request.surface);
+  const certify::NetDocument net = eccentricity_net(input.surface, parse_point("P", request.p, input));
   const certify::Certificate certificate = certify::check(net);
   if (certificate.verdict != certify::Verdict::verified) {
     throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
@@ -108,15 +108,13 @@ void add_eccentricity_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<EccentricityRequest>();
   CLI::App* command = app.add_subcommand(
       "eccentricity", "The greatest distance of a point of the surface from a given one, enclosed and proved.");
-  add_input(*command, "SURFACE", shared->surface, "a surface file");
-  command->add_option("P", shared->p, "the point: of tile T, strictly inside of it, exact; T alone is its centre")
-      ->required()
-      ->option_text("T[,X,Y] REQUIRED");
+  add_input(*command, "SURFACE", shared->surface, "a surface file, or a net file");
+  add_point(*command, "P", shared->p, std::string(kPointHelp) + ". It is strictly inside of its tile");
   add_file(*command, "-o,--output", shared->output,
            "the net file with the one vertex P to write, for certify: its largest circumradius is the eccentricity; "
            "\"-\" is standard output");
   add_json(*command, shared->json);
-  command->footer("Example:\n  epsnet eccentricity s.json 0,0.1,-1/3");
+  command->footer("Example:\n  epsnet eccentricity s.json 0,0.1,-1/3\n  epsnet eccentricity net.json v17");
   command->callback([&chosen, shared] { chosen = [shared] { measure_eccentricity(*shared); }; });
 }
 

@@ -1,9 +1,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "certify/distances/distance_check.h"
@@ -14,7 +12,6 @@
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
-#include "netgen/surfaces/surface_file.h"
 #include "triangulation/atlas.h"
 
 namespace epsnet::program {
@@ -30,39 +27,6 @@ struct DistanceRequest {
   bool json = false;
 };
 
-/// A surface, and the net in whose file it is.
-struct PlacesInput {
-  Surface surface;
-  std::optional<certify::NetDocument> net;
-};
-
-PlacesInput read_places_input(const std::string& path) {
-  const Contents contents = read_any_input(path);
-  if (const auto* surface = std::get_if<Surface>(&contents)) return {*surface, std::nullopt};
-  if (const auto* net = std::get_if<certify::NetDocument>(&contents)) return {from_document(net->surface), *net};
-  throw JobError(path + ": expected a surface file or a net file");
-}
-
-BasePoint parse_place(const char* name, const std::string& text, const PlacesInput& input) try {
-  if (!text.starts_with('v')) {
-    BasePoint point = parse_base(text, input.surface, name);
-    require_in_tile(input.surface, point);
-    return point;
-  }
-  const std::string digits = text.substr(1);
-  if (digits.empty() || digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string::npos) {
-    throw UsageError(std::string(name) + ": expected v and the number of a vertex, as in v17, not \"" +
-                     text.substr(0, 80) + "\"");
-  }
-  if (!input.net)
-    throw UsageError(std::string(name) + ": \"" + text.substr(0, 80) + "\" is a vertex, but the file is no net file");
-  return point_of_vertex(input.surface, *input.net, static_cast<std::uint32_t>(std::stoul(digits)));
-} catch (const SurfaceError& error) {
-  throw JobError(std::string(name) + ": " + error.what());
-} catch (const NetError& error) {
-  throw JobError(std::string(name) + ": " + error.what());
-}
-
 /// The paths from P to Q, whichever of the two the distance was measured from.
 std::vector<Word> words_from(const BasePoint& q, const Surface& surface, const certify::DistanceDocument& document) {
   if (document.point == certify::DistanceDocument::Point{q.tile, to_gmp(q.z)}) return document.paths;
@@ -75,9 +39,9 @@ void measure_distance(const DistanceRequest& request) {
   check_files({{"SURFACE", request.surface}},
               {{"--output", request.output, FileType::json}, {"--svg", request.svg, FileType::svg}});
   const Length width = parse_length("--width", request.width);
-  const PlacesInput input = read_places_input(request.surface);
-  const BasePoint p = parse_place("P", request.p, input);
-  const BasePoint q = parse_place("Q", request.q, input);
+  const SurfaceOrNet input = read_surface_or_net(request.surface);
+  const BasePoint p = parse_point("P", request.p, input);
+  const BasePoint q = parse_point("Q", request.q, input);
   const certify::DistanceDocument document =
       distance(input.surface, p, q, {.width = static_cast<double>(width.value())});
   certify::CheckOptions options;
@@ -124,11 +88,8 @@ void add_distance_command(CLI::App& app, Job& chosen) {
   CLI::App* command = app.add_subcommand(
       "distance", "The distance between two points, enclosed and proved, and all shortest geodesics between them.");
   add_input(*command, "SURFACE", request.surface, "a surface file, or a net file");
-  constexpr const char* kPoint =
-      "a point: of tile T, exact; T alone is its centre; vN is vertex N of the net file. One of the two is strictly "
-      "inside of its tile";
-  command->add_option("P", request.p, kPoint)->required()->option_text("T[,X,Y]|vN REQUIRED");
-  command->add_option("Q", request.q, "another one")->required()->option_text("T[,X,Y]|vN REQUIRED");
+  add_point(*command, "P", request.p, std::string(kPointHelp) + ". One of the two is strictly inside of its tile");
+  add_point(*command, "Q", request.q, "another one");
   add_file(*command, "-o,--output", request.output,
            "the distance file to write, for certify; \"-\" is standard output");
   add_file(*command, "--svg", request.svg,

@@ -1,13 +1,10 @@
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <numeric>
-#include <optional>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <sys/sysinfo.h>
 #include <utility>
 #include <vector>
@@ -33,15 +30,6 @@ struct DistancesRequest {
   unsigned threads = 0;
 };
 
-/// The number of "v17"; nothing for any other text.
-std::optional<std::uint32_t> vertex_number(std::string_view text) {
-  if (!text.starts_with('v')) return std::nullopt;
-  std::uint32_t number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data() + 1, end, number);
-  return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
-}
-
 /// The vertices that "all", or "v0,v5-v9", names, in that order.
 std::vector<std::uint32_t> parse_vertices(const std::string& option, const std::string& text,
                                           const certify::NetDocument& net) {
@@ -56,8 +44,8 @@ std::vector<std::uint32_t> parse_vertices(const std::string& option, const std::
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string item = text.substr(begin, end - begin);
     const std::size_t dash = item.find('-');
-    const auto first = vertex_number(item.substr(0, dash));
-    const auto last = dash == std::string::npos ? first : vertex_number(item.substr(dash + 1));
+    const auto first = number_after('v', item.substr(0, dash));
+    const auto last = dash == std::string::npos ? first : number_after('v', item.substr(dash + 1));
     if (!first || !last || *last < *first) {
       throw UsageError(option + ": expected all, or vertices such as v0,v5,v10-v19, not \"" + text.substr(0, 80) +
                        "\"");

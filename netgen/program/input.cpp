@@ -1,7 +1,9 @@
 #include "netgen/program/input.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include "certify/document/text.h"
@@ -97,6 +99,29 @@ Contents read_any_input(const std::string& path) {
       name + ": " +
       (finder.format ? "the member \"format\" is " + certify::in_quotes(format) : "no member \"format\"") +
       ", expected epsnet-surface, epsnet-net, epsnet-geodesics, epsnet-distance, epsnet-cover or epsnet-dirichlet");
+}
+
+SurfaceOrNet read_surface_or_net(const std::string& path) {
+  const Contents contents = read_any_input(path);
+  if (const auto* surface = std::get_if<Surface>(&contents)) return {*surface, std::nullopt};
+  if (const auto* net = std::get_if<certify::NetDocument>(&contents)) return {from_document(net->surface), *net};
+  throw JobError(path + ": expected a surface file or a net file");
+}
+
+std::vector<PointText> read_points(const std::string& path) {
+  std::vector<PointText> result;
+  std::istringstream lines(certify::load(path));
+  std::size_t number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    line.resize(std::min(line.find('#'), line.size()));
+    const std::size_t begin = line.find_first_not_of(" \t\r");
+    if (begin == std::string::npos) continue;
+    const std::size_t end = line.find_last_not_of(" \t\r");
+    result.push_back({text_name(path) + ":" + std::to_string(number), line.substr(begin, end - begin + 1)});
+  }
+  if (result.empty()) throw JobError(text_name(path) + ": no points, expected one on each line, as in 0,1/10,-0.25");
+  return result;
 }
 
 }  // namespace epsnet::program

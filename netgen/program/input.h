@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "certify/document/cover_document.h"
 #include "certify/document/distance_document.h"
@@ -25,6 +27,22 @@ struct TextInput {
 
 [[nodiscard]] Surface read_surface_input(const std::string& path);
 [[nodiscard]] certify::NetDocument read_net_input(const std::string& path);
+
+/// A surface, and the net in whose file it is.
+struct SurfaceOrNet {
+  Surface surface;
+  std::optional<certify::NetDocument> net;
+};
+/// A surface file or a net file. Throws JobError for any other.
+[[nodiscard]] SurfaceOrNet read_surface_or_net(const std::string& path);
+
+/// A point of a file of points, in words of the command line, and what messages call it: "FILE:LINE".
+struct PointText {
+  std::string name;
+  std::string text;
+};
+/// A file with a point on each line; blank lines, and what follows "#", are left out. Throws JobError if there is none.
+[[nodiscard]] std::vector<PointText> read_points(const std::string& path);
 
 /// A surface that was imported from a text of another program.
 struct ImportedSurface {

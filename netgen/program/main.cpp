@@ -88,6 +88,7 @@ int run(int argc, char** argv) {
   add_thick_thin_command(app, chosen);
   add_dirichlet_command(app, chosen);
   add_distance_command(app, chosen);
+  add_locate_command(app, chosen);
   add_distances_command(app, chosen);
   add_eccentricity_command(app, chosen);
   add_diameter_command(app, chosen);

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "certify/check.h"
 #include "certify/file/writer.h"
@@ -46,11 +47,36 @@ struct NetRequest {
   std::string svg;
   std::string record;
   std::string base;
+  std::string points;
   bool no_certify = false;
   bool stats = false;
   bool json = false;
   NetOptions options;
 };
+
+/// A point of a file, strictly inside of its tile.
+BasePoint parse_given_point(const PointText& point, const Surface& surface) {
+  try {
+    BasePoint result = parse_base(point.text, surface, point.name);
+    require_inside(surface, result);
+    return result;
+  } catch (const UsageError& error) {
+    throw JobError(error.what());
+  } catch (const SurfaceError& error) {
+    throw JobError(point.name + ": " + error.what());
+  }
+}
+
+/// Which points are too close, up to the number.
+std::string close_points_message(const ClosePointsError& error, const NetOptions& options,
+                                 const std::vector<PointText>& points) {
+  const auto name = [&](std::uint32_t vertex) {
+    if (options.base && vertex == 0) return std::string("--base");
+    const PointText& point = points[vertex - (options.base ? 1 : 0)];
+    return point.name + " (" + point.text.substr(0, 80) + ")";
+  };
+  return name(error.first()) + " and " + name(error.second()) + " are not farther from each other than epsilon = ";
+}
 
 /// Processor time of all threads so far.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -182,9 +208,10 @@ void check_request(const NetRequest& request) {
   if (request.options.sparse && !request.record.empty()) {
     throw UsageError("--sparse and --record: a record is of nets that are made in the thesis' way");
   }
-  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, net_type(request.output)},
-                                               {"--svg", request.svg, FileType::svg},
-                                               {"--record", request.record, FileType::text}});
+  check_files({{"SURFACE", request.surface}, {"--points", request.points}},
+              {{"--output", request.output, net_type(request.output)},
+               {"--svg", request.svg, FileType::svg},
+               {"--record", request.record, FileType::text}});
 }
 
 std::string record_text(const NetRequest& request, const UncertifiedNet& net, const certify::Certificate& certificate,
@@ -205,8 +232,16 @@ void make_net(const NetRequest& request) {
   times.reading = watch.lap();
   NetOptions options = request.options;
   if (!request.base.empty()) options.base = parse_base(request.base, surface);
+  const std::vector<PointText> points = request.points.empty() ? std::vector<PointText>() : read_points(request.points);
+  for (const PointText& point : points) options.points.push_back(parse_given_point(point, surface));
   const double start = processor_seconds();
-  const UncertifiedNet net = compute(surface, epsilon, options);
+  const UncertifiedNet net = [&] {
+    try {
+      return compute(surface, epsilon, options);
+    } catch (const ClosePointsError& error) {
+      throw JobError(close_points_message(error, options, points) + epsilon.text());
+    }
+  }();
   const double computed = processor_seconds();
   times.computing = watch.lap();
   certify::Certificate certificate;
@@ -274,13 +309,18 @@ void add_net_command(CLI::App& app, Job& chosen) {
          "--base", request.base,
          "start from this point alone: of tile T, strictly inside of it, exact; T alone is the centre of the tile")
       ->option_text("T[,X,Y]");
+  CLI::Option* points = add_file(*net, "--points", request.points,
+                                 "start from the points of this file, after --base if it is given: T,X,Y or T on each "
+                                 "line, exact, strictly inside of their tiles; they are the first vertices. It is an "
+                                 "error if two are not farther than epsilon from each other; \"-\" is standard input");
   net->add_flag("--pseudo", request.options.pseudo,
                 "a pseudo net: the collars of closed geodesics no longer than epsilon are left empty; "
-                "epsilon at most ln sqrt(2)");
-  net->add_flag(
-      "--sparse", request.options.sparse,
-      "a net with few points: about 1.4 times the lower bound of the thesis' Theorem III.2 instead of 2.15 times, "
-      "in some five times the time");
+                "epsilon at most ln sqrt(2)")
+      ->excludes(points);
+  net->add_flag("--sparse", request.options.sparse,
+                "a net with few points: about 1.4 times the lower bound of the thesis' Theorem III.2 instead of 2.15 "
+                "times, in some five times the time")
+      ->excludes(points);
   net->add_flag("--no-certify", request.no_certify, "write the net without checking it: nothing is proved");
   CLI::Option* insert =
       net->add_option("--insert", request.options.insertion,

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdint>
 #include <stdexcept>
@@ -7,6 +8,7 @@
 
 #include "certify/file/reader.h"
 #include "netgen/base/gmp.h"
+#include "netgen/distances/distance.h"
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/output.h"
@@ -63,9 +65,7 @@ CLI::Validator integer_between(std::uint64_t least, std::uint64_t most) {
 }
 
 void add_threads(CLI::App& command, unsigned& threads) {
-  command.add_option("--threads", threads, "0 is one per core")
-      ->check(integer_between(0, 1024))
-      ->option_text("N [0]");
+  command.add_option("--threads", threads, "0 is one per core")->check(integer_between(0, 1024))->option_text("N [0]");
 }
 
 std::string with_leading_zero(const std::string& number) {
@@ -117,6 +117,75 @@ BasePoint parse_base(const std::string& text, const Surface& surface, const std:
   }
   throw UsageError(option + ": expected a tile and a point of it, as in 0,1/10,-0.25, or a tile alone, not \"" +
                    text.substr(0, 80) + "\"");
+}
+
+void add_point(CLI::App& command, const char* name, std::string& text, const std::string& what) {
+  command.add_option(name, text, what)->required()->option_text("T[,X,Y]|vN|tN:A,B,C REQUIRED");
+}
+
+std::optional<std::uint32_t> number_after(char letter, std::string_view text) {
+  if (!text.starts_with(letter)) return std::nullopt;
+  std::uint32_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data() + 1, end, number);
+  return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
+}
+
+namespace {
+
+/// "t12:1/3,1/3,1/3".
+struct TriangleWeights {
+  std::uint32_t triangle;
+  std::array<Rational, 3> weights;
+};
+
+std::optional<TriangleWeights> parse_weights(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const auto triangle = number_after('t', text.substr(0, colon));
+  if (!triangle || colon == std::string::npos) return std::nullopt;
+  TriangleWeights result{*triangle, {}};
+  std::size_t begin = colon + 1;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const std::size_t comma = text.find(',', begin);
+    if ((comma == std::string::npos) != (i == 2)) return std::nullopt;
+    const auto weight = parse_decimal(with_leading_zero(text.substr(begin, comma - begin)));
+    if (!weight) return std::nullopt;
+    result.weights[i] = *weight;
+    begin = comma + 1;
+  }
+  return result;
+}
+
+}  // namespace
+
+BasePoint parse_point(const std::string& name, const std::string& text, const SurfaceOrNet& input) try {
+  const std::string quoted = "\"" + text.substr(0, 80) + "\"";
+  if (!text.starts_with('v') && !text.starts_with('t')) {
+    BasePoint point = parse_base(text, input.surface, name);
+    require_in_tile(input.surface, point);
+    return point;
+  }
+  const auto vertex = number_after('v', text);
+  const auto weights = parse_weights(text);
+  if (text.starts_with('v') && !vertex) {
+    throw UsageError(name + ": expected v and the number of a vertex, as in v17, not " + quoted);
+  }
+  if (text.starts_with('t') && !weights) {
+    throw UsageError(name + ": expected t, the number of a triangle and three weights, as in t12:1/3,1/3,1/3, not " +
+                     quoted);
+  }
+  if (!input.net) {
+    throw UsageError(name + ": " + quoted + " is a " + (vertex ? "vertex" : "point of a triangle") +
+                     ", but the file is no net file");
+  }
+  return vertex ? point_of_vertex(input.surface, *input.net, *vertex)
+                : point_of_triangle(input.surface, *input.net, weights->triangle, weights->weights);
+} catch (const SurfaceError& error) {
+  throw JobError(name + ": " + error.what());
+} catch (const NetError& error) {
+  throw JobError(name + ": " + error.what());
+} catch (const NetGeometryError& error) {
+  throw JobError(name + ": " + error.what());
 }
 
 }  // namespace epsnet::program

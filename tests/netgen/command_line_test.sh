@@ -11,6 +11,11 @@ good systole s.json -o systole.json
 good spectrum s.json --up-to 3 -o spectrum.json
 good dirichlet s.json -o domain.json
 good distance s.json 0,0.1,-1/3 0 -o distance.json
+printf '0,0.1,0.1\n0,-0.3,1/3\n' >points.txt
+good net s.json --epsilon 0.5 --points points.txt -o given.json
+verified given.json
+good locate given.json --points points.txt v7 t3:1,2,3
+[ "$(grep -c 'at corner . nearest corner v[01] at 0$\|at corner ., nearest corner v[01] at 0$' output)" = 2 ] || complain "given points are vertices: $(cat output)"
 good distances net.json -o d.npy --threads 3
 good distances net.json -o again.npy --threads 1
 same d.npy again.npy
@@ -354,6 +359,23 @@ bad 64 '^epsnet: Q: expected a tile and a point of it' distance s.json 0 0,0.1
 bad 64 '^epsnet: P: expected v and the number of a vertex, as in v17, not "vx"' distance net.json vx v1
 bad 64 '^epsnet: P: "v1" is a vertex, but the file is no net file' distance s.json v1 0
 bad 1 '^epsnet: Q: vertex 34 does not exist, the net has 34' distance net.json v1 v34
+bad 64 '^epsnet: P: expected t, the number of a triangle and three weights, as in t12:1/3,1/3,1/3, not "t1:1,1"' distance net.json t1:1,1 v1
+bad 64 '^epsnet: Q: expected t' distance net.json v1 t1:1,1,1,1
+bad 64 '^epsnet: P: "t1:1,1,1" is a point of a triangle, but the file is no net file' eccentricity s.json t1:1,1,1
+bad 1 '^epsnet: P: triangle 99 does not exist, the net has' locate net.json t99:1,1,1
+bad 1 '^epsnet: P: the point of triangle 9 has a negative weight' locate net.json t9:1,-1,1
+bad 64 'expected a point P, or --points FILE' locate net.json
+printf '# two\n0,0.1,0.1\n\n 0,0.1,0.11 # close\n' >close.txt
+bad 1 '^epsnet: close.txt:2 (0,0.1,0.1) and close.txt:4 (0,0.1,0.11) are not farther from each other than epsilon = 0.5$' net s.json --epsilon 0.5 --points close.txt -o out/x.json
+bad 1 '^epsnet: --base and close.txt:2 (0,0.1,0.1) are not' net s.json --epsilon 0.5 --base 0 --points close.txt -o out/x.json
+bad 64 'pseudo' net s.json --epsilon 0.3 --points close.txt --pseudo -o out/x.json
+printf '0,0.1,0.1\n0,9,9\n' >far.txt
+bad 1 '^epsnet: far.txt:2: the base point is not strictly inside of tile 0' net s.json --epsilon 0.5 --points far.txt -o out/x.json
+printf '0,0.1,x\n' >wrong.txt
+bad 1 '^epsnet: wrong.txt:1: expected a tile and a point of it' net s.json --epsilon 0.5 --points wrong.txt -o out/x.json
+bad 1 '^epsnet: wrong.txt:1: expected a tile and a point of it' locate net.json --points wrong.txt
+printf '# nothing\n' >none.txt
+bad 1 '^epsnet: none.txt: no points' locate net.json --points none.txt
 bad 64 '^epsnet: --from: expected all, or vertices such as v0,v5,v10-v19, not "v1,"' distances net.json --from v1, -o out/d.csv
 bad 64 '^epsnet: --to: expected all, or vertices such as v0,v5,v10-v19, not "v3-v1"' distances net.json --to v3-v1 -o out/d.csv
 bad 64 '^epsnet: --to: expected all' distances net.json --to '' -o out/d.csv
@@ -373,7 +395,7 @@ for command in diameter embedded-disk; do
 done
 bad 64 '^epsnet: P: expected a tile and a point of it, as in 0,1/10,-0.25, or a tile alone, not "0,nan,0"' eccentricity s.json 0,nan,0 -o out/x.json
 bad 1 '^epsnet: .*point is in tile 1, the surface has 1 tiles' eccentricity s.json 1,0,0 -o out/x.json
-bad 1 '^epsnet: .*point is not strictly inside of tile 0: ' eccentricity s.json 0,0.9,0.3 -o out/x.json
+bad 1 '^epsnet: P: the point is not in tile 0: it is on the right of side 0' eccentricity s.json 0,0.9,0.3 -o out/x.json
 
 # What is given is checked before a seed is asked for, and named as the option is.
 bad 64 '^epsnet: --genus: .*at least 2' surface fenchel-nielsen --genus 1 -o out/x.json

@@ -1,0 +1,87 @@
+#include "netgen/lifts/locate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/lorentz.h"
+#include "kernel/plane.h"
+#include "netgen/nets/net_document.h"
+#include "triangulation/walk.h"
+
+namespace epsnet {
+
+std::uint32_t PointLocation::nearest_corner() const {
+  return static_cast<std::uint32_t>(std::min_element(distances.begin(), distances.end()) - distances.begin());
+}
+
+Locator::Locator(const certify::NetDocument& net) : net_(triangulation_of(net)), used_(net_.clone()) {
+  starts_.resize(net_.surface().tiles().size());
+  std::vector<bool> seen(net_.atlas().chart_count());
+  for (std::uint32_t t = 0; t < net_.triangle_count(); ++t) {
+    const std::uint32_t c = net_.chart_of(t);
+    if (seen[c]) continue;
+    seen[c] = true;
+    const Chart& chart = net_.atlas().chart(c);
+    starts_[chart.tile].push_back({t, convert<double>(chart.centre)});
+  }
+}
+
+PointLocation Locator::locate(const BasePoint& point) {
+  const Surface& surface = net_.surface();
+  require_in_tile(surface, point);
+  constexpr std::uint32_t kMostLabels = 100'000;
+  if (used_.atlas().label_count() > net_.atlas().label_count() + kMostLabels) used_ = net_.clone();
+  Atlas& atlas = used_.atlas();
+
+  std::uint32_t start = 0;
+  const Complex<double> z = convert<double>(point.z);
+  if (const std::vector<Start>& starts = starts_[point.tile]; !starts.empty()) {
+    start = std::min_element(starts.begin(), starts.end(), [&](const Start& a, const Start& b) {
+              return sinh2_half_distance(a.centre, z) < sinh2_half_distance(b.centre, z);
+            })->triangle;
+  }
+  const std::uint32_t chart = atlas.add_chart({point.tile, point.z});
+  const std::uint32_t there = used_.chart_of(start);
+  const LabelId label = atlas.label(chart, there, path_between_tiles(surface, point.tile, atlas.chart(there).tile));
+  const Location location = epsnet::locate(used_, start, {chart, {0, 0}, label}, Walk::straight);
+
+  const std::uint32_t t = triangle_of(location.dart);
+  PointLocation result{};
+  result.place = location.type == Location::Type::vertex ? PointLocation::Place::corner
+                 : location.type == Location::Type::edge ? PointLocation::Place::side
+                                                         : PointLocation::Place::inside;
+  result.triangle = t;
+  result.number = result.place == PointLocation::Place::inside ? 0 : corner_of(location.dart);
+  // From the chart of the triangle to that of the start, and on to that of the point.
+  const LabelId to_point = atlas.product(atlas.inverse(label), location.transition);
+  if (to_point != kIdentity) result.word = reversed(surface, atlas.word(to_point));
+  // Seen from the point: it is at 0.
+  std::array<Complex<Mp256>, 3> corner;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const Corner lifted = used_.moved(to_point, used_.corner(t, i));
+    const Complex<double>& at = used_.point(lifted.vertex);
+    corner[i] =
+        lifted.label == kIdentity ? convert<Mp256>(at) : atlas.isometry_in<Mp256>(lifted.label)(convert<Mp256>(at));
+    result.distances[i] = static_cast<double>(distance(Complex<Mp256>{}, corner[i]));
+  }
+  // The point is (0, 0, 1) on the hyperboloid: the first two coordinates of the weighted corners cancel.
+  std::array<Mp256, 3> weight;
+  Mp256 sum(0);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const auto a = on_hyperboloid(corner[(i + 1) % 3]);
+    const auto b = on_hyperboloid(corner[(i + 2) % 3]);
+    weight[i] = a.x * b.y - a.y * b.x;
+    sum += weight[i];
+  }
+  for (std::uint32_t i = 0; i < 3; ++i) result.weights[i] = static_cast<double>(Mp256(weight[i] / sum));
+  if (result.place == PointLocation::Place::corner) {
+    result.weights = {};
+    result.weights[result.number] = 1;
+    result.distances[result.number] = 0;
+  } else if (result.place == PointLocation::Place::side) {
+    result.weights[(result.number + 2) % 3] = 0;
+  }
+  return result;
+}
+
+}  // namespace epsnet
