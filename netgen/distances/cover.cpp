@@ -6,7 +6,6 @@
 #include <deque>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <queue>
 #include <sstream>
 #include <stdexcept>
@@ -47,11 +46,7 @@ class CoverSearch {
 
   /// The base is Delaunay.
   CoverSearch(Triangulation& base, CoverDocument::Claim claim, const CoverOptions& options, double width, Climb climb)
-      : claim_(claim),
-        climb_(climb),
-        options_(options),
-        width_(width),
-        area_(4 * std::numbers::pi * (base.surface().genus() - 1.0)) {
+      : claim_(claim), climb_(climb), options_(options), width_(width) {
     known_.push_back({vertex_triangulation(base, elements_), 0, {}});
     numbers_[known_[0].map.key()] = 0;
     const Point vertex = on_hyperboloid(convert<Number>(base.vertex(0).z));
@@ -159,7 +154,7 @@ class CoverSearch {
     std::uint32_t first_part = 0;  ///< The second follows.
   };
 
-  [[nodiscard]] PlacedTriangulation placed(std::uint32_t k, std::uint32_t frame, const Frame::Point& p) {
+  [[nodiscard]] PlacedTriangulation placed(std::uint32_t k, std::uint32_t frame, const Point& p) {
     return {known_[k].map, frames_[frame], p};
   }
 
@@ -183,9 +178,7 @@ class CoverSearch {
     constexpr std::size_t kMostHalvings = 1000;
     for (std::size_t halvings = 0; !way.empty();) {
       const std::uint32_t frame = frame_at(here.frame, way.back());
-      const Frame::Point p = frames_[frame].point(way.back());
-      constexpr double kSurplus = 1e-9;
-      if (placed(here.triangulation, frame, p).area() < area_ + kSurplus) {
+      if (placed(here.triangulation, frame, way.back()).counterclockwise()) {
         const std::optional<std::uint32_t> there = delaunay(here.triangulation, frame, way.back());
         if (!there) return std::nullopt;
         here = {way.back(), *there, frame};
@@ -201,12 +194,11 @@ class CoverSearch {
 
   /// The number of the triangulation that flips make Delaunay at a point.
   [[nodiscard]] std::optional<std::uint32_t> delaunay(std::uint32_t k, std::uint32_t frame, const Point& p) {
-    const Frame::Point local = frames_[frame].point(p);
-    std::optional<std::uint32_t> d = placed(k, frame, local).not_delaunay(elements_, p);
+    std::optional<std::uint32_t> d = placed(k, frame, p).not_delaunay();
     if (!d) return k;
     Known next{known_[k].map, k, {}};
     constexpr std::size_t kMostFlips = 5000;
-    for (; d; d = PlacedTriangulation(next.map, frames_[frame], local).not_delaunay(elements_, p)) {
+    for (; d; d = PlacedTriangulation(next.map, frames_[frame], p).not_delaunay()) {
       next.map.flip(elements_, *d);
       next.flips.push_back(*d);
       if (next.flips.size() > kMostFlips) return std::nullopt;
@@ -218,7 +210,7 @@ class CoverSearch {
 
   /// The function, at a point where the triangulation is Delaunay.
   void look_at(const Site& site) {
-    const PlacedTriangulation there = placed(site.triangulation, site.frame, frames_[site.frame].point(site.point));
+    const PlacedTriangulation there = placed(site.triangulation, site.frame, site.point);
     const double value =
         length_of(claim_ == CoverDocument::Claim::diameter ? there.largest_enclosure() : there.shortest_edge());
     if (value <= highest_) return;
@@ -226,14 +218,14 @@ class CoverSearch {
     summit_ = site.point;
   }
 
-  [[nodiscard]] Bound bound(const std::array<Frame::Point, 3>& corner, std::uint32_t frame, std::uint32_t k) {
+  [[nodiscard]] Bound bound(const Place& place, std::uint32_t frame, std::uint32_t k) {
+    const std::array<PlacedTriangulation, 3> at{placed(k, frame, place.corner[0]), placed(k, frame, place.corner[1]),
+                                                placed(k, frame, place.corner[2])};
     if (claim_ == CoverDocument::Claim::diameter) {
       double most = 0;
-      for (const Frame::Point& p : corner) most = std::max(most, placed(k, frame, p).largest_enclosure());
+      for (const PlacedTriangulation& corner : at) most = std::max(most, corner.largest_enclosure());
       return {length_of(most), 0};
     }
-    const std::array<PlacedTriangulation, 3> at{placed(k, frame, corner[0]), placed(k, frame, corner[1]),
-                                                placed(k, frame, corner[2])};
     Bound least{std::numeric_limits<double>::infinity(), 0};
     for (std::uint32_t d = 0; d < known_[k].map.opposite.size(); ++d) {
       const double most = std::max({at[0].displacement(d), at[1].displacement(d), at[2].displacement(d)});
@@ -246,18 +238,15 @@ class CoverSearch {
   void add_cell(Place place, const Site& near) {
     const Point centre = place.centre();
     const std::uint32_t frame = frame_at(near.frame, centre);
-    const std::array<Frame::Point, 3> local{frames_[frame].point(place.corner[0]),
-                                            frames_[frame].point(place.corner[1]),
-                                            frames_[frame].point(place.corner[2])};
     Cell cell{.place = std::move(place), .site = near};
-    Bound best = bound(local, frame, near.triangulation);
+    Bound best = bound(cell.place, frame, near.triangulation);
     cell.bound_by = near.triangulation;
     const std::optional<Site> own_site = best.value > highest_ + width_ ? moved(near, centre) : std::nullopt;
     if (own_site) {
       cell.site = *own_site;
       if (climb_ == Climb::yes) look_at(cell.site);
       if (cell.site.triangulation != near.triangulation) {
-        const Bound own = bound(local, frame, cell.site.triangulation);
+        const Bound own = bound(cell.place, frame, cell.site.triangulation);
         if (own.value < best.value) {
           best = own;
           cell.bound_by = cell.site.triangulation;
@@ -300,7 +289,6 @@ class CoverSearch {
   Climb climb_;
   const CoverOptions& options_;
   double width_;
-  double area_;
   EdgeElements elements_;
   std::deque<Frame> frames_;
   std::vector<Known> known_;
@@ -358,7 +346,7 @@ certify::NetDocument net_above_eccentricity(Triangulation& triangulation) {
   const LorentzVector<EdgeElements::Number> place =
       on_hyperboloid(convert<EdgeElements::Number>(triangulation.vertex(0).z));
   Frame frame(elements, place);
-  const double eccentricity = length_of(PlacedTriangulation(map, frame, frame.point(place)).largest_enclosure());
+  const double eccentricity = length_of(PlacedTriangulation(map, frame, place).largest_enclosure());
   return net_document(triangulation, Length(std::ceil(eccentricity) + 2));
 }
 

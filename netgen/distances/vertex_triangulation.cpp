@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "netgen/nets/net_document.h"
 
@@ -32,23 +34,42 @@ T cotangent(std::uint32_t dart, const Side& side, double slack) {
   using std::sqrt;
   if (square > 0) return excess / sqrt(square);
   constexpr double kLarge = 1e300;
-  return c > a && c > b ? T(-kLarge) : T(kLarge);
+  return excess > 0 ? T(kLarge) : T(-kLarge);
+}
+
+/// The sides of a triangle, the longest last.
+template <class T, class Side>
+std::array<T, 3> sorted_sides(std::uint32_t triangle, const Side& side) {
+  std::array<T, 3> sides{side(3 * triangle), side(3 * triangle + 1), side(3 * triangle + 2)};
+  if (sides[0] > sides[2]) std::swap(sides[0], sides[2]);
+  if (sides[1] > sides[2]) std::swap(sides[1], sides[2]);
+  return sides;
+}
+
+/// sinh²R = 4abc/K with K = 4ab − (a + b − c)² (docs/proof.md, Lemma 5); for an obtuse triangle that of the disk whose
+/// diameter is the longest edge, c. With the excess a + b − c larger by `slack`.
+template <class T>
+T enclosure(const T& a, const T& b, const T& c, const T& slack) {
+  const T excess = a + b - c + slack;
+  if (excess <= 0) return c;
+  // (a + b − c)²/(4ab) = cos²γ ≤ 1.
+  const T rest = 1 - (excess / (2 * a)) * (excess / (2 * b));
+  return rest > 0 ? T(c / rest) : T(std::numeric_limits<double>::max());
 }
 
 }  // namespace
 
 EdgeElements::Id EdgeElements::add(const Isometry<Number>& g) {
-  // Equal elements come out of different products with hundreds of bits the same, so that they round to the same
-  // binary64 numbers, once what is noise is 0; if not, an element is kept twice, which does no harm.
+  // Equal elements come out of different products with hundreds of bits the same. Different ones f and g, with entries
+  // up to M, are far from so near: M|f − g| is about |f⁻¹g − 1| at least, and that as large as a geodesic is long.
   LorentzVector<Number> normal = axis_normal(g.a.x < 0 ? Isometry<Number>{-g.a, -g.b} : g);
-  std::array<double, 3> key{static_cast<double>(normal.x), static_cast<double>(normal.y),
-                            static_cast<double>(normal.t)};
-  const double noise = 1e-40 * (std::abs(key[0]) + std::abs(key[1]));
-  for (double& x : key) x = std::abs(x) < noise ? 0 : x;
+  static constexpr int kBits = 256;
+  const auto on_grid = [](const Number& x) { return Number(floor(Number(ldexp(x, +kBits)) + Number(0.5))); };
+  std::array<Number, 3> key{on_grid(normal.x), on_grid(normal.y), on_grid(normal.t)};
   const bool inverted = key[0] < 0 || (key[0] == 0 && key[1] < 0);
   if (inverted) {
     normal = Number(-1) * normal;
-    for (double& x : key) x = 0 - x;
+    for (Number& x : key) x = 0 - x;
   }
   const auto [found, is_new] = numbers_.try_emplace(key, static_cast<std::uint32_t>(elements_.size()));
   if (is_new) {
@@ -122,54 +143,84 @@ void VertexTriangulation::flip(EdgeElements& elements, std::uint32_t d) {
   element[d] = EdgeElements::inverse(diagonal);
 }
 
-PlacedTriangulation::PlacedTriangulation(const VertexTriangulation& triangulation, Frame& frame, const Frame::Point& p)
-    : triangulation_(triangulation), displacement_(triangulation.opposite.size()) {
+PlacedTriangulation::PlacedTriangulation(const VertexTriangulation& triangulation, Frame& frame,
+                                         const LorentzVector<Number>& p)
+    : triangulation_(triangulation),
+      elements_(frame.elements()),
+      point_(p),
+      displacement_(triangulation.opposite.size()) {
+  const Frame::Point local = frame.point(p);
+  constexpr double kFar = 2;  // cosh of the distance.
+  const bool is_far = !(local.t < kFar);
   for (std::uint32_t d = 0; d < displacement_.size(); ++d) {
     const std::uint32_t e = triangulation.opposite[d];
-    displacement_[d] = d < e ? frame.displacement(triangulation.element[d], p) : displacement_[e];
+    displacement_[d] = d > e    ? displacement_[e]
+                       : is_far ? static_cast<double>(exact_displacement(d))
+                                : frame.displacement(triangulation.element[d], local);
   }
 }
 
+PlacedTriangulation::Number PlacedTriangulation::exact_displacement(std::uint32_t dart) const {
+  return elements_.displacement(triangulation_.element[dart], point_);
+}
+
 double PlacedTriangulation::largest_enclosure() const {
-  double largest = 0;
-  for (std::uint32_t d = 0; d < displacement_.size(); d += 3) {
-    double a = displacement_[d];
-    double b = displacement_[d + 1];
-    double c = displacement_[d + 2];
-    if (a > c) std::swap(a, c);
-    if (b > c) std::swap(b, c);
-    // sinh²R = 4abc/K (docs/proof.md, Lemma 5); for an obtuse triangle the disk whose diameter is the longest edge.
-    const double excess = a + b - c;
-    largest = std::max(largest, excess > 0 ? 4 * a * b * c / (4 * a * b - excess * excess) : c);
+  // Where one side is much shorter than the others, the difference of these has few digits in binary64. The triangles
+  // that may have the greatest radius are looked at again.
+  std::vector<double> most(displacement_.size() / 3);
+  double least = 0;
+  for (std::uint32_t t = 0; t < most.size(); ++t) {
+    const auto [a, b, c] = sorted_sides<double>(t, [&](std::uint32_t d) { return displacement_[d]; });
+    constexpr double kRounding = 1e-13;
+    most[t] = enclosure(a, b, c, kRounding * c) * (1 + kRounding);
+    least = std::max(least, enclosure(a, b, c, -kRounding * c) * (1 - kRounding));
   }
-  return largest;
+  Number largest = 0;
+  for (std::uint32_t t = 0; t < most.size(); ++t) {
+    if (most[t] < least) continue;
+    const auto [a, b, c] = sorted_sides<Number>(t, [&](std::uint32_t d) { return exact_displacement(d); });
+    largest = std::max(largest, enclosure<Number>(a, b, c, 0));
+  }
+  return static_cast<double>(largest);
 }
 
 double PlacedTriangulation::shortest_edge() const {
   return *std::min_element(displacement_.begin(), displacement_.end());
 }
 
-double PlacedTriangulation::area() const {
+bool PlacedTriangulation::counterclockwise() const {
+  // It is so if the areas of the triangles sum up to that of the surface and not to more, 2π(E − V − F) with E = 3F/2.
+  const double area = std::numbers::pi * (static_cast<double>(displacement_.size()) / 3 - 2);
   double sum = 0;
-  for (std::uint32_t d = 0; d < displacement_.size(); d += 3) {
-    double a = displacement_[d];
-    double b = displacement_[d + 1];
-    double c = displacement_[d + 2];
-    if (a > c) std::swap(a, c);
-    if (b > c) std::swap(b, c);
+  for (std::uint32_t t = 0; t < displacement_.size() / 3; ++t) {
+    const auto [a, b, c] = sorted_sides<double>(t, [&](std::uint32_t d) { return displacement_[d]; });
     // cos(A/2) = (1 + cosh a + cosh b + cosh c)/(4 cosh(a/2) cosh(b/2) cosh(c/2)) for the sides a, b, c; so tan(A/2) is
     // √(K + 4abc)/(2 + a + b + c) for these, with K as in docs/proof.md, Lemma 5.
-    const double excess = a + b - c;
-    sum += 2 * std::atan2(std::sqrt(std::max(4 * a * b * (1 + c) - excess * excess, 0.0)), 2 + a + b + c);
+    const double scale = 1 / (2 + a + b + c);
+    const double excess = scale * (a + b - c);
+    const double square = 4 * (scale * a) * (scale * b) * (1 + c) - excess * excess;
+    const double part = square > 0 ? 2 * std::atan(std::sqrt(square)) : 0;
+    // Too little to be seen in the sum.
+    constexpr double kSmall = 1e-6;
+    if (part < kSmall && !counterclockwise(t)) return false;
+    sum += part;
   }
-  return sum;
+  constexpr double kSurplus = 1e-7;
+  return sum < area + kSurplus;
 }
 
-std::optional<std::uint32_t> PlacedTriangulation::not_delaunay(const EdgeElements& elements,
-                                                               const LorentzVector<EdgeElements::Number>& p) const {
+bool PlacedTriangulation::counterclockwise(std::uint32_t triangle) const {
+  const std::uint32_t d = 3 * triangle;
+  const auto lift = [&](EdgeElements::Id id) { return image(elements_.isometry(id), point_); };
+  const LorentzVector<Number> second = lift(triangulation_.element[d]);
+  const LorentzVector<Number> third = lift(EdgeElements::inverse(triangulation_.element[d + 2]));
+  return lorentz_product(lorentz_cross(point_, second), third) > 0;
+}
+
+std::optional<std::uint32_t> PlacedTriangulation::not_delaunay() const {
   const std::vector<std::uint32_t>& opposite = triangulation_.opposite;
   const auto rounded_sides = [&](std::uint32_t d) { return displacement_[d]; };
-  const auto sides = [&](std::uint32_t d) { return elements.displacement(triangulation_.element[d], p); };
+  const auto sides = [&](std::uint32_t d) { return exact_displacement(d); };
   for (std::uint32_t d = 0; d < opposite.size(); ++d) {
     const std::uint32_t e = opposite[d];
     if (d > e || d / 3 == e / 3) continue;
@@ -179,7 +230,7 @@ std::optional<std::uint32_t> PlacedTriangulation::not_delaunay(const EdgeElement
     if (cotangent<double>(d, rounded_sides, kRounding) + cotangent<double>(e, rounded_sides, kRounding) < 0) return d;
     if (cotangent<double>(d, rounded_sides, -kRounding) + cotangent<double>(e, rounded_sides, -kRounding) >= 0)
       continue;
-    if (cotangent<EdgeElements::Number>(d, sides, kTie) + cotangent<EdgeElements::Number>(e, sides, kTie) < 0) return d;
+    if (cotangent<Number>(d, sides, kTie) + cotangent<Number>(e, sides, kTie) < 0) return d;
   }
   return std::nullopt;
 }

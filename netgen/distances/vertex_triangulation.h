@@ -43,7 +43,7 @@ class EdgeElements {
 
  private:
   std::vector<Element> elements_;
-  std::map<std::array<double, 3>, std::uint32_t> numbers_;
+  std::map<std::array<Number, 3>, std::uint32_t> numbers_;
 };
 
 /// A point of the disk near which elements are evaluated in binary64, with a relative error of about e^2d times the
@@ -55,6 +55,7 @@ class Frame {
 
   /// `origin` has square −1. The elements must outlive the frame.
   Frame(const EdgeElements& elements, const LorentzVector<EdgeElements::Number>& origin);
+  [[nodiscard]] const EdgeElements& elements() const { return elements_; }
   [[nodiscard]] Point point(const LorentzVector<EdgeElements::Number>& p) const;
   /// As that of the elements.
   [[nodiscard]] double displacement(EdgeElements::Id id, const Point& p);
@@ -82,25 +83,32 @@ struct VertexTriangulation {
 };
 
 /// A triangulation with its vertex at a point: the lengths of edges, as sinh²(d/2) by dart, and what follows from
-/// these.
+/// these. What binary64 does not tell is worked out with the numbers of the elements.
 class PlacedTriangulation {
  public:
-  PlacedTriangulation(const VertexTriangulation& triangulation, Frame& frame, const Frame::Point& p);
+  using Number = EdgeElements::Number;
+
+  /// At a unit vector p. Not far from the frame's origin binary64 numbers are used. The triangulation and the frame
+  /// must outlive it.
+  PlacedTriangulation(const VertexTriangulation& triangulation, Frame& frame, const LorentzVector<Number>& p);
 
   [[nodiscard]] double displacement(std::uint32_t dart) const { return displacement_[dart]; }
   /// sinh²ρ, ρ the greatest radius of a smallest disk around the corners of a triangle.
   [[nodiscard]] double largest_enclosure() const;
   /// sinh²(d/2) of the shortest edge.
   [[nodiscard]] double shortest_edge() const;
-  /// The sum of the areas of all triangles: the area of the surface, if all are counterclockwise, and more otherwise.
-  [[nodiscard]] double area() const;
-  /// A dart of an edge that is not locally Delaunay and has two different triangles; p is the same point for the
-  /// elements, in case that binary64 does not tell.
-  [[nodiscard]] std::optional<std::uint32_t> not_delaunay(const EdgeElements& elements,
-                                                          const LorentzVector<EdgeElements::Number>& p) const;
+  /// Whether all triangles are counterclockwise.
+  [[nodiscard]] bool counterclockwise() const;
+  /// A dart of an edge that is not locally Delaunay and has two different triangles.
+  [[nodiscard]] std::optional<std::uint32_t> not_delaunay() const;
 
  private:
+  [[nodiscard]] Number exact_displacement(std::uint32_t dart) const;
+  [[nodiscard]] bool counterclockwise(std::uint32_t triangle) const;
+
   const VertexTriangulation& triangulation_;
+  const EdgeElements& elements_;
+  LorentzVector<Number> point_;
   std::vector<double> displacement_;
 };
 

@@ -16,6 +16,7 @@
 #include "kernel/plane.h"
 #include "netgen/distances/distance.h"
 #include "netgen/nets/net_options.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
 
@@ -102,6 +103,26 @@ TEST(Diameter, OfARegularSurfaceIsFromTheCentreToTheCorner) {
     EXPECT_LT(document.value.lower, regular_diameter(genus));
     EXPECT_GT(document.value.upper, regular_diameter(genus));
     EXPECT_LE(document.value.upper - document.value.lower, 1e-6);
+  }
+}
+
+/// Two one-holed tori joined along a cuff, the second length, that separates them.
+Surface two_handles(const std::vector<Rational>& lengths) {
+  return fenchel_nielsen_surface({PantsGraph({{0, 0}, {0, 1}, {1, 1}}), lengths, {0, Rational(1, 2), 1}});
+}
+
+TEST(Diameter, GoesFromOneSideOfAShortCurveToTheOther) {
+  const Rational small(1, 100'000'000);
+  for (const std::vector<Rational>& lengths : {std::vector<Rational>{1, Rational(1, 1000), 2},
+                                               {1, Rational(1, 10'000), 2},
+                                               {1, small, 2},
+                                               {small, small, small}}) {
+    const CoverDocument document = diameter(two_handles(lengths), {.width = 1e-4});
+    EXPECT_EQ(verdict(document), "VERIFIED") << lengths[1];
+    EXPECT_LE(document.value.upper - document.value.lower, 1e-4);
+    // The collar of a geodesic of length l reaches arsinh(1/sinh(l/2)) to both sides.
+    EXPECT_GT(document.value.lower, 2 * std::asinh(1 / std::sinh(static_cast<double>(lengths[1]) / 2)));
+    EXPECT_LE(largest_embedded_disk(two_handles(lengths), {.width = 1e-2}).value.upper, bavard(2) + 1e-2);
   }
 }
 
