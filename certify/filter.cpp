@@ -16,7 +16,7 @@ double norm(Point z) { return std::max(std::abs(z.x), std::abs(z.y)); }
 double cross(Point p, Point q) { return p.x * q.y - p.y * q.x; }
 Point times(Point p, Point q) { return {p.x * q.x - p.y * q.y, p.x * q.y + p.y * q.x}; }
 
-/// Below, products might underflow (proof.md, Lemma 25).
+/// Below, products might underflow (proof.md, Lemma 26).
 constexpr double kLeastNorm = 0x1p-100;
 constexpr double kLeastGap = 0x1p-12;
 /// What quotients of measures are widened by.

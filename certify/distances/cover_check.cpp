@@ -29,6 +29,7 @@ constexpr std::uint64_t kEdgeOperations = 6;
 constexpr std::uint64_t kTriangleOperations = 16;
 constexpr std::uint64_t kCutOperations = 12;
 constexpr std::uint64_t kFlipOperations = 40;
+constexpr std::uint64_t kFunctionOperations = 60;
 /// Balls that an open cell keeps.
 constexpr std::uint64_t kCellBalls = 12;
 
@@ -133,6 +134,8 @@ LabelParts label_parts(const NetDocument& net, unsigned threads, const Budget& b
 
 class CoverCheck {
  public:
+  using Claim = CoverDocument::Claim;
+
   CoverCheck(const CoverDocument& document, const CheckOptions& options, unsigned threads, const Budget& budget)
       : document_(document),
         options_(options),
@@ -142,16 +145,22 @@ class CoverCheck {
         evaluator_(document.net, parts_),
         darts_(static_cast<std::uint32_t>(3 * document.net.triangles.size())) {}
 
-  RuleReport lower(const Enclosures& net) const {
-    const double bound = document_.value.lower;
-    const bool diameter = document_.claim == CoverDocument::Claim::diameter;
-    Interval found = diameter ? net.largest_circumradius : net.shortest_loop.value_or(Interval{0, 0});
-    if (!diameter) found = {found.lower / 2, found.upper / 2};
-    const std::string what = diameter ? "the eccentricity" : "the injectivity radius";
+  /// The rule `lower`, or `upper` for a radius.
+  RuleReport at_vertex(const Enclosures& net) const {
+    const bool disk = document_.claim == Claim::embedded_disk;
+    Interval found = disk ? net.shortest_loop.value_or(Interval{0, 0}) : net.largest_circumradius;
+    if (disk) found = {found.lower / 2, found.upper / 2};
+    const std::string what = disk ? "the injectivity radius" : "the eccentricity";
     const std::string text = what + " of the net's vertex lies in " + to_string(found);
-    if (found.lower >= bound) return {"lower", Verdict::verified, text};
-    return {"lower", found.upper < bound ? Verdict::refuted : Verdict::undecided,
-            text + ", expected at least " + shortest(bound)};
+    const auto [lower, upper] = document_.value;
+    if (document_.claim == Claim::radius) {
+      if (found.upper <= upper) return {"upper", Verdict::verified, text};
+      return {"upper", found.lower > upper ? Verdict::refuted : Verdict::undecided,
+              text + ", expected at most " + shortest(upper)};
+    }
+    if (found.lower >= lower) return {"lower", Verdict::verified, text};
+    return {"lower", found.upper < lower ? Verdict::refuted : Verdict::undecided,
+            text + ", expected at least " + shortest(lower)};
   }
 
   /// Makes all triangulations.
@@ -290,20 +299,19 @@ class CoverCheck {
     });
     std::size_t cells = 0;
     for (const Outcome& outcome : outcomes) cells += outcome.cells;
+    const std::string bound =
+        shortest(document_.claim == Claim::radius ? document_.value.lower : document_.value.upper);
     for (const Tri wanted : {Tri::no, Tri::unknown}) {
       for (std::size_t t = 0; t < outcomes.size(); ++t) {
         if (outcomes[t].within != wanted) continue;
-        const std::string place =
-            "cell " + std::to_string(outcomes[t].cell) + " of triangle " + std::to_string(t) + " has a corner where ";
-        const std::string bound = " at most " + shortest(document_.value.upper);
-        if (wanted == Tri::no) return {"cells", Verdict::refuted, place + "its bound is not" + bound};
+        const std::string place = "cell " + std::to_string(outcomes[t].cell) + " of triangle " + std::to_string(t);
+        if (wanted == Tri::no) return {"cells", Verdict::refuted, place + " is not bounded by " + bound};
         return {"cells", Verdict::undecided,
-                place + "it is not decided whether its bound is" + bound + ", with " + std::to_string(precision_) +
+                place + ": not decided whether it is bounded by " + bound + ", with " + std::to_string(precision_) +
                     " bits"};
       }
     }
-    return {"cells", Verdict::verified,
-            std::to_string(cells) + " cells are bounded by " + shortest(document_.value.upper)};
+    return {"cells", Verdict::verified, std::to_string(cells) + " cells are bounded by " + bound};
   }
 
   /// sinh²(d/2) for the edge of an element at a point.
@@ -315,8 +323,103 @@ class CoverCheck {
   }
 
   [[nodiscard]] Tri is_bounded(const Cell& cell, std::uint32_t by) const {
-    return document_.claim == CoverDocument::Claim::diameter ? is_bounded_by_triangulation(cell, by)
-                                                             : is_bounded_by_edge(cell, by);
+    switch (document_.claim) {
+      case Claim::diameter:
+        return is_bounded_by_triangulation(cell, by);
+      case Claim::radius:
+        return is_bounded_from_midpoint(cell, by / 3, by % 3);
+      case Claim::embedded_disk:
+        return is_bounded_by_edge(cell, by);
+    }
+    return Tri::unknown;
+  }
+
+  /// At the midpoint of a side, the triangulation is Delaunay, and its largest circumradius is at least LO more than
+  /// the distance to any point of the cell.
+  [[nodiscard]] Tri is_bounded_from_midpoint(const Cell& cell, std::uint32_t by, std::uint32_t side) const {
+    const Map& map = maps_[by];
+    const std::size_t count = darts_ / 3;
+    spend(kCutOperations + 2 * kFunctionOperations);
+    spend(kEdgeOperations + 2 * kTriangleOperations, darts_ / 2);
+    spend(kFunctionOperations, count);
+    const Cell half = halves(cell, side, precision_)[0];
+    const BallVector& midpoint = half.corner[(side + 1) % 3];
+    std::vector<Ball> h(darts_);
+    for (std::uint32_t d = 0; d < darts_; ++d) {
+      const std::uint32_t e = map.opposite[d];
+      if (d < e) displacement(h[d].get(), map.element[d], midpoint);
+      if (d > e) h[d] = h[e];
+    }
+    // K of every triangle; cot γ at every dart, γ the angle opposite to it in the Euclidean triangle with these squares
+    // as sides; the areas.
+    Ball sum, four_abc, area, root;
+    std::vector<Ball> k(count), cotangent(darts_), areas(count);
+    for (std::uint32_t t = 0; t < count; ++t) {
+      const std::uint32_t d = 3 * t;
+      for (std::uint32_t i = d; i < d + 3; ++i) {
+        arb_add(cotangent[i].get(), h[next_dart(i)].get(), h[previous_dart(i)].get(), precision_);
+        arb_sub(cotangent[i].get(), cotangent[i].get(), h[i].get(), precision_);
+      }
+      arb_mul(four_abc.get(), h[d].get(), h[d + 1].get(), precision_);
+      arb_mul_2exp_si(four_abc.get(), four_abc.get(), 2);
+      arb_sqr(root.get(), cotangent[d + 2].get(), precision_);
+      arb_sub(k[t].get(), four_abc.get(), root.get(), precision_);
+      const Tri circumcircle = certainly_positive(k[t].get());
+      if (circumcircle != Tri::yes) return circumcircle;
+      arb_sqrt(root.get(), k[t].get(), precision_);
+      for (std::uint32_t i = d; i < d + 3; ++i) {
+        arb_div(cotangent[i].get(), cotangent[i].get(), root.get(), precision_);
+      }
+      // tan(A/2) = √(K + 4abc)/(2 + a + b + c).
+      arb_mul(area.get(), four_abc.get(), h[d + 2].get(), precision_);
+      arb_add(area.get(), area.get(), k[t].get(), precision_);
+      arb_sqrt(area.get(), area.get(), precision_);
+      arb_add(root.get(), h[d].get(), h[d + 1].get(), precision_);
+      arb_add(root.get(), root.get(), h[d + 2].get(), precision_);
+      arb_add_ui(root.get(), root.get(), 2, precision_);
+      arb_div(area.get(), area.get(), root.get(), precision_);
+      arb_atan(area.get(), area.get(), precision_);
+      arb_mul_2exp_si(areas[t].get(), area.get(), 1);
+      arb_add(sum.get(), sum.get(), areas[t].get(), precision_);
+    }
+    for (std::uint32_t d = 0; d < darts_; ++d) {
+      if (d > map.opposite[d]) continue;
+      arb_add(root.get(), cotangent[d].get(), cotangent[map.opposite[d]].get(), precision_);
+      const Tri is_delaunay = certainly_positive(root.get());
+      if (is_delaunay != Tri::yes) return is_delaunay;
+    }
+    // The area of the surface is 2π(2g − 2) = π(F − 2).
+    arb_const_pi(area.get(), precision_);
+    arb_mul_ui(area.get(), area.get(), count - 2, precision_);
+    arb_sub(sum.get(), sum.get(), area.get(), precision_);
+    for (const Ball& own : areas) {
+      const Tri counterclockwise = certainly_less(sum.get(), own.get());
+      if (counterclockwise != Tri::yes) return counterclockwise;
+    }
+    // No point of the cell is farther from the midpoint than a corner is.
+    Tri result = Tri::yes;
+    for (const std::uint32_t to : {side, (side + 1) % 3}) {
+      Ball least;
+      arb_acosh(least.get(), half.cosh[to].get(), precision_);
+      arb_set_d(root.get(), document_.value.lower);
+      arb_add(least.get(), least.get(), root.get(), precision_);
+      arb_sinh(least.get(), least.get(), precision_);
+      arb_sqr(least.get(), least.get(), precision_);
+      Tri reached = Tri::no;
+      for (std::uint32_t t = 0; t < count && reached != Tri::yes; ++t) {
+        // 4abc ≥ K sinh²(LO + reach).
+        arb_mul(four_abc.get(), h[3 * t].get(), h[3 * t + 1].get(), precision_);
+        arb_mul(four_abc.get(), four_abc.get(), h[3 * t + 2].get(), precision_);
+        arb_mul_2exp_si(four_abc.get(), four_abc.get(), 2);
+        arb_mul(root.get(), k[t].get(), least.get(), precision_);
+        const Tri less = certainly_less(four_abc.get(), root.get());
+        if (less == Tri::no) reached = Tri::yes;
+        if (less == Tri::unknown) reached = Tri::unknown;
+      }
+      if (reached == Tri::no) return reached;
+      if (reached == Tri::unknown) result = reached;
+    }
+    return result;
   }
 
   /// d(p, gp) ≤ 2hi at the corners, and g ≠ 1.
@@ -407,8 +510,10 @@ class CoverCheck {
 };
 
 std::string claim_of(const CoverDocument& document) {
-  const std::string what =
-      document.claim == CoverDocument::Claim::diameter ? "the diameter" : "the radius of the largest embedded disk";
+  using Claim = CoverDocument::Claim;
+  const std::string what = document.claim == Claim::diameter ? "the diameter"
+                           : document.claim == Claim::radius ? "the radius"
+                                                             : "the radius of the largest embedded disk";
   return what + " lies in " + to_string(document.value);
 }
 
@@ -449,7 +554,7 @@ Certificate check_cover(const CoverDocument& document, const CheckOptions& optio
   std::vector<RuleReport> reports;
   try {
     CoverCheck cover(document, bounded, bounded.threads, budget);
-    reports.push_back(cover.lower(*certificate.enclosures));
+    reports.push_back(cover.at_vertex(*certificate.enclosures));
     reports.push_back(cover.triangulations());
     if (reports.back().verdict == Verdict::verified) reports.push_back(cover.cells());
     certificate.counts.max_precision_used = std::max(certificate.counts.max_precision_used, cover.max_precision_used());

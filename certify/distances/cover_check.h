@@ -3,15 +3,20 @@
 #include "certify/document/cover_document.h"
 #include "certify/document/report.h"
 
-/// The checker of cover files: whether the diameter, or the radius of the largest embedded disk, lies between the
+/// The checker of cover files: whether the diameter, the radius, or that of the largest embedded disk, lies between the
 /// bounds (docs/proof.md, section 15).
 namespace epsnet::certify {
 
 /// Checks the net first, with its seven rules; its certificate is the answer unless it is verified. Then come the rules
 ///
-/// * `lower`: at the net's vertex the function is at least the lower bound;
+/// * `lower`: at the net's vertex the function is at least the lower bound; or, for a radius, `upper`: it is at most
+/// the
+///   upper bound;
 /// * `triangulations`: every flip is of an edge between two different triangles;
-/// * `cells`: at the three corners of each cell the convex function that bounds it is at most the upper bound.
+/// * `cells`: at the three corners of each cell the convex function that bounds it is at most the upper bound; or, for
+/// a
+///   radius, at a point of each cell the eccentricity is so much more than the lower bound that it is at least that
+///   much in all of the cell.
 ///
 /// As for `check`, a document of whatever content gives a certificate, which does not depend on the number of threads.
 /// O(cells · triangles) time.

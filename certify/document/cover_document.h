@@ -16,9 +16,9 @@ namespace epsnet::certify {
 struct CoverDocument {
   /// What is said to lie between the bounds.
   ///
-  /// `diameter`: the diameter, which is the greatest eccentricity. `embedded_disk`: the radius of the largest embedded
-  /// disk, which is the greatest injectivity radius.
-  enum class Claim { diameter, embedded_disk };
+  /// `diameter`: the diameter, which is the greatest eccentricity. `radius`: the radius, which is the least.
+  /// `embedded_disk`: the radius of the largest embedded disk, which is the greatest injectivity radius.
+  enum class Claim { diameter, radius, embedded_disk };
 
   /// A triangulation with one vertex, made from another one by flips.
   struct Triangulation {
@@ -28,12 +28,13 @@ struct CoverDocument {
   };
 
   Claim claim = Claim::diameter;
-  NetDocument net;   ///< With one vertex, a point where the function is at least the lower bound.
+  NetDocument net;   ///< With one vertex, a point where the function is at least the lower bound; for a radius, at most
+                     ///< the upper one.
   Interval value{};  ///< 0 < lower ≤ upper.
   std::vector<Triangulation> triangulations;
   /// By triangle of the net: how it is cut into cells, in preorder. 0, 1 and 2 cut across an edge, 3 + k is a cell
-  /// where the bound is that of triangulation k; of dart d of triangulation k, for an embedded disk, if k is d + 3nk'
-  /// with n triangles.
+  /// where the bound is that of triangulation k; for a radius, that of triangulation k' at the midpoint of side i, if k
+  /// is i + 3k'; for an embedded disk, that of dart d of triangulation k', if k is d + 3nk' with n triangles.
   std::vector<std::vector<std::uint32_t>> cells;
   bool operator==(const CoverDocument&) const = default;
 };

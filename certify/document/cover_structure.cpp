@@ -43,8 +43,10 @@ Problem cells_problem(const CoverDocument& document) {
     return "cells: " + std::to_string(document.cells.size()) + " elements, expected one for each of the " +
            std::to_string(triangles) + " triangles";
   }
-  const std::uint64_t bounds = (document.triangulations.size() + 1) *
-                               (document.claim == CoverDocument::Claim::embedded_disk ? 3 * triangles : 1);
+  const std::uint64_t of_each = document.claim == CoverDocument::Claim::diameter ? 1
+                                : document.claim == CoverDocument::Claim::radius ? 3
+                                                                                 : 3 * triangles;
+  const std::uint64_t bounds = (document.triangulations.size() + 1) * of_each;
   for (std::size_t t = 0; t < document.cells.size(); ++t) {
     std::size_t open = 1;
     for (const std::uint32_t entry : document.cells[t]) {

@@ -475,8 +475,9 @@ CoverDocument::Claim read_cover_claim(simdjson::simdjson_result<value> item) {
   const Place place{.member = "claim"};
   const std::string_view name = expect(item.get_string(), place, "a string");
   if (name == "diameter") return CoverDocument::Claim::diameter;
+  if (name == "radius") return CoverDocument::Claim::radius;
   if (name == "embedded-disk") return CoverDocument::Claim::embedded_disk;
-  fail(place, in_quotes(name) + " is no claim, expected \"diameter\" or \"embedded-disk\"");
+  fail(place, in_quotes(name) + " is no claim, expected \"diameter\", \"radius\" or \"embedded-disk\"");
 }
 
 CoverDocument::Triangulation read_flips(simdjson::simdjson_result<value> row, const Place& at) {

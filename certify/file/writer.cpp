@@ -398,7 +398,9 @@ void write_cover(const CoverDocument& document, std::ostream& out) {
   const auto number = [](Buffer& buffer) { return [&](std::uint32_t n) { buffer.number(n); }; };
   Buffer buffer(out);
   buffer.text("{\"format\":\"epsnet-cover\",\"version\":1,\n\"claim\":");
-  buffer.string(document.claim == CoverDocument::Claim::diameter ? "diameter" : "embedded-disk");
+  buffer.string(document.claim == CoverDocument::Claim::diameter ? "diameter"
+                : document.claim == CoverDocument::Claim::radius ? "radius"
+                                                                 : "embedded-disk");
   buffer.text(",\n\"net\":");
   write_net_object(buffer, document.net);
   buffer.text(",\n\"value\":[");

@@ -1,4 +1,4 @@
-# Lemma 28 of docs/proof.md: filter::squared_sinh_of_circumradius in certify/filter.cpp. Names in capitals are exact.
+# Lemma 30 of docs/proof.md: filter::squared_sinh_of_circumradius in certify/filter.cpp. Names in capitals are exact.
 # The three products are scaled by a power of two, so that the greatest is at least 1 and less than 2.
 @fl = float<ieee_64, ne>;
 

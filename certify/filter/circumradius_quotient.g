@@ -1,4 +1,4 @@
-# Lemma 28 of docs/proof.md: the quotients in filter::squared_sinh_of_circumradius in certify/filter.cpp, for k and its
+# Lemma 30 of docs/proof.md: the quotients in filter::squared_sinh_of_circumradius in certify/filter.cpp, for k and its
 # error as computed. Names in capitals are exact.
 @fl = float<ieee_64, ne>;
 

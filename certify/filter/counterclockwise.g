@@ -1,4 +1,4 @@
-# Lemma 25 of docs/proof.md: filter::counterclockwise in certify/filter.cpp, line by line.
+# Lemma 27 of docs/proof.md: filter::counterclockwise in certify/filter.cpp, line by line.
 # Names in capitals are exact. S and V are differences of points that are given exactly; each is scaled by a power of two,
 # so that the norm of the rounded difference is at least 1 and less than 2. (P, Q), (P1, Q1), (P2, Q2) are z0, z1, z2.
 @fl = float<ieee_64, ne>;

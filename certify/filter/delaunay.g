@@ -1,4 +1,4 @@
-# Lemma 26 of docs/proof.md: filter::delaunay in certify/filter.cpp, line by line.
+# Lemma 28 of docs/proof.md: filter::delaunay in certify/filter.cpp, line by line.
 # Names in capitals are exact. A, B, C, D are differences of points that are given exactly; each is scaled by a power of
 # two, so that the norm of the rounded difference is at least 1 and less than 2.
 @fl = float<ieee_64, ne>;

@@ -1,4 +1,4 @@
-# Lemma 27 of docs/proof.md: filter::gap in certify/filter.cpp, for a point (p, q). Names in capitals are exact.
+# Lemma 29 of docs/proof.md: filter::gap in certify/filter.cpp, for a point (p, q). Names in capitals are exact.
 @fl = float<ieee_64, ne>;
 
 gap fl= 1 - (p * p + q * q);

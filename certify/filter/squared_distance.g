@@ -1,4 +1,4 @@
-# Lemma 27 of docs/proof.md: filter::squared_distance in certify/filter.cpp. Names in capitals are exact.
+# Lemma 29 of docs/proof.md: filter::squared_distance in certify/filter.cpp. Names in capitals are exact.
 # S is the difference of two points that are given exactly, scaled by a power of two, so that the norm of the rounded
 # difference is at least 1 and less than 2.
 @fl = float<ieee_64, ne>;

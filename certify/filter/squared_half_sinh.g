@@ -1,4 +1,4 @@
-# Lemma 27 of docs/proof.md: the quotient in filter::squared_half_sinh in certify/filter.cpp. Names in capitals are exact.
+# Lemma 29 of docs/proof.md: the quotient in filter::squared_half_sinh in certify/filter.cpp. Names in capitals are exact.
 @fl = float<ieee_64, ne>;
 
 d = fl(dd);  a = fl(aa);  b = fl(bb);

@@ -34,13 +34,15 @@ using Point = LorentzVector<Number>;
 Point unit(const Point& p) { return Number(Number(1) / sqrt(Number(-lorentz_product(p, p)))) * p; }
 
 /// Branch and bound: the triangles of a triangulation with one vertex are cut until the bounds of all cells are at most
-/// the greatest value that was found plus the width.
+/// the greatest value that was found plus the width. For a radius the function is minus the eccentricity.
 ///
-/// The function is asked for at points inside of cells, where the Delaunay triangulation has it exactly; the bound of a
-/// cell is the least that the triangulations of its own point and of that of the cell it was cut from give at its
-/// corners.
+/// The function is asked for at points of cells, where the Delaunay triangulation has it exactly. The bound of a cell
+/// is the least that the triangulations of its own point and of that of the cell it was cut from give at its corners;
+/// for a radius, the function at the midpoint of a side plus the distance from there to the farthest corner.
 class CoverSearch {
  public:
+  using Claim = CoverDocument::Claim;
+
   /// Whether the greatest value is sought, or that at the vertex of the base is to be it.
   enum class Climb { yes, no };
 
@@ -64,8 +66,10 @@ class CoverSearch {
   }
 
   void run() {
-    const double first_gap = upper() - lower();
-    while (upper() - lower() > width_) {
+    double first_gap = 0;
+    // A lower bound of a radius has to be positive.
+    constexpr double kLeastRadius = 1e-3;
+    while (upper() - lower() > width_ || (claim_ == Claim::radius && upper() > -kLeastRadius)) {
       if (cells_.size() >= options_.most_cells) {
         std::ostringstream message;
         message.precision(17);
@@ -76,7 +80,8 @@ class CoverSearch {
       const std::uint32_t top = queue_.top().second;
       queue_.pop();
       cut(top);
-      if (options_.progress && cells_.size() % 1024 == 0) {
+      if (first_gap == 0 && std::isfinite(upper())) first_gap = upper() - lower();
+      if (options_.progress && first_gap > 0 && cells_.size() % 1024 == 0) {
         options_.progress("covering", std::log(first_gap / (upper() - lower())) / std::log(first_gap / width_));
       }
     }
@@ -111,10 +116,9 @@ class CoverSearch {
           cells.push_back(cell.edge);
           open.push_back(cell.first_part + 1);
           open.push_back(cell.first_part);
-        } else if (claim_ == CoverDocument::Claim::diameter) {
-          cells.push_back(3 + number[cell.bound_by]);
         } else {
-          cells.push_back(3 + number[cell.bound_by] * darts + cell.bound_by_dart);
+          const std::uint32_t of_each = claim_ == Claim::diameter ? 1 : claim_ == Claim::radius ? 3 : darts;
+          cells.push_back(3 + number[cell.bound_by] * of_each + cell.bound_by_part);
         }
       }
     }
@@ -136,6 +140,12 @@ class CoverSearch {
     double value;
     std::uint32_t dart;  ///< That of the edge, for an embedded disk.
   };
+  /// The midpoint of a side, the cosh of half its length and of the median.
+  struct Midpoint {
+    Point point;
+    Number half;
+    Number median;
+  };
   static constexpr std::uint32_t kNotCut = 3;
   /// A triangle of unit vectors, with the cosh of its sides' lengths: side i is from corner i to corner i + 1. Kept
   /// along when it is halved, both stay as accurate as they are.
@@ -144,14 +154,24 @@ class CoverSearch {
     std::array<Number, 3> cosh;
 
     [[nodiscard]] Point centre() const { return unit(corner[0] + corner[1] + corner[2]); }
+    [[nodiscard]] std::uint32_t longest_side() const {
+      return static_cast<std::uint32_t>(std::max_element(cosh.begin(), cosh.end()) - cosh.begin());
+    }
+    [[nodiscard]] Midpoint midpoint(std::uint32_t side) const {
+      const std::uint32_t end = (side + 1) % 3;
+      // With d the length of the side: cosh(d/2), the midpoint, and the cosh of the median.
+      const Number half = sqrt(Number((1 + cosh[side]) / 2));
+      const Number scale = 1 / (2 * half);
+      return {scale * (corner[side] + corner[end]), half, scale * (cosh[end] + cosh[(side + 2) % 3])};
+    }
   };
   struct Cell {
     Place place;
-    Site site;                   ///< A point inside.
-    std::uint32_t bound_by = 0;  ///< The triangulation that bounds the function in the cell.
-    std::uint32_t bound_by_dart = 0;
-    std::uint32_t edge = kNotCut;  ///< Across which it is cut.
-    std::uint32_t first_part = 0;  ///< The second follows.
+    Site site;                        ///< A point inside.
+    std::uint32_t bound_by = 0;       ///< The triangulation that bounds the function in the cell.
+    std::uint32_t bound_by_part = 0;  ///< The dart of the edge, for an embedded disk; the side, for a radius.
+    std::uint32_t edge = kNotCut;     ///< Across which it is cut.
+    std::uint32_t first_part = 0;     ///< The second follows.
   };
 
   [[nodiscard]] PlacedTriangulation placed(std::uint32_t k, std::uint32_t frame, const Point& p) {
@@ -211,8 +231,9 @@ class CoverSearch {
   /// The function, at a point where the triangulation is Delaunay.
   void look_at(const Site& site) {
     const PlacedTriangulation there = placed(site.triangulation, site.frame, site.point);
-    const double value =
-        length_of(claim_ == CoverDocument::Claim::diameter ? there.largest_enclosure() : there.shortest_edge());
+    const double value = claim_ == Claim::diameter ? length_of(there.largest_enclosure())
+                         : claim_ == Claim::radius ? -length_of(there.largest_enclosure())
+                                                   : length_of(there.shortest_edge());
     if (value <= highest_) return;
     highest_ = value;
     summit_ = site.point;
@@ -221,7 +242,7 @@ class CoverSearch {
   [[nodiscard]] Bound bound(const Place& place, std::uint32_t frame, std::uint32_t k) {
     const std::array<PlacedTriangulation, 3> at{placed(k, frame, place.corner[0]), placed(k, frame, place.corner[1]),
                                                 placed(k, frame, place.corner[2])};
-    if (claim_ == CoverDocument::Claim::diameter) {
+    if (claim_ == Claim::diameter) {
       double most = 0;
       for (const PlacedTriangulation& corner : at) most = std::max(most, corner.largest_enclosure());
       return {length_of(most), 0};
@@ -235,7 +256,37 @@ class CoverSearch {
     return least;
   }
 
+  /// Minus the eccentricity, from the midpoint of the longest side where nothing is near to a tie.
+  void add_cell_of_radius(Place place, const Site& near) {
+    Cell cell{.place = std::move(place), .site = near};
+    double bound = std::numeric_limits<double>::infinity();
+    std::array<std::uint32_t, 3> sides{0, 1, 2};
+    std::sort(sides.begin(), sides.end(),
+              [&](std::uint32_t i, std::uint32_t k) { return cell.place.cosh[i] > cell.place.cosh[k]; });
+    for (const std::uint32_t side : sides) {
+      const Midpoint middle = cell.place.midpoint(side);
+      const std::optional<Site> site = moved(near, middle.point);
+      if (!site) continue;
+      const PlacedTriangulation there = placed(site->triangulation, site->frame, site->point);
+      if (climb_ == Climb::yes) look_at(*site);
+      if (!there.is_strictly_delaunay()) continue;
+      // sinh²(d/2) of the distance to the farthest corner.
+      const auto farthest = static_cast<double>(Number((std::max(middle.half, middle.median) - 1) / 2));
+      bound = 2 * length_of(farthest) - length_of(there.largest_enclosure());
+      cell.site = *site;
+      cell.bound_by = site->triangulation;
+      cell.bound_by_part = side;
+      break;
+    }
+    queue_.emplace(bound, static_cast<std::uint32_t>(cells_.size()));
+    cells_.push_back(std::move(cell));
+  }
+
   void add_cell(Place place, const Site& near) {
+    if (claim_ == Claim::radius) {
+      add_cell_of_radius(std::move(place), near);
+      return;
+    }
     const Point centre = place.centre();
     const std::uint32_t frame = frame_at(near.frame, centre);
     Cell cell{.place = std::move(place), .site = near};
@@ -253,7 +304,7 @@ class CoverSearch {
         }
       }
     }
-    cell.bound_by_dart = best.dart;
+    cell.bound_by_part = best.dart;
     queue_.emplace(best.value, static_cast<std::uint32_t>(cells_.size()));
     cells_.push_back(std::move(cell));
   }
@@ -261,31 +312,26 @@ class CoverSearch {
   /// At the midpoint of the longest edge.
   void cut(std::uint32_t number) {
     const Place place = cells_[number].place;
-    const auto edge =
-        static_cast<std::uint32_t>(std::max_element(place.cosh.begin(), place.cosh.end()) - place.cosh.begin());
+    const std::uint32_t edge = place.longest_side();
     const std::uint32_t end = (edge + 1) % 3;
     const std::uint32_t far = (edge + 2) % 3;
     cells_[number].edge = edge;
     cells_[number].first_part = static_cast<std::uint32_t>(cells_.size());
     const Site site = cells_[number].site;
-    // With d the length of the edge: cosh(d/2), the midpoint, and the cosh of the median.
-    const Number half = sqrt(Number((1 + place.cosh[edge]) / 2));
-    const Number scale = 1 / (2 * half);
-    const Point middle = scale * (place.corner[edge] + place.corner[end]);
-    const Number median = scale * (place.cosh[end] + place.cosh[far]);
+    const Midpoint middle = place.midpoint(edge);
     Place first = place;
-    first.corner[end] = middle;
-    first.cosh[edge] = half;
-    first.cosh[end] = median;
+    first.corner[end] = middle.point;
+    first.cosh[edge] = middle.half;
+    first.cosh[end] = middle.median;
     Place second = place;
-    second.corner[edge] = middle;
-    second.cosh[edge] = half;
-    second.cosh[far] = median;
+    second.corner[edge] = middle.point;
+    second.cosh[edge] = middle.half;
+    second.cosh[far] = middle.median;
     add_cell(std::move(first), site);
     add_cell(std::move(second), site);
   }
 
-  CoverDocument::Claim claim_;
+  Claim claim_;
   Climb climb_;
   const CoverOptions& options_;
   double width_;
@@ -296,7 +342,7 @@ class CoverSearch {
   std::vector<Cell> cells_;
   std::uint32_t roots_ = 0;
   std::priority_queue<std::pair<double, std::uint32_t>> queue_;  ///< Cells that are not cut, by bound.
-  double highest_ = 0;
+  double highest_ = -std::numeric_limits<double>::infinity();
   Point summit_{};
 };
 
@@ -370,6 +416,13 @@ CoverDocument cover(const Surface& surface, CoverDocument::Claim claim, const Co
   if (certificate.verdict != certify::Verdict::verified) {
     throw NetError("the triangulation with one vertex was not verified: " + certify::verdict_line(certificate));
   }
+  if (claim == CoverDocument::Claim::radius) {
+    const double proved = certificate.enclosures->largest_circumradius.upper;
+    // The bound of a cell is a difference of two lengths, each at most the diameter.
+    document.value = {-search.upper() - 4 * kRounding * proved, std::max(-search.lower() * (1 + kRounding), proved)};
+    search.describe(document);
+    return document;
+  }
   const double proved = claim == CoverDocument::Claim::diameter ? certificate.enclosures->largest_circumradius.lower
                                                                 : certificate.enclosures->shortest_loop->lower / 2;
   document.value = {std::min(search.lower() * (1 - kRounding), proved), search.upper() * (1 + kRounding)};
@@ -386,6 +439,10 @@ certify::NetDocument eccentricity_net(const Surface& surface, const BasePoint& v
 
 CoverDocument diameter(const Surface& surface, const CoverOptions& options) {
   return cover(surface, CoverDocument::Claim::diameter, options);
+}
+
+CoverDocument radius(const Surface& surface, const CoverOptions& options) {
+  return cover(surface, CoverDocument::Claim::radius, options);
 }
 
 CoverDocument largest_embedded_disk(const Surface& surface, const CoverOptions& options) {

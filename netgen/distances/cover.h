@@ -7,7 +7,7 @@
 #include "triangulation/base_point.h"
 #include "triangulation/surface.h"
 
-/// The diameter of a surface and its largest embedded disk. docs/distances.md says how.
+/// The diameter of a surface, its radius, and its largest embedded disk. docs/distances.md says how.
 ///
 /// What these functions return is not proved yet; certify::check_cover proves it. All are deterministic and throw
 /// NetError where the limit of cells does not suffice, LimitError where the surface is beyond the numbers of the
@@ -33,6 +33,9 @@ struct CoverOptions {
 /// (docs/distances.md says how many cells that takes). Throws std::invalid_argument for a width that is less than the
 /// least.
 [[nodiscard]] certify::CoverDocument diameter(const Surface& surface, const CoverOptions& options = {});
+
+/// The radius: the least eccentricity, the least r such that a disk of radius r covers the surface.
+[[nodiscard]] certify::CoverDocument radius(const Surface& surface, const CoverOptions& options = {});
 
 /// The radius of the largest embedded disk: the greatest injectivity radius of a point.
 [[nodiscard]] certify::CoverDocument largest_embedded_disk(const Surface& surface, const CoverOptions& options = {});

@@ -217,22 +217,34 @@ bool PlacedTriangulation::counterclockwise(std::uint32_t triangle) const {
   return lorentz_product(lorentz_cross(point_, second), third) > 0;
 }
 
-std::optional<std::uint32_t> PlacedTriangulation::not_delaunay() const {
-  const std::vector<std::uint32_t>& opposite = triangulation_.opposite;
+bool PlacedTriangulation::locally_delaunay(std::uint32_t dart, double tie) const {
+  const std::uint32_t other = triangulation_.opposite[dart];
   const auto rounded_sides = [&](std::uint32_t d) { return displacement_[d]; };
   const auto sides = [&](std::uint32_t d) { return exact_displacement(d); };
+  constexpr double kRounding = 1e-13;
+  const auto rounded_sum = [&](double slack) {
+    return cotangent<double>(dart, rounded_sides, slack) + cotangent<double>(other, rounded_sides, slack);
+  };
+  if (rounded_sum(kRounding) < 0) return false;
+  if (rounded_sum(-kRounding) >= 0) return true;
+  return cotangent<Number>(dart, sides, tie) + cotangent<Number>(other, sides, tie) >= 0;
+}
+
+std::optional<std::uint32_t> PlacedTriangulation::not_delaunay() const {
+  const std::vector<std::uint32_t>& opposite = triangulation_.opposite;
+  constexpr double kTie = 1e-100;
   for (std::uint32_t d = 0; d < opposite.size(); ++d) {
-    const std::uint32_t e = opposite[d];
-    if (d > e || d / 3 == e / 3) continue;
-    // Relative to the squares of the sides.
-    constexpr double kRounding = 1e-13;
-    constexpr double kTie = 1e-100;
-    if (cotangent<double>(d, rounded_sides, kRounding) + cotangent<double>(e, rounded_sides, kRounding) < 0) return d;
-    if (cotangent<double>(d, rounded_sides, -kRounding) + cotangent<double>(e, rounded_sides, -kRounding) >= 0)
-      continue;
-    if (cotangent<Number>(d, sides, kTie) + cotangent<Number>(e, sides, kTie) < 0) return d;
+    if (d < opposite[d] && d / 3 != opposite[d] / 3 && !locally_delaunay(d, kTie)) return d;
   }
   return std::nullopt;
+}
+
+bool PlacedTriangulation::is_strictly_delaunay() const {
+  constexpr double kMargin = 1e-60;
+  for (std::uint32_t d = 0; d < triangulation_.opposite.size(); ++d) {
+    if (d < triangulation_.opposite[d] && !locally_delaunay(d, -kMargin)) return false;
+  }
+  return true;
 }
 
 VertexTriangulation vertex_triangulation(Triangulation& triangulation, EdgeElements& elements) {

@@ -101,10 +101,15 @@ class PlacedTriangulation {
   [[nodiscard]] bool counterclockwise() const;
   /// A dart of an edge that is not locally Delaunay and has two different triangles.
   [[nodiscard]] std::optional<std::uint32_t> not_delaunay() const;
+  /// Whether all edges are locally Delaunay and none is nearly as good as the other diagonal.
+  [[nodiscard]] bool is_strictly_delaunay() const;
 
  private:
   [[nodiscard]] Number exact_displacement(std::uint32_t dart) const;
   [[nodiscard]] bool counterclockwise(std::uint32_t triangle) const;
+  /// Whether cot γ + cot γ' ≥ 0 for the angles opposite to the edge of a dart; γ, γ' with a share `tie` of the squares
+  /// of the sides to the good. The edge is locally Delaunay for 0.
+  [[nodiscard]] bool locally_delaunay(std::uint32_t dart, double tie) const;
 
   const VertexTriangulation& triangulation_;
   const EdgeElements& elements_;

@@ -37,6 +37,7 @@ void add_locate_command(CLI::App& app, Job& chosen);
 void add_distances_command(CLI::App& app, Job& chosen);
 void add_eccentricity_command(CLI::App& app, Job& chosen);
 void add_diameter_command(CLI::App& app, Job& chosen);
+void add_radius_command(CLI::App& app, Job& chosen);
 void add_embedded_disk_command(CLI::App& app, Job& chosen);
 void add_systole_command(CLI::App& app, Job& chosen);
 void add_spectrum_command(CLI::App& app, Job& chosen);

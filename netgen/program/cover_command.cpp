@@ -17,7 +17,7 @@ namespace {
 struct CoverRequest {
   std::string surface;
   std::string output;
-  std::string width = "1e-6";
+  std::string width;
   bool json = false;
 };
 
@@ -55,15 +55,18 @@ void enclose(const CoverRequest& request, MakeCover make) {
   write_report(report, request.json, is_stdout(request.output));
 }
 
-void add_cover_command(CLI::App& app, Job& chosen, const char* name, const char* what, MakeCover make) {
+void add_cover_command(CLI::App& app, Job& chosen, const char* name, const char* what, MakeCover make,
+                       const char* width = "1e-6") {
   const auto shared = std::make_shared<CoverRequest>();
+  shared->width = width;
   CLI::App* command = app.add_subcommand(name, what);
   add_input(*command, "SURFACE", shared->surface, "a surface file");
-  command->add_option("--width", shared->width, "of the enclosure: a length, at least 1e-12")->option_text("W [1e-6]");
+  command->add_option("--width", shared->width, "of the enclosure: a length, at least 1e-12")
+      ->option_text(std::string("W [") + width + "]");
   add_file(*command, "-o,--output", shared->output, "the cover file to write, for certify; \"-\" is standard output");
   add_json(*command, shared->json);
   command->footer(std::string("Example:\n  epsnet ") + name +
-                  " s.json --width 1e-9 -o cover.json && certify cover.json");
+                  " s.json --width 1e-3 -o cover.json && certify cover.json");
   command->callback([&chosen, shared, make] { chosen = [shared, make] { enclose(*shared, make); }; });
 }
 
@@ -92,8 +95,10 @@ void measure_eccentricity(const EccentricityRequest& request) {
 }  // namespace
 
 Report cover_report(const certify::CoverDocument& document) {
-  const std::string name =
-      document.claim == certify::CoverDocument::Claim::diameter ? "diameter" : "embedded_disk_radius";
+  using Claim = certify::CoverDocument::Claim;
+  const std::string name = document.claim == Claim::diameter ? "diameter"
+                           : document.claim == Claim::radius ? "radius"
+                                                             : "embedded_disk_radius";
   std::size_t cells = 0;
   for (const auto& row : document.cells) {
     for (const std::uint32_t entry : row) cells += entry >= 3 ? 1 : 0;
@@ -121,6 +126,13 @@ void add_eccentricity_command(CLI::App& app, Job& chosen) {
 void add_diameter_command(CLI::App& app, Job& chosen) {
   add_cover_command(app, chosen, "diameter", "The diameter, the greatest distance of two points, enclosed and proved.",
                     &diameter);
+}
+
+void add_radius_command(CLI::App& app, Job& chosen) {
+  add_cover_command(
+      app, chosen, "radius",
+      "The radius, the least eccentricity of a point: how large a disk covers the surface, enclosed and proved.",
+      &radius, "1e-2");
 }
 
 void add_embedded_disk_command(CLI::App& app, Job& chosen) {

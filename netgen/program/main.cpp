@@ -92,6 +92,7 @@ int run(int argc, char** argv) {
   add_distances_command(app, chosen);
   add_eccentricity_command(app, chosen);
   add_diameter_command(app, chosen);
+  add_radius_command(app, chosen);
   add_embedded_disk_command(app, chosen);
   add_draw_command(app, chosen);
   add_view_command(app, chosen);

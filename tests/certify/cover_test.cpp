@@ -31,6 +31,9 @@ CoverDocument octagon() { return load("octagon-diameter"); }
 /// The largest embedded disk of the same, to within 1/100.
 CoverDocument disk() { return load("octagon-embedded-disk"); }
 
+/// The radius of another octagon, to within 3/10.
+CoverDocument octagon_radius() { return load("octagon-radius"); }
+
 std::vector<CoverDocument> all_files() { return {regular(), octagon(), disk()}; }
 
 /// arcosh(cot²(π/8)): from the centre of the octagon to its corner.
@@ -66,7 +69,7 @@ std::size_t refuted_by_cells(const CoverDocument& document,
         if (certificate.verdict == Verdict::verified) continue;
         EXPECT_EQ(certificate.verdict, Verdict::refuted);
         EXPECT_EQ(certificate.rule, "cells");
-        EXPECT_THAT(certificate.message, HasSubstr("of triangle " + std::to_string(t) + " has a corner where"));
+        EXPECT_THAT(certificate.message, HasSubstr("of triangle " + std::to_string(t) + " is not bounded by"));
         ++refuted;
       }
     }
@@ -255,6 +258,70 @@ TEST(Cover, ThreadsDoNotMatter) {
   }
 }
 
+TEST(CoverOfARadius, IsVerified) {
+  const Certificate certificate = checked(octagon_radius());
+  EXPECT_EQ(certificate.verdict, Verdict::verified) << certificate.message;
+  ASSERT_EQ(certificate.rules.size(), 10U);
+  EXPECT_EQ(certificate.rules[7].rule, "upper");
+  EXPECT_EQ(certificate.rules[8].rule, "triangulations");
+  EXPECT_EQ(certificate.rules[9].rule, "cells");
+  EXPECT_EQ(certificate.claim, "the radius lies in " + to_string(octagon_radius().value));
+}
+
+TEST(CoverOfARadius, AnUpperBoundBelowTheValueAtTheVertexIsRefuted) {
+  CoverDocument document = octagon_radius();
+  document.value.upper -= 1e-12;
+  EXPECT_EQ(outcome(document), "REFUTED: upper");
+}
+
+TEST(CoverOfARadius, ALowerBoundAboveThatOfACellIsRefuted) {
+  CoverDocument document = octagon_radius();
+  document.value.lower = document.value.upper;
+  EXPECT_EQ(outcome(document), "REFUTED: cells");
+  // It is what the worst cell proves, but for roundings.
+  document = octagon_radius();
+  document.value.lower *= 1 + 1e-13;
+  EXPECT_EQ(outcome(document), "REFUTED: cells");
+  document.value.lower = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ(outcome(document), "VERIFIED");
+}
+
+/// A triangulation that is not Delaunay at the midpoint would have circumradii that are no eccentricity.
+TEST(CoverOfARadius, ACellWithATriangulationThatIsNotItsOwnIsRefuted) {
+  CoverDocument good = octagon_radius();
+  // So small a bound that every midpoint of a side proves it.
+  good.value.lower = 1e-3;
+  const auto numbers = static_cast<std::uint32_t>(3 * good.triangulations.size() + 3);
+  const auto next = [&](std::uint32_t leaf) { return std::vector<std::uint32_t>{3 + leaf % numbers}; };
+  std::size_t leaves = 0;
+  for (const auto& row : good.cells) {
+    for (const std::uint32_t entry : row) leaves += entry >= 3 ? 1 : 0;
+  }
+  // The Delaunay triangulation of a point is the only one, but for ties.
+  EXPECT_EQ(refuted_by_cells(good, next), leaves);
+}
+
+TEST(CoverOfARadius, AFlipThatIsLeftOutIsRefuted) {
+  const CoverDocument good = octagon_radius();
+  for (std::size_t k = 0; k < good.triangulations.size(); ++k) {
+    CoverDocument without = good;
+    without.triangulations[k].flips.pop_back();
+    EXPECT_EQ(outcome(without), "REFUTED: cells");
+  }
+}
+
+/// The eccentricity at one point says nothing of cells that are large.
+TEST(CoverOfARadius, ACellThatIsNotCutIsRefuted) {
+  const CoverDocument good = octagon_radius();
+  for (std::size_t t = 0; t < good.cells.size(); ++t) {
+    CoverDocument document = good;
+    for (std::uint32_t entry = 3; entry < 15; ++entry) {
+      document.cells[t] = {entry};
+      EXPECT_EQ(outcome(document), "REFUTED: cells");
+    }
+  }
+}
+
 TEST(Cover, TooLittleWorkOrPrecisionIsUndecided) {
   for (const CoverDocument& document : all_files()) {
     const std::uint64_t all = checked(document).counts.work;
@@ -350,8 +417,8 @@ TEST(CoverFile, HasExactlyItsMembers) {
     return "";
   };
   EXPECT_EQ(complaint("\"claim\":\"diameter\"", "\"claim\":\"embedded-disk\""), "");
-  EXPECT_THAT(complaint("\"claim\":\"diameter\"", "\"claim\":\"radius\""),
-              HasSubstr("claim: \"radius\" is no claim, expected \"diameter\" or \"embedded-disk\""));
+  EXPECT_THAT(complaint("\"claim\":\"diameter\"", "\"claim\":\"girth\""),
+              HasSubstr("claim: \"girth\" is no claim, expected \"diameter\", \"radius\" or \"embedded-disk\""));
   EXPECT_THAT(complaint("\"claim\":\"diameter\",\n", ""), HasSubstr("missing member \"claim\""));
   EXPECT_THAT(complaint("\"claim\"", "\"claim\":\"diameter\",\"claim\""), HasSubstr("repeated member"));
   EXPECT_THAT(complaint("\"claim\"", "\"p\":0,\"claim\""), HasSubstr("unknown member \"p\""));

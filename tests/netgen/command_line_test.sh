@@ -26,6 +26,8 @@ good diameter s.json --width 0.1 -o diameter.json
 verified diameter.json
 good embedded-disk s.json --width 0.1 -o disk.json
 verified disk.json
+good radius s.json --width 0.3 -o radius.json
+verified radius.json
 good eccentricity s.json 0,0.1,-1/3 -o eccentricity.json
 verified eccentricity.json
 good surface octagon --coordinates 5/6,0,0.6,0.6,0,5/6,-0.6,0.6 -o symmetric.json
@@ -266,6 +268,7 @@ json '^{"verdict":"VERIFIED","distance":\[0.72635597917927[0-9]*,0.7263559791792
 json '^{"verdict":"VERIFIED","distance":\[0.0,0.0\],"equal":true,"paths":\[\[\]\]}$' distance net.json v3 v3 --json
 json '^{"verdict":"VERIFIED","diameter":\[2.44845244767[0-9]*,2.44845244767[0-9]*\],"cells":[0-9]*,"triangulations":[0-9]*}$' diameter regular.json --json
 json '^{"verdict":"VERIFIED","embedded_disk_radius":\[1.5[0-9]*,1.[56][0-9]*\],"cells":[0-9]*,"triangulations":[0-9]*}$' embedded-disk regular.json --width 0.1 --json
+json '^{"verdict":"VERIFIED","radius":\[1.8[0-9]*,1.94[0-9]*\],"cells":[0-9]*,"triangulations":[0-9]*}$' radius regular.json --width 0.1 --json
 json '^{"verdict":"VERIFIED","eccentricity":\[2.44845244767[0-9]*,2.44845244767[0-9]*\]}$' eccentricity regular.json 0 --json
 json '^{"verdict":"VERIFIED"}$' view net.json -o x.html --json
 json '^{"file":"surface","genus":2,' surface octagon --seed 1 -o x.json --json
@@ -386,7 +389,7 @@ bad 64 '^epsnet: --width: expected a positive number' distance s.json 0 0 --widt
 bad 1 'wider than 1e-17' distance s.json 0 0,0.1,0 --width 1e-17
 bad 1 'both points are on the boundary' distance symmetric.json 0,5/6,0 0,0.6,0.6
 bad 1 'expected a surface file or a net file' distance systole.json 0 0
-for command in diameter embedded-disk; do
+for command in diameter radius embedded-disk; do
   for width in 0 -1 nan 0.1,0.2; do
     bad 64 '^epsnet: --width: expected a positive number' "$command" s.json "--width=$width" -o out/x.json
   done

