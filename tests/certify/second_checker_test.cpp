@@ -1,14 +1,22 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <gtest/gtest.h>
+#include <limits>
+#include <optional>
 #include <rapidcheck/gtest.h>
 #include <sstream>
 #include <string>
+#include <vector>
 
+#include "certify/check.h"
+#include "certify/document/darts.h"
 #include "certify/document/text.h"
 #include "certify/exact/checker.h"
 #include "certify/exact/json.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
 
 /// The checker of integers alone: the files of tests/data/certify, and its numbers beside those of the first checker.
 /// Mutants of nets are in tests/netgen/mutation_test.cpp.
@@ -147,6 +155,335 @@ TEST(SecondCheckersJson, RefusesAStringWithoutEnd) {
   for (const char* text : {R"({"a": "b)", R"({"a": "b\)", R"({"a": "\u00)", R"({"a)", "{\""}) {
     EXPECT_THROW(static_cast<void>(parse_json(text)), Malformed) << text;
   }
+}
+
+// Documents that are wrong in one place, as both checkers see them.
+
+using certify::NetDocument;
+using certify::RationalPoint;
+using certify::SurfaceDocument;
+
+std::string text_of(const NetDocument& document) {
+  std::ostringstream out;
+  certify::write_net(document, out);
+  return out.str();
+}
+
+/// The verdict, and the rule of a net that is refuted.
+std::string outcome(const Result& result) {
+  constexpr std::array<const char*, 4> kNames{"VERIFIED", "REFUTED", "UNDECIDED", "MALFORMED"};
+  return kNames[static_cast<std::size_t>(result.verdict)] + (result.rule.empty() ? "" : ": " + result.rule);
+}
+
+/// That both checkers say so. For the first one a document, whatever it says, has been read already.
+void expect_of_both(const NetDocument& document, const std::string& expected) {
+  const Result second = check(text_of(document));
+  EXPECT_EQ(outcome(second), expected) << second.message;
+  const certify::Certificate first = certify::check(document, {.threads = 1});
+  EXPECT_EQ(std::string(name(first.verdict)) + (first.verdict == certify::Verdict::refuted ? ": " + first.rule : ""),
+            expected)
+      << first.message;
+}
+
+NetDocument load(const std::string& name) { return certify::read_net(std::string(EPSNET_TEST_DATA) + "/" + name); }
+
+/// A net on two tiles in six charts.
+NetDocument two_tiles() {
+  NetDocument document = load("forgeries/collars.json");
+  document.collars.reset();
+  return document;
+}
+
+constexpr std::uint32_t kHuge = std::numeric_limits<std::uint32_t>::max();
+
+/// Any index of the first, the middle and the last row of a table, one too large and as large as can be.
+template <class Row, class Indices>
+void expect_no_index_beyond(std::vector<Row> NetDocument::*table, const Indices& indices) {
+  const NetDocument good = two_tiles();
+  const std::size_t rows = (good.*table).size();
+  for (const std::size_t i : {std::size_t{0}, rows / 2, rows - 1}) {
+    Row row = (good.*table)[i];
+    const auto places = indices(good, row);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      for (const std::uint32_t wrong : {static_cast<std::uint32_t>(places[k].second), kHuge}) {
+        SCOPED_TRACE(std::to_string(i) + ", index " + std::to_string(k) + ": " + std::to_string(wrong));
+        NetDocument document = good;
+        *indices(document, (document.*table)[i])[k].first = wrong;
+        expect_of_both(document, "MALFORMED");
+      }
+    }
+  }
+}
+
+using Places = std::vector<std::pair<std::uint32_t*, std::size_t>>;  ///< Indices, and how many there are of the kind.
+
+TEST(BothCheckers, NoIndexNamesWhatIsNotThere) {
+  expect_no_index_beyond(&NetDocument::charts, [](const NetDocument& d, NetDocument::Chart& chart) -> Places {
+    return {{&chart.tile, d.surface.tiles.size()}};
+  });
+  expect_no_index_beyond(&NetDocument::labels, [](const NetDocument& d, NetDocument::Label& label) {
+    Places places{{&label.from, d.charts.size()}, {&label.to, d.charts.size()}};
+    for (std::uint32_t& letter : label.word) places.emplace_back(&letter, 14);
+    return places;
+  });
+  expect_no_index_beyond(&NetDocument::vertices, [](const NetDocument& d, NetDocument::Vertex& vertex) -> Places {
+    return {{&vertex.chart, d.charts.size()}};
+  });
+  expect_no_index_beyond(&NetDocument::triangles, [](const NetDocument& d, NetDocument::Triangle& triangle) {
+    Places places;
+    for (std::uint32_t& vertex : triangle.vertex) places.emplace_back(&vertex, d.vertices.size());
+    for (std::uint32_t& dart : triangle.opposite) places.emplace_back(&dart, 3 * d.triangles.size());
+    for (std::uint32_t& label : triangle.label) places.emplace_back(&label, d.labels.size() + 1);
+    return places;
+  });
+}
+
+TEST(BothCheckers, NoIndexOfWhatNothingUsesNamesWhatIsNotThere) {
+  NetDocument document = two_tiles();
+  document.charts.push_back({2, {0, 0}});
+  expect_of_both(document, "MALFORMED");
+  document.charts.back().tile = kHuge;
+  expect_of_both(document, "MALFORMED");
+  document = two_tiles();
+  const std::uint32_t charts = static_cast<std::uint32_t>(document.charts.size());
+  for (const std::uint32_t wrong : {charts, kHuge}) {
+    document.labels = two_tiles().labels;
+    document.labels.push_back({wrong, 0, {}});
+    expect_of_both(document, "MALFORMED");
+    document.labels.back() = {0, wrong, {}};
+    expect_of_both(document, "MALFORMED");
+  }
+  document = two_tiles();
+  document.vertices.push_back({0, 0, kHuge});
+  expect_of_both(document, "MALFORMED");
+  document.vertices.back() = {1, 0, 0};
+  expect_of_both(document, "MALFORMED");
+}
+
+TEST(BothCheckers, WordsThatNothingUsesArePathsToo) {
+  const NetDocument good = two_tiles();
+  std::array<std::optional<std::uint32_t>, 2> chart;  // One in each tile.
+  for (std::uint32_t c = 0; c < good.charts.size(); ++c) chart[good.charts[c].tile] = c;
+  const auto tile_behind = [&](std::uint32_t tile, std::uint32_t side) {
+    for (const SurfaceDocument::Gluing& g : good.surface.gluing) {
+      if (g.tile == tile && g.side == side) return g.other_tile;
+      if (g.other_tile == tile && g.other_side == side) return g.tile;
+    }
+    return kHuge;
+  };
+  for (std::uint32_t tile = 0; tile < 2; ++tile) {
+    const std::uint32_t here = *chart.at(tile);
+    const std::uint32_t there = *chart.at(1 - tile);
+    NetDocument document = good;
+    document.labels.push_back({here, there, {}});
+    expect_of_both(document, "MALFORMED");
+    for (std::uint32_t k = 0; k < 7; ++k) {
+      // Crossing side k of the other tile, from here.
+      const std::uint32_t behind = *chart.at(tile_behind(1 - tile, k));
+      document = good;
+      document.labels.push_back({here, behind, {7 * (1 - tile) + k}});
+      expect_of_both(document, "MALFORMED");
+    }
+  }
+}
+
+TEST(BothCheckers, LabelsLeadFromTheCornersChartToThatOfTheTriangle) {
+  const NetDocument good = two_tiles();
+  int tried = 0;
+  for (std::size_t t = 0; t < good.triangles.size(); ++t) {
+    const std::uint32_t chart = good.vertices[good.triangles[t].vertex[0]].chart;
+    for (std::size_t i = 1; i < 3 && tried < 12; ++i) {
+      const std::uint32_t number = good.triangles[t].label[i - 1];
+      if (number == 0) continue;
+      ++tried;
+      if (good.vertices[good.triangles[t].vertex[i]].chart != chart) {
+        NetDocument document = good;
+        document.triangles[t].label[i - 1] = 0;
+        expect_of_both(document, "MALFORMED");
+      }
+      // The same word between other charts of the same tiles.
+      for (std::uint32_t other = 0; other < good.charts.size(); ++other) {
+        NetDocument::Label label = good.labels[number - 1];
+        NetDocument document = good;
+        document.triangles[t].label[i - 1] = static_cast<std::uint32_t>(good.labels.size() + 1);
+        for (std::uint32_t NetDocument::Label::*end : {&NetDocument::Label::from, &NetDocument::Label::to}) {
+          if (other == label.*end || good.charts[other].tile != good.charts[label.*end].tile) continue;
+          document.labels = good.labels;
+          document.labels.push_back(label);
+          document.labels.back().*end = other;
+          expect_of_both(document, "MALFORMED");
+        }
+      }
+    }
+  }
+  EXPECT_EQ(tried, 12);
+}
+
+TEST(BothCheckers, EverySideIsGluedOnce) {
+  const NetDocument good = load("certify/verified/octagon-9-vertices.json");
+  const auto expect = [&](const std::vector<std::array<std::uint32_t, 2>>& pairs, const std::string& expected) {
+    NetDocument document = good;
+    document.surface.gluing.clear();
+    for (const auto& [k, j] : pairs) document.surface.gluing.push_back({0, k, 0, j});
+    expect_of_both(document, expected);
+  };
+  expect({{0, 4}, {1, 5}, {2, 6}, {3, 7}}, "VERIFIED");
+  // Side 0 again and again, first and second in its pair: every other side is glued once.
+  expect({{0, 4}, {2, 6}, {3, 7}, {0, 5}, {0, 1}}, "MALFORMED");
+  expect({{4, 0}, {6, 2}, {7, 3}, {5, 0}, {1, 0}}, "MALFORMED");
+  expect({{0, 4}, {1, 5}, {2, 6}, {3, 7}, {3, 7}}, "MALFORMED");
+  expect({{0, 4}, {1, 5}, {2, 6}, {3, 3}, {7, 7}}, "MALFORMED");
+  expect({{0, 4}, {1, 5}, {2, 6}}, "MALFORMED");
+  expect({{1, 5}, {2, 6}, {3, 7}}, "MALFORMED");
+  for (const std::uint32_t wrong : {8U, kHuge}) {
+    expect({{0, 4}, {1, 5}, {2, 6}, {3, wrong}}, "MALFORMED");
+    expect({{0, 4}, {1, 5}, {2, 6}, {wrong, 7}}, "MALFORMED");
+  }
+  for (const std::uint32_t wrong : {1U, kHuge}) {
+    NetDocument document = good;
+    document.surface.gluing.back() = {wrong, 3, 0, 7};
+    expect_of_both(document, "MALFORMED");
+    document.surface.gluing.back() = {0, 3, wrong, 7};
+    expect_of_both(document, "MALFORMED");
+  }
+}
+
+TEST(BothCheckers, ATileHasThreeVerticesAndThereIsOne) {
+  NetDocument document = load("certify/verified/octagon-9-vertices.json");
+  const SurfaceDocument::Tile tile = document.surface.tiles[0];
+  for (std::uint32_t size = 0; size < 3; ++size) {
+    document.surface.tiles = {tile, {tile.begin(), tile.begin() + size}};
+    document.surface.gluing.resize(4);
+    if (size == 2) document.surface.gluing.push_back({1, 0, 1, 1});
+    expect_of_both(document, "MALFORMED");
+  }
+  document = {.surface = {}, .epsilon = "1"};
+  expect_of_both(document, "MALFORMED");
+}
+
+/// A surface with opposite sides glued.
+SurfaceDocument with_opposite_sides_glued(const SurfaceDocument::Tile& corners) {
+  SurfaceDocument surface{.tiles = {corners}};
+  const auto half = static_cast<std::uint32_t>(corners.size() / 2);
+  for (std::uint32_t k = 0; k < half; ++k) surface.gluing.push_back({0, k, 0, k + half});
+  return surface;
+}
+
+/// An octagon of two kinds of sides whose angles add up to 2π, symmetric to both axes, which meet sides 0 and 4, and 2
+/// and 6, in their midpoints: opposite sides have crossings along the axes.
+SurfaceDocument::Tile octagon_on_axes() {
+  const mpq_class x(5, 7);
+  const mpq_class y(4, 7);
+  return {{x, -y}, {x, y}, {y, x}, {-y, x}, {-x, y}, {-x, -y}, {-y, -x}, {y, -x}};
+}
+
+/// What is said of a surface that has no net: rule `map` refutes it, if rule `surface` does not.
+Result surface_alone(const SurfaceDocument& surface) {
+  NetDocument document{.surface = surface, .epsilon = "1"};
+  const Result second = check(text_of(document));
+  expect_of_both(document, outcome(second));
+  return second;
+}
+
+TEST(BothCheckers, ATranslationAlongAnAxisIsNotTheIdentity) {
+  // A corner with the label 0 between two others with the label 0 gets a label of one letter, a translation along the
+  // real or the imaginary axis: of the numbers a and b of the quotient in (∗) one is not that of the identity.
+  NetDocument good = load("certify/verified/octagon-33-vertices.json");
+  good.surface = with_opposite_sides_glued(octagon_on_axes());
+  int tried = 0;
+  for (std::uint32_t dart = 0; dart < 3 * good.triangles.size(); ++dart) {
+    const std::uint32_t after = certify::next_dart(certify::opposite(good, dart));
+    const std::uint32_t before = certify::opposite(good, certify::previous_dart(dart));
+    const bool free = dart % 3 != 0 && corner_label(good, dart) == 0 && corner_label(good, after) == 0 &&
+                      corner_label(good, before) == 0;
+    if (!free || ++tried > 2) continue;
+    for (const std::uint32_t side : {0U, 2U, 4U, 6U}) {
+      NetDocument document = good;
+      document.labels.push_back({0, 0, {side}});
+      document.triangles[dart / 3].label[dart % 3 - 1] = static_cast<std::uint32_t>(document.labels.size());
+      expect_of_both(document, "REFUTED: gluing");
+    }
+  }
+  EXPECT_GT(tried, 0);
+  EXPECT_NE(outcome(check(text_of(good))), "REFUTED: gluing");
+}
+
+/// (z + c)/(1 + cz) with a real c.
+RationalPoint translated(const RationalPoint& z, const mpq_class& c) {
+  const mpq_class re = 1 + c * z.x;
+  const mpq_class im = c * z.y;
+  const mpq_class size = re * re + im * im;
+  const mpq_class x = z.x + c;
+  return {(x * re + z.y * im) / size, (z.y * re - x * im) / size};
+}
+
+TEST(BothCheckers, ARotationAboutTheOriginIsNotTheIdentity) {
+  // The octagon with the corners a, (1 + i)b and so on: its angles add up to 2π if and only if ab = 1/2. With a corner
+  // at the origin the crossings around it multiply to a rotation about the origin.
+  for (const auto& [a, b] : {std::pair{mpq_class(5, 6), mpq_class(3, 5)},
+                             {mpq_class(5, 6), mpq_class(16, 25)},
+                             {mpq_class(5, 6), mpq_class(14, 25)},
+                             {mpq_class(9, 10), mpq_class(1, 2)}}) {
+    SurfaceDocument::Tile corners{{a, 0}, {b, b}, {0, a}, {-b, b}, {-a, 0}, {-b, -b}, {0, -a}, {b, -b}};
+    for (RationalPoint& z : corners) z = translated(z, -a);
+    ASSERT_EQ(corners[0], (RationalPoint{0, 0}));
+    const Result result = surface_alone(with_opposite_sides_glued(corners));
+    if (a * b * 2 == 1) {
+      EXPECT_EQ(outcome(result), "REFUTED: map");
+    } else {
+      EXPECT_EQ(outcome(result), "REFUTED: surface");
+      EXPECT_NE(result.message.find("do not close up"), std::string::npos) << result.message;
+    }
+  }
+}
+
+TEST(BothCheckers, TilesMayBeConnectedByOneSideAlone) {
+  // Two tori with a boundary, one behind the only side that they share: the octagon cut through its centre, with the
+  // shared side as number `shared` of both.
+  const SurfaceDocument::Tile corners = octagon_on_axes();
+  for (std::uint32_t shared = 0; shared < 5; ++shared) {
+    SurfaceDocument surface;
+    surface.tiles.resize(2);
+    const auto side = [&](std::uint32_t k) { return (k + shared + 1) % 5; };  // Side 4 is the shared one.
+    for (std::uint32_t t = 0; t < 2; ++t) {
+      surface.tiles[t].resize(5);
+      for (std::uint32_t k = 0; k < 5; ++k) surface.tiles[t][side(k)] = corners[(4 * t + k) % 8];
+      surface.gluing.push_back({t, side(0), t, side(2)});
+      surface.gluing.push_back({t, side(1), t, side(3)});
+    }
+    surface.gluing.push_back({0, shared, 1, shared});
+    EXPECT_EQ(outcome(surface_alone(surface)), "REFUTED: map") << shared;
+  }
+}
+
+TEST(SecondCheckersJson, EveryValueIsOfTheKindThatTheFormatSays) {
+  NetDocument document = load("certify/verified/octagon-9-vertices.json");
+  document.surface.about = "free text";
+  document.labels.push_back({0, 0, {}});
+  const std::string good = text_of(document);
+  ASSERT_EQ(outcome(check(good)), "VERIFIED");
+  const auto with = [&](const std::string& what, const std::string& instead) {
+    std::string text = good;
+    const std::size_t at = text.rfind(what);
+    if (at == std::string::npos) throw std::logic_error("not in the text: " + what);
+    return outcome(check(text.replace(at, what.size(), instead)));
+  };
+  for (const char* none : {"{}", "\"\"", "0", "null", "true"}) {
+    EXPECT_EQ(with("[]", none), "MALFORMED") << "an empty word as " << none;
+    if (none != std::string("\"\"")) EXPECT_EQ(with("\"free text\"", none), "MALFORMED") << none;
+  }
+  EXPECT_EQ(with("\"free text\"", "[]"), "MALFORMED");
+  for (const char* version : {"0", "2", "\"1\"", "[1]", "1.0"}) {
+    std::string text = good;
+    const std::size_t at = text.find("\"version\"");
+    text.replace(text.find('1', at), 1, version);
+    EXPECT_EQ(outcome(check(text)), "MALFORMED") << version;
+  }
+  // A member that is not of the format, before and behind all others.
+  for (const char* last : {"\"format\"", "\"kind\""}) {
+    EXPECT_EQ(with(last, std::string("\"more\": 0, ") + last), "MALFORMED");
+  }
+  EXPECT_EQ(with("}", ", \"more\": 0}"), "MALFORMED");
 }
 
 }  // namespace

@@ -28,9 +28,11 @@ import sys
 
 # The text that is written, and the account of work: no verdict depends on them but UNDECIDED.
 LEFT_OUT = ("certify/program/", "certify/exact/main.cpp", "certify/file/writer.", "certify/document/report.",
-            "certify/numbers/budget.h")
+            "certify/numbers/budget.h", "certify/document/least_bytes.cpp")
 # Here texts are not only messages.
 TEXT_MATTERS = ("certify/exact/json.", "certify/document/text.", "certify/file/reader.")
+# Functions that make a text of a file fit to be shown in a message.
+SHOWN = re.compile(r"^(in_quotes|path_in_quotes|printable(_length)?|display_name)$")
 # Statements that only give memory back, ask for it, or count work.
 NO_EFFECT = re.compile(r"(_clear|_init|^reserve|^shrink_to_fit|^spend\w*|^progress\w*|^flint_cleanup|^report_progress|^used)$")
 # What is counted, and what an estimate of work or memory is: it can only make UNDECIDED of what is decided.
@@ -332,7 +334,7 @@ class Reader:
         if kind is None:
             return
         if kind in ("StaticAssertDecl", "EnumDecl", "ConstantExpr", "SubstNonTypeTemplateParmExpr", "TemplateArgument",
-                    "UnaryExprOrTypeTraitExpr", "TypeAliasDecl", "TypedefDecl", "ConceptDecl"):
+                    "UnaryExprOrTypeTraitExpr", "TypeAliasDecl", "TypedefDecl", "ConceptDecl", "BindingDecl"):
             return
         kids = self.kids(node)
         if kind in ("FunctionDecl", "CXXMethodDecl", "CXXConstructorDecl", "CXXDestructorDecl", "CXXConversionDecl"):
@@ -344,7 +346,7 @@ class Reader:
             in_lambda = node.get("name") == "operator()" and self.function
             if re.fullmatch(r"(const )?(std::)?(string|string_view)", returns) and not self.text_matters(node) and not in_lambda:
                 return
-            if kind == "CXXDestructorDecl" or ESTIMATES.search(node.get("name", "")):
+            if kind == "CXXDestructorDecl" or ESTIMATES.search(node.get("name", "")) or SHOWN.search(node.get("name", "")):
                 return
             outer = (self.function, self.returns)
             if not in_lambda:

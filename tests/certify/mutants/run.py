@@ -142,7 +142,7 @@ def run(folder, runner, wanted, reach, options):
                     if answer[2] in recent:
                         recent.remove(answer[2])
                     recent.append(answer[2])
-                if done[0] % 200 == 0:
+                if done[0] % 50 == 0:
                     print(f"{runner}: {done[0]} of {len(wanted)}, {len(survivors)} survive", flush=True)
                     folder.save()
     threads = [threading.Thread(target=work) for _ in range(options.jobs)]
