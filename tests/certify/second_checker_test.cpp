@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -453,6 +454,72 @@ TEST(BothCheckers, TilesMayBeConnectedByOneSideAlone) {
     }
     surface.gluing.push_back({0, shared, 1, shared});
     EXPECT_EQ(outcome(surface_alone(surface)), "REFUTED: map") << shared;
+  }
+}
+
+/// What is said of a tile with opposite sides glued, which are not of equal length: what is asked before that.
+std::string message_about(const SurfaceDocument::Tile& tile) {
+  const Result result = surface_alone(with_opposite_sides_glued(tile));
+  EXPECT_EQ(result.rule, "surface");
+  return result.message;
+}
+
+TEST(BothCheckers, EveryVertexOfATileIsInTheDisk) {
+  for (std::size_t k = 0; k < 8; ++k) {
+    for (const mpq_class& size : {mpq_class(1), mpq_class(3, 2)}) {
+      SurfaceDocument::Tile tile = octagon_on_axes();
+      const bool upright = abs(tile[k].y) > abs(tile[k].x);
+      tile[k] = {sgn(tile[k].x) * size * (upright ? 3 : 4) / 5, sgn(tile[k].y) * size * (upright ? 4 : 3) / 5};
+      EXPECT_NE(message_about(tile).find("outside of the disk"), std::string::npos) << k;
+    }
+  }
+}
+
+/// A point near r e^{iφ}, φ in degrees.
+RationalPoint polar(double r, double degrees) {
+  return {mpq_class(r * std::cos(degrees * M_PI / 180)), mpq_class(r * std::sin(degrees * M_PI / 180))};
+}
+
+SurfaceDocument::Tile rotated(const SurfaceDocument::Tile& tile, std::size_t first) {
+  SurfaceDocument::Tile result(tile.begin() + static_cast<std::ptrdiff_t>(first), tile.end());
+  result.insert(result.end(), tile.begin(), tile.begin() + static_cast<std::ptrdiff_t>(first));
+  return result;
+}
+
+TEST(BothCheckers, TilesAreStrictlyConvexAtEveryCorner) {
+  // A flat corner, on the real axis, as any corner of the tile; and one that turns to the right.
+  const SurfaceDocument::Tile flat{{0, 0},         {mpq_class(1, 2), 0}, polar(0.5, 40),
+                                   polar(0.5, 80), polar(0.5, 130),      {mpq_class(-1, 2), 0}};
+  SurfaceDocument::Tile dented = flat;
+  dented[0].y = mpq_class(1, 100);
+  for (std::size_t k = 0; k < flat.size(); ++k) {
+    EXPECT_NE(message_about(rotated(flat, k)).find("strictly convex"), std::string::npos) << k;
+    EXPECT_NE(message_about(rotated(dented, k)).find("strictly convex"), std::string::npos) << k;
+  }
+}
+
+TEST(BothCheckers, TilesThatWindTwiceAreNotConvex) {
+  // Left turns everywhere. Around vertex 0 in order, but through more than a full turn:
+  SurfaceDocument::Tile tile{{0, 0}};
+  for (int k = 0; k < 5; ++k) tile.push_back(polar(0.5, 100.0 * k));
+  EXPECT_NE(message_about(tile).find("strictly convex"), std::string::npos);
+  // On the left of its first side, with a loop inside: not in order around vertex 0.
+  tile.clear();
+  for (int k = 0; k < 16; ++k) {
+    const double angle = 22.5 * k + 11.25 - 22.5;
+    tile.push_back(polar(0.1 * (1 + 2 * std::cos(angle * M_PI / 180)), angle));
+  }
+  EXPECT_NE(message_about(tile).find("strictly convex"), std::string::npos);
+}
+
+TEST(BothCheckers, GluedSidesHaveEqualLengths) {
+  // Longer ones glued to shorter ones and shorter ones to longer ones.
+  for (const std::uint32_t first : {0U, 1U}) {
+    SurfaceDocument surface{.tiles = {octagon_on_axes()}, .gluing = {}};
+    for (std::uint32_t k = first; k < 8 + first; k += 2) surface.gluing.push_back({0, k % 8, 0, (k + 1) % 8});
+    const Result result = surface_alone(surface);
+    EXPECT_EQ(outcome(result), "REFUTED: surface");
+    EXPECT_NE(result.message.find("not of equal length"), std::string::npos) << result.message;
   }
 }
 
