@@ -128,6 +128,20 @@ TEST(Budget, TheFirstTriangleThatIsWrongEndsTheSearch) {
   EXPECT_LT(certificate.counts.work, work_allowed(least_bytes(document)) / 20);
 }
 
+TEST(Budget, WithoutChartsNothingIsAskedOfTriangles) {
+  // Enough for rule `surface`, not for the frames of charts: what comes after has nothing to stand on.
+  const NetDocument document = load("octagon-9-vertices.json");
+  std::size_t met = 0;
+  for (std::uint64_t work = 100; work < 10'000'000; work += work / 50) {
+    const Certificate certificate = check(document, {.threads = 1, .max_work = work});
+    if (certificate.rules.empty() || certificate.rules.back().rule != "gluing") continue;
+    EXPECT_EQ(certificate.rules.back().verdict, Verdict::undecided);
+    EXPECT_EQ(certificate.rules.size(), 3U);
+    ++met;
+  }
+  EXPECT_GT(met, 0U);
+}
+
 TEST(Budget, ARefutedRuleStaysRefutedWhateverComesLater) {
   // With 64 bits the second vertex is found to be in a wrong place; there is no work left for more.
   NetDocument document = load("octagon-9-vertices.json");

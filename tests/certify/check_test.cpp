@@ -7,6 +7,7 @@
 #include <random>
 
 #include "certify/document/darts.h"
+#include "certify/document/text.h"
 #include "certify/file/reader.h"
 
 namespace epsnet::certify {
@@ -77,6 +78,33 @@ TEST(Check, CertificateTellsWhatWasMeasured) {
   EXPECT_EQ(e.epsilon.lower, 1);
 }
 
+TEST(Check, EnclosuresContainWhatTheyEnclose) {
+  // To 40 digits, from the exact coordinates by forgeries_plane.py: far more than an interval of binary64 is wide.
+  const auto expect_inside = [](const Interval& interval, const char* digits) {
+    const mpq_class value = *parse_decimal(digits);
+    EXPECT_LT(mpq_class(interval.lower), value) << digits;
+    EXPECT_GT(mpq_class(interval.upper), value) << digits;
+    EXPECT_LT(interval.upper - interval.lower, 1e-13) << digits;
+  };
+  const Enclosures many = *check(nine()).enclosures;
+  expect_inside(many.largest_circumradius, "0.9543623128112414981872315665145624387619");
+  expect_inside(many.longest_edge, "1.8410224381231801470489596493727404089153");
+  expect_inside(*many.shortest_edge, "1.0412362996421404483535806177967111982709");
+  expect_inside(many.area, "12.5663706143591729538505735331180115367886");
+  const Enclosures single = *check(one()).enclosures;
+  expect_inside(single.largest_circumradius, "2.0590999697225564331035948126407819717945");
+  expect_inside(single.longest_edge, "4.0797060416419684426529192127625876285379");
+  expect_inside(*single.shortest_loop, "2.6397814615933125164441319754793701420491");
+  EXPECT_FALSE(single.shortest_edge.has_value());
+  expect_inside(check(load("regular-3-centre.json")).enclosures->area, "25.1327412287183459077011470662360230735773");
+  NetDocument document = nine();
+  document.epsilon = "1.01";
+  expect_inside(check(document).enclosures->epsilon, "1.01");
+  const Certificate collars = check(read_net(std::string(EPSNET_TEST_DATA) + "/forgeries/collars.json"));
+  ASSERT_TRUE(collars.enclosures->shortest_core.has_value());
+  EXPECT_NEAR(collars.enclosures->shortest_core->lower, 0.125, 1e-13);
+}
+
 TEST(Check, ChartsAreOnlyNames) {
   for (const NetDocument& document : {nine(), square()}) {
     const NetDocument moved = recharted(document);
@@ -96,6 +124,7 @@ TEST(Check, ChartsAreOnlyNames) {
 TEST(Check, ExactTiesAreDecidedAndCounted) {
   EXPECT_EQ(check(square()).counts.exact_ties, 1U);
   EXPECT_EQ(check(recharted(square())).counts.exact_ties, 1U);
+  EXPECT_EQ(check(square()).ties.size(), 1U);
   EXPECT_EQ(check(nine()).counts.exact_ties, 0U);
 }
 
