@@ -2,7 +2,7 @@
 """Runs the tests against the mutants of the checkers (mutate.py) until one fails.
 
 run.py FOLDER all       [OPTIONS]   all mutants that have no result yet, then the report
-run.py FOLDER again     [OPTIONS]   those that survived, with the tests of now
+run.py FOLDER again     [OPTIONS]   those that survived and are not argued, with the tests of now
 run.py FOLDER report    [OPTIONS]   counts, and the survivors without an argument; fails if there is one
 run.py FOLDER show      [OPTIONS]   every survivor without an argument: number, place, change, tests that reach it
 run.py FOLDER document              writes the table of docs/attack.md anew
@@ -270,9 +270,10 @@ def main():
         return
     if options.command in ("all", "again"):
         folder.write_files()
+        groups = arguments()
         wanted = [m for m in select(folder, options)
                   if (key_of(m) not in folder.results if options.command == "all"
-                      else folder.results.get(key_of(m), {}).get("how") == "survived")]
+                      else folder.results.get(key_of(m), {}).get("how") == "survived" and not argued(groups, m))]
         for name in runners:
             wanted = run(folder, name, wanted, folder.reach(name), options)
     if not report(folder, options, options.command == "show"):
