@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -562,6 +563,36 @@ TEST(BothCheckers, NameTheFirstWrongTriangleOrEdge) {
   for (const char* rule : {"", "orientation", "delaunay", "covering", "packing"}) EXPECT_GT(met[rule], 0) << rule;
 }
 
+/// The same net with its triangles in another order: number k is that which was number order[k].
+NetDocument with_triangles_in_order(const NetDocument& document, const std::vector<std::uint32_t>& order) {
+  std::vector<std::uint32_t> place(order.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) place[order[k]] = k;
+  NetDocument result = document;
+  for (std::uint32_t k = 0; k < order.size(); ++k) {
+    result.triangles[k] = document.triangles[order[k]];
+    for (std::uint32_t& dart : result.triangles[k].opposite) dart = 3 * place[dart / 3] + dart % 3;
+  }
+  return result;
+}
+
+TEST(BothCheckers, AskEveryTriangleWhereverItIs) {
+  // What is wrong in one triangle alone, in each place: a radius above ε; an edge, and there another one each time that
+  // no triangle before it has.
+  const NetDocument good = load("certify/verified/octagon-9-vertices.json");
+  const std::size_t n = good.triangles.size();
+  std::vector<std::uint32_t> order(n);
+  for (std::uint32_t k = 0; k < n; ++k) order[k] = k;
+  for (std::size_t turn = 0; turn < n; ++turn) {
+    std::rotate(order.begin(), order.begin() + 1, order.end());
+    NetDocument document = with_triangles_in_order(good, order);
+    expect_of_both(document, "VERIFIED");
+    document.epsilon = "0.954362312811241";  // Just less than the largest radius.
+    expect_of_both(document, "REFUTED: covering");
+    document.epsilon = "1.041236299642141";  // Just more than the shortest edge.
+    expect_of_both(document, "REFUTED: packing");
+  }
+}
+
 TEST(BothCheckers, NameTheFirstEdgeThatALabelDoesNotFit) {
   const NetDocument good = load("certify/verified/octagon-9-vertices.json");
   for (std::size_t corner = 0; corner < 2 * good.triangles.size(); ++corner) {
@@ -597,9 +628,25 @@ TEST(SecondChecker, NamesTheFirstDartThatIsNotTheOppositeOfItsOpposite) {
       if (wrong == good.triangles[dart / 3].vertex[dart % 3]) continue;
       NetDocument document = good;
       document.triangles[dart / 3].vertex[dart % 3] = wrong;
-      EXPECT_NE(message(document).find("are not opposite to each other"), std::string::npos);
+      // The corner is where this dart starts, and where the opposite of the one before it does.
+      const std::uint32_t first = std::min(dart, certify::opposite(good, certify::previous_dart(dart)));
+      EXPECT_EQ(message(document), named(first, certify::opposite(good, first)));
     }
   }
+  // Of a net of one vertex, so that a dart that is its own opposite is a loop.
+  const NetDocument loops = load("certify/verified/octagon-1-vertex.json");
+  for (std::uint32_t dart = 0; dart < 18; ++dart) {
+    NetDocument document = loops;
+    const std::uint32_t partner = certify::opposite(loops, dart);
+    document.triangles[dart / 3].opposite[dart % 3] = dart;
+    document.triangles[partner / 3].opposite[partner % 3] = partner;
+    EXPECT_EQ(message(document), named(std::min(dart, partner), std::min(dart, partner)));
+  }
+  NetDocument none = good;
+  none.triangles.clear();
+  EXPECT_EQ(message(none), "there is no vertex or no triangle");
+  none.vertices.clear();
+  EXPECT_EQ(message(none), "there is no vertex or no triangle");
   // Of the 21 darts of seven triangles all but the first, or all but the last, are paired.
   for (const bool first : {true, false}) {
     NetDocument document = good;

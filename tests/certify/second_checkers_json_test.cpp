@@ -368,6 +368,8 @@ TEST(SecondCheckersNumbers, DigitsAndExponentsMakeUpForEachOther) {
       compare("-0." + std::string(static_cast<std::size_t>(zeros), '0') + "93e" + std::to_string(exponent + zeros));
     }
   }
+  // Ten million zeros behind the point.
+  compare("0." + std::string(10'000'000, '0') + "1e10000001");
   for (const char* text :
        {"1e-999999999999999999999", "1e999999999999999999999", "-0e999999999999999999999", "0.0e-99999999999999999999",
         "5e-0000000000000000000000001", "5e+0000000000000000000000001", "1e-1000000", "1e1000000"}) {
