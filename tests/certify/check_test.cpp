@@ -210,6 +210,50 @@ TEST(Check, MoreBitsDecideMore) {
   EXPECT_EQ(fine.counts.max_precision_used, 128U);
 }
 
+TEST(Check, WhatBallsDoNotTellIsUndecided) {
+  // The largest radius and the shortest edge, rounded down and up after 30 digits: 64 bits do not tell them from ε.
+  struct Case {
+    const char* epsilon;
+    const char* rule;
+    Verdict verdict;
+  };
+  for (const auto& [epsilon, rule, verdict] : {Case{"0.954362312811241498187231566514", "covering", Verdict::refuted},
+                                               Case{"0.954362312811241498187231566515", "covering", Verdict::verified},
+                                               Case{"1.041236299642140448353580617796", "packing", Verdict::verified},
+                                               Case{"1.041236299642140448353580617797", "packing", Verdict::refuted}}) {
+    for (const NetDocument& net : {nine(), recharted(nine())}) {
+      NetDocument document = net;
+      document.epsilon = epsilon;
+      const Certificate coarse = check(document, {.threads = 1, .max_precision = 64});
+      EXPECT_EQ(coarse.verdict, Verdict::undecided) << epsilon;
+      EXPECT_EQ(coarse.rule, rule);
+      for (const RuleReport& report : coarse.rules) {
+        EXPECT_EQ(report.verdict, report.rule == rule ? Verdict::undecided : Verdict::verified) << report.rule;
+      }
+      const Certificate fine = check(document, {.threads = 1, .max_precision = 128});
+      EXPECT_EQ(fine.verdict, verdict) << epsilon;
+      EXPECT_EQ(fine.rule, verdict == Verdict::verified ? "" : rule);
+      EXPECT_EQ(fine.counts.triangles_beyond_64_bits, 1U);
+    }
+  }
+}
+
+TEST(Check, ExactTiesNeedNoBits) {
+  // Ties in charts that are not centred in the vertices are decided exactly, with the least precision that there is.
+  for (const NetDocument& document : {square(), recharted(square())}) {
+    const Certificate certificate = check(document, {.threads = 1, .max_precision = 64});
+    EXPECT_EQ(certificate.verdict, Verdict::verified) << certificate.message;
+    ASSERT_EQ(certificate.ties.size(), 1U);
+    // The tie is the diagonal between opposite corners of the square.
+    const std::uint32_t dart = certificate.ties[0];
+    EXPECT_LT(dart, opposite(document, dart));
+    const NetDocument::Vertex& u = square().vertices[start(document, dart)];
+    const NetDocument::Vertex& v = square().vertices[start(document, next_dart(dart))];
+    EXPECT_EQ(u.x, -v.x);
+    EXPECT_EQ(u.y, -v.y);
+  }
+}
+
 TEST(Check, VerticesAtTheEndsOfBinary64AreRefuted) {
   NetDocument document = nine();
   document.vertices[2] = {std::nextafter(1.0, 0.0), 0, 0};
