@@ -254,6 +254,29 @@ TEST(Check, ExactTiesNeedNoBits) {
   }
 }
 
+TEST(Check, TiesMissedByFarLessThanBallsTellAreNone) {
+  // One corner of the square 10⁻²⁰⁰ farther in or out: decided exactly, one way or the other, and no tie.
+  mpq_class step(1);
+  mpz_ui_pow_ui(step.get_den_mpz_t(), 10, 200);
+  int verified = 0;
+  int refuted = 0;
+  for (std::size_t v = 0; v < square().vertices.size(); ++v) {
+    if (std::abs(square().vertices[v].x) != 0.1875 || std::abs(square().vertices[v].y) != 0.1875) continue;
+    for (const int way : {-1, 1}) {
+      NetDocument document = recharted(square());
+      document.charts[v].centre.x += way * step;
+      const Certificate certificate = check(document, {.threads = 1});
+      EXPECT_EQ(certificate.counts.exact_ties, 0U);
+      EXPECT_TRUE(certificate.ties.empty());
+      EXPECT_EQ(certificate.counts.max_precision_used, 256U);
+      verified += certificate.verdict == Verdict::verified;
+      refuted += certificate.verdict == Verdict::refuted && certificate.rule == "delaunay";
+    }
+  }
+  EXPECT_EQ(verified, 4);
+  EXPECT_EQ(refuted, 4);
+}
+
 TEST(Check, VerticesAtTheEndsOfBinary64AreRefuted) {
   NetDocument document = nine();
   document.vertices[2] = {std::nextafter(1.0, 0.0), 0, 0};
