@@ -277,6 +277,61 @@ TEST(Check, TiesMissedByFarLessThanBallsTellAreNone) {
   EXPECT_EQ(refuted, 4);
 }
 
+/// The same net with words for the labels of a triangle that go around the octagon's corner so many times before that
+/// exact numbers are too large.
+NetDocument with_long_words(NetDocument document, std::uint32_t t) {
+  for (const std::uint32_t number : document.triangles[t].label) {
+    if (number == 0) continue;
+    std::vector<std::uint32_t> around;
+    for (int k = 0; k < 4000; ++k) around.insert(around.end(), {0, 5, 2, 7, 4, 1, 6, 3});
+    std::vector<std::uint32_t>& word = document.labels[number - 1].word;
+    word.insert(word.begin(), around.begin(), around.end());
+  }
+  return document;
+}
+
+RuleReport report(const Certificate& certificate, const std::string& rule) {
+  for (const RuleReport& found : certificate.rules) {
+    if (found.rule == rule) return found;
+  }
+  return {};
+}
+
+TEST(Check, WhatExactNumbersAreTooLargeForIsUndecided) {
+  NetDocument document = recharted(square());
+  const CheckOptions options{.threads = 1, .max_precision = 64};
+  const std::uint32_t tie = check(document, options).ties.at(0);
+  Certificate certificate = check(with_long_words(document, tie / 3), options);
+  EXPECT_EQ(certificate.verdict, Verdict::undecided);
+  EXPECT_EQ(certificate.rule, "delaunay");
+  EXPECT_EQ(certificate.counts.exact_ties, 0U);
+  // The third corner of its triangle moved to the centre of the square, on the diagonal.
+  const std::uint32_t corner = start(document, previous_dart(tie));
+  document.charts[corner].centre = {0, 0};
+  certificate = check(document, options);
+  EXPECT_EQ(certificate.verdict, Verdict::refuted);
+  EXPECT_EQ(certificate.rule, "orientation");
+  certificate = check(with_long_words(document, tie / 3), options);
+  EXPECT_EQ(report(certificate, "orientation").verdict, Verdict::undecided);
+}
+
+TEST(Check, WhatIsNotAskedAnyMoreIsNotVerified) {
+  // The shortest edge is ε for 64 bits, and a vertex elsewhere makes triangles clockwise: then nobody asks further.
+  const NetDocument good = nine();
+  int met = 0;
+  for (std::size_t v = 0; v < good.vertices.size(); ++v) {
+    NetDocument document = good;
+    document.epsilon = "1.041236299642140448353580617796";
+    document.vertices[v].x = -document.vertices[v].x + 0.01;
+    const Certificate certificate = check(document, {.threads = 1});
+    EXPECT_EQ(certificate.verdict, Verdict::refuted);
+    const RuleReport packing = report(certificate, "packing");
+    met += certificate.rule == "orientation" && packing.verdict == Verdict::undecided &&
+           packing.text == "not decided, as rule orientation is refuted";
+  }
+  EXPECT_GT(met, 0);
+}
+
 TEST(Check, VerticesAtTheEndsOfBinary64AreRefuted) {
   NetDocument document = nine();
   document.vertices[2] = {std::nextafter(1.0, 0.0), 0, 0};
