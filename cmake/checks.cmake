@@ -1,5 +1,5 @@
 # Targets that look at the sources: format, format-check (clang-format) and tidy (clang-tidy over compile_commands.json).
-set(folders certify kernel triangulation netgen experiments tests fuzz examples)
+set(folders certify kernel triangulation netgen python experiments tests fuzz examples)
 list(TRANSFORM folders PREPEND ${CMAKE_SOURCE_DIR}/)
 list(TRANSFORM folders APPEND /*.h OUTPUT_VARIABLE headers)
 list(TRANSFORM folders APPEND /*.cpp OUTPUT_VARIABLE sources)

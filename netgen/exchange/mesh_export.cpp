@@ -62,18 +62,6 @@ std::string circumradius_text(const NetGeometry& geometry, std::uint32_t triangl
   return shortest(std::min(geometry.circumradius(triangle), std::numeric_limits<double>::max()));
 }
 
-/// With more bits where the ends are in different charts, perhaps far from each other.
-double edge_length(const NetGeometry& geometry, std::uint32_t dart) {
-  const certify::NetDocument& net = geometry.document();
-  const certify::NetDocument::Vertex& u = net.vertices[certify::start(net, dart)];
-  const certify::NetDocument::Vertex& v = net.vertices[certify::start(net, certify::next_dart(dart))];
-  const std::uint32_t at_u = certify::corner_label(net, dart);
-  const std::uint32_t at_v = certify::corner_label(net, certify::next_dart(dart));
-  if (at_u == at_v) return distance(Complex<double>{u.x, u.y}, Complex<double>{v.x, v.y});
-  const Isometry<Mp256> label = inverse(geometry.label(at_u).precise) * geometry.label(at_v).precise;
-  return static_cast<double>(distance(Complex<Mp256>{Mp256(u.x), Mp256(u.y)}, label({Mp256(v.x), Mp256(v.y)})));
-}
-
 /// "a<separator>b<separator>c" of indices.
 template <class Indices>
 std::string joined(const Indices& indices, const char* separator) {
@@ -163,7 +151,7 @@ void write_edges(const certify::NetDocument& net, std::ostream& out) {
   for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
     if (certify::opposite(net, dart) < dart) continue;
     out << certify::start(net, dart) << '\t' << certify::start(net, certify::next_dart(dart)) << '\t'
-        << shortest(edge_length(geometry, dart)) << '\n';
+        << shortest(geometry.edge_length(dart)) << '\n';
   }
 }
 

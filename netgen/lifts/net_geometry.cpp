@@ -184,6 +184,17 @@ double NetGeometry::circumradius(std::uint32_t triangle) const {
                                : std::numeric_limits<double>::infinity();
 }
 
+double NetGeometry::edge_length(std::uint32_t dart) const {
+  const certify::NetDocument::Vertex& u = document_->vertices[certify::start(*document_, dart)];
+  const certify::NetDocument::Vertex& v = document_->vertices[certify::start(*document_, certify::next_dart(dart))];
+  const std::uint32_t at_u = certify::corner_label(*document_, dart);
+  const std::uint32_t at_v = certify::corner_label(*document_, certify::next_dart(dart));
+  if (at_u == at_v) return distance(Complex<double>{u.x, u.y}, Complex<double>{v.x, v.y});
+  // With more bits where the ends are in different charts, perhaps far from each other.
+  const Isometry<Mp256> label = inverse(labels_[at_u].precise) * labels_[at_v].precise;
+  return static_cast<double>(distance(Complex<Mp256>{Mp256(u.x), Mp256(u.y)}, label({Mp256(v.x), Mp256(v.y)})));
+}
+
 std::string NetGeometry::epsilon_text() const {
   constexpr std::size_t kShort = 40;
   return document_->epsilon.size() <= kShort ? document_->epsilon : certify::shortest(epsilon_.get_d());

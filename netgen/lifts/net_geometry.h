@@ -76,6 +76,9 @@ class NetGeometry {
   /// The hyperbolic circumradius of a triangle; infinity if its corners lie on no circle.
   [[nodiscard]] double circumradius(std::uint32_t triangle) const;
 
+  /// The hyperbolic length of the edge that a dart (3t + i: from corner i of triangle t to the next one) runs along.
+  [[nodiscard]] double edge_length(std::uint32_t dart) const;
+
   /// The sides of the tiles (certify/document/surface_sides.h).
   [[nodiscard]] const certify::SurfaceSides& sides() const { return *sides_; }
   /// Of the surface, from V − E + F = 2 − 2g for its tiles; 0 if that gives no genus.

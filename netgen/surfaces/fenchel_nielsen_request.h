@@ -13,12 +13,15 @@ namespace epsnet {
 /// A request that cannot be meant. what() is "MEMBER: PROBLEM" where one member is to blame.
 class FenchelNielsenRequestError : public Error {
  public:
+  /// Of no member.
   explicit FenchelNielsenRequestError(const std::string& problem) : Error(problem), problem_(problem) {}
+  /// Of a member, with what is wrong.
   FenchelNielsenRequestError(const std::string& member, const std::string& problem)
       : Error(member + ": " + problem), member_(member), problem_(problem) {}
 
   /// "graph", "genus", "seed", "lengths", "twists", or empty.
   [[nodiscard]] const std::string& member() const { return member_; }
+  /// What is wrong, without the name of the member.
   [[nodiscard]] const std::string& problem() const { return problem_; }
 
  private:

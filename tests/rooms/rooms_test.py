@@ -10,7 +10,7 @@ import posixpath
 import re
 import sys
 
-CLOSED = {"netgen/program", "certify/program", "experiments", "fuzz", "tests"}  # Nobody else includes these.
+CLOSED = {"netgen/program", "certify/program", "python", "experiments", "fuzz", "tests"}  # Nobody else includes these.
 INCLUDE = re.compile(r'\s*#\s*include\s*(["<])([^">]+)[">]')
 
 

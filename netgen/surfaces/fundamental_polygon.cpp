@@ -1,0 +1,104 @@
+#include "netgen/surfaces/fundamental_polygon.h"
+
+#include <algorithm>
+#include <list>
+#include <optional>
+
+#include "netgen/surfaces/word_isometry.h"
+#include "triangulation/atlas.h"
+
+namespace epsnet {
+namespace {
+
+/// The tiles as a tree, with tile 0 as its root.
+struct Tree {
+  std::vector<Word> path;        ///< By tile: from tile 0 to it.
+  std::list<std::uint32_t> rim;  ///< The sides that are not crossed, counterclockwise around all tiles.
+
+  explicit Tree(const Surface& surface) : path(surface.tiles().size()) {
+    std::vector<bool> reached(path.size());
+    reached[0] = true;
+    for (std::uint32_t k = 0; k < surface.tiles()[0].size(); ++k) rim.push_back(surface.side_number(0, k));
+    // Breadth first: what a round finds is not looked at before the next one.
+    for (bool grown = true; grown;) {
+      grown = false;
+      for (auto place = rim.begin(); place != rim.end();) {
+        const std::uint32_t entry = surface.partner(*place);
+        const std::uint32_t tile = surface.tile_of_side(entry);
+        if (reached[tile]) {
+          ++place;
+          continue;
+        }
+        reached[tile] = grown = true;
+        path[tile] = path[surface.tile_of_side(*place)];
+        path[tile].push_back(*place);
+        for (std::uint32_t s = surface.next_side(entry); s != entry; s = surface.next_side(s)) rim.insert(place, s);
+        place = rim.erase(place);
+      }
+    }
+  }
+};
+
+/// Leaves out neighbours that are glued to each other.
+std::vector<std::uint32_t> without_folds(const Surface& surface, const std::list<std::uint32_t>& rim) {
+  std::vector<std::uint32_t> sides;
+  for (const std::uint32_t s : rim) {
+    if (!sides.empty() && surface.partner(sides.back()) == s) {
+      sides.pop_back();
+    } else {
+      sides.push_back(s);
+    }
+  }
+  std::size_t first = 0;
+  while (sides.size() - first > 2 && surface.partner(sides[first]) == sides.back()) {
+    ++first;
+    sides.pop_back();
+  }
+  sides.erase(sides.begin(), sides.begin() + static_cast<std::ptrdiff_t>(first));
+  return sides;
+}
+
+}  // namespace
+
+FundamentalPolygon fundamental_polygon(const Surface& surface) {
+  const Tree tree(surface);
+  const std::vector<std::uint32_t> sides = without_folds(surface, tree.rim);
+  std::vector<std::uint32_t> place(surface.side_count());
+  for (std::uint32_t k = 0; k < sides.size(); ++k) place[sides[k]] = k;
+  FundamentalPolygon result;
+  std::optional<std::uint32_t> tile;
+  Isometry<Rational> to_root;
+  for (const std::uint32_t s : sides) {
+    const std::uint32_t here = surface.tile_of_side(s);
+    const std::uint32_t there = surface.partner(s);
+    const Word& way = tree.path[surface.tile_of_side(there)];
+    // From tile 0 to the tile beyond, back across the side, and home.
+    Word word = way;
+    word.push_back(there);
+    const Word home = reversed(surface, tree.path[here]);
+    word.insert(word.end(), home.begin(), home.end());
+    result.sides.push_back({std::move(word), place[there], s});
+    if (surface.is_regular()) {
+      result.vertices.push_back(surface.tiles()[0][s]);
+      continue;
+    }
+    if (tile != here) {
+      to_root = inverse(exact_isometry(surface, tree.path[here]));
+      tile = here;
+    }
+    result.vertices.push_back(to_root(surface.tiles()[here][s - surface.side_number(here, 0)]));
+  }
+  std::vector<bool> visited(sides.size());
+  for (std::uint32_t k = 0; k < sides.size(); ++k) {
+    if (visited[k]) continue;
+    std::vector<std::uint32_t>& relation = result.relations.emplace_back();
+    for (std::uint32_t s = k; !visited[s];) {
+      visited[s] = true;
+      relation.push_back(s);
+      s = (result.sides[s].partner + 1) % static_cast<std::uint32_t>(sides.size());
+    }
+  }
+  return result;
+}
+
+}  // namespace epsnet

@@ -1,0 +1,141 @@
+#include "netgen/surfaces/word_isometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "certify/numbers/isometry.h"
+#include "certify/numbers/regular_number.h"
+#include "netgen/base/gmp.h"
+
+namespace epsnet {
+namespace {
+
+void require_path(const Surface& surface, const Word& word) {
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    const std::string name = "letter " + std::to_string(i) + " of the word is side " + std::to_string(word[i]);
+    if (word[i] >= surface.side_count()) {
+      throw SurfaceError(name + ", the surface has " + std::to_string(surface.side_count()) + " sides");
+    }
+    if (i > 0 && surface.tile_of_side(word[i]) != surface.tile_of_side(surface.partner(word[i - 1]))) {
+      throw SurfaceError(name + ", no side of tile " +
+                         std::to_string(surface.tile_of_side(surface.partner(word[i - 1]))) +
+                         ", where the letters before it lead");
+    }
+  }
+}
+
+certify::Gaussian to_gaussian(const Complex<Rational>& z) {
+  // Integers, as crossings are.
+  return {to_gmp(z.x).get_num(), to_gmp(z.y).get_num()};
+}
+
+certify::ExactIsometry product(const Surface& surface, const Word& word) {
+  if (word.empty()) return certify::exact_identity();
+  certify::ExactIsometry result = certify::compose_range(0, word.size(), [&](std::size_t i) {
+    const Isometry<Rational>& f = surface.crossing(word[i]);
+    return certify::ExactIsometry{to_gaussian(f.a), to_gaussian(f.b)};
+  });
+  certify::reduce(result);
+  return result;
+}
+
+certify::BallIsometry regular_crossing(std::uint32_t genus, std::uint32_t side, slong precision) {
+  certify::BallIsometry result;
+  certify::Ball sinh;
+  certify::set_regular_apothem(result.a.re(), sinh.get(), genus, precision);
+  certify::set_regular_direction(result.b.get(), genus, side, precision);
+  acb_mul_arb(result.b.get(), result.b.get(), sinh.get(), precision);
+  acb_neg(result.b.get(), result.b.get());
+  return result;
+}
+
+certify::BallIsometry regular_product(const Surface& surface, const Word& word, slong precision) {
+  if (word.empty()) return certify::identity_isometry();
+  return certify::compose_range(
+      0, word.size(), [&](std::size_t i) { return regular_crossing(surface.genus(), word[i], precision); },
+      [&](const certify::BallIsometry& f, const certify::BallIsometry& g) {
+        return certify::compose(f, g, precision);
+      });
+}
+
+/// The end as a dyadic number.
+Rational dyadic(const arf_t end) {
+  fmpz_t mantissa;
+  fmpz_t exponent;
+  fmpz_init(mantissa);
+  fmpz_init(exponent);
+  arf_get_fmpz_2exp(mantissa, exponent, end);
+  mpz_class digits;
+  fmpz_get_mpz(digits.get_mpz_t(), mantissa);
+  const slong shift = fmpz_get_si(exponent);
+  fmpz_clear(mantissa);
+  fmpz_clear(exponent);
+  mpq_class result(digits);
+  if (shift >= 0) {
+    mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(shift));
+  } else {
+    mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(-shift));
+  }
+  return from_gmp(result);
+}
+
+EnclosedNumber ends(arb_srcptr x, slong precision) {
+  arf_t end;
+  arf_init(end);
+  EnclosedNumber result;
+  arb_get_lbound_arf(end, x, precision);
+  result.lower = dyadic(end);
+  arb_get_ubound_arf(end, x, precision);
+  result.upper = dyadic(end);
+  arf_clear(end);
+  return result;
+}
+
+/// An n ≥ 0 with |a| ≥ 2^n, for an |a| that is at least 1.
+slong least_exponent(const certify::ComplexBall& a) {
+  mag_t lower;
+  mag_init(lower);
+  acb_get_mag_lower(lower, a.get());
+  const double log2 = std::floor(mag_get_d_log2_approx(lower));
+  mag_clear(lower);
+  return static_cast<slong>(std::max(log2 - 1, 0.0));
+}
+
+/// Whether the ball is at most 2^(size − bits) wide.
+bool is_narrow(arb_srcptr x, slong size, slong bits) {
+  return arb_is_finite(x) != 0 && mag_cmp_2exp_si(arb_radref(x), size - bits - 1) <= 0;
+}
+
+}  // namespace
+
+Isometry<Rational> exact_isometry(const Surface& surface, const Word& word) {
+  require_path(surface, word);
+  if (surface.is_regular()) throw SurfaceError("the isometries of a regular surface are not rational");
+  const certify::ExactIsometry f = product(surface, word);
+  const auto rational = [](const mpz_class& x) { return from_gmp(mpq_class(x)); };
+  return {{rational(f.a.re), rational(f.a.im)}, {rational(f.b.re), rational(f.b.im)}};
+}
+
+EnclosedIsometry enclosed_isometry(const Surface& surface, const Word& word, unsigned bits) {
+  require_path(surface, word);
+  if (bits > kMostEnclosureBits) {
+    throw std::invalid_argument("an enclosure may be asked for with at most " + std::to_string(kMostEnclosureBits) +
+                                " bits, not " + std::to_string(bits));
+  }
+  const certify::ExactIsometry exact = surface.is_regular() ? certify::exact_identity() : product(surface, word);
+  const slong wanted = static_cast<slong>(bits) + 4;
+  for (slong precision = wanted + 32;; precision *= 2) {
+    const certify::BallIsometry f =
+        surface.is_regular() ? regular_product(surface, word, precision) : certify::to_balls(exact, precision);
+    const slong size = least_exponent(f.a);
+    if (is_narrow(f.a.re(), size, wanted) && is_narrow(f.a.im(), size, wanted) && is_narrow(f.b.re(), size, wanted) &&
+        is_narrow(f.b.im(), size, wanted)) {
+      return {ends(f.a.re(), precision), ends(f.a.im(), precision), ends(f.b.re(), precision),
+              ends(f.b.im(), precision)};
+    }
+  }
+}
+
+}  // namespace epsnet

@@ -1,0 +1,89 @@
+#include "certify/distances/cover_check.h"
+#include "certify/distances/distance_check.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+#include "netgen/distances/cover.h"
+#include "netgen/distances/distance.h"
+#include "python/binding/documents.h"
+#include "python/binding/nets.h"
+#include "triangulation/atlas.h"
+
+namespace epsnet::python {
+namespace {
+
+using certify::CoverDocument;
+using certify::DistanceDocument;
+using SharedDistance = Shared<DistanceDocument>;
+using SharedCover = Shared<CoverDocument>;
+
+BasePoint point_of(const certify::RationalPoint& z, std::uint32_t tile) {
+  return {tile, {Rational(z.x.get_mpq_t()), Rational(z.y.get_mpq_t())}};
+}
+
+using MakeCover = CoverDocument (*)(const Surface&, const CoverOptions&);
+
+template <MakeCover make>
+SharedCover cover(const Surface& surface, double width, const py::object& progress) {
+  CoverOptions options;
+  options.width = width;
+  options.progress = progress_of(progress);
+  return without_gil([&] { return SharedCover(make(surface, options)); });
+}
+
+std::uint64_t cells_of(const CoverDocument& document) {
+  std::uint64_t cells = 0;
+  for (const auto& row : document.cells) {
+    for (const std::uint32_t entry : row) cells += entry >= 3 ? 1 : 0;
+  }
+  return cells;
+}
+
+}  // namespace
+
+void bind_distances(py::module_& module) {
+  py::class_<SharedDistance> distances(module, "Distance");
+  bind_document<DistanceDocument>(
+      distances,
+      [](const DistanceDocument& document, const certify::CheckOptions& options) {
+        return certify::check_distance(document, options);
+      },
+      [](const DistanceDocument& document, std::ostream& out) { certify::write_distance(document, out); },
+      [](const std::string& text, const std::string& name) { return certify::parse_distance(text, name); });
+  distances
+      .def_static("measure",
+                  [](const Surface& surface, const BasePoint& p, const BasePoint& q, double width) {
+                    return without_gil([&] { return SharedDistance(distance(surface, p, q, {.width = width})); });
+                  })
+      .def_property_readonly("net", [](const SharedDistance& self) { return SharedNet(self->net); })
+      .def_property_readonly("value", [](const SharedDistance& self) { return self->distance; })
+      .def_property_readonly("equal", [](const SharedDistance& self) { return self->equal; })
+      .def_property_readonly("paths", [](const SharedDistance& self) { return self->paths; })
+      .def_property_readonly("point",
+                             [](const SharedDistance& self) { return point_of(self->point.z, self->point.tile); });
+
+  py::class_<SharedCover> covers(module, "Cover");
+  bind_document<CoverDocument>(
+      covers,
+      [](const CoverDocument& document, const certify::CheckOptions& options) {
+        return certify::check_cover(document, options);
+      },
+      [](const CoverDocument& document, std::ostream& out) { certify::write_cover(document, out); },
+      [](const std::string& text, const std::string& name) { return certify::parse_cover(text, name); });
+  covers.def_static("diameter", &cover<&diameter>)
+      .def_static("embedded_disk", &cover<&largest_embedded_disk>)
+      .def_property_readonly("net", [](const SharedCover& self) { return SharedNet(self->net); })
+      .def_property_readonly("claim",
+                             [](const SharedCover& self) {
+                               return self->claim == CoverDocument::Claim::diameter ? "diameter" : "embedded-disk";
+                             })
+      .def_property_readonly("value", [](const SharedCover& self) { return self->value; })
+      .def_property_readonly("cells", [](const SharedCover& self) { return cells_of(*self); })
+      .def_property_readonly("triangulations", [](const SharedCover& self) { return self->triangulations.size() + 1; });
+
+  module.def("eccentricity_net", [](const Surface& surface, const BasePoint& point) {
+    return without_gil([&] { return SharedNet(eccentricity_net(surface, point)); });
+  });
+  module.def("reversed_word", [](const Surface& surface, const Word& word) { return reversed(surface, word); });
+}
+
+}  // namespace epsnet::python

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <string>
+
+#include "certify/document/document.h"
+#include "certify/document/report.h"
+#include "netgen/base/atomic_file.h"
+#include "netgen/pictures/draw.h"
+#include "python/binding/binding.h"
+
+namespace epsnet::python {
+
+/// The contents of a file as Python holds them: never changed, so that arrays and pictures may refer to them.
+template <class Document>
+struct Shared {
+  std::shared_ptr<const Document> document;
+
+  explicit Shared(Document contents) : document(std::make_shared<const Document>(std::move(contents))) {}
+  const Document& operator*() const { return *document; }
+  const Document* operator->() const { return document.get(); }
+};
+
+/// What a check is asked for. What was made here may take what it takes; a file only what one of its size may.
+[[nodiscard]] inline certify::CheckOptions check_options(unsigned threads, bool unlimited, const py::object& progress) {
+  certify::CheckOptions options;
+  options.threads = threads;
+  if (unlimited) options.max_work = std::numeric_limits<std::uint64_t>::max();
+  options.progress = progress_of(progress);
+  return options;
+}
+
+/// What all documents have: their check, their text, the file.
+///
+/// `check(document, options)` and `write(document, stream)` are those of the kind.
+template <class Document, class Class, class Check, class Write, class Parse>
+void bind_document(Class& bound, const Check& check, const Write& write, const Parse& parse) {
+  bound
+      .def(
+          "check",
+          [check](const Shared<Document>& self, unsigned threads, bool unlimited, const py::object& progress) {
+            const certify::CheckOptions options = check_options(threads, unlimited, progress);
+            return without_gil([&] { return check(*self, options); });
+          },
+          py::arg("threads") = 0, py::arg("unlimited") = false, py::arg("progress") = py::none())
+      .def(
+          "save",
+          [write](const Shared<Document>& self, const std::filesystem::path& path) {
+            without_gil([&] { write_file_atomically(path, [&](std::ostream& out) { write(*self, out); }); });
+          },
+          py::arg("path"))
+      .def("text",
+           [write](const Shared<Document>& self) {
+             return py::bytes(without_gil([&] { return written([&](std::ostream& out) { write(*self, out); }); }));
+           })
+      .def_static(
+          "parse",
+          [parse](const std::string& text, const std::string& name) {
+            return without_gil([&] { return Shared<Document>(parse(text, name)); });
+          },
+          py::arg("text"), py::arg("name"))
+      .def("__eq__", [](const Shared<Document>& a, const Shared<Document>& b) { return *a == *b; });
+}
+
+}  // namespace epsnet::python

@@ -1,0 +1,84 @@
+#include "netgen/geodesics/geodesics.h"
+
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+#include "certify/geodesics/geodesics_check.h"
+#include "python/binding/documents.h"
+#include "python/binding/nets.h"
+
+namespace epsnet::python {
+namespace {
+
+using certify::GeodesicsDocument;
+using SharedGeodesics = Shared<GeodesicsDocument>;
+using Claim = GeodesicsDocument::Claim;
+
+const char* name_of(Claim claim) {
+  if (claim == Claim::systole) return "systole";
+  return claim == Claim::spectrum ? "spectrum" : "thick-thin";
+}
+
+/// What the function `find(surface, options)` finds, not proved yet.
+template <class Find>
+SharedGeodesics found(const Surface& surface, const std::string& epsilon, unsigned threads, const py::object& progress,
+                      const Find& find) {
+  GeodesicsOptions options{.epsilon = Length(epsilon), .threads = threads, .progress = progress_of(progress)};
+  return without_gil([&] { return SharedGeodesics(find(surface, options)); });
+}
+
+}  // namespace
+
+void bind_geodesics(py::module_& module) {
+  py::class_<SharedGeodesics> bound(module, "Geodesics");
+  bind_document<GeodesicsDocument>(
+      bound,
+      [](const GeodesicsDocument& document, const certify::CheckOptions& options) {
+        return certify::check_geodesics(document, options);
+      },
+      [](const GeodesicsDocument& document, std::ostream& out) { certify::write_geodesics(document, out); },
+      [](const std::string& text, const std::string& name) { return certify::parse_geodesics(text, name); });
+  bound
+      .def_static("systole",
+                  [](const Surface& surface, const std::string& epsilon, unsigned threads, const py::object& progress) {
+                    return found(surface, epsilon, threads, progress, systole);
+                  })
+      .def_static("spectrum",
+                  [](const Surface& surface, const std::string& up_to, const std::string& epsilon, unsigned threads,
+                     const py::object& progress) {
+                    const Length length(up_to);
+                    return found(surface, epsilon, threads, progress,
+                                 [&](const Surface& s, const GeodesicsOptions& o) { return spectrum(s, length, o); });
+                  })
+      .def_static("thick_thin",
+                  [](const Surface& surface, const std::string& epsilon, unsigned threads, const py::object& progress) {
+                    return found(surface, epsilon, threads, progress, thick_thin);
+                  })
+      .def_property_readonly("claim", [](const SharedGeodesics& self) { return name_of(self->claim); })
+      .def_property_readonly("up_to", [](const SharedGeodesics& self) { return self->up_to; })
+      .def_property_readonly("net", [](const SharedGeodesics& self) { return SharedNet(self->net); })
+      .def_property_readonly("geodesics",
+                             [](const SharedGeodesics& self) {
+                               std::vector<std::tuple<std::uint32_t, Word, certify::Interval, bool>> result;
+                               for (const GeodesicsDocument::ClosedGeodesic& g : self->geodesics) {
+                                 result.emplace_back(self->net.charts[self->net.vertices[g.vertex].chart].tile, g.word,
+                                                     g.length, g.simple);
+                               }
+                               return result;
+                             })
+      .def_property_readonly("clusters",
+                             [](const SharedGeodesics& self) {
+                               std::vector<std::tuple<std::uint32_t, std::uint32_t, bool>> result;
+                               for (const GeodesicsDocument::Cluster& c : self->clusters) {
+                                 result.emplace_back(c.first, c.count, c.equal);
+                               }
+                               return result;
+                             })
+      .def_property_readonly("pieces", [](const SharedGeodesics& self) {
+        std::vector<std::pair<std::uint32_t, std::vector<std::pair<std::uint32_t, std::uint32_t>>>> result;
+        for (const GeodesicsDocument::Piece& p : self->pieces) result.emplace_back(p.genus, p.boundaries);
+        return result;
+      });
+  module.def("collar_half_width", &collar_half_width, py::arg("length"));
+}
+
+}  // namespace epsnet::python

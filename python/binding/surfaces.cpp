@@ -1,0 +1,172 @@
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+#include "netgen/exchange/exchange.h"
+#include "netgen/nets/dirichlet_polygon.h"
+#include "netgen/pictures/draw.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/fenchel_nielsen_request.h"
+#include "netgen/surfaces/fundamental_polygon.h"
+#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surface_file.h"
+#include "netgen/surfaces/word_isometry.h"
+#include "python/binding/binding.h"
+#include "triangulation/base_point.h"
+#include "triangulation/surface.h"
+
+namespace epsnet::python {
+namespace {
+
+using Ends = std::pair<Rational, Rational>;
+
+Ends ends(const EnclosedNumber& x) { return {x.lower, x.upper}; }
+
+Surface surface_of(std::vector<Tile> tiles, const std::vector<std::array<std::uint32_t, 4>>& gluing) {
+  std::vector<Gluing> pairs;
+  for (const auto& [tile, side, other_tile, other_side] : gluing) {
+    pairs.push_back({tile, side, other_tile, other_side});
+  }
+  return Surface(std::move(tiles), std::move(pairs));
+}
+
+std::vector<std::array<std::uint32_t, 4>> gluing_of(const Surface& surface) {
+  std::vector<std::array<std::uint32_t, 4>> result;
+  for (const Gluing& g : surface.gluing()) result.push_back({g.tile, g.side, g.other_tile, g.other_side});
+  return result;
+}
+
+/// The coordinates that a request means: the edges of the graph, lengths, twists.
+struct Coordinates {
+  FenchelNielsen coordinates;
+
+  [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> edges() const {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> result;
+    for (const PantsGraph::Edge& edge : coordinates.graph.edges()) {
+      result.emplace_back(edge[0].pants, edge[1].pants);
+    }
+    return result;
+  }
+};
+
+void bind_surface(py::module_& module) {
+  py::class_<Surface>(module, "Surface")
+      .def(py::init(&surface_of), py::arg("tiles"), py::arg("gluing"))
+      .def_static("octagon", &random_octagon, py::arg("seed"))
+      .def_static("symmetric", &symmetric_octagon, py::arg("half"))
+      .def_static("regular", &Surface::regular, py::arg("genus"))
+      .def_static(
+          "fenchel_nielsen",
+          [](const Coordinates& request) {
+            return without_gil([&] { return fenchel_nielsen_surface(request.coordinates); });
+          },
+          py::arg("coordinates"))
+      .def_static(
+          "parse",
+          [](const std::string& text, const std::string& name) {
+            return without_gil([&] { return parse_surface_file(text, name); });
+          },
+          py::arg("text"), py::arg("name"))
+      .def_static(
+          "parse_exchange",
+          [](const std::string& text, const std::string& name) {
+            return without_gil([&] { return import_surface(text, name); });
+          },
+          py::arg("text"), py::arg("name"))
+      .def("save", &save_surface, py::arg("path"))
+      .def("text",
+           [](const Surface& surface) {
+             return py::bytes(written([&](std::ostream& out) { certify::write_surface(to_document(surface), out); }));
+           })
+      .def("domain_text", [](const Surface& surface) { return write_domain(surface); })
+      .def(
+          "triangulation_text",
+          [](const Surface& surface) { return written([&](std::ostream& out) { write_triangulation(surface, out); }); })
+      .def_property("about", &Surface::about, &Surface::set_about)
+      .def_property_readonly("is_regular", &Surface::is_regular)
+      .def_property_readonly("genus", &Surface::genus)
+      .def_property_readonly("tiles", &Surface::tiles)
+      .def_property_readonly("gluing", &gluing_of)
+      .def_property_readonly("side_count", &Surface::side_count)
+      .def_property_readonly("vertex_count", &Surface::vertex_class_count)
+      .def("partner",
+           [](const Surface& surface, std::uint32_t side) {
+             if (side >= surface.side_count()) throw py::index_error("no such side");
+             return surface.partner(side);
+           })
+      .def("centre_of_tile",
+           [](const Surface& surface, std::uint32_t tile) {
+             if (tile >= surface.tiles().size()) {
+               throw SurfaceError("there is no tile " + std::to_string(tile) + ", the surface has " +
+                                  std::to_string(surface.tiles().size()));
+             }
+             return centre_of_tile(surface, tile);
+           })
+      .def("exact_isometry", &exact_isometry, py::arg("word"))
+      .def(
+          "enclosed_isometry",
+          [](const Surface& surface, const Word& word, unsigned bits) {
+            const EnclosedIsometry f = without_gil([&] { return enclosed_isometry(surface, word, bits); });
+            return std::pair(std::pair(ends(f.a_re), ends(f.a_im)), std::pair(ends(f.b_re), ends(f.b_im)));
+          },
+          py::arg("word"), py::arg("bits"))
+      .def("__eq__", [](const Surface& a, const Surface& b) {
+        certify::SurfaceDocument x = to_document(a);
+        certify::SurfaceDocument y = to_document(b);
+        x.about = y.about = "";
+        return x == y;
+      });
+}
+
+void bind_polygons(py::module_& module) {
+  using Side = FundamentalPolygon::Side;
+  py::class_<FundamentalPolygon>(module, "FundamentalPolygon")
+      .def(py::init([](const Surface& surface) { return without_gil([&] { return fundamental_polygon(surface); }); }))
+      .def_readonly("vertices", &FundamentalPolygon::vertices)
+      .def_readonly("relations", &FundamentalPolygon::relations)
+      .def_property_readonly("sides", [](const FundamentalPolygon& polygon) {
+        std::vector<std::tuple<Word, std::uint32_t, std::uint32_t>> sides;
+        for (const Side& side : polygon.sides) sides.emplace_back(side.word, side.partner, side.side);
+        return sides;
+      });
+
+  py::class_<DirichletPolygon>(module, "DirichletPolygon")
+      .def(py::init([](const Surface& surface, const std::optional<BasePoint>& base) {
+        return without_gil([&] { return dirichlet_polygon(surface, base); });
+      }))
+      .def_property_readonly("vertices",
+                             [](const DirichletPolygon& polygon) {
+                               std::vector<std::complex<double>> vertices;
+                               for (const Complex<double>& z : polygon.vertices) vertices.emplace_back(z.x, z.y);
+                               return vertices;
+                             })
+      .def_readonly("ties", &DirichletPolygon::ties)
+      .def_property_readonly("sides",
+                             [](const DirichletPolygon& polygon) {
+                               std::vector<std::tuple<Word, std::uint32_t, double>> sides;
+                               for (const DirichletPolygon::Side& side : polygon.sides) {
+                                 sides.emplace_back(side.word, side.partner, side.distance);
+                               }
+                               return sides;
+                             })
+      .def("svg",
+           [](const DirichletPolygon& polygon, std::uint32_t size) {
+             return without_gil([&] { return draw_svg(polygon, {.dirichlet = true, .size = size}); });
+           })
+      .def("text", [](const DirichletPolygon& polygon) { return dirichlet_json(polygon); });
+}
+
+}  // namespace
+
+void bind_surfaces(py::module_& module) {
+  py::class_<Coordinates>(module, "Coordinates")
+      .def(py::init([](const std::string& graph, std::optional<std::uint32_t> genus, std::optional<std::uint64_t> seed,
+                       std::vector<std::string> lengths, std::vector<std::string> twists) {
+        return Coordinates{resolve({graph, genus, seed, std::move(lengths), std::move(twists)})};
+      }))
+      .def_property_readonly("edges", &Coordinates::edges)
+      .def_property_readonly("lengths", [](const Coordinates& c) { return c.coordinates.lengths; })
+      .def_property_readonly("twists", [](const Coordinates& c) { return c.coordinates.twists; });
+  bind_surface(module);
+  bind_polygons(module);
+}
+
+}  // namespace epsnet::python

@@ -1,0 +1,44 @@
+"""ε-nets of closed hyperbolic surfaces, closed geodesics, distances: every number an interval that is proved.
+
+An ε-net is a finite set of points such that every point of the surface is within hyperbolic distance ε of one of them, and no two are closer
+than ε. What is computed is checked by an independent checker in ball arithmetic before you see it.
+
+>>> import epsnet
+>>> surface = epsnet.Surface.octagon(seed=123)          # A random surface of genus 2, exact.
+>>> net = surface.net("0.25")
+>>> net.certificate.verdict, len(net)
+('VERIFIED', 143)
+>>> surface.systole()
+<Systole [0.5476464113685658, 0.5476464113685661]>
+
+In a notebook a net, a closed geodesic, a domain shows itself as a picture, and ``net.view()`` is a page to travel in.
+
+Surface         octagon, fenchel_nielsen, regular, load: surfaces; and what they are asked for
+Net             vertices, edges, triangles, lifts as arrays of NumPy; certificate; pictures; files
+ClosedGeodesics systole, spectrum, thick-thin decomposition, each with its proof
+Distance        and Diameter, EmbeddedDisk, Eccentricity: numbers as intervals, with their proofs
+Interval        lower and upper ends, and whether it is proved
+Isometry        an element of the group: exact, or in SU(1,1) and SL(2,R) with proved errors
+load, certify   files, and what the checker says of them
+EpsnetError     the exceptions
+"""
+from . import _epsnet, errors
+from .certificates import Certificate, Rule
+from .distances import Cover, Diameter, Distance, Eccentricity, EmbeddedDisk
+from .domains import DirichletDomain, DirichletSide, FundamentalPolygon, PolygonSide
+from .errors import ArgumentError, EpsnetError, FileError, FormatError, LimitError, NetError, NotVerifiedError, SurfaceError
+from .files import certify, load
+from .geodesics import ClosedGeodesic, ClosedGeodesics, Multiplicity, Piece, Systole, ThickThin
+from .intervals import Interval
+from .isometries import ComplexInterval, Gaussian, Isometry
+from .nets import Collar, Lifts, Net, Page
+from .surfaces import Point, Surface
+
+__version__: str = _epsnet.__version__
+
+__all__ = [
+    "ArgumentError", "Certificate", "ClosedGeodesic", "ClosedGeodesics", "Collar", "ComplexInterval", "Cover", "Diameter", "DirichletDomain",
+    "DirichletSide", "Distance", "Eccentricity", "EmbeddedDisk", "EpsnetError", "FileError", "FormatError", "FundamentalPolygon", "Gaussian",
+    "Interval", "Isometry", "Lifts", "LimitError", "Multiplicity", "Net", "NetError", "NotVerifiedError", "Page", "Piece", "Point", "PolygonSide",
+    "Rule", "Surface", "SurfaceError", "Systole", "ThickThin", "certify", "errors", "load",
+]

@@ -1,0 +1,139 @@
+"""What the checker says."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional
+
+from .errors import NotVerifiedError
+from .intervals import Interval
+from ._progress import Progress, Shower
+
+if TYPE_CHECKING:
+    from . import _epsnet
+
+__all__ = ["Certificate", "Rule"]
+
+
+class Rule(NamedTuple):
+    """What one rule of the checker says of a document."""
+
+    name: str
+    verdict: str
+    text: str
+
+
+class Certificate:
+    """The answer of the checker, which shares no code with what made the net.
+
+    >>> import epsnet
+    >>> net = epsnet.Surface.octagon(seed=123).net("0.3")
+    >>> certificate = net.certificate
+    >>> certificate.verdict
+    'VERIFIED'
+    >>> certificate.claim
+    'an epsilon-net'
+    >>> certificate.counts["vertices"], certificate.counts["genus"]
+    (94, 2)
+    >>> certificate.enclosures["largest_circumradius"].upper <= 0.3
+    True
+    """
+
+    def __init__(self, core: "_epsnet.Certificate") -> None:
+        self._core = core
+
+    @property
+    def verdict(self) -> str:
+        """"VERIFIED", "REFUTED" (proved to be false), "UNDECIDED" (within the precision and the work allowed), or "MALFORMED"."""
+        return self._core.verdict
+
+    @property
+    def verified(self) -> bool:
+        """Whether the verdict is "VERIFIED"."""
+        return self._core.verdict == "VERIFIED"
+
+    @property
+    def claim(self) -> str:
+        """What holds if the verdict is "VERIFIED", in words."""
+        return self._core.claim
+
+    @property
+    def rule(self) -> str:
+        """The rule that decided a verdict other than "VERIFIED"; else empty."""
+        return self._core.rule
+
+    @property
+    def message(self) -> str:
+        """What that rule says."""
+        return self._core.message
+
+    @property
+    def rules(self) -> list[Rule]:
+        """The rules that were evaluated, in their order."""
+        return [Rule(*rule) for rule in self._core.rules]
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """Sizes of what was checked, and what it took."""
+        return self._core.counts
+
+    @property
+    def enclosures(self) -> dict[str, Interval]:
+        """Intervals that contain ``epsilon``, ``area``, ``largest_circumradius``, ``longest_edge``, and, where there are any,
+        ``shortest_edge`` (between different vertices), ``shortest_loop``, ``shortest_core`` (of the collars of a pseudo net).
+
+        They hold for the triangles of the document, and for the surface if the verdict is "VERIFIED"."""
+        return {name: Interval(lower, upper, proved=self.verified) for name, (lower, upper) in self._core.enclosures.items()}
+
+    @property
+    def ties(self) -> list[int]:
+        """The edges whose four corners are exactly cocircular, each by its smaller dart."""
+        return self._core.ties
+
+    def __str__(self) -> str:
+        return self._core.line
+
+    def __repr__(self) -> str:
+        return f"<Certificate {self._core.line}>"
+
+    def _repr_html_(self) -> str:
+        colour = "#2f9468" if self.verified else "#d0402b"
+        rows = "".join(f"<tr><td>{rule.name}</td><td>{rule.verdict}</td><td style='text-align:left'>{_escaped(rule.text)}</td></tr>" for rule in self.rules)
+        return f"<b style='color:{colour}'>{_escaped(str(self))}</b><table>{rows}</table>"
+
+
+def _escaped(text: str) -> str:
+    import html
+
+    return html.escape(text)
+
+
+def checked(document: Any, progress: Progress, threads: int = 0, *, subject: str) -> Certificate:
+    """The certificate of a document that was made here. Raises NotVerifiedError unless it is verified."""
+    with Shower(progress) as callback:
+        certificate = Certificate(document.check(threads, True, callback))
+    return required(certificate, subject)
+
+
+def required(certificate: Certificate, subject: str) -> Certificate:
+    """The certificate, if it is verified."""
+    if not certificate.verified:
+        raise NotVerifiedError(f"{subject}: not verified: {certificate}", certificate)
+    return certificate
+
+
+class Proof:
+    """A document and its certificate, which is made when it is asked for the first time."""
+
+    def __init__(self, document: Any, certificate: Optional[Certificate]) -> None:
+        self.document = document
+        self._certificate = certificate
+
+    @property
+    def certificate(self) -> Certificate:
+        if self._certificate is None:
+            self._certificate = Certificate(self.document.check(0, False, None))
+        return self._certificate
+
+    @property
+    def proved(self) -> bool:
+        """Whether it was checked, and verified."""
+        return self._certificate is not None and self._certificate.verified

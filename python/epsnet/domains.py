@@ -1,0 +1,101 @@
+"""Fundamental polygons and Dirichlet domains."""
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TYPE_CHECKING, NamedTuple, Optional
+
+from . import _epsnet
+from ._svg import polygon_svg
+from .isometries import Gaussian, Isometry
+
+if TYPE_CHECKING:
+    from .surfaces import Surface
+
+__all__ = ["DirichletDomain", "DirichletSide", "FundamentalPolygon", "PolygonSide"]
+
+
+class PolygonSide(NamedTuple):
+    """A side of a fundamental polygon P. Beyond it lies γP."""
+
+    #: γ.
+    isometry: Isometry
+    #: The number of the side to which γ⁻¹ takes this one.
+    partner: int
+    #: The side of the surface that it is.
+    side: int
+
+
+class FundamentalPolygon:
+    """The tiles of a surface as one polygon in the disk of tile 0. Copies of it by the group fill the plane (Poincaré's theorem).
+
+    >>> import epsnet
+    >>> polygon = epsnet.Surface.fenchel_nielsen(2, 0, "chain", genus=3).fundamental_polygon()
+    >>> len(polygon.sides), len(polygon.generators()), len(polygon.relations())
+    (22, 11, 6)
+    """
+
+    def __init__(self, surface: "Surface") -> None:
+        self.surface = surface
+        self._core = _epsnet.FundamentalPolygon(surface._core)
+        #: The sides, counterclockwise: side k leads from vertex k to vertex k + 1.
+        self.sides = [PolygonSide(Isometry(surface, word), partner, side) for word, partner, side in self._core.sides]
+
+    @property
+    def vertices(self) -> list[Gaussian]:
+        """The corners, counterclockwise: exact, but for a regular surface, where they are rounded to 256 bits."""
+        return [Gaussian(x, y) for x, y in self._core.vertices]
+
+    def generators(self) -> list[Isometry]:
+        """γ for one side of each pair: they generate the group."""
+        return [side.isometry for k, side in enumerate(self.sides) if k < side.partner]
+
+    def relations(self) -> list[list[int]]:
+        """For each vertex of the surface that is a corner, the sides k₁, k₂, … around it: the product γ₁γ₂… of their isometries is 1."""
+        return self._core.relations
+
+    def __repr__(self) -> str:
+        return f"<FundamentalPolygon with {len(self.sides)} sides>"
+
+    def _repr_svg_(self) -> str:
+        return polygon_svg([complex(z) for z in self.vertices])
+
+
+class DirichletSide(NamedTuple):
+    """A side of a Dirichlet domain: of the points that are as near to the base point as to its image under γ."""
+
+    #: γ.
+    isometry: Isometry
+    #: The number of the side to which γ⁻¹ takes this one.
+    partner: int
+    #: Of the base point from the line of the side; rounded, not proved.
+    distance: float
+
+
+class DirichletDomain:
+    """The points that are nearer to one lift of a point than to its other lifts. Sides and pairings are proved; vertices are rounded."""
+
+    def __init__(self, surface: "Surface", base: Optional[tuple[int, tuple[Fraction, Fraction]]]) -> None:
+        self.surface = surface
+        self._core = _epsnet.DirichletPolygon(surface._core, base)
+        #: The sides, counterclockwise: side k leads from vertex k to vertex k + 1. Proved: the isometries, the partners, and which there are.
+        self.sides = [DirichletSide(Isometry(surface, word), partner, distance) for word, partner, distance in self._core.sides]
+
+    @property
+    def vertices(self) -> list[complex]:
+        """The corners, counterclockwise, in the disk with the base point at 0; rounded, not proved."""
+        return self._core.vertices
+
+    @property
+    def ties(self) -> int:
+        """How many sides of length 0 there are, which are left out."""
+        return self._core.ties
+
+    def svg(self, size: int = 600) -> str:
+        """The domain, with the Delaunay triangulation of its point."""
+        return self._core.svg(size)
+
+    def _repr_svg_(self) -> str:
+        return self.svg()
+
+    def __repr__(self) -> str:
+        return f"<DirichletDomain with {len(self.sides)} sides>"

@@ -1,0 +1,87 @@
+"""The exceptions of epsnet: one family, each of which says where and why."""
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Optional
+
+if TYPE_CHECKING:
+    from .certificates import Certificate
+
+__all__ = ["ArgumentError", "EpsnetError", "FileError", "FormatError", "LimitError", "NetError", "NotVerifiedError", "SurfaceError"]
+
+_FILE = re.compile(r'("(?:[^"\\]|\\.)*"|standard input|[^:"]+(?=:\d+: )): ?', re.S)
+_PLACE = re.compile(r"([A-Za-z_ ]+(?:\[\d+\])?): ", re.S)
+_LINE = re.compile(r"(\d+): ")
+
+
+class EpsnetError(Exception):
+    """Something cannot be done; ``str(error)`` is one line that says what was wrong, and what was expected.
+
+    All exceptions of epsnet are of this class, so that ``except epsnet.EpsnetError`` catches each of them.
+
+    >>> import epsnet
+    >>> try:
+    ...     epsnet.Surface.regular(1)
+    ... except epsnet.EpsnetError as error:
+    ...     print(error.reason)
+    the genus of a regular 4g-gon must be at least 2 and at most 1000, not 1
+    """
+
+    #: The file that is to blame, as the message calls it; None if there is none.
+    file: Optional[str]
+    #: The part of the file or of the arguments that is to blame: a member and row, a line, the name of an argument, a rule.
+    place: Optional[str]
+    #: What is wrong with it.
+    reason: str
+
+    def __init__(self, message: str, *, place: Optional[str] = None) -> None:
+        super().__init__(message if place is None else f"{place}: {message}")
+        self.file = None
+        self.place = place
+        self.reason = message
+        found = _FILE.match(message)
+        if place is not None or not found:
+            return
+        self.file = found.group(1).strip('"')
+        self.reason = message[found.end():]
+        inside = _LINE.match(self.reason) or (_PLACE.match(self.reason) if isinstance(self, FormatError) else None)
+        if inside:
+            self.place = inside.group(1)
+            self.reason = self.reason[inside.end():]
+
+
+class ArgumentError(EpsnetError, ValueError):
+    """An argument that cannot be meant: a negative length, a width that is too small."""
+
+
+class SurfaceError(EpsnetError, ValueError):
+    """No closed hyperbolic surface, or a point or a path that is none of this surface."""
+
+
+class FormatError(EpsnetError, ValueError):
+    """A text is not what its format says; ``file`` and ``place`` say where."""
+
+
+class FileError(EpsnetError, OSError):
+    """A file cannot be read or written."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+class NetError(EpsnetError):
+    """No net, closed geodesic or distance was found that could be proved. The arguments are valid."""
+
+
+class LimitError(EpsnetError):
+    """The surface is beyond the numbers that the generator computes with."""
+
+
+class NotVerifiedError(EpsnetError):
+    """The checker did not say VERIFIED: nothing is handed out. ``certificate`` is what it said."""
+
+    def __init__(self, message: str, certificate: "Certificate") -> None:
+        super().__init__(message)
+        self.certificate = certificate
+        self.place = certificate.rule or None
+        self.reason = certificate.message

@@ -1,0 +1,309 @@
+"""Elements of the group of a surface, exactly and in intervals."""
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, Optional, Sequence, Tuple, Union
+
+from .intervals import Interval
+
+if TYPE_CHECKING:
+    from .surfaces import Surface
+
+__all__ = ["ComplexInterval", "Gaussian", "Isometry"]
+
+
+class Gaussian:
+    """A Gaussian rational number ``re + im·i``, exactly; ``re`` and ``im`` are fractions.Fraction. Immutable.
+
+    >>> from epsnet import Gaussian
+    >>> z = Gaussian(3, 4) / Gaussian(0, 1)
+    >>> z, z.conjugate(), z.norm()
+    (4 - 3i, 4 + 3i, Fraction(25, 1))
+    >>> complex(Gaussian("1/2", "-1/4"))
+    (0.5-0.25j)
+    """
+
+    __slots__ = ("re", "im")
+    re: Fraction
+    im: Fraction
+
+    def __init__(self, re: Union[int, float, str, Fraction] = 0, im: Union[int, float, str, Fraction] = 0) -> None:
+        object.__setattr__(self, "re", Fraction(re))
+        object.__setattr__(self, "im", Fraction(im))
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError("a Gaussian does not change")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Gaussian, (self.re, self.im)
+
+    def conjugate(self) -> "Gaussian":
+        """re − im·i."""
+        return Gaussian(self.re, -self.im)
+
+    def norm(self) -> Fraction:
+        """re² + im²."""
+        return self.re * self.re + self.im * self.im
+
+    def __add__(self, other: object) -> "Gaussian":
+        w = _gaussian(other)
+        if w is None:
+            return NotImplemented
+        return Gaussian(self.re + w.re, self.im + w.im)
+
+    __radd__ = __add__
+
+    def __neg__(self) -> "Gaussian":
+        return Gaussian(-self.re, -self.im)
+
+    def __sub__(self, other: object) -> "Gaussian":
+        w = _gaussian(other)
+        if w is None:
+            return NotImplemented
+        return Gaussian(self.re - w.re, self.im - w.im)
+
+    def __rsub__(self, other: object) -> "Gaussian":
+        return -self + other
+
+    def __mul__(self, other: object) -> "Gaussian":
+        w = _gaussian(other)
+        if w is None:
+            return NotImplemented
+        return Gaussian(self.re * w.re - self.im * w.im, self.re * w.im + self.im * w.re)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: object) -> "Gaussian":
+        w = _gaussian(other)
+        if w is None:
+            return NotImplemented
+        norm = w.norm()
+        quotient = self * w.conjugate()
+        return Gaussian(quotient.re / norm, quotient.im / norm)
+
+    def __rtruediv__(self, other: object) -> "Gaussian":
+        w = _gaussian(other)
+        if w is None:
+            return NotImplemented
+        return w / self
+
+    def __eq__(self, other: object) -> bool:
+        w = _gaussian(other)
+        return w is not None and self.re == w.re and self.im == w.im
+
+    def __hash__(self) -> int:
+        return hash(self.re) if self.im == 0 else hash((self.re, self.im))
+
+    def __complex__(self) -> complex:
+        return complex(self.re, self.im)
+
+    def __repr__(self) -> str:
+        if self.im == 0:
+            return f"{self.re}"
+        return f"{self.re} {'-' if self.im < 0 else '+'} {abs(self.im)}i"
+
+
+def _gaussian(x: object) -> Optional[Gaussian]:
+    if isinstance(x, Gaussian):
+        return x
+    return Gaussian(x) if isinstance(x, (int, Fraction)) else None
+
+
+class ComplexInterval:
+    """Intervals that contain the real and the imaginary part of a complex number."""
+
+    __slots__ = ("re", "im")
+
+    def __init__(self, re: Interval, im: Interval) -> None:
+        self.re = re
+        self.im = im
+
+    @property
+    def mid(self) -> complex:
+        """The number in the middle, rounded: near the true one, and nothing more."""
+        return complex(self.re.mid, self.im.mid)
+
+    @property
+    def error(self) -> float:
+        """The true number is at most this far from ``mid`` in each of its parts."""
+        return max(self.re.error, self.im.error)
+
+    def conjugate(self) -> "ComplexInterval":
+        """Of the conjugate number."""
+        return ComplexInterval(self.re, _negative(self.im))
+
+    def __contains__(self, z: Union[complex, Gaussian]) -> bool:
+        if isinstance(z, Gaussian):
+            return z.re in self.re and z.im in self.im
+        return z.real in self.re and z.imag in self.im
+
+    def __repr__(self) -> str:
+        return f"<ComplexInterval {self.re.text} + {self.im.text}i>"
+
+
+def _negative(x: Interval) -> Interval:
+    return Interval(-x.ends[1], -x.ends[0], proved=x.proved)
+
+
+#: A matrix with two rows of two.
+Matrix = Tuple[Tuple[Any, Any], Tuple[Any, Any]]
+
+
+class Isometry:
+    """An element of the group Γ of a surface: the isometry of a word, a path across sides of the tiles that starts and ends in the same tile.
+
+    An isometry of the Poincaré disk, ``z ↦ (a z + b)/(b̄ z + ā)``, in the coordinates of that tile. It is known exactly, by its word, and
+    handed out as a matrix in the form that you ask for.
+
+    >>> import epsnet
+    >>> f = epsnet.Surface.octagon(seed=123).generators()[0]
+    >>> f.word
+    (4,)
+    >>> (f * f.inverse()).word
+    ()
+    >>> matrix = f.sl2r()             # Intervals, proved.
+    >>> matrix[0][0].error < 1e-12
+    True
+
+    A surface of rational tiles has its elements over the Gaussian integers, up to a real factor that ``determinant`` says:
+
+    >>> a, b = f.a, f.b
+    >>> a.re.denominator, a.norm() - b.norm() == f.determinant
+    (1, True)
+    """
+
+    def __init__(self, surface: "Surface", word: Sequence[int]) -> None:
+        self.surface = surface
+        #: The sides that the path crosses, in its order; side numbers of the surface.
+        self.word: tuple[int, ...] = tuple(word)
+        self._exact: Optional[tuple[Gaussian, Gaussian]] = None
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether ``a`` and ``b`` are there: whether the tiles are rational, as those of all surfaces are but the regular ones."""
+        return not self.surface.is_regular
+
+    def _pair(self) -> tuple[Gaussian, Gaussian]:
+        if self._exact is None:
+            a, b = self.surface._core.exact_isometry(self.word)
+            self._exact = Gaussian(*a), Gaussian(*b)
+        return self._exact
+
+    @property
+    def a(self) -> Gaussian:
+        """A Gaussian integer; ``a`` and ``b`` have no common integer factor. SurfaceError for a regular surface."""
+        return self._pair()[0]
+
+    @property
+    def b(self) -> Gaussian:
+        """A Gaussian integer, as ``a``."""
+        return self._pair()[1]
+
+    @property
+    def determinant(self) -> Fraction:
+        """|a|² − |b|², a positive integer."""
+        return self.a.norm() - self.b.norm()
+
+    def exact(self) -> Matrix:
+        """The matrix ((a, b), (b̄, ā)) of Gaussian integers; its determinant is ``determinant``."""
+        return ((self.a, self.b), (self.b.conjugate(), self.a.conjugate()))
+
+    def exact_real(self) -> Matrix:
+        """The same isometry of the upper half-plane: a matrix of integers (as Fraction) with the determinant ``determinant``.
+
+        The half-plane is the disk by z ↦ (z − i)/(z + i)."""
+        a, b = self.a, self.b
+        return ((a.re + b.re, a.im - b.im), (-a.im - b.im, a.re - b.re))
+
+    def enclosure(self, bits: int = 53) -> tuple[ComplexInterval, ComplexInterval]:
+        """Intervals that contain a and b for |a|² − |b|² = 1, at most |a|/2^bits wide. Proved. Their ends are exact: ``.ends``."""
+        pairs = self.surface._core.enclosed_isometry(self.word, bits)
+        a, b = (ComplexInterval(*(Interval(*ends, proved=True) for ends in pair)) for pair in pairs)
+        return a, b
+
+    def su11(self, bits: Optional[int] = None, kind: Optional[str] = None) -> Matrix:
+        """The matrix ((a, b), (b̄, ā)) in SU(1,1), with proved errors.
+
+        ``kind`` is "interval" (ComplexInterval), "flint" (flint.acb) or "mpmath" (mpmath.mpc intervals). Without it, ``bits`` gives what is
+        installed, in the order flint, mpmath, interval; and without both it is intervals of 53 bits.
+        """
+        a, b = self.enclosure(53 if bits is None else bits)
+        rows = ((a, b), (b.conjugate(), a.conjugate()))
+        return _converted(rows, bits, kind)
+
+    def sl2r(self, bits: Optional[int] = None, kind: Optional[str] = None) -> Matrix:
+        """The same isometry of the upper half-plane, in SL(2,R), as ``su11``; the half-plane is the disk by z ↦ (z − i)/(z + i)."""
+        a, b = self.enclosure(53 if bits is None else bits)
+
+        def sum_of(x: Interval, y: Interval) -> Interval:
+            return Interval(x.ends[0] + y.ends[0], x.ends[1] + y.ends[1], proved=True)
+
+        rows = (
+            (sum_of(a.re, b.re), sum_of(a.im, _negative(b.im))),
+            (sum_of(_negative(a.im), _negative(b.im)), sum_of(a.re, _negative(b.re))),
+        )
+        return _converted(rows, bits, kind)
+
+    def __mul__(self, other: "Isometry") -> "Isometry":
+        """f·g: g first, then f. Their paths start in the same tile."""
+        if not isinstance(other, Isometry):
+            return NotImplemented
+        if other.surface is not self.surface and other.surface != self.surface:
+            raise ValueError("the two isometries are elements of different surfaces")
+        return Isometry(self.surface, self.surface.reduced(other.word + self.word))
+
+    def inverse(self) -> "Isometry":
+        """The path backwards."""
+        return Isometry(self.surface, [self.surface.partner(side) for side in reversed(self.word)])
+
+    def is_identity(self) -> bool:
+        """Whether it is 1, decided exactly; SurfaceError for a regular surface."""
+        return self.b == 0 and self.a.im == 0
+
+    def __call__(self, z: Union[Gaussian, complex]) -> Union[Gaussian, complex]:
+        """The image of a point of the disk: exactly for a Gaussian, rounded, and not proved, for a complex number."""
+        if isinstance(z, Gaussian):
+            return (self.a * z + self.b) / (self.b.conjugate() * z + self.a.conjugate())
+        a, b = (part.mid for part in self.enclosure(64))
+        return (a * z + b) / (b.conjugate() * z + a.conjugate())
+
+    def __repr__(self) -> str:
+        word = " ".join(map(str, self.word[:12])) + (" …" if len(self.word) > 12 else "")
+        return f"<Isometry of the word {word}>" if self.word else "<Isometry 1>"
+
+
+def _converted(rows: Matrix, bits: Optional[int], kind: Optional[str]) -> Matrix:
+    if kind is None:
+        kind = "interval" if bits is None else _best_kind()
+    if kind == "interval":
+        return rows
+    convert = {"flint": _flint, "mpmath": _mpmath}.get(kind)
+    if convert is None:
+        raise ValueError(f'expected the kind "interval", "flint" or "mpmath", not "{kind}"')
+    (a, b), (c, d) = ((convert(x, bits or 53), convert(y, bits or 53)) for x, y in rows)
+    return (a, b), (c, d)
+
+
+def _best_kind() -> str:
+    import importlib.util
+
+    return next((name for name in ("flint", "mpmath") if importlib.util.find_spec(name)), "interval")
+
+
+def _flint(entry: Union[Interval, ComplexInterval], bits: int) -> Any:
+    import flint
+
+    if isinstance(entry, Interval):
+        return entry.flint(bits + 8)
+    return flint.acb(entry.re.flint(bits + 8), entry.im.flint(bits + 8))
+
+
+def _mpmath(entry: Union[Interval, ComplexInterval], bits: int) -> Any:
+    import mpmath
+
+    before = mpmath.iv.prec
+    try:
+        mpmath.iv.prec = max(bits + 8, 53)
+        return entry.mpmath() if isinstance(entry, Interval) else mpmath.iv.mpc(entry.re.mpmath(), entry.im.mpmath())
+    finally:
+        mpmath.iv.prec = before

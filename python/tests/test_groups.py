@@ -1,0 +1,159 @@
+"""The group of a surface: generators, relations, matrices of every kind."""
+from fractions import Fraction
+
+import pytest
+from hypothesis import given, settings, strategies as st
+
+import epsnet
+from epsnet import Gaussian, Surface
+
+
+def product(surface, relation, polygon):
+    element = surface.element([])
+    for k in relation:
+        element = element * polygon.sides[k].isometry
+    return element
+
+
+def test_relations_hold_exactly(octagon, pants):
+    for surface in (octagon, pants):
+        polygon = surface.fundamental_polygon()
+        assert len(polygon.relations()) >= 1
+        for relation in polygon.relations():
+            assert len(relation) >= 2 and product(surface, relation, polygon).is_identity()
+            assert not product(surface, relation[1:], polygon).is_identity()
+
+
+def test_side_pairings_take_sides_to_sides(octagon, pants):
+    for surface in (octagon, pants):
+        polygon = surface.fundamental_polygon()
+        z = polygon.vertices
+        n = len(z)
+        for k, side in enumerate(polygon.sides):
+            # γ⁻¹ takes side k to its partner, end to start.
+            back = side.isometry.inverse()
+            assert back(z[k]) == z[(side.partner + 1) % n] and back(z[(k + 1) % n]) == z[side.partner]
+            assert polygon.sides[side.partner].partner == k
+
+
+def test_the_euler_characteristic_of_the_polygon(octagon, pants, bolza):
+    for surface in (octagon, pants, bolza):
+        polygon = surface.fundamental_polygon()
+        assert len(polygon.relations()) - len(polygon.sides) // 2 + 1 == 2 - 2 * surface.genus
+        assert len(surface.generators()) == len(polygon.sides) // 2
+        assert sorted(k for relation in polygon.relations() for k in relation) == list(range(len(polygon.sides)))
+
+
+def test_one_tile_is_its_own_polygon(octagon):
+    assert octagon.fundamental_polygon().vertices == octagon.tiles[0]
+
+
+def times(m, n):
+    return tuple(tuple(m[i][0] * n[0][j] + m[i][1] * n[1][j] for j in (0, 1)) for i in (0, 1))
+
+
+def test_exact_matrices_multiply(pants):
+    f, g = pants.generators()[:2]
+    for kind in ("exact", "exact_real"):
+        x, y, z = (getattr(h, kind)() for h in (f, g, f * g))
+        xy = times(x, y)
+        # Up to the common factor that is taken out.
+        assert xy[0][0] * z[1][1] == z[0][0] * xy[1][1] and xy[0][1] * z[1][0] == z[0][1] * xy[1][0] and xy[0][0] * z[0][1] == z[0][0] * xy[0][1]
+    assert f.determinant == f.exact_real()[0][0] * f.exact_real()[1][1] - f.exact_real()[0][1] * f.exact_real()[1][0]
+
+
+@settings(max_examples=25)
+@given(st.lists(st.integers(0, 7), max_size=12), st.integers(1, 300))
+def test_enclosures_contain_the_exact_matrix(letters, bits):
+    surface = Surface.octagon(seed=123)
+    f = surface.element(letters)
+    a, b = f.enclosure(bits)
+    for exact, enclosed in ((f.a, a), (f.b, b)):
+        for x, interval in ((exact.re, enclosed.re), (exact.im, enclosed.im)):
+            # x/√D lies in the interval: x² and D·end² compare as x and √D·end do, signs minded.
+            low, high = interval.ends
+            square = lambda t: t * t if t > 0 else -t * t
+            same, other = square(x), square(-x)
+            inside = square(low) * f.determinant <= same <= square(high) * f.determinant
+            assert inside or square(low) * f.determinant <= other <= square(high) * f.determinant
+            assert high - low <= Fraction(2) ** -bits * (abs(a.re.ends[1]) + abs(a.im.ends[1]) + 1)
+
+
+def test_determinants_of_enclosures(bolza, octagon):
+    for surface in (bolza, octagon):
+        for f in surface.generators():
+            m = f.sl2r()
+            mids = [[entry.mid for entry in row] for row in m]
+            assert mids[0][0] * mids[1][1] - mids[0][1] * mids[1][0] == pytest.approx(1)
+            assert all(entry.proved and entry.error < 1e-14 for row in m for entry in row)
+            (a, b), (c, d) = f.su11()
+            assert abs(a.mid) ** 2 - abs(b.mid) ** 2 == pytest.approx(1) and c.mid == b.mid.conjugate() and d.mid == a.mid.conjugate()
+
+
+def test_bolza_is_algebraic(bolza):
+    f = bolza.generators()[0]
+    assert not f.is_exact
+    with pytest.raises(epsnet.SurfaceError, match="not rational"):
+        f.a
+    a, b = f.enclosure(200)
+    # cot(π/8) = 1 + √2, so that (a − 1)² = 2.
+    low, high = a.re.ends
+    assert (low - 1) ** 2 < 2 < (high - 1) ** 2 and high - low < Fraction(2) ** -190
+
+
+def test_mpmath(octagon, bolza):
+    mpmath = pytest.importorskip("mpmath")
+    for surface in (octagon, bolza):
+        f = surface.generators()[0]
+        (a, b), (c, d) = f.su11(bits=200, kind="mpmath")
+        mpmath.iv.prec = 400
+        determinant = a * d - b * c
+        assert 1 in determinant.real and 0 in determinant.imag and determinant.real.delta < mpmath.mpf(2) ** -150
+        m = f.sl2r(200, "mpmath")
+        assert 1 in m[0][0] * m[1][1] - m[0][1] * m[1][0]
+
+
+def test_flint(octagon, bolza):
+    flint = pytest.importorskip("flint")
+    for surface in (octagon, bolza):
+        f = surface.generators()[0]
+        flint.ctx.prec = 300
+        m = f.sl2r(bits=200, kind="flint")
+        determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0]
+        assert determinant.contains(1) and determinant.rad() < flint.arb(2) ** -150
+
+
+def test_kinds(octagon):
+    f = octagon.generators()[0]
+    with pytest.raises(ValueError, match='"interval", "flint" or "mpmath"'):
+        f.sl2r(kind="float")
+    assert f.sl2r(100, "interval")[0][0].ends[0].denominator > 2**60
+
+
+def test_words_that_are_none(octagon, pants):
+    with pytest.raises(epsnet.SurfaceError, match="letter 1 of the word is side 8"):
+        octagon.element([0, 8]).a
+    with pytest.raises(epsnet.SurfaceError, match="letter 1 .* no side of tile"):
+        pants.element([0, next(s for s in range(28) if s // 7 != pants.partner(0) // 7)]).a
+    with pytest.raises(epsnet.ArgumentError, match="bits"):
+        octagon.element([0]).enclosure(2**30)
+    with pytest.raises(ValueError, match="different surfaces"):
+        octagon.element([0]) * pants.element([])
+
+
+def test_images(octagon):
+    f = octagon.generators()[0]
+    z = Gaussian("1/3", "-1/7")
+    assert complex(f(z)) == pytest.approx(f(complex(z))) and f.inverse()(f(z)) == z
+
+
+def test_dirichlet_domains(octagon, bolza):
+    assert len(bolza.dirichlet_domain((0, 0, 0)).sides) == 8
+    domain = octagon.dirichlet_domain((0, "1/10", "-1/7"))
+    assert len(domain.sides) == len(domain.vertices) <= 18
+    for k, side in enumerate(domain.sides):
+        assert domain.sides[side.partner].partner == k
+        # The two are inverse to each other, exactly.
+        assert (side.isometry * domain.sides[side.partner].isometry).is_identity()
+    with pytest.raises(epsnet.SurfaceError, match="base point"):
+        octagon.dirichlet_domain((0, "0.99", 0))

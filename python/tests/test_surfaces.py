@@ -1,0 +1,141 @@
+"""Surfaces, and the numbers that describe them."""
+import pickle
+from fractions import Fraction
+
+import pytest
+from hypothesis import given, settings, strategies as st
+
+import epsnet
+from epsnet import Gaussian, Interval, Surface
+
+
+def test_a_seed_gives_the_same_surface():
+    assert Surface.octagon(321) == Surface.octagon(seed=321) != Surface.octagon(322)
+
+
+def test_tiles_and_gluing_make_the_surface_again(octagon, pants):
+    for surface in (octagon, pants):
+        assert Surface(surface.tiles, surface.gluing) == surface
+
+
+def test_tiles_are_exact(octagon):
+    z = octagon.tiles[0]
+    # Opposite corners of a symmetric octagon are opposite points, exactly.
+    assert all(z[k] == -z[k + 4] for k in range(4))
+    assert isinstance(z[0].re, Fraction)
+
+
+def test_a_half_makes_the_octagon(octagon):
+    assert Surface.octagon(half=octagon.tiles[0][:4]) == octagon
+
+
+def test_what_is_no_surface_says_why(octagon):
+    tiles = octagon.tiles
+    tiles[0][2] = tiles[0][2] * Fraction(9, 10)
+    with pytest.raises(epsnet.SurfaceError, match="paired but differ"):
+        Surface(tiles, octagon.gluing)
+    with pytest.raises(epsnet.SurfaceError, match="not paired"):
+        Surface(octagon.tiles, octagon.gluing[:3])
+
+
+@pytest.mark.parametrize(
+    "arguments, place",
+    [
+        (dict(lengths=[1, 2], twists=0, graph="chain", genus=2), "lengths"),
+        (dict(lengths="a", twists=0, graph="chain", genus=2), "lengths"),
+        (dict(lengths=-1, twists=0, graph="chain", genus=2), "lengths"),
+        (dict(lengths=float("nan"), twists=0, graph="chain", genus=2), "lengths"),
+        (dict(lengths=1, twists=0, graph="circle", genus=2), "graph"),
+        (dict(lengths=1, twists=0, graph=[(0, 1), (0, 2)]), "graph"),
+        (dict(lengths=1, twists=0, graph="chain"), "genus"),
+        (dict(genus=2), "seed"),
+    ],
+)
+def test_wrong_coordinates_are_blamed(arguments, place):
+    with pytest.raises(epsnet.EpsnetError) as caught:
+        Surface.fenchel_nielsen(**arguments)
+    assert caught.value.place == place
+
+
+def test_numbers_may_be_of_any_exact_type():
+    graph = [(0, 1), (0, 1), (0, 1)]
+    half = [Surface.fenchel_nielsen(1, x, graph) for x in ("0.1", "1/10", Fraction(1, 10), 0.1)]
+    assert half[0] == half[1] == half[2] == half[3]
+    assert Surface.fenchel_nielsen([1, 1, 1], [0.1] * 3, "0-1 0-1 0-1") == half[0]
+
+
+def test_files_and_pickles(tmp_path, octagon, pants, bolza):
+    for surface in (octagon, pants, bolza):
+        path = tmp_path / "s.json"
+        surface.save(path)
+        assert Surface.load(path) == epsnet.load(path) == surface
+        assert pickle.loads(pickle.dumps(surface)) == surface
+        assert hash(pickle.loads(pickle.dumps(surface))) == hash(surface)
+
+
+def test_exchange_with_cgal(tmp_path, octagon):
+    path = tmp_path / "domain.txt"
+    octagon.export("domain", path)
+    assert Surface.load(path) == octagon
+    assert octagon.export("triangulation").startswith("yes") or octagon.export("triangulation")
+    with pytest.raises(ValueError, match='"domain" or "triangulation"'):
+        octagon.export("obj")
+
+
+def test_points(octagon):
+    p = octagon.point(0, 0.1, "-1/3")
+    assert p == (0, Fraction(1, 10), Fraction(-1, 3)) and p.z == Gaussian("1/10", "-1/3")
+    assert octagon.centre().tile == 0
+    with pytest.raises(epsnet.SurfaceError, match="no tile 7"):
+        octagon.centre(7)
+    with pytest.raises(epsnet.ArgumentError) as caught:
+        octagon.point(0, "one", 0)
+    assert caught.value.place == "x"
+
+
+def test_errors_are_one_family():
+    kinds = [getattr(epsnet, name) for name in epsnet.errors.__all__]
+    assert all(issubclass(kind, epsnet.EpsnetError) for kind in kinds)
+    assert issubclass(epsnet.SurfaceError, ValueError) and issubclass(epsnet.FileError, OSError)
+
+
+gaussians = st.builds(Gaussian, st.fractions(), st.fractions())
+
+
+@given(gaussians, gaussians, gaussians)
+def test_gaussians_are_a_field(x, y, z):
+    assert (x + y) * z == x * z + y * z
+    assert x - y == -(y - x)
+    assert (x * y).norm() == x.norm() * y.norm()
+    if y != 0:
+        assert x / y * y == x
+    assert (x * y).conjugate() == x.conjugate() * y.conjugate()
+    assert pickle.loads(pickle.dumps(x)) == x
+
+
+@given(st.fractions(), st.fractions())
+def test_ends_are_rounded_outward(a, b):
+    x = Interval(min(a, b), max(a, b))
+    lower, upper = x.ends
+    assert Fraction(x.lower) <= lower <= upper <= Fraction(x.upper)
+    assert lower in x and upper in x and x.mid in Interval(x.lower, x.upper)
+    for end in (lower, upper):
+        assert abs(end - Fraction(x.mid)) <= Fraction(x.error)
+    assert Fraction(x.width) >= upper - lower
+
+
+def test_an_interval_is_no_number():
+    x = Interval(1, 2)
+    for use in (float, bool, lambda x: x < 1.5):
+        with pytest.raises(TypeError):
+            use(x)
+    with pytest.raises(ValueError):
+        Interval(2, 1)
+    assert not x.proved and str(x).endswith("(not proved)") and x.overlaps(Interval(2, 3)) and not x.overlaps(Interval(3, 4))
+
+
+@settings(max_examples=20)
+@given(st.integers(0, 2**31 - 1))
+def test_random_octagons_are_closed_surfaces(seed):
+    surface = Surface.octagon(seed)
+    assert surface.genus == 2 and Surface(surface.tiles, surface.gluing) == surface
