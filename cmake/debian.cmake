@@ -2,6 +2,7 @@
 #   epsnet          the programs, their manual pages and completion, the documents
 #   libepsnet0.2    the shared libraries
 #   libepsnet-dev   headers, the packages of CMake and pkg-config, the examples
+#   python3-epsnet  the Python module, for the Python of this Debian
 set(abi ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(CPACK_PACKAGE_CONTACT "The epsnet authors <epsnet@example.org>")
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
@@ -10,6 +11,11 @@ set(version "${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}")
 set(CPACK_GENERATOR DEB)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL programs libraries development)
+if(TARGET epsnet_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+elseif(EPSNET_PYTHON)
+  message(FATAL_ERROR "The package python3-epsnet needs what the messages above name; -DEPSNET_PYTHON=OFF does without it.")
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
@@ -36,15 +42,25 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libepsnet${abi} (= ${version}), libboost-dev, libgmp-dev, libmpfr-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "${about}\n.\nThese are the headers, the packages of CMake and pkg-config, and examples.")
 
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-epsnet)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+math(EXPR next_python "${EPSNET_PYTHON_MINOR} + 1")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+  "libepsnet${abi} (= ${version}), python3 (>= 3.${EPSNET_PYTHON_MINOR}), python3 (<< 3.${next_python}), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-flint, python3-matplotlib, python3-mpmath, python3-scipy, python3-tqdm")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "${about}\n.\nThis is the Python module.")
+
 # What Debian wants of each package: copyright and changelog.
 set(name epsnet)
 configure_file(cmake/debian-changelog.in debian/changelog.Debian @ONLY)
 execute_process(COMMAND gzip -9nf debian/changelog.Debian WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} COMMAND_ERROR_IS_FATAL ANY)
-foreach(component PROGRAMS LIBRARIES DEVELOPMENT)
+string(TOUPPER "${CPACK_COMPONENTS_ALL}" components)
+foreach(component ${components})
   set(folder ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${component}_PACKAGE_NAME})
   string(TOLOWER ${component} lower)
   install(FILES LICENSE DESTINATION ${folder} RENAME copyright COMPONENT ${lower})
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/debian/changelog.Debian.gz DESTINATION ${folder} COMPONENT ${lower})
 endforeach()
-install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libepsnet-dev COMPONENT development)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libepsnet-dev COMPONENT development PATTERN notebooks EXCLUDE)
+install(DIRECTORY examples/notebooks DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-epsnet/examples COMPONENT python)
 include(CPack)

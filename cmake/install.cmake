@@ -1,5 +1,5 @@
-# Installation, in three components: `programs` (epsnet, certify, certify-exact, manual pages, completion, documents), `libraries`
-# (what programs load at run time) and `development` (headers, libraries to link with, the packages of CMake and pkg-config).
+# Installation, in four components: `programs` (epsnet, certify, certify-exact, manual pages, completion, documents), `libraries`
+# (what programs load at run time) and `development` (headers, libraries to link with, the packages of CMake and pkg-config); and `python`, in python/CMakeLists.txt.
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/epsnet)
 set(headers ${CMAKE_INSTALL_INCLUDEDIR}/epsnet)

@@ -19,7 +19,16 @@ configure_file(docs/site/Doxyfile.in ${site}/Doxyfile @ONLY)
 find_program(EPSNET_DOXYGEN doxygen)
 find_program(EPSNET_SPHINX sphinx-build)
 mark_as_advanced(EPSNET_DOXYGEN EPSNET_SPHINX)
-if(EPSNET_DOXYGEN AND EPSNET_SPHINX)
+# The notebooks are run, and become pages with what they print and draw.
+set(has_notebooks FALSE)
+if(TARGET epsnet_python)
+  execute_process(COMMAND ${Python_EXECUTABLE} -c "import nbconvert, ipykernel, matplotlib, scipy" RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+  if(NOT failed)
+    set(has_notebooks TRUE)
+  endif()
+endif()
+file(GLOB notebooks CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/notebooks/*.ipynb)
+if(EPSNET_DOXYGEN AND EPSNET_SPHINX AND has_notebooks)
   set(source ${site}/source)
   add_custom_target(site
     # As the repository has them, so that links from one to the other hold.
@@ -28,13 +37,16 @@ if(EPSNET_DOXYGEN AND EPSNET_SPHINX)
     COMMAND ${CMAKE_COMMAND} -E copy README.md CHANGELOG.md CITATION.cff LICENSE ${source}
     COMMAND ${CMAKE_COMMAND} -E rename ${source}/docs/site/index.md ${source}/index.md
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${source}/docs/site
+    COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${CMAKE_BINARY_DIR}/python MPLBACKEND=Agg ${Python_EXECUTABLE} -m nbconvert --log-level WARN --to markdown
+      --execute --output-dir ${source}/docs/notebooks ${notebooks}
     COMMAND ${EPSNET_DOXYGEN} ${site}/Doxyfile
     COMMAND python3 docs/site/reference.py ${site}/xml docs/site/reference ${source}/reference ${names}
     COMMAND ${EPSNET_SPHINX} -W --keep-going -q -b html -c docs/site -D breathe_projects.epsnet=${site}/xml -D release=${PROJECT_VERSION}
       ${source} ${site}/html
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} VERBATIM)
+  add_dependencies(site epsnet_python)
 else()
   add_custom_target(site
-    COMMAND ${CMAKE_COMMAND} -E echo "The site needs Doxygen, Sphinx, MyST, Breathe and furo: .ci/setup site, then configure again."
+    COMMAND ${CMAKE_COMMAND} -E echo "The site needs Doxygen, Sphinx, MyST, Breathe, furo, and for the notebooks the Python module and Jupyter: .ci/setup site test notebooks, then configure again."
     COMMAND ${CMAKE_COMMAND} -E false VERBATIM)
 endif()

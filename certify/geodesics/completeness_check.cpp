@@ -44,12 +44,15 @@ class CompletenessCheck::Pass {
     arb_sqrtpos(sinh_distance_.get(), sinh_distance_.get(), precision);
   }
 
-  void examine(std::uint32_t v, Vertex& vertex) const {
+  /// Calls tick() now and then.
+  template <class Tick>
+  void examine(std::uint32_t v, Vertex& vertex, const Tick& tick) const {
     vertex.text.clear();
     if (examine_loops(v, vertex)) return;
     const BallVector place = position(v);
     Tri answer = Tri::yes;
     const auto report = [&](const BallIsometry& element, const LabelProduct& product) {
+      tick();
       if (inverse_will_do(element)) return Search::go_on;
       answer = judge(v, element, product, &place, vertex);
       return answer == Tri::yes ? Search::go_on : Search::stop;
@@ -207,6 +210,7 @@ CompletenessCheck::CompletenessCheck(const GeodesicsDocument& document, const La
       evaluator_(evaluator),
       traces_(evaluator),
       up_to_(document.claim == GeodesicsDocument::Claim::spectrum ? *parse_decimal(document.up_to) : mpq_class()),
+      progress_(options.progress),
       limit_(options.max_visits / std::max<std::size_t>(document.net.vertices.size(), 1)),
       vertices_(document.net.vertices.size()),
       loops_(document.net.vertices.size()) {
@@ -225,7 +229,11 @@ RuleReport CompletenessCheck::check(const LiftedPlane& plane, const ChordTable& 
   }
   // What is begun is forgotten if the budget ends it, so that the counts do not depend on the number of threads.
   std::vector<Vertex> vertices = vertices_;
-  for_each_parallel(open.size(), threads, [&](unsigned, std::size_t i) { pass.examine(open[i], vertices[open[i]]); });
+  for_each_parallel(open.size(), threads, [&](unsigned worker, std::size_t i) {
+    pass.examine(open[i], vertices[open[i]], [&] {
+      if (worker == 0 && progress_) progress_("complete", static_cast<double>(i) / static_cast<double>(open.size()));
+    });
+  });
   vertices_ = std::move(vertices);
 
   const auto find = [&](Tri wanted) {

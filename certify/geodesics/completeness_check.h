@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "certify/check.h"
@@ -56,8 +58,9 @@ class CompletenessCheck {
   const GeodesicsDocument& document_;
   const LabelEvaluator& evaluator_;
   ExactTraces traces_;
-  mpq_class up_to_;      ///< Of a spectrum.
-  std::uint64_t limit_;  ///< Visits for one vertex.
+  mpq_class up_to_;                                         ///< Of a spectrum.
+  std::function<void(std::string_view, double)> progress_;  ///< As in CheckOptions.
+  std::uint64_t limit_;                                     ///< Visits for one vertex.
   std::vector<Vertex> vertices_;
   std::vector<std::vector<std::uint32_t>> loops_;  ///< By vertex: darts from it to itself.
 };

@@ -75,8 +75,15 @@ void write_triangulation(const certify::NetDocument& net, std::ostream& out);
 void write_off(const certify::NetDocument& net, std::ostream& out);
 
 /// VTK's XML format of unstructured grids, as text: the same lifts, with the circumradius and the number of every
-/// triangle and the number of every vertex. Throws NetGeometryError.
+/// triangle and the number of every vertex. For finite elements the cells also have the glued surface: the vertices of
+/// the net that their corners are, and coordinates of their own (NetGeometry::centred_corners). Throws
+/// NetGeometryError.
 void write_vtu(const certify::NetDocument& net, std::ostream& out);
+
+/// Gmsh's format MSH 2.2, as text: the glued surface for finite elements. Its nodes are the vertices of the net, each
+/// once, placed where a lift of it is drawn; what counts are the coordinates that each element has of its own, the data
+/// `corners` (NetGeometry::centred_corners, as three points). Throws NetGeometryError.
+void write_gmsh(const certify::NetDocument& net, std::ostream& out);
 
 /// Tab-separated lines "u v length": the edges of the surface with their hyperbolic lengths, in the order of their
 /// first darts. Loops and parallel edges are there, too. Throws NetGeometryError.

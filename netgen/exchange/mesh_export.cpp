@@ -62,6 +62,15 @@ std::string circumradius_text(const NetGeometry& geometry, std::uint32_t triangl
   return shortest(std::min(geometry.circumradius(triangle), std::numeric_limits<double>::max()));
 }
 
+/// Coordinates of a triangle of its own: three points (x, y, 0).
+std::string corners_text(const NetGeometry& geometry, std::uint32_t triangle) {
+  std::string out;
+  for (const Complex<double>& z : geometry.centred_corners(triangle)) {
+    out += (out.empty() ? "" : " ") + shortest(z.x) + ' ' + shortest(z.y) + " 0";
+  }
+  return out;
+}
+
 /// "a<separator>b<separator>c" of indices.
 template <class Indices>
 std::string joined(const Indices& indices, const char* separator) {
@@ -135,6 +144,10 @@ void write_vtu(const certify::NetDocument& net, std::ostream& out) {
   out << "</PointData>\n<CellData Scalars=\"circumradius\">\n";
   array("Float64", "Name=\"circumradius\"", n, [&](std::uint32_t t) { return circumradius_text(geometry, t); });
   array("Int64", "Name=\"triangle\"", n, [](std::uint32_t t) { return std::to_string(t); });
+  array("Int64", "Name=\"vertices\" NumberOfComponents=\"3\"", n,
+        [&](std::uint32_t t) { return joined(net.triangles[t].vertex, " "); });
+  array("Float64", "Name=\"corners\" NumberOfComponents=\"9\"", n,
+        [&](std::uint32_t t) { return corners_text(geometry, t); });
   out << "</CellData>\n<Points>\n";
   array("Float64", "Name=\"Points\" NumberOfComponents=\"3\"", drawn.points.size(),
         [&](std::uint32_t i) { return point_text(drawn.points[i].place, " ") + " 0"; });
@@ -143,6 +156,31 @@ void write_vtu(const certify::NetDocument& net, std::ostream& out) {
   array("Int64", "Name=\"offsets\"", n, [](std::uint32_t t) { return std::to_string(3 * (std::uint64_t{t} + 1)); });
   array("UInt8", "Name=\"types\"", n, [](std::uint32_t) { return std::string("5"); });
   out << "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+}
+
+void write_gmsh(const certify::NetDocument& net, std::ostream& out) {
+  const NetGeometry geometry(net);
+  const Mesh drawn = mesh(geometry, lift_triangles(geometry, DrawOrder::weight));
+  std::vector<Complex<double>> place(net.vertices.size());
+  for (auto point = drawn.points.rbegin(); point != drawn.points.rend(); ++point) place[point->vertex] = point->place;
+  out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" << place.size() << '\n';
+  for (std::size_t v = 0; v < place.size(); ++v) out << v + 1 << ' ' << point_text(place[v], " ") << " 0\n";
+  const std::size_t n = net.triangles.size();
+  out << "$EndNodes\n$Elements\n" << n << '\n';
+  for (std::size_t t = 0; t < n; ++t) {
+    out << t + 1 << " 2 2 1 1";
+    for (const std::uint32_t v : net.triangles[t].vertex) out << ' ' << std::uint64_t{v} + 1;
+    out << '\n';
+  }
+  out << "$EndElements\n";
+  const auto data = [&](const char* name, int components, const auto& text) {
+    // One text, its name; one real, a time; three integers: a time step, and the sizes.
+    out << "$ElementData\n1\n\"" << name << "\"\n1\n0\n3\n0\n" << components << '\n' << n << '\n';
+    for (std::uint32_t t = 0; t < n; ++t) out << std::uint64_t{t} + 1 << ' ' << text(t) << '\n';
+    out << "$EndElementData\n";
+  };
+  data("corners", 9, [&](std::uint32_t t) { return corners_text(geometry, t); });
+  data("circumradius", 1, [&](std::uint32_t t) { return circumradius_text(geometry, t); });
 }
 
 void write_edges(const certify::NetDocument& net, std::ostream& out) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -60,8 +61,9 @@ class Search {
         options_.threads != 0 ? options_.threads : std::max(std::thread::hardware_concurrency(), 1U);
     std::vector<std::vector<ReturnPath>> found(vertices.size());
     certify::for_each_parallel(vertices.size(), threads, [&](unsigned worker, std::size_t i) {
-      found[i] = unfolding_.returns(vertices[i], {displacement, length});
-      if (worker == 0) report("searching", static_cast<double>(i) / static_cast<double>(vertices.size()));
+      const auto tick = [&] { report("searching", static_cast<double>(i) / static_cast<double>(vertices.size())); };
+      found[i] = unfolding_.returns(vertices[i], {displacement, length}, worker == 0 ? tick : std::function<void()>());
+      if (worker == 0) tick();
     });
     std::vector<ReturnPath> all = deep_loops_;
     for (auto& some : found)

@@ -106,7 +106,10 @@ void Unfolding::report(const std::vector<Visit>& way, const Search& search, std:
   }
 }
 
-std::vector<ReturnPath> Unfolding::returns(std::uint32_t vertex, const Search& search) const {
+std::vector<ReturnPath> Unfolding::returns(std::uint32_t vertex, const Search& search,
+                                           const std::function<void()>& tick) const {
+  constexpr std::uint64_t kTickEvery = 1U << 16;
+  std::uint64_t visits = 0;
   // A triangle with a corner within D of the vertex has its circumcentre within D + R, and cosh(D + R)/cosh R grows
   // with R.
   const double most_power =
@@ -130,6 +133,7 @@ std::vector<ReturnPath> Unfolding::returns(std::uint32_t vertex, const Search& s
       const Dart across = triangulation_.opposite(make_dart(here.triangle, edge));
       if (lorentz_product(cells_[triangle_of(across)].power, carried) > most_power || !is_child(here, edge, carried))
         continue;
+      if (tick && ++visits % kTickEvery == 0) tick();
       way.push_back({triangle_of(across), corner_of(across), 0, carried});
       report(way, search, found);
     }

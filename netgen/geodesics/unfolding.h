@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "kernel/lorentz.h"
@@ -38,8 +39,9 @@ class Unfolding {
   /// The ways to all lifts of a vertex that `search` asks for, not the vertex itself; from each pair of inverse
   /// elements mostly one, ways to the same lift perhaps twice. Bounds are taken a little larger than given, so none is
   /// missed to rounding. Time about the area of a disk of the radius `displacement` and two circumradii, in triangles.
-  /// Thread-safe.
-  [[nodiscard]] std::vector<ReturnPath> returns(std::uint32_t vertex, const Search& search) const;
+  /// Thread-safe. `tick`, if given, is called now and then.
+  [[nodiscard]] std::vector<ReturnPath> returns(std::uint32_t vertex, const Search& search,
+                                                const std::function<void()>& tick = {}) const;
 
  private:
   struct Cell {

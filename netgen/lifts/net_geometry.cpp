@@ -177,6 +177,19 @@ std::array<Complex<double>, 3> NetGeometry::corners(std::uint32_t triangle) cons
   return result;
 }
 
+std::array<Complex<double>, 3> NetGeometry::centred_corners(std::uint32_t triangle) const {
+  std::array<Complex<double>, 3> z = corners(triangle);
+  const std::optional<Complex<double>> centre = circumcentre(z[0], z[1], z[2]);
+  const Isometry<double> move = Isometry<double>::translation(-centre.value_or(z[0]));
+  for (Complex<double>& corner : z) corner = move(corner);
+  const double radius = std::sqrt(norm(z[0]));
+  if (radius == 0) return z;
+  const Complex<double> turn = (1 / radius) * conj(z[0]);
+  for (Complex<double>& corner : z) corner = turn * corner;
+  z[0] = {radius, 0};
+  return z;
+}
+
 double NetGeometry::circumradius(std::uint32_t triangle) const {
   const auto z = corners(triangle);
   const auto sinh2 = sinh2_circumradius(z[0], z[1], z[2]);

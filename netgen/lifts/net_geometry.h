@@ -73,6 +73,12 @@ class NetGeometry {
   /// The three corners of a triangle, counterclockwise, in the chart of its vertex 0.
   [[nodiscard]] std::array<Complex<double>, 3> corners(std::uint32_t triangle) const;
 
+  /// The same, moved by an isometry that takes the circumcentre to 0 and corner 0 to the positive real axis: the
+  /// corners are on a Euclidean circle around 0, too, and opposite to an edge of length a is the Euclidean angle α with
+  /// sin α = sinh(a/2)/sinh R, R the circumradius. In a net a ≥ ε ≥ R, so that sin α ≥ 1/(2 cosh(ε/2)): coordinates for
+  /// finite elements. Where there is no circumcircle, corner 0 is taken to 0.
+  [[nodiscard]] std::array<Complex<double>, 3> centred_corners(std::uint32_t triangle) const;
+
   /// The hyperbolic circumradius of a triangle; infinity if its corners lie on no circle.
   [[nodiscard]] double circumradius(std::uint32_t triangle) const;
 

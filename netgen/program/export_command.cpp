@@ -13,7 +13,7 @@
 namespace epsnet::program {
 namespace {
 
-enum class ExportFormat { domain, triangulation, off, vtu, edges, json };
+enum class ExportFormat { domain, triangulation, off, vtu, gmsh, edges, json };
 
 struct ExportRequest {
   std::string file;
@@ -47,6 +47,8 @@ FileType file_type(ExportFormat format) {
       return FileType::off;
     case ExportFormat::vtu:
       return FileType::vtu;
+    case ExportFormat::gmsh:
+      return FileType::msh;
     case ExportFormat::json:
       return FileType::json;
     default:
@@ -61,6 +63,8 @@ std::function<void(const certify::NetDocument&, std::ostream&)> mesh_writer(Expo
       return write_off;
     case ExportFormat::vtu:
       return write_vtu;
+    case ExportFormat::gmsh:
+      return write_gmsh;
     case ExportFormat::edges:
       return write_edges;
     case ExportFormat::json:
@@ -107,16 +111,17 @@ void add_export_command(CLI::App& app, Job& chosen) {
       ->add_option("--format", request.format,
                    "exact, for CGAL: domain, the polygon of a surface of one tile; triangulation, the triangles of a "
                    "net, or the tiles of a surface cut into triangles, with an anchor and cross-ratios. Rounded, of a "
-                   "net: off or vtu, one lift of every triangle; edges, a table of vertices and lengths; json, all of "
-                   "it")
+                   "net: off or vtu, one lift of every triangle; gmsh (and data of vtu), the glued surface for finite "
+                   "elements; edges, a table of vertices and lengths; json, all of it")
       ->required()
       ->transform(one_of<ExportFormat>({{"domain", ExportFormat::domain},
                                         {"triangulation", ExportFormat::triangulation},
                                         {"off", ExportFormat::off},
                                         {"vtu", ExportFormat::vtu},
+                                        {"gmsh", ExportFormat::gmsh},
                                         {"edges", ExportFormat::edges},
                                         {"json", ExportFormat::json}}))
-      ->option_text("domain|triangulation|off|vtu|edges|json REQUIRED");
+      ->option_text("domain|triangulation|off|vtu|gmsh|edges|json REQUIRED");
   add_output(*command, request.output, "the text to write");
   command->footer(
       "Example:\n"

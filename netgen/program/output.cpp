@@ -45,6 +45,7 @@ const std::vector<TypeOfFile>& types_of_files() {
       {FileType::off, {".off"}, "OFF"},
       {FileType::vtu, {".vtu"}, "VTU"},
       {FileType::npy, {".npy"}, "a NumPy array"},
+      {FileType::msh, {".msh"}, "Gmsh's MSH"},
   };
   return types;
 }

@@ -40,7 +40,7 @@ class UndecidedError : public JobError {
 void write_stdout(const std::function<void(std::ostream&)>& write);
 
 /// What a command writes to a file.
-enum class FileType { json, compact, text, svg, png, html, off, vtu, npy };
+enum class FileType { json, compact, text, svg, png, html, off, vtu, npy, msh };
 
 /// A file that a command reads. An empty path stands for an option that was not given.
 struct InputFile {

@@ -64,6 +64,7 @@ py::array edge_darts(const SharedNet& net) {
 /// The numbers of a net that are rounded to binary64.
 struct Geometry {
   std::vector<std::complex<double>> corners;
+  std::vector<std::complex<double>> centred;
   std::vector<double> circumradii;
   std::vector<double> lengths;  ///< By dart.
 };
@@ -73,6 +74,7 @@ Geometry geometry_of(const NetDocument& net) {
   Geometry result;
   for (std::uint32_t t = 0; t < net.triangles.size(); ++t) {
     for (const Complex<double>& z : geometry.corners(t)) result.corners.emplace_back(z.x, z.y);
+    for (const Complex<double>& z : geometry.centred_corners(t)) result.centred.emplace_back(z.x, z.y);
     result.circumradii.push_back(geometry.circumradius(t));
     for (std::uint32_t i = 0; i < 3; ++i) result.lengths.push_back(geometry.edge_length(3 * t + i));
   }
@@ -82,7 +84,7 @@ Geometry geometry_of(const NetDocument& net) {
 py::tuple arrays_of(Geometry geometry) {
   const py::ssize_t count = size_of(geometry.circumradii);
   return py::make_tuple(owned(std::move(geometry.corners), {count, 3}), owned(std::move(geometry.circumradii), {count}),
-                        owned(std::move(geometry.lengths), {count, 3}));
+                        owned(std::move(geometry.lengths), {count, 3}), owned(std::move(geometry.centred), {count, 3}));
 }
 
 std::vector<Layer> standard_layers(const NetDocument& net, bool tiles) {
@@ -126,6 +128,7 @@ std::string exported(const NetDocument& net, const std::string& format) {
   return written([&](std::ostream& out) {
     if (format == "off") return write_off(net, out);
     if (format == "vtu") return write_vtu(net, out);
+    if (format == "gmsh") return write_gmsh(net, out);
     if (format == "edges") return write_edges(net, out);
     if (format == "json") return write_mesh_json(net, out);
     if (format == "triangulation") return write_triangulation(net, out);

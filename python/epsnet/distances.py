@@ -60,7 +60,7 @@ class Distance(_Measured):
     >>> d
     <Distance [0.8599172616257769, 0.859917261625777]>
     >>> d.paths
-    [(4,)]
+    [(0,)]
     """
 
     __slots__ = ("_reverse",)

@@ -199,13 +199,22 @@ class Net:
     # Rounded numbers.
 
     @cached_property
-    def _geometry(self) -> tuple["Complexes", "Floats", "Floats"]:
+    def _geometry(self) -> tuple["Complexes", "Floats", "Floats", "Complexes"]:
         return self._core.geometry()
 
     @property
     def corners(self) -> "Complexes":
         """The corners of each triangle in the chart of its corner 0: three columns. Rounded, not proved."""
         return self._geometry[0]
+
+    @property
+    def centred_corners(self) -> "Complexes":
+        """The corners of each triangle after an isometry that takes its circumcentre to 0: three columns. Rounded, not proved.
+
+        For finite elements: the Euclidean triangle has the same circumcircle, and no angle α with sin α < 1/(2 cosh(ε/2)), which is about 30°,
+        as edges are at least ε long and circumradii at most ε (loops apart). The hyperbolic metric there is 4|dz|²/(1 − |z|²)².
+        """
+        return self._geometry[3]
 
     @property
     def circumradii(self) -> "Floats":

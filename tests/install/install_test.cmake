@@ -68,6 +68,10 @@ endforeach()
 run(${prefix}/bin/certify ${net})
 run(${prefix}/bin/certify-exact ${net})
 run(${prefix}/bin/epsnet info ${net})
+if(python)
+  run(${CMAKE_COMMAND} -E env PYTHONPATH=${prefix}/${python_folder} PYTHONDONTWRITEBYTECODE=1 ${python} -c
+    "import epsnet; net = epsnet.load('${net}'); assert net.proved and epsnet.__file__.startswith('${prefix}'), net")
+endif()
 
 # pkg-config: with a static library its private libraries are needed, too.
 file(MAKE_DIRECTORY ${scratch}/pkg-config)

@@ -124,13 +124,76 @@ TEST(MeshExport, VtuCountsWhatIsThere) {
   EXPECT_THAT(vtu, ::testing::HasSubstr("NumberOfPoints=\"" + std::to_string(off.points.size()) +
                                         "\" NumberOfCells=\"" + std::to_string(off.triangles.size()) + "\""));
   const auto lines = static_cast<std::size_t>(std::count(vtu.begin(), vtu.end(), '\n'));
-  EXPECT_EQ(lines, 2 * off.points.size() + 5 * off.triangles.size() + 29);
+  EXPECT_EQ(lines, 2 * off.points.size() + 7 * off.triangles.size() + 33);
+}
+
+/// The text between "$name" and "$Endname".
+std::istringstream section(const std::string& text, const std::string& name) {
+  const std::size_t begin = text.find("$" + name + "\n");
+  const std::size_t end = text.find("$End" + name);
+  EXPECT_TRUE(begin != std::string::npos && end != std::string::npos) << name;
+  return std::istringstream(text.substr(begin + name.size() + 2, end - begin - name.size() - 2));
+}
+
+/// Nodes are the vertices; every element has its triangle in coordinates of its own.
+TEST(MeshExport, GmshIsTheGluedSurface) {
+  const certify::NetDocument net = net_of("0.3");
+  const NetGeometry geometry(net);
+  const std::string msh = text(write_gmsh, net);
+  std::size_t count = 0;
+  section(msh, "Nodes") >> count;
+  EXPECT_EQ(count, net.vertices.size());
+  std::istringstream elements = section(msh, "Elements");
+  elements >> count;
+  ASSERT_EQ(count, net.triangles.size());
+  std::istringstream data = section(msh, "ElementData");
+  std::string line;
+  for (int i = 0; i < 8; ++i) std::getline(data, line);
+  for (std::uint32_t t = 0; t < count; ++t) {
+    std::array<std::uint64_t, 5> kind{};
+    for (std::uint64_t& x : kind) elements >> x;
+    EXPECT_EQ(kind, (std::array<std::uint64_t, 5>{t + 1, 2, 2, 1, 1}));
+    for (const std::uint32_t v : net.triangles[t].vertex) {
+      std::uint64_t node = 0;
+      elements >> node;
+      EXPECT_EQ(node, v + 1);
+    }
+    std::size_t number = 0;
+    data >> number;
+    EXPECT_EQ(number, t + 1);
+    std::array<Point, 3> corner;
+    double zero = 0;
+    for (Point& z : corner) data >> z.x >> z.y >> zero;
+    EXPECT_TRUE(data && elements);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(distance(corner[i], corner[(i + 1) % 3]), geometry.edge_length(3 * t + i), 1e-12);
+    }
+  }
+}
+
+/// Angles of the triangles that finite elements get are at least arcsin(1/(2 cosh(eps/2))).
+TEST(MeshExport, CentredCornersHaveNoSmallAngles) {
+  for (const char* epsilon : {"0.1", "0.3", "0.5"}) {
+    const certify::NetDocument net = net_of(epsilon);
+    const NetGeometry geometry(net);
+    const double least = 1 / (2 * std::cosh(geometry.epsilon().get_d() / 2));
+    for (std::uint32_t t = 0; t < net.triangles.size(); ++t) {
+      const auto z = geometry.centred_corners(t);
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(std::sqrt(norm(z[i])), std::tanh(geometry.circumradius(t) / 2), 1e-12);
+        if (net.triangles[t].vertex[(i + 1) % 3] == net.triangles[t].vertex[(i + 2) % 3]) continue;
+        const Point u = z[(i + 1) % 3] - z[i];
+        const Point v = z[(i + 2) % 3] - z[i];
+        EXPECT_GE(cross(u, v) / std::sqrt(norm(u) * norm(v)), least - 1e-12);
+      }
+    }
+  }
 }
 
 TEST(MeshExport, RefusesWhatIsNoNet) {
   certify::NetDocument net = net_of("0.5");
   net.triangles[0].vertex[1] = 1000000;
-  for (const Writer write : {write_off, write_vtu, write_edges, write_mesh_json})
+  for (const Writer write : {write_off, write_vtu, write_gmsh, write_edges, write_mesh_json})
     EXPECT_THROW(text(write, net), NetGeometryError);
 }
 

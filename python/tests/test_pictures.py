@@ -1,0 +1,57 @@
+"""Pictures and pages: well-formed, and of what they should be."""
+import re
+import xml.etree.ElementTree as ElementTree
+
+import pytest
+
+import epsnet
+
+
+def paths(svg):
+    root = ElementTree.fromstring(svg)
+    assert root.tag.endswith("svg")
+    return svg.count("<path") + svg.count("<line") + svg.count("<circle")
+
+
+def test_everything_shows_itself(octagon, bolza, pants, net):
+    systole = octagon.systole()
+    shown = [
+        net, octagon, pants, bolza, octagon.fundamental_polygon(), bolza.dirichlet_domain(), octagon.dirichlet_domain((0, 0.1, 0.1)),
+        systole, systole.geodesic, octagon.spectrum("3"), octagon.distance((0, 0.1, 0.3), (0, -0.25, -0.2)),
+    ]
+    for thing in shown:
+        assert paths(thing._repr_svg_()) > 1
+
+
+def test_options_change_the_picture(net):
+    plain = net.svg()
+    for option in (dict(dirichlet=True), dict(tiles=True), dict(colour="circumradius"), dict(legend=True, tiles=True), dict(centre=3), dict(size=300),
+                   dict(triangles=False)):
+        svg = net.svg(**option)
+        ElementTree.fromstring(svg)
+        assert svg != plain
+    assert net.svg() == plain
+    with pytest.raises(ValueError, match='"none", "circumradius" or "chart"'):
+        net.svg(colour="red")
+    with pytest.raises(epsnet.NetError):
+        net.svg(centre=10**6)
+
+
+def test_geodesics_are_drawn_on_nets(octagon, net):
+    spectrum = octagon.spectrum("3")
+    one, two, both = (net.svg(show=shown) for shown in ([spectrum[0]], [spectrum[1]], [spectrum]))
+    assert len({net.svg(), one, two, both}) == 4
+    assert net.svg(show=[octagon.distance((0, 0.1, 0.3), (0, -0.25, -0.2)), octagon.systole()]) != net.svg()
+    with pytest.raises(epsnet.NetError, match="surface"):
+        net.svg(show=[epsnet.Surface.octagon(1).systole()])
+
+
+def test_the_page(tmp_path, net, octagon):
+    page = net.view("A title & more", show=[octagon.spectrum("3")])
+    assert "VERIFIED" in page.html and "A title &amp; more" in page.html and "<iframe srcdoc=" in page._repr_html_()
+    page.save(tmp_path / "view.html")
+    assert (tmp_path / "view.html").read_text(encoding="utf-8") == page.html
+    # What is between the quotation marks of the frame is the page again.
+    import html
+
+    assert html.unescape(re.search(r'srcdoc="([^"]*)"', page._repr_html_()).group(1)) == page.html
