@@ -37,7 +37,7 @@ if(EPSNET_DOXYGEN AND EPSNET_SPHINX AND has_notebooks)
     COMMAND ${CMAKE_COMMAND} -E copy README.md CHANGELOG.md CITATION.cff LICENSE ${source}
     COMMAND ${CMAKE_COMMAND} -E rename ${source}/docs/site/index.md ${source}/index.md
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${source}/docs/site
-    COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${CMAKE_BINARY_DIR}/python MPLBACKEND=Agg ${Python_EXECUTABLE} -m nbconvert --log-level WARN --to markdown
+    COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${CMAKE_BINARY_DIR}/python PYDEVD_DISABLE_FILE_VALIDATION=1 ${Python_EXECUTABLE} -m nbconvert --log-level WARN --to markdown
       --execute --output-dir ${source}/docs/notebooks ${notebooks}
     COMMAND ${EPSNET_DOXYGEN} ${site}/Doxyfile
     COMMAND python3 docs/site/reference.py ${site}/xml docs/site/reference ${source}/reference ${names}
