@@ -56,15 +56,16 @@ void bind_geodesics(py::module_& module) {
       .def_property_readonly("claim", [](const SharedGeodesics& self) { return name_of(self->claim); })
       .def_property_readonly("up_to", [](const SharedGeodesics& self) { return self->up_to; })
       .def_property_readonly("net", [](const SharedGeodesics& self) { return SharedNet(self->net); })
-      .def_property_readonly("geodesics",
-                             [](const SharedGeodesics& self) {
-                               std::vector<std::tuple<std::uint32_t, Word, certify::Interval, bool>> result;
-                               for (const GeodesicsDocument::ClosedGeodesic& g : self->geodesics) {
-                                 result.emplace_back(self->net.charts[self->net.vertices[g.vertex].chart].tile, g.word,
-                                                     g.length, g.simple);
-                               }
-                               return result;
-                             })
+      .def_property_readonly(
+          "geodesics",
+          [](const SharedGeodesics& self) {
+            std::vector<std::tuple<std::uint32_t, std::uint32_t, Word, certify::Interval, bool>> result;
+            for (const GeodesicsDocument::ClosedGeodesic& g : self->geodesics) {
+              result.emplace_back(g.vertex, self->net.charts[self->net.vertices[g.vertex].chart].tile, g.word, g.length,
+                                  g.simple);
+            }
+            return result;
+          })
       .def_property_readonly("clusters",
                              [](const SharedGeodesics& self) {
                                std::vector<std::tuple<std::uint32_t, std::uint32_t, bool>> result;

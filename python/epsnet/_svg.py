@@ -4,8 +4,8 @@ from __future__ import annotations
 from typing import Sequence
 
 
-def polygon_svg(vertices: Sequence[complex], size: int = 500) -> str:
-    """A polygon of geodesics in the Poincaré disk."""
+def polygon_svg(vertices: Sequence[complex], size: int = 500, rays: Sequence[complex] = ()) -> str:
+    """A polygon of geodesics in the Poincaré disk, and segments from 0 to other points."""
     half = size / 2
     scale = 0.98 * half
 
@@ -19,6 +19,11 @@ def polygon_svg(vertices: Sequence[complex], size: int = 500) -> str:
         # The circle bends away from the centre of the disk; on the page y points down.
         path.append(f"L {place(end)}" if radius is None else f"A {scale * radius:.2f} {scale * radius:.2f} 0 0 {1 if turn > 0 else 0} {place(end)}")
     dots = "".join(f'<circle cx="{place(z).split()[0]}" cy="{place(z).split()[1]}" r="2.5" fill="#10202f"/>' for z in vertices)
+    for end in rays:
+        x, y = place(end).split()
+        dots += f'<path d="M {half} {half} L {x} {y}" stroke="#5a2ee0" stroke-width="2.5"/><circle cx="{x}" cy="{y}" r="4" fill="#5a2ee0"/>'
+    if rays:
+        dots += f'<circle cx="{half}" cy="{half}" r="4" fill="#0a6fe0"/>'
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{size}" height="{size}" viewBox="0 0 {size} {size}">'
         f'<circle cx="{half}" cy="{half}" r="{scale:.2f}" fill="#ffffff" stroke="#9aa5b1"/>'

@@ -6,8 +6,11 @@ from typing import TYPE_CHECKING, Any, Optional
 
 from . import _epsnet
 from ._progress import Progress, Shower
+from ._svg import polygon_svg
 from .certificates import Certificate, Proof, checked
+from .domains import DirichletDomain
 from .intervals import Interval
+from .isometries import Gaussian, Isometry
 from .surfaces import Number, Path, Point, PointLike, Surface, as_fraction
 
 if TYPE_CHECKING:
@@ -83,16 +86,26 @@ class Distance(_Measured):
         equal: bool = self._core.equal
         return equal and self.proved
 
-    def svg(self, size: int = 600) -> str:
-        """The paths, on the Delaunay triangulation of one of the points."""
-        svg: str = self._core.net.svg(0, True, True, False, True, "none", False, size, self._layers_on(self._core.net))
-        return svg
+    def svg(self, size: int = 500) -> str:
+        """The paths in the Dirichlet domain of p, which is in the centre; of q, if p is not strictly inside of its tile."""
+        _, (x, y) = base = self._core.net.charts[0]
+        centre, (_, z) = Gaussian(x, y), self._core.point
+        ends = []
+        for word in self._core.paths:
+            lift = Isometry(self.surface, word).inverse()
+            end = lift(Gaussian(*z) if lift.is_exact else complex(Gaussian(*z)))
+            ends.append(complex((end - centre) / (1 - centre.conjugate() * end)) if isinstance(end, Gaussian) else _moved(end, complex(centre)))
+        return polygon_svg(DirichletDomain(self.surface, base).vertices, size, ends)
 
     def _layers_on(self, net: "_epsnet.Net") -> list["_epsnet.Layer"]:
         return [net.distance_layer(self._core)]
 
     def _repr_svg_(self) -> str:
         return self.svg()
+
+
+def _moved(z: complex, to_centre: complex) -> complex:
+    return (z - to_centre) / (1 - to_centre.conjugate() * z)
 
 
 class Cover(_Measured):

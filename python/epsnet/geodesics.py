@@ -43,8 +43,9 @@ class Piece(NamedTuple):
 class ClosedGeodesic:
     """A primitive closed geodesic, up to orientation."""
 
-    def __init__(self, geodesics: "ClosedGeodesics", number: int, tile: int, word: Sequence[int], length: tuple[float, float], simple: bool) -> None:
+    def __init__(self, geodesics: "ClosedGeodesics", number: int, vertex: int, tile: int, word: Sequence[int], length: tuple[float, float], simple: bool) -> None:
         self._geodesics = geodesics
+        self._vertex = vertex
         #: Its number in the list.
         self.number = number
         #: The tile where its word starts and ends.
@@ -67,9 +68,9 @@ class ClosedGeodesic:
         return Interval(*_epsnet.collar_half_width((self.length.lower, self.length.upper)), proved=self.length.proved)
 
     def svg(self, size: int = 600) -> str:
-        """The geodesic on the triangulation of a net of the surface."""
+        """The geodesic on the triangulation of a net of the surface, with a vertex near it in the centre."""
         core = self._geodesics._core
-        return core.net.svg(0, True, False, False, True, "none", False, size, self._layers_on(core.net))
+        return core.net.svg(self._vertex, True, False, False, False, "none", False, size, self._layers_on(core.net))
 
     def _layers_on(self, net: "_epsnet.Net") -> list["_epsnet.Layer"]:
         return [net.geodesic_layer(self._geodesics._core, self.number)]
@@ -149,7 +150,8 @@ class ClosedGeodesics(Sequence[ClosedGeodesic]):
 
     def svg(self, size: int = 600) -> str:
         """All of them on the triangulation of a net of the surface."""
-        return self._core.net.svg(0, True, False, False, True, "none", False, size, self._layers_on(self._core.net))
+        centre = self._list[0]._vertex if self._list else 0
+        return self._core.net.svg(centre, True, False, False, False, "none", False, size, self._layers_on(self._core.net))
 
     def _layers_on(self, net: "_epsnet.Net") -> list["_epsnet.Layer"]:
         return net.geodesics_layers(self._core)
