@@ -82,9 +82,14 @@ class Relaxation {
     const double uu = norm(u);
     const double vv = norm(v);
     const double uv = cross(u, v);
+    // As in circumcentre_fast: the error of a lift may turn a short edge by many turns around a short curve. Nor is a
+    // circle seen whose triangle has an angle near 0 or π. A triangle without area has no weight.
+    constexpr double kShortestLifted2 = 1e-12;
+    const bool is_seen = uv > 0 && uv * uv > 1e-6 * (uu * vv) &&
+                         (triangle.all_identity() || std::min({uu, vv, norm(b - c)}) > kShortestLifted2);
     const double half = 0.5 / uv;
     const Complex<double> from_a{(v.y * uu - u.y * vv) * half, (u.x * vv - v.x * uu) * half};
-    circles_[t] = {a + from_a, norm(from_a), uv};
+    circles_[t] = {a + from_a, norm(from_a), is_seen ? uv : 0};
     return true;
   }
 

@@ -318,8 +318,8 @@ void add_net_command(CLI::App& app, Job& chosen) {
                 "epsilon at most ln sqrt(2)")
       ->excludes(points);
   net->add_flag("--sparse", request.options.sparse,
-                "a net with few points: about 1.4 times the lower bound of the thesis' Theorem III.2 instead of 2.15 "
-                "times, in some five times the time")
+                "a net with few points: 1.4 to 1.5 times the lower bound of the thesis' Theorem III.2 instead of 2.15 "
+                "times; to compute it takes some eight times as long, to prove it less")
       ->excludes(points);
   net->add_flag("--no-certify", request.no_certify, "write the net without checking it: nothing is proved");
   CLI::Option* insert =

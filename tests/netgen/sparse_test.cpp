@@ -177,6 +177,16 @@ TEST(SparseNet, IsANetForEveryEpsilon) {
   }
 }
 
+TEST(SparseNet, DoesNotTwistAroundAVeryShortCurve) {
+  FenchelNielsen coordinates = random_coordinates(PantsGraph::random(2, 1), 1);
+  test::set_cuff_length(coordinates, 1, Rational(1, 1'000'000'000'000));
+  const Surface surface = fenchel_nielsen_surface(coordinates);
+  for (const char* epsilon : {"0.4", "2"}) {
+    const CertifiedNet net = certified_net(surface, Length(epsilon), kSparse);
+    EXPECT_LE(net.net.vertices.size(), compute_net(surface, Length(epsilon)).net.vertices.size()) << epsilon;
+  }
+}
+
 TEST(SparseNet, KeepsTheBasePoint) {
   NetOptions options = kSparse;
   options.base = BasePoint{0, {Rational(1, 5), Rational(-1, 7)}};
