@@ -406,7 +406,7 @@ class CoverCheck {
       arb_sinh(least.get(), least.get(), precision_);
       arb_sqr(least.get(), least.get(), precision_);
       Tri reached = Tri::no;
-      for (std::uint32_t t = 0; t < count && reached != Tri::yes; ++t) {
+      for (std::size_t t = 0; t < count && reached != Tri::yes; ++t) {
         // 4abc ≥ K sinh²(LO + reach).
         arb_mul(four_abc.get(), h[3 * t].get(), h[3 * t + 1].get(), precision_);
         arb_mul(four_abc.get(), four_abc.get(), h[3 * t + 2].get(), precision_);

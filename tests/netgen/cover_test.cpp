@@ -166,9 +166,9 @@ TEST(Cover, WhateverTheWidthItIsVerifiedAndHoldsTheSame) {
   const Surface& surface = test::gallery()[0].surface;
   for (const auto make : {&diameter, &radius, &largest_embedded_disk}) {
     const bool is_slow = make == &radius;
-    const CoverDocument close = make(surface, {.width = is_slow ? 0.05 : 1e-5});
+    const CoverDocument close = make(surface, {.width = is_slow ? 0.1 : 1e-5});
     for (const double width :
-         {is_slow ? 0.02 : 1e-3, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, std::numeric_limits<double>::infinity()}) {
+         {is_slow ? 0.05 : 1e-3, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, std::numeric_limits<double>::infinity()}) {
       const CoverDocument document = make(surface, {.width = width});
       EXPECT_EQ(verdict(document), "VERIFIED") << width;
       EXPECT_LE(document.value.upper - document.value.lower, width);
@@ -180,7 +180,7 @@ TEST(Cover, WhateverTheWidthItIsVerifiedAndHoldsTheSame) {
 TEST(Cover, IsThatOfTheSurfaceWhateverItsTiles) {
   const Surface& surface = test::gallery()[0].surface;
   for (const auto make : {&diameter, &radius, &largest_embedded_disk}) {
-    const double width = make == &radius ? 0.05 : 1e-5;
+    const double width = make == &radius ? 0.1 : 1e-5;
     const CoverDocument document = make(surface, {.width = width});
     for (const Surface& other : {turned(surface), in_three_tiles(surface)}) {
       const CoverDocument same = make(other, {.width = width});
