@@ -10,7 +10,7 @@ from ._progress import Progress, Shower
 from .certificates import Certificate, Proof, checked
 from .intervals import Interval
 from .isometries import Isometry
-from .surfaces import Number, Path, Surface, length_text
+from .surfaces import Number, Path, Surface, as_index, length_text
 
 if TYPE_CHECKING:
     from .nets import Net
@@ -217,7 +217,7 @@ def _found(surface: Surface, progress: Progress, threads: int, what: str, find: 
 
 def systole(surface: Surface, threads: int, progress: Progress) -> Systole:
     core, certificate = _found(
-        surface, progress, threads, "systole", lambda callback: _epsnet.Geodesics.systole(surface._core, _EPSILON, threads, callback)
+        surface, progress, threads, "systole", lambda callback: _epsnet.Geodesics.systole(surface._core, _EPSILON, as_index(threads, "threads", 0, 1024), callback)
     )
     return Systole(ClosedGeodesics(core, surface, certificate))
 
@@ -225,13 +225,13 @@ def systole(surface: Surface, threads: int, progress: Progress) -> Systole:
 def spectrum(surface: Surface, up_to: Number, threads: int, progress: Progress) -> ClosedGeodesics:
     text = length_text(up_to, "up_to")
     core, certificate = _found(
-        surface, progress, threads, "spectrum", lambda callback: _epsnet.Geodesics.spectrum(surface._core, text, _EPSILON, threads, callback)
+        surface, progress, threads, "spectrum", lambda callback: _epsnet.Geodesics.spectrum(surface._core, text, _EPSILON, as_index(threads, "threads", 0, 1024), callback)
     )
     return ClosedGeodesics(core, surface, certificate)
 
 
 def thick_thin(surface: Surface, threads: int, progress: Progress) -> ThickThin:
     core, certificate = _found(
-        surface, progress, threads, "thick-thin decomposition", lambda callback: _epsnet.Geodesics.thick_thin(surface._core, _EPSILON, threads, callback)
+        surface, progress, threads, "thick-thin decomposition", lambda callback: _epsnet.Geodesics.thick_thin(surface._core, _EPSILON, as_index(threads, "threads", 0, 1024), callback)
     )
     return ThickThin(core, surface, certificate)

@@ -217,7 +217,9 @@ class Isometry:
 
     def enclosure(self, bits: int = 53) -> tuple[ComplexInterval, ComplexInterval]:
         """Intervals that contain a and b for |a|² − |b|² = 1, at most |a|/2^bits wide. Proved. Their ends are exact: ``.ends``."""
-        pairs = self.surface._core.enclosed_isometry(self.word, bits)
+        from .surfaces import as_index
+
+        pairs = self.surface._core.enclosed_isometry(self.word, as_index(bits, "bits", 1, 2**20))
         a, b = (ComplexInterval(*(Interval(*ends, proved=True) for ends in pair)) for pair in pairs)
         return a, b
 

@@ -12,7 +12,7 @@ from . import _epsnet
 from ._progress import Progress, Shower
 from .certificates import Certificate, Proof
 from .intervals import Interval
-from .surfaces import Number, Path, Point, PointLike, Surface, length_text
+from .surfaces import Number, Path, Point, PointLike, Surface, as_index, length_text
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -91,7 +91,7 @@ class Net:
     def _computed(cls, surface: Surface, epsilon: Number, pseudo: bool, base: Optional[PointLike], threads: int, progress: Progress) -> "Net":
         point = None if base is None else surface._base(base)
         with Shower(progress) as callback:
-            core, certificate, statistics = _epsnet.Net.compute(surface._core, length_text(epsilon, "epsilon"), point, pseudo, threads, callback)
+            core, certificate, statistics = _epsnet.Net.compute(surface._core, length_text(epsilon, "epsilon"), point, pseudo, as_index(threads, "threads", 0, 1024), callback)
         return cls(core, surface, Certificate(certificate), statistics)
 
     @classmethod
@@ -231,7 +231,7 @@ class Net:
         """One lift of every triangle to the disk, with a vertex at 0; the order is "weight", as in pictures, or "breadth first"."""
         if order not in ("weight", "breadth first"):
             raise ValueError(f'expected the order "weight" or "breadth first", not "{order}"')
-        return Lifts(self._core.lifts(order == "breadth first", centre))
+        return Lifts(self._core.lifts(order == "breadth first", as_index(centre, "centre")))
 
     def point(self, vertex: int) -> Point:
         """A vertex as a point of the tile in which it lies, exactly: for ``surface.distance``.
@@ -242,7 +242,7 @@ class Net:
         >>> d.proved
         True
         """
-        tile, (x, y) = self._core.point_of_vertex(self.surface._core, vertex)
+        tile, (x, y) = self._core.point_of_vertex(self.surface._core, as_index(vertex, "vertex"))
         return Point(tile, x, y)
 
     # Pictures and files.
@@ -267,7 +267,9 @@ class Net:
         """
         if colour not in ("none", "circumradius", "chart"):
             raise ValueError(f'expected the colour "none", "circumradius" or "chart", not "{colour}"')
-        return self._core.svg(centre, triangles, vertices, dirichlet, tiles, colour, legend, size, self._layers(show))
+        return self._core.svg(
+            as_index(centre, "centre"), triangles, vertices, dirichlet, tiles, colour, legend, as_index(size, "size", 50, 20000), self._layers(show)
+        )
 
     def _layers(self, show: Iterable[Any]) -> list["_epsnet.Layer"]:
         return [layer for shown in show for layer in shown._layers_on(self._core)]

@@ -1,6 +1,7 @@
 """Closed hyperbolic surfaces."""
 from __future__ import annotations
 
+import operator
 import os
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Iterable, NamedTuple, Optional, Sequence, Union
@@ -62,6 +63,19 @@ def length_text(x: Number, name: str) -> str:
     return _epsnet.length_text(x) if isinstance(x, float) else as_text(x, name)
 
 
+def as_index(x: int, name: str, least: int = 0, most: int = 2**32 - 1) -> int:
+    """The integer, if it is one that can be meant."""
+    try:
+        value = operator.index(x)
+    except TypeError:
+        value = least - 1
+    if not least <= value <= most:
+        from .errors import ArgumentError
+
+        raise ArgumentError(f"expected an integer from {least} to {most}, not {x!r}", place=name)
+    return value
+
+
 class Surface:
     """A closed hyperbolic surface, exactly: convex polygons (tiles) in the Poincaré disk, glued side to side by isometries. Immutable.
 
@@ -110,7 +124,7 @@ class Surface:
         """
         if half is not None:
             return cls._of(_epsnet.Surface.symmetric([_corner(z) for z in half]))
-        return cls._of(_epsnet.Surface.octagon(seed))
+        return cls._of(_epsnet.Surface.octagon(as_index(seed, "seed", -(2**31), 2**31 - 1)))
 
     @classmethod
     def regular(cls, genus: int) -> "Surface":
@@ -120,7 +134,7 @@ class Surface:
         >>> epsnet.Surface.regular(2)
         <Surface of genus 2: the regular 8-gon>
         """
-        return cls._of(_epsnet.Surface.regular(genus))
+        return cls._of(_epsnet.Surface.regular(as_index(genus, "genus")))
 
     @classmethod
     def fenchel_nielsen(
@@ -150,6 +164,8 @@ class Surface:
             graph = "random"
         if not isinstance(graph, str):
             graph = " ".join("-".join(str(int(node)) for node in edge) for edge in graph)
+        genus = None if genus is None else as_index(genus, "genus")
+        seed = None if seed is None else as_index(seed, "seed", 0, 2**64 - 1)
         coordinates = _epsnet.Coordinates(graph, genus, seed, _texts(lengths, "lengths"), _texts(twists, "twists"))
         return cls._of(_epsnet.Surface.fenchel_nielsen(coordinates))
 
@@ -206,7 +222,7 @@ class Surface:
 
     def partner(self, side: int) -> int:
         """The number of the side that a side is glued to."""
-        return self._core.partner(side)
+        return self._core.partner(as_index(side, "side", 0, self._core.side_count - 1))
 
     def reduced(self, word: Iterable[int]) -> tuple[int, ...]:
         """A path without sides that are crossed back at once."""
@@ -225,11 +241,11 @@ class Surface:
         >>> epsnet.Surface.octagon(1).point(0, 0.1, "-1/3")
         Point(0, 1/10, -1/3)
         """
-        return Point(int(tile), as_fraction(x, "x"), as_fraction(y, "y"))
+        return Point(as_index(tile, "tile"), as_fraction(x, "x"), as_fraction(y, "y"))
 
     def centre(self, tile: int = 0) -> Point:
         """A point strictly inside of a tile with few digits."""
-        number, (x, y) = self._core.centre_of_tile(tile)
+        number, (x, y) = self._core.centre_of_tile(as_index(tile, "tile"))
         return Point(number, x, y)
 
     def _base(self, p: PointLike) -> tuple[int, tuple[Fraction, Fraction]]:

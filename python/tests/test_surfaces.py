@@ -93,6 +93,31 @@ def test_points(octagon):
     assert caught.value.place == "x"
 
 
+@pytest.mark.parametrize(
+    "make, place",
+    [
+        (lambda s: Surface.octagon(2**31), "seed"),
+        (lambda s: Surface.octagon("one"), "seed"),
+        (lambda s: Surface.regular(-2), "genus"),
+        (lambda s: Surface.regular(2.5), "genus"),
+        (lambda s: Surface.fenchel_nielsen(genus=2, seed=-1), "seed"),
+        (lambda s: s.point(-1, 0, 0), "tile"),
+        (lambda s: s.centre(-1), "tile"),
+        (lambda s: s.partner(8), "side"),
+        (lambda s: s.net(1, threads=-1), "threads"),
+        (lambda s: s.systole(threads=5000), "threads"),
+        (lambda s: s.net(1).svg(size=10**9), "size"),
+        (lambda s: s.net(1).lifts(-1), "centre"),
+        (lambda s: s.net(1).point(-1), "vertex"),
+        (lambda s: s.element([0]).enclosure(-5), "bits"),
+    ],
+)
+def test_integers_that_cannot_be_meant(octagon, make, place):
+    with pytest.raises(epsnet.ArgumentError, match="expected an integer from") as caught:
+        make(octagon)
+    assert caught.value.place == place
+
+
 def test_errors_are_one_family():
     kinds = [getattr(epsnet, name) for name in epsnet.errors.__all__]
     assert all(issubclass(kind, epsnet.EpsnetError) for kind in kinds)
