@@ -10,6 +10,7 @@ if TYPE_CHECKING:
 __all__ = ["ArgumentError", "EpsnetError", "FileError", "FormatError", "LimitError", "NetError", "NotVerifiedError", "SurfaceError"]
 
 _FILE = re.compile(r'("(?:[^"\\]|\\.)*"|standard input|[^:"]+(?=:\d+: )): ?', re.S)
+_PATH = re.compile(r"(.+?): ", re.S)  # As files that cannot be written are called.
 _PLACE = re.compile(r"([A-Za-z_ ]+(?:\[\d+\])?): ", re.S)
 _LINE = re.compile(r"(\d+): ")
 
@@ -39,7 +40,7 @@ class EpsnetError(Exception):
         self.file = None
         self.place = place
         self.reason = message
-        found = _FILE.match(message)
+        found = _FILE.match(message) or (_PATH.match(message) if isinstance(self, FileError) else None)
         if place is not None or not found:
             return
         self.file = found.group(1).strip('"')

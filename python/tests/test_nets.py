@@ -126,6 +126,9 @@ def test_files_that_are_not_there(tmp_path, net):
         epsnet.certify(tmp_path)
     with pytest.raises(epsnet.FileError):
         net.save(tmp_path / "no folder" / "net.json")
+    with pytest.raises(epsnet.FileError) as caught:
+        net.export("off", tmp_path / "no folder" / "net.off")
+    assert caught.value.file == str(tmp_path / "no folder" / "net.off") and caught.value.reason
     with pytest.raises(epsnet.FormatError, match="expected a net file, not Surface"):
         net.surface.save(tmp_path / "s.json")
         Net.load(tmp_path / "s.json")
