@@ -20,8 +20,6 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR}/certify ${CMAKE_BINARY_DIR}/netgen)
-set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
-set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
 set(about "An epsilon-net is a finite set of points such that every point of the
 surface is within epsilon of one of them and no two are closer than epsilon.
 Every net is proved by an independent checker in ball arithmetic.")
@@ -34,7 +32,12 @@ set(CPACK_COMPONENT_PROGRAMS_DESCRIPTION "${about}")
 set(CPACK_DEBIAN_LIBRARIES_PACKAGE_NAME libepsnet${abi})
 set(CPACK_DEBIAN_LIBRARIES_PACKAGE_SECTION libs)
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/debian/triggers "activate-noawait ldconfig\n")
-set(CPACK_DEBIAN_LIBRARIES_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_BINARY_DIR}/debian/triggers)
+# Not CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS: it warns of the Python module, which has no SONAME.
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/debian/shlibs "")
+foreach(library libepsnet libepsnet_certify)
+  file(APPEND ${CMAKE_CURRENT_BINARY_DIR}/debian/shlibs "${library} ${abi} libepsnet${abi} (>= ${version})\n")
+endforeach()
+set(CPACK_DEBIAN_LIBRARIES_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_BINARY_DIR}/debian/triggers ${CMAKE_CURRENT_BINARY_DIR}/debian/shlibs)
 set(CPACK_COMPONENT_LIBRARIES_DESCRIPTION "${about}\n.\nThese are the shared libraries.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libepsnet-dev)
