@@ -383,8 +383,8 @@ class Surface:
 
         >>> import epsnet
         >>> diameter = epsnet.Surface.regular(2).diameter("1e-9")
-        >>> diameter
-        <Diameter [2.448452447678071, 2.4484524476780813]>
+        >>> diameter.proved, diameter.width <= 1e-9, round(diameter.mid, 8)
+        (True, True, 2.44845245)
         """
         from .distances import diameter
 
