@@ -42,7 +42,7 @@ struct DistanceTable {
   return static_cast<double>(rows) * static_cast<double>(columns) * sizeof(certify::Interval);
 }
 
-/// The distances between vertices of a net, each within about 10⁻¹⁴, whatever it is.
+/// The distances between vertices of a net, each within about 10⁻¹³, however large it is.
 ///
 /// The intervals hold if the triangles of the net triangulate its surface, which certify::check proves (its rules
 /// surface, map, gluing and orientation); that the net is Delaunay, or an ε-net, does not matter. They have no

@@ -161,7 +161,7 @@ void add_distances_command(CLI::App& app, Job& chosen) {
   add_json(*command, request.json);
   add_threads(*command, request.threads);
   command->footer(
-      "The report says how far the numbers may be from the distances, some 1e-14. That bound is proved on paper\n"
+      "The report says how far the numbers may be from the distances, some 1e-13. That bound is proved on paper\n"
       "(docs/distances.md); a certificate for one pair comes from 'epsnet distance'. It takes one search of the net "
       "for\n"
       "each vertex of --from.\n\n"
