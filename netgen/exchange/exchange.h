@@ -4,6 +4,7 @@
 #include <iosfwd>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "certify/document/document.h"
 #include "netgen/base/length.h"
@@ -84,6 +85,16 @@ void write_vtu(const certify::NetDocument& net, std::ostream& out);
 /// once, placed where a lift of it is drawn; what counts are the coordinates that each element has of its own, the data
 /// `corners` (NetGeometry::centred_corners, as three points). Throws NetGeometryError.
 void write_gmsh(const certify::NetDocument& net, std::ostream& out);
+
+/// A number for each vertex of a net.
+struct VertexData {
+  std::string name;            ///< Letters, digits, spaces.
+  std::vector<double> values;  ///< By vertex.
+};
+
+/// The same as write_vtu with one more array of numbers at points. Throws NetGeometryError, std::invalid_argument
+/// unless there are as many numbers as vertices.
+void write_vtu_with(const VertexData& data, const certify::NetDocument& net, std::ostream& out);
 
 /// Tab-separated lines "u v length": the edges of the surface with their hyperbolic lengths, in the order of their
 /// first darts. Loops and parallel edges are there, too. Throws NetGeometryError.

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -127,7 +128,9 @@ void write_off(const certify::NetDocument& net, std::ostream& out) {
   for (const auto& triangle : drawn.triangles) out << "3 " << joined(triangle, " ") << '\n';
 }
 
-void write_vtu(const certify::NetDocument& net, std::ostream& out) {
+namespace {
+
+void write_vtu_of(const certify::NetDocument& net, const VertexData* data, std::ostream& out) {
   const NetGeometry geometry(net);
   const Mesh drawn = mesh(geometry, lift_triangles(geometry, DrawOrder::weight));
   const auto array = [&](const char* type, const std::string& attributes, std::size_t count, const auto& text) {
@@ -141,6 +144,10 @@ void write_vtu(const certify::NetDocument& net, std::ostream& out) {
       << drawn.points.size() << "\" NumberOfCells=\"" << n << "\">\n<PointData Scalars=\"vertex\">\n";
   array("Int64", "Name=\"vertex\"", drawn.points.size(),
         [&](std::uint32_t i) { return std::to_string(drawn.points[i].vertex); });
+  if (data != nullptr) {
+    array("Float64", "Name=\"" + data->name + "\"", drawn.points.size(),
+          [&](std::uint32_t i) { return shortest(data->values[drawn.points[i].vertex]); });
+  }
   out << "</PointData>\n<CellData Scalars=\"circumradius\">\n";
   array("Float64", "Name=\"circumradius\"", n, [&](std::uint32_t t) { return circumradius_text(geometry, t); });
   array("Int64", "Name=\"triangle\"", n, [](std::uint32_t t) { return std::to_string(t); });
@@ -156,6 +163,18 @@ void write_vtu(const certify::NetDocument& net, std::ostream& out) {
   array("Int64", "Name=\"offsets\"", n, [](std::uint32_t t) { return std::to_string(3 * (std::uint64_t{t} + 1)); });
   array("UInt8", "Name=\"types\"", n, [](std::uint32_t) { return std::string("5"); });
   out << "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+}
+
+}  // namespace
+
+void write_vtu(const certify::NetDocument& net, std::ostream& out) { write_vtu_of(net, nullptr, out); }
+
+void write_vtu_with(const VertexData& data, const certify::NetDocument& net, std::ostream& out) {
+  if (data.values.size() != net.vertices.size()) {
+    throw std::invalid_argument(std::to_string(data.values.size()) + " numbers for " +
+                                std::to_string(net.vertices.size()) + " vertices");
+  }
+  write_vtu_of(net, &data, out);
 }
 
 void write_gmsh(const certify::NetDocument& net, std::ostream& out) {

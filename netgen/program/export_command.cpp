@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "netgen/distances/vertex_distances.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/program/commands.h"
@@ -19,6 +20,7 @@ struct ExportRequest {
   std::string file;
   ExportFormat format = ExportFormat::triangulation;
   std::string output;
+  std::string distance_from;
 };
 
 /// What can be exported of what a file holds.
@@ -74,13 +76,34 @@ std::function<void(const certify::NetDocument&, std::ostream&)> mesh_writer(Expo
   }
 }
 
+/// The distances from a vertex of a net to all.
+VertexData distances_to_vertices(const ExportRequest& request, const certify::NetDocument& net) {
+  const auto vertex = number_after('v', request.distance_from);
+  if (!vertex) {
+    throw UsageError("--distance-from: expected v and the number of a vertex, as in v17, not \"" +
+                     request.distance_from.substr(0, 80) + "\"");
+  }
+  const DistanceTable table = distances_from(net, {*vertex});
+  VertexData data{"distance", {}};
+  for (std::size_t v = 0; v < net.vertices.size(); ++v) data.values.push_back(table.distance(0, v));
+  return data;
+}
+
 void export_file(const ExportRequest& request) {
+  if (!request.distance_from.empty() && request.format != ExportFormat::vtu) {
+    throw UsageError("--distance-from is for --format vtu");
+  }
   check_files({{"FILE", request.file}}, {{"--output", request.output, file_type(request.format)}});
   const Exportable contents = exportable(read_any_input(request.file), request.file);
   try {
     if (const auto write = mesh_writer(request.format)) {
       const auto* net = std::get_if<certify::NetDocument>(&contents);
       if (net == nullptr) throw JobError(request.file + ": a surface has no triangulation; this format takes a net");
+      if (!request.distance_from.empty()) {
+        const VertexData distances = distances_to_vertices(request, *net);
+        write_output(request.output, [&](std::ostream& out) { write_vtu_with(distances, *net, out); });
+        return;
+      }
       write_output(request.output, [&](std::ostream& out) { write(*net, out); });
       return;
     }
@@ -123,11 +146,15 @@ void add_export_command(CLI::App& app, Job& chosen) {
                                         {"json", ExportFormat::json}}))
       ->option_text("domain|triangulation|off|vtu|gmsh|edges|json REQUIRED");
   add_output(*command, request.output, "the text to write");
+  command
+      ->add_option("--distance-from", request.distance_from,
+                   "vtu: also the distance of every vertex from this one, as the array distance at points")
+      ->option_text("vN");
   command->footer(
       "Example:\n"
       "  epsnet export s.json --format domain -o polygon.txt\n"
       "  epsnet export net.json --format triangulation -o triangulation.txt\n"
-      "  epsnet export net.json --format vtu -o net.vtu");
+      "  epsnet export net.json --format vtu --distance-from v0 -o net.vtu");
   command->callback([&chosen, shared] { chosen = [shared] { export_file(*shared); }; });
 }
 

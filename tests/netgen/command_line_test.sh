@@ -16,6 +16,8 @@ good net s.json --epsilon 0.5 --points points.txt -o given.json
 verified given.json
 good locate given.json --points points.txt v7 t3:1,2,3
 [ "$(grep -c 'at corner . nearest corner v[01] at 0$\|at corner ., nearest corner v[01] at 0$' output)" = 2 ] || complain "given points are vertices: $(cat output)"
+good export net.json --format vtu --distance-from v3 -o field.vtu
+grep -q 'Name="distance"' field.vtu || complain "no distances in VTU"
 good distances net.json -o d.npy --threads 3
 good distances net.json -o again.npy --threads 1
 same d.npy again.npy
@@ -191,6 +193,9 @@ bad 64 'JSON; .png is for a PNG picture' surface octagon --seed 1 -o out/x.png
 bad 64 'JSON; .svg is for an SVG picture' net s.json --epsilon 0.5 -o out/x.svg
 bad 64 'JSON; .html is for an HTML page' systole s.json -o out/x.html
 bad 64 'HTML page, so the name must end in .html' view net.json -o out/x.svg
+bad 64 '^epsnet: --distance-from is for --format vtu' export net.json --format off --distance-from v0 -o out/x.off
+bad 64 '^epsnet: --distance-from: expected v and' export net.json --format vtu --distance-from 0 -o out/x.vtu
+bad 1 'vertex 99 does not exist, the net has 34' export net.json --format vtu --distance-from v99 -o out/x.vtu
 bad 64 'VTU, so the name must end in .vtu; .off is for OFF' export net.json --format vtu -o out/x.off
 bad 64 'OFF, so the name must end in .off; .vtu is for VTU' export net.json --format off -o out/x.vtu
 bad 64 'plain text; .vtu is for VTU' export net.json --format edges -o out/x.vtu

@@ -117,6 +117,14 @@ TEST(MeshExport, EdgesAgreeWithTheCertificate) {
   EXPECT_NEAR(longest, certificate.enclosures->longest_edge.upper, 1e-12);
 }
 
+TEST(MeshExport, VtuWithNumbersOfVerticesHasTheirArray) {
+  const certify::NetDocument net = compute_net(random_octagon(1), Length("0.9")).net;
+  std::ostringstream out;
+  write_vtu_with({"distance", std::vector<double>(net.vertices.size(), 0.375)}, net, out);
+  EXPECT_THAT(out.str(), ::testing::HasSubstr("Name=\"distance\" format=\"ascii\">\n0.375\n0.375\n"));
+  EXPECT_THROW(write_vtu_with({"distance", {1}}, net, out), std::invalid_argument);
+}
+
 TEST(MeshExport, VtuCountsWhatIsThere) {
   const certify::NetDocument net = net_of("0.3");
   const std::string vtu = text(write_vtu, net);
