@@ -10,6 +10,7 @@
 #include "certify/document/darts.h"
 #include "certify/file/reader.h"
 #include "certify/surface_check.h"
+#include "tests/certify/far_words.h"
 
 /// Rule `collars` alone, on documents that the rules before it may refuse: so each clause stands on its own.
 namespace epsnet::certify {
@@ -150,6 +151,25 @@ TEST(CollarCheck, TheLengthLiesBetweenTheEndsThatTheFileSays) {
   }
 }
 
+TEST(CollarCheck, ItsTrianglesAreThoseThatItNames) {
+  // Any other triangle of the net, which has not those corners, though the one before or after it may.
+  const NetDocument good = two_collars();
+  for (std::uint32_t t = 0; t < good.triangles.size(); ++t) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      NetDocument document = good;
+      const auto& others = (*good.collars)[1].triangles;
+      if (t == (*good.collars)[0].triangles[i] || t == others[0] || t == others[1]) continue;
+      (*document.collars)[0].triangles[i] = t;
+      const bool both = t == (*good.collars)[0].triangles[1 - i];
+      EXPECT_NE(text(document).find(both     ? "is named twice"
+                                    : i == 0 ? "has not two corners at the first vertex"
+                                             : "has not two corners at the second"),
+                std::string::npos)
+          << t << ": " << text(document);
+    }
+  }
+}
+
 /// The same net with every vertex in a chart of its own, centred there.
 NetDocument recharted(NetDocument document) {
   const std::vector<NetDocument::Label> old_labels = document.labels;
@@ -210,6 +230,69 @@ TEST(CollarCheck, AVertexIsThickUntilItsLoopIsShorterThanEpsilon) {
       EXPECT_EQ(text(document).find(thin), std::string::npos) << text(document);
       document.epsilon = decimal(length * (1 + 1e-9));
       EXPECT_NE(text(document).find(thin), std::string::npos) << text(document);
+    }
+  }
+}
+
+TEST(CollarCheck, AVertexThat64BitsDoNotTellFromTheThinPartIsUndecided) {
+  // ε is the length of a vertex's loop to 30 digits, rounded down and up.
+  for (std::size_t c = 0; c < 2; ++c) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      NetDocument document = with_vertex_moved(c, i, true);
+      const Setting setting(document);
+      const std::uint32_t dart = loop(document, (*document.collars)[0].triangles[i]);
+      const BallIsometry moves =
+          compose(inverse(label(setting, document, dart)), label(setting, document, next_dart(dart)), 256);
+      Ball length, unit;
+      half_displacement_squared(length.get(), moves, 256);
+      arb_sqrt(length.get(), length.get(), 256);
+      arb_asinh(length.get(), length.get(), 256);
+      arb_mul_2exp_si(length.get(), length.get(), 1);
+      mpz_class digits;
+      mpz_ui_pow_ui(digits.get_mpz_t(), 10, 30);
+      set_integer(unit.get(), digits, 256);
+      arb_mul(length.get(), length.get(), unit.get(), 256);
+      arb_floor(length.get(), length.get(), 256);
+      fmpz_t floor;
+      fmpz_init(floor);
+      ASSERT_NE(arb_get_unique_fmpz(floor, length.get()), 0);
+      mpz_class whole;
+      fmpz_get_mpz(whole.get_mpz_t(), floor);
+      fmpz_clear(floor);
+      for (const int more : {0, 1}) {
+        document.epsilon = mpz_class(whole + more).get_str() + "/" + digits.get_str();
+        EXPECT_EQ(report(document, 64).verdict, Verdict::undecided) << text(document);
+        const bool thin = text(document).find("vertex " + std::to_string((*document.collars)[0].vertices[i]) +
+                                              " is in the epsilon-thin part") != std::string::npos;
+        EXPECT_EQ(thin, more == 1) << text(document);
+      }
+    }
+  }
+}
+
+TEST(CollarCheck, ACoreThat64BitsDoNotTellIsUndecided) {
+  for (std::size_t c = 0; c < 2; ++c) {
+    NetDocument document = two_collars();
+    document.collars = {{(*document.collars)[c]}};
+    NetDocument::Collar& collar = (*document.collars)[0];
+    collar.core = with_far_relator(document.surface, document.charts[document.vertices[collar.vertices[0]].chart].tile,
+                                   collar.core);
+    EXPECT_EQ(report(document, 64).verdict, Verdict::undecided);
+    EXPECT_EQ(report(document).verdict, Verdict::verified) << text(document);
+  }
+}
+
+TEST(CollarCheck, TheCoreIsGoneAroundOnce) {
+  for (const NetDocument& good : {two_collars(), recharted(two_collars())}) {
+    for (std::size_t c = 0; c < 2; ++c) {
+      const std::vector<std::uint32_t> core = (*good.collars)[c].core;
+      NetDocument document = good;
+      std::vector<std::uint32_t>& word = (*document.collars)[c].core;
+      word.insert(word.end(), core.begin(), core.end());
+      EXPECT_NE(text(document).find("collar " + std::to_string(c)), std::string::npos) << text(document);
+      word.clear();
+      EXPECT_NE(text(document).find("collar " + std::to_string(c)), std::string::npos) << text(document);
+      EXPECT_EQ(report(document).verdict, Verdict::refuted);
     }
   }
 }

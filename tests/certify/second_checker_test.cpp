@@ -180,10 +180,10 @@ std::string outcome(const Result& result) {
   return kNames[static_cast<std::size_t>(result.verdict)] + (result.rule.empty() ? "" : ": " + result.rule);
 }
 
-/// The triangle or edge that a message names first, of rules whose messages begin with it.
+/// The triangle, edge or dart that a message names first, of rules whose messages begin with it.
 std::string place(const std::string& message) {
   std::smatch found;
-  return std::regex_search(message, found, std::regex("^(triangle|the edge of dart) [0-9]+")) ? found.str() : "";
+  return std::regex_search(message, found, std::regex("^(triangle|the edge of dart|dart) [0-9]+")) ? found.str() : "";
 }
 
 /// That both checkers say so, and name the same triangle or edge, the first one in the file. For the first checker a
@@ -195,7 +195,7 @@ void expect_of_both(const NetDocument& document, const std::string& expected) {
   EXPECT_EQ(std::string(name(first.verdict)) + (first.verdict == certify::Verdict::refuted ? ": " + first.rule : ""),
             expected)
       << first.message;
-  EXPECT_EQ(place(second.message), place(first.message));
+  if (second.verdict == Verdict::refuted) EXPECT_EQ(place(second.message), place(first.message));
 }
 
 NetDocument load(const std::string& name) { return certify::read_net(std::string(EPSNET_TEST_DATA) + "/" + name); }
@@ -470,11 +470,18 @@ TEST(BothCheckers, TilesMayBeConnectedByOneSideAlone) {
   }
 }
 
-/// What is said of a tile with opposite sides glued, which are not of equal length: what is asked before that.
-std::string message_about(const SurfaceDocument::Tile& tile) {
-  const Result result = surface_alone(with_opposite_sides_glued(tile));
+/// What the first checker says of a surface that has no net.
+std::string message_of_first(const SurfaceDocument& surface) {
+  return certify::check({.surface = surface, .epsilon = "1"}, {.threads = 1}).message;
+}
+
+/// That both checkers say so of a tile with opposite sides glued, which are not of equal length: it is asked before.
+void expect_messages(const SurfaceDocument::Tile& tile, const std::string& first, const std::string& second) {
+  const SurfaceDocument surface = with_opposite_sides_glued(tile);
+  const Result result = surface_alone(surface);
   EXPECT_EQ(result.rule, "surface");
-  return result.message;
+  EXPECT_NE(result.message.find(second), std::string::npos) << result.message;
+  EXPECT_NE(message_of_first(surface).find(first), std::string::npos) << message_of_first(surface);
 }
 
 TEST(BothCheckers, EveryVertexOfATileIsInTheDisk) {
@@ -483,7 +490,8 @@ TEST(BothCheckers, EveryVertexOfATileIsInTheDisk) {
       SurfaceDocument::Tile tile = octagon_on_axes();
       const bool upright = abs(tile[k].y) > abs(tile[k].x);
       tile[k] = {sgn(tile[k].x) * size * (upright ? 3 : 4) / 5, sgn(tile[k].y) * size * (upright ? 4 : 3) / 5};
-      EXPECT_NE(message_about(tile).find("outside of the disk"), std::string::npos) << k;
+      expect_messages(tile, "vertex " + std::to_string(k) + " of tile 0 is not inside the unit disk",
+                      "outside of the disk");
     }
   }
 }
@@ -506,8 +514,8 @@ TEST(BothCheckers, TilesAreStrictlyConvexAtEveryCorner) {
   SurfaceDocument::Tile dented = flat;
   dented[0].y = mpq_class(1, 100);
   for (std::size_t k = 0; k < flat.size(); ++k) {
-    EXPECT_NE(message_about(rotated(flat, k)).find("strictly convex"), std::string::npos) << k;
-    EXPECT_NE(message_about(rotated(dented, k)).find("strictly convex"), std::string::npos) << k;
+    expect_messages(rotated(flat, k), "strictly convex", "strictly convex");
+    expect_messages(rotated(dented, k), "strictly convex", "strictly convex");
   }
 }
 
@@ -515,24 +523,27 @@ TEST(BothCheckers, TilesThatWindTwiceAreNotConvex) {
   // Left turns everywhere. Around vertex 0 in order, but through more than a full turn:
   SurfaceDocument::Tile tile{{0, 0}};
   for (int k = 0; k < 5; ++k) tile.push_back(polar(0.5, 100.0 * k));
-  EXPECT_NE(message_about(tile).find("strictly convex"), std::string::npos);
+  expect_messages(tile, "strictly convex", "strictly convex");
   // On the left of its first side, with a loop inside: not in order around vertex 0.
   tile.clear();
   for (int k = 0; k < 16; ++k) {
     const double angle = 22.5 * k + 11.25 - 22.5;
     tile.push_back(polar(0.1 * (1 + 2 * std::cos(angle * M_PI / 180)), angle));
   }
-  EXPECT_NE(message_about(tile).find("strictly convex"), std::string::npos);
+  expect_messages(tile, "strictly convex", "strictly convex");
 }
 
 TEST(BothCheckers, GluedSidesHaveEqualLengths) {
-  // Longer ones glued to shorter ones and shorter ones to longer ones.
-  for (const std::uint32_t first : {0U, 1U}) {
+  // Sides of even numbers have one length, those of odd numbers another one. In each of the two ways to glue them to
+  // a surface of genus 2 the sides that are glued to one of the other kind come before it.
+  using Pairs = std::array<std::array<std::uint32_t, 2>, 4>;
+  for (const Pairs& pairs : {Pairs{{{0, 3}, {1, 5}, {2, 7}, {4, 6}}}, Pairs{{{0, 2}, {1, 4}, {3, 6}, {5, 7}}}}) {
     SurfaceDocument surface{.tiles = {octagon_on_axes()}, .gluing = {}};
-    for (std::uint32_t k = first; k < 8 + first; k += 2) surface.gluing.push_back({0, k % 8, 0, (k + 1) % 8});
+    for (const auto& [k, j] : pairs) surface.gluing.push_back({0, k, 0, j});
     const Result result = surface_alone(surface);
     EXPECT_EQ(outcome(result), "REFUTED: surface");
     EXPECT_NE(result.message.find("not of equal length"), std::string::npos) << result.message;
+    EXPECT_NE(message_of_first(surface).find("not of equal length"), std::string::npos);
   }
 }
 
@@ -606,12 +617,11 @@ TEST(BothCheckers, NameTheFirstEdgeThatALabelDoesNotFit) {
   }
 }
 
-TEST(SecondChecker, NamesTheFirstDartThatIsNotTheOppositeOfItsOpposite) {
+TEST(BothCheckers, NameTheFirstDartThatIsNotTheOppositeOfItsOpposite) {
   const NetDocument good = load("certify/verified/octagon-9-vertices.json");
   const auto message = [](const NetDocument& document) {
-    const Result result = check(text_of(document));
-    EXPECT_EQ(outcome(result), "REFUTED: map");
-    return result.message;
+    expect_of_both(document, "REFUTED: map");
+    return check(text_of(document)).message;
   };
   const auto named = [](std::uint32_t dart, std::uint32_t other) {
     return "dart " + std::to_string(dart) + " and dart " + std::to_string(other) + " are not opposite to each other";
