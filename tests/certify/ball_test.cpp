@@ -43,6 +43,26 @@ bool contains(const Ball& x, const mpq_class& value) {
 
 // Each trap of Arb that a checker can fall into, and that our functions do not.
 
+TEST(Ball, CopiesAreWhatIsCopied) {
+  for (const double value : {-2.5, 0.0, 3.0}) {
+    Ball original;
+    arb_set_d(original.get(), value);
+    Ball assigned, moved_to;
+    assigned = original;
+    const Ball copied = original;
+    moved_to = Ball(original);
+    for (const Ball& other : {assigned, copied, moved_to})
+      EXPECT_NE(arb_equal(other.get(), original.get()), 0) << value;
+    ComplexBall complex;
+    arb_set_d(complex.re(), value);
+    arb_set_d(complex.im(), -value);
+    ComplexBall other;
+    other = complex;
+    EXPECT_NE(acb_equal(other.get(), complex.get()), 0);
+    EXPECT_NE(acb_equal(ComplexBall(complex).get(), complex.get()), 0);
+  }
+}
+
 TEST(BallTraps, ComparingNanIsUnknown) {
   const Ball x = nan_ball();
   const Ball y = ball(0.5, 20);
