@@ -135,6 +135,36 @@ TEST(RegularNumber, TurnsAreProductsOfCrossings) {
   }
 }
 
+TEST(RegularNumber, PowersOfManyRootsAreMultipliedFromTwoTables) {
+  // More than 128 roots of unity, and counts beyond all of them.
+  const std::uint32_t genus = 33;
+  const RegularRing ring(genus);
+  for (const Turn turn : {Turn::counterclockwise, Turn::clockwise}) {
+    const std::uint32_t step = turn == Turn::counterclockwise ? 2 * genus + 1 : 2 * genus - 1;
+    for (const std::uint32_t count : {1U, 62U, 63U, 64U, 65U, 127U, 128U, 131U, 132U, 133U, 200U}) {
+      const Isometry<RegularNumber> before = regular_turn(ring, 5, count, turn);
+      const Isometry<RegularNumber> after = regular_turn(ring, 5, count + 1, turn);
+      const Isometry<RegularNumber> product = compose(crossing(ring, (5 + count * step) % (4 * genus)), before);
+      EXPECT_TRUE(is_zero(after.a - product.a)) << count;
+      EXPECT_TRUE(is_zero(after.b - product.b)) << count;
+      EXPECT_FALSE(is_zero(after.b - before.b)) << count;
+    }
+  }
+}
+
+TEST(RegularNumber, MultiplesAreSums) {
+  for (const std::uint32_t genus : {2U, 5U}) {
+    const RegularRing ring(genus);
+    const RegularNumber x = regular_s(ring) + integer(ring, 1);
+    EXPECT_EQ(sign(mpz_class(0) * x), 0);
+    EXPECT_EQ(sign(mpz_class(1) * x - x), 0);
+    EXPECT_EQ(sign(mpz_class(2) * x - (x + x)), 0);
+    EXPECT_EQ(sign(mpz_class(2) * x - x), 1);
+    EXPECT_EQ(sign(mpz_class(-1) * x + x), 0);
+    EXPECT_EQ(sign(mpz_class(-1) * x), -1);
+  }
+}
+
 /// The crossing of a side in the embedding ζ ↦ ζ^k.
 std::array<std::complex<double>, 4> embedded_crossing(std::uint32_t genus, std::uint32_t k, std::uint32_t side) {
   const double angle = M_PI * k / (2 * genus);
