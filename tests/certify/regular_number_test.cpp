@@ -245,6 +245,31 @@ ComplexBall polygon_vertex(std::uint32_t genus, std::uint32_t k) {
   return vertex;
 }
 
+TEST(RegularCrossings, EveryShortWordIsTheProductOfItsLetters) {
+  for (const std::uint32_t genus : {2U, 3U}) {
+    const RegularCrossings crossings(genus);
+    const auto expect_equal = [](const Isometry<RegularNumber>& f, const Isometry<RegularNumber>& g) {
+      // Real multiples are the same: f.a g.b = f.b g.a and f.a conj(g.a) real, and the like for b.
+      EXPECT_TRUE(is_zero(f.a * g.b - f.b * g.a));
+      EXPECT_EQ(sign(twice_imaginary(f.a * conjugate(g.a))), 0);
+      EXPECT_EQ(sign(twice_imaginary(f.b * conjugate(g.b))), 0);
+    };
+    const Isometry<RegularNumber> nothing = crossings.exact({});
+    EXPECT_TRUE(is_zero(nothing.b));
+    EXPECT_EQ(sign(twice_imaginary(nothing.a)), 0);
+    EXPECT_EQ(sign(norm(nothing.a)), 1);
+    for (std::uint32_t j = 0; j < 4 * genus; ++j) {
+      for (std::uint32_t k = 0; k < 4 * genus; ++k) {
+        if (j == 2 * genus || k == (j + 2 * genus) % (4 * genus)) continue;
+        SCOPED_TRACE(std::to_string(genus) + ": " + std::to_string(j) + ", " + std::to_string(k));
+        const std::array<std::uint32_t, 3> word{0, j, k};
+        const auto letter = [&](std::size_t i) { return crossings.exact(std::array{word[i]}); };
+        expect_equal(crossings.exact(word), compose(letter(2), compose(letter(1), letter(0))));
+      }
+    }
+  }
+}
+
 TEST(RegularCrossings, SidesGoToTheirPartnersReversed) {
   for (const std::uint32_t genus : {2U, 3U, 10U}) {
     const RegularCrossings crossings(genus);
