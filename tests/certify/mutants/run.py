@@ -118,6 +118,9 @@ class Runner:
 def run(folder, runner, wanted, reach, options):
     """Those that survive."""
     killers = collections.defaultdict(list)  # By function: the tests that killed there last.
+    kills = collections.Counter()  # By file and test.
+    for m in folder.mutants:
+        kills[m["file"], folder.results.get(key_of(m), {}).get("test")] += 1
     pending = collections.deque(wanted)
     survivors, done = [], [0]
 
@@ -131,6 +134,8 @@ def run(folder, runner, wanted, reach, options):
                 recent = killers[m["file"], m["function"]][-4:]
             tests = [t for t in reach.get(m["id"], []) if re.search(options.tests, t[2])]
             first = [t for t in tests if t[2] in recent]
+            first += sorted((t for t in tests if t not in first and kills[m["file"], t[2]] > 0),
+                            key=lambda t: t[0] / kills[m["file"], t[2]])
             order, spent = [], 0
             for t in first + [t for t in tests if t not in first]:
                 if spent + t[0] > 1000 * options.seconds:
@@ -147,6 +152,7 @@ def run(folder, runner, wanted, reach, options):
                 if answer[1] == "survived":
                     survivors.append(m)
                 else:
+                    kills[m["file"], answer[2]] += 1
                     recent = killers[m["file"], m["function"]]
                     if answer[2] in recent:
                         recent.remove(answer[2])
