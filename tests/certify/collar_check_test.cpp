@@ -7,6 +7,7 @@
 #include <string>
 
 #include "certify/check.h"
+#include "certify/collar_members.h"
 #include "certify/document/darts.h"
 #include "certify/file/reader.h"
 #include "certify/surface_check.h"
@@ -70,6 +71,60 @@ std::string decimal(double x) {
 
 TEST(CollarCheck, TheTrueOnesAreVerified) {
   EXPECT_EQ(report(two_collars()).verdict, Verdict::verified) << text(two_collars());
+}
+
+TEST(CollarMembers, AreThoseThatTheFileNames) {
+  NetDocument document = two_collars();
+  const std::vector<NetDocument::Collar> collars = *document.collars;
+  for (const std::size_t count : {2U, 1U, 0U}) {
+    document.collars->resize(count);
+    const CollarMembers members(document);
+    EXPECT_TRUE(members.pseudo());
+    for (std::uint32_t t = 0; t < document.triangles.size(); ++t) {
+      bool named = false;
+      for (std::size_t c = 0; c < count; ++c)
+        named = named || t == collars[c].triangles[0] || t == collars[c].triangles[1];
+      EXPECT_EQ(members.has_triangle(t), named) << t;
+    }
+    for (std::uint32_t u = 0; u < document.vertices.size(); ++u) {
+      bool named = false;
+      for (std::uint32_t v = 0; v < document.vertices.size(); ++v) {
+        bool partners = false;
+        for (std::size_t c = 0; c < count; ++c) {
+          partners = partners || collars[c].vertices == std::array{u, v} || collars[c].vertices == std::array{v, u};
+        }
+        EXPECT_EQ(members.are_partners(u, v), partners) << u << ' ' << v;
+        named = named || partners;
+      }
+      EXPECT_EQ(members.has_vertex(u), named) << u;
+    }
+  }
+  document.collars.reset();
+  EXPECT_FALSE(CollarMembers(document).pseudo());
+}
+
+TEST(CollarMembers, AreExemptFromPackingAndCoveringAlone) {
+  const NetDocument good = two_collars();
+  EXPECT_EQ(check(good, {.threads = 1}).verdict, Verdict::verified);
+  // Without the collars the edges between their vertices are too short, and their triangles too large.
+  NetDocument document = good;
+  document.collars->clear();
+  std::map<std::string, Verdict> verdicts;
+  for (const RuleReport& rule : check(document, {.threads = 1}).rules) verdicts[rule.rule] = rule.verdict;
+  EXPECT_EQ(verdicts.at("collars"), Verdict::verified);
+  EXPECT_EQ(verdicts.at("covering"), Verdict::refuted);
+  // A vertex of a collar moved over the core: its loops are shorter than ε, and it is in no collar now.
+  document.epsilon = "0.3";
+  NetDocument::Vertex& vertex = document.vertices[(*good.collars)[0].vertices[0]];
+  bool thick = true;
+  for (int k = 0; k < 12 && thick; ++k) {
+    vertex.x = 0.2 * std::cos(M_PI / 6 * k);
+    vertex.y = 0.2 * std::sin(M_PI / 6 * k);
+    for (const RuleReport& rule : check(document, {.threads = 1}).rules) {
+      thick = thick && (rule.rule != "thick" || rule.verdict != Verdict::refuted);
+    }
+  }
+  EXPECT_FALSE(thick);
 }
 
 TEST(CollarCheck, GluedAlongOneEdgeOnlyIsNoAnnulus) {

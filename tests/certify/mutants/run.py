@@ -89,8 +89,10 @@ class Folder:
         program, table = self.at("mutants_" + runner), self.at(f"reach-{runner}.tsv")
         if not os.path.exists(table) or os.path.getmtime(table) < os.path.getmtime(program):
             print(f"which mutants the tests of mutants_{runner} reach", flush=True)
+            built = os.path.getmtime(program)  # Whoever builds it anew while it runs makes the table old.
             with open(table + ".new", "w", encoding="utf-8") as file:
                 subprocess.run(["nice", program, self.at("files"), "--reach"], stdout=file, check=True)
+            os.utime(table + ".new", (built, built))
             os.replace(table + ".new", table)
         result = collections.defaultdict(list)
         with open(table, encoding="utf-8") as file:
