@@ -1,5 +1,6 @@
 #include "certify/check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -275,6 +276,65 @@ TEST(Check, TiesMissedByFarLessThanBallsTellAreNone) {
   }
   EXPECT_EQ(verified, 4);
   EXPECT_EQ(refuted, 4);
+}
+
+/// The same net with corner 1 of a triangle as its corner 0, if the triangle lies in one copy of the tile: then its
+/// labels are those of empty words.
+NetDocument with_triangle_turned(NetDocument document, std::uint32_t t) {
+  NetDocument::Triangle& triangle = document.triangles[t];
+  for (NetDocument::Triangle& other : document.triangles) {
+    for (std::uint32_t& dart : other.opposite) {
+      if (dart / 3 == t) dart = previous_dart(dart);
+    }
+  }
+  std::rotate(triangle.vertex.begin(), triangle.vertex.begin() + 1, triangle.vertex.end());
+  std::rotate(triangle.opposite.begin(), triangle.opposite.begin() + 1, triangle.opposite.end());
+  for (std::size_t i = 1; i < 3; ++i) {
+    const std::uint32_t from = document.vertices[triangle.vertex[i]].chart;
+    const std::uint32_t to = document.vertices[triangle.vertex[0]].chart;
+    if (from != to) document.labels.push_back({from, to, {}});
+    triangle.label[i - 1] = from == to ? 0 : static_cast<std::uint32_t>(document.labels.size());
+  }
+  return document;
+}
+
+TEST(Check, TiesAreDecidedAtEveryEdgeOfATriangle) {
+  // The diagonal as each edge of each of its two triangles; as it is, and with a corner of the square 10⁻⁴⁰ or 10⁻²⁰⁰
+  // farther in or out, which balls decide, or exact numbers.
+  for (const bool charts : {false, true}) {
+    NetDocument document = charts ? recharted(square()) : square();
+    const std::uint32_t tie = check(document, {.threads = 1}).ties.at(0);
+    const std::uint32_t here = tie / 3;
+    const std::uint32_t there = opposite(document, tie) / 3;
+    const std::uint32_t corner = start(document, previous_dart(tie));
+    for (int turn = 0; turn < 9; ++turn) {
+      document = with_triangle_turned(document, turn % 3 == 0 ? here : there);
+      for (const long precision : {64L, 8192L}) {
+        const Certificate certificate = check(document, {.threads = 1, .max_precision = precision});
+        EXPECT_EQ(certificate.verdict, Verdict::verified) << certificate.message;
+        ASSERT_EQ(certificate.ties.size(), 1U);
+        const std::uint32_t dart = certificate.ties[0];
+        EXPECT_EQ(dart / 3, std::min(here, there));
+        EXPECT_EQ(opposite(document, dart) / 3, std::max(here, there));
+      }
+      for (const unsigned long digits : {40UL, 200UL}) {
+        if (!charts) continue;
+        mpq_class step(1);
+        mpz_ui_pow_ui(step.get_den_mpz_t(), 10, digits);
+        std::map<Verdict, int> met;
+        for (const int way : {-1, 1}) {
+          NetDocument moved = document;
+          moved.charts[corner].centre.x += way * step;
+          const Certificate certificate = check(moved, {.threads = 1});
+          ++met[certificate.verdict];
+          EXPECT_TRUE(certificate.ties.empty());
+          if (certificate.verdict == Verdict::refuted) EXPECT_EQ(certificate.rule, "delaunay");
+        }
+        EXPECT_EQ(met[Verdict::verified], 1);
+        EXPECT_EQ(met[Verdict::refuted], 1);
+      }
+    }
+  }
 }
 
 /// The same net with words for the labels of a triangle that go around the octagon's corner so many times before that
