@@ -328,7 +328,9 @@ TEST(Check, TiesAreDecidedAtEveryEdgeOfATriangle) {
           const Certificate certificate = check(moved, {.threads = 1});
           ++met[certificate.verdict];
           EXPECT_TRUE(certificate.ties.empty());
-          if (certificate.verdict == Verdict::refuted) EXPECT_EQ(certificate.rule, "delaunay");
+          if (certificate.verdict == Verdict::refuted) {
+            EXPECT_EQ(certificate.rule, "delaunay");
+          }
         }
         EXPECT_EQ(met[Verdict::verified], 1);
         EXPECT_EQ(met[Verdict::refuted], 1);

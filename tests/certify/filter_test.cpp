@@ -150,7 +150,9 @@ TEST_F(Filtered, MeasuresContainTheTrueOnes) {
       const filter::Squared s = filter::squared_distance(z[i], z[(i + 1) % 3]);
       d[i] = s.value;
       accurate = accurate && s.accurate && a[i] > 0;
-      if (a[i] > 0) ASSERT_LE(abs(mpq_class(a[i]) - exact_gap(z[i])), exact_gap(z[i]) * 0x1p-38);
+      if (a[i] > 0) {
+        ASSERT_LE(abs(mpq_class(a[i]) - exact_gap(z[i])), exact_gap(z[i]) * 0x1p-38);
+      }
       if (s.accurate) {
         const mpq_class distance = exact_distance(z[i], z[(i + 1) % 3]);
         ASSERT_LE(abs(mpq_class(d[i]) - distance), distance * 0x1p-46);
@@ -256,7 +258,9 @@ TEST_F(Filtered, OnlyTrianglesWithoutLabelsAreSettled) {
       const std::uint32_t other = triangle.opposite[i];
       const bool plain =
           corner_label(document, next_dart(other)) == 0 && corner_label(document, previous_dart(other)) == 0;
-      if (!plain) EXPECT_EQ(answer & delaunay_bit(i), 0) << t;
+      if (!plain) {
+        EXPECT_EQ(answer & delaunay_bit(i), 0) << t;
+      }
       settled += plain && (answer & delaunay_bit(i)) != 0;
     }
   }

@@ -195,7 +195,9 @@ void expect_of_both(const NetDocument& document, const std::string& expected) {
   EXPECT_EQ(std::string(name(first.verdict)) + (first.verdict == certify::Verdict::refuted ? ": " + first.rule : ""),
             expected)
       << first.message;
-  if (second.verdict == Verdict::refuted) EXPECT_EQ(place(second.message), place(first.message));
+  if (second.verdict == Verdict::refuted) {
+    EXPECT_EQ(place(second.message), place(first.message));
+  }
 }
 
 NetDocument load(const std::string& name) { return certify::read_net(std::string(EPSNET_TEST_DATA) + "/" + name); }
@@ -370,13 +372,15 @@ TEST(BothCheckers, ATileHasThreeVerticesAndThereIsOne) {
     if (size == 2) document.surface.gluing.push_back({1, 0, 1, 1});
     expect_of_both(document, "MALFORMED");
   }
-  document = {.surface = {}, .epsilon = "1"};
+  document = {};
+  document.epsilon = "1";
   expect_of_both(document, "MALFORMED");
 }
 
 /// A surface with opposite sides glued.
 SurfaceDocument with_opposite_sides_glued(const SurfaceDocument::Tile& corners) {
-  SurfaceDocument surface{.tiles = {corners}};
+  SurfaceDocument surface;
+  surface.tiles = {corners};
   const auto half = static_cast<std::uint32_t>(corners.size() / 2);
   for (std::uint32_t k = 0; k < half; ++k) surface.gluing.push_back({0, k, 0, k + half});
   return surface;
@@ -390,9 +394,16 @@ SurfaceDocument::Tile octagon_on_axes() {
   return {{x, -y}, {x, y}, {y, x}, {-y, x}, {-x, y}, {-x, -y}, {-y, -x}, {y, -x}};
 }
 
+NetDocument without_net(const SurfaceDocument& surface) {
+  NetDocument document;
+  document.surface = surface;
+  document.epsilon = "1";
+  return document;
+}
+
 /// What is said of a surface that has no net: rule `map` refutes it, if rule `surface` does not.
 Result surface_alone(const SurfaceDocument& surface) {
-  NetDocument document{.surface = surface, .epsilon = "1"};
+  const NetDocument document = without_net(surface);
   const Result second = check(text_of(document));
   expect_of_both(document, outcome(second));
   return second;
@@ -472,7 +483,7 @@ TEST(BothCheckers, TilesMayBeConnectedByOneSideAlone) {
 
 /// What the first checker says of a surface that has no net.
 std::string message_of_first(const SurfaceDocument& surface) {
-  return certify::check({.surface = surface, .epsilon = "1"}, {.threads = 1}).message;
+  return certify::check(without_net(surface), {.threads = 1}).message;
 }
 
 /// That both checkers say so of a tile with opposite sides glued, which are not of equal length: it is asked before.
@@ -538,7 +549,8 @@ TEST(BothCheckers, GluedSidesHaveEqualLengths) {
   // a surface of genus 2 the sides that are glued to one of the other kind come before it.
   using Pairs = std::array<std::array<std::uint32_t, 2>, 4>;
   for (const Pairs& pairs : {Pairs{{{0, 3}, {1, 5}, {2, 7}, {4, 6}}}, Pairs{{{0, 2}, {1, 4}, {3, 6}, {5, 7}}}}) {
-    SurfaceDocument surface{.tiles = {octagon_on_axes()}, .gluing = {}};
+    SurfaceDocument surface;
+    surface.tiles = {octagon_on_axes()};
     for (const auto& [k, j] : pairs) surface.gluing.push_back({0, k, 0, j});
     const Result result = surface_alone(surface);
     EXPECT_EQ(outcome(result), "REFUTED: surface");
@@ -686,7 +698,9 @@ TEST(SecondCheckersJson, EveryValueIsOfTheKindThatTheFormatSays) {
   };
   for (const char* none : {"{}", "\"\"", "0", "null", "true"}) {
     EXPECT_EQ(with("[]", none), "MALFORMED") << "an empty word as " << none;
-    if (none != std::string("\"\"")) EXPECT_EQ(with("\"free text\"", none), "MALFORMED") << none;
+    if (none != std::string("\"\"")) {
+      EXPECT_EQ(with("\"free text\"", none), "MALFORMED") << none;
+    }
   }
   EXPECT_EQ(with("\"free text\"", "[]"), "MALFORMED");
   for (const char* version : {"0", "2", "\"1\"", "[1]", "1.0"}) {

@@ -223,8 +223,12 @@ TEST(SecondCheckersJson, EveryEscapeIsTheCharacterThatItNames) {
       const bool pair = is_high(high) && is_low(low);
       const bool none = is_high(high) || is_low(high) || is_high(low) || is_low(low);
       ASSERT_EQ(accepts(text), pair || !none) << text;
-      if (pair) EXPECT_EQ(parse_json(text).text, utf8(0x10000 + (high - 0xD800) * 1024 + low - 0xDC00));
-      if (is_high(high)) EXPECT_FALSE(accepts('"' + escaped(high) + "xx" + escaped(low).substr(2) + '"'));
+      if (pair) {
+        EXPECT_EQ(parse_json(text).text, utf8(0x10000 + (high - 0xD800) * 1024 + low - 0xDC00));
+      }
+      if (is_high(high)) {
+        EXPECT_FALSE(accepts('"' + escaped(high) + "xx" + escaped(low).substr(2) + '"'));
+      }
     }
   }
   for (int byte = 0; byte < 256; ++byte) {
@@ -283,7 +287,9 @@ TEST(SecondCheckersJson, BytesAreWellFormedUtf8) {
     for (const int byte : sequence) text += static_cast<char>(byte);
     const std::string quoted = '"' + text + '"';
     ASSERT_EQ(accepts(quoted), good) << quoted;
-    if (good) ASSERT_EQ(parse_json(quoted).text, text);
+    if (good) {
+      ASSERT_EQ(parse_json(quoted).text, text);
+    }
   };
   for (int first = 0; first < 256; ++first) {
     if (first == '"' || first == '\\') continue;
