@@ -6,9 +6,9 @@ namespace epsnet::python {
 
 Progress progress_of(const py::object& callback) {
   static constexpr std::chrono::milliseconds kInterval(50);
-  // The handle, not the object: copies of a function are made and destroyed without the GIL.
-  return [callback = py::handle(callback), last = std::chrono::steady_clock::now()](std::string_view what,
-                                                                                    double share) mutable {
+  // The handle, not the object: copies of a function are made and destroyed without the GIL. The first call counts.
+  return [callback = py::handle(callback), last = std::chrono::steady_clock::now() - kInterval](std::string_view what,
+                                                                                                double share) mutable {
     const auto now = std::chrono::steady_clock::now();
     if (now - last < kInterval) return;
     last = now;

@@ -241,15 +241,16 @@ TEST(Check, WhatBallsDoNotTellIsUndecided) {
 
 TEST(Check, ExactTiesNeedNoBits) {
   // Ties in charts that are not centred in the vertices are decided exactly, with the least precision that there is.
-  for (const NetDocument& document : {square(), recharted(square())}) {
+  const NetDocument plain = square();
+  for (const NetDocument& document : {plain, recharted(plain)}) {
     const Certificate certificate = check(document, {.threads = 1, .max_precision = 64});
     EXPECT_EQ(certificate.verdict, Verdict::verified) << certificate.message;
     ASSERT_EQ(certificate.ties.size(), 1U);
     // The tie is the diagonal between opposite corners of the square.
     const std::uint32_t dart = certificate.ties[0];
     EXPECT_LT(dart, opposite(document, dart));
-    const NetDocument::Vertex& u = square().vertices[start(document, dart)];
-    const NetDocument::Vertex& v = square().vertices[start(document, next_dart(dart))];
+    const NetDocument::Vertex& u = plain.vertices[start(document, dart)];
+    const NetDocument::Vertex& v = plain.vertices[start(document, next_dart(dart))];
     EXPECT_EQ(u.x, -v.x);
     EXPECT_EQ(u.y, -v.y);
   }
