@@ -73,8 +73,9 @@ class CoverSearch {
       if (cells_.size() >= options_.most_cells) {
         std::ostringstream message;
         message.precision(17);
-        message << "not enclosed to the width wanted with " << options_.most_cells << " cells, only by [" << lower()
-                << ", " << upper() << "]";
+        const bool negated = claim_ == Claim::radius;  // It is the least eccentricity, the maximum of the negative.
+        message << "not enclosed to the width wanted with " << options_.most_cells << " cells, only by ["
+                << (negated ? -upper() : lower()) << ", " << (negated ? -lower() : upper()) << "]";
         throw NetError(message.str());
       }
       const std::uint32_t top = queue_.top().second;
