@@ -16,6 +16,16 @@ class Sweep:
     triangle_list: str = "C"
 
 
+@dataclass(frozen=True)
+class Measurement:
+    """Systoles, largest embedded disks, radii and diameters of all surfaces, enclosed to these widths at most."""
+    name: str
+    surfaces: tuple[tuple[str, tuple[str, ...]], ...]
+    disk_width: str = "1e-6"
+    radius_width: str = "1e-2"
+    diameter_width: str = "1e-6"
+
+
 def octagons(count: int):
     """The random octagons of seeds 1 to `count`, for the thesis' surfaces, which come from the same distribution."""
     return tuple((f"octagon-{seed:03}", ("octagon", "--seed", str(seed))) for seed in range(1, count + 1))
@@ -43,7 +53,7 @@ def hundredths(largest: int, smallest: int, step: int = 1):
     return tuple(f"{k / 100:.2f}" for k in range(largest, smallest - 1, -step))
 
 
-def experiments(quick: bool) -> dict[str, list[Sweep]]:
+def experiments(quick: bool) -> dict[str, list[Sweep | Measurement]]:
     """The sweeps of every experiment, in the order of the thesis. Quick: few surfaces, large epsilons, all experiments."""
     few = (lambda count: 3) if quick else (lambda count: count)
     coarse = ("0.50", "0.40", "0.30")
@@ -60,6 +70,7 @@ def experiments(quick: bool) -> dict[str, list[Sweep]]:
         "main": [Sweep("main", octagons(few(180)), main, "flips", "visibility", "A"),
                  Sweep("main-cavity", octagons(few(180)), main)],
         "systoles": [Sweep("systoles", octagons(few(180)))],
+        "distances": [Measurement("distances", octagons(few(180)))],
         "thin": [Sweep("thin", thin(few(20)), epsilons("0.50", "0.45", "0.40", "0.35", "0.30", "0.25", "0.20", "0.10"))],
         "genus-3": [Sweep("genus-3", random_surfaces(3, few(50)), epsilons("0.50", "0.40", "0.30", "0.20", "0.10", "0.05"))],
         "higher-genus": [Sweep("higher-genus",

@@ -10,6 +10,7 @@ matplotlib.rcParams.update({"svg.fonttype": "path", "svg.hashsalt": "epsnet", "a
                             "figure.figsize": (6.4, 3.8), "figure.constrained_layout.use": True})
 import matplotlib.pyplot as plt
 
+import distances
 import tables
 
 
@@ -29,7 +30,7 @@ def epsilon_axis(axes) -> None:
 
 
 @contextmanager
-def plot(directory: Path, name: str, ylabel: str, xlabel: str | None = None):
+def plot(directory: Path, name: str, ylabel: str, xlabel: str | None = None, legend: str = "best"):
     """One pair of axes, saved with its labels and a legend; without an xlabel, epsilon falls from left to right."""
     _, axes = plt.subplots()
     yield axes
@@ -38,7 +39,7 @@ def plot(directory: Path, name: str, ylabel: str, xlabel: str | None = None):
     else:
         axes.set_xlabel(xlabel)
     axes.set_ylabel(ylabel)
-    axes.legend()
+    axes.legend(loc=legend)
     save(directory, name)
 
 
@@ -120,6 +121,52 @@ def systoles(directory, records) -> None:
         axes.axhline(0.5, color="r", linestyle="--", label="thesis: 173 of 180 are above")
 
 
+def scatter(axes, records, x: str, y: str) -> list[dict]:
+    """A point for each surface that has both, the middles of two enclosures; returns these surfaces."""
+    both = [r for r in records if r[f"{x}_lower"] is not None and r[f"{y}_lower"] is not None]
+    axes.plot([distances.middle(r, x) for r in both], [distances.middle(r, y) for r in both], "o", markersize=3,
+              label="octagons")
+    return both
+
+
+def bound(axes, value: float, label: str) -> None:
+    axes.axhline(value, color="r", linestyle="--", label=label)
+
+
+def systole_diameter(directory, records) -> None:
+    with plot(directory, "systole-diameter", "diameter", "systole") as axes:
+        scatter(axes, records, "systole", "diameter")
+
+
+def systole_disk(directory, records) -> None:
+    """An embedded disk is at least half a systole, and at most Bavard's."""
+    with plot(directory, "systole-disk", "radius of the largest embedded disk", "systole") as axes:
+        found = scatter(axes, records, "systole", "disk")
+        bound(axes, distances.disk_bound(records[0]["genus"]), "Bavard's bound")
+        line = [f((r["systole_upper"] for r in found), default=1) for f in (min, max)]
+        axes.plot(line, [x / 2 for x in line], "k:", label="systole/2")
+
+
+def diameter_radius(directory, records) -> None:
+    with plot(directory, "diameter-radius", "radius", "diameter", "lower right") as axes:
+        found = scatter(axes, records, "diameter", "radius")
+        bound(axes, distances.radius_bound(records[0]["genus"]), "least radius that covers")
+        line = [min((r["diameter_lower"] for r in found), default=1), max((r["radius_upper"] for r in found), default=1)]
+        axes.plot(line, line, "k:", label="radius = diameter")
+        axes.set_ylim(bottom=1.35)  # Room for the legend.
+
+
+def histograms(directory, records) -> None:
+    _, grid = plt.subplots(2, 2)
+    for axes, (quantity, name) in zip(grid.flat, tables.QUANTITY_NAMES.items()):
+        axes.hist([distances.middle(r, quantity) for r in records if r[f"{quantity}_lower"] is not None], bins=20)
+        axes.set_xlabel(name)
+        axes.yaxis.set_major_locator(plt.MaxNLocator(5, integer=True))
+    for axes in grid[:, 0]:
+        axes.set_ylabel("surfaces")
+    save(directory, "distances")
+
+
 def draw(directory: Path, data: dict[str, list[dict]]) -> None:
     """The plots for which there are records."""
     if "main" in data:
@@ -135,3 +182,6 @@ def draw(directory: Path, data: dict[str, list[dict]]) -> None:
         genera(directory, data)
     if "systoles" in data:
         systoles(directory, data["systoles"])
+    if "distances" in data:
+        for draw_one in (systole_diameter, systole_disk, diameter_radius, histograms):
+            draw_one(directory, data["distances"])

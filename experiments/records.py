@@ -28,6 +28,15 @@ def read(path: Path) -> list[dict]:
     return [{key: _value(text) for key, text in record.items()} for record in csv.DictReader(records)]
 
 
+def is_finished(path: Path, head: str, columns: str) -> bool:
+    """Whether there is a complete file with this head and these columns."""
+    try:
+        read(path)
+        return Path(path).read_text(encoding="utf-8").startswith(f"{head}\n{columns}\n")
+    except (RecordError, OSError, UnicodeDecodeError):
+        return False
+
+
 def _value(text: str):
     for kind in (int, float):
         try:
@@ -49,12 +58,17 @@ def gather(parameters: str, single_records: list[Path], output: Path) -> None:
     tables = [Path(path).read_text().splitlines() for path in single_records]
     if any(len(table) != 2 or table[0] != tables[0][0] for table in tables):
         raise RecordError(f"{output}: the records are not one line each with the same columns")
-    before = "".join(line + "\n" for line in [parameters, tables[0][0], *(table[1] for table in tables)]).encode()
+    write(output, parameters, tables[0][0], [table[1] for table in tables])
+
+
+def write(output: Path, head: str, columns: str, lines: list[str]) -> None:
+    """A finished record file, atomically. `head` is a comment: all that the records depend on."""
+    before = "".join(line + "\n" for line in [head, columns, *lines]).encode()
     output = Path(output)
     descriptor, temporary = tempfile.mkstemp(dir=output.parent, prefix=f".{output.name}.")
     try:
         with os.fdopen(descriptor, "wb") as out:
-            out.write(before + _trailer(before, len(tables)))
+            out.write(before + _trailer(before, len(lines)))
         os.chmod(temporary, 0o644)
         os.replace(temporary, output)
     except BaseException:

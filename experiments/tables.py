@@ -1,7 +1,10 @@
 """The tables of docs/experiments.md: our numbers beside the thesis' (chapter IV.6)."""
 
 import math
-from statistics import fmean, pstdev
+from decimal import ROUND_FLOOR, Decimal
+from statistics import fmean, median, pstdev
+
+import distances as measured
 
 THESIS_POINTS = {"0.40": 54, "0.30": 96, "0.20": 216, "0.10": 865, "0.05": 3454, "0.01": 86314}  # Table IV.3.
 THESIS_LIFTS = {  # Table IV.1, where our copy of the thesis has a number.
@@ -206,6 +209,58 @@ def systoles(records: list[dict]) -> str:
                  [[cells[i + j * height] if i + j * height < len(cells) else None for j in range(columns)] for i in range(height)])
 
 
+QUANTITY_NAMES = {"systole": "systole", "disk": "largest embedded disk", "radius": "radius", "diameter": "diameter"}
+
+
+def seed(record: dict) -> str:
+    return record["surface"].split("-")[1].lstrip("0")
+
+
+def distances(records: list[dict]) -> str:
+    """What the enclosures are like: statistics of their middles, and what they took."""
+    rows = []
+    for quantity, name in QUANTITY_NAMES.items():
+        found = sorted((r for r in records if r[f"{quantity}_lower"] is not None), key=lambda r: measured.middle(r, quantity))
+        seconds = [r[f"{quantity}_seconds"] for r in records]
+        cost = [decimal(fmean(seconds), 2), decimal(max(seconds), 2)]
+        if not found:
+            rows.append([name, 0] + [None] * 6 + cost)
+            continue
+        values = [measured.middle(r, quantity) for r in found]
+        digits = 3 if quantity == "radius" else 4
+        rows.append([name, len(found), *(f"{values[i]:.{digits}f} ({seed(found[i])})" for i in (0, -1)),
+                     *(decimal(f(values), digits) for f in (fmean, median, pstdev)),
+                     f"{max(r[f'{quantity}_upper'] - r[f'{quantity}_lower'] for r in found):.1e}", *cost])
+    return table(["", "surfaces", "least (seed)", "greatest (seed)", "mean", "median", "σ", "widest enclosure", "seconds: mean",
+                  "most"], rows)
+
+
+def correlation(x: list[float], y: list[float]) -> float | None:
+    """Pearson's."""
+    mx, my = fmean(x), fmean(y)
+    scale = math.sqrt(sum((a - mx) ** 2 for a in x) * sum((b - my) ** 2 for b in y))
+    return sum((a - mx) * (b - my) for a, b in zip(x, y)) / scale if scale > 0 else None
+
+
+def correlations(records: list[dict]) -> str:
+    whole = [r for r in records if measured.has_all(r)]
+    values = {quantity: [measured.middle(r, quantity) for r in whole] for quantity in QUANTITY_NAMES}
+    rows = [[QUANTITY_NAMES[a], *(decimal(correlation(values[a], values[b]), 2) if whole else None for b in values)] for a in values]
+    return table(["", *QUANTITY_NAMES.values()], rows)
+
+
+def octagons(records: list[dict]) -> str:
+    """The lower ends of all enclosures, rounded down."""
+    def lower(record, quantity, digits):
+        value = record[f"{quantity}_lower"]
+        return "?" if value is None else str(Decimal(value).quantize(Decimal(1).scaleb(-digits), ROUND_FLOOR))
+
+    cells = [[seed(r), lower(r, "systole", 6), lower(r, "disk", 6), lower(r, "radius", 3), lower(r, "diameter", 6)] for r in records]
+    height = -(-len(cells) // 2)
+    return table(["seed", "systole", "disk", "radius", "diameter"] * 2,
+                 [cells[i] + (cells[i + height] if i + height < len(cells) else [None] * 5) for i in range(height)])
+
+
 def make(data: dict[str, list[dict]]) -> dict[str, str]:
     """The tables for which there are records, as Markdown."""
     result = {}
@@ -218,6 +273,10 @@ def make(data: dict[str, list[dict]]) -> dict[str, str]:
         result["ratios"] = ratios(data["main"])
         result["behaviour"] = behaviour(data["main"], data["main-cavity"])
         result["fits"] = fits(data["main"], data["main-cavity"])
+    if "distances" in data:
+        result["distances"] = distances(data["distances"])
+        result["correlations"] = correlations(data["distances"])
+        result["octagons"] = octagons(data["distances"])
     for name, make_table in (("systoles", systoles), ("thin", thin), ("genus-3", genus_3), ("higher-genus", higher_genus)):
         if name in data:
             result[name] = make_table(data[name])

@@ -23,13 +23,15 @@ bad() {
 }
 
 quick -o out || complain "exit code $?: $(cat messages)"
-grep -q '^135 results, all VERIFIED' output || complain "the last line: $(tail -n 1 output)"
-for table in walks lists points ratios behaviour fits systoles thin genus-3 higher-genus; do
+grep -q '^138 results, all VERIFIED' output || complain "the last line: $(tail -n 1 output)"
+for table in walks lists points ratios behaviour fits systoles distances correlations octagons thin genus-3 higher-genus; do
   [ -s out/tables/$table.md ] || complain "no table $table"
 done
 grep -q '^| 0.40 | 54 | 5[0-9]' out/tables/points.md || complain "Table IV.3: $(cat out/tables/points.md)"
 if "$python" -c 'import matplotlib' 2>/dev/null; then
-  for plot in points walks flips seconds lists thin genera systoles; do grep -q '</svg>' out/plots/$plot.svg || complain "no plot $plot"; done
+  for plot in points walks flips seconds lists thin genera systoles systole-diameter systole-disk diameter-radius distances; do
+    grep -q '</svg>' out/plots/$plot.svg || complain "no plot $plot"
+  done
 fi
 cp out/tables/points.md points.md
 
@@ -58,7 +60,11 @@ for content in (open('cut').read(), '', open('out/records/main/octagon-001.csv')
 " || complain 'reading a damaged file'
 
 bad 'invalid choice' --only nonsense -o out
+bad 'invalid.*-1' --threads -1 -o out
 bad 'full run' --docs -o out
+full() { "$python" "$run" --programs "$programs" "$@" >output 2>messages; }
+full --docs --only genus-3 -o out && complain 'half a plot goes into the document'
+grep -q 'share a plot' messages || complain "half a plot: $(cat messages)"
 bad 'no-programs/epsnet: No such file' --programs no-programs -o out
 touch file
 bad 'file/' -o file/below
