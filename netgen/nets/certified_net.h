@@ -37,8 +37,8 @@ struct TriangulatedNet {
 ///
 /// The vertices of the surface's tiles are the start; of those closer than ε to each other some are removed, and so are
 /// those near closed geodesics no longer than ε if a pseudo net is asked for. Deterministic.
-/// Throws NetError, LimitError, std::bad_alloc; std::invalid_argument for a pseudo net with ε > ln √2, or one that shall be
-/// sparse.
+/// Throws NetError, LimitError, std::bad_alloc; std::invalid_argument for a pseudo net with ε > ln √2, or one that
+/// shall be sparse.
 [[nodiscard]] TriangulatedNet triangulated_net(const Surface& surface, const Length& epsilon,
                                                const NetOptions& options = {});
 

@@ -49,8 +49,8 @@ struct NetOptions {
   /// A pseudo ε-net (thesis Definition III.7): points of the ε-thick part that cover it; ε at most ln √2.
   bool pseudo = false;
   /// A net with few points: 1.4 to 1.5 times the lower bound of Theorem III.2 (thick surfaces, ε at most 0.1) where the
-  /// refinement alone has 2.15 times, for some eight times its work. Where it has more than 1.5 times, the ordinary net if
-  /// that has no more points. No pseudo net.
+  /// refinement alone has 2.15 times, for some eight times its work. Where it has more than 1.5 times, the ordinary net
+  /// if that has no more points. No pseudo net.
   bool sparse = false;
   certify::CheckOptions check = {};  ///< For the certificate: threads, precision cap, progress.
   Progress progress = {};            ///< While the net grows: "net: N vertices".
