@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "certify/document/darts.h"
@@ -49,6 +50,10 @@ class Picture {
         lifts_(lift_triangles(geometry_, options.order, options.centre)),
         epsilon_(geometry_.epsilon().get_d()),
         on_boundary_(boundary_darts(geometry_, lifts_)) {
+    if (options.colouring == Colouring::values) {
+      if (options.values.size() != document.vertices.size()) throw std::invalid_argument("a value for each vertex");
+      greatest_value_ = *std::max_element(options.values.begin(), options.values.end());
+    }
     // Edges of a net are about 1.4 ε long. Strokes must leave the triangles of fine nets white.
     const double edge = 1.4 * epsilon_ * paper_.scale({});
     const double unit = options.size / 1000.0;
@@ -141,8 +146,18 @@ class Picture {
     return certify::chart_of_triangle(document_, triangle);
   }
 
+  /// The share of the greatest value that a triangle has, in bands that show the lines of equal values.
+  [[nodiscard]] double band_of(std::uint32_t triangle) const {
+    constexpr double kBands = 24;
+    if (!(greatest_value_ > 0)) return 0;
+    double sum = 0;
+    for (const std::uint32_t v : document_.triangles[triangle].vertex) sum += options_.values[v];
+    return std::floor(kBands * sum / (3 * greatest_value_)) / kBands;
+  }
+
   [[nodiscard]] std::string colour_of(std::uint32_t triangle) const {
     if (options_.colouring == Colouring::chart) return chart_colour(chart_of(triangle));
+    if (options_.colouring == Colouring::values) return shade(band_of(triangle));
     return shade(2 * geometry_.circumradius(triangle) / epsilon_ - 1);
   }
 
@@ -294,6 +309,10 @@ class Picture {
         legend.add(Mark::area, shade(share),
                    "circumradius " + fixed((1 + share) / 2, 2) + " epsilon" + (share == 0 ? " or less" : ""));
     }
+    if (options_.colouring == Colouring::values) {
+      for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
+        legend.add(Mark::area, shade(share), options_.values_name + " " + fixed(share * greatest_value_, 2));
+    }
     if (options_.colouring == Colouring::chart) add_charts(legend);
     return legend.group();
   }
@@ -343,6 +362,7 @@ class Picture {
   double edge_width_ = 0;          ///< In pixels, in the centre.
   double dot_width_ = 0;
   double outline_width_ = 0;
+  double greatest_value_ = 0;
   std::uint64_t edges_left_out_ = 0;
 };
 

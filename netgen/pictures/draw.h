@@ -20,6 +20,7 @@ enum class Colouring {
   none,          ///< Nothing.
   circumradius,  ///< From pale, ε/2 or less, to dark, ε.
   chart,         ///< By the chart of the triangle: where in the net file's coordinates it lies.
+  values,        ///< By DrawOptions::values, in bands from pale, 0, to dark, the greatest.
 };
 
 /// A piece of a geodesic within one triangle, in the chart of the triangle's corner 0.
@@ -84,6 +85,8 @@ struct DrawOptions {
   bool covering_disks = false;            ///< Disks of radius ε around the vertices: they cover the surface.
   bool packing_disks = false;             ///< Disks of radius ε/2: they do not overlap.
   Colouring colouring = Colouring::none;  ///< Of the triangles.
+  std::vector<double> values = {};        ///< By vertex, not negative; a triangle has the mean of its corners.
+  std::string values_name = {};           ///< What they are, for the legend.
   bool legend = false;                    ///< What the colours mean, in a corner.
   std::vector<Layer> layers = {};         ///< Drawn on top, within the lifts of the triangles.
   std::uint32_t size = 1000;              ///< Width and height in pixels, 50 to 20000.
@@ -94,7 +97,8 @@ struct DrawOptions {
 ///
 /// Strokes and dots shrink with the hyperbolic metric towards the circle; edges and dots too small to see (a tenth of a
 /// pixel) are left out, and `<desc>` says so. Arcs that a chord follows to within 0.01 pixel are written as chords.
-/// Equal documents and options give equal bytes. Throws NetGeometryError. O(n log n) for n triangles.
+/// Equal documents and options give equal bytes. Throws NetGeometryError, and std::invalid_argument if there is not a
+/// value for each vertex where these colour the triangles. O(n log n) for n triangles.
 [[nodiscard]] std::string draw_svg(const certify::NetDocument& document, const DrawOptions& options = {});
 
 struct DirichletPolygon;

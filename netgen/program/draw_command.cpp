@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "certify/file/reader.h"
+#include "netgen/distances/vertex_distances.h"
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/pictures/draw.h"
 #include "netgen/program/commands.h"
@@ -42,6 +43,11 @@ DrawOptions shown(const DrawRequest& request, const certify::NetDocument& net) {
   for (Layer& layer : collar_layers(NetGeometry(net))) options.layers.push_back(std::move(layer));
   if (!request.geodesics.empty()) {
     for (Layer& layer : load_geodesics_layers(request.geodesics, net)) options.layers.push_back(std::move(layer));
+  }
+  if (options.colouring == Colouring::values) {
+    const DistanceTable table = distances_from(net, {options.centre});
+    for (std::size_t v = 0; v < table.to.size(); ++v) options.values.push_back(table.distance(0, v));
+    options.values_name = "distance";
   }
   if (!request.distance.empty()) {
     try {
@@ -96,10 +102,12 @@ void add_draw_command(CLI::App& app, Job& chosen) {
   draw_command
       ->add_option("--colour,--color", request.options.colouring,
                    "what triangles are filled with: circumradius is pale at epsilon/2 and dark at epsilon; chart is a "
-                   "colour for each chart of the file")
-      ->transform(one_of<Colouring>(
-          {{"none", Colouring::none}, {"circumradius", Colouring::circumradius}, {"chart", Colouring::chart}}))
-      ->option_text("none|circumradius|chart [none]");
+                   "colour for each chart of the file; distance is that from the centre, pale to dark")
+      ->transform(one_of<Colouring>({{"none", Colouring::none},
+                                     {"circumradius", Colouring::circumradius},
+                                     {"chart", Colouring::chart},
+                                     {"distance", Colouring::values}}))
+      ->option_text("none|circumradius|chart|distance [none]");
   draw_command->add_flag("--legend", request.options.legend, "say in a corner what the colours mean");
   draw_command->add_option("--centre,--center", request.options.centre, "the vertex in the centre")
       ->option_text("V [0]");

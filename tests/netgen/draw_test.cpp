@@ -394,6 +394,29 @@ TEST(Draw, IsDeterministicAndDependsOnItsOptions) {
   EXPECT_EQ(pictures.size(), 8U);
 }
 
+TEST(Draw, ValuesColourTrianglesInBands) {
+  const certify::NetDocument net = octagon_net(123, "0.3");
+  DrawOptions options{.colouring = Colouring::values, .legend = true};
+  EXPECT_THROW((void)draw_svg(net, options), std::invalid_argument);
+  options.values.assign(net.vertices.size(), 0.0);
+  options.values_name = "height";
+  const auto colours = [&] {
+    const std::string picture = draw_svg(net, options);
+    const std::size_t first = picture.find("<g class=\"colours\"");
+    const std::string group = picture.substr(first, picture.find("</g>", first) - first);
+    std::size_t count = 0;
+    for (std::size_t at = group.find("<path"); at != std::string::npos; at = group.find("<path", at + 1)) ++count;
+    return count;
+  };
+  EXPECT_EQ(colours(), 1U);
+  options.values[0] = 2;  // Around one vertex, of which every other corner is 0: a third of the greatest.
+  EXPECT_EQ(colours(), 2U);
+  EXPECT_THAT(draw_svg(net, options), HasSubstr(">height 1.50<"));
+  for (std::size_t v = 0; v < options.values.size(); ++v) options.values[v] = static_cast<double>(v);
+  EXPECT_GT(colours(), 15U);
+  EXPECT_LE(colours(), 25U);
+}
+
 TEST(Draw, ShowsWhatIsAskedFor) {
   const certify::NetDocument net = octagon_net(123, "0.3");
   const std::string plain = draw_svg(net);
