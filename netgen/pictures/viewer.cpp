@@ -203,6 +203,7 @@ std::string net_json(const NetGeometry& geometry, const ViewerOptions& options) 
          ",\n\"opposite\": " + base64(opposite) + ",\n\"vertex_darts\": " + base64(vertex_darts) +
          ",\n\"points\": " + base64(points) + ",\n\"charts\": " + base64(charts) +
          ",\n\"isometries\": " + base64(labels.isometries) + ",\n\"edge_labels\": " + base64(labels.pairs) +
+         ",\n\"distances\": " + base64(std::vector<float>(options.distances.begin(), options.distances.end())) +
          ",\n\"layers\": [" + layers + "]}\n";
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "certify/check.h"
+#include "netgen/distances/vertex_distances.h"
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/pictures/viewer.h"
 #include "netgen/program/commands.h"
@@ -41,6 +42,31 @@ std::vector<Layer> curve_layers(const NetGeometry& geometry, Report& report) {
   return layers;
 }
 
+/// Beyond, a page would take seconds more.
+constexpr std::size_t kMostVerticesWithDistances = 100'000;
+
+/// The distances of all vertices from vertex 0, for a colouring; none where they cannot be had, which `report` says.
+std::vector<double> distances_from_0(const certify::NetDocument& net,
+                                     const std::optional<certify::Certificate>& certificate, Report& report) {
+  std::vector<double> result;
+  if (!certificate || certificate->verdict != certify::Verdict::verified) return result;
+  const auto leave_out = [&](const std::string& why) {
+    report.text += "left out: distances: " + why + '\n';
+    report.json["left_out"]["distances"] = why;
+    return std::vector<double>();
+  };
+  if (net.vertices.size() > kMostVerticesWithDistances) {
+    return leave_out("more than " + std::to_string(kMostVerticesWithDistances) + " vertices");
+  }
+  try {
+    const DistanceTable table = distances_from(net, {0});
+    for (std::size_t v = 0; v < table.to.size(); ++v) result.push_back(table.distance(0, v));
+    return result;
+  } catch (const Error& error) {
+    return leave_out(error.what());
+  }
+}
+
 std::string page(const ViewRequest& request, const certify::NetDocument& net,
                  const std::optional<certify::Certificate>& certificate, Report& report) {
   try {
@@ -52,6 +78,7 @@ std::string page(const ViewRequest& request, const certify::NetDocument& net,
     if (!request.geodesics.empty()) {
       for (Layer& layer : load_geodesics_layers(request.geodesics, net)) options.layers.push_back(std::move(layer));
     }
+    options.distances = distances_from_0(net, certificate, report);
     return viewer_page(net, options);
   } catch (const NetGeometryError& error) {
     throw JobError(request.net + ": " + error.what());

@@ -217,6 +217,7 @@
       expect(pixels() === one, `switch ${box.id} does not change back`);
     }
     const looks = new Set();
+    expect((distance.length > 0) === (net.verdict === 'VERIFIED'), 'distances of a net that is not verified, or none of one that is');
     for (const choice of document.querySelectorAll('#colours input')) {
       choice.click();
       draw(kMost);
