@@ -375,7 +375,9 @@ TEST(SecondCheckersNumbers, DigitsAndExponentsMakeUpForEachOther) {
     }
   }
   // Ten million zeros behind the point.
-  compare("0." + std::string(10'000'000, '0') + "1e10000001");
+  std::string zeros;
+  zeros.resize(10'000'000, '0');
+  compare("0." + zeros + "1e10000001");
   for (const char* text :
        {"1e-999999999999999999999", "1e999999999999999999999", "-0e999999999999999999999", "0.0e-99999999999999999999",
         "5e-0000000000000000000000001", "5e+0000000000000000000000001", "1e-1000000", "1e1000000"}) {
