@@ -27,7 +27,8 @@ std::string text(const Certificate& certificate) {
 
 TEST(Budget, CopiesShareOneAccount) {
   const Budget budget(100);
-  const Budget copy = budget;
+  Budget copy(1);
+  copy = budget;
   budget.spend(30);
   copy.spend(10, 2);
   EXPECT_EQ(budget.left(), 50U);

@@ -176,8 +176,8 @@ TEST(Cover, OfATriangulationWithOneVertexEveryDartCanBeFlipped) {
   for (CoverDocument document : all_files()) {
     const auto darts = static_cast<std::uint32_t>(3 * document.net.triangles.size());
     for (int row = 0; row < 20; ++row) {
-      std::vector<std::uint32_t> flips;
-      for (int i = 0; i < 100; ++i) flips.push_back(static_cast<std::uint32_t>(random()) % darts);
+      std::vector<std::uint32_t> flips(100);
+      for (std::uint32_t& flip : flips) flip = static_cast<std::uint32_t>(random()) % darts;
       document.triangulations.push_back({static_cast<std::uint32_t>(document.triangulations.size()), flips});
     }
     EXPECT_EQ(check_cover(document, {.threads = 2, .max_work = std::uint64_t{1} << 50}).verdict, Verdict::verified);

@@ -13,6 +13,7 @@
 #include <regex>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "certify/check.h"
@@ -404,7 +405,7 @@ NetDocument without_net(const SurfaceDocument& surface) {
 /// What is said of a surface that has no net: rule `map` refutes it, if rule `surface` does not.
 Result surface_alone(const SurfaceDocument& surface) {
   const NetDocument document = without_net(surface);
-  const Result second = check(text_of(document));
+  Result second = check(text_of(document));
   expect_of_both(document, outcome(second));
   return second;
 }
@@ -644,7 +645,9 @@ TEST(BothCheckers, NameTheFirstDartThatIsNotTheOppositeOfItsOpposite) {
       if (wrong == partner) continue;
       NetDocument document = good;
       document.triangles[dart / 3].opposite[dart % 3] = wrong;
-      EXPECT_EQ(message(document), partner < dart ? named(partner, dart) : named(dart, wrong));
+      // The first dart whose opposite does not lead back, and what that is.
+      const auto [first, leads_to] = partner < dart ? std::pair(partner, dart) : std::pair(dart, wrong);
+      EXPECT_EQ(message(document), named(first, leads_to));
     }
     for (const std::uint32_t wrong : {0U, 4U, 8U}) {
       if (wrong == good.triangles[dart / 3].vertex[dart % 3]) continue;
