@@ -159,7 +159,7 @@ class Places {
       const Complex<T> from = convert<T>(c);
       const Complex<T> to = convert<T>(z);
       const Complex<T> w = (f.isometry.a * to + f.isometry.b) - from * (conj(f.isometry.b) * to + conj(f.isometry.a));
-      const T result = norm(w);
+      T result = norm(w);
       // As for Place, and two units for the square.
       const double lost = 32 * unit_roundoff<T>() * f.norm + 2 * f.error;
       error += (2 * std::sqrt(static_cast<double>(result)) + lost) * lost + 4 * unit_roundoff<T>() * f.norm * f.norm;
@@ -348,9 +348,9 @@ class Search {
       const NetDocument::Vertex& v = net_.vertex(net_.net.triangles[lift.triangle].vertex[i]);
       const NetDocument::Vertex& from = net_.vertex(source_);
       const std::uint32_t label = certify::corner_label(net_.net, 3 * lift.triangle + i);
-      const std::uint32_t place = places_->before(lift.place, label);
-      const std::uint32_t nearer = places_->before(other.place, label);
-      if (!places_->is_nearer(nearer, place, {v.x, v.y}, {from.x, from.y})) return false;
+      const std::uint32_t farther_place = places_->before(lift.place, label);
+      const std::uint32_t nearer_place = places_->before(other.place, label);
+      if (!places_->is_nearer(nearer_place, farther_place, {v.x, v.y}, {from.x, from.y})) return false;
     }
     return true;
   }

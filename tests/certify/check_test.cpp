@@ -416,9 +416,8 @@ TEST(Check, LongWordsThatCancelAreTheSameElement) {
   const std::uint32_t side = document.labels[0].word[0];
   const std::uint32_t partner = (side + 4) % 8;
   std::vector<std::uint32_t>& word = document.labels[0].word;
-  std::vector<std::uint32_t> longer;
-  for (int i = 0; i < 100'000; ++i) longer.push_back(side);
-  for (int i = 0; i < 100'000; ++i) longer.push_back(partner);
+  std::vector<std::uint32_t> longer(100'000, side);
+  longer.insert(longer.end(), 100'000, partner);
   longer.insert(longer.end(), word.begin(), word.end());
   word = longer;
   EXPECT_EQ(outcome(document), "VERIFIED");

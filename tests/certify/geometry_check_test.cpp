@@ -48,7 +48,7 @@ void expect_equal(const GeometryOutcome& a, const GeometryOutcome& b) {
 /// In balls alone, and the same with the filter.
 GeometryOutcome outcome(const NetDocument& document, unsigned threads = 1) {
   const Setting setting(document);
-  const GeometryOutcome result = check_geometry(document, setting.evaluator, {.filter = false}, threads);
+  GeometryOutcome result = check_geometry(document, setting.evaluator, {.filter = false}, threads);
   expect_equal(check_geometry(document, setting.evaluator, {.filter = true}, threads), result);
   return result;
 }

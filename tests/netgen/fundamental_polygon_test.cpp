@@ -45,7 +45,7 @@ TEST(FundamentalPolygon, RelationsHoldAndAreOneForEachVertex) {
   for (const Surface& surface : surfaces()) {
     const FundamentalPolygon polygon = fundamental_polygon(surface);
     // One polygon, half as many edges as sides.
-    EXPECT_EQ(polygon.relations.size() + 1 + 2 * surface.genus(), polygon.sides.size() / 2 + 2);
+    EXPECT_EQ(polygon.relations.size() + 1 + 2 * std::size_t{surface.genus()}, polygon.sides.size() / 2 + 2);
     for (const auto& relation : polygon.relations) {
       if (surface.is_regular()) continue;
       Isometry<Rational> product;
