@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <gtest/gtest.h>
+#include <limits>
 #include <random>
 #include <sstream>
 #include <string>
@@ -116,6 +117,17 @@ TEST_F(Compact, NumbersKeepTheirSigns) {
   const NetDocument read = parse_net(compact(net), "compact");
   EXPECT_TRUE(std::signbit(read.vertices[1].x));
   EXPECT_EQ(read.vertices[1].y, 5e-324);
+}
+
+TEST_F(Compact, NumbersThatJsonDoesNotHaveAreOutsideOfTheDisk) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double x : {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity, 1e308, 1.0}) {
+    NetDocument net = net_;
+    net.vertices[1].x = x;
+    const std::string said = problem(compact(net));
+    EXPECT_TRUE(said.starts_with("net.epsn: vertices[1]: ")) << said;
+    EXPECT_TRUE(said.ends_with("is not inside the unit disk")) << said;
+  }
 }
 
 TEST_F(Compact, DartsThatAreNotPairedCannotBeWritten) {
