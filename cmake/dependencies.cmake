@@ -1,6 +1,6 @@
 # The libraries epsnet is linked with, found in the same way by its own build and by find_package(epsnet):
 #   GMP::GMP, GMP::GMPXX, MPFR::MPFR, FLINT::FLINT (FLINT with Arb: two libraries before FLINT 3), simdjson::simdjson,
-#   Threads::Threads, and the Boost headers as Boost::headers.
+#   Threads::Threads, TBB::tbb, and the Boost headers as Boost::headers.
 # Sets epsnet_missing to what is not there. Where epsnet_is_shared is set, only what the public headers include is looked for.
 
 set(epsnet_missing "")
@@ -48,7 +48,7 @@ if(NOT epsnet_is_shared)
     epsnet_import(FLINT::FLINT arb.h flint-arb flint MPFR::MPFR)
   endif()
 
-  foreach(package Threads simdjson)
+  foreach(package Threads simdjson TBB)
     find_package(${package} QUIET)
     if(NOT ${package}_FOUND)
       list(APPEND epsnet_missing ${package})

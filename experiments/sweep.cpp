@@ -151,7 +151,7 @@ std::string way(const Request& request) {
   if (request.systoles) return std::string("systole\n") + kSystoleColumns;
   std::string result = "insertion ";
   result.append(name(request.options.insertion)).append(", walk ").append(name(request.options.walk));
-  result.append(", list ").append(name(request.options.list)).append(", epsilon");
+  result.append(", list ").append(name(request.options.list.value_or(TriangleList::large_back))).append(", epsilon");
   for (const std::string& epsilon : request.epsilons) result += ' ' + epsilon;
   return result + '\n' + net_record_columns();
 }
@@ -204,6 +204,7 @@ int run(int argc, char** argv) {
     return kExitUsage;
   }
   if (request.threads == 0) request.threads = std::max(1U, std::thread::hardware_concurrency());
+  request.options.threads = 1;
   request.options.check.threads = 1;
 
   if (!std::filesystem::is_directory(request.output)) throw std::runtime_error(request.output + ": no such directory");

@@ -15,8 +15,6 @@
 namespace epsnet {
 namespace {
 
-constexpr LabelId kUnknown = ~LabelId{0};
-
 /// Bits that the precise value of a label keeps at least, relative to its entries; and, for entries of size N, beyond
 /// log2 N. Products that would have fewer are evaluated from their word again.
 constexpr double kLabelAccuracy = 150;
@@ -435,15 +433,15 @@ LabelId Atlas::find_or_add(std::uint32_t from, std::uint32_t to, const Isometry<
   const Isometry<double> rounded = convert<double>(isometry);
   std::vector<LabelId>& same_charts = by_charts_[pair_key(from, to)];
   for (const LabelId l : same_charts) {
-    const Complex<double>& b = this->isometry(l).b;
+    const Complex<double> b = this->isometry(l).b;
     const double tolerance = 1e-12 * (norm(rounded.a) + 1);
     const bool close = std::min(norm(b - rounded.b), norm(b + rounded.b)) <= tolerance;
     if (close && equal(labels_[l - 1].precise, isometry)) {
       return l;
     }
   }
-  labels_.push_back({from, to, kUnknown, isometry, accuracy, word()});
-  rounded_.push_back({rounded, image_error(rounded)});
+  labels_.push_back({from, to, isometry, accuracy, word()});
+  rounded_.push_back({rounded, image_error(rounded), kUnknownLabel});
   const LabelId id = static_cast<LabelId>(labels_.size());
   same_charts.push_back(id);
   charts_[to].incoming.push_back(id);
@@ -489,18 +487,12 @@ std::optional<LabelId> Atlas::find_product(LabelId f, LabelId g) const {
 }
 
 LabelId Atlas::product_of_others(LabelId f, LabelId g) {
-  const LabelId result = looked_up_product(f, g);
-  recent_[recent_slot(f, g)] = {f, g, result};
-  return result;
-}
-
-LabelId Atlas::looked_up_product(LabelId f, LabelId g) {
-  const auto [known, is_new] = products_.try_emplace(pair_key(f, g), kUnknown);
-  if (!is_new) {
+  if (const auto known = products_.find(pair_key(f, g)); known != products_.end()) {
     return known->second;
   }
   if (const auto found = find_product(f, g)) {
-    return known->second = *found;
+    products_.emplace(pair_key(f, g), *found);
+    return *found;
   }
   const LabelEntry& left = labels_[f - 1];
   const LabelEntry& right = labels_[g - 1];
@@ -511,20 +503,22 @@ LabelId Atlas::looked_up_product(LabelId f, LabelId g) {
       accuracy >= std::max(kLabelAccuracy, kAbsoluteAccuracy + log2_norm(left.precise) + log2_norm(right.precise))
           ? find_or_add(right.from, left.to, left.precise * right.precise, accuracy, word)
           : label(right.from, left.to, word());
-  products_[pair_key(f, g)] = result;
+  products_.emplace(pair_key(f, g), result);
   return result;
 }
 
+LabelId Atlas::known_product(LabelId f, LabelId g) const {
+  const auto known = products_.find(pair_key(f, g));
+  return known != products_.end() ? known->second : find_product(f, g).value_or(kUnknownLabel);
+}
+
 LabelId Atlas::inverse_of_other(LabelId f) {
-  LabelEntry& entry = labels_[f - 1];
-  if (entry.inverse == kUnknown) {
-    const LabelId result = find_or_add(entry.to, entry.from, epsnet::inverse(entry.precise), entry.accuracy,
-                                       [&] { return reversed(surface_, entry.word); });
-    labels_[f - 1].inverse = result;
-    labels_[result - 1].inverse = f;
-    return result;
-  }
-  return entry.inverse;
+  const LabelEntry& entry = labels_[f - 1];
+  const LabelId result = find_or_add(entry.to, entry.from, epsnet::inverse(entry.precise), entry.accuracy,
+                                     [&] { return reversed(surface_, entry.word); });
+  rounded_[f - 1].inverse = result;
+  rounded_[result - 1].inverse = f;
+  return result;
 }
 
 LabelId Atlas::power(LabelId f, std::uint64_t n) {

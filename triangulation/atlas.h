@@ -34,6 +34,8 @@ using LabelId = std::uint32_t;
 
 /// The identity, of whatever chart it is used in.
 inline constexpr LabelId kIdentity = 0;
+/// No label: what is asked for is not known.
+inline constexpr LabelId kUnknownLabel = ~LabelId{0};
 
 /// No point of a chart that is used as a vertex is farther from the origin than this (Euclidean, Poincaré disk).
 inline constexpr double kChartRadius = 0.7;
@@ -85,16 +87,23 @@ class Atlas {
     if (g == kIdentity) {
       return f;
     }
-    const RecentProduct& recent = recent_[recent_slot(f, g)];
-    return recent.f == f && recent.g == g ? recent.product : product_of_others(f, g);
+    return product_of_others(f, g);
   }
   /// The label of the inverse isometry.
-  [[nodiscard]] LabelId inverse(LabelId f) { return f == kIdentity ? kIdentity : inverse_of_other(f); }
+  [[nodiscard]] LabelId inverse(LabelId f) {
+    const LabelId known = known_inverse(f);
+    return known != kUnknownLabel ? known : inverse_of_other(f);
+  }
+  /// f ∘ g if it was asked for before or is seen in binary64 to be one of the labels that there are, else
+  /// kUnknownLabel. With known_inverse all that threads may ask for at the same time.
+  [[nodiscard]] LabelId known_product(LabelId f, LabelId g) const;
+  /// The label of the inverse isometry, if it was asked for before, else kUnknownLabel.
+  [[nodiscard]] LabelId known_inverse(LabelId f) const { return f == kIdentity ? kIdentity : rounded_[f - 1].inverse; }
   /// f ∘ f ∘ … ∘ f, n times; f leads from a chart to itself. O(log n) products.
   [[nodiscard]] LabelId power(LabelId f, std::uint64_t n);
 
   /// The isometry of a label, not the identity, in binary64.
-  [[nodiscard]] const Isometry<double>& isometry(LabelId l) const { return rounded_[l - 1].isometry; }
+  [[nodiscard]] Isometry<double> isometry(LabelId l) const { return rounded_[l - 1].isometry; }
   /// Bounds the Euclidean distance of the image of a point with |z| ≤ 0.75 that is computed with `isometry` from the
   /// true image (docs/error-bounds.md, E5).
   [[nodiscard]] double error(LabelId l) const { return rounded_[l - 1].error; }
@@ -162,7 +171,6 @@ class Atlas {
   struct LabelEntry {
     std::uint32_t from;
     std::uint32_t to;
-    LabelId inverse;  ///< kUnknown until asked for.
     Isometry<Mp256> precise;
     double accuracy;  ///< `precise` is within 2^−accuracy, relative to its entries.
     Word word;
@@ -171,23 +179,10 @@ class Atlas {
   struct Rounded {
     Isometry<double> isometry;
     double error;
+    LabelId inverse;  ///< kUnknownLabel until asked for.
   };
-
-  /// A product that was asked for lately: most are asked for again and again.
-  struct RecentProduct {
-    LabelId f = kIdentity;
-    LabelId g = kIdentity;
-    LabelId product = kIdentity;
-  };
-  static constexpr unsigned kRecentBits = 12;
-  [[nodiscard]] static std::size_t recent_slot(LabelId f, LabelId g) {
-    constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15;  // Multiplicative hashing.
-    return static_cast<std::size_t>((((std::uint64_t{f} << 32) | g) * kGolden) >> (64 - kRecentBits));
-  }
 
   [[nodiscard]] LabelId product_of_others(LabelId f, LabelId g);
-  /// The same, without a look at the products asked for lately.
-  [[nodiscard]] LabelId looked_up_product(LabelId f, LabelId g);
   [[nodiscard]] LabelId inverse_of_other(LabelId f);
   /// A disk inside of a tile, from its corners, in its coordinates.
   [[nodiscard]] static Disk disk_inside(std::span<const Complex<double>> tile);
@@ -254,9 +249,8 @@ class Atlas {
   std::vector<Disk> disks_;               ///< By tile.
   std::vector<ChartEntry> charts_;
   std::deque<LabelEntry> labels_;
-  std::deque<Rounded> rounded_;  ///< By label; apart, as the fast path wants nothing else.
+  std::vector<Rounded> rounded_;  ///< By label; apart, as the fast path wants nothing else.
   std::unordered_map<std::uint64_t, LabelId> products_;
-  std::vector<RecentProduct> recent_ = std::vector<RecentProduct>(std::size_t{1} << kRecentBits);
   std::unordered_map<std::uint64_t, std::vector<LabelId>> by_charts_;
   mutable std::tuple<Known<Mp1024>, Known<Mp4096>> known_;
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> charts_of_tile_;

@@ -7,13 +7,13 @@
 
 namespace epsnet {
 
-std::optional<Complex<double>> circumcentre_fast(const Triangulation& triangulation, std::uint32_t t) {
-  const Triangle& triangle = triangulation.triangle(t);
+std::optional<Complex<double>> circumcentre_fast(const Mesh& mesh, const Atlas& atlas, std::uint32_t t) {
+  const Triangle& triangle = mesh.triangles[t];
   const auto lifted = [&](std::uint32_t i) {
-    const Complex<double>& z = triangulation.point(triangle.vertex[i]);
-    return triangle.label(i) == kIdentity ? z : triangulation.atlas().isometry(triangle.label(i))(z);
+    const Complex<double>& z = mesh.points[triangle.vertex[i]];
+    return triangle.label(i) == kIdentity ? z : atlas.isometry(triangle.label(i))(z);
   };
-  const Complex<double> a = triangulation.point(triangle.vertex[0]);
+  const Complex<double> a = mesh.points[triangle.vertex[0]];
   const Complex<double> b = lifted(1);
   const Complex<double> c = lifted(2);
   // The angle at a must be neither near 0 nor near π; circumcentre_near_origin itself sees circles that are too large.

@@ -1,15 +1,10 @@
 #include "triangulation/editor.h"
 
 namespace epsnet {
-namespace {
 
-constexpr std::uint32_t kMostTriangles = 1u << 30;
-
-}  // namespace
-
-void Editor::require_room(std::size_t triangles) const {
-  if (triangulation_.triangle_count() + triangles > kMostTriangles) {
-    throw LimitError("more than 2^30 triangles");
+void Editor::require_room(std::size_t count, std::size_t triangles) {
+  if (count + triangles > kMostTriangles) {
+    throw LimitError("2^30 triangles or more");
   }
 }
 

@@ -19,12 +19,17 @@ class Editor {
   /// A triangulation to be filled.
   [[nodiscard]] static Triangulation without_triangles(Atlas atlas) { return Triangulation(std::move(atlas)); }
 
-  [[nodiscard]] std::vector<Complex<double>>& points() const { return triangulation_.points_; }
-  [[nodiscard]] std::vector<std::uint32_t>& charts() const { return triangulation_.charts_; }
-  [[nodiscard]] std::vector<Triangle>& triangles() const { return triangulation_.triangles_; }
+  [[nodiscard]] Mesh& mesh() const { return triangulation_.mesh_; }
+  [[nodiscard]] std::vector<Complex<double>>& points() const { return triangulation_.mesh_.points; }
+  [[nodiscard]] std::vector<std::uint32_t>& charts() const { return triangulation_.mesh_.charts; }
+  [[nodiscard]] std::vector<Triangle>& triangles() const { return triangulation_.mesh_.triangles; }
 
+  /// No triangulation has more triangles.
+  static constexpr std::size_t kMostTriangles = (std::size_t{1} << 30) - 1;
   /// Throws LimitError if so many more triangles are more than there may be.
-  void require_room(std::size_t triangles) const;
+  void require_room(std::size_t triangles) const { require_room(triangulation_.triangle_count(), triangles); }
+  /// The same for `count` triangles that are there.
+  static void require_room(std::size_t count, std::size_t triangles);
   /// Adds a vertex that no triangle has yet.
   std::uint32_t add_vertex(const Vertex& v) const {
     points().push_back(v.z);

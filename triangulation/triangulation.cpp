@@ -5,9 +5,9 @@
 namespace epsnet {
 
 void Triangulation::reserve(std::size_t vertices) {
-  points_.reserve(vertices);
-  charts_.reserve(vertices);
-  triangles_.reserve(2 * vertices);
+  mesh_.points.reserve(vertices);
+  mesh_.charts.reserve(vertices);
+  mesh_.triangles.reserve(2 * vertices);
 }
 
 std::vector<Dart> Triangulation::star(Dart d) const {
@@ -25,9 +25,9 @@ LabelId Triangulation::label_along(Dart d) {
 }
 
 LabelId Triangulation::transition(Dart d) {
-  const Triangle& t = triangles_[triangle_of(d)];
+  const Triangle& t = mesh_.triangles[triangle_of(d)];
   const Dart e = t.opposite[corner_of(d)];
-  const Triangle& other = triangles_[triangle_of(e)];
+  const Triangle& other = mesh_.triangles[triangle_of(e)];
   if (t.all_identity() && other.all_identity()) {
     return kIdentity;
   }
@@ -38,7 +38,7 @@ template <class T, std::size_t N, class Stage>
 StageSign Triangulation::multiprecision_stage(const std::array<Corner, N>& corners, const Stage& stage) {
   std::array<Complex<T>, N> points;
   for (std::size_t i = 0; i < N; ++i) {
-    points[i] = atlas_.lift<T>(corners[i].label, points_[corners[i].vertex]);
+    points[i] = atlas_.lift<T>(corners[i].label, mesh_.points[corners[i].vertex]);
   }
   return stage(points, Atlas::lift_error<T>());
 }

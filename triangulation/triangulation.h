@@ -48,6 +48,14 @@ static_assert(sizeof(Triangle) == 32);
 /// The largest label that a triangle has room for.
 inline constexpr LabelId kLargestLabel = (1u << 24) - 1;
 
+/// The vertices, coordinates and charts apart (the predicates of nearly all triangles need the coordinates alone), and
+/// the triangles of a triangulation, or of a part of one.
+struct Mesh {
+  std::vector<Complex<double>> points;
+  std::vector<std::uint32_t> charts;
+  std::vector<Triangle> triangles;
+};
+
 /// A vertex lifted by a label to some chart of reference.
 struct Corner {
   std::uint32_t vertex;
@@ -87,29 +95,31 @@ class Triangulation {
 
   /// The surface that is triangulated.
   [[nodiscard]] const Surface& surface() const { return atlas_.surface(); }
+  /// Vertices and triangles.
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   /// The charts of the vertices and the labels of the corners.
   [[nodiscard]] Atlas& atlas() { return atlas_; }
   /// The same of a triangulation that is const.
   [[nodiscard]] const Atlas& atlas() const { return atlas_; }
   /// Vertices are numbered from 0.
-  [[nodiscard]] std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(points_.size()); }
+  [[nodiscard]] std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(mesh_.points.size()); }
   /// Triangles are numbered from 0.
-  [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(triangles_.size()); }
+  [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(mesh_.triangles.size()); }
   /// The vertex of a number.
-  [[nodiscard]] Vertex vertex(std::uint32_t v) const { return {points_[v], charts_[v]}; }
+  [[nodiscard]] Vertex vertex(std::uint32_t v) const { return {mesh_.points[v], mesh_.charts[v]}; }
   /// The coordinate of a vertex in its chart.
-  [[nodiscard]] const Complex<double>& point(std::uint32_t v) const { return points_[v]; }
+  [[nodiscard]] const Complex<double>& point(std::uint32_t v) const { return mesh_.points[v]; }
   /// The triangle of a number.
-  [[nodiscard]] const Triangle& triangle(std::uint32_t t) const { return triangles_[t]; }
+  [[nodiscard]] const Triangle& triangle(std::uint32_t t) const { return mesh_.triangles[t]; }
   /// The chart of a triangle: that of its corner 0.
-  [[nodiscard]] std::uint32_t chart_of(std::uint32_t t) const { return charts_[triangles_[t].vertex[0]]; }
+  [[nodiscard]] std::uint32_t chart_of(std::uint32_t t) const { return mesh_.charts[mesh_.triangles[t].vertex[0]]; }
   /// Corner i of triangle t, lifted to the chart of t.
   [[nodiscard]] Corner corner(std::uint32_t t, std::uint32_t i) const {
-    return {triangles_[t].vertex[i], triangles_[t].label(i)};
+    return {mesh_.triangles[t].vertex[i], mesh_.triangles[t].label(i)};
   }
 
   /// The same edge in the other direction, a dart of the triangle across.
-  [[nodiscard]] Dart opposite(Dart d) const { return triangles_[triangle_of(d)].opposite[corner_of(d)]; }
+  [[nodiscard]] Dart opposite(Dart d) const { return mesh_.triangles[triangle_of(d)].opposite[corner_of(d)]; }
   /// The corner from which d leaves, lifted to the chart of its triangle.
   [[nodiscard]] Corner corner(Dart d) const { return corner(triangle_of(d), corner_of(d)); }
   /// The darts that leave the start vertex of d, d first, clockwise.
@@ -130,7 +140,7 @@ class Triangulation {
     if (j == 0) {
       return to;
     }
-    const LabelId seen = triangles_[triangle_of(e)].label(next(j));
+    const LabelId seen = mesh_.triangles[triangle_of(e)].label(next(j));
     return seen == kIdentity ? from : atlas_.product(from, atlas_.inverse(seen));
   }
 
@@ -146,10 +156,11 @@ class Triangulation {
   /// 1 if the hyperbolic circumradius R of triangle t certainly has sinh²R > s, −1 if certainly less; s is known
   /// between two binary64 bounds and as exactly as is needed.
   [[nodiscard]] int compare_circumradius(std::uint32_t t, const Threshold& s) {
-    const Triangle& triangle = triangles_[t];
+    const Triangle& triangle = mesh_.triangles[t];
     if (triangle.all_identity()) {
-      const StageSign sign = circumradius_stage_near_origin(points_[triangle.vertex[0]], points_[triangle.vertex[1]],
-                                                            points_[triangle.vertex[2]], s.high());
+      const StageSign sign =
+          circumradius_stage_near_origin(mesh_.points[triangle.vertex[0]], mesh_.points[triangle.vertex[1]],
+                                         mesh_.points[triangle.vertex[2]], s.high());
       if (sign.certain) {
         return sign.sign;
       }
@@ -159,7 +170,7 @@ class Triangulation {
   /// 1 if the hyperbolic distance d of two lifted vertices certainly has sinh²(d/2) > s, −1 if certainly less.
   [[nodiscard]] int compare_distance(Corner a, Corner b, const Threshold& s) {
     if ((a.label | b.label) == kIdentity) {
-      const StageSign sign = distance_stage_near_origin(points_[a.vertex], points_[b.vertex], s.high());
+      const StageSign sign = distance_stage_near_origin(mesh_.points[a.vertex], mesh_.points[b.vertex], s.high());
       if (sign.certain) {
         return sign.sign;
       }
@@ -182,7 +193,7 @@ class Triangulation {
     double error;
   };
   [[nodiscard]] Lift lift(Corner c) const {
-    const Complex<double>& z = points_[c.vertex];
+    const Complex<double>& z = mesh_.points[c.vertex];
     return c.label == kIdentity ? Lift{z, 0} : Lift{atlas_.isometry(c.label)(z), atlas_.error(c.label)};
   }
   [[nodiscard]] int compare_circumradius_staged(std::uint32_t t, const Threshold& s);
@@ -194,10 +205,7 @@ class Triangulation {
   [[nodiscard]] StageSign multiprecision_stage(const std::array<Corner, N>& corners, const Stage& stage);
 
   Atlas atlas_;
-  // The vertices, coordinates and charts apart: the predicates of nearly all triangles need the coordinates alone.
-  std::vector<Complex<double>> points_;
-  std::vector<std::uint32_t> charts_;
-  std::vector<Triangle> triangles_;
+  Mesh mesh_;
   std::uint64_t multiprecision_ = 0;
 };
 

@@ -52,7 +52,7 @@ bool untwist(Triangulation& triangulation, Dart d, Journal* journal) {
   const Corner turned_p = triangulation.corner(t, previous(corner_of(d)));
   const LabelId tau = atlas.product(turned_p.label, atlas.inverse(p.label));
   if (tau == kIdentity) return false;
-  const Isometry<double>& rounded = atlas.isometry(tau);
+  const Isometry<double> rounded = atlas.isometry(tau);
   constexpr double kRounding = 16 * kUnitRoundoff;
   if (isometry_discriminant(rounded) - kRounding * (norm(rounded.a) + norm(rounded.b)) > kShort) return false;
 

@@ -6,6 +6,9 @@
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "certify/document/darts.h"
 #include "certify/file/compact.h"
@@ -200,17 +203,20 @@ void write_net_object(Buffer& buffer, const NetDocument& document) {
 /// Collects bytes, hands them to the stream in large pieces, and adds them to the checksum.
 class CompactBuffer {
  public:
-  explicit CompactBuffer(std::ostream& out) : out_(out) { bytes_.reserve(kPiece + 8); }
+  explicit CompactBuffer(std::ostream& out) : out_(out) {}
 
   void text(std::string_view bytes) {
     flush();
-    bytes_ = bytes;
-    flush();
+    put(bytes);
   }
 
   void number(std::uint64_t value, std::size_t width) {
-    for (std::size_t i = 0; i < width; ++i) bytes_ += static_cast<char>(static_cast<unsigned char>(value >> (8 * i)));
-    if (bytes_.size() >= kPiece) flush();
+    // All eight bytes, of which the next number overwrites what is too much: a loop over the width would take longer.
+    for (std::size_t i = 0; i < 8; ++i) {
+      bytes_[size_ + i] = static_cast<char>(static_cast<unsigned char>(value >> (8 * i)));
+    }
+    size_ += width;
+    if (size_ >= kPiece) flush();
   }
 
   void checksum() {
@@ -220,15 +226,19 @@ class CompactBuffer {
   }
 
  private:
+  void put(std::string_view bytes) {
+    sum_.add(bytes);
+    out_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  }
   void flush() {
-    sum_.add(bytes_);
-    out_.write(bytes_.data(), static_cast<std::streamsize>(bytes_.size()));
-    bytes_.clear();
+    put({bytes_.data(), size_});
+    size_ = 0;
   }
 
-  static constexpr std::size_t kPiece = 1 << 20;
+  static constexpr std::size_t kPiece = 1 << 16;
   std::ostream& out_;
-  std::string bytes_;
+  std::vector<char> bytes_ = std::vector<char>(kPiece + 8);
+  std::size_t size_ = 0;
   CompactChecksum sum_;
 };
 

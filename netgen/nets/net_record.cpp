@@ -44,7 +44,7 @@ Columns columns(const std::string& surface, const UncertifiedNet& net, const cer
           {"epsilon", net.net.epsilon},
           {"insertion", std::string(name(options.insertion))},
           {"walk", std::string(options.insertion == Insertion::flips ? name(options.walk) : "")},
-          {"list", std::string(name(options.list))},
+          {"list", std::string(name(options.list.value_or(TriangleList::large_back)))},
           {"verdict", std::string(certify::name(certificate.verdict))},
           {"genus", text(counts.genus)},
           {"vertices", text(counts.vertices)},

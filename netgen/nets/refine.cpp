@@ -8,12 +8,15 @@
 #include <type_traits>
 #include <vector>
 
+#include "netgen/nets/pieces.h"
 #include "netgen/nets/start.h"
 #include "netgen/nets/triangle_list.h"
 #include "triangulation/cavity.h"
 #include "triangulation/circumcentre.h"
+#include "triangulation/editor.h"
 #include "triangulation/insertion.h"
 #include "triangulation/journal.h"
+#include "triangulation/known_labels.h"
 #include "triangulation/local_insertion.h"
 #include "triangulation/marks.h"
 
@@ -34,11 +37,15 @@ class Refinement {
         options_(options),
         collars_(collars),
         large_(epsilon.value()),
-        apart_(epsilon.value() / 2) {
+        apart_(epsilon.value() / 2),
+        known_labels_(triangulation.atlas()) {
     const double least = require_possible(triangulation.surface(), epsilon);
     // Experience (thesis IV.6.2).
     expected_ = 2.17 * least + 1;
     triangulation_.reserve(static_cast<std::size_t>(1.1 * expected_ + 1000));
+    if (!options.list && options.insertion == Insertion::cavity && expected_ >= kLeastInPieces) {
+      pieces_from_ = expected_ / kCoarser;
+    }
   }
 
   [[nodiscard]] NetStatistics run() {
@@ -52,6 +59,10 @@ class Refinement {
     initial_triangles_ = triangulation_.triangle_count();
     std::uint64_t count = 0;
     while (list_.size() > 0) {
+      if (triangulation_.vertex_count() >= pieces_from_) {
+        refine_pieces();
+        continue;
+      }
       const std::uint32_t t = list_.pop();
       // Memory answers while the entries before are at work; beyond the caches that is worth a fifth of the time. (Not
       // a function of its own: g++ 12 removes calls of functions that do nothing but prefetch.)
@@ -84,6 +95,12 @@ class Refinement {
   }
 
  private:
+  /// Nets of fewer vertices are made in the thesis' order; larger ones until they have a small part of theirs.
+  static constexpr double kLeastInPieces = 100'000;
+  static constexpr double kCoarser = 64;
+  /// Where this share of the vertices is still missing after that (labels were not known yet), and a quarter of the
+  /// large triangles has had its turn, pieces are tried again.
+  static constexpr double kShareForMore = 0.05;
   static constexpr bool kLargeAlone = kList == TriangleList::large_back || kList == TriangleList::largest_first;
 
   [[nodiscard]] bool is_large(std::uint32_t t) { return triangulation_.compare_circumradius(t, large_) > 0; }
@@ -105,6 +122,9 @@ class Refinement {
   void enter(const NewTriangles& made) {
     if constexpr (kLargeAlone) {
       push({made.large_slots.data(), made.large_count});
+      for (const std::uint32_t t : std::span(made.unsure_slots.data(), made.unsure_count)) {
+        enter(t);
+      }
     } else {
       for (const std::uint32_t t : std::span(made.slots.data(), made.count)) {
         enter(t);
@@ -124,7 +144,7 @@ class Refinement {
 
   /// sinh²(R/2), R the circumradius; infinite where binary64 does not see the centre.
   [[nodiscard]] double circumradius_order(std::uint32_t t) const {
-    const auto centre = circumcentre_fast(triangulation_, t);
+    const auto centre = circumcentre_fast(triangulation_.mesh(), triangulation_.atlas(), t);
     if (!centre || norm(*centre) >= 1) {
       return std::numeric_limits<double>::infinity();
     }
@@ -132,13 +152,39 @@ class Refinement {
     return norm(*centre - corner) / ((1 - norm(corner)) * (1 - norm(*centre)));
   }
 
+  /// Goes on in pieces, on all cores, and leaves on the list what could not be done there.
+  void refine_pieces() {
+    pieces_from_ = std::numeric_limits<double>::infinity();
+    std::vector<std::uint32_t> pending;
+    pending.reserve(list_.size());
+    while (list_.size() > 0) {
+      const std::uint32_t t = list_.pop();
+      if (triangulation_.triangle(t).marked()) pending.push_back(t);
+    }
+    const PieceResult result = refine_in_pieces(triangulation_, std::move(pending), apart_, large_,
+                                                {expected_, options_.threads, options_.progress});
+    statistics_.insertions += result.insertions;
+    statistics_.flips += result.flips;
+    for (const std::uint32_t t : result.pending) {
+      if (is_to_go(t)) {
+        push({&t, 1});
+      } else {
+        unmark(triangulation_, t);
+      }
+    }
+    const double vertices = triangulation_.vertex_count();
+    if (expected_ - vertices > kShareForMore * expected_) {
+      pieces_from_ = vertices + static_cast<double>(list_.size()) / 4;
+    }
+  }
+
   void insert_circumcentre(std::uint32_t t) {
     // Nearly always binary64 sees the centre well, and it stays in the triangle's chart.
-    const auto centre_in_chart = circumcentre_fast(triangulation_, t);
+    const auto centre_in_chart = circumcentre_fast(triangulation_.mesh(), triangulation_.atlas(), t);
     const std::uint32_t chart = triangulation_.chart_of(t);
     if (centre_in_chart && norm(*centre_in_chart) <= kChartRadius * kChartRadius) {
-      if (options_.insertion == Insertion::cavity &&
-          insert_locally(triangulation_, t, *centre_in_chart, apart_, large_, new_triangles_)) {
+      if (options_.insertion == Insertion::cavity && insert_locally(Editor(triangulation_).mesh(), known_labels_, t,
+                                                                    *centre_in_chart, apart_, large_, new_triangles_)) {
         enter(new_triangles_);
         statistics_.flips += new_triangles_.count - 3;
         return;
@@ -329,10 +375,12 @@ class Refinement {
   Threshold large_;
   Threshold apart_;
   double expected_;
+  double pieces_from_ = std::numeric_limits<double>::infinity();  ///< Vertices at which to go on in pieces.
   std::uint32_t initial_triangles_ = 0;
   ListOf<kList> list_;
   Cavity cavity_;
   NewTriangles new_triangles_;
+  KnownLabels known_labels_;
 };
 
 }  // namespace
@@ -350,7 +398,7 @@ double require_possible(const Surface& surface, const Length& epsilon) {
 }
 
 NetStatistics refine(Triangulation& triangulation, const Length& epsilon, const NetOptions& options, Collars* collars) {
-  switch (options.list) {
+  switch (options.list.value_or(TriangleList::large_back)) {
     case TriangleList::all_back:
       return Refinement<TriangleList::all_back>(triangulation, epsilon, options, collars).run();
     case TriangleList::all_front:

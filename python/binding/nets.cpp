@@ -160,6 +160,7 @@ py::tuple compute(const Surface& surface, const std::string& epsilon, const std:
   NetOptions options;
   options.base = base;
   options.pseudo = pseudo;
+  options.threads = threads;
   options.progress = progress_of(progress);
   options.check = check_options(threads, true, progress);
   CertifiedNet net = without_gil([&] { return certified_net(surface, length, options); });

@@ -453,7 +453,8 @@ RC_GTEST_PROP(TriangulationProperty, TheFastInsertionIsTheCavity, ()) {
   const auto before = snapshot(triangulation);
 
   NewTriangles made;
-  const bool inserted = insert_locally(triangulation, t, place.z, apart, large, made);
+  KnownLabels labels(triangulation.atlas());
+  const bool inserted = insert_locally(Editor(triangulation).mesh(), labels, t, place.z, apart, large, made);
   RC_CLASSIFY(inserted, "inserted");
   if (!inserted) {
     RC_ASSERT(snapshot(triangulation) == before);

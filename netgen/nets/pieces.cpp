@@ -1,0 +1,398 @@
+#include "netgen/nets/pieces.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <oneapi/tbb/concurrent_queue.h>
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_pipeline.h>
+#include <oneapi/tbb/task_arena.h>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "netgen/nets/triangle_list.h"
+#include "triangulation/circumcentre.h"
+#include "triangulation/editor.h"
+#include "triangulation/known_labels.h"
+#include "triangulation/local_insertion.h"
+
+namespace epsnet {
+namespace {
+
+namespace tbb = oneapi::tbb;
+
+// The thread sanitizer does not look into oneTBB and has to be told what happens before what: all that a thread did
+// before it handed something on before what the thread does that received it.
+#if defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+extern "C" void __tsan_acquire(void* address);
+extern "C" void __tsan_release(void* address);
+void receive(void* something) { __tsan_acquire(something); }
+void hand_on(void* something) { __tsan_release(something); }
+#define EPSNET_TELLS_SANITIZER
+#endif
+#endif
+#ifndef EPSNET_TELLS_SANITIZER
+void receive(void*) {}
+void hand_on(void*) {}
+#endif
+
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+/// A piece is to get so many new vertices: what it needs then fits into the cache of a core.
+constexpr double kVerticesOfPiece = 1 << 15;
+/// A piece along the boundaries of earlier ones gets fewer, and is long and narrow; with so many pending triangles it
+/// is much longer than wide, so that little is left at its ends.
+constexpr double kPendingOfPiece = 1 << 12;
+/// Pieces reach so many triangles beyond those that are pending.
+constexpr unsigned kMargin = 2;
+/// The second round is for what the first one left along the boundaries of its pieces. A third would find little.
+constexpr unsigned kRounds = 2;
+
+/// Triangles, each in one piece or none.
+struct Partition {
+  std::vector<std::uint32_t> piece;                 ///< By triangle; kNone.
+  std::vector<std::uint32_t> number;                ///< By triangle: which one it is of its piece.
+  std::vector<std::vector<std::uint32_t>> members;  ///< By piece.
+};
+
+/// All triangles within `kMargin` steps of the given ones; by triangle.
+std::vector<bool> zone_around(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
+  std::vector<bool> in_zone(mesh.triangles.size());
+  std::vector<std::uint32_t> ring(triangles.begin(), triangles.end());
+  for (const std::uint32_t t : ring) in_zone[t] = true;
+  for (unsigned step = 0; step < kMargin; ++step) {
+    std::vector<std::uint32_t> beyond;
+    for (const std::uint32_t t : ring) {
+      for (const Dart d : mesh.triangles[t].opposite) {
+        const std::uint32_t s = triangle_of(d);
+        if (!in_zone[s]) {
+          in_zone[s] = true;
+          beyond.push_back(s);
+        }
+      }
+    }
+    ring = std::move(beyond);
+  }
+  return in_zone;
+}
+
+/// The triangles of a zone by the seed that is the fewest steps away: breadth first from all seeds.
+Partition partition(const Mesh& mesh, std::span<const std::uint32_t> seeds, const std::vector<bool>& zone) {
+  Partition result;
+  result.piece.assign(mesh.triangles.size(), kNone);
+  result.number.resize(mesh.triangles.size());
+  std::vector<std::uint32_t> met;
+  const auto meet = [&](std::uint32_t t, std::uint32_t piece) {
+    if (result.piece[t] != kNone || !zone[t]) return;
+    result.piece[t] = piece;
+    met.push_back(t);
+  };
+  for (std::uint32_t k = 0; k < seeds.size(); ++k) meet(seeds[k], k);
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    for (const Dart d : mesh.triangles[met[i]].opposite) meet(triangle_of(d), result.piece[met[i]]);
+  }
+  result.members.resize(seeds.size());
+  for (const std::uint32_t t : met) {
+    std::vector<std::uint32_t>& members = result.members[result.piece[t]];
+    result.number[t] = static_cast<std::uint32_t>(members.size());
+    members.push_back(t);
+  }
+  return result;
+}
+
+/// Numbers for the vertices of a piece, in the order in which they are met: a table with open addressing.
+class VertexNumbers {
+ public:
+  /// Room for so many vertices.
+  explicit VertexNumbers(std::size_t most) {
+    while (slots_ < 2 * most) slots_ *= 2;
+    table_.assign(slots_, {kNone, 0});
+  }
+  [[nodiscard]] std::uint32_t operator()(std::uint32_t v) {
+    constexpr std::uint32_t kGolden = 0x9e3779b9;  // Multiplicative hashing.
+    std::size_t i = (v * kGolden) & (slots_ - 1);
+    while (table_[i].first != v) {
+      if (table_[i].first == kNone) {
+        table_[i] = {v, static_cast<std::uint32_t>(met_.size())};
+        met_.push_back(v);
+        break;
+      }
+      i = (i + 1) & (slots_ - 1);
+    }
+    return table_[i].second;
+  }
+  [[nodiscard]] std::vector<std::uint32_t> take() { return std::move(met_); }
+
+ private:
+  std::size_t slots_ = 64;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> table_;
+  std::vector<std::uint32_t> met_;
+};
+
+/// The vertices and triangles of the whole, whose vectors have room enough and grow at their ends while pieces are at
+/// work.
+struct Whole {
+  explicit Whole(Mesh& mesh)
+      : points(mesh.points.data()), charts(mesh.charts.data()), triangles(mesh.triangles.data()) {}
+
+  Complex<double>* points;
+  std::uint32_t* charts;
+  Triangle* triangles;
+};
+
+/// A part of a triangulation with numbers of its own: first the triangles and vertices that it had at the beginning, in
+/// which the darts out of it are kOutside, then those that it made. An object is memory to be used again and again.
+class Piece {
+ public:
+  /// The triangles of a piece and the darts between them; those to be looked at, by their numbers in the piece.
+  void take(const Whole& whole, const Partition& partition, std::uint32_t piece, std::span<const std::uint32_t> list) {
+    triangles_ = partition.members[piece];
+    pending_.clear();
+    flips_ = 0;
+    forgotten_ = false;
+    mesh_.points.clear();
+    mesh_.charts.clear();
+    mesh_.triangles.clear();
+    VertexNumbers number(3 * triangles_.size());
+    for (const std::uint32_t t : triangles_) {
+      Triangle triangle = whole.triangles[t];
+      for (std::uint32_t& v : triangle.vertex) v = number(v);
+      for (Dart& d : triangle.opposite) {
+        const std::uint32_t s = triangle_of(d);
+        d = partition.piece[s] == piece ? make_dart(partition.number[s], corner_of(d)) : kOutside;
+      }
+      mesh_.triangles.push_back(triangle);
+    }
+    vertices_ = number.take();
+    for (const std::uint32_t v : vertices_) {
+      mesh_.points.push_back(whole.points[v]);
+      mesh_.charts.push_back(whole.charts[v]);
+    }
+    list_given_ = list;
+    for (const std::uint32_t t : list) list_.push({&t, 1});
+  }
+
+  void refine(KnownLabels& labels, const Threshold& apart, const Threshold& large) {
+    NewTriangles made;
+    while (list_.size() > 0) {
+      const std::uint32_t t = list_.pop();
+      if (!mesh_.triangles[t].marked()) continue;
+      const auto centre = circumcentre_fast(mesh_, labels.atlas(), t);
+      if (!centre || !(norm(*centre) <= kChartRadius * kChartRadius) ||
+          !insert_locally(mesh_, labels, t, *centre, apart, large, made)) {
+        pending_.push_back(t);
+        continue;
+      }
+      list_.push({made.large_slots.data(), made.large_count});
+      for (std::uint32_t k = 0; k < made.unsure_count; ++k) {
+        mesh_.triangles[made.unsure_slots[k]].labels_and_mark |= 1;
+        pending_.push_back(made.unsure_slots[k]);
+      }
+      flips_ += made.count - 3;
+    }
+  }
+
+  [[nodiscard]] std::size_t made_vertices() const { return mesh_.points.size() - vertices_.size(); }
+  [[nodiscard]] std::size_t made_triangles() const { return mesh_.triangles.size() - triangles_.size(); }
+  [[nodiscard]] std::uint64_t flips() const { return flips_; }
+
+  /// Forgets all that was done: there is no room for it.
+  void forget() {
+    forgotten_ = true;
+    pending_.assign(list_given_.begin(), list_given_.end());
+    flips_ = 0;
+    mesh_.points.resize(vertices_.size());
+    mesh_.charts.resize(vertices_.size());
+    mesh_.triangles.resize(triangles_.size());
+  }
+  /// What the piece made gets the numbers from these on.
+  void number_from(std::size_t vertex, std::size_t triangle) {
+    first_vertex_ = vertex;
+    first_triangle_ = triangle;
+    for (std::uint32_t& t : pending_) t = triangle_number(t);
+  }
+  /// Triangles that are left, by their numbers in the whole.
+  [[nodiscard]] const std::vector<std::uint32_t>& pending() const { return pending_; }
+
+  /// Writes the piece back. Touches its triangles and the new numbers alone.
+  void give_back(const Whole& whole) const {
+    if (forgotten_) return;
+    const auto old_vertices = static_cast<std::ptrdiff_t>(vertices_.size());
+    std::copy(mesh_.points.begin() + old_vertices, mesh_.points.end(), whole.points + first_vertex_);
+    std::copy(mesh_.charts.begin() + old_vertices, mesh_.charts.end(), whole.charts + first_vertex_);
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const Triangle& from = mesh_.triangles[t];
+      Triangle& to = whole.triangles[triangle_number(t)];
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        to.vertex[i] = vertex_number(from.vertex[i]);
+        // A triangle with a neighbour outside is as it was, and so is that dart.
+        if (from.opposite[i] != kOutside) {
+          to.opposite[i] = make_dart(triangle_number(triangle_of(from.opposite[i])), corner_of(from.opposite[i]));
+        }
+      }
+      to.labels_and_mark = from.labels_and_mark;
+    }
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t vertex_number(std::uint32_t v) const {
+    return v < vertices_.size() ? vertices_[v] : static_cast<std::uint32_t>(first_vertex_ + v - vertices_.size());
+  }
+  [[nodiscard]] std::uint32_t triangle_number(std::uint32_t t) const {
+    return t < triangles_.size() ? triangles_[t] : static_cast<std::uint32_t>(first_triangle_ + t - triangles_.size());
+  }
+
+  std::vector<std::uint32_t> triangles_;  ///< Their numbers in the whole.
+  std::vector<std::uint32_t> vertices_;
+  std::size_t first_vertex_ = 0;
+  std::size_t first_triangle_ = 0;
+  Mesh mesh_;
+  std::span<const std::uint32_t> list_given_;
+  TriangleQueue list_;
+  std::vector<std::uint32_t> pending_;
+  bool forgotten_ = false;
+  std::uint64_t flips_ = 0;
+};
+
+/// Rounds of pieces.
+class PieceRefinement {
+ public:
+  PieceRefinement(Triangulation& triangulation, const Threshold& apart, const Threshold& large,
+                  const PieceOptions& options)
+      : triangulation_(triangulation),
+        mesh_(Editor(triangulation).mesh()),
+        apart_(apart),
+        large_(large),
+        options_(options) {}
+
+  [[nodiscard]] PieceResult run(std::vector<std::uint32_t> pending) {
+    result_.pending = std::move(pending);
+    for (unsigned k = 0; k < kRounds && !result_.pending.empty(); ++k) round();
+    return std::move(result_);
+  }
+
+ private:
+  /// Refines pieces around some of the pending triangles.
+  void round() {
+    const std::vector<std::uint32_t> seeds = choose_seeds();
+    const Partition parts = partition(mesh_, seeds, zone_around(mesh_, result_.pending));
+    // The list of each piece, in the order of the whole one; what is in no piece stays.
+    std::vector<std::vector<std::uint32_t>> lists(seeds.size());
+    std::vector<std::uint32_t> pending;
+    for (const std::uint32_t t : result_.pending) {
+      if (parts.piece[t] == kNone) {
+        pending.push_back(t);
+      } else {
+        lists[parts.piece[t]].push_back(parts.number[t]);
+      }
+    }
+    const int threads =
+        options_.threads == 0 ? tbb::this_task_arena::max_concurrency() : static_cast<int>(options_.threads);
+    const auto tokens = 3 * static_cast<std::size_t>(threads);
+    const std::thread::id caller = std::this_thread::get_id();
+    tbb::enumerable_thread_specific<KnownLabels> labels([this] { return KnownLabels(triangulation_.atlas()); });
+    std::vector<Piece> memory(tokens);
+    tbb::concurrent_queue<Piece*> idle;
+    for (Piece& piece : memory) {
+      idle.push(&piece);
+      hand_on(&piece);
+    }
+    hand_on(&mesh_);
+    std::uint32_t next_piece = 0;
+    hand_on(&next_piece);
+    const auto choose = [&](tbb::flow_control& flow) {
+      receive(&next_piece);
+      if (next_piece == seeds.size()) flow.stop();
+      const std::uint32_t k = next_piece++;
+      hand_on(&next_piece);
+      return k;
+    };
+    const Whole whole(mesh_);
+    const auto refine = [&](std::uint32_t k) {
+      Piece* piece = nullptr;
+      (void)idle.try_pop(piece);  // There are as many as there are tokens, so one is idle.
+      receive(piece);
+      piece->take(whole, parts, k, lists[k]);
+      piece->refine(labels.local(), apart_, large_);
+      hand_on(piece);
+      if (options_.progress && std::this_thread::get_id() == caller) {
+        options_.progress("net: " + std::to_string(vertices_) + " vertices",
+                          std::min(0.99, static_cast<double>(vertices_) / options_.expected_vertices));
+      }
+      return piece;
+    };
+    const auto number = [&](Piece* piece) {
+      receive(piece);
+      receive(&mesh_);
+      // The other pieces are read and written at the same time, so nothing may move.
+      if (mesh_.points.size() + piece->made_vertices() > mesh_.points.capacity() ||
+          mesh_.charts.size() + piece->made_vertices() > mesh_.charts.capacity() ||
+          mesh_.triangles.size() + piece->made_triangles() > mesh_.triangles.capacity()) {
+        piece->forget();
+      }
+      piece->number_from(mesh_.points.size(), mesh_.triangles.size());
+      mesh_.points.resize(mesh_.points.size() + piece->made_vertices());
+      mesh_.charts.resize(mesh_.points.size());
+      mesh_.triangles.resize(mesh_.triangles.size() + piece->made_triangles());
+      vertices_ = mesh_.points.size();
+      pending.insert(pending.end(), piece->pending().begin(), piece->pending().end());
+      result_.insertions += piece->made_vertices();
+      result_.flips += piece->flips();
+      hand_on(&mesh_);
+      hand_on(piece);
+      return piece;
+    };
+    const auto give_back = [&](Piece* piece) {
+      receive(piece);
+      piece->give_back(whole);
+      hand_on(piece);
+      hand_on(&idle);
+      idle.push(piece);
+    };
+    tbb::parallel_pipeline(tokens, tbb::make_filter<void, std::uint32_t>(tbb::filter_mode::serial_in_order, choose) &
+                                       tbb::make_filter<std::uint32_t, Piece*>(tbb::filter_mode::parallel, refine) &
+                                       tbb::make_filter<Piece*, Piece*>(tbb::filter_mode::serial_in_order, number) &
+                                       tbb::make_filter<Piece*, void>(tbb::filter_mode::parallel, give_back));
+    receive(&mesh_);
+    receive(&idle);
+    std::erase_if(pending, [&](std::uint32_t t) { return !mesh_.triangles[t].marked(); });
+    result_.pending = std::move(pending);
+  }
+
+  /// Every so many pending triangles one: their order is that of their age, so these lie everywhere.
+  [[nodiscard]] std::vector<std::uint32_t> choose_seeds() const {
+    const double left = options_.expected_vertices - static_cast<double>(mesh_.points.size());
+    const auto count = static_cast<double>(result_.pending.size());
+    const double pieces = std::max({1.0, left / kVerticesOfPiece, count / kPendingOfPiece});
+    const auto stride = static_cast<std::size_t>(std::max(1.0, count / pieces));
+    std::vector<std::uint32_t> seeds;
+    for (std::size_t k = 0; k < result_.pending.size(); k += stride) seeds.push_back(result_.pending[k]);
+    return seeds;
+  }
+
+  Triangulation& triangulation_;
+  Mesh& mesh_;
+  const Threshold& apart_;
+  const Threshold& large_;
+  const PieceOptions& options_;
+  std::atomic<std::size_t> vertices_ = 0;
+  PieceResult result_;
+};
+
+}  // namespace
+
+PieceResult refine_in_pieces(Triangulation& triangulation, std::vector<std::uint32_t> pending, const Threshold& apart,
+                             const Threshold& large, const PieceOptions& options) {
+  PieceRefinement refinement(triangulation, apart, large, options);
+  if (options.threads == 0) return refinement.run(std::move(pending));
+  // So many threads as are asked for, even where there are fewer cores.
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, options.threads);
+  tbb::task_arena arena(static_cast<int>(options.threads));
+  return arena.execute([&] { return refinement.run(std::move(pending)); });
+}
+
+}  // namespace epsnet

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "netgen/base/progress.h"
+#include "triangulation/threshold.h"
+#include "triangulation/triangulation.h"
+
+namespace epsnet {
+
+/// What a refinement in pieces is asked for.
+struct PieceOptions {
+  double expected_vertices;  ///< Of the whole net, about.
+  unsigned threads;          ///< 0: as many as there are cores.
+  const Progress& progress;  ///< Called by the calling thread alone.
+};
+
+/// What it did.
+struct PieceResult {
+  std::uint64_t insertions = 0;
+  std::uint64_t flips = 0;             ///< As NetStatistics counts them.
+  std::vector<std::uint32_t> pending;  ///< Marked triangles that are left, of which binary64 may not know how large.
+};
+
+/// Inserts the circumcentres of large triangles in many pieces of a Delaunay triangulation at the same time, by
+/// insert_locally alone: whatever that leaves open, and what is near the boundary of a piece, is left `pending`.
+/// `pending` are the large triangles, all marked. The result depends on the triangulation only, not on `threads`
+/// (docs/design.md, "On all cores"). Throws LimitError and what `progress` throws; the triangulation is lost then.
+[[nodiscard]] PieceResult refine_in_pieces(Triangulation& triangulation, std::vector<std::uint32_t> pending,
+                                           const Threshold& apart, const Threshold& large, const PieceOptions& options);
+
+}  // namespace epsnet
