@@ -162,6 +162,9 @@ Surface fenchel_nielsen_surface(const FenchelNielsen& coordinates) {
     gluing.push_back({p, 0, p, 2});
     gluing.push_back({p, 3, p, 5});
   }
+  // A file has room for 1 MiB of text (docs/format.md), a few thousand edges.
+  constexpr std::size_t kMostText = (std::size_t{1} << 20) - 64;
+  std::size_t left_out = 0;
   std::string about = "Fenchel-Nielsen, exactly: per edge the two pants with their cuffs, r = exp(length/2), s";
   for (std::size_t e = 0; e < n; ++e) {
     const auto& [first, second] = graph.edges()[e];
@@ -184,10 +187,16 @@ Surface fenchel_nielsen_surface(const FenchelNielsen& coordinates) {
     y[first.pants][first.cuff] = own;
     y[second.pants][second.cuff] = other;
     gluing.push_back({first.pants, kCuffSide[first.cuff], second.pants, kCuffSide[second.cuff]});
-    about += "; " + std::to_string(first.pants) + "." + std::to_string(first.cuff) + "-" +
-             std::to_string(second.pants) + "." + std::to_string(second.cuff) + " r=" + r[e].str() +
-             " s=" + Rational(own * other).str();
+    const std::string used = "; " + std::to_string(first.pants) + "." + std::to_string(first.cuff) + "-" +
+                             std::to_string(second.pants) + "." + std::to_string(second.cuff) + " r=" + r[e].str() +
+                             " s=" + Rational(own * other).str();
+    if (left_out > 0 || about.size() + used.size() > kMostText) {
+      ++left_out;
+    } else {
+      about += used;
+    }
   }
+  if (left_out > 0) about += "; and " + std::to_string(left_out) + " more edges";
   std::vector<Tile> tiles;
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     tiles.push_back(heptagon(pieces[p], y[p]));
