@@ -1,8 +1,10 @@
 #include "certify/file/writer.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
+#include <cstring>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
@@ -211,10 +213,10 @@ class CompactBuffer {
   }
 
   void number(std::uint64_t value, std::size_t width) {
-    // All eight bytes, of which the next number overwrites what is too much: a loop over the width would take longer.
-    for (std::size_t i = 0; i < 8; ++i) {
-      bytes_[size_ + i] = static_cast<char>(static_cast<unsigned char>(value >> (8 * i)));
-    }
+    // All eight bytes, of which the next number overwrites what is too much: one store, whatever the width.
+    std::array<unsigned char, 8> little_endian{};
+    for (std::size_t i = 0; i < 8; ++i) little_endian[i] = static_cast<unsigned char>(value >> (8 * i));
+    std::memcpy(bytes_.data() + size_, little_endian.data(), 8);
     size_ += width;
     if (size_ >= kPiece) flush();
   }
