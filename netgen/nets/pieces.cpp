@@ -54,8 +54,11 @@ constexpr unsigned kRounds = 2;
 
 /// Triangles, each in one piece or none.
 struct Partition {
-  std::vector<std::uint32_t> piece;                 ///< By triangle; kNone.
-  std::vector<std::uint32_t> number;                ///< By triangle: which one it is of its piece.
+  struct Place {
+    std::uint32_t piece = kNone;
+    std::uint32_t number = 0;  ///< Which one it is of its piece.
+  };
+  std::vector<Place> place;                         ///< By triangle.
   std::vector<std::vector<std::uint32_t>> members;  ///< By piece.
 };
 
@@ -83,22 +86,21 @@ std::vector<bool> zone_around(const Mesh& mesh, std::span<const std::uint32_t> t
 /// The triangles of a zone by the seed that is the fewest steps away: breadth first from all seeds.
 Partition partition(const Mesh& mesh, std::span<const std::uint32_t> seeds, const std::vector<bool>& zone) {
   Partition result;
-  result.piece.assign(mesh.triangles.size(), kNone);
-  result.number.resize(mesh.triangles.size());
+  result.place.resize(mesh.triangles.size());
   std::vector<std::uint32_t> met;
   const auto meet = [&](std::uint32_t t, std::uint32_t piece) {
-    if (result.piece[t] != kNone || !zone[t]) return;
-    result.piece[t] = piece;
+    if (!zone[t] || result.place[t].piece != kNone) return;
+    result.place[t].piece = piece;
     met.push_back(t);
   };
   for (std::uint32_t k = 0; k < seeds.size(); ++k) meet(seeds[k], k);
   for (std::size_t i = 0; i < met.size(); ++i) {
-    for (const Dart d : mesh.triangles[met[i]].opposite) meet(triangle_of(d), result.piece[met[i]]);
+    for (const Dart d : mesh.triangles[met[i]].opposite) meet(triangle_of(d), result.place[met[i]].piece);
   }
   result.members.resize(seeds.size());
   for (const std::uint32_t t : met) {
-    std::vector<std::uint32_t>& members = result.members[result.piece[t]];
-    result.number[t] = static_cast<std::uint32_t>(members.size());
+    std::vector<std::uint32_t>& members = result.members[result.place[t].piece];
+    result.place[t].number = static_cast<std::uint32_t>(members.size());
     members.push_back(t);
   }
   return result;
@@ -162,8 +164,8 @@ class Piece {
       Triangle triangle = whole.triangles[t];
       for (std::uint32_t& v : triangle.vertex) v = number(v);
       for (Dart& d : triangle.opposite) {
-        const std::uint32_t s = triangle_of(d);
-        d = partition.piece[s] == piece ? make_dart(partition.number[s], corner_of(d)) : kOutside;
+        const Partition::Place place = partition.place[triangle_of(d)];
+        d = place.piece == piece ? make_dart(place.number, corner_of(d)) : kOutside;
       }
       mesh_.triangles.push_back(triangle);
     }
@@ -284,10 +286,11 @@ class PieceRefinement {
     std::vector<std::vector<std::uint32_t>> lists(seeds.size());
     std::vector<std::uint32_t> pending;
     for (const std::uint32_t t : result_.pending) {
-      if (parts.piece[t] == kNone) {
+      const auto [piece, triangle] = parts.place[t];
+      if (piece == kNone) {
         pending.push_back(t);
       } else {
-        lists[parts.piece[t]].push_back(parts.number[t]);
+        lists[piece].push_back(triangle);
       }
     }
     const int threads =
