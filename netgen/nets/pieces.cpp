@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cstddef>
 #include <oneapi/tbb/concurrent_queue.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
-#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -19,6 +19,10 @@
 #include "triangulation/known_labels.h"
 #include "triangulation/local_insertion.h"
 
+#ifdef EPSNET_THREAD_SANITIZER
+#include <sanitizer/tsan_interface.h>
+#endif
+
 namespace epsnet {
 namespace {
 
@@ -26,18 +30,12 @@ namespace tbb = oneapi::tbb;
 
 // The thread sanitizer does not look into oneTBB and has to be told what happens before what: all that a thread did
 // before it handed something on before what the thread does that received it.
-#if defined(__has_feature)
-#if __has_feature(thread_sanitizer)
-extern "C" void __tsan_acquire(void* address);
-extern "C" void __tsan_release(void* address);
+#ifdef EPSNET_THREAD_SANITIZER
 void receive(void* something) { __tsan_acquire(something); }
 void hand_on(void* something) { __tsan_release(something); }
-#define EPSNET_TELLS_SANITIZER
-#endif
-#endif
-#ifndef EPSNET_TELLS_SANITIZER
-void receive(void*) {}
-void hand_on(void*) {}
+#else
+void receive(void* /*something*/) {}
+void hand_on(void* /*something*/) {}
 #endif
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
@@ -110,27 +108,25 @@ Partition partition(const Mesh& mesh, std::span<const std::uint32_t> seeds, cons
 class VertexNumbers {
  public:
   /// Room for so many vertices.
-  explicit VertexNumbers(std::size_t most) {
-    while (slots_ < 2 * most) slots_ *= 2;
-    table_.assign(slots_, {kNone, 0});
-  }
+  explicit VertexNumbers(std::size_t most)
+      : bits_(static_cast<unsigned>(std::bit_width(most)) + 1), table_(std::size_t{1} << bits_, {kNone, 0}) {}
   [[nodiscard]] std::uint32_t operator()(std::uint32_t v) {
-    constexpr std::uint32_t kGolden = 0x9e3779b9;  // Multiplicative hashing.
-    std::size_t i = (v * kGolden) & (slots_ - 1);
+    constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15;  // Multiplicative hashing.
+    auto i = static_cast<std::size_t>((v * kGolden) >> (64 - bits_));
     while (table_[i].first != v) {
       if (table_[i].first == kNone) {
         table_[i] = {v, static_cast<std::uint32_t>(met_.size())};
         met_.push_back(v);
         break;
       }
-      i = (i + 1) & (slots_ - 1);
+      i = (i + 1) & (table_.size() - 1);
     }
     return table_[i].second;
   }
   [[nodiscard]] std::vector<std::uint32_t> take() { return std::move(met_); }
 
  private:
-  std::size_t slots_ = 64;
+  unsigned bits_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> table_;
   std::vector<std::uint32_t> met_;
 };
