@@ -9,7 +9,6 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
-#include <string>
 #include <thread>
 #include <utility>
 
@@ -318,10 +317,7 @@ class PieceRefinement {
       piece->take(whole, parts, k, lists[k]);
       piece->refine(labels.local(), apart_, large_);
       hand_on(piece);
-      if (options_.progress && std::this_thread::get_id() == caller) {
-        options_.progress("net: " + std::to_string(vertices_) + " vertices",
-                          std::min(0.99, static_cast<double>(vertices_) / options_.expected_vertices));
-      }
+      if (std::this_thread::get_id() == caller) options_.report(vertices_);
       return piece;
     };
     const auto number = [&](Piece* piece) {

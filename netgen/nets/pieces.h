@@ -1,10 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
-#include "netgen/base/progress.h"
 #include "triangulation/threshold.h"
 #include "triangulation/triangulation.h"
 
@@ -12,9 +13,9 @@ namespace epsnet {
 
 /// What a refinement in pieces is asked for.
 struct PieceOptions {
-  double expected_vertices;  ///< Of the whole net, about.
-  unsigned threads;          ///< 0: as many as there are cores.
-  const Progress& progress;  ///< Called by the calling thread alone.
+  double expected_vertices;                          ///< Of the whole net, about.
+  unsigned threads;                                  ///< 0: as many as there are cores.
+  std::function<void(std::size_t vertices)> report;  ///< Called by the calling thread alone: how many there are so far.
 };
 
 /// What it did.
@@ -27,7 +28,7 @@ struct PieceResult {
 /// Inserts the circumcentres of large triangles in many pieces of a Delaunay triangulation at the same time, by
 /// insert_locally alone: whatever that leaves open, and what is near the boundary of a piece, is left `pending`.
 /// `pending` are the large triangles, all marked. The result depends on the triangulation only, not on `threads`
-/// (docs/design.md, "On all cores"). Throws LimitError and what `progress` throws; the triangulation is lost then.
+/// (docs/design.md, "On all cores"). Throws LimitError and what `report` throws; the triangulation is lost then.
 [[nodiscard]] PieceResult refine_in_pieces(Triangulation& triangulation, std::vector<std::uint32_t> pending,
                                            const Threshold& apart, const Threshold& large, const PieceOptions& options);
 

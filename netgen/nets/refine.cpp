@@ -1,10 +1,12 @@
 #include "netgen/nets/refine.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -86,9 +88,8 @@ class Refinement {
       insert_circumcentre(t);
       ++statistics_.insertions;
       constexpr std::uint64_t kReportEvery = 1 << 14;
-      if (options_.progress && ++count % kReportEvery == 0) {
-        options_.progress("net: " + std::to_string(triangulation_.vertex_count()) + " vertices",
-                          std::min(0.99, triangulation_.vertex_count() / expected_));
+      if (++count % kReportEvery == 0) {
+        report(triangulation_.vertex_count());
       }
     }
     return statistics_;
@@ -152,6 +153,18 @@ class Refinement {
     return norm(*centre - corner) / ((1 - norm(corner)) * (1 - norm(*centre)));
   }
 
+  /// Says how many vertices there are, and how many more each second.
+  void report(std::size_t vertices) const {
+    if (!options_.progress) return;
+    std::string text = "net: " + std::to_string(vertices) + " vertices";
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start_;
+    if (seconds.count() > 1) {
+      const auto thousands = static_cast<std::uint64_t>(static_cast<double>(vertices) / (1000 * seconds.count()));
+      text += ", " + std::to_string(thousands) + " thousand/s";
+    }
+    options_.progress(text, std::min(0.99, static_cast<double>(vertices) / expected_));
+  }
+
   /// Goes on in pieces, on all cores, and leaves on the list what could not be done there.
   void refine_pieces() {
     pieces_from_ = std::numeric_limits<double>::infinity();
@@ -162,7 +175,7 @@ class Refinement {
       if (triangulation_.triangle(t).marked()) pending.push_back(t);
     }
     const PieceResult result = refine_in_pieces(triangulation_, std::move(pending), apart_, large_,
-                                                {expected_, options_.threads, options_.progress});
+                                                {expected_, options_.threads, [this](std::size_t n) { report(n); }});
     statistics_.insertions += result.insertions;
     statistics_.flips += result.flips;
     for (const std::uint32_t t : result.pending) {
@@ -370,6 +383,7 @@ class Refinement {
 
   Triangulation& triangulation_;
   const NetOptions& options_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   NetStatistics statistics_;
   Collars* collars_;  ///< Null unless the net is a pseudo net.
   Threshold large_;

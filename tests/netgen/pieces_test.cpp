@@ -1,12 +1,12 @@
 #include "netgen/nets/pieces.h"
 
 #include <algorithm>
+#include <functional>
 #include <gtest/gtest.h>
 #include <map>
 #include <rapidcheck/gtest.h>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "netgen/nets/certified_net.h"
@@ -37,8 +37,8 @@ struct CoarseNet {
   }
 
   /// As if the net were to have so many vertices that there are about 33 pieces, where nothing else is said.
-  [[nodiscard]] PieceResult refine(unsigned threads, const Progress& progress = {}, double expected = 1 << 20) {
-    return refine_in_pieces(triangulation, pending, apart, large, {expected, threads, progress});
+  [[nodiscard]] PieceResult refine(unsigned threads, double expected = 1 << 20) {
+    return refine_in_pieces(triangulation, pending, apart, large, {expected, threads, report});
   }
   void make_room(std::size_t vertices) { triangulation.reserve(vertices); }
 
@@ -46,6 +46,7 @@ struct CoarseNet {
   Threshold apart;
   Threshold large;
   std::vector<std::uint32_t> pending;
+  std::function<void(std::size_t)> report = [](std::size_t) {};
 };
 
 void require_delaunay(Triangulation& triangulation) {
@@ -103,7 +104,7 @@ RC_GTEST_PROP(PiecesProperty, LeaveASoundTriangulationWhereThereIsNoRoom, ()) {
 TEST(Pieces, InsertNearlyAllWhereThereIsOne) {
   CoarseNet net(random_octagon(1), 0.02, 8);
   net.make_room(40'000);
-  const PieceResult result = net.refine(2, {}, 21'000);
+  const PieceResult result = net.refine(2, 21'000);
   EXPECT_GT(result.insertions, 20'000U);
   EXPECT_LT(result.pending.size(), 1'000U);
 }
@@ -155,8 +156,8 @@ TEST(Pieces, MakePseudoNetsThatAreVerified) {
 TEST(Pieces, HandOnWhatTheCallerThrows) {
   CoarseNet net(random_octagon(1), 0.05, 8);
   net.make_room(40'000);
-  const Progress interrupt = [](std::string_view, double) { throw std::runtime_error("interrupted"); };
-  EXPECT_THROW((void)net.refine(1, interrupt), std::runtime_error);
+  net.report = [](std::size_t) { throw std::runtime_error("interrupted"); };
+  EXPECT_THROW((void)net.refine(1), std::runtime_error);
 }
 
 }  // namespace
