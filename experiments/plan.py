@@ -17,6 +17,27 @@ class Sweep:
 
 
 @dataclass(frozen=True)
+class Seeds:
+    """Those of a sweep or of a batch, the last one included."""
+    first: int
+    last: int
+
+    @staticmethod
+    def of(text: str) -> "Seeds":
+        """FIRST-LAST. Throws ValueError."""
+        first, last = map(int, text.split("-"))
+        if not 1 <= first <= last:
+            raise ValueError
+        return Seeds(first, last)
+
+    def batches(self, size: int) -> list["Seeds"]:
+        return [Seeds(first, min(first + size - 1, self.last)) for first in range(self.first, self.last + 1, size)]
+
+    def __str__(self) -> str:
+        return f"{self.first}-{self.last}"
+
+
+@dataclass(frozen=True)
 class Measurement:
     """Systoles, largest embedded disks, radii and diameters of all surfaces, enclosed to these widths at most."""
     name: str
@@ -47,6 +68,17 @@ def random_surfaces(genus: int, count: int):
     """Random Fenchel-Nielsen coordinates on random graphs."""
     return tuple((f"genus-{genus}-{seed:02}", ("fenchel-nielsen", "--genus", str(genus), "--seed", str(seed)))
                  for seed in range(1, count + 1))
+
+
+def seeded(genus: int | None, seeds: Seeds):
+    """The random octagons of these seeds, or the random surfaces of this genus."""
+    of_all = octagons(seeds.last) if genus is None else random_surfaces(genus, seeds.last)
+    return of_all[seeds.first - 1:]
+
+
+def net_options(insertion: str, walk: str, triangle_list: str) -> list[str]:
+    """Those of `epsnet net`, where a walk implies flips."""
+    return ["--insert", insertion, "--list", triangle_list, *(["--locate", walk] if insertion == "flips" else [])]
 
 
 def hundredths(largest: int, smallest: int, step: int = 1):

@@ -1,4 +1,4 @@
-"""The record files of sweeps (record_file.h): reading, checking, and, for the Snakemake workflow, writing."""
+"""The record files of sweeps (record_file.h): reading, checking, writing, joining."""
 
 import csv
 import os
@@ -28,11 +28,11 @@ def read(path: Path) -> list[dict]:
     return [{key: _value(text) for key, text in record.items()} for record in csv.DictReader(records)]
 
 
-def is_finished(path: Path, head: str, columns: str) -> bool:
-    """Whether there is a complete file with this head and these columns."""
+def is_finished(path: Path, head: str, columns: str | None = None) -> bool:
+    """Whether there is a complete file with this head, and with these columns."""
     try:
         read(path)
-        return Path(path).read_text(encoding="utf-8").startswith(f"{head}\n{columns}\n")
+        return Path(path).read_text(encoding="utf-8").startswith(f"{head}\n" + (f"{columns}\n" if columns else ""))
     except (RecordError, OSError, UnicodeDecodeError):
         return False
 
@@ -49,8 +49,17 @@ def _value(text: str):
 def parameter_line(version: str, surface: Path, insertion: str, walk: str, triangle_list: str, epsilons: list[str]) -> str:
     """What sweep.cpp writes for the same parameters. `version` as `epsnet --version` prints it."""
     checksum = zlib.crc32(Path(surface).read_bytes())
-    return (f"# {version}, sweep 1, surface {Path(surface).stem} {checksum:08x}, insertion {insertion}, walk {walk}, "
-            f"list {triangle_list}, epsilon {' '.join(epsilons)}")
+    return f"# {version}, sweep 1, surface {Path(surface).stem} {checksum:08x}, {_way(insertion, walk, triangle_list, epsilons)}"
+
+
+def table_head(version: str, genus: int | None, seeds, insertion: str, walk: str, triangle_list: str, epsilons: list[str]) -> str:
+    """Of the table of a batch or of a whole sweep."""
+    kind = "octagons" if genus is None else f"genus {genus}"
+    return f"# {version}, table 1, {kind}, seeds {seeds}, {_way(insertion, walk, triangle_list, epsilons)}"
+
+
+def _way(insertion: str, walk: str, triangle_list: str, epsilons: list[str]) -> str:
+    return f"insertion {insertion}, walk {walk}, list {triangle_list}, epsilon {' '.join(epsilons)}"
 
 
 def gather(parameters: str, single_records: list[Path], output: Path) -> None:
@@ -59,6 +68,23 @@ def gather(parameters: str, single_records: list[Path], output: Path) -> None:
     if any(len(table) != 2 or table[0] != tables[0][0] for table in tables):
         raise RecordError(f"{output}: the records are not one line each with the same columns")
     write(output, parameters, tables[0][0], [table[1] for table in tables])
+
+
+def join(output: Path, head: str, parts: dict[Path, str]) -> None:
+    """One file of the records of several, which have to be finished with these heads; without the seconds, so that it is the
+    same wherever and however often it is made."""
+    columns, lines = "", []
+    for path, part_head in parts.items():
+        if not is_finished(path, part_head):
+            raise RecordError(f"{path}: not finished, or with other parameters")
+        rows = [line.split(",") for line in Path(path).read_text(encoding="utf-8").splitlines()[1:-1]]
+        kept = [i for i, column in enumerate(rows[0]) if not column.endswith("_seconds")]
+        names, *values = [",".join(row[i] for i in kept) for row in rows]
+        if columns not in ("", names):
+            raise RecordError(f"{path}: other columns")
+        columns = names
+        lines += values
+    write(output, head, columns, lines)
 
 
 def write(output: Path, head: str, columns: str, lines: list[str]) -> None:

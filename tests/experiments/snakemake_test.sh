@@ -1,5 +1,6 @@
 #!/bin/sh
-# snakemake_test.sh SNAKEMAKE SNAKEFILE PROGRAMS: a small sweep by the workflow gives the files of the program sweep.
+# snakemake_test.sh SNAKEMAKE SNAKEFILE PROGRAMS: a small sweep by the workflow gives the files of the program sweep; one whose jobs were
+# cut short goes on, and ends with the same table.
 snakemake=$1
 snakefile=$2
 programs=$3
@@ -7,24 +8,48 @@ here=$(mktemp -d) || exit 1
 trap 'rm -rf "$here"' EXIT
 cd "$here" || exit 1
 
-workflow() {
-  XDG_CACHE_HOME=$here/cache "$snakemake" -s "$snakefile" -d out --cores 2 --config programs="$programs" seeds=1-2 epsilons=0.50,0.30 >log 2>&1
-}
-workflow || {
+fail() {
+  echo "FAILED: $*"
   cat log
   exit 1
 }
-[ "$(ls -A out/records/main)" = 'octagon-001.csv
-octagon-002.csv' ] || {
-  echo "FAILED: $(ls -A out/records/main)"
-  exit 1
+# workflow DIR PROGRAMS: batches of two surfaces, and a last one of one.
+workflow() {
+  XDG_CACHE_HOME=$here/cache "$snakemake" -s "$snakefile" -d "$1" --cores 2 --keep-going --rerun-incomplete \
+    --config programs="$2" seeds=1-5 batch=2 epsilons=0.50,0.30 >log 2>&1
 }
-# Finished, as the program sees it; and line by line the same but for the seconds.
-mkdir again
-"$programs/sweep" out/surfaces/*.json --epsilons 0.50,0.30 --insert flips --list A -o out/records/main | grep '^sweep: 2 surfaces, 2 finished before' || exit 1
-"$programs/sweep" out/surfaces/*.json --epsilons 0.50,0.30 --insert flips --list A -o again >/dev/null || exit 1
-for file in octagon-001.csv octagon-002.csv; do
-  grep -v '^# complete' again/$file | cut -d , -f 1-22 >expected
-  grep -v '^# complete' out/records/main/$file | cut -d , -f 1-22 | cmp - expected || exit 1
-done
+workflow out "$programs" || fail 'the workflow'
+[ "$(cd out && find batches records tables -type f | sort)" = 'batches/main/1-2.csv
+batches/main/3-4.csv
+batches/main/5-5.csv
+records/main/octagon-001.csv
+records/main/octagon-002.csv
+records/main/octagon-003.csv
+records/main/octagon-004.csv
+records/main/octagon-005.csv
+tables/main.csv' ] || fail "$(find out)"
+tail -n 1 out/tables/main.csv | grep -q '^# complete: 10 records, CRC-32' || fail "$(cat out/tables/main.csv)"
+
+# The records are finished, as the program sees it, and the table has all of a record but its seconds.
+mkdir surfaces again
+for i in 1 2 3 4 5; do "$programs/epsnet" surface octagon --seed $i -o surfaces/octagon-00$i.json || fail 'epsnet surface'; done
+sweep() { "$programs/sweep" surfaces/*.json --epsilons 0.50,0.30 --insert flips --list A -o "$1"; }
+sweep out/records/main >log 2>&1 && grep -q '^sweep: 5 surfaces, 5 finished before' log || fail 'not finished'
+sweep again >log || fail 'sweep'
+for file in again/*.csv; do grep '^octagon' "$file" | cut -d , -f 1-22; done >expected
+grep '^octagon' out/tables/main.csv | cmp - expected || fail 'the table has other records'
+
+# The fourth surface ends its job.
+mkdir cut
+ln -s "$programs/epsnet" cut
+printf '#!/bin/sh\ncase "$*" in *octagon-004*) kill -TERM $PPID; sleep 1 ;; esac\nexec "%s/certify" "$@"\n' "$programs" >cut/certify
+chmod +x cut/certify
+workflow resumed "$here/cut" && fail 'the end of a job goes unnoticed'
+grep -q 'terminated; the same command goes on' log || fail 'no word of the end'
+[ -e resumed/records/main/octagon-003.csv ] && [ ! -e resumed/batches/main/3-4.csv ] && [ ! -e resumed/tables/main.csv ] || fail "$(find resumed)"
+cp resumed/records/main/octagon-003.csv kept
+workflow resumed "$programs" || fail 'it does not go on'
+grep -q '3 of 3 steps' log || fail 'more is done again than the batch, the table and the end'
+cmp kept resumed/records/main/octagon-003.csv || fail 'a finished surface is made again'
+cmp out/tables/main.csv resumed/tables/main.csv || fail 'the table is another one after an interruption'
 echo 'all passed'

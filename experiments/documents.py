@@ -1,0 +1,26 @@
+"""Files written at once, and documents with places for what is made."""
+
+import os
+from pathlib import Path
+
+
+class DocumentError(Exception):
+    """The text is one line that starts with the path."""
+
+
+def write_atomically(path: Path, text: str) -> None:
+    temporary = path.with_name(f".{path.name}.part")
+    temporary.write_text(text, encoding="utf-8")
+    os.replace(temporary, path)
+
+
+def update(path: Path, made: dict[str, str]) -> None:
+    """Puts tables between the marks <!-- NAME --> and <!-- end --> of a document."""
+    text = path.read_text(encoding="utf-8")
+    for name, table in made.items():
+        begin = text.find(f"<!-- {name} -->\n")
+        end = text.find("<!-- end -->", begin)
+        if begin < 0 or end < 0:
+            raise DocumentError(f"{path}: no place for the table {name}")
+        text = text[: text.index("\n", begin) + 1] + table + text[end:]
+    write_atomically(path, text)
