@@ -1,7 +1,7 @@
 #include "certify/file/compact.h"
 
+#include <algorithm>
 #include <bit>
-#include <cstring>
 #include <limits>
 #include <new>
 #include <string>
@@ -26,6 +26,8 @@ std::uint64_t CompactChecksum::value() const { return XXH64_digest(static_cast<c
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t kChecksumBytes = 8;
+constexpr const char* kDamaged = "the file was damaged, or is not complete: its checksum is another";
 
 [[noreturn]] void fail(const char* place, const std::string& problem) {
   throw MalformedError(std::string(place) + ": " + problem);
@@ -35,50 +37,65 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 }
 
 /// The little-endian number in some bytes.
-std::uint64_t number(std::string_view bytes) {
+template <std::size_t kWidth>
+std::uint64_t number(const char* bytes) {
   std::uint64_t result = 0;
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
+  for (std::size_t i = 0; i < kWidth; ++i) {
     result |= std::uint64_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
   }
   return result;
 }
 
-/// A part of the file, `width` bytes for each element.
-class Array {
- public:
-  Array(std::string_view bytes, std::size_t width) : bytes_(bytes), width_(width) {}
-
-  [[nodiscard]] std::uint32_t index(std::size_t i) const { return static_cast<std::uint32_t>(at(i)); }
-  [[nodiscard]] double binary64(std::size_t i) const { return std::bit_cast<double>(at(i)); }
-
- private:
-  [[nodiscard]] std::uint64_t at(std::size_t i) const { return number(bytes_.substr(i * width_, width_)); }
-
-  std::string_view bytes_;
-  std::size_t width_;
-};
-
-/// The file from front to back.
+/// The file from front to back, up to the checksum at its end.
 class Parts {
  public:
-  explicit Parts(std::string_view bytes) : rest_(bytes) {}
+  explicit Parts(Pieces& pieces) : pieces_(pieces) {}
 
-  std::string_view take(std::uint64_t size, const char* place) {
-    if (size > rest_.size()) {
-      fail(place, "has " + std::to_string(size) + " bytes, of which " + std::to_string(rest_.size()) + " are there");
+  /// Says that so many bytes are to come next, behind those that are expected already.
+  void expect(std::uint64_t size, const char* place) {
+    const std::uint64_t there = left() - expected_;
+    if (size > there) {
+      fail(place, "has " + std::to_string(size) + " bytes, of which " + std::to_string(there) + " are there");
     }
-    const std::string_view part = rest_.substr(0, size);
-    rest_.remove_prefix(size);
+    expected_ += size;
+  }
+  std::string_view take(std::size_t size) {
+    const std::string_view part = pieces_.ahead(size).substr(0, size);
+    pieces_.skip(size);
+    expected_ -= size;
+    sum_.add(part);
     return part;
   }
-  std::uint32_t word(const char* place) { return static_cast<std::uint32_t>(number(take(4, place))); }
-  Array array(std::uint64_t count, std::size_t width, const char* place) {
-    return {take(count * width, place), width};  // Of at most 2³² and 8.
+  /// use(number) for numbers of so many bytes each.
+  template <std::size_t kWidth, class Use>
+  void take_numbers(std::size_t count, const Use& use) {
+    while (count > 0) {
+      const std::size_t size = kWidth * std::min(count, pieces_.ahead(kWidth).size() / kWidth);
+      const std::string_view part = take(size);
+      for (std::size_t i = 0; i < size; i += kWidth) use(number<kWidth>(part.data() + i));
+      count -= size / kWidth;
+    }
   }
-  [[nodiscard]] std::size_t left() const { return rest_.size(); }
+  template <class Use>
+  void take_indices(std::size_t count, std::size_t width, const Use& use) {
+    const auto use_index = [&](std::uint64_t index) { use(static_cast<std::uint32_t>(index)); };
+    if (width == 1) take_numbers<1>(count, use_index);
+    if (width == 2) take_numbers<2>(count, use_index);
+    if (width == 4) take_numbers<4>(count, use_index);
+  }
+  std::uint32_t word(const char* place) {
+    expect(4, place);
+    return static_cast<std::uint32_t>(number<4>(take(4).data()));
+  }
+  [[nodiscard]] std::uint64_t left() const { return pieces_.left() - kChecksumBytes; }
+  [[nodiscard]] bool checksum_fits() {
+    return sum_.value() == number<kChecksumBytes>(pieces_.ahead(kChecksumBytes).data());
+  }
 
  private:
-  std::string_view rest_;
+  Pieces& pieces_;
+  std::uint64_t expected_ = 0;
+  CompactChecksum sum_;
 };
 
 std::size_t width_of(std::uint32_t written, const char* place) {
@@ -88,75 +105,83 @@ std::size_t width_of(std::uint32_t written, const char* place) {
   return written;
 }
 
-void check_sum(std::string_view bytes) {
-  if (bytes.size() < kCompactMagic.size() + 8) fail("checksum", "the file ends before it");
+/// Whether the checksum is right; also of bytes that are too few to have one.
+bool is_intact(std::string_view bytes) {
+  if (bytes.size() < kCompactMagic.size() + kChecksumBytes) return true;
   CompactChecksum sum;
-  sum.add(bytes.substr(0, bytes.size() - 8));
-  if (sum.value() != number(bytes.substr(bytes.size() - 8))) {
-    fail("checksum", "the file was damaged, or is not complete: its checksum is another");
-  }
+  sum.add(bytes.substr(0, bytes.size() - kChecksumBytes));
+  return sum.value() == number<kChecksumBytes>(bytes.data() + bytes.size() - kChecksumBytes);
 }
 
 void read_vertices(Parts& parts, std::uint32_t count, std::size_t chart_width, NetDocument& document) {
-  const Array x = parts.array(count, 8, "vertices");
-  const Array y = parts.array(count, 8, "vertices");
-  const Array chart = parts.array(count, chart_width, "vertices");
-  document.vertices.resize(count);
-  for (std::size_t v = 0; v < count; ++v) document.vertices[v] = {x.binary64(v), y.binary64(v), chart.index(v)};
+  for (const std::size_t width : {std::size_t{8}, std::size_t{8}, chart_width}) parts.expect(count * width, "vertices");
+  std::vector<NetDocument::Vertex>& vertices = document.vertices;
+  vertices.resize(count);
+  auto v = vertices.begin();
+  parts.take_numbers<8>(count, [&](std::uint64_t x) { (v++)->x = std::bit_cast<double>(x); });
+  v = vertices.begin();
+  parts.take_numbers<8>(count, [&](std::uint64_t y) { (v++)->y = std::bit_cast<double>(y); });
+  v = vertices.begin();
+  parts.take_indices(count, chart_width, [&](std::uint32_t chart) { (v++)->chart = chart; });
 }
 
 void read_triangles(Parts& parts, std::uint32_t count, std::size_t label_width, NetDocument& document) {
   const std::size_t darts = std::size_t{3} * count;
   if (darts % 2 != 0) fail("triangles", "an odd number of darts, which cannot be paired");
-  const Array vertex = parts.array(darts, 4, "triangles");
-  const Array opposite = parts.array(darts / 2, 4, "opposites");
-  const std::string_view labelled = parts.take((2 * std::size_t{count} + 7) / 8, "labelled corners");
-  document.triangles.resize(count);
-  for (NetDocument::Triangle& triangle : document.triangles) triangle.opposite = {kNone, kNone, kNone};
-  const auto opposite_of = [&](std::size_t dart) -> std::uint32_t& {
-    return document.triangles[dart / 3].opposite[dart % 3];
-  };
+  const std::size_t corners = 2 * std::size_t{count};
+  const std::size_t bytes_of_bits = (corners + 7) / 8;
+  parts.expect(4 * darts, "triangles");
+  parts.expect(2 * darts, "opposites");
+  parts.expect(bytes_of_bits, "labelled corners");
+  document.triangles.resize(count, {.vertex = {}, .opposite = {kNone, kNone, kNone}, .label = {}});
+  std::size_t dart = 0;
+  parts.take_numbers<4>(darts, [&](std::uint64_t vertex) {
+    document.triangles[dart / 3].vertex[dart % 3] = static_cast<std::uint32_t>(vertex);
+    ++dart;
+  });
+  const auto opposite_of = [&](std::size_t d) -> std::uint32_t& { return document.triangles[d / 3].opposite[d % 3]; };
+  dart = 0;
   std::size_t pair = 0;
-  std::size_t labels = 0;
-  for (std::size_t dart = 0; dart < darts; ++dart) {
-    document.triangles[dart / 3].vertex[dart % 3] = vertex.index(dart);
-    if (opposite_of(dart) != kNone) continue;
+  parts.take_numbers<4>(darts / 2, [&](std::uint64_t other) {
     // Of the darts not yet paired each one names its partner, which comes later.
-    const std::uint32_t other = opposite.index(pair);
+    while (opposite_of(dart) != kNone) ++dart;
     if (other <= dart || other >= darts || opposite_of(other) != kNone) {
       fail("opposites", pair,
            "the opposite of dart " + std::to_string(dart) + " is " + std::to_string(other) +
                ", expected a later dart that has none");
     }
-    opposite_of(dart) = other;
+    opposite_of(dart) = static_cast<std::uint32_t>(other);
     opposite_of(other) = static_cast<std::uint32_t>(dart);
     ++pair;
-  }
+  });
+  const std::string labelled(parts.take(bytes_of_bits));
   const auto is_labelled = [&](std::size_t corner) {
     return ((static_cast<unsigned char>(labelled[corner / 8]) >> (corner % 8)) & 1U) != 0;
   };
-  const std::size_t corners = 2 * std::size_t{count};
+  std::size_t labels = 0;
   for (std::size_t corner = 0; corner < corners; ++corner) labels += is_labelled(corner) ? 1 : 0;
   for (std::size_t bit = corners; bit < 8 * labelled.size(); ++bit) {
     if (is_labelled(bit)) fail("labelled corners", "a bit beyond the last corner is set");
   }
-  const Array label = parts.array(labels, label_width, "labels of corners");
-  std::size_t next = 0;
-  for (std::size_t corner = 0; corner < corners; ++corner) {
-    if (!is_labelled(corner)) continue;
-    const std::uint32_t value = label.index(next);
-    if (value == 0) fail("labels of corners", next, "0, expected another, as the corner is said to have one");
-    document.triangles[corner / 2].label[corner % 2] = value;
-    ++next;
-  }
+  parts.expect(labels * label_width, "labels of corners");
+  std::size_t corner = 0;
+  std::size_t read = 0;
+  parts.take_indices(labels, label_width, [&](std::uint32_t label) {
+    while (!is_labelled(corner)) ++corner;
+    if (label == 0) fail("labels of corners", read, "0, expected another, as the corner is said to have one");
+    document.triangles[corner / 2].label[corner % 2] = label;
+    ++corner;
+    ++read;
+  });
 }
 
 }  // namespace
 
-NetDocument parse_compact(std::string_view bytes, const std::function<NetDocument(std::string_view)>& read_head) {
-  check_sum(bytes);
-  Parts parts(bytes.substr(0, bytes.size() - 8));
-  parts.take(kCompactMagic.size(), "header");
+NetDocument parse_compact(Pieces& bytes, const ReadHead& read_head) {
+  if (bytes.left() < kCompactMagic.size() + kChecksumBytes) fail("checksum", "the file ends before it");
+  Parts parts(bytes);
+  parts.expect(kCompactMagic.size(), "header");
+  parts.take(kCompactMagic.size());
   const std::uint32_t version = parts.word("header");
   if (version != 1) {
     fail("header", "version " + std::to_string(version) + " is not a version this program reads, expected 1");
@@ -167,14 +192,27 @@ NetDocument parse_compact(std::string_view bytes, const std::function<NetDocumen
   const std::size_t chart_width = width_of(parts.word("header"), "header: charts of vertices");
   const std::size_t label_width = width_of(parts.word("header"), "header: labels of corners");
   if (triangles > (1U << 30)) fail("header", "more than the limit of 1073741824 triangles");
-  NetDocument document = read_head(parts.take(head_size, "head"));
+  parts.expect(head_size, "head");
+  NetDocument document = read_head(parts.take(head_size));
   if (!document.vertices.empty() || !document.triangles.empty()) {
     fail("head", "vertices or triangles in the JSON text, expected none");
   }
   read_vertices(parts, vertices, chart_width, document);
   read_triangles(parts, triangles, label_width, document);
   if (parts.left() != 0) fail("checksum", std::to_string(parts.left()) + " bytes too many before it");
+  if (!parts.checksum_fits()) fail("checksum", kDamaged);
   return document;
+}
+
+NetDocument parse_compact(std::string_view bytes, const ReadHead& read_head) {
+  Pieces pieces(bytes);
+  try {
+    return parse_compact(pieces, read_head);
+  } catch (const MalformedError&) {
+    // Whatever else the bytes say: if they were damaged, that is what is wrong.
+    if (!is_intact(bytes)) fail("checksum", kDamaged);
+    throw;
+  }
 }
 
 }  // namespace epsnet::certify

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "certify/document/document.h"
+#include "certify/file/pieces.h"
 
 /// Compact net files: what a net file says of its surface as JSON, and the vertices and triangles as arrays
 /// (docs/format.md, "Compact net file").
@@ -15,11 +16,15 @@ inline constexpr std::string_view kCompactMagic = "\211EPSNET\n";
 /// Whether the bytes begin as a compact file.
 [[nodiscard]] inline bool is_compact(std::string_view bytes) { return bytes.starts_with(kCompactMagic); }
 
-/// Reads a compact file: `read_head` makes of the JSON text a document without vertices and triangles, to which they
-/// are added. Throws MalformedError without the file's name. Indices may be out of range as in a document of any other
-/// file (structure_problem). O(size); no more memory than the document takes, however the sizes lie.
-[[nodiscard]] NetDocument parse_compact(std::string_view bytes,
-                                        const std::function<NetDocument(std::string_view)>& read_head);
+/// Makes of the JSON text of a compact file a document without vertices and triangles, to which they are added.
+using ReadHead = std::function<NetDocument(std::string_view)>;
+
+/// Reads a compact file. Throws MalformedError without the file's name. Indices may be out of range as in a document of
+/// any other file (structure_problem). O(size); no more memory than the document takes, however the sizes lie.
+[[nodiscard]] NetDocument parse_compact(std::string_view bytes, const ReadHead& read_head);
+
+/// The same of a file that comes in pieces. What is said of a file that was damaged need not be that it was.
+[[nodiscard]] NetDocument parse_compact(Pieces& bytes, const ReadHead& read_head);
 
 /// The checksum at the end of a compact file: XXH64 with the seed 0.
 class CompactChecksum {

@@ -19,6 +19,7 @@
 #include "certify/document/structure_check.h"
 #include "certify/document/text.h"
 #include "certify/file/compact.h"
+#include "certify/file/plain_rows.h"
 
 namespace epsnet::certify {
 namespace {
@@ -553,9 +554,17 @@ void parse(simdjson::padded_string_view text, std::string_view name, const ReadD
   }
 }
 
+/// The document of a net with the rows that were taken out of its text. What is read is added to them.
+NetDocument net_with(PlainRows&& rows) {
+  NetDocument net;
+  net.vertices = std::move(rows.vertices);
+  net.triangles = std::move(rows.triangles);
+  return net;
+}
+
 /// Without a look at what the members say together.
-NetDocument parse_net_members(simdjson::padded_string_view text, std::string_view name) {
-  NetDocument document;
+NetDocument parse_net_members(simdjson::padded_string_view text, std::string_view name, PlainRows&& rows = {}) {
+  NetDocument document = net_with(std::move(rows));
   parse(text, name, [&](object members) {
     std::size_t letters_in_all = 0;
     read_members(members, {.member = "net"}, net_members(document, letters_in_all));
@@ -565,18 +574,26 @@ NetDocument parse_net_members(simdjson::padded_string_view text, std::string_vie
 
 bool is_compact(simdjson::padded_string_view text) { return certify::is_compact({text.data(), text.size()}); }
 
-NetDocument parse_padded_net(simdjson::padded_string_view text, std::string_view name) {
+/// simdjson reads up to SIMDJSON_PADDING bytes past the end; a reserve of that size makes it legal without a copy.
+simdjson::padded_string_view padded(std::string& bytes) {
+  bytes.reserve(bytes.size() + simdjson::SIMDJSON_PADDING);
+  return simdjson::padded_string_view(bytes, bytes.capacity());
+}
+
+NetDocument parse_compact_head(std::string_view head) {
+  return parse_net_members(simdjson::padded_string(head), "head");
+}
+
+NetDocument parse_padded_net(simdjson::padded_string_view text, std::string_view name, PlainRows&& rows = {}) {
   NetDocument document;
   if (is_compact(text)) {
     try {
-      document = parse_compact({text.data(), text.size()}, [](std::string_view head) {
-        return parse_net_members(simdjson::padded_string(head), "head");
-      });
+      document = parse_compact(std::string_view(text.data(), text.size()), parse_compact_head);
     } catch (const MalformedError& error) {
       throw MalformedError(std::string(name) + ": " + error.what());
     }
   } else {
-    document = parse_net_members(text, name);
+    document = parse_net_members(text, name, std::move(rows));
   }
   if (const auto problem = structure_problem(document)) throw MalformedError(std::string(name) + ": " + *problem);
   return document;
@@ -595,8 +612,10 @@ SurfaceDocument parse_padded_surface(simdjson::padded_string_view text, std::str
   return surface;
 }
 
-GeodesicsDocument parse_padded_geodesics(simdjson::padded_string_view text, std::string_view name) {
+GeodesicsDocument parse_padded_geodesics(simdjson::padded_string_view text, std::string_view name,
+                                         PlainRows&& rows = {}) {
   GeodesicsDocument document;
+  document.net = net_with(std::move(rows));
   parse(text, name, [&](object members) {
     std::size_t letters_in_all = 0;
     const std::vector<bool> seen =
@@ -607,8 +626,10 @@ GeodesicsDocument parse_padded_geodesics(simdjson::padded_string_view text, std:
   return document;
 }
 
-DistanceDocument parse_padded_distance(simdjson::padded_string_view text, std::string_view name) {
+DistanceDocument parse_padded_distance(simdjson::padded_string_view text, std::string_view name,
+                                       PlainRows&& rows = {}) {
   DistanceDocument document;
+  document.net = net_with(std::move(rows));
   parse(text, name, [&](object members) {
     std::size_t letters_in_all = 0;
     read_members(members, {.member = "distance file"}, distance_members(document, letters_in_all));
@@ -617,8 +638,9 @@ DistanceDocument parse_padded_distance(simdjson::padded_string_view text, std::s
   return document;
 }
 
-CoverDocument parse_padded_cover(simdjson::padded_string_view text, std::string_view name) {
+CoverDocument parse_padded_cover(simdjson::padded_string_view text, std::string_view name, PlainRows&& rows = {}) {
   CoverDocument document;
+  document.net = net_with(std::move(rows));
   parse(text, name, [&](object members) {
     std::size_t letters_in_all = 0;
     read_members(members, {.member = "cover file"}, cover_members(document, letters_in_all));
@@ -643,19 +665,52 @@ std::string format_of(simdjson::padded_string_view text) {
   return "";
 }
 
-ClaimDocument parse_padded_claim(simdjson::padded_string_view text, std::string_view name) {
+ClaimDocument parse_padded_claim(simdjson::padded_string_view text, std::string_view name, PlainRows&& rows = {}) {
   if (is_compact(text)) return parse_padded_net(text, name);
   const std::string format = format_of(text);
-  if (format == "epsnet-geodesics") return parse_padded_geodesics(text, name);
-  if (format == "epsnet-distance") return parse_padded_distance(text, name);
-  if (format == "epsnet-cover") return parse_padded_cover(text, name);
-  return parse_padded_net(text, name);
+  if (format == "epsnet-geodesics") return parse_padded_geodesics(text, name, std::move(rows));
+  if (format == "epsnet-distance") return parse_padded_distance(text, name, std::move(rows));
+  if (format == "epsnet-cover") return parse_padded_cover(text, name, std::move(rows));
+  return parse_padded_net(text, name, std::move(rows));
 }
 
-/// simdjson reads up to SIMDJSON_PADDING bytes past the end; a reserve of that size makes it legal without a copy.
-simdjson::padded_string_view padded(std::string& bytes) {
-  bytes.reserve(bytes.size() + simdjson::SIMDJSON_PADDING);
-  return simdjson::padded_string_view(bytes, bytes.capacity());
+/// What the functions above read, in less time and memory: rows of numbers are taken as they come along. Nothing if
+/// that does not work or anything is wrong, which is for them to say.
+std::optional<ClaimDocument> parse_in_pieces(Pieces& bytes) {
+  try {
+    if (certify::is_compact(bytes.ahead(kCompactMagic.size()))) {
+      NetDocument net = parse_compact(bytes, parse_compact_head);
+      return structure_problem(net) ? std::nullopt : std::optional<ClaimDocument>(std::move(net));
+    }
+    std::optional<PlainRows> rows = take_plain_rows(bytes);
+    if (!rows) return std::nullopt;
+    std::string rest = std::move(rows->rest);
+    return parse_padded_claim(padded(rest), "", std::move(*rows));
+  } catch (const MalformedError&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<ClaimDocument> parse_in_pieces(simdjson::padded_string_view text) {
+  if (is_compact(text) || text.size() > kMaxFileBytes) return std::nullopt;
+  Pieces pieces(std::string_view(text.data(), text.size()));
+  return parse_in_pieces(pieces);
+}
+
+ClaimDocument parse_any_claim(simdjson::padded_string_view text, std::string_view name) {
+  std::optional<ClaimDocument> document = parse_in_pieces(text);
+  return document ? *std::move(document) : parse_padded_claim(text, name);
+}
+
+/// The net of a document that was read, if it is a net and nothing else.
+std::optional<NetDocument> only_net(std::optional<ClaimDocument>&& document) {
+  auto* net = document ? std::get_if<NetDocument>(&*document) : nullptr;
+  return net != nullptr ? std::optional(std::move(*net)) : std::nullopt;
+}
+
+NetDocument parse_any_net(simdjson::padded_string_view text, std::string_view name) {
+  std::optional<NetDocument> net = only_net(parse_in_pieces(text));
+  return net ? *std::move(net) : parse_padded_net(text, name);
 }
 
 }  // namespace
@@ -700,13 +755,26 @@ std::string load(const std::filesystem::path& path) {
   return bytes;
 }
 
+std::optional<ClaimDocument> read_claim_in_pieces(const std::filesystem::path& path,
+                                                  const std::function<void(std::string_view)>& witness) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error || size <= kMaxBytesAtOnce || size > kMaxFileBytes) return std::nullopt;
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!file) return std::nullopt;
+  Pieces pieces(file.get(), size, witness);
+  return parse_in_pieces(pieces);
+}
+
 NetDocument read_net(const std::filesystem::path& path) {
+  if (std::optional<NetDocument> net = only_net(read_claim_in_pieces(path))) return *std::move(net);
   std::string bytes = load(path);
-  return parse_padded_net(padded(bytes), display_name(path));
+  return parse_any_net(padded(bytes), display_name(path));
 }
 
 NetDocument parse_net(std::string_view text, std::string_view name) {
-  return parse_padded_net(simdjson::padded_string(text), name);
+  return parse_any_net(simdjson::padded_string(text), name);
 }
 
 SurfaceDocument read_surface(const std::filesystem::path& path) {
@@ -746,16 +814,17 @@ CoverDocument parse_cover(std::string_view text, std::string_view name) {
 }
 
 ClaimDocument read_claim(const std::filesystem::path& path) {
+  if (std::optional<ClaimDocument> document = read_claim_in_pieces(path)) return *std::move(document);
   std::string bytes = load(path);
   return parse_claim_in_place(bytes, display_name(path));
 }
 
 ClaimDocument parse_claim(std::string_view text, std::string_view name) {
-  return parse_padded_claim(simdjson::padded_string(text), name);
+  return parse_any_claim(simdjson::padded_string(text), name);
 }
 
 ClaimDocument parse_claim_in_place(std::string& bytes, std::string_view name) {
-  return parse_padded_claim(padded(bytes), name);
+  return parse_any_claim(padded(bytes), name);
 }
 
 }  // namespace epsnet::certify

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -38,6 +41,17 @@ class FileError : public std::runtime_error {
 /// FileError, or MalformedError if there are more.
 [[nodiscard]] std::string load(const std::filesystem::path& path);
 
+/// Files of at most so many bytes are not read in pieces.
+inline constexpr std::uint64_t kMaxBytesAtOnce = 4'000'000;
+
+/// What a file that can be checked holds.
+using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocument, CoverDocument>;
+
+/// Reads a large file that can be checked without all of its bytes in memory; `witness` gets them, in order. Nothing if
+/// path is none, or if anything is wrong with it: then `load` and `parse_claim_in_place` read it, or say what it is.
+[[nodiscard]] std::optional<ClaimDocument> read_claim_in_pieces(
+    const std::filesystem::path& path, const std::function<void(std::string_view)>& witness = {});
+
 /// Reads a net file, compact or not. Throws FileError or MalformedError.
 [[nodiscard]] NetDocument read_net(const std::filesystem::path& path);
 
@@ -67,9 +81,6 @@ class FileError : public std::runtime_error {
 
 /// Reads a cover file from memory; `name` stands for the file in messages. Throws MalformedError.
 [[nodiscard]] CoverDocument parse_cover(std::string_view text, std::string_view name);
-
-/// What a file that can be checked holds.
-using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocument, CoverDocument>;
 
 /// Reads a file that can be checked, of the kind that its member `format` says; any other is taken for a net file.
 /// Throws FileError or MalformedError.

@@ -6,6 +6,7 @@
 #include <exception>
 #include <iostream>
 #include <nettle/sha2.h>
+#include <optional>
 #include <sstream>
 #include <string_view>
 #include <unistd.h>
@@ -41,19 +42,27 @@ class Progress {
   std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
 };
 
-std::string sha256(std::string_view bytes) {
-  sha256_ctx context;
-  sha256_init(&context);
-  sha256_update(&context, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
-  std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
-  sha256_digest(&context, digest.size(), digest.data());
-  std::string text;
-  for (const std::uint8_t byte : digest) {
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    text += {kDigits[byte / 16U], kDigits[byte % 16U]};
+class Sha256 {
+ public:
+  Sha256() { sha256_init(&context_); }
+  void add(std::string_view bytes) {
+    sha256_update(&context_, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
   }
-  return text;
-}
+  /// Of what was added. At the end.
+  [[nodiscard]] std::string text() {
+    std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
+    sha256_digest(&context_, digest.size(), digest.data());
+    std::string text;
+    for (const std::uint8_t byte : digest) {
+      constexpr std::string_view kDigits = "0123456789abcdef";
+      text += {kDigits[byte / 16U], kDigits[byte % 16U]};
+    }
+    return text;
+  }
+
+ private:
+  sha256_ctx context_{};
+};
 
 void write(const NetDocument& net, std::ostream& out) { write_net(net, out); }
 void write(const GeodesicsDocument& document, std::ostream& out) { write_geodesics(document, out); }
@@ -75,12 +84,24 @@ FileReport check_file(const Request& request, const std::string& path) {
     const std::string prefix = report.name + ": ";
     return std::string(text.starts_with(prefix) ? text.substr(prefix.size()) : text);
   };
-  ClaimDocument document;
+  // A file that the second checker is asked about is read as a whole.
+  static_assert(kBytesCheckedTwice <= kMaxBytesAtOnce);
+  std::optional<ClaimDocument> document;
+  if (!request.exact) {
+    Sha256 sum;
+    document = read_claim_in_pieces(path, [&](std::string_view piece) { sum.add(piece); });
+    if (document) report.sha256 = sum.text();
+  }
+  const bool in_pieces = document.has_value();
   std::string bytes;
   try {
-    bytes = load(path);
-    report.sha256 = sha256(bytes);
-    document = parse_claim_in_place(bytes, report.name);
+    if (!in_pieces) {
+      bytes = load(path);
+      Sha256 sum;
+      sum.add(bytes);
+      report.sha256 = sum.text();
+      document = parse_claim_in_place(bytes, report.name);
+    }
   } catch (const FileError& error) {
     report.error = without_name(error);
     return report;
@@ -92,15 +113,15 @@ FileReport check_file(const Request& request, const std::string& path) {
     if (!is_compact(bytes) && (request.exact || bytes.size() <= kBytesCheckedTwice)) add_second_opinion(report, bytes);
     return report;
   }
-  const NetDocument& net = net_of(document);
-  if (request.print_parsed) std::visit([](const auto& claim) { write(claim, std::cout); }, document);
-  const bool twice =
-      request.exact || (net.triangles.size() <= kTrianglesCheckedTwice && bytes.size() <= kBytesCheckedTwice);
+  const NetDocument& net = net_of(*document);
+  if (request.print_parsed) std::visit([](const auto& claim) { write(claim, std::cout); }, *document);
+  const bool small = net.triangles.size() <= kTrianglesCheckedTwice && bytes.size() <= kBytesCheckedTwice;
+  const bool twice = request.exact || (small && !in_pieces);
   if (!twice) std::string().swap(bytes);  // They may be gigabytes.
   Progress progress;
   CheckOptions options = request.options;
   options.progress = [&](std::string_view rule, double share) { progress.show(rule, share); };
-  report.certificate = check_claim(document, options);
+  report.certificate = check_claim(*document, options);
   report.is_claim = report.certificate.verdict != Verdict::malformed;
   if (twice) {
     progress.show("second checker", 0);

@@ -3,9 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <optional>
 #include <sstream>
+#include <string>
+#include <string_view>
+#include <unistd.h>
+#include <utility>
 
 #include "certify/document/text.h"
 #include "certify/file/writer.h"
@@ -365,6 +370,156 @@ TEST(Reader, WhatItAcceptsIsJson) {
     }
     EXPECT_GT(accepted, 1000);
   }
+}
+
+/// What is read of a text, or what is wrong with it.
+std::pair<ClaimDocument, std::string> outcome(const std::string& text) {
+  try {
+    return {parse_claim(text, "test"), ""};
+  } catch (const MalformedError& error) {
+    return {ClaimDocument(), error.what()};
+  }
+}
+
+/// The same text as far as JSON goes, in which rows stand behind names that nothing but a reader of JSON understands.
+std::string with_names_escaped(std::string text) {
+  for (const std::string name : {"vertices", "triangles"}) {
+    for (std::size_t at = text.find('"' + name); at != std::string::npos; at = text.find('"' + name, at + 1)) {
+      text.replace(at + 1, 1, name == "vertices" ? "\\u0076" : "\\u0074");
+    }
+  }
+  return text;
+}
+
+/// Rows that are taken out of the text make the same documents and the same complaints as all of it.
+TEST(Reader, PlainRowsAreReadAsAnyOthers) {
+  const std::string bytes = "\t \"+,-./019:E[\\]ae{}\x80";
+  const std::string geodesics = replaced(kSmallGeodesics, R"("triangles":[])", R"("triangles":[[0,0,0,0,1,2,0,0]])");
+  for (const std::string& text : {kSmallNet, geodesics}) {
+    int accepted = 0;
+    const auto try_out = [&](const std::string& changed) {
+      const std::string escaped = with_names_escaped(changed);
+      const auto [document, complaint] = outcome(changed);
+      const auto [other_document, other_complaint] = outcome(escaped);
+      EXPECT_EQ(document, other_document) << changed;
+      EXPECT_EQ(complaint.empty(), other_complaint.empty()) << changed << '\n' << complaint << '\n' << other_complaint;
+      accepted += complaint.empty() ? 1 : 0;
+    };
+    try_out(text);
+    EXPECT_EQ(accepted, 1);
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      try_out(std::string(text).erase(i, 1));
+      for (const char byte : bytes) {
+        try_out(std::string(text).insert(i, 1, byte));
+        try_out(std::string(text).replace(i, 1, 1, byte));
+      }
+    }
+    EXPECT_GT(accepted, 500);
+  }
+}
+
+TEST(Reader, RowsInOtherPlacesAreNotTakenForThoseOfTheNet) {
+  const auto expect_refused = [](const std::string& from, const std::string& to) {
+    const std::string text = replaced(kSmallNet, from, to);
+    EXPECT_NE(claim_complaint(text), "") << text;
+    EXPECT_NE(claim_complaint(with_names_escaped(text)), "") << text;
+  };
+  expect_refused(R"("genus":2,)", R"("genus":2,"vertices":[[0,0,0]],)");
+  expect_refused(R"("genus":2,)", R"("genus":2,"triangles":[[0,0,0,0,0,0,0,0]],)");
+  expect_refused(R"("core":[3],)", R"("core":[3],"vertices":[[0,0,0]],)");
+  expect_refused(R"("vertices":[0,0])", R"("vertices":[[0,0,0]])");
+  expect_refused(R"("triangles":[0,0])", R"("triangles":[[0,0,0,0,0,0,0,0]])");
+  expect_refused(R"("labels")", R"("vertices":[[0,0,0]],"labels")");
+  expect_refused(R"("labels")", R"("vertices":[],"labels")");
+  expect_refused(R"("labels")", R"("triangles":[[0,0,0,0,1,2,0,1]],"labels")");
+  expect_refused(R"("epsilon":"1\/2")", R"("epsilon":"vertices":[[0,0,0]])");
+  // A string that holds what would be rows.
+  const std::string about = replaced(kSmallNet, R"("about":")", R"("about":"\"vertices\":[[0,1,1]],\\)");
+  EXPECT_EQ(claim_complaint(about), "");
+  EXPECT_EQ(std::get<NetDocument>(parse_claim(about, "test")).vertices,
+            std::get<NetDocument>(parse_claim(kSmallNet, "test")).vertices);
+}
+
+/// A file of more bytes than are read at once, which exists as long as this.
+class LargeFile {
+ public:
+  explicit LargeFile(std::string_view bytes) {
+    EXPECT_GT(bytes.size(), kMaxBytesAtOnce);
+    std::ofstream(path_, std::ios::binary) << bytes;
+  }
+  ~LargeFile() { std::remove(path_.c_str()); }
+  LargeFile(const LargeFile&) = delete;
+  LargeFile& operator=(const LargeFile&) = delete;
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+  /// What is wrong with the file, without its name.
+  [[nodiscard]] std::string complaint() const {
+    try {
+      static_cast<void>(read_claim(path_));
+    } catch (const MalformedError& error) {
+      return std::string(error.what()).substr(display_name(path_).size());
+    }
+    return "";
+  }
+
+ private:
+  std::string path_ = testing::TempDir() + "epsnet-reader-" + std::to_string(getpid());
+};
+
+/// A net with so many vertices that its file is large.
+NetDocument large_net() {
+  NetDocument net = sample();
+  const std::size_t vertices = net.vertices.size();
+  for (std::size_t i = 0; i < 240'000; ++i) {
+    net.vertices.push_back(net.vertices[1 + i % (vertices - 1)]);
+    net.vertices.back().x /= 3 + static_cast<double>(i);
+  }
+  return net;
+}
+
+TEST(Reader, LargeFilesAreReadInPieces) {
+  const NetDocument net = large_net();
+  std::ostringstream compact;
+  write_compact_net(net, compact);
+  // The white space moves all that follows, and with it where pieces end.
+  for (const std::string& bytes :
+       {to_text(net), std::string(1, ' ') + to_text(net), std::string(17, '\n') + to_text(net), compact.str()}) {
+    const LargeFile file(bytes);
+    std::string seen;
+    const auto document = read_claim_in_pieces(file.path(), [&](std::string_view piece) { seen += piece; });
+    ASSERT_TRUE(document.has_value());
+    EXPECT_EQ(std::get<NetDocument>(*document), net);
+    EXPECT_EQ(seen, bytes);
+    EXPECT_EQ(read_net(file.path()), net);
+  }
+}
+
+TEST(Reader, WhatIsWrongWithLargeFilesIsSaidAsOfSmallOnes) {
+  const NetDocument net = large_net();
+  const std::string text = to_text(net);
+  std::ostringstream out;
+  write_compact_net(net, out);
+  const std::string compact = out.str();
+  const std::size_t row = text.find("\n[", text.size() / 2);
+  NetDocument outside = net;
+  outside.vertices[100'000].x = 1;
+  NetDocument nowhere = net;
+  nowhere.triangles[0].vertex[0] = 1'000'000;
+  for (const std::string& bytes :
+       {text.substr(0, text.size() - 4), text + "x", text.substr(0, row) + text.substr(row + 2),
+        text.substr(0, row) + "\n[0,1e400,0]," + text.substr(row),
+        text.substr(0, row) + "\n[0,0,0,0]," + text.substr(row), text.substr(0, row) + "\xff" + text.substr(row),
+        replaced(text, "\"charts\"", "\"cherts\""), to_text(outside), to_text(nowhere),
+        compact.substr(0, compact.size() - 1), compact + '\0', std::string(compact).replace(compact.size() / 2, 1, "?"),
+        std::string(compact).replace(8, 1, "?")}) {
+    const LargeFile file(bytes);
+    EXPECT_FALSE(read_claim_in_pieces(file.path()).has_value());
+    EXPECT_NE(file.complaint(), "");
+    EXPECT_EQ("test" + file.complaint(), claim_complaint(bytes));
+  }
+  EXPECT_FALSE(read_claim_in_pieces("no/such/file.json").has_value());
+  for (const char* path : {EPSNET_TEST_DATA, "/dev/zero", "-"}) EXPECT_FALSE(read_claim_in_pieces(path).has_value());
 }
 
 /// What is left of a file in memory behind its end is never read as part of it.
