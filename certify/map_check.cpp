@@ -51,16 +51,16 @@ Problem vertex_problem(const NetDocument& document) {
 
 Problem connection_problem(const NetDocument& document) {
   std::vector<bool> reached(document.triangles.size());
-  std::vector<std::uint32_t> pending{0};
+  std::vector<std::uint32_t> found{0};
+  found.reserve(reached.size());
   reached[0] = true;
-  while (!pending.empty()) {
-    const std::uint32_t triangle = pending.back();
-    pending.pop_back();
-    for (const std::uint32_t dart : document.triangles[triangle].opposite) {
+  // What is found first is left first, so that triangles stay near in memory whose neighbours are.
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    for (const std::uint32_t dart : document.triangles[found[i]].opposite) {
       const std::uint32_t neighbour = dart / 3;
       if (reached[neighbour]) continue;
       reached[neighbour] = true;
-      pending.push_back(neighbour);
+      found.push_back(neighbour);
     }
   }
   for (std::size_t t = 0; t < reached.size(); ++t) {
