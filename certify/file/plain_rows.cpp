@@ -13,6 +13,9 @@ namespace {
 /// A row, or the beginning of an array of rows, in more bytes than this is not plain.
 constexpr std::size_t kLongestRow = 4096;
 
+/// Where more than this is left of a text without its rows, it is not worth taking apart.
+constexpr std::size_t kLongestRest = std::size_t{1} << 26;
+
 bool is_white(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_of_number(char c) { return is_digit(c) || c == '.' || c == '-' || c == 'e' || c == 'E' || c == '+'; }
@@ -102,9 +105,10 @@ void move(Pieces& text, std::size_t size, std::string& to) {
   text.skip(moved.size());
 }
 
-/// Moves what is before the first of some characters, and says whether there is one.
+/// Moves what is before the first of some characters, and says whether there is one before the rest gets too long.
 bool move_until(Pieces& text, std::string_view characters, std::string& to) {
-  for (std::string_view ahead = text.ahead(1); !ahead.empty(); ahead = text.ahead(1)) {
+  while (text.left() > 0 && to.size() <= kLongestRest) {
+    const std::string_view ahead = text.ahead(1).substr(0, kLongestRow);
     const std::size_t found = ahead.find_first_of(characters);
     move(text, std::min(found, ahead.size()), to);
     if (found != std::string_view::npos) return true;
@@ -137,7 +141,8 @@ std::optional<PlainRows> take_plain_rows(Pieces& text) {
     // A guess, so that the array does not grow step by step: twice as many triangles, and a few.
     if (vertices != 0) result.triangles.reserve(2 * result.vertices.size() + 1000);
   }
-  if (result.vertices.empty() && result.triangles.empty()) return std::nullopt;
+  // Where something is left, the rest is too long.
+  if (text.left() > 0 || (result.vertices.empty() && result.triangles.empty())) return std::nullopt;
   return result;
 }
 

@@ -11,8 +11,8 @@ namespace epsnet::certify {
 
 /// A JSON text, taken apart: the rows that large files consist of, and the text without them.
 struct PlainRows {
-  /// The text with `[]` in place of the arrays that the rows were taken from. Each was the value of a member `vertices`
-  /// or `triangles`, both of which happened at most once.
+  /// The text with `[]` in place of the arrays that the rows were taken from: at most one behind the name `vertices`,
+  /// and one behind `triangles`.
   std::string rest;
   std::vector<NetDocument::Vertex> vertices;
   std::vector<NetDocument::Triangle> triangles;
@@ -20,7 +20,8 @@ struct PlainRows {
 
 /// Takes out the first array of rows that a member `vertices` has, and the first that a member `triangles` has,
 /// wherever they stand. Nothing if there is none, or if one is not plain: rows of so many numbers as JSON has them,
-/// indices that fit in 32 bits, numbers that are finite as binary64. What is wrong then is for another reader to say.
+/// indices that fit in 32 bits, numbers that are finite as binary64; nor if the rest is longer than 64 MiB. What is
+/// wrong then is for another reader to say.
 ///
 /// If the strict reader takes `rest` for a net, with no vertices or no triangles where there were rows, it takes the
 /// text for that net with these rows. For rows are JSON; brackets and quotes outside of rows are those of `rest`; and

@@ -738,10 +738,11 @@ std::string load(const std::filesystem::path& path) {
     fail_to_read("is a device, expected a file");
   }
   std::string bytes;
-  if (S_ISREG(status.st_mode) && static_cast<std::uint64_t>(status.st_size) <= kMaxFileBytes) {
-    bytes.reserve(static_cast<std::size_t>(status.st_size) + simdjson::SIMDJSON_PADDING);
-  }
   constexpr std::size_t kChunk = 1 << 20;
+  if (S_ISREG(status.st_mode) && static_cast<std::uint64_t>(status.st_size) <= kMaxFileBytes) {
+    // The last chunk, which is not filled, has to fit in as well.
+    bytes.reserve(static_cast<std::size_t>(status.st_size) + kChunk + simdjson::SIMDJSON_PADDING);
+  }
   for (std::size_t read = kChunk; read == kChunk;) {
     const std::size_t old_size = bytes.size();
     bytes.resize(old_size + kChunk);

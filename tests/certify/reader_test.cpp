@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "certify/document/text.h"
+#include "certify/file/plain_rows.h"
 #include "certify/file/writer.h"
 
 namespace epsnet::certify {
@@ -493,6 +494,14 @@ TEST(Reader, LargeFilesAreReadInPieces) {
     EXPECT_EQ(seen, bytes);
     EXPECT_EQ(read_net(file.path()), net);
   }
+}
+
+TEST(Reader, TextsOfWhichMuchIsNoRowsAreReadAsAWhole) {
+  const std::string text = kSmallNet + std::string(std::size_t{1} << 27, ' ');
+  Pieces pieces(text);
+  EXPECT_FALSE(take_plain_rows(pieces).has_value());
+  EXPECT_GT(pieces.left(), std::size_t{1} << 25);
+  EXPECT_EQ(claim_complaint(text), "");
 }
 
 TEST(Reader, WhatIsWrongWithLargeFilesIsSaidAsOfSmallOnes) {
