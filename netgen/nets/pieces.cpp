@@ -193,6 +193,38 @@ class Piece {
     }
   }
 
+  /// Numbers what the piece made in the order in which a breadth-first search meets it, so that what is near on the
+  /// surface is near in memory; whoever goes over the net later has that from it.
+  void order() {
+    vertex_order_.assign(mesh_.points.size() - vertices_.size(), kNone);
+    triangle_order_.assign(mesh_.triangles.size() - triangles_.size(), kNone);
+    std::uint32_t vertices = 0;
+    std::uint32_t triangles = 0;
+    const auto meet = [](std::vector<std::uint32_t>& order, std::size_t i, std::uint32_t& count) {
+      const bool is_new = order[i] == kNone;
+      if (is_new) order[i] = count++;
+      return is_new;
+    };
+    std::vector<std::uint32_t>& met = search_;
+    met.clear();
+    // From every old triangle: the new ones that can be reached through new ones alone.
+    for (std::uint32_t first = 0; first < triangles_.size(); ++first) {
+      met.push_back(first);
+      for (std::size_t i = met.size() - 1; i < met.size(); ++i) {
+        const Triangle& triangle = mesh_.triangles[met[i]];
+        for (const std::uint32_t v : triangle.vertex) {
+          if (v >= vertices_.size()) (void)meet(vertex_order_, v - vertices_.size(), vertices);
+        }
+        for (const Dart d : triangle.opposite) {
+          const std::uint32_t t = triangle_of(d);
+          if (d != kOutside && t >= triangles_.size() && meet(triangle_order_, t - triangles_.size(), triangles)) {
+            met.push_back(t);
+          }
+        }
+      }
+    }
+  }
+
   [[nodiscard]] std::size_t made_vertices() const { return mesh_.points.size() - vertices_.size(); }
   [[nodiscard]] std::size_t made_triangles() const { return mesh_.triangles.size() - triangles_.size(); }
   [[nodiscard]] std::uint64_t flips() const { return flips_; }
@@ -218,9 +250,10 @@ class Piece {
   /// Writes the piece back. Touches its triangles and the new numbers alone.
   void give_back(const Whole& whole) const {
     if (forgotten_) return;
-    const auto old_vertices = static_cast<std::ptrdiff_t>(vertices_.size());
-    std::copy(mesh_.points.begin() + old_vertices, mesh_.points.end(), whole.points + first_vertex_);
-    std::copy(mesh_.charts.begin() + old_vertices, mesh_.charts.end(), whole.charts + first_vertex_);
+    for (auto v = static_cast<std::uint32_t>(vertices_.size()); v < mesh_.points.size(); ++v) {
+      whole.points[vertex_number(v)] = mesh_.points[v];
+      whole.charts[vertex_number(v)] = mesh_.charts[v];
+    }
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
       const Triangle& from = mesh_.triangles[t];
       Triangle& to = whole.triangles[triangle_number(t)];
@@ -237,14 +270,19 @@ class Piece {
 
  private:
   [[nodiscard]] std::uint32_t vertex_number(std::uint32_t v) const {
-    return v < vertices_.size() ? vertices_[v] : static_cast<std::uint32_t>(first_vertex_ + v - vertices_.size());
+    const std::size_t old = vertices_.size();
+    return v < old ? vertices_[v] : static_cast<std::uint32_t>(first_vertex_ + vertex_order_[v - old]);
   }
   [[nodiscard]] std::uint32_t triangle_number(std::uint32_t t) const {
-    return t < triangles_.size() ? triangles_[t] : static_cast<std::uint32_t>(first_triangle_ + t - triangles_.size());
+    const std::size_t old = triangles_.size();
+    return t < old ? triangles_[t] : static_cast<std::uint32_t>(first_triangle_ + triangle_order_[t - old]);
   }
 
   std::vector<std::uint32_t> triangles_;  ///< Their numbers in the whole.
   std::vector<std::uint32_t> vertices_;
+  std::vector<std::uint32_t> vertex_order_;    ///< Of the new ones.
+  std::vector<std::uint32_t> triangle_order_;  ///< Of the new ones.
+  std::vector<std::uint32_t> search_;
   std::size_t first_vertex_ = 0;
   std::size_t first_triangle_ = 0;
   Mesh mesh_;
@@ -316,6 +354,7 @@ class PieceRefinement {
       receive(piece);
       piece->take(whole, parts, k, lists[k]);
       piece->refine(labels.local(), apart_, large_);
+      piece->order();
       hand_on(piece);
       if (std::this_thread::get_id() == caller) options_.report(vertices_);
       return piece;
