@@ -69,6 +69,23 @@ struct Parts {
   std::size_t head, x, charts, vertices, opposites, labelled, labels;
 };
 
+/// The same numbers, those of charts and labels in more bytes.
+std::string widened(const std::string& bytes, std::uint32_t chart_width, std::uint32_t label_width) {
+  const Parts parts(bytes);
+  const auto wider = [&](std::size_t begin, std::size_t end, std::size_t from, std::size_t to) {
+    std::string result;
+    for (std::size_t at = begin; at < end; at += from) result += bytes.substr(at, from) + std::string(to - from, '\0');
+    return result;
+  };
+  std::string result = bytes.substr(0, parts.charts) +
+                       wider(parts.charts, parts.vertices, word(bytes, 24), chart_width) +
+                       bytes.substr(parts.vertices, parts.labels - parts.vertices) +
+                       wider(parts.labels, bytes.size() - 8, word(bytes, 28), label_width) + bytes.substr(0, 8);
+  set_word(result, 24, chart_width);
+  set_word(result, 28, label_width);
+  return with_checksum(result);
+}
+
 class Compact : public testing::Test {
  protected:
   /// What is said of the file after a change, its checksum made right.
@@ -141,6 +158,23 @@ TEST_F(Compact, DartsThatAreNotPairedCannotBeWritten) {
   EXPECT_THROW(write_compact_net(net, out), std::invalid_argument);
 }
 
+TEST_F(Compact, NumbersMayTakeMoreBytesThanTheyMust) {
+  for (const std::uint32_t charts : {1U, 2U, 4U}) {
+    for (const std::uint32_t labels : {1U, 2U, 4U}) {
+      EXPECT_EQ(parse_net(widened(good_, charts, labels), "compact"), net_) << charts << labels;
+    }
+  }
+  for (const std::uint32_t width : {3U, 5U, 8U, 16U}) {
+    EXPECT_EQ(problem(widened(good_, width, 1)), "net.epsn: header: charts of vertices: a width of " +
+                                                     std::to_string(width) + " bytes, expected 1, 2 or 4");
+    EXPECT_EQ(problem(widened(good_, 1, width)), "net.epsn: header: labels of corners: a width of " +
+                                                     std::to_string(width) + " bytes, expected 1, 2 or 4");
+  }
+}
+
+/// As its specification says of no bytes at all.
+TEST_F(Compact, TheChecksumIsXxh64WithTheSeed0) { EXPECT_EQ(CompactChecksum().value(), 0xef46db3751d8e999U); }
+
 TEST_F(Compact, AnyByteThatChangesIsNoticed) {
   for (std::size_t i = 0; i < good_.size(); ++i) {
     std::string bytes = good_;
@@ -151,7 +185,10 @@ TEST_F(Compact, AnyByteThatChangesIsNoticed) {
 
 TEST_F(Compact, AnyEndIsNoticed) {
   for (std::size_t size = kCompactMagic.size(); size < good_.size(); ++size) {
-    EXPECT_TRUE(problem(good_.substr(0, size)).starts_with("net.epsn: checksum: ")) << size;
+    EXPECT_EQ(problem(good_.substr(0, size)),
+              size < 16 ? "net.epsn: checksum: the file ends before it"
+                        : "net.epsn: checksum: the file was damaged, or is not complete: its checksum is another")
+        << size;
   }
   EXPECT_EQ(problem(good_ + '\0'),
             "net.epsn: checksum: the file was damaged, or is not complete: its checksum is another");
@@ -160,14 +197,19 @@ TEST_F(Compact, AnyEndIsNoticed) {
 
 TEST_F(Compact, EveryRuleOfTheFormatIsNamed) {
   EXPECT_EQ(after([](std::string&) {}), "");
-  EXPECT_EQ(after([](std::string& b) { set_word(b, 8, 2); }),
-            "net.epsn: header: version 2 is not a version this program reads, expected 1");
+  for (const std::uint32_t version : {0U, 2U}) {
+    EXPECT_EQ(
+        after([&](std::string& b) { set_word(b, 8, version); }),
+        "net.epsn: header: version " + std::to_string(version) + " is not a version this program reads, expected 1");
+  }
   EXPECT_TRUE(after([](std::string& b) {
                 set_word(b, 12, 0xffffffff);
               }).starts_with("net.epsn: head: has 4294967295 bytes, of which "));
   EXPECT_TRUE(after([](std::string& b) { set_word(b, 16, 0xffffffff); }).starts_with("net.epsn: vertices: has "));
-  EXPECT_EQ(after([](std::string& b) { set_word(b, 20, 0xffffffff); }),
-            "net.epsn: header: more than the limit of 1073741824 triangles");
+  for (const std::uint32_t triangles : {(1U << 30) + 1, 0xffffffffU}) {
+    EXPECT_EQ(after([&](std::string& b) { set_word(b, 20, triangles); }),
+              "net.epsn: header: more than the limit of 1073741824 triangles");
+  }
   EXPECT_TRUE(after([](std::string& b) { set_word(b, 20, 1U << 30); }).starts_with("net.epsn: triangles: has "));
   EXPECT_EQ(after([](std::string& b) { set_word(b, 20, word(b, 20) - 1); }),
             "net.epsn: triangles: an odd number of darts, which cannot be paired");
@@ -196,12 +238,21 @@ TEST_F(Compact, EveryRuleOfTheFormatIsNamed) {
 }
 
 TEST_F(Compact, TheHeadHasNoVertices) {
-  std::ostringstream text;
-  write_net(net_, text);
-  std::string bytes =
-      good_.substr(0, 12) + std::string(4, '\0') + good_.substr(16, 16) + text.str() + good_.substr(parts_.x);
-  set_word(bytes, 12, static_cast<std::uint32_t>(text.str().size()));
-  EXPECT_EQ(problem(with_checksum(bytes)), "net.epsn: head: vertices or triangles in the JSON text, expected none");
+  const auto with_head = [&](const NetDocument& head) {
+    std::ostringstream text;
+    write_net(head, text);
+    std::string bytes = good_.substr(0, 32) + text.str() + good_.substr(parts_.x);
+    set_word(bytes, 12, static_cast<std::uint32_t>(text.str().size()));
+    return problem(with_checksum(bytes));
+  };
+  NetDocument head = net_;
+  EXPECT_EQ(with_head(head), "net.epsn: head: vertices or triangles in the JSON text, expected none");
+  head.vertices.clear();
+  EXPECT_EQ(with_head(head), "net.epsn: head: vertices or triangles in the JSON text, expected none");
+  head.triangles.clear();
+  EXPECT_EQ(with_head(head), "");
+  head.vertices = net_.vertices;
+  EXPECT_EQ(with_head(head), "net.epsn: head: vertices or triangles in the JSON text, expected none");
 }
 
 TEST_F(Compact, WhateverIsReadIsWrittenTheSame) {

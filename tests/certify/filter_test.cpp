@@ -216,6 +216,36 @@ TEST_F(Filtered, LeastNormAndLeastGap) {
   EXPECT_EQ(filter::gap({0.5, 0.5}), 0.5);
   EXPECT_EQ(filter::gap({0, std::sqrt(1 - 0x1p-11)}), 1 - std::sqrt(1 - 0x1p-11) * std::sqrt(1 - 0x1p-11));
   EXPECT_EQ(filter::gap({std::sqrt(1 - 0x1p-13), 0}), 0);
+  EXPECT_EQ(filter::gap({std::sqrt(1 - 0x1.8p-13), 0}), 0);
+}
+
+TEST_F(Filtered, EachOfTheFourDifferencesMustExceedTheLeastNorm) {
+  constexpr std::array<std::array<std::size_t, 2>, 4> kDifferences{{{3, 1}, {2, 0}, {3, 0}, {2, 1}}};
+  constexpr std::array<Point, 4> kDirections{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+  for (const auto& [from, to] : kDifferences) {
+    int negative = 0;
+    for (const Point direction : kDirections) {
+      const auto corners = [&](double s) {
+        std::array<Point, 4> z{{{-0.5, 0}, {0, -0.5}, {0.5, 0.25}, {0.125, 0.5}}};
+        z[to] = {0, 0};
+        z[from] = {s * direction.x, s * direction.y};
+        return z;
+      };
+      const auto says = [&](double s) {
+        const auto z = corners(s);
+        return filter::delaunay(z[0], z[1], z[2], z[3]);
+      };
+      const auto z = corners(0x1p-99);
+      if (cross_ratio(z[0], z[1], z[2], z[3]) > 0) {
+        EXPECT_FALSE(says(0x1p-99));
+        continue;
+      }
+      ++negative;
+      EXPECT_TRUE(says(0x1p-99)) << from << to;
+      EXPECT_FALSE(says(0x1p-100)) << from << to;
+    }
+    EXPECT_EQ(negative, 2);
+  }
 }
 
 TEST_F(Filtered, FlatTrianglesAreLeftToBalls) {
@@ -225,6 +255,22 @@ TEST_F(Filtered, FlatTrianglesAreLeftToBalls) {
   EXPECT_TRUE(std::isinf(measure(0x1p-9).upper));
   EXPECT_FALSE(std::isinf(measure(0x1p-7).upper));
   EXPECT_TRUE(contains(measure(0x1p-7), 4 * (4 - mpq_class(0x1p-7)) / (mpq_class(0x1p-5) - mpq_class(0x1p-14))));
+  // K = 2⁻⁶(1 + 2⁻⁷), nearly, where 2⁻¹⁰ times the square of the greatest is less than 2⁻⁶.
+  EXPECT_FALSE(std::isinf(measure(0x1p-8 + 0x1p-15).upper));
+  EXPECT_EQ(measure(0).lower, 0);
+  // K = 128x − 1024 = 1, which is 2⁻¹⁰·32².
+  constexpr double x = 1025.0 / 128;
+  EXPECT_TRUE(std::isinf(filter::squared_sinh_of_circumradius({x, x, 32}, {1, 1, 1}).upper));
+}
+
+TEST_F(Filtered, MeasuresAreWidenedByTheirErrors) {
+  // K = 3, and the greatest product is 1.
+  const Interval radius = filter::squared_sinh_of_circumradius({1, 1, 1}, {1, 1, 1});
+  EXPECT_EQ(radius.lower, 4 / (3 + 0x1p-29) * (1 - 0x1p-30));
+  EXPECT_EQ(radius.upper, 4 / (3 - 0x1p-29) * (1 + 0x1p-30));
+  const Interval length = filter::squared_half_sinh(1, 0.5, 0.25);
+  EXPECT_EQ(length.lower, 8 * (1 - 0x1p-30));
+  EXPECT_EQ(length.upper, 8 * (1 + 0x1p-30));
 }
 
 // What is asked of which corners.
@@ -274,21 +320,110 @@ TEST_F(Filtered, LengthsAreComparedWithTheirOwnBounds) {
   for (std::uint32_t t = 0; t < document.triangles.size(); ++t) {
     const Filter::Answer answer = all.answer(t, kAll);
     if ((answer.settled & kCoveringBit) == 0) continue;
+    std::array<Point, 3> z{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const NetDocument::Vertex& vertex = document.vertices[document.triangles[t].vertex[i]];
+      z[i] = {vertex.x, vertex.y};
+    }
+    EXPECT_TRUE(contains(answer.circumradius, exact_circumradius(z)));
     const double radius = answer.circumradius.upper;
     const auto covered = [&](double bound) {
-      return (Filter(document, collars, {bound, bound}, {0, 0}).answer(t, kAll).settled & kCoveringBit) != 0;
+      return (Filter(document, collars, {bound, 2 * bound}, {0, 0}).answer(t, kAll).settled & kCoveringBit) != 0;
     };
-    EXPECT_TRUE(covered(radius * 1.0001));
-    EXPECT_FALSE(covered(radius * 0.9999));
+    EXPECT_TRUE(covered(std::nextafter(radius, 2 * radius)));
+    EXPECT_FALSE(covered(radius));
     for (std::uint32_t i = 0; i < 3; ++i) {
       if ((answer.settled & length_bit(i)) == 0) continue;
+      const std::size_t j = (i + 1) % 3;
+      EXPECT_TRUE(contains(answer.length[i], exact_distance(z[i], z[j]) / (exact_gap(z[i]) * exact_gap(z[j]))));
       const auto long_enough = [&](double bound) {
-        return (Filter(document, collars, {0, 0}, {bound, bound}).answer(t, kAll).settled & length_bit(i)) != 0;
+        return (Filter(document, collars, {0, 0}, {bound / 2, bound}).answer(t, kAll).settled & length_bit(i)) != 0;
       };
-      EXPECT_TRUE(long_enough(answer.length[i].lower * 0.9999));
-      EXPECT_FALSE(long_enough(answer.length[i].lower * 1.0001));
+      EXPECT_TRUE(long_enough(std::nextafter(answer.length[i].lower, 0.0)));
+      EXPECT_FALSE(long_enough(answer.length[i].lower));
     }
   }
+}
+
+TEST_F(Filtered, EdgesAreDelaunayIfTheFarCornerIsOutsideOfTheCircle) {
+  NetDocument document = load("certify/verified/octagon-33-vertices.json");
+  const CollarMembers collars(document);
+  const Filter filter = easy(document, collars);
+  const auto point = [&](std::uint32_t v) { return Point{document.vertices[v].x, document.vertices[v].y}; };
+  int outside = 0;
+  int inside = 0;
+  for (std::uint32_t t = 0; t < document.triangles.size(); ++t) {
+    const NetDocument::Triangle& triangle = document.triangles[t];
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if ((filter.answer(t, kAll).settled & delaunay_bit(i)) == 0) continue;
+      const std::uint32_t far = start(document, previous_dart(triangle.opposite[i]));
+      if (std::count(triangle.vertex.begin(), triangle.vertex.end(), far) != 0) continue;
+      const NetDocument::Vertex before = document.vertices[far];
+      for (int k = 0; k < 20; ++k) {
+        const Point off = in_disk(0.5);
+        const Point near = point(triangle.vertex[static_cast<std::size_t>(k % 3)]);
+        const Point moved{near.x + off.x, near.y + off.y};
+        document.vertices[far].x = moved.x;
+        document.vertices[far].y = moved.y;
+        const bool is_outside = cross_ratio(point(triangle.vertex[i]), moved, point(triangle.vertex[(i + 1) % 3]),
+                                            point(triangle.vertex[(i + 2) % 3])) < 0;
+        ++(is_outside ? outside : inside);
+        EXPECT_EQ((filter.answer(t, kAll).settled & delaunay_bit(i)) != 0, is_outside) << t << " " << i;
+      }
+      document.vertices[far] = before;
+    }
+  }
+  EXPECT_GT(outside, 100);
+  EXPECT_GT(inside, 40);
+}
+
+/// The first triangle whose corners carry the identity, moved.
+class FilteredTriangle : public Filtered {
+ protected:
+  Questions settled(const std::array<Point, 3>& z) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      NetDocument::Vertex& vertex = document_.vertices[document_.triangles[t_].vertex[i]];
+      vertex.x = z[i].x;
+      vertex.y = z[i].y;
+    }
+    const CollarMembers collars(document_);
+    return Filter(document_, collars, {1e9, 1e9}, {0, 0}).answer(t_, kAll).settled;
+  }
+  static constexpr Questions kMeasures =
+      static_cast<Questions>(kCoveringBit | length_bit(0) | length_bit(1) | length_bit(2));
+
+  NetDocument document_ = load("certify/verified/octagon-33-vertices.json");
+  std::uint32_t t_ = [&] {
+    std::uint32_t t = 0;
+    while (document_.triangles[t].label != std::array<std::uint32_t, 2>{0, 0}) ++t;
+    return t;
+  }();
+};
+
+TEST_F(FilteredTriangle, IsNotMeasuredWithACornerNearTheCircle) {
+  const std::array<Point, 3> good{{{0.5, 0}, {0.5, 0.5}, {0, 0.5}}};
+  EXPECT_EQ(settled(good) & kMeasures, kMeasures);
+  for (std::size_t i = 0; i < 3; ++i) {
+    auto z = good;
+    z[i] = {i == 2 ? 0.0 : 1 - 0x1p-14, i == 2 ? 1 - 0x1p-14 : 0.0};
+    EXPECT_EQ(settled(z) & kMeasures, 0) << i;
+  }
+}
+
+TEST_F(FilteredTriangle, IsNotMeasuredWithTwoCornersThatAreTooNear) {
+  const auto corners = [](std::size_t i, double s) {
+    std::array<Point, 3> z{{{0.5, 0.5}, {0.5, 0.5}, {0.5, 0.5}}};
+    z[i] = {0, 0};
+    z[(i + 1) % 3] = {s, 0};
+    return z;
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NE(settled(corners(i, 0x1p-99)) & kMeasures, 0) << i;
+    EXPECT_EQ(settled(corners(i, 0x1p-100)) & kMeasures, 0) << i;
+  }
+  // Small, but not flat.
+  EXPECT_EQ(settled({{{0, 0}, {0x1p-99, 0}, {0, 0x1p-99}}}) & kMeasures, kMeasures);
+  EXPECT_EQ(settled({{{0, 0}, {0x1p-100, 0}, {0, 0x1p-100}}}) & kMeasures, 0);
 }
 
 TEST_F(Filtered, CollarsAreLeftToBalls) {
@@ -297,18 +432,21 @@ TEST_F(Filtered, CollarsAreLeftToBalls) {
     const CollarMembers collars(document);
     return easy(document, collars).answer(t, kAll).settled;
   };
+  constexpr Questions kLengths = static_cast<Questions>(length_bit(0) | length_bit(1) | length_bit(2));
   std::uint32_t t = 0;
-  while ((settled(t) & length_bit(0)) == 0) ++t;
+  while ((settled(t) & kLengths) != kLengths) ++t;
   const Questions before = settled(t);
   document.collars.emplace();
   EXPECT_EQ(settled(t), before);
-  NetDocument::Collar collar;
-  collar.vertices = {document.triangles[t].vertex[0], document.triangles[t].vertex[1]};
-  collar.triangles = {t + 1, t + 2};
-  document.collars->push_back(collar);
-  EXPECT_EQ(settled(t), before & ~length_bit(0));
-  document.collars->front().triangles = {t, t + 1};
-  EXPECT_EQ(settled(t), 0);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    NetDocument::Collar collar;
+    collar.vertices = {document.triangles[t].vertex[i], document.triangles[t].vertex[(i + 1) % 3]};
+    collar.triangles = {t + 1, t + 2};
+    document.collars = {collar};
+    EXPECT_EQ(settled(t), before & ~length_bit(i));
+    document.collars->front().triangles = {t, t + 1};
+    EXPECT_EQ(settled(t), 0);
+  }
 }
 
 }  // namespace

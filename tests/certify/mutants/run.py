@@ -35,15 +35,16 @@ def key_of(m):
     return "|".join((m["file"], m["function"], m["line"], m["from"], m["to"], str(m["nth"])))
 
 
-def in_turn(tests):
-    """The quickest of each suite, then the second ones, and so on: files are many, and what one does not see few do."""
+def in_turn(tests, reached):
+    """First those that reach few mutants, to within a factor of two: they are about this place. Of the others the
+    quickest of each suite, then the second ones, and so on: files are many, and what one does not see few do."""
     rank = collections.Counter()
     order = []
     for test in sorted(tests):
         suite = test[2].split(".")[0]
         rank[suite] += 1
-        order.append((rank[suite], test))
-    return [test for _, test in sorted(order)]
+        order.append((reached[test[1]].bit_length(), rank[suite], test))
+    return [test for _, _, test in sorted(order)]
 
 
 class Folder:
@@ -85,7 +86,7 @@ class Folder:
             file.write("\n".join(lines) + "\n")
 
     def reach(self, runner):
-        """{mutant: [(milliseconds, test number, name)]} of the tests that pass."""
+        """{mutant: [(milliseconds, test number, name)]} of the tests that pass, in the order in which they are asked."""
         program, table = self.at("mutants_" + runner), self.at(f"reach-{runner}.tsv")
         if not os.path.exists(table) or os.path.getmtime(table) < os.path.getmtime(program):
             print(f"which mutants the tests of mutants_{runner} reach", flush=True)
@@ -95,15 +96,18 @@ class Folder:
             os.utime(table + ".new", (built, built))
             os.replace(table + ".new", table)
         result = collections.defaultdict(list)
+        count = {}
         with open(table, encoding="utf-8") as file:
             for line in file:
                 number, time, passes, name, reached = line.rstrip("\n").split("\t")
                 if passes != "passes":
                     print(f"without a mutant {name} fails", flush=True)
                     continue
-                for m in reached.split():
-                    result[int(m)].append((float(time), int(number), name))
-        return {m: in_turn(tests) for m, tests in result.items()}
+                mutants = [int(m) for m in reached.split()]
+                count[int(number)] = len(mutants)
+                for m in mutants:
+                    result[m].append((float(time), int(number), name))
+        return {m: in_turn(tests, count) for m, tests in result.items()}
 
 
 class Runner:

@@ -23,6 +23,7 @@
 #include "certify/claim_check.h"
 #include "certify/exact/checker.h"
 #include "certify/file/reader.h"
+#include "certify/file/writer.h"
 
 /// Runs the tests of this program against mutants, each in a process of its own (a fork: no start, no loading).
 ///
@@ -32,7 +33,9 @@
 ///     "MUTANT failed|crashed|hung TEST", the first test that sees it.
 ///
 /// FILES is a folder with the false and true files of forgeries.py and the table `files.tsv`: name, what certify says,
-/// what certify-exact says, further rules, what the message says. Each file is a test of each checker.
+/// what certify-exact says, further rules, what the message says. Each file is a test of each checker; of `certify`
+/// that is three, as one that is well-formed must say the same without the filter and, if it is a net, as a compact
+/// file.
 namespace mutant {
 unsigned active = 0;
 unsigned char* reached = nullptr;
@@ -63,13 +66,30 @@ struct Expected {
   std::string path, certify, exact, also, says;
 };
 
+enum class Way { as_it_is, without_filter, compact };
+
+/// A net as it comes back from a compact file; anything else, and a net whose darts are not paired, as it is.
+certify::ClaimDocument through_compact(certify::ClaimDocument claim) {
+  const auto* net = std::get_if<certify::NetDocument>(&claim);
+  if (net == nullptr) return claim;
+  std::ostringstream out;
+  try {
+    certify::write_compact_net(*net, out);
+  } catch (const std::invalid_argument&) {
+    return claim;
+  }
+  return certify::parse_net(out.str(), "net.epsn");
+}
+
 class CertifyFile : public testing::Test {
  public:
-  explicit CertifyFile(const Expected& expected) : expected_(expected) {}
+  CertifyFile(const Expected& expected, Way way) : expected_(expected), way_(way) {}
   void TestBody() override {
     certify::Certificate certificate;
     try {
-      certificate = certify::check_claim(certify::read_claim(expected_.path), {.threads = 1});
+      certify::ClaimDocument claim = certify::read_claim(expected_.path);
+      if (way_ == Way::compact) claim = through_compact(std::move(claim));
+      certificate = certify::check_claim(claim, {.threads = 1, .filter = way_ != Way::without_filter});
     } catch (const certify::MalformedError& error) {
       certificate.verdict = certify::Verdict::malformed;
       certificate.message = error.what();
@@ -93,6 +113,7 @@ class CertifyFile : public testing::Test {
 
  private:
   const Expected& expected_;
+  Way way_;
 };
 
 class ExactFile : public testing::Test {
@@ -138,8 +159,15 @@ void register_files(const std::string& folder) {
     const Expected& expected = *files.back();
     std::string name = f[0];
     std::replace(name.begin(), name.end(), '-', '_');  // A filter takes "-" for "without".
-    testing::RegisterTest("FileByCertify", name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
-                          [&expected]() -> CertifyFile* { return new CertifyFile(expected); });
+    const auto add = [&](const char* suite, Way way) {
+      testing::RegisterTest(suite, name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+                            [&expected, way]() -> CertifyFile* { return new CertifyFile(expected, way); });
+    };
+    add("FileByCertify", Way::as_it_is);
+    if (!expected.certify.starts_with("MALFORMED")) {
+      add("FileByBalls", Way::without_filter);
+      add("FileAsCompact", Way::compact);
+    }
     testing::RegisterTest("FileByExact", name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
                           [&expected]() -> ExactFile* { return new ExactFile(expected); });
   }
