@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <gmock/gmock.h>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/check.h"
 #include "certify/distances/cover_check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
@@ -46,6 +48,25 @@ std::string outcome(const CoverDocument& document) {
   const Certificate certificate = checked(document);
   return std::string(name(certificate.verdict)) + (certificate.rule.empty() ? "" : ": " + certificate.rule);
 }
+
+/// What a rule says, "" if it was not asked.
+std::string verdict_of(const std::string& rule, const CoverDocument& document) {
+  for (const RuleReport& report : checked(document).rules) {
+    if (report.rule == rule) return std::string(name(report.verdict));
+  }
+  return "";
+}
+
+/// What the net says of its vertex: its eccentricity, or its injectivity radius, half of the shortest loop.
+Interval at_vertex(const CoverDocument& document) {
+  const Certificate certificate = check(document.net, {.threads = 2});
+  if (document.claim != Claim::embedded_disk) return certificate.enclosures->largest_circumradius;
+  const Interval loop = *certificate.enclosures->shortest_loop;
+  return {loop.lower / 2, loop.upper / 2};
+}
+
+double above(double x) { return std::nextafter(x, 2 * x); }
+double below(double x) { return std::nextafter(x, 0.0); }
 
 std::string written(const CoverDocument& document) {
   std::ostringstream out;
@@ -104,6 +125,23 @@ TEST(Cover, ALowerBoundAboveTheValueAtTheVertexIsRefuted) {
     document.value.lower += 1e-12;
     document.value.upper += 1e-12;
     EXPECT_EQ(outcome(document), "REFUTED: lower");
+  }
+}
+
+/// To the last bit: what lies within the enclosure is not decided.
+TEST(Cover, TheLowerBoundIsComparedWithTheEnclosureAtTheVertex) {
+  for (CoverDocument document : all_files()) {
+    const Interval found = at_vertex(document);
+    ASSERT_LT(above(found.lower), below(found.upper));
+    const auto verdict = [&](double lower) {
+      document.value.lower = lower;
+      document.value.upper = std::max(document.value.upper, lower);
+      return verdict_of("lower", document);
+    };
+    EXPECT_EQ(verdict(found.lower), "VERIFIED");
+    EXPECT_EQ(verdict(above(found.lower)), "UNDECIDED");
+    EXPECT_EQ(verdict(found.upper), "UNDECIDED");
+    EXPECT_EQ(verdict(above(found.upper)), "REFUTED");
   }
 }
 
@@ -197,6 +235,45 @@ TEST(Cover, FourFlipsOfAnEdgeAreNone) {
   }
 }
 
+/// The same triangulations, each by a detour: flips that are undone again. Its elements are products of elements that
+/// lead far, so that few bits of theirs are left.
+CoverDocument with_detours(CoverDocument document, std::uint32_t length) {
+  const auto darts = static_cast<std::uint32_t>(3 * document.net.triangles.size());
+  for (auto& [parent, flips] : document.triangulations) {
+    for (std::uint32_t k = 0; k < length; ++k) flips.push_back((7 * k + 3 * length) % darts);
+    for (std::uint32_t k = length; k-- > 0;) flips.insert(flips.end(), 3, (7 * k + 3 * length) % darts);
+  }
+  return document;
+}
+
+/// What is true is not refuted and what is false not verified, however wide the balls are.
+TEST(Cover, WideBallsDecideNothing) {
+  std::vector<CoverDocument> files = all_files();
+  files.push_back(octagon_radius());
+  for (const CoverDocument& good : files) {
+    CoverDocument wrong = good;
+    if (good.claim == Claim::radius) {
+      wrong.value.lower *= 1 + 1e-13;
+    } else {
+      wrong.value.lower -= 1e-6;
+      wrong.value.upper -= 1e-9;
+    }
+    int decided = 0;
+    int open = 0;
+    for (std::uint32_t length = 0; length < 60; length += 1 + length / 3) {
+      const CheckOptions bits{.threads = 1, .max_precision = 128, .max_work = std::uint64_t{1} << 50};
+      const Verdict of_good = check_cover(with_detours(good, length), bits).verdict;
+      const Verdict of_wrong = check_cover(with_detours(wrong, length), bits).verdict;
+      EXPECT_TRUE(of_good == Verdict::verified || of_good == Verdict::undecided) << length;
+      EXPECT_TRUE(of_wrong == Verdict::refuted || of_wrong == Verdict::undecided) << length;
+      ++(of_good == Verdict::undecided ? open : decided);
+    }
+    EXPECT_GT(decided, 0);
+    EXPECT_GT(open, 3);
+    EXPECT_EQ(outcome(with_detours(good, 3)), "VERIFIED");
+  }
+}
+
 TEST(Cover, ClaimsThatAreExchangedAreNotVerified) {
   for (CoverDocument document : {regular(), octagon()}) {
     document.claim = Claim::embedded_disk;
@@ -272,6 +349,20 @@ TEST(CoverOfARadius, AnUpperBoundBelowTheValueAtTheVertexIsRefuted) {
   CoverDocument document = octagon_radius();
   document.value.upper -= 1e-12;
   EXPECT_EQ(outcome(document), "REFUTED: upper");
+}
+
+TEST(CoverOfARadius, TheUpperBoundIsComparedWithTheEnclosureAtTheVertex) {
+  CoverDocument document = octagon_radius();
+  const Interval found = at_vertex(document);
+  ASSERT_LT(above(found.lower), below(found.upper));
+  const auto verdict = [&](double upper) {
+    document.value.upper = upper;
+    return verdict_of("upper", document);
+  };
+  EXPECT_EQ(verdict(found.upper), "VERIFIED");
+  EXPECT_EQ(verdict(below(found.upper)), "UNDECIDED");
+  EXPECT_EQ(verdict(found.lower), "UNDECIDED");
+  EXPECT_EQ(verdict(below(found.lower)), "REFUTED");
 }
 
 TEST(CoverOfARadius, ALowerBoundAboveThatOfACellIsRefuted) {

@@ -154,6 +154,63 @@ TEST(Distance, APathThatOccursTwiceIsRefutedHoweverItIsSpelled) {
   }
 }
 
+/// The same paths, spelled with a detour of so many sides, then once around the vertex, which is a trivial loop, and
+/// back again: few bits of such a product are left.
+DistanceDocument with_detours(DistanceDocument document, std::uint32_t length) {
+  std::vector<std::uint32_t> word;
+  for (std::uint32_t k = 0; k < length; ++k) word.push_back(k % 3);
+  for (std::uint32_t side = 0, k = 0; k < 8; ++k, side = (partner(side) + 1) % 8) word.push_back(side);
+  for (std::uint32_t k = length; k-- > 0;) word.push_back(partner(k % 3));
+  for (auto& path : document.paths) path.insert(path.begin(), word.begin(), word.end());
+  return document;
+}
+
+/// What is true is not refuted and what is false not verified, however wide the balls are.
+TEST(Distance, WideBallsDecideNothing) {
+  for (const auto& make : {four_equal, bolza, zero}) {
+    const DistanceDocument good = make();
+    std::vector<DistanceDocument> wrong(3, good);
+    wrong[0].distance.upper += 1e-6;
+    wrong[0].distance.lower = wrong[0].distance.upper;
+    wrong[1].paths.push_back(good.paths.back());
+    wrong[2].distance.upper += 5;
+    int decided = 0;
+    int open = 0;
+    for (std::uint32_t length = 0; length < 200; length += 1 + length / 4) {
+      const CheckOptions bits{.threads = 1, .max_precision = 64, .max_work = std::uint64_t{1} << 50};
+      const Verdict verdict = check_distance(with_detours(good, length), bits).verdict;
+      EXPECT_TRUE(verdict == Verdict::verified || verdict == Verdict::undecided) << length;
+      ++(verdict == Verdict::undecided ? open : decided);
+      for (const DistanceDocument& document : wrong) {
+        const Verdict of_wrong = check_distance(with_detours(document, length), bits).verdict;
+        EXPECT_TRUE(of_wrong == Verdict::refuted || of_wrong == Verdict::undecided) << length;
+      }
+    }
+    EXPECT_GT(decided, 1);
+    EXPECT_GT(open, 3);
+    EXPECT_EQ(outcome(with_detours(good, 120)), "VERIFIED");
+  }
+}
+
+/// cosh of a distance is algebraic, so that its bounds are met only by 0.
+TEST(Distance, TheEnclosureMayBeAsTightAsBinary64) {
+  for (const auto& make : {four_equal, bolza}) {
+    const auto [lower, upper] = make().distance;
+    const auto outcome_of = [&](double lo, double hi) {
+      DistanceDocument document = make();
+      document.distance = {lo, hi};
+      return outcome(document);
+    };
+    double least = lower;
+    while (outcome_of(std::nextafter(least, 10.0), upper) == "VERIFIED") least = std::nextafter(least, 10.0);
+    EXPECT_LT(least - lower, 1e-12);
+    EXPECT_EQ(outcome_of(least, std::nextafter(least, 10.0)), "VERIFIED");
+    EXPECT_EQ(outcome_of(std::nextafter(least, 10.0), upper + 1e-9), "REFUTED: paths");
+    EXPECT_EQ(outcome_of(0, least), "REFUTED: paths");
+    EXPECT_EQ(outcome_of(least, least), "REFUTED: paths");
+  }
+}
+
 TEST(Distance, LengthsThatAreNearlyEqualAreNotEqual) {
   DistanceDocument document = across_a_cuff();
   document.equal = true;

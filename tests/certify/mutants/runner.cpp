@@ -193,6 +193,13 @@ void limit_time(double milliseconds) {
   alarm(static_cast<unsigned>(20 + milliseconds / 200));
 }
 
+/// Ends the process: one failure is enough, and what a test does after it takes time.
+class EndAtFailure : public testing::EmptyTestEventListener {
+  void OnTestPartResult(const testing::TestPartResult& result) override {
+    if (result.failed()) _exit(1);
+  }
+};
+
 bool passes(const std::string& name) {
   testing::GTEST_FLAG(filter) = name;
   return RUN_ALL_TESTS() == 0 && testing::UnitTest::GetInstance()->test_to_run_count() == 1;
@@ -233,8 +240,9 @@ int main(int argc, char** argv) {
   if (argc != 3) return 64;
   register_files(argv[1]);
   const std::vector<std::string> names = test_names();
-  delete testing::UnitTest::GetInstance()->listeners().Release(
-      testing::UnitTest::GetInstance()->listeners().default_result_printer());
+  testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
+  delete listeners.Release(listeners.default_result_printer());
+  listeners.Append(new EndAtFailure);
   if (std::string(argv[2]) == "--reach") {
     for (std::size_t t = 0; t < names.size(); ++t) {
       std::memset(shared->reached, 0, sizeof shared->reached);
