@@ -211,6 +211,63 @@ TEST(Distance, TheEnclosureMayBeAsTightAsBinary64) {
   }
 }
 
+/// Whose lengths are known, while it is not known whether they are the same.
+TEST(Distance, PathsThatMayBeTheSameAreNotVerified) {
+  DistanceDocument document = bolza();
+  document.paths.push_back(document.paths[0]);
+  document.distance = {0, 40};
+  int open = 0;
+  for (std::uint32_t length = 0; length < 60; ++length) {
+    const CheckOptions bits{.threads = 1, .max_precision = 64, .max_work = std::uint64_t{1} << 50};
+    const Certificate certificate = check_distance(with_detours(document, length), bits);
+    ASSERT_GT(certificate.rules.size(), 7U);
+    EXPECT_NE(certificate.rules[7].verdict, Verdict::verified) << length;
+    open += certificate.rules[7].verdict == Verdict::undecided ? 1 : 0;
+  }
+  EXPECT_GT(open, 10);
+}
+
+TEST(Distance, NothingIsSaidOfAListWhosePathsAreWrong) {
+  for (const auto& make : {four_equal, bolza}) {
+    DistanceDocument document = make();
+    document.distance = {0, document.distance.lower / 2};
+    EXPECT_EQ(checked(document).rules.size(), 8U);
+    document = make();
+    document.paths.push_back(document.paths[0]);
+    EXPECT_EQ(checked(document).rules.size(), 8U);
+  }
+}
+
+/// The vertex need not be the centre of its chart: what is said is the same as in a chart of which it is.
+TEST(Distance, TheVertexMayBeAnywhereInItsChart) {
+  DistanceDocument moved = bolza();
+  const mpq_class x(1, 64), y(1, 256);
+  ASSERT_EQ(moved.net.charts.size(), 1U);
+  const RationalPoint c = moved.net.charts[0].centre;
+  // (z + c)/(1 + c̄z).
+  const mpq_class re = 1 + c.x * x + c.y * y, im = c.x * y - c.y * x;
+  const mpq_class square = re * re + im * im;
+  DistanceDocument centred = moved;
+  centred.net.charts[0].centre = {((x + c.x) * re + (y + c.y) * im) / square,
+                                  ((y + c.y) * re - (x + c.x) * im) / square};
+  moved.net.vertices[0] = {x.get_d(), y.get_d(), 0};
+  const auto holds = [&](DistanceDocument& document, double upper) {
+    document.distance = {0, upper};
+    return verdict_of("paths", document) == "VERIFIED";
+  };
+  double good = 10;
+  double bad = 0;
+  while (good - bad > 1e-12) {
+    const double middle = (good + bad) / 2;
+    (holds(centred, middle) ? good : bad) = middle;
+  }
+  EXPECT_TRUE(holds(moved, good));
+  EXPECT_FALSE(holds(moved, bad));
+  moved.distance = centred.distance = {bad, good};
+  EXPECT_EQ(outcome(centred), "VERIFIED");
+  EXPECT_EQ(outcome(moved), "VERIFIED");
+}
+
 TEST(Distance, LengthsThatAreNearlyEqualAreNotEqual) {
   DistanceDocument document = across_a_cuff();
   document.equal = true;
