@@ -5,10 +5,13 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "certify/distances/distance_check.h"
+#include "certify/document/darts.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
+#include "far_words.h"
 
 /// Distance files. Each rule is broken by a file in which nothing else is wrong; nets are those of the rest of the
 /// tests.
@@ -154,16 +157,14 @@ TEST(Distance, APathThatOccursTwiceIsRefutedHoweverItIsSpelled) {
   }
 }
 
-/// The same paths, spelled with a detour of so many sides, then once around the vertex, which is a trivial loop, and
-/// back again: few bits of such a product are left.
-DistanceDocument with_detours(DistanceDocument document, std::uint32_t length) {
-  std::vector<std::uint32_t> word;
-  for (std::uint32_t k = 0; k < length; ++k) word.push_back(k % 3);
-  for (std::uint32_t side = 0, k = 0; k < 8; ++k, side = (partner(side) + 1) % 8) word.push_back(side);
-  for (std::uint32_t k = length; k-- > 0;) word.push_back(partner(k % 3));
-  for (auto& path : document.paths) path.insert(path.begin(), word.begin(), word.end());
+/// The same paths, spelled with a detour to somewhere so many sides away.
+DistanceDocument with_detours(DistanceDocument document, std::size_t length) {
+  if (length == 0) return document;
+  for (auto& path : document.paths) path = with_far_relator(document.net.surface, 0, path, length);
   return document;
 }
+
+CheckOptions with_64_bits() { return {.threads = 1, .max_precision = 64, .max_work = std::uint64_t{1} << 50}; }
 
 /// What is true is not refuted and what is false not verified, however wide the balls are.
 TEST(Distance, WideBallsDecideNothing) {
@@ -176,13 +177,12 @@ TEST(Distance, WideBallsDecideNothing) {
     wrong[2].distance.upper += 5;
     int decided = 0;
     int open = 0;
-    for (std::uint32_t length = 0; length < 200; length += 1 + length / 4) {
-      const CheckOptions bits{.threads = 1, .max_precision = 64, .max_work = std::uint64_t{1} << 50};
-      const Verdict verdict = check_distance(with_detours(good, length), bits).verdict;
+    for (std::size_t length = 0; length < 200; length += 1 + length / 4) {
+      const Verdict verdict = check_distance(with_detours(good, length), with_64_bits()).verdict;
       EXPECT_TRUE(verdict == Verdict::verified || verdict == Verdict::undecided) << length;
       ++(verdict == Verdict::undecided ? open : decided);
       for (const DistanceDocument& document : wrong) {
-        const Verdict of_wrong = check_distance(with_detours(document, length), bits).verdict;
+        const Verdict of_wrong = check_distance(with_detours(document, length), with_64_bits()).verdict;
         EXPECT_TRUE(of_wrong == Verdict::refuted || of_wrong == Verdict::undecided) << length;
       }
     }
@@ -211,20 +211,83 @@ TEST(Distance, TheEnclosureMayBeAsTightAsBinary64) {
   }
 }
 
-/// Whose lengths are known, while it is not known whether they are the same.
-TEST(Distance, PathsThatMayBeTheSameAreNotVerified) {
-  DistanceDocument document = bolza();
-  document.paths.push_back(document.paths[0]);
-  document.distance = {0, 40};
-  int open = 0;
-  for (std::uint32_t length = 0; length < 60; ++length) {
-    const CheckOptions bits{.threads = 1, .max_precision = 64, .max_work = std::uint64_t{1} << 50};
-    const Certificate certificate = check_distance(with_detours(document, length), bits);
-    ASSERT_GT(certificate.rules.size(), 7U);
-    EXPECT_NE(certificate.rules[7].verdict, Verdict::verified) << length;
-    open += certificate.rules[7].verdict == Verdict::undecided ? 1 : 0;
+/// Paths that are the same, and a length that is less than lo, however much of that balls tell.
+TEST(Distance, PathsThatAreWrongAreNeverVerified) {
+  std::vector<DistanceDocument> wrong(2, bolza());
+  wrong[0].paths.push_back(wrong[0].paths[0]);
+  wrong[0].distance = {0, 40};
+  wrong[1].distance = {wrong[1].distance.upper + 1e-3, 40};
+  for (const DistanceDocument& document : wrong) {
+    int open = 0;
+    for (std::size_t length = 0; length < 60; ++length) {
+      const Certificate certificate = check_distance(with_detours(document, length), with_64_bits());
+      ASSERT_GT(certificate.rules.size(), 7U);
+      EXPECT_NE(certificate.rules[7].verdict, Verdict::verified) << length;
+      open += certificate.rules[7].verdict == Verdict::undecided ? 1 : 0;
+    }
+    EXPECT_GT(open, 10);
   }
-  EXPECT_GT(open, 10);
+}
+
+TEST(Distance, TheFirstPathThatIsWrongIsNamedAmongThoseThatAreOpen) {
+  DistanceDocument document = with_detours(bolza(), 150);
+  document.distance = {0, 3};
+  document.paths.push_back(document.paths[0]);
+  const auto message = [&] { return check_distance(document, with_64_bits()).message; };
+  EXPECT_THAT(message(), StartsWith("path 0 has a length in"));
+  EXPECT_THAT(message(), HasSubstr("not decided whether in"));
+  document.paths.push_back({0, 1, 2, 3, 0, 1, 2, 3});
+  document.paths.push_back({0, 1, 2, 3, 0, 1, 2});
+  EXPECT_THAT(message(), StartsWith("path 2 has a length in"));
+  EXPECT_THAT(message(), HasSubstr("not in [0, 3]"));
+}
+
+TEST(Distance, WordsThatAreTooLongForExactNumbersLeaveThingsOpen) {
+  const auto verdict = [](const char* rule, const DistanceDocument& document) {
+    for (const RuleReport& report : check_distance(document, with_64_bits()).rules) {
+      if (report.rule == rule) return report.verdict;
+    }
+    return Verdict::malformed;
+  };
+  constexpr std::size_t kFar = 100'000;
+  DistanceDocument document = bolza();
+  document.point.z = document.net.charts[0].centre;
+  document.distance = {0, 0};
+  document.paths = {{}};
+  EXPECT_EQ(verdict("paths", document), Verdict::verified);
+  EXPECT_EQ(verdict("paths", with_detours(document, kFar)), Verdict::undecided);
+  for (const std::size_t i : {0U, 1U}) {
+    document.paths = {{0, 1}, {1, 0}};
+    document.paths[i] = with_far_relator(document.net.surface, 0, document.paths[i], kFar);
+    document.distance = {0, 20};
+    EXPECT_EQ(verdict("equal", document), Verdict::undecided);
+  }
+}
+
+/// Of the identity and all edges at the vertex, as paths, one is left out.
+TEST(Distance, EveryDartLeadsToANeighbour) {
+  DistanceDocument good = bolza();
+  good.equal = false;
+  const auto word = [&](std::uint32_t dart) {
+    const std::uint32_t label = corner_label(good.net, dart);
+    return label == 0 ? std::vector<std::uint32_t>{} : good.net.labels[label - 1].word;
+  };
+  const auto darts = static_cast<std::uint32_t>(3 * good.net.triangles.size());
+  for (std::uint32_t missing = 0; missing < darts; ++missing) {
+    DistanceDocument document = good;
+    document.distance = {0, 40};
+    document.paths = {{}};
+    for (std::uint32_t dart = 0; dart < darts; ++dart) {
+      if (dart == missing) continue;
+      std::vector<std::uint32_t> path = word(next_dart(dart));
+      const std::vector<std::uint32_t> back = word(dart);
+      for (auto side = back.rbegin(); side != back.rend(); ++side) path.push_back(partner(*side));
+      document.paths.push_back(path);
+    }
+    EXPECT_EQ(outcome(document), "REFUTED: nearest");
+    EXPECT_THAT(checked(document).message,
+                HasSubstr("the loop at the vertex along dart " + std::to_string(missing) + ", then path 0"));
+  }
 }
 
 TEST(Distance, NothingIsSaidOfAListWhosePathsAreWrong) {
@@ -265,6 +328,11 @@ TEST(Distance, TheVertexMayBeAnywhereInItsChart) {
   EXPECT_FALSE(holds(moved, bad));
   moved.distance = centred.distance = {bad, good};
   EXPECT_EQ(outcome(centred), "VERIFIED");
+  EXPECT_EQ(outcome(moved), "VERIFIED");
+  // From the vertex to itself, which is decided exactly.
+  moved.point.z = centred.net.charts[0].centre;
+  moved.distance = {0, 0};
+  moved.paths = {{}};
   EXPECT_EQ(outcome(moved), "VERIFIED");
 }
 
@@ -319,6 +387,20 @@ TEST(Distance, ZeroIsDecidedExactly) {
   // 4·10^-324 is less than the least binary64; so is the distance.
   document.distance.lower = std::numeric_limits<double>::denorm_min();
   EXPECT_EQ(outcome(document), "REFUTED: paths");
+}
+
+TEST(Distance, ZeroIsDecidedBeyondAllBitsOfBallsAndWhereBallsAreExact) {
+  DistanceDocument document = zero();
+  mpq_class tiny(1);
+  mpz_mul_2exp(tiny.get_den_mpz_t(), tiny.get_den_mpz_t(), 20'000);
+  document.point.z.x += tiny;
+  EXPECT_EQ(outcome(document), "REFUTED: paths");
+  // In the centre of a tile of which nothing is rounded.
+  document = four_equal();
+  document.point = {0, {0, 0}};
+  document.distance = {0, 0};
+  document.paths = {{}};
+  EXPECT_EQ(outcome(document), "VERIFIED");
 }
 
 TEST(Distance, ThreadsDoNotMatter) {
