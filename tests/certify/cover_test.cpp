@@ -476,11 +476,26 @@ TEST(Cover, MalformedDocuments) {
     return certificate.message;
   };
   using Document = CoverDocument;
-  for (const CoverDocument& good : all_files()) {
+  std::vector<CoverDocument> files = all_files();
+  files.push_back(octagon_radius());
+  for (const CoverDocument& good : files) {
     const std::size_t rows = good.triangulations.size();
     const std::size_t triangles = good.net.triangles.size();
-    const auto bounds =
-        static_cast<std::uint32_t>((rows + 1) * (good.claim == Claim::embedded_disk ? 3 * triangles : 1));
+    const std::size_t of_each = good.claim == Claim::embedded_disk ? 3 * triangles
+                                : good.claim == Claim::radius      ? 3
+                                                                   : 1;
+    const auto bounds = static_cast<std::uint32_t>((rows + 1) * of_each);
+    const std::string last = "triangulations[" + std::to_string(rows - 1) + "]: ";
+    EXPECT_THAT(
+        complaint(good,
+                  [](Document& d) { d.triangulations.back().flips.insert(d.triangulations.back().flips.begin(), 18); }),
+        HasSubstr(last + "dart 18 does not exist"));
+    EXPECT_THAT(complaint(good,
+                          [](Document& d) {
+                            d.net.vertices.clear();
+                            d.net.triangles.clear();
+                          }),
+                HasSubstr("vertices"));
     EXPECT_THAT(complaint(good, [](Document& d) { d.net.vertices.push_back(d.net.vertices[0]); }),
                 HasSubstr("net: 2 vertices, expected one"));
     EXPECT_THAT(complaint(good, [](Document& d) { d.net.collars.emplace(); }), HasSubstr("net: collars, a pseudo net"));

@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "certify/check.h"
 #include "certify/distances/distance_check.h"
 #include "certify/document/darts.h"
+#include "certify/document/surface_sides.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "far_words.h"
@@ -80,6 +82,7 @@ TEST(Distance, ANetThatIsNotValidIsRefutedByItsOwnRule) {
   DistanceDocument document = bolza();
   document.net.epsilon = "0.1";
   EXPECT_EQ(outcome(document), "REFUTED: covering");
+  EXPECT_EQ(checked(document).rules.size(), 7U);
 }
 
 TEST(Distance, ALengthOutsideOfTheEnclosureIsRefuted) {
@@ -211,22 +214,58 @@ TEST(Distance, TheEnclosureMayBeAsTightAsBinary64) {
   }
 }
 
-/// Paths that are the same, and a length that is less than lo, however much of that balls tell.
-TEST(Distance, PathsThatAreWrongAreNeverVerified) {
-  std::vector<DistanceDocument> wrong(2, bolza());
-  wrong[0].paths.push_back(wrong[0].paths[0]);
-  wrong[0].distance = {0, 40};
-  wrong[1].distance = {wrong[1].distance.upper + 1e-3, 40};
-  for (const DistanceDocument& document : wrong) {
-    int open = 0;
-    for (std::size_t length = 0; length < 60; ++length) {
-      const Certificate certificate = check_distance(with_detours(document, length), with_64_bits());
-      ASSERT_GT(certificate.rules.size(), 7U);
-      EXPECT_NE(certificate.rules[7].verdict, Verdict::verified) << length;
-      open += certificate.rules[7].verdict == Verdict::undecided ? 1 : 0;
-    }
-    EXPECT_GT(open, 10);
+/// How often rule `rule` is open, while words get longer, and balls wider. It must never say this.
+int times_open(std::size_t rule, const DistanceDocument& document, Verdict never) {
+  int open = 0;
+  for (std::size_t length = 0; length < 60; ++length) {
+    const Certificate certificate = check_distance(with_detours(document, length), with_64_bits());
+    if (certificate.rules.size() <= rule) continue;  // The paths are refuted.
+    EXPECT_NE(certificate.rules[rule].verdict, never) << length;
+    open += certificate.rules[rule].verdict == Verdict::undecided ? 1 : 0;
   }
+  return open;
+}
+
+TEST(Distance, WhatIsWrongIsNeverVerified) {
+  DistanceDocument twice = bolza();
+  twice.paths.push_back(twice.paths[0]);
+  twice.distance = {0, 40};
+  EXPECT_GT(times_open(7, twice, Verdict::verified), 10);
+  DistanceDocument too_short = bolza();
+  too_short.distance = {too_short.distance.upper + 1e-3, 40};
+  EXPECT_GT(times_open(7, too_short, Verdict::verified), 10);
+  DistanceDocument alone = bolza();
+  alone.distance = {0, 40};
+  EXPECT_GT(times_open(9, alone, Verdict::verified), 10);
+}
+
+TEST(Distance, WhatIsRightIsNeverRefuted) {
+  DistanceDocument document = bolza();
+  const auto holds = [&](double upper) {
+    document.distance = {0, upper};
+    return outcome(document) == "VERIFIED";
+  };
+  // Up to the next path.
+  double good = document.distance.upper;
+  double bad = good + 10;
+  while (bad - good > 1e-3) {
+    const double middle = (good + bad) / 2;
+    (holds(middle) ? good : bad) = middle;
+  }
+  EXPECT_TRUE(holds(good));
+  for (const std::size_t rule : {7U, 8U, 9U}) EXPECT_LT(times_open(rule, document, Verdict::refuted), 50);
+}
+
+TEST(Distance, ARefutedRuleCountsMoreThanOneThatIsOpen) {
+  DistanceDocument document = bolza();
+  document.distance = {0, 20};
+  document.equal = true;
+  document.paths = {{0, 1}, {2, 0}};
+  const Certificate certificate = check_distance(with_detours(document, 150), with_64_bits());
+  EXPECT_EQ(certificate.rules[7].verdict, Verdict::undecided);
+  EXPECT_EQ(certificate.rules[8].verdict, Verdict::refuted);
+  EXPECT_EQ(certificate.verdict, Verdict::refuted);
+  EXPECT_EQ(certificate.rule, "equal");
 }
 
 TEST(Distance, TheFirstPathThatIsWrongIsNamedAmongThoseThatAreOpen) {
@@ -419,6 +458,11 @@ TEST(Distance, TooLittleWorkOrPrecisionIsUndecided) {
   for (const std::uint64_t work : {all - 1, all / 2, all / 10, std::uint64_t{1000}}) {
     EXPECT_EQ(check_distance(across_a_cuff(), {.threads = 2, .max_work = work}).verdict, Verdict::undecided) << work;
   }
+  // What the net takes alone.
+  const std::uint64_t net = check(across_a_cuff().net, {.threads = 2}).counts.work;
+  for (const std::uint64_t work : {net, net + 1}) {
+    EXPECT_EQ(check_distance(across_a_cuff(), {.threads = 2, .max_work = work}).verdict, Verdict::undecided);
+  }
   // 21 is the distance: 64 bits do not tell the ends of the paths apart, nor lengths that differ by 10^-15.
   EXPECT_EQ(check_distance(across_a_cuff(), {.threads = 2, .max_precision = 64}).verdict, Verdict::undecided);
 }
@@ -447,15 +491,46 @@ TEST(Distance, MalformedDocuments) {
   EXPECT_THAT(complaint([](Document& d) { d.net.collars.emplace(); }), HasSubstr("a pseudo net"));
   EXPECT_THAT(complaint([](Document& d) { d.net.vertices[0].x = 2; }), HasSubstr("vertices[0]"));
   EXPECT_THAT(complaint([](Document& d) { d.point.tile = 1; }), HasSubstr("point: tile 1 does not exist"));
-  EXPECT_THAT(complaint([](Document& d) {
-                d.point.z = {mpq_class(3, 5), mpq_class(4, 5)};
-              }),
-              HasSubstr("point: outside of the open unit disk"));
+  for (const RationalPoint& z :
+       {RationalPoint{mpq_class(3, 5), mpq_class(4, 5)}, RationalPoint{1, 0}, RationalPoint{0, 1}}) {
+    EXPECT_THAT(complaint([&](Document& d) { d.point.z = z; }), HasSubstr("point: outside of the open unit disk"));
+  }
   EXPECT_THAT(complaint([](Document& d) { d.distance = {2, 1}; }), HasSubstr("is not 0 <= lo <= hi"));
   EXPECT_THAT(complaint([](Document& d) { d.distance = {-1, 1}; }), HasSubstr("is not 0 <= lo <= hi"));
   EXPECT_THAT(complaint([](Document& d) { d.paths.clear(); }), HasSubstr("paths: no element"));
   EXPECT_THAT(complaint([](Document& d) { d.paths[2] = {8}; }),
               HasSubstr("paths[2]: the word crosses 8, which is no side of tile 0"));
+  EXPECT_THAT(complaint([](Document& d) {
+                d.paths[3] = {0, 1, 8};
+              }),
+              HasSubstr("paths[3]: the word crosses 8, which is no side of tile 0"));
+  EXPECT_THAT(complaint([](Document& d) {
+                d.net.vertices.clear();
+                d.net.triangles.clear();
+              }),
+              HasSubstr("vertices"));
+}
+
+TEST(Distance, AWordThatCrossesASideOfAnotherTileIsMalformed) {
+  const DistanceDocument good = across_a_cuff();
+  const SurfaceSides sides(good.net.surface);
+  const std::uint32_t here = good.net.charts[good.net.vertices[0].chart].tile;
+  const auto message = [&](std::uint32_t side) {
+    DistanceDocument document = good;
+    document.paths[3].insert(document.paths[3].begin(), side);
+    return checked(document).message;
+  };
+  for (std::uint32_t side = 0; side < sides.partner.size(); ++side) {
+    if (sides.tile[side] == here) continue;
+    EXPECT_THAT(message(side), HasSubstr("paths[3]: the word crosses " + std::to_string(side)));
+  }
+  // From the other tile, a side of this one.
+  DistanceDocument document = good;
+  const auto leaves = [&](std::uint32_t side) { return sides.tile[sides.partner[side]] != here; };
+  std::uint32_t side = sides.first[here];
+  while (!leaves(side)) side = sides.next[side];
+  document.paths[3] = {side, side};
+  EXPECT_THAT(checked(document).message, HasSubstr("paths[3]: the word crosses " + std::to_string(side)));
 }
 
 TEST(Distance, AWordThatLeadsToAnotherTileIsMalformed) {
@@ -464,6 +539,13 @@ TEST(Distance, AWordThatLeadsToAnotherTileIsMalformed) {
   const std::string message = checked(document).message;
   EXPECT_THAT(message, HasSubstr("paths[3]: the word ends in tile"));
   EXPECT_THAT(message, HasSubstr("expected that of the point"));
+  // Whichever tile it is.
+  for (const std::uint32_t tile : {0U, 1U}) {
+    document = across_a_cuff();
+    if (document.point.tile == tile) continue;
+    document.point.tile = tile;
+    EXPECT_THAT(checked(document).message, HasSubstr("paths[0]: the word ends in tile"));
+  }
 }
 
 TEST(Distance, InfiniteOrUnorderedEnclosuresAreMalformed) {
