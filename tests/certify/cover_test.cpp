@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,8 +14,11 @@
 
 #include "certify/check.h"
 #include "certify/distances/cover_check.h"
+#include "certify/document/darts.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
+#include "certify/label_evaluator.h"
+#include "certify/surface_check.h"
 
 /// Cover files. Each rule is broken by a file in which nothing else is wrong.
 namespace epsnet::certify {
@@ -308,6 +313,18 @@ TEST(Cover, WideBallsDecideNothing) {
   }
 }
 
+TEST(Cover, ARefutedRuleCountsMoreThanOneThatIsOpen) {
+  for (CoverDocument document : all_files()) {
+    document.value.lower += 1e-12;
+    document.value.upper += 1e-12;
+    const CheckOptions bits{.threads = 1, .max_precision = 128, .max_work = std::uint64_t{1} << 50};
+    const Certificate certificate = check_cover(with_detours(document, 19), bits);
+    EXPECT_EQ(certificate.rules[9].verdict, Verdict::undecided);
+    EXPECT_EQ(certificate.verdict, Verdict::refuted);
+    EXPECT_EQ(certificate.rule, "lower");
+  }
+}
+
 TEST(Cover, ClaimsThatAreExchangedAreNotVerified) {
   for (CoverDocument document : {regular(), octagon()}) {
     document.claim = Claim::embedded_disk;
@@ -524,6 +541,126 @@ TEST(Cover, MalformedDocuments) {
                 HasSubstr("cells[5]: " + std::to_string(3 + bounds) + " names nothing that bounds a cell"));
     EXPECT_THAT(complaint(good, [&](Document& d) { d.cells[5].back() = ~std::uint32_t{0}; }), HasSubstr("cells[5]"));
   }
+}
+
+/// A triangle of the net and the edges at the vertex, in binary64: what the bound of a cell of it must be.
+class Reference {
+ public:
+  using Point = std::complex<double>;
+
+  explicit Reference(const NetDocument& net) : net_(net) {
+    const LabelParts parts{check_surface(net.surface).crossings, chart_frames(net.charts, {}), {}};
+    const LabelEvaluator evaluator(net, parts);
+    std::vector<std::uint32_t> numbers;
+    for (std::uint32_t k = 1; k <= net.labels.size(); ++k) numbers.push_back(k);
+    for (const BallIsometry& f : evaluator.evaluate(numbers, 128, 256, 1)) {
+      labels_.push_back({{middle(f.a.re()), middle(f.a.im())}, {middle(f.b.re()), middle(f.b.im())}});
+    }
+  }
+
+  /// The cells of triangle t that is cut once.
+  [[nodiscard]] std::array<std::array<Point, 3>, 2> halves(std::uint32_t t, std::uint32_t side) const {
+    std::array<Point, 3> z;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      z[i] = image(label(3 * t + i), {net_.vertices[0].x, net_.vertices[0].y});
+    }
+    const std::uint32_t end = (side + 1) % 3;
+    // The midpoint, from the one of 0 and where the other goes if the first goes to 0.
+    const Point w = (z[end] - z[side]) / (1.0 - std::conj(z[side]) * z[end]);
+    const Point half = w / (1 + std::sqrt(1 - std::norm(w)));
+    const Point midpoint = (half + z[side]) / (1.0 + std::conj(z[side]) * half);
+    std::array<std::array<Point, 3>, 2> result{z, z};
+    result[0][end] = midpoint;
+    result[1][side] = midpoint;
+    return result;
+  }
+
+  /// Half of the way from p to its image by the element of a dart.
+  [[nodiscard]] double half_displacement(std::uint32_t dart, Point p) const {
+    return std::asinh(std::sqrt(h(p, neighbour(dart, p))));
+  }
+
+  /// Of the triangles of the net with the one vertex p, the greatest radius of a disk that one needs.
+  [[nodiscard]] double radius(Point p) const {
+    double result = 0;
+    for (std::uint32_t t = 0; t < net_.triangles.size(); ++t) {
+      std::array<double, 3> a{};
+      for (std::uint32_t i = 0; i < 3; ++i) a[i] = h(p, neighbour(3 * t + i, p));
+      std::sort(a.begin(), a.end());
+      const double k = 4 * a[0] * a[1] - std::pow(a[0] + a[1] - a[2], 2);
+      const double square = a[2] >= a[0] + a[1] ? -1 : 4 * a[0] * a[1] * a[2] / k;
+      result = std::max(result, square < 0 ? std::asinh(std::sqrt(a[2])) : std::asinh(std::sqrt(square)));
+    }
+    return result;
+  }
+
+ private:
+  struct Isometry {
+    Point a{1}, b{0};
+  };
+  static double middle(arb_srcptr x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
+  /// sinh²(d/2).
+  static double h(Point p, Point q) { return std::norm(p - q) / ((1 - std::norm(p)) * (1 - std::norm(q))); }
+  static Point image(const Isometry& f, Point z) { return (f.a * z + f.b) / (std::conj(f.b) * z + std::conj(f.a)); }
+  [[nodiscard]] Isometry label(std::uint32_t dart) const {
+    const std::uint32_t number = corner_label(net_, dart);
+    return number == 0 ? Isometry{} : labels_[number - 1];
+  }
+  [[nodiscard]] Point neighbour(std::uint32_t dart, Point p) const {
+    const Isometry back = label(dart);
+    return image({std::conj(back.a), -back.b}, image(label(next_dart(dart)), p));
+  }
+
+  const NetDocument& net_;
+  std::vector<Isometry> labels_;
+};
+
+/// A triangle is cut once, and its two cells are bounded by the net's own triangulation or two of its darts: the least
+/// upper bound for which that holds is the one of the corner where the bound is greatest. Whether other cells allow it.
+bool expect_least_upper_bound(CoverDocument document, std::uint32_t t, const std::vector<std::uint32_t>& cells,
+                              double expected) {
+  if (expected < document.value.upper + 1e-3) return false;
+  document.cells[t] = cells;
+  document.value.upper = expected * (1 + 1e-9);
+  EXPECT_EQ(outcome(document), "VERIFIED") << t << " " << cells[0];
+  document.value.upper = expected * (1 - 1e-9);
+  EXPECT_EQ(outcome(document), "REFUTED: cells") << t << " " << cells[0];
+  return true;
+}
+
+TEST(Cover, CellsOfAnEmbeddedDiskAreBoundedAtTheirThreeCorners) {
+  const CoverDocument good = disk();
+  const Reference reference(good.net);
+  int tried = 0;
+  for (std::uint32_t t = 0; t < good.net.triangles.size(); ++t) {
+    for (std::uint32_t side = 0; side < 3; ++side) {
+      const std::uint32_t first = (t + 5 * side) % 18, second = (7 * t + side) % 18;
+      double bound = 0;
+      const auto halves = reference.halves(t, side);
+      for (std::size_t i = 0; i < 3; ++i) {
+        bound = std::max({bound, reference.half_displacement(first, halves[0][i]),
+                          reference.half_displacement(second, halves[1][i])});
+      }
+      tried += expect_least_upper_bound(good, t, {side, 3 + first, 3 + second}, bound) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(tried, 12);
+}
+
+TEST(Cover, CellsOfADiameterAreBoundedAtTheirThreeCorners) {
+  const CoverDocument good = octagon();
+  const Reference reference(good.net);
+  int tried = 0;
+  for (std::uint32_t t = 0; t < good.net.triangles.size(); ++t) {
+    for (std::uint32_t side = 0; side < 3; ++side) {
+      double bound = 0;
+      for (const auto& cell : reference.halves(t, side)) {
+        for (const auto corner : cell) bound = std::max(bound, reference.radius(corner));
+      }
+      tried += expect_least_upper_bound(good, t, {side, 3, 3}, bound) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(tried, 12);
 }
 
 TEST(Cover, InfiniteOrUnorderedBoundsAreMalformed) {

@@ -224,28 +224,40 @@ def select(folder, options):
     return [m for m in folder.mutants if re.search(options.only, m["file"] + ":" + m["function"])]
 
 
-def table(folder):
+def room_of(path):
+    parts = path.split("/")
+    if parts[1].startswith("filter.") or path.startswith("certify/file/compact."):
+        return path.rpartition(".")[0]
+    return "certify" if len(parts) == 2 else "/".join(parts[:2])
+
+
+def table(folder, before):
+    """What is not in the results, as they were forgotten, stays as it was: rows of rooms, and how many are argued."""
     groups = arguments()
     rooms = collections.defaultdict(collections.Counter)
     for m in folder.mutants:
-        parts = m["file"].split("/")
-        room = "certify" if len(parts) == 2 else "/".join(parts[:2])
         result = folder.results.get(key_of(m), {"how": "not run"})
         how = "argued" if result["how"] == "survived" and argued(groups, m) else result["how"]
-        rooms[room][how] += 1
-        rooms["all"][how] += 1
+        rooms[room_of(m["file"])][how] += 1
+    kinds = ("failed", "crashed", "hung", "argued", "survived", "not run")
+    rows = {}
+    for room, c in rooms.items():
+        rows[room] = [sum(c.values())] + [c[kind] for kind in kinds]
+        old = re.search(rf"^\| {room} \|([ \d|]+)\|$", before, re.MULTILINE)
+        if c["not run"] == rows[room][0] and old:
+            rows[room] = [int(n) for n in old[1].split("|")]
     lines = ["| room | mutants | a test fails | crash | hang | survive, argued | survive | not run yet |",
              "| --- | --- | --- | --- | --- | --- | --- | --- |"]
-    for room in sorted(rooms, key=lambda r: (r == "all", r)):
-        c = rooms[room]
-        lines.append(f"| {room} | {sum(c.values())} | {c['failed']} | {c['crashed']} | {c['hung']} | {c['argued']} | {c['survived']} | "
-                     f"{c['not run']} |")
+    total = [sum(column) for column in zip(*rows.values())]
+    for room, row in sorted(rows.items()) + [("all", total)]:
+        lines.append(f"| {room} | " + " | ".join(str(n) for n in row) + " |")
     lines += ["", "Why those that are argued change nothing:", ""]
     for group in groups:
         n = sum(any(matches(e, m) for e in group["mutants"]) for m in folder.mutants
                 if folder.results.get(key_of(m), {}).get("how") == "survived")
         where = ", ".join(sorted({e["file"].replace("\\", "") for e in group["mutants"]}))
-        lines.append(f"* {group['why']} ({n}: {where})")
+        old = re.search(rf"^\* {re.escape(group['why'])} \((\d+): {re.escape(where)}\)$", before, re.MULTILINE)
+        lines.append(f"* {group['why']} ({n if n > 0 or not old else old[1]}: {where})")
     return "\n".join(lines) + "\n"
 
 
@@ -254,9 +266,9 @@ def document(folder):
     with open(DOCUMENT, encoding="utf-8") as file:
         head, found, rest = file.read().partition(mark)
     assert found
-    _, _, tail = rest.partition(end)
+    before, _, tail = rest.partition(end)
     with open(DOCUMENT, "w", encoding="utf-8") as file:
-        file.write(head + mark + table(folder) + end + tail)
+        file.write(head + mark + table(folder, before) + end + tail)
 
 
 def main():
