@@ -222,7 +222,9 @@ TEST_F(Filtered, LeastNormAndLeastGap) {
 TEST_F(Filtered, EachOfTheFourDifferencesMustExceedTheLeastNorm) {
   constexpr std::array<std::array<std::size_t, 2>, 4> kDifferences{{{3, 1}, {2, 0}, {3, 0}, {2, 1}}};
   constexpr std::array<Point, 4> kDirections{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-  for (const auto& [from, to] : kDifferences) {
+  for (const auto& difference : kDifferences) {
+    const std::size_t from = difference[0];
+    const std::size_t to = difference[1];
     int negative = 0;
     for (const Point direction : kDirections) {
       const auto corners = [&](double s) {
