@@ -663,6 +663,48 @@ TEST(Cover, CellsOfADiameterAreBoundedAtTheirThreeCorners) {
   EXPECT_GT(tried, 12);
 }
 
+/// One triangle is bounded by the net's own triangulation, to which a detour leads: however many bits are left of it,
+/// an upper bound that is a little too small is not verified, and one that is a little too large not refuted.
+void expect_no_wrong_verdict(CoverDocument document, std::uint32_t t, std::uint32_t side, std::uint32_t entry,
+                             double least) {
+  ASSERT_GT(least, document.value.upper);
+  document.cells[t] = {side, entry, entry};
+  document.triangulations.push_back({});
+  const auto verdict = [&](double factor) {
+    document.value.upper = least * factor;
+    return check_cover(document, {.threads = 1, .max_precision = 128, .max_work = std::uint64_t{1} << 50}).verdict;
+  };
+  int open = 0;
+  for (std::uint32_t length = 0; length < 50; ++length) {
+    auto& flips = document.triangulations.back().flips;
+    flips.clear();
+    for (std::uint32_t k = 0; k < length; ++k) flips.push_back(7 * k % 18);
+    for (std::uint32_t k = length; k-- > 0;) flips.insert(flips.end(), 3, 7 * k % 18);
+    EXPECT_NE(verdict(1 - 1e-9), Verdict::verified) << length;
+    EXPECT_NE(verdict(1 + 1e-9), Verdict::refuted) << length;
+    open += verdict(1 + 1e-9) == Verdict::undecided ? 1 : 0;
+  }
+  EXPECT_GT(open, 3);
+}
+
+TEST(Cover, OneTriangleWithWideBallsIsNotDecidedWrongly) {
+  const CoverDocument of_disk = disk();
+  double bound = 0;
+  for (const auto& cell : Reference(of_disk.net).halves(0, 1)) {
+    for (const auto corner : cell) bound = std::max(bound, Reference(of_disk.net).half_displacement(0, corner));
+  }
+  const auto rows_of_disk = static_cast<std::uint32_t>(of_disk.triangulations.size());
+  expect_no_wrong_verdict(of_disk, 0, 1, 3 + 18 * (rows_of_disk + 1), bound);
+
+  const CoverDocument of_diameter = octagon();
+  bound = 0;
+  for (const auto& cell : Reference(of_diameter.net).halves(0, 1)) {
+    for (const auto corner : cell) bound = std::max(bound, Reference(of_diameter.net).radius(corner));
+  }
+  const auto rows = static_cast<std::uint32_t>(of_diameter.triangulations.size());
+  expect_no_wrong_verdict(of_diameter, 0, 1, 3 + rows + 1, bound);
+}
+
 TEST(Cover, InfiniteOrUnorderedBoundsAreMalformed) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const Interval wrong : {Interval{1, kInfinity}, {std::nan(""), 3}, {1, std::nan("")}}) {
