@@ -13,7 +13,7 @@
 #include "certify/document/surface_sides.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "far_words.h"
+#include "tests/certify/far_words.h"
 
 /// Distance files. Each rule is broken by a file in which nothing else is wrong; nets are those of the rest of the
 /// tests.
