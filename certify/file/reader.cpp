@@ -50,12 +50,32 @@ struct Place {
   throw MalformedError(place.text() + ": " + problem);
 }
 
+/// What simdjson complains of. Its own words differ from version to version, and ours are to be the same everywhere.
+const char* complaint(simdjson::error_code error) {
+  switch (error) {
+    case simdjson::EMPTY:
+      return "there is nothing";
+    case simdjson::INCORRECT_TYPE:
+      return "it is of another type";
+    case simdjson::INCOMPLETE_ARRAY_OR_OBJECT:
+      return "the text ends in the middle of an array or object";
+    case simdjson::UNCLOSED_STRING:
+      return "a string does not end";
+    case simdjson::UNESCAPED_CHARS:
+      return "a string has a character that must be escaped";
+    case simdjson::UTF8_ERROR:
+      return "it is not valid UTF-8";
+    default:
+      return "it is not JSON";
+  }
+}
+
 /// The value of a simdjson result, or a MalformedError that says what was expected at the place.
 template <class T>
 T expect(simdjson::simdjson_result<T> result, const Place& place, const char* expected) {
   T found;
   if (const auto error = std::move(result).get(found)) {
-    fail(place, std::string("expected ") + expected + " (" + simdjson::error_message(error) + ")");
+    fail(place, std::string("expected ") + expected + " (" + complaint(error) + ")");
   }
   return found;
 }
@@ -105,7 +125,7 @@ void read_array(simdjson::simdjson_result<value> item, const Place& place, const
   std::size_t position = 0;
   for (auto element : elements) {
     if (const auto error = element.error()) {
-      fail(place, std::string("broken array (") + simdjson::error_message(error) + ")");
+      fail(place, std::string("broken array (") + complaint(error) + ")");
     }
     read_element(element, position++);
   }
@@ -146,11 +166,11 @@ std::vector<bool> read_members(object members, const Place& place, const std::ve
   std::vector<bool> seen(expected.size());
   for (auto field : members) {
     if (const auto error = field.error()) {
-      fail(place, std::string("broken object (") + simdjson::error_message(error) + ")");
+      fail(place, std::string("broken object (") + complaint(error) + ")");
     }
     std::string_view key;
     if (const auto error = field.unescaped_key().get(key)) {
-      fail(place, std::string("broken member name (") + simdjson::error_message(error) + ")");
+      fail(place, std::string("broken member name (") + complaint(error) + ")");
     }
     std::size_t which = 0;
     while (which < expected.size() && expected[which].name != key) ++which;
@@ -541,11 +561,11 @@ void parse(simdjson::padded_string_view text, std::string_view name, const ReadD
     simdjson::ondemand::document json;
     if (const auto error = parser.iterate(text).get(json)) {
       if (error == simdjson::MEMALLOC) throw std::bad_alloc();
-      fail(place, std::string("not a JSON document (") + simdjson::error_message(error) + ")");
+      fail(place, std::string("not a JSON document (") + complaint(error) + ")");
     }
     object members;
     if (const auto error = json.get_object().get(members)) {
-      fail(place, std::string("expected an object (") + simdjson::error_message(error) + ")");
+      fail(place, std::string("expected an object (") + complaint(error) + ")");
     }
     read_document(members);
     if (json.current_location().error() != simdjson::OUT_OF_BOUNDS) fail(place, "text after the end of the document");
