@@ -23,6 +23,7 @@ import os
 import re
 import subprocess
 import sys
+import textwrap
 import threading
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -231,9 +232,17 @@ def room_of(path):
     return "certify" if len(parts) == 2 else "/".join(parts[:2])
 
 
+def item(why, n, where):
+    """An argument as it stands in the document, where its mutants are on lines of their own."""
+    def wrap(text, first):
+        return textwrap.fill(text, 120, initial_indent=first, subsequent_indent="  ", break_long_words=False, break_on_hyphens=False)
+    return wrap(why, "* ") + "\n" + wrap(f"({n}: {where})", "  ")
+
+
 def table(folder, before):
     """What is not in the results, as they were forgotten, stays as it was: rows of rooms, and how many are argued."""
     groups = arguments()
+    unwrapped = re.sub(r"\n  (?=\S)", " ", before)
     rooms = collections.defaultdict(collections.Counter)
     for m in folder.mutants:
         result = folder.results.get(key_of(m), {"how": "not run"})
@@ -257,8 +266,8 @@ def table(folder, before):
         n = sum(any(matches(e, m) for e in group["mutants"]) for m in folder.mutants
                 if folder.results.get(key_of(m), {}).get("how") == "survived")
         where = ", ".join(sorted({e["file"].replace("\\", "") for e in group["mutants"]}))
-        old = re.search(rf"^\* {re.escape(group['why'])} \((\d+): {re.escape(where)}\)$", before, re.MULTILINE)
-        lines.append(f"* {group['why']} ({n if n > 0 or not old else old[1]}: {where})")
+        old = re.search(rf"^\* {re.escape(group['why'])} \((\d+): {re.escape(where)}\)$", unwrapped, re.MULTILINE)
+        lines.append(item(group["why"], n if n > 0 or not old else old[1], where))
     return "\n".join(lines) + "\n"
 
 
