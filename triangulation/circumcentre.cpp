@@ -32,6 +32,18 @@ std::optional<Complex<double>> circumcentre_fast(const Mesh& mesh, const Atlas& 
   return circumcentre_near_origin(a, b, c);
 }
 
+Atlas::Place in_nearest_chart(const Mesh& mesh, const Atlas& atlas, std::uint32_t t, const Complex<double>& z) {
+  const Triangle& triangle = mesh.triangles[t];
+  Atlas::Place nearest{mesh.charts[triangle.vertex[0]], z, kIdentity};
+  for (const std::uint32_t i : {1u, 2u}) {
+    const LabelId label = triangle.label(i);
+    if (label == kIdentity) continue;
+    const Complex<double> w = inverse(atlas.isometry(label))(z);
+    if (norm(w) < norm(nearest.z)) nearest = {mesh.charts[triangle.vertex[i]], w, label};
+  }
+  return nearest;
+}
+
 template <class T>
 std::optional<Complex<Mp1024>> circumcentre_precise(Triangulation& triangulation, std::uint32_t t) {
   std::array<Complex<T>, 3> p;

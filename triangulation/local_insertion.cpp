@@ -17,14 +17,16 @@ enum class Outcome { inserted, labels_met, undecided };
 template <bool kLabels>
 class LocalInsertion {
  public:
-  LocalInsertion(Mesh& mesh, KnownLabels& labels, std::uint32_t t, const Complex<double>& p)
-      : mesh_(mesh), labels_(labels), t_(t), p_(p), height_(1 - norm(p)) {}
+  LocalInsertion(Mesh& mesh, KnownLabels& labels, std::uint32_t t, const Atlas::Place& place)
+      : mesh_(mesh), labels_(labels), t_(t), place_(place), p_(place.z), height_(1 - norm(place.z)) {}
 
   [[nodiscard]] Outcome run(const Threshold& apart, const Threshold& large, NewTriangles& made) {
-    if (!kLabels && !mesh_.triangles[t_].all_identity()) {
+    if (!kLabels && !(place_.label == kIdentity && mesh_.triangles[t_].all_identity())) {
       return Outcome::labels_met;
     }
-    start();
+    if (!start()) {
+      return Outcome::undecided;
+    }
     while (gate_count_ > 0) {
       // Member by member: a gate as one load would have to wait for its stores.
       const Gate& last = gates_[--gate_count_];
@@ -40,7 +42,7 @@ class LocalInsertion {
   }
 
  private:
-  /// A vertex of the cavity, lifted to t's chart.
+  /// A vertex of the cavity, lifted to the chart of p.
   struct Rim {
     Complex<double> z;
     Complex<double> offset;  ///< From p.
@@ -86,20 +88,26 @@ class LocalInsertion {
     return kLabels && std::find(cavity_.data(), cavity_.data() + cavity_count_, s) != cavity_.data() + cavity_count_;
   }
 
-  /// The cavity is triangle t, its edges are to be crossed.
-  void start() {
+  /// The cavity is triangle t, its edges are to be crossed. False if its labels from p's chart are not known.
+  [[nodiscard]] bool start() {
     cavity_[cavity_count_++] = t_;
     const Triangle& triangle = mesh_.triangles[t_];
+    const LabelId moved = kLabels ? labels_.inverse(place_.label) : kIdentity;
     for (std::uint32_t i = 0; i < 3; ++i) {
-      const Complex<double> z = lift_of(triangle.vertex[i], triangle.label(i));
+      const LabelId label = kLabels ? labels_.product(moved, triangle.label(i)) : kIdentity;
+      if (label == kUnknownLabel) {
+        return false;
+      }
+      const Complex<double> z = lift_of(triangle.vertex[i], label);
       const Complex<double> offset = z - p_;
-      add_rim(triangle.vertex[i], triangle.label(i), z, offset, norm(offset));
+      add_rim(triangle.vertex[i], label, z, offset, norm(offset));
     }
     // Depth first, counterclockwise, as in Cavity::find.
     for (const std::uint32_t i : {2u, 1u, 0u}) {
       const std::uint32_t to = next(i);
       gates_[gate_count_++] = {cross(rims_[to].offset, rims_[i].offset), triangle.opposite[i], i, to};
     }
+    return true;
   }
 
   /// Looks across a gate: the triangle there is in conflict, and joins the cavity, and the first of its other edges is
@@ -170,7 +178,7 @@ class LocalInsertion {
     std::vector<Triangle>& triangles = mesh_.triangles;
     Editor::require_room(triangles.size(), 2);
     const auto v = static_cast<std::uint32_t>(mesh_.points.size());
-    mesh_.charts.push_back(mesh_.charts[triangles[t_].vertex[0]]);
+    mesh_.charts.push_back(place_.chart);
     mesh_.points.push_back(p_);
     std::copy_n(cavity_.data(), cavity_count_, made.slots.data());
     for (std::size_t i = cavity_count_; i < edge_count_; ++i) {
@@ -215,6 +223,7 @@ class LocalInsertion {
   Mesh& mesh_;
   KnownLabels& labels_;
   const std::uint32_t t_;
+  const Atlas::Place& place_;
   const Complex<double> p_;
   const double height_;  ///< 1 − |p|².
   double error_ = 0;     ///< Of the lifts.
@@ -230,11 +239,11 @@ class LocalInsertion {
 
 }  // namespace
 
-bool insert_locally(Mesh& mesh, KnownLabels& labels, std::uint32_t t, const Complex<double>& p, const Threshold& apart,
+bool insert_locally(Mesh& mesh, KnownLabels& labels, std::uint32_t t, const Atlas::Place& place, const Threshold& apart,
                     const Threshold& large, NewTriangles& made) {
-  Outcome outcome = LocalInsertion<false>(mesh, labels, t, p).run(apart, large, made);
+  Outcome outcome = LocalInsertion<false>(mesh, labels, t, place).run(apart, large, made);
   if (outcome == Outcome::labels_met) {
-    outcome = LocalInsertion<true>(mesh, labels, t, p).run(apart, large, made);
+    outcome = LocalInsertion<true>(mesh, labels, t, place).run(apart, large, made);
   }
   return outcome == Outcome::inserted;
 }

@@ -179,8 +179,12 @@ class Piece {
       const std::uint32_t t = list_.pop();
       if (!mesh_.triangles[t].marked()) continue;
       const auto centre = circumcentre_fast(mesh_, labels.atlas(), t);
-      if (!centre || !(norm(*centre) <= kChartRadius * kChartRadius) ||
-          !insert_locally(mesh_, labels, t, *centre, apart, large, made)) {
+      const auto insert = [&] {
+        const Atlas::Place place = in_nearest_chart(mesh_, labels.atlas(), t, *centre);
+        return norm(place.z) <= kChartRadius * kChartRadius &&
+               insert_locally(mesh_, labels, t, place, apart, large, made);
+      };
+      if (!centre || !insert()) {
         pending_.push_back(t);
         continue;
       }

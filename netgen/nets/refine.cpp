@@ -194,23 +194,26 @@ class Refinement {
   void insert_circumcentre(std::uint32_t t) {
     // Nearly always binary64 sees the centre well, and it stays in the triangle's chart.
     const auto centre_in_chart = circumcentre_fast(triangulation_.mesh(), triangulation_.atlas(), t);
-    const std::uint32_t chart = triangulation_.chart_of(t);
-    if (centre_in_chart && norm(*centre_in_chart) <= kChartRadius * kChartRadius) {
-      if (options_.insertion == Insertion::cavity && insert_locally(Editor(triangulation_).mesh(), known_labels_, t,
-                                                                    *centre_in_chart, apart_, large_, new_triangles_)) {
-        enter(new_triangles_);
-        statistics_.flips += new_triangles_.count - 3;
-        return;
-      }
-      if (insert(t, {chart, *centre_in_chart, kIdentity}, InCircle::known)) {
-        return;
-      }
-    } else if (centre_in_chart && norm(*centre_in_chart) < 0.95) {
-      Atlas& atlas = triangulation_.atlas();
-      std::optional<Atlas::Place> place = atlas.place_nearby(chart, *centre_in_chart);
-      if (!place) place = atlas.place(chart, convert<Mp1024>(*centre_in_chart), Atlas::Precision::binary64);
-      if (place && insert(t, *place, InCircle::unknown)) {
-        return;
+    Atlas& atlas = triangulation_.atlas();
+    if (centre_in_chart && norm(*centre_in_chart) < 0.95) {
+      const Atlas::Place near = in_nearest_chart(triangulation_.mesh(), atlas, t, *centre_in_chart);
+      if (norm(near.z) <= kChartRadius * kChartRadius) {
+        if (options_.insertion == Insertion::cavity &&
+            insert_locally(Editor(triangulation_).mesh(), known_labels_, t, near, apart_, large_, new_triangles_)) {
+          enter(new_triangles_);
+          statistics_.flips += new_triangles_.count - 3;
+          return;
+        }
+        if (insert(t, near, InCircle::known)) {
+          return;
+        }
+      } else {
+        const std::uint32_t chart = triangulation_.chart_of(t);
+        std::optional<Atlas::Place> place = atlas.place_nearby(chart, *centre_in_chart);
+        if (!place) place = atlas.place(chart, convert<Mp1024>(*centre_in_chart), Atlas::Precision::binary64);
+        if (place && insert(t, *place, InCircle::unknown)) {
+          return;
+        }
       }
     }
     // Binary64 does not see the centre, or the rounded one is too close to a vertex: more bits, at last those of a

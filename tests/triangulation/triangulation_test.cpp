@@ -9,6 +9,7 @@
 
 #include "netgen/nets/net_document.h"
 #include "tests/support/triangulations.h"
+#include "triangulation/circumcentre.h"
 #include "triangulation/flip.h"
 #include "triangulation/insertion.h"
 #include "triangulation/journal.h"
@@ -440,13 +441,35 @@ RC_GTEST_PROP(TriangulationProperty, CavityAndFlipsInsertTheSame, ()) {
   RC_ASSERT(corners == inserted->size());
 }
 
+RC_GTEST_PROP(TriangulationProperty, TheNearestChartIsThatOfACorner, ()) {
+  Symmetric s(any_index<std::int32_t>(200), any_points(30));
+  Triangulation& triangulation = s.triangulation;
+  const auto t = any_index(triangulation.triangle_count());
+  const double angle = any_index(360u) * std::numbers::pi / 180;
+  const double radius = 0.75 * test::any_share();
+  const Complex<double> z{radius * std::cos(angle), radius * std::sin(angle)};
+  const Atlas::Place place = in_nearest_chart(triangulation.mesh(), triangulation.atlas(), t, z);
+  RC_CLASSIFY(place.label != kIdentity, "not the chart of the triangle");
+  std::set<LabelId> labels;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const Corner c = triangulation.corner(t, i);
+    labels.insert(c.label);
+    const Complex<double> w = c.label == kIdentity ? z : inverse(triangulation.atlas().isometry(c.label))(z);
+    RC_ASSERT(norm(place.z) <= norm(w));
+    if (c.label == place.label) RC_ASSERT(triangulation.vertex(c.vertex).chart == place.chart);
+  }
+  RC_ASSERT(labels.count(place.label) == 1u);
+  const Complex<double> back =
+      place.label == kIdentity ? place.z : triangulation.atlas().isometry(place.label)(place.z);
+  RC_ASSERT(norm(back - z) < 1e-24);
+}
+
 RC_GTEST_PROP(TriangulationProperty, TheFastInsertionIsTheCavity, ()) {
   // Small triangles in few charts, so that it often applies.
   Symmetric s(any_index<std::int32_t>(200), any_points(60));
   Triangulation& triangulation = s.triangulation;
   const auto t = any_index(triangulation.triangle_count());
   const Atlas::Place place = any_point(triangulation, t);
-  RC_PRE(place.label == kIdentity);
   const Threshold apart(Rational(1 + any_index(20u), 200));
   const Threshold large(Rational(1, 1 + any_index(10u)));
   Triangulation by_cavity = triangulation.clone();
@@ -454,7 +477,7 @@ RC_GTEST_PROP(TriangulationProperty, TheFastInsertionIsTheCavity, ()) {
 
   NewTriangles made;
   KnownLabels labels(triangulation.atlas());
-  const bool inserted = insert_locally(Editor(triangulation).mesh(), labels, t, place.z, apart, large, made);
+  const bool inserted = insert_locally(Editor(triangulation).mesh(), labels, t, place, apart, large, made);
   RC_CLASSIFY(inserted, "inserted");
   if (!inserted) {
     RC_ASSERT(snapshot(triangulation) == before);
