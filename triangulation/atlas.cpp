@@ -19,6 +19,9 @@ namespace {
 /// log2 N. Products that would have fewer are evaluated from their word again.
 constexpr double kLabelAccuracy = 150;
 constexpr double kAbsoluteAccuracy = 100;
+/// A product of labels in double-double may be off by this, in units of its size; what is off by more is multiplied in
+/// more bits. The bounds for labels that are rounded to binary64 have more than that to spare.
+constexpr double kValueError = 0x1p-64;
 /// Two labels g and gh between the same charts are equal if the coordinates of their matrices agree to 2⁻⁹⁰: for h ≠ 1
 /// of length ℓ the difference g(h − 1) has the determinant 2 − tr h = −4 sinh²(ℓ/4), whatever the size of g, so that
 /// some coordinate of it is larger than ℓ/√8.
@@ -401,15 +404,26 @@ std::optional<Atlas::Value<T>> Atlas::evaluate_to(double bits, std::uint32_t fro
   return std::nullopt;
 }
 
-std::optional<LabelId> Atlas::find_label(std::uint32_t from, std::uint32_t to, Word word) {
+std::optional<Atlas::Value<Mp256>> Atlas::evaluate_label(std::uint32_t from, std::uint32_t to, const Word& word) const {
   std::optional<Value<Mp256>> value = evaluate_to<Mp256>(kLabelAccuracy + 10, from, to, word);
   if (value && value->accuracy < kAbsoluteAccuracy + log2_norm(value->isometry)) {
     value = evaluate_to<Mp256>(240, from, to, word);
   }
-  if (!value) {
-    return std::nullopt;
+  return value;
+}
+
+const Atlas::Value<Mp256>& Atlas::precise(LabelId l) {
+  LabelEntry& entry = labels_[l - 1];
+  if (!entry.precise) {
+    entry.precise = evaluate_label(entry.from, entry.to, entry.word);
+    if (!entry.precise) throw_too_far(entry.word.size());
   }
-  return find_or_add(from, to, value->isometry, value->accuracy, [&] { return std::move(word); });
+  return *entry.precise;
+}
+
+std::optional<LabelId> Atlas::find_label(std::uint32_t from, std::uint32_t to, Word word) {
+  const std::optional<Value<Mp256>> value = evaluate_label(from, to, word);
+  return value ? std::optional(find_or_add(from, to, *value, std::move(word))) : std::nullopt;
 }
 
 LabelId Atlas::label(std::uint32_t from, std::uint32_t to, Word word) {
@@ -419,9 +433,8 @@ LabelId Atlas::label(std::uint32_t from, std::uint32_t to, Word word) {
   return *result;
 }
 
-template <class MakeWord>
-LabelId Atlas::find_or_add(std::uint32_t from, std::uint32_t to, const Isometry<Mp256>& isometry, double accuracy,
-                           const MakeWord& word) {
+LabelId Atlas::find_or_add(std::uint32_t from, std::uint32_t to, const Value<Mp256>& value, Word word) {
+  const Isometry<Mp256>& isometry = value.isometry;
   const auto small = [](const Mp256& x) { return binary_exponent(x) < -kSameLabelBits; };
   const auto equal = [&](const Isometry<Mp256>& f, const Isometry<Mp256>& g) {
     return (small(f.a.x - g.a.x) && small(f.a.y - g.a.y) && small(f.b.x - g.b.x) && small(f.b.y - g.b.y)) ||
@@ -431,78 +444,108 @@ LabelId Atlas::find_or_add(std::uint32_t from, std::uint32_t to, const Isometry<
     return kIdentity;
   }
   const Isometry<double> rounded = convert<double>(isometry);
-  std::vector<LabelId>& same_charts = by_charts_[pair_key(from, to)];
-  for (const LabelId l : same_charts) {
+  for (const LabelId l : by_charts_[pair_key(from, to)]) {
     const Complex<double> b = this->isometry(l).b;
     const double tolerance = 1e-12 * (norm(rounded.a) + 1);
     const bool close = std::min(norm(b - rounded.b), norm(b + rounded.b)) <= tolerance;
-    if (close && equal(labels_[l - 1].precise, isometry)) {
+    if (close && equal(precise(l).isometry, isometry)) {
       return l;
     }
   }
-  labels_.push_back({from, to, isometry, accuracy, word()});
+  const LabelId result = add(from, to, convert<DoubleDouble>(isometry), 0x1p-104 * size_of(rounded), std::move(word));
+  labels_.back().precise = value;
+  return result;
+}
+
+LabelId Atlas::add(std::uint32_t from, std::uint32_t to, const Isometry<DoubleDouble>& value, double error, Word word) {
+  const Isometry<double> rounded = convert<double>(value);
+  labels_.push_back({from, to, std::move(word), value, error, std::nullopt});
   rounded_.push_back({rounded, image_error(rounded), kUnknownLabel});
-  const LabelId id = static_cast<LabelId>(labels_.size());
-  same_charts.push_back(id);
+  const auto id = static_cast<LabelId>(labels_.size());
+  by_charts_[pair_key(from, to)].push_back(id);
   charts_[to].incoming.push_back(id);
   return id;
 }
 
-std::optional<LabelId> Atlas::find_product(LabelId f, LabelId g) const {
+std::optional<LabelId> Atlas::find(std::uint32_t from, std::uint32_t to, const Isometry<double>& h, double size) const {
   // Two isometries are the same if they take the centre of a disk that the group moves off itself to points nearer than
   // twice its radius: sinh of half of the distance of n/d and n'/d' is |n d' − n' d|/(1 − |centre|²).
-  const Disk& disk = charts_[from(g)].disk;
-  const double size = size_of(isometry(f)) * size_of(isometry(g));
+  const Disk& disk = charts_[from].disk;
   const double gap = 1 - norm(disk.centre);
   struct Image {
     Complex<double> n;
     Complex<double> d;
   };
-  const auto image = [&](const Isometry<double>& h) {
-    return Image{h.a * disk.centre + h.b, conj(h.b) * disk.centre + conj(h.a)};
+  const auto image = [&](const Isometry<double>& f) {
+    return Image{f.a * disk.centre + f.b, conj(f.b) * disk.centre + conj(f.a)};
   };
-  const Image product = image(isometry(f) * isometry(g));
+  const Image wanted = image(h);
   // docs/error-bounds.md, E6.
-  const auto is_product = [&](const Isometry<double>& h) -> std::optional<bool> {
-    if (!(64 * kUnitRoundoff * size * size_of(h) <= 0.25 * disk.sinh_radius * gap)) {
+  const auto is_exact_enough = [&](double size_of_other) {
+    return 64 * kUnitRoundoff * size * size_of_other <= 0.25 * disk.sinh_radius * gap;
+  };
+  if (!is_exact_enough(1)) {
+    return std::nullopt;
+  }
+  const auto is_same = [&](const Isometry<double>& f) -> std::optional<bool> {
+    if (!is_exact_enough(size_of(f))) {
       return std::nullopt;
     }
-    const Image other = image(h);
-    return norm(product.n * other.d - other.n * product.d) < 0.25 * disk.sinh_radius * disk.sinh_radius * gap * gap;
+    const Image other = image(f);
+    return norm(wanted.n * other.d - other.n * wanted.d) < 0.25 * disk.sinh_radius * disk.sinh_radius * gap * gap;
   };
-  if (from(g) == to(f)) {
-    if (const auto same = is_product({}); !same || *same) {
+  if (from == to) {
+    if (const auto same = is_same({}); !same || *same) {
       return same ? std::optional(kIdentity) : std::nullopt;
     }
   }
-  const auto same_charts = by_charts_.find(pair_key(from(g), to(f)));
-  if (same_charts != by_charts_.end()) {
+  if (const auto same_charts = by_charts_.find(pair_key(from, to)); same_charts != by_charts_.end()) {
     for (const LabelId l : same_charts->second) {
-      if (const auto same = is_product(isometry(l)); !same || *same) {
+      if (const auto same = is_same(isometry(l)); !same || *same) {
         return same ? std::optional(l) : std::nullopt;
       }
     }
   }
-  return std::nullopt;
+  return kUnknownLabel;
+}
+
+std::optional<LabelId> Atlas::find_product(LabelId f, LabelId g) const {
+  return find(from(g), to(f), isometry(f) * isometry(g), size_of(isometry(f)) * size_of(isometry(g)));
 }
 
 LabelId Atlas::product_of_others(LabelId f, LabelId g) {
   if (const auto known = products_.find(pair_key(f, g)); known != products_.end()) {
     return known->second;
   }
-  if (const auto found = find_product(f, g)) {
-    products_.emplace(pair_key(f, g), *found);
-    return *found;
-  }
-  const LabelEntry& left = labels_[f - 1];
-  const LabelEntry& right = labels_[g - 1];
-  const auto word = [&] { return concatenated(surface_, right.word, left.word); };
-  const double accuracy =
-      std::min(left.accuracy, right.accuracy) - log2_norm(left.precise) - log2_norm(right.precise) - 3;
-  const LabelId result =
-      accuracy >= std::max(kLabelAccuracy, kAbsoluteAccuracy + log2_norm(left.precise) + log2_norm(right.precise))
-          ? find_or_add(right.from, left.to, left.precise * right.precise, accuracy, word)
-          : label(right.from, left.to, word());
+  const auto product = [&] {
+    const std::optional<LabelId> found = find_product(f, g);
+    if (found && *found != kUnknownLabel) {
+      return *found;
+    }
+    const LabelEntry& left = labels_[f - 1];
+    const LabelEntry& right = labels_[g - 1];
+    Word word = concatenated(surface_, right.word, left.word);
+    if (found) {
+      const Isometry<DoubleDouble> value = left.value * right.value;
+      // docs/error-bounds.md, E5.
+      const double left_size = size_of(isometry(f));
+      const double right_size = size_of(isometry(g));
+      const double error = 1.001 * (left.error * (right_size + right.error) + left_size * right.error +
+                                    0x1p-101 * left_size * right_size);
+      if (error <= kValueError * size_of(convert<double>(value))) {
+        return add(right.from, left.to, value, error, std::move(word));
+      }
+    }
+    const Isometry<Mp256>& left_isometry = precise(f).isometry;
+    const Isometry<Mp256>& right_isometry = precise(g).isometry;
+    const double size = log2_norm(left_isometry) + log2_norm(right_isometry);
+    const double accuracy = std::min(precise(f).accuracy, precise(g).accuracy) - size - 3;
+    if (accuracy >= std::max(kLabelAccuracy, kAbsoluteAccuracy + size)) {
+      return find_or_add(right.from, left.to, {left_isometry * right_isometry, accuracy}, std::move(word));
+    }
+    return label(right.from, left.to, std::move(word));
+  };
+  const LabelId result = product();
   products_.emplace(pair_key(f, g), result);
   return result;
 }
@@ -513,9 +556,21 @@ LabelId Atlas::known_product(LabelId f, LabelId g) const {
 }
 
 LabelId Atlas::inverse_of_other(LabelId f) {
-  const LabelEntry& entry = labels_[f - 1];
-  const LabelId result = find_or_add(entry.to, entry.from, epsnet::inverse(entry.precise), entry.accuracy,
-                                     [&] { return reversed(surface_, entry.word); });
+  const Isometry<double> wanted = epsnet::inverse(isometry(f));
+  const std::optional<LabelId> found = find(to(f), from(f), wanted, size_of(wanted));
+  const auto inverse = [&] {
+    if (found && *found != kUnknownLabel) {
+      return *found;
+    }
+    const LabelEntry& entry = labels_[f - 1];
+    Word word = reversed(surface_, entry.word);
+    if (found) {
+      return add(entry.to, entry.from, epsnet::inverse(entry.value), entry.error, std::move(word));
+    }
+    const Value<Mp256>& value = precise(f);
+    return find_or_add(entry.to, entry.from, {epsnet::inverse(value.isometry), value.accuracy}, std::move(word));
+  };
+  const LabelId result = inverse();
   rounded_[f - 1].inverse = result;
   rounded_[result - 1].inverse = f;
   return result;
@@ -535,7 +590,7 @@ const Isometry<T>& Atlas::isometry_in(LabelId l) {
   if constexpr (std::is_same_v<T, double>) {
     return rounded_[l - 1].isometry;
   } else if constexpr (std::is_same_v<T, Mp256>) {
-    return labels_[l - 1].precise;
+    return precise(l).isometry;
   } else {
     auto& known = std::get<Known<T>>(known_).labels;
     const auto found = known.find(l);

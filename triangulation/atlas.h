@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "kernel/double_double.h"
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
 #include "triangulation/error.h"
@@ -40,8 +41,8 @@ inline constexpr LabelId kUnknownLabel = ~LabelId{0};
 /// No point of a chart that is used as a vertex is farther from the origin than this (Euclidean, Poincaré disk).
 inline constexpr double kChartRadius = 0.7;
 
-/// The charts of a surface and the isometries between them ("labels"), evaluated once each: exactly as words, to some
-/// 200 bits, and rounded to binary64.
+/// The charts of a surface and the isometries between them ("labels"): exactly as words, rounded to binary64, and to
+/// some 200 bits and more where these are asked for.
 ///
 /// Labels are few, a few hundred to thousands whatever the number of triangles; products and inverses are memoised.
 class Atlas {
@@ -168,12 +169,19 @@ class Atlas {
     Isometry<Mp256> unit_frame;
     std::vector<LabelId> incoming;
   };
+  /// An isometry that is within 2^−accuracy, relative to its entries.
+  template <class T>
+  struct Value {
+    Isometry<T> isometry;
+    double accuracy;
+  };
   struct LabelEntry {
     std::uint32_t from;
     std::uint32_t to;
-    Isometry<Mp256> precise;
-    double accuracy;  ///< `precise` is within 2^−accuracy, relative to its entries.
     Word word;
+    Isometry<DoubleDouble> value;
+    double error;                         ///< Bounds ν of what `value` is off by, ν(a, b) = |a| + |b|.
+    std::optional<Value<Mp256>> precise;  ///< Evaluated when first asked for.
   };
 
   struct Rounded {
@@ -186,12 +194,16 @@ class Atlas {
   [[nodiscard]] LabelId inverse_of_other(LabelId f);
   /// A disk inside of a tile, from its corners, in its coordinates.
   [[nodiscard]] static Disk disk_inside(std::span<const Complex<double>> tile);
-  /// The label of f ∘ g among those that exist; nothing if it is new or if binary64 does not tell.
+  /// The label of an isometry h among those that exist, kUnknownLabel if it is certainly none of them; nothing if
+  /// binary64 does not tell. h is off by at most 6u·size, size ≥ ν(h) (docs/error-bounds.md, E6).
+  [[nodiscard]] std::optional<LabelId> find(std::uint32_t from, std::uint32_t to, const Isometry<double>& h,
+                                            double size) const;
+  /// The same for f ∘ g.
   [[nodiscard]] std::optional<LabelId> find_product(LabelId f, LabelId g) const;
-  /// `word` is asked for its word if the label is new.
-  template <class MakeWord>
-  [[nodiscard]] LabelId find_or_add(std::uint32_t from, std::uint32_t to, const Isometry<Mp256>& isometry,
-                                    double accuracy, const MakeWord& word);
+  /// A label that is certainly none of those that there are; `error` as in LabelEntry.
+  LabelId add(std::uint32_t from, std::uint32_t to, const Isometry<DoubleDouble>& value, double error, Word word);
+  /// The label of a value, a new one or not.
+  [[nodiscard]] LabelId find_or_add(std::uint32_t from, std::uint32_t to, const Value<Mp256>& value, Word word);
   /// The value of a word, computed in a field, and how many of the field's bits it lost.
   template <class T>
   struct Evaluation {
@@ -216,13 +228,13 @@ class Atlas {
   /// The value to within 2^−accuracy relative to its entries, accuracy ≥ bits, computed in a field that is large
   /// enough; nothing if no field is.
   template <class T>
-  struct Value {
-    Isometry<T> isometry;
-    double accuracy;
-  };
-  template <class T>
   [[nodiscard]] std::optional<Value<T>> evaluate_to(double bits, std::uint32_t from, std::uint32_t to,
                                                     const Word& word) const;
+  /// The value that labels are compared by; nothing if the word leads too far to be evaluated.
+  [[nodiscard]] std::optional<Value<Mp256>> evaluate_label(std::uint32_t from, std::uint32_t to,
+                                                           const Word& word) const;
+  /// That of a label. Throws LimitError if its word leads too far.
+  [[nodiscard]] const Value<Mp256>& precise(LabelId l);
   /// As `label`; nothing if the word leads too far to be evaluated.
   [[nodiscard]] std::optional<LabelId> find_label(std::uint32_t from, std::uint32_t to, Word word);
   /// The frame of a chart, of determinant 1.

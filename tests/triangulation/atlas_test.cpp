@@ -211,6 +211,29 @@ RC_GTEST_PROP(AtlasProperty, LiftsAgreeAtAllPrecisionsWithinTheirErrors, ()) {
   RC_ASSERT(separation(convert<Mp4096>(at_1024), at_4096) <= Mp4096(Atlas::lift_error<Mp1024>()));
 }
 
+RC_GTEST_PROP(AtlasProperty, ProductsAreRoundedAsTheirWordsAre, ()) {
+  // However long the chain of products that a label comes from.
+  const Surface& surface = any_surface().surface;
+  Atlas atlas = three_charts(surface);
+  LabelId product = atlas.label(any_index(3u), 0, any_word(surface, 0, 2));
+  for (int i = 0; i < 12; ++i) {
+    const std::uint32_t to = any_index(3u);
+    const std::uint32_t at = product == kIdentity ? to : atlas.to(product);
+    const LabelId step = atlas.label(at, to, any_word(surface, 0, 1));
+    product = any_index(4u) == 0 ? atlas.inverse(atlas.product(step, product)) : atlas.product(step, product);
+    if (product == kIdentity) continue;
+    const Isometry<double> rounded = atlas.isometry(product);
+    Isometry<Mp256> precise = atlas.isometry_in<Mp256>(product);
+    if (norm(convert<double>(precise.a) - rounded.a) > 1) precise = {-precise.a, -precise.b};
+    const double size = std::sqrt(norm(rounded.a)) + std::sqrt(norm(rounded.b));
+    const auto off = [&](const Mp256& exact, double x) {
+      return static_cast<double>(abs(Mp256(exact - x))) > kUnitRoundoff * std::abs(x) + 0x1p-63 * size;
+    };
+    RC_ASSERT(!off(precise.a.x, rounded.a.x) && !off(precise.a.y, rounded.a.y));
+    RC_ASSERT(!off(precise.b.x, rounded.b.x) && !off(precise.b.y, rounded.b.y));
+  }
+}
+
 RC_GTEST_PROP(AtlasProperty, LiftsAreTheWordsValues, ()) {
   // Against Q(i): frame, crossings, frame back.
   const Surface& surface = any_surface().surface;
