@@ -67,8 +67,6 @@ Problem combinatorial_problem(const NetDocument& document) {
   return std::nullopt;
 }
 
-Tri operator!(Tri x) { return x == Tri::unknown ? x : x == Tri::yes ? Tri::no : Tri::yes; }
-
 /// |z|², of a ball each.
 Ball norm(const ComplexBall& z, slong precision) {
   Ball result, square;
@@ -317,8 +315,7 @@ class CollarChecker {
       for (const BallIsometry& other : {core, inverse(core)}) {
         const BallIsometry quotient = compose(inverse(other), loop, precision);
         const BallIsometry element = compose(inverse(base), compose(quotient, base, precision), precision);
-        const Tri equal = is_identity(element, disk->sinh_radius, precision);
-        if (equal == Tri::yes || (equal == Tri::unknown && same == Tri::no)) same = equal;
+        same = either(same, is_identity(element, disk->sinh_radius, precision));
       }
     }
     return {same, "the loop at vertex " + std::to_string(collar.vertices[0]) + " is not the core"};

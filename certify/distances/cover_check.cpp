@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "certify/check.h"
+#include "certify/distances/cover_triangles.h"
 #include "certify/document/cover_structure.h"
 #include "certify/document/darts.h"
 #include "certify/document/least_bytes.h"
@@ -268,7 +269,7 @@ class CoverCheck {
     evaluate();
     struct Outcome {
       Tri within = Tri::yes;
-      std::size_t cell = 0;  ///< The first that is not.
+      std::size_t cell = 0;  ///< The first that is not, else the first that is open.
       std::size_t cells = 0;
     };
     std::vector<Outcome> outcomes(triangles_.size());
@@ -289,11 +290,9 @@ class CoverCheck {
           open.push_back(std::move(parts[0]));
           continue;
         }
-        const Tri within = is_bounded(cell, entry - 3);
-        if (within != Tri::yes && outcome.within != Tri::no && (within == Tri::no || outcome.within == Tri::yes)) {
-          outcome.within = within;
-          outcome.cell = outcome.cells;
-        }
+        const Tri within = both(outcome.within, is_bounded(cell, entry - 3));
+        if (within != outcome.within) outcome.cell = outcome.cells;
+        outcome.within = within;
         ++outcome.cells;
       }
     });
@@ -322,6 +321,17 @@ class CoverCheck {
     arb_add(result, result, element.square.get(), precision_);
   }
 
+  /// The same of every dart.
+  [[nodiscard]] std::vector<Ball> displacements(const Map& map, const BallVector& p) const {
+    std::vector<Ball> h(darts_);
+    for (std::uint32_t d = 0; d < darts_; ++d) {
+      const std::uint32_t e = map.opposite[d];
+      if (d < e) displacement(h[d].get(), map.element[d], p);
+      if (d > e) h[d] = h[e];
+    }
+    return h;
+  }
+
   [[nodiscard]] Tri is_bounded(const Cell& cell, std::uint32_t by) const {
     switch (document_.claim) {
       case Claim::diameter:
@@ -338,104 +348,34 @@ class CoverCheck {
   /// the distance to any point of the cell.
   [[nodiscard]] Tri is_bounded_from_midpoint(const Cell& cell, std::uint32_t by, std::uint32_t side) const {
     const Map& map = maps_[by];
-    const std::size_t count = darts_ / 3;
     spend(kCutOperations + 2 * kFunctionOperations);
     spend(kEdgeOperations + 2 * kTriangleOperations, darts_ / 2);
-    spend(kFunctionOperations, count);
+    spend(kFunctionOperations, darts_ / 3);
     const Cell half = halves(cell, side, precision_)[0];
-    const BallVector& midpoint = half.corner[(side + 1) % 3];
-    std::vector<Ball> h(darts_);
-    for (std::uint32_t d = 0; d < darts_; ++d) {
-      const std::uint32_t e = map.opposite[d];
-      if (d < e) displacement(h[d].get(), map.element[d], midpoint);
-      if (d > e) h[d] = h[e];
-    }
-    // K of every triangle; cot γ at every dart, γ the angle opposite to it in the Euclidean triangle with these squares
-    // as sides; the areas.
-    Ball sum, four_abc, area, root;
-    std::vector<Ball> k(count), cotangent(darts_), areas(count);
-    for (std::uint32_t t = 0; t < count; ++t) {
-      const std::uint32_t d = 3 * t;
-      for (std::uint32_t i = d; i < d + 3; ++i) {
-        arb_add(cotangent[i].get(), h[next_dart(i)].get(), h[previous_dart(i)].get(), precision_);
-        arb_sub(cotangent[i].get(), cotangent[i].get(), h[i].get(), precision_);
-      }
-      arb_mul(four_abc.get(), h[d].get(), h[d + 1].get(), precision_);
-      arb_mul_2exp_si(four_abc.get(), four_abc.get(), 2);
-      arb_sqr(root.get(), cotangent[d + 2].get(), precision_);
-      arb_sub(k[t].get(), four_abc.get(), root.get(), precision_);
-      const Tri circumcircle = certainly_positive(k[t].get());
-      if (circumcircle != Tri::yes) return circumcircle;
-      arb_sqrt(root.get(), k[t].get(), precision_);
-      for (std::uint32_t i = d; i < d + 3; ++i) {
-        arb_div(cotangent[i].get(), cotangent[i].get(), root.get(), precision_);
-      }
-      // tan(A/2) = √(K + 4abc)/(2 + a + b + c).
-      arb_mul(area.get(), four_abc.get(), h[d + 2].get(), precision_);
-      arb_add(area.get(), area.get(), k[t].get(), precision_);
-      arb_sqrt(area.get(), area.get(), precision_);
-      arb_add(root.get(), h[d].get(), h[d + 1].get(), precision_);
-      arb_add(root.get(), root.get(), h[d + 2].get(), precision_);
-      arb_add_ui(root.get(), root.get(), 2, precision_);
-      arb_div(area.get(), area.get(), root.get(), precision_);
-      arb_atan(area.get(), area.get(), precision_);
-      arb_mul_2exp_si(areas[t].get(), area.get(), 1);
-      arb_add(sum.get(), sum.get(), areas[t].get(), precision_);
-    }
-    for (std::uint32_t d = 0; d < darts_; ++d) {
-      if (d > map.opposite[d]) continue;
-      arb_add(root.get(), cotangent[d].get(), cotangent[map.opposite[d]].get(), precision_);
-      const Tri is_delaunay = certainly_positive(root.get());
-      if (is_delaunay != Tri::yes) return is_delaunay;
-    }
-    // The area of the surface is 2π(2g − 2) = π(F − 2).
-    arb_const_pi(area.get(), precision_);
-    arb_mul_ui(area.get(), area.get(), count - 2, precision_);
-    arb_sub(sum.get(), sum.get(), area.get(), precision_);
-    for (const Ball& own : areas) {
-      const Tri counterclockwise = certainly_less(sum.get(), own.get());
-      if (counterclockwise != Tri::yes) return counterclockwise;
-    }
+    const std::uint32_t end = (side + 1) % 3;
     // No point of the cell is farther from the midpoint than a corner is.
-    Tri result = Tri::yes;
-    for (const std::uint32_t to : {side, (side + 1) % 3}) {
-      Ball least;
-      arb_acosh(least.get(), half.cosh[to].get(), precision_);
-      arb_set_d(root.get(), document_.value.lower);
-      arb_add(least.get(), least.get(), root.get(), precision_);
-      arb_sinh(least.get(), least.get(), precision_);
-      arb_sqr(least.get(), least.get(), precision_);
-      Tri reached = Tri::no;
-      for (std::size_t t = 0; t < count && reached != Tri::yes; ++t) {
-        // 4abc ≥ K sinh²(LO + reach).
-        arb_mul(four_abc.get(), h[3 * t].get(), h[3 * t + 1].get(), precision_);
-        arb_mul(four_abc.get(), four_abc.get(), h[3 * t + 2].get(), precision_);
-        arb_mul_2exp_si(four_abc.get(), four_abc.get(), 2);
-        arb_mul(root.get(), k[t].get(), least.get(), precision_);
-        const Tri less = certainly_less(four_abc.get(), root.get());
-        if (less == Tri::no) reached = Tri::yes;
-        if (less == Tri::unknown) reached = Tri::unknown;
-      }
-      if (reached == Tri::no) return reached;
-      if (reached == Tri::unknown) result = reached;
-    }
-    return result;
+    Ball least, reach;
+    arb_max(reach.get(), half.cosh[side].get(), half.cosh[end].get(), precision_);
+    arb_acosh(reach.get(), reach.get(), precision_);
+    arb_set_d(least.get(), document_.value.lower);
+    arb_add(least.get(), least.get(), reach.get(), precision_);
+    arb_sinh(least.get(), least.get(), precision_);
+    arb_sqr(least.get(), least.get(), precision_);
+    return is_delaunay_and_wide(map.opposite, displacements(map, half.corner[end]), least, precision_);
   }
 
   /// d(p, gp) ≤ 2hi at the corners, and g ≠ 1.
   [[nodiscard]] Tri is_bounded_by_edge(const Cell& cell, std::uint32_t by) const {
     spend(kEdgeOperations, 3);
-    Tri result = Tri::yes;
+    Tri within = Tri::yes;
     Tri moves = Tri::unknown;
     Ball h;
     for (const BallVector& p : cell.corner) {
       displacement(h.get(), maps_[by / darts_].element[by % darts_], p);
       if (certainly_positive(h.get()) == Tri::yes) moves = Tri::yes;
-      const Tri longer = certainly_less(most_.get(), h.get());
-      if (longer == Tri::yes) return Tri::no;
-      if (longer == Tri::unknown) result = Tri::unknown;
+      within = both(within, !certainly_less(most_.get(), h.get()));
     }
-    return moves == Tri::yes ? result : Tri::unknown;
+    return both(within, moves);
   }
 
   /// At the corners of the cell, every triangle lies in a disk of radius hi.
@@ -443,54 +383,13 @@ class CoverCheck {
     const Map& map = maps_[by];
     spend(3 * (kEdgeOperations + kTriangleOperations), darts_ / 2);
     Tri result = Tri::yes;
-    std::vector<Ball> h(darts_);
     for (const BallVector& p : cell.corner) {
-      for (std::uint32_t d = 0; d < darts_; ++d) {
-        const std::uint32_t e = map.opposite[d];
-        if (d < e) displacement(h[d].get(), map.element[d], p);
-        if (d > e) h[d] = h[e];
-      }
-      for (std::uint32_t d = 0; d < darts_; d += 3) {
-        const Tri within = fits({&h[d], &h[d + 1], &h[d + 2]});
-        if (within == Tri::no) return within;
-        if (within == Tri::unknown) result = within;
+      const std::vector<Ball> h = displacements(map, p);
+      for (std::uint32_t d = 0; d < darts_ && result != Tri::no; d += 3) {
+        result = both(result, fits(Sides(&h[d], 3), most_, precision_));
       }
     }
     return result;
-  }
-
-  /// Whether a triangle with the sides' sinh²(d/2) given lies in a disk of radius hi: its circumcircle is not larger,
-  /// or it is not acute and the disk with the longest side as diameter is not.
-  [[nodiscard]] Tri fits(const std::array<const Ball*, 3>& h) const {
-    Tri sides = Tri::yes;
-    for (const Ball* side : h) {
-      const Tri longer = certainly_less(most_.get(), side->get());
-      if (longer == Tri::yes) return Tri::no;
-      if (longer == Tri::unknown) sides = Tri::unknown;
-    }
-    // With sides that fit, a triangle that is not acute does.
-    bool acute = true;
-    Ball excess;
-    for (std::size_t i = 0; i < 3; ++i) {
-      arb_add(excess.get(), h[(i + 1) % 3]->get(), h[(i + 2) % 3]->get(), precision_);
-      arb_sub(excess.get(), excess.get(), h[i]->get(), precision_);
-      const Tri positive = certainly_positive(excess.get());
-      if (positive == Tri::no) return sides;
-      if (positive == Tri::unknown) acute = false;
-    }
-    // 4abc ≤ sinh²(hi) K with K = 4ab − (a + b − c)²; K > 0 follows, as abc > 0 for an acute triangle.
-    Ball left, right;
-    arb_mul(left.get(), h[0]->get(), h[1]->get(), precision_);
-    arb_mul_2exp_si(left.get(), left.get(), 2);
-    arb_sqr(right.get(), excess.get(), precision_);
-    // The last excess is that of side 2.
-    arb_sub(right.get(), left.get(), right.get(), precision_);
-    arb_mul(left.get(), left.get(), h[2]->get(), precision_);
-    const Tri circumcircle = certainly_positive(right.get());
-    arb_mul(right.get(), right.get(), most_.get(), precision_);
-    const Tri larger = certainly_less(right.get(), left.get());
-    if (circumcircle == Tri::yes && larger == Tri::no) return Tri::yes;
-    return acute && larger == Tri::yes ? Tri::no : Tri::unknown;
   }
 
   const CoverDocument& document_;

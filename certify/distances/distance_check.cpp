@@ -227,8 +227,7 @@ class DistanceCheck {
     const auto [lower, upper] = document_.distance;
     const Tri above_lower = lower > 0 ? certainly_less(cosh_of(lower).get(), cosh.get()) : Tri::yes;
     const Tri below_upper = upper > 0 ? certainly_less(cosh.get(), cosh_of(upper).get()) : is_zero(cosh, i);
-    if (above_lower == Tri::no || below_upper == Tri::no) return Tri::no;
-    return above_lower == Tri::yes ? below_upper : Tri::unknown;
+    return both(above_lower, below_upper);
   }
 
   [[nodiscard]] Ball cosh_of(double length) const {
@@ -388,9 +387,8 @@ class DistanceCheck {
     plane.spend(kSameOperations);
     Tri result = Tri::no;
     for (const std::uint32_t i : paths.by_end.near(key(end_of(element, paths), precision_))) {
-      const Tri same = is_same(plane, paths.all[i].element, element);
-      if (same == Tri::yes) return same;
-      if (same == Tri::unknown) result = same;
+      result = either(result, is_same(plane, paths.all[i].element, element));
+      if (result == Tri::yes) break;
     }
     return result;
   }

@@ -72,10 +72,8 @@ Tri ChordTable::is_power(const Chord& chord, const BallIsometry& root, std::uint
   choose_sign(power);
   const Tri same = plane_.same(chart, chord.element, power);
   if (same == Tri::yes) return same;
-  BallIsometry turned = inverse(power);
-  const Tri opposite = plane_.same(chart, chord.element, turned);
-  if (opposite == Tri::yes) return opposite;
-  return same == Tri::no && opposite == Tri::no ? Tri::no : Tri::unknown;
+  const BallIsometry turned = inverse(power);
+  return either(same, plane_.same(chart, chord.element, turned));
 }
 
 ChordTable::Match ChordTable::find(const Chord& chord, Interval length, std::uint32_t except) const {
@@ -97,7 +95,7 @@ ChordTable::Match ChordTable::find(const Chord& chord, Interval length, std::uin
       plane_.spend(kPowerOperations);
       const Tri answer = is_power(chord, this->chord(place).element, power);
       if (answer == Tri::yes) return {Tri::yes, place.geodesic, power};
-      if (answer == Tri::unknown) match.found = Tri::unknown;
+      match.found = either(match.found, answer);
     }
   }
   return match;

@@ -180,9 +180,8 @@ class CompletenessCheck::Pass {
     const Interval length = translation_length(element, plane_.precision());
     Tri found = Tri::no;
     const auto list = find_chords(plane_, first_darts_[v], element, [&](const Chord& chord) {
-      const Tri here = table_.find(chord, length).found;
-      if (here != Tri::no) found = here;
-      return here != Tri::yes;
+      found = either(found, table_.find(chord, length).found);
+      return found != Tri::yes;
     });
     return list ? found : Tri::unknown;
   }

@@ -198,8 +198,7 @@ class GeodesicsCheck {
     const Ball cosh = cosh_half_length(f);
     const Tri above_lower = certainly_less(cosh_half(length.lower, precision_).get(), cosh.get());
     const Tri below_upper = certainly_less(cosh.get(), cosh_half(length.upper, precision_).get());
-    if (above_lower == Tri::no || below_upper == Tri::no) return Tri::no;
-    return above_lower == Tri::yes && below_upper == Tri::yes ? Tri::yes : Tri::unknown;
+    return both(above_lower, below_upper);
   }
 
   [[nodiscard]] Tri is_within(const LiftedPlane& plane, const BallIsometry& f, std::size_t i) const {
@@ -304,9 +303,8 @@ class GeodesicsCheck {
       plane.spend(4, places.size());
       for (const ChordTable::Place place : places) {
         if (place.geodesic == i && (with_others || place.chord >= k)) continue;
-        const Tri crossing = cross(plane, chord, table.chord(place));
-        if (crossing == Tri::yes) return crossing;
-        if (crossing == Tri::unknown) result = crossing;
+        result = either(result, cross(plane, chord, table.chord(place)));
+        if (result == Tri::yes) return result;
       }
     }
     return result;

@@ -23,6 +23,17 @@ namespace epsnet::certify {
 /// An answer about balls. There is no conversion to bool: `unknown` is not `no`.
 enum class Tri { no, yes, unknown };
 
+[[nodiscard]] constexpr Tri operator!(Tri x) { return x == Tri::unknown ? x : x == Tri::yes ? Tri::no : Tri::yes; }
+
+/// `no` as soon as one is, else `unknown` if one is.
+[[nodiscard]] constexpr Tri both(Tri x, Tri y) {
+  if (x == Tri::no || y == Tri::no) return Tri::no;
+  return x == Tri::yes ? y : x;
+}
+
+/// `yes` as soon as one is, else `unknown` if one is.
+[[nodiscard]] constexpr Tri either(Tri x, Tri y) { return !both(!x, !y); }
+
 class Ball {
  public:
   Ball() { arb_init(value_); }

@@ -1,6 +1,7 @@
 #include "certify/numbers/ball.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <flint/fmpq.h>
@@ -60,6 +61,23 @@ TEST(Ball, CopiesAreWhatIsCopied) {
     other = complex;
     EXPECT_NE(acb_equal(other.get(), complex.get()), 0);
     EXPECT_NE(acb_equal(ComplexBall(complex).get(), complex.get()), 0);
+  }
+}
+
+TEST(Tri, UnknownIsDecidedByTheOtherAnswerOrNot) {
+  constexpr Tri kNo = Tri::no, kYes = Tri::yes, kUnknown = Tri::unknown;
+  EXPECT_EQ(!kNo, kYes);
+  EXPECT_EQ(!kYes, kNo);
+  EXPECT_EQ(!kUnknown, kUnknown);
+  // In the order no, yes, unknown of both.
+  constexpr std::array<Tri, 3> kAll{kNo, kYes, kUnknown};
+  constexpr Tri kBoth[3][3]{{kNo, kNo, kNo}, {kNo, kYes, kUnknown}, {kNo, kUnknown, kUnknown}};
+  constexpr Tri kEither[3][3]{{kNo, kYes, kUnknown}, {kYes, kYes, kYes}, {kUnknown, kYes, kUnknown}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(both(kAll[i], kAll[k]), kBoth[i][k]) << i << k;
+      EXPECT_EQ(either(kAll[i], kAll[k]), kEither[i][k]) << i << k;
+    }
   }
 }
 

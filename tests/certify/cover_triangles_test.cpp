@@ -1,0 +1,218 @@
+#include "certify/distances/cover_triangles.h"
+
+#include <array>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <vector>
+
+/// Triangulations at a point, of sides that no surface has: what is asked is arithmetic.
+namespace epsnet::certify {
+namespace {
+
+constexpr slong kPrecision = 128;
+
+Ball number(double x) {
+  Ball result;
+  arb_set_d(result.get(), x);
+  return result;
+}
+
+/// All numbers from lower to upper.
+Ball between(double lower, double upper) {
+  Ball result, end;
+  arb_set_d(result.get(), lower);
+  arb_set_d(end.get(), upper);
+  arb_union(result.get(), result.get(), end.get(), kPrecision);
+  return result;
+}
+
+double middle(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
+
+using Triangle = std::array<Ball, 3>;
+
+Triangle triangle(double a, double b, double c) { return {number(a), number(b), number(c)}; }
+
+Tri fit(const Triangle& sides, const Ball& most) { return fits(sides, most, kPrecision); }
+
+TEST(CoverTriangles, ATriangleThatIsNotAcuteFitsIfItsLongestSideDoes) {
+  // 1 + 2 < 5: whichever side it is.
+  for (const Triangle& sides : {triangle(5, 1, 2), triangle(1, 5, 2), triangle(1, 2, 5)}) {
+    EXPECT_EQ(fit(sides, number(5)), Tri::yes);
+    EXPECT_EQ(fit(sides, number(std::nextafter(5, 0))), Tri::no);
+    EXPECT_EQ(fit(sides, between(4, 6)), Tri::unknown);
+  }
+  // A right angle is not acute, 1 + 2 = 3.
+  for (const Triangle& sides : {triangle(3, 1, 2), triangle(2, 3, 1), triangle(1, 2, 3)}) {
+    EXPECT_EQ(fit(sides, number(3)), Tri::yes);
+    EXPECT_EQ(fit(sides, number(std::nextafter(3, 0))), Tri::no);
+  }
+}
+
+TEST(CoverTriangles, AnAcuteTriangleFitsIfItsCircumcircleDoes) {
+  // 4abc/K with a, b, c = 4, 5, 6: K = 80 − 9 = 71, and 480/71 = 6.76…
+  for (const Triangle& sides : {triangle(4, 5, 6), triangle(6, 4, 5), triangle(5, 6, 4), triangle(6, 5, 4)}) {
+    EXPECT_EQ(fit(sides, number(480.0 / 71 + 1e-12)), Tri::yes);
+    EXPECT_EQ(fit(sides, number(480.0 / 71 - 1e-12)), Tri::no);
+    EXPECT_EQ(fit(sides, between(6.5, 7)), Tri::unknown);
+  }
+  // Sides alone would fit.
+  EXPECT_EQ(fit(triangle(1, 1, 1), number(1.25)), Tri::no);
+  EXPECT_EQ(fit(triangle(1, 1, 1), number(1.5)), Tri::yes);
+}
+
+TEST(CoverTriangles, WideSidesAreNotDecidedWrongly) {
+  for (std::size_t wide = 0; wide < 3; ++wide) {
+    // Perhaps too long, in a triangle that is not acute for certain.
+    Triangle sides = triangle(1, 1, 1);
+    sides[wide] = between(4, 6);
+    EXPECT_EQ(fit(sides, number(5)), Tri::unknown);
+    EXPECT_EQ(fit(sides, number(6.5)), Tri::yes);
+    EXPECT_EQ(fit(sides, number(3)), Tri::no);
+    // Acute or not.
+    sides = triangle(1, 1, 1);
+    sides[wide] = between(1.9, 2.1);
+    EXPECT_NE(fit(sides, number(2.2)), Tri::no);
+    EXPECT_EQ(fit(sides, number(2)), Tri::unknown);
+    sides[wide] = between(1.5, 2.5);
+    EXPECT_EQ(fit(sides, number(1.2)), Tri::no);
+    // Perhaps no circumcircle.
+    sides[wide] = between(1.5, 4.5);
+    EXPECT_EQ(fit(sides, number(100)), Tri::unknown);
+    EXPECT_EQ(fit(sides, number(4)), Tri::unknown);
+  }
+  // Certainly acute, with a circumcircle that is perhaps too large.
+  EXPECT_EQ(fit({between(0.99, 1.01), number(1), number(1)}, number(4.0 / 3)), Tri::unknown);
+  Ball nothing;
+  arb_indeterminate(nothing.get());
+  EXPECT_EQ(fit({nothing, number(1), number(1)}, number(2)), Tri::unknown);
+  EXPECT_EQ(fit(triangle(1, 1, 1), nothing), Tri::unknown);
+}
+
+/// Of the hyperbolic triangle with sinh²(d/2) = a, b, c, by its angles.
+double area_by_angles(double a, double b, double c) {
+  const auto angle = [](double opposite, double x, double y) {
+    const double cx = 1 + 2 * x, cy = 1 + 2 * y;
+    return std::acos((cx * cy - (1 + 2 * opposite)) / std::sqrt((cx * cx - 1) * (cy * cy - 1)));
+  };
+  return std::numbers::pi - angle(a, b, c) - angle(b, c, a) - angle(c, a, b);
+}
+
+TEST(CoverTriangles, MeasuresAreThoseOfTheTriangle) {
+  for (const auto& [a, b, c] : std::initializer_list<std::array<double, 3>>{
+           {1, 1, 1}, {4, 5, 6}, {6, 4, 5}, {5, 6, 4}, {0.01, 0.02, 0.015}, {7, 1, 5}, {100, 70, 3}, {0.5, 8, 6}}) {
+    const Triangle sides = triangle(a, b, c);
+    const TriangleMeasures found = measures(sides, kPrecision);
+    const double k = 2 * (a * b + b * c + c * a) - a * a - b * b - c * c;
+    ASSERT_GT(k, 0);
+    EXPECT_NEAR(middle(found.k) / k, 1, 1e-12);
+    EXPECT_NEAR(middle(found.cotangent[0]), (b + c - a) / std::sqrt(k), 1e-12);
+    EXPECT_NEAR(middle(found.cotangent[1]), (c + a - b) / std::sqrt(k), 1e-12);
+    EXPECT_NEAR(middle(found.cotangent[2]), (a + b - c) / std::sqrt(k), 1e-12);
+    EXPECT_NEAR(middle(found.area), area_by_angles(a, b, c), 1e-9 * middle(found.area) + 1e-12);
+    EXPECT_EQ(certainly_positive(found.area.get()), Tri::yes);
+  }
+}
+
+TEST(CoverTriangles, WithoutACircumcircleThereAreNoMeasures) {
+  for (const Triangle& sides : {triangle(1, 1, 5), triangle(5, 1, 1), Triangle{between(3, 5), number(1), number(1)}}) {
+    const TriangleMeasures found = measures(sides, kPrecision);
+    EXPECT_NE(certainly_positive(found.k.get()), Tri::yes);
+    for (const Ball& cotangent : found.cotangent) EXPECT_FALSE(is_finite(cotangent.get()));
+  }
+}
+
+/// Six triangles of a surface of genus 2 have the area 4π together.
+std::vector<Ball> six_areas(double each) {
+  std::vector<Ball> result;
+  for (int t = 0; t < 6; ++t) result.push_back(number(each));
+  return result;
+}
+
+TEST(CoverTriangles, AreCounterclockwiseIfTheirAreasSumUpToThatOfTheSurface) {
+  constexpr double kArea = 4 * std::numbers::pi;
+  EXPECT_EQ(all_counterclockwise(six_areas(kArea / 6), kPrecision), Tri::yes);
+  // One that is turned over counts twice too much.
+  for (std::size_t turned = 0; turned < 6; ++turned) {
+    std::vector<Ball> areas = six_areas((kArea + 0.5) / 5);
+    areas[turned] = number(0.5);
+    EXPECT_EQ(all_counterclockwise(areas, kPrecision), Tri::no) << turned;
+    // What is too much is nearly as large as this one.
+    areas = six_areas(kArea / 5 - 1e-9);
+    areas[turned] = number(0.25);
+    EXPECT_EQ(all_counterclockwise(areas, kPrecision), Tri::yes) << turned;
+    areas = six_areas(kArea / 5 + 1e-9);
+    areas[turned] = number(0.25);
+    EXPECT_EQ(all_counterclockwise(areas, kPrecision), Tri::no) << turned;
+    areas[turned] = between(0.2, 0.3);
+    EXPECT_NE(all_counterclockwise(areas, kPrecision), Tri::yes) << turned;
+    areas = six_areas(kArea / 5 - 0.1);
+    areas[turned] = between(0, 0.6);
+    EXPECT_EQ(all_counterclockwise(areas, kPrecision), Tri::unknown) << turned;
+  }
+}
+
+/// Across every dart of six triangles.
+const std::vector<std::uint32_t> kAcross{3, 17, 8, 0, 16, 11, 12, 15, 2, 14, 13, 5, 6, 10, 9, 7, 4, 1};
+
+/// sinh²(d/2) of each dart, all edges as long as one another.
+std::vector<Ball> equal_sides(double h) {
+  std::vector<Ball> result;
+  for (std::size_t d = 0; d < kAcross.size(); ++d) result.push_back(number(h));
+  return result;
+}
+
+std::vector<Ball> with_edge(std::vector<Ball> h, std::size_t dart, const Ball& length) {
+  h[dart] = length;
+  h[kAcross[dart]] = length;
+  return h;
+}
+
+Tri answer(const std::vector<Ball>& h, const Ball& least) {
+  return is_delaunay_and_wide(kAcross, h, least, kPrecision);
+}
+
+TEST(CoverTriangles, AreWideIfOneIs) {
+  for (std::size_t d = 0; d < kAcross.size(); ++d) ASSERT_EQ(kAcross[kAcross[d]], d);
+  // 4abc/K = 4/3 of a = b = c = 1, and 16/7 · … of one side 3/2: 4 · 3/2 / (4 − 1/4) = 8/5.
+  EXPECT_EQ(answer(equal_sides(1), number(4.0 / 3 - 1e-12)), Tri::yes);
+  EXPECT_EQ(answer(equal_sides(1), number(4.0 / 3 + 1e-12)), Tri::no);
+  EXPECT_EQ(answer(equal_sides(1), between(1, 2)), Tri::unknown);
+  for (std::size_t d = 0; d < kAcross.size(); ++d) {
+    const std::vector<Ball> h = with_edge(equal_sides(1), d, number(1.5));
+    EXPECT_EQ(answer(h, number(1.6 - 1e-12)), Tri::yes) << d;
+    EXPECT_EQ(answer(h, number(1.6 + 1e-12)), Tri::no) << d;
+    // Some are certainly too small, two are open.
+    EXPECT_EQ(answer(h, between(1.5, 1.7)), Tri::unknown) << d;
+    // Wide for certain, whatever the others are.
+    EXPECT_EQ(answer(h, between(1.2, 1.5)), Tri::yes) << d;
+  }
+}
+
+TEST(CoverTriangles, AreDelaunayIfTheAnglesOppositeToEveryEdgeSaySo) {
+  for (std::size_t d = 0; d < kAcross.size(); ++d) {
+    // Opposite to an edge with 2 = 1 + 1 are two right angles, cot 90° = 0.
+    EXPECT_EQ(answer(with_edge(equal_sides(1), d, number(1.999)), number(1)), Tri::yes) << d;
+    EXPECT_EQ(answer(with_edge(equal_sides(1), d, number(2)), number(1)), Tri::no) << d;
+    EXPECT_EQ(answer(with_edge(equal_sides(1), d, number(2.001)), number(1)), Tri::no) << d;
+    EXPECT_EQ(answer(with_edge(equal_sides(1), d, between(1.999, 2.001)), number(1)), Tri::unknown) << d;
+    // No circumcircle.
+    EXPECT_EQ(answer(with_edge(equal_sides(1), d, number(5)), number(1)), Tri::no) << d;
+    EXPECT_EQ(answer(with_edge(equal_sides(1), d, between(1, 5)), number(1)), Tri::unknown) << d;
+  }
+}
+
+TEST(CoverTriangles, AreNoTriangulationIfTheirAreasAreTooLarge) {
+  // Of six equilateral triangles, each of the area 2π/3 or more: the sum is less than 4π and one more up to 4π/5.
+  const auto equilateral = [](double h) { return area_by_angles(h, h, h); };
+  double low = 0.1, high = 100;
+  for (int i = 0; i < 100; ++i) {
+    const double h = (low + high) / 2;
+    (5 * equilateral(h) < 4 * std::numbers::pi ? low : high) = h;
+  }
+  EXPECT_EQ(answer(equal_sides(low * (1 - 1e-9)), number(0.1)), Tri::yes);
+  EXPECT_EQ(answer(equal_sides(low * (1 + 1e-9)), number(0.1)), Tri::no);
+}
+
+}  // namespace
+}  // namespace epsnet::certify
