@@ -101,4 +101,58 @@ ChordTable::Match ChordTable::find(const Chord& chord, Interval length, std::uin
   return match;
 }
 
+ChordTable::Match ChordTable::find_other(std::uint32_t geodesic) const {
+  // Where the axis certainly meets a triangle, the chord is one of every geodesic wanted: one such chord will do, that
+  // with the fewest others in its triangle.
+  const std::vector<Chord>& chords = lists_[geodesic].chords;
+  const Chord* best = nullptr;
+  for (const Chord& chord : chords) {
+    if (!chord.is_certain()) continue;
+    if (best == nullptr || places_[chord.triangle].size() < places_[best->triangle].size()) best = &chord;
+  }
+  if (best != nullptr) return find(*best, lengths_[geodesic], geodesic);
+  Match result;
+  for (const Chord& chord : chords) {
+    const Match match = find(chord, lengths_[geodesic], geodesic);
+    if (match.found != Tri::no) result = match;
+    if (match.found == Tri::yes) break;
+  }
+  return result;
+}
+
+Tri ChordTable::cross(const Chord& x, const Chord& y) const {
+  Ball product, one;
+  arb_one(one.get());
+  lorentz_product(product.get(), x.axis, y.axis, plane_.precision());
+  arb_abs(product.get(), product.get());
+  return certainly_less(product.get(), one.get());
+}
+
+Tri ChordTable::crosses_itself(std::uint32_t geodesic) const {
+  Tri result = Tri::no;
+  const std::vector<Chord>& chords = lists_[geodesic].chords;
+  for (std::uint32_t k = 0; k < chords.size(); ++k) {
+    const std::span<const Place> places = in_triangle(chords[k].triangle, geodesic);
+    plane_.spend(4, places.size());
+    for (const Place place : places) {
+      if (place.chord < k) result = either(result, cross(chords[k], chord(place)));
+      if (result == Tri::yes) return result;
+    }
+  }
+  return result;
+}
+
+Tri ChordTable::crosses_another(std::uint32_t geodesic) const {
+  Tri result = Tri::no;
+  for (const Chord& own : lists_[geodesic].chords) {
+    const std::vector<Place>& places = in_triangle(own.triangle);
+    plane_.spend(4, places.size());
+    for (const Place place : places) {
+      if (place.geodesic != geodesic) result = either(result, cross(own, chord(place)));
+      if (result == Tri::yes) return result;
+    }
+  }
+  return result;
+}
+
 }  // namespace epsnet::certify

@@ -49,7 +49,17 @@ class ChordTable {
   /// few.
   [[nodiscard]] Match find(const Chord& chord, Interval length, std::uint32_t except = Chord::kNone) const;
 
+  /// Another geodesic of the list of which this one is a power, up to orientation.
+  [[nodiscard]] Match find_other(std::uint32_t geodesic) const;
+
+  /// Whether the geodesic is not simple: two of its chords cross in one triangle.
+  [[nodiscard]] Tri crosses_itself(std::uint32_t geodesic) const;
+  /// Whether one of its chords crosses one of another geodesic. None is the same or a power of another.
+  [[nodiscard]] Tri crosses_another(std::uint32_t geodesic) const;
+
  private:
+  /// Whether two axes cross; different axes of the group have no common end.
+  [[nodiscard]] Tri cross(const Chord& x, const Chord& y) const;
   [[nodiscard]] Tri is_power(const Chord& chord, const BallIsometry& root, std::uint32_t exponent) const;
 
   const LiftedPlane& plane_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <span>
 #include <thread>
 
 #include "certify/document/geodesics_structure.h"
@@ -147,7 +146,7 @@ class GeodesicsCheck {
       return;
     }
     if (open(kDistinct)) check_distinct(table);
-    if (open(kSimple)) check_simple(plane, table);
+    if (open(kSimple)) check_simple(table);
     if (verdict(kDistinct) == Verdict::refuted || verdict(kSimple) == Verdict::refuted) return;
     if (open(kComplete)) {
       progress(kComplete);
@@ -239,31 +238,10 @@ class GeodesicsCheck {
 
   // Rule distinct.
 
-  /// Another geodesic of the list of which geodesic i is a power. Where the axis certainly meets a triangle, the chord
-  /// is one of every geodesic wanted: one such chord will do, that with the fewest others in its triangle.
-  [[nodiscard]] static ChordTable::Match match_of(const ChordTable& table, std::uint32_t i) {
-    const std::vector<Chord>& chords = table.list(i).chords;
-    const Chord* best = nullptr;
-    for (const Chord& chord : chords) {
-      if (!chord.is_certain()) continue;
-      if (best == nullptr || table.in_triangle(chord.triangle).size() < table.in_triangle(best->triangle).size()) {
-        best = &chord;
-      }
-    }
-    if (best != nullptr) return table.find(*best, table.length(i), i);
-    ChordTable::Match result;
-    for (const Chord& chord : chords) {
-      const ChordTable::Match match = table.find(chord, table.length(i), i);
-      if (match.found != Tri::no) result = match;
-      if (match.found == Tri::yes) break;
-    }
-    return result;
-  }
-
   void check_distinct(const ChordTable& table) {
     std::vector<ChordTable::Match> matches(table.size());
     for_each_parallel(table.size(), threads_,
-                      [&](unsigned, std::size_t i) { matches[i] = match_of(table, static_cast<std::uint32_t>(i)); });
+                      [&](unsigned, std::size_t i) { matches[i] = table.find_other(static_cast<std::uint32_t>(i)); });
     for (const Tri wanted : {Tri::yes, Tri::unknown}) {
       for (std::size_t i = 0; i < matches.size(); ++i) {
         if (matches[i].found != wanted) continue;
@@ -284,37 +262,12 @@ class GeodesicsCheck {
 
   // Rule simple.
 
-  /// Whether two axes cross; different axes of the group have no common end.
-  [[nodiscard]] static Tri cross(const LiftedPlane& plane, const Chord& x, const Chord& y) {
-    Ball product, one;
-    arb_one(one.get());
-    lorentz_product(product.get(), x.axis, y.axis, plane.precision());
-    arb_abs(product.get(), product.get());
-    return certainly_less(product.get(), one.get());
-  }
-
-  /// Whether chords of two geodesics, or different chords of one, cross in one triangle.
-  [[nodiscard]] static Tri meet(const LiftedPlane& plane, const ChordTable& table, std::size_t i, bool with_others) {
-    Tri result = Tri::no;
-    for (std::uint32_t k = 0; k < table.list(i).chords.size(); ++k) {
-      const Chord& chord = table.list(i).chords[k];
-      const auto places = with_others ? std::span<const ChordTable::Place>(table.in_triangle(chord.triangle))
-                                      : table.in_triangle(chord.triangle, static_cast<std::uint32_t>(i));
-      plane.spend(4, places.size());
-      for (const ChordTable::Place place : places) {
-        if (place.geodesic == i && (with_others || place.chord >= k)) continue;
-        result = either(result, cross(plane, chord, table.chord(place)));
-        if (result == Tri::yes) return result;
-      }
-    }
-    return result;
-  }
-
-  void check_simple(const LiftedPlane& plane, const ChordTable& table) {
+  void check_simple(const ChordTable& table) {
     const bool disjoint = document_.claim == GeodesicsDocument::Claim::thick_thin;
     std::vector<std::array<Tri, 2>> meets(table.size(), {Tri::no, Tri::no});
     for_each_parallel(table.size(), threads_, [&](unsigned, std::size_t i) {
-      meets[i] = {meet(plane, table, i, false), disjoint ? meet(plane, table, i, true) : Tri::no};
+      const auto geodesic = static_cast<std::uint32_t>(i);
+      meets[i] = {table.crosses_itself(geodesic), disjoint ? table.crosses_another(geodesic) : Tri::no};
     });
     for (std::size_t i = 0; i < meets.size(); ++i) {
       const Tri wrong = document_.geodesics[i].simple ? Tri::yes : Tri::no;

@@ -259,8 +259,8 @@ using Words = std::vector<std::vector<std::uint32_t>>;
 /// The words' chords at vertex 0 of the Bolza surface.
 class Table {
  public:
-  explicit Table(const Words& words, std::uint32_t vertex = 0)
-      : lifted(net_of("regular-2-10-vertices.json"), words_at(vertex, words)) {
+  explicit Table(const Words& words, std::uint32_t vertex = 0, slong precision = 128)
+      : lifted(net_of("regular-2-10-vertices.json"), words_at(vertex, words), precision) {
     std::vector<ChordTable::Member> members;
     for (std::size_t i = 0; i < words.size(); ++i) {
       members.push_back({first_darts(lifted.net())[vertex], lifted.element(i)});
@@ -352,6 +352,42 @@ TEST(ChordTable, FindsAPowerAtTheEndsOfItsLength) {
   }
   // The third power is no power of the sixth.
   EXPECT_EQ(table.find(table.list(1).chords.front(), table.length(1), 0).geodesic, 1U);
+}
+
+/// What a table says of geodesic i: whether another one is it or its root, whether it crosses itself, and another one.
+std::array<Tri, 3> answers(const ChordTable& table, std::uint32_t i) {
+  return {table.find_other(i).found, table.crosses_itself(i), table.crosses_another(i)};
+}
+
+TEST(ChordTable, FindsPowersAndCrossingsWhateverTheBits) {
+  constexpr Tri kNo = Tri::no, kYes = Tri::yes, kOpen = Tri::unknown;
+  // Geodesics on one axis have the product 1, which balls do not tell from less.
+  const std::vector<std::pair<Words, std::vector<std::array<Tri, 3>>>> cases{
+      {{{0}, {4}}, {{kYes, kNo, kOpen}, {kYes, kNo, kOpen}}},
+      {{{0}, {1, 0, 5}, {2}}, {{kYes, kNo, kYes}, {kYes, kNo, kYes}, {kNo, kNo, kYes}}},
+      {{{0}, {2}, {1, 0, 5}}, {{kYes, kNo, kYes}, {kNo, kNo, kYes}, {kYes, kNo, kYes}}},
+      {{{2}, {0}, {1, 0, 5}}, {{kNo, kNo, kYes}, {kYes, kNo, kYes}, {kYes, kNo, kYes}}},
+      {{{0, 0}, {4}}, {{kYes, kNo, kOpen}, {kNo, kNo, kOpen}}},
+      {{{0, 1}, {0, 3}}, {{kNo, kNo, kYes}, {kNo, kNo, kYes}}},
+      {{{0, 1, 6, 6}, {1}}, {{kNo, kYes, kYes}, {kNo, kNo, kYes}}},
+      {{{0, 1, 4, 5}}, {{kNo, kNo, kNo}}},
+      {{{0, 2}, {0, 0, 2}}, {{kNo, kNo, kYes}, {kNo, kNo, kYes}}}};
+  for (const auto& [words, expected] : cases) {
+    int complete = 0;
+    for (slong precision = 8; precision <= 128; precision += precision < 64 ? 1 : 64) {
+      const Table tested(words, 0, precision);
+      if (!tested.table->complete()) continue;
+      ++complete;
+      for (std::uint32_t i = 0; i < words.size(); ++i) {
+        const auto found = answers(*tested.table, i);
+        for (std::size_t k = 0; k < 3; ++k) {
+          EXPECT_TRUE(found[k] == expected[i][k] || (precision < 64 && found[k] == kOpen))
+              << "words " << words[0].size() << ", " << i << ", question " << k << ", " << precision << " bits";
+        }
+      }
+    }
+    EXPECT_GT(complete, 20);
+  }
 }
 
 }  // namespace

@@ -119,6 +119,38 @@ TEST(Completeness, LooksForSmallCurvesAtWhatTheLemmasSay) {
   }
 }
 
+/// A net in one chart, with a chart for every vertex, of which it is the centre.
+NetDocument with_charts_of_their_own(const NetDocument& net) {
+  NetDocument result = net;
+  result.labels.clear();
+  for (std::uint32_t v = 0; v < net.vertices.size(); ++v) {
+    const NetDocument::Vertex& vertex = net.vertices[v];
+    result.charts.push_back({net.charts[0].tile, {mpq_class(vertex.x), mpq_class(vertex.y)}});
+    result.vertices[v] = {0, 0, v + 1};
+  }
+  for (NetDocument::Triangle& triangle : result.triangles) {
+    for (std::size_t i = 1; i < 3; ++i) {
+      std::uint32_t& label = triangle.label[i - 1];
+      std::vector<std::uint32_t> word;
+      if (label != 0) word = net.labels[label - 1].word;
+      result.labels.push_back({triangle.vertex[i] + 1, triangle.vertex[0] + 1, std::move(word)});
+      label = static_cast<std::uint32_t>(result.labels.size());
+    }
+  }
+  return result;
+}
+
+TEST(Completeness, AnEdgeBetweenTwoVerticesMakesNoneDeep) {
+  // From chart to chart an edge is a translation, shorter than many a closed geodesic.
+  GeodesicsDocument none = bolza_systole("octagon-33-vertices.json");
+  ASSERT_EQ(none.net.charts.size(), 1U);
+  none.net = with_charts_of_their_own(none.net);
+  none.claim = GeodesicsDocument::Claim::spectrum;
+  none.geodesics.clear();
+  none.up_to = "0.4";
+  expect_counts(none, std::stold(none.up_to), "a chart for every vertex");
+}
+
 TEST(Completeness, FindsAGeodesicThatOnlyTheWholeBoundReaches) {
   // A net of one vertex, ε little more than its covering radius, and a systole as far from the vertex as can be: the
   // search finds it with the bound D of Lemma 14, and with 0.98 D no more. The surface, of cuffs 0.739, 0.909, 1.331
@@ -181,6 +213,97 @@ TEST(Completeness, ACurveOfLength2Arsinh1IsSmallAndOneThatIsLongerBy1e20IsNot) {
   listed.up_to = "1.76274717403";
   EXPECT_EQ(outcome(listed), "REFUTED: geodesics");
   EXPECT_EQ(outcome(without(listed, 0)), "VERIFIED");
+}
+
+// Balls of few bits: they decide nothing, or less and less, but nothing wrongly.
+
+/// What the rule says at one precision, nothing if the table of the list's chords is not complete.
+std::optional<Verdict> verdict_at(const GeodesicsDocument& document, slong precision) {
+  const LiftedNet lifted(document.net, document.geodesics, precision);
+  const auto firsts = first_darts(lifted.net());
+  std::vector<ChordTable::Member> members;
+  for (std::size_t i = 0; i < document.geodesics.size(); ++i) {
+    members.push_back({firsts[document.geodesics[i].vertex], lifted.element(i)});
+  }
+  const ChordTable table(lifted.plane(), std::move(members), 1);
+  if (!table.complete()) return std::nullopt;
+  CompletenessCheck check(document, lifted.evaluator(), {.max_visits = 20'000});
+  return check.check(lifted.plane(), table, 1).verdict;
+}
+
+struct Answers {
+  int decided = 0;
+  int open = 0;
+};
+
+/// With all numbers of bits up to 64, every answer is the one expected or none.
+Answers answers(const GeodesicsDocument& document, Verdict expected, const std::string& what) {
+  Answers result;
+  for (slong precision = 8; precision <= 64; ++precision) {
+    const auto found = verdict_at(document, precision);
+    if (!found) continue;
+    EXPECT_TRUE(*found == expected || *found == Verdict::undecided) << what << ", " << precision << " bits";
+    ++(*found == expected ? result.decided : result.open);
+  }
+  return result;
+}
+
+/// The claim that geodesic i is a systole.
+GeodesicsDocument as_systole(GeodesicsDocument document, std::size_t i) {
+  document.claim = GeodesicsDocument::Claim::systole;
+  document.geodesics = {document.geodesics[i]};
+  document.clusters.clear();
+  document.pieces.clear();
+  document.up_to.clear();
+  return document;
+}
+
+GeodesicsDocument as_spectrum(GeodesicsDocument document, const std::string& up_to) {
+  document.claim = GeodesicsDocument::Claim::spectrum;
+  document.pieces.clear();
+  document.up_to = up_to;
+  return document;
+}
+
+TEST(Completeness, IsNotSaidOfSmallCurvesWithFewBits) {
+  for (const char* name : {"three-cuffs.json", "one-curve-of-2-arsinh-1.json", "two-cuffs-that-differ-by-1e-14.json"}) {
+    const GeodesicsDocument good = load(name);
+    EXPECT_GT(answers(good, Verdict::verified, name).open, 10) << name;
+    for (std::uint32_t i = 0; i < good.geodesics.size(); ++i) {
+      EXPECT_GT(answers(without(good, i), Verdict::refuted, name).decided, 10) << name << " without " << i;
+    }
+  }
+}
+
+TEST(Completeness, OfASystoleIsNotSaidWithFewBits) {
+  const GeodesicsDocument cuffs = load("two-cuffs-that-differ-by-1e-14.json");
+  EXPECT_EQ(outcome(as_systole(cuffs, 0)), "VERIFIED");
+  EXPECT_EQ(outcome(as_systole(cuffs, 1)), "REFUTED: complete");
+  const GeodesicsDocument systole = bolza_systole("regular-2-10-vertices.json");
+  for (const auto& [document, expected] : {std::pair{as_systole(cuffs, 0), Verdict::verified},
+                                           {as_systole(cuffs, 1), Verdict::refuted},
+                                           {as_systole(cuffs, 2), Verdict::refuted},
+                                           {systole, Verdict::verified}}) {
+    const Answers found = answers(document, expected, "systole");
+    EXPECT_GT(found.decided, 0);
+    EXPECT_GT(found.decided + found.open, 20);
+  }
+}
+
+TEST(Completeness, OfASpectrumIsNotSaidWithFewBits) {
+  const GeodesicsDocument cuffs = load("two-cuffs-that-differ-by-1e-14.json");
+  // Between the cuffs, below the first, above the second.
+  const GeodesicsDocument one = without(without(cuffs, 2), 1);
+  const GeodesicsDocument other = without(without(cuffs, 2), 0);
+  for (const auto& [document, expected] : {std::pair{as_spectrum(one, "0.500000000000005"), Verdict::verified},
+                                           {as_spectrum(other, "0.500000000000005"), Verdict::refuted},
+                                           {as_spectrum(one, "0.50000000000002"), Verdict::refuted},
+                                           {as_spectrum(without(one, 0), "0.499999999999995"), Verdict::verified},
+                                           {as_spectrum(without(one, 0), "0.500000000000005"), Verdict::refuted}}) {
+    const Answers found = answers(document, expected, document.up_to);
+    EXPECT_GT(found.decided, 10);
+    EXPECT_GT(found.open, 0);
+  }
 }
 
 }  // namespace

@@ -175,5 +175,46 @@ TEST(OrbitSearch, OmitsNothingWhereBallsDoNotTellOnWhichSideOfAnEdgeQLies) {
   EXPECT_GT(twice, 2U);
 }
 
+/// Whether balls may be those of an element given in long double.
+bool may_be(const BallIsometry& f, const Move& g) {
+  const auto near = [](arb_srcptr x, Real y) {
+    return std::abs(middle(x) - y) <= mag_get_d(arb_radref(x)) + 1e-9L * (1 + std::abs(y));
+  };
+  return near(f.a.re(), g.first.real()) && near(f.a.im(), g.first.imag()) && near(f.b.re(), g.second.real()) &&
+         near(f.b.im(), g.second.imag());
+}
+
+TEST(OrbitSearch, OmitsNothingThatFewBitsDoNotTell) {
+  const NetDocument net = net_of("regular-2-10-vertices.json");
+  const Reference reference(net);
+  int complete = 0;
+  for (const std::uint32_t dart : {0U, 7U, 23U}) {
+    const Wanted all = wanted(reference, dart, 1.6);
+    for (slong precision = 16; precision < 64; ++precision) {
+      const LiftedNet lifted(net, precision);
+      Ball distance, cosh, sinh;
+      arb_set_d(distance.get(), 1.6);
+      arb_sinh_cosh(sinh.get(), cosh.get(), distance.get(), precision);
+      std::vector<BallIsometry> found;
+      const OrbitOutcome outcome =
+          search_orbit(lifted.plane(), dart, cosh, sinh, 10'000, [&](const BallIsometry& element, const LabelProduct&) {
+            found.push_back(element);
+            return Search::go_on;
+          });
+      if (!outcome.complete) continue;
+      ++complete;
+      EXPECT_GE(outcome.visits, all.triangles) << "dart " << dart << ", " << precision << " bits";
+      for (const auto& [key, element] : all.elements) {
+        EXPECT_TRUE(std::any_of(found.begin(), found.end(),
+                                [&](const BallIsometry& f) {
+                                  return may_be(f, element) || may_be(f, {-element.first, -element.second});
+                                }))
+            << "dart " << dart << ", " << precision << " bits";
+      }
+    }
+  }
+  EXPECT_GT(complete, 30);
+}
+
 }  // namespace
 }  // namespace epsnet::certify
