@@ -17,6 +17,7 @@
 #include "certify/geodesics/geodesics_check.h"
 #include "certify/geodesics/orbit_search.h"
 #include "certify/surface_check.h"
+#include "tests/certify/far_words.h"
 
 /// Geodesics files. The lists are found here by brute force in binary64: words of the group in the order of their
 /// length, told apart by their least conjugate.
@@ -719,9 +720,104 @@ TEST(ThickThin, OneLeftOutIsRefuted) {
 }
 
 TEST(ThickThin, AWrongSimpleIsRefuted) {
-  GeodesicsDocument document = three_cuffs();
-  document.geodesics[1].simple = false;
-  EXPECT_EQ(outcome(document), "REFUTED: simple");
+  for (std::size_t i = 0; i < 3; ++i) {
+    GeodesicsDocument document = three_cuffs();
+    document.geodesics[i].simple = false;
+    EXPECT_EQ(outcome(document), "REFUTED: simple") << i;
+  }
+}
+
+/// Cuffs of lengths 0.5, 0.5 and 1e-14 more, and 1.2.
+GeodesicsDocument nearly_equal_cuffs() { return thick_thin("two-cuffs-that-differ-by-1e-14.json"); }
+
+std::vector<std::string> rules_of(const GeodesicsDocument& document) {
+  std::vector<std::string> result;
+  for (const RuleReport& report : check_geodesics(document, {.threads = 1}).rules) result.push_back(report.rule);
+  result.erase(result.begin(), result.begin() + 7);
+  return result;
+}
+
+TEST(Geodesics, AreAskedWhatTheClaimNeeds) {
+  using testing::ElementsAre;
+  GeodesicsDocument document = nearly_equal_cuffs();
+  EXPECT_THAT(rules_of(document), ElementsAre("geodesics", "distinct", "simple", "equal", "complete", "pieces"));
+  document.claim = GeodesicsDocument::Claim::spectrum;
+  document.pieces.clear();
+  document.up_to = "1.3";
+  EXPECT_THAT(rules_of(document), ElementsAre("geodesics", "distinct", "simple", "equal", "complete"));
+  document.geodesics[2].length.lower = 1.25;
+  document.geodesics[2].length.upper = 1.3;
+  EXPECT_THAT(rules_of(document), ElementsAre("geodesics")) << "nothing is said of a list that is wrong";
+  document.claim = GeodesicsDocument::Claim::systole;
+  document.geodesics.resize(1);
+  document.clusters.clear();
+  document.up_to.clear();
+  EXPECT_THAT(rules_of(document), ElementsAre("geodesics", "simple", "complete"));
+}
+
+TEST(Geodesics, DifferentLengthsCalledEqualAreRefutedInEitherOrder) {
+  GeodesicsDocument document = nearly_equal_cuffs();
+  for (GeodesicsDocument::ClosedGeodesic& geodesic : document.geodesics) geodesic.length = {0.4, 1.3};
+  document.clusters = {{0, 3, false}};
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  document.clusters[0].equal = true;
+  EXPECT_EQ(outcome(document), "REFUTED: equal");
+  std::reverse(document.geodesics.begin(), document.geodesics.end());
+  for (GeodesicsDocument::Piece& piece : document.pieces) {
+    for (auto& [geodesic, side] : piece.boundaries) geodesic = 2 - geodesic;
+  }
+  EXPECT_EQ(outcome(document), "REFUTED: equal");
+  document.clusters[0].equal = false;
+  EXPECT_EQ(outcome(document), "VERIFIED");
+}
+
+TEST(Geodesics, APowerThatIsTheLastIsRefuted) {
+  GeodesicsDocument document = nearly_equal_cuffs();
+  document.claim = GeodesicsDocument::Claim::spectrum;
+  document.pieces.clear();
+  document.up_to = "1.1";
+  for (const std::size_t i : {0U, 1U}) {
+    GeodesicsDocument::ClosedGeodesic& twice = document.geodesics[2];
+    twice = document.geodesics[i];
+    twice.word.insert(twice.word.end(), document.geodesics[i].word.begin(), document.geodesics[i].word.end());
+    twice.length = {1 - 1e-13, 1 + 1e-13};
+    EXPECT_EQ(outcome(document), "REFUTED: distinct");
+  }
+}
+
+TEST(ThickThin, WhatATwinCrossesIsOpen) {
+  // Axes that are the same have the product 1, and balls do not tell that it is not less.
+  for (std::size_t i = 0; i < 3; ++i) {
+    GeodesicsDocument document = nearly_equal_cuffs();
+    for (GeodesicsDocument::ClosedGeodesic& geodesic : document.geodesics) geodesic.length = {0.4, 1.3};
+    document.clusters = {{0, 3, false}};
+    document.geodesics[i] = document.geodesics[(i + 1) % 3];
+    EXPECT_EQ(outcome(document), "REFUTED: distinct");
+    EXPECT_EQ(verdict_of(document, "simple"), "UNDECIDED");
+    EXPECT_EQ(verdict_of(document, "pieces"), "UNDECIDED");
+  }
+}
+
+TEST(Geodesics, WideBallsDecideNothing) {
+  // A word with a detour to somewhere so many sides away, and lengths around the true one, 3.057…, and beside it.
+  GeodesicsDocument document = systole(bolza());
+  const std::vector<std::uint32_t> word = document.geodesics[0].word;
+  int open = 0;
+  int decided = 0;
+  for (std::size_t length = 1; length < 40; ++length) {
+    document.geodesics[0].word = with_far_relator(document.net.surface, 0, word, length);
+    const auto said = [&](Interval enclosure) {
+      document.geodesics[0].length = enclosure;
+      return check_geodesics(document, {.threads = 1, .max_precision = 64}).rules.at(7).verdict;
+    };
+    const Verdict good = said({3, 3.1});
+    EXPECT_NE(good, Verdict::refuted) << length;
+    EXPECT_NE(said({2, 3}), Verdict::verified) << length;
+    EXPECT_NE(said({3.1, 6}), Verdict::verified) << length;
+    ++(good == Verdict::verified ? decided : open);
+  }
+  EXPECT_GT(decided, 3);
+  EXPECT_GT(open, 3);
 }
 
 TEST(ThickThin, IsASpectrumAndBeginsWithTheSystole) {
