@@ -220,5 +220,43 @@ TEST(LiftedPlane, ElementsAreTheSameIfTheyMoveTheCentreByLessThanTheDiskIsWide) 
   }
 }
 
+/// f, with b anywhere within a distance.
+BallIsometry with_wide_b(BallIsometry f, double radius) {
+  for (arb_ptr x : {f.b.re(), f.b.im()}) mag_set_d(arb_radref(x), radius);
+  return f;
+}
+
+TEST(LiftedPlane, EveryChartHasItsDisk) {
+  // The same question in every chart, to which the translation from the central one carries it.
+  for (const char* name : {"regular-2-10-vertices.json", "regular-2-26-vertices.json"}) {
+    const NetDocument net = net_of(name);
+    const LiftedNet lifted(net, words_at_centre(net, {{0}}));
+    const double least = std::abs(static_cast<double>(middle(element_of(lifted, 0).b.re())));
+    const BallIsometry one = identity_isometry();
+    for (std::uint32_t c = 0; c < net.charts.size(); ++c) {
+      const BallIsometry there = inverse(to_balls(translation_to(exact_point(net.charts[c].centre)), 128));
+      const auto carried = [&](const BallIsometry& f) { return compose(compose(there, f, 128), inverse(there), 128); };
+      EXPECT_EQ(lifted.plane().same(c, one, one), Tri::yes) << c;
+      EXPECT_EQ(lifted.plane().same(c, one, carried(with_wide_b(one, 1e-6 * least))), Tri::yes) << c;
+      EXPECT_EQ(lifted.plane().same(c, one, carried(with_wide_b(one, 1.000001 * least))), Tri::unknown) << c;
+      // What moves 0 little may move the centre of the tile far.
+      EXPECT_EQ(lifted.plane().same(c, one, with_wide_b(one, 10)), Tri::unknown) << c;
+    }
+  }
+}
+
+TEST(LiftedPlane, ElementsOfWhichNoSignIsKnownAreNotToldApart) {
+  const NetDocument net = net_of("regular-2-10-vertices.json");
+  const LiftedNet lifted(net, words_at_centre(net, {{0}, {1}}));
+  const std::uint32_t chart = central_chart(net);
+  const BallIsometry f = element_of(lifted, 0);
+  BallIsometry g = element_of(lifted, 1);
+  EXPECT_EQ(lifted.plane().same(chart, f, g), Tri::no);
+  // b tells them apart, or (−a, −b).
+  mag_set_d(arb_radref(g.a.re()), 10);
+  EXPECT_EQ(lifted.plane().same(chart, f, g), Tri::unknown);
+  EXPECT_EQ(lifted.plane().same(chart, g, f), Tri::unknown);
+}
+
 }  // namespace
 }  // namespace epsnet::certify
