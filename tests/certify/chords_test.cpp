@@ -332,6 +332,23 @@ TEST(ChordTable, SaysNeitherYesNorNoOfAChordThatIsNotKnown) {
   }
 }
 
+TEST(ChordTable, FindsAChordAtTheEndsOfALengthThatIsNotWellKnown) {
+  const LiftedNet lifted(net_of("regular-2-10-vertices.json"), words_at(0, {{0}}));
+  BallIsometry wide = lifted.element(0);
+  for (arb_ptr x : {wide.a.re(), wide.a.im(), wide.b.re(), wide.b.im()}) arb_add_error_2exp_si(x, -20);
+  const ChordTable table(lifted.plane(), {{first_darts(lifted.net())[0], wide}}, 1);
+  ASSERT_TRUE(table.complete());
+  const auto [lower, upper] = table.length(0);
+  ASSERT_GT(upper - lower, 1e-7);
+  const ChordTable exact(lifted.plane(), {{first_darts(lifted.net())[0], lifted.element(0)}}, 1);
+  const Chord& chord = exact.list(0).chords.front();
+  for (const Interval length : {Interval{lower, lower}, {upper, upper}, {lower, upper}, {0, upper}, {lower, 8}}) {
+    EXPECT_EQ(table.find(chord, length).found, Tri::yes) << length.lower << ", " << length.upper;
+  }
+  EXPECT_EQ(table.find(chord, {lower - 1e-5, lower - 1e-6}).found, Tri::no);
+  EXPECT_EQ(table.find(chord, {upper + 1e-6, upper + 1e-5}).found, Tri::no);
+}
+
 TEST(ChordTable, FindsAPowerAtTheEndsOfItsLength) {
   const Table tested(Words{{0}, {0, 0, 0}, {0, 0, 0, 0, 0, 0}});
   const ChordTable& table = *tested.table;

@@ -71,12 +71,18 @@ std::array<int, 4> homology(const Word& word) {
 
 class Bolza {
  public:
-  explicit Bolza(const std::string& name, slong precision = 128)
-      : lifted_(read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name), geodesics(), precision) {}
+  /// The curves' words begin with a detour, which is gone back at their ends.
+  explicit Bolza(const std::string& name, slong precision = 128, const Word& detour = {})
+      : lifted_(read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name), geodesics(detour), precision) {}
 
-  static std::vector<GeodesicsDocument::ClosedGeodesic> geodesics() {
+  static std::vector<GeodesicsDocument::ClosedGeodesic> geodesics(const Word& detour) {
     std::vector<GeodesicsDocument::ClosedGeodesic> result;
-    for (const Word& word : kSimple) result.push_back({0, word, {1, 6}, true});
+    for (const Word& word : kSimple) {
+      Word all = detour;
+      all.insert(all.end(), word.begin(), word.end());
+      for (auto side = detour.rbegin(); side != detour.rend(); ++side) all.push_back((*side + 4) % 8);
+      result.push_back({0, all, {1, 6}, true});
+    }
     return result;
   }
 
@@ -217,6 +223,37 @@ TEST(CutSurface, SaysNothingRatherThanSomethingWrong) {
   }
   EXPECT_GT(some, 20U);
   EXPECT_GT(none, 10U);
+}
+
+TEST(CutSurface, AsksExactNumbersOnWhichSideACornerLies) {
+  const Bolza exact("regular-2-10-vertices.json");
+  const auto sets = sets_of_disjoint(exact);
+  for (const Word& detour : {Word{}, Word{1, 3}}) {
+    const Bolza bolza("regular-2-10-vertices.json", 128, detour);
+    int exactly = 0;
+    int approached = 0;
+    for (std::size_t s = 0; s < sets.size(); s += sets[s].size()) {
+      std::optional<std::optional<Pieces>> expected;
+      for (int bits = 4; bits < 20; bits += 2) {
+        const ChordTable chords = bolza.table(sets[s], bits);
+        if (!chords.complete()) continue;
+        int open = 0;
+        for (std::size_t i = 0; i < chords.size(); ++i) {
+          approached += chords.list(i).approach.empty() ? 0 : 1;
+          for (const Chord& chord : chords.list(i).chords) {
+            open += static_cast<int>(std::count(chord.side.begin(), chord.side.end(), 0));
+          }
+        }
+        if (open == 0) continue;
+        if (!expected) expected = exact.cut(sets[s], exact.table(sets[s]));
+        const auto pieces = bolza.cut(sets[s], chords);
+        exactly += pieces ? 1 : 0;
+        EXPECT_TRUE(!pieces || pieces == *expected) << s << ", " << bits << " bits";
+      }
+    }
+    EXPECT_GT(exactly, 3);
+    EXPECT_GT(approached, 3);
+  }
 }
 
 TEST(CutSurface, AsksOnlyFor128BitsForCornersOnACurve) {
