@@ -231,23 +231,6 @@ std::optional<Verdict> verdict_at(const GeodesicsDocument& document, slong preci
   return check.check(lifted.plane(), table, 1).verdict;
 }
 
-struct Answers {
-  int decided = 0;
-  int open = 0;
-};
-
-/// With all numbers of bits up to 64, every answer is the one expected or none.
-Answers answers(const GeodesicsDocument& document, Verdict expected, const std::string& what) {
-  Answers result;
-  for (slong precision = 8; precision <= 64; ++precision) {
-    const auto found = verdict_at(document, precision);
-    if (!found) continue;
-    EXPECT_TRUE(*found == expected || *found == Verdict::undecided) << what << ", " << precision << " bits";
-    ++(*found == expected ? result.decided : result.open);
-  }
-  return result;
-}
-
 /// The claim that geodesic i is a systole.
 GeodesicsDocument as_systole(GeodesicsDocument document, std::size_t i) {
   document.claim = GeodesicsDocument::Claim::systole;
@@ -263,6 +246,66 @@ GeodesicsDocument as_spectrum(GeodesicsDocument document, const std::string& up_
   document.pieces.clear();
   document.up_to = up_to;
   return document;
+}
+
+/// What the rule looks at with another ε in the file, at one precision.
+Counts counts_at(GeodesicsDocument document, const mpq_class& epsilon, slong precision) {
+  document.net.epsilon = epsilon.get_str();
+  const LiftedNet lifted(document.net, precision);
+  const ChordTable table(lifted.plane(), {}, 1);
+  CompletenessCheck check(document, lifted.evaluator(), {.max_visits = 20'000});
+  (void)check.check(lifted.plane(), table, 1);
+  return {check.visits(), check.candidates(), check.deep_vertices()};
+}
+
+/// Two numbers that differ by 2^−k, between which the count changes.
+std::array<mpq_class, 2> where_it_changes(mpq_class low, mpq_class high, int k,
+                                          const std::function<std::uint64_t(const mpq_class&)>& count) {
+  const std::uint64_t before = count(low);
+  EXPECT_NE(count(high), before);
+  for (; k > 0; --k) {
+    const mpq_class middle = (low + high) / 2;
+    (count(middle) == before ? low : high) = middle;
+  }
+  return {low, high};
+}
+
+TEST(Completeness, AVertexIsDeepAndAnAxisFarOnlyForCertain) {
+  GeodesicsDocument none = load("three-cuffs.json");
+  none.geodesics.clear();
+  const auto deep = [&](const mpq_class& epsilon, slong precision) { return counts_at(none, epsilon, precision).deep; };
+  const auto edge = where_it_changes({1, 2}, 2, 80, [&](const mpq_class& x) { return deep(x, 256); });
+  EXPECT_GT(deep(edge[0], 256), deep(edge[1], 256)) << "with a larger radius less is deep";
+  for (slong precision = 24; precision <= 64; precision += 8) EXPECT_LE(deep(edge[1], precision), deep(edge[1], 256));
+
+  GeodesicsDocument curve = as_spectrum(load("one-curve-of-2-arsinh-1.json"), "1.77");
+  curve.geodesics.clear();
+  const auto near = [&](const mpq_class& epsilon, slong precision) {
+    return counts_at(curve, epsilon, precision).candidates;
+  };
+  const auto reach =
+      where_it_changes(mpq_class(5, 8), mpq_class(11, 16), 64, [&](const mpq_class& x) { return near(x, 256); });
+  EXPECT_LT(near(reach[0], 256), near(reach[1], 256)) << "with a larger radius more is near";
+  for (slong precision = 52; precision <= 64; precision += 4) {
+    EXPECT_GE(near(reach[1], precision), near(reach[1], 256)) << precision;
+  }
+}
+
+struct Answers {
+  int decided = 0;
+  int open = 0;
+};
+
+/// With all numbers of bits up to 64, every answer is the one expected or none.
+Answers answers(const GeodesicsDocument& document, Verdict expected, const std::string& what) {
+  Answers result;
+  for (slong precision = 8; precision <= 64; ++precision) {
+    const auto found = verdict_at(document, precision);
+    if (!found) continue;
+    EXPECT_TRUE(*found == expected || *found == Verdict::undecided) << what << ", " << precision << " bits";
+    ++(*found == expected ? result.decided : result.open);
+  }
+  return result;
 }
 
 TEST(Completeness, IsNotSaidOfSmallCurvesWithFewBits) {
