@@ -204,7 +204,8 @@ TEST(OrbitSearch, OmitsNothingThatFewBitsDoNotTell) {
       if (!outcome.complete) continue;
       ++complete;
       EXPECT_GE(outcome.visits, all.triangles) << "dart " << dart << ", " << precision << " bits";
-      for (const auto& [key, element] : all.elements) {
+      for (const auto& entry : all.elements) {
+        const Move& element = entry.second;
         EXPECT_TRUE(std::any_of(found.begin(), found.end(),
                                 [&](const BallIsometry& f) {
                                   return may_be(f, element) || may_be(f, {-element.first, -element.second});
