@@ -29,11 +29,10 @@ using simdjson::ondemand::object;
 using simdjson::ondemand::value;
 
 constexpr std::uint64_t kMaxFileBytes = std::uint64_t{4} << 30;
-constexpr std::size_t kMaxTriangles = std::size_t{1} << 30;
 constexpr std::size_t kMaxWordLetters = 1'000'000;
 constexpr std::size_t kMaxLettersInAll = 10'000'000;
-/// Vertices, charts, labels, sides: indices are stored in 32 bits.
-constexpr std::size_t kMaxRows = std::numeric_limits<std::uint32_t>::max();
+// Indices of rows are stored in 32 bits: a row takes two bytes or more, and a comma.
+static_assert(kMaxFileBytes / 3 < std::numeric_limits<std::uint32_t>::max());
 
 /// Where we are in the file: member[row].part, kept as numbers so that the good case formats nothing.
 struct Place {
@@ -133,11 +132,9 @@ void read_array(simdjson::simdjson_result<value> item, const Place& place, const
 
 /// Reads an array of rows, one `read_row` each, naming member and row on error.
 template <class ReadRow>
-void read_rows(simdjson::simdjson_result<value> item, const char* member, std::size_t limit, const ReadRow& read_row) {
+void read_rows(simdjson::simdjson_result<value> item, const char* member, const ReadRow& read_row) {
   read_array(item, {.member = member}, "an array", [&](simdjson::simdjson_result<value> row, std::size_t position) {
-    const Place place{.member = member, .row = position, .in_row = true};
-    if (position >= limit) fail(place, "more than the limit of " + std::to_string(limit) + " rows");
-    read_row(row, place);
+    read_row(row, Place{.member = member, .row = position, .in_row = true});
   });
 }
 
@@ -211,7 +208,7 @@ RationalPoint read_point(simdjson::simdjson_result<value> item, const Place& pla
 }
 
 void read_tiles(simdjson::simdjson_result<value> rows, std::vector<SurfaceDocument::Tile>& tiles) {
-  read_rows(rows, "surface.tiles", kMaxRows, [&](simdjson::simdjson_result<value> row, const Place& at) {
+  read_rows(rows, "surface.tiles", [&](simdjson::simdjson_result<value> row, const Place& at) {
     SurfaceDocument::Tile tile;
     read_array(row, at, "an array of vertices",
                [&](simdjson::simdjson_result<value> vertex, std::size_t) { tile.push_back(read_point(vertex, at)); });
@@ -223,7 +220,7 @@ void read_tiles(simdjson::simdjson_result<value> rows, std::vector<SurfaceDocume
 }
 
 void read_gluing(simdjson::simdjson_result<value> rows, std::vector<SurfaceDocument::Gluing>& gluing) {
-  read_rows(rows, "surface.gluing", kMaxRows, [&](simdjson::simdjson_result<value> row, const Place& at) {
+  read_rows(rows, "surface.gluing", [&](simdjson::simdjson_result<value> row, const Place& at) {
     std::array<std::uint32_t, 4> numbers{};
     read_tuple(row, at, 4, "[t, k, t', k'], four indices",
                [&](simdjson::simdjson_result<value> element, std::size_t i) { numbers[i] = read_index(element, at); });
@@ -349,32 +346,32 @@ std::vector<Member> net_members(NetDocument& document, std::size_t& letters_in_a
            }},
           {"charts",
            [&](simdjson::simdjson_result<value> rows) {
-             read_rows(rows, "charts", kMaxRows, [&](simdjson::simdjson_result<value> row, const Place& at) {
+             read_rows(rows, "charts", [&](simdjson::simdjson_result<value> row, const Place& at) {
                document.charts.push_back(read_chart(row, at));
              });
            }},
           {"labels",
            [&](simdjson::simdjson_result<value> rows) {
-             read_rows(rows, "labels", kMaxRows - 1, [&](simdjson::simdjson_result<value> row, const Place& at) {
+             read_rows(rows, "labels", [&](simdjson::simdjson_result<value> row, const Place& at) {
                document.labels.push_back(read_label(row, at, letters_in_all));
              });
            }},
           {"vertices",
            [&](simdjson::simdjson_result<value> rows) {
-             read_rows(rows, "vertices", kMaxRows, [&](simdjson::simdjson_result<value> row, const Place& at) {
+             read_rows(rows, "vertices", [&](simdjson::simdjson_result<value> row, const Place& at) {
                document.vertices.push_back(read_vertex(row, at));
              });
            }},
           {"triangles",
            [&](simdjson::simdjson_result<value> rows) {
-             read_rows(rows, "triangles", kMaxTriangles, [&](simdjson::simdjson_result<value> row, const Place& at) {
+             read_rows(rows, "triangles", [&](simdjson::simdjson_result<value> row, const Place& at) {
                document.triangles.push_back(read_triangle(row, at));
              });
            }},
           {"collars",
            [&](simdjson::simdjson_result<value> rows) {
              document.collars.emplace();
-             read_rows(rows, "collars", kMaxRows, [&](simdjson::simdjson_result<value> row, const Place& at) {
+             read_rows(rows, "collars", [&](simdjson::simdjson_result<value> row, const Place& at) {
                document.collars->push_back(read_collar(row, at, letters_in_all));
              });
            },
@@ -440,7 +437,7 @@ GeodesicsDocument::Piece read_piece(simdjson::simdjson_result<value> row, const 
 std::vector<Member> geodesics_members(GeodesicsDocument& document, std::size_t& letters_in_all) {
   const Place place{.member = "geodesics file"};
   const auto rows = [](const char* member, auto read_row) {
-    return [=](simdjson::simdjson_result<value> item) { read_rows(item, member, kMaxRows, read_row); };
+    return [=](simdjson::simdjson_result<value> item) { read_rows(item, member, read_row); };
   };
   using Row = simdjson::simdjson_result<value>;
   return {
@@ -520,11 +517,11 @@ std::vector<Member> cover_members(CoverDocument& document, std::size_t& letters_
           {"value", [&](Row item) { document.value = read_interval(item, {.member = "value"}); }},
           {"triangulations",
            [&](Row item) {
-             read_rows(item, "triangulations", kMaxRows,
+             read_rows(item, "triangulations",
                        [&](Row row, const Place& at) { document.triangulations.push_back(read_flips(row, at)); });
            }},
           {"cells", [&](Row item) {
-             read_rows(item, "cells", kMaxRows,
+             read_rows(item, "cells",
                        [&](Row row, const Place& at) { document.cells.push_back(read_indices(row, at)); });
            }}};
 }
@@ -542,7 +539,7 @@ std::vector<Member> distance_members(DistanceDocument& document, std::size_t& le
           {"distance", [&](Row item) { document.distance = read_interval(item, {.member = "distance"}); }},
           {"paths",
            [&](Row item) {
-             read_rows(item, "paths", kMaxRows,
+             read_rows(item, "paths",
                        [&](Row row, const Place& at) { document.paths.push_back(read_word(row, at, letters_in_all)); });
            }},
           {"equal", [&](Row item) { document.equal = read_truth(item, {.member = "equal"}); }}};
