@@ -5,6 +5,10 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <rapidcheck/gtest.h>
+#include <regex>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace epsnet::certify {
 namespace {
@@ -103,6 +107,61 @@ std::string decimal(mpq_class value) {
   const mpq_class scaled = value * power(10, static_cast<long>(places));
   const std::string digits = scaled.get_num().get_str();
   return text + std::string(places - digits.size(), '0') + digits;
+}
+
+/// As docs/format.md has them; a denominator is not 0.
+const std::regex kDecimal(R"(-?[0-9]+(\.[0-9]+)?([eE][+-]?[0-9]{1,4})?)");
+const std::regex kRational("-?[0-9]+(/0*[1-9][0-9]*)?");
+
+/// All texts made of one part of each list, in this order.
+std::vector<std::string> joined(const std::vector<std::vector<std::string>>& parts) {
+  std::vector<std::string> texts{""};
+  for (const auto& part : parts) {
+    std::vector<std::string> longer;
+    for (const std::string& text : texts) {
+      for (const std::string& next : part) longer.push_back(text + next);
+    }
+    texts = std::move(longer);
+  }
+  return texts;
+}
+
+const std::vector<std::string> kSigns{"", "-", "+", "--", " "};
+const std::vector<std::string> kWholes{"", "0", "7", "0012", "90"};
+const std::vector<std::string> kTails{"", " ", "x", "-", ".", "e", "/", "\n"};
+
+TEST(Text, DecimalsOfEveryFormAreExactOrRefused) {
+  for (const std::string& text :
+       joined({kSigns,
+               kWholes,
+               {"", ".", ".0", ".25", ".0070", "..5", ".x", ".-5"},
+               {"",      "e",      "E",      "e3",     "E4",   "e-2", "E-12", "e+10", "e0007", "e-0000",
+                "e9999", "e-9999", "e12345", "e00001", "e+-1", "e-",  "e1.5", "e 1",  "e1e1",  "/3"},
+               kTails})) {
+    const auto found = parse_decimal(text);
+    if (text.find('/') != std::string::npos) {
+      ASSERT_EQ(found, parse_rational(text)) << text;
+      continue;
+    }
+    ASSERT_EQ(found.has_value(), std::regex_match(text, kDecimal)) << text;
+    if (found) {
+      ASSERT_EQ(*found, exact(text)) << text;
+    }
+  }
+}
+
+TEST(Text, RationalsOfEveryFormAreExactOrRefused) {
+  const std::vector<std::string> denominators{"",    "/",   "/0",   "/000", "/1",  "/4",  "/010", "/36",
+                                              "/-4", "/+4", "/4/2", "//4",  "/ 4", "\\4", ":4",   ".4"};
+  for (const std::string& text : joined({kSigns, kWholes, denominators, kTails})) {
+    const auto found = parse_rational(text);
+    ASSERT_EQ(found.has_value(), std::regex_match(text, kRational)) << text;
+    if (!found) continue;
+    mpq_class value(text, 10);
+    value.canonicalize();
+    ASSERT_EQ(*found, value) << text;
+    ASSERT_EQ(found->get_den(), value.get_den()) << text;
+  }
 }
 
 TEST(ParseBinary64, IsReadToNearestEven) {

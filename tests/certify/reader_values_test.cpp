@@ -1,0 +1,277 @@
+#include <functional>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+
+/// What the reader accepts says what is written, value by value: files of every kind, one value changed at a time, are
+/// read, written again, and compared by another JSON library.
+namespace epsnet::certify {
+namespace {
+
+using Json = nlohmann::json;
+using Pointer = Json::json_pointer;
+
+// Nothing in these files is true, but all of it is well-formed.
+
+Json tiles() {
+  return Json::parse(R"({"kind": "tiles", "about": "two tiles",
+      "tiles": [[["0", "0"], ["1/2", "0"], ["0", "-2/3"]],
+                [["1", "2"], ["3", "4"], ["5", "6"], ["7", "8"], ["9", "10"]]],
+      "gluing": [[0, 0, 1, 0], [0, 1, 0, 2], [1, 1, 1, 3], [1, 2, 1, 4]]})");
+}
+
+Json regular() { return Json::parse(R"({"kind": "regular", "genus": 2, "about": "an octagon"})"); }
+
+Json surface_file(const Json& surface) { return {{"format", "epsnet-surface"}, {"version", 1}, {"surface", surface}}; }
+
+Json net() {
+  Json result = Json::parse(R"({"format": "epsnet-net", "version": 1, "epsilon": "1.5",
+      "charts": [[0, "0", "0"], [1, "1/2", "-1/3"], [0, "3/5", "1/7"]],
+      "labels": [[1, 0, [3]], [0, 1, [0]], [2, 0, [1]], [2, 1, [1, 0]], [1, 1, [7, 5, 4]]],
+      "vertices": [[0, 0.25, -0.5], [1, 0.125, 0], [2, -0.75, 0.5], [0, 0.0625, 0.75]],
+      "triangles": [[0, 1, 2, 3, 4, 5, 1, 3], [1, 0, 2, 0, 1, 2, 2, 4], [0, 3, 3, 9, 10, 11, 0, 0],
+                    [3, 0, 0, 6, 7, 8, 0, 0]],
+      "collars": [{"core": [0, 3], "length": [0.5, 1], "vertices": [0, 2], "triangles": [0, 1]},
+                  {"core": [], "length": [0, 0.25], "vertices": [3, 1], "triangles": [3, 2]}]})");
+  result["surface"] = tiles();
+  return result;
+}
+
+Json regular_net() {
+  Json result = Json::parse(R"({"format": "epsnet-net", "version": 1, "epsilon": "1/3",
+      "charts": [[0, "0", "1/2"]], "labels": [[0, 0, [7, 0, 3]]], "vertices": [[0, 0.25, -0.5]],
+      "triangles": [[0, 0, 0, 1, 2, 3, 1, 0], [0, 0, 0, 4, 5, 0, 0, 1]]})");
+  result["surface"] = regular();
+  return result;
+}
+
+Json geodesics(const std::string& claim) {
+  Json result = Json::parse(R"({"format": "epsnet-geodesics", "version": 1,
+      "geodesics": [{"vertex": 0, "word": [0, 3], "length": [0.5, 0.75], "simple": true},
+                    {"vertex": 1, "word": [7, 5, 4], "length": [0.625, 1], "simple": false},
+                    {"vertex": 2, "word": [1], "length": [1.5, 2], "simple": true}],
+      "clusters": [{"first": 0, "count": 2, "equal": false}, {"first": 2, "count": 1, "equal": true}],
+      "pieces": [{"genus": 1, "boundaries": [[0, 0], [2, 1], [1, 0]]},
+                 {"genus": 0, "boundaries": [[0, 1], [1, 1], [2, 0]]}], "up_to": "2.5"})");
+  result["claim"] = claim;
+  result["net"] = net();
+  result["net"].erase("collars");
+  if (claim != "spectrum") result.erase("up_to");
+  if (claim != "thick-thin") result.erase("pieces");
+  if (claim == "systole") {
+    result.erase("clusters");
+    result["geodesics"] = Json::array({result["geodesics"][0]});
+  }
+  return result;
+}
+
+Json distance() {
+  Json result = Json::parse(R"({"format": "epsnet-distance", "version": 1, "point": [0, "1/3", "-2/5"],
+      "distance": [0.5, 1.25], "paths": [[7, 0], [], [3]], "equal": true})");
+  result["net"] = regular_net();
+  return result;
+}
+
+Json cover(const std::string& claim) {
+  Json result = Json::parse(R"({"format": "epsnet-cover", "version": 1, "value": [0.5, 1.25],
+      "triangulations": [[0, 5, 3], [1], [0, 2]], "cells": [[0, 3, 1, 6, 5], [4]]})");
+  result["claim"] = claim;
+  result["net"] = regular_net();
+  return result;
+}
+
+std::vector<Json> files() {
+  return {surface_file(tiles()), surface_file(regular()), net(),      regular_net(),   geodesics("systole"),
+          geodesics("spectrum"), geodesics("thick-thin"), distance(), cover("radius"), cover("diameter"),
+          cover("embedded-disk")};
+}
+
+void write(const NetDocument& document, std::ostream& out) { write_net(document, out); }
+void write(const GeodesicsDocument& document, std::ostream& out) { write_geodesics(document, out); }
+void write(const DistanceDocument& document, std::ostream& out) { write_distance(document, out); }
+void write(const CoverDocument& document, std::ostream& out) { write_cover(document, out); }
+
+/// What the reader understands, as JSON; null if it accepts nothing.
+Json understood(const std::string& text, bool surface) {
+  std::ostringstream out;
+  try {
+    if (surface) {
+      write_surface(parse_surface(text, "test"), out);
+    } else {
+      std::visit([&](const auto& document) { write(document, out); }, parse_claim(text, "test"));
+    }
+  } catch (const MalformedError&) {
+    return nullptr;
+  }
+  return Json::parse(out.str());
+}
+
+/// Rows behind these names are not taken out of the text, but read as all the rest.
+std::string with_names_escaped(std::string text) {
+  for (const std::string name : {"\"vertices", "\"triangles\""}) {
+    for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+      text.replace(at + 1, 1, name == "\"vertices" ? "\\u0076" : "\\u0074");
+    }
+  }
+  return text;
+}
+
+/// Whether the text is accepted, which must not depend on how names are written.
+bool accepted(const std::string& text, const Json& meant, bool surface) {
+  const Json found = understood(text, surface);
+  EXPECT_EQ(understood(with_names_escaped(text), surface), found) << text;
+  if (found.is_null()) return false;
+  EXPECT_EQ(found, meant);
+  return true;
+}
+
+bool is_surface(const Json& file) { return file["format"] == "epsnet-surface"; }
+
+bool accepted(const Json& file, bool surface) { return accepted(file.dump(), file, surface); }
+
+void collect(const Json& value, const Pointer& at, std::vector<Pointer>& places) {
+  places.push_back(at);
+  if (value.is_object()) {
+    for (const auto& [key, member] : value.items()) collect(member, at / key, places);
+  } else if (value.is_array()) {
+    for (std::size_t i = 0; i < value.size(); ++i) collect(value[i], at / i, places);
+  }
+}
+
+std::vector<Pointer> places_of(const Json& file) {
+  std::vector<Pointer> places;
+  collect(file, Pointer(), places);
+  return places;
+}
+
+/// Calls use(file, place) for the files, each with one value changed by `changes`, which gives values for one.
+void with_changes(const std::function<std::vector<Json>(const Json&)>& changes,
+                  const std::function<void(const Json&, const Pointer&, bool)>& use) {
+  for (const Json& file : files()) {
+    for (const Pointer& place : places_of(file)) {
+      for (Json& value : changes(file[place])) {
+        Json changed = file;
+        changed[place] = std::move(value);
+        if (changed != file) use(changed, place, is_surface(file));
+      }
+    }
+  }
+}
+
+TEST(ReaderValues, TheFilesAreWellFormed) {
+  for (const Json& file : files()) EXPECT_TRUE(accepted(file, is_surface(file))) << file;
+}
+
+TEST(ReaderValues, NoValueHasAnotherType) {
+  const auto kind = [](const Json& value) { return value.is_number() ? Json(0).type() : value.type(); };
+  const std::vector<Json> values{nullptr, true, 1, "1", Json::array(), Json::object()};
+  with_changes(
+      [&](const Json& old) {
+        std::vector<Json> others;
+        for (const Json& value : values) {
+          if (kind(value) != kind(old)) others.push_back(value);
+        }
+        return others;
+      },
+      [](const Json& file, const Pointer& place, bool surface) {
+        EXPECT_FALSE(accepted(file, surface)) << place << ' ' << file[place];
+      });
+}
+
+TEST(ReaderValues, NumbersAndTextsAreWhatIsWritten) {
+  int count = 0;
+  with_changes(
+      [](const Json& old) -> std::vector<Json> {
+        if (old.is_boolean()) return {!old.get<bool>()};
+        if (old.is_number_integer()) {
+          const auto n = old.get<std::int64_t>();
+          return {n + 1, n - 1, 0, 1, 2, n + (std::int64_t{1} << 32), static_cast<double>(n) + 0.5};
+        }
+        if (old.is_number()) return {old.get<double>() / 4, old.get<double>() + 0x1p-20, -old.get<double>()};
+        if (old.is_string()) return {"3/11", "-3/11", "0", "17", old.get<std::string>() + "x", "1/0"};
+        return {};
+      },
+      [&](const Json& file, const Pointer&, bool surface) { count += accepted(file, surface) ? 1 : 0; });
+  EXPECT_GT(count, 300);
+}
+
+TEST(ReaderValues, ArraysAreWhatIsWritten) {
+  int count = 0;
+  with_changes(
+      [](const Json& old) -> std::vector<Json> {
+        if (!old.is_array()) return {};
+        std::vector<Json> changed(5, old);
+        changed[0].push_back(old.empty() ? Json(0) : old.back());
+        if (!old.empty()) {
+          changed[1].erase(old.size() - 1);
+          changed[2].erase(0);
+          changed[3].insert(changed[3].begin(), old.front());
+          std::swap(changed[4].front(), changed[4].back());
+        }
+        return changed;
+      },
+      [&](const Json& file, const Pointer&, bool surface) { count += accepted(file, surface) ? 1 : 0; });
+  EXPECT_GT(count, 100);
+}
+
+TEST(ReaderValues, EveryMemberIsThereOnce) {
+  for (const Json& file : files()) {
+    for (const Pointer& place : places_of(file)) {
+      if (!file[place].is_object()) continue;
+      Json more = file;
+      more[place]["another"] = 1;
+      EXPECT_FALSE(accepted(more, is_surface(file))) << place;
+      for (const auto& [key, value] : file[place].items()) {
+        Json less = file;
+        less[place].erase(key);
+        EXPECT_EQ(accepted(less, is_surface(file)), key == "about" || key == "collars") << place << ' ' << key;
+        // Twice: under the name that comes last, which is then made the same.
+        Json twice = file;
+        twice[place]["~"] = value;
+        std::string text = twice.dump();
+        text.replace(text.find("\"~\""), 3, Json(key).dump());
+        EXPECT_FALSE(accepted(text, file, is_surface(file))) << place << ' ' << key;
+      }
+    }
+  }
+}
+
+/// A member that one kind of surface or claim has is none of another.
+TEST(ReaderValues, MembersOfAnotherKindAreRefused) {
+  const auto expect_refused = [](Json file, const Pointer& place, const Json& value) {
+    file[place] = value;
+    EXPECT_FALSE(accepted(file, is_surface(file))) << place;
+  };
+  for (const Json& member : {tiles()["tiles"], Json::array()}) {
+    expect_refused(surface_file(regular()), Pointer("/surface/tiles"), member);
+  }
+  for (const Json& member : {tiles()["gluing"], Json::array()}) {
+    expect_refused(surface_file(regular()), Pointer("/surface/gluing"), member);
+  }
+  expect_refused(surface_file(tiles()), Pointer("/surface/genus"), 2);
+  expect_refused(surface_file(tiles()), Pointer("/surface/genus"), 0);
+  for (const std::string claim : {"systole", "spectrum", "thick-thin"}) {
+    const Json file = geodesics(claim);
+    for (const char* member : {"up_to", "clusters", "pieces"}) {
+      if (file.contains(member)) continue;
+      expect_refused(file, Pointer("/") / member, Json::array());
+      expect_refused(file, Pointer("/") / member,
+                     geodesics(member == std::string("up_to") ? "spectrum" : "thick-thin")[member]);
+    }
+    for (const std::string other : {"systole", "spectrum", "thick-thin", "", "Systole", "thick_thin"}) {
+      if (other != claim) expect_refused(file, Pointer("/claim"), other);
+    }
+  }
+  for (const std::string other : {"", "Radius", "eccentricity"}) {
+    expect_refused(cover("radius"), Pointer("/claim"), other);
+  }
+}
+
+}  // namespace
+}  // namespace epsnet::certify
