@@ -128,19 +128,28 @@ TEST(GeodesicsStructure, VerticesExist) {
 }
 
 TEST(GeodesicsStructure, LettersAreSidesOfTheTileWhereTheyAre) {
-  const GeodesicsDocument document = three_cuffs();
-  const SurfaceSides sides(document.net.surface);
-  const std::uint32_t here = document.net.charts[document.net.vertices[document.geodesics[2].vertex].chart].tile;
+  GeodesicsDocument document = spectrum({{1, 1}, {2, 2}}, {{0, 1}, {1, 1}});
+  const NetDocument& net = document.net;
+  const SurfaceSides sides(net.surface);
   const auto size = static_cast<std::uint32_t>(sides.partner.size());
-  for (const std::uint32_t side : {size, size + 1, ~0U}) {
-    GeodesicsDocument changed = document;
-    changed.geodesics[2].word.insert(changed.geodesics[2].word.begin(), side);
-    expect_malformed(changed, "geodesics[2]: letter 0 of the word, " + std::to_string(side) + ", is no side of tile ");
-  }
-  for (std::uint32_t side = 0; side < size; ++side) {
-    GeodesicsDocument changed = document;
-    changed.geodesics[2].word = {side, sides.partner[side]};
-    EXPECT_EQ(structure_problem(changed).has_value(), sides.tile[side] != here) << side;
+  const auto tile_of = [&](std::uint32_t vertex) { return net.charts[net.vertices[vertex].chart].tile; };
+  for (std::uint32_t here = 0; here < net.surface.tiles.size(); ++here) {
+    std::uint32_t& vertex = document.geodesics[1].vertex;
+    for (vertex = 0; tile_of(vertex) != here;) ++vertex;
+    for (std::uint32_t side = 0; side < size; ++side) {
+      const std::uint32_t partner = sides.partner[side];
+      document.geodesics[1].word = {side, partner};
+      EXPECT_EQ(structure_problem(document).has_value(), sides.tile[side] != here) << side;
+      document.geodesics[1].word = {side};
+      EXPECT_EQ(structure_problem(document).has_value(), sides.tile[side] != here || sides.tile[partner] != here);
+      document.geodesics[1].word = {side, partner, side, side};
+      EXPECT_EQ(structure_problem(document).has_value(), sides.tile[side] != here || sides.tile[partner] != here);
+    }
+    for (const std::uint32_t side : {size, size + 1, ~0U}) {
+      document.geodesics[1].word = {side};
+      expect_malformed(document,
+                       "geodesics[1]: letter 0 of the word, " + std::to_string(side) + ", is no side of tile");
+    }
   }
 }
 

@@ -345,6 +345,11 @@ TEST(Structure, ANetMayHaveNoCollarsAndNoRows) {
   EXPECT_EQ(structure_problem(empty), std::nullopt);
 }
 
+TEST(Structure, ANetMayHaveManyRows) {
+  EXPECT_EQ(problem([](NetDocument& d) { d.triangles.resize(100'000, d.triangles[0]); }), "");
+  EXPECT_EQ(problem([](NetDocument& d) { d.vertices.resize(100'000, d.vertices[0]); }), "");
+}
+
 TEST(SurfaceSides, AreNumberedInTheOrderOfTheFile) {
   const SurfaceSides sides(tiles());
   EXPECT_EQ(number_of_tiles(tiles()), 2U);

@@ -254,6 +254,8 @@ TEST(ParseBinary64, TextThatIsNoJsonNumberIsNone) {
   }
   using namespace std::string_view_literals;
   EXPECT_FALSE(parse_binary64("1\0"sv).has_value());
+  // What stands behind the text is no part of it.
+  for (const std::string_view more : {"12", "1.5", "1e5", "1E5", "1x"}) EXPECT_EQ(parse_binary64(more.substr(0, 1)), 1);
 }
 
 /// Around the tie between a number and the next one up: the tie itself, and as little below and above it as `digits`
@@ -298,6 +300,13 @@ TEST(ParseBinary64, TiesGoToEven) {
                              1e300,
                              std::numeric_limits<double>::max()}) {
     for (const std::size_t digits : {0U, 1U, 20U, 400U, 800U, 3000U}) expect_exact_around_tie(value, digits);
+  }
+}
+
+/// The digits that decide stand as far behind a tie as they may: a reader that cuts numbers off somewhere sees none.
+TEST(ParseBinary64, DigitsFarBehindATieCount) {
+  for (const double value : {0.0, 5e-324, 2.225073858507201e-308}) {
+    for (std::size_t digits = 300; digits < 400; ++digits) expect_exact_around_tie(value, digits);
   }
 }
 
