@@ -121,7 +121,6 @@ std::size_t printable_length(std::string_view text) {
 }  // namespace
 
 std::optional<mpq_class> parse_rational(std::string_view text) {
-  if (text.size() > kMaxRationalDigits + 2) return std::nullopt;
   const bool negative = text.starts_with('-');
   if (negative) text.remove_prefix(1);
   const std::size_t length = leading_digits(text);

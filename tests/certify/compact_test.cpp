@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <gtest/gtest.h>
 #include <limits>
+#include <memory>
 #include <random>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "certify/file/reader.h"
@@ -193,6 +196,31 @@ TEST_F(Compact, AnyEndIsNoticed) {
   EXPECT_EQ(problem(good_ + '\0'),
             "net.epsn: checksum: the file was damaged, or is not complete: its checksum is another");
   EXPECT_EQ(problem(with_checksum(good_ + "12345678")), "net.epsn: checksum: 8 bytes too many before it");
+}
+
+TEST_F(Compact, AHeaderThatEndsEarlyIsNamed) {
+  for (std::size_t there = 0; there < 24; ++there) {
+    EXPECT_EQ(problem(with_checksum(good_.substr(0, 8 + there) + "12345678")),
+              "net.epsn: header: has 4 bytes, of which " + std::to_string(there % 4) + " are there");
+  }
+}
+
+/// A file is read in pieces of 2^18 bytes, of which the first ends here in the checksum or next to it.
+TEST_F(Compact, PiecesMayEndInTheChecksum) {
+  NetDocument document = parse_net(good_, "test");
+  document.surface.about = "a";
+  const std::size_t least = compact(document).size();
+  for (std::size_t more = 0; more <= 20; ++more) {
+    const std::size_t size = (std::size_t{1} << 18U) + more;
+    document.surface.about.assign(1 + size - least, 'a');
+    const std::string bytes = compact(document);
+    ASSERT_EQ(bytes.size(), size);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), &std::fclose);
+    ASSERT_EQ(std::fwrite(bytes.data(), 1, size, file.get()), size);
+    std::rewind(file.get());
+    Pieces pieces(file.get(), size, {});
+    EXPECT_EQ(parse_compact(pieces, [](std::string_view head) { return parse_net(head, "head"); }), document) << more;
+  }
 }
 
 TEST_F(Compact, EveryRuleOfTheFormatIsNamed) {
