@@ -205,6 +205,18 @@ TEST_F(Compact, AHeaderThatEndsEarlyIsNamed) {
   }
 }
 
+TEST_F(Compact, LabelsThatEndEarlyAreNamed) {
+  for (const std::uint32_t width : {1U, 2U, 4U}) {
+    const std::string bytes = widened(good_, width, width);
+    const std::size_t size = bytes.size() - 8 - Parts(bytes).labels;
+    for (std::size_t missing = 1; missing <= size; ++missing) {
+      EXPECT_EQ(problem(with_checksum(bytes.substr(0, bytes.size() - missing))),
+                "net.epsn: labels of corners: has " + std::to_string(size) + " bytes, of which " +
+                    std::to_string(size - missing) + " are there");
+    }
+  }
+}
+
 /// A file is read in pieces of 2^18 bytes, of which the first ends here in the checksum or next to it.
 TEST_F(Compact, PiecesMayEndInTheChecksum) {
   NetDocument document = parse_net(good_, "test");
@@ -256,6 +268,8 @@ TEST_F(Compact, EveryRuleOfTheFormatIsNamed) {
                 ", expected a later dart that has none");
   EXPECT_EQ(after([&](std::string& b) { b[parts_.labels] = 0; }),
             "net.epsn: labels of corners[0]: 0, expected another, as the corner is said to have one");
+  EXPECT_EQ(after([&](std::string& b) { b[parts_.labels + 2] = 0; }),
+            "net.epsn: labels of corners[2]: 0, expected another, as the corner is said to have one");
   ASSERT_NE(2 * net_.triangles.size() % 8, 0U);
   EXPECT_EQ(after([&](std::string& b) { b[parts_.labels - 1] = static_cast<char>(b[parts_.labels - 1] | 0x80); }),
             "net.epsn: labelled corners: a bit beyond the last corner is set");

@@ -46,6 +46,8 @@ void expect_triangle(const std::string& row, const Triangle& triangle) {
 
 TEST(PlainRows, VerticesAreTakenAsTheyAre) {
   expect_vertex("[1,2,3]", {2, 3, 1});
+  expect_vertex("[9,0.09,-9e-09]", {0.09, -9e-9, 9});
+  expect_vertex("[0,0,-0.0]", {0, 0, 0});
   expect_vertex("[4294967295,-0.25e-1,0.5E+1]", {-0.025, 5, std::numeric_limits<std::uint32_t>::max()});
   expect_vertex(" \t\r\n[ \t\r\n10 ,\r0.125\t, \n-1e-400 \n\r] \n", {0.125, 0, 10});
   expect_vertex("[7,1e308,0.1000000000000000055511151231257827021181583404541015625]", {1e308, 0.1, 7});
@@ -53,6 +55,7 @@ TEST(PlainRows, VerticesAreTakenAsTheyAre) {
 
 TEST(PlainRows, TrianglesAreTakenAsTheyAre) {
   expect_triangle("[1,2,3,4,5,6,7,8]", {{1, 2, 3}, {4, 5, 6}, {7, 8}});
+  expect_triangle("[9,9,99,90,0,19,10,9]", {{9, 9, 99}, {90, 0, 19}, {10, 9}});
   expect_triangle(" [ 10\n,\t20 ,30,40,50,60,4294967295\r, 0 ]\n", {{10, 20, 30}, {40, 50, 60}, {4294967295, 0}});
 }
 
