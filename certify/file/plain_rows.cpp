@@ -37,8 +37,7 @@ class Tokens {
   bool index(std::uint32_t& value) {
     while (next_ != end_ && is_white(*next_)) ++next_;
     const char* const first = next_;
-    if (first == end_ || !is_digit(*first)) return false;
-    const auto [last, error] = std::from_chars(first, end_, value);
+    const auto [last, error] = std::from_chars(first, end_, value);  // Digits alone: without a sign there is none.
     next_ = last;
     return error == std::errc() && (*first != '0' || last == first + 1);
   }

@@ -89,8 +89,7 @@ std::string_view token_of(simdjson::simdjson_result<value> item, const Place& pl
 std::uint32_t read_index(simdjson::simdjson_result<value> item, const Place& place) {
   constexpr const char* kExpected = "an index: an integer >= 0 without sign, fraction or exponent";
   const std::string_view token = token_of(item, place, kExpected);
-  const bool digits =
-      !token.empty() && std::all_of(token.begin(), token.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const bool digits = std::all_of(token.begin(), token.end(), [](char c) { return c >= '0' && c <= '9'; });
   if (!digits || (token.size() > 1 && token.front() == '0')) {
     fail(place, in_quotes(token) + " found, expected " + kExpected);
   }
@@ -212,9 +211,6 @@ void read_tiles(simdjson::simdjson_result<value> rows, std::vector<SurfaceDocume
     SurfaceDocument::Tile tile;
     read_array(row, at, "an array of vertices",
                [&](simdjson::simdjson_result<value> vertex, std::size_t) { tile.push_back(read_point(vertex, at)); });
-    if (tile.size() < 3) {
-      fail(at, "has " + std::to_string(tile.size()) + " vertices, expected at least 3");
-    }
     tiles.push_back(std::move(tile));
   });
 }

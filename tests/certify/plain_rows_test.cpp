@@ -1,7 +1,9 @@
 #include "certify/file/plain_rows.h"
 
+#include <cstdio>
 #include <gtest/gtest.h>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -155,8 +157,29 @@ TEST(PlainRows, StringsAreLeftAsTheyAre) {
     }
   }
   // A string that does not end takes all with it.
-  for (const char* text : {R"({"a":"b,"vertices\":[[1,2,3]]})", R"({"a\",vertices":[[1,2,3]])"}) {
+  for (const char* text :
+       {R"({"a":"b,"vertices\":[[1,2,3]]})", R"({"a\",vertices":[[1,2,3]])", R"({"a"vertices":[[1,2,3]]})"}) {
     EXPECT_FALSE(taken(text).has_value()) << text;
+  }
+  EXPECT_TRUE(taken(R"({"a""vertices":[[1,2,3]]})").has_value());
+}
+
+/// Of a text that is cut off anywhere nothing is taken that stands behind its end.
+TEST(PlainRows, NothingBehindTheEndIsTaken) {
+  const std::string text = R"({ "vertices" : [ [ 1 , 0.25 , -0.5e1 ] , [ 12 , 1 , 2 ] ] ,
+"triangles" : [ [ 1 , 2 , 3 , 4 , 5 , 6 , 7 , 8 ] ] , "vertices":[[1,0.25,0]],"triangles":[[1,2,3,4,5,6,7,80]]})";
+  for (std::size_t begin : {std::size_t{0}, text.rfind("\"vertices"), text.rfind("\"triangles")}) {
+    for (std::size_t end = begin; end <= text.size(); ++end) {
+      const std::string copy = text.substr(begin, end - begin);
+      Pieces pieces(std::string_view(text).substr(begin, end - begin));
+      const auto rows = take_plain_rows(pieces);
+      const auto wanted = taken(copy);
+      ASSERT_EQ(rows.has_value(), wanted.has_value()) << copy;
+      if (!rows) continue;
+      EXPECT_EQ(rows->rest, wanted->rest);
+      EXPECT_EQ(rows->vertices, wanted->vertices) << copy;
+      EXPECT_EQ(rows->triangles, wanted->triangles) << copy;
+    }
   }
 }
 
@@ -170,9 +193,32 @@ TEST(PlainRows, LongTextsAreTakenApartAsShortOnes) {
     EXPECT_EQ(rows->vertices, (std::vector<Vertex>(2, {0.375, -0.625, 12})));
     EXPECT_EQ(rows->rest, "{" + filler + R"("vertices":[],)" + filler + "}");
   }
+  // Strings and blanks of many windows, from a file.
+  const std::string row_name = R"(\"vertices\":[[1,2,3]])";
+  for (const std::string& filler :
+       {R"("a":")" + std::string(600'000, 'b') + R"(",)", R"("a":")" + std::string(600'000, 'b') + row_name + R"(",)",
+        std::string(600'000, ' ')}) {
+    const std::string text = "{" + filler + R"("vertices":[)" + row + "]," + filler + "}";
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), &std::fclose);
+    ASSERT_EQ(std::fwrite(text.data(), 1, text.size(), file.get()), text.size());
+    std::rewind(file.get());
+    Pieces pieces(file.get(), text.size(), {});
+    for (const auto& rows : {take_plain_rows(pieces), taken(text)}) {
+      ASSERT_TRUE(rows.has_value());
+      EXPECT_EQ(rows->vertices, (std::vector<Vertex>(1, {0.375, -0.625, 12})));
+      EXPECT_EQ(rows->rest, "{" + filler + R"("vertices":[],)" + filler + "}");
+    }
+  }
   // A row that takes more bytes than a window may have.
   for (const std::size_t blanks : {1000U, 4000U}) {
     EXPECT_TRUE(taken(vertices("[1," + std::string(blanks, ' ') + "2,3]")).has_value()) << blanks;
+  }
+}
+
+/// Where the rest is too long, what is behind it has not been looked at, were it a single byte.
+TEST(PlainRows, ALongRestIsLeftToOthersToItsLastByte) {
+  for (const char* end : {"x", "}", " "}) {
+    EXPECT_FALSE(taken(R"({"vertices":[[1,2,3]]})" + std::string(std::size_t{1} << 26U, ' ') + end).has_value()) << end;
   }
 }
 

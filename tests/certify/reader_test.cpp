@@ -392,6 +392,27 @@ std::string with_names_escaped(std::string text) {
   return text;
 }
 
+TEST(Reader, BrokenRowsAndMembersAreNamed) {
+  const auto said = [](const std::string& from, const std::string& to) {
+    const std::string complaint = claim_complaint(replaced(kSmallNet, from, to));
+    EXPECT_EQ(claim_complaint(with_names_escaped(replaced(kSmallNet, from, to))), complaint);
+    return complaint;
+  };
+  EXPECT_EQ(said(R"([[0,"0","-1/3"]])", R"([[0,"0","-1/3"]:])"), "test: charts: broken array (it is not JSON)");
+  EXPECT_EQ(said(R"([[0,"0","-1/3"]])", R"([[0,"0","-1/3" "0"]])"), "test: charts[0]: broken array (it is not JSON)");
+  EXPECT_EQ(said(R"("epsilon":)", R"("epsilon")"), "test: net: broken object (it is not JSON)");
+  EXPECT_EQ(said(R"("epsilon":)", R"("epsilo\x":)"), "test: net: broken member name (it is not JSON)");
+  EXPECT_EQ(said(R"([[0,"0","-1/3"]])", "[[]]"),
+            "test: charts[0]: has 0 elements, expected [t, x, y], a tile and two rationals");
+  EXPECT_EQ(said(R"([[0,"0","-1/3"]])", "[[0]]"),
+            "test: charts[0]: has 1 elements, expected [t, x, y], a tile and two rationals");
+  EXPECT_EQ(said(R"([[0,"0","-1/3"]])", R"([[0,"0","0","0"]])"),
+            "test: charts[0]: too many elements, expected [t, x, y], a tile and two rationals");
+  EXPECT_EQ(said(R"("genus":2)", R"("genus":0)"), "test: surface.genus: the genus is 0, expected at least 2");
+  EXPECT_EQ(surface_complaint(R"({"kind": "tiles", "tiles": [[["0", "0"], ["0", "0"]]], "gluing": [[0, 0, 0, 1]]})"),
+            "test: surface.tiles[0]: has 2 vertices, expected at least 3");
+}
+
 /// Rows that are taken out of the text make the same documents and the same complaints as all of it.
 TEST(Reader, PlainRowsAreReadAsAnyOthers) {
   const std::string bytes = "\t \"+,-./019:E[\\]ae{}\x80";
