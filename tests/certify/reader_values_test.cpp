@@ -71,6 +71,15 @@ Json geodesics(const std::string& claim) {
   return result;
 }
 
+/// A list in which nothing is.
+Json empty_list(const std::string& claim) {
+  Json result = geodesics(claim);
+  for (const char* member : {"geodesics", "clusters", "pieces"}) {
+    if (result.contains(member)) result[member] = Json::array();
+  }
+  return result;
+}
+
 Json distance() {
   Json result = Json::parse(R"({"format": "epsnet-distance", "version": 1, "point": [0, "1/3", "-2/5"],
       "distance": [0.5, 1.25], "paths": [[7, 0], [], [3]], "equal": true})");
@@ -87,8 +96,18 @@ Json cover(const std::string& claim) {
 }
 
 std::vector<Json> files() {
-  return {surface_file(tiles()), surface_file(regular()), net(),      regular_net(),   geodesics("systole"),
-          geodesics("spectrum"), geodesics("thick-thin"), distance(), cover("radius"), cover("diameter"),
+  return {surface_file(tiles()),
+          surface_file(regular()),
+          net(),
+          regular_net(),
+          geodesics("systole"),
+          geodesics("spectrum"),
+          geodesics("thick-thin"),
+          empty_list("spectrum"),
+          empty_list("thick-thin"),
+          distance(),
+          cover("radius"),
+          cover("diameter"),
           cover("embedded-disk")};
 }
 
@@ -242,6 +261,29 @@ TEST(ReaderValues, EveryMemberIsThereOnce) {
   }
 }
 
+std::string complaint(const Json& file) {
+  try {
+    static_cast<void>(parse_claim(file.dump(), "test"));
+  } catch (const MalformedError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ReaderValues, MembersThatAClaimHasOrHasNotAreNamed) {
+  Json file = geodesics("spectrum");
+  file.erase("up_to");
+  EXPECT_EQ(complaint(file), "test: geodesics file: missing member \"up_to\" for this claim");
+  file = geodesics("thick-thin");
+  file.erase("pieces");
+  EXPECT_EQ(complaint(file), "test: geodesics file: missing member \"pieces\" for this claim");
+  file.erase("clusters");
+  EXPECT_EQ(complaint(file), "test: geodesics file: missing member \"clusters\" for this claim");
+  file = geodesics("systole");
+  file["clusters"] = Json::array();
+  EXPECT_EQ(complaint(file), "test: geodesics file: unknown member \"clusters\" for this claim");
+}
+
 /// A member that one kind of surface or claim has is none of another.
 TEST(ReaderValues, MembersOfAnotherKindAreRefused) {
   const auto expect_refused = [](Json file, const Pointer& place, const Json& value) {
@@ -261,6 +303,7 @@ TEST(ReaderValues, MembersOfAnotherKindAreRefused) {
     for (const char* member : {"up_to", "clusters", "pieces"}) {
       if (file.contains(member)) continue;
       expect_refused(file, Pointer("/") / member, Json::array());
+      expect_refused(file, Pointer("/") / member, "");
       expect_refused(file, Pointer("/") / member,
                      geodesics(member == std::string("up_to") ? "spectrum" : "thick-thin")[member]);
     }
