@@ -193,22 +193,6 @@ TEST(Reader, WordsHaveALimit) {
   EXPECT_NE(complaint(to_text(document)).find("10^7 letters"), std::string::npos);
 }
 
-TEST(Reader, LettersInAllHaveALimit) {
-  std::string word = "0";
-  for (int i = 1; i < 1'000'000; ++i) word += ",0";
-  const auto text = [](const std::string& labels) {
-    return R"({"format":"epsnet-net","version":1,"surface":{"kind":"regular","genus":2},"epsilon":"1",
-        "charts":[[0,"0","0"]],"labels":[)" +
-           labels + R"(],"vertices":[],"triangles":[]})";
-  };
-  std::string labels = "[0,0,[" + word + "]]";
-  EXPECT_EQ(complaint(text("[0,0,[" + word + ",0]]")),
-            "test: labels[0]: the word has more than the limit of 10^6 letters");
-  for (int i = 1; i < 10; ++i) labels += ",[0,0,[" + word + "]]";
-  EXPECT_EQ(complaint(text(labels)), "");
-  EXPECT_EQ(complaint(text(labels + ",[0,0,[0]]")), "test: labels[10]: more than the limit of 10^7 letters in all");
-}
-
 TEST(Reader, RationalsHaveALimit) {
   const std::string digits(999'990, '7');
   const auto value = parse_rational("1/" + digits);
@@ -386,6 +370,30 @@ TEST(Reader, WhatItAcceptsIsJson) {
       }
     }
     EXPECT_GT(accepted, 1000);
+  }
+}
+
+TEST(Reader, LettersInAllHaveALimit) {
+  std::string word = "0";
+  for (int i = 1; i < 1'000'000; ++i) word += ",0";
+  const auto net = [](const std::string& labels) {
+    return R"({"format":"epsnet-net","version":1,"surface":{"kind":"regular","genus":2},"epsilon":"1",
+        "charts":[[0,"0","0"]],"labels":[)" +
+           labels + R"(],"vertices":[[0,0,0]],"triangles":[]})";
+  };
+  std::string labels = "[0,0,[" + word + "]]";
+  EXPECT_EQ(claim_complaint(net("[0,0,[" + word + ",0]]")),
+            "test: labels[0]: the word has more than the limit of 10^6 letters");
+  for (int i = 1; i < 10; ++i) labels += ",[0,0,[" + word + "]]";
+  for (const std::string rest :
+       {"", R"({"format":"epsnet-geodesics","version":1,"claim":"spectrum","up_to":"1","geodesics":[],"clusters":[])",
+        R"({"format":"epsnet-distance","version":1,"point":[0,"0","0"],"distance":[0,1],"paths":[[]],"equal":true)",
+        R"({"format":"epsnet-cover","version":1,"claim":"radius","value":[1,1],"triangulations":[],"cells":[])"}) {
+    const auto file = [&](const std::string& text) { return rest.empty() ? text : rest + ",\"net\":" + text + "}"; };
+    EXPECT_EQ(claim_complaint(file(net(labels))), "") << rest;
+    EXPECT_EQ(claim_complaint(file(net(labels + ",[0,0,[0]]"))),
+              "test: labels[10]: more than the limit of 10^7 letters in all")
+        << rest;
   }
 }
 

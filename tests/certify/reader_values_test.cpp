@@ -51,6 +51,13 @@ Json regular_net() {
   return result;
 }
 
+Json net_without_triangles() {
+  Json result = net();
+  result["triangles"] = Json::array();
+  result.erase("collars");
+  return result;
+}
+
 Json geodesics(const std::string& claim) {
   Json result = Json::parse(R"({"format": "epsnet-geodesics", "version": 1,
       "geodesics": [{"vertex": 0, "word": [0, 3], "length": [0.5, 0.75], "simple": true},
@@ -100,6 +107,7 @@ std::vector<Json> files() {
           surface_file(regular()),
           net(),
           regular_net(),
+          net_without_triangles(),
           geodesics("systole"),
           geodesics("spectrum"),
           geodesics("thick-thin"),
