@@ -513,6 +513,49 @@ class LargeFile {
   std::string path_ = testing::TempDir() + "epsnet-reader-" + std::to_string(getpid());
 };
 
+/// A file with these bytes, which exists as long as this.
+class File {
+ public:
+  explicit File(std::string_view bytes) { std::ofstream(path_, std::ios::binary) << bytes; }
+  ~File() { std::remove(path_.c_str()); }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+ private:
+  std::string path_ = testing::TempDir() + "epsnet-reader-file-" + std::to_string(getpid());
+};
+
+TEST(Reader, LoadGivesTheBytesOfAFile) {
+  std::string bytes;
+  for (int i = 0; bytes.size() < 3'200'000; ++i) bytes += std::to_string(i) + ' ';
+  constexpr std::size_t kChunk = 1U << 20U;
+  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, kChunk - 1, kChunk, kChunk + 1, 2 * kChunk,
+                                 2 * kChunk + 1, 3 * kChunk + 12345}) {
+    const File file(bytes.substr(0, size));
+    EXPECT_EQ(load(file.path()), bytes.substr(0, size)) << size;
+  }
+}
+
+TEST(Reader, FilesFromASizeOnAreReadInPieces) {
+  const auto document = parse_claim(kSmallNet, "test");
+  for (const std::size_t size : {kMaxBytesAtOnce - 1, kMaxBytesAtOnce, kMaxBytesAtOnce + 1, kMaxBytesAtOnce + 2}) {
+    const File file(kSmallNet + std::string(size - kSmallNet.size(), ' '));
+    const auto read = read_claim_in_pieces(file.path());
+    EXPECT_EQ(read.has_value(), size > kMaxBytesAtOnce) << size;
+    if (read) {
+      EXPECT_EQ(*read, document);
+    }
+    EXPECT_EQ(read_claim(file.path()), document);
+    EXPECT_EQ(read_net(file.path()), std::get<NetDocument>(document));
+  }
+  const File malformed(kSmallNet + std::string(kMaxBytesAtOnce, ' ') + "x");
+  EXPECT_FALSE(read_claim_in_pieces(malformed.path()).has_value());
+  for (const char* path : {"no/such/file.json", EPSNET_TEST_DATA, "/dev/zero", "-"}) {
+    EXPECT_FALSE(read_claim_in_pieces(path).has_value()) << path;
+  }
+}
+
 /// A net with so many vertices that its file is large.
 NetDocument large_net() {
   NetDocument net = sample();
