@@ -593,11 +593,14 @@ TEST(Reader, TextsOfWhichMuchIsNoRowsAreReadAsAWhole) {
 }
 
 TEST(Reader, WhatIsWrongWithLargeFilesIsSaidAsOfSmallOnes) {
+  const auto to_compact = [](const NetDocument& document) {
+    std::ostringstream out;
+    write_compact_net(document, out);
+    return out.str();
+  };
   const NetDocument net = large_net();
   const std::string text = to_text(net);
-  std::ostringstream out;
-  write_compact_net(net, out);
-  const std::string compact = out.str();
+  const std::string compact = to_compact(net);
   const std::size_t row = text.find("\n[", text.size() / 2);
   NetDocument outside = net;
   outside.vertices[100'000].x = 1;
@@ -607,9 +610,9 @@ TEST(Reader, WhatIsWrongWithLargeFilesIsSaidAsOfSmallOnes) {
        {text.substr(0, text.size() - 4), text + "x", text.substr(0, row) + text.substr(row + 2),
         text.substr(0, row) + "\n[0,1e400,0]," + text.substr(row),
         text.substr(0, row) + "\n[0,0,0,0]," + text.substr(row), text.substr(0, row) + "\xff" + text.substr(row),
-        replaced(text, "\"charts\"", "\"cherts\""), to_text(outside), to_text(nowhere),
-        compact.substr(0, compact.size() - 1), compact + '\0', std::string(compact).replace(compact.size() / 2, 1, "?"),
-        std::string(compact).replace(8, 1, "?")}) {
+        replaced(text, "\"charts\"", "\"cherts\""), to_text(outside), to_text(nowhere), to_compact(outside),
+        to_compact(nowhere), compact.substr(0, compact.size() - 1), compact + '\0',
+        std::string(compact).replace(compact.size() / 2, 1, "?"), std::string(compact).replace(8, 1, "?")}) {
     const LargeFile file(bytes);
     EXPECT_FALSE(read_claim_in_pieces(file.path()).has_value());
     EXPECT_NE(file.complaint(), "");
