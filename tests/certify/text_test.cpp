@@ -268,6 +268,7 @@ void expect_exact_around_tie(double value, std::size_t digits) {
   expect_exact(tie);
   expect_exact(tie + std::string(digits, '0'));
   expect_exact(tie + std::string(digits, '0') + '1');
+  expect_exact(tie + std::string(digits, '0') + "10");
   std::string below = tie;
   std::size_t last = below.find_last_not_of(".0");
   --below[last];
