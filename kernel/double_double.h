@@ -13,16 +13,20 @@ namespace epsnet {
 /// (M. Joldeş, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic building blocks of double-word
 /// arithmetic, ACM Trans. Math. Softw. 44 (2017), Algorithms 6 and 11).
 struct DoubleDouble {
-  double high = 0;
-  double low = 0;
+  double high = 0;  ///< The number rounded to binary64.
+  double low = 0;   ///< What is left of it.
 
+  /// 0.
   DoubleDouble() = default;
+  /// A number of binary64, exactly.
   constexpr explicit DoubleDouble(double value) : high(value) {}
+  /// The sum of two numbers of which the second is at most half of an ulp of the first.
   constexpr DoubleDouble(double high_part, double low_part) : high(high_part), low(low_part) {}
   /// Rounded twice: off by at most u² of the value.
   explicit DoubleDouble(const Mp256& value)
       : high(static_cast<double>(value)), low(static_cast<double>(value - high)) {}
 
+  /// Rounded to binary64.
   constexpr explicit operator double() const { return high; }
 };
 
@@ -43,8 +47,10 @@ constexpr DoubleDouble exact_sum_of_ordered(double a, double b) {
 
 }  // namespace double_double_detail
 
+/// −a, exactly.
 [[nodiscard]] constexpr DoubleDouble operator-(const DoubleDouble& a) { return {-a.high, -a.low}; }
 
+/// a + b, off by at most 3.1u² of itself.
 [[nodiscard]] constexpr DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
   using double_double_detail::exact_sum, double_double_detail::exact_sum_of_ordered;
   const DoubleDouble high = exact_sum(a.high, b.high);
@@ -53,8 +59,10 @@ constexpr DoubleDouble exact_sum_of_ordered(double a, double b) {
   return exact_sum_of_ordered(sum.high, low.low + sum.low);
 }
 
+/// a − b, off by at most 3.1u² of itself.
 [[nodiscard]] constexpr DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + -b; }
 
+/// a b, off by at most 7u² of itself.
 [[nodiscard]] inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   const double high = a.high * b.high;
   const double high_error = std::fma(a.high, b.high, -high);
