@@ -217,15 +217,20 @@ TEST(Completeness, ACurveOfLength2Arsinh1IsSmallAndOneThatIsLongerBy1e20IsNot) {
 
 // Balls of few bits: they decide nothing, or less and less, but nothing wrongly.
 
-/// What the rule says at one precision, nothing if the table of the list's chords is not complete.
-std::optional<Verdict> verdict_at(const GeodesicsDocument& document, slong precision) {
+/// What the rule says at one precision, of elements known to another one, somewhere in their balls; nothing if the table
+/// of the list's chords is not complete.
+std::optional<Verdict> verdict_at(const GeodesicsDocument& document, slong precision, slong of_table = 0,
+                                  std::mt19937* random = nullptr) {
   const LiftedNet lifted(document.net, document.geodesics, precision);
+  const LiftedNet of_list(document.net, document.geodesics, of_table == 0 ? precision : of_table);
   const auto firsts = first_darts(lifted.net());
   std::vector<ChordTable::Member> members;
   for (std::size_t i = 0; i < document.geodesics.size(); ++i) {
-    members.push_back({firsts[document.geodesics[i].vertex], lifted.element(i)});
+    members.push_back({firsts[document.geodesics[i].vertex], of_list.element(i)});
+    BallIsometry& element = members.back().element;
+    if (random != nullptr) element = blurred_somehow(element, static_cast<int>((*random)() % 64), *random);
   }
-  const ChordTable table(lifted.plane(), std::move(members), 1);
+  const ChordTable table(of_list.plane(), std::move(members), 1);
   if (!table.complete()) return std::nullopt;
   CompletenessCheck check(document, lifted.evaluator(), {.max_visits = 20'000});
   return check.check(lifted.plane(), table, 1).verdict;
@@ -296,14 +301,23 @@ struct Answers {
   int open = 0;
 };
 
-/// With all numbers of bits up to 64, every answer is the one expected or none.
+/// With all numbers of bits up to 64, and others for the list, every answer is the one expected or none.
 Answers answers(const GeodesicsDocument& document, Verdict expected, const std::string& what) {
   Answers result;
-  for (slong precision = 8; precision <= 64; ++precision) {
-    const auto found = verdict_at(document, precision);
-    if (!found) continue;
-    EXPECT_TRUE(*found == expected || *found == Verdict::undecided) << what << ", " << precision << " bits";
+  std::mt19937 random(1);
+  const auto ask = [&](slong precision, slong of_table, std::mt19937* blur) {
+    const auto found = verdict_at(document, precision, of_table, blur);
+    if (!found) return;
+    EXPECT_TRUE(*found == expected || *found == Verdict::undecided)
+        << what << ", " << precision << " and " << of_table << " bits";
     ++(*found == expected ? result.decided : result.open);
+  };
+  for (slong precision = 8; precision <= 64; ++precision) ask(precision, precision, nullptr);
+  for (slong precision = 9; precision <= 128; precision += 7) {
+    ask(precision, 128, nullptr);
+    ask(128, precision, nullptr);
+    ask(128, 128, &random);
+    ask(64, 128, &random);
   }
   return result;
 }

@@ -580,6 +580,12 @@ class Reference {
     return std::asinh(std::sqrt(h(p, neighbour(dart, p))));
   }
 
+  /// The same for the other diagonal of the two triangles beside the dart.
+  [[nodiscard]] double half_displacement_of_flipped(std::uint32_t dart, Point p) const {
+    const std::uint32_t other = opposite(net_, dart);
+    return std::asinh(std::sqrt(h(p, neighbour(previous_dart(dart), neighbour(next_dart(other), p)))));
+  }
+
   /// Of the triangles of the net with the one vertex p, the greatest radius of a disk that one needs.
   [[nodiscard]] double radius(Point p) const {
     double result = 0;
@@ -645,6 +651,30 @@ TEST(Cover, CellsOfAnEmbeddedDiskAreBoundedAtTheirThreeCorners) {
     }
   }
   EXPECT_GT(tried, 12);
+}
+
+/// At its first corner, the vertex itself, an edge of a triangulation with short edges moves a cell least. The diagonals
+/// that flips make are longer there.
+TEST(Cover, CellsOfAnEmbeddedDiskAreBoundedAtTheCornerWhereTheyBegin) {
+  CoverDocument document = disk();
+  const Reference reference(document.net);
+  document.triangulations.push_back({});
+  const auto row = static_cast<std::uint32_t>(document.triangulations.size());
+  int found = 0;
+  for (std::uint32_t t = 0; t < document.net.triangles.size(); ++t) {
+    const auto halves = reference.halves(t, 1);
+    for (std::uint32_t dart = 0; dart < 18; ++dart) {
+      const auto at = [&](std::size_t cell, std::size_t i) {
+        return reference.half_displacement_of_flipped(dart, halves[cell][i]);
+      };
+      const double bound = at(0, 0);
+      if (bound < 1e-3 + std::max({at(0, 1), at(0, 2), at(1, 1), at(1, 2)})) continue;
+      document.triangulations.back().flips = {dart};
+      const std::uint32_t entry = 3 + 18 * row + dart;
+      found += expect_least_upper_bound(document, t, {1, entry, entry}, bound) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(found, 0);
 }
 
 TEST(Cover, CellsOfADiameterAreBoundedAtTheirThreeCorners) {

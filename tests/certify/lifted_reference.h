@@ -6,6 +6,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <random>
 #include <set>
 #include <string>
 #include <utility>
@@ -45,6 +46,31 @@ inline Key key_of(const Move& f) {
   const Move g = with_sign(f);
   const auto scaled = [](Real x) { return std::lround(x * 1e6); };
   return {scaled(g.first.real()), scaled(g.first.imag()), scaled(g.second.real()), scaled(g.second.imag())};
+}
+
+/// The element, known to so many bits.
+inline BallIsometry blurred(BallIsometry f, int bits) {
+  for (arb_ptr x : {f.a.re(), f.a.im(), f.b.re(), f.b.im()}) {
+    mag_t radius;
+    mag_init(radius);
+    mag_set_ui_2exp_si(radius, 1, -bits);
+    mag_add(arb_radref(x), arb_radref(x), radius);
+    mag_clear(radius);
+  }
+  return f;
+}
+
+/// The element, of which each number is known to some bits, fewer or more, and is anywhere in its ball.
+inline BallIsometry blurred_somehow(BallIsometry f, int bits, std::mt19937& random) {
+  for (arb_ptr x : {f.a.re(), f.a.im(), f.b.re(), f.b.im()}) {
+    const int here = bits - 4 + static_cast<int>(random() % 20);
+    const double shift = static_cast<double>(random() % 1999) / 1000 - 0.999;
+    Ball error;
+    arb_set_d(error.get(), std::ldexp(shift, -here));
+    arb_add(x, x, error.get(), 256);
+    arb_add_error_2exp_si(x, -here);
+  }
+  return f;
 }
 
 inline Real middle(arb_srcptr x) {

@@ -317,6 +317,7 @@ def main():
         wanted = [m for m in select(folder, options)
                   if (key_of(m) not in folder.results if options.command == "all"
                       else folder.results.get(key_of(m), {}).get("how") == "survived" and not argued(groups, m))]
+        wanted.sort(key=lambda m: argued(groups, m) is not None)  # Those that are expected to survive come last.
         for name in runners:
             wanted = run(folder, name, wanted, folder.reach(name), options)
     if not report(folder, options, options.command == "show"):
