@@ -5,18 +5,11 @@
 
 #include "certify/document/darts.h"
 #include "certify/document/text.h"
+#include "certify/geodesics/candidate_judge.h"
 #include "certify/geodesics/orbit_search.h"
 #include "certify/numbers/parallel.h"
 
 namespace epsnet::certify {
-namespace {
-
-/// Bits of two lengths that agree before they are compared exactly.
-constexpr slong kTieBits = 30;
-/// Operations of balls that a candidate takes before its chords are looked for.
-constexpr std::uint64_t kJudgeOperations = 60;
-
-}  // namespace
 
 /// All vertices at one precision.
 class CompletenessCheck::Pass {
@@ -25,13 +18,13 @@ class CompletenessCheck::Pass {
       : check_(check),
         plane_(plane),
         net_(plane.net()),
-        table_(table),
         first_darts_(first_darts(net_)),
-        cosh_half_(check.cosh_half_bound(plane)) {
+        cosh_half_(check.cosh_half_bound(plane)),
+        judge_(check.document_, check.evaluator_, plane, table, cosh_half_) {
     const slong precision = plane.precision();
     Ball cosh_epsilon, squared_sinh;
     set_rational(epsilon_.get(), *parse_decimal(net_.epsilon), precision);
-    arb_sinh_cosh(sinh_epsilon_.get(), cosh_epsilon.get(), epsilon_.get(), precision);
+    arb_cosh(cosh_epsilon.get(), epsilon_.get(), precision);
     // sinh(D/2) = sinh(L/2) cosh ε; cosh D = 1 + 2 sinh²(D/2).
     arb_sqr(squared_sinh.get(), cosh_half_.get(), precision);
     arb_sub_ui(squared_sinh.get(), squared_sinh.get(), 1, precision);
@@ -53,7 +46,7 @@ class CompletenessCheck::Pass {
     Tri answer = Tri::yes;
     const auto report = [&](const BallIsometry& element, const LabelProduct& product) {
       tick();
-      if (inverse_will_do(element)) return Search::go_on;
+      if (CandidateJudge::inverse_will_do(element)) return Search::go_on;
       answer = judge(v, element, product, &place, vertex);
       return answer == Tri::yes ? Search::go_on : Search::stop;
     };
@@ -117,88 +110,21 @@ class CompletenessCheck::Pass {
     return unit_vector(identity_isometry(), net_.vertices[v].x, net_.vertices[v].y, plane_.precision());
   }
 
-  /// Whether another element will be reported for the geodesic, the inverse: it moves the vertex as far, and b changes
-  /// its sign. Of each pair at least one is left.
-  [[nodiscard]] static bool inverse_will_do(const BallIsometry& element) {
-    return certainly_positive(element.a.re()) == Tri::yes && certainly_negative(element.b.im()) == Tri::yes;
-  }
-
-  /// Whether the element, in the chart of vertex v, is no geodesic that the list lacks: `yes` if it is too long, the
-  /// identity, in the list, or (unless `place` is null) if its axis is further than ε from the vertex at `place`.
   [[nodiscard]] Tri judge(std::uint32_t v, const BallIsometry& element, const LabelProduct& product,
                           const BallVector* place, Vertex& vertex) const {
-    plane_.spend(kJudgeOperations);
-    const Tri shorter = certainly_less(cosh_half_length(element).get(), cosh_half_.get());
-    if (shorter == Tri::no) return Tri::yes;
-    const std::uint32_t chart = net_.vertices[v].chart;
-    const Tri trivial = plane_.same(chart, element, identity_isometry());
-    if (trivial == Tri::yes) return Tri::yes;
-    if (place != nullptr && is_far(element, *place)) return Tri::yes;
-    if (trivial == Tri::unknown) return Tri::unknown;
-    ++vertex.candidates;
-    const bool systole = check_.document_.claim == GeodesicsDocument::Claim::systole;
-    const Tri found = systole ? is_no_shorter(element, shorter, product) : is_listed(v, element, shorter, product);
-    if (found == Tri::no) vertex.text = missing_text(v, element, systole ? "is shorter" : "is not in the list");
-    return found;
-  }
-
-  /// Whether an element is at least as long as the systole listed; `shorter` is what balls say of the contrary.
-  [[nodiscard]] Tri is_no_shorter(const BallIsometry& element, Tri shorter, const LabelProduct& product) const {
-    if (shorter == Tri::yes) return Tri::no;
-    if (!is_near_tie(element)) return Tri::unknown;
-    const auto word = check_.evaluator_.word(product());
-    const auto sign = check_.traces_.compare(word, check_.evaluator_.word(check_.first_element()));
-    if (!sign) return Tri::unknown;
-    return *sign < 0 ? Tri::no : Tri::yes;
-  }
-
-  /// Whether lengths that balls do not tell apart are so near that the exact numbers should be asked, not more bits.
-  [[nodiscard]] bool is_near_tie(const BallIsometry& element) const {
-    return arb_rel_accuracy_bits(element.a.re()) >= kTieBits && arb_rel_accuracy_bits(cosh_half_.get()) >= kTieBits;
-  }
-
-  [[nodiscard]] bool is_far(const BallIsometry& element, const BallVector& place) const {
-    Ball distance;
-    dot(distance.get(), axis_row(element, plane_.precision()), place, plane_.precision());
-    arb_abs(distance.get(), distance.get());
-    return certainly_less(sinh_epsilon_.get(), distance.get()) == Tri::yes;
-  }
-
-  /// Whether an element is in the list or too long to have to be there; `shorter` is what balls say of the latter.
-  [[nodiscard]] Tri is_listed(std::uint32_t v, const BallIsometry& element, Tri shorter,
-                              const LabelProduct& product) const {
-    const Tri found = has_chord_in_list(v, element);
-    if (found != Tri::no || shorter == Tri::yes) return found;
-    // It is missing if it is short enough. An `up_to` is never a length, 2 arsinh 1 may be one.
-    if (check_.document_.claim != GeodesicsDocument::Claim::thick_thin || !is_near_tie(element)) return Tri::unknown;
-    const auto sign = check_.traces_.compare_with_short(check_.evaluator_.word(product()));
-    if (!sign) return Tri::unknown;
-    return *sign > 0 ? Tri::yes : Tri::no;
-  }
-
-  [[nodiscard]] Tri has_chord_in_list(std::uint32_t v, const BallIsometry& element) const {
-    const Interval length = translation_length(element, plane_.precision());
-    Tri found = Tri::no;
-    const auto list = find_chords(plane_, first_darts_[v], element, [&](const Chord& chord) {
-      found = either(found, table_.find(chord, length).found);
-      return found != Tri::yes;
-    });
-    return list ? found : Tri::unknown;
-  }
-
-  [[nodiscard]] std::string missing_text(std::uint32_t v, const BallIsometry& element, const char* what) const {
-    return "a closed geodesic near vertex " + std::to_string(v) + " of length in " +
-           to_string(translation_length(element, plane_.precision())) + " " + what;
+    CandidateJudge::Judgement judgement = judge_.judge(v, element, product, place);
+    vertex.candidates += judgement.is_candidate ? 1 : 0;
+    if (judgement.in_order == Tri::no) vertex.text = std::move(judgement.text);
+    return judgement.in_order;
   }
 
   const CompletenessCheck& check_;
   const LiftedPlane& plane_;
   const NetDocument& net_;
-  const ChordTable& table_;
   std::vector<std::uint32_t> first_darts_;
   Ball cosh_half_;
+  CandidateJudge judge_;
   Ball epsilon_;
-  Ball sinh_epsilon_;
   Ball cosh_distance_;
   Ball sinh_distance_;
 };
@@ -207,7 +133,6 @@ CompletenessCheck::CompletenessCheck(const GeodesicsDocument& document, const La
                                      const CheckOptions& options)
     : document_(document),
       evaluator_(evaluator),
-      traces_(evaluator),
       up_to_(document.claim == GeodesicsDocument::Claim::spectrum ? *parse_decimal(document.up_to) : mpq_class()),
       progress_(options.progress),
       limit_(options.max_visits / std::max<std::size_t>(document.net.vertices.size(), 1)),

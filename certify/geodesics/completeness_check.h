@@ -8,7 +8,6 @@
 #include "certify/check.h"
 #include "certify/document/geodesics_document.h"
 #include "certify/geodesics/chord_table.h"
-#include "certify/geodesics/exact_traces.h"
 
 namespace epsnet::certify {
 
@@ -57,7 +56,6 @@ class CompletenessCheck {
 
   const GeodesicsDocument& document_;
   const LabelEvaluator& evaluator_;
-  ExactTraces traces_;
   mpq_class up_to_;                                         ///< Of a spectrum.
   std::function<void(std::string_view, double)> progress_;  ///< As in CheckOptions.
   std::uint64_t limit_;                                     ///< Visits for one vertex.

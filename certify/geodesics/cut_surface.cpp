@@ -63,11 +63,11 @@ class ExactSide {
   const CrossingsOfAKind& crossings_;
 };
 
-/// A chord that separates corner `corner` of its triangle from the other two.
+/// A chord that separates a corner of its triangle from the other two.
 struct Arc {
   ChordTable::Place place;
-  std::uint32_t corner;
   bool corner_is_left;
+  Ball distance;  ///< sinh of that of the corner from the geodesic.
 };
 
 /// Sets of numbers that are joined.
@@ -147,40 +147,26 @@ class Cutter {
     const int sum = (*side)[0] + (*side)[1] + (*side)[2];
     for (std::uint32_t i = 0; i < 3; ++i) {
       // Two corners on one side make a sum of that sign; the third is alone.
-      if (std::abs(sum) == 1 && (*side)[i] == -sum) arcs_[3 * t + i].push_back({place, i, (*side)[i] > 0});
+      if (std::abs(sum) == 1 && (*side)[i] == -sum) arcs_[3 * t + i].push_back({place, (*side)[i] > 0, {}});
     }
     return true;
   }
 
-  /// Sorts the arcs around the corner where the dart starts by their distance from it along the dart.
+  /// Sorts the arcs around the corner where the dart starts by their distance from it.
   bool sort_arcs(std::uint32_t dart) {
-    bool decided = true;
-    // The chord meets the edge from X to Y at X⟨n, Y⟩ − Y⟨n, X⟩ up to a factor: nearer to X the smaller |⟨n, X⟩|/|⟨n,
-    // Y⟩|.
-    const auto nearer = [&](const Arc& x, const Arc& y) {
-      plane_.spend(20);
-      Ball left, right;
-      distance_product(left, x, dart, y, next_dart(dart));
-      distance_product(right, y, dart, x, next_dart(dart));
-      const Tri less = certainly_less(left.get(), right.get());
-      decided = decided && less != Tri::unknown;
-      return less == Tri::yes;
-    };
-    // Insertion, as a comparison that is not decided is no order, which std::sort must not meet.
+    // Arcs are disjoint: one that lies between another and the corner X is nearer to it. sinh of a distance is |⟨n, X⟩|.
     std::vector<Arc>& arcs = arcs_[dart];
-    for (std::size_t i = 1; i < arcs.size(); ++i) {
-      for (std::size_t k = i; k > 0 && nearer(arcs[k], arcs[k - 1]); --k) std::swap(arcs[k], arcs[k - 1]);
+    plane_.spend(10, arcs.size());
+    for (Arc& arc : arcs) {
+      dot(arc.distance.get(), table_.chord(arc.place).axis, plane_.corner(dart), plane_.precision());
+      arb_abs(arc.distance.get(), arc.distance.get());
     }
-    return decided;
-  }
-
-  /// |⟨n, X⟩⟨m, Y⟩| for the arcs' normals n, m and the corners X, Y where two darts start.
-  void distance_product(Ball& result, const Arc& n, std::uint32_t x, const Arc& m, std::uint32_t y) const {
-    Ball factor;
-    dot(result.get(), table_.chord(n.place).axis, plane_.corner(x), plane_.precision());
-    dot(factor.get(), table_.chord(m.place).axis, plane_.corner(y), plane_.precision());
-    arb_mul(result.get(), result.get(), factor.get(), plane_.precision());
-    arb_abs(result.get(), result.get());
+    std::sort(arcs.begin(), arcs.end(), [](const Arc& x, const Arc& y) {
+      return arf_cmp(arb_midref(x.distance.get()), arb_midref(y.distance.get())) < 0;
+    });
+    return std::adjacent_find(arcs.begin(), arcs.end(), [](const Arc& x, const Arc& y) {
+             return certainly_less(x.distance.get(), y.distance.get()) != Tri::yes;
+           }) == arcs.end();
   }
 
   /// Cells of triangle t: the central one, then those around corner 0 outward from it, then corner 1, corner 2.
