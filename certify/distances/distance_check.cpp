@@ -18,8 +18,6 @@
 namespace epsnet::certify {
 namespace {
 
-/// As for geodesics files: each triangle takes a kilobyte.
-constexpr std::size_t kMaxTriangles = std::size_t{1} << 20;
 /// Operations of balls that it takes to compare two elements, and to ask for the distance of a neighbour.
 constexpr std::uint64_t kSameOperations = 120;
 constexpr std::uint64_t kNeighbourOperations = 8;
@@ -459,8 +457,9 @@ Certificate check_distance(const DistanceDocument& document, const CheckOptions&
   // What the net has left of the work.
   const Budget budget(bounded.max_work - certificate.counts.work);
   bounded.max_precision = std::clamp(options.max_precision, kLeastPrecision, kGreatestPrecision);
-  if (document.net.triangles.size() > kMaxTriangles) {
-    conclude(certificate, {{"paths", Verdict::undecided, "the net has more than the limit of 2^20 triangles"}});
+  if (document.net.triangles.size() > options.max_triangles) {
+    conclude(certificate, {{"paths", Verdict::undecided,
+                            "the net has more triangles than the limit, " + std::to_string(options.max_triangles)}});
     return certificate;
   }
   const unsigned threads = options.threads != 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1U);

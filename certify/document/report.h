@@ -31,6 +31,9 @@ struct CheckOptions {
   std::uint64_t max_work = 0;
   /// Geodesics files only: lifted triangles visited; with more, a list is not decided to be complete.
   std::uint64_t max_visits = 100'000'000;
+  /// Geodesics and distance files only: triangles of the net, each of which takes a kilobyte; with more, nothing is
+  /// decided. More vertices than this makes are no help.
+  std::size_t max_triangles = std::size_t{1} << 20;
   /// Whether binary64, with bounds for its errors, is asked before balls (proof.md, section 16). Changes only the time.
   bool filter = true;
   /// Called now and then, from the calling thread only, with a rule's name and the share done, 0 to 1.

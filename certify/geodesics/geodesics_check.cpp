@@ -12,17 +12,13 @@
 #include "certify/geodesics/completeness_check.h"
 #include "certify/geodesics/cut_surface.h"
 #include "certify/geodesics/exact_traces.h"
+#include "certify/geodesics/list_rules.h"
 #include "certify/numbers/parallel.h"
 #include "certify/numbers/precision.h"
 #include "certify/surface_check.h"
 
 namespace epsnet::certify {
 namespace {
-
-/// Triangles of a net at most: each takes a kilobyte, and more vertices than this makes are no help.
-constexpr std::size_t kMaxTriangles = std::size_t{1} << 20;
-
-std::string geodesic_name(std::size_t i) { return "geodesic " + std::to_string(i); }
 
 /// cosh(x/2) of a binary64.
 Ball cosh_half(double x, slong precision) {
@@ -236,60 +232,23 @@ class GeodesicsCheck {
     return *sign == 0 ? Tri::yes : Tri::no;
   }
 
-  // Rule distinct.
+  // Rules distinct and simple.
 
   void check_distinct(const ChordTable& table) {
     std::vector<ChordTable::Match> matches(table.size());
     for_each_parallel(table.size(), threads_,
                       [&](unsigned, std::size_t i) { matches[i] = table.find_other(static_cast<std::uint32_t>(i)); });
-    for (const Tri wanted : {Tri::yes, Tri::unknown}) {
-      for (std::size_t i = 0; i < matches.size(); ++i) {
-        if (matches[i].found != wanted) continue;
-        if (wanted == Tri::unknown) {
-          report(kDistinct, Verdict::undecided,
-                 geodesic_name(i) + ": not decided whether it occurs twice, with " + bits());
-          return;
-        }
-        const std::string power =
-            matches[i].power == 1 ? "" : ", run through " + std::to_string(matches[i].power) + " times";
-        report(kDistinct, Verdict::refuted,
-               geodesic_name(i) + " is " + geodesic_name(matches[i].geodesic) + power + ", up to orientation");
-        return;
-      }
-    }
-    report(kDistinct, Verdict::verified, "no two are the same and none is a power of another");
+    reports_[kDistinct] = distinct_report(matches, precision_);
   }
-
-  // Rule simple.
 
   void check_simple(const ChordTable& table) {
     const bool disjoint = document_.claim == GeodesicsDocument::Claim::thick_thin;
-    std::vector<std::array<Tri, 2>> meets(table.size(), {Tri::no, Tri::no});
+    std::vector<Meetings> meetings(table.size());
     for_each_parallel(table.size(), threads_, [&](unsigned, std::size_t i) {
       const auto geodesic = static_cast<std::uint32_t>(i);
-      meets[i] = {table.crosses_itself(geodesic), disjoint ? table.crosses_another(geodesic) : Tri::no};
+      meetings[i] = {table.crosses_itself(geodesic), disjoint ? table.crosses_another(geodesic) : Tri::no};
     });
-    for (std::size_t i = 0; i < meets.size(); ++i) {
-      const Tri wrong = document_.geodesics[i].simple ? Tri::yes : Tri::no;
-      if (meets[i][0] == wrong || meets[i][1] == Tri::yes) {
-        report(kSimple, Verdict::refuted,
-               geodesic_name(i) + (meets[i][0] != wrong ? " meets another one"
-                                   : wrong == Tri::yes  ? " is not simple"
-                                                        : " is simple"));
-        return;
-      }
-    }
-    for (std::size_t i = 0; i < meets.size(); ++i) {
-      if (meets[i][0] != Tri::unknown && meets[i][1] != Tri::unknown) continue;
-      report(kSimple, Verdict::undecided, geodesic_name(i) + ": not decided what it crosses, with " + bits());
-      return;
-    }
-    const auto simple =
-        std::count_if(document_.geodesics.begin(), document_.geodesics.end(),
-                      [](const GeodesicsDocument::ClosedGeodesic& geodesic) { return geodesic.simple; });
-    report(kSimple, Verdict::verified,
-           std::to_string(simple) + " of " + std::to_string(meets.size()) + " are simple" +
-               (disjoint ? ", and they are pairwise disjoint" : ""));
+    reports_[kSimple] = simple_report(document_.geodesics, meetings, disjoint, precision_);
   }
 
   // Rule pieces.
@@ -388,8 +347,9 @@ Certificate check_geodesics(const GeodesicsDocument& document, const CheckOption
   // What the net has left of the work.
   const Budget budget(bounded.max_work - certificate.counts.work);
   bounded.max_precision = std::clamp(options.max_precision, kLeastPrecision, kGreatestPrecision);
-  if (document.net.triangles.size() > kMaxTriangles) {
-    conclude(certificate, {{"geodesics", Verdict::undecided, "the net has more than the limit of 2^20 triangles"}});
+  if (document.net.triangles.size() > options.max_triangles) {
+    conclude(certificate, {{"geodesics", Verdict::undecided,
+                            "the net has more triangles than the limit, " + std::to_string(options.max_triangles)}});
     return certificate;
   }
   const unsigned threads = options.threads != 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1U);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "certify/document/surface_sides.h"
 #include "certify/geodesics/completeness_check.h"
 #include "certify/geodesics/geodesics_check.h"
 #include "tests/certify/lifted_reference.h"
@@ -204,6 +205,20 @@ TEST(Completeness, ACurveOfLength2Arsinh1IsSmallAndOneThatIsLongerBy1e20IsNot) {
   listed.clusters = exactly.clusters;
   listed.pieces = exactly.pieces;
   EXPECT_EQ(outcome(listed), "REFUTED: geodesics") << "longer than 2 arsinh 1";
+  const auto with_64_bits = [](const GeodesicsDocument& document) {
+    const Certificate certificate = check_geodesics(document, {.threads = 1, .max_precision = 64});
+    return std::string(name(certificate.verdict)) + ": " + certificate.rule;
+  };
+  EXPECT_EQ(with_64_bits(listed), "REFUTED: geodesics") << "by exact numbers alone";
+  // A conjugate whose word is too long for those.
+  std::vector<std::uint32_t>& word = listed.geodesics[0].word;
+  const std::vector<std::uint32_t> short_word = word;
+  word.insert(word.begin(), 100'000, 1);
+  word.insert(word.end(), 100'000, SurfaceSides(listed.net.surface).partner[1]);
+  listed.geodesics[0].length = {1, 3};
+  EXPECT_EQ(with_64_bits(listed), "UNDECIDED: geodesics");
+  listed.geodesics[0] = exactly.geodesics[0];
+  ASSERT_EQ(listed.geodesics[0].word, short_word);
   // It is the shortest of its surface, and no spectrum up to less has it.
   listed.claim = GeodesicsDocument::Claim::spectrum;
   listed.pieces.clear();

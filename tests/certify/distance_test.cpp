@@ -452,6 +452,15 @@ TEST(Distance, ThreadsDoNotMatter) {
   }
 }
 
+TEST(Distance, TooManyTrianglesAreUndecided) {
+  const std::size_t triangles = bolza().net.triangles.size();
+  EXPECT_EQ(check_distance(bolza(), {.threads = 1, .max_triangles = triangles}).verdict, Verdict::verified);
+  const Certificate certificate = check_distance(bolza(), {.threads = 1, .max_triangles = triangles - 1});
+  EXPECT_EQ(certificate.verdict, Verdict::undecided);
+  EXPECT_EQ(certificate.rule, "paths");
+  EXPECT_THAT(certificate.message, HasSubstr("more triangles than the limit, " + std::to_string(triangles - 1)));
+}
+
 TEST(Distance, TooLittleWorkOrPrecisionIsUndecided) {
   const std::uint64_t all = checked(across_a_cuff()).counts.work;
   EXPECT_EQ(check_distance(across_a_cuff(), {.threads = 2, .max_work = all}).verdict, Verdict::verified);

@@ -15,6 +15,7 @@
 #include "certify/file/writer.h"
 #include "certify/geodesics/chord_table.h"
 #include "certify/geodesics/geodesics_check.h"
+#include "certify/geodesics/list_rules.h"
 #include "certify/geodesics/orbit_search.h"
 #include "certify/surface_check.h"
 #include "tests/certify/far_words.h"
@@ -477,6 +478,16 @@ TEST(Geodesics, TooManyVisitsAreUndecided) {
   EXPECT_LT(certificate.geodesics->lifted_triangles, 2000U);
 }
 
+TEST(Geodesics, TooManyTrianglesAreUndecided) {
+  const GeodesicsDocument document = systole(bolza());
+  const std::size_t triangles = document.net.triangles.size();
+  EXPECT_EQ(check_geodesics(document, {.threads = 1, .max_triangles = triangles}).verdict, Verdict::verified);
+  const Certificate certificate = check_geodesics(document, {.threads = 1, .max_triangles = triangles - 1});
+  EXPECT_EQ(certificate.verdict, Verdict::undecided);
+  EXPECT_EQ(certificate.rule, "geodesics");
+  EXPECT_THAT(certificate.message, HasSubstr("more triangles than the limit, " + std::to_string(triangles - 1)));
+}
+
 TEST(Geodesics, AWrongSimpleIsRefuted) {
   const GeodesicsDocument good = spectrum(bolza(), "6.8", 6);
   EXPECT_EQ(outcome(good), "VERIFIED");
@@ -818,6 +829,76 @@ TEST(Geodesics, WideBallsDecideNothing) {
   }
   EXPECT_GT(decided, 3);
   EXPECT_GT(open, 3);
+}
+
+// What is known of single geodesics, and what follows for the list.
+
+constexpr std::array kAnswers{Tri::no, Tri::yes, Tri::unknown};
+
+TEST(ListRules, AreDistinctIfNoneIsKnownToBeAnotherAndNoneOpen) {
+  for (const Tri x : kAnswers) {
+    for (const Tri y : kAnswers) {
+      for (const Tri z : kAnswers) {
+        const std::vector<ChordTable::Match> matches{{x, 7, 1}, {y, 8, 2}, {z, 9, 1}};
+        const RuleReport report = distinct_report(matches, 64);
+        EXPECT_EQ(report.rule, "distinct");
+        const auto first = [&](Tri wanted) { return x == wanted ? "0" : y == wanted ? "1" : z == wanted ? "2" : ""; };
+        const std::string same = first(Tri::yes), open = first(Tri::unknown);
+        if (!same.empty()) {
+          EXPECT_EQ(report.verdict, Verdict::refuted);
+          EXPECT_THAT(report.text, HasSubstr("geodesic " + same + " is geodesic "));
+          EXPECT_EQ(report.text.find("2 times") != std::string::npos, same == "1");
+        } else if (!open.empty()) {
+          EXPECT_EQ(report.verdict, Verdict::undecided);
+          EXPECT_EQ(report.text, "geodesic " + open + ": not decided whether it occurs twice, with 64 bits");
+        } else {
+          EXPECT_EQ(report.verdict, Verdict::verified);
+        }
+      }
+    }
+  }
+}
+
+TEST(ListRules, AreSimpleAsSaidAndDisjointIfNothingIsOpen) {
+  for (const Tri itself : kAnswers) {
+    for (const Tri another : kAnswers) {
+      for (const bool simple : {false, true}) {
+        for (const std::size_t i : {0U, 1U, 2U}) {
+          // All but one are simple, and cross no other.
+          std::vector<GeodesicsDocument::ClosedGeodesic> geodesics(3);
+          for (auto& geodesic : geodesics) geodesic.simple = true;
+          geodesics[i].simple = simple;
+          std::vector<Meetings> meetings(3);
+          meetings[i] = {itself, another};
+          const bool disjoint = another != Tri::no;
+          const RuleReport report = simple_report(geodesics, meetings, disjoint, 64);
+          const std::string name = "geodesic " + std::to_string(i);
+          if (itself == (simple ? Tri::yes : Tri::no)) {
+            EXPECT_EQ(report.verdict, Verdict::refuted);
+            EXPECT_EQ(report.text, name + (simple ? " is not simple" : " is simple"));
+          } else if (another == Tri::yes) {
+            EXPECT_EQ(report.verdict, Verdict::refuted);
+            EXPECT_EQ(report.text, name + " meets another one");
+          } else if (itself == Tri::unknown || another == Tri::unknown) {
+            EXPECT_EQ(report.verdict, Verdict::undecided);
+            EXPECT_EQ(report.text, name + ": not decided what it crosses, with 64 bits");
+          } else {
+            EXPECT_EQ(report.verdict, Verdict::verified);
+            EXPECT_EQ(report.text, std::to_string(simple ? 3 : 2) + " of 3 are simple");
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(ListRules, WhatIsRefutedCountsMoreThanWhatIsOpenBeforeIt) {
+  std::vector<GeodesicsDocument::ClosedGeodesic> geodesics(2);
+  geodesics[1].simple = true;
+  const RuleReport report =
+      simple_report(geodesics, std::vector<Meetings>{{Tri::unknown, Tri::no}, {Tri::yes, Tri::no}}, false, 64);
+  EXPECT_EQ(report.verdict, Verdict::refuted);
+  EXPECT_EQ(report.text, "geodesic 1 is not simple");
 }
 
 TEST(ThickThin, IsASpectrumAndBeginsWithTheSystole) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <map>
+#include <set>
 #include <numeric>
 #include <string>
 
@@ -331,6 +332,47 @@ TEST(GeometryCheck, EveryCircumradiusAndLengthOfSeveralBlocksIsMeasured) {
     const bool refuted = std::any_of(found.reports.begin(), found.reports.end(),
                                      [](const RuleReport& report) { return report.verdict == Verdict::refuted; });
     EXPECT_TRUE(refuted) << t << found.reports[0].text << found.reports[2].text;
+  }
+}
+
+/// The net with a corner of one triangle moved; its neighbours stay where they are.
+NetDocument with_moved_corner(NetDocument document, std::size_t t, std::size_t corner, Point by) {
+  const NetDocument::Vertex& old = document.vertices[document.triangles[t].vertex[corner]];
+  const NetDocument::Vertex moved{old.x + by.real(), old.y + by.imag(), old.chart};
+  document.triangles[t].vertex[corner] = static_cast<std::uint32_t>(document.vertices.size());
+  document.vertices.push_back(moved);
+  return document;
+}
+
+TEST(GeometryCheck, MeasuresAreTheSameWithTheFilterWhicheverTriangleIsTheExtreme) {
+  // `outcome` compares. Triangles whose corners carry the identity are those that the filter answers.
+  const NetDocument one = load("certify/verified/octagon-33-vertices.json");
+  const NetDocument many = copies(one, 2 + 4096 / static_cast<std::uint32_t>(one.triangles.size()));
+  const auto is_plain = [](const NetDocument::Triangle& triangle) {
+    return triangle.label == std::array<std::uint32_t, 2>{0, 0};
+  };
+  std::set<double> shortest, longest, widest;
+  const auto ask = [&](const NetDocument& document) {
+    const GeometryOutcome found = outcome(document, 2);
+    shortest.insert(found.shortest_edge->lower);
+    longest.insert(found.longest_edge.lower);
+    widest.insert(found.largest_circumradius.lower);
+  };
+  ask(one);
+  for (std::size_t t = 0; t < one.triangles.size(); ++t) {
+    if (!is_plain(one.triangles[t])) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (const Point by : {Point{0.02, 0.01}, {-0.015, 0.02}, {0.07, -0.05}}) ask(with_moved_corner(one, t, i, by));
+    }
+  }
+  EXPECT_GT(shortest.size(), 10U);
+  EXPECT_GT(longest.size(), 5U);
+  EXPECT_GT(widest.size(), 10U);
+  for (const std::size_t near : {0U, 2040U, 2048U, 4088U, 4096U}) {
+    std::size_t t = near;
+    while (!is_plain(many.triangles[t])) ++t;
+    ask(with_moved_corner(many, t, 0, {0.07, -0.05}));
+    ask(with_moved_corner(many, t, 1, {-0.02, 0.03}));
   }
 }
 

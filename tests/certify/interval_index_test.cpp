@@ -37,6 +37,12 @@ TEST(IntervalIndex, FindsThePowersOfTwoAtWhichWidthsChangeTheirExponent) {
   }
 }
 
+TEST(IntervalIndex, RoundsWidthsUp) {
+  // 2 + 2⁻⁶⁰ is 2 in binary64, which is not the width.
+  EXPECT_EQ(index_of({{-0x1p-60, 2}}).near({2, 2}), (Items{0}));
+  EXPECT_EQ(index_of({{-0x1p-600, 1}}).near({1, 3}), (Items{0}));
+}
+
 TEST(IntervalIndex, KnowsNothingOfIntervalsWithoutEnds) {
   constexpr double kGreatest = std::numeric_limits<double>::max();
   const IntervalIndex index =

@@ -259,5 +259,23 @@ TEST(LiftedPlane, ElementsOfWhichNoSignIsKnownAreNotToldApart) {
   EXPECT_EQ(lifted.plane().same(chart, g, f), Tri::unknown);
 }
 
+TEST(LiftedPlane, WithoutADiskNoElementsAreTheSame) {
+  // A tile that is too thin for a disk to be found in it: the group is not discrete for all that is known.
+  const NetDocument net = net_of("octagon-9-vertices.json");
+  SurfaceOutcome surface = check_surface(net.surface, 1);
+  LabelParts parts{std::move(surface.crossings), {}, {}};
+  for (const NetDocument::Chart& chart : net.charts) parts.frames.push_back(translation_to(exact_point(chart.centre)));
+  const LabelEvaluator evaluator(net, parts);
+  NetDocument thin = net;
+  const mpq_class height(mpz_class(1), mpz_class("1" + std::string(60, '0')));
+  thin.surface.tiles = {{{0, 0}, {{1, 2}, 0}, {{1, 4}, height}}};
+  const LiftedPlane plane(thin, evaluator, parts, 128, 64, 1);
+  const LiftedPlane known(net, evaluator, parts, 128, 64, 1);
+  const BallIsometry one = identity_isometry();
+  EXPECT_EQ(known.same(0, one, one), Tri::yes);
+  EXPECT_EQ(plane.same(0, one, one), Tri::unknown);
+  EXPECT_EQ(plane.same(0, one, with_wide_b(one, 1)), Tri::unknown);
+}
+
 }  // namespace
 }  // namespace epsnet::certify
