@@ -753,6 +753,25 @@ def cone_angle_of_6_pi():
     return net_of_tiles(tiles * 3, branched(opposite, dart, 3), "1")
 
 
+@refuted("surface", says="vertex 0 of tile 0 add up to 2 full turns")
+def cone_angle_of_4_pi_in_large_steps():
+    """Isosceles triangles around a point, four with the angle arg (3 + 4i) and four with π less that: the angle 4π.
+
+    A step of the large angle leads from below the positive axis to far behind it. (The other corner does not close up.)
+    """
+    document = octagon()
+    small = Gaussian(Fraction(3, 5), Fraction(4, 5))
+    large = Gaussian(Fraction(-3, 5), Fraction(4, 5))
+    half = Fraction(1, 2)
+    tiles = [[Gaussian(0), Gaussian(half), Gaussian(half) * turn] for turn in [small] * 4 + [large] * 4]
+    document["surface"]["tiles"] = [[[rational(z.re), rational(z.im)] for z in tile] for tile in tiles]
+    legs = [[k, 2, (k + 1) % 8, 0] for k in range(8)]
+    document["surface"]["gluing"] = legs + [[0, 1, 2, 1], [1, 1, 3, 1], [4, 1, 6, 1], [5, 1, 7, 1]]
+    document["charts"] = [[0, "0", "0"]]
+    document["vertices"], document["labels"], document["triangles"] = [[0, 0.0, 0.0]], [], []
+    return document
+
+
 @refuted("surface", says="do not close up")
 def cone_angle_of_2_pi_and_1e_9():
     """An octagon with equal opposite sides whose angles add up to 2π + 10⁻⁹, nearly."""
