@@ -145,6 +145,7 @@ TEST(CandidateJudge, ComparesWithASystoleExactly) {
   EXPECT_GT(expect_no_other(right, 0, right.element(0), Tri::yes, "the systole itself").right, 50);
   EXPECT_GT(expect_no_other(right, 1, right.element(1), Tri::yes, "the next one").right, 50);
   EXPECT_GT(expect_no_other(wrong, 0, wrong.element(0), Tri::no, "a shorter one").right, 50);
+  EXPECT_GT(expect_no_other(right, 0, identity_isometry(), Tri::yes, "the identity").right, 50);
   // With 34 bits balls tell nothing, and exact numbers are asked; with 20 they are not.
   EXPECT_EQ(wrong(0, blurred(wrong.element(0), 34)), Tri::no);
   EXPECT_EQ(right(1, blurred(right.element(1), 34)), Tri::yes);
@@ -160,6 +161,12 @@ TEST(CandidateJudge, ComparesWith2Arsinh1Exactly) {
   EXPECT_GT(expect_no_other(missing, 0, missing.element(0), Tri::no, "missing").right, 50);
   EXPECT_EQ(missing(0, blurred(missing.element(0), 34)), Tri::no);
   EXPECT_EQ(missing(0, blurred(missing.element(0), 20)), Tri::unknown);
+  for (int bits = 0; bits < 60; ++bits) {
+    // Of a known length, somewhere.
+    BallIsometry f = listed.element(0);
+    for (arb_ptr x : {f.a.im(), f.b.re(), f.b.im()}) arb_add_error_2exp_si(x, -bits);
+    EXPECT_NE(listed(0, f), Tri::no) << bits;
+  }
   GeodesicsDocument more = load("no-curve-of-2-arsinh-1-and-1e-20-more.json");
   more.geodesics = exactly.geodesics;
   const Judged longer(more, {}, Claim::thick_thin);

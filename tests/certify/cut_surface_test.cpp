@@ -234,6 +234,18 @@ TEST(CutSurface, SaysNothingRatherThanSomethingWrong) {
   EXPECT_GT(none, 10U);
 }
 
+TEST(CutSurface, LeavesOpenInWhichOrderArcsLie) {
+  // A curve and itself, which balls do not tell apart, alone and with another one.
+  const Bolza bolza("regular-2-10-vertices.json");
+  for (const auto& set : sets_of_disjoint(bolza)) {
+    if (set.size() > 2) continue;
+    std::vector<std::uint32_t> twice = set;
+    twice.push_back(set[0]);
+    EXPECT_TRUE(bolza.cut(set, bolza.table(set)).has_value());
+    EXPECT_FALSE(bolza.cut(twice, bolza.table(twice)).has_value()) << set[0];
+  }
+}
+
 /// With few bits, where few of a curve's corners lie certainly on a side.
 void expect_exact_sides(const std::string& name, int least_bits, std::size_t step, const Word& detour) {
   const Bolza exact(name, 512);
