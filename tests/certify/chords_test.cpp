@@ -226,6 +226,76 @@ TEST(Chords, AreAllFoundOrNone) {
   EXPECT_GT(none, 500U);
 }
 
+/// The translation by 2 along the line from p to q.
+Move along(Complex p, Complex q) {
+  const Move to_p{1 / std::sqrt(1 - std::norm(p)), p / std::sqrt(1 - std::norm(p))};
+  const Complex w = image(inverted(to_p), q);
+  return to_p * Move{std::cosh(Real{1}), std::sinh(Real{1}) * w / std::abs(w)} * inverted(to_p);
+}
+
+/// The key of an axis (chords.cpp).
+Real key_number(const Move& f) {
+  const Real sinh = std::sqrt(f.first.real() * f.first.real() - 1);
+  return std::abs(-577 * f.second.imag() + 341 * f.second.real() + 199 * f.first.imag()) / sinh;
+}
+
+BallIsometry to_ball(const Move& f) {
+  BallIsometry result;
+  const auto set = [](arb_ptr x, Real value) {
+    arb_set_d(x, static_cast<double>(value));
+    Ball rest;
+    arb_set_d(rest.get(), static_cast<double>(value - Real{static_cast<double>(value)}));
+    arb_add(x, x, rest.get(), 128);
+  };
+  set(result.a.re(), f.first.real());
+  set(result.a.im(), f.first.imag());
+  set(result.b.re(), f.second.real());
+  set(result.b.im(), f.second.imag());
+  choose_sign(result);
+  return result;
+}
+
+TEST(Chords, AreToldApartWhereTheirKeysAreEqual) {
+  // Lines, of no element of the group, that meet two lifts of a triangle so that the keys are equal there: chords are
+  // two all the same.
+  const NetDocument net = net_of("regular-2-4-rotated-vertices.json");
+  const Reference reference(net);
+  const LiftedNet lifted(net);
+  int found = 0;
+  for (const std::uint32_t t : {0U, 3U, 7U}) {
+    const auto inside = [&](Real weight) {
+      Complex sum = 0;
+      const std::array<Real, 3> weights{weight, (1 - weight) / 2, (1 - weight) / 2};
+      for (std::uint32_t i = 0; i < 3; ++i) sum += weights[i] * reference.corner(3 * t + i);
+      return sum;
+    };
+    for (const Lift& lift : reference.lifts(t, inside(0.4L), 2.5L)) {
+      if (lift.triangle != t || key_of(lift.to_chart) == key_of({1, 0})) continue;
+      const auto line = [&](Real weight) { return along(inside(weight), image(inverted(lift.to_chart), inside(0.3L))); };
+      const auto there = [&](Real weight) { return lift.to_chart * line(weight) * inverted(lift.to_chart); };
+      const auto difference = [&](Real weight) { return key_number(line(weight)) - key_number(there(weight)); };
+      Real low = 0.15L, high = 0.85L;
+      if (difference(low) * difference(high) > 0) continue;
+      const bool rises = difference(low) < 0;
+      for (int step = 0; step < 60; ++step) {
+        const Real middle = (low + high) / 2;
+        ((difference(middle) < 0) == rises ? low : high) = middle;
+      }
+      // As seen from the vertex where dart 3t starts, in whose chart the triangle is.
+      int seen = 0;
+      bool is_there = false;
+      const auto list = find_chords(lifted.plane(), 3 * t, blurred(to_ball(line(low)), 40), [&](const Chord& chord) {
+        is_there = is_there || (chord.triangle == t && key_of(middle(chord.element)) == key_of(there(low)));
+        return !is_there && ++seen < 40;
+      });
+      EXPECT_TRUE(list.has_value()) << t;
+      EXPECT_TRUE(is_there) << t;
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 3);
+}
+
 TEST(Chords, AreNotFoundWhereAllCornersMayLieOnOneSide) {
   // Two triangles back to back, which are no triangulation: one corner on the axis, so that its side is not decided.
   NetDocument net;
