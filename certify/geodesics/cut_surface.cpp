@@ -154,7 +154,8 @@ class Cutter {
 
   /// Sorts the arcs around the corner where the dart starts by their distance from it.
   bool sort_arcs(std::uint32_t dart) {
-    // Arcs are disjoint: one that lies between another and the corner X is nearer to it. sinh of a distance is |⟨n, X⟩|.
+    // Arcs are disjoint: one that lies between another and the corner X is nearer to it. sinh of a distance is |⟨n,
+    // X⟩|.
     std::vector<Arc>& arcs = arcs_[dart];
     plane_.spend(10, arcs.size());
     for (Arc& arc : arcs) {

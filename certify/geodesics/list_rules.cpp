@@ -38,7 +38,8 @@ RuleReport simple_report(std::span<const GeodesicsDocument::ClosedGeodesic> geod
     return {"simple", Verdict::undecided,
             geodesic_name(i) + ": not decided what it crosses, with " + std::to_string(precision) + " bits"};
   }
-  const auto simple = std::count_if(geodesics.begin(), geodesics.end(), [](const auto& geodesic) { return geodesic.simple; });
+  const auto simple =
+      std::count_if(geodesics.begin(), geodesics.end(), [](const auto& geodesic) { return geodesic.simple; });
   return {"simple", Verdict::verified,
           std::to_string(simple) + " of " + std::to_string(meetings.size()) + " are simple" +
               (disjoint ? ", and they are pairwise disjoint" : "")};

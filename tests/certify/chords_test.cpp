@@ -65,8 +65,7 @@ std::vector<GeodesicsDocument::ClosedGeodesic> words_at(std::uint32_t vertex,
 
 using Words = std::vector<std::vector<std::uint32_t>>;
 
-const Words kWords{{0},       {1},          {7},          {0, 1},       {0, 3},
-                                                     {0, 2, 5}, {0, 1, 6, 6}, {3, 0, 1, 7}, {2, 2, 0, 5}, {0, 0, 1}};
+const Words kWords{{0}, {1}, {7}, {0, 1}, {0, 3}, {0, 2, 5}, {0, 1, 6, 6}, {3, 0, 1, 7}, {2, 2, 0, 5}, {0, 0, 1}};
 
 BallIsometry carried(const BallIsometry& f, const BallIsometry& g) {
   BallIsometry result = compose(compose(f, g, 128), inverse(f), 128);
@@ -189,7 +188,8 @@ void expect_all(const ChordList& list, const std::map<PairKey, std::array<int, 3
   EXPECT_GE(list.chords.size(), expected.size()) << what;
   for (const auto& [pair, sides] : expected) {
     bool found = false;
-    for (const Chord& chord : list.chords) found = found || (chord.triangle == pair.first && may_be(chord, pair.second));
+    for (const Chord& chord : list.chords)
+      found = found || (chord.triangle == pair.first && may_be(chord, pair.second));
     EXPECT_TRUE(found) << what;
   }
 }
@@ -271,7 +271,9 @@ TEST(Chords, AreToldApartWhereTheirKeysAreEqual) {
     };
     for (const Lift& lift : reference.lifts(t, inside(0.4L), 2.5L)) {
       if (lift.triangle != t || key_of(lift.to_chart) == key_of({1, 0})) continue;
-      const auto line = [&](Real weight) { return along(inside(weight), image(inverted(lift.to_chart), inside(0.3L))); };
+      const auto line = [&](Real weight) {
+        return along(inside(weight), image(inverted(lift.to_chart), inside(0.3L)));
+      };
       const auto there = [&](Real weight) { return lift.to_chart * line(weight) * inverted(lift.to_chart); };
       const auto difference = [&](Real weight) { return key_number(line(weight)) - key_number(there(weight)); };
       Real low = 0.15L, high = 0.85L;
@@ -535,8 +537,8 @@ TEST(ChordTable, FindsPowersAndCrossingsHoweverWellEachGeodesicIsKnown) {
       for (std::size_t i = 0; i < words.size(); ++i) {
         const BallIsometry element = exact.lifted.element(i);
         const int bits = static_cast<int>(random() % 40);
-        members.push_back({first_darts(exact.lifted.net())[0],
-                           bits > 30 ? element : blurred_somehow(element, bits, random)});
+        members.push_back(
+            {first_darts(exact.lifted.net())[0], bits > 30 ? element : blurred_somehow(element, bits, random)});
       }
       const ChordTable table(exact.lifted.plane(), std::move(members), 1);
       if (!table.complete()) continue;
@@ -576,9 +578,12 @@ TEST(ChordTable, ComparesAxesThatLeadAlongEdges) {
     return ChordTable(lifted.plane(), std::move(members), 1);
   };
   const std::vector<std::pair<std::vector<std::size_t>, std::vector<Tri>>> cases{
-      {{0, 1}, {Tri::yes, Tri::yes}},         {{0, 2}, {Tri::no, Tri::no}},
-      {{0, 3}, {Tri::yes, Tri::yes}},         {{2, 0, 1}, {Tri::no, Tri::yes, Tri::yes}},
-      {{4, 1, 2}, {Tri::yes, Tri::no, Tri::no}}, {{0}, {Tri::no}}};
+      {{0, 1}, {Tri::yes, Tri::yes}},
+      {{0, 2}, {Tri::no, Tri::no}},
+      {{0, 3}, {Tri::yes, Tri::yes}},
+      {{2, 0, 1}, {Tri::no, Tri::yes, Tri::yes}},
+      {{4, 1, 2}, {Tri::yes, Tri::no, Tri::no}},
+      {{0}, {Tri::no}}};
   for (const auto& [listed, expected] : cases) {
     const ChordTable exact = table_of(listed, 1000);
     ASSERT_TRUE(exact.complete());

@@ -232,8 +232,8 @@ TEST(Completeness, ACurveOfLength2Arsinh1IsSmallAndOneThatIsLongerBy1e20IsNot) {
 
 // Balls of few bits: they decide nothing, or less and less, but nothing wrongly.
 
-/// What the rule says at one precision, of elements known to another one, somewhere in their balls; nothing if the table
-/// of the list's chords is not complete.
+/// What the rule says at one precision, of elements known to another one, somewhere in their balls; nothing if the
+/// table of the list's chords is not complete.
 std::optional<Verdict> verdict_at(const GeodesicsDocument& document, slong precision, slong of_table = 0,
                                   std::mt19937* random = nullptr) {
   const LiftedNet lifted(document.net, document.geodesics, precision);

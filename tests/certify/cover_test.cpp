@@ -653,8 +653,8 @@ TEST(Cover, CellsOfAnEmbeddedDiskAreBoundedAtTheirThreeCorners) {
   EXPECT_GT(tried, 12);
 }
 
-/// At its first corner, the vertex itself, an edge of a triangulation with short edges moves a cell least. The diagonals
-/// that flips make are longer there.
+/// At its first corner, the vertex itself, an edge of a triangulation with short edges moves a cell least. The
+/// diagonals that flips make are longer there.
 TEST(Cover, CellsOfAnEmbeddedDiskAreBoundedAtTheCornerWhereTheyBegin) {
   CoverDocument document = disk();
   const Reference reference(document.net);

@@ -92,8 +92,8 @@ class Bolza {
     std::vector<ChordTable::Member> members;
     for (const std::uint32_t i : curves) {
       const BallIsometry f = lifted_.element(i);
-      members.push_back({first_darts(lifted_.net())[0],
-                         random != nullptr ? blurred_somehow(f, bits, *random) : blurred(f, bits)});
+      members.push_back(
+          {first_darts(lifted_.net())[0], random != nullptr ? blurred_somehow(f, bits, *random) : blurred(f, bits)});
     }
     return {lifted_.plane(), std::move(members), 1};
   }

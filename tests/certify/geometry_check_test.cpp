@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <map>
-#include <set>
 #include <numeric>
+#include <set>
 #include <string>
 
 #include "certify/check.h"
