@@ -12,9 +12,11 @@
 
 #include "certify/check.h"
 #include "certify/document/darts.h"
+#include "certify/document/text.h"
 #include "certify/file/reader.h"
 #include "certify/lifted_triangle.h"
 #include "certify/surface_check.h"
+#include "tests/certify/turned.h"
 
 /// What is measured of lifted triangles, against the definitions in binary64, and the rules about them alone, on
 /// documents that need not be nets.
@@ -365,6 +367,17 @@ TEST(GeometryCheck, MeasuresAreTheSameWithTheFilterWhicheverTriangleIsTheExtreme
       for (const Point by : {Point{0.02, 0.01}, {-0.015, 0.02}, {0.07, -0.05}}) ask(with_moved_corner(one, t, i, by));
     }
   }
+  // The first of those that the filter answers as the extreme.
+  std::size_t first = 0;
+  while (!is_plain(one.triangles[first])) ++first;
+  for (int k = 0; k < 32; ++k) ask(with_moved_corner(one, first, k % 3, std::polar(0.05 * (1 + k / 8), 0.8 * k)));
+  // Any ε: what is refuted is refuted, whoever is asked.
+  for (const char* epsilon :
+       {"0.01", "0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9", "1.1", "1.5", "3"}) {
+    NetDocument document = one;
+    document.epsilon = epsilon;
+    ask(document);
+  }
   EXPECT_GT(shortest.size(), 10U);
   EXPECT_GT(longest.size(), 5U);
   EXPECT_GT(widest.size(), 10U);
@@ -373,6 +386,33 @@ TEST(GeometryCheck, MeasuresAreTheSameWithTheFilterWhicheverTriangleIsTheExtreme
     while (!is_plain(many.triangles[t])) ++t;
     ask(with_moved_corner(many, t, 0, {0.07, -0.05}));
     ask(with_moved_corner(many, t, 1, {-0.02, 0.03}));
+  }
+}
+
+TEST(GeometryCheck, AnOpenQuestionOfAnyEdgeLeavesItsRuleOpen) {
+  // ε is the length of the shortest edge, to within 2⁻¹⁰⁰. The edge has each of the three numbers in its triangle.
+  NetDocument document = load("certify/verified/octagon-33-vertices.json");
+  const auto packing = [&](const mpq_class& epsilon, slong bits) {
+    document.epsilon = epsilon.get_str();
+    const Setting setting(document);
+    return rule(check_geometry(document, setting.evaluator, {.max_precision = bits, .filter = false}, 1), "packing");
+  };
+  mpq_class low(*parse_decimal(document.epsilon)), high = low * 2;
+  ASSERT_EQ(packing(low, 256).verdict, Verdict::verified);
+  for (int step = 0; step < 100; ++step) {
+    const mpq_class middle = (low + high) / 2;
+    (packing(middle, 256).verdict == Verdict::refuted ? high : low) = middle;
+  }
+  const std::string prefix = "the edge of dart ";
+  const std::string refuted = packing(high, 256).text;
+  ASSERT_TRUE(refuted.starts_with(prefix)) << refuted;
+  const auto dart = static_cast<std::uint32_t>(std::stoul(refuted.substr(prefix.size())));
+  for (std::uint32_t turn = 0; turn < 3; ++turn) {
+    const RuleReport report = packing(low, 64);
+    EXPECT_EQ(report.verdict, Verdict::undecided) << turn;
+    const std::uint32_t here = dart / 3 * 3 + (dart % 3 + 2 * turn) % 3;
+    EXPECT_TRUE(report.text.starts_with(prefix + std::to_string(here) + " from ")) << report.text;
+    document = turned(document, dart / 3);
   }
 }
 
