@@ -201,6 +201,30 @@ TEST(RegularNumber, ConjugatesOfTurnsAreWithinTheirBounds) {
   }
 }
 
+TEST(RegularNumber, EmbeddingsHaveTheirLogarithmsRoundedUp) {
+  // θ = kπ/(2g) for k prime to 4g below 2g; s² = cot²(θ/2) − 1 = cos θ/sin²(θ/2).
+  for (std::uint32_t genus = 2; genus < 40; ++genus) {
+    const RegularRing ring(genus);
+    std::size_t number = 0;
+    for (std::uint32_t k = 1; k < 2 * genus; ++k) {
+      if (std::gcd(k, 4 * genus) != 1) continue;
+      ASSERT_LT(number, ring.embeddings().size());
+      const RegularRing::Embeddings& at = ring.embeddings()[number++];
+      const long double theta = std::acos(-1.0L) * k / (2 * genus);
+      const long double sine = std::sin(theta / 2);
+      const auto expect_rounded_up = [&](std::int64_t log, long double x) {
+        const long double exact = RegularRing::kLogScale * std::log2(x);
+        EXPECT_GE(static_cast<long double>(log), exact) << genus << ", " << k;
+        EXPECT_LT(static_cast<long double>(log), exact + 1) << genus << ", " << k;
+      };
+      expect_rounded_up(at.log_s, std::sqrt(std::abs(std::cos(theta))) / sine);
+      expect_rounded_up(at.log_inverse_sine, 1 / sine);
+      EXPECT_EQ(at.s_is_real, theta < std::acos(-1.0L) / 2) << genus << ", " << k;
+    }
+    EXPECT_EQ(number, ring.embeddings().size()) << genus;
+  }
+}
+
 TEST(RegularNumber, GaussianIntegersAreANumberOfTheRing) {
   const RegularRing ring(5);
   const Gaussian x{-7, 3};
