@@ -370,7 +370,10 @@ TEST(GeometryCheck, MeasuresAreTheSameWithTheFilterWhicheverTriangleIsTheExtreme
   // The first of those that the filter answers as the extreme.
   std::size_t first = 0;
   while (!is_plain(one.triangles[first])) ++first;
-  for (int k = 0; k < 32; ++k) ask(with_moved_corner(one, first, k % 3, std::polar(0.05 * (1 + k / 8), 0.8 * k)));
+  for (std::size_t k = 0; k < 32; ++k) {
+    ask(with_moved_corner(one, first, k % 3,
+                          std::polar(0.05 * static_cast<double>(1 + k / 8), 0.8 * static_cast<double>(k))));
+  }
   // Any ε: what is refuted is refuted, whoever is asked.
   for (const char* epsilon :
        {"0.01", "0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.7", "0.8", "0.9", "1.1", "1.5", "3"}) {
