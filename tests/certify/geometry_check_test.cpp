@@ -7,6 +7,8 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
+#include <random>
 #include <set>
 #include <string>
 
@@ -286,6 +288,36 @@ TEST(LiftedTriangle, QuotientsContainEveryQuotient) {
   EXPECT_LT(from_zero.upper, 3.001);
 }
 
+TEST(LiftedTriangle, QuotientsAreRoundedOutward) {
+  // Midpoints of 64 bits, which binary64 rounds, and radii about the size of what it leaves.
+  std::mt19937_64 random(1);
+  struct Number {
+    Ball ball;
+    mpq_class lower, upper;
+  };
+  const auto number = [&] {
+    Number result;
+    const mpz_class middle = mpz_class(static_cast<unsigned long>(random())) | (mpz_class(1) << 63);
+    const auto exponent = static_cast<slong>(random() % 40) - 80;
+    set_integer(result.ball.get(), middle, 128);
+    arb_mul_2exp_si(result.ball.get(), result.ball.get(), exponent);
+    if (random() % 4 != 0) arb_add_error_2exp_si(result.ball.get(), exponent + static_cast<slong>(random() % 14));
+    const mpq_class scaled = mpq_class(middle) / mpq_class(mpz_class(1) << static_cast<unsigned>(-exponent));
+    const mpq_class radius(mag_get_d(arb_radref(result.ball.get())));
+    result.lower = scaled - radius;
+    result.upper = scaled + radius;
+    return result;
+  };
+  for (int trial = 0; trial < 3000; ++trial) {
+    const Number x = number();
+    const Number y = number();
+    const Interval found = quotient(x.ball.get(), y.ball.get());
+    EXPECT_LE(mpq_class(found.lower), x.lower / y.upper);
+    EXPECT_GE(mpq_class(found.upper), x.upper / y.lower);
+    EXPECT_LT(found.upper - found.lower, 1e-10 * found.upper);
+  }
+}
+
 /// The triangles of a net again and again: no net, but every triangle and edge is what it was.
 NetDocument copies(const NetDocument& document, std::uint32_t count) {
   NetDocument result = document;
@@ -506,6 +538,63 @@ TEST(GeometryCheck, OnlyPseudoNetsHaveThickLoops) {
   EXPECT_EQ(rule(found, "thick").verdict, Verdict::refuted);
   pseudo.epsilon = "0.1";
   EXPECT_EQ(rule(outcome(pseudo), "thick").verdict, Verdict::verified);
+}
+
+/// Whether the interval holds the number that a ball of many bits encloses.
+bool holds(Interval x, const Ball& value) {
+  Ball lower, upper;
+  arb_set_d(lower.get(), x.lower);
+  arb_set_d(upper.get(), x.upper);
+  return certainly_less(lower.get(), value.get()) == Tri::yes && certainly_less(value.get(), upper.get()) == Tri::yes;
+}
+
+TEST(GeometryCheck, EnclosuresHoldWhat256BitsTell) {
+  for (const char* name : {"octagon-9-vertices.json", "octagon-33-vertices.json", "octagon-1-vertex.json",
+                           "g2-small-1-vertex.json", "regular-2-10-vertices.json", "regular-3-centre.json"}) {
+    const NetDocument document = load(std::string("certify/verified/") + name);
+    const Setting setting(document);
+    std::vector<std::uint32_t> numbers(document.labels.size());
+    std::iota(numbers.begin(), numbers.end(), 1U);
+    const LabelTable labels(numbers, setting.evaluator.evaluate(numbers, 256, 4096, 1), numbers.size());
+    // sinh² of the largest circumradius, and of half the longest edge, the shortest edge and the shortest loop.
+    std::optional<Ball> radius, longest, edge, loop;
+    const auto keep = [](std::optional<Ball>& extreme, const Ball& x, int sign) {
+      if (!extreme ||
+          (sign > 0 ? certainly_less(extreme->get(), x.get()) : certainly_less(x.get(), extreme->get())) == Tri::yes) {
+        extreme = x;
+      }
+    };
+    LiftedTriangle lifted;
+    Ball one;
+    arb_one(one.get());
+    for (std::uint32_t t = 0; t < document.triangles.size(); ++t) {
+      lifted.load(document, labels, t, 256);
+      lifted.measure_circumradius(one.get(), 256);
+      Ball square;
+      arb_div(square.get(), lifted.radius_numerator.get(), lifted.radius_denominator.get(), 256);
+      keep(radius, square, 1);
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        lifted.measure_edge(one.get(), i, 256);
+        arb_div(square.get(), lifted.squared_difference[i].get(), lifted.gap_product.get(), 256);
+        keep(longest, square, 1);
+        const std::uint32_t dart = 3 * t + i;
+        keep(start(document, dart) == start(document, next_dart(dart)) ? loop : edge, square, -1);
+      }
+    }
+    const auto length = [](Ball square, slong factor) {
+      arb_sqrt(square.get(), square.get(), 256);
+      arb_asinh(square.get(), square.get(), 256);
+      arb_mul_si(square.get(), square.get(), factor, 256);
+      return square;
+    };
+    const GeometryOutcome found = outcome(document);
+    EXPECT_TRUE(holds(found.largest_circumradius, length(*radius, 1))) << name;
+    EXPECT_TRUE(holds(found.longest_edge, length(*longest, 2))) << name;
+    ASSERT_EQ(found.shortest_edge.has_value(), edge.has_value()) << name;
+    ASSERT_EQ(found.shortest_loop.has_value(), loop.has_value()) << name;
+    EXPECT_TRUE(!edge || holds(*found.shortest_edge, length(*edge, 2))) << name;
+    EXPECT_TRUE(!loop || holds(*found.shortest_loop, length(*loop, 2))) << name;
+  }
 }
 
 TEST(GeometryCheck, EnclosuresContainWhatIsMeasured) {
