@@ -302,6 +302,8 @@ TEST(LiftedTriangle, QuotientsAreRoundedOutward) {
     set_integer(result.ball.get(), middle, 128);
     arb_mul_2exp_si(result.ball.get(), result.ball.get(), exponent);
     if (random() % 4 != 0) arb_add_error_2exp_si(result.ball.get(), exponent + static_cast<slong>(random() % 14));
+    // Some are nearly as wide as they are large.
+    if (random() % 8 == 0) arb_add_error_2exp_si(result.ball.get(), exponent + 63);
     const mpq_class scaled = mpq_class(middle) / mpq_class(mpz_class(1) << static_cast<unsigned>(-exponent));
     const mpq_class radius(mag_get_d(arb_radref(result.ball.get())));
     result.lower = scaled - radius;
@@ -313,8 +315,10 @@ TEST(LiftedTriangle, QuotientsAreRoundedOutward) {
     const Number y = number();
     const Interval found = quotient(x.ball.get(), y.ball.get());
     EXPECT_LE(mpq_class(found.lower), x.lower / y.upper);
-    EXPECT_GE(mpq_class(found.upper), x.upper / y.lower);
-    EXPECT_LT(found.upper - found.lower, 1e-10 * found.upper);
+    EXPECT_TRUE(std::isinf(found.upper) || mpq_class(found.upper) >= x.upper / y.lower);
+    EXPECT_TRUE(std::isfinite(found.upper) || y.lower * 1e9 < y.upper);
+    const bool is_narrow = y.lower * 2 > y.upper && x.lower * 2 > x.upper;
+    EXPECT_TRUE(!is_narrow || found.upper - found.lower < 1e-10 * found.upper);
   }
 }
 
