@@ -763,10 +763,10 @@ def cone_angle_of_4_pi_in_large_steps():
     small = Gaussian(Fraction(3, 5), Fraction(4, 5))
     large = Gaussian(Fraction(-3, 5), Fraction(4, 5))
     half = Fraction(1, 2)
-    tiles = [[Gaussian(0), Gaussian(half), Gaussian(half) * turn] for turn in [small] * 4 + [large] * 4]
+    tiles = [[Gaussian(0), Gaussian(half), Gaussian(half) * turn] for turn in [small] + [large] * 4 + [small] * 3]
     document["surface"]["tiles"] = [[[rational(z.re), rational(z.im)] for z in tile] for tile in tiles]
     legs = [[k, 2, (k + 1) % 8, 0] for k in range(8)]
-    document["surface"]["gluing"] = legs + [[0, 1, 2, 1], [1, 1, 3, 1], [4, 1, 6, 1], [5, 1, 7, 1]]
+    document["surface"]["gluing"] = legs + [[1, 1, 3, 1], [2, 1, 4, 1], [5, 1, 7, 1], [6, 1, 0, 1]]
     document["charts"] = [[0, "0", "0"]]
     document["vertices"], document["labels"], document["triangles"] = [[0, 0.0, 0.0]], [], []
     return document
