@@ -416,6 +416,14 @@ TEST(GeometryCheck, MeasuresAreTheSameWithTheFilterWhicheverTriangleIsTheExtreme
     document.epsilon = mpq_class(hundredths, 100).get_str();
     ask(document);
   }
+  // A little more than the length of each edge that the filter answers.
+  const Reference reference(one);
+  for (std::uint32_t dart = 0; dart < 3 * one.triangles.size(); ++dart) {
+    if (!is_plain(one.triangles[dart / 3])) continue;
+    NetDocument document = one;
+    document.epsilon = mpq_class(2.02 * std::asinh(std::sqrt(reference.squared(dart)))).get_str();
+    ask(document);
+  }
   EXPECT_GT(shortest.size(), 10U);
   EXPECT_GT(longest.size(), 5U);
   EXPECT_GT(widest.size(), 10U);
