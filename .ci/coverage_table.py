@@ -3,7 +3,7 @@
 
 A branch is one of the two outcomes of a condition in the source. What several instances of a template, or several
 programs, run through counts once. Fails below so many per cent of lines or branches; with MISSING = yes every outcome
-that never came is listed first, and every line that was never run.
+that never came is listed first, and every line in which something begins that was never run.
 """
 import collections
 import json
@@ -21,13 +21,8 @@ def outcomes(file):
 
 
 def lines_not_run(file):
-    """A line counts if a region begins in it, as the greatest count of those that reach it."""
-    result, count, at = [], 0, None
-    for line, _, here, has_count, is_entry, *_ in file["segments"]:
-        if has_count and is_entry and here == 0 and line != at:
-            result.append(line)
-        at, count = line, here
-    return result
+    """Those in which something begins that was never run."""
+    return sorted({line for line, _, count, has_count, is_entry, *_ in file["segments"] if has_count and is_entry and count == 0})
 
 
 def row(name, lines, line, branches, branch):

@@ -31,8 +31,8 @@ struct CheckOptions {
   std::uint64_t max_work = 0;
   /// Geodesics files only: lifted triangles visited; with more, a list is not decided to be complete.
   std::uint64_t max_visits = 100'000'000;
-  /// Geodesics and distance files only: triangles of the net, each of which takes a kilobyte; with more, nothing is
-  /// decided. More vertices than this makes are no help.
+  /// Geodesics and distance files only: triangles of the net, each of which takes a kilobyte of memory; of a net with
+  /// more, nothing is decided. A finer net is no help for either.
   std::size_t max_triangles = std::size_t{1} << 20;
   /// Whether binary64, with bounds for its errors, is asked before balls (proof.md, section 16). Changes only the time.
   bool filter = true;

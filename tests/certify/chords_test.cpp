@@ -78,12 +78,14 @@ struct Tested {
   std::vector<std::uint32_t> vertices;
 };
 
+const std::vector<Tested> kTested{{"regular-2-10-vertices.json", {0, 1, 5}},
+                                  {"regular-2-4-rotated-vertices.json", {0, 2}}};
+
 TEST(Chords, AreThePairsOfAllTrianglesThatTheAxisMeets) {
   std::uint32_t found_lists = 0;
   std::uint32_t touching = 0;
   std::uint32_t walked = 0;
-  for (const auto& [name, vertices] :
-       std::vector<Tested>{{"regular-2-10-vertices.json", {0, 1, 5}}, {"regular-2-4-rotated-vertices.json", {0, 2}}}) {
+  for (const auto& [name, vertices] : kTested) {
     const NetDocument net = net_of(name);
     const Reference reference(net);
     for (const std::uint32_t v : vertices) {
@@ -200,8 +202,7 @@ TEST(Chords, AreAllFoundOrNone) {
   std::mt19937 random(1);
   std::uint32_t some = 0;
   std::uint32_t none = 0;
-  for (const auto& [name, vertices] :
-       std::vector<Tested>{{"regular-2-10-vertices.json", {0, 1, 5}}, {"regular-2-4-rotated-vertices.json", {0, 2}}}) {
+  for (const auto& [name, vertices] : kTested) {
     const NetDocument net = net_of(name);
     const Reference reference(net);
     for (const std::uint32_t v : vertices) {
