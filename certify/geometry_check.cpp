@@ -124,20 +124,6 @@ struct Findings {
   }
 };
 
-/// From an interval of sinh² of a length to one of the length, times `factor` (1 or 2).
-Interval length_interval(Interval squared_sinh, slong factor) {
-  Ball x;
-  const auto end = [&](double value) {
-    arb_set_d(x.get(), std::max(value, 0.0));
-    arb_sqrtpos(x.get(), x.get(), 128);
-    arb_asinh(x.get(), x.get(), 128);
-    arb_mul_si(x.get(), x.get(), factor, 128);
-    return outer_interval(x.get());
-  };
-  if (std::isinf(squared_sinh.upper)) return {end(squared_sinh.lower).lower, squared_sinh.upper};
-  return {end(squared_sinh.lower).lower, end(squared_sinh.upper).upper};
-}
-
 std::string triangle_name(const NetDocument& document, std::size_t t) {
   const auto& v = document.triangles[t].vertex;
   return "triangle " + std::to_string(t) + " (vertices " + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " +
@@ -623,11 +609,12 @@ class GeometryChecker {
              (collars_.has_triangle(t) ? "it has a circumcircle" : "the circumradius is at most epsilon");
     }
     for (std::uint32_t i = 0; i < 3; ++i) {
+      const std::uint32_t dart = 3 * t + i;
       if (rule == kDelaunay && (open & delaunay_bit(i))) {
-        return edge_name(document_, 3 * t + i) + ": not decided whether it is Delaunay";
+        return edge_name(document_, dart) + ": not decided whether it is Delaunay";
       }
-      if ((open & length_bit(i)) && length_rule(document_, collars_, 3 * t + i) == rule) {
-        return edge_name(document_, 3 * t + i) + ": not decided whether it is at least epsilon long";
+      if ((open & length_bit(i)) && length_rule(document_, collars_, dart) == rule) {
+        return edge_name(document_, dart) + ": not decided whether it is at least epsilon long";
       }
     }
     return std::nullopt;

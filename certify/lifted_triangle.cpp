@@ -28,15 +28,6 @@ void read(ComplexBall& z, const NetDocument::Vertex& vertex) {
   arb_set_d(z.im(), vertex.y);
 }
 
-/// An interval around a ball that is finite: the midpoint in binary64, widened by the radius and by units in the last
-/// place: of each end for the rounding of the sum, and of the end and of the radius for that of the midpoint, which is
-/// no larger than both together.
-Interval fast_interval(arb_srcptr x) {
-  const double middle = arf_get_d(arb_midref(x), ARF_RND_NEAR);
-  const double radius = above(mag_get_d(arb_radref(x)));
-  return {below(below(middle - radius)), above(above(middle + radius))};
-}
-
 }  // namespace
 
 void LiftedTriangle::move(ComplexBall& z, const BallIsometry& label, Way way, slong precision) {
@@ -170,12 +161,28 @@ void LiftedTriangle::measure_cross_ratio(const NetDocument& document, const Labe
 Interval quotient(arb_srcptr numerator, arb_srcptr denominator) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (!arb_is_finite(numerator) || !arb_is_finite(denominator)) return {0, kInfinity};
-  const Interval n = fast_interval(numerator);
-  const Interval d = fast_interval(denominator);
+  return quotient(fast_interval(numerator), fast_interval(denominator));
+}
+
+Interval quotient(Interval n, Interval d) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (!(d.upper > 0)) return {0, kInfinity};
   const double lower = n.lower > 0 ? std::max(below(n.lower / d.upper), 0.0) : 0.0;
   const double upper = d.lower > 0 ? above(std::max(n.upper, 0.0) / d.lower) : kInfinity;
   return {std::isnan(lower) ? 0 : lower, std::isnan(upper) ? kInfinity : upper};
+}
+
+Interval length_interval(Interval squared_sinh, slong factor) {
+  Ball x;
+  const auto end = [&](double value) {
+    arb_set_d(x.get(), std::max(value, 0.0));
+    arb_sqrtpos(x.get(), x.get(), 128);
+    arb_asinh(x.get(), x.get(), 128);
+    arb_mul_si(x.get(), x.get(), factor, 128);
+    return outer_interval(x.get());
+  };
+  if (std::isinf(squared_sinh.upper)) return {end(squared_sinh.lower).lower, squared_sinh.upper};
+  return {end(squared_sinh.lower).lower, end(squared_sinh.upper).upper};
 }
 
 namespace {

@@ -91,6 +91,10 @@ class LiftedTriangle {
 ///
 /// Both quantities are nonnegative by what they are, so ends below 0 count as 0.
 [[nodiscard]] Interval quotient(arb_srcptr numerator, arb_srcptr denominator);
+[[nodiscard]] Interval quotient(Interval n, Interval d);
+
+/// From an interval of sinh² of a length to one of `factor` times the length, outward.
+[[nodiscard]] Interval length_interval(Interval squared_sinh, slong factor);
 
 /// The sign of LiftedTriangle::orientation for triangle t, exactly.
 [[nodiscard]] int exact_orientation(const NetDocument& document, const LabelEvaluator& evaluator, std::uint32_t t);

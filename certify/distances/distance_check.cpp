@@ -359,7 +359,7 @@ class DistanceCheck {
         // The path from γp to W⁻¹q is the path with Wγ from p.
         const Tri listed = is_listed(plane, compose(path.element, around[dart].element, precision_), paths);
         if (listed == Tri::yes) continue;
-        if (listed == Tri::no && farther == Tri::no) {
+        if (both(!listed, !farther) == Tri::yes) {
           report(kNearest, Verdict::refuted,
                  "a path of length in " + to_string(distance_interval(cosh, precision_)) +
                      " is missing: the loop at the vertex along dart " + std::to_string(dart) + ", then " +

@@ -526,7 +526,7 @@ class Checker {
   }
 
   /// Whether the argument in [0, 2π) is at least π.
-  static bool is_below(const Gaussian& z) { return z.im < 0 || (z.im == 0 && z.re < 0); }
+  static bool is_below(const Gaussian& z) { return sgn(z.im) < 0 || (sgn(z.im) == 0 && sgn(z.re) < 0); }
 
   /// A number whose argument, between 0 and π, is the interior angle where the side starts.
   [[nodiscard]] Gaussian interior_angle(Index s) {
@@ -640,7 +640,7 @@ class Checker {
       const Row q = row(corner(next(dart)));
       const Row r = row(corner(previous(dart)));
       const auto area = [](const Row& u, const Row& v) { return mpz_class(u.z.re * v.z.im - u.z.im * v.z.re); };
-      if (area(p, q) * r.square + area(q, r) * p.square + area(r, p) * q.square > 0) {
+      if (sgn(area(p, q) * r.square + area(q, r) * p.square + area(r, p) * q.square) > 0) {
         throw Refutation{edge_name(dart) + " is not Delaunay"};
       }
     }

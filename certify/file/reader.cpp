@@ -668,7 +668,8 @@ std::string format_of(simdjson::padded_string_view text) {
   simdjson::ondemand::parser parser;
   simdjson::ondemand::document json;
   object members;
-  if (parser.iterate(text).get(json) || json.get_object().get(members)) return "";
+  if (parser.iterate(text).get(json)) return "";
+  if (json.get_object().get(members)) return "";
   for (auto field : members) {
     std::string_view key;
     std::string_view format;

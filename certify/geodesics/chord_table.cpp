@@ -103,19 +103,18 @@ ChordTable::Match ChordTable::find(const Chord& chord, Interval length, std::uin
 
 ChordTable::Match ChordTable::find_other(std::uint32_t geodesic) const {
   // Where the axis certainly meets a triangle, the chord is one of every geodesic wanted: one such chord will do, that
-  // with the fewest others in its triangle.
+  // with the fewest others in its triangle. An axis along edges has none, but one of its chords is one of them all.
   const std::vector<Chord>& chords = lists_[geodesic].chords;
   const Chord* best = nullptr;
   for (const Chord& chord : chords) {
     if (!chord.is_certain()) continue;
     if (best == nullptr || places_[chord.triangle].size() < places_[best->triangle].size()) best = &chord;
   }
-  if (best != nullptr) return find(*best, lengths_[geodesic], geodesic);
   Match result;
-  for (const Chord& chord : chords) {
+  for (const Chord& chord : best != nullptr ? std::span(best, 1) : std::span(chords)) {
     const Match match = find(chord, lengths_[geodesic], geodesic);
-    if (match.found != Tri::no) result = match;
-    if (match.found == Tri::yes) break;
+    if (match.found == Tri::yes) return match;
+    result.found = either(result.found, match.found);
   }
   return result;
 }

@@ -6,62 +6,11 @@
 #include <numeric>
 
 #include "certify/document/darts.h"
+#include "certify/geodesics/exact_side.h"
 #include "certify/numbers/precision.h"
 
 namespace epsnet::certify {
 namespace {
-
-/// The side of an axis on which a corner of one of its chords lies, over the ring of one kind of crossings.
-template <class CrossingsOfAKind>
-class ExactSide {
- public:
-  using Number = typename CrossingsOfAKind::Number;
-
-  ExactSide(const NetDocument& net, const LabelEvaluator& evaluator, const CrossingsOfAKind& crossings)
-      : net_(net), evaluator_(evaluator), crossings_(crossings) {}
-
-  /// The sign of ⟨n, X⟩, X the corner where `dart` starts; the element is the inverse of label `number` at the vertex
-  /// that `first_dart` leaves, carried along the path. Nothing if the numbers are too large.
-  [[nodiscard]] std::optional<int> sign_at(std::uint32_t number, std::uint32_t first_dart,
-                                           const std::vector<std::uint32_t>& path, std::uint32_t dart) const {
-    if (size(number, first_dart, path, dart) > CrossingsOfAKind::kMaxExactBits) return std::nullopt;
-    Isometry<Number> to_chart = label(corner_label(net_, first_dart));
-    for (const std::uint32_t crossed : path) {
-      const std::uint32_t here = corner_label(net_, crossed);
-      const std::uint32_t there = corner_label(net_, next_dart(opposite(net_, crossed)));
-      if (here == there) continue;
-      to_chart = compose(label(there), compose(inverse(label(here)), to_chart));
-      reduce(to_chart);
-    }
-    const Isometry<Number> element = compose(to_chart, compose(inverse(label(number)), inverse(to_chart)));
-    const NetDocument::Vertex& vertex = net_.vertices[start(net_, dart)];
-    const auto x = hyperboloid_vector(moved(label(corner_label(net_, dart)), exact_point(vertex.x, vertex.y)));
-    // The normal is (−Im b, Re b, Im a), with the sign of Re a.
-    const int value =
-        sign(twice_real(element.b) * x.y - twice_imaginary(element.b) * x.x - twice_imaginary(element.a) * x.t);
-    return sign(twice_real(element.a)) * value;
-  }
-
- private:
-  [[nodiscard]] Isometry<Number> label(std::uint32_t number) const {
-    return evaluator_.evaluate_exactly(crossings_, number);
-  }
-
-  [[nodiscard]] std::size_t size(std::uint32_t number, std::uint32_t first_dart, const std::vector<std::uint32_t>& path,
-                                 std::uint32_t dart) const {
-    std::size_t bits = evaluator_.exact_bits(number) + evaluator_.exact_bits(corner_label(net_, dart)) +
-                       2 * evaluator_.exact_bits(corner_label(net_, first_dart));
-    for (const std::uint32_t crossed : path) {
-      bits += 2 * evaluator_.exact_bits(corner_label(net_, crossed));
-      bits += 2 * evaluator_.exact_bits(corner_label(net_, next_dart(opposite(net_, crossed))));
-    }
-    return bits;
-  }
-
-  const NetDocument& net_;
-  const LabelEvaluator& evaluator_;
-  const CrossingsOfAKind& crossings_;
-};
 
 /// A chord that separates a corner of its triangle from the other two.
 struct Arc {
@@ -116,29 +65,12 @@ class Cutter {
     std::array<int, 3> side = chord.side;
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (side[i] != 0) continue;
-      const auto sign =
-          plane_.precision() < kExactFromForAxes ? std::nullopt : exact_side(place, 3 * chord.triangle + i);
-      if (!sign) return std::nullopt;
-      side[i] = *sign < 0 ? -1 : 1;
+      if (plane_.precision() < kExactFromForAxes) return std::nullopt;
+      const auto exact = exact_side(net_, evaluator_, table_, elements_[place.geodesic], place, i);
+      if (!exact) return std::nullopt;
+      side[i] = *exact;
     }
     return side;
-  }
-
-  std::optional<int> exact_side(ChordTable::Place place, std::uint32_t dart) const {
-    const ChordList& list = table_.list(place.geodesic);
-    std::vector<std::uint32_t> path;
-    for (std::uint32_t k = place.chord; list.chords[k].parent != Chord::kNone; k = list.chords[k].parent) {
-      path.push_back(list.chords[k].dart);
-    }
-    path.insert(path.end(), list.approach.rbegin(), list.approach.rend());
-    std::reverse(path.begin(), path.end());
-    const std::uint32_t number = elements_[place.geodesic];
-    const std::uint32_t first = table_.first_dart(place.geodesic);
-    return std::visit(
-        [&](const auto& crossings) {
-          return ExactSide(net_, evaluator_, crossings).sign_at(number, first, path, dart);
-        },
-        evaluator_.crossings());
   }
 
   bool add_arc(std::uint32_t t, ChordTable::Place place) {
@@ -162,12 +94,7 @@ class Cutter {
       dot(arc.distance.get(), table_.chord(arc.place).axis, plane_.corner(dart), plane_.precision());
       arb_abs(arc.distance.get(), arc.distance.get());
     }
-    std::sort(arcs.begin(), arcs.end(), [](const Arc& x, const Arc& y) {
-      return arf_cmp(arb_midref(x.distance.get()), arb_midref(y.distance.get())) < 0;
-    });
-    return std::adjacent_find(arcs.begin(), arcs.end(), [](const Arc& x, const Arc& y) {
-             return certainly_less(x.distance.get(), y.distance.get()) != Tri::yes;
-           }) == arcs.end();
+    return sort_certainly(arcs, [](const Arc& arc) { return arc.distance.get(); });
   }
 
   /// Cells of triangle t: the central one, then those around corner 0 outward from it, then corner 1, corner 2.

@@ -301,6 +301,8 @@ class RegularRing::Residues {
 
   [[nodiscard]] bool useful() const { return useful_; }
   [[nodiscard]] ulong prime() const { return p_; }
+  /// The logarithm of the prime, rounded down to whole bits.
+  [[nodiscard]] std::int64_t log_of_prime() const { return RegularRing::kLogScale * (FLINT_BIT_COUNT(p_) - 1); }
 
   [[nodiscard]] Value integer(const mpz_class& value) const {
     const ulong x = mpz_fdiv_ui(value.get_mpz_t(), p_);
@@ -372,7 +374,7 @@ const RegularRing::Residues& RegularRing::residues(std::size_t i) const {
   const std::lock_guard lock(mutex_);
   // Primes 1 + 4g m from 2^62 down.
   const ulong step = 4 * ulong{genus_};
-  ulong p = residues_.empty() ? (ulong{1} << (kResidueBits + 1)) / step * step + 1 : residues_.back().prime();
+  ulong p = residues_.empty() ? (ulong{1} << 62) / step * step + 1 : residues_.back().prime();
   while (residues_.size() <= i) {
     budget_.spend(100'000 + 20 * step);
     do p -= step;
@@ -462,6 +464,10 @@ RegularNumber twice_imaginary(const RegularNumber& x) {
   return power_of_zeta(*x.ring, x.ring->genus()) * (conjugate(x) - x);
 }
 
+std::vector<std::int64_t> log_bounds(const RegularNumber& x) {
+  return evaluate(steps_of(*x.expression), Bounds(*x.ring));
+}
+
 int sign(const RegularNumber& x) {
   if (!x.expression) return 0;
   const std::vector<Step> steps = steps_of(*x.expression);
@@ -475,8 +481,9 @@ int sign(const RegularNumber& x) {
   std::int64_t log_primes = 0;
   for (std::size_t i = 0; zero && log_primes <= log_norm; ++i) {
     budget.spend(10, steps.size());
-    zero = evaluate(steps, x.ring->residues(i)).x == 0;
-    log_primes += RegularRing::kResidueBits * RegularRing::kLogScale;
+    const RegularRing::Residues& residues = x.ring->residues(i);
+    zero = evaluate(steps, residues).x == 0;
+    log_primes += residues.log_of_prime();
   }
   if (zero) return 0;
   // The number is not 0, so some precision tells its sign.

@@ -38,9 +38,8 @@ class RegularRing {
 
   /// A homomorphism to the field of p elements: where ζ and s go.
   class Residues;
-  /// Of different primes p > 2^kResidueBits, in a fixed order. For any number of threads.
+  /// Of different primes, in a fixed order. For any number of threads.
   [[nodiscard]] const Residues& residues(std::size_t i) const;
-  static constexpr std::int64_t kResidueBits = 61;
 
   ~RegularRing();
   RegularRing(const RegularRing&) = delete;
@@ -94,6 +93,10 @@ enum class Turn { counterclockwise, clockwise };
 
 /// Expressions have no divisor to be taken out.
 inline void reduce(Isometry<RegularNumber>& /*f*/) {}
+
+/// Upper bounds of |x| in the ring's embeddings, as logarithms; x is not the null expression. Every embedding has the
+/// same bound for θ and −θ and for both roots.
+[[nodiscard]] std::vector<std::int64_t> log_bounds(const RegularNumber& x);
 
 /// The sign of a real number, exactly: 0 if it is 0 in enough finite fields (docs/proof.md, Lemma 9.1), otherwise by
 /// balls of more and more bits, which must end. Time: the size of the expression times the bits of its norm;

@@ -266,6 +266,49 @@ TEST(Ball, OuterIntervalHoldsBothEndsOfAWideBall) {
   }
 }
 
+TEST(Ball, AFastIntervalHoldsTheBall) {
+  // Midpoints between two binary64 numbers, near one or the other or half-way, and radii from nothing to much.
+  for (const double sign : {1.0, -1.0}) {
+    for (const double start : {0.0, 1.0, 1.3, 1.9, 0x1p-60, 0x1p300, 0x1.fffffffffffffp0}) {
+      for (const double share : {0.0, 0.25, 0.49, 0.5, 0.51, 0.75, 0.99}) {
+        for (int radius = -1; radius < 120; radius += 7) {
+          Ball x = ball(sign * start, 2000);
+          mag_zero(arb_radref(x.get()));
+          Ball rest = ball(sign * share * (std::nextafter(start, HUGE_VAL) - start), 2000);
+          mag_zero(arb_radref(rest.get()));
+          arb_add(x.get(), x.get(), rest.get(), 400);
+          if (radius >= 0) mag_set_ui_2exp_si(arb_radref(x.get()), 1, -radius);
+          const Interval outer = outer_interval(x.get());
+          const Interval fast = fast_interval(x.get());
+          EXPECT_LE(fast.lower, outer.lower) << start << ", " << share << ", " << radius;
+          EXPECT_GE(fast.upper, outer.upper) << start << ", " << share << ", " << radius;
+          const double width = outer.upper - outer.lower + std::fabs(start) * 0x1p-49 + 0x1p-1060;
+          EXPECT_LE(outer.lower - fast.lower, width);
+          EXPECT_LE(fast.upper - outer.upper, width);
+        }
+      }
+    }
+  }
+}
+
+TEST(Ball, AreSortedIfBallsTellTheirOrder) {
+  const auto sorted = [](std::vector<Ball> balls) {
+    const bool certain = sort_certainly(balls, [](const Ball& x) { return x.get(); });
+    EXPECT_TRUE(std::is_sorted(balls.begin(), balls.end(), [](const Ball& x, const Ball& y) {
+      return arf_cmp(arb_midref(x.get()), arb_midref(y.get())) < 0;
+    }));
+    return certain;
+  };
+  EXPECT_TRUE(sorted({}));
+  EXPECT_TRUE(sorted({nan_ball()})) << "one alone";
+  EXPECT_TRUE(sorted({ball(3, 40), ball(1, 40), ball(2, 40)}));
+  EXPECT_TRUE(sorted({ball(3, 3), ball(1, 3), ball(2, 1)}));
+  EXPECT_FALSE(sorted({ball(3, 0), ball(1, 3), ball(2, 1)})) << "the last two";
+  EXPECT_FALSE(sorted({ball(3, 3), ball(1, 1), ball(2, 0)})) << "the first two";
+  EXPECT_FALSE(sorted({ball(1, 40), ball(1, 40)})) << "equal, perhaps";
+  EXPECT_FALSE(sorted({ball(3, 40), ball(2, 40), ball(1, 40), ball(2.5, 0), ball(5, 40)}));
+}
+
 TEST(Ball, WhatIsNotFiniteIsUnknown) {
   Ball infinite, minus, one;
   arb_pos_inf(infinite.get());

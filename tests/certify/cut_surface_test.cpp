@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <map>
 
+#include "certify/geodesics/exact_side.h"
 #include "tests/certify/lifted_reference.h"
 
 /// The pieces that simple closed geodesics leave of the Bolza surface, against its homology.
@@ -305,6 +306,31 @@ TEST(CutSurface, AsksOnlyFor128BitsForCornersOnACurve) {
     if (touches) ++through;
   }
   EXPECT_GT(through, 2U);
+}
+
+TEST(ExactSide, IsWhatBallsSayAndLeftOnTheAxis) {
+  int on_axis = 0;
+  for (const char* name :
+       {"regular-2-10-vertices.json", "regular-2-4-rotated-vertices.json", "octagon-9-vertices.json"}) {
+    const LiftedNet lifted(read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name), Bolza::geodesics({}),
+                           512);
+    std::vector<ChordTable::Member> members;
+    for (std::uint32_t i = 0; i < 12; ++i) members.push_back({first_darts(lifted.net())[0], lifted.element(i)});
+    const ChordTable table(lifted.plane(), std::move(members), 1);
+    ASSERT_TRUE(table.complete());
+    for (std::uint32_t i = 0; i < table.size(); ++i) {
+      for (std::uint32_t k = 0; k < table.list(i).chords.size(); ++k) {
+        for (std::uint32_t corner = 0; corner < 3; ++corner) {
+          const int side = table.list(i).chords[k].side[corner];
+          on_axis += side == 0 ? 1 : 0;
+          EXPECT_EQ(exact_side(lifted.net(), lifted.evaluator(), table, lifted.element_number(i), {i, k}, corner),
+                    side == 0 ? 1 : side)
+              << name << ": geodesic " << i << ", chord " << k << ", corner " << corner;
+        }
+      }
+    }
+  }
+  EXPECT_GT(on_axis, 5);
 }
 
 }  // namespace

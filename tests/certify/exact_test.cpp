@@ -55,6 +55,10 @@ int turn(const ExactPoint& p, const ExactPoint& q, const ExactPoint& r) {
   return orientation(hyperboloid_vector(p), hyperboloid_vector(q), hyperboloid_vector(r));
 }
 
+TEST(Exact, APointThatIsNotMovedIsItself) {
+  for (const ExactPoint& z : {point(0, 0, 1), point(1, -2, 7), point(-3, 1, 5)}) EXPECT_TRUE(same(moved(z), z));
+}
+
 TEST(Exact, OrientationIsHyperbolic) {
   EXPECT_EQ(turn(point(0, 0, 1), point(1, 0, 2), point(0, 1, 2)), 1);
   EXPECT_EQ(turn(point(0, 0, 1), point(0, 1, 2), point(1, 0, 2)), -1);

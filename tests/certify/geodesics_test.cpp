@@ -715,6 +715,24 @@ TEST(ThickThin, WrongPiecesAreRefuted) {
   EXPECT_EQ(outcome(document), "REFUTED: pieces");
 }
 
+TEST(ThickThin, ACurveOfLength2Arsinh1WithAWordTooLongToBeComparedIsUndecided) {
+  // Around a corner of a tile and back very often first: of an element known to balls, too long for exact numbers.
+  GeodesicsDocument document =
+      read_geodesics(std::string(EPSNET_TEST_DATA) + "/geodesics/one-curve-of-2-arsinh-1.json");
+  const CheckOptions few_bits{.threads = 2, .max_precision = 128};
+  EXPECT_EQ(check_geodesics(document, few_bits).verdict, Verdict::verified);
+  const auto& net = document.net;
+  std::vector<std::uint32_t>& word = document.geodesics[0].word;
+  const std::uint32_t tile = net.charts[net.vertices[document.geodesics[0].vertex].chart].tile;
+  const std::vector<std::uint32_t> relator = with_far_relator(net.surface, tile, {}, 1);
+  std::vector<std::uint32_t> lengthy;
+  while (lengthy.size() < 600'000) lengthy.insert(lengthy.end(), relator.begin(), relator.end());
+  word.insert(word.begin(), lengthy.begin(), lengthy.end());
+  const Certificate certificate = check_geodesics(document, few_bits);
+  EXPECT_EQ(certificate.verdict, Verdict::undecided);
+  EXPECT_EQ(certificate.rule, "geodesics");
+}
+
 TEST(ThickThin, OneLeftOutIsRefuted) {
   for (const GeodesicsDocument& good : {three_cuffs(), thin()}) {
     for (std::uint32_t i = 0; i < 3; ++i) {

@@ -340,6 +340,36 @@ const RuleReport& rule(const GeometryOutcome& outcome, const std::string& name) 
                        [&](const RuleReport& report) { return report.rule == name; });
 }
 
+TEST(LiftedTriangle, QuotientsOfNumbersAreRoundedOutward) {
+  for (int n = 1; n < 60; ++n) {
+    for (int d = 1; d < 60; ++d) {
+      const Interval found = quotient(Interval{double(n), double(n)}, Interval{double(d), double(d)});
+      const mpq_class exact = mpq_class(n) / d;
+      EXPECT_LT(mpq_class(found.lower), exact) << n << "/" << d;
+      EXPECT_GT(mpq_class(found.upper), exact) << n << "/" << d;
+      EXPECT_LT(found.upper - found.lower, 1e-13);
+    }
+  }
+}
+
+TEST(LiftedTriangle, LengthsAreRoundedOutward) {
+  for (int i = 1; i < 400; ++i) {
+    const double value = i < 200 ? i / 64.0 : std::ldexp(1.3, i - 300);
+    for (const slong factor : {1L, 2L}) {
+      Ball length;
+      arb_set_d(length.get(), value);
+      arb_sqrt(length.get(), length.get(), 400);
+      arb_asinh(length.get(), length.get(), 400);
+      arb_mul_si(length.get(), length.get(), factor, 400);
+      const Interval exact = outer_interval(length.get());
+      const Interval found = length_interval({value, value}, factor);
+      EXPECT_EQ(found, exact) << value;
+      EXPECT_EQ(length_interval({value, HUGE_VAL}, factor), (Interval{exact.lower, HUGE_VAL})) << value;
+      EXPECT_EQ(length_interval({-value, value}, factor), (Interval{0, exact.upper})) << value;
+    }
+  }
+}
+
 TEST(GeometryCheck, EveryTriangleOfSeveralBlocksIsAsked) {
   // 4,400 triangles; one of them is turned over, or its neighbour is another: about the ends of blocks of 2,048.
   const NetDocument good = copies(nine(), 200);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <fcntl.h>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <optional>
@@ -535,6 +536,21 @@ TEST(Reader, LoadGivesTheBytesOfAFile) {
     const File file(bytes.substr(0, size));
     EXPECT_EQ(load(file.path()), bytes.substr(0, size)) << size;
   }
+}
+
+TEST(Reader, LoadGivesTheBytesOfStandardInput) {
+  const File file("what is there");
+  const int kept = dup(STDIN_FILENO);
+  ASSERT_NE(kept, -1);
+  const int opened = open(file.path().c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_NE(opened, -1);
+  dup2(opened, STDIN_FILENO);
+  const std::string bytes = load("-");
+  dup2(kept, STDIN_FILENO);
+  std::clearerr(stdin);
+  close(kept);
+  close(opened);
+  EXPECT_EQ(bytes, "what is there");
 }
 
 TEST(Reader, FilesFromASizeOnAreReadInPieces) {

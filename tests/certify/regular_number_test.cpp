@@ -141,7 +141,7 @@ TEST(RegularNumber, PowersOfManyRootsAreMultipliedFromTwoTables) {
   const RegularRing ring(genus);
   for (const Turn turn : {Turn::counterclockwise, Turn::clockwise}) {
     const std::uint32_t step = turn == Turn::counterclockwise ? 2 * genus + 1 : 2 * genus - 1;
-    for (const std::uint32_t count : {1U, 62U, 63U, 64U, 65U, 127U, 128U, 131U, 132U, 133U, 200U}) {
+    for (const std::uint32_t count : {1U, 62U, 63U, 64U, 65U, 127U, 128U, 131U, 132U, 133U, 200U, 1000U, 100'000U}) {
       const Isometry<RegularNumber> before = regular_turn(ring, 5, count, turn);
       const Isometry<RegularNumber> after = regular_turn(ring, 5, count + 1, turn);
       const Isometry<RegularNumber> product = compose(crossing(ring, (5 + count * step) % (4 * genus)), before);
@@ -223,6 +223,78 @@ TEST(RegularNumber, EmbeddingsHaveTheirLogarithmsRoundedUp) {
     }
     EXPECT_EQ(number, ring.embeddings().size()) << genus;
   }
+}
+
+TEST(RegularNumber, TurnsHaveTheSignsOfTheirProducts) {
+  // Many times around a corner.
+  for (const std::uint32_t genus : {2U, 3U, 4U}) {
+    const RegularRing ring(genus);
+    std::array<std::complex<double>, 4> product{1, 0, 0, 1};
+    for (std::uint32_t count = 1; count <= 30 * genus; ++count) {
+      const auto m = embedded_crossing(genus, 1, (count - 1) * (2 * genus + 1) % (4 * genus));
+      product = {m[0] * product[0] + m[1] * product[2], m[0] * product[1] + m[1] * product[3],
+                 m[2] * product[0] + m[3] * product[2], m[2] * product[1] + m[3] * product[3]};
+      const Isometry<RegularNumber> turn = regular_turn(ring, 0, count, Turn::counterclockwise);
+      const auto expect_sign = [&](const RegularNumber& x, double expected) {
+        EXPECT_EQ(sign(x), std::abs(expected) < 1e-9 ? 0 : expected < 0 ? -1 : 1) << genus << ", " << count;
+      };
+      expect_sign(twice_real(turn.a), product[0].real());
+      expect_sign(twice_imaginary(turn.a), product[0].imag());
+      expect_sign(twice_real(turn.b), product[1].real());
+      expect_sign(twice_imaginary(turn.b), product[1].imag());
+    }
+  }
+}
+
+TEST(RegularNumber, LogarithmsOfIntegersAreBounded) {
+  const RegularRing ring(3);
+  constexpr std::int64_t kBit = RegularRing::kLogScale;
+  const auto bounds = [](const RegularNumber& x) { return log_bounds(x); };
+  const auto all = [&](std::int64_t bound) { return std::vector<std::int64_t>(ring.embeddings().size(), bound); };
+  for (std::int64_t k = 0; k < 200; ++k) {
+    // Powers of 2 exactly, others by that above; of sums of equal ones, and of products, exactly.
+    const mpz_class power = mpz_class(1) << static_cast<mp_bitcnt_t>(k);
+    EXPECT_EQ(bounds(integer(ring, power)), all(k * kBit)) << k;
+    EXPECT_EQ(bounds(integer(ring, -power)), all(k * kBit)) << k;
+    EXPECT_EQ(bounds(integer(ring, power) + integer(ring, power)), all((k + 1) * kBit)) << k;
+    EXPECT_EQ(bounds(integer(ring, power) - integer(ring, -power)), all((k + 1) * kBit)) << k;
+    EXPECT_EQ(bounds(integer(ring, power) * integer(ring, power)), all(2 * k * kBit)) << k;
+    EXPECT_EQ(bounds(conjugate(integer(ring, power))), all(k * kBit)) << k;
+    if (k < 2) continue;
+    for (const mpz_class& other : {mpz_class(power + 1), mpz_class(2 * power - 1), mpz_class(power + power / 2)}) {
+      EXPECT_EQ(bounds(integer(ring, other)), all((k + 1) * kBit)) << k;
+      EXPECT_EQ(bounds(integer(ring, -other)), all((k + 1) * kBit)) << k;
+    }
+  }
+}
+
+TEST(RegularNumber, LogarithmsOfTurnsAreBounded) {
+  // |b| = |s sin(count θ/2)/sin(θ/2)|, |a|² = 1 ± |b|². That of a is nearly its bound somewhere.
+  double nearest = 1;
+  for (std::uint32_t genus = 2; genus <= 60; ++genus) {
+    const RegularRing ring(genus);
+    for (std::uint32_t count = 1; count <= 40; ++count) {
+      const Isometry<RegularNumber> turn = regular_turn(ring, 0, count, Turn::counterclockwise);
+      const std::vector<std::int64_t> of_a = log_bounds(turn.a);
+      const std::vector<std::int64_t> of_b = log_bounds(turn.b);
+      std::size_t i = 0;
+      for (std::uint32_t k = 1; k < 2 * genus; k += 2) {
+        if (std::gcd(k, 4 * genus) != 1) continue;
+        const double theta = M_PI * k / (2 * genus);
+        const double square = std::cos(theta) * std::pow(std::sin(count * theta / 2) / std::sin(theta / 2), 2) /
+                              std::pow(std::sin(theta / 2), 2);
+        const double log_a = RegularRing::kLogScale / 2.0 * std::log2(std::abs(1 + square));
+        const double log_b = RegularRing::kLogScale / 2.0 * std::log2(std::abs(square));
+        const auto bound_of_a = static_cast<double>(of_a[i]);
+        EXPECT_GE(bound_of_a, log_a - 1e-6) << genus << ", " << k << ", " << count;
+        EXPECT_GE(static_cast<double>(of_b[i]), log_b - 1e-6) << genus << ", " << k << ", " << count;
+        if (k < genus) nearest = std::min(nearest, bound_of_a - log_a);
+        ++i;
+      }
+      EXPECT_EQ(i, of_a.size());
+    }
+  }
+  EXPECT_LT(nearest, 0.9);
 }
 
 TEST(RegularNumber, GaussianIntegersAreANumberOfTheRing) {
