@@ -392,6 +392,82 @@ TEST(Completeness, KnowsALoopByTheLabelsOfBothOfItsEnds) {
   EXPECT_GT(decided, 3);
 }
 
+/// The same net with a lift of vertex v: the one across a side of its tile, in a chart of which it is the centre.
+NetDocument with_lift_across(NetDocument net, std::uint32_t v, std::uint32_t side) {
+  const Crossings crossings = check_surface(net.surface).crossings;
+  const SurfaceSides sides(net.surface);
+  const NetDocument::Vertex vertex = net.vertices[v];
+  const NetDocument::Chart chart = net.charts[vertex.chart];
+  EXPECT_EQ(sides.tile[side], chart.tile);
+  const std::uint32_t back = sides.partner[side];
+  // n/d, exactly.
+  const ExactIsometry across = std::get<RationalCrossings>(crossings).exact(std::vector{side});
+  const ExactIsometry to_tile = compose(across, translation_to(exact_point(chart.centre)));
+  const auto place = moved(to_tile, exact_point(vertex.x, vertex.y));
+  const Gaussian scaled = place.n * conjugate(place.d);
+  NetDocument::Chart there{sides.tile[back],
+                           {mpq_class(scaled.re, norm(place.d)), mpq_class(scaled.im, norm(place.d))}};
+  there.centre.x.canonicalize();
+  there.centre.y.canonicalize();
+  const auto c = static_cast<std::uint32_t>(net.charts.size());
+  net.charts.push_back(there);
+  net.vertices[v] = {0, 0, c};
+  for (NetDocument::Triangle& triangle : net.triangles) {
+    for (std::size_t i = 1; i < 3; ++i) {
+      if (triangle.vertex[0] != v && triangle.vertex[i] != v) continue;
+      std::uint32_t& label = triangle.label[i - 1];
+      std::vector<std::uint32_t> word;
+      if (label != 0) word = net.labels[label - 1].word;
+      if (triangle.vertex[i] == v) word.insert(word.begin(), back);
+      if (triangle.vertex[0] == v) word.push_back(side);
+      net.labels.push_back({net.vertices[triangle.vertex[i]].chart, net.vertices[triangle.vertex[0]].chart, word});
+      label = static_cast<std::uint32_t>(net.labels.size());
+    }
+  }
+  return net;
+}
+
+TEST(Completeness, KnowsALoopWhoseLabelsAreNoneOfThemTrivial) {
+  // Cuffs so short that all vertices near them are deep: nothing but their loops is looked at. Every vertex is taken to
+  // another of its lifts, and loops are turned until they lead from corner 1 to corner 2.
+  std::mt19937 random(1);
+  for (int trial = 0; trial < 4; ++trial) {
+    GeodesicsDocument cuffs = load("two-short-cuffs-that-differ-by-1e-17.json");
+    NetDocument& net = cuffs.net;
+    const SurfaceSides sides(net.surface);
+    for (std::uint32_t v = 0; v < net.vertices.size(); ++v) {
+      for (int n = 0; n < 2; ++n) {
+        const std::uint32_t tile = net.charts[net.vertices[v].chart].tile;
+        const std::uint32_t side =
+            sides.first[tile] + static_cast<std::uint32_t>(random() % net.surface.tiles[tile].size());
+        net = with_lift_across(net, v, side);
+        for (GeodesicsDocument::ClosedGeodesic& geodesic : cuffs.geodesics) {
+          if (geodesic.vertex != v) continue;
+          geodesic.word.insert(geodesic.word.begin(), sides.partner[side]);
+          geodesic.word.push_back(side);
+        }
+      }
+    }
+    for (std::uint32_t t = 0; t < net.triangles.size(); ++t) {
+      const auto has_loop = [&](std::uint32_t dart) { return start(net, dart) == start(net, next_dart(dart)); };
+      if (!has_loop(3 * t) && !has_loop(3 * t + 1) && !has_loop(3 * t + 2)) continue;
+      for (; !has_loop(3 * t + 1); net = turned(net, t)) {
+      }
+    }
+    ASSERT_EQ(outcome(cuffs), "VERIFIED");
+    int decided = 0;
+    for (slong precision = 40; precision <= 64; precision += 8) {
+      for (const auto& [i, expected] : {std::pair{0U, Verdict::verified}, {1U, Verdict::refuted}}) {
+        const auto found = verdict_at(as_systole(cuffs, i), precision, 128);
+        ASSERT_TRUE(found.has_value());
+        EXPECT_TRUE(*found == expected || *found == Verdict::undecided) << i << ", " << precision << " bits";
+        decided += precision < 60 && *found == expected ? 1 : 0;
+      }
+    }
+    EXPECT_GT(decided, 2);
+  }
+}
+
 TEST(Completeness, OfASpectrumIsNotSaidWithFewBits) {
   const GeodesicsDocument cuffs = load("two-cuffs-that-differ-by-1e-14.json");
   // Between the cuffs, below the first, above the second.
