@@ -123,11 +123,11 @@ def shortest_edge(mesh):
     return min(mesh.length(d) for d in range(len(mesh.opposite)) if mesh.start(d) != mesh.start(following(d)))
 
 
-def to_60_digits(x, step=0):
-    """The decimal rounded down after 60 digits, and so many units of the last one added."""
+def to_60_digits(x, step=0, digits=60):
+    """The decimal rounded down after 60 digits, or so many, and so many units of the last one added."""
     with localcontext() as context:
         context.prec = 100
-        unit = Decimal(1).scaleb(-60)
+        unit = Decimal(1).scaleb(-digits)
         return str(x.quantize(unit, ROUND_FLOOR) + step * unit)
 
 
@@ -629,10 +629,10 @@ def rational_as_a_decimal():
 group = "structure"
 
 
-@malformed("labels[0]")
+@malformed("labels[1]")
 def word_of_a_million_and_one_letters():
-    """A true label whose word goes to and fro until it has more letters than the format allows."""
-    return with_word(octagon(), lambda word: [3, 7] * ((1_000_002 - len(word)) // 2) + word)
+    """A true label whose word goes to and fro until it has one letter more than the format allows."""
+    return with_word(octagon(), lambda word: [3, 7] * ((1_000_001 - len(word)) // 2) + word, 1)
 
 
 @malformed("labels[26]")
@@ -1608,6 +1608,14 @@ def epsilon_1e_60_more_than_the_shortest_edge():
     return with_(octagon(), epsilon=to_60_digits(edge_of(mesh), 1))
 
 
+@refuted("packing", exact="UNDECIDED: packing")
+def epsilon_1e_80_more_than_edges_of_length_15():
+    """ε is the shortest edge, rounded up after 80 digits. sinh²(ε/2) is more than a million, so that its bounds in 256
+    bits lie on both sides of what they are compared with: one that is a unit too small for ε² calls this a net."""
+    mesh = Mesh(seed("long-edges"))
+    return with_(seed("long-edges"), epsilon=to_60_digits(edge_of(mesh), 1, 80))
+
+
 @refuted("packing")
 def vertex_and_its_twin():
     """Beside a vertex another one, 10⁻³⁰ away, and the Delaunay triangulation of all."""
@@ -1637,6 +1645,15 @@ def one_vertex_too_many_in_the_last_of_2400_triangles():
     v = mesh.insert(2_399, Gaussian(Fraction(round(z.re * 64), 64), Fraction(round(z.im * 64), 64)))
     make_delaunay_around(mesh, [v])
     return mesh.write()
+
+
+@refuted("packing")
+def narrow_collar_as_a_net():
+    """A pseudo net whose core is nearly as long as ε, without its collar: all disks are small enough, only the
+    collar's two vertices are too near to each other."""
+    document = seed("narrow-collar")
+    del document["collars"]
+    return document
 
 
 @refuted("packing", exact=LEFT)
@@ -2509,6 +2526,12 @@ def distance_with_a_lower_end_of_zero():
     return with_(seven_paths(), distance=[-0.0, seven_paths()["distance"][1]])
 
 
+@disguise(LEFT)
+def narrow_collar_as_it_is():
+    """A pseudo net with a core nearly as long as ε: the two vertices of the collar are 0.11 apart, ε is 0.34."""
+    return seed("narrow-collar")
+
+
 @disguise()
 def curve_of_1e_12_as_it_is():
     """The surface with a closed geodesic of length 10⁻¹²."""
@@ -2705,7 +2728,9 @@ def zeros_of_all_kinds():
 @disguise()
 def word_of_a_million_letters():
     """A word that goes to and fro, 10⁶ letters in all."""
-    return with_word(symmetric_net(), lambda word: [3, 7] * ((1_000_000 - len(word)) // 2) + word)
+    document = symmetric_net()
+    even = next(k for k, label in enumerate(document["labels"]) if label[2] and len(label[2]) % 2 == 0)
+    return with_word(document, lambda word: [3, 7] * ((1_000_000 - len(word)) // 2) + word, even)
 
 
 @disguise()
