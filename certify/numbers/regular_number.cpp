@@ -302,7 +302,9 @@ class RegularRing::Residues {
   [[nodiscard]] bool useful() const { return useful_; }
   [[nodiscard]] ulong prime() const { return p_; }
   /// The logarithm of the prime, rounded down to whole bits.
-  [[nodiscard]] std::int64_t log_of_prime() const { return RegularRing::kLogScale * (FLINT_BIT_COUNT(p_) - 1); }
+  [[nodiscard]] std::int64_t log_of_prime() const {
+    return RegularRing::kLogScale * (static_cast<std::int64_t>(FLINT_BIT_COUNT(p_)) - 1);
+  }
 
   [[nodiscard]] Value integer(const mpz_class& value) const {
     const ulong x = mpz_fdiv_ui(value.get_mpz_t(), p_);
