@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <flint/fmpq.h>
 #include <flint/ulong_extras.h>
 #include <limits>
@@ -301,10 +302,6 @@ class RegularRing::Residues {
 
   [[nodiscard]] bool useful() const { return useful_; }
   [[nodiscard]] ulong prime() const { return p_; }
-  /// The logarithm of the prime, rounded down to whole bits.
-  [[nodiscard]] std::int64_t log_of_prime() const {
-    return RegularRing::kLogScale * (static_cast<std::int64_t>(FLINT_BIT_COUNT(p_)) - 1);
-  }
 
   [[nodiscard]] Value integer(const mpz_class& value) const {
     const ulong x = mpz_fdiv_ui(value.get_mpz_t(), p_);
@@ -466,6 +463,10 @@ RegularNumber twice_imaginary(const RegularNumber& x) {
   return power_of_zeta(*x.ring, x.ring->genus()) * (conjugate(x) - x);
 }
 
+std::int64_t log_rounded_down(std::uint64_t x) {
+  return RegularRing::kLogScale * (static_cast<std::int64_t>(std::bit_width(x)) - 1);
+}
+
 std::vector<std::int64_t> log_bounds(const RegularNumber& x) {
   return evaluate(steps_of(*x.expression), Bounds(*x.ring));
 }
@@ -485,7 +486,7 @@ int sign(const RegularNumber& x) {
     budget.spend(10, steps.size());
     const RegularRing::Residues& residues = x.ring->residues(i);
     zero = evaluate(steps, residues).x == 0;
-    log_primes += residues.log_of_prime();
+    log_primes += log_rounded_down(residues.prime());
   }
   if (zero) return 0;
   // The number is not 0, so some precision tells its sign.

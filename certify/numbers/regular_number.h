@@ -98,6 +98,9 @@ inline void reduce(Isometry<RegularNumber>& /*f*/) {}
 /// same bound for θ and −θ and for both roots.
 [[nodiscard]] std::vector<std::int64_t> log_bounds(const RegularNumber& x);
 
+/// The logarithm of x > 0, rounded down to that of a power of 2.
+[[nodiscard]] std::int64_t log_rounded_down(std::uint64_t x);
+
 /// The sign of a real number, exactly: 0 if it is 0 in enough finite fields (docs/proof.md, Lemma 9.1), otherwise by
 /// balls of more and more bits, which must end. Time: the size of the expression times the bits of its norm;
 /// BudgetSpent, if that is too much.

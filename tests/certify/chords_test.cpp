@@ -696,5 +696,57 @@ TEST(ChordTable, AChordThatMayBeMissedTellsNothingOfAnother) {
   EXPECT_GT(more, 20);
 }
 
+TEST(ChordTable, AnAxisBesideEdgesIsFoundWhicheverChordIsTheFirst) {
+  // Vertices are 10⁻¹² off the axes that led along edges. With few bits all triangles along an edge may be met, and
+  // none certainly; those on one side of it are not.
+  NetDocument net = net_of("regular-2-26-vertices.json");
+  for (std::size_t v = 0; v < net.vertices.size(); ++v) {
+    net.vertices[v].x += 1e-12 * static_cast<double>(v + 1);
+    net.vertices[v].y -= 1e-12 * static_cast<double>(v + 2);
+  }
+  int beside = 0;
+  for (std::uint32_t v = 0; v < net.vertices.size(); ++v) {
+    const LiftedNet lifted(net, words_at(v, {{0}, {1}, {2}, {3}}));
+    for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
+      if (start(net, dart) != v) continue;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const BallIsometry element = lifted.element(i);
+        const ChordTable table(lifted.plane(), {{dart, blurred(element, 25)}, {dart, element}}, 1);
+        if (!table.complete()) continue;
+        const std::vector<Chord>& chords = table.list(0).chords;
+        if (std::any_of(chords.begin(), chords.end(), [](const Chord& chord) { return chord.is_certain(); })) continue;
+        beside += table.find(chords[0], table.length(0), 0).found == Tri::no ? 1 : 0;
+        EXPECT_EQ(table.find_other(0).found, Tri::yes) << i << ", dart " << dart;
+      }
+    }
+  }
+  EXPECT_GT(beside, 50);
+}
+
+TEST(ChordTable, APowerIsFoundWithItsRootOrNotDenied) {
+  std::mt19937 random(1);
+  const NetDocument net = net_of("regular-2-10-vertices.json");
+  const std::uint32_t dart = first_darts(net)[0];
+  int yes = 0;
+  int open = 0;
+  for (std::uint32_t power = 1; power <= 6; ++power) {
+    const Words words{{1}, std::vector<std::uint32_t>(power, 0), {0}};
+    const LiftedNet lifted(net, words_at(0, words), 256);
+    for (int trial = 0; trial < 150; ++trial) {
+      const BallIsometry root = trial == 0 ? lifted.element(2) : blurred_somehow(lifted.element(2), trial % 30, random);
+      const ChordTable table(lifted.plane(), {{dart, lifted.element(0)}, {dart, lifted.element(1)}, {dart, root}}, 1);
+      if (!table.complete()) continue;
+      const ChordTable::Match match = table.find_other(1);
+      EXPECT_NE(match.found, Tri::no) << power << ", trial " << trial;
+      (match.found == Tri::yes ? yes : open) += 1;
+      if (match.found != Tri::yes) continue;
+      EXPECT_EQ(match.geodesic, 2U) << power << ", trial " << trial;
+      EXPECT_EQ(match.power, power) << trial;
+    }
+  }
+  EXPECT_GT(yes, 100);
+  EXPECT_GT(open, 5);
+}
+
 }  // namespace
 }  // namespace epsnet::certify

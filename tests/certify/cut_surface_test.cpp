@@ -105,6 +105,12 @@ class Bolza {
     return cut_surface(lifted_.plane(), lifted_.evaluator(), chords, numbers);
   }
 
+  /// Of a corner of the triangle of a chord of the table of one curve.
+  [[nodiscard]] std::optional<int> exact_side_of(std::uint32_t curve, const ChordTable& chords, ChordTable::Place place,
+                                                 std::uint32_t corner) const {
+    return exact_side(lifted_.net(), lifted_.evaluator(), chords, lifted_.element_number(curve), place, corner);
+  }
+
   /// By pairs of curves, whether they have no point in common.
   [[nodiscard]] std::vector<std::vector<bool>> disjoint() const {
     std::vector<std::uint32_t> all;
@@ -331,6 +337,28 @@ TEST(ExactSide, IsWhatBallsSayAndLeftOnTheAxis) {
     }
   }
   EXPECT_GT(on_axis, 5);
+}
+
+TEST(ExactSide, OfAWordTooLongNothingIsSaid) {
+  // The table has the curve of a short word; the number that is said to be its label's has so many letters before it
+  // that the exact product would be too large.
+  const Word detour(6000, 0);
+  const Bolza of_long_words("regular-2-10-vertices.json", 128, detour);
+  const Bolza of_short_words("regular-2-10-vertices.json");
+  int with_corner_on_axis = 0;
+  for (std::uint32_t i = 0; i < kSimple.size(); ++i) {
+    const ChordTable table = of_short_words.table({i});
+    bool on_axis = false;
+    for (const Chord& chord : table.list(0).chords) {
+      on_axis = on_axis || std::find(chord.side.begin(), chord.side.end(), 0) != chord.side.end();
+    }
+    EXPECT_EQ(of_long_words.exact_side_of(i, table, {0, 0}, 0), std::nullopt);
+    if (!on_axis) continue;
+    ++with_corner_on_axis;
+    EXPECT_NE(of_short_words.cut({i}, table), std::nullopt);
+    EXPECT_EQ(of_long_words.cut({i}, table), std::nullopt);
+  }
+  EXPECT_GT(with_corner_on_axis, 3);
 }
 
 }  // namespace

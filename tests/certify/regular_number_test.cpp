@@ -268,6 +268,15 @@ TEST(RegularNumber, LogarithmsOfIntegersAreBounded) {
   }
 }
 
+TEST(RegularNumber, LogarithmsOfPrimesAreRoundedDown) {
+  for (int k = 1; k < 63; ++k) {
+    const std::uint64_t power = std::uint64_t{1} << k;
+    EXPECT_EQ(log_rounded_down(power), k * RegularRing::kLogScale);
+    EXPECT_EQ(log_rounded_down(power + 1), k * RegularRing::kLogScale);
+    EXPECT_EQ(log_rounded_down(power - 1), (k - 1) * RegularRing::kLogScale);
+  }
+}
+
 TEST(RegularNumber, LogarithmsOfTurnsAreBounded) {
   // |b| = |s sin(count θ/2)/sin(θ/2)|, |a|² = 1 ± |b|². That of a is nearly its bound somewhere.
   double nearest = 1;
