@@ -91,6 +91,7 @@ class LiftedTriangle {
 ///
 /// Both quantities are nonnegative by what they are, so ends below 0 count as 0.
 [[nodiscard]] Interval quotient(arb_srcptr numerator, arb_srcptr denominator);
+/// The same of intervals: n/d.
 [[nodiscard]] Interval quotient(Interval n, Interval d);
 
 /// From an interval of sinh² of a length to one of `factor` times the length, outward.

@@ -94,8 +94,8 @@ enum class Turn { counterclockwise, clockwise };
 /// Expressions have no divisor to be taken out.
 inline void reduce(Isometry<RegularNumber>& /*f*/) {}
 
-/// Upper bounds of |x| in the ring's embeddings, as logarithms; x is not the null expression. Every embedding has the
-/// same bound for θ and −θ and for both roots.
+/// Upper bounds of |x| in the ring's embeddings, in their order, as logarithms (docs/proof.md, behind Lemma 9.1); x is
+/// not the null expression. O(embeddings) for each part of the expression.
 [[nodiscard]] std::vector<std::int64_t> log_bounds(const RegularNumber& x);
 
 /// The logarithm of x > 0, rounded down to that of a power of 2.
