@@ -1,6 +1,6 @@
 # Lemma 28 of docs/proof.md: filter::delaunay in certify/filter.cpp, line by line.
 # Names in capitals are exact. A, B, C, D are differences of points that are given exactly; each is scaled by a power of
-# two, so that the norm of the rounded difference is at least 1 and less than 2.
+# two, so that the norm of the rounded difference is in [1, 2].
 @fl = float<ieee_64, ne>;
 
 ax = fl(AX);  ay = fl(AY);   # minus(z3, z1)
@@ -20,9 +20,9 @@ MX = CX * DX - CY * DY;
 MY = CX * DY + CY * DX;
 VALUE = MX * NY - MY * NX;
 
-# The norms, each at least 1, and the bound that the value is compared with.
-bound fl= (na * nb) * (nc * nd);
+# The norms, and what the value is compared with.
+bound fl= -1b-41 * ((na * nb) * (nc * nd));
 
 { |ax| <= 2 /\ |ay| <= 2 /\ |bx| <= 2 /\ |by| <= 2 /\ |cx| <= 2 /\ |cy| <= 2 /\ |dx| <= 2 /\ |dy| <= 2 /\
   na in [1, 2] /\ nb in [1, 2] /\ nc in [1, 2] /\ nd in [1, 2]
-  -> |value - VALUE| <= 1b-42 /\ bound >= 1b-1 }
+  -> |value - VALUE| <= 1b-42 /\ bound <= -1b-41 }

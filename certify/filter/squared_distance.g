@@ -1,6 +1,6 @@
 # Lemma 29 of docs/proof.md: filter::squared_distance in certify/filter.cpp. Names in capitals are exact.
 # S is the difference of two points that are given exactly, scaled by a power of two, so that the norm of the rounded
-# difference is at least 1 and less than 2.
+# difference is in [1, 2]; it is the norm of the first coordinate, or the two are exchanged.
 @fl = float<ieee_64, ne>;
 
 sx = fl(SX);  sy = fl(SY);
@@ -8,4 +8,4 @@ squared fl= sx * sx + sy * sy;
 
 SQUARED = SX * SX + SY * SY;
 
-{ |sx| <= 2 /\ |sy| <= 2 -> |squared - SQUARED| <= 1b-47 }
+{ |sx| in [1, 2] /\ |sy| <= 2 -> |squared - SQUARED| <= 1b-47 /\ |squared -/ SQUARED| <= 1b-46 }
