@@ -1,18 +1,48 @@
 #!/usr/bin/env python3
-"""proof_table_test.py ROOT: the functions that section 12 of docs/proof.md names are in the files that it names.
+"""proof_table_test.py ROOT: what docs/proof.md names is there.
 
-A cell is a list of names, each group of them followed by its file, a path in certify/.
+* The functions in the table of section 12 are in the files that it names. A cell is a list of names, each group of them
+  followed by its file, a path in certify/.
+* Its lemmas and theorems are numbered without gaps, and a lemma that a file refers to is one of them.
 """
 
 import pathlib
 import re
 import sys
 
+FOLDERS = ("certify", "docs", "fuzz", "kernel", "netgen", "python", "tests", "triangulation")
+SUFFIXES = (".cpp", ".g", ".h", ".json", ".md", ".py", ".sh")
+STATEMENT = re.compile(r"^\*\*(Lemma|Proposition|Theorem) (\d+)(?:\.(\d+))?[. ]", re.MULTILINE)
+REFERENCE = re.compile(r"\bLemmas? (\d+(?:\.\d+)?)((?:(?:, | and | to )\d+(?:\.\d+)?)*)")
 CELL = re.compile(r"`([A-Za-z_:]+)`|\(([a-z_/]+\.(?:h|cpp))\)")
 
 
-def problems(root):
-    text = (root / "docs/proof.md").read_text(encoding="utf-8")
+def number_problems(text):
+    """Propositions are numbered among the lemmas, theorems by themselves; n.k follows n."""
+    last = {"Lemma": (0, 0), "Theorem": (0, 0)}
+    for kind, number, part in STATEMENT.findall(text):
+        counter = "Theorem" if kind == "Theorem" else "Lemma"
+        whole, parts = last[counter]
+        this = (int(number), int(part or 0))
+        if this != ((whole, parts + 1) if part else (whole + 1, 0)):
+            yield f"{kind} {number}{'.' + part if part else ''} follows {counter} {whole}.{parts}"
+        last[counter] = this
+
+
+def reference_problems(root, text):
+    known = {number + ("." + part if part else "") for kind, number, part in STATEMENT.findall(text) if kind == "Lemma"}
+    if len(known) < 30:
+        yield f"only {len(known)} lemmas"
+    for folder in FOLDERS:
+        for file in sorted((root / folder).rglob("*")):
+            if file.suffix not in SUFFIXES:
+                continue
+            for first, others in REFERENCE.findall(file.read_text(encoding="utf-8", errors="ignore")):
+                yield from (f"{file.relative_to(root)}: there is no Lemma {number}"
+                            for number in [first, *re.findall(r"\d+(?:\.\d+)?", others)] if number not in known)
+
+
+def table_problems(root, text):
     section = text.split("\n## 12.")[1].split("\n## ")[0]
     rows = [re.split(r"(?<!\\)\|", line) for line in section.splitlines() if line.startswith("| ")][2:]
     if len(rows) < 40:
@@ -31,6 +61,8 @@ def problems(root):
         yield from (f"{name} has no file" for name in names)
 
 
-found = list(problems(pathlib.Path(sys.argv[1])))
+root = pathlib.Path(sys.argv[1])
+proof = (root / "docs/proof.md").read_text(encoding="utf-8")
+found = [*table_problems(root, proof), *number_problems(proof), *reference_problems(root, proof)]
 print("\n".join(found), end="\n" if found else "")
 sys.exit(bool(found))
