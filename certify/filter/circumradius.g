@@ -1,5 +1,5 @@
 # Lemma 30 of docs/proof.md: filter::squared_sinh_of_circumradius in certify/filter.cpp. Names in capitals are exact.
-# The squared distances are scaled by a power of two, so that the greatest of x, y, z is in [1, 2].
+# The squared distances are scaled by a power of two, not less than 1/4, so that the greatest of x, y, z is in [1, 2].
 @fl = float<ieee_64, ne>;
 
 d0 = fl(dd0);  d1 = fl(dd1);  d2 = fl(dd2);  a0 = fl(aa0);  a1 = fl(aa1);  a2 = fl(aa2);  greatest = fl(gg);
