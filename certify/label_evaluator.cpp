@@ -1,6 +1,7 @@
 #include "certify/label_evaluator.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "certify/numbers/parallel.h"
 
@@ -36,6 +37,10 @@ std::vector<ExactIsometry> chart_frames(const std::vector<NetDocument::Chart>& c
     frames.push_back(translation_to(exact_point(chart.centre)));
   }
   return frames;
+}
+
+LabelParts label_parts(Crossings crossings, const std::vector<NetDocument::Chart>& charts, const Budget& budget) {
+  return {std::move(crossings), chart_frames(charts, budget), budget};
 }
 
 LabelEvaluator::LabelEvaluator(const NetDocument& document, const LabelParts& parts)

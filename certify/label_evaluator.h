@@ -22,6 +22,10 @@ struct LabelParts {
 [[nodiscard]] std::vector<ExactIsometry> chart_frames(const std::vector<NetDocument::Chart>& charts,
                                                       const Budget& budget);
 
+/// The parts of the labels of a document with these charts. BudgetSpent, if that is too much work.
+[[nodiscard]] LabelParts label_parts(Crossings crossings, const std::vector<NetDocument::Chart>& charts,
+                                     const Budget& budget);
+
 /// A label or its inverse.
 struct SignedLabel {
   std::uint32_t number;

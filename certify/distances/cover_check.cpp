@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <numeric>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
-#include "certify/check.h"
+#include "certify/check/verification.h"
 #include "certify/distances/cover_triangles.h"
 #include "certify/document/cover_structure.h"
 #include "certify/document/darts.h"
@@ -16,9 +15,9 @@
 #include "certify/document/text.h"
 #include "certify/geodesics/lorentz.h"
 #include "certify/label_evaluator.h"
+#include "certify/lifted_triangle.h"
 #include "certify/numbers/parallel.h"
 #include "certify/numbers/precision.h"
-#include "certify/surface_check.h"
 
 namespace epsnet::certify {
 namespace {
@@ -31,6 +30,8 @@ constexpr std::uint64_t kTriangleOperations = 16;
 constexpr std::uint64_t kCutOperations = 12;
 constexpr std::uint64_t kFlipOperations = 40;
 constexpr std::uint64_t kFunctionOperations = 60;
+/// And for a triangle at the net's vertex.
+constexpr std::uint64_t kVertexOperations = 150;
 /// Balls that an open cell keeps.
 constexpr std::uint64_t kCellBalls = 12;
 
@@ -126,42 +127,80 @@ std::array<Cell, 2> halves(const Cell& cell, std::uint32_t side, slong precision
   return {std::move(first), std::move(second)};
 }
 
-/// Of a net whose surface is one.
-LabelParts label_parts(const NetDocument& net, unsigned threads, const Budget& budget) {
-  SurfaceOutcome surface = check_surface(net.surface, threads, budget);
-  if (surface.report.verdict != Verdict::verified) throw BudgetSpent();
-  return {std::move(surface.crossings), chart_frames(net.charts, budget), budget};
-}
-
 class CoverCheck {
  public:
   using Claim = CoverDocument::Claim;
 
-  CoverCheck(const CoverDocument& document, const CheckOptions& options, unsigned threads, const Budget& budget)
+  CoverCheck(const CoverDocument& document, Verification& run, Crossings crossings)
       : document_(document),
-        options_(options),
-        threads_(threads),
-        budget_(budget),
-        parts_(label_parts(document.net, threads, budget)),
+        run_(run),
+        options_(run.options()),
+        threads_(run.threads()),
+        budget_(run.budget()),
+        parts_(label_parts(std::move(crossings), document.net.charts, run.budget())),
         evaluator_(document.net, parts_),
         darts_(static_cast<std::uint32_t>(3 * document.net.triangles.size())) {}
 
+  void ask() {
+    run_.report(at_vertex());
+    if (run_.report(triangulations()) == Verdict::verified) run_.report(cells());
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
   /// The rule `lower`, or `upper` for a radius.
-  RuleReport at_vertex(const Enclosures& net) const {
+  RuleReport at_vertex() {
+    const bool lower = document_.claim != Claim::radius;
+    const double bound = lower ? document_.value.lower : document_.value.upper;
+    Tri less = Tri::unknown;
+    with_rising_precision(options_.max_precision, [&](slong precision) {
+      begin(precision);
+      less = is_less_at_vertex(bound);
+      return less != Tri::unknown;
+    });
+    // The function is never equal to the bound: sinh² of the bound, a binary64, is not algebraic.
+    const Tri holds = lower ? !less : less;
+    const char* const rule = lower ? "lower" : "upper";
+    const std::string expected = (lower ? "at least " : "at most ") + shortest(bound);
+    const std::string text = text_at_vertex();
+    if (holds == Tri::yes) return {rule, Verdict::verified, text};
+    if (holds == Tri::no) return {rule, Verdict::refuted, text + ", expected " + expected};
+    return {rule, Verdict::undecided, text + ", not decided whether " + expected + ", with " + bits()};
+  }
+
+  /// Whether the eccentricity of the net's vertex, its largest circumradius, is less than the bound; or the injectivity
+  /// radius, half of its shortest edge (docs/proof.md, section 15).
+  [[nodiscard]] Tri is_less_at_vertex(double bound) const {
+    const NetDocument& net = document_.net;
+    spend(kVertexOperations, net.triangles.size());
+    const LabelTable labels = all_labels();
+    const Ball squared = sinh_squared(bound);
     const bool disk = document_.claim == Claim::embedded_disk;
-    Interval found = disk ? net.shortest_loop.value_or(Interval{0, 0}) : net.largest_circumradius;
-    if (disk) found = {found.lower / 2, found.upper / 2};
-    const std::string what = disk ? "the injectivity radius" : "the eccentricity";
-    const std::string text = what + " of the net's vertex lies in " + to_string(found);
-    const auto [lower, upper] = document_.value;
-    if (document_.claim == Claim::radius) {
-      if (found.upper <= upper) return {"upper", Verdict::verified, text};
-      return {"upper", found.lower > upper ? Verdict::refuted : Verdict::undecided,
-              text + ", expected at most " + shortest(upper)};
+    Tri less = disk ? Tri::no : Tri::yes;
+    LiftedTriangle lifted;
+    for (std::uint32_t t = 0; t < net.triangles.size(); ++t) {
+      lifted.load(net, labels, t, precision_);
+      if (disk) {
+        for (std::uint32_t edge = 0; edge < 3; ++edge) {
+          lifted.measure_edge(squared.get(), edge, precision_);
+          less = either(less, certainly_positive(lifted.length_lack.get()));
+        }
+      } else {
+        lifted.measure_circumradius(squared.get(), precision_);
+        less = both(less, certainly_positive(lifted.radius_slack.get()));
+      }
     }
-    if (found.lower >= lower) return {"lower", Verdict::verified, text};
-    return {"lower", found.upper < lower ? Verdict::refuted : Verdict::undecided,
-            text + ", expected at least " + shortest(lower)};
+    return less;
+  }
+
+  [[nodiscard]] std::string text_at_vertex() const {
+    const Enclosures net = value_of(run_.certificate().enclosures, "a verified net without enclosures");
+    if (document_.claim != Claim::embedded_disk) {
+      return "the eccentricity of the net's vertex lies in " + to_string(net.largest_circumradius);
+    }
+    const Interval loop = value_of(net.shortest_loop, "a net with one vertex and without loop");
+    return "the injectivity radius of the net's vertex lies in " + to_string(Interval{loop.lower / 2, loop.upper / 2});
   }
 
   /// Makes all triangulations.
@@ -199,40 +238,50 @@ class CoverCheck {
   }
 
   RuleReport cells() {
-    RuleReport report{"cells", Verdict::undecided, ""};
-    try {
-      with_rising_precision(
-          options_.max_precision,
-          [&](slong precision) {
-            precision_ = precision;
-            report = pass();
-            return report.verdict != Verdict::undecided;
-          },
-          kFirstPrecisionForCells);
-    } catch (const BudgetSpent& spent) {
-      report = {"cells", Verdict::undecided, spent.what()};
-    }
+    RuleReport report;
+    with_rising_precision(
+        options_.max_precision,
+        [&](slong precision) {
+          begin(precision);
+          report = pass();
+          return report.verdict != Verdict::undecided;
+        },
+        kFirstPrecisionForCells);
     return report;
   }
 
-  [[nodiscard]] std::uint64_t max_precision_used() const { return static_cast<std::uint64_t>(precision_); }
+  void begin(slong precision) {
+    precision_ = precision;
+    run_.used(static_cast<std::uint64_t>(precision));
+  }
 
- private:
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  [[nodiscard]] std::string bits() const { return std::to_string(precision_) + " bits"; }
 
   void spend(std::uint64_t operations, std::uint64_t times = 1) const {
     budget_.spend(operations * ball_work(static_cast<std::uint64_t>(precision_)), times);
   }
 
+  [[nodiscard]] LabelTable all_labels() const {
+    std::vector<std::uint32_t> numbers(document_.net.labels.size());
+    std::iota(numbers.begin(), numbers.end(), 1U);
+    const slong cap = std::min<slong>(4 * precision_, 2 * options_.max_precision);
+    return {numbers, evaluator_.evaluate(numbers, precision_, cap, threads_), numbers.size()};
+  }
+
+  [[nodiscard]] Ball sinh_squared(double x) const {
+    Ball result;
+    arb_set_d(result.get(), x);
+    arb_sinh(result.get(), result.get(), precision_);
+    arb_sqr(result.get(), result.get(), precision_);
+    return result;
+  }
+
   /// All elements of all triangulations, at the vertex' chart.
   void evaluate() {
-    std::vector<std::uint32_t> numbers(document_.net.labels.size());
-    for (std::uint32_t k = 0; k < numbers.size(); ++k) numbers[k] = k + 1;
-    const std::vector<BallIsometry> values =
-        evaluator_.evaluate(numbers, precision_, std::min<slong>(4 * precision_, 2 * options_.max_precision), threads_);
+    const LabelTable labels = all_labels();
     const auto label = [&](std::uint32_t dart) {
       const std::uint32_t number = corner_label(document_.net, dart);
-      return number == 0 ? identity_isometry() : values[number - 1];
+      return number == 0 ? identity_isometry() : labels[number];
     };
     spend(kFlipOperations, edges_.size() + products_.size());
     budget_.spend(memory_work(8 * (48 + static_cast<std::uint64_t>(precision_) / 8)), edges_.size() + products_.size());
@@ -247,10 +296,7 @@ class CoverCheck {
     for (const Product& product : products_) {
       elements_.push_back(element_of(compose(value(product.first), value(product.second), precision_), precision_));
     }
-    // sinh² of the upper bound.
-    arb_set_d(most_.get(), document_.value.upper);
-    arb_sinh(most_.get(), most_.get(), precision_);
-    arb_sqr(most_.get(), most_.get(), precision_);
+    most_ = sinh_squared(document_.value.upper);
     // The triangles of the net, in the chart of the vertex.
     const NetDocument::Vertex& vertex = document_.net.vertices[0];
     triangles_.assign(darts_ / 3, {});
@@ -306,8 +352,7 @@ class CoverCheck {
         const std::string place = "cell " + std::to_string(outcomes[t].cell) + " of triangle " + std::to_string(t);
         if (wanted == Tri::no) return {"cells", Verdict::refuted, place + " is not bounded by " + bound};
         return {"cells", Verdict::undecided,
-                place + ": not decided whether it is bounded by " + bound + ", with " + std::to_string(precision_) +
-                    " bits"};
+                place + ": not decided whether it is bounded by " + bound + ", with " + bits()};
       }
     }
     return {"cells", Verdict::verified, std::to_string(cells) + " cells are bounded by " + bound};
@@ -393,6 +438,7 @@ class CoverCheck {
   }
 
   const CoverDocument& document_;
+  Verification& run_;
   const CheckOptions& options_;
   unsigned threads_;
   const Budget& budget_;
@@ -404,11 +450,11 @@ class CoverCheck {
   std::vector<Product> products_;     ///< Element edges_.size() + k is product k.
   std::vector<Element> elements_;
   std::vector<Cell> triangles_;
-  Ball most_;
-  slong precision_ = kFirstPrecisionForCells;
+  Ball most_;  ///< sinh² of the upper bound.
+  slong precision_ = kFirstPrecision;
 };
 
-std::string claim_of(const CoverDocument& document) {
+std::string text_of(const CoverDocument& document) {
   using Claim = CoverDocument::Claim;
   const std::string what = document.claim == Claim::diameter ? "the diameter"
                            : document.claim == Claim::radius ? "the radius"
@@ -416,53 +462,24 @@ std::string claim_of(const CoverDocument& document) {
   return what + " lies in " + to_string(document.value);
 }
 
-/// Adds the reports to the certificate of a verified net; the first that is not verified decides.
-void conclude(Certificate& certificate, const std::vector<RuleReport>& reports) {
-  for (const Verdict wanted : {Verdict::refuted, Verdict::undecided}) {
-    if (certificate.verdict != Verdict::verified) break;
-    for (const RuleReport& report : reports) {
-      if (report.verdict != wanted) continue;
-      certificate.verdict = wanted;
-      certificate.rule = report.rule;
-      certificate.message = report.text;
-      break;
-    }
-  }
-  certificate.rules.insert(certificate.rules.end(), reports.begin(), reports.end());
+NetClaim claim_of(const CoverDocument& document) {
+  const auto ask = [&](Verification& run, Crossings crossings) {
+    CoverCheck(document, run, std::move(crossings)).ask();
+  };
+  return {document.net, text_of(document), rules_of(document), ask};
 }
 
 }  // namespace
 
+RuleNames rules_of(const CoverDocument& document) {
+  RuleNames rules = rules_of(document.net);
+  const char* const at_vertex = document.claim == CoverDocument::Claim::radius ? "upper" : "lower";
+  rules.insert(rules.end(), {at_vertex, "triangulations", "cells"});
+  return rules;
+}
+
 Certificate check_cover(const CoverDocument& document, const CheckOptions& options) {
-  if (const auto problem = structure_problem(document)) {
-    Certificate malformed;
-    malformed.verdict = Verdict::malformed;
-    malformed.rule = "structure";
-    malformed.message = *problem;
-    return malformed;
-  }
-  CheckOptions bounded = options;
-  bounded.max_work = options.max_work != 0 ? options.max_work : work_allowed(least_bytes(document));
-  Certificate certificate = check(document.net, bounded);
-  certificate.claim = claim_of(document);
-  if (certificate.verdict != Verdict::verified) return certificate;
-  // What the net has left of the work.
-  const Budget budget(bounded.max_work - certificate.counts.work);
-  bounded.max_precision = std::clamp(options.max_precision, kLeastPrecision, kGreatestPrecision);
-  bounded.threads = options.threads != 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1U);
-  std::vector<RuleReport> reports;
-  try {
-    CoverCheck cover(document, bounded, bounded.threads, budget);
-    reports.push_back(cover.at_vertex(*certificate.enclosures));
-    reports.push_back(cover.triangulations());
-    if (reports.back().verdict == Verdict::verified) reports.push_back(cover.cells());
-    certificate.counts.max_precision_used = std::max(certificate.counts.max_precision_used, cover.max_precision_used());
-  } catch (const BudgetSpent& spent) {
-    reports.push_back({"cells", Verdict::undecided, spent.what()});
-  }
-  conclude(certificate, reports);
-  certificate.counts.work = bounded.max_work - budget.left();
-  return certificate;
+  return verify(document, options, claim_of);
 }
 
 }  // namespace epsnet::certify

@@ -1,11 +1,14 @@
 #pragma once
 
+#include "certify/check.h"
 #include "certify/document/cover_document.h"
-#include "certify/document/report.h"
 
 /// The checker of cover files: whether the diameter, the radius, or that of the largest embedded disk, lies between the
 /// bounds (docs/proof.md, section 15).
 namespace epsnet::certify {
+
+/// The rules by name, in the order in which they are asked: those of the net, then those below.
+[[nodiscard]] RuleNames rules_of(const CoverDocument& document);
 
 /// Checks the net first, with its seven rules; its certificate is the answer unless it is verified. Then come the rules
 ///

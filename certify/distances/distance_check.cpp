@@ -1,11 +1,12 @@
 #include "certify/distances/distance_check.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
-#include <thread>
 #include <utility>
 #include <vector>
 
+#include "certify/check/verification.h"
 #include "certify/document/darts.h"
 #include "certify/document/distance_structure.h"
 #include "certify/document/least_bytes.h"
@@ -13,7 +14,6 @@
 #include "certify/geodesics/interval_index.h"
 #include "certify/geodesics/lifted_plane.h"
 #include "certify/numbers/precision.h"
-#include "certify/surface_check.h"
 
 namespace epsnet::certify {
 namespace {
@@ -34,12 +34,6 @@ NetDocument extended(const DistanceDocument& document) {
     net.labels.push_back({net.vertices[0].chart, chart, path});
   }
   return net;
-}
-
-LabelParts label_parts(const NetDocument& net, unsigned threads, const Budget& budget) {
-  SurfaceOutcome surface = check_surface(net.surface, threads, budget);
-  if (surface.report.verdict != Verdict::verified) throw BudgetSpent();
-  return {std::move(surface.crossings), chart_frames(net.charts, budget), budget};
 }
 
 ExactPoint exact_point_within(const RationalPoint& z, const Budget& budget) {
@@ -99,18 +93,20 @@ struct ExactLength {
   Real denominator;
 };
 
+enum Rule : std::size_t { kPaths, kEqual, kNearest };
+constexpr std::array<const char*, 3> kRuleNames{"paths", "equal", "nearest"};
+
 class DistanceCheck {
  public:
-  DistanceCheck(const DistanceDocument& document, const CheckOptions& options, unsigned threads, const Budget& budget)
+  DistanceCheck(const DistanceDocument& document, const Verification& run, Crossings crossings)
       : document_(document),
-        options_(options),
-        threads_(threads),
+        options_(run.options()),
+        threads_(run.threads()),
         net_(extended(document)),
-        parts_(label_parts(net_, threads, budget)),
+        parts_(label_parts(std::move(crossings), net_.charts, run.budget())),
         evaluator_(net_, parts_),
-        point_(exact_point_within(document.point.z, budget)) {
-    for (const char* rule : {"paths", "equal", "nearest"})
-      reports_.push_back({rule, Verdict::undecided, "not decided"});
+        point_(exact_point_within(document.point.z, run.budget())) {
+    for (const char* rule : kRuleNames) reports_.push_back({rule, Verdict::undecided, "not decided"});
   }
 
   std::vector<RuleReport> run() {
@@ -137,8 +133,6 @@ class DistanceCheck {
   [[nodiscard]] std::uint64_t max_precision_used() const { return static_cast<std::uint64_t>(precision_); }
 
  private:
-  enum Rule : std::size_t { kPaths, kEqual, kNearest };
-
   [[nodiscard]] Verdict verdict(Rule rule) const { return reports_[rule].verdict; }
   [[nodiscard]] bool open(Rule rule) const { return verdict(rule) == Verdict::undecided; }
   void report(Rule rule, Verdict verdict, std::string text) {
@@ -415,7 +409,7 @@ std::string vertex_name(const NetDocument& net) {
 }
 
 /// What the document says, in words.
-std::string claim_of(const DistanceDocument& document) {
+std::string text_of(const DistanceDocument& document) {
   const std::string count = std::to_string(document.paths.size());
   return "the distance of " + vertex_name(document.net) + " from " + point_name(document.point.tile, document.point.z) +
          " lies in " + to_string(document.distance) + ", and " +
@@ -424,55 +418,25 @@ std::string claim_of(const DistanceDocument& document) {
                                      : "the " + count + " paths listed are all that are not longer than that");
 }
 
-/// Adds the reports to the certificate of a verified net.
-void conclude(Certificate& certificate, std::vector<RuleReport> reports) {
-  for (const Verdict wanted : {Verdict::refuted, Verdict::undecided}) {
-    if (certificate.verdict != Verdict::verified) break;
-    for (const RuleReport& report : reports) {
-      if (report.verdict != wanted) continue;
-      certificate.verdict = wanted;
-      certificate.rule = report.rule;
-      certificate.message = report.text;
-      break;
-    }
-  }
-  certificate.rules.insert(certificate.rules.end(), reports.begin(), reports.end());
+NetClaim claim_of(const DistanceDocument& document) {
+  const auto ask = [&](Verification& run, Crossings crossings) {
+    DistanceCheck distance(document, run, std::move(crossings));
+    for (RuleReport& report : distance.run()) run.report(std::move(report));
+    run.used(distance.max_precision_used());
+  };
+  return {document.net, text_of(document), rules_of(document), ask};
 }
 
 }  // namespace
 
+RuleNames rules_of(const DistanceDocument& document) {
+  RuleNames rules = rules_of(document.net);
+  rules.insert(rules.end(), kRuleNames.begin(), kRuleNames.end());
+  return rules;
+}
+
 Certificate check_distance(const DistanceDocument& document, const CheckOptions& options) {
-  if (const auto problem = structure_problem(document)) {
-    Certificate malformed;
-    malformed.verdict = Verdict::malformed;
-    malformed.rule = "structure";
-    malformed.message = *problem;
-    return malformed;
-  }
-  CheckOptions bounded = options;
-  bounded.max_work = options.max_work != 0 ? options.max_work : work_allowed(least_bytes(document));
-  Certificate certificate = check(document.net, bounded);
-  certificate.claim = claim_of(document);
-  if (certificate.verdict != Verdict::verified) return certificate;
-  // What the net has left of the work.
-  const Budget budget(bounded.max_work - certificate.counts.work);
-  bounded.max_precision = std::clamp(options.max_precision, kLeastPrecision, kGreatestPrecision);
-  if (document.net.triangles.size() > options.max_triangles) {
-    conclude(certificate, {{"paths", Verdict::undecided,
-                            "the net has more triangles than the limit, " + std::to_string(options.max_triangles)}});
-    return certificate;
-  }
-  const unsigned threads = options.threads != 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1U);
-  try {
-    DistanceCheck distance(document, bounded, threads, budget);
-    conclude(certificate, distance.run());
-    certificate.counts.max_precision_used =
-        std::max(certificate.counts.max_precision_used, distance.max_precision_used());
-  } catch (const BudgetSpent& spent) {
-    conclude(certificate, {{"paths", Verdict::undecided, spent.what()}});
-  }
-  certificate.counts.work = bounded.max_work - budget.left();
-  return certificate;
+  return verify(document, options, claim_of);
 }
 
 }  // namespace epsnet::certify

@@ -7,6 +7,9 @@
 /// geodesics that are listed are all that are so short (docs/proof.md, section 14).
 namespace epsnet::certify {
 
+/// The rules by name, in the order in which they are asked: those of the net, then those below.
+[[nodiscard]] RuleNames rules_of(const DistanceDocument& document);
+
 /// Checks the net first, with its seven rules; its certificate is the answer unless it is verified. Then come the rules
 ///
 /// * `paths`: the lengths lie in the enclosure, and no two paths are the same;

@@ -20,6 +20,14 @@ std::string to_string(const RuleReport& report) {
   return report.rule + ": " + std::string(name(report.verdict)) + ": " + report.text;
 }
 
+Certificate malformed(const std::string& problem) {
+  Certificate certificate;
+  certificate.verdict = Verdict::malformed;
+  certificate.rule = "structure";
+  certificate.message = problem;
+  return certificate;
+}
+
 std::string verdict_line(const Certificate& certificate, std::string_view subject) {
   std::string line(name(certificate.verdict));
   if (certificate.verdict == Verdict::verified) return line;

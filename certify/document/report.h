@@ -31,8 +31,8 @@ struct CheckOptions {
   std::uint64_t max_work = 0;
   /// Geodesics files only: lifted triangles visited; with more, a list is not decided to be complete.
   std::uint64_t max_visits = 100'000'000;
-  /// Geodesics and distance files only: triangles of the net, each of which takes a kilobyte of memory; of a net with
-  /// more, nothing is decided. A finer net is no help for either.
+  /// Claims about the surface of a net only (geodesics, distances, covers): triangles of the net, each of which takes a
+  /// kilobyte of memory; of a net with more, nothing is decided. A finer net is no help for any.
   std::size_t max_triangles = std::size_t{1} << 20;
   /// Whether binary64, with bounds for its errors, is asked before balls (proof.md, section 16). Changes only the time.
   bool filter = true;
@@ -46,6 +46,9 @@ struct RuleReport {
   Verdict verdict = Verdict::undecided;
   std::string text;  ///< What was proved, or the first element in file order that fails, with its numbers. One line.
 };
+
+/// The rules of a claim by name, in the order in which they are asked.
+using RuleNames = std::vector<std::string_view>;
 
 /// "rule: VERDICT: text".
 [[nodiscard]] std::string to_string(const RuleReport& report);
@@ -94,8 +97,7 @@ struct Certificate {
   std::string claim;    ///< What holds if the verdict is `verified`, in words; empty if malformed. One line.
   std::string rule;     ///< The rule that decided a verdict other than `verified`; "structure" if malformed.
   std::string message;  ///< That rule's text; empty if verified.
-  /// The rules that were evaluated, in the order surface, map, gluing, orientation, delaunay, covering, packing; in a
-  /// pseudo net collars comes after gluing, and thick last. A rule that needs an earlier one which failed is not
+  /// The rules that were evaluated, in the order of rules_of. A rule that needs an earlier one which failed is not
   /// evaluated.
   std::vector<RuleReport> rules;
   Counts counts;
@@ -104,6 +106,9 @@ struct Certificate {
   std::optional<Enclosures> enclosures;      ///< Present if the geometry was evaluated.
   std::optional<GeodesicsCounts> geodesics;  ///< Present for a geodesics file whose net is verified.
 };
+
+/// That of a document whose structure is broken.
+[[nodiscard]] Certificate malformed(const std::string& problem);
 
 /// The verdict and why it is none other, on one line: "VERIFIED", "REFUTED: rule: message", "UNDECIDED: rule: message"
 /// or "MALFORMED: message". `subject`, if it is not empty, says of what, after a verdict other than VERIFIED:

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <thread>
+#include <utility>
 
+#include "certify/check/verification.h"
 #include "certify/document/geodesics_structure.h"
 #include "certify/document/least_bytes.h"
 #include "certify/document/text.h"
@@ -15,7 +16,6 @@
 #include "certify/geodesics/list_rules.h"
 #include "certify/numbers/parallel.h"
 #include "certify/numbers/precision.h"
-#include "certify/surface_check.h"
 
 namespace epsnet::certify {
 namespace {
@@ -39,29 +39,31 @@ NetDocument extended(const GeodesicsDocument& document) {
   return net;
 }
 
-LabelParts label_parts(const NetDocument& net, unsigned threads, const Budget& budget) {
-  SurfaceOutcome surface = check_surface(net.surface, threads, budget);
-  if (surface.report.verdict != Verdict::verified) throw BudgetSpent();
-  return {std::move(surface.crossings), chart_frames(net.charts, budget), budget};
+enum Rule : std::size_t { kGeodesics, kDistinct, kSimple, kEqual, kComplete, kPieces };
+constexpr std::array kRules{kGeodesics, kDistinct, kSimple, kEqual, kComplete, kPieces};
+constexpr std::array<const char*, 6> kRuleNames{"geodesics", "distinct", "simple", "equal", "complete", "pieces"};
+
+/// Whether a claim needs a rule.
+bool is_needed(Rule rule, GeodesicsDocument::Claim claim) {
+  if (rule == kPieces) return claim == GeodesicsDocument::Claim::thick_thin;
+  return claim != GeodesicsDocument::Claim::systole || (rule != kDistinct && rule != kEqual);
 }
 
 class GeodesicsCheck {
  public:
-  GeodesicsCheck(const GeodesicsDocument& document, const CheckOptions& options, unsigned threads, const Budget& budget)
+  GeodesicsCheck(const GeodesicsDocument& document, const Verification& run, Crossings crossings)
       : document_(document),
-        options_(options),
-        threads_(threads),
+        options_(run.options()),
+        threads_(run.threads()),
         net_(extended(document)),
-        parts_(label_parts(net_, threads, budget)),
+        parts_(label_parts(std::move(crossings), net_.charts, run.budget())),
         evaluator_(net_, parts_),
         first_darts_(first_darts(net_)),
         elements_(document.geodesics.size()),
         traces_(evaluator_),
-        completeness_(document, evaluator_, options) {
+        completeness_(document, evaluator_, options_) {
     std::iota(elements_.begin(), elements_.end(), static_cast<std::uint32_t>(document.net.labels.size()) + 1);
-    for (const char* rule : {"geodesics", "distinct", "simple", "equal", "complete", "pieces"}) {
-      reports_.push_back({rule, Verdict::undecided, "not decided"});
-    }
+    for (const char* rule : kRuleNames) reports_.push_back({rule, Verdict::undecided, "not decided"});
   }
 
   /// The reports of the rules that the claim needs.
@@ -83,7 +85,7 @@ class GeodesicsCheck {
       }
     }
     std::vector<RuleReport> result;
-    for (const Rule rule : {kGeodesics, kDistinct, kSimple, kEqual, kComplete, kPieces}) {
+    for (const Rule rule : kRules) {
       if (needed(rule)) result.push_back(std::move(reports_[rule]));
     }
     return result;
@@ -98,15 +100,10 @@ class GeodesicsCheck {
   }
 
  private:
-  enum Rule : std::size_t { kGeodesics, kDistinct, kSimple, kEqual, kComplete, kPieces };
-
   [[nodiscard]] Verdict verdict(Rule rule) const { return reports_[rule].verdict; }
   [[nodiscard]] bool open(Rule rule) const { return needed(rule) && verdict(rule) == Verdict::undecided; }
 
-  [[nodiscard]] bool needed(Rule rule) const {
-    if (rule == kPieces) return document_.claim == GeodesicsDocument::Claim::thick_thin;
-    return document_.claim != GeodesicsDocument::Claim::systole || (rule != kDistinct && rule != kEqual);
-  }
+  [[nodiscard]] bool needed(Rule rule) const { return is_needed(rule, document_.claim); }
 
   /// Whether more bits can change nothing.
   [[nodiscard]] bool all_decided() const {
@@ -298,7 +295,7 @@ class GeodesicsCheck {
 };
 
 /// What the document says of its list, in words.
-std::string claim_of(const GeodesicsDocument& document) {
+std::string text_of(const GeodesicsDocument& document) {
   const std::string count = std::to_string(document.geodesics.size());
   switch (document.claim) {
     case GeodesicsDocument::Claim::systole:
@@ -314,54 +311,27 @@ std::string claim_of(const GeodesicsDocument& document) {
          " primitive closed geodesics of length at most 2 arsinh 1, up to orientation, and the pieces without them";
 }
 
-/// Adds the reports to the certificate of a verified net.
-void conclude(Certificate& certificate, std::vector<RuleReport> reports) {
-  for (const Verdict wanted : {Verdict::refuted, Verdict::undecided}) {
-    if (certificate.verdict != Verdict::verified) break;
-    for (const RuleReport& report : reports) {
-      if (report.verdict != wanted) continue;
-      certificate.verdict = wanted;
-      certificate.rule = report.rule;
-      certificate.message = report.text;
-      break;
-    }
-  }
-  certificate.rules.insert(certificate.rules.end(), reports.begin(), reports.end());
+NetClaim claim_of(const GeodesicsDocument& document) {
+  const auto ask = [&](Verification& run, Crossings crossings) {
+    GeodesicsCheck geodesics(document, run, std::move(crossings));
+    for (RuleReport& report : geodesics.run()) run.report(std::move(report));
+    run.certificate().geodesics = geodesics.counts();
+  };
+  return {document.net, text_of(document), rules_of(document), ask};
 }
 
 }  // namespace
 
+RuleNames rules_of(const GeodesicsDocument& document) {
+  RuleNames rules = rules_of(document.net);
+  for (const Rule rule : kRules) {
+    if (is_needed(rule, document.claim)) rules.emplace_back(kRuleNames[rule]);
+  }
+  return rules;
+}
+
 Certificate check_geodesics(const GeodesicsDocument& document, const CheckOptions& options) {
-  if (const auto problem = structure_problem(document)) {
-    Certificate malformed;
-    malformed.verdict = Verdict::malformed;
-    malformed.rule = "structure";
-    malformed.message = *problem;
-    return malformed;
-  }
-  CheckOptions bounded = options;
-  bounded.max_work = options.max_work != 0 ? options.max_work : work_allowed(least_bytes(document));
-  Certificate certificate = check(document.net, bounded);
-  certificate.claim = claim_of(document);
-  if (certificate.verdict != Verdict::verified) return certificate;
-  // What the net has left of the work.
-  const Budget budget(bounded.max_work - certificate.counts.work);
-  bounded.max_precision = std::clamp(options.max_precision, kLeastPrecision, kGreatestPrecision);
-  if (document.net.triangles.size() > options.max_triangles) {
-    conclude(certificate, {{"geodesics", Verdict::undecided,
-                            "the net has more triangles than the limit, " + std::to_string(options.max_triangles)}});
-    return certificate;
-  }
-  const unsigned threads = options.threads != 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1U);
-  try {
-    GeodesicsCheck geodesics(document, bounded, threads, budget);
-    conclude(certificate, geodesics.run());
-    certificate.geodesics = geodesics.counts();
-  } catch (const BudgetSpent& spent) {
-    conclude(certificate, {{"geodesics", Verdict::undecided, spent.what()}});
-  }
-  certificate.counts.work = bounded.max_work - budget.left();
-  return certificate;
+  return verify(document, options, claim_of);
 }
 
 }  // namespace epsnet::certify

@@ -7,6 +7,9 @@
 /// section 11).
 namespace epsnet::certify {
 
+/// The rules by name, in the order in which they are asked: those of the net, then those below that the claim needs.
+[[nodiscard]] RuleNames rules_of(const GeodesicsDocument& document);
+
 /// Checks the net first, with its seven rules; its certificate is the answer unless it is verified. Then come the rules
 ///
 /// * `geodesics`: every element is a closed geodesic whose length lies in its enclosure and is at most `up_to`;

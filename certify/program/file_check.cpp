@@ -106,9 +106,7 @@ FileReport check_file(const Request& request, const std::string& path) {
     report.error = without_name(error);
     return report;
   } catch (const MalformedError& error) {
-    report.certificate.verdict = Verdict::malformed;
-    report.certificate.rule = "structure";
-    report.certificate.message = without_name(error);
+    report.certificate = malformed(without_name(error));
     // Of compact files the second checker knows only what a reader made of them.
     if (!is_compact(bytes) && (request.exact || bytes.size() <= kBytesCheckedTwice)) add_second_opinion(report, bytes);
     return report;

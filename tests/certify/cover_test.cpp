@@ -133,21 +133,69 @@ TEST(Cover, ALowerBoundAboveTheValueAtTheVertexIsRefuted) {
   }
 }
 
-/// To the last bit: what lies within the enclosure is not decided.
-TEST(Cover, TheLowerBoundIsComparedWithTheEnclosureAtTheVertex) {
-  for (CoverDocument document : all_files()) {
+/// The largest bound for which the rule at the vertex has this verdict, of those from `least` up to a greater one for
+/// which it does not. Every bound is decided, and none above it has the verdict again.
+double last_with(const std::string& wanted, double least, double greatest, const CoverDocument& document) {
+  const bool radius = document.claim == Claim::radius;
+  const auto verdict = [&](double bound) {
+    CoverDocument changed = document;
+    (radius ? changed.value.upper : changed.value.lower) = bound;
+    changed.value.lower = std::min(changed.value.lower, changed.value.upper);
+    changed.value.upper = std::max(changed.value.lower, changed.value.upper);
+    return verdict_of(radius ? "upper" : "lower", changed);
+  };
+  double last = 0;
+  bool ended = false;
+  for (double bound = least; bound <= greatest; bound = above(bound)) {
+    const std::string found = verdict(bound);
+    EXPECT_TRUE(found == "VERIFIED" || found == "REFUTED") << bound << ": " << found;
+    if (found != wanted) ended = true;
+    if (found == wanted) {
+      EXPECT_FALSE(ended) << bound;
+      last = bound;
+    }
+  }
+  EXPECT_TRUE(ended);
+  return last;
+}
+
+/// To the last bit: the enclosure that is printed has several binary64 numbers inside, and balls decide all of them.
+TEST(Cover, TheLowerBoundIsComparedWithTheValueAtTheVertex) {
+  for (const CoverDocument& document : all_files()) {
     const Interval found = at_vertex(document);
     ASSERT_LT(above(found.lower), below(found.upper));
-    const auto verdict = [&](double lower) {
-      document.value.lower = lower;
-      document.value.upper = std::max(document.value.upper, lower);
-      return verdict_of("lower", document);
-    };
-    EXPECT_EQ(verdict(found.lower), "VERIFIED");
-    EXPECT_EQ(verdict(above(found.lower)), "UNDECIDED");
-    EXPECT_EQ(verdict(found.upper), "UNDECIDED");
-    EXPECT_EQ(verdict(above(found.upper)), "REFUTED");
+    const double last = last_with("VERIFIED", below(found.lower), above(found.upper), document);
+    EXPECT_GE(last, found.lower);
+    EXPECT_LT(last, found.upper);
   }
+}
+
+/// The eccentricity of the centre of the regular octagon, arcosh(cot²(π/8)), rounded down.
+TEST(Cover, TheLowerBoundIsComparedWithAKnownValueAtTheVertex) {
+  Ball value;
+  arb_const_pi(value.get(), 300);
+  arb_mul_2exp_si(value.get(), value.get(), -3);
+  arb_cot(value.get(), value.get(), 300);
+  arb_sqr(value.get(), value.get(), 300);
+  arb_acosh(value.get(), value.get(), 300);
+  const double rounded = outer_interval(value.get()).lower;
+  EXPECT_EQ(last_with("VERIFIED", rounded - 1e-15, rounded + 1e-15, regular()), rounded);
+}
+
+/// The rule that has no work left is the one that is open.
+TEST(Cover, WithoutWorkTheRuleThatIsAskedIsUndecided) {
+  std::vector<std::string> open;
+  const std::uint64_t all = checked(regular()).counts.work;
+  const std::uint64_t net = check(regular().net, {.threads = 2}).counts.work;
+  for (std::uint64_t work = net; work < all; work += (all - net) / 200 + 1) {
+    const Certificate certificate = check_cover(regular(), {.threads = 2, .max_work = work});
+    EXPECT_EQ(certificate.verdict, Verdict::undecided);
+    ASSERT_FALSE(certificate.rules.empty());
+    EXPECT_EQ(certificate.rule, certificate.rules.back().rule);
+    EXPECT_THAT(certificate.message, HasSubstr("more work"));
+    if (open.empty() || open.back() != certificate.rule) open.push_back(certificate.rule);
+  }
+  EXPECT_THAT(open, testing::ElementsAre("lower", "triangulations", "cells"));
 }
 
 /// The vertex need not be the centre of its chart: what is said is the same as in a chart of which it is.
@@ -402,18 +450,13 @@ TEST(CoverOfARadius, AnUpperBoundBelowTheValueAtTheVertexIsRefuted) {
   EXPECT_EQ(outcome(document), "REFUTED: upper");
 }
 
-TEST(CoverOfARadius, TheUpperBoundIsComparedWithTheEnclosureAtTheVertex) {
-  CoverDocument document = octagon_radius();
+TEST(CoverOfARadius, TheUpperBoundIsComparedWithTheValueAtTheVertex) {
+  const CoverDocument document = octagon_radius();
   const Interval found = at_vertex(document);
   ASSERT_LT(above(found.lower), below(found.upper));
-  const auto verdict = [&](double upper) {
-    document.value.upper = upper;
-    return verdict_of("upper", document);
-  };
-  EXPECT_EQ(verdict(found.upper), "VERIFIED");
-  EXPECT_EQ(verdict(below(found.upper)), "UNDECIDED");
-  EXPECT_EQ(verdict(found.lower), "UNDECIDED");
-  EXPECT_EQ(verdict(below(found.lower)), "REFUTED");
+  const double last = last_with("REFUTED", below(found.lower), above(found.upper), document);
+  EXPECT_GE(last, found.lower);
+  EXPECT_LT(last, found.upper);
 }
 
 TEST(CoverOfARadius, ALowerBoundAboveThatOfACellIsRefuted) {

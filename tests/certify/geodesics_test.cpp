@@ -759,7 +759,7 @@ TEST(ThickThin, AWrongSimpleIsRefuted) {
 /// Cuffs of lengths 0.5, 0.5 and 1e-14 more, and 1.2.
 GeodesicsDocument nearly_equal_cuffs() { return thick_thin("two-cuffs-that-differ-by-1e-14.json"); }
 
-std::vector<std::string> rules_of(const GeodesicsDocument& document) {
+std::vector<std::string> rules_asked(const GeodesicsDocument& document) {
   std::vector<std::string> result;
   for (const RuleReport& report : check_geodesics(document, {.threads = 1}).rules) result.push_back(report.rule);
   result.erase(result.begin(), result.begin() + 7);
@@ -769,19 +769,19 @@ std::vector<std::string> rules_of(const GeodesicsDocument& document) {
 TEST(Geodesics, AreAskedWhatTheClaimNeeds) {
   using testing::ElementsAre;
   GeodesicsDocument document = nearly_equal_cuffs();
-  EXPECT_THAT(rules_of(document), ElementsAre("geodesics", "distinct", "simple", "equal", "complete", "pieces"));
+  EXPECT_THAT(rules_asked(document), ElementsAre("geodesics", "distinct", "simple", "equal", "complete", "pieces"));
   document.claim = GeodesicsDocument::Claim::spectrum;
   document.pieces.clear();
   document.up_to = "1.3";
-  EXPECT_THAT(rules_of(document), ElementsAre("geodesics", "distinct", "simple", "equal", "complete"));
+  EXPECT_THAT(rules_asked(document), ElementsAre("geodesics", "distinct", "simple", "equal", "complete"));
   document.geodesics[2].length.lower = 1.25;
   document.geodesics[2].length.upper = 1.3;
-  EXPECT_THAT(rules_of(document), ElementsAre("geodesics")) << "nothing is said of a list that is wrong";
+  EXPECT_THAT(rules_asked(document), ElementsAre("geodesics")) << "nothing is said of a list that is wrong";
   document.claim = GeodesicsDocument::Claim::systole;
   document.geodesics.resize(1);
   document.clusters.clear();
   document.up_to.clear();
-  EXPECT_THAT(rules_of(document), ElementsAre("geodesics", "simple", "complete"));
+  EXPECT_THAT(rules_asked(document), ElementsAre("geodesics", "simple", "complete"));
 }
 
 TEST(Geodesics, DifferentLengthsCalledEqualAreRefutedInEitherOrder) {

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "certify/check/verification.h"
+
+namespace epsnet::certify {
+
+/// Asks and reports the rules of a net (rules_of in check.h) one after the other, as far as each can be asked, and
+/// counts what there is. Needs a document without structure problem.
+///
+/// The crossings of the surface, if rule `surface` is verified. BudgetSpent leaves the next rule to be given up.
+[[nodiscard]] Crossings ask_net_rules(const NetDocument& document, Verification& run);
+
+}  // namespace epsnet::certify

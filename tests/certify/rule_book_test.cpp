@@ -1,0 +1,239 @@
+#include "certify/check/rule_book.h"
+
+#include <algorithm>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <regex>
+#include <sstream>
+
+#include "certify/check/verification.h"
+#include "certify/distances/cover_check.h"
+#include "certify/distances/distance_check.h"
+#include "certify/document/fault.h"
+#include "certify/document/structure_check.h"
+#include "certify/file/reader.h"
+#include "certify/geodesics/geodesics_check.h"
+
+/// Nothing is VERIFIED unless every rule that a claim declares was reported, once, and is.
+namespace epsnet::certify {
+namespace {
+
+using testing::ElementsAre;
+using testing::ElementsAreArray;
+using testing::HasSubstr;
+
+RuleReport verified(const std::string& rule) { return {rule, Verdict::verified, "it holds"}; }
+RuleReport refuted(const std::string& rule) { return {rule, Verdict::refuted, "it fails"}; }
+RuleReport undecided(const std::string& rule) { return {rule, Verdict::undecided, "it is open"}; }
+
+/// The verdict line about a claim with the rules a, b and c after these reports.
+std::string conclusion(const std::vector<RuleReport>& reports) {
+  RuleBook book({"a", "b", "c"});
+  for (const RuleReport& report : reports) book.report(report);
+  Certificate certificate;
+  // What was there before does not count.
+  certificate.verdict = Verdict::verified;
+  book.conclude(certificate);
+  EXPECT_EQ(certificate.rules.size(), reports.size());
+  return verdict_line(certificate);
+}
+
+/// What the program says of itself when this is reported after `before`.
+std::string fault(const std::vector<RuleReport>& before, const RuleReport& last) {
+  RuleBook book({"a", "b", "c"});
+  for (const RuleReport& report : before) book.report(report);
+  try {
+    book.report(last);
+  } catch (const Fault& fault) {
+    EXPECT_EQ(book.reports().size(), before.size());
+    return fault.what();
+  }
+  return "none";
+}
+
+TEST(RuleBook, EveryRuleThatIsDeclaredHasToBeVerified) {
+  EXPECT_EQ(conclusion({verified("a"), verified("b"), verified("c")}), "VERIFIED");
+  EXPECT_EQ(conclusion({}), "UNDECIDED: a: the rule was not asked");
+  EXPECT_EQ(conclusion({verified("a")}), "UNDECIDED: b: the rule was not asked");
+  EXPECT_EQ(conclusion({verified("a"), verified("b")}), "UNDECIDED: c: the rule was not asked");
+}
+
+TEST(RuleBook, TheFirstRefutedRuleDecidesThenTheFirstOpenOne) {
+  EXPECT_EQ(conclusion({refuted("a")}), "REFUTED: a: it fails");
+  EXPECT_EQ(conclusion({undecided("a")}), "UNDECIDED: a: it is open");
+  EXPECT_EQ(conclusion({undecided("a"), refuted("b"), refuted("c")}), "REFUTED: b: it fails");
+  EXPECT_EQ(conclusion({verified("a"), undecided("b"), refuted("c")}), "REFUTED: c: it fails");
+  EXPECT_EQ(conclusion({verified("a"), undecided("b"), undecided("c")}), "UNDECIDED: b: it is open");
+  EXPECT_EQ(conclusion({verified("a"), verified("b"), undecided("c")}), "UNDECIDED: c: it is open");
+}
+
+TEST(RuleBook, AReportThatIsNotTheNextOneIsAFaultOfTheProgram) {
+  const std::string begin = "a fault of this program: rule ";
+  EXPECT_EQ(fault({}, verified("b")), begin + "b was reported, expected a");
+  EXPECT_EQ(fault({verified("a")}, verified("a")), begin + "a was reported, expected b");
+  EXPECT_EQ(fault({verified("a"), verified("b")}, verified("a")), begin + "a was reported, expected c");
+  EXPECT_EQ(fault({verified("a")}, verified("d")), begin + "d was reported, expected b");
+  EXPECT_EQ(fault({verified("a")}, verified("")), begin + " was reported, expected b");
+  EXPECT_EQ(fault({verified("a"), verified("b"), verified("c")}, verified("c")),
+            begin + "c was reported, expected no more");
+  EXPECT_THAT(fault({}, {"a", Verdict::malformed, ""}), HasSubstr("a fault of this program: "));
+}
+
+TEST(RuleBook, AClaimDeclaresRulesEachOnce) {
+  EXPECT_THROW(RuleBook({}), Fault);
+  EXPECT_THROW(RuleBook({"a", "b", "a"}), Fault);
+}
+
+TEST(RuleBook, VerifiedSoFarIsAboutWhatWasReported) {
+  RuleBook book({"a", "b", "c"});
+  EXPECT_TRUE(book.verified_so_far());
+  book.report(verified("a"));
+  EXPECT_TRUE(book.verified_so_far());
+  book.report(undecided("b"));
+  book.report(verified("c"));
+  EXPECT_FALSE(book.verified_so_far());
+}
+
+// Claims about a net that is one.
+
+NetDocument net() { return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/octagon-9-vertices.json"); }
+
+/// The verdict line about a claim with the further rules a and b that are asked like this.
+std::string line_of(const NetDocument& document, const std::function<void(Verification&)>& ask,
+                    const CheckOptions& options = {.threads = 1}) {
+  RuleNames rules = rules_of(document);
+  rules.insert(rules.end(), {"a", "b"});
+  const NetClaim claim{document, "a claim", rules, [&](Verification& run, const Crossings&) { ask(run); }};
+  const Certificate certificate = verify(claim, 1, options);
+  EXPECT_EQ(certificate.claim, "a claim");
+  return verdict_line(certificate);
+}
+
+TEST(Verification, AClaimWhoseRulesAreNotReportedIsNotVerified) {
+  const NetDocument document = net();
+  EXPECT_EQ(line_of(document, [](Verification&) {}), "UNDECIDED: a: the rule was not asked");
+  EXPECT_EQ(line_of(document, [](Verification& run) { run.report(verified("a")); }),
+            "UNDECIDED: b: the rule was not asked");
+  EXPECT_EQ(line_of(document,
+                    [](Verification& run) {
+                      run.report(verified("a"));
+                      run.report(verified("b"));
+                    }),
+            "VERIFIED");
+  EXPECT_THROW((void)line_of(document, [](Verification& run) { run.report(verified("b")); }), Fault);
+  EXPECT_THROW((void)line_of(document, [](Verification& run) { run.report(verified("packing")); }), Fault);
+}
+
+TEST(Verification, ARuleThatRunsOutOfWorkIsUndecided) {
+  const NetDocument document = net();
+  const auto spend = [](Verification& run) { run.budget().spend(std::uint64_t{1} << 62); };
+  EXPECT_EQ(line_of(document, spend), "UNDECIDED: a: " + std::string(BudgetSpent().what()));
+  EXPECT_EQ(line_of(document,
+                    [&](Verification& run) {
+                      run.report(verified("a"));
+                      spend(run);
+                    }),
+            "UNDECIDED: b: " + std::string(BudgetSpent().what()));
+  // Work after the last rule would leave a verdict that nothing supports.
+  EXPECT_THROW((void)line_of(document,
+                             [&](Verification& run) {
+                               run.report(verified("a"));
+                               run.report(verified("b"));
+                               spend(run);
+                             }),
+               Fault);
+}
+
+TEST(Verification, AClaimIsAskedAboutNetsThatAreVerifiedAndNotTooLarge) {
+  const auto never = [](Verification&) { ADD_FAILURE() << "asked"; };
+  NetDocument document = net();
+  CheckOptions options{.threads = 1, .max_triangles = document.triangles.size() - 1};
+  EXPECT_THAT(line_of(document, never, options), HasSubstr("UNDECIDED: a: the net has more triangles than the limit"));
+  document.epsilon = "0.1";
+  EXPECT_THAT(line_of(document, never), HasSubstr("REFUTED: covering"));
+  document = net();
+  document.triangles[0].opposite[0] = 0;
+  EXPECT_THAT(line_of(document, never), HasSubstr("REFUTED: map"));
+}
+
+// The rules that format.md names.
+
+/// A section of docs/format.md, from a line to the next of the same kind.
+std::string section(const std::string& heading) {
+  std::ifstream in(std::string(EPSNET_TEST_DATA) + "/../../docs/format.md");
+  std::stringstream text;
+  text << in.rdbuf();
+  const std::string all = text.str();
+  const std::size_t begin = all.find("\n" + heading + "\n");
+  EXPECT_NE(begin, std::string::npos) << heading;
+  return all.substr(begin, all.find("\n## ", begin + 1) - begin);
+}
+
+/// What is in the parentheses of the pattern, in each place where it fits.
+std::vector<std::string> all_of(const std::string& text, const std::string& pattern) {
+  const std::regex regex(pattern);
+  std::vector<std::string> result;
+  for (std::sregex_iterator i(text.begin(), text.end(), regex), end; i != end; ++i) result.push_back((*i)[1]);
+  return result;
+}
+
+/// The words in quotes in the sentence that says what is asked after the rules of the net.
+std::vector<std::string> rules_named_in(const std::string& heading) {
+  const std::string text = section(heading);
+  const std::size_t begin = text.find("\nThen ");
+  EXPECT_NE(begin, std::string::npos) << heading;
+  return all_of(text.substr(begin, text.find(".\n", begin) - begin), "`([a-z]+)`");
+}
+
+/// The rules after those of the net.
+template <class Document>
+std::vector<std::string> own_rules(const Document& document) {
+  const RuleNames net_rules = rules_of(document.net);
+  const RuleNames all = rules_of(document);
+  EXPECT_TRUE(all.size() > net_rules.size() && std::equal(net_rules.begin(), net_rules.end(), all.begin()));
+  return {all.begin() + static_cast<std::ptrdiff_t>(net_rules.size()), all.end()};
+}
+
+TEST(Rules, OfANetAreThoseOfTheDocument) {
+  const std::string text = section("## Net file");
+  const std::vector<std::string> pseudo = all_of(text, "\n\\* `([a-z]+)`(?:, for pseudo nets)?:");
+  const std::vector<std::string> only = all_of(text, "\n\\* `([a-z]+)`, for pseudo nets:");
+  ASSERT_EQ(pseudo.size(), 9U);
+  std::vector<std::string> usual = pseudo;
+  std::erase_if(usual, [&](const std::string& rule) { return std::find(only.begin(), only.end(), rule) != only.end(); });
+  NetDocument document;
+  EXPECT_THAT(rules_of(document), ElementsAreArray(usual));
+  document.collars.emplace();
+  EXPECT_THAT(rules_of(document), ElementsAreArray(pseudo));
+}
+
+TEST(Rules, OfGeodesicsAreThoseOfTheDocument) {
+  GeodesicsDocument document;
+  const std::vector<std::string> named = rules_named_in("## Geodesics file");
+  document.claim = GeodesicsDocument::Claim::thick_thin;
+  EXPECT_EQ(own_rules(document), named);
+  document.claim = GeodesicsDocument::Claim::spectrum;
+  EXPECT_EQ(own_rules(document), std::vector<std::string>(named.begin(), named.end() - 1));
+  document.claim = GeodesicsDocument::Claim::systole;
+  EXPECT_THAT(own_rules(document), ElementsAre("geodesics", "simple", "complete"));
+}
+
+TEST(Rules, OfDistancesAreThoseOfTheDocument) {
+  EXPECT_EQ(own_rules(DistanceDocument{}), rules_named_in("## Distance file"));
+}
+
+TEST(Rules, OfCoversAreThoseOfTheDocument) {
+  const std::vector<std::string> named = rules_named_in("## Cover file");
+  ASSERT_THAT(named, ElementsAre("lower", "upper", "triangulations", "cells"));
+  CoverDocument document;
+  for (const auto claim : {CoverDocument::Claim::diameter, CoverDocument::Claim::embedded_disk}) {
+    document.claim = claim;
+    EXPECT_EQ(own_rules(document), (std::vector{named[0], named[2], named[3]}));
+  }
+  document.claim = CoverDocument::Claim::radius;
+  EXPECT_EQ(own_rules(document), (std::vector{named[1], named[2], named[3]}));
+}
+
+}  // namespace
+}  // namespace epsnet::certify
