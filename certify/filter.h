@@ -11,8 +11,8 @@
 namespace epsnet::certify {
 
 /// What binary64 settles about triangles whose labels are the identity, with bounds for all errors (docs/proof.md,
-/// section 16; each bound is proved by machine in certify/filter/). It never refutes: what it does not settle is asked
-/// in balls.
+/// section 16; but for scaling and underflow, by machine in certify/filter/). It never refutes: what it does not settle
+/// is asked in balls.
 class Filter {
  public:
   /// The document must outlive the filter. Intervals that contain sinh²ε and sinh²(ε/2).
