@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "certify/check/verification.h"
+#include "certify/distances/cover_element.h"
 #include "certify/distances/cover_triangles.h"
 #include "certify/document/cover_structure.h"
 #include "certify/document/darts.h"
@@ -69,27 +70,6 @@ Product flip(Map& map, std::uint32_t d, std::uint32_t diagonal) {
   map.element[d] = 2 * diagonal + 1;
   // From c to a, and on to x.
   return {old.element[0], old.element[1]};
-}
-
-/// An element g at one precision: sinh²(d(p, gp)/2) = square + ⟨normal, p⟩² for unit vectors p, as the normal of the
-/// axis has the square sinh²(l/2).
-struct Element {
-  BallIsometry isometry;
-  BallVector normal_row;
-  Ball square;
-};
-
-Element element_of(BallIsometry isometry, slong precision) {
-  Element result;
-  arb_neg(result.normal_row[0], isometry.b.im());
-  arb_set(result.normal_row[1], isometry.b.re());
-  arb_neg(result.normal_row[2], isometry.a.im());
-  Ball im_square;
-  half_displacement_squared(result.square.get(), isometry, precision);
-  arb_sqr(im_square.get(), isometry.a.im(), precision);
-  arb_sub(result.square.get(), result.square.get(), im_square.get(), precision);
-  result.isometry = std::move(isometry);
-  return result;
 }
 
 /// The corners of a cell as unit vectors, and the cosh of its sides' lengths, side i from corner i to corner i + 1.
@@ -360,10 +340,7 @@ class CoverCheck {
 
   /// sinh²(d/2) for the edge of an element at a point.
   void displacement(arb_ptr result, std::uint32_t id, const BallVector& p) const {
-    const Element& element = elements_[id / 2];
-    dot(result, element.normal_row, p, precision_);
-    arb_sqr(result, result, precision_);
-    arb_add(result, result, element.square.get(), precision_);
+    set_displacement(result, elements_[id / 2], p, precision_);
   }
 
   /// The same of every dart.

@@ -178,11 +178,41 @@ TEST_F(Compact, NumbersMayTakeMoreBytesThanTheyMust) {
 /// As its specification says of no bytes at all.
 TEST_F(Compact, TheChecksumIsXxh64WithTheSeed0) { EXPECT_EQ(CompactChecksum().value(), 0xef46db3751d8e999U); }
 
+/// However many bytes charts and labels take.
 TEST_F(Compact, AnyByteThatChangesIsNoticed) {
-  for (std::size_t i = 0; i < good_.size(); ++i) {
-    std::string bytes = good_;
-    bytes[i] = static_cast<char>(bytes[i] ^ 0x20);
-    EXPECT_NE(problem(bytes), "") << i;
+  for (const std::uint32_t charts : {1U, 2U, 4U}) {
+    for (const std::uint32_t labels : {1U, 2U, 4U}) {
+      const std::string good = widened(good_, charts, labels);
+      for (std::size_t i = 0; i < good.size(); ++i) {
+        std::string bytes = good;
+        bytes[i] = static_cast<char>(bytes[i] ^ 0x20);
+        EXPECT_NE(problem(bytes), "") << i << " " << charts << labels;
+      }
+    }
+  }
+}
+
+/// An index is all of its bytes: of the few vertices, darts, charts and labels here only the first byte is not 0.
+TEST_F(Compact, EveryByteOfAnIndexCounts) {
+  ASSERT_LT(3 * net_.triangles.size(), 256U);
+  for (const std::uint32_t width : {2U, 4U}) {
+    const std::string good = widened(good_, width, width);
+    const Parts parts(good);
+    const auto expect_every_byte_counts = [&](std::size_t begin, std::size_t end, std::size_t size, const char* place) {
+      ASSERT_LT(begin, end) << place;
+      for (std::size_t i = begin; i < end; ++i) {
+        if ((i - begin) % size == 0) continue;
+        std::string bytes = good;
+        ASSERT_EQ(bytes[i], 0) << place;
+        bytes[i] = 1;
+        const std::string said = problem(with_checksum(bytes));
+        EXPECT_TRUE(said.starts_with(std::string("net.epsn: ") + place)) << place << ", byte " << i << ": " << said;
+      }
+    };
+    expect_every_byte_counts(parts.charts, parts.vertices, width, "vertices[");
+    expect_every_byte_counts(parts.vertices, parts.opposites, 4, "triangles[");
+    expect_every_byte_counts(parts.opposites, parts.labelled, 4, "opposites[");
+    expect_every_byte_counts(parts.labels, good.size() - 8, width, "triangles[");
   }
 }
 

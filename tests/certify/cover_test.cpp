@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <random>
 #include <sstream>
@@ -590,6 +591,9 @@ TEST(Cover, MalformedDocuments) {
 class Reference {
  public:
   using Point = std::complex<double>;
+  struct Isometry {
+    Point a{1}, b{0};
+  };
 
   explicit Reference(const NetDocument& net) : net_(net) {
     const LabelParts parts{check_surface(net.surface).crossings, chart_frames(net.charts, {}), {}};
@@ -603,10 +607,81 @@ class Reference {
 
   /// The cells of triangle t that is cut once.
   [[nodiscard]] std::array<std::array<Point, 3>, 2> halves(std::uint32_t t, std::uint32_t side) const {
+    return halves(corners(t), side);
+  }
+
+  /// Half of the way from p to its image by the element of a dart.
+  [[nodiscard]] double half_displacement(std::uint32_t dart, Point p) const {
+    return half_displacement(triangulation({}), dart, p);
+  }
+
+  /// Of the triangles of the net with the one vertex p, the greatest radius of a disk that one needs.
+  [[nodiscard]] double radius(Point p) const { return radius(triangulation({}), p); }
+
+  /// What is across each dart, and the element that leads from its start to its end.
+  struct Triangulation {
+    std::vector<std::uint32_t> opposite;
+    std::vector<Isometry> element;
+  };
+
+  /// That of the net after some flips.
+  [[nodiscard]] Triangulation triangulation(const std::vector<std::uint32_t>& flips) const {
+    Triangulation result;
+    for (std::uint32_t d = 0; d < 3 * net_.triangles.size(); ++d) {
+      result.opposite.push_back(opposite(net_, d));
+      result.element.push_back(product(inverse(label(d)), label(next_dart(d))));
+    }
+    for (const std::uint32_t d : flips) flip(result, d);
+    return result;
+  }
+
+  /// Half of the way from p to its image by the element of a dart.
+  [[nodiscard]] static double half_displacement(const Triangulation& triangulation, std::uint32_t dart, Point p) {
+    return std::asinh(std::sqrt(h(p, image(triangulation.element[dart], p))));
+  }
+
+  /// Of the triangles with the one vertex p, the greatest radius of a disk that one needs.
+  [[nodiscard]] static double radius(const Triangulation& triangulation, Point p) {
+    double result = 0;
+    for_each_triangle(triangulation, p, [&](std::array<double, 3> a) {
+      std::sort(a.begin(), a.end());
+      const double square = a[2] >= a[0] + a[1] ? a[2] : circumradius_squared(a);
+      result = std::max(result, std::asinh(std::sqrt(square)));
+    });
+    return result;
+  }
+
+  /// Of the triangles with the one vertex p, the greatest circumradius.
+  [[nodiscard]] static double circumradius(const Triangulation& triangulation, Point p) {
+    double result = 0;
+    for_each_triangle(triangulation, p, [&](const std::array<double, 3>& a) {
+      result = std::max(result, std::asinh(std::sqrt(circumradius_squared(a))));
+    });
+    return result;
+  }
+
+  /// Whether the triangulation with the one vertex p is Delaunay.
+  [[nodiscard]] static bool is_delaunay(const Triangulation& triangulation, Point p) {
+    for (std::uint32_t d = 0; d < triangulation.opposite.size(); ++d) {
+      const Point right = image(triangulation.element[next_dart(triangulation.opposite[d])], p);
+      const Point end = image(triangulation.element[d], p);
+      const Point left = image(inverse(triangulation.element[previous_dart(d)]), p);
+      if (std::imag((left - right) * (end - p) * std::conj((left - p) * (end - right))) >= 0) return false;
+    }
+    return true;
+  }
+
+  /// The corners of triangle t.
+  [[nodiscard]] std::array<Point, 3> corners(std::uint32_t t) const {
     std::array<Point, 3> z;
     for (std::uint32_t i = 0; i < 3; ++i) {
       z[i] = image(label(3 * t + i), {net_.vertices[0].x, net_.vertices[0].y});
     }
+    return z;
+  }
+
+  /// The parts of a cell that is cut at the midpoint of a side.
+  [[nodiscard]] static std::array<std::array<Point, 3>, 2> halves(const std::array<Point, 3>& z, std::uint32_t side) {
     const std::uint32_t end = (side + 1) % 3;
     // The midpoint, from the one of 0 and where the other goes if the first goes to 0.
     const Point w = (z[end] - z[side]) / (1.0 - std::conj(z[side]) * z[end]);
@@ -618,46 +693,51 @@ class Reference {
     return result;
   }
 
-  /// Half of the way from p to its image by the element of a dart.
-  [[nodiscard]] double half_displacement(std::uint32_t dart, Point p) const {
-    return std::asinh(std::sqrt(h(p, neighbour(dart, p))));
-  }
-
-  /// The same for the other diagonal of the two triangles beside the dart.
-  [[nodiscard]] double half_displacement_of_flipped(std::uint32_t dart, Point p) const {
-    const std::uint32_t other = opposite(net_, dart);
-    return std::asinh(std::sqrt(h(p, neighbour(previous_dart(dart), neighbour(next_dart(other), p)))));
-  }
-
-  /// Of the triangles of the net with the one vertex p, the greatest radius of a disk that one needs.
-  [[nodiscard]] double radius(Point p) const {
-    double result = 0;
-    for (std::uint32_t t = 0; t < net_.triangles.size(); ++t) {
-      std::array<double, 3> a{};
-      for (std::uint32_t i = 0; i < 3; ++i) a[i] = h(p, neighbour(3 * t + i, p));
-      std::sort(a.begin(), a.end());
-      const double k = 4 * a[0] * a[1] - std::pow(a[0] + a[1] - a[2], 2);
-      const double square = a[2] >= a[0] + a[1] ? -1 : 4 * a[0] * a[1] * a[2] / k;
-      result = std::max(result, square < 0 ? std::asinh(std::sqrt(a[2])) : std::asinh(std::sqrt(square)));
-    }
-    return result;
-  }
+  [[nodiscard]] static double distance(Point p, Point q) { return 2 * std::asinh(std::sqrt(h(p, q))); }
 
  private:
-  struct Isometry {
-    Point a{1}, b{0};
-  };
   static double middle(arb_srcptr x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
   /// sinh²(d/2).
   static double h(Point p, Point q) { return std::norm(p - q) / ((1 - std::norm(p)) * (1 - std::norm(q))); }
   static Point image(const Isometry& f, Point z) { return (f.a * z + f.b) / (std::conj(f.b) * z + std::conj(f.a)); }
+  static Isometry inverse(const Isometry& f) { return {std::conj(f.a), -f.b}; }
+  static Isometry product(const Isometry& f, const Isometry& g) {
+    return {f.a * g.a + f.b * std::conj(g.b), f.a * g.b + f.b * std::conj(g.a)};
+  }
+  /// 4abc/K, the sinh² of the circumradius.
+  static double circumradius_squared(const std::array<double, 3>& a) {
+    return 4 * a[0] * a[1] * a[2] / (4 * a[0] * a[1] - std::pow(a[0] + a[1] - a[2], 2));
+  }
+  /// body(sinh²(d/2) of its sides).
+  template <class Body>
+  static void for_each_triangle(const Triangulation& triangulation, Point p, const Body& body) {
+    for (std::size_t d = 0; d < triangulation.element.size(); d += 3) {
+      std::array<double, 3> a{};
+      for (std::size_t i = 0; i < 3; ++i) a[i] = h(p, image(triangulation.element[d + i], p));
+      body(a);
+    }
+  }
+  /// Of the triangles abc and bax, with the dart d from a to b, the first becomes xca and the other one cxb.
+  static void flip(Triangulation& triangulation, std::uint32_t d) {
+    const Triangulation old = triangulation;
+    const std::uint32_t e = old.opposite[d];
+    const std::map<std::uint32_t, std::uint32_t> moved{{previous_dart(d), next_dart(d)},
+                                                       {next_dart(e), previous_dart(d)},
+                                                       {previous_dart(e), next_dart(e)},
+                                                       {next_dart(d), previous_dart(e)}};
+    for (const auto& [from, to] : moved) {
+      const auto across = moved.find(old.opposite[from]);
+      triangulation.opposite[to] = across == moved.end() ? old.opposite[from] : across->second;
+      triangulation.opposite[triangulation.opposite[to]] = to;
+      triangulation.element[to] = old.element[from];
+    }
+    // From c by way of a to x.
+    triangulation.element[e] = product(old.element[previous_dart(d)], old.element[next_dart(e)]);
+    triangulation.element[d] = inverse(triangulation.element[e]);
+  }
   [[nodiscard]] Isometry label(std::uint32_t dart) const {
     const std::uint32_t number = corner_label(net_, dart);
     return number == 0 ? Isometry{} : labels_[number - 1];
-  }
-  [[nodiscard]] Point neighbour(std::uint32_t dart, Point p) const {
-    const Isometry back = label(dart);
-    return image({std::conj(back.a), -back.b}, image(label(next_dart(dart)), p));
   }
 
   const NetDocument& net_;
@@ -707,8 +787,9 @@ TEST(Cover, CellsOfAnEmbeddedDiskAreBoundedAtTheCornerWhereTheyBegin) {
   for (std::uint32_t t = 0; t < document.net.triangles.size(); ++t) {
     const auto halves = reference.halves(t, 1);
     for (std::uint32_t dart = 0; dart < 18; ++dart) {
+      const Reference::Triangulation flipped = reference.triangulation({dart});
       const auto at = [&](std::size_t cell, std::size_t i) {
-        return reference.half_displacement_of_flipped(dart, halves[cell][i]);
+        return Reference::half_displacement(flipped, dart, halves[cell][i]);
       };
       const double bound = at(0, 0);
       if (bound < 1e-3 + std::max({at(0, 1), at(0, 2), at(1, 1), at(1, 2)})) continue;
@@ -734,6 +815,68 @@ TEST(Cover, CellsOfADiameterAreBoundedAtTheirThreeCorners) {
     }
   }
   EXPECT_GT(tried, 12);
+}
+
+/// Also if its triangulation is that of the cell before it, and its first corner is the only one that matters.
+TEST(Cover, CellsOfADiameterAreBoundedAtTheCornerWhereTheyBegin) {
+  CoverDocument document = octagon();
+  const Reference reference(document.net);
+  document.triangulations.push_back({});
+  const std::uint32_t entry = 3 + static_cast<std::uint32_t>(document.triangulations.size());
+  std::mt19937 random(3);
+  int found = 0;
+  for (int run = 0; run < 10000; ++run) {
+    std::vector<std::uint32_t> flips(1 + random() % 12);
+    for (std::uint32_t& flip : flips) flip = static_cast<std::uint32_t>(random()) % 18;
+    const auto t = static_cast<std::uint32_t>(random()) % 6, side = static_cast<std::uint32_t>(random()) % 3;
+    const Reference::Triangulation flipped = reference.triangulation(flips);
+    const auto halves = reference.halves(t, side);
+    const double bound = Reference::radius(flipped, halves[1][0]);
+    double others = 0;
+    for (const auto corner : halves[0]) others = std::max(others, Reference::radius(flipped, corner));
+    for (const auto corner : {halves[1][1], halves[1][2]})
+      others = std::max(others, Reference::radius(flipped, corner));
+    // Long edges have few digits in binary64.
+    if (bound < others + 1e-3 || bound > 7) continue;
+    document.triangulations.back().flips = flips;
+    found += expect_least_upper_bound(document, t, {side, entry, entry}, bound) ? 1 : 0;
+  }
+  EXPECT_GT(found, 10);
+}
+
+/// A radius is bounded by the eccentricity of a midpoint less the distance to the farthest corner: that is an end of
+/// the side or the corner opposite to it.
+TEST(CoverOfARadius, NoPointOfACellIsBeyondTheReachOfItsMidpoint) {
+  const CoverDocument good = octagon_radius();
+  const Reference reference(good.net);
+  std::vector<std::vector<std::uint32_t>> flips{{}};
+  for (const auto& [parent, more] : good.triangulations) {
+    flips.push_back(flips[parent]);
+    flips.back().insert(flips.back().end(), more.begin(), more.end());
+  }
+  int opposite_is_farthest = 0;
+  for (std::uint32_t k = 0; k < flips.size(); ++k) {
+    const Reference::Triangulation triangulation = reference.triangulation(flips[k]);
+    for (std::uint32_t t = 0; t < good.net.triangles.size(); ++t) {
+      for (std::uint32_t side = 0; side < 3; ++side) {
+        const auto half = reference.halves(t, side)[0];
+        const Reference::Point midpoint = half[(side + 1) % 3];
+        if (!Reference::is_delaunay(triangulation, midpoint)) continue;
+        const double to_end = Reference::distance(midpoint, half[side]);
+        const double to_opposite = Reference::distance(midpoint, half[(side + 2) % 3]);
+        const double expected = Reference::circumradius(triangulation, midpoint) - std::max(to_end, to_opposite);
+        if (expected < 1e-3) continue;
+        opposite_is_farthest += to_end < to_opposite ? 1 : 0;
+        CoverDocument document = good;
+        document.cells[t] = {3 + side + 3 * k};
+        document.value.lower = expected * (1 - 1e-9);
+        EXPECT_EQ(outcome(document), "VERIFIED") << t << " " << side << " " << k;
+        document.value.lower = expected * (1 + 1e-9);
+        EXPECT_EQ(outcome(document), "REFUTED: cells") << t << " " << side << " " << k;
+      }
+    }
+  }
+  EXPECT_GT(opposite_is_farthest, 0);
 }
 
 /// One triangle is bounded by the net's own triangulation, to which a detour leads: however many bits are left of it,

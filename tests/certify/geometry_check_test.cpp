@@ -567,6 +567,31 @@ TEST(GeometryCheck, WithLessWorkItIsUndecidedAndNeverMore) {
   EXPECT_GT(decided, 0);
 }
 
+/// sinh²(d/2) is what is compared: for short edges (d/2)² is nearly that, and too small.
+TEST(GeometryCheck, ShortEdgesAreComparedWithEpsilonAsLongOnesAre) {
+  NetDocument document = load("certify/verified/octagon-33-vertices.json");
+  // A triangle without labels; its first edge is shortened.
+  const auto plain = std::find_if(document.triangles.begin(), document.triangles.end(), [](const auto& triangle) {
+    return triangle.label == std::array<std::uint32_t, 2>{0, 0};
+  });
+  ASSERT_NE(plain, document.triangles.end());
+  const NetDocument::Vertex& from = document.vertices[plain->vertex[0]];
+  NetDocument::Vertex& to = document.vertices[plain->vertex[1]];
+  for (double step = 0.25; step > 1e-4; step *= 0.7) {
+    to = {from.x - step * from.x, from.y - step * from.y, from.chart};
+    const double length =
+        2 * std::asinh(std::abs(Point(to.x - from.x, to.y - from.y)) /
+                       std::sqrt((1 - std::norm(Point(from.x, from.y))) * (1 - std::norm(Point(to.x, to.y)))));
+    // Four times nearer to the length than the number whose square half would be.
+    const double margin = 1 + length * length / 100;
+    document.epsilon = mpq_class(length * margin).get_str();
+    const RuleReport packing = rule(outcome(document), "packing");
+    EXPECT_EQ(packing.verdict, Verdict::refuted) << length;
+    document.epsilon = mpq_class(length / margin).get_str();
+    EXPECT_NE(rule(outcome(document), "packing").verdict, Verdict::refuted) << length;
+  }
+}
+
 TEST(GeometryCheck, OnlyPseudoNetsHaveThickLoops) {
   // A net of one vertex has loops only, and ε may be greater than any of them.
   NetDocument one = load("certify/verified/octagon-1-vertex.json");

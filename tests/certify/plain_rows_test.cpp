@@ -55,6 +55,19 @@ TEST(PlainRows, VerticesAreTakenAsTheyAre) {
   expect_vertex("[7,1e308,0.1000000000000000055511151231257827021181583404541015625]", {1e308, 0.1, 7});
 }
 
+/// A number is all of its characters: the last one may say the most, as a digit, or as one of the exponent.
+TEST(PlainRows, NumbersAreReadToTheirLastCharacter) {
+  for (std::size_t zeros = 1; zeros < 300; ++zeros) {
+    const std::string padded = "0.25" + std::string(zeros, '0');
+    expect_vertex("[1," + padded + "e-2,0.5]", {0.0025, 0.5, 1});
+    expect_vertex("[1,0.5," + padded + "e-2]", {0.5, 0.0025, 1});
+    expect_vertex("[1,0." + std::string(zeros, '0') + "125e" + std::to_string(zeros) + ",0]", {0.125, 0, 1});
+    // Half of the way from 1 to the next number, which is rounded to 1, and a little more.
+    const std::string half = "1.00000000000000011102230246251565404236316680908203125";
+    expect_vertex("[1," + half + ",-" + half + std::string(zeros, '0') + "1]", {1, -(1 + 0x1p-52), 1});
+  }
+}
+
 TEST(PlainRows, TrianglesAreTakenAsTheyAre) {
   expect_triangle("[1,2,3,4,5,6,7,8]", {{1, 2, 3}, {4, 5, 6}, {7, 8}});
   expect_triangle("[9,9,99,90,0,19,10,9]", {{9, 9, 99}, {90, 0, 19}, {10, 9}});

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <gtest/gtest.h>
 #include <string>
 
+#include "certify/document/surface_sides.h"
 #include "certify/file/reader.h"
 
 namespace epsnet::certify {
@@ -264,6 +266,64 @@ TEST(SurfaceCheck, ConeAnglesAreSeenBehindVerticesThatAreRight) {
     for (std::uint32_t t = 0; t < 3; ++t) surface.gluing.push_back({8 * t + side, 1, 8 * sheet[side][t] + side + 4, 1});
   }
   EXPECT_TRUE(has(check_surface(surface).report.text, "add up to 3 full turns")) << check_surface(surface).report.text;
+}
+
+/// The octagon cut into triangles by its centre and an octagon half as large, in so many sheets. Crossing side k leads
+/// from sheet s to sheet lead(k, s). The triangles that have no corner of the octagon come first, sheet by sheet.
+SurfaceDocument in_sheets(std::uint32_t sheets,
+                          const std::function<std::uint32_t(std::uint32_t, std::uint32_t)>& lead) {
+  const SurfaceDocument::Tile v = octagon().tiles[0];
+  SurfaceDocument::Tile w = v;
+  for (RationalPoint& z : w) z = {z.x / 2, z.y / 2};
+  SurfaceDocument surface;
+  for (std::uint32_t s = 0; s < sheets; ++s) {
+    for (std::size_t k = 0; k < 8; ++k) surface.tiles.push_back({{0, 0}, w[k], w[(k + 1) % 8]});
+  }
+  for (std::uint32_t s = 0; s < sheets; ++s) {
+    for (std::size_t k = 0; k < 8; ++k) {
+      surface.tiles.push_back({w[k], v[k], w[(k + 1) % 8]});
+      surface.tiles.push_back({w[(k + 1) % 8], v[k], v[(k + 1) % 8]});
+    }
+  }
+  const auto ring = [&](std::uint32_t s, std::uint32_t k) { return 8 * sheets + 16 * s + 2 * (k % 8); };
+  for (std::uint32_t s = 0; s < sheets; ++s) {
+    for (std::uint32_t k = 0; k < 8; ++k) {
+      surface.gluing.push_back({8 * s + k, 2, 8 * s + (k + 1) % 8, 0});
+      surface.gluing.push_back({8 * s + k, 1, ring(s, k), 2});
+      surface.gluing.push_back({ring(s, k), 1, ring(s, k) + 1, 0});
+      surface.gluing.push_back({ring(s, k) + 1, 2, ring(s, k + 1), 0});
+      if (k < 4) surface.gluing.push_back({ring(s, k) + 1, 1, ring(lead(k, s), k + 4) + 1, 1});
+    }
+  }
+  return surface;
+}
+
+/// The only cone point has the angle 6π. It is seen wherever it is among the vertices, and as the last of many.
+TEST(SurfaceCheck, AConeAngleIsSeenAtTheLastVertexOfAll) {
+  for (const std::uint32_t sheets : {3U, 4U, 10U, 30U}) {
+    int last = 0;
+    for (std::uint32_t exchanged = 0; exchanged < sheets; ++exchanged) {
+      // A cycle of all sheets and an exchange of two: their commutator is a cycle of three.
+      const std::uint32_t other = (exchanged + 1) % sheets;
+      const SurfaceDocument branched = in_sheets(sheets, [&](std::uint32_t side, std::uint32_t s) {
+        if (side == 0) return (s + 1) % sheets;
+        return side > 1 || (s != exchanged && s != other) ? s : exchanged + other - s;
+      });
+      const RuleReport said = check_surface(branched).report;
+      EXPECT_EQ(said.verdict, Verdict::refuted) << sheets << " " << exchanged;
+      EXPECT_TRUE(has(said.text, "add up to 3 full turns, not to one")) << said.text;
+      const SurfaceSides sides(branched);
+      const std::uint32_t side = sides.vertices().back();
+      last += has(said.text, "the angles around vertex " + std::to_string(sides.corner[side]) + " of tile " +
+                                 std::to_string(sides.tile[side]) + " add");
+    }
+    EXPECT_GT(last, 0) << sheets;
+    // Without the exchange there is no cone point.
+    const auto cyclic = [&](std::uint32_t side, std::uint32_t s) { return side == 0 ? (s + 1) % sheets : s; };
+    const SurfaceOutcome flat = check_surface(in_sheets(sheets, cyclic));
+    EXPECT_EQ(flat.report.verdict, Verdict::verified) << flat.report.text;
+    EXPECT_EQ(flat.genus, sheets + 1);
+  }
 }
 
 TEST(SurfaceCheck, RegularSurfacesHaveAGenusOfAtLeastTwo) {
