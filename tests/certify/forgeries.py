@@ -14,6 +14,7 @@ idea, and why it is false or what it is aimed at where that is not plain. Disgui
 they stay VERIFIED, so that no checker refutes by refusing.
 """
 import copy
+import itertools
 import json
 import math
 import os
@@ -487,6 +488,14 @@ def coordinate_wrapped_at_2_to_64():
     return document
 
 
+@refuted("packing")
+def coordinate_with_an_exponent_behind_60_digits():
+    """A coordinate that is a tenth of the true one, with 60 digits before its exponent e-1: what is cut there is true.
+    """
+    x = repr(octagon()["vertices"][3][1])
+    return with_raw_coordinate(x + "0" * (62 - len(x)) + "e-1")
+
+
 @malformed("vertices[3]")
 def coordinate_that_rounds_to_1():
     """0.99999999999999999999, whose binary64 is 1."""
@@ -751,6 +760,71 @@ def cone_angle_of_6_pi():
     tiles, opposite, mesh = tiled_octagon()
     dart = next(d for d in range(len(opposite)) if mesh.start(d) != mesh.start(following(d)))
     return net_of_tiles(tiles * 3, branched(opposite, dart, 3), "1")
+
+
+def turned_around(mesh, move, v):
+    """The sheets in which one arrives after a turn around a vertex, if crossing dart d leads from sheet s to move[d][s].
+    """
+    sheets = range(3)
+    for dart in mesh.star(v):
+        sheets = [move[preceding(dart)][s] for s in sheets]
+    return tuple(sheets)
+
+
+def moves_around(mesh, v):
+    """Permutations of three sheets for all darts, such that they are exchanged by a turn around v and around no other
+    vertex, by a cycle of three."""
+    darts = range(len(mesh.opposite))
+    move = {}
+
+    def set_move(dart, to):
+        move[dart], move[mesh.opposite[dart]] = to, tuple(to.index(s) for s in range(3))
+
+    # A tree of triangles, in one sheet each; of the other edges a tree of vertices.
+    reached = [0]
+    for t in reached:
+        for dart in range(3 * t, 3 * t + 3):
+            if mesh.opposite[dart] // 3 not in reached:
+                reached.append(mesh.opposite[dart] // 3)
+                set_move(dart, (0, 1, 2))
+    vertices, tree = [v], []
+    for w in vertices:
+        for dart in mesh.star(w):
+            if dart not in move and mesh.start(following(dart)) not in vertices:
+                vertices.append(mesh.start(following(dart)))
+                tree.append(dart)
+    edges = set(tree) | {mesh.opposite[dart] for dart in tree}
+    free = [d for d in darts if d < mesh.opposite[d] and d not in move and d not in edges]
+    all_moves = list(itertools.permutations(range(3)))
+    for choice in itertools.product(all_moves, repeat=len(free)):
+        for dart, to in zip(free, choice):
+            set_move(dart, to)
+        # From the leaves on, the edge to the root is the only one at a vertex that is not known.
+        for dart in reversed(tree):
+            for to in all_moves:
+                set_move(dart, to)
+                if turned_around(mesh, move, mesh.start(following(dart))) == (0, 1, 2):
+                    break
+        if turned_around(mesh, move, v) in ((1, 2, 0), (2, 0, 1)):
+            return move
+    raise AssertionError("no such permutations")
+
+
+@refuted("surface", says="3 full turns")
+def cone_angle_of_6_pi_at_the_last_of_25_vertices():
+    """Three sheets that are branched at one vertex alone, the last one in the order of the file, and the cover of the
+    net: all other angles are 2π."""
+    tiles, opposite, mesh = tiled_octagon()
+    n = len(tiles)
+    stars = {v: {dart // 3 for dart in mesh.star(v)} for v in range(len(mesh.points))}
+    # Every other vertex has a tile that is not at this one.
+    v = next(v for v in stars if all(w == v or stars[w] - stars[v] for w in stars))
+    move = moves_around(mesh, v)
+    order = sorted(range(3 * n), key=lambda t: t % n in stars[v])
+    names = {t: k for k, t in enumerate(order)}
+    across = [3 * (move[d][t // n] * n + opposite[d] // 3) + opposite[d] % 3
+              for t in order for d in range(3 * (t % n), 3 * (t % n) + 3)]
+    return net_of_tiles([tiles[t % n] for t in order], [3 * names[d // 3] + d % 3 for d in across], "1")
 
 
 @refuted("surface", says="vertex 0 of tile 0 add up to 2 full turns")
