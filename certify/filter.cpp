@@ -79,6 +79,7 @@ Interval squared_sinh_of_circumradius(const std::array<double, 3>& d, const std:
 
 Filter::Answer Filter::answer(std::uint32_t t, Questions asked) const {
   Answer answer;
+  if (!is_proved_) return answer;
   const NetDocument::Triangle& triangle = document_.triangles[t];
   if (triangle.label[0] != 0 || triangle.label[1] != 0 || collars_.has_triangle(t)) return answer;
   const auto point = [&](std::uint32_t vertex) {

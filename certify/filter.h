@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "certify/collar_members.h"
+#include "certify/document/binary64.h"
 #include "certify/document/document.h"
 #include "certify/document/interval.h"
 #include "certify/questions.h"
@@ -15,12 +16,14 @@ namespace epsnet::certify {
 /// is asked in balls.
 class Filter {
  public:
-  /// The document must outlive the filter. Intervals that contain sinh²ε and sinh²(ε/2).
+  /// The document must outlive the filter. Intervals that contain sinh²ε and sinh²(ε/2). Where this thread does not
+  /// round to nearest, nothing is settled; threads that ask it must round as this one does.
   Filter(const NetDocument& document, const CollarMembers& collars, Interval sinh_squared, Interval half_sinh_squared)
       : document_(document),
         collars_(collars),
         sinh_squared_(sinh_squared.lower),
-        half_sinh_squared_(half_sinh_squared.upper) {}
+        half_sinh_squared_(half_sinh_squared.upper),
+        is_proved_(rounds_to_nearest()) {}
 
   struct Answer {
     Questions settled = 0;             ///< Of those asked, the ones whose rule certainly holds.
@@ -36,6 +39,7 @@ class Filter {
   const CollarMembers& collars_;
   double sinh_squared_;       ///< At most sinh²ε.
   double half_sinh_squared_;  ///< At least sinh²(ε/2).
+  bool is_proved_;            ///< Whether arithmetic is what the bounds are proved for.
 };
 
 /// The tests of the filter for given corners, each coordinate at most 1 in absolute value. `true` is certain, `false`

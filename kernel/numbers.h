@@ -2,6 +2,7 @@
 
 #include <boost/multiprecision/gmp.hpp>
 #include <boost/multiprecision/mpfr.hpp>
+#include <cfloat>
 #include <limits>
 
 #include "kernel/complex.h"
@@ -10,6 +11,7 @@
 namespace epsnet {
 
 static_assert(std::numeric_limits<double>::is_iec559, "the error bounds are proved for IEEE-754 binary64");
+static_assert(FLT_EVAL_METHOD == 0, "the error bounds are proved for expressions that are rounded at every step");
 
 /// Exact rational numbers (GMP).
 using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;

@@ -6,6 +6,7 @@
 
 #include "certify/check/rule_book.h"
 #include "certify/crossings.h"
+#include "certify/document/binary64.h"
 #include "certify/document/document.h"
 #include "certify/numbers/budget.h"
 
@@ -63,6 +64,7 @@ struct NetClaim {
 template <class Document>
 [[nodiscard]] Certificate verify(const Document& document, const CheckOptions& options,
                                  NetClaim (*claim_of)(const Document&)) {
+  const RoundingToNearest rounding;
   if (options.progress) options.progress("structure", 0);
   if (const auto problem = structure_problem(document)) return malformed(*problem);
   return verify(claim_of(document), least_bytes(document), options);

@@ -13,6 +13,7 @@
 #include <system_error>
 #include <unistd.h>
 
+#include "certify/document/binary64.h"
 #include "certify/document/cover_structure.h"
 #include "certify/document/distance_structure.h"
 #include "certify/document/geodesics_structure.h"
@@ -545,6 +546,7 @@ std::vector<Member> distance_members(DistanceDocument& document, std::size_t& le
 template <class ReadDocument>
 void parse(simdjson::padded_string_view text, std::string_view name, const ReadDocument& read_document) {
   const Place place{.member = "document"};
+  const RoundingToNearest rounding;
   try {
     if (text.size() > kMaxFileBytes) fail(place, "the file is larger than the limit of 4 GiB");
     // Some versions of simdjson skip it, others do not.
@@ -691,6 +693,7 @@ ClaimDocument parse_padded_claim(simdjson::padded_string_view text, std::string_
 /// What the functions above read, in less time and memory: rows of numbers are taken as they come along. Nothing if
 /// that does not work or anything is wrong, which is for them to say.
 std::optional<ClaimDocument> parse_in_pieces(Pieces& bytes) {
+  const RoundingToNearest rounding;
   try {
     if (certify::is_compact(bytes.ahead(kCompactMagic.size()))) {
       NetDocument net = parse_compact(bytes, parse_compact_head);
