@@ -14,7 +14,7 @@ FOLDERS = ("certify", "docs", "fuzz", "kernel", "netgen", "python", "tests", "tr
 SUFFIXES = (".cpp", ".g", ".h", ".json", ".md", ".py", ".sh")
 STATEMENT = re.compile(r"^\*\*(Lemma|Proposition|Theorem) (\d+)(?:\.(\d+))?[. ]", re.MULTILINE)
 REFERENCE = re.compile(r"\bLemmas? (\d+(?:\.\d+)?)((?:(?:, | and | to )\d+(?:\.\d+)?)*)")
-CELL = re.compile(r"`([A-Za-z_:]+)`|\(([a-z_/]+\.(?:h|cpp))\)")
+CELL = re.compile(r"`([A-Za-z_:]+)`|\(([a-z0-9_/]+\.(?:h|cpp))\)")
 
 
 def number_problems(text):
