@@ -1,9 +1,9 @@
 #pragma once
 
-/// All of epsnet that is made for programs of others: surfaces, nets, certificates, closed geodesics, pictures, files.
+/// The public interface of epsnet: surfaces, nets, certificates, closed geodesics, pictures, files.
 ///
-/// A program that only checks files needs certify/check.h, certify/geodesics/geodesics_check.h,
-/// certify/distances/distance_check.h and certify/file/reader.h and is linked with the library `epsnet_certify` alone.
+/// A program that only checks files includes certify/claim_check.h and certify/file/reader.h, and links the library
+/// `epsnet_certify` alone.
 
 #include "certify/check.h"
 #include "certify/claim_check.h"

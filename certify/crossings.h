@@ -29,12 +29,13 @@ class RationalCrossings {
   [[nodiscard]] BallIsometry balls(std::uint32_t side, slong precision) const {
     return to_balls(crossings_[side], precision);
   }
-  /// Of the two above and of product_bits, for each letter.
+  /// Estimated work of `balls`.
   [[nodiscard]] std::uint64_t ball_work(std::uint32_t side, std::uint64_t precision) const {
     return to_balls_work(bits(crossings_[side]), precision);
   }
+  /// Estimated work of `product_bits` per letter of the word.
   [[nodiscard]] static std::uint64_t letter_work() { return 20; }
-  /// Of `exact` and what is calculated with its value: a value of so many bits.
+  /// Estimated work of `exact` and of calculations with its value, which has `value_bits` bits.
   [[nodiscard]] static std::uint64_t exact_work(std::size_t value_bits) {
     return 4000 + 100 * certify::product_work(value_bits);
   }

@@ -627,7 +627,7 @@ class GeometryChecker {
   mpq_class epsilon_;
   CollarMembers collars_;
   Questionnaire questions_;
-  std::string why_;  ///< What is not decided is not.
+  std::string why_;  ///< Message suffix: why undecided questions stayed undecided.
   bool decided_exactly_ = false;
   GeometryOutcome outcome_;
 };

@@ -10,7 +10,7 @@
 
 namespace epsnet::certify {
 
-/// Labels at one precision, by label number. Numbers that were not asked for must not be looked up.
+/// Labels at one precision, by label number. Operator [] requires: the number was passed to the constructor.
 class LabelTable {
  public:
   /// values[i] is label number numbers[i]; `count` is the number of labels of the document.

@@ -54,7 +54,7 @@ class Atlas {
   /// The surface whose charts these are.
   [[nodiscard]] const Surface& surface() const { return surface_; }
 
-  /// Adds a chart, which is not looked for among those that there are; returns its number.
+  /// Appends a chart without checking for duplicates; returns its number.
   [[nodiscard]] std::uint32_t add_chart(Chart chart);
   /// Charts are numbered from 0.
   [[nodiscard]] std::uint32_t chart_count() const { return static_cast<std::uint32_t>(charts_.size()); }
@@ -95,8 +95,8 @@ class Atlas {
     const LabelId known = known_inverse(f);
     return known != kUnknownLabel ? known : inverse_of_other(f);
   }
-  /// f ∘ g if it was asked for before or is seen in binary64 to be one of the labels that there are, else
-  /// kUnknownLabel. With known_inverse all that threads may ask for at the same time.
+  /// Returns f ∘ g if it was computed before, or if binary64 proves it equal to an existing label; else kUnknownLabel.
+  /// Only this and known_inverse() may be called concurrently.
   [[nodiscard]] LabelId known_product(LabelId f, LabelId g) const;
   /// The label of the inverse isometry, if it was asked for before, else kUnknownLabel.
   [[nodiscard]] LabelId known_inverse(LabelId f) const { return f == kIdentity ? kIdentity : rounded_[f - 1].inverse; }

@@ -7,11 +7,12 @@
 
 namespace epsnet {
 
-/// The circumcentre of triangle t in its chart, in binary64 where that is accurate enough to be inside of the circle.
+/// Returns the circumcentre of triangle t in its chart, in binary64; nullopt if binary64 cannot place it inside the
+/// circle.
 [[nodiscard]] std::optional<Complex<double>> circumcentre_fast(const Mesh& mesh, const Atlas& atlas, std::uint32_t t);
 
-/// A point of t's chart as a vertex, in that one of the charts of t's corners whose origin is nearest. So charts meet
-/// along lines, beside which alone triangles have labels, and do not mix.
+/// Returns a point of t's chart as a vertex, in whichever corner chart has the nearest origin. So charts meet along
+/// lines instead of mixing, and only triangles beside these lines have labels.
 [[nodiscard]] Atlas::Place in_nearest_chart(const Mesh& mesh, const Atlas& atlas, std::uint32_t t,
                                             const Complex<double>& z);
 

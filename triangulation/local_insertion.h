@@ -9,7 +9,7 @@
 
 namespace epsnet {
 
-/// The triangles that insert_locally made; those of them that are large, and those of which binary64 does not tell.
+/// The triangles that insert_locally made; those known to be large, and those that binary64 cannot classify.
 struct NewTriangles {
   static constexpr std::size_t kMost = 26;
   std::uint32_t count = 0;

@@ -18,7 +18,7 @@ using Sides = std::span<const Ball, 3>;
 /// not acute and the disk with the longest side as diameter is not. `no` if it certainly does not.
 [[nodiscard]] Tri fits(Sides sides, const Ball& most, slong precision);
 
-/// What there is to know of a triangle with a circumcircle.
+/// The measures of a triangle with a circumcircle.
 struct TriangleMeasures {
   Ball k;  ///< K = 4ab − (a + b − c)²: positive if there is a circumcircle.
   std::array<Ball, 3>
@@ -26,7 +26,7 @@ struct TriangleMeasures {
   Ball area;
 };
 
-/// Not finite, but for K, unless K is certainly positive.
+/// Returns the measures of a triangle. Unless K is certainly positive, all other members are non-finite.
 [[nodiscard]] TriangleMeasures measures(Sides sides, slong precision);
 
 /// Whether F triangles with one vertex, of these areas, that cover a closed surface once, if clockwise ones count

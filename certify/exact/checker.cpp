@@ -170,7 +170,7 @@ bool is_text(const Json& value, std::string_view text) {
 }
 
 void expect_text(const Json& value, std::string_view text, const char* what) {
-  if (!is_text(value, text)) throw Malformed(std::string(what) + " is another one");
+  if (!is_text(value, text)) throw Malformed("unexpected value for " + std::string(what));
 }
 
 Point read_rational_point(const Json& x, const Json& y) {
@@ -371,7 +371,7 @@ class Checker {
       expect_less(label, net_.labels.size() + 1, "label number");
       const bool fits =
           label == 0 ? own == chart : net_.labels[label - 1].from == own && net_.labels[label - 1].to == chart;
-      if (!fits) throw Malformed("a label leads between other charts");
+      if (!fits) throw Malformed("a label does not connect its triangle's charts");
     }
   }
 

@@ -19,9 +19,9 @@ struct PlainRows {
 };
 
 /// Takes out the first array of rows that a member `vertices` has, and the first that a member `triangles` has,
-/// wherever they stand. Nothing if there is none, or if one is not plain: rows of so many numbers as JSON has them,
-/// indices that fit in 32 bits, numbers that are finite as binary64; nor if the rest is longer than 64 MiB. What is
-/// wrong then is for another reader to say.
+/// wherever they stand. Plain rows have the right number of JSON numbers each; indices fit in 32 bits, and coordinates
+/// are finite as binary64. Returns nullopt if there are no rows, if one is not plain, or if the rest is longer than 64
+/// MiB. The strict reader then reports the error.
 ///
 /// If the strict reader takes `rest` for a net, with no vertices or no triangles where there were rows, it takes the
 /// text for that net with these rows. For rows are JSON; brackets and quotes outside of rows are those of `rest`; and

@@ -54,7 +54,7 @@ struct Place {
 const char* complaint(simdjson::error_code error) {
   switch (error) {
     case simdjson::EMPTY:
-      return "there is nothing";
+      return "the input is empty";
     case simdjson::INCORRECT_TYPE:
       return "it is of another type";
     case simdjson::INCOMPLETE_ARRAY_OR_OBJECT:

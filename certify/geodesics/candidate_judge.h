@@ -32,8 +32,8 @@ class CandidateJudge {
   [[nodiscard]] Judgement judge(std::uint32_t v, const BallIsometry& element, const LabelProduct& product,
                                 const BallVector* place) const;
 
-  /// Whether another element will be reported for the geodesic, the inverse: it moves the vertex as far, and b changes
-  /// its sign. Of each pair at least one is left.
+  /// Whether this element may be skipped because its inverse is reported too: the inverse moves the vertex as far, and
+  /// b changes its sign. At least one element of each pair is kept.
   [[nodiscard]] static bool inverse_will_do(const BallIsometry& element);
 
  private:

@@ -26,7 +26,7 @@ struct Chord {
   std::uint32_t triangle = 0;
   BallIsometry element;
   BallVector axis;               ///< axis_row(element).
-  Interval key{};                ///< Of the axis, directed either way: what encloses a number that the axis has.
+  Interval key{};                ///< Search key: encloses a value determined by the undirected axis.
   std::array<int, 3> side{};     ///< Of the corners: 1 certainly left of the axis, −1 certainly right, else 0.
   std::uint32_t parent = kNone;  ///< The chord of the same geodesic from which this one was reached.
   std::uint32_t dart = kNone;    ///< The dart crossed from there.
@@ -44,10 +44,10 @@ struct ChordList {
 /// A dart that leaves each vertex.
 [[nodiscard]] std::vector<std::uint32_t> first_darts(const NetDocument& net);
 
-/// The chords of the axis of `element`, which is written in the chart of the vertex that `first_dart` leaves; one
-/// after the other to `visit`, until it says false. Every triangle that the axis truly meets is among them.
+/// Finds the chords of the axis of `element`, and passes each to `visit` until it returns false. `element` is written
+/// in the chart of the vertex that `first_dart` leaves. Every triangle that the axis truly meets is among them.
 ///
-/// Nothing if this precision does not suffice; BudgetSpent if the budget does not. O(n log n) for n chords.
+/// Returns nullopt if the precision is too low. Throws BudgetSpent. O(n log n) for n chords.
 [[nodiscard]] std::optional<ChordList> find_chords(const LiftedPlane& plane, std::uint32_t first_dart,
                                                    const BallIsometry& element,
                                                    const std::function<bool(const Chord&)>& visit = {});

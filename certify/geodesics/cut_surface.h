@@ -13,8 +13,8 @@ namespace epsnet::certify {
 ///
 /// A vertex on a geodesic counts as on its left: the curves are pushed slightly to the right (docs/proof.md, section
 /// 11). Whether a vertex lies on one is decided exactly where 128 bits do not tell. `elements[i]` is the label number
-/// of geodesic i, whose element is the inverse of that label. Nothing if this precision does not suffice. O(n log n), n
-/// the number of triangles and chords.
+/// of geodesic i, whose element is the inverse of that label. Returns nullopt if the precision is too low. O(n log n),
+/// n the number of triangles and chords.
 [[nodiscard]] std::optional<std::vector<GeodesicsDocument::Piece>> cut_surface(
     const LiftedPlane& plane, const LabelEvaluator& evaluator, const ChordTable& table,
     const std::vector<std::uint32_t>& elements);

@@ -12,8 +12,8 @@ namespace epsnet::certify {
 /// What is asked at every lift of the vertex that is found, in the order of the search.
 enum class Search { go_on, stop };
 
-/// An element as a product of labels, the last one applied first, which is worked out where it is asked for: it leads
-/// from the chart of the vertex to itself.
+/// An element as a product of labels, the last one applied first. It leads from the chart of the vertex to itself, and
+/// is computed only when called.
 using LabelProduct = std::function<std::vector<SignedLabel>()>;
 
 struct OrbitOutcome {
@@ -22,8 +22,9 @@ struct OrbitOutcome {
   std::uint64_t visits = 0;  ///< Lifted triangles, some perhaps twice.
 };
 
-/// Reports every element g of the group, written in the chart of the vertex v that the dart leaves, with d(ṽ, gṽ) ≤ D,
-/// 1 among them, some perhaps more than once, and others. `cosh_distance` and `sinh_distance` are those of D.
+/// Reports every element g of the group with d(ṽ, gṽ) ≤ D, including the identity; duplicates and extra elements are
+/// possible. The dart leaves the vertex v, and g is written in the chart of v. `cosh_distance` and `sinh_distance` are
+/// cosh D and sinh D.
 ///
 /// The lifted triangles are a tree whose root Δ, that of the dart, contains a point q near ṽ: the parent of a triangle
 /// is its neighbour across the first edge whose line separates it from q. The tree is walked without memory of what was

@@ -14,8 +14,8 @@
 /// same on every machine and for any number of threads. A unit is about what a processor core does in a nanosecond.
 namespace epsnet::certify {
 
-/// More work is needed than is left. Whoever catches it forgets what was found since the last point that does not
-/// depend on the order in which threads work, and says UNDECIDED.
+/// Thrown when more work is needed than is left. Handlers must discard all results since the last schedule-independent
+/// point, and answer UNDECIDED.
 class BudgetSpent : public std::exception {
  public:
   [[nodiscard]] const char* what() const noexcept override {

@@ -6,20 +6,21 @@
 
 namespace epsnet {
 
-/// A positive hyperbolic length, exactly: a decimal such as "0.1" (that is 1/10) or a rational "p/q". ε is one.
+/// A positive hyperbolic length, exactly: a decimal such as "0.1" (that is 1/10) or a rational "p/q". For example, ε is
+/// a Length.
 ///
-/// What is anything else (not a number, zero, negative, NaN, infinite, more than 10⁶ digits) throws
-/// std::invalid_argument, whose what() is one line that quotes the text, shortened.
+/// The constructors throw std::invalid_argument for anything else (not a number, zero, negative, NaN, infinite, more
+/// than 10⁶ digits). Its what() is one line that quotes the text, shortened.
 class Length {
  public:
-  /// The number that the text is, by the grammar of docs/format.md ("decimal").
+  /// Reads a text by the grammar of docs/format.md ("decimal"). Throws std::invalid_argument.
   explicit Length(std::string text);
-  /// The shortest decimal that reads back as `value`: Length(0.1) is 1/10.
+  /// Takes the shortest decimal that reads back as `value`: Length(0.1) is 1/10. Throws std::invalid_argument.
   explicit Length(double value);
 
-  /// The number as it was given.
+  /// Returns the number as it was given.
   [[nodiscard]] const std::string& text() const { return text_; }
-  /// Its exact value.
+  /// Returns its exact value.
   [[nodiscard]] const Rational& value() const { return value_; }
 
  private:

@@ -16,7 +16,7 @@
 #include "triangulation/error.h"
 #include "triangulation/walk.h"
 
-/// What a net can be asked for, and what its computation says of itself.
+/// Options of a net, and statistics of its computation.
 namespace epsnet {
 
 /// How a circumcentre enters the triangulation. Both give the same Delaunay triangulation for the same point, exact
@@ -26,8 +26,8 @@ enum class Insertion {
   flips,   ///< The thesis' way (IV.4.3 to IV.4.5): walk, split, flip. Yields the statistics of the thesis.
 };
 
-/// Which triangles are listed to be looked at, and in which order (thesis IV.4.7; the variants of Table IV.2). Large:
-/// the circumradius is more than ε. All give ε-nets, each other ones.
+/// Which triangles enter the list of the refinement, and in which order (thesis IV.4.7; the variants of Table IV.2). A
+/// triangle is large if its circumradius is more than ε. All variants give ε-nets, but different ones.
 enum class TriangleList {
   large_back,     ///< Variant C: large triangles alone, first in, first out. The fastest of the four here.
   all_back,       ///< Variant A, the thesis' choice: all new triangles, first in, first out; measured when taken.
@@ -35,24 +35,25 @@ enum class TriangleList {
   largest_first,  ///< Variant D: large triangles alone, the largest first.
 };
 
-/// What net is wanted, and how it is made.
+/// Which net is computed, and how.
 struct NetOptions {
-  /// The start is this point alone; without it, all vertices of the tiles that are not too close to others.
+  /// If set, the start is this point alone. Otherwise it consists of the vertices of the tiles that are not too close
+  /// to others.
   std::optional<BasePoint> base = {};
-  /// These points, strictly inside of their tiles, are vertices, exactly where they are: the start is they alone, after
-  /// the base if there is one. No two may be closer than ε (ClosePointsError). Not for pseudo nets, which remove
-  /// vertices from collars.
+  /// Points that become vertices, exactly where they are. The start consists of the base, if there is one, and these
+  /// points alone. Requires: each is strictly inside its tile (SurfaceError), and any two are farther than ε from each
+  /// other (ClosePointsError). Cannot be combined with `pseudo`, which removes vertices from collars.
   std::vector<BasePoint> points = {};
   Insertion insertion = Insertion::cavity;
   Walk walk = Walk::visibility;  ///< How `Insertion::flips` finds the triangle that contains a circumcentre.
-  /// Without one the fastest: large_back, and nets of 100,000 vertices or more in pieces, on all cores. With one, one
-  /// thread makes the net in that order.
+  /// If set, one thread makes the net in this order. Otherwise the fastest way is taken: large_back, and for nets of
+  /// 100,000 vertices or more in pieces, on all cores.
   std::optional<TriangleList> list = {};
   /// A pseudo ε-net (thesis Definition III.7): points of the ε-thick part that cover it; ε at most ln √2.
   bool pseudo = false;
-  /// A net with few points: 1.4 to 1.5 times the lower bound of Theorem III.2 (thick surfaces, ε at most 0.1) where the
-  /// refinement alone has 2.15 times, for some eight times its work. Where it has more than 1.5 times, the ordinary net
-  /// if that has no more points. No pseudo net.
+  /// A net with few points: 1.4 to 1.5 times the lower bound of Theorem III.2 (thick surfaces, ε at most 0.1) instead
+  /// of the 2.15 times of the refinement alone, at about eight times the cost. Where it has more than 1.5 times, the
+  /// ordinary net is taken if that has no more points. Cannot be combined with `pseudo`.
   bool sparse = false;
   /// Threads with which the net is made; 0: as many as the machine has cores. The net is the same for any number.
   unsigned threads = 0;
@@ -68,7 +69,7 @@ struct NetStatistics {
   std::uint64_t insertions = 0;
   std::uint64_t flips = 0;             ///< Of the insertions. A cavity of k triangles counts as k − 1 flips.
   std::uint64_t initial_flips = 0;     ///< To make the input's triangulation Delaunay.
-  std::uint64_t removed = 0;           ///< Vertices of the input that were closer than ε to others, or not the base.
+  std::uint64_t removed = 0;           ///< Input vertices removed: closer than ε to others, or not the base.
   std::uint64_t located = 0;           ///< Walks (`Insertion::flips` only).
   std::uint64_t located_at_start = 0;  ///< Circumcentres that lie in their own triangle.
   std::uint64_t walk_steps = 0;        ///< Triangles entered by all walks.
@@ -94,7 +95,7 @@ inline constexpr OptionNames<TriangleList, 4> kTriangleListNames{{{"A", Triangle
                                                                   {"C", TriangleList::large_back},
                                                                   {"D", TriangleList::largest_first}}};
 
-/// The name of a value of an option.
+/// Returns the name of a value.
 template <class Option, std::size_t N>
 [[nodiscard]] constexpr std::string_view name_in(const OptionNames<Option, N>& names, Option value) {
   for (const auto& [name, option] : names) {
@@ -102,7 +103,7 @@ template <class Option, std::size_t N>
   }
   return {};
 }
-/// The value of an option with a name; nothing if there is none.
+/// Returns the value with this name; nullopt if there is none.
 template <class Option, std::size_t N>
 [[nodiscard]] constexpr std::optional<Option> value_in(const OptionNames<Option, N>& names, std::string_view name) {
   for (const auto& [known, option] : names) {
@@ -123,7 +124,7 @@ class NetError : public Error {
   using Error::Error;
 };
 
-/// Two points that are to be vertices are not farther than ε from each other.
+/// Two given points are not farther than ε from each other.
 class ClosePointsError : public NetError {
  public:
   /// By their vertices, `first` < `second`: the base, if there is one, then the points in their order.

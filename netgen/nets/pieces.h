@@ -22,7 +22,7 @@ struct PieceOptions {
 struct PieceResult {
   std::uint64_t insertions = 0;
   std::uint64_t flips = 0;             ///< As NetStatistics counts them.
-  std::vector<std::uint32_t> pending;  ///< Marked triangles that are left, of which binary64 may not know how large.
+  std::vector<std::uint32_t> pending;  ///< Triangles still marked; some may turn out not to be large.
 };
 
 /// Inserts the circumcentres of large triangles in many pieces of a Delaunay triangulation at the same time, by

@@ -27,7 +27,7 @@ namespace epsnet::program {
 /// What the command line asks for, to be run once it is read.
 using Job = std::function<void()>;
 
-// Each adds a command to the program, which sets `chosen` where it is called.
+// Each adds a command to the program, whose callback sets `chosen`.
 void add_surface_command(CLI::App& app, Job& chosen);
 void add_net_command(CLI::App& app, Job& chosen);
 void add_import_net_command(CLI::App& app, Job& chosen);

@@ -319,7 +319,7 @@ void add_net_command(CLI::App& app, Job& chosen) {
       ->excludes(points);
   net->add_flag("--sparse", request.options.sparse,
                 "a net with few points: 1.4 to 1.5 times the lower bound of the thesis' Theorem III.2 instead of 2.15 "
-                "times; to compute it takes some eight times as long, to prove it less")
+                "times, at about eight times the cost; it is proved faster")
       ->excludes(points);
   net->add_flag("--no-certify", request.no_certify, "write the net without checking it: nothing is proved");
   CLI::Option* insert =

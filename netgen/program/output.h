@@ -15,7 +15,7 @@
 /// What the commands of the program share: files out, reports, progress, errors.
 namespace epsnet::program {
 
-/// An option's value that cannot be meant.
+/// An invalid option value.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

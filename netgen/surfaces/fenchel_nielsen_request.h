@@ -10,7 +10,7 @@
 
 namespace epsnet {
 
-/// A request that cannot be meant. what() is "MEMBER: PROBLEM" where one member is to blame.
+/// An invalid request. what() is "MEMBER: PROBLEM" where one member is to blame.
 class FenchelNielsenRequestError : public Error {
  public:
   /// Of no member.

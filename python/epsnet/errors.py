@@ -52,7 +52,7 @@ class EpsnetError(Exception):
 
 
 class ArgumentError(EpsnetError, ValueError):
-    """An argument that cannot be meant: a negative length, a width that is too small."""
+    """An invalid argument, such as a negative length or a width that is too small."""
 
 
 class SurfaceError(EpsnetError, ValueError):
