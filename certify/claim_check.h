@@ -5,10 +5,11 @@
 
 namespace epsnet::certify {
 
-/// What check, check_geodesics, check_distance or check_cover says of a document, whichever it is.
+/// Returns the certificate of `check`, `check_geodesics`, `check_distance` or `check_cover`, depending on the kind of
+/// the document.
 [[nodiscard]] Certificate check_claim(const ClaimDocument& document, const CheckOptions& options = {});
 
-/// The net of a document.
+/// Returns the net of a document.
 [[nodiscard]] const NetDocument& net_of(const ClaimDocument& document);
 
 }  // namespace epsnet::certify

@@ -3,21 +3,22 @@
 #include "certify/check.h"
 #include "certify/document/distance_document.h"
 
-/// The checker of distance files: decides whether a distance between two points lies in an interval and whether the
-/// geodesics that are listed are all that are so short (docs/proof.md, section 14).
+/// The checker of distance files. It decides whether the distance of two points lies in an interval, and whether the
+/// list contains all geodesics between them of length up to the upper end (docs/proof.md, section 14).
 namespace epsnet::certify {
 
-/// The rules by name, in the order in which they are asked: those of the net, then those below.
+/// Returns the names of the rules in the order of evaluation: those of the net, then those of `check_distance`.
 [[nodiscard]] RuleNames rules_of(const DistanceDocument& document);
 
-/// Checks the net first, with its seven rules; its certificate is the answer unless it is verified. Then come the rules
+/// Checks the net first, with its seven rules. If the net is not verified, returns the net's certificate. Otherwise
+/// checks the rules
 ///
 /// * `paths`: the lengths lie in the enclosure, and no two paths are the same;
-/// * `equal`: if they are said to be of equal length, they are, exactly;
-/// * `nearest`: no geodesic between the two points that is not longer than the enclosure's upper end is missing.
+/// * `equal`: if they are claimed to have equal lengths, the lengths are exactly equal;
+/// * `nearest`: every geodesic between the two points is listed if it is not longer than the enclosure's upper end.
 ///
-/// As for `check`, a document of whatever content gives a certificate, which does not depend on the number of threads.
-/// Nothing is searched: the time is that of the net, and proportional to paths times triangles, however long paths are.
+/// Like `check`, returns a certificate for a document of any content; the number of threads does not change it. There
+/// is no search: the time is that of checking the net plus O(paths · triangles), however long the paths are.
 [[nodiscard]] Certificate check_distance(const DistanceDocument& document, const CheckOptions& options = {});
 
 }  // namespace epsnet::certify

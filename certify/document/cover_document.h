@@ -8,19 +8,19 @@
 
 /// The contents of a cover file as plain data, member by member as docs/format.md defines them.
 ///
-/// A document is only what a file says; nothing here is proved. `check_cover` (cover_check.h) says whether it holds.
-/// Lengths are hyperbolic.
+/// A document only states what a file says; nothing here is proved. `check_cover` (cover_check.h) decides whether it is
+/// true. Lengths are hyperbolic.
 namespace epsnet::certify {
 
-/// A cover file: a bound for a function of the points of a surface that is proved cell by cell.
+/// A cover file: bounds for a function on a surface, proved cell by cell.
 struct CoverDocument {
-  /// What is said to lie between the bounds.
+  /// The quantity that is claimed to lie between the bounds.
   ///
-  /// `diameter`: the diameter, which is the greatest eccentricity. `radius`: the radius, which is the least.
-  /// `embedded_disk`: the radius of the largest embedded disk, which is the greatest injectivity radius.
+  /// `diameter`: the diameter, which is the greatest eccentricity. `radius`: the radius, which is the least
+  /// eccentricity. `embedded_disk`: the radius of the largest embedded disk, which is the greatest injectivity radius.
   enum class Claim { diameter, radius, embedded_disk };
 
-  /// A triangulation with one vertex, made from another one by flips.
+  /// A one-vertex triangulation, obtained from its parent by flips.
   struct Triangulation {
     std::uint32_t parent = 0;          ///< Number 0 is that of the net, number k ≥ 1 is triangulations[k − 1].
     std::vector<std::uint32_t> flips;  ///< Darts, flipped one after the other.

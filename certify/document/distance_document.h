@@ -8,13 +8,13 @@
 
 /// The contents of a distance file as plain data, member by member as docs/format.md defines them.
 ///
-/// A document is only what a file says; nothing here is proved. `check_distance` (distance_check.h) says whether it
-/// holds.
+/// A document only states what a file says; nothing here is proved. `check_distance` (distance_check.h) decides whether
+/// it is true.
 namespace epsnet::certify {
 
 /// A distance file: the distance between two points p and q of a surface, and geodesics from p to q.
 struct DistanceDocument {
-  /// The point of the surface with these coordinates in a tile, which need not contain it: its disk is meant.
+  /// The point of the surface with these coordinates in the disk of a tile. The tile need not contain it.
   struct Point {
     std::uint32_t tile = 0;
     RationalPoint z;

@@ -9,7 +9,7 @@
 
 /// The contents of a net file as plain data, member by member as docs/format.md defines them.
 ///
-/// A document is only what a file says; nothing here is proved. `check` (check.h) says whether it holds.
+/// A document only states what a file says; nothing here is proved. `check` (check.h) decides whether it is true.
 namespace epsnet::certify {
 
 /// A point x + iy of the Poincaré disk with rational coordinates.
@@ -74,9 +74,9 @@ struct NetDocument {
     bool operator==(const Triangle&) const = default;
   };
 
-  /// The collar of a short closed geodesic, its core, that a pseudo net leaves uncovered: the annulus of two triangles
-  /// between a loop at vertices[0] and a loop at vertices[1], one on each side of the core. triangles[0] has
-  /// vertices[0] at two of its corners, triangles[1] at one.
+  /// A collar that a pseudo net leaves uncovered; its core is a short closed geodesic. The two triangles form the
+  /// annulus between a loop at vertices[0] and a loop at vertices[1], one on each side of the core. vertices[0] is two
+  /// corners of triangles[0] and one corner of triangles[1].
   struct Collar {
     std::vector<std::uint32_t> core;  ///< A word from the tile of the chart of vertices[0] to itself.
     std::array<double, 2> length;     ///< Ends of an interval that contains the core's length.

@@ -6,12 +6,11 @@
 #include <string>
 #include <vector>
 
-/// Promises between the parts of the checker that are asked about, always: a lookup of what is not there would read
-/// something else, and a verdict about something else could be VERIFIED.
+/// Invariants between the parts of the checker, checked in every build. A lookup of a missing element would read
+/// another one, and a verdict about that one could be VERIFIED.
 namespace epsnet::certify {
 
-/// A promise was broken, so this program is wrong: what it is about to say means nothing, whatever the file. Whoever
-/// catches it gives no verdict.
+/// An invariant is broken, so this program has a bug, whatever the file. Handlers must not give a verdict.
 class Fault : public std::logic_error {
  public:
   /// "a fault of this program: WHAT".
@@ -21,19 +20,19 @@ class Fault : public std::logic_error {
 /// Throws Fault with "WHAT INDEX".
 [[noreturn]] void throw_fault(const char* what, std::size_t index);
 
-/// Throws Fault(what) unless the promise holds.
+/// Throws Fault(what) unless the invariant holds.
 inline void ensure(bool holds, const char* what) {
   if (!holds) throw Fault(what);
 }
 
-/// x[i]; Fault, if there is none.
+/// Returns x[i]. Throws Fault if i is out of range.
 template <class T>
 [[nodiscard]] const T& element(const std::vector<T>& x, std::size_t i, const char* what) {
   if (i >= x.size()) throw_fault(what, i);
   return x[i];
 }
 
-/// *x; Fault, if there is nothing.
+/// Returns *x. Throws Fault if x is empty.
 template <class T>
 [[nodiscard]] T value_of(std::optional<T> x, const char* what) {
   if (!x) throw Fault(what);

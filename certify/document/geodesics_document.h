@@ -10,17 +10,17 @@
 
 /// The contents of a geodesics file as plain data, member by member as docs/format.md defines them.
 ///
-/// A document is only what a file says; nothing here is proved. `check_geodesics` (geodesics_check.h) says whether it
-/// holds. Lengths are hyperbolic.
+/// A document only states what a file says; nothing here is proved. `check_geodesics` (geodesics_check.h) decides
+/// whether it is true. Lengths are hyperbolic.
 namespace epsnet::certify {
 
 /// A geodesics file.
 struct GeodesicsDocument {
-  /// What the list of geodesics is said to be.
+  /// The claim about the list of geodesics.
   ///
-  /// `systole`: one closed geodesic, and none is shorter. `spectrum`: all primitive
-  /// closed geodesics of length at most `up_to`, up to orientation. `thick_thin`: the same for 2 arsinh 1, with the
-  /// pieces of the surface cut along them.
+  /// `systole`: one closed geodesic, and none is shorter. `spectrum`: all primitive closed geodesics of length at most
+  /// `up_to`, up to orientation. `thick_thin`: all of length at most 2 arsinh 1, with the pieces of the surface cut
+  /// along them.
   enum class Claim { systole, spectrum, thick_thin };
 
   /// The closed geodesic in the free homotopy class of a loop at a vertex.
@@ -35,8 +35,7 @@ struct GeodesicsDocument {
     bool operator==(const ClosedGeodesic&) const = default;
   };
 
-  /// geodesics[first], …, geodesics[first + count − 1], a run of lengths that the enclosures do not tell apart from one
-  /// another.
+  /// geodesics[first], …, geodesics[first + count − 1]: a run of lengths that the enclosures cannot distinguish.
   struct Cluster {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
@@ -47,7 +46,7 @@ struct GeodesicsDocument {
   /// A component of the surface minus the geodesics.
   struct Piece {
     std::uint32_t genus = 0;
-    /// Pairs of a geodesic's index and its side that bounds the piece, 0 for left, 1 for right.
+    /// Pairs (index of a geodesic, side of it that bounds the piece); 0 is left, 1 is right.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> boundaries;
     bool operator==(const Piece&) const = default;
   };

@@ -11,7 +11,7 @@ struct Interval {
   bool operator==(const Interval&) const = default;
 };
 
-/// "[lower, upper]", each end as the shortest decimal that reads back as the same binary64.
+/// Returns "[lower, upper]", each end as the shortest decimal that reads back as the same binary64.
 [[nodiscard]] std::string to_string(Interval x);
 
 }  // namespace epsnet::certify

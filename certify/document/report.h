@@ -9,51 +9,53 @@
 
 #include "certify/document/interval.h"
 
-/// What the checker is asked and what it answers, as plain data.
+/// The options of the checker and its results, as plain data.
 namespace epsnet::certify {
 
-/// `refuted`: a rule is proved not to hold. `undecided`: neither proved nor refuted within the precision allowed.
-/// `malformed`: not a net at all. Only `verified` is success.
+/// `refuted`: a rule is proved to fail. `undecided`: neither proved nor refuted within the precision and work allowed.
+/// `malformed`: the document is not well-formed. Only `verified` is success.
 enum class Verdict { verified, refuted, undecided, malformed };
 
-/// "VERIFIED", "REFUTED", "UNDECIDED", "MALFORMED".
+/// Returns "VERIFIED", "REFUTED", "UNDECIDED" or "MALFORMED".
 [[nodiscard]] std::string_view name(Verdict verdict);
 
-/// Bits: the least and the greatest precision that a caller can ask for.
+/// The least and the greatest precision that a caller may choose, in bits.
 inline constexpr long kLeastPrecision = 64;
 inline constexpr long kGreatestPrecision = 1L << 20;
 
-/// What a check is asked for. None of it changes what a verdict means.
+/// Options of a check. None of them changes the meaning of a verdict.
 struct CheckOptions {
   unsigned threads = 0;       ///< 0: as many as the machine has cores. The result is the same for any number.
   long max_precision = 8192;  ///< Bits; beyond, a comparison is undecided. At least 64, at most 2²⁰.
-  /// Units of work (budget.h) after which what is left is undecided; 0: what a file of this size may take.
+  /// Units of work (budget.h) after which all remaining questions are undecided; 0: a limit chosen by the size of the
+  /// file.
   std::uint64_t max_work = 0;
-  /// Geodesics files only: lifted triangles visited; with more, a list is not decided to be complete.
+  /// Geodesics files only: the most lifted triangles visited. If a search needs more, the rule `complete` is undecided.
   std::uint64_t max_visits = 100'000'000;
-  /// Claims about the surface of a net only (geodesics, distances, covers): triangles of the net, each of which takes a
-  /// kilobyte of memory; of a net with more, nothing is decided. A finer net is no help for any.
+  /// Geodesics, distance and cover files only: the most triangles of the net, each of which takes a kilobyte of memory.
+  /// Claims about a larger net are undecided. No such claim needs a finer net.
   std::size_t max_triangles = std::size_t{1} << 20;
-  /// Whether binary64, with bounds for its errors, is asked before balls (proof.md, section 16). Changes only the time.
+  /// Whether questions are tried in binary64, with bounds for its errors, before ball arithmetic (proof.md, section
+  /// 16). Changes only the time.
   bool filter = true;
-  /// Called now and then, from the calling thread only, with a rule's name and the share done, 0 to 1.
+  /// Called occasionally, from the calling thread only, with a rule's name and the share done, 0 to 1.
   std::function<void(std::string_view, double)> progress = {};
 };
 
-/// What one rule says about the document.
+/// The result of one rule.
 struct RuleReport {
   std::string rule;
   Verdict verdict = Verdict::undecided;
   std::string text;  ///< What was proved, or the first element in file order that fails, with its numbers. One line.
 };
 
-/// The rules of a claim by name, in the order in which they are asked.
+/// The names of a claim's rules in the order of evaluation.
 using RuleNames = std::vector<std::string_view>;
 
-/// "rule: VERDICT: text".
+/// Returns "rule: VERDICT: text".
 [[nodiscard]] std::string to_string(const RuleReport& report);
 
-/// Sizes of what was checked, and what it took.
+/// The sizes of the document, and the cost of the check.
 struct Counts {
   std::uint64_t vertices = 0;
   std::uint64_t edges = 0;
@@ -62,12 +64,12 @@ struct Counts {
   std::uint64_t tiles = 0;
   std::uint64_t charts = 0;
   std::uint64_t labels = 0;
-  std::uint64_t label_identities = 0;  ///< Different group equations that rule `gluing` had to decide.
+  std::uint64_t label_identities = 0;  ///< Distinct group equations decided by the rule `gluing`.
   std::uint64_t exact_ties = 0;        ///< Edges whose four corners are exactly cocircular.
   std::uint64_t triangles_beyond_64_bits = 0;
-  std::uint64_t max_precision_used = 0;  ///< Bits, largest of the rules from gluing on.
-  std::uint64_t work = 0;                ///< Units (budget.h) that all rules took; the same for any number of threads.
-  std::optional<std::uint64_t> collars;  ///< Of a pseudo net; absent in any other.
+  std::uint64_t max_precision_used = 0;  ///< In bits; the maximum over the rules from gluing on.
+  std::uint64_t work = 0;                ///< Units (budget.h), all rules; the same for any number of threads.
+  std::optional<std::uint64_t> collars;  ///< The number of collars; only for a pseudo net.
 };
 
 /// Intervals that contain the true values, ends rounded outward; lengths are hyperbolic.
@@ -82,11 +84,11 @@ struct Enclosures {
   std::optional<Interval> shortest_core;  ///< Of the collars of a pseudo net.
 };
 
-/// What it took to check a geodesics file.
+/// The cost of checking a geodesics file.
 struct GeodesicsCounts {
   std::uint64_t geodesics = 0;
-  std::uint64_t lifted_triangles = 0;    ///< Visited in the search for geodesics that are missing.
-  std::uint64_t candidates = 0;          ///< Short elements that were found, each at each vertex near its axis.
+  std::uint64_t lifted_triangles = 0;    ///< Visited in the search for missing geodesics.
+  std::uint64_t candidates = 0;          ///< Short elements found, counted once per vertex near the axis.
   std::uint64_t deep_vertices = 0;       ///< Vertices whose disks lie in collars.
   std::uint64_t max_precision_used = 0;  ///< Bits.
 };
@@ -94,11 +96,10 @@ struct GeodesicsCounts {
 /// The answer to `check`. There is no conversion to bool: compare `verdict`.
 struct Certificate {
   Verdict verdict = Verdict::undecided;
-  std::string claim;    ///< What holds if the verdict is `verified`, in words; empty if malformed. One line.
+  std::string claim;    ///< The statement proved by the verdict `verified`; empty if malformed. One line.
   std::string rule;     ///< The rule that decided a verdict other than `verified`; "structure" if malformed.
   std::string message;  ///< That rule's text; empty if verified.
-  /// The rules that were evaluated, in the order of rules_of. A rule that needs an earlier one which failed is not
-  /// evaluated.
+  /// The rules that were evaluated, in the order of rules_of. A rule is not evaluated if it depends on a failed one.
   std::vector<RuleReport> rules;
   Counts counts;
   /// The edges whose four corners are exactly cocircular, each by its smaller dart, in order.
@@ -107,12 +108,12 @@ struct Certificate {
   std::optional<GeodesicsCounts> geodesics;  ///< Present for a geodesics file whose net is verified.
 };
 
-/// That of a document whose structure is broken.
+/// Returns the certificate of a document whose structure is broken.
 [[nodiscard]] Certificate malformed(const std::string& problem);
 
-/// The verdict and why it is none other, on one line: "VERIFIED", "REFUTED: rule: message", "UNDECIDED: rule: message"
-/// or "MALFORMED: message". `subject`, if it is not empty, says of what, after a verdict other than VERIFIED:
-/// "REFUTED: subject: rule: message".
+/// Returns the verdict and its reason on one line: "VERIFIED", "REFUTED: rule: message", "UNDECIDED: rule: message" or
+/// "MALFORMED: message". A non-empty `subject` names the document after a verdict other than VERIFIED: "REFUTED:
+/// subject: rule: message".
 [[nodiscard]] std::string verdict_line(const Certificate& certificate, std::string_view subject = {});
 
 }  // namespace epsnet::certify

@@ -14,41 +14,43 @@
 #include "certify/document/document.h"
 #include "certify/document/geodesics_document.h"
 
-/// The strict reader of net files, surface files, geodesics files, distance files and cover files, version 1
-/// (docs/format.md is the law).
+/// The strict reader of net, surface, geodesics, distance and cover files, version 1. docs/format.md is the
+/// specification.
 ///
 /// Everything that the format does not allow is an error: an unknown, missing or repeated member, a wrong type, an
-/// index written as 1.0, a binary64 that overflows, text after the document, an index that points nowhere, a word that
-/// does not compose. No input crashes the reader; time and memory are bounded by a multiple of the size of the file.
+/// index written as 1.0, a binary64 that overflows, text after the document, an index out of range, a word whose sides
+/// do not compose. No input crashes the reader; time and memory are bounded by a multiple of the size of the file.
 namespace epsnet::certify {
 
-/// The file is not a net (or surface) file. what() is "NAME: PLACE: what was wrong, what was expected", one line.
+/// The contents are not a file of the kind that was asked for. what() is "NAME: PLACE: what was wrong, what was
+/// expected", one line.
 class MalformedError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The file cannot be opened or read at all; nothing is said about its contents. what() is "NAME: why", one line.
+/// The file cannot be opened or read; its contents are unknown. what() is "NAME: why", one line.
 class FileError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// How messages call a file: its path as given, in quotation marks, or `standard input` for "-".
+/// Returns the name of a file in messages: its path as given, in quotation marks, or `standard input` for "-".
 [[nodiscard]] std::string display_name(const std::filesystem::path& path);
 
-/// The bytes of a file, a pipe or a terminal, at most 4 GiB, read once; "-" is standard input here and below. Throws
-/// FileError, or MalformedError if there are more.
+/// Returns the bytes of a file, a pipe or a terminal, which is read once. "-" is standard input, here and below. Throws
+/// FileError, or MalformedError beyond 4 GiB.
 [[nodiscard]] std::string load(const std::filesystem::path& path);
 
-/// Files of at most so many bytes are not read in pieces.
+/// Files of at most this many bytes are not read in chunks.
 inline constexpr std::uint64_t kMaxBytesAtOnce = 4'000'000;
 
-/// What a file that can be checked holds.
+/// The contents of a file that can be checked.
 using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocument, CoverDocument>;
 
-/// Reads a large file that can be checked without all of its bytes in memory; `witness` gets them, in order. Nothing if
-/// path is none, or if anything is wrong with it: then `load` and `parse_claim_in_place` read it, or say what it is.
+/// Reads a large file in chunks, without holding it in memory. Passes its bytes to `witness` in order. Returns nullopt
+/// if the path is not a large file that can be checked, or if anything is wrong with it; then `load` and
+/// `parse_claim_in_place` read the file or report the error.
 [[nodiscard]] std::optional<ClaimDocument> read_claim_in_pieces(
     const std::filesystem::path& path, const std::function<void(std::string_view)>& witness = {});
 
@@ -82,14 +84,15 @@ using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocum
 /// Reads a cover file from memory; `name` stands for the file in messages. Throws MalformedError.
 [[nodiscard]] CoverDocument parse_cover(std::string_view text, std::string_view name);
 
-/// Reads a file that can be checked, of the kind that its member `format` says; any other is taken for a net file.
-/// Throws FileError or MalformedError.
+/// Reads a file that can be checked. Its member `format` names its kind; a file with any other format is read as a net
+/// file. Throws FileError or MalformedError.
 [[nodiscard]] ClaimDocument read_claim(const std::filesystem::path& path);
 
-/// The same from memory; `name` stands for the file in messages. Throws MalformedError.
+/// Like `read_claim`, from memory; `name` stands for the file in messages. Throws MalformedError.
 [[nodiscard]] ClaimDocument parse_claim(std::string_view text, std::string_view name);
 
-/// The same without a copy of the bytes. They stay as they are; their capacity may grow.
+/// Like `parse_claim`, without copying the bytes. The bytes are unchanged, but their capacity may grow. Throws
+/// MalformedError.
 [[nodiscard]] ClaimDocument parse_claim_in_place(std::string& bytes, std::string_view name);
 
 }  // namespace epsnet::certify

@@ -7,23 +7,23 @@
 #include "certify/document/document.h"
 #include "certify/document/geodesics_document.h"
 
-/// Writes the files of docs/format.md. Not trusted: the checker reads what was written with reader.h.
+/// Writes the files of docs/format.md. The writer is not trusted: the checker reads its output with reader.h.
 ///
-/// The text is canonical: one row a line, numbers as short as they can be, so equal documents give equal bytes, and
-/// parse_net(write_net(x)) == x. O(size), buffered. Errors show in the state of the stream.
+/// The text is canonical: one row per line, every number as short as possible. So equal documents give equal bytes, and
+/// parse_net(write_net(x)) == x. O(size), buffered. Errors are reported by the state of the stream.
 namespace epsnet::certify {
 
 /// Writes a net file.
 void write_net(const NetDocument& document, std::ostream& out);
 
-/// Writes a compact net file, some 55 bytes for each vertex. Throws std::invalid_argument, before anything is written,
-/// if `opposite` is not an involution without fixed points: then only write_net can.
+/// Writes a compact net file, about 55 bytes per vertex. Requires: `opposite` is an involution without fixed points.
+/// Otherwise throws std::invalid_argument before anything is written, and only write_net can write the document.
 void write_compact_net(const NetDocument& document, std::ostream& out);
 
 /// Writes a surface file.
 void write_surface(const SurfaceDocument& surface, std::ostream& out);
 
-/// Writes the members that the document's claim has, and no others.
+/// Writes a geodesics file, with only the members that its claim has.
 void write_geodesics(const GeodesicsDocument& document, std::ostream& out);
 
 /// Writes a distance file.
