@@ -58,8 +58,8 @@ template <class T>
 }
 template <class T>
 [[nodiscard]] constexpr Complex<T> operator/(const Complex<T>& u, const Complex<T>& v) {
-  // One division and two products: in binary64 and beyond divisions are dear, and the quotient is as accurate as is
-  // needed.
+  // One division and two products: divisions are expensive in binary64 and beyond, and this quotient is accurate
+  // enough.
   const T reciprocal = T(1) / norm(v);
   return {dot(v, u) * reciprocal, cross(v, u) * reciprocal};
 }

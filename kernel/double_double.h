@@ -14,13 +14,13 @@ namespace epsnet {
 /// arithmetic, ACM Trans. Math. Softw. 44 (2017), Algorithms 6 and 11).
 struct DoubleDouble {
   double high = 0;  ///< The number rounded to binary64.
-  double low = 0;   ///< What is left of it.
+  double low = 0;   ///< The rest.
 
   /// 0.
   DoubleDouble() = default;
-  /// A number of binary64, exactly.
+  /// A binary64 number, exactly.
   constexpr explicit DoubleDouble(double value) : high(value) {}
-  /// The sum of two numbers of which the second is at most half of an ulp of the first.
+  /// The sum high + low. Requires: `low` is at most half an ulp of `high`.
   constexpr DoubleDouble(double high_part, double low_part) : high(high_part), low(low_part) {}
   /// Rounded twice: off by at most u² of the value.
   explicit DoubleDouble(const Mp256& value)

@@ -9,8 +9,8 @@ namespace epsnet {
 
 /// An orientation-preserving isometry z ↦ (a z + b)/(b̄ z + ā) of the Poincaré disk, |a| > |b| (thesis Theorem I.8).
 ///
-/// (a, b) is defined up to a real factor, so that isometries between rational points stay in Q(i); `normalized` scales
-/// to |a|² − |b|² = 1.
+/// (a, b) is defined up to a real factor, so isometries between rational points stay in Q(i). `normalized` scales to
+/// |a|² − |b|² = 1.
 template <class T>
 struct Isometry {
   Complex<T> a{T(1), T(0)};
@@ -89,8 +89,8 @@ template <class T>
   return f.b.x * f.b.x + (f.b.y - f.a.y) * (f.b.y + f.a.y);
 }
 
-/// The kind of an isometry: exact over an exact field such as `Rational`; over others the kind of the rounded
-/// discriminant, where parabolic isometries are hit by accident only.
+/// Returns the kind of an isometry. It is exact over an exact field such as `Rational`. Over other fields it is the
+/// kind of the rounded discriminant, and is parabolic only by accident.
 template <class T>
 [[nodiscard]] constexpr IsometryKind classify(const Isometry<T>& f) {
   const T discriminant = isometry_discriminant(f);
@@ -103,9 +103,8 @@ template <class T>
   return f.a.y == 0 && f.b == Complex<T>{} ? IsometryKind::identity : IsometryKind::parabolic;
 }
 
-/// The displacement length ℓ (hyperbolic length, thesis I.1.1) of an isometry: how far it moves the points of its axis,
-/// which are those that it moves least. 0 for isometries that are not hyperbolic, as they move points by no least
-/// positive length.
+/// The displacement length ℓ (hyperbolic length, thesis I.1.1) of an isometry: the distance by which it moves the
+/// points of its axis. It moves all other points farther. Returns 0 for isometries that are not hyperbolic.
 ///
 /// By sinh(ℓ/2) = √(|b|² − (Im a)²)/√(|a|² − |b|²). cosh(ℓ/2) = |Re a|/√(|a|² − |b|²) is the textbook's form
 /// (ℓ = 2 arcosh(|Tr|/2)), but loses half of the digits of a short ℓ. For entries of relative accuracy u the relative
@@ -127,7 +126,7 @@ struct Axis {
   Complex<T> to;    ///< The attracting fixed point: images of points of the disk under powers converge to it.
 };
 
-/// The axis of an isometry; nothing if it is not hyperbolic. Needs square roots in T.
+/// Returns the axis of an isometry; nullopt if it is not hyperbolic. Needs square roots in T.
 ///
 /// The fixed points z solve b̄z² + (ā − a)z − b = 0: z = (i Im a ± √(|b|² − (Im a)²)) b/|b|². The isometry contracts
 /// near the one with the larger |b̄z + ā| = |Re a ± √…|.

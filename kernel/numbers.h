@@ -16,8 +16,7 @@ static_assert(FLT_EVAL_METHOD == 0, "the error bounds are proved for expressions
 /// Exact rational numbers (GMP).
 using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
-/// Multiprecision numbers (MPFR) with a mantissa of at least `Bits` bits, round to nearest, storage inside of the
-/// object.
+/// Multiprecision numbers (MPFR) with a mantissa of at least `Bits` bits, round to nearest, stored inside the object.
 template <unsigned Bits>
 using Multiprecision = boost::multiprecision::number<
     boost::multiprecision::mpfr_float_backend<(Bits * 3 + 9) / 10 + 2, boost::multiprecision::allocate_stack>,
@@ -33,7 +32,7 @@ using Mp4096 = Multiprecision<4096>;
 /// The unit roundoff of a binary64 operation, 2⁻⁵³.
 inline constexpr double kUnitRoundoff = 0x1p-53;
 
-/// The number of bits that results of a field have, for the a-priori error bounds of the multiprecision stages.
+/// The mantissa bits of a field, for the a-priori error bounds of the multiprecision stages.
 template <class T>
 inline constexpr int kMantissaBits = 0;
 template <>

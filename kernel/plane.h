@@ -6,8 +6,8 @@
 #include "kernel/complex.h"
 #include "kernel/isometry.h"
 
-/// The formulas of the hyperbolic plane in the Poincaré disk, over any field; no signs are certified here (predicates.h
-/// does that).
+/// The formulas of the hyperbolic plane in the Poincaré disk, over any field. Signs are not certified here;
+/// predicates.h certifies them.
 namespace epsnet {
 
 /// sinh²(d/2) for the hyperbolic distance d of two points of the disk: |p − q|²/((1 − |p|²)(1 − |q|²)), half of δ in
@@ -100,8 +100,8 @@ template <class T>
   return sinh2_circumradius<T>(norm(a - b), norm(b - c), norm(c - a), T(1) - norm(a), T(1) - norm(b), T(1) - norm(c));
 }
 
-/// The centre of the hyperbolic circle through three points of the disk; nothing if there is none in the field's
-/// precision.
+/// Returns the centre of the hyperbolic circle through three points of the disk; nullopt if none is found in the
+/// precision of the field.
 ///
 /// a is moved to 0; the Euclidean centre m of the circle through 0, b', c' lies on the ray of the hyperbolic one, which
 /// is 2m/(1 + √(1 − 4|m|²)) because the diameter from 0 ends in 2m.
@@ -127,7 +127,7 @@ template <class T>
   return Isometry<T>::translation(a)(scale * m);
 }
 
-/// The same where the circle is small and near the origin, with two divisions: the accuracy is absolute. The Euclidean
+/// Like `circumcentre`, for small circles near the origin, with two divisions. Its accuracy is absolute. The Euclidean
 /// circle has a centre m and a radius r; the hyperbolic centre of that circle lies on the ray of m.
 template <class T>
 [[nodiscard]] std::optional<Complex<T>> circumcentre_near_origin(const Complex<T>& a, const Complex<T>& b,

@@ -9,13 +9,14 @@
 
 /// One stage of a staged predicate: a sign that is proved, or "unsure".
 ///
-/// Every function here takes points whose Euclidean distance from the true points is at most `error` (0 where they are
-/// exact) and answers a sign only if it is the sign for the true points, which lie in the open unit disk. NaN anywhere,
-/// or an infinite `error`, gives "unsure". docs/error-bounds.md derives the constants; tests/kernel/predicates_test.cpp
-/// holds every stage against exact arithmetic, and fails if the constants are a hundredth of what they are.
+/// Every function takes points whose Euclidean distance from the true points is at most `error`, 0 for exact points.
+/// Requires: the true points lie in the open unit disk. A function returns a sign only if it is the sign for the true
+/// points. It returns "unsure" if any input is NaN or `error` is infinite. docs/error-bounds.md derives the constants;
+/// tests/kernel/predicates_test.cpp compares every stage with exact arithmetic, and fails if the constants are a
+/// hundred times smaller.
 namespace epsnet {
 
-/// The answer of one stage: the sign −1, 0 or 1, or nothing.
+/// The result of one stage: the sign −1, 0 or 1, or "unsure".
 struct StageSign {
   int sign = 0;
   bool certain = false;
@@ -39,8 +40,8 @@ template <>
 }
 
 namespace detail {
-/// Added to every bound of the binary64 stage: products that underflow lose their relative accuracy, but nothing this
-/// large is lost.
+/// Added to every bound of the binary64 stage. Products that underflow lose their relative accuracy; this absolute term
+/// exceeds the loss.
 template <class T>
 [[nodiscard]] inline T underflow_bound() {
   return T(0);

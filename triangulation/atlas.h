@@ -35,20 +35,20 @@ using LabelId = std::uint32_t;
 
 /// The identity, of whatever chart it is used in.
 inline constexpr LabelId kIdentity = 0;
-/// No label: what is asked for is not known.
+/// No label: the result is not known.
 inline constexpr LabelId kUnknownLabel = ~LabelId{0};
 
 /// No point of a chart that is used as a vertex is farther from the origin than this (Euclidean, Poincaré disk).
 inline constexpr double kChartRadius = 0.7;
 
 /// The charts of a surface and the isometries between them ("labels"): exactly as words, rounded to binary64, and to
-/// some 200 bits and more where these are asked for.
+/// 200 bits or more on request.
 ///
-/// Labels are few, a few hundred to thousands whatever the number of triangles; products and inverses are memoised.
+/// There are only hundreds to thousands of labels, whatever the number of triangles. Products and inverses are
+/// memoised.
 class Atlas {
  public:
-  /// Throws LimitError, which names the tile, if closed geodesics may be too short for labels
-  /// to be told apart, that is about 10⁻²⁶.
+  /// Throws LimitError, which names the tile, if closed geodesics may be too short to distinguish labels (about 10⁻²⁶).
   explicit Atlas(const Surface& surface);
 
   /// The surface whose charts these are.
@@ -56,9 +56,9 @@ class Atlas {
 
   /// Appends a chart without checking for duplicates; returns its number.
   [[nodiscard]] std::uint32_t add_chart(Chart chart);
-  /// Charts are numbered from 0.
+  /// Returns the number of charts. They are numbered from 0.
   [[nodiscard]] std::uint32_t chart_count() const { return static_cast<std::uint32_t>(charts_.size()); }
-  /// The chart of a number.
+  /// Returns chart c.
   [[nodiscard]] const Chart& chart(std::uint32_t c) const { return charts_[c].chart; }
   /// The isometry from the coordinates of a chart to those of its tile.
   template <class T>
@@ -69,18 +69,19 @@ class Atlas {
   [[nodiscard]] LabelId label(std::uint32_t from, std::uint32_t to, Word word);
   /// The number of labels, the identity included.
   [[nodiscard]] std::uint32_t label_count() const { return static_cast<std::uint32_t>(labels_.size()) + 1; }
-  /// The chart a label (not the identity) leads from.
+  /// The chart that the label leads from. Requires: it is not the identity.
   [[nodiscard]] std::uint32_t from(LabelId l) const { return labels_[l - 1].from; }
-  /// The chart it leads to.
+  /// The chart that the label leads to. Requires: it is not the identity.
   [[nodiscard]] std::uint32_t to(LabelId l) const { return labels_[l - 1].to; }
-  /// Its word, from the tile of the one chart to that of the other.
+  /// The word of a label, from the tile of its first chart to the tile of its second chart. Requires: it is not the
+  /// identity.
   [[nodiscard]] const Word& word(LabelId l) const { return labels_[l - 1].word; }
-  /// The labels, the identity not among them, that lead to a chart.
+  /// The labels that lead to a chart, without the identity.
   [[nodiscard]] std::span<const LabelId> labels_to(std::uint32_t c) const { return charts_[c].incoming; }
-  /// The isometries that were multiplied so far to evaluate words: what a new label costs.
+  /// Returns the number of isometries multiplied so far to evaluate words, which is the cost of new labels.
   [[nodiscard]] std::uint64_t factor_count() const { return factor_count_; }
 
-  /// f ∘ g; g leads to the chart that f leads from.
+  /// Returns f ∘ g. Requires: g leads to the chart that f leads from.
   [[nodiscard]] LabelId product(LabelId f, LabelId g) {
     if (f == kIdentity) {
       return g;
@@ -98,9 +99,9 @@ class Atlas {
   /// Returns f ∘ g if it was computed before, or if binary64 proves it equal to an existing label; else kUnknownLabel.
   /// Only this and known_inverse() may be called concurrently.
   [[nodiscard]] LabelId known_product(LabelId f, LabelId g) const;
-  /// The label of the inverse isometry, if it was asked for before, else kUnknownLabel.
+  /// Returns the label of the inverse isometry if it was computed before, else kUnknownLabel.
   [[nodiscard]] LabelId known_inverse(LabelId f) const { return f == kIdentity ? kIdentity : rounded_[f - 1].inverse; }
-  /// f ∘ f ∘ … ∘ f, n times; f leads from a chart to itself. O(log n) products.
+  /// Returns f ∘ f ∘ … ∘ f, n times. Requires: f leads from a chart to itself. O(log n) products.
   [[nodiscard]] LabelId power(LabelId f, std::uint64_t n);
 
   /// The isometry of a label, not the identity, in binary64.
@@ -133,11 +134,11 @@ class Atlas {
     binary64,  ///< Coordinates near the origin of a chart, rounded to binary64.
     bits_256,  ///< The point becomes the origin of a chart of its own, so that 256 bits of z are kept.
   };
-  /// The point with coordinate z in chart c as a vertex. Nothing if the point is too far away: 10,000 tiles, or farther
-  /// than labels can be evaluated.
+  /// Returns the point with coordinate z in chart c as a vertex; nullopt if it is too far away: 10,000 tiles, or
+  /// farther than labels can be evaluated.
   [[nodiscard]] std::optional<Place> place(std::uint32_t c, const Complex<Mp1024>& z, Precision precision);
-  /// The same for a point known in binary64, by the labels that exist; nothing if none takes it near the origin of a
-  /// chart.
+  /// Like `place`, for a point known in binary64, and with existing labels only. Returns nullopt if no label takes the
+  /// point near the origin of a chart.
   [[nodiscard]] std::optional<Place> place_nearby(std::uint32_t c, const Complex<double>& z);
 
  private:
@@ -270,8 +271,8 @@ class Atlas {
 
 /// The word of the reversed path.
 [[nodiscard]] Word reversed(const Surface& surface, const Word& word);
-/// The word of the path `first` followed by `then`, shortened (Dehn's algorithm): crossings that are undone at once are
-/// left out, and a path that turns around a vertex takes the shorter way.
+/// The word of the path `first` followed by `then`, shortened (Dehn's algorithm): a crossing followed by its inverse is
+/// removed, and a path that turns around a vertex takes the shorter way.
 [[nodiscard]] Word concatenated(const Surface& surface, Word first, const Word& then);
 
 }  // namespace epsnet

@@ -6,8 +6,8 @@ namespace epsnet {
 
 /// A dart: the edge of triangle t from corner i to corner i + 1, directed.
 ///
-/// A type of its own, as files number darts in another way (docs/format.md): `document_dart` and `triangulation_dart`
-/// (netgen/nets/net_document.h) lead from one to the other.
+/// It is a distinct type because files number darts differently (docs/format.md). `document_dart` and
+/// `triangulation_dart` (netgen/nets/net_document.h) convert between the two.
 enum class Dart : std::uint32_t {};
 
 /// Dart i of a triangle, i < 3.
@@ -16,7 +16,7 @@ enum class Dart : std::uint32_t {};
 }
 /// The triangle of a dart.
 [[nodiscard]] constexpr std::uint32_t triangle_of(Dart d) { return static_cast<std::uint32_t>(d) >> 2; }
-/// The corner of its triangle from which it leaves.
+/// The corner of its triangle at which it starts.
 [[nodiscard]] constexpr std::uint32_t corner_of(Dart d) { return static_cast<std::uint32_t>(d) & 3; }
 /// Corner i + 1 modulo 3.
 [[nodiscard]] constexpr std::uint32_t next(std::uint32_t i) { return i == 2 ? 0 : i + 1; }

@@ -4,8 +4,8 @@
 
 namespace epsnet {
 
-/// What all exceptions of this library have in common that say, in what(), why something cannot be done: input that is
-/// not what it should be, files that cannot be read or written, nets that are not found. A program ends with that text.
+/// The base class of the library's exceptions for tasks that cannot be done: invalid input, files that cannot be read
+/// or written, nets that are not found. what() gives the reason, and a program ends with that text.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

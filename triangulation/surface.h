@@ -31,14 +31,14 @@ class SurfaceError : public Error {
   using Error::Error;
 };
 
-/// A path that crosses sides, as side numbers: the first is a side of the tile where the path starts.
+/// A path, as the numbers of the sides that it crosses. The first is a side of the tile where the path starts.
 using Word = std::vector<std::uint32_t>;
 
 /// A closed hyperbolic surface, exact: finitely many convex tiles, each in coordinates of its own, glued side to side
 /// by isometries.
 ///
-/// Sides have numbers: the sides of tile 0 in order, then those of tile 1, and so on. A value: what the surface is
-/// never changes, and copies share it, so that whoever needs a surface keeps a copy. O(1) to copy.
+/// Sides have numbers: the sides of tile 0 in order, then those of tile 1, and so on. A surface is an immutable value.
+/// Copies share its data, so copying is O(1).
 class Surface {
  public:
   /// Checks everything, exactly: tiles in the disk, strictly convex, counterclockwise; a fixed-point-free pairing of
@@ -56,14 +56,15 @@ class Surface {
   /// coordinates are algebraic numbers: `tiles` has them rounded to 256 bits, `crossing_as` gives the crossings to any
   /// precision. Throws SurfaceError unless 2 ≤ g ≤ 1000.
   [[nodiscard]] static Surface regular(std::uint32_t genus);
-  /// Made by `regular`.
+  /// Whether the surface was made by `regular`.
   [[nodiscard]] bool is_regular() const { return data_->regular; }
 
-  /// At least 2.
+  /// Returns the genus, at least 2.
   [[nodiscard]] std::uint32_t genus() const { return data_->genus; }
-  /// Where the surface comes from, in words; no part of what it is, and of this copy alone.
+  /// Returns a free text about the origin of the surface. It belongs to this copy alone, and is not part of the
+  /// surface.
   [[nodiscard]] const std::string& about() const { return about_; }
-  /// Sets the text of `about`, of this copy.
+  /// Sets the text of `about` of this copy.
   void set_about(std::string text) { about_ = std::move(text); }
   /// The polygons, each in coordinates of its own.
   [[nodiscard]] const std::vector<Tile>& tiles() const { return data_->tiles; }
@@ -72,7 +73,7 @@ class Surface {
 
   /// The number of sides of all tiles.
   [[nodiscard]] std::uint32_t side_count() const { return static_cast<std::uint32_t>(data_->partner.size()); }
-  /// The number, among those of all tiles, of a side of a tile.
+  /// Returns the number of side `side` of tile `tile`.
   [[nodiscard]] std::uint32_t side_number(std::uint32_t tile, std::uint32_t side) const {
     return data_->first_side[tile] + side;
   }
@@ -99,20 +100,20 @@ class Surface {
   template <class T>
   [[nodiscard]] Isometry<T> crossing_as(std::uint32_t s) const;
 
-  /// The corners (tile, vertex) are numbered like the sides that start there. `vertex_class(c)` is the point of the
-  /// surface that corner c is, numbered from 0 in the order of first occurrence.
+  /// Returns the vertex class of a corner: the point of the surface at that corner. Corners (tile, vertex) are numbered
+  /// like the sides that start there; classes are numbered from 0 in the order of first occurrence.
   [[nodiscard]] std::uint32_t vertex_class(std::uint32_t corner) const { return data_->vertex_class[corner]; }
-  /// The number of points of the surface that corners are.
+  /// Returns the number of vertex classes.
   [[nodiscard]] std::uint32_t vertex_class_count() const {
     return static_cast<std::uint32_t>(data_->vertex_class_sizes.size());
   }
-  /// The number of corners at the point that corner c is.
+  /// Returns the number of corners in the vertex class of a corner.
   [[nodiscard]] std::uint32_t corners_around(std::uint32_t corner) const {
     return data_->vertex_class_sizes[vertex_class(corner)];
   }
-  /// These corners, `corner` first, clockwise around the point: side s, crossed, leads to the corner at the end of its
-  /// partner, the start of the side after that one. As a word, a part of it leads from the tile of its first corner to
-  /// that of the corner after its last.
+  /// Returns the corners in the vertex class of `corner`, `corner` first, clockwise around the point. Crossing side s
+  /// leads to the corner at the end of its partner, which is the start of the side after the partner. Read as a word, a
+  /// part of the cycle leads from the tile of its first corner to the tile of the corner after its last.
   [[nodiscard]] Word corner_cycle(std::uint32_t corner) const;
 
  private:

@@ -7,12 +7,12 @@
 
 namespace epsnet {
 
-/// The number sinh²x for an exact x > 0, with which circumradii (x = ε) and distances (x = ε/2) are compared: enclosed,
-/// lower end first, at every stage of the predicates, each stage when it is first asked for. Correctly rounded ends by
-/// MPFR, so the same on every machine.
+/// Encloses the number sinh²x for an exact x > 0, with which circumradii (x = ε) and distances (x = ε/2) are compared.
+/// There is an enclosure, lower end first, for each stage of the predicates; it is computed on first use. MPFR rounds
+/// the ends correctly, so they are the same on every machine.
 class Threshold {
  public:
-  /// sinh²x, x > 0.
+  /// Encloses sinh²x. Requires: x > 0.
   explicit Threshold(Rational x);
 
   /// The ends in T: double, Mp256, Mp1024, Mp4096.

@@ -40,7 +40,8 @@ struct Triangle {
   }
   /// Whether all corners are given in the chart of the triangle.
   [[nodiscard]] bool all_identity() const { return (labels_and_mark >> 16) == 0; }
-  /// Lost when the slot gets another triangle: for algorithms that keep lists of triangles.
+  /// Whether the triangle is marked. The mark is lost when another triangle takes the slot; algorithms that keep lists
+  /// of triangles use it.
   [[nodiscard]] bool marked() const { return (labels_and_mark & 1) != 0; }
   bool operator==(const Triangle&) const = default;
 };
@@ -48,8 +49,8 @@ static_assert(sizeof(Triangle) == 32);
 /// The largest label that a triangle has room for.
 inline constexpr LabelId kLargestLabel = (1u << 24) - 1;
 
-/// The vertices, coordinates and charts apart (the predicates of nearly all triangles need the coordinates alone), and
-/// the triangles of a triangulation, or of a part of one.
+/// The vertices and triangles of a triangulation, or of a part of one. Coordinates and charts are separate arrays, as
+/// the predicates of nearly all triangles need only the coordinates.
 struct Mesh {
   std::vector<Complex<double>> points;
   std::vector<std::uint32_t> charts;
@@ -63,7 +64,7 @@ struct Corner {
   bool operator==(const Corner&) const = default;
 };
 
-/// Vertices and triangles that are no triangulation; what() names the first element that is wrong.
+/// Vertices and triangles are not a triangulation; what() names the first wrong element.
 class TriangulationError : public Error {
  public:
   using Error::Error;
@@ -72,25 +73,25 @@ class TriangulationError : public Error {
 /// A geometric triangulation of a closed hyperbolic surface by geodesic triangles, in local coordinates.
 ///
 /// A combinatorial map whose triangle corners carry isometries. One vertex, loops, multiple edges and triangles that
-/// share several edges are normal. Not copied by accident: `clone` does that.
+/// share several edges are normal. Copied only by `clone`.
 ///
-/// The data, darts and predicates; `locate` (walk.h) searches one. What changes it serves the refinement of nets and is
-/// not installed (docs/design.md). Predicates and labels may add labels to the atlas, so most need a triangulation that
-/// is not const.
+/// The class has the data, the darts and the predicates; `locate` (walk.h) searches a triangulation. The functions that
+/// change one serve the refinement of nets and are not installed (docs/design.md). Most predicates may add labels to
+/// the atlas, so they are not const.
 class Triangulation {
  public:
-  /// The tiles of the surface cut into triangles; the vertices are the vertex classes of the tiles, exactly. With a
-  /// base point, strictly inside of a tile, that is vertex 0, the corners of its tile are joined to it, and the vertex
-  /// classes follow. A regular surface has one vertex, its centre, and Delaunay triangles, unless there is another base
-  /// point; then the place of its vertex class is taken by a point nearer to it than 2^-250. Throws SurfaceError for a
-  /// base point that is not inside of its tile, LimitError.
+  /// Cuts the tiles of the surface into triangles; the vertices are the vertex classes of the tiles, exactly. With a
+  /// base point, which is strictly inside a tile, vertex 0 is the base point, the corners of its tile are joined to it,
+  /// and the vertex classes follow. A regular surface without a base point has one vertex, its centre, and Delaunay
+  /// triangles. With another base point, the vertex class of a regular surface is replaced by a point nearer to it than
+  /// 2^-250. Throws SurfaceError for a base point that is not inside of its tile, LimitError.
   explicit Triangulation(const Surface& surface, const std::optional<BasePoint>& base = std::nullopt);
   Triangulation(Triangulation&&) = default;
   Triangulation& operator=(Triangulation&&) = default;
   ~Triangulation() = default;
   /// A copy.
   [[nodiscard]] Triangulation clone() const { return *this; }
-  /// Reserves memory for so many vertices and their triangles.
+  /// Reserves memory for this many vertices and their triangles.
   void reserve(std::size_t vertices);
 
   /// The surface that is triangulated.
@@ -99,17 +100,17 @@ class Triangulation {
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   /// The charts of the vertices and the labels of the corners.
   [[nodiscard]] Atlas& atlas() { return atlas_; }
-  /// The same of a triangulation that is const.
+  /// The charts and labels, read-only.
   [[nodiscard]] const Atlas& atlas() const { return atlas_; }
-  /// Vertices are numbered from 0.
+  /// Returns the number of vertices. They are numbered from 0.
   [[nodiscard]] std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(mesh_.points.size()); }
-  /// Triangles are numbered from 0.
+  /// Returns the number of triangles. They are numbered from 0.
   [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(mesh_.triangles.size()); }
-  /// The vertex of a number.
+  /// Returns vertex v.
   [[nodiscard]] Vertex vertex(std::uint32_t v) const { return {mesh_.points[v], mesh_.charts[v]}; }
   /// The coordinate of a vertex in its chart.
   [[nodiscard]] const Complex<double>& point(std::uint32_t v) const { return mesh_.points[v]; }
-  /// The triangle of a number.
+  /// Returns triangle t.
   [[nodiscard]] const Triangle& triangle(std::uint32_t t) const { return mesh_.triangles[t]; }
   /// The chart of a triangle: that of its corner 0.
   [[nodiscard]] std::uint32_t chart_of(std::uint32_t t) const { return mesh_.charts[mesh_.triangles[t].vertex[0]]; }
@@ -124,16 +125,16 @@ class Triangulation {
   [[nodiscard]] Corner corner(Dart d) const { return corner(triangle_of(d), corner_of(d)); }
   /// The darts that leave the start vertex of d, d first, clockwise.
   [[nodiscard]] std::vector<Dart> star(Dart d) const;
-  /// The corner with `by` after its label.
+  /// Returns the corner with its label replaced by `by` ∘ label.
   [[nodiscard]] Corner moved(LabelId by, Corner c) { return {c.vertex, atlas_.product(by, c.label)}; }
-  /// The label from the chart of the triangle across d to the chart of the triangle of d that puts their lifts side by
-  /// side.
+  /// Returns the label that puts the two triangles beside d side by side: from the chart of the triangle across d to
+  /// the chart of the triangle of d.
   [[nodiscard]] LabelId transition(Dart d);
-  /// The label from the chart of the vertex at the end of d to the chart of the one at its start that puts the end's
-  /// lift at the other end of d.
+  /// Returns the label from the chart of the end vertex of d to the chart of its start vertex. It takes the end vertex
+  /// to its lift at the end of d.
   [[nodiscard]] LabelId label_along(Dart d);
-  /// How the triangle of dart e is lifted if the ends of e are: the label from its chart. `from` is the lift of the end
-  /// of e, `to` that of its start.
+  /// Returns the label that lifts the triangle of dart e next to an edge whose ends are lifted already. `from` is the
+  /// lift of the end of e, `to` the lift of its start.
   [[nodiscard]] LabelId lift_across(LabelId from, LabelId to, Dart e) {
     // One end tells, as it is lifted and as the triangle sees it; best if the triangle sees it as its corner 0.
     const std::uint32_t j = corner_of(e);
@@ -147,14 +148,15 @@ class Triangulation {
   // Predicates on lifted vertices, all corners in the same chart of reference. Staged: binary64, then 256, 1024, 4096
   // bits; beyond that a tie, 0.
 
-  /// 1 if d is strictly inside the circle through a, b, c (counterclockwise), −1 if strictly outside.
+  /// Returns 1 if d is strictly inside the circle through a, b, c (counterclockwise), −1 if strictly outside, 0 for a
+  /// tie.
   [[nodiscard]] int in_circle(Corner a, Corner b, Corner c, Corner d);
-  /// 1 if c is strictly to the left of the geodesic from a to b.
+  /// Returns 1 if c is strictly to the left of the geodesic from a to b, −1 if strictly to the right, 0 for a tie.
   [[nodiscard]] int orientation(Corner a, Corner b, Corner c);
-  /// True if the edge is locally Delaunay (thesis Theorem I.42); ties are.
+  /// Returns whether the edge is locally Delaunay (thesis Theorem I.42). A tie counts as Delaunay.
   [[nodiscard]] bool is_delaunay(Dart d);
-  /// 1 if the hyperbolic circumradius R of triangle t certainly has sinh²R > s, −1 if certainly less; s is known
-  /// between two binary64 bounds and as exactly as is needed.
+  /// Returns 1 if the hyperbolic circumradius R of triangle t certainly has sinh²R > s, −1 if certainly sinh²R < s, 0
+  /// for a tie.
   [[nodiscard]] int compare_circumradius(std::uint32_t t, const Threshold& s) {
     const Triangle& triangle = mesh_.triangles[t];
     if (triangle.all_identity()) {
@@ -167,7 +169,8 @@ class Triangulation {
     }
     return compare_circumradius_staged(t, s);
   }
-  /// 1 if the hyperbolic distance d of two lifted vertices certainly has sinh²(d/2) > s, −1 if certainly less.
+  /// Returns 1 if the hyperbolic distance d of two lifted vertices certainly has sinh²(d/2) > s, −1 if certainly
+  /// sinh²(d/2) < s, 0 for a tie.
   [[nodiscard]] int compare_distance(Corner a, Corner b, const Threshold& s) {
     if ((a.label | b.label) == kIdentity) {
       const StageSign sign = distance_stage_near_origin(mesh_.points[a.vertex], mesh_.points[b.vertex], s.high());
@@ -177,7 +180,7 @@ class Triangulation {
     }
     return compare_distance_staged(a, b, s);
   }
-  /// Predicates that binary64 could not decide so far.
+  /// Returns the number of predicates so far that binary64 could not decide.
   [[nodiscard]] std::uint64_t multiprecision_count() const { return multiprecision_; }
 
  private:
