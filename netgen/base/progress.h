@@ -5,8 +5,9 @@
 
 namespace epsnet {
 
-/// How far a computation is: called now and then, from the thread that asked for it, with what is being done and the
-/// share of that done, 0 to 1. The text lives as long as the call. certify::CheckOptions::progress is of this type.
+/// Reports the progress of a computation: called occasionally, from the thread that started it, with the name of the
+/// current step and the share of it done, 0 to 1. The text is valid during the call only.
+/// certify::CheckOptions::progress has this type.
 using Progress = std::function<void(std::string_view what, double share)>;
 
 }  // namespace epsnet

@@ -10,31 +10,33 @@
 /// The distance between two points of a surface, with all shortest geodesics. docs/distances.md says how and why.
 namespace epsnet {
 
-/// What is asked of a distance.
+/// Options of a distance.
 struct DistanceOptions {
-  /// The enclosure is as narrow as binary64 numbers allow; one that is wider than this (hyperbolic length) is an error.
+  /// The largest width of the enclosure (hyperbolic length). The enclosure is as narrow as binary64 numbers allow; it
+  /// is an error if it is wider than this.
   double width = 1e-12;
 };
 
-/// A vertex of a net of this surface as a point of the tile in which it lies, exactly. Throws NetError if there is no
-/// such vertex, and on a regular surface if it is not in the tile of its chart: then its coordinates are not rational.
+/// Returns a vertex of a net of this surface as a point of the tile in which it lies, exactly. Throws NetError if there
+/// is no such vertex. Throws NetError on a regular surface if the vertex is not in the tile of its chart, because its
+/// coordinates are then not rational.
 [[nodiscard]] BasePoint point_of_vertex(const Surface& surface, const certify::NetDocument& net, std::uint32_t vertex);
 
-/// The point of a triangle of a net with these weights: the Lorentz vectors (x, y, t) of its corners on the hyperboloid
-/// x² + y² − t² = −1, lifted together, times their weights, add up to a vector on the ray of the point. (1, 1, 1) is
-/// the centroid, (1, 1, 0) the midpoint of side 0. Coordinates in the tile of the triangle's chart are rounded to
-/// multiples of 2⁻¹⁰⁰, except that one weight alone is that vertex, exactly. Throws NetError as point_of_vertex, and
-/// for weights that are negative or all 0.
+/// Returns the point of a triangle of a net with these weights. Lift the triangle; the point lies on the ray of the
+/// weighted sum of the Lorentz vectors (x, y, t) of its corners, on the hyperboloid x² + y² − t² = −1. (1, 1, 1) is the
+/// centroid, (1, 1, 0) the midpoint of side 0. Coordinates in the tile of the triangle's chart are rounded to multiples
+/// of 2⁻¹⁰⁰, except that a single positive weight gives that vertex exactly. Throws NetError for the reasons of
+/// point_of_vertex, and if a weight is negative or all are 0.
 [[nodiscard]] BasePoint point_of_triangle(const Surface& surface, const certify::NetDocument& net,
                                           std::uint32_t triangle, const std::array<Rational, 3>& weights);
 
-/// The distance between p and q and all geodesics between them that are not longer than the upper end of its enclosure,
-/// as paths from p to q; if p is not strictly inside of its tile, from q to p (then `point` is p).
+/// Returns the distance of p and q, and all geodesics between them of length up to the upper end of the enclosure, as
+/// paths from p to q. If p is not strictly inside its tile, the paths lead from q to p, and `point` is p.
 ///
-/// What is returned is not proved yet; certify::check_distance proves it. Deterministic. The time is that of the
-/// Dirichlet domain of p, however far q is and however short closed geodesics are. Throws SurfaceError for a point that
-/// is not in its tile and if neither is strictly inside; NetError if the enclosure is wider than asked for, or if there
-/// are more than 5000 paths within it, as across a cuff shorter than 10⁻¹⁰; LimitError.
+/// The result is not proved yet; certify::check_distance proves it. Deterministic. The time is that of the Dirichlet
+/// domain of p, however far away q is and however short closed geodesics are. Throws SurfaceError if a point is not in
+/// its tile, or if neither is strictly inside. Throws NetError if the enclosure is wider than `options.width`, or if it
+/// has more than 5000 paths, as across a cuff shorter than 10⁻¹⁰. Throws LimitError.
 [[nodiscard]] certify::DistanceDocument distance(const Surface& surface, const BasePoint& p, const BasePoint& q,
                                                  const DistanceOptions& options = {});
 

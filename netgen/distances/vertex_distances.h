@@ -14,65 +14,64 @@ namespace epsnet {
 /// How a table of distances is computed.
 struct DistanceTableOptions {
   unsigned threads = 0;    ///< 0: as many as the machine has cores. The table is the same for any number.
-  Progress progress = {};  ///< Called now and then, from the calling thread, if given.
+  Progress progress = {};  ///< Called occasionally, from the calling thread, if given.
 };
 
-/// Distances from some vertices of a net to some, in hyperbolic length.
+/// Distances from some vertices of a net to others, in hyperbolic length.
 struct DistanceTable {
   std::vector<std::uint32_t> from;  ///< The vertex of each row.
   std::vector<std::uint32_t> to;    ///< The vertex of each column.
-  /// Row by row: intervals that contain the distances. Of a vertex to itself it is [0, 0].
+  /// Row by row: intervals that contain the distances. The distance of a vertex from itself is [0, 0].
   std::vector<certify::Interval> enclosures;
 
-  /// The interval that contains the distance of `from[row]` and `to[column]`.
+  /// Returns the interval that contains the distance of `from[row]` and `to[column]`.
   [[nodiscard]] const certify::Interval& enclosure(std::size_t row, std::size_t column) const {
     return enclosures[row * to.size() + column];
   }
-  /// The middle of that interval.
+  /// Returns the middle of that interval.
   [[nodiscard]] double distance(std::size_t row, std::size_t column) const {
     const certify::Interval& x = enclosure(row, column);
     return x.lower + (x.upper - x.lower) / 2;
   }
-  /// The greatest difference of a `distance` and an end of its interval: no distance is farther from the true one.
+  /// Returns a bound for the errors of all `distance`s: the greatest difference between one and an end of its interval.
   [[nodiscard]] double error() const;
 };
 
-/// The bytes that a table of so many rows and columns takes.
+/// Returns the memory that a table takes, in bytes.
 [[nodiscard]] constexpr double distance_table_bytes(std::size_t rows, std::size_t columns) {
   return static_cast<double>(rows) * static_cast<double>(columns) * sizeof(certify::Interval);
 }
 
-/// The distances between vertices of a net, each within about 10⁻¹³, however large it is.
+/// Returns the distances between vertices of a net, each to within about 10⁻¹³, whatever its size.
 ///
 /// The intervals hold if the triangles of the net triangulate its surface, which certify::check proves (its rules
-/// surface, map, gluing and orientation); that the net is Delaunay, or an ε-net, does not matter. They have no
-/// certificate of their own: `distance` makes one, for one pair.
+/// surface, map, gluing and orientation); The net need not be Delaunay or an ε-net. The table has no certificate;
+/// `distance` makes one for a single pair.
 ///
-/// One search of the lifted triangles around each row's vertex, O(t log t) for the t lifts that it meets; these are
-/// somewhat more than the triangles of the net. Deterministic: the same for any number of threads. Throws
-/// NetGeometryError if the document is not a net or there is no such vertex, SurfaceError if it has no surface,
-/// LimitError if closed geodesics may be shorter than 10⁻⁷⁰, or where a search meets more than 50 lifts of each
-/// triangle.
+/// One search of the lifted triangles around each row's vertex, O(t log t) for the t lifts that it meets, somewhat more
+/// than the number of triangles. Deterministic: the same for any number of threads. Throws NetGeometryError if the
+/// document is not a net or there is no such vertex, SurfaceError if it has no surface, LimitError if closed geodesics
+/// may be shorter than 10⁻⁷⁰, or where a search meets more than 50 lifts of each triangle.
 [[nodiscard]] DistanceTable vertex_distances(const certify::NetDocument& net, const std::vector<std::uint32_t>& from,
                                              const std::vector<std::uint32_t>& to,
                                              const DistanceTableOptions& options = {});
 
-/// The same to all vertices, in their order.
+/// Like vertex_distances, to all vertices in their order.
 [[nodiscard]] DistanceTable distances_from(const certify::NetDocument& net, const std::vector<std::uint32_t>& from,
                                            const DistanceTableOptions& options = {});
 
-/// What of a table is written.
+/// Which part of a table is written.
 enum class TableEntries {
   distances,  ///< The middles of the intervals.
   bounds,     ///< The ends of the intervals.
 };
 
-/// NumPy's format .npy, version 1.0: an array of binary64 numbers, little-endian, of the shape (rows, columns), and
+/// Writes NumPy's format .npy, version 1.0: an array of little-endian binary64 numbers of the shape (rows, columns), or
 /// (rows, columns, 2) for bounds.
 void write_npy(const DistanceTable& table, TableEntries entries, std::ostream& out);
 
-/// Comma-separated values (RFC 4180) with the columns from, to, distance, or from, to, lower, upper, row by row. Reals
-/// have the digits that read back the same.
+/// Writes comma-separated values (RFC 4180), row by row, with the columns from, to, distance, or from, to, lower,
+/// upper. Reals have enough digits to read back the same.
 void write_csv(const DistanceTable& table, TableEntries entries, std::ostream& out);
 
 }  // namespace epsnet

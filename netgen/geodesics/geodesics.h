@@ -8,36 +8,36 @@
 /// Closed geodesics of a surface: the systole, the length spectrum, the small curves. docs/geodesics.md says how and
 /// why.
 ///
-/// What these functions return is not proved yet; certify::check_geodesics proves it. All are deterministic and throw
-/// NetError where no net or no closed geodesic is found or a search would be too long, LimitError where the surface is
-/// beyond the numbers of the generator; both are an Error.
+/// The results are not proved yet; certify::check_geodesics proves them. All functions are deterministic. They throw
+/// NetError if no net or no closed geodesic is found, or if a search would be too long; and LimitError if the surface
+/// is beyond the numbers of the generator. Both are an Error.
 namespace epsnet {
 
-/// How closed geodesics are searched for.
+/// Options of the search for closed geodesics.
 struct GeodesicsOptions {
-  /// The covering that the search starts from. Small values make many searches, large ones long searches; the optimum
-  /// is flat, near 1 (docs/geodesics.md).
+  /// The ε of the net that the search starts from. Small values make many searches, large values long searches. The
+  /// optimum is near 1, and flat (docs/geodesics.md).
   Length epsilon{"1"};
   unsigned threads = 0;    ///< 0: as many as the machine has cores. The result is the same for any number.
-  Progress progress = {};  ///< Called now and then, if given.
+  Progress progress = {};  ///< Called occasionally, if given.
 };
 
-/// A shortest closed geodesic; its length is the systole. A search up to the systole σ of genus g, some
+/// Returns a shortest closed geodesic; its length is the systole. For the systole σ and genus g the search takes some
 /// sinh²(σ/2)·(g − 1) steps.
 [[nodiscard]] certify::GeodesicsDocument systole(const Surface& surface, const GeodesicsOptions& options = {});
 
-/// All primitive closed geodesics of length at most `up_to`, up to orientation, by length. About e^L/(2L) of them, in
-/// time about proportional to e^L, L = up_to.
+/// Returns all primitive closed geodesics of length at most L = `up_to`, up to orientation, ordered by length. There
+/// are about e^L/(2L); the time is about proportional to e^L.
 [[nodiscard]] certify::GeodesicsDocument spectrum(const Surface& surface, const Length& up_to,
                                                   const GeodesicsOptions& options = {});
 
-/// The small curves, which are the closed geodesics of length at most 2 arsinh 1: at most 3g − 3, simple and pairwise
-/// disjoint (Buser, Geometry and Spectra of Compact Riemann Surfaces, Theorem 4.1.6); and the pieces into which they
-/// cut the surface.
+/// Returns the small curves and the pieces into which they cut the surface. Small curves are the closed geodesics of
+/// length at most 2 arsinh 1. There are at most 3g − 3; they are simple and pairwise disjoint (Buser, Geometry and
+/// Spectra of Compact Riemann Surfaces, Theorem 4.1.6).
 [[nodiscard]] certify::GeodesicsDocument thick_thin(const Surface& surface, const GeodesicsOptions& options = {});
 
-/// The half-width w of the collar of a small curve, sinh w = 1/sinh(ℓ/2) (thesis Definition I.21), enclosed for a
-/// length that is enclosed.
+/// Returns an enclosure of the half-width w of the collar of a small curve, sinh w = 1/sinh(ℓ/2) (thesis Definition
+/// I.21). `length` encloses ℓ.
 [[nodiscard]] certify::Interval collar_half_width(certify::Interval length);
 
 }  // namespace epsnet

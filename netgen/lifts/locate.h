@@ -8,40 +8,40 @@
 #include "triangulation/base_point.h"
 #include "triangulation/triangulation.h"
 
-/// In which triangle of a net is a point of its surface?
+/// Location of points in the triangles of a net.
 namespace epsnet {
 
-/// A triangle that contains a point, and where in it the point is.
+/// A triangle that contains a point, and the position of the point in it.
 struct PointLocation {
-  /// Inside of the triangle, on a side, or a corner of it. Points on sides are in several triangles.
+  /// Inside the triangle, on a side, or at a corner. A point on a side lies in several triangles.
   enum class Place { inside, side, corner };
   Place place;
   std::uint32_t triangle;
-  /// The side, from this corner to the next one, or the corner that the point is; 0 if it is inside.
+  /// The number of the side (from this corner to the next one) or of the corner; 0 if the point is inside.
   std::uint32_t number;
-  /// The lift of the triangle that contains the point, as a path: from the tile of the point to that of the triangle's
-  /// chart.
+  /// The lift of the triangle that contains the point, as a path from the tile of the point to the tile of the
+  /// triangle's chart.
   Word word;
-  /// By corner: as for point_of_triangle, with the sum 1; rounded.
+  /// By corner: the weights of point_of_triangle, scaled to the sum 1; rounded.
   std::array<double, 3> weights;
-  /// By corner: its hyperbolic distance from the point, within the triangle; rounded. Another vertex may be nearer,
-  /// where a triangle is obtuse.
+  /// By corner: its hyperbolic distance from the point, within the triangle; rounded. If a triangle is obtuse, a vertex
+  /// of another triangle may be nearer.
   std::array<double, 3> distances;
 
-  /// The corner that is nearest.
+  /// Returns the nearest corner.
   [[nodiscard]] std::uint32_t nearest_corner() const;
 };
 
-/// Finds points in a net: made once, asked many times.
+/// Locates points in a net. Construct it once for many points.
 class Locator {
  public:
-  /// Evaluates all labels. Throws as triangulation_of.
+  /// Evaluates all labels. Throws the exceptions of triangulation_of.
   explicit Locator(const certify::NetDocument& net);
 
-  /// A triangle that contains a point of a tile; on the sides of tiles, too. The triangle and the place are decided
-  /// with proved signs, binary64 to 4096 bits; beyond that the point is said to be on a side. A straight walk from a
-  /// triangle near the point's tile: it ends in every triangulation. Throws SurfaceError if the point is not in the
-  /// closed tile, LimitError if it is too far from all triangles.
+  /// Returns a triangle that contains a point of a closed tile. Proved signs, in binary64 and up to 4096 bits, decide
+  /// the triangle and the position; a sign that is still unknown counts as "on a side". The search is a straight walk
+  /// from a triangle near the point's tile, which ends in every triangulation. Throws SurfaceError if the point is not
+  /// in the closed tile, LimitError if it is too far from all triangles.
   [[nodiscard]] PointLocation locate(const BasePoint& point);
 
  private:

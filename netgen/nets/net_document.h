@@ -5,23 +5,24 @@
 #include "triangulation/dart.h"
 #include "triangulation/triangulation.h"
 
-/// From triangulations to the plain data of net files, and back.
+/// Conversion between triangulations and the plain data of net files.
 namespace epsnet {
 
-/// A dart of a triangulation as net files number it.
+/// Returns the number of a triangulation's dart in a net file.
 [[nodiscard]] constexpr std::uint32_t document_dart(Dart d) { return 3 * triangle_of(d) + corner_of(d); }
-/// A dart of a net file as one of a triangulation.
+/// Returns the triangulation's dart with a number of a net file.
 [[nodiscard]] constexpr Dart triangulation_dart(std::uint32_t d) { return make_dart(d / 3, d % 3); }
 
-/// A triangulation as the plain data of a net file. Charts and labels that nothing uses are left out. O(size).
+/// Returns a triangulation as the plain data of a net file, without unused charts and labels. O(size).
 [[nodiscard]] certify::NetDocument net_document(const Triangulation& triangulation, const Length& epsilon);
 
-/// The triangulation that a net file describes: charts, labels, vertices and triangles as in the file, nothing flipped
-/// or computed anew, so that net_document gives the same document again if it made the first one. Collars are no part
-/// of a triangulation: those of a pseudo net are left out, and epsilon is. Whether it is a net is not asked.
+/// Returns the triangulation that a net file describes. Charts, labels, vertices and triangles are those of the file;
+/// nothing is flipped or recomputed. So for a document that net_document made, net_document returns it again. A
+/// triangulation has no epsilon and no collars; those of the document are left out. Does not check whether the vertices
+/// are a net.
 ///
-/// Throws SurfaceError if there is no such surface, TriangulationError for charts, labels, vertices or
-/// triangles that do not fit, LimitError. O(size), and the time of `Surface` and of evaluating the labels.
+/// Throws SurfaceError if the document's surface is invalid, TriangulationError if charts, labels, vertices or
+/// triangles are inconsistent, LimitError. O(size) plus the time of `Surface` and of evaluating the labels.
 [[nodiscard]] Triangulation triangulation_of(const certify::NetDocument& net);
 
 }  // namespace epsnet

@@ -11,15 +11,15 @@
 #include "kernel/complex.h"
 #include "netgen/lifts/layout.h"
 
-/// Pictures of nets in the Poincaré disk. Nothing here is proved; all functions throw NetGeometryError if the document
-/// is not a net (its structure is checked, its geometry is not).
+/// Pictures of nets in the Poincaré disk. Nothing here is proved. All functions throw NetGeometryError if the structure
+/// of the document is not that of a net; they do not check its geometry.
 namespace epsnet {
 
-/// What the triangles of a picture are filled with.
+/// The colouring of the triangles of a picture.
 enum class Colouring {
   none,          ///< Nothing.
   circumradius,  ///< From pale, ε/2 or less, to dark, ε.
-  chart,         ///< By the chart of the triangle: where in the net file's coordinates it lies.
+  chart,         ///< By the chart of the triangle in the net file.
   values,        ///< By DrawOptions::values, in bands from pale, 0, to dark, the greatest.
 };
 
@@ -30,9 +30,9 @@ struct Arc {
   Complex<double> to;      ///< Where it ends.
 };
 
-/// What a picture shows beside the triangulation: arcs, edges or triangles, all in one colour.
+/// An addition to a picture of a triangulation: arcs, edges or triangles, all in one colour.
 struct Layer {
-  /// A closed geodesic: the arcs from `first_arc` on, up to the next part's, one after the other along it.
+  /// A closed geodesic: its arcs in order, from `first_arc` up to the first arc of the next part.
   struct Part {
     std::string name;       ///< Plain text in UTF-8.
     double length;          ///< Hyperbolic, rounded.
@@ -48,33 +48,34 @@ struct Layer {
   std::vector<Part> parts = {};               ///< Only of closed geodesics, one for each.
 };
 
-/// The sides of the tiles of the surface. O(triangles + arcs), as all functions that make layers.
+/// Returns the sides of the tiles of the surface. Like all functions that make layers, takes O(triangles + arcs) time.
 [[nodiscard]] Layer tile_layer(const certify::NetDocument& net);
 
-/// The boundary of the Dirichlet domain of a vertex: the points that are nearer to one lift of the vertex than to its
-/// other lifts. It is computed from the exact surface, and its sides are proved; see dirichlet_polygon.h. Throws
-/// NetGeometryError also where the document's surface is none, and beyond genus 100.
+/// Returns the boundary of the Dirichlet domain of a vertex: the points that are nearer to one lift of the vertex than
+/// to its other lifts. It is computed from the exact surface, and its sides are proved; see dirichlet_polygon.h. Also
+/// throws NetGeometryError if the document's surface is invalid, or beyond genus 100.
 [[nodiscard]] Layer dirichlet_layer(const certify::NetDocument& net, std::uint32_t vertex);
 
-/// The edges on the boundary of the combinatorial Dirichlet domain of a vertex: of the triangles lifted breadth first.
+/// Returns the edges on the boundary of the combinatorial Dirichlet domain of a vertex, which consists of the triangles
+/// lifted breadth first.
 [[nodiscard]] Layer combinatorial_dirichlet_layer(const certify::NetDocument& net, std::uint32_t vertex);
 
-/// Of a pseudo net: the triangles of its collars, and the boundaries of its ε-collars (the bananas of thesis figure
-/// III.9), which these triangles do not quite fill. Nothing for other nets.
+/// Returns the triangles of a pseudo net's collars and the boundaries of its ε-collars (the bananas of thesis figure
+/// III.9). The triangles do not quite fill the ε-collars. Returns no layers for other nets.
 [[nodiscard]] std::vector<Layer> collar_layers(const certify::NetDocument& net);
 
-/// Closed geodesics, once around each, of a geodesics file about the same surface, with the same net or another one,
-/// each a part of the first layer, in the file's order; of a thick-thin decomposition also the boundaries of the
-/// collars of the small curves. A document as certify::read_geodesics returns it. Throws NetGeometryError also if the
-/// surface is another one, or a word does not stand for a closed geodesic.
+/// Returns the closed geodesics of a geodesics file. Each is a part of the first layer, in the file's order. For a
+/// thick-thin decomposition there are also the boundaries of the collars of the small curves. Requires:
+/// certify::read_geodesics returned `geodesics`. The two documents have the same surface, but may have different nets.
+/// Also throws NetGeometryError if the surfaces differ, or if a word is not that of a closed geodesic.
 [[nodiscard]] std::vector<Layer> geodesics_layers(const certify::NetDocument& net,
                                                   const certify::GeodesicsDocument& geodesics);
 
-/// The paths of a distance file about the same surface, with the same net or another one. A document as
-/// certify::read_distance returns it. Throws NetGeometryError also if the surface is another one.
+/// Returns the paths of a distance file. Requires: certify::read_distance returned `distance`. The two documents have
+/// the same surface, but may have different nets. Also throws NetGeometryError if the surfaces differ.
 [[nodiscard]] Layer distance_layer(const certify::NetDocument& net, const certify::DistanceDocument& distance);
 
-/// What a picture shows, and how.
+/// Options of a picture.
 struct DrawOptions {
   DrawOrder order = DrawOrder::weight;    ///< Which lifts of the triangles are drawn.
   std::uint32_t centre = 0;               ///< The vertex in the centre.
@@ -86,24 +87,24 @@ struct DrawOptions {
   bool packing_disks = false;             ///< Disks of radius ε/2: they do not overlap.
   Colouring colouring = Colouring::none;  ///< Of the triangles.
   std::vector<double> values = {};        ///< By vertex, not negative; a triangle has the mean of its corners.
-  std::string values_name = {};           ///< What they are, for the legend.
-  bool legend = false;                    ///< What the colours mean, in a corner.
+  std::string values_name = {};           ///< The name of the values in the legend.
+  bool legend = false;                    ///< A legend of the colours, in a corner.
   std::vector<Layer> layers = {};         ///< Drawn on top, within the lifts of the triangles.
   std::uint32_t size = 1000;              ///< Width and height in pixels, 50 to 20000.
 };
 
-/// The net as an SVG picture: the edges of one lift of every triangle as geodesic arcs, the vertices as dots, the
-/// boundary circle, on white.
+/// Returns the net as an SVG picture on white: the edges of one lift of every triangle as geodesic arcs, the vertices
+/// as dots, and the boundary circle.
 ///
 /// Strokes and dots shrink with the hyperbolic metric towards the circle; edges and dots too small to see (a tenth of a
 /// pixel) are left out, and `<desc>` says so. Arcs that a chord follows to within 0.01 pixel are written as chords.
-/// Equal documents and options give equal bytes. Throws NetGeometryError, and std::invalid_argument if there is not a
-/// value for each vertex where these colour the triangles. O(n log n) for n triangles.
+/// Equal documents and options give equal bytes. Throws NetGeometryError. Throws std::invalid_argument for
+/// Colouring::values unless there is one value per vertex. O(n log n) for n triangles.
 [[nodiscard]] std::string draw_svg(const certify::NetDocument& document, const DrawOptions& options = {});
 
 struct DirichletPolygon;
 
-/// A Dirichlet domain (dirichlet_polygon.h), itself and no other, around the one vertex of its Delaunay triangulation,
+/// Returns a picture of a Dirichlet domain (dirichlet_polygon.h) around the one vertex of its Delaunay triangulation,
 /// which is drawn as well.
 [[nodiscard]] std::string draw_svg(const DirichletPolygon& polygon, const DrawOptions& options = {});
 

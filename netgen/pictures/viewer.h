@@ -8,24 +8,25 @@
 #include "certify/document/report.h"
 #include "netgen/pictures/draw.h"
 
-/// A net as a page to look at and to travel in.
+/// An HTML page that shows a net and lets the reader travel in it.
 namespace epsnet {
 
-/// What a page says and shows.
+/// Options of a page.
 struct ViewerOptions {
   std::string title;  ///< Plain text in UTF-8.
-  /// What the page says of the net; without one, "not certified".
+  /// The certificate that the page shows; without one it says "not certified".
   std::optional<certify::Certificate> certificate = {};
   std::vector<Layer> layers = {};      ///< Shown on top of the triangulation, each with a switch.
-  std::vector<double> distances = {};  ///< By vertex, from vertex 0, as a colouring; none, if it is empty.
+  std::vector<double> distances = {};  ///< By vertex: its distance from vertex 0, as a colouring; none if empty.
 };
 
-/// One HTML page that needs nothing else: the triangulation of the net, unfolded afresh around a point of view that can
-/// be moved without end, its numbers and its verdict (netgen/pictures/viewer.html is the page).
+/// Returns one self-contained HTML page: the triangulation of the net, its numbers and its verdict
+/// (netgen/pictures/viewer.html is the page). The page unfolds the triangulation around a point of view that can move
+/// without end.
 ///
-/// The page computes in binary64, but in coordinates around the point of view, which keep it exact to the eye wherever
-/// it goes; edges longer than about 60 are beyond it. Equal arguments give equal bytes. About 75 bytes per vertex.
-/// Throws NetGeometryError if the document is not a net. O(triangles).
+/// The page computes in binary64, in coordinates around the point of view, so errors stay invisible wherever it moves.
+/// Edges longer than about 60 are beyond it. Equal arguments give equal bytes. About 75 bytes per vertex. Throws
+/// NetGeometryError if the document is not a net. O(triangles).
 [[nodiscard]] std::string viewer_page(const certify::NetDocument& document, const ViewerOptions& options);
 
 }  // namespace epsnet

@@ -10,18 +10,18 @@
 
 namespace epsnet {
 
-/// An invalid request. what() is "MEMBER: PROBLEM" where one member is to blame.
+/// An invalid request. what() is "MEMBER: PROBLEM" if one member is wrong, else "PROBLEM".
 class FenchelNielsenRequestError : public Error {
  public:
-  /// Of no member.
+  /// An error that belongs to no single member.
   explicit FenchelNielsenRequestError(const std::string& problem) : Error(problem), problem_(problem) {}
-  /// Of a member, with what is wrong.
+  /// An error in a member, with the problem.
   FenchelNielsenRequestError(const std::string& member, const std::string& problem)
       : Error(member + ": " + problem), member_(member), problem_(problem) {}
 
   /// "graph", "genus", "seed", "lengths", "twists", or empty.
   [[nodiscard]] const std::string& member() const { return member_; }
-  /// What is wrong, without the name of the member.
+  /// The problem, without the name of the member.
   [[nodiscard]] const std::string& problem() const { return problem_; }
 
  private:
@@ -29,8 +29,7 @@ class FenchelNielsenRequestError : public Error {
   std::string problem_;
 };
 
-/// Fenchel–Nielsen coordinates as somebody writes them down, on a command line or in a JSON file. What is left out is
-/// drawn with the seed.
+/// Fenchel–Nielsen coordinates as given on a command line or in a JSON file. Missing values are drawn with the seed.
 struct FenchelNielsenRequest {
   /// "chain", "ring", "tree", "random", or the edges themselves as in "0-1 0-1 0-1". Empty: random.
   std::string graph;
@@ -41,7 +40,7 @@ struct FenchelNielsenRequest {
   std::vector<std::string> twists;
 };
 
-/// The coordinates that are meant. What is given is checked before a seed is asked for. Throws
+/// Returns the coordinates of a request. Checks the given values before it requires a seed. Throws
 /// FenchelNielsenRequestError.
 [[nodiscard]] FenchelNielsen resolve(const FenchelNielsenRequest& request);
 

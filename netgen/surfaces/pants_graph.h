@@ -10,7 +10,7 @@
 
 namespace epsnet {
 
-/// Edges that are not those of a pants graph: not trivalent, not connected, too many; what() names the node.
+/// The edges are not those of a pants graph: not trivalent, not connected, or too many. what() names the node.
 class PantsGraphError : public Error {
  public:
   using Error::Error;
@@ -29,22 +29,24 @@ class PantsGraph {
   /// The two cuffs that an edge joins.
   using Edge = std::array<End, 2>;
 
-  /// From the nodes at the two ends of every edge. A node's cuffs are numbered in the order in which the edges name it.
-  /// Throws PantsGraphError. At most genus 100,000.
+  /// Takes the two end nodes of every edge. The cuffs of a node are numbered in the order in which the edges name it.
+  /// Throws PantsGraphError. The genus is at most 100,000.
   explicit PantsGraph(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges);
 
-  /// A path of nodes joined by single and double edges in turn, with a loop at both ends.
+  /// Returns a path of nodes joined by single and double edges in turn, with a loop at both ends.
   [[nodiscard]] static PantsGraph chain(std::uint32_t genus);
-  /// A cycle of nodes joined by single and double edges in turn.
+  /// Returns a cycle of nodes joined by single and double edges in turn.
   [[nodiscard]] static PantsGraph ring(std::uint32_t genus);
-  /// A balanced tree of which every leaf has a loop.
+  /// Returns a balanced tree with a loop at every leaf.
   [[nodiscard]] static PantsGraph tree(std::uint32_t genus);
-  /// The 3(2g − 2) ends paired at random, again until the graph is connected; the same for a seed on every machine.
+  /// Returns a random graph: pairs the 3(2g − 2) ends at random until the graph is connected. A seed gives the same
+  /// graph on every machine.
   [[nodiscard]] static PantsGraph random(std::uint32_t genus, std::uint64_t seed);
-  /// The edges "0-1 0-1 0-1" of a list; separators are spaces and commas. Throws PantsGraphError, also for bad syntax.
+  /// Reads a list of edges such as "0-1 0-1 0-1"; separators are spaces and commas. Throws PantsGraphError, also for
+  /// bad syntax.
   [[nodiscard]] static PantsGraph parse(std::string_view text);
 
-  /// Of the surfaces with this graph.
+  /// Returns the genus of the surfaces with this graph.
   [[nodiscard]] std::uint32_t genus() const { return static_cast<std::uint32_t>(edges_.size() / 3 + 1); }
   /// The number of nodes, 2g − 2.
   [[nodiscard]] std::uint32_t pants_count() const { return 2 * genus() - 2; }

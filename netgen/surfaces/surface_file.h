@@ -10,17 +10,18 @@
 
 namespace epsnet {
 
-/// The surface as plain data of a surface file or net file (docs/format.md). O(size).
+/// Returns the surface as plain data of a surface file or net file (docs/format.md). O(size).
 [[nodiscard]] certify::SurfaceDocument to_document(const Surface& surface);
 
-/// The surface that a file describes, checked completely. Throws SurfaceError.
+/// Returns the surface that a document describes, checked completely. Throws SurfaceError.
 [[nodiscard]] Surface from_document(const certify::SurfaceDocument& surface);
 
 /// Reads a surface file. Throws certify::FileError, certify::MalformedError, or SurfaceError if the file is well-formed
 /// but not a surface; what() is one line that starts with the path.
 [[nodiscard]] Surface load_surface(const std::filesystem::path& path);
 
-/// The same from memory; `name` stands for the file in messages. Throws certify::MalformedError, SurfaceError.
+/// Like load_surface, from memory; `name` stands for the file in messages. Throws certify::MalformedError,
+/// SurfaceError.
 [[nodiscard]] Surface parse_surface_file(std::string_view text, const std::string& name);
 
 /// Writes a surface file, atomically; the same bytes for equal surfaces. Throws WriteError.
