@@ -202,24 +202,23 @@ class Pass {
 
  private:
   Questions examine_orientation(std::uint32_t t, LiftedTriangle& lifted, Findings& findings) const {
-    lifted.measure_orientation(precision_);
-    const Tri positive = certainly_positive(lifted.orientation.get());
+    const Tri positive = certainly_positive(lifted.measure_orientation(precision_).get());
     if (positive == Tri::no) refute_orientation(document_, t, findings);
     return positive == Tri::unknown ? kOrientationBit : Questions{0};
   }
 
   Questions examine_covering(std::uint32_t t, LiftedTriangle& lifted, Findings& findings) const {
-    lifted.measure_circumradius(sinh_squared_.get(), precision_);
-    const Tri inside = certainly_positive(lifted.radius_slack.get());
-    const Interval squared = quotient(lifted.radius_numerator.get(), lifted.radius_denominator.get());
+    const auto& radius = lifted.measure_circumradius(sinh_squared_.get(), precision_);
+    const Tri inside = certainly_positive(radius.slack.get());
+    const Interval squared = quotient(radius.numerator.get(), radius.denominator.get());
     if (inside == Tri::no) {
       findings.refute(kCovering, t,
                       triangle_name(document_, t) + " has a circumradius in " + to_string(length_interval(squared, 1)) +
                           ", greater than epsilon in " + to_string(epsilon_) +
                           (std::isinf(squared.upper) ? " (or no circumcircle)" : ""));
     }
-    if (!last_ && (inside == Tri::unknown || (inside == Tri::yes && !measured(lifted.radius_numerator)) ||
-                   (inside == Tri::yes && !measured(lifted.radius_denominator)))) {
+    if (!last_ && (inside == Tri::unknown || (inside == Tri::yes && !measured(radius.numerator)) ||
+                   (inside == Tri::yes && !measured(radius.denominator)))) {
       return kCoveringBit;
     }
     findings.circumradius.largest(squared);
@@ -228,20 +227,20 @@ class Pass {
 
   /// All that rule `covering` asks of a triangle of a collar.
   Questions examine_circumcircle(std::uint32_t t, LiftedTriangle& lifted, Findings& findings) const {
-    lifted.measure_circumradius(sinh_squared_.get(), precision_);
-    const Tri exists = certainly_positive(lifted.radius_denominator.get());
+    const auto& radius = lifted.measure_circumradius(sinh_squared_.get(), precision_);
+    const Tri exists = certainly_positive(radius.denominator.get());
     if (exists == Tri::no) findings.refute(kCovering, t, triangle_name(document_, t) + " has no circumcircle");
     return exists == Tri::unknown ? kCoveringBit : Questions{0};
   }
 
   Questions examine_delaunay(std::uint32_t t, std::uint32_t i, LiftedTriangle& lifted, Findings& findings) const {
-    lifted.measure_cross_ratio(document_, labels_, t, i, precision_);
-    if (is_exactly_zero(lifted.cross_ratio.get())) {
+    const Ball& cross_ratio = lifted.measure_cross_ratio(document_, labels_, i, precision_);
+    if (is_exactly_zero(cross_ratio.get())) {
       // Nothing was rounded, as happens with coordinates of few digits: a tie already proved.
       findings.ties.push_back(3 * t + i);
       return 0;
     }
-    const Tri positive = certainly_positive(lifted.cross_ratio.get());
+    const Tri positive = certainly_positive(cross_ratio.get());
     if (positive == Tri::yes) refute_delaunay(document_, 3 * t + i, findings);
     return positive == Tri::unknown ? delaunay_bit(i) : Questions{0};
   }
@@ -250,16 +249,17 @@ class Pass {
     const std::uint32_t dart = 3 * t + i;
     const bool loop = start(document_, dart) == start(document_, next_dart(dart));
     const std::optional<Rule> rule = length_rule(document_, collars_, dart);
-    lifted.measure_edge(half_sinh_squared_.get(), i, precision_);
-    const Tri short_edge = rule ? certainly_positive(lifted.length_lack.get()) : Tri::no;
-    const Interval squared = quotient(lifted.squared_difference[i].get(), lifted.gap_product.get());
+    const auto& edge = lifted.measure_edge(half_sinh_squared_.get(), i, precision_);
+    const Ball& difference = lifted.squared_difference(i);
+    const Tri short_edge = rule ? certainly_positive(edge.lack.get()) : Tri::no;
+    const Interval squared = quotient(difference.get(), edge.gap_product.get());
     if (short_edge == Tri::yes) {
       findings.refute(*rule, t,
                       edge_name(document_, dart) + " has a length in " + to_string(length_interval(squared, 2)) +
                           ", less than epsilon in " + to_string(epsilon_));
     }
     if (!last_ && short_edge != Tri::yes &&
-        (short_edge == Tri::unknown || !measured(lifted.squared_difference[i]) || !measured(lifted.gap_product))) {
+        (short_edge == Tri::unknown || !measured(difference) || !measured(edge.gap_product))) {
       return length_bit(i);
     }
     findings.longest.largest(squared);
@@ -477,7 +477,7 @@ class GeometryChecker {
         evaluator_(evaluator),
         options_(options),
         threads_(threads),
-        epsilon_(*parse_decimal(document.epsilon)),
+        epsilon_(decimal(document.epsilon)),
         collars_(document),
         questions_(document, collars_),
         why_(", with " + std::to_string(options.max_precision) + " bits") {}

@@ -41,9 +41,8 @@ class SortedNumbers {
 
   [[nodiscard]] std::size_t size() const { return numbers_.size(); }
   [[nodiscard]] std::uint32_t operator[](std::size_t i) const { return numbers_[i]; }
-  [[nodiscard]] std::size_t index(std::uint32_t number) const {
-    return static_cast<std::size_t>(std::lower_bound(numbers_.begin(), numbers_.end(), number) - numbers_.begin());
-  }
+  /// Fault, if it is not there.
+  [[nodiscard]] std::size_t index(std::uint32_t number) const { return place_of(number, numbers_); }
   [[nodiscard]] std::span<const std::uint32_t> values() const { return numbers_; }
 
  private:

@@ -45,6 +45,9 @@ LabelParts label_parts(Crossings crossings, const std::vector<NetDocument::Chart
 
 LabelEvaluator::LabelEvaluator(const NetDocument& document, const LabelParts& parts)
     : parts_(parts), first_core_(document.labels.size() + 1), partner_(SurfaceSides(document.surface).partner) {
+  ensure(parts.frames.size() == document.charts.size(), "frames and charts are not as many");
+  ensure(std::visit([](const auto& kind) { return kind.size(); }, parts.crossings) == partner_.size(),
+         "crossings and sides are not as many");
   for (const NetDocument::Label& label : document.labels) add(label.from, label.to, label.word);
   if (!document.collars) return;
   for (const NetDocument::Collar& collar : *document.collars) {
@@ -99,7 +102,7 @@ std::vector<BallIsometry> LabelEvaluator::evaluate(std::span<const std::uint32_t
     std::size_t pending = 0;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       if (done[i]) continue;
-      const NetDocument::Label& label = labels_[numbers[i] - 1];
+      const NetDocument::Label& label = label_at(numbers[i]);
       charts.insert(charts.end(), {label.from, label.to});
       sides.insert(sides.end(), label.word.begin(), label.word.end());
       ++pending;
@@ -122,22 +125,19 @@ std::vector<BallIsometry> LabelEvaluator::evaluate(std::span<const std::uint32_t
     });
     for_each_parallel(charts.size(), threads,
                       [&](unsigned, std::size_t k) { frames[k] = to_balls(parts_.frames[charts[k]], working); });
-    const auto place = [](const std::vector<std::uint32_t>& used, std::uint32_t number) {
-      return static_cast<std::size_t>(std::lower_bound(used.begin(), used.end(), number) - used.begin());
-    };
     const bool last = working >= cap;
     for_each_parallel(numbers.size(), threads, [&](unsigned, std::size_t i) {
       if (done[i]) return;
-      const NetDocument::Label& label = labels_[numbers[i] - 1];
+      const NetDocument::Label& label = label_at(numbers[i]);
       const auto composed = [&](const BallIsometry& f, const BallIsometry& g) { return compose(f, g, working); };
-      results[i] = frames[place(charts, label.from)];
+      results[i] = frames[place_of(label.from, charts)];
       if (!label.word.empty()) {
         const auto crossing = [&](std::size_t k) -> const BallIsometry& {
-          return crossings[place(sides, label.word[k])];
+          return crossings[place_of(label.word[k], sides)];
         };
         results[i] = composed(compose_range(0, label.word.size(), crossing, composed), results[i]);
       }
-      results[i] = composed(inverse(frames[place(charts, label.to)]), results[i]);
+      results[i] = composed(inverse(frames[place_of(label.to, charts)]), results[i]);
       done[i] = last || accurate(results[i], precision);
     });
     if (std::find(done.begin(), done.end(), 0) == done.end()) return results;

@@ -53,26 +53,28 @@ void LiftedTriangle::move(ComplexBall& z, const BallIsometry& label, Way way, sl
 }
 
 void LiftedTriangle::load(const NetDocument& document, const LabelTable& labels, std::uint32_t t, slong precision) {
-  const NetDocument::Triangle& triangle = document.triangles[t];
+  const NetDocument::Triangle& triangle = triangle_at(document, t);
+  triangle_ = t;
   for (std::size_t i = 0; i < 3; ++i) {
     ComplexBall& z = corner_[i];
     read(z, document.vertices[triangle.vertex[i]]);
-    norm(gap[i].get(), z.get(), precision);
-    arb_sub_ui(gap[i].get(), gap[i].get(), 1, precision);
-    arb_neg(gap[i].get(), gap[i].get());
+    norm(gap_[i].get(), z.get(), precision);
+    arb_sub_ui(gap_[i].get(), gap_[i].get(), 1, precision);
+    arb_neg(gap_[i].get(), gap_[i].get());
     const std::uint32_t number = i == 0 ? 0 : triangle.label[i - 1];
     if (number == 0) continue;
     move(z, labels[number], Way::forth, precision);
-    arb_div(gap[i].get(), gap[i].get(), stretch_.get(), precision);
+    arb_div(gap_[i].get(), gap_[i].get(), stretch_.get(), precision);
   }
   for (std::size_t i = 0; i < 3; ++i) {
     acb_sub(side_[i].get(), corner_[i == 2 ? 0 : i + 1].get(), corner_[i].get(), precision);
-    norm(squared_difference[i].get(), side_[i].get(), precision);
+    norm(squared_difference_[i].get(), side_[i].get(), precision);
   }
 }
 
-void LiftedTriangle::measure_orientation(slong precision) {
-  arb_ptr result = orientation.get();
+const Ball& LiftedTriangle::measure_orientation(slong precision) {
+  ensure_loaded();
+  arb_ptr result = orientation_.get();
   arb_ptr term = t_[0].get();
   arb_ptr scratch = t_[1].get();
   // Rows (x, y, (1+|z|²)/2); subtract row 0 from the others: |z_i|² − |z_0|² = A_0 − A_i =: f_i. With the sides
@@ -82,10 +84,10 @@ void LiftedTriangle::measure_orientation(slong precision) {
   acb_srcptr u = side_[2].get();
   arb_ptr f1 = t_[2].get();
   arb_ptr f2 = t_[3].get();
-  arb_sub(f1, gap[0].get(), gap[1].get(), precision);
-  arb_sub(f2, gap[0].get(), gap[2].get(), precision);
+  arb_sub(f1, gap_[0].get(), gap_[1].get(), precision);
+  arb_sub(f2, gap_[0].get(), gap_[2].get(), precision);
   cross(result, scratch, u, s, precision);
-  arb_sub_ui(term, gap[0].get(), 2, precision);
+  arb_sub_ui(term, gap_[0].get(), 2, precision);
   arb_neg(term, term);
   arb_mul(result, result, term, precision);
   arb_mul(term, acb_imagref(s), f2, precision);
@@ -94,41 +96,48 @@ void LiftedTriangle::measure_orientation(slong precision) {
   arb_mul(term, acb_realref(s), f2, precision);
   arb_addmul(term, acb_realref(u), f1, precision);
   arb_submul(result, term, corner_[0].im(), precision);
+  return orientation_;
 }
 
-void LiftedTriangle::measure_circumradius(arb_srcptr sinh_squared, slong precision) {
+const LiftedTriangle::Circumradius& LiftedTriangle::measure_circumradius(arb_srcptr sinh_squared, slong precision) {
+  ensure_loaded();
   arb_ptr x = t_[0].get();
   arb_ptr y = t_[1].get();
   arb_ptr z = t_[2].get();
   // Each side's squared difference times the gap of the opposite corner.
-  arb_mul(x, squared_difference[0].get(), gap[2].get(), precision);
-  arb_mul(y, squared_difference[1].get(), gap[0].get(), precision);
-  arb_mul(z, squared_difference[2].get(), gap[1].get(), precision);
+  arb_mul(x, squared_difference_[0].get(), gap_[2].get(), precision);
+  arb_mul(y, squared_difference_[1].get(), gap_[0].get(), precision);
+  arb_mul(z, squared_difference_[2].get(), gap_[1].get(), precision);
   // 2(xy + yz + zx) − x² − y² − z² = 4xy − (x + y − z)².
-  arb_ptr denominator = radius_denominator.get();
+  arb_ptr denominator = circumradius_.denominator.get();
   arb_mul(denominator, x, y, precision);
   arb_mul_2exp_si(denominator, denominator, 2);
   arb_add(x, x, y, precision);
   arb_sub(x, x, z, precision);
   arb_sqr(x, x, precision);
   arb_sub(denominator, denominator, x, precision);
-  arb_ptr numerator = radius_numerator.get();
-  arb_mul(numerator, squared_difference[0].get(), squared_difference[1].get(), precision);
-  arb_mul(numerator, numerator, squared_difference[2].get(), precision);
+  arb_ptr numerator = circumradius_.numerator.get();
+  arb_mul(numerator, squared_difference_[0].get(), squared_difference_[1].get(), precision);
+  arb_mul(numerator, numerator, squared_difference_[2].get(), precision);
   arb_mul_2exp_si(numerator, numerator, 2);
-  arb_mul(radius_slack.get(), sinh_squared, denominator, precision);
-  arb_sub(radius_slack.get(), radius_slack.get(), numerator, precision);
+  arb_mul(circumradius_.slack.get(), sinh_squared, denominator, precision);
+  arb_sub(circumradius_.slack.get(), circumradius_.slack.get(), numerator, precision);
+  return circumradius_;
 }
 
-void LiftedTriangle::measure_edge(arb_srcptr half_sinh_squared, std::uint32_t edge, slong precision) {
-  arb_mul(gap_product.get(), gap[edge].get(), gap[edge == 2 ? 0 : edge + 1].get(), precision);
-  arb_mul(length_lack.get(), gap_product.get(), half_sinh_squared, precision);
-  arb_sub(length_lack.get(), length_lack.get(), squared_difference[edge].get(), precision);
+const LiftedTriangle::Edge& LiftedTriangle::measure_edge(arb_srcptr half_sinh_squared, std::uint32_t edge,
+                                                         slong precision) {
+  ensure_loaded(edge);
+  arb_mul(edge_.gap_product.get(), gap_[edge].get(), gap_[edge == 2 ? 0 : edge + 1].get(), precision);
+  arb_mul(edge_.lack.get(), edge_.gap_product.get(), half_sinh_squared, precision);
+  arb_sub(edge_.lack.get(), edge_.lack.get(), squared_difference_[edge].get(), precision);
+  return edge_;
 }
 
-void LiftedTriangle::measure_cross_ratio(const NetDocument& document, const LabelTable& labels, std::uint32_t t,
-                                         std::uint32_t edge, slong precision) {
-  const std::uint32_t dart = 3 * t + edge;
+const Ball& LiftedTriangle::measure_cross_ratio(const NetDocument& document, const LabelTable& labels,
+                                                std::uint32_t edge, slong precision) {
+  ensure_loaded(edge);
+  const std::uint32_t dart = 3 * *triangle_ + edge;
   const std::uint32_t other = opposite(document, dart);
   const std::uint32_t far = previous_dart(other);
   read(far_, document.vertices[start(document, far)]);
@@ -155,7 +164,8 @@ void LiftedTriangle::measure_cross_ratio(const NetDocument& document, const Labe
   acb_mul(product_.get(), across_.get(), side_[edge].get(), precision);
   acb_mul(other_product_.get(), side_[before].get(), to_far_.get(), precision);
   // Im(N/D) has the sign of Im(conj(D) N); here D is minus other_product_.
-  cross(cross_ratio.get(), t_[0].get(), product_.get(), other_product_.get(), precision);
+  cross(cross_ratio_.get(), t_[0].get(), product_.get(), other_product_.get(), precision);
+  return cross_ratio_;
 }
 
 Interval quotient(arb_srcptr numerator, arb_srcptr denominator) {

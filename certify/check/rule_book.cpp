@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "certify/document/fault.h"
+#include "certify/document/lookup.h"
 
 namespace epsnet::certify {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "certify/check/net_rules.h"
-#include "certify/document/fault.h"
+#include "certify/document/lookup.h"
 
 namespace epsnet::certify {
 namespace {

@@ -203,7 +203,7 @@ class CollarChecker {
         evaluator_(evaluator),
         parts_(parts),
         max_precision_(max_precision),
-        epsilon_(*parse_decimal(document.epsilon)) {}
+        epsilon_(decimal(document.epsilon)) {}
 
   CollarsOutcome run() {
     CollarsOutcome outcome;
@@ -270,7 +270,7 @@ class CollarChecker {
     parts_.budget.spend(500 * ball_work(bits_used) + 20 * function_work(bits_used));
     const NetDocument::Collar& collar = (*document_.collars)[c];
     const auto [p, q] = collar.vertices;
-    const std::uint32_t at_p = *loop_dart(document_, collar.triangles[0], p, q);
+    const std::uint32_t at_p = value_of(loop_dart(document_, collar.triangles[0], p, q), "a collar without its loop");
     const BallIsometry from = label(at_p, precision);
     const BallIsometry to = label(next_dart(at_p), precision);
     std::vector<Clause> all{core_clause(c, compose(inverse(from), to, precision), precision)};

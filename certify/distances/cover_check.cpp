@@ -163,12 +163,10 @@ class CoverCheck {
       lifted.load(net, labels, t, precision_);
       if (disk) {
         for (std::uint32_t edge = 0; edge < 3; ++edge) {
-          lifted.measure_edge(squared.get(), edge, precision_);
-          less = either(less, certainly_positive(lifted.length_lack.get()));
+          less = either(less, certainly_positive(lifted.measure_edge(squared.get(), edge, precision_).lack.get()));
         }
       } else {
-        lifted.measure_circumradius(squared.get(), precision_);
-        less = both(less, certainly_positive(lifted.radius_slack.get()));
+        less = both(less, certainly_positive(lifted.measure_circumradius(squared.get(), precision_).slack.get()));
       }
     }
     return less;
@@ -201,7 +199,7 @@ class CoverCheck {
     maps_.push_back(std::move(first));
     for (std::size_t k = 0; k < document_.triangulations.size(); ++k) {
       const CoverDocument::Triangulation& row = document_.triangulations[k];
-      Map map = maps_[row.parent];
+      Map map = map_at(row.parent);
       budget_.spend(50, row.flips.size());
       for (const std::uint32_t d : row.flips) {
         if (d / 3 == map.opposite[d] / 3) {
@@ -270,7 +268,7 @@ class CoverCheck {
       elements_.push_back(element_of(compose(inverse(label(d)), label(next_dart(d)), precision_), precision_));
     }
     const auto value = [&](std::uint32_t id) {
-      const BallIsometry& isometry = elements_[id / 2].isometry;
+      const BallIsometry& isometry = looked_up(elements_, id / 2, "there is no element").isometry;
       return id % 2 == 0 ? isometry : inverse(isometry);
     };
     for (const Product& product : products_) {
@@ -338,9 +336,13 @@ class CoverCheck {
     return {"cells", Verdict::verified, std::to_string(cells) + " cells are bounded by " + bound};
   }
 
+  [[nodiscard]] const Map& map_at(std::uint32_t number) const {
+    return looked_up(maps_, number, "there is no triangulation");
+  }
+
   /// sinh²(d/2) for the edge of an element at a point.
   void displacement(arb_ptr result, std::uint32_t id, const BallVector& p) const {
-    set_displacement(result, elements_[id / 2], p, precision_);
+    set_displacement(result, looked_up(elements_, id / 2, "there is no element"), p, precision_);
   }
 
   /// The same of every dart.
@@ -369,7 +371,7 @@ class CoverCheck {
   /// At the midpoint of a side, the triangulation is Delaunay, and its largest circumradius is at least LO more than
   /// the distance to any point of the cell.
   [[nodiscard]] Tri is_bounded_from_midpoint(const Cell& cell, std::uint32_t by, std::uint32_t side) const {
-    const Map& map = maps_[by];
+    const Map& map = map_at(by);
     spend(kCutOperations + 2 * kFunctionOperations);
     spend(kEdgeOperations + 2 * kTriangleOperations, darts_ / 2);
     spend(kFunctionOperations, darts_ / 3);
@@ -393,7 +395,7 @@ class CoverCheck {
     Tri moves = Tri::unknown;
     Ball h;
     for (const BallVector& p : cell.corner) {
-      displacement(h.get(), maps_[by / darts_].element[by % darts_], p);
+      displacement(h.get(), map_at(by / darts_).element[by % darts_], p);
       if (certainly_positive(h.get()) == Tri::yes) moves = Tri::yes;
       within = both(within, !certainly_less(most_.get(), h.get()));
     }
@@ -402,7 +404,7 @@ class CoverCheck {
 
   /// At the corners of the cell, every triangle lies in a disk of radius hi.
   [[nodiscard]] Tri is_bounded_by_triangulation(const Cell& cell, std::uint32_t by) const {
-    const Map& map = maps_[by];
+    const Map& map = map_at(by);
     spend(3 * (kEdgeOperations + kTriangleOperations), darts_ / 2);
     Tri result = Tri::yes;
     for (const BallVector& p : cell.corner) {

@@ -1,6 +1,6 @@
 #include "certify/document/binary64.h"
 
-#include "certify/document/fault.h"
+#include "certify/document/lookup.h"
 
 namespace epsnet::certify {
 

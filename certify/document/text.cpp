@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <system_error>
 
+#include "certify/document/lookup.h"
+
 namespace epsnet::certify {
 namespace {
 
@@ -143,6 +145,8 @@ std::optional<mpq_class> parse_rational(std::string_view text) {
   if (negative) value = -value;
   return value;
 }
+
+mpq_class decimal(std::string_view text) { return value_of(parse_decimal(text), "a decimal that is none"); }
 
 std::optional<mpq_class> parse_decimal(std::string_view text) {
   if (text.find('/') != std::string_view::npos) return parse_rational(text);

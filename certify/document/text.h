@@ -18,6 +18,8 @@ inline constexpr std::size_t kMaxRationalDigits = 1'000'000;
 
 /// The value of a `decimal`, exactly: "0.1" is 1/10. Nothing if the text is not a decimal.
 [[nodiscard]] std::optional<mpq_class> parse_decimal(std::string_view text);
+/// The value of one that is known to be a decimal; Fault, if it is none.
+[[nodiscard]] mpq_class decimal(std::string_view text);
 
 /// The binary64 number nearest to a JSON number, ties to even; "-0" is −0, and what rounds to 0 keeps its sign. Nothing
 /// if the text is not a number as JSON has it, all of it, or if it rounds to infinity. Linear in the length of the

@@ -21,7 +21,7 @@ CandidateJudge::CandidateJudge(const GeodesicsDocument& document, const LabelEva
       cosh_half_(cosh_half),
       traces_(evaluator),
       first_darts_(first_darts(plane.net())) {
-  set_rational(sinh_epsilon_.get(), *parse_decimal(document.net.epsilon), plane.precision());
+  set_rational(sinh_epsilon_.get(), decimal(document.net.epsilon), plane.precision());
   arb_sinh(sinh_epsilon_.get(), sinh_epsilon_.get(), plane.precision());
 }
 

@@ -22,22 +22,28 @@ class ChordTable {
 
   [[nodiscard]] bool complete() const { return complete_; }
   [[nodiscard]] std::size_t size() const { return lists_.size(); }
-  [[nodiscard]] const ChordList& list(std::size_t geodesic) const { return lists_[geodesic]; }
-  [[nodiscard]] Interval length(std::size_t geodesic) const { return lengths_[geodesic]; }
-  [[nodiscard]] std::uint32_t first_dart(std::size_t geodesic) const { return first_darts_[geodesic]; }
+  [[nodiscard]] const ChordList& list(std::size_t geodesic) const { return looked_up(lists_, geodesic, kNoGeodesic); }
+  [[nodiscard]] Interval length(std::size_t geodesic) const { return looked_up(lengths_, geodesic, kNoGeodesic); }
+  [[nodiscard]] std::uint32_t first_dart(std::size_t geodesic) const {
+    return looked_up(first_darts_, geodesic, kNoGeodesic);
+  }
 
   struct Place {
     std::uint32_t geodesic;
     std::uint32_t chord;
   };
   /// All chords in a triangle, by geodesic and chord.
-  [[nodiscard]] const std::vector<Place>& in_triangle(std::uint32_t triangle) const { return places_[triangle]; }
+  [[nodiscard]] const std::vector<Place>& in_triangle(std::uint32_t triangle) const {
+    return looked_up(places_, triangle, "there is no triangle");
+  }
   /// Those of one geodesic.
   [[nodiscard]] std::span<const Place> in_triangle(std::uint32_t triangle, std::uint32_t geodesic) const;
   /// Every chord in the triangle of the given one that may be on the same axis: all others are certainly not. In order
   /// of geodesic and chord.
   [[nodiscard]] std::vector<Place> on_axis(const Chord& chord) const;
-  [[nodiscard]] const Chord& chord(Place place) const { return lists_[place.geodesic].chords[place.chord]; }
+  [[nodiscard]] const Chord& chord(Place place) const {
+    return looked_up(list(place.geodesic).chords, place.chord, "there is no chord");
+  }
 
   struct Match {
     Tri found = Tri::no;
@@ -58,6 +64,8 @@ class ChordTable {
   [[nodiscard]] Tri crosses_another(std::uint32_t geodesic) const;
 
  private:
+  static constexpr const char* kNoGeodesic = "there is no geodesic";
+
   /// Whether two axes cross; different axes of the group have no common end.
   [[nodiscard]] Tri cross(const Chord& x, const Chord& y) const;
   [[nodiscard]] Tri is_power(const Chord& chord, const BallIsometry& root, std::uint32_t exponent) const;

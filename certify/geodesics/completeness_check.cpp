@@ -23,7 +23,7 @@ class CompletenessCheck::Pass {
         judge_(check.document_, check.evaluator_, plane, table, cosh_half_) {
     const slong precision = plane.precision();
     Ball cosh_epsilon, squared_sinh;
-    set_rational(epsilon_.get(), *parse_decimal(net_.epsilon), precision);
+    set_rational(epsilon_.get(), decimal(net_.epsilon), precision);
     arb_cosh(cosh_epsilon.get(), epsilon_.get(), precision);
     // sinh(D/2) = sinh(L/2) cosh ε; cosh D = 1 + 2 sinh²(D/2).
     arb_sqr(squared_sinh.get(), cosh_half_.get(), precision);
@@ -133,7 +133,7 @@ CompletenessCheck::CompletenessCheck(const GeodesicsDocument& document, const La
                                      const CheckOptions& options)
     : document_(document),
       evaluator_(evaluator),
-      up_to_(document.claim == GeodesicsDocument::Claim::spectrum ? *parse_decimal(document.up_to) : mpq_class()),
+      up_to_(document.claim == GeodesicsDocument::Claim::spectrum ? decimal(document.up_to) : mpq_class()),
       progress_(options.progress),
       limit_(options.max_visits / std::max<std::size_t>(document.net.vertices.size(), 1)),
       vertices_(document.net.vertices.size()),

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "certify/document/lookup.h"
 #include "certify/numbers/rounding.h"
 
 namespace epsnet::certify {
 
 void IntervalIndex::insert(Interval x, std::uint32_t item) {
+  ensure(!(x.lower > x.upper), "an interval with its ends exchanged");
   const double width = above(x.upper - x.lower);
   // NaN and infinity are no widths.
   if (!std::isfinite(width)) {
@@ -20,6 +22,7 @@ void IntervalIndex::insert(Interval x, std::uint32_t item) {
 }
 
 std::vector<std::uint32_t> IntervalIndex::near(Interval x) const {
+  ensure(!(x.lower > x.upper), "an interval with its ends exchanged");
   std::vector<std::uint32_t> found = unbounded_;
   for (const auto& [exponent, items] : by_width_) {
     const auto last = items.upper_bound(x.upper);

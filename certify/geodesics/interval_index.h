@@ -11,6 +11,8 @@ namespace epsnet::certify {
 /// Items by intervals that enclose a number each has. Items whose numbers may be equal are found together: the
 /// intervals of two equal numbers have a point in common, so no pair of equal numbers is missed, however wide the
 /// intervals are.
+///
+/// Fault, if the ends of an interval are in the wrong order.
 class IntervalIndex {
  public:
   /// O(log n).

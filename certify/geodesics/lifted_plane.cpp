@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "certify/document/darts.h"
+#include "certify/gluing_check.h"
 #include "certify/surface_check.h"
 
 namespace epsnet::certify {
@@ -93,7 +94,7 @@ void LiftedPlane::find_disks(const LabelParts& parts, slong cap) {
     keep(5);
     disks_.back().emplace();
     disks_.back()->base = to_balls(compose(inverse(parts.frames[c]), translation_to(disk.centre)), precision_);
-    arb_sqr(disks_.back()->sinh_squared_radius.get(), disk.sinh_radius.get(), precision_);
+    disks_.back()->sinh_radius = disk.sinh_radius;
   }
 }
 
@@ -103,14 +104,10 @@ Tri LiftedPlane::same(std::uint32_t chart, const BallIsometry& f, const BallIsom
     const bool signs = certainly_positive(f.a.re()) == Tri::yes && certainly_positive(g.a.re()) == Tri::yes;
     return signs ? Tri::no : Tri::unknown;
   }
-  const auto& disk = disks_[chart];
+  const auto& disk = looked_up(disks_, chart, "there is no chart");
   if (!disk) return Tri::unknown;
   const BallIsometry quotient = compose(compose(inverse(f), g, precision_), disk->base, precision_);
-  Ball displacement;
-  half_displacement_squared(displacement.get(), compose(inverse(disk->base), quotient, precision_), precision_);
-  // sinh²(d/2) < sinh²(r): moved by less than 2r, so the quotient is 1.
-  if (certainly_less(displacement.get(), disk->sinh_squared_radius.get()) == Tri::yes) return Tri::yes;
-  return certainly_positive(displacement.get()) == Tri::yes ? Tri::no : Tri::unknown;
+  return is_identity(compose(inverse(disk->base), quotient, precision_), disk->sinh_radius, precision_);
 }
 
 }  // namespace epsnet::certify

@@ -9,7 +9,8 @@
 /// The lifted triangulation at one precision: each triangle in its chart, and what leads across its darts.
 namespace epsnet::certify {
 
-/// One precision's view of a net that passed `check`. Reads only after construction, so threads may share it.
+/// One precision's view of a net that passed `check`. Reads only after construction, so threads may share it. Fault, if
+/// there is no such label, dart, triangle or chart.
 class LiftedPlane {
  public:
   /// `net`, which must outlive the plane, may have labels that no triangle uses. O(size of the net) time and memory,
@@ -31,13 +32,17 @@ class LiftedPlane {
   }
 
   /// The value of a label number; 0 is the identity.
-  [[nodiscard]] const BallIsometry& label(std::uint32_t number) const { return labels_[number]; }
+  [[nodiscard]] const BallIsometry& label(std::uint32_t number) const {
+    return looked_up(labels_, number, "there is no value of label number");
+  }
   /// The corner where the dart starts, as a unit vector in the chart of its triangle.
-  [[nodiscard]] const BallVector& corner(std::uint32_t dart) const { return corners_[dart]; }
+  [[nodiscard]] const BallVector& corner(std::uint32_t dart) const { return looked_up(corners_, dart, kNoDart); }
   /// Positive on the side of the dart's line on which its triangle lies, 0 on the line.
-  [[nodiscard]] const BallVector& line(std::uint32_t dart) const { return lines_[dart]; }
+  [[nodiscard]] const BallVector& line(std::uint32_t dart) const { return looked_up(lines_, dart, kNoDart); }
   /// cosh d(·, C)/cosh R, C and R the circumcentre and the circumradius of the triangle: 1 at its corners.
-  [[nodiscard]] const BallVector& alpha(std::uint32_t triangle) const { return alphas_[triangle]; }
+  [[nodiscard]] const BallVector& alpha(std::uint32_t triangle) const {
+    return looked_up(alphas_, triangle, "there is no triangle");
+  }
 
   /// From the chart of a dart's triangle to that of the triangle across.
   struct Transition {
@@ -46,7 +51,8 @@ class LiftedPlane {
   };
   /// Nothing where the two charts are the same and the transition is the identity.
   [[nodiscard]] const Transition* transition(std::uint32_t dart) const {
-    return transition_of_[dart] == 0 ? nullptr : &transitions_[transition_of_[dart] - 1];
+    const std::uint32_t number = looked_up(transition_of_, dart, kNoDart);
+    return number == 0 ? nullptr : &transitions_[number - 1];
   }
 
   /// Whether two elements of the surface's group, written in one chart, are the same; signs are chosen (choose_sign).
@@ -55,6 +61,8 @@ class LiftedPlane {
   [[nodiscard]] Tri same(std::uint32_t chart, const BallIsometry& f, const BallIsometry& g) const;
 
  private:
+  static constexpr const char* kNoDart = "there is no dart";
+
   void evaluate_labels(const LabelEvaluator& evaluator, slong cap, unsigned threads);
   void place_triangle(std::uint32_t t);
   void find_transitions();
@@ -73,7 +81,7 @@ class LiftedPlane {
   /// A disk inside the tile of a chart: `base` takes 0 to its centre, in the chart's coordinates.
   struct Disk {
     BallIsometry base;
-    Ball sinh_squared_radius;
+    Ball sinh_radius;
   };
   std::vector<std::optional<Disk>> disks_;  ///< By chart.
 };

@@ -14,6 +14,7 @@
 #include <variant>
 
 #include "certify/claim_check.h"
+#include "certify/document/fault.h"
 #include "certify/file/compact.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
@@ -75,9 +76,7 @@ void add_second_opinion(FileReport& report, std::string_view bytes) {
   report.certificate = agreed(std::move(report.certificate), *report.second);
 }
 
-}  // namespace
-
-FileReport check_file(const Request& request, const std::string& path) {
+FileReport check_bytes(const Request& request, const std::string& path) {
   FileReport report{.name = display_name(path), .path = path};
   const auto without_name = [&](const std::exception& error) {
     const std::string_view text = error.what();
@@ -131,6 +130,19 @@ FileReport check_file(const Request& request, const std::string& path) {
     add_second_opinion(report, bytes);
   }
   return report;
+}
+
+}  // namespace
+
+FileReport check_file(const Request& request, const std::string& path) {
+  try {
+    return check_bytes(request, path);
+  } catch (const Fault& fault) {
+    return {.name = display_name(path),
+            .path = path,
+            .error = fault.what() + std::string("; please report this, with the file, to the authors of epsnet"),
+            .fault = true};
+  }
 }
 
 }  // namespace epsnet::certify::program

@@ -61,13 +61,15 @@ std::string unknown_option(const CLI::App& app) {
 constexpr const char* kDescription =
     "Decides whether a net file proves that its vertices are an epsilon-net of its surface, or of the thick part of "
     "it\n"
-    "(a pseudo net), and its triangles a Delaunay triangulation, or a geodesics file that its closed geodesics are "
+    "(a pseudo net), and its triangles a Delaunay triangulation, a geodesics file that its closed geodesics are "
     "the\n"
-    "systole, the spectrum up to a length or the thick-thin decomposition, or a distance file that its paths are the\n"
-    "shortest between two points: every number is enclosed in balls, every claim is derived again.";
+    "systole, the spectrum up to a length or the thick-thin decomposition, a distance file that its paths are the\n"
+    "shortest between two points, or a cover file that the diameter, the radius or the radius of the largest embedded\n"
+    "disk lies between two bounds: every number is enclosed in balls, every claim is derived again.";
 
 void add_options(CLI::App& app, Request& request) {
-  app.add_option("FILE", request.files, "net, geodesics and distance files (docs/format.md); \"-\" is standard input")
+  app.add_option("FILE", request.files,
+                 "net, geodesics, distance and cover files (docs/format.md); \"-\" is standard input")
       ->required()
       ->option_text("... REQUIRED");
   app.add_flag("--exact", request.exact,
@@ -107,7 +109,8 @@ void add_options(CLI::App& app, Request& request) {
       "what\n"
       "the other refutes, the verdict is UNDECIDED: the two checkers disagree.\n"
       "Exit codes: 0 verified, 1 refuted, 2 undecided, 3 malformed file, 64 usage, a file that cannot be read, --help\n"
-      "or --version, 70 internal fault.");
+      "or --version, 70 the machine failed (memory, output that cannot be written), 71 a fault of this program: no\n"
+      "verdict, please report it.");
 }
 
 }  // namespace

@@ -157,6 +157,7 @@ void add_findings(const FileReport& report, Members& members) {
 }  // namespace
 
 int exit_code(const FileReport& report) {
+  if (report.fault) return kExitFault;
   return report.error.empty() ? exit_code(report.certificate.verdict) : kExitUsage;
 }
 

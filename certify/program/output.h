@@ -15,14 +15,16 @@ inline constexpr int kExitRefuted = 1;
 inline constexpr int kExitUndecided = 2;
 inline constexpr int kExitMalformed = 3;
 inline constexpr int kExitUsage = 64;
-inline constexpr int kExitInternal = 70;
+inline constexpr int kExitInternal = 70;  ///< The machine failed: memory, a crash, output that cannot be written.
+inline constexpr int kExitFault = 71;     ///< The checker found itself to be wrong (Fault).
 
 /// What is said of one file.
 struct FileReport {
   std::string name = {};                     ///< As in messages.
   std::string path = {};                     ///< As given.
   std::string sha256 = {};                   ///< Of the bytes that were read; empty if none could be.
-  std::string error = {};                    ///< Why it could not be read; the certificate says nothing then.
+  std::string error = {};                    ///< Why there is no verdict; the certificate says nothing then.
+  bool fault = false;                        ///< The error is a fault of this program; else it could not be read.
   bool is_claim = false;                     ///< Whether it was understood, so that there is something to count.
   Certificate certificate = {};              ///< Of both checkers. Its message begins without the file's name.
   std::optional<SecondOpinion> second = {};  ///< Nothing if it was not asked.

@@ -12,6 +12,7 @@
 #include <sys/sysinfo.h>
 #include <unistd.h>
 
+#include "certify/document/fault.h"
 #include "certify/file/reader.h"
 #include "netgen/base/atomic_file.h"
 #include "netgen/program/commands.h"
@@ -166,6 +167,8 @@ int main(int argc, char** argv) {
   limit_memory();
   try {
     return run(argc, argv);
+  } catch (const certify::Fault& fault) {
+    return fail(kExitInternal, fault.what());
   } catch (const std::exception& error) {
     return fail(kExitInternal, std::string("internal fault: ") + error.what());
   } catch (...) {

@@ -1,5 +1,6 @@
 #include <stdexcept>
 
+#include "certify/document/fault.h"
 #include "certify/file/reader.h"
 #include "netgen/base/write_error.h"
 #include "netgen/exchange/exchange.h"
@@ -56,6 +57,8 @@ void bind_errors(py::module_&) {
       raise("FileError", error.what());
     } catch (const certify::MalformedError& error) {
       raise("FormatError", error.what());
+    } catch (const certify::Fault& fault) {
+      raise("EpsnetError", fault.what());
     } catch (const Error& error) {
       raise("EpsnetError", error.what());
     } catch (const std::invalid_argument& error) {

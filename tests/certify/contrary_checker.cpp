@@ -1,10 +1,11 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "certify/document/fault.h"
 #include "certify/exact/checker.h"
 
 /// A second checker that says of every file what EPSNET_SECOND_VERDICT says, to see the program `certify` when its two
-/// checkers disagree. No file is known for which the true ones do.
+/// checkers disagree, or when it is at fault. No file is known for which the true ones do or it is.
 namespace epsnet::exact {
 
 Result check(std::string_view /*text*/) {
@@ -12,6 +13,8 @@ Result check(std::string_view /*text*/) {
   if (wanted == "VERIFIED") return {Verdict::verified, "", ""};
   if (wanted == "REFUTED") return {Verdict::refuted, "delaunay", "no edge is\nDelaunay"};
   if (wanted == "MALFORMED") return {Verdict::malformed, "", "not JSON"};
+  // Whatever part of the program notices that another part is wrong.
+  if (wanted == "FAULT") throw certify::Fault("made for a test");
   return {Verdict::undecided, "document", "not for this checker: any"};
 }
 

@@ -193,41 +193,40 @@ TEST(LiftedTriangle, MeasuresAreWhatTheyAreDefinedToBe) {
     LiftedTriangle lifted;
     for (std::uint32_t t = 0; t < document.triangles.size(); ++t) {
       lifted.load(document, labels, t, 128);
-      lifted.measure_orientation(128);
       const double orientation = reference.orientation(t);
-      EXPECT_NEAR(middle(lifted.orientation), orientation, 1e-9);
+      EXPECT_NEAR(middle(lifted.measure_orientation(128)), orientation, 1e-9);
       if (std::fabs(orientation) > 1e-9) {
         EXPECT_EQ(exact_orientation(document, reference.evaluator(), t), orientation > 0 ? 1 : -1);
         ++met[orientation > 0 ? "counterclockwise" : "clockwise"];
       }
-      lifted.measure_circumradius(ball.get(), 128);
+      const auto& circumradius = lifted.measure_circumradius(ball.get(), 128);
       // sinh R = 2 sinh(a/2) sinh(b/2) sinh(c/2)/√(…), scaled by the gaps.
       double gaps = 1;
       std::array<double, 3> s{};
       for (std::uint32_t i = 0; i < 3; ++i) {
         s[i] = reference.squared(3 * t + i);
         gaps *= std::pow(1 - std::norm(reference.corner(3 * t + i)), 2);
-        EXPECT_NEAR(middle(lifted.gap[i]), 1 - std::norm(reference.corner(3 * t + i)), 1e-12);
+        EXPECT_NEAR(middle(lifted.gap(i)), 1 - std::norm(reference.corner(3 * t + i)), 1e-12);
       }
       const double numerator = 4 * s[0] * s[1] * s[2] * gaps;
       const double denominator =
           (2 * (s[0] * s[1] + s[1] * s[2] + s[2] * s[0]) - s[0] * s[0] - s[1] * s[1] - s[2] * s[2]) * gaps;
       const double slack = std::pow(std::sinh(epsilon), 2) * denominator - numerator;
-      EXPECT_NEAR(middle(lifted.radius_numerator), numerator, 1e-9 * (1 + numerator));
-      EXPECT_NEAR(middle(lifted.radius_denominator), denominator, 1e-9);
-      EXPECT_NEAR(middle(lifted.radius_slack), slack, 1e-9);
+      EXPECT_NEAR(middle(circumradius.numerator), numerator, 1e-9 * (1 + numerator));
+      EXPECT_NEAR(middle(circumradius.denominator), denominator, 1e-9);
+      EXPECT_NEAR(middle(circumradius.slack), slack, 1e-9);
       ++met[denominator > 0 ? "circle" : "no circle"];
       for (std::uint32_t i = 0; i < 3; ++i) {
         const std::uint32_t dart = 3 * t + i;
-        lifted.measure_edge(half.get(), i, 128);
+        const auto& edge = lifted.measure_edge(half.get(), i, 128);
         const double product =
             (1 - std::norm(reference.corner(dart))) * (1 - std::norm(reference.corner(next_dart(dart))));
-        EXPECT_NEAR(middle(lifted.gap_product), product, 1e-12);
-        EXPECT_NEAR(middle(lifted.length_lack), (std::pow(std::sinh(epsilon / 2), 2) - s[i]) * product, 1e-9);
-        lifted.measure_cross_ratio(document, labels, t, i, 128);
+        EXPECT_NEAR(middle(edge.gap_product), product, 1e-12);
+        EXPECT_NEAR(middle(edge.lack), (std::pow(std::sinh(epsilon / 2), 2) - s[i]) * product, 1e-9);
+        const Ball& ratio = lifted.measure_cross_ratio(document, labels, i, 128);
         const double cross = reference.cross_ratio(dart);
         if (std::fabs(cross) > 1e-6) {
-          EXPECT_EQ(middle(lifted.cross_ratio) > 0, cross > 0) << cross;
+          EXPECT_EQ(middle(ratio) > 0, cross > 0) << cross;
           EXPECT_EQ(exact_cross_ratio_sign(document, reference.evaluator(), dart), cross > 0 ? 1 : -1);
           ++met[cross > 0 ? "not Delaunay" : "Delaunay"];
           const std::uint32_t other = opposite(document, dart);
@@ -635,13 +634,13 @@ TEST(GeometryCheck, EnclosuresHoldWhat256BitsTell) {
     arb_one(one.get());
     for (std::uint32_t t = 0; t < document.triangles.size(); ++t) {
       lifted.load(document, labels, t, 256);
-      lifted.measure_circumradius(one.get(), 256);
+      const auto& circumradius = lifted.measure_circumradius(one.get(), 256);
       Ball square;
-      arb_div(square.get(), lifted.radius_numerator.get(), lifted.radius_denominator.get(), 256);
+      arb_div(square.get(), circumradius.numerator.get(), circumradius.denominator.get(), 256);
       keep(radius, square, 1);
       for (std::uint32_t i = 0; i < 3; ++i) {
-        lifted.measure_edge(one.get(), i, 256);
-        arb_div(square.get(), lifted.squared_difference[i].get(), lifted.gap_product.get(), 256);
+        const Ball& product = lifted.measure_edge(one.get(), i, 256).gap_product;
+        arb_div(square.get(), lifted.squared_difference(i).get(), product.get(), 256);
         keep(longest, square, 1);
         const std::uint32_t dart = 3 * t + i;
         keep(start(document, dart) == start(document, next_dart(dart)) ? loop : edge, square, -1);

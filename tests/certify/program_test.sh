@@ -43,7 +43,7 @@ expect 64 '' --json --print-parsed "$data"/verified/octagon-1-vertex.json
 expect 64 '' "$data"/no-such-file.json
 expect 64 '' "$data"
 expect 64 '' /dev/zero
-expect 64 'or --version' --help
+expect 64 'verdict, please report it' --help
 expect 64 'certify ' --version
 
 good=$data/verified/octagon-1-vertex.json

@@ -81,6 +81,17 @@ expect 0 "second checker: UNDECIDED: document: not for this checker: any
 verified by: certify
 VERIFIED" "$contrary" "$good"
 
+# A fault of the program is no verdict, and has an exit code of its own; the other files are checked.
+EPSNET_SECOND_VERDICT=FAULT
+fault='a fault of this program: made for a test; please report this, with the file, to the authors of epsnet'
+expect 71 "certify: \"$good\": $fault
+ERROR: $fault" "$contrary" "$good"
+expect 71 "\"$good\": ERROR: $fault
+verified: 0 of 2 files
+ERROR: \"$good\": $fault" "$contrary" "$good" "$refuted"
+grep -q VERIFIED "$folder/out" && fail "a fault of the program verifies something"
+"$contrary" --json "$good" 2>/dev/null | grep -q "^{\"verdict\": null, .*\"error\": \"$fault\"}\$" || fail "--json: no fault"
+
 # A large net: the second checker is asked by --exact alone.
 "$epsnet" surface octagon --seed 1 -o "$folder/s.json" >/dev/null
 "$epsnet" net "$folder/s.json" --epsilon 0.027 -o "$folder/large.json" >/dev/null
