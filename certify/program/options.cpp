@@ -59,13 +59,11 @@ std::string unknown_option(const CLI::App& app) {
 }
 
 constexpr const char* kDescription =
-    "Decides whether a net file proves that its vertices are an epsilon-net of its surface, or of the thick part of "
-    "it\n"
-    "(a pseudo net), and its triangles a Delaunay triangulation, a geodesics file that its closed geodesics are "
-    "the\n"
-    "systole, the spectrum up to a length or the thick-thin decomposition, a distance file that its paths are the\n"
-    "shortest between two points, or a cover file that the diameter, the radius or the radius of the largest embedded\n"
-    "disk lies between two bounds: every number is enclosed in balls, every claim is derived again.";
+    "Checks the claim of each file. Every number is enclosed in balls, and nothing is taken from the generator.\n"
+    "A net file claims that its vertices are an epsilon-net of the surface, or of the thick part (a pseudo net), and\n"
+    "that its triangles are a Delaunay triangulation. A geodesics file claims to list the systole, the spectrum up to\n"
+    "a length, or the thick-thin decomposition. A distance file claims to list the shortest paths between two points.\n"
+    "A cover file claims two bounds for the diameter, the radius, or the radius of the largest embedded disk.";
 
 void add_options(CLI::App& app, Request& request) {
   app.add_option("FILE", request.files,
@@ -73,9 +71,9 @@ void add_options(CLI::App& app, Request& request) {
       ->required()
       ->option_text("... REQUIRED");
   app.add_flag("--exact", request.exact,
-               "ask the second checker (certify-exact) about nets of any size; else up to " +
+               "use the second checker (certify-exact) for nets of any size; without this option up to " +
                    std::to_string(kTrianglesCheckedTwice) + " triangles and 4 MB");
-  app.add_flag("--json", request.json, "one JSON object on one line for each file, nothing else");
+  app.add_flag("--json", request.json, "print only one JSON object per file, on one line");
   app.add_option("--threads", request.options.threads, "number of threads, at most 1024; 0 is one per core")
       ->check(integer_between(0, 1024))
       ->option_text("N [0]");
@@ -88,14 +86,13 @@ void add_options(CLI::App& app, Request& request) {
       ->check(integer_between(1, std::numeric_limits<std::uint64_t>::max()))
       ->option_text("N [100000000]");
   app.add_option("--max-work", request.options.max_work,
-                 "units of work before the rest is undecided; 0 is as many as a file of this size may take")
+                 "units of work before the rest is undecided; 0 chooses a limit by the size of the file")
       ->check(integer_between(0, std::numeric_limits<std::uint64_t>::max()))
       ->option_text("N [0]");
   app.add_flag_callback(
       "--no-filter", [&request] { request.options.filter = false; },
-      "ask everything in balls, without the filter in binary64: the same answer, some ten times slower");
-  app.add_flag("--print-parsed", request.print_parsed, "first print the document as it was understood")
-      ->excludes("--json");
+      "use ball arithmetic for everything, without the filter in binary64: the same answer, some ten times slower");
+  app.add_flag("--print-parsed", request.print_parsed, "first print the document as it was read")->excludes("--json");
   app.set_version_flag("--version", "certify " EPSNET_VERSION);
   app.footer(
       "Examples:\n"

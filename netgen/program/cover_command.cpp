@@ -61,7 +61,7 @@ void add_cover_command(CLI::App& app, Job& chosen, const char* name, const char*
   shared->width = width;
   CLI::App* command = app.add_subcommand(name, what);
   add_input(*command, "SURFACE", shared->surface, "a surface file");
-  command->add_option("--width", shared->width, "of the enclosure: a length, at least 1e-12")
+  command->add_option("--width", shared->width, "the width of the enclosure, a length of at least 1e-12")
       ->option_text(std::string("W [") + width + "]");
   add_file(*command, "-o,--output", shared->output, "the cover file to write, for certify; \"-\" is standard output");
   add_json(*command, shared->json);
@@ -114,7 +114,7 @@ void add_eccentricity_command(CLI::App& app, Job& chosen) {
   CLI::App* command = app.add_subcommand(
       "eccentricity", "The greatest distance of a point of the surface from a given one, enclosed and proved.");
   add_input(*command, "SURFACE", shared->surface, "a surface file, or a net file");
-  add_point(*command, "P", shared->p, std::string(kPointHelp) + ". It is strictly inside of its tile");
+  add_point(*command, "P", shared->p, std::string(kPointHelp) + ". It must be strictly inside its tile");
   add_file(*command, "-o,--output", shared->output,
            "the net file with the one vertex P to write, for certify: its largest circumradius is the eccentricity; "
            "\"-\" is standard output");
@@ -131,8 +131,8 @@ void add_diameter_command(CLI::App& app, Job& chosen) {
 void add_radius_command(CLI::App& app, Job& chosen) {
   add_cover_command(
       app, chosen, "radius",
-      "The radius, the least eccentricity of a point: how large a disk covers the surface, enclosed and proved.",
-      &radius, "1e-2");
+      "The radius of the smallest disk that covers the surface (the least eccentricity), enclosed and proved.", &radius,
+      "1e-2");
 }
 
 void add_embedded_disk_command(CLI::App& app, Job& chosen) {

@@ -88,15 +88,16 @@ void add_distance_command(CLI::App& app, Job& chosen) {
   CLI::App* command = app.add_subcommand(
       "distance", "The distance between two points, enclosed and proved, and all shortest geodesics between them.");
   add_input(*command, "SURFACE", request.surface, "a surface file, or a net file");
-  add_point(*command, "P", request.p, std::string(kPointHelp) + ". One of the two is strictly inside of its tile");
-  add_point(*command, "Q", request.q, "another one");
+  add_point(*command, "P", request.p,
+            std::string(kPointHelp) + ". One of the two points must be strictly inside its tile");
+  add_point(*command, "Q", request.q, "the other point");
   add_file(*command, "-o,--output", request.output,
            "the distance file to write, for certify; \"-\" is standard output");
   add_file(*command, "--svg", request.svg,
            "also draw the paths, with the Delaunay triangulation of one of the points; \"-\" is standard output");
   command
       ->add_option("--width", request.width,
-                   "the enclosure is as narrow as binary64 allows; it is an error if it is wider than this")
+                   "the largest width of the enclosure, which is as narrow as binary64 allows; an error if it is wider")
       ->option_text("W [1e-12]");
   add_json(*command, request.json);
   command->footer(

@@ -147,22 +147,21 @@ void add_distances_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<DistancesRequest>();
   DistancesRequest& request = *shared;
   CLI::App* command = app.add_subcommand("distances", "Distances between the vertices of a net, as a table.");
-  add_input(*command, "NET", request.net, "a net file; that its triangles triangulate the surface is proved first");
+  add_input(*command, "NET", request.net, "a net file; first its triangles are proved to triangulate the surface");
   add_file(*command, "-o,--output", request.output,
            "the table to write: .npy, an array of NumPy with a row for each vertex of --from and a column for each of "
            "--to; .csv, lines of two vertices and their distance; \"-\" is standard output, .csv")
       ->required()
       ->option_text("FILE REQUIRED");
   constexpr const char* kVertices = "v0,v5-v9|all [all]";
-  command->add_option("--from", request.from, "the vertices whose distances are asked for")->option_text(kVertices);
-  command->add_option("--to", request.to, "the vertices to which they are")->option_text(kVertices);
-  command->add_flag("--bounds", request.bounds,
-                    "write two numbers that enclose the distance instead of one that is near it");
+  command->add_option("--from", request.from, "the vertices of the rows")->option_text(kVertices);
+  command->add_option("--to", request.to, "the vertices of the columns")->option_text(kVertices);
+  command->add_flag("--bounds", request.bounds, "write two numbers that enclose each distance instead of one near it");
   add_json(*command, request.json);
   add_threads(*command, request.threads);
   command->footer(
-      "The report says how far the numbers may be from the distances, some 1e-13. That bound is proved on paper\n"
-      "(docs/distances.md); a certificate for one pair comes from 'epsnet distance'. It takes one search of the net "
+      "The report gives a bound for the errors of the numbers, some 1e-13. That bound is proved on paper\n"
+      "(docs/distances.md); 'epsnet distance' makes a certificate for one pair. The table takes one search of the net "
       "for\n"
       "each vertex of --from.\n\n"
       "Example:\n"

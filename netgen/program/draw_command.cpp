@@ -101,14 +101,14 @@ void add_draw_command(CLI::App& app, Job& chosen) {
   draw_command->add_flag("--dirichlet", request.dirichlet, "also draw the Dirichlet domain of the centre");
   draw_command
       ->add_option("--colour,--color", request.options.colouring,
-                   "what triangles are filled with: circumradius is pale at epsilon/2 and dark at epsilon; chart is a "
+                   "how triangles are filled: circumradius is pale at epsilon/2 and dark at epsilon; chart is a "
                    "colour for each chart of the file; distance is that from the centre, pale to dark")
       ->transform(one_of<Colouring>({{"none", Colouring::none},
                                      {"circumradius", Colouring::circumradius},
                                      {"chart", Colouring::chart},
                                      {"distance", Colouring::values}}))
       ->option_text("none|circumradius|chart|distance [none]");
-  draw_command->add_flag("--legend", request.options.legend, "say in a corner what the colours mean");
+  draw_command->add_flag("--legend", request.options.legend, "explain the colours in a corner");
   draw_command->add_option("--centre,--center", request.options.centre, "the vertex in the centre")
       ->option_text("V [0]");
   add_geodesics(*draw_command, request.geodesics);

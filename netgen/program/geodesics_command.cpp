@@ -155,7 +155,7 @@ void add_common(CLI::App& command, GeodesicsRequest& request) {
            "the geodesics file to write, for certify; \"-\" is standard output");
   command
       .add_option("--epsilon", request.epsilon,
-                  "of the net from whose vertices the search starts; any gives the same list")
+                  "the epsilon of the net from which the search starts; any value gives the same list")
       ->option_text("E [1]");
   command.add_flag("--no-certify", request.no_certify, "do not check the list: nothing is proved");
   add_json(command, request.json);
@@ -185,7 +185,8 @@ void add_systole_command(CLI::App& app, Job& chosen) {
 void add_spectrum_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<GeodesicsRequest>();
   CLI::App* command = app.add_subcommand(
-      "spectrum", "All primitive closed geodesics up to a length: lengths, words, which are simple; proved to be all.");
+      "spectrum",
+      "All primitive closed geodesics up to a length: lengths, words, which are simple; the list is proved complete.");
   add_common(*command, *shared);
   command
       ->add_option("--up-to", shared->up_to,

@@ -89,7 +89,7 @@ void add_import_net_command(CLI::App& app, Job& chosen) {
   command->footer(
       "Example:\n"
       "  epsnet import-net triangulation.txt --epsilon 0.25 -o net.json\n\n"
-      "The file is written for every verdict, so that certify, draw and view can show what is wrong.\n"
+      "The file is written for every verdict, so that certify, draw and view can show the error.\n"
       "Exit code 0 if and only if the verdict is VERIFIED, 1 if REFUTED, 2 if UNDECIDED.");
   command->callback([&chosen, shared] { chosen = [shared] { import_net(*shared); }; });
 }

@@ -88,15 +88,16 @@ void locate_points(const LocateRequest& request) {
 void add_locate_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<LocateRequest>();
   LocateRequest& request = *shared;
-  CLI::App* command = app.add_subcommand("locate", "In which triangles of a net points of its surface are.");
+  CLI::App* command =
+      app.add_subcommand("locate", "Find the triangles of a net that contain given points of its surface.");
   add_input(*command, "NET", request.net, "a net file");
   command->add_option("P", request.points, kPointHelp)->option_text("T[,X,Y]|vN|tN:A,B,C ...");
   add_file(*command, "--points", request.file,
-           "also the points of this file, one on each line; what follows # is left out; \"-\" is standard input");
+           "also the points of this file, one per line; # begins a comment; \"-\" is standard input");
   add_json(*command, request.json);
   command->footer(
-      "Says of each point: a triangle that contains it, and whether it is on a side or a corner, decided exactly;\n"
-      "its weights on the corners, as tN:A,B,C takes them; the corner that is nearest, rounded; and the lift: the "
+      "For each point: a triangle that contains it, and whether it is on a side or a corner, decided exactly;\n"
+      "its weights on the corners, as tN:A,B,C takes them; the nearest corner, rounded; and the lift: the "
       "sides\n"
       "that a path crosses from the tile of the point to that of the triangle's chart.\n\n"
       "Example:\n"

@@ -76,8 +76,8 @@ int run(int argc, char** argv) {
   Job chosen;
   CLI::App app(
       "Epsilon-nets of closed hyperbolic surfaces, each with a proof.\n"
-      "An epsilon-net: every point of the surface is within epsilon of a vertex, and vertices are at least epsilon "
-      "apart.",
+      "In an epsilon-net every point of the surface is within epsilon of a vertex, and the vertices are at least "
+      "epsilon apart.",
       "epsnet");
   // 0: an unknown command is then named; a missing one is found below.
   app.require_subcommand(0, 1);
@@ -106,8 +106,8 @@ int run(int argc, char** argv) {
       "  epsnet surface octagon --seed 123 -o s.json\n"
       "  epsnet net s.json --epsilon 0.1 -o net.json --svg net.svg\n"
       "  certify net.json\n\n"
-      "Exit codes: 0 fine, 1 the job failed, 2 undecided (import-net), 64 wrong usage (the command line alone is "
-      "wrong),\n70 internal fault. Interrupted, nothing stays behind.");
+      "Exit codes: 0 success, 1 the job failed, 2 undecided (import-net), 64 invalid command line, 70 internal fault.\n"
+      "An interrupted command leaves no files behind.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

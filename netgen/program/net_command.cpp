@@ -304,14 +304,14 @@ void add_net_command(CLI::App& app, Job& chosen) {
       ->option_text("E REQUIRED");
   add_output(*net, request.output, "the net file to write, only if the net is verified");
   add_file(*net, "--svg", request.svg, "also draw the net; \"-\" is standard output");
-  add_file(*net, "--record", request.record, "also write what the thesis measures as a table of one line (CSV)");
+  add_file(*net, "--record", request.record, "also write the measurements of the thesis as a table of one line (CSV)");
   net->add_option(
          "--base", request.base,
-         "start from this point alone: of tile T, strictly inside of it, exact; T alone is the centre of the tile")
+         "start from this point alone: of tile T, strictly inside it, exact; T alone is the centre of the tile")
       ->option_text("T[,X,Y]");
   CLI::Option* points = add_file(*net, "--points", request.points,
                                  "start from the points of this file, after --base if it is given: T,X,Y or T on each "
-                                 "line, exact, strictly inside of their tiles; they are the first vertices. It is an "
+                                 "line, exact, strictly inside their tiles; they are the first vertices. It is an "
                                  "error if two are not farther than epsilon from each other; \"-\" is standard input");
   net->add_flag("--pseudo", request.options.pseudo,
                 "a pseudo net: the collars of closed geodesics no longer than epsilon are left empty; "
@@ -328,17 +328,17 @@ void add_net_command(CLI::App& app, Job& chosen) {
           ->transform(one_of<Insertion>({kInsertionNames.begin(), kInsertionNames.end()}))
           ->option_text("cavity|flips [cavity]");
   CLI::Option* locate = net->add_option("--locate", request.options.walk,
-                                        "the walk with which --insert flips, implied by this, finds triangles")
+                                        "the walk by which --insert flips finds triangles; implies --insert flips")
                             ->transform(one_of<Walk>({kWalkNames.begin(), kWalkNames.end()}))
                             ->option_text("visibility|straight [visibility]");
   net->add_option(
          "--list", request.options.list,
-         "the triangles listed to be looked at, variants A to D of the thesis' Table IV.2: A all, the oldest "
+         "which triangles the refinement lists, variants A to D of the thesis' Table IV.2: A all, the oldest "
          "first; B all, the newest first; C large ones, the oldest first; D large ones, the largest first; all "
-         "by one thread. Without it as C, and nets of 100,000 vertices or more in pieces on all cores")
+         "by one thread. The default is C, for nets of 100,000 vertices or more in pieces on all cores")
       ->transform(one_of<TriangleList>({kTriangleListNames.begin(), kTriangleListNames.end()}))
       ->option_text("A|B|C|D");
-  net->add_flag("--stats", request.stats, "also print what the thesis measures, and times");
+  net->add_flag("--stats", request.stats, "also print the measurements of the thesis, and times");
   add_json(*net, request.json);
   add_threads(*net, request.options.check.threads);
   net->footer(

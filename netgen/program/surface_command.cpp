@@ -167,7 +167,7 @@ void add_surface_command(CLI::App& app, Job& chosen) {
   octagon
       ->add_option("--coordinates", octagon_request->coordinates,
                    "the octagon z0, z1, z2, z3, -z0, -z1, -z2, -z3, counterclockwise, opposite sides glued; exact "
-                   "decimals or fractions. Where it does not close up, the error says for which z3 it does")
+                   "decimals or fractions. If it does not close up, the error names a z3 for which it does")
       ->excludes(seed)
       ->option_text("X0,Y0,...,X3,Y3");
   add_output(*octagon, octagon_request->output, "the surface file to write");
@@ -182,8 +182,8 @@ void add_surface_command(CLI::App& app, Job& chosen) {
   FenchelNielsenCommand& pants = *fenchel_request;
   CLI::App* fenchel = surface->add_subcommand(
       "fenchel-nielsen",
-      "A surface of any genus from its Fenchel-Nielsen coordinates, exact and within 2^-50 of them. What is left out "
-      "is drawn with the seed: lengths between 1 and 4, any twist.");
+      "A surface of any genus from its Fenchel-Nielsen coordinates, exact and within 2^-50 of them. Missing values "
+      "are drawn with the seed: lengths between 1 and 4, any twist.");
   fenchel->add_option("--genus", pants.request.genus, "2 or more; not needed with a list of edges")->option_text("G");
   fenchel->add_option("--seed", pants.request.seed, "0 to 2^64 - 1; the same seed gives the same surface")
       ->check(CLI::NonNegativeNumber.description(""))
@@ -193,15 +193,18 @@ void add_surface_command(CLI::App& app, Job& chosen) {
                    "a trivalent graph: its edges as in \"0-1 0-1 0-1\", a node for each pair of pants, or one of the "
                    "named ones")
       ->option_text("chain|ring|tree|random|EDGES [random]");
-  fenchel->add_option("--lengths", pants.request.lengths, "of the cuffs, in the order of the edges, or one for all")
+  fenchel
+      ->add_option("--lengths", pants.request.lengths,
+                   "the lengths of the cuffs, in the order of the edges, or one for all")
       ->delimiter(',')
       ->option_text("L,L,...");
   fenchel
-      ->add_option("--twists", pants.request.twists, "as hyperbolic lengths, or one for all; a full turn is the length")
+      ->add_option("--twists", pants.request.twists,
+                   "the twists as hyperbolic lengths, or one for all; a full turn is the length of the cuff")
       ->delimiter(',')
       ->option_text("T,T,...");
   add_file(*fenchel, "--from", pants.file,
-           "a JSON object with members graph, genus, seed, lengths, twists; options given here come first; \"-\" is "
+           "a JSON object with members graph, genus, seed, lengths, twists; options take precedence over it; \"-\" is "
            "standard input");
   add_output(*fenchel, pants.output, "the surface file to write");
   add_json(*fenchel, pants.json);
@@ -209,14 +212,15 @@ void add_surface_command(CLI::App& app, Job& chosen) {
       "Example:\n"
       "  epsnet surface fenchel-nielsen --genus 7 --seed 3 -o s.json\n"
       "  epsnet surface fenchel-nielsen --pants-graph \"0-0 0-1 1-1\" --lengths 1,1e-8,2 --twists 0,0.5,1 -o s.json\n\n"
-      "Twist 0: on each cuff of a pair of pants a mark, the foot of the common perpendicular with its next cuff; the\n"
-      "two marks meet. docs/fenchel-nielsen.md has the conventions.");
+      "The foot of the common perpendicular with the next cuff is a mark on each cuff of a pair of pants. With twist "
+      "0\n"
+      "the two marks meet. docs/fenchel-nielsen.md has the conventions.");
   fenchel->callback(
       [&chosen, fenchel_request] { chosen = [fenchel_request] { make_fenchel_nielsen(*fenchel_request); }; });
 
   const auto regular_request = std::make_shared<SurfaceRequest>();
   CLI::App* regular = surface->add_subcommand(
-      "regular", "The regular 4g-gon with opposite sides glued, itself and not a rational neighbour: Bolza for g = 2.");
+      "regular", "The regular 4g-gon with opposite sides glued, exactly, without rational rounding: Bolza for g = 2.");
   regular->add_option("--genus", regular_request->genus, "2 to 1000")
       ->required()
       ->check(integer_between(2, 1000))
@@ -232,7 +236,8 @@ void add_surface_command(CLI::App& app, Job& chosen) {
       "A surface of any genus from a text of CGAL, checked exactly: a polygon with rational vertices (domain) or "
       "triangles with rational cross-ratios, with an anchor, none, or one for each (triangulation).");
   add_input(*import_command, "FILE", import_request->file, "the text (docs/exchange-formats.md)");
-  import_command->add_option("--format", import_request->format, "what FILE is; auto tells by its first words")
+  import_command
+      ->add_option("--format", import_request->format, "the format of FILE; auto detects it from the first words")
       ->transform(one_of<ExchangeFormat>({{"auto", ExchangeFormat::automatic},
                                           {"domain", ExchangeFormat::domain},
                                           {"triangulation", ExchangeFormat::triangulation}}))

@@ -123,7 +123,7 @@ void add_view_command(CLI::App& app, Job& chosen) {
   add_threads(*command, request.check.threads);
   command->footer(
       "Example:\n  epsnet view net.json -o view.html\n\n"
-      "A net that is not verified is shown all the same, with what is wrong.");
+      "A net that is not verified is shown as well, with the reason.");
   command->callback([&chosen, shared] { chosen = [shared] { view(*shared); }; });
 }
 
