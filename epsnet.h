@@ -10,6 +10,7 @@
 #include "certify/distances/cover_check.h"
 #include "certify/distances/distance_check.h"
 #include "certify/document/cover_document.h"
+#include "certify/document/decimals.h"
 #include "certify/document/distance_document.h"
 #include "certify/document/document.h"
 #include "certify/document/geodesics_document.h"

@@ -14,14 +14,6 @@
 namespace epsnet::certify {
 namespace {
 
-/// 4π(g − 1).
-Interval area_of(std::uint64_t genus) {
-  Ball area;
-  arb_const_pi(area.get(), 128);
-  arb_mul_ui(area.get(), area.get(), 4 * (genus - 1), 128);
-  return outer_interval(area.get());
-}
-
 /// The rules in their order, each with what the rules before it made. Each says whether the next one can be asked.
 class NetRules {
  public:
@@ -104,6 +96,13 @@ class NetRules {
 };
 
 }  // namespace
+
+Interval area_of(std::uint64_t genus) {
+  Ball area;
+  arb_const_pi(area.get(), 128);
+  arb_mul_ui(area.get(), area.get(), 4 * (genus - 1), 128);
+  return outer_interval(area.get());
+}
 
 Crossings ask_net_rules(const NetDocument& document, Verification& run) { return NetRules(document, run).ask(); }
 

@@ -1,8 +1,12 @@
 #pragma once
 
 #include "certify/check/verification.h"
+#include "certify/document/interval.h"
 
 namespace epsnet::certify {
+
+/// The area 4π(g − 1) of a closed hyperbolic surface of genus g ≥ 2, enclosed.
+[[nodiscard]] Interval area_of(std::uint64_t genus);
 
 /// Asks and reports the rules of a net (rules_of in check.h) one after the other, as far as each can be asked, and
 /// counts what there is. Needs a document without structure problem.

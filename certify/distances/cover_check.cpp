@@ -12,8 +12,8 @@
 #include "certify/distances/cover_triangles.h"
 #include "certify/document/cover_structure.h"
 #include "certify/document/darts.h"
+#include "certify/document/decimals.h"
 #include "certify/document/least_bytes.h"
-#include "certify/document/text.h"
 #include "certify/geodesics/lorentz.h"
 #include "certify/label_evaluator.h"
 #include "certify/lifted_triangle.h"
@@ -142,7 +142,8 @@ class CoverCheck {
     // The function is never equal to the bound: sinh² of the bound, a binary64, is not algebraic.
     const Tri holds = lower ? !less : less;
     const char* const rule = lower ? "lower" : "upper";
-    const std::string expected = (lower ? "at least " : "at most ") + shortest(bound);
+    // Inward: who misses the bound misses the decimal.
+    const std::string expected = lower ? "at least " + decimal_above(bound) : "at most " + decimal_below(bound);
     const std::string text = text_at_vertex();
     if (holds == Tri::yes) return {rule, Verdict::verified, text};
     if (holds == Tri::no) return {rule, Verdict::refuted, text + ", expected " + expected};
@@ -322,18 +323,24 @@ class CoverCheck {
     });
     std::size_t cells = 0;
     for (const Outcome& outcome : outcomes) cells += outcome.cells;
-    const std::string bound =
-        shortest(document_.claim == Claim::radius ? document_.value.lower : document_.value.upper);
     for (const Tri wanted : {Tri::no, Tri::unknown}) {
       for (std::size_t t = 0; t < outcomes.size(); ++t) {
         if (outcomes[t].within != wanted) continue;
         const std::string place = "cell " + std::to_string(outcomes[t].cell) + " of triangle " + std::to_string(t);
-        if (wanted == Tri::no) return {"cells", Verdict::refuted, place + " is not bounded by " + bound};
+        if (wanted == Tri::no) return {"cells", Verdict::refuted, place + " is not bounded by " + bound(false)};
         return {"cells", Verdict::undecided,
-                place + ": not decided whether it is bounded by " + bound + ", with " + bits()};
+                place + ": not decided whether it is bounded by " + bound(false) + ", with " + bits()};
       }
     }
-    return {"cells", Verdict::verified, std::to_string(cells) + " cells are bounded by " + bound};
+    return {"cells", Verdict::verified, std::to_string(cells) + " cells are bounded by " + bound(true)};
+  }
+
+  /// The end of the value that bounds the cells: outward, so that what holds for it holds for the decimal; or inward,
+  /// so that what fails for it fails for the decimal.
+  [[nodiscard]] std::string bound(bool outward) const {
+    const bool is_lower = document_.claim == Claim::radius;
+    const double end = is_lower ? document_.value.lower : document_.value.upper;
+    return is_lower == outward ? decimal_below(end) : decimal_above(end);
   }
 
   [[nodiscard]] const Map& map_at(std::uint32_t number) const {

@@ -8,6 +8,7 @@
 
 #include "certify/check/verification.h"
 #include "certify/document/darts.h"
+#include "certify/document/decimals.h"
 #include "certify/document/distance_structure.h"
 #include "certify/document/least_bytes.h"
 #include "certify/document/text.h"
@@ -370,7 +371,7 @@ class DistanceCheck {
       reports_[kNearest].text = *undecided;
     } else {
       report(kNearest, Verdict::verified,
-             "no path of length at most " + shortest(document_.distance.upper) + " is missing");
+             "no path of length at most " + decimal_below(document_.distance.upper) + " is missing");
     }
   }
 
@@ -414,8 +415,9 @@ std::string text_of(const DistanceDocument& document) {
   return "the distance of " + vertex_name(document.net) + " from " + point_name(document.point.tile, document.point.z) +
          " lies in " + to_string(document.distance) + ", and " +
          (document.paths.size() == 1 ? "the path listed is the only shortest one"
-          : document.equal           ? "the " + count + " paths listed are all the shortest ones"
-                                     : "the " + count + " paths listed are all that are not longer than that");
+          : document.equal
+              ? "the " + count + " paths listed are all the shortest ones"
+              : "the " + count + " paths listed are all of length at most " + decimal_below(document.distance.upper));
 }
 
 NetClaim claim_of(const DistanceDocument& document) {

@@ -1,11 +1,11 @@
 #include "certify/document/interval.h"
 
-#include "certify/document/text.h"
+#include "certify/document/decimals.h"
 
 namespace epsnet::certify {
 
 std::string to_string(Interval x) {
-  return std::string("[").append(shortest(x.lower)).append(", ").append(shortest(x.upper)).append("]");
+  return std::string("[").append(decimal_below(x.lower)).append(", ").append(decimal_above(x.upper)).append("]");
 }
 
 }  // namespace epsnet::certify

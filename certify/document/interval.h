@@ -11,7 +11,7 @@ struct Interval {
   bool operator==(const Interval&) const = default;
 };
 
-/// Returns "[lower, upper]", each end as the shortest decimal that reads back as the same binary64.
+/// Returns "[lower, upper]": decimals that enclose the interval and read back as its ends (decimals.h).
 [[nodiscard]] std::string to_string(Interval x);
 
 }  // namespace epsnet::certify

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "certify/document/decimals.h"
 #include "certify/document/text.h"
 
 namespace epsnet::certify::program {
@@ -90,9 +91,6 @@ std::string json_string(std::string_view text) {
   return result + '"';
 }
 
-/// JSON has no infinity: an unbounded end is null.
-std::string json_number(double x) { return std::isfinite(x) ? shortest(x) : "null"; }
-
 /// A list of members without its braces.
 class Members {
  public:
@@ -112,7 +110,12 @@ std::string json_array(const Range& range, const Text& text) {
   return "[" + result + "]";
 }
 
-std::string json(Interval x) { return "[" + json_number(x.lower) + ", " + json_number(x.upper) + "]"; }
+/// JSON has no infinity: an unbounded end is null.
+std::string json(Interval x) {
+  const std::string lower = std::isfinite(x.lower) ? decimal_below(x.lower) : "null";
+  const std::string upper = std::isfinite(x.upper) ? decimal_above(x.upper) : "null";
+  return "[" + lower + ", " + upper + "]";
+}
 
 std::string json(const RuleReport& rule) {
   Members members;

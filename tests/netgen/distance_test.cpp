@@ -1,6 +1,7 @@
 #include "netgen/distances/distance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,8 +10,11 @@
 #include <tuple>
 #include <vector>
 
+#include "certify/check.h"
 #include "certify/distances/distance_check.h"
+#include "certify/document/text.h"
 #include "kernel/plane.h"
+#include "netgen/base/gmp.h"
 #include "netgen/lifts/layout.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/draw.h"
@@ -316,6 +320,72 @@ RC_GTEST_PROP(DistanceProperty, IsTheLeastThatWordsGive, ()) {
   const BasePoint q = any_place(surface);
   const double least = least_by_words(surface, p, q, 4);
   RC_ASSERT(std::abs(least - distance_of(surface, p, q).lower) <= 1e-9);
+}
+
+// ---- What is printed ----
+
+/// The decimals of the first "[lower, upper]" after `start` in a text, exactly.
+std::pair<mpq_class, mpq_class> ends_after(const std::string& text, const std::string& start) {
+  const std::size_t from = text.find("[", text.find(start)) + 1;
+  const std::size_t comma = text.find(", ", from);
+  const std::size_t to = text.find("]", comma);
+  return {certify::parse_decimal(text.substr(from, comma - from)).value(),
+          certify::parse_decimal(text.substr(comma + 2, to - comma - 2)).value()};
+}
+
+/// Whether a number of 300 digits is in an interval that was printed.
+bool is_between(const Mp1024& x, const std::pair<mpq_class, mpq_class>& ends) {
+  const auto number = [](const mpq_class& q) { return Mp1024(from_gmp(q)); };
+  return number(ends.first) <= x && x <= number(ends.second);
+}
+
+/// The circumradius of a triangle of a document, of its definition, with 300 digits.
+Mp1024 circumradius(const Surface& surface, const certify::NetDocument& net, std::size_t t) {
+  const certify::NetDocument::Triangle& triangle = net.triangles[t];
+  std::array<Complex<Mp1024>, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const certify::NetDocument::Vertex& v = net.vertices[triangle.vertex[i]];
+    const certify::RationalPoint& c = net.charts[v.chart].centre;
+    const Complex<Mp1024> centre{Mp1024(from_gmp(c.x)), Mp1024(from_gmp(c.y))};
+    corners[i] = Isometry<Mp1024>::translation(centre)(Complex<Mp1024>{Mp1024(v.x), Mp1024(v.y)});
+    if (i == 0 || triangle.label[i - 1] == 0) continue;
+    for (const std::uint32_t side : net.labels[triangle.label[i - 1] - 1].word)
+      corners[i] = surface.crossing_as<Mp1024>(side)(corners[i]);
+  }
+  const auto sinh2 = sinh2_circumradius(corners[0], corners[1], corners[2]);
+  return asinh(sqrt(Mp1024(sinh2.numerator / sinh2.denominator)));
+}
+
+RC_GTEST_PROP(PrintedProperty, ContainsTheDistanceAndTheCircumradius, ()) {
+  const Surface surface = random_octagon(any_index(1000));
+  const BasePoint p = any_place(surface);
+  const BasePoint q = any_place(surface);
+  const DistanceDocument document = distance(surface, p, q);
+  const certify::Certificate certificate = certify::check_distance(document, {.threads = 1});
+  RC_ASSERT(certificate.verdict == certify::Verdict::verified);
+  Complex<Mp1024> z = convert<Mp1024>(p.z);
+  for (const std::uint32_t side : document.paths.front()) z = surface.crossing_as<Mp1024>(side)(z);
+  RC_ASSERT(is_between(distance(z, convert<Mp1024>(q.z)), ends_after(certificate.claim, "lies in ")));
+  Mp1024 largest = 0;
+  for (std::size_t t = 0; t < document.net.triangles.size(); ++t)
+    largest = std::max(largest, circumradius(surface, document.net, t));
+  const auto& rules = certificate.rules;
+  const auto covering = std::find_if(rules.begin(), rules.end(), [](const auto& r) { return r.rule == "covering"; });
+  RC_ASSERT(is_between(largest, ends_after(to_string(*covering), "the largest lies in ")));
+}
+
+RC_GTEST_PROP(PrintedProperty, ContainsEpsilon, ()) {
+  static const certify::NetDocument net =
+      distance(random_octagon(1), {0, {0, 0}}, {0, {Rational(1, 10), Rational(0)}}).net;
+  certify::NetDocument document = net;
+  document.epsilon = *rc::gen::element(std::string("1"), std::string("2"), std::string("37")) + "." +
+                     std::to_string(*rc::gen::inRange<std::uint64_t>(1'000'000'000'000'000, 9'999'999'999'999'999));
+  const certify::Certificate certificate = certify::check(document, {.threads = 1});
+  RC_ASSERT(certificate.enclosures.has_value());
+  const auto [lower, upper] = ends_after(to_string(certificate.enclosures->epsilon), "");
+  const mpq_class epsilon = certify::parse_decimal(document.epsilon).value();
+  RC_ASSERT(lower <= epsilon);
+  RC_ASSERT(epsilon <= upper);
 }
 
 }  // namespace
