@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "certify/check.h"
-#include "certify/document/text.h"
+#include "certify/document/decimals.h"
 #include "certify/geodesics/geodesics_check.h"
 #include "certify/numbers/parallel.h"
 #include "experiments/record_file.h"
@@ -84,7 +84,7 @@ std::string systole_record(const std::string& name, const Surface& surface) {
   const certify::GeodesicsDocument::ClosedGeodesic& geodesic = document.geodesics.front();
   std::ostringstream record;
   record << name << ',' << certify::name(certificate.verdict) << ',' << surface.genus() << ','
-         << certify::shortest(geodesic.length.lower) << ',' << certify::shortest(geodesic.length.upper) << ','
+         << certify::decimal_below(geodesic.length.lower) << ',' << certify::decimal_above(geodesic.length.upper) << ','
          << (geodesic.simple ? "yes" : "no") << ',' << computed - start << ',' << processor_seconds() - computed;
   return record.str();
 }

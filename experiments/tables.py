@@ -1,7 +1,7 @@
 """The tables of docs/experiments.md: our numbers beside the thesis' (chapter IV.6)."""
 
 import math
-from decimal import ROUND_FLOOR, Decimal
+from decimal import ROUND_CEILING, ROUND_FLOOR, Decimal, localcontext
 from statistics import fmean, median, pstdev
 
 import distances as measured
@@ -94,6 +94,23 @@ def integer(x: float | None) -> str | None:
 
 def decimal(x: float | None, digits: int) -> str | None:
     return None if x is None else f"{x:.{digits}f}"
+
+
+def rounded_down(x: float, digits: int) -> str:
+    """With so many decimal places; x is a lower bound, and what is printed is one."""
+    return str(Decimal(x).quantize(Decimal(1).scaleb(-digits), ROUND_FLOOR))
+
+
+def exact(epsilon: float) -> Decimal:
+    """The decimal that was asked for."""
+    return Decimal(str(epsilon))
+
+
+def one_digit_after_point(x: Decimal, rounding: str) -> str:
+    """As 1.2e-13, rounded in that direction."""
+    with localcontext() as context:
+        context.rounding = rounding
+        return f"{x:.1e}"
 
 
 def difference(ours: float, thesis: float | None) -> str | None:
@@ -195,14 +212,15 @@ def genus_3(records: list[dict]) -> str:
 
 def higher_genus(records: list[dict]) -> str:
     rows = [[r["genus"], f"{r['epsilon']:.2f}", integer(r["vertices"]), f"{100 * r['vertices'] / most(r):.1f}%",
-             f"{r['epsilon'] - r['largest_circumradius_upper']:.1e}", f"{r['shortest_edge_lower'] - r['epsilon']:.1e}", decimal(1e3 * r["net_seconds"], 1),
+             one_digit_after_point(exact(r['epsilon']) - Decimal(r['largest_circumradius_upper']), ROUND_FLOOR),
+             one_digit_after_point(Decimal(r['shortest_edge_lower']) - exact(r['epsilon']), ROUND_FLOOR), decimal(1e3 * r["net_seconds"], 1),
              decimal(1e3 * r["certificate_seconds"], 1)] for r in records]
     return table(["genus", "ε", "points", "of the upper bound", "ε − largest circumradius", "shortest edge − ε", "net: ms",
                   "certificate: ms"], rows)
 
 
 def systoles(records: list[dict]) -> str:
-    cells = [f"{r['surface'].split('-')[1].lstrip('0')}: {r['systole_lower']:.6f}" for r in records]
+    cells = [f"{r['surface'].split('-')[1].lstrip('0')}: {rounded_down(r['systole_lower'], 6)}" for r in records]
     columns = 6
     height = -(-len(cells) // columns)
     return table(["seed: systole"] * columns,
@@ -230,7 +248,7 @@ def distances(records: list[dict]) -> str:
         digits = 3 if quantity == "radius" else 4
         rows.append([name, len(found), *(f"{values[i]:.{digits}f} ({seed(found[i])})" for i in (0, -1)),
                      *(decimal(f(values), digits) for f in (fmean, median, pstdev)),
-                     f"{max(r[f'{quantity}_upper'] - r[f'{quantity}_lower'] for r in found):.1e}", *cost])
+                     one_digit_after_point(max(Decimal(r[f"{quantity}_upper"]) - Decimal(r[f"{quantity}_lower"]) for r in found), ROUND_CEILING), *cost])
     return table(["", "surfaces", "least (seed)", "greatest (seed)", "mean", "median", "σ", "widest enclosure", "seconds: mean",
                   "most"], rows)
 
@@ -253,7 +271,7 @@ def octagons(records: list[dict]) -> str:
     """The lower ends of all enclosures, rounded down."""
     def lower(record, quantity, digits):
         value = record[f"{quantity}_lower"]
-        return "?" if value is None else str(Decimal(value).quantize(Decimal(1).scaleb(-digits), ROUND_FLOOR))
+        return "?" if value is None else rounded_down(value, digits)
 
     cells = [[seed(r), lower(r, "systole", 6), lower(r, "disk", 6), lower(r, "radius", 3), lower(r, "diameter", 6)] for r in records]
     height = -(-len(cells) // 2)

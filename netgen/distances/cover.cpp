@@ -7,8 +7,8 @@
 #include <limits>
 #include <map>
 #include <queue>
-#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -71,12 +71,11 @@ class CoverSearch {
     constexpr double kLeastRadius = 1e-3;
     while (upper() - lower() > width_ || (claim_ == Claim::radius && upper() > -kLeastRadius)) {
       if (cells_.size() >= options_.most_cells) {
-        std::ostringstream message;
-        message.precision(17);
         const bool negated = claim_ == Claim::radius;  // It is the least eccentricity, the maximum of the negative.
-        message << "not enclosed to the width wanted with " << options_.most_cells << " cells, only by ["
-                << (negated ? -upper() : lower()) << ", " << (negated ? -lower() : upper()) << "]";
-        throw NetError(message.str());
+        const certify::Interval found =
+            negated ? certify::Interval{-upper(), -lower()} : certify::Interval{lower(), upper()};
+        throw NetError("not enclosed to the width wanted with " + std::to_string(options_.most_cells) +
+                       " cells, only by " + to_string(found));
       }
       const std::uint32_t top = queue_.top().second;
       queue_.pop();

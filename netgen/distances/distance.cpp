@@ -5,11 +5,12 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "certify/document/darts.h"
+#include "certify/document/decimals.h"
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
@@ -235,10 +236,8 @@ certify::DistanceDocument distance(const Surface& surface, const BasePoint& p, c
   result.equal = paths.back().length - paths.front().length <= ldexp(Mp1024(1), -kEqualBits);
   for (LiftsOfPoint::Path& path : paths) result.paths.push_back(std::move(path.word));
   if (result.distance.upper - result.distance.lower > options.width) {
-    std::ostringstream message;
-    message << "binary64 encloses the distance in " << to_string(result.distance) << ", which is wider than "
-            << options.width;
-    throw NetError(message.str());
+    throw NetError("binary64 encloses the distance in " + to_string(result.distance) + ", which is wider than " +
+                   certify::decimal_below(options.width));
   }
   return result;
 }

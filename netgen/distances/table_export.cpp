@@ -2,6 +2,7 @@
 #include <ostream>
 #include <string>
 
+#include "certify/document/decimals.h"
 #include "certify/document/text.h"
 #include "netgen/distances/vertex_distances.h"
 
@@ -48,7 +49,8 @@ void write_csv(const DistanceTable& table, TableEntries entries, std::ostream& o
     for (std::size_t k = 0; k < table.to.size(); ++k) {
       out << table.from[i] << ',' << table.to[k] << ',';
       if (bounds) {
-        out << certify::shortest(table.enclosure(i, k).lower) << ',' << certify::shortest(table.enclosure(i, k).upper);
+        out << certify::decimal_below(table.enclosure(i, k).lower) << ','
+            << certify::decimal_above(table.enclosure(i, k).upper);
       } else {
         out << certify::shortest(table.distance(i, k));
       }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
 
@@ -16,8 +15,6 @@
 
 namespace epsnet {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Facts as they are gathered: a line, six significant digits, "%g", the stream's default; and a member of the object.
 class Gathered {
@@ -32,7 +29,7 @@ class Gathered {
   void line(const char* name, const T& value) {
     text << name << ": " << value << '\n';
   }
-  [[nodiscard]] Facts facts() const { return {text.str(), json.dump(-1, ' ', false, Json::error_handler_t::replace)}; }
+  [[nodiscard]] Facts facts() const { return {text.str(), json}; }
 
   std::ostringstream text;
   Json json = Json::object();
@@ -134,9 +131,9 @@ void add_bounds(Gathered& out, std::size_t vertices, std::uint32_t genus, double
   const double least = least_vertices(genus, epsilon);
   const double most = most_vertices(genus, epsilon);
   const auto count = static_cast<double>(vertices);
-  out.text << "lower bound (g-1)/sinh^2(epsilon/2): " << least << " vertices, here " << count / least
+  out.text << "lower bound (g-1)/sinh^2(epsilon/2): about " << least << " vertices, here " << count / least
            << " times that\n";
-  out.text << "upper bound 16(g-1)/epsilon^2, if the systole is at least epsilon: " << most << " vertices, here "
+  out.text << "upper bound 16(g-1)/epsilon^2, if the systole is at least epsilon: about " << most << " vertices, here "
            << count / most << " times that\n";
   out.json["vertices_lower_bound"] = least;
   out.json["vertices_upper_bound"] = most;
@@ -145,8 +142,8 @@ void add_bounds(Gathered& out, std::size_t vertices, std::uint32_t genus, double
 void add_systole(Gathered& out, const Summary& loops, double epsilon) {
   const double shortest = loops.count() > 0 ? loops.least() : std::numeric_limits<double>::infinity();
   const double bound = systole_lower_bound(epsilon, shortest);
-  out.text << "systole, if this net is verified (run certify): at least " << bound;
-  if (loops.count() > 0) out.text << ", at most " << loops.least() << " (the shortest loop)";
+  out.text << "systole, if this net is verified (run certify): at least about " << bound;
+  if (loops.count() > 0) out.text << ", at most about " << loops.least() << " (the shortest loop)";
   out.text << '\n';
   out.json["systole_if_verified"] =
       Json::object({{"at_least", bound}, {"at_most", loops.count() > 0 ? Json(loops.least()) : Json(nullptr)}});
@@ -157,10 +154,11 @@ void add_collars(Gathered& out, const std::vector<certify::NetDocument::Collar>&
   out.line("pseudo net, collars", collars.size());
   Json& list = out.json["collars"] = Json::array();
   for (const certify::NetDocument::Collar& collar : collars) {
-    out.text << "collar at vertices " << collar.vertices[0] << ", " << collar.vertices[1] << ": core of length "
-             << collar.length[0] << ", " << collar.core.size() << " letters\n";
+    const certify::Interval length{collar.length[0], collar.length[1]};
+    out.text << "collar at vertices " << collar.vertices[0] << ", " << collar.vertices[1] << ": core of length in "
+             << to_string(length) << ", " << collar.core.size() << " letters\n";
     list.push_back(
-        Json::object({{"vertices", collar.vertices}, {"core_length", collar.length}, {"core", collar.core}}));
+        Json::object({{"vertices", collar.vertices}, {"core_length", interval_json(length)}, {"core", collar.core}}));
   }
 }
 
@@ -227,7 +225,8 @@ Facts net_info(const certify::NetDocument& net) {
   Gathered out;
   out.line("file", "net (not verified here: run certify)");
   out.json["file"] = net.collars ? "pseudo net" : "net";
-  out.add("epsilon", "epsilon", geometry.epsilon_text());
+  out.line("epsilon", geometry.epsilon_text());
+  out.json["epsilon"] = net.epsilon;
   out.add("genus", "genus", geometry.genus());
   out.add("area 4 pi (g-1)", "area", area(geometry.genus()));
   out.add("tiles", "tiles", geometry.sides().first.size());

@@ -4,16 +4,18 @@
 #include <string>
 
 #include "certify/document/document.h"
+#include "netgen/base/json_text.h"
 #include "netgen/nets/dirichlet_polygon.h"
 #include "triangulation/surface.h"
 
-/// What is in a file, for people and for programs. Numbers are computed in floating point: nothing here is proved.
+/// What is in a file, for people and for programs. Nothing here is proved: numbers are computed in floating point and
+/// rounded to nearest, and are no bounds. Intervals that a file claims are printed outward.
 namespace epsnet {
 
 /// The same facts twice.
 struct Facts {
   std::string text;  ///< "name: value" lines, six digits.
-  std::string json;  ///< One JSON object without line ends, digits that round-trip (docs/exchange-formats.md).
+  Json json;         ///< An object, digits that round-trip (docs/exchange-formats.md).
 };
 
 /// About a surface: genus, tiles, sides, vertices, the size of the coordinates, area, perimeter. `kind` says what file

@@ -210,7 +210,7 @@ double NetGeometry::edge_length(std::uint32_t dart) const {
 
 std::string NetGeometry::epsilon_text() const {
   constexpr std::size_t kShort = 40;
-  return document_->epsilon.size() <= kShort ? document_->epsilon : certify::shortest(epsilon_.get_d());
+  return document_->epsilon.size() <= kShort ? document_->epsilon : "about " + certify::shortest(epsilon_.get_d());
 }
 
 }  // namespace epsnet

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "kernel/numbers.h"
 
 namespace epsnet {
 
@@ -16,12 +17,12 @@ double most_vertices(std::uint32_t genus, double epsilon) {
 }
 
 double systole_lower_bound(double epsilon, double shortest_loop) {
-  // Ratios, as sinh and cosh of a large ε overflow: sinh(ε/2)/cosh ε < 1.
-  const double at_thin_loops = std::numbers::sqrt2 * std::sinh(epsilon / 2);
-  const double at_loops =
-      std::isinf(shortest_loop) ? at_thin_loops : std::min(at_thin_loops, std::sinh(shortest_loop / 2));
-  const double bound = 2 * std::asinh(at_loops / std::cosh(epsilon));
-  return std::isfinite(bound) ? bound : 0;
+  // sinh and cosh of a large ε do not overflow in these numbers, nor do they lose what binary64 holds.
+  const Mp256 at_thin_loops = sqrt(Mp256(2)) * sinh(Mp256(epsilon) / 2);
+  const Mp256 at_loops =
+      std::isinf(shortest_loop) ? at_thin_loops : std::min(at_thin_loops, Mp256(sinh(Mp256(shortest_loop) / 2)));
+  const auto bound = static_cast<double>(2 * asinh(Mp256(at_loops / cosh(Mp256(epsilon)))));
+  return std::isfinite(bound) ? std::nextafter(bound, 0.0) : 0;
 }
 
 }  // namespace epsnet

@@ -12,8 +12,8 @@ namespace epsnet {
 /// III.1).
 [[nodiscard]] double most_vertices(std::uint32_t genus, double epsilon);
 
-/// A lower bound of the systole of a surface on which an ε-net is known whose Delaunay triangulation has no loop edge
-/// shorter than `shortest_loop` (infinity if it has none at all).
+/// A lower bound, rounded down, of the systole of a surface on which an ε-net is known whose Delaunay triangulation has
+/// no loop edge shorter than `shortest_loop` (infinity if it has none at all).
 ///
 /// A geodesic loop at a vertex p that is shorter than l_ε, sinh(l_ε/2) = √2 sinh(ε/2), makes p's shortest loop an edge
 /// (thesis Lemma III.8). So all loops at vertices have length at least m = min(l_ε, shortest_loop). A closed geodesic

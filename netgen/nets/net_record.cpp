@@ -1,5 +1,6 @@
 #include "netgen/nets/net_record.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <limits>
@@ -8,13 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "certify/document/text.h"
+#include "certify/document/decimals.h"
 #include "netgen/nets/bounds.h"
 
 namespace epsnet {
 namespace {
 
-std::string text(double x) { return certify::shortest(x); }
 std::string text(std::uint64_t n) { return std::to_string(n); }
 
 /// Microseconds are all that a clock tells.
@@ -40,6 +40,9 @@ Columns columns(const std::string& surface, const UncertifiedNet& net, const cer
   const auto& edge = enclosures.shortest_edge;
   const auto& loop = enclosures.shortest_loop;
   const double loop_or_infinity = loop ? loop->lower : std::numeric_limits<double>::infinity();
+  // As a function of epsilon the bound increases and then decreases: on an interval it is least at an end.
+  const double systole = std::min(systole_lower_bound(enclosures.epsilon.lower, loop_or_infinity),
+                                  systole_lower_bound(enclosures.epsilon.upper, loop_or_infinity));
   return {{"surface", quoted(surface)},
           {"epsilon", net.net.epsilon},
           {"insertion", std::string(name(options.insertion))},
@@ -57,11 +60,11 @@ Columns columns(const std::string& surface, const UncertifiedNet& net, const cer
           {"walk_steps", text(s.walk_steps)},
           {"longest_walk", text(s.longest_walk)},
           {"multiprecision", text(s.multiprecision)},
-          {"largest_circumradius_upper", text(enclosures.largest_circumradius.upper)},
-          {"shortest_edge_lower", edge ? text(edge->lower) : ""},
-          {"shortest_loop_lower", loop ? text(loop->lower) : ""},
-          {"shortest_loop_upper", loop ? text(loop->upper) : ""},
-          {"systole_lower", text(systole_lower_bound(enclosures.epsilon.lower, loop_or_infinity))},
+          {"largest_circumradius_upper", certify::decimal_above(enclosures.largest_circumradius.upper)},
+          {"shortest_edge_lower", edge ? certify::decimal_below(edge->lower) : ""},
+          {"shortest_loop_lower", loop ? certify::decimal_below(loop->lower) : ""},
+          {"shortest_loop_upper", loop ? certify::decimal_above(loop->upper) : ""},
+          {"systole_lower", certify::decimal_below(systole)},
           {"net_seconds", seconds_text(seconds.net)},
           {"certificate_seconds", seconds_text(seconds.certificate)}};
 }

@@ -1,16 +1,17 @@
 #include "netgen/pictures/viewer.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <charconv>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <string_view>
 #include <utility>
 
 #include "certify/document/darts.h"
+#include "certify/document/decimals.h"
 #include "certify/document/text.h"
+#include "kernel/numbers.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/pictures/palette.h"
 #include "netgen/pictures/viewer_page.h"
@@ -135,11 +136,12 @@ std::string palette_json() {
          ", \"dirichlet\": " + json_string(palette::kDirichlet) + "}";
 }
 
-/// A margin for people: four digits.
-std::string four_digits(double x) {
-  std::array<char, 32> buffer;
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x, std::chars_format::general, 4);
-  return {buffer.data(), result.ptr};
+/// A margin for people: a lower bound of the difference, in four digits.
+std::string margin(double greater, double less) {
+  const Mp256 difference = Mp256(greater) - Mp256(less);
+  const auto rounded = static_cast<double>(difference);
+  const double below = rounded <= difference ? rounded : std::nextafter(rounded, -HUGE_VAL);
+  return certify::decimal_below(below, 4);
 }
 
 /// Rows of names and values.
@@ -163,13 +165,13 @@ std::string facts_json(const NetGeometry& geometry, const std::optional<certify:
   facts.add("triangles", std::to_string(document.triangles.size()));
   if (!certificate || !certificate->enclosures) return facts.json();
   const certify::Enclosures& enclosures = *certificate->enclosures;
-  facts.add("circumradii ≤", certify::shortest(enclosures.largest_circumradius.upper));
-  facts.add("margin to ε", four_digits(enclosures.epsilon.lower - enclosures.largest_circumradius.upper));
+  facts.add("circumradii ≤", certify::decimal_above(enclosures.largest_circumradius.upper));
+  facts.add("margin to ε ≥", margin(enclosures.epsilon.lower, enclosures.largest_circumradius.upper));
   if (enclosures.shortest_edge) {
-    facts.add("edges, no loops, ≥", certify::shortest(enclosures.shortest_edge->lower));
-    facts.add("margin to ε", four_digits(enclosures.shortest_edge->lower - enclosures.epsilon.upper));
+    facts.add("edges, no loops, ≥", certify::decimal_below(enclosures.shortest_edge->lower));
+    facts.add("margin to ε ≥", margin(enclosures.shortest_edge->lower, enclosures.epsilon.upper));
   }
-  if (enclosures.shortest_loop) facts.add("loops ≥", certify::shortest(enclosures.shortest_loop->lower));
+  if (enclosures.shortest_loop) facts.add("loops ≥", certify::decimal_below(enclosures.shortest_loop->lower));
   return facts.json();
 }
 

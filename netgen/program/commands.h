@@ -81,7 +81,7 @@ void add_point(CLI::App& command, const char* name, std::string& text, const std
 /// --geodesics FILE.
 void add_geodesics(CLI::App& command, std::string& file);
 /// Facts of info.h as what a command has to say.
-[[nodiscard]] inline Report facts_report(const Facts& facts) { return {facts.text, Json::parse(facts.json)}; }
+[[nodiscard]] inline Report facts_report(const Facts& facts) { return {facts.text, facts.json}; }
 /// What the certificate of a net proved.
 [[nodiscard]] Report certificate_report(const certify::Certificate& certificate);
 /// What a geodesics file says, as lines and as an object.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "certify/distances/distance_check.h"
+#include "certify/document/decimals.h"
 #include "certify/file/writer.h"
 #include "netgen/base/gmp.h"
 #include "netgen/distances/distance.h"
@@ -69,7 +70,7 @@ Report distance_report(const certify::DistanceDocument& document, const std::vec
   report.text += "paths: " + std::to_string(words.size());
   if (words.size() > 1) {
     report.text += document.equal ? ", all the shortest ones, of exactly equal length"
-                                  : ", all that are not longer than the upper end";
+                                  : ", all of length at most " + certify::decimal_below(document.distance.upper);
   }
   report.text += '\n';
   report.json["paths"] = Json::array();

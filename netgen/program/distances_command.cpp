@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "certify/check.h"
+#include "certify/document/decimals.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/distances/vertex_distances.h"
 #include "netgen/lifts/layout.h"
@@ -132,12 +133,12 @@ void tabulate(const DistancesRequest& request) {
   text << "net: " << certify::verdict_line(certificate) << '\n'
        << "distances: " << from.size() << " x " << to.size() << '\n'
        << "greatest: " << greatest << '\n'
-       << "error: at most " << error << '\n';
+       << "error: at most " << certify::decimal_above(error, 3) << '\n';
   write_report({text.str(), Json::object({{"net", certify::verdict_line(certificate)},
                                           {"rows", from.size()},
                                           {"columns", to.size()},
                                           {"greatest", greatest},
-                                          {"error", error}})},
+                                          {"error", upper_bound_json(error)}})},
                request.json, is_stdout(request.output));
 }
 

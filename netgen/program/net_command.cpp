@@ -137,9 +137,9 @@ std::string statistics_text(const UncertifiedNet& net, std::uint32_t genus, doub
   out << walk_text(s, request.options.insertion);
   out << "flips of the initial triangulation: " << s.initial_flips << '\n';
   out << "vertices removed from it: " << s.removed << '\n';
-  out << "lower bound (g-1)/sinh^2(epsilon/2), Theorem III.2: " << least << ", ratio " << ratio_text(count, least)
+  out << "lower bound (g-1)/sinh^2(epsilon/2), Theorem III.2: about " << least << ", ratio " << ratio_text(count, least)
       << '\n';
-  out << "upper bound 16(g-1)/epsilon^2, Theorem III.1 if the systole is at least epsilon: " << most << ", ratio "
+  out << "upper bound 16(g-1)/epsilon^2, Theorem III.1 if the systole is at least epsilon: about " << most << ", ratio "
       << ratio_text(count, most) << '\n';
   if (request.options.pseudo) out << "insertions undone for a collar: " << s.undone << '\n';
   out << "charts: " << s.charts << '\n' << "labels: " << s.labels << '\n';

@@ -9,7 +9,6 @@
 #include <unistd.h>
 #include <utility>
 
-#include "certify/document/text.h"
 #include "certify/file/writer.h"
 
 namespace epsnet::program {
@@ -199,15 +198,12 @@ void write_output(const std::string& path, const std::function<void(std::ostream
 }
 
 void write_report(const Report& report, bool as_json, bool stdout_taken) {
-  const std::string text =
-      as_json ? report.json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n' : report.text;
+  const std::string text = as_json ? json_text(report.json) + '\n' : report.text;
   if (stdout_taken) {
     std::cerr << text;
   } else {
     write_stdout([&](std::ostream& out) { out << text; });
   }
 }
-
-Json interval_json(certify::Interval x) { return Json::array({x.lower, x.upper}); }
 
 }  // namespace epsnet::program

@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <iosfwd>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "certify/document/document.h"
 #include "certify/numbers/ball.h"
 #include "netgen/base/atomic_file.h"
+#include "netgen/base/json_text.h"
 #include "triangulation/error.h"
 
 /// What the commands of the program share: files out, reports, progress, errors.
@@ -75,7 +75,6 @@ void write_output(const std::string& path, const std::function<void(std::ostream
 void write_net_file(const certify::NetDocument& net, const std::string& path, std::ostream& out);
 
 /// What a command has to say: lines for people, and the same facts for programs.
-using Json = nlohmann::ordered_json;
 struct Report {
   std::string text;
   Json json = Json::object();
@@ -83,7 +82,5 @@ struct Report {
 
 /// To standard output, or to standard error if a file goes to standard output: a net there stays a net.
 void write_report(const Report& report, bool as_json, bool stdout_taken);
-
-[[nodiscard]] Json interval_json(certify::Interval x);
 
 }  // namespace epsnet::program

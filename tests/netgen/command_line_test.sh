@@ -254,6 +254,22 @@ json() {
   grep -q '^{.*}$' output || complain "epsnet $*: no object: $(cat output)"
   grep -q -e "$pattern" output || complain "epsnet $*: expected $pattern in $(cat output)"
 }
+# Ends of intervals are rounded outward in decimal: 12 pi = 37.69911184307751886..., and epsilon is not 2.3.
+good surface regular --genus 4 -o regular-4.json
+good net regular-4.json --epsilon 2.2999999999999999 -o net-4.json
+"$certify" net-4.json >output || complain "certify: a net of the regular surface of genus 4: $(cat output)"
+grep -q '^area: \[37.699111843077517, 37.699111843077525\]$' output || complain "certify: the area is not enclosed: $(grep area: output)"
+grep -q '^epsilon: \[2.2999999999999998, 2.3000000000000003\]$' output || complain "certify: epsilon is not enclosed: $(grep epsilon: output)"
+"$certify" --json net-4.json >output
+grep -q '"area": \[37.699111843077517, 37.699111843077525\]' output || complain "certify --json: the area is not enclosed: $(cat output)"
+# JSON has the decimals of the lines.
+same_ends() {
+  good "$@"
+  ends=$(sed -n "s/^$key: \[\(.*\), \(.*\)\]$/\\\\[\1,\2\\\\]/p" output)
+  json "\"$(echo "$key" | tr ' ' _)\":$ends" "$@" --json
+}
+key=distance same_ends distance s.json 0,0.1,-1/3 0,0,0
+key='largest circumradius' same_ends net s.json --epsilon 0.5 -o x.json
 json '^{"file":"surface","genus":2,"area":12.56[0-9]*,"tiles":1,"sides":8,"vertices":1,"regular":false,' info --json s.json
 json '^{"file":"net","epsilon":"0.5","genus":2,.*"vertices":34,"edges":108,"triangles":72,' info --json net.json
 json '^{"file":"geodesics","claim":"systole","geodesics":\[{"length":\[0.5476464113685[0-9]*,0.5476464113685[0-9]*\],"simple":true,"word":\[5,0\]}\]}$' info --json systole.json
@@ -270,7 +286,7 @@ json '^{"verdict":"VERIFIED","claim":"thick-thin","geodesics":\[{.*"collar_half_
 json '^{"file":"dirichlet","sides":18,"ties":0,' dirichlet s.json -o x.json --json
 json '^{"file":"distance","distance":\[0.72635597917927[0-9]*,0.72635597917927[0-9]*\],"equal":true,"paths":\[\[\]\]}$' info --json distance.json
 json '^{"verdict":"VERIFIED","distance":\[0.72635597917927[0-9]*,0.72635597917927[0-9]*\],"equal":true,"paths":\[\[\]\]}$' distance s.json 0,0.1,-1/3 0,0,0 --json
-json '^{"verdict":"VERIFIED","distance":\[0.0,0.0\],"equal":true,"paths":\[\[\]\]}$' distance net.json v3 v3 --json
+json '^{"verdict":"VERIFIED","distance":\[0,0\],"equal":true,"paths":\[\[\]\]}$' distance net.json v3 v3 --json
 json '^{"verdict":"VERIFIED","diameter":\[2.44845244767[0-9]*,2.44845244767[0-9]*\],"cells":[0-9]*,"triangulations":[0-9]*}$' diameter regular.json --json
 json '^{"verdict":"VERIFIED","embedded_disk_radius":\[1.5[0-9]*,1.[56][0-9]*\],"cells":[0-9]*,"triangulations":[0-9]*}$' embedded-disk regular.json --width 0.1 --json
 json '^{"verdict":"VERIFIED","radius":\[1.8[0-9]*,1.94[0-9]*\],"cells":[0-9]*,"triangulations":[0-9]*}$' radius regular.json --width 0.1 --json

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "certify/check.h"
+#include "certify/document/text.h"
 #include "netgen/surfaces/octagon.h"
 
 namespace epsnet {
@@ -21,9 +22,8 @@ std::vector<std::string> fields(const std::string& line) {
   return result;
 }
 
-std::map<std::string, std::string> record(const char* epsilon, const NetOptions& options) {
-  const UncertifiedNet net = compute_net(random_octagon(9), Length(epsilon), options);
-  const certify::Certificate certificate = certify::check(net.net);
+std::map<std::string, std::string> record(const UncertifiedNet& net, const certify::Certificate& certificate,
+                                          const NetOptions& options) {
   const auto names = fields(net_record_columns());
   const auto values = fields(net_record("octagon-9", net, certificate, options, {0.25, 1.5}));
   EXPECT_EQ(names.size(), values.size());
@@ -32,6 +32,11 @@ std::map<std::string, std::string> record(const char* epsilon, const NetOptions&
     result[names[i]] = values[i];
   }
   return result;
+}
+
+std::map<std::string, std::string> record(const char* epsilon, const NetOptions& options) {
+  const UncertifiedNet net = compute_net(random_octagon(9), Length(epsilon), options);
+  return record(net, certify::check(net.net), options);
 }
 
 TEST(NetRecord, SaysHowTheNetWasMade) {
@@ -87,6 +92,23 @@ TEST(NetRecord, HasWhatIsProved) {
   EXPECT_EQ(one_vertex["vertices"], "1");
   EXPECT_EQ(one_vertex["shortest_edge_lower"], "");
   EXPECT_LE(std::stod(one_vertex["systole_lower"]), std::stod(one_vertex["shortest_loop_upper"]));
+}
+
+/// As decimals, not only as the binary64 that they are read as.
+TEST(NetRecord, BoundsAreRoundedOutward) {
+  for (std::uint32_t seed = 1; seed <= 30; ++seed) {
+    const UncertifiedNet net = compute_net(random_octagon(seed), Length("1"));
+    const certify::Certificate certificate = certify::check(net.net);
+    ASSERT_TRUE(certificate.enclosures && certificate.enclosures->shortest_edge) << seed;
+    auto row = record(net, certificate, {});
+    const auto value = [&](const char* name) { return certify::parse_decimal(row[name]).value(); };
+    const certify::Enclosures& enclosures = *certificate.enclosures;
+    EXPECT_GE(value("largest_circumradius_upper"), mpq_class(enclosures.largest_circumradius.upper)) << seed;
+    EXPECT_LE(value("shortest_edge_lower"), mpq_class(enclosures.shortest_edge->lower)) << seed;
+    if (!enclosures.shortest_loop) continue;
+    EXPECT_LE(value("shortest_loop_lower"), mpq_class(enclosures.shortest_loop->lower)) << seed;
+    EXPECT_GE(value("shortest_loop_upper"), mpq_class(enclosures.shortest_loop->upper)) << seed;
+  }
 }
 
 TEST(NetRecord, QuotesNamesThatNeedIt) {

@@ -245,6 +245,11 @@ TEST(VertexDistances, AreWrittenAsNumPyAndAsATable) {
   std::ostringstream two;
   write_csv(table, TableEntries::bounds, two);
   EXPECT_THAT(two.str(), testing::StartsWith("from,to,lower,upper\n0,1,1,2\n"));
+  // The shortest decimals of these, 37.69911184307752 and 37.699111843077524, do not enclose them.
+  const DistanceTable narrow{{0}, {1}, {{37.699111843077517, 37.699111843077525}}};
+  std::ostringstream outward;
+  write_csv(narrow, TableEntries::bounds, outward);
+  EXPECT_EQ(outward.str(), "from,to,lower,upper\n0,1,37.699111843077517,37.699111843077525\n");
 }
 
 }  // namespace
