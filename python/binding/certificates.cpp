@@ -1,3 +1,4 @@
+#include "certify/document/decimals.h"
 #include "certify/document/report.h"
 #include "python/binding/binding.h"
 
@@ -65,6 +66,8 @@ void bind_certificates(py::module_& module) {
       .def_property_readonly("counts", &counts_of)
       .def_property_readonly("enclosures", &enclosures_of)
       .def_property_readonly("line", [](const Certificate& c) { return certify::verdict_line(c); });
+  module.def("decimal_below", py::overload_cast<double>(&certify::decimal_below));
+  module.def("decimal_above", py::overload_cast<double>(&certify::decimal_above));
 }
 
 }  // namespace epsnet::python

@@ -61,7 +61,7 @@ class Distance(_Measured):
     >>> bolza = epsnet.Surface.regular(2)
     >>> d = bolza.distance((0, "0.5", 0), (0, "-0.5", 0))
     >>> d
-    <Distance [0.8599172616257769, 0.859917261625777]>
+    <Distance [0.85991726162577686, 0.859917261625777]>
     >>> d.paths
     [(0,)]
     """

@@ -28,9 +28,9 @@ def load(path: Path, *, check: bool = True, progress: Progress = None) -> Loaded
     >>> path = os.path.join(tempfile.mkdtemp(), "systole.json")
     >>> epsnet.Surface.regular(2).systole().save(path)
     >>> epsnet.load(path)
-    <Systole [3.057141838961996, 3.057141838961997]>
+    <Systole [3.0571418389619959, 3.057141838961997]>
     >>> epsnet.load(path, check=False)
-    <Systole [3.057141838961996, 3.057141838961997] (not proved)>
+    <Systole [3.0571418389619959, 3.057141838961997] (not proved)>
     """
     name = _epsnet.display_name(os.fspath(path))
     text = _epsnet.read(os.fspath(path))

@@ -1,9 +1,12 @@
 """Intervals that contain real numbers."""
 from __future__ import annotations
 
+import decimal
 import math
 from fractions import Fraction
 from typing import Any, Optional, Union
+
+from . import _epsnet
 
 __all__ = ["Interval"]
 
@@ -39,6 +42,9 @@ class Interval:
 
     An interval is no number: there is no ``float(x)``, and no ``<`` that could be meant in two ways.
     Say which number you want: ``x.lower``, ``x.upper``, or ``x.mid``, which is a guess.
+
+    What is printed is rounded outward: the decimals are true bounds. That holds for ``str``, ``repr`` and ``f"{x:.4f}"``, but not for
+    ``print(x.lower)``: Python rounds a float to nearest.
     """
 
     __slots__ = ("_lower", "_upper", "_proved")
@@ -112,11 +118,25 @@ class Interval:
 
     @property
     def text(self) -> str:
-        """Both ends as decimals: ``[lower, upper]``, each the shortest that reads back as the same binary64 number."""
-        return f"[{_shortest(self.lower)}, {_shortest(self.upper)}]"
+        """``[lower, upper]`` as decimals that contain the interval; each is the shortest that reads back as ``lower`` or ``upper``."""
+        return f"[{_epsnet.decimal_below(self.lower)}, {_epsnet.decimal_above(self.upper)}]"
 
     def __str__(self) -> str:
-        return self.text if self._proved else f"{self.text} (not proved)"
+        return self._marked(self.text)
+
+    def __format__(self, spec: str) -> str:
+        """Both ends as ``format`` writes a ``decimal.Decimal``, rounded outward: ``f"{x:.4f}"`` contains the interval, too.
+
+        >>> from epsnet import Interval
+        >>> f"{Interval('1/3', '2/3', proved=True):.4f}"
+        '[0.3333, 0.6667]'
+        """
+        if not spec:
+            return str(self)
+        return self._marked(f"[{_formatted(self._lower, spec, decimal.ROUND_FLOOR)}, {_formatted(self._upper, spec, decimal.ROUND_CEILING)}]")
+
+    def _marked(self, text: str) -> str:
+        return text if self._proved else f"{text} (not proved)"
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} {self}>"
@@ -144,6 +164,8 @@ class Interval:
             flint.ctx.prec = before
 
 
-def _shortest(x: float) -> str:
-    """As the library writes it."""
-    return repr(int(x)) if math.isfinite(x) and x == int(x) and abs(x) < 1e15 else repr(x)
+def _formatted(x: Fraction, spec: str, rounding: str) -> str:
+    """A decimal on that side of x."""
+    digits = 40  # Rounded twice, in the same direction.
+    with decimal.localcontext(decimal.Context(prec=digits, rounding=rounding)):
+        return format(decimal.Decimal(x.numerator) / decimal.Decimal(x.denominator), spec)

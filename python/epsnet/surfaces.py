@@ -329,7 +329,7 @@ class Surface:
         >>> import epsnet
         >>> systole = epsnet.Surface.regular(2).systole()
         >>> systole
-        <Systole [3.057141838961996, 3.057141838961997]>
+        <Systole [3.0571418389619959, 3.057141838961997]>
         >>> systole.geodesic.simple
         True
         """
@@ -343,7 +343,7 @@ class Surface:
         >>> import epsnet
         >>> spectrum = epsnet.Surface.regular(2).spectrum("4.9")
         >>> [(multiplicity.length.text, multiplicity.count, multiplicity.equal) for multiplicity in spectrum.multiplicities()]
-        [('[3.057141838961996, 3.057141838961997]', 12, True), ('[4.89690489535615, 4.896904895356152]', 12, True)]
+        [('[3.0571418389619959, 3.057141838961997]', 12, True), ('[4.89690489535615, 4.8969048953561521]', 12, True)]
         """
         from .geodesics import spectrum
 

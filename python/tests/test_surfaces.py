@@ -149,6 +149,29 @@ def test_ends_are_rounded_outward(a, b):
     assert Fraction(x.width) >= upper - lower
 
 
+def printed_ends(text):
+    return [Fraction(end) for end in text.partition(" (")[0].strip("[]").split(", ")]
+
+
+@given(st.fractions() | st.floats(allow_nan=False, allow_infinity=False).map(Fraction), st.fractions(min_value=0, max_value=1),
+       st.sampled_from(["", ".4f", ".3g", ".2e", ".0f", ".17g", ".60f", "e"]))
+def test_printed_ends_are_rounded_outward(a, width, spec):
+    x = Interval(a, a + width)
+    for text in (str(x), repr(x).partition(" ")[2], format(x, spec)):
+        lower, upper = printed_ends(text)
+        assert lower <= a and a + width <= upper
+    lower, upper = printed_ends(str(x))
+    assert float(lower) == x.lower and float(upper) == x.upper  # Both round to nearest.
+
+
+def test_printed_ends_are_the_nearest_of_their_length():
+    x = Interval(Fraction(1, 3), Fraction(2, 3), proved=True)
+    assert f"{x:.4f}" == "[0.3333, 0.6667]" and f"{x:.1e}" == "[3.3e-1, 6.7e-1]" and f"{Interval(-2, '-1/3'):.3g}" == "[-2, -0.333] (not proved)"
+    assert f"{x}" == str(x) == "[0.3333333333333333, 0.66666666666666675]"
+    # The binary64 below 12 pi = 37.6991118430775188..., which is less than its shortest decimal.
+    assert str(Interval(37.69911184307752, 38)) == "[37.699111843077517, 38] (not proved)"
+
+
 def test_an_interval_is_no_number():
     x = Interval(1, 2)
     for use in (float, bool, lambda x: x < 1.5):
