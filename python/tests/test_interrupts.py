@@ -9,7 +9,8 @@ import pytest
 from epsnet import Surface
 
 PREAMBLE = """
-import epsnet, sys
+import epsnet, signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)  # A shell may have told its background jobs to ignore it.
 def begun(what, share):
     print(what, flush=True)
 surface = epsnet.Surface.octagon(seed=1)

@@ -47,13 +47,7 @@ endif()
 
 set(configure ${CMAKE_COMMAND} -G ${generator} -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_BUILD_TYPE=Release -D CMAKE_PREFIX_PATH=${prefix}
   --no-warn-unused-cli)
-# Once is enough: sanitizers see no more of headers.
-if(sanitize)
-  set(alone OFF)
-else()
-  set(alone ON)
-endif()
-run(${configure} -S ${source}/tests/install/consumer -B ${scratch}/consumer -D README=${source}/README.md -D HEADERS=${alone})
+run(${configure} -S ${source}/tests/install/consumer -B ${scratch}/consumer -D README=${source}/README.md -D HEADERS=${headers_alone})
 run(${CMAKE_COMMAND} --build ${scratch}/consumer)
 run(${CMAKE_COMMAND} --build ${scratch}/consumer --target examples)
 

@@ -1,5 +1,6 @@
 #include <cstdlib>
 #include <gtest/gtest.h>
+#include <iostream>
 #include <string>
 
 #include "tests/support/scale.h"
@@ -10,5 +11,10 @@ int main(int argc, char** argv) {
   const std::string parameters = "seed=20250915 max_success=" + std::to_string(epsnet::test::scaled(100));
   setenv("RC_PARAMS", parameters.c_str(), 0);
   testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
+  const int failed = RUN_ALL_TESTS();
+  if (testing::UnitTest::GetInstance()->test_to_run_count() == 0) {
+    std::cerr << "no test was run\n";
+    return 1;
+  }
+  return failed;
 }
