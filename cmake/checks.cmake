@@ -1,4 +1,4 @@
-# Targets that look at the sources: format and format-check, by clang-format. (clang-tidy: .ci/tidy.)
+# Targets that check the sources: format and format-check, by clang-format. (clang-tidy: .ci/tidy.)
 set(folders certify kernel triangulation netgen python experiments tests fuzz examples)
 list(TRANSFORM folders PREPEND ${CMAKE_SOURCE_DIR}/)
 list(TRANSFORM folders APPEND /*.h OUTPUT_VARIABLE headers)

@@ -53,7 +53,7 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-flint, python3-matplotlib, python3-mpmath, python3-scipy, python3-tqdm")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "${about}\n.\nThis is the Python module.")
 
-# What Debian wants of each package: copyright and changelog.
+# The copyright and the changelog that Debian requires in each package.
 set(name epsnet)
 configure_file(cmake/debian-changelog.in debian/changelog.Debian @ONLY)
 execute_process(COMMAND gzip -9nf debian/changelog.Debian WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} COMMAND_ERROR_IS_FATAL ANY)

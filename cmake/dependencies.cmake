@@ -1,7 +1,7 @@
 # The libraries epsnet is linked with, found in the same way by its own build and by find_package(epsnet):
 #   GMP::GMP, GMP::GMPXX, MPFR::MPFR, FLINT::FLINT (FLINT with Arb: two libraries before FLINT 3), simdjson::simdjson,
 #   Threads::Threads, TBB::tbb, and the Boost headers as Boost::headers.
-# Sets epsnet_missing to what is not there. Where epsnet_is_shared is set, only what the public headers include is looked for.
+# Sets epsnet_missing to the libraries that are not found. If epsnet_is_shared is set, searches only for the libraries that public headers include.
 
 set(epsnet_missing "")
 

@@ -1,4 +1,4 @@
-# Manual pages and completion, made from what the programs say to --help: share/man/man1, and where bash and zsh look for completion.
+# Manual pages and completion, made from the --help texts of the programs: share/man/man1, and where bash and zsh look for completion.
 set(help ${CMAKE_CURRENT_BINARY_DIR}/help)
 file(GLOB scripts CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/help/*)
 set(compress "")

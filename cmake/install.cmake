@@ -12,9 +12,9 @@ set_target_properties(epsnet_certify PROPERTIES EXPORT_NAME certify OUTPUT_NAME 
 set_target_properties(epsnet_netgen PROPERTIES EXPORT_NAME epsnet OUTPUT_NAME epsnet)
 install(TARGETS epsnet_options EXPORT epsnet-targets)
 foreach(library epsnet_certify epsnet_netgen)
-  # Before 1.0 a minor version may break what is linked with the one before.
+  # Before 1.0 a minor version may break programs that were linked with the previous one.
   set_target_properties(${library} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-  # The bounds that the inline predicates rest on hold in programs that use them as well.
+  # The error bounds of the inline predicates must also hold in the programs that use them.
   target_compile_options(${library} INTERFACE $<INSTALL_INTERFACE:-ffp-contract=off>)
   install(TARGETS ${library} EXPORT epsnet-targets
     LIBRARY COMPONENT libraries NAMELINK_COMPONENT development

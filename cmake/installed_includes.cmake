@@ -1,4 +1,4 @@
-# In the folder ${headers}: "kernel/isometry.h" becomes <epsnet/kernel/isometry.h>, so that no folder of the user's own can come before ours.
+# In the folder ${headers}: "kernel/isometry.h" becomes <epsnet/kernel/isometry.h>, so that a user's folder of the same name cannot hide ours.
 file(GLOB_RECURSE installed ${headers}/*.h)
 foreach(header ${installed})
   file(READ ${header} text)

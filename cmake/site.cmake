@@ -19,7 +19,7 @@ configure_file(docs/site/Doxyfile.in ${site}/Doxyfile @ONLY)
 find_program(EPSNET_DOXYGEN doxygen)
 find_program(EPSNET_SPHINX sphinx-build)
 mark_as_advanced(EPSNET_DOXYGEN EPSNET_SPHINX)
-# The notebooks are run, and become pages with what they print and draw.
+# The notebooks are executed, and become pages with their output.
 set(has_notebooks FALSE)
 if(TARGET epsnet_python)
   execute_process(COMMAND ${Python_EXECUTABLE} -c "import nbconvert, ipykernel, matplotlib, scipy" RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
@@ -31,7 +31,7 @@ file(GLOB notebooks CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/notebooks/*
 if(EPSNET_DOXYGEN AND EPSNET_SPHINX AND has_notebooks)
   set(source ${site}/source)
   add_custom_target(site
-    # As the repository has them, so that links from one to the other hold.
+    # The same folders as in the repository, so that relative links work.
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${source} ${site}/xml ${site}/html
     COMMAND ${CMAKE_COMMAND} -E copy_directory docs ${source}/docs
     COMMAND ${CMAKE_COMMAND} -E copy README.md CHANGELOG.md CITATION.cff LICENSE ${source}

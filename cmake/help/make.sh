@@ -1,5 +1,5 @@
 #!/bin/sh
-# make.sh FOLDER VERSION EPSNET CERTIFY CERTIFY-EXACT: manual pages and completion, made from what the programs say to --help:
+# make.sh FOLDER VERSION EPSNET CERTIFY CERTIFY-EXACT: manual pages and completion, made from the --help texts of the programs:
 # FOLDER/man1/*.1, FOLDER/bash/NAME, FOLDER/zsh/_NAME. An older FOLDER is replaced.
 set -eu
 here=$(dirname "$0")
