@@ -39,7 +39,7 @@ constexpr DoubleDouble exact_sum(double a, double b) {
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
-/// The same for |a| ≥ |b|.
+/// a + b without error. Requires: |a| ≥ |b|.
 constexpr DoubleDouble exact_sum_of_ordered(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};

@@ -40,8 +40,8 @@ template <class T>
   return {conj(f.a), -f.b};
 }
 
-/// The same isometry with |a|² − |b|² = 1 and, of the two such pairs, the one with Re a > 0, or Re a = 0 and Im a > 0.
-/// Needs square roots in T.
+/// Returns the same isometry with |a|² − |b|² = 1. Of the two such pairs it is the one with Re a > 0, or Re a = 0 and
+/// Im a > 0. Needs square roots in T.
 template <class T>
 [[nodiscard]] Isometry<T> normalized(const Isometry<T>& f) {
   using std::sqrt;
@@ -75,7 +75,7 @@ template <class T>
 /// The kinds of orientation-preserving isometries, by their fixed points in the closed disk (thesis I.1.1).
 enum class IsometryKind {
   identity,    ///< Every point.
-  elliptic,    ///< One, inside of the disk: a rotation about it.
+  elliptic,    ///< One, inside the disk: a rotation about it.
   parabolic,   ///< One, on the unit circle.
   hyperbolic,  ///< Two, on the unit circle: a translation along its axis, the geodesic that joins them.
 };

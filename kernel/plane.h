@@ -25,7 +25,7 @@ template <class T>
   return T(2) * asinh(sqrt(sinh2_half_distance(p, q)));
 }
 
-/// Positive, zero or negative as c lies to the left of, on or to the right of the geodesic from a to b.
+/// Positive, zero or negative if c lies to the left of, on or to the right of the geodesic from a to b.
 ///
 /// A quarter of the determinant of the points (2x, 2y, 1 + |z|²) of the hyperboloid (up to scale), with a's row
 /// subtracted from the others, so that it is accurate for close points.
@@ -36,8 +36,8 @@ template <class T>
   return (T(1) + norm(a)) * cross(u, v) + dot(v, a + c) * cross(a, u) - dot(u, a + b) * cross(a, v);
 }
 
-/// Positive, zero or negative as d lies inside of, on or outside of the circle through a, b, c (counterclockwise as
-/// points of the plane).
+/// Positive, zero or negative if d lies inside, on or outside the circle through a, b, c (counterclockwise as points of
+/// the plane).
 ///
 /// Hyperbolic circles are Euclidean circles of the Poincaré disk, so this is the Euclidean determinant, with d as
 /// origin.
@@ -94,7 +94,7 @@ template <class T>
   return {T(4) * ab * bc * ca, T(4) * x * y - rest * rest, (sum + z) * (sum + z)};
 }
 
-/// The same from the points.
+/// Computed from the points.
 template <class T>
 [[nodiscard]] Sinh2Circumradius<T> sinh2_circumradius(const Complex<T>& a, const Complex<T>& b, const Complex<T>& c) {
   return sinh2_circumradius<T>(norm(a - b), norm(b - c), norm(c - a), T(1) - norm(a), T(1) - norm(b), T(1) - norm(c));

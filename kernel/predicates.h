@@ -85,7 +85,7 @@ template <class T>
   return detail::sign_beyond(det, bound);
 }
 
-/// The sign of in_circle_determinant(a, b, c, d): 1 if d lies strictly inside of the circle through a, b, c
+/// The sign of in_circle_determinant(a, b, c, d): 1 if d lies strictly inside the circle through a, b, c
 /// (counterclockwise).
 ///
 /// Error bound: 16u(αβ + βγ + γα) + 40 e M³ with α, β, γ the squared distances of a, b, c from d, M² the largest of

@@ -110,8 +110,8 @@ class Atlas {
   /// true image (docs/error-bounds.md, E5).
   [[nodiscard]] double error(LabelId l) const { return rounded_[l - 1].error; }
 
-  /// The same, determinant 1, in Mp256 (about 200 bits), Mp1024 (620 bits, relative to the entries) or Mp4096 (2020).
-  /// Evaluated when first asked for.
+  /// Returns the isometry of a label, scaled to determinant 1, in Mp256 (about 200 bits), Mp1024 (620 bits, relative to
+  /// the entries) or Mp4096 (2020 bits). Evaluated on first use. Requires: the label is not the identity.
   template <class T>
   [[nodiscard]] const Isometry<T>& isometry_in(LabelId l);
 
@@ -132,7 +132,7 @@ class Atlas {
   /// How exactly `place` keeps a point.
   enum class Precision {
     binary64,  ///< Coordinates near the origin of a chart, rounded to binary64.
-    bits_256,  ///< The point becomes the origin of a chart of its own, so that 256 bits of z are kept.
+    bits_256,  ///< The point becomes the origin of its own chart, which keeps 256 bits of z.
   };
   /// Returns the point with coordinate z in chart c as a vertex; nullopt if it is too far away: 10,000 tiles, or
   /// farther than labels can be evaluated.
@@ -148,9 +148,9 @@ class Atlas {
     Complex<Mp1024> z;
     Word path;
   };
-  /// The point with the coordinate z in a tile; nothing if it is too many tiles away.
+  /// The point with the coordinate z in a tile; nullopt if it is too many tiles away.
   [[nodiscard]] std::optional<TilePoint> walk_through_tiles(std::uint32_t tile, const Complex<Mp1024>& z) const;
-  /// A side of a tile on whose right z lies, other than `entered`, the one through which a walk came; nothing if z is
+  /// A side of a tile on whose right z lies, other than `entered`, the one through which a walk came; nullopt if z is
   /// in the tile.
   [[nodiscard]] std::optional<std::uint32_t> side_before(std::uint32_t tile, const Complex<Mp1024>& z,
                                                          std::optional<std::uint32_t> entered) const;
@@ -181,14 +181,14 @@ class Atlas {
     std::uint32_t to;
     Word word;
     Isometry<DoubleDouble> value;
-    double error;                         ///< Bounds ν of what `value` is off by, ν(a, b) = |a| + |b|.
+    double error;                         ///< Bounds ν of the error of `value`, ν(a, b) = |a| + |b|.
     std::optional<Value<Mp256>> precise;  ///< Evaluated when first asked for.
   };
 
   struct Rounded {
     Isometry<double> isometry;
     double error;
-    LabelId inverse;  ///< kUnknownLabel until asked for.
+    LabelId inverse;  ///< kUnknownLabel until computed.
   };
 
   [[nodiscard]] LabelId product_of_others(LabelId f, LabelId g);
@@ -201,7 +201,7 @@ class Atlas {
                                             double size) const;
   /// The same for f ∘ g.
   [[nodiscard]] std::optional<LabelId> find_product(LabelId f, LabelId g) const;
-  /// A label that is certainly none of those that there are; `error` as in LabelEntry.
+  /// Adds a label that is certainly different from all existing ones; `error` as in LabelEntry.
   LabelId add(std::uint32_t from, std::uint32_t to, const Isometry<DoubleDouble>& value, double error, Word word);
   /// The label of a value, a new one or not.
   [[nodiscard]] LabelId find_or_add(std::uint32_t from, std::uint32_t to, const Value<Mp256>& value, Word word);
@@ -227,16 +227,16 @@ class Atlas {
   template <class T>
   [[nodiscard]] double append_factors(const Word& word, std::vector<Isometry<T>>& factors) const;
   /// The value to within 2^−accuracy relative to its entries, accuracy ≥ bits, computed in a field that is large
-  /// enough; nothing if no field is.
+  /// enough; nullopt if no field is.
   template <class T>
   [[nodiscard]] std::optional<Value<T>> evaluate_to(double bits, std::uint32_t from, std::uint32_t to,
                                                     const Word& word) const;
-  /// The value that labels are compared by; nothing if the word leads too far to be evaluated.
+  /// The value that labels are compared by; nullopt if the word leads too far to be evaluated.
   [[nodiscard]] std::optional<Value<Mp256>> evaluate_label(std::uint32_t from, std::uint32_t to,
                                                            const Word& word) const;
   /// That of a label. Throws LimitError if its word leads too far.
   [[nodiscard]] const Value<Mp256>& precise(LabelId l);
-  /// As `label`; nothing if the word leads too far to be evaluated.
+  /// As `label`; nullopt if the word leads too far to be evaluated.
   [[nodiscard]] std::optional<LabelId> find_label(std::uint32_t from, std::uint32_t to, Word word);
   /// The frame of a chart, of determinant 1.
   template <class T>

@@ -16,7 +16,7 @@ struct BasePoint {
 /// SurfaceError if there is no such tile.
 [[nodiscard]] BasePoint centre_of_tile(const Surface& surface, std::uint32_t tile);
 
-/// Throws SurfaceError if the point is not strictly inside of its tile.
+/// Throws SurfaceError if the point is not strictly inside its tile.
 void require_inside(const Surface& surface, const BasePoint& base);
 
 /// Throws SurfaceError unless the point is in its closed tile.

@@ -28,7 +28,7 @@ class GluedPolygons {
   void check_vertices();
   /// All polygons are strictly convex and counterclockwise.
   void check_convex() const;
-  /// What is wrong with the first polygon that is not strictly convex and counterclockwise; nothing if all are.
+  /// What is wrong with the first polygon that is not strictly convex and counterclockwise; nullopt if all are.
   [[nodiscard]] std::optional<std::string> convexity_problem() const;
   /// Glued sides have equal lengths.
   void check_lengths() const;

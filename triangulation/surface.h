@@ -34,8 +34,8 @@ class SurfaceError : public Error {
 /// A path, as the numbers of the sides that it crosses. The first is a side of the tile where the path starts.
 using Word = std::vector<std::uint32_t>;
 
-/// A closed hyperbolic surface, exact: finitely many convex tiles, each in coordinates of its own, glued side to side
-/// by isometries.
+/// A closed hyperbolic surface, exact: finitely many convex tiles, each in its own coordinates, glued side to side by
+/// isometries.
 ///
 /// Sides have numbers: the sides of tile 0 in order, then those of tile 1, and so on. A surface is an immutable value.
 /// Copies share its data, so copying is O(1).
@@ -66,7 +66,7 @@ class Surface {
   [[nodiscard]] const std::string& about() const { return about_; }
   /// Sets the text of `about` of this copy.
   void set_about(std::string text) { about_ = std::move(text); }
-  /// The polygons, each in coordinates of its own.
+  /// The polygons, each in its own coordinates.
   [[nodiscard]] const std::vector<Tile>& tiles() const { return data_->tiles; }
   /// The pairs as given to the constructor.
   [[nodiscard]] const std::vector<Gluing>& gluing() const { return data_->gluing; }
@@ -96,7 +96,8 @@ class Surface {
   /// of s to the end of the partner. Its coefficients are Gaussian integers without a common integer factor. Throws
   /// std::logic_error for `is_regular` surfaces, whose crossings are not rational.
   [[nodiscard]] const Isometry<Rational>& crossing(std::uint32_t s) const;
-  /// The same rounded to T (Mp256, Mp1024, Mp4096), determinant 1.
+  /// Returns `crossing` rounded to T (Mp256, Mp1024, Mp4096) and scaled to determinant 1. Works for `is_regular`
+  /// surfaces too.
   template <class T>
   [[nodiscard]] Isometry<T> crossing_as(std::uint32_t s) const;
 

@@ -84,7 +84,7 @@ class Triangulation {
   /// base point, which is strictly inside a tile, vertex 0 is the base point, the corners of its tile are joined to it,
   /// and the vertex classes follow. A regular surface without a base point has one vertex, its centre, and Delaunay
   /// triangles. With another base point, the vertex class of a regular surface is replaced by a point nearer to it than
-  /// 2^-250. Throws SurfaceError for a base point that is not inside of its tile, LimitError.
+  /// 2^-250. Throws SurfaceError for a base point that is not strictly inside its tile, LimitError.
   explicit Triangulation(const Surface& surface, const std::optional<BasePoint>& base = std::nullopt);
   Triangulation(Triangulation&&) = default;
   Triangulation& operator=(Triangulation&&) = default;
@@ -119,7 +119,7 @@ class Triangulation {
     return {mesh_.triangles[t].vertex[i], mesh_.triangles[t].label(i)};
   }
 
-  /// The same edge in the other direction, a dart of the triangle across.
+  /// Returns the opposite dart: the same edge in the other direction, a dart of the adjacent triangle.
   [[nodiscard]] Dart opposite(Dart d) const { return mesh_.triangles[triangle_of(d)].opposite[corner_of(d)]; }
   /// The corner from which d leaves, lifted to the chart of its triangle.
   [[nodiscard]] Corner corner(Dart d) const { return corner(triangle_of(d), corner_of(d)); }

@@ -18,7 +18,7 @@ class RuleBook {
   /// Fault, unless the report is that of next().
   void report(RuleReport report);
 
-  /// The first rule that has no report; nothing if all have one.
+  /// The first rule that has no report; nullopt if all have one.
   [[nodiscard]] std::optional<std::string_view> next() const;
   [[nodiscard]] const std::vector<RuleReport>& reports() const { return reports_; }
   /// Whether every report so far is VERIFIED. True if there is none.

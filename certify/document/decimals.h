@@ -2,12 +2,12 @@
 
 #include <string>
 
-/// Bounds as decimals: what is read is a bound of the same number.
+/// Bounds as decimals: the decimal of a bound is still a bound of the same number.
 ///
-/// The decimal nearest to a binary64 may be on the wrong side of it, as 37.69911184307752 is of the binary64 below 12π.
-/// These never are. They are laid out as by std::to_chars, all of them are JSON numbers, and different binary64 numbers
-/// have different decimals in the same order. ±0 and what is not finite are as std::to_chars has them: "0", "-0",
-/// "inf", "-inf", "nan". Constant time.
+/// The decimal nearest to a binary64 may be on its wrong side: 37.69911184307752 is above 12π, and the binary64 that it
+/// stands for is below. The decimals made here are always on the requested side. Their layout is that of std::to_chars;
+/// all finite ones are JSON numbers. Different binary64 numbers have different decimals, in the same order. ±0,
+/// infinities and NaN are printed as by std::to_chars: "0", "-0", "inf", "-inf", "nan". Constant time.
 namespace epsnet::certify {
 
 /// The decimal that is at most x (at least x) and reads back as x, to nearest and ties to even: one of the fewest

@@ -11,7 +11,7 @@ namespace epsnet::certify {
 /// no collars; the point is in the disk of a tile; words lead from the tile of the vertex's chart to that tile, and
 /// there is at least one; the enclosure is finite, not negative and in order.
 ///
-/// The first problem; nothing if there is none. Exact, O(size of the document).
+/// The first problem; nullopt if there is none. Exact, O(size of the document).
 [[nodiscard]] std::optional<std::string> structure_problem(const DistanceDocument& document);
 
 }  // namespace epsnet::certify

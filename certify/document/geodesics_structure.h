@@ -11,7 +11,7 @@ namespace epsnet::certify {
 /// somewhere; words lead from a tile to itself; enclosures are positive, finite, in order; clusters are the runs that
 /// the enclosures make; every side of every geodesic bounds one piece; there is exactly what the claim needs.
 ///
-/// The first problem; nothing if there is none. Exact, O(size of the document).
+/// The first problem; nullopt if there is none. Exact, O(size of the document).
 [[nodiscard]] std::optional<std::string> structure_problem(const GeodesicsDocument& document);
 
 }  // namespace epsnet::certify

@@ -18,10 +18,10 @@ inline constexpr std::size_t kMaxAboutBytes = std::size_t{1} << 20;
 /// The place of a row, at the beginning of a problem: "MEMBER[ROW]: ".
 [[nodiscard]] std::string at(const char* member, std::size_t row);
 
-/// What is wrong with the genus of a regular 4g-gon; nothing if it is in range.
+/// What is wrong with the genus of a regular 4g-gon; nullopt if it is in range.
 [[nodiscard]] std::optional<std::string> regular_genus_problem(std::uint32_t genus);
 
-/// The first problem, "PLACE: what is wrong, what was expected"; nothing if there is none. Corners of tiles are not
+/// The first problem, "PLACE: what is wrong, what was expected"; nullopt if there is none. Corners of tiles are not
 /// examined (that is rule `surface`).
 [[nodiscard]] std::optional<std::string> structure_problem(const SurfaceDocument& surface);
 

@@ -12,13 +12,14 @@ namespace epsnet::certify {
 /// after the point together and without the exponent. Leading zeros count.
 inline constexpr std::size_t kMaxRationalDigits = 1'000'000;
 
-/// The value of a `rational`: -?[0-9]+ or -?[0-9]+/[0-9]+, in lowest terms. Nothing if the text is anything else, if
-/// the denominator is zero, or if there are more than kMaxRationalDigits digits. Subquadratic in the number of digits.
+/// The value of a `rational`: -?[0-9]+ or -?[0-9]+/[0-9]+, in lowest terms. Returns nullopt if the text is anything
+/// else, if the denominator is zero, or if there are more than kMaxRationalDigits digits. Subquadratic in the number of
+/// digits.
 [[nodiscard]] std::optional<mpq_class> parse_rational(std::string_view text);
 
-/// The value of a `decimal`, exactly: "0.1" is 1/10. Nothing if the text is not a decimal.
+/// The value of a `decimal`, exactly: "0.1" is 1/10. Returns nullopt if the text is not a decimal.
 [[nodiscard]] std::optional<mpq_class> parse_decimal(std::string_view text);
-/// The value of one that is known to be a decimal; Fault, if it is none.
+/// Returns the value of a decimal. Throws Fault if the text is not a decimal.
 [[nodiscard]] mpq_class decimal(std::string_view text);
 
 /// The binary64 number nearest to a JSON number, ties to even; "-0" is −0, and what rounds to 0 keeps its sign. Nothing
@@ -30,7 +31,7 @@ inline constexpr std::size_t kMaxRationalDigits = 1'000'000;
 /// line of our own output.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// The text without what is not printable UTF-8: each byte of that is replaced by a question mark.
+/// Returns the text with each byte that is not part of printable UTF-8 replaced by a question mark.
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// A path in quotation marks, all of it, printable on one line.

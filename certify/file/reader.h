@@ -22,8 +22,8 @@
 /// do not compose. No input crashes the reader; time and memory are bounded by a multiple of the size of the file.
 namespace epsnet::certify {
 
-/// The contents are not a file of the kind that was asked for. what() is "NAME: PLACE: what was wrong, what was
-/// expected", one line.
+/// The contents are not a file of the requested kind. what() is "NAME: PLACE: what was wrong, what was expected", one
+/// line.
 class MalformedError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

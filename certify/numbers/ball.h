@@ -133,7 +133,8 @@ class ComplexBall {
 /// NaN.
 [[nodiscard]] inline bool certainly_different(acb_srcptr x, acb_srcptr y) { return acb_overlaps(x, y) == 0; }
 
-/// The integer in the ball, if there is exactly one and it is of the size of a machine word. Nothing if not finite.
+/// The integer in the ball, if there is exactly one and it is of the size of a machine word. Returns nullopt if not
+/// finite.
 [[nodiscard]] inline std::optional<slong> only_integer(arb_srcptr x) {
   fmpz_t integer;
   fmpz_init(integer);

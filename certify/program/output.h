@@ -27,7 +27,7 @@ struct FileReport {
   bool fault = false;                        ///< The error is a fault of this program; else it could not be read.
   bool is_claim = false;                     ///< Whether it was understood, so that there is something to count.
   Certificate certificate = {};              ///< Of both checkers. Its message begins without the file's name.
-  std::optional<SecondOpinion> second = {};  ///< Nothing if it was not asked.
+  std::optional<SecondOpinion> second = {};  ///< Absent if the second checker was not run.
 };
 
 [[nodiscard]] int exit_code(const FileReport& report);

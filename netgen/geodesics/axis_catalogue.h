@@ -86,7 +86,7 @@ class AxisCatalogue {
   [[nodiscard]] std::optional<std::uint32_t> find(const Place& place);
   /// How an axis passes through a triangle.
   struct Passage {
-    std::optional<Step> step;  ///< Nothing if the axis passes by.
+    std::optional<Step> step;  ///< Absent if the axis misses the triangle.
     Dart leave{};              ///< Through which it leaves; with a step only.
     bool meets_vertex = false;
   };

@@ -34,7 +34,7 @@ class Collars {
   /// Keeps a reference to the triangulation.
   Collars(Triangulation& triangulation, const Length& epsilon);
 
-  /// The core of a loop edge shorter than l_ε, sinh(l_ε/2) = √2 sinh(ε/2), at the start of d; nothing if there is no
+  /// The core of a loop edge shorter than l_ε, sinh(l_ε/2) = √2 sinh(ε/2), at the start of d; nullopt if there is no
   /// such loop or its core is longer than ε. If the vertices are an ε-packing and the triangulation is Delaunay, every
   /// vertex in the l_ε-collar of such a core has one (thesis Lemma III.8).
   [[nodiscard]] std::optional<Core> core_at(Dart d);
@@ -80,7 +80,7 @@ class Collars {
   [[nodiscard]] Inserted insert(const Core& core, const Complex<Mp1024>& z, std::uint32_t t, LabelId label,
                                 Journal* journal);
   /// The darts to cross from a triangle to the nearest one with a vertex of a collar, and last the dart that leaves
-  /// that vertex there; nothing if there is no such vertex. O(n).
+  /// that vertex there; empty if there is no such vertex. O(n).
   [[nodiscard]] std::vector<Dart> way_to_collar(std::uint32_t t) const;
 
   /// Of a walk to a point beside a core, which may cross triangles that wind around it; they end by thesis Theorem

@@ -64,7 +64,7 @@ struct NetOptions {
 /// Whether ε ≤ ln √2, decided exactly: the limit for pseudo ε-nets (thesis Lemma III.9).
 [[nodiscard]] bool allows_pseudo_nets(const Length& epsilon);
 
-/// What a run did, in the terms of the thesis (IV.6.2).
+/// Statistics of a run, in the terms of the thesis (IV.6.2).
 struct NetStatistics {
   std::uint64_t insertions = 0;
   std::uint64_t flips = 0;             ///< Of the insertions. A cavity of k triangles counts as k − 1 flips.
