@@ -1,4 +1,4 @@
-"""ε-nets of closed hyperbolic surfaces, closed geodesics, distances: every number an interval that is proved.
+"""ε-nets of closed hyperbolic surfaces, closed geodesics, distances. Every number is a proved interval.
 
 An ε-net is a finite set of points such that every point of the surface is within hyperbolic distance ε of one of them, and no two are closer
 than ε. What is computed is checked by an independent checker in ball arithmetic before you see it.

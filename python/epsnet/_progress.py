@@ -1,4 +1,4 @@
-"""What shows that a long computation goes on."""
+"""The progress of long computations."""
 from __future__ import annotations
 
 import sys
@@ -14,7 +14,7 @@ _QUIET_SECONDS = 2.0
 
 
 class Shower:
-    """A bar of tqdm, or a line on a terminal, that appears when a computation has taken two seconds.
+    """A bar of tqdm, or a line on a terminal. It appears once a computation has taken two seconds.
 
     Used as ``with Shower(progress) as callback``; the callback goes to the library, or None.
     """
@@ -58,7 +58,7 @@ def _new_bar() -> Any:
 
 
 class _Line:
-    """What there is of a bar without tqdm: one line of a terminal."""
+    """A bar without tqdm: one line of a terminal."""
 
     def __init__(self) -> None:
         self.n = 0

@@ -1,4 +1,4 @@
-"""Pictures that the library does not draw itself."""
+"""Pictures drawn in Python, not by the library."""
 from __future__ import annotations
 
 from typing import Sequence
@@ -32,7 +32,7 @@ def polygon_svg(vertices: Sequence[complex], size: int = 500, rays: Sequence[com
 
 
 def _radius(z: complex, w: complex) -> "float | None":
-    """Of the circle through z and w that meets the unit circle at right angles; None if it is a line."""
+    """The radius of the circle through z and w that meets the unit circle at right angles; None if it is a line."""
     cross = (z.conjugate() * w).imag
     if abs(cross) < 1e-9:
         return None

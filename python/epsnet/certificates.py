@@ -1,4 +1,4 @@
-"""What the checker says."""
+"""The results of the checker."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional
@@ -14,7 +14,7 @@ __all__ = ["Certificate", "Rule"]
 
 
 class Rule(NamedTuple):
-    """What one rule of the checker says of a document."""
+    """The result of one rule for a document."""
 
     name: str
     verdict: str
@@ -22,7 +22,7 @@ class Rule(NamedTuple):
 
 
 class Certificate:
-    """The answer of the checker, which shares no code with what made the net.
+    """The result of the checker, which shares no code with the generator of the net.
 
     >>> import epsnet
     >>> net = epsnet.Surface.octagon(seed=123).net("0.3")
@@ -52,7 +52,7 @@ class Certificate:
 
     @property
     def claim(self) -> str:
-        """What holds if the verdict is "VERIFIED", in words."""
+        """The statement that the verdict "VERIFIED" proves."""
         return self._core.claim
 
     @property
@@ -62,7 +62,7 @@ class Certificate:
 
     @property
     def message(self) -> str:
-        """What that rule says."""
+        """The message of that rule."""
         return self._core.message
 
     @property
@@ -72,7 +72,7 @@ class Certificate:
 
     @property
     def counts(self) -> dict[str, int]:
-        """Sizes of what was checked, and what it took."""
+        """The sizes of the document, and the cost of the check."""
         return self._core.counts
 
     @property
@@ -107,7 +107,7 @@ def _escaped(text: str) -> str:
 
 
 def checked(document: Any, progress: Progress, threads: int = 0, *, subject: str) -> Certificate:
-    """The certificate of a document that was made here. Raises NotVerifiedError unless it is verified."""
+    """Returns the certificate of a document made by this library. Raises NotVerifiedError unless it is verified."""
     with Shower(progress) as callback:
         certificate = Certificate(document.check(threads, True, callback))
     return required(certificate, subject)
@@ -121,7 +121,7 @@ def required(certificate: Certificate, subject: str) -> Certificate:
 
 
 class Proof:
-    """A document and its certificate, which is made when it is asked for the first time."""
+    """A document and its certificate, which is computed on first use."""
 
     def __init__(self, document: Any, certificate: Optional[Certificate]) -> None:
         self.document = document
@@ -135,5 +135,5 @@ class Proof:
 
     @property
     def proved(self) -> bool:
-        """Whether it was checked, and verified."""
+        """Whether the document was checked and verified."""
         return self._certificate is not None and self._certificate.verified

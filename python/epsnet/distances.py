@@ -32,7 +32,7 @@ class _Measured(Interval):
 
     @property
     def certificate(self) -> Certificate:
-        """What the checker says."""
+        """The certificate."""
         return self._proof.certificate
 
     @property
@@ -44,7 +44,7 @@ class _Measured(Interval):
 
     @property
     def net(self) -> "Net":
-        """The net of one vertex on which it is proved."""
+        """The one-vertex net on which the number is proved."""
         from .nets import Net
 
         return Net(self._core.net, self._surface, None, None)
@@ -55,7 +55,7 @@ class _Measured(Interval):
 
 
 class Distance(_Measured):
-    """The distance between two points p and q, as an interval, with all geodesics between them that are not longer than its upper end.
+    """The distance between two points p and q, as an interval, with all geodesics between them of length up to its upper end.
 
     >>> import epsnet
     >>> bolza = epsnet.Surface.regular(2)
@@ -82,12 +82,12 @@ class Distance(_Measured):
 
     @property
     def equal(self) -> bool:
-        """Whether all of the paths are exactly equally long, so that they are all the shortest ones; False claims nothing."""
+        """Whether all paths have exactly equal length, so that all are shortest; False claims nothing."""
         equal: bool = self._core.equal
         return equal and self.proved
 
     def svg(self, size: int = 500) -> str:
-        """The paths in the Dirichlet domain of p, which is in the centre; of q, if p is not strictly inside of its tile."""
+        """The paths in the Dirichlet domain of p, which is in the centre; of q, if p is not strictly inside its tile."""
         _, (x, y) = base = self._core.net.charts[0]
         centre, (_, z) = Gaussian(x, y), self._core.point
         ends = []
@@ -109,7 +109,7 @@ def _moved(z: complex, to_centre: complex) -> complex:
 
 
 class Cover(_Measured):
-    """The maximum of a function of the points of a surface, as an interval that is proved cell by cell."""
+    """The maximum of a function on a surface, as an interval, proved cell by cell."""
 
     __slots__ = ()
 
@@ -118,13 +118,13 @@ class Cover(_Measured):
 
     @property
     def cells(self) -> int:
-        """Into how many cells the surface was cut."""
+        """The number of cells into which the surface was cut."""
         cells: int = self._core.cells
         return cells
 
     @property
     def triangulations(self) -> int:
-        """How many triangulations bound the function on them."""
+        """The number of triangulations that bound the function on the cells."""
         triangulations: int = self._core.triangulations
         return triangulations
 
@@ -160,7 +160,7 @@ class Eccentricity(Interval):
 
     @property
     def certificate(self) -> Certificate:
-        """What the checker says of the net."""
+        """The certificate of the net."""
         return self.net.certificate
 
 

@@ -26,7 +26,7 @@ class PolygonSide(NamedTuple):
 
 
 class FundamentalPolygon:
-    """The tiles of a surface as one polygon in the disk of tile 0. Copies of it by the group fill the plane (Poincaré's theorem).
+    """The tiles of a surface as one polygon in the disk of tile 0. Its images under the group tile the plane (Poincaré's theorem).
 
     >>> import epsnet
     >>> polygon = epsnet.Surface.fenchel_nielsen(2, 0, "chain", genus=3).fundamental_polygon()
@@ -42,7 +42,7 @@ class FundamentalPolygon:
 
     @property
     def vertices(self) -> list[Gaussian]:
-        """The corners, counterclockwise: exact, but for a regular surface, where they are rounded to 256 bits."""
+        """The corners, counterclockwise. They are exact; for a regular surface they are rounded to 256 bits."""
         return [Gaussian(x, y) for x, y in self._core.vertices]
 
     def generators(self) -> list[Isometry]:
@@ -61,7 +61,7 @@ class FundamentalPolygon:
 
 
 class DirichletSide(NamedTuple):
-    """A side of a Dirichlet domain: of the points that are as near to the base point as to its image under γ."""
+    """A side of a Dirichlet domain: it consists of points as near to the base point as to its image under γ."""
 
     #: γ.
     isometry: Isometry
@@ -87,7 +87,7 @@ class DirichletDomain:
 
     @property
     def ties(self) -> int:
-        """How many sides of length 0 there are, which are left out."""
+        """The number of sides of length 0, which ``sides`` leaves out."""
         return self._core.ties
 
     def svg(self, size: int = 600) -> str:

@@ -1,4 +1,4 @@
-"""The exceptions of epsnet: one family, each of which says where and why."""
+"""The exceptions of epsnet: one family. Each names the place and the reason of the error."""
 from __future__ import annotations
 
 import re
@@ -56,11 +56,11 @@ class ArgumentError(EpsnetError, ValueError):
 
 
 class SurfaceError(EpsnetError, ValueError):
-    """No closed hyperbolic surface, or a point or a path that is none of this surface."""
+    """The data is not a closed hyperbolic surface, or a point or a path is not on this surface."""
 
 
 class FormatError(EpsnetError, ValueError):
-    """A text is not what its format says; ``file`` and ``place`` say where."""
+    """A text violates its format; ``file`` and ``place`` locate the error."""
 
 
 class FileError(EpsnetError, OSError):
@@ -79,7 +79,7 @@ class LimitError(EpsnetError):
 
 
 class NotVerifiedError(EpsnetError):
-    """The checker did not say VERIFIED: nothing is handed out. ``certificate`` is what it said."""
+    """The checker did not say VERIFIED, so there is no result. ``certificate`` is the checker's result."""
 
     def __init__(self, message: str, certificate: "Certificate") -> None:
         super().__init__(message)

@@ -1,4 +1,4 @@
-"""Files: whatever epsnet wrote."""
+"""Reading and checking the files of epsnet."""
 from __future__ import annotations
 
 import os
@@ -19,7 +19,7 @@ Loaded = Union[Surface, Net, ClosedGeodesics, Systole, ThickThin, Distance, Cove
 
 
 def load(path: Path, *, check: bool = True, progress: Progress = None) -> Loaded:
-    """What a file holds: a Surface, a Net, ClosedGeodesics (Systole, ThickThin), a Distance, a Diameter or an EmbeddedDisk.
+    """The contents of a file: a Surface, a Net, ClosedGeodesics (Systole, ThickThin), a Distance, a Diameter or an EmbeddedDisk.
 
     The file is checked; NotVerifiedError, which has the certificate, unless it is verified. With ``check=False`` nothing is checked: then
     intervals say ``proved=False``, and ``certificate`` checks when it is asked for. FormatError and FileError say where, and what was expected.
@@ -53,7 +53,7 @@ def load(path: Path, *, check: bool = True, progress: Progress = None) -> Loaded
 
 
 def certify(path: Path, *, threads: int = 0, progress: Progress = None) -> Certificate:
-    """What the checker says of a file, whatever that is: compare ``verdict``. A text that is no file of epsnet is FormatError.
+    """The certificate of a file of any kind: compare ``verdict``. Raises FormatError if the text is not a file of epsnet.
 
     >>> import epsnet, tempfile, os
     >>> path = os.path.join(tempfile.mkdtemp(), "net.json")
@@ -68,7 +68,7 @@ def certify(path: Path, *, threads: int = 0, progress: Progress = None) -> Certi
 
 
 def surface_of_file(path: Path) -> Surface:
-    """The surface of a file, of whatever kind."""
+    """The surface of a file of any kind."""
     name = _epsnet.display_name(os.fspath(path))
     text = _epsnet.read(os.fspath(path))
     if _format_of(text) in (None, "epsnet-surface"):
@@ -78,7 +78,7 @@ def surface_of_file(path: Path) -> Surface:
 
 
 def _format_of(text: bytes) -> Optional[str]:
-    """What a text says in its member "format"; None if it is no JSON. (Inside of a string its quotation marks would be escaped.)"""
+    """The member "format" of a text; None if the text is not JSON. (Inside a string its quotation marks would be escaped.)"""
     if not text.lstrip()[:1] in (b"{", b"["):
         return None
     found = re.search(rb'"format"\s*:\s*"([^"\\]*)"', text)

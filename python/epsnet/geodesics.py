@@ -20,7 +20,7 @@ __all__ = ["ClosedGeodesic", "ClosedGeodesics", "Multiplicity", "Piece", "Systol
 
 @dataclass(frozen=True)
 class Multiplicity:
-    """Closed geodesics whose lengths their enclosures do not tell apart."""
+    """Closed geodesics whose lengths the enclosures cannot distinguish."""
 
     #: An interval that contains all of their lengths.
     length: Interval
@@ -93,12 +93,12 @@ class ClosedGeodesics(Sequence[ClosedGeodesic]):
 
     @property
     def certificate(self) -> Certificate:
-        """What the checker says of the list."""
+        """The certificate of the list."""
         return self._proof.certificate
 
     @property
     def proved(self) -> bool:
-        """Whether it was checked, and verified."""
+        """Whether the list was checked and verified."""
         return self._proof.proved
 
     @property
@@ -125,7 +125,7 @@ class ClosedGeodesics(Sequence[ClosedGeodesic]):
         self._core.save(os.fspath(path))
 
     def multiplicities(self) -> list[Multiplicity]:
-        """The list by lengths."""
+        """The list, grouped by length."""
         result = []
         for first, count, equal in self._core.clusters:
             run = self._list[first:first + count]
@@ -192,7 +192,7 @@ class Systole(Interval):
 
     @property
     def certificate(self) -> Certificate:
-        """What the checker says."""
+        """The certificate."""
         return self._geodesics.certificate
 
     def save(self, path: Path) -> None:

@@ -78,12 +78,12 @@ class Interval:
 
     @property
     def mid(self) -> float:
-        """The number in the middle, rounded: near the true one, and nothing more. ``error`` bounds how far it is off."""
+        """The midpoint, rounded. It is only near the true number; ``error`` bounds the difference."""
         return float((self._lower + self._upper) / 2)
 
     @property
     def error(self) -> float:
-        """The distance of the true number from ``mid`` is at most this."""
+        """A bound for the distance of the true number from ``mid``."""
         mid = Fraction(self.mid)
         return _rounded(max(self._upper - mid, mid - self._lower), math.inf)
 
@@ -100,11 +100,11 @@ class Interval:
         return self._lower <= Fraction(x) <= self._upper
 
     def overlaps(self, other: "Interval") -> bool:
-        """Whether the two have a point in common: if not, the numbers differ."""
+        """Whether the two intervals intersect. If they do not, the numbers differ."""
         return self._lower <= other._upper and other._lower <= self._upper
 
     def __eq__(self, other: object) -> bool:
-        """Whether the ends are the same: that says nothing of the numbers in between."""
+        """Whether the ends are equal. This says nothing about the numbers inside."""
         return isinstance(other, Interval) and self.ends == other.ends
 
     def __hash__(self) -> int:

@@ -120,12 +120,12 @@ class ComplexInterval:
 
     @property
     def mid(self) -> complex:
-        """The number in the middle, rounded: near the true one, and nothing more."""
+        """The midpoint, rounded. It is only near the true number."""
         return complex(self.re.mid, self.im.mid)
 
     @property
     def error(self) -> float:
-        """The true number is at most this far from ``mid`` in each of its parts."""
+        """A bound for the error of ``mid`` in each of its two parts."""
         return max(self.re.error, self.im.error)
 
     def conjugate(self) -> "ComplexInterval":
@@ -180,7 +180,7 @@ class Isometry:
 
     @property
     def is_exact(self) -> bool:
-        """Whether ``a`` and ``b`` are there: whether the tiles are rational, as those of all surfaces are but the regular ones."""
+        """Whether ``a`` and ``b`` exist: true if the tiles are rational, which holds for all surfaces except the regular ones."""
         return not self.surface.is_regular
 
     def _pair(self) -> tuple[Gaussian, Gaussian]:
@@ -211,7 +211,7 @@ class Isometry:
     def exact_real(self) -> Matrix:
         """The same isometry of the upper half-plane: a matrix of integers (as Fraction) with the determinant ``determinant``.
 
-        The half-plane is the disk by z ↦ (z − i)/(z + i)."""
+        The map z ↦ (z − i)/(z + i) identifies the half-plane with the disk."""
         a, b = self.a, self.b
         return ((a.re + b.re, a.im - b.im), (-a.im - b.im, a.re - b.re))
 
@@ -234,7 +234,7 @@ class Isometry:
         return _converted(rows, bits, kind)
 
     def sl2r(self, bits: Optional[int] = None, kind: Optional[str] = None) -> Matrix:
-        """The same isometry of the upper half-plane, in SL(2,R), as ``su11``; the half-plane is the disk by z ↦ (z − i)/(z + i)."""
+        """The same isometry of the upper half-plane, in SL(2,R), as ``su11``; z ↦ (z − i)/(z + i) maps the half-plane to the disk."""
         a, b = self.enclosure(53 if bits is None else bits)
 
         def sum_of(x: Interval, y: Interval) -> Interval:

@@ -40,7 +40,7 @@ class Collar(NamedTuple):
 
 
 class Lifts:
-    """One lift of every triangle of a net to the Poincaré disk, connected: what pictures show. Rounded to binary64, not proved."""
+    """One lift of every triangle of a net to the Poincaré disk, as in pictures; their union is connected. Rounded to binary64, not proved."""
 
     def __init__(self, core: "_epsnet.Lifts") -> None:
         self._core = core
@@ -57,7 +57,7 @@ class Lifts:
 
     @property
     def places(self) -> "Indices":
-        """By triangle, its place in that order: ``lifts.corners[lifts.places]`` has the triangles in the order of the net."""
+        """By triangle: its index in that order. ``lifts.corners[lifts.places]`` has the triangles in the order of the net."""
         return self._core.places
 
     def __len__(self) -> int:
@@ -96,13 +96,13 @@ class Net:
 
     @classmethod
     def of_tiles(cls, surface: Surface, epsilon: Number) -> "Net":
-        """The tiles of a surface, all triangles, as they are. Whether they are an ε-net is for ``certificate`` to say."""
+        """The tiles of a surface as the triangles of a net, unchanged. All must be triangles. ``certificate`` decides whether this is an ε-net."""
         return cls(_epsnet.Net.of_tiles(surface._core, length_text(epsilon, "epsilon")), surface, None, None)
 
     @classmethod
     def load(cls, path: Path, *, check: bool = True) -> "Net":
-        """The net of a net file; NotVerifiedError unless it is verified, or FormatError. With ``check=False`` it is not checked before
-        ``certificate`` is asked for."""
+        """The net of a net file. Raises FormatError, or NotVerifiedError unless it is verified. With ``check=False`` the check is
+        delayed until the first use of ``certificate``."""
         from .files import load
 
         net = load(path, check=check)
@@ -120,12 +120,12 @@ class Net:
 
     @property
     def certificate(self) -> Certificate:
-        """What the checker says of the net: made with it, or, of a net that was loaded without, now."""
+        """The certificate of the net, made with the net; computed on first use if the net was loaded with ``check=False``."""
         return self._proof.certificate
 
     @property
     def proved(self) -> bool:
-        """Whether it was checked, and verified."""
+        """Whether the net was checked and verified."""
         return self._proof.proved
 
     @property
@@ -137,7 +137,7 @@ class Net:
 
     @property
     def epsilon(self) -> str:
-        """ε, as it was given: a decimal or a quotient."""
+        """ε, as given: a decimal or a quotient."""
         return self._core.epsilon
 
     @property
@@ -190,7 +190,7 @@ class Net:
 
     @property
     def collars(self) -> Optional[list[Collar]]:
-        """Of a pseudo net; None for any other net."""
+        """The collars of a pseudo net; None for any other net."""
         collars = self._core.collars
         if collars is None:
             return None
@@ -278,7 +278,7 @@ class Net:
         return self.svg()
 
     def view(self, title: str = "", *, show: Iterable[Any] = (), height: int = 640) -> "Page":
-        """A page to travel in the surface, with the verdict of the net: inside of a notebook, or ``.save("view.html")``."""
+        """A page to travel in the surface, with the verdict of the net: in a notebook, or ``.save("view.html")``."""
         return Page(self._core.page(title or repr(self), self.certificate._core, self._layers(show)), height)
 
     def export(self, format: str, path: Optional[Path] = None) -> Optional[bytes]:
@@ -317,7 +317,7 @@ def _unpickled(text: bytes) -> Net:
 
 
 class Page:
-    """An HTML page that needs nothing else; a notebook shows it in a frame."""
+    """A self-contained HTML page; a notebook shows it in a frame."""
 
     def __init__(self, text: str, height: int) -> None:
         #: The page.

@@ -24,7 +24,7 @@ Path = Union[str, "os.PathLike[str]"]
 
 
 class Point(NamedTuple):
-    """A point of a surface: of a tile, with rational coordinates in the Poincaré disk of that tile."""
+    """A point of a surface: a tile, and rational coordinates in the Poincaré disk of that tile."""
 
     tile: int
     x: Fraction
@@ -150,7 +150,7 @@ class Surface:
         hyperbolic length, too. One number stands for all edges.
 
         ``graph``: edges, as [(0, 1), (0, 1), (0, 1)] or "0-1 0-1 0-1", of which the nodes are the pairs of pants; or "chain", "ring", "tree",
-        "random" with a genus. What is left out is drawn with the seed. Exact: lengths and twists of the surface differ from those asked for
+        "random" with a genus. Missing values are drawn with the seed. Exact: lengths and twists of the surface differ from those asked for
         by a factor within 1 ± 2⁻⁵⁰ (docs/fenchel-nielsen.md).
 
         >>> import epsnet
@@ -197,22 +197,22 @@ class Surface:
 
     @property
     def genus(self) -> int:
-        """At least 2."""
+        """The genus, at least 2."""
         return self._core.genus
 
     @property
     def about(self) -> str:
-        """Where the surface comes from, in words; no part of what it is."""
+        """A free text about the origin of the surface; it is not part of the surface."""
         return self._core.about
 
     @property
     def is_regular(self) -> bool:
-        """Whether it was made by ``regular``: then its tile is rounded, and elements of its group are algebraic."""
+        """Whether the surface was made by ``regular``. Then its tile is rounded, and elements of its group are algebraic."""
         return self._core.is_regular
 
     @property
     def tiles(self) -> list[list[Gaussian]]:
-        """The polygons, counterclockwise, each in coordinates of its own. Exact, but for a regular surface, where they are rounded to 256 bits."""
+        """The polygons, counterclockwise, each in its own coordinates. Exact; for a regular surface rounded to 256 bits."""
         return [[Gaussian(x, y) for x, y in tile] for tile in self._core.tiles]
 
     @property
@@ -225,7 +225,7 @@ class Surface:
         return self._core.partner(as_index(side, "side", 0, self._core.side_count - 1))
 
     def reduced(self, word: Iterable[int]) -> tuple[int, ...]:
-        """A path without sides that are crossed back at once."""
+        """The path with each crossing that is undone at once removed."""
         result: list[int] = []
         for side in word:
             if result and self.partner(result[-1]) == side:
@@ -244,7 +244,7 @@ class Surface:
         return Point(as_index(tile, "tile"), as_fraction(x, "x"), as_fraction(y, "y"))
 
     def centre(self, tile: int = 0) -> Point:
-        """A point strictly inside of a tile with few digits."""
+        """A point with few digits, strictly inside a tile."""
         number, (x, y) = self._core.centre_of_tile(as_index(tile, "tile"))
         return Point(number, x, y)
 
@@ -273,7 +273,7 @@ class Surface:
         return self.fundamental_polygon().generators()
 
     def element(self, word: Iterable[int]) -> Isometry:
-        """The element of the group that a path across sides stands for."""
+        """The element of the group for a path across sides."""
         return Isometry(self, list(word))
 
     def fundamental_polygon(self) -> "FundamentalPolygon":
@@ -283,7 +283,7 @@ class Surface:
         return FundamentalPolygon(self)
 
     def dirichlet_domain(self, p: Optional[PointLike] = None) -> "DirichletDomain":
-        """The Dirichlet domain of a point; without one, of the first vertex of the tiles, or the centre of a regular surface.
+        """The Dirichlet domain of a point. The default is the first vertex of the tiles, or the centre of a regular surface.
 
         Which sides there are and how they are paired is proved; its vertices are rounded.
 
@@ -338,7 +338,7 @@ class Surface:
         return systole(self, threads, progress)
 
     def spectrum(self, up_to: Number, *, threads: int = 0, progress: "Progress" = None) -> "ClosedGeodesics":
-        """All primitive closed geodesics up to a length, up to orientation, by length: proved to be all. Takes time proportional to e^L.
+        """All primitive closed geodesics up to a length, up to orientation, by length. The list is proved complete. Takes time proportional to e^L.
 
         >>> import epsnet
         >>> spectrum = epsnet.Surface.regular(2).spectrum("4.9")
@@ -397,7 +397,7 @@ class Surface:
         return embedded_disk(self, width, progress)
 
     def eccentricity(self, p: PointLike) -> "Eccentricity":
-        """The greatest distance of a point of the surface from p, in a proved interval; p is strictly inside of its tile."""
+        """The greatest distance of a point of the surface from p, in a proved interval; p must be strictly inside its tile."""
         from .distances import eccentricity
 
         return eccentricity(self, p)
@@ -405,7 +405,7 @@ class Surface:
     # As a value.
 
     def __eq__(self, other: object) -> bool:
-        """Whether the descriptions are the same: tiles and gluing. Isometric surfaces may have different ones."""
+        """Whether tiles and gluing are equal. Isometric surfaces may have different tiles and gluings."""
         return isinstance(other, Surface) and self._core == other._core
 
     def __hash__(self) -> int:
