@@ -21,10 +21,10 @@
 #include "triangulation/surface.h"
 #include "triangulation/triangulation.h"
 
-/// The commands of the program `epsnet`, a file each: what the command line says of them, and what they do.
+/// The commands of the program `epsnet`, one file each: their options, and their work.
 namespace epsnet::program {
 
-/// What the command line asks for, to be run once it is read.
+/// The work of a command, to be run after the command line is read.
 using Job = std::function<void()>;
 
 // Each adds a command to the program, whose callback sets `chosen`.
@@ -63,16 +63,16 @@ void add_threads(CLI::App& command, unsigned& threads);
 /// The point that --base, or another option, names: "tile,x,y", or "tile": the centre of the tile. Throws UsageError.
 [[nodiscard]] BasePoint parse_base(const std::string& text, const Surface& surface,
                                    const std::string& option = "--base");
-/// What --help says of a point of a surface file or a net file.
+/// The help text for a point of a surface file or a net file.
 inline constexpr const char* kPointHelp =
-    "a point: of tile T, exact; T alone is its centre; of a net file also vN, vertex N, or tN:A,B,C, the point of "
-    "triangle N with these weights on its corners in the hyperboloid model";
+    "a point: T,X,Y of tile T, exact, or T alone for its centre; for a net file also vN, vertex N, or tN:A,B,C, the "
+    "point of triangle N with these weights on its corners in the hyperboloid model";
 /// A required argument that is a point.
 void add_point(CLI::App& command, const char* name, std::string& text, const std::string& what);
-/// The point that an argument, or a line of a file, names. Throws UsageError for a text that names none, JobError for
-/// what is not there; both begin with `name`.
+/// Returns the point named by an argument or by a line of a file. Throws UsageError if the text names no point,
+/// JobError if the file has no such tile, vertex or triangle. Both messages begin with `name`.
 [[nodiscard]] BasePoint parse_point(const std::string& name, const std::string& text, const SurfaceOrNet& input);
-/// The number of "v17", for the letter v; nothing for any other text.
+/// Returns the number in "v17", for the letter v; nullopt for any other text.
 [[nodiscard]] std::optional<std::uint32_t> number_after(char letter, std::string_view text);
 /// A number of the command line as files have it: ".5" is "0.5" and "-.5" is "-0.5". Any other text stays as it is.
 [[nodiscard]] std::string with_leading_zero(const std::string& number);
@@ -80,19 +80,19 @@ void add_point(CLI::App& command, const char* name, std::string& text, const std
 [[nodiscard]] Length parse_length(const std::string& option, const std::string& text);
 /// --geodesics FILE.
 void add_geodesics(CLI::App& command, std::string& file);
-/// Facts of info.h as what a command has to say.
+/// Facts of info.h as a report.
 [[nodiscard]] inline Report facts_report(const Facts& facts) { return {facts.text, facts.json}; }
-/// What the certificate of a net proved.
+/// The facts proved by the certificate of a net.
 [[nodiscard]] Report certificate_report(const certify::Certificate& certificate);
-/// What a geodesics file says, as lines and as an object.
+/// The contents of a geodesics file, as lines and as an object.
 [[nodiscard]] Report geodesics_report(const certify::GeodesicsDocument& document);
-/// What a cover file says, as lines and as an object.
+/// The contents of a cover file, as lines and as an object.
 [[nodiscard]] Report cover_report(const certify::CoverDocument& document);
 /// A distance and words of the shortest geodesics, as lines and as an object.
 [[nodiscard]] Report distance_report(const certify::DistanceDocument& document,
                                      const std::vector<std::vector<std::uint32_t>>& words);
-/// The closed geodesics of a geodesics file about the net's surface as a layer of a picture. Throws JobError, and as
-/// the reader.
+/// The closed geodesics of a geodesics file about the net's surface as a layer of a picture. Throws JobError, and the
+/// exceptions of the reader.
 [[nodiscard]] std::vector<Layer> load_geodesics_layers(const std::string& file, const certify::NetDocument& net);
 /// For an option with a whole number, least and most included. CLI11's own words for it differ between versions.
 [[nodiscard]] CLI::Validator integer_between(std::uint64_t least, std::uint64_t most);

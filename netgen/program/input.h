@@ -13,12 +13,11 @@
 #include "netgen/nets/dirichlet_polygon.h"
 #include "triangulation/surface.h"
 
-/// Files in: every file that a command reads is read once (certify::load), so that it may be a pipe; "-" is standard
-/// input. Errors name the path as it was given. All throw certify::FileError, and what the readers of the formats
-/// throw.
+/// Input files. Every file is read once (certify::load), so it may be a pipe; "-" is standard input. Errors name the
+/// path as given. All functions throw certify::FileError, and the exceptions of the readers.
 namespace epsnet::program {
 
-/// A text that another program wrote, and what messages call it.
+/// A text that another program wrote, and its name in messages.
 struct TextInput {
   std::string name;
   std::string text;
@@ -28,7 +27,7 @@ struct TextInput {
 [[nodiscard]] Surface read_surface_input(const std::string& path);
 [[nodiscard]] certify::NetDocument read_net_input(const std::string& path);
 
-/// A surface, and the net in whose file it is.
+/// A surface, and the net of the same file, if there is one.
 struct SurfaceOrNet {
   Surface surface;
   std::optional<certify::NetDocument> net;
@@ -36,12 +35,13 @@ struct SurfaceOrNet {
 /// A surface file or a net file. Throws JobError for any other.
 [[nodiscard]] SurfaceOrNet read_surface_or_net(const std::string& path);
 
-/// A point of a file of points, in words of the command line, and what messages call it: "FILE:LINE".
+/// A point of a file of points, as on the command line, and its name in messages: "FILE:LINE".
 struct PointText {
   std::string name;
   std::string text;
 };
-/// A file with a point on each line; blank lines, and what follows "#", are left out. Throws JobError if there is none.
+/// Reads a file with one point per line; "#" begins a comment, and blank lines are ignored. Throws JobError if there is
+/// no point.
 [[nodiscard]] std::vector<PointText> read_points(const std::string& path);
 
 /// A surface that was imported from a text of another program.
@@ -50,7 +50,7 @@ struct ImportedSurface {
   Surface surface;
 };
 
-/// What any file that the program writes or imports holds.
+/// The contents of any file that the program writes or imports.
 using Contents = std::variant<Surface, certify::NetDocument, certify::GeodesicsDocument, certify::DistanceDocument,
                               certify::CoverDocument, DirichletPolygon, ImportedSurface>;
 [[nodiscard]] Contents read_any_input(const std::string& path);

@@ -55,32 +55,34 @@ struct OutputFile {
   FileType type;
 };
 
-/// The type that the name of a picture ends in: .svg or .png; svg for standard output and where the name has no
-/// extension. Throws UsageError, which says what there is.
+/// Returns the type of a picture by its extension, .svg or .png; svg for standard output and for a name without
+/// extension. Throws UsageError for any other extension, and names the two.
 [[nodiscard]] FileType picture_type(const std::string& option, const std::string& path);
 
-/// The type that the name of a net file ends in: compact for .epsn, else JSON.
+/// Returns the type of a net file by its extension: compact for .epsn, else JSON.
 [[nodiscard]] FileType net_type(const std::string& path);
 
-/// To be called before any work. Throws UsageError if two outputs, or an input and an output, are one file, however
-/// they are spelled, or if the name of an output ends as those of another type of file do; WriteError if an output
-/// cannot be made. A pipe is not read twice.
+/// Checks the files of a command; call it before any work. Throws UsageError if two outputs, or an input and an output,
+/// are the same file (under any spelling), if the extension of an output is that of another file type, or if a pipe
+/// would be read twice. Throws WriteError if an output cannot be made.
 void check_files(const std::vector<InputFile>& inputs, const std::vector<OutputFile>& outputs);
 
 /// Writes complete files, all or none; those without a path are left out.
 void write_outputs(std::vector<NewFile> files);
 void write_output(const std::string& path, const std::function<void(std::ostream&)>& write);
 
-/// A net as a file of the type that its name ends in. JobError if it cannot be written so.
+/// Returns a net as a file of the type that the extension names. Throws JobError if the net cannot be written in that
+/// type.
 void write_net_file(const certify::NetDocument& net, const std::string& path, std::ostream& out);
 
-/// What a command has to say: lines for people, and the same facts for programs.
+/// The report of a command: lines for people, and the same facts for programs.
 struct Report {
   std::string text;
   Json json = Json::object();
 };
 
-/// To standard output, or to standard error if a file goes to standard output: a net there stays a net.
+/// Writes a report to standard output. If a file goes to standard output, writes it to standard error instead, so that
+/// the file stays intact.
 void write_report(const Report& report, bool as_json, bool stdout_taken);
 
 }  // namespace epsnet::program
