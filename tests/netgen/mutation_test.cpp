@@ -12,7 +12,7 @@
 #include "netgen/exchange/exchange.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/octagon.h"
-#include "tests/attack/mutations.h"
+#include "tests/assurance/file_mutants/mutations.h"
 #include "tests/netgen/oracle.h"
 #include "tests/support/scale.h"
 

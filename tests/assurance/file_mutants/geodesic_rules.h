@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "tests/attack/net_rules.h"
+#include "tests/assurance/file_mutants/net_rules.h"
 
 /// The rules of geodesics files over an exact ring F. A closed geodesic is known by the sides of tiles that it crosses,
 /// in cyclic order and up to direction. Lest one runs through a vertex, the vertices of the tiles are moved a little,

@@ -1,4 +1,4 @@
-#include "tests/attack/reference_document.h"
+#include "tests/assurance/file_mutants/reference_document.h"
 
 #include <algorithm>
 #include <cctype>

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "tests/attack/reference_document.h"
+#include "tests/assurance/file_mutants/reference_document.h"
 
 /// The rules of docs/format.md in exact arithmetic, written once more for every kind of surface, pseudo nets and
 /// geodesics: as short as can be, with no line of certify/, and for small files alone.

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "tests/attack/plane.h"
-#include "tests/attack/reference_document.h"
+#include "tests/assurance/file_mutants/plane.h"
+#include "tests/assurance/file_mutants/reference_document.h"
 
 /// The rules of nets over an exact ring F.
 namespace epsnet::attack {

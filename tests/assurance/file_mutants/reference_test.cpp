@@ -1,4 +1,4 @@
-#include "tests/attack/reference.h"
+#include "tests/assurance/file_mutants/reference.h"
 
 #include <filesystem>
 #include <fstream>

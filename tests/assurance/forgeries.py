@@ -2966,7 +2966,7 @@ def tables():
 
 def document():
     with open(DOCUMENT, encoding="utf-8") as file:
-        head, mark, rest = file.read().partition("<!-- made by tests/certify/forgeries.py document -->\n")
+        head, mark, rest = file.read().partition("<!-- made by tests/assurance/forgeries.py document -->\n")
     _, end, tail = rest.partition("\n<!-- end -->")
     false = sum(entry.group != "disguises" for entry in entries.values())
     head = re.sub(r"\d+ forgeries and \d+ disguises", f"{false} forgeries and {len(entries) - false} disguises", head)

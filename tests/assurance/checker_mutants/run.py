@@ -9,7 +9,7 @@ run.py FOLDER document              writes the table of docs/attack.md anew
 run.py FOLDER mutant NUMBER         runs all tests that reach this mutant, and says which see it
 run.py FOLDER fresh                 forgets all results
 
-FOLDER is tests/certify/mutants in a build folder. Options: --only REGEX (file:function), --runner NAME (certify, nets),
+FOLDER is tests/assurance/checker_mutants in a build folder. Options: --only REGEX (file:function), --runner NAME (certify, nets),
 --seconds S (tests of one mutant in all, without mutant; default 8), --jobs N (default 2), --tests REGEX.
 
 Results are kept in FOLDER/results.json under what is changed, not its number, so that they outlive other changes of the
@@ -272,7 +272,7 @@ def table(folder, before):
 
 
 def document(folder):
-    mark, end = "<!-- made by tests/certify/mutants/run.py document -->\n", "\n<!-- end of mutants -->"
+    mark, end = "<!-- made by tests/assurance/checker_mutants/run.py document -->\n", "\n<!-- end of mutants -->"
     with open(DOCUMENT, encoding="utf-8") as file:
         head, found, rest = file.read().partition(mark)
     assert found

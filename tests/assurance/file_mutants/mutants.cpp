@@ -27,8 +27,8 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
-#include "tests/attack/mutations.h"
-#include "tests/attack/reference.h"
+#include "tests/assurance/file_mutants/mutations.h"
+#include "tests/assurance/file_mutants/reference.h"
 
 /// Mutants of files: single and double defects of true files, in the document or in its text; what `certify` says of
 /// them is compared with what `certify-exact` says, and with the reference of this folder.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tests/attack/numbers.h"
+#include "tests/assurance/file_mutants/numbers.h"
 
 /// The hyperbolic plane over an exact ring F: points n/d of the disk as pairs of complex numbers, isometries up to real
 /// factors. Nothing is divided.

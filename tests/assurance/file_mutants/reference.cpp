@@ -1,7 +1,7 @@
-#include "tests/attack/reference.h"
+#include "tests/assurance/file_mutants/reference.h"
 
-#include "tests/attack/geodesic_rules.h"
-#include "tests/attack/net_rules.h"
+#include "tests/assurance/file_mutants/geodesic_rules.h"
+#include "tests/assurance/file_mutants/net_rules.h"
 
 namespace epsnet::attack {
 

@@ -1,4 +1,4 @@
-#include "tests/attack/mutations.h"
+#include "tests/assurance/file_mutants/mutations.h"
 
 #include <algorithm>
 #include <array>
