@@ -2,12 +2,11 @@
 """False certificates, one idea each, and the rule that refutes each of them in both checkers.
 
 forgeries.py check [--small] CERTIFY CERTIFY-EXACT [NAME...]: makes the files (all, or those named), asks both
-    programs, and fails unless exit code, last line and rule are those of the table, and docs/attack.md has that table.
-    With --small, files of more than 100,000 bytes are left out: those that take minutes with sanitizers.
+    programs, and fails unless exit code, last line and rule are those of the list, and docs/attack.md says how many
+    files there are. With --small, files of more than 100,000 bytes are left out: those that take minutes with sanitizers.
+forgeries.py list: all files, each with its idea and what both programs say, as tables.
 forgeries.py write NAME: the file, to standard output.
 forgeries.py write-all FOLDER: all files, each as NAME.json.
-forgeries.py names: all names.
-forgeries.py document: writes the tables of docs/attack.md anew.
 
 A forgery is made from a true file of tests/data/forgeries by the function of its name, whose docstring says the
 idea, and why it is false or what it is aimed at where that is not plain. Disguises are true files that look unusual:
@@ -2942,7 +2941,7 @@ def check(certify, exact, names, largest):
     return len(asked), sum(asked, [])
 
 
-# ---- docs/attack.md ----------------------------------------------------------------------------------------------
+# ---- The list ----------------------------------------------------------------------------------------------------
 
 GROUPS = {
     "text": "The text", "numbers": "Numbers", "structure": "Structure", "surface": "Rule `surface`",
@@ -2955,22 +2954,24 @@ GROUPS = {
 def tables():
     lines = []
     for key, title in GROUPS.items():
-        lines += ["", f"### {title}", "", "| file | idea | `certify` | `certify-exact` |", "| --- | --- | --- | --- |"]
+        lines += [f"### {title}", "", "| file | idea | `certify` | `certify-exact` |", "| --- | --- | --- | --- |"]
         for entry in entries.values():
             if entry.group == key:
                 exact = "not for this checker" if entry.exact == LEFT else entry.exact
                 certify = entry.certify.rstrip("[")
                 lines.append(f"| `{entry.name}` | {entry.idea.replace('|', chr(92) + '|')} | {certify} | {exact} |")
-    return "\n".join(lines) + "\n"
+        lines.append("")
+    return "\n".join(lines + [total()])
 
 
-def document():
+def total():
+    disguises = sum(entry.group == "disguises" for entry in entries.values())
+    return f"{len(entries) - disguises} forgeries and {disguises} disguises"
+
+
+def problems_of_document():
     with open(DOCUMENT, encoding="utf-8") as file:
-        head, mark, rest = file.read().partition("<!-- made by tests/assurance/forgeries.py document -->\n")
-    _, end, tail = rest.partition("\n<!-- end -->")
-    false = sum(entry.group != "disguises" for entry in entries.values())
-    head = re.sub(r"\d+ forgeries and \d+ disguises", f"{false} forgeries and {len(entries) - false} disguises", head)
-    return head + mark + tables() + end + tail
+        return [] if total() in file.read() else [f"docs/attack.md does not say '{total()}'"]
 
 
 def main():
@@ -2982,9 +2983,7 @@ def main():
     if command == "check" and len(arguments) >= 2:
         asked, problems = check(*arguments[:2], arguments[2:] or list(entries), largest)
         if not arguments[2:]:
-            with open(DOCUMENT, encoding="utf-8") as file:
-                if file.read() != document():
-                    problems.append("docs/attack.md is not what `forgeries.py document` writes")
+            problems += problems_of_document()
         print("\n".join(problems + [f"{asked} files, {len(problems)} problems"]))
         sys.exit(1 if problems else 0)
     if command == "write" and len(arguments) == 1:
@@ -2993,12 +2992,8 @@ def main():
         for name in entries:
             with open(os.path.join(arguments[0], name + ".json"), "wb") as file:
                 file.write(contents(name))
-    elif command == "names":
-        print("\n".join(entries))
-    elif command == "document":
-        made = document()
-        with open(DOCUMENT, "w", encoding="utf-8") as file:
-            file.write(made)
+    elif command == "list":
+        print(tables())
     else:
         sys.exit(__doc__)
 

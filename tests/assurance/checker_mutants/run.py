@@ -2,18 +2,16 @@
 """Runs the tests against the mutants of the checkers (mutate.py) until one fails.
 
 run.py FOLDER all       [OPTIONS]   all mutants that have no result yet, then the report
-run.py FOLDER again     [OPTIONS]   those that survived and are not argued, with the tests of now
-run.py FOLDER report    [OPTIONS]   counts, and the survivors without an argument; fails if there is one
-run.py FOLDER show      [OPTIONS]   every survivor without an argument: number, place, change, tests that reach it
-run.py FOLDER document              writes the table of docs/attack.md anew
+run.py FOLDER again     [OPTIONS]   those that survived, with the tests of now, then the report
+run.py FOLDER report    [OPTIONS]   every survivor: number, place, change; and counts by room
 run.py FOLDER mutant NUMBER         runs all tests that reach this mutant, and says which see it
 run.py FOLDER fresh                 forgets all results
 
-FOLDER is tests/assurance/checker_mutants in a build folder. Options: --only REGEX (file:function), --runner NAME (certify, nets),
---seconds S (tests of one mutant in all, without mutant; default 8), --jobs N (default 2), --tests REGEX.
+FOLDER is tests/assurance/checker_mutants in a build folder. Options: --only REGEX (file:function), --runner NAME
+(certify, nets), --seconds S (tests of one mutant in all, without mutant; default 8), --jobs N (default 2), --tests REGEX.
 
 Results are kept in FOLDER/results.json under what is changed, not its number, so that they outlive other changes of the
-sources; `reach` is found anew whenever a runner is newer. Survivors are argued in survivors*.json beside this script.
+sources; `reach` is found anew whenever a runner is newer.
 """
 import argparse
 import collections
@@ -23,13 +21,11 @@ import os
 import re
 import subprocess
 import sys
-import textwrap
 import threading
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-TOP = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
 RUNNERS = ("certify", "nets")
-DOCUMENT = os.path.join(TOP, "docs", "attack.md")
+OUTCOMES = {"failed": "a test fails", "crashed": "crash", "hung": "hang", "survived": "survive", "not run": "not run yet"}
 
 
 def key_of(m):
@@ -176,115 +172,33 @@ def run(folder, runner, wanted, reach, options):
     return survivors
 
 
-def arguments():
-    """The groups of survivors*.json: why, and of which mutants; whole functions by giving neither line nor change."""
-    groups = []
-    for name in sorted(os.listdir(HERE)):
-        if re.fullmatch(r"survivors\w*\.json", name):
-            with open(os.path.join(HERE, name), encoding="utf-8") as file:
-                groups += json.load(file)
-    return groups
-
-
-def matches(entry, m):
-    return all(re.fullmatch(entry[k], m[k]) if k in ("file", "function") else entry[k] == m[k] for k in entry)
-
-
-def argued(groups, m):
-    for group in groups:
-        for entry in group["mutants"]:
-            if matches(entry, m):
-                return group
-    return None
-
-
-def report(folder, options, show=False):
-    groups = arguments()
-    wanted = select(folder, options)
-    count = collections.Counter()
-    unexplained = []
-    for m in wanted:
-        result = folder.results.get(key_of(m))
-        how = result["how"] if result else "not run"
-        if how == "survived":
-            if argued(groups, m):
-                how = "argued"
-            else:
-                unexplained.append((m, result))
-        count[how] += 1
-    if show:
-        for m, result in unexplained:
-            print(f"{m['id']} {m['file']}:{m['line_number']} {m['function']} [{m['kind']}] {'' if result['reached'] else 'NOT REACHED '}"
-                  f"{m['from'][:110]}  =>  {m['to'][:110]}\n      {m['line'][:150]}")
-    print(", ".join(f"{how} {n}" for how, n in sorted(count.items())), f"of {len(wanted)}")
-    print(f"survivors without an argument: {len(unexplained)}")
-    return not unexplained
-
-
 def select(folder, options):
     return [m for m in folder.mutants if re.search(options.only, m["file"] + ":" + m["function"])]
 
 
 def room_of(path):
     parts = path.split("/")
-    if parts[1].startswith("filter.") or path.startswith("certify/file/compact."):
-        return path.rpartition(".")[0]
     return "certify" if len(parts) == 2 else "/".join(parts[:2])
 
 
-def item(why, n, where):
-    """An argument as it stands in the document, where its mutants are on lines of their own."""
-    def wrap(text, first):
-        return textwrap.fill(text, 120, initial_indent=first, subsequent_indent="  ", break_long_words=False, break_on_hyphens=False)
-    return wrap(why, "* ") + "\n" + wrap(f"({n}: {where})", "  ")
-
-
-def table(folder, before):
-    """What is not in the results, as they were forgotten, stays as it was: rows of rooms, and how many are argued."""
-    groups = arguments()
-    unwrapped = re.sub(r"\n  (?=\S)", " ", before)
+def report(folder, options):
     rooms = collections.defaultdict(collections.Counter)
-    for m in folder.mutants:
+    for m in select(folder, options):
         result = folder.results.get(key_of(m), {"how": "not run"})
-        how = "argued" if result["how"] == "survived" and argued(groups, m) else result["how"]
-        rooms[room_of(m["file"])][how] += 1
-    kinds = ("failed", "crashed", "hung", "argued", "survived", "not run")
-    rows = {}
-    for room, c in rooms.items():
-        rows[room] = [sum(c.values())] + [c[kind] for kind in kinds]
-        old = re.search(rf"^\| {room} \|([ \d|]+)\|$", before, re.MULTILINE)
-        before_row = [int(n) for n in old[1].split("|")] if old else rows[room]
-        if c["not run"] == rows[room][0] and before_row[-1] < before_row[0]:
-            rows[room] = before_row
-    lines = ["| room | mutants | a test fails | crash | hang | survive, argued | survive | not run yet |",
-             "| --- | --- | --- | --- | --- | --- | --- | --- |"]
-    total = [sum(column) for column in zip(*rows.values())]
-    for room, row in sorted(rows.items()) + [("all", total)]:
-        lines.append(f"| {room} | " + " | ".join(str(n) for n in row) + " |")
-    lines += ["", "Why those that are argued change nothing:", ""]
-    for group in groups:
-        n = sum(any(matches(e, m) for e in group["mutants"]) for m in folder.mutants
-                if folder.results.get(key_of(m), {}).get("how") == "survived")
-        where = ", ".join(sorted({e["file"].replace("\\", "") for e in group["mutants"]}))
-        old = re.search(rf"^\* {re.escape(group['why'])} \((\d+): {re.escape(where)}\)$", unwrapped, re.MULTILINE)
-        lines.append(item(group["why"], n if n > 0 or not old else old[1], where))
-    return "\n".join(lines) + "\n"
-
-
-def document(folder):
-    mark, end = "<!-- made by tests/assurance/checker_mutants/run.py document -->\n", "\n<!-- end of mutants -->"
-    with open(DOCUMENT, encoding="utf-8") as file:
-        head, found, rest = file.read().partition(mark)
-    assert found
-    before, _, tail = rest.partition(end)
-    with open(DOCUMENT, "w", encoding="utf-8") as file:
-        file.write(head + mark + table(folder, before) + end + tail)
+        rooms[room_of(m["file"])][result["how"]] += 1
+        if result["how"] == "survived":
+            print(f"{m['id']} {m['file']}:{m['line_number']} {m['function']} [{m['kind']}]{'' if result['reached'] else ' NOT REACHED'}"
+                  f" {m['from'][:110]}  =>  {m['to'][:110]}\n      {m['line'][:150]}")
+    counts = [(room, rooms[room]) for room in sorted(rooms)] + [("all", sum(rooms.values(), collections.Counter()))]
+    print("| room | mutants | " + " | ".join(OUTCOMES.values()) + " |\n| --- |" + " --: |" * (len(OUTCOMES) + 1))
+    for room, count in counts:
+        print(f"| {room} | {sum(count.values())} | " + " | ".join(str(count[how]) for how in OUTCOMES) + " |")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder")
-    parser.add_argument("command", choices=("all", "again", "report", "show", "document", "mutant", "fresh"))
+    parser.add_argument("command", choices=("all", "again", "report", "mutant", "fresh"))
     parser.add_argument("number", nargs="?", type=int)
     parser.add_argument("--only", default="")
     parser.add_argument("--runner", default=None)
@@ -296,9 +210,6 @@ def main():
     if options.command == "fresh":
         folder.results = {}
         folder.save()
-        return
-    if options.command == "document":
-        document(folder)
         return
     runners = [options.runner] if options.runner else list(RUNNERS)
     if options.command == "mutant":
@@ -313,15 +224,11 @@ def main():
         return
     if options.command in ("all", "again"):
         folder.write_files()
-        groups = arguments()
-        wanted = [m for m in select(folder, options)
-                  if (key_of(m) not in folder.results if options.command == "all"
-                      else folder.results.get(key_of(m), {}).get("how") == "survived" and not argued(groups, m))]
-        wanted.sort(key=lambda m: argued(groups, m) is not None)  # Those that are expected to survive come last.
+        done = {"all": None, "again": "survived"}[options.command]
+        wanted = [m for m in select(folder, options) if folder.results.get(key_of(m), {}).get("how") == done]
         for name in runners:
             wanted = run(folder, name, wanted, folder.reach(name), options)
-    if not report(folder, options, options.command == "show"):
-        sys.exit(1)
+    report(folder, options)
 
 
 if __name__ == "__main__":
