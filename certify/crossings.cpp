@@ -11,7 +11,7 @@ struct CornerTurn {
   Turn turn;
 };
 
-/// The turns that a word is made of, each as long as it can be.
+/// The turns that a word is made of, each as long as it can be; shorter ones would have the same product.
 std::vector<CornerTurn> turns_of(std::uint32_t genus, std::span<const std::uint32_t> word) {
   std::vector<CornerTurn> turns;
   for (std::size_t i = 0; i < word.size(); ++i) {

@@ -139,6 +139,7 @@ std::string edge_name(const NetDocument& document, std::uint32_t dart) {
 std::optional<Rule> length_rule(const NetDocument& document, const CollarMembers& collars, std::uint32_t dart) {
   const std::uint32_t u = start(document, dart);
   const std::uint32_t v = start(document, next_dart(dart));
+  // The vertices of a collar are thick by rule collars (docs/proof.md, Lemma 10).
   if (u == v) return collars.pseudo() && !collars.has_vertex(u) ? std::optional(kThick) : std::nullopt;
   return collars.are_partners(u, v) ? std::nullopt : std::optional(kPacking);
 }
@@ -229,6 +230,7 @@ class Pass {
   Questions examine_circumcircle(std::uint32_t t, LiftedTriangle& lifted, Findings& findings) const {
     const auto& radius = lifted.measure_circumradius(sinh_squared_.get(), precision_);
     const Tri exists = certainly_positive(radius.denominator.get());
+    // Never after rule delaunay (docs/proof.md, Lemma 4).
     if (exists == Tri::no) findings.refute(kCovering, t, triangle_name(document_, t) + " has no circumcircle");
     return exists == Tri::unknown ? kCoveringBit : Questions{0};
   }

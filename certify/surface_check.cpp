@@ -215,7 +215,8 @@ class SurfaceChecker {
                               " do not close up: the product of the crossings is not the identity",
                           false};
     }
-    // The sum is now a positive multiple of 2π; the ball says which.
+    // The sum is now a positive multiple of 2π; the ball says which. That it does not would be a fault of ours: its
+    // bits are far more than that takes.
     arb_div(sum.get(), sum.get(), turn.get(), kAnglePrecision);
     const std::optional<slong> turns = only_integer(sum.get());
     if (turns == 1) return std::nullopt;

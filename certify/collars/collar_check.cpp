@@ -77,8 +77,8 @@ Ball norm(const ComplexBall& z, slong precision) {
 }
 
 /// sinh(l/2) sinh(h) with the length l of a translation γ and the distance h from its axis, positive on one side of it,
-/// of the point to which a label takes a vertex. The fixed points of γ = (a, b) are the z with |z| = 1 and Im(b̄z) =
-/// Im a, so this is (2 Im(b̄z) − (1 + |z|²) Im a)/(1 − |z|²); with z = n/d nothing but 1 − |w|² is divided by.
+/// either one, of the point to which a label takes a vertex. The fixed points of γ = (a, b) are the z with |z| = 1 and
+/// Im(b̄z) = Im a, so this is (2 Im(b̄z) − (1 + |z|²) Im a)/(1 − |z|²); with z = n/d nothing but 1 − |w|² is divided by.
 Ball height(const BallIsometry& translation, const BallIsometry& label, const NetDocument::Vertex& vertex,
             slong precision) {
   ComplexBall w, n, d, product;

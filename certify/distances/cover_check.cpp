@@ -395,7 +395,7 @@ class CoverCheck {
     return is_delaunay_and_wide(map.opposite, displacements(map, half.corner[end]), least, precision_);
   }
 
-  /// d(p, gp) ≤ 2hi at the corners, and g ≠ 1.
+  /// d(p, gp) ≤ 2hi at the corners, and g ≠ 1, which is implied (docs/proof.md, section 12).
   [[nodiscard]] Tri is_bounded_by_edge(const Cell& cell, std::uint32_t by) const {
     spend(kEdgeOperations, 3);
     Tri within = Tri::yes;

@@ -77,7 +77,8 @@ Interval distance_interval(const Ball& cosh, slong precision) {
   return {0, result.upper};
 }
 
-/// A number that lifts of q have, of which no two on one surface agree but by accident.
+/// A number that lifts of q have, of which no two on one surface agree but by accident. Any number would do that is
+/// the same for equal lifts: those whose keys may be equal are compared.
 Interval key(const BallVector& x, slong precision) {
   Ball value, part;
   arb_mul_si(value.get(), x[0], 617, precision);

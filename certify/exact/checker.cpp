@@ -435,6 +435,7 @@ class Checker {
     const std::size_t cycles = check_corners();
     const auto euler =
         static_cast<std::int64_t>(cycles + net_.tiles.size()) - static_cast<std::int64_t>(tile_of_.size() / 2);
+    // Implied by the angles around the corners, with Gauss–Bonnet (docs/proof.md, section 12).
     if (euler >= 0 || euler % 2 != 0) throw Refutation{"the Euler characteristic is " + std::to_string(euler)};
     euler_ = euler;
   }
@@ -525,7 +526,8 @@ class Checker {
     return cycles;
   }
 
-  /// Whether the argument in [0, 2π) is at least π.
+  /// Whether the argument in [0, 2π) is at least π. Any half-plane would do to count full turns: the walk ends in the
+  /// direction in which it starts.
   static bool is_below(const Gaussian& z) { return sgn(z.im) < 0 || (sgn(z.im) == 0 && sgn(z.re) < 0); }
 
   /// A number whose argument, between 0 and π, is the interior angle where the side starts.
@@ -693,6 +695,7 @@ class Checker {
       // (∗∗): 4 d₀ d₁ d₂ < sinh²ε · discriminant.
       const mpz_class product = (4 * d[0] * d[1] * d[2]) << s.k;
       if (product < s.lower * discriminant) continue;
+      // The discriminant is positive after rule delaunay (docs/proof.md, Lemma 4).
       if (discriminant <= 0 || product >= s.upper * discriminant) {
         throw Refutation{triangle_name(t) + " has a circumradius greater than epsilon"};
       }

@@ -95,6 +95,7 @@ class CompletenessCheck::Pass {
     arb_sqrt(half_length.get(), half_length.get(), precision);
     Ball one;
     arb_one(one.get());
+    // Implied by d + ε < w(l), as a loop is at most 2ε long (docs/proof.md, Lemma 13).
     if (certainly_less(half_length.get(), one.get()) != Tri::yes) return false;
     arb_inv(width.get(), half_length.get(), precision);
     arb_asinh(width.get(), width.get(), precision);

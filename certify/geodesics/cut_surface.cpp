@@ -128,6 +128,7 @@ class Cutter {
     for (std::uint32_t dart = 0; dart < arcs_.size(); ++dart) {
       const std::uint32_t other = opposite(net_, dart);
       const std::size_t count = segments(dart);
+      // Never, if all sides and orders are certain: then the arcs of two triangles fit across their edge.
       if (segments(other) != count) return std::nullopt;
       for (std::size_t k = 0; k < count; ++k) partition.join(cell_at(dart, k), cell_at(other, count - 1 - k));
     }
@@ -156,6 +157,7 @@ class Cutter {
           const std::size_t found = arc.corner_is_left == (side == 0) ? inner : outer;
           std::size_t& known = component[2 * std::size_t{arc.place.geodesic} + side];
           if (known == cells_) by_root[found].boundaries.emplace_back(arc.place.geodesic, side);
+          // Never, if all sides and orders are certain: a side of a geodesic is in one component.
           if (known != cells_ && known != found) return std::nullopt;
           known = found;
         }

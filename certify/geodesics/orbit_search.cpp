@@ -57,6 +57,7 @@ class OrbitSearch {
         continue;
       }
       const std::uint32_t edge = step.next_edge++;
+      // Across the edge of entry is the parent, which is no child: q is beyond that edge.
       if (edge != step.entry && !try_child(3 * step.triangle + edge)) return outcome_;
     }
     outcome_.complete = true;

@@ -278,7 +278,7 @@ class RegularRing::Residues {
 
   /// The field of p elements, p prime, p − 1 divisible by 4g; not of use if a² − 1 has no root.
   Residues(std::uint32_t genus, ulong p) : order_(4 * genus), p_(p), inverse_(n_preinvert_limb(p)) {
-    // A root of unity of order 4g, of which the cyclotomic polynomial is 0.
+    // A root of unity of order 4g, any one: the cyclotomic polynomial is 0 of it.
     const auto has_order = [&](ulong z) {
       for (std::uint32_t q = 2; q <= order_; ++q) {
         if (order_ % q == 0 && n_powmod2_preinv(z, order_ / q, p_, inverse_) == 1) return false;
