@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,8 +17,7 @@
 #include "certify/document/darts.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "certify/label_evaluator.h"
-#include "certify/surface_check.h"
+#include "tests/certify/reference.h"
 
 /// Cover files. Each rule is broken by a file in which nothing else is wrong.
 namespace epsnet::certify {
@@ -587,162 +585,105 @@ TEST(Cover, MalformedDocuments) {
   }
 }
 
-/// A triangle of the net and the edges at the vertex, in binary64: what the bound of a cell of it must be.
-class Reference {
- public:
-  using Point = std::complex<double>;
-  struct Isometry {
-    Point a{1}, b{0};
-  };
-
-  explicit Reference(const NetDocument& net) : net_(net) {
-    const LabelParts parts{check_surface(net.surface).crossings, chart_frames(net.charts, {}), {}};
-    const LabelEvaluator evaluator(net, parts);
-    std::vector<std::uint32_t> numbers;
-    for (std::uint32_t k = 1; k <= net.labels.size(); ++k) numbers.push_back(k);
-    for (const BallIsometry& f : evaluator.evaluate(numbers, 128, 256, 1)) {
-      labels_.push_back({{middle(f.a.re()), middle(f.a.im())}, {middle(f.b.re()), middle(f.b.im())}});
-    }
-  }
-
-  /// The cells of triangle t that is cut once.
-  [[nodiscard]] std::array<std::array<Point, 3>, 2> halves(std::uint32_t t, std::uint32_t side) const {
-    return halves(corners(t), side);
-  }
-
-  /// Half of the way from p to its image by the element of a dart.
-  [[nodiscard]] double half_displacement(std::uint32_t dart, Point p) const {
-    return half_displacement(triangulation({}), dart, p);
-  }
-
-  /// Of the triangles of the net with the one vertex p, the greatest radius of a disk that one needs.
-  [[nodiscard]] double radius(Point p) const { return radius(triangulation({}), p); }
-
-  /// What is across each dart, and the element that leads from its start to its end.
-  struct Triangulation {
-    std::vector<std::uint32_t> opposite;
-    std::vector<Isometry> element;
-  };
-
-  /// That of the net after some flips.
-  [[nodiscard]] Triangulation triangulation(const std::vector<std::uint32_t>& flips) const {
-    Triangulation result;
-    for (std::uint32_t d = 0; d < 3 * net_.triangles.size(); ++d) {
-      result.opposite.push_back(opposite(net_, d));
-      result.element.push_back(product(inverse(label(d)), label(next_dart(d))));
-    }
-    for (const std::uint32_t d : flips) flip(result, d);
-    return result;
-  }
-
-  /// Half of the way from p to its image by the element of a dart.
-  [[nodiscard]] static double half_displacement(const Triangulation& triangulation, std::uint32_t dart, Point p) {
-    return std::asinh(std::sqrt(h(p, image(triangulation.element[dart], p))));
-  }
-
-  /// Of the triangles with the one vertex p, the greatest radius of a disk that one needs.
-  [[nodiscard]] static double radius(const Triangulation& triangulation, Point p) {
-    double result = 0;
-    for_each_triangle(triangulation, p, [&](std::array<double, 3> a) {
-      std::sort(a.begin(), a.end());
-      const double square = a[2] >= a[0] + a[1] ? a[2] : circumradius_squared(a);
-      result = std::max(result, std::asinh(std::sqrt(square)));
-    });
-    return result;
-  }
-
-  /// Of the triangles with the one vertex p, the greatest circumradius.
-  [[nodiscard]] static double circumradius(const Triangulation& triangulation, Point p) {
-    double result = 0;
-    for_each_triangle(triangulation, p, [&](const std::array<double, 3>& a) {
-      result = std::max(result, std::asinh(std::sqrt(circumradius_squared(a))));
-    });
-    return result;
-  }
-
-  /// Whether the triangulation with the one vertex p is Delaunay.
-  [[nodiscard]] static bool is_delaunay(const Triangulation& triangulation, Point p) {
-    for (std::uint32_t d = 0; d < triangulation.opposite.size(); ++d) {
-      const Point right = image(triangulation.element[next_dart(triangulation.opposite[d])], p);
-      const Point end = image(triangulation.element[d], p);
-      const Point left = image(inverse(triangulation.element[previous_dart(d)]), p);
-      if (std::imag((left - right) * (end - p) * std::conj((left - p) * (end - right))) >= 0) return false;
-    }
-    return true;
-  }
-
-  /// The corners of triangle t.
-  [[nodiscard]] std::array<Point, 3> corners(std::uint32_t t) const {
-    std::array<Point, 3> z;
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      z[i] = image(label(3 * t + i), {net_.vertices[0].x, net_.vertices[0].y});
-    }
-    return z;
-  }
-
-  /// The parts of a cell that is cut at the midpoint of a side.
-  [[nodiscard]] static std::array<std::array<Point, 3>, 2> halves(const std::array<Point, 3>& z, std::uint32_t side) {
-    const std::uint32_t end = (side + 1) % 3;
-    // The midpoint, from the one of 0 and where the other goes if the first goes to 0.
-    const Point w = (z[end] - z[side]) / (1.0 - std::conj(z[side]) * z[end]);
-    const Point half = w / (1 + std::sqrt(1 - std::norm(w)));
-    const Point midpoint = (half + z[side]) / (1.0 + std::conj(z[side]) * half);
-    std::array<std::array<Point, 3>, 2> result{z, z};
-    result[0][end] = midpoint;
-    result[1][side] = midpoint;
-    return result;
-  }
-
-  [[nodiscard]] static double distance(Point p, Point q) { return 2 * std::asinh(std::sqrt(h(p, q))); }
-
- private:
-  static double middle(arb_srcptr x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
-  /// sinh²(d/2).
-  static double h(Point p, Point q) { return std::norm(p - q) / ((1 - std::norm(p)) * (1 - std::norm(q))); }
-  static Point image(const Isometry& f, Point z) { return (f.a * z + f.b) / (std::conj(f.b) * z + std::conj(f.a)); }
-  static Isometry inverse(const Isometry& f) { return {std::conj(f.a), -f.b}; }
-  static Isometry product(const Isometry& f, const Isometry& g) {
-    return {f.a * g.a + f.b * std::conj(g.b), f.a * g.b + f.b * std::conj(g.a)};
-  }
-  /// 4abc/K, the sinh² of the circumradius.
-  static double circumradius_squared(const std::array<double, 3>& a) {
-    return 4 * a[0] * a[1] * a[2] / (4 * a[0] * a[1] - std::pow(a[0] + a[1] - a[2], 2));
-  }
-  /// body(sinh²(d/2) of its sides).
-  template <class Body>
-  static void for_each_triangle(const Triangulation& triangulation, Point p, const Body& body) {
-    for (std::size_t d = 0; d < triangulation.element.size(); d += 3) {
-      std::array<double, 3> a{};
-      for (std::size_t i = 0; i < 3; ++i) a[i] = h(p, image(triangulation.element[d + i], p));
-      body(a);
-    }
-  }
-  /// Of the triangles abc and bax, with the dart d from a to b, the first becomes xca and the other one cxb.
-  static void flip(Triangulation& triangulation, std::uint32_t d) {
-    const Triangulation old = triangulation;
-    const std::uint32_t e = old.opposite[d];
-    const std::map<std::uint32_t, std::uint32_t> moved{{previous_dart(d), next_dart(d)},
-                                                       {next_dart(e), previous_dart(d)},
-                                                       {previous_dart(e), next_dart(e)},
-                                                       {next_dart(d), previous_dart(e)}};
-    for (const auto& [from, to] : moved) {
-      const auto across = moved.find(old.opposite[from]);
-      triangulation.opposite[to] = across == moved.end() ? old.opposite[from] : across->second;
-      triangulation.opposite[triangulation.opposite[to]] = to;
-      triangulation.element[to] = old.element[from];
-    }
-    // From c by way of a to x.
-    triangulation.element[e] = product(old.element[previous_dart(d)], old.element[next_dart(e)]);
-    triangulation.element[d] = inverse(triangulation.element[e]);
-  }
-  [[nodiscard]] Isometry label(std::uint32_t dart) const {
-    const std::uint32_t number = corner_label(net_, dart);
-    return number == 0 ? Isometry{} : labels_[number - 1];
-  }
-
-  const NetDocument& net_;
-  std::vector<Isometry> labels_;
+/// A triangulation with one vertex, which may be anywhere: what is across each dart, and the element that leads from
+/// its start to its end.
+struct Triangulation {
+  std::vector<std::uint32_t> opposite;
+  std::vector<Move> element;
 };
+
+/// Of the triangles abc and bax, with the dart d from a to b, the first becomes xca and the other one cxb.
+void flip(Triangulation& triangulation, std::uint32_t d) {
+  const Triangulation old = triangulation;
+  const std::uint32_t e = old.opposite[d];
+  const std::map<std::uint32_t, std::uint32_t> moved{{previous_dart(d), next_dart(d)},
+                                                     {next_dart(e), previous_dart(d)},
+                                                     {previous_dart(e), next_dart(e)},
+                                                     {next_dart(d), previous_dart(e)}};
+  for (const auto& [from, to] : moved) {
+    const auto across = moved.find(old.opposite[from]);
+    triangulation.opposite[to] = across == moved.end() ? old.opposite[from] : across->second;
+    triangulation.opposite[triangulation.opposite[to]] = to;
+    triangulation.element[to] = old.element[from];
+  }
+  // From c by way of a to x.
+  triangulation.element[e] = old.element[previous_dart(d)] * old.element[next_dart(e)];
+  triangulation.element[d] = inverted(triangulation.element[e]);
+}
+
+/// That of the net after some flips.
+Triangulation triangulation_of(const Reference& reference, const std::vector<std::uint32_t>& flips = {}) {
+  Triangulation result;
+  for (std::uint32_t d = 0; d < 3 * reference.net().triangles.size(); ++d) {
+    result.opposite.push_back(opposite(reference.net(), d));
+    result.element.push_back(reference.element(d));
+  }
+  for (const std::uint32_t d : flips) flip(result, d);
+  return result;
+}
+
+/// Half of the way from p to its image by the element of a dart.
+double half_displacement(const Triangulation& triangulation, std::uint32_t dart, Complex p) {
+  return static_cast<double>(distance(p, image(triangulation.element[dart], p)) / 2);
+}
+
+/// For each triangle with the one vertex p sinh²(d/2) of its sides.
+std::vector<std::array<Real, 3>> triangles_at(const Triangulation& triangulation, Complex p) {
+  std::vector<std::array<Real, 3>> result(triangulation.element.size() / 3);
+  for (std::size_t d = 0; d < triangulation.element.size(); ++d) {
+    result[d / 3][d % 3] = squared_half_sinh(p, image(triangulation.element[d], p));
+  }
+  return result;
+}
+
+/// 4abc/K, the sinh² of the circumradius.
+Real circumradius_squared(const std::array<Real, 3>& a) {
+  return 4 * a[0] * a[1] * a[2] / (4 * a[0] * a[1] - std::pow(a[0] + a[1] - a[2], 2));
+}
+
+/// Of the triangles with the one vertex p, the greatest radius of a disk that one needs.
+double radius(const Triangulation& triangulation, Complex p) {
+  Real result = 0;
+  for (std::array<Real, 3> a : triangles_at(triangulation, p)) {
+    std::sort(a.begin(), a.end());
+    const Real square = a[2] >= a[0] + a[1] ? a[2] : circumradius_squared(a);
+    result = std::max(result, std::asinh(std::sqrt(square)));
+  }
+  return static_cast<double>(result);
+}
+
+/// Of the triangles with the one vertex p, the greatest circumradius.
+double circumradius(const Triangulation& triangulation, Complex p) {
+  Real result = 0;
+  for (const std::array<Real, 3>& a : triangles_at(triangulation, p)) {
+    result = std::max(result, std::asinh(std::sqrt(circumradius_squared(a))));
+  }
+  return static_cast<double>(result);
+}
+
+/// Whether the triangulation with the one vertex p is Delaunay.
+bool is_delaunay(const Triangulation& triangulation, Complex p) {
+  for (std::uint32_t d = 0; d < triangulation.opposite.size(); ++d) {
+    const Complex right = image(triangulation.element[next_dart(triangulation.opposite[d])], p);
+    const Complex end = image(triangulation.element[d], p);
+    const Complex left = image(inverted(triangulation.element[previous_dart(d)]), p);
+    if (std::imag((left - right) * (end - p) * std::conj((left - p) * (end - right))) >= 0) return false;
+  }
+  return true;
+}
+
+/// The parts of a triangle that is cut at the midpoint of a side.
+std::array<std::array<Complex, 3>, 2> halves(const std::array<Complex, 3>& z, std::uint32_t side) {
+  const std::uint32_t end = (side + 1) % 3;
+  // The midpoint, from the one of 0 and where the other goes if the first goes to 0.
+  const Complex w = (z[end] - z[side]) / (Real{1} - std::conj(z[side]) * z[end]);
+  const Complex half = w / (1 + std::sqrt(1 - std::norm(w)));
+  const Complex midpoint = (half + z[side]) / (Real{1} + std::conj(z[side]) * half);
+  std::array<std::array<Complex, 3>, 2> result{z, z};
+  result[0][end] = midpoint;
+  result[1][side] = midpoint;
+  return result;
+}
 
 /// A triangle is cut once, and its two cells are bounded by the net's own triangulation or two of its darts: the least
 /// upper bound for which that holds is the one of the corner where the bound is greatest. Whether other cells allow it.
@@ -760,15 +701,16 @@ bool expect_least_upper_bound(CoverDocument document, std::uint32_t t, const std
 TEST(Cover, CellsOfAnEmbeddedDiskAreBoundedAtTheirThreeCorners) {
   const CoverDocument good = disk();
   const Reference reference(good.net);
+  const Triangulation triangulation = triangulation_of(reference);
   int tried = 0;
   for (std::uint32_t t = 0; t < good.net.triangles.size(); ++t) {
     for (std::uint32_t side = 0; side < 3; ++side) {
       const std::uint32_t first = (t + 5 * side) % 18, second = (7 * t + side) % 18;
       double bound = 0;
-      const auto halves = reference.halves(t, side);
+      const auto cells = halves(reference.corners(t), side);
       for (std::size_t i = 0; i < 3; ++i) {
-        bound = std::max({bound, reference.half_displacement(first, halves[0][i]),
-                          reference.half_displacement(second, halves[1][i])});
+        bound = std::max({bound, half_displacement(triangulation, first, cells[0][i]),
+                          half_displacement(triangulation, second, cells[1][i])});
       }
       tried += expect_least_upper_bound(good, t, {side, 3 + first, 3 + second}, bound) ? 1 : 0;
     }
@@ -785,12 +727,10 @@ TEST(Cover, CellsOfAnEmbeddedDiskAreBoundedAtTheCornerWhereTheyBegin) {
   const auto row = static_cast<std::uint32_t>(document.triangulations.size());
   int found = 0;
   for (std::uint32_t t = 0; t < document.net.triangles.size(); ++t) {
-    const auto halves = reference.halves(t, 1);
+    const auto cells = halves(reference.corners(t), 1);
     for (std::uint32_t dart = 0; dart < 18; ++dart) {
-      const Reference::Triangulation flipped = reference.triangulation({dart});
-      const auto at = [&](std::size_t cell, std::size_t i) {
-        return Reference::half_displacement(flipped, dart, halves[cell][i]);
-      };
+      const Triangulation flipped = triangulation_of(reference, {dart});
+      const auto at = [&](std::size_t cell, std::size_t i) { return half_displacement(flipped, dart, cells[cell][i]); };
       const double bound = at(0, 0);
       if (bound < 1e-3 + std::max({at(0, 1), at(0, 2), at(1, 1), at(1, 2)})) continue;
       document.triangulations.back().flips = {dart};
@@ -804,12 +744,13 @@ TEST(Cover, CellsOfAnEmbeddedDiskAreBoundedAtTheCornerWhereTheyBegin) {
 TEST(Cover, CellsOfADiameterAreBoundedAtTheirThreeCorners) {
   const CoverDocument good = octagon();
   const Reference reference(good.net);
+  const Triangulation triangulation = triangulation_of(reference);
   int tried = 0;
   for (std::uint32_t t = 0; t < good.net.triangles.size(); ++t) {
     for (std::uint32_t side = 0; side < 3; ++side) {
       double bound = 0;
-      for (const auto& cell : reference.halves(t, side)) {
-        for (const auto corner : cell) bound = std::max(bound, reference.radius(corner));
+      for (const auto& cell : halves(reference.corners(t), side)) {
+        for (const auto corner : cell) bound = std::max(bound, radius(triangulation, corner));
       }
       tried += expect_least_upper_bound(good, t, {side, 3, 3}, bound) ? 1 : 0;
     }
@@ -829,13 +770,12 @@ TEST(Cover, CellsOfADiameterAreBoundedAtTheCornerWhereTheyBegin) {
     std::vector<std::uint32_t> flips(1 + random() % 12);
     for (std::uint32_t& flip : flips) flip = static_cast<std::uint32_t>(random()) % 18;
     const auto t = static_cast<std::uint32_t>(random()) % 6, side = static_cast<std::uint32_t>(random()) % 3;
-    const Reference::Triangulation flipped = reference.triangulation(flips);
-    const auto halves = reference.halves(t, side);
-    const double bound = Reference::radius(flipped, halves[1][0]);
+    const Triangulation flipped = triangulation_of(reference, flips);
+    const auto cells = halves(reference.corners(t), side);
+    const double bound = radius(flipped, cells[1][0]);
     double others = 0;
-    for (const auto corner : halves[0]) others = std::max(others, Reference::radius(flipped, corner));
-    for (const auto corner : {halves[1][1], halves[1][2]})
-      others = std::max(others, Reference::radius(flipped, corner));
+    for (const auto corner : cells[0]) others = std::max(others, radius(flipped, corner));
+    for (const auto corner : {cells[1][1], cells[1][2]}) others = std::max(others, radius(flipped, corner));
     // Long edges have few digits in binary64.
     if (bound < others + 1e-3 || bound > 7) continue;
     document.triangulations.back().flips = flips;
@@ -856,15 +796,16 @@ TEST(CoverOfARadius, NoPointOfACellIsBeyondTheReachOfItsMidpoint) {
   }
   int opposite_is_farthest = 0;
   for (std::uint32_t k = 0; k < flips.size(); ++k) {
-    const Reference::Triangulation triangulation = reference.triangulation(flips[k]);
+    const Triangulation triangulation = triangulation_of(reference, flips[k]);
     for (std::uint32_t t = 0; t < good.net.triangles.size(); ++t) {
       for (std::uint32_t side = 0; side < 3; ++side) {
-        const auto half = reference.halves(t, side)[0];
-        const Reference::Point midpoint = half[(side + 1) % 3];
-        if (!Reference::is_delaunay(triangulation, midpoint)) continue;
-        const double to_end = Reference::distance(midpoint, half[side]);
-        const double to_opposite = Reference::distance(midpoint, half[(side + 2) % 3]);
-        const double expected = Reference::circumradius(triangulation, midpoint) - std::max(to_end, to_opposite);
+        const auto half = halves(reference.corners(t), side)[0];
+        const Complex midpoint = half[(side + 1) % 3];
+        if (!is_delaunay(triangulation, midpoint)) continue;
+        const Real to_end = distance(midpoint, half[side]);
+        const Real to_opposite = distance(midpoint, half[(side + 2) % 3]);
+        const double expected =
+            circumradius(triangulation, midpoint) - static_cast<double>(std::max(to_end, to_opposite));
         if (expected < 1e-3) continue;
         opposite_is_farthest += to_end < to_opposite ? 1 : 0;
         CoverDocument document = good;
@@ -905,17 +846,20 @@ void expect_no_wrong_verdict(CoverDocument document, std::uint32_t t, std::uint3
 
 TEST(Cover, OneTriangleWithWideBallsIsNotDecidedWrongly) {
   const CoverDocument of_disk = disk();
+  const Reference disk_reference(of_disk.net);
   double bound = 0;
-  for (const auto& cell : Reference(of_disk.net).halves(0, 1)) {
-    for (const auto corner : cell) bound = std::max(bound, Reference(of_disk.net).half_displacement(0, corner));
+  for (const auto& cell : halves(disk_reference.corners(0), 1)) {
+    for (const auto corner : cell)
+      bound = std::max(bound, half_displacement(triangulation_of(disk_reference), 0, corner));
   }
   const auto rows_of_disk = static_cast<std::uint32_t>(of_disk.triangulations.size());
   expect_no_wrong_verdict(of_disk, 0, 1, 3 + 18 * (rows_of_disk + 1), bound);
 
   const CoverDocument of_diameter = octagon();
+  const Reference diameter_reference(of_diameter.net);
   bound = 0;
-  for (const auto& cell : Reference(of_diameter.net).halves(0, 1)) {
-    for (const auto corner : cell) bound = std::max(bound, Reference(of_diameter.net).radius(corner));
+  for (const auto& cell : halves(diameter_reference.corners(0), 1)) {
+    for (const auto corner : cell) bound = std::max(bound, radius(triangulation_of(diameter_reference), corner));
   }
   const auto rows = static_cast<std::uint32_t>(of_diameter.triangulations.size());
   expect_no_wrong_verdict(of_diameter, 0, 1, 3 + rows + 1, bound);

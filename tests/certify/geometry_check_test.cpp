@@ -18,6 +18,7 @@
 #include "certify/file/reader.h"
 #include "certify/lifted_triangle.h"
 #include "certify/surface_check.h"
+#include "tests/certify/reference.h"
 #include "tests/certify/turned.h"
 
 /// What is measured of lifted triangles, against the definitions in binary64, and the rules about them alone, on
@@ -111,71 +112,32 @@ std::vector<NetDocument> documents() {
   return result;
 }
 
-class Reference {
- public:
-  explicit Reference(const NetDocument& document) : document_(document), setting_(document) {}
+/// det(x, y, 1 + |z|²).
+double orientation_of(const Reference& reference, std::uint32_t t) {
+  std::array<Vector, 3> rows{};
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const Complex z = reference.corner(3 * t + i);
+    rows[i] = {z.real(), z.imag(), 1 + std::norm(z)};
+  }
+  return static_cast<double>(determinant(rows[0], rows[1], rows[2]));
+}
 
-  /// Where a label takes a point, or its inverse, by the definition.
-  [[nodiscard]] Point lifted(std::uint32_t number, Point z) const {
-    const auto [a, b] = isometry(number);
-    return (a * z + b) / (std::conj(b) * z + std::conj(a));
-  }
-  [[nodiscard]] Point back(std::uint32_t number, Point z) const {
-    const auto [a, b] = isometry(number);
-    return (std::conj(a) * z - b) / (a - std::conj(b) * z);
-  }
-  [[nodiscard]] Point vertex(std::uint32_t dart) const {
-    const NetDocument::Vertex& v = document_.vertices[start(document_, dart)];
-    return {v.x, v.y};
-  }
-  [[nodiscard]] Point corner(std::uint32_t dart) const { return lifted(corner_label(document_, dart), vertex(dart)); }
-  /// The corner beyond the edge of a dart: into the chart of the neighbour, through the common corner, into this one.
-  [[nodiscard]] Point far_corner(std::uint32_t dart) const {
-    const std::uint32_t other = opposite(document_, dart);
-    const Point there = corner(previous_dart(other));
-    return lifted(corner_label(document_, dart), back(corner_label(document_, next_dart(other)), there));
-  }
+/// Im (z3−z1)(z2−z0)/((z3−z0)(z2−z1)).
+double cross_ratio_of(const Reference& reference, std::uint32_t dart) {
+  const Complex z0 = reference.corner(dart), z1 = reference.far_corner(dart);
+  const Complex z2 = reference.corner(next_dart(dart)), z3 = reference.corner(previous_dart(dart));
+  return static_cast<double>(((z3 - z1) * (z2 - z0) / ((z3 - z0) * (z2 - z1))).imag());
+}
 
-  /// det(x, y, 1 + |z|²).
-  [[nodiscard]] double orientation(std::uint32_t t) const {
-    std::array<std::array<double, 3>, 3> m{};
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const Point z = corner(3 * t + i);
-      m[i] = {z.real(), z.imag(), 1 + std::norm(z)};
-    }
-    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-  }
-  /// Im (z3−z1)(z2−z0)/((z3−z0)(z2−z1)).
-  [[nodiscard]] double cross_ratio(std::uint32_t dart) const {
-    const Point z0 = corner(dart), z1 = far_corner(dart), z2 = corner(next_dart(dart)),
-                z3 = corner(previous_dart(dart));
-    return ((z3 - z1) * (z2 - z0) / ((z3 - z0) * (z2 - z1))).imag();
-  }
-  /// sinh² of half the length of the edge of a dart.
-  [[nodiscard]] double squared(std::uint32_t dart) const {
-    const Point p = corner(dart), q = corner(next_dart(dart));
-    return std::norm(p - q) / ((1 - std::norm(p)) * (1 - std::norm(q)));
-  }
-  [[nodiscard]] const LabelEvaluator& evaluator() const { return setting_.evaluator; }
+/// sinh² of half the length of the edge of a dart.
+double squared_of(const Reference& reference, std::uint32_t dart) {
+  return static_cast<double>(squared_half_sinh(reference.corner(dart), reference.corner(next_dart(dart))));
+}
 
- private:
-  [[nodiscard]] std::pair<Point, Point> isometry(std::uint32_t number) const {
-    const ExactIsometry f =
-        setting_.evaluator.evaluate_exactly(std::get<RationalCrossings>(setting_.parts.crossings), number);
-    const mpq_class scale(1, norm(f.a));  // Of a², so that numbers fit in binary64.
-    const double a = std::sqrt(1 / (1 - mpq_class(mpq_class(norm(f.b)) * scale).get_d()));
-    const Gaussian quotient = f.b * conjugate(f.a);
-    // b/a, and the direction of a.
-    const Point ratio(mpq_class(quotient.re * scale).get_d(), mpq_class(quotient.im * scale).get_d());
-    mpf_class x(f.a.re, 200), y(f.a.im, 200), size = sqrt(mpf_class(norm(f.a), 400));
-    const Point direction(mpf_class(x / size).get_d(), mpf_class(y / size).get_d());
-    return {a * direction, a * direction * ratio};
-  }
-
-  const NetDocument& document_;
-  Setting setting_;
-};
+/// 1 − |z|² of the corner where a dart starts.
+double gap_of(const Reference& reference, std::uint32_t dart) {
+  return static_cast<double>(1 - std::norm(reference.corner(dart)));
+}
 
 double middle(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
 
@@ -193,7 +155,7 @@ TEST(LiftedTriangle, MeasuresAreWhatTheyAreDefinedToBe) {
     LiftedTriangle lifted;
     for (std::uint32_t t = 0; t < document.triangles.size(); ++t) {
       lifted.load(document, labels, t, 128);
-      const double orientation = reference.orientation(t);
+      const double orientation = orientation_of(reference, t);
       EXPECT_NEAR(middle(lifted.measure_orientation(128)), orientation, 1e-9);
       if (std::fabs(orientation) > 1e-9) {
         EXPECT_EQ(exact_orientation(document, reference.evaluator(), t), orientation > 0 ? 1 : -1);
@@ -204,9 +166,9 @@ TEST(LiftedTriangle, MeasuresAreWhatTheyAreDefinedToBe) {
       double gaps = 1;
       std::array<double, 3> s{};
       for (std::uint32_t i = 0; i < 3; ++i) {
-        s[i] = reference.squared(3 * t + i);
-        gaps *= std::pow(1 - std::norm(reference.corner(3 * t + i)), 2);
-        EXPECT_NEAR(middle(lifted.gap(i)), 1 - std::norm(reference.corner(3 * t + i)), 1e-12);
+        s[i] = squared_of(reference, 3 * t + i);
+        gaps *= std::pow(gap_of(reference, 3 * t + i), 2);
+        EXPECT_NEAR(middle(lifted.gap(i)), gap_of(reference, 3 * t + i), 1e-12);
       }
       const double numerator = 4 * s[0] * s[1] * s[2] * gaps;
       const double denominator =
@@ -219,12 +181,11 @@ TEST(LiftedTriangle, MeasuresAreWhatTheyAreDefinedToBe) {
       for (std::uint32_t i = 0; i < 3; ++i) {
         const std::uint32_t dart = 3 * t + i;
         const auto& edge = lifted.measure_edge(half.get(), i, 128);
-        const double product =
-            (1 - std::norm(reference.corner(dart))) * (1 - std::norm(reference.corner(next_dart(dart))));
+        const double product = gap_of(reference, dart) * gap_of(reference, next_dart(dart));
         EXPECT_NEAR(middle(edge.gap_product), product, 1e-12);
         EXPECT_NEAR(middle(edge.lack), (std::pow(std::sinh(epsilon / 2), 2) - s[i]) * product, 1e-9);
         const Ball& ratio = lifted.measure_cross_ratio(document, labels, i, 128);
-        const double cross = reference.cross_ratio(dart);
+        const double cross = cross_ratio_of(reference, dart);
         if (std::fabs(cross) > 1e-6) {
           EXPECT_EQ(middle(ratio) > 0, cross > 0) << cross;
           EXPECT_EQ(exact_cross_ratio_sign(document, reference.evaluator(), dart), cross > 0 ? 1 : -1);
@@ -450,7 +411,7 @@ TEST(GeometryCheck, MeasuresAreTheSameWithTheFilterWhicheverTriangleIsTheExtreme
   for (std::uint32_t dart = 0; dart < 3 * one.triangles.size(); ++dart) {
     if (!is_plain(one.triangles[dart / 3])) continue;
     NetDocument document = one;
-    document.epsilon = mpq_class(2.02 * std::asinh(std::sqrt(reference.squared(dart)))).get_str();
+    document.epsilon = mpq_class(2.02 * std::asinh(std::sqrt(squared_of(reference, dart)))).get_str();
     ask(document);
   }
   EXPECT_GT(shortest.size(), 10U);
@@ -668,7 +629,7 @@ TEST(GeometryCheck, EnclosuresContainWhatIsMeasured) {
   double longest = 0;
   double shortest = 100;
   for (std::uint32_t dart = 0; dart < 3 * document.triangles.size(); ++dart) {
-    const double length = 2 * std::asinh(std::sqrt(reference.squared(dart)));
+    const double length = 2 * std::asinh(std::sqrt(squared_of(reference, dart)));
     longest = std::max(longest, length);
     shortest = std::min(shortest, length);
   }
