@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "kernel/numbers.h"
@@ -59,6 +60,11 @@ template <class T>
     return {value > T(0) ? 1 : -1, true};
   }
   return {0, false};
+}
+/// For 1 − |z|²: whether |z| ≤ 0.75, or z is no number or infinite, of which every stage is unsure.
+template <class T>
+[[nodiscard]] bool is_near_origin(const T& height) {
+  return T(0.4375) <= height || height - height != 0;
 }
 template <class T>
 [[nodiscard]] T in_circle_bound(const T& uu, const T& vv, const T& ww) {
@@ -129,6 +135,7 @@ template <class T>
 [[nodiscard]] StageSign circumradius_stage(const Complex<T>& a, const Complex<T>& b, const Complex<T>& c,
                                            const T& s_low, const T& s_high, const T& error) {
   using std::sqrt;
+  assert(!(s_low < T(0)) && !(s_high < s_low) && !(error < T(0)));
   const T u = unit_roundoff<T>();
   const T ab = norm(a - b);
   const T bc = norm(b - c);
@@ -175,6 +182,7 @@ template <class T>
 /// Error bound: u(32 numerator + 160 s scale) (docs/error-bounds.md, E3').
 template <class T>
 [[nodiscard]] StageSign circumradius_stage_near_origin(const Sinh2Circumradius<T>& r, const T& s_high) {
+  assert(!(s_high <= T(0)));
   const T bound =
       unit_roundoff<T>() * (T(32) * r.numerator + T(160) * (s_high * (r.scale + detail::underflow_bound<T>()))) +
       detail::underflow_bound<T>();
@@ -184,6 +192,8 @@ template <class T>
 template <class T>
 [[nodiscard]] StageSign circumradius_stage_near_origin(const Complex<T>& a, const Complex<T>& b, const Complex<T>& c,
                                                        const T& s_high) {
+  assert(detail::is_near_origin<T>(T(1) - norm(a)) && detail::is_near_origin<T>(T(1) - norm(b)) &&
+         detail::is_near_origin<T>(T(1) - norm(c)));
   return circumradius_stage_near_origin(sinh2_circumradius(a, b, c), s_high);
 }
 
@@ -193,6 +203,7 @@ template <class T>
 template <class T>
 [[nodiscard]] StageSign distance_stage_near_origin(const T& chord2, const T& height_p, const T& height_q,
                                                    const T& s_high) {
+  assert(detail::is_near_origin(height_p) && detail::is_near_origin(height_q) && !(s_high <= T(0)));
   const T limit = s_high * (height_p * height_q);
   const T bound = unit_roundoff<T>() * (T(8) * chord2 + T(128) * limit) + detail::underflow_bound<T>();
   return detail::sign_beyond(T(chord2 - limit), bound);
@@ -211,6 +222,7 @@ template <class T>
 [[nodiscard]] StageSign distance_stage(const Complex<T>& p, const Complex<T>& q, const T& s_low, const T& s_high,
                                        const T& error) {
   using std::sqrt;
+  assert(!(s_low < T(0)) && !(s_high < s_low) && !(error < T(0)));
   const T u = unit_roundoff<T>();
   const T chord2 = norm(p - q);
   const T pp = T(1) - norm(p);

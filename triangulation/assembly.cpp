@@ -41,7 +41,8 @@ Triangulation assembled(Atlas atlas, std::span<const Vertex> vertices, std::span
   const Editor editor(result);
   editor.require_room(triangles.size());
   for (const Vertex& vertex : vertices) {
-    check_vertex(result.atlas(), editor.add_vertex(vertex), vertex);
+    check_vertex(result.atlas(), result.vertex_count(), vertex);
+    (void)editor.add_vertex(vertex);
   }
   for (const Triangle& triangle : triangles) {
     const std::uint32_t t = editor.add_triangle();

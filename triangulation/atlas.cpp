@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -122,6 +123,16 @@ bool certainly_farther(const Complex<double>& p, const Complex<double>& q, doubl
   const double heights = (1 - norm(p) + kError) * (1 - norm(q) + kError);
   constexpr double kMargin = 1.001;  // For the roundings that are relative.
   return distance > 0 && distance * distance * (1 - square) > kMargin * square * heights;
+}
+
+/// Whether a word is a path from one tile to another: what `Atlas::label` requires.
+[[maybe_unused]] bool is_path(const Surface& surface, std::uint32_t from, std::uint32_t to, const Word& word) {
+  std::uint32_t tile = from;
+  for (const std::uint32_t s : word) {
+    if (s >= surface.side_count() || surface.tile_of_side(s) != tile) return false;
+    tile = surface.tile_of_side(surface.partner(s));
+  }
+  return tile == to;
 }
 
 template <class T>
@@ -249,6 +260,7 @@ Atlas::Disk Atlas::disk_inside(std::span<const Complex<double>> tile) {
 }
 
 std::uint32_t Atlas::add_chart(Chart chart) {
+  assert(chart.tile < surface_.tiles().size() && norm(chart.centre) < 1);
   const std::uint32_t c = chart_count();
   charts_of_tile_[chart.tile].push_back(c);
   Disk disk = disks_[chart.tile];
@@ -265,6 +277,7 @@ std::uint32_t Atlas::add_chart(Chart chart) {
 
 template <class T>
 Isometry<T> Atlas::frame(std::uint32_t c) const {
+  assert(c < chart_count());
   return Isometry<T>::translation(convert<T>(charts_[c].chart.centre));
 }
 
@@ -413,6 +426,7 @@ std::optional<Atlas::Value<Mp256>> Atlas::evaluate_label(std::uint32_t from, std
 }
 
 const Atlas::Value<Mp256>& Atlas::precise(LabelId l) {
+  assert(is_other(l));
   LabelEntry& entry = labels_[l - 1];
   if (!entry.precise) {
     entry.precise = evaluate_label(entry.from, entry.to, entry.word);
@@ -422,6 +436,7 @@ const Atlas::Value<Mp256>& Atlas::precise(LabelId l) {
 }
 
 std::optional<LabelId> Atlas::find_label(std::uint32_t from, std::uint32_t to, Word word) {
+  assert(is_path(surface_, chart(from).tile, chart(to).tile, word));
   const std::optional<Value<Mp256>> value = evaluate_label(from, to, word);
   return value ? std::optional(find_or_add(from, to, *value, std::move(word))) : std::nullopt;
 }
@@ -510,10 +525,12 @@ std::optional<LabelId> Atlas::find(std::uint32_t from, std::uint32_t to, const I
 }
 
 std::optional<LabelId> Atlas::find_product(LabelId f, LabelId g) const {
+  assert(to(g) == from(f));
   return find(from(g), to(f), isometry(f) * isometry(g), size_of(isometry(f)) * size_of(isometry(g)));
 }
 
 LabelId Atlas::product_of_others(LabelId f, LabelId g) {
+  assert(to(g) == from(f));
   if (const auto known = products_.find(pair_key(f, g)); known != products_.end()) {
     return known->second;
   }
@@ -551,6 +568,7 @@ LabelId Atlas::product_of_others(LabelId f, LabelId g) {
 }
 
 LabelId Atlas::known_product(LabelId f, LabelId g) const {
+  assert(to(g) == from(f));
   const auto known = products_.find(pair_key(f, g));
   return known != products_.end() ? known->second : find_product(f, g).value_or(kUnknownLabel);
 }
@@ -577,6 +595,7 @@ LabelId Atlas::inverse_of_other(LabelId f) {
 }
 
 LabelId Atlas::power(LabelId f, std::uint64_t n) {
+  assert(f == kIdentity || from(f) == to(f));
   LabelId result = kIdentity;
   for (LabelId square = f; n > 0; n /= 2) {
     if (n % 2 != 0) result = product(square, result);
@@ -587,6 +606,7 @@ LabelId Atlas::power(LabelId f, std::uint64_t n) {
 
 template <class T>
 const Isometry<T>& Atlas::isometry_in(LabelId l) {
+  assert(is_other(l));
   if constexpr (std::is_same_v<T, double>) {
     return rounded_[l - 1].isometry;
   } else if constexpr (std::is_same_v<T, Mp256>) {
@@ -607,6 +627,7 @@ const Isometry<T>& Atlas::isometry_in(LabelId l) {
 
 template <class T>
 Complex<T> Atlas::lift(LabelId l, const Complex<double>& z) {
+  assert(norm(z) <= 0.75 * 0.75);
   const Complex<T> point = dyadic<T>(z);
   return l == kIdentity ? point : isometry_in<T>(l)(point);
 }
@@ -698,6 +719,7 @@ std::optional<std::uint32_t> Atlas::chart_near(const TilePoint& point) const {
 }
 
 std::optional<Atlas::Place> Atlas::place(std::uint32_t c, const Complex<Mp1024>& z, Precision precision) {
+  assert(norm(z) < 1);
   // In the tile whose coordinates it has: far from the origin bits are worth less, so there are many.
   const std::optional<TilePoint> point = walk_through_tiles(charts_[c].chart.tile, frame<Mp1024>(c)(z));
   if (!point) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -59,7 +60,10 @@ class Atlas {
   /// Returns the number of charts. They are numbered from 0.
   [[nodiscard]] std::uint32_t chart_count() const { return static_cast<std::uint32_t>(charts_.size()); }
   /// Returns chart c.
-  [[nodiscard]] const Chart& chart(std::uint32_t c) const { return charts_[c].chart; }
+  [[nodiscard]] const Chart& chart(std::uint32_t c) const {
+    assert(c < chart_count());
+    return charts_[c].chart;
+  }
   /// The isometry from the coordinates of a chart to those of its tile.
   template <class T>
   [[nodiscard]] Isometry<T> frame(std::uint32_t c) const;
@@ -70,14 +74,26 @@ class Atlas {
   /// The number of labels, the identity included.
   [[nodiscard]] std::uint32_t label_count() const { return static_cast<std::uint32_t>(labels_.size()) + 1; }
   /// The chart that the label leads from. Requires: it is not the identity.
-  [[nodiscard]] std::uint32_t from(LabelId l) const { return labels_[l - 1].from; }
+  [[nodiscard]] std::uint32_t from(LabelId l) const {
+    assert(is_other(l));
+    return labels_[l - 1].from;
+  }
   /// The chart that the label leads to. Requires: it is not the identity.
-  [[nodiscard]] std::uint32_t to(LabelId l) const { return labels_[l - 1].to; }
+  [[nodiscard]] std::uint32_t to(LabelId l) const {
+    assert(is_other(l));
+    return labels_[l - 1].to;
+  }
   /// The word of a label, from the tile of its first chart to the tile of its second chart. Requires: it is not the
   /// identity.
-  [[nodiscard]] const Word& word(LabelId l) const { return labels_[l - 1].word; }
+  [[nodiscard]] const Word& word(LabelId l) const {
+    assert(is_other(l));
+    return labels_[l - 1].word;
+  }
   /// The labels that lead to a chart, without the identity.
-  [[nodiscard]] std::span<const LabelId> labels_to(std::uint32_t c) const { return charts_[c].incoming; }
+  [[nodiscard]] std::span<const LabelId> labels_to(std::uint32_t c) const {
+    assert(c < chart_count());
+    return charts_[c].incoming;
+  }
   /// Returns the number of isometries multiplied so far to evaluate words, which is the cost of new labels.
   [[nodiscard]] std::uint64_t factor_count() const { return factor_count_; }
 
@@ -100,15 +116,24 @@ class Atlas {
   /// Only this and known_inverse() may be called concurrently.
   [[nodiscard]] LabelId known_product(LabelId f, LabelId g) const;
   /// Returns the label of the inverse isometry if it was computed before, else kUnknownLabel.
-  [[nodiscard]] LabelId known_inverse(LabelId f) const { return f == kIdentity ? kIdentity : rounded_[f - 1].inverse; }
+  [[nodiscard]] LabelId known_inverse(LabelId f) const {
+    assert(f == kIdentity || is_other(f));
+    return f == kIdentity ? kIdentity : rounded_[f - 1].inverse;
+  }
   /// Returns f ∘ f ∘ … ∘ f, n times. Requires: f leads from a chart to itself. O(log n) products.
   [[nodiscard]] LabelId power(LabelId f, std::uint64_t n);
 
   /// The isometry of a label, not the identity, in binary64.
-  [[nodiscard]] Isometry<double> isometry(LabelId l) const { return rounded_[l - 1].isometry; }
+  [[nodiscard]] Isometry<double> isometry(LabelId l) const {
+    assert(is_other(l));
+    return rounded_[l - 1].isometry;
+  }
   /// Bounds the Euclidean distance of the image of a point with |z| ≤ 0.75 that is computed with `isometry` from the
   /// true image (docs/error-bounds.md, E5).
-  [[nodiscard]] double error(LabelId l) const { return rounded_[l - 1].error; }
+  [[nodiscard]] double error(LabelId l) const {
+    assert(is_other(l));
+    return rounded_[l - 1].error;
+  }
 
   /// Returns the isometry of a label, scaled to determinant 1, in Mp256 (about 200 bits), Mp1024 (620 bits, relative to
   /// the entries) or Mp4096 (2020 bits). Evaluated on first use. Requires: the label is not the identity.
@@ -191,6 +216,8 @@ class Atlas {
     LabelId inverse;  ///< kUnknownLabel until computed.
   };
 
+  /// Whether there is a label of this number, and it is not the identity.
+  [[nodiscard]] bool is_other(LabelId l) const { return l != kIdentity && l <= labels_.size(); }
   [[nodiscard]] LabelId product_of_others(LabelId f, LabelId g);
   [[nodiscard]] LabelId inverse_of_other(LabelId f);
   /// A disk inside of a tile, from its corners, in its coordinates.

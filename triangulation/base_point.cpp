@@ -1,5 +1,6 @@
 #include "triangulation/base_point.h"
 
+#include <cassert>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,6 +58,7 @@ BasePoint centre_of_tile(const Surface& surface, std::uint32_t tile) {
 }
 
 Word path_between_tiles(const Surface& surface, std::uint32_t from, std::uint32_t to) {
+  assert(from < surface.tiles().size() && to < surface.tiles().size());
   // By tile: the side through which it was reached.
   std::vector<std::optional<std::uint32_t>> entered(surface.tiles().size());
   std::vector<std::uint32_t> queue{to};

@@ -1,8 +1,10 @@
 #include "triangulation/cavity.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "triangulation/editor.h"
+#include "triangulation/plausible.h"
 
 namespace epsnet {
 
@@ -33,6 +35,7 @@ void Cavity::take_edge(Triangulation& triangulation, Dart d) {
 }
 
 bool Cavity::find(Triangulation& triangulation, std::uint32_t t, Corner p) {
+  assert(may_be_in_circle(triangulation, t, p));
   triangles_.clear();
   boundary_.clear();
   pending_.clear();
@@ -73,6 +76,7 @@ bool Cavity::find(Triangulation& triangulation, std::uint32_t t, Corner p) {
 std::span<const std::uint32_t> Cavity::fill(Triangulation& triangulation, Corner p, Journal* journal) {
   const Editor editor(triangulation, journal);
   const std::size_t n = boundary_.size();
+  assert(std::ranges::all_of(boundary_, [&](const Edge& b) { return may_be_left(triangulation, b.from, b.to, p); }));
   // Where boundary edges are glued to each other, the outer dart is the inner dart of another edge; each edge i becomes
   // dart 1 of new triangle i.
   editor.require_room(n - triangles_.size());

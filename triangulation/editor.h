@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -25,19 +26,21 @@ class Editor {
   [[nodiscard]] std::vector<Triangle>& triangles() const { return triangulation_.mesh_.triangles; }
 
   /// No triangulation has more triangles.
-  static constexpr std::size_t kMostTriangles = (std::size_t{1} << 30) - 1;
+  static constexpr std::size_t kMostTriangles = kLargestTriangle;
   /// Throws LimitError if so many more triangles are more than there may be.
   void require_room(std::size_t triangles) const { require_room(triangulation_.triangle_count(), triangles); }
   /// The same for `count` triangles that are there.
   static void require_room(std::size_t count, std::size_t triangles);
   /// Adds a vertex that no triangle has yet.
   std::uint32_t add_vertex(const Vertex& v) const {
+    assert(v.chart < triangulation_.atlas().chart_count() && norm(v.z) <= kChartRadius * kChartRadius);
     points().push_back(v.z);
     charts().push_back(v.chart);
     return triangulation_.vertex_count() - 1;
   }
   /// Takes back the last add_vertex; no triangle may have the vertex.
   void pop_vertex() const {
+    assert(!points().empty());
     points().pop_back();
     charts().pop_back();
   }
@@ -49,6 +52,7 @@ class Editor {
   void set(std::uint32_t t, Corner c0, Corner c1, Corner c2) const;
   /// Makes two darts opposite to each other.
   void link(Dart d, Dart e) const {
+    assert(d != e);
     record(triangle_of(e));
     triangles()[triangle_of(d)].opposite[corner_of(d)] = e;
     triangles()[triangle_of(e)].opposite[corner_of(e)] = d;

@@ -1,5 +1,7 @@
 #include "triangulation/exact_points.h"
 
+#include <cassert>
+
 namespace epsnet {
 
 ScaledPoint scaled(const Complex<Rational>& z) {
@@ -39,6 +41,7 @@ Isometry<Rational> integral_crossing(const ScaledPoint& p, const ScaledPoint& q,
   // the argument of `turn` = ū v u2 v̄2. Its half angle is that of |turn| + turn, and |turn| = |u|²|v2|² is an integer.
   const auto [u, v] = seen_from(p, q);
   const auto [u2, v2] = seen_from(p2, q2);
+  assert(norm(u) != 0 && norm(u) * norm(v2) == norm(u2) * norm(v));
   const Complex<Integer> turn = (conj(u) * v) * (u2 * conj(v2));
   Complex<Integer> half{norm(u) * norm(v2) + turn.x, turn.y};
   // A half turn: z ↦ −z is (i z)/(−i).

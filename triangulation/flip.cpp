@@ -1,9 +1,11 @@
 #include "triangulation/flip.h"
 
 #include <array>
+#include <cassert>
 #include <utility>
 
 #include "triangulation/editor.h"
+#include "triangulation/plausible.h"
 #include "triangulation/twist.h"
 
 namespace epsnet {
@@ -18,6 +20,7 @@ Dart flip(Triangulation& triangulation, Dart d, Journal* journal) {
   const Corner b = triangulation.corner(next_dart(d));
   const Corner c = triangulation.corner(previous_dart(d));
   const Corner f = triangulation.moved(across, triangulation.corner(previous_dart(e)));
+  assert(may_be_left(triangulation, c, a, f) && may_be_left(triangulation, f, b, c));
   // The four outer darts move; where the two triangles share more edges, their opposites move along.
   const std::array<std::pair<Dart, Dart>, 4> moves{{{next_dart(d), make_dart(s, 1)},
                                                     {previous_dart(d), make_dart(t, 0)},

@@ -1,6 +1,7 @@
 #include "triangulation/local_insertion.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "kernel/predicates.h"
 #include "triangulation/editor.h"
@@ -18,7 +19,9 @@ template <bool kLabels>
 class LocalInsertion {
  public:
   LocalInsertion(Mesh& mesh, KnownLabels& labels, std::uint32_t t, const Atlas::Place& place)
-      : mesh_(mesh), labels_(labels), t_(t), place_(place), p_(place.z), height_(1 - norm(place.z)) {}
+      : mesh_(mesh), labels_(labels), t_(t), place_(place), p_(place.z), height_(1 - norm(place.z)) {
+    assert(t < mesh.triangles.size() && norm(place.z) <= kChartRadius * kChartRadius);
+  }
 
   [[nodiscard]] Outcome run(const Threshold& apart, const Threshold& large, NewTriangles& made) {
     if (!kLabels && !(place_.label == kIdentity && mesh_.triangles[t_].all_identity())) {

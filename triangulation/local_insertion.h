@@ -21,7 +21,7 @@ struct NewTriangles {
 };
 
 /// In a mesh that is a part of a triangulation: the dart across from every edge of its boundary.
-inline constexpr Dart kOutside = make_dart((1u << 30) - 1, 0);
+inline constexpr Dart kOutside = make_dart(kLargestTriangle, 0);
 
 /// insert_in_cavity for a new vertex in triangle t's circle, whose label leads to t's chart, where binary64 decides
 /// everything: the way of nearly all insertions of a refinement, with every coordinate loaded once and nothing

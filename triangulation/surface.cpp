@@ -1,6 +1,7 @@
 #include "triangulation/surface.h"
 
 #include <boost/math/constants/constants.hpp>
+#include <cassert>
 #include <future>
 #include <stdexcept>
 #include <utility>
@@ -78,6 +79,7 @@ Surface Surface::regular(std::uint32_t genus) {
 }
 
 const Isometry<Rational>& Surface::crossing(std::uint32_t s) const {
+  assert(s < side_count());
   if (is_regular()) {
     throw std::logic_error("the crossings of a regular surface are not rational");
   }
@@ -96,6 +98,7 @@ Word Surface::corner_cycle(std::uint32_t corner) const {
 
 template <class T>
 Isometry<T> Surface::crossing_as(std::uint32_t s) const {
+  assert(s < side_count());
   if (!is_regular()) {
     return normalized(convert<T>(crossing(s)));
   }

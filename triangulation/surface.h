@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -75,10 +76,14 @@ class Surface {
   [[nodiscard]] std::uint32_t side_count() const { return static_cast<std::uint32_t>(data_->partner.size()); }
   /// Returns the number of side `side` of tile `tile`.
   [[nodiscard]] std::uint32_t side_number(std::uint32_t tile, std::uint32_t side) const {
+    assert(tile < tiles().size() && side < tiles()[tile].size());
     return data_->first_side[tile] + side;
   }
   /// The tile that has side s.
-  [[nodiscard]] std::uint32_t tile_of_side(std::uint32_t s) const { return data_->side_tile[s]; }
+  [[nodiscard]] std::uint32_t tile_of_side(std::uint32_t s) const {
+    assert(s < side_count());
+    return data_->side_tile[s];
+  }
   /// The side after side s, counterclockwise around its tile.
   [[nodiscard]] std::uint32_t next_side(std::uint32_t s) const {
     const std::uint32_t tile = tile_of_side(s);
@@ -91,7 +96,10 @@ class Surface {
     return s > first ? s - 1 : first + static_cast<std::uint32_t>(tiles()[tile].size()) - 1;
   }
   /// The side that side s is glued to.
-  [[nodiscard]] std::uint32_t partner(std::uint32_t s) const { return data_->partner[s]; }
+  [[nodiscard]] std::uint32_t partner(std::uint32_t s) const {
+    assert(s < side_count());
+    return data_->partner[s];
+  }
   /// The isometry from the coordinates of the tile of side s to the coordinates of the tile of its partner, the start
   /// of s to the end of the partner. Its coefficients are Gaussian integers without a common integer factor. Throws
   /// std::logic_error for `is_regular` surfaces, whose crossings are not rational.
@@ -103,7 +111,10 @@ class Surface {
 
   /// Returns the vertex class of a corner: the point of the surface at that corner. Corners (tile, vertex) are numbered
   /// like the sides that start there; classes are numbered from 0 in the order of first occurrence.
-  [[nodiscard]] std::uint32_t vertex_class(std::uint32_t corner) const { return data_->vertex_class[corner]; }
+  [[nodiscard]] std::uint32_t vertex_class(std::uint32_t corner) const {
+    assert(corner < side_count());
+    return data_->vertex_class[corner];
+  }
   /// Returns the number of vertex classes.
   [[nodiscard]] std::uint32_t vertex_class_count() const {
     return static_cast<std::uint32_t>(data_->vertex_class_sizes.size());

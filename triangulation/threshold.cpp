@@ -1,5 +1,6 @@
 #include "triangulation/threshold.h"
 
+#include <cassert>
 #include <mpfr.h>
 #include <type_traits>
 #include <utility>
@@ -39,7 +40,7 @@ const std::array<T, 2>& computed_once(std::optional<std::array<T, 2>>& ends, con
 
 }  // namespace
 
-Threshold::Threshold(Rational x) : x_(std::move(x)), ends_(enclosure<double>(x_)) {}
+Threshold::Threshold(Rational x) : x_(std::move(x)), ends_(enclosure<double>(x_)) { assert(x_ > 0); }
 
 template <>
 const std::array<double, 2>& Threshold::at<double>() const {

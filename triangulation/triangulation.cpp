@@ -25,9 +25,9 @@ LabelId Triangulation::label_along(Dart d) {
 }
 
 LabelId Triangulation::transition(Dart d) {
-  const Triangle& t = mesh_.triangles[triangle_of(d)];
+  const Triangle& t = triangle(triangle_of(d));
   const Dart e = t.opposite[corner_of(d)];
-  const Triangle& other = mesh_.triangles[triangle_of(e)];
+  const Triangle& other = triangle(triangle_of(e));
   if (t.all_identity() && other.all_identity()) {
     return kIdentity;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -21,6 +22,9 @@ struct Vertex {
   std::uint32_t chart;
 };
 
+/// The largest label that a triangle has room for.
+inline constexpr LabelId kLargestLabel = (1u << 24) - 1;
+
 /// A triangle of the labelled triangulation (thesis I.4.1 and I.4.2 in one): vertices, darts across, and the labels
 /// that lift corners 1 and 2 to the chart of corner 0. 32 bytes.
 struct Triangle {
@@ -30,12 +34,14 @@ struct Triangle {
 
   /// The label of a corner; the identity for corner 0.
   [[nodiscard]] LabelId label(std::uint32_t corner) const {
+    assert(corner < 3);
     return corner == 0   ? kIdentity
            : corner == 1 ? static_cast<LabelId>(labels_and_mark >> 40)
                          : static_cast<LabelId>((labels_and_mark >> 16) & 0xffffff);
   }
   /// The labels of corners 1 and 2 as `labels_and_mark`, with no mark.
   [[nodiscard]] static constexpr std::uint64_t packed(LabelId l1, LabelId l2) {
+    assert(l1 <= kLargestLabel && l2 <= kLargestLabel);
     return (std::uint64_t{l1} << 40) | (std::uint64_t{l2} << 16);
   }
   /// Whether all corners are given in the chart of the triangle.
@@ -46,8 +52,6 @@ struct Triangle {
   bool operator==(const Triangle&) const = default;
 };
 static_assert(sizeof(Triangle) == 32);
-/// The largest label that a triangle has room for.
-inline constexpr LabelId kLargestLabel = (1u << 24) - 1;
 
 /// The vertices and triangles of a triangulation, or of a part of one. Coordinates and charts are separate arrays, as
 /// the predicates of nearly all triangles need only the coordinates.
@@ -107,20 +111,30 @@ class Triangulation {
   /// Returns the number of triangles. They are numbered from 0.
   [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(mesh_.triangles.size()); }
   /// Returns vertex v.
-  [[nodiscard]] Vertex vertex(std::uint32_t v) const { return {mesh_.points[v], mesh_.charts[v]}; }
+  [[nodiscard]] Vertex vertex(std::uint32_t v) const {
+    assert(v < vertex_count());
+    return {mesh_.points[v], mesh_.charts[v]};
+  }
   /// The coordinate of a vertex in its chart.
-  [[nodiscard]] const Complex<double>& point(std::uint32_t v) const { return mesh_.points[v]; }
+  [[nodiscard]] const Complex<double>& point(std::uint32_t v) const {
+    assert(v < vertex_count());
+    return mesh_.points[v];
+  }
   /// Returns triangle t.
-  [[nodiscard]] const Triangle& triangle(std::uint32_t t) const { return mesh_.triangles[t]; }
+  [[nodiscard]] const Triangle& triangle(std::uint32_t t) const {
+    assert(t < triangle_count());
+    return mesh_.triangles[t];
+  }
   /// The chart of a triangle: that of its corner 0.
-  [[nodiscard]] std::uint32_t chart_of(std::uint32_t t) const { return mesh_.charts[mesh_.triangles[t].vertex[0]]; }
+  [[nodiscard]] std::uint32_t chart_of(std::uint32_t t) const { return mesh_.charts[triangle(t).vertex[0]]; }
   /// Corner i of triangle t, lifted to the chart of t.
   [[nodiscard]] Corner corner(std::uint32_t t, std::uint32_t i) const {
-    return {mesh_.triangles[t].vertex[i], mesh_.triangles[t].label(i)};
+    assert(i < 3);
+    return {triangle(t).vertex[i], triangle(t).label(i)};
   }
 
   /// Returns the opposite dart: the same edge in the other direction, a dart of the adjacent triangle.
-  [[nodiscard]] Dart opposite(Dart d) const { return mesh_.triangles[triangle_of(d)].opposite[corner_of(d)]; }
+  [[nodiscard]] Dart opposite(Dart d) const { return triangle(triangle_of(d)).opposite[corner_of(d)]; }
   /// The corner from which d leaves, lifted to the chart of its triangle.
   [[nodiscard]] Corner corner(Dart d) const { return corner(triangle_of(d), corner_of(d)); }
   /// The darts that leave the start vertex of d, d first, clockwise.
@@ -141,8 +155,19 @@ class Triangulation {
     if (j == 0) {
       return to;
     }
-    const LabelId seen = mesh_.triangles[triangle_of(e)].label(next(j));
+    const LabelId seen = triangle(triangle_of(e)).label(next(j));
     return seen == kIdentity ? from : atlas_.product(from, atlas_.inverse(seen));
+  }
+
+  /// A lift in binary64, and a bound of its distance from the true point.
+  struct Lift {
+    Complex<double> z;  ///< In the chart of reference.
+    double error;       ///< Euclidean.
+  };
+  /// Returns a lifted vertex in binary64.
+  [[nodiscard]] Lift lift(Corner c) const {
+    const Complex<double>& z = point(c.vertex);
+    return c.label == kIdentity ? Lift{z, 0} : Lift{atlas_.isometry(c.label)(z), atlas_.error(c.label)};
   }
 
   // Predicates on lifted vertices, all corners in the same chart of reference. Staged: binary64, then 256, 1024, 4096
@@ -173,7 +198,7 @@ class Triangulation {
   /// sinh²(d/2) < s, 0 for a tie.
   [[nodiscard]] int compare_distance(Corner a, Corner b, const Threshold& s) {
     if ((a.label | b.label) == kIdentity) {
-      const StageSign sign = distance_stage_near_origin(mesh_.points[a.vertex], mesh_.points[b.vertex], s.high());
+      const StageSign sign = distance_stage_near_origin(point(a.vertex), point(b.vertex), s.high());
       if (sign.certain) {
         return sign.sign;
       }
@@ -190,15 +215,6 @@ class Triangulation {
   explicit Triangulation(Atlas atlas) : atlas_(std::move(atlas)) {}
   Triangulation(const Triangulation&) = default;
 
-  /// A lift in binary64 and how far it may be from the true point.
-  struct Lift {
-    Complex<double> z;
-    double error;
-  };
-  [[nodiscard]] Lift lift(Corner c) const {
-    const Complex<double>& z = mesh_.points[c.vertex];
-    return c.label == kIdentity ? Lift{z, 0} : Lift{atlas_.isometry(c.label)(z), atlas_.error(c.label)};
-  }
   [[nodiscard]] int compare_circumradius_staged(std::uint32_t t, const Threshold& s);
   [[nodiscard]] int compare_distance_staged(Corner a, Corner b, const Threshold& s);
   /// Runs the stages of a predicate on the corners: `stage` takes the lifted points and the bound on their error.

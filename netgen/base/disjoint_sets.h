@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -17,6 +18,7 @@ class DisjointSets {
 
   /// The least number in the set of i: the name of the set.
   [[nodiscard]] std::uint32_t find(std::uint32_t i) {
+    assert(i < size());
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }

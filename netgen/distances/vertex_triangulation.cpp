@@ -1,6 +1,7 @@
 #include "netgen/distances/vertex_triangulation.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -57,9 +58,15 @@ T enclosure(const T& a, const T& b, const T& c, const T& slack) {
   return rest > 0 ? T(c / rest) : T(std::numeric_limits<double>::max());
 }
 
+/// Whether p is a point of the hyperboloid, to within rounding.
+[[maybe_unused]] bool is_point(const LorentzVector<EdgeElements::Number>& p) {
+  return p.t > 0 && abs(EdgeElements::Number(lorentz_product(p, p) + 1)) < ldexp(p.t * p.t, -256);
+}
+
 }  // namespace
 
 EdgeElements::Id EdgeElements::add(const Isometry<Number>& g) {
+  assert(isometry_discriminant(g) > 0);
   // Equal elements come out of different products with hundreds of bits the same. Different ones f and g, with entries
   // up to M, are far from so near: M|f − g| is about |f⁻¹g − 1| at least, and that as large as a geodesic is long.
   LorentzVector<Number> normal = axis_normal(g.a.x < 0 ? Isometry<Number>{-g.a, -g.b} : g);
@@ -79,18 +86,20 @@ EdgeElements::Id EdgeElements::add(const Isometry<Number>& g) {
 }
 
 EdgeElements::Number EdgeElements::displacement(Id id, const LorentzVector<Number>& p) const {
-  const Element& element = elements_[id / 2];
+  const Element& element = this->element(id / 2);
   const Number height = lorentz_product(element.normal, p);
   return element.square + height * height;
 }
 
 Isometry<EdgeElements::Number> EdgeElements::isometry(Id id) const {
-  const Isometry<Number>& g = elements_[id / 2].isometry;
+  const Isometry<Number>& g = element(id / 2).isometry;
   return id % 2 == 0 ? g : epsnet::inverse(g);
 }
 
 Frame::Frame(const EdgeElements& elements, const LorentzVector<EdgeElements::Number>& origin)
-    : elements_(elements), to_origin_(normalized(Isometry<EdgeElements::Number>::translation(-in_disk(origin)))) {}
+    : elements_(elements), to_origin_(normalized(Isometry<EdgeElements::Number>::translation(-in_disk(origin)))) {
+  assert(is_point(origin));
+}
 
 Frame::Point Frame::point(const LorentzVector<EdgeElements::Number>& p) const {
   const Point v = rounded<double>(image(to_origin_, p));
@@ -122,6 +131,7 @@ std::vector<std::uint32_t> VertexTriangulation::key() const {
 void VertexTriangulation::flip(EdgeElements& elements, std::uint32_t d) {
   // The triangles abc and bax with the edge ab become xca and cxb: each of the outer edges moves on by one place.
   const std::uint32_t e = opposite[d];
+  assert(d / 3 != e / 3);
   const std::array<std::uint32_t, 4> from{previous_of(d), next_of(e), previous_of(e), next_of(d)};
   const std::array<std::uint32_t, 4> to{next_of(d), previous_of(d), next_of(e), previous_of(e)};
   std::array<std::uint32_t, 4> across{};
@@ -149,6 +159,7 @@ PlacedTriangulation::PlacedTriangulation(const VertexTriangulation& triangulatio
       elements_(frame.elements()),
       point_(p),
       displacement_(triangulation.opposite.size()) {
+  assert(is_point(p));
   const Frame::Point local = frame.point(p);
   constexpr double kFar = 2;  // cosh of the distance.
   const bool is_far = !(local.t < kFar);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -39,7 +40,10 @@ class EdgeElements {
     LorentzVector<Number> normal;
     Number square;
   };
-  [[nodiscard]] const Element& element(std::size_t k) const { return elements_[k]; }
+  [[nodiscard]] const Element& element(std::size_t k) const {
+    assert(k < elements_.size());
+    return elements_[k];
+  }
 
  private:
   std::vector<Element> elements_;

@@ -1,5 +1,6 @@
 #include "netgen/geodesics/unfolding.h"
 
+#include <cassert>
 #include <cmath>
 #include <unordered_map>
 
@@ -108,6 +109,7 @@ void Unfolding::report(const std::vector<Visit>& way, const Search& search, std:
 
 std::vector<ReturnPath> Unfolding::returns(std::uint32_t vertex, const Search& search,
                                            const std::function<void()>& tick) const {
+  assert(vertex < dart_of_vertex_.size());
   constexpr std::uint64_t kTickEvery = 1U << 16;
   std::uint64_t visits = 0;
   // A triangle with a corner within D of the vertex has its circumcentre within D + R, and cosh(D + R)/cosh R grows

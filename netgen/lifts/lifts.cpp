@@ -1,6 +1,7 @@
 #include "netgen/lifts/lifts.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <deque>
 #include <functional>
@@ -137,6 +138,7 @@ Placement placement_at(const NetGeometry& geometry, std::uint32_t vertex, const 
 }
 
 Placement neighbour(const NetGeometry& geometry, const Placement& placement, std::uint32_t side) {
+  assert(placement.triangle < geometry.document().triangles.size() && side < 3);
   const std::uint32_t dart = 3 * placement.triangle + side;
   const std::uint32_t other = geometry.document().triangles[placement.triangle].opposite[side] / 3;
   const auto [here, there] = labels_across(geometry, dart);

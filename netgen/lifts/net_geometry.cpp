@@ -1,5 +1,6 @@
 #include "netgen/lifts/net_geometry.h"
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -116,6 +117,7 @@ certify::SurfaceDocument rounded_polygon(std::uint32_t regular_genus) {
 std::optional<std::uint32_t> unpaired_dart(const certify::NetDocument& document) {
   for (std::uint32_t dart = 0; dart < 3 * document.triangles.size(); ++dart) {
     const std::uint32_t other = certify::opposite(document, dart);
+    assert(other < 3 * document.triangles.size());
     if (other == dart || certify::opposite(document, other) != dart) return dart;
   }
   return std::nullopt;
@@ -168,6 +170,7 @@ NetGeometry::NetGeometry(const certify::NetDocument& document)
 }
 
 std::array<Complex<double>, 3> NetGeometry::corners(std::uint32_t triangle) const {
+  assert(triangle < document_->triangles.size());
   std::array<Complex<double>, 3> result;
   for (std::uint32_t i = 0; i < 3; ++i) {
     const certify::NetDocument::Vertex& v = document_->vertices[document_->triangles[triangle].vertex[i]];
@@ -198,6 +201,7 @@ double NetGeometry::circumradius(std::uint32_t triangle) const {
 }
 
 double NetGeometry::edge_length(std::uint32_t dart) const {
+  assert(dart < 3 * document_->triangles.size());
   const certify::NetDocument::Vertex& u = document_->vertices[certify::start(*document_, dart)];
   const certify::NetDocument::Vertex& v = document_->vertices[certify::start(*document_, certify::next_dart(dart))];
   const std::uint32_t at_u = certify::corner_label(*document_, dart);

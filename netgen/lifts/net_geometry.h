@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <gmpxx.h>
 #include <memory>
@@ -69,7 +70,10 @@ class NetGeometry {
 
   /// Returns the label with this number (certify::corner_label; 0 is the identity), from the chart of the vertex to the
   /// chart of the triangle. Its determinant is 1.
-  [[nodiscard]] const PreciseIsometry& label(std::uint32_t number) const { return labels_[number]; }
+  [[nodiscard]] const PreciseIsometry& label(std::uint32_t number) const {
+    assert(number < labels_.size());
+    return labels_[number];
+  }
   /// Returns the three corners of a triangle, counterclockwise, in the chart of its vertex 0.
   [[nodiscard]] std::array<Complex<double>, 3> corners(std::uint32_t triangle) const;
 

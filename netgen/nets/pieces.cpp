@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <cassert>
 #include <cstddef>
 #include <oneapi/tbb/concurrent_queue.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
@@ -425,6 +426,7 @@ class PieceRefinement {
 
 PieceResult refine_in_pieces(Triangulation& triangulation, std::vector<std::uint32_t> pending, const Threshold& apart,
                              const Threshold& large, const PieceOptions& options) {
+  assert(std::ranges::all_of(pending, [&](std::uint32_t t) { return triangulation.triangle(t).marked(); }));
   PieceRefinement refinement(triangulation, apart, large, options);
   if (options.threads == 0) return refinement.run(std::move(pending));
   // So many threads as are asked for, even where there are fewer cores.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <queue>
@@ -16,9 +17,13 @@ class TriangleQueue {
  public:
   [[nodiscard]] std::size_t size() const { return size_; }
   /// The i-th from the front.
-  [[nodiscard]] std::uint32_t operator[](std::size_t i) const { return ring_[(first_ + i) & (ring_.size() - 1)]; }
+  [[nodiscard]] std::uint32_t operator[](std::size_t i) const {
+    assert(i < size_);
+    return ring_[(first_ + i) & (ring_.size() - 1)];
+  }
   /// Appends at most 1024 values.
   void push(std::span<const std::uint32_t> values) {
+    assert(values.size() <= 1024);
     if (size_ + values.size() > ring_.size()) {
       std::rotate(ring_.begin(), ring_.begin() + static_cast<std::ptrdiff_t>(first_), ring_.end());
       first_ = 0;
@@ -47,6 +52,7 @@ class TriangleStack {
   [[nodiscard]] std::size_t size() const { return values_.size(); }
   void push(std::span<const std::uint32_t> values) { values_.insert(values_.end(), values.begin(), values.end()); }
   std::uint32_t pop() {
+    assert(!values_.empty());
     const std::uint32_t value = values_.back();
     values_.pop_back();
     return value;
@@ -62,6 +68,7 @@ class TriangleHeap {
   [[nodiscard]] std::size_t size() const { return heap_.size(); }
   void push(std::uint32_t value, double size) { heap_.emplace(size, ~value); }
   std::uint32_t pop() {
+    assert(!heap_.empty());
     const std::uint32_t value = ~heap_.top().second;
     heap_.pop();
     return value;

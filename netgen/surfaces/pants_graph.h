@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <string_view>
 #include <utility>
@@ -53,7 +54,10 @@ class PantsGraph {
   /// The edges in the order in which they were given.
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
   /// The number of the edge at a cuff.
-  [[nodiscard]] std::uint32_t edge_at(std::uint32_t pants, std::uint32_t cuff) const { return at_[3 * pants + cuff]; }
+  [[nodiscard]] std::uint32_t edge_at(std::uint32_t pants, std::uint32_t cuff) const {
+    assert(pants < pants_count() && cuff < 3);
+    return at_[3 * pants + cuff];
+  }
 
  private:
   std::vector<Edge> edges_;

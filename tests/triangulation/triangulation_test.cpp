@@ -231,9 +231,11 @@ TEST(Triangulation, ProblemsAreSeen) {
     EXPECT_EQ(problem(triangulation), "") << name;
     for (const std::uint32_t t : around) {
       EXPECT_FALSE(test::flippable(triangulation, make_dart(t, 0))) << name;
+#ifdef NDEBUG  // Else an assertion sees it before.
       Triangulation broken = triangulation.clone();
       (void)flip(broken, make_dart(t, 0));
       EXPECT_NE(problem(broken), "") << name;
+#endif
     }
   }
 }
