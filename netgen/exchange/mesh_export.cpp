@@ -108,10 +108,10 @@ void write_pairings(const NetGeometry& geometry, const Lifts& lifts, const std::
     if (!on_boundary[dart]) continue;
     const std::uint32_t other = net.triangles[dart / 3].opposite[dart % 3];
     const auto placement = [&](std::uint32_t triangle) {
-      return lifts.placements[lifts.lifted[lifts.place[triangle]].placement];
+      return lifts.placements[lifts.lifted[lifts.place[triangle]].placement[0]].precise;
     };
-    const Placement beyond = neighbour(geometry, {dart / 3, convert<Mp256>(placement(dart / 3))}, dart % 3);
-    const auto f = convert<double>(normalized(beyond.isometry * inverse(convert<Mp256>(placement(other / 3)))));
+    const Placement beyond = neighbour(geometry, {dart / 3, placement(dart / 3)}, dart % 3);
+    const auto f = convert<double>(normalized(beyond.isometry * inverse(placement(other / 3))));
     rows.add("[" + std::to_string(dart) + ", " + std::to_string(other) + ", " + point_text(f.a, ", ") + ", " +
              point_text(f.b, ", ") + "]");
   }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <deque>
 #include <functional>
+#include <map>
 #include <queue>
 #include <string>
 #include <utility>
@@ -23,7 +23,7 @@ std::pair<std::uint32_t, std::uint32_t> labels_across(const NetGeometry& geometr
           certify::corner_label(net, certify::next_dart(certify::opposite(net, dart)))};
 }
 
-/// The isometry from the chart of a triangle to the screen, shared by neighbours with which it is the same.
+/// The isometries from the charts of corners to the disk, shared by corners with which they are the same.
 class Placements {
  public:
   explicit Placements(const NetGeometry& geometry) : geometry_(geometry) {}
@@ -33,7 +33,7 @@ class Placements {
     return static_cast<std::uint32_t>(placements_.size() - 1);
   }
 
-  /// The placement of the triangle across a dart of a triangle with the placement given.
+  /// The placement of corner 0 of the triangle across a dart of a triangle, of which it is given.
   std::uint32_t across(std::uint32_t placement, std::uint32_t dart) {
     const auto [here, there] = labels_across(geometry_, dart);
     if (here == there) return placement;
@@ -41,18 +41,25 @@ class Placements {
                inverse(geometry_.label(there).precise));
   }
 
+  /// The placement of a corner with this label of a triangle, of which that of corner 0 is given. With 256 bits: in a
+  /// thin collar the corners of a triangle are so far apart that binary64 cannot tell one, seen from the other, from
+  /// the unit circle.
+  std::uint32_t of_corner(std::uint32_t placement, std::uint32_t label) {
+    if (label == 0) return placement;
+    const auto [known, is_new] = of_corners_.try_emplace({placement, label}, 0);
+    if (is_new) known->second = add(placements_[placement].precise * geometry_.label(label).precise);
+    return known->second;
+  }
+
   [[nodiscard]] const Isometry<double>& rounded(std::uint32_t placement) const {
     return placements_[placement].rounded;
   }
-  [[nodiscard]] std::vector<Isometry<double>> all_rounded() const {
-    std::vector<Isometry<double>> result;
-    for (const PreciseIsometry& placement : placements_) result.push_back(placement.rounded);
-    return result;
-  }
+  [[nodiscard]] std::vector<PreciseIsometry> all() && { return std::move(placements_); }
 
  private:
   const NetGeometry& geometry_;
-  std::deque<PreciseIsometry> placements_;
+  std::vector<PreciseIsometry> placements_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> of_corners_;  ///< By placement and label.
 };
 
 /// Grows the set of lifted triangles.
@@ -74,12 +81,12 @@ class Lifter {
       edges_.pop();
       const std::uint32_t other = triangles_[dart / 3].opposite[dart % 3] / 3;
       if (lifts_.place[other] != kNone) continue;
-      lift(other, placements_.across(lifts_.lifted[lifts_.place[dart / 3]].placement, dart));
+      lift(other, placements_.across(lifts_.lifted[lifts_.place[dart / 3]].placement[0], dart));
     }
     if (lifts_.lifted.size() != triangles_.size())
       throw NetGeometryError("only " + std::to_string(lifts_.lifted.size()) + " of " +
                              std::to_string(triangles_.size()) + " triangles are connected");
-    lifts_.placements = placements_.all_rounded();
+    lifts_.placements = std::move(placements_).all();
     return std::move(lifts_);
   }
 
@@ -90,11 +97,14 @@ class Lifter {
   }
 
   void lift(std::uint32_t triangle, std::uint32_t placement) {
-    Lifts::LiftedTriangle lifted{triangle, placement, geometry_.corners(triangle)};
-    for (Complex<double>& corner : lifted.corner) {
-      corner = placements_.rounded(placement)(corner);
+    Lifts::LiftedTriangle lifted{triangle, {}, {}};
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const certify::NetDocument::Vertex& v = geometry_.document().vertices[triangles_[triangle].vertex[i]];
+      lifted.placement[i] =
+          placements_.of_corner(placement, certify::corner_label(geometry_.document(), 3 * triangle + i));
+      lifted.corner[i] = placements_.rounded(lifted.placement[i])({v.x, v.y});
       // Points that round to the circle are fine, they are no more than that far from it.
-      if (!(norm(corner) < 1 + 1e-12))
+      if (!(norm(lifted.corner[i]) < 1 + 1e-12))
         throw NetGeometryError("triangles[" + std::to_string(triangle) + "]: a corner is not in the disk");
     }
     lifts_.place[triangle] = static_cast<std::uint32_t>(lifts_.lifted.size());

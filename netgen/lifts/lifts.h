@@ -15,12 +15,12 @@ struct Lifts {
   /// A triangle in the disk.
   struct LiftedTriangle {
     std::uint32_t triangle;
-    std::uint32_t placement;  ///< Index in `placements`.
+    std::array<std::uint32_t, 3> placement;  ///< By corner: index in `placements`.
     std::array<Complex<double>, 3> corner;
   };
-  std::vector<LiftedTriangle> lifted;        ///< In the order of lifting.
-  std::vector<std::uint32_t> place;          ///< By triangle: its index in `lifted`.
-  std::vector<Isometry<double>> placements;  ///< From the chart of a triangle's corner 0 to the disk.
+  std::vector<LiftedTriangle> lifted;       ///< In the order of lifting.
+  std::vector<std::uint32_t> place;         ///< By triangle: its index in `lifted`.
+  std::vector<PreciseIsometry> placements;  ///< From the chart of a corner's vertex to the disk.
 };
 
 /// Lifts all triangles. The directions at the centre are those of the centre's chart, so drawings of different nets of

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <deque>
 #include <optional>
 #include <queue>
@@ -23,7 +24,7 @@ namespace {
 
 using Point = Complex<Mp256>;
 
-/// Differences below 2⁻¹²⁰ are rounding, far below what a picture shows.
+/// Lengths below 2⁻¹²⁰ are rounding, far below what a picture shows.
 const Mp256& tolerance() {
   static const Mp256 value = ldexp(Mp256(1), -120);
   return value;
@@ -44,25 +45,48 @@ std::array<Point, 3> klein_corners(const NetGeometry& geometry, const Placement&
 /// Twice the area of the triangle u, v, w: positive if w is on the left of the line from u to v.
 Mp256 side_of(const Point& u, const Point& v, const Point& w) { return cross(v - u, w - u); }
 
-/// A lifted triangle that contains a point (Klein coordinates), found by a walk from another one, each step across a
-/// side that separates it from the point: a visibility walk, which comes to an end in a Delaunay triangulation (thesis
-/// Theorem II.3). Nothing if it takes more steps than are tried.
-std::optional<Placement> walk_to(const NetGeometry& geometry, Placement placement, const Point& target) {
+/// Whether side_of says that w is on the line or on its left, to within rounding. It is the distance of w from the line
+/// that is compared: Klein coordinates shrink u and v to nearly one point where they are far from the origin.
+bool is_left(const Point& u, const Point& v, const Mp256& side_of_w) {
+  return side_of_w >= 0 || side_of_w * side_of_w <= tolerance() * tolerance() * norm(v - u);
+}
+
+/// The lift that an isometry of the disk makes of another one.
+Placement moved(const Isometry<Mp256>& by, const Placement& placement) {
+  return {placement.triangle, normalized(by * placement.isometry)};
+}
+
+/// A lifted triangle that contains 0, found by a walk from another one, each step across a side that separates it from
+/// 0: a visibility walk, which comes to an end in a Delaunay triangulation (thesis Theorem II.3). Nothing if it takes
+/// more steps than are tried.
+std::optional<Placement> walk_to_0(const NetGeometry& geometry, Placement placement) {
   const std::size_t most = 1000 + 20 * geometry.document().triangles.size();
   for (std::size_t steps = 0; steps < most; ++steps) {
     const std::array<Point, 3> corners = klein_corners(geometry, placement);
+    const auto has_0_on_its_left = [&](std::uint32_t i) {
+      const Point& u = corners[i];
+      const Point& v = corners[(i + 1) % 3];
+      return is_left(u, v, side_of(u, v, {}));
+    };
     std::uint32_t i = 0;
-    while (i < 3 && side_of(corners[i], corners[(i + 1) % 3], target) >= -tolerance()) ++i;
+    while (i < 3 && has_0_on_its_left(i)) ++i;
     if (i == 3) return placement;
     placement = neighbour(geometry, placement, i);
   }
   return std::nullopt;
 }
 
-/// The result of a walk that ends in every triangulation.
+/// A curve that cannot be drawn in reasonable work, or with 256 bits, however sound the net is.
+class CurveNotFollowed : public NetGeometryError {
+ public:
+  using NetGeometryError::NetGeometryError;
+};
+
 template <class T>
 T required(std::optional<T> result) {
-  if (!result) throw NetGeometryError("a walk does not come to an end: the triangles are no triangulation");
+  if (!result)
+    throw CurveNotFollowed(
+        "it crosses too many triangles to be followed; it may wind around a very short closed geodesic");
   return *std::move(result);
 }
 
@@ -78,10 +102,12 @@ struct Part {
 Part part_inside(const std::array<Point, 3>& corners, const Point& p, const Point& q) {
   Part part;
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const Mp256 at_p = side_of(corners[i], corners[(i + 1) % 3], p);
-    const Mp256 at_q = side_of(corners[i], corners[(i + 1) % 3], q);
-    const bool p_inside = at_p >= -tolerance();
-    const bool q_inside = at_q >= -tolerance();
+    const Point& u = corners[i];
+    const Point& v = corners[(i + 1) % 3];
+    const Mp256 at_p = side_of(u, v, p);
+    const Mp256 at_q = side_of(u, v, q);
+    const bool p_inside = is_left(u, v, at_p);
+    const bool q_inside = is_left(u, v, at_q);
     if (p_inside && q_inside) continue;
     if (!p_inside && !q_inside) return {1, 0};
     // Within [0, 1] also where an end lies on the side to within rounding: the triangles around it are then touched.
@@ -140,47 +166,93 @@ Tiles::Tiles(const NetGeometry& geometry) : parts(geometry.document(), geometry.
       const std::uint32_t s = sides.first[tile] + k;
       const std::uint32_t other = sides.tile[sides.partner[s]];
       if (done[other]) continue;
-      const Placement there = required(walk_to(geometry, near[tile], to_klein(corners[tile][k])));
-      reach(other, {there.triangle, normalized(parts.crossings[s] * there.isometry)});
+      const auto from_corner = Isometry<Mp256>::translation(corners[tile][k]);
+      const Placement there = required(walk_to_0(geometry, moved(inverse(from_corner), near[tile])));
+      reach(other, moved(parts.crossings[s] * from_corner, there));
     }
   }
 }
 
 }  // namespace
 
-std::optional<CutSegment> cut_segment(const NetGeometry& geometry, const Placement& near, const Complex<Mp256>& p,
-                                      const Complex<Mp256>& q) {
-  const Point from = to_klein(p);
-  const Point to = to_klein(q);
-  const auto point_at = [&](const Mp256& share) { return from_klein(from + share * (to - from)); };
-  const std::optional<Placement> first = walk_to(geometry, near, from);
-  if (!first) return std::nullopt;
-  std::vector<std::pair<Mp256, Arc>> pieces;
+namespace {
+
+/// The segment between two points of a lifted triangle, in the chart of its corner 0, or, where points so far away are
+/// near the unit circle, of the corner from which it is seen best.
+Arc arc_between(const NetGeometry& geometry, const Placement& placement, const Point& p, const Point& q) {
+  constexpr double kNear = 0.9;
+  Arc best{};
+  double least = 2;
+  for (std::uint32_t i = 0; i < 3 && least > kNear; ++i) {
+    const std::uint32_t dart = 3 * placement.triangle + i;
+    const std::uint32_t label = certify::corner_label(geometry.document(), dart);
+    const Isometry<Mp256> back = inverse(placement.isometry * geometry.label(label).precise);
+    const Arc arc{dart, convert<double>(back(p)), convert<double>(back(q))};
+    const double farthest = std::max(norm(arc.from), norm(arc.to));
+    if (farthest < least) {
+      least = farthest;
+      best = arc;
+    }
+  }
+  return best;
+}
+
+/// Cuts the segment from 0 to a point of the positive real axis, Klein coordinates, and appends its arcs; `first`
+/// contains 0. False if it meets more than `most` triangles.
+bool append_arcs(std::vector<Arc>& arcs, const NetGeometry& geometry, const Placement& first, const Mp256& end,
+                 std::size_t most) {
+  const Point to{end, 0};
+  std::vector<std::pair<Mp256, Arc>> pieces;  // With where they start.
   std::set<std::tuple<std::uint32_t, Mp256, Mp256>> seen;
-  std::deque<Placement> pending{*first};
-  // A segment may cross a triangle many times, but if lifts do not fit together there is no end.
-  const std::size_t most = 10000 + 20 * geometry.document().triangles.size();
+  std::deque<Placement> pending{first};
   for (; !pending.empty(); pending.pop_front()) {
-    if (seen.size() > most) throw NetGeometryError("a segment meets too many triangles: they are no triangulation");
+    if (seen.size() > most) return false;
     const Placement& placement = pending.front();
     const std::array<Point, 3> corners = klein_corners(geometry, placement);
-    const Part part = part_inside(corners, from, to);
+    const Part part = part_inside(corners, {}, to);
     if (!part.touches() || !seen.insert(key(placement, corners[0])).second) continue;
     if (part.has_length()) {
-      const Isometry<Mp256> back = inverse(placement.isometry);
-      pieces.push_back(
-          {part.from,
-           {placement.triangle, convert<double>(back(point_at(part.from))), convert<double>(back(point_at(part.to)))}});
+      pieces.emplace_back(part.from,
+                          arc_between(geometry, placement, from_klein(part.from * to), from_klein(part.to * to)));
     }
     for (std::uint32_t side = 0; side < 3; ++side) pending.push_back(neighbour(geometry, placement, side));
   }
-  std::optional<Placement> last = walk_to(geometry, *first, to);
-  if (!last) return std::nullopt;
   std::stable_sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  CutSegment result{{}, *std::move(last)};
-  result.arcs.reserve(pieces.size());
-  for (const auto& piece : pieces) result.arcs.push_back(piece.second);
-  return result;
+  for (const auto& piece : pieces) arcs.push_back(piece.second);
+  return true;
+}
+
+/// Takes p to 0 and q to the positive real axis.
+Isometry<Mp256> to_real_axis(const Point& p, const Point& q, const Mp256& length) {
+  return length > 0 ? segment_to_segment(p, q, {}, {Mp256(tanh(length / 2)), 0}) : Isometry<Mp256>::translation(-p);
+}
+
+}  // namespace
+
+std::optional<CutSegment> cut_segment(const NetGeometry& geometry, const Placement& near, const Complex<Mp256>& p,
+                                      const Complex<Mp256>& q) {
+  // Step by step along the real axis, the start of each step moved to 0: in Klein coordinates what is 40 away from the
+  // origin, as the other end of a thin collar, is as small as rounding.
+  constexpr int kLongestStep = 8;
+  const Mp256 length = distance(p, q);
+  // The surface has no segment so long that is worth drawing; an end on the unit circle is infinitely far.
+  constexpr int kLongest = 1000;
+  if (!(length <= kLongest)) return std::nullopt;
+  const Mp256 steps = std::max(Mp256(1), Mp256(ceil(length / kLongestStep)));
+  const Mp256 step = length / steps;
+  const auto forward = Isometry<Mp256>::translation({Mp256(tanh(step / 2)), 0});
+  // A segment may cross a triangle many times, and if lifts do not fit together there is no end.
+  const std::size_t most = 10000 + 20 * geometry.document().triangles.size();
+  Isometry<Mp256> frame = normalized(to_real_axis(p, q, length));
+  std::optional<Placement> here = walk_to_0(geometry, moved(frame, near));
+  std::vector<Arc> arcs;
+  for (int i = 0; here && i < steps; ++i) {
+    if (!append_arcs(arcs, geometry, *here, tanh(step), most)) return std::nullopt;
+    here = walk_to_0(geometry, moved(inverse(forward), *here));
+    frame = normalized(inverse(forward) * frame);
+  }
+  if (!here) return std::nullopt;
+  return CutSegment{std::move(arcs), moved(inverse(frame), *here)};
 }
 
 namespace {
@@ -196,28 +268,58 @@ void append_segment(Layer& layer, const NetGeometry& geometry, Placement& near, 
 
 }  // namespace
 
-Layer tile_layer(const NetGeometry& geometry) {
-  Layer layer{.name = "fundamental tiles", .colour = palette::kTiles};
-  const certify::SurfaceSides& sides = geometry.sides();
-  Tiles tiles(geometry);
-  for (std::uint32_t s = 0; s < sides.partner.size(); ++s) {
-    if (sides.partner[s] < s) continue;
-    const std::uint32_t tile = sides.tile[s];
-    const std::vector<Point>& corners = tiles.corners[tile];
-    const std::size_t k = sides.corner[s];
-    append_segment(layer, geometry, tiles.near[tile], corners[k], corners[(k + 1) % corners.size()]);
+namespace {
+
+/// The layer with the curves that `add_curves` adds; without them, and with the reason, if one is not followed.
+template <class AddCurves>
+Layer with_curves(Layer layer, const AddCurves& add_curves) {
+  try {
+    add_curves(layer);
+  } catch (const CurveNotFollowed& error) {
+    layer.arcs.clear();
+    layer.parts.clear();
+    layer.left_out = error.what();
   }
   return layer;
 }
 
+}  // namespace
+
+Layer tile_layer(const NetGeometry& geometry) {
+  return with_curves({.name = "fundamental tiles", .colour = palette::kTiles}, [&](Layer& layer) {
+    const certify::SurfaceSides& sides = geometry.sides();
+    Tiles tiles(geometry);
+    for (std::uint32_t s = 0; s < sides.partner.size(); ++s) {
+      if (sides.partner[s] < s) continue;
+      const std::uint32_t tile = sides.tile[s];
+      const std::vector<Point>& corners = tiles.corners[tile];
+      const std::size_t k = sides.corner[s];
+      append_segment(layer, geometry, tiles.near[tile], corners[k], corners[(k + 1) % corners.size()]);
+    }
+  });
+}
+
+namespace {
+
+/// A vertex of a domain that may be as far out in a thin collar as binary64 cannot tell from the unit circle: brought
+/// to a distance of 32 from the centre, where nothing is seen any more.
+Point within_sight(const Complex<double>& z) {
+  const double farthest = std::tanh(16.0);
+  const double radius = std::sqrt(norm(z));
+  return convert<Mp256>(radius > farthest ? farthest / radius * z : z);
+}
+
+}  // namespace
+
 Layer dirichlet_layer(const NetGeometry& geometry, std::uint32_t vertex) {
-  Layer layer{.name = "Dirichlet domain of vertex " + std::to_string(vertex), .colour = palette::kDirichlet};
   const std::vector<Complex<double>> domain = dirichlet_domain(geometry, vertex);
-  Placement near = placement_at(geometry, vertex, to_centre(geometry, vertex));
-  for (std::size_t i = 0; i < domain.size(); ++i) {
-    append_segment(layer, geometry, near, convert<Mp256>(domain[i]), convert<Mp256>(domain[(i + 1) % domain.size()]));
-  }
-  return layer;
+  const std::string name = "Dirichlet domain of vertex " + std::to_string(vertex);
+  return with_curves({.name = name, .colour = palette::kDirichlet}, [&](Layer& layer) {
+    Placement near = placement_at(geometry, vertex, to_centre(geometry, vertex));
+    for (std::size_t i = 0; i < domain.size(); ++i) {
+      append_segment(layer, geometry, near, within_sight(domain[i]), within_sight(domain[(i + 1) % domain.size()]));
+    }
+  });
 }
 
 Layer combinatorial_dirichlet_layer(const NetGeometry& geometry, std::uint32_t vertex) {
@@ -258,7 +360,8 @@ ClosedPath closed_path(const NetGeometry& geometry, const Tiles& tiles, std::uin
     tile = sides.tile[sides.partner[side]];
   }
   const auto ends = axis(g);
-  if (tile != home || !ends) throw NetGeometryError("a word is no closed geodesic");
+  if (tile != home || word.empty()) throw NetGeometryError("a word is no closed geodesic");
+  if (!ends) throw CurveNotFollowed("a closed geodesic is too short for 256 bits");
   // X minus its component along the normal of the axis, scaled back to the hyperboloid.
   const LorentzVector<Mp256> normal = axis_normal(g);
   const LorentzVector<Mp256> x = on_hyperboloid(base);
@@ -270,19 +373,15 @@ ClosedPath closed_path(const NetGeometry& geometry, const Tiles& tiles, std::uin
   return {g, displacement_length(g), normalized(Isometry<Mp256>::translation(foot) * Isometry<Mp256>{half, {}})};
 }
 
-/// One period of the two curves at a distance from an axis, as chords. Left out where a walk to them winds around a
-/// very short core too often.
+/// One period of the two curves at a distance from an axis, as chords.
 void append_equidistants(Layer& layer, const NetGeometry& geometry, const Placement& start, const ClosedPath& path,
                          const Mp256& distance) {
   constexpr int kChords = 48;
   for (const Mp256& height : {distance, Mp256(-distance)}) {
     Placement near = start;
     for (int i = 0; i < kChords; ++i) {
-      std::optional<CutSegment> chord = cut_segment(geometry, near, path.at(path.length * i / kChords, height),
-                                                    path.at(path.length * (i + 1) / kChords, height));
-      if (!chord) break;
-      append(layer, chord->arcs);
-      near = std::move(chord->end);
+      append_segment(layer, geometry, near, path.at(path.length * i / kChords, height),
+                     path.at(path.length * (i + 1) / kChords, height));
     }
   }
 }
@@ -292,22 +391,26 @@ void append_equidistants(Layer& layer, const NetGeometry& geometry, const Placem
 std::vector<Layer> collar_layers(const NetGeometry& geometry) {
   const certify::NetDocument& net = geometry.document();
   if (!net.collars || net.collars->empty()) return {};
-  const Tiles tiles(geometry);
   Layer triangles{.name = "triangles of collars", .colour = palette::kCollarTriangles};
-  Layer boundaries{.name = "epsilon-collars", .colour = palette::kEpsilonCollars};
-  const Mp256 half_epsilon = rounded<Mp256>(geometry.epsilon()) / 2;
   for (const certify::NetDocument::Collar& collar : *net.collars) {
     triangles.triangles.insert(triangles.triangles.end(), collar.triangles.begin(), collar.triangles.end());
-    // From a vertex of the collar: from elsewhere a walk may wind around a short core very often.
-    const certify::NetDocument::Vertex& vertex = net.vertices[collar.vertices[0]];
-    const Isometry<Mp256>& frame = tiles.parts.frames[vertex.chart];
-    const Placement start = placement_at(geometry, collar.vertices[0], frame);
-    const ClosedPath core = closed_path(geometry, tiles, net.charts[vertex.chart].tile, collar.core,
-                                        frame({Mp256(vertex.x), Mp256(vertex.y)}));
-    // sinh(ε/2) = sinh(ℓ/2) cosh d (thesis Theorem I.24).
-    const Mp256 ratio = sinh(half_epsilon) / sinh(Mp256(core.length / 2));
-    if (ratio > 1) append_equidistants(boundaries, geometry, start, core, acosh(ratio));
   }
+  const Layer boundaries =
+      with_curves({.name = "epsilon-collars", .colour = palette::kEpsilonCollars}, [&](Layer& layer) {
+        const Tiles tiles(geometry);
+        const Mp256 half_epsilon = rounded<Mp256>(geometry.epsilon()) / 2;
+        for (const certify::NetDocument::Collar& collar : *net.collars) {
+          // From a vertex of the collar, which is not far.
+          const certify::NetDocument::Vertex& vertex = net.vertices[collar.vertices[0]];
+          const Isometry<Mp256>& frame = tiles.parts.frames[vertex.chart];
+          const Placement start = placement_at(geometry, collar.vertices[0], frame);
+          const ClosedPath core = closed_path(geometry, tiles, net.charts[vertex.chart].tile, collar.core,
+                                              frame({Mp256(vertex.x), Mp256(vertex.y)}));
+          // sinh(ε/2) = sinh(ℓ/2) cosh d (thesis Theorem I.24).
+          const Mp256 ratio = sinh(half_epsilon) / sinh(Mp256(core.length / 2));
+          if (ratio > 1) append_equidistants(layer, geometry, start, core, acosh(ratio));
+        }
+      });
   return {triangles, boundaries};
 }
 
@@ -324,43 +427,52 @@ void require_same_surface(const NetGeometry& geometry, const certify::NetDocumen
 }  // namespace
 
 std::vector<Layer> geodesics_layers(const NetGeometry& geometry, const certify::GeodesicsDocument& geodesics) {
-  std::vector<Layer> layers{{.name = "closed geodesics", .colour = palette::kGeodesics}};
-  const bool small_curves = geodesics.claim == certify::GeodesicsDocument::Claim::thick_thin;
-  if (small_curves) layers.push_back({.name = "collars of small curves", .colour = palette::kSmallCurveCollars});
   const certify::NetDocument& source = geodesics.net;
   require_same_surface(geometry, source, "geodesics");
-  const Tiles tiles(geometry);
-  for (std::size_t i = 0; i < geodesics.geodesics.size(); ++i) {
-    const certify::GeodesicsDocument::ClosedGeodesic& geodesic = geodesics.geodesics[i];
-    const std::uint32_t tile = source.charts[source.vertices[geodesic.vertex].chart].tile;
-    const ClosedPath path = closed_path(geometry, tiles, tile, geodesic.word, {0, 0});
-    Placement near = tiles.near[tile];
-    layers[0].parts.push_back({"geodesic " + std::to_string(i) + (geodesic.simple ? ", simple" : ""),
-                               path.length.convert_to<double>(), layers[0].arcs.size()});
-    append_segment(layers[0], geometry, near, path.at(0, 0), path.at(path.length, 0));
-    if (small_curves) {
-      append_equidistants(layers[1], geometry, near, path, asinh(Mp256(1 / sinh(Mp256(path.length / 2)))));
+  const auto tile_of = [&](const certify::GeodesicsDocument::ClosedGeodesic& geodesic) {
+    return source.charts[source.vertices[geodesic.vertex].chart].tile;
+  };
+  std::vector<Layer> layers;
+  layers.push_back(with_curves({.name = "closed geodesics", .colour = palette::kGeodesics}, [&](Layer& layer) {
+    const Tiles tiles(geometry);
+    for (std::size_t i = 0; i < geodesics.geodesics.size(); ++i) {
+      const certify::GeodesicsDocument::ClosedGeodesic& geodesic = geodesics.geodesics[i];
+      const ClosedPath path = closed_path(geometry, tiles, tile_of(geodesic), geodesic.word, {0, 0});
+      Placement near = tiles.near[tile_of(geodesic)];
+      layer.parts.push_back({"geodesic " + std::to_string(i) + (geodesic.simple ? ", simple" : ""),
+                             path.length.convert_to<double>(), layer.arcs.size()});
+      append_segment(layer, geometry, near, path.at(0, 0), path.at(path.length, 0));
     }
-  }
+  }));
+  if (geodesics.claim != certify::GeodesicsDocument::Claim::thick_thin) return layers;
+  const Layer collars{.name = "collars of small curves", .colour = palette::kSmallCurveCollars};
+  layers.push_back(with_curves(collars, [&](Layer& layer) {
+    const Tiles tiles(geometry);
+    for (const certify::GeodesicsDocument::ClosedGeodesic& geodesic : geodesics.geodesics) {
+      const ClosedPath path = closed_path(geometry, tiles, tile_of(geodesic), geodesic.word, {0, 0});
+      append_equidistants(layer, geometry, tiles.near[tile_of(geodesic)], path,
+                          asinh(Mp256(1 / sinh(Mp256(path.length / 2)))));
+    }
+  }));
   return layers;
 }
 
 Layer distance_layer(const NetGeometry& geometry, const certify::DistanceDocument& distance) {
-  Layer layer{.name = "shortest paths", .colour = palette::kPaths};
   const certify::NetDocument& source = distance.net;
   require_same_surface(geometry, source, "paths");
-  const Tiles tiles(geometry);
-  const certify::NetDocument::Vertex& vertex = source.vertices[0];
-  const certify::NetDocument::Chart& chart = source.charts[vertex.chart];
-  const Point start =
-      Isometry<Mp256>::translation(rounded<Mp256>(chart.centre))(Point{Mp256(vertex.x), Mp256(vertex.y)});
-  for (const std::vector<std::uint32_t>& path : distance.paths) {
-    Isometry<Mp256> value;
-    for (const std::uint32_t side : path) value = normalized(tiles.parts.crossings[side] * value);
-    Placement near = tiles.near[chart.tile];
-    append_segment(layer, geometry, near, start, inverse(value)(rounded<Mp256>(distance.point.z)));
-  }
-  return layer;
+  return with_curves({.name = "shortest paths", .colour = palette::kPaths}, [&](Layer& layer) {
+    const Tiles tiles(geometry);
+    const certify::NetDocument::Vertex& vertex = source.vertices[0];
+    const certify::NetDocument::Chart& chart = source.charts[vertex.chart];
+    const Point start =
+        Isometry<Mp256>::translation(rounded<Mp256>(chart.centre))(Point{Mp256(vertex.x), Mp256(vertex.y)});
+    for (const std::vector<std::uint32_t>& path : distance.paths) {
+      Isometry<Mp256> value;
+      for (const std::uint32_t side : path) value = normalized(tiles.parts.crossings[side] * value);
+      Placement near = tiles.near[chart.tile];
+      append_segment(layer, geometry, near, start, inverse(value)(rounded<Mp256>(distance.point.z)));
+    }
+  });
 }
 
 Layer tile_layer(const certify::NetDocument& net) { return tile_layer(NetGeometry(net)); }

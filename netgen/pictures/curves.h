@@ -17,9 +17,9 @@ struct CutSegment {
   Placement end;          ///< A lift that contains its end.
 };
 
-/// The segment from p to q. `near` is a lift from which a walk finds the first triangle. Returns nullopt if a walk is
-/// too long: it winds around a very short closed geodesic, or the triangles are no triangulation. Throws
-/// NetGeometryError if the segment meets too many triangles. Time linear in the number of triangles met.
+/// The segment from p to q, which may be far from each other and from 0. `near` is a lift from which a walk finds the
+/// first triangle. Returns nullopt if the walk or the segment meets too many triangles: it winds around a very short
+/// closed geodesic, or the triangles are no triangulation. Time linear in the number of triangles met.
 [[nodiscard]] std::optional<CutSegment> cut_segment(const NetGeometry& geometry, const Placement& near,
                                                     const Complex<Mp256>& p, const Complex<Mp256>& q);
 

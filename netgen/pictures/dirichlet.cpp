@@ -173,13 +173,15 @@ std::vector<Complex<double>> dirichlet_domain(const NetGeometry& geometry, std::
   if (vertex >= geometry.document().vertices.size())
     throw NetGeometryError("vertex " + std::to_string(vertex) + " does not exist");
   if (geometry.genus() > kMostGenus) {
-    throw NetGeometryError(name + " is drawn up to genus " + std::to_string(kMostGenus) + ", not " +
-                           std::to_string(geometry.genus()));
+    throw DomainNotDrawn(name + " is drawn up to genus " + std::to_string(kMostGenus) + ", not " +
+                         std::to_string(geometry.genus()));
   }
   try {
     return domain_of_vertex(geometry, geometry.document().vertices[vertex]);
-  } catch (const Error& error) {
+  } catch (const SurfaceError& error) {
     throw NetGeometryError(name + ": " + error.what());
+  } catch (const Error& error) {
+    throw DomainNotDrawn(name + ": " + error.what());
   }
 }
 

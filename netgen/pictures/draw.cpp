@@ -73,11 +73,16 @@ class Picture {
     if (options_.triangles) body += edge_group();
     if (options_.combinatorial_dirichlet) body += combinatorial_dirichlet_path();
     for (const Layer& layer : options_.layers) body += curve_group(layer);
+    for (const Layer& layer : options_.layers)
+      if (!layer.left_out.empty()) left_out_.push_back(layer.name + ": " + layer.left_out);
     if (options_.dirichlet) body += dirichlet_group();
     if (options_.vertices) body += dot_group();
     if (options_.legend) body += legend_group();
     return head() + body + "</svg>\n";
   }
+
+  /// What svg() could not draw: "name: reason".
+  [[nodiscard]] const std::vector<std::string>& left_out() const { return left_out_; }
 
  private:
   [[nodiscard]] const Lifts::LiftedTriangle& lifted(std::uint32_t dart) const {
@@ -197,7 +202,7 @@ class Picture {
     if (layer.arcs.empty() && layer.darts.empty()) return "";
     PathsByWidth paths(paper_, 1.4 * outline_width_);
     for (const Arc& arc : layer.arcs) {
-      const Isometry<double>& placement = lifts_.placements[lifts_.lifted[lifts_.place[arc.triangle]].placement];
+      const Isometry<double>& placement = lifts_.placements[lifted(arc.dart).placement[arc.dart % 3]].rounded;
       paths.add_tapered(placement(arc.from), placement(arc.to));
     }
     for (const std::uint32_t dart : layer.darts) paths.add_tapered(start(dart), end(dart));
@@ -278,8 +283,21 @@ class Picture {
     return out;
   }
 
-  [[nodiscard]] std::string dirichlet_group() const {
-    const std::vector<Point> domain = polygon_ != nullptr ? *polygon_ : dirichlet_domain(geometry_, options_.centre);
+  /// The vertices of the Dirichlet domain; none if they cannot be computed, which left_out_ then says.
+  [[nodiscard]] std::vector<Point> domain() {
+    if (polygon_ != nullptr) return *polygon_;
+    try {
+      return dirichlet_domain(geometry_, options_.centre);
+    } catch (const DomainNotDrawn& error) {
+      left_out_.emplace_back(error.what());
+      return {};
+    }
+  }
+
+  [[nodiscard]] std::string dirichlet_group() {
+    const std::vector<Point> domain = this->domain();
+    shows_domain_ = !domain.empty();
+    if (!shows_domain_) return "";
     PathsByWidth paths(paper_, 1.4 * outline_width_);
     for (std::size_t i = 0; i < domain.size(); ++i) paths.add_tapered(domain[i], domain[(i + 1) % domain.size()]);
     std::string out = std::string("<g class=\"dirichlet\" fill=\"none\" stroke=\"") + palette::kDirichlet +
@@ -295,15 +313,17 @@ class Picture {
     if (options_.triangles) legend.add(Mark::line, palette::kEdges, "triangles");
     if (options_.vertices && shows_all_vertices()) legend.add(Mark::dot, palette::kVertices, "vertices");
     if (options_.vertices) legend.add(Mark::dot, palette::kCentre, "vertex " + std::to_string(options_.centre));
-    if (options_.dirichlet) legend.add(Mark::line, palette::kDirichlet, "Dirichlet domain");
+    if (shows_domain_) legend.add(Mark::line, palette::kDirichlet, "Dirichlet domain");
     if (options_.combinatorial_dirichlet)
       legend.add(Mark::line, palette::kCombinatorialDirichlet, "combinatorial Dirichlet domain");
     if (options_.covering_disks)
       legend.add(Mark::area, palette::kCoveringDisks, "disks of radius " + geometry_.epsilon_text());
     if (options_.packing_disks)
       legend.add(Mark::area, palette::kPackingDisks, "disks of radius " + geometry_.epsilon_text() + "/2");
-    for (const Layer& layer : options_.layers)
+    for (const Layer& layer : options_.layers) {
+      if (!layer.left_out.empty()) continue;
       legend.add(layer.triangles.empty() ? Mark::line : Mark::area, layer.colour, legend_name(layer));
+    }
     if (options_.colouring == Colouring::circumradius) {
       for (const double share : {0.0, 0.33, 0.67, 1.0})
         legend.add(Mark::area, shade(share),
@@ -314,6 +334,7 @@ class Picture {
         legend.add(Mark::area, shade(share), options_.values_name + " " + fixed(share * greatest_value_, 2));
     }
     if (options_.colouring == Colouring::chart) add_charts(legend);
+    for (const std::string& what : left_out_) legend.add_text_row("left out: " + what);
     return legend.group();
   }
 
@@ -333,18 +354,19 @@ class Picture {
   [[nodiscard]] std::string head() const {
     const std::string size = std::to_string(options_.size);
     const std::string middle = fixed(paper_.middle(), 1);
-    const std::string what = "Delaunay triangulation with " + std::to_string(document_.vertices.size()) +
-                             " vertices and " + std::to_string(document_.triangles.size()) + " triangles, epsilon " +
-                             geometry_.epsilon_text();
+    const std::string title = "Delaunay triangulation with " + std::to_string(document_.vertices.size()) +
+                              " vertices and " + std::to_string(document_.triangles.size()) + " triangles, epsilon " +
+                              geometry_.epsilon_text();
     std::string desc = "One lift of every triangle in the Poincare disk, connected, by " +
                        std::string(options_.order == DrawOrder::weight ? "least weight |u|^2+|v|^2 of the edge crossed"
                                                                        : "breadth-first search") +
                        ", with vertex " + std::to_string(options_.centre) + " in the centre. Edges are geodesics.";
-    if (options_.dirichlet) desc += " Red: the Dirichlet domain of vertex " + std::to_string(options_.centre) + ".";
+    if (shows_domain_) desc += " Red: the Dirichlet domain of vertex " + std::to_string(options_.centre) + ".";
     if (edges_left_out_ > 0)
       desc += " " + std::to_string(edges_left_out_) + " edges shorter than 0.1 pixel are left out.";
+    for (const std::string& what : left_out_) desc += " Left out: " + escaped(what) + ".";
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + size + "\" height=\"" + size + "\" viewBox=\"0 0 " +
-           size + " " + size + "\">\n<title>" + what + "</title>\n<desc>" + desc +
+           size + " " + size + "\">\n<title>" + title + "</title>\n<desc>" + desc +
            "</desc>\n<rect class=\"background\" width=\"" + size + "\" height=\"" + size + "\" fill=\"" +
            palette::kPaper + "\"/>\n<circle class=\"disk\" cx=\"" + middle + "\" cy=\"" + middle + "\" r=\"" +
            fixed(paper_.radius(), 2) + "\" fill=\"#fff\" stroke=\"#8a94a0\" stroke-width=\"" +
@@ -364,12 +386,18 @@ class Picture {
   double outline_width_ = 0;
   double greatest_value_ = 0;
   std::uint64_t edges_left_out_ = 0;
+  bool shows_domain_ = false;
+  std::vector<std::string> left_out_;
 };
 
 }  // namespace
 
-std::string draw_svg(const certify::NetDocument& document, const DrawOptions& options) {
-  return Picture(document, options).svg();
+std::string draw_svg(const certify::NetDocument& document, const DrawOptions& options,
+                     std::vector<std::string>* left_out) {
+  Picture picture(document, options);
+  std::string svg = picture.svg();
+  if (left_out != nullptr) left_out->insert(left_out->end(), picture.left_out().begin(), picture.left_out().end());
+  return svg;
 }
 
 std::string draw_svg(const DirichletPolygon& polygon, const DrawOptions& options) {

@@ -23,11 +23,11 @@ enum class Colouring {
   values,        ///< By DrawOptions::values, in bands from pale, 0, to dark, the greatest.
 };
 
-/// A piece of a geodesic within one triangle, in the chart of the triangle's corner 0.
+/// A piece of a geodesic within one triangle, in the chart of one of the triangle's corners.
 struct Arc {
-  std::uint32_t triangle;  ///< Its number in the document.
-  Complex<double> from;    ///< Where it starts.
-  Complex<double> to;      ///< Where it ends.
+  std::uint32_t dart;    ///< 3t + i: in triangle t of the document, in the chart of corner i.
+  Complex<double> from;  ///< Where it starts.
+  Complex<double> to;    ///< Where it ends.
 };
 
 /// An addition to a picture of a triangulation: arcs, edges or triangles, all in one colour.
@@ -46,9 +46,13 @@ struct Layer {
   std::vector<std::uint32_t> darts = {};      ///< Edges of the triangulation, each as one or both of its darts.
   std::vector<std::uint32_t> triangles = {};  ///< Filled.
   std::vector<Part> parts = {};               ///< Only of closed geodesics, one for each.
+  std::string left_out = {};                  ///< Why curves of it are missing; nothing if none is.
 };
 
-/// Returns the sides of the tiles of the surface. Like all functions that make layers, takes O(triangles + arcs) time.
+// All functions that make layers leave a curve out if it takes very many steps to follow, as it winds around a very
+// short closed geodesic; `Layer::left_out` then has the reason. They take O(triangles + arcs) time.
+
+/// Returns the sides of the tiles of the surface.
 [[nodiscard]] Layer tile_layer(const certify::NetDocument& net);
 
 /// Returns the boundary of the Dirichlet domain of a vertex: the points that are nearer to one lift of the vertex than
@@ -98,9 +102,12 @@ struct DrawOptions {
 ///
 /// Strokes and dots shrink with the hyperbolic metric towards the circle; edges and dots too small to see (a tenth of a
 /// pixel) are left out, and `<desc>` says so. Arcs that a chord follows to within 0.01 pixel are written as chords.
-/// Equal documents and options give equal bytes. Throws NetGeometryError. Throws std::invalid_argument for
-/// Colouring::values unless there is one value per vertex. O(n log n) for n triangles.
-[[nodiscard]] std::string draw_svg(const certify::NetDocument& document, const DrawOptions& options = {});
+/// What cannot be drawn of a net, curves of layers or the Dirichlet domain, is left out by name: `<desc>` and the
+/// legend name it, and `left_out`, if given, gets a line "name: reason" for each. Equal documents and options give
+/// equal bytes. Throws NetGeometryError. Throws std::invalid_argument for Colouring::values unless there is one value
+/// per vertex. O(n log n) for n triangles.
+[[nodiscard]] std::string draw_svg(const certify::NetDocument& document, const DrawOptions& options = {},
+                                   std::vector<std::string>* left_out = nullptr);
 
 struct DirichletPolygon;
 

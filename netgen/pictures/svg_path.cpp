@@ -26,6 +26,14 @@ double curvature(const Point& u, const Point& v) {
   return 2 * twice_area / std::sqrt(rest);
 }
 
+/// A point of the disk or of the unit circle, to which points far out in thin collars are rounded: not so near the
+/// circle that a translation cannot take it to 0, which nobody sees.
+Point off_circle(const Point& z) {
+  constexpr double kFarthest = 1 - 1e-9;
+  const double radius = std::sqrt(norm(z));
+  return radius > kFarthest ? kFarthest / radius * z : z;
+}
+
 /// Writes x/100 without trailing zeros.
 void append_hundredths(std::string& out, std::int64_t x) {
   if (x < 0) out += '-';
@@ -124,7 +132,9 @@ Path& PathsByWidth::at(double share) {
   return paths_.try_emplace(rank, *paper_).first->second;
 }
 
-bool PathsByWidth::add_tapered(const Point& u, const Point& v) {
+bool PathsByWidth::add_tapered(const Point& start, const Point& end) {
+  const Point u = off_circle(start);
+  const Point v = off_circle(end);
   const double chord = std::sqrt(norm(v - u));
   if (chord * paper_->radius() < 0.1) return false;
   // Along a geodesic the scale changes by at most e^length.

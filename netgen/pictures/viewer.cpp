@@ -13,6 +13,7 @@
 #include "certify/document/text.h"
 #include "kernel/numbers.h"
 #include "netgen/lifts/lifts.h"
+#include "netgen/pictures/curves.h"
 #include "netgen/pictures/palette.h"
 #include "netgen/pictures/viewer_page.h"
 
@@ -107,13 +108,13 @@ std::string layer_json(const Layer& layer) {
   std::string out = "{\"name\": " + json_string(layer.name) + ", \"colour\": " + json_string(layer.colour) +
                     ", \"on\": " + (layer.on ? "true" : "false");
   if (!layer.arcs.empty()) {
-    std::vector<std::uint32_t> triangles;
+    std::vector<std::uint32_t> darts;
     std::vector<double> ends;
     for (const Arc& arc : layer.arcs) {
-      triangles.push_back(arc.triangle);
+      darts.push_back(arc.dart);
       ends.insert(ends.end(), {arc.from.x, arc.from.y, arc.to.x, arc.to.y});
     }
-    out += ", \"arcs\": " + base64(triangles) + ", \"ends\": " + base64(ends);
+    out += ", \"arcs\": " + base64(darts) + ", \"ends\": " + base64(ends);
   }
   if (!layer.darts.empty()) out += ", \"darts\": " + base64(layer.darts);
   if (!layer.triangles.empty()) out += ", \"triangles\": " + base64(layer.triangles);
@@ -156,13 +157,17 @@ class Facts {
   std::string out_;
 };
 
-std::string facts_json(const NetGeometry& geometry, const std::optional<certify::Certificate>& certificate) {
+std::string facts_json(const NetGeometry& geometry, const ViewerOptions& options) {
+  const std::optional<certify::Certificate>& certificate = options.certificate;
   const certify::NetDocument& document = geometry.document();
   Facts facts;
   facts.add("ε", geometry.epsilon_text());
   facts.add("genus", std::to_string(geometry.genus()));
   facts.add("vertices", std::to_string(document.vertices.size()));
   facts.add("triangles", std::to_string(document.triangles.size()));
+  for (const Layer& layer : options.layers) {
+    if (!layer.left_out.empty()) facts.add("left out", layer.name + ": " + layer.left_out);
+  }
   if (!certificate || !certificate->enclosures) return facts.json();
   const certify::Enclosures& enclosures = *certificate->enclosures;
   facts.add("circumradii ≤", certify::decimal_above(enclosures.largest_circumradius.upper));
@@ -194,14 +199,16 @@ std::string net_json(const NetGeometry& geometry, const ViewerOptions& options) 
   }
   const EdgeLabels labels = edge_labels(geometry);
   std::string layers;
-  for (const Layer& layer : options.layers) layers += (layers.empty() ? "" : ",\n") + layer_json(layer);
+  for (const Layer& layer : options.layers) {
+    if (layer.left_out.empty()) layers += (layers.empty() ? "" : ",\n") + layer_json(layer);
+  }
   return "{\"title\": " + json_string(options.title) +
          ", \"verdict\": " + json_string(certificate ? certify::name(certificate->verdict) : "not certified") +
          ", \"message\": " +
          json_string(!certificate || certificate->message.empty() ? ""
                                                                   : certificate->rule + ": " + certificate->message) +
          ",\n\"epsilon\": " + certify::shortest(geometry.epsilon().get_d()) +
-         ", \"facts\": " + facts_json(geometry, certificate) + ",\n\"palette\": " + palette_json() +
+         ", \"facts\": " + facts_json(geometry, options) + ",\n\"palette\": " + palette_json() +
          ",\n\"opposite\": " + base64(opposite) + ",\n\"vertex_darts\": " + base64(vertex_darts) +
          ",\n\"points\": " + base64(points) + ",\n\"charts\": " + base64(charts) +
          ",\n\"isometries\": " + base64(labels.isometries) + ",\n\"edge_labels\": " + base64(labels.pairs) +
@@ -210,6 +217,24 @@ std::string net_json(const NetGeometry& geometry, const ViewerOptions& options) 
 }
 
 }  // namespace
+
+std::vector<Layer> standard_layers(const certify::NetDocument& document) {
+  const NetGeometry geometry(document);
+  std::vector<Layer> layers;
+  const auto add = [&](const char* name, const auto& make) {
+    try {
+      layers.push_back(make());
+    } catch (const NetGeometryError& error) {
+      layers.push_back({.name = name, .colour = "", .left_out = error.what()});
+    }
+    layers.back().on = false;
+  };
+  add("fundamental tiles", [&] { return tile_layer(geometry); });
+  add("Dirichlet domain", [&] { return dirichlet_layer(geometry, 0); });
+  add("combinatorial Dirichlet domain", [&] { return combinatorial_dirichlet_layer(geometry, 0); });
+  for (Layer& layer : collar_layers(geometry)) layers.push_back(std::move(layer));
+  return layers;
+}
 
 std::string viewer_page(const certify::NetDocument& document, const ViewerOptions& options) {
   const NetGeometry geometry(document);

@@ -20,13 +20,18 @@ struct ViewerOptions {
   std::vector<double> distances = {};  ///< By vertex: its distance from vertex 0, as a colouring; none if empty.
 };
 
+/// Returns the layers of every page: the tiles of the surface, the Dirichlet domain of vertex 0 and the combinatorial
+/// one, all switched off, and the collars of a pseudo net. A layer that cannot be computed is empty, and its `left_out`
+/// has the reason. Throws NetGeometryError if the document is not a net.
+[[nodiscard]] std::vector<Layer> standard_layers(const certify::NetDocument& document);
+
 /// Returns one self-contained HTML page: the triangulation of the net, its numbers and its verdict
 /// (netgen/pictures/viewer.html is the page). The page unfolds the triangulation around a point of view that can move
 /// without end.
 ///
 /// The page computes in binary64, in coordinates around the point of view, so errors stay invisible wherever it moves.
-/// Edges longer than about 60 are beyond it. Equal arguments give equal bytes. About 75 bytes per vertex. Throws
-/// NetGeometryError if the document is not a net. O(triangles).
+/// Edges longer than about 60 are beyond it. The facts name layers that are left out. Equal arguments give equal bytes.
+/// About 75 bytes per vertex. Throws NetGeometryError if the document is not a net. O(triangles).
 [[nodiscard]] std::string viewer_page(const certify::NetDocument& document, const ViewerOptions& options);
 
 }  // namespace epsnet

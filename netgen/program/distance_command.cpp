@@ -52,9 +52,13 @@ void measure_distance(const DistanceRequest& request) {
     throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
   }
   std::string svg;
-  if (!request.svg.empty()) svg = draw_svg(document.net, {.layers = {distance_layer(document.net, document)}});
+  std::vector<std::string> left_out;
+  if (!request.svg.empty()) {
+    svg = draw_svg(document.net, {.layers = {distance_layer(document.net, document)}}, &left_out);
+  }
   write_outputs({{request.output, [&](std::ostream& out) { certify::write_distance(document, out); }},
                  {request.svg, [&](std::ostream& out) { out << svg; }}});
+  write_left_out(left_out);
   Report report{"verdict: VERIFIED\n", Json::object({{"verdict", "VERIFIED"}})};
   const Report found = distance_report(document, words_from(q, input.surface, document));
   report.text += found.text;

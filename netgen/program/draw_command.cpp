@@ -65,13 +65,15 @@ void draw(const DrawRequest& request) {
               {{"--output", request.output, type}});
   const certify::NetDocument net = read_net_input(request.net);
   std::string svg;
+  std::vector<std::string> left_out;
   try {
-    svg = draw_svg(net, shown(request, net));
+    svg = draw_svg(net, shown(request, net), &left_out);
   } catch (const NetGeometryError& error) {
     throw JobError(request.net + ": " + error.what());
   }
   const std::string picture = type == FileType::png ? png_of_svg(svg, request.options.size) : std::move(svg);
   write_output(request.output, [&](std::ostream& out) { out << picture; });
+  write_left_out(left_out);
 }
 
 }  // namespace

@@ -197,6 +197,10 @@ void write_output(const std::string& path, const std::function<void(std::ostream
   write_outputs({{path, write}});
 }
 
+void write_left_out(const std::vector<std::string>& left_out) {
+  for (const std::string& what : left_out) std::cerr << "left out: " << what << '\n';
+}
+
 void write_report(const Report& report, bool as_json, bool stdout_taken) {
   const std::string text = as_json ? json_text(report.json) + '\n' : report.text;
   if (stdout_taken) {

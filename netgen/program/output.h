@@ -81,6 +81,9 @@ struct Report {
   Json json = Json::object();
 };
 
+/// Writes what a picture could not show to standard error, one line each.
+void write_left_out(const std::vector<std::string>& left_out);
+
 /// Writes a report to standard output. If a file goes to standard output, writes it to standard error instead, so that
 /// the file stays intact.
 void write_report(const Report& report, bool as_json, bool stdout_taken);

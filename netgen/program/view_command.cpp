@@ -24,24 +24,6 @@ struct ViewRequest {
   certify::CheckOptions check;
 };
 
-/// The curves that a page can show, at first switched off. What cannot be computed is named in `report`.
-std::vector<Layer> curve_layers(const NetGeometry& geometry, Report& report) {
-  std::vector<Layer> layers;
-  const auto add = [&](const char* name, const auto& make) {
-    try {
-      layers.push_back(make());
-      layers.back().on = false;
-    } catch (const NetGeometryError& error) {
-      report.text += std::string("left out: ") + name + ": " + error.what() + '\n';
-      report.json["left_out"][name] = error.what();
-    }
-  };
-  add("fundamental tiles", [&] { return tile_layer(geometry); });
-  add("Dirichlet domain", [&] { return dirichlet_layer(geometry, 0); });
-  add("combinatorial Dirichlet domain", [&] { return combinatorial_dirichlet_layer(geometry, 0); });
-  return layers;
-}
-
 /// Beyond, a page would take seconds more.
 constexpr std::size_t kMostVerticesWithDistances = 100'000;
 
@@ -73,10 +55,14 @@ std::string page(const ViewRequest& request, const certify::NetDocument& net,
     ViewerOptions options;
     options.title = request.title.empty() ? std::filesystem::path(request.net).filename().string() : request.title;
     options.certificate = certificate;
-    options.layers = curve_layers(NetGeometry(net), report);
-    for (Layer& layer : collar_layers(NetGeometry(net))) options.layers.push_back(std::move(layer));
+    options.layers = standard_layers(net);
     if (!request.geodesics.empty()) {
       for (Layer& layer : load_geodesics_layers(request.geodesics, net)) options.layers.push_back(std::move(layer));
+    }
+    for (const Layer& layer : options.layers) {
+      if (layer.left_out.empty()) continue;
+      report.text += "left out: " + layer.name + ": " + layer.left_out + '\n';
+      report.json["left_out"][layer.name] = layer.left_out;
     }
     options.distances = distances_from_0(net, certificate, report);
     return viewer_page(net, options);

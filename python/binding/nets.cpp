@@ -87,15 +87,10 @@ py::tuple arrays_of(Geometry geometry) {
                         owned(std::move(geometry.lengths), {count, 3}), owned(std::move(geometry.centred), {count, 3}));
 }
 
-std::vector<Layer> standard_layers(const NetDocument& net, bool tiles) {
-  std::vector<Layer> layers = collar_layers(net);
-  if (tiles) layers.push_back(tile_layer(net));
-  return layers;
-}
-
 /// One closed geodesic alone.
 Layer geodesic_layer(const NetDocument& net, const certify::GeodesicsDocument& geodesics, std::size_t number) {
   Layer layer = geodesics_layers(net, geodesics).front();
+  if (!layer.left_out.empty()) return layer;
   const std::size_t first = layer.parts.at(number).first_arc;
   const std::size_t last = number + 1 < layer.parts.size() ? layer.parts[number + 1].first_arc : layer.arcs.size();
   layer.arcs = {layer.arcs.begin() + static_cast<std::ptrdiff_t>(first),
@@ -107,19 +102,7 @@ Layer geodesic_layer(const NetDocument& net, const certify::GeodesicsDocument& g
 
 std::string page(const NetDocument& net, const std::string& title, const std::optional<certify::Certificate>& verdict,
                  const std::vector<Layer>& more) {
-  ViewerOptions options{.title = title, .certificate = verdict, .layers = {}};
-  const auto add = [&](const auto& make) {
-    try {
-      options.layers.push_back(make());
-      options.layers.back().on = false;
-    } catch (const NetGeometryError&) {
-      // The page does without a curve that cannot be computed, as `epsnet view`.
-    }
-  };
-  add([&] { return tile_layer(net); });
-  add([&] { return dirichlet_layer(net, 0); });
-  add([&] { return combinatorial_dirichlet_layer(net, 0); });
-  for (Layer& layer : standard_layers(net, false)) options.layers.push_back(std::move(layer));
+  ViewerOptions options{.title = title, .certificate = verdict, .layers = standard_layers(net)};
   options.layers.insert(options.layers.end(), more.begin(), more.end());
   return viewer_page(net, options);
 }
@@ -283,11 +266,17 @@ void bind_nets(py::module_& module) {
                                 .size = size};
             if (colouring == "circumradius") options.colouring = Colouring::circumradius;
             if (colouring == "chart") options.colouring = Colouring::chart;
-            return without_gil([&] {
-              options.layers = standard_layers(*self, tiles);
+            std::vector<std::string> left_out;
+            std::string svg = without_gil([&] {
+              options.layers = collar_layers(*self);
+              if (tiles) options.layers.push_back(tile_layer(*self));
               options.layers.insert(options.layers.end(), layers.begin(), layers.end());
-              return draw_svg(*self, options);
+              return draw_svg(*self, options, &left_out);
             });
+            for (const std::string& what : left_out) {
+              if (PyErr_WarnEx(PyExc_UserWarning, ("left out: " + what).c_str(), 1) != 0) throw py::error_already_set();
+            }
+            return svg;
           },
           py::arg("centre"), py::arg("triangles"), py::arg("vertices"), py::arg("dirichlet"), py::arg("tiles"),
           py::arg("colouring"), py::arg("legend"), py::arg("size"), py::arg("layers"))

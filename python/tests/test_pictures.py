@@ -1,5 +1,6 @@
 """Pictures and pages: well-formed, and of what they should be."""
 import re
+import warnings
 import xml.etree.ElementTree as ElementTree
 
 import pytest
@@ -35,6 +36,16 @@ def test_options_change_the_picture(net):
         net.svg(colour="red")
     with pytest.raises(epsnet.NetError):
         net.svg(centre=10**6)
+
+
+def test_thin_nets_are_drawn():
+    surface = epsnet.Surface.fenchel_nielsen([1, "1e-8", 2], [0, 0, "0.5"], graph="0-0 0-1 1-1")
+    net = surface.net("0.25", pseudo=True)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert paths(net.svg(tiles=True, dirichlet=True)) > 1
+        assert "left out" not in net.view().html
+        assert paths(surface.systole()._repr_svg_()) > 1
 
 
 def test_geodesics_are_drawn_on_nets(octagon, net):

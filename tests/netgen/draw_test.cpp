@@ -15,6 +15,7 @@
 #include "certify/document/darts.h"
 #include "certify/file/reader.h"
 #include "kernel/plane.h"
+#include "netgen/base/gmp.h"
 #include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/geodesics/geodesics.h"
@@ -200,7 +201,7 @@ std::vector<Point> other_lifts(const NetGeometry& geometry, std::uint32_t vertex
   const Lifts lifts = lift_triangles(geometry, DrawOrder::weight, vertex);
   const std::vector<bool> on_boundary = boundary_darts(geometry, lifts);
   const auto placement = [&](std::uint32_t triangle) {
-    return convert<Mp256>(lifts.placements[lifts.lifted[lifts.place[triangle]].placement]);
+    return lifts.placements[lifts.lifted[lifts.place[triangle]].placement[0]].precise;
   };
   std::vector<Point> result;
   for (std::uint32_t dart = 0; dart < on_boundary.size(); ++dart) {
@@ -598,6 +599,106 @@ TEST(Draw, CentresTheVertexAskedFor) {
   EXPECT_TRUE(found);
   EXPECT_THAT([&] { return draw_svg(net, {.centre = 1000000}); },
               ThrowsMessage<NetGeometryError>(HasSubstr("no vertex 1000000")));
+}
+
+/// A pseudo net of a surface of genus 2 with a cuff of this length.
+certify::NetDocument thin_net(const Rational& cuff, std::uint64_t seed) {
+  FenchelNielsen coordinates = random_coordinates(seed % 2 == 0 ? PantsGraph::chain(2) : PantsGraph::ring(2), seed);
+  test::set_cuff_length(coordinates, seed % 3, cuff);
+  return compute_net(fenchel_nielsen_surface(coordinates), Length("0.34"), {.pseudo = true}).net;
+}
+
+TEST(Draw, DrawsEveryLayerOfPseudoNetsHoweverThin) {
+  std::uint64_t seed = 0;
+  for (const double cuff : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 3e-8, 1e-8, 3e-9, 1e-9}) {
+    const certify::NetDocument net = thin_net(Rational(cuff), seed++);
+    const std::vector<Layer> layers = standard_layers(net);
+    ASSERT_EQ(layers.size(), 5U);
+    for (const Layer& layer : layers) {
+      EXPECT_EQ(layer.left_out, "") << cuff << ' ' << layer.name;
+      EXPECT_FALSE(layer.arcs.empty() && layer.darts.empty() && layer.triangles.empty()) << cuff << ' ' << layer.name;
+    }
+    for (const std::uint32_t centre : {0U, net.collars->front().vertices[0], net.collars->front().vertices[1]}) {
+      const DrawOptions options{.centre = centre,
+                                .dirichlet = true,
+                                .combinatorial_dirichlet = true,
+                                .covering_disks = true,
+                                .packing_disks = true,
+                                .legend = true,
+                                .layers = layers};
+      std::vector<std::string> left_out;
+      const std::string picture = draw_svg(net, options, &left_out);
+      EXPECT_THAT(left_out, testing::IsEmpty()) << cuff;
+      EXPECT_THAT(picture, Not(HasSubstr("nan"))) << cuff;
+    }
+    EXPECT_EQ(viewer_page(net, {.title = "thin", .layers = layers}).find("left out"), std::string::npos) << cuff;
+  }
+}
+
+TEST(Draw, NamesWhatCannotBeDrawnOfTheThinnestNets) {
+  for (const double cuff : {1e-12, 1e-17, 1e-22}) {
+    const certify::NetDocument net = thin_net(Rational(cuff), 0);
+    const std::vector<Layer> layers = standard_layers(net);
+    ASSERT_EQ(layers.size(), 5U);
+    for (const Layer& layer : layers) {
+      EXPECT_NE(layer.left_out.empty(), layer.arcs.empty() && layer.darts.empty() && layer.triangles.empty())
+          << cuff << ' ' << layer.name;
+    }
+    std::vector<std::string> left_out;
+    (void)draw_svg(net, {.dirichlet = true, .layers = layers}, &left_out);
+    EXPECT_THAT(left_out, testing::Each(HasSubstr(": "))) << cuff;
+    EXPECT_NE(viewer_page(net, {.title = "thin", .layers = layers}), "");
+  }
+}
+
+TEST(Draw, CutsTheTilesOfThinSurfacesWithoutLoss) {
+  std::uint64_t seed = 0;
+  for (const double cuff : {1e-3, 1e-5, 1e-7, 1e-9}) {
+    const certify::NetDocument net = thin_net(Rational(cuff), seed++);
+    double perimeter = 0;
+    for (const certify::SurfaceDocument::Tile& tile : net.surface.tiles) {
+      for (std::size_t k = 0; k < tile.size(); ++k) {
+        perimeter +=
+            distance(rounded<Mp256>(tile[k]), rounded<Mp256>(tile[(k + 1) % tile.size()])).convert_to<double>();
+      }
+    }
+    double length = 0;
+    for (const Arc& arc : tile_layer(net).arcs) length += distance(arc.from, arc.to);
+    EXPECT_NEAR(length, perimeter / 2, 1e-6) << cuff;
+  }
+}
+
+TEST(Draw, ACurveThatWindsAroundAShortOneTooOftenIsNotFollowed) {
+  const certify::NetDocument net = thin_net(Rational(1e-6), 0);
+  const NetGeometry geometry(net);
+  // From a vertex of the collar to its image under a power of the core: once around for every triangle of an annulus.
+  const certify::NetDocument::Collar& collar = net.collars->front();
+  const certify::NetDocument::Vertex& v = net.vertices[collar.vertices[0]];
+  const Parts<Mp256> parts(net, geometry.sides());
+  const Isometry<Mp256> frame = parts.frames[v.chart];
+  Isometry<Mp256> power;
+  for (const std::uint32_t side : collar.core) power = normalized(parts.crossings[side] * power);
+  const Complex<Mp256> p = frame({Mp256(v.x), Mp256(v.y)});
+  const Placement near = placement_at(geometry, collar.vertices[0], frame);
+  const std::optional<CutSegment> once = cut_segment(geometry, near, p, power(p));
+  ASSERT_TRUE(once.has_value());
+  EXPECT_FALSE(once->arcs.empty());
+  for (int i = 0; i < 20; ++i) power = normalized(power * power);
+  EXPECT_FALSE(cut_segment(geometry, near, p, power(p)).has_value());
+}
+
+TEST(Draw, WhatIsLeftOutIsNamed) {
+  const certify::NetDocument net = octagon_net(123, "0.5");
+  const std::vector<Layer> layers{{.name = "a curve", .colour = "#123456", .left_out = "it is <long>"}};
+  std::vector<std::string> left_out;
+  const std::string picture = draw_svg(net, {.legend = true, .layers = layers}, &left_out);
+  EXPECT_THAT(left_out, testing::ElementsAre("a curve: it is <long>"));
+  EXPECT_THAT(picture, HasSubstr(" Left out: a curve: it is &lt;long>.</desc>"));
+  EXPECT_THAT(legend_of(picture), HasSubstr(">left out: a curve: it is &lt;long></text>"));
+  EXPECT_THAT(legend_of(picture), Not(HasSubstr("#123456")));
+  const std::string page = viewer_page(net, {.title = "net", .layers = layers});
+  EXPECT_THAT(page, HasSubstr("[\"left out\", \"a curve: it is \\u003clong\\u003e\"]"));
+  EXPECT_THAT(page, Not(HasSubstr("#123456")));
 }
 
 TEST(Draw, IsOfModerateSize) {

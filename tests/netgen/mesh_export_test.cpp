@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "certify/check.h"
+#include "certify/document/darts.h"
 #include "kernel/plane.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/net_geometry.h"
@@ -226,13 +227,21 @@ TEST(Curves, TilesAreCutWithoutLoss) {
   }
 }
 
+/// The corners of a triangle in the chart of the corner where a dart starts.
+std::array<Point, 3> corners_in_chart_of(const NetGeometry& geometry, std::uint32_t dart) {
+  std::array<Point, 3> corners = geometry.corners(dart / 3);
+  const Isometry<double> back = inverse(geometry.label(certify::corner_label(geometry.document(), dart)).rounded);
+  for (Point& corner : corners) corner = back(corner);
+  return corners;
+}
+
 TEST(Curves, ArcsAreInTheirTriangles) {
   const certify::NetDocument net = net_of("0.3");
   const NetGeometry geometry(net);
   const Layer layer = dirichlet_layer(geometry, 0);
   EXPECT_FALSE(layer.arcs.empty());
   for (const Arc& arc : layer.arcs) {
-    const auto corners = geometry.corners(arc.triangle);
+    const auto corners = corners_in_chart_of(geometry, arc.dart);
     for (const Point& end : {arc.from, arc.to}) {
       for (std::size_t i = 0; i < 3; ++i) {
         // Seen from the corner a side is straight.

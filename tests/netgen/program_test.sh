@@ -160,6 +160,12 @@ grep -q '<title>triangles of collars</title>' pinched.svg || complain 'no collar
 grep -q '<title>epsilon-collars</title>' pinched.svg || complain 'no boundaries of collars in the picture of a pseudo net'
 good view pinched-net.json -o pinched.html
 grep -q '"name": "epsilon-collars"' pinched.html || complain 'no collars in the page of a pseudo net'
+# However thin: every layer, and nothing is left out.
+good surface fenchel-nielsen --pants-graph '0-0 0-1 1-1' --lengths 1,1e-8,2 --twists 0,0,0.5 -o thinnest.json
+good net thinnest.json --epsilon 0.25 --pseudo -o thinnest-net.json
+good draw thinnest-net.json -o thinnest.svg --legend --show triangles,vertices,tiles,dirichlet,combinatorial-dirichlet,disks
+good view thinnest-net.json -o thinnest.html
+grep -q '^left out' output && complain "the page of a thin net leaves out: $(cat output)"
 good spectrum s.json --up-to 3 -o spectrum.json
 good draw net.json -o geodesics.svg --geodesics spectrum.json
 grep -q '<title>closed geodesics</title>' geodesics.svg || complain 'no geodesics in the picture'
