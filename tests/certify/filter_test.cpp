@@ -441,7 +441,7 @@ TEST_F(Filtered, CollarsAreLeftToBalls) {
   document.collars.emplace();
   EXPECT_EQ(settled(t), before);
   for (std::uint32_t i = 0; i < 3; ++i) {
-    NetDocument::Collar collar;
+    NetDocument::Collar collar{};
     collar.vertices = {document.triangles[t].vertex[i], document.triangles[t].vertex[(i + 1) % 3]};
     collar.triangles = {t + 1, t + 2};
     document.collars = {collar};
