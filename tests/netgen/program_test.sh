@@ -59,7 +59,7 @@ verified net.json
 # Closed geodesics, each list with its certificate.
 good surface regular --genus 2 -o bolza.json
 good systole bolza.json -o systole.json
-grep -q '^systole: \[3\.05714183896199[56], 3\.05714183896199[78]\]$' output || complain "the systole of the Bolza surface: $(cat output)"
+grep -qE '^systole: \[3\.05714183896199(5[0-9]*|6), 3\.05714183896199[78][0-9]*\]$' output || complain "the systole of the Bolza surface: $(cat output)"
 verified systole.json
 good spectrum bolza.json --up-to 3.1 -o spectrum.json
 [ "$(grep -c 'simple, one of 12 of equal length' output)" = 12 ] || complain "the twelve systoles of the Bolza surface: $(cat output)"
@@ -355,14 +355,14 @@ bad 1 truncated-net.json export truncated-net.json --format triangulation -o out
 bad 1 truncated-net.json draw truncated-net.json -o out/x.svg
 bad 1 truncated-net.json info truncated-net.json
 for file in "$data"/certify/malformed/*; do bad 1 "$(basename "$file")" draw "$file" -o out/x.svg; done
-# Nets of which only the geometry is wrong are drawn, or refused; the same with what they say.
+# Nets of which only the geometry is wrong are drawn, perhaps without a layer that is named, or refused; the same with what they say.
 for file in "$data"/certify/refuted/* "$data"/certify/undecided/*; do
   for command in "draw -o x.svg --dirichlet" "draw -o x.png --png --show tiles,disks" "view -o x.html --no-certify" "export --format json -o x.json" info; do
     runs=$((runs + 1))
     # shellcheck disable=SC2086
     timeout 60 "$epsnet" $command "$file" >output 2>"$messages"
     code=$?
-    case $code$(wc -l <"$messages") in 00 | 11) ;; *) complain "epsnet $command $file: exit code $code: $(cat "$messages")" ;; esac
+    case $code$(grep -cv '^left out: ' "$messages") in 00 | 11) ;; *) complain "epsnet $command $file: exit code $code: $(cat "$messages")" ;; esac
   done
 done
 
