@@ -201,7 +201,8 @@ TEST(Rules, OfANetAreThoseOfTheDocument) {
   const std::vector<std::string> only = all_of(text, "\n\\* `([a-z]+)`, for pseudo nets:");
   ASSERT_EQ(pseudo.size(), 9U);
   std::vector<std::string> usual = pseudo;
-  std::erase_if(usual, [&](const std::string& rule) { return std::find(only.begin(), only.end(), rule) != only.end(); });
+  std::erase_if(usual,
+                [&](const std::string& rule) { return std::find(only.begin(), only.end(), rule) != only.end(); });
   NetDocument document;
   EXPECT_THAT(rules_of(document), ElementsAreArray(usual));
   document.collars.emplace();

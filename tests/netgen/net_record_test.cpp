@@ -96,7 +96,7 @@ TEST(NetRecord, HasWhatIsProved) {
 
 /// As decimals, not only as the binary64 that they are read as.
 TEST(NetRecord, BoundsAreRoundedOutward) {
-  for (std::uint32_t seed = 1; seed <= 30; ++seed) {
+  for (std::int32_t seed = 1; seed <= 30; ++seed) {
     const UncertifiedNet net = compute_net(random_octagon(seed), Length("1"));
     const certify::Certificate certificate = certify::check(net.net);
     ASSERT_TRUE(certificate.enclosures && certificate.enclosures->shortest_edge) << seed;
