@@ -75,9 +75,9 @@ class PathsByWidth {
   /// vanish in some renderers, which shows as an edge in the shading of fine nets; that is the least.
   [[nodiscard]] Path& at(double share);
 
-  /// Adds the geodesic from u to v, in pieces if it is so long that its stroke has to taper. False if it is too small
-  /// to see.
-  bool add_tapered(const Complex<double>& u, const Complex<double>& v);
+  /// Adds the geodesic from start to end, in pieces if it is so long that its stroke has to taper. Returns false if it
+  /// is too small to see.
+  bool add_tapered(const Complex<double>& start, const Complex<double>& end);
 
   void append_to(std::string& out) const;
 
