@@ -24,7 +24,7 @@ Isometry along(double l, double t, double s) {
     return Isometry{f.a * g.a + f.b * std::conj(g.b), f.a * g.b + f.b * std::conj(g.a)};
   };
   const auto translation = [](double length, double angle) {
-    return Isometry{std::cosh(length / 2), std::polar(std::sinh(length / 2), angle)};
+    return Isometry{std::cosh(length / 2), std::sinh(length / 2) * std::polar(1.0, angle)};
   };
   const double side = t + std::acos(0.0);
   return product(product(translation(s, side), translation(l, t)), translation(-s, side));
@@ -73,7 +73,7 @@ TEST(CoverElement, TheDisplacementContainsThatOfEveryIsometryInTheBall) {
           const Isometry f = along(l, t, s), g = along(l + width, t, s);
           const Element element = element_of(both_of(f, g), kPrecision);
           for (const double from_axis : {0.0, 1e-3, 0.3, 1.0}) {
-            const Complex z = std::polar(std::tanh((s + from_axis) / 2), t + std::acos(0.0));
+            const Complex z = std::tanh((s + from_axis) / 2) * std::polar(1.0, t + std::acos(0.0));
             Ball found;
             set_displacement(found.get(), element, unit_vector(z), kPrecision);
             const Interval interval = outer_interval(found.get());
