@@ -59,7 +59,7 @@ std::string to_string(const Decimal& x) {
   } else if (x.exponent < count - 1) {
     full.insert(static_cast<std::size_t>(x.exponent) + 1, ".");
   } else {
-    full.append(static_cast<std::size_t>(x.exponent - count + 1), '0');
+    full.append(static_cast<std::size_t>(x.exponent) + 1 - x.digits.size(), '0');
   }
   std::string with_exponent = x.digits.substr(0, 1);
   if (count > 1) with_exponent += "." + x.digits.substr(1);
