@@ -1,6 +1,6 @@
 #pragma once
 
-#include "triangulation/error.h"
+#include "triangulation/surface/error.h"
 
 namespace epsnet {
 

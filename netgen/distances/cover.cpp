@@ -17,8 +17,8 @@
 #include "netgen/nets/net_document.h"
 #include "netgen/nets/net_options.h"
 #include "netgen/nets/start.h"
-#include "triangulation/contraction.h"
-#include "triangulation/flip.h"
+#include "triangulation/mesh/contraction.h"
+#include "triangulation/mesh/flip.h"
 
 namespace epsnet {
 namespace {

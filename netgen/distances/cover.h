@@ -4,8 +4,8 @@
 
 #include "certify/document/cover_document.h"
 #include "netgen/base/progress.h"
-#include "triangulation/base_point.h"
-#include "triangulation/surface.h"
+#include "triangulation/surface/base_point.h"
+#include "triangulation/surface/surface.h"
 
 /// The diameter of a surface, its radius, and its largest embedded disk. docs/distances.md says how.
 ///

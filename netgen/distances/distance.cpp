@@ -17,7 +17,7 @@
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/nets/net_options.h"
-#include "triangulation/atlas.h"
+#include "triangulation/surface/atlas.h"
 
 namespace epsnet {
 namespace {

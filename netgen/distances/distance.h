@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "certify/document/distance_document.h"
-#include "triangulation/base_point.h"
-#include "triangulation/surface.h"
+#include "triangulation/surface/base_point.h"
+#include "triangulation/surface/surface.h"
 
 /// The distance between two points of a surface, with all shortest geodesics. docs/distances.md says how and why.
 namespace epsnet {

@@ -23,8 +23,8 @@
 #include "netgen/base/gmp.h"
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/surfaces/surface_file.h"
-#include "triangulation/atlas.h"
-#include "triangulation/curve_bound.h"
+#include "triangulation/surface/atlas.h"
+#include "triangulation/surface/curve_bound.h"
 
 namespace epsnet {
 namespace {

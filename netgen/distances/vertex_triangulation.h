@@ -10,7 +10,7 @@
 
 #include "kernel/lorentz.h"
 #include "kernel/numbers.h"
-#include "triangulation/triangulation.h"
+#include "triangulation/mesh/triangulation.h"
 
 /// Triangulations with one vertex that can stand anywhere: triangles whose edges are elements of the group.
 ///

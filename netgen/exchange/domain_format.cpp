@@ -8,7 +8,7 @@
 #include "certify/document/text.h"
 #include "netgen/exchange/ear_clipping.h"
 #include "netgen/exchange/token_reader.h"
-#include "triangulation/glued_polygons.h"
+#include "triangulation/surface/glued_polygons.h"
 
 namespace epsnet {
 namespace {

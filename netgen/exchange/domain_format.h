@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "netgen/exchange/exchange.h"
-#include "triangulation/surface.h"
+#include "triangulation/surface/surface.h"
 
 /// CGAL's text format for fundamental polygons of closed hyperbolic surfaces.
 ///

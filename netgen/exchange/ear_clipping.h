@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "triangulation/exact_points.h"
-#include "triangulation/surface.h"
+#include "triangulation/surface/exact_points.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet {
 

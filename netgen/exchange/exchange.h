@@ -9,8 +9,8 @@
 #include "certify/document/document.h"
 #include "netgen/base/length.h"
 #include "netgen/lifts/layout.h"
-#include "triangulation/error.h"
-#include "triangulation/surface.h"
+#include "triangulation/surface/error.h"
+#include "triangulation/surface/surface.h"
 
 /// Surfaces and nets in the text formats of other programs (docs/exchange-formats.md): CGAL's, exactly, in and out;
 /// meshes, rounded to binary64, out.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "triangulation/exact_points.h"
+#include "triangulation/surface/exact_points.h"
 
 /// The shapes of triangles and cross-ratios, exactly and without a single gcd before the result.
 namespace epsnet {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "triangulation/exact_points.h"
+#include "triangulation/surface/exact_points.h"
 
 /// Division of Gaussian integers.
 namespace epsnet {

@@ -7,7 +7,7 @@
 #include "certify/document/darts.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/surfaces/surface_file.h"
-#include "triangulation/atlas.h"
+#include "triangulation/surface/atlas.h"
 
 namespace epsnet {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "certify/document/document.h"
 #include "netgen/exchange/exchange.h"
-#include "triangulation/surface.h"
+#include "triangulation/surface/surface.h"
 
 /// CGAL's text formats for geometric triangulations of closed hyperbolic surfaces: a combinatorial map, the exact
 /// cross-ratio of every edge, and a lift of one triangle, of all, or of none (docs/exchange-formats.md).

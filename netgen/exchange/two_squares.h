@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "triangulation/exact_points.h"
+#include "triangulation/surface/exact_points.h"
 
 namespace epsnet {
 

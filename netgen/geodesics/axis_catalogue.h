@@ -9,7 +9,7 @@
 #include "kernel/lorentz.h"
 #include "kernel/numbers.h"
 #include "netgen/geodesics/unfolding.h"
-#include "triangulation/triangulation.h"
+#include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "certify/document/geodesics_document.h"
-#include "triangulation/triangulation.h"
+#include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {
 

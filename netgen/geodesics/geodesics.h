@@ -3,7 +3,7 @@
 #include "certify/document/geodesics_document.h"
 #include "netgen/base/length.h"
 #include "netgen/base/progress.h"
-#include "triangulation/surface.h"
+#include "triangulation/surface/surface.h"
 
 /// Closed geodesics of a surface: the systole, the length spectrum, the small curves. docs/geodesics.md says how and
 /// why.

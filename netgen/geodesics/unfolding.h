@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernel/lorentz.h"
-#include "triangulation/triangulation.h"
+#include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {
 

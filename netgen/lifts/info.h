@@ -6,7 +6,7 @@
 #include "certify/document/document.h"
 #include "netgen/base/json_text.h"
 #include "netgen/nets/dirichlet_polygon.h"
-#include "triangulation/surface.h"
+#include "triangulation/surface/surface.h"
 
 /// What is in a file, for people and for programs. Nothing here is proved: numbers are computed in floating point and
 /// rounded to nearest, and are no bounds. Intervals that a file claims are printed outward.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "triangulation/error.h"
+#include "triangulation/surface/error.h"
 
 /// How the triangles of a net are laid out in the Poincaré disk.
 namespace epsnet {

@@ -6,7 +6,7 @@
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/nets/net_document.h"
-#include "triangulation/walk.h"
+#include "triangulation/mesh/walk.h"
 
 namespace epsnet {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "certify/document/document.h"
-#include "triangulation/base_point.h"
-#include "triangulation/triangulation.h"
+#include "triangulation/mesh/triangulation.h"
+#include "triangulation/surface/base_point.h"
 
 /// Location of points in the triangles of a net.
 namespace epsnet {

@@ -12,7 +12,7 @@
 #include "certify/document/text.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
-#include "triangulation/surface.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet {
 namespace {

@@ -8,8 +8,8 @@
 #include "netgen/base/length.h"
 #include "netgen/nets/net_document.h"
 #include "netgen/nets/net_options.h"
-#include "triangulation/surface.h"
-#include "triangulation/triangulation.h"
+#include "triangulation/mesh/triangulation.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet {
 

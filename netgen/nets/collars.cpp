@@ -9,8 +9,8 @@
 
 #include "kernel/plane.h"
 #include "netgen/nets/net_options.h"
-#include "triangulation/insertion.h"
-#include "triangulation/walk.h"
+#include "triangulation/mesh/insertion.h"
+#include "triangulation/mesh/walk.h"
 
 namespace epsnet {
 namespace {

@@ -9,8 +9,8 @@
 #include "kernel/lorentz.h"
 #include "kernel/numbers.h"
 #include "netgen/base/length.h"
-#include "triangulation/journal.h"
-#include "triangulation/triangulation.h"
+#include "triangulation/mesh/journal.h"
+#include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {
 

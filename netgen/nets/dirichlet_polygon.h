@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "certify/document/document.h"
-#include "triangulation/error.h"
-#include "triangulation/triangulation.h"
+#include "triangulation/mesh/triangulation.h"
+#include "triangulation/surface/error.h"
 
 namespace epsnet {
 

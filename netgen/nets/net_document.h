@@ -2,8 +2,8 @@
 
 #include "certify/document/document.h"
 #include "netgen/base/length.h"
-#include "triangulation/dart.h"
-#include "triangulation/triangulation.h"
+#include "triangulation/mesh/dart.h"
+#include "triangulation/mesh/triangulation.h"
 
 /// Conversion between triangulations and the plain data of net files.
 namespace epsnet {

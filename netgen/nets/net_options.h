@@ -12,9 +12,9 @@
 #include "certify/document/report.h"
 #include "netgen/base/length.h"
 #include "netgen/base/progress.h"
-#include "triangulation/base_point.h"
-#include "triangulation/error.h"
-#include "triangulation/walk.h"
+#include "triangulation/mesh/walk.h"
+#include "triangulation/surface/base_point.h"
+#include "triangulation/surface/error.h"
 
 /// Options of a net, and statistics of its computation.
 namespace epsnet {

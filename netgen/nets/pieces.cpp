@@ -14,10 +14,10 @@
 #include <utility>
 
 #include "netgen/nets/triangle_list.h"
-#include "triangulation/circumcentre.h"
-#include "triangulation/editor.h"
-#include "triangulation/known_labels.h"
-#include "triangulation/local_insertion.h"
+#include "triangulation/mesh/circumcentre.h"
+#include "triangulation/mesh/editor.h"
+#include "triangulation/mesh/local_insertion.h"
+#include "triangulation/surface/known_labels.h"
 
 #ifdef EPSNET_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>

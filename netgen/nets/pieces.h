@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "triangulation/threshold.h"
-#include "triangulation/triangulation.h"
+#include "triangulation/mesh/threshold.h"
+#include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {
 

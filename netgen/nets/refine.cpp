@@ -13,14 +13,14 @@
 #include "netgen/nets/pieces.h"
 #include "netgen/nets/start.h"
 #include "netgen/nets/triangle_list.h"
-#include "triangulation/cavity.h"
-#include "triangulation/circumcentre.h"
-#include "triangulation/editor.h"
-#include "triangulation/insertion.h"
-#include "triangulation/journal.h"
-#include "triangulation/known_labels.h"
-#include "triangulation/local_insertion.h"
-#include "triangulation/marks.h"
+#include "triangulation/mesh/cavity.h"
+#include "triangulation/mesh/circumcentre.h"
+#include "triangulation/mesh/editor.h"
+#include "triangulation/mesh/insertion.h"
+#include "triangulation/mesh/journal.h"
+#include "triangulation/mesh/local_insertion.h"
+#include "triangulation/mesh/marks.h"
+#include "triangulation/surface/known_labels.h"
 
 namespace epsnet {
 namespace {

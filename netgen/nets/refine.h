@@ -2,7 +2,7 @@
 
 #include "netgen/nets/collars.h"
 #include "netgen/nets/net_options.h"
-#include "triangulation/triangulation.h"
+#include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "kernel/predicates.h"
-#include "triangulation/contraction.h"
-#include "triangulation/editor.h"
-#include "triangulation/flip.h"
+#include "triangulation/mesh/contraction.h"
+#include "triangulation/mesh/editor.h"
+#include "triangulation/mesh/flip.h"
 
 namespace epsnet {
 namespace {

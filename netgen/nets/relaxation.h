@@ -4,8 +4,8 @@
 #include <optional>
 #include <span>
 
-#include "triangulation/threshold.h"
-#include "triangulation/triangulation.h"
+#include "triangulation/mesh/threshold.h"
+#include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {
 

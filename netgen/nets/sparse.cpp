@@ -13,9 +13,9 @@
 
 #include "netgen/nets/refine.h"
 #include "netgen/nets/relaxation.h"
-#include "triangulation/contraction.h"
-#include "triangulation/flip.h"
-#include "triangulation/renumbering.h"
+#include "triangulation/mesh/contraction.h"
+#include "triangulation/mesh/flip.h"
+#include "triangulation/mesh/renumbering.h"
 
 namespace epsnet {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "netgen/nets/net_options.h"
-#include "triangulation/triangulation.h"
+#include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "triangulation/contraction.h"
-#include "triangulation/flip.h"
-#include "triangulation/insertion.h"
+#include "triangulation/mesh/contraction.h"
+#include "triangulation/mesh/flip.h"
+#include "triangulation/mesh/insertion.h"
 
 namespace epsnet {
 namespace {

@@ -18,8 +18,8 @@
 #include "netgen/pictures/curves.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
-#include "triangulation/surface.h"
-#include "triangulation/triangulation.h"
+#include "triangulation/mesh/triangulation.h"
+#include "triangulation/surface/surface.h"
 
 /// The commands of the program `epsnet`, one file each: their options, and their work.
 namespace epsnet::program {

@@ -13,7 +13,7 @@
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
-#include "triangulation/atlas.h"
+#include "triangulation/surface/atlas.h"
 
 namespace epsnet::program {
 namespace {

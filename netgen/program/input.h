@@ -11,7 +11,7 @@
 #include "certify/document/geodesics_document.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/nets/dirichlet_polygon.h"
-#include "triangulation/surface.h"
+#include "triangulation/surface/surface.h"
 
 /// Input files. Every file is read once (certify::load), so it may be a pipe; "-" is standard input. Errors name the
 /// path as given. All functions throw certify::FileError, and the exceptions of the readers.

@@ -18,7 +18,7 @@
 #include "netgen/program/commands.h"
 #include "netgen/program/output.h"
 #include "netgen/program/parse_error.h"
-#include "triangulation/error.h"
+#include "triangulation/surface/error.h"
 
 /// The program `epsnet`: makes surfaces, computes and certifies nets, draws them, and says what is in files.
 namespace {

@@ -10,7 +10,7 @@
 #include "certify/numbers/ball.h"
 #include "netgen/base/atomic_file.h"
 #include "netgen/base/json_text.h"
-#include "triangulation/error.h"
+#include "triangulation/surface/error.h"
 
 /// What the commands of the program share: files out, reports, progress, errors.
 namespace epsnet::program {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "netgen/surfaces/pants_graph.h"
-#include "triangulation/surface.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet {
 

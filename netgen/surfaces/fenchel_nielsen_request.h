@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "triangulation/error.h"
+#include "triangulation/surface/error.h"
 
 namespace epsnet {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "netgen/surfaces/word_isometry.h"
-#include "triangulation/atlas.h"
+#include "triangulation/surface/atlas.h"
 
 namespace epsnet {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "triangulation/surface.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "triangulation/surface.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet {
 

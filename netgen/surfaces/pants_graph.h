@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "triangulation/error.h"
+#include "triangulation/surface/error.h"
 
 namespace epsnet {
 

@@ -6,7 +6,7 @@
 
 #include "certify/document/document.h"
 #include "netgen/base/write_error.h"
-#include "triangulation/surface.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet {
 

@@ -2,7 +2,7 @@
 
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
-#include "triangulation/surface.h"
+#include "triangulation/surface/surface.h"
 
 /// Paths across sides as isometries: exactly, and enclosed to any precision.
 namespace epsnet {

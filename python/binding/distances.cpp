@@ -6,7 +6,7 @@
 #include "netgen/distances/distance.h"
 #include "python/binding/documents.h"
 #include "python/binding/nets.h"
-#include "triangulation/atlas.h"
+#include "triangulation/surface/atlas.h"
 
 namespace epsnet::python {
 namespace {

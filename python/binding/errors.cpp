@@ -10,10 +10,10 @@
 #include "netgen/surfaces/fenchel_nielsen_request.h"
 #include "netgen/surfaces/pants_graph.h"
 #include "python/binding/binding.h"
-#include "triangulation/atlas.h"
-#include "triangulation/error.h"
-#include "triangulation/surface.h"
-#include "triangulation/triangulation.h"
+#include "triangulation/mesh/triangulation.h"
+#include "triangulation/surface/atlas.h"
+#include "triangulation/surface/error.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet::python {
 namespace {

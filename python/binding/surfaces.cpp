@@ -10,8 +10,8 @@
 #include "netgen/surfaces/surface_file.h"
 #include "netgen/surfaces/word_isometry.h"
 #include "python/binding/binding.h"
-#include "triangulation/base_point.h"
-#include "triangulation/surface.h"
+#include "triangulation/surface/base_point.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet::python {
 namespace {

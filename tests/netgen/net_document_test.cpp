@@ -11,9 +11,9 @@
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
-#include "triangulation/assembly.h"
-#include "triangulation/flip.h"
-#include "triangulation/problem.h"
+#include "triangulation/mesh/assembly.h"
+#include "triangulation/mesh/flip.h"
+#include "triangulation/mesh/problem.h"
 
 /// Net documents as triangulations.
 namespace epsnet {

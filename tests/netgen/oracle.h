@@ -9,7 +9,7 @@
 #include "kernel/plane.h"
 #include "netgen/base/length.h"
 #include "netgen/surfaces/surface_file.h"
-#include "triangulation/threshold.h"
+#include "triangulation/mesh/threshold.h"
 
 /// A second opinion on net files, for the tests of `certify`: docs/format.md and the rules of docs/proof.md, written
 /// down once more with the kernel's formulas at 1024 bits, simple and slow, nothing shared with the certifier.

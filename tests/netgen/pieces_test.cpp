@@ -12,9 +12,9 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
 #include "tests/support/triangulations.h"
-#include "triangulation/editor.h"
-#include "triangulation/marks.h"
-#include "triangulation/problem.h"
+#include "triangulation/mesh/editor.h"
+#include "triangulation/mesh/marks.h"
+#include "triangulation/mesh/problem.h"
 
 namespace epsnet {
 namespace {

@@ -20,8 +20,8 @@
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
-#include "triangulation/problem.h"
-#include "triangulation/renumbering.h"
+#include "triangulation/mesh/problem.h"
+#include "triangulation/mesh/renumbering.h"
 
 /// Nets with few points, and the relaxation that they are made with.
 namespace epsnet {

@@ -14,7 +14,7 @@
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/polygons.h"
 #include "tests/support/triangulations.h"
-#include "triangulation/glued_polygons.h"
+#include "triangulation/surface/glued_polygons.h"
 
 namespace epsnet {
 namespace {

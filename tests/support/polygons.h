@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "triangulation/surface.h"
+#include "triangulation/surface/surface.h"
 
 /// Polygons for tests, and ways to change them that leave the surface as it is.
 namespace epsnet::test {

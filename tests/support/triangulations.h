@@ -15,9 +15,9 @@
 #include "netgen/exchange/exchange.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
-#include "triangulation/flip.h"
-#include "triangulation/insertion.h"
-#include "triangulation/triangulation.h"
+#include "triangulation/mesh/flip.h"
+#include "triangulation/mesh/insertion.h"
+#include "triangulation/mesh/triangulation.h"
 
 /// Surfaces, points and canonical forms for the tests of atlas, triangulation and nets.
 namespace epsnet::test {

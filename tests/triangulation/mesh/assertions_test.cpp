@@ -1,0 +1,120 @@
+#include <cassert>
+#include <gtest/gtest.h>
+
+#include "kernel/predicates.h"
+#include "tests/support/triangulations.h"
+#include "triangulation/mesh/flip.h"
+#include "triangulation/mesh/insertion.h"
+#include "triangulation/mesh/local_insertion.h"
+#include "triangulation/mesh/walk.h"
+
+/// What the headers require of their callers is asserted in debug and sanitizer builds.
+namespace epsnet {
+namespace {
+
+TEST(Assertions, AreOnInDebugAndSanitizerBuildsAlone) {
+  bool on = false;
+  assert((on = true));
+  EXPECT_EQ(on, EPSNET_ASSERTIONS == 1);
+}
+
+#ifndef NDEBUG
+
+Triangulation octagon() {
+  Triangulation result(test::gallery()[0].surface);
+  make_delaunay(result);
+  return result;
+}
+
+TEST(AssertionsDeathTest, ADartHasATriangleAndACornerOfThree) {
+  std::uint32_t three = 3;
+  EXPECT_DEATH((void)make_dart(0, three), "corner < 3");
+  EXPECT_DEATH((void)make_dart(kLargestTriangle + three, 0), "kLargestTriangle");
+  EXPECT_DEATH((void)corner_of(Dart{three}), "corner < 3");
+  EXPECT_DEATH((void)next(three), "i < 3");
+  EXPECT_DEATH((void)previous(three), "i < 3");
+}
+
+TEST(AssertionsDeathTest, ALabelIsThereAndNotTheIdentity) {
+  const Triangulation triangulation = octagon();
+  const Atlas& atlas = triangulation.atlas();
+  for (const LabelId l : {kIdentity, atlas.label_count(), kUnknownLabel}) {
+    EXPECT_DEATH((void)atlas.from(l), "is_other");
+    EXPECT_DEATH((void)atlas.to(l), "is_other");
+    EXPECT_DEATH((void)atlas.word(l), "is_other");
+    EXPECT_DEATH((void)atlas.isometry(l), "is_other");
+    EXPECT_DEATH((void)atlas.error(l), "is_other");
+  }
+  EXPECT_DEATH((void)atlas.known_inverse(kUnknownLabel), "is_other");
+  EXPECT_DEATH((void)atlas.chart(atlas.chart_count()), "chart_count");
+}
+
+TEST(AssertionsDeathTest, ALabelLeadsWhereTheNextOneStarts) {
+  const Surface& surface = test::gallery()[0].surface;
+  Atlas atlas(surface);
+  const std::uint32_t corner = atlas.add_chart({0, surface.tiles()[0][0]});
+  const std::uint32_t middle = atlas.add_chart({0, {}});
+  const LabelId g = atlas.label(corner, middle, {});
+  EXPECT_DEATH((void)atlas.product(g, g), "to\\(g\\) == from\\(f\\)");
+  EXPECT_DEATH((void)atlas.known_product(g, g), "to\\(g\\) == from\\(f\\)");
+  EXPECT_DEATH((void)atlas.power(g, 2), "from\\(f\\) == to\\(f\\)");
+  EXPECT_DEATH((void)atlas.label(corner, middle, {surface.side_count()}), "is_path");
+  EXPECT_DEATH((void)atlas.add_chart({1, {}}), "tiles");
+  EXPECT_DEATH((void)atlas.add_chart({0, {Rational(1), Rational(0)}}), "norm");
+}
+
+TEST(AssertionsDeathTest, ASurfaceHasTheSide) {
+  const Surface& surface = test::gallery()[0].surface;
+  EXPECT_DEATH((void)surface.side_number(1, 0), "tiles");
+  EXPECT_DEATH((void)surface.side_number(0, surface.side_count()), "tiles");
+  EXPECT_DEATH((void)surface.partner(surface.side_count()), "side_count");
+  EXPECT_DEATH((void)surface.crossing(surface.side_count()), "side_count");
+}
+
+TEST(AssertionsDeathTest, ATriangulationHasTheElement) {
+  const Triangulation triangulation = octagon();
+  EXPECT_DEATH((void)triangulation.opposite(kOutside), "triangle_count");
+  EXPECT_DEATH((void)triangulation.triangle(triangulation.triangle_count()), "triangle_count");
+  EXPECT_DEATH((void)triangulation.corner(0, 3), "i < 3");
+  EXPECT_DEATH((void)triangulation.vertex(triangulation.vertex_count()), "vertex_count");
+  EXPECT_DEATH((void)triangulation.triangle(0).label(3), "corner < 3");
+  EXPECT_DEATH((void)Triangle::packed(kLargestLabel + 1, kIdentity), "kLargestLabel");
+}
+
+TEST(AssertionsDeathTest, AFlipNeedsAConvexQuadrilateral) {
+  // Around a vertex inside of a triangle the two triangles beside each edge make a corner of more than π.
+  Triangulation triangulation = octagon();
+  const Atlas::Place place = test::weighted_point(triangulation, 0, {1, 1, 1});
+  const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
+  const std::uint32_t t = split_face(triangulation, 0, v, place.label)[0];
+  EXPECT_DEATH((void)flip(triangulation, make_dart(t, 0)), "may_be_left");
+}
+
+TEST(AssertionsDeathTest, AVertexIsInsertedWhereItIs) {
+  // A point of triangle 0, as if it lay in the triangle beside it.
+  Triangulation triangulation = octagon();
+  const Atlas::Place place = test::weighted_point(triangulation, 0, {1, 1, 1});
+  const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
+  const std::uint32_t t = triangle_of(triangulation.opposite(make_dart(0, 0)));
+  const LabelId across = triangulation.transition(triangulation.opposite(make_dart(0, 0)));
+  const LabelId label = triangulation.atlas().product(across, place.label);
+  EXPECT_DEATH((void)split_face(triangulation, t, v, label), "may_be_left");
+}
+
+TEST(AssertionsDeathTest, AThresholdIsOfAPositiveNumber) {
+  EXPECT_DEATH((void)Threshold(Rational(0)), "x_ > 0");
+  EXPECT_DEATH((void)Threshold(Rational(-1, 2)), "x_ > 0");
+}
+
+TEST(AssertionsDeathTest, TheStageWithoutDivisionsIsForPointsNearTheOrigin) {
+  const Complex<double> near{0, 0};
+  const Complex<double> far{0.76, 0};
+  EXPECT_DEATH((void)distance_stage_near_origin(near, far, 0.5), "is_near_origin");
+  EXPECT_DEATH((void)circumradius_stage_near_origin(near, far, Complex<double>{0, 0.1}, 0.5), "is_near_origin");
+  EXPECT_DEATH((void)distance_stage<double>(near, far, 0.6, 0.5, 0), "s_high");
+}
+
+#endif
+
+}  // namespace
+}  // namespace epsnet

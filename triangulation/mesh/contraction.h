@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "triangulation/mesh/triangulation.h"
+
+namespace epsnet {
+
+/// Moves the start vertex of d along d into its end, which it becomes; vertices and triangles are renumbered: the last
+/// ones take the numbers of those that vanish. Returns a dart that leaves the merged vertex; nothing, with nothing
+/// changed, if the two are one vertex or if some triangle would not stay counterclockwise. (What is left is again a
+/// triangulation: labels fit, triangles are counterclockwise and V − E + F is the same.) O(n).
+[[nodiscard]] std::optional<Dart> contract(Triangulation& triangulation, Dart d);
+
+/// Contracts every dart for which `goes`, asked in the order of triangles, says yes, where that can be done, as
+/// `contract`; vertices and triangles that are left keep their order. Returns the number of vertices removed. The
+/// triangulation need not be Delaunay before or after. O(n) in all, but for the degrees of vertices.
+std::uint32_t contract_all(Triangulation& triangulation, const std::function<bool(Dart)>& goes);
+
+/// Moves the start vertex of d to a place, given by its label to that vertex's chart. False, with nothing changed, if
+/// some triangle would not stay counterclockwise. O(degree of the vertex).
+[[nodiscard]] bool move_vertex(Triangulation& triangulation, Dart d, const Atlas::Place& place);
+
+}  // namespace epsnet

@@ -1,0 +1,197 @@
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "triangulation/mesh/editor.h"
+#include "triangulation/mesh/triangulation.h"
+
+/// The triangulation that a surface starts with: its tiles cut into triangles.
+namespace epsnet {
+namespace {
+
+/// The triangles of the tiles of a surface, for a triangulation that has none.
+class Cutting {
+ public:
+  explicit Cutting(Triangulation& triangulation)
+      : triangulation_(triangulation),
+        surface_(triangulation.surface()),
+        atlas_(triangulation.atlas()),
+        editor_(triangulation) {}
+
+  void cut_tiles(const std::optional<BasePoint>& base);
+  void cut_regular();
+
+ private:
+  /// Makes the vertex classes vertices, from number `first_class` on, each the origin of a chart of its first corner.
+  /// Returns the words from the tiles of these first corners to the tiles of all corners of the class, by corner.
+  [[nodiscard]] std::vector<Word> add_vertex_classes(std::uint32_t first_class);
+  /// Cuts a polygon with these corners into triangles: around a vertex inside of it, or again and again into halves, by
+  /// diagonals, so that few triangles have corners far apart. Returns the darts of its sides, from corner k to k + 1.
+  [[nodiscard]] std::vector<Dart> cut_around(Corner centre, const std::vector<Corner>& corners);
+  [[nodiscard]] std::vector<Dart> cut_by_halves(const std::vector<Corner>& corners);
+  /// The same for n corners; `set_corners(t, i, m, j)` sets those of triangle t to the polygon's, i < m < j.
+  template <class SetCorners>
+  [[nodiscard]] std::vector<Dart> cut_by_halves(std::uint32_t n, const SetCorners& set_corners);
+  /// Glues the triangles along the sides of the tiles; the darts by side number.
+  void glue_sides(const std::vector<Dart>& dart_of_side);
+
+  Triangulation& triangulation_;
+  const Surface& surface_;
+  Atlas& atlas_;
+  Editor editor_;
+};
+
+void Cutting::cut_tiles(const std::optional<BasePoint>& base) {
+  const std::uint32_t first_class = base ? 1 : 0;  // The number of vertex class 0 as a vertex.
+  if (base) {
+    editor_.add_vertex({{0, 0}, atlas_.add_chart({base->tile, base->z})});
+  }
+  const std::vector<Word> words = add_vertex_classes(first_class);
+  std::vector<Dart> dart_of_side;
+  for (std::uint32_t tile = 0; tile < surface_.tiles().size(); ++tile) {
+    const std::uint32_t first = surface_.side_number(tile, 0);
+    // The corners lifted to one chart: the base point's, or that of the tile's first corner.
+    const bool has_base = base && base->tile == tile;
+    const std::uint32_t reference =
+        has_base ? editor_.charts()[0] : editor_.charts()[first_class + surface_.vertex_class(first)];
+    const Word to_reference = has_base ? Word{} : reversed(surface_, words[first]);
+    std::vector<Corner> corners;
+    for (std::uint32_t side = first; side < first + surface_.tiles()[tile].size(); ++side) {
+      const std::uint32_t v = first_class + surface_.vertex_class(side);
+      corners.push_back(
+          {v, atlas_.label(editor_.charts()[v], reference, concatenated(surface_, words[side], to_reference))});
+    }
+    const std::vector<Dart> darts = has_base ? cut_around({0, kIdentity}, corners) : cut_by_halves(corners);
+    dart_of_side.insert(dart_of_side.end(), darts.begin(), darts.end());
+  }
+  glue_sides(dart_of_side);
+}
+
+std::vector<Word> Cutting::add_vertex_classes(std::uint32_t first_class) {
+  std::vector<Word> words(surface_.side_count());
+  editor_.points().resize(first_class + surface_.vertex_class_count());
+  editor_.charts().resize(editor_.points().size());
+  std::vector<bool> placed(surface_.vertex_class_count(), false);
+  for (std::uint32_t corner = 0; corner < words.size(); ++corner) {
+    const std::uint32_t v = surface_.vertex_class(corner);
+    if (placed[v]) {
+      continue;
+    }
+    placed[v] = true;
+    const std::uint32_t tile = surface_.tile_of_side(corner);
+    editor_.charts()[first_class + v] =
+        atlas_.add_chart({tile, surface_.tiles()[tile][corner - surface_.side_number(tile, 0)]});
+    const Word cycle = surface_.corner_cycle(corner);
+    // To corner i of the cycle leads the first part of it, or the rest of it backwards: the shorter one.
+    for (std::size_t i = 0; i < cycle.size(); ++i) {
+      const auto here = cycle.begin() + static_cast<std::ptrdiff_t>(i);
+      words[cycle[i]] = 2 * i <= cycle.size() ? concatenated(surface_, {}, Word(cycle.begin(), here))
+                                              : reversed(surface_, concatenated(surface_, {}, Word(here, cycle.end())));
+    }
+  }
+  return words;
+}
+
+std::vector<Dart> Cutting::cut_around(Corner centre, const std::vector<Corner>& corners) {
+  const std::uint32_t first = triangulation_.triangle_count();
+  std::vector<Dart> darts;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const std::uint32_t t = editor_.add_triangle();
+    editor_.set(t, centre, corners[k], corners[(k + 1) % corners.size()]);
+    darts.push_back(make_dart(t, 1));
+  }
+  for (std::uint32_t t = first; t < triangulation_.triangle_count(); ++t) {
+    editor_.link(make_dart(t, 2), make_dart(t + 1 < triangulation_.triangle_count() ? t + 1 : first, 0));
+  }
+  return darts;
+}
+
+template <class SetCorners>
+std::vector<Dart> Cutting::cut_by_halves(std::uint32_t n, const SetCorners& set_corners) {
+  // A triangle (i, m, j) under the chord from i to j, then the chords (i, m) and (m, j).
+  struct Chord {
+    std::uint32_t i, j;
+    std::optional<Dart> above;  // The dart from i to j of the triangle on its other side.
+  };
+  std::vector<Dart> darts(n);
+  std::vector<Chord> chords{{0, n - 1, std::nullopt}};
+  while (!chords.empty()) {
+    const Chord chord = chords.back();
+    chords.pop_back();
+    if (chord.j == chord.i + 1) {
+      darts[chord.i] = *chord.above;
+      continue;
+    }
+    const std::uint32_t m = (chord.i + chord.j) / 2;
+    const std::uint32_t t = editor_.add_triangle();
+    set_corners(t, chord.i, m, chord.j);
+    if (chord.above) {
+      editor_.link(make_dart(t, 2), *chord.above);
+    } else {
+      darts[n - 1] = make_dart(t, 2);  // The side from the last corner to the first.
+    }
+    chords.push_back({chord.i, m, make_dart(t, 0)});
+    chords.push_back({m, chord.j, make_dart(t, 1)});
+  }
+  return darts;
+}
+
+std::vector<Dart> Cutting::cut_by_halves(const std::vector<Corner>& corners) {
+  return cut_by_halves(static_cast<std::uint32_t>(corners.size()),
+                       [&](std::uint32_t t, std::uint32_t i, std::uint32_t m, std::uint32_t j) {
+                         editor_.set(t, corners[i], corners[m], corners[j]);
+                       });
+}
+
+void Cutting::glue_sides(const std::vector<Dart>& dart_of_side) {
+  for (std::uint32_t s = 0; s < dart_of_side.size(); ++s) {
+    const Dart d = dart_of_side[s];
+    editor_.triangles()[triangle_of(d)].opposite[corner_of(d)] = dart_of_side[surface_.partner(s)];
+  }
+}
+
+void Cutting::cut_regular() {
+  // The centres of the copies of the tile around a corner make a polygon, dual to the tile: one vertex on the surface.
+  // Its corners are cocircular, so it may be cut in any way.
+  const std::uint32_t n = surface_.side_count();
+  editor_.add_vertex({{0, 0}, atlas_.add_chart({0, {0, 0}})});
+  const Word cycle = surface_.corner_cycle(0);
+  // Corner i of the polygon, counterclockwise, is copy n − i of the tile, and copy k + 1 is behind side cycle[k] of
+  // copy k. The path from corner j to corner i < j is the shorter one of the two around the tile's corner.
+  const auto label = [&](std::uint32_t i, std::uint32_t j) {
+    const auto from = cycle.begin() + (n - j);
+    const auto to = cycle.begin() + (n - i);
+    Word word(from, to);
+    if (2 * (j - i) > n) {
+      word.assign(to, cycle.end());
+      word.insert(word.end(), cycle.begin(), from);
+      word = reversed(surface_, word);
+    }
+    return atlas_.label(0, 0, std::move(word));
+  };
+  const std::vector<Dart> darts =
+      cut_by_halves(n, [&](std::uint32_t t, std::uint32_t i, std::uint32_t m, std::uint32_t j) {
+        editor_.set(t, {0, kIdentity}, {0, label(i, m)}, {0, label(i, j)});
+      });
+  // Its side from corner i to i + 1 crosses a side of the tile.
+  std::vector<Dart> dart_of_side(n);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    dart_of_side[cycle[n - i - 1]] = darts[i];
+  }
+  glue_sides(dart_of_side);
+}
+
+}  // namespace
+
+Triangulation::Triangulation(const Surface& surface, const std::optional<BasePoint>& base) : atlas_(surface) {
+  if (base) {
+    require_inside(surface, *base);
+  }
+  if (surface.is_regular() && (!base || base->z == Complex<Rational>{})) {
+    Cutting(*this).cut_regular();
+  } else {
+    Cutting(*this).cut_tiles(base);
+  }
+}
+
+}  // namespace epsnet

@@ -1,0 +1,254 @@
+#include "triangulation/mesh/local_insertion.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "kernel/predicates.h"
+#include "triangulation/mesh/editor.h"
+
+namespace epsnet {
+namespace {
+
+enum class Outcome { inserted, labels_met, undecided };
+
+/// One insert_locally; without `kLabels` as far as all labels are the identity.
+///
+/// With identity labels alone the cavity is one of the plane: a triangle is met once, as its dual graph is a tree. With
+/// labels another lift of a triangle of the cavity may be met.
+template <bool kLabels>
+class LocalInsertion {
+ public:
+  LocalInsertion(Mesh& mesh, KnownLabels& labels, std::uint32_t t, const Atlas::Place& place)
+      : mesh_(mesh), labels_(labels), t_(t), place_(place), p_(place.z), height_(1 - norm(place.z)) {
+    assert(t < mesh.triangles.size() && norm(place.z) <= kChartRadius * kChartRadius);
+  }
+
+  [[nodiscard]] Outcome run(const Threshold& apart, const Threshold& large, NewTriangles& made) {
+    if (!kLabels && !(place_.label == kIdentity && mesh_.triangles[t_].all_identity())) {
+      return Outcome::labels_met;
+    }
+    if (!start()) {
+      return Outcome::undecided;
+    }
+    while (gate_count_ > 0) {
+      // Member by member: a gate as one load would have to wait for its stores.
+      const Gate& last = gates_[--gate_count_];
+      if (const Outcome outcome = pass(last.cross, last.outer, last.from, last.to); outcome != Outcome::inserted) {
+        return outcome;
+      }
+    }
+    if (!is_apart(apart)) {
+      return Outcome::undecided;
+    }
+    fill(large, made);
+    return Outcome::inserted;
+  }
+
+ private:
+  /// A vertex of the cavity, lifted to the chart of p.
+  struct Rim {
+    Complex<double> z;
+    Complex<double> offset;  ///< From p.
+    double offset_norm;
+    double height;  ///< 1 − |z|².
+    std::uint32_t vertex;
+    LabelId label;
+  };
+  /// An edge of a triangle in conflict, to be crossed: the dart on its other side; its ends are numbers of rims.
+  struct Gate {
+    double cross;  ///< cross(offset of `to`, offset of `from`).
+    Dart outer;
+    std::uint32_t from;
+    std::uint32_t to;
+  };
+  /// An edge of the cavity's boundary; its start is the number of a rim.
+  struct Edge {
+    Dart outer;
+    std::uint32_t from;
+  };
+  static constexpr std::size_t kMost = NewTriangles::kMost - 2;  ///< Triangles in conflict.
+
+  std::uint32_t add_rim(std::uint32_t vertex, LabelId label, const Complex<double>& z, const Complex<double>& offset,
+                        double offset_norm) {
+    rims_[rim_count_] = {z, offset, offset_norm, 1 - norm(z), vertex, label};
+    return rim_count_++;
+  }
+
+  [[nodiscard]] Complex<double> lift_of(std::uint32_t vertex, LabelId label) {
+    if (!kLabels || label == kIdentity) {
+      return mesh_.points[vertex];
+    }
+    error_ = std::max(error_, labels_.atlas().error(label));
+    return labels_.atlas().isometry(label)(mesh_.points[vertex]);
+  }
+
+  /// How the triangle of dart e is lifted if the ends of e are (Triangulation::lift_across).
+  [[nodiscard]] LabelId lift_across(const Rim& from, const Rim& to, const Triangle& outside, std::uint32_t j) {
+    return j == 0 ? to.label : labels_.product(from.label, labels_.inverse(outside.label(next(j))));
+  }
+
+  [[nodiscard]] bool in_cavity(std::uint32_t s) const {
+    return kLabels && std::find(cavity_.data(), cavity_.data() + cavity_count_, s) != cavity_.data() + cavity_count_;
+  }
+
+  /// The cavity is triangle t, its edges are to be crossed. False if its labels from p's chart are not known.
+  [[nodiscard]] bool start() {
+    cavity_[cavity_count_++] = t_;
+    const Triangle& triangle = mesh_.triangles[t_];
+    const LabelId moved = kLabels ? labels_.inverse(place_.label) : kIdentity;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const LabelId label = kLabels ? labels_.product(moved, triangle.label(i)) : kIdentity;
+      if (label == kUnknownLabel) {
+        return false;
+      }
+      const Complex<double> z = lift_of(triangle.vertex[i], label);
+      const Complex<double> offset = z - p_;
+      add_rim(triangle.vertex[i], label, z, offset, norm(offset));
+    }
+    // Depth first, counterclockwise, as in Cavity::find.
+    for (const std::uint32_t i : {2u, 1u, 0u}) {
+      const std::uint32_t to = next(i);
+      gates_[gate_count_++] = {cross(rims_[to].offset, rims_[i].offset), triangle.opposite[i], i, to};
+    }
+    return true;
+  }
+
+  /// Looks across a gate: the triangle there is in conflict, and joins the cavity, and the first of its other edges is
+  /// the next gate; or the gate is an edge of the boundary. `inserted` if that could be told.
+  [[nodiscard]] Outcome pass(double gate_cross, Dart outer, std::uint32_t from_rim, std::uint32_t to_rim) {
+    const Rim* const from = &rims_[from_rim];
+    const Rim* to = &rims_[to_rim];
+    for (;;) {
+      if (outer == kOutside) {
+        return Outcome::undecided;
+      }
+      const std::uint32_t s = triangle_of(outer);
+      const std::uint32_t j = corner_of(outer);
+      const Triangle& outside = mesh_.triangles[s];
+      LabelId apex_label = kIdentity;
+      if constexpr (kLabels) {
+        apex_label = labels_.product(lift_across(*from, *to, outside, j), outside.label(previous(j)));
+        if (apex_label == kUnknownLabel) {
+          return Outcome::undecided;
+        }
+      } else if (!outside.all_identity()) {
+        return Outcome::labels_met;
+      }
+      const std::uint32_t apex = outside.vertex[previous(j)];
+      const Complex<double> z = lift_of(apex, apex_label);
+      const Complex<double> offset = z - p_;
+      const double offset_norm = norm(offset);
+      const double cross_from = cross(from->offset, offset);
+      const double cross_to = cross(offset, to->offset);
+      const StageSign sign = in_circle_stage_around<double>({to->offset_norm, from->offset_norm, offset_norm},
+                                                            {cross_from, cross_to, gate_cross}, kLabels ? error_ : 0);
+      if (!sign.certain) {
+        return Outcome::undecided;
+      }
+      if (sign.sign < 0) {
+        edges_[edge_count_++] = {outer, from_rim};
+        return Outcome::inserted;
+      }
+      if (cavity_count_ == kMost || in_cavity(s)) {
+        return Outcome::undecided;
+      }
+      cavity_[cavity_count_++] = s;
+      const std::uint32_t rim = add_rim(apex, apex_label, z, offset, offset_norm);
+      gates_[gate_count_++] = {-cross_to, outside.opposite[previous(j)], rim, to_rim};
+      gate_cross = -cross_from;
+      outer = outside.opposite[next(j)];
+      to_rim = rim;
+      to = &rims_[rim];
+    }
+  }
+
+  /// Whether p is certainly apart from all vertices of the cavity, and the cavity from other lifts of itself.
+  [[nodiscard]] bool is_apart(const Threshold& apart) const {
+    for (std::size_t i = 0; i < edge_count_; ++i) {
+      const Rim& rim = rims_[i];
+      const StageSign sign = kLabels ? distance_stage<double>(rim.z, p_, apart.low(), apart.high(), error_)
+                                     : distance_stage_near_origin(rim.offset_norm, height_, rim.height, apart.high());
+      if (!sign.certain || sign.sign < 0 ||
+          (kLabels && (rim.label > kLargestLabel || in_cavity(triangle_of(edges_[i].outer))))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// The new vertex, and the fan from it to the boundary.
+  void fill(const Threshold& large, NewTriangles& made) {
+    std::vector<Triangle>& triangles = mesh_.triangles;
+    Editor::require_room(triangles.size(), 2);
+    const auto v = static_cast<std::uint32_t>(mesh_.points.size());
+    mesh_.charts.push_back(place_.chart);
+    mesh_.points.push_back(p_);
+    std::copy_n(cavity_.data(), cavity_count_, made.slots.data());
+    for (std::size_t i = cavity_count_; i < edge_count_; ++i) {
+      made.slots[i] = static_cast<std::uint32_t>(triangles.size());
+      triangles.push_back({});
+    }
+    made.count = static_cast<std::uint32_t>(edge_count_);
+    made.large_count = 0;
+    made.unsure_count = 0;
+    std::uint32_t preceding = made.slots[edge_count_ - 1];
+    for (std::size_t i = 0; i < edge_count_; ++i) {
+      const std::uint32_t slot = made.slots[i];
+      const std::size_t following = i + 1 < edge_count_ ? i + 1 : 0;
+      const Rim& from = rims_[edges_[i].from];
+      const Rim& to = rims_[edges_[following].from];
+      const Dart outer = edges_[i].outer;
+      // As many are large as not, so that a branch would be guessed wrongly half of the time.
+      const StageSign sign = compare_circumradius(from, to, large);
+      const auto is_large = static_cast<std::uint32_t>(sign.sign > 0);
+      const auto is_unsure = static_cast<std::uint32_t>(!sign.certain);
+      triangles[slot] = {{v, from.vertex, to.vertex},
+                         {make_dart(preceding, 2), outer, make_dart(made.slots[following], 0)},
+                         Triangle::packed(from.label, to.label) | is_large};
+      triangles[triangle_of(outer)].opposite[corner_of(outer)] = make_dart(slot, 1);
+      made.large_slots[made.large_count] = slot;
+      made.large_count += is_large;
+      made.unsure_slots[made.unsure_count] = slot;
+      made.unsure_count += is_unsure;
+      preceding = slot;
+    }
+  }
+
+  /// Whether the triangle of p and two rims has a circumradius R with sinh²R > large.
+  [[nodiscard]] StageSign compare_circumradius(const Rim& from, const Rim& to, const Threshold& large) const {
+    return kLabels ? circumradius_stage<double>(p_, from.z, to.z, large.low(), large.high(), error_)
+                   : circumradius_stage_near_origin(
+                         sinh2_circumradius<double>(from.offset_norm, norm(from.z - to.z), to.offset_norm, height_,
+                                                    from.height, to.height),
+                         large.high());
+  }
+
+  Mesh& mesh_;
+  KnownLabels& labels_;
+  const std::uint32_t t_;
+  const Atlas::Place& place_;
+  const Complex<double> p_;
+  const double height_;  ///< 1 − |p|².
+  double error_ = 0;     ///< Of the lifts.
+  std::uint32_t rim_count_ = 0;
+  std::size_t gate_count_ = 0;
+  std::size_t edge_count_ = 0;
+  std::size_t cavity_count_ = 0;
+  std::array<Rim, NewTriangles::kMost> rims_;
+  std::array<Gate, NewTriangles::kMost> gates_;
+  std::array<Edge, NewTriangles::kMost> edges_;
+  std::array<std::uint32_t, kMost> cavity_;
+};
+
+}  // namespace
+
+bool insert_locally(Mesh& mesh, KnownLabels& labels, std::uint32_t t, const Atlas::Place& place, const Threshold& apart,
+                    const Threshold& large, NewTriangles& made) {
+  Outcome outcome = LocalInsertion<false>(mesh, labels, t, place).run(apart, large, made);
+  if (outcome == Outcome::labels_met) {
+    outcome = LocalInsertion<true>(mesh, labels, t, place).run(apart, large, made);
+  }
+  return outcome == Outcome::inserted;
+}
+
+}  // namespace epsnet

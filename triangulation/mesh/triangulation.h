@@ -1,0 +1,231 @@
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "kernel/predicates.h"
+#include "triangulation/mesh/dart.h"
+#include "triangulation/mesh/threshold.h"
+#include "triangulation/surface/atlas.h"
+#include "triangulation/surface/base_point.h"
+#include "triangulation/surface/error.h"
+
+namespace epsnet {
+
+/// A vertex: the point of the surface with coordinate z in a chart, |z| ≤ kChartRadius.
+struct Vertex {
+  Complex<double> z;
+  std::uint32_t chart;
+};
+
+/// The largest label that a triangle has room for.
+inline constexpr LabelId kLargestLabel = (1u << 24) - 1;
+
+/// A triangle of the labelled triangulation (thesis I.4.1 and I.4.2 in one): vertices, darts across, and the labels
+/// that lift corners 1 and 2 to the chart of corner 0. 32 bytes.
+struct Triangle {
+  std::array<std::uint32_t, 3> vertex;
+  std::array<Dart, 3> opposite;
+  std::uint64_t labels_and_mark;  ///< Label of corner 1 (24 bits), of corner 2 (24 bits), 15 zeros, the mark.
+
+  /// The label of a corner; the identity for corner 0.
+  [[nodiscard]] LabelId label(std::uint32_t corner) const {
+    assert(corner < 3);
+    return corner == 0   ? kIdentity
+           : corner == 1 ? static_cast<LabelId>(labels_and_mark >> 40)
+                         : static_cast<LabelId>((labels_and_mark >> 16) & 0xffffff);
+  }
+  /// The labels of corners 1 and 2 as `labels_and_mark`, with no mark.
+  [[nodiscard]] static constexpr std::uint64_t packed(LabelId l1, LabelId l2) {
+    assert(l1 <= kLargestLabel && l2 <= kLargestLabel);
+    return (std::uint64_t{l1} << 40) | (std::uint64_t{l2} << 16);
+  }
+  /// Whether all corners are given in the chart of the triangle.
+  [[nodiscard]] bool all_identity() const { return (labels_and_mark >> 16) == 0; }
+  /// Whether the triangle is marked. The mark is lost when another triangle takes the slot; algorithms that keep lists
+  /// of triangles use it.
+  [[nodiscard]] bool marked() const { return (labels_and_mark & 1) != 0; }
+  bool operator==(const Triangle&) const = default;
+};
+static_assert(sizeof(Triangle) == 32);
+
+/// The vertices and triangles of a triangulation, or of a part of one. Coordinates and charts are separate arrays, as
+/// the predicates of nearly all triangles need only the coordinates.
+struct Mesh {
+  std::vector<Complex<double>> points;
+  std::vector<std::uint32_t> charts;
+  std::vector<Triangle> triangles;
+};
+
+/// A vertex lifted by a label to some chart of reference.
+struct Corner {
+  std::uint32_t vertex;
+  LabelId label;
+  bool operator==(const Corner&) const = default;
+};
+
+/// Vertices and triangles are not a triangulation; what() names the first wrong element.
+class TriangulationError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// A geometric triangulation of a closed hyperbolic surface by geodesic triangles, in local coordinates.
+///
+/// A combinatorial map whose triangle corners carry isometries. One vertex, loops, multiple edges and triangles that
+/// share several edges are normal. Copied only by `clone`.
+///
+/// The class has the data, the darts and the predicates; `locate` (walk.h) searches a triangulation. The functions that
+/// change one serve the refinement of nets and are not installed (docs/design.md). Most predicates may add labels to
+/// the atlas, so they are not const.
+class Triangulation {
+ public:
+  /// Cuts the tiles of the surface into triangles; the vertices are the vertex classes of the tiles, exactly. With a
+  /// base point, which is strictly inside a tile, vertex 0 is the base point, the corners of its tile are joined to it,
+  /// and the vertex classes follow. A regular surface without a base point has one vertex, its centre, and Delaunay
+  /// triangles. With another base point, the vertex class of a regular surface is replaced by a point nearer to it than
+  /// 2^-250. Throws SurfaceError for a base point that is not strictly inside its tile, LimitError.
+  explicit Triangulation(const Surface& surface, const std::optional<BasePoint>& base = std::nullopt);
+  Triangulation(Triangulation&&) = default;
+  Triangulation& operator=(Triangulation&&) = default;
+  ~Triangulation() = default;
+  /// A copy.
+  [[nodiscard]] Triangulation clone() const { return *this; }
+  /// Reserves memory for this many vertices and their triangles.
+  void reserve(std::size_t vertices);
+
+  /// The surface that is triangulated.
+  [[nodiscard]] const Surface& surface() const { return atlas_.surface(); }
+  /// Vertices and triangles.
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  /// The charts of the vertices and the labels of the corners.
+  [[nodiscard]] Atlas& atlas() { return atlas_; }
+  /// The charts and labels, read-only.
+  [[nodiscard]] const Atlas& atlas() const { return atlas_; }
+  /// Returns the number of vertices. They are numbered from 0.
+  [[nodiscard]] std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(mesh_.points.size()); }
+  /// Returns the number of triangles. They are numbered from 0.
+  [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(mesh_.triangles.size()); }
+  /// Returns vertex v.
+  [[nodiscard]] Vertex vertex(std::uint32_t v) const {
+    assert(v < vertex_count());
+    return {mesh_.points[v], mesh_.charts[v]};
+  }
+  /// The coordinate of a vertex in its chart.
+  [[nodiscard]] const Complex<double>& point(std::uint32_t v) const {
+    assert(v < vertex_count());
+    return mesh_.points[v];
+  }
+  /// Returns triangle t.
+  [[nodiscard]] const Triangle& triangle(std::uint32_t t) const {
+    assert(t < triangle_count());
+    return mesh_.triangles[t];
+  }
+  /// The chart of a triangle: that of its corner 0.
+  [[nodiscard]] std::uint32_t chart_of(std::uint32_t t) const { return mesh_.charts[triangle(t).vertex[0]]; }
+  /// Corner i of triangle t, lifted to the chart of t.
+  [[nodiscard]] Corner corner(std::uint32_t t, std::uint32_t i) const {
+    assert(i < 3);
+    return {triangle(t).vertex[i], triangle(t).label(i)};
+  }
+
+  /// Returns the opposite dart: the same edge in the other direction, a dart of the adjacent triangle.
+  [[nodiscard]] Dart opposite(Dart d) const { return triangle(triangle_of(d)).opposite[corner_of(d)]; }
+  /// The corner from which d leaves, lifted to the chart of its triangle.
+  [[nodiscard]] Corner corner(Dart d) const { return corner(triangle_of(d), corner_of(d)); }
+  /// The darts that leave the start vertex of d, d first, clockwise.
+  [[nodiscard]] std::vector<Dart> star(Dart d) const;
+  /// Returns the corner with its label replaced by `by` ∘ label.
+  [[nodiscard]] Corner moved(LabelId by, Corner c) { return {c.vertex, atlas_.product(by, c.label)}; }
+  /// Returns the label that puts the two triangles beside d side by side: from the chart of the triangle across d to
+  /// the chart of the triangle of d.
+  [[nodiscard]] LabelId transition(Dart d);
+  /// Returns the label from the chart of the end vertex of d to the chart of its start vertex. It takes the end vertex
+  /// to its lift at the end of d.
+  [[nodiscard]] LabelId label_along(Dart d);
+  /// Returns the label that lifts the triangle of dart e next to an edge whose ends are lifted already. `from` is the
+  /// lift of the end of e, `to` the lift of its start.
+  [[nodiscard]] LabelId lift_across(LabelId from, LabelId to, Dart e) {
+    // One end tells, as it is lifted and as the triangle sees it; best if the triangle sees it as its corner 0.
+    const std::uint32_t j = corner_of(e);
+    if (j == 0) {
+      return to;
+    }
+    const LabelId seen = triangle(triangle_of(e)).label(next(j));
+    return seen == kIdentity ? from : atlas_.product(from, atlas_.inverse(seen));
+  }
+
+  /// A lift in binary64, and a bound of its distance from the true point.
+  struct Lift {
+    Complex<double> z;  ///< In the chart of reference.
+    double error;       ///< Euclidean.
+  };
+  /// Returns a lifted vertex in binary64.
+  [[nodiscard]] Lift lift(Corner c) const {
+    const Complex<double>& z = point(c.vertex);
+    return c.label == kIdentity ? Lift{z, 0} : Lift{atlas_.isometry(c.label)(z), atlas_.error(c.label)};
+  }
+
+  // Predicates on lifted vertices, all corners in the same chart of reference. Staged: binary64, then 256, 1024, 4096
+  // bits; beyond that a tie, 0.
+
+  /// Returns 1 if d is strictly inside the circle through a, b, c (counterclockwise), −1 if strictly outside, 0 for a
+  /// tie.
+  [[nodiscard]] int in_circle(Corner a, Corner b, Corner c, Corner d);
+  /// Returns 1 if c is strictly to the left of the geodesic from a to b, −1 if strictly to the right, 0 for a tie.
+  [[nodiscard]] int orientation(Corner a, Corner b, Corner c);
+  /// Returns whether the edge is locally Delaunay (thesis Theorem I.42). A tie counts as Delaunay.
+  [[nodiscard]] bool is_delaunay(Dart d);
+  /// Returns 1 if the hyperbolic circumradius R of triangle t certainly has sinh²R > s, −1 if certainly sinh²R < s, 0
+  /// for a tie.
+  [[nodiscard]] int compare_circumradius(std::uint32_t t, const Threshold& s) {
+    const Triangle& triangle = mesh_.triangles[t];
+    if (triangle.all_identity()) {
+      const StageSign sign =
+          circumradius_stage_near_origin(mesh_.points[triangle.vertex[0]], mesh_.points[triangle.vertex[1]],
+                                         mesh_.points[triangle.vertex[2]], s.high());
+      if (sign.certain) {
+        return sign.sign;
+      }
+    }
+    return compare_circumradius_staged(t, s);
+  }
+  /// Returns 1 if the hyperbolic distance d of two lifted vertices certainly has sinh²(d/2) > s, −1 if certainly
+  /// sinh²(d/2) < s, 0 for a tie.
+  [[nodiscard]] int compare_distance(Corner a, Corner b, const Threshold& s) {
+    if ((a.label | b.label) == kIdentity) {
+      const StageSign sign = distance_stage_near_origin(point(a.vertex), point(b.vertex), s.high());
+      if (sign.certain) {
+        return sign.sign;
+      }
+    }
+    return compare_distance_staged(a, b, s);
+  }
+  /// Returns the number of predicates so far that binary64 could not decide.
+  [[nodiscard]] std::uint64_t multiprecision_count() const { return multiprecision_; }
+
+ private:
+  friend class Editor;
+
+  /// No vertices and no triangles.
+  explicit Triangulation(Atlas atlas) : atlas_(std::move(atlas)) {}
+  Triangulation(const Triangulation&) = default;
+
+  [[nodiscard]] int compare_circumradius_staged(std::uint32_t t, const Threshold& s);
+  [[nodiscard]] int compare_distance_staged(Corner a, Corner b, const Threshold& s);
+  /// Runs the stages of a predicate on the corners: `stage` takes the lifted points and the bound on their error.
+  template <std::size_t N, class Stage>
+  [[nodiscard]] int staged(const std::array<Corner, N>& corners, const Stage& stage);
+  template <class T, std::size_t N, class Stage>
+  [[nodiscard]] StageSign multiprecision_stage(const std::array<Corner, N>& corners, const Stage& stage);
+
+  Atlas atlas_;
+  Mesh mesh_;
+  std::uint64_t multiprecision_ = 0;
+};
+
+}  // namespace epsnet

@@ -1,0 +1,295 @@
+#include "triangulation/surface/glued_polygons.h"
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace epsnet {
+namespace {
+
+constexpr std::uint32_t kUnset = std::numeric_limits<std::uint32_t>::max();
+constexpr double kTurn = 2 * std::numbers::pi;
+
+std::string decimal(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.10g", value);
+  return text;
+}
+
+/// sinh² of half the distance of p and q, as numerator and denominator.
+struct Fraction {
+  Integer numerator;
+  Integer denominator;
+};
+
+Fraction squared_sinh_of_half(const ScaledPoint& p, const ScaledPoint& q) {
+  return {norm(scaled_difference(p, q)), disk_gap(p) * disk_gap(q)};
+}
+
+double length(const Fraction& fraction) {
+  using std::asinh;
+  using std::sqrt;
+  return static_cast<double>(Mp256(2) * asinh(sqrt(Mp256(fraction.numerator) / Mp256(fraction.denominator))));
+}
+
+/// The argument of a Gaussian integer, in [0, 2π), to within 2⁻⁵⁰. The sign of the imaginary part is exact, so angles
+/// near 0 and near 2π are told apart whatever the size of the numbers.
+double argument(const Complex<Integer>& u) {
+  long x_exponent = 0;
+  long y_exponent = 0;
+  const double x = mpz_get_d_2exp(&x_exponent, u.x.backend().data());
+  const double y = mpz_get_d_2exp(&y_exponent, u.y.backend().data());
+  // Scaled by the larger exponent; what underflows then is far below the error.
+  const long common = u.x == 0 ? y_exponent : u.y == 0 ? x_exponent : std::max(x_exponent, y_exponent);
+  const auto shifted = [common](double mantissa, long exponent) {
+    return std::ldexp(mantissa, static_cast<int>(std::max(exponent - common, -4000L)));
+  };
+  const double positive = std::atan2(std::fabs(shifted(y, y_exponent)), shifted(x, x_exponent));
+  return u.y < 0 ? kTurn - positive : positive;
+}
+
+/// The product, as a balanced tree: quasi-linear in the number of digits. Consumes the factors.
+Complex<Integer> product(std::vector<Complex<Integer>>&& factors) {
+  while (factors.size() > 1) {
+    const std::size_t half = factors.size() / 2;
+    for (std::size_t i = 0; i < half; ++i) factors[i] = factors[2 * i] * factors[2 * i + 1];
+    if (factors.size() % 2 != 0) {
+      factors[half] = std::move(factors.back());
+      factors.resize(half + 1);
+    } else {
+      factors.resize(half);
+    }
+  }
+  return std::move(factors.front());
+}
+
+/// A positive multiple of the direction at p in which q lies, as seen after p was moved to 0 by z ↦ (z−p)/(1−p̄z). 0 if
+/// and only if p = q.
+Complex<Integer> direction(const ScaledPoint& p, const ScaledPoint& q) {
+  const GaussianFraction seen = seen_from(p, q);
+  return seen.n * conj(seen.d);
+}
+
+/// The direction from p to q in the Klein model lies in the upper half of the circle, [0, π).
+bool points_up(const KleinVector& p, const KleinVector& q) {
+  const int y = sign(Integer(q.y * p.t - p.y * q.t));
+  return y != 0 ? y > 0 : q.x * p.t > p.x * q.t;
+}
+
+}  // namespace
+
+GluedPolygons::GluedPolygons(const std::vector<Tile>& tiles, const std::vector<Gluing>& gluing) : tiles_(tiles) {
+  number_sides();
+  pair_sides(gluing);
+  check_connected();
+  number_vertices();
+  const auto euler = static_cast<std::int64_t>(vertex_class_count) - static_cast<std::int64_t>(side_tile.size() / 2) +
+                     static_cast<std::int64_t>(tiles_.size());
+  if (euler == 2) throw SurfaceError("the gluing is a sphere (genus 0); a hyperbolic surface has genus at least 2");
+  if (euler == 0) throw SurfaceError("the gluing is a torus (genus 1); a hyperbolic surface has genus at least 2");
+  genus_ = static_cast<std::uint32_t>((2 - euler) / 2);
+}
+
+std::uint32_t GluedPolygons::next(std::uint32_t side) const {
+  const std::uint32_t tile = side_tile[side];
+  return side + 1 < side_tile.size() && side_tile[side + 1] == tile ? side + 1 : first_side[tile];
+}
+
+std::uint32_t GluedPolygons::previous(std::uint32_t side) const {
+  const std::uint32_t tile = side_tile[side];
+  return side > first_side[tile] ? side - 1 : first_side[tile] + static_cast<std::uint32_t>(tiles_[tile].size()) - 1;
+}
+
+std::string GluedPolygons::tile_name(std::uint32_t tile) const {
+  return tiles_.size() == 1 ? "the polygon" : "tile " + std::to_string(tile);
+}
+
+std::string GluedPolygons::name(const char* element, std::uint32_t side) const {
+  const std::uint32_t tile = side_tile[side];
+  const std::string own = element + (" " + std::to_string(side - first_side[tile]));
+  return tiles_.size() == 1 ? own : "tile " + std::to_string(tile) + ", " + own;
+}
+
+void GluedPolygons::number_sides() {
+  if (tiles_.empty()) throw SurfaceError("there is no tile");
+  for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
+    if (tiles_[t].size() < 3) {
+      throw SurfaceError(tile_name(t) + " has " + std::to_string(tiles_[t].size()) + " vertices, expected at least 3");
+    }
+    // Darts and words number sides with 32 bits; one value stands for "none".
+    if (tiles_[t].size() >= kUnset - side_tile.size()) throw SurfaceError("there are more than 2^32 - 2 sides");
+    first_side.push_back(static_cast<std::uint32_t>(side_tile.size()));
+    side_tile.insert(side_tile.end(), tiles_[t].size(), t);
+  }
+}
+
+void GluedPolygons::pair_sides(const std::vector<Gluing>& gluing) {
+  partner.assign(side_tile.size(), kUnset);
+  const auto number = [&](std::uint32_t tile, std::uint32_t side, std::size_t pair) {
+    if (tile >= tiles_.size()) {
+      throw SurfaceError("pair " + std::to_string(pair) + " of the gluing names tile " + std::to_string(tile) +
+                         ", but there are only " + std::to_string(tiles_.size()));
+    }
+    if (side >= tiles_[tile].size()) {
+      throw SurfaceError("pair " + std::to_string(pair) + " of the gluing names side " + std::to_string(side) + " of " +
+                         tile_name(tile) + ", which has only " + std::to_string(tiles_[tile].size()) + " sides");
+    }
+    return first_side[tile] + side;
+  };
+  for (std::size_t i = 0; i < gluing.size(); ++i) {
+    const std::uint32_t s = number(gluing[i].tile, gluing[i].side, i);
+    const std::uint32_t other = number(gluing[i].other_tile, gluing[i].other_side, i);
+    if (s == other) throw SurfaceError(name("side", s) + " is paired with itself");
+    for (const std::uint32_t used : {s, other}) {
+      if (partner[used] != kUnset) throw SurfaceError(name("side", used) + " occurs twice in the gluing");
+    }
+    partner[s] = other;
+    partner[other] = s;
+  }
+  for (std::uint32_t s = 0; s < partner.size(); ++s) {
+    if (partner[s] == kUnset) throw SurfaceError(name("side", s) + " is not paired with any side");
+  }
+}
+
+void GluedPolygons::check_connected() const {
+  std::vector<bool> reached(tiles_.size());
+  std::vector<std::uint32_t> pending{0};
+  reached[0] = true;
+  while (!pending.empty()) {
+    const std::uint32_t tile = pending.back();
+    pending.pop_back();
+    for (std::uint32_t k = 0; k < tiles_[tile].size(); ++k) {
+      const std::uint32_t neighbour = side_tile[partner[first_side[tile] + k]];
+      if (reached[neighbour]) continue;
+      reached[neighbour] = true;
+      pending.push_back(neighbour);
+    }
+  }
+  for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
+    if (!reached[t]) {
+      throw SurfaceError("the surface is not connected: no path of glued sides leads from tile 0 to " + tile_name(t));
+    }
+  }
+}
+
+void GluedPolygons::number_vertices() {
+  vertex_class.assign(side_tile.size(), kUnset);
+  for (std::uint32_t first = 0; first < vertex_class.size(); ++first) {
+    if (vertex_class[first] != kUnset) continue;
+    // Side s starts at the vertex; across it the vertex is where the partner ends, which is where the next side starts.
+    for (std::uint32_t s = first; vertex_class[s] == kUnset; s = next(partner[s])) vertex_class[s] = vertex_class_count;
+    ++vertex_class_count;
+  }
+}
+
+void GluedPolygons::check_vertices() {
+  point_.reserve(side_tile.size());
+  klein_.reserve(side_tile.size());
+  for (const Tile& tile : tiles_) {
+    for (const Complex<Rational>& vertex : tile) {
+      point_.push_back(scaled(vertex));
+      if (disk_gap(point_.back()) > 0) {
+        klein_.push_back(klein(point_.back()));
+        continue;
+      }
+      const auto corner = static_cast<std::uint32_t>(point_.size() - 1);
+      const double modulus = static_cast<double>(sqrt(Mp256(norm(vertex))));
+      throw SurfaceError(name("vertex", corner) + (norm(vertex) == 1 ? " lies on" : " lies outside of") +
+                         " the unit circle, expected |z| < 1" +
+                         (modulus > 1 ? ", found |z| = " + decimal(modulus) : std::string()));
+    }
+  }
+  corner_.reserve(side_tile.size());
+  for (std::uint32_t s = 0; s < side_tile.size(); ++s) {
+    const Complex<Integer> forward = direction(point_[s], point_[next(s)]);
+    if (forward == Complex<Integer>{0, 0}) {
+      throw SurfaceError(name("side", s) + " has length 0: its two vertices are the same point");
+    }
+    corner_.push_back(direction(point_[s], point_[previous(s)]) * conj(forward));
+  }
+}
+
+double GluedPolygons::angle(std::uint32_t corner) const { return argument(corner_[corner]); }
+
+bool GluedPolygons::clockwise(std::uint32_t tile) const {
+  // At the leftmost vertex a simple polygon turns the way it goes around.
+  std::uint32_t extreme = first_side[tile];
+  for (std::uint32_t k = 1; k < tiles_[tile].size(); ++k) {
+    if (lexicographically_less(klein_[first_side[tile] + k], klein_[extreme])) extreme = first_side[tile] + k;
+  }
+  return corner_[extreme].y < 0;
+}
+
+std::optional<std::string> GluedPolygons::convexity_problem() const {
+  for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
+    const auto size = static_cast<std::uint32_t>(tiles_[t].size());
+    if (clockwise(t)) return tile_name(t) + " is clockwise: the vertices must be listed counterclockwise";
+    std::uint32_t windings = 0;
+    for (std::uint32_t s = first_side[t]; s < first_side[t] + size; ++s) {
+      if (!strictly_convex(s)) {
+        return tile_name(t) + " is not strictly convex at its vertex " + std::to_string(s - first_side[t]) +
+               " (interior angle " + decimal(angle(s)) + ")";
+      }
+      // With left turns only, the direction of the sides turns through the half circle [0, π) once per winding.
+      const std::uint32_t n = next(s);
+      windings += points_up(klein_[s], klein_[n]) && !points_up(klein_[n], klein_[next(n)]) ? 1 : 0;
+    }
+    if (windings != 1) {
+      return tile_name(t) + " intersects itself: it winds around " + std::to_string(windings) + " times";
+    }
+  }
+  return std::nullopt;
+}
+
+void GluedPolygons::check_convex() const {
+  if (const auto problem = convexity_problem()) throw SurfaceError(*problem);
+}
+
+void GluedPolygons::check_lengths() const {
+  for (std::uint32_t s = 0; s < partner.size(); ++s) {
+    const std::uint32_t other = partner[s];
+    if (other < s) continue;
+    const Fraction own = squared_sinh_of_half(point_[s], point_[next(s)]);
+    const Fraction glued = squared_sinh_of_half(point_[other], point_[next(other)]);
+    if (own.numerator * glued.denominator == glued.numerator * own.denominator) continue;
+    const std::string first = decimal(length(own));
+    const std::string second = decimal(length(glued));
+    std::string message = name("side", s) + " (length " + first + ") and ";
+    message += name("side", other) + " (length " + second + ") are paired but differ";
+    if (first == second) message += " in later digits";
+    throw SurfaceError(message);
+  }
+}
+
+void GluedPolygons::check_angles() const {
+  std::vector<bool> visited(side_tile.size());
+  std::vector<Complex<Integer>> factors;
+  for (std::uint32_t first = 0; first < visited.size(); ++first) {
+    if (visited[first]) continue;
+    factors.clear();
+    double sum = 0;
+    for (std::uint32_t s = first; !visited[s]; s = next(partner[s])) {
+      visited[s] = true;
+      factors.push_back(corner_[s]);
+      sum += angle(s);
+    }
+    const std::string place = "the " + std::to_string(factors.size()) + " angles around " + name("vertex", first);
+    const Complex<Integer> whole = product(std::move(factors));
+    // Near 2π the computed sum of less than 2³² angles is within 2⁻¹⁶ of the true one, far less than the half turn that
+    // separates multiples of 2π.
+    const double turns = std::round(sum / kTurn);
+    if (whole.y != 0 || whole.x < 0) {
+      const double rest = whole.y < 0 ? -argument(conj(whole)) : argument(whole);
+      throw SurfaceError(place + " add up to " + decimal(turns * kTurn + rest) + ", not to 2*pi = 6.283185307" +
+                         (turns == 1 ? " (off by " + decimal(rest) + ")" : std::string()));
+    }
+    if (turns != 1) {
+      throw SurfaceError(place + " add up to " + decimal(turns) +
+                         " full turns, expected one: the surface has a cone point there");
+    }
+  }
+}
+
+}  // namespace epsnet

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "triangulation/surface/exact_points.h"
+#include "triangulation/surface/surface.h"
+
+/// The exact conditions of Poincaré's polygon theorem, for polygons that need not be convex: what `Surface` and the
+/// import of polygons share.
+namespace epsnet {
+
+/// Polygons glued side to side, being checked. Every member throws SurfaceError, which names the first element that
+/// fails.
+///
+/// Sides and corners are numbered like in `Surface`. The combinatorics are checked by the constructor; the other
+/// conditions one by one, so that convex and non-convex polygons can be told apart in between.
+class GluedPolygons {
+ public:
+  /// Every polygon has at least 3 vertices, every side is glued once and not to itself, the surface is connected and of
+  /// genus ≥ 2. O(sides). Keeps a reference to the tiles.
+  GluedPolygons(const std::vector<Tile>& tiles, const std::vector<Gluing>& gluing);
+  GluedPolygons(std::vector<Tile>&&, const std::vector<Gluing>&) = delete;
+
+  /// All vertices lie in the open unit disk and successive ones differ. Needed by everything below.
+  void check_vertices();
+  /// All polygons are strictly convex and counterclockwise.
+  void check_convex() const;
+  /// What is wrong with the first polygon that is not strictly convex and counterclockwise; nullopt if all are.
+  [[nodiscard]] std::optional<std::string> convexity_problem() const;
+  /// Glued sides have equal lengths.
+  void check_lengths() const;
+  /// The interior angles around every vertex of the surface add up to 2π. Requires simple, counterclockwise polygons.
+  ///
+  /// The conditions "the crossings around a vertex multiply to the identity" and "the angles add up to 2π" are nearly
+  /// one: the product fixes the vertex by construction, so it is the rotation by the sum of the angles. Each angle is
+  /// the argument of a Gaussian integer; their product is a positive number if and only if the sum is a multiple of 2π,
+  /// exactly; which multiple, doubles tell. Quasi-linear in the number of digits.
+  void check_angles() const;
+
+  /// The polygon goes clockwise. Exact for simple polygons.
+  [[nodiscard]] bool clockwise(std::uint32_t tile) const;
+
+  [[nodiscard]] const std::vector<ScaledPoint>& points() const { return point_; }
+  [[nodiscard]] const std::vector<KleinVector>& klein_points() const { return klein_; }
+  [[nodiscard]] std::uint32_t genus() const { return genus_; }
+  [[nodiscard]] std::uint32_t next(std::uint32_t side) const;
+  [[nodiscard]] std::uint32_t previous(std::uint32_t side) const;
+
+  // Handed over to Surface.
+  std::vector<std::uint32_t> first_side;
+  std::vector<std::uint32_t> side_tile;
+  std::vector<std::uint32_t> partner;
+  std::vector<std::uint32_t> vertex_class;
+  std::uint32_t vertex_class_count = 0;
+
+ private:
+  void number_sides();
+  void pair_sides(const std::vector<Gluing>& gluing);
+  void check_connected() const;
+  void number_vertices();
+  /// "side 3", or "tile 2, side 3" where there are several tiles.
+  [[nodiscard]] std::string name(const char* element, std::uint32_t side) const;
+  [[nodiscard]] std::string tile_name(std::uint32_t tile) const;
+  /// True if the corner turns left; false for straight and reflex ones.
+  [[nodiscard]] bool strictly_convex(std::uint32_t corner) const { return corner_[corner].y > 0; }
+  /// The interior angle, in (0, 2π), to within 2⁻⁵⁰.
+  [[nodiscard]] double angle(std::uint32_t corner) const;
+
+  const std::vector<Tile>& tiles_;
+  std::uint32_t genus_ = 0;
+  std::vector<ScaledPoint> point_;
+  std::vector<KleinVector> klein_;
+  /// The interior angle at a corner is the argument of this Gaussian integer.
+  std::vector<Complex<Integer>> corner_;
+};
+
+}  // namespace epsnet
