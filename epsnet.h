@@ -2,23 +2,23 @@
 
 /// The public interface of epsnet: surfaces, nets, certificates, closed geodesics, pictures, files.
 ///
-/// A program that only checks files includes certify/claim_check.h and certify/file/reader.h, and links the library
+/// A program that only checks files includes certify/check.h and certify/file/reader.h, and links the library
 /// `epsnet_certify` alone.
 
+#include "certify/base/decimals.h"
+#include "certify/base/interval.h"
 #include "certify/check.h"
-#include "certify/claim_check.h"
-#include "certify/distances/cover_check.h"
-#include "certify/distances/distance_check.h"
-#include "certify/document/cover_document.h"
-#include "certify/document/decimals.h"
-#include "certify/document/distance_document.h"
-#include "certify/document/document.h"
-#include "certify/document/geodesics_document.h"
-#include "certify/document/interval.h"
-#include "certify/document/report.h"
+#include "certify/claims/bound/check.h"
+#include "certify/claims/bound/document.h"
+#include "certify/claims/distance/check.h"
+#include "certify/claims/distance/document.h"
+#include "certify/claims/geodesics/check.h"
+#include "certify/claims/geodesics/document.h"
+#include "certify/claims/net/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "certify/geodesics/geodesics_check.h"
+#include "certify/net/document.h"
+#include "certify/verdict/report.h"
 #include "kernel/complex.h"
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"

@@ -1,27 +1,26 @@
 #include "certify/check.h"
 
-#include "certify/check/verification.h"
-#include "certify/document/least_bytes.h"
-#include "certify/document/structure_check.h"
+#include <variant>
+
+#include "certify/claims/bound/check.h"
+#include "certify/claims/distance/check.h"
+#include "certify/claims/geodesics/check.h"
+#include "certify/claims/net/check.h"
 
 namespace epsnet::certify {
-namespace {
 
-NetClaim claim_of(const NetDocument& document) {
-  const char* const text =
-      document.collars ? "a pseudo epsilon-net: an epsilon-net of the epsilon-thick part" : "an epsilon-net";
-  return {document, text, rules_of(document), {}};
+Certificate check_claim(const ClaimDocument& document, const CheckOptions& options) {
+  if (const auto* geodesics = std::get_if<GeodesicsDocument>(&document)) return check_geodesics(*geodesics, options);
+  if (const auto* distance = std::get_if<DistanceDocument>(&document)) return check_distance(*distance, options);
+  if (const auto* cover = std::get_if<CoverDocument>(&document)) return check_cover(*cover, options);
+  return check(std::get<NetDocument>(document), options);
 }
 
-}  // namespace
-
-RuleNames rules_of(const NetDocument& document) {
-  if (!document.collars) return {"surface", "map", "gluing", "orientation", "delaunay", "covering", "packing"};
-  return {"surface", "map", "gluing", "collars", "orientation", "delaunay", "covering", "packing", "thick"};
-}
-
-Certificate check(const NetDocument& document, const CheckOptions& options) {
-  return verify(document, options, claim_of);
+const NetDocument& net_of(const ClaimDocument& document) {
+  if (const auto* geodesics = std::get_if<GeodesicsDocument>(&document)) return geodesics->net;
+  if (const auto* distance = std::get_if<DistanceDocument>(&document)) return distance->net;
+  if (const auto* cover = std::get_if<CoverDocument>(&document)) return cover->net;
+  return std::get<NetDocument>(document);
 }
 
 }  // namespace epsnet::certify

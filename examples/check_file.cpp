@@ -12,7 +12,7 @@
 //   packing: VERIFIED
 //   VERIFIED: an epsilon-net
 
-#include <epsnet/certify/claim_check.h>
+#include <epsnet/certify/check.h>
 #include <epsnet/certify/file/reader.h>
 #include <exception>
 #include <iostream>

@@ -13,9 +13,9 @@
 #include <thread>
 #include <vector>
 
-#include "certify/check.h"
-#include "certify/document/decimals.h"
-#include "certify/geodesics/geodesics_check.h"
+#include "certify/base/decimals.h"
+#include "certify/claims/geodesics/check.h"
+#include "certify/claims/net/check.h"
 #include "certify/numbers/parallel.h"
 #include "experiments/record_file.h"
 #include "netgen/base/atomic_file.h"

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "certify/surface_check.h"
+#include "certify/net/surface_check.h"
 #include "netgen/exchange/domain_format.h"
 #include "netgen/surfaces/surface_file.h"
 

@@ -5,7 +5,7 @@
 
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "certify/surface_check.h"
+#include "certify/net/surface_check.h"
 #include "netgen/surfaces/surface_file.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "certify/surface_check.h"
+#include "certify/net/surface_check.h"
 #include "netgen/exchange/triangulation_stream.h"
 #include "netgen/surfaces/surface_file.h"
 

@@ -3,8 +3,8 @@
 #include <functional>
 #include <string_view>
 
-#include "certify/document/document.h"
 #include "certify/file/pieces.h"
+#include "certify/net/document.h"
 
 /// Compact net files: what a net file says of its surface as JSON, and the vertices and triangles as arrays
 /// (docs/format.md, "Compact net file").

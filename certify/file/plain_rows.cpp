@@ -5,7 +5,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "certify/document/text.h"
+#include "certify/base/text.h"
 
 namespace epsnet::certify {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "certify/document/document.h"
 #include "certify/file/pieces.h"
+#include "certify/net/document.h"
 
 namespace epsnet::certify {
 

@@ -13,14 +13,14 @@
 #include <system_error>
 #include <unistd.h>
 
-#include "certify/document/binary64.h"
-#include "certify/document/cover_structure.h"
-#include "certify/document/distance_structure.h"
-#include "certify/document/geodesics_structure.h"
-#include "certify/document/structure_check.h"
-#include "certify/document/text.h"
+#include "certify/base/binary64.h"
+#include "certify/base/text.h"
+#include "certify/claims/bound/structure.h"
+#include "certify/claims/distance/structure.h"
+#include "certify/claims/geodesics/structure.h"
 #include "certify/file/compact.h"
 #include "certify/file/plain_rows.h"
+#include "certify/net/structure.h"
 
 namespace epsnet::certify {
 namespace {

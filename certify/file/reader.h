@@ -9,10 +9,10 @@
 #include <string_view>
 #include <variant>
 
-#include "certify/document/cover_document.h"
-#include "certify/document/distance_document.h"
-#include "certify/document/document.h"
-#include "certify/document/geodesics_document.h"
+#include "certify/claims/bound/document.h"
+#include "certify/claims/distance/document.h"
+#include "certify/claims/geodesics/document.h"
+#include "certify/net/document.h"
 
 /// The strict reader of net, surface, geodesics, distance and cover files, version 1. docs/format.md is the
 /// specification.

@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "certify/document/darts.h"
 #include "certify/file/compact.h"
+#include "certify/net/darts.h"
 
 namespace epsnet::certify {
 namespace {

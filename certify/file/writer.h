@@ -2,10 +2,10 @@
 
 #include <iosfwd>
 
-#include "certify/document/cover_document.h"
-#include "certify/document/distance_document.h"
-#include "certify/document/document.h"
-#include "certify/document/geodesics_document.h"
+#include "certify/claims/bound/document.h"
+#include "certify/claims/distance/document.h"
+#include "certify/claims/geodesics/document.h"
+#include "certify/net/document.h"
 
 /// Writes the files of docs/format.md. The writer is not trusted: the checker reads its output with reader.h.
 ///

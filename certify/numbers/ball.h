@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-#include "certify/document/interval.h"
+#include "certify/base/interval.h"
 #include "certify/numbers/rounding.h"
 
 /// Owners of Arb's real and complex balls, and comparisons that cannot be misread.

@@ -13,8 +13,8 @@
 #include <utility>
 #include <variant>
 
-#include "certify/claim_check.h"
-#include "certify/document/fault.h"
+#include "certify/base/fault.h"
+#include "certify/check.h"
 #include "certify/file/compact.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "certify/document/text.h"
+#include "certify/base/text.h"
 #include "certify/program/output.h"
 #include "certify/program/second_checker.h"
 

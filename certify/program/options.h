@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "certify/document/report.h"
+#include "certify/verdict/report.h"
 
 namespace epsnet::certify::program {
 

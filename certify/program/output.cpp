@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "certify/document/decimals.h"
-#include "certify/document/text.h"
+#include "certify/base/decimals.h"
+#include "certify/base/text.h"
 
 namespace epsnet::certify::program {
 namespace {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "certify/document/report.h"
 #include "certify/program/second_checker.h"
+#include "certify/verdict/report.h"
 
 /// What the program says of a file, in words and in JSON.
 namespace epsnet::certify::program {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "certify/document/text.h"
+#include "certify/base/text.h"
 
 namespace epsnet::certify::program {
 namespace {

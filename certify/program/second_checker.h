@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "certify/document/report.h"
 #include "certify/exact/checker.h"
+#include "certify/verdict/report.h"
 
 /// The second checker's part: certify-exact's function, asked about the same bytes as the first one.
 namespace epsnet::certify::program {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "certify/document/document.h"
-#include "certify/document/text.h"
+#include "certify/base/text.h"
+#include "certify/net/document.h"
 #include "kernel/complex.h"
 #include "kernel/numbers.h"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "certify/document/decimals.h"
+#include "certify/base/decimals.h"
 
 namespace epsnet {
 namespace {

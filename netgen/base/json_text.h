@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "certify/document/interval.h"
+#include "certify/base/interval.h"
 
 /// JSON with bounds: numbers that nlohmann::json would round to nearest are binary values, which hold their decimals.
 namespace epsnet {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "certify/document/cover_document.h"
+#include "certify/claims/bound/document.h"
 #include "netgen/base/progress.h"
 #include "triangulation/surface/base_point.h"
 #include "triangulation/surface/surface.h"

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "certify/document/darts.h"
-#include "certify/document/decimals.h"
+#include "certify/base/decimals.h"
+#include "certify/net/darts.h"
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"

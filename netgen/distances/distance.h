@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "certify/document/distance_document.h"
+#include "certify/claims/distance/document.h"
 #include "triangulation/surface/base_point.h"
 #include "triangulation/surface/surface.h"
 

@@ -2,8 +2,8 @@
 #include <ostream>
 #include <string>
 
-#include "certify/document/decimals.h"
-#include "certify/document/text.h"
+#include "certify/base/decimals.h"
+#include "certify/base/text.h"
 #include "netgen/distances/vertex_distances.h"
 
 namespace epsnet {

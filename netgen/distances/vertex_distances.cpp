@@ -15,8 +15,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "certify/document/darts.h"
-#include "certify/document/structure_check.h"
+#include "certify/net/darts.h"
+#include "certify/net/structure.h"
 #include "certify/numbers/parallel.h"
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"

@@ -4,8 +4,8 @@
 #include <iosfwd>
 #include <vector>
 
-#include "certify/document/document.h"
-#include "certify/document/interval.h"
+#include "certify/base/interval.h"
+#include "certify/net/document.h"
 #include "netgen/base/progress.h"
 
 /// Distances between the vertices of a net, one to many and many to many. docs/distances.md, "One to many", says how.

@@ -2,7 +2,7 @@
 #include <queue>
 #include <utility>
 
-#include "certify/document/text.h"
+#include "certify/base/text.h"
 #include "kernel/plane.h"
 #include "netgen/exchange/anchor_search.h"
 #include "netgen/exchange/gaussian_fraction.h"

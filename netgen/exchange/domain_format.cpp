@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/document/text.h"
+#include "certify/base/text.h"
 #include "netgen/exchange/ear_clipping.h"
 #include "netgen/exchange/token_reader.h"
 #include "triangulation/surface/glued_polygons.h"

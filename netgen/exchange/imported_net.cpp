@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/document/darts.h"
+#include "certify/net/darts.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/surfaces/surface_file.h"
 #include "triangulation/surface/atlas.h"

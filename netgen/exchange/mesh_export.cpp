@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "certify/document/darts.h"
-#include "certify/document/text.h"
+#include "certify/base/text.h"
+#include "certify/net/darts.h"
 #include "kernel/plane.h"
 #include "netgen/base/disjoint_sets.h"
 #include "netgen/exchange/exchange.h"

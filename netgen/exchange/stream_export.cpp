@@ -3,8 +3,8 @@
 #include <string>
 #include <unordered_map>
 
-#include "certify/document/darts.h"
-#include "certify/document/structure_check.h"
+#include "certify/net/darts.h"
+#include "certify/net/structure.h"
 #include "netgen/base/gmp.h"
 #include "netgen/exchange/gaussian_fraction.h"
 #include "netgen/exchange/triangulation_stream.h"

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "certify/document/text.h"
+#include "certify/base/text.h"
 #include "kernel/numbers.h"
 #include "netgen/base/gmp.h"
 #include "netgen/exchange/exchange.h"

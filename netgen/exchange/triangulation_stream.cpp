@@ -4,7 +4,7 @@
 #include <charconv>
 #include <ostream>
 
-#include "certify/document/text.h"
+#include "certify/base/text.h"
 #include "netgen/exchange/token_reader.h"
 
 namespace epsnet {

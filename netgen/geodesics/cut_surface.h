@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "certify/document/geodesics_document.h"
+#include "certify/claims/geodesics/document.h"
 #include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "certify/document/geodesics_document.h"
+#include "certify/claims/geodesics/document.h"
 #include "netgen/base/length.h"
 #include "netgen/base/progress.h"
 #include "triangulation/surface/surface.h"

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <sstream>
 
-#include "certify/document/surface_sides.h"
-#include "certify/document/text.h"
+#include "certify/base/text.h"
+#include "certify/net/surface_sides.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
 #include "netgen/lifts/net_geometry.h"

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "certify/document/document.h"
+#include "certify/net/document.h"
 #include "netgen/base/json_text.h"
 #include "netgen/nets/dirichlet_polygon.h"
 #include "triangulation/surface/surface.h"

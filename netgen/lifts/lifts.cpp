@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "certify/document/darts.h"
+#include "certify/net/darts.h"
 
 namespace epsnet {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "certify/document/document.h"
+#include "certify/net/document.h"
 #include "triangulation/mesh/triangulation.h"
 #include "triangulation/surface/base_point.h"
 

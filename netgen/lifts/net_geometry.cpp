@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "certify/document/darts.h"
-#include "certify/document/structure_check.h"
-#include "certify/document/surface_sides.h"
-#include "certify/document/text.h"
+#include "certify/base/text.h"
+#include "certify/net/darts.h"
+#include "certify/net/structure.h"
+#include "certify/net/surface_sides.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
 #include "triangulation/surface/surface.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/document/document.h"
+#include "certify/net/document.h"
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
 #include "netgen/lifts/layout.h"
@@ -90,7 +90,7 @@ class NetGeometry {
   /// corner.
   [[nodiscard]] double edge_length(std::uint32_t dart) const;
 
-  /// The sides of the tiles (certify/document/surface_sides.h).
+  /// The sides of the tiles (certify/net/surface_sides.h).
   [[nodiscard]] const certify::SurfaceSides& sides() const { return *sides_; }
   /// Returns the genus of the surface, from V − E + F = 2 − 2g for its tiles; 0 if that gives no genus.
   [[nodiscard]] std::uint32_t genus() const { return genus_; }

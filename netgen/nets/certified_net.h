@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "certify/document/document.h"
-#include "certify/document/report.h"
+#include "certify/net/document.h"
+#include "certify/verdict/report.h"
 #include "netgen/base/length.h"
 #include "netgen/nets/net_document.h"
 #include "netgen/nets/net_options.h"

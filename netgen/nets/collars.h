@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "certify/document/document.h"
+#include "certify/net/document.h"
 #include "kernel/lorentz.h"
 #include "kernel/numbers.h"
 #include "netgen/base/length.h"

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "certify/check.h"
-#include "certify/document/text.h"
+#include "certify/base/text.h"
+#include "certify/claims/net/check.h"
 #include "kernel/plane.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/start.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "certify/document/document.h"
+#include "certify/net/document.h"
 #include "triangulation/mesh/triangulation.h"
 #include "triangulation/surface/error.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "certify/document/document.h"
+#include "certify/net/document.h"
 #include "netgen/base/length.h"
 #include "triangulation/mesh/dart.h"
 #include "triangulation/mesh/triangulation.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/document/report.h"
+#include "certify/verdict/report.h"
 #include "netgen/base/length.h"
 #include "netgen/base/progress.h"
 #include "triangulation/mesh/walk.h"

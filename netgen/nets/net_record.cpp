@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/document/decimals.h"
+#include "certify/base/decimals.h"
 #include "netgen/nets/bounds.h"
 
 namespace epsnet {

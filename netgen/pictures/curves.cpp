@@ -10,9 +10,9 @@
 #include <tuple>
 #include <utility>
 
-#include "certify/document/darts.h"
-#include "certify/document/surface_sides.h"
-#include "certify/document/text.h"
+#include "certify/base/text.h"
+#include "certify/net/darts.h"
+#include "certify/net/surface_sides.h"
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "certify/document/darts.h"
+#include "certify/net/darts.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/pictures/dirichlet.h"

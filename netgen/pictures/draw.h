@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "certify/document/distance_document.h"
-#include "certify/document/document.h"
-#include "certify/document/geodesics_document.h"
+#include "certify/claims/distance/document.h"
+#include "certify/claims/geodesics/document.h"
+#include "certify/net/document.h"
 #include "kernel/complex.h"
 #include "netgen/lifts/layout.h"
 

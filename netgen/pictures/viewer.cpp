@@ -8,9 +8,9 @@
 #include <string_view>
 #include <utility>
 
-#include "certify/document/darts.h"
-#include "certify/document/decimals.h"
-#include "certify/document/text.h"
+#include "certify/base/decimals.h"
+#include "certify/base/text.h"
+#include "certify/net/darts.h"
 #include "kernel/numbers.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/pictures/curves.h"

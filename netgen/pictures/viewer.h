@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "certify/document/document.h"
-#include "certify/document/report.h"
+#include "certify/net/document.h"
+#include "certify/verdict/report.h"
 #include "netgen/pictures/draw.h"
 
 /// An HTML page that shows a net and lets the reader travel in it.

@@ -3,7 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "certify/distances/cover_check.h"
+#include "certify/claims/bound/check.h"
+#include "certify/claims/net/check.h"
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/distances/cover.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "certify/distances/distance_check.h"
-#include "certify/document/decimals.h"
+#include "certify/base/decimals.h"
+#include "certify/claims/distance/check.h"
 #include "certify/file/writer.h"
 #include "netgen/base/gmp.h"
 #include "netgen/distances/distance.h"

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "certify/check.h"
-#include "certify/document/decimals.h"
+#include "certify/base/decimals.h"
+#include "certify/claims/net/check.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/distances/vertex_distances.h"
 #include "netgen/lifts/layout.h"

@@ -5,9 +5,9 @@
 #include <sstream>
 #include <string>
 
-#include "certify/check.h"
+#include "certify/claims/geodesics/check.h"
+#include "certify/claims/net/check.h"
 #include "certify/file/writer.h"
-#include "certify/geodesics/geodesics_check.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/program/commands.h"

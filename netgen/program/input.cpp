@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "certify/document/text.h"
+#include "certify/base/text.h"
 #include "certify/file/compact.h"
 #include "certify/file/reader.h"
 #include "netgen/exchange/triangulation_stream.h"

@@ -5,10 +5,10 @@
 #include <variant>
 #include <vector>
 
-#include "certify/document/cover_document.h"
-#include "certify/document/distance_document.h"
-#include "certify/document/document.h"
-#include "certify/document/geodesics_document.h"
+#include "certify/claims/bound/document.h"
+#include "certify/claims/distance/document.h"
+#include "certify/claims/geodesics/document.h"
+#include "certify/net/document.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/nets/dirichlet_polygon.h"
 #include "triangulation/surface/surface.h"

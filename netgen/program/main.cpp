@@ -12,7 +12,7 @@
 #include <sys/sysinfo.h>
 #include <unistd.h>
 
-#include "certify/document/fault.h"
+#include "certify/base/fault.h"
 #include "certify/file/reader.h"
 #include "netgen/base/atomic_file.h"
 #include "netgen/program/commands.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/document/document.h"
+#include "certify/net/document.h"
 #include "certify/numbers/ball.h"
 #include "netgen/base/atomic_file.h"
 #include "netgen/base/json_text.h"

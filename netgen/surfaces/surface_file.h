@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "certify/document/document.h"
+#include "certify/net/document.h"
 #include "netgen/base/write_error.h"
 #include "triangulation/surface/surface.h"
 

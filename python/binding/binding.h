@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "certify/document/document.h"
-#include "certify/document/interval.h"
+#include "certify/base/interval.h"
+#include "certify/net/document.h"
 #include "kernel/complex.h"
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"

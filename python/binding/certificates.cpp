@@ -1,5 +1,5 @@
-#include "certify/document/decimals.h"
-#include "certify/document/report.h"
+#include "certify/base/decimals.h"
+#include "certify/verdict/report.h"
 #include "python/binding/binding.h"
 
 namespace epsnet::python {

@@ -1,5 +1,5 @@
-#include "certify/distances/cover_check.h"
-#include "certify/distances/distance_check.h"
+#include "certify/claims/bound/check.h"
+#include "certify/claims/distance/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "netgen/distances/cover.h"

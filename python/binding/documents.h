@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "certify/document/document.h"
-#include "certify/document/report.h"
+#include "certify/net/document.h"
+#include "certify/verdict/report.h"
 #include "netgen/base/atomic_file.h"
 #include "netgen/pictures/draw.h"
 #include "python/binding/binding.h"

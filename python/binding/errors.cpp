@@ -1,6 +1,6 @@
 #include <stdexcept>
 
-#include "certify/document/fault.h"
+#include "certify/base/fault.h"
 #include "certify/file/reader.h"
 #include "netgen/base/write_error.h"
 #include "netgen/exchange/exchange.h"

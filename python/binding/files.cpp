@@ -1,6 +1,6 @@
 #include <variant>
 
-#include "certify/claim_check.h"
+#include "certify/check.h"
 #include "certify/file/reader.h"
 #include "netgen/base/length.h"
 #include "python/binding/documents.h"

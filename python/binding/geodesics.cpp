@@ -1,8 +1,8 @@
 #include "netgen/geodesics/geodesics.h"
 
+#include "certify/claims/geodesics/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "certify/geodesics/geodesics_check.h"
 #include "python/binding/documents.h"
 #include "python/binding/nets.h"
 

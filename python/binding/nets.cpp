@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "certify/check.h"
+#include "certify/claims/net/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "netgen/distances/distance.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "certify/document/document.h"
+#include "certify/net/document.h"
 #include "python/binding/documents.h"
 
 namespace epsnet::python {

@@ -1,4 +1,4 @@
-#include "certify/document/binary64.h"
+#include "certify/base/binary64.h"
 
 #include <cfenv>
 #include <filesystem>
@@ -13,9 +13,9 @@
 #include <xmmintrin.h>
 #endif
 
-#include "certify/claim_check.h"
+#include "certify/check.h"
 #include "certify/file/reader.h"
-#include "certify/filter.h"
+#include "certify/net/filter.h"
 
 /// However the caller's floating-point environment is set, files are read and checked as in the default one.
 namespace epsnet::certify {

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "certify/check.h"
-#include "certify/document/least_bytes.h"
+#include "certify/claims/geodesics/check.h"
+#include "certify/claims/least_bytes.h"
+#include "certify/claims/net/check.h"
 #include "certify/file/reader.h"
-#include "certify/geodesics/geodesics_check.h"
 
 /// The work that a file may take: counted, the same for any number of threads, and never exceeded.
 namespace epsnet::certify {

@@ -1,9 +1,9 @@
-#include "certify/geodesics/candidate_judge.h"
+#include "certify/claims/geodesics/candidate_judge.h"
 
 #include <gtest/gtest.h>
 
-#include "certify/document/surface_sides.h"
-#include "certify/geodesics/completeness_check.h"
+#include "certify/claims/geodesics/completeness_check.h"
+#include "certify/net/surface_sides.h"
 #include "tests/certify/lifted_reference.h"
 
 /// What is said of single elements, however well they are known: what is true of them, or nothing.

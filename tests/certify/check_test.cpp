@@ -1,4 +1,4 @@
-#include "certify/check.h"
+#include "certify/claims/net/check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <map>
 #include <random>
 
-#include "certify/document/darts.h"
-#include "certify/document/text.h"
+#include "certify/base/text.h"
 #include "certify/file/reader.h"
+#include "certify/net/darts.h"
 
 namespace epsnet::certify {
 namespace {

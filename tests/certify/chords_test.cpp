@@ -1,10 +1,10 @@
-#include "certify/geodesics/chords.h"
+#include "certify/claims/geodesics/chords.h"
 
 #include <functional>
 #include <gtest/gtest.h>
 #include <map>
 
-#include "certify/geodesics/chord_table.h"
+#include "certify/claims/geodesics/chord_table.h"
 #include "tests/certify/lifted_reference.h"
 
 /// Chords of closed geodesics against all lifted triangles near an axis, found without looking at sides; and tables of

@@ -1,16 +1,15 @@
-#include "certify/collars/collar_check.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
 #include <string>
 
-#include "certify/check.h"
-#include "certify/collar_members.h"
-#include "certify/document/darts.h"
+#include "certify/claims/collars/check.h"
+#include "certify/claims/net/check.h"
 #include "certify/file/reader.h"
-#include "certify/surface_check.h"
+#include "certify/net/collar_members.h"
+#include "certify/net/darts.h"
+#include "certify/net/surface_check.h"
 #include "tests/certify/far_words.h"
 
 /// Rule `collars` alone, on documents that the rules before it may refuse: so each clause stands on its own.

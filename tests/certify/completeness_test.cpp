@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "certify/document/surface_sides.h"
-#include "certify/geodesics/completeness_check.h"
-#include "certify/geodesics/geodesics_check.h"
+#include "certify/claims/geodesics/check.h"
+#include "certify/claims/geodesics/completeness_check.h"
+#include "certify/net/surface_sides.h"
 #include "tests/certify/lifted_reference.h"
 #include "tests/certify/turned.h"
 

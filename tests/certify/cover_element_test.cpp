@@ -1,9 +1,9 @@
-#include "certify/distances/cover_element.h"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <gtest/gtest.h>
+
+#include "certify/claims/bound/element.h"
 
 /// Displacements of isometries that are not known exactly.
 namespace epsnet::certify {

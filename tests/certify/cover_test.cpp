@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "certify/check.h"
-#include "certify/distances/cover_check.h"
-#include "certify/document/darts.h"
+#include "certify/claims/bound/check.h"
+#include "certify/claims/net/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
+#include "certify/net/darts.h"
 #include "tests/certify/reference.h"
 
 /// Cover files. Each rule is broken by a file in which nothing else is wrong.

@@ -1,10 +1,10 @@
-#include "certify/distances/cover_triangles.h"
-
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <vector>
+
+#include "certify/claims/bound/triangles.h"
 
 /// Triangulations at a point, of sides that no surface has: what is asked is arithmetic.
 namespace epsnet::certify {

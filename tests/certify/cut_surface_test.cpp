@@ -1,9 +1,9 @@
-#include "certify/geodesics/cut_surface.h"
+#include "certify/claims/geodesics/cut_surface.h"
 
 #include <gtest/gtest.h>
 #include <map>
 
-#include "certify/geodesics/exact_side.h"
+#include "certify/claims/geodesics/exact_side.h"
 #include "tests/certify/lifted_reference.h"
 
 /// The pieces that simple closed geodesics leave of the Bolza surface, against its homology.

@@ -1,4 +1,4 @@
-#include "certify/document/decimals.h"
+#include "certify/base/decimals.h"
 
 #include <bit>
 #include <cmath>
@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "certify/check/net_rules.h"
-#include "certify/document/interval.h"
-#include "certify/document/text.h"
+#include "certify/base/interval.h"
+#include "certify/base/text.h"
+#include "certify/claims/net/net_rules.h"
 #include "certify/numbers/ball.h"
 
 namespace epsnet::certify {

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "certify/check.h"
-#include "certify/distances/distance_check.h"
-#include "certify/document/darts.h"
-#include "certify/document/surface_sides.h"
+#include "certify/claims/distance/check.h"
+#include "certify/claims/net/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
+#include "certify/net/darts.h"
+#include "certify/net/surface_sides.h"
 #include "tests/certify/far_words.h"
 
 /// Distance files. Each rule is broken by a file in which nothing else is wrong; nets are those of the rest of the

@@ -1,4 +1,4 @@
-#include "certify/geodesics/exact_traces.h"
+#include "certify/claims/geodesics/exact_traces.h"
 
 #include <gtest/gtest.h>
 

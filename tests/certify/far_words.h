@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "certify/document/document.h"
-#include "certify/document/surface_sides.h"
+#include "certify/net/document.h"
+#include "certify/net/surface_sides.h"
 
 namespace epsnet::certify {
 

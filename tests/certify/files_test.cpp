@@ -3,7 +3,7 @@
 #include <set>
 #include <string>
 
-#include "certify/claim_check.h"
+#include "certify/check.h"
 #include "certify/file/reader.h"
 
 /// Every file under tests/data/certify/VERDICT has that verdict; refuted and undecided ones are named RULE-defect.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""filter_scripts_test.py ROOT: the Gappa scripts in certify/filter/ are about the functions in certify/filter.cpp.
+"""filter_scripts_test.py ROOT: the Gappa scripts in certify/net/filter/ are about the functions in certify/net/filter.cpp.
 
 What a function computes is expanded to its arguments, and so is what its script computes: both must be the same tree of
 operations. The exact values of a script, in capitals, must be the same trees as the rounded ones. Constants that the
@@ -104,7 +104,7 @@ class Expander:
 
 
 class Code:
-    """certify/filter.cpp: its constants, its helpers, and the functions."""
+    """certify/net/filter.cpp: its constants, its helpers, and the functions."""
 
     def __init__(self, text):
         text = re.sub(r"//.*", "", text)
@@ -244,9 +244,9 @@ def assumptions(code, scripts):
 
 
 def main(root):
-    folder = root / "certify" / "filter"
+    folder = root / "certify" / "net" / "filter"
     problems = []
-    code = Code((root / "certify" / "filter.cpp").read_text(encoding="utf-8"))
+    code = Code((root / "certify" / "net" / "filter.cpp").read_text(encoding="utf-8"))
     scripts = {}
     for path in sorted(folder.glob("*.g")):
         try:

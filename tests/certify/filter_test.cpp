@@ -1,4 +1,4 @@
-#include "certify/filter.h"
+#include "certify/net/filter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 #include <random>
 #include <string>
 
-#include "certify/check.h"
-#include "certify/document/darts.h"
+#include "certify/claims/net/check.h"
 #include "certify/file/reader.h"
+#include "certify/net/darts.h"
 
 /// Whatever the filter says must be true in rationals; inputs are chosen where it hardly is.
 namespace epsnet::certify {

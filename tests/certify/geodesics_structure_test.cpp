@@ -1,5 +1,3 @@
-#include "certify/document/geodesics_structure.h"
-
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -9,9 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "certify/document/surface_sides.h"
+#include "certify/claims/geodesics/check.h"
+#include "certify/claims/geodesics/structure.h"
 #include "certify/file/reader.h"
-#include "certify/geodesics/geodesics_check.h"
+#include "certify/net/surface_sides.h"
 
 /// Members that a claim has or has not, and words, as docs/format.md says: each is malformed by itself.
 namespace epsnet::certify {

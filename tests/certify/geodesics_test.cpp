@@ -10,14 +10,14 @@
 #include <set>
 #include <sstream>
 
-#include "certify/document/surface_sides.h"
+#include "certify/claims/geodesics/check.h"
+#include "certify/claims/geodesics/chord_table.h"
+#include "certify/claims/geodesics/list_rules.h"
+#include "certify/claims/geodesics/orbit_search.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "certify/geodesics/chord_table.h"
-#include "certify/geodesics/geodesics_check.h"
-#include "certify/geodesics/list_rules.h"
-#include "certify/geodesics/orbit_search.h"
-#include "certify/surface_check.h"
+#include "certify/net/surface_check.h"
+#include "certify/net/surface_sides.h"
 #include "tests/certify/far_words.h"
 
 /// Geodesics files. The lists are found here by brute force in binary64: words of the group in the order of their

@@ -1,4 +1,4 @@
-#include "certify/geometry_check.h"
+#include "certify/net/geometry_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +12,12 @@
 #include <set>
 #include <string>
 
-#include "certify/check.h"
-#include "certify/document/darts.h"
-#include "certify/document/text.h"
+#include "certify/base/text.h"
+#include "certify/claims/net/check.h"
 #include "certify/file/reader.h"
-#include "certify/lifted_triangle.h"
-#include "certify/surface_check.h"
+#include "certify/net/darts.h"
+#include "certify/net/lifted_triangle.h"
+#include "certify/net/surface_check.h"
 #include "tests/certify/reference.h"
 #include "tests/certify/turned.h"
 

@@ -1,11 +1,11 @@
-#include "certify/gluing_check.h"
+#include "certify/net/gluing_check.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "certify/check.h"
-#include "certify/document/surface_sides.h"
+#include "certify/claims/net/check.h"
 #include "certify/file/reader.h"
+#include "certify/net/surface_sides.h"
 #include "certify/numbers/ball.h"
 #include "tests/certify/far_words.h"
 

@@ -1,4 +1,4 @@
-#include "certify/geodesics/interval_index.h"
+#include "certify/lifted/interval_index.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "certify/geodesics/lifted_plane.h"
+#include "certify/lifted/lifted_plane.h"
 
 #include <gtest/gtest.h>
 

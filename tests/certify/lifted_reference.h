@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "certify/document/darts.h"
-#include "certify/document/geodesics_document.h"
+#include "certify/claims/geodesics/chords.h"
+#include "certify/claims/geodesics/document.h"
 #include "certify/file/reader.h"
-#include "certify/geodesics/chords.h"
+#include "certify/net/darts.h"
 #include "tests/certify/reference.h"
 
 /// What tests compare certify/geodesics with: a net in long double, its lifted triangles without any pruning.

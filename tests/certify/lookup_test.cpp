@@ -1,4 +1,4 @@
-#include "certify/document/lookup.h"
+#include "certify/base/lookup.h"
 
 #include <array>
 #include <functional>
@@ -6,14 +6,14 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
-#include "certify/document/darts.h"
-#include "certify/document/text.h"
+#include "certify/base/text.h"
+#include "certify/claims/geodesics/chord_table.h"
 #include "certify/file/reader.h"
-#include "certify/geodesics/chord_table.h"
-#include "certify/geodesics/interval_index.h"
-#include "certify/geodesics/lifted_plane.h"
-#include "certify/lifted_triangle.h"
-#include "certify/surface_check.h"
+#include "certify/lifted/interval_index.h"
+#include "certify/lifted/lifted_plane.h"
+#include "certify/net/darts.h"
+#include "certify/net/lifted_triangle.h"
+#include "certify/net/surface_check.h"
 
 /// What is not there cannot be looked up: each lookup answers what is there, and anything else is a fault of this
 /// program.

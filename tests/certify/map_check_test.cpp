@@ -1,10 +1,10 @@
-#include "certify/map_check.h"
+#include "certify/net/map_check.h"
 
 #include <gtest/gtest.h>
 #include <string>
 
-#include "certify/document/darts.h"
 #include "certify/file/reader.h"
+#include "certify/net/darts.h"
 
 /// Rule `map` alone: each defect is named, where it is first in the file.
 namespace epsnet::certify {

@@ -1,4 +1,4 @@
-#include "certify/geodesics/orbit_search.h"
+#include "certify/claims/geodesics/orbit_search.h"
 
 #include <gtest/gtest.h>
 #include <map>

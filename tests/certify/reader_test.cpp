@@ -13,7 +13,7 @@
 #include <unistd.h>
 #include <utility>
 
-#include "certify/document/text.h"
+#include "certify/base/text.h"
 #include "certify/file/plain_rows.h"
 #include "certify/file/writer.h"
 

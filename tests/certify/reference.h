@@ -12,12 +12,12 @@
 #include <variant>
 #include <vector>
 
-#include "certify/document/darts.h"
-#include "certify/document/document.h"
-#include "certify/label_evaluator.h"
+#include "certify/net/darts.h"
+#include "certify/net/document.h"
+#include "certify/net/label_evaluator.h"
+#include "certify/net/surface_check.h"
 #include "certify/numbers/ball_vector.h"
 #include "certify/numbers/exact.h"
-#include "certify/surface_check.h"
 
 /// What tests compare the checks of nets, geodesics and covers with: the hyperbolic plane and a net in long double.
 namespace epsnet::certify {

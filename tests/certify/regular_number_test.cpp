@@ -8,8 +8,8 @@
 #include <numeric>
 #include <vector>
 
-#include "certify/crossings.h"
-#include "certify/document/surface_sides.h"
+#include "certify/net/crossings.h"
+#include "certify/net/surface_sides.h"
 
 namespace epsnet::certify {
 namespace {

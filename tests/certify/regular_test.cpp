@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 #include <map>
 
-#include "certify/check.h"
-#include "certify/document/surface_sides.h"
+#include "certify/claims/net/check.h"
 #include "certify/file/reader.h"
-#include "certify/lifted_triangle.h"
-#include "certify/surface_check.h"
+#include "certify/net/lifted_triangle.h"
+#include "certify/net/surface_check.h"
+#include "certify/net/surface_sides.h"
 
 /// Regular 4g-gons, above all the net of one vertex, the tile's centre: around a corner of the tile its 4g lifts are
 /// the corners of a regular polygon, the dual one, so every triangulation of that is Delaunay and all its diagonals are

@@ -1,4 +1,4 @@
-#include "certify/check/rule_book.h"
+#include "certify/verdict/rule_book.h"
 
 #include <algorithm>
 #include <fstream>
@@ -7,13 +7,14 @@
 #include <regex>
 #include <sstream>
 
-#include "certify/check/verification.h"
-#include "certify/distances/cover_check.h"
-#include "certify/distances/distance_check.h"
-#include "certify/document/fault.h"
-#include "certify/document/structure_check.h"
+#include "certify/base/fault.h"
+#include "certify/claims/bound/check.h"
+#include "certify/claims/distance/check.h"
+#include "certify/claims/geodesics/check.h"
+#include "certify/claims/net/check.h"
+#include "certify/claims/net/verify.h"
 #include "certify/file/reader.h"
-#include "certify/geodesics/geodesics_check.h"
+#include "certify/net/structure.h"
 
 /// Nothing is VERIFIED unless every rule that a claim declares was reported, once, and is.
 namespace epsnet::certify {

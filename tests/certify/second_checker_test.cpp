@@ -16,13 +16,13 @@
 #include <utility>
 #include <vector>
 
-#include "certify/check.h"
-#include "certify/document/darts.h"
-#include "certify/document/text.h"
+#include "certify/base/text.h"
+#include "certify/claims/net/check.h"
 #include "certify/exact/checker.h"
 #include "certify/exact/json.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
+#include "certify/net/darts.h"
 
 /// The checker of integers alone: the files of tests/data/certify, and its numbers beside those of the first checker.
 /// Mutants of nets are in tests/netgen/mutation_test.cpp.

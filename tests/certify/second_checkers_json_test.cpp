@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "certify/document/text.h"
+#include "certify/base/text.h"
 #include "certify/exact/json.h"
 
 /// The second checker's JSON, against the grammar, the table of well-formed UTF-8, and what each number may be.

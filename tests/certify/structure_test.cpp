@@ -1,3 +1,5 @@
+#include "certify/net/structure.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,9 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "certify/document/darts.h"
-#include "certify/document/structure_check.h"
-#include "certify/document/surface_sides.h"
+#include "certify/net/darts.h"
+#include "certify/net/surface_sides.h"
 
 /// What docs/format.md says of the members of nets and surfaces together, clause by clause: the last value that is
 /// allowed, and the first that is not.

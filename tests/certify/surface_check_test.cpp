@@ -1,4 +1,4 @@
-#include "certify/surface_check.h"
+#include "certify/net/surface_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <string>
 
-#include "certify/document/surface_sides.h"
 #include "certify/file/reader.h"
+#include "certify/net/surface_sides.h"
 
 namespace epsnet::certify {
 namespace {

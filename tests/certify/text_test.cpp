@@ -1,4 +1,4 @@
-#include "certify/document/text.h"
+#include "certify/base/text.h"
 
 #include <bit>
 #include <cmath>

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "certify/document/darts.h"
-#include "certify/label_evaluator.h"
-#include "certify/surface_check.h"
+#include "certify/net/darts.h"
+#include "certify/net/label_evaluator.h"
+#include "certify/net/surface_check.h"
 
 namespace epsnet::certify {
 

@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
-#include "certify/check.h"
-#include "certify/distances/cover_check.h"
+#include "certify/claims/bound/check.h"
+#include "certify/claims/net/check.h"
 #include "kernel/plane.h"
 #include "netgen/distances/distance.h"
 #include "netgen/nets/net_options.h"

@@ -10,9 +10,9 @@
 #include <tuple>
 #include <vector>
 
-#include "certify/check.h"
-#include "certify/distances/distance_check.h"
-#include "certify/document/text.h"
+#include "certify/base/text.h"
+#include "certify/claims/distance/check.h"
+#include "certify/claims/net/check.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
 #include "netgen/lifts/layout.h"

@@ -12,8 +12,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "certify/document/darts.h"
 #include "certify/file/reader.h"
+#include "certify/net/darts.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
 #include "netgen/exchange/domain_format.h"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "certify/check.h"
-#include "certify/document/darts.h"
+#include "certify/claims/net/check.h"
+#include "certify/net/darts.h"
 #include "kernel/plane.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/net_geometry.h"

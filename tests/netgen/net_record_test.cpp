@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "certify/check.h"
-#include "certify/document/text.h"
+#include "certify/base/text.h"
+#include "certify/claims/net/check.h"
 #include "netgen/surfaces/octagon.h"
 
 namespace epsnet {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/document/document.h"
+#include "certify/net/document.h"
 #include "kernel/plane.h"
 #include "netgen/base/length.h"
 #include "netgen/surfaces/surface_file.h"

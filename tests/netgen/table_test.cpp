@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <iostream>
 
-#include "certify/geodesics/geodesics_check.h"
+#include "certify/claims/geodesics/check.h"
 #include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/geodesics/geodesics.h"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/document/darts.h"
+#include "certify/net/darts.h"
 #include "kernel/plane.h"
 #include "netgen/distances/distance.h"
 #include "netgen/exchange/exchange.h"

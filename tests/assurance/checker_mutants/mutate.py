@@ -27,10 +27,10 @@ import subprocess
 import sys
 
 # The text that is written, and the account of work: no verdict depends on them but UNDECIDED.
-LEFT_OUT = ("certify/program/", "certify/exact/main.cpp", "certify/file/writer.", "certify/document/report.",
-            "certify/numbers/budget.h", "certify/document/least_bytes.cpp")
+LEFT_OUT = ("certify/program/", "certify/exact/main.cpp", "certify/file/writer.", "certify/verdict/report.",
+            "certify/numbers/budget.h", "certify/claims/least_bytes.cpp")
 # Here texts are not only messages.
-TEXT_MATTERS = ("certify/exact/json.", "certify/document/text.", "certify/file/reader.")
+TEXT_MATTERS = ("certify/exact/json.", "certify/base/text.", "certify/file/reader.")
 # Functions that make a text of a file fit to be shown in a message.
 SHOWN = re.compile(r"^(in_quotes|path_in_quotes|printable(_length)?|display_name)$")
 # Statements that only give memory back, ask for it, or count work.

@@ -21,7 +21,7 @@
 #include <unistd.h>
 #include <vector>
 
-#include "certify/claim_check.h"
+#include "certify/check.h"
 #include "certify/exact/checker.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "certify/document/document.h"
-#include "certify/document/geodesics_document.h"
+#include "certify/claims/geodesics/document.h"
+#include "certify/net/document.h"
 
 /// Defects of documents and of their text, each chosen at random.
 namespace epsnet::attack {

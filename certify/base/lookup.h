@@ -1,0 +1,47 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "certify/base/fault.h"
+
+/// Invariants between the parts of the checker, checked in every build. A lookup of a missing element would read
+/// another one, and a verdict about that one could be VERIFIED.
+namespace epsnet::certify {
+
+/// Throws Fault with WHAT, or "WHAT INDEX".
+[[noreturn]] void throw_fault(const char* what);
+[[noreturn]] void throw_fault(const char* what, std::size_t index);
+
+/// Throws Fault(what) unless the invariant holds.
+inline void ensure(bool holds, const char* what) {
+  if (!holds) throw_fault(what);
+}
+
+/// Returns x[i]. Throws Fault, "WHAT i", if i is out of range.
+template <class T>
+[[nodiscard]] const T& looked_up(const std::vector<T>& x, std::size_t i, const char* what) {
+  if (i >= x.size()) throw_fault(what, i);
+  return x[i];
+}
+
+/// Returns *x. Throws Fault if x is empty.
+template <class T>
+[[nodiscard]] T value_of(std::optional<T> x, const char* what) {
+  if (!x) throw_fault(what);
+  return *std::move(x);
+}
+
+/// Returns the index of a number among numbers in increasing order. Throws Fault if it is not one of them.
+[[nodiscard]] inline std::size_t place_of(std::uint32_t number, std::span<const std::uint32_t> increasing) {
+  const auto found = std::lower_bound(increasing.begin(), increasing.end(), number);
+  if (found == increasing.end() || *found != number) throw_fault("not in the list: number", number);
+  return static_cast<std::size_t>(found - increasing.begin());
+}
+
+}  // namespace epsnet::certify

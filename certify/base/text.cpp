@@ -1,0 +1,236 @@
+#include "certify/base/text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <system_error>
+
+#include "certify/base/lookup.h"
+
+namespace epsnet::certify {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// The number of digits at the start of the text.
+std::size_t leading_digits(std::string_view text) {
+  return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_digit) - text.begin());
+}
+
+mpz_class integer(std::string_view digits) { return mpz_class(std::string(digits), 10); }
+
+mpz_class power_of_ten(unsigned long exponent) {
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, exponent);
+  return power;
+}
+
+/// The parts of a JSON number, -?(0|[1-9][0-9]*)(\.[0-9]+)?([eE][+-]?[0-9]+)?.
+struct JsonNumber {
+  bool negative = false;
+  std::string_view whole;
+  std::string_view fraction;
+  bool negative_exponent = false;
+  std::string_view exponent;
+};
+
+std::optional<JsonNumber> split_json_number(std::string_view text) {
+  JsonNumber number;
+  const auto take = [&](std::string_view characters) {
+    if (text.empty() || characters.find(text.front()) == std::string_view::npos) return false;
+    text.remove_prefix(1);
+    return true;
+  };
+  const auto take_digits = [&] {
+    const std::string_view digits = text.substr(0, leading_digits(text));
+    text.remove_prefix(digits.size());
+    return digits;
+  };
+  number.negative = take("-");
+  number.whole = take_digits();
+  if (number.whole.empty() || (number.whole.size() > 1 && number.whole.front() == '0')) return std::nullopt;
+  if (take(".")) {
+    number.fraction = take_digits();
+    if (number.fraction.empty()) return std::nullopt;
+  }
+  if (take("eE")) {
+    number.negative_exponent = text.starts_with('-');
+    take("+-");
+    number.exponent = take_digits();
+    if (number.exponent.empty()) return std::nullopt;
+  }
+  if (!text.empty()) return std::nullopt;
+  return number;
+}
+
+/// |x| to the nearest multiple of 2⁻¹⁰⁷⁴, ties to even, in exact arithmetic: the standard leaves open what from_chars
+/// gives for numbers below the normal ones. Infinity if the result is above 2⁻¹⁰²², the least normal number.
+double nearest_subnormal(const JsonNumber& number) {
+  std::string digits(number.whole);
+  digits += number.fraction;
+  const std::size_t zeros = std::min(digits.find_first_not_of('0'), digits.size());
+  if (zeros == digits.size()) return 0;
+  long exponent = 0;
+  // An exponent that does not fit in 64 bits outweighs the digits of any file.
+  const bool huge =
+      std::from_chars(number.exponent.data(), number.exponent.data() + number.exponent.size(), exponent).ec ==
+      std::errc::result_out_of_range;
+  constexpr long kFar = 1L << 62;
+  if (huge || exponent > kFar) exponent = kFar;
+  if (number.negative_exponent) exponent = -exponent;
+  // |x| = 0.d₁d₂… · 10^exponent with d₁ ≠ 0.
+  exponent += static_cast<long>(number.whole.size()) - static_cast<long>(zeros);
+  if (exponent > -307) return HUGE_VAL;
+  if (exponent < -323) return 0;  // |x| < 10⁻³²⁴ < 2⁻¹⁰⁷⁵, half of the least subnormal number.
+  digits.erase(0, zeros);
+  // A tie, an odd multiple of 2⁻¹⁰⁷⁵, has at most 1075 digits: of those after that it only matters whether they are 0.
+  constexpr std::size_t kDigits = 1100;
+  if (digits.size() > kDigits) {
+    const bool more = digits.find_first_not_of('0', kDigits) != std::string::npos;
+    digits.resize(kDigits);
+    if (more) digits += '1';
+  }
+  // The quotient and remainder of |x| by 2⁻¹⁰⁷⁴.
+  const mpz_class dividend = integer(digits) << 1074;
+  const mpz_class divisor = power_of_ten(digits.size() + static_cast<unsigned long>(-exponent));
+  mpz_class quotient;
+  mpz_class remainder;
+  mpz_fdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), dividend.get_mpz_t(), divisor.get_mpz_t());
+  const int half = cmp(2 * remainder, divisor);
+  if (half > 0 || (half == 0 && mpz_odd_p(quotient.get_mpz_t()) != 0)) ++quotient;
+  return quotient <= mpz_class(1) << 52 ? std::ldexp(quotient.get_d(), -1074) : HUGE_VAL;
+}
+
+/// The length of the printable character in UTF-8 that the text begins with; 0 if it begins with anything else.
+std::size_t printable_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
+  const std::uint32_t lead = byte(0);
+  if (lead < 0x80) return lead >= 0x20 && lead != 0x7f ? 1 : 0;
+  const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+  if (lead < 0xc0 || lead >= 0xf8 || text.size() < length) return 0;
+  std::uint32_t code = lead & (0xffU >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xc0U) != 0x80) return 0;
+    code = code << 6U | (byte(i) & 0x3fU);
+  }
+  constexpr std::array<std::uint32_t, 5> kLeast{0, 0, 0xa0, 0x800, 0x10000};  // Below 0xa0 are control characters.
+  const bool surrogate = code >= 0xd800 && code < 0xe000;
+  return code >= kLeast[length] && code <= 0x10ffff && !surrogate ? length : 0;
+}
+
+}  // namespace
+
+std::optional<mpq_class> parse_rational(std::string_view text) {
+  const bool negative = text.starts_with('-');
+  if (negative) text.remove_prefix(1);
+  const std::size_t length = leading_digits(text);
+  if (length == 0) return std::nullopt;
+  const std::string_view numerator = text.substr(0, length);
+  std::string_view denominator = "1";
+  if (length < text.size()) {
+    if (text[length] != '/') return std::nullopt;
+    denominator = text.substr(length + 1);
+    if (denominator.empty() || leading_digits(denominator) != denominator.size()) return std::nullopt;
+    if (numerator.size() + denominator.size() > kMaxRationalDigits) return std::nullopt;
+  } else if (numerator.size() > kMaxRationalDigits) {
+    return std::nullopt;
+  }
+  mpq_class value;
+  value.get_num() = integer(numerator);
+  value.get_den() = integer(denominator);
+  if (value.get_den() == 0) return std::nullopt;
+  value.canonicalize();
+  if (negative) value = -value;
+  return value;
+}
+
+mpq_class decimal(std::string_view text) { return value_of(parse_decimal(text), "a decimal that is none"); }
+
+std::optional<mpq_class> parse_decimal(std::string_view text) {
+  if (text.find('/') != std::string_view::npos) return parse_rational(text);
+  const bool negative = text.starts_with('-');
+  if (negative) text.remove_prefix(1);
+  const std::size_t whole = leading_digits(text);
+  if (whole == 0) return std::nullopt;
+  std::string digits(text.substr(0, whole));
+  text.remove_prefix(whole);
+  long exponent = 0;
+  if (text.starts_with('.')) {
+    text.remove_prefix(1);
+    const std::size_t fraction = leading_digits(text);
+    if (fraction == 0) return std::nullopt;
+    digits += text.substr(0, fraction);
+    text.remove_prefix(fraction);
+    exponent = -static_cast<long>(fraction);
+  }
+  if (digits.size() > kMaxRationalDigits) return std::nullopt;
+  if (text.starts_with('e') || text.starts_with('E')) {
+    text.remove_prefix(1);
+    const bool negative_exponent = text.starts_with('-');
+    if (negative_exponent || text.starts_with('+')) text.remove_prefix(1);
+    if (text.empty() || text.size() > 4 || leading_digits(text) != text.size()) return std::nullopt;
+    int value = 0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    exponent += negative_exponent ? -value : value;
+    text = {};
+  }
+  if (!text.empty()) return std::nullopt;
+  const mpz_class power = power_of_ten(static_cast<unsigned long>(exponent < 0 ? -exponent : exponent));
+  mpq_class value(integer(digits));
+  if (exponent < 0) {
+    value.get_den() = power;
+    value.canonicalize();
+  } else {
+    value.get_num() *= power;
+  }
+  if (negative) value = -value;
+  return value;
+}
+
+std::optional<double> parse_binary64(std::string_view text) {
+  const auto number = split_json_number(text);
+  if (!number) return std::nullopt;
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (end != text.data() + text.size()) return std::nullopt;
+  if (error == std::errc() && std::isnormal(value)) return value;
+  value = nearest_subnormal(*number);
+  if (std::isinf(value)) return std::nullopt;
+  return number->negative ? -value : value;
+}
+
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t kShown = 40;
+  std::string result = "\"";
+  for (const char c : text.substr(0, kShown)) result += (c >= ' ' && c <= '~' && c != '"' && c != '\\') ? c : '?';
+  if (text.size() > kShown) result += "...";
+  return result + '"';
+}
+
+std::string printable(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t length = printable_length(text);
+    result += length == 0 ? "?" : text.substr(0, length);
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return result;
+}
+
+std::string path_in_quotes(std::string_view path) {
+  std::string text = printable(path);
+  for (char& c : text) {
+    if (c == '"' || c == '\\') c = '?';
+  }
+  return '"' + text + '"';
+}
+
+std::string shortest(double value) {
+  char buffer[32];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
+  return std::string(buffer, end);
+}
+
+}  // namespace epsnet::certify

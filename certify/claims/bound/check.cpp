@@ -1,0 +1,472 @@
+#include "certify/claims/bound/check.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "certify/base/decimals.h"
+#include "certify/claims/bound/element.h"
+#include "certify/claims/bound/structure.h"
+#include "certify/claims/bound/triangles.h"
+#include "certify/claims/least_bytes.h"
+#include "certify/claims/net/check.h"
+#include "certify/claims/net/verify.h"
+#include "certify/lifted/lorentz.h"
+#include "certify/net/darts.h"
+#include "certify/net/label_evaluator.h"
+#include "certify/net/lifted_triangle.h"
+#include "certify/numbers/parallel.h"
+#include "certify/numbers/precision.h"
+
+namespace epsnet::certify {
+namespace {
+
+/// Bits that cells are asked with first.
+constexpr slong kFirstPrecisionForCells = 128;
+/// Operations of balls for an edge at a point, a triangle at a point, and a cut.
+constexpr std::uint64_t kEdgeOperations = 6;
+constexpr std::uint64_t kTriangleOperations = 16;
+constexpr std::uint64_t kCutOperations = 12;
+constexpr std::uint64_t kFlipOperations = 40;
+constexpr std::uint64_t kFunctionOperations = 60;
+/// And for a triangle at the net's vertex.
+constexpr std::uint64_t kVertexOperations = 150;
+/// Balls that an open cell keeps.
+constexpr std::uint64_t kCellBalls = 12;
+
+/// A triangulation with one vertex as combinatorial data: what is across each dart, and the element that leads from the
+/// dart's start to its end, 2k for element k and 2k + 1 for its inverse.
+struct Map {
+  std::vector<std::uint32_t> opposite;
+  std::vector<std::uint32_t> element;
+};
+
+/// Two elements one after the other: what becomes of the diagonal of a flip.
+struct Product {
+  std::uint32_t first;
+  std::uint32_t second;
+};
+
+/// Replaces the edge of dart d by the other diagonal, the element of number `diagonal`; its product is returned. The
+/// triangles abc and bax, d from a to b, become xca and cxb: d is then from x to c.
+Product flip(Map& map, std::uint32_t d, std::uint32_t diagonal) {
+  const std::uint32_t e = map.opposite[d];
+  const std::array<std::uint32_t, 4> from{previous_dart(d), next_dart(e), previous_dart(e), next_dart(d)};
+  const std::array<std::uint32_t, 4> to{next_dart(d), previous_dart(d), next_dart(e), previous_dart(e)};
+  const Map old = {{map.opposite[from[0]], map.opposite[from[1]], map.opposite[from[2]], map.opposite[from[3]]},
+                   {map.element[from[0]], map.element[from[1]], map.element[from[2]], map.element[from[3]]}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::uint32_t across = old.opposite[i];
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (old.opposite[i] == from[k]) across = to[k];
+    }
+    map.opposite[to[i]] = across;
+    map.opposite[across] = to[i];
+    map.element[to[i]] = old.element[i];
+  }
+  map.element[e] = 2 * diagonal;
+  map.element[d] = 2 * diagonal + 1;
+  // From c to a, and on to x.
+  return {old.element[0], old.element[1]};
+}
+
+/// The corners of a cell as unit vectors, and the cosh of its sides' lengths, side i from corner i to corner i + 1.
+struct Cell {
+  std::array<BallVector, 3> corner;
+  std::array<Ball, 3> cosh;
+};
+
+/// The two parts of a cell that is cut from the midpoint of a side to the corner opposite to it.
+std::array<Cell, 2> halves(const Cell& cell, std::uint32_t side, slong precision) {
+  const std::uint32_t end = (side + 1) % 3;
+  const std::uint32_t far = (side + 2) % 3;
+  // cosh(d/2); the midpoint (U + V)/(2 cosh(d/2)); the cosh of its distance from the corner opposite.
+  Ball half, median;
+  arb_add_ui(half.get(), cell.cosh[side].get(), 1, precision);
+  arb_mul_2exp_si(half.get(), half.get(), -1);
+  arb_sqrt(half.get(), half.get(), precision);
+  BallVector middle;
+  for (std::size_t i = 0; i < 3; ++i) {
+    arb_add(middle[i], cell.corner[side][i], cell.corner[end][i], precision);
+    arb_div(middle[i], middle[i], half.get(), precision);
+    arb_mul_2exp_si(middle[i], middle[i], -1);
+  }
+  arb_add(median.get(), cell.cosh[end].get(), cell.cosh[far].get(), precision);
+  arb_div(median.get(), median.get(), half.get(), precision);
+  arb_mul_2exp_si(median.get(), median.get(), -1);
+  Cell first = cell;
+  first.corner[end] = middle;
+  first.cosh[side] = half;
+  first.cosh[end] = median;
+  Cell second = cell;
+  second.corner[side] = std::move(middle);
+  second.cosh[side] = std::move(half);
+  second.cosh[far] = std::move(median);
+  return {std::move(first), std::move(second)};
+}
+
+class CoverCheck {
+ public:
+  using Claim = CoverDocument::Claim;
+
+  CoverCheck(const CoverDocument& document, Verification& run, Crossings crossings)
+      : document_(document),
+        run_(run),
+        options_(run.options()),
+        threads_(run.threads()),
+        budget_(run.budget()),
+        parts_(label_parts(std::move(crossings), document.net.charts, run.budget())),
+        evaluator_(document.net, parts_),
+        darts_(static_cast<std::uint32_t>(3 * document.net.triangles.size())) {}
+
+  void ask() {
+    run_.report(at_vertex());
+    if (run_.report(triangulations()) == Verdict::verified) run_.report(cells());
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+  /// The rule `lower`, or `upper` for a radius.
+  RuleReport at_vertex() {
+    const bool lower = document_.claim != Claim::radius;
+    const double bound = lower ? document_.value.lower : document_.value.upper;
+    Tri less = Tri::unknown;
+    with_rising_precision(options_.max_precision, [&](slong precision) {
+      begin(precision);
+      less = is_less_at_vertex(bound);
+      return less != Tri::unknown;
+    });
+    // The function is never equal to the bound: sinh² of the bound, a binary64, is not algebraic.
+    const Tri holds = lower ? !less : less;
+    const char* const rule = lower ? "lower" : "upper";
+    // Inward: who misses the bound misses the decimal.
+    const std::string expected = lower ? "at least " + decimal_above(bound) : "at most " + decimal_below(bound);
+    const std::string text = text_at_vertex();
+    if (holds == Tri::yes) return {rule, Verdict::verified, text};
+    if (holds == Tri::no) return {rule, Verdict::refuted, text + ", expected " + expected};
+    return {rule, Verdict::undecided, text + ", not decided whether " + expected + ", with " + bits()};
+  }
+
+  /// Whether the eccentricity of the net's vertex, its largest circumradius, is less than the bound; or the injectivity
+  /// radius, half of its shortest edge (docs/proof.md, section 15).
+  [[nodiscard]] Tri is_less_at_vertex(double bound) const {
+    const NetDocument& net = document_.net;
+    spend(kVertexOperations, net.triangles.size());
+    const LabelTable labels = all_labels();
+    const Ball squared = sinh_squared(bound);
+    const bool disk = document_.claim == Claim::embedded_disk;
+    Tri less = disk ? Tri::no : Tri::yes;
+    LiftedTriangle lifted;
+    for (std::uint32_t t = 0; t < net.triangles.size(); ++t) {
+      lifted.load(net, labels, t, precision_);
+      if (disk) {
+        for (std::uint32_t edge = 0; edge < 3; ++edge) {
+          less = either(less, certainly_positive(lifted.measure_edge(squared.get(), edge, precision_).lack.get()));
+        }
+      } else {
+        less = both(less, certainly_positive(lifted.measure_circumradius(squared.get(), precision_).slack.get()));
+      }
+    }
+    return less;
+  }
+
+  [[nodiscard]] std::string text_at_vertex() const {
+    const Enclosures net = value_of(run_.certificate().enclosures, "a verified net without enclosures");
+    if (document_.claim != Claim::embedded_disk) {
+      return "the eccentricity of the net's vertex lies in " + to_string(net.largest_circumradius);
+    }
+    const Interval loop = value_of(net.shortest_loop, "a net with one vertex and without loop");
+    return "the injectivity radius of the net's vertex lies in " + to_string(Interval{loop.lower / 2, loop.upper / 2});
+  }
+
+  /// Makes all triangulations.
+  RuleReport triangulations() {
+    budget_.spend(memory_work(8 * std::uint64_t{darts_}), document_.triangulations.size() + 1);
+    Map first;
+    for (std::uint32_t d = 0; d < darts_; ++d) {
+      first.opposite.push_back(opposite(document_.net, d));
+      first.element.push_back(kNone);
+    }
+    for (std::uint32_t d = 0; d < darts_; ++d) {
+      const std::uint32_t e = first.opposite[d];
+      if (first.element[d] != kNone) continue;
+      first.element[d] = 2 * static_cast<std::uint32_t>(edges_.size());
+      first.element[e] = first.element[d] + 1;
+      edges_.push_back(d);
+    }
+    maps_.push_back(std::move(first));
+    for (std::size_t k = 0; k < document_.triangulations.size(); ++k) {
+      const CoverDocument::Triangulation& row = document_.triangulations[k];
+      Map map = map_at(row.parent);
+      budget_.spend(50, row.flips.size());
+      for (const std::uint32_t d : row.flips) {
+        if (d / 3 == map.opposite[d] / 3) {
+          return {"triangulations", Verdict::refuted,
+                  "triangulation " + std::to_string(k + 1) + ": dart " + std::to_string(d) +
+                      " has the same triangle on both sides and cannot be flipped"};
+        }
+        products_.push_back(flip(map, d, static_cast<std::uint32_t>(edges_.size() + products_.size())));
+      }
+      maps_.push_back(std::move(map));
+    }
+    return {"triangulations", Verdict::verified,
+            std::to_string(maps_.size()) + " triangulations, " + std::to_string(products_.size()) + " flips"};
+  }
+
+  RuleReport cells() {
+    RuleReport report;
+    with_rising_precision(
+        options_.max_precision,
+        [&](slong precision) {
+          begin(precision);
+          report = pass();
+          return report.verdict != Verdict::undecided;
+        },
+        kFirstPrecisionForCells);
+    return report;
+  }
+
+  void begin(slong precision) {
+    precision_ = precision;
+    run_.used(static_cast<std::uint64_t>(precision));
+  }
+
+  [[nodiscard]] std::string bits() const { return std::to_string(precision_) + " bits"; }
+
+  void spend(std::uint64_t operations, std::uint64_t times = 1) const {
+    budget_.spend(operations * ball_work(static_cast<std::uint64_t>(precision_)), times);
+  }
+
+  [[nodiscard]] LabelTable all_labels() const {
+    std::vector<std::uint32_t> numbers(document_.net.labels.size());
+    std::iota(numbers.begin(), numbers.end(), 1U);
+    const slong cap = std::min<slong>(4 * precision_, 2 * options_.max_precision);
+    return {numbers, evaluator_.evaluate(numbers, precision_, cap, threads_), numbers.size()};
+  }
+
+  [[nodiscard]] Ball sinh_squared(double x) const {
+    Ball result;
+    arb_set_d(result.get(), x);
+    arb_sinh(result.get(), result.get(), precision_);
+    arb_sqr(result.get(), result.get(), precision_);
+    return result;
+  }
+
+  /// All elements of all triangulations, at the vertex' chart.
+  void evaluate() {
+    const LabelTable labels = all_labels();
+    const auto label = [&](std::uint32_t dart) {
+      const std::uint32_t number = corner_label(document_.net, dart);
+      return number == 0 ? identity_isometry() : labels[number];
+    };
+    spend(kFlipOperations, edges_.size() + products_.size());
+    budget_.spend(memory_work(8 * (48 + static_cast<std::uint64_t>(precision_) / 8)), edges_.size() + products_.size());
+    elements_.clear();
+    for (const std::uint32_t d : edges_) {
+      elements_.push_back(element_of(compose(inverse(label(d)), label(next_dart(d)), precision_), precision_));
+    }
+    const auto value = [&](std::uint32_t id) {
+      const BallIsometry& isometry = looked_up(elements_, id / 2, "there is no element").isometry;
+      return id % 2 == 0 ? isometry : inverse(isometry);
+    };
+    for (const Product& product : products_) {
+      elements_.push_back(element_of(compose(value(product.first), value(product.second), precision_), precision_));
+    }
+    most_ = sinh_squared(document_.value.upper);
+    // The triangles of the net, in the chart of the vertex.
+    const NetDocument::Vertex& vertex = document_.net.vertices[0];
+    triangles_.assign(darts_ / 3, {});
+    for (std::uint32_t d = 0; d < darts_; ++d) {
+      triangles_[d / 3].corner[d % 3] = unit_vector(label(d), vertex.x, vertex.y, precision_);
+    }
+    for (Cell& triangle : triangles_) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        lorentz_product(triangle.cosh[i].get(), triangle.corner[i], triangle.corner[(i + 1) % 3], precision_);
+        arb_neg(triangle.cosh[i].get(), triangle.cosh[i].get());
+      }
+    }
+  }
+
+  RuleReport pass() {
+    evaluate();
+    struct Outcome {
+      Tri within = Tri::yes;
+      std::size_t cell = 0;  ///< The first that is not, else the first that is open.
+      std::size_t cells = 0;
+    };
+    std::vector<Outcome> outcomes(triangles_.size());
+    for_each_parallel(triangles_.size(), threads_, [&](unsigned worker, std::size_t t) {
+      if (worker == 0 && options_.progress) {
+        options_.progress("cells", static_cast<double>(t) / static_cast<double>(triangles_.size()));
+      }
+      Outcome& outcome = outcomes[t];
+      std::vector<Cell> open{triangles_[t]};
+      for (const std::uint32_t entry : document_.cells[t]) {
+        const Cell cell = std::move(open.back());
+        open.pop_back();
+        if (entry < 3) {
+          spend(kCutOperations);
+          budget_.spend(memory_work(kCellBalls * (48 + static_cast<std::uint64_t>(precision_) / 8)));
+          std::array<Cell, 2> parts = halves(cell, entry, precision_);
+          open.push_back(std::move(parts[1]));
+          open.push_back(std::move(parts[0]));
+          continue;
+        }
+        const Tri within = both(outcome.within, is_bounded(cell, entry - 3));
+        if (within != outcome.within) outcome.cell = outcome.cells;
+        outcome.within = within;
+        ++outcome.cells;
+      }
+    });
+    std::size_t cells = 0;
+    for (const Outcome& outcome : outcomes) cells += outcome.cells;
+    for (const Tri wanted : {Tri::no, Tri::unknown}) {
+      for (std::size_t t = 0; t < outcomes.size(); ++t) {
+        if (outcomes[t].within != wanted) continue;
+        const std::string place = "cell " + std::to_string(outcomes[t].cell) + " of triangle " + std::to_string(t);
+        if (wanted == Tri::no) return {"cells", Verdict::refuted, place + " is not bounded by " + bound(false)};
+        return {"cells", Verdict::undecided,
+                place + ": not decided whether it is bounded by " + bound(false) + ", with " + bits()};
+      }
+    }
+    return {"cells", Verdict::verified, std::to_string(cells) + " cells are bounded by " + bound(true)};
+  }
+
+  /// The end of the value that bounds the cells: outward, so that what holds for it holds for the decimal; or inward,
+  /// so that what fails for it fails for the decimal.
+  [[nodiscard]] std::string bound(bool outward) const {
+    const bool is_lower = document_.claim == Claim::radius;
+    const double end = is_lower ? document_.value.lower : document_.value.upper;
+    return is_lower == outward ? decimal_below(end) : decimal_above(end);
+  }
+
+  [[nodiscard]] const Map& map_at(std::uint32_t number) const {
+    return looked_up(maps_, number, "there is no triangulation");
+  }
+
+  /// sinh²(d/2) for the edge of an element at a point.
+  void displacement(arb_ptr result, std::uint32_t id, const BallVector& p) const {
+    set_displacement(result, looked_up(elements_, id / 2, "there is no element"), p, precision_);
+  }
+
+  /// The same of every dart.
+  [[nodiscard]] std::vector<Ball> displacements(const Map& map, const BallVector& p) const {
+    std::vector<Ball> h(darts_);
+    for (std::uint32_t d = 0; d < darts_; ++d) {
+      const std::uint32_t e = map.opposite[d];
+      if (d < e) displacement(h[d].get(), map.element[d], p);
+      if (d > e) h[d] = h[e];
+    }
+    return h;
+  }
+
+  [[nodiscard]] Tri is_bounded(const Cell& cell, std::uint32_t by) const {
+    switch (document_.claim) {
+      case Claim::diameter:
+        return is_bounded_by_triangulation(cell, by);
+      case Claim::radius:
+        return is_bounded_from_midpoint(cell, by / 3, by % 3);
+      case Claim::embedded_disk:
+        return is_bounded_by_edge(cell, by);
+    }
+    return Tri::unknown;
+  }
+
+  /// At the midpoint of a side, the triangulation is Delaunay, and its largest circumradius is at least LO more than
+  /// the distance to any point of the cell.
+  [[nodiscard]] Tri is_bounded_from_midpoint(const Cell& cell, std::uint32_t by, std::uint32_t side) const {
+    const Map& map = map_at(by);
+    spend(kCutOperations + 2 * kFunctionOperations);
+    spend(kEdgeOperations + 2 * kTriangleOperations, darts_ / 2);
+    spend(kFunctionOperations, darts_ / 3);
+    const Cell half = halves(cell, side, precision_)[0];
+    const std::uint32_t end = (side + 1) % 3;
+    // No point of the cell is farther from the midpoint than a corner is.
+    Ball least, reach;
+    arb_max(reach.get(), half.cosh[side].get(), half.cosh[end].get(), precision_);
+    arb_acosh(reach.get(), reach.get(), precision_);
+    arb_set_d(least.get(), document_.value.lower);
+    arb_add(least.get(), least.get(), reach.get(), precision_);
+    arb_sinh(least.get(), least.get(), precision_);
+    arb_sqr(least.get(), least.get(), precision_);
+    return is_delaunay_and_wide(map.opposite, displacements(map, half.corner[end]), least, precision_);
+  }
+
+  /// d(p, gp) ≤ 2hi at the corners, and g ≠ 1, which is implied (docs/proof.md, section 12).
+  [[nodiscard]] Tri is_bounded_by_edge(const Cell& cell, std::uint32_t by) const {
+    spend(kEdgeOperations, 3);
+    Tri within = Tri::yes;
+    Tri moves = Tri::unknown;
+    Ball h;
+    for (const BallVector& p : cell.corner) {
+      displacement(h.get(), map_at(by / darts_).element[by % darts_], p);
+      if (certainly_positive(h.get()) == Tri::yes) moves = Tri::yes;
+      within = both(within, !certainly_less(most_.get(), h.get()));
+    }
+    return both(within, moves);
+  }
+
+  /// At the corners of the cell, every triangle lies in a disk of radius hi.
+  [[nodiscard]] Tri is_bounded_by_triangulation(const Cell& cell, std::uint32_t by) const {
+    const Map& map = map_at(by);
+    spend(3 * (kEdgeOperations + kTriangleOperations), darts_ / 2);
+    Tri result = Tri::yes;
+    for (const BallVector& p : cell.corner) {
+      const std::vector<Ball> h = displacements(map, p);
+      for (std::uint32_t d = 0; d < darts_ && result != Tri::no; d += 3) {
+        result = both(result, fits(Sides(&h[d], 3), most_, precision_));
+      }
+    }
+    return result;
+  }
+
+  const CoverDocument& document_;
+  Verification& run_;
+  const CheckOptions& options_;
+  unsigned threads_;
+  const Budget& budget_;
+  LabelParts parts_;
+  LabelEvaluator evaluator_;
+  std::uint32_t darts_;
+  std::vector<Map> maps_;
+  std::vector<std::uint32_t> edges_;  ///< The net's: a dart of each.
+  std::vector<Product> products_;     ///< Element edges_.size() + k is product k.
+  std::vector<Element> elements_;
+  std::vector<Cell> triangles_;
+  Ball most_;  ///< sinh² of the upper bound.
+  slong precision_ = kFirstPrecision;
+};
+
+std::string text_of(const CoverDocument& document) {
+  using Claim = CoverDocument::Claim;
+  const std::string what = document.claim == Claim::diameter ? "the diameter"
+                           : document.claim == Claim::radius ? "the radius"
+                                                             : "the radius of the largest embedded disk";
+  return what + " lies in " + to_string(document.value);
+}
+
+NetClaim claim_of(const CoverDocument& document) {
+  const auto ask = [&](Verification& run, Crossings crossings) {
+    CoverCheck(document, run, std::move(crossings)).ask();
+  };
+  return {document.net, text_of(document), rules_of(document), ask};
+}
+
+}  // namespace
+
+RuleNames rules_of(const CoverDocument& document) {
+  RuleNames rules = rules_of(document.net);
+  const char* const at_vertex = document.claim == CoverDocument::Claim::radius ? "upper" : "lower";
+  rules.insert(rules.end(), {at_vertex, "triangulations", "cells"});
+  return rules;
+}
+
+Certificate check_cover(const CoverDocument& document, const CheckOptions& options) {
+  return verify(document, options, claim_of);
+}
+
+}  // namespace epsnet::certify

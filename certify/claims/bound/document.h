@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "certify/base/interval.h"
+#include "certify/net/document.h"
+
+/// The contents of a cover file as plain data, member by member as docs/format.md defines them.
+///
+/// A document only states what a file says; nothing here is proved. `check_cover` (check.h) decides whether it is
+/// true. Lengths are hyperbolic.
+namespace epsnet::certify {
+
+/// A cover file: bounds for a function on a surface, proved cell by cell.
+struct CoverDocument {
+  /// The quantity that is claimed to lie between the bounds.
+  ///
+  /// `diameter`: the diameter, which is the greatest eccentricity. `radius`: the radius, which is the least
+  /// eccentricity. `embedded_disk`: the radius of the largest embedded disk, which is the greatest injectivity radius.
+  enum class Claim { diameter, radius, embedded_disk };
+
+  /// A one-vertex triangulation, obtained from its parent by flips.
+  struct Triangulation {
+    std::uint32_t parent = 0;          ///< Number 0 is that of the net, number k ≥ 1 is triangulations[k − 1].
+    std::vector<std::uint32_t> flips;  ///< Darts, flipped one after the other.
+    bool operator==(const Triangulation&) const = default;
+  };
+
+  Claim claim = Claim::diameter;
+  NetDocument net;   ///< With one vertex, a point where the function is at least the lower bound; for a radius, at most
+                     ///< the upper one.
+  Interval value{};  ///< 0 < lower ≤ upper.
+  std::vector<Triangulation> triangulations;
+  /// By triangle of the net: how it is cut into cells, in preorder. 0, 1 and 2 cut across an edge, 3 + k is a cell
+  /// where the bound is that of triangulation k; for a radius, that of triangulation k' at the midpoint of side i, if k
+  /// is i + 3k'; for an embedded disk, that of dart d of triangulation k', if k is d + 3nk' with n triangles.
+  std::vector<std::vector<std::uint32_t>> cells;
+  bool operator==(const CoverDocument&) const = default;
+};
+
+}  // namespace epsnet::certify

@@ -1,0 +1,75 @@
+#include "certify/claims/bound/structure.h"
+
+#include <cmath>
+
+#include "certify/base/text.h"
+#include "certify/net/structure.h"
+
+namespace epsnet::certify {
+namespace {
+
+using Problem = std::optional<std::string>;
+
+Problem net_problem(const NetDocument& net) {
+  if (auto problem = structure_problem(net)) return problem;
+  if (net.collars) return "net: collars, a pseudo net; expected a net of the whole surface";
+  if (net.vertices.size() == 1) return std::nullopt;
+  return "net: " + std::to_string(net.vertices.size()) + " vertices, expected one";
+}
+
+Problem value_problem(Interval value) {
+  if (std::isfinite(value.upper) && 0 < value.lower && value.lower <= value.upper) return std::nullopt;
+  return "value: " + to_string(value) + " is not 0 < lo <= hi";
+}
+
+Problem triangulations_problem(const CoverDocument& document) {
+  const std::size_t darts = 3 * document.net.triangles.size();
+  for (std::size_t k = 0; k < document.triangulations.size(); ++k) {
+    const CoverDocument::Triangulation& row = document.triangulations[k];
+    if (row.parent > k) {
+      return at("triangulations", k) + "is made from number " + std::to_string(row.parent) +
+             ", expected one before its own, " + std::to_string(k + 1);
+    }
+    for (const std::uint32_t dart : row.flips) {
+      if (dart >= darts) return at("triangulations", k) + "dart " + std::to_string(dart) + " does not exist";
+    }
+  }
+  return std::nullopt;
+}
+
+Problem cells_problem(const CoverDocument& document) {
+  const std::uint64_t triangles = document.net.triangles.size();
+  if (document.cells.size() != triangles) {
+    return "cells: " + std::to_string(document.cells.size()) + " elements, expected one for each of the " +
+           std::to_string(triangles) + " triangles";
+  }
+  const std::uint64_t of_each = document.claim == CoverDocument::Claim::diameter ? 1
+                                : document.claim == CoverDocument::Claim::radius ? 3
+                                                                                 : 3 * triangles;
+  const std::uint64_t bounds = (document.triangulations.size() + 1) * of_each;
+  for (std::size_t t = 0; t < document.cells.size(); ++t) {
+    std::size_t open = 1;
+    for (const std::uint32_t entry : document.cells[t]) {
+      if (open == 0) return at("cells", t) + "more numbers than the subdivision has";
+      if (entry < 3) {
+        ++open;
+        continue;
+      }
+      if (entry - 3 >= bounds) return at("cells", t) + std::to_string(entry) + " names nothing that bounds a cell";
+      --open;
+    }
+    if (open != 0) return at("cells", t) + "the subdivision ends early, " + std::to_string(open) + " cells are missing";
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Problem structure_problem(const CoverDocument& document) {
+  if (auto problem = net_problem(document.net)) return problem;
+  if (auto problem = value_problem(document.value)) return problem;
+  if (auto problem = triangulations_problem(document)) return problem;
+  return cells_problem(document);
+}
+
+}  // namespace epsnet::certify

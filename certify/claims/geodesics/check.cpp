@@ -1,0 +1,338 @@
+#include "certify/claims/geodesics/check.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "certify/base/text.h"
+#include "certify/claims/geodesics/chord_table.h"
+#include "certify/claims/geodesics/completeness_check.h"
+#include "certify/claims/geodesics/cut_surface.h"
+#include "certify/claims/geodesics/exact_traces.h"
+#include "certify/claims/geodesics/list_rules.h"
+#include "certify/claims/geodesics/structure.h"
+#include "certify/claims/least_bytes.h"
+#include "certify/claims/net/check.h"
+#include "certify/claims/net/verify.h"
+#include "certify/numbers/parallel.h"
+#include "certify/numbers/precision.h"
+
+namespace epsnet::certify {
+namespace {
+
+/// cosh(x/2) of a binary64.
+Ball cosh_half(double x, slong precision) {
+  Ball result;
+  arb_set_d(result.get(), x);
+  arb_mul_2exp_si(result.get(), result.get(), -1);
+  arb_cosh(result.get(), result.get(), precision);
+  return result;
+}
+
+/// The net with the words of the geodesics as further labels, which no triangle uses.
+NetDocument extended(const GeodesicsDocument& document) {
+  NetDocument net = document.net;
+  for (const GeodesicsDocument::ClosedGeodesic& geodesic : document.geodesics) {
+    const std::uint32_t chart = net.vertices[geodesic.vertex].chart;
+    net.labels.push_back({chart, chart, geodesic.word});
+  }
+  return net;
+}
+
+enum Rule : std::size_t { kGeodesics, kDistinct, kSimple, kEqual, kComplete, kPieces };
+constexpr std::array kRules{kGeodesics, kDistinct, kSimple, kEqual, kComplete, kPieces};
+constexpr std::array<const char*, 6> kRuleNames{"geodesics", "distinct", "simple", "equal", "complete", "pieces"};
+
+/// Whether a claim needs a rule.
+bool is_needed(Rule rule, GeodesicsDocument::Claim claim) {
+  if (rule == kPieces) return claim == GeodesicsDocument::Claim::thick_thin;
+  return claim != GeodesicsDocument::Claim::systole || (rule != kDistinct && rule != kEqual);
+}
+
+class GeodesicsCheck {
+ public:
+  GeodesicsCheck(const GeodesicsDocument& document, const Verification& run, Crossings crossings)
+      : document_(document),
+        options_(run.options()),
+        threads_(run.threads()),
+        net_(extended(document)),
+        parts_(label_parts(std::move(crossings), net_.charts, run.budget())),
+        evaluator_(net_, parts_),
+        first_darts_(first_darts(net_)),
+        elements_(document.geodesics.size()),
+        traces_(evaluator_),
+        completeness_(document, evaluator_, options_) {
+    std::iota(elements_.begin(), elements_.end(), static_cast<std::uint32_t>(document.net.labels.size()) + 1);
+    for (const char* rule : kRuleNames) reports_.push_back({rule, Verdict::undecided, "not decided"});
+  }
+
+  /// The reports of the rules that the claim needs.
+  std::vector<RuleReport> run() {
+    try {
+      with_rising_precision(options_.max_precision, [&](slong precision) {
+        precision_ = precision;
+        pass(precision);
+        return verdict(kGeodesics) == Verdict::refuted || all_decided();
+      });
+      // Nothing can be said about a list whose elements are wrong.
+      if (verdict(kGeodesics) == Verdict::refuted) {
+        reports_.resize(1);
+        return std::move(reports_);
+      }
+    } catch (const BudgetSpent& spent) {
+      for (RuleReport& report : reports_) {
+        if (report.verdict == Verdict::undecided) report.text = spent.what();
+      }
+    }
+    std::vector<RuleReport> result;
+    for (const Rule rule : kRules) {
+      if (needed(rule)) result.push_back(std::move(reports_[rule]));
+    }
+    return result;
+  }
+
+  [[nodiscard]] GeodesicsCounts counts() const {
+    return {.geodesics = document_.geodesics.size(),
+            .lifted_triangles = completeness_.visits(),
+            .candidates = completeness_.candidates(),
+            .deep_vertices = completeness_.deep_vertices(),
+            .max_precision_used = static_cast<std::uint64_t>(precision_)};
+  }
+
+ private:
+  [[nodiscard]] Verdict verdict(Rule rule) const { return reports_[rule].verdict; }
+  [[nodiscard]] bool open(Rule rule) const { return needed(rule) && verdict(rule) == Verdict::undecided; }
+
+  [[nodiscard]] bool needed(Rule rule) const { return is_needed(rule, document_.claim); }
+
+  /// Whether more bits can change nothing.
+  [[nodiscard]] bool all_decided() const {
+    for (const Rule rule : {kGeodesics, kDistinct, kSimple, kPieces}) {
+      if (open(rule)) return verdict(kSimple) == Verdict::refuted || verdict(kDistinct) == Verdict::refuted;
+    }
+    return !open(kComplete) || completeness_.limit_reached();
+  }
+
+  void report(Rule rule, Verdict verdict, std::string text) {
+    reports_[rule].verdict = verdict;
+    reports_[rule].text = std::move(text);
+  }
+
+  void progress(Rule rule) const {
+    if (options_.progress) options_.progress(reports_[rule].rule, 0);
+  }
+
+  /// All open rules at one precision.
+  void pass(slong precision) {
+    progress(kGeodesics);
+    const LiftedPlane plane(net_, evaluator_, parts_, precision, options_.max_precision, threads_);
+    if (open(kGeodesics)) check_lengths(plane);
+    if (open(kEqual)) check_equal();
+    if (verdict(kGeodesics) != Verdict::verified) return;
+    std::vector<ChordTable::Member> members;
+    for (std::size_t i = 0; i < elements_.size(); ++i) members.push_back({first_dart(i), element(plane, i)});
+    const ChordTable table(plane, std::move(members), threads_);
+    if (!table.complete()) {
+      for (const Rule rule : {kDistinct, kSimple, kComplete, kPieces}) {
+        if (open(rule)) reports_[rule].text = "not decided which triangles the geodesics meet, with " + bits();
+      }
+      return;
+    }
+    if (open(kDistinct)) check_distinct(table);
+    if (open(kSimple)) check_simple(table);
+    if (verdict(kDistinct) == Verdict::refuted || verdict(kSimple) == Verdict::refuted) return;
+    if (open(kComplete)) {
+      progress(kComplete);
+      reports_[kComplete] = completeness_.check(plane, table, threads_);
+    }
+    if (open(kPieces) && verdict(kSimple) == Verdict::verified && verdict(kDistinct) == Verdict::verified) {
+      check_pieces(plane, table);
+    }
+  }
+
+  [[nodiscard]] std::string bits() const { return std::to_string(precision_) + " bits"; }
+  [[nodiscard]] std::uint32_t first_dart(std::size_t i) const { return first_darts_[document_.geodesics[i].vertex]; }
+
+  /// The element that translates along geodesic i in its direction: a path ends where the inverse of its word's value
+  /// takes its start.
+  [[nodiscard]] BallIsometry element(const LiftedPlane& plane, std::size_t i) const {
+    BallIsometry result = inverse(plane.label(elements_[i]));
+    choose_sign(result);
+    return result;
+  }
+
+  // Rule geodesics.
+
+  void check_lengths(const LiftedPlane& plane) {
+    for (const Tri wanted : {Tri::no, Tri::unknown}) {
+      for (std::size_t i = 0; i < elements_.size(); ++i) {
+        const BallIsometry f = element(plane, i);
+        const Tri enclosed = is_enclosed(f, document_.geodesics[i].length);
+        const Tri within = document_.claim == GeodesicsDocument::Claim::systole ? Tri::yes : is_within(plane, f, i);
+        if (enclosed != wanted && within != wanted) continue;
+        const bool wrong = wanted == Tri::no;
+        const std::string actual = " has a length in " + to_string(translation_length(f, plane.precision()));
+        const std::string what =
+            enclosed == wanted
+                ? (wrong ? ", not in " : ", not decided whether in ") + to_string(document_.geodesics[i].length)
+                : (wrong ? ", more than " : ", not decided whether at most ") + completeness_.bound_name();
+        report(kGeodesics, wrong ? Verdict::refuted : Verdict::undecided,
+               geodesic_name(i) + actual + what + (wrong ? "" : ", with " + bits()));
+        return;
+      }
+    }
+    report(kGeodesics, Verdict::verified,
+           std::to_string(elements_.size()) + " closed geodesics have lengths in their enclosures");
+  }
+
+  /// lo ≤ l ≤ hi; equality is impossible, as cosh(l/2) is algebraic.
+  [[nodiscard]] Tri is_enclosed(const BallIsometry& f, Interval length) const {
+    const Ball cosh = cosh_half_length(f);
+    const Tri above_lower = certainly_less(cosh_half(length.lower, precision_).get(), cosh.get());
+    const Tri below_upper = certainly_less(cosh.get(), cosh_half(length.upper, precision_).get());
+    return both(above_lower, below_upper);
+  }
+
+  [[nodiscard]] Tri is_within(const LiftedPlane& plane, const BallIsometry& f, std::size_t i) const {
+    const Tri less = certainly_less(cosh_half_length(f).get(), completeness_.cosh_half_bound(plane).get());
+    if (less != Tri::unknown || document_.claim != GeodesicsDocument::Claim::thick_thin) return less;
+    const auto sign = traces_.compare_with_short(evaluator_.word(elements_[i]));
+    if (!sign) return Tri::unknown;
+    return *sign > 0 ? Tri::no : Tri::yes;
+  }
+
+  // Rule equal.
+
+  void check_equal() {
+    std::size_t claimed = 0;
+    for (const GeodesicsDocument::Cluster& cluster : document_.clusters) {
+      if (!cluster.equal) continue;
+      ++claimed;
+      for (std::uint32_t i = cluster.first + 1; i < cluster.first + cluster.count; ++i) {
+        const Tri equal = lengths_equal(elements_[cluster.first], elements_[i]);
+        if (equal == Tri::yes) continue;
+        const std::string names = geodesic_name(cluster.first) + " and " + geodesic_name(i);
+        report(kEqual, equal == Tri::no ? Verdict::refuted : Verdict::undecided,
+               equal == Tri::no ? names + " have different lengths in a cluster of equal ones"
+                                : names + ": the words are too long to compare the lengths exactly");
+        return;
+      }
+    }
+    report(kEqual, Verdict::verified,
+           std::to_string(claimed) + " of " + std::to_string(document_.clusters.size()) +
+               " clusters consist of equal lengths, exactly");
+  }
+
+  [[nodiscard]] Tri lengths_equal(std::uint32_t number, std::uint32_t other) const {
+    const auto sign = traces_.compare(evaluator_.word(number), evaluator_.word(other));
+    if (!sign) return Tri::unknown;
+    return *sign == 0 ? Tri::yes : Tri::no;
+  }
+
+  // Rules distinct and simple.
+
+  void check_distinct(const ChordTable& table) {
+    std::vector<ChordTable::Match> matches(table.size());
+    for_each_parallel(table.size(), threads_,
+                      [&](unsigned, std::size_t i) { matches[i] = table.find_other(static_cast<std::uint32_t>(i)); });
+    reports_[kDistinct] = distinct_report(matches, precision_);
+  }
+
+  void check_simple(const ChordTable& table) {
+    const bool disjoint = document_.claim == GeodesicsDocument::Claim::thick_thin;
+    std::vector<Meetings> meetings(table.size());
+    for_each_parallel(table.size(), threads_, [&](unsigned, std::size_t i) {
+      const auto geodesic = static_cast<std::uint32_t>(i);
+      meetings[i] = {table.crosses_itself(geodesic), disjoint ? table.crosses_another(geodesic) : Tri::no};
+    });
+    reports_[kSimple] = simple_report(document_.geodesics, meetings, disjoint, precision_);
+  }
+
+  // Rule pieces.
+
+  void check_pieces(const LiftedPlane& plane, const ChordTable& table) {
+    const auto found = cut_surface(plane, evaluator_, table, elements_);
+    if (!found) {
+      reports_[kPieces].text = "not decided how the geodesics cut the triangles, with " + bits();
+      return;
+    }
+    const auto boundaries = [](const GeodesicsDocument::Piece& x, const GeodesicsDocument::Piece& y) {
+      return x.boundaries < y.boundaries;
+    };
+    std::vector<GeodesicsDocument::Piece> actual = *found;
+    std::vector<GeodesicsDocument::Piece> claimed = document_.pieces;
+    for (GeodesicsDocument::Piece& piece : claimed) std::sort(piece.boundaries.begin(), piece.boundaries.end());
+    std::sort(actual.begin(), actual.end(), boundaries);
+    std::sort(claimed.begin(), claimed.end(), boundaries);
+    if (actual == claimed) {
+      report(kPieces, Verdict::verified, std::to_string(actual.size()) + " pieces, as said");
+    } else {
+      report(kPieces, Verdict::refuted, "the surface cut along the geodesics has " + pieces_text(actual));
+    }
+  }
+
+  static std::string pieces_text(const std::vector<GeodesicsDocument::Piece>& pieces) {
+    constexpr std::size_t kShown = 20;
+    std::string result = std::to_string(pieces.size()) + " pieces (genus, boundaries):";
+    for (std::size_t i = 0; i < std::min(pieces.size(), kShown); ++i) {
+      result += " (" + std::to_string(pieces[i].genus) + ", " + std::to_string(pieces[i].boundaries.size()) + ")";
+    }
+    return pieces.size() > kShown ? result + " ..." : result;
+  }
+
+  const GeodesicsDocument& document_;
+  const CheckOptions& options_;
+  unsigned threads_;
+  NetDocument net_;
+  LabelParts parts_;
+  LabelEvaluator evaluator_;
+  std::vector<std::uint32_t> first_darts_;
+  std::vector<std::uint32_t> elements_;  ///< By geodesic: its label number in net_.
+  ExactTraces traces_;
+  CompletenessCheck completeness_;
+  std::vector<RuleReport> reports_;
+  slong precision_ = 64;
+};
+
+/// What the document says of its list, in words.
+std::string text_of(const GeodesicsDocument& document) {
+  const std::string count = std::to_string(document.geodesics.size());
+  switch (document.claim) {
+    case GeodesicsDocument::Claim::systole:
+      return "the systole: no closed geodesic is shorter than geodesic 0, whose length lies in " +
+             to_string(document.geodesics[0].length);
+    case GeodesicsDocument::Claim::spectrum:
+      return "the spectrum: the " + count + " primitive closed geodesics of length at most " +
+             in_quotes(document.up_to) + ", up to orientation";
+    case GeodesicsDocument::Claim::thick_thin:
+      break;
+  }
+  return "the thick-thin decomposition: the " + count +
+         " primitive closed geodesics of length at most 2 arsinh 1, up to orientation, and the pieces without them";
+}
+
+NetClaim claim_of(const GeodesicsDocument& document) {
+  const auto ask = [&](Verification& run, Crossings crossings) {
+    GeodesicsCheck geodesics(document, run, std::move(crossings));
+    for (RuleReport& report : geodesics.run()) run.report(std::move(report));
+    run.certificate().geodesics = geodesics.counts();
+  };
+  return {document.net, text_of(document), rules_of(document), ask};
+}
+
+}  // namespace
+
+RuleNames rules_of(const GeodesicsDocument& document) {
+  RuleNames rules = rules_of(document.net);
+  for (const Rule rule : kRules) {
+    if (is_needed(rule, document.claim)) rules.emplace_back(kRuleNames[rule]);
+  }
+  return rules;
+}
+
+Certificate check_geodesics(const GeodesicsDocument& document, const CheckOptions& options) {
+  return verify(document, options, claim_of);
+}
+
+}  // namespace epsnet::certify

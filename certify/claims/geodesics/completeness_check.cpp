@@ -1,0 +1,224 @@
+#include "certify/claims/geodesics/completeness_check.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "certify/base/text.h"
+#include "certify/claims/geodesics/candidate_judge.h"
+#include "certify/claims/geodesics/orbit_search.h"
+#include "certify/net/darts.h"
+#include "certify/numbers/parallel.h"
+
+namespace epsnet::certify {
+
+/// All vertices at one precision.
+class CompletenessCheck::Pass {
+ public:
+  Pass(const CompletenessCheck& check, const LiftedPlane& plane, const ChordTable& table)
+      : check_(check),
+        plane_(plane),
+        net_(plane.net()),
+        first_darts_(first_darts(net_)),
+        cosh_half_(check.cosh_half_bound(plane)),
+        judge_(check.document_, check.evaluator_, plane, table, cosh_half_) {
+    const slong precision = plane.precision();
+    Ball cosh_epsilon, squared_sinh;
+    set_rational(epsilon_.get(), decimal(net_.epsilon), precision);
+    arb_cosh(cosh_epsilon.get(), epsilon_.get(), precision);
+    // sinh(D/2) = sinh(L/2) cosh ε; cosh D = 1 + 2 sinh²(D/2).
+    arb_sqr(squared_sinh.get(), cosh_half_.get(), precision);
+    arb_sub_ui(squared_sinh.get(), squared_sinh.get(), 1, precision);
+    arb_sqr(cosh_epsilon.get(), cosh_epsilon.get(), precision);
+    arb_mul(squared_sinh.get(), squared_sinh.get(), cosh_epsilon.get(), precision);
+    arb_mul_2exp_si(cosh_distance_.get(), squared_sinh.get(), 1);
+    arb_add_ui(cosh_distance_.get(), cosh_distance_.get(), 1, precision);
+    arb_sqr(sinh_distance_.get(), cosh_distance_.get(), precision);
+    arb_sub_ui(sinh_distance_.get(), sinh_distance_.get(), 1, precision);
+    arb_sqrtpos(sinh_distance_.get(), sinh_distance_.get(), precision);
+  }
+
+  /// Calls tick() now and then.
+  template <class Tick>
+  void examine(std::uint32_t v, Vertex& vertex, const Tick& tick) const {
+    vertex.text.clear();
+    if (examine_loops(v, vertex)) return;
+    const BallVector place = position(v);
+    Tri answer = Tri::yes;
+    const auto report = [&](const BallIsometry& element, const LabelProduct& product) {
+      tick();
+      if (CandidateJudge::inverse_will_do(element)) return Search::go_on;
+      answer = judge(v, element, product, &place, vertex);
+      return answer == Tri::yes ? Search::go_on : Search::stop;
+    };
+    OrbitOutcome outcome{.limit_reached = is_hopeless()};
+    if (!outcome.limit_reached) {
+      outcome = search_orbit(plane_, first_darts_[v], cosh_distance_, sinh_distance_, check_.limit_, report);
+    }
+    vertex.visits += outcome.visits;
+    vertex.limit_reached = outcome.limit_reached;
+    vertex.complete = answer == Tri::yes && !outcome.complete ? Tri::unknown : answer;
+  }
+
+ private:
+  /// Whether triangles, each of area less than π, cannot cover within the limit the disk of the radius r with cosh r =
+  /// cosh(D)/2: there α ≤ cosh r + sinh r tanh ε < cosh D, so that all that meet it are visited.
+  [[nodiscard]] bool is_hopeless() const {
+    Ball least, limit;
+    arb_sub_ui(least.get(), cosh_distance_.get(), 2, plane_.precision());
+    arb_set_ui(limit.get(), check_.limit_);
+    return certainly_less(limit.get(), least.get()) == Tri::yes;
+  }
+
+  /// True if the vertex is deep; then its short loop is the only candidate.
+  bool examine_loops(std::uint32_t v, Vertex& vertex) const {
+    for (const std::uint32_t dart : check_.loops_[v]) {
+      BallIsometry element = compose(inverse(plane_.label(corner_label(net_, dart))),
+                                     plane_.label(corner_label(net_, next_dart(dart))), plane_.precision());
+      choose_sign(element);
+      if (!is_deep(v, element)) continue;
+      vertex.deep = true;
+      const LabelProduct product = [&] {
+        return std::vector<SignedLabel>{{corner_label(net_, dart), true}, {corner_label(net_, next_dart(dart)), false}};
+      };
+      vertex.complete = judge(v, element, product, nullptr, vertex);
+      return true;
+    }
+    return false;
+  }
+
+  /// sinh(l/2) < 1 and d + ε < w(l) = arsinh(1/sinh(l/2)), d the distance of the vertex from the axis: certainly.
+  [[nodiscard]] bool is_deep(std::uint32_t v, const BallIsometry& element) const {
+    const slong precision = plane_.precision();
+    Ball half_length, width, distance;
+    arb_sqr(half_length.get(), element.a.re(), precision);
+    arb_sub_ui(half_length.get(), half_length.get(), 1, precision);
+    arb_sqrt(half_length.get(), half_length.get(), precision);
+    Ball one;
+    arb_one(one.get());
+    // Implied by d + ε < w(l), as a loop is at most 2ε long (docs/proof.md, Lemma 13).
+    if (certainly_less(half_length.get(), one.get()) != Tri::yes) return false;
+    arb_inv(width.get(), half_length.get(), precision);
+    arb_asinh(width.get(), width.get(), precision);
+    dot(distance.get(), axis_row(element, precision), position(v), precision);
+    arb_abs(distance.get(), distance.get());
+    arb_asinh(distance.get(), distance.get(), precision);
+    arb_add(distance.get(), distance.get(), epsilon_.get(), precision);
+    return certainly_less(distance.get(), width.get()) == Tri::yes;
+  }
+
+  /// The vertex in its own chart.
+  [[nodiscard]] BallVector position(std::uint32_t v) const {
+    return unit_vector(identity_isometry(), net_.vertices[v].x, net_.vertices[v].y, plane_.precision());
+  }
+
+  [[nodiscard]] Tri judge(std::uint32_t v, const BallIsometry& element, const LabelProduct& product,
+                          const BallVector* place, Vertex& vertex) const {
+    CandidateJudge::Judgement judgement = judge_.judge(v, element, product, place);
+    vertex.candidates += judgement.is_candidate ? 1 : 0;
+    if (judgement.in_order == Tri::no) vertex.text = std::move(judgement.text);
+    return judgement.in_order;
+  }
+
+  const CompletenessCheck& check_;
+  const LiftedPlane& plane_;
+  const NetDocument& net_;
+  std::vector<std::uint32_t> first_darts_;
+  Ball cosh_half_;
+  CandidateJudge judge_;
+  Ball epsilon_;
+  Ball cosh_distance_;
+  Ball sinh_distance_;
+};
+
+CompletenessCheck::CompletenessCheck(const GeodesicsDocument& document, const LabelEvaluator& evaluator,
+                                     const CheckOptions& options)
+    : document_(document),
+      evaluator_(evaluator),
+      up_to_(document.claim == GeodesicsDocument::Claim::spectrum ? decimal(document.up_to) : mpq_class()),
+      progress_(options.progress),
+      limit_(options.max_visits / std::max<std::size_t>(document.net.vertices.size(), 1)),
+      vertices_(document.net.vertices.size()),
+      loops_(document.net.vertices.size()) {
+  const NetDocument& net = document.net;
+  for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
+    const std::uint32_t v = start(net, dart);
+    if (v == start(net, next_dart(dart)) && dart < opposite(net, dart)) loops_[v].push_back(dart);
+  }
+}
+
+RuleReport CompletenessCheck::check(const LiftedPlane& plane, const ChordTable& table, unsigned threads) {
+  const Pass pass(*this, plane, table);
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
+    if (vertices_[v].complete == Tri::unknown && !vertices_[v].limit_reached) open.push_back(v);
+  }
+  // What is begun is forgotten if the budget ends it, so that the counts do not depend on the number of threads.
+  std::vector<Vertex> vertices = vertices_;
+  for_each_parallel(open.size(), threads, [&](unsigned worker, std::size_t i) {
+    pass.examine(open[i], vertices[open[i]], [&] {
+      if (worker == 0 && progress_) progress_("complete", static_cast<double>(i) / static_cast<double>(open.size()));
+    });
+  });
+  vertices_ = std::move(vertices);
+
+  const auto find = [&](Tri wanted) {
+    return std::find_if(vertices_.begin(), vertices_.end(), [&](const Vertex& v) { return v.complete == wanted; });
+  };
+  if (const auto wrong = find(Tri::no); wrong != vertices_.end()) return {"complete", Verdict::refuted, wrong->text};
+  if (const auto left = find(Tri::unknown); left != vertices_.end()) {
+    const std::string name = "vertex " + std::to_string(left - vertices_.begin());
+    return {"complete", Verdict::undecided,
+            left->limit_reached
+                ? name + " needs more than " + std::to_string(limit_) + " lifted triangles, its share of the limit"
+                : name + ": not decided whether all geodesics near it are in the list, with " +
+                      std::to_string(plane.precision()) + " bits"};
+  }
+  if (document_.claim == GeodesicsDocument::Claim::systole) {
+    return {"complete", Verdict::verified, "no closed geodesic is shorter than geodesic 0"};
+  }
+  return {"complete", Verdict::verified,
+          "no primitive closed geodesic of length at most " + bound_name() + " is missing"};
+}
+
+bool CompletenessCheck::limit_reached() const {
+  return std::any_of(vertices_.begin(), vertices_.end(), [](const Vertex& v) { return v.limit_reached; });
+}
+
+std::uint64_t CompletenessCheck::visits() const {
+  return std::accumulate(vertices_.begin(), vertices_.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const Vertex& v) { return sum + v.visits; });
+}
+
+std::uint64_t CompletenessCheck::candidates() const {
+  return std::accumulate(vertices_.begin(), vertices_.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const Vertex& v) { return sum + v.candidates; });
+}
+
+std::uint64_t CompletenessCheck::deep_vertices() const {
+  return static_cast<std::uint64_t>(
+      std::count_if(vertices_.begin(), vertices_.end(), [](const Vertex& v) { return v.deep; }));
+}
+
+Ball CompletenessCheck::cosh_half_bound(const LiftedPlane& plane) const {
+  Ball result;
+  switch (document_.claim) {
+    case GeodesicsDocument::Claim::thick_thin:
+      arb_sqrt_ui(result.get(), 2, plane.precision());
+      break;
+    case GeodesicsDocument::Claim::systole:
+      result = cosh_half_length(plane.label(first_element()));
+      break;
+    case GeodesicsDocument::Claim::spectrum:
+      set_rational(result.get(), up_to_, plane.precision());
+      arb_mul_2exp_si(result.get(), result.get(), -1);
+      arb_cosh(result.get(), result.get(), plane.precision());
+      break;
+  }
+  return result;
+}
+
+std::string CompletenessCheck::bound_name() const {
+  return document_.claim == GeodesicsDocument::Claim::thick_thin ? "2 arsinh 1" : in_quotes(document_.up_to);
+}
+
+}  // namespace epsnet::certify

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "certify/claims/geodesics/chord_table.h"
+#include "certify/claims/geodesics/document.h"
+#include "certify/claims/net/check.h"
+
+namespace epsnet::certify {
+
+/// Rule `complete`: every primitive closed geodesic of length at most L is in the list, or, for a systole, none is
+/// shorter than the one listed (docs/proof.md, section 11).
+///
+/// Vertex by vertex: what one precision decides is not asked again at the next. L is the `up_to` of a spectrum, 2
+/// arsinh 1 for a thick-thin decomposition, and the length of the geodesic listed for a systole. Lengths that balls do
+/// not tell apart are compared exactly.
+class CompletenessCheck {
+ public:
+  /// All must outlive the check. The document has no structure problem and its net is verified. The evaluator's
+  /// document is that net with the words of the geodesics as further labels, in the order of the list.
+  CompletenessCheck(const GeodesicsDocument& document, const LabelEvaluator& evaluator, const CheckOptions& options);
+
+  /// Continues with the vertices that are still open; the table is that of the list's geodesics at the precision of the
+  /// plane. The report does not depend on the number of threads.
+  [[nodiscard]] RuleReport check(const LiftedPlane& plane, const ChordTable& table, unsigned threads);
+
+  /// Whether a vertex needs more visits than are allowed: more bits do not help.
+  [[nodiscard]] bool limit_reached() const;
+  [[nodiscard]] std::uint64_t visits() const;
+  [[nodiscard]] std::uint64_t candidates() const;
+  [[nodiscard]] std::uint64_t deep_vertices() const;
+
+  /// cosh(L/2). The plane is of the evaluator's document.
+  [[nodiscard]] Ball cosh_half_bound(const LiftedPlane& plane) const;
+  /// L in words.
+  [[nodiscard]] std::string bound_name() const;
+
+ private:
+  struct Vertex {
+    Tri complete = Tri::unknown;
+    bool deep = false;
+    bool limit_reached = false;
+    std::uint64_t visits = 0;
+    std::uint64_t candidates = 0;
+    std::string text;
+  };
+  class Pass;
+
+  /// The label number of the first geodesic's word.
+  [[nodiscard]] std::uint32_t first_element() const {
+    return static_cast<std::uint32_t>(document_.net.labels.size()) + 1;
+  }
+
+  const GeodesicsDocument& document_;
+  const LabelEvaluator& evaluator_;
+  mpq_class up_to_;                                         ///< Of a spectrum.
+  std::function<void(std::string_view, double)> progress_;  ///< As in CheckOptions.
+  std::uint64_t limit_;                                     ///< Visits for one vertex.
+  std::vector<Vertex> vertices_;
+  std::vector<std::vector<std::uint32_t>> loops_;  ///< By vertex: darts from it to itself.
+};
+
+}  // namespace epsnet::certify

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "certify/base/interval.h"
+#include "certify/net/document.h"
+
+/// The contents of a geodesics file as plain data, member by member as docs/format.md defines them.
+///
+/// A document only states what a file says; nothing here is proved. `check_geodesics` (check.h) decides
+/// whether it is true. Lengths are hyperbolic.
+namespace epsnet::certify {
+
+/// A geodesics file.
+struct GeodesicsDocument {
+  /// The claim about the list of geodesics.
+  ///
+  /// `systole`: one closed geodesic, and none is shorter. `spectrum`: all primitive closed geodesics of length at most
+  /// `up_to`, up to orientation. `thick_thin`: all of length at most 2 arsinh 1, with the pieces of the surface cut
+  /// along them.
+  enum class Claim { systole, spectrum, thick_thin };
+
+  /// The closed geodesic in the free homotopy class of a loop at a vertex.
+  ///
+  /// The loop starts and ends in the tile of the vertex's chart and crosses the sides of the word, in this order; the
+  /// geodesic is directed like the loop.
+  struct ClosedGeodesic {
+    std::uint32_t vertex = 0;
+    std::vector<std::uint32_t> word;
+    Interval length{};  ///< Contains the length; 0 < lower ≤ upper.
+    bool simple = false;
+    bool operator==(const ClosedGeodesic&) const = default;
+  };
+
+  /// geodesics[first], …, geodesics[first + count − 1]: a run of lengths that the enclosures cannot distinguish.
+  struct Cluster {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    bool equal = false;  ///< All lengths of the run are claimed to be exactly equal; false claims nothing.
+    bool operator==(const Cluster&) const = default;
+  };
+
+  /// A component of the surface minus the geodesics.
+  struct Piece {
+    std::uint32_t genus = 0;
+    /// Pairs (index of a geodesic, side of it that bounds the piece); 0 is left, 1 is right.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> boundaries;
+    bool operator==(const Piece&) const = default;
+  };
+
+  Claim claim = Claim::systole;
+  NetDocument net;
+  std::string up_to;  ///< A decimal as written; only for a spectrum, else empty.
+  std::vector<ClosedGeodesic> geodesics;
+  std::vector<Cluster> clusters;  ///< Empty for a systole.
+  std::vector<Piece> pieces;      ///< Only for thick_thin.
+  bool operator==(const GeodesicsDocument&) const = default;
+};
+
+}  // namespace epsnet::certify

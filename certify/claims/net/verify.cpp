@@ -1,0 +1,26 @@
+#include "certify/claims/net/verify.h"
+
+#include <utility>
+
+#include "certify/claims/net/net_rules.h"
+
+namespace epsnet::certify {
+
+Certificate verify(const NetClaim& claim, std::uint64_t least_bytes, const CheckOptions& options) {
+  Verification run(options, least_bytes, claim.rules, claim.text);
+  try {
+    Crossings crossings = ask_net_rules(claim.net, run);
+    if (claim.ask && run.rules().verified_so_far()) {
+      if (claim.net.triangles.size() > options.max_triangles) {
+        run.give_up("the net has more triangles than the limit, " + std::to_string(options.max_triangles));
+      } else {
+        claim.ask(run, std::move(crossings));
+      }
+    }
+  } catch (const BudgetSpent& spent) {
+    run.give_up(spent.what());
+  }
+  return run.conclude();
+}
+
+}  // namespace epsnet::certify

@@ -1,0 +1,644 @@
+#include "certify/net/geometry_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "certify/base/text.h"
+#include "certify/net/collar_members.h"
+#include "certify/net/darts.h"
+#include "certify/net/filter.h"
+#include "certify/net/lifted_triangle.h"
+#include "certify/net/questions.h"
+#include "certify/numbers/parallel.h"
+#include "certify/numbers/precision.h"
+
+namespace epsnet::certify {
+namespace {
+
+enum Rule : std::size_t { kOrientation, kDelaunay, kCovering, kPacking, kThick };
+constexpr std::array kRules{kOrientation, kDelaunay, kCovering, kPacking, kThick};
+constexpr std::array<const char*, 5> kRuleNames{"orientation", "delaunay", "covering", "packing", "thick"};
+
+/// Bits of relative accuracy that a length must have before it counts as measured, for useful enclosures.
+constexpr slong kMeasuredBits = 30;
+/// Triangles handed to a thread at a time.
+constexpr std::size_t kBlock = 2048;
+/// Operations of balls that a triangle takes.
+constexpr std::uint64_t kBallOperations = 150;
+
+/// The first triangle of a rule that fails, in file order, with its text.
+struct Violation {
+  std::size_t triangle;
+  std::string text;
+};
+
+/// Contains the extreme of all quantities seen; starts empty.
+class Extreme {
+ public:
+  void largest(Interval x) {
+    value_ = value_ ? Interval{std::max(value_->lower, x.lower), std::max(value_->upper, x.upper)} : x;
+  }
+  void smallest(Interval x) {
+    value_ = value_ ? Interval{std::min(value_->lower, x.lower), std::min(value_->upper, x.upper)} : x;
+  }
+  [[nodiscard]] const std::optional<Interval>& value() const { return value_; }
+
+ private:
+  std::optional<Interval> value_;
+};
+
+/// The measures that the filter settled and that may still be extreme: the largest circumradius, the longest or the
+/// shortest edge. These are asked in balls all the same, so that enclosures do not depend on the filter.
+class Candidates {
+ public:
+  struct Candidate {
+    std::size_t k;  ///< As in Questionnaire::open.
+    Questions question;
+    Interval measure;
+  };
+
+  void add(const Candidate& candidate) {
+    if (candidate.question == kCoveringBit) {
+      circumradius_ = std::max(circumradius_, candidate.measure.lower);
+    } else {
+      longest_ = std::max(longest_, candidate.measure.lower);
+      shortest_ = std::min(shortest_, candidate.measure.upper);
+    }
+    if (may_be_extreme(candidate)) candidates_.push_back(candidate);
+  }
+
+  void add(const Candidates& other) {
+    circumradius_ = std::max(circumradius_, other.circumradius_);
+    longest_ = std::max(longest_, other.longest_);
+    shortest_ = std::min(shortest_, other.shortest_);
+    candidates_.insert(candidates_.end(), other.candidates_.begin(), other.candidates_.end());
+  }
+
+  /// Calls body(candidate) for those that may be extreme among all.
+  template <class Body>
+  void for_each(const Body& body) const {
+    for (const Candidate& candidate : candidates_) {
+      if (may_be_extreme(candidate)) body(candidate);
+    }
+  }
+
+ private:
+  /// Balls that are called measured have intervals far narrower than this margin, so that one that is left out would
+  /// have changed no end of an enclosure.
+  [[nodiscard]] bool may_be_extreme(const Candidate& candidate) const {
+    constexpr double kMargin = 1 + 0x1p-20;
+    if (candidate.question == kCoveringBit) return candidate.measure.upper * kMargin >= circumradius_;
+    return candidate.measure.upper * kMargin >= longest_ || candidate.measure.lower <= shortest_ * kMargin;
+  }
+
+  double circumradius_ = 0;  ///< The largest is at least this.
+  double longest_ = 0;
+  double shortest_ = std::numeric_limits<double>::infinity();  ///< The shortest is at most this.
+  std::vector<Candidate> candidates_;
+};
+
+/// What was found in some of the triangles. Combined in file order, so nothing depends on which thread found what.
+struct Findings {
+  std::array<std::optional<Violation>, 5> refuted;
+  std::vector<std::uint32_t> ties;
+  Extreme circumradius;  ///< Of sinh² R.
+  Extreme longest;       ///< Of sinh²(d/2), as the two below.
+  Extreme shortest_edge;
+  Extreme shortest_loop;
+
+  void refute(Rule rule, std::size_t triangle, const std::string& text) {
+    if (!refuted[rule] || triangle < refuted[rule]->triangle) refuted[rule] = Violation{triangle, text};
+  }
+
+  void add(const Findings& other) {
+    for (const Rule rule : kRules) {
+      if (other.refuted[rule]) refute(rule, other.refuted[rule]->triangle, other.refuted[rule]->text);
+    }
+    ties.insert(ties.end(), other.ties.begin(), other.ties.end());
+    if (const auto& x = other.circumradius.value()) circumradius.largest(*x);
+    if (const auto& x = other.longest.value()) longest.largest(*x);
+    if (const auto& x = other.shortest_edge.value()) shortest_edge.smallest(*x);
+    if (const auto& x = other.shortest_loop.value()) shortest_loop.smallest(*x);
+  }
+};
+
+std::string triangle_name(const NetDocument& document, std::size_t t) {
+  const auto& v = document.triangles[t].vertex;
+  return "triangle " + std::to_string(t) + " (vertices " + std::to_string(v[0]) + ", " + std::to_string(v[1]) + ", " +
+         std::to_string(v[2]) + ")";
+}
+
+std::string edge_name(const NetDocument& document, std::uint32_t dart) {
+  return "the edge of dart " + std::to_string(dart) + " from vertex " + std::to_string(start(document, dart)) +
+         " to vertex " + std::to_string(start(document, next_dart(dart)));
+}
+
+/// The rule that says that an edge is at least ε long; nothing if it may have any length.
+std::optional<Rule> length_rule(const NetDocument& document, const CollarMembers& collars, std::uint32_t dart) {
+  const std::uint32_t u = start(document, dart);
+  const std::uint32_t v = start(document, next_dart(dart));
+  // The vertices of a collar are thick by rule collars (docs/proof.md, Lemma 10).
+  if (u == v) return collars.pseudo() && !collars.has_vertex(u) ? std::optional(kThick) : std::nullopt;
+  return collars.are_partners(u, v) ? std::nullopt : std::optional(kPacking);
+}
+
+void refute_orientation(const NetDocument& document, std::uint32_t t, Findings& findings) {
+  findings.refute(kOrientation, t, triangle_name(document, t) + " is not strictly counterclockwise");
+}
+
+void refute_delaunay(const NetDocument& document, std::uint32_t dart, Findings& findings) {
+  findings.refute(kDelaunay, dart / 3,
+                  edge_name(document, dart) + " is not Delaunay: the cross-ratio has positive imaginary part");
+}
+
+/// Works on a question of rule `orientation` or `delaunay` without rounding; true if it is decided.
+bool examine_exactly(const NetDocument& document, const LabelEvaluator& evaluator, std::uint32_t t, Questions question,
+                     Findings& findings) {
+  if (question == kOrientationBit) {
+    if (!exact_orientation_is_feasible(document, evaluator, t)) return false;
+    if (exact_orientation(document, evaluator, t) <= 0) refute_orientation(document, t, findings);
+    return true;
+  }
+  const std::uint32_t dart = 3 * t + (question == delaunay_bit(0) ? 0 : question == delaunay_bit(1) ? 1 : 2);
+  if (!exact_cross_ratio_is_feasible(document, evaluator, dart)) return false;
+  const int sign = exact_cross_ratio_sign(document, evaluator, dart);
+  if (sign > 0) refute_delaunay(document, dart, findings);
+  if (sign == 0) findings.ties.push_back(dart);
+  return true;
+}
+
+/// One run over the open triangles at one precision.
+class Pass {
+ public:
+  Pass(const NetDocument& document, const CollarMembers& collars, const LabelTable& labels, const mpq_class& epsilon,
+       slong precision, bool last)
+      : document_(document), collars_(collars), labels_(labels), precision_(precision), last_(last) {
+    Ball radius;
+    set_rational(radius.get(), epsilon, precision);
+    epsilon_ = outer_interval(radius.get());
+    arb_sinh(sinh_squared_.get(), radius.get(), precision);
+    arb_sqr(sinh_squared_.get(), sinh_squared_.get(), precision);
+    arb_mul_2exp_si(radius.get(), radius.get(), -1);
+    arb_sinh(half_sinh_squared_.get(), radius.get(), precision);
+    arb_sqr(half_sinh_squared_.get(), half_sinh_squared_.get(), precision);
+  }
+
+  /// Works on the open questions of triangle t and returns those that stay open.
+  Questions examine(std::uint32_t t, Questions open, LiftedTriangle& lifted, Findings& findings) const {
+    lifted.load(document_, labels_, t, precision_);
+    unsigned still_open = 0;
+    if (open & kOrientationBit) still_open |= examine_orientation(t, lifted, findings);
+    if (open & kCoveringBit) {
+      still_open |=
+          collars_.has_triangle(t) ? examine_circumcircle(t, lifted, findings) : examine_covering(t, lifted, findings);
+    }
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (open & delaunay_bit(i)) still_open |= examine_delaunay(t, i, lifted, findings);
+      if (open & length_bit(i)) still_open |= examine_length(t, i, lifted, findings);
+    }
+    return static_cast<Questions>(still_open);
+  }
+
+ private:
+  Questions examine_orientation(std::uint32_t t, LiftedTriangle& lifted, Findings& findings) const {
+    const Tri positive = certainly_positive(lifted.measure_orientation(precision_).get());
+    if (positive == Tri::no) refute_orientation(document_, t, findings);
+    return positive == Tri::unknown ? kOrientationBit : Questions{0};
+  }
+
+  Questions examine_covering(std::uint32_t t, LiftedTriangle& lifted, Findings& findings) const {
+    const auto& radius = lifted.measure_circumradius(sinh_squared_.get(), precision_);
+    const Tri inside = certainly_positive(radius.slack.get());
+    const Interval squared = quotient(radius.numerator.get(), radius.denominator.get());
+    if (inside == Tri::no) {
+      findings.refute(kCovering, t,
+                      triangle_name(document_, t) + " has a circumradius in " + to_string(length_interval(squared, 1)) +
+                          ", greater than epsilon in " + to_string(epsilon_) +
+                          (std::isinf(squared.upper) ? " (or no circumcircle)" : ""));
+    }
+    if (!last_ && (inside == Tri::unknown || (inside == Tri::yes && !measured(radius.numerator)) ||
+                   (inside == Tri::yes && !measured(radius.denominator)))) {
+      return kCoveringBit;
+    }
+    findings.circumradius.largest(squared);
+    return inside == Tri::unknown ? kCoveringBit : Questions{0};
+  }
+
+  /// All that rule `covering` asks of a triangle of a collar.
+  Questions examine_circumcircle(std::uint32_t t, LiftedTriangle& lifted, Findings& findings) const {
+    const auto& radius = lifted.measure_circumradius(sinh_squared_.get(), precision_);
+    const Tri exists = certainly_positive(radius.denominator.get());
+    // Never after rule delaunay (docs/proof.md, Lemma 4).
+    if (exists == Tri::no) findings.refute(kCovering, t, triangle_name(document_, t) + " has no circumcircle");
+    return exists == Tri::unknown ? kCoveringBit : Questions{0};
+  }
+
+  Questions examine_delaunay(std::uint32_t t, std::uint32_t i, LiftedTriangle& lifted, Findings& findings) const {
+    const Ball& cross_ratio = lifted.measure_cross_ratio(document_, labels_, i, precision_);
+    if (is_exactly_zero(cross_ratio.get())) {
+      // Nothing was rounded, as happens with coordinates of few digits: a tie already proved.
+      findings.ties.push_back(3 * t + i);
+      return 0;
+    }
+    const Tri positive = certainly_positive(cross_ratio.get());
+    if (positive == Tri::yes) refute_delaunay(document_, 3 * t + i, findings);
+    return positive == Tri::unknown ? delaunay_bit(i) : Questions{0};
+  }
+
+  Questions examine_length(std::uint32_t t, std::uint32_t i, LiftedTriangle& lifted, Findings& findings) const {
+    const std::uint32_t dart = 3 * t + i;
+    const bool loop = start(document_, dart) == start(document_, next_dart(dart));
+    const std::optional<Rule> rule = length_rule(document_, collars_, dart);
+    const auto& edge = lifted.measure_edge(half_sinh_squared_.get(), i, precision_);
+    const Ball& difference = lifted.squared_difference(i);
+    const Tri short_edge = rule ? certainly_positive(edge.lack.get()) : Tri::no;
+    const Interval squared = quotient(difference.get(), edge.gap_product.get());
+    if (short_edge == Tri::yes) {
+      findings.refute(*rule, t,
+                      edge_name(document_, dart) + " has a length in " + to_string(length_interval(squared, 2)) +
+                          ", less than epsilon in " + to_string(epsilon_));
+    }
+    if (!last_ && short_edge != Tri::yes &&
+        (short_edge == Tri::unknown || !measured(difference) || !measured(edge.gap_product))) {
+      return length_bit(i);
+    }
+    findings.longest.largest(squared);
+    if (loop || rule) (loop ? findings.shortest_loop : findings.shortest_edge).smallest(squared);
+    return short_edge == Tri::unknown ? length_bit(i) : Questions{0};
+  }
+
+  [[nodiscard]] static bool measured(const Ball& x) { return arb_rel_accuracy_bits(x.get()) >= kMeasuredBits; }
+
+  const NetDocument& document_;
+  const CollarMembers& collars_;
+  const LabelTable& labels_;
+  slong precision_;
+  bool last_;
+  Interval epsilon_{};
+  Ball sinh_squared_;
+  Ball half_sinh_squared_;
+};
+
+/// The labels that the open triangles and their neighbours carry, evaluated at one precision.
+LabelTable needed_labels(const NetDocument& document, const LabelEvaluator& evaluator,
+                         const std::vector<std::uint32_t>& triangles, slong precision, slong cap, unsigned threads) {
+  std::vector<char> used(document.labels.size() + 1, 0);
+  const auto use = [&](std::uint32_t t) {
+    for (const std::uint32_t number : document.triangles[t].label) used[number] = 1;
+  };
+  for (const std::uint32_t t : triangles) {
+    use(t);
+    for (const std::uint32_t dart : document.triangles[t].opposite) use(dart / 3);
+  }
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t number = 1; number < used.size(); ++number) {
+    if (used[number]) numbers.push_back(number);
+  }
+  return {numbers, evaluator.evaluate(numbers, precision, cap, threads), document.labels.size()};
+}
+
+/// The triangles that are still open, in file order, and what was found in the others.
+class Questionnaire {
+ public:
+  Questionnaire(const NetDocument& document, const CollarMembers& collars)
+      : document_(document), collars_(collars), triangles_(document.triangles.size()), open_(triangles_.size()) {
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+      triangles_[t] = t;
+      open_[t] = kOrientationBit | kCoveringBit;
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        if (3 * t + i < opposite(document, 3 * t + i)) {
+          open_[t] = static_cast<Questions>(open_[t] | delaunay_bit(i) | length_bit(i));
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] const std::vector<std::uint32_t>& triangles() const { return triangles_; }
+  [[nodiscard]] const std::vector<Questions>& open() const { return open_; }
+  [[nodiscard]] const Findings& findings() const { return all_; }
+
+  /// Takes away what the filter settles, but for measures that may be extreme.
+  void sift(const Filter& filter, unsigned threads) {
+    const std::size_t blocks = (triangles_.size() + kBlock - 1) / kBlock;
+    std::vector<Candidates> found(blocks);
+    for_each_parallel(blocks, threads, [&](unsigned, std::size_t block) {
+      const std::size_t end = std::min(triangles_.size(), (block + 1) * kBlock);
+      for (std::size_t k = block * kBlock; k < end; ++k) {
+        const Filter::Answer answer = filter.answer(triangles_[k], open_[k]);
+        open_[k] = static_cast<Questions>(open_[k] & ~answer.settled);
+        if (answer.settled & kCoveringBit) found[block].add({k, kCoveringBit, answer.circumradius});
+        for (std::uint32_t i = 0; i < 3; ++i) {
+          if (answer.settled & length_bit(i)) found[block].add({k, length_bit(i), answer.length[i]});
+        }
+      }
+    });
+    Candidates all;
+    for (const Candidates& candidates : found) all.add(candidates);
+    all.for_each([&](const Candidates::Candidate& candidate) {
+      open_[candidate.k] = static_cast<Questions>(open_[candidate.k] | candidate.question);
+    });
+    forget_settled();
+  }
+
+  /// examine(worker, t, open, findings) for all that are open; it returns what stays open.
+  template <class Examine>
+  void ask(unsigned threads, const CheckOptions& options, const Examine& examine) {
+    const std::size_t blocks = (triangles_.size() + kBlock - 1) / kBlock;
+    std::vector<Findings> found(blocks);
+    // What is open changes together with what was found, so that an exception leaves both as they were.
+    std::vector<Questions> open(open_.size());
+    for_each_parallel(blocks, threads, [&](unsigned worker, std::size_t block) {
+      const std::size_t end = std::min(triangles_.size(), (block + 1) * kBlock);
+      for (std::size_t k = block * kBlock; k < end; ++k) {
+        open[k] = examine(worker, triangles_[k], open_[k], found[block]);
+      }
+      if (worker == 0 && options.progress) {
+        options.progress("geometry", static_cast<double>(block) / static_cast<double>(blocks));
+      }
+    });
+    open_ = std::move(open);
+    for (const Findings& findings : found) all_.add(findings);
+    forget_settled();
+  }
+
+  /// decide(t, question, findings) for the open questions of some kinds; it says whether it could. In blocks that get
+  /// longer, so that what comes first in the file does not wait for the rest; what a block finds counts when all of it
+  /// is done, and BudgetSpent ends what is begun.
+  template <class Decide>
+  void ask_one_by_one(unsigned kinds, unsigned threads, const Decide& decide) {
+    std::vector<std::pair<std::size_t, Questions>> questions;
+    for (std::size_t k = 0; k < triangles_.size(); ++k) {
+      for (unsigned bit = 1; bit <= kinds; bit <<= 1) {
+        if (kinds & bit & open_[k]) questions.emplace_back(k, static_cast<Questions>(bit));
+      }
+    }
+    std::size_t size = 1;
+    for (std::size_t first = 0; first < questions.size(); first += size, size = std::min(2 * size, kBlock)) {
+      const std::size_t count = std::min(size, questions.size() - first);
+      std::vector<Findings> found(count);
+      std::vector<char> decided(count, 0);
+      for_each_parallel(count, threads, [&](unsigned, std::size_t i) {
+        const auto [k, question] = questions[first + i];
+        if (open_[k] & question) decided[i] = decide(triangles_[k], question, found[i]);
+      });
+      bool refuted = false;
+      for (std::size_t i = 0; i < count; ++i) {
+        if (!decided[i]) continue;
+        for (const Rule rule : kRules) refuted = refuted || found[i].refuted[rule];
+        const auto [k, question] = questions[first + i];
+        open_[k] = static_cast<Questions>(open_[k] & ~question);
+        all_.add(found[i]);
+      }
+      if (refuted) drop_idle();
+    }
+    forget_settled();
+  }
+
+  /// At the end. `all_asked`: the last pass asked everything that is open, so that all lengths were measured somehow;
+  /// what was not measured may be anything.
+  void finish(bool all_asked) {
+    constexpr Interval kAnything{0, std::numeric_limits<double>::infinity()};
+    if (!measures_dropped_ && (all_asked || std::none_of(open_.begin(), open_.end(), measures))) return;
+    all_.circumradius.largest(kAnything);
+    all_.longest.largest(kAnything);
+    all_.shortest_edge.smallest(kAnything);
+    all_.shortest_loop.smallest(kAnything);
+  }
+
+  /// The rule that is refuted, if questions of this rule were dropped for it.
+  [[nodiscard]] std::optional<Rule> dropped_for(Rule rule) const { return dropped_for_[rule]; }
+
+ private:
+  /// Whether a question asks for the circumradius or a length.
+  static bool measures(Questions questions) { return (questions & ~(kOrientationBit | kDelaunayBits)) != 0; }
+
+  /// Once a rule is refuted, only the rules before it, and itself at triangles before the one found, can change what
+  /// the certificate says first. The rest is not asked any more.
+  void drop_idle() {
+    const auto refuted =
+        std::find_if(kRules.begin(), kRules.end(), [&](Rule r) { return all_.refuted[r].has_value(); });
+    if (refuted == kRules.end()) return;
+    for (std::size_t k = 0; k < open_.size(); ++k) {
+      Questions kept = 0;
+      for (const Rule rule : kRules) {
+        const Questions questions = questions_of(rule, k);
+        if (rule < *refuted || (rule == *refuted && triangles_[k] < all_.refuted[rule]->triangle)) {
+          kept = static_cast<Questions>(kept | questions);
+        } else if (open_[k] & questions) {
+          dropped_for_[rule] = *refuted;
+        }
+      }
+      measures_dropped_ = measures_dropped_ || measures(static_cast<Questions>(open_[k] & ~kept));
+      open_[k] = static_cast<Questions>(open_[k] & kept);
+    }
+  }
+
+  void forget_settled() {
+    drop_idle();
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < triangles_.size(); ++k) {
+      if (open_[k] == 0) continue;
+      triangles_[kept] = triangles_[k];
+      open_[kept++] = open_[k];
+    }
+    triangles_.resize(kept);
+    open_.resize(kept);
+  }
+
+  /// The questions of triangle number k that belong to a rule.
+  [[nodiscard]] Questions questions_of(Rule rule, std::size_t k) const {
+    if (rule == kOrientation) return kOrientationBit;
+    if (rule == kDelaunay) return kDelaunayBits;
+    if (rule == kCovering) return kCoveringBit;
+    Questions result = 0;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (length_rule(document_, collars_, 3 * triangles_[k] + i) == rule) {
+        result = static_cast<Questions>(result | length_bit(i));
+      }
+    }
+    return result;
+  }
+
+  const NetDocument& document_;
+  const CollarMembers& collars_;
+  std::vector<std::uint32_t> triangles_;
+  std::vector<Questions> open_;
+  Findings all_;
+  std::array<std::optional<Rule>, 5> dropped_for_;
+  bool measures_dropped_ = false;
+};
+
+/// Asks all questions, and says what the answers prove.
+class GeometryChecker {
+ public:
+  GeometryChecker(const NetDocument& document, const LabelEvaluator& evaluator, const CheckOptions& options,
+                  unsigned threads)
+      : document_(document),
+        evaluator_(evaluator),
+        options_(options),
+        threads_(threads),
+        epsilon_(decimal(document.epsilon)),
+        collars_(document),
+        questions_(document, collars_),
+        why_(", with " + std::to_string(options.max_precision) + " bits") {}
+
+  GeometryOutcome run() {
+    bool all_asked = true;
+    try {
+      // All are counted, whatever the filter settles, so that what a file may take does not depend on it.
+      evaluator_.budget().spend(kBallOperations * ball_work(kFirstPrecision), questions_.triangles().size());
+      if (options_.filter) sift();
+      const auto attempt = [&](slong precision) {
+        all_asked = false;
+        ask(precision);
+        all_asked = is_last(precision);
+        decide_exactly(precision);
+        if (precision == kFirstPrecision) outcome_.triangles_beyond_64_bits = questions_.triangles().size();
+        return questions_.triangles().empty();
+      };
+      if (!questions_.triangles().empty()) with_rising_precision(options_.max_precision, attempt);
+    } catch (const BudgetSpent& spent) {
+      why_ = std::string(": ") + spent.what();
+    }
+    questions_.finish(all_asked);
+    enclose();
+    const std::array<std::string, 5> proved = proved_texts();
+    for (const Rule rule : kRules) {
+      if (rule == kThick && !collars_.pseudo()) break;
+      outcome_.reports.push_back(report(rule));
+      if (outcome_.reports.back().verdict == Verdict::verified) outcome_.reports.back().text = proved[rule];
+    }
+    return std::move(outcome_);
+  }
+
+ private:
+  [[nodiscard]] bool is_last(slong precision) const { return precision >= options_.max_precision; }
+
+  void sift() {
+    Ball radius;
+    Ball square;
+    set_rational(radius.get(), epsilon_, kFirstPrecision);
+    const auto squared_sinh = [&] {
+      arb_sinh(square.get(), radius.get(), kFirstPrecision);
+      arb_sqr(square.get(), square.get(), kFirstPrecision);
+      return outer_interval(square.get());
+    };
+    const Interval whole = squared_sinh();
+    arb_mul_2exp_si(radius.get(), radius.get(), -1);
+    questions_.sift(Filter(document_, collars_, whole, squared_sinh()), threads_);
+  }
+
+  /// All open questions, in balls.
+  void ask(slong precision) {
+    if (precision > kFirstPrecision) {
+      evaluator_.budget().spend(kBallOperations * ball_work(static_cast<std::uint64_t>(precision)),
+                                questions_.triangles().size());
+    }
+    const LabelTable labels = needed_labels(document_, evaluator_, questions_.triangles(), precision,
+                                            std::min(4 * precision, 2 * options_.max_precision), threads_);
+    const Pass pass(document_, collars_, labels, epsilon_, precision, is_last(precision));
+    std::vector<std::unique_ptr<LiftedTriangle>> lifted(std::max(threads_, 1U));
+    questions_.ask(threads_, options_, [&](unsigned worker, std::uint32_t t, Questions open, Findings& findings) {
+      if (!lifted[worker]) lifted[worker] = std::make_unique<LiftedTriangle>();
+      return pass.examine(t, open, *lifted[worker], findings);
+    });
+    outcome_.max_precision = static_cast<std::uint64_t>(precision);
+  }
+
+  /// What is left of the rules that have ties, once, when the precision is high enough.
+  void decide_exactly(slong precision) {
+    if (decided_exactly_ || !(precision >= kExactFromForEdges || is_last(precision))) return;
+    decided_exactly_ = true;
+    for (const unsigned kinds : {unsigned{kOrientationBit}, unsigned{kDelaunayBits}}) {
+      questions_.ask_one_by_one(kinds, threads_, [&](std::uint32_t t, Questions question, Findings& findings) {
+        return examine_exactly(document_, evaluator_, t, question, findings);
+      });
+    }
+  }
+
+  void enclose() {
+    const Findings& all = questions_.findings();
+    Ball radius;
+    set_rational(radius.get(), epsilon_, 128);
+    outcome_.epsilon = outer_interval(radius.get());
+    outcome_.ties = all.ties;
+    std::sort(outcome_.ties.begin(), outcome_.ties.end());
+    if (const auto& x = all.circumradius.value()) outcome_.largest_circumradius = length_interval(*x, 1);
+    if (const auto& x = all.longest.value()) outcome_.longest_edge = length_interval(*x, 2);
+    if (const auto& x = all.shortest_edge.value()) outcome_.shortest_edge = length_interval(*x, 2);
+    if (const auto& x = all.shortest_loop.value()) outcome_.shortest_loop = length_interval(*x, 2);
+  }
+
+  /// By rule.
+  [[nodiscard]] std::array<std::string, 5> proved_texts() const {
+    const std::string edges = std::to_string(3 * document_.triangles.size() / 2);
+    return {"all " + std::to_string(document_.triangles.size()) + " triangles are strictly counterclockwise",
+            "all " + edges + " edges are Delaunay, " + std::to_string(outcome_.ties.size()) + " of them exact ties",
+            std::string("every circumradius") + (collars_.pseudo() ? " outside of collars" : "") +
+                " is at most epsilon; the largest lies in " + to_string(outcome_.largest_circumradius),
+            outcome_.shortest_edge
+                ? std::string("every edge between different vertices") +
+                      (collars_.pseudo() ? " that are not those of one collar" : "") +
+                      " is at least epsilon long; the shortest lies in " + to_string(*outcome_.shortest_edge)
+                : std::string("there is only one vertex, every edge is a loop"),
+            "every loop at a vertex of no collar is at least epsilon long"};
+  }
+
+  /// Without the text of a rule that is verified.
+  [[nodiscard]] RuleReport report(Rule rule) const {
+    const Findings& findings = questions_.findings();
+    if (findings.refuted[rule]) return {kRuleNames[rule], Verdict::refuted, findings.refuted[rule]->text};
+    for (std::size_t k = 0; k < questions_.triangles().size(); ++k) {
+      const auto undecided = undecided_text(rule, questions_.triangles()[k], questions_.open()[k]);
+      if (undecided) return {kRuleNames[rule], Verdict::undecided, *undecided + why_};
+    }
+    if (const auto refuted = questions_.dropped_for(rule)) {
+      return {kRuleNames[rule], Verdict::undecided,
+              std::string("not decided, as rule ") + kRuleNames[*refuted] + " is refuted"};
+    }
+    return {kRuleNames[rule], Verdict::verified, ""};
+  }
+
+  /// What a rule leaves open in triangle t, of which these questions are; nothing if that is nothing.
+  [[nodiscard]] std::optional<std::string> undecided_text(Rule rule, std::uint32_t t, Questions open) const {
+    if (rule == kOrientation && (open & kOrientationBit)) {
+      return triangle_name(document_, t) + ": not decided whether it is strictly counterclockwise";
+    }
+    if (rule == kCovering && (open & kCoveringBit)) {
+      return triangle_name(document_, t) + ": not decided whether " +
+             (collars_.has_triangle(t) ? "it has a circumcircle" : "the circumradius is at most epsilon");
+    }
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const std::uint32_t dart = 3 * t + i;
+      if (rule == kDelaunay && (open & delaunay_bit(i))) {
+        return edge_name(document_, dart) + ": not decided whether it is Delaunay";
+      }
+      if ((open & length_bit(i)) && length_rule(document_, collars_, dart) == rule) {
+        return edge_name(document_, dart) + ": not decided whether it is at least epsilon long";
+      }
+    }
+    return std::nullopt;
+  }
+
+  const NetDocument& document_;
+  const LabelEvaluator& evaluator_;
+  const CheckOptions& options_;
+  unsigned threads_;
+  mpq_class epsilon_;
+  CollarMembers collars_;
+  Questionnaire questions_;
+  std::string why_;  ///< Message suffix: why undecided questions stayed undecided.
+  bool decided_exactly_ = false;
+  GeometryOutcome outcome_;
+};
+
+}  // namespace
+
+GeometryOutcome check_geometry(const NetDocument& document, const LabelEvaluator& evaluator,
+                               const CheckOptions& options, unsigned threads) {
+  return GeometryChecker(document, evaluator, options, threads).run();
+}
+
+}  // namespace epsnet::certify

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "certify/net/document.h"
+
+namespace epsnet::certify {
+
+[[nodiscard]] inline std::size_t number_of_tiles(const SurfaceDocument& surface) {
+  return surface.regular_genus == 0 ? surface.tiles.size() : 1;
+}
+
+/// The sides of all tiles, numbered in the order of the file (docs/format.md, "Side numbers"), and how they are glued.
+///
+/// Needs indices in range and every side glued once (structure_problem). O(number of sides).
+struct SurfaceSides {
+  explicit SurfaceSides(const SurfaceDocument& surface) {
+    if (surface.regular_genus == 0) {
+      for (const SurfaceDocument::Tile& polygon : surface.tiles) add_tile(static_cast<std::uint32_t>(polygon.size()));
+      for (const auto& [t, k, other_t, other_k] : surface.gluing) glue(first[t] + k, first[other_t] + other_k);
+    } else {
+      add_tile(4 * surface.regular_genus);
+      for (std::uint32_t k = 0; k < 2 * surface.regular_genus; ++k) glue(k, k + 2 * surface.regular_genus);
+    }
+    previous.resize(tile.size());
+    for (std::uint32_t s = 0; s < tile.size(); ++s) previous[next[s]] = s;
+  }
+
+  /// The next side around a vertex of the surface, clockwise: across the side that leaves it, then the side that
+  /// leaves it there.
+  [[nodiscard]] std::uint32_t next_around(std::size_t side) const { return next[partner[side]]; }
+
+  /// The vertices of the surface, each by its first side that leaves it, in order. O(number of sides).
+  [[nodiscard]] std::vector<std::uint32_t> vertices() const {
+    std::vector<bool> visited(partner.size());
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t s = 0; s < visited.size(); ++s) {
+      if (visited[s]) continue;
+      result.push_back(s);
+      for (std::uint32_t around = s; !visited[around]; around = next_around(around)) visited[around] = true;
+    }
+    return result;
+  }
+
+  std::vector<std::uint32_t> first;     ///< The first side of a tile.
+  std::vector<std::uint32_t> tile;      ///< The tile of a side.
+  std::vector<std::uint32_t> corner;    ///< The vertex of the tile where the side starts.
+  std::vector<std::uint32_t> partner;   ///< The side it is glued to.
+  std::vector<std::uint32_t> next;      ///< The next side of its tile, counterclockwise.
+  std::vector<std::uint32_t> previous;  ///< The previous one.
+
+ private:
+  void add_tile(std::uint32_t size) {
+    const auto start = static_cast<std::uint32_t>(tile.size());
+    const auto number = static_cast<std::uint32_t>(first.size());
+    first.push_back(start);
+    for (std::uint32_t k = 0; k < size; ++k) {
+      tile.push_back(number);
+      corner.push_back(k);
+      partner.push_back(0);
+      next.push_back(start + (k + 1) % size);
+    }
+  }
+
+  void glue(std::uint32_t side, std::uint32_t other) {
+    partner[side] = other;
+    partner[other] = side;
+  }
+};
+
+}  // namespace epsnet::certify
