@@ -17,7 +17,7 @@ double most_vertices(std::uint32_t genus, double epsilon) {
 }
 
 double systole_lower_bound(double epsilon, double shortest_loop) {
-  // sinh and cosh of a large ε do not overflow in these numbers, nor do they lose what binary64 holds.
+  // In these numbers sinh and cosh of a large ε do not overflow and are as accurate as binary64.
   const Mp256 at_thin_loops = sqrt(Mp256(2)) * sinh(Mp256(epsilon) / 2);
   const Mp256 at_loops =
       std::isinf(shortest_loop) ? at_thin_loops : std::min(at_thin_loops, Mp256(sinh(Mp256(shortest_loop) / 2)));

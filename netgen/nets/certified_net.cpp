@@ -30,9 +30,9 @@ TriangulatedNet triangulated_net(const Surface& surface, const Length& epsilon, 
     throw std::invalid_argument(
         "a pseudo net cannot be sparse: its pairs of vertices beside short geodesics do not move");
   }
-  if (options.pseudo && !options.points.empty()) throw std::invalid_argument("a pseudo net of given points");
+  if (options.pseudo && !options.points.empty()) throw std::invalid_argument("a pseudo net cannot have given points");
   if (options.sparse && !options.points.empty()) {
-    throw std::invalid_argument("a sparse net of given points: its vertices move");
+    throw std::invalid_argument("a sparse net cannot have given points, as its vertices move");
   }
   const auto start_time = std::chrono::steady_clock::now();
   std::vector<BasePoint> points = options.points;

@@ -15,7 +15,7 @@
 namespace epsnet {
 namespace {
 
-/// The core of a translation as it is seen from z.
+/// The core of a translation as seen from z.
 Core core_of(std::uint32_t chart, const Isometry<Mp1024>& f, const Mp1024& sinh2, const Complex<Mp1024>& z) {
   const Mp1024 scale = 1 / sqrt(isometry_discriminant(f));
   const LorentzVector<Mp1024> normal = scale * axis_normal(f);
@@ -107,9 +107,9 @@ bool Collars::is_handled(const Core& core, std::uint32_t t, LabelId label) {
   const LabelId to_t = atlas.product(label, foot.label);
   const Location location = locate(triangulation_, t, {foot.chart, foot.z, to_t}, Walk::visibility, kMostSteps);
   const LabelId to_triangle = atlas.product(atlas.inverse(location.transition), to_t);
-  // In a collar that is handled the foot is in its annulus: two triangles, or more as long as there are vertices of the
-  // start in it. A way out of the annulus leads through a triangle with one of its two vertices, so that the first
-  // vertex of a collar that is met tells.
+  // If the collar is handled, the foot is in its annulus: two triangles, or more as long as vertices of the start are
+  // in it. Every path out of the annulus leads through a triangle with one of its two vertices, so the first vertex of
+  // a collar on the path decides.
   const std::vector<Dart> way = way_to_collar(triangle_of(location.dart));
   if (way.empty()) {
     return false;
@@ -183,7 +183,7 @@ void Collars::insert_pair(const Core& core, std::uint32_t t, LabelId label, Jour
   const Mp1024 least = epsilon_ / 8;
   const Mp1024 height = enough < least ? least : enough;
   const Inserted p = insert(core, point_beside(core, height, Mp1024(0)), t, label, journal);
-  // The feet are not the same, so that no four vertices are on a circle.
+  // The feet differ, so that the ends of the two loops are not cocircular.
   const Mp1024 shift = length_of(core) / 32;
   const Inserted q = insert(core, point_beside(core, Mp1024(-height), shift), p.triangle, p.label, journal);
   const std::uint32_t chart_p = triangulation_.vertex(p.vertex).chart;
@@ -193,7 +193,7 @@ void Collars::insert_pair(const Core& core, std::uint32_t t, LabelId label, Jour
 }
 
 std::vector<certify::NetDocument::Collar> Collars::documents() {
-  // By the chart of the vertex: the loop of the triangle that has it twice.
+  // Maps the chart of a vertex to the loop of the triangle that has this vertex twice.
   std::unordered_map<std::uint32_t, Dart> loops;
   std::vector<certify::NetDocument::Collar> result;
   const auto vertex_of = [&](Dart d) { return triangulation_.corner(d).vertex; };
@@ -228,7 +228,7 @@ std::vector<certify::NetDocument::Collar> Collars::documents() {
 
 bool allows_pseudo_nets(const Length& epsilon) {
   const Rational twice = 2 * epsilon.value();
-  // ln 2 is irrational, so enough bits tell.
+  // ln 2 is irrational, so enough bits decide.
   for (mpfr_prec_t bits = 128;; bits *= 2) {
     mpfr_t limit;
     mpfr_init2(limit, bits);

@@ -14,7 +14,7 @@
 
 namespace epsnet {
 
-/// A closed geodesic no longer than ε as it is seen from a vertex near it.
+/// A closed geodesic no longer than ε as seen from a vertex near it.
 struct Core {
   std::uint32_t chart;           ///< The vertex's chart, whose coordinates are used below.
   Mp1024 sinh2;                  ///< sinh²(length/2).
@@ -25,30 +25,31 @@ struct Core {
 
 /// The collars of short closed geodesics that a pseudo ε-net leaves empty (thesis III.5).
 ///
-/// A collar is handled by two vertices p and q at the distance d = max(d_ε, ε/8) from the core, one on each side, where
-/// loops around the core are ε long at d_ε: sinh(ε/2) = sinh(length/2) cosh d_ε. They have loop edges, and the annulus
-/// between these is two triangles. p and q are origins of charts of their own, which do not change when vertices and
-/// triangles are renumbered: by that they are known, and the triangles by their corners.
+/// A collar is handled by inserting two vertices p and q at the distance d = max(d_ε, ε/8) from the core, one on each
+/// side. At the distance d_ε curves around the core are ε long: sinh(ε/2) = sinh(length/2) cosh d_ε. Both vertices have
+/// loops, and the annulus between these consists of two triangles. p and q are recognised by their charts, since each
+/// is the origin of its own chart, which keeps its number when vertices and triangles are renumbered; the triangles are
+/// recognised by their corners.
 class Collars {
  public:
   /// Keeps a reference to the triangulation.
   Collars(Triangulation& triangulation, const Length& epsilon);
 
-  /// The core of a loop edge shorter than l_ε, sinh(l_ε/2) = √2 sinh(ε/2), at the start of d; nullopt if there is no
+  /// Returns the core of a loop shorter than l_ε, sinh(l_ε/2) = √2 sinh(ε/2), at the start of d; nullopt if there is no
   /// such loop or its core is longer than ε. If the vertices are an ε-packing and the triangulation is Delaunay, every
-  /// vertex in the l_ε-collar of such a core has one (thesis Lemma III.8).
+  /// vertex in the l_ε-collar of such a core has such a loop (thesis Lemma III.8).
   [[nodiscard]] std::optional<Core> core_at(Dart d);
   /// Whether insert_pair was called for this core. `label` leads from its chart to the chart of triangle t, where the
   /// search starts.
   [[nodiscard]] bool is_handled(const Core& core, std::uint32_t t, LabelId label);
-  /// Inserts the two vertices of a core and makes the triangulation Delaunay again. Throws NetError if they have no
-  /// place.
+  /// Inserts the two vertices of a core and makes the triangulation Delaunay again. Throws NetError if no place is
+  /// found for them.
   void insert_pair(const Core& core, std::uint32_t t, LabelId label, Journal* journal);
 
   [[nodiscard]] std::size_t count() const { return sides_.size() / 2; }
-  /// Whether a vertex is one of those that insert_pair made.
+  /// Whether insert_pair made this vertex.
   [[nodiscard]] bool has_vertex(std::uint32_t v) const { return partner_of(v).has_value(); }
-  /// Whether they were made together.
+  /// Whether one call of insert_pair made both vertices.
   [[nodiscard]] bool are_partners(std::uint32_t u, std::uint32_t v) const;
   /// Whether a triangle is one of the two in the annulus of a collar.
   [[nodiscard]] bool has_triangle(std::uint32_t t);
@@ -63,19 +64,19 @@ class Collars {
   [[nodiscard]] bool is_short_loop(Dart d);
   /// The dart of a triangle of an annulus that is its loop.
   [[nodiscard]] std::optional<Dart> loop_of(std::uint32_t t);
-  /// What is known of a vertex of a collar.
+  /// A vertex of a collar.
   struct Side {
     std::uint32_t partner;         ///< The chart of the other vertex of the collar.
-    LabelId to_core;               ///< From its chart to the one in which the core is known.
+    LabelId to_core;               ///< From its chart to the chart of the core.
     LorentzVector<Mp1024> normal;  ///< Of the core.
   };
   struct Inserted {
     std::uint32_t vertex;
-    LabelId to_core;         ///< From its chart to the core's.
-    std::uint32_t triangle;  ///< One of those around it, and
-    LabelId label;           ///< from the core's chart to that of this triangle.
+    LabelId to_core;         ///< From its chart to the chart of the core.
+    std::uint32_t triangle;  ///< A triangle at the vertex.
+    LabelId label;           ///< From the chart of the core to the chart of this triangle.
   };
-  /// A point of a core's chart as the origin of a chart of its own. Throws NetError.
+  /// Makes a point of a core's chart the origin of a chart of its own. Throws NetError.
   [[nodiscard]] Atlas::Place place_near(const Core& core, const Complex<Mp1024>& z);
   [[nodiscard]] Inserted insert(const Core& core, const Complex<Mp1024>& z, std::uint32_t t, LabelId label,
                                 Journal* journal);
@@ -83,8 +84,8 @@ class Collars {
   /// that vertex there; empty if there is no such vertex. O(n).
   [[nodiscard]] std::vector<Dart> way_to_collar(std::uint32_t t) const;
 
-  /// Of a walk to a point beside a core, which may cross triangles that wind around it; they end by thesis Theorem
-  /// II.1.
+  /// Limit for a walk to a point beside a core, which may cross many triangles that wind around it. Walks end by thesis
+  /// Theorem II.1.
   static constexpr std::uint32_t kMostSteps = 1'000'000;
 
   Triangulation& triangulation_;

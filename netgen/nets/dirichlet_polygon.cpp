@@ -24,8 +24,8 @@ certify::Certificate verified(const certify::NetDocument& triangulation) {
   return certificate;
 }
 
-/// The word of the element that takes the start of a dart to its end, made of the words that were verified by steps
-/// which need no numbers.
+/// Returns the word of the element that takes the start of a dart to its end, composed of verified words without any
+/// numbers.
 Word word_along(const Triangulation& triangulation, Dart d) {
   const Atlas& atlas = triangulation.atlas();
   const auto word = [&](std::uint32_t corner) {
@@ -45,7 +45,7 @@ DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<B
   // The lifts of the base point around 0, counterclockwise: the ends of the darts that leave it.
   const std::vector<Dart> clockwise = triangulation.star(make_dart(0, 0));
   const std::vector<Dart> star(clockwise.rbegin(), clockwise.rend());
-  // Where closed geodesics are short, the lifts lie closer to the boundary of the disk than 256 bits can tell.
+  // If closed geodesics are short, 256 bits cannot resolve how close the lifts lie to the boundary of the disk.
   const Complex<Mp1024> origin = convert<Mp1024>(triangulation.vertex(0).z);
   const Isometry<Mp1024> to_origin = Isometry<Mp1024>::translation(-origin);
   std::vector<Complex<Mp1024>> lifts;

@@ -11,7 +11,7 @@
 namespace epsnet {
 namespace {
 
-/// Numbers the members of a large set that are used, in the order of their first use.
+/// Numbers the used members of a large set in the order of their first use.
 class Renumbering {
  public:
   explicit Renumbering(std::size_t size) : number_(size, kUnused) {}
@@ -81,7 +81,7 @@ void add_charts(const certify::NetDocument& net, Atlas& atlas) {
   }
 }
 
-/// The word leads from the tile of chart `from` to that of chart `to`.
+/// Throws TriangulationError unless the word leads from the tile of chart `from` to that of chart `to`.
 void check_label(const certify::NetDocument::Label& label, const std::string& name, const Atlas& atlas) {
   for (const std::uint32_t chart : {label.from, label.to}) {
     if (chart >= atlas.chart_count()) {
@@ -103,7 +103,7 @@ void check_label(const certify::NetDocument::Label& label, const std::string& na
   }
 }
 
-/// The labels of a document as those of an atlas, by their numbers in the document.
+/// Returns the labels of an atlas that are the labels of a document, by their numbers in the document.
 std::vector<LabelId> add_labels(const certify::NetDocument& net, Atlas& atlas) {
   std::vector<LabelId> labels{kIdentity};
   for (const certify::NetDocument::Label& label : net.labels) {

@@ -46,14 +46,14 @@ struct NetOptions {
   std::vector<BasePoint> points = {};
   Insertion insertion = Insertion::cavity;
   Walk walk = Walk::visibility;  ///< How `Insertion::flips` finds the triangle that contains a circumcentre.
-  /// If set, one thread makes the net in this order. Otherwise the fastest way is taken: large_back, and for nets of
-  /// 100,000 vertices or more in pieces, on all cores.
+  /// If set, one thread makes the net in this order. Otherwise the order is the fastest one, large_back, and nets of
+  /// 100,000 vertices or more are made in pieces, on all cores.
   std::optional<TriangleList> list = {};
   /// A pseudo ε-net (thesis Definition III.7): points of the ε-thick part that cover it; ε at most ln √2.
   bool pseudo = false;
   /// A net with few points: 1.4 to 1.5 times the lower bound of Theorem III.2 (thick surfaces, ε at most 0.1) instead
-  /// of the 2.15 times of the refinement alone, at about eight times the cost. Where it has more than 1.5 times, the
-  /// ordinary net is taken if that has no more points. Cannot be combined with `pseudo`.
+  /// of the 2.15 times of the refinement alone, at about eight times the cost. If it has more than 1.5 times the bound,
+  /// the ordinary net is taken if that has no more points. Cannot be combined with `pseudo`.
   bool sparse = false;
   /// Threads with which the net is made; 0: as many as the machine has cores. The net is the same for any number.
   unsigned threads = 0;

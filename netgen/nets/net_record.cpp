@@ -17,7 +17,7 @@ namespace {
 
 std::string text(std::uint64_t n) { return std::to_string(n); }
 
-/// Microseconds are all that a clock tells.
+/// Seconds with the digits of microseconds; clocks are no more accurate.
 std::string seconds_text(double seconds) {
   char buffer[64];
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, seconds, std::chars_format::fixed, 6).ptr};

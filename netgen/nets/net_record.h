@@ -4,7 +4,7 @@
 
 #include "netgen/nets/certified_net.h"
 
-/// A net as a line of a table: what a sweep over surfaces and ε keeps of it (docs/experiments.md).
+/// The record of a net: one line in the table of a sweep over surfaces and ε (docs/experiments.md).
 namespace epsnet {
 
 /// Processor time, in seconds.
@@ -13,14 +13,14 @@ struct NetSeconds {
   double certificate = 0;  ///< Of all threads.
 };
 
-/// The names of the columns, separated by commas; no line end. The last two, the seconds, are the only ones that
-/// another run or another machine changes.
+/// Returns the names of the columns, separated by commas, without a line end. Only the last two, the seconds, differ
+/// between runs and machines.
 [[nodiscard]] std::string net_record_columns();
 
-/// The line of a net: the name of its surface, how it was made, its counts, the verdict, the thesis' statistics (IV.6),
-/// the proved enclosures and the bound of the systole that follows from the net (systole_lower_bound). No line end.
-/// Comma-separated values as of RFC 4180; empty where there is nothing, as for the shortest loop of a net without
-/// loops. Reals have the digits that read back the same.
+/// Returns the line of a net, without a line end: the name of its surface, how it was made, its counts, the verdict,
+/// the thesis' statistics (IV.6), the proved enclosures and the bound for the systole that follows from the net
+/// (systole_lower_bound). Values are separated by commas (RFC 4180); a value that does not exist is empty, such as the
+/// shortest loop of a net without loops. Reals have enough digits to read back as the same number.
 [[nodiscard]] std::string net_record(const std::string& surface, const UncertifiedNet& net,
                                      const certify::Certificate& certificate, const NetOptions& options,
                                      const NetSeconds& seconds);

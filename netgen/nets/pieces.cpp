@@ -28,8 +28,8 @@ namespace {
 
 namespace tbb = oneapi::tbb;
 
-// The thread sanitizer does not look into oneTBB and has to be told what happens before what: all that a thread did
-// before it handed something on before what the thread does that received it.
+// The thread sanitizer does not see inside oneTBB and must be told the order of events: everything that a thread did
+// before it passed an object on happens before what the receiving thread does.
 #ifdef EPSNET_THREAD_SANITIZER
 void receive(void* something) { __tsan_acquire(something); }
 void hand_on(void* something) { __tsan_release(something); }
@@ -40,27 +40,27 @@ void hand_on(void* /*something*/) {}
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-/// A piece is to get so many new vertices: what it needs then fits into the cache of a core.
+/// The number of new vertices planned for a piece: its memory then fits into the cache of a core.
 constexpr double kVerticesOfPiece = 1 << 15;
-/// A piece along the boundaries of earlier ones gets fewer, and is long and narrow; with so many pending triangles it
-/// is much longer than wide, so that little is left at its ends.
+/// The number of pending triangles planned for a piece along the boundaries of earlier ones. Such a piece gets fewer
+/// vertices; with this number it is much longer than wide, so that little is left at its ends.
 constexpr double kPendingOfPiece = 1 << 12;
-/// Pieces reach so many triangles beyond those that are pending.
+/// The number of steps by which pieces reach beyond their pending triangles.
 constexpr unsigned kMargin = 2;
-/// The second round is for what the first one left along the boundaries of its pieces. A third would find little.
+/// The second round processes the boundaries of the first round's pieces. A third would find little.
 constexpr unsigned kRounds = 2;
 
 /// Triangles, each in one piece or none.
 struct Partition {
   struct Place {
     std::uint32_t piece = kNone;
-    std::uint32_t number = 0;  ///< Which one it is of its piece.
+    std::uint32_t number = 0;  ///< Its number in the piece.
   };
   std::vector<Place> place;                         ///< By triangle.
   std::vector<std::vector<std::uint32_t>> members;  ///< By piece.
 };
 
-/// All triangles within `kMargin` steps of the given ones; by triangle.
+/// Returns which triangles are within `kMargin` steps of the given ones, by triangle.
 std::vector<bool> zone_around(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
   std::vector<bool> in_zone(mesh.triangles.size());
   std::vector<std::uint32_t> ring(triangles.begin(), triangles.end());
@@ -81,7 +81,7 @@ std::vector<bool> zone_around(const Mesh& mesh, std::span<const std::uint32_t> t
   return in_zone;
 }
 
-/// The triangles of a zone by the seed that is the fewest steps away: breadth first from all seeds.
+/// Assigns the triangles of a zone to the seed that is the fewest steps away: breadth first from all seeds.
 Partition partition(const Mesh& mesh, std::span<const std::uint32_t> seeds, const std::vector<bool>& zone) {
   Partition result;
   result.place.resize(mesh.triangles.size());
@@ -104,10 +104,10 @@ Partition partition(const Mesh& mesh, std::span<const std::uint32_t> seeds, cons
   return result;
 }
 
-/// Numbers for the vertices of a piece, in the order in which they are met: a table with open addressing.
+/// Numbers the vertices of a piece in the order in which they are met: a table with open addressing.
 class VertexNumbers {
  public:
-  /// Room for so many vertices.
+  /// Has room for this many vertices.
   explicit VertexNumbers(std::size_t most)
       : bits_(static_cast<unsigned>(std::bit_width(most)) + 1), table_(std::size_t{1} << bits_, {kNone, 0}) {}
   [[nodiscard]] std::uint32_t operator()(std::uint32_t v) {
@@ -131,8 +131,8 @@ class VertexNumbers {
   std::vector<std::uint32_t> met_;
 };
 
-/// The vertices and triangles of the whole, whose vectors have room enough and grow at their ends while pieces are at
-/// work.
+/// The vertices and triangles of the whole triangulation. Their vectors grow at their ends while pieces are refined,
+/// but do not move, as they have enough room.
 struct Whole {
   explicit Whole(Mesh& mesh)
       : points(mesh.points.data()), charts(mesh.charts.data()), triangles(mesh.triangles.data()) {}
@@ -142,11 +142,12 @@ struct Whole {
   Triangle* triangles;
 };
 
-/// A part of a triangulation with numbers of its own: first the triangles and vertices that it had at the beginning, in
-/// which the darts out of it are kOutside, then those that it made. An object is memory to be used again and again.
+/// A part of a triangulation with its own numbering: first the triangles and vertices that it had at the beginning,
+/// then the new ones. Darts that lead out of it are kOutside. An object can be reused, which saves allocations.
 class Piece {
  public:
-  /// The triangles of a piece and the darts between them; those to be looked at, by their numbers in the piece.
+  /// Copies the triangles of a piece and the darts between them. `list` has its pending triangles, by their numbers in
+  /// the piece.
   void take(const Whole& whole, const Partition& partition, std::uint32_t piece, std::span<const std::uint32_t> list) {
     triangles_ = partition.members[piece];
     pending_.clear();
@@ -198,8 +199,8 @@ class Piece {
     }
   }
 
-  /// Numbers what the piece made in the order in which a breadth-first search meets it, so that what is near on the
-  /// surface is near in memory; whoever goes over the net later has that from it.
+  /// Numbers the new vertices and triangles in the order of a breadth-first search, so that neighbours on the surface
+  /// are near each other in memory, which makes later passes over the net faster.
   void order() {
     vertex_order_.assign(mesh_.points.size() - vertices_.size(), kNone);
     triangle_order_.assign(mesh_.triangles.size() - triangles_.size(), kNone);
@@ -212,7 +213,7 @@ class Piece {
     };
     std::vector<std::uint32_t>& met = search_;
     met.clear();
-    // From every old triangle: the new ones that can be reached through new ones alone.
+    // From every old triangle, visits the new ones that can be reached through new ones alone.
     for (std::uint32_t first = 0; first < triangles_.size(); ++first) {
       met.push_back(first);
       for (std::size_t i = met.size() - 1; i < met.size(); ++i) {
@@ -234,7 +235,7 @@ class Piece {
   [[nodiscard]] std::size_t made_triangles() const { return mesh_.triangles.size() - triangles_.size(); }
   [[nodiscard]] std::uint64_t flips() const { return flips_; }
 
-  /// Forgets all that was done: there is no room for it.
+  /// Discards all changes, as there is no room for them.
   void forget() {
     forgotten_ = true;
     pending_.assign(list_given_.begin(), list_given_.end());
@@ -243,16 +244,16 @@ class Piece {
     mesh_.charts.resize(vertices_.size());
     mesh_.triangles.resize(triangles_.size());
   }
-  /// What the piece made gets the numbers from these on.
+  /// Sets the numbers, in the whole, of the first new vertex and the first new triangle.
   void number_from(std::size_t vertex, std::size_t triangle) {
     first_vertex_ = vertex;
     first_triangle_ = triangle;
     for (std::uint32_t& t : pending_) t = triangle_number(t);
   }
-  /// Triangles that are left, by their numbers in the whole.
+  /// The triangles still pending, by their numbers in the whole.
   [[nodiscard]] const std::vector<std::uint32_t>& pending() const { return pending_; }
 
-  /// Writes the piece back. Touches its triangles and the new numbers alone.
+  /// Writes the piece back. Touches only its own triangles and the new vertices and triangles.
   void give_back(const Whole& whole) const {
     if (forgotten_) return;
     for (auto v = static_cast<std::uint32_t>(vertices_.size()); v < mesh_.points.size(); ++v) {
@@ -264,7 +265,7 @@ class Piece {
       Triangle& to = whole.triangles[triangle_number(t)];
       for (std::uint32_t i = 0; i < 3; ++i) {
         to.vertex[i] = vertex_number(from.vertex[i]);
-        // A triangle with a neighbour outside is as it was, and so is that dart.
+        // A triangle with a neighbour outside has not changed, and neither has this dart.
         if (from.opposite[i] != kOutside) {
           to.opposite[i] = make_dart(triangle_number(triangle_of(from.opposite[i])), corner_of(from.opposite[i]));
         }
@@ -298,7 +299,7 @@ class Piece {
   std::uint64_t flips_ = 0;
 };
 
-/// Rounds of pieces.
+/// Refines the whole triangulation in rounds of pieces.
 class PieceRefinement {
  public:
   PieceRefinement(Triangulation& triangulation, const Threshold& apart, const Threshold& large,
@@ -320,7 +321,7 @@ class PieceRefinement {
   void round() {
     const std::vector<std::uint32_t> seeds = choose_seeds();
     const Partition parts = partition(mesh_, seeds, zone_around(mesh_, result_.pending));
-    // The list of each piece, in the order of the whole one; what is in no piece stays.
+    // The list of each piece keeps the order of the whole list. Triangles in no piece stay pending.
     std::vector<std::vector<std::uint32_t>> lists(seeds.size());
     std::vector<std::uint32_t> pending;
     for (const std::uint32_t t : result_.pending) {
@@ -367,7 +368,7 @@ class PieceRefinement {
     const auto number = [&](Piece* piece) {
       receive(piece);
       receive(&mesh_);
-      // The other pieces are read and written at the same time, so nothing may move.
+      // Other threads read and write their pieces meanwhile, so the vectors must not move.
       if (mesh_.points.size() + piece->made_vertices() > mesh_.points.capacity() ||
           mesh_.charts.size() + piece->made_vertices() > mesh_.charts.capacity() ||
           mesh_.triangles.size() + piece->made_triangles() > mesh_.triangles.capacity()) {
@@ -402,7 +403,7 @@ class PieceRefinement {
     result_.pending = std::move(pending);
   }
 
-  /// Every so many pending triangles one: their order is that of their age, so these lie everywhere.
+  /// Takes pending triangles at equal intervals; as they are ordered by age, the seeds are spread over the surface.
   [[nodiscard]] std::vector<std::uint32_t> choose_seeds() const {
     const double left = options_.expected_vertices - static_cast<double>(mesh_.points.size());
     const auto count = static_cast<double>(result_.pending.size());
@@ -429,7 +430,7 @@ PieceResult refine_in_pieces(Triangulation& triangulation, std::vector<std::uint
   assert(std::ranges::all_of(pending, [&](std::uint32_t t) { return triangulation.triangle(t).marked(); }));
   PieceRefinement refinement(triangulation, apart, large, options);
   if (options.threads == 0) return refinement.run(std::move(pending));
-  // So many threads as are asked for, even where there are fewer cores.
+  // As many threads as requested, even on fewer cores.
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, options.threads);
   tbb::task_arena arena(static_cast<int>(options.threads));
   return arena.execute([&] { return refinement.run(std::move(pending)); });

@@ -11,24 +11,25 @@
 
 namespace epsnet {
 
-/// What a refinement in pieces is asked for.
+/// Options of a refinement in pieces.
 struct PieceOptions {
-  double expected_vertices;                          ///< Of the whole net, about.
+  double expected_vertices;                          ///< Approximately, of the whole net.
   unsigned threads;                                  ///< 0: as many as there are cores.
-  std::function<void(std::size_t vertices)> report;  ///< Called by the calling thread alone: how many there are so far.
+  std::function<void(std::size_t vertices)> report;  ///< Gets the number so far; called on the calling thread only.
 };
 
-/// What it did.
+/// The result of a refinement in pieces.
 struct PieceResult {
   std::uint64_t insertions = 0;
   std::uint64_t flips = 0;             ///< As NetStatistics counts them.
   std::vector<std::uint32_t> pending;  ///< Triangles still marked; some may turn out not to be large.
 };
 
-/// Inserts the circumcentres of large triangles in many pieces of a Delaunay triangulation at the same time, by
-/// insert_locally alone: whatever that leaves open, and what is near the boundary of a piece, is left `pending`.
-/// `pending` are the large triangles, all marked. The result depends on the triangulation only, not on `threads`
-/// (docs/design.md, "On all cores"). Throws LimitError and what `report` throws; the triangulation is lost then.
+/// Inserts the circumcentres of large triangles in many pieces of a Delaunay triangulation concurrently, with
+/// insert_locally only. Triangles that it cannot decide, or that are near the boundary of a piece, stay `pending` in
+/// the result. Requires: `pending` are all large triangles, and they are marked. The result depends on the
+/// triangulation only, not on `threads` (docs/design.md, "On all cores"). Throws LimitError and what `report` throws;
+/// the triangulation is then unusable.
 [[nodiscard]] PieceResult refine_in_pieces(Triangulation& triangulation, std::vector<std::uint32_t> pending,
                                            const Threshold& apart, const Threshold& large, const PieceOptions& options);
 

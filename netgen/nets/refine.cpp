@@ -30,7 +30,7 @@ using ListOf =
     std::conditional_t<kList == TriangleList::all_front, TriangleStack,
                        std::conditional_t<kList == TriangleList::largest_first, TriangleHeap, TriangleQueue>>;
 
-/// A triangle that is on the list is marked as long as it is in its slot.
+/// A triangle on the list is marked for as long as it occupies its slot.
 template <TriangleList kList>
 class Refinement {
  public:
@@ -42,7 +42,7 @@ class Refinement {
         apart_(epsilon.value() / 2),
         known_labels_(triangulation.atlas()) {
     const double least = require_possible(triangulation.surface(), epsilon);
-    // Experience (thesis IV.6.2).
+    // An empirical factor (thesis IV.6.2).
     expected_ = 2.17 * least + 1;
     triangulation_.reserve(static_cast<std::size_t>(1.1 * expected_ + 1000));
     if (!options.list && options.insertion == Insertion::cavity && expected_ >= kLeastInPieces) {
@@ -66,8 +66,8 @@ class Refinement {
         continue;
       }
       const std::uint32_t t = list_.pop();
-      // Memory answers while the entries before are at work; beyond the caches that is worth a fifth of the time. (Not
-      // a function of its own: g++ 12 removes calls of functions that do nothing but prefetch.)
+      // Memory is fetched while earlier entries are processed, which saves a fifth of the time for nets larger than the
+      // caches. (This is not a function of its own, as g++ 12 removes calls of functions that only prefetch.)
       if constexpr (std::is_same_v<ListOf<kList>, TriangleQueue>) {
         if (list_.size() > 12) {
           prefetch_triangle(triangulation_, list_[12]);
@@ -75,9 +75,9 @@ class Refinement {
           prefetch_second_neighbours(triangulation_, list_[3]);
         }
       }
-      // As in the thesis, where the list has darts that outlive their triangles (IV.4.7), whatever triangle is in the
-      // slot when its turn comes is taken, if it is on the list at all. To take only the triangle that was meant gives
-      // 1.5% fewer points, but is another algorithm than the thesis measured.
+      // In the thesis the list has darts, which outlive their triangles (IV.4.7). Likewise, whatever triangle is in the
+      // slot now is taken, if it is marked. Taking only the original triangle gives 1.5% fewer points, but is not the
+      // algorithm that the thesis measured.
       if (!triangulation_.triangle(t).marked()) {
         continue;
       }
@@ -96,22 +96,23 @@ class Refinement {
   }
 
  private:
-  /// Nets of fewer vertices are made in the thesis' order; larger ones until they have a small part of theirs.
+  /// Nets with fewer vertices are made in the thesis' order. Larger ones are made in pieces once they have the part
+  /// 1/kCoarser of their vertices.
   static constexpr double kLeastInPieces = 100'000;
   static constexpr double kCoarser = 64;
-  /// Where this share of the vertices is still missing after that (labels were not known yet), and a quarter of the
-  /// large triangles has had its turn, pieces are tried again.
+  /// If this share of the vertices is missing after the pieces (because labels were not known yet), pieces are tried
+  /// again after a quarter of the large triangles has been processed.
   static constexpr double kShareForMore = 0.05;
   static constexpr bool kLargeAlone = kList == TriangleList::large_back || kList == TriangleList::largest_first;
 
   [[nodiscard]] bool is_large(std::uint32_t t) { return triangulation_.compare_circumradius(t, large_) > 0; }
 
-  /// Whether the circumcentre of t is to be inserted: it is large and not of a collar's annulus.
+  /// Whether the circumcentre of t is to be inserted: t is large and not in the annulus of a collar.
   [[nodiscard]] bool is_to_go(std::uint32_t t) {
     return is_large(t) && !(collars_ != nullptr && collars_->has_triangle(t));
   }
 
-  /// Puts a new triangle on the list; where only large ones are listed, if it is to go.
+  /// Puts a new triangle on the list; if the list is for large triangles only, just those that `is_to_go` accepts.
   void enter(std::uint32_t t) {
     if (!kLargeAlone || is_to_go(t)) {
       mark(triangulation_, t);
@@ -143,7 +144,7 @@ class Refinement {
     }
   }
 
-  /// sinh²(R/2), R the circumradius; infinite where binary64 does not see the centre.
+  /// Returns sinh²(R/2), where R is the circumradius; infinity if binary64 cannot compute the centre.
   [[nodiscard]] double circumradius_order(std::uint32_t t) const {
     const auto centre = circumcentre_fast(triangulation_.mesh(), triangulation_.atlas(), t);
     if (!centre || norm(*centre) >= 1) {
@@ -153,7 +154,7 @@ class Refinement {
     return norm(*centre - corner) / ((1 - norm(corner)) * (1 - norm(*centre)));
   }
 
-  /// Says how many vertices there are, and how many more each second.
+  /// Reports the number of vertices so far, and per second.
   void report(std::size_t vertices) const {
     if (!options_.progress) return;
     std::string text = "net: " + std::to_string(vertices) + " vertices";
@@ -165,7 +166,7 @@ class Refinement {
     options_.progress(text, std::min(0.99, static_cast<double>(vertices) / expected_));
   }
 
-  /// Goes on in pieces, on all cores, and leaves on the list what could not be done there.
+  /// Continues in pieces, on all cores. The triangles still pending afterwards are on the list.
   void refine_pieces() {
     pieces_from_ = std::numeric_limits<double>::infinity();
     std::vector<std::uint32_t> pending;
@@ -192,7 +193,7 @@ class Refinement {
   }
 
   void insert_circumcentre(std::uint32_t t) {
-    // Nearly always binary64 sees the centre well, and it stays in the triangle's chart.
+    // Nearly always binary64 computes the centre accurately, and it stays in the triangle's chart.
     const auto centre_in_chart = circumcentre_fast(triangulation_.mesh(), triangulation_.atlas(), t);
     Atlas& atlas = triangulation_.atlas();
     if (centre_in_chart && norm(*centre_in_chart) < 0.95) {
@@ -216,8 +217,8 @@ class Refinement {
         }
       }
     }
-    // Binary64 does not see the centre, or the rounded one is too close to a vertex: more bits, at last those of a
-    // point that is the origin of a chart of its own.
+    // Binary64 cannot compute the centre, or the rounded centre is too close to a vertex: more bits are used, and in
+    // the end the centre becomes the origin of a chart of its own.
     if (insert_precise(t, circumcentre_precise<Mp256>(triangulation_, t)) ||
         insert_precise(t, circumcentre_precise<Mp1024>(triangulation_, t))) {
       return;
@@ -237,7 +238,7 @@ class Refinement {
   }
 
   [[nodiscard]] bool insert_at(std::uint32_t t, const Complex<Mp1024>& centre, Atlas::Precision precision) {
-    // Where it is too far away to be the centre, with more bits it may be near.
+    // A centre that seems too far away may turn out to be near when it is computed with more bits.
     const auto place = triangulation_.atlas().place(triangulation_.chart_of(t), centre, precision);
     return place && insert(t, *place, InCircle::unknown);
   }
@@ -262,7 +263,7 @@ class Refinement {
         for (const std::uint32_t s : fan) {
           enter(s);
         }
-        // A cavity of k triangles has k + 2 edges: what splitting one triangle and k − 1 flips make.
+        // A cavity of k triangles has k + 2 edges, as many as splitting one triangle and k − 1 flips give.
         statistics_.flips += fan.size() - 3;
         return true;
       }
@@ -275,8 +276,8 @@ class Refinement {
   /// vertex, or too far from t.
   [[nodiscard]] bool insert_with_flips(std::uint32_t t, const Atlas::Place& place) {
     Journal journal = open_journal(triangulation_);
-    // From the triangle of which it is the circumcentre, a point is a few steps away, at first perhaps as many as there
-    // are triangles (the fan of a regular polygon); unless its rounding moved it around a very short curve.
+    // A circumcentre is a few steps away from its triangle; at first perhaps as many as there are triangles (the fan of
+    // a regular polygon). It is farther away only if rounding has moved it around a very short curve.
     const std::uint32_t most_steps = 40 + initial_triangles_;
     const auto inserted = insert_by_flips(triangulation_, t, place, options_.walk, most_steps, &journal);
     if (!inserted) {
@@ -305,8 +306,8 @@ class Refinement {
     return true;
   }
 
-  /// The first dart of some triangles that leads from one vertex to another, `counts(from, to)`, and is not proved to
-  /// be longer than ε; nothing if there is none.
+  /// Returns the first dart of the given triangles that leads from one vertex to a different one, satisfies
+  /// `counts(from, to)` and is not proved to be longer than ε; nullopt if there is none.
   template <class Counts>
   [[nodiscard]] std::optional<Dart> short_edge(std::span<const std::uint32_t> triangles, const Counts& counts) {
     for (const std::uint32_t s : triangles) {
@@ -321,12 +322,12 @@ class Refinement {
     return std::nullopt;
   }
 
-  /// Whether the vertex that insert_by_flips has just inserted, from which d leaves, is in the l_ε-collar of a core no
-  /// longer than ε whose collar was not handled before. Then the insertion is undone and the collar handled (Algorithm
+  /// Whether the vertex that insert_by_flips has just inserted, the start of d, is in the l_ε-collar of a core no
+  /// longer than ε whose collar was not handled before. If so, undoes the insertion and handles the collar (Algorithm
   /// III.10, step 2).
   ///
-  /// It is enough to ask here: a vertex in such a collar has a loop edge (Lemma III.8), and a cavity makes none, as it
-  /// joins its new vertex to old ones only; Cavity::find says no where lifts of the cavity meet.
+  /// It is enough to test this here: a vertex in such a collar has a loop (Lemma III.8), and a cavity makes no loops,
+  /// as it joins its new vertex to old ones only (Cavity::find returns false if lifts of the cavity meet).
   [[nodiscard]] bool leads_to_collar(std::uint32_t t, const Atlas::Place& place, Dart d, const Journal& journal) {
     if (collars_ == nullptr) {
       return false;
@@ -341,12 +342,12 @@ class Refinement {
     return true;
   }
 
-  /// Inserts the two vertices of a core. From then on no centre of a large triangle but those of its annulus, which are
-  /// not taken, lies in the annulus between the two loops, or between a loop and the circle around its ends' half disk:
-  /// such a centre would be nearer than ε to a vertex or its circle would cross a loop pp', and the vertices that it
-  /// cuts off beyond would lie in the disk with diameter pp', nearer than ε to p, as the loop is shorter than l_ε
-  /// (Lemma III.11). And no later vertex is in the circumdisk of a triangle of the annulus: what that has outside of
-  /// the annulus is in the same disks. So these triangles stay. Collars::documents and the certifier see to it.
+  /// Inserts the two vertices of a core. The two triangles of its annulus are never refined, and no other large
+  /// triangle has its centre in the annulus between the two loops, or between a loop pp' and its diametral circle. For
+  /// such a centre would be nearer than ε to a vertex, or its circle would cross the loop pp'; the vertices that the
+  /// loop cuts off would then lie in the disk with diameter pp', nearer than ε to p, as the loop is shorter than l_ε
+  /// (Lemma III.11). And no later vertex lies in the circumdisk of a triangle of the annulus, as the part of it outside
+  /// of the annulus is in the same disks. So these triangles stay. Collars::documents and the certifier check this.
   void handle_collar(std::uint32_t t, LabelId label, const Core& core) {
     Journal journal = open_journal(triangulation_);
     collars_->insert_pair(core, t, label, &journal);
@@ -361,14 +362,14 @@ class Refinement {
     for (const std::uint32_t s : changed) {
       enter(s);
     }
-    // t had its turn, but may be as large as before.
+    // t was taken from the list, but may be as large as before.
     if (triangulation_.triangle(t).marked() && std::find(changed.begin(), changed.end(), t) == changed.end()) {
       push({&t, 1});
     }
   }
 
-  /// The slots whose triangle is another one, or has lost its mark, since the journal was opened, in the order in which
-  /// they first changed.
+  /// Returns the slots whose triangle has changed, or lost its mark, since the journal was opened, in the order in
+  /// which they first changed.
   [[nodiscard]] std::vector<std::uint32_t> changed_triangles(const Journal& journal) const {
     std::vector<std::uint32_t> result;
     for (const auto& [t, before] : journal.overwritten) {
@@ -392,7 +393,7 @@ class Refinement {
   Threshold large_;
   Threshold apart_;
   double expected_;
-  double pieces_from_ = std::numeric_limits<double>::infinity();  ///< Vertices at which to go on in pieces.
+  double pieces_from_ = std::numeric_limits<double>::infinity();  ///< Number of vertices from which pieces are used.
   std::uint32_t initial_triangles_ = 0;
   ListOf<kList> list_;
   Cavity cavity_;

@@ -21,8 +21,8 @@ double power(double x, unsigned n) {
   return result;
 }
 
-/// The weights, moves and circles are heuristic, in binary64; signs of predicates decide what is done to the
-/// triangulation: no triangle turns over, and no edge is flipped that is Delaunay.
+/// Weights, moves and circles are heuristic, in binary64. Proved signs decide every change of the triangulation: no
+/// triangle turns over, and no Delaunay edge is flipped.
 class Relaxation {
  public:
   Relaxation(Triangulation& triangulation, const Threshold& size, std::optional<std::uint32_t> kept)
@@ -46,14 +46,14 @@ class Relaxation {
   [[nodiscard]] std::uint64_t flips() const { return flips_; }
 
  private:
-  /// The circumcircle of a triangle in the disk of its chart, Euclidean.
+  /// The Euclidean circumcircle of a triangle in the disk of its chart.
   struct Circle {
     Complex<double> middle;
     double radius2;  ///< The square of the radius.
-    double area;     ///< Twice that of the triangle with straight sides.
+    double area;     ///< Twice the area of the triangle with straight sides.
   };
-  /// What the triangles around a vertex want of it: sums over their weights and the ways to their centres, in the
-  /// vertex' chart.
+  /// Sums over the triangles around a vertex, in its chart: of their weights, and of their weights times the vectors to
+  /// their centres.
   struct Pull {
     double weight = 0;
     Complex<double> way{0, 0};
@@ -82,8 +82,8 @@ class Relaxation {
     const double uu = norm(u);
     const double vv = norm(v);
     const double uv = cross(u, v);
-    // As in circumcentre_fast: the error of a lift may turn a short edge by many turns around a short curve. Nor is a
-    // circle seen whose triangle has an angle near 0 or π. A triangle without area has no weight.
+    // A circle is not usable if a lifted edge is very short, as in circumcentre_fast: the error of a lift may move it
+    // by many turns around a short curve. Nor is it if the triangle has an angle near 0 or π. Area 0 means no weight.
     constexpr double kShortestLifted2 = 1e-12;
     const bool is_seen = uv > 0 && uv * uv > 1e-6 * (uu * vv) &&
                          (triangle.all_identity() || std::min({uu, vv, norm(b - c)}) > kShortestLifted2);
@@ -93,8 +93,8 @@ class Relaxation {
     return true;
   }
 
-  /// The circles of all triangles. Where one is not counterclockwise its vertices go back to where they were before the
-  /// sweep, until all are: at worst everything is as it was.
+  /// Finds the circles of all triangles. If a triangle is not counterclockwise, its vertices go back to where they were
+  /// before the sweep. This is repeated until all triangles are; in the worst case all vertices go back.
   void find_circles() {
     circles_.resize(triangulation_.triangle_count());
     bool all = false;
@@ -116,8 +116,8 @@ class Relaxation {
     for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
       const Circle& circle = circles_[t];
       const Triangle& triangle = triangulation_.triangle(t);
-      // As in circumcentre_near_origin. Where the circle comes near the unit circle, or is none, the weight is NaN, and
-      // so are the sums of the triangle's vertices: they stay where they are.
+      // As in circumcentre_near_origin. If the circle comes near the unit circle, or does not exist, the weight is NaN,
+      // and so are the sums of the triangle's vertices, which therefore stay where they are.
       const double sum = 1 + norm(circle.middle) - circle.radius2;
       const double rest = sum * sum - 4 * norm(circle.middle);
       constexpr double kSmallestRest = 0.01;
@@ -146,15 +146,15 @@ class Relaxation {
       const Pull& pull = pulls_[v];
       constexpr double kMost = std::numeric_limits<double>::max();
       if (v == kept_ || !(pull.weight > 0 && pull.weight < kMost)) continue;
-      // With v moved to the origin, z at the way w from it has the coordinate (w + v̄w²/h + …)/h, h = 1 − |v|²: the
-      // mean of these, to second order, lest all vertices drift from or to the origin of the chart.
+      // When v is moved to the origin, the point v + w gets the coordinate (w + v̄w²/h + …)/h, h = 1 − |v|². The mean is
+      // taken of these to second order; otherwise all vertices would drift away from or towards the chart's origin.
       const Complex<double>& z = before_[v];
       const Complex<double> bend = (1 / (1 - norm(z))) * conj(z);
       const Complex<double> mean = (1 / pull.weight) * (pull.way + bend * pull.way2);
       const Complex<double> way = sweep.momentum * velocity_[v] + sweep.step * mean;
       velocity_[v] = way;
       const Complex<double> moved = z + way - bend * (way * way);
-      // Predicates hold up to 0.75; in the next step the vertex gets another chart.
+      // Predicates are valid up to 0.75; in the next step the vertex gets another chart.
       constexpr double kFarthest = 0.74;
       if (norm(moved) < kFarthest * kFarthest) editor_.points()[v] = moved;
     }
@@ -176,7 +176,7 @@ class Relaxation {
     }
   }
 
-  /// Whether the circle of the triangle of d shows that d is Delaunay, for all that binary64 sees.
+  /// Whether d is Delaunay according to binary64 and the circle of the triangle of d.
   [[nodiscard]] bool is_seen_delaunay(Dart d) const {
     const std::uint32_t t = triangle_of(d);
     const Dart e = triangulation_.opposite(d);
@@ -187,7 +187,7 @@ class Relaxation {
     return norm(apex - circles_[t].middle) > kBeyond * circles_[t].radius2;
   }
 
-  /// Vertices that have come too far from the origin of their chart get another one.
+  /// Gives another chart to vertices that have moved too far from the origin of theirs.
   void change_charts() {
     constexpr double kRadius2 = kChartRadius * kChartRadius;
     const std::vector<Complex<double>>& points = editor_.points();
@@ -206,11 +206,11 @@ class Relaxation {
     Atlas& atlas = triangulation_.atlas();
     std::optional<Atlas::Place> place = atlas.place_nearby(vertex.chart, vertex.z);
     if (!place) place = atlas.place(vertex.chart, convert<Mp1024>(vertex.z), Atlas::Precision::binary64);
-    // If its rounding turns a triangle over it is tried again after the next sweep.
+    // If rounding the vertex turns a triangle over, it is tried again after the next sweep.
     if (!place || !move_vertex(triangulation_, d, *place)) return;
     velocity_[v] = {0, 0};
     for (const Dart x : triangulation_.star(d)) {
-      (void)find_circle(triangle_of(x));  // Counterclockwise, as move_vertex has seen.
+      (void)find_circle(triangle_of(x));  // Counterclockwise, as move_vertex has checked.
     }
   }
 
@@ -236,7 +236,7 @@ std::uint64_t relax(Triangulation& triangulation, const Threshold& size, std::sp
   for (const RelaxationSweep& sweep : sweeps) {
     relaxation.sweep(sweep);
   }
-  // What binary64 took for Delaunay and is not.
+  // Flips the edges that binary64 wrongly took for Delaunay.
   return relaxation.flips() + make_delaunay(triangulation);
 }
 

@@ -25,8 +25,8 @@ Length times(const Length& length, const Rational& factor) {
   return Length(product.str());
 }
 
-/// `count` sweeps whose exponent grows evenly from the first to the last. A step of 1.4/exponent is nearly the longest
-/// that comes to rest.
+/// Returns `count` sweeps whose exponent grows evenly from the first to the last. A step of 1.4/exponent is nearly the
+/// longest with which vertices come to rest.
 std::vector<RelaxationSweep> sweeps(unsigned count, unsigned first, unsigned last) {
   std::vector<RelaxationSweep> result;
   for (unsigned k = 0; k < count; ++k) {
@@ -36,7 +36,7 @@ std::vector<RelaxationSweep> sweeps(unsigned count, unsigned first, unsigned las
   return result;
 }
 
-/// The numbers below were found by trial; docs/design.md says which trials.
+/// The numbers below were found by trials, which docs/design.md lists.
 class SparseRefinement {
  public:
   SparseRefinement(Triangulation& triangulation, const Length& epsilon, const NetOptions& options)
@@ -47,10 +47,10 @@ class SparseRefinement {
   [[nodiscard]] NetStatistics run() {
     // 2.15/1.24² = 1.40 times the lower bound of ε.
     refine_for(Rational(124, 100), 0.15);
-    // Sweeps go over all triangles again and again.
+    // Sweeps pass over all triangles many times, so these should be near each other in memory.
     renumber_by_neighbours(triangulation_);
     relax_with(sweeps(14, 6, 14), 0.5);
-    // Here a few points too many, there too few: what relaxation would take long to spread evenly.
+    // Some places have a few points too many, others too few; relaxation alone would be slow to even this out.
     const std::array<Rational, 3> factors{Rational(106, 100), Rational(103, 100), Rational(102, 100)};
     for (std::size_t i = 0; i < factors.size() && (i == 0 || are_many_large()); ++i) {
       thin(factors[i]);
@@ -64,7 +64,7 @@ class SparseRefinement {
   }
 
  private:
-  /// The refinement for a larger ε. `shown` is the share of the progress that is then done.
+  /// Refines for a larger ε. `shown` is the share of the progress that is done afterwards.
   void refine_for(const Rational& factor, double shown) {
     NetOptions options = options_;
     if (options_.progress) {
@@ -91,7 +91,7 @@ class SparseRefinement {
     }
   }
 
-  /// Takes out vertices that are closer than a multiple of ε to others, and says how many.
+  /// Removes vertices that are closer than a multiple of ε to others, and returns how many.
   std::uint32_t thin(const Rational& factor) {
     const Threshold apart(epsilon_.value() * factor / 2);
     const auto goes = [&](Dart d) {
@@ -105,7 +105,7 @@ class SparseRefinement {
     return removed;
   }
 
-  /// Whether more than one percent of the triangles are larger than ε: each would become a vertex.
+  /// Whether more than one percent of the triangles are larger than ε, each of which would lead to a new vertex.
   [[nodiscard]] bool are_many_large() {
     std::uint64_t large = 0;
     for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
@@ -130,7 +130,7 @@ NetStatistics refine_sparsely(Triangulation& triangulation, const Length& epsilo
   const Vertex base = triangulation.vertex(0);
   Triangulation plain = triangulation.clone();
   NetStatistics statistics = SparseRefinement(triangulation, epsilon, options).run();
-  // Where there are few points, or thin parts, fate may favour the refinement alone; it may also have moved the base.
+  // With few points, or thin parts, the refinement alone may happen to be better. Thinning may also lose the base.
   const Vertex first = triangulation.vertex(0);
   const bool base_is_lost = options.base && !(first.z == base.z && first.chart == base.chart);
   if (base_is_lost || triangulation.vertex_count() > 1.5 * least) {

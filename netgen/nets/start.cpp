@@ -11,7 +11,7 @@
 namespace epsnet {
 namespace {
 
-/// Contracts darts that `goes` names, their starts into their ends, if these are different vertices.
+/// Contracts the darts for which `goes` is true, moving their starts into their ends, if these are different vertices.
 template <class Goes>
 class Reduction {
  public:
@@ -21,7 +21,7 @@ class Reduction {
     const std::uint32_t vertices = triangulation_.vertex_count();
     constexpr int kMostMoves = 10'000;
     for (int moves = 0;;) {
-      // Contractions make others possible: passes until nothing is left, or nothing changes.
+      // Contractions make others possible, so passes are repeated until nothing changes.
       while (contract_where_possible()) {
       }
       const std::optional<Dart> d = remaining();
@@ -66,7 +66,7 @@ class Reduction {
     return std::nullopt;
   }
 
-  /// Moves the start of d towards its end, as far as a power of ½ of the way allows.
+  /// Moves the start of d towards its end, by the largest possible power of ½ of the way.
   bool approach(Dart d) {
     Atlas& atlas = triangulation_.atlas();
     const Vertex start = triangulation_.vertex(from(d));
@@ -110,8 +110,8 @@ bool too_close(Triangulation& triangulation, Dart d, const Threshold& apart) {
   return triangulation.compare_distance(triangulation.corner(d), triangulation.corner(next_dart(d)), apart) <= 0;
 }
 
-/// Inserts the two vertices for every core that a vertex of no collar has and that was not handled before; says whether
-/// there was one.
+/// Inserts the two vertices for every core that is found at a vertex of no collar and was not handled before; returns
+/// whether there was one.
 bool handle_collars(Triangulation& triangulation, Collars& collars) {
   const std::size_t before = collars.count();
   for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
@@ -133,8 +133,7 @@ bool handle_collars(Triangulation& triangulation, Collars& collars) {
 
 DelaunayStart delaunay_start(const Surface& surface, const std::optional<BasePoint>& base) {
   DelaunayStart start{Triangulation(surface, base), 0};
-  // Around its centre a regular surface is cut into Delaunay triangles; to see their ties would take all bits there
-  // are.
+  // The triangulation of a regular surface around its centre is Delaunay; detecting its ties would take all bits.
   const bool is_delaunay = surface.is_regular() && start.triangulation.vertex_count() == 1;
   if (!is_delaunay) start.flips = make_delaunay(start.triangulation);
   return start;
@@ -180,7 +179,7 @@ std::uint32_t clear_collars(Triangulation& triangulation, const Threshold& apart
            (too_close(triangulation, d, apart) || collars.core_at(d).has_value());
   };
   std::uint32_t removed = 0;
-  // A vertex may be moved into another collar on its way.
+  // While it is moved, a vertex may enter another collar.
   while (handle_collars(triangulation, collars)) {
     removed += Reduction(triangulation, goes).run();
   }

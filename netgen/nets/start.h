@@ -10,35 +10,36 @@
 
 namespace epsnet {
 
-/// What a refinement starts from.
+/// The start of a refinement.
 struct DelaunayStart {
   Triangulation triangulation;
   std::uint64_t flips;        ///< How many edges were flipped.
-  std::uint32_t removed = 0;  ///< How many vertices of the surface's own.
+  std::uint32_t removed = 0;  ///< How many vertices of the surface were removed.
 };
 
-/// The Delaunay triangulation of the vertices that Triangulation's constructor gives.
+/// Returns the Delaunay triangulation of the vertices that Triangulation's constructor makes.
 [[nodiscard]] DelaunayStart delaunay_start(const Surface& surface, const std::optional<BasePoint>& base);
 
-/// The Delaunay triangulation of these points, one at least, as vertices 0, 1, 2, …, each the origin of a chart of its
-/// own. Throws SurfaceError for a point that is not strictly inside of its tile, ClosePointsError for points that are
-/// not farther apart than twice `apart`.
+/// Returns the Delaunay triangulation of these points, at least one, as vertices 0, 1, 2, …, each the origin of a chart
+/// of its own. Throws SurfaceError for a point that is not strictly inside its tile, ClosePointsError for two points
+/// that are not farther apart than twice `apart`.
 [[nodiscard]] DelaunayStart delaunay_start_of_points(const Surface& surface, const std::vector<BasePoint>& points,
                                                      const Threshold& apart);
 
-/// Removes vertices of a Delaunay triangulation until the rest is an ε-packing, the legitimate start of Algorithm
-/// IV.4.1: edges between different vertices that are not longer than ε are contracted; where that would turn a triangle
-/// over, their start is first moved towards their end, and edges are flipped. (As two vertices come close, the Delaunay
-/// triangulation tends to that of one, and the contraction becomes possible.) `apart` is ε/2. Returns the number of
-/// vertices removed. O(n) for each, n triangles. Throws NetError if the moves come to no end.
+/// Removes vertices of a Delaunay triangulation until the rest is an ε-packing, which Algorithm IV.4.1 may start from.
+/// Edges between different vertices that are not longer than ε are contracted. If that would turn a triangle over, the
+/// start of the edge is first moved towards its end, and edges are flipped. (As two vertices approach each other, the
+/// Delaunay triangulation tends to that with one of them, and the contraction becomes possible.) `apart` is ε/2.
+/// Returns the number of vertices removed. O(n) for each of them, for n triangles. Throws NetError if the moves do not
+/// end.
 std::uint32_t reduce_to_packing(Triangulation& triangulation, const Threshold& apart);
 
-/// Handles the collars of all cores no longer than ε in whose l_ε-collars vertices of an ε-packing lie, removes these
-/// vertices, and what is then closer than ε (thesis, remark after Algorithm III.10). Vertices of collars stay where
-/// they are. Returns the number of vertices removed.
+/// Handles the collars of all cores no longer than ε whose l_ε-collars contain vertices of an ε-packing. Removes these
+/// vertices, and then those closer than ε to others (thesis, remark after Algorithm III.10). The vertices inserted for
+/// collars do not move. Returns the number of vertices removed.
 std::uint32_t clear_collars(Triangulation& triangulation, const Threshold& apart, Collars& collars);
 
-/// As reduce_to_packing until vertex 0 alone is left, in its place.
+/// Removes vertices as reduce_to_packing does until only vertex 0 is left, in its place.
 std::uint32_t reduce_to_vertex_0(Triangulation& triangulation);
 
 }  // namespace epsnet

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-/// The lists of triangles still to be looked at (thesis IV.4.7): numbers of slots, which may come more than once.
+/// The lists of triangles still to be processed (thesis IV.4.7): numbers of slots, which may occur more than once.
 namespace epsnet {
 
 /// First in, first out; a ring that doubles when it is full.
@@ -62,7 +62,7 @@ class TriangleStack {
   std::vector<std::uint32_t> values_;
 };
 
-/// The largest first, of equal ones the lowest number.
+/// The largest first; among equal ones the lowest number first.
 class TriangleHeap {
  public:
   [[nodiscard]] std::size_t size() const { return heap_.size(); }
