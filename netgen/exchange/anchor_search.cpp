@@ -16,9 +16,9 @@ namespace epsnet {
 namespace {
 
 constexpr std::uint32_t kUnset = ~std::uint32_t{0};
-/// Any corner of any triangle will do, some have simpler numbers.
+/// Any corner of any triangle can be the origin; this many triangles are tried, as some have simpler numbers.
 constexpr std::size_t kMostTriangles = 16;
-// Limits for numbers that no triangulation of a surface has, of a size that would take minutes.
+// Limits that no triangulation of a surface reaches; numbers beyond them would take minutes.
 constexpr std::size_t kMostLoopBits = std::size_t{1} << 22;
 constexpr std::size_t kMostBitsOfAllPaths = std::size_t{1} << 30;
 /// Euclid's algorithm takes quadratic time.
@@ -39,7 +39,7 @@ Projective combination(const Gaussian& s, const Projective& p, const Gaussian& t
   return {s * p.u + t * q.u, s * p.v + t * q.v};
 }
 
-/// A Möbius map of the plane, by its columns: the images of infinity and 0, scaled. Up to a factor.
+/// A Möbius map of the plane up to a factor, by its columns: the images of infinity and 0, scaled.
 struct Moebius {
   Projective infinity{{1, 0}, {0, 0}};
   Projective zero{{0, 0}, {1, 0}};
@@ -52,7 +52,7 @@ std::size_t bits(const Integer& n) { return n == 0 ? 1 : std::size_t{msb(Integer
 std::size_t bits(const Gaussian& z) { return bits(z.x) + bits(z.y); }
 std::size_t bits(const Moebius& m) { return bits(m.infinity.u) + bits(m.infinity.v) + bits(m.zero.u) + bits(m.zero.v); }
 
-/// Without a common integer factor.
+/// Returns the map without a common integer factor.
 Moebius reduced(Moebius m) {
   Integer content = 0;
   const auto visit = [&](const auto& action) {
@@ -79,7 +79,7 @@ Moebius map_to(const std::array<Projective, 3>& points) {
   return reduced(Moebius{{s * p.u, s * p.v}, {t * q.u, t * q.v}});
 }
 
-/// Infinity, 0 and 1, from the one of this number on.
+/// Returns infinity, 0 and 1, rotated so that number i comes first.
 std::array<Projective, 3> frame_from(std::uint32_t i) {
   std::array<Projective, 3> result{{{{1, 0}, {0, 0}}, {{0, 0}, {1, 0}}, {{1, 0}, {1, 0}}}};
   std::rotate(result.begin(), result.begin() + i, result.end());
@@ -108,7 +108,7 @@ Hermitian reduced(Hermitian h) {
   return h;
 }
 
-/// m*Hm: the form in the coordinates before m.
+/// Returns m*Hm: the form in the coordinates from which m leads.
 Hermitian pulled_back(const Hermitian& h, const Moebius& m) {
   return reduced(Hermitian{h(m.infinity), h(m.infinity, m.zero), h(m.zero)});
 }
@@ -133,7 +133,7 @@ class Equations {
 
   [[nodiscard]] std::size_t rank() const { return rows_.size(); }
 
-  /// A solution that is not 0, of rank 3.
+  /// Returns a solution other than 0. Requires: rank 3.
   [[nodiscard]] Row solution() const {
     std::array<bool, 4> is_pivot{};
     for (const auto& [pivot, row] : rows_) is_pivot[pivot] = true;
@@ -160,7 +160,7 @@ GaussianFraction in_lowest_terms(const Complex<Rational>& z) {
   return {nearest(point.n, common), nearest(denominator, common)};
 }
 
-/// Each triangle has a frame: the plane where its darts start at infinity, 0 and 1.
+/// Each triangle has a frame: the coordinates of the plane in which its darts start at infinity, 0 and 1.
 class AnchorSearch {
  public:
   AnchorSearch(const TriangulationStream& stream, std::string_view name)
@@ -205,13 +205,13 @@ class AnchorSearch {
     const TriangulationStream::Edge& edge = stream_.edges[edge_[dart]];
     return edge.dart == dart ? edge.opposite : edge.dart;
   }
-  /// The dart k steps counterclockwise in its triangle.
+  /// Returns the dart k steps after this one, counterclockwise in its triangle.
   [[nodiscard]] std::uint32_t turned(std::uint32_t dart, std::uint32_t k) const {
     const auto [triangle, side] = place_[dart];
     return stream_.triangles[triangle][(side + k) % 3];
   }
 
-  /// A tree of triangles, breadth first from triangle 0; `parent_` is the dart that it was reached across.
+  /// Grows a tree of triangles, breadth first from triangle 0; `parent_` has the dart across which each was reached.
   void grow_tree() {
     order_.push_back(0);
     for (std::size_t k = 0; k < order_.size(); ++k) {
@@ -228,14 +228,14 @@ class AnchorSearch {
     fail("the surface is not connected: no path of edges leads from triangle 0 to triangle " + std::to_string(t));
   }
 
-  /// Darts of the 2g edges that neither the tree crosses nor a tree of edges contains: the loops through the tree and
-  /// across them generate the group.
+  /// Returns a dart of each of the 2g edges that neither the tree of triangles crosses nor a tree of edges contains.
+  /// The closed paths that follow the tree of triangles and cross one of these edges generate the group.
   [[nodiscard]] std::vector<std::uint32_t> generators() const {
     std::vector<bool> is_crossed(stream_.edges.size());
     for (const std::uint32_t d : parent_) {
       if (d != kUnset) is_crossed[edge_[d]] = true;
     }
-    // Darts with the same start.
+    // The sets of darts with the same start.
     DisjointSets vertices(std::size_t{3} * count());
     for (std::uint32_t d = 0; d < vertices.size(); ++d) vertices.join(d, turned(opposite(d), 1));
     std::vector<std::uint32_t> result;
@@ -248,7 +248,7 @@ class AnchorSearch {
         vertices.join(edge.dart, edge.opposite);
       }
     }
-    // The shortest paths have the smallest numbers.
+    // The shortest paths come first, as their isometries have the smallest numbers.
     std::vector<std::uint32_t> depth(count());
     for (const std::uint32_t t : order_) {
       if (t != 0) depth[t] = depth[place_[parent_[t]].triangle] + 1;
@@ -261,7 +261,7 @@ class AnchorSearch {
     return result;
   }
 
-  /// From the frame of the triangle beyond a dart to that of the dart's.
+  /// Returns the map from the frame of the triangle beyond a dart to the frame of the dart's triangle.
   [[nodiscard]] Moebius transition(std::uint32_t dart) const {
     const auto& [a, b, c] = frame_from(place_[dart].side);
     const ScaledPoint ratio = scaled(stream_.edges[edge_[dart]].cross_ratio);
@@ -280,7 +280,7 @@ class AnchorSearch {
     return result;
   }
 
-  /// From the frame of a triangle to that of triangle 0, along the tree.
+  /// Returns the map from the frame of a triangle to that of triangle 0, along the tree.
   [[nodiscard]] Moebius frame(std::uint32_t triangle, std::size_t& work) const {
     Moebius result;
     for (std::uint32_t t = triangle; t != 0; t = place_[parent_[t]].triangle) {
@@ -328,11 +328,11 @@ class AnchorSearch {
     for (Equations::Row& row : rows) equations.add(std::move(row));
   }
 
-  /// The triangle of the dart with the dart's start at 0, if the place of its end is found. H is the form in the frame
-  /// of the triangle.
+  /// Places the triangle of the dart with the dart's start at 0; nullopt if no place for its end was found. H is the
+  /// form in the frame of the triangle.
   [[nodiscard]] std::optional<TriangulationStream::Anchor> anchor_at(std::uint32_t dart, const Hermitian& h) const {
     const auto& [a, b, c] = frame_from(place_[dart].side);
-    // w is a reflected in the circle: a*Hw = 0.
+    // w is the reflection of a in the circle: a*Hw = 0.
     const Gaussian first = h(a, {{1, 0}, {0, 0}});
     const Gaussian second = h(a, {{0, 0}, {1, 0}});
     const Projective w{-second, first};
@@ -342,7 +342,8 @@ class AnchorSearch {
     // The coordinate [p,a]/[p,w] is 0 at a; scaled so that b is at 1, the square of the circle's radius is 1/t.
     const Rational t(-outside * norm(bracket(b, a)), inside * norm(bracket(b, w)));
     const Complex<Rational> sigma = value({bracket(c, a) * bracket(b, w), bracket(c, w) * bracket(b, a)});
-    // All neighbours are at κz with z known: κ = n/m, |n|² and |m|² being the terms of t, turns up in their quotients.
+    // All neighbours are at κz with z known. With κ = n/m, |n|² and |m|² are the terms of t, and factors of n and m
+    // occur in the z.
     std::vector<Gaussian> numerators;
     std::vector<Gaussian> denominators;
     for (const Complex<Rational>& z : star(dart, sigma)) {
@@ -360,15 +361,15 @@ class AnchorSearch {
     return TriangulationStream::Anchor{dart, {Complex<Rational>{0, 0}, kappa, kappa * sigma}};
   }
 
-  /// The neighbours of the start of a dart, seen from it, the dart's end at 1 and the third vertex at `sigma`; as many
-  /// as are of use.
+  /// Returns up to kMost neighbours of the start of a dart, in coordinates with the start at 0, the dart's end at 1 and
+  /// the third vertex at `sigma`.
   [[nodiscard]] std::vector<Complex<Rational>> star(std::uint32_t dart, const Complex<Rational>& sigma) const {
     constexpr std::size_t kMost = 32;
     const Complex<Rational> start{0, 0};
     std::vector<Complex<Rational>> result{sigma};
     Complex<Rational> end{1, 0};
     for (std::uint32_t d = dart; result.size() < kMost;) {
-      // Across the side from the third vertex to the start.
+      // Crosses the side from the third vertex to the start.
       const std::uint32_t side = turned(d, 2);
       d = opposite(side);
       if (d == dart) break;
@@ -409,7 +410,7 @@ class AnchorSearch {
   std::string_view name_;
   std::vector<Place> place_;         ///< By dart.
   std::vector<std::uint32_t> edge_;  ///< By dart.
-  /// By triangle: the dart, of a triangle nearer to triangle 0, that it lies beyond.
+  /// By triangle: the dart across which it was reached, of a triangle nearer to triangle 0.
   std::vector<std::uint32_t> parent_;
   std::vector<std::uint32_t> order_;
 };

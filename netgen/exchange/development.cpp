@@ -9,8 +9,8 @@
 #include "netgen/exchange/gaussian_integers.h"
 #include "netgen/exchange/triangulation_stream.h"
 
-/// The surface of a triangulation that is given by cross-ratios: triangles are placed one after the other, breadth
-/// first, beginning with the anchors.
+/// The surface of a triangulation given by cross-ratios: triangles are placed one after the other, breadth first,
+/// starting with the anchors.
 namespace epsnet {
 namespace {
 
@@ -18,7 +18,7 @@ using Point = Complex<Rational>;
 using Corners = std::array<Point, 3>;
 
 constexpr std::uint32_t kUnset = ~std::uint32_t{0};
-constexpr std::size_t kMaxBits = 3'321'928;  // 10^6 decimal digits: more is no surface file.
+constexpr std::size_t kMaxBits = 3'321'928;  // 10^6 decimal digits, the limit of surface files.
 constexpr std::size_t kMaxGrowth = 1000;
 /// Euclid's algorithm takes quadratic time; numbers with such common factors are left as they are.
 constexpr std::size_t kMaxReducedBits = 20'000;
@@ -35,11 +35,11 @@ bool counterclockwise(const ScaledPoint& a, const ScaledPoint& b, const ScaledPo
   return orientation(klein(a), klein(b), klein(c)) > 0;
 }
 
-/// A Gaussian integer j such that z times j̄/j is simple: of all numbers of Q(i) with the modulus of z one with the
-/// least denominator.
+/// Returns a Gaussian integer j such that z times j̄/j is simple: it has the least denominator of all numbers of Q(i)
+/// with the modulus of z.
 ///
-/// With z = n/d in lowest terms, j = gcd(n, d̄): z = j n'/(j̄ d'). All common factors divide gcd(|n|², m²) for z = n/m,
-/// which is small as a rule.
+/// For z = n/d in lowest terms j is gcd(n, d̄), so that z = j n'/(j̄ d'). All common factors divide gcd(|n|², m²) for z =
+/// n/m, which is usually small.
 Complex<Integer> simplifying_turn(const ScaledPoint& z) {
   const Integer common = gcd(norm(z.n), Integer(z.m * z.m));
   if (common == 1 || bits(common) > kMaxReducedBits) return {1, 0};
@@ -51,7 +51,7 @@ Complex<Integer> simplifying_turn(const ScaledPoint& z) {
   return gaussian_gcd(gaussian_gcd(modulus, n), conj(d));
 }
 
-/// The triangle moved to simple coordinates: corner 0 to 0, and turned.
+/// Returns the triangle in simple coordinates: corner 0 moved to 0, then rotated.
 Corners simplified(const Corners& corners) {
   const ScaledPoint origin = scaled(corners[0]);
   const GaussianFraction first = seen_from(origin, scaled(corners[1]));
@@ -135,7 +135,7 @@ class Development {
     is_placed_[tile] = true;
   }
 
-  /// Breadth first, from all anchors.
+  /// Places all other triangles, breadth first from all anchors.
   void place_others() {
     std::queue<std::uint32_t> pending;
     for (const TriangulationStream::Anchor& anchor : anchors_) pending.push(place_[anchor.dart].tile);
@@ -179,7 +179,7 @@ class Development {
            ", is not on the other side of that edge; expected a geometric triangulation");
     }
     Corners corners{own[(side + 1) % 3], own[side], d};
-    // The coordinates of the neighbour, as long as these are simple. Far from where they began they are not.
+    // The triangle keeps the coordinates of its neighbour as long as its numbers are short there.
     limit_[other_tile] = limit_[tile];
     if (bits(corners) > limit_[tile]) {
       const Corners simple = simplified(corners);
@@ -190,7 +190,7 @@ class Development {
     for (std::uint32_t i = 0; i < 3; ++i) tiles_[other_tile][(other_side + i) % 3] = std::move(corners[i]);
   }
 
-  /// How large the numbers of triangles in the coordinates of this one may become.
+  /// Returns how many bits the corners of a triangle may have in the coordinates of this one.
   [[nodiscard]] static std::size_t comfortable(const Corners& corners) { return 2 * bits(corners) + 256; }
 
   void take_room(std::uint32_t tile, const Corners& corners) {
@@ -210,8 +210,8 @@ class Development {
     room_ -= size;
   }
 
-  /// The two triangles beside an edge, both placed, fit together: they give the edge the same length, and the
-  /// cross-ratio that the text says.
+  /// Checks that the two triangles beside an edge fit together: they give the edge the same length, and the cross-ratio
+  /// in the text. Requires: both are placed.
   void check_edge(const TriangulationStream::Edge& edge) const {
     const auto [tile, side] = place_[edge.dart];
     const auto [other_tile, other_side] = place_[edge.opposite];
@@ -261,8 +261,8 @@ class Development {
   std::vector<Place> place_;         ///< By dart.
   std::vector<std::uint32_t> edge_;  ///< By dart.
   std::vector<bool> is_placed_;
-  std::vector<bool> is_used_;  ///< Edges that a triangle was placed across.
-  std::size_t room_ = 0;       ///< How many bits the triangles still to come may have.
+  std::vector<bool> is_used_;  ///< By edge: whether a triangle was placed across it.
+  std::size_t room_ = 0;       ///< How many bits all remaining triangles together may have.
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ std::vector<Gluing> read_pairing(TokenReader& words, std::uint32_t size) {
   std::vector<std::size_t> line;
   const std::string range =
       ", from 0 to " + std::to_string(size - 1) + " (the text claims " + std::to_string(size) + " sides)";
-  // Grows with the text, not with what it claims.
+  // The vectors grow with the text, not with the number of sides that it claims.
   for (std::uint32_t k = 0; k < size; ++k) {
     const std::string expected = "the index of the side paired with side " + std::to_string(k) + range;
     partner.push_back(words.index(expected));
@@ -79,8 +79,8 @@ Surface make_surface(Domain domain) {
       throw SurfaceError(*problem + "; polygons that are not convex may have at most " +
                          std::to_string(kMaxNonConvexSides) + " sides");
     }
-    // "Intersects itself" says more than "lengths differ". For large polygons, the quick tests keep the quadratic one
-    // from junk.
+    // "Intersects itself" is a better message than "lengths differ", so that test comes first. For large polygons the
+    // quick tests come first, so that junk does not reach the quadratic one.
     if (tiles[0].size() > kManySides) {
       polygon.check_lengths();
       polygon.check_angles();

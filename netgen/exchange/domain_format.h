@@ -8,9 +8,9 @@
 
 /// CGAL's text format for fundamental polygons of closed hyperbolic surfaces.
 ///
-/// The number of sides n; then for every side k the index of the side that it is paired with; then the n vertices "x y"
-/// counterclockwise, points of the Poincaré disk with rational coordinates `p/q` or `p`. Side k goes from vertex k to
-/// vertex k + 1. All separated by white space.
+/// The format has the number of sides n; then for every side k the index of the side that it is paired with; then the n
+/// vertices "x y" counterclockwise, points of the Poincaré disk with rational coordinates `p/q` or `p`. Side k goes
+/// from vertex k to vertex k + 1. White space separates all of these.
 namespace epsnet {
 
 /// The largest number of sides of a polygon that is not convex. Finding out whether it intersects itself takes
@@ -21,9 +21,9 @@ inline constexpr std::size_t kMaxNonConvexSides = 4096;
 ///
 /// A strictly convex polygon becomes the one tile of the surface. Any other simple counterclockwise polygon, with
 /// reflex or straight angles, is triangulated exactly, by diagonals; the tiles are the triangles, in the coordinates of
-/// the polygon. `name` stands for the text in messages. Throws ExchangeError. Whatever the text claims, memory is
-/// linear in its length; so is time, up to logarithmic factors, for convex polygons: about a second per megabyte at
-/// worst (coordinates of 10^6 digits).
+/// the polygon. `name` stands for the text in messages. Throws ExchangeError. Whatever numbers the text contains,
+/// memory is linear in its length; for convex polygons time is too, up to logarithmic factors: about a second per
+/// megabyte in the worst case (coordinates of 10^6 digits).
 [[nodiscard]] Surface read_domain(std::string_view text, std::string_view name);
 
 }  // namespace epsnet

@@ -10,7 +10,7 @@ namespace {
 
 KleinVector swapped(const KleinVector& p) { return {p.y, p.x, p.t}; }
 
-/// The position of each vertex in the lexicographic order, the same for equal points.
+/// Returns the position of each point in the lexicographic order; equal points have the same position.
 std::vector<std::uint32_t> ranks(std::span<const KleinVector> points) {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -23,7 +23,7 @@ std::vector<std::uint32_t> ranks(std::span<const KleinVector> points) {
   return rank;
 }
 
-/// The vertices of a polygon with boxes that tell without arithmetic what is far apart.
+/// The vertices of a polygon, and ranks that show without arithmetic that bounding boxes are disjoint.
 ///
 /// The points of a segment lie between its ends in both lexicographic orders (x, y) and (y, x).
 class Polygon {
@@ -38,7 +38,7 @@ class Polygon {
     rank_[1] = ranks(mirrored);
   }
 
-  /// The sign of the turn a, b, c, by doubles if these decide it.
+  /// Returns the sign of the turn a, b, c, by doubles if they can decide it.
   [[nodiscard]] int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     // Coordinates are off by 2⁻⁵³, differences, at most 2, by 2⁻⁵¹, products by 2⁻⁴⁹ + 2⁻⁵¹, the determinant by less
     // than 2⁻⁴⁷.
@@ -47,12 +47,12 @@ class Polygon {
     return orientation(points_[a], points_[b], points_[c]);
   }
 
-  /// v lies on the closed segment ab.
+  /// Whether v lies on the closed segment ab.
   [[nodiscard]] bool on_segment(std::uint32_t v, std::uint32_t a, std::uint32_t b) const {
     return in_box(v, {a, b}) && turn(a, b, v) == 0;
   }
 
-  /// The closed segments ab and cd have a common point.
+  /// Whether the closed segments ab and cd have a common point.
   [[nodiscard]] bool meet(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
     for (const auto& rank : rank_) {
       if (std::max(rank[a], rank[b]) < std::min(rank[c], rank[d])) return false;
@@ -62,7 +62,7 @@ class Polygon {
     return on_segment(c, a, b) || on_segment(d, a, b) || on_segment(a, c, d) || on_segment(b, c, d);
   }
 
-  /// v lies in the closed triangle abc, which is counterclockwise.
+  /// Whether v lies in the closed triangle abc, which is counterclockwise.
   [[nodiscard]] bool in_triangle(std::uint32_t v, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     return in_box(v, {a, b, c}) && turn(a, b, v) >= 0 && turn(b, c, v) >= 0 && turn(c, a, v) >= 0;
   }
@@ -81,7 +81,7 @@ class Polygon {
   std::array<std::vector<std::uint32_t>, 2> rank_;
 };
 
-/// The polygon while its ears are being clipped: a circular list of the vertices that are left.
+/// The polygon while its ears are being clipped: a circular list of the remaining vertices.
 class Clipping {
  public:
   explicit Clipping(std::span<const KleinVector> points)
@@ -102,9 +102,9 @@ class Clipping {
     for (std::uint32_t v = 0; v < size_; ++v) ear[v] = is_ear(v);
     std::uint32_t v = 0;
     for (std::uint32_t left = size_; left > 3; --left) {
-      // There are always two ears (a clipped ear leaves a simple polygon without degenerate parts), and clipping one
-      // changes the two neighbours alone: what blocks an ear is a vertex that is not strictly convex, and such a vertex
-      // is never clipped.
+      // There are always two ears (a clipped ear leaves a simple polygon without degenerate parts). Clipping one only
+      // affects the two neighbours: other ears are blocked only by vertices that are not strictly convex, and such a
+      // vertex is never clipped.
       std::uint32_t steps = 0;
       while (!ear[v]) {
         if (++steps > left) throw std::logic_error("no ear was found in a simple polygon");
@@ -118,7 +118,7 @@ class Clipping {
       edge_[before] = {triangle, 2};
       ear[before] = is_ear(before);
       ear[after] = is_ear(after);
-      // Going on beyond the neighbour avoids fans.
+      // Skipping the neighbour avoids fans.
       v = next_[after];
     }
     const std::uint32_t triangle = add_triangle(previous_[v], v, next_[v]);
@@ -127,8 +127,8 @@ class Clipping {
   }
 
  private:
-  /// What lies beyond the edge from a vertex that is left to the next one: a triangle made earlier, or nothing (a side
-  /// of the polygon).
+  /// The triangle, and its side, beyond the edge from a remaining vertex to the next one; nullopt for a side of the
+  /// polygon.
   using Beyond = std::optional<std::pair<std::uint32_t, std::uint32_t>>;
 
   [[nodiscard]] bool is_ear(std::uint32_t v) const {
@@ -149,7 +149,7 @@ class Clipping {
     return triangle;
   }
 
-  /// The edge that starts at v is side `side` of the triangle.
+  /// Makes the edge that starts at v the side `side` of the triangle.
   void attach(std::uint32_t v, std::uint32_t triangle, std::uint32_t side) {
     if (edge_[v]) {
       result_.diagonals.push_back({edge_[v]->first, edge_[v]->second, triangle, side});

@@ -12,16 +12,15 @@
 
 namespace epsnet {
 
-/// Two sides of a polygon with hyperbolic sides that meet elsewhere than where consecutive sides do, or nothing if the
-/// polygon is simple.
+/// Returns two sides of a hyperbolic polygon that meet, other than consecutive sides in their common vertex; nullopt if
+/// the polygon is simple.
 ///
-/// Exact: in the Klein model the sides are straight. O(n²) comparisons of integers of machine size; exact arithmetic
-/// for sides whose boxes meet.
+/// Exact: in the Klein model the sides are straight. O(n²) comparisons of machine integers; exact arithmetic only for
+/// sides whose bounding boxes meet.
 [[nodiscard]] std::optional<std::pair<std::uint32_t, std::uint32_t>> crossing_sides(
     std::span<const KleinVector> polygon);
 
-/// The triangles, counterclockwise and none degenerate, of a triangulation of a polygon by diagonals, and how they fit
-/// together.
+/// A triangulation of a polygon by diagonals: the triangles, counterclockwise and none degenerate, and their gluing.
 struct PolygonTriangulation {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Vertices of the polygon.
   std::vector<Gluing> diagonals;                        ///< Triangles glued along the diagonals.
@@ -29,8 +28,8 @@ struct PolygonTriangulation {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> place_of_side;
 };
 
-/// Ear clipping (Meisters 1975) of a simple counterclockwise polygon, straight angles allowed. Exact and deterministic.
-/// O(n²).
+/// Triangulates a simple counterclockwise polygon, straight angles allowed, by ear clipping (Meisters 1975). Exact and
+/// deterministic. O(n²).
 [[nodiscard]] PolygonTriangulation clip_ears(std::span<const KleinVector> polygon);
 
 }  // namespace epsnet

@@ -2,7 +2,7 @@
 
 #include "triangulation/surface/exact_points.h"
 
-/// The shapes of triangles and cross-ratios, exactly and without a single gcd before the result.
+/// The shapes of triangles and cross-ratios, exactly. No gcd is computed before the result.
 namespace epsnet {
 
 /// The number, in lowest terms.
@@ -11,7 +11,7 @@ namespace epsnet {
   return {Rational(dot(f.d, f.n), modulus), Rational(cross(f.d, f.n), modulus)};
 }
 
-/// The segments from a to b and from c to d have the same length.
+/// Whether the segments from a to b and from c to d have the same length.
 [[nodiscard]] inline bool equally_long(const ScaledPoint& a, const ScaledPoint& b, const ScaledPoint& c,
                                        const ScaledPoint& d) {
   const GaussianFraction first = seen_from(a, b);
@@ -32,8 +32,8 @@ namespace epsnet {
   return {scaled_difference(z3, z1) * scaled_difference(z2, z0), scaled_difference(z3, z0) * scaled_difference(z2, z1)};
 }
 
-/// The cross-ratio of an edge from a to b with c on its left and d on its right, from σ = corner_ratio(a, b, c) and
-/// τ = corner_ratio(a, b, d), that is, from the triangles beside it in different coordinates.
+/// Returns the cross-ratio of an edge from a to b with c on its left and d on its right, from σ = corner_ratio(a, b, c)
+/// and τ = corner_ratio(a, b, d). So the two triangles beside the edge may be in different coordinates.
 ///
 /// With a at 0 it is [0, d, b, c] = (c − d) b/(c (b − d)) = (σ − τ)/(σ (1 − τ)).
 [[nodiscard]] inline GaussianFraction cross_ratio_of_corners(const GaussianFraction& sigma,
@@ -41,7 +41,7 @@ namespace epsnet {
   return {sigma.n * tau.d - tau.n * sigma.d, sigma.n * (tau.d - tau.n)};
 }
 
-/// The point d with [a, d, b, c] = `ratio`; the denominator is 0 if it is the point at infinity.
+/// Returns the point d with [a, d, b, c] = `ratio`; its denominator is 0 if it is the point at infinity.
 ///
 /// d = (c(b − a) − R(c − a)b)/((b − a) − R(c − a)).
 [[nodiscard]] inline GaussianFraction fourth_point(const ScaledPoint& a, const ScaledPoint& b, const ScaledPoint& c,

@@ -14,11 +14,11 @@ namespace {
 
 constexpr std::size_t kMostLetters = 10'000'000;  // Of all words of a net file (docs/format.md).
 
-// Side 3t + i of a triangle has the number of its dart.
+// The tiles are triangles, so sides and darts have the same numbers, 3t + i.
 using certify::next_dart;
 using certify::previous_dart;
 
-/// Whether a label leads from the chart of a side's end to that of its start, or the other way.
+/// The direction of a label along a side: from the chart of its end to that of its start, or the reverse.
 enum class Way { to_start, to_end };
 
 constexpr Way reverse(Way way) { return way == Way::to_start ? Way::to_end : Way::to_start; }
@@ -39,13 +39,14 @@ class Builder {
   }
 
  private:
-  /// The vertex of a corner, the first one of its class, and the words from the corner's tile to the others around it.
+  /// Adds the vertex of a corner, the first one of its class, and finds the words from the corner's tile to the other
+  /// tiles around the vertex.
   void add_vertex(std::uint32_t corner) {
     const std::uint32_t tile = surface_.tile_of_side(corner);
     net_.charts.push_back({tile, net_.surface.tiles[tile][corner % 3]});
     net_.vertices.push_back({0, 0, static_cast<std::uint32_t>(net_.vertices.size())});
     for (std::uint32_t c = corner;;) {
-      // Counterclockwise, across the side that ends here; its partner starts here.
+      // Moves counterclockwise across the side that ends at the vertex; its partner starts there.
       const std::uint32_t side = previous_dart(c);
       const std::uint32_t next = surface_.partner(side);
       if (next == corner) return;
@@ -64,8 +65,8 @@ class Builder {
     triangle.label = {label(3 * t, Way::to_start), label(3 * t + 2, Way::to_end)};
   }
 
-  /// The label along a side. The word is that of the side's triangle or of the one beyond, whichever has the smaller
-  /// number: both then use the same label.
+  /// Returns the label along a side. Its word is that of the triangle with the smaller number on either side of it, so
+  /// both triangles use the same label.
   std::uint32_t label(std::uint32_t side, Way way) {
     const std::uint32_t partner = surface_.partner(side);
     if (partner < side) return label(partner, reverse(way));
@@ -96,7 +97,7 @@ class Builder {
 
   const Surface& surface_;
   certify::NetDocument net_;
-  /// By corner: from the tile of the chart of its vertex to its own.
+  /// By corner: the word from the tile of the chart of its vertex to its own tile.
   std::vector<Word> path_;
   std::map<std::tuple<std::uint32_t, std::uint32_t, Word>, std::uint32_t> labels_;
   std::size_t path_letters_ = 0;

@@ -34,7 +34,7 @@ Mesh mesh(const NetGeometry& geometry, const Lifts& lifts) {
   const std::vector<certify::NetDocument::Triangle>& triangles = geometry.document().triangles;
   Mesh result;
   result.on_boundary = boundary_darts(geometry, lifts);
-  // Corners, named by the darts that start there, are the same across edges inside of the drawing.
+  // Corners, numbered by the darts that start there, are identified across edges inside the drawing.
   DisjointSets corners(3 * triangles.size());
   for (std::uint32_t dart = 0; dart < corners.size(); ++dart) {
     if (result.on_boundary[dart]) continue;
@@ -58,12 +58,12 @@ Mesh mesh(const NetGeometry& geometry, const Lifts& lifts) {
   return result;
 }
 
-/// Infinity, which JSON does not have, as the largest number.
+/// Writes infinity, which JSON does not have, as the largest number.
 std::string circumradius_text(const NetGeometry& geometry, std::uint32_t triangle) {
   return shortest(std::min(geometry.circumradius(triangle), std::numeric_limits<double>::max()));
 }
 
-/// Coordinates of a triangle of its own: three points (x, y, 0).
+/// The corners of a triangle in its own coordinates: three points (x, y, 0).
 std::string corners_text(const NetGeometry& geometry, std::uint32_t triangle) {
   std::string out;
   for (const Complex<double>& z : geometry.centred_corners(triangle)) {
@@ -84,7 +84,7 @@ std::string point_text(const Complex<double>& z, const char* separator) {
   return shortest(z.x) + separator + shortest(z.y);
 }
 
-/// One row of a JSON array after the other.
+/// Writes a JSON array row by row.
 class Rows {
  public:
   Rows(std::ostream& out, const char* name) : out_(out) { out_ << ",\n\"" << name << "\": ["; }
@@ -99,7 +99,7 @@ class Rows {
   bool is_first_ = true;
 };
 
-/// The isometries that take the drawn neighbour of a boundary side to the place beyond that side.
+/// Writes the isometries that take the drawn neighbour of a boundary side to the place beyond that side.
 void write_pairings(const NetGeometry& geometry, const Lifts& lifts, const std::vector<bool>& on_boundary,
                     std::ostream& out) {
   const certify::NetDocument& net = geometry.document();
@@ -193,7 +193,7 @@ void write_gmsh(const certify::NetDocument& net, std::ostream& out) {
   }
   out << "$EndElements\n";
   const auto data = [&](const char* name, int components, const auto& text) {
-    // One text, its name; one real, a time; three integers: a time step, and the sizes.
+    // One string, the name; one real, the time; three integers: the time step and the two sizes.
     out << "$ElementData\n1\n\"" << name << "\"\n1\n0\n3\n0\n" << components << '\n' << n << '\n';
     for (std::uint32_t t = 0; t < n; ++t) out << std::uint64_t{t} + 1 << ' ' << text(t) << '\n';
     out << "$EndElementData\n";

@@ -11,14 +11,14 @@
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/surfaces/surface_file.h"
 
-/// Surfaces and nets as triangulations that are given by cross-ratios.
+/// Surfaces and nets as triangulations given by cross-ratios.
 namespace epsnet {
 namespace {
 
 using Point = Complex<Rational>;
 using Corners = std::array<Point, 3>;
 
-/// A surface that is given by a construction instead of by rational vertices has none.
+/// Throws for a surface that is given by a construction instead of by tiles with rational vertices.
 void require_tiles(bool has_tiles) {
   if (!has_tiles) {
     throw ExchangeError(
@@ -27,13 +27,13 @@ void require_tiles(bool has_tiles) {
   }
 }
 
-/// Rotated so that the dart is the first one.
+/// Returns the corners rotated so that the start of the dart comes first.
 Corners seen_along(std::uint32_t dart, Corners corners) {
   std::rotate(corners.begin(), corners.begin() + dart % 3, corners.end());
   return corners;
 }
 
-/// Of the edge of two darts that are glued, each with the corners of its triangle.
+/// Returns the cross-ratio of the edge of two glued darts, each given with the corners of its triangle.
 Complex<Rational> cross_ratio_of_edge(std::uint32_t dart, const Corners& corners, std::uint32_t opposite,
                                       const Corners& opposite_corners) {
   const Corners own = seen_along(dart, corners);
@@ -42,7 +42,7 @@ Complex<Rational> cross_ratio_of_edge(std::uint32_t dart, const Corners& corners
   const ScaledPoint b = scaled(own[1]);
   const ScaledPoint c = scaled(own[2]);
   const ScaledPoint d = scaled(other[2]);
-  // Most triangles lie side by side already.
+  // Most triangles already have the edge in common.
   if (own[0] == other[1] && own[1] == other[0]) return value(cross_ratio(a, d, b, c));
   const ScaledPoint other_b = scaled(other[0]);
   const ScaledPoint other_a = scaled(other[1]);
@@ -53,7 +53,8 @@ Complex<Rational> cross_ratio_of_edge(std::uint32_t dart, const Corners& corners
   return value(cross_ratio_of_corners(corner_ratio(a, b, c), corner_ratio(other_a, other_b, d)));
 }
 
-/// Of `count` triangles in coordinates of their own (`corners`), glued by darts 3t + i (`opposite`).
+/// Returns the stream of `count` triangles, each in its own coordinates (`corners`), glued by darts 3t + i
+/// (`opposite`).
 template <class Triangles>
 TriangulationStream stream_of(Triangles triangles) {
   TriangulationStream stream;
@@ -102,7 +103,7 @@ class TriangulatedTiles {
     for (std::uint32_t t = first; t <= last; ++t) {
       triangles_.push_back({tile, t - first + 1});
       dart_of_side.push_back(3 * t + 1);
-      // Dart 0 and dart 2 are diagonals, but for the first and the last one, which are sides.
+      // Darts 0 and 2 of a triangle are diagonals, except for the very first and the very last one, which are sides.
       opposite_.insert(opposite_.end(), {3 * (t - 1) + 2, 0, 3 * (t + 1)});
     }
     dart_of_side.push_back(3 * last + 2);
@@ -118,7 +119,7 @@ class TriangulatedTiles {
   std::vector<std::uint32_t> opposite_;
 };
 
-/// The same isometry with Gaussian integers without a common integer factor as coefficients.
+/// Returns the same isometry; its coefficients are Gaussian integers without a common integer factor.
 Isometry<Rational> integral(const Isometry<Rational>& f) {
   Integer denominators = 1;
   Integer content = 0;
@@ -153,7 +154,7 @@ class NetTriangles {
   }
 
  private:
-  /// Darts are paired, and run between the same vertices, there and back.
+  /// Checks that darts are paired, and that paired darts join the same vertices in opposite directions.
   void check_darts() const {
     std::optional<std::uint32_t> wrong = unpaired_dart(net_);
     for (std::uint32_t d = 0; d < 3 * count() && !wrong; ++d) {
@@ -187,7 +188,7 @@ class NetTriangles {
 
   const certify::NetDocument& net_;
   std::vector<Isometry<Rational>> labels_;
-  /// Corners of triangles that have labels: these are few, and their numbers are large.
+  /// Corners of triangles that have labels. They are kept, as they are few and their numbers are large.
   std::unordered_map<std::uint32_t, Corners> labelled_;
 };
 

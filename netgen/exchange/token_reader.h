@@ -16,14 +16,14 @@
 
 namespace epsnet {
 
-/// The words of a text, separated by white space, read one after the other. Everything that is not as expected throws
-/// ExchangeError.
+/// Reads the words of a text, separated by white space, one after the other. Throws ExchangeError for anything
+/// unexpected.
 class TokenReader {
  public:
-  /// Keeps a reference to the text, which must outlive it. `name` stands for the text in messages.
+  /// Keeps a reference to the text, which must outlive the reader. `name` stands for the text in messages.
   TokenReader(std::string_view text, std::string_view name) : rest_(text), name_(name) {}
   template <std::same_as<std::string> Text>
-  TokenReader(Text&&, std::string_view) = delete;  // A temporary string would be gone.
+  TokenReader(Text&&, std::string_view) = delete;  // A temporary string would not outlive the reader.
 
   /// The next word; `expected` completes the message if there is none.
   std::string_view next(const std::string& expected) {

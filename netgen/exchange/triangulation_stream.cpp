@@ -32,7 +32,7 @@ class Reader {
       words_.fail(std::to_string(darts_) +
                   " darts found, expected a positive multiple of 6 (triangles have three, edges two)");
     }
-    // Tables below grow with this number, and it is to be no larger than the text.
+    // The sizes of tables below are proportional to this number, so it may not exceed the length of the text.
     if (darts_ > text_size_) {
       words_.fail("the text claims " + std::to_string(darts_) + " darts, but has only " + std::to_string(text_size_) +
                   " bytes");
@@ -40,7 +40,8 @@ class Reader {
     range_ = ", from 0 to " + std::to_string(darts_ - 1) + " (the text claims " + std::to_string(darts_) + " darts)";
   }
 
-  /// Reads the anchor, if there is one in this place. True if a dart comes instead: each triangle then has its own.
+  /// Reads the anchor, if there is one here. Returns true if a dart comes instead: then each triangle has its own
+  /// anchor.
   bool read_anchor() {
     const std::string expected =
         "\"yes\" or \"no\": whether there is an anchor, or the first dart of triangle 0" + range_;
@@ -53,7 +54,7 @@ class Reader {
     return false;
   }
 
-  /// A dart and the points of its triangle.
+  /// Reads a dart and the points of its triangle.
   void read_lift(const std::string& name) {
     TriangulationStream::Anchor& anchor = stream_.anchors.emplace_back();
     anchor.dart = dart("the dart of " + name);
@@ -105,7 +106,7 @@ class Reader {
     return d;
   }
 
-  /// Notes to which triangle or edge a dart belongs: one only.
+  /// Records the triangle or edge to which a dart belongs. Fails if it belongs to two, or twice to one.
   void claim(std::vector<std::uint32_t>& owner, std::uint32_t d, std::uint32_t by, const std::string& kind) {
     if (owner[d] == by) {
       words_.fail("dart " + std::to_string(d) + " occurs twice in " + kind + " " + std::to_string(by));

@@ -14,7 +14,7 @@
 /// cross-ratio of every edge, and a lift of one triangle, of all, or of none (docs/exchange-formats.md).
 namespace epsnet {
 
-/// What the text says, member by member.
+/// The contents of the text, member by member.
 struct TriangulationStream {
   /// A triangle, as its three darts counterclockwise.
   using Triangle = std::array<std::uint32_t, 3>;
@@ -37,45 +37,46 @@ struct TriangulationStream {
     bool operator==(const Anchor&) const = default;
   };
 
-  /// None; one; or one of each triangle, in their order, all in disks of their own.
+  /// None; one; or one for each triangle, in their order, each in a disk of its own.
   std::vector<Anchor> anchors;
   std::vector<Triangle> triangles;
   std::vector<Edge> edges;
   bool operator==(const TriangulationStream&) const = default;
 };
 
-/// True if the text is, as far as its first eleven words tell, a triangulation and not a polygon in the domain format.
-/// No text is both: the second word is `yes` or `no`, or there is a fraction among the six coordinates of the first
-/// triangle's anchor (points of the open disk, not all 0), where a polygon of so many sides still has indices.
+/// Whether the text is a triangulation and not a polygon in the domain format, by its first eleven words. No text is
+/// both: the second word of a triangulation is `yes` or `no`, or there is a fraction among the six coordinates of the
+/// first triangle's anchor (points of the open disk, not all 0), where a polygon with enough sides has indices.
 [[nodiscard]] bool is_triangulation_stream(std::string_view text);
 
 /// Reads the text and checks its combinatorics: every dart belongs to one triangle and to one edge. `name` stands for
-/// the text in messages. Throws ExchangeError. Whatever the text claims, memory is linear in its length.
+/// the text in messages. Throws ExchangeError. Memory is linear in the length of the text, whatever numbers it
+/// contains.
 [[nodiscard]] TriangulationStream read_triangulation_stream(std::string_view text, std::string_view name);
 
-/// The surface of a triangulation: tile t is triangle t, side i of it the triangle's dart i, in coordinates of its own;
-/// the tile of an anchor has the coordinates of the anchor. Without any, one is found (anchor_search.h).
+/// Returns the surface of a triangulation: tile t is triangle t in coordinates of its own, and its side i is dart i of
+/// the triangle. The tile of an anchor has the coordinates of the anchor; if the stream has no anchor, one is found
+/// (anchor_search.h).
 ///
-/// Checked completely and exactly: triangles counterclockwise and in the disk, cross-ratios as given, angles around
-/// every vertex adding up to 2π (see `Surface`). Requires the combinatorics that read_triangulation_stream checks.
-/// Throws ExchangeError: also if there is no anchor and none is found, and if a coordinate has more than
-/// 10^6 digits, or all together have more than a thousand times as many as the stream.
+/// Everything is checked exactly: triangles are counterclockwise and in the disk, cross-ratios are as given, and the
+/// angles around every vertex add up to 2π (see `Surface`). Requires: the combinatorics that read_triangulation_stream
+/// checks. Throws ExchangeError, also if there is no anchor and none is found, if a coordinate has more than 10^6
+/// digits, or if all together have more than a thousand times as many digits as the stream.
 [[nodiscard]] Surface develop(const TriangulationStream& stream, std::string_view name);
 
-/// The tiles of a surface as a triangulation, those with more than three sides cut by the diagonals from their vertex
-/// 0. Dart 3t + i is side i of triangle t; triangle 0 is the anchor.
+/// Returns the tiles of a surface as a triangulation; tiles with more than three sides are cut by the diagonals from
+/// their vertex 0. Dart 3t + i is side i of triangle t; triangle 0 is the anchor.
 [[nodiscard]] TriangulationStream triangulation_stream(const Surface& surface);
 
-/// The triangulation of a net, exactly: the coordinates of its vertices are dyadic numbers, its charts and labels
-/// rational. Dart 3t + i is dart i of triangle t; triangle 0 is the anchor.
+/// Returns the exact triangulation of a net: the coordinates of its vertices are dyadic numbers, its charts and labels
+/// are rational. Dart 3t + i is dart i of triangle t; triangle 0 is the anchor.
 ///
-/// Nothing is proved (certify does that), but nothing is written that is not a map of triangles that fit: throws
-/// ExchangeError if the document is not well-formed or the sides of two triangles differ where they are
-/// glued.
+/// Nothing is proved (certify does that), but the result is a map of triangles that fit: throws ExchangeError if the
+/// document is not well-formed or if two glued sides differ in length.
 [[nodiscard]] TriangulationStream triangulation_stream(const certify::NetDocument& net);
 
-/// The text, each number as `p/q` or `p` in lowest terms, each triangle as CGAL writes it: a dart, the previous, the
-/// next. With an anchor of each triangle it is the format of CGAL's Delaunay class.
+/// Writes the text: each number as `p/q` or `p` in lowest terms, each triangle as CGAL writes it: a dart, the previous
+/// one, the next one. With an anchor for each triangle it is the format of CGAL's Delaunay class.
 void write_triangulation_stream(const TriangulationStream& stream, std::ostream& out);
 
 }  // namespace epsnet

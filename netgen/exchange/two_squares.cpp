@@ -8,13 +8,13 @@ namespace {
 constexpr unsigned kMostBits = 20'000;
 constexpr unsigned kMostPrimeBits = 4096;
 constexpr std::uint32_t kSmallPrimes = 1U << 16;
-/// Each round is wrong about a composite number with a probability below 1/4; the result is checked in any case.
+/// A round takes a composite number for a prime with a probability below 1/4; the result is checked in any case.
 constexpr int kPrimalityRounds = 32;
 constexpr std::uint32_t kMostBases = 200;
 
 bool is_prime(const Integer& n) { return mpz_probab_prime_p(n.backend().data(), kPrimalityRounds) != 0; }
 
-/// A Gaussian integer of norm p, for a prime p that is 1 modulo 4; nothing if p turns out not to be one.
+/// Returns a Gaussian integer of norm p, for a prime p that is 1 modulo 4; nullopt if p turns out not to be prime.
 std::optional<Complex<Integer>> prime_root(const Integer& p) {
   // Half of all bases give a square root of −1.
   for (std::uint32_t base = 2; base < kMostBases; ++base) {
@@ -35,7 +35,7 @@ class Search {
     for (const Complex<Integer>& hint : hints) use(hint);
     take_square();
     for (std::uint32_t p = 3; p < kSmallPrimes && rest_ != 1; p += 2) {
-      // Composite numbers divide nothing any more.
+      // Composite p no longer divide the rest, as their prime factors have been divided out.
       if (mpz_divisible_ui_p(rest_.backend().data(), p) != 0 && !take_small_prime(p)) return {{}, Integer(p)};
     }
     take_square();
@@ -53,8 +53,9 @@ class Search {
     root_ = root_ * root;
   }
 
-  /// A Gaussian divisor g of the rest, without a rational factor, is coprime to its conjugate, which also divides the
-  /// rest: so its norm does. (A common factor would divide 2x and 2y, and the rest is odd.)
+  /// Splits off factors that the rest has in common with a hint. A Gaussian divisor g of the rest without a rational
+  /// factor is coprime to its conjugate, which also divides the rest; so its norm divides the rest. (A common factor
+  /// would divide 2x and 2y, and the rest is odd.)
   void use(const Complex<Integer>& hint) {
     if (hint == Complex<Integer>{0, 0}) return;
     for (;;) {
@@ -72,7 +73,7 @@ class Search {
     if (root * root == rest_) divide_by(rest_, {root, 0});
   }
 
-  /// Divides by p as often as possible; false if p is 3 modulo 4 and that is an odd number of times.
+  /// Divides the rest by p as often as possible; false if p is 3 modulo 4 and divides it an odd number of times.
   bool take_small_prime(std::uint32_t p) {
     const std::optional<Complex<Integer>> root = p % 4 == 1 ? prime_root(p) : std::nullopt;
     while (rest_ % p == 0) {
