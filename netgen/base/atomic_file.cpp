@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
   throw WriteError(path.string() + ": " + what + ": " + std::system_category().message(error));
 }
 
-/// A buffered file descriptor that remembers the first error, which std::ofstream does not tell.
+/// A buffered file descriptor that remembers the first error, which std::ofstream does not report.
 class Output : public std::streambuf {
  public:
   explicit Output(int descriptor) : descriptor_(descriptor), buffer_(std::size_t{1} << 16) { reset(); }
@@ -36,7 +36,7 @@ class Output : public std::streambuf {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
 
-  /// Writes what is left and closes. The first error of all, 0 if there was none.
+  /// Writes the rest of the buffer and closes. Returns the first error since the beginning, 0 if there was none.
   int finish() {
     flush();
     if (::close(std::exchange(descriptor_, -1)) != 0 && error_ == 0) error_ = errno;
@@ -76,16 +76,16 @@ class Output : public std::streambuf {
   std::vector<char> buffer_;
 };
 
-/// The name of a temporary file where a signal handler finds it, which may not allocate.
+/// The name of a temporary file, stored where a signal handler, which must not allocate, can read it.
 struct Name {
   std::atomic<bool> used = false;
   std::array<char, PATH_MAX> path = {};
 };
-/// More than are ever written at once; a file beyond would only not be removed by a signal.
+/// More than are ever written at once. A file beyond this number would not be removed by the signal handler.
 std::array<Name, 16> temporary_names;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-/// While it lives no signal comes in between.
+/// Blocks signals during its lifetime.
 class SignalsBlocked {
  public:
   SignalsBlocked() {
@@ -101,8 +101,8 @@ class SignalsBlocked {
   sigset_t before_ = {};
 };
 
-/// A new file beside another one, of a name of its own; removed at the end, and by remove_temporary_files, unless it
-/// takes the place of the other one.
+/// A new file with a unique name beside another one. Its destructor and remove_temporary_files remove it, unless it has
+/// replaced the other one.
 class TemporaryFile {
  public:
   /// `path` is for messages.
@@ -134,7 +134,7 @@ class TemporaryFile {
   /// The descriptor, which the caller closes.
   [[nodiscard]] int take_descriptor() { return std::exchange(descriptor_, -1); }
 
-  /// Renames it. The error, 0 if there was none.
+  /// Renames it. Returns the error, 0 if there was none.
   [[nodiscard]] int take_place_of(const fs::path& target) {
     const SignalsBlocked blocked;
     if (::rename(path_.c_str(), target.c_str()) != 0) return errno;
@@ -153,13 +153,13 @@ class TemporaryFile {
   Name* name_ = nullptr;
 };
 
-/// Hands the stream to `write` and closes the file.
+/// Calls `write` with a stream to the file, then closes the file.
 void write_all(const fs::path& path, int descriptor, const std::function<void(std::ostream&)>& write) {
   Output output(descriptor);
   std::ostream stream(&output);
   write(stream);
   if (const int error = output.finish()) fail(path, "cannot be written", error);
-  // A writer may have given up for a reason of its own.
+  // `write` may have set the error state of the stream itself.
   if (!stream) throw WriteError(path.string() + ": cannot be written");
 }
 
@@ -180,15 +180,15 @@ fs::path followed_links(const fs::path& path) {
 
 namespace {
 
-/// What is at a path before anything is written to it.
+/// The state of a path before anything is written to it.
 struct Place {
   fs::path target;  ///< Where symbolic links lead.
   bool exists = false;
-  bool is_device = false;  ///< Or a pipe, a socket: written directly.
-  mode_t permissions = 0;  ///< Of a file that exists.
+  bool is_device = false;  ///< A device, a pipe or a socket, which is written directly.
+  mode_t permissions = 0;  ///< Of an existing file.
 };
 
-/// Throws WriteError where a file can certainly not be written.
+/// Throws WriteError if a file certainly cannot be written.
 Place place_of(const fs::path& path) {
   if (path.empty()) throw WriteError("the path to write to is empty");
   Place place{.target = followed_links(path)};
@@ -198,7 +198,7 @@ Place place_of(const fs::path& path) {
     if (S_ISDIR(status.st_mode)) fail(path, "cannot be written", EISDIR);
     place.is_device = !S_ISREG(status.st_mode);
     place.permissions = status.st_mode & 07777;
-    // rename() asks for no permission to write to the file that it replaces.
+    // rename() replaces a file even without permission to write to it.
     if (::access(path.c_str(), W_OK) != 0) fail(path, "cannot be opened for writing", errno);
   } else {
     const fs::path parent = place.target.parent_path();
@@ -220,7 +220,7 @@ void write_files_atomically(const std::vector<NewFile>& files, const std::functi
     if (places[i].is_device) continue;
     TemporaryFile& temporary = written.emplace_back(files[i].path, places[i].target);
     const int descriptor = temporary.take_descriptor();
-    // Best effort: the contents matter.
+    // Failure is ignored, as the contents matter more than the permissions.
     if (places[i].exists) static_cast<void>(::fchmod(descriptor, places[i].permissions));
     write_all(files[i].path, descriptor, files[i].write);
   }
@@ -245,7 +245,7 @@ void write_file_atomically(const fs::path& path, const std::function<void(std::o
 
 void check_writable(const fs::path& path) {
   const Place place = place_of(path);
-  // Only a trial tells of names that are too long, quotas, file systems that cannot be written to.
+  // Only an attempt detects names that are too long, quotas, and read-only file systems.
   if (!place.is_device) const TemporaryFile trial(path, place.target);
 }
 

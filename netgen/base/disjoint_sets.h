@@ -8,7 +8,8 @@
 
 namespace epsnet {
 
-/// A partition of the numbers 0, …, n − 1, which gets coarser (union-find with path halving: nearly constant time).
+/// A partition of the numbers 0, …, n − 1 whose sets can be joined (union-find with path halving: nearly constant
+/// time).
 class DisjointSets {
  public:
   /// Every number is a set of its own.
@@ -16,14 +17,14 @@ class DisjointSets {
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(parent_.size()); }
 
-  /// The least number in the set of i: the name of the set.
+  /// Returns the least number in the set of i, which identifies the set.
   [[nodiscard]] std::uint32_t find(std::uint32_t i) {
     assert(i < size());
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
 
-  /// Makes the sets of i and j one.
+  /// Joins the sets of i and j.
   void join(std::uint32_t i, std::uint32_t j) {
     i = find(i);
     j = find(j);

@@ -10,7 +10,7 @@
 #include "kernel/complex.h"
 #include "kernel/numbers.h"
 
-/// The numbers of documents, GMP's own classes, as numbers of the kernel and back.
+/// Conversions between the numbers of documents, which are GMP's own classes, and the numbers of the kernel.
 namespace epsnet {
 
 [[nodiscard]] inline mpq_class to_gmp(const Rational& q) { return mpq_class(q.backend().data()); }
@@ -21,14 +21,14 @@ namespace epsnet {
   return {from_gmp(z.x), from_gmp(z.y)};
 }
 
-/// The exact value of a decimal or rational as docs/format.md defines it ("-0.25", "1e-3", "1/10"): 0.1 is 1/10.
-/// Nothing for any other text, and beyond the limits of files.
+/// Returns the exact value of a decimal or rational as docs/format.md defines it ("-0.25", "1e-3", "1/10"): 0.1 is
+/// 1/10. Returns nullopt for any other text, and beyond the limits of files.
 [[nodiscard]] inline std::optional<Rational> parse_decimal(std::string_view text) {
   const std::optional<mpq_class> value = certify::parse_decimal(text);
   return value ? std::optional(from_gmp(*value)) : std::nullopt;
 }
 
-/// The nearest number of a multiprecision field.
+/// Returns the nearest number of a multiprecision field.
 template <class T>
 [[nodiscard]] T rounded(const mpq_class& q) {
   T x;

@@ -5,18 +5,19 @@
 
 #include "certify/base/interval.h"
 
-/// JSON with bounds: numbers that nlohmann::json would round to nearest are binary values, which hold their decimals.
+/// JSON with bounds. nlohmann::json would print numbers rounded to nearest, so a bound is stored as a binary value that
+/// contains its decimal.
 namespace epsnet {
 
 using Json = nlohmann::ordered_json;
 
-/// The ends as the decimals of certify::to_string; null for one that is infinite.
+/// Returns the two ends as the decimals of certify::to_string; an infinite end is null.
 [[nodiscard]] Json interval_json(certify::Interval x);
 
-/// A bound from above as a decimal, rounded upward; null if it is infinite.
+/// Returns an upper bound as a decimal, rounded upward; null if it is infinite.
 [[nodiscard]] Json upper_bound_json(double x);
 
-/// On one line, in UTF-8; binary values as they stand.
+/// Returns the text on one line, in UTF-8; binary values are copied unchanged.
 [[nodiscard]] std::string json_text(const Json& value);
 
 }  // namespace epsnet

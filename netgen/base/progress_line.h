@@ -8,8 +8,8 @@
 
 namespace epsnet {
 
-/// Shows how far we are on a terminal, and how long it will take from there at this pace, after the first second; wipes
-/// its line at the end.
+/// Shows progress on a terminal, and, after the first second, the remaining time at the present pace. The destructor
+/// clears the line.
 class ProgressLine {
  public:
   ProgressLine();
@@ -19,7 +19,7 @@ class ProgressLine {
 
   void show(std::string_view text, double share);
 
-  /// What shows the progress of a computation on this line, which must outlive it. `prefix` comes before its text.
+  /// Returns a function that shows progress on this line, which must outlive it. `prefix` comes before its text.
   [[nodiscard]] Progress shower(std::string prefix = "");
 
  private:
@@ -28,7 +28,8 @@ class ProgressLine {
   bool terminal_;
   bool shown_once_ = false;
   std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
-  // Where the part of the work began that the share is of: a share that falls, or 0, begins another one.
+  // When, and with which share, the current step began: a share that is smaller than the last one, or 0, begins a new
+  // step.
   std::chrono::steady_clock::time_point began_ = shown_;
   double began_share_ = 0;
   double share_ = 0;

@@ -25,12 +25,12 @@ Matrix operator*(const Matrix& m, const Matrix& n) {
   return {m.a * n.a + m.b * n.c, m.a * n.b + m.b * n.d, m.c * n.a + m.d * n.c, m.c * n.b + m.d * n.d};
 }
 
-/// Up to a factor.
+/// Returns the inverse up to a factor.
 Matrix inverse(const Matrix& m) { return {m.d, -m.b, -m.c, m.a}; }
 
-/// The rational number with the smallest denominator in [low, high], 0 < low ≤ high.
+/// Returns the rational number with the smallest denominator in [low, high], 0 < low ≤ high.
 Rational simplest_between(Rational low, Rational high) {
-  // The continued fractions of both ends as long as they agree.
+  // Follows the continued fractions of both ends as long as they agree.
   Matrix convergents{1, 0, 0, 1};
   for (;;) {
     const Integer whole = numerator(low) / denominator(low);
@@ -46,7 +46,7 @@ Rational simplest_between(Rational low, Rational high) {
   }
 }
 
-/// The simplest rational number within a factor 1 ± 2^−bits of x.
+/// Returns the simplest rational number within a factor 1 ± 2^−bits of x.
 Rational simplest_near(const Mp1024& x, int bits) {
   const Mp1024 margin = boost::multiprecision::ldexp(x, -bits);
   return simplest_between(Rational(Mp1024(x - margin)), Rational(Mp1024(x + margin)));
@@ -76,8 +76,8 @@ Pants pants(const std::array<Rational, 3>& r) {
           {Matrix{1, 0, 0, 1}, axis((1 / r2 - d) / c, (r2 - d) / c), axis((-r1 * r3 - d) / c, (-r1 / r3 - d) / c)}};
 }
 
-/// The height f of the mark of cuff k: N_k(i f) is the foot of the common perpendicular with cuff k + 1. f² is the
-/// product of the ends of that cuff's axis, seen from this one.
+/// Returns the height f of the mark of cuff k: N_k(i f) is the foot of the common perpendicular with cuff k + 1. f² is
+/// the product of the ends of the axis of cuff k + 1 in the coordinates where that of cuff k runs from 0 to ∞.
 Mp1024 mark(const Pants& p, std::uint32_t k) {
   const Matrix other = inverse(p.axis[k]) * p.axis[(k + 1) % 3];
   return sqrt(Mp1024(Rational((other.b / other.d) * (other.a / other.c))));
@@ -88,8 +88,8 @@ Complex<Rational> to_disk(const Complex<Rational>& z) {
   return (z - i) / (z + i);
 }
 
-/// The pants cut open along two arcs between the base points P_k = N_k(i y_k): a convex heptagon P1, P2, D2 P2, D2 P1,
-/// D2 P3, D1⁻¹ P3, D1⁻¹ P1.
+/// Returns the pants cut open along two arcs between the base points P_k = N_k(i y_k): the convex heptagon P1, P2,
+/// D2 P2, D2 P1, D2 P3, D1⁻¹ P3, D1⁻¹ P1.
 Tile heptagon(const Pants& p, const std::array<Rational, 3>& y) {
   std::array<Complex<Rational>, 3> base;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -148,7 +148,7 @@ Surface fenchel_nielsen_surface(const FenchelNielsen& coordinates) {
   const std::size_t n = graph.edges().size();
   std::vector<Rational> r;
   for (const Rational& length : coordinates.lengths) {
-    // r − 1, so that short lengths keep their relative accuracy: d ln r ≤ dr and r − 1 ≤ ½ length · r.
+    // Rounding r − 1 keeps the relative accuracy of short lengths: d ln r ≤ dr and r − 1 ≤ ½ length · r.
     r.push_back(1 + simplest_near(expm1(Mp1024(Rational(length / 2))), 52));
   }
   std::vector<Pants> pieces;
@@ -177,7 +177,7 @@ Surface fenchel_nielsen_surface(const FenchelNielsen& coordinates) {
     }
     const Rational twist = coordinates.twists[e] - length * Rational(whole);
     // The base points lie at the heights y on the two sides; gluing them gives the twist ln(y y'/(f f')). Only the
-    // product counts, so the first may be rough, but not by a good part of the cuff.
+    // product matters, so the first height may be rough, as long as its error is small compared with the cuff.
     const int cuff_bits = std::max(3, 3 - static_cast<int>(ilogb(Mp1024(length))));
     const Mp1024 half_turn = exp(Mp1024(Rational(twist / 2)));
     const Mp1024 f = mark(pieces[first.pants], first.cuff);
@@ -208,7 +208,7 @@ Surface fenchel_nielsen_surface(const FenchelNielsen& coordinates) {
 
 FenchelNielsen random_coordinates(PantsGraph graph, std::uint64_t seed) {
   boost::random::mt19937_64 engine(seed);
-  // A million steps are fine enough, and exact.
+  // Multiples of a millionth are fine enough, and exact.
   constexpr std::uint32_t kSteps = 1'000'000;
   const auto uniform = [&](const Rational& from, const Rational& to) {
     const auto step = boost::random::uniform_int_distribution<std::uint32_t>(0, kSteps - 1)(engine);

@@ -24,7 +24,7 @@ std::uint64_t seed_of(const FenchelNielsenRequest& request, const char* what) {
   return *request.seed;
 }
 
-/// What `make` returns, its errors being those of a member.
+/// Returns the result of `make`; attributes its errors to a member.
 template <class Make>
 auto blaming(const char* member, const Make& make) {
   try {
@@ -34,7 +34,7 @@ auto blaming(const char* member, const Make& make) {
   }
 }
 
-/// The genus, which the graph, if one is named, has to have.
+/// Returns the genus of a request whose graph does not determine it. Throws if it is missing or out of range.
 std::uint32_t genus_of(const FenchelNielsenRequest& request) {
   if (!request.genus) {
     throw RequestError("genus", "needed for the pants graph " +
@@ -44,7 +44,7 @@ std::uint32_t genus_of(const FenchelNielsenRequest& request) {
   return *request.genus;
 }
 
-/// The graph, or none: a random one is drawn later.
+/// Returns the graph; nullopt for a random one, which is drawn later.
 std::optional<PantsGraph> graph_of(const FenchelNielsenRequest& request) {
   const std::string& graph = request.graph;
   if (graph.empty() || graph == "random") {
@@ -71,7 +71,7 @@ std::optional<PantsGraph> graph_of(const FenchelNielsenRequest& request) {
   return edges;
 }
 
-/// One number for each edge, or one for all.
+/// Returns one number for each edge; a single text stands for all.
 std::vector<Rational> numbers(const std::vector<std::string>& texts, const char* what, std::size_t edges) {
   std::vector<Rational> result;
   for (const std::string& text : texts) {
@@ -91,7 +91,7 @@ std::vector<Rational> numbers(const std::vector<std::string>& texts, const char*
   return result;
 }
 
-/// A request as simdjson reads it.
+/// Reads a request with simdjson.
 class Reader {
  public:
   FenchelNielsenRequest read(simdjson::ondemand::document& document) {
@@ -138,7 +138,7 @@ class Reader {
     return value;
   }
 
-  /// Decimals as they are written: bare numbers, or strings.
+  /// Returns decimals as written, whether as bare numbers or as strings.
   static std::vector<std::string> texts(simdjson::ondemand::value value, const std::string& key) {
     std::vector<std::string> result;
     for (auto item : take(value.get_array(), key + ": an array of numbers")) {
@@ -167,7 +167,7 @@ FenchelNielsen resolve(const FenchelNielsenRequest& request) {
   std::vector<Rational> lengths, twists;
   if (!draw_lengths) lengths = numbers(request.lengths, "lengths", edges);
   if (!draw_twists) twists = numbers(request.twists, "twists", edges);
-  // What is given is fine; the rest is drawn.
+  // All given values are valid; the missing ones are drawn.
   if (!graph) graph = PantsGraph::random(genus_of(request), seed_of(request, "pants graph"));
   if (draw_lengths || draw_twists) {
     const char* what = !draw_lengths ? "twists" : !draw_twists ? "lengths" : "lengths and twists";

@@ -10,16 +10,16 @@
 namespace epsnet {
 namespace {
 
-/// The tiles as a tree, with tile 0 as its root.
+/// A tree of the tiles, with tile 0 as its root.
 struct Tree {
-  std::vector<Word> path;        ///< By tile: from tile 0 to it.
-  std::list<std::uint32_t> rim;  ///< The sides that are not crossed, counterclockwise around all tiles.
+  std::vector<Word> path;        ///< By tile: the path from tile 0 to it.
+  std::list<std::uint32_t> rim;  ///< The sides that the tree does not cross, counterclockwise around all tiles.
 
   explicit Tree(const Surface& surface) : path(surface.tiles().size()) {
     std::vector<bool> reached(path.size());
     reached[0] = true;
     for (std::uint32_t k = 0; k < surface.tiles()[0].size(); ++k) rim.push_back(surface.side_number(0, k));
-    // Breadth first: what a round finds is not looked at before the next one.
+    // Breadth first: the sides added in one round are visited in the next.
     for (bool grown = true; grown;) {
       grown = false;
       for (auto place = rim.begin(); place != rim.end();) {
@@ -39,7 +39,7 @@ struct Tree {
   }
 };
 
-/// Leaves out neighbours that are glued to each other.
+/// Removes pairs of neighbouring sides that are glued to each other.
 std::vector<std::uint32_t> without_folds(const Surface& surface, const std::list<std::uint32_t>& rim) {
   std::vector<std::uint32_t> sides;
   for (const std::uint32_t s : rim) {
@@ -72,7 +72,7 @@ FundamentalPolygon fundamental_polygon(const Surface& surface) {
     const std::uint32_t here = surface.tile_of_side(s);
     const std::uint32_t there = surface.partner(s);
     const Word& way = tree.path[surface.tile_of_side(there)];
-    // From tile 0 to the tile beyond, back across the side, and home.
+    // The path leads from tile 0 to the tile beyond, back across the side, and back to tile 0.
     Word word = way;
     word.push_back(there);
     const Word home = reversed(surface, tree.path[here]);

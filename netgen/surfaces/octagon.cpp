@@ -11,7 +11,7 @@
 namespace epsnet {
 namespace {
 
-// Which candidates are accepted, and the digits of the coordinates, depend on every rounding to float.
+// Every rounding to float can change which candidates are accepted, and the digits of the coordinates.
 static_assert(FLT_EVAL_METHOD == 0 && std::numeric_limits<float>::is_iec559,
               "floats must be rounded to float after each operation");
 
@@ -20,11 +20,11 @@ using Half = std::array<Complex<Rational>, 4>;
 /// The stream of random numbers of one seed.
 class Draws {
  public:
-  /// CGAL's generator draws an integer of [0, 2¹⁵ − 1] when it is made. The range divides that of rand48, so it is
-  /// always one step.
+  /// CGAL's generator draws an integer of [0, 2¹⁵ − 1] when it is constructed. This always takes one step, as the range
+  /// divides that of rand48.
   explicit Draws(std::int32_t seed) : engine_(static_cast<std::uint32_t>(seed)) { engine_.discard(1); }
 
-  /// A point of the upper half of the unit disk, uniformly distributed.
+  /// Draws a point of the upper half of the unit disk, uniformly distributed.
   Complex<float> point() {
     // In the first attempt the compiled program draws the imaginary part first (order of evaluation of arguments),
     // later the real part.
@@ -44,7 +44,7 @@ class Draws {
   boost::random::rand48 engine_;
 };
 
-/// z0, z1, z2, z3 in floats: z0 ∈ (0, 1) such that the octagon has area 4π up to rounding, if things go well.
+/// z0, z1, z2, z3 in floats. In an acceptable candidate z0 ∈ (0, 1), and the octagon has area 4π up to rounding.
 struct Candidate {
   float z0;
   std::array<Complex<float>, 3> z;
@@ -68,9 +68,9 @@ Candidate draw_candidate(Draws& draws) {
   }
 }
 
-/// The first four digits after the point, as an exact number with the sign of x. The digits before the point are lost:
-/// so does CGAL's program, which takes for example z0 = 2.9986 for 0.9986 (seed 50). Nothing for NaN and numbers too
-/// large to have digits after the point.
+/// Returns the first four digits after the point, as an exact number with the sign of x. The digits before the point
+/// are dropped, as in CGAL's program, which for example takes z0 = 2.9986 for 0.9986 (seed 50). Returns nullopt for NaN
+/// and for numbers too large to have digits after the point.
 std::optional<Rational> four_digits(float x) {
   const float shifted = 10000 * std::fabs(x);
   if (!(shifted < 0x1p24F)) return std::nullopt;
@@ -89,7 +89,7 @@ std::optional<Half> truncated(const Candidate& candidate) {
   return half;
 }
 
-/// The points lie in the upper half of the disk, z0 excepted, which is real, and their arguments increase.
+/// Whether the points lie in the upper half of the disk, except for z0, which is real, and their arguments increase.
 bool well_placed(const Half& half) {
   for (std::size_t i = 0; i < half.size(); ++i) {
     if (norm(half[i]) >= 1 || (i > 0 && half[i].y <= 0)) return false;
@@ -103,8 +103,8 @@ bool well_placed(const Half& half) {
 std::optional<std::array<Complex<Rational>, 4>> closed_up(const std::array<Complex<Rational>, 4>& half) {
   const auto& [z0, z1, z2, z3] = half;
   const Complex<Rational> one{1, 0};
-  // With w = (z3 + z0)/(1 + z̄0 z3), the condition is Im[A (1 + z̄0 z2 − (z0 + z2) w̄)] = 0 up to a positive factor, A the
-  // first two factors.
+  // With w = (z3 + z0)/(1 + z̄0 z3), the condition is Im[A (1 + z̄0 z2 − (z0 + z2) w̄)] = 0 up to a positive factor, where
+  // A is the product of the first two factors.
   const Complex<Rational> seen = one + conj(z0) * z3;
   if (norm(seen) == 0) return std::nullopt;
   const Complex<Rational> w = (z3 + z0) / seen;
@@ -128,7 +128,7 @@ Surface random_octagon(std::int32_t seed) {
   Draws draws(seed);
   for (;;) {
     const std::optional<Half> half = truncated(draw_candidate(draws));
-    // z0 > 0 is part of `well_placed`, tested early because it fails for most candidates that fail.
+    // `well_placed` implies z0 > 0; this is tested first, as most rejected candidates fail it.
     if (!half || (*half)[0].x <= 0) continue;
     const std::optional<Half> closed = closed_up(*half);
     if (closed && well_placed(*closed)) return symmetric_octagon(*closed);

@@ -22,7 +22,7 @@ void require_genus(std::uint32_t genus) {
   }
 }
 
-/// The nodes reached from node 0.
+/// Returns the number of nodes reached from node 0.
 std::size_t reached(const NodePairs& edges, std::size_t nodes) {
   DisjointSets components(nodes);
   for (const auto& [a, b] : edges) components.join(a, b);
@@ -33,7 +33,7 @@ std::size_t reached(const NodePairs& edges, std::size_t nodes) {
   return count;
 }
 
-/// A node of `tree` with `leaves` leaves below it; returns its number. The edge upwards is the caller's.
+/// Adds a node of `tree` with `leaves` leaves below it; returns its number. The caller adds the edge to its parent.
 std::uint32_t grow(std::uint32_t leaves, std::uint32_t& nodes, NodePairs& edges) {
   const std::uint32_t node = nodes++;
   if (leaves == 1) {

@@ -50,7 +50,7 @@ Surface from_document(const certify::SurfaceDocument& surface) {
 
 namespace {
 
-/// As from_document; errors name the file.
+/// Like from_document; errors name the file.
 Surface from_file(const certify::SurfaceDocument& document, const std::string& name) {
   try {
     return from_document(document);

@@ -60,7 +60,7 @@ certify::BallIsometry regular_product(const Surface& surface, const Word& word, 
       });
 }
 
-/// The end as a dyadic number.
+/// Returns the end of an interval as a dyadic number.
 Rational dyadic(const arf_t end) {
   fmpz_t mantissa;
   fmpz_t exponent;
@@ -93,7 +93,7 @@ EnclosedNumber ends(arb_srcptr x, slong precision) {
   return result;
 }
 
-/// An n ≥ 0 with |a| ≥ 2^n, for an |a| that is at least 1.
+/// Returns an n ≥ 0 with |a| ≥ 2^n. Requires: |a| ≥ 1.
 slong least_exponent(const certify::ComplexBall& a) {
   mag_t lower;
   mag_init(lower);
