@@ -1,5 +1,5 @@
-"""Systoles, largest embedded disks, radii and diameters of many surfaces, by `epsnet --json`, which certifies what it prints:
-its exit code is 0 only if the certificate is VERIFIED, so that nothing is proved a second time here."""
+"""Systoles, largest embedded disks, radii and diameters of many surfaces, by `epsnet --json`. Nothing is proved a second time
+here, since epsnet certifies its results: its exit code is 0 only if the certificate is VERIFIED."""
 
 import csv
 import io
@@ -20,8 +20,8 @@ QUANTITIES = ("systole", "disk", "radius", "diameter")
 COLUMNS = ("surface", "verdict", "genus",
            *(f"{quantity}_{end}" for quantity in QUANTITIES for end in ("lower", "upper")),
            "disk_cells", "radius_cells", "diameter_cells", *(f"{quantity}_seconds" for quantity in QUANTITIES), "error")
-HEAD_FORMAT = 1  # Of the records; another number, and finished files are made again.
-NOT_ENCLOSED = (1, 2)  # Exit codes of epsnet: it failed, or could not decide; anything else is no result.
+HEAD_FORMAT = 1  # Version of the record format; if it changes, finished files are made again.
+NOT_ENCLOSED = (1, 2)  # Exit codes of epsnet if it failed or could not decide; any other code but 0 ends the measurements.
 
 
 class MeasurementError(Exception):
@@ -34,8 +34,8 @@ def disk_bound(genus: int) -> float:
 
 
 def radius_bound(genus: int) -> float:
-    """A disk of a smaller radius does not cover the surface, rounded: the 4g - 2 Delaunay triangles of its centre have
-    a circumradius of at most that of the disk, so that equilateral ones have the greatest area."""
+    """The least radius of a disk that can cover a surface, rounded: the circumradii of the 4g - 2 Delaunay triangles of its
+    centre are at most the radius, so these triangles have the greatest area if they are equilateral."""
     return math.acosh(1 / (math.sqrt(3) * math.tan(math.pi / (12 * genus - 6))))
 
 
@@ -48,7 +48,7 @@ def middle(record: dict, quantity: str) -> float:
 
 
 def measure(programs: Path, output: Path, measurement: plan.Measurement, surfaces: list[Path], threads: int) -> list[dict]:
-    """The records of all surfaces, in their order; only those are made that are not finished yet."""
+    """Returns the records of all surfaces, in their order. Makes those that are not finished yet."""
     directory = output / "records" / measurement.name
     directory.mkdir(parents=True, exist_ok=True)
     version = _run([programs / "epsnet", "--version"])[1].strip()
@@ -76,7 +76,7 @@ def measure(programs: Path, output: Path, measurement: plan.Measurement, surface
 
 
 def check_together(record: dict) -> None:
-    """Intervals that are proved apart have to agree: what they enclose satisfies these inequalities (a <= b)."""
+    """Checks that intervals proved separately agree: the enclosed numbers must satisfy these inequalities (a <= b)."""
     def ends(quantity, factor=1.0):
         lower, upper = record[f"{quantity}_lower"], record[f"{quantity}_upper"]
         return None if lower is None else (factor * lower, factor * upper)
@@ -109,7 +109,7 @@ def _head(version: str, surface: Path, measurement: plan.Measurement) -> str:
 
 
 def _run(command: list) -> tuple[int, str, str, float]:
-    """Exit code, standard output and error, processor seconds."""
+    """Returns the exit code, standard output and error, and the processor seconds."""
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
         try:
             process = subprocess.Popen([str(word) for word in command], stdin=subprocess.DEVNULL, stdout=out, stderr=err)
@@ -123,7 +123,7 @@ def _run(command: list) -> tuple[int, str, str, float]:
 
 
 def _record(programs: Path, surface: Path, measurement: plan.Measurement) -> dict:
-    """One row. What fails leaves its cells empty and says why in the column `error`."""
+    """Returns one row. If a command fails, its cells are empty and the column `error` has the reason."""
     commands = {"systole": ["systole", surface, "--threads", 1],
                 "disk": ["embedded-disk", surface, "--width", measurement.disk_width],
                 "radius": ["radius", surface, "--width", measurement.radius_width],
@@ -152,7 +152,7 @@ def _record(programs: Path, surface: Path, measurement: plan.Measurement) -> dic
 
 
 def _facts(programs: Path, command: list) -> tuple[dict | None, str, float]:
-    """What a command prints with --json, or None and its message; processor seconds."""
+    """Returns the output of a command with --json, or None and its message; and the processor seconds."""
     code, out, err, seconds = _run([programs / "epsnet", *command, "--json"])
     message = " ".join(err.removeprefix("epsnet: ").split())
     if code == 0:

@@ -1,4 +1,4 @@
-"""Files written at once, and documents with places for what is made."""
+"""Files that are written in one step, and documents with places for generated tables."""
 
 import os
 from pathlib import Path

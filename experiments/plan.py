@@ -1,4 +1,4 @@
-"""What is computed: the sweeps behind each table and figure, as data."""
+"""The plan: the sweeps behind each table and figure, as data."""
 
 import random
 from dataclasses import dataclass
@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Sweep:
-    """Nets of all surfaces for all epsilons, made in one way; without epsilons, the systoles of the surfaces. A surface: its
-    name and the arguments of `epsnet surface`."""
+    """Nets of all surfaces for all epsilons, made in one way; without epsilons, the systoles of the surfaces. A surface is given
+    by its name and the arguments of `epsnet surface`."""
     name: str
     surfaces: tuple[tuple[str, tuple[str, ...]], ...]
     epsilons: tuple[str, ...] = ()
@@ -18,13 +18,13 @@ class Sweep:
 
 @dataclass(frozen=True)
 class Seeds:
-    """Those of a sweep or of a batch, the last one included."""
+    """The seeds of a sweep or of a batch, including the last one."""
     first: int
     last: int
 
     @staticmethod
     def of(text: str) -> "Seeds":
-        """FIRST-LAST. Throws ValueError."""
+        """Reads FIRST-LAST. Throws ValueError."""
         first, last = map(int, text.split("-"))
         if not 1 <= first <= last:
             raise ValueError
@@ -48,7 +48,7 @@ class Measurement:
 
 
 def octagons(count: int):
-    """The random octagons of seeds 1 to `count`, for the thesis' surfaces, which come from the same distribution."""
+    """The random octagons of seeds 1 to `count`, which replace the thesis' surfaces, from the same distribution."""
     return tuple((f"octagon-{seed:03}", ("octagon", "--seed", str(seed))) for seed in range(1, count + 1))
 
 
@@ -77,7 +77,7 @@ def seeded(genus: int | None, seeds: Seeds):
 
 
 def net_options(insertion: str, walk: str, triangle_list: str) -> list[str]:
-    """Those of `epsnet net`, where a walk implies flips."""
+    """The options of `epsnet net`, where a walk implies flips."""
     return ["--insert", insertion, "--list", triangle_list, *(["--locate", walk] if insertion == "flips" else [])]
 
 

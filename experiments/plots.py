@@ -90,7 +90,7 @@ def seconds(directory, main, cavity) -> None:
 
 
 def lists(directory, data) -> None:
-    """Table IV.2, the points: what the order of the list does to the net."""
+    """Table IV.2, the points: how the order of the list changes the net."""
     with plot(directory, "lists", "points / (16/ε²)") as axes:
         for letter in "ABCD":
             epsilons, values = means(data[f"list-{letter}-flips"], lambda group: tables.mean(group, "vertices") / tables.most(group[0]))
@@ -122,7 +122,7 @@ def systoles(directory, records) -> None:
 
 
 def scatter(axes, records, x: str, y: str) -> list[dict]:
-    """A point for each surface that has both, the middles of two enclosures; returns these surfaces."""
+    """Plots a point for each surface that has both numbers, at the midpoints of the enclosures; returns these surfaces."""
     both = [r for r in records if r[f"{x}_lower"] is not None and r[f"{y}_lower"] is not None]
     axes.plot([distances.middle(r, x) for r in both], [distances.middle(r, y) for r in both], "o", markersize=3,
               label="octagons")
@@ -139,7 +139,7 @@ def systole_diameter(directory, records) -> None:
 
 
 def systole_disk(directory, records) -> None:
-    """An embedded disk is at least half a systole, and at most Bavard's."""
+    """The radius of the largest embedded disk is at least half the systole, and at most Bavard's bound."""
     with plot(directory, "systole-disk", "radius of the largest embedded disk", "systole") as axes:
         found = scatter(axes, records, "systole", "disk")
         bound(axes, distances.disk_bound(records[0]["genus"]), "Bavard's bound")

@@ -8,7 +8,7 @@ from pathlib import Path
 
 
 class RecordError(Exception):
-    """Not a complete record file; the text is one line that starts with the path."""
+    """A file is not a complete record file; the text is one line that starts with the path."""
 
 
 def _trailer(before: bytes, count: int) -> bytes:
@@ -16,7 +16,7 @@ def _trailer(before: bytes, count: int) -> bytes:
 
 
 def read(path: Path) -> list[dict]:
-    """The records of a finished file: a dictionary for each, numbers as int or float, empty fields as None."""
+    """Returns the records of a finished file: a dictionary for each, numbers as int or float, empty fields as None."""
     try:
         content = Path(path).read_bytes()
     except OSError as error:
@@ -47,13 +47,13 @@ def _value(text: str):
 
 
 def parameter_line(version: str, surface: Path, insertion: str, walk: str, triangle_list: str, epsilons: list[str]) -> str:
-    """What sweep.cpp writes for the same parameters. `version` as `epsnet --version` prints it."""
+    """Returns the line that sweep.cpp writes for the same parameters. `version` is the output of `epsnet --version`."""
     checksum = zlib.crc32(Path(surface).read_bytes())
     return f"# {version}, sweep 1, surface {Path(surface).stem} {checksum:08x}, {_way(insertion, walk, triangle_list, epsilons)}"
 
 
 def table_head(version: str, genus: int | None, seeds, insertion: str, walk: str, triangle_list: str, epsilons: list[str]) -> str:
-    """Of the table of a batch or of a whole sweep."""
+    """Returns the head of the table of a batch or of a whole sweep."""
     kind = "octagons" if genus is None else f"genus {genus}"
     return f"# {version}, table 1, {kind}, seeds {seeds}, {_way(insertion, walk, triangle_list, epsilons)}"
 
@@ -63,7 +63,7 @@ def _way(insertion: str, walk: str, triangle_list: str, epsilons: list[str]) -> 
 
 
 def gather(parameters: str, single_records: list[Path], output: Path) -> None:
-    """Makes the record file of a surface out of the files of `epsnet net --record`, one for each epsilon; atomically."""
+    """Makes the record file of a surface, atomically, from the files of `epsnet net --record`, one for each epsilon."""
     tables = [Path(path).read_text().splitlines() for path in single_records]
     if any(len(table) != 2 or table[0] != tables[0][0] for table in tables):
         raise RecordError(f"{output}: the records are not one line each with the same columns")
@@ -71,8 +71,8 @@ def gather(parameters: str, single_records: list[Path], output: Path) -> None:
 
 
 def join(output: Path, head: str, parts: dict[Path, str]) -> None:
-    """One file of the records of several, which have to be finished with these heads; without the seconds, so that it is the
-    same wherever and however often it is made."""
+    """Joins the records of several files, which must be finished and have these heads, into one file. Leaves out the seconds, so
+    that the file is the same wherever and however often it is made."""
     columns, lines = "", []
     for path, part_head in parts.items():
         if not is_finished(path, part_head):
@@ -88,7 +88,7 @@ def join(output: Path, head: str, parts: dict[Path, str]) -> None:
 
 
 def write(output: Path, head: str, columns: str, lines: list[str]) -> None:
-    """A finished record file, atomically. `head` is a comment: all that the records depend on."""
+    """Writes a finished record file, atomically. `head` is a comment with everything that the records depend on."""
     before = "".join(line + "\n" for line in [head, columns, *lines]).encode()
     output = Path(output)
     descriptor, temporary = tempfile.mkstemp(dir=output.parent, prefix=f".{output.name}.")

@@ -26,8 +26,8 @@
 #include "netgen/nets/net_record.h"
 #include "netgen/surfaces/surface_file.h"
 
-/// The program `sweep`: certified nets of many surfaces for many ε, or their certified systoles, surfaces side by side;
-/// a file of records for each.
+/// The program `sweep`: makes certified nets of many surfaces for many ε, or their certified systoles, several surfaces
+/// at a time, and writes a file of records for each.
 namespace epsnet::experiments {
 namespace {
 
@@ -47,19 +47,19 @@ struct Request {
 struct Job {
   std::filesystem::path surface;
   std::filesystem::path records;
-  std::string head;  ///< Of the file of records.
+  std::string head;  ///< The head of its file of records.
 };
 
 std::size_t records_per_surface(const Request& request) { return request.systoles ? 1 : request.epsilons.size(); }
 
-/// Of the calling thread, so that the other surfaces do not count.
+/// Returns the processor time of the calling thread, which excludes the other surfaces.
 double processor_seconds() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// The record of a net that is proved. Throws NetError.
+/// Makes and proves a net, and returns its record. Throws NetError.
 std::string certified_record(const std::string& name, const Surface& surface, const Length& epsilon,
                              const NetOptions& options) {
   const double start = processor_seconds();
@@ -72,7 +72,7 @@ std::string certified_record(const std::string& name, const Surface& surface, co
   return net_record(name, net, certificate, options, {computed - start, processor_seconds() - computed});
 }
 
-/// The record of a systole that is proved. Throws NetError.
+/// Finds and proves a systole, and returns its record. Throws NetError.
 std::string systole_record(const std::string& name, const Surface& surface) {
   constexpr unsigned kThreads = 1;
   const double start = processor_seconds();
@@ -92,7 +92,7 @@ std::string systole_record(const std::string& name, const Surface& surface) {
 constexpr const char* kSystoleColumns =
     "surface,verdict,genus,systole_lower,systole_upper,simple,search_seconds,certificate_seconds";
 
-/// The surfaces shared out among threads; what went wrong, and how far all are.
+/// Distributes the surfaces among threads, and reports failures and progress.
 class Sweep {
  public:
   Sweep(const Request& request, std::vector<Job> jobs) : request_(request), jobs_(std::move(jobs)) {
@@ -140,13 +140,13 @@ class Sweep {
   const Request& request_;
   std::vector<Job> jobs_;
   std::vector<Length> epsilons_;
-  std::mutex mutex_;  // Of all below.
+  std::mutex mutex_;  // Guards everything below.
   std::size_t nets_ = 0;
   std::size_t failures_ = 0;
   ProgressLine progress_;
 };
 
-/// What the records depend on besides the surface, and their columns.
+/// Returns the parameters, besides the surface, on which the records depend, and the names of their columns.
 std::string way(const Request& request) {
   if (request.systoles) return std::string("systole\n") + kSystoleColumns;
   std::string result = "insertion ";
@@ -156,7 +156,7 @@ std::string way(const Request& request) {
   return result + '\n' + net_record_columns();
 }
 
-/// The surfaces without a finished file. Its head names the bytes of the surface, not its path.
+/// Returns the surfaces without a finished file. The head of a file names the bytes of the surface, not its path.
 std::vector<Job> unfinished(const Request& request) {
   std::vector<Job> jobs;
   for (const std::filesystem::path surface : request.surfaces) {

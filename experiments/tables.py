@@ -97,17 +97,17 @@ def decimal(x: float | None, digits: int) -> str | None:
 
 
 def rounded_down(x: float, digits: int) -> str:
-    """With so many decimal places; x is a lower bound, and what is printed is one."""
+    """Returns x, a lower bound, with `digits` decimal places, rounded down so that it is still a lower bound."""
     return str(Decimal(x).quantize(Decimal(1).scaleb(-digits), ROUND_FLOOR))
 
 
 def exact(epsilon: float) -> Decimal:
-    """The decimal that was asked for."""
+    """Returns the decimal that the user gave."""
     return Decimal(str(epsilon))
 
 
 def one_digit_after_point(x: Decimal, rounding: str) -> str:
-    """As 1.2e-13, rounded in that direction."""
+    """Returns a text such as 1.2e-13, rounded in the given direction."""
     with localcontext() as context:
         context.rounding = rounding
         return f"{x:.1e}"
@@ -235,7 +235,7 @@ def seed(record: dict) -> str:
 
 
 def distances(records: list[dict]) -> str:
-    """What the enclosures are like: statistics of their middles, and what they took."""
+    """Statistics of the midpoints of the enclosures, and their cost."""
     rows = []
     for quantity, name in QUANTITY_NAMES.items():
         found = sorted((r for r in records if r[f"{quantity}_lower"] is not None), key=lambda r: measured.middle(r, quantity))
@@ -254,7 +254,7 @@ def distances(records: list[dict]) -> str:
 
 
 def correlation(x: list[float], y: list[float]) -> float | None:
-    """Pearson's."""
+    """Pearson's correlation."""
     mx, my = fmean(x), fmean(y)
     scale = math.sqrt(sum((a - mx) ** 2 for a in x) * sum((b - my) ** 2 for b in y))
     return sum((a - mx) * (b - my) for a, b in zip(x, y)) / scale if scale > 0 else None
@@ -280,7 +280,7 @@ def octagons(records: list[dict]) -> str:
 
 
 def make(data: dict[str, list[dict]]) -> dict[str, str]:
-    """The tables for which there are records, as Markdown."""
+    """Returns the tables for which there are records, as Markdown."""
     result = {}
     if "walk-straight" in data:
         result["walks"] = walks(data["walk-straight"], data["walk-visibility"])

@@ -47,7 +47,7 @@ class Chooser {
   std::mt19937 engine_;
 };
 
-/// A neighbour among the doubles, a small or a large displacement, or another sign.
+/// Moves a number to a neighbouring double, by a small or a large amount, or changes its sign.
 void mutate_number(double& x, Chooser& choose) {
   switch (choose.below(5)) {
     case 0:
@@ -118,7 +118,7 @@ void mutate_triangle(NetDocument::Triangle& triangle, const NetDocument& documen
   }
 }
 
-/// The sides of a surface are paired otherwise.
+/// Pairs the sides of a surface differently.
 void mutate_gluing(SurfaceDocument& surface, Chooser& choose) {
   SurfaceDocument::Gluing& one = choose.of(surface.gluing);
   SurfaceDocument::Gluing& other = choose.of(surface.gluing);
@@ -126,7 +126,8 @@ void mutate_gluing(SurfaceDocument& surface, Chooser& choose) {
   std::swap(one.other_side, other.other_side);
 }
 
-/// A collar less, one twice, or one with another member; a net without collars gets one, and so becomes a pseudo net.
+/// Removes or doubles a collar, or changes one of its members. A net without collars gets one, and so becomes a pseudo
+/// net.
 void mutate_collars(NetDocument& document, std::size_t sides, Chooser& choose) {
   const auto any_vertex = [&] { return choose.below(document.vertices.size()); };
   const auto any_triangle = [&] { return choose.below(document.triangles.size()); };
@@ -158,18 +159,18 @@ void mutate_collars(NetDocument& document, std::size_t sides, Chooser& choose) {
     case 5:
       mutate_number(collar.length[i], choose);
       break;
-    default:  // Seen from the other side: the same collar only if the core's word fits there as well.
+    default:  // Swaps the two sides, which gives the same collar only if the word of the core fits there as well.
       std::swap(collar.vertices[0], collar.vertices[1]);
       std::swap(collar.triangles[0], collar.triangles[1]);
   }
 }
 
-/// One change of a kind that leaves a net file, though usually no net.
+/// Makes one change after which the document is still well-formed, though usually not a net.
 void mutate(NetDocument& document, Chooser& choose) {
   const bool regular = document.surface.regular_genus != 0;
   std::size_t sides = std::size_t{4} * document.surface.regular_genus;
   for (const SurfaceDocument::Tile& tile : document.surface.tiles) sides += tile.size();
-  // Half of the changes of a pseudo net are made where it differs from a net.
+  // Half of the changes to a pseudo net concern its collars.
   switch (choose.below(document.collars ? 20 : 10)) {
     case 0:
       mutate_point(choose.of(document.vertices), choose);
@@ -207,7 +208,7 @@ void mutate(NetDocument& document, Chooser& choose) {
   }
 }
 
-/// Facts about every ε-net and pseudo ε-net that are checked here in another way, without geometry of single triangles.
+/// Checks facts about every ε-net and pseudo ε-net in another way, without the geometry of single triangles.
 void require_plausible(const NetDocument& document, const Certificate& certificate) {
   const std::size_t vertices = document.vertices.size();
   const std::size_t triangles = document.triangles.size();
@@ -219,9 +220,9 @@ void require_plausible(const NetDocument& document, const Certificate& certifica
   // The cores of collars are disjoint simple closed geodesics.
   const std::size_t collars = document.collars ? document.collars->size() : 0;
   require(certificate.counts.collars.value_or(0) == collars && collars <= 3 * certificate.counts.genus - 3);
-  // Disks of radius ε around the vertices cover all but the points within d of C cores, where a core of length l has
-  // sinh(l/2) cosh d = sinh(ε/2) and so 2l sinh d <= 4 sinh(ε/2) as the area of these points: V · 4π sinh²(ε/2) >=
-  // 4π (g − 1) − C · 4 sinh(ε/2), with room for rounding.
+  // Disks of radius ε around the V vertices cover everything except the points within d of one of the C cores. For a
+  // core of length l, sinh(l/2) cosh d = sinh(ε/2), so these points have the area 2l sinh d <= 4 sinh(ε/2). Hence
+  // V · 4π sinh²(ε/2) >= 4π (g − 1) − C · 4 sinh(ε/2); the factor leaves room for rounding.
   const double sinh_half = std::sinh(certificate.enclosures->epsilon.upper / 2);
   require(static_cast<double>(vertices) * sinh_half * sinh_half >=
           (genus - 1) * (1 - 1e-9) - static_cast<double>(collars) * sinh_half / std::numbers::pi);
@@ -229,7 +230,7 @@ void require_plausible(const NetDocument& document, const Certificate& certifica
 
 }  // namespace
 
-/// Any bytes end in a verdict, the same for any number of threads, and nothing implausible is verified.
+/// Any bytes lead to a verdict, the same for any number of threads, and nothing implausible is verified.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   NetDocument document;
   try {
@@ -246,7 +247,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return 0;
 }
 
-/// Changes single numbers, indices, words and pairings of a net file; bytes that are no net file as libFuzzer does.
+/// Changes single numbers, indices, words and pairings of a net file. For bytes that are not a net file, and sometimes
+/// for others, calls libFuzzer's own mutator.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                                unsigned int seed) {
   Chooser choose(seed);

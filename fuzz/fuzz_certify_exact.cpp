@@ -13,7 +13,8 @@ namespace {
 
 using namespace epsnet;
 
-/// What `certify` says of a file without its second checker. A geodesics file is no question for the second one.
+/// Returns the verdict of `certify` without its second checker, and the rule that it names. Undecided for files that
+/// are not nets, such as geodesics files, which the second checker does not check.
 certify::Verdict first_opinion(std::string_view text, std::string& rule) {
   try {
     const auto document = certify::parse_claim(text, "input");
@@ -30,7 +31,7 @@ certify::Verdict first_opinion(std::string_view text, std::string& rule) {
 
 }  // namespace
 
-/// Any bytes: what both checkers decide they decide alike. A refuted file is refuted by the same rule.
+/// For any bytes: if both checkers decide, they agree, and refute a file by the same rule.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   const exact::Result second = exact::check(text);

@@ -7,8 +7,8 @@
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 
-/// Any bytes, with the checksum that they ask for, are a compact net file or a MalformedError; what is read is written
-/// the same, also as JSON.
+/// Any bytes, followed by their checksum, are a compact net file or give a MalformedError. A document that is read and
+/// written again stays the same, also as JSON.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace epsnet::certify;
   std::string bytes(reinterpret_cast<const char*>(data), size);

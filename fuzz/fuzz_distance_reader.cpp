@@ -5,7 +5,7 @@
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 
-/// Any bytes are a distance file or a MalformedError; what is written reads back the same.
+/// Any bytes are a distance file or give a MalformedError; a file that is written reads back the same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace epsnet::certify;
   DistanceDocument document;

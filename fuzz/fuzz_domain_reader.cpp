@@ -23,8 +23,8 @@ std::optional<epsnet::Surface> read(std::string_view text) {
 
 }  // namespace
 
-/// Any bytes are a polygon of a surface or an ExchangeError; the certifier agrees that it is a surface; the text that
-/// is written reads back the same.
+/// Any bytes are a polygon of a surface or give an ExchangeError. The certifier agrees that it is a surface, and the
+/// text that is written reads back the same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto surface = read({reinterpret_cast<const char*>(data), size});
   if (!surface) return 0;

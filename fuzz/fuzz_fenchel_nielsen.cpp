@@ -14,8 +14,8 @@ using epsnet::PantsGraph;
 using epsnet::Rational;
 using fuzz::Bytes;
 
-/// A graph of genus 2 or 3, mostly 2: the ends of all pants in an order that the bytes choose, paired. Nothing if it is
-/// not connected.
+/// Returns a graph of genus 2 or 3, mostly 2: pairs the ends of all pants in an order that the bytes choose. Returns
+/// nullopt if the graph is not connected.
 std::optional<PantsGraph> graph(Bytes& bytes) {
   const std::uint32_t nodes = bytes.byte() % 4 == 3 ? 4 : 2;
   std::vector<std::uint32_t> ends;
@@ -30,7 +30,7 @@ std::optional<PantsGraph> graph(Bytes& bytes) {
   }
 }
 
-/// Between 1e-12 and 30.
+/// Returns a length between 1e-12 and 30.
 Rational length(Bytes& bytes) {
   const unsigned exponent = bytes.byte() % 14;
   const Rational mantissa(1 + bytes.byte() % 30, 10);
@@ -40,8 +40,8 @@ Rational length(Bytes& bytes) {
 
 }  // namespace
 
-/// All Fenchel–Nielsen coordinates give a surface, and it has a net that is proved, for every ε. The nets are small, of
-/// some tens of triangles: with sanitizers a net of ε = 1/2 on a surface of genus 4 takes seconds.
+/// All Fenchel–Nielsen coordinates give a surface, and for every ε a net of it is found and proved. The nets have only
+/// some tens of triangles, as with sanitizers a net of ε = 1/2 on a surface of genus 4 takes seconds.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Bytes bytes(data, size);
   auto pants = graph(bytes);

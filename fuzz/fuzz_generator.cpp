@@ -12,10 +12,10 @@ using fuzz::Bytes;
 
 Rational coordinate(Bytes& bytes) { return Rational(bytes.integer(), 32768); }
 
-/// The symmetric octagon z0, …, z3, −z0, …, −z3, opposite sides glued, z0 > 0, where z3 is moved along a hyperbolic
-/// line through −z0 until the area is 4π: in the frame f(z) = (z + z0)/(1 + z0 z) the condition Im[(1 − z0 z̄1)(1 − z1
-/// z̄2)(1 − z2 z̄3)(1 + z3 z̄0)] = 0 is linear in the factor of f(z3). Nothing if that has no solution, or the octagon is
-/// not a fundamental polygon.
+/// Returns a symmetric octagon z0, …, z3, −z0, …, −z3 with z0 > 0 and opposite sides glued; z3 is moved along a
+/// hyperbolic line through −z0 until the area is 4π. In the frame f(z) = (z + z0)/(1 + z0 z) the condition Im[(1 − z0
+/// z̄1)(1 − z1 z̄2)(1 − z2 z̄3)(1 + z3 z̄0)] = 0 is linear in the factor by which f(z3) is scaled. Returns nullopt if it
+/// has no solution, or if the octagon is not a fundamental polygon.
 std::optional<epsnet::Surface> octagon(Bytes& bytes) {
   const Complex<Rational> one{1, 0};
   const Complex<Rational> z0{coordinate(bytes), 0};
@@ -43,7 +43,7 @@ std::optional<epsnet::Surface> octagon(Bytes& bytes) {
 
 }  // namespace
 
-/// Every octagon and every ε have a net that is proved.
+/// For every octagon and every ε a net is found and proved.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Bytes bytes(data, size);
   if (const auto surface = octagon(bytes)) fuzz::require_net(*surface, 0.2, bytes);

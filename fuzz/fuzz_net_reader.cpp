@@ -21,7 +21,8 @@ std::optional<NetDocument> read(std::string_view text) {
   }
 }
 
-/// The same as JSON, but no reader takes rows out of it before it knows the names of members.
+/// Returns the same JSON with escapes in the names of members, so that the reader cannot take rows directly from the
+/// text.
 std::string with_names_escaped(std::string text) {
   for (const std::string_view start : {"\"vertices", "\"triangles"}) {
     for (std::size_t at = text.find(start); at != std::string::npos; at = text.find(start, at)) {
@@ -33,8 +34,8 @@ std::string with_names_escaped(std::string text) {
 
 }  // namespace
 
-/// Any bytes are a net or a MalformedError; a net that is written reads back the same; rows that are taken out of a
-/// text are those that it has.
+/// Any bytes are a net or give a MalformedError. A net that is written reads back the same. Rows taken directly from
+/// the text are the same as those that the strict reader finds.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   const std::optional<NetDocument> document = read(text);

@@ -25,8 +25,8 @@ bool accepted(const epsnet::certify::SurfaceDocument& surface) {
 
 }  // namespace
 
-/// Any bytes are the text of a surface or a MalformedError; the text that is written reads back the same; the generator
-/// accepts a surface if and only if the certifier proves it to be one.
+/// Any bytes are the text of a surface or give a MalformedError. The text that is written reads back the same. The
+/// generator accepts a surface if and only if the certifier proves it to be one.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace epsnet::certify;
   SurfaceDocument surface;

@@ -39,8 +39,8 @@ std::string text_of(const epsnet::TriangulationStream& stream) {
 
 }  // namespace
 
-/// Any bytes are a triangulation or an ExchangeError; the text that is written reads back the same. If it has
-/// a surface, the certifier agrees that it is one, and its cross-ratios make the same surface again.
+/// Any bytes are a triangulation or give an ExchangeError. The text that is written reads back the same. If the
+/// triangulation has a surface, the certifier agrees that it is one, and its cross-ratios give the same surface again.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto stream = read({reinterpret_cast<const char*>(data), size});
   if (!stream) return 0;

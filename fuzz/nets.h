@@ -11,7 +11,7 @@
 #include "certify/file/writer.h"
 #include "netgen/nets/certified_net.h"
 
-/// What the fuzz targets share that make surfaces from bytes and nets of them.
+/// Shared by the fuzz targets that make surfaces from bytes, and nets of these surfaces.
 namespace fuzz {
 
 inline void require(bool condition) {
@@ -35,8 +35,8 @@ class Bytes {
   const std::uint8_t* end_;
 };
 
-/// An ε in [least, least + 4] and options, from the bytes. The surface must have a net that is proved, also when it is
-/// written and read again, with at least as many points as the area demands.
+/// Takes an ε in [least, least + 4] and options from the bytes. Requires that a net of the surface is found and proved,
+/// also after it is written and read again, and that it has at least as many points as the area demands.
 inline void require_net(const epsnet::Surface& surface, double least, Bytes& bytes) {
   const unsigned choice = bytes.byte();
   const double epsilon = least + std::ldexp(static_cast<std::uint16_t>(bytes.integer()), -14);

@@ -9,13 +9,13 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
-/// Stands in for libFuzzer's: targets with a mutator of their own refer to it, and replaying mutates nothing.
+/// Replaces libFuzzer's function, which targets with their own mutator call; replaying mutates nothing.
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* /*data*/, std::size_t size, std::size_t /*max_size*/) {
   return size;
 }
 
-/// Runs the fuzz target on every file named, and on every file below every directory named, in order of name.
-/// Fails when there is no file or one cannot be read; a crash is the failure of the file printed last.
+/// Runs the fuzz target on the given files, and on all files below the given directories, ordered by name. Fails if
+/// there is no file or one cannot be read. If it crashes, the file printed last is the one that fails.
 int main(int argc, char** argv) {
   namespace fs = std::filesystem;
   std::vector<fs::path> files;
@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
       std::fprintf(stderr, "cannot read %s\n", file.c_str());
       return 1;
     }
-    // A copy of exactly this size, so that the address sanitizer sees a read beyond the end.
+    // The copy has exactly this size, so that the address sanitizer detects reads beyond the end.
     const std::vector<std::uint8_t> data(bytes.begin(), bytes.end());
     LLVMFuzzerTestOneInput(data.data(), data.size());
   }

@@ -45,7 +45,7 @@ ln -s "$programs/epsnet" cut
 printf '#!/bin/sh\ncase "$*" in *octagon-004*) kill -TERM $PPID; sleep 1 ;; esac\nexec "%s/certify" "$@"\n' "$programs" >cut/certify
 chmod +x cut/certify
 workflow resumed "$here/cut" && fail 'the end of a job goes unnoticed'
-grep -q 'terminated; the same command goes on' log || fail 'no word of the end'
+grep -q 'terminated; the same command continues' log || fail 'no word of the end'
 [ -e resumed/records/main/octagon-003.csv ] && [ ! -e resumed/batches/main/3-4.csv ] && [ ! -e resumed/tables/main.csv ] || fail "$(find resumed)"
 cp resumed/records/main/octagon-003.csv kept
 workflow resumed "$programs" || fail 'it does not go on'
