@@ -27,7 +27,7 @@
 #include "netgen/base/length.h"
 #include "netgen/base/progress.h"
 #include "netgen/base/write_error.h"
-#include "netgen/distances/cover.h"
+#include "netgen/distances/bound.h"
 #include "netgen/distances/distance.h"
 #include "netgen/distances/vertex_distances.h"
 #include "netgen/exchange/exchange.h"

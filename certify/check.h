@@ -5,7 +5,7 @@
 
 namespace epsnet::certify {
 
-/// Returns the certificate of `check`, `check_geodesics`, `check_distance` or `check_cover`, depending on the kind of
+/// Returns the certificate of `check`, `check_geodesics`, `check_distance` or `check_bound`, depending on the kind of
 /// the document.
 [[nodiscard]] Certificate check_claim(const ClaimDocument& document, const CheckOptions& options = {});
 

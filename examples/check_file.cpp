@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
     return 64;
   }
   try {
-    // A net file, a geodesics file, a distance file or a cover file, whichever it is. The reader is strict: what
+    // A net file, a geodesics file, a distance file or a bound file, whichever it is. The reader is strict: what
     // docs/format.md does not allow throws.
     const certify::ClaimDocument document = certify::read_claim(argv[1]);
 

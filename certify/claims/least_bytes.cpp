@@ -44,9 +44,9 @@ std::uint64_t least_bytes(const DistanceDocument& document) {
   return bytes;
 }
 
-std::uint64_t least_bytes(const CoverDocument& document) {
+std::uint64_t least_bytes(const BoundDocument& document) {
   std::uint64_t bytes = least_bytes(document.net);
-  for (const CoverDocument::Triangulation& row : document.triangulations) bytes += 4 + letters(row.flips);
+  for (const BoundDocument::Triangulation& row : document.triangulations) bytes += 4 + letters(row.flips);
   for (const std::vector<std::uint32_t>& row : document.cells) bytes += 2 + letters(row);
   return bytes;
 }

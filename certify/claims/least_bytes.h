@@ -13,6 +13,6 @@ namespace epsnet::certify {
 [[nodiscard]] std::uint64_t least_bytes(const NetDocument& document);
 [[nodiscard]] std::uint64_t least_bytes(const GeodesicsDocument& document);
 [[nodiscard]] std::uint64_t least_bytes(const DistanceDocument& document);
-[[nodiscard]] std::uint64_t least_bytes(const CoverDocument& document);
+[[nodiscard]] std::uint64_t least_bytes(const BoundDocument& document);
 
 }  // namespace epsnet::certify

@@ -486,26 +486,26 @@ std::vector<std::uint32_t> read_indices(simdjson::simdjson_result<value> item, c
   return result;
 }
 
-CoverDocument::Claim read_cover_claim(simdjson::simdjson_result<value> item) {
+BoundDocument::Claim read_bound_claim(simdjson::simdjson_result<value> item) {
   const Place place{.member = "claim"};
   const std::string_view name = expect(item.get_string(), place, "a string");
-  if (name == "diameter") return CoverDocument::Claim::diameter;
-  if (name == "radius") return CoverDocument::Claim::radius;
-  if (name == "embedded-disk") return CoverDocument::Claim::embedded_disk;
+  if (name == "diameter") return BoundDocument::Claim::diameter;
+  if (name == "radius") return BoundDocument::Claim::radius;
+  if (name == "embedded-disk") return BoundDocument::Claim::embedded_disk;
   fail(place, in_quotes(name) + " is no claim, expected \"diameter\", \"radius\" or \"embedded-disk\"");
 }
 
-CoverDocument::Triangulation read_flips(simdjson::simdjson_result<value> row, const Place& at) {
+BoundDocument::Triangulation read_flips(simdjson::simdjson_result<value> row, const Place& at) {
   std::vector<std::uint32_t> numbers = read_indices(row, at);
   if (numbers.empty()) fail(at, "no element, expected the number of a triangulation, and darts");
   return {numbers[0], {numbers.begin() + 1, numbers.end()}};
 }
 
-std::vector<Member> cover_members(CoverDocument& document, std::size_t& letters_in_all) {
+std::vector<Member> bound_members(BoundDocument& document, std::size_t& letters_in_all) {
   using Row = simdjson::simdjson_result<value>;
-  return {text_member("format", "epsnet-cover", {.member = "cover file"}),
-          version_member({.member = "cover file"}),
-          {"claim", [&](Row item) { document.claim = read_cover_claim(item); }},
+  return {text_member("format", "epsnet-cover", {.member = "bound file"}),
+          version_member({.member = "bound file"}),
+          {"claim", [&](Row item) { document.claim = read_bound_claim(item); }},
           {"net",
            [&](Row item) {
              const Place at{.member = "net"};
@@ -653,12 +653,12 @@ DistanceDocument parse_padded_distance(simdjson::padded_string_view text, std::s
   return document;
 }
 
-CoverDocument parse_padded_cover(simdjson::padded_string_view text, std::string_view name, PlainRows&& rows = {}) {
-  CoverDocument document;
+BoundDocument parse_padded_bound(simdjson::padded_string_view text, std::string_view name, PlainRows&& rows = {}) {
+  BoundDocument document;
   document.net = net_with(std::move(rows));
   parse(text, name, [&](object members) {
     std::size_t letters_in_all = 0;
-    read_members(members, {.member = "cover file"}, cover_members(document, letters_in_all));
+    read_members(members, {.member = "bound file"}, bound_members(document, letters_in_all));
     if (const auto problem = structure_problem(document)) throw MalformedError(*problem);
   });
   return document;
@@ -686,7 +686,7 @@ ClaimDocument parse_padded_claim(simdjson::padded_string_view text, std::string_
   const std::string format = format_of(text);
   if (format == "epsnet-geodesics") return parse_padded_geodesics(text, name, std::move(rows));
   if (format == "epsnet-distance") return parse_padded_distance(text, name, std::move(rows));
-  if (format == "epsnet-cover") return parse_padded_cover(text, name, std::move(rows));
+  if (format == "epsnet-cover") return parse_padded_bound(text, name, std::move(rows));
   return parse_padded_net(text, name, std::move(rows));
 }
 
@@ -822,13 +822,13 @@ DistanceDocument parse_distance(std::string_view text, std::string_view name) {
   return parse_padded_distance(simdjson::padded_string(text), name);
 }
 
-CoverDocument read_cover(const std::filesystem::path& path) {
+BoundDocument read_bound(const std::filesystem::path& path) {
   std::string bytes = load(path);
-  return parse_padded_cover(padded(bytes), display_name(path));
+  return parse_padded_bound(padded(bytes), display_name(path));
 }
 
-CoverDocument parse_cover(std::string_view text, std::string_view name) {
-  return parse_padded_cover(simdjson::padded_string(text), name);
+BoundDocument parse_bound(std::string_view text, std::string_view name) {
+  return parse_padded_bound(simdjson::padded_string(text), name);
 }
 
 ClaimDocument read_claim(const std::filesystem::path& path) {

@@ -14,7 +14,7 @@
 #include "certify/claims/geodesics/document.h"
 #include "certify/net/document.h"
 
-/// The strict reader of net, surface, geodesics, distance and cover files, version 1. docs/format.md is the
+/// The strict reader of net, surface, geodesics, distance and bound files, version 1. docs/format.md is the
 /// specification.
 ///
 /// Everything that the format does not allow is an error: an unknown, missing or repeated member, a wrong type, an
@@ -46,7 +46,7 @@ class FileError : public std::runtime_error {
 inline constexpr std::uint64_t kMaxBytesAtOnce = 4'000'000;
 
 /// The contents of a file that can be checked.
-using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocument, CoverDocument>;
+using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocument, BoundDocument>;
 
 /// Reads a large file in chunks, without holding it in memory. Passes its bytes to `witness` in order. Returns nullopt
 /// if the path is not a large file that can be checked, or if anything is wrong with it; then `load` and
@@ -78,11 +78,11 @@ using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocum
 /// Reads a distance file from memory; `name` stands for the file in messages. Throws MalformedError.
 [[nodiscard]] DistanceDocument parse_distance(std::string_view text, std::string_view name);
 
-/// Reads a cover file. Throws FileError or MalformedError.
-[[nodiscard]] CoverDocument read_cover(const std::filesystem::path& path);
+/// Reads a bound file. Throws FileError or MalformedError.
+[[nodiscard]] BoundDocument read_bound(const std::filesystem::path& path);
 
-/// Reads a cover file from memory; `name` stands for the file in messages. Throws MalformedError.
-[[nodiscard]] CoverDocument parse_cover(std::string_view text, std::string_view name);
+/// Reads a bound file from memory; `name` stands for the file in messages. Throws MalformedError.
+[[nodiscard]] BoundDocument parse_bound(std::string_view text, std::string_view name);
 
 /// Reads a file that can be checked. Its member `format` names its kind; a file with any other format is read as a net
 /// file. Throws FileError or MalformedError.

@@ -406,12 +406,12 @@ void write_distance(const DistanceDocument& document, std::ostream& out) {
   buffer.flush();
 }
 
-void write_cover(const CoverDocument& document, std::ostream& out) {
+void write_bound(const BoundDocument& document, std::ostream& out) {
   const auto number = [](Buffer& buffer) { return [&](std::uint32_t n) { buffer.number(n); }; };
   Buffer buffer(out);
   buffer.text("{\"format\":\"epsnet-cover\",\"version\":1,\n\"claim\":");
-  buffer.string(document.claim == CoverDocument::Claim::diameter ? "diameter"
-                : document.claim == CoverDocument::Claim::radius ? "radius"
+  buffer.string(document.claim == BoundDocument::Claim::diameter ? "diameter"
+                : document.claim == BoundDocument::Claim::radius ? "radius"
                                                                  : "embedded-disk");
   buffer.text(",\n\"net\":");
   write_net_object(buffer, document.net);
@@ -420,7 +420,7 @@ void write_cover(const CoverDocument& document, std::ostream& out) {
   buffer.text(",");
   buffer.number(document.value.upper);
   buffer.text("],\n\"triangulations\":");
-  write_rows(buffer, document.triangulations, [&](const CoverDocument::Triangulation& row) {
+  write_rows(buffer, document.triangulations, [&](const BoundDocument::Triangulation& row) {
     std::vector<std::uint32_t> numbers{row.parent};
     numbers.insert(numbers.end(), row.flips.begin(), row.flips.end());
     write_list(buffer, numbers, number(buffer));

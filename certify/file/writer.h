@@ -29,7 +29,7 @@ void write_geodesics(const GeodesicsDocument& document, std::ostream& out);
 /// Writes a distance file.
 void write_distance(const DistanceDocument& document, std::ostream& out);
 
-/// Writes a cover file.
-void write_cover(const CoverDocument& document, std::ostream& out);
+/// Writes a bound file.
+void write_bound(const BoundDocument& document, std::ostream& out);
 
 }  // namespace epsnet::certify

@@ -68,7 +68,7 @@ class Sha256 {
 void write(const NetDocument& net, std::ostream& out) { write_net(net, out); }
 void write(const GeodesicsDocument& document, std::ostream& out) { write_geodesics(document, out); }
 void write(const DistanceDocument& document, std::ostream& out) { write_distance(document, out); }
-void write(const CoverDocument& document, std::ostream& out) { write_cover(document, out); }
+void write(const BoundDocument& document, std::ostream& out) { write_bound(document, out); }
 
 /// What the second checker says of the bytes, and what follows from it.
 void add_second_opinion(FileReport& report, std::string_view bytes) {

@@ -12,7 +12,7 @@
 #include "certify/program/output.h"
 #include "certify/program/signals.h"
 
-/// The program `certify`: reads net, geodesics, distance and cover files, prints for each what each rule proved and,
+/// The program `certify`: reads net, geodesics, distance and bound files, prints for each what each rule proved and,
 /// last, one verdict line.
 namespace {
 

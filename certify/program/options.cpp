@@ -63,11 +63,11 @@ constexpr const char* kDescription =
     "A net file claims that its vertices are an epsilon-net of the surface, or of the thick part (a pseudo net), and\n"
     "that its triangles are a Delaunay triangulation. A geodesics file claims to list the systole, the spectrum up to\n"
     "a length, or the thick-thin decomposition. A distance file claims to list the shortest paths between two points.\n"
-    "A cover file claims two bounds for the diameter, the radius, or the radius of the largest embedded disk.";
+    "A bound file claims two bounds for the diameter, the radius, or the radius of the largest embedded disk.";
 
 void add_options(CLI::App& app, Request& request) {
   app.add_option("FILE", request.files,
-                 "net, geodesics, distance and cover files (docs/format.md); \"-\" is standard input")
+                 "net, geodesics, distance and bound files (docs/format.md); \"-\" is standard input")
       ->required()
       ->option_text("... REQUIRED");
   app.add_flag("--exact", request.exact,

@@ -32,7 +32,7 @@ struct CheckOptions {
   std::uint64_t max_work = 0;
   /// Geodesics files only: the most lifted triangles visited. If a search needs more, the rule `complete` is undecided.
   std::uint64_t max_visits = 100'000'000;
-  /// Geodesics, distance and cover files only: the most triangles of the net, each of which takes a kilobyte of memory.
+  /// Geodesics, distance and bound files only: the most triangles of the net, each of which takes a kilobyte of memory.
   /// Claims about a larger net are undecided. No such claim needs a finer net.
   std::size_t max_triangles = std::size_t{1} << 20;
   /// Whether questions are tried in binary64, with bounds for its errors, before ball arithmetic (proof.md, section

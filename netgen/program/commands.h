@@ -86,8 +86,8 @@ void add_geodesics(CLI::App& command, std::string& file);
 [[nodiscard]] Report certificate_report(const certify::Certificate& certificate);
 /// The contents of a geodesics file, as lines and as an object.
 [[nodiscard]] Report geodesics_report(const certify::GeodesicsDocument& document);
-/// The contents of a cover file, as lines and as an object.
-[[nodiscard]] Report cover_report(const certify::CoverDocument& document);
+/// The contents of a bound file, as lines and as an object.
+[[nodiscard]] Report bound_report(const certify::BoundDocument& document);
 /// A distance and words of the shortest geodesics, as lines and as an object.
 [[nodiscard]] Report distance_report(const certify::DistanceDocument& document,
                                      const std::vector<std::vector<std::uint32_t>>& words);

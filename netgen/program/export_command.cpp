@@ -32,7 +32,7 @@ Exportable exportable(Contents contents, const std::string& file) {
   throw JobError(file + ": expected a surface file or a net file, not " +
                  (std::holds_alternative<DirichletPolygon>(contents)            ? "a Dirichlet domain"
                   : std::holds_alternative<certify::DistanceDocument>(contents) ? "a distance file"
-                  : std::holds_alternative<certify::CoverDocument>(contents)    ? "a cover file"
+                  : std::holds_alternative<certify::BoundDocument>(contents)    ? "a bound file"
                                                                                 : "a geodesics file"));
 }
 

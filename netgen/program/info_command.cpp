@@ -40,8 +40,8 @@ struct InfoOf {
     report.json.update(list.json);
     return report;
   }
-  Report operator()(const certify::CoverDocument& document) const {
-    Report bounds = cover_report(document);
+  Report operator()(const certify::BoundDocument& document) const {
+    Report bounds = bound_report(document);
     Report report{"file: a cover (not verified here: run certify)\n" + bounds.text, Json::object({{"file", "cover"}})};
     report.json.update(bounds.json);
     return report;

@@ -93,7 +93,7 @@ Contents read_any_input(const std::string& path) {
   if (format == "epsnet-net") return certify::parse_net(text, name);
   if (format == "epsnet-geodesics") return certify::parse_geodesics(text, name);
   if (format == "epsnet-distance") return certify::parse_distance(text, name);
-  if (format == "epsnet-cover") return certify::parse_cover(text, name);
+  if (format == "epsnet-cover") return certify::parse_bound(text, name);
   if (format == "epsnet-dirichlet") return parse_dirichlet_json(text, name);
   throw JobError(
       name + ": " +

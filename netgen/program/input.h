@@ -52,7 +52,7 @@ struct ImportedSurface {
 
 /// The contents of any file that the program writes or imports.
 using Contents = std::variant<Surface, certify::NetDocument, certify::GeodesicsDocument, certify::DistanceDocument,
-                              certify::CoverDocument, DirichletPolygon, ImportedSurface>;
+                              certify::BoundDocument, DirichletPolygon, ImportedSurface>;
 [[nodiscard]] Contents read_any_input(const std::string& path);
 
 }  // namespace epsnet::program

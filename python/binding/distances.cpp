@@ -2,7 +2,7 @@
 #include "certify/claims/distance/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "netgen/distances/cover.h"
+#include "netgen/distances/bound.h"
 #include "netgen/distances/distance.h"
 #include "python/binding/documents.h"
 #include "python/binding/nets.h"
@@ -11,26 +11,26 @@
 namespace epsnet::python {
 namespace {
 
-using certify::CoverDocument;
+using certify::BoundDocument;
 using certify::DistanceDocument;
 using SharedDistance = Shared<DistanceDocument>;
-using SharedCover = Shared<CoverDocument>;
+using SharedBound = Shared<BoundDocument>;
 
 BasePoint point_of(const certify::RationalPoint& z, std::uint32_t tile) {
   return {tile, {Rational(z.x.get_mpq_t()), Rational(z.y.get_mpq_t())}};
 }
 
-using MakeCover = CoverDocument (*)(const Surface&, const CoverOptions&);
+using MakeBound = BoundDocument (*)(const Surface&, const BoundOptions&);
 
-template <MakeCover make>
-SharedCover cover(const Surface& surface, double width, const py::object& progress) {
-  CoverOptions options;
+template <MakeBound make>
+SharedBound bound(const Surface& surface, double width, const py::object& progress) {
+  BoundOptions options;
   options.width = width;
   options.progress = progress_of(progress);
-  return without_gil([&] { return SharedCover(make(surface, options)); });
+  return without_gil([&] { return SharedBound(make(surface, options)); });
 }
 
-std::uint64_t cells_of(const CoverDocument& document) {
+std::uint64_t cells_of(const BoundDocument& document) {
   std::uint64_t cells = 0;
   for (const auto& row : document.cells) {
     for (const std::uint32_t entry : row) cells += entry >= 3 ? 1 : 0;
@@ -61,24 +61,24 @@ void bind_distances(py::module_& module) {
       .def_property_readonly("point",
                              [](const SharedDistance& self) { return point_of(self->point.z, self->point.tile); });
 
-  py::class_<SharedCover> covers(module, "Cover");
-  bind_document<CoverDocument>(
-      covers,
-      [](const CoverDocument& document, const certify::CheckOptions& options) {
-        return certify::check_cover(document, options);
+  py::class_<SharedBound> bounds(module, "Cover");
+  bind_document<BoundDocument>(
+      bounds,
+      [](const BoundDocument& document, const certify::CheckOptions& options) {
+        return certify::check_bound(document, options);
       },
-      [](const CoverDocument& document, std::ostream& out) { certify::write_cover(document, out); },
-      [](const std::string& text, const std::string& name) { return certify::parse_cover(text, name); });
-  covers.def_static("diameter", &cover<&diameter>)
-      .def_static("embedded_disk", &cover<&largest_embedded_disk>)
-      .def_property_readonly("net", [](const SharedCover& self) { return SharedNet(self->net); })
+      [](const BoundDocument& document, std::ostream& out) { certify::write_bound(document, out); },
+      [](const std::string& text, const std::string& name) { return certify::parse_bound(text, name); });
+  bounds.def_static("diameter", &bound<&diameter>)
+      .def_static("embedded_disk", &bound<&largest_embedded_disk>)
+      .def_property_readonly("net", [](const SharedBound& self) { return SharedNet(self->net); })
       .def_property_readonly("claim",
-                             [](const SharedCover& self) {
-                               return self->claim == CoverDocument::Claim::diameter ? "diameter" : "embedded-disk";
+                             [](const SharedBound& self) {
+                               return self->claim == BoundDocument::Claim::diameter ? "diameter" : "embedded-disk";
                              })
-      .def_property_readonly("value", [](const SharedCover& self) { return self->value; })
-      .def_property_readonly("cells", [](const SharedCover& self) { return cells_of(*self); })
-      .def_property_readonly("triangulations", [](const SharedCover& self) { return self->triangulations.size() + 1; });
+      .def_property_readonly("value", [](const SharedBound& self) { return self->value; })
+      .def_property_readonly("cells", [](const SharedBound& self) { return cells_of(*self); })
+      .def_property_readonly("triangulations", [](const SharedBound& self) { return self->triangulations.size() + 1; });
 
   module.def("eccentricity_net", [](const Surface& surface, const BasePoint& point) {
     return without_gil([&] { return SharedNet(eccentricity_net(surface, point)); });

@@ -2376,45 +2376,45 @@ def distance_below_zero():
     return with_(distance_file("zero"), distance=[-1e-300, 0])
 
 
-# ---- Covers ------------------------------------------------------------------------------------------------------
+# ---- Bounds ------------------------------------------------------------------------------------------------------
 
-group = "covers"
+group = "bounds"
 
 
-def cover_file(name):
-    with open(os.path.join(TOP, "tests", "data", "covers", name + ".json"), encoding="utf-8") as file:
+def bound_file(name):
+    with open(os.path.join(TOP, "tests", "data", "bounds", name + ".json"), encoding="utf-8") as file:
         return json.load(file)
 
 
-def cover_moved(name, low, high):
+def bound_moved(name, low, high):
     """The file with the ends of its enclosure moved."""
-    document = cover_file(name)
+    document = bound_file(name)
     return with_(document, value=[document["value"][0] + low, document["value"][1] + high])
 
 
 @refuted("cells", exact=LEFT)
 def diameter_too_small_by_1e_12():
     """The upper end for the regular surface of genus 2 is less than its diameter by 10⁻¹², the lower end by more."""
-    return with_(cover_file("regular-diameter"), value=[2.4, math.acosh(math.tan(math.pi / 8) ** -2) - 1e-12])
+    return with_(bound_file("regular-diameter"), value=[2.4, math.acosh(math.tan(math.pi / 8) ** -2) - 1e-12])
 
 
 @refuted("lower", exact=LEFT)
 def diameter_too_large_by_1e_12():
     """The whole enclosure is moved up by 10⁻¹²."""
-    return cover_moved("regular-diameter", 1e-12, 1e-12)
+    return bound_moved("regular-diameter", 1e-12, 1e-12)
 
 
 @refuted("cells", exact=LEFT)
 def diameter_with_all_cells_bounded_by_the_triangulation_of_the_net():
     """No cell has a triangulation of its own, and the circumradii of the net's grow away from its vertex."""
-    document = cover_file("octagon-diameter")
+    document = bound_file("octagon-diameter")
     return with_(document, cells=[[entry if entry < 3 else 3 for entry in row] for row in document["cells"]])
 
 
 @refuted("cells", exact=LEFT)
 def diameter_with_a_flip_left_out():
     """A triangulation lacks its last flip, and so do all that are made from it."""
-    document = cover_file("regular-diameter")
+    document = bound_file("regular-diameter")
     row = max(document["triangulations"], key=len)
     row.pop()
     return document
@@ -2423,7 +2423,7 @@ def diameter_with_a_flip_left_out():
 @refuted("cells", exact=LEFT)
 def diameter_with_a_triangle_that_is_one_cell():
     """A triangle is not cut: its bound is asked for at its corners, the net's vertex, and is too large for all."""
-    document = cover_file("octagon-diameter")
+    document = bound_file("octagon-diameter")
     document["cells"][0] = document["cells"][0][-1:]
     return document
 
@@ -2431,7 +2431,7 @@ def diameter_with_a_triangle_that_is_one_cell():
 @malformed("cells", exact=LEFT)
 def diameter_without_a_triangle():
     """The last triangle of the net has no cells: a part of the surface is not looked at."""
-    document = cover_file("octagon-diameter")
+    document = bound_file("octagon-diameter")
     del document["cells"][-1]
     return document
 
@@ -2439,7 +2439,7 @@ def diameter_without_a_triangle():
 @malformed("cells[1]", exact=LEFT)
 def diameter_without_a_cell():
     """The last cell of a triangle is left out."""
-    document = cover_file("octagon-diameter")
+    document = bound_file("octagon-diameter")
     document["cells"][1].pop()
     return document
 
@@ -2447,7 +2447,7 @@ def diameter_without_a_cell():
 @malformed("cells[1]", exact=LEFT)
 def diameter_with_a_cell_too_many():
     """A cell more than the cuts make."""
-    document = cover_file("octagon-diameter")
+    document = bound_file("octagon-diameter")
     document["cells"][1].append(3)
     return document
 
@@ -2455,7 +2455,7 @@ def diameter_with_a_cell_too_many():
 @malformed("triangulations[0]", exact=LEFT)
 def diameter_with_a_triangulation_made_from_itself():
     """The first triangulation is made from itself."""
-    document = cover_file("octagon-diameter")
+    document = bound_file("octagon-diameter")
     document["triangulations"][0][0] = 1
     return document
 
@@ -2463,7 +2463,7 @@ def diameter_with_a_triangulation_made_from_itself():
 @refuted("covering", exact=LEFT)
 def diameter_with_a_net_that_is_none():
     """The ε of the net is less than the eccentricity of its vertex."""
-    document = cover_file("octagon-diameter")
+    document = bound_file("octagon-diameter")
     document["net"]["epsilon"] = "0.1"
     return document
 
@@ -2471,28 +2471,28 @@ def diameter_with_a_net_that_is_none():
 @refuted("orientation", exact=LEFT, also=("delaunay", "covering"))
 def diameter_of_another_surface():
     """The surface is another octagon; net, triangulations and cells are left as they are."""
-    document = cover_file("octagon-diameter")
-    document["net"]["surface"] = cover_file("octagon-radius")["net"]["surface"]
+    document = bound_file("octagon-diameter")
+    document["net"]["surface"] = bound_file("octagon-radius")["net"]["surface"]
     return document
 
 
 @refuted("upper", exact=LEFT)
 def radius_too_small_by_1e_12():
     """The upper end is less than the eccentricity of the net's vertex by 10⁻¹²."""
-    return cover_moved("octagon-radius", 0, -1e-12)
+    return bound_moved("octagon-radius", 0, -1e-12)
 
 
 @refuted("cells", exact=LEFT)
 def radius_with_a_lower_end_larger_by_1e_12():
     """The lower end is more by 10⁻¹² than what the worst cell proves."""
-    return cover_moved("octagon-radius", 1e-12, 0)
+    return bound_moved("octagon-radius", 1e-12, 0)
 
 
 @refuted("cells", exact=LEFT)
 def radius_with_a_triangulation_that_is_not_delaunay():
     """The lower end is next to nothing, but one cell has the triangulation of another one, whose largest circumradius at
     its midpoint is no eccentricity."""
-    document = with_(cover_file("octagon-radius"), value=[1e-3, 3])
+    document = with_(bound_file("octagon-radius"), value=[1e-3, 3])
     row = document["cells"][0]
     k = next(k for k, entry in enumerate(row) if entry >= 3)
     row[k] = 3 + row[k] % (3 * len(document["triangulations"]) + 3)
@@ -2502,7 +2502,7 @@ def radius_with_a_triangulation_that_is_not_delaunay():
 @refuted("cells", exact=LEFT)
 def diameter_said_to_be_the_radius():
     """The claim is another one, and the same triangulations are asked for the eccentricity at midpoints of sides."""
-    document = with_(cover_file("octagon-diameter"), claim="radius")
+    document = with_(bound_file("octagon-diameter"), claim="radius")
     return with_(document, cells=[[entry if entry < 3 else 3 * entry - 6 for entry in row] for row in document["cells"]],
                  value=[document["value"][0], 3])
 
@@ -2510,20 +2510,20 @@ def diameter_said_to_be_the_radius():
 @refuted("cells", exact=LEFT)
 def embedded_disk_too_small_by_a_tenth():
     """Both ends are moved down by 1/10: there are larger disks."""
-    return cover_moved("octagon-embedded-disk", -0.1, -0.1)
+    return bound_moved("octagon-embedded-disk", -0.1, -0.1)
 
 
 @malformed("value", exact=LEFT)
 def embedded_disk_of_radius_nothing():
     """The enclosure begins at 0, which says nothing."""
-    document = cover_file("octagon-embedded-disk")
+    document = bound_file("octagon-embedded-disk")
     return with_(document, value=[0, document["value"][1]])
 
 
 @malformed("claim", exact=LEFT)
-def cover_with_another_claim():
+def bound_with_another_claim():
     """The claim is one that there is not."""
-    return with_(cover_file("regular-diameter"), claim="girth")
+    return with_(bound_file("regular-diameter"), claim="girth")
 
 
 # ---- Disguises ---------------------------------------------------------------------------------------------------
@@ -2948,7 +2948,7 @@ GROUPS = {
     "map": "Rule `map`", "gluing": "Rule `gluing`", "orientation": "Rule `orientation`",
     "delaunay": "Rule `delaunay`", "covering": "Rule `covering`", "packing": "Rule `packing`",
     "collars": "Pseudo nets", "geodesics": "Closed geodesics", "distances": "Distances",
-    "covers": "Diameter, radius, embedded disk", "disguises": "Disguises"}
+    "bounds": "Diameter, radius, embedded disk", "disguises": "Disguises"}
 
 
 def tables():

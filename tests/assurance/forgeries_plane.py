@@ -343,7 +343,7 @@ class Mesh:
                 "charts": [[tile] + written_point(z) for tile, z in self.points], "labels": labels,
                 "vertices": [[v, 0, 0] for v in range(len(self.points))], "triangles": rows}
 
-    # Covers.
+    # Bounds.
 
     def sheets(self, dart, shift):
         """By how many sheets the dart leads on, shift(side) being that of a crossing."""

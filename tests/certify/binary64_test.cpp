@@ -81,7 +81,7 @@ TEST(Binary64, ItIsRoundedToNearestForAWhileInAllThreadsThatStart) {
 
 std::vector<std::filesystem::path> files() {
   std::vector<std::filesystem::path> result;
-  for (const char* folder : {"certify/verified", "certify/refuted", "certify/undecided", "covers", "distances"}) {
+  for (const char* folder : {"certify/verified", "certify/refuted", "certify/undecided", "bounds", "distances"}) {
     for (const auto& entry : std::filesystem::directory_iterator(std::string(EPSNET_TEST_DATA) + "/" + folder)) {
       result.push_back(entry.path());
     }

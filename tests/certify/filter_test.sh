@@ -4,7 +4,7 @@ certify=$1
 data=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-find "$data/certify" "$data/nets" "$data/geodesics" "$data/distances" "$data/covers" -name '*.json' 2>/dev/null | sort >"$folder/files"
+find "$data/certify" "$data/nets" "$data/geodesics" "$data/distances" "$data/bounds" -name '*.json' 2>/dev/null | sort >"$folder/files"
 failures=0
 runs=0
 while IFS= read -r file; do

@@ -122,7 +122,7 @@ std::vector<Json> files() {
 void write(const NetDocument& document, std::ostream& out) { write_net(document, out); }
 void write(const GeodesicsDocument& document, std::ostream& out) { write_geodesics(document, out); }
 void write(const DistanceDocument& document, std::ostream& out) { write_distance(document, out); }
-void write(const CoverDocument& document, std::ostream& out) { write_cover(document, out); }
+void write(const BoundDocument& document, std::ostream& out) { write_bound(document, out); }
 
 /// What the reader understands, as JSON; null if it accepts nothing.
 Json understood(const std::string& text, bool surface) {

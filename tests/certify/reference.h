@@ -19,7 +19,7 @@
 #include "certify/numbers/ball_vector.h"
 #include "certify/numbers/exact.h"
 
-/// What tests compare the checks of nets, geodesics and covers with: the hyperbolic plane and a net in long double.
+/// What tests compare the checks of nets, geodesics and bounds with: the hyperbolic plane and a net in long double.
 namespace epsnet::certify {
 
 /// Charts lie far out, so that binary64 would not do.

@@ -225,15 +225,15 @@ TEST(Rules, OfDistancesAreThoseOfTheDocument) {
   EXPECT_EQ(own_rules(DistanceDocument{}), rules_named_in("## Distance file"));
 }
 
-TEST(Rules, OfCoversAreThoseOfTheDocument) {
-  const std::vector<std::string> named = rules_named_in("## Cover file");
+TEST(Rules, OfBoundsAreThoseOfTheDocument) {
+  const std::vector<std::string> named = rules_named_in("## Bound file");
   ASSERT_THAT(named, ElementsAre("lower", "upper", "triangulations", "cells"));
-  CoverDocument document;
-  for (const auto claim : {CoverDocument::Claim::diameter, CoverDocument::Claim::embedded_disk}) {
+  BoundDocument document;
+  for (const auto claim : {BoundDocument::Claim::diameter, BoundDocument::Claim::embedded_disk}) {
     document.claim = claim;
     EXPECT_EQ(own_rules(document), (std::vector{named[0], named[2], named[3]}));
   }
-  document.claim = CoverDocument::Claim::radius;
+  document.claim = BoundDocument::Claim::radius;
   EXPECT_EQ(own_rules(document), (std::vector{named[1], named[2], named[3]}));
 }
 

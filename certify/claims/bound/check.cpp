@@ -108,11 +108,11 @@ std::array<Cell, 2> halves(const Cell& cell, std::uint32_t side, slong precision
   return {std::move(first), std::move(second)};
 }
 
-class CoverCheck {
+class BoundCheck {
  public:
-  using Claim = CoverDocument::Claim;
+  using Claim = BoundDocument::Claim;
 
-  CoverCheck(const CoverDocument& document, Verification& run, Crossings crossings)
+  BoundCheck(const BoundDocument& document, Verification& run, Crossings crossings)
       : document_(document),
         run_(run),
         options_(run.options()),
@@ -200,7 +200,7 @@ class CoverCheck {
     }
     maps_.push_back(std::move(first));
     for (std::size_t k = 0; k < document_.triangulations.size(); ++k) {
-      const CoverDocument::Triangulation& row = document_.triangulations[k];
+      const BoundDocument::Triangulation& row = document_.triangulations[k];
       Map map = map_at(row.parent);
       budget_.spend(50, row.flips.size());
       for (const std::uint32_t d : row.flips) {
@@ -424,7 +424,7 @@ class CoverCheck {
     return result;
   }
 
-  const CoverDocument& document_;
+  const BoundDocument& document_;
   Verification& run_;
   const CheckOptions& options_;
   unsigned threads_;
@@ -441,31 +441,31 @@ class CoverCheck {
   slong precision_ = kFirstPrecision;
 };
 
-std::string text_of(const CoverDocument& document) {
-  using Claim = CoverDocument::Claim;
+std::string text_of(const BoundDocument& document) {
+  using Claim = BoundDocument::Claim;
   const std::string what = document.claim == Claim::diameter ? "the diameter"
                            : document.claim == Claim::radius ? "the radius"
                                                              : "the radius of the largest embedded disk";
   return what + " lies in " + to_string(document.value);
 }
 
-NetClaim claim_of(const CoverDocument& document) {
+NetClaim claim_of(const BoundDocument& document) {
   const auto ask = [&](Verification& run, Crossings crossings) {
-    CoverCheck(document, run, std::move(crossings)).ask();
+    BoundCheck(document, run, std::move(crossings)).ask();
   };
   return {document.net, text_of(document), rules_of(document), ask};
 }
 
 }  // namespace
 
-RuleNames rules_of(const CoverDocument& document) {
+RuleNames rules_of(const BoundDocument& document) {
   RuleNames rules = rules_of(document.net);
-  const char* const at_vertex = document.claim == CoverDocument::Claim::radius ? "upper" : "lower";
+  const char* const at_vertex = document.claim == BoundDocument::Claim::radius ? "upper" : "lower";
   rules.insert(rules.end(), {at_vertex, "triangulations", "cells"});
   return rules;
 }
 
-Certificate check_cover(const CoverDocument& document, const CheckOptions& options) {
+Certificate check_bound(const BoundDocument& document, const CheckOptions& options) {
   return verify(document, options, claim_of);
 }
 

@@ -4,12 +4,12 @@
 #include "certify/claims/bound/document.h"
 #include "certify/verdict/report.h"
 
-/// The checker of cover files. It decides whether the diameter, the radius, or the radius of the largest embedded disk
+/// The checker of bound files. It decides whether the diameter, the radius, or the radius of the largest embedded disk
 /// lies between the bounds (docs/proof.md, section 15).
 namespace epsnet::certify {
 
-/// Returns the names of the rules in the order of evaluation: those of the net, then those of `check_cover`.
-[[nodiscard]] RuleNames rules_of(const CoverDocument& document);
+/// Returns the names of the rules in the order of evaluation: those of the net, then those of `check_bound`.
+[[nodiscard]] RuleNames rules_of(const BoundDocument& document);
 
 /// Checks the net first, with its seven rules. If the net is not verified, returns the net's certificate. Otherwise
 /// checks the rules
@@ -23,6 +23,6 @@ namespace epsnet::certify {
 ///
 /// Like `check`, returns a certificate for a document of any content; the number of threads does not change it.
 /// O(cells · triangles) time.
-[[nodiscard]] Certificate check_cover(const CoverDocument& document, const CheckOptions& options = {});
+[[nodiscard]] Certificate check_bound(const BoundDocument& document, const CheckOptions& options = {});
 
 }  // namespace epsnet::certify

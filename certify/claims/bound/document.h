@@ -6,14 +6,14 @@
 #include "certify/base/interval.h"
 #include "certify/net/document.h"
 
-/// The contents of a cover file as plain data, member by member as docs/format.md defines them.
+/// The contents of a bound file as plain data, member by member as docs/format.md defines them.
 ///
-/// A document only states what a file says; nothing here is proved. `check_cover` (check.h) decides whether it is
+/// A document only states what a file says; nothing here is proved. `check_bound` (check.h) decides whether it is
 /// true. Lengths are hyperbolic.
 namespace epsnet::certify {
 
-/// A cover file: bounds for a function on a surface, proved cell by cell.
-struct CoverDocument {
+/// A bound file: bounds for a function on a surface, proved cell by cell.
+struct BoundDocument {
   /// The quantity that is claimed to lie between the bounds.
   ///
   /// `diameter`: the diameter, which is the greatest eccentricity. `radius`: the radius, which is the least
@@ -36,7 +36,7 @@ struct CoverDocument {
   /// where the bound is that of triangulation k; for a radius, that of triangulation k' at the midpoint of side i, if k
   /// is i + 3k'; for an embedded disk, that of dart d of triangulation k', if k is d + 3nk' with n triangles.
   std::vector<std::vector<std::uint32_t>> cells;
-  bool operator==(const CoverDocument&) const = default;
+  bool operator==(const BoundDocument&) const = default;
 };
 
 }  // namespace epsnet::certify

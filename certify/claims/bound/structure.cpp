@@ -22,10 +22,10 @@ Problem value_problem(Interval value) {
   return "value: " + to_string(value) + " is not 0 < lo <= hi";
 }
 
-Problem triangulations_problem(const CoverDocument& document) {
+Problem triangulations_problem(const BoundDocument& document) {
   const std::size_t darts = 3 * document.net.triangles.size();
   for (std::size_t k = 0; k < document.triangulations.size(); ++k) {
-    const CoverDocument::Triangulation& row = document.triangulations[k];
+    const BoundDocument::Triangulation& row = document.triangulations[k];
     if (row.parent > k) {
       return at("triangulations", k) + "is made from number " + std::to_string(row.parent) +
              ", expected one before its own, " + std::to_string(k + 1);
@@ -37,14 +37,14 @@ Problem triangulations_problem(const CoverDocument& document) {
   return std::nullopt;
 }
 
-Problem cells_problem(const CoverDocument& document) {
+Problem cells_problem(const BoundDocument& document) {
   const std::uint64_t triangles = document.net.triangles.size();
   if (document.cells.size() != triangles) {
     return "cells: " + std::to_string(document.cells.size()) + " elements, expected one for each of the " +
            std::to_string(triangles) + " triangles";
   }
-  const std::uint64_t of_each = document.claim == CoverDocument::Claim::diameter ? 1
-                                : document.claim == CoverDocument::Claim::radius ? 3
+  const std::uint64_t of_each = document.claim == BoundDocument::Claim::diameter ? 1
+                                : document.claim == BoundDocument::Claim::radius ? 3
                                                                                  : 3 * triangles;
   const std::uint64_t bounds = (document.triangulations.size() + 1) * of_each;
   for (std::size_t t = 0; t < document.cells.size(); ++t) {
@@ -65,7 +65,7 @@ Problem cells_problem(const CoverDocument& document) {
 
 }  // namespace
 
-Problem structure_problem(const CoverDocument& document) {
+Problem structure_problem(const BoundDocument& document) {
   if (auto problem = net_problem(document.net)) return problem;
   if (auto problem = value_problem(document.value)) return problem;
   if (auto problem = triangulations_problem(document)) return problem;

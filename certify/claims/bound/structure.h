@@ -7,9 +7,9 @@
 
 namespace epsnet::certify {
 
-/// What is wrong with the structure of a cover file, with its place; nullopt if it can be evaluated: the net has one
+/// What is wrong with the structure of a bound file, with its place; nullopt if it can be evaluated: the net has one
 /// vertex and no collars, the value is 0 < lo ≤ hi, triangulations come after those they are made from, and the cells
 /// of every triangle are one whole subdivision. O(size).
-[[nodiscard]] std::optional<std::string> structure_problem(const CoverDocument& document);
+[[nodiscard]] std::optional<std::string> structure_problem(const BoundDocument& document);
 
 }  // namespace epsnet::certify

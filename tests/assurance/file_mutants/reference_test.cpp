@@ -34,7 +34,7 @@ TEST(Reference, NamesTheRuleThatIsBroken) {
   for (const auto& path : files("refuted")) {
     const std::string name = path.stem().string();
     if (name.starts_with("geodesics-")) continue;  // Below.
-    if (name.starts_with("cells-")) continue;      // A cover file: the reference knows none.
+    if (name.starts_with("cells-")) continue;      // A bound file: the reference knows none.
     const Answer answer = ask(contents(path));
     EXPECT_EQ(answer.verdict, Answer::Verdict::invalid) << path << ": " << answer.rule;
     EXPECT_EQ(answer.rule, name.substr(0, name.find('-'))) << path;

@@ -19,42 +19,42 @@
 #include "certify/net/darts.h"
 #include "tests/certify/reference.h"
 
-/// Cover files. Each rule is broken by a file in which nothing else is wrong.
+/// Bound files. Each rule is broken by a file in which nothing else is wrong.
 namespace epsnet::certify {
 namespace {
 
 using testing::HasSubstr;
-using Claim = CoverDocument::Claim;
+using Claim = BoundDocument::Claim;
 
-CoverDocument load(const std::string& name) {
-  return read_cover(std::string(EPSNET_TEST_DATA) + "/covers/" + name + ".json");
+BoundDocument load(const std::string& name) {
+  return read_bound(std::string(EPSNET_TEST_DATA) + "/bounds/" + name + ".json");
 }
 
 /// The diameter of the regular surface of genus 2, to all digits.
-CoverDocument regular() { return load("regular-diameter"); }
+BoundDocument regular() { return load("regular-diameter"); }
 /// The diameter of a random octagon, to within 1/2.
-CoverDocument octagon() { return load("octagon-diameter"); }
+BoundDocument octagon() { return load("octagon-diameter"); }
 /// The largest embedded disk of the same, to within 1/100.
-CoverDocument disk() { return load("octagon-embedded-disk"); }
+BoundDocument disk() { return load("octagon-embedded-disk"); }
 
 /// The radius of another octagon, to within 3/10.
-CoverDocument octagon_radius() { return load("octagon-radius"); }
+BoundDocument octagon_radius() { return load("octagon-radius"); }
 
-std::vector<CoverDocument> all_files() { return {regular(), octagon(), disk()}; }
+std::vector<BoundDocument> all_files() { return {regular(), octagon(), disk()}; }
 
 /// arcosh(cot²(π/8)): from the centre of the octagon to its corner.
 double regular_diameter() { return std::acosh(std::pow(std::tan(std::numbers::pi / 8), -2)); }
 
-Certificate checked(const CoverDocument& document) { return check_cover(document, {.threads = 2}); }
+Certificate checked(const BoundDocument& document) { return check_bound(document, {.threads = 2}); }
 
 /// "VERDICT", or "VERDICT: rule".
-std::string outcome(const CoverDocument& document) {
+std::string outcome(const BoundDocument& document) {
   const Certificate certificate = checked(document);
   return std::string(name(certificate.verdict)) + (certificate.rule.empty() ? "" : ": " + certificate.rule);
 }
 
 /// What a rule says, "" if it was not asked.
-std::string verdict_of(const std::string& rule, const CoverDocument& document) {
+std::string verdict_of(const std::string& rule, const BoundDocument& document) {
   for (const RuleReport& report : checked(document).rules) {
     if (report.rule == rule) return std::string(name(report.verdict));
   }
@@ -62,7 +62,7 @@ std::string verdict_of(const std::string& rule, const CoverDocument& document) {
 }
 
 /// What the net says of its vertex: its eccentricity, or its injectivity radius, half of the shortest loop.
-Interval at_vertex(const CoverDocument& document) {
+Interval at_vertex(const BoundDocument& document) {
   const Certificate certificate = check(document.net, {.threads = 2});
   if (document.claim != Claim::embedded_disk) return certificate.enclosures->largest_circumradius;
   const Interval loop = *certificate.enclosures->shortest_loop;
@@ -72,15 +72,15 @@ Interval at_vertex(const CoverDocument& document) {
 double above(double x) { return std::nextafter(x, 2 * x); }
 double below(double x) { return std::nextafter(x, 0.0); }
 
-std::string written(const CoverDocument& document) {
+std::string written(const BoundDocument& document) {
   std::ostringstream out;
-  write_cover(document, out);
+  write_bound(document, out);
   return out.str();
 }
 
 /// How many of the documents that `change` makes, one for every leaf, are refuted by the rule `cells`; all others are
 /// verified.
-std::size_t refuted_by_cells(const CoverDocument& document,
+std::size_t refuted_by_cells(const BoundDocument& document,
                              const std::function<std::vector<std::uint32_t>(std::uint32_t)>& others) {
   std::size_t refuted = 0;
   for (std::size_t t = 0; t < document.cells.size(); ++t) {
@@ -88,7 +88,7 @@ std::size_t refuted_by_cells(const CoverDocument& document,
       const std::uint32_t leaf = document.cells[t][i];
       if (leaf < 3) continue;
       for (const std::uint32_t other : others(leaf)) {
-        CoverDocument changed = document;
+        BoundDocument changed = document;
         changed.cells[t][i] = other;
         const Certificate certificate = checked(changed);
         if (certificate.verdict == Verdict::verified) continue;
@@ -102,8 +102,8 @@ std::size_t refuted_by_cells(const CoverDocument& document,
   return refuted;
 }
 
-TEST(Cover, FilesAreVerifiedByTheRulesOfTheNetAndThreeMore) {
-  for (const CoverDocument& document : all_files()) {
+TEST(Bound, FilesAreVerifiedByTheRulesOfTheNetAndThreeMore) {
+  for (const BoundDocument& document : all_files()) {
     const Certificate certificate = checked(document);
     EXPECT_EQ(certificate.verdict, Verdict::verified) << certificate.message;
     ASSERT_EQ(certificate.rules.size(), 10U);
@@ -118,14 +118,14 @@ TEST(Cover, FilesAreVerifiedByTheRulesOfTheNetAndThreeMore) {
   EXPECT_GT(regular().value.upper, regular_diameter());
 }
 
-TEST(Cover, ANetThatIsNotValidIsRefutedByItsOwnRule) {
-  CoverDocument document = regular();
+TEST(Bound, ANetThatIsNotValidIsRefutedByItsOwnRule) {
+  BoundDocument document = regular();
   document.net.epsilon = "0.1";
   EXPECT_EQ(outcome(document), "REFUTED: covering");
 }
 
-TEST(Cover, ALowerBoundAboveTheValueAtTheVertexIsRefuted) {
-  for (CoverDocument document : all_files()) {
+TEST(Bound, ALowerBoundAboveTheValueAtTheVertexIsRefuted) {
+  for (BoundDocument document : all_files()) {
     document.value.lower += 1e-12;
     document.value.upper += 1e-12;
     EXPECT_EQ(outcome(document), "REFUTED: lower");
@@ -134,10 +134,10 @@ TEST(Cover, ALowerBoundAboveTheValueAtTheVertexIsRefuted) {
 
 /// The largest bound for which the rule at the vertex has this verdict, of those from `least` up to a greater one for
 /// which it does not. Every bound is decided, and none above it has the verdict again.
-double last_with(const std::string& wanted, double least, double greatest, const CoverDocument& document) {
+double last_with(const std::string& wanted, double least, double greatest, const BoundDocument& document) {
   const bool radius = document.claim == Claim::radius;
   const auto verdict = [&](double bound) {
-    CoverDocument changed = document;
+    BoundDocument changed = document;
     (radius ? changed.value.upper : changed.value.lower) = bound;
     changed.value.lower = std::min(changed.value.lower, changed.value.upper);
     changed.value.upper = std::max(changed.value.lower, changed.value.upper);
@@ -159,8 +159,8 @@ double last_with(const std::string& wanted, double least, double greatest, const
 }
 
 /// To the last bit: the enclosure that is printed has several binary64 numbers inside, and balls decide all of them.
-TEST(Cover, TheLowerBoundIsComparedWithTheValueAtTheVertex) {
-  for (const CoverDocument& document : all_files()) {
+TEST(Bound, TheLowerBoundIsComparedWithTheValueAtTheVertex) {
+  for (const BoundDocument& document : all_files()) {
     const Interval found = at_vertex(document);
     ASSERT_LT(above(found.lower), below(found.upper));
     const double last = last_with("VERIFIED", below(found.lower), above(found.upper), document);
@@ -170,7 +170,7 @@ TEST(Cover, TheLowerBoundIsComparedWithTheValueAtTheVertex) {
 }
 
 /// The eccentricity of the centre of the regular octagon, arcosh(cot²(π/8)), rounded down.
-TEST(Cover, TheLowerBoundIsComparedWithAKnownValueAtTheVertex) {
+TEST(Bound, TheLowerBoundIsComparedWithAKnownValueAtTheVertex) {
   Ball value;
   arb_const_pi(value.get(), 300);
   arb_mul_2exp_si(value.get(), value.get(), -3);
@@ -182,12 +182,12 @@ TEST(Cover, TheLowerBoundIsComparedWithAKnownValueAtTheVertex) {
 }
 
 /// The rule that has no work left is the one that is open.
-TEST(Cover, WithoutWorkTheRuleThatIsAskedIsUndecided) {
+TEST(Bound, WithoutWorkTheRuleThatIsAskedIsUndecided) {
   std::vector<std::string> open;
   const std::uint64_t all = checked(regular()).counts.work;
   const std::uint64_t net = check(regular().net, {.threads = 2}).counts.work;
   for (std::uint64_t work = net; work < all; work += (all - net) / 200 + 1) {
-    const Certificate certificate = check_cover(regular(), {.threads = 2, .max_work = work});
+    const Certificate certificate = check_bound(regular(), {.threads = 2, .max_work = work});
     EXPECT_EQ(certificate.verdict, Verdict::undecided);
     ASSERT_FALSE(certificate.rules.empty());
     EXPECT_EQ(certificate.rule, certificate.rules.back().rule);
@@ -198,8 +198,8 @@ TEST(Cover, WithoutWorkTheRuleThatIsAskedIsUndecided) {
 }
 
 /// The vertex need not be the centre of its chart: what is said is the same as in a chart of which it is.
-TEST(Cover, TheVertexMayBeAnywhereInItsChart) {
-  for (CoverDocument moved : {octagon(), disk()}) {
+TEST(Bound, TheVertexMayBeAnywhereInItsChart) {
+  for (BoundDocument moved : {octagon(), disk()}) {
     const mpq_class x(1, 512), y(1, 1024);
     NetDocument::Chart& chart = moved.net.charts[0];
     ASSERT_EQ(moved.net.charts.size(), 1U);
@@ -207,11 +207,11 @@ TEST(Cover, TheVertexMayBeAnywhereInItsChart) {
     const mpq_class a = chart.centre.x, b = chart.centre.y;
     const mpq_class re = 1 + a * x + b * y, im = a * y - b * x;
     const mpq_class square = re * re + im * im;
-    CoverDocument centred = moved;
+    BoundDocument centred = moved;
     centred.net.charts[0].centre = {((x + a) * re + (y + b) * im) / square, ((y + b) * re - (x + a) * im) / square};
     moved.net.vertices[0] = {x.get_d(), y.get_d(), 0};
     const Interval found = at_vertex(centred);
-    const auto holds = [&](CoverDocument& document, double bound) {
+    const auto holds = [&](BoundDocument& document, double bound) {
       document.value = {found.lower, bound};
       return outcome(document) == "VERIFIED";
     };
@@ -228,8 +228,8 @@ TEST(Cover, TheVertexMayBeAnywhereInItsChart) {
   }
 }
 
-TEST(Cover, AnUpperBoundBelowThatOfACellIsRefuted) {
-  for (CoverDocument document : all_files()) {
+TEST(Bound, AnUpperBoundBelowThatOfACellIsRefuted) {
+  for (BoundDocument document : all_files()) {
     document.value.lower -= 1e-6;
     document.value.upper -= 1e-9;
     EXPECT_EQ(outcome(document), "REFUTED: cells");
@@ -238,15 +238,15 @@ TEST(Cover, AnUpperBoundBelowThatOfACellIsRefuted) {
   }
 }
 
-TEST(Cover, WiderBoundsHold) {
-  for (CoverDocument document : all_files()) {
+TEST(Bound, WiderBoundsHold) {
+  for (BoundDocument document : all_files()) {
     document.value.lower = std::numeric_limits<double>::denorm_min();
     document.value.upper += 1;
     EXPECT_EQ(outcome(document), "VERIFIED");
   }
 }
 
-TEST(Cover, ACellWithTheTriangulationOfTheNetMayBeRefuted) {
+TEST(Bound, ACellWithTheTriangulationOfTheNetMayBeRefuted) {
   const auto net = [](std::uint32_t leaf) {
     return leaf == 3 ? std::vector<std::uint32_t>{} : std::vector<std::uint32_t>{3};
   };
@@ -255,7 +255,7 @@ TEST(Cover, ACellWithTheTriangulationOfTheNetMayBeRefuted) {
   EXPECT_GT(refuted_by_cells(octagon(), net), 10U);
 }
 
-TEST(Cover, ACellWithAnotherDartMayBeRefuted) {
+TEST(Bound, ACellWithAnotherDartMayBeRefuted) {
   const auto darts = static_cast<std::uint32_t>(3 * disk().net.triangles.size());
   const auto others = [&](std::uint32_t leaf) {
     std::vector<std::uint32_t> result;
@@ -273,12 +273,12 @@ TEST(Cover, ACellWithAnotherDartMayBeRefuted) {
   EXPECT_GT(refuted_by_cells(disk(), others), 8 * leaves);
 }
 
-TEST(Cover, AFlipThatIsLeftOutIsRefuted) {
-  for (const CoverDocument& document : all_files()) {
+TEST(Bound, AFlipThatIsLeftOutIsRefuted) {
+  for (const BoundDocument& document : all_files()) {
     std::size_t refuted = 0;
     for (std::size_t k = 0; k < document.triangulations.size(); ++k) {
       for (std::size_t i = 0; i < document.triangulations[k].flips.size(); ++i) {
-        CoverDocument without = document;
+        BoundDocument without = document;
         auto& flips = without.triangulations[k].flips;
         flips.erase(flips.begin() + static_cast<std::ptrdiff_t>(i));
         const std::string found = outcome(without);
@@ -292,24 +292,24 @@ TEST(Cover, AFlipThatIsLeftOutIsRefuted) {
 }
 
 /// A triangle that is glued to itself would leave a corner alone, a second vertex.
-TEST(Cover, OfATriangulationWithOneVertexEveryDartCanBeFlipped) {
+TEST(Bound, OfATriangulationWithOneVertexEveryDartCanBeFlipped) {
   std::mt19937 random(7);
-  for (CoverDocument document : all_files()) {
+  for (BoundDocument document : all_files()) {
     const auto darts = static_cast<std::uint32_t>(3 * document.net.triangles.size());
     for (int row = 0; row < 20; ++row) {
       std::vector<std::uint32_t> flips(100);
       for (std::uint32_t& flip : flips) flip = static_cast<std::uint32_t>(random()) % darts;
       document.triangulations.push_back({static_cast<std::uint32_t>(document.triangulations.size()), flips});
     }
-    EXPECT_EQ(check_cover(document, {.threads = 2, .max_work = std::uint64_t{1} << 50}).verdict, Verdict::verified);
+    EXPECT_EQ(check_bound(document, {.threads = 2, .max_work = std::uint64_t{1} << 50}).verdict, Verdict::verified);
   }
 }
 
 /// Two flips of an edge turn it by half a turn; so four are none, whatever follows.
-TEST(Cover, FourFlipsOfAnEdgeAreNone) {
-  for (const CoverDocument& document : all_files()) {
+TEST(Bound, FourFlipsOfAnEdgeAreNone) {
+  for (const BoundDocument& document : all_files()) {
     const auto darts = static_cast<std::uint32_t>(3 * document.net.triangles.size());
-    CoverDocument turned = document;
+    BoundDocument turned = document;
     for (std::size_t k = 0; k < turned.triangulations.size(); ++k) {
       auto& flips = turned.triangulations[k].flips;
       flips.insert(flips.begin(), 4, static_cast<std::uint32_t>(k) % darts);
@@ -320,7 +320,7 @@ TEST(Cover, FourFlipsOfAnEdgeAreNone) {
 
 /// The same triangulations, each by a detour: flips that are undone again. Its elements are products of elements that
 /// lead far, so that few bits of theirs are left.
-CoverDocument with_detours(CoverDocument document, std::uint32_t length) {
+BoundDocument with_detours(BoundDocument document, std::uint32_t length) {
   const auto darts = static_cast<std::uint32_t>(3 * document.net.triangles.size());
   for (auto& [parent, flips] : document.triangulations) {
     for (std::uint32_t k = 0; k < length; ++k) flips.push_back((7 * k + 3 * length) % darts);
@@ -330,11 +330,11 @@ CoverDocument with_detours(CoverDocument document, std::uint32_t length) {
 }
 
 /// What is true is not refuted and what is false not verified, however wide the balls are.
-TEST(Cover, WideBallsDecideNothing) {
-  std::vector<CoverDocument> files = all_files();
+TEST(Bound, WideBallsDecideNothing) {
+  std::vector<BoundDocument> files = all_files();
   files.push_back(octagon_radius());
-  for (const CoverDocument& good : files) {
-    CoverDocument wrong = good;
+  for (const BoundDocument& good : files) {
+    BoundDocument wrong = good;
     if (good.claim == Claim::radius) {
       wrong.value.lower *= 1 + 1e-13;
     } else {
@@ -345,8 +345,8 @@ TEST(Cover, WideBallsDecideNothing) {
     int open = 0;
     for (std::uint32_t length = 0; length < 20; length += 1 + length / 3) {
       const CheckOptions bits{.threads = 1, .max_precision = 128, .max_work = std::uint64_t{1} << 50};
-      const Verdict of_good = check_cover(with_detours(good, length), bits).verdict;
-      const Verdict of_wrong = check_cover(with_detours(wrong, length), bits).verdict;
+      const Verdict of_good = check_bound(with_detours(good, length), bits).verdict;
+      const Verdict of_wrong = check_bound(with_detours(wrong, length), bits).verdict;
       EXPECT_TRUE(of_good == Verdict::verified || of_good == Verdict::undecided) << length;
       EXPECT_TRUE(of_wrong == Verdict::refuted || of_wrong == Verdict::undecided) << length;
       ++(of_good == Verdict::undecided ? open : decided);
@@ -355,29 +355,29 @@ TEST(Cover, WideBallsDecideNothing) {
     EXPECT_GT(open, 1);
     // More bits decide.
     const CheckOptions all{.threads = 1, .max_work = std::uint64_t{1} << 50};
-    EXPECT_EQ(check_cover(with_detours(good, 19), all).verdict, Verdict::verified);
-    EXPECT_EQ(check_cover(with_detours(wrong, 19), all).verdict, Verdict::refuted);
+    EXPECT_EQ(check_bound(with_detours(good, 19), all).verdict, Verdict::verified);
+    EXPECT_EQ(check_bound(with_detours(wrong, 19), all).verdict, Verdict::refuted);
   }
 }
 
-TEST(Cover, ARefutedRuleCountsMoreThanOneThatIsOpen) {
-  for (CoverDocument document : all_files()) {
+TEST(Bound, ARefutedRuleCountsMoreThanOneThatIsOpen) {
+  for (BoundDocument document : all_files()) {
     document.value.lower += 1e-12;
     document.value.upper += 1e-12;
     const CheckOptions bits{.threads = 1, .max_precision = 128, .max_work = std::uint64_t{1} << 50};
-    const Certificate certificate = check_cover(with_detours(document, 19), bits);
+    const Certificate certificate = check_bound(with_detours(document, 19), bits);
     EXPECT_EQ(certificate.rules[9].verdict, Verdict::undecided);
     EXPECT_EQ(certificate.verdict, Verdict::refuted);
     EXPECT_EQ(certificate.rule, "lower");
   }
 }
 
-TEST(Cover, ClaimsThatAreExchangedAreNotVerified) {
-  for (CoverDocument document : {regular(), octagon()}) {
+TEST(Bound, ClaimsThatAreExchangedAreNotVerified) {
+  for (BoundDocument document : {regular(), octagon()}) {
     document.claim = Claim::embedded_disk;
     EXPECT_EQ(outcome(document), "REFUTED: lower");
   }
-  CoverDocument document = disk();
+  BoundDocument document = disk();
   document.claim = Claim::diameter;
   EXPECT_EQ(outcome(document), "MALFORMED: structure");
   // With leaves that exist it is the radius that is too small.
@@ -386,13 +386,13 @@ TEST(Cover, ClaimsThatAreExchangedAreNotVerified) {
 }
 
 /// Whatever is changed, what is verified is true.
-TEST(Cover, NoChangeMakesAFalseClaimVerified) {
+TEST(Bound, NoChangeMakesAFalseClaimVerified) {
   std::mt19937 random(1);
   const auto below = [&](std::size_t bound) { return static_cast<std::uint32_t>(random() % bound); };
-  const CoverDocument good = regular();
+  const BoundDocument good = regular();
   std::size_t verified = 0;
   for (int run = 0; run < 500; ++run) {
-    CoverDocument document = good;
+    BoundDocument document = good;
     for (std::uint32_t changes = 1 + below(3); changes > 0; --changes) {
       auto& cells = document.cells[below(document.cells.size())];
       auto& row = document.triangulations[below(document.triangulations.size())];
@@ -423,17 +423,17 @@ TEST(Cover, NoChangeMakesAFalseClaimVerified) {
   EXPECT_GT(verified, 10U);
 }
 
-TEST(Cover, ThreadsDoNotMatter) {
-  for (const CoverDocument& document : all_files()) {
-    const Certificate one = check_cover(document, {.threads = 1});
-    const Certificate three = check_cover(document, {.threads = 3});
+TEST(Bound, ThreadsDoNotMatter) {
+  for (const BoundDocument& document : all_files()) {
+    const Certificate one = check_bound(document, {.threads = 1});
+    const Certificate three = check_bound(document, {.threads = 3});
     ASSERT_EQ(one.rules.size(), three.rules.size());
     for (std::size_t i = 0; i < one.rules.size(); ++i) EXPECT_EQ(to_string(one.rules[i]), to_string(three.rules[i]));
     EXPECT_EQ(one.counts.work, three.counts.work);
   }
 }
 
-TEST(CoverOfARadius, IsVerified) {
+TEST(BoundOfARadius, IsVerified) {
   const Certificate certificate = checked(octagon_radius());
   EXPECT_EQ(certificate.verdict, Verdict::verified) << certificate.message;
   ASSERT_EQ(certificate.rules.size(), 10U);
@@ -443,14 +443,14 @@ TEST(CoverOfARadius, IsVerified) {
   EXPECT_EQ(certificate.claim, "the radius lies in " + to_string(octagon_radius().value));
 }
 
-TEST(CoverOfARadius, AnUpperBoundBelowTheValueAtTheVertexIsRefuted) {
-  CoverDocument document = octagon_radius();
+TEST(BoundOfARadius, AnUpperBoundBelowTheValueAtTheVertexIsRefuted) {
+  BoundDocument document = octagon_radius();
   document.value.upper -= 1e-12;
   EXPECT_EQ(outcome(document), "REFUTED: upper");
 }
 
-TEST(CoverOfARadius, TheUpperBoundIsComparedWithTheValueAtTheVertex) {
-  const CoverDocument document = octagon_radius();
+TEST(BoundOfARadius, TheUpperBoundIsComparedWithTheValueAtTheVertex) {
+  const BoundDocument document = octagon_radius();
   const Interval found = at_vertex(document);
   ASSERT_LT(above(found.lower), below(found.upper));
   const double last = last_with("REFUTED", below(found.lower), above(found.upper), document);
@@ -458,8 +458,8 @@ TEST(CoverOfARadius, TheUpperBoundIsComparedWithTheValueAtTheVertex) {
   EXPECT_LT(last, found.upper);
 }
 
-TEST(CoverOfARadius, ALowerBoundAboveThatOfACellIsRefuted) {
-  CoverDocument document = octagon_radius();
+TEST(BoundOfARadius, ALowerBoundAboveThatOfACellIsRefuted) {
+  BoundDocument document = octagon_radius();
   document.value.lower = document.value.upper;
   EXPECT_EQ(outcome(document), "REFUTED: cells");
   // It is what the worst cell proves, but for roundings.
@@ -471,8 +471,8 @@ TEST(CoverOfARadius, ALowerBoundAboveThatOfACellIsRefuted) {
 }
 
 /// A triangulation that is not Delaunay at the midpoint would have circumradii that are no eccentricity.
-TEST(CoverOfARadius, ACellWithATriangulationThatIsNotItsOwnIsRefuted) {
-  CoverDocument good = octagon_radius();
+TEST(BoundOfARadius, ACellWithATriangulationThatIsNotItsOwnIsRefuted) {
+  BoundDocument good = octagon_radius();
   // So small a bound that every midpoint of a side proves it.
   good.value.lower = 1e-3;
   const auto numbers = static_cast<std::uint32_t>(3 * good.triangulations.size() + 3);
@@ -485,20 +485,20 @@ TEST(CoverOfARadius, ACellWithATriangulationThatIsNotItsOwnIsRefuted) {
   EXPECT_EQ(refuted_by_cells(good, next), leaves);
 }
 
-TEST(CoverOfARadius, AFlipThatIsLeftOutIsRefuted) {
-  const CoverDocument good = octagon_radius();
+TEST(BoundOfARadius, AFlipThatIsLeftOutIsRefuted) {
+  const BoundDocument good = octagon_radius();
   for (std::size_t k = 0; k < good.triangulations.size(); ++k) {
-    CoverDocument without = good;
+    BoundDocument without = good;
     without.triangulations[k].flips.pop_back();
     EXPECT_EQ(outcome(without), "REFUTED: cells");
   }
 }
 
 /// The eccentricity at one point says nothing of cells that are large.
-TEST(CoverOfARadius, ACellThatIsNotCutIsRefuted) {
-  const CoverDocument good = octagon_radius();
+TEST(BoundOfARadius, ACellThatIsNotCutIsRefuted) {
+  const BoundDocument good = octagon_radius();
   for (std::size_t t = 0; t < good.cells.size(); ++t) {
-    CoverDocument document = good;
+    BoundDocument document = good;
     for (std::uint32_t entry = 3; entry < 15; ++entry) {
       document.cells[t] = {entry};
       EXPECT_EQ(outcome(document), "REFUTED: cells");
@@ -506,38 +506,38 @@ TEST(CoverOfARadius, ACellThatIsNotCutIsRefuted) {
   }
 }
 
-TEST(Cover, TooLittleWorkOrPrecisionIsUndecided) {
-  for (const CoverDocument& document : all_files()) {
+TEST(Bound, TooLittleWorkOrPrecisionIsUndecided) {
+  for (const BoundDocument& document : all_files()) {
     const std::uint64_t all = checked(document).counts.work;
-    EXPECT_EQ(check_cover(document, {.threads = 2, .max_work = all}).verdict, Verdict::verified);
+    EXPECT_EQ(check_bound(document, {.threads = 2, .max_work = all}).verdict, Verdict::verified);
     for (const std::uint64_t work : {all - 1, all / 2, all / 10, std::uint64_t{1000}}) {
-      EXPECT_EQ(check_cover(document, {.threads = 2, .max_work = work}).verdict, Verdict::undecided) << work;
+      EXPECT_EQ(check_bound(document, {.threads = 2, .max_work = work}).verdict, Verdict::undecided) << work;
     }
   }
 }
 
-TEST(Cover, MalformedDocuments) {
-  const auto complaint = [](const CoverDocument& good, const std::function<void(CoverDocument&)>& change) {
-    CoverDocument document = good;
+TEST(Bound, MalformedDocuments) {
+  const auto complaint = [](const BoundDocument& good, const std::function<void(BoundDocument&)>& change) {
+    BoundDocument document = good;
     change(document);
     const Certificate certificate = checked(document);
     EXPECT_EQ(certificate.verdict, Verdict::malformed);
     EXPECT_EQ(certificate.rule, "structure");
     // The reader refuses what is written of it, with the same words.
     std::ostringstream out;
-    write_cover(document, out);
+    write_bound(document, out);
     try {
-      (void)parse_cover(out.str(), "test");
+      (void)parse_bound(out.str(), "test");
       ADD_FAILURE() << "read: " << certificate.message;
     } catch (const MalformedError& error) {
       EXPECT_EQ(error.what(), "test: " + certificate.message);
     }
     return certificate.message;
   };
-  using Document = CoverDocument;
-  std::vector<CoverDocument> files = all_files();
+  using Document = BoundDocument;
+  std::vector<BoundDocument> files = all_files();
   files.push_back(octagon_radius());
-  for (const CoverDocument& good : files) {
+  for (const BoundDocument& good : files) {
     const std::size_t rows = good.triangulations.size();
     const std::size_t triangles = good.net.triangles.size();
     const std::size_t of_each = good.claim == Claim::embedded_disk ? 3 * triangles
@@ -687,7 +687,7 @@ std::array<std::array<Complex, 3>, 2> halves(const std::array<Complex, 3>& z, st
 
 /// A triangle is cut once, and its two cells are bounded by the net's own triangulation or two of its darts: the least
 /// upper bound for which that holds is the one of the corner where the bound is greatest. Whether other cells allow it.
-bool expect_least_upper_bound(CoverDocument document, std::uint32_t t, const std::vector<std::uint32_t>& cells,
+bool expect_least_upper_bound(BoundDocument document, std::uint32_t t, const std::vector<std::uint32_t>& cells,
                               double expected) {
   if (expected < document.value.upper + 1e-3) return false;
   document.cells[t] = cells;
@@ -698,8 +698,8 @@ bool expect_least_upper_bound(CoverDocument document, std::uint32_t t, const std
   return true;
 }
 
-TEST(Cover, CellsOfAnEmbeddedDiskAreBoundedAtTheirThreeCorners) {
-  const CoverDocument good = disk();
+TEST(Bound, CellsOfAnEmbeddedDiskAreBoundedAtTheirThreeCorners) {
+  const BoundDocument good = disk();
   const Reference reference(good.net);
   const Triangulation triangulation = triangulation_of(reference);
   int tried = 0;
@@ -720,8 +720,8 @@ TEST(Cover, CellsOfAnEmbeddedDiskAreBoundedAtTheirThreeCorners) {
 
 /// At its first corner, the vertex itself, an edge of a triangulation with short edges moves a cell least. The
 /// diagonals that flips make are longer there.
-TEST(Cover, CellsOfAnEmbeddedDiskAreBoundedAtTheCornerWhereTheyBegin) {
-  CoverDocument document = disk();
+TEST(Bound, CellsOfAnEmbeddedDiskAreBoundedAtTheCornerWhereTheyBegin) {
+  BoundDocument document = disk();
   const Reference reference(document.net);
   document.triangulations.push_back({});
   const auto row = static_cast<std::uint32_t>(document.triangulations.size());
@@ -741,8 +741,8 @@ TEST(Cover, CellsOfAnEmbeddedDiskAreBoundedAtTheCornerWhereTheyBegin) {
   EXPECT_GT(found, 0);
 }
 
-TEST(Cover, CellsOfADiameterAreBoundedAtTheirThreeCorners) {
-  const CoverDocument good = octagon();
+TEST(Bound, CellsOfADiameterAreBoundedAtTheirThreeCorners) {
+  const BoundDocument good = octagon();
   const Reference reference(good.net);
   const Triangulation triangulation = triangulation_of(reference);
   int tried = 0;
@@ -759,8 +759,8 @@ TEST(Cover, CellsOfADiameterAreBoundedAtTheirThreeCorners) {
 }
 
 /// Also if its triangulation is that of the cell before it, and its first corner is the only one that matters.
-TEST(Cover, CellsOfADiameterAreBoundedAtTheCornerWhereTheyBegin) {
-  CoverDocument document = octagon();
+TEST(Bound, CellsOfADiameterAreBoundedAtTheCornerWhereTheyBegin) {
+  BoundDocument document = octagon();
   const Reference reference(document.net);
   document.triangulations.push_back({});
   const std::uint32_t entry = 3 + static_cast<std::uint32_t>(document.triangulations.size());
@@ -786,8 +786,8 @@ TEST(Cover, CellsOfADiameterAreBoundedAtTheCornerWhereTheyBegin) {
 
 /// A radius is bounded by the eccentricity of a midpoint less the distance to the farthest corner: that is an end of
 /// the side or the corner opposite to it.
-TEST(CoverOfARadius, NoPointOfACellIsBeyondTheReachOfItsMidpoint) {
-  const CoverDocument good = octagon_radius();
+TEST(BoundOfARadius, NoPointOfACellIsBeyondTheReachOfItsMidpoint) {
+  const BoundDocument good = octagon_radius();
   const Reference reference(good.net);
   std::vector<std::vector<std::uint32_t>> flips{{}};
   for (const auto& [parent, more] : good.triangulations) {
@@ -808,7 +808,7 @@ TEST(CoverOfARadius, NoPointOfACellIsBeyondTheReachOfItsMidpoint) {
             circumradius(triangulation, midpoint) - static_cast<double>(std::max(to_end, to_opposite));
         if (expected < 1e-3) continue;
         opposite_is_farthest += to_end < to_opposite ? 1 : 0;
-        CoverDocument document = good;
+        BoundDocument document = good;
         document.cells[t] = {3 + side + 3 * k};
         document.value.lower = expected * (1 - 1e-9);
         EXPECT_EQ(outcome(document), "VERIFIED") << t << " " << side << " " << k;
@@ -822,14 +822,14 @@ TEST(CoverOfARadius, NoPointOfACellIsBeyondTheReachOfItsMidpoint) {
 
 /// One triangle is bounded by the net's own triangulation, to which a detour leads: however many bits are left of it,
 /// an upper bound that is a little too small is not verified, and one that is a little too large not refuted.
-void expect_no_wrong_verdict(CoverDocument document, std::uint32_t t, std::uint32_t side, std::uint32_t entry,
+void expect_no_wrong_verdict(BoundDocument document, std::uint32_t t, std::uint32_t side, std::uint32_t entry,
                              double least) {
   ASSERT_GT(least, document.value.upper);
   document.cells[t] = {side, entry, entry};
   document.triangulations.push_back({});
   const auto verdict = [&](double factor) {
     document.value.upper = least * factor;
-    return check_cover(document, {.threads = 1, .max_precision = 128, .max_work = std::uint64_t{1} << 50}).verdict;
+    return check_bound(document, {.threads = 1, .max_precision = 128, .max_work = std::uint64_t{1} << 50}).verdict;
   };
   int open = 0;
   for (std::uint32_t length = 0; length < 50; ++length) {
@@ -844,8 +844,8 @@ void expect_no_wrong_verdict(CoverDocument document, std::uint32_t t, std::uint3
   EXPECT_GT(open, 3);
 }
 
-TEST(Cover, OneTriangleWithWideBallsIsNotDecidedWrongly) {
-  const CoverDocument of_disk = disk();
+TEST(Bound, OneTriangleWithWideBallsIsNotDecidedWrongly) {
+  const BoundDocument of_disk = disk();
   const Reference disk_reference(of_disk.net);
   double bound = 0;
   for (const auto& cell : halves(disk_reference.corners(0), 1)) {
@@ -855,7 +855,7 @@ TEST(Cover, OneTriangleWithWideBallsIsNotDecidedWrongly) {
   const auto rows_of_disk = static_cast<std::uint32_t>(of_disk.triangulations.size());
   expect_no_wrong_verdict(of_disk, 0, 1, 3 + 18 * (rows_of_disk + 1), bound);
 
-  const CoverDocument of_diameter = octagon();
+  const BoundDocument of_diameter = octagon();
   const Reference diameter_reference(of_diameter.net);
   bound = 0;
   for (const auto& cell : halves(diameter_reference.corners(0), 1)) {
@@ -865,23 +865,23 @@ TEST(Cover, OneTriangleWithWideBallsIsNotDecidedWrongly) {
   expect_no_wrong_verdict(of_diameter, 0, 1, 3 + rows + 1, bound);
 }
 
-TEST(Cover, InfiniteOrUnorderedBoundsAreMalformed) {
+TEST(Bound, InfiniteOrUnorderedBoundsAreMalformed) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const Interval wrong : {Interval{1, kInfinity}, {std::nan(""), 3}, {1, std::nan("")}}) {
-    CoverDocument document = regular();
+    BoundDocument document = regular();
     document.value = wrong;
     EXPECT_EQ(outcome(document), "MALFORMED: structure");
   }
 }
 
-TEST(CoverFile, WhatIsWrittenIsRead) {
-  for (const CoverDocument& document : all_files()) {
-    EXPECT_EQ(parse_cover(written(document), "test"), document);
-    EXPECT_EQ(std::get<CoverDocument>(parse_claim(written(document), "test")), document);
+TEST(BoundFile, WhatIsWrittenIsRead) {
+  for (const BoundDocument& document : all_files()) {
+    EXPECT_EQ(parse_bound(written(document), "test"), document);
+    EXPECT_EQ(std::get<BoundDocument>(parse_claim(written(document), "test")), document);
   }
 }
 
-TEST(CoverFile, HasExactlyItsMembers) {
+TEST(BoundFile, HasExactlyItsMembers) {
   const std::string text = written(octagon());
   const auto complaint = [&](const std::string& old, const std::string& by) -> std::string {
     std::string changed = text;
@@ -889,7 +889,7 @@ TEST(CoverFile, HasExactlyItsMembers) {
     EXPECT_NE(place, std::string::npos) << old;
     changed.replace(place, old.size(), by);
     try {
-      (void)parse_cover(changed, "test");
+      (void)parse_bound(changed, "test");
     } catch (const MalformedError& error) {
       return error.what();
     }

@@ -7,7 +7,7 @@
 #include "certify/claims/net/check.h"
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
-#include "netgen/distances/cover.h"
+#include "netgen/distances/bound.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
@@ -15,25 +15,25 @@
 namespace epsnet::program {
 namespace {
 
-struct CoverRequest {
+struct BoundRequest {
   std::string surface;
   std::string output;
   std::string width;
   bool json = false;
 };
 
-using MakeCover = certify::CoverDocument (*)(const Surface&, const CoverOptions&);
+using MakeBound = certify::BoundDocument (*)(const Surface&, const BoundOptions&);
 
-void enclose(const CoverRequest& request, MakeCover make) {
+void enclose(const BoundRequest& request, MakeBound make) {
   check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::json}});
   const auto width = static_cast<double>(parse_length("--width", request.width).value());
-  if (!(width >= kLeastCoverWidth)) throw UsageError("--width: less than the least width, 1e-12");
+  if (!(width >= kLeastBoundWidth)) throw UsageError("--width: less than the least width, 1e-12");
   const Surface surface = read_surface_input(request.surface);
-  certify::CoverDocument document;
+  certify::BoundDocument document;
   certify::Certificate certificate;
   {
     ProgressLine progress;
-    CoverOptions options;
+    BoundOptions options;
     options.width = width;
     options.progress = progress.shower();
     document = make(surface, options);
@@ -43,31 +43,31 @@ void enclose(const CoverRequest& request, MakeCover make) {
     certify::CheckOptions options;
     options.max_work = std::numeric_limits<std::uint64_t>::max();  // It was made here.
     options.progress = progress.shower("certificate: ");
-    certificate = certify::check_cover(document, options);
+    certificate = certify::check_bound(document, options);
   }
   if (certificate.verdict != certify::Verdict::verified) {
     throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
   }
-  write_outputs({{request.output, [&](std::ostream& out) { certify::write_cover(document, out); }}});
+  write_outputs({{request.output, [&](std::ostream& out) { certify::write_bound(document, out); }}});
   Report report{"verdict: VERIFIED\n", Json::object({{"verdict", "VERIFIED"}})};
-  const Report bounds = cover_report(document);
+  const Report bounds = bound_report(document);
   report.text += bounds.text;
   report.json.update(bounds.json);
   write_report(report, request.json, is_stdout(request.output));
 }
 
-void add_cover_command(CLI::App& app, Job& chosen, const char* name, const char* what, MakeCover make,
+void add_bound_command(CLI::App& app, Job& chosen, const char* name, const char* what, MakeBound make,
                        const char* width = "1e-6") {
-  const auto shared = std::make_shared<CoverRequest>();
+  const auto shared = std::make_shared<BoundRequest>();
   shared->width = width;
   CLI::App* command = app.add_subcommand(name, what);
   add_input(*command, "SURFACE", shared->surface, "a surface file");
   command->add_option("--width", shared->width, "the width of the enclosure, a length of at least 1e-12")
       ->option_text(std::string("W [") + width + "]");
-  add_file(*command, "-o,--output", shared->output, "the cover file to write, for certify; \"-\" is standard output");
+  add_file(*command, "-o,--output", shared->output, "the bound file to write, for certify; \"-\" is standard output");
   add_json(*command, shared->json);
   command->footer(std::string("Example:\n  epsnet ") + name +
-                  " s.json --width 1e-3 -o cover.json && certify cover.json");
+                  " s.json --width 1e-3 -o bound.json && certify bound.json");
   command->callback([&chosen, shared, make] { chosen = [shared, make] { enclose(*shared, make); }; });
 }
 
@@ -95,8 +95,8 @@ void measure_eccentricity(const EccentricityRequest& request) {
 
 }  // namespace
 
-Report cover_report(const certify::CoverDocument& document) {
-  using Claim = certify::CoverDocument::Claim;
+Report bound_report(const certify::BoundDocument& document) {
+  using Claim = certify::BoundDocument::Claim;
   const std::string name = document.claim == Claim::diameter ? "diameter"
                            : document.claim == Claim::radius ? "radius"
                                                              : "embedded_disk_radius";
@@ -125,19 +125,19 @@ void add_eccentricity_command(CLI::App& app, Job& chosen) {
 }
 
 void add_diameter_command(CLI::App& app, Job& chosen) {
-  add_cover_command(app, chosen, "diameter", "The diameter, the greatest distance of two points, enclosed and proved.",
+  add_bound_command(app, chosen, "diameter", "The diameter, the greatest distance of two points, enclosed and proved.",
                     &diameter);
 }
 
 void add_radius_command(CLI::App& app, Job& chosen) {
-  add_cover_command(
+  add_bound_command(
       app, chosen, "radius",
       "The radius of the smallest disk that covers the surface (the least eccentricity), enclosed and proved.", &radius,
       "1e-2");
 }
 
 void add_embedded_disk_command(CLI::App& app, Job& chosen) {
-  add_cover_command(app, chosen, "embedded-disk",
+  add_bound_command(app, chosen, "embedded-disk",
                     "The radius of the largest embedded disk, the greatest injectivity radius, enclosed and proved.",
                     &largest_embedded_disk);
 }

@@ -5,17 +5,17 @@
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 
-/// Any bytes are a cover file or give a MalformedError; a file that is written reads back the same.
+/// Any bytes are a bound file or give a MalformedError; a file that is written reads back the same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace epsnet::certify;
-  CoverDocument document;
+  BoundDocument document;
   try {
-    document = parse_cover({reinterpret_cast<const char*>(data), size}, "input");
+    document = parse_bound({reinterpret_cast<const char*>(data), size}, "input");
   } catch (const MalformedError&) {
     return 0;
   }
   std::ostringstream out;
-  write_cover(document, out);
-  if (parse_cover(out.str(), "written") != document) std::abort();
+  write_bound(document, out);
+  if (parse_bound(out.str(), "written") != document) std::abort();
   return 0;
 }

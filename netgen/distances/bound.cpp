@@ -1,4 +1,4 @@
-#include "netgen/distances/cover.h"
+#include "netgen/distances/bound.h"
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@
 namespace epsnet {
 namespace {
 
-using certify::CoverDocument;
+using certify::BoundDocument;
 
 /// The length whose sinh² is s.
 double length_of(double s) { return std::asinh(std::sqrt(s)); }
@@ -39,15 +39,15 @@ Point unit(const Point& p) { return Number(Number(1) / sqrt(Number(-lorentz_prod
 /// The function is asked for at points of cells, where the Delaunay triangulation has it exactly. The bound of a cell
 /// is the least that the triangulations of its own point and of that of the cell it was cut from give at its corners;
 /// for a radius, the function at the midpoint of a side plus the distance from there to the farthest corner.
-class CoverSearch {
+class BoundSearch {
  public:
-  using Claim = CoverDocument::Claim;
+  using Claim = BoundDocument::Claim;
 
   /// Whether the greatest value is sought, or that at the vertex of the base is to be it.
   enum class Climb { yes, no };
 
   /// The base is Delaunay.
-  CoverSearch(Triangulation& base, CoverDocument::Claim claim, const CoverOptions& options, double width, Climb climb)
+  BoundSearch(Triangulation& base, BoundDocument::Claim claim, const BoundOptions& options, double width, Climb climb)
       : claim_(claim), climb_(climb), options_(options), width_(width) {
     known_.push_back({vertex_triangulation(base, elements_), 0, {}});
     numbers_[known_[0].map.key()] = 0;
@@ -93,7 +93,7 @@ class CoverSearch {
   [[nodiscard]] const Point& summit() const { return summit_; }
 
   /// The cells and the triangulations that they use.
-  void describe(CoverDocument& document) const {
+  void describe(BoundDocument& document) const {
     std::vector<bool> used(known_.size());
     for (const Cell& cell : cells_) {
       if (cell.edge != kNotCut) continue;
@@ -333,7 +333,7 @@ class CoverSearch {
 
   Claim claim_;
   Climb climb_;
-  const CoverOptions& options_;
+  const BoundOptions& options_;
   double width_;
   EdgeElements elements_;
   std::deque<Frame> frames_;
@@ -396,17 +396,17 @@ certify::NetDocument net_above_eccentricity(Triangulation& triangulation) {
   return net_document(triangulation, Length(std::ceil(eccentricity) + 2));
 }
 
-CoverDocument cover(const Surface& surface, CoverDocument::Claim claim, const CoverOptions& options) {
-  if (!(options.width >= kLeastCoverWidth)) throw std::invalid_argument("the width is less than 1e-12");
+BoundDocument bound_document(const Surface& surface, BoundDocument::Claim claim, const BoundOptions& options) {
+  if (!(options.width >= kLeastBoundWidth)) throw std::invalid_argument("the width is less than 1e-12");
   Triangulation base = one_vertex_triangulation(surface, std::nullopt);
   {
-    CoverSearch search(base, claim, options, options.width / 4, CoverSearch::Climb::yes);
+    BoundSearch search(base, claim, options, options.width / 4, BoundSearch::Climb::yes);
     search.run();
     move_to(base, search.summit());
   }
-  CoverSearch search(base, claim, options, options.width * (1 - 1e-3), CoverSearch::Climb::no);
+  BoundSearch search(base, claim, options, options.width * (1 - 1e-3), BoundSearch::Climb::no);
   search.run();
-  CoverDocument document;
+  BoundDocument document;
   document.claim = claim;
   document.net = net_above_eccentricity(base);
   // Lengths are rounded a few times; certify proves what comes out. It knows the value at the vertex within bounds of
@@ -416,14 +416,14 @@ CoverDocument cover(const Surface& surface, CoverDocument::Claim claim, const Co
   if (certificate.verdict != certify::Verdict::verified) {
     throw NetError("the triangulation with one vertex was not verified: " + certify::verdict_line(certificate));
   }
-  if (claim == CoverDocument::Claim::radius) {
+  if (claim == BoundDocument::Claim::radius) {
     const double proved = certificate.enclosures->largest_circumradius.upper;
     // The bound of a cell is a difference of two lengths, each at most the diameter.
     document.value = {-search.upper() - 4 * kRounding * proved, std::max(-search.lower() * (1 + kRounding), proved)};
     search.describe(document);
     return document;
   }
-  const double proved = claim == CoverDocument::Claim::diameter ? certificate.enclosures->largest_circumradius.lower
+  const double proved = claim == BoundDocument::Claim::diameter ? certificate.enclosures->largest_circumradius.lower
                                                                 : certificate.enclosures->shortest_loop->lower / 2;
   document.value = {std::min(search.lower() * (1 - kRounding), proved), search.upper() * (1 + kRounding)};
   search.describe(document);
@@ -437,16 +437,16 @@ certify::NetDocument eccentricity_net(const Surface& surface, const BasePoint& v
   return net_above_eccentricity(triangulation);
 }
 
-CoverDocument diameter(const Surface& surface, const CoverOptions& options) {
-  return cover(surface, CoverDocument::Claim::diameter, options);
+BoundDocument diameter(const Surface& surface, const BoundOptions& options) {
+  return bound_document(surface, BoundDocument::Claim::diameter, options);
 }
 
-CoverDocument radius(const Surface& surface, const CoverOptions& options) {
-  return cover(surface, CoverDocument::Claim::radius, options);
+BoundDocument radius(const Surface& surface, const BoundOptions& options) {
+  return bound_document(surface, BoundDocument::Claim::radius, options);
 }
 
-CoverDocument largest_embedded_disk(const Surface& surface, const CoverOptions& options) {
-  return cover(surface, CoverDocument::Claim::embedded_disk, options);
+BoundDocument largest_embedded_disk(const Surface& surface, const BoundOptions& options) {
+  return bound_document(surface, BoundDocument::Claim::embedded_disk, options);
 }
 
 }  // namespace epsnet

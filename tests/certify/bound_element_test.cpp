@@ -65,7 +65,7 @@ double displacement(const Isometry& f, Complex z) {
 }
 
 /// At the axis the square alone counts; away from it also the distance from the axis.
-TEST(CoverElement, TheDisplacementContainsThatOfEveryIsometryInTheBall) {
+TEST(BoundElement, TheDisplacementContainsThatOfEveryIsometryInTheBall) {
   for (const double width : {1e-2, 1e-4, 1e-6}) {
     for (const double t : {0.0, 0.7, 2.0, 4.0}) {
       for (const double s : {0.0, 0.5, -1.0}) {
@@ -91,7 +91,7 @@ TEST(CoverElement, TheDisplacementContainsThatOfEveryIsometryInTheBall) {
 }
 
 /// Of an isometry that is known, whatever the point: the displacement is that.
-TEST(CoverElement, TheDisplacementIsThatOfTheIsometry) {
+TEST(BoundElement, TheDisplacementIsThatOfTheIsometry) {
   for (const double l : {0.1, 1.0, 5.0}) {
     const Isometry f = along(l, 1.1, 0.4);
     const Element element = element_of(both_of(f, f), kPrecision);

@@ -35,7 +35,7 @@ Triangle triangle(double a, double b, double c) { return {number(a), number(b), 
 
 Tri fit(const Triangle& sides, const Ball& most) { return fits(sides, most, kPrecision); }
 
-TEST(CoverTriangles, ATriangleThatIsNotAcuteFitsIfItsLongestSideDoes) {
+TEST(BoundTriangles, ATriangleThatIsNotAcuteFitsIfItsLongestSideDoes) {
   // 1 + 2 < 5: whichever side it is.
   for (const Triangle& sides : {triangle(5, 1, 2), triangle(1, 5, 2), triangle(1, 2, 5)}) {
     EXPECT_EQ(fit(sides, number(5)), Tri::yes);
@@ -49,7 +49,7 @@ TEST(CoverTriangles, ATriangleThatIsNotAcuteFitsIfItsLongestSideDoes) {
   }
 }
 
-TEST(CoverTriangles, AnAcuteTriangleFitsIfItsCircumcircleDoes) {
+TEST(BoundTriangles, AnAcuteTriangleFitsIfItsCircumcircleDoes) {
   // 4abc/K with a, b, c = 4, 5, 6: K = 80 − 9 = 71, and 480/71 = 6.76…
   for (const Triangle& sides : {triangle(4, 5, 6), triangle(6, 4, 5), triangle(5, 6, 4), triangle(6, 5, 4)}) {
     EXPECT_EQ(fit(sides, number(480.0 / 71 + 1e-12)), Tri::yes);
@@ -61,7 +61,7 @@ TEST(CoverTriangles, AnAcuteTriangleFitsIfItsCircumcircleDoes) {
   EXPECT_EQ(fit(triangle(1, 1, 1), number(1.5)), Tri::yes);
 }
 
-TEST(CoverTriangles, WideSidesAreNotDecidedWrongly) {
+TEST(BoundTriangles, WideSidesAreNotDecidedWrongly) {
   for (std::size_t wide = 0; wide < 3; ++wide) {
     // Perhaps too long, in a triangle that is not acute for certain.
     Triangle sides = triangle(1, 1, 1);
@@ -98,7 +98,7 @@ double area_by_angles(double a, double b, double c) {
   return std::numbers::pi - angle(a, b, c) - angle(b, c, a) - angle(c, a, b);
 }
 
-TEST(CoverTriangles, MeasuresAreThoseOfTheTriangle) {
+TEST(BoundTriangles, MeasuresAreThoseOfTheTriangle) {
   for (const auto& [a, b, c] : std::initializer_list<std::array<double, 3>>{
            {1, 1, 1}, {4, 5, 6}, {6, 4, 5}, {5, 6, 4}, {0.01, 0.02, 0.015}, {7, 1, 5}, {100, 70, 3}, {0.5, 8, 6}}) {
     const Triangle sides = triangle(a, b, c);
@@ -114,7 +114,7 @@ TEST(CoverTriangles, MeasuresAreThoseOfTheTriangle) {
   }
 }
 
-TEST(CoverTriangles, WithoutACircumcircleThereAreNoMeasures) {
+TEST(BoundTriangles, WithoutACircumcircleThereAreNoMeasures) {
   for (const Triangle& sides : {triangle(1, 1, 5), triangle(5, 1, 1), Triangle{between(3, 5), number(1), number(1)}}) {
     const TriangleMeasures found = measures(sides, kPrecision);
     EXPECT_NE(certainly_positive(found.k.get()), Tri::yes);
@@ -129,7 +129,7 @@ std::vector<Ball> six_areas(double each) {
   return result;
 }
 
-TEST(CoverTriangles, AreCounterclockwiseIfTheirAreasSumUpToThatOfTheSurface) {
+TEST(BoundTriangles, AreCounterclockwiseIfTheirAreasSumUpToThatOfTheSurface) {
   constexpr double kArea = 4 * std::numbers::pi;
   EXPECT_EQ(all_counterclockwise(six_areas(kArea / 6), kPrecision), Tri::yes);
   // One that is turned over counts twice too much.
@@ -172,7 +172,7 @@ Tri answer(const std::vector<Ball>& h, const Ball& least) {
   return is_delaunay_and_wide(kAcross, h, least, kPrecision);
 }
 
-TEST(CoverTriangles, AreWideIfOneIs) {
+TEST(BoundTriangles, AreWideIfOneIs) {
   for (std::size_t d = 0; d < kAcross.size(); ++d) ASSERT_EQ(kAcross[kAcross[d]], d);
   // 4abc/K = 4/3 of a = b = c = 1, and 16/7 · … of one side 3/2: 4 · 3/2 / (4 − 1/4) = 8/5.
   EXPECT_EQ(answer(equal_sides(1), number(4.0 / 3 - 1e-12)), Tri::yes);
@@ -189,7 +189,7 @@ TEST(CoverTriangles, AreWideIfOneIs) {
   }
 }
 
-TEST(CoverTriangles, AreDelaunayIfTheAnglesOppositeToEveryEdgeSaySo) {
+TEST(BoundTriangles, AreDelaunayIfTheAnglesOppositeToEveryEdgeSaySo) {
   for (std::size_t d = 0; d < kAcross.size(); ++d) {
     // Opposite to an edge with 2 = 1 + 1 are two right angles, cot 90° = 0.
     EXPECT_EQ(answer(with_edge(equal_sides(1), d, number(1.999)), number(1)), Tri::yes) << d;
@@ -202,7 +202,7 @@ TEST(CoverTriangles, AreDelaunayIfTheAnglesOppositeToEveryEdgeSaySo) {
   }
 }
 
-TEST(CoverTriangles, AreNoTriangulationIfTheirAreasAreTooLarge) {
+TEST(BoundTriangles, AreNoTriangulationIfTheirAreasAreTooLarge) {
   // Of six equilateral triangles, each of the area 2π/3 or more: the sum is less than 4π and one more up to 4π/5.
   const auto equilateral = [](double h) { return area_by_angles(h, h, h); };
   double low = 0.1, high = 100;

@@ -1,4 +1,4 @@
-#include "netgen/distances/cover.h"
+#include "netgen/distances/bound.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,15 +25,15 @@
 namespace epsnet {
 namespace {
 
-using certify::CoverDocument;
+using certify::BoundDocument;
 using certify::Interval;
 using test::any_index;
 using test::any_share;
 using testing::HasSubstr;
 
 /// The outcome of the checker; "VERIFIED" if all is well.
-std::string verdict(const CoverDocument& document) {
-  return certify::verdict_line(certify::check_cover(document, {.threads = 1, .max_work = std::uint64_t{1} << 50}));
+std::string verdict(const BoundDocument& document) {
+  return certify::verdict_line(certify::check_bound(document, {.threads = 1, .max_work = std::uint64_t{1} << 50}));
 }
 
 /// A random point strictly inside of a random tile.
@@ -99,8 +99,8 @@ double bavard(std::uint32_t genus) { return std::acosh(1 / (2 * std::sin(std::nu
 
 TEST(Diameter, OfARegularSurfaceIsFromTheCentreToTheCorner) {
   for (const std::uint32_t genus : {2u, 3u, 5u}) {
-    const CoverDocument document = diameter(Surface::regular(genus));
-    EXPECT_EQ(document.claim, CoverDocument::Claim::diameter);
+    const BoundDocument document = diameter(Surface::regular(genus));
+    EXPECT_EQ(document.claim, BoundDocument::Claim::diameter);
     EXPECT_EQ(verdict(document), "VERIFIED") << genus;
     EXPECT_LT(document.value.lower, regular_diameter(genus));
     EXPECT_GT(document.value.upper, regular_diameter(genus));
@@ -119,7 +119,7 @@ TEST(Diameter, GoesFromOneSideOfAShortCurveToTheOther) {
                                                {1, Rational(1, 10'000), 2},
                                                {1, small, 2},
                                                {small, small, small}}) {
-    const CoverDocument document = diameter(two_handles(lengths), {.width = 1e-4});
+    const BoundDocument document = diameter(two_handles(lengths), {.width = 1e-4});
     EXPECT_EQ(verdict(document), "VERIFIED") << lengths[1];
     EXPECT_LE(document.value.upper - document.value.lower, 1e-4);
     // The collar of a geodesic of length l reaches arsinh(1/sinh(l/2)) to both sides.
@@ -131,8 +131,8 @@ TEST(Diameter, GoesFromOneSideOfAShortCurveToTheOther) {
 TEST(Radius, IsBetweenHalfOfTheDiameterAndEveryEccentricity) {
   for (const Surface& surface :
        {test::gallery()[0].surface, test::gallery()[1].surface, two_handles({1, Rational(1, 100'000'000), 2})}) {
-    const CoverDocument document = radius(surface, {.width = 0.05});
-    EXPECT_EQ(document.claim, CoverDocument::Claim::radius);
+    const BoundDocument document = radius(surface, {.width = 0.05});
+    EXPECT_EQ(document.claim, BoundDocument::Claim::radius);
     EXPECT_EQ(verdict(document), "VERIFIED");
     EXPECT_LE(document.value.upper - document.value.lower, 0.05);
     EXPECT_GE(document.value.upper, diameter(surface, {.width = 0.05}).value.lower / 2);
@@ -145,7 +145,7 @@ TEST(Radius, IsBetweenHalfOfTheDiameterAndEveryEccentricity) {
 }
 
 TEST(Radius, HasATieAtTheCentreOfARegularSurface) {
-  const CoverDocument document = radius(Surface::regular(2), {.width = 0.1});
+  const BoundDocument document = radius(Surface::regular(2), {.width = 0.1});
   EXPECT_EQ(verdict(document), "VERIFIED");
   // The least of the eccentricities of many points is 1.94031.
   EXPECT_LT(document.value.lower, 1.9404);
@@ -155,7 +155,7 @@ TEST(Radius, HasATieAtTheCentreOfARegularSurface) {
 TEST(Diameter, TheLowerBoundIsTheEccentricityOfItsVertex) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Surface& surface = test::gallery()[i].surface;
-    const CoverDocument document = diameter(surface, {.width = 1e-3});
+    const BoundDocument document = diameter(surface, {.width = 1e-3});
     EXPECT_EQ(verdict(document), "VERIFIED");
     const certify::Certificate net = certify::check(document.net);
     EXPECT_GE(net.enclosures->largest_circumradius.upper, document.value.lower);
@@ -164,14 +164,14 @@ TEST(Diameter, TheLowerBoundIsTheEccentricityOfItsVertex) {
   }
 }
 
-TEST(Cover, WhateverTheWidthItIsVerifiedAndHoldsTheSame) {
+TEST(Bound, WhateverTheWidthItIsVerifiedAndHoldsTheSame) {
   const Surface& surface = test::gallery()[0].surface;
   for (const auto make : {&diameter, &radius, &largest_embedded_disk}) {
     const bool is_slow = make == &radius;
-    const CoverDocument close = make(surface, {.width = is_slow ? 0.1 : 1e-5});
+    const BoundDocument close = make(surface, {.width = is_slow ? 0.1 : 1e-5});
     for (const double width :
          {is_slow ? 0.05 : 1e-3, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, std::numeric_limits<double>::infinity()}) {
-      const CoverDocument document = make(surface, {.width = width});
+      const BoundDocument document = make(surface, {.width = width});
       EXPECT_EQ(verdict(document), "VERIFIED") << width;
       EXPECT_LE(document.value.upper - document.value.lower, width);
       EXPECT_TRUE(overlap(document.value, close.value)) << width;
@@ -179,25 +179,25 @@ TEST(Cover, WhateverTheWidthItIsVerifiedAndHoldsTheSame) {
   }
 }
 
-TEST(Cover, IsThatOfTheSurfaceWhateverItsTiles) {
+TEST(Bound, IsThatOfTheSurfaceWhateverItsTiles) {
   const Surface& surface = test::gallery()[0].surface;
   for (const auto make : {&diameter, &radius, &largest_embedded_disk}) {
     const double width = make == &radius ? 0.1 : 1e-5;
-    const CoverDocument document = make(surface, {.width = width});
+    const BoundDocument document = make(surface, {.width = width});
     for (const Surface& other : {turned(surface), in_three_tiles(surface)}) {
-      const CoverDocument same = make(other, {.width = width});
+      const BoundDocument same = make(other, {.width = width});
       EXPECT_EQ(verdict(same), "VERIFIED");
       EXPECT_TRUE(overlap(document.value, same.value)) << to_string(document.value) << " and " << to_string(same.value);
     }
   }
 }
 
-TEST(Cover, OfThinSurfacesAndOfGenus3To5) {
+TEST(Bound, OfThinSurfacesAndOfGenus3To5) {
   for (const std::size_t i : {3u, 4u, 5u, 6u, 7u, 8u}) {
     const test::NamedSurface& named = test::gallery()[i];
-    const CoverDocument wide = diameter(named.surface, {.width = 0.2});
+    const BoundDocument wide = diameter(named.surface, {.width = 0.2});
     EXPECT_EQ(verdict(wide), "VERIFIED") << named.name;
-    const CoverDocument disk = largest_embedded_disk(named.surface, {.width = 0.05});
+    const BoundDocument disk = largest_embedded_disk(named.surface, {.width = 0.05});
     EXPECT_EQ(verdict(disk), "VERIFIED") << named.name;
     // The disk is embedded, its diameter at most that of the surface.
     EXPECT_LE(disk.value.lower, wide.value.upper);
@@ -209,8 +209,8 @@ TEST(EmbeddedDisk, IsSmallerThanTheSurfaceAndThanBavardsBound) {
   std::vector<Surface> surfaces{Surface::regular(2), Surface::regular(3)};
   for (const std::size_t i : {0u, 1u, 2u, 3u, 6u}) surfaces.push_back(test::gallery()[i].surface);
   for (const Surface& surface : surfaces) {
-    const CoverDocument document = largest_embedded_disk(surface, {.width = 1e-3});
-    EXPECT_EQ(document.claim, CoverDocument::Claim::embedded_disk);
+    const BoundDocument document = largest_embedded_disk(surface, {.width = 1e-3});
+    EXPECT_EQ(document.claim, BoundDocument::Claim::embedded_disk);
     EXPECT_EQ(verdict(document), "VERIFIED");
     EXPECT_LE(document.value.upper - document.value.lower, 1e-3);
     EXPECT_LT(2 * std::numbers::pi * (std::cosh(document.value.lower) - 1),
@@ -223,14 +223,14 @@ TEST(EmbeddedDisk, IsSmallerThanTheSurfaceAndThanBavardsBound) {
   }
 }
 
-TEST(Cover, TooSmallAWidthAndTooFewCells) {
+TEST(Bound, TooSmallAWidthAndTooFewCells) {
   const Surface bolza = Surface::regular(2);
   for (const auto make : {&diameter, &radius, &largest_embedded_disk}) {
     for (const double width : {0.0, -1.0, 9e-13, std::nan("")}) {
       EXPECT_THROW((void)make(bolza, {.width = width}), std::invalid_argument) << width;
     }
     if (make != &radius) {
-      EXPECT_NO_THROW((void)make(bolza, {.width = kLeastCoverWidth}));
+      EXPECT_NO_THROW((void)make(bolza, {.width = kLeastBoundWidth}));
     }
     try {
       (void)make(test::gallery()[0].surface, {.width = 1e-6, .most_cells = 20});
@@ -263,16 +263,16 @@ TEST(Eccentricity, IsOfAPointStrictlyInsideOfItsTile) {
   EXPECT_THROW((void)eccentricity_net(bolza, {0, {Rational(9, 10), 0}}), SurfaceError);
 }
 
-struct Covered {
+struct Bounded {
   Surface surface;
-  CoverDocument diameter;
-  CoverDocument disk;
+  BoundDocument diameter;
+  BoundDocument disk;
 };
 
-/// Random octagons with both covers, made once.
-const std::vector<Covered>& covered_octagons() {
-  static const std::vector<Covered> all = [] {
-    std::vector<Covered> result;
+/// Random octagons with both bounds, made once.
+const std::vector<Bounded>& bounded_octagons() {
+  static const std::vector<Bounded> all = [] {
+    std::vector<Bounded> result;
     for (std::int32_t seed = 1; seed <= 12; ++seed) {
       const Surface surface = random_octagon(seed);
       result.push_back({surface, diameter(surface, {.width = 0.02}), largest_embedded_disk(surface, {.width = 0.02})});
@@ -284,8 +284,8 @@ const std::vector<Covered>& covered_octagons() {
   return all;
 }
 
-RC_GTEST_PROP(CoverProperty, NoPointOfARandomOctagonIsBeyondTheBounds, ()) {
-  const Covered& octagon = covered_octagons()[any_index(covered_octagons().size())];
+RC_GTEST_PROP(BoundProperty, NoPointOfARandomOctagonIsBeyondTheBounds, ()) {
+  const Bounded& octagon = bounded_octagons()[any_index(bounded_octagons().size())];
   for (int i = 0; i < 5; ++i) {
     const AtPoint found = at_point(octagon.surface, any_place(octagon.surface));
     RC_ASSERT(found.eccentricity.lower <= octagon.diameter.value.upper);
@@ -295,7 +295,7 @@ RC_GTEST_PROP(CoverProperty, NoPointOfARandomOctagonIsBeyondTheBounds, ()) {
 }
 
 /// The distance of two points is at most the eccentricity of either, and eccentricities differ by at most it.
-RC_GTEST_PROP(CoverProperty, EccentricitiesAndDistances, ()) {
+RC_GTEST_PROP(BoundProperty, EccentricitiesAndDistances, ()) {
   const Surface& surface = test::gallery()[any_index(7u)].surface;
   const BasePoint p = any_place(surface);
   const BasePoint q = any_place(surface);
