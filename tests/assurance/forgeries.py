@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""False certificates, one idea each, and the rule that refutes each of them in both checkers.
+"""False files, one idea each, and the rule by which both checkers refute each of them.
 
-forgeries.py check [--small] CERTIFY CERTIFY-EXACT [NAME...]: makes the files (all, or those named), asks both
-    programs, and fails unless exit code, last line and rule are those of the list, and docs/attack.md says how many
-    files there are. With --small, files of more than 100,000 bytes are left out: those that take minutes with sanitizers.
-forgeries.py list: all files, each with its idea and what both programs say, as tables.
-forgeries.py write NAME: the file, to standard output.
-forgeries.py write-all FOLDER: all files, each as NAME.json.
+forgeries.py check [--small] CERTIFY CERTIFY-EXACT [NAME...]: makes the files (all, or those named), runs both programs
+    on them, and fails unless exit code, last line and rule are as listed, and docs/attack.md states the right number of
+    files. With --small, files of more than 100,000 bytes, which take minutes with sanitizers, are left out.
+forgeries.py list: prints all files, each with its idea and the verdicts of both programs, as tables.
+forgeries.py write NAME: writes the file to standard output.
+forgeries.py write-all FOLDER: writes all files, each as NAME.json.
 
-A forgery is made from a true file of tests/data/forgeries by the function of its name, whose docstring says the
-idea, and why it is false or what it is aimed at where that is not plain. Disguises are true files that look unusual:
-they stay VERIFIED, so that no checker refutes by refusing.
+The function of a forgery makes it from a true file of tests/data/forgeries. Its docstring states the idea and, where it
+is not plain, why the file is false or what it is aimed at. Disguises are true files that look unusual: they must stay
+VERIFIED, so that a checker cannot pass by rejecting everything.
 """
 import copy
 import itertools
@@ -53,8 +53,8 @@ group = None
 
 
 def forgery(certify, exact=None, also=(), says=""):
-    """certify: how the last line begins; exact: that of certify-exact, by default the same; also: further rules that
-    are refuted, as they cannot be kept; says: a regular expression for what both say, where a rule has clauses."""
+    """certify: the beginning of the last line; exact: that of certify-exact, by default the same; also: further rules that
+    are unavoidably refuted; says: a regular expression for the messages of both, where a rule has clauses."""
     def register(function):
         entry = Entry(function, group, certify, exact, set(also), says)
         assert entry.name not in entries, entry.name
@@ -72,7 +72,7 @@ def refuted(rule, exact=None, also=(), says=""):
 
 
 def malformed(place="", exact=None):
-    """place: what certify names; that of a text that is no JSON depends on its library."""
+    """place: the place that certify names; for a text that is not JSON it depends on its library."""
     return forgery("MALFORMED" + (": " + place if place else ""), exact)
 
 
@@ -85,11 +85,11 @@ def seed(name):
 
 
 class Raw(str):
-    """A value that is written as these characters."""
+    """A value that is written literally."""
 
 
 def text(value):
-    """The bytes of a document, with Raw values as they are."""
+    """Returns the bytes of a document; Raw values are written literally."""
     tokens = []
 
     def prepared(x):
@@ -124,7 +124,7 @@ def shortest_edge(mesh):
 
 
 def to_60_digits(x, step=0, digits=60):
-    """The decimal rounded down after 60 digits, or so many, and so many units of the last one added."""
+    """Returns the decimal rounded down to 60, or `digits`, digits, plus `step` units of the last one."""
     with localcontext() as context:
         context.prec = 100
         unit = Decimal(1).scaleb(-digits)

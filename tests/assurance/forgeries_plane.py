@@ -1,4 +1,4 @@
-"""Exact geometry and surgery on net documents, in fractions: what forgeries.py makes false nets with.
+"""Exact geometry and surgery on net documents, in fractions: the tools with which forgeries.py makes false nets.
 
 A document is what json.load gives for a net file (docs/format.md) on rational tiles. Nothing here is rounded.
 """
@@ -52,7 +52,7 @@ class Isometry:
         return (self.a * z + self.b) / (self.c * z + ONE)
 
     def after(self, other):
-        """This one after the other one."""
+        """Returns the composition: first the other map, then this one."""
         return Isometry(self.a * other.a + self.b * other.c, self.a * other.b + self.b,
                         self.c * other.a + other.c, self.c * other.b + ONE)
 
@@ -67,7 +67,7 @@ IDENTITY = Isometry(ONE, ZERO, ZERO)
 
 
 def translation_to(c):
-    """z ↦ (z + c)/(1 + c̄z): what docs/format.md calls F."""
+    """Returns z ↦ (z + c)/(1 + c̄z), the map F of docs/format.md."""
     return Isometry(ONE, c, c.conjugate())
 
 
@@ -95,7 +95,7 @@ def orientation(u, v, w):
 
 
 def in_circle(p, q, r, far):
-    """Positive if far is inside of the circle through the counterclockwise p, q, r."""
+    """Positive if far is inside the circle through the counterclockwise p, q, r."""
     rows = [(z - far).re for z in (p, q, r)], [(z - far).im for z in (p, q, r)], [(z - far).norm() for z in (p, q, r)]
     (a, d, g), (b, e, h), (c, f, i) = rows
     return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
@@ -109,7 +109,7 @@ def sinh2_circumradius(p, q, r):
 
 
 def arsinh_sqrt(x, digits=100):
-    """arsinh √x as a decimal with so many digits."""
+    """Returns arsinh √x as a decimal with the given number of digits."""
     from decimal import Decimal, localcontext
     with localcontext() as context:
         context.prec = digits
@@ -213,7 +213,7 @@ class Mesh:
         return [self.corner(3 * t + i) for i in range(3)]
 
     def far_word(self, dart):
-        """The word of the far corner of the neighbour, to the tile of this triangle."""
+        """Returns the word of the neighbour's far corner, leading to the tile of this triangle."""
         other = self.opposite[dart]
         return (self.word(preceding(other)) + self.surface.inverse_word(self.word(following(other))) +
                 self.word(dart))
@@ -227,7 +227,7 @@ class Mesh:
                          self.far_corner(dart))
 
     def length(self, dart):
-        """sinh² of half of it."""
+        """Returns sinh² of half of its length."""
         return sinh2_half(self.corner(dart), self.corner(following(dart)))
 
     def is_flippable(self, dart):
@@ -239,7 +239,7 @@ class Mesh:
         return orientation(a, d, c) > 0 and orientation(d, b, c) > 0
 
     def set_triangle(self, t, vertices, words, opposite):
-        """With words to any one tile; darts are tied to their opposites on both sides."""
+        """Sets a triangle, with words that lead to any one tile; links its darts and their opposites to each other."""
         back = self.surface.inverse_word(words[0])
         self.vertex[t] = list(vertices)
         self.words[t] = [self.surface.reduced(word + back) for word in words]
@@ -272,7 +272,7 @@ class Mesh:
                     changed = True
 
     def insert(self, t, z):
-        """A vertex at z, inside of triangle t in the tile of its corner 0."""
+        """Inserts a vertex at z, inside triangle t, in the tile of its corner 0."""
         v, n = len(self.points), len(self.vertex)
         tile = self.points[self.vertex[t][0]][0]
         self.points.append((tile, z))
@@ -299,7 +299,7 @@ class Mesh:
         return result
 
     def remove(self, v):
-        """Flips edges at the vertex away until three are left, and replaces those triangles by one."""
+        """Removes a vertex: flips edges at it until three are left, and replaces its three triangles by one."""
         while len(self.star(v)) > 3:
             self.flip(next(d for d in self.star(v) if self.start(following(d)) != v and self.is_flippable(d)))
         darts = self.star(v)
@@ -324,7 +324,7 @@ class Mesh:
         self.opposite = [3 * names[d // 3] + d % 3 for t in kept for d in self.opposite[3 * t:3 * t + 3]]
 
     def write(self, epsilon=None):
-        """The document, in which every vertex has a chart of its own, and is its centre."""
+        """Returns the document, in which every vertex is the centre of a chart of its own."""
         labels, numbers, rows = [], {}, []
         for t, vertices in enumerate(self.vertex):
             row = list(vertices) + self.opposite[3 * t:3 * t + 3]
@@ -346,13 +346,13 @@ class Mesh:
     # Bounds.
 
     def sheets(self, dart, shift):
-        """By how many sheets the dart leads on, shift(side) being that of a crossing."""
+        """Returns the number of sheets by which the dart leads on; shift(side) is that of a crossing."""
         other = self.opposite[dart]
         path = self.word(dart), self.word(following(other))
         return sum(map(shift, path[0])) - sum(map(shift, path[1]))
 
     def cover(self, degree, shift):
-        """The triangles and darts of the cyclic cover: per copy of a triangle (sheet, triangle) the opposite darts."""
+        """Returns the triangles and darts of the cyclic cover: for each copy (sheet, triangle) the opposite darts."""
         n = len(self.opposite)
         opposite = []
         for sheet in range(degree):
@@ -363,7 +363,7 @@ class Mesh:
 
 
 def cycles_of(opposite):
-    """By dart the number of the cycle of darts around its start, and their number."""
+    """Returns, by dart, the number of the cycle of darts around its start; and the number of cycles."""
     number, count = [None] * len(opposite), 0
     for first in range(len(opposite)):
         if number[first] is not None:

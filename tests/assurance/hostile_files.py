@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""hostile_files.py DATA EPSNET DIRECTORY [KIND...]: writes files below 1 MB that are made to take long or much memory.
+"""hostile_files.py DATA EPSNET DIRECTORY [KIND...]: writes files below 1 MB that demand much time or memory.
 
-One file for each kind, DIRECTORY/KIND.json. DATA is tests/data, EPSNET the program. docs/format.md says what a file may
-take ("Limits"). Without kinds, all of them; their names, if DIRECTORY is "-".
+Each kind is one file, DIRECTORY/KIND.json. DATA is tests/data, EPSNET the program. docs/format.md has the limits of time
+and memory for a file ("Limits"). Without kinds, all are written; if DIRECTORY is "-", prints their names.
 """
 import cmath
 import json
@@ -38,7 +38,7 @@ def geodesics(name):
 
 
 def epsnet(*command, surface):
-    """What `epsnet COMMAND` writes for the surface that `epsnet surface SURFACE` makes."""
+    """Returns the output of `epsnet COMMAND` for the surface of `epsnet surface SURFACE`."""
     with tempfile.TemporaryDirectory() as folder:
         made, result = os.path.join(folder, "s.json"), os.path.join(folder, "r.json")
         subprocess.run([epsnet_program, "surface", *surface, "-o", made], check=True, stdout=subprocess.DEVNULL)
@@ -49,7 +49,7 @@ def epsnet(*command, surface):
 
 
 def digits(count, seed=1):
-    """A number of so many digits between 10^(count - 1) and 2 10^(count - 1), odd."""
+    """Returns an odd number of `count` digits, between 10^(count - 1) and 2 10^(count - 1)."""
     return 10 ** (count - 1) + random.Random(seed).randrange(10 ** (count - 1)) | 1
 
 
@@ -58,13 +58,13 @@ def rational(x):
 
 
 def near(x, count, seed=1):
-    """A rational of so many digits in all near the number x."""
+    """Returns a rational near the number x with the given number of digits in total."""
     denominator = digits(count // 2, seed)
     return rational(Fraction(round(Fraction(x) * denominator) | 1, denominator))
 
 
 def turns_left(points):
-    """Whether three points are counterclockwise in the hyperbolic plane, clearly."""
+    """Whether three points are counterclockwise in the hyperbolic plane, by a clear margin."""
     u, v, w = [(2 * x, 2 * y, 1 + x * x + y * y) for x, y in ((float(x), float(y)) for x, y in points)]
     return (u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) +
             u[2] * (v[0] * w[1] - v[1] * w[0])) > 1e-6
@@ -90,8 +90,8 @@ def reduced_word(sides, letters, seed=1):
 
 
 def regular_net(genus, digits_of_epsilon=12):
-    """The net of one vertex, the centre of the regular polygon, all of whose circumradii are equal; epsilon is a little
-    more than those."""
+    """Returns the net of one vertex, the centre of the regular polygon. All circumradii are equal, and epsilon is slightly
+    larger."""
     document = epsnet("net", "--epsilon", "25", surface=["regular", "--genus", str(genus)])
     getcontext().prec = digits_of_epsilon + 30
     # cosh R = cot²(π/4g), R = ln(cosh R + √(cosh² R − 1)).

@@ -1,6 +1,6 @@
 #!/bin/sh
-# hostile_test.sh CERTIFY CERTIFY-EXACT EPSNET DATA PYTHON: files below 1 MB that are made to take long or much memory
-# (hostile_files.py) get their verdict within the work that docs/format.md allows them and within 1 GB, from both checkers.
+# hostile_test.sh CERTIFY CERTIFY-EXACT EPSNET DATA PYTHON: both checkers give their verdicts on files below 1 MB that demand
+# much time or memory (hostile_files.py), within the work that docs/format.md allows and within 1 GB.
 certify=$1
 exact=$2
 epsnet=$3
@@ -34,7 +34,7 @@ expect() {
     MALFORMED*) ;;  # No work is counted.
     *) [ "${work:-99999999999}" -le 23000000000 ] || fail "$kind $*: $work units of work" ;;
   esac
-  # The second checker counts no work: minutes of processor time are beyond what a file may take.
+  # The second checker does not count work, so its processor time is limited to minutes.
   second=$(ulimit -v 1000000 && ulimit -t 300 && "$exact" "$folder/$kind.json")
   code=$?
   [ "$code" -le 3 ] || fail "$kind: certify-exact ends with $code"

@@ -11,7 +11,7 @@
 
 #include "triangulation/surface/surface.h"
 
-/// Polygons for tests, and ways to change them that leave the surface as it is.
+/// Polygons for tests, and changes to them that keep the surface.
 namespace epsnet::test {
 
 inline std::string file_text(const std::filesystem::path& path) {
@@ -52,7 +52,7 @@ inline PairedPolygon paired_polygon(const Surface& surface) {
   return polygon;
 }
 
-/// CGAL's text format, also of polygons that are not valid.
+/// Returns CGAL's text format of a polygon, which need not be valid.
 inline std::string domain_text(const PairedPolygon& polygon) {
   std::ostringstream text;
   text << polygon.partner.size() << '\n';
@@ -61,7 +61,7 @@ inline std::string domain_text(const PairedPolygon& polygon) {
   return text.str();
 }
 
-/// The polygon with side `first` as side 0.
+/// Returns the polygon with side `first` as side 0.
 inline PairedPolygon rotated(const PairedPolygon& polygon, std::uint32_t first) {
   const auto n = static_cast<std::uint32_t>(polygon.partner.size());
   PairedPolygon result;
@@ -88,11 +88,11 @@ inline rc::Gen<Isometry<Rational>> isometries() {
       });
 }
 
-/// The same surface cut differently: the triangle of the sides k and k + 1 is cut off and glued to the partner of side
-/// k.
+/// Returns the same surface cut differently: the triangle of the sides k and k + 1 is cut off and glued to the partner
+/// of side k.
 ///
-/// Requires that these two sides are not glued to each other. From a convex polygon this makes a simple one, convex or
-/// not.
+/// Requires: these two sides are not glued to each other. If the polygon is convex, the result is simple, though it
+/// need not be convex.
 inline PairedPolygon cut_and_pasted(const PairedPolygon& polygon, std::uint32_t k) {
   const PairedPolygon p = rotated(polygon, k);
   const auto n = static_cast<std::uint32_t>(p.partner.size());
@@ -123,8 +123,8 @@ inline PairedPolygon cut_and_pasted(const PairedPolygon& polygon, std::uint32_t 
   return result;
 }
 
-/// The same polygon with one more vertex on side k and one on its partner: straight angles and one more vertex of the
-/// surface.
+/// Returns the same polygon with one more vertex on side k and one on its partner. Both have straight angles, and
+/// together they are one more vertex of the surface.
 inline PairedPolygon with_vertex_on_side(const PairedPolygon& polygon, std::uint32_t k, const Rational& share) {
   const auto n = static_cast<std::uint32_t>(polygon.partner.size());
   const std::uint32_t other = polygon.partner[k];

@@ -5,8 +5,8 @@
 
 namespace epsnet::test {
 
-/// The factor by which the environment variable EPSNET_TEST_MULTIPLIER asks to scale the number of random cases; 1 if
-/// it is not set.
+/// Returns the factor for the number of random cases, from the environment variable EPSNET_TEST_MULTIPLIER; 1 if it is
+/// not set.
 inline double multiplier() {
   const char* text = std::getenv("EPSNET_TEST_MULTIPLIER");
   if (text == nullptr || *text == '\0') return 1;
@@ -16,7 +16,7 @@ inline double multiplier() {
   return value;
 }
 
-/// `count` random cases scaled by `multiplier`, at least one.
+/// Returns `count`, a number of random cases, scaled by `multiplier`; at least 1.
 inline int scaled(int count) {
   return static_cast<int>(std::fmin(1e9, std::fmax(1, std::round(count * multiplier()))));
 }

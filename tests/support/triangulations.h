@@ -27,7 +27,7 @@ struct NamedSurface {
   Surface surface;
 };
 
-/// Surfaces of genus 2 to 8, short and long systoles, made once.
+/// Returns surfaces of genus 2 to 8 with short and long systoles, which are made once.
 inline const std::deque<NamedSurface>& gallery() {
   static const std::deque<NamedSurface> surfaces = [] {
     std::deque<NamedSurface> result;
@@ -43,7 +43,7 @@ inline const std::deque<NamedSurface>& gallery() {
   return surfaces;
 }
 
-/// The same, and surfaces of several tiles with several vertices, one of them with a short cuff.
+/// Returns the gallery and surfaces of several tiles with several vertices, one of which has a short cuff.
 inline const std::deque<NamedSurface>& tiled_gallery() {
   static const std::deque<NamedSurface> surfaces = [] {
     std::deque<NamedSurface> result = gallery();
@@ -56,13 +56,13 @@ inline const std::deque<NamedSurface>& tiled_gallery() {
   return surfaces;
 }
 
-/// Any index below n.
+/// Returns a random index below n.
 template <class Index>
 [[nodiscard]] Index any_index(Index n) {
   return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<Index>(0, n));
 }
 
-/// One of the gallery.
+/// Returns a random surface of the gallery.
 inline const NamedSurface& any_surface() {
   const auto i = any_index(gallery().size());
   RC_TAG(gallery()[i].name);
@@ -75,7 +75,7 @@ inline const NamedSurface& any_tiled_surface() {
   return tiled_gallery()[i];
 }
 
-/// A number in [0, 1), of 30 bits.
+/// Returns a random number in [0, 1) of 30 bits.
 inline double any_share() { return std::ldexp(static_cast<double>(any_index<std::uint32_t>(1u << 30)), -30); }
 
 /// Gives a cuff another length and keeps its twist, as a share of the length.
@@ -84,7 +84,8 @@ inline void set_cuff_length(FenchelNielsen& coordinates, std::size_t edge, const
   coordinates.lengths[edge] = length;
 }
 
-/// Coordinates on a random graph: the lengths of the cuffs logarithmically uniform in [shortest, longest), any twists.
+/// Returns coordinates on a random graph: the lengths of the cuffs are logarithmically uniform in [shortest, longest),
+/// the twists are random.
 inline FenchelNielsen any_coordinates(std::uint32_t genus, double shortest, double longest) {
   FenchelNielsen coordinates = random_coordinates(PantsGraph::random(genus, any_index(1000u)), any_index(1000u));
   for (std::size_t edge = 0; edge < coordinates.lengths.size(); ++edge) {
@@ -93,7 +94,7 @@ inline FenchelNielsen any_coordinates(std::uint32_t genus, double shortest, doub
   return coordinates;
 }
 
-/// A path of at most `longest` crossings that starts in a tile, not always without crossings that are undone at once.
+/// Returns a random path of at most `longest` crossings that starts in a tile; it may go back across the same side.
 inline Word any_word(const Surface& surface, std::uint32_t tile, std::size_t longest) {
   Word word;
   const std::size_t length = any_index<std::size_t>(longest + 1);
@@ -105,7 +106,7 @@ inline Word any_word(const Surface& surface, std::uint32_t tile, std::size_t lon
   return word;
 }
 
-/// The tile in which a path ends.
+/// Returns the tile in which a path ends.
 inline std::uint32_t end_tile(const Surface& surface, std::uint32_t tile, const Word& word) {
   return word.empty() ? tile : surface.tile_of_side(surface.partner(word.back()));
 }
@@ -113,8 +114,8 @@ inline std::uint32_t end_tile(const Surface& surface, std::uint32_t tile, const 
 /// A triangle or an edge on the surface: vertices and the isometries between their charts.
 using Signature = std::array<std::uint32_t, 5>;
 
-/// The label from the chart of corner j of a triangle to the chart of its corner i, as a number of `reference`, an
-/// atlas with the same charts.
+/// Returns the label from the chart of corner j of a triangle to the chart of its corner i, as a label of `reference`,
+/// an atlas with the same charts.
 inline LabelId between_corners(Triangulation& triangulation, std::uint32_t t, std::uint32_t i, std::uint32_t j,
                                Atlas& reference) {
   Atlas& atlas = triangulation.atlas();
@@ -125,8 +126,8 @@ inline LabelId between_corners(Triangulation& triangulation, std::uint32_t t, st
              : reference.label(atlas.from(label), atlas.to(label), atlas.word(label));
 }
 
-/// All triangles, whatever their slots and first corners: two triangulations by the same vertices are the same if and
-/// only if these lists are equal.
+/// Returns all triangles in a form that does not depend on their slots and first corners: two triangulations with the
+/// same vertices are the same if and only if these lists are equal.
 inline std::vector<Signature> triangles_of(Triangulation& triangulation, Atlas& reference) {
   std::vector<Signature> result;
   for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
@@ -147,22 +148,22 @@ inline std::vector<Signature> triangles_of(Triangulation& triangulation) {
   return triangles_of(triangulation, triangulation.atlas());
 }
 
-/// The corner across an edge, in the chart of the edge's triangle.
+/// Returns the corner across an edge, in the chart of the edge's triangle.
 inline Corner corner_across(Triangulation& triangulation, Dart d) {
   const Dart e = triangulation.opposite(d);
   return triangulation.moved(triangulation.transition(d), triangulation.corner(previous_dart(e)));
 }
 
-/// 1 if the edge is not Delaunay, 0 if the two triangles have the same circumcircle, −1 if the edge is in every
-/// Delaunay triangulation.
+/// Returns 1 if the edge is not Delaunay, 0 if the two triangles have the same circumcircle, and −1 if the edge is in
+/// every Delaunay triangulation.
 inline int delaunay_sign(Triangulation& triangulation, Dart d) {
   const std::uint32_t t = triangle_of(d);
   return triangulation.in_circle(triangulation.corner(t, 0), triangulation.corner(t, 1), triangulation.corner(t, 2),
                                  corner_across(triangulation, d));
 }
 
-/// The edges of a Delaunay triangulation that are not ties, both directions: the edges of the Delaunay tessellation,
-/// which is unique.
+/// Returns the edges of a Delaunay triangulation that are not ties, in both directions: the edges of the Delaunay
+/// tessellation, which is unique.
 inline std::vector<Signature> tessellation_of(Triangulation& triangulation, Atlas& reference) {
   std::vector<Signature> result;
   for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
@@ -180,7 +181,7 @@ inline std::vector<Signature> tessellation_of(Triangulation& triangulation) {
   return tessellation_of(triangulation, triangulation.atlas());
 }
 
-/// The first edge that is not Delaunay, or nothing.
+/// Returns the first edge that is not Delaunay; nullopt if there is none.
 inline std::optional<Dart> not_delaunay(Triangulation& triangulation) {
   for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
     for (std::uint32_t i = 0; i < 3; ++i) {
@@ -192,7 +193,7 @@ inline std::optional<Dart> not_delaunay(Triangulation& triangulation) {
   return std::nullopt;
 }
 
-/// The two triangles beside an edge make a strictly convex quadrilateral, so that it can be flipped.
+/// Whether the two triangles beside an edge make a strictly convex quadrilateral, so that it can be flipped.
 inline bool flippable(Triangulation& triangulation, Dart d) {
   const Corner a = triangulation.corner(d);
   const Corner b = triangulation.corner(next_dart(d));
@@ -206,7 +207,7 @@ inline Dart any_dart(const Triangulation& triangulation) {
   return make_dart(i / 3, i % 3);
 }
 
-/// Everything that `undo` has to bring back.
+/// Everything that `undo` has to restore.
 struct Snapshot {
   std::vector<std::pair<Complex<double>, std::uint32_t>> vertices;
   std::vector<Triangle> triangles;
@@ -224,7 +225,8 @@ inline Snapshot snapshot(const Triangulation& triangulation) {
   return result;
 }
 
-/// A point of the surface near the coordinate z of a triangle's chart, and the label from its chart to the triangle's.
+/// Returns a point of the surface near the coordinate z of a triangle's chart, with the label from the point's chart to
+/// the triangle's.
 inline Atlas::Place place_in(Triangulation& triangulation, std::uint32_t t, const Complex<Mp256>& z) {
   const std::uint32_t chart = triangulation.chart_of(t);
   if (norm(z) <= Mp256(0.25)) {
@@ -233,7 +235,7 @@ inline Atlas::Place place_in(Triangulation& triangulation, std::uint32_t t, cons
   return triangulation.atlas().place(chart, convert<Mp1024>(z), Atlas::Precision::binary64).value();
 }
 
-/// The point of a triangle with weights w (positive) on its corners, by linear interpolation on the hyperboloid.
+/// Returns the point of a triangle with positive weights w on its corners, by linear interpolation on the hyperboloid.
 inline Atlas::Place weighted_point(Triangulation& triangulation, std::uint32_t t, const std::array<double, 3>& w) {
   Complex<Mp256> sum{};
   Mp256 height(0);
@@ -245,12 +247,12 @@ inline Atlas::Place weighted_point(Triangulation& triangulation, std::uint32_t t
     sum = sum + scale * (Mp256(2) * z);
     height += scale * (Mp256(1) + norm(z));
   }
-  // Back: (X, T) ↦ X/(T + √(T² − |X|²)).
+  // The inverse is (X, T) ↦ X/(T + √(T² − |X|²)).
   const Mp256 root = sqrt(Mp256(height * height - norm(sum)));
   return place_in(triangulation, t, Mp256(1 / (height + root)) * sum);
 }
 
-/// A random point inside of a triangle.
+/// Returns a random point inside a triangle.
 inline Atlas::Place any_point(Triangulation& triangulation, std::uint32_t t) {
   const auto weight = [] { return 0.02 + any_share(); };
   const double a = weight();
@@ -259,14 +261,14 @@ inline Atlas::Place any_point(Triangulation& triangulation, std::uint32_t t) {
   return weighted_point(triangulation, t, {a, b, c});
 }
 
-/// Makes a point the next vertex, found by the straight walk; `label` leads from its chart to the chart of triangle t.
-/// False, with nothing changed, if there is a vertex already.
+/// Makes a point the next vertex; the straight walk finds its triangle. `place.label` leads from its chart to the chart
+/// of triangle t. Returns false, with nothing changed, if there already is a vertex at the point.
 inline bool insert_by_flips(Triangulation& triangulation, std::uint32_t t, const Atlas::Place& place,
                             Journal* journal = nullptr) {
   return epsnet::insert_by_flips(triangulation, t, place, Walk::straight, kAnySteps, journal).has_value();
 }
 
-/// The Delaunay triangulation of a surface's own vertices and `points` random points more.
+/// Returns the Delaunay triangulation of a surface's own vertices and `points` random points.
 inline Triangulation any_delaunay(const Surface& surface, std::uint32_t points) {
   Triangulation triangulation(surface);
   make_delaunay(triangulation);
@@ -277,7 +279,7 @@ inline Triangulation any_delaunay(const Surface& surface, std::uint32_t points) 
   return triangulation;
 }
 
-/// The sum of the triangles' areas, by lifts to 256 bits: 4π(g − 1) if they cover the surface once.
+/// Returns the sum of the triangles' areas, by lifts with 256 bits: 4π(g − 1) if they cover the surface once.
 inline double total_area(Triangulation& triangulation) {
   double area = 0;
   for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {

@@ -6,13 +6,13 @@
 #include <type_traits>
 #include <utility>
 
-/// What the mutated copy of the checkers calls.
+/// Functions that the mutated copy of the checkers calls.
 namespace mutant {
 
 extern unsigned active;         ///< The mutant that runs; 0: none.
 extern unsigned char* reached;  ///< One byte for each mutant, not 0 if its place was reached.
 
-/// Whether this mutant runs.
+/// Whether this mutant is active; records that its place was reached.
 inline bool at(unsigned number) {
   if (reached[number] == 0) reached[number] = 1;
   return number == active;
@@ -27,7 +27,7 @@ struct Value<__gmp_expr<T, U>> {
   using type = __gmp_expr<T, T>;
 };
 
-/// What an expression gives; of one of GMP, which is computed only when it is needed, the number.
+/// Returns the value of an expression; evaluates the lazy expressions of GMP to a number.
 template <class T>
 typename Value<std::decay_t<T>>::type value(T&& x) {
   return typename Value<std::decay_t<T>>::type(std::forward<T>(x));
@@ -42,7 +42,7 @@ T at_most_one(T count) {
   return count == 0 ? 0 : 1;
 }
 
-/// A range without its first or last element if a mutant runs.
+/// A range without its first or last element if the mutant is active.
 template <class Range, bool last>
 struct Part {
   Range range;

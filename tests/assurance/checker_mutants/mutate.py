@@ -1,23 +1,24 @@
 #!/usr/bin/env python3
-"""Mutants of the checkers: every source of certify/ with all single changes at once, chosen at run time.
+"""Mutants of the checkers: a copy of every source of certify/ that contains all single changes; one is chosen at run time.
 
 mutate.py SOURCE TARGET [CLANG++]: writes to TARGET/certify a copy of SOURCE/certify in which each place that can be
-    changed asks `mutant::at(number)` whether it is to be, and the list of all changes to TARGET/mutants.json.
+    changed calls `mutant::at(number)` to learn whether it is to be changed, and writes the list of all changes to
+    TARGET/mutants.json.
 
-Places are found in the syntax tree of clang, which knows what is an expression, a condition, a statement; what is
-written in their stead is made of the text of the source. One change of a place is one mutant:
+Places are found in clang's syntax tree, which tells expressions, conditions and statements apart; their replacements
+are built from the text of the source. One change of a place is one mutant:
 
   comparison   < <= > >= == != to the negation and to the neighbours; of three-valued answers `unknown` read as an answer
   logic        && to || and back; each operand alone; ! dropped
   condition    of if and ?: and of a returned bool forced to true and to false; of a loop to false
   arithmetic   + and -, * and /, += and -=, shifts exchanged; a remainder or a unary minus dropped
   constant     literals and named constants: plus and minus 1, doubled, halved; bool literals; enumerators
-  bound        a loop ends one earlier, or omits the first or the last of a range; a parallel loop likewise
+  bound        a loop ends one step early, or omits the first or the last of a range; a parallel loop likewise
   call         exchanged for its counterpart: bounds from below and above, rounding directions, sinh and cosh, ...
   dropped      a statement that is a call or an assignment
 
-What does not bear on a verdict is left out: messages, counts, the account of work, the bits of balls (the inclusion
-principle holds for any), the writer, the programs.
+Code that cannot affect a verdict is left out: messages, counts, the account of work, the bits of balls (the inclusion
+principle holds for any number of bits), the writer, the programs.
 """
 import concurrent.futures
 import json
@@ -26,19 +27,19 @@ import re
 import subprocess
 import sys
 
-# The text that is written, and the account of work: no verdict depends on them but UNDECIDED.
+# The writers of text, and the account of work: of the verdicts only UNDECIDED depends on them.
 LEFT_OUT = ("certify/program/", "certify/exact/main.cpp", "certify/file/writer.", "certify/verdict/report.",
             "certify/numbers/budget.h", "certify/claims/least_bytes.cpp")
-# Here texts are not only messages.
+# In these files texts are more than messages.
 TEXT_MATTERS = ("certify/exact/json.", "certify/base/text.", "certify/file/reader.")
-# Functions that make a text of a file fit to be shown in a message.
+# Functions that prepare a file's text for display in a message.
 SHOWN = re.compile(r"^(in_quotes|path_in_quotes|printable(_length)?|display_name)$")
-# Statements that only give memory back, ask for it, or count work.
+# Statements that only free or reserve memory, or count work.
 NO_EFFECT = re.compile(r"(_clear|_init|^reserve|^shrink_to_fit|^spend\w*|^progress\w*|^flint_cleanup|^report_progress|^used)$")
-# What is counted, and what an estimate of work or memory is: it can only make UNDECIDED of what is decided.
+# Counts, and estimates of work or memory: a change can only turn a decided verdict into UNDECIDED.
 COUNTED = re.compile(r"(^|[.>_])(max_precision|bits_used_|counts\.\w+|triangles_beyond_64_bits|threads_?|identities)$")
 ESTIMATES = re.compile(r"^spend|_work$|^work_|(^|_)bits$|^progress|_is_feasible$|^max_exact_bits")
-# Infinity is what it is with one more. Bits of a ball: the inclusion principle holds for any precision, and a lower one only leaves more open.
+# Infinity plus one is still infinity. Bits of a ball: the inclusion principle holds for any precision, and a lower one only leaves more undecided.
 PRECISIONS = re.compile(r"^k(Infinity|\w*Precision|\w*Bits|ExactFrom\w*)$")
 
 NEIGHBOURS = {"<": ("<=", ">="), "<=": ("<", ">"), ">": (">=", "<="), ">=": (">", "<"), "==": ("!=",), "!=": ("==",)}
@@ -75,7 +76,7 @@ class Tree:
     """The changes of one file."""
 
     def __init__(self, path, text):
-        self.path, self.text = path, text  # Bytes: offsets are.
+        self.path, self.text = path, text  # Bytes, as offsets count bytes.
         self.changes = {}   # (begin, end): {replacement: (kind, what)}
         self.wraps = {}     # (begin, end): [(kind, what, form)]
         self.functions = {}
@@ -106,7 +107,7 @@ class Reader:
         self.returns = ""
         self.in_template = False
 
-    # -- where things are: clang writes a file name only where it is not that of the location written last.
+    # -- locations: clang writes a file name only where it differs from that of the previous location.
     def plain(self, place):
         if "file" in place:
             self.file = place["file"]
@@ -128,7 +129,7 @@ class Reader:
             self.visit_locations(child)
 
     def span(self, node):
-        """(tree, begin, end), or nothing if it is not in a file of certify/ or is the inside of a macro."""
+        """Returns (tree, begin, end), or None if the node is not in a file of certify/ or lies inside a macro."""
         ends = []
         for key in ("begin", "end"):
             place = node.get("range", {}).get(key, {})
@@ -203,7 +204,7 @@ class Reader:
         return node.get("type", {}).get("desugaredQualType") or node.get("type", {}).get("qualType", "")
 
     def explicit(self, node):
-        """Without what is not written."""
+        """Returns the node without the implicit nodes around it, which are not in the text."""
         while node.get("kind") in ("ImplicitCastExpr", "ExprWithCleanups", "MaterializeTemporaryExpr", "CXXBindTemporaryExpr",
                                    "ConstantExpr", "FullExpr") and self.kids(node):
             node = self.kids(node)[0]
@@ -361,7 +362,7 @@ class Reader:
             for kid in kids:
                 if kid.get("kind") == "FieldDecl":
                     if "int" in kid.get("type", {}).get("qualType", ""):
-                        continue  # Counts start from 0.
+                        continue  # Counters, which start from 0.
                     self.function = node.get("name", "?")
                     self.walk(kid)
                     self.function = outer
@@ -391,7 +392,7 @@ class Reader:
             return
         is_expression = "valueCategory" in node
         if is_expression and self.is_text(node) and not self.text_matters(node):
-            # A message. What is called in it matters no more than it does.
+            # A message. Calls inside it do not matter either.
             return
         t = self.text(node) if is_expression else None
         if t and re.fullmatch(r"(\d+ \* )?(precision|max_precision_?|cap)|std::min\([^()]*precision[^()]*\)", t):
@@ -574,7 +575,7 @@ def read(source, clang, path, texts):
 
 
 def render(tree, spans, number):
-    """The file with all its changes; `number` gives the next mutant's number for a change."""
+    """Returns the file with all its changes; `number` assigns the next mutant's number to a change."""
     text = tree.text.decode("latin-1")
 
     def line_of(at):
@@ -644,7 +645,7 @@ def render(tree, spans, number):
 
 
 def write(path, data):
-    """Only if it changes, so that what is made of it is not made again."""
+    """Writes a file only if it changes, so that nothing that depends on it is rebuilt."""
     if os.path.exists(path):
         with open(path, "rb") as file:
             if file.read() == data:
@@ -690,7 +691,7 @@ def main():
                     tree.functions.setdefault(span, name)
     for tree in trees.values():
         for span, changes in tree.changes.items():
-            # A condition forced to be true, and to be false, says more than its negation.
+            # Forcing a condition to be true, and to be false, tests more than negating it.
             if span in tree.undivided:
                 changes.clear()
             if "false" in changes:
@@ -709,7 +710,7 @@ def main():
         write(os.path.join(target, path), (b"#pragma once\n" if path.endswith(".h") else b"") + lead + body.encode("latin-1"))
     with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "mutant.h"), "rb") as file:
         write(os.path.join(target, "mutant.h"), file.read())
-    # The same change twice on a line is told apart by its number.
+    # Equal changes on one line are distinguished by a number.
     seen = {}
     for m in mutants:
         key = (m["file"], m["function"], m["line"], m["from"], m["to"])

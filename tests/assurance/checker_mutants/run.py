@@ -2,16 +2,17 @@
 """Runs the tests against the mutants of the checkers (mutate.py) until one fails.
 
 run.py FOLDER all       [OPTIONS]   all mutants that have no result yet, then the report
-run.py FOLDER again     [OPTIONS]   those that survived, with the tests of now, then the report
+run.py FOLDER again     [OPTIONS]   those that survived, with the current tests, then the report
 run.py FOLDER report    [OPTIONS]   every survivor: number, place, change; and counts by room
-run.py FOLDER mutant NUMBER         runs all tests that reach this mutant, and says which see it
+run.py FOLDER mutant NUMBER         runs all tests that reach this mutant, and names those that see it
 run.py FOLDER fresh                 forgets all results
 
 FOLDER is tests/assurance/checker_mutants in a build folder. Options: --only REGEX (file:function), --runner NAME
-(certify, nets), --seconds S (tests of one mutant in all, without mutant; default 8), --jobs N (default 2), --tests REGEX.
+(certify, nets), --seconds S (total time of the tests of one mutant, measured without it; default 8), --jobs N (default 2),
+--tests REGEX.
 
-Results are kept in FOLDER/results.json under what is changed, not its number, so that they outlive other changes of the
-sources; `reach` is found anew whenever a runner is newer.
+Results are kept in FOLDER/results.json by the text of the change, not by its number, so that they stay valid when other
+parts of the sources change; `reach` is found again whenever a runner is newer.
 """
 import argparse
 import collections
@@ -33,8 +34,9 @@ def key_of(m):
 
 
 def in_turn(tests, reached):
-    """First those that reach few mutants, to within a factor of two: they are about this place. Of the others the
-    quickest of each suite, then the second ones, and so on: files are many, and what one does not see few do."""
+    """Orders tests by the number of mutants that they reach, to within a factor of two: those that reach few are about this
+    place. Among equals come the quickest of each suite, then the second of each, and so on, as there are many similar tests
+    of files, and if one of them does not see a mutant, few others do."""
     rank = collections.Counter()
     order = []
     for test in sorted(tests):
@@ -83,11 +85,11 @@ class Folder:
             file.write("\n".join(lines) + "\n")
 
     def reach(self, runner):
-        """{mutant: [(milliseconds, test number, name)]} of the tests that pass, in the order in which they are asked."""
+        """Returns {mutant: [(milliseconds, test number, name)]} for the tests that pass, in the order in which they run."""
         program, table = self.at("mutants_" + runner), self.at(f"reach-{runner}.tsv")
         if not os.path.exists(table) or os.path.getmtime(table) < os.path.getmtime(program):
             print(f"which mutants the tests of mutants_{runner} reach", flush=True)
-            built = os.path.getmtime(program)  # Whoever builds it anew while it runs makes the table old.
+            built = os.path.getmtime(program)  # If the program is rebuilt while it runs, the table is outdated.
             with open(table + ".new", "w", encoding="utf-8") as file:
                 subprocess.run(["nice", program, self.at("files"), "--reach"], stdout=file, check=True)
             os.utime(table + ".new", (built, built))
@@ -119,8 +121,8 @@ class Runner:
 
 
 def run(folder, runner, wanted, reach, options):
-    """Those that survive."""
-    killers = collections.defaultdict(list)  # By function: the tests that killed there last.
+    """Returns the mutants that survive."""
+    killers = collections.defaultdict(list)  # By function: the tests that killed mutants there most recently.
     kills = collections.Counter()  # By file and test.
     for m in folder.mutants:
         kills[m["file"], folder.results.get(key_of(m), {}).get("test")] += 1

@@ -26,17 +26,17 @@
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 
-/// Runs the tests of this program against mutants, each in a process of its own (a fork: no start, no loading).
+/// Runs the tests of this program against mutants, each in its own process, a fork, which needs no start and no
+/// loading.
 ///
-/// runner FILES --reach: every test once without a mutant; a line for each: number, milliseconds of processor time,
-///     passed or not, name, numbers of the mutants whose places it reaches.
-/// runner FILES --run: reads lines "MUTANT TEST:MILLISECONDS...", and answers each by "MUTANT survived" or
-///     "MUTANT failed|crashed|hung TEST", the first test that sees it.
+/// runner FILES --reach: runs every test once without a mutant, and prints a line for each: number, milliseconds of
+///     processor time, whether it passed, name, numbers of the mutants whose places it reaches.
+/// runner FILES --run: reads lines "MUTANT TEST:MILLISECONDS...", and answers each with "MUTANT survived" or
+///     "MUTANT failed|crashed|hung TEST", where TEST is the first test that sees it.
 ///
-/// FILES is a folder with the false and true files of forgeries.py and the table `files.tsv`: name, what certify says,
-/// what certify-exact says, further rules, what the message says. Each file is a test of each checker; of `certify`
-/// that is three, as one that is well-formed must say the same without the filter and, if it is a net, as a compact
-/// file.
+/// FILES is a folder with the false and true files of forgeries.py and the table `files.tsv`: name, verdict of certify,
+/// verdict of certify-exact, further rules, expected message. Each file is a test of each checker. For `certify` it is
+/// up to three tests, as a well-formed file must give the same without the filter, and a net also as a compact file.
 namespace mutant {
 unsigned active = 0;
 unsigned char* reached = nullptr;
@@ -51,7 +51,7 @@ struct Shared {
   unsigned char reached[MUTANT_COUNT] = {};
 };
 Shared* shared = nullptr;
-// Tests' static objects may call the checkers before main.
+// Static objects of the tests may call the checkers before main.
 const bool ready = [] {
   shared =
       static_cast<Shared*>(mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
@@ -69,7 +69,8 @@ struct Expected {
 
 enum class Way { as_it_is, without_filter, compact };
 
-/// A net as it comes back from a compact file; anything else, and a net whose darts are not paired, as it is.
+/// Returns a net after a round trip through a compact file; other documents, and nets whose darts are not paired, are
+/// returned unchanged.
 certify::ClaimDocument through_compact(certify::ClaimDocument claim) {
   const auto* net = std::get_if<certify::NetDocument>(&claim);
   if (net == nullptr) return claim;
@@ -185,8 +186,8 @@ std::vector<std::string> test_names() {
   return names;
 }
 
-/// Every five seconds: a process that has done nothing since the last time waits for what never comes. How long a test
-/// takes on the clock says nothing, as the machine may be busy with other things.
+/// Called every five seconds: ends a process that has used no processor time since the last call, as it waits in vain.
+/// Elapsed time is not a criterion, as the machine may be busy with other work.
 void end_if_stuck(int) {
   static clock_t before = -CLOCKS_PER_SEC;
   const clock_t now = clock();
@@ -194,7 +195,7 @@ void end_if_stuck(int) {
   before = now;
 }
 
-/// Of processor time.
+/// Limits the processor time.
 void limit_time(double milliseconds) {
   itimerval timer{};
   timer.it_value.tv_sec = static_cast<time_t>(milliseconds / 1000);
@@ -206,7 +207,7 @@ void limit_time(double milliseconds) {
   setitimer(ITIMER_REAL, &watch, nullptr);
 }
 
-/// Ends the process: one failure is enough, and what a test does after it takes time.
+/// Ends the process at the first failure, which is enough; the rest of the test would only take time.
 class EndAtFailure : public testing::EmptyTestEventListener {
   void OnTestPartResult(const testing::TestPartResult& result) override {
     if (result.failed()) _exit(1);
@@ -218,7 +219,7 @@ bool passes(const std::string& name) {
   return RUN_ALL_TESTS() == 0 && testing::UnitTest::GetInstance()->test_to_run_count() == 1;
 }
 
-/// In a process of its own.
+/// Runs `body` in its own process; returns its status.
 template <class Body>
 int forked(const Body& body, rusage* usage) {
   const pid_t child = fork();

@@ -13,10 +13,10 @@
 /// Defects of documents and of their text, each chosen at random.
 namespace epsnet::attack {
 
-/// A document has nothing that a mutation could change.
+/// The document contains nothing that the mutation could change.
 struct NothingToChange {};
 
-/// The same numbers with every standard library.
+/// Random numbers that are the same with every standard library.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -41,10 +41,10 @@ struct Mutation {
   std::function<void(certify::NetDocument&, Random&)> apply;
 };
 
-/// Defects of nets: most of them for surfaces made of tiles. NothingToChange is thrown where there is nothing to
+/// Defects of nets, most of them for surfaces made of tiles. They throw NothingToChange where there is nothing to
 /// change.
 [[nodiscard]] const std::vector<Mutation>& mutations();
-/// Of regular surfaces and of pseudo nets alone.
+/// Defects of regular surfaces and of pseudo nets only.
 [[nodiscard]] const std::vector<Mutation>& regular_mutations();
 [[nodiscard]] const std::vector<Mutation>& collar_mutations();
 
@@ -52,10 +52,10 @@ struct GeodesicsMutation {
   const char* name;
   std::function<void(certify::GeodesicsDocument&, Random&)> apply;
 };
-/// Of what a geodesics file has besides its net.
+/// Defects of the parts of a geodesics file other than its net.
 [[nodiscard]] const std::vector<GeodesicsMutation>& geodesics_mutations();
 
-/// Changes bytes, tokens and numbers of a text as they are written.
+/// Defects of the text: its bytes, tokens, and the notation of numbers.
 void change_text(std::string& text, Random& random);
 
 }  // namespace epsnet::attack

@@ -5,18 +5,19 @@
 #include <utility>
 #include <vector>
 
-/// Exact numbers for the reference checker: integers, and towers of square roots over them. All that rules compare is a
-/// sign, and the sign of u + v√r is found from those of u, v and u² − v²r.
+/// Exact numbers for the reference checker: integers, and towers of square roots over them. The rules only need signs,
+/// and the sign of u + v√r follows from those of u, v and u² − v²r.
 namespace epsnet::attack {
 
-/// The question cannot be answered here.
+/// The reference cannot answer the question.
 struct Unknown {
   const char* why;
 };
 
 [[nodiscard]] inline int sign(const mpz_class& x) { return sgn(x); }
 [[nodiscard]] inline bool is_zero(const mpz_class& x) { return sgn(x) == 0; }
-/// A number in binary64 arithmetic of long double's range, and a bound of what was added up for it.
+/// A number to binary64 accuracy in the range of long double, and the sum of the moduli of its terms, which bounds its
+/// error.
 struct Estimate {
   long double value;
   long double size;
@@ -66,7 +67,7 @@ template <class B, class Radicand>
   const Estimate v = estimate(x.v);
   return {u.value + v.value * root, u.size + v.size * root};
 }
-/// Exact; numbers that are far enough from 0 are told from it in long double.
+/// The exact sign; long double decides it for numbers far enough from 0.
 template <class B, class Radicand>
 [[nodiscard]] int sign(const Root<B, Radicand>& x) {
   const Estimate e = estimate(x);

@@ -5,21 +5,21 @@
 
 #include "tests/assurance/file_mutants/reference_document.h"
 
-/// The rules of docs/format.md in exact arithmetic, written once more for every kind of surface, pseudo nets and
-/// geodesics: as short as can be, with no line of certify/, and for small files alone.
+/// A third implementation of the rules of docs/format.md, in exact arithmetic, for every kind of surface, pseudo nets
+/// and geodesics. It is as short as possible, shares no line with certify/, and is for small files only.
 ///
-/// Integers for rational tiles; for regular surfaces of genus 2, 3 and 4 towers of square roots. sinh² of lengths are
-/// enclosed by rationals; closed geodesics are compared by the sides that they cross.
+/// It uses integers for rational tiles, and towers of square roots for regular surfaces of genus 2, 3 and 4. Rationals
+/// enclose sinh² of lengths; closed geodesics are compared by the sides that they cross.
 namespace epsnet::attack {
 
 struct Answer {
   enum class Verdict { valid, invalid, malformed, unknown };
   Verdict verdict = Verdict::unknown;
-  std::string rule;  ///< Of an invalid file the first rule that is broken; else why, in a few words.
+  std::string rule;  ///< For an invalid file the first rule that is broken; otherwise the reason, in a few words.
 };
 
-/// All primitive closed geodesics of the surface of a geodesics file up to some length, and the pieces that those of
-/// length at most 2 arsinh 1 cut it into: what mutants of the file are compared with.
+/// All primitive closed geodesics up to some length on the surface of a geodesics file, and the pieces into which the
+/// small curves cut it. Mutants of the file are compared with these.
 class KnownGeodesics {
  public:
   KnownGeodesics();
@@ -35,11 +35,12 @@ class KnownGeodesics {
   Surface* surface_ = nullptr;
 };
 
-/// From a true geodesics file. Its list is believed, and on surfaces without very short curves it is first found again
-/// by running through all copies of the tiles that can be reached; throws std::runtime_error if it is another one.
+/// Takes the geodesics of a true geodesics file. On surfaces without very short curves the list is also found
+/// independently, by running through all copies of the tiles within reach; throws std::runtime_error if it differs.
+/// Elsewhere the list is trusted.
 [[nodiscard]] KnownGeodesics learn(std::string_view text);
 
-/// What the reference says of a file; of geodesics files on the surface that is known.
+/// Returns the answer of the reference for a file. For a geodesics file `known` has to be that of its surface.
 [[nodiscard]] Answer ask(std::string_view text, const KnownGeodesics* known = nullptr);
 
 }  // namespace epsnet::attack

@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-/// Files of docs/format.md as the reference checker reads them: with another library than certify, into documents of
-/// its own, and with another order of questions.
+/// The files of docs/format.md as the reference checker reads them: with a library other than that of certify, into its
+/// own documents, with checks in a different order.
 namespace epsnet::attack {
 
 using Index = std::uint32_t;
 
-/// No file of the format.
+/// A text is not a file of the format.
 struct Malformed {
   std::string why;
 };
@@ -59,7 +59,7 @@ struct NetFile {
   std::vector<Vertex> vertices;
   std::vector<Triangle> triangles;
   std::optional<std::vector<Collar>> collars;
-  // Of every side, by its number: its tile, the one after it in the tile, and the one that it is glued to.
+  // For every side, by its number: its tile, the next side of the tile, and the side that it is glued to.
   std::vector<Index> tile;
   std::vector<Index> next;
   std::vector<Index> partner;
@@ -89,7 +89,7 @@ struct GeodesicsFile {
   std::vector<Piece> pieces;
 };
 
-/// A net file or a geodesics file with a whole structure. Throws Malformed.
+/// Reads a net file or a geodesics file with a sound structure. Throws Malformed.
 struct File {
   NetFile net;
   std::optional<GeodesicsFile> geodesics;
