@@ -645,7 +645,7 @@ def word_of_a_million_and_one_letters():
 
 @malformed("labels[26]")
 def words_of_ten_million_and_two_letters():
-    """Eleven words none of which is too long, and all together are."""
+    """Eleven words, none of them too long by itself, but too long in total."""
     document = octagon()
     document["labels"] += [[0, 0, [3, 7] * 500_000]] * 10 + [[0, 0, [3, 7]]]
     return document
@@ -653,7 +653,7 @@ def words_of_ten_million_and_two_letters():
 
 @malformed("labels[0]")
 def word_that_is_no_path():
-    """A word that crosses a side of a tile in which it is not."""
+    """A word that crosses a side of a tile other than the one that it has reached."""
     document = seed("curve-of-1e-12")
     tiles = Surface(document["surface"])
     label = next(row for row in document["labels"] if row[2])
@@ -664,7 +664,7 @@ def word_that_is_no_path():
 
 @malformed("labels[0]")
 def word_that_ends_in_another_tile():
-    """A path, to a tile that is not that of the label's chart."""
+    """A path that ends in a tile other than that of the label's chart."""
     document = seed("curve-of-1e-12")
     tiles = Surface(document["surface"])
     label = next(row for row in document["labels"] if row[2])
@@ -676,7 +676,7 @@ def word_that_ends_in_another_tile():
 
 @malformed("triangles[2]")
 def identity_between_two_equal_charts():
-    """Label number 0 between two charts that are equal, but are two."""
+    """Label number 0 between two charts that are equal but have different numbers."""
     document = octagon()
     document["charts"].append(list(document["charts"][2]))
     document["vertices"][8][0] = len(document["charts"]) - 1
@@ -878,8 +878,9 @@ def corner_rounded_to_40_digits():
 
 @refuted("surface")
 def pairing_that_preserves_orientation():
-    """Neighbouring sides of an octagon of equal sides are glued, aabbccdd: a surface that is not orientable, if a
-    pairing could keep the direction of a side; as it turns it around, it is a sphere with sharp cone points."""
+    """Neighbouring sides of an octagon of equal sides are glued, aabbccdd. If a pairing could keep the direction of
+    a side, the surface would not be orientable; as every pairing reverses it, the surface is a sphere with
+    sharp cone points."""
     document = symmetric_net()
     document["surface"]["gluing"] = [[0, k, 0, k + 1] for k in range(0, 8, 2)]
     return document
@@ -1106,7 +1107,7 @@ def two_vertices_under_one_name():
 
 @refuted("map", says="vertex 9")
 def vertex_in_no_triangle():
-    """A further vertex, which covers whatever it covers, in no triangle."""
+    """One more vertex, which is in no triangle."""
     document = octagon()
     document["vertices"].append([0, 0.3, 0.3])
     return document
@@ -1133,7 +1134,7 @@ def opposite_of_another_edge():
 
 @refuted("map")
 def edges_of_other_vertices_glued():
-    """Two edges exchange their other sides, which join other vertices."""
+    """Two edges exchange their opposite darts, which join other vertices."""
     document = octagon()
     o = [d for row in document["triangles"] for d in row[3:6]]
     a, b = o[0], o[7]
@@ -1321,7 +1322,8 @@ def pairing_of_another_surface():
 
 @refuted("gluing", exact=LEFT, also=["orientation", "delaunay", "covering", "packing"])
 def label_of_a_regular_surface():
-    """One letter of one word of a net on the regular surface is the next one, which all symmetries make its equal."""
+    """One letter of one word of a net on the regular surface is replaced by the next side, which the symmetries do
+    not distinguish from it."""
     return with_word(seed("regular-of-one-vertex"), lambda word: [(word[0] + 1) % 8] + word[1:])
 
 
@@ -1731,7 +1733,7 @@ def narrow_collar_as_a_net():
 
 @refuted("packing", exact=LEFT)
 def epsilon_more_than_the_edges_of_a_regular_surface():
-    """A net of the regular surface with an ε between its shortest edge and that and 10⁻¹⁵."""
+    """A net of the regular surface whose ε exceeds its shortest edge by less than 10⁻¹⁵."""
     return with_(seed("regular"), epsilon="1.52857091948099")
 
 
@@ -1910,7 +1912,7 @@ def collar_where_there_is_none():
 
 @refuted("covering", exact=LEFT, also=["packing", "thick"])
 def collar_left_out():
-    """One of two collars is not said to be one."""
+    """One of two collars is not listed."""
     document = collars()
     document["collars"].pop()
     return document
@@ -2143,7 +2145,7 @@ def systole_that_is_the_second():
 
 @refuted("complete", exact=LEFT)
 def systole_run_through_twice():
-    """The square of the systole is said to be it."""
+    """The square of the systole is said to be the systole."""
     document = seed("systole")
     row = document["geodesics"][0]
     row["word"] *= 2
@@ -2446,7 +2448,7 @@ def diameter_without_a_cell():
 
 @malformed("cells[1]", exact=LEFT)
 def diameter_with_a_cell_too_many():
-    """A cell more than the cuts make."""
+    """One cell more than the cuts make."""
     document = bound_file("octagon-diameter")
     document["cells"][1].append(3)
     return document
@@ -2522,7 +2524,7 @@ def embedded_disk_of_radius_nothing():
 
 @malformed("claim", exact=LEFT)
 def bound_with_another_claim():
-    """The claim is one that there is not."""
+    """A claim that does not exist."""
     return with_(bound_file("regular-diameter"), claim="girth")
 
 
@@ -2875,7 +2877,7 @@ def core_inverted():
 
 @disguise(LEFT)
 def enclosures_made_wide():
-    """The lengths of cores and all that is true of them between 0 and 0.3."""
+    """The lengths of cores are enclosed by the wide but true interval from 0 to 0.3."""
     return collars((0, "length", [0, 0.3]), (1, "length", [0, 0.3]))
 
 
