@@ -3,9 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "certify/base/interval.h"
 #include "certify/base/text.h"
-#include "certify/net/surface_sides.h"
 
 namespace epsnet::certify {
 namespace {
@@ -15,6 +13,11 @@ using Problem = std::optional<std::string>;
 std::string out_of_range(const char* what, std::size_t index, std::size_t size) {
   return std::string(what) + " " + std::to_string(index) + " does not exist, expected less than " +
          std::to_string(size);
+}
+
+std::uint64_t digits(const mpq_class& x) {
+  const std::uint64_t numerator = mpz_sizeinbase(x.get_num_mpz_t(), 10);
+  return x.get_den() == 1 ? numerator : numerator + mpz_sizeinbase(x.get_den_mpz_t(), 10);
 }
 
 /// x² + y² < 1, exactly. The binary64 sum is within 2⁻⁵⁰ of the true one while that is at most 2, and above 1 where it
@@ -67,24 +70,6 @@ Problem regular_problem(const SurfaceDocument& surface) {
   return std::nullopt;
 }
 
-/// What is wrong with a word that should lead from one tile to another.
-Problem word_problem(const SurfaceSides& sides, const std::vector<std::uint32_t>& word, std::uint32_t from,
-                     std::uint32_t to, const std::string& target) {
-  std::uint32_t tile = from;
-  for (std::size_t letter = 0; letter < word.size(); ++letter) {
-    const std::uint32_t side = word[letter];
-    if (side >= sides.partner.size()) return out_of_range("side", side, sides.partner.size());
-    if (sides.tile[side] != tile) {
-      return "letter " + std::to_string(letter) + " is side " + std::to_string(side) + " of tile " +
-             std::to_string(sides.tile[side]) + ", expected a side of tile " + std::to_string(tile);
-    }
-    tile = sides.tile[sides.partner[side]];
-  }
-  if (tile == to) return std::nullopt;
-  return "the word ends in tile " + std::to_string(tile) + ", expected the tile " + std::to_string(to) + " of " +
-         target;
-}
-
 Problem label_problem(const NetDocument& document, const SurfaceSides& sides) {
   for (std::size_t row = 0; row < document.labels.size(); ++row) {
     const NetDocument::Label& label = document.labels[row];
@@ -112,10 +97,9 @@ Problem collar_problem(const NetDocument& document, const SurfaceSides& sides) {
       if (t >= document.triangles.size())
         return at("collars", row) + out_of_range("triangle", t, document.triangles.size());
     }
-    const auto [least, most] = collar.length;
-    if (!(std::isfinite(most) && 0 <= least && least <= most)) {
-      return at("collars", row) + "the length " + to_string(Interval{least, most}) +
-             " is not an interval of numbers >= 0";
+    const Interval length{collar.length[0], collar.length[1]};
+    if (!is_length(length)) {
+      return at("collars", row) + "the length " + to_string(length) + " is not an interval of numbers >= 0";
     }
     const std::uint32_t v = collar.vertices[0];
     const std::uint32_t tile = document.charts[document.vertices[v].chart].tile;
@@ -201,6 +185,57 @@ Problem structure_problem(const NetDocument& document) {
   }
   if (auto problem = triangle_problem(document)) return problem;
   return document.collars ? collar_problem(document, sides) : std::nullopt;
+}
+
+Problem whole_net_problem(const NetDocument& net) {
+  if (auto problem = structure_problem(net)) return problem;
+  if (net.collars) return "net: collars, a pseudo net; expected a net of the whole surface";
+  return std::nullopt;
+}
+
+Problem one_vertex_problem(const NetDocument& net) {
+  if (auto problem = whole_net_problem(net)) return problem;
+  if (net.vertices.size() == 1) return std::nullopt;
+  return "net: " + std::to_string(net.vertices.size()) + " vertices, expected one";
+}
+
+Problem word_problem(const SurfaceSides& sides, const std::vector<std::uint32_t>& word, std::uint32_t from,
+                     std::uint32_t to, const std::string& target) {
+  std::uint32_t tile = from;
+  for (std::size_t letter = 0; letter < word.size(); ++letter) {
+    const std::uint32_t side = word[letter];
+    if (side >= sides.partner.size()) return out_of_range("side", side, sides.partner.size());
+    if (sides.tile[side] != tile) {
+      return "letter " + std::to_string(letter) + " is side " + std::to_string(side) + " of tile " +
+             std::to_string(sides.tile[side]) + ", expected a side of tile " + std::to_string(tile);
+    }
+    tile = sides.tile[sides.partner[side]];
+  }
+  if (tile == to) return std::nullopt;
+  return "the word ends in tile " + std::to_string(tile) + ", expected the tile " + std::to_string(to) + " of " +
+         target;
+}
+
+bool is_length(Interval x) { return std::isfinite(x.upper) && 0 <= x.lower && x.lower <= x.upper; }
+
+std::uint64_t least_bytes(const RationalPoint& point) { return digits(point.x) + digits(point.y); }
+
+/// A letter and its comma.
+std::uint64_t least_bytes(const std::vector<std::uint32_t>& word) { return 2 * word.size(); }
+
+std::uint64_t least_bytes(const NetDocument& document) {
+  std::uint64_t bytes = document.epsilon.size();
+  for (const SurfaceDocument::Tile& tile : document.surface.tiles) {
+    for (const RationalPoint& vertex : tile) bytes += 8 + least_bytes(vertex);
+  }
+  bytes += 10 * document.surface.gluing.size();
+  for (const NetDocument::Chart& chart : document.charts) bytes += 10 + least_bytes(chart.centre);
+  for (const NetDocument::Label& label : document.labels) bytes += 9 + least_bytes(label.word);
+  bytes += 8 * document.vertices.size() + 18 * document.triangles.size();
+  if (document.collars) {
+    for (const NetDocument::Collar& collar : *document.collars) bytes += 64 + least_bytes(collar.core);
+  }
+  return bytes;
 }
 
 }  // namespace epsnet::certify

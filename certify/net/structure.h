@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "certify/base/interval.h"
 #include "certify/net/document.h"
+#include "certify/net/surface_sides.h"
 
 /// What a document must satisfy before any rule of check.h makes sense: indices point somewhere, every side is glued
 /// once, words compose, labels are used in the charts they belong to, coordinates are finite and inside the disk.
@@ -27,5 +31,26 @@ inline constexpr std::size_t kMaxAboutBytes = std::size_t{1} << 20;
 
 /// As above, for the whole document.
 [[nodiscard]] std::optional<std::string> structure_problem(const NetDocument& document);
+
+/// About the least number of bytes of a file with this content (docs/format.md, "Limits"): of a net, a point, a word.
+[[nodiscard]] std::uint64_t least_bytes(const NetDocument& document);
+[[nodiscard]] std::uint64_t least_bytes(const RationalPoint& point);
+[[nodiscard]] std::uint64_t least_bytes(const std::vector<std::uint32_t>& word);
+
+// What claims ask of their own members.
+
+/// As structure_problem, for the net of a claim about the whole surface: it has no collars either.
+[[nodiscard]] std::optional<std::string> whole_net_problem(const NetDocument& net);
+
+/// As whole_net_problem, for a claim about the one vertex of the net.
+[[nodiscard]] std::optional<std::string> one_vertex_problem(const NetDocument& net);
+
+/// What is wrong with a word that should lead from one tile to another, that of `target`. Requires: sides of a surface
+/// without problem.
+[[nodiscard]] std::optional<std::string> word_problem(const SurfaceSides& sides, const std::vector<std::uint32_t>& word,
+                                                      std::uint32_t from, std::uint32_t to, const std::string& target);
+
+/// Whether both ends are finite, not negative, and in order.
+[[nodiscard]] bool is_length(Interval x);
 
 }  // namespace epsnet::certify

@@ -4,9 +4,9 @@
 #include <random>
 
 #include "certify/claims/geodesics/check.h"
-#include "certify/claims/least_bytes.h"
 #include "certify/claims/net/check.h"
 #include "certify/file/reader.h"
+#include "certify/net/structure.h"
 
 /// The work that a file may take: counted, the same for any number of threads, and never exceeded.
 namespace epsnet::certify {

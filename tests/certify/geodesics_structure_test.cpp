@@ -44,9 +44,9 @@ TEST(GeodesicsStructure, TrueFilesHaveIt) {
 TEST(GeodesicsStructure, AWordEndsInTheTileWhereItStarts) {
   GeodesicsDocument document = three_cuffs();
   document.geodesics[0].word = {1};  // To the other pair of pants.
-  expect_malformed(document, "geodesics[0]: the word ends in tile 1, expected the tile where it starts, 0");
+  expect_malformed(document, "geodesics[0]: the word ends in tile 1, expected the tile 0 of vertex ");
   document.geodesics[0].word = {1, 1};
-  expect_malformed(document, "geodesics[0]: letter 1 of the word, 1, is no side of tile 1");
+  expect_malformed(document, "geodesics[0]: letter 1 is side 1 of tile 0, expected a side of tile 1");
 }
 
 TEST(GeodesicsStructure, ASystoleHasNothingOfAList) {
@@ -146,8 +146,7 @@ TEST(GeodesicsStructure, LettersAreSidesOfTheTileWhereTheyAre) {
     }
     for (const std::uint32_t side : {size, size + 1, ~0U}) {
       document.geodesics[1].word = {side};
-      expect_malformed(document,
-                       "geodesics[1]: letter 0 of the word, " + std::to_string(side) + ", is no side of tile");
+      expect_malformed(document, "geodesics[1]: side " + std::to_string(side) + " does not exist");
     }
   }
 }

@@ -12,7 +12,7 @@
 #include "certify/claims/distance/check.h"
 #include "certify/claims/geodesics/check.h"
 #include "certify/claims/net/check.h"
-#include "certify/claims/net/verify.h"
+#include "certify/claims/net/claim.h"
 #include "certify/file/reader.h"
 #include "certify/net/structure.h"
 
@@ -105,7 +105,7 @@ std::string line_of(const NetDocument& document, const std::function<void(Verifi
                     const CheckOptions& options = {.threads = 1}) {
   RuleNames rules = rules_of(document);
   rules.insert(rules.end(), {"a", "b"});
-  const NetClaim claim{document, "a claim", rules, [&](Verification& run, const Crossings&) { ask(run); }};
+  const Claim claim{document, "a claim", rules, [&](Verification& run, const Crossings&) { ask(run); }};
   const Certificate certificate = verify(claim, 1, options);
   EXPECT_EQ(certificate.claim, "a claim");
   return verdict_line(certificate);

@@ -11,9 +11,8 @@
 #include "certify/claims/bound/element.h"
 #include "certify/claims/bound/structure.h"
 #include "certify/claims/bound/triangles.h"
-#include "certify/claims/least_bytes.h"
 #include "certify/claims/net/check.h"
-#include "certify/claims/net/verify.h"
+#include "certify/claims/net/claim.h"
 #include "certify/lifted/lorentz.h"
 #include "certify/net/darts.h"
 #include "certify/net/label_evaluator.h"
@@ -449,7 +448,7 @@ std::string text_of(const BoundDocument& document) {
   return what + " lies in " + to_string(document.value);
 }
 
-NetClaim claim_of(const BoundDocument& document) {
+Claim claim_of(const BoundDocument& document) {
   const auto ask = [&](Verification& run, Crossings crossings) {
     BoundCheck(document, run, std::move(crossings)).ask();
   };
@@ -459,10 +458,8 @@ NetClaim claim_of(const BoundDocument& document) {
 }  // namespace
 
 RuleNames rules_of(const BoundDocument& document) {
-  RuleNames rules = rules_of(document.net);
   const char* const at_vertex = document.claim == BoundDocument::Claim::radius ? "upper" : "lower";
-  rules.insert(rules.end(), {at_vertex, "triangulations", "cells"});
-  return rules;
+  return with_net_rules(document.net, {at_vertex, "triangulations", "cells"});
 }
 
 Certificate check_bound(const BoundDocument& document, const CheckOptions& options) {

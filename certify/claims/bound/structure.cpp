@@ -1,26 +1,11 @@
 #include "certify/claims/bound/structure.h"
 
-#include <cmath>
-
-#include "certify/base/text.h"
 #include "certify/net/structure.h"
 
 namespace epsnet::certify {
 namespace {
 
 using Problem = std::optional<std::string>;
-
-Problem net_problem(const NetDocument& net) {
-  if (auto problem = structure_problem(net)) return problem;
-  if (net.collars) return "net: collars, a pseudo net; expected a net of the whole surface";
-  if (net.vertices.size() == 1) return std::nullopt;
-  return "net: " + std::to_string(net.vertices.size()) + " vertices, expected one";
-}
-
-Problem value_problem(Interval value) {
-  if (std::isfinite(value.upper) && 0 < value.lower && value.lower <= value.upper) return std::nullopt;
-  return "value: " + to_string(value) + " is not 0 < lo <= hi";
-}
 
 Problem triangulations_problem(const BoundDocument& document) {
   const std::size_t darts = 3 * document.net.triangles.size();
@@ -66,10 +51,19 @@ Problem cells_problem(const BoundDocument& document) {
 }  // namespace
 
 Problem structure_problem(const BoundDocument& document) {
-  if (auto problem = net_problem(document.net)) return problem;
-  if (auto problem = value_problem(document.value)) return problem;
+  if (auto problem = one_vertex_problem(document.net)) return problem;
+  if (!is_length(document.value) || document.value.lower == 0) {
+    return "value: " + to_string(document.value) + " is not 0 < lo <= hi";
+  }
   if (auto problem = triangulations_problem(document)) return problem;
   return cells_problem(document);
+}
+
+std::uint64_t least_bytes(const BoundDocument& document) {
+  std::uint64_t bytes = least_bytes(document.net);
+  for (const BoundDocument::Triangulation& row : document.triangulations) bytes += 4 + least_bytes(row.flips);
+  for (const std::vector<std::uint32_t>& row : document.cells) bytes += 2 + least_bytes(row);
+  return bytes;
 }
 
 }  // namespace epsnet::certify

@@ -1,7 +1,6 @@
 #include "certify/claims/distance/check.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -9,13 +8,13 @@
 #include "certify/base/decimals.h"
 #include "certify/base/text.h"
 #include "certify/claims/distance/structure.h"
-#include "certify/claims/least_bytes.h"
 #include "certify/claims/net/check.h"
-#include "certify/claims/net/verify.h"
+#include "certify/claims/net/claim.h"
 #include "certify/lifted/interval_index.h"
 #include "certify/lifted/lifted_plane.h"
 #include "certify/net/darts.h"
 #include "certify/numbers/precision.h"
+#include "certify/verdict/open_rules.h"
 
 namespace epsnet::certify {
 namespace {
@@ -96,8 +95,9 @@ struct ExactLength {
   Real denominator;
 };
 
-enum Rule : std::size_t { kPaths, kEqual, kNearest };
-constexpr std::array<const char*, 3> kRuleNames{"paths", "equal", "nearest"};
+constexpr const char* kPaths = "paths";
+constexpr const char* kEqual = "equal";
+constexpr const char* kNearest = "nearest";
 
 class DistanceCheck {
  public:
@@ -108,40 +108,31 @@ class DistanceCheck {
         net_(extended(document)),
         parts_(label_parts(std::move(crossings), net_.charts, run.budget())),
         evaluator_(net_, parts_),
-        point_(exact_point_within(document.point.z, run.budget())) {
-    for (const char* rule : kRuleNames) reports_.push_back({rule, Verdict::undecided, "not decided"});
-  }
+        point_(exact_point_within(document.point.z, run.budget())) {}
 
-  std::vector<RuleReport> run() {
+  void ask(Verification& run) {
     try {
       with_rising_precision(options_.max_precision, [&](slong precision) {
         precision_ = precision;
         pass();
         return verdict(kPaths) == Verdict::refuted || (!open(kPaths) && !open(kNearest));
       });
-      // Nothing can be said about a list whose elements are wrong.
       if (verdict(kPaths) == Verdict::refuted) {
-        reports_.resize(1);
+        rules_.keep_first();
       } else {
         check_equal();
       }
     } catch (const BudgetSpent& spent) {
-      for (RuleReport& report : reports_) {
-        if (report.verdict == Verdict::undecided) report.text = spent.what();
-      }
+      rules_.give_up(spent.what());
     }
-    return std::move(reports_);
+    rules_.conclude(run);
+    run.used(static_cast<std::uint64_t>(precision_));
   }
-
-  [[nodiscard]] std::uint64_t max_precision_used() const { return static_cast<std::uint64_t>(precision_); }
 
  private:
-  [[nodiscard]] Verdict verdict(Rule rule) const { return reports_[rule].verdict; }
-  [[nodiscard]] bool open(Rule rule) const { return verdict(rule) == Verdict::undecided; }
-  void report(Rule rule, Verdict verdict, std::string text) {
-    reports_[rule].verdict = verdict;
-    reports_[rule].text = std::move(text);
-  }
+  [[nodiscard]] Verdict verdict(const char* rule) const { return rules_.verdict(rule); }
+  [[nodiscard]] bool open(const char* rule) const { return rules_.open(rule); }
+  void report(const char* rule, Verdict verdict, std::string text) { rules_.report({rule, verdict, std::move(text)}); }
   [[nodiscard]] std::string bits() const { return std::to_string(precision_) + " bits"; }
 
   /// The label number of a path's word, W, which takes p to a lift in the disk of q's tile.
@@ -165,7 +156,7 @@ class DistanceCheck {
 
   /// All open rules at one precision.
   void pass() {
-    if (options_.progress) options_.progress(reports_[open(kPaths) ? kPaths : kNearest].rule, 0);
+    if (options_.progress) options_.progress(open(kPaths) ? kPaths : kNearest, 0);
     const LiftedPlane plane(net_, evaluator_, parts_, precision_, options_.max_precision, threads_);
     const NetDocument::Vertex& vertex = net_.vertices[0];
     const BallVector start = certify::unit_vector(identity_isometry(), vertex.x, vertex.y, precision_);
@@ -276,8 +267,8 @@ class DistanceCheck {
             return false;
           }
           if (different && lengths_decided_) {
-            reports_[kPaths].text =
-                path_name(i) + ": not decided whether it is " + path_name(other) + " again, with " + bits();
+            rules_.doubt(kPaths,
+                         path_name(i) + ": not decided whether it is " + path_name(other) + " again, with " + bits());
           }
           different = false;
         }
@@ -370,7 +361,7 @@ class DistanceCheck {
       }
     }
     if (undecided) {
-      reports_[kNearest].text = *undecided;
+      rules_.doubt(kNearest, *undecided);
     } else {
       report(kNearest, Verdict::verified,
              "no path of length at most " + decimal_below(document_.distance.upper) + " is missing");
@@ -395,7 +386,7 @@ class DistanceCheck {
   LabelParts parts_;
   LabelEvaluator evaluator_;
   ExactPoint point_;  ///< q.
-  std::vector<RuleReport> reports_;
+  OpenRules rules_{{kPaths, kEqual, kNearest}};
   bool lengths_decided_ = false;
   slong precision_ = 64;
 };
@@ -422,11 +413,9 @@ std::string text_of(const DistanceDocument& document) {
               : "the " + count + " paths listed are all of length at most " + decimal_below(document.distance.upper));
 }
 
-NetClaim claim_of(const DistanceDocument& document) {
+Claim claim_of(const DistanceDocument& document) {
   const auto ask = [&](Verification& run, Crossings crossings) {
-    DistanceCheck distance(document, run, std::move(crossings));
-    for (RuleReport& report : distance.run()) run.report(std::move(report));
-    run.used(distance.max_precision_used());
+    DistanceCheck(document, run, std::move(crossings)).ask(run);
   };
   return {document.net, text_of(document), rules_of(document), ask};
 }
@@ -434,9 +423,7 @@ NetClaim claim_of(const DistanceDocument& document) {
 }  // namespace
 
 RuleNames rules_of(const DistanceDocument& document) {
-  RuleNames rules = rules_of(document.net);
-  rules.insert(rules.end(), kRuleNames.begin(), kRuleNames.end());
-  return rules;
+  return with_net_rules(document.net, {kPaths, kEqual, kNearest});
 }
 
 Certificate check_distance(const DistanceDocument& document, const CheckOptions& options) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -13,5 +14,8 @@ namespace epsnet::certify {
 ///
 /// The first problem; nullopt if there is none. Exact, O(size of the document).
 [[nodiscard]] std::optional<std::string> structure_problem(const DistanceDocument& document);
+
+/// About the least number of bytes of a file with this content (docs/format.md, "Limits").
+[[nodiscard]] std::uint64_t least_bytes(const DistanceDocument& document);
 
 }  // namespace epsnet::certify

@@ -1,7 +1,6 @@
 #include "certify/claims/geodesics/check.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <utility>
 
@@ -12,11 +11,11 @@
 #include "certify/claims/geodesics/exact_traces.h"
 #include "certify/claims/geodesics/list_rules.h"
 #include "certify/claims/geodesics/structure.h"
-#include "certify/claims/least_bytes.h"
 #include "certify/claims/net/check.h"
-#include "certify/claims/net/verify.h"
+#include "certify/claims/net/claim.h"
 #include "certify/numbers/parallel.h"
 #include "certify/numbers/precision.h"
+#include "certify/verdict/open_rules.h"
 
 namespace epsnet::certify {
 namespace {
@@ -40,14 +39,19 @@ NetDocument extended(const GeodesicsDocument& document) {
   return net;
 }
 
-enum Rule : std::size_t { kGeodesics, kDistinct, kSimple, kEqual, kComplete, kPieces };
-constexpr std::array kRules{kGeodesics, kDistinct, kSimple, kEqual, kComplete, kPieces};
-constexpr std::array<const char*, 6> kRuleNames{"geodesics", "distinct", "simple", "equal", "complete", "pieces"};
+constexpr const char* kGeodesics = "geodesics";
+constexpr const char* kDistinct = "distinct";
+constexpr const char* kSimple = "simple";
+constexpr const char* kEqual = "equal";
+constexpr const char* kComplete = "complete";
+constexpr const char* kPieces = "pieces";
 
-/// Whether a claim needs a rule.
-bool is_needed(Rule rule, GeodesicsDocument::Claim claim) {
-  if (rule == kPieces) return claim == GeodesicsDocument::Claim::thick_thin;
-  return claim != GeodesicsDocument::Claim::systole || (rule != kDistinct && rule != kEqual);
+/// The rules of a claim after those of the net.
+RuleNames own_rules(GeodesicsDocument::Claim claim) {
+  if (claim == GeodesicsDocument::Claim::systole) return {kGeodesics, kSimple, kComplete};
+  RuleNames rules{kGeodesics, kDistinct, kSimple, kEqual, kComplete};
+  if (claim == GeodesicsDocument::Claim::thick_thin) rules.emplace_back(kPieces);
+  return rules;
 }
 
 class GeodesicsCheck {
@@ -62,36 +66,27 @@ class GeodesicsCheck {
         first_darts_(first_darts(net_)),
         elements_(document.geodesics.size()),
         traces_(evaluator_),
-        completeness_(document, evaluator_, options_) {
+        completeness_(document, evaluator_, options_),
+        rules_(own_rules(document.claim)) {
     std::iota(elements_.begin(), elements_.end(), static_cast<std::uint32_t>(document.net.labels.size()) + 1);
-    for (const char* rule : kRuleNames) reports_.push_back({rule, Verdict::undecided, "not decided"});
   }
 
-  /// The reports of the rules that the claim needs.
-  std::vector<RuleReport> run() {
+  void ask(Verification& run) {
     try {
       with_rising_precision(options_.max_precision, [&](slong precision) {
         precision_ = precision;
         pass(precision);
         return verdict(kGeodesics) == Verdict::refuted || all_decided();
       });
-      // Nothing can be said about a list whose elements are wrong.
-      if (verdict(kGeodesics) == Verdict::refuted) {
-        reports_.resize(1);
-        return std::move(reports_);
-      }
+      if (verdict(kGeodesics) == Verdict::refuted) rules_.keep_first();
     } catch (const BudgetSpent& spent) {
-      for (RuleReport& report : reports_) {
-        if (report.verdict == Verdict::undecided) report.text = spent.what();
-      }
+      rules_.give_up(spent.what());
     }
-    std::vector<RuleReport> result;
-    for (const Rule rule : kRules) {
-      if (needed(rule)) result.push_back(std::move(reports_[rule]));
-    }
-    return result;
+    rules_.conclude(run);
+    run.certificate().geodesics = counts();
   }
 
+ private:
   [[nodiscard]] GeodesicsCounts counts() const {
     return {.geodesics = document_.geodesics.size(),
             .lifted_triangles = completeness_.visits(),
@@ -100,27 +95,21 @@ class GeodesicsCheck {
             .max_precision_used = static_cast<std::uint64_t>(precision_)};
   }
 
- private:
-  [[nodiscard]] Verdict verdict(Rule rule) const { return reports_[rule].verdict; }
-  [[nodiscard]] bool open(Rule rule) const { return needed(rule) && verdict(rule) == Verdict::undecided; }
-
-  [[nodiscard]] bool needed(Rule rule) const { return is_needed(rule, document_.claim); }
+  [[nodiscard]] Verdict verdict(const char* rule) const { return rules_.verdict(rule); }
+  [[nodiscard]] bool open(const char* rule) const { return rules_.open(rule); }
 
   /// Whether more bits can change nothing.
   [[nodiscard]] bool all_decided() const {
-    for (const Rule rule : {kGeodesics, kDistinct, kSimple, kPieces}) {
+    for (const char* rule : {kGeodesics, kDistinct, kSimple, kPieces}) {
       if (open(rule)) return verdict(kSimple) == Verdict::refuted || verdict(kDistinct) == Verdict::refuted;
     }
     return !open(kComplete) || completeness_.limit_reached();
   }
 
-  void report(Rule rule, Verdict verdict, std::string text) {
-    reports_[rule].verdict = verdict;
-    reports_[rule].text = std::move(text);
-  }
+  void report(const char* rule, Verdict verdict, std::string text) { rules_.report({rule, verdict, std::move(text)}); }
 
-  void progress(Rule rule) const {
-    if (options_.progress) options_.progress(reports_[rule].rule, 0);
+  void progress(const char* rule) const {
+    if (options_.progress) options_.progress(rule, 0);
   }
 
   /// All open rules at one precision.
@@ -134,8 +123,8 @@ class GeodesicsCheck {
     for (std::size_t i = 0; i < elements_.size(); ++i) members.push_back({first_dart(i), element(plane, i)});
     const ChordTable table(plane, std::move(members), threads_);
     if (!table.complete()) {
-      for (const Rule rule : {kDistinct, kSimple, kComplete, kPieces}) {
-        if (open(rule)) reports_[rule].text = "not decided which triangles the geodesics meet, with " + bits();
+      for (const char* rule : {kDistinct, kSimple, kComplete, kPieces}) {
+        rules_.doubt(rule, "not decided which triangles the geodesics meet, with " + bits());
       }
       return;
     }
@@ -144,7 +133,7 @@ class GeodesicsCheck {
     if (verdict(kDistinct) == Verdict::refuted || verdict(kSimple) == Verdict::refuted) return;
     if (open(kComplete)) {
       progress(kComplete);
-      reports_[kComplete] = completeness_.check(plane, table, threads_);
+      rules_.report(completeness_.check(plane, table, threads_));
     }
     if (open(kPieces) && verdict(kSimple) == Verdict::verified && verdict(kDistinct) == Verdict::verified) {
       check_pieces(plane, table);
@@ -236,7 +225,7 @@ class GeodesicsCheck {
     std::vector<ChordTable::Match> matches(table.size());
     for_each_parallel(table.size(), threads_,
                       [&](unsigned, std::size_t i) { matches[i] = table.find_other(static_cast<std::uint32_t>(i)); });
-    reports_[kDistinct] = distinct_report(matches, precision_);
+    rules_.report(distinct_report(matches, precision_));
   }
 
   void check_simple(const ChordTable& table) {
@@ -246,7 +235,7 @@ class GeodesicsCheck {
       const auto geodesic = static_cast<std::uint32_t>(i);
       meetings[i] = {table.crosses_itself(geodesic), disjoint ? table.crosses_another(geodesic) : Tri::no};
     });
-    reports_[kSimple] = simple_report(document_.geodesics, meetings, disjoint, precision_);
+    rules_.report(simple_report(document_.geodesics, meetings, disjoint, precision_));
   }
 
   // Rule pieces.
@@ -254,7 +243,7 @@ class GeodesicsCheck {
   void check_pieces(const LiftedPlane& plane, const ChordTable& table) {
     const auto found = cut_surface(plane, evaluator_, table, elements_);
     if (!found) {
-      reports_[kPieces].text = "not decided how the geodesics cut the triangles, with " + bits();
+      rules_.doubt(kPieces, "not decided how the geodesics cut the triangles, with " + bits());
       return;
     }
     const auto boundaries = [](const GeodesicsDocument::Piece& x, const GeodesicsDocument::Piece& y) {
@@ -291,7 +280,7 @@ class GeodesicsCheck {
   std::vector<std::uint32_t> elements_;  ///< By geodesic: its label number in net_.
   ExactTraces traces_;
   CompletenessCheck completeness_;
-  std::vector<RuleReport> reports_;
+  OpenRules rules_;
   slong precision_ = 64;
 };
 
@@ -312,11 +301,9 @@ std::string text_of(const GeodesicsDocument& document) {
          " primitive closed geodesics of length at most 2 arsinh 1, up to orientation, and the pieces without them";
 }
 
-NetClaim claim_of(const GeodesicsDocument& document) {
+Claim claim_of(const GeodesicsDocument& document) {
   const auto ask = [&](Verification& run, Crossings crossings) {
-    GeodesicsCheck geodesics(document, run, std::move(crossings));
-    for (RuleReport& report : geodesics.run()) run.report(std::move(report));
-    run.certificate().geodesics = geodesics.counts();
+    GeodesicsCheck(document, run, std::move(crossings)).ask(run);
   };
   return {document.net, text_of(document), rules_of(document), ask};
 }
@@ -324,11 +311,7 @@ NetClaim claim_of(const GeodesicsDocument& document) {
 }  // namespace
 
 RuleNames rules_of(const GeodesicsDocument& document) {
-  RuleNames rules = rules_of(document.net);
-  for (const Rule rule : kRules) {
-    if (is_needed(rule, document.claim)) rules.emplace_back(kRuleNames[rule]);
-  }
-  return rules;
+  return with_net_rules(document.net, own_rules(document.claim));
 }
 
 Certificate check_geodesics(const GeodesicsDocument& document, const CheckOptions& options) {

@@ -1,37 +1,14 @@
 #include "certify/claims/geodesics/structure.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "certify/base/text.h"
 #include "certify/net/structure.h"
-#include "certify/net/surface_sides.h"
 
 namespace epsnet::certify {
 namespace {
 
 using Problem = std::optional<std::string>;
-
-/// What is wrong with a word that must lead from the tile to itself.
-Problem word_problem(const std::vector<std::uint32_t>& word, std::uint32_t tile, const SurfaceSides& sides) {
-  std::uint32_t here = tile;
-  for (std::size_t letter = 0; letter < word.size(); ++letter) {
-    const std::uint32_t side = word[letter];
-    if (side >= sides.partner.size() || sides.tile[side] != here) {
-      return "letter " + std::to_string(letter) + " of the word, " + std::to_string(side) + ", is no side of tile " +
-             std::to_string(here);
-    }
-    here = sides.tile[sides.partner[side]];
-  }
-  if (here == tile) return std::nullopt;
-  return "the word ends in tile " + std::to_string(here) + ", expected the tile where it starts, " +
-         std::to_string(tile);
-}
-
-Problem length_problem(Interval length) {
-  if (std::isfinite(length.upper) && 0 < length.lower && length.lower <= length.upper) return std::nullopt;
-  return "the length " + to_string(length) + " is not 0 < lo <= hi";
-}
 
 Problem geodesics_problem(const GeodesicsDocument& document) {
   const SurfaceSides sides(document.net.surface);
@@ -40,9 +17,14 @@ Problem geodesics_problem(const GeodesicsDocument& document) {
     if (rows[i].vertex >= document.net.vertices.size()) {
       return at("geodesics", i) + "vertex " + std::to_string(rows[i].vertex) + " does not exist";
     }
-    const std::uint32_t tile = document.net.charts[document.net.vertices[rows[i].vertex].chart].tile;
-    if (const auto problem = word_problem(rows[i].word, tile, sides)) return at("geodesics", i) + *problem;
-    if (const auto problem = length_problem(rows[i].length)) return at("geodesics", i) + *problem;
+    const auto& [vertex, word, length, simple] = rows[i];
+    const std::uint32_t tile = document.net.charts[document.net.vertices[vertex].chart].tile;
+    if (const auto problem = word_problem(sides, word, tile, tile, "vertex " + std::to_string(vertex))) {
+      return at("geodesics", i) + *problem;
+    }
+    if (!is_length(length) || length.lower == 0) {
+      return at("geodesics", i) + "the length " + to_string(length) + " is not 0 < lo <= hi";
+    }
     if (i > 0 && rows[i].length.lower < rows[i - 1].length.lower) {
       return at("geodesics", i) + "lo is less than that of the element before";
     }
@@ -130,14 +112,21 @@ Problem pieces_problem(const GeodesicsDocument& document) {
 }  // namespace
 
 Problem structure_problem(const GeodesicsDocument& document) {
-  if (auto problem = structure_problem(document.net)) return problem;
   // The search relies on vertices near every point of the surface.
-  if (document.net.collars) return "net: collars, a pseudo net; expected a net of the whole surface";
+  if (auto problem = whole_net_problem(document.net)) return problem;
   if (auto problem = geodesics_problem(document)) return problem;
   if (document.claim == GeodesicsDocument::Claim::systole) return systole_problem(document);
   if (auto problem = up_to_problem(document)) return problem;
   if (auto problem = clusters_problem(document)) return problem;
   return pieces_problem(document);
+}
+
+std::uint64_t least_bytes(const GeodesicsDocument& document) {
+  std::uint64_t bytes = least_bytes(document.net) + document.up_to.size();
+  for (const GeodesicsDocument::ClosedGeodesic& row : document.geodesics) bytes += 52 + least_bytes(row.word);
+  bytes += 34 * document.clusters.size();
+  for (const GeodesicsDocument::Piece& piece : document.pieces) bytes += 26 + 6 * piece.boundaries.size();
+  return bytes;
 }
 
 }  // namespace epsnet::certify

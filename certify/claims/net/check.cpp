@@ -1,13 +1,12 @@
 #include "certify/claims/net/check.h"
 
-#include "certify/claims/least_bytes.h"
-#include "certify/claims/net/verify.h"
+#include "certify/claims/net/claim.h"
 #include "certify/net/structure.h"
 
 namespace epsnet::certify {
 namespace {
 
-NetClaim claim_of(const NetDocument& document) {
+Claim claim_of(const NetDocument& document) {
   const char* const text =
       document.collars ? "a pseudo epsilon-net: an epsilon-net of the epsilon-thick part" : "an epsilon-net";
   return {document, text, rules_of(document), {}};
@@ -18,6 +17,12 @@ NetClaim claim_of(const NetDocument& document) {
 RuleNames rules_of(const NetDocument& document) {
   if (!document.collars) return {"surface", "map", "gluing", "orientation", "delaunay", "covering", "packing"};
   return {"surface", "map", "gluing", "collars", "orientation", "delaunay", "covering", "packing", "thick"};
+}
+
+RuleNames with_net_rules(const NetDocument& net, const RuleNames& own) {
+  RuleNames rules = rules_of(net);
+  rules.insert(rules.end(), own.begin(), own.end());
+  return rules;
 }
 
 Certificate check(const NetDocument& document, const CheckOptions& options) {

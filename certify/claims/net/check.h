@@ -10,6 +10,9 @@ namespace epsnet::certify {
 /// Returns the names of a net's rules in the order of evaluation: seven, or nine for a pseudo net.
 [[nodiscard]] RuleNames rules_of(const NetDocument& document);
 
+/// Returns the rules of a net, then a claim's own.
+[[nodiscard]] RuleNames with_net_rules(const NetDocument& net, const RuleNames& own);
+
 /// Checks all rules. Returns a certificate for a document of any content. Throws only if the machine fails
 /// (std::bad_alloc, std::system_error) or this program has a bug (Fault); then there is no verdict.
 ///

@@ -29,7 +29,7 @@ import sys
 
 # The writers of text, and the account of work: of the verdicts only UNDECIDED depends on them.
 LEFT_OUT = ("certify/program/", "certify/exact/main.cpp", "certify/file/writer.", "certify/verdict/report.",
-            "certify/numbers/budget.h", "certify/claims/least_bytes.cpp")
+            "certify/numbers/budget.h")
 # In these files texts are more than messages.
 TEXT_MATTERS = ("certify/exact/json.", "certify/base/text.", "certify/file/reader.")
 # Functions that prepare a file's text for display in a message.
@@ -38,7 +38,7 @@ SHOWN = re.compile(r"^(in_quotes|path_in_quotes|printable(_length)?|display_name
 NO_EFFECT = re.compile(r"(_clear|_init|^reserve|^shrink_to_fit|^spend\w*|^progress\w*|^flint_cleanup|^report_progress|^used)$")
 # Counts, and estimates of work or memory: a change can only turn a decided verdict into UNDECIDED.
 COUNTED = re.compile(r"(^|[.>_])(max_precision|bits_used_|counts\.\w+|triangles_beyond_64_bits|threads_?|identities)$")
-ESTIMATES = re.compile(r"^spend|_work$|^work_|(^|_)bits$|^progress|_is_feasible$|^max_exact_bits")
+ESTIMATES = re.compile(r"^spend|_work$|^work_|(^|_)bits$|^progress|_is_feasible$|^max_exact_bits|^least_bytes$|^digits$")
 # Infinity plus one is still infinity. Bits of a ball: the inclusion principle holds for any precision, and a lower one only leaves more undecided.
 PRECISIONS = re.compile(r"^k(Infinity|\w*Precision|\w*Bits|ExactFrom\w*)$")
 

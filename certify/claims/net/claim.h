@@ -13,7 +13,7 @@
 namespace epsnet::certify {
 
 /// A claim about a net, or about the surface of one.
-struct NetClaim {
+struct Claim {
   const NetDocument& net;
   std::string text;  ///< As in Certificate.
   RuleNames rules;   ///< Those of the net, then its own.
@@ -23,12 +23,12 @@ struct NetClaim {
 };
 
 /// The verdict about the claim of a document without structure problem; `least_bytes` is that of the document.
-[[nodiscard]] Certificate verify(const NetClaim& claim, std::uint64_t least_bytes, const CheckOptions& options);
+[[nodiscard]] Certificate verify(const Claim& claim, std::uint64_t least_bytes, const CheckOptions& options);
 
 /// The verdict about a document of any kind and content; `claim_of` is asked about one without structure problem.
 template <class Document>
 [[nodiscard]] Certificate verify(const Document& document, const CheckOptions& options,
-                                 NetClaim (*claim_of)(const Document&)) {
+                                 Claim (*claim_of)(const Document&)) {
   const RoundingToNearest rounding;
   if (options.progress) options.progress("structure", 0);
   if (const auto problem = structure_problem(document)) return malformed(*problem);

@@ -1,4 +1,4 @@
-#include "certify/claims/net/verify.h"
+#include "certify/claims/net/claim.h"
 
 #include <utility>
 
@@ -6,7 +6,7 @@
 
 namespace epsnet::certify {
 
-Certificate verify(const NetClaim& claim, std::uint64_t least_bytes, const CheckOptions& options) {
+Certificate verify(const Claim& claim, std::uint64_t least_bytes, const CheckOptions& options) {
   Verification run(options, least_bytes, claim.rules, claim.text);
   try {
     Crossings crossings = ask_net_rules(claim.net, run);
