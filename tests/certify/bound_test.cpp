@@ -516,7 +516,7 @@ TEST(Bound, TooLittleWorkOrPrecisionIsUndecided) {
   }
 }
 
-TEST(Bound, MalformedDocuments) {
+TEST(Bound, EveryDefectOfADocumentIsMalformed) {
   const auto complaint = [](const BoundDocument& good, const std::function<void(BoundDocument&)>& change) {
     BoundDocument document = good;
     change(document);

@@ -174,7 +174,7 @@ TEST(Decimals, WhatIsNoPositiveOrNegativeNumberIsAsBefore) {
 }
 
 /// Numbers that are exact decimals, as those that people write, stay as they are.
-TEST(Decimals, OfExactDecimalsAreThese) {
+TEST(Decimals, EndsThatAreShortDecimalsArePrintedExactly) {
   EXPECT_EQ(to_string(Interval{0.25, 3}), "[0.25, 3]");
   EXPECT_EQ(to_string(Interval{-1e22, 1e22}), "[-1e+22, 1e+22]");
 }

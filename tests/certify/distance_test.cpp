@@ -476,7 +476,7 @@ TEST(Distance, TooLittleWorkOrPrecisionIsUndecided) {
   EXPECT_EQ(check_distance(across_a_cuff(), {.threads = 2, .max_precision = 64}).verdict, Verdict::undecided);
 }
 
-TEST(Distance, MalformedDocuments) {
+TEST(Distance, EveryDefectOfADocumentIsMalformed) {
   const auto complaint = [](const std::function<void(DistanceDocument&)>& change) {
     DistanceDocument document = four_equal();
     change(document);

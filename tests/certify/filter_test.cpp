@@ -177,7 +177,7 @@ TEST_F(Filtered, MeasuresContainTheTrueOnes) {
 
 // What each bound is, to the last bit that matters: coordinates with few digits, so that nothing is rounded.
 
-TEST_F(Filtered, BoundOfDelaunay) {
+TEST_F(Filtered, DelaunayIsSaidExactlyBeyondItsBound) {
   // z0 = −1/2, z2 = 1/2, z3 = i/2, z1 = −i(1/2 + t): Im of the cross-ratio's product is −t(1 + t/2 …) exactly known.
   const auto value = [](double t) { return cross_ratio({-0.5, 0}, {0, -0.5 - t}, {0.5, 0}, {0, 0.5}); };
   const auto says = [](double t) { return filter::delaunay({-0.5, 0}, {0, -0.5 - t}, {0.5, 0}, {0, 0.5}); };
@@ -193,7 +193,7 @@ TEST_F(Filtered, BoundOfDelaunay) {
   EXPECT_FALSE(says(0));
 }
 
-TEST_F(Filtered, BoundOfOrientation) {
+TEST_F(Filtered, CounterclockwiseIsSaidOnlyBeyondItsBound) {
   const auto says = [](double t) { return filter::counterclockwise({0, 0}, {0.5, 0}, {0.5, t}); };
   // The determinant is t/2, the norms are 1/2.
   EXPECT_TRUE(says(0x1p-42));
@@ -202,7 +202,7 @@ TEST_F(Filtered, BoundOfOrientation) {
   EXPECT_FALSE(says(-0x1p-10));
 }
 
-TEST_F(Filtered, LeastNormAndLeastGap) {
+TEST_F(Filtered, NothingIsSaidOfNormsAndGapsBelowTheLeast) {
   const auto triangle = [](double s) { return filter::counterclockwise({0, 0}, {s, 0}, {0, s}); };
   EXPECT_TRUE(triangle(0x1p-99));
   EXPECT_FALSE(triangle(0x1p-100));

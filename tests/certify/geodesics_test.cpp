@@ -766,7 +766,7 @@ std::vector<std::string> rules_asked(const GeodesicsDocument& document) {
   return result;
 }
 
-TEST(Geodesics, AreAskedWhatTheClaimNeeds) {
+TEST(Geodesics, EachClaimHasTheRulesThatItNeedsAndAWrongListTheFirstAlone) {
   using testing::ElementsAre;
   GeodesicsDocument document = nearly_equal_cuffs();
   EXPECT_THAT(rules_asked(document), ElementsAre("geodesics", "distinct", "simple", "equal", "complete", "pieces"));

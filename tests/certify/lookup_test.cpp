@@ -64,7 +64,7 @@ TEST(Lookup, OfWhatIsNotThereIsAFault) {
   expect_fault([] { (void)decimal("one"); });
 }
 
-TEST(Lookup, OfDartsThatAreNot) {
+TEST(Lookup, OfADartThatIsNotThereIsAFault) {
   const NetDocument document = load("certify/verified/octagon-9-vertices.json");
   const auto darts = static_cast<std::uint32_t>(3 * document.triangles.size());
   EXPECT_EQ(opposite(document, darts - 1), document.triangles.back().opposite[2]);
@@ -77,7 +77,7 @@ TEST(Lookup, OfDartsThatAreNot) {
 }
 
 /// A label that was not evaluated was another one in version 0.2.
-TEST(Lookup, OfALabelThatWasNotEvaluated) {
+TEST(Lookup, OfALabelThatWasNotEvaluatedIsAFault) {
   const Setting setting(load("certify/verified/octagon-9-vertices.json"));
   const std::size_t count = setting.document.labels.size();
   ASSERT_GT(count, 3U);
@@ -97,7 +97,7 @@ TEST(Lookup, OfALabelThatWasNotEvaluated) {
   expect_fault([&] { LabelTable({static_cast<std::uint32_t>(count) + 1}, std::vector<BallIsometry>(1), count); });
 }
 
-TEST(Lookup, OfALabelThatIsNot) {
+TEST(Lookup, OfALabelThatIsNotThereIsAFault) {
   const Setting setting(load("forgeries/collars.json"));
   const LabelEvaluator& evaluator = setting.evaluator;
   const std::size_t collars = setting.document.collars->size();
@@ -121,7 +121,7 @@ TEST(Lookup, OfALabelThatIsNot) {
   expect_fault([&] { (void)evaluator.evaluate(std::array{0U}, 64, 64, 1); }, "there is no label");
 }
 
-TEST(Lookup, OfLabelsOfAnotherDocument) {
+TEST(Lookup, OfLabelsOfAnotherDocumentIsAFault) {
   Setting setting(load("certify/verified/octagon-9-vertices.json"));
   NetDocument other = setting.document;
   other.charts.push_back(other.charts[0]);
@@ -131,7 +131,7 @@ TEST(Lookup, OfLabelsOfAnotherDocument) {
   expect_fault([&] { LabelEvaluator(regular, setting.parts); }, "crossings and sides");
 }
 
-TEST(Lookup, OfATriangleThatWasNotLoaded) {
+TEST(Lookup, OfATriangleThatWasNotLoadedIsAFault) {
   const Setting setting(load("certify/verified/octagon-9-vertices.json"));
   std::vector<std::uint32_t> numbers(setting.document.labels.size());
   std::iota(numbers.begin(), numbers.end(), 1U);
@@ -158,7 +158,7 @@ TEST(Lookup, OfATriangleThatWasNotLoaded) {
   }
 }
 
-TEST(Lookup, InALiftedPlane) {
+TEST(Lookup, OfWhatIsNotInALiftedPlaneIsAFault) {
   const Setting setting(load("certify/verified/octagon-9-vertices.json"));
   const LiftedPlane plane(setting.document, setting.evaluator, setting.parts, 64, 64, 1);
   const auto triangles = static_cast<std::uint32_t>(setting.document.triangles.size());
@@ -182,7 +182,7 @@ TEST(Lookup, InALiftedPlane) {
   expect_fault([&] { (void)table.in_triangle(triangles); }, "there is no triangle");
 }
 
-TEST(Lookup, OfAnIntervalWithItsEndsExchanged) {
+TEST(Lookup, OfAnIntervalWithItsEndsExchangedIsAFault) {
   IntervalIndex index;
   index.insert({1, 2}, 0);
   expect_fault([&] { index.insert({2, 1}, 1); }, "an interval");

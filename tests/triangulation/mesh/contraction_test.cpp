@@ -198,7 +198,7 @@ TEST(BasePoint, MustBeInsideOfItsTile) {
   EXPECT_THROW(Triangulation(octagon, BasePoint{0, octagon.tiles()[0][0]}), SurfaceError);
 }
 
-TEST(RegularSurface, OneVertexAllTies) {
+TEST(RegularSurface, HasOneVertexAndNeedsNoFlip) {
   for (const std::uint32_t genus : {2u, 3u, 6u}) {
     const Surface surface = Surface::regular(genus);
     Triangulation t(surface);

@@ -144,7 +144,7 @@ TEST(Triangulation, OfAnOctagonHasOneVertexAndLoopsOnly) {
   }
 }
 
-TEST(Triangulation, OfManyTiles) {
+TEST(Triangulation, IsAsLargeHoweverTheSurfaceIsCutIntoTiles) {
   // The octagon as two pentagons, and as a hexagon and two triangles.
   const Surface octagon = random_octagon(123);
   const Tile& v = octagon.tiles()[0];
@@ -311,7 +311,7 @@ TEST(Locate, APointOfTheFirstTriangleNeedsNoStep) {
   }
 }
 
-TEST(Insert, PointsOnAnEdgeBothWays) {
+TEST(Insert, APointOnAnEdgeGivesTheSameBothWays) {
   // The diagonal through the centre of the octagon is a straight line in the central chart: (x, 0) between the pair of
   // (1/4, 0) is exactly on the edge between these two.
   Symmetric s(123, {{0.25, 0}, {0.1, 0.35}, {-0.125, 0.25}, {0.3, 0.3}});

@@ -68,7 +68,7 @@ TEST(Surface, CrossingBetweenOppositeSidesIsATranslation) {
   for (std::uint32_t s = 0; s < 8; ++s) EXPECT_EQ(surface.crossing(s).a.y, 0);
 }
 
-TEST(Surface, VertexOutsideTheDisk) {
+TEST(Surface, EveryVertexIsInTheOpenDisk) {
   PairedPolygon polygon = octagon();
   polygon.vertices[3] = {ratio(-3, 2), 1};
   EXPECT_THAT(complaint(polygon),
@@ -77,14 +77,14 @@ TEST(Surface, VertexOutsideTheDisk) {
   EXPECT_THAT(complaint(polygon), HasSubstr("vertex 3 lies on the unit circle"));
 }
 
-TEST(Surface, Clockwise) {
+TEST(Surface, AClockwiseTileIsRefused) {
   const PairedPolygon polygon = octagon();
   PairedPolygon reversed = polygon;
   std::reverse(reversed.vertices.begin(), reversed.vertices.end());
   EXPECT_THAT(complaint(reversed), HasSubstr("clockwise"));
 }
 
-TEST(Surface, NotConvex) {
+TEST(Surface, TilesAreStrictlyConvex) {
   PairedPolygon polygon = octagon();
   polygon.vertices[2] = {ratio(1, 100), ratio(1, 10)};
   EXPECT_THAT(complaint(polygon), HasSubstr("the polygon is not strictly convex at its vertex 2 (interior angle "));
@@ -92,20 +92,20 @@ TEST(Surface, NotConvex) {
   EXPECT_THAT(complaint(polygon), HasSubstr("not strictly convex at its vertex 3 (interior angle 3.14159"));
 }
 
-TEST(Surface, WindsSeveralTimes) {
+TEST(Surface, ATileThatWindsSeveralTimesIsRefused) {
   PairedPolygon star = octagon();
   const Tile vertices = star.vertices;
   for (std::size_t k = 0; k < 8; ++k) star.vertices[k] = vertices[3 * k % 8];
   EXPECT_THAT(complaint(star), HasSubstr("winds around 3 times"));
 }
 
-TEST(Surface, SideOfLengthZero) {
+TEST(Surface, ASideOfLengthZeroIsRefused) {
   PairedPolygon polygon = octagon();
   polygon.vertices[5] = polygon.vertices[4];
   EXPECT_THAT(complaint(polygon), HasSubstr("side 4 has length 0"));
 }
 
-TEST(Surface, PairedSidesDiffer) {
+TEST(Surface, PairedSidesHaveExactlyEqualLengths) {
   PairedPolygon polygon = octagon();
   polygon.vertices[3].x += ratio(1, 1000);
   EXPECT_THAT(complaint(polygon),
@@ -115,7 +115,7 @@ TEST(Surface, PairedSidesDiffer) {
   EXPECT_THAT(complaint(polygon), HasSubstr("are paired but differ in later digits"));
 }
 
-TEST(Surface, AnglesDoNotAddUpToTwoPi) {
+TEST(Surface, AnglesAroundAVertexAddUpToExactly2Pi) {
   // CGAL's code calls a net of this one certified.
   for (const Rational& step : {ratio(1, 1000), ratio(-1, 1000), Rational(1) / Rational("1" + std::string(200, '0'))}) {
     PairedPolygon polygon = octagon();
@@ -126,7 +126,7 @@ TEST(Surface, AnglesDoNotAddUpToTwoPi) {
   }
 }
 
-TEST(Surface, ConePoint) {
+TEST(Surface, AConePointOfTwoFullTurnsIsRefused) {
   // The double cover of a surface with two vertices that swaps the sheets across one edge between them: every product
   // around a vertex is the identity, but the two vertices have angle 4π.
   const Surface base = read_domain(test::domain_text(test::with_vertex_on_side(octagon(), 2, ratio(1, 3))), "test");
@@ -147,7 +147,7 @@ TEST(Surface, ConePoint) {
   EXPECT_THAT(complaint(tiles, gluing), HasSubstr("add up to 2 full turns, expected one"));
 }
 
-TEST(Surface, PairingIsIncomplete) {
+TEST(Surface, EverySideIsPairedOnceWithAnotherOne) {
   const std::vector<Tile> tiles{octagon().vertices};
   const std::vector<Gluing> good = octagon().gluing();
   EXPECT_THAT(complaint(tiles, std::vector<Gluing>(good.begin(), good.end() - 1)), HasSubstr("side 3 is not paired"));
@@ -163,7 +163,7 @@ TEST(Surface, PairingIsIncomplete) {
   EXPECT_THAT(complaint(tiles, gluing), HasSubstr("pair 1 of the gluing names tile 4000000000"));
 }
 
-TEST(Surface, SphereAndTorus) {
+TEST(Surface, TheGenusIsAtLeast2) {
   PairedPolygon polygon = octagon();
   polygon.partner = {1, 0, 3, 2, 5, 4, 7, 6};
   EXPECT_THAT(complaint(polygon), HasSubstr("sphere (genus 0)"));
@@ -171,19 +171,19 @@ TEST(Surface, SphereAndTorus) {
   EXPECT_THAT(complaint(polygon), HasSubstr("torus (genus 1)"));
 }
 
-TEST(Surface, WrongPairing) {
+TEST(Surface, APairingOfUnequalSidesIsRefused) {
   PairedPolygon polygon = octagon();
   polygon.partner = {2, 3, 0, 1, 6, 7, 4, 5};
   EXPECT_THAT(complaint(polygon), HasSubstr("are paired but differ"));
 }
 
-TEST(Surface, DegenerateTiles) {
+TEST(Surface, ThereIsATileAndEachHasThreeVertices) {
   EXPECT_THAT(complaint(std::vector<Tile>{}, std::vector<Gluing>{}), HasSubstr("there is no tile"));
   EXPECT_THAT(complaint(std::vector<Tile>{{{0, 0}, {ratio(1, 2), 0}}}, std::vector<Gluing>{{0, 0, 0, 1}}),
               HasSubstr("has 2 vertices, expected at least 3"));
 }
 
-TEST(Surface, NotConnected) {
+TEST(Surface, TilesAreConnected) {
   const Tile tile = octagon().vertices;
   std::vector<Gluing> gluing = octagon().gluing();
   for (std::uint32_t s = 0; s < 4; ++s) gluing.push_back({1, s, 1, s + 4});
@@ -191,7 +191,7 @@ TEST(Surface, NotConnected) {
               HasSubstr("no path of glued sides leads from tile 0 to tile 1"));
 }
 
-TEST(Surface, SeveralTilesInTheirOwnCoordinates) {
+TEST(Surface, EveryTileHasItsOwnCoordinates) {
   // The double cover of the octagon's surface that swaps the sheets across one pair of sides has genus 3.
   const Tile tile = octagon().vertices;
   const auto frame = Isometry<Rational>::translation({ratio(1, 3), ratio(-1, 4)});
@@ -209,7 +209,7 @@ TEST(Surface, SeveralTilesInTheirOwnCoordinates) {
   EXPECT_EQ(surface.crossing(0)(tile[0]), frame(tile[5]));
 }
 
-TEST(Surface, CoordinatesOfAThousandDigits) {
+TEST(Surface, CoordinatesOfAThousandDigitsAreExact) {
   PairedPolygon polygon =
       test::paired_polygon(import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g5-rnd0.txt"));
   // An isometry whose centre has numerators and denominators of 600 digits.
