@@ -227,7 +227,7 @@ class Refinement {
                    std::to_string(triangulation_.triangle(t).vertex[0]) + ", " +
                    std::to_string(triangulation_.triangle(t).vertex[1]) + ", " +
                    std::to_string(triangulation_.triangle(t).vertex[2]) +
-                   " could be proved to be at distance epsilon from all vertices");
+                   " could be proved to be at least epsilon away from all vertices");
   }
 
   /// Makes a centre the next vertex, rounded to binary64 or, if that is too close to a vertex, as the origin of a chart

@@ -1,9 +1,9 @@
-// What CGAL needs for as many points in the Euclidean plane, to set the numbers of tests/benchmark/run beside:
+// Measures CGAL with as many points in the Euclidean plane, for comparison with the numbers of tests/benchmark/run:
 //
 //   cgal_benchmark delaunay COUNT   the Delaunay triangulation of COUNT random points of a square, all given at once
 //   cgal_benchmark mesh COUNT       the refinement of a square to about COUNT vertices, angles of 20.7 degrees and more
 //
-// prints the number of vertices, the seconds elapsed and those of the processor, without those for drawing the points.
+// prints the number of vertices, the elapsed seconds and the processor seconds, without those for drawing the points.
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
@@ -30,7 +30,7 @@ double seconds(clockid_t clock) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Since it was made.
+/// The time since the object was made.
 struct Stopwatch {
   double start_elapsed = seconds(CLOCK_MONOTONIC);
   double start_processor = seconds(CLOCK_PROCESS_CPUTIME_ID);

@@ -1,5 +1,5 @@
-// Speed and memory of the generator and of the certifier, and how they compare with CGAL's Euclidean Delaunay
-// triangulation of as many random points, timed in the same run: machines differ, ratios less so.
+// Speed and memory of the generator and of the certifier, compared with CGAL's Euclidean Delaunay triangulation of as
+// many random points. All are timed in the same run, as ratios vary less between machines than times.
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

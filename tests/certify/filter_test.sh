@@ -1,5 +1,5 @@
 #!/bin/sh
-# filter_test.sh CERTIFY DATA: with and without the filter, certify prints the same of every file, byte by byte.
+# filter_test.sh CERTIFY DATA: certify prints the same for every file with and without the filter, byte for byte.
 certify=$1
 data=$2
 folder=$(mktemp -d)

@@ -1,6 +1,6 @@
 #!/bin/sh
-# two_checkers_test.sh CERTIFY CONTRARY EPSNET DATA: the second checker agrees, is not asked, or is not for the file, and
-# the output says so; CONTRARY is certify with a second checker that says what EPSNET_SECOND_VERDICT says.
+# two_checkers_test.sh CERTIFY CONTRARY EPSNET DATA: the output says whether the second checker agrees, does not run, or
+# does not know the kind of file. CONTRARY is certify with a second checker whose verdict is EPSNET_SECOND_VERDICT.
 certify=$1
 contrary=$2
 epsnet=$3
@@ -92,7 +92,7 @@ ERROR: \"$good\": $fault" "$contrary" "$good" "$refuted"
 grep -q VERIFIED "$folder/out" && fail "a fault of the program verifies something"
 "$contrary" --json "$good" 2>/dev/null | grep -q "^{\"verdict\": null, .*\"error\": \"$fault\"}\$" || fail "--json: no fault"
 
-# A large net: the second checker is asked by --exact alone.
+# For a large net the second checker only runs with --exact.
 "$epsnet" surface octagon --seed 1 -o "$folder/s.json" >/dev/null
 "$epsnet" net "$folder/s.json" --epsilon 0.027 -o "$folder/large.json" >/dev/null
 EPSNET_SECOND_VERDICT=REFUTED

@@ -1,8 +1,8 @@
 #!/bin/sh
-# pictures.sh EPSNET SOURCES: makes the pictures of docs/images again, all that epsnet draws, by the commands of docs/gallery.md.
-# pictures.sh --check EPSNET SOURCES: makes them elsewhere, and fails where docs/images has others.
-# Of a PNG picture the SVG picture behind it is compared, by its SHA-256 in docs/images/png-sources.sha256: renderers
-# differ in pixels.
+# pictures.sh EPSNET SOURCES: makes all pictures of docs/images that epsnet draws again, by the commands of docs/gallery.md.
+# pictures.sh --check EPSNET SOURCES: makes them elsewhere, and fails if they differ from those of docs/images.
+# PNG pictures are compared by the SVG pictures that they are rendered from, by their SHA-256 in
+# docs/images/png-sources.sha256, as renderers differ in pixels.
 set -eu
 check=false
 if [ "$1" = --check ]; then
@@ -16,7 +16,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/bin" "$work/made"
 
-# What the commands call epsnet: it draws a PNG picture as SVG as well, X.png as X.png.svg.
+# The commands call this instead of epsnet: for a PNG picture X.png it also draws the SVG picture X.png.svg.
 cat >"$work/bin/epsnet" <<'END'
 #!/bin/sh
 "$EPSNET" "$@" || exit
@@ -33,7 +33,7 @@ exec "$EPSNET" "$@"
 END
 chmod +x "$work/bin/epsnet"
 
-# Every block of commands of the document, in its order.
+# All blocks of commands of the document, in order.
 awk '/^```sh$/ { on = 1; next } /^```$/ { on = 0 } on' "$2/docs/gallery.md" >"$work/commands"
 [ -s "$work/commands" ] || { echo "docs/gallery.md has no block of commands" >&2; exit 1; }
 cd "$work/made"

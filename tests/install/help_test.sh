@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# help_test.sh HELP PROGRAM...: the manual pages and the completion in the folder HELP know what the programs say to --help, of every command: its
-# options, its commands, the values of an option that are named, files where files are asked for; and nothing else.
+# help_test.sh HELP PROGRAM...: the manual pages and the completion in the folder HELP agree with `--help` of every command: they have exactly its
+# options, its commands, the named values of an option, and files where files are expected.
 set -u
 help=$1
 shift
@@ -13,7 +13,7 @@ sorted() { tr ' ' '\n' | grep -v '^$' | sort | tr '\n' ' '; }
 # same WHAT EXPECTED FOUND: two lists of words.
 same() { [ "$(sorted <<<"$2")" = "$(sorted <<<"$3")" ] || complain "$1: expected $2, found $3"; }
 
-# What bash offers after the words given.
+# The words that bash offers after the given words.
 offered_by_bash() {
   COMP_WORDS=("$@")
   COMP_CWORD=$(($# - 1))
@@ -21,7 +21,7 @@ offered_by_bash() {
   "_${1//-/_}"
   echo "${COMPREPLY[*]}"
 }
-# The same of zsh, whose own functions are replaced by ones that say what they are asked for.
+# The same for zsh, whose own functions are replaced by ones that print how they are called.
 offered_by_zsh() {
   zsh -f -c '
     _arguments() { for spec; do case $spec in "*:file:_files") ;; *) spec=${spec#\(*\)}; print -- ${spec%%\[*} ;; esac; done }

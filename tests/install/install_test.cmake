@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
-# Installs a build and uses it as others do: README.md's programs and examples/ by find_package(epsnet) and by pkg-config, every header alone,
-# the programs in a prefix that was moved. What the examples print is what their comments say.
+# Installs a build and uses it as users do: README.md's programs and examples/ by find_package(epsnet) and by pkg-config, every header alone,
+# the programs in a prefix that was moved. The examples print what their comments say.
 set(installed ${scratch}/installed)
 set(prefix ${scratch}/prefix)
 file(REMOVE_RECURSE ${installed} ${prefix} ${scratch}/consumer ${scratch}/examples ${scratch}/pkg-config)
@@ -22,7 +22,7 @@ endfunction()
 run(${CMAKE_COMMAND} --install ${build} --prefix ${installed})
 file(RENAME ${installed} ${prefix})
 
-# The headers are those that epsnet.h leads to, and no others; they include each other as users do.
+# The headers are exactly those that epsnet.h includes, directly or not; they include each other as users do.
 file(GLOB_RECURSE headers RELATIVE ${prefix}/include ${prefix}/include/*)
 list(SORT headers)
 set(reached epsnet/epsnet.h)

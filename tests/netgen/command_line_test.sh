@@ -1,5 +1,5 @@
 #!/bin/sh
-# command_line_test.sh EPSNET CERTIFY DATA: that no command line loses a file, and what is said of those that cannot be meant.
+# command_line_test.sh EPSNET CERTIFY DATA: no command line loses a file; command lines that cannot be right are refused with a message.
 epsnet=$1
 certify=$2
 data=$3

@@ -1,4 +1,5 @@
-# Configures epsnet without the test libraries, which must be no warning without tests and a clear error with them, and then with them.
+# Configures epsnet without the test libraries, which must give no warning if tests are off and a clear error if they are on; then with the
+# libraries.
 file(REMOVE_RECURSE ${scratch})
 
 # Sets `code` and `messages`.
