@@ -17,7 +17,7 @@ Surface import_surface(std::string_view text, std::string_view name, ExchangeFor
   } catch (const ExchangeError& error) {
     if (!guess) throw;
     throw ExchangeError(std::string(error.what()) +
-                        " (read as the domain format: the second word is neither \"yes\" nor \"no\", nor do points of "
+                        " (read as the domain format: the second token is neither \"yes\" nor \"no\", nor do points of "
                         "a first triangle follow, as in the triangulation formats)");
   }
 }

@@ -16,7 +16,7 @@
 
 namespace epsnet {
 
-/// Reads the words of a text, separated by white space, one after the other. Throws ExchangeError for anything
+/// Reads the tokens of a text, separated by white space, one after the other. Throws ExchangeError for anything
 /// unexpected.
 class TokenReader {
  public:
@@ -25,7 +25,7 @@ class TokenReader {
   template <std::same_as<std::string> Text>
   TokenReader(Text&&, std::string_view) = delete;  // A temporary string would not outlive the reader.
 
-  /// The next word; `expected` completes the message if there is none.
+  /// Returns the next token; `expected` completes the message if there is none.
   std::string_view next(const std::string& expected) {
     skip_white_space();
     if (rest_.empty()) fail("the text ends here, expected " + expected);
@@ -34,14 +34,14 @@ class TokenReader {
     return word;
   }
 
-  /// `last` is what the text should have ended with.
+  /// Requires that the text ends here; `last` is the name of what it should have ended with.
   void expect_end(const std::string& last) {
     skip_white_space();
     if (rest_.empty()) return;
     fail(certify::in_quotes(next("")) + " follows " + last + ", expected the end of the text");
   }
 
-  /// An unsigned number of 32 bits.
+  /// Reads an unsigned number of 32 bits.
   std::uint32_t index(const std::string& expected) {
     const std::string_view word = next(expected);
     std::uint32_t value = 0;
@@ -62,7 +62,7 @@ class TokenReader {
     return from_gmp(*value);
   }
 
-  /// The line of the last word.
+  /// Returns the line of the last token.
   [[nodiscard]] std::size_t line() const { return line_; }
   [[noreturn]] void fail(const std::string& message) const { fail_at(line_, message); }
   [[noreturn]] void fail_at(std::size_t line, const std::string& message) const {

@@ -44,8 +44,8 @@ struct TriangulationStream {
   bool operator==(const TriangulationStream&) const = default;
 };
 
-/// Whether the text is a triangulation and not a polygon in the domain format, by its first eleven words. No text is
-/// both: the second word of a triangulation is `yes` or `no`, or there is a fraction among the six coordinates of the
+/// Whether the text is a triangulation and not a polygon in the domain format, by its first eleven tokens. No text is
+/// both: the second token of a triangulation is `yes` or `no`, or there is a fraction among the six coordinates of the
 /// first triangle's anchor (points of the open disk, not all 0), where a polygon with enough sides has indices.
 [[nodiscard]] bool is_triangulation_stream(std::string_view text);
 

@@ -130,7 +130,7 @@ NetStatistics refine_sparsely(Triangulation& triangulation, const Length& epsilo
   const Vertex base = triangulation.vertex(0);
   Triangulation plain = triangulation.clone();
   NetStatistics statistics = SparseRefinement(triangulation, epsilon, options).run();
-  // With few points, or thin parts, the refinement alone may happen to be better. Thinning may also lose the base.
+  // With few points, or thin parts, the refinement alone may happen to be better. The base may also have moved.
   const Vertex first = triangulation.vertex(0);
   const bool base_is_lost = options.base && !(first.z == base.z && first.chart == base.chart);
   if (base_is_lost || triangulation.vertex_count() > 1.5 * least) {

@@ -148,7 +148,7 @@ TEST(IsometryImage, IsWithinTheBoundE5) {
 
 // Kinds, displacement lengths, axes.
 
-TEST(Classify, Examples) {
+TEST(Classify, TellsTheKindEvenNextToParabolic) {
   using R = Rational;
   EXPECT_EQ(classify(Isometry<R>{}), IsometryKind::identity);
   EXPECT_EQ(classify(Isometry<R>{{R(-3), R(0)}, {}}), IsometryKind::identity);

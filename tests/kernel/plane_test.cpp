@@ -22,7 +22,7 @@ using test::scaled;
 
 Mp256 tolerance(int bits) { return test::power_of_two<Mp256>(-bits); }
 
-TEST(Distance, Examples) {
+TEST(Distance, FromTheOriginIsTwiceTheArtanhOfTheModulus) {
   EXPECT_EQ(distance(Complex<double>{0.3, 0.4}, Complex<double>{0.3, 0.4}), 0);
   // d(0, r) = 2 artanh r.
   EXPECT_NEAR(distance(Complex<double>{}, Complex<double>{0.5, 0}), 2 * std::atanh(0.5), 1e-15);

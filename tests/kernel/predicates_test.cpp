@@ -460,7 +460,7 @@ TYPED_TEST(StageOver, NanAndInfinityAreUnsure) {
                      [](const auto& p, const auto& n) { return distance_stage_near_origin<T>(p[0], p[1], n[0]); });
 }
 
-TYPED_TEST(StageOver, SignsThatAreCertain) {
+TYPED_TEST(StageOver, DecidesOnBothSidesOfAKnownValueAndNotOnIt) {
   using T = typename TypeParam::Type;
   using Point = Complex<T>;
   const Point east{T(0.5), T(0)};

@@ -147,7 +147,7 @@ TEST(AnchorSearch, SaysWhatToWriteWhereNoneIsFound) {
               HasSubstr("expected, in place of \"no\": \"yes\", a dart and the three points of its triangle"));
 }
 
-TEST(TwoSquares, SmallNumbers) {
+TEST(TwoSquares, ASmallNumberHasARootOrAnObstacle) {
   for (int n = 1; n < 2000; ++n) {
     bool is_sum = false;
     for (int x = 0; x * x <= n; ++x) {

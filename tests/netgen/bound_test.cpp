@@ -192,7 +192,7 @@ TEST(Bound, IsThatOfTheSurfaceWhateverItsTiles) {
   }
 }
 
-TEST(Bound, OfThinSurfacesAndOfGenus3To5) {
+TEST(Bound, IsVerifiedForThinSurfacesAndForGenus3To5) {
   for (const std::size_t i : {3u, 4u, 5u, 6u, 7u, 8u}) {
     const test::NamedSurface& named = test::gallery()[i];
     const BoundDocument wide = diameter(named.surface, {.width = 0.2});
@@ -223,7 +223,7 @@ TEST(EmbeddedDisk, IsSmallerThanTheSurfaceAndThanBavardsBound) {
   }
 }
 
-TEST(Bound, TooSmallAWidthAndTooFewCells) {
+TEST(Bound, AWidthBelowTheLeastIsRefusedAndTooFewCellsAreAnErrorWithBounds) {
   const Surface bolza = Surface::regular(2);
   for (const auto make : {&diameter, &radius, &largest_embedded_disk}) {
     for (const double width : {0.0, -1.0, 9e-13, std::nan("")}) {
@@ -295,7 +295,7 @@ RC_GTEST_PROP(BoundProperty, NoPointOfARandomOctagonIsBeyondTheBounds, ()) {
 }
 
 /// The distance of two points is at most the eccentricity of either, and eccentricities differ by at most it.
-RC_GTEST_PROP(BoundProperty, EccentricitiesAndDistances, ()) {
+RC_GTEST_PROP(BoundProperty, EccentricityIsAtLeastEveryDistanceAndLipschitz, ()) {
   const Surface& surface = test::gallery()[any_index(7u)].surface;
   const BasePoint p = any_place(surface);
   const BasePoint q = any_place(surface);

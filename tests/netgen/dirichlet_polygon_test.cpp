@@ -70,7 +70,7 @@ void expect_proved(const DirichletPolygon& polygon, const std::string& name) {
   EXPECT_EQ(polygon.triangulation.vertices.size(), 1U);
 }
 
-TEST(DirichletPolygon, OfEverySurface) {
+TEST(DirichletPolygon, ClosesUpOnEveryThickSurface) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
     if (named.name.find("thin") == std::string::npos && named.name.find("short") == std::string::npos &&
         named.surface.genus() < 6) {
@@ -96,7 +96,7 @@ TEST(DirichletPolygon, OfARegularSurfaceIsItsPolygon) {
   }
 }
 
-TEST(DirichletPolygon, OfAnyPointOfARegularSurface) {
+TEST(DirichletPolygon, HasTiesAtAPointOnAnAxisOfSymmetryAlone) {
   for (const std::uint32_t genus : {2u, 5u}) {
     const Surface surface = Surface::regular(genus);
     // A point on an axis of symmetry has ties, another one has none.
@@ -142,7 +142,7 @@ TEST(DirichletPolygon, BaseOfASymmetricOctagonIsItsCentre) {
   }
 }
 
-TEST(DirichletPolygon, OfABasePoint) {
+TEST(DirichletPolygon, IsProvedForABasePointThatIsNoVertex) {
   const Surface surface = random_octagon(7);
   const Complex<Rational> base{Rational(1, 10), Rational(-1, 3)};
   const DirichletPolygon polygon = dirichlet_polygon(surface, BasePoint{0, base});
@@ -151,7 +151,7 @@ TEST(DirichletPolygon, OfABasePoint) {
   expect_words(polygon, surface, base, "base point");
 }
 
-TEST(DirichletPolygon, OfAThinSurface) {
+TEST(DirichletPolygon, IsProvedInAThinCollar) {
   // A cuff of length 1/1000, in whose collar the domain is long and narrow.
   FenchelNielsen coordinates = random_coordinates(PantsGraph::parse("0-1 0-1 0-1"), 3);
   coordinates.lengths[1] = Rational(1, 1000);
@@ -160,7 +160,7 @@ TEST(DirichletPolygon, OfAThinSurface) {
   expect_proved(polygon, "thin");
 }
 
-TEST(DirichletPolygon, OfAVeryShortCurve) {
+TEST(DirichletPolygon, SidesAreExactWhereBinary64HoldsNoVertex) {
   // Vertices are e^-100 from the boundary of the disk and more: no binary64, but sides and their distances.
   const Rational length(1, boost::multiprecision::pow(boost::multiprecision::mpz_int(10), 20));
   const Surface surface =

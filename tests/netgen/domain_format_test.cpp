@@ -53,7 +53,7 @@ TEST(DomainFormat, AllPolygonsAreAccepted) {
   }
 }
 
-TEST(DomainFormat, NumberOfSides) {
+TEST(DomainFormat, TheNumberOfSidesIsEvenAndAtLeast8) {
   EXPECT_THAT(complaint(""), StartsWith("f.txt:1: the text ends here, expected the number of sides"));
   EXPECT_THAT(complaint("eight"), StartsWith("f.txt:1: \"eight\" found, expected the number of sides"));
   EXPECT_THAT(complaint("-8 "), HasSubstr("\"-8\" found"));
@@ -63,12 +63,12 @@ TEST(DomainFormat, NumberOfSides) {
   EXPECT_THAT(complaint("9"), HasSubstr("9 sides found"));
 }
 
-TEST(DomainFormat, ClaimsABillionSides) {
+TEST(DomainFormat, MemoryDoesNotGrowWithTheNumberOfSidesClaimed) {
   EXPECT_THAT(complaint("1000000000\n1\n0\n"), StartsWith("f.txt:4: the text ends here, expected the index of the side "
                                                           "paired with side 2, from 0 to 999999999 (the text claims "));
 }
 
-TEST(DomainFormat, Pairing) {
+TEST(DomainFormat, ThePairingIsAnInvolutionWithoutFixedSides) {
   EXPECT_THAT(complaint("8\n4 5 6 7\n0 1 2 8\n"),
               StartsWith("f.txt:3: 8 found, expected the index of the side paired with side 7"));
   EXPECT_THAT(complaint("8\n4 -5 6 7\n0 1 2 3\n"),
@@ -78,7 +78,7 @@ TEST(DomainFormat, Pairing) {
               StartsWith("f.txt:5: side 3 is paired with side 7, but side 7 with side 1"));
 }
 
-TEST(DomainFormat, Coordinates) {
+TEST(DomainFormat, CoordinatesAreRationalsInTheOpenDisk) {
   const std::string good = test::domain_text(octagon());
   EXPECT_EQ(complaint(good), "accepted");
   EXPECT_EQ(complaint(replaced(good, "3769/5000", "0003769000/0005000000")), "accepted");
@@ -99,14 +99,14 @@ TEST(DomainFormat, Coordinates) {
   EXPECT_EQ(complaint(good + " \r\n\t\v\f\n"), "accepted");
 }
 
-TEST(DomainFormat, TruncatedAnywhere) {
+TEST(DomainFormat, NoTruncatedTextIsAccepted) {
   const std::string good = test::domain_text(octagon());
   for (std::size_t length = 0; length + 1 < good.size(); ++length) {
     EXPECT_NE(complaint(good.substr(0, length)), "accepted") << length;
   }
 }
 
-TEST(DomainFormat, NotASurface) {
+TEST(DomainFormat, PolygonsThatGiveNoSurfaceAreRefusedWithTheReason) {
   PairedPolygon polygon = octagon();
   polygon.vertices[3].x += Rational(1, 1000);
   EXPECT_THAT(complaint(polygon),
@@ -123,7 +123,7 @@ TEST(DomainFormat, NotASurface) {
   EXPECT_THAT(complaint(polygon), HasSubstr("torus"));
 }
 
-TEST(DomainFormat, SelfIntersecting) {
+TEST(DomainFormat, PolygonsThatIntersectThemselvesAreRefused) {
   const PairedPolygon good = octagon();
   PairedPolygon polygon = good;
   std::swap(polygon.vertices[2], polygon.vertices[3]);
@@ -138,7 +138,7 @@ TEST(DomainFormat, SelfIntersecting) {
   EXPECT_THAT(complaint(polygon), HasSubstr("side 0 has length 0"));
 }
 
-TEST(DomainFormat, NotConvexAndWrong) {
+TEST(DomainFormat, LengthsAndAnglesOfNonConvexPolygonsAreChecked) {
   PairedPolygon polygon = octagon();
   polygon.vertices[2] = {Rational(1, 100), Rational(1, 10)};
   EXPECT_THAT(complaint(polygon), HasSubstr("are paired but differ"));
@@ -146,7 +146,7 @@ TEST(DomainFormat, NotConvexAndWrong) {
   EXPECT_THAT(complaint(polygon), HasSubstr("add up to"));
 }
 
-TEST(DomainFormat, TooManySidesForAPolygonThatIsNotConvex) {
+TEST(DomainFormat, NonConvexPolygonsHaveAtMost4096Sides) {
   const std::uint32_t n = 5000;
   PairedPolygon polygon;
   for (std::uint32_t k = 0; k < n; ++k) {
@@ -156,7 +156,7 @@ TEST(DomainFormat, TooManySidesForAPolygonThatIsNotConvex) {
   EXPECT_THAT(complaint(polygon), HasSubstr("polygons that are not convex may have at most 4096 sides"));
 }
 
-TEST(DomainFormat, StraightAnglesAndSeveralVertices) {
+TEST(DomainFormat, StraightAnglesBecomeVerticesOfTheSurface) {
   PairedPolygon polygon = test::with_vertex_on_side(octagon(), 2, Rational(1, 3));
   polygon = test::with_vertex_on_side(polygon, 3, Rational(2, 5));
   polygon = test::with_vertex_on_side(polygon, 0, Rational(1, 2));
@@ -167,7 +167,7 @@ TEST(DomainFormat, StraightAnglesAndSeveralVertices) {
   EXPECT_THROW(static_cast<void>(write_domain(surface)), ExchangeError);
 }
 
-TEST(DomainFormat, ManySidesAndStraightAngles) {
+TEST(DomainFormat, StraightAnglesOfManySidesBecomeVerticesOfTheSurface) {
   PairedPolygon polygon =
       test::paired_polygon(import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g50-small.txt"));
   for (std::uint32_t added = 0; added < 30; ++added)
@@ -179,14 +179,14 @@ TEST(DomainFormat, ManySidesAndStraightAngles) {
   EXPECT_EQ(surface.tiles().size(), 258U);
 }
 
-TEST(DomainFormat, FilesThatCannotBeRead) {
+TEST(DomainFormat, AFileThatCannotBeReadIsAFileError) {
   EXPECT_THROW(static_cast<void>(import_surface_file("/nonexistent/domain.txt")), certify::FileError);
   EXPECT_THROW(static_cast<void>(import_surface_file(EPSNET_TEST_DATA)), certify::FileError);
   EXPECT_THROW(static_cast<void>(import_surface_file("/dev/null", ExchangeFormat::domain)), certify::FileError);
   EXPECT_THROW(static_cast<void>(import_surface("", "empty", ExchangeFormat::domain)), ExchangeError);
 }
 
-TEST(EarClipping, EarsWithVerticesOnTheirDiagonals) {
+TEST(EarClipping, NoTriangleIsDegenerateAndContactsAreCrossings) {
   // A square with straight angles, a spike that points at it, in Klein coordinates over 10.
   const auto at = [](int x, int y) { return KleinVector{x, y, 10}; };
   const std::vector<KleinVector> polygon{at(-4, -4), at(0, -4), at(4, -4), at(4, 0),  at(4, 4),

@@ -414,8 +414,12 @@ TEST(Draw, ValuesColourTrianglesInBands) {
   EXPECT_EQ(colours(), 2U);
   EXPECT_THAT(draw_svg(net, options), HasSubstr(">height 1.50<"));
   for (std::size_t v = 0; v < options.values.size(); ++v) options.values[v] = static_cast<double>(v);
-  EXPECT_GT(colours(), 15U);
-  EXPECT_LE(colours(), 25U);
+  std::set<std::size_t> bands;  // 24, by the mean of a triangle's corners as a share of the greatest value.
+  for (const certify::NetDocument::Triangle& triangle : net.triangles) {
+    const std::size_t sum = std::size_t{triangle.vertex[0]} + triangle.vertex[1] + triangle.vertex[2];
+    bands.insert(24 * sum / (3 * (net.vertices.size() - 1)));
+  }
+  EXPECT_EQ(colours(), bands.size());
 }
 
 TEST(Draw, ShowsWhatIsAskedFor) {
@@ -701,11 +705,10 @@ TEST(Draw, WhatIsLeftOutIsNamed) {
   EXPECT_THAT(page, Not(HasSubstr("#123456")));
 }
 
-TEST(Draw, IsOfModerateSize) {
+TEST(Draw, TakesAtMost100BytesForAVertex) {
   const certify::NetDocument net = octagon_net(123, "0.03");
   const std::string picture = draw_svg(net);
-  EXPECT_LT(picture.size(), 100 * net.vertices.size());
-  EXPECT_GT(picture.size(), 20 * net.vertices.size());
+  EXPECT_LE(picture.size(), 100 * net.vertices.size());
 }
 
 TEST(Draw, WritesNoUnboundedTextOfTheDocument) {

@@ -89,7 +89,7 @@ TEST(PantsGraph, NamedGraphsAreTrivalentAndConnected) {
   }
 }
 
-TEST(PantsGraph, LoopsAndDoubleEdges) {
+TEST(PantsGraph, LoopsAndDoubleEdgesAreAllowed) {
   const PantsGraph dumbbell = PantsGraph::parse("0-0, 0-1 1-1");
   EXPECT_EQ(dumbbell.edges(), PantsGraph::chain(2).edges());
   EXPECT_EQ(dumbbell.edges()[0], (PantsGraph::Edge{{{0, 0}, {0, 1}}}));
@@ -97,7 +97,7 @@ TEST(PantsGraph, LoopsAndDoubleEdges) {
   EXPECT_EQ(PantsGraph::parse("0-1 0-1 1-0").edges(), PantsGraph::ring(2).edges());
 }
 
-TEST(PantsGraph, ASeedIsAGraph) {
+TEST(PantsGraph, ASeedGivesOneGraphAndAnotherSeedAnotherOne) {
   EXPECT_EQ(PantsGraph::random(10, 1).edges(), PantsGraph::random(10, 1).edges());
   EXPECT_NE(PantsGraph::random(10, 1).edges(), PantsGraph::random(10, 2).edges());
 }

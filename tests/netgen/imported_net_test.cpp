@@ -129,8 +129,8 @@ TEST(ImportedNet, AFlippedEdgeIsRefutedAndNamed) {
   EXPECT_EQ(flips, 10U);
 }
 
-TEST(ImportedNet, OneVertexAndAllEdgesLoops) {
-  // The diagonals of an octagon, as they are: nobody flips them.
+TEST(ImportedNet, TheDiagonalsOfAnOctagonAreRefutedAsNotDelaunay) {
+  // Nothing flips the given diagonals.
   const certify::NetDocument net =
       net_of_tiles(develop(triangulation_stream(random_octagon(1)), "octagon"), Length("3"));
   ASSERT_EQ(net.vertices.size(), 1U);

@@ -65,7 +65,7 @@ std::size_t expect_verified(const Surface& surface, const std::string& epsilon, 
   }
 }
 
-TEST(PseudoNet, OneShortCuff) {
+TEST(PseudoNet, OneShortCuffIsOneCollar) {
   for (const char* graph : {"0-0 0-1 1-1", "0-1 0-1 0-1"}) {
     for (const int digits : {1, 2, 4, 8, 12, 25}) {
       for (const std::size_t cuff : {0u, 1u}) {  // Cuff 1 of the first graph separates.
@@ -89,7 +89,7 @@ TEST(PseudoNet, TheNumberOfVerticesDoesNotGrowAsCuffsShrink) {
   }
 }
 
-TEST(PseudoNet, SeveralShortCuffsInHigherGenus) {
+TEST(PseudoNet, EveryShortCuffIsACollarInHigherGenus) {
   for (const std::uint32_t genus : {3u, 5u}) {
     for (const PantsGraph& graph : {PantsGraph::chain(genus), PantsGraph::ring(genus), PantsGraph::random(genus, 2)}) {
       expect_verified(with_cuffs({power_of_ten(4), power_of_ten(12)}, graph), "0.34", 2);
@@ -99,7 +99,7 @@ TEST(PseudoNet, SeveralShortCuffsInHigherGenus) {
   }
 }
 
-TEST(PseudoNet, CuffsAboutEpsilon) {
+TEST(PseudoNet, ACuffIsACollarIfAndOnlyIfItIsShorterThanEpsilon) {
   // l_ε is 0.3534… for ε = 1/4.
   expect_verified(with_cuffs({Rational(2499999, 10000000)}), "0.25", 1);
   expect_verified(with_cuffs({Rational(2500001, 10000000)}), "0.25", 0);

@@ -19,15 +19,15 @@ void expect_net(std::uint32_t genus, const char* epsilon) {
   EXPECT_LE(static_cast<double>(net.net.vertices.size()), 3 * least);
 }
 
-TEST(RegularNets, OfEveryGenusToTwenty) {
+TEST(RegularNets, AreVerifiedForEveryGenusUpTo20) {
   for (std::uint32_t genus = 2; genus <= 20; ++genus) {
     for (const char* epsilon : {"0.5", "0.25", "0.1"}) expect_net(genus, epsilon);
   }
 }
 
-TEST(RegularNets, OfGenusHundred) { expect_net(100, "0.5"); }
+TEST(RegularNets, AreVerifiedForGenus100) { expect_net(100, "0.5"); }
 
-TEST(RegularNets, OfOneVertexAndGenusThousand) {
+TEST(RegularNets, AllDiagonalsAreTiesWithOneVertex) {
   const CertifiedNet net = certified_net(Surface::regular(1000), Length("20"));
   EXPECT_EQ(net.net.vertices.size(), 1U);
   EXPECT_EQ(net.certificate.counts.exact_ties, 3997U) << "all diagonals of the dual polygon";

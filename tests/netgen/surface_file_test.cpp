@@ -55,7 +55,7 @@ void write_text(const fs::path& path, const std::string& text) {
   write_file_atomically(path, [&](std::ostream& out) { out << text; });
 }
 
-TEST_F(SurfaceFile, RoundTrip) {
+TEST_F(SurfaceFile, WhatIsSavedLoadsTheSame) {
   for (const auto& path : test::data_files("polygons")) {
     const Surface surface = import_surface_file(path);
     save_surface(surface, directory_ / "a.json");
@@ -68,14 +68,14 @@ TEST_F(SurfaceFile, RoundTrip) {
   }
 }
 
-TEST_F(SurfaceFile, SeveralTiles) {
+TEST_F(SurfaceFile, SeveralTilesLoadTheSame) {
   const auto polygon = test::with_vertex_on_side(test::paired_polygon(random_octagon(1)), 2, Rational(1, 3));
   const Surface surface = read_domain(test::domain_text(polygon), "test");
   save_surface(surface, directory_ / "a.json");
   EXPECT_EQ(load_surface(directory_ / "a.json").tiles(), surface.tiles());
 }
 
-TEST_F(SurfaceFile, WellFormedButNotASurface) {
+TEST_F(SurfaceFile, AWellFormedFileThatIsNoSurfaceIsASurfaceError) {
   save_surface(random_octagon(123), directory_ / "a.json");
   std::string text = test::file_text(directory_ / "a.json");
   text.replace(text.find("3769/5000"), 9, "3768/5000");
@@ -85,7 +85,7 @@ TEST_F(SurfaceFile, WellFormedButNotASurface) {
   EXPECT_THAT(message, HasSubstr("are paired but differ"));
 }
 
-TEST_F(SurfaceFile, Malformed) {
+TEST_F(SurfaceFile, MalformedAndMissingFilesAreErrorsOfTheirOwn) {
   write_text(directory_ / "a.json", "{}");
   EXPECT_THROW(static_cast<void>(load_surface(directory_ / "a.json")), certify::MalformedError);
   EXPECT_THROW(static_cast<void>(load_surface(directory_ / "none.json")), certify::FileError);
@@ -103,7 +103,7 @@ TEST_F(AtomicFile, CreatesAndReplaces) {
   EXPECT_EQ(files(), 1U);
 }
 
-TEST_F(AtomicFile, RelativePath) {
+TEST_F(AtomicFile, ARelativePathIsInTheCurrentFolder) {
   const fs::path before = fs::current_path();
   fs::current_path(directory_);
   write_text("a", "text");
@@ -126,7 +126,7 @@ TEST_F(AtomicFile, ErrorLeavesTheOldFileAlone) {
   EXPECT_EQ(files(), 1U);
 }
 
-TEST_F(AtomicFile, DiskFull) {
+TEST_F(AtomicFile, AFullDiskIsAnErrorHoweverLittleIsWritten) {
   for (const std::size_t size : {std::size_t{1}, std::size_t{1'000'000}}) {
     const std::string message = complaint<WriteError>([&] { write_text("/dev/full", std::string(size, 'x')); });
     EXPECT_EQ(message, "/dev/full: cannot be written: No space left on device");
@@ -134,7 +134,7 @@ TEST_F(AtomicFile, DiskFull) {
   EXPECT_TRUE(fs::exists("/dev/full"));
 }
 
-TEST_F(AtomicFile, NotWritable) {
+TEST_F(AtomicFile, APathThatCannotBeWrittenIsNamedAndNothingIsLeft) {
   EXPECT_THAT(complaint<WriteError>([&] { write_text(directory_ / "none" / "a", "x"); }),
               HasSubstr("none/a: cannot be created: there is no directory "));
   EXPECT_THAT(complaint<WriteError>([&] { write_text(directory_, "x"); }), HasSubstr("Is a directory"));
@@ -159,7 +159,7 @@ TEST_F(AtomicFile, LinksAndPermissionsStay) {
               HasSubstr("loop: cannot be opened"));
 }
 
-TEST_F(AtomicFile, AllOrNone) {
+TEST_F(AtomicFile, EitherAllFilesAreReplacedOrNone) {
   const fs::path first = directory_ / "first";
   write_text(first, "old");
   const NewFile text{first, [](std::ostream& out) { out << "new"; }};
@@ -203,7 +203,7 @@ TEST_F(AtomicFile, WhatASignalHandlerRemovesIsGone) {
   EXPECT_EQ(files(), 1U);
 }
 
-TEST_F(AtomicFile, WritableIsToldBefore) {
+TEST_F(AtomicFile, CheckWritableTellsBeforeAnythingIsWritten) {
   write_text(directory_ / "a", "old");
   check_writable(directory_ / "a");
   check_writable(directory_ / "new");

@@ -123,7 +123,7 @@ TEST(TriangulationStream, AllSamplesAreAccepted) {
   }
 }
 
-TEST(TriangulationStream, CrossRatiosByTheBook) {
+TEST(TriangulationStream, CrossRatiosAreThoseOfTheDefinition) {
   for (const auto& path : test::data_files("triangulations")) {
     const Surface surface = import_surface_file(path);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
@@ -134,7 +134,7 @@ TEST(TriangulationStream, CrossRatiosByTheBook) {
   }
 }
 
-TEST(TriangulationStream, PolygonsAsTriangulations) {
+TEST(TriangulationStream, APolygonKeepsItsSurfaceAsATriangulation) {
   for (const auto& path : test::data_files("polygons")) {
     const Surface polygon = import_surface_file(path);
     const TriangulationStream stream = triangulation_stream(polygon);
@@ -147,7 +147,7 @@ TEST(TriangulationStream, PolygonsAsTriangulations) {
   }
 }
 
-TEST(TriangulationStream, DartCount) {
+TEST(TriangulationStream, TheNumberOfDartsIsAPositiveMultipleOf6) {
   EXPECT_THAT(complaint(""), StartsWith("f.txt:1: the text ends here, expected the number of darts"));
   EXPECT_THAT(complaint("thirty"), StartsWith("f.txt:1: \"thirty\" found, expected the number of darts"));
   EXPECT_THAT(complaint("0 no"), HasSubstr("0 darts found, expected a positive multiple of 6"));
@@ -156,14 +156,14 @@ TEST(TriangulationStream, DartCount) {
   EXPECT_THAT(complaint("4294967296 no"), HasSubstr("expected the number of darts"));
 }
 
-TEST(TriangulationStream, ClaimsABillionDarts) {
+TEST(TriangulationStream, ThereAreNoMoreDartsThanBytes) {
   const std::string text = with_line(sample_text("g2-e0.2"), 1, "1000000002");
   EXPECT_THAT(complaint(text), StartsWith("f.txt:1: the text claims 1000000002 darts, but has only "));
   EXPECT_THAT(complaint(with_line(sample_text("g2-e0.2"), 1, "36")),
               StartsWith("f.txt:37: dart 0 belongs to triangle 0 and to triangle 10"));
 }
 
-TEST(TriangulationStream, Anchor) {
+TEST(TriangulationStream, AnAnchorIsADartAndACounterclockwiseTriangleOfTheDisk) {
   const std::string good = sample_text("g2-e0.2");
   EXPECT_EQ(complaint(good), "accepted");
   EXPECT_THAT(complaint(with_line(good, 2, "maybe")),
@@ -194,7 +194,7 @@ TriangulationStream with_all_anchors(TriangulationStream stream, std::uint32_t i
   return stream;
 }
 
-TEST(TriangulationStream, AnAnchorForEachTriangle) {
+TEST(TriangulationStream, AnAnchorForEachTriangleGivesTheSameSurface) {
   for (const auto& path : test::data_files("triangulations")) {
     const TriangulationStream stream = read_triangulation_stream(test::file_text(path), "sample");
     for (const std::uint32_t i : {0U, 1U, 2U}) {
@@ -252,7 +252,7 @@ TEST(TriangulationStream, PolygonsAreNotTakenForTriangulations) {
   EXPECT_TRUE(is_triangulation_stream("18 0 2 1 0 0 0 1/2"));
 }
 
-TEST(TriangulationStream, Triangles) {
+TEST(TriangulationStream, EveryDartIsInOneTriangle) {
   const std::string good = sample_text("g2-e0.2");  // Triangle t is on the lines 3t + 7 to 3t + 9.
   EXPECT_THAT(complaint(with_line(good, 10, "30")),
               StartsWith("f.txt:10: 30 found, expected the first dart of triangle 1, from 0 to 29"));
@@ -267,7 +267,7 @@ TEST(TriangulationStream, Triangles) {
   EXPECT_THAT(complaint(stream), HasSubstr("cross-ratio"));
 }
 
-TEST(TriangulationStream, Edges) {
+TEST(TriangulationStream, EveryDartIsInOneEdgeWithARationalCrossRatio) {
   const std::string good = sample_text("g2-e0.2");  // Edge e is on the lines 4e + 37 to 4e + 40.
   EXPECT_THAT(complaint(with_line(good, 38, "99")),
               StartsWith("f.txt:38: 99 found, expected the second dart of edge 0, from 0 to 29"));
@@ -282,14 +282,14 @@ TEST(TriangulationStream, Edges) {
   EXPECT_EQ(complaint(good + " \r\n\t\v\f\n"), "accepted");
 }
 
-TEST(TriangulationStream, TruncatedAnywhere) {
+TEST(TriangulationStream, NoTruncatedTextIsAccepted) {
   const std::string good = sample_text("g2-e0.2");
   for (std::size_t length = 0; length + 1 < good.size(); ++length) {
     EXPECT_NE(complaint(good.substr(0, length)), "accepted") << length;
   }
 }
 
-TEST(TriangulationStream, AMillionDigits) {
+TEST(TriangulationStream, NumbersHaveAtMostAMillionDigits) {
   const std::string nines(1'000'000, '9');
   const std::string almost_one = std::string(499'999, '9') + "/1" + std::string(499'999, '0');
   const std::string good = sample_text("g2-e0.2");
@@ -340,7 +340,7 @@ TEST(TriangulationStream, MessagesNameEdges) {
                                                        ".* and .* in triangle .*: these cross-ratios are .*"));
 }
 
-TEST(TriangulationStream, ThirdVertexInTheWrongPlace) {
+TEST(TriangulationStream, ThirdVerticesLieInTheDiskBeyondTheEdge) {
   const TriangulationStream good = sample();
   const Complex<Rational> a = good.anchors[0].points[0];  // Lambdas of clang 14 do not capture structured bindings.
   const Complex<Rational> b = good.anchors[0].points[1];
@@ -363,7 +363,7 @@ TEST(TriangulationStream, ThirdVertexInTheWrongPlace) {
   EXPECT_THAT(complaint(stream), StartsWith("f.txt: " + third + "is the point at infinity"));
 }
 
-TEST(TriangulationStream, ConePoint) {
+TEST(TriangulationStream, AConePointIsRefusedThoughAllCrossRatiosAreRight) {
   // Still with sides of equal lengths, but the angles do not add up to 2π: all cross-ratios are right.
   test::PairedPolygon polygon = test::paired_polygon(random_octagon(123));
   EXPECT_EQ(complaint(fan(polygon)), "accepted");
@@ -376,7 +376,7 @@ TEST(TriangulationStream, ConePoint) {
             HasSubstr("tile t is triangle t of the text")));
 }
 
-TEST(TriangulationStream, SphereAndTwoSurfaces) {
+TEST(TriangulationStream, ASphereAndTwoSurfacesAreRefused) {
   const Tile triangle{{Rational(0), Rational(0)}, {Rational(1, 2), Rational(0)}, {Rational(1, 5), Rational(1, 3)}};
   const Tile mirrored{triangle[1], triangle[0], conj(triangle[2])};
   EXPECT_THAT(complaint(glued({triangle, mirrored}, {{0, 3}, {1, 5}, {2, 4}})), HasSubstr("is a sphere (genus 0)"));
@@ -389,7 +389,7 @@ TEST(TriangulationStream, SphereAndTwoSurfaces) {
                                          "to triangle 10"));
 }
 
-TEST(TriangulationStream, Formats) {
+TEST(TriangulationStream, TheFormatIsDetectedUnlessItIsGiven) {
   const std::string triangulation = sample_text("g2-e0.2");
   const std::string domain = test::domain_text(test::paired_polygon(random_octagon(123)));
   EXPECT_TRUE(is_triangulation_stream(triangulation));
@@ -412,11 +412,12 @@ TEST(TriangulationStream, Formats) {
   EXPECT_EQ(tiles(domain, ExchangeFormat::automatic), "1");
   EXPECT_EQ(tiles(domain, ExchangeFormat::domain), "1");
   EXPECT_THAT(tiles(domain, ExchangeFormat::triangulation), HasSubstr("8 darts found, expected a positive"));
-  EXPECT_THAT(tiles("8 4", ExchangeFormat::automatic), HasSubstr("(read as the domain format: the second word is nei"));
+  EXPECT_THAT(tiles("8 4", ExchangeFormat::automatic),
+              HasSubstr("(read as the domain format: the second token is nei"));
   EXPECT_THAT(tiles("8 4", ExchangeFormat::domain), testing::Not(HasSubstr("read as")));
 }
 
-TEST(TriangulationStream, FilesThatCannotBeRead) {
+TEST(TriangulationStream, AFileThatCannotBeReadIsAFileError) {
   const auto load = [](const char* path) { (void)import_surface_file(path, ExchangeFormat::triangulation); };
   EXPECT_THROW(load("/nonexistent"), certify::FileError);
   EXPECT_THROW(load(EPSNET_TEST_DATA), certify::FileError);
@@ -433,7 +434,7 @@ std::string net_complaint(const certify::NetDocument& net) {
   return "accepted";
 }
 
-TEST(TriangulationStream, NetsThatAreNone) {
+TEST(TriangulationStream, ADocumentThatIsNoNetIsRefused) {
   const certify::NetDocument good = compute_net(random_octagon(123), Length("0.5")).net;
   EXPECT_EQ(net_complaint(good), "accepted");
   EXPECT_THAT(net_complaint({}), StartsWith("not a net: "));
