@@ -11,9 +11,10 @@
 
 #include "tests/assurance/file_mutants/net_rules.h"
 
-/// The rules of geodesics files over an exact ring F. A closed geodesic is known by the sides of tiles that it crosses,
-/// in cyclic order and up to direction. Lest one runs through a vertex, the vertices of the tiles are moved a little,
-/// as the group moves them: the crossings stay, and any tiles with them will do.
+/// The rules of geodesics files over an exact ring F. A closed geodesic is identified by the sides of tiles that it
+/// crosses, in cyclic order and up to direction. The vertices of the tiles are moved a little, in a way compatible with
+/// the group, so that no geodesic runs through a vertex. The crossings stay the same, and any tiles with these
+/// crossings will do.
 namespace epsnet::attack {
 
 template <class F>
@@ -141,7 +142,7 @@ class GeodesicRules {
     return result;
   }
 
-  /// −1, 1 for the vertices of a tile right and left of the axis.
+  /// Returns for each vertex of a tile −1 or 1 if it is right or left of the axis.
   [[nodiscard]] std::vector<int> sides_of_axis(Index tile, const Isometry<F>& g) const {
     std::vector<int> result;
     for (const Point<F>& z : tiling_.tiles[tile]) {
@@ -155,7 +156,7 @@ class GeodesicRules {
     g = directed(tiling_.crossing[s] * (g * inverse(tiling_.crossing[s])));
     tile = tile_[partner_[s]];
   }
-  /// The side through which the perpendicular from a point to the axis leaves a tile that it meets.
+  /// Returns the side through which the perpendicular from a point to the axis leaves a tile that it meets.
   [[nodiscard]] Index towards_axis(Index tile, const Isometry<F>& g, const Point<F>& from) const {
     const auto vector = [](const Point<F>& z) {
       const Complex<F> n = z.n * conj(z.d);
@@ -164,7 +165,7 @@ class GeodesicRules {
     const std::array<F, 3> n{F(-g.b.im), g.b.re, g.a.im};
     const std::array<F, 3> x = vector(from);
     const int start = sign(side_of_axis(g, from));
-    std::vector<int> sides;  // Left of the perpendicular or right.
+    std::vector<int> sides;  // By vertex: left or right of the perpendicular.
     for (const Point<F>& z : tiling_.tiles[tile]) {
       const std::array<F, 3> y = vector(z);
       const F det = n[0] * F(x[1] * y[2] - x[2] * y[1]) + n[1] * F(x[2] * y[0] - x[0] * y[2]) +
@@ -174,7 +175,8 @@ class GeodesicRules {
     }
     return exit(tile, sides);
   }
-  /// From right to left, counterclockwise: the side through which a line leaves the tile.
+  /// Returns the side through which a line leaves the tile: counterclockwise, its start is right of the line and its
+  /// end left.
   [[nodiscard]] Index exit(Index tile, const std::vector<int>& sides) const {
     for (Index s = first_[tile]; s < tile_.size() && tile_[s] == tile; ++s) {
       if (sides[s - first_[tile]] < 0 && sides[next_[s] - first_[tile]] > 0) return s;
@@ -251,7 +253,7 @@ class GeodesicRules {
   [[nodiscard]] static int difference_of_lengths(const Class& x, const Class& y) {
     return sign(F(x.sinh_square * y.determinant - y.sinh_square * x.determinant));
   }
-  /// Not longer than the claim of a file wants.
+  /// Whether a geodesic is no longer than the bound of the file's claim.
   [[nodiscard]] static bool within(const Class& c, const GeodesicsFile& file) {
     if (file.claim == "systole") return true;
     if (file.claim == "thick-thin") return sign(F(c.sinh_square - c.determinant)) <= 0;
@@ -280,7 +282,7 @@ class GeodesicRules {
   }
 
   using Pieces = std::multiset<std::pair<Index, std::set<std::pair<std::vector<Index>, bool>>>>;
-  /// Boundaries by geodesic and side, the geodesic directed in one way.
+  /// Returns the pieces, their boundaries given by geodesic and side; each geodesic has a fixed direction.
   [[nodiscard]] static Pieces pieces_of(const GeodesicsFile& file, const std::vector<Class>& classes) {
     Pieces result;
     for (const GeodesicsFile::Piece& piece : file.pieces) {
@@ -312,7 +314,8 @@ class GeodesicRules {
     }
   }
 
-  /// Everything of length at most L, in binary64 but for the elements found; false if that is too much.
+  /// Finds all geodesics up to a length. The search is in binary64, the elements found are exact. False if there are
+  /// too many.
   [[nodiscard]] bool search(double longest) {
     struct Copy {
       Index tile;

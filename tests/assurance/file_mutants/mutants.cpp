@@ -30,8 +30,8 @@
 #include "tests/assurance/file_mutants/mutations.h"
 #include "tests/assurance/file_mutants/reference.h"
 
-/// Mutants of files: single and double defects of true files, in the document or in its text; what `certify` says of
-/// them is compared with what `certify-exact` says, and with the reference of this folder.
+/// Mutants of files: single and double defects of true files, in the document or in its text. The verdicts of `certify`
+/// are compared with those of `certify-exact`, and with the reference of this folder.
 namespace epsnet::attack {
 namespace {
 
@@ -40,7 +40,7 @@ using certify::NetDocument;
 using certify::Verdict;
 using Document = std::variant<NetDocument, GeodesicsDocument>;
 
-/// A true file, and how often it is taken.
+/// A true file, and how often it is used.
 struct Base {
   std::string name;
   Document document;
@@ -52,7 +52,7 @@ struct Base {
 struct Family {
   std::string name;
   unsigned weight;            ///< Its share of the mutants.
-  unsigned reference_one_of;  ///< Of so many mutants one is asked of the reference as well.
+  unsigned reference_one_of;  ///< One of this many mutants is also checked by the reference.
   bool for_exact;             ///< Whether certify-exact decides such files.
   std::vector<Base> bases;
 };
@@ -187,7 +187,7 @@ struct Mutant {
   std::string how;
 };
 
-/// One defect of the document; its name.
+/// Makes one defect in the document; returns its name.
 std::string defect(Document& document, Random& random) {
   auto* geodesics = std::get_if<GeodesicsDocument>(&document);
   if (geodesics != nullptr && random.below(5) != 0) {
@@ -204,7 +204,7 @@ std::string defect(Document& document, Random& random) {
   return mutation.name;
 }
 
-/// The mutant of this number: the same for a seed, whatever the others are.
+/// Returns the mutant of this number, which depends only on the seed and the number.
 Mutant make(std::vector<Family>& all, std::uint64_t seed, std::uint64_t number) {
   Random random(seed * 0x9E3779B97F4A7C15U + number);
   Family& family = weighted(all, random);
@@ -232,7 +232,7 @@ Mutant make(std::vector<Family>& all, std::uint64_t seed, std::uint64_t number) 
         continue;
       }
       if (twice) {
-        // The first defect may have left nothing that a second one could start from.
+        // After the first defect there may be nothing left to which a second one applies.
         Document second = document;
         try {
           const std::string name = defect(second, random);
@@ -282,7 +282,7 @@ Opinion ask_reference(const std::string& text, const KnownGeodesics& known) {
 }
 
 bool decided(const Opinion& opinion) { return opinion.verdict != Verdict::undecided; }
-/// Both decide, and not the same.
+/// Whether both decide, with different verdicts.
 bool disagree(const Opinion& one, const Opinion& other) {
   return decided(one) && decided(other) && one.verdict != other.verdict;
 }
@@ -290,9 +290,9 @@ bool disagree(const Opinion& one, const Opinion& other) {
 /// A row of the table.
 struct Row {
   std::uint64_t mutants = 0;
-  std::array<std::uint64_t, 4> verdict{};  ///< What `certify` says, by Verdict.
-  std::uint64_t exact_asked = 0;           ///< How often both answered, and
-  std::uint64_t exact_undecided = 0;       ///< how often the other one did not.
+  std::array<std::uint64_t, 4> verdict{};  ///< Counts of the verdicts of `certify`, by Verdict.
+  std::uint64_t exact_asked = 0;           ///< Mutants that `certify-exact` checked.
+  std::uint64_t exact_undecided = 0;       ///< Those of them that it left undecided.
   std::uint64_t reference_asked = 0;
   std::uint64_t reference_undecided = 0;
   std::uint64_t other_rules = 0;  ///< Both refute, by different rules.
@@ -338,7 +338,7 @@ class Attack {
   }
 
  private:
-  /// All say that the true file is true.
+  /// Checks that all checkers verify the true file.
   void unspoilt(const Family& family, const Base& base) {
     const Opinion first = ask_certify(base.text);
     const Opinion second = ask_reference(base.text, base.known);
@@ -411,9 +411,9 @@ class Attack {
   }
 
   void print() const {
-    std::cout << "| family | mutants | VERIFIED | REFUTED | MALFORMED | UNDECIDED | asked of `certify-exact` | "
+    std::cout << "| family | mutants | VERIFIED | REFUTED | MALFORMED | UNDECIDED | checked by `certify-exact` | "
                  "UNDECIDED there "
-                 "| asked of the reference | unknown there | refuted by another rule | disagreements |\n"
+                 "| checked by the reference | unknown there | refuted by another rule | disagreements |\n"
                  "| --- | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: |\n";
     Row sum;
     const auto line = [](const std::string& name, const Row& row) {

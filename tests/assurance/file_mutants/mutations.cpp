@@ -14,7 +14,7 @@ namespace {
 using certify::GeodesicsDocument;
 using certify::NetDocument;
 
-/// Another index below n; sometimes one that is just too large, or as large as can be.
+/// Changes an index to another one below n; sometimes to one that is just too large, or as large as possible.
 void change_index(std::uint32_t& index, std::size_t n, Random& random) {
   switch (random.below(12)) {
     case 0:
@@ -28,7 +28,7 @@ void change_index(std::uint32_t& index, std::size_t n, Random& random) {
   }
 }
 
-/// A little or a lot, relative to numbers below 1.
+/// Returns a small or a large step, relative to numbers below 1.
 mpq_class some_step(Random& random) {
   mpz_class power;
   mpz_ui_pow_ui(power.get_mpz_t(), 10, 1 + random.below(40));
@@ -55,7 +55,7 @@ void drop_last(std::vector<T>& rows) {
   rows.pop_back();
 }
 
-/// Ends of intervals: a neighbour, a little or a lot more or less.
+/// Changes the end of an interval: to a neighbouring number, or by a little or a lot.
 void change_length(double& x, Random& r) {
   switch (r.below(5)) {
     case 0:
@@ -81,7 +81,7 @@ std::size_t side_count(const NetDocument& net) {
   return n;
 }
 
-/// Of every side the one that it is glued to.
+/// Returns for every side the one that it is glued to.
 std::vector<std::uint32_t> partners(const certify::SurfaceDocument& surface) {
   if (surface.regular_genus != 0) {
     std::vector<std::uint32_t> result;
@@ -105,7 +105,7 @@ std::vector<std::uint32_t> partners(const certify::SurfaceDocument& surface) {
   }
   return result;
 }
-/// The word of the inverse.
+/// Changes a word to that of the inverse.
 void invert(std::vector<std::uint32_t>& word, const certify::SurfaceDocument& surface) {
   const std::vector<std::uint32_t> partner = partners(surface);
   std::reverse(word.begin(), word.end());
@@ -136,7 +136,7 @@ void change_word(std::vector<std::uint32_t>& word, const NetDocument& net, Rando
   }
 }
 
-/// The runs that the lengths make, all of them not said to be equal but those that are as before.
+/// Makes the clusters that follow from the lengths. Only clusters that already existed keep their claim to be equal.
 void make_clusters(GeodesicsDocument& file) {
   if (file.claim == GeodesicsDocument::Claim::systole) return;
   const std::vector<GeodesicsDocument::Cluster> before = std::move(file.clusters);
@@ -155,7 +155,7 @@ void make_clusters(GeodesicsDocument& file) {
   }
 }
 
-/// Sorts by lo; pieces keep their geodesics.
+/// Sorts the geodesics by lo; pieces keep their geodesics.
 void sort_geodesics(GeodesicsDocument& file) {
   std::vector<std::uint32_t> order(file.geodesics.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -175,7 +175,7 @@ void sort_geodesics(GeodesicsDocument& file) {
   make_clusters(file);
 }
 
-/// Takes a geodesic out, and sews the pieces on its sides together: the rest of the file is as it should be.
+/// Removes a geodesic and joins the pieces on its two sides, so that the rest of the file is right.
 void leave_out(GeodesicsDocument& file, std::uint32_t gone) {
   file.geodesics.erase(file.geodesics.begin() + gone);
   std::vector<std::size_t> at;

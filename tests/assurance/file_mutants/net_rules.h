@@ -11,12 +11,12 @@
 /// The rules of nets over an exact ring F.
 namespace epsnet::attack {
 
-/// The rule is broken.
+/// A rule is broken.
 struct Broken {
   const char* rule;
 };
 
-/// Rationals around sinh²(x), x ≥ 0: nearer than 2⁻¹⁰⁰⁰ of it for x between 2⁻²⁰⁰ and 300.
+/// Rational bounds of sinh²(x), x ≥ 0; for x between 2⁻²⁰⁰ and 300 their relative errors are below 2⁻¹⁰⁰⁰.
 struct SinhSquare {
   mpq_class lower;
   mpq_class upper;
@@ -101,7 +101,7 @@ template <class F>
     if (!holds) throw Broken{"surface"};
   };
   Tiling<F> result;
-  std::vector<Point<F>> start;  // Of every side.
+  std::vector<Point<F>> start;  // By side.
   for (const auto& polygon : net.tiles) {
     result.tiles.emplace_back();
     for (const RationalPoint& z : polygon) result.tiles.back().push_back(point<F>(z));
@@ -194,7 +194,7 @@ class NetRules {
  public:
   NetRules(const NetFile& net, const Tiling<F>& tiling) : net_(net), tiling_(tiling) {}
 
-  /// All rules after `surface`, in their order. Throws Broken.
+  /// Checks all rules after `surface`, in their order. Throws Broken.
   void check() {
     map();
     if (tiling_.crossing.empty()) throw Unknown{"a regular surface of large genus"};
@@ -255,7 +255,7 @@ class NetRules {
     }
   }
 
-  /// For one of the two darts of every edge: what is asked is the same of both.
+  /// Checks one of the two darts of every edge, as the condition is the same for both.
   template <class Holds>
   void each_edge(const char* rule, const Holds& holds) const {
     each_dart(rule, [&](Index d) { return d > across(d) || holds(d); });
@@ -311,10 +311,10 @@ class NetRules {
       corners_.push_back(std::move(z));
     }
   }
-  /// At the corner where the dart starts: to the chart of its triangle.
+  /// Returns the label of the corner where the dart starts: it leads to the chart of the triangle.
   [[nodiscard]] const Isometry<F>& label(Index d) const { return labels_[net_.triangles[d / 3].label[d % 3]]; }
   [[nodiscard]] const Point<F>& corner(Index d) const { return corners_[d]; }
-  /// From the chart of the triangle across a dart to that of its own.
+  /// Returns the isometry from the chart of the triangle across a dart to the chart of the dart's triangle.
   [[nodiscard]] Isometry<F> step(Index d) const { return label(d) * inverse(label(next(across(d)))); }
 
   void collars() {

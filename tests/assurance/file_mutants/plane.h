@@ -3,7 +3,7 @@
 #include "tests/assurance/file_mutants/numbers.h"
 
 /// The hyperbolic plane over an exact ring F: points n/d of the disk as pairs of complex numbers, isometries up to real
-/// factors. Nothing is divided.
+/// factors. There are no divisions.
 namespace epsnet::attack {
 
 template <class F>
@@ -26,7 +26,7 @@ template <class F>
   return F(x.re * x.re + x.im * x.im);
 }
 
-/// Divides two complex numbers by the integers that divide both.
+/// Divides two complex numbers by their common integer factors.
 template <class F>
 void reduce(Complex<F>& x, Complex<F>& y) {
   mpz_class content = 0;
@@ -46,7 +46,7 @@ template <class F>
 [[nodiscard]] F gap(const Point<F>& z) {
   return F(norm(z.d) - norm(z.n));
 }
-/// (z − w) times both denominators.
+/// Returns (z − w) times both denominators.
 template <class F>
 [[nodiscard]] Complex<F> difference(const Point<F>& z, const Point<F>& w) {
   return z.n * w.d - w.n * z.d;
@@ -59,7 +59,7 @@ struct Isometry {
   Complex<F> b{};
   Point<F> operator()(const Point<F>& z) const { return {a * z.n + b * z.d, conj(b) * z.n + conj(a) * z.d}; }
 };
-/// First g, then f.
+/// Returns the composition: first g, then f.
 template <class F>
 [[nodiscard]] Isometry<F> operator*(const Isometry<F>& f, const Isometry<F>& g) {
   Isometry<F> h{f.a * g.a + f.b * conj(g.b), f.a * g.b + f.b * conj(g.a)};

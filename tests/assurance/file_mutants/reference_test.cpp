@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// The reference says of the committed files what their folders and names say.
+/// The reference agrees with the folders and names of the committed files.
 namespace epsnet::attack {
 namespace {
 
