@@ -16,7 +16,8 @@
 namespace epsnet {
 namespace {
 
-/// Facts as they are gathered: a line, six significant digits, "%g", the stream's default; and a member of the object.
+/// Collects facts, each as a line of text with six significant digits ("%g", the stream's default) and as a member of a
+/// JSON object.
 class Gathered {
  public:
   template <class T>
@@ -24,7 +25,7 @@ class Gathered {
     line(name, value);
     json[key] = value;
   }
-  /// A line alone.
+  /// Adds a line only.
   template <class T>
   void line(const char* name, const T& value) {
     text << name << ": " << value << '\n';
@@ -35,13 +36,13 @@ class Gathered {
   Json json = Json::object();
 };
 
-/// The number of decimal digits of |n|.
+/// Returns the number of decimal digits of |n|.
 std::size_t digits(const mpz_class& n) {
   const std::string text = n.get_str();
   return text.size() - (text.front() == '-' ? 1 : 0);
 }
 
-/// The height of a rational number in digits: those of the longer of numerator and denominator, in lowest terms.
+/// Returns the number of digits of the numerator or denominator in lowest terms, whichever is longer.
 std::size_t height(const Rational& q) {
   const mpq_class copy = to_gmp(q);
   return std::max(digits(copy.get_num()), digits(copy.get_den()));
@@ -49,7 +50,7 @@ std::size_t height(const Rational& q) {
 
 double area(std::uint32_t genus) { return 4 * std::numbers::pi * (static_cast<double>(genus) - 1); }
 
-/// Least, greatest and mean of values.
+/// The least, the greatest and the mean of values.
 class Summary {
  public:
   void add(double x) {
@@ -66,7 +67,7 @@ class Summary {
     out << least_ << " to " << greatest_ << ", mean " << sum_ / static_cast<double>(count_);
     return out.str();
   }
-  /// Null where there are no values.
+  /// Returns null if there are no values.
   [[nodiscard]] Json json() const {
     if (count_ == 0) return nullptr;
     return Json::object({{"min", least_}, {"max", greatest_}, {"mean", sum_ / static_cast<double>(count_)}});
@@ -83,11 +84,11 @@ struct Measures {
   Summary edges;  ///< Between different vertices.
   Summary loops;  ///< From a vertex to itself.
   Summary circumradii;
-  std::uint64_t identities = 0;       ///< Of the labels of all corners 1 and 2.
-  std::uint64_t plain_triangles = 0;  ///< With no other label than the identity.
+  std::uint64_t identities = 0;       ///< Labels of corners 1 and 2 that are the identity.
+  std::uint64_t plain_triangles = 0;  ///< Triangles whose labels are the identity.
 };
 
-/// By triangle: whether it is one of a collar. These are as long as the collar, beyond binary64.
+/// Returns by triangle whether it is in a collar. Such triangles are as long as the collar, which is beyond binary64.
 std::vector<bool> in_collars(const certify::NetDocument& net) {
   std::vector<bool> result(net.triangles.size());
   if (!net.collars) return result;
@@ -97,7 +98,7 @@ std::vector<bool> in_collars(const certify::NetDocument& net) {
   return result;
 }
 
-/// Edges are measured in a triangle outside of collars, those between the two vertices of a collar not at all.
+/// Edges are measured in triangles outside of collars; those between the two vertices of a collar are not measured.
 Measures measure(const NetGeometry& geometry) {
   Measures result;
   const certify::NetDocument& net = geometry.document();
@@ -149,7 +150,7 @@ void add_systole(Gathered& out, const Summary& loops, double epsilon) {
       Json::object({{"at_least", bound}, {"at_most", loops.count() > 0 ? Json(loops.least()) : Json(nullptr)}});
 }
 
-/// A pseudo net says nothing of the points and loops in its collars.
+/// A pseudo net makes no claim about the points and loops in its collars.
 void add_collars(Gathered& out, const std::vector<certify::NetDocument::Collar>& collars) {
   out.line("pseudo net, collars", collars.size());
   Json& list = out.json["collars"] = Json::array();
@@ -166,7 +167,7 @@ void add_collars(Gathered& out, const std::vector<certify::NetDocument::Collar>&
 
 namespace {
 
-/// One line: no text of a file can pass for another line of ours.
+/// Returns a text of the file on one line, so that it cannot look like further lines of the report.
 std::string shortened(const std::string& text) {
   constexpr std::size_t kShown = 200;
   std::string result = text.size() <= kShown ? text : text.substr(0, kShown) + "...";
@@ -200,7 +201,7 @@ Facts surface_info(const Surface& surface, const std::string& kind) {
         longest = std::max(longest, height(coordinate));
         total += height(coordinate);
       }
-      // Beyond binary64: vertices may be closer to the circle, or to each other, than it can tell.
+      // Beyond binary64: vertices may be closer to the circle, or to each other, than it can resolve.
       const auto length =
           static_cast<double>(distance(convert<Mp256>(tile[k]), convert<Mp256>(tile[(k + 1) % tile.size()])));
       sides.add(length);

@@ -8,26 +8,27 @@
 #include "netgen/nets/dirichlet_polygon.h"
 #include "triangulation/surface/surface.h"
 
-/// What is in a file, for people and for programs. Nothing here is proved: numbers are computed in floating point and
-/// rounded to nearest, and are no bounds. Intervals that a file claims are printed outward.
+/// The contents of a file, for people and for programs. Nothing here is proved: numbers are computed in floating point
+/// and rounded to nearest, and are no bounds. Intervals that a file claims are printed rounded outward.
 namespace epsnet {
 
-/// The same facts twice.
+/// The same facts in two forms.
 struct Facts {
   std::string text;  ///< "name: value" lines, six digits.
   Json json;         ///< An object, digits that round-trip (docs/exchange-formats.md).
 };
 
-/// About a surface: genus, tiles, sides, vertices, the size of the coordinates, area, perimeter. `kind` says what file
-/// it is from.
+/// Returns facts about a surface: genus, tiles, sides, vertices, the size of the coordinates, area, perimeter. `kind`
+/// is the kind of file it is from.
 [[nodiscard]] Facts surface_info(const Surface& surface, const std::string& kind = "surface");
 
-/// About a net: ε, counts against the thesis' bounds, charts, labels, edges, circumradii, and what
-/// the loops among the edges say about the systole if the net is verified. Lengths are hyperbolic. Throws
-/// NetGeometryError if the document is not a net. O(triangles).
+/// Returns facts about a net: ε, counts beside the thesis' bounds, charts, labels, edges, circumradii, and the bounds
+/// of the systole that follow from its loops if the net is verified. Lengths are hyperbolic. Throws NetGeometryError if
+/// the document is not a net. O(triangles).
 [[nodiscard]] Facts net_info(const certify::NetDocument& net);
 
-/// About a Dirichlet domain: its sides, how far they and its vertices are from the base point.
+/// Returns facts about a Dirichlet domain: its sides, and their distances and those of its vertices from the base
+/// point.
 [[nodiscard]] Facts dirichlet_info(const DirichletPolygon& polygon);
 
 }  // namespace epsnet

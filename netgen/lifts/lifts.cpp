@@ -16,14 +16,14 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffff;
 
-/// The labels of the corner where a dart starts, in its triangle and in the one on the other side.
+/// The labels of the corner where a dart starts: in the dart's triangle, and in the triangle on the other side.
 std::pair<std::uint32_t, std::uint32_t> labels_across(const NetGeometry& geometry, std::uint32_t dart) {
   const certify::NetDocument& net = geometry.document();
   return {certify::corner_label(net, dart),
           certify::corner_label(net, certify::next_dart(certify::opposite(net, dart)))};
 }
 
-/// The isometries from the charts of corners to the disk, shared by corners with which they are the same.
+/// The isometries from the charts of corners to the disk. Corners with the same isometry share one.
 class Placements {
  public:
   explicit Placements(const NetGeometry& geometry) : geometry_(geometry) {}
@@ -33,7 +33,7 @@ class Placements {
     return static_cast<std::uint32_t>(placements_.size() - 1);
   }
 
-  /// The placement of corner 0 of the triangle across a dart of a triangle, of which it is given.
+  /// Returns the placement of corner 0 of the triangle across a dart, from that of the dart's triangle.
   std::uint32_t across(std::uint32_t placement, std::uint32_t dart) {
     const auto [here, there] = labels_across(geometry_, dart);
     if (here == there) return placement;
@@ -41,9 +41,9 @@ class Placements {
                inverse(geometry_.label(there).precise));
   }
 
-  /// The placement of a corner with this label of a triangle, of which that of corner 0 is given. With 256 bits: in a
-  /// thin collar the corners of a triangle are so far apart that binary64 cannot tell one, seen from the other, from
-  /// the unit circle.
+  /// Returns the placement of a corner with this label, from that of corner 0 of its triangle. It has 256 bits: in a
+  /// thin collar the corners of a triangle are so far apart that binary64 cannot distinguish one, seen from the other,
+  /// from a point of the unit circle.
   std::uint32_t of_corner(std::uint32_t placement, std::uint32_t label) {
     if (label == 0) return placement;
     const auto [known, is_new] = of_corners_.try_emplace({placement, label}, 0);
@@ -103,7 +103,7 @@ class Lifter {
       lifted.placement[i] =
           placements_.of_corner(placement, certify::corner_label(geometry_.document(), 3 * triangle + i));
       lifted.corner[i] = placements_.rounded(lifted.placement[i])({v.x, v.y});
-      // Points that round to the circle are fine, they are no more than that far from it.
+      // Points that round to the circle are allowed, as they are no farther from it than rounding.
       if (!(norm(lifted.corner[i]) < 1 + 1e-12))
         throw NetGeometryError("triangles[" + std::to_string(triangle) + "]: a corner is not in the disk");
     }
@@ -164,7 +164,7 @@ Lifts lift_triangles(const NetGeometry& geometry, DrawOrder order, std::uint32_t
 std::vector<bool> boundary_darts(const NetGeometry& geometry, const Lifts& lifts) {
   const std::vector<certify::NetDocument::Triangle>& triangles = geometry.document().triangles;
   const auto corner = [&](std::uint32_t dart) { return lifts.lifted[lifts.place[dart / 3]].corner[dart % 3]; };
-  // Lifts of a point are the same or, measured at the scale of the place, far apart.
+  // Two lifts of a point are the same or far apart, at the scale of the place.
   const auto same = [](const Complex<double>& u, const Complex<double>& v) {
     return std::sqrt(norm(u - v)) < 1e-6 * std::max(1 - norm(u), 1e-9);
   };

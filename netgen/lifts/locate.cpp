@@ -52,10 +52,10 @@ PointLocation Locator::locate(const BasePoint& point) {
                                                          : PointLocation::Place::inside;
   result.triangle = t;
   result.number = result.place == PointLocation::Place::inside ? 0 : corner_of(location.dart);
-  // From the chart of the triangle to that of the start, and on to that of the point.
+  // The path leads from the chart of the triangle to that of the start, and on to that of the point.
   const LabelId to_point = atlas.product(atlas.inverse(label), location.transition);
   if (to_point != kIdentity) result.word = reversed(surface, atlas.word(to_point));
-  // Seen from the point: it is at 0.
+  // In the point's own chart it is at 0.
   std::array<Complex<Mp256>, 3> corner;
   for (std::uint32_t i = 0; i < 3; ++i) {
     const Corner lifted = used_.moved(to_point, used_.corner(t, i));

@@ -52,7 +52,7 @@ class Locator {
   };
 
   Triangulation net_;
-  Triangulation used_;  ///< Gets a chart and labels for each point; begun again when these are many.
+  Triangulation used_;  ///< Gets a chart and labels for each point; replaced by a fresh copy when these are many.
   std::vector<std::vector<Start>> starts_;  ///< By tile.
 };
 

@@ -23,11 +23,11 @@ class Evaluator {
  public:
   Evaluator(const certify::NetDocument& document, const certify::SurfaceSides& sides) : parts_(document, sides) {}
 
-  /// The label, to 120 bits; nothing if this precision cannot promise that.
+  /// Returns the label to 120 bits; nullopt if this precision does not suffice for that.
   [[nodiscard]] std::optional<Isometry<Mp256>> label(const certify::NetDocument::Label& label) const {
-    // With determinants 1 every product of k factors is off by at most about k 2^−p times the product of their sizes; a
-    // factor itself, made from points as far out as its size says, loses twice its size. The sum, not the size of the
-    // result, bounds it: a path may wander off and return.
+    // With determinants 1 a product of k factors is off by at most about k 2^−p times the product of their sizes; a
+    // factor itself, made from points as far out as its size says, loses twice its size. The bound is this sum and not
+    // the size of the result, as a path may lead far away and return.
     double bits = std::log2(static_cast<double>(label.word.size() + 2)) + 8;
     double largest = 0;
     const auto count = [&](const Isometry<T>& f) {
@@ -51,7 +51,7 @@ class Evaluator {
   Parts<T> parts_;
 };
 
-/// The document, if NetGeometry can begin with it.
+/// Returns the document if it is sound enough for NetGeometry.
 const certify::NetDocument& checked(const certify::NetDocument& document) {
   if (const auto problem = certify::structure_problem(document)) throw NetGeometryError(*problem);
   if (const auto dart = unpaired_dart(document)) {
@@ -62,9 +62,9 @@ const certify::NetDocument& checked(const certify::NetDocument& document) {
   return document;
 }
 
-/// 0 if V − E + F gives no genus.
+/// Returns the genus; 0 if V − E + F gives none.
 std::uint32_t genus_of(const certify::SurfaceSides& sides) {
-  // Corner s is where side s starts. Across the side before it the same point is where the partner starts: a
+  // Corner s is where side s starts. Across the side before it, the same point is where the partner starts. This is a
   // permutation, whose cycles are the points of the surface.
   std::vector<bool> seen(sides.partner.size(), false);
   std::int64_t points = 0;
@@ -79,7 +79,7 @@ std::uint32_t genus_of(const certify::SurfaceSides& sides) {
   return characteristic <= 2 && characteristic % 2 == 0 ? static_cast<std::uint32_t>((2 - characteristic) / 2) : 0;
 }
 
-/// Evaluates with more and more bits, each label with no more than it needs.
+/// Evaluates the labels with more and more bits, each with no more than it needs.
 class StagedEvaluator {
  public:
   StagedEvaluator(const certify::NetDocument& document, const certify::SurfaceSides& sides)
@@ -138,7 +138,7 @@ Parts<T>::Parts(const certify::NetDocument& document, const certify::SurfaceSide
       crossings.push_back(regular->crossing_as<T>(side));
       continue;
     }
-    // Side k from p to q goes to side j from p' to q': p to q' and q to p'.
+    // The isometry takes side k, from p to q, to side j, from p' to q': p to q' and q to p'.
     const auto corner = [&](std::uint32_t s, std::uint32_t offset) {
       const certify::SurfaceDocument::Tile& corners = document.surface.tiles[sides.tile[s]];
       return rounded<T>(corners[(sides.corner[s] + offset) % corners.size()]);
@@ -207,7 +207,7 @@ double NetGeometry::edge_length(std::uint32_t dart) const {
   const std::uint32_t at_u = certify::corner_label(*document_, dart);
   const std::uint32_t at_v = certify::corner_label(*document_, certify::next_dart(dart));
   if (at_u == at_v) return distance(Complex<double>{u.x, u.y}, Complex<double>{v.x, v.y});
-  // With more bits where the ends are in different charts, perhaps far from each other.
+  // More bits are used if the ends are in different charts, which may be far from each other.
   const Isometry<Mp256> label = inverse(labels_[at_u].precise) * labels_[at_v].precise;
   return static_cast<double>(distance(Complex<Mp256>{Mp256(u.x), Mp256(u.y)}, label({Mp256(v.x), Mp256(v.y)})));
 }

@@ -37,7 +37,7 @@ struct Parts {
   std::vector<Isometry<T>> crossings;  ///< By side number: from the coordinates of its tile to those of its partner's.
   std::vector<Isometry<T>> frames;     ///< By chart: from its coordinates to those of its tile.
 
-  /// Evaluates them.
+  /// Evaluates the factors.
   Parts(const certify::NetDocument& document, const certify::SurfaceSides& sides);
 };
 
@@ -63,7 +63,7 @@ class NetGeometry {
   /// (certify::structure_problem), if `opposite` is not a fixed-point-free involution, or if a label needs more than
   /// 4096 bits. O(triangles + letters of all words).
   explicit NetGeometry(const certify::NetDocument& document);
-  explicit NetGeometry(const certify::NetDocument&&) = delete;  // It would be gone.
+  explicit NetGeometry(const certify::NetDocument&&) = delete;  // A temporary would not outlive the object.
 
   /// The document as given.
   [[nodiscard]] const certify::NetDocument& document() const { return *document_; }
