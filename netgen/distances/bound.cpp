@@ -25,7 +25,7 @@ namespace {
 
 using certify::BoundDocument;
 
-/// The length whose sinh² is s.
+/// Returns the length whose sinh² is s.
 double length_of(double s) { return std::asinh(std::sqrt(s)); }
 
 using Number = EdgeElements::Number;
@@ -36,17 +36,18 @@ Point unit(const Point& p) { return Number(Number(1) / sqrt(Number(-lorentz_prod
 /// Branch and bound: the triangles of a triangulation with one vertex are cut until the bounds of all cells are at most
 /// the greatest value that was found plus the width. For a radius the function is minus the eccentricity.
 ///
-/// The function is asked for at points of cells, where the Delaunay triangulation has it exactly. The bound of a cell
-/// is the least that the triangulations of its own point and of that of the cell it was cut from give at its corners;
-/// for a radius, the function at the midpoint of a side plus the distance from there to the farthest corner.
+/// The function is evaluated at points of cells, where the Delaunay triangulation gives it exactly. Two triangulations
+/// bound it at the corners of a cell, that of the cell's own point and that of the cell it was cut from; the better one
+/// is the bound of the cell. For a radius the bound is the function at the midpoint of a side plus the distance from
+/// there to the farthest corner.
 class BoundSearch {
  public:
   using Claim = BoundDocument::Claim;
 
-  /// Whether the greatest value is sought, or that at the vertex of the base is to be it.
+  /// Whether the greatest value is sought, or assumed to be that at the vertex of the base.
   enum class Climb { yes, no };
 
-  /// The base is Delaunay.
+  /// Requires: the base is Delaunay.
   BoundSearch(Triangulation& base, BoundDocument::Claim claim, const BoundOptions& options, double width, Climb climb)
       : claim_(claim), climb_(climb), options_(options), width_(width) {
     known_.push_back({vertex_triangulation(base, elements_), 0, {}});
@@ -67,7 +68,7 @@ class BoundSearch {
 
   void run() {
     double first_gap = 0;
-    // A lower bound of a radius has to be positive.
+    // The lower bound of a radius must be positive.
     constexpr double kLeastRadius = 1e-3;
     while (upper() - lower() > width_ || (claim_ == Claim::radius && upper() > -kLeastRadius)) {
       if (cells_.size() >= options_.most_cells) {
@@ -125,7 +126,7 @@ class BoundSearch {
   }
 
  private:
-  /// A place of the vertex, the number of a triangulation that is Delaunay there, and that of a frame nearby.
+  /// A place of the vertex, with the numbers of a triangulation that is Delaunay there and of a frame nearby.
   struct Site {
     Point point;
     std::uint32_t triangulation;
@@ -138,7 +139,7 @@ class BoundSearch {
   };
   struct Bound {
     double value;
-    std::uint32_t dart;  ///< That of the edge, for an embedded disk.
+    std::uint32_t dart;  ///< For an embedded disk, the dart of the edge.
   };
   /// The midpoint of a side, the cosh of half its length and of the median.
   struct Midpoint {
@@ -147,8 +148,8 @@ class BoundSearch {
     Number median;
   };
   static constexpr std::uint32_t kNotCut = 3;
-  /// A triangle of unit vectors, with the cosh of its sides' lengths: side i is from corner i to corner i + 1. Kept
-  /// along when it is halved, both stay as accurate as they are.
+  /// A triangle of unit vectors, with the cosh of its sides' lengths: side i is from corner i to corner i + 1. The
+  /// lengths are updated when a triangle is halved, so corners and lengths keep their accuracy.
   struct Place {
     std::array<Point, 3> corner;
     std::array<Number, 3> cosh;
@@ -170,15 +171,15 @@ class BoundSearch {
     Site site;                        ///< A point inside.
     std::uint32_t bound_by = 0;       ///< The triangulation that bounds the function in the cell.
     std::uint32_t bound_by_part = 0;  ///< The dart of the edge, for an embedded disk; the side, for a radius.
-    std::uint32_t edge = kNotCut;     ///< Across which it is cut.
-    std::uint32_t first_part = 0;     ///< The second follows.
+    std::uint32_t edge = kNotCut;     ///< The edge at which it is cut.
+    std::uint32_t first_part = 0;     ///< The number of its first part; the second follows.
   };
 
   [[nodiscard]] PlacedTriangulation placed(std::uint32_t k, std::uint32_t frame, const Point& p) {
     return {known_[k].map, frames_[frame], p};
   }
 
-  /// The frame to be used at a point: that one, or a new one if it is far away.
+  /// Returns the frame to use at a point: the given one, or a new one if that is far away.
   [[nodiscard]] std::uint32_t frame_at(std::uint32_t frame, const Point& p) {
     constexpr double kFar = 1.5;  // cosh of the distance.
     if (frames_[frame].point(p).t <= kFar) return frame;
@@ -189,9 +190,9 @@ class BoundSearch {
     return static_cast<std::uint32_t>(frames_.size()) - 1;
   }
 
-  /// The site with the vertex moved along a line: as far as the triangles stay counterclockwise, then made Delaunay
-  /// again, and on.
-  /// Nothing if that takes too many steps or flips, as it may where closed curves are short.
+  /// Returns the site with the vertex moved along a line. It moves as far as the triangles stay counterclockwise, the
+  /// triangulation is made Delaunay again, and so on. Returns nullopt if that takes too many steps or flips, as may
+  /// happen where closed curves are short.
   [[nodiscard]] std::optional<Site> moved(const Site& from, const Point& to) {
     Site here = from;
     std::vector<Point> way{to};
@@ -212,7 +213,7 @@ class BoundSearch {
     return here;
   }
 
-  /// The number of the triangulation that flips make Delaunay at a point.
+  /// Makes a triangulation Delaunay at a point by flips; returns the number of the result.
   [[nodiscard]] std::optional<std::uint32_t> delaunay(std::uint32_t k, std::uint32_t frame, const Point& p) {
     std::optional<std::uint32_t> d = placed(k, frame, p).not_delaunay();
     if (!d) return k;
@@ -228,7 +229,7 @@ class BoundSearch {
     return found->second;
   }
 
-  /// The function, at a point where the triangulation is Delaunay.
+  /// Returns the function at a point where the triangulation is Delaunay.
   void look_at(const Site& site) {
     const PlacedTriangulation there = placed(site.triangulation, site.frame, site.point);
     const double value = claim_ == Claim::diameter ? length_of(there.largest_enclosure())
@@ -256,7 +257,7 @@ class BoundSearch {
     return least;
   }
 
-  /// Minus the eccentricity, from the midpoint of the longest side where nothing is near to a tie.
+  /// Bounds minus the eccentricity, from the midpoint of the longest side at which nothing is nearly a tie.
   void add_cell_of_radius(Place place, const Site& near) {
     Cell cell{.place = std::move(place), .site = near};
     double bound = std::numeric_limits<double>::infinity();
@@ -309,7 +310,7 @@ class BoundSearch {
     cells_.push_back(std::move(cell));
   }
 
-  /// At the midpoint of the longest edge.
+  /// Cuts a cell at the midpoint of its longest edge.
   void cut(std::uint32_t number) {
     const Place place = cells_[number].place;
     const std::uint32_t edge = place.longest_side();
@@ -348,7 +349,7 @@ class BoundSearch {
 
 /// Moves the one vertex to a point of its chart's disk, and makes the triangulation Delaunay there.
 void move_to(Triangulation& triangulation, const Point& target) {
-  // The goal is in the chart of the vertex; the vertex may change to others on its way.
+  // The goal is given in the chart of the vertex; on its way the vertex may change to other charts.
   LabelId to_home = kIdentity;
   const Complex<Number> goal = in_disk(unit(target));
   double part = 1;
@@ -385,7 +386,7 @@ Triangulation one_vertex_triangulation(const Surface& surface, const std::option
   return result;
 }
 
-/// The Delaunay triangulation with one vertex as a net with an ε above the eccentricity.
+/// Returns the Delaunay triangulation with one vertex as a net whose ε is above the eccentricity.
 certify::NetDocument net_above_eccentricity(Triangulation& triangulation) {
   EdgeElements elements;
   const VertexTriangulation map = vertex_triangulation(triangulation, elements);
@@ -409,8 +410,7 @@ BoundDocument bound_document(const Surface& surface, BoundDocument::Claim claim,
   BoundDocument document;
   document.claim = claim;
   document.net = net_above_eccentricity(base);
-  // Lengths are rounded a few times; certify proves what comes out. It knows the value at the vertex within bounds of
-  // its own.
+  // Lengths are rounded a few times; certify proves the result, with its own bounds of the value at the vertex.
   constexpr double kRounding = 2e-15;
   const certify::Certificate certificate = certify::check(document.net);
   if (certificate.verdict != certify::Verdict::verified) {

@@ -22,12 +22,12 @@
 namespace epsnet {
 namespace {
 
-/// Lengths that agree to so many bits are claimed to be equal; certify decides. Those of very thin surfaces may agree
-/// to a hundred without being equal.
+/// Lengths that agree to this many bits are claimed to be equal; certify decides. On very thin surfaces lengths may
+/// agree to a hundred bits without being equal.
 constexpr int kEqualBits = 300;
 
-/// Paths in a document. The 4g-gon of the largest genus has 4000 from its centre to its vertex; across a cuff of length
-/// l there are some 10⁻⁷/l whose lengths differ by less than binary64 tells.
+/// The most paths in a document. The 4g-gon of the largest genus has 4000 from its centre to its vertex; across a cuff
+/// of length l there are about 10⁻⁷/l whose lengths are too close for binary64.
 constexpr std::size_t kMostPaths = 5000;
 
 bool is_strictly_inside(const Surface& surface, const BasePoint& point) {
@@ -39,15 +39,15 @@ bool is_strictly_inside(const Surface& surface, const BasePoint& point) {
   }
 }
 
-/// The isometry of a word.
+/// Returns the isometry of a word.
 Isometry<Mp1024> value(const Surface& surface, const Word& word) {
   Isometry<Mp1024> result;
   for (const std::uint32_t side : word) result = surface.crossing_as<Mp1024>(side) * result;
   return result;
 }
 
-/// The lifts of q around p, from one to the next by the neighbours of p: the Dirichlet domain of p contains a nearest
-/// one, from any other one of its neighbours is nearer (docs/proof.md, Lemma 17).
+/// Walks from lift to lift of q by the neighbours of p: the Dirichlet domain of p contains a nearest lift, and from any
+/// lift outside of it a neighbour leads to a nearer one (docs/proof.md, Lemma 17).
 class LiftsOfPoint {
  public:
   struct Path {
@@ -66,8 +66,8 @@ class LiftsOfPoint {
     }
   }
 
-  /// All paths to a point of the surface that are not longer than the greatest of lengths that binary64 does not tell
-  /// from the least, and the enclosure of these.
+  /// Returns the least binary64 enclosure of the distance to a point of the surface, and all paths to it that are no
+  /// longer than the upper end.
   [[nodiscard]] std::pair<std::vector<Path>, certify::Interval> shortest(std::uint32_t start,
                                                                          const BasePoint& q) const {
     Word word = path_between_tiles(surface_, start, q.tile);
@@ -106,7 +106,7 @@ class LiftsOfPoint {
     Isometry<Mp1024> back;  ///< γ⁻¹.
   };
 
-  /// What is seen from a neighbour: first to it, then along the path.
+  /// Returns the path as seen from a neighbour: first to the neighbour, then along the path.
   [[nodiscard]] Path moved(const Path& path, const Neighbour& neighbour) const {
     const Complex<Mp1024> end = neighbour.back(path.end);
     return {concatenated(surface_, *neighbour.word, path.word), end, distance(Complex<Mp1024>{}, end)};
@@ -129,7 +129,7 @@ class LiftsOfPoint {
     throw NetError("no shortest path was found within " + std::to_string(kMostSteps) + " steps");
   }
 
-  /// The least binary64 interval around a length and what it may be off by.
+  /// Returns the smallest binary64 interval that contains a length and its error.
   [[nodiscard]] static certify::Interval enclosing(const Mp1024& length) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const Mp1024 error = ldexp(Mp1024(length > 1 ? length : Mp1024(1)), -kEqualBits);
@@ -155,9 +155,10 @@ class LiftsOfPoint {
 
 namespace {
 
-/// A point given in the coordinates of a tile, in the tile that contains it. `name` stands for it in messages.
+/// Takes a point to the tile that contains it; it is given in the coordinates of another tile. `name` stands for it in
+/// messages.
 BasePoint moved_into_its_tile(const Surface& surface, BasePoint point, const std::string& name) {
-  // A walk along a line would need more care; this one leads nearer to the tile's inside with each step.
+  // A walk along a line would need more care. Each step of this walk leads closer to the inside of the tile.
   constexpr int kMostTiles = 10'000;
   for (int tiles = 0; tiles < kMostTiles; ++tiles) {
     const Tile& tile = surface.tiles()[point.tile];

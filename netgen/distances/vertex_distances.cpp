@@ -35,13 +35,13 @@ using certify::NetDocument;
 constexpr std::uint32_t kNone = 0xffffffff;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kUlp = kUnitRoundoff;
-/// What makes an upper bound of a few rounded operations.
+/// A factor that turns the rounded result of a few operations into an upper bound.
 constexpr double kUp = 1 + 0x1p-40;
 
-/// The bits of T do not suffice, or too many lifts of triangles are not told apart by them.
+/// The bits of T do not suffice, or cannot distinguish too many lifts of triangles.
 struct TooFewBits {};
 
-/// An isometry of determinant 1, and how far it may be from what it stands for: |δa| + |δb| ≤ error.
+/// An isometry of determinant 1, and a bound of its error: |δa| + |δb| ≤ error.
 template <class T>
 struct Bounded {
   Isometry<T> isometry;
@@ -49,7 +49,7 @@ struct Bounded {
   double error = 0;
 };
 
-/// At least |a| + |b|.
+/// Returns an upper bound of |a| + |b|.
 template <class T>
 double norm_of(const Isometry<T>& f) {
   const Isometry<double> g = convert<double>(f);
@@ -61,8 +61,8 @@ double unit_roundoff() {
   return std::ldexp(1.0, -kMantissaBits<T>);
 }
 
-/// An isometry that was made of numbers with a few units of error, divided by the root of its determinant: that loses
-/// twice the logarithm of its norm.
+/// Returns an isometry divided by the root of its determinant. Its numbers have errors of a few units; the division
+/// loses twice the logarithm of its norm.
 template <class T>
 Bounded<T> made(const Isometry<T>& f) {
   const double norm = norm_of(f);
@@ -108,7 +108,7 @@ class Labels {
   std::vector<Bounded<T>> labels_;
 };
 
-/// A net, and what all searches ask of it.
+/// A net, with the data that all searches use.
 struct SearchedNet {
   explicit SearchedNet(const NetDocument& net_document) : net(net_document) {
     if (const auto problem = certify::structure_problem(net)) throw NetGeometryError(*problem);
@@ -131,14 +131,14 @@ struct SearchedNet {
   std::vector<double> scale;             ///< By vertex at z: 1/√(1 − |z|²).
 };
 
-/// The lifts of charts to the disk of one chart that searches came by, each known once.
+/// The lifts of charts that searches have met, in the disk of one chart, each stored once.
 template <class T>
 class Places {
  public:
-  /// A lift of a chart, in binary64: a point z of it lies where `isometry` takes it.
+  /// A lift of a chart, in binary64: `isometry` takes its points z to the disk.
   struct Place {
     Isometry<double> isometry;
-    /// With w(z) = az + b − c(b̄z + ā) as binary64 gives it, for any |c|, |z| < 1: how far that may be from the truth.
+    /// A bound of the error with which binary64 computes w(z) = az + b − c(b̄z + ā), for any |c|, |z| < 1.
     double error;
   };
   /// The lift of the chart itself.
@@ -151,8 +151,8 @@ class Places {
 
   [[nodiscard]] const Place& operator[](std::uint32_t place) const { return places_[place]; }
 
-  /// Whether a point z of a chart certainly is nearer to the point c of the chart that all this is about in one place
-  /// of its chart than in another one.
+  /// Whether the lift of a point z in one place of its chart is certainly nearer to the point c of the central chart
+  /// than its lift in another place.
   [[nodiscard]] bool is_nearer(std::uint32_t place, std::uint32_t other, const Complex<double>& z,
                                const Complex<double>& c) const {
     const auto size = [&](const Bounded<T>& f, double& error) {
@@ -171,11 +171,11 @@ class Places {
     return static_cast<double>(T(there - here)) > 2 * error;
   }
 
-  /// The lift of the chart that label `number` leads from, if it leads to a lifted one; 0 is the identity.
+  /// Returns the lift of the chart from which label `number` leads to a lifted chart; 0 is the identity.
   [[nodiscard]] std::uint32_t before(std::uint32_t place, std::uint32_t number) {
     return number == 0 ? place : step(place, number, false);
   }
-  /// The lift of the chart that the label leads to, if it leads from a lifted one.
+  /// Returns the lift of the chart to which the label leads from a lifted chart.
   [[nodiscard]] std::uint32_t after(std::uint32_t place, std::uint32_t number) {
     return number == 0 ? place : step(place, number, true);
   }
@@ -191,12 +191,12 @@ class Places {
     return known->second = found(result, inverted ? label.to : label.from);
   }
 
-  /// The number of a lift of a chart, which may be known.
+  /// Returns the number of a lift of a chart; adds it if it is new.
   ///
   /// For lifts f and fh, h ≠ 1 of length l in the group of the surface, fh − f has the determinant 2 − tr h, at least
   /// 4 sinh²(l/4) in size, and so has −fh − f; so |δa| + |δb| is more than l/2 for both.
   std::uint32_t found(const Bounded<T>& f, std::uint32_t chart) {
-    // Enough for binary64, and for what is compared; !(<) where it is not a number.
+    // Accurate enough for binary64 and for the comparisons below. !(<) also holds if the error is NaN.
     if (!(f.error < std::ldexp(f.norm, -60)) || !std::isfinite(f.norm)) throw TooFewBits();
     for (std::uint32_t i = newest_[chart]; i != kNone; i = older_[i]) {
       const Isometry<T>& a = f.isometry;
@@ -228,8 +228,8 @@ class Places {
   std::unordered_map<std::uint64_t, std::uint32_t> steps_;
 };
 
-/// The natural logarithm of x ≥ 1, off by at most (2.5 + 3 log x) units of roundoff: of + − × ÷ alone, so that it is
-/// the same on every machine.
+/// Returns the natural logarithm of x ≥ 1, off by at most (2.5 + 3 log x) units of roundoff. It only uses + − × ÷, so
+/// it is the same on every machine.
 double log_of(double x) {
   int exponent = 0;
   double m = std::frexp(x, &exponent);
@@ -237,7 +237,7 @@ double log_of(double x) {
     m *= 2;
     --exponent;
   }
-  // log m = 2 artanh f, |f| < 0.1716: the terms that are left out are less than 10⁻¹⁸.
+  // log m = 2 artanh f, |f| < 0.1716: the omitted terms are less than 10⁻¹⁸.
   const double f = (m - 1) / (m + 1);
   const double g = f * f;
   double sum = 0;
@@ -245,7 +245,7 @@ double log_of(double x) {
   return exponent * 0.69314718055994531 + 2 * f * sum;
 }
 
-/// 2 arsinh s, to within `error`.
+/// Returns 2 arsinh s, to within `error`.
 struct Length2Arsinh {
   double value;
   double error;
@@ -256,14 +256,14 @@ Length2Arsinh length_of(double s) {
   return {value, kUlp * (16 + 4 * value)};
 }
 
-/// Distances from one vertex after the other.
+/// Finds the distances from one vertex after the other.
 template <class T>
 class Search {
  public:
   explicit Search(const SearchedNet& net)
       : net_(net), newest_(net.net.triangles.size(), kNone), nearest_(net.net.vertices.size()) {}
 
-  /// From vertex p, the chart of which `places` is about.
+  /// Searches from vertex p. Requires: `places` has the chart of p in its centre.
   void run(std::uint32_t p, Places<T>& places) {
     for (const Lift& lift : lifts_) newest_[lift.triangle] = kNone;
     lifts_.clear();
@@ -289,7 +289,7 @@ class Search {
     }
   }
 
-  /// The distance of vertex v from the last source.
+  /// Returns the distance of vertex v from the last source.
   [[nodiscard]] Interval distance(std::uint32_t v) const {
     if (v == source_) return {0, 0};
     const Length2Arsinh lower = length_of(nearest_[v].lower);
@@ -320,7 +320,7 @@ class Search {
       nearest_[v].upper = std::min(nearest_[v].upper, lift.corner[i].upper);
       key = std::min(key, lift.corner[i].lower);
     }
-    if (is_dominated(lift, kNone)) return;  // Its neighbours need not be looked at.
+    if (is_dominated(lift, kNone)) return;  // Its neighbours need not be visited.
     const auto number = static_cast<std::uint32_t>(lifts_.size());
     if (number > kMostLifts + kMostLiftsOfOne * newest_.size()) throw TooFewBits();
     newest_[triangle] = number;
@@ -342,7 +342,7 @@ class Search {
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (other.corner[i].lower >= lift.corner[i].upper) return false;
     }
-    // Behind a short closed geodesic distances may differ by less than binary64 tells.
+    // Behind a short closed geodesic distances may be too close for binary64.
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (other.corner[i].upper < lift.corner[i].lower) continue;
       const NetDocument::Vertex& v = net_.vertex(net_.net.triangles[lift.triangle].vertex[i]);
@@ -355,7 +355,7 @@ class Search {
     return true;
   }
 
-  /// sinh(d/2) = |w|/√((1 − |c|²)(1 − |z|²)), w = az + b − c(b̄z + ā), for the source at c and the vertex at z.
+  /// Returns sinh(d/2) = |w|/√((1 − |c|²)(1 − |z|²)), w = az + b − c(b̄z + ā), for the source at c and the vertex at z.
   [[nodiscard]] Interval sinh_half_distance(std::uint32_t v, const typename Places<T>::Place& place) const {
     const NetDocument::Vertex& from = net_.vertex(source_);
     const Complex<double> z{net_.vertex(v).x, net_.vertex(v).y};
@@ -383,7 +383,7 @@ class Search {
 /// Rows whose vertices are in one chart.
 using Chunk = std::vector<std::uint32_t>;
 
-/// The same for any number of threads, which get whole chunks.
+/// Divides the rows into chunks. They do not depend on the number of threads, so the result does not either.
 std::vector<Chunk> chunks_of(const NetDocument& net, const std::vector<std::uint32_t>& from) {
   constexpr std::size_t kLargest = 64;
   std::vector<std::uint32_t> rows(from.size());
@@ -400,7 +400,7 @@ std::vector<Chunk> chunks_of(const NetDocument& net, const std::vector<std::uint
   return chunks;
 }
 
-/// What a thread keeps of MPFR, given back.
+/// Frees the memory that MPFR keeps for a thread.
 struct MpfrCaches {
   MpfrCaches() = default;
   MpfrCaches(const MpfrCaches&) = delete;
@@ -443,7 +443,7 @@ class TableMaker {
     }
   }
 
-  /// The chunks for which the bits of T do not suffice.
+  /// Computes the rows of the chunks; returns the chunks for which the bits of T do not suffice.
   template <class T>
   std::vector<Chunk> make(const std::vector<Chunk>& chunks) {
     const Labels<T> labels(searched_.net, surface_);

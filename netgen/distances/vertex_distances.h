@@ -45,7 +45,7 @@ struct DistanceTable {
 /// Returns the distances between vertices of a net, each to within about 10⁻¹³, whatever its size.
 ///
 /// The intervals hold if the triangles of the net triangulate its surface, which certify::check proves (its rules
-/// surface, map, gluing and orientation); The net need not be Delaunay or an ε-net. The table has no certificate;
+/// surface, map, gluing and orientation). The net need not be Delaunay or an ε-net. The table has no certificate;
 /// `distance` makes one for a single pair.
 ///
 /// One search of the lifted triangles around each row's vertex, O(t log t) for the t lifts that it meets, somewhat more

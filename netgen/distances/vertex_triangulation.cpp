@@ -19,8 +19,8 @@ LorentzVector<To> rounded(const LorentzVector<From>& v) {
   return {static_cast<To>(v.x), static_cast<To>(v.y), static_cast<To>(v.t)};
 }
 
-/// cot γ, γ the angle opposite to a dart in the Euclidean triangle with the sides sinh(d/2), whose squares `side` says;
-/// with the share `slack` of these more, to be on that side of rounding.
+/// Returns cot γ for the angle γ opposite to a dart in the Euclidean triangle with the sides sinh(d/2), whose squares
+/// `side` gives. It is made larger by the share `slack` of these squares, to be on that side of rounding.
 ///
 /// The circumcentre lies at a distance δ from the edge, on the side of the triangle if δ > 0, with sinh δ = tanh(d/2)
 /// cot γ, as cosh R = cosh δ cosh(d/2) and sinh R = sinh(d/2)/sin γ. Without a circumcircle the longest edge is to be
@@ -38,7 +38,7 @@ T cotangent(std::uint32_t dart, const Side& side, double slack) {
   return excess > 0 ? T(kLarge) : T(-kLarge);
 }
 
-/// The sides of a triangle, the longest last.
+/// Returns the sides of a triangle, the longest last.
 template <class T, class Side>
 std::array<T, 3> sorted_sides(std::uint32_t triangle, const Side& side) {
   std::array<T, 3> sides{side(3 * triangle), side(3 * triangle + 1), side(3 * triangle + 2)};
@@ -47,8 +47,8 @@ std::array<T, 3> sorted_sides(std::uint32_t triangle, const Side& side) {
   return sides;
 }
 
-/// sinh²R = 4abc/K with K = 4ab − (a + b − c)² (docs/proof.md, Lemma 5); for an obtuse triangle that of the disk whose
-/// diameter is the longest edge, c. With the excess a + b − c larger by `slack`.
+/// Returns sinh²R = 4abc/K with K = 4ab − (a + b − c)² (docs/proof.md, Lemma 5); for an obtuse triangle R is the radius
+/// of the disk whose diameter is the longest edge, c. The excess a + b − c is taken larger by `slack`.
 template <class T>
 T enclosure(const T& a, const T& b, const T& c, const T& slack) {
   const T excess = a + b - c + slack;
@@ -67,8 +67,8 @@ T enclosure(const T& a, const T& b, const T& c, const T& slack) {
 
 EdgeElements::Id EdgeElements::add(const Isometry<Number>& g) {
   assert(isometry_discriminant(g) > 0);
-  // Equal elements come out of different products with hundreds of bits the same. Different ones f and g, with entries
-  // up to M, are far from so near: M|f − g| is about |f⁻¹g − 1| at least, and that as large as a geodesic is long.
+  // Equal elements from different products agree to hundreds of bits. Different ones f and g, with entries up to M,
+  // agree to far fewer: M|f − g| is at least about |f⁻¹g − 1|, which is as large as a closed geodesic is long.
   LorentzVector<Number> normal = axis_normal(g.a.x < 0 ? Isometry<Number>{-g.a, -g.b} : g);
   static constexpr int kBits = 256;
   const auto on_grid = [](const Number& x) { return Number(floor(Number(ldexp(x, +kBits)) + Number(0.5))); };
@@ -147,7 +147,7 @@ void VertexTriangulation::flip(EdgeElements& elements, std::uint32_t d) {
     opposite[other] = to[i];
     element[to[i]] = moved[i];
   }
-  // From c to a and on to x.
+  // The new edge leads from c to a and on to x.
   const EdgeElements::Id diagonal = elements.product(moved[0], moved[1]);
   element[e] = diagonal;
   element[d] = EdgeElements::inverse(diagonal);
@@ -176,8 +176,8 @@ PlacedTriangulation::Number PlacedTriangulation::exact_displacement(std::uint32_
 }
 
 double PlacedTriangulation::largest_enclosure() const {
-  // Where one side is much shorter than the others, the difference of these has few digits in binary64. The triangles
-  // that may have the greatest radius are looked at again.
+  // If one side is much shorter than the others, the difference of these has few digits in binary64. The triangles that
+  // may have the greatest radius are evaluated again.
   std::vector<double> most(displacement_.size() / 3);
   double least = 0;
   for (std::uint32_t t = 0; t < most.size(); ++t) {
@@ -200,7 +200,7 @@ double PlacedTriangulation::shortest_edge() const {
 }
 
 bool PlacedTriangulation::counterclockwise() const {
-  // It is so if the areas of the triangles sum up to that of the surface and not to more, 2π(E − V − F) with E = 3F/2.
+  // They are if the areas of the triangles add up to that of the surface, 2π(E − V − F) with E = 3F/2, and not to more.
   const double area = std::numbers::pi * (static_cast<double>(displacement_.size()) / 3 - 2);
   double sum = 0;
   for (std::uint32_t t = 0; t < displacement_.size() / 3; ++t) {
@@ -211,7 +211,7 @@ bool PlacedTriangulation::counterclockwise() const {
     const double excess = scale * (a + b - c);
     const double square = 4 * (scale * a) * (scale * b) * (1 + c) - excess * excess;
     const double part = square > 0 ? 2 * std::atan(std::sqrt(square)) : 0;
-    // Too little to be seen in the sum.
+    // Too small to matter in the sum.
     constexpr double kSmall = 1e-6;
     if (part < kSmall && !counterclockwise(t)) return false;
     sum += part;

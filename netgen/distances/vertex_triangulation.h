@@ -12,13 +12,13 @@
 #include "kernel/numbers.h"
 #include "triangulation/mesh/triangulation.h"
 
-/// Triangulations with one vertex that can stand anywhere: triangles whose edges are elements of the group.
+/// Triangulations with one vertex, which can be at any point: triangles whose edges are elements of the group.
 ///
 /// If the vertex is the point p of the disk of one chart, the edge with the element g leads from p to gp. So one
 /// combinatorial triangulation is a triangulation at many p, and its functions of p are evaluated without any label.
 namespace epsnet {
 
-/// The elements of the group that edges have, each once, together with its inverse.
+/// The elements of the group that edges have. Each is stored once, together with its inverse.
 class EdgeElements {
  public:
   using Number = Mp1024;
@@ -26,7 +26,7 @@ class EdgeElements {
   using Id = std::uint32_t;
   [[nodiscard]] static Id inverse(Id id) { return id ^ 1U; }
 
-  /// The id of an isometry of determinant 1, hyperbolic.
+  /// Returns the id of a hyperbolic isometry of determinant 1.
   [[nodiscard]] Id add(const Isometry<Number>& g);
   [[nodiscard]] Isometry<Number> isometry(Id id) const;
   [[nodiscard]] Id product(Id f, Id g) { return add(isometry(f) * isometry(g)); }
@@ -61,13 +61,13 @@ class Frame {
   Frame(const EdgeElements& elements, const LorentzVector<EdgeElements::Number>& origin);
   [[nodiscard]] const EdgeElements& elements() const { return elements_; }
   [[nodiscard]] Point point(const LorentzVector<EdgeElements::Number>& p) const;
-  /// As that of the elements.
+  /// Like the function of the elements.
   [[nodiscard]] double displacement(EdgeElements::Id id, const Point& p);
 
  private:
   struct Axis {
     Point normal;
-    double square = -1;  ///< Negative: not asked for yet.
+    double square = -1;  ///< Negative: not evaluated yet.
   };
   const EdgeElements& elements_;
   Isometry<EdgeElements::Number> to_origin_;
@@ -79,7 +79,7 @@ struct VertexTriangulation {
   std::vector<std::uint32_t> opposite;    ///< By dart.
   std::vector<EdgeElements::Id> element;  ///< By dart: from its start to its end.
 
-  /// The edges' elements, sorted: the same for equal triangulations and no others.
+  /// Returns the edges' elements, sorted: they are the same for equal triangulations and for no others.
   [[nodiscard]] std::vector<std::uint32_t> key() const;
   /// Replaces the edge of dart d, which has two different triangles, by the other diagonal of its quadrilateral, as
   /// docs/format.md says: d and its opposite become the new edge, turned counterclockwise.
@@ -87,32 +87,32 @@ struct VertexTriangulation {
 };
 
 /// A triangulation with its vertex at a point: the lengths of edges, as sinh²(d/2) by dart, and what follows from
-/// these. What binary64 does not tell is worked out with the numbers of the elements.
+/// these. Where binary64 does not suffice, the numbers of the elements are used.
 class PlacedTriangulation {
  public:
   using Number = EdgeElements::Number;
 
-  /// At a unit vector p. Not far from the frame's origin binary64 numbers are used. The triangulation and the frame
-  /// must outlive it.
+  /// Places the vertex at a unit vector p. Near the frame's origin binary64 numbers are used. The triangulation and the
+  /// frame must outlive the object.
   PlacedTriangulation(const VertexTriangulation& triangulation, Frame& frame, const LorentzVector<Number>& p);
 
   [[nodiscard]] double displacement(std::uint32_t dart) const { return displacement_[dart]; }
-  /// sinh²ρ, ρ the greatest radius of a smallest disk around the corners of a triangle.
+  /// Returns sinh²ρ, where ρ is the greatest radius of the smallest disks that contain the corners of a triangle.
   [[nodiscard]] double largest_enclosure() const;
-  /// sinh²(d/2) of the shortest edge.
+  /// Returns sinh²(d/2) of the shortest edge.
   [[nodiscard]] double shortest_edge() const;
   /// Whether all triangles are counterclockwise.
   [[nodiscard]] bool counterclockwise() const;
-  /// A dart of an edge that is not locally Delaunay and has two different triangles.
+  /// Returns a dart of an edge that is not locally Delaunay and has two different triangles.
   [[nodiscard]] std::optional<std::uint32_t> not_delaunay() const;
-  /// Whether all edges are locally Delaunay and none is nearly as good as the other diagonal.
+  /// Whether all edges are locally Delaunay and none is nearly a tie.
   [[nodiscard]] bool is_strictly_delaunay() const;
 
  private:
   [[nodiscard]] Number exact_displacement(std::uint32_t dart) const;
   [[nodiscard]] bool counterclockwise(std::uint32_t triangle) const;
-  /// Whether cot γ + cot γ' ≥ 0 for the angles opposite to the edge of a dart; γ, γ' with a share `tie` of the squares
-  /// of the sides to the good. The edge is locally Delaunay for 0.
+  /// Whether cot γ + cot γ' ≥ 0 for the angles opposite to the edge of a dart, with a tolerance of the share `tie` of
+  /// the squares of the sides. For `tie` = 0 this means that the edge is locally Delaunay.
   [[nodiscard]] bool locally_delaunay(std::uint32_t dart, double tie) const;
 
   const VertexTriangulation& triangulation_;
