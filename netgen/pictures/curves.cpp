@@ -24,13 +24,13 @@ namespace {
 
 using Point = Complex<Mp256>;
 
-/// Lengths below 2⁻¹²⁰ are rounding, far below what a picture shows.
+/// Lengths below 2⁻¹²⁰ count as rounding; a picture shows nothing as small.
 const Mp256& tolerance() {
   static const Mp256 value = ldexp(Mp256(1), -120);
   return value;
 }
 
-/// The corners of a lifted triangle in Klein coordinates.
+/// Returns the corners of a lifted triangle in Klein coordinates.
 std::array<Point, 3> klein_corners(const NetGeometry& geometry, const Placement& placement) {
   std::array<Point, 3> result;
   const certify::NetDocument& document = geometry.document();
@@ -42,23 +42,24 @@ std::array<Point, 3> klein_corners(const NetGeometry& geometry, const Placement&
   return result;
 }
 
-/// Twice the area of the triangle u, v, w: positive if w is on the left of the line from u to v.
+/// Returns twice the area of the triangle u, v, w: positive if w is on the left of the line from u to v.
 Mp256 side_of(const Point& u, const Point& v, const Point& w) { return cross(v - u, w - u); }
 
-/// Whether side_of says that w is on the line or on its left, to within rounding. It is the distance of w from the line
-/// that is compared: Klein coordinates shrink u and v to nearly one point where they are far from the origin.
+/// Whether side_of says that w is on the line or on its left, to within rounding. The comparison is that of the
+/// distance of w from the line, as Klein coordinates shrink u and v to nearly one point if they are far from the
+/// origin.
 bool is_left(const Point& u, const Point& v, const Mp256& side_of_w) {
   return side_of_w >= 0 || side_of_w * side_of_w <= tolerance() * tolerance() * norm(v - u);
 }
 
-/// The lift that an isometry of the disk makes of another one.
+/// Returns the lift that an isometry of the disk takes a lift to.
 Placement moved(const Isometry<Mp256>& by, const Placement& placement) {
   return {placement.triangle, normalized(by * placement.isometry)};
 }
 
-/// A lifted triangle that contains 0, found by a walk from another one, each step across a side that separates it from
-/// 0: a visibility walk, which comes to an end in a Delaunay triangulation (thesis Theorem II.3). Nothing if it takes
-/// more steps than are tried.
+/// Returns a lifted triangle that contains 0. It is found by a visibility walk from another one: each step crosses a
+/// side that separates the triangle from 0, which ends in a Delaunay triangulation (thesis Theorem II.3). Returns
+/// nullopt if the walk takes too many steps.
 std::optional<Placement> walk_to_0(const NetGeometry& geometry, Placement placement) {
   const std::size_t most = 1000 + 20 * geometry.document().triangles.size();
   for (std::size_t steps = 0; steps < most; ++steps) {
@@ -76,7 +77,7 @@ std::optional<Placement> walk_to_0(const NetGeometry& geometry, Placement placem
   return std::nullopt;
 }
 
-/// A curve that cannot be drawn in reasonable work, or with 256 bits, however sound the net is.
+/// A curve cannot be drawn with a reasonable amount of work, or with 256 bits, although the net may be sound.
 class CurveNotFollowed : public NetGeometryError {
  public:
   using NetGeometryError::NetGeometryError;
@@ -90,7 +91,7 @@ T required(std::optional<T> result) {
   return *std::move(result);
 }
 
-/// A part of a segment, from one share of its way to another.
+/// A part of a segment; `from` and `to` are shares of its length.
 struct Part {
   Mp256 from = 0;
   Mp256 to = 1;
@@ -98,7 +99,7 @@ struct Part {
   [[nodiscard]] bool has_length() const { return to - from > tolerance(); }
 };
 
-/// What of the segment from p to q is in a triangle.
+/// Returns the part of the segment from p to q that is in a triangle.
 Part part_inside(const std::array<Point, 3>& corners, const Point& p, const Point& q) {
   Part part;
   for (std::uint32_t i = 0; i < 3; ++i) {
@@ -110,7 +111,8 @@ Part part_inside(const std::array<Point, 3>& corners, const Point& p, const Poin
     const bool q_inside = is_left(u, v, at_q);
     if (p_inside && q_inside) continue;
     if (!p_inside && !q_inside) return {1, 0};
-    // Within [0, 1] also where an end lies on the side to within rounding: the triangles around it are then touched.
+    // The share is in [0, 1] even if an end lies on the side to within rounding; the triangles around it are then
+    // touched.
     const Mp256 share = std::clamp(Mp256(at_p / (at_p - at_q)), Mp256(0), Mp256(1));
     if (q_inside) {
       part.from = std::max(part.from, share);
@@ -121,7 +123,7 @@ Part part_inside(const std::array<Point, 3>& corners, const Point& p, const Poin
   return part;
 }
 
-/// Tells lifts of a triangle apart: the place of corner 0.
+/// Returns a key that distinguishes lifts of a triangle: the place of corner 0.
 std::tuple<std::uint32_t, Mp256, Mp256> key(const Placement& placement, const Point& corner) {
   return {placement.triangle, floor(ldexp(corner.x, 110)), floor(ldexp(corner.y, 110))};
 }
@@ -149,7 +151,7 @@ Tiles::Tiles(const NetGeometry& geometry) : parts(geometry.document(), geometry.
     for (const certify::RationalPoint& z : tile) points.push_back(rounded<Mp256>(z));
   }
   if (document.vertices.empty()) throw NetGeometryError("there is no vertex");
-  // Tile by tile; a lift of a triangle near a side is one near the neighbour's side.
+  // Goes from tile to tile: the lift of a triangle near a side is also near the neighbour's side.
   const std::uint32_t chart = document.vertices[0].chart;
   std::vector<bool> done(corners.size(), false);
   near.resize(corners.size());
@@ -177,8 +179,8 @@ Tiles::Tiles(const NetGeometry& geometry) : parts(geometry.document(), geometry.
 
 namespace {
 
-/// The segment between two points of a lifted triangle, in the chart of its corner 0, or, where points so far away are
-/// near the unit circle, of the corner from which it is seen best.
+/// Returns the segment between two points of a lifted triangle in the chart of its corner 0; or, if the points are near
+/// the unit circle there, in the chart of the corner where they are farthest from it.
 Arc arc_between(const NetGeometry& geometry, const Placement& placement, const Point& p, const Point& q) {
   constexpr double kNear = 0.9;
   Arc best{};
@@ -197,12 +199,12 @@ Arc arc_between(const NetGeometry& geometry, const Placement& placement, const P
   return best;
 }
 
-/// Cuts the segment from 0 to a point of the positive real axis, Klein coordinates, and appends its arcs; `first`
-/// contains 0. False if it meets more than `most` triangles.
+/// Cuts the segment from 0 to a point of the positive real axis (Klein coordinates) and appends its arcs. Requires:
+/// `first` contains 0. Returns false if the segment meets more than `most` triangles.
 bool append_arcs(std::vector<Arc>& arcs, const NetGeometry& geometry, const Placement& first, const Mp256& end,
                  std::size_t most) {
   const Point to{end, 0};
-  std::vector<std::pair<Mp256, Arc>> pieces;  // With where they start.
+  std::vector<std::pair<Mp256, Arc>> pieces;  // With the shares at which they start.
   std::set<std::tuple<std::uint32_t, Mp256, Mp256>> seen;
   std::deque<Placement> pending{first};
   for (; !pending.empty(); pending.pop_front()) {
@@ -222,7 +224,7 @@ bool append_arcs(std::vector<Arc>& arcs, const NetGeometry& geometry, const Plac
   return true;
 }
 
-/// Takes p to 0 and q to the positive real axis.
+/// Returns an isometry that takes p to 0 and q to the positive real axis.
 Isometry<Mp256> to_real_axis(const Point& p, const Point& q, const Mp256& length) {
   return length > 0 ? segment_to_segment(p, q, {}, {Mp256(tanh(length / 2)), 0}) : Isometry<Mp256>::translation(-p);
 }
@@ -231,17 +233,17 @@ Isometry<Mp256> to_real_axis(const Point& p, const Point& q, const Mp256& length
 
 std::optional<CutSegment> cut_segment(const NetGeometry& geometry, const Placement& near, const Complex<Mp256>& p,
                                       const Complex<Mp256>& q) {
-  // Step by step along the real axis, the start of each step moved to 0: in Klein coordinates what is 40 away from the
-  // origin, as the other end of a thin collar, is as small as rounding.
+  // The segment is followed in steps along the real axis; the start of each step is moved to 0. At a distance of 40
+  // from the origin, as at the other end of a thin collar, everything is as small as rounding in Klein coordinates.
   constexpr int kLongestStep = 8;
   const Mp256 length = distance(p, q);
-  // The surface has no segment so long that is worth drawing; an end on the unit circle is infinitely far.
+  // A longer segment is not worth drawing; an end on the unit circle is infinitely far away.
   constexpr int kLongest = 1000;
   if (!(length <= kLongest)) return std::nullopt;
   const Mp256 steps = std::max(Mp256(1), Mp256(ceil(length / kLongestStep)));
   const Mp256 step = length / steps;
   const auto forward = Isometry<Mp256>::translation({Mp256(tanh(step / 2)), 0});
-  // A segment may cross a triangle many times, and if lifts do not fit together there is no end.
+  // A segment may cross a triangle many times, and if lifts do not fit together, infinitely often.
   const std::size_t most = 10000 + 20 * geometry.document().triangles.size();
   Isometry<Mp256> frame = normalized(to_real_axis(p, q, length));
   std::optional<Placement> here = walk_to_0(geometry, moved(frame, near));
@@ -257,8 +259,7 @@ std::optional<CutSegment> cut_segment(const NetGeometry& geometry, const Placeme
 
 namespace {
 
-/// Adds a segment to a layer; `near` becomes a lift at its end. Throws NetGeometryError where cut_segment gives
-/// nothing.
+/// Adds a segment to a layer; `near` becomes a lift at its end. Throws NetGeometryError if cut_segment returns nullopt.
 void append_segment(Layer& layer, const NetGeometry& geometry, Placement& near, const Complex<Mp256>& p,
                     const Complex<Mp256>& q) {
   CutSegment segment = required(cut_segment(geometry, near, p, q));
@@ -270,7 +271,8 @@ void append_segment(Layer& layer, const NetGeometry& geometry, Placement& near, 
 
 namespace {
 
-/// The layer with the curves that `add_curves` adds; without them, and with the reason, if one is not followed.
+/// Returns the layer with the curves that `add_curves` adds. If one of them is not followed, the layer has no curves,
+/// but the reason.
 template <class AddCurves>
 Layer with_curves(Layer layer, const AddCurves& add_curves) {
   try {
@@ -301,8 +303,8 @@ Layer tile_layer(const NetGeometry& geometry) {
 
 namespace {
 
-/// A vertex of a domain that may be as far out in a thin collar as binary64 cannot tell from the unit circle: brought
-/// to a distance of 32 from the centre, where nothing is seen any more.
+/// A vertex of a domain may be so far out in a thin collar that binary64 cannot distinguish it from a point of the unit
+/// circle. Moves it to a distance of 32 from the centre, beyond which nothing can be seen.
 Point within_sight(const Complex<double>& z) {
   const double farthest = std::tanh(16.0);
   const double radius = std::sqrt(norm(z));
@@ -340,15 +342,15 @@ struct ClosedPath {
   Mp256 length;
   Isometry<Mp256> from_diameter;  ///< Takes the diameter from −1 to 1 to the axis, 0 to the foot of the base point.
 
-  /// The point at a place along the axis and a distance from it, positive on the left (hyperbolic lengths).
+  /// Returns the point at a place along the axis and a distance from it, positive on the left (hyperbolic lengths).
   [[nodiscard]] Point at(const Mp256& along, const Mp256& distance) const {
     const auto shift = Isometry<Mp256>::translation({Mp256(tanh(along / 2)), 0});
     return from_diameter(shift({0, Mp256(tanh(distance / 2))}));
   }
 };
 
-/// A closed path of a tile by its word; places along it are counted from the foot of `base`, a point of the tile's
-/// disk.
+/// Returns the axis of a closed path of a tile, given by its word; places along it are counted from the foot of `base`,
+/// a point of the tile's disk.
 ClosedPath closed_path(const NetGeometry& geometry, const Tiles& tiles, std::uint32_t home,
                        const std::vector<std::uint32_t>& word, const Point& base) {
   const certify::SurfaceSides& sides = geometry.sides();
@@ -362,18 +364,18 @@ ClosedPath closed_path(const NetGeometry& geometry, const Tiles& tiles, std::uin
   const auto ends = axis(g);
   if (tile != home || word.empty()) throw NetGeometryError("a word is no closed geodesic");
   if (!ends) throw CurveNotFollowed("a closed geodesic is too short for 256 bits");
-  // X minus its component along the normal of the axis, scaled back to the hyperboloid.
+  // The foot is X minus its component along the normal of the axis, scaled back to the hyperboloid.
   const LorentzVector<Mp256> normal = axis_normal(g);
   const LorentzVector<Mp256> x = on_hyperboloid(base);
   const LorentzVector<Mp256> on_axis = x + Mp256(-lorentz_product(normal, x) / isometry_discriminant(g)) * normal;
   const Point foot = in_disk(Mp256(1 / sqrt(Mp256(-lorentz_product(on_axis, on_axis)))) * on_axis);
-  // The direction of the axis, seen from its foot: a rotation by half the angle, twice.
+  // The direction of the axis, seen from its foot: a rotation by half the angle, applied twice.
   const Point direction = inverse(Isometry<Mp256>::translation(foot))(ends->to);
   const Point half = direction.x > 0 ? Point{direction.x + 1, direction.y} : Point{direction.y, 1 - direction.x};
   return {g, displacement_length(g), normalized(Isometry<Mp256>::translation(foot) * Isometry<Mp256>{half, {}})};
 }
 
-/// One period of the two curves at a distance from an axis, as chords.
+/// Adds one period of the two curves at a distance from an axis, as chords.
 void append_equidistants(Layer& layer, const NetGeometry& geometry, const Placement& start, const ClosedPath& path,
                          const Mp256& distance) {
   constexpr int kChords = 48;
@@ -400,7 +402,7 @@ std::vector<Layer> collar_layers(const NetGeometry& geometry) {
         const Tiles tiles(geometry);
         const Mp256 half_epsilon = rounded<Mp256>(geometry.epsilon()) / 2;
         for (const certify::NetDocument::Collar& collar : *net.collars) {
-          // From a vertex of the collar, which is not far.
+          // The boundaries are followed from a vertex of the collar, which is near them.
           const certify::NetDocument::Vertex& vertex = net.vertices[collar.vertices[0]];
           const Isometry<Mp256>& frame = tiles.parts.frames[vertex.chart];
           const Placement start = placement_at(geometry, collar.vertices[0], frame);
@@ -416,7 +418,7 @@ std::vector<Layer> collar_layers(const NetGeometry& geometry) {
 
 namespace {
 
-/// Throws NetGeometryError unless the curves of a net, `what`, are on the surface that is drawn.
+/// Throws NetGeometryError unless the curves of a net, called `what`, are on the surface that is drawn.
 void require_same_surface(const NetGeometry& geometry, const certify::NetDocument& source, const char* what) {
   const certify::SurfaceDocument& surface = geometry.document().surface;
   if (source.surface.tiles != surface.tiles || source.surface.gluing != surface.gluing ||

@@ -16,8 +16,8 @@ namespace {
 
 using Point = Complex<Mp1024>;
 
-/// The surface with the same tiles, in the same coordinates, renumbered so that a corner is corner 0 of tile 0: the
-/// first vertex of the surface is then its point.
+/// Returns the surface with the same tiles in the same coordinates, renumbered so that the given corner is corner 0 of
+/// tile 0. Its point is then the first vertex of the surface.
 certify::SurfaceDocument with_first_corner(certify::SurfaceDocument surface, std::uint32_t tile, std::uint32_t corner) {
   std::swap(surface.tiles[0], surface.tiles[tile]);
   certify::SurfaceDocument::Tile& first = surface.tiles[0];
@@ -34,7 +34,7 @@ certify::SurfaceDocument with_first_corner(certify::SurfaceDocument surface, std
   return surface;
 }
 
-/// The corner of a chart's tile that is the chart's centre, if there is one.
+/// Returns the corner of a chart's tile that is the chart's centre, if there is one.
 std::optional<std::uint32_t> corner_at(const certify::SurfaceDocument& surface,
                                        const certify::NetDocument::Chart& chart) {
   if (surface.regular_genus != 0) return std::nullopt;
@@ -48,7 +48,7 @@ std::optional<std::uint32_t> corner_at(const certify::SurfaceDocument& surface,
 struct Place {
   std::uint32_t tile;
   Point z;
-  Isometry<Mp1024> from_chart;  ///< From the coordinates of the chart that the point was given in to the tile's.
+  Isometry<Mp1024> from_chart;  ///< From the coordinates of the chart in which the point was given to the tile's.
 };
 
 /// Tiles in the Klein model, and the crossings between them.
@@ -65,7 +65,7 @@ class Tiles {
     }
   }
 
-  /// The place of a point of a chart, found along the straight line from the middle of the chart's tile.
+  /// Finds the place of a point of a chart along the straight line from the middle of the chart's tile.
   [[nodiscard]] Place locate(std::uint32_t chart, std::uint32_t tile, const Point& z) const {
     Isometry<Mp1024> g = parts_.frames[chart];
     Point start = from_klein(middle(tile));
@@ -84,7 +84,7 @@ class Tiles {
     throw NetGeometryError("no tile contains the centre of the Dirichlet domain");
   }
 
-  /// The point itself if it is inside of the tile, and else one beside it that is.
+  /// Returns the point itself if it is inside the tile, otherwise a point beside it that is.
   [[nodiscard]] Point inside(const Place& place) const {
     const std::vector<Point>& corners = corners_[place.tile];
     const Point k = to_klein(place.z);
@@ -105,8 +105,8 @@ class Tiles {
     return Mp1024(1 / Mp1024(corners_[tile].size())) * sum;
   }
 
-  /// The side through which the segment from a point inside of a tile, or beyond one of its sides, to another point
-  /// leaves the tile; nothing if it ends in the tile (Klein model).
+  /// Returns the side through which a segment leaves a tile; nullopt if it ends in the tile (Klein model). The segment
+  /// starts inside the tile or beyond one of its sides.
   [[nodiscard]] std::optional<std::uint32_t> exit_side(std::uint32_t tile, const Point& from, const Point& to) const {
     static const Mp1024 kTiny = ldexp(Mp1024(1), -300);
     const Point direction = to - from;
@@ -132,10 +132,10 @@ class Tiles {
   std::vector<std::vector<Point>> corners_;  ///< By tile, Klein model.
 };
 
-/// The number of 300 bits after the point next to x.
+/// Returns x rounded down to 300 bits after the point.
 Rational dyadic(const Mp1024& x) { return Rational(Mp1024(ldexp(floor(ldexp(x, 300)), -300))); }
 
-/// What an isometry that fixes 0 does: a rotation.
+/// Returns the points rotated by an isometry that fixes 0.
 std::vector<Complex<double>> rotated(const Isometry<double>& f, std::vector<Complex<double>> points) {
   const Complex<double> turn = (1 / norm(f.a)) * (f.a * f.a);
   for (Complex<double>& z : points) z = turn * z;
@@ -159,7 +159,7 @@ std::vector<Complex<double>> domain_of_vertex(const NetGeometry& geometry, const
   const Point base = tiles.inside(place);
   const BasePoint exact{place.tile, {dyadic(base.x), dyadic(base.y)}};
   DirichletPolygon polygon = dirichlet_polygon(from_document(net.surface), exact);
-  // Both from the chart to a disk with the vertex at 0.
+  // Both isometries lead from the chart to a disk with the vertex at 0.
   const Isometry<Mp1024> wanted = normalized(Isometry<Mp1024>::translation(-z));
   const Isometry<Mp1024> found = normalized(Isometry<Mp1024>::translation(-place.z) * place.from_chart);
   return rotated(convert<double>(wanted * inverse(found)), std::move(polygon.vertices));

@@ -22,7 +22,7 @@ using Point = Complex<double>;
 
 constexpr std::uint32_t kNone = 0xffffffff;
 
-/// What a legend calls a layer: of closed geodesics also their number and lengths.
+/// Returns the name of a layer in the legend, for closed geodesics with their number and lengths.
 std::string legend_name(const Layer& layer) {
   if (layer.parts.empty()) return layer.name;
   double shortest = layer.parts[0].length;
@@ -31,7 +31,7 @@ std::string legend_name(const Layer& layer) {
     shortest = std::min(shortest, part.length);
     longest = std::max(longest, part.length);
   }
-  // Four digits tell lengths apart that are not of one cluster, and hide that equal ones are rounded.
+  // Four digits distinguish lengths of different clusters, and hide the rounding of equal lengths.
   const std::string from = fixed(shortest, 4);
   const std::string to = fixed(longest, 4);
   return layer.name + ": " + std::to_string(layer.parts.size()) +
@@ -40,7 +40,7 @@ std::string legend_name(const Layer& layer) {
 
 class Picture {
  public:
-  /// `polygon`: the Dirichlet domain of the centre, if it is known.
+  /// `polygon` is the Dirichlet domain of the centre, if it is known.
   Picture(const certify::NetDocument& document, const DrawOptions& options, const std::vector<Point>* polygon = nullptr)
       : document_(document),
         polygon_(polygon),
@@ -81,7 +81,7 @@ class Picture {
     return head() + body + "</svg>\n";
   }
 
-  /// What svg() could not draw: "name: reason".
+  /// Returns what svg() could not draw, as "name: reason".
   [[nodiscard]] const std::vector<std::string>& left_out() const { return left_out_; }
 
  private:
@@ -92,7 +92,8 @@ class Picture {
   [[nodiscard]] const Point& end(std::uint32_t dart) const { return lifted(dart).corner[certify::next_dart(dart) % 3]; }
   [[nodiscard]] std::uint32_t opposite(std::uint32_t dart) const { return certify::opposite(document_, dart); }
 
-  /// The boundary dart that follows a boundary dart around the drawing: turn around its end, inside of the drawing.
+  /// Returns the boundary dart that follows a boundary dart around the drawing: turns around its end, inside the
+  /// drawing.
   [[nodiscard]] std::uint32_t next_on_boundary(std::uint32_t dart) const {
     std::uint32_t next = certify::next_dart(dart);
     for (std::size_t turns = 0; !on_boundary_[next]; ++turns) {
@@ -102,7 +103,7 @@ class Picture {
     return next;
   }
 
-  /// The drawn domain as an area. Its outline runs with the interior on the left, holes the other way round.
+  /// Returns the drawn domain as an area. Its outline has the interior on the left; holes run the other way round.
   [[nodiscard]] std::string domain_path() const {
     return "<path class=\"domain\" fill=\"#eef2f7\" d=\"" + outline() + "\"/>\n";
   }
@@ -122,7 +123,7 @@ class Picture {
     return path.data();
   }
 
-  /// The outline of the same triangles lifted breadth first.
+  /// Returns the outline of the same triangles lifted breadth first.
   [[nodiscard]] std::string combinatorial_dirichlet_path() const {
     DrawOptions options = options_;
     options.order = DrawOrder::breadth_first;
@@ -151,7 +152,8 @@ class Picture {
     return certify::chart_of_triangle(document_, triangle);
   }
 
-  /// The share of the greatest value that a triangle has, in bands that show the lines of equal values.
+  /// Returns the value of a triangle as a share of the greatest value, rounded down to bands so that lines of equal
+  /// values can be seen.
   [[nodiscard]] double band_of(std::uint32_t triangle) const {
     constexpr double kBands = 24;
     if (!(greatest_value_ > 0)) return 0;
@@ -166,7 +168,7 @@ class Picture {
     return shade(2 * geometry_.circumradius(triangle) / epsilon_ - 1);
   }
 
-  /// Triangles of a colour are one path, with a hairline around it that covers the seams smoothing leaves.
+  /// All triangles of a colour are one path, with a hairline around it that covers the seams left by anti-aliasing.
   [[nodiscard]] std::string colour_group() const {
     std::map<std::string, Path> paths;
     for (const Lifts::LiftedTriangle& triangle : lifts_.lifted)
@@ -178,7 +180,7 @@ class Picture {
     return out + "</g>\n";
   }
 
-  /// The disks around all drawn lifts of vertices, as one area.
+  /// Returns the disks around all drawn lifts of vertices, as one area.
   [[nodiscard]] std::string disk_group(const char* name, const char* title, const char* colour, double radius) const {
     std::set<Place> drawn;
     Path path(paper_);
@@ -213,8 +215,8 @@ class Picture {
     return out + "</g>\n";
   }
 
-  /// An edge of the same kind, on the boundary or not, that leaves the end of a dart and is not done; kNone if none was
-  /// found.
+  /// Returns an edge that leaves the end of a dart, is not drawn yet, and is of the same kind (on the boundary or not);
+  /// kNone if none is found.
   [[nodiscard]] std::uint32_t unfinished_edge_at_end(std::uint32_t dart, const std::vector<bool>& done) const {
     std::uint32_t next = certify::next_dart(dart);
     for (int turns = 0; turns < 32; ++turns) {
@@ -231,7 +233,7 @@ class Picture {
     std::vector<bool> done(on_boundary_.size(), false);
     for (const Lifts::LiftedTriangle& triangle : lifts_.lifted) {
       for (std::uint32_t first = 3 * triangle.triangle; first < 3 * triangle.triangle + 3; ++first) {
-        // As long a line as possible without lifting the pen makes a short file.
+        // Long lines, drawn without lifting the pen, make a short file.
         for (std::uint32_t dart = first; dart != kNone && !done[dart]; dart = unfinished_edge_at_end(dart, done)) {
           done[dart] = true;
           if (!on_boundary_[dart]) done[opposite(dart)] = true;
@@ -249,12 +251,12 @@ class Picture {
     return out + "</g>\n";
   }
 
-  /// Dots of less than half a pixel are a grey veil, which ends where they are left out.
+  /// Whether all vertices get a dot. Dots of less than half a pixel would be a grey veil, so they are left out.
   [[nodiscard]] bool shows_all_vertices() const { return dot_width_ >= 0.5; }
 
   [[nodiscard]] std::string dot_group() {
     PathsByWidth dots(paper_, dot_width_);
-    // The centre has a rim of white, so that it can be seen on dark triangles.
+    // The dot in the centre has a white rim, so that it can be seen on dark triangles.
     const double base_width = std::max(1.6 * dot_width_, 0.006 * options_.size);
     PathsByWidth base(paper_, base_width);
     PathsByWidth rim(paper_, 1.5 * base_width);
@@ -283,7 +285,7 @@ class Picture {
     return out;
   }
 
-  /// The vertices of the Dirichlet domain; none if they cannot be computed, which left_out_ then says.
+  /// Returns the vertices of the Dirichlet domain; none if they cannot be computed, and then left_out_ has the reason.
   [[nodiscard]] std::vector<Point> domain() {
     if (polygon_ != nullptr) return *polygon_;
     try {
@@ -338,7 +340,7 @@ class Picture {
     return legend.group();
   }
 
-  /// The colours of the charts that triangles have, as far as there is room.
+  /// Adds the colours of the charts of triangles, as far as there is room.
   void add_charts(Legend& legend) const {
     constexpr std::size_t kMost = 16;
     std::set<std::uint32_t> charts;

@@ -5,34 +5,34 @@
 #include <utility>
 #include <vector>
 
-/// What colours mean, and which there are beside the palette.
+/// Legends of pictures, and the colours beside the palette.
 namespace epsnet {
 
-/// From pale yellow, at 0, to blue, at 1, in 24 steps: few colours make a short file.
+/// Returns a colour from pale yellow, at 0, to blue, at 1, in 24 steps: few colours make a short file.
 [[nodiscard]] std::string shade(double share);
 
-/// The golden angle keeps the hues of neighbouring numbers apart.
+/// Returns the colour of a chart; the golden angle keeps the hues of neighbouring numbers apart.
 [[nodiscard]] std::string chart_colour(std::uint32_t chart);
 
-/// Text between the tags of XML.
+/// Returns the text with the escapes that XML needs between tags.
 [[nodiscard]] std::string escaped(const std::string& text);
 
 /// How a legend shows what a name stands for.
 enum class Mark { area, line, dot };
 
-/// Rows of marks and names in the upper left corner, which the disk leaves free; names have a margin of white, so that
-/// they can be read on anything.
+/// Rows of marks and names in the upper left corner, which the disk leaves free. Names have a white margin, so that
+/// they can be read on any background.
 class Legend {
  public:
-  /// A unit is as many pixels.
+  /// `unit` is the number of pixels of a unit.
   explicit Legend(double unit) : unit_(unit) {}
 
   void add(Mark mark, const std::string& colour, const std::string& name);
-  /// Several areas with short names to a row.
+  /// Adds several areas with short names in a row.
   void add_areas(const std::vector<std::pair<std::string, std::string>>& colours_and_names);
   void add_text_row(const std::string& text);
 
-  /// The group of SVG elements.
+  /// Returns the group of SVG elements.
   [[nodiscard]] std::string group() const;
 
  private:

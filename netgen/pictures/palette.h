@@ -1,6 +1,6 @@
 #pragma once
 
-/// The colours of pictures and pages, "#rrggbb": what can be seen together differs clearly (a test measures it).
+/// The colours of pictures and pages, "#rrggbb". Colours that can be seen together differ clearly (a test measures it).
 namespace epsnet::palette {
 
 inline constexpr const char* kPaper = "#ffffff";

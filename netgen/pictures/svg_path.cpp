@@ -12,8 +12,8 @@ namespace {
 
 using Point = Complex<double>;
 
-/// The Euclidean radius of the geodesic through u and v, for |u|, |v| < 1; the sign says on which side of it 0 lies
-/// (positive: left). 0 for a diameter.
+/// Returns the Euclidean curvature, 1/radius, of the geodesic through u and v, for |u|, |v| < 1: positive if 0 lies on
+/// its left, negative if on its right, 0 for a diameter.
 double curvature(const Point& u, const Point& v) {
   // The centre c of a circle orthogonal to the unit circle has 2 Re(c̄z) = 1 + |z|² for its points z, and radius² = |c|²
   // − 1.
@@ -26,8 +26,8 @@ double curvature(const Point& u, const Point& v) {
   return 2 * twice_area / std::sqrt(rest);
 }
 
-/// A point of the disk or of the unit circle, to which points far out in thin collars are rounded: not so near the
-/// circle that a translation cannot take it to 0, which nobody sees.
+/// Moves a point off the unit circle, to which points far out in thin collars are rounded, so that a translation can
+/// take it to 0. The difference cannot be seen.
 Point off_circle(const Point& z) {
   constexpr double kFarthest = 1 - 1e-9;
   const double radius = std::sqrt(norm(z));
@@ -46,7 +46,7 @@ void append_hundredths(std::string& out, std::int64_t x) {
   if (rest % 10 != 0) out += static_cast<char>('0' + rest % 10);
 }
 
-/// A number with a space in front unless a sign separates it already.
+/// Writes x/100 with a space in front unless its sign separates it already.
 void append_separated(std::string& out, std::int64_t x) {
   if (x >= 0) out += ' ';
   append_hundredths(out, x);

@@ -27,7 +27,7 @@ class Paper {
   [[nodiscard]] double radius() const { return radius_; }  ///< Of the disk, in pixels.
   [[nodiscard]] double middle() const { return middle_; }
   [[nodiscard]] Place place(const Complex<double>& z) const;
-  /// The length on paper of a small segment of hyperbolic length 1 at z.
+  /// Returns pixels per unit of hyperbolic length at z.
   [[nodiscard]] double scale(const Complex<double>& z) const { return radius_ * std::max(0.0, 1 - norm(z)) / 2; }
 
  private:
@@ -35,17 +35,18 @@ class Paper {
   double middle_;
 };
 
-/// The data of an SVG path, in relative coordinates from rounded place to rounded place, so that rounding does not add
-/// up. Keeps a reference to the paper.
+/// The data of an SVG path, in relative coordinates between rounded places, so that rounding does not accumulate. Keeps
+/// a reference to the paper.
 class Path {
  public:
   explicit Path(const Paper& paper) : paper_(&paper) {}
   explicit Path(const Paper&&) = delete;
 
   void move(const Complex<double>& z);
-  /// The geodesic from u to v; the pen is at u.
+  /// Draws the geodesic from u to v. Requires: the pen is at u.
   void geodesic(const Complex<double>& u, const Complex<double>& v);
-  /// The hyperbolic circle of a radius about z, a Euclidean one. Nothing if it is smaller than a fifth of a pixel.
+  /// Draws the hyperbolic circle of a radius about z, which is a Euclidean circle; draws nothing if it is smaller than
+  /// a fifth of a pixel.
   void circle(const Complex<double>& z, double radius);
   void dot(const Complex<double>& z);
   void close();
@@ -53,10 +54,10 @@ class Path {
   [[nodiscard]] const std::string& data() const { return data_; }
 
  private:
-  /// The command and the way to the place; the letter is left out where it goes without saying: a line after a line or
-  /// a move.
+  /// Appends a command and the way to the place. The letter is left out where SVG implies it: for a line after a line
+  /// or a move.
   void append(char command, const Place& place);
-  /// The parameters of an arc of a circle of radius r, in hundredths of a pixel, but for its end.
+  /// Appends the parameters of an arc of a circle of radius r, in hundredths of a pixel, without its end.
   void append_arc(std::int64_t r, const char* flags);
 
   const Paper* paper_;
@@ -71,8 +72,8 @@ class PathsByWidth {
   PathsByWidth(const Paper& paper, double widest) : paper_(&paper), widest_(widest) {}
   PathsByWidth(const Paper&&, double) = delete;
 
-  /// The path for strokes of a share, at most 1, of the greatest width. Strokes of less than a twentieth of a pixel
-  /// vanish in some renderers, which shows as an edge in the shading of fine nets; that is the least.
+  /// Returns the path for strokes of a share, at most 1, of the greatest width. The least width is a twentieth of a
+  /// pixel, as thinner strokes vanish in some renderers, which shows as an edge in the shading of fine nets.
   [[nodiscard]] Path& at(double share);
 
   /// Adds the geodesic from start to end, in pieces if it is so long that its stroke has to taper. Returns false if it
@@ -87,7 +88,7 @@ class PathsByWidth {
   std::map<int, Path> paths_;
 };
 
-/// x with a fixed number of digits after the point.
+/// Returns x with a fixed number of digits after the point.
 [[nodiscard]] std::string fixed(double x, int digits);
 
 }  // namespace epsnet

@@ -20,7 +20,7 @@
 namespace epsnet {
 namespace {
 
-/// Text as a JSON string that can stand in a script of an HTML page: "<" would start a tag there.
+/// Returns a text as a JSON string for a script of an HTML page, where "<" must be escaped as it would start a tag.
 std::string json_string(std::string_view text) {
   constexpr std::string_view kHexadecimal = "0123456789abcdef";
   std::string result = "\"";
@@ -60,7 +60,7 @@ std::string html_text(std::string_view text) {
   return result;
 }
 
-/// The bytes of numbers, least significant first, in base 64 (RFC 4648), as a JSON string.
+/// Returns the bytes of numbers, least significant first, in base 64 (RFC 4648), as a JSON string.
 template <class Number>
 std::string base64(const std::vector<Number>& numbers) {
   static_assert(std::endian::native == std::endian::little);
@@ -129,7 +129,7 @@ std::string layer_json(const Layer& layer) {
   return out + "}";
 }
 
-/// The colours of what every page can show.
+/// The colours of everything that a page can show.
 std::string palette_json() {
   return "{\"edges\": " + json_string(palette::kEdges) + ", \"vertices\": " + json_string(palette::kVertices) +
          ", \"centre\": " + json_string(palette::kCentre) + ", \"covering\": " + json_string(palette::kCoveringDisks) +
@@ -137,7 +137,7 @@ std::string palette_json() {
          ", \"dirichlet\": " + json_string(palette::kDirichlet) + "}";
 }
 
-/// A margin for people: a lower bound of the difference, in four digits.
+/// Returns a margin to be read by people: a lower bound of the difference, in four digits.
 std::string margin(double greater, double less) {
   const Mp256 difference = Mp256(greater) - Mp256(less);
   const auto rounded = static_cast<double>(difference);

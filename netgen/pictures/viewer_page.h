@@ -4,7 +4,7 @@
 
 namespace epsnet {
 
-/// The text of viewer.html: the page with places for what it shows.
+/// The text of viewer.html: the page, with places for its data.
 extern const std::string_view kViewerPage;
 
 }  // namespace epsnet
