@@ -49,7 +49,7 @@
 #include "netgen/surfaces/pants_graph.h"
 #include "netgen/surfaces/surface_file.h"
 #include "netgen/surfaces/word_isometry.h"
+#include "triangulation/mesh/operations.h"
 #include "triangulation/mesh/triangulation.h"
-#include "triangulation/mesh/walk.h"
 #include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"

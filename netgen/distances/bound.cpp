@@ -17,8 +17,7 @@
 #include "netgen/nets/net_document.h"
 #include "netgen/nets/net_options.h"
 #include "netgen/nets/start.h"
-#include "triangulation/mesh/contraction.h"
-#include "triangulation/mesh/flip.h"
+#include "triangulation/mesh/operations.h"
 
 namespace epsnet {
 namespace {
@@ -355,10 +354,10 @@ void move_to(Triangulation& triangulation, const Point& target) {
   double part = 1;
   constexpr int kMostSteps = 10'000;
   for (int steps = 0; steps < kMostSteps; ++steps) {
-    Atlas& atlas = triangulation.atlas();
     const Vertex vertex = triangulation.vertex(0);
     // The goal in the chart of the vertex.
-    const Complex<Number> end = to_home == kIdentity ? goal : atlas.isometry_in<Number>(atlas.inverse(to_home))(goal);
+    const Complex<Number> end =
+        to_home == kIdentity ? goal : triangulation.isometry_in<Number>(triangulation.inverse(to_home))(goal);
     const Complex<Number> here = convert<Number>(vertex.z);
     const Complex<Number> one{1, 0};
     const Complex<Number> way = (end - here) / (one - conj(here) * end);
@@ -366,13 +365,14 @@ void move_to(Triangulation& triangulation, const Point& target) {
     if (size == 0) return;
     const Number length = atanh(size) * part;
     const Complex<Number> step = Number(tanh(length) / size) * way;
-    const auto place = atlas.place(vertex.chart, (step + here) / (one + conj(here) * step), Atlas::Precision::binary64);
+    const auto point =
+        triangulation.lifted_point(vertex.chart, (step + here) / (one + conj(here) * step), Atlas::Precision::binary64);
     const Dart d = make_dart(0, 0);
-    if (!place || !move_vertex(triangulation, d, *place)) {
+    if (!point || !move_vertex(triangulation, d, *point)) {
       part /= 2;
       continue;
     }
-    to_home = atlas.product(to_home, place->label);
+    to_home = triangulation.product(to_home, point->label);
     (void)make_delaunay(triangulation);
     if (part == 1) return;
     part = std::min(1.0, 2 * part);

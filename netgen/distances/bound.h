@@ -4,7 +4,6 @@
 
 #include "certify/claims/bound/document.h"
 #include "netgen/base/progress.h"
-#include "triangulation/surface/base_point.h"
 #include "triangulation/surface/surface.h"
 
 /// The diameter of a surface, its radius, and its largest embedded disk. docs/distances.md says how.

@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "certify/claims/distance/document.h"
-#include "triangulation/surface/base_point.h"
 #include "triangulation/surface/surface.h"
 
 /// The distance between two points of a surface, with all shortest geodesics. docs/distances.md says how and why.

@@ -264,7 +264,7 @@ VertexTriangulation vertex_triangulation(Triangulation& triangulation, EdgeEleme
   for (std::uint32_t d = 0; d < darts; ++d) {
     result.opposite.push_back(document_dart(triangulation.opposite(triangulation_dart(d))));
     const LabelId along = triangulation.label_along(triangulation_dart(d));
-    result.element.push_back(elements.add(triangulation.atlas().isometry_in<EdgeElements::Number>(along)));
+    result.element.push_back(elements.add(triangulation.isometry_in<EdgeElements::Number>(along)));
   }
   return result;
 }

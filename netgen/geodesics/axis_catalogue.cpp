@@ -63,7 +63,7 @@ Isometry<T> AxisCatalogue<T>::conjugate(const Isometry<T>& by, const Isometry<T>
 
 template <class T>
 Isometry<T> AxisCatalogue<T>::label(LabelId l) {
-  return l == kIdentity ? Isometry<T>{} : triangulation_.atlas().template isometry_in<T>(l);
+  return l == kIdentity ? Isometry<T>{} : triangulation_.isometry_in<T>(l);
 }
 
 template <class T>

@@ -149,15 +149,14 @@ AxisCatalogue<T> find_all(Search& search, const T& up_to) {
 
 /// The word of the loop that a path makes, directed from the vertex to its lift at the end.
 Word word_of(Triangulation& triangulation, const ReturnPath& path) {
-  Atlas& atlas = triangulation.atlas();
   const auto label = [&](Dart d) { return triangulation.corner(triangle_of(d), corner_of(d)).label; };
   LabelId result = label(path.end);
   for (std::size_t i = path.darts.size(); i-- > 0;) {
-    result = atlas.product(triangulation.transition(path.darts[i]), result);
+    result = triangulation.product(triangulation.transition(path.darts[i]), result);
   }
-  result = atlas.product(atlas.inverse(label(path.start)), result);
+  result = triangulation.product(triangulation.inverse(label(path.start)), result);
   // The value of a word takes coordinates along the path, so points of the path the other way.
-  return atlas.word(atlas.inverse(result));
+  return triangulation.atlas().labels()[triangulation.inverse(result)].word;
 }
 
 template <class T>

@@ -32,7 +32,7 @@ Unfolding::Unfolding(Triangulation& triangulation, double largest_circumradius)
     cells_.push_back(make_cell(triangulation, t));
     for (std::uint32_t i = 0; i < 3; ++i) {
       dart_of_vertex_[triangulation.corner(t, i).vertex] = make_dart(t, i);
-      const LabelId label = triangulation.atlas().inverse(triangulation.transition(make_dart(t, i)));
+      const LabelId label = triangulation.inverse(triangulation.transition(make_dart(t, i)));
       const auto [entry, is_new] = number.try_emplace(label, static_cast<std::uint32_t>(isometries_.size()));
       if (is_new) isometries_.push_back(triangulation.atlas().isometry(label));
       cells_[t].step[i] = entry->second;

@@ -6,7 +6,7 @@
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/nets/net_document.h"
-#include "triangulation/mesh/walk.h"
+#include "triangulation/mesh/operations.h"
 
 namespace epsnet {
 
@@ -16,12 +16,12 @@ std::uint32_t PointLocation::nearest_corner() const {
 
 Locator::Locator(const certify::NetDocument& net) : net_(triangulation_of(net)), used_(net_.clone()) {
   starts_.resize(net_.surface().tiles().size());
-  std::vector<bool> seen(net_.atlas().chart_count());
+  std::vector<bool> seen(net_.atlas().charts().count());
   for (std::uint32_t t = 0; t < net_.triangle_count(); ++t) {
     const std::uint32_t c = net_.chart_of(t);
     if (seen[c]) continue;
     seen[c] = true;
-    const Chart& chart = net_.atlas().chart(c);
+    const Chart& chart = net_.atlas().charts()[c];
     starts_[chart.tile].push_back({t, convert<double>(chart.centre)});
   }
 }
@@ -30,8 +30,7 @@ PointLocation Locator::locate(const BasePoint& point) {
   const Surface& surface = net_.surface();
   require_in_tile(surface, point);
   constexpr std::uint32_t kMostLabels = 100'000;
-  if (used_.atlas().label_count() > net_.atlas().label_count() + kMostLabels) used_ = net_.clone();
-  Atlas& atlas = used_.atlas();
+  if (used_.atlas().labels().count() > net_.atlas().labels().count() + kMostLabels) used_ = net_.clone();
 
   std::uint32_t start = 0;
   const Complex<double> z = convert<double>(point.z);
@@ -40,10 +39,8 @@ PointLocation Locator::locate(const BasePoint& point) {
               return sinh2_half_distance(a.centre, z) < sinh2_half_distance(b.centre, z);
             })->triangle;
   }
-  const std::uint32_t chart = atlas.add_chart({point.tile, point.z});
-  const std::uint32_t there = used_.chart_of(start);
-  const LabelId label = atlas.label(chart, there, path_between_tiles(surface, point.tile, atlas.chart(there).tile));
-  const Location location = epsnet::locate(used_, start, {chart, {0, 0}, label}, Walk::straight);
+  const LiftedPoint lifted_point = used_.lifted_point(point, start);
+  const Location location = epsnet::locate(used_, start, lifted_point, Walk::straight);
 
   const std::uint32_t t = triangle_of(location.dart);
   PointLocation result{};
@@ -53,15 +50,13 @@ PointLocation Locator::locate(const BasePoint& point) {
   result.triangle = t;
   result.number = result.place == PointLocation::Place::inside ? 0 : corner_of(location.dart);
   // The path leads from the chart of the triangle to that of the start, and on to that of the point.
-  const LabelId to_point = atlas.product(atlas.inverse(label), location.transition);
-  if (to_point != kIdentity) result.word = reversed(surface, atlas.word(to_point));
+  const LabelId to_point = used_.product(used_.inverse(lifted_point.label), location.transition);
+  if (to_point != kIdentity) result.word = reversed(surface, used_.atlas().labels()[to_point].word);
   // In the point's own chart it is at 0.
   std::array<Complex<Mp256>, 3> corner;
   for (std::uint32_t i = 0; i < 3; ++i) {
     const Corner lifted = used_.moved(to_point, used_.corner(t, i));
-    const Complex<double>& at = used_.point(lifted.vertex);
-    corner[i] =
-        lifted.label == kIdentity ? convert<Mp256>(at) : atlas.isometry_in<Mp256>(lifted.label)(convert<Mp256>(at));
+    corner[i] = used_.lift_in<Mp256>(lifted);
     result.distances[i] = static_cast<double>(distance(Complex<Mp256>{}, corner[i]));
   }
   // The point is (0, 0, 1) on the hyperboloid: the first two coordinates of the weighted corners cancel.

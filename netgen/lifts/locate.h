@@ -6,7 +6,7 @@
 
 #include "certify/net/document.h"
 #include "triangulation/mesh/triangulation.h"
-#include "triangulation/surface/base_point.h"
+#include "triangulation/surface/surface.h"
 
 /// Location of points in the triangles of a net.
 namespace epsnet {

@@ -9,8 +9,7 @@
 
 #include "kernel/plane.h"
 #include "netgen/nets/net_options.h"
-#include "triangulation/mesh/insertion.h"
-#include "triangulation/mesh/walk.h"
+#include "triangulation/mesh/operations.h"
 
 namespace epsnet {
 namespace {
@@ -65,7 +64,7 @@ bool Collars::is_short_loop(Dart d) {
     return false;
   }
   const Complex<double> z = triangulation_.vertex(v).z;
-  const Complex<Mp1024> image = triangulation_.atlas().lift<Mp1024>(triangulation_.label_along(d), z);
+  const Complex<Mp1024> image = triangulation_.lift_in<Mp1024>({v, triangulation_.label_along(d)});
   return sinh2_half_distance(convert<Mp1024>(z), image) <= 2 * sinh2_half_;
 }
 
@@ -75,7 +74,7 @@ std::optional<Core> Collars::core_at(Dart d) {
       continue;
     }
     const Vertex vertex = triangulation_.vertex(triangulation_.corner(x).vertex);
-    const auto& f = triangulation_.atlas().isometry_in<Mp1024>(triangulation_.label_along(x));
+    const auto& f = triangulation_.isometry_in<Mp1024>(triangulation_.label_along(x));
     const Mp1024 sinh2 = isometry_discriminant(f) / f.determinant();
     if (sinh2 <= sinh2_half_) {
       return core_of(vertex.chart, f, sinh2, convert<Mp1024>(vertex.z));
@@ -102,11 +101,10 @@ bool Collars::is_handled(const Core& core, std::uint32_t t, LabelId label) {
   if (sides_.empty()) {
     return false;
   }
-  Atlas& atlas = triangulation_.atlas();
-  const Atlas::Place foot = place_near(core, in_disk(core.foot));
-  const LabelId to_t = atlas.product(label, foot.label);
+  const LiftedPoint foot = point_near(core, in_disk(core.foot));
+  const LabelId to_t = triangulation_.product(label, foot.label);
   const Location location = locate(triangulation_, t, {foot.chart, foot.z, to_t}, Walk::visibility, kMostSteps);
-  const LabelId to_triangle = atlas.product(atlas.inverse(location.transition), to_t);
+  const LabelId to_triangle = triangulation_.product(triangulation_.inverse(location.transition), to_t);
   // If the collar is handled, the foot is in its annulus: two triangles, or more as long as vertices of the start are
   // in it. Every path out of the annulus leads through a triangle with one of its two vertices, so the first vertex of
   // a collar on the path decides.
@@ -116,12 +114,14 @@ bool Collars::is_handled(const Core& core, std::uint32_t t, LabelId label) {
   }
   LabelId to_last = to_triangle;
   for (std::size_t k = 0; k + 1 < way.size(); ++k) {
-    to_last = atlas.product(atlas.inverse(triangulation_.transition(way[k])), to_last);
+    to_last = triangulation_.product(triangulation_.inverse(triangulation_.transition(way[k])), to_last);
   }
   const Corner corner = triangulation_.corner(way.back());
   const Side& side = sides_.at(triangulation_.vertex(corner.vertex).chart);
-  const LabelId to_core = atlas.product(side.to_core, atlas.product(atlas.inverse(corner.label), to_last));
-  const Complex<Mp1024> z = atlas.lift<Mp1024>(to_core, {0, 0});
+  const LabelId to_core =
+      triangulation_.product(side.to_core, triangulation_.product(triangulation_.inverse(corner.label), to_last));
+  const Complex<Mp1024> z =
+      to_core == kIdentity ? Complex<Mp1024>{} : triangulation_.isometry_in<Mp1024>(to_core)({});
   // Different cores no longer than ε ≤ ln √2 are more than 2 arsinh(1/sinh(ε/2)) > 3 apart (collar theorem).
   return abs(lorentz_product(on_hyperboloid(z), side.normal)) < 0.01;
 }
@@ -154,22 +154,22 @@ std::vector<Dart> Collars::way_to_collar(std::uint32_t t) const {
   return {};
 }
 
-Atlas::Place Collars::place_near(const Core& core, const Complex<Mp1024>& z) {
-  const auto place = triangulation_.atlas().place(core.chart, z, Atlas::Precision::bits_256);
-  if (!place) no_place(core);
-  return *place;
+LiftedPoint Collars::point_near(const Core& core, const Complex<Mp1024>& z) {
+  const auto point = triangulation_.lifted_point(core.chart, z, Atlas::Precision::bits_256);
+  if (!point) no_place(core);
+  return *point;
 }
 
 Collars::Inserted Collars::insert(const Core& core, const Complex<Mp1024>& z, std::uint32_t t, LabelId label,
                                   Journal* journal) {
-  Atlas& atlas = triangulation_.atlas();
-  const Atlas::Place place = place_near(core, z);
-  const auto inserted = insert_by_flips(triangulation_, t, {place.chart, place.z, atlas.product(label, place.label)},
-                                        Walk::visibility, kMostSteps, journal);
+  const LiftedPoint point = point_near(core, z);
+  const auto inserted =
+      insert_by_flips(triangulation_, t, {point.chart, point.z, triangulation_.product(label, point.label)},
+                      Walk::visibility, kMostSteps, journal);
   if (!inserted) no_place(core);
   const Corner corner = triangulation_.corner(inserted->dart);
-  return {inserted->vertex, place.label, triangle_of(inserted->dart),
-          atlas.product(corner.label, atlas.inverse(place.label))};
+  return {inserted->vertex, point.label, triangle_of(inserted->dart),
+          triangulation_.product(corner.label, triangulation_.inverse(point.label))};
 }
 
 void Collars::insert_pair(const Core& core, std::uint32_t t, LabelId label, Journal* journal) {
@@ -215,7 +215,7 @@ std::vector<certify::NetDocument::Collar> Collars::documents() {
     }
     const auto length = static_cast<double>(length_of(*core));
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    result.push_back({triangulation_.atlas().word(triangulation_.label_along(first)),
+    result.push_back({triangulation_.atlas().labels()[triangulation_.label_along(first)].word,
                       {std::nextafter(length, 0), std::nextafter(length, kInfinity)},
                       {vertex_of(first), vertex_of(*loop)},
                       {triangle_of(first), t}});

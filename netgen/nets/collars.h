@@ -9,7 +9,7 @@
 #include "kernel/lorentz.h"
 #include "kernel/numbers.h"
 #include "netgen/base/length.h"
-#include "triangulation/mesh/journal.h"
+#include "triangulation/mesh/operations.h"
 #include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {
@@ -77,7 +77,7 @@ class Collars {
     LabelId label;           ///< From the chart of the core to the chart of this triangle.
   };
   /// Makes a point of a core's chart the origin of a chart of its own. Throws NetError.
-  [[nodiscard]] Atlas::Place place_near(const Core& core, const Complex<Mp1024>& z);
+  [[nodiscard]] LiftedPoint point_near(const Core& core, const Complex<Mp1024>& z);
   [[nodiscard]] Inserted insert(const Core& core, const Complex<Mp1024>& z, std::uint32_t t, LabelId label,
                                 Journal* journal);
   /// The darts to cross from a triangle to the nearest one with a vertex of a collar, and last the dart that leaves

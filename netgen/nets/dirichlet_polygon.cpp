@@ -27,10 +27,10 @@ certify::Certificate verified(const certify::NetDocument& triangulation) {
 /// Returns the word of the element that takes the start of a dart to its end, composed of verified words without any
 /// numbers.
 Word word_along(const Triangulation& triangulation, Dart d) {
-  const Atlas& atlas = triangulation.atlas();
+  const LabelTable& labels = triangulation.atlas().labels();
   const auto word = [&](std::uint32_t corner) {
     const LabelId label = triangulation.corner(triangle_of(d), corner).label;
-    return label == kIdentity ? Word{} : atlas.word(label);
+    return label == kIdentity ? Word{} : labels[label].word;
   };
   const Surface& surface = triangulation.surface();
   return concatenated(surface, word(next(corner_of(d))), reversed(surface, word(corner_of(d))));
@@ -41,7 +41,6 @@ Word word_along(const Triangulation& triangulation, Dart d) {
 DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<BasePoint>& base) {
   Triangulation triangulation = delaunay_start(surface, base).triangulation;
   (void)reduce_to_vertex_0(triangulation);
-  Atlas& atlas = triangulation.atlas();
   // The lifts of the base point around 0, counterclockwise: the ends of the darts that leave it.
   const std::vector<Dart> clockwise = triangulation.star(make_dart(0, 0));
   const std::vector<Dart> star(clockwise.rbegin(), clockwise.rend());
@@ -51,7 +50,7 @@ DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<B
   std::vector<Complex<Mp1024>> lifts;
   lifts.reserve(star.size());
   for (const Dart d : star) {
-    lifts.push_back(to_origin(atlas.lift<Mp1024>(triangulation.label_along(d), triangulation.vertex(0).z)));
+    lifts.push_back(to_origin(triangulation.lift_in<Mp1024>({0, triangulation.label_along(d)})));
   }
   // Centre k is that of the triangle clockwise of dart k, where its side starts.
   std::vector<Complex<Mp1024>> centres;

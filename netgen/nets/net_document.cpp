@@ -37,8 +37,8 @@ certify::NetDocument net_document(const Triangulation& triangulation, const Leng
   certify::NetDocument net;
   net.surface = to_document(triangulation.surface());
   net.epsilon = epsilon.text();
-  Renumbering chart_number(atlas.chart_count());
-  Renumbering label_number(atlas.label_count());
+  Renumbering chart_number(atlas.charts().count());
+  Renumbering label_number(atlas.labels().count());
   (void)label_number(kIdentity);
   net.vertices.reserve(triangulation.vertex_count());
   for (std::uint32_t v = 0; v < triangulation.vertex_count(); ++v) {
@@ -54,11 +54,12 @@ certify::NetDocument net_document(const Triangulation& triangulation, const Leng
                              {label_number(triangle.label(1)), label_number(triangle.label(2))}});
   }
   for (const std::uint32_t c : chart_number.used()) {
-    net.charts.push_back({atlas.chart(c).tile, to_gmp(atlas.chart(c).centre)});
+    net.charts.push_back({atlas.charts()[c].tile, to_gmp(atlas.charts()[c].centre)});
   }
   for (const LabelId l : label_number.used()) {
     if (l != kIdentity) {
-      net.labels.push_back({chart_number(atlas.from(l)), chart_number(atlas.to(l)), atlas.word(l)});
+      const LabelTable::Entry& label = atlas.labels()[l];
+      net.labels.push_back({chart_number(label.from), chart_number(label.to), label.word});
     }
   }
   return net;
@@ -70,7 +71,7 @@ namespace {
 
 void add_charts(const certify::NetDocument& net, Atlas& atlas) {
   for (const certify::NetDocument::Chart& chart : net.charts) {
-    const std::string name = "chart " + std::to_string(atlas.chart_count());
+    const std::string name = "chart " + std::to_string(atlas.charts().count());
     if (chart.tile >= atlas.surface().tiles().size()) {
       refuse(name + " is in tile " + std::to_string(chart.tile) + ", the surface has " +
              std::to_string(atlas.surface().tiles().size()));
@@ -84,12 +85,12 @@ void add_charts(const certify::NetDocument& net, Atlas& atlas) {
 /// Throws TriangulationError unless the word leads from the tile of chart `from` to that of chart `to`.
 void check_label(const certify::NetDocument::Label& label, const std::string& name, const Atlas& atlas) {
   for (const std::uint32_t chart : {label.from, label.to}) {
-    if (chart >= atlas.chart_count()) {
-      refuse(name + " names chart " + std::to_string(chart) + ", there are " + std::to_string(atlas.chart_count()));
+    if (chart >= atlas.charts().count()) {
+      refuse(name + " names chart " + std::to_string(chart) + ", there are " + std::to_string(atlas.charts().count()));
     }
   }
   const Surface& surface = atlas.surface();
-  std::uint32_t tile = atlas.chart(label.from).tile;
+  std::uint32_t tile = atlas.charts()[label.from].tile;
   for (const std::uint32_t side : label.word) {
     if (side >= surface.side_count() || surface.tile_of_side(side) != tile) {
       refuse(name + " crosses side " + std::to_string(side) + ", which tile " + std::to_string(tile) +
@@ -97,9 +98,9 @@ void check_label(const certify::NetDocument::Label& label, const std::string& na
     }
     tile = surface.tile_of_side(surface.partner(side));
   }
-  if (tile != atlas.chart(label.to).tile) {
+  if (tile != atlas.charts()[label.to].tile) {
     refuse(name + " ends in tile " + std::to_string(tile) + ", its chart is in tile " +
-           std::to_string(atlas.chart(label.to).tile));
+           std::to_string(atlas.charts()[label.to].tile));
   }
 }
 

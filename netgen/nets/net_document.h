@@ -2,7 +2,6 @@
 
 #include "certify/net/document.h"
 #include "netgen/base/length.h"
-#include "triangulation/mesh/dart.h"
 #include "triangulation/mesh/triangulation.h"
 
 /// Conversion between triangulations and the plain data of net files.

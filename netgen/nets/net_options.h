@@ -12,9 +12,9 @@
 #include "certify/verdict/report.h"
 #include "netgen/base/length.h"
 #include "netgen/base/progress.h"
-#include "triangulation/mesh/walk.h"
-#include "triangulation/surface/base_point.h"
+#include "triangulation/mesh/operations.h"
 #include "triangulation/surface/error.h"
+#include "triangulation/surface/surface.h"
 
 /// Options of a net, and statistics of its computation.
 namespace epsnet {

@@ -182,9 +182,9 @@ class Piece {
       if (!mesh_.triangles[t].marked()) continue;
       const auto centre = circumcentre_fast(mesh_, labels.atlas(), t);
       const auto insert = [&] {
-        const Atlas::Place place = in_nearest_chart(mesh_, labels.atlas(), t, *centre);
-        return norm(place.z) <= kChartRadius * kChartRadius &&
-               insert_locally(mesh_, labels, t, place, apart, large, made);
+        const LiftedPoint point = in_nearest_chart(mesh_, labels.atlas(), t, *centre);
+        return norm(point.z) <= kChartRadius * kChartRadius &&
+               insert_locally(mesh_, labels, t, point, apart, large, made);
       };
       if (!centre || !insert()) {
         pending_.push_back(t);

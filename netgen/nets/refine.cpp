@@ -16,10 +16,9 @@
 #include "triangulation/mesh/cavity.h"
 #include "triangulation/mesh/circumcentre.h"
 #include "triangulation/mesh/editor.h"
-#include "triangulation/mesh/insertion.h"
-#include "triangulation/mesh/journal.h"
 #include "triangulation/mesh/local_insertion.h"
 #include "triangulation/mesh/marks.h"
+#include "triangulation/mesh/operations.h"
 #include "triangulation/surface/known_labels.h"
 
 namespace epsnet {
@@ -195,9 +194,9 @@ class Refinement {
   void insert_circumcentre(std::uint32_t t) {
     // Nearly always binary64 computes the centre accurately, and it stays in the triangle's chart.
     const auto centre_in_chart = circumcentre_fast(triangulation_.mesh(), triangulation_.atlas(), t);
-    Atlas& atlas = triangulation_.atlas();
+    const Atlas& atlas = triangulation_.atlas();
     if (centre_in_chart && norm(*centre_in_chart) < 0.95) {
-      const Atlas::Place near = in_nearest_chart(triangulation_.mesh(), atlas, t, *centre_in_chart);
+      const LiftedPoint near = in_nearest_chart(triangulation_.mesh(), atlas, t, *centre_in_chart);
       if (norm(near.z) <= kChartRadius * kChartRadius) {
         if (options_.insertion == Insertion::cavity &&
             insert_locally(Editor(triangulation_).mesh(), known_labels_, t, near, apart_, large_, new_triangles_)) {
@@ -210,9 +209,10 @@ class Refinement {
         }
       } else {
         const std::uint32_t chart = triangulation_.chart_of(t);
-        std::optional<Atlas::Place> place = atlas.place_nearby(chart, *centre_in_chart);
-        if (!place) place = atlas.place(chart, convert<Mp1024>(*centre_in_chart), Atlas::Precision::binary64);
-        if (place && insert(t, *place, InCircle::unknown)) {
+        std::optional<LiftedPoint> point = atlas.lifted_point_nearby(chart, *centre_in_chart);
+        if (!point)
+          point = triangulation_.lifted_point(chart, convert<Mp1024>(*centre_in_chart), Atlas::Precision::binary64);
+        if (point && insert(t, *point, InCircle::unknown)) {
           return;
         }
       }
@@ -239,8 +239,8 @@ class Refinement {
 
   [[nodiscard]] bool insert_at(std::uint32_t t, const Complex<Mp1024>& centre, Atlas::Precision precision) {
     // A centre that seems too far away may turn out to be near when it is computed with more bits.
-    const auto place = triangulation_.atlas().place(triangulation_.chart_of(t), centre, precision);
-    return place && insert(t, *place, InCircle::unknown);
+    const auto point = triangulation_.lifted_point(triangulation_.chart_of(t), centre, precision);
+    return point && insert(t, *point, InCircle::unknown);
   }
 
   /// Whether a point is known to lie in the circumcircle of a triangle.
@@ -248,9 +248,9 @@ class Refinement {
 
   /// Makes a point the next vertex. False, with nothing changed, if it is not in the circumcircle of t or cannot be
   /// proved to be at distance ε from all vertices.
-  [[nodiscard]] bool insert(std::uint32_t t, const Atlas::Place& place, InCircle in_circle) {
-    const std::uint32_t v = add_vertex(triangulation_, {place.z, place.chart});
-    const Corner p{v, place.label};
+  [[nodiscard]] bool insert(std::uint32_t t, const LiftedPoint& point, InCircle in_circle) {
+    const std::uint32_t v = add_vertex(triangulation_, {point.z, point.chart});
+    const Corner p{v, point.label};
     const bool in_conflict = in_circle == InCircle::known ||
                              triangulation_.in_circle(triangulation_.corner(t, 0), triangulation_.corner(t, 1),
                                                       triangulation_.corner(t, 2), p) > 0;
@@ -269,17 +269,17 @@ class Refinement {
       }
     }
     pop_vertex(triangulation_);
-    return in_conflict && insert_with_flips(t, place);
+    return in_conflict && insert_with_flips(t, point);
   }
 
   /// Walk, split, flip (thesis IV.4.3 to IV.4.5). False, with nothing changed, if the point turns out too close to a
   /// vertex, or too far from t.
-  [[nodiscard]] bool insert_with_flips(std::uint32_t t, const Atlas::Place& place) {
+  [[nodiscard]] bool insert_with_flips(std::uint32_t t, const LiftedPoint& point) {
     Journal journal = open_journal(triangulation_);
     // A circumcentre is a few steps away from its triangle; at first perhaps as many as there are triangles (the fan of
     // a regular polygon). It is farther away only if rounding has moved it around a very short curve.
     const std::uint32_t most_steps = 40 + initial_triangles_;
-    const auto inserted = insert_by_flips(triangulation_, t, place, options_.walk, most_steps, &journal);
+    const auto inserted = insert_by_flips(triangulation_, t, point, options_.walk, most_steps, &journal);
     if (!inserted) {
       return false;
     }
@@ -290,7 +290,7 @@ class Refinement {
       undo(triangulation_, journal);
       return false;
     }
-    if (leads_to_collar(t, place, inserted->dart, journal)) {
+    if (leads_to_collar(t, point, inserted->dart, journal)) {
       return true;
     }
     for (const std::uint32_t s : changed) {
@@ -328,7 +328,7 @@ class Refinement {
   ///
   /// It is enough to test this here: a vertex in such a collar has a loop (Lemma III.8), and a cavity makes no loops,
   /// as it joins its new vertex to old ones only (Cavity::find returns false if lifts of the cavity meet).
-  [[nodiscard]] bool leads_to_collar(std::uint32_t t, const Atlas::Place& place, Dart d, const Journal& journal) {
+  [[nodiscard]] bool leads_to_collar(std::uint32_t t, const LiftedPoint& point, Dart d, const Journal& journal) {
     if (collars_ == nullptr) {
       return false;
     }
@@ -338,7 +338,7 @@ class Refinement {
     }
     undo(triangulation_, journal);
     ++statistics_.undone;
-    handle_collar(t, place.label, *core);
+    handle_collar(t, point.label, *core);
     return true;
   }
 

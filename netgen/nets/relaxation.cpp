@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "kernel/predicates.h"
-#include "triangulation/mesh/contraction.h"
 #include "triangulation/mesh/editor.h"
-#include "triangulation/mesh/flip.h"
+#include "triangulation/mesh/operations.h"
 
 namespace epsnet {
 namespace {
@@ -203,11 +202,11 @@ class Relaxation {
   void change_chart(Dart d) {
     const std::uint32_t v = triangulation_.corner(d).vertex;
     const Vertex vertex = triangulation_.vertex(v);
-    Atlas& atlas = triangulation_.atlas();
-    std::optional<Atlas::Place> place = atlas.place_nearby(vertex.chart, vertex.z);
-    if (!place) place = atlas.place(vertex.chart, convert<Mp1024>(vertex.z), Atlas::Precision::binary64);
+    std::optional<LiftedPoint> point = triangulation_.atlas().lifted_point_nearby(vertex.chart, vertex.z);
+    if (!point)
+      point = triangulation_.lifted_point(vertex.chart, convert<Mp1024>(vertex.z), Atlas::Precision::binary64);
     // If rounding the vertex turns a triangle over, it is tried again after the next sweep.
-    if (!place || !move_vertex(triangulation_, d, *place)) return;
+    if (!point || !move_vertex(triangulation_, d, *point)) return;
     velocity_[v] = {0, 0};
     for (const Dart x : triangulation_.star(d)) {
       (void)find_circle(triangle_of(x));  // Counterclockwise, as move_vertex has checked.

@@ -13,9 +13,7 @@
 
 #include "netgen/nets/refine.h"
 #include "netgen/nets/relaxation.h"
-#include "triangulation/mesh/contraction.h"
-#include "triangulation/mesh/flip.h"
-#include "triangulation/mesh/renumbering.h"
+#include "triangulation/mesh/operations.h"
 
 namespace epsnet {
 namespace {

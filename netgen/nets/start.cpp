@@ -4,9 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "triangulation/mesh/contraction.h"
-#include "triangulation/mesh/flip.h"
-#include "triangulation/mesh/insertion.h"
+#include "triangulation/mesh/operations.h"
 
 namespace epsnet {
 namespace {
@@ -68,13 +66,11 @@ class Reduction {
 
   /// Moves the start of d towards its end, by the largest possible power of ½ of the way.
   bool approach(Dart d) {
-    Atlas& atlas = triangulation_.atlas();
     const Vertex start = triangulation_.vertex(from(d));
-    const Vertex end = triangulation_.vertex(to(d));
     const LabelId label = triangulation_.label_along(d);
     const Complex<Mp1024> one{1, 0};
     const Complex<Mp1024> a = convert<Mp1024>(start.z);
-    const Complex<Mp1024> b = convert<Mp1024>(atlas.lift<Mp256>(label, end.z));
+    const Complex<Mp1024> b = convert<Mp1024>(triangulation_.lift_in<Mp256>({to(d), label}));
     const Complex<Mp1024> way = (b - a) / (one - conj(a) * b);
     const Mp1024 size = sqrt(norm(way));
     Mp1024 length = atanh(size);
@@ -82,8 +78,8 @@ class Reduction {
       length /= 2;
       const Complex<Mp1024> step = Mp1024(tanh(length) / size) * way;
       const Complex<Mp1024> target = (step + a) / (one + conj(a) * step);
-      const auto place = atlas.place(start.chart, target, Atlas::Precision::binary64);
-      if (place && move_vertex(triangulation_, d, *place)) {
+      const auto point = triangulation_.lifted_point(start.chart, target, Atlas::Precision::binary64);
+      if (point && move_vertex(triangulation_, d, *point)) {
         restore(d);
         return true;
       }
@@ -146,17 +142,12 @@ DelaunayStart delaunay_start_of_points(const Surface& surface, const std::vector
   Triangulation& triangulation = start.triangulation;
   start.removed = reduce_to_vertex_0(triangulation);
   for (std::uint32_t v = 1; v < points.size(); ++v) {
-    const auto& [tile, z] = points[v];
-    Atlas& atlas = triangulation.atlas();
-    const std::uint32_t chart = atlas.add_chart({tile, z});
-    const std::uint32_t there = triangulation.chart_of(0);
-    const LabelId label = atlas.label(chart, there, path_between_tiles(surface, tile, atlas.chart(there).tile));
-    const Atlas::Place place{chart, {0, 0}, label};
-    const Location location = locate(triangulation, 0, place, Walk::straight);
+    const LiftedPoint point = triangulation.lifted_point(points[v], 0);
+    const Location location = locate(triangulation, 0, point, Walk::straight);
     if (location.type == Location::Type::vertex) {
       throw ClosePointsError(triangulation.corner(location.dart).vertex, v);
     }
-    const auto inserted = insert_by_flips(triangulation, 0, place, Walk::straight, kAnySteps);
+    const auto inserted = insert_by_flips(triangulation, 0, point, Walk::straight, kAnySteps);
     if (!inserted) throw NetError("point " + std::to_string(v) + " could not be made a vertex");
     start.flips += inserted->flips;
     // The nearest other vertex is a neighbour.

@@ -15,7 +15,7 @@
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
 #include "netgen/base/progress.h"
-#include "triangulation/surface/base_point.h"
+#include "triangulation/surface/surface.h"
 
 /// The extension module `_epsnet`: classes and functions of the public headers, under names of their own. The package
 /// of Python files around it makes of them what people use, and its .pyi says what is here.

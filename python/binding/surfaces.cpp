@@ -10,7 +10,6 @@
 #include "netgen/surfaces/surface_file.h"
 #include "netgen/surfaces/word_isometry.h"
 #include "python/binding/binding.h"
-#include "triangulation/surface/base_point.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet::python {

@@ -16,7 +16,7 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
 #include "netgen/surfaces/octagon.h"
-#include "triangulation/mesh/flip.h"
+#include "triangulation/mesh/operations.h"
 
 namespace {
 

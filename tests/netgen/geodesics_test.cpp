@@ -16,7 +16,7 @@
 #include "netgen/geodesics/unfolding.h"
 #include "netgen/nets/certified_net.h"
 #include "tests/support/triangulations.h"
-#include "triangulation/mesh/flip.h"
+#include "triangulation/mesh/operations.h"
 
 namespace epsnet {
 namespace {

@@ -12,8 +12,7 @@
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/assembly.h"
-#include "triangulation/mesh/flip.h"
-#include "triangulation/mesh/problem.h"
+#include "triangulation/mesh/operations.h"
 
 /// Net documents as triangulations.
 namespace epsnet {

@@ -14,7 +14,7 @@
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/editor.h"
 #include "triangulation/mesh/marks.h"
-#include "triangulation/mesh/problem.h"
+#include "triangulation/mesh/operations.h"
 
 namespace epsnet {
 namespace {

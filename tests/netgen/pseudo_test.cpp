@@ -16,7 +16,7 @@
 #include "netgen/nets/collars.h"
 #include "netgen/nets/refine.h"
 #include "tests/support/triangulations.h"
-#include "triangulation/mesh/flip.h"
+#include "triangulation/mesh/operations.h"
 
 /// Pseudo epsilon-nets: the generator, and every clause of the certifier's rules `collars` and `thick` broken alone.
 namespace epsnet {

@@ -20,8 +20,7 @@
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
-#include "triangulation/mesh/problem.h"
-#include "triangulation/mesh/renumbering.h"
+#include "triangulation/mesh/operations.h"
 
 /// Nets with few points, and the relaxation that they are made with.
 namespace epsnet {
@@ -197,7 +196,7 @@ TEST(SparseNet, KeepsTheBasePoint) {
     const auto& vertex = net.net.vertices.front();
     EXPECT_EQ(vertex.x, start.vertex(0).z.x);
     EXPECT_EQ(vertex.y, start.vertex(0).z.y);
-    EXPECT_EQ(net.net.charts[vertex.chart].centre.x, to_gmp(start.atlas().chart(start.vertex(0).chart).centre).x);
+    EXPECT_EQ(net.net.charts[vertex.chart].centre.x, to_gmp(start.atlas().charts()[start.vertex(0).chart].centre).x);
   }
 }
 

@@ -15,8 +15,8 @@
 #include "netgen/exchange/exchange.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
-#include "triangulation/mesh/flip.h"
-#include "triangulation/mesh/insertion.h"
+#include "triangulation/mesh/editor.h"
+#include "triangulation/mesh/operations.h"
 #include "triangulation/mesh/triangulation.h"
 
 /// Surfaces, points and canonical forms for the tests of atlas, triangulation and nets.
@@ -114,21 +114,20 @@ inline std::uint32_t end_tile(const Surface& surface, std::uint32_t tile, const 
 /// A triangle or an edge on the surface: vertices and the isometries between their charts.
 using Signature = std::array<std::uint32_t, 5>;
 
-/// Returns the label from the chart of corner j of a triangle to the chart of its corner i, as a label of `reference`,
-/// an atlas with the same charts.
+/// Returns the label from the chart of corner j of a triangle to the chart of its corner i, as a label of the atlas
+/// of `reference`, which has the same charts.
 inline LabelId between_corners(Triangulation& triangulation, std::uint32_t t, std::uint32_t i, std::uint32_t j,
-                               Atlas& reference) {
-  Atlas& atlas = triangulation.atlas();
+                               Triangulation& reference) {
   const Triangle& triangle = triangulation.triangle(t);
-  const LabelId label = atlas.product(atlas.inverse(triangle.label(i)), triangle.label(j));
-  return &reference == &atlas || label == kIdentity
-             ? label
-             : reference.label(atlas.from(label), atlas.to(label), atlas.word(label));
+  const LabelId label = triangulation.product(triangulation.inverse(triangle.label(i)), triangle.label(j));
+  if (&reference == &triangulation || label == kIdentity) return label;
+  const LabelTable::Entry& entry = triangulation.atlas().labels()[label];
+  return Editor(reference).atlas().label(entry.from, entry.to, entry.word);
 }
 
 /// Returns all triangles in a form that does not depend on their slots and first corners: two triangulations with the
 /// same vertices are the same if and only if these lists are equal.
-inline std::vector<Signature> triangles_of(Triangulation& triangulation, Atlas& reference) {
+inline std::vector<Signature> triangles_of(Triangulation& triangulation, Triangulation& reference) {
   std::vector<Signature> result;
   for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
     Signature least;
@@ -145,7 +144,7 @@ inline std::vector<Signature> triangles_of(Triangulation& triangulation, Atlas& 
   return result;
 }
 inline std::vector<Signature> triangles_of(Triangulation& triangulation) {
-  return triangles_of(triangulation, triangulation.atlas());
+  return triangles_of(triangulation, triangulation);
 }
 
 /// Returns the corner across an edge, in the chart of the edge's triangle.
@@ -164,7 +163,7 @@ inline int delaunay_sign(Triangulation& triangulation, Dart d) {
 
 /// Returns the edges of a Delaunay triangulation that are not ties, in both directions: the edges of the Delaunay
 /// tessellation, which is unique.
-inline std::vector<Signature> tessellation_of(Triangulation& triangulation, Atlas& reference) {
+inline std::vector<Signature> tessellation_of(Triangulation& triangulation, Triangulation& reference) {
   std::vector<Signature> result;
   for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
     for (std::uint32_t i = 0; i < 3; ++i) {
@@ -178,7 +177,7 @@ inline std::vector<Signature> tessellation_of(Triangulation& triangulation, Atla
   return result;
 }
 inline std::vector<Signature> tessellation_of(Triangulation& triangulation) {
-  return tessellation_of(triangulation, triangulation.atlas());
+  return tessellation_of(triangulation, triangulation);
 }
 
 /// Returns the first edge that is not Delaunay; nullopt if there is none.
@@ -227,21 +226,20 @@ inline Snapshot snapshot(const Triangulation& triangulation) {
 
 /// Returns a point of the surface near the coordinate z of a triangle's chart, with the label from the point's chart to
 /// the triangle's.
-inline Atlas::Place place_in(Triangulation& triangulation, std::uint32_t t, const Complex<Mp256>& z) {
+inline LiftedPoint point_in(Triangulation& triangulation, std::uint32_t t, const Complex<Mp256>& z) {
   const std::uint32_t chart = triangulation.chart_of(t);
   if (norm(z) <= Mp256(0.25)) {
     return {chart, convert<double>(z), kIdentity};
   }
-  return triangulation.atlas().place(chart, convert<Mp1024>(z), Atlas::Precision::binary64).value();
+  return triangulation.lifted_point(chart, convert<Mp1024>(z), Atlas::Precision::binary64).value();
 }
 
 /// Returns the point of a triangle with positive weights w on its corners, by linear interpolation on the hyperboloid.
-inline Atlas::Place weighted_point(Triangulation& triangulation, std::uint32_t t, const std::array<double, 3>& w) {
+inline LiftedPoint weighted_point(Triangulation& triangulation, std::uint32_t t, const std::array<double, 3>& w) {
   Complex<Mp256> sum{};
   Mp256 height(0);
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const Complex<Mp256> z = triangulation.atlas().lift<Mp256>(
-        triangulation.triangle(t).label(i), triangulation.vertex(triangulation.triangle(t).vertex[i]).z);
+    const Complex<Mp256> z = triangulation.lift_in<Mp256>(triangulation.corner(t, i));
     // (2z, 1 + |z|²)/(1 − |z|²) is the point of the hyperboloid.
     const Mp256 scale = Mp256(w[i]) / Mp256(Mp256(1) - norm(z));
     sum = sum + scale * (Mp256(2) * z);
@@ -249,11 +247,11 @@ inline Atlas::Place weighted_point(Triangulation& triangulation, std::uint32_t t
   }
   // The inverse is (X, T) ↦ X/(T + √(T² − |X|²)).
   const Mp256 root = sqrt(Mp256(height * height - norm(sum)));
-  return place_in(triangulation, t, Mp256(1 / (height + root)) * sum);
+  return point_in(triangulation, t, Mp256(1 / (height + root)) * sum);
 }
 
 /// Returns a random point inside a triangle.
-inline Atlas::Place any_point(Triangulation& triangulation, std::uint32_t t) {
+inline LiftedPoint any_point(Triangulation& triangulation, std::uint32_t t) {
   const auto weight = [] { return 0.02 + any_share(); };
   const double a = weight();
   const double b = weight();
@@ -261,11 +259,11 @@ inline Atlas::Place any_point(Triangulation& triangulation, std::uint32_t t) {
   return weighted_point(triangulation, t, {a, b, c});
 }
 
-/// Makes a point the next vertex; the straight walk finds its triangle. `place.label` leads from its chart to the chart
+/// Makes a point the next vertex; the straight walk finds its triangle. `point.label` leads from its chart to the chart
 /// of triangle t. Returns false, with nothing changed, if there already is a vertex at the point.
-inline bool insert_by_flips(Triangulation& triangulation, std::uint32_t t, const Atlas::Place& place,
+inline bool insert_by_flips(Triangulation& triangulation, std::uint32_t t, const LiftedPoint& point,
                             Journal* journal = nullptr) {
-  return epsnet::insert_by_flips(triangulation, t, place, Walk::straight, kAnySteps, journal).has_value();
+  return epsnet::insert_by_flips(triangulation, t, point, Walk::straight, kAnySteps, journal).has_value();
 }
 
 /// Returns the Delaunay triangulation of a surface's own vertices and `points` random points.
@@ -285,8 +283,7 @@ inline double total_area(Triangulation& triangulation) {
   for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
     std::array<Complex<Mp256>, 3> p;
     for (std::uint32_t i = 0; i < 3; ++i) {
-      const Triangle& triangle = triangulation.triangle(t);
-      p[i] = triangulation.atlas().lift<Mp256>(triangle.label(i), triangulation.vertex(triangle.vertex[i]).z);
+      p[i] = triangulation.lift_in<Mp256>(triangulation.corner(t, i));
     }
     const Isometry<Mp256> to_origin = Isometry<Mp256>::translation(-p[0]);
     const Complex<Mp256> u = to_origin(p[1]);

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "triangulation/mesh/editor.h"
-#include "triangulation/mesh/problem.h"
+#include "triangulation/mesh/operations.h"
 
 namespace epsnet {
 namespace {
@@ -12,9 +12,9 @@ namespace {
 [[noreturn]] void refuse(const std::string& what) { throw TriangulationError(what); }
 
 void check_vertex(const Atlas& atlas, std::uint32_t number, const Vertex& vertex) {
-  if (vertex.chart >= atlas.chart_count()) {
+  if (vertex.chart >= atlas.charts().count()) {
     refuse("vertex " + std::to_string(number) + " is in chart " + std::to_string(vertex.chart) + ", there are " +
-           std::to_string(atlas.chart_count()));
+           std::to_string(atlas.charts().count()));
   }
   if (!(norm(vertex.z) <= kChartRadius * kChartRadius)) {
     refuse("vertex " + std::to_string(number) + " is far from the origin of its chart");
@@ -27,9 +27,9 @@ void check_triangle(const Atlas& atlas, std::size_t vertices, std::uint32_t numb
     if (triangle.vertex[i] >= vertices) {
       refuse(place + " is vertex " + std::to_string(triangle.vertex[i]) + ", there are " + std::to_string(vertices));
     }
-    if (triangle.label(i) >= atlas.label_count()) {
+    if (triangle.label(i) >= atlas.labels().count()) {
       refuse(place + " has label " + std::to_string(triangle.label(i)) + ", there are " +
-             std::to_string(atlas.label_count()));
+             std::to_string(atlas.labels().count()));
     }
   }
 }

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "triangulation/mesh/journal.h"
+#include "triangulation/mesh/operations.h"
 #include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {

@@ -32,9 +32,9 @@ std::optional<Complex<double>> circumcentre_fast(const Mesh& mesh, const Atlas& 
   return circumcentre_near_origin(a, b, c);
 }
 
-Atlas::Place in_nearest_chart(const Mesh& mesh, const Atlas& atlas, std::uint32_t t, const Complex<double>& z) {
+LiftedPoint in_nearest_chart(const Mesh& mesh, const Atlas& atlas, std::uint32_t t, const Complex<double>& z) {
   const Triangle& triangle = mesh.triangles[t];
-  Atlas::Place nearest{mesh.charts[triangle.vertex[0]], z, kIdentity};
+  LiftedPoint nearest{mesh.charts[triangle.vertex[0]], z, kIdentity};
   for (const std::uint32_t i : {1u, 2u}) {
     const LabelId label = triangle.label(i);
     if (label == kIdentity) continue;
@@ -49,7 +49,7 @@ std::optional<Complex<Mp1024>> circumcentre_precise(Triangulation& triangulation
   std::array<Complex<T>, 3> p;
   for (std::uint32_t i = 0; i < 3; ++i) {
     const Corner c = triangulation.corner(t, i);
-    p[i] = triangulation.atlas().lift<T>(c.label, triangulation.point(c.vertex));
+    p[i] = triangulation.lift_in<T>(c);
   }
   const auto centre = circumcentre(p[0], p[1], p[2]);
   return centre ? std::optional(convert<Mp1024>(*centre)) : std::nullopt;

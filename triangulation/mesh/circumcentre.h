@@ -13,8 +13,8 @@ namespace epsnet {
 
 /// Returns a point of t's chart as a vertex, in whichever corner chart has the nearest origin. So charts meet along
 /// lines instead of mixing, and only triangles beside these lines have labels.
-[[nodiscard]] Atlas::Place in_nearest_chart(const Mesh& mesh, const Atlas& atlas, std::uint32_t t,
-                                            const Complex<double>& z);
+[[nodiscard]] LiftedPoint in_nearest_chart(const Mesh& mesh, const Atlas& atlas, std::uint32_t t,
+                                           const Complex<double>& z);
 
 /// The circumcentre of t from lifts in T (Mp256, Mp1024), if there is one.
 template <class T>

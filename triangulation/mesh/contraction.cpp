@@ -1,11 +1,10 @@
-#include "triangulation/mesh/contraction.h"
-
 #include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
 
 #include "triangulation/mesh/editor.h"
+#include "triangulation/mesh/operations.h"
 
 namespace epsnet {
 namespace {
@@ -189,21 +188,21 @@ std::uint32_t contract_all(Triangulation& triangulation, const std::function<boo
   return static_cast<std::uint32_t>(vertex_goes.size()) - triangulation.vertex_count();
 }
 
-bool move_vertex(Triangulation& triangulation, Dart d, const Atlas::Place& place) {
+bool move_vertex(Triangulation& triangulation, Dart d, const LiftedPoint& point) {
   const std::vector<Dart> around = triangulation.star(d);
   const std::uint32_t v = triangulation.corner(d).vertex;
   const Editor editor(triangulation);
-  const std::uint32_t u = editor.add_vertex({place.z, place.chart});
+  const std::uint32_t u = editor.add_vertex({point.z, point.chart});
   constexpr std::uint32_t kNone = ~std::uint32_t{0};
-  const bool moved = replace_vertex(triangulation, around, {u, place.label}, {kNone, kNone});
+  const bool moved = replace_vertex(triangulation, around, {u, point.label}, {kNone, kNone});
   if (moved) {
     // v becomes what u is.
     for (const Dart x : around) {
       std::array<std::uint32_t, 3>& vertices = editor.triangles()[triangle_of(x)].vertex;
       std::replace(vertices.begin(), vertices.end(), u, v);
     }
-    editor.points()[v] = place.z;
-    editor.charts()[v] = place.chart;
+    editor.points()[v] = point.z;
+    editor.charts()[v] = point.chart;
   }
   editor.pop_vertex();
   return moved;

@@ -15,7 +15,7 @@ class Cutting {
   explicit Cutting(Triangulation& triangulation)
       : triangulation_(triangulation),
         surface_(triangulation.surface()),
-        atlas_(triangulation.atlas()),
+        atlas_(Editor(triangulation).atlas()),
         editor_(triangulation) {}
 
   void cut_tiles(const std::optional<BasePoint>& base);

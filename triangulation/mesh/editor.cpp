@@ -12,10 +12,9 @@ void Editor::set(std::uint32_t t, Corner c0, Corner c1, Corner c2) const {
   record(t);
   std::uint64_t labels = 0;
   if ((c0.label | c1.label | c2.label) != kIdentity) {
-    Atlas& atlas = triangulation_.atlas();
-    const LabelId back = atlas.inverse(c0.label);
-    const LabelId l1 = atlas.product(back, c1.label);
-    const LabelId l2 = atlas.product(back, c2.label);
+    const LabelId back = triangulation_.inverse(c0.label);
+    const LabelId l1 = triangulation_.product(back, c1.label);
+    const LabelId l2 = triangulation_.product(back, c2.label);
     if (l1 > kLargestLabel || l2 > kLargestLabel) {
       throw LimitError("more than 2^24 labels");
     }

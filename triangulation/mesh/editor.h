@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "triangulation/mesh/journal.h"
+#include "triangulation/mesh/operations.h"
 #include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {
@@ -20,6 +20,7 @@ class Editor {
   /// A triangulation to be filled.
   [[nodiscard]] static Triangulation without_triangles(Atlas atlas) { return Triangulation(std::move(atlas)); }
 
+  [[nodiscard]] Atlas& atlas() const { return triangulation_.atlas_; }
   [[nodiscard]] Mesh& mesh() const { return triangulation_.mesh_; }
   [[nodiscard]] std::vector<Complex<double>>& points() const { return triangulation_.mesh_.points; }
   [[nodiscard]] std::vector<std::uint32_t>& charts() const { return triangulation_.mesh_.charts; }
@@ -33,7 +34,7 @@ class Editor {
   static void require_room(std::size_t count, std::size_t triangles);
   /// Adds a vertex that no triangle has yet.
   std::uint32_t add_vertex(const Vertex& v) const {
-    assert(v.chart < triangulation_.atlas().chart_count() && norm(v.z) <= kChartRadius * kChartRadius);
+    assert(v.chart < triangulation_.atlas().charts().count() && norm(v.z) <= kChartRadius * kChartRadius);
     points().push_back(v.z);
     charts().push_back(v.chart);
     return triangulation_.vertex_count() - 1;

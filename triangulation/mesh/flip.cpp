@@ -1,12 +1,10 @@
-#include "triangulation/mesh/flip.h"
-
 #include <array>
 #include <cassert>
 #include <utility>
 
 #include "triangulation/mesh/editor.h"
+#include "triangulation/mesh/operations.h"
 #include "triangulation/mesh/plausible.h"
-#include "triangulation/mesh/twist.h"
 
 namespace epsnet {
 

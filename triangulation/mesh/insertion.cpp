@@ -1,10 +1,8 @@
-#include "triangulation/mesh/insertion.h"
-
 #include <algorithm>
 
 #include "triangulation/mesh/cavity.h"
 #include "triangulation/mesh/editor.h"
-#include "triangulation/mesh/flip.h"
+#include "triangulation/mesh/operations.h"
 
 namespace epsnet {
 namespace {
@@ -47,7 +45,7 @@ std::optional<std::vector<std::uint32_t>> insert_in_cavity(Triangulation& triang
 }
 
 std::optional<InsertedVertex> insert_by_flips(Triangulation& triangulation, std::uint32_t start,
-                                              const Atlas::Place& point, Walk walk, std::uint32_t most_steps,
+                                              const LiftedPoint& point, Walk walk, std::uint32_t most_steps,
                                               Journal* journal) {
   const std::uint32_t v = add_vertex(triangulation, {point.z, point.chart});
   const Location location = locate(triangulation, start, Corner{v, point.label}, walk, most_steps);
@@ -55,8 +53,7 @@ std::optional<InsertedVertex> insert_by_flips(Triangulation& triangulation, std:
     pop_vertex(triangulation);
     return std::nullopt;
   }
-  Atlas& atlas = triangulation.atlas();
-  const LabelId label = atlas.product(atlas.inverse(location.transition), point.label);
+  const LabelId label = triangulation.product(triangulation.inverse(location.transition), point.label);
   const std::vector<std::uint32_t> around =
       location.type == Location::Type::face ? split_face(triangulation, triangle_of(location.dart), v, label, journal)
                                             : split_edge(triangulation, location.dart, v, label, journal);

@@ -18,13 +18,13 @@ enum class Outcome { inserted, labels_met, undecided };
 template <bool kLabels>
 class LocalInsertion {
  public:
-  LocalInsertion(Mesh& mesh, KnownLabels& labels, std::uint32_t t, const Atlas::Place& place)
-      : mesh_(mesh), labels_(labels), t_(t), place_(place), p_(place.z), height_(1 - norm(place.z)) {
-    assert(t < mesh.triangles.size() && norm(place.z) <= kChartRadius * kChartRadius);
+  LocalInsertion(Mesh& mesh, KnownLabels& labels, std::uint32_t t, const LiftedPoint& point)
+      : mesh_(mesh), labels_(labels), t_(t), point_(point), p_(point.z), height_(1 - norm(point.z)) {
+    assert(t < mesh.triangles.size() && norm(point.z) <= kChartRadius * kChartRadius);
   }
 
   [[nodiscard]] Outcome run(const Threshold& apart, const Threshold& large, NewTriangles& made) {
-    if (!kLabels && !(place_.label == kIdentity && mesh_.triangles[t_].all_identity())) {
+    if (!kLabels && !(point_.label == kIdentity && mesh_.triangles[t_].all_identity())) {
       return Outcome::labels_met;
     }
     if (!start()) {
@@ -95,7 +95,7 @@ class LocalInsertion {
   [[nodiscard]] bool start() {
     cavity_[cavity_count_++] = t_;
     const Triangle& triangle = mesh_.triangles[t_];
-    const LabelId moved = kLabels ? labels_.inverse(place_.label) : kIdentity;
+    const LabelId moved = kLabels ? labels_.inverse(point_.label) : kIdentity;
     for (std::uint32_t i = 0; i < 3; ++i) {
       const LabelId label = kLabels ? labels_.product(moved, triangle.label(i)) : kIdentity;
       if (label == kUnknownLabel) {
@@ -181,7 +181,7 @@ class LocalInsertion {
     std::vector<Triangle>& triangles = mesh_.triangles;
     Editor::require_room(triangles.size(), 2);
     const auto v = static_cast<std::uint32_t>(mesh_.points.size());
-    mesh_.charts.push_back(place_.chart);
+    mesh_.charts.push_back(point_.chart);
     mesh_.points.push_back(p_);
     std::copy_n(cavity_.data(), cavity_count_, made.slots.data());
     for (std::size_t i = cavity_count_; i < edge_count_; ++i) {
@@ -226,7 +226,7 @@ class LocalInsertion {
   Mesh& mesh_;
   KnownLabels& labels_;
   const std::uint32_t t_;
-  const Atlas::Place& place_;
+  const LiftedPoint& point_;
   const Complex<double> p_;
   const double height_;  ///< 1 − |p|².
   double error_ = 0;     ///< Of the lifts.
@@ -242,11 +242,11 @@ class LocalInsertion {
 
 }  // namespace
 
-bool insert_locally(Mesh& mesh, KnownLabels& labels, std::uint32_t t, const Atlas::Place& place, const Threshold& apart,
+bool insert_locally(Mesh& mesh, KnownLabels& labels, std::uint32_t t, const LiftedPoint& point, const Threshold& apart,
                     const Threshold& large, NewTriangles& made) {
-  Outcome outcome = LocalInsertion<false>(mesh, labels, t, place).run(apart, large, made);
+  Outcome outcome = LocalInsertion<false>(mesh, labels, t, point).run(apart, large, made);
   if (outcome == Outcome::labels_met) {
-    outcome = LocalInsertion<true>(mesh, labels, t, place).run(apart, large, made);
+    outcome = LocalInsertion<true>(mesh, labels, t, point).run(apart, large, made);
   }
   return outcome == Outcome::inserted;
 }

@@ -30,7 +30,7 @@ inline constexpr Dart kOutside = make_dart(kLargestTriangle, 0);
 /// vertices, or if the mesh is a part and the cavity reaches to its boundary. `made` is memory of the caller. Triangles
 /// with sinh²R > large are marked. Reads nothing but the mesh, `labels` and its atlas, and the binary64 ends of the
 /// thresholds.
-[[nodiscard]] bool insert_locally(Mesh& mesh, KnownLabels& labels, std::uint32_t t, const Atlas::Place& place,
+[[nodiscard]] bool insert_locally(Mesh& mesh, KnownLabels& labels, std::uint32_t t, const LiftedPoint& point,
                                   const Threshold& apart, const Threshold& large, NewTriangles& made);
 
 }  // namespace epsnet

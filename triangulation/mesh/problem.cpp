@@ -1,8 +1,8 @@
-#include "triangulation/mesh/problem.h"
-
 #include <cstdint>
 #include <string_view>
 #include <vector>
+
+#include "triangulation/mesh/operations.h"
 
 namespace epsnet {
 namespace {
@@ -25,7 +25,8 @@ std::string problem_of_dart(Triangulation& triangulation, Dart d) {
   }
   const std::uint32_t from = triangulation.vertex(start.vertex).chart;
   const std::uint32_t to = triangulation.chart_of(triangle_of(d));
-  if (start.label == kIdentity ? from != to : atlas.from(start.label) != from || atlas.to(start.label) != to) {
+  if (start.label == kIdentity ? from != to
+                               : atlas.labels()[start.label].from != from || atlas.labels()[start.label].to != to) {
     return at("a label leads from or to another chart", d);
   }
   return {};

@@ -1,11 +1,10 @@
-#include "triangulation/mesh/renumbering.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 #include "triangulation/mesh/editor.h"
+#include "triangulation/mesh/operations.h"
 
 namespace epsnet {
 namespace {

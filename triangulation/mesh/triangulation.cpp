@@ -20,6 +20,14 @@ std::vector<Dart> Triangulation::star(Dart d) const {
   return darts;
 }
 
+LiftedPoint Triangulation::lifted_point(const BasePoint& point, std::uint32_t t) {
+  const std::uint32_t chart = atlas_.add_chart({point.tile, point.z});
+  const std::uint32_t there = chart_of(t);
+  return {chart,
+          {0, 0},
+          atlas_.label(chart, there, path_between_tiles(surface(), point.tile, atlas_.charts()[there].tile))};
+}
+
 LabelId Triangulation::label_along(Dart d) {
   return atlas_.product(atlas_.inverse(corner(d).label), corner(next_dart(d)).label);
 }

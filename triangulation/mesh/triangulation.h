@@ -8,13 +8,49 @@
 #include <vector>
 
 #include "kernel/predicates.h"
-#include "triangulation/mesh/dart.h"
 #include "triangulation/mesh/threshold.h"
 #include "triangulation/surface/atlas.h"
-#include "triangulation/surface/base_point.h"
 #include "triangulation/surface/error.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet {
+
+/// A dart: the edge of triangle t from corner i to corner i + 1, directed.
+///
+/// It is a distinct type because files number darts differently (docs/format.md). `document_dart` and
+/// `triangulation_dart` (netgen/nets/net_document.h) convert between the two.
+enum class Dart : std::uint32_t {};
+
+/// The largest number of a triangle that a dart has room for.
+inline constexpr std::uint32_t kLargestTriangle = (1U << 30) - 1;
+
+/// Dart i of a triangle, i < 3.
+[[nodiscard]] constexpr Dart make_dart(std::uint32_t triangle, std::uint32_t corner) {
+  assert(triangle <= kLargestTriangle && corner < 3);
+  return Dart{4 * triangle + corner};
+}
+/// The triangle of a dart.
+[[nodiscard]] constexpr std::uint32_t triangle_of(Dart d) { return static_cast<std::uint32_t>(d) >> 2; }
+/// The corner of its triangle at which it starts.
+[[nodiscard]] constexpr std::uint32_t corner_of(Dart d) {
+  const std::uint32_t corner = static_cast<std::uint32_t>(d) & 3;
+  assert(corner < 3);
+  return corner;
+}
+/// Corner i + 1 modulo 3.
+[[nodiscard]] constexpr std::uint32_t next(std::uint32_t i) {
+  assert(i < 3);
+  return i == 2 ? 0 : i + 1;
+}
+/// Corner i + 2 modulo 3.
+[[nodiscard]] constexpr std::uint32_t previous(std::uint32_t i) {
+  assert(i < 3);
+  return i == 0 ? 2 : i - 1;
+}
+/// The next dart of the same triangle.
+[[nodiscard]] constexpr Dart next_dart(Dart d) { return make_dart(triangle_of(d), next(corner_of(d))); }
+/// The dart before it in the same triangle.
+[[nodiscard]] constexpr Dart previous_dart(Dart d) { return make_dart(triangle_of(d), previous(corner_of(d))); }
 
 /// A vertex: the point of the surface with coordinate z in a chart, |z| ≤ kChartRadius.
 struct Vertex {
@@ -103,8 +139,6 @@ class Triangulation {
   /// Vertices and triangles.
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   /// The charts of the vertices and the labels of the corners.
-  [[nodiscard]] Atlas& atlas() { return atlas_; }
-  /// The charts and labels, read-only.
   [[nodiscard]] const Atlas& atlas() const { return atlas_; }
   /// Returns the number of vertices. They are numbered from 0.
   [[nodiscard]] std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(mesh_.points.size()); }
@@ -169,6 +203,32 @@ class Triangulation {
     const Complex<double>& z = point(c.vertex);
     return c.label == kIdentity ? Lift{z, 0} : Lift{atlas_.isometry(c.label)(z), atlas_.error(c.label)};
   }
+
+  // Labels and lifts beyond binary64. As the predicates, these may add charts and labels to the atlas; those that there
+  // are stay as they are.
+
+  /// As Atlas::product.
+  [[nodiscard]] LabelId product(LabelId f, LabelId g) { return atlas_.product(f, g); }
+  /// As Atlas::inverse.
+  [[nodiscard]] LabelId inverse(LabelId f) { return atlas_.inverse(f); }
+  /// As Atlas::isometry_in.
+  template <class T>
+  [[nodiscard]] const Isometry<T>& isometry_in(LabelId l) {
+    return atlas_.isometry_in<T>(l);
+  }
+  /// Returns a lifted vertex, to within `Atlas::lift_error<T>()`.
+  template <class T>
+  [[nodiscard]] Complex<T> lift_in(Corner c) {
+    return atlas_.lift<T>(c.label, point(c.vertex));
+  }
+  /// As Atlas::lifted_point.
+  [[nodiscard]] std::optional<LiftedPoint> lifted_point(std::uint32_t chart, const Complex<Mp1024>& z,
+                                                        Atlas::Precision precision) {
+    return atlas_.lifted_point(chart, z, precision);
+  }
+  /// Returns a point in its closed tile as the origin of a chart of its own, lifted to the chart of triangle t. Throws
+  /// LimitError if the path there leads too far.
+  [[nodiscard]] LiftedPoint lifted_point(const BasePoint& point, std::uint32_t t);
 
   // Predicates on lifted vertices, all corners in the same chart of reference. Staged: binary64, then 256, 1024, 4096
   // bits; beyond that a tie, 0.

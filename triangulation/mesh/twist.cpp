@@ -1,5 +1,3 @@
-#include "triangulation/mesh/twist.h"
-
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -8,6 +6,7 @@
 
 #include "kernel/isometry.h"
 #include "triangulation/mesh/editor.h"
+#include "triangulation/mesh/operations.h"
 
 /// Dehn twists: the turns of edges around a short closed curve, undone all at once.
 namespace epsnet {
@@ -43,7 +42,7 @@ bool untwist(Triangulation& triangulation, Dart d, Journal* journal) {
   const bool next_glued = triangulation.opposite(next_dart(d)) == next_dart(e);
   const bool previous_glued = triangulation.opposite(previous_dart(d)) == previous_dart(e);
   if (!next_glued && !previous_glued) return false;
-  Atlas& atlas = triangulation.atlas();
+  Atlas& atlas = Editor(triangulation).atlas();
   const std::uint32_t t = triangle_of(d);
   const std::uint32_t s = triangle_of(e);
   const std::uint32_t of_p = next_glued ? corner_of(d) : next(corner_of(d));
@@ -61,14 +60,14 @@ bool untwist(Triangulation& triangulation, Dart d, Journal* journal) {
   const Isometry<Mp1024> translation = atlas.isometry_in<Mp1024>(tau);
   const auto axis = epsnet::axis(translation);
   if (!axis) return false;
-  const auto place = [&](const Corner& c) {
+  const auto position = [&](const Corner& c) {
     return along(*axis, atlas.lift<Mp1024>(c.label, triangulation.vertex(c.vertex).z));
   };
   const auto length = static_cast<double>(displacement_length(translation));
   // The edges across are short if the feet of p and τᵏf, k ≤ turns < k + 1, are as near as they can be.
-  const double turns = std::floor(static_cast<double>(Mp1024(place(p) - place(f))) / length);
+  const double turns = std::floor(static_cast<double>(Mp1024(position(p) - position(f))) / length);
   if (!(std::fabs(turns) >= kManyTurns)) return false;
-  const double letters = std::fabs(turns) * static_cast<double>(atlas.word(tau).size());
+  const double letters = std::fabs(turns) * static_cast<double>(atlas.labels()[tau].word.size());
   if (!(letters <= kMostLetters)) {
     throw LimitError("edges of the start turn " + two_digits(std::fabs(turns)) +
                      " times around a closed curve of length " + two_digits(length) + ", across " +

@@ -1,8 +1,7 @@
-#include "triangulation/mesh/walk.h"
-
 #include <array>
 
 #include "triangulation/mesh/editor.h"
+#include "triangulation/mesh/operations.h"
 
 namespace epsnet {
 namespace {
@@ -35,7 +34,7 @@ Location locate(Triangulation& triangulation, std::uint32_t start, Corner p, Wal
                                   : locate_straight(triangulation, start, p, most_steps);
 }
 
-Location locate(Triangulation& triangulation, std::uint32_t start, const Atlas::Place& point, Walk walk,
+Location locate(Triangulation& triangulation, std::uint32_t start, const LiftedPoint& point, Walk walk,
                 std::uint32_t most_steps) {
   const Editor editor(triangulation);
   const std::uint32_t v = editor.add_vertex({point.z, point.chart});
@@ -65,7 +64,7 @@ Location locate_visibility(Triangulation& triangulation, std::uint32_t start, Co
     if (steps == most_steps) {
       return {Location::Type::not_found, d, lift_of_t, steps};
     }
-    lift_of_t = triangulation.atlas().product(lift_of_t, triangulation.transition(d));
+    lift_of_t = triangulation.product(lift_of_t, triangulation.transition(d));
     const Dart e = triangulation.opposite(d);
     t = triangle_of(e);
     entered = corner_of(e);
@@ -79,7 +78,7 @@ Location locate_straight(Triangulation& triangulation, std::uint32_t start, Corn
   LabelId lift_of_t = kIdentity;
   const Corner origin = triangulation.corner(start, 0);
   const auto cross = [&](Dart side) {
-    lift_of_t = triangulation.atlas().product(lift_of_t, triangulation.transition(side));
+    lift_of_t = triangulation.product(lift_of_t, triangulation.transition(side));
     ++steps;
     return triangulation.opposite(side);
   };

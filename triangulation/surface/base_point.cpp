@@ -1,11 +1,10 @@
-#include "triangulation/surface/base_point.h"
-
 #include <cassert>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "kernel/plane.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet {
 namespace {
@@ -55,28 +54,6 @@ BasePoint centre_of_tile(const Surface& surface, std::uint32_t tile) {
       return {tile, z};
     }
   }
-}
-
-Word path_between_tiles(const Surface& surface, std::uint32_t from, std::uint32_t to) {
-  assert(from < surface.tiles().size() && to < surface.tiles().size());
-  // By tile: the side through which it was reached.
-  std::vector<std::optional<std::uint32_t>> entered(surface.tiles().size());
-  std::vector<std::uint32_t> queue{to};
-  for (std::size_t i = 0; i < queue.size(); ++i) {
-    const std::uint32_t tile = queue[i];
-    for (std::uint32_t k = 0; k < surface.tiles()[tile].size(); ++k) {
-      const std::uint32_t partner = surface.partner(surface.side_number(tile, k));
-      const std::uint32_t next = surface.tile_of_side(partner);
-      if (next == to || entered[next]) continue;
-      entered[next] = partner;
-      queue.push_back(next);
-    }
-  }
-  Word word;
-  for (std::uint32_t tile = from; tile != to; tile = surface.tile_of_side(surface.partner(word.back()))) {
-    word.push_back(*entered[tile]);
-  }
-  return word;
 }
 
 void require_in_tile(const Surface& surface, const BasePoint& point) {

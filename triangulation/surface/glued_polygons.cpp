@@ -85,21 +85,22 @@ GluedPolygons::GluedPolygons(const std::vector<Tile>& tiles, const std::vector<G
   pair_sides(gluing);
   check_connected();
   number_vertices();
-  const auto euler = static_cast<std::int64_t>(vertex_class_count) - static_cast<std::int64_t>(side_tile.size() / 2) +
-                     static_cast<std::int64_t>(tiles_.size());
+  const auto euler = static_cast<std::int64_t>(sides_.vertex_class_sizes.size()) -
+                     static_cast<std::int64_t>(sides_.side_tile.size() / 2) + static_cast<std::int64_t>(tiles_.size());
   if (euler == 2) throw SurfaceError("the gluing is a sphere (genus 0); a hyperbolic surface has genus at least 2");
   if (euler == 0) throw SurfaceError("the gluing is a torus (genus 1); a hyperbolic surface has genus at least 2");
   genus_ = static_cast<std::uint32_t>((2 - euler) / 2);
 }
 
 std::uint32_t GluedPolygons::next(std::uint32_t side) const {
-  const std::uint32_t tile = side_tile[side];
-  return side + 1 < side_tile.size() && side_tile[side + 1] == tile ? side + 1 : first_side[tile];
+  const std::uint32_t tile = sides_.side_tile[side];
+  return side + 1 < sides_.side_tile.size() && sides_.side_tile[side + 1] == tile ? side + 1 : sides_.first_side[tile];
 }
 
 std::uint32_t GluedPolygons::previous(std::uint32_t side) const {
-  const std::uint32_t tile = side_tile[side];
-  return side > first_side[tile] ? side - 1 : first_side[tile] + static_cast<std::uint32_t>(tiles_[tile].size()) - 1;
+  const std::uint32_t tile = sides_.side_tile[side];
+  return side > sides_.first_side[tile] ? side - 1
+                                        : sides_.first_side[tile] + static_cast<std::uint32_t>(tiles_[tile].size()) - 1;
 }
 
 std::string GluedPolygons::tile_name(std::uint32_t tile) const {
@@ -107,8 +108,8 @@ std::string GluedPolygons::tile_name(std::uint32_t tile) const {
 }
 
 std::string GluedPolygons::name(const char* element, std::uint32_t side) const {
-  const std::uint32_t tile = side_tile[side];
-  const std::string own = element + (" " + std::to_string(side - first_side[tile]));
+  const std::uint32_t tile = sides_.side_tile[side];
+  const std::string own = element + (" " + std::to_string(side - sides_.first_side[tile]));
   return tiles_.size() == 1 ? own : "tile " + std::to_string(tile) + ", " + own;
 }
 
@@ -119,14 +120,14 @@ void GluedPolygons::number_sides() {
       throw SurfaceError(tile_name(t) + " has " + std::to_string(tiles_[t].size()) + " vertices, expected at least 3");
     }
     // Darts and words number sides with 32 bits; one value stands for "none".
-    if (tiles_[t].size() >= kUnset - side_tile.size()) throw SurfaceError("there are more than 2^32 - 2 sides");
-    first_side.push_back(static_cast<std::uint32_t>(side_tile.size()));
-    side_tile.insert(side_tile.end(), tiles_[t].size(), t);
+    if (tiles_[t].size() >= kUnset - sides_.side_tile.size()) throw SurfaceError("there are more than 2^32 - 2 sides");
+    sides_.first_side.push_back(static_cast<std::uint32_t>(sides_.side_tile.size()));
+    sides_.side_tile.insert(sides_.side_tile.end(), tiles_[t].size(), t);
   }
 }
 
 void GluedPolygons::pair_sides(const std::vector<Gluing>& gluing) {
-  partner.assign(side_tile.size(), kUnset);
+  sides_.partner.assign(sides_.side_tile.size(), kUnset);
   const auto number = [&](std::uint32_t tile, std::uint32_t side, std::size_t pair) {
     if (tile >= tiles_.size()) {
       throw SurfaceError("pair " + std::to_string(pair) + " of the gluing names tile " + std::to_string(tile) +
@@ -136,20 +137,20 @@ void GluedPolygons::pair_sides(const std::vector<Gluing>& gluing) {
       throw SurfaceError("pair " + std::to_string(pair) + " of the gluing names side " + std::to_string(side) + " of " +
                          tile_name(tile) + ", which has only " + std::to_string(tiles_[tile].size()) + " sides");
     }
-    return first_side[tile] + side;
+    return sides_.first_side[tile] + side;
   };
   for (std::size_t i = 0; i < gluing.size(); ++i) {
     const std::uint32_t s = number(gluing[i].tile, gluing[i].side, i);
     const std::uint32_t other = number(gluing[i].other_tile, gluing[i].other_side, i);
     if (s == other) throw SurfaceError(name("side", s) + " is paired with itself");
     for (const std::uint32_t used : {s, other}) {
-      if (partner[used] != kUnset) throw SurfaceError(name("side", used) + " occurs twice in the gluing");
+      if (sides_.partner[used] != kUnset) throw SurfaceError(name("side", used) + " occurs twice in the gluing");
     }
-    partner[s] = other;
-    partner[other] = s;
+    sides_.partner[s] = other;
+    sides_.partner[other] = s;
   }
-  for (std::uint32_t s = 0; s < partner.size(); ++s) {
-    if (partner[s] == kUnset) throw SurfaceError(name("side", s) + " is not paired with any side");
+  for (std::uint32_t s = 0; s < sides_.partner.size(); ++s) {
+    if (sides_.partner[s] == kUnset) throw SurfaceError(name("side", s) + " is not paired with any side");
   }
 }
 
@@ -161,7 +162,7 @@ void GluedPolygons::check_connected() const {
     const std::uint32_t tile = pending.back();
     pending.pop_back();
     for (std::uint32_t k = 0; k < tiles_[tile].size(); ++k) {
-      const std::uint32_t neighbour = side_tile[partner[first_side[tile] + k]];
+      const std::uint32_t neighbour = sides_.side_tile[sides_.partner[sides_.first_side[tile] + k]];
       if (reached[neighbour]) continue;
       reached[neighbour] = true;
       pending.push_back(neighbour);
@@ -175,18 +176,22 @@ void GluedPolygons::check_connected() const {
 }
 
 void GluedPolygons::number_vertices() {
-  vertex_class.assign(side_tile.size(), kUnset);
-  for (std::uint32_t first = 0; first < vertex_class.size(); ++first) {
-    if (vertex_class[first] != kUnset) continue;
+  sides_.vertex_class.assign(sides_.side_tile.size(), kUnset);
+  for (std::uint32_t first = 0; first < sides_.vertex_class.size(); ++first) {
+    if (sides_.vertex_class[first] != kUnset) continue;
+    const auto number = static_cast<std::uint32_t>(sides_.vertex_class_sizes.size());
+    sides_.vertex_class_sizes.push_back(0);
     // Side s starts at the vertex; across it the vertex is where the partner ends, which is where the next side starts.
-    for (std::uint32_t s = first; vertex_class[s] == kUnset; s = next(partner[s])) vertex_class[s] = vertex_class_count;
-    ++vertex_class_count;
+    for (std::uint32_t s = first; sides_.vertex_class[s] == kUnset; s = next(sides_.partner[s])) {
+      sides_.vertex_class[s] = number;
+      ++sides_.vertex_class_sizes[number];
+    }
   }
 }
 
 void GluedPolygons::check_vertices() {
-  point_.reserve(side_tile.size());
-  klein_.reserve(side_tile.size());
+  point_.reserve(sides_.side_tile.size());
+  klein_.reserve(sides_.side_tile.size());
   for (const Tile& tile : tiles_) {
     for (const Complex<Rational>& vertex : tile) {
       point_.push_back(scaled(vertex));
@@ -201,8 +206,8 @@ void GluedPolygons::check_vertices() {
                          (modulus > 1 ? ", found |z| = " + decimal(modulus) : std::string()));
     }
   }
-  corner_.reserve(side_tile.size());
-  for (std::uint32_t s = 0; s < side_tile.size(); ++s) {
+  corner_.reserve(sides_.side_tile.size());
+  for (std::uint32_t s = 0; s < sides_.side_tile.size(); ++s) {
     const Complex<Integer> forward = direction(point_[s], point_[next(s)]);
     if (forward == Complex<Integer>{0, 0}) {
       throw SurfaceError(name("side", s) + " has length 0: its two vertices are the same point");
@@ -215,9 +220,10 @@ double GluedPolygons::angle(std::uint32_t corner) const { return argument(corner
 
 bool GluedPolygons::clockwise(std::uint32_t tile) const {
   // At the leftmost vertex a simple polygon turns the way it goes around.
-  std::uint32_t extreme = first_side[tile];
+  std::uint32_t extreme = sides_.first_side[tile];
   for (std::uint32_t k = 1; k < tiles_[tile].size(); ++k) {
-    if (lexicographically_less(klein_[first_side[tile] + k], klein_[extreme])) extreme = first_side[tile] + k;
+    if (lexicographically_less(klein_[sides_.first_side[tile] + k], klein_[extreme]))
+      extreme = sides_.first_side[tile] + k;
   }
   return corner_[extreme].y < 0;
 }
@@ -227,9 +233,9 @@ std::optional<std::string> GluedPolygons::convexity_problem() const {
     const auto size = static_cast<std::uint32_t>(tiles_[t].size());
     if (clockwise(t)) return tile_name(t) + " is clockwise: the vertices must be listed counterclockwise";
     std::uint32_t windings = 0;
-    for (std::uint32_t s = first_side[t]; s < first_side[t] + size; ++s) {
+    for (std::uint32_t s = sides_.first_side[t]; s < sides_.first_side[t] + size; ++s) {
       if (!strictly_convex(s)) {
-        return tile_name(t) + " is not strictly convex at its vertex " + std::to_string(s - first_side[t]) +
+        return tile_name(t) + " is not strictly convex at its vertex " + std::to_string(s - sides_.first_side[t]) +
                " (interior angle " + decimal(angle(s)) + ")";
       }
       // With left turns only, the direction of the sides turns through the half circle [0, π) once per winding.
@@ -248,8 +254,8 @@ void GluedPolygons::check_convex() const {
 }
 
 void GluedPolygons::check_lengths() const {
-  for (std::uint32_t s = 0; s < partner.size(); ++s) {
-    const std::uint32_t other = partner[s];
+  for (std::uint32_t s = 0; s < sides_.partner.size(); ++s) {
+    const std::uint32_t other = sides_.partner[s];
     if (other < s) continue;
     const Fraction own = squared_sinh_of_half(point_[s], point_[next(s)]);
     const Fraction glued = squared_sinh_of_half(point_[other], point_[next(other)]);
@@ -264,13 +270,13 @@ void GluedPolygons::check_lengths() const {
 }
 
 void GluedPolygons::check_angles() const {
-  std::vector<bool> visited(side_tile.size());
+  std::vector<bool> visited(sides_.side_tile.size());
   std::vector<Complex<Integer>> factors;
   for (std::uint32_t first = 0; first < visited.size(); ++first) {
     if (visited[first]) continue;
     factors.clear();
     double sum = 0;
-    for (std::uint32_t s = first; !visited[s]; s = next(partner[s])) {
+    for (std::uint32_t s = first; !visited[s]; s = next(sides_.partner[s])) {
       visited[s] = true;
       factors.push_back(corner_[s]);
       sum += angle(s);

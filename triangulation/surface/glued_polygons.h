@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "triangulation/surface/exact_points.h"
@@ -17,6 +18,9 @@ namespace epsnet {
 ///
 /// Sides and corners are numbered like in `Surface`. The combinatorics are checked by the constructor; the other
 /// conditions one by one, so that convex and non-convex polygons can be told apart in between.
+///
+/// Invariant: `sides().partner` is an involution without fixed points; the vertex classes are the cycles of "the side
+/// after the partner"; the tiles are connected and close up to a surface of genus ≥ 2.
 class GluedPolygons {
  public:
   /// Every polygon has at least 3 vertices, every side is glued once and not to itself, the surface is connected and of
@@ -45,16 +49,11 @@ class GluedPolygons {
 
   [[nodiscard]] const std::vector<ScaledPoint>& points() const { return point_; }
   [[nodiscard]] const std::vector<KleinVector>& klein_points() const { return klein_; }
+  [[nodiscard]] const GluedSides& sides() const& { return sides_; }
+  [[nodiscard]] GluedSides sides() && { return std::move(sides_); }
   [[nodiscard]] std::uint32_t genus() const { return genus_; }
   [[nodiscard]] std::uint32_t next(std::uint32_t side) const;
   [[nodiscard]] std::uint32_t previous(std::uint32_t side) const;
-
-  // Handed over to Surface.
-  std::vector<std::uint32_t> first_side;
-  std::vector<std::uint32_t> side_tile;
-  std::vector<std::uint32_t> partner;
-  std::vector<std::uint32_t> vertex_class;
-  std::uint32_t vertex_class_count = 0;
 
  private:
   void number_sides();
@@ -70,6 +69,7 @@ class GluedPolygons {
   [[nodiscard]] double angle(std::uint32_t corner) const;
 
   const std::vector<Tile>& tiles_;
+  GluedSides sides_;
   std::uint32_t genus_ = 0;
   std::vector<ScaledPoint> point_;
   std::vector<KleinVector> klein_;

@@ -23,12 +23,13 @@ Surface::Data Surface::checked(std::vector<Tile> tiles, std::vector<Gluing> glui
   polygons.check_lengths();
   // Angles take as long as all crossings: side by side with them where there are many.
   constexpr std::size_t kMany = 100;
-  std::future<void> angles = std::async(polygons.partner.size() > kMany ? std::launch::async : std::launch::deferred,
+  const std::vector<std::uint32_t>& partner = polygons.sides().partner;
+  std::future<void> angles = std::async(partner.size() > kMany ? std::launch::async : std::launch::deferred,
                                         [&polygons] { polygons.check_angles(); });
   const std::vector<ScaledPoint>& points = polygons.points();
-  data.crossing.resize(polygons.partner.size());
+  data.crossing.resize(partner.size());
   for (std::uint32_t s = 0; s < data.crossing.size(); ++s) {
-    const std::uint32_t other = polygons.partner[s];
+    const std::uint32_t other = partner[s];
     if (other < s) continue;
     data.crossing[s] =
         integral_crossing(points[s], points[polygons.next(s)], points[polygons.next(other)], points[other]);
@@ -36,14 +37,7 @@ Surface::Data Surface::checked(std::vector<Tile> tiles, std::vector<Gluing> glui
   }
   angles.get();
   data.genus = polygons.genus();
-  data.first_side = std::move(polygons.first_side);
-  data.side_tile = std::move(polygons.side_tile);
-  data.partner = std::move(polygons.partner);
-  data.vertex_class = std::move(polygons.vertex_class);
-  data.vertex_class_sizes.resize(polygons.vertex_class_count);
-  for (const std::uint32_t c : data.vertex_class) {
-    ++data.vertex_class_sizes[c];
-  }
+  data.sides = std::move(polygons).sides();
   return data;
 }
 
@@ -65,16 +59,16 @@ Surface Surface::regular(std::uint32_t genus) {
   for (std::uint32_t k = 0; k < n; ++k) {
     const Mp1024 angle = half_angle * (2 * Mp1024(k) - 1);
     tile.push_back({Rational(Mp256(radius * cos(angle))), Rational(Mp256(radius * sin(angle)))});
-    data.side_tile.push_back(0);
-    data.partner.push_back((k + n / 2) % n);
-    data.vertex_class.push_back(0);
+    data.sides.side_tile.push_back(0);
+    data.sides.partner.push_back((k + n / 2) % n);
+    data.sides.vertex_class.push_back(0);
     if (k < n / 2) {
       data.gluing.push_back({0, k, 0, k + n / 2});
     }
   }
   data.tiles.push_back(std::move(tile));
-  data.first_side.push_back(0);
-  data.vertex_class_sizes = {n};
+  data.sides.first_side.push_back(0);
+  data.sides.vertex_class_sizes = {n};
   return Surface(std::move(data));
 }
 

@@ -35,6 +35,15 @@ class SurfaceError : public Error {
 /// A path, as the numbers of the sides that it crosses. The first is a side of the tile where the path starts.
 using Word = std::vector<std::uint32_t>;
 
+/// How sides and corners, numbered through all tiles, belong to tiles, to each other, and to vertex classes.
+struct GluedSides {
+  std::vector<std::uint32_t> first_side;          ///< By tile.
+  std::vector<std::uint32_t> side_tile;           ///< By side.
+  std::vector<std::uint32_t> partner;             ///< By side.
+  std::vector<std::uint32_t> vertex_class;        ///< By corner.
+  std::vector<std::uint32_t> vertex_class_sizes;  ///< By vertex class.
+};
+
 /// A closed hyperbolic surface, exact: finitely many convex tiles, each in its own coordinates, glued side to side by
 /// isometries.
 ///
@@ -73,16 +82,16 @@ class Surface {
   [[nodiscard]] const std::vector<Gluing>& gluing() const { return data_->gluing; }
 
   /// The number of sides of all tiles.
-  [[nodiscard]] std::uint32_t side_count() const { return static_cast<std::uint32_t>(data_->partner.size()); }
+  [[nodiscard]] std::uint32_t side_count() const { return static_cast<std::uint32_t>(data_->sides.partner.size()); }
   /// Returns the number of side `side` of tile `tile`.
   [[nodiscard]] std::uint32_t side_number(std::uint32_t tile, std::uint32_t side) const {
     assert(tile < tiles().size() && side < tiles()[tile].size());
-    return data_->first_side[tile] + side;
+    return data_->sides.first_side[tile] + side;
   }
   /// The tile that has side s.
   [[nodiscard]] std::uint32_t tile_of_side(std::uint32_t s) const {
     assert(s < side_count());
-    return data_->side_tile[s];
+    return data_->sides.side_tile[s];
   }
   /// The side after side s, counterclockwise around its tile.
   [[nodiscard]] std::uint32_t next_side(std::uint32_t s) const {
@@ -98,7 +107,7 @@ class Surface {
   /// The side that side s is glued to.
   [[nodiscard]] std::uint32_t partner(std::uint32_t s) const {
     assert(s < side_count());
-    return data_->partner[s];
+    return data_->sides.partner[s];
   }
   /// The isometry from the coordinates of the tile of side s to the coordinates of the tile of its partner, the start
   /// of s to the end of the partner. Its coefficients are Gaussian integers without a common integer factor. Throws
@@ -113,15 +122,15 @@ class Surface {
   /// like the sides that start there; classes are numbered from 0 in the order of first occurrence.
   [[nodiscard]] std::uint32_t vertex_class(std::uint32_t corner) const {
     assert(corner < side_count());
-    return data_->vertex_class[corner];
+    return data_->sides.vertex_class[corner];
   }
   /// Returns the number of vertex classes.
   [[nodiscard]] std::uint32_t vertex_class_count() const {
-    return static_cast<std::uint32_t>(data_->vertex_class_sizes.size());
+    return static_cast<std::uint32_t>(data_->sides.vertex_class_sizes.size());
   }
   /// Returns the number of corners in the vertex class of a corner.
   [[nodiscard]] std::uint32_t corners_around(std::uint32_t corner) const {
-    return data_->vertex_class_sizes[vertex_class(corner)];
+    return data_->sides.vertex_class_sizes[vertex_class(corner)];
   }
   /// Returns the corners in the vertex class of `corner`, `corner` first, clockwise around the point. Crossing side s
   /// leads to the corner at the end of its partner, which is the start of the side after the partner. Read as a word, a
@@ -133,12 +142,8 @@ class Surface {
     bool regular = false;
     std::vector<Tile> tiles;
     std::vector<Gluing> gluing;
-    std::vector<std::uint32_t> first_side;
-    std::vector<std::uint32_t> side_tile;
-    std::vector<std::uint32_t> partner;
+    GluedSides sides;
     std::vector<Isometry<Rational>> crossing;
-    std::vector<std::uint32_t> vertex_class;
-    std::vector<std::uint32_t> vertex_class_sizes;
     std::uint32_t genus = 0;
   };
   explicit Surface(Data data) : data_(std::make_shared<const Data>(std::move(data))) {}
@@ -147,5 +152,33 @@ class Surface {
   std::shared_ptr<const Data> data_;
   std::string about_;
 };
+
+// Paths as words: combinatorics alone, nothing is evaluated.
+
+/// The word of the reversed path.
+[[nodiscard]] Word reversed(const Surface& surface, const Word& word);
+/// The word of the path `first` followed by `then`, shortened (Dehn's algorithm): a crossing followed by its inverse is
+/// removed, and a path that turns around a vertex takes the shorter way.
+[[nodiscard]] Word concatenated(const Surface& surface, Word first, const Word& then);
+/// Returns a shortest word from one tile to another. O(sides).
+[[nodiscard]] Word path_between_tiles(const Surface& surface, std::uint32_t from, std::uint32_t to);
+/// Whether a word is a path from one tile to another.
+[[nodiscard]] bool is_path(const Surface& surface, std::uint32_t from, std::uint32_t to, const Word& word);
+
+/// A point of a surface, in the coordinates of a tile.
+struct BasePoint {
+  std::uint32_t tile;
+  Complex<Rational> z;
+};
+
+/// Returns a point with few digits, strictly inside a tile: near the mean of the vertices in the Klein model. Throws
+/// SurfaceError if there is no such tile.
+[[nodiscard]] BasePoint centre_of_tile(const Surface& surface, std::uint32_t tile);
+
+/// Throws SurfaceError if the point is not strictly inside its tile.
+void require_inside(const Surface& surface, const BasePoint& base);
+
+/// Throws SurfaceError unless the point is in its closed tile.
+void require_in_tile(const Surface& surface, const BasePoint& point);
 
 }  // namespace epsnet

@@ -3,10 +3,8 @@
 
 #include "kernel/predicates.h"
 #include "tests/support/triangulations.h"
-#include "triangulation/mesh/flip.h"
-#include "triangulation/mesh/insertion.h"
 #include "triangulation/mesh/local_insertion.h"
-#include "triangulation/mesh/walk.h"
+#include "triangulation/mesh/operations.h"
 
 /// What the headers require of their callers is asserted in debug and sanitizer builds.
 namespace epsnet {
@@ -38,15 +36,15 @@ TEST(AssertionsDeathTest, ADartHasATriangleAndACornerOfThree) {
 TEST(AssertionsDeathTest, ALabelIsThereAndNotTheIdentity) {
   const Triangulation triangulation = octagon();
   const Atlas& atlas = triangulation.atlas();
-  for (const LabelId l : {kIdentity, atlas.label_count(), kUnknownLabel}) {
-    EXPECT_DEATH((void)atlas.from(l), "is_other");
-    EXPECT_DEATH((void)atlas.to(l), "is_other");
-    EXPECT_DEATH((void)atlas.word(l), "is_other");
-    EXPECT_DEATH((void)atlas.isometry(l), "is_other");
-    EXPECT_DEATH((void)atlas.error(l), "is_other");
+  for (const LabelId l : {kIdentity, atlas.labels().count(), kUnknownLabel}) {
+    EXPECT_DEATH((void)atlas.labels()[l].from, "has");
+    EXPECT_DEATH((void)atlas.labels()[l].to, "has");
+    EXPECT_DEATH((void)atlas.labels()[l].word, "has");
+    EXPECT_DEATH((void)atlas.isometry(l), "has");
+    EXPECT_DEATH((void)atlas.error(l), "has");
   }
-  EXPECT_DEATH((void)atlas.known_inverse(kUnknownLabel), "is_other");
-  EXPECT_DEATH((void)atlas.chart(atlas.chart_count()), "chart_count");
+  EXPECT_DEATH((void)atlas.known_inverse(kUnknownLabel), "has");
+  EXPECT_DEATH((void)atlas.charts()[atlas.charts().count()], "count");
 }
 
 TEST(AssertionsDeathTest, ALabelLeadsWhereTheNextOneStarts) {
@@ -84,7 +82,7 @@ TEST(AssertionsDeathTest, ATriangulationHasTheElement) {
 TEST(AssertionsDeathTest, AFlipNeedsAConvexQuadrilateral) {
   // Around a vertex inside of a triangle the two triangles beside each edge make a corner of more than π.
   Triangulation triangulation = octagon();
-  const Atlas::Place place = test::weighted_point(triangulation, 0, {1, 1, 1});
+  const LiftedPoint place = test::weighted_point(triangulation, 0, {1, 1, 1});
   const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
   const std::uint32_t t = split_face(triangulation, 0, v, place.label)[0];
   EXPECT_DEATH((void)flip(triangulation, make_dart(t, 0)), "may_be_left");
@@ -93,11 +91,11 @@ TEST(AssertionsDeathTest, AFlipNeedsAConvexQuadrilateral) {
 TEST(AssertionsDeathTest, AVertexIsInsertedWhereItIs) {
   // A point of triangle 0, as if it lay in the triangle beside it.
   Triangulation triangulation = octagon();
-  const Atlas::Place place = test::weighted_point(triangulation, 0, {1, 1, 1});
+  const LiftedPoint place = test::weighted_point(triangulation, 0, {1, 1, 1});
   const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
   const std::uint32_t t = triangle_of(triangulation.opposite(make_dart(0, 0)));
   const LabelId across = triangulation.transition(triangulation.opposite(make_dart(0, 0)));
-  const LabelId label = triangulation.atlas().product(across, place.label);
+  const LabelId label = triangulation.product(across, place.label);
   EXPECT_DEATH((void)split_face(triangulation, t, v, label), "may_be_left");
 }
 

@@ -1,5 +1,3 @@
-#include "triangulation/mesh/contraction.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -7,8 +5,7 @@
 
 #include "netgen/nets/start.h"
 #include "tests/support/triangulations.h"
-#include "triangulation/mesh/flip.h"
-#include "triangulation/mesh/problem.h"
+#include "triangulation/mesh/operations.h"
 
 /// Contraction of edges, moves of vertices, and the start that they make.
 namespace epsnet {
@@ -174,7 +171,7 @@ TEST(BasePoint, IsVertex0AndItsTileIsItsStar) {
   Triangulation t(surface, BasePoint{2, centre});
   EXPECT_EQ(problem(t), "");
   EXPECT_EQ(t.vertex_count(), surface.vertex_class_count() + 1);
-  EXPECT_EQ(t.atlas().chart(t.vertex(0).chart).centre, centre);
+  EXPECT_EQ(t.atlas().charts()[t.vertex(0).chart].centre, centre);
   (void)make_delaunay(t);
   (void)reduce_to_vertex_0(t);
   EXPECT_EQ(t.vertex_count(), 1U);

@@ -10,13 +10,10 @@
 #include "netgen/nets/net_document.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/circumcentre.h"
-#include "triangulation/mesh/flip.h"
-#include "triangulation/mesh/insertion.h"
-#include "triangulation/mesh/journal.h"
+#include "triangulation/mesh/editor.h"
 #include "triangulation/mesh/local_insertion.h"
 #include "triangulation/mesh/marks.h"
-#include "triangulation/mesh/problem.h"
-#include "triangulation/mesh/walk.h"
+#include "triangulation/mesh/operations.h"
 
 namespace epsnet {
 namespace {
@@ -46,7 +43,7 @@ int shared_edges(const Triangulation& triangulation, Dart d) {
 
 /// The corner of an existing vertex as seen from a triangle, by some path.
 LabelId some_label(Triangulation& triangulation, std::uint32_t vertex, std::uint32_t t, const Word& word) {
-  return triangulation.atlas().label(triangulation.vertex(vertex).chart, triangulation.chart_of(t), word);
+  return Editor(triangulation).atlas().label(triangulation.vertex(vertex).chart, triangulation.chart_of(t), word);
 }
 
 /// The point p, given in the chart of the walk's start, lies where the location says.
@@ -54,7 +51,7 @@ bool lies_there(Triangulation& triangulation, Corner p, const Location& location
   const std::uint32_t t = triangle_of(location.dart);
   const auto lifted = [&](std::uint32_t i) {
     const Corner c = triangulation.corner(t, i);
-    return Corner{c.vertex, triangulation.atlas().product(location.transition, c.label)};
+    return Corner{c.vertex, triangulation.product(location.transition, c.label)};
   };
   const std::uint32_t first = corner_of(location.dart);
   const auto sign = [&](std::uint32_t i) { return triangulation.orientation(lifted(i), lifted(next(i)), p); };
@@ -82,7 +79,7 @@ struct Symmetric {
   std::uint32_t chart;
 
   Symmetric(std::int32_t seed, const std::vector<Complex<double>>& points)
-      : surface(random_octagon(seed)), triangulation(surface), chart(triangulation.atlas().add_chart({0, {}})) {
+      : surface(random_octagon(seed)), triangulation(surface), chart(Editor(triangulation).atlas().add_chart({0, {}})) {
     make_delaunay(triangulation);
     for (const Complex<double>& z : points) {
       insert(z);
@@ -92,8 +89,8 @@ struct Symmetric {
   Symmetric(const Symmetric&) = delete;
   Symmetric& operator=(const Symmetric&) = delete;
 
-  [[nodiscard]] Atlas::Place place(const Complex<double>& z, std::uint32_t t) {
-    return {chart, z, triangulation.atlas().label(chart, triangulation.chart_of(t), {})};
+  [[nodiscard]] LiftedPoint place(const Complex<double>& z, std::uint32_t t) {
+    return {chart, z, Editor(triangulation).atlas().label(chart, triangulation.chart_of(t), {})};
   }
   void insert(const Complex<double>& z) { static_cast<void>(test::insert_by_flips(triangulation, 0, place(z, 0))); }
 };
@@ -226,7 +223,7 @@ TEST(Triangulation, ProblemsAreSeen) {
     EXPECT_EQ(problem(triangulation), "");
     // The three edges of a vertex of degree three have no strictly convex quadrilateral; to flip one all the same turns
     // a triangle over.
-    const Atlas::Place place = test::weighted_point(triangulation, 0, {1, 1, 1});
+    const LiftedPoint place = test::weighted_point(triangulation, 0, {1, 1, 1});
     const auto around = split_face(triangulation, 0, add_vertex(triangulation, {place.z, place.chart}), place.label);
     EXPECT_EQ(problem(triangulation), "") << name;
     for (const std::uint32_t t : around) {
@@ -285,7 +282,7 @@ TEST(Locate, VerticesAreFoundFromEverywhere) {
           EXPECT_EQ(location.type, Location::Type::vertex) << name;
           const Corner found = triangulation.corner(triangle_of(location.dart), corner_of(location.dart));
           EXPECT_EQ(found.vertex, 0U);
-          EXPECT_EQ(triangulation.atlas().product(location.transition, found.label), p.label) << name;
+          EXPECT_EQ(triangulation.product(location.transition, found.label), p.label) << name;
         }
       }
     }
@@ -297,7 +294,7 @@ TEST(Locate, APointOfTheFirstTriangleNeedsNoStep) {
     Triangulation triangulation(surface);
     (void)make_delaunay(triangulation);
     for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
-      const Atlas::Place place = test::weighted_point(triangulation, t, {1, 1, 1});
+      const LiftedPoint place = test::weighted_point(triangulation, t, {1, 1, 1});
       const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
       for (const Location& location : {locate_visibility(triangulation, t, {v, place.label}),
                                        locate_straight(triangulation, t, {v, place.label})}) {
@@ -319,17 +316,16 @@ TEST(Insert, APointOnAnEdgeGivesTheSameBothWays) {
   ASSERT_EQ(problem(triangulation), "");
   for (const double x : {0.0, 0.0625, -0.1875, 0x1p-30, 1.0 / 3}) {
     Triangulation by_flips = triangulation.clone();
-    const Atlas::Place place = s.place({x, 0}, 0);
+    const LiftedPoint place = s.place({x, 0}, 0);
     const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
     const Location location = locate_straight(triangulation, 0, {v, place.label});
     EXPECT_EQ(location.type, Location::Type::edge) << x;
-    const LabelId label =
-        triangulation.atlas().product(triangulation.atlas().inverse(location.transition), place.label);
+    const LabelId label = triangulation.product(triangulation.inverse(location.transition), place.label);
     ASSERT_TRUE(insert_in_cavity(triangulation, triangle_of(location.dart), v, label, kAcceptAll).has_value()) << x;
     EXPECT_EQ(problem(triangulation), "") << x;
     EXPECT_TRUE(test::insert_by_flips(by_flips, 0, place)) << x;
     EXPECT_EQ(problem(by_flips), "") << x;
-    EXPECT_EQ(tessellation_of(by_flips, triangulation.atlas()), tessellation_of(triangulation)) << x;
+    EXPECT_EQ(tessellation_of(by_flips, triangulation), tessellation_of(triangulation)) << x;
   }
 }
 
@@ -346,7 +342,7 @@ TEST(Insert, ACavityThatIsNotAcceptedChangesNothing) {
   }
   int calls = 0;
   for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
-    const Atlas::Place place = test::weighted_point(triangulation, t, {1, 1, 1});
+    const LiftedPoint place = test::weighted_point(triangulation, t, {1, 1, 1});
     const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
     const auto before = snapshot(triangulation);
     const auto refuse = [&](Corner c) {
@@ -410,7 +406,7 @@ RC_GTEST_PROP(TriangulationProperty, TwoFlipsUndoEachOther, ()) {
 RC_GTEST_PROP(TriangulationProperty, CavityAndFlipsInsertTheSame, ()) {
   Triangulation triangulation = any_delaunay(any_surface().surface, any_index(25u));
   const auto t = any_index(triangulation.triangle_count());
-  const Atlas::Place place = any_point(triangulation, t);
+  const LiftedPoint place = any_point(triangulation, t);
   Triangulation by_flips = triangulation.clone();
   const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
   const Corner p{v, place.label};
@@ -427,7 +423,7 @@ RC_GTEST_PROP(TriangulationProperty, CavityAndFlipsInsertTheSame, ()) {
   RC_ASSERT(!test::not_delaunay(triangulation));
   RC_ASSERT(test::insert_by_flips(by_flips, t, place));
   RC_ASSERT(problem(by_flips) == "");
-  RC_ASSERT(tessellation_of(by_flips, triangulation.atlas()) == tessellation_of(triangulation));
+  RC_ASSERT(tessellation_of(by_flips, triangulation) == tessellation_of(triangulation));
   // The new triangles are a fan around the vertex.
   for (const std::uint32_t s : *inserted) {
     RC_ASSERT(triangulation.triangle(s).vertex[0] == v);
@@ -450,7 +446,7 @@ RC_GTEST_PROP(TriangulationProperty, TheNearestChartIsThatOfACorner, ()) {
   const double angle = any_index(360u) * std::numbers::pi / 180;
   const double radius = 0.75 * test::any_share();
   const Complex<double> z{radius * std::cos(angle), radius * std::sin(angle)};
-  const Atlas::Place place = in_nearest_chart(triangulation.mesh(), triangulation.atlas(), t, z);
+  const LiftedPoint place = in_nearest_chart(triangulation.mesh(), triangulation.atlas(), t, z);
   RC_CLASSIFY(place.label != kIdentity, "not the chart of the triangle");
   std::set<LabelId> labels;
   for (std::uint32_t i = 0; i < 3; ++i) {
@@ -471,7 +467,7 @@ RC_GTEST_PROP(TriangulationProperty, TheFastInsertionIsTheCavity, ()) {
   Symmetric s(any_index<std::int32_t>(200), any_points(60));
   Triangulation& triangulation = s.triangulation;
   const auto t = any_index(triangulation.triangle_count());
-  const Atlas::Place place = any_point(triangulation, t);
+  const LiftedPoint place = any_point(triangulation, t);
   const Threshold apart(Rational(1 + any_index(20u), 200));
   const Threshold large(Rational(1, 1 + any_index(10u)));
   Triangulation by_cavity = triangulation.clone();
@@ -493,7 +489,7 @@ RC_GTEST_PROP(TriangulationProperty, TheFastInsertionIsTheCavity, ()) {
   const auto accept = [&](Corner c) { return by_cavity.compare_distance(c, {v, place.label}, apart) > 0; };
   const auto around = insert_in_cavity(by_cavity, t, v, place.label, accept);
   RC_ASSERT(around.has_value());
-  RC_ASSERT(triangles_of(by_cavity, triangulation.atlas()) == triangles_of(triangulation));
+  RC_ASSERT(triangles_of(by_cavity, triangulation) == triangles_of(triangulation));
   // Slot for slot; the same triangles are large, and marked.
   RC_ASSERT(std::equal(made.slots.begin(), made.slots.begin() + made.count, around->begin(), around->end()));
   std::vector<std::uint32_t> large_slots;
@@ -516,7 +512,7 @@ RC_GTEST_PROP(TriangulationProperty, SplitFacesAreSound, ()) {
   const Surface& surface = any_surface().surface;
   Triangulation triangulation = any_delaunay(surface, any_index(6u));
   const auto t = any_index(triangulation.triangle_count());
-  const Atlas::Place place = any_point(triangulation, t);
+  const LiftedPoint place = any_point(triangulation, t);
   const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
   const Location location = locate_visibility(triangulation, t, {v, place.label});
   RC_PRE(location.type == Location::Type::face && triangle_of(location.dart) == t);
@@ -529,11 +525,11 @@ RC_GTEST_PROP(TriangulationProperty, SplitFacesAreSound, ()) {
 RC_GTEST_PROP(TriangulationProperty, SplitEdgesAreSound, ()) {
   Symmetric s(any_index<std::int32_t>(200), any_points());
   Triangulation& triangulation = s.triangulation;
-  const Atlas::Place place = s.place({0, 0}, 0);
+  const LiftedPoint place = s.place({0, 0}, 0);
   const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
   const Location location = locate_visibility(triangulation, 0, {v, place.label});
   RC_ASSERT(location.type == Location::Type::edge);
-  const LabelId label = triangulation.atlas().product(triangulation.atlas().inverse(location.transition), place.label);
+  const LabelId label = triangulation.product(triangulation.inverse(location.transition), place.label);
   const auto before = snapshot(triangulation);
   Journal journal = open_journal(triangulation);
   const auto around = split_edge(triangulation, location.dart, v, label, &journal);
@@ -576,7 +572,7 @@ RC_GTEST_PROP(TriangulationProperty, UndoRestoresEverything, ()) {
           pending.insert(pending.end(), {make_dart(s, 0), make_dart(s, 1), make_dart(s, 2)});
         }
         (void)restore_delaunay(triangulation, pending, &journal);
-        const Atlas::Place place = any_point(triangulation, t);
+        const LiftedPoint place = any_point(triangulation, t);
         const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
         if (!insert_in_cavity(triangulation, t, v, place.label, kAcceptAll, &journal)) {
           pop_vertex(triangulation);
@@ -594,7 +590,7 @@ RC_GTEST_PROP(TriangulationProperty, WalksFindTheSameTriangleFromEverywhere, ())
   const Surface& surface = any_surface().surface;
   Triangulation triangulation = any_delaunay(surface, any_index(25u));
   const auto t = any_index(triangulation.triangle_count());
-  const Atlas::Place place = any_point(triangulation, t);
+  const LiftedPoint place = any_point(triangulation, t);
   const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
   std::set<std::pair<std::uint32_t, LabelId>> found;
   for (int i = 0; i < 3; ++i) {
@@ -609,8 +605,8 @@ RC_GTEST_PROP(TriangulationProperty, WalksFindTheSameTriangleFromEverywhere, ())
     RC_ASSERT(triangle_of(visible.dart) == triangle_of(straight.dart));
     RC_ASSERT(visible.transition == straight.transition);
     // The point in the coordinates of the triangle that contains it is one, whatever the way there.
-    found.insert({triangle_of(visible.dart),
-                  triangulation.atlas().product(triangulation.atlas().inverse(visible.transition), p.label)});
+    found.insert(
+        {triangle_of(visible.dart), triangulation.product(triangulation.inverse(visible.transition), p.label)});
   }
   RC_ASSERT(found.size() == 1U);
 }
@@ -625,7 +621,7 @@ RC_GTEST_PROP(TriangulationProperty, TheStraightWalkEndsInEveryTriangulation, ()
     }
   }
   const auto t = any_index(triangulation.triangle_count());
-  const Atlas::Place place = any_point(triangulation, t);
+  const LiftedPoint place = any_point(triangulation, t);
   const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
   for (std::uint32_t start = 0; start < triangulation.triangle_count(); ++start) {
     const Corner p{v, some_label(triangulation, v, start, {})};

@@ -9,8 +9,7 @@
 #include "netgen/exchange/exchange.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/start.h"
-#include "triangulation/mesh/flip.h"
-#include "triangulation/mesh/problem.h"
+#include "triangulation/mesh/operations.h"
 
 /// What is done at once instead of step by step: many turns around a short closed curve, and paths that turn far around
 /// a vertex of many corners.
@@ -30,7 +29,7 @@ std::vector<double> edges(Triangulation& triangulation) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       const auto lifted = [&](std::uint32_t k) {
         const Corner c = triangulation.corner(t, k);
-        return triangulation.atlas().lift<Mp1024>(c.label, triangulation.vertex(c.vertex).z);
+        return triangulation.lift_in<Mp1024>(c);
       };
       result.push_back(static_cast<double>(sinh2_half_distance(lifted(i), lifted(next(i)))));
     }

@@ -87,14 +87,14 @@ TEST(Atlas, EverySideIsAnotherLabelAndKnowsItsCharts) {
     std::set<LabelId> labels;
     for (std::uint32_t side = 0; side < surface.side_count(); ++side) {
       const LabelId l = atlas.label(2, 1, {side});
-      EXPECT_EQ(atlas.from(l), 2U);
-      EXPECT_EQ(atlas.to(l), 1U);
-      EXPECT_EQ(atlas.word(l), Word{side});
+      EXPECT_EQ(atlas.labels()[l].from, 2U);
+      EXPECT_EQ(atlas.labels()[l].to, 1U);
+      EXPECT_EQ(atlas.labels()[l].word, Word{side});
       labels.insert(l);
     }
     EXPECT_EQ(labels.size(), surface.side_count()) << name;
-    EXPECT_EQ(atlas.labels_to(1).size(), labels.size()) << name;
-    EXPECT_EQ(atlas.label_count(), labels.size() + 1) << name;
+    EXPECT_EQ(atlas.labels().to(1).size(), labels.size()) << name;
+    EXPECT_EQ(atlas.labels().count(), labels.size() + 1) << name;
   }
 }
 
@@ -218,7 +218,7 @@ RC_GTEST_PROP(AtlasProperty, ProductsAreRoundedAsTheirWordsAre, ()) {
   LabelId product = atlas.label(any_index(3u), 0, any_word(surface, 0, 2));
   for (int i = 0; i < 12; ++i) {
     const std::uint32_t to = any_index(3u);
-    const std::uint32_t at = product == kIdentity ? to : atlas.to(product);
+    const std::uint32_t at = product == kIdentity ? to : atlas.labels()[product].to;
     const LabelId step = atlas.label(at, to, any_word(surface, 0, 1));
     product = any_index(4u) == 0 ? atlas.inverse(atlas.product(step, product)) : atlas.product(step, product);
     if (product == kIdentity) continue;
@@ -241,7 +241,7 @@ RC_GTEST_PROP(AtlasProperty, LiftsAreTheWordsValues, ()) {
   const Word word = any_word(surface, 0, 3);
   const LabelId l = atlas.label(0, 1, word);
   const Complex<double> z = any_point_of_disk(0.75);
-  const auto frame = [&](std::uint32_t c) { return Isometry<Rational>::translation(atlas.chart(c).centre); };
+  const auto frame = [&](std::uint32_t c) { return Isometry<Rational>::translation(atlas.charts()[c].centre); };
   const Complex<Rational> exact = inverse(frame(1))(exact_value(surface, word)(frame(0)(convert<Rational>(z))));
   RC_ASSERT(separation(atlas.lift<Mp1024>(l, z), convert<Mp1024>(exact)) <= Atlas::lift_error<Mp1024>());
 }
@@ -253,12 +253,12 @@ RC_GTEST_PROP(AtlasProperty, PlaceKeepsThePoint, ()) {
   const Complex<Mp256> z = convert<Mp256>(any_point_of_disk(0.999));
   const bool exact = any_index(2u) == 1;
   const auto found =
-      atlas.place(c, convert<Mp1024>(z), exact ? Atlas::Precision::bits_256 : Atlas::Precision::binary64);
+      atlas.lifted_point(c, convert<Mp1024>(z), exact ? Atlas::Precision::bits_256 : Atlas::Precision::binary64);
   RC_ASSERT(found.has_value());
-  const Atlas::Place& place = *found;
+  const LiftedPoint& place = *found;
   RC_ASSERT(norm(place.z) <= kChartRadius * kChartRadius);
-  RC_ASSERT((place.label == kIdentity ? c : atlas.from(place.label)) == place.chart);
-  RC_ASSERT((place.label == kIdentity ? c : atlas.to(place.label)) == c);
+  RC_ASSERT((place.label == kIdentity ? c : atlas.labels()[place.label].from) == place.chart);
+  RC_ASSERT((place.label == kIdentity ? c : atlas.labels()[place.label].to) == c);
   const Complex<Mp256> back = atlas.lift<Mp256>(place.label, place.z);
   // Hyperbolic distances: rounding to binary64 near the origin moves a point by some 2⁻⁵³; `bits_256` by nothing that
   // 256 bits lose on the way.
@@ -285,7 +285,7 @@ TEST(Atlas, APointTooFarAwayHasNoPlace) {
         const LorentzVector<Mp1024> ends = LorentzVector<Mp1024>{around->from.x, around->from.y, 1} +
                                            exp(Mp1024(distance)) * LorentzVector<Mp1024>{around->to.x, around->to.y, 1};
         const Complex<Mp1024> z = in_disk(Mp1024(1 / sqrt(Mp1024(-lorentz_product(ends, ends)))) * ends);
-        EXPECT_FALSE(atlas.place(chart, z, Atlas::Precision::binary64).has_value());
+        EXPECT_FALSE(atlas.lifted_point(chart, z, Atlas::Precision::binary64).has_value());
       }
     }
   }
@@ -297,15 +297,15 @@ RC_GTEST_PROP(AtlasProperty, PlaceNearbyIsTheSamePoint, ()) {
   Atlas atlas = three_charts(surface);
   const std::uint32_t c = any_index(3u);
   const Complex<double> z = any_point_of_disk(0.95);
-  const auto known = atlas.place(c, convert<Mp1024>(z), Atlas::Precision::binary64);
+  const auto known = atlas.lifted_point(c, convert<Mp1024>(z), Atlas::Precision::binary64);
   RC_ASSERT(known.has_value());
-  const auto nearby = atlas.place_nearby(c, z);
+  const auto nearby = atlas.lifted_point_nearby(c, z);
   // By now there is a label that leads near enough, unless `place` found the chart itself.
   RC_ASSERT(nearby.has_value() || known->label == kIdentity);
   RC_PRE(nearby.has_value());
   RC_ASSERT(norm(nearby->z) <= kChartRadius * kChartRadius);
-  RC_ASSERT(atlas.from(nearby->label) == nearby->chart);
-  RC_ASSERT(atlas.to(nearby->label) == c);
+  RC_ASSERT(atlas.labels()[nearby->label].from == nearby->chart);
+  RC_ASSERT(atlas.labels()[nearby->label].to == c);
   RC_ASSERT(separation(atlas.lift<Mp256>(nearby->label, nearby->z), convert<Mp256>(z)) <=
             Mp256(4 * atlas.error(nearby->label)));
 }

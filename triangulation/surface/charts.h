@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cassert>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "kernel/isometry.h"
+#include "kernel/numbers.h"
+#include "triangulation/surface/surface.h"
+
+namespace epsnet {
+
+/// A chart: the Poincaré disk of a tile with the origin moved to `centre`; the point z of the chart has the coordinate
+/// (z + centre)/(1 + conj(centre) z) in the tile.
+struct Chart {
+  std::uint32_t tile;
+  Complex<Rational> centre;
+};
+
+/// No point of a chart that is used as a vertex is farther from the origin than this (Euclidean, Poincaré disk).
+inline constexpr double kChartRadius = 0.7;
+
+/// The charts of a surface, numbered from 0.
+class Charts {
+ public:
+  /// A disk (its interior) that meets none of its images under the group: an isometry of the group other than 1 moves
+  /// its centre by twice its radius or more.
+  struct Disk {
+    Complex<double> centre;
+    double sinh_radius;  ///< 0 where binary64 does not see such a disk.
+  };
+
+  explicit Charts(const Surface& surface);
+
+  [[nodiscard]] const Surface& surface() const { return surface_; }
+
+  /// Appends a chart without checking for duplicates; returns its number. Requires: its centre is in the open disk.
+  std::uint32_t add(Chart chart);
+  [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(entries_.size()); }
+  [[nodiscard]] const Chart& operator[](std::uint32_t c) const { return entry(c).chart; }
+
+  /// The isometry from the coordinates of chart c to those of its tile, in T (Mp256, Mp1024, Mp4096).
+  template <class T>
+  [[nodiscard]] Isometry<T> frame(std::uint32_t c) const;
+  /// `frame` scaled to determinant 1.
+  template <class T>
+  [[nodiscard]] Isometry<T> unit_frame(std::uint32_t c) const;
+  /// A disk of the chart's tile, in the coordinates of the chart.
+  [[nodiscard]] const Disk& disk(std::uint32_t c) const { return entry(c).disk; }
+
+  /// The chart of a tile whose origin is nearest to the point z of the tile, if that is near.
+  [[nodiscard]] std::optional<std::uint32_t> nearest(std::uint32_t tile, const Complex<Mp1024>& z) const;
+  /// A side of a tile on whose right z lies, other than `entered`, the one through which a walk came; nullopt if z is
+  /// in the tile.
+  [[nodiscard]] std::optional<std::uint32_t> side_before(std::uint32_t tile, const Complex<Mp1024>& z,
+                                                         std::optional<std::uint32_t> entered) const;
+
+ private:
+  struct Entry {
+    Chart chart;
+    Complex<double> centre;  ///< chart.centre, rounded.
+    Disk disk;
+    Isometry<Mp256> unit_frame;
+  };
+  [[nodiscard]] const Entry& entry(std::uint32_t c) const {
+    assert(c < count());
+    return entries_[c];
+  }
+  /// A disk inside of a tile, from its corners, in its coordinates.
+  [[nodiscard]] static Disk disk_inside(std::span<const Complex<double>> tile);
+
+  Surface surface_;
+  std::vector<Complex<double>> corners_;  ///< Of all tiles, by the side that starts there; rounded.
+  std::vector<Disk> disks_;               ///< By tile.
+  std::vector<Entry> entries_;
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> of_tile_;
+};
+
+}  // namespace epsnet

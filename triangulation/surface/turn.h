@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+#include "triangulation/surface/surface.h"
+
+namespace epsnet {
+
+/// A path that turns around a vertex crosses one side after the other of those that end there.
+enum class Turn { counterclockwise, clockwise };
+
+/// The crossing that continues a turn after side s: next to the partner of s in its tile.
+[[nodiscard]] inline std::uint32_t next_crossing(const Surface& surface, std::uint32_t s, Turn turn) {
+  const std::uint32_t partner = surface.partner(s);
+  return turn == Turn::counterclockwise ? surface.next_side(partner) : surface.previous_side(partner);
+}
+
+}  // namespace epsnet
