@@ -8,18 +8,18 @@
 namespace epsnet {
 namespace {
 
-// No walk is longer: a closed geodesic crosses a few triangles per unit of length, and walks across thin collars take
-// some tens of steps.
+// A limit that no walk reaches: a closed geodesic crosses a few triangles per unit of length, and walks across thin
+// collars take some tens of steps.
 constexpr std::size_t kMostSteps = 100'000;
 
-/// What is smaller than this, relative to what it was computed from, is 0: far above the rounding and far below
-/// anything else that a group with closed geodesics of moderate length has.
+/// A value smaller than this, relative to what it was computed from, counts as 0. This is far above the rounding and
+/// far below any other value that occurs in a group with closed geodesics of moderate length.
 template <class T>
 T zero_level() {
   return boost::multiprecision::ldexp(T(1), std::is_same_v<T, Mp256> ? -80 : -200);
 }
 
-/// The Euclidean square.
+/// Returns the Euclidean square.
 template <class T>
 T size2(const LorentzVector<T>& v) {
   return v.x * v.x + v.y * v.y + v.t * v.t;
@@ -35,9 +35,9 @@ bool AxisCatalogue<T>::same_axis(const Isometry<T>& f, const Isometry<T>& g) {
   return size2(lorentz_cross(u, v)) <= level * level * size2(u) * size2(v);
 }
 
-/// A number of an axis, whichever way it is directed: the absolute product of its normal, scaled to Euclidean length 1,
-/// with a fixed vector, rounded. On no line of the symmetries that surfaces have, so that axes rarely have one in
-/// common.
+/// Returns a number of an axis that does not depend on its direction: the absolute product of its normal, scaled to
+/// Euclidean length 1, with a fixed vector, rounded. The vector is on no line of symmetry of common surfaces, so that
+/// axes rarely share a number.
 template <class T>
 double AxisCatalogue<T>::key(const Isometry<T>& f) {
   const Vector normal = axis_normal(f);
@@ -54,7 +54,7 @@ bool AxisCatalogue<T>::axes_cross(const Isometry<T>& f, const Isometry<T>& g) {
   return product * product < isometry_discriminant(f) * isometry_discriminant(g);
 }
 
-/// by ∘ f ∘ by⁻¹, with Re a > 0.
+/// Returns by ∘ f ∘ by⁻¹, with Re a > 0.
 template <class T>
 Isometry<T> AxisCatalogue<T>::conjugate(const Isometry<T>& by, const Isometry<T>& f) {
   const Isometry<T> result = by * f * inverse(by);
@@ -118,7 +118,7 @@ typename AxisCatalogue<T>::Place AxisCatalogue<T>::walk_to_axis(Dart start, cons
   Place place{triangle_of(start), element};
   const Vector x = corners(triangle_of(start))[corner_of(start)];
   const Vector axis = axis_normal(element);
-  // x minus its component along the normal of the axis; its length does not matter.
+  // The point is x minus its component along the normal of the axis; the length of the vector does not matter.
   const T component = lorentz_product(axis, x) / isometry_discriminant(element);
   Vector foot = x + T(-component) * axis;
   std::uint32_t entered = 3;
@@ -126,7 +126,7 @@ typename AxisCatalogue<T>::Place AxisCatalogue<T>::walk_to_axis(Dart start, cons
     const Corners& y = corners(place.triangle);
     std::uint32_t leave = 3;
     for (std::uint32_t i = 0; i < 3 && leave == 3; ++i) {
-      // A foot on an edge or a vertex is in every triangle there.
+      // A foot on an edge or a vertex counts as inside every triangle there.
       const T level = zero_level<T>() * y[i].t * y[next(i)].t * foot.t;
       if (i != entered && lorentz_product(lorentz_cross(y[i], y[next(i)]), foot) < -level) leave = i;
     }
@@ -141,7 +141,7 @@ typename AxisCatalogue<T>::Place AxisCatalogue<T>::walk_to_axis(Dart start, cons
 
 template <class T>
 std::optional<std::uint32_t> AxisCatalogue<T>::find(const Place& place) {
-  // Far above the rounding and the level of same_axis; too large a margin costs time only.
+  // This margin is far above the rounding and the tolerance of same_axis; a margin that is too large only costs time.
   constexpr double kMargin = 1e-12;
   const std::multimap<double, Known>& known = axes_in_[place.triangle];
   const double wanted = key(place.element);
@@ -169,7 +169,7 @@ typename AxisCatalogue<T>::Passage AxisCatalogue<T>::passage(const Place& place)
   }
   if (left[0] == left[1] && left[1] == left[2]) return result;
   const std::uint32_t cut = left[1] == left[2] ? 0 : left[0] == left[2] ? 1 : 2;
-  // The geodesic leaves where the boundary, run through counterclockwise, comes from its right to its left.
+  // The geodesic leaves where the boundary, followed counterclockwise, passes from its right to its left.
   std::uint32_t leave = 0;
   while (left[leave] || !left[next(leave)]) ++leave;
   const T position = side[cut] / (side[cut] - side[next(cut)]);
@@ -197,14 +197,14 @@ Dart AxisCatalogue<T>::way_to_axis(const Place& place, std::uint32_t entered) {
   return leave;
 }
 
-/// One period, from a triangle that contains a point of the axis.
+/// Follows one period, from a triangle that contains a point of the axis.
 template <class T>
 typename AxisCatalogue<T>::Period AxisCatalogue<T>::follow(Place place) {
   Period period;
   std::vector<Step>& steps = period.steps;
   std::uint32_t entered = 3;
   while (steps.size() < kMostSteps) {
-    // Back where it began: the same element, not another lift of the same geodesic.
+    // The period ends with the element that it started with, not with another lift of the same geodesic.
     if (!steps.empty() && place.triangle == steps[0].triangle && same_axis(place.element, steps[0].element))
       return period;
     const Passage here = passage(place);
@@ -237,7 +237,7 @@ std::uint32_t AxisCatalogue<T>::find_or_add(const ReturnPath& path, const Isomet
   if (const auto known = find(place)) return *known;
   Period period = follow(place);
   std::vector<Step>& steps = period.steps;
-  // The place may be a triangle out of which the geodesic was pushed.
+  // The geodesic may have been pushed out of the triangle at this place.
   for (const Step& step : steps) {
     if (const auto known = find({step.triangle, step.element})) return *known;
   }
@@ -246,7 +246,7 @@ std::uint32_t AxisCatalogue<T>::find_or_add(const ReturnPath& path, const Isomet
     for (const Step& step : passed) axes_in_[step.triangle].emplace(key(step.element), Known{number, step.element});
   };
   enter(steps);
-  // Directed the other way it is pushed to the other side, where the inverse of the element will look for it.
+  // In the other direction it is pushed to the other side, where the inverse of the element will find it.
   if (period.meets_vertex) enter(follow({place.triangle, inverse(place.element)}).steps);
   const bool simple = is_simple(steps);
   geodesics_.push_back({displacement_length(element), path, std::move(steps), simple});

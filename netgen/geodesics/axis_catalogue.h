@@ -15,10 +15,10 @@ namespace epsnet {
 
 /// Closed geodesics, each as the triangles that one period of it passes through.
 ///
-/// A closed geodesic is a conjugacy class of the group. In the chart of a triangle that it passes through it is an
-/// element, and the finite list of these pairs (triangle, element), one primitive period, is the same for all elements
-/// of the class. So two elements belong to the same closed geodesic if they do in one triangle: no conjugating element
-/// has to be searched for. Where the geodesic passes through a vertex it is pushed a little to its right.
+/// A closed geodesic is a conjugacy class of the group. In the chart of each triangle that it passes through, it is an
+/// element. The finite list of these pairs (triangle, element) over one primitive period is the same for all elements
+/// of the class. So two elements belong to the same closed geodesic if they do so in one triangle, and no conjugating
+/// element has to be searched for. A geodesic that passes through a vertex is pushed a little to its right.
 ///
 /// T is Mp256, or Mp1024 on surfaces with very short geodesics.
 template <class T>
@@ -33,7 +33,7 @@ class AxisCatalogue {
     std::uint32_t triangle;
     Isometry<T> element;  ///< In the triangle's chart: the translation along the geodesic. Determinant 1, Re a > 0.
     std::uint32_t cut;
-    bool cut_is_left;  ///< The corner cut off lies to the left of the geodesic.
+    bool cut_is_left;  ///< Whether the corner cut off lies to the left of the geodesic.
     T position;  ///< Where it crosses the edge from corner `cut` to the next one: grows with the distance from `cut`.
   };
   struct Geodesic {
@@ -43,21 +43,23 @@ class AxisCatalogue {
     bool simple;
   };
 
-  /// The element of a path: in the chart of the path's first triangle. Determinant 1, Re a > 0.
+  /// Returns the element of a path in the chart of the path's first triangle. Determinant 1, Re a > 0.
   [[nodiscard]] Isometry<T> element(const ReturnPath& path);
 
-  /// The distance of the start of a dart from the axis of an element in the chart of the dart's triangle (hyperbolic).
+  /// Returns the hyperbolic distance of the start of a dart from the axis of an element, which is given in the chart of
+  /// the dart's triangle.
   [[nodiscard]] T distance_from_axis(Dart start, const Isometry<T>& element);
 
-  /// The geodesic of an element of a path: the number of a known one, of which it may be a power or the inverse; else
-  /// it becomes a new one. Roots must come before their powers. Throws NetError if its axis is not found.
+  /// Returns the number of the geodesic of an element of a path. The element may be a power or the inverse of a known
+  /// geodesic; otherwise it becomes a new one. Requires: roots come before their powers. Throws NetError if its axis is
+  /// not found.
   ///
-  /// O(log n) for n axes known in a triangle, and time by the triangles that are walked through.
+  /// O(log n) for n axes known in a triangle, plus time proportional to the triangles on the way.
   std::uint32_t find_or_add(const ReturnPath& path, const Isometry<T>& element);
 
   [[nodiscard]] const std::vector<Geodesic>& geodesics() const { return geodesics_; }
 
-  /// How many pairs of axes were compared so far to find those that are the same.
+  /// Returns how many pairs of axes have been compared so far.
   [[nodiscard]] std::uint64_t comparisons() const { return comparisons_; }
 
  private:
@@ -78,23 +80,23 @@ class AxisCatalogue {
   [[nodiscard]] static Isometry<T> conjugate(const Isometry<T>& by, const Isometry<T>& f);
   [[nodiscard]] const Corners& corners(std::uint32_t t);
   [[nodiscard]] Isometry<T> label(LabelId l);
-  /// A vector carried from the chart of a dart's triangle to that of the triangle across.
+  /// Returns a vector moved from the chart of a dart's triangle to that of the triangle across.
   [[nodiscard]] Vector carried(Dart d, const Vector& x);
-  /// The triangle across a dart, with the element carried there.
+  /// Returns the triangle across a dart, with the element moved there.
   [[nodiscard]] Place beyond(Dart d, const Isometry<T>& element);
   [[nodiscard]] Place walk_to_axis(Dart start, const Isometry<T>& element);
   [[nodiscard]] std::optional<std::uint32_t> find(const Place& place);
   /// How an axis passes through a triangle.
   struct Passage {
     std::optional<Step> step;  ///< Absent if the axis misses the triangle.
-    Dart leave{};              ///< Through which it leaves; with a step only.
+    Dart leave{};              ///< Where it leaves the triangle; valid with a step only.
     bool meets_vertex = false;
   };
   [[nodiscard]] Passage passage(const Place& place);
-  /// Out of a triangle that the axis was pushed out of at a vertex or along an edge: across the edge nearest to it, but
-  /// not back across the edge of corner `entered`.
+  /// Leaves a triangle out of which the axis was pushed at a vertex or along an edge: crosses the edge nearest to the
+  /// axis, but not back across the edge of corner `entered`.
   [[nodiscard]] Dart way_to_axis(const Place& place, std::uint32_t entered);
-  /// One period of an axis.
+  /// Returns one period of an axis.
   struct Period {
     std::vector<Step> steps;
     bool meets_vertex = false;
@@ -104,7 +106,7 @@ class AxisCatalogue {
 
   Triangulation& triangulation_;
   std::vector<Geodesic> geodesics_;
-  std::vector<std::optional<Corners>> corners_;        ///< By triangle, where they were asked for.
+  std::vector<std::optional<Corners>> corners_;        ///< By triangle, once they have been needed.
   std::vector<std::multimap<double, Known>> axes_in_;  ///< By triangle: by `key`.
   std::uint64_t comparisons_ = 0;
 };

@@ -7,7 +7,7 @@
 namespace epsnet {
 namespace {
 
-/// The cells of the triangles, cut along arcs, and which of them hang together.
+/// The cells of the triangles when they are cut along arcs, and which of them are connected.
 class Cells {
  public:
   Cells(const Triangulation& triangulation, const std::vector<std::vector<CornerArc>>& curves)
@@ -27,7 +27,7 @@ class Cells {
   [[nodiscard]] std::uint32_t size() const { return components_.size(); }
   [[nodiscard]] std::uint32_t component(std::uint32_t cell) { return components_.find(cell); }
 
-  /// The cell with `rank` arcs between it and a corner. The central cell is the last one of every corner.
+  /// Returns the cell with `rank` arcs between it and a corner. The central cell is the last one of every corner.
   [[nodiscard]] std::uint32_t at_corner(std::uint32_t t, std::uint32_t corner, std::uint32_t rank) const {
     if (rank == arcs_[t][corner]) return first_[t] + arcs_[t][0] + arcs_[t][1] + arcs_[t][2];
     std::uint32_t cell = first_[t] + rank;
@@ -50,7 +50,7 @@ class Cells {
   }
 
  private:
-  /// The cell beside segment s of a dart.
+  /// Returns the cell beside segment s of a dart.
   [[nodiscard]] std::uint32_t along(Dart d, std::uint32_t s) const {
     const std::uint32_t t = triangle_of(d);
     const std::uint32_t i = corner_of(d);
@@ -68,7 +68,7 @@ class Cells {
 std::vector<certify::GeodesicsDocument::Piece> cut_surface(const Triangulation& triangulation,
                                                            const std::vector<std::vector<CornerArc>>& curves) {
   Cells cells(triangulation, curves);
-  // The curves themselves, circles, have characteristic 0, so that of a piece is that of its interior.
+  // The curves are circles, of characteristic 0, so the characteristic of a piece is that of its interior.
   std::vector<int> characteristic(cells.size());
   for (std::uint32_t cell = 0; cell < cells.size(); ++cell) ++characteristic[cells.component(cell)];
   cells.for_each_segment([&](std::uint32_t cell, std::uint32_t) { --characteristic[cells.component(cell)]; });

@@ -20,18 +20,19 @@
 namespace epsnet {
 namespace {
 
-/// Those of the net for a search. (A function: of the temporary g++ 12 warns that it may be used uninitialized.)
+/// Returns the options of the net for a search. (It is a function because g++ 12 warns that a temporary may be used
+/// uninitialized.)
 NetOptions net_options(const GeodesicsOptions& options) {
   NetOptions result;
   result.progress = options.progress;
   return result;
 }
 
-/// A net, and which of its vertices lie so deep in collars that only the cores pass them.
+/// A net, and which of its vertices are deep: so far inside a collar that only its core and powers pass near them.
 ///
-/// A closed geodesic that is not the core of one of the collars has a point outside of all of them (docs/geodesics.md),
-/// within ε of a vertex v, and its element at v moves v by a distance d with sinh(d/2) ≤ sinh(L/2) cosh ε. If the
-/// collar of the core of a loop edge at v contains the disk of radius ε around v, v is not needed for that.
+/// Every other closed geodesic has a point outside of all collars (docs/geodesics.md). This point is within ε of a
+/// vertex v, and the geodesic's element at v moves v by a distance d with sinh(d/2) ≤ sinh(L/2) cosh ε. If the collar
+/// of the core of a loop at v contains the disk of radius ε around v, no search has to start from v.
 class Search {
  public:
   Search(const Surface& surface, const GeodesicsOptions& options)
@@ -49,7 +50,7 @@ class Search {
     }
   }
 
-  /// Paths to all closed geodesics of length at most `length`, each at least once or as a power.
+  /// Returns paths to all closed geodesics of length at most `length`, each at least once, or a power of it.
   [[nodiscard]] std::vector<ReturnPath> paths(double length) const {
     std::vector<std::uint32_t> vertices;
     for (std::uint32_t v = 0; v < deep_.size(); ++v) {
@@ -76,7 +77,7 @@ class Search {
   }
 
   [[nodiscard]] Triangulation& triangulation() { return triangulation_; }
-  /// The length of the shortest core of a loop edge; infinity if there is no loop edge.
+  /// Returns the length of the shortest core of a loop; infinity if there is no loop.
   [[nodiscard]] double shortest_core() const { return shortest_core_; }
 
  private:
@@ -85,7 +86,7 @@ class Search {
     return triangulation_.corner(t, corner_of(d)).vertex == triangulation_.corner(t, next(corner_of(d))).vertex;
   }
 
-  /// Disks of radius D + 2ε are searched, 2π(cosh − 1) large, on a surface of area 4π(g − 1).
+  /// Disks of radius r = D + 2ε and area 2π(cosh r − 1) are searched, on a surface of area 4π(g − 1).
   void require_feasible(double length, double displacement, std::size_t searches) const {
     constexpr double kMost = 1e11;
     const double copies = (std::cosh(displacement + 2 * epsilon_) - 1) / (2 * (triangulation_.surface().genus() - 1.0));
@@ -102,7 +103,7 @@ class Search {
     const Isometry<Mp1024> g = exact.element(loop);
     const double core = static_cast<double>(displacement_length(g));
     shortest_core_ = std::min(shortest_core_, core);
-    // A little less than 2 arsinh 1 and than the collar's half-width, so that rounding does not matter.
+    // The bounds are a little less than 2 arsinh 1 and the collar's half-width, so that rounding does not matter.
     if (!(core > 0 && core < 2 * std::asinh(1.0) - kMargin)) return;
     const double distance = static_cast<double>(exact.distance_from_axis(loop.start, g));
     if (distance + epsilon_ >= std::asinh(1 / std::sinh(core / 2)) - kMargin) return;
@@ -121,7 +122,7 @@ class Search {
   double shortest_core_ = std::numeric_limits<double>::infinity();
 };
 
-/// All closed geodesics of length at most `up_to`, by length.
+/// Returns all closed geodesics of length at most `up_to`, by length.
 template <class T>
 AxisCatalogue<T> find_all(Search& search, const T& up_to) {
   struct Candidate {
@@ -129,7 +130,7 @@ AxisCatalogue<T> find_all(Search& search, const T& up_to) {
     Isometry<T> element;
     T length;
   };
-  // Equal is not longer: two numbers so close are equal.
+  // A length this close to `up_to` counts as equal, and so as not longer.
   const T most = up_to * (1 + boost::multiprecision::ldexp(T(1), -100));
   AxisCatalogue<T> catalogue(search.triangulation());
   std::vector<Candidate> candidates;
@@ -147,7 +148,7 @@ AxisCatalogue<T> find_all(Search& search, const T& up_to) {
   return catalogue;
 }
 
-/// The word of the loop that a path makes, directed from the vertex to its lift at the end.
+/// Returns the word of a path from a vertex to itself, directed from the vertex to its lift at the end.
 Word word_of(Triangulation& triangulation, const ReturnPath& path) {
   const auto label = [&](Dart d) { return triangulation.corner(triangle_of(d), corner_of(d)).label; };
   LabelId result = label(path.end);
@@ -155,7 +156,7 @@ Word word_of(Triangulation& triangulation, const ReturnPath& path) {
     result = triangulation.product(triangulation.transition(path.darts[i]), result);
   }
   result = triangulation.product(triangulation.inverse(label(path.start)), result);
-  // The value of a word takes coordinates along the path, so points of the path the other way.
+  // The value of a word changes coordinates along the path, so it moves points in the other direction.
   return triangulation.atlas().labels()[triangulation.inverse(result)].word;
 }
 
@@ -171,7 +172,8 @@ certify::GeodesicsDocument::ClosedGeodesic to_document(Triangulation& triangulat
           .simple = geodesic.simple};
 }
 
-/// Runs of overlapping enclosures. Lengths that agree to a hundred bits are claimed to be equal; certify decides.
+/// Returns the runs of overlapping enclosures. Lengths that agree to a hundred bits are claimed to be equal; certify
+/// decides.
 template <class T>
 std::vector<certify::GeodesicsDocument::Cluster> clusters(
     const std::vector<typename AxisCatalogue<T>::Geodesic>& geodesics,
@@ -218,7 +220,7 @@ std::vector<certify::GeodesicsDocument::Piece> pieces(
   return cut_surface(triangulation, curves);
 }
 
-/// The document of all geodesics of length at most `up_to`.
+/// Returns the document of all geodesics of length at most `up_to`.
 template <class T>
 certify::GeodesicsDocument all_geodesics(Search& search, const GeodesicsOptions& options,
                                          certify::GeodesicsDocument::Claim claim, const T& up_to) {
@@ -235,7 +237,7 @@ certify::GeodesicsDocument all_geodesics(Search& search, const GeodesicsOptions&
   return result;
 }
 
-/// The shortest of all geodesics that are not longer than the first bound under which there are any.
+/// Returns a shortest closed geodesic: raises a bound until it finds geodesics below it, and takes the shortest.
 template <class T>
 certify::GeodesicsDocument shortest_geodesic(Search& search, const GeodesicsOptions& options) {
   const std::uint32_t genus = search.triangulation().surface().genus();
@@ -254,7 +256,7 @@ certify::GeodesicsDocument shortest_geodesic(Search& search, const GeodesicsOpti
   }
 }
 
-/// Calls `job` with the arithmetic that the shortest geodesics of the surface ask for.
+/// Calls `job` with the precision that the shortest geodesics of the surface require.
 template <class Job>
 certify::GeodesicsDocument with_search(const Surface& surface, const GeodesicsOptions& options, const Job& job) {
   Search search(surface, options);

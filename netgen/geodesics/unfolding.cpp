@@ -7,18 +7,18 @@
 namespace epsnet {
 namespace {
 
-// Bounds are widened by this, relatively: rounding grows with the number of triangles crossed and stays far below, also
-// 20 units away.
+// Bounds are widened by this share. Rounding grows with the number of triangles crossed, but stays far below it even 20
+// units away.
 constexpr double kSlack = 1e-9;
 
 }  // namespace
 
-/// A triangle on the way, the vertex carried into its chart, and what is left to do there.
+/// A triangle on the way back, the vertex moved into its chart, and the edges that are still to be crossed there.
 struct Unfolding::Visit {
   std::uint32_t triangle;
   std::uint32_t
       entered;  ///< The corner whose dart was crossed on the way in; in the first triangle that of the vertex.
-  std::uint32_t next_edge;  ///< The first edge across which nothing was looked for yet.
+  std::uint32_t next_edge;  ///< The first edge across which the search has not gone yet.
   LorentzVector<double> vertex;
 };
 
@@ -43,7 +43,7 @@ Unfolding::Unfolding(Triangulation& triangulation, double largest_circumradius)
 Unfolding::Cell Unfolding::make_cell(Triangulation& triangulation, std::uint32_t t) {
   Cell cell{};
   for (std::uint32_t i = 0; i < 3; ++i) {
-    // Rounded once: corners may be far away in a triangle that is as long as a collar.
+    // These are computed precisely and rounded once, as corners may be far away in a triangle as long as a collar.
     const auto [vertex, label] = triangulation.corner(t, i);
     const LorentzVector<double> x = on_hyperboloid(triangulation.vertex(vertex).z);
     cell.corner[i] = label == kIdentity ? x : image(triangulation.atlas().isometry(label), x);
@@ -62,7 +62,7 @@ bool Unfolding::is_child(const Visit& parent, std::uint32_t edge, const LorentzV
   const Dart across = triangulation_.opposite(make_dart(parent.triangle, edge));
   const Cell& cell = cells_[triangle_of(across)];
   const double slack = kSlack * carried.t;
-  // What cannot be told counts as yes here and as no there: a triangle may be visited twice, but is not missed.
+  // If binary64 cannot decide, the answer is yes here and no there: a triangle may be visited twice, but is not missed.
   for (std::uint32_t k = 0; k < corner_of(across); ++k) {
     if (lorentz_product(cell.line[k], carried) < -slack) return false;
   }
@@ -90,7 +90,8 @@ void Unfolding::report(const std::vector<Visit>& way, const Search& search, std:
   const double slack = kSlack * here.vertex.t;
   for (std::uint32_t j = 0; j < 3; ++j) {
     if (triangulation_.corner(here.triangle, j).vertex != vertex) continue;
-    // Of the triangles around a lift the one through which it is seen; of two beside an edge to it the one on the left.
+    // A lift is reported by the triangle around it through which it is seen; of two triangles beside an edge that leads
+    // to it, by the one on the left.
     const bool seen = way.size() == 1 ? j == next(here.entered)
                                       : lorentz_product(cell.line[j], here.vertex) >= -slack &&
                                             lorentz_product(cell.line[previous(j)], here.vertex) >= -slack;

@@ -10,21 +10,21 @@
 
 namespace epsnet {
 
-/// A way through the triangulation from a vertex to a lift of the same vertex, which names an element of the group: the
-/// one that takes the vertex's lift at the start to the one at the end.
+/// A path through the triangulation from a vertex to a lift of the same vertex. It determines the element of the group
+/// that takes the vertex's lift at the start to the one at the end.
 struct ReturnPath {
   Dart start;               ///< Leaves the vertex; its triangle is the first.
   std::vector<Dart> darts;  ///< Crossed one after the other, each a dart of the triangle that is left.
-  Dart end;                 ///< Of the last triangle; leaves the lift of the vertex.
+  Dart end;                 ///< A dart of the last triangle; leaves the lift of the vertex.
 };
 
 /// The lifts of a Delaunay triangulation around one of its vertices, in binary64.
 ///
 /// Triangles are visited by reverse search (Avis, Fukuda): the parent of a lifted triangle is the one across the first
-/// of its edges whose line separates it from the vertex. Nothing is stored but the way back. In a Delaunay
-/// triangulation parents come to an end at the vertex (the visibility walk, thesis Theorem II.1), and the power of the
-/// vertex with respect to their circumcircles does not increase on the way there, which bounds the search. The visited
-/// triangle stays in its chart, and the vertex is carried into it: most steps are steps between triangles of one chart.
+/// of its edges whose line separates it from the vertex. Only the way back is stored. In a Delaunay triangulation the
+/// chain of parents ends at the vertex (the visibility walk, thesis Theorem II.1), and the power of the vertex with
+/// respect to their circumcircles does not increase on the way there, which bounds the search. The visited triangle
+/// stays in its chart, and the vertex is moved into that chart; most steps are between triangles of one chart.
 class Unfolding {
  public:
   /// Keeps a reference to the triangulation, and evaluates everything once. `largest_circumradius` bounds the
@@ -32,14 +32,14 @@ class Unfolding {
   Unfolding(Triangulation& triangulation, double largest_circumradius);
 
   struct Search {
-    double displacement;  ///< Lifts as far away as this are reported (hyperbolic distance).
-    double translation;   ///< Of those the ones whose element has a translation length of at most this.
+    double displacement;  ///< Lifts within this hyperbolic distance are reported,
+    double translation;   ///< if their element has at most this translation length.
   };
 
-  /// The ways to all lifts of a vertex that `search` asks for, not the vertex itself; from each pair of inverse
-  /// elements mostly one, ways to the same lift perhaps twice. Bounds are taken a little larger than given, so none is
-  /// missed to rounding. Time about the area of a disk of the radius `displacement` and two circumradii, in triangles.
-  /// Thread-safe. `tick`, if given, is called now and then.
+  /// Returns paths to all lifts of a vertex that `search` asks for, except to the vertex itself. Of each pair of
+  /// inverse elements mostly one is reported; a lift may be reported twice. Bounds are taken a little larger than
+  /// given, so that rounding misses none. The time is about the number of triangles in a disk whose radius is
+  /// `displacement` plus two circumradii. Thread-safe. `tick`, if given, is called occasionally.
   [[nodiscard]] std::vector<ReturnPath> returns(std::uint32_t vertex, const Search& search,
                                                 const std::function<void()>& tick = {}) const;
 

@@ -41,7 +41,7 @@ void enclose(const BoundRequest& request, MakeBound make) {
   {
     ProgressLine progress;
     certify::CheckOptions options;
-    options.max_work = std::numeric_limits<std::uint64_t>::max();  // It was made here.
+    options.max_work = std::numeric_limits<std::uint64_t>::max();  // No limit, as the document was made here.
     options.progress = progress.shower("certificate: ");
     certificate = certify::check_bound(document, options);
   }

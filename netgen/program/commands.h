@@ -50,60 +50,63 @@ void add_convert_command(CLI::App& app, Job& chosen);
 
 // Options that several commands have.
 
-/// A file to read, required. `name` is that of the argument, such as NET.
+/// Adds a required argument, a file to read. `name` is that of the argument, such as NET.
 void add_input(CLI::App& command, const char* name, std::string& path, const char* what);
-/// An option with a file to read or to write.
+/// Adds an option with a file to read or to write.
 CLI::Option* add_file(CLI::App& command, const char* option, std::string& path, const std::string& what);
-/// -o FILE, required. `what` says what is written.
+/// Adds the required option -o FILE. `what` describes the file.
 void add_output(CLI::App& command, std::string& output, const char* what);
-/// --json: the report as one JSON object.
+/// Adds --json: the report as one JSON object.
 void add_json(CLI::App& command, bool& json);
-/// --threads N.
+/// Adds --threads N.
 void add_threads(CLI::App& command, unsigned& threads);
-/// The point that --base, or another option, names: "tile,x,y", or "tile": the centre of the tile. Throws UsageError.
+/// Returns the point that --base, or another option, names: "tile,x,y", or "tile": the centre of the tile. Throws
+/// UsageError.
 [[nodiscard]] BasePoint parse_base(const std::string& text, const Surface& surface,
                                    const std::string& option = "--base");
 /// The help text for a point of a surface file or a net file.
 inline constexpr const char* kPointHelp =
     "a point: T,X,Y of tile T, exact, or T alone for its centre; for a net file also vN, vertex N, or tN:A,B,C, the "
     "point of triangle N with these weights on its corners in the hyperboloid model";
-/// A required argument that is a point.
+/// Adds a required argument that is a point.
 void add_point(CLI::App& command, const char* name, std::string& text, const std::string& what);
 /// Returns the point named by an argument or by a line of a file. Throws UsageError if the text names no point,
 /// JobError if the file has no such tile, vertex or triangle. Both messages begin with `name`.
 [[nodiscard]] BasePoint parse_point(const std::string& name, const std::string& text, const SurfaceOrNet& input);
 /// Returns the number in "v17", for the letter v; nullopt for any other text.
 [[nodiscard]] std::optional<std::uint32_t> number_after(char letter, std::string_view text);
-/// A number of the command line as files have it: ".5" is "0.5" and "-.5" is "-0.5". Any other text stays as it is.
+/// Returns a number of the command line in the form of files: "0.5" for ".5" and "-0.5" for "-.5". Any other text is
+/// returned unchanged.
 [[nodiscard]] std::string with_leading_zero(const std::string& number);
-/// The value of an option that is a positive length. Throws UsageError, which names the option.
+/// Returns the value of an option that is a positive length. Throws UsageError, which names the option.
 [[nodiscard]] Length parse_length(const std::string& option, const std::string& text);
-/// --geodesics FILE.
+/// Adds --geodesics FILE.
 void add_geodesics(CLI::App& command, std::string& file);
-/// Facts of info.h as a report.
+/// Returns facts of info.h as a report.
 [[nodiscard]] inline Report facts_report(const Facts& facts) { return {facts.text, facts.json}; }
-/// The facts proved by the certificate of a net.
+/// Returns the facts proved by the certificate of a net.
 [[nodiscard]] Report certificate_report(const certify::Certificate& certificate);
-/// The contents of a geodesics file, as lines and as an object.
+/// Returns the contents of a geodesics file, as lines and as an object.
 [[nodiscard]] Report geodesics_report(const certify::GeodesicsDocument& document);
-/// The contents of a bound file, as lines and as an object.
+/// Returns the contents of a bound file, as lines and as an object.
 [[nodiscard]] Report bound_report(const certify::BoundDocument& document);
-/// A distance and words of the shortest geodesics, as lines and as an object.
+/// Returns a distance and the words of the shortest geodesics, as lines and as an object.
 [[nodiscard]] Report distance_report(const certify::DistanceDocument& document,
                                      const std::vector<std::vector<std::uint32_t>>& words);
-/// The closed geodesics of a geodesics file about the net's surface as a layer of a picture. Throws JobError, and the
-/// exceptions of the reader.
+/// Returns the closed geodesics of a geodesics file about the net's surface, as layers of a picture. Throws JobError,
+/// and the exceptions of the reader.
 [[nodiscard]] std::vector<Layer> load_geodesics_layers(const std::string& file, const certify::NetDocument& net);
-/// For an option with a whole number, least and most included. CLI11's own words for it differ between versions.
+/// Returns a validator for a whole number from least to most, both included. CLI11's own has messages that differ
+/// between versions.
 [[nodiscard]] CLI::Validator integer_between(std::uint64_t least, std::uint64_t most);
-/// For an option with named values, in the order in which an error lists them.
+/// Returns a validator for an option with named values, in the order in which an error lists them.
 template <class T>
 [[nodiscard]] CLI::Validator one_of(std::vector<std::pair<std::string, T>> choices) {
   return {[choices = std::move(choices)](std::string& text) {
             std::string expected;
             for (const auto& [name, value] : choices) {
               if (text == name) {
-                text = std::to_string(static_cast<int>(value));  // What CLI11 reads a T from.
+                text = std::to_string(static_cast<int>(value));  // CLI11 reads a T from this.
                 return std::string();
               }
               expected += (expected.empty() ? "" : ", ") + name;
@@ -112,7 +115,7 @@ template <class T>
           },
           ""};
 }
-/// The value of --epsilon.
+/// Returns the value of --epsilon.
 [[nodiscard]] inline Length parse_epsilon(const std::string& text) { return parse_length("--epsilon", text); }
 
 }  // namespace epsnet::program

@@ -28,7 +28,7 @@ struct DistanceRequest {
   bool json = false;
 };
 
-/// The paths from P to Q, whichever of the two the distance was measured from.
+/// Returns the paths from P to Q, even if the distance was measured from Q.
 std::vector<Word> words_from(const BasePoint& q, const Surface& surface, const certify::DistanceDocument& document) {
   if (document.point == certify::DistanceDocument::Point{q.tile, to_gmp(q.z)}) return document.paths;
   std::vector<Word> words;
@@ -46,7 +46,7 @@ void measure_distance(const DistanceRequest& request) {
   const certify::DistanceDocument document =
       distance(input.surface, p, q, {.width = static_cast<double>(width.value())});
   certify::CheckOptions options;
-  options.max_work = std::numeric_limits<std::uint64_t>::max();  // It was made here.
+  options.max_work = std::numeric_limits<std::uint64_t>::max();  // No limit, as the document was made here.
   const certify::Certificate certificate = certify::check_distance(document, options);
   if (certificate.verdict != certify::Verdict::verified) {
     throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");

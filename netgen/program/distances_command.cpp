@@ -31,7 +31,7 @@ struct DistancesRequest {
   unsigned threads = 0;
 };
 
-/// The vertices that "all", or "v0,v5-v9", names, in that order.
+/// Returns the vertices that "all", or a text such as "v0,v5-v9", names, in that order.
 std::vector<std::uint32_t> parse_vertices(const std::string& option, const std::string& text,
                                           const certify::NetDocument& net) {
   const std::size_t count = net.vertices.size();
@@ -74,7 +74,7 @@ std::string gigabytes(double bytes) {
   return out.str();
 }
 
-/// Throws JobError if the table is larger than the machine's memory: before the work, not after it.
+/// Throws JobError if the table is larger than the machine's memory. Called before the work, not after it.
 void require_memory(std::size_t rows, std::size_t columns) {
   struct sysinfo machine = {};
   if (sysinfo(&machine) != 0) return;

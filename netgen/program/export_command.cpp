@@ -23,7 +23,7 @@ struct ExportRequest {
   std::string distance_from;
 };
 
-/// What can be exported of what a file holds.
+/// The contents of a file that can be exported.
 using Exportable = std::variant<Surface, certify::NetDocument>;
 Exportable exportable(Contents contents, const std::string& file) {
   if (auto* surface = std::get_if<Surface>(&contents)) return std::move(*surface);
@@ -58,7 +58,7 @@ FileType file_type(ExportFormat format) {
   }
 }
 
-/// What writes the format of a net, rounded; none for the exact formats.
+/// Returns the function that writes a net in a rounded format; none for the exact formats.
 std::function<void(const certify::NetDocument&, std::ostream&)> mesh_writer(ExportFormat format) {
   switch (format) {
     case ExportFormat::off:
@@ -76,7 +76,7 @@ std::function<void(const certify::NetDocument&, std::ostream&)> mesh_writer(Expo
   }
 }
 
-/// The distances from a vertex of a net to all.
+/// Returns the distances from a vertex of a net to all vertices.
 VertexData distances_to_vertices(const ExportRequest& request, const certify::NetDocument& net) {
   const auto vertex = number_after('v', request.distance_from);
   if (!vertex) {

@@ -39,7 +39,7 @@ std::string word_text(const std::vector<std::uint32_t>& word) {
   return result;
 }
 
-/// "name: value" lines of a systole; a row for each geodesic else.
+/// Returns "name: value" lines for a systole, otherwise a row for each geodesic.
 std::string geodesics_text(const GeodesicsDocument& document) {
   std::ostringstream out;
   if (document.claim == certify::GeodesicsDocument::Claim::systole) {
@@ -110,12 +110,12 @@ Json geodesics_json(const GeodesicsDocument& document) {
   return result;
 }
 
-/// Throws JobError unless all of it is verified.
+/// Throws JobError unless every rule is verified.
 void certify_geodesics(const GeodesicsDocument& document, unsigned threads) {
   ProgressLine progress;
   certify::CheckOptions options;
   options.threads = threads;
-  options.max_work = std::numeric_limits<std::uint64_t>::max();  // A list made here takes as long as was asked for.
+  options.max_work = std::numeric_limits<std::uint64_t>::max();  // No limit, as the list was made here.
   options.progress = progress.shower("certificate: ");
   const certify::Certificate certificate = certify::check_geodesics(document, options);
   if (certificate.verdict != certify::Verdict::verified) {

@@ -60,7 +60,7 @@ void import_net(const ImportNetRequest& request) {
     throw JobError(input.name + ": " + error.what());
   }
   const certify::Certificate certificate = certificate_of(net, request.check);
-  // Whatever the verdict: to know it is what the command is for, and the file is what it is about.
+  // The file is written whatever the verdict, as the command is for finding the verdict of the file.
   write_output(request.output, [&](std::ostream& out) { write_net_file(net, request.output, out); });
   write_report(import_report(certificate), request.json, is_stdout(request.output));
   const std::string why = input.name + ": " + certify::verdict_line(certificate);

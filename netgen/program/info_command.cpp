@@ -16,7 +16,7 @@ struct InfoRequest {
   bool json = false;
 };
 
-/// What is said of each kind of contents.
+/// The report for each kind of contents.
 struct InfoOf {
   Report operator()(const Surface& surface) const { return facts_report(surface_info(surface)); }
   Report operator()(const certify::NetDocument& net) const { return facts_report(net_info(net)); }

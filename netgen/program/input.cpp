@@ -16,7 +16,7 @@
 namespace epsnet::program {
 namespace {
 
-/// Stops at the member "format" of the outermost object, wherever it is, and keeps no other.
+/// Finds the member "format" of the outermost object, wherever it is, then stops; stores nothing else.
 class FormatFinder : public nlohmann::json_sax<Json> {
  public:
   std::optional<std::string> format;
@@ -54,7 +54,7 @@ bool is_json(const std::string& text) {
   return first != std::string::npos && (text[first] == '{' || text[first] == '[');
 }
 
-/// How readers of texts call a file, which add the line: "NAME:LINE: ".
+/// Returns the name of a file for readers of texts, which add the line: "NAME:LINE: ".
 std::string text_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
 }  // namespace

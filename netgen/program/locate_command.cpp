@@ -20,7 +20,7 @@ struct LocateRequest {
   bool json = false;
 };
 
-/// Points of the command line and of the file, with what messages call them.
+/// Returns the points of the command line and of the file, with their names in messages.
 std::vector<PointText> points_of(const LocateRequest& request) {
   std::vector<PointText> points;
   for (const std::string& text : request.points) points.push_back({"P", text});
@@ -74,7 +74,7 @@ void locate_points(const LocateRequest& request) {
         return location_report(point.text, locator.locate(parse_point(point.name, point.text, input)), net);
       } catch (const UsageError& error) {
         if (point.name == "P") throw;
-        throw JobError(error.what());  // It is in a file.
+        throw JobError(error.what());  // The point is in a file, so this is not a usage error.
       }
     }();
     report.text += found.text;

@@ -20,20 +20,20 @@
 #include "netgen/program/parse_error.h"
 #include "triangulation/surface/error.h"
 
-/// The program `epsnet`: makes surfaces, computes and certifies nets, draws them, and says what is in files.
+/// The program `epsnet`: makes surfaces, computes and certifies nets, draws them, and describes files.
 namespace {
 
 using namespace epsnet;
 using namespace epsnet::program;
 
-// Nothing but these is ever returned.
+// The only exit codes.
 constexpr int kExitFine = 0;
 constexpr int kExitFailed = 1;
 constexpr int kExitUndecided = 2;
 constexpr int kExitUsage = 64;
 constexpr int kExitInternal = 70;
 
-/// One line: no text of a file or of the command line can start another.
+/// Returns a text on one line, so that no text of a file or of the command line can start another line.
 std::string one_line(std::string_view text) {
   std::string result(text);
   for (char& c : result) {
@@ -57,7 +57,8 @@ constexpr bool kLimitMemory = !__has_feature(address_sanitizer);
 constexpr bool kLimitMemory = true;
 #endif
 
-/// Memory that the machine does not have makes std::bad_alloc and one clear line, not the end of other programs.
+/// Limits memory to that of the machine, so that a lack of it gives std::bad_alloc and one clear line, and does not end
+/// other programs.
 void limit_memory() {
   if (!kLimitMemory) return;
   struct sysinfo machine = {};
@@ -137,7 +138,7 @@ int run(int argc, char** argv) {
   }
 }
 
-/// The end for everything that cannot be caught: GMP and FLINT out of memory, std::terminate, a crash.
+/// Ends the program after what cannot be caught: GMP and FLINT out of memory, std::terminate, a crash.
 /// Async-signal-safe.
 [[noreturn]] void end_on_signal(int) {
   remove_temporary_files();
@@ -146,11 +147,12 @@ int run(int argc, char** argv) {
   _exit(kExitInternal);
 }
 
-/// Interrupted: nothing stays behind, and whoever waits for the program sees the signal. Async-signal-safe.
+/// Ends the program after an interrupt: no temporary file stays behind, and a process that waits for this one sees the
+/// signal. Async-signal-safe.
 void end_interrupted(int signal) {
   remove_temporary_files();
   std::signal(signal, SIG_DFL);
-  static_cast<void>(raise(signal));  // Comes when this handler returns.
+  static_cast<void>(raise(signal));  // Delivered when this handler returns.
 }
 
 }  // namespace
@@ -158,10 +160,10 @@ void end_interrupted(int signal) {
 int main(int argc, char** argv) {
   for (const int signal : {SIGABRT, SIGFPE, SIGSEGV, SIGBUS, SIGILL}) std::signal(signal, end_on_signal);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM}) {
-    // What is ignored stays ignored: nohup.
+    // Ignored signals stay ignored, for nohup.
     if (std::signal(signal, end_interrupted) == SIG_IGN) std::signal(signal, SIG_IGN);
   }
-  // Errors of writing, then, with a message.
+  // With these signals ignored, writing fails with an error, which gives a message.
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
   std::ios::sync_with_stdio(false);
   limit_memory();

@@ -28,7 +28,7 @@ namespace {
 
 class Stopwatch {
  public:
-  /// Seconds since the construction or the last call.
+  /// Returns the seconds since the construction or the last call.
   double lap() {
     const auto now = std::chrono::steady_clock::now();
     const double seconds = std::chrono::duration<double>(now - start_).count();
@@ -54,7 +54,7 @@ struct NetRequest {
   NetOptions options;
 };
 
-/// A point of a file, strictly inside of its tile.
+/// Reads a point of a file, which must be strictly inside its tile.
 BasePoint parse_given_point(const PointText& point, const Surface& surface) {
   try {
     BasePoint result = parse_base(point.text, surface, point.name);
@@ -67,7 +67,7 @@ BasePoint parse_given_point(const PointText& point, const Surface& surface) {
   }
 }
 
-/// Which points are too close, up to the number.
+/// Returns the message about two points that are too close, without the value of ε at its end.
 std::string close_points_message(const ClosePointsError& error, const NetOptions& options,
                                  const std::vector<PointText>& points) {
   const auto name = [&](std::uint32_t vertex) {
@@ -78,7 +78,7 @@ std::string close_points_message(const ClosePointsError& error, const NetOptions
   return name(error.first()) + " and " + name(error.second()) + " are not farther from each other than epsilon = ";
 }
 
-/// Processor time of all threads so far.
+/// Returns the processor time of all threads so far.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 struct PhaseTimes {
@@ -89,7 +89,7 @@ struct PhaseTimes {
   double writing = 0;
 };
 
-/// "2.41", or "-" where there is nothing to divide by.
+/// Returns a quotient such as "2.41", or "-" if the divisor is 0.
 std::string ratio_text(double part, double whole) {
   if (whole == 0) return "-";
   std::ostringstream out;
@@ -189,7 +189,7 @@ UncertifiedNet compute(const Surface& surface, const Length& epsilon, NetOptions
   return compute_net(surface, epsilon, options);
 }
 
-/// The certificate of a verified net. Throws JobError for any other.
+/// Returns the certificate of a net. Throws JobError unless it is verified.
 certify::Certificate certify_net(const certify::NetDocument& net, certify::CheckOptions options) {
   ProgressLine progress;
   options.progress = progress.shower("certificate: ");

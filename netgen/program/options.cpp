@@ -17,7 +17,7 @@ namespace epsnet::program {
 
 namespace {
 
-/// A path that is empty is a mistake, such as a shell variable that is not set; so is an option in its place.
+/// Refuses an empty path, which is a mistake such as an unset shell variable, and an option in place of a path.
 CLI::Validator path_given() {
   return {[](const std::string& path) -> std::string {
             if (path.empty()) return "the path is empty";
@@ -77,7 +77,7 @@ std::string with_leading_zero(const std::string& number) {
 
 Length parse_length(const std::string& option, const std::string& text) {
   try {
-    // A negative one is quoted as it was given.
+    // A negative number is quoted as it was given.
     return Length(text.starts_with('-') ? text : with_leading_zero(text));
   } catch (const std::invalid_argument& error) {
     throw UsageError(option + ": " + error.what());
@@ -133,7 +133,7 @@ std::optional<std::uint32_t> number_after(char letter, std::string_view text) {
 
 namespace {
 
-/// "t12:1/3,1/3,1/3".
+/// A point given as in "t12:1/3,1/3,1/3".
 struct TriangleWeights {
   std::uint32_t triangle;
   std::array<Rational, 3> weights;

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 struct TypeOfFile {
   FileType type;
-  std::vector<std::string> extensions;  ///< The first is the usual one. None: any that is not of another type.
+  std::vector<std::string> extensions;  ///< The first is the usual one. Empty: any that is not of another type.
   std::string what;
 };
 
@@ -54,7 +54,7 @@ const TypeOfFile& type_of_file(FileType type) {
   return *std::find_if(types.begin(), types.end(), [&](const TypeOfFile& t) { return t.type == type; });
 }
 
-/// In small letters; none of a directory, which is to be refused as such.
+/// Returns the extension in lower case; none for a directory, which is refused for being one.
 std::string extension_of(const std::string& path) {
   std::error_code error;
   if (is_stdout(path) || fs::is_directory(path, error)) return "";
@@ -63,7 +63,7 @@ std::string extension_of(const std::string& path) {
   return result;
 }
 
-/// The type of which alone an extension is, if there is one.
+/// Returns the type of an extension that belongs to only one type.
 const TypeOfFile* type_of_extension(const std::string& extension) {
   for (const TypeOfFile& type : types_of_files()) {
     if (std::find(type.extensions.begin(), type.extensions.end(), extension) != type.extensions.end()) return &type;
@@ -84,7 +84,7 @@ void check_extension(const OutputFile& output) {
                    (other != nullptr ? "; " + extension + " is for " + other->what : ""));
 }
 
-/// What there is at a path, however it is spelled.
+/// The identity of the file at a path, however the path is spelled.
 struct Identity {
   struct stat status = {};
   bool exists = false;
@@ -108,7 +108,7 @@ bool are_one(const Identity& a, const Identity& b) {
   return !a.exists && !b.exists && !a.would_be.empty() && a.would_be == b.would_be;
 }
 
-/// "--output (x.json)".
+/// Returns a name such as "--output (x.json)".
 std::string named(const std::string& option, const std::string& path) {
   return option + (path == "-" ? "" : " (" + path + ")");
 }
@@ -147,7 +147,7 @@ void check_files(const std::vector<InputFile>& inputs, const std::vector<OutputF
     stdout_taken = stdout_taken || is_stdout(output.path);
     check_extension(output);
   }
-  // Where the report goes.
+  // The report goes to standard output, unless a file does.
   if (!stdout_taken) outputs.push_back({"standard output", "-", FileType::text});
 
   std::vector<Identity> written;
@@ -156,7 +156,7 @@ void check_files(const std::vector<InputFile>& inputs, const std::vector<OutputF
     for (std::size_t k = 0; k < i; ++k) {
       if (is_stdout(outputs[i].path) && is_stdout(outputs[k].path))
         throw UsageError(outputs[k].option + " and " + outputs[i].option + " cannot both be standard output");
-      // A device such as /dev/null loses nothing that it was not to lose.
+      // Several outputs may go to a device such as /dev/null.
       if (are_one(written[i], written[k]) && !S_ISCHR(written[i].status.st_mode))
         throw UsageError(named(outputs[k].option, outputs[k].path) + " and " +
                          named(outputs[i].option, outputs[i].path) + " are one file");

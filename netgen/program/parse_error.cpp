@@ -6,7 +6,8 @@
 namespace epsnet::program {
 namespace {
 
-/// How many letters have to be inserted, deleted, replaced or swapped with the next one (optimal string alignment).
+/// Returns how many letters must be inserted, deleted, replaced or swapped with the next one (optimal string
+/// alignment).
 std::size_t typing_errors(const std::string& a, const std::string& b) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) {
@@ -23,7 +24,7 @@ std::size_t typing_errors(const std::string& a, const std::string& b) {
   return d[a.size()][b.size()];
 }
 
-/// "; did you mean NAME?" if one of the names is near, or starts with what was typed.
+/// Returns "; did you mean NAME?" if one of the names is near, or starts with the typed text.
 std::string suggestion(const std::string& typed, const std::vector<std::string>& names) {
   constexpr std::size_t kLongest = 40;
   if (typed.empty() || typed.size() > kLongest) return "";
@@ -59,13 +60,13 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
-/// The innermost command that was named.
+/// Returns the innermost command that was named.
 const CLI::App& innermost(const CLI::App& app) {
   const auto commands = app.get_subcommands();
   return commands.empty() ? app : innermost(*commands.front());
 }
 
-/// "net: ", or nothing for the program itself.
+/// Returns a prefix such as "net: "; empty for the program itself.
 std::string place(const CLI::App& app, const CLI::App& command) {
   std::string result;
   for (const CLI::App* at = &command; at != &app; at = at->get_parent()) result = at->get_name() + ' ' + result;
@@ -78,7 +79,7 @@ std::string in_double_quotes(const std::string& text) {
   return '"' + text.substr(0, kShown) + (text.size() > kShown ? "..." : "") + '"';
 }
 
-/// "net, surface or info".
+/// Returns a list such as "net, surface or info".
 std::string listed(const std::vector<std::string>& names) {
   std::string result;
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -93,7 +94,7 @@ constexpr const char* kHelp = " (try --help)";
 std::string explained(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = innermost(app);
   const std::string where = place(app, command);
-  // A name that is unknown comes first: a mistyped option is also one that is missing.
+  // Unknown names are reported first, as a mistyped option is also a missing one.
   const std::vector<std::string> commands = command_names(command);
   for (const std::string& word : command.remaining()) {
     if (!commands.empty() && !word.starts_with('-'))
@@ -117,7 +118,7 @@ std::string explained(const CLI::App& app, const CLI::ParseError& error) {
   }
   std::string text = error.what();
   if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) {
-    // "Could not convert: OPTION = TEXT": all that is converted are whole numbers.
+    // "Could not convert: OPTION = TEXT": only whole numbers are converted.
     const std::size_t colon = text.find(": ");
     if (colon != std::string::npos) text = text.substr(colon + 2);
     text += ": not a whole number that the option can take";

@@ -8,7 +8,7 @@
 namespace epsnet::program {
 namespace {
 
-/// Owns what a C library made.
+/// Owns an object of a C library.
 template <class T, auto release>
 struct Releaser {
   void operator()(T* object) const { release(object); }
@@ -29,7 +29,7 @@ std::string png_of_svg(const std::string& svg, std::uint32_t size) {
   GError* error = nullptr;
   const Owned<GInputStream, g_object_unref> stream(
       g_memory_input_stream_new_from_data(svg.data(), static_cast<gssize>(svg.size()), nullptr));
-  // Unlimited: a path of a fine net is a text node of more than 10 MB.
+  // No limit, as a path of a fine net is a text node of more than 10 MB.
   const Owned<RsvgHandle, g_object_unref> picture(
       rsvg_handle_new_from_stream_sync(stream.get(), nullptr, RSVG_HANDLE_FLAG_UNLIMITED, nullptr, &error));
   if (!picture) fail(error);

@@ -5,7 +5,7 @@
 
 namespace epsnet::program {
 
-/// The PNG file of an SVG picture of size × size pixels, on white (librsvg). Throws JobError.
+/// Returns the PNG file of an SVG picture of size × size pixels, on white (librsvg). Throws JobError.
 [[nodiscard]] std::string png_of_svg(const std::string& svg, std::uint32_t size);
 
 }  // namespace epsnet::program

@@ -42,8 +42,8 @@ struct FenchelNielsenCommand {
   bool json = false;
 };
 
-/// Runs `make`; what is wrong in what it makes is the fault of the file, if there is one, or else of the command line.
-/// `of_file` says of a member of the request whether it comes from the file.
+/// Runs `make` and attributes its errors to the file, if there is one, otherwise to the command line. `of_file` returns
+/// whether a member of the request comes from the file.
 template <class Make, class OfFile>
 auto blaming_the_source(const std::string& file, const OfFile& of_file, const Make& make) {
   try {
@@ -73,7 +73,7 @@ void make_fenchel_nielsen(FenchelNielsenCommand command) {
   const Surface surface = blaming_the_source(name, of_file, [&] {
     if (!command.file.empty()) {
       request = parse_fenchel_nielsen(read_text_input(command.file).text);
-      // The command line comes before the file.
+      // The command line takes precedence over the file.
       if (!given.graph.empty()) request.graph = given.graph;
       if (given.genus) request.genus = given.genus;
       if (given.seed) request.seed = given.seed;
@@ -92,7 +92,7 @@ void make_regular(const SurfaceRequest& request) {
 
 using Octagon = std::array<Complex<Rational>, 4>;
 
-/// The value of --coordinates. Throws UsageError.
+/// Returns the value of --coordinates. Throws UsageError.
 Octagon parse_coordinates(const std::string& text) {
   std::vector<Rational> numbers;
   for (std::size_t start = 0; start <= text.size();) {
@@ -114,7 +114,7 @@ Octagon parse_coordinates(const std::string& text) {
   return {{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}, {numbers[4], numbers[5]}, {numbers[6], numbers[7]}}};
 }
 
-/// What z3 would have to be for the octagon to close up; empty if that does not help.
+/// Returns a hint: the z3 with which the octagon would close up; empty if there is none.
 std::string closing_hint(const Octagon& half) {
   const std::optional<Octagon> closed = closed_up(half);
   if (!closed || *closed == half) return "";

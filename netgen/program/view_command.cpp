@@ -24,10 +24,11 @@ struct ViewRequest {
   certify::CheckOptions check;
 };
 
-/// Beyond, a page would take seconds more.
+/// With more vertices a page would take seconds longer.
 constexpr std::size_t kMostVerticesWithDistances = 100'000;
 
-/// The distances of all vertices from vertex 0, for a colouring; none where they cannot be had, which `report` says.
+/// Returns the distances of all vertices from vertex 0, for a colouring; none if they cannot be computed, and then
+/// `report` says so.
 std::vector<double> distances_from_0(const certify::NetDocument& net,
                                      const std::optional<certify::Certificate>& certificate, Report& report) {
   std::vector<double> result;
