@@ -19,14 +19,14 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Without its anchor, and the surface that is made of it.
+/// A stream without its anchor, and the surface that is made of it.
 void expect_found(TriangulationStream stream) {
   const Surface before = develop(stream, "before");
   stream.anchors.clear();
   const TriangulationStream::Anchor anchor = find_anchor(stream, "f.txt");
   EXPECT_EQ(anchor.points[0], (Complex<Rational>{0, 0}));
   const Surface after = develop(stream, "f.txt");
-  // Cross-ratios and lengths, which cross-ratios do not give without the disk, are exactly the same.
+  // Cross-ratios are exactly the same, and so are lengths, which cross-ratios alone do not determine.
   EXPECT_EQ(triangulation_stream(after).edges, triangulation_stream(before).edges);
   for (std::uint32_t t = 0; t < before.tiles().size(); ++t) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -92,7 +92,7 @@ TEST(AnchorSearch, SaysThatThereIsNoDisk) {
 }
 
 /// A symmetric octagon with rational vertices in the disk of radius √ρ, as a triangulation: its cross-ratios are in
-/// Q(i), whatever ρ is, but only where ρ is a sum of two squares there are rational points in the unit disk with them.
+/// Q(i) for every ρ, but rational points in the unit disk have these cross-ratios only if ρ is a sum of two squares.
 TriangulationStream octagon_of_square_radius(const Rational& rho) {
   using Point = Complex<Rational>;
   const Point one{1, 0};
@@ -140,7 +140,7 @@ TEST(AnchorSearch, SaysWhereThereIsNoRationalDisk) {
 }
 
 TEST(AnchorSearch, SaysWhatToWriteWhereNoneIsFound) {
-  // The norm of a Gaussian integer with prime factors of 100 digits that no cross-ratio tells apart: nobody factors it.
+  // The norm of a Gaussian integer with prime factors of 100 digits that no cross-ratio separates cannot be factored.
   const Integer p = norm(Complex<Integer>{boost::multiprecision::pow(Integer(10), 50) + 9, 4});
   const Integer q = norm(Complex<Integer>{boost::multiprecision::pow(Integer(10), 50) + 57, 10});
   EXPECT_THAT(complaint(octagon_of_square_radius(Rational(p * q, boost::multiprecision::pow(Integer(10), 200)))),

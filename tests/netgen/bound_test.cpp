@@ -31,12 +31,12 @@ using test::any_index;
 using test::any_share;
 using testing::HasSubstr;
 
-/// The outcome of the checker; "VERIFIED" if all is well.
+/// Returns the outcome of the checker: "VERIFIED", or the reason for another verdict.
 std::string verdict(const BoundDocument& document) {
   return certify::verdict_line(certify::check_bound(document, {.threads = 1, .max_work = std::uint64_t{1} << 50}));
 }
 
-/// A random point strictly inside of a random tile.
+/// Returns a random point strictly inside a random tile.
 BasePoint any_place(const Surface& surface) {
   const std::uint32_t tile = any_index(static_cast<std::uint32_t>(surface.tiles().size()));
   const Complex<Rational> centre = centre_of_tile(surface, tile).z;
@@ -54,7 +54,7 @@ BasePoint any_place(const Surface& surface) {
   return point;
 }
 
-/// What the certificate of the net with the one vertex p says of it.
+/// The enclosures at a point p, by the certificate of the net whose one vertex is p.
 struct AtPoint {
   Interval eccentricity;
   Interval injectivity_radius;
@@ -89,7 +89,7 @@ Surface in_three_tiles(const Surface& octagon) {
                   {1, 1, 2, 2}});
 }
 
-/// From the centre of a regular 4g-gon to its corner (the diameter of the regular surface).
+/// The distance from the centre of a regular 4g-gon to its corner, which is the diameter of the regular surface.
 double regular_diameter(std::uint32_t genus) {
   return std::acosh(std::pow(std::tan(std::numbers::pi / (4 * genus)), -2));
 }
@@ -199,7 +199,7 @@ TEST(Bound, IsVerifiedForThinSurfacesAndForGenus3To5) {
     EXPECT_EQ(verdict(wide), "VERIFIED") << named.name;
     const BoundDocument disk = largest_embedded_disk(named.surface, {.width = 0.05});
     EXPECT_EQ(verdict(disk), "VERIFIED") << named.name;
-    // The disk is embedded, its diameter at most that of the surface.
+    // The radius of an embedded disk is at most the diameter of the surface.
     EXPECT_LE(disk.value.lower, wide.value.upper);
   }
 }
@@ -216,7 +216,7 @@ TEST(EmbeddedDisk, IsSmallerThanTheSurfaceAndThanBavardsBound) {
     EXPECT_LT(2 * std::numbers::pi * (std::cosh(document.value.lower) - 1),
               4 * std::numbers::pi * (surface.genus() - 1));
     EXPECT_LE(document.value.lower, bavard(surface.genus()));
-    // The regular surface has one at the centre: half the distance of opposite sides, to all sides alike.
+    // The regular surface has an embedded disk at the centre whose radius is half the distance of opposite sides.
     if (!surface.is_regular()) continue;
     const double pi = std::numbers::pi;
     EXPECT_GE(document.value.upper, std::acosh(1 / std::tan(pi / (4 * surface.genus()))) * (1 - 1e-14));
@@ -294,7 +294,7 @@ RC_GTEST_PROP(BoundProperty, NoPointOfARandomOctagonIsBeyondTheBounds, ()) {
   }
 }
 
-/// The distance of two points is at most the eccentricity of either, and eccentricities differ by at most it.
+/// The distance of two points is at most the eccentricity of either, and their eccentricities differ by at most that.
 RC_GTEST_PROP(BoundProperty, EccentricityIsAtLeastEveryDistanceAndLipschitz, ()) {
   const Surface& surface = test::gallery()[any_index(7u)].surface;
   const BasePoint p = any_place(surface);

@@ -62,7 +62,7 @@ void expect_words(const DirichletPolygon& polygon, const Surface& surface, const
   }
 }
 
-/// A proof of the triangulation that the sides are read from, with their ties.
+/// Proves the triangulation that gives the sides, and counts its ties.
 void expect_proved(const DirichletPolygon& polygon, const std::string& name) {
   const certify::Certificate certificate = certify::check(polygon.triangulation);
   EXPECT_EQ(certificate.verdict, certify::Verdict::verified) << name << ": " << certificate.message;
@@ -161,7 +161,7 @@ TEST(DirichletPolygon, IsProvedInAThinCollar) {
 }
 
 TEST(DirichletPolygon, SidesAreExactWhereBinary64HoldsNoVertex) {
-  // Vertices are e^-100 from the boundary of the disk and more: no binary64, but sides and their distances.
+  // Vertices may be nearer than e^-100 to the boundary of the disk, too near for binary64; sides and distances are not.
   const Rational length(1, boost::multiprecision::pow(boost::multiprecision::mpz_int(10), 20));
   const Surface surface =
       fenchel_nielsen_surface({PantsGraph::parse("0-0 0-1 1-1"), {1, length, 2}, {Rational(1, 10), 0, Rational(1, 2)}});
@@ -186,7 +186,7 @@ TEST(DirichletPolygon, JsonReadsBackTheSame) {
   for (const Surface& surface : {Surface::regular(2), random_octagon(123)}) {
     const std::string json = dirichlet_json(dirichlet_polygon(surface, std::nullopt));
     EXPECT_EQ(dirichlet_json(parse_dirichlet_json(json, "test")), json);
-    // What is cut off is not JSON; what has another number in it is another domain or none.
+    // A truncated text is not JSON; a text with a changed number is another domain, or none.
     EXPECT_THROW((void)parse_dirichlet_json(std::string_view(json).substr(0, json.size() - 3), "test"),
                  DirichletFileError);
   }

@@ -31,12 +31,12 @@ using test::any_index;
 using test::any_share;
 using testing::HasSubstr;
 
-/// The outcome of the checker; "VERIFIED" if all is well.
+/// Returns the outcome of the checker: "VERIFIED", or the reason for another verdict.
 std::string verdict(const DistanceDocument& document) {
   return certify::verdict_line(certify::check_distance(document, {.threads = 1}));
 }
 
-/// A random point strictly inside of a random tile.
+/// Returns a random point strictly inside a random tile.
 BasePoint any_place(const Surface& surface) {
   const std::uint32_t tile = any_index(static_cast<std::uint32_t>(surface.tiles().size()));
   const Complex<Rational> centre = centre_of_tile(surface, tile).z;
@@ -59,7 +59,7 @@ Interval distance_of(const Surface& surface, const BasePoint& p, const BasePoint
   return distance(surface, p, q).distance;
 }
 
-/// The length of a path in numbers that know nothing of the rest.
+/// Returns the length of a path, computed independently.
 double length_of_path(const Surface& surface, const BasePoint& p, const BasePoint& q, const Word& word) {
   Complex<Mp1024> z = convert<Mp1024>(p.z);
   for (const std::uint32_t side : word) z = surface.crossing_as<Mp1024>(side)(z);
@@ -204,7 +204,7 @@ TEST(Distance, AVertexOfANetIsAPointOfATile) {
   }
 }
 
-/// The symmetries of the octagon leave distances on the Bolza surface as they are.
+/// The symmetries of the octagon preserve distances on the Bolza surface.
 TEST(Distance, OnTheBolzaSurfaceIsSymmetricAndTheLeastThatWordsGive) {
   const Surface bolza = Surface::regular(2);
   const std::vector<Complex<Rational>> places{{0, 0},
@@ -226,7 +226,7 @@ TEST(Distance, OnTheBolzaSurfaceIsSymmetricAndTheLeastThatWordsGive) {
   }
 }
 
-/// In the triangulation of the file itself, and in another net of the surface.
+/// The picture is drawn in the triangulation of the file itself, and in another net of the surface.
 TEST(Distance, APictureShowsThePathsInFullLength) {
   const Surface& surface = test::gallery()[1].surface;
   const DistanceDocument document =

@@ -70,7 +70,7 @@ double area(const std::array<Point, 3>& z) {
   return std::numbers::pi - angles;
 }
 
-/// What must hold for the lifts of any verified net.
+/// Checks what must hold for the lifts of any verified net.
 void expect_good_lifts(const certify::NetDocument& net, DrawOrder order) {
   const NetGeometry geometry(net);
   const Lifts lifts = lift_triangles(geometry, order);
@@ -122,7 +122,7 @@ TEST(Lifts, ByWeightTakeTheEdgeOfLeastWeight) {
   const NetGeometry geometry(net);
   const Lifts lifts = lift_triangles(geometry, DrawOrder::weight);
   for (std::size_t i = 1; i < lifts.lifted.size(); ++i) {
-    // Of all edges between a lifted triangle and one that is not, the next triangle is across the lightest.
+    // The next triangle is across the lightest of all edges between a lifted triangle and one that is not.
     double least = 2;
     double taken = 2;
     for (std::size_t j = 0; j < i; ++j) {
@@ -366,8 +366,7 @@ TEST(Draw, ArcsAreOrthogonalToTheBoundaryCircle) {
     const std::complex<double> chord = arc.to - arc.from;
     if (std::abs(chord) < 20) continue;  // Places are rounded to hundredths of a pixel.
     const double height = std::sqrt(arc.radius * arc.radius - std::norm(chord) / 4);
-    // y points down: sweep 1 is clockwise for a reader who thinks it points up, positive angles here, with the centre
-    // to the left of the chord.
+    // In these coordinates y points down, so sweep 1 means positive angles, with the centre to the left of the chord.
     const std::complex<double> to_centre = chord / std::abs(chord) * std::complex<double>(0, arc.sweep ? 1 : -1);
     const std::complex<double> centre = (arc.from + arc.to) / 2.0 + height * to_centre - std::complex<double>(500, 500);
     EXPECT_NEAR(std::norm(centre) / (485.0 * 485 + arc.radius * arc.radius), 1, 0.02);
@@ -465,7 +464,7 @@ std::string legend_of(const std::string& picture) {
   return picture.substr(from);
 }
 
-/// CIELAB coordinates of "#rrggbb" (sRGB, D65): distances are about proportional to what eyes see.
+/// Returns CIELAB coordinates of "#rrggbb" (sRGB, D65); distances are about proportional to visible differences.
 std::array<double, 3> lab(const std::string& colour) {
   std::array<double, 3> rgb{};
   for (std::size_t i = 0; i < 3; ++i) {

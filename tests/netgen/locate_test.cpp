@@ -28,7 +28,7 @@ TEST(Locate, FindsVerticesMidpointsAndCentroids) {
       EXPECT_EQ(inside.place, Place::inside) << named.name;
       for (const double weight : inside.weights) EXPECT_NEAR(weight, 1.0 / 3, 1e-12) << named.name;
 
-      // Rounded, it need not be on the side itself.
+      // As the point is rounded, it need not be on the side itself.
       const PointLocation beside = locator.locate(point_of_triangle(named.surface, net, t, {0, 1, 1}));
       EXPECT_TRUE(beside.triangle == t || beside.triangle == net.triangles[t].opposite[1] / 3) << named.name;
 
@@ -80,7 +80,7 @@ TEST(Locate, PointsOfTrianglesThatThereAreNot) {
   EXPECT_THROW((void)point_of_triangle(surface, net, 0, {1, 1, -1}), NetError);
 }
 
-/// Exactly where they are, as the first vertices, and the net is one.
+/// Given points are the first vertices, exactly where they are, and the net is verified.
 TEST(GivenPoints, AreVertices) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
     std::vector<BasePoint> points;

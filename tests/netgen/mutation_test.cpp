@@ -16,8 +16,7 @@
 #include "tests/netgen/oracle.h"
 #include "tests/support/scale.h"
 
-/// Single random defects in verified nets: `certify` must say what the oracle says, and `certify-exact` what `certify`
-/// says.
+/// Single random defects in verified nets: `certify` must agree with the oracle, and `certify-exact` with `certify`.
 namespace epsnet {
 namespace {
 
@@ -33,7 +32,7 @@ std::string written(const NetDocument& net) {
   return out.str();
 }
 
-/// Mutants by mutation and by what became of them.
+/// The number of mutants by mutation and by outcome.
 using Table = std::map<std::string, std::map<std::string, int>>;
 
 void print(const Table& table) {
@@ -52,7 +51,7 @@ void print(const Table& table) {
   }
 }
 
-/// Checks one mutant and returns what became of it.
+/// Checks one mutant and returns the outcome.
 std::string outcome(const NetDocument& mutant, test::Oracle& oracle) {
   const std::string broken = oracle.broken_rule(mutant);
   const certify::Certificate certificate = certify::check(mutant, {.threads = 1, .max_precision = 2048});
@@ -75,7 +74,7 @@ std::string outcome(const NetDocument& mutant, test::Oracle& oracle) {
   }
   EXPECT_FALSE(second.verdict == exact::Verdict::undecided && certificate.verdict == Verdict::verified)
       << second.rule << ": " << second.message;
-  // The reader sees a broken structure too, and nothing else; NaN and infinity cannot even be written.
+  // The reader refuses exactly the broken structures; NaN and infinity cannot even be written.
   try {
     EXPECT_EQ(certify::parse_net(written(mutant), "mutant"), mutant);
     EXPECT_NE(certificate.verdict, Verdict::malformed) << certificate.message;
@@ -143,7 +142,7 @@ TEST(Mutation, NoMutantIsVerifiedUnlessTheOracleAgrees) {
   for (const char* rule : {"structure", "surface", "map", "gluing", "orientation", "delaunay", "covering", "packing"}) {
     EXPECT_TRUE(killed.contains(rule)) << "no mutant was killed by rule " << rule;
   }
-  // Both are not nets of another kind by accident: moves by an ulp and detours in words leave a net what it is.
+  // Moves by an ulp and detours in words leave a net verified, so the test is not vacuous.
   EXPECT_GT(table["vertex moved by an ulp"]["verified"], 0);
   EXPECT_GT(table["a side crossed there and back"]["verified"], 0);
   EXPECT_EQ(table["a side crossed there and back"].size(), 1U);

@@ -21,7 +21,7 @@ namespace {
 using certify::NetDocument;
 using testing::HasSubstr;
 
-/// What comes back of a document that became a triangulation.
+/// Returns the document of the triangulation of a document.
 NetDocument there_and_back(const NetDocument& net) { return net_document(triangulation_of(net), Length(net.epsilon)); }
 
 std::vector<Surface> surfaces() {
@@ -47,7 +47,7 @@ TEST(TriangulationOfANet, HasTheNetsVerticesAndTriangles) {
     EXPECT_EQ(again.triangle(t).vertex, net.triangulation.triangle(t).vertex);
     EXPECT_EQ(again.triangle(t).opposite, net.triangulation.triangle(t).opposite);
   }
-  // It is one to work with, not only to look at.
+  // The triangulation can be changed, too.
   EXPECT_EQ(make_delaunay(again), 0U);
 }
 

@@ -94,7 +94,7 @@ TEST(NetRecord, HasWhatIsProved) {
   EXPECT_LE(std::stod(one_vertex["systole_lower"]), std::stod(one_vertex["shortest_loop_upper"]));
 }
 
-/// As decimals, not only as the binary64 that they are read as.
+/// The bounds hold for the decimals, not only for the binary64 numbers that they read as.
 TEST(NetRecord, BoundsAreRoundedOutward) {
   for (std::int32_t seed = 1; seed <= 30; ++seed) {
     const UncertifiedNet net = compute_net(random_octagon(seed), Length("1"));

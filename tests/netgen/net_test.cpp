@@ -282,7 +282,7 @@ TEST(Net, ThinSurfacesAreVerifiedByEveryWay) {
 }
 
 TEST(Net, FenchelNielsenGenusFiveReadFromATextIsVerified) {
-  // Cross-ratios of many digits: the tiles get other coordinates than those that they were made in.
+  // Cross-ratios have many digits, so the tiles get coordinates other than those that they were made in.
   std::ostringstream text;
   write_triangulation(fenchel_nielsen_surface(random_coordinates(PantsGraph::random(5, 1), 1)), text);
   const Surface surface = import_surface(text.str(), "genus 5");
@@ -352,7 +352,7 @@ TEST(Thesis, FiguresIV11AndIV12FlipsAndWalks) {
   EXPECT_NEAR(straight.steps_of_walks, 1.026, 0.1);
 }
 
-/// Table IV.2: 60 surfaces tell the thesis' variants apart, in flips and in points.
+/// Table IV.2: on 60 surfaces the thesis' variants differ in flips and in points.
 TEST(Thesis, TheListOfTrianglesMatters) {
   const auto by_list = [](TriangleList list) {
     return means(60, "0.1", {.insertion = Insertion::flips, .list = list});

@@ -22,7 +22,7 @@ namespace {
 using test::any_index;
 using test::any_share;
 
-/// A net of a surface for a multiple of ε, in which the triangles too large for ε are marked: what pieces start from.
+/// A net of a surface for a multiple of ε, in which the triangles too large for ε are marked; pieces start from it.
 struct CoarseNet {
   CoarseNet(const Surface& surface, double epsilon, double coarser)
       : triangulation(triangulated_net(surface, Length(epsilon * coarser)).triangulation),
@@ -36,7 +36,7 @@ struct CoarseNet {
     }
   }
 
-  /// As if the net were to have so many vertices that there are about 33 pieces, where nothing else is said.
+  /// Unless another number is given, expects as many vertices as give about 33 pieces.
   [[nodiscard]] PieceResult refine(unsigned threads, double expected = 1 << 20) {
     return refine_in_pieces(triangulation, pending, apart, large, {expected, threads, report});
   }
@@ -67,7 +67,7 @@ void require_apart(Triangulation& triangulation, const Threshold& apart) {
   }
 }
 
-/// Every large triangle is marked and pending, and so is no other one.
+/// Exactly the large triangles are marked and pending.
 void require_that_nothing_large_is_forgotten(CoarseNet& net, const PieceResult& result) {
   std::map<std::uint32_t, bool> pending;
   for (const std::uint32_t t : result.pending) pending[t] = true;
@@ -90,7 +90,7 @@ RC_GTEST_PROP(PiecesProperty, LeaveADelaunayTriangulationOfPointsThatAreApart, (
   require_that_nothing_large_is_forgotten(net, result);
 }
 
-// Pieces are written back while others are at work, so the arrays may not move: a piece that has no room is forgotten.
+// Pieces are written back while others are refined, so the arrays may not move: a piece without room is discarded.
 RC_GTEST_PROP(PiecesProperty, LeaveASoundTriangulationWhereThereIsNoRoom, ()) {
   CoarseNet net(test::any_tiled_surface().surface, 0.1, 3);
   net.make_room(net.triangulation.vertex_count() + any_index(300U));
@@ -100,7 +100,7 @@ RC_GTEST_PROP(PiecesProperty, LeaveASoundTriangulationWhereThereIsNoRoom, ()) {
   require_that_nothing_large_is_forgotten(net, result);
 }
 
-// What is left are the places where labels are not known and where the next chart begins.
+// Only places where labels are not known, or where the next chart begins, are left.
 TEST(Pieces, InsertNearlyAllWhereThereIsOne) {
   CoarseNet net(random_octagon(1), 0.02, 8);
   net.make_room(40'000);
@@ -130,7 +130,7 @@ TEST(Pieces, GiveTheSameBytesForAnyNumberOfThreads) {
   }
 }
 
-// Large enough to be made in pieces by itself.
+// The net is large enough to be made in pieces without being asked to.
 TEST(Pieces, MakeNetsThatAreVerified) {
   const Surface surface = fenchel_nielsen_surface(random_coordinates(PantsGraph::random(20, 7), 7));
   const CertifiedNet one = certified_net(surface, Length("0.04"), {.threads = 1});

@@ -112,7 +112,7 @@ TEST(PseudoNet, ACuffIsACollarIfAndOnlyIfItIsShorterThanEpsilon) {
 }
 
 TEST(PseudoNet, CollarsAreFoundFromAfar) {
-  // From one vertex inside of a pair of pants: the first centre in a collar is taken back.
+  // The start is one vertex inside a pair of pants; the first insertion in a collar is undone.
   for (const int digits : {1, 4, 12, 25}) {
     for (const Insertion insertion : {Insertion::cavity, Insertion::flips}) {
       const Surface surface = with_cuffs({power_of_ten(digits), power_of_ten(digits)});
@@ -329,7 +329,8 @@ std::string outcome_moved(double distance, double angle) {
 }
 
 TEST(PseudoCertificate, VerticesLieOnBothSidesInTheThickPartAndCover) {
-  // d_ε = arcosh(sinh 0.17/sinh 0.05) = 1.897…; every way out of the thick part, away from it and across the core.
+  // d_ε = arcosh(sinh 0.17/sinh 0.05) = 1.897…. The vertex moves in every direction: into the thin part, too far away
+  // from it, and across the core.
   std::size_t thin = 0;
   std::size_t uncovering = 0;
   std::size_t same_side = 0;
@@ -374,7 +375,8 @@ TEST(PseudoCertificate, VerticesOfNoCollarAreThick) {
 }
 
 TEST(PseudoCertificate, TrianglesOfCollarsNeedACircumcircle) {
-  // An annulus cut by edges that turn around the core: no Delaunay triangles, and at last ones on no circle.
+  // An annulus cut by edges that turn around the core: the triangles are not Delaunay, and at last have no
+  // circumcircle.
   const Surface surface = with_cuffs({Rational(3, 10)});
   const Length epsilon("0.34");
   Triangulation triangulation(surface);

@@ -71,7 +71,7 @@ RC_GTEST_PROP(RelaxationProperty, LeavesADelaunayTriangulation, ()) {
   const Surface& surface = test::any_tiled_surface().surface;
   Triangulation t = test::any_delaunay(surface, any_index(40u));
   const auto vertices = t.vertex_count();
-  // Steps far too long as well: triangles would turn over, and vertices leave their charts.
+  // The steps may also be far too long, so that triangles would turn over and vertices leave their charts.
   const RelaxationSweep sweep{any_index(20u), std::ldexp(any_share(), static_cast<int>(any_index(5u))), any_share()};
   const std::vector<RelaxationSweep> sweeps(1 + any_index(4u), sweep);
   (void)relax(t, Threshold(Rational(1, 1 + any_index(10))), sweeps);

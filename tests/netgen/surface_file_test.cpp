@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// A directory of its own for each test.
+/// Each test has its own directory.
 class FileTest : public testing::Test {
  public:
   FileTest() {
@@ -164,7 +164,7 @@ TEST_F(AtomicFile, EitherAllFilesAreReplacedOrNone) {
   write_text(first, "old");
   const NewFile text{first, [](std::ostream& out) { out << "new"; }};
   const NewFile other{directory_ / "second", text.write};
-  // One that cannot be written, at whatever place; a disk that is full; something else that fails.
+  // A file that cannot be written, in any position; a full disk; another failure.
   for (const std::vector<NewFile>& files_to_write :
        {std::vector<NewFile>{text, {directory_ / "none" / "a", text.write}},
         std::vector<NewFile>{text, {directory_, text.write}},
@@ -210,7 +210,7 @@ TEST_F(AtomicFile, CheckWritableTellsBeforeAnythingIsWritten) {
   check_writable("/dev/null");
   EXPECT_EQ(test::file_text(directory_ / "a"), "old");
   EXPECT_EQ(files(), 1U);
-  // A name that is fine, but not with what is added to it for the temporary file, is one that cannot be written.
+  // A name cannot be written either if the longer name of the temporary file is too long.
   for (const fs::path& path : {directory_, directory_ / "none" / "a", fs::path(), directory_ / std::string(255, 'x')}) {
     EXPECT_THROW(check_writable(path), WriteError) << path;
   }

@@ -261,7 +261,7 @@ TEST(TriangulationStream, EveryDartIsInOneTriangle) {
   EXPECT_THAT(complaint(with_line(good, 12, "3")), StartsWith("f.txt:12: dart 3 occurs twice in triangle 1"));
   EXPECT_THAT(complaint(with_line(good, 12, "2")),
               StartsWith("f.txt:12: dart 2 belongs to triangle 0 and to triangle 1"));
-  // The other way around: every triangle then is on the wrong side of its neighbours.
+  // With darts 0 and 1 exchanged the triangle is on the wrong side of its neighbours.
   TriangulationStream stream = sample();
   std::swap(stream.triangles[1][0], stream.triangles[1][1]);
   EXPECT_THAT(complaint(stream), HasSubstr("cross-ratio"));
@@ -299,7 +299,7 @@ TEST(TriangulationStream, NumbersHaveAtMostAMillionDigits) {
 }
 
 TEST(TriangulationStream, NumbersMayNotGrowWithoutEnd) {
-  // Every cross-ratio is right to 400,000 digits, so that nothing else is wrong for long.
+  // Every cross-ratio is right to 400,000 digits, so no other error is found first.
   TriangulationStream stream = sample();
   Integer far = 1;
   far <<= 1'500'000;
@@ -507,7 +507,7 @@ RC_GTEST_PROP(TriangulationStreamProperty, NumbersOfDartsDoNotMatter, ()) {
   std::reverse(stream.edges.begin(), stream.edges.end());
   const Surface after = develop(read_triangulation_stream(text_of(stream), "renumbered"), "renumbered");
   RC_ASSERT(after.tiles() == before.tiles());
-  // And whichever triangle and dart of it comes first.
+  // The order of the triangles, and of the darts in them, does not matter either.
   std::rotate(stream.triangles.begin(), stream.triangles.begin() + 3, stream.triangles.end());
   for (auto& triangle : stream.triangles) {
     std::rotate(triangle.begin(), triangle.begin() + test::any_index(3), triangle.end());
