@@ -14,7 +14,6 @@
 #include "kernel/complex.h"
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
-#include "netgen/base/progress.h"
 #include "triangulation/surface/surface.h"
 
 /// The extension module `_epsnet`: classes and functions of the public headers, under names of their own. The package
@@ -95,19 +94,6 @@ namespace epsnet::python {
 
 namespace py = pybind11;
 
-/// What `function` returns, other Python threads running meanwhile. Nothing in it may touch a Python object, but for
-/// `progress_of`.
-template <class Function>
-auto without_gil(const Function& function) {
-  const py::gil_scoped_release released;
-  return function();
-}
-
-/// A progress callback for a computation that runs without the GIL: some twenty times a second it looks whether a
-/// signal came (Ctrl-C is KeyboardInterrupt), and calls `callback(what, share)` if that is not None. What either of
-/// them raises ends the computation. `callback` must outlive it.
-[[nodiscard]] Progress progress_of(const py::object& callback);
-
 /// The text that `write(stream)` writes, as bytes of UTF-8.
 template <class Write>
 std::string written(const Write& write) {
@@ -131,6 +117,7 @@ void bind_errors(py::module_& module);
 void bind_files(py::module_& module);
 void bind_geodesics(py::module_& module);
 void bind_nets(py::module_& module);
+void bind_numbers(py::module_& module);
 void bind_surfaces(py::module_& module);
 
 }  // namespace epsnet::python

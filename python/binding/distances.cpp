@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+
 #include "certify/claims/bound/check.h"
 #include "certify/claims/distance/check.h"
 #include "certify/file/reader.h"
@@ -20,14 +24,34 @@ BasePoint point_of(const certify::RationalPoint& z, std::uint32_t tile) {
   return {tile, {Rational(z.x.get_mpq_t()), Rational(z.y.get_mpq_t())}};
 }
 
-using MakeBound = BoundDocument (*)(const Surface&, const BoundOptions&);
+using Claim = BoundDocument::Claim;
 
-template <MakeBound make>
-SharedBound bound(const Surface& surface, double width, const py::object& progress) {
-  BoundOptions options;
-  options.width = width;
-  options.progress = progress_of(progress);
-  return without_gil([&] { return SharedBound(make(surface, options)); });
+/// The claims, by the names that files give them.
+struct NamedBound {
+  Claim claim;
+  const char* name;
+  BoundDocument (*make)(const Surface&, const BoundOptions&);
+};
+constexpr NamedBound kBounds[] = {{Claim::diameter, "diameter", &diameter},
+                                  {Claim::radius, "radius", &radius},
+                                  {Claim::embedded_disk, "embedded-disk", &largest_embedded_disk}};
+
+SharedBound enclose(const Surface& surface, const std::string& claim, double width, const py::object& callback) {
+  const auto* const found =
+      std::find_if(std::begin(kBounds), std::end(kBounds), [&](const NamedBound& c) { return claim == c.name; });
+  if (found == std::end(kBounds)) throw std::invalid_argument("there is no claim " + claim);
+  const auto search = [surface, width, make = found->make](const Progress& progress) {
+    BoundOptions options;
+    options.width = width;
+    options.progress = progress;
+    return SharedBound(make(surface, options));
+  };
+  return interruptible(search, callback);
+}
+
+const char* name_of(Claim claim) {
+  return std::find_if(std::begin(kBounds), std::end(kBounds), [&](const NamedBound& c) { return claim == c.claim; })
+      ->name;
 }
 
 std::uint64_t cells_of(const BoundDocument& document) {
@@ -52,7 +76,7 @@ void bind_distances(py::module_& module) {
   distances
       .def_static("measure",
                   [](const Surface& surface, const BasePoint& p, const BasePoint& q, double width) {
-                    return without_gil([&] { return SharedDistance(distance(surface, p, q, {.width = width})); });
+                    return interruptible([=] { return SharedDistance(distance(surface, p, q, {.width = width})); });
                   })
       .def_property_readonly("net", [](const SharedDistance& self) { return SharedNet(self->net); })
       .def_property_readonly("value", [](const SharedDistance& self) { return self->distance; })
@@ -69,20 +93,17 @@ void bind_distances(py::module_& module) {
       },
       [](const BoundDocument& document, std::ostream& out) { certify::write_bound(document, out); },
       [](const std::string& text, const std::string& name) { return certify::parse_bound(text, name); });
-  bounds.def_static("diameter", &bound<&diameter>)
-      .def_static("embedded_disk", &bound<&largest_embedded_disk>)
+  bounds.def_static("enclose", &enclose)
       .def_property_readonly("net", [](const SharedBound& self) { return SharedNet(self->net); })
-      .def_property_readonly("claim",
-                             [](const SharedBound& self) {
-                               return self->claim == BoundDocument::Claim::diameter ? "diameter" : "embedded-disk";
-                             })
+      .def_property_readonly("claim", [](const SharedBound& self) { return name_of(self->claim); })
       .def_property_readonly("value", [](const SharedBound& self) { return self->value; })
       .def_property_readonly("cells", [](const SharedBound& self) { return cells_of(*self); })
       .def_property_readonly("triangulations", [](const SharedBound& self) { return self->triangulations.size() + 1; });
 
   module.def("eccentricity_net", [](const Surface& surface, const BasePoint& point) {
-    return without_gil([&] { return SharedNet(eccentricity_net(surface, point)); });
+    return interruptible([=] { return SharedNet(eccentricity_net(surface, point)); });
   });
+  module.attr("least_bound_width") = kLeastBoundWidth;
   module.def("reversed_word", [](const Surface& surface, const Word& word) { return reversed(surface, word); });
 }
 

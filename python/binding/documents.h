@@ -6,9 +6,9 @@
 
 #include "certify/net/document.h"
 #include "certify/verdict/report.h"
-#include "netgen/base/atomic_file.h"
 #include "netgen/pictures/draw.h"
 #include "python/binding/binding.h"
+#include "python/binding/job.h"
 
 namespace epsnet::python {
 
@@ -23,11 +23,11 @@ struct Shared {
 };
 
 /// What a check is asked for. What was made here may take what it takes; a file only what one of its size may.
-[[nodiscard]] inline certify::CheckOptions check_options(unsigned threads, bool unlimited, const py::object& progress) {
+[[nodiscard]] inline certify::CheckOptions check_options(unsigned threads, bool unlimited, const Progress& progress) {
   certify::CheckOptions options;
   options.threads = threads;
   if (unlimited) options.max_work = std::numeric_limits<std::uint64_t>::max();
-  options.progress = progress_of(progress);
+  options.progress = progress;
   return options;
 }
 
@@ -39,28 +39,33 @@ void bind_document(Class& bound, const Check& check, const Write& write, const P
   bound
       .def(
           "check",
-          [check](const Shared<Document>& self, unsigned threads, bool unlimited, const py::object& progress) {
-            const certify::CheckOptions options = check_options(threads, unlimited, progress);
-            return without_gil([&] { return check(*self, options); });
+          [check](const Shared<Document>& self, unsigned threads, bool unlimited, const py::object& callback) {
+            const auto checked = [self, check, threads, unlimited](const Progress& progress) {
+              return check(*self, check_options(threads, unlimited, progress));
+            };
+            return interruptible(checked, callback);
           },
           py::arg("threads") = 0, py::arg("unlimited") = false, py::arg("progress") = py::none())
       .def(
           "save",
           [write](const Shared<Document>& self, const std::filesystem::path& path) {
-            without_gil([&] { write_file_atomically(path, [&](std::ostream& out) { write(*self, out); }); });
+            save(path, [self, write](std::ostream& out) { write(*self, out); });
           },
           py::arg("path"))
       .def("text",
            [write](const Shared<Document>& self) {
-             return py::bytes(without_gil([&] { return written([&](std::ostream& out) { write(*self, out); }); }));
+             return py::bytes(
+                 interruptible([self, write] { return written([&](std::ostream& out) { write(*self, out); }); }));
            })
       .def_static(
           "parse",
           [parse](const std::string& text, const std::string& name) {
-            return without_gil([&] { return Shared<Document>(parse(text, name)); });
+            return interruptible([=] { return Shared<Document>(parse(text, name)); });
           },
           py::arg("text"), py::arg("name"))
-      .def("__eq__", [](const Shared<Document>& a, const Shared<Document>& b) { return *a == *b; });
+      .def("__eq__", [](const Shared<Document>& a, const Shared<Document>& b) {
+        return interruptible([=] { return *a == *b; });
+      });
 }
 
 }  // namespace epsnet::python

@@ -20,20 +20,24 @@ void bind_files(py::module_& module) {
   module.def("display_name", &certify::display_name, py::arg("path"));
   module.def(
       "read",
-      [](const std::filesystem::path& path) { return py::bytes(without_gil([&] { return certify::load(path); })); },
+      [](const std::filesystem::path& path) {
+        return py::bytes(interruptible([path] { return certify::load(path); }));
+      },
       py::arg("path"));
   module.def(
       "parse_claim",
       [](const std::string& text, const std::string& name) {
-        return claim_of(without_gil([&] { return certify::parse_claim(text, name); }));
+        return claim_of(interruptible([=] { return certify::parse_claim(text, name); }));
       },
       py::arg("text"), py::arg("name"));
   module.def(
       "length_text", [](double length) { return Length(length).text(); }, py::arg("length"));
   module.def(
+      "length_text", [](const std::string& length) { return Length(length).text(); }, py::arg("length"));
+  module.def(
       "write_text",
       [](const std::string& text, const std::filesystem::path& path) {
-        without_gil([&] { write_file_atomically(path, [&](std::ostream& out) { out << text; }); });
+        save(path, [text](std::ostream& out) { out << text; });
       },
       py::arg("text"), py::arg("path"));
 }

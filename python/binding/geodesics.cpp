@@ -20,10 +20,13 @@ const char* name_of(Claim claim) {
 
 /// What the function `find(surface, options)` finds, not proved yet.
 template <class Find>
-SharedGeodesics found(const Surface& surface, const std::string& epsilon, unsigned threads, const py::object& progress,
+SharedGeodesics found(const Surface& surface, const std::string& epsilon, unsigned threads, const py::object& callback,
                       const Find& find) {
-  GeodesicsOptions options{.epsilon = Length(epsilon), .threads = threads, .progress = progress_of(progress)};
-  return without_gil([&] { return SharedGeodesics(find(surface, options)); });
+  const auto search = [surface, find, epsilon = Length(epsilon), threads](const Progress& progress) {
+    return SharedGeodesics(
+        find(surface, GeodesicsOptions{.epsilon = epsilon, .threads = threads, .progress = progress}));
+  };
+  return interruptible(search, callback);
 }
 
 }  // namespace
@@ -46,8 +49,9 @@ void bind_geodesics(py::module_& module) {
                   [](const Surface& surface, const std::string& up_to, const std::string& epsilon, unsigned threads,
                      const py::object& progress) {
                     const Length length(up_to);
-                    return found(surface, epsilon, threads, progress,
-                                 [&](const Surface& s, const GeodesicsOptions& o) { return spectrum(s, length, o); });
+                    return found(
+                        surface, epsilon, threads, progress,
+                        [length](const Surface& s, const GeodesicsOptions& o) { return spectrum(s, length, o); });
                   })
       .def_static("thick_thin",
                   [](const Surface& surface, const std::string& epsilon, unsigned threads, const py::object& progress) {

@@ -4,6 +4,7 @@ PYBIND11_MODULE(_epsnet, module) {
   module.doc() = "The C++ library behind the package epsnet, under names of its own: use the package.";
   module.attr("__version__") = EPSNET_VERSION;
   epsnet::python::bind_errors(module);
+  epsnet::python::bind_numbers(module);
   epsnet::python::bind_surfaces(module);
   epsnet::python::bind_certificates(module);
   epsnet::python::bind_nets(module);

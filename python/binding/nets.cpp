@@ -2,14 +2,19 @@
 
 #include <complex>
 #include <cstddef>
+#include <memory>
+#include <mutex>
 #include <stdexcept>
 
 #include "certify/claims/net/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "netgen/distances/distance.h"
+#include "netgen/distances/vertex_distances.h"
 #include "netgen/exchange/exchange.h"
+#include "netgen/lifts/info.h"
 #include "netgen/lifts/lifts.h"
+#include "netgen/lifts/locate.h"
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/draw.h"
@@ -100,23 +105,39 @@ Layer geodesic_layer(const NetDocument& net, const certify::GeodesicsDocument& g
   return layer;
 }
 
+/// The distances of all vertices from one, rounded.
+std::vector<double> distances_of_vertices(const NetDocument& net, std::uint32_t vertex) {
+  const DistanceTable table = distances_from(net, {vertex});
+  std::vector<double> result;
+  for (std::size_t v = 0; v < table.to.size(); ++v) result.push_back(table.distance(0, v));
+  return result;
+}
+
 std::string page(const NetDocument& net, const std::string& title, const std::optional<certify::Certificate>& verdict,
-                 const std::vector<Layer>& more) {
+                 const std::vector<Layer>& more, bool with_distances) {
   ViewerOptions options{.title = title, .certificate = verdict, .layers = standard_layers(net)};
+  if (with_distances) {
+    try {
+      options.distances = distances_of_vertices(net, 0);
+    } catch (const Error&) {  // The page does without.
+    }
+  }
   options.layers.insert(options.layers.end(), more.begin(), more.end());
   return viewer_page(net, options);
 }
 
-std::string exported(const NetDocument& net, const std::string& format) {
+std::string exported(const NetDocument& net, const std::string& format, std::optional<std::uint32_t> distance_from) {
   return written([&](std::ostream& out) {
     if (format == "off") return write_off(net, out);
+    if (format == "vtu" && distance_from) {
+      return write_vtu_with({"distance", distances_of_vertices(net, *distance_from)}, net, out);
+    }
     if (format == "vtu") return write_vtu(net, out);
     if (format == "gmsh") return write_gmsh(net, out);
     if (format == "edges") return write_edges(net, out);
     if (format == "json") return write_mesh_json(net, out);
     if (format == "triangulation") return write_triangulation(net, out);
-    throw std::invalid_argument("expected the format gmsh, vtu, off, edges, json or triangulation, not \"" + format +
-                                '"');
+    throw std::invalid_argument("there is no format " + format);
   });
 }
 
@@ -136,18 +157,120 @@ py::dict statistics_of(const NetStatistics& s) {
   return result;
 }
 
-/// The document, its certificate, and what was counted; the certificate says VERIFIED.
-py::tuple compute(const Surface& surface, const std::string& epsilon, const std::optional<BasePoint>& base, bool pseudo,
-                  unsigned threads, const py::object& progress) {
-  const Length length(epsilon);
+/// The value that a name means, if there is one.
+template <class Option, std::size_t N>
+void set_if_named(const OptionNames<Option, N>& names, const std::string& name, auto& option) {
+  if (const std::optional<Option> value = value_in(names, name)) option = *value;
+}
+
+NetOptions net_options(const std::optional<BasePoint>& base, const std::vector<BasePoint>& points, bool pseudo,
+                       bool sparse, const std::string& insert, const std::string& locate, const std::string& list,
+                       unsigned threads) {
   NetOptions options;
   options.base = base;
+  options.points = points;
   options.pseudo = pseudo;
+  options.sparse = sparse;
+  set_if_named(kInsertionNames, insert, options.insertion);
+  if (!locate.empty()) options.insertion = Insertion::flips;
+  set_if_named(kWalkNames, locate, options.walk);
+  set_if_named(kTriangleListNames, list, options.list);
   options.threads = threads;
-  options.progress = progress_of(progress);
-  options.check = check_options(threads, true, progress);
-  CertifiedNet net = without_gil([&] { return certified_net(surface, length, options); });
+  return options;
+}
+
+/// The document, its certificate, and what was counted; the certificate says VERIFIED.
+py::tuple compute(const Surface& surface, const std::string& epsilon, const NetOptions& given,
+                  const py::object& callback) {
+  const auto make = [surface, length = Length(epsilon), options = given](const Progress& progress) mutable {
+    options.progress = progress;
+    options.check = check_options(options.threads, true, progress);
+    return certified_net(surface, length, options);
+  };
+  CertifiedNet net = interruptible(make, callback);
   return py::make_tuple(SharedNet(std::move(net.net)), std::move(net.certificate), statistics_of(net.statistics));
+}
+
+/// Finds points, one at a time.
+class SharedLocator {
+ public:
+  explicit SharedLocator(const SharedNet& net) : net_(net), locator_(*net) {}
+
+  [[nodiscard]] py::tuple locate(const BasePoint& point) {
+    const PointLocation found = [&] {
+      const py::gil_scoped_release released;  // Microseconds; but another thread may have the mutex.
+      const std::lock_guard lock(mutex_);
+      return locator_.locate(point);
+    }();
+    const char* const place = found.place == PointLocation::Place::inside ? "inside"
+                              : found.place == PointLocation::Place::side ? "side"
+                                                                          : "corner";
+    return py::make_tuple(place, found.triangle, found.number, py::tuple(py::cast(found.word)),
+                          py::tuple(py::cast(found.weights)), py::tuple(py::cast(found.distances)),
+                          net_->triangles[found.triangle].vertex[found.nearest_corner()]);
+  }
+
+ private:
+  SharedNet net_;
+  Locator locator_;
+  std::mutex mutex_;
+};
+
+/// The bounds of the distances, an array of the shape (rows, columns, 2).
+py::array distances(const SharedNet& net, const std::vector<std::uint32_t>& from, const std::vector<std::uint32_t>& to,
+                    unsigned threads, const py::object& callback) {
+  static_assert(sizeof(certify::Interval) == 2 * sizeof(double), "intervals are read as pairs of floats");
+  const auto search = [=](const Progress& progress) {
+    return vertex_distances(*net, from, to, {.threads = threads, .progress = progress});
+  };
+  std::vector<certify::Interval> enclosures = interruptible(search, callback).enclosures;
+  auto* const kept = new std::vector<certify::Interval>(std::move(enclosures));
+  const py::capsule owner(kept, [](void* data) { delete static_cast<std::vector<certify::Interval>*>(data); });
+  const py::ssize_t columns = size_of(to);
+  constexpr py::ssize_t kSize = sizeof(double);
+  return view<double>(owner, kept->data(), {size_of(from), columns, 2}, {2 * kSize * columns, 2 * kSize, kSize});
+}
+
+/// What a picture is asked for.
+struct PictureOptions {
+  DrawOptions draw;
+  bool tiles = false;
+  bool distances = false;  ///< Colours by the distance from the centre.
+};
+
+PictureOptions picture_options(std::uint32_t centre, bool triangles, bool vertices, bool dirichlet,
+                               bool combinatorial_dirichlet, bool tiles, bool disks, bool half_disks,
+                               const std::string& colour, bool legend, bool breadth_first, std::uint32_t size) {
+  DrawOptions draw{.order = breadth_first ? DrawOrder::breadth_first : DrawOrder::weight,
+                   .centre = centre,
+                   .triangles = triangles,
+                   .vertices = vertices,
+                   .dirichlet = dirichlet,
+                   .combinatorial_dirichlet = combinatorial_dirichlet,
+                   .covering_disks = disks,
+                   .packing_disks = half_disks,
+                   .legend = legend,
+                   .size = size};
+  if (colour == "circumradius") draw.colouring = Colouring::circumradius;
+  if (colour == "chart") draw.colouring = Colouring::chart;
+  if (colour == "distance") draw.colouring = Colouring::values;
+  return {draw, tiles, colour == "distance"};
+}
+
+/// A picture of the net, and what is left out of it.
+std::pair<std::string, std::vector<std::string>> picture(const NetDocument& net, const PictureOptions& asked,
+                                                         const std::vector<Layer>& layers) {
+  DrawOptions options = asked.draw;
+  options.layers = collar_layers(net);
+  if (asked.tiles) options.layers.push_back(tile_layer(net));
+  options.layers.insert(options.layers.end(), layers.begin(), layers.end());
+  if (asked.distances) {
+    options.values = distances_of_vertices(net, options.centre);
+    options.values_name = "distance";
+  }
+  std::vector<std::string> left_out;
+  std::string svg = draw_svg(net, options, &left_out);
+  return {std::move(svg), std::move(left_out)};
 }
 
 void bind_lifts(py::module_& module) {
@@ -173,20 +296,34 @@ void bind_lifts(py::module_& module) {
 void bind_nets(py::module_& module) {
   py::class_<Layer>(module, "Layer").def_readonly("name", &Layer::name).def_readwrite("on", &Layer::on);
   bind_lifts(module);
+  py::class_<NetOptions>(module, "NetOptions")
+      .def(py::init(&net_options), py::arg("base"), py::arg("points"), py::arg("pseudo"), py::arg("sparse"),
+           py::arg("insert"), py::arg("locate"), py::arg("list"), py::arg("threads"));
+  py::class_<PictureOptions>(module, "DrawOptions")
+      .def(py::init(&picture_options), py::arg("centre"), py::arg("triangles"), py::arg("vertices"),
+           py::arg("dirichlet"), py::arg("combinatorial_dirichlet"), py::arg("tiles"), py::arg("disks"),
+           py::arg("half_disks"), py::arg("colour"), py::arg("legend"), py::arg("breadth_first"), py::arg("size"));
   py::class_<SharedNet> net(module, "Net");
   bind_document<NetDocument>(
       net, [](const NetDocument& document, const certify::CheckOptions& options) { return check(document, options); },
       [](const NetDocument& document, std::ostream& out) { certify::write_net(document, out); },
       [](const std::string& text, const std::string& name) { return certify::parse_net(text, name); });
-  net.def_static("compute", &compute, py::arg("surface"), py::arg("epsilon"), py::arg("base"), py::arg("pseudo"),
-                 py::arg("threads"), py::arg("progress"))
+  net.def_static("compute", &compute, py::arg("surface"), py::arg("epsilon"), py::arg("options"), py::arg("progress"))
       .def_static("of_tiles",
                   [](const Surface& surface, const std::string& epsilon) {
-                    return SharedNet(net_of_tiles(surface, Length(epsilon)));
+                    return interruptible([=] { return SharedNet(net_of_tiles(surface, Length(epsilon))); });
                   })
+      .def(
+          "save_compact",
+          [](const SharedNet& self, const std::filesystem::path& path) {
+            save(path, [self](std::ostream& out) { certify::write_compact_net(*self, out); });
+          },
+          py::arg("path"))
+      .def("info", [](const SharedNet& self) { return interruptible([=] { return net_info(*self).json.dump(); }); })
+      .def("distances", &distances, py::arg("rows"), py::arg("columns"), py::arg("threads"), py::arg("progress"))
       .def_property_readonly("epsilon", [](const SharedNet& self) { return self->epsilon; })
       .def_property_readonly(
-          "surface", [](const SharedNet& self) { return without_gil([&] { return from_document(self->surface); }); })
+          "surface", [](const SharedNet& self) { return interruptible([=] { return from_document(self->surface); }); })
       .def_property_readonly("vertices",
                              [](const py::object& self) {
                                return rows<std::complex<double>>(self, self.cast<const SharedNet&>()->vertices, 0);
@@ -242,66 +379,64 @@ void bind_nets(py::module_& module) {
             }
             return collars;
           })
-      .def("geometry", [](const SharedNet& self) { return arrays_of(without_gil([&] { return geometry_of(*self); })); })
+      .def("geometry",
+           [](const SharedNet& self) { return arrays_of(interruptible([=] { return geometry_of(*self); })); })
       .def(
           "lifts",
           [](const SharedNet& self, bool breadth_first, std::uint32_t centre) {
-            return without_gil([&] {
+            return interruptible([=] {
               return lift_triangles(NetGeometry(*self), breadth_first ? DrawOrder::breadth_first : DrawOrder::weight,
                                     centre);
             });
           },
           py::arg("breadth_first"), py::arg("centre"))
-      .def("point_of_vertex", [](const SharedNet& self, const Surface& surface,
-                                 std::uint32_t vertex) { return point_of_vertex(surface, *self, vertex); })
+      .def("point_of_vertex",
+           [](const SharedNet& self, const Surface& surface, std::uint32_t vertex) {
+             return interruptible([=] { return point_of_vertex(surface, *self, vertex); });
+           })
+      .def("point_of_triangle",
+           [](const SharedNet& self, const Surface& surface, std::uint32_t triangle,
+              const std::array<Rational, 3>& weights) {
+             return interruptible([=] { return point_of_triangle(surface, *self, triangle, weights); });
+           })
       .def(
           "svg",
-          [](const SharedNet& self, std::uint32_t centre, bool triangles, bool vertices, bool dirichlet, bool tiles,
-             const std::string& colouring, bool legend, std::uint32_t size, const std::vector<Layer>& layers) {
-            DrawOptions options{.centre = centre,
-                                .triangles = triangles,
-                                .vertices = vertices,
-                                .dirichlet = dirichlet,
-                                .legend = legend,
-                                .size = size};
-            if (colouring == "circumradius") options.colouring = Colouring::circumradius;
-            if (colouring == "chart") options.colouring = Colouring::chart;
-            std::vector<std::string> left_out;
-            std::string svg = without_gil([&] {
-              options.layers = collar_layers(*self);
-              if (tiles) options.layers.push_back(tile_layer(*self));
-              options.layers.insert(options.layers.end(), layers.begin(), layers.end());
-              return draw_svg(*self, options, &left_out);
-            });
+          [](const SharedNet& self, const PictureOptions& options, const std::vector<Layer>& layers) {
+            const auto [svg, left_out] = interruptible([=] { return picture(*self, options, layers); });
             for (const std::string& what : left_out) {
               if (PyErr_WarnEx(PyExc_UserWarning, ("left out: " + what).c_str(), 1) != 0) throw py::error_already_set();
             }
             return svg;
           },
-          py::arg("centre"), py::arg("triangles"), py::arg("vertices"), py::arg("dirichlet"), py::arg("tiles"),
-          py::arg("colouring"), py::arg("legend"), py::arg("size"), py::arg("layers"))
+          py::arg("options"), py::arg("layers"))
       .def(
           "page",
           [](const SharedNet& self, const std::string& title, const std::optional<certify::Certificate>& certificate,
-             const std::vector<Layer>& layers) {
-            return without_gil([&] { return page(*self, title, certificate, layers); });
+             const std::vector<Layer>& layers, bool distances) {
+            return interruptible([=] { return page(*self, title, certificate, layers, distances); });
           },
-          py::arg("title"), py::arg("certificate"), py::arg("layers"))
+          py::arg("title"), py::arg("certificate"), py::arg("layers"), py::arg("distances"))
       .def("exported",
-           [](const SharedNet& self, const std::string& format) {
-             return py::bytes(without_gil([&] { return exported(*self, format); }));
+           [](const SharedNet& self, const std::string& format, std::optional<std::uint32_t> distance_from) {
+             return py::bytes(interruptible([=] { return exported(*self, format, distance_from); }));
            })
       .def("distance_layer",
            [](const SharedNet& self, const Shared<certify::DistanceDocument>& distance) {
-             return without_gil([&] { return distance_layer(*self, *distance); });
+             return interruptible([=] { return distance_layer(*self, *distance); });
            })
       .def("geodesic_layer",
            [](const SharedNet& self, const Shared<certify::GeodesicsDocument>& geodesics, std::size_t number) {
-             return without_gil([&] { return geodesic_layer(*self, *geodesics, number); });
+             return interruptible([=] { return geodesic_layer(*self, *geodesics, number); });
            })
       .def("geodesics_layers", [](const SharedNet& self, const Shared<certify::GeodesicsDocument>& geodesics) {
-        return without_gil([&] { return geodesics_layers(*self, *geodesics); });
+        return interruptible([=] { return geodesics_layers(*self, *geodesics); });
       });
+  py::class_<SharedLocator>(module, "Locator")
+      .def(py::init([](const SharedNet& document) {
+             return interruptible([document] { return std::make_unique<SharedLocator>(document); });
+           }),
+           py::arg("net"))
+      .def("locate", &SharedLocator::locate, py::arg("point"));
 }
 
 }  // namespace epsnet::python

@@ -1,5 +1,7 @@
 #include <gmp.h>
 
+#include "certify/numbers/ball.h"
+#include "netgen/base/gmp.h"
 #include "python/binding/binding.h"
 
 /// Integers of Python and of GMP, by way of hexadecimal digits, which takes linear time on both sides.
@@ -23,7 +25,26 @@ bool set_integer(mpz_ptr result, const py::handle& value) {
   return text && mpz_set_str(result, py::cast<std::string>(text).c_str(), 0) == 0;
 }
 
+/// An interval around arcosh x = 2 arsinh √((x − 1)/2), x at least 1; around 0 for less.
+certify::Interval arcosh(const Rational& x) {
+  constexpr slong kPrecision = 128;
+  if (x <= 1) return {0, 0};
+  certify::Ball result;
+  certify::set_rational(result.get(), to_gmp(Rational((x - 1) / 2)), kPrecision);
+  arb_sqrt(result.get(), result.get(), kPrecision);
+  arb_asinh(result.get(), result.get(), kPrecision);
+  arb_mul_2exp_si(result.get(), result.get(), 1);
+  return certify::outer_interval(result.get());
+}
+
 }  // namespace
+
+void bind_numbers(py::module_& module) {
+  module.def("arcosh", [](const Rational& lower, const Rational& upper) {
+    return certify::Interval{arcosh(lower).lower, arcosh(upper).upper};
+  });
+}
+
 }  // namespace epsnet::python
 
 namespace pybind11::detail {

@@ -1,6 +1,7 @@
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "netgen/exchange/exchange.h"
+#include "netgen/lifts/info.h"
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/pictures/draw.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
@@ -10,6 +11,7 @@
 #include "netgen/surfaces/surface_file.h"
 #include "netgen/surfaces/word_isometry.h"
 #include "python/binding/binding.h"
+#include "python/binding/job.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet::python {
@@ -48,37 +50,53 @@ struct Coordinates {
 
 void bind_surface(py::module_& module) {
   py::class_<Surface>(module, "Surface")
-      .def(py::init(&surface_of), py::arg("tiles"), py::arg("gluing"))
+      .def(py::init([](const std::vector<Tile>& tiles, const std::vector<std::array<std::uint32_t, 4>>& gluing) {
+             return interruptible([=] { return surface_of(tiles, gluing); });
+           }),
+           py::arg("tiles"), py::arg("gluing"))
       .def_static("octagon", &random_octagon, py::arg("seed"))
       .def_static("symmetric", &symmetric_octagon, py::arg("half"))
-      .def_static("regular", &Surface::regular, py::arg("genus"))
+      .def_static(
+          "regular", [](std::uint32_t genus) { return interruptible([=] { return Surface::regular(genus); }); },
+          py::arg("genus"))
       .def_static(
           "fenchel_nielsen",
           [](const Coordinates& request) {
-            return without_gil([&] { return fenchel_nielsen_surface(request.coordinates); });
+            return interruptible([=] { return fenchel_nielsen_surface(request.coordinates); });
           },
           py::arg("coordinates"))
       .def_static(
           "parse",
           [](const std::string& text, const std::string& name) {
-            return without_gil([&] { return parse_surface_file(text, name); });
+            return interruptible([=] { return parse_surface_file(text, name); });
           },
           py::arg("text"), py::arg("name"))
       .def_static(
           "parse_exchange",
           [](const std::string& text, const std::string& name) {
-            return without_gil([&] { return import_surface(text, name); });
+            return interruptible([=] { return import_surface(text, name); });
           },
           py::arg("text"), py::arg("name"))
-      .def("save", &save_surface, py::arg("path"))
+      .def(
+          "save",
+          [](const Surface& surface, const std::filesystem::path& path) {
+            save(path, [surface](std::ostream& out) { certify::write_surface(to_document(surface), out); });
+          },
+          py::arg("path"))
       .def("text",
            [](const Surface& surface) {
-             return py::bytes(written([&](std::ostream& out) { certify::write_surface(to_document(surface), out); }));
+             return py::bytes(interruptible([=] {
+               return written([&](std::ostream& out) { certify::write_surface(to_document(surface), out); });
+             }));
            })
-      .def("domain_text", [](const Surface& surface) { return write_domain(surface); })
-      .def(
-          "triangulation_text",
-          [](const Surface& surface) { return written([&](std::ostream& out) { write_triangulation(surface, out); }); })
+      .def("info",
+           [](const Surface& surface) { return interruptible([=] { return surface_info(surface).json.dump(); }); })
+      .def("domain_text", [](const Surface& surface) { return interruptible([=] { return write_domain(surface); }); })
+      .def("triangulation_text",
+           [](const Surface& surface) {
+             return interruptible(
+                 [=] { return written([&](std::ostream& out) { write_triangulation(surface, out); }); });
+           })
       .def_property("about", &Surface::about, &Surface::set_about)
       .def_property_readonly("is_regular", &Surface::is_regular)
       .def_property_readonly("genus", &Surface::genus)
@@ -99,26 +117,33 @@ void bind_surface(py::module_& module) {
              }
              return centre_of_tile(surface, tile);
            })
-      .def("exact_isometry", &exact_isometry, py::arg("word"))
+      .def(
+          "exact_isometry",
+          [](const Surface& surface, const Word& word) {
+            return interruptible([=] { return exact_isometry(surface, word); });
+          },
+          py::arg("word"))
       .def(
           "enclosed_isometry",
           [](const Surface& surface, const Word& word, unsigned bits) {
-            const EnclosedIsometry f = without_gil([&] { return enclosed_isometry(surface, word, bits); });
+            const EnclosedIsometry f = interruptible([=] { return enclosed_isometry(surface, word, bits); });
             return std::pair(std::pair(ends(f.a_re), ends(f.a_im)), std::pair(ends(f.b_re), ends(f.b_im)));
           },
           py::arg("word"), py::arg("bits"))
       .def("__eq__", [](const Surface& a, const Surface& b) {
-        certify::SurfaceDocument x = to_document(a);
-        certify::SurfaceDocument y = to_document(b);
-        x.about = y.about = "";
-        return x == y;
+        return interruptible([=] {
+          certify::SurfaceDocument x = to_document(a);
+          certify::SurfaceDocument y = to_document(b);
+          x.about = y.about = "";
+          return x == y;
+        });
       });
 }
 
 void bind_polygons(py::module_& module) {
   using Side = FundamentalPolygon::Side;
   py::class_<FundamentalPolygon>(module, "FundamentalPolygon")
-      .def(py::init([](const Surface& surface) { return without_gil([&] { return fundamental_polygon(surface); }); }))
+      .def(py::init([](const Surface& surface) { return interruptible([=] { return fundamental_polygon(surface); }); }))
       .def_readonly("vertices", &FundamentalPolygon::vertices)
       .def_readonly("relations", &FundamentalPolygon::relations)
       .def_property_readonly("sides", [](const FundamentalPolygon& polygon) {
@@ -129,7 +154,7 @@ void bind_polygons(py::module_& module) {
 
   py::class_<DirichletPolygon>(module, "DirichletPolygon")
       .def(py::init([](const Surface& surface, const std::optional<BasePoint>& base) {
-        return without_gil([&] { return dirichlet_polygon(surface, base); });
+        return interruptible([=] { return dirichlet_polygon(surface, base); });
       }))
       .def_property_readonly("vertices",
                              [](const DirichletPolygon& polygon) {
@@ -148,9 +173,10 @@ void bind_polygons(py::module_& module) {
                              })
       .def("svg",
            [](const DirichletPolygon& polygon, std::uint32_t size) {
-             return without_gil([&] { return draw_svg(polygon, {.dirichlet = true, .size = size}); });
+             return interruptible([=] { return draw_svg(polygon, {.dirichlet = true, .size = size}); });
            })
-      .def("text", [](const DirichletPolygon& polygon) { return dirichlet_json(polygon); });
+      .def("text", [](const DirichletPolygon& polygon) { return py::bytes(dirichlet_json(polygon)); })
+      .def("info", [](const DirichletPolygon& polygon) { return dirichlet_info(polygon).json.dump(); });
 }
 
 }  // namespace
@@ -158,8 +184,8 @@ void bind_polygons(py::module_& module) {
 void bind_surfaces(py::module_& module) {
   py::class_<Coordinates>(module, "Coordinates")
       .def(py::init([](const std::string& graph, std::optional<std::uint32_t> genus, std::optional<std::uint64_t> seed,
-                       std::vector<std::string> lengths, std::vector<std::string> twists) {
-        return Coordinates{resolve({graph, genus, seed, std::move(lengths), std::move(twists)})};
+                       const std::vector<std::string>& lengths, const std::vector<std::string>& twists) {
+        return interruptible([=] { return Coordinates{resolve({graph, genus, seed, lengths, twists})}; });
       }))
       .def_property_readonly("edges", &Coordinates::edges)
       .def_property_readonly("lengths", [](const Coordinates& c) { return c.coordinates.lengths; })

@@ -16,29 +16,33 @@ In a notebook a net, a closed geodesic, a domain shows itself as a picture, and 
 Surface         octagon, fenchel_nielsen, regular, load: surfaces; and what they are asked for
 Net             vertices, edges, triangles, lifts as arrays of NumPy; certificate; pictures; files
 ClosedGeodesics systole, spectrum, thick-thin decomposition, each with its proof
-Distance        and Diameter, EmbeddedDisk, Eccentricity: numbers as intervals, with their proofs
-Interval        lower and upper ends, and whether it is proved
+Distance        and Diameter, Radius, EmbeddedDisk, Eccentricity: numbers as intervals, with their proofs
+Interval        lower and upper ends, and whether it is proved; arithmetic and comparisons
 Isometry        an element of the group: exact, or in SU(1,1) and SL(2,R) with proved errors
 load, certify   files, and what the checker says of them
+map             a function of many surfaces, on all cores, as a structured array
 EpsnetError     the exceptions
 """
 from . import _epsnet, errors
 from .certificates import Certificate, Rule
-from .distances import Cover, Diameter, Distance, Eccentricity, EmbeddedDisk
+from .distances import Cover, Diameter, Distance, Eccentricity, EmbeddedDisk, Radius
 from .domains import DirichletDomain, DirichletSide, FundamentalPolygon, PolygonSide
-from .errors import ArgumentError, EpsnetError, FileError, FormatError, LimitError, NetError, NotVerifiedError, SurfaceError
+from .errors import ArgumentError, EpsnetError, FileError, FormatError, LimitError, NetError, NotVerifiedError, SurfaceError, UndecidedError
 from .files import certify, load
-from .geodesics import ClosedGeodesic, ClosedGeodesics, Multiplicity, Piece, Systole, ThickThin
-from .intervals import Interval
-from .isometries import ComplexInterval, Gaussian, Isometry
-from .nets import Collar, Lifts, Net, Page
-from .surfaces import Point, Surface
+from .geodesics import ClosedGeodesic, ClosedGeodesics, Multiplicities, Multiplicity, Piece, Systole, ThickThin
+from .intervals import Interval, ends
+from .isometries import Axis, ComplexInterval, Gaussian, Isometry
+from .many import map as map  # Not in __all__, where it would hide Python's own.
+from .nets import Collar, DistanceTable, Lifts, Location, Net, Page
+from .points import Point
+from .surfaces import Surface
 
 __version__: str = _epsnet.__version__
 
 __all__ = [
-    "ArgumentError", "Certificate", "ClosedGeodesic", "ClosedGeodesics", "Collar", "ComplexInterval", "Cover", "Diameter", "DirichletDomain",
-    "DirichletSide", "Distance", "Eccentricity", "EmbeddedDisk", "EpsnetError", "FileError", "FormatError", "FundamentalPolygon", "Gaussian",
-    "Interval", "Isometry", "Lifts", "LimitError", "Multiplicity", "Net", "NetError", "NotVerifiedError", "Page", "Piece", "Point", "PolygonSide",
-    "Rule", "Surface", "SurfaceError", "Systole", "ThickThin", "certify", "errors", "load",
+    "ArgumentError", "Axis", "Certificate", "ClosedGeodesic", "ClosedGeodesics", "Collar", "ComplexInterval", "Cover", "Diameter",
+    "DirichletDomain", "DirichletSide", "Distance", "DistanceTable", "Eccentricity", "EmbeddedDisk", "EpsnetError", "FileError", "FormatError",
+    "FundamentalPolygon", "Gaussian", "Interval", "Isometry", "Lifts", "LimitError", "Location", "Multiplicities", "Multiplicity", "Net",
+    "NetError", "NotVerifiedError", "Page", "Piece", "Point", "PolygonSide", "Radius", "Rule", "Surface", "SurfaceError", "Systole", "ThickThin",
+    "UndecidedError", "certify", "ends", "errors", "load",
 ]

@@ -1,16 +1,42 @@
-"""The progress of long computations."""
+"""The progress of long computations, and what ends them early."""
 from __future__ import annotations
 
 import sys
+import threading
 import time
+from contextlib import contextmanager
 from types import TracebackType
-from typing import Any, Callable, Optional, Type, Union
+from typing import Any, Callable, Iterator, Optional, Type, Union
+
+from ._arguments import refuse
 
 #: ``callback(what, share)``: what is being done, and the share of it that is done, from 0 to 1.
 ProgressCallback = Callable[[str, float], object]
 Progress = Union[None, bool, ProgressCallback]
 
 _QUIET_SECONDS = 2.0
+_thread = threading.local()
+
+
+class Stopped(BaseException):
+    """The work of a thread is no longer wanted."""
+
+
+@contextmanager
+def part_of(stop: threading.Event) -> Iterator[None]:
+    """In this thread nothing shows its progress by itself, and computations end with Stopped once the event is set."""
+    _thread.stop = stop
+    try:
+        yield
+    finally:
+        del _thread.stop
+
+
+def poll() -> None:
+    """The library calls this some twenty times a second while it computes for a thread."""
+    stop = getattr(_thread, "stop", None)
+    if stop is not None and stop.is_set():
+        raise Stopped
 
 
 class Shower:
@@ -25,6 +51,8 @@ class Shower:
         self._start = time.monotonic()
         if callable(progress):
             self._callback = progress
+        elif progress is not None and not isinstance(progress, bool):
+            refuse("True, False, None or a function of what is being done and the share done", progress, "progress")
         elif progress or (progress is None and _somebody_looks()):
             self._callback = self._show
 
@@ -46,6 +74,8 @@ class Shower:
 
 
 def _somebody_looks() -> bool:
+    if hasattr(_thread, "stop"):
+        return False
     return "ipykernel" in sys.modules or (sys.stderr is not None and sys.stderr.isatty())
 
 

@@ -1,14 +1,13 @@
 """The results of the checker."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional
+import html
+from typing import Any, NamedTuple, Optional, Union
 
+from . import _epsnet
+from ._progress import Progress, Shower
 from .errors import NotVerifiedError
 from .intervals import Interval
-from ._progress import Progress, Shower
-
-if TYPE_CHECKING:
-    from . import _epsnet
 
 __all__ = ["Certificate", "Rule"]
 
@@ -19,6 +18,20 @@ class Rule(NamedTuple):
     name: str
     verdict: str
     text: str
+
+
+class _Record(NamedTuple):
+    """What a certificate says, for a pickle."""
+
+    verdict: str
+    claim: str
+    rule: str
+    message: str
+    rules: list[tuple[str, str, str]]
+    counts: dict[str, int]
+    enclosures: dict[str, tuple[float, float]]
+    ties: list[int]
+    line: str
 
 
 class Certificate:
@@ -37,7 +50,7 @@ class Certificate:
     True
     """
 
-    def __init__(self, core: "_epsnet.Certificate") -> None:
+    def __init__(self, core: Union["_epsnet.Certificate", _Record]) -> None:
         self._core = core
 
     @property
@@ -88,6 +101,18 @@ class Certificate:
         """The edges whose four corners are exactly cocircular, each by its smaller dart."""
         return self._core.ties
 
+    def _record(self) -> _Record:
+        return _Record(*(getattr(self._core, name) for name in _Record._fields))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Certificate) and self._record() == other._record()
+
+    def __hash__(self) -> int:
+        return hash(self._core.line)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Certificate, (self._record(),)
+
     def __str__(self) -> str:
         return self._core.line
 
@@ -96,14 +121,8 @@ class Certificate:
 
     def _repr_html_(self) -> str:
         colour = "#2f9468" if self.verified else "#d0402b"
-        rows = "".join(f"<tr><td>{rule.name}</td><td>{rule.verdict}</td><td style='text-align:left'>{_escaped(rule.text)}</td></tr>" for rule in self.rules)
-        return f"<b style='color:{colour}'>{_escaped(str(self))}</b><table>{rows}</table>"
-
-
-def _escaped(text: str) -> str:
-    import html
-
-    return html.escape(text)
+        rows = "".join(f"<tr><td>{rule.name}</td><td>{rule.verdict}</td><td style='text-align:left'>{html.escape(rule.text)}</td></tr>" for rule in self.rules)
+        return f"<b style='color:{colour}'>{html.escape(str(self))}</b><table>{rows}</table>"
 
 
 def checked(document: Any, progress: Progress, threads: int = 0, *, subject: str) -> Certificate:

@@ -1,57 +1,38 @@
-"""Distances between points, eccentricities, the diameter, the largest embedded disk."""
+"""Distances between points, eccentricities, the diameter, the radius, the largest embedded disk."""
 from __future__ import annotations
 
-import os
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Optional
 
 from . import _epsnet
+from ._arguments import Number, as_fraction, as_index, refuse
+from ._documents import Core, Document
 from ._progress import Progress, Shower
 from ._svg import polygon_svg
-from .certificates import Certificate, Proof, checked
+from .certificates import Certificate, checked
 from .domains import DirichletDomain
 from .intervals import Interval
 from .isometries import Gaussian, Isometry
-from .surfaces import Number, Path, Point, PointLike, Surface, as_fraction
+from .nets import Net
+from .points import Point, PointLike, base_point, point_of
 
 if TYPE_CHECKING:
-    from .nets import Net
+    from .surfaces import Surface
 
-__all__ = ["Cover", "Diameter", "Distance", "Eccentricity", "EmbeddedDisk"]
+__all__ = ["Cover", "Diameter", "Distance", "Eccentricity", "EmbeddedDisk", "Radius"]
 
 
-class _Measured(Interval):
+class _Measured(Document, Interval):
     """A number of a surface as an interval, with the document that proves it."""
 
-    __slots__ = ("_core", "_surface", "_proof")
+    def __init__(self, core: Core, surface: Optional["Surface"], certificate: Optional[Certificate]) -> None:
+        self._hold(core, surface, certificate)
+        Interval.__init__(self, *self._core.value)
 
-    def __init__(self, core: Any, surface: Optional[Surface], certificate: Optional[Certificate], value: tuple[float, float]) -> None:
-        self._core = core
-        self._surface = surface
-        self._proof = Proof(core, certificate)
-        super().__init__(*value, proved=self._proof.proved)
-
-    @property
-    def certificate(self) -> Certificate:
-        """The certificate."""
-        return self._proof.certificate
-
-    @property
-    def surface(self) -> Surface:
-        """The surface."""
-        if self._surface is None:
-            self._surface = Surface._of(self._core.net.surface)
-        return self._surface
-
-    @property
-    def net(self) -> "Net":
+    @cached_property
+    def net(self) -> Net:
         """The one-vertex net on which the number is proved."""
-        from .nets import Net
-
-        return Net(self._core.net, self._surface, None, None)
-
-    def save(self, path: Path) -> None:
-        """Writes the file that proves it, completely or not at all: for ``epsnet.load``, and for the program ``certify``."""
-        self._core.save(os.fspath(path))
+        return Net(self._core.net, self._surface, None)
 
 
 class Distance(_Measured):
@@ -66,11 +47,14 @@ class Distance(_Measured):
     [(0,)]
     """
 
-    __slots__ = ("_reverse",)
+    _core: "_epsnet.Distance"
 
-    def __init__(self, core: "_epsnet.Distance", surface: Optional[Surface], certificate: Optional[Certificate], reverse: bool = False) -> None:
-        super().__init__(core, surface, certificate, core.value)
+    def __init__(self, core: "_epsnet.Distance", surface: Optional["Surface"], certificate: Optional[Certificate], reverse: bool = False) -> None:
+        super().__init__(core, surface, certificate)
         self._reverse = reverse
+
+    def _more(self) -> tuple[Any, ...]:
+        return (self._reverse,)
 
     @property
     def paths(self) -> list[tuple[int, ...]]:
@@ -83,8 +67,7 @@ class Distance(_Measured):
     @property
     def equal(self) -> bool:
         """Whether all paths have exactly equal length, so that all are shortest; False claims nothing."""
-        equal: bool = self._core.equal
-        return equal and self.proved
+        return self._core.equal and self.proved
 
     def svg(self, size: int = 500) -> str:
         """The paths in the Dirichlet domain of p, which is in the centre; of q, if p is not strictly inside its tile."""
@@ -95,7 +78,7 @@ class Distance(_Measured):
             lift = Isometry(self.surface, word).inverse()
             end = lift(Gaussian(*z) if lift.is_exact else complex(Gaussian(*z)))
             ends.append(complex((end - centre) / (1 - centre.conjugate() * end)) if isinstance(end, Gaussian) else _moved(end, complex(centre)))
-        return polygon_svg(DirichletDomain(self.surface, base).vertices, size, ends)
+        return polygon_svg(DirichletDomain(self.surface, base).vertices, as_index(size, "size", 50, 20000), ends)
 
     def _layers_on(self, net: "_epsnet.Net") -> list["_epsnet.Layer"]:
         return [net.distance_layer(self._core)]
@@ -109,50 +92,42 @@ def _moved(z: complex, to_centre: complex) -> complex:
 
 
 class Cover(_Measured):
-    """The maximum of a function on a surface, as an interval, proved cell by cell."""
+    """The maximum of a function on a surface, or the minimum, as an interval, proved cell by cell."""
 
-    __slots__ = ()
-
-    def __init__(self, core: "_epsnet.Cover", surface: Optional[Surface], certificate: Optional[Certificate]) -> None:
-        super().__init__(core, surface, certificate, core.value)
+    _core: "_epsnet.Cover"
 
     @property
     def cells(self) -> int:
         """The number of cells into which the surface was cut."""
-        cells: int = self._core.cells
-        return cells
+        return self._core.cells
 
     @property
     def triangulations(self) -> int:
         """The number of triangulations that bound the function on the cells."""
-        triangulations: int = self._core.triangulations
-        return triangulations
+        return self._core.triangulations
 
     @property
     def point(self) -> Point:
-        """A point where the function is at least the lower end."""
-        tile, (x, y) = self._core.net.charts[0]
-        return Point(tile, x, y)
+        """A point where the function is at least the lower end; for a radius, at most the upper end."""
+        return point_of(self._core.net.charts[0])
 
 
 class Diameter(Cover):
     """The greatest distance of two points of a surface, as an interval."""
 
-    __slots__ = ()
+
+class Radius(Cover):
+    """The least r such that a disk of radius r covers the surface, as an interval: the least eccentricity, that of about ``point``."""
 
 
 class EmbeddedDisk(Cover):
     """The radius of the largest embedded disk of a surface, as an interval; its centre is near ``point``."""
 
-    __slots__ = ()
-
 
 class Eccentricity(Interval):
     """The greatest distance of a point of the surface from a given one, as an interval."""
 
-    __slots__ = ("net",)
-
-    def __init__(self, net: "Net") -> None:
+    def __init__(self, net: Net) -> None:
         #: The net with that point as its one vertex; its largest circumradius is the eccentricity.
         self.net = net
         value = net.certificate.enclosures["largest_circumradius"]
@@ -163,29 +138,42 @@ class Eccentricity(Interval):
         """The certificate of the net."""
         return self.net.certificate
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Eccentricity, (self.net,)
 
-def distance(surface: Surface, p: PointLike, q: PointLike, width: Number) -> Distance:
-    start, end = surface._base(p), surface._base(q)
-    core = _epsnet.Distance.measure(surface._core, start, end, float(as_fraction(width, "width")))
+
+def _width(width: Number) -> float:
+    value = as_fraction(width, "width")
+    if value <= 0:
+        refuse("a positive length", width, "width")
+    return float(value)
+
+
+def distance(surface: "Surface", p: PointLike, q: PointLike, width: Number) -> Distance:
+    start, end = base_point(surface._core, p, "p"), base_point(surface._core, q, "q")
+    core = _epsnet.Distance.measure(surface._core, start, end, _width(width))
     certificate = checked(core, False, subject="distance")
     # Measured from q, if p is not strictly inside of its tile.
-    return Distance(core, surface, certificate, reverse=core.point == start and core.point != end)
+    return Distance(core, surface, certificate, core.point == start and core.point != end)
 
 
-def diameter(surface: Surface, width: Number, progress: Progress) -> Diameter:
+_COVERS = {"diameter": Diameter, "radius": Radius, "embedded-disk": EmbeddedDisk}
+
+
+def cover_of(core: "_epsnet.Cover", surface: Optional["Surface"], certificate: Optional[Certificate]) -> Cover:
+    """The cover as the class of its claim."""
+    return _COVERS[core.claim](core, surface, certificate)
+
+
+def cover(surface: "Surface", claim: str, width: Number, progress: Progress) -> Cover:
+    size = _width(width)
+    if size < _epsnet.least_bound_width:
+        refuse(f"a width of at least {_epsnet.least_bound_width}", width, "width")
     with Shower(progress) as callback:
-        core = _epsnet.Cover.diameter(surface._core, float(as_fraction(width, "width")), callback)
-    return Diameter(core, surface, checked(core, progress, subject="diameter"))
+        core = _epsnet.Cover.enclose(surface._core, claim, size, callback)
+    return cover_of(core, surface, checked(core, progress, subject=claim))
 
 
-def embedded_disk(surface: Surface, width: Number, progress: Progress) -> EmbeddedDisk:
-    with Shower(progress) as callback:
-        core = _epsnet.Cover.embedded_disk(surface._core, float(as_fraction(width, "width")), callback)
-    return EmbeddedDisk(core, surface, checked(core, progress, subject="largest embedded disk"))
-
-
-def eccentricity(surface: Surface, p: PointLike) -> Eccentricity:
-    from .nets import Net
-
-    core = _epsnet.eccentricity_net(surface._core, surface._base(p))
-    return Eccentricity(Net(core, surface, checked(core, False, subject="eccentricity"), None))
+def eccentricity(surface: "Surface", p: PointLike) -> Eccentricity:
+    core = _epsnet.eccentricity_net(surface._core, base_point(surface._core, p, "p"))
+    return Eccentricity(Net(core, surface, checked(core, False, subject="eccentricity")))

@@ -1,12 +1,14 @@
 """Fundamental polygons and Dirichlet domains."""
 from __future__ import annotations
 
-from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple, Optional
+import json
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional
 
 from . import _epsnet
+from ._arguments import Path, as_index, as_path
 from ._svg import polygon_svg
 from .isometries import Gaussian, Isometry
+from .points import BasePoint
 
 if TYPE_CHECKING:
     from .surfaces import Surface
@@ -53,6 +55,15 @@ class FundamentalPolygon:
         """For each vertex of the surface that is a corner, the sides k₁, k₂, … around it: the product γ₁γ₂… of their isometries is 1."""
         return self._core.relations
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, FundamentalPolygon) and self.surface == other.surface
+
+    def __hash__(self) -> int:
+        return hash(self.surface)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return FundamentalPolygon, (self.surface,)
+
     def __repr__(self) -> str:
         return f"<FundamentalPolygon with {len(self.sides)} sides>"
 
@@ -74,8 +85,9 @@ class DirichletSide(NamedTuple):
 class DirichletDomain:
     """The points that are nearer to one lift of a point than to its other lifts. Sides and pairings are proved; vertices are rounded."""
 
-    def __init__(self, surface: "Surface", base: Optional[tuple[int, tuple[Fraction, Fraction]]]) -> None:
+    def __init__(self, surface: "Surface", base: Optional[BasePoint]) -> None:
         self.surface = surface
+        self._base = base
         self._core = _epsnet.DirichletPolygon(surface._core, base)
         #: The sides, counterclockwise: side k leads from vertex k to vertex k + 1. Proved: the isometries, the partners, and which there are.
         self.sides = [DirichletSide(Isometry(surface, word), partner, distance) for word, partner, distance in self._core.sides]
@@ -92,10 +104,29 @@ class DirichletDomain:
 
     def svg(self, size: int = 600) -> str:
         """The domain, with the Delaunay triangulation of its point."""
-        return self._core.svg(size)
+        return self._core.svg(as_index(size, "size", 50, 20000))
+
+    def save(self, path: Path) -> None:
+        """Writes the domain as JSON (docs/format.md), completely or not at all. The program ``epsnet info`` describes the file."""
+        _epsnet.write_text(self._core.text(), as_path(path))
+
+    def info(self) -> dict[str, Any]:
+        """A summary: how far the sides and the vertices are from the base point. Rounded, not proved."""
+        facts: dict[str, Any] = json.loads(self._core.info())
+        return facts
 
     def _repr_svg_(self) -> str:
         return self.svg()
+
+    def __eq__(self, other: object) -> bool:
+        """Whether the surfaces and the base points are equal."""
+        return isinstance(other, DirichletDomain) and (self.surface, self._base) == (other.surface, other._base)
+
+    def __hash__(self) -> int:
+        return hash((self.surface, self._base))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return DirichletDomain, (self.surface, self._base)
 
     def __repr__(self) -> str:
         return f"<DirichletDomain with {len(self.sides)} sides>"

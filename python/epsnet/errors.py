@@ -2,12 +2,14 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Optional
+from typing import TYPE_CHECKING, Any, Optional
 
 if TYPE_CHECKING:
     from .certificates import Certificate
 
-__all__ = ["ArgumentError", "EpsnetError", "FileError", "FormatError", "LimitError", "NetError", "NotVerifiedError", "SurfaceError"]
+__all__ = [
+    "ArgumentError", "EpsnetError", "FileError", "FormatError", "LimitError", "NetError", "NotVerifiedError", "SurfaceError", "UndecidedError",
+]
 
 _FILE = re.compile(r'("(?:[^"\\]|\\.)*"|standard input|[^:"]+(?=:\d+: )): ?', re.S)
 _PATH = re.compile(r"(.+?): ", re.S)  # As files that cannot be written are called.
@@ -78,6 +80,10 @@ class LimitError(EpsnetError):
     """The surface is beyond the numbers that the generator computes with."""
 
 
+class UndecidedError(EpsnetError, ArithmeticError):
+    """Intervals overlap, so that they do not decide a comparison; or a divisor may be 0."""
+
+
 class NotVerifiedError(EpsnetError):
     """The checker did not say VERIFIED, so there is no result. ``certificate`` is the checker's result."""
 
@@ -86,3 +92,6 @@ class NotVerifiedError(EpsnetError):
         self.certificate = certificate
         self.place = certificate.rule or None
         self.reason = certificate.message
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.args[0], self.certificate)

@@ -1,17 +1,17 @@
 """Reading and checking the files of epsnet."""
 from __future__ import annotations
 
-import os
-import re
-from typing import Optional, Union
+from typing import Union
 
 from . import _epsnet
+from ._arguments import Path, as_flag, as_path, as_threads
+from ._documents import certified, read
 from ._progress import Progress, Shower
-from .certificates import Certificate, required
-from .distances import Cover, Diameter, Distance, EmbeddedDisk
+from .certificates import Certificate
+from .distances import Cover, Distance, cover_of
 from .geodesics import ClosedGeodesics, Systole, ThickThin
 from .nets import Net
-from .surfaces import Path, Surface
+from .surfaces import Surface
 
 __all__ = ["certify", "load"]
 
@@ -19,7 +19,7 @@ Loaded = Union[Surface, Net, ClosedGeodesics, Systole, ThickThin, Distance, Cove
 
 
 def load(path: Path, *, check: bool = True, progress: Progress = None) -> Loaded:
-    """The contents of a file: a Surface, a Net, ClosedGeodesics (Systole, ThickThin), a Distance, a Diameter or an EmbeddedDisk.
+    """The contents of a file: a Surface, a Net, ClosedGeodesics (Systole, ThickThin), a Distance, a Diameter, a Radius or an EmbeddedDisk.
 
     The file is checked; NotVerifiedError, which has the certificate, unless it is verified. With ``check=False`` nothing is checked: then
     intervals say ``proved=False``, and ``certificate`` checks when it is asked for. FormatError and FileError say where, and what was expected.
@@ -32,21 +32,17 @@ def load(path: Path, *, check: bool = True, progress: Progress = None) -> Loaded
     >>> epsnet.load(path, check=False)
     <Systole [3.0571418389619959, 3.057141838961997] (not proved)>
     """
-    name = _epsnet.display_name(os.fspath(path))
-    text = _epsnet.read(os.fspath(path))
-    if _format_of(text) in (None, "epsnet-surface"):
-        return Surface._of(_parsed_surface(text, name))
-    core = _epsnet.parse_claim(text, name)
-    certificate = None
-    if check:
-        with Shower(progress) as callback:
-            certificate = required(Certificate(core.check(0, False, callback)), name)
+    check, shower = as_flag(check, "check"), Shower(progress)
+    name, core = read(path)
+    if isinstance(core, _epsnet.Surface):
+        return Surface._of(core)
+    certificate = certified(core, name, shower) if check else None
     if isinstance(core, _epsnet.Net):
-        return Net(core, None, certificate, None)
+        return Net(core, None, certificate)
     if isinstance(core, _epsnet.Distance):
         return Distance(core, None, certificate)
     if isinstance(core, _epsnet.Cover):
-        return (Diameter if core.claim == "diameter" else EmbeddedDisk)(core, None, certificate)
+        return cover_of(core, None, certificate)
     if core.claim == "systole":
         return Systole(ClosedGeodesics(core, None, certificate))
     return (ThickThin if core.claim == "thick-thin" else ClosedGeodesics)(core, None, certificate)
@@ -61,31 +57,7 @@ def certify(path: Path, *, threads: int = 0, progress: Progress = None) -> Certi
     >>> epsnet.certify(path).verdict
     'VERIFIED'
     """
-    name = _epsnet.display_name(os.fspath(path))
-    core = _epsnet.parse_claim(_epsnet.read(os.fspath(path)), name)
-    with Shower(progress) as callback:
+    file, threads, shower = as_path(path), as_threads(threads), Shower(progress)
+    core = _epsnet.parse_claim(_epsnet.read(file), _epsnet.display_name(file))
+    with shower as callback:
         return Certificate(core.check(threads, False, callback))
-
-
-def surface_of_file(path: Path) -> Surface:
-    """The surface of a file of any kind."""
-    name = _epsnet.display_name(os.fspath(path))
-    text = _epsnet.read(os.fspath(path))
-    if _format_of(text) in (None, "epsnet-surface"):
-        return Surface._of(_parsed_surface(text, name))
-    core = _epsnet.parse_claim(text, name)
-    return Surface._of(core.surface if isinstance(core, _epsnet.Net) else core.net.surface)
-
-
-def _format_of(text: bytes) -> Optional[str]:
-    """The member "format" of a text; None if the text is not JSON. (Inside a string its quotation marks would be escaped.)"""
-    if not text.lstrip()[:1] in (b"{", b"["):
-        return None
-    found = re.search(rb'"format"\s*:\s*"([^"\\]*)"', text)
-    return found.group(1).decode(errors="replace") if found else ""
-
-
-def _parsed_surface(text: bytes, name: str) -> "_epsnet.Surface":
-    if _format_of(text) is None:
-        return _epsnet.Surface.parse_exchange(text, name.strip('"'))
-    return _epsnet.Surface.parse(text, name)

@@ -1,21 +1,27 @@
 """Closed geodesics: systole, length spectrum, small curves."""
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Callable, Iterator, NamedTuple, Optional, Sequence, Union, overload
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Callable, Iterator, List, NamedTuple, Optional, Sequence, Union, overload
+
+import numpy as np
 
 from . import _epsnet
+from ._arguments import Number, Path, as_threads, length_text
+from ._documents import Document
 from ._progress import Progress, Shower
-from .certificates import Certificate, Proof, checked
-from .intervals import Interval
+from .certificates import Certificate, checked
+from .intervals import Interval, ends
 from .isometries import Isometry
-from .surfaces import Number, Path, Surface, as_index, length_text
+from .nets import Net
 
 if TYPE_CHECKING:
-    from .nets import Net
+    from numpy.typing import NDArray
 
-__all__ = ["ClosedGeodesic", "ClosedGeodesics", "Multiplicity", "Piece", "Systole", "ThickThin"]
+    from .surfaces import Surface
+
+__all__ = ["ClosedGeodesic", "ClosedGeodesics", "Multiplicities", "Multiplicity", "Piece", "Systole", "ThickThin"]
 
 
 @dataclass(frozen=True)
@@ -30,6 +36,25 @@ class Multiplicity:
     equal: bool
     #: The geodesics.
     geodesics: list["ClosedGeodesic"]
+
+
+class Multiplicities(List[Multiplicity]):
+    """A list of closed geodesics, grouped by length: a list of Multiplicity, and its columns as arrays."""
+
+    @property
+    def lengths(self) -> "NDArray[np.float64]":
+        """The lengths, rounded outward: a row (lower, upper) for each group."""
+        return ends(multiplicity.length for multiplicity in self)
+
+    @property
+    def counts(self) -> "NDArray[np.int64]":
+        """The number of geodesics of each group."""
+        return np.array([multiplicity.count for multiplicity in self], dtype=np.int64)
+
+    @property
+    def equal(self) -> "NDArray[np.bool_]":
+        """Whether the lengths in each group are exactly equal; False claims nothing."""
+        return np.array([multiplicity.equal for multiplicity in self], dtype=np.bool_)
 
 
 class Piece(NamedTuple):
@@ -52,10 +77,14 @@ class ClosedGeodesic:
         self.tile = tile
         #: The sides that a loop crosses that is freely homotopic to it.
         self.word = tuple(word)
-        #: Its length.
-        self.length = Interval(*length, proved=geodesics.proved)
+        self._length = length
         #: Whether it has no self-intersections.
         self.simple = simple
+
+    @property
+    def length(self) -> Interval:
+        """Its length."""
+        return Interval(*self._length, proved=self._geodesics.proved)
 
     @property
     def isometry(self) -> Isometry:
@@ -69,11 +98,20 @@ class ClosedGeodesic:
 
     def svg(self, size: int = 600) -> str:
         """The geodesic on the triangulation of a net of the surface, with a vertex near it in the centre."""
-        core = self._geodesics._core
-        return core.net.svg(self._vertex, True, False, False, False, "none", False, size, self._layers_on(core.net))
+        return self._geodesics.net.svg(centre=self._vertex, vertices=False, size=size, show=[self])
 
     def _layers_on(self, net: "_epsnet.Net") -> list["_epsnet.Layer"]:
         return [net.geodesic_layer(self._geodesics._core, self.number)]
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are the same entry of equal lists."""
+        return isinstance(other, ClosedGeodesic) and self.number == other.number and self._geodesics == other._geodesics
+
+    def __hash__(self) -> int:
+        return hash((self.number, self.word))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return ClosedGeodesics.__getitem__, (self._geodesics, self.number)
 
     def _repr_svg_(self) -> str:
         return self.svg()
@@ -82,51 +120,43 @@ class ClosedGeodesic:
         return f"<ClosedGeodesic of length {self.length}{'' if self.simple else ', not simple'}>"
 
 
-class ClosedGeodesics(Sequence[ClosedGeodesic]):
+class ClosedGeodesics(Document, Sequence[ClosedGeodesic]):
     """A list of closed geodesics that is proved to be complete, ordered by length."""
 
-    def __init__(self, core: "_epsnet.Geodesics", surface: Optional[Surface], certificate: Optional[Certificate]) -> None:
-        self._core = core
-        self._surface = surface
-        self._proof = Proof(core, certificate)
+    _core: "_epsnet.Geodesics"
+
+    def __init__(self, core: "_epsnet.Geodesics", surface: Optional["Surface"], certificate: Optional[Certificate]) -> None:
+        self._hold(core, surface, certificate)
         self._list = [ClosedGeodesic(self, number, *row) for number, row in enumerate(core.geodesics)]
-
-    @property
-    def certificate(self) -> Certificate:
-        """The certificate of the list."""
-        return self._proof.certificate
-
-    @property
-    def proved(self) -> bool:
-        """Whether the list was checked and verified."""
-        return self._proof.proved
-
-    @property
-    def surface(self) -> Surface:
-        """The surface."""
-        if self._surface is None:
-            self._surface = Surface._of(self._core.net.surface)
-        return self._surface
 
     @property
     def up_to(self) -> str:
         """The length up to which a spectrum is complete, as it was given."""
         return self._core.up_to
 
-    @property
-    def net(self) -> "Net":
+    @cached_property
+    def net(self) -> Net:
         """The net on which the list is proved."""
-        from .nets import Net
+        return Net(self._core.net, self._surface, None)
 
-        return Net(self._core.net, self._surface, None, None)
+    @property
+    def lengths(self) -> "NDArray[np.float64]":
+        """The lengths as an array, rounded outward: a row (lower, upper) for each geodesic.
 
-    def save(self, path: Path) -> None:
-        """Writes a geodesics file, completely or not at all: for ``epsnet.load``, and for the program ``certify``."""
-        self._core.save(os.fspath(path))
+        >>> import epsnet
+        >>> epsnet.Surface.regular(2).spectrum("3.1").lengths.shape
+        (12, 2)
+        """
+        return ends(geodesic.length for geodesic in self)
 
-    def multiplicities(self) -> list[Multiplicity]:
-        """The list, grouped by length."""
-        result = []
+    def multiplicities(self) -> Multiplicities:
+        """The list, grouped by length.
+
+        >>> import epsnet
+        >>> epsnet.Surface.regular(2).spectrum("4.9").multiplicities().counts
+        array([12, 12])
+        """
+        result = Multiplicities()
         for first, count, equal in self._core.clusters:
             run = self._list[first:first + count]
             length = Interval(min(g.length.ends[0] for g in run), max(g.length.ends[1] for g in run), proved=self.proved)
@@ -150,11 +180,16 @@ class ClosedGeodesics(Sequence[ClosedGeodesic]):
 
     def svg(self, size: int = 600) -> str:
         """All of them on the triangulation of a net of the surface."""
-        centre = self._list[0]._vertex if self._list else 0
-        return self._core.net.svg(centre, True, False, False, False, "none", False, size, self._layers_on(self._core.net))
+        return self.net.svg(centre=self._list[0]._vertex if self._list else 0, vertices=False, size=size, show=[self])
 
     def _layers_on(self, net: "_epsnet.Net") -> list["_epsnet.Layer"]:
         return net.geodesics_layers(self._core)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, ClosedGeodesics) and bool(self._core == other._core)
+
+    def __hash__(self) -> int:
+        return hash((len(self), self.up_to))
 
     def _repr_svg_(self) -> str:
         return self.svg()
@@ -181,9 +216,18 @@ class Systole(Interval):
     __slots__ = ("_geodesics",)
 
     def __init__(self, geodesics: ClosedGeodesics) -> None:
-        ends = geodesics[0].length.ends
-        super().__init__(*ends, proved=geodesics.proved)
+        super().__init__(*geodesics[0].length.ends)
         self._geodesics = geodesics
+
+    @property
+    def proved(self) -> bool:
+        """Whether the checker has verified it."""
+        return self._geodesics.proved
+
+    @property
+    def surface(self) -> "Surface":
+        """The surface."""
+        return self._geodesics.surface
 
     @property
     def geodesic(self) -> ClosedGeodesic:
@@ -199,39 +243,44 @@ class Systole(Interval):
         """Writes a geodesics file, completely or not at all: for ``epsnet.load``, and for the program ``certify``."""
         self._geodesics.save(path)
 
+    def svg(self, size: int = 600) -> str:
+        """The geodesic on the triangulation of a net of the surface."""
+        return self._geodesics.svg(size)
+
     def _layers_on(self, net: "_epsnet.Net") -> list["_epsnet.Layer"]:
         return self._geodesics._layers_on(net)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Systole, (self._geodesics,)
+
     def _repr_svg_(self) -> str:
-        return self._geodesics._repr_svg_()
+        return self.svg()
 
 
 _EPSILON = "1"  # Of the net from which a search starts; any gives the same list.
 
 
-def _found(surface: Surface, progress: Progress, threads: int, what: str, find: Callable[[Any], "_epsnet.Geodesics"]) -> tuple["_epsnet.Geodesics", Certificate]:
+def _found(surface: "Surface", threads: int, progress: Progress, what: str, find: Callable[[Any], "_epsnet.Geodesics"]) -> ClosedGeodesics:
     with Shower(progress) as callback:
         core = find(callback)
-    return core, checked(core, progress, threads, subject=what)
+    return (ThickThin if core.claim == "thick-thin" else ClosedGeodesics)(core, surface, checked(core, progress, threads, subject=what))
 
 
-def systole(surface: Surface, threads: int, progress: Progress) -> Systole:
-    core, certificate = _found(
-        surface, progress, threads, "systole", lambda callback: _epsnet.Geodesics.systole(surface._core, _EPSILON, as_index(threads, "threads", 0, 1024), callback)
-    )
-    return Systole(ClosedGeodesics(core, surface, certificate))
+def systole(surface: "Surface", threads: int, progress: Progress) -> Systole:
+    threads = as_threads(threads)
+    return Systole(_found(surface, threads, progress, "systole", lambda callback: _epsnet.Geodesics.systole(surface._core, _EPSILON, threads, callback)))
 
 
-def spectrum(surface: Surface, up_to: Number, threads: int, progress: Progress) -> ClosedGeodesics:
+def spectrum(surface: "Surface", up_to: Number, threads: int, progress: Progress) -> ClosedGeodesics:
     text = length_text(up_to, "up_to")
-    core, certificate = _found(
-        surface, progress, threads, "spectrum", lambda callback: _epsnet.Geodesics.spectrum(surface._core, text, _EPSILON, as_index(threads, "threads", 0, 1024), callback)
-    )
-    return ClosedGeodesics(core, surface, certificate)
+    threads = as_threads(threads)
+    return _found(surface, threads, progress, "spectrum", lambda callback: _epsnet.Geodesics.spectrum(surface._core, text, _EPSILON, threads, callback))
 
 
-def thick_thin(surface: Surface, threads: int, progress: Progress) -> ThickThin:
-    core, certificate = _found(
-        surface, progress, threads, "thick-thin decomposition", lambda callback: _epsnet.Geodesics.thick_thin(surface._core, _EPSILON, as_index(threads, "threads", 0, 1024), callback)
+def thick_thin(surface: "Surface", threads: int, progress: Progress) -> ThickThin:
+    threads = as_threads(threads)
+    found = _found(
+        surface, threads, progress, "thick-thin decomposition", lambda callback: _epsnet.Geodesics.thick_thin(surface._core, _EPSILON, threads, callback)
     )
-    return ThickThin(core, surface, certificate)
+    assert isinstance(found, ThickThin)
+    return found

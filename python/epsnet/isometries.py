@@ -1,15 +1,23 @@
 """Elements of the group of a surface, exactly and in intervals."""
 from __future__ import annotations
 
+import importlib.util
+from collections import Counter
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Sequence, Tuple, Union
 
-from .intervals import Interval
+import numpy as np
+
+from ._arguments import Number, as_choice, as_index, exact, refuse
+from .errors import ArgumentError
+from .intervals import Interval, arcosh
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from .surfaces import Surface
 
-__all__ = ["ComplexInterval", "Gaussian", "Isometry"]
+__all__ = ["Axis", "ComplexInterval", "Gaussian", "Isometry"]
 
 
 class Gaussian:
@@ -27,9 +35,9 @@ class Gaussian:
     re: Fraction
     im: Fraction
 
-    def __init__(self, re: Union[int, float, str, Fraction] = 0, im: Union[int, float, str, Fraction] = 0) -> None:
-        object.__setattr__(self, "re", Fraction(re))
-        object.__setattr__(self, "im", Fraction(im))
+    def __init__(self, re: Number = 0, im: Number = 0) -> None:
+        object.__setattr__(self, "re", exact(re, "re"))
+        object.__setattr__(self, "im", exact(im, "im"))
 
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError("a Gaussian does not change")
@@ -63,7 +71,7 @@ class Gaussian:
         return Gaussian(self.re - w.re, self.im - w.im)
 
     def __rsub__(self, other: object) -> "Gaussian":
-        return -self + other
+        return (-self).__add__(other)
 
     def __mul__(self, other: object) -> "Gaussian":
         w = _gaussian(other)
@@ -115,6 +123,9 @@ class ComplexInterval:
     __slots__ = ("re", "im")
 
     def __init__(self, re: Interval, im: Interval) -> None:
+        for name, part in (("re", re), ("im", im)):
+            if not isinstance(part, Interval):
+                refuse("an interval", part, name)
         self.re = re
         self.im = im
 
@@ -130,23 +141,35 @@ class ComplexInterval:
 
     def conjugate(self) -> "ComplexInterval":
         """Of the conjugate number."""
-        return ComplexInterval(self.re, _negative(self.im))
+        return ComplexInterval(self.re, -self.im)
 
     def __contains__(self, z: Union[complex, Gaussian]) -> bool:
         if isinstance(z, Gaussian):
             return z.re in self.re and z.im in self.im
         return z.real in self.re and z.imag in self.im
 
+    def __eq__(self, other: object) -> bool:
+        """Whether the ends are equal. This says nothing about the numbers inside."""
+        return isinstance(other, ComplexInterval) and (self.re, self.im) == (other.re, other.im)
+
+    def __hash__(self) -> int:
+        return hash((self.re, self.im))
+
     def __repr__(self) -> str:
         return f"<ComplexInterval {self.re.text} + {self.im.text}i>"
 
 
-def _negative(x: Interval) -> Interval:
-    return Interval(-x.ends[1], -x.ends[0], proved=x.proved)
-
-
 #: A matrix with two rows of two.
 Matrix = Tuple[Tuple[Any, Any], Tuple[Any, Any]]
+
+
+class Axis(NamedTuple):
+    """The ends of the axis of a hyperbolic isometry: points of the unit circle, in proved intervals."""
+
+    #: The end from which it translates.
+    repelling: ComplexInterval
+    #: The end towards which it translates.
+    attracting: ComplexInterval
 
 
 class Isometry:
@@ -217,8 +240,6 @@ class Isometry:
 
     def enclosure(self, bits: int = 53) -> tuple[ComplexInterval, ComplexInterval]:
         """Intervals that contain a and b for |a|² − |b|² = 1, at most |a|/2^bits wide. Proved. Their ends are exact: ``.ends``."""
-        from .surfaces import as_index
-
         pairs = self.surface._core.enclosed_isometry(self.word, as_index(bits, "bits", 1, 2**20))
         a, b = (ComplexInterval(*(Interval(*ends, proved=True) for ends in pair)) for pair in pairs)
         return a, b
@@ -237,33 +258,123 @@ class Isometry:
         """The same isometry of the upper half-plane, in SL(2,R), as ``su11``; z ↦ (z − i)/(z + i) maps the half-plane to the disk."""
         a, b = self.enclosure(53 if bits is None else bits)
 
-        def sum_of(x: Interval, y: Interval) -> Interval:
-            return Interval(x.ends[0] + y.ends[0], x.ends[1] + y.ends[1], proved=True)
+        return _converted(((a.re + b.re, a.im - b.im), (-a.im - b.im, a.re - b.re)), bits, kind)
 
-        rows = (
-            (sum_of(a.re, b.re), sum_of(a.im, _negative(b.im))),
-            (sum_of(_negative(a.im), _negative(b.im)), sum_of(a.re, _negative(b.re))),
-        )
-        return _converted(rows, bits, kind)
+    def matrix(self, model: str = "disk") -> "NDArray[Any]":
+        """The matrix of determinant 1 as an array of NumPy: complex, of the "disk", or real, of the "half-plane". Rounded, not proved."""
+        if as_choice(model, "model", ("disk", "half-plane")) == "disk":
+            return np.array([[entry.mid for entry in row] for row in self.su11()], dtype=np.complex128)
+        return np.array([[entry.mid for entry in row] for row in self.sl2r()], dtype=np.float64)
+
+    def trace(self, bits: int = 53) -> Interval:
+        """The trace of the matrix that ``su11`` and ``sl2r`` return, in a proved interval. The isometry determines it up to its sign.
+
+        >>> import epsnet
+        >>> f = epsnet.Surface.regular(2).generators()[0]
+        >>> abs(f.trace())                # 2 + 2√2
+        <Interval [4.8284271247461898, 4.828427124746191]>
+        """
+        return 2 * self.enclosure(bits)[0].re
+
+    @property
+    def translation_length(self) -> Interval:
+        """The hyperbolic length by which it translates along its axis, in a proved interval: that of the closed geodesic in its free homotopy
+        class. 0 for the identity.
+
+        >>> import epsnet
+        >>> f = epsnet.Surface.regular(2).generators()[0]
+        >>> f.translation_length, (f ** 2).translation_length
+        (<Interval [3.0571418389619959, 3.0571418389619965]>, <Interval [6.1142836779239919, 6.114283677923993]>)
+        """
+        if self.is_identity():
+            return Interval(0, 0, proved=True)
+        a, _, determinant = self._entries(128)
+        return arcosh(2 * a.re**2 / determinant - 1)
+
+    def axis(self, bits: int = 53) -> Axis:
+        """The ends of its axis on the unit circle of the tile's disk, in proved intervals of about that many bits.
+
+        >>> import epsnet
+        >>> f = epsnet.Surface.octagon(seed=123).generators()[0]
+        >>> end = f.axis().attracting
+        >>> end.error < 1e-14, abs(abs(end.mid) - 1) < 1e-14, abs(f(end.mid) - end.mid) < 1e-12
+        (True, True, True)
+        """
+        bits = as_index(bits, "bits", 1, 2**16)
+        if self.is_identity():
+            raise ArgumentError("the identity has no axis")
+        # The fixed points z of (az + b)/(b̄z + ā) have b̄z = i Im a ± s with s² = Re(a)² − |a|² + |b|²; there b̄z + ā is Re a ± s, and where that is
+        # larger the isometry contracts.
+        a, b, determinant = self._entries(bits + 64)
+        s = (a.re**2 - determinant).sqrt(bits + 32)
+        if a.re < 0:
+            s = -s
+        norm = b.re**2 + b.im**2
+
+        def end(s: Interval) -> ComplexInterval:
+            re, im = (s * b.re - a.im * b.im) / norm, (s * b.im + a.im * b.re) / norm
+            return ComplexInterval(re.rounded(bits + 8), im.rounded(bits + 8))
+
+        return Axis(end(-s), end(s))
+
+    def _entries(self, bits: int) -> tuple[ComplexInterval, ComplexInterval, Interval]:
+        """a, b and |a|² − |b|²: exactly, if the tiles are rational; else with so many bits that the square of a has that many after the point."""
+        if not self.is_exact:
+            size = sum(abs(part).ends[1] for part in (self.enclosure(8)[0].re, self.enclosure(8)[0].im))
+            return (*self.enclosure(bits + 2 * int(size).bit_length()), Interval(1, 1, proved=True))
+        a, b = (ComplexInterval(Interval(z.re, z.re, proved=True), Interval(z.im, z.im, proved=True)) for z in self._pair())
+        return a, b, Interval(self.determinant, self.determinant, proved=True)
 
     def __mul__(self, other: "Isometry") -> "Isometry":
         """f·g: g first, then f. Their paths start in the same tile."""
         if not isinstance(other, Isometry):
             return NotImplemented
-        if other.surface is not self.surface and other.surface != self.surface:
-            raise ValueError("the two isometries are elements of different surfaces")
+        if not self._same_surface(other):
+            raise ArgumentError("the two isometries are elements of different surfaces")
         return Isometry(self.surface, self.surface.reduced(other.word + self.word))
+
+    def __pow__(self, exponent: int) -> "Isometry":
+        """The isometry applied so many times; its inverse, if the exponent is negative."""
+        n = as_index(exponent, "exponent", -(10**6), 10**6)
+        return Isometry(self.surface, self.surface.reduced((self if n >= 0 else self.inverse()).word * abs(n)))
+
+    def _same_surface(self, other: "Isometry") -> bool:
+        return other.surface is self.surface or other.surface == self.surface
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are the same element of the group of one surface, decided exactly. Elements of paths that start in different tiles are
+        different, but for the identity."""
+        if not isinstance(other, Isometry) or not self._same_surface(other):
+            return False
+        if self.word == other.word:
+            return True
+        if self.is_identity() or other.is_identity():
+            return self.is_identity() and other.is_identity()
+        return self.surface._tile_of[self.word[0]] == self.surface._tile_of[other.word[0]] and (self * other.inverse()).is_identity()
+
+    def __hash__(self) -> int:
+        if self.is_exact:
+            return hash((self.a * self.a, self.a * self.b))  # The sign of (a, b) is arbitrary.
+        # The relation has each letter and its inverse once, so that the sums of exponents depend on the element alone.
+        count = Counter(self.word)
+        return hash(frozenset((side, n) for side in count if (n := count[side] - count[self.surface.partner(side)])))
 
     def inverse(self) -> "Isometry":
         """The path backwards."""
         return Isometry(self.surface, [self.surface.partner(side) for side in reversed(self.word)])
 
     def is_identity(self) -> bool:
-        """Whether it is 1, decided exactly; SurfaceError for a regular surface."""
-        return self.b == 0 and self.a.im == 0
+        """Whether it is 1, decided exactly."""
+        if self.is_exact:
+            return self.b == 0 and self.a.im == 0
+        # It takes the centre of the tile to that of another one, at least 2r away, cosh r = cot(π/4g) > 2; and |a| = cosh(d/2) for its distance d.
+        a, _ = self.enclosure(8)
+        return a.re**2 + a.im**2 < 3
 
     def __call__(self, z: Union[Gaussian, complex]) -> Union[Gaussian, complex]:
         """The image of a point of the disk: exactly for a Gaussian, rounded, and not proved, for a complex number."""
+        if not isinstance(z, (Gaussian, complex, float, int, np.number)):
+            refuse("a Gaussian or a complex number", z, "z")
         if isinstance(z, Gaussian):
             return (self.a * z + self.b) / (self.b.conjugate() * z + self.a.conjugate())
         a, b = (part.mid for part in self.enclosure(64))
@@ -277,18 +388,14 @@ class Isometry:
 def _converted(rows: Matrix, bits: Optional[int], kind: Optional[str]) -> Matrix:
     if kind is None:
         kind = "interval" if bits is None else _best_kind()
-    if kind == "interval":
+    if as_choice(kind, "kind", ("interval", "flint", "mpmath")) == "interval":
         return rows
-    convert = {"flint": _flint, "mpmath": _mpmath}.get(kind)
-    if convert is None:
-        raise ValueError(f'expected the kind "interval", "flint" or "mpmath", not "{kind}"')
+    convert = _flint if kind == "flint" else _mpmath
     (a, b), (c, d) = ((convert(x, bits or 53), convert(y, bits or 53)) for x, y in rows)
     return (a, b), (c, d)
 
 
 def _best_kind() -> str:
-    import importlib.util
-
     return next((name for name in ("flint", "mpmath") if importlib.util.find_spec(name)), "interval")
 
 

@@ -1,82 +1,33 @@
 """Closed hyperbolic surfaces."""
 from __future__ import annotations
 
-import operator
-import os
+import json
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Iterable, NamedTuple, Optional, Sequence, Union
+from functools import cached_property
+from typing import Any, Iterable, Optional, Sequence, Type, TypeVar, Union
+
+import numpy as np
 
 from . import _epsnet
+from ._arguments import (
+    Number, Path, argument, as_choice, as_fraction, as_index, as_indices, as_items, as_optional_path, as_path, as_text, refuse,
+)
+from ._documents import Document, read
+from ._immutable import Immutable
+from ._progress import Progress
+from .distances import Diameter, Distance, Eccentricity, EmbeddedDisk, Radius, cover, distance, eccentricity
+from .domains import DirichletDomain, FundamentalPolygon
+from .geodesics import ClosedGeodesics, Systole, ThickThin, spectrum, systole, thick_thin
 from .isometries import Gaussian, Isometry
+from .nets import Net
+from .points import Point, PointLike, base_point, point_of
 
-if TYPE_CHECKING:
-    from ._progress import Progress
-    from .distances import Cover, Distance, Eccentricity
-    from .domains import DirichletDomain, FundamentalPolygon
-    from .geodesics import ClosedGeodesics, Systole, ThickThin
-    from .nets import Net
+__all__ = ["Surface"]
 
-__all__ = ["Point", "Surface"]
-
-#: A length or a coordinate: exact for all of these types but float, which is the shortest decimal that reads back as it, so that 0.1 is 1/10.
-Number = Union[int, float, str, Fraction]
-Path = Union[str, "os.PathLike[str]"]
+_Kind = TypeVar("_Kind")
 
 
-class Point(NamedTuple):
-    """A point of a surface: a tile, and rational coordinates in the Poincaré disk of that tile."""
-
-    tile: int
-    x: Fraction
-    y: Fraction
-
-    @property
-    def z(self) -> Gaussian:
-        """x + iy."""
-        return Gaussian(self.x, self.y)
-
-    def __repr__(self) -> str:
-        return f"Point({self.tile}, {self.x}, {self.y})"
-
-
-#: What stands for a point: a Point or (tile, x, y); a tile alone, for its centre.
-PointLike = Union[Point, Sequence[Any], int]
-
-
-def as_fraction(x: Number, name: str) -> Fraction:
-    """The number that is meant."""
-    try:
-        return Fraction(repr(float(x))) if isinstance(x, float) else Fraction(x)
-    except (ValueError, TypeError, OverflowError, ZeroDivisionError):
-        from .errors import ArgumentError
-
-        raise ArgumentError(f"expected a number such as 0.1, Fraction(1, 3) or '1/3', not {x!r}", place=name) from None
-
-
-def as_text(x: Number, name: str) -> str:
-    """The same for the library, which reads decimals and quotients."""
-    return x if isinstance(x, str) else str(as_fraction(x, name))
-
-
-def length_text(x: Number, name: str) -> str:
-    """The same for a length, which is written into files as it is given."""
-    return _epsnet.length_text(x) if isinstance(x, float) else as_text(x, name)
-
-
-def as_index(x: int, name: str, least: int = 0, most: int = 2**32 - 1) -> int:
-    """The integer, if it is one that can be meant."""
-    try:
-        value = operator.index(x)
-    except TypeError:
-        value = least - 1
-    if not least <= value <= most:
-        from .errors import ArgumentError
-
-        raise ArgumentError(f"expected an integer from {least} to {most}, not {x!r}", place=name)
-    return value
-
-
-class Surface:
+class Surface(Immutable):
     """A closed hyperbolic surface, exactly: convex polygons (tiles) in the Poincaré disk, glued side to side by isometries. Immutable.
 
     Surfaces are made by ``octagon``, ``fenchel_nielsen``, ``regular``, ``load``, or of tiles and their gluing:
@@ -86,7 +37,7 @@ class Surface:
     >>> surface
     <Surface of genus 2: 1 tile, 8 sides>
 
-    Then ask it: ``net`` for ε-nets; ``systole``, ``spectrum``, ``thick_thin`` for closed geodesics; ``distance``, ``diameter``,
+    Then ask it: ``net`` for ε-nets; ``systole``, ``spectrum``, ``thick_thin`` for closed geodesics; ``distance``, ``diameter``, ``radius``,
     ``eccentricity``, ``embedded_disk``; ``generators``, ``fundamental_polygon``, ``dirichlet_domain``.
 
     Sides have numbers: those of tile 0 in order, then those of tile 1, and so on.
@@ -103,8 +54,11 @@ class Surface:
         >>> epsnet.Surface(one.tiles, one.gluing) == one
         True
         """
-        polygons = [[_corner(z) for z in tile] for tile in tiles]
-        self._core = _epsnet.Surface(polygons, [list(row) for row in gluing])
+        polygons = [[_corner(z, "tiles") for z in as_items(tile, "tiles", "polygons")] for tile in as_items(tiles, "tiles", "polygons")]
+        rows = [as_indices(row, "gluing") for row in as_items(gluing, "gluing", "rows of four integers")]
+        if any(len(row) != 4 for row in rows):
+            refuse("rows of four integers", gluing, "gluing")
+        self._core = _epsnet.Surface(polygons, rows)
 
     @classmethod
     def _of(cls, core: "_epsnet.Surface") -> "Surface":
@@ -123,7 +77,10 @@ class Surface:
         2
         """
         if half is not None:
-            return cls._of(_epsnet.Surface.symmetric([_corner(z) for z in half]))
+            corners = [_corner(z, "half") for z in as_items(half, "half", "four corners")]
+            if len(corners) != 4:
+                refuse("four corners", half, "half")
+            return cls._of(_epsnet.Surface.symmetric(corners))
         return cls._of(_epsnet.Surface.octagon(as_index(seed, "seed", -(2**31), 2**31 - 1)))
 
     @classmethod
@@ -134,7 +91,9 @@ class Surface:
         >>> epsnet.Surface.regular(2)
         <Surface of genus 2: the regular 8-gon>
         """
-        return cls._of(_epsnet.Surface.regular(as_index(genus, "genus")))
+        number = as_index(genus, "genus")
+        with argument("genus"):
+            return cls._of(_epsnet.Surface.regular(number))
 
     @classmethod
     def fenchel_nielsen(
@@ -163,7 +122,8 @@ class Surface:
         if graph is None:
             graph = "random"
         if not isinstance(graph, str):
-            graph = " ".join("-".join(str(int(node)) for node in edge) for edge in graph)
+            edges = as_items(graph, "graph", "a name or edges")
+            graph = " ".join("-".join(map(str, as_indices(edge, "graph"))) for edge in edges)
         genus = None if genus is None else as_index(genus, "genus")
         seed = None if seed is None else as_index(seed, "seed", 0, 2**64 - 1)
         coordinates = _epsnet.Coordinates(graph, genus, seed, _texts(lengths, "lengths"), _texts(twists, "twists"))
@@ -172,26 +132,32 @@ class Surface:
     @classmethod
     def load(cls, path: Path) -> "Surface":
         """The surface of a file: a surface file, the surface of a net file or another file of epsnet, or CGAL's text formats."""
-        from .files import surface_of_file
-
-        return surface_of_file(path)
+        core = read(path)[1]
+        if isinstance(core, _epsnet.Surface):
+            return cls._of(core)
+        return cls._of(core.surface if isinstance(core, _epsnet.Net) else core.net.surface)
 
     def save(self, path: Path) -> None:
         """Writes a surface file, completely or not at all."""
-        self._core.save(os.fspath(path))
+        name = as_path(path)
+        if name.endswith(".epsn"):
+            refuse("the name of a surface file, such as s.json: only nets have a compact form", name, "path")
+        self._core.save(name)
 
     def export(self, format: str, path: Optional[Path] = None) -> Optional[str]:
         """The surface in an exact text format of CGAL: "domain" (one tile) or "triangulation". Written to the path, or returned."""
-        if format == "domain":
-            text = self._core.domain_text()
-        elif format == "triangulation":
-            text = self._core.triangulation_text()
-        else:
-            raise ValueError(f'expected the format "domain" or "triangulation", not "{format}"')
-        if path is None:
+        form = as_choice(format, "format", ("domain", "triangulation"))
+        file = as_optional_path(path)
+        text = self._core.domain_text() if form == "domain" else self._core.triangulation_text()
+        if file is None:
             return text
-        _epsnet.write_text(text.encode(), os.fspath(path))
+        _epsnet.write_text(text.encode(), file)
         return None
+
+    def info(self) -> dict[str, Any]:
+        """A summary: sides, vertices, the size of the coordinates, area, perimeter. Rounded, not proved."""
+        facts: dict[str, Any] = json.loads(self._core.info())
+        return facts
 
     # What it is.
 
@@ -227,7 +193,7 @@ class Surface:
     def reduced(self, word: Iterable[int]) -> tuple[int, ...]:
         """The path with each crossing that is undone at once removed."""
         result: list[int] = []
-        for side in word:
+        for side in as_indices(word, "word", self._core.side_count - 1):
             if result and self.partner(result[-1]) == side:
                 result.pop()
             else:
@@ -245,21 +211,12 @@ class Surface:
 
     def centre(self, tile: int = 0) -> Point:
         """A point with few digits, strictly inside a tile."""
-        number, (x, y) = self._core.centre_of_tile(as_index(tile, "tile"))
-        return Point(number, x, y)
+        return point_of(base_point(self._core, as_index(tile, "tile"), "tile"))
 
-    def _base(self, p: PointLike) -> tuple[int, tuple[Fraction, Fraction]]:
-        if isinstance(p, int):
-            p = self.centre(p)
-        if not isinstance(p, Point):
-            try:
-                tile, x, y = p
-            except (TypeError, ValueError):
-                from .errors import ArgumentError
-
-                raise ArgumentError(f"expected a Point, (tile, x, y) or a tile, not {p!r}", place="point") from None
-            p = self.point(tile, x, y)
-        return p.tile, (p.x, p.y)
+    @cached_property
+    def _tile_of(self) -> list[int]:
+        """By side: its tile."""
+        return [tile for tile, corners in enumerate(self._core.tiles) for _ in corners]
 
     # Its group.
 
@@ -273,16 +230,22 @@ class Surface:
         return self.fundamental_polygon().generators()
 
     def element(self, word: Iterable[int]) -> Isometry:
-        """The element of the group for a path across sides."""
-        return Isometry(self, list(word))
+        """The element of the group for a path across sides, each the number of a side of the tile in which the path is.
 
-    def fundamental_polygon(self) -> "FundamentalPolygon":
+        >>> import epsnet
+        >>> epsnet.Surface.octagon(1).element([0, 4]).is_identity()
+        True
+        """
+        letters = as_indices(word, "word")
+        with argument("word"):
+            self._core.enclosed_isometry(letters, 1)  # Whether it is a path.
+        return Isometry(self, letters)
+
+    def fundamental_polygon(self) -> FundamentalPolygon:
         """All tiles as one polygon in the coordinates of tile 0, with its side pairings and relations, exactly."""
-        from .domains import FundamentalPolygon
-
         return FundamentalPolygon(self)
 
-    def dirichlet_domain(self, p: Optional[PointLike] = None) -> "DirichletDomain":
+    def dirichlet_domain(self, p: Optional[PointLike] = None) -> DirichletDomain:
         """The Dirichlet domain of a point. The default is the first vertex of the tiles, or the centre of a regular surface.
 
         Which sides there are and how they are paired is proved; its vertices are rounded.
@@ -291,9 +254,7 @@ class Surface:
         >>> epsnet.Surface.regular(2).dirichlet_domain()
         <DirichletDomain with 8 sides>
         """
-        from .domains import DirichletDomain
-
-        return DirichletDomain(self, None if p is None else self._base(p))
+        return DirichletDomain(self, None if p is None else base_point(self._core, p, "p"))
 
     # Nets.
 
@@ -301,29 +262,45 @@ class Surface:
         self,
         epsilon: Number,
         *,
-        pseudo: bool = False,
         base: Optional[PointLike] = None,
+        points: Iterable[PointLike] = (),
+        pseudo: bool = False,
+        sparse: bool = False,
+        insert: str = "cavity",
+        locate: Optional[str] = None,
+        list: Optional[str] = None,
         threads: int = 0,
-        progress: "Progress" = None,
-    ) -> "Net":
+        progress: Progress = None,
+    ) -> Net:
         """An ε-net, proved: every point of the surface is within ε of a vertex, and different vertices are at least ε apart.
 
-        ``pseudo``: leave the collars of closed geodesics no longer than ε empty (ε at most ln √2). ``base``: start from this point. Never returns
-        a net that is not verified: raises NetError instead. Takes about 0.54 · 16(g − 1)/ε² vertices. Ctrl-C interrupts it; ``progress`` may be
-        False, or a function of what is being done and the share done.
+        Never returns a net that is not verified: raises NetError instead. Takes about 0.54 · 16(g − 1)/ε² vertices. Ctrl-C interrupts it;
+        ``progress`` may be False, or a function of what is being done and the share done.
+
+        ``base``: start from this point. ``points``: these are vertices, exactly, the first ones after ``base``; each is strictly inside its
+        tile, and any two are farther than ε from each other. ``pseudo``: leave the collars of closed geodesics no longer than ε empty (ε at
+        most ln √2). ``sparse``: a net with few points, 1.4 to 1.5 times the lower bound of the thesis' Theorem III.2 instead of 2.15 times,
+        at about eight times the cost.
+
+        For experiments with the algorithm: ``insert`` is "cavity" or "flips", the way of the thesis; ``locate`` its walk, "visibility" or
+        "straight"; ``list`` the order of the triangles, "A" to "D" as in the thesis' Table IV.2.
 
         >>> import epsnet
-        >>> net = epsnet.Surface.octagon(seed=123).net("0.2")
-        >>> net
+        >>> surface = epsnet.Surface.octagon(seed=123)
+        >>> surface.net("0.2")
         <Net: 227 vertices, epsilon 0.2, genus 2, VERIFIED>
+        >>> net = surface.net("0.2", points=[(0, 0.1, 0.2), (0, 0, "-1/3")])
+        >>> net.point(1)
+        Point(0, 0, -1/3)
         """
-        from .nets import Net
-
-        return Net._computed(self, epsilon, pseudo, base, threads, progress)
+        return Net._computed(
+            self, epsilon, base=base, points=points, pseudo=pseudo, sparse=sparse, insert=insert, locate=locate, list=list, threads=threads,
+            progress=progress,
+        )
 
     # Closed geodesics.
 
-    def systole(self, *, threads: int = 0, progress: "Progress" = None) -> "Systole":
+    def systole(self, *, threads: int = 0, progress: Progress = None) -> Systole:
         """The length of a shortest closed geodesic, in a proved interval, with the geodesic.
 
         >>> import epsnet
@@ -333,11 +310,9 @@ class Surface:
         >>> systole.geodesic.simple
         True
         """
-        from .geodesics import systole
-
         return systole(self, threads, progress)
 
-    def spectrum(self, up_to: Number, *, threads: int = 0, progress: "Progress" = None) -> "ClosedGeodesics":
+    def spectrum(self, up_to: Number, *, threads: int = 0, progress: Progress = None) -> ClosedGeodesics:
         """All primitive closed geodesics up to a length, up to orientation, by length. The list is proved complete. Takes time proportional to e^L.
 
         >>> import epsnet
@@ -345,11 +320,9 @@ class Surface:
         >>> [(multiplicity.length.text, multiplicity.count, multiplicity.equal) for multiplicity in spectrum.multiplicities()]
         [('[3.0571418389619959, 3.057141838961997]', 12, True), ('[4.89690489535615, 4.8969048953561521]', 12, True)]
         """
-        from .geodesics import spectrum
-
         return spectrum(self, up_to, threads, progress)
 
-    def thick_thin(self, *, threads: int = 0, progress: "Progress" = None) -> "ThickThin":
+    def thick_thin(self, *, threads: int = 0, progress: Progress = None) -> ThickThin:
         """The small curves, of length at most 2 arsinh 1, their collars, and the pieces into which they cut the surface: proved.
 
         >>> import epsnet
@@ -357,28 +330,24 @@ class Surface:
         >>> len(thin), thin.pieces
         (1, [Piece(genus=1, boundaries=[(0, 'left'), (0, 'right')])])
         """
-        from .geodesics import thick_thin
-
         return thick_thin(self, threads, progress)
 
     # Distances.
 
-    def distance(self, p: PointLike, q: PointLike, *, width: Number = 1e-12) -> "Distance":
+    def distance(self, p: PointLike, q: PointLike, *, width: Number = 1e-12) -> Distance:
         """The distance between two points in a proved interval, with all shortest geodesics between them.
 
         A point is a ``Point``, (tile, x, y), or a tile, for its centre; of a net, ``net.point(17)``. One of the two must be strictly inside of
-        its tile.
+        its tile. The interval is as narrow as floats allow; NetError if it is wider than ``width``.
 
         >>> import epsnet
         >>> d = epsnet.Surface.regular(2).distance((0, "1/3", "1/5"), (0, "-0.6", "1/7"))
         >>> d.width < 1e-12, len(d.paths)
         (True, 1)
         """
-        from .distances import distance
-
         return distance(self, p, q, width)
 
-    def diameter(self, width: Number = 1e-6, *, progress: "Progress" = None) -> "Cover":
+    def diameter(self, width: Number = 1e-6, *, progress: Progress = None) -> Diameter:
         """The greatest distance of two points, in a proved interval at most ``width`` wide.
 
         >>> import epsnet
@@ -386,20 +355,25 @@ class Surface:
         >>> diameter.proved, diameter.width <= 1e-9, round(diameter.mid, 8)
         (True, True, 2.44845245)
         """
-        from .distances import diameter
+        return _of_kind(cover(self, "diameter", width, progress), Diameter)
 
-        return diameter(self, width, progress)
+    def radius(self, width: Number = 1e-2, *, progress: Progress = None) -> Radius:
+        """The least r such that a disk of radius r covers the surface, the least eccentricity, in a proved interval at most ``width`` wide.
+        It takes much longer than the diameter: the time grows as 1/width.
 
-    def embedded_disk(self, width: Number = 1e-6, *, progress: "Progress" = None) -> "Cover":
+        >>> import epsnet
+        >>> radius = epsnet.Surface.regular(2).radius("0.1")
+        >>> radius.proved, radius.width <= 0.1, 1.8 < radius.lower < radius.upper < 2.1
+        (True, True, True)
+        """
+        return _of_kind(cover(self, "radius", width, progress), Radius)
+
+    def embedded_disk(self, width: Number = 1e-6, *, progress: Progress = None) -> EmbeddedDisk:
         """The radius of the largest embedded disk, the greatest injectivity radius, in a proved interval at most ``width`` wide."""
-        from .distances import embedded_disk
+        return _of_kind(cover(self, "embedded-disk", width, progress), EmbeddedDisk)
 
-        return embedded_disk(self, width, progress)
-
-    def eccentricity(self, p: PointLike) -> "Eccentricity":
+    def eccentricity(self, p: PointLike) -> Eccentricity:
         """The greatest distance of a point of the surface from p, in a proved interval; p must be strictly inside its tile."""
-        from .distances import eccentricity
-
         return eccentricity(self, p)
 
     # As a value.
@@ -428,16 +402,25 @@ def _unpickled(text: bytes) -> Surface:
     return Surface._of(_epsnet.Surface.parse(text, "pickle"))
 
 
-def _corner(z: Any) -> tuple[Fraction, Fraction]:
+def _of_kind(found: Any, kind: Type[_Kind]) -> _Kind:
+    assert isinstance(found, kind)
+    return found
+
+
+def _corner(z: Any, name: str) -> tuple[Fraction, Fraction]:
     if isinstance(z, Gaussian):
         return z.re, z.im
-    x, y = (z.real, z.imag) if isinstance(z, complex) else z
-    return as_fraction(x, "tiles"), as_fraction(y, "tiles")
+    parts = (z.real, z.imag) if isinstance(z, (complex, np.complexfloating)) else as_items(z, name, "pairs (x, y)")
+    if len(parts) != 2:
+        refuse("pairs (x, y)", z, name)
+    return as_fraction(parts[0], name), as_fraction(parts[1], name)
 
 
 def _texts(numbers: Union[Number, Sequence[Number], None], name: str) -> list[str]:
     if numbers is None:
         return []
-    if isinstance(numbers, (int, float, str, Fraction)):
-        numbers = [numbers]
-    return [as_text(x, name) for x in numbers]
+    one = isinstance(numbers, str) or not isinstance(numbers, Iterable)
+    return [as_text(x, name) for x in ([numbers] if one else as_items(numbers, name, "numbers"))]
+
+
+Document._surface_class = Surface

@@ -1,5 +1,8 @@
 """Distances, eccentricities, diameters."""
+import json
 import math
+from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -99,6 +102,103 @@ def test_the_largest_embedded_disk(octagon):
     assert 2 * disk.upper >= octagon.systole().lower
 
 
+def test_the_radius(octagon, bolza):
+    for surface in (bolza, octagon):
+        radius = surface.radius("0.05")
+        assert isinstance(radius, epsnet.Radius) and radius.proved and radius.width <= 0.05 and radius.cells > 0
+        # The least eccentricity: at most any one, and at least half of the diameter.
+        for point in (surface.centre(), (0, 0.1, 0.2)):
+            assert radius.lower <= surface.eccentricity(point).upper
+        assert surface.diameter("1e-3").lower <= 2 * radius.upper
+    # There the eccentricity is at most the upper end.
+    radius = bolza.radius("0.05")
+    at = bolza.eccentricity(radius.point)
+    assert radius.lower <= at.upper and at.lower <= radius.upper
+
+
+def test_tables_of_distances(octagon, net):
+    table = net.distances([5, 6], [5, 7, 100])
+    assert list(table.rows) == [5, 6] and list(table.columns) == [5, 7, 100] and table.bounds.shape == (2, 3, 2)
+    for i, u in enumerate(table.rows):
+        for k, v in enumerate(table.columns):
+            proved = octagon.distance(net.point(u), net.point(v))
+            assert table[i, k].overlaps(proved) and table[i, k].ends == (Fraction(table.lower[i, k]), Fraction(table.upper[i, k]))
+            assert abs(table.mid[i, k] - proved.mid) <= table.error + proved.error < 1e-12
+            assert not table[i, k].proved  # There is no certificate.
+    assert table[0, 0].ends == (0, 0)
+
+
+def test_one_to_many_and_all_pairs(net):
+    told = []
+    every = net.distances(threads=2, progress=lambda what, share: told.append(what))
+    assert every.mid.shape == (len(net), len(net)) and (every.lower <= every.mid).all() and (every.mid <= every.upper).all() and told
+    one = net.distances(7)
+    assert (one.bounds[0] == every.bounds[7]).all() and list(one.rows) == [7] and len(one.columns) == len(net)
+    assert (net.distances(columns=7).bounds[:, 0] == every.bounds[:, 7]).all()
+    assert (net.distances(range(3), np.array([1])).mid == every.mid[:3, 1:2]).all()
+    # Intervals of d(u, v) and d(v, u) overlap, edges are at least as long, and ends share the memory.
+    assert (every.lower <= every.upper.T).all() and (every.lower[net.edges[:, 0], net.edges[:, 1]] <= net.edge_lengths + 1e-12).all()
+    assert np.shares_memory(every.lower, every.bounds) and not every.bounds.flags.writeable and every.bounds.shape[2] == 2
+    assert net.distances([]).mid.shape == (0, len(net)) and net.distances([]).error == 0
+    with pytest.raises(epsnet.ArgumentError):
+        every[0, len(net)]
+
+
+def test_a_table_needs_triangles_of_the_surface(tmp_path, net):
+    path = tmp_path / "net.json"
+    net.save(path)
+    text = path.read_text()
+    # Not an epsilon-net, but a triangulation.
+    path.write_text(text.replace('"epsilon":"0.25"', '"epsilon":"0.24"'))
+    coarse = epsnet.load(path, check=False)
+    assert coarse.certificate.verdict == "REFUTED" and (coarse.distances(0).bounds == net.distances(0).bounds).all()
+    # No triangulation: a vertex is somewhere else.
+    document = json.loads(text)
+    chart, x, y = document["vertices"][3]
+    document["vertices"][3] = [chart, -x, -y]
+    path.write_text(json.dumps(document))
+    with pytest.raises(epsnet.NotVerifiedError, match="triangulate"):
+        epsnet.load(path, check=False).distances(0)
+
+
+def test_a_table_beyond_the_memory_is_refused(net):
+    with pytest.raises(epsnet.LimitError, match="the machine has"):
+        net.distances(np.zeros(10**7, dtype=int).tolist(), np.zeros(10**6, dtype=int).tolist())
+
+
+def test_location(octagon, net):
+    for vertex in (0, 17, 142):
+        at = net.locate(net.point(vertex))
+        assert at.place == "corner" and at.nearest == vertex == net.triangles[at.triangle, at.number] and at.weights[at.number] == 1
+    for triangle in (0, 100, 289):
+        middle = net.point_of_triangle(triangle)
+        at = net.locate(middle)
+        assert (at.place, at.triangle) == ("inside", triangle) and np.allclose(at.weights, 1 / 3)
+        for corner, distance in enumerate(at.distances):
+            proved = octagon.distance(middle, net.point(net.triangles[triangle, corner]))
+            assert proved.lower <= distance + 1e-12
+        assert net.point_of_triangle(triangle, (0, 2, 0)) == net.point(net.triangles[triangle, 1])
+    with pytest.raises(epsnet.SurfaceError):
+        net.locate((0, 2, 0))
+    with pytest.raises(epsnet.NetError):
+        net.point_of_triangle(10**6)
+    with pytest.raises(epsnet.NetError):
+        net.point_of_triangle(0, (-1, 1, 1))
+
+
+def test_points_on_sides_are_told_exactly(bolza):
+    net = bolza.net("0.5", points=[(0, 0, 0), (0, "1/3", 0)])
+    t, i = next((t, i) for t in range(len(net.triangles)) for i in range(3) if {net.triangles[t, i], net.triangles[t, (i + 1) % 3]} == {0, 1})
+    at = net.locate((0, "1/6", 0))
+    assert at.place == "side" and at.triangle in (t, net.opposite[t, i] // 3) and at.word == ()
+
+
+def test_many_threads_locate(net):
+    points = [net.point_of_triangle(t) for t in range(0, 290, 10)]
+    with ThreadPoolExecutor(4) as pool:
+        assert [at.triangle for at in pool.map(net.locate, points)] == list(range(0, 290, 10))
+
+
 def test_widths(octagon):
     for wrong in (0, "1e-13", -1, float("nan"), "wide"):
         with pytest.raises(epsnet.ArgumentError):
@@ -112,6 +212,7 @@ def test_files(tmp_path, octagon):
         (octagon.distance((0, 0.1, 0.3), (0, -0.25, -0.2)), epsnet.Distance),
         (octagon.diameter("1e-3"), epsnet.Diameter),
         (octagon.embedded_disk("1e-3"), epsnet.EmbeddedDisk),
+        (octagon.radius("1e-1"), epsnet.Radius),
     ):
         path = tmp_path / "file.json"
         measured.save(path)

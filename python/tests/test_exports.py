@@ -42,10 +42,19 @@ def test_meshio_reads_the_glued_mesh(tmp_path, net, format, name):
 def test_formats(net, tmp_path):
     assert net.export("edges").startswith(b"u\tv\tlength\n") and net.export("off").startswith(b"OFF\n")
     assert net.export("json", tmp_path / "mesh.json") is None and (tmp_path / "mesh.json").read_bytes() == net.export("json")
-    with pytest.raises(epsnet.ArgumentError, match="gmsh, vtu"):
+    with pytest.raises(epsnet.ArgumentError, match='"gmsh", "vtu"'):
         net.export("stl")
     with pytest.raises(epsnet.FileError):
         net.export("off", tmp_path)
+
+
+def test_distances_are_data_at_points(tmp_path, net):
+    meshio = pytest.importorskip("meshio")
+    net.export("vtu", tmp_path / "net.vtu", distance_from=17)
+    mesh = meshio.read(tmp_path / "net.vtu")
+    expected = net.distances(17).mid[0]
+    assert np.allclose(mesh.point_data["distance"], expected[mesh.point_data["vertex"]]) and expected[17] == 0 < expected.max()
+    assert "distance" not in meshio.read(tmp_path / "net.vtu").cell_data and b"distance" not in net.export("vtu")
 
 
 @pytest.mark.parametrize(

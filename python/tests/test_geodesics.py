@@ -1,6 +1,7 @@
 """Closed geodesics: lengths, words, matrices, multiplicities."""
 import math
 
+import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
@@ -46,6 +47,15 @@ def test_a_spectrum_is_a_sequence(octagon):
     lengths = [g.length.mid for g in spectrum]
     assert lengths == sorted(lengths)
     assert sum(m.count for m in spectrum.multiplicities()) == len(spectrum)
+
+
+def test_columns_are_arrays(bolza):
+    spectrum = bolza.spectrum("6.7")
+    assert spectrum.lengths.shape == (len(spectrum), 2) and (spectrum.lengths == epsnet.ends(g.length for g in spectrum)).all()
+    groups = spectrum.multiplicities()
+    assert groups.counts.tolist() == [12, 12, 24, 48] and groups.equal.all() and groups.lengths.shape == (4, 2)
+    assert (groups.lengths[:, 0] <= spectrum.lengths[[0, 12, 24, 48], 0]).all() and (np.diff(groups.lengths.ravel()) > 0).all()
+    assert bolza.spectrum(1).lengths.shape == (0, 2) and bolza.spectrum(1).multiplicities().counts.shape == (0,)
 
 
 def test_small_curves_and_pieces():

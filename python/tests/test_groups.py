@@ -1,11 +1,13 @@
 """The group of a surface: generators, relations, matrices of every kind."""
+import math
 from fractions import Fraction
 
+import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
 import epsnet
-from epsnet import Gaussian, Surface
+from epsnet import Gaussian, Interval, Surface
 
 
 def product(surface, relation, polygon):
@@ -139,6 +141,96 @@ def test_words_that_are_none(octagon, pants):
         octagon.element([0]).enclosure(2**20 + 1)
     with pytest.raises(ValueError, match="different surfaces"):
         octagon.element([0]) * pants.element([])
+
+
+def test_powers_and_equality(octagon, bolza, pants):
+    for surface in (octagon, bolza, pants):
+        f, g = next((f, g) for f in surface.generators() for g in surface.generators() if f * g != g * f)
+        assert f**0 == surface.element([]) == f * f.inverse() and (f**0).is_identity() and not f.is_identity()
+        assert f**3 == f * f * f and f**-2 == (f * f).inverse() and (f * g) ** 2 == f * g * f * g
+        assert f != g and f * g != g * f and hash(f**3) == hash(f * f * f) and f != "f"
+        # Different words of one element.
+        polygon = surface.fundamental_polygon()
+        relation = polygon.relations()[0]
+        first, rest = product(surface, relation[:1], polygon), product(surface, relation[1:], polygon).inverse()
+        assert first.word != rest.word and first == rest and hash(first) == hash(rest) and product(surface, relation, polygon) == surface.element([])
+    assert octagon.generators()[0] != bolza.generators()[0]
+
+
+@settings(max_examples=25)
+@given(st.lists(st.integers(0, 7), min_size=1, max_size=8), st.integers(0, 1))
+def test_traces_lengths_axes(letters, which):
+    surface = [Surface.octagon(seed=123), Surface.regular(2)][which]
+    f = surface.element(surface.reduced(letters))
+    if f.is_identity():
+        assert f.translation_length == Interval(0, 0) and abs(f.trace()).overlaps(Interval(2, 2))
+        with pytest.raises(epsnet.ArgumentError, match="no axis"):
+            f.axis()
+        return
+    trace, length, axis = f.trace(), f.translation_length, f.axis(80)
+    assert trace.proved and length.proved and length.width <= 4e-16 * length.upper
+    if f.is_exact:
+        # cosh l = 2 Re(a)²/D − 1 is rational. Bounds of its inverse function by Taylor's sum are exact fractions.
+        c = 2 * f.a.re**2 / f.determinant - 1
+        assert cosh_below(length.ends[0]) <= c <= cosh_above(length.ends[1])
+        assert trace.ends[0] ** 2 * f.determinant <= 4 * f.a.re**2 <= trace.ends[1] ** 2 * f.determinant or (
+            trace.ends[1] ** 2 * f.determinant <= 4 * f.a.re**2 <= trace.ends[0] ** 2 * f.determinant
+        )
+    assert 2 * math.cosh(length.mid / 2) == pytest.approx(abs(trace.mid))
+    assert (f.inverse().translation_length, (f * f).translation_length.overlaps(2 * length)) == (length, True)
+    for end in axis:
+        assert 1 in end.re**2 + end.im**2 and end.re.width + end.im.width < 1e-23 and end.re.proved
+    # They are fixed, and |b̄z + ā| is e^(l/2) where f contracts, e^(-l/2) where it expands; in units of what is lost by rounding.
+    a, b = (part.mid for part in f.enclosure(64))
+    for end, growth in ((axis.attracting, math.exp(length.mid / 2)), (axis.repelling, math.exp(-length.mid / 2))):
+        z = end.mid
+        assert abs(a * z + b - z * (b.conjugate() * z + a.conjugate())) < 1e-14 * abs(a)
+        assert abs(b.conjugate() * z + a.conjugate()) == pytest.approx(growth, rel=1e-9, abs=1e-14 * abs(a))
+    # The inverse swaps them.
+    swapped = f.inverse().axis(80)
+    for x, y in ((swapped.attracting, axis.repelling), (swapped.repelling, axis.attracting)):
+        assert x.re.overlaps(y.re) and x.im.overlaps(y.im)
+
+
+def cosh_terms(x, count):
+    total = term = Fraction(1)
+    for k in range(1, count):
+        term *= x * x / ((2 * k - 1) * 2 * k)
+        total += term
+    return total, term
+
+
+def cosh_below(x):
+    """A partial sum of the series, whose terms are positive."""
+    return cosh_terms(x, 60)[0]
+
+
+def cosh_above(x):
+    """The partial sum and twice its last term: from there on each term is less than half of the one before, for x at most 80."""
+    total, term = cosh_terms(x, 60)
+    assert x * x / (119 * 120) < Fraction(1, 2)
+    return total + 2 * term
+
+
+def test_lengths_are_those_of_closed_geodesics(octagon, bolza, pants):
+    for surface in (octagon, bolza, pants):
+        for geodesic in surface.spectrum(3.1)[:5]:
+            assert geodesic.isometry.translation_length.overlaps(geodesic.length)
+    # A very short one keeps its digits.
+    thin = Surface.fenchel_nielsen([1, "1e-12", 2], 0, "0-0 0-1 1-1")
+    short = thin.systole().geodesic
+    assert short.isometry.translation_length.overlaps(short.length) and short.isometry.translation_length.width < 1e-26
+
+
+def test_matrices_of_floats(octagon, bolza):
+    for surface in (octagon, bolza):
+        f, g = surface.generators()[:2]
+        disk, plane = f.matrix(), f.matrix("half-plane")
+        assert disk.dtype == complex and plane.dtype == float and disk.shape == plane.shape == (2, 2)
+        assert np.linalg.det(disk) == pytest.approx(1) and np.linalg.det(plane) == pytest.approx(1)
+        assert np.trace(disk).real == pytest.approx(np.trace(plane)) == pytest.approx(f.trace().mid)
+        both = (f * g).matrix()
+        assert np.allclose(disk @ g.matrix(), both) or np.allclose(disk @ g.matrix(), -both)
 
 
 def test_images(octagon):

@@ -1,4 +1,6 @@
-"""Long work: it can be interrupted, and other threads run meanwhile."""
+"""Long work: Ctrl-C ends the wait for it, wherever it is, and other threads run meanwhile."""
+import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -8,11 +10,15 @@ import pytest
 
 from epsnet import Surface
 
+BINDING = pathlib.Path(__file__).parents[1] / "binding"
+
 PREAMBLE = """
-import epsnet, signal, sys
+import epsnet, os, signal, sys, threading
 signal.signal(signal.SIGINT, signal.default_int_handler)  # A shell may have told its background jobs to ignore it.
 def begun(what, share):
     print(what, flush=True)
+def soon():
+    threading.Timer(0.3, print, ("begun",), dict(flush=True)).start()
 surface = epsnet.Surface.octagon(seed=1)
 thin = epsnet.Surface.fenchel_nielsen([1, "1e-3", 2], [0, "0.5", 1], [(0, 0), (0, 1), (1, 1)])
 try:
@@ -22,17 +28,23 @@ except KeyboardInterrupt:
     sys.exit(7)
 """
 
+# Work of minutes; and work that never ends, as it waits for a pipe that nobody writes to, and does not look at its progress.
+WORK = [
+    'surface.net("0.001", progress=begun)',
+    'surface.net("0.01", sparse=True, progress=begun)',
+    'surface.spectrum("13", progress=begun)',
+    "thin.diameter(1e-9, progress=begun)",
+    'surface.radius("1e-5", progress=begun)',
+    'surface.net("0.02").distances(progress=begun)',
+    'epsnet.map(lambda s: s.net("0.001", progress=begun), [surface, thin])',
+    'os.mkfifo("pipe"); soon(); epsnet.load("pipe")',
+    'os.mkfifo("pipe"); soon(); epsnet.map(lambda s: epsnet.load("pipe"), [surface])',
+]
 
-@pytest.mark.parametrize(
-    "work",
-    [
-        'surface.net("0.001", progress=begun)',
-        'surface.spectrum("13", progress=begun)',
-        "thin.diameter(1e-9, progress=begun)",
-    ],
-)
-def test_an_interrupt_ends_the_work(work):
-    program = subprocess.Popen([sys.executable, "-c", PREAMBLE.format(work=work)], stdout=subprocess.PIPE, text=True)
+
+@pytest.mark.parametrize("work", WORK)
+def test_an_interrupt_ends_the_work(work, tmp_path):
+    program = subprocess.Popen([sys.executable, "-c", PREAMBLE.format(work=work)], stdout=subprocess.PIPE, text=True, cwd=tmp_path)
     try:
         assert program.stdout.readline()
         program.send_signal(signal.SIGINT)
@@ -40,6 +52,15 @@ def test_an_interrupt_ends_the_work(work):
     finally:
         program.kill()
     assert program.returncode == 7 and rest.endswith("interrupted\n")
+    assert [path.name for path in tmp_path.iterdir()] in ([], ["pipe"])
+
+
+def test_whatever_takes_time_can_be_interrupted():
+    """Every function of the library that computes without Python's lock is waited for by `interruptible`."""
+    text = "".join(path.read_text(encoding="utf-8") for path in sorted(BINDING.glob("*.cpp")) if path.name != "job.cpp")
+    assert text.count("interruptible(") > 30
+    # Microseconds; and it waits for a mutex.
+    assert len(re.findall("gil_scoped_release", text)) == 1
 
 
 def test_other_threads_run_meanwhile(octagon):
@@ -72,3 +93,9 @@ def test_many_threads_give_the_same_nets(octagon):
     for thread in threads:
         thread.join()
     assert all(net == nets[0] for net in nets)
+
+
+def test_progress_is_told_in_the_thread_that_waits(octagon):
+    told = set()
+    octagon.net("0.01", progress=lambda what, share: told.add(threading.get_ident()))
+    assert told == {threading.get_ident()}

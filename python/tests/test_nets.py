@@ -85,6 +85,47 @@ def test_files_are_read_back(tmp_path, net):
     assert pickle.loads(pickle.dumps(net)) == net and not pickle.loads(pickle.dumps(net)).proved
 
 
+def test_the_name_of_a_file_says_its_form(tmp_path, net):
+    compact, plain = tmp_path / "net.epsn", tmp_path / "net.json"
+    net.save(compact)
+    net.save(plain)
+    assert compact.read_bytes().startswith(b"\x89EPSNET\n") and plain.read_bytes().startswith(b"{")
+    assert compact.stat().st_size < plain.stat().st_size
+    for path in (compact, plain):
+        assert epsnet.load(path) == net and epsnet.certify(path).verified and Surface.load(path) == net.surface and Net.load(path).proved
+    with pytest.raises(epsnet.FileError):
+        net.save(tmp_path / "no folder" / "net.epsn")
+
+
+def test_sparse_nets_have_few_points(bolza):
+    assert len(bolza.net("0.3", sparse=True)) < 0.8 * len(bolza.net("0.3")) and bolza.net("0.3", sparse=True).proved
+
+
+def test_given_points_are_the_first_vertices(octagon, bolza):
+    points = [octagon.point(0, "1/10", "1/7"), octagon.point(0, -0.2, 0), octagon.centre()]
+    net = octagon.net("0.15", points=points)
+    assert [net.point(k) for k in range(3)] == points and net.proved
+    net = octagon.net("0.15", base=(0, 0.3, 0.1), points=iter(points))
+    assert [net.point(k) for k in range(4)] == [octagon.point(0, 0.3, 0.1), *points]
+    with pytest.raises(epsnet.NetError, match="points 0 and 1"):
+        octagon.net("0.5", points=[(0, 0, 0), (0, 0.1, 0)])
+    with pytest.raises(epsnet.SurfaceError):
+        octagon.net("0.5", points=[(0, "0.99", 0)])
+
+
+def test_the_ways_of_the_thesis(octagon):
+    plain = octagon.net("0.3")
+    for options in (dict(insert="flips"), dict(locate="straight"), dict(list="D"), dict(list="A", insert="flips", locate="visibility")):
+        net = octagon.net("0.3", **options)
+        assert net.proved and net.statistics["flips"] > 0
+    assert octagon.net("0.3", list="C") == plain != octagon.net("0.3", list="B")
+
+
+def test_summaries(net, bolza):
+    assert net.info()["vertices"] == len(net) and net.surface.info()["genus"] == 2
+    assert bolza.dirichlet_domain((0, 0, 0)).info()
+
+
 def test_a_false_net_is_not_handed_out(tmp_path, net):
     path = tmp_path / "net.json"
     net.save(path)

@@ -27,15 +27,21 @@ def test_everything_shows_itself(octagon, bolza, pants, net):
 def test_options_change_the_picture(net):
     plain = net.svg()
     for option in (dict(dirichlet=True), dict(tiles=True), dict(colour="circumradius"), dict(legend=True, tiles=True), dict(centre=3), dict(size=300),
-                   dict(triangles=False)):
+                   dict(triangles=False), dict(colour="distance"), dict(disks=True), dict(half_disks=True), dict(combinatorial_dirichlet=True),
+                   dict(order="breadth first"), dict(colour="chart")):
         svg = net.svg(**option)
         ElementTree.fromstring(svg)
         assert svg != plain
     assert net.svg() == plain
-    with pytest.raises(ValueError, match='"none", "circumradius" or "chart"'):
+    with pytest.raises(ValueError, match='"none", "circumradius", "chart" or "distance"'):
         net.svg(colour="red")
     with pytest.raises(epsnet.NetError):
         net.svg(centre=10**6)
+
+
+def test_distances_are_colours(net):
+    near, far = net.svg(colour="distance", legend=True), net.svg(colour="distance", legend=True, centre=17)
+    assert "distance" in near and near != far and net.svg(colour="circumradius") != near
 
 
 def test_thin_nets_are_drawn():
@@ -60,6 +66,7 @@ def test_geodesics_are_drawn_on_nets(octagon, net):
 def test_the_page(tmp_path, net, octagon):
     page = net.view("A title & more", show=[octagon.spectrum("3")])
     assert "VERIFIED" in page.html and "A title &amp; more" in page.html and "<iframe srcdoc=" in page._repr_html_()
+    assert re.search(r'"distances": "[A-Za-z0-9+/]', page.html)  # As a colouring.
     page.save(tmp_path / "view.html")
     assert (tmp_path / "view.html").read_text(encoding="utf-8") == page.html
     # What is between the quotation marks of the frame is the page again.

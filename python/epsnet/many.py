@@ -1,0 +1,117 @@
+"""A function of many surfaces."""
+from __future__ import annotations
+
+import os
+import threading
+from concurrent.futures import FIRST_EXCEPTION, Future, ThreadPoolExecutor, wait
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional, Sequence
+
+import numpy as np
+
+from ._arguments import as_index, as_items, refuse
+from ._progress import Progress, Shower, part_of
+from .errors import EpsnetError
+from .intervals import Interval
+from .surfaces import Surface
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["map"]
+
+_INTERVAL = np.dtype([("lower", "f8"), ("upper", "f8"), ("proved", "?")])
+_SECONDS = 0.1
+
+
+def map(
+    function: Callable[[Surface], Any], surfaces: Iterable[Surface], *, workers: Optional[int] = None, progress: Progress = None
+) -> "NDArray[Any]":
+    """What a function says of many surfaces, as a structured array of NumPy, a row for each surface in their order.
+
+    The function returns a dict or a named tuple, whose names are the fields; anything else is the field ``value``. An interval becomes the
+    fields ``lower``, ``upper`` (rounded outward) and ``proved``.
+
+    >>> import epsnet
+    >>> surfaces = [epsnet.Surface.octagon(seed) for seed in range(3)]
+    >>> table = epsnet.map(lambda surface: {"genus": surface.genus, "systole": surface.systole()}, surfaces)
+    >>> table["genus"], (table["systole"]["lower"] > 0.2).all(), table["systole"]["proved"].all()
+    (array([2, 2, 2]), True, True)
+
+    ``workers`` threads call it at the same time, as many as there are cores by default: the library computes without Python's lock, and the
+    function need not be pickled. There is one bar for all of it. An exception of the function ends the map; an EpsnetError then says which
+    surface it was about. So does Ctrl-C, which stops the computations of all threads.
+    """
+    if not callable(function):
+        refuse("a function of a surface", function, "function")
+    items = as_items(surfaces, "surfaces", "surfaces")
+    for surface in items:
+        if not isinstance(surface, Surface):
+            refuse("surfaces", surface, "surfaces")
+    count = len(os.sched_getaffinity(0)) if workers is None else as_index(workers, "workers", 1, 1024)
+    return _table(_rows(function, items, count, progress))
+
+
+def _rows(function: Callable[[Surface], Any], surfaces: Sequence[Surface], workers: int, progress: Progress) -> list[dict[str, Any]]:
+    stop = threading.Event()
+
+    def row(number: int) -> dict[str, Any]:
+        with part_of(stop):
+            try:
+                return _fields(function(surfaces[number]))
+            except EpsnetError as error:
+                error.args = (f"surfaces[{number}]: {error}", *error.args[1:])
+                raise
+
+    pool = ThreadPoolExecutor(workers)
+    with Shower(progress) as callback:
+        try:
+            futures = [pool.submit(row, number) for number in range(len(surfaces))]
+            _wait_for(futures, callback)
+        except BaseException:
+            stop.set()
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
+    pool.shutdown()
+    return [future.result() for future in futures]
+
+
+def _wait_for(futures: Sequence["Future[Any]"], callback: Optional[Callable[[str, float], object]]) -> None:
+    """Returns when all are done; raises what the first one raises."""
+    left = set(futures)
+    while left:
+        done, left = wait(left, _SECONDS, FIRST_EXCEPTION)
+        for future in done:
+            future.result()
+        if callback is not None:
+            callback(f"{len(futures) - len(left)} of {len(futures)} surfaces", 1 - len(left) / len(futures))
+
+
+def _fields(value: Any) -> dict[str, Any]:
+    if isinstance(value, Mapping):
+        return {str(name): item for name, item in value.items()}
+    if isinstance(value, tuple) and hasattr(value, "_asdict"):
+        return dict(value._asdict())
+    return {"value": value}
+
+
+def _table(rows: Sequence[dict[str, Any]]) -> "NDArray[Any]":
+    names = list(rows[0]) if rows else []
+    for row in rows:
+        if list(row) != names:
+            refuse(f"a function that returns the fields {names} for each surface", list(row), "function")
+    columns = {name: _column([row[name] for row in rows]) for name in names}
+    table = np.empty(len(rows), dtype=[(name, column.dtype) for name, column in columns.items()])
+    for name, column in columns.items():
+        table[name] = column
+    return table
+
+
+def _column(values: Sequence[Any]) -> "NDArray[Any]":
+    if all(isinstance(x, Interval) for x in values):
+        return np.array([(x.lower, x.upper, x.proved) for x in values], dtype=_INTERVAL)
+    if all(isinstance(x, (bool, int, float, complex, str, np.generic)) for x in values):
+        return np.array(values)
+    column = np.empty(len(values), dtype=object)
+    for k, x in enumerate(values):
+        column[k] = x
+    return column

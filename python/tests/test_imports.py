@@ -1,0 +1,44 @@
+"""The imports of the package run one way. Those for annotations alone (TYPE_CHECKING) declare names, and may go either way."""
+import ast
+import graphlib
+import pathlib
+
+PACKAGE = pathlib.Path(__file__).parents[1] / "epsnet"
+
+
+def imports_of(tree):
+    """The modules of the package that a module imports when it runs, in functions, too."""
+    found = set()
+    waiting = [tree]
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, ast.If) and isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING":
+            waiting += node.orelse
+            continue
+        if isinstance(node, ast.ImportFrom) and node.level == 1:
+            found |= {node.module} if node.module else {alias.name for alias in node.names}
+        waiting += ast.iter_child_nodes(node)
+    return found
+
+
+def order_of(sources):
+    """The modules, each after those that it imports. CycleError names a circle."""
+    return list(graphlib.TopologicalSorter({name: imports_of(ast.parse(text)) & set(sources) for name, text in sources.items()}).static_order())
+
+
+def test_there_is_no_circle():
+    sources = {path.stem: path.read_text(encoding="utf-8") for path in PACKAGE.glob("*.py")}
+    assert len(sources) > 10
+    order = order_of(sources)
+    # Whoever knows all the others comes last.
+    assert order[-1] == "__init__" and order.index("nets") < order.index("geodesics") < order.index("surfaces") < order.index("files")
+
+
+def test_a_circle_would_be_found():
+    for text in ("from .b import x", "from . import b", "def f():\n    from .b import x"):
+        try:
+            order_of({"a": text, "b": "from .a import y"})
+        except graphlib.CycleError:
+            continue
+        assert False, text
+    assert order_of({"a": "if TYPE_CHECKING:\n    from .b import x", "b": "from .a import y"}) == ["a", "b"]
