@@ -1,12 +1,35 @@
 #pragma once
 
+#include "certify/base/fault.h"
 #include "certify/file/reader.h"
 #include "certify/verdict/report.h"
 
+/// The checker: decides whether a document proves what it claims (docs/proof.md).
+///
+/// `Document` is one of the alternatives of ClaimDocument. What each claims, and the rules it must satisfy, is in
+/// docs/format.md; its arguments are in the folder of the claim in certify/claims.
 namespace epsnet::certify {
 
-/// Returns the certificate of `check`, `check_geodesics`, `check_distance` or `check_bound`, depending on the kind of
-/// the document.
+/// Returns the names of a document's rules in the order of evaluation: those of its net, seven, or nine for a pseudo
+/// net, then its own. A geodesics file needs those that its claim asks for.
+template <class Document>
+[[nodiscard]] RuleNames rules_of(const Document& document);
+
+/// Checks all rules. Returns a certificate for a document of any content. Throws only if the machine fails
+/// (std::bad_alloc, std::system_error) or this program has a bug (Fault); then there is no verdict.
+///
+/// The verdict is malformed if the structure is broken; else refuted if any evaluated rule is refuted, and the first
+/// such rule is named; else undecided if any rule is undecided or was not evaluated; else verified. Rules that cannot
+/// change the verdict are left undecided. A claim's own rules are asked if those of its net are verified.
+///
+/// For a net O(n log n) time, n the size of the document, at fixed precision; for geodesics of length up to L also the
+/// lifted triangles visited, about e^L; for a distance O(paths · triangles) more, however long the paths are; for
+/// bounds O(cells) more. Once the total work exceeds `max_work`, the remaining rules are undecided. A rule that was
+/// refuted before stays refuted. The number of threads changes nothing.
+template <class Document>
+[[nodiscard]] Certificate check(const Document& document, const CheckOptions& options = {});
+
+/// As `check`, for the document of whichever claim.
 [[nodiscard]] Certificate check_claim(const ClaimDocument& document, const CheckOptions& options = {});
 
 /// Returns the net of a document.

@@ -14,8 +14,7 @@
 #include <vector>
 
 #include "certify/base/decimals.h"
-#include "certify/claims/geodesics/check.h"
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/numbers/parallel.h"
 #include "experiments/record_file.h"
 #include "netgen/base/atomic_file.h"
@@ -78,7 +77,7 @@ std::string systole_record(const std::string& name, const Surface& surface) {
   const double start = processor_seconds();
   const certify::GeodesicsDocument document = systole(surface, {.threads = kThreads});
   const double computed = processor_seconds();
-  const certify::Certificate certificate = certify::check_geodesics(document, {.threads = kThreads});
+  const certify::Certificate certificate = certify::check(document, {.threads = kThreads});
   if (certificate.verdict != certify::Verdict::verified)
     throw NetError("the systole was not verified: " + certificate.rule + ": " + certificate.message);
   const certify::GeodesicsDocument::ClosedGeodesic& geodesic = document.geodesics.front();

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <variant>
 
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/exact/checker.h"
 #include "certify/file/reader.h"
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "netgen/nets/certified_net.h"

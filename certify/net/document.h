@@ -10,7 +10,7 @@
 
 /// The contents of a net file as plain data, member by member as docs/format.md defines them.
 ///
-/// A document only states what a file says; nothing here is proved. `check` (claims/net/check.h) decides whether it is
+/// A document only states what a file says; nothing here is proved. `check` (certify/check.h) decides whether it is
 /// true.
 namespace epsnet::certify {
 

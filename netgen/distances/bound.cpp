@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "netgen/distances/vertex_triangulation.h"
 #include "netgen/nets/net_document.h"
 #include "netgen/nets/net_options.h"

@@ -8,7 +8,7 @@
 
 /// The diameter of a surface, its radius, and its largest embedded disk. docs/distances.md says how.
 ///
-/// The results are not proved yet; certify::check_bound proves them. All functions are deterministic. They throw
+/// The results are not proved yet; certify::check proves them. All functions are deterministic. They throw
 /// NetError if the limit of cells is too low, and LimitError if the surface is beyond the numbers of the generator;
 /// both are an Error.
 namespace epsnet {

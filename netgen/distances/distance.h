@@ -32,7 +32,7 @@ struct DistanceOptions {
 /// Returns the distance of p and q, and all geodesics between them of length up to the upper end of the enclosure, as
 /// paths from p to q. If p is not strictly inside its tile, the paths lead from q to p, and `point` is p.
 ///
-/// The result is not proved yet; certify::check_distance proves it. Deterministic. The time is that of the Dirichlet
+/// The result is not proved yet; certify::check proves it. Deterministic. The time is that of the Dirichlet
 /// domain of p, however far away q is and however short closed geodesics are. Throws SurfaceError if a point is not in
 /// its tile, or if neither is strictly inside. Throws NetError if the enclosure is wider than `options.width`, or if it
 /// has more than 5000 paths, as across a cuff shorter than 10⁻¹⁰. Throws LimitError.

@@ -8,7 +8,7 @@
 /// Closed geodesics of a surface: the systole, the length spectrum, the small curves. docs/geodesics.md says how and
 /// why.
 ///
-/// The results are not proved yet; certify::check_geodesics proves them. All functions are deterministic. They throw
+/// The results are not proved yet; certify::check proves them. All functions are deterministic. They throw
 /// NetError if no net or no closed geodesic is found, or if a search would be too long; and LimitError if the surface
 /// is beyond the numbers of the generator. Both are an Error.
 namespace epsnet {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "netgen/nets/collars.h"
 #include "netgen/nets/refine.h"
 #include "netgen/nets/sparse.h"

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "certify/base/text.h"
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "kernel/plane.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/start.h"

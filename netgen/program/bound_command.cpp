@@ -3,8 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "certify/claims/bound/check.h"
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/distances/bound.h"
@@ -43,7 +42,7 @@ void enclose(const BoundRequest& request, MakeBound make) {
     certify::CheckOptions options;
     options.max_work = std::numeric_limits<std::uint64_t>::max();  // No limit, as the document was made here.
     options.progress = progress.shower("certificate: ");
-    certificate = certify::check_bound(document, options);
+    certificate = certify::check(document, options);
   }
   if (certificate.verdict != certify::Verdict::verified) {
     throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "certify/check.h"
 #include "certify/claims/bound/document.h"
 #include "certify/claims/distance/document.h"
 #include "certify/claims/geodesics/document.h"
-#include "certify/claims/net/check.h"
 #include "netgen/lifts/info.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/curves.h"

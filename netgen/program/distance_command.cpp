@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "certify/base/decimals.h"
-#include "certify/claims/distance/check.h"
+#include "certify/check.h"
 #include "certify/file/writer.h"
 #include "netgen/base/gmp.h"
 #include "netgen/distances/distance.h"
@@ -47,7 +47,7 @@ void measure_distance(const DistanceRequest& request) {
       distance(input.surface, p, q, {.width = static_cast<double>(width.value())});
   certify::CheckOptions options;
   options.max_work = std::numeric_limits<std::uint64_t>::max();  // No limit, as the document was made here.
-  const certify::Certificate certificate = certify::check_distance(document, options);
+  const certify::Certificate certificate = certify::check(document, options);
   if (certificate.verdict != certify::Verdict::verified) {
     throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
   }

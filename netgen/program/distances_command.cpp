@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "certify/base/decimals.h"
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/distances/vertex_distances.h"
 #include "netgen/lifts/layout.h"

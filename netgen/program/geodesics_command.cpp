@@ -5,8 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "certify/claims/geodesics/check.h"
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/geodesics/geodesics.h"
@@ -117,7 +116,7 @@ void certify_geodesics(const GeodesicsDocument& document, unsigned threads) {
   options.threads = threads;
   options.max_work = std::numeric_limits<std::uint64_t>::max();  // No limit, as the list was made here.
   options.progress = progress.shower("certificate: ");
-  const certify::Certificate certificate = certify::check_geodesics(document, options);
+  const certify::Certificate certificate = certify::check(document, options);
   if (certificate.verdict != certify::Verdict::verified) {
     throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
   }

@@ -1,7 +1,7 @@
 #include <memory>
 #include <string>
 
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/exchange/exchange.h"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/lifts/info.h"

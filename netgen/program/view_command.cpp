@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "netgen/distances/vertex_distances.h"
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/pictures/viewer.h"

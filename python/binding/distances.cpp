@@ -2,8 +2,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "certify/claims/bound/check.h"
-#include "certify/claims/distance/check.h"
+#include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "netgen/distances/bound.h"
@@ -69,7 +68,7 @@ void bind_distances(py::module_& module) {
   bind_document<DistanceDocument>(
       distances,
       [](const DistanceDocument& document, const certify::CheckOptions& options) {
-        return certify::check_distance(document, options);
+        return certify::check(document, options);
       },
       [](const DistanceDocument& document, std::ostream& out) { certify::write_distance(document, out); },
       [](const std::string& text, const std::string& name) { return certify::parse_distance(text, name); });
@@ -89,7 +88,7 @@ void bind_distances(py::module_& module) {
   bind_document<BoundDocument>(
       bounds,
       [](const BoundDocument& document, const certify::CheckOptions& options) {
-        return certify::check_bound(document, options);
+        return certify::check(document, options);
       },
       [](const BoundDocument& document, std::ostream& out) { certify::write_bound(document, out); },
       [](const std::string& text, const std::string& name) { return certify::parse_bound(text, name); });

@@ -1,6 +1,6 @@
 #include "netgen/geodesics/geodesics.h"
 
-#include "certify/claims/geodesics/check.h"
+#include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "python/binding/documents.h"
@@ -36,7 +36,7 @@ void bind_geodesics(py::module_& module) {
   bind_document<GeodesicsDocument>(
       bound,
       [](const GeodesicsDocument& document, const certify::CheckOptions& options) {
-        return certify::check_geodesics(document, options);
+        return certify::check(document, options);
       },
       [](const GeodesicsDocument& document, std::ostream& out) { certify::write_geodesics(document, out); },
       [](const std::string& text, const std::string& name) { return certify::parse_geodesics(text, name); });

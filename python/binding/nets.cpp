@@ -6,7 +6,7 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "netgen/distances/distance.h"

@@ -12,7 +12,7 @@
 #include <sys/resource.h>
 #include <vector>
 
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
 #include "netgen/surfaces/octagon.h"

@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/claims/bound/check.h"
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "certify/net/darts.h"
@@ -45,7 +44,7 @@ std::vector<BoundDocument> all_files() { return {regular(), octagon(), disk()}; 
 /// arcosh(cot²(π/8)): from the centre of the octagon to its corner.
 double regular_diameter() { return std::acosh(std::pow(std::tan(std::numbers::pi / 8), -2)); }
 
-Certificate checked(const BoundDocument& document) { return check_bound(document, {.threads = 2}); }
+Certificate checked(const BoundDocument& document) { return check(document, {.threads = 2}); }
 
 /// "VERDICT", or "VERDICT: rule".
 std::string outcome(const BoundDocument& document) {
@@ -187,7 +186,7 @@ TEST(Bound, WithoutWorkTheRuleThatIsAskedIsUndecided) {
   const std::uint64_t all = checked(regular()).counts.work;
   const std::uint64_t net = check(regular().net, {.threads = 2}).counts.work;
   for (std::uint64_t work = net; work < all; work += (all - net) / 200 + 1) {
-    const Certificate certificate = check_bound(regular(), {.threads = 2, .max_work = work});
+    const Certificate certificate = check(regular(), {.threads = 2, .max_work = work});
     EXPECT_EQ(certificate.verdict, Verdict::undecided);
     ASSERT_FALSE(certificate.rules.empty());
     EXPECT_EQ(certificate.rule, certificate.rules.back().rule);
@@ -301,7 +300,7 @@ TEST(Bound, OfATriangulationWithOneVertexEveryDartCanBeFlipped) {
       for (std::uint32_t& flip : flips) flip = static_cast<std::uint32_t>(random()) % darts;
       document.triangulations.push_back({static_cast<std::uint32_t>(document.triangulations.size()), flips});
     }
-    EXPECT_EQ(check_bound(document, {.threads = 2, .max_work = std::uint64_t{1} << 50}).verdict, Verdict::verified);
+    EXPECT_EQ(check(document, {.threads = 2, .max_work = std::uint64_t{1} << 50}).verdict, Verdict::verified);
   }
 }
 
@@ -345,8 +344,8 @@ TEST(Bound, WideBallsDecideNothing) {
     int open = 0;
     for (std::uint32_t length = 0; length < 20; length += 1 + length / 3) {
       const CheckOptions bits{.threads = 1, .max_precision = 128, .max_work = std::uint64_t{1} << 50};
-      const Verdict of_good = check_bound(with_detours(good, length), bits).verdict;
-      const Verdict of_wrong = check_bound(with_detours(wrong, length), bits).verdict;
+      const Verdict of_good = check(with_detours(good, length), bits).verdict;
+      const Verdict of_wrong = check(with_detours(wrong, length), bits).verdict;
       EXPECT_TRUE(of_good == Verdict::verified || of_good == Verdict::undecided) << length;
       EXPECT_TRUE(of_wrong == Verdict::refuted || of_wrong == Verdict::undecided) << length;
       ++(of_good == Verdict::undecided ? open : decided);
@@ -355,8 +354,8 @@ TEST(Bound, WideBallsDecideNothing) {
     EXPECT_GT(open, 1);
     // More bits decide.
     const CheckOptions all{.threads = 1, .max_work = std::uint64_t{1} << 50};
-    EXPECT_EQ(check_bound(with_detours(good, 19), all).verdict, Verdict::verified);
-    EXPECT_EQ(check_bound(with_detours(wrong, 19), all).verdict, Verdict::refuted);
+    EXPECT_EQ(check(with_detours(good, 19), all).verdict, Verdict::verified);
+    EXPECT_EQ(check(with_detours(wrong, 19), all).verdict, Verdict::refuted);
   }
 }
 
@@ -365,7 +364,7 @@ TEST(Bound, ARefutedRuleCountsMoreThanOneThatIsOpen) {
     document.value.lower += 1e-12;
     document.value.upper += 1e-12;
     const CheckOptions bits{.threads = 1, .max_precision = 128, .max_work = std::uint64_t{1} << 50};
-    const Certificate certificate = check_bound(with_detours(document, 19), bits);
+    const Certificate certificate = check(with_detours(document, 19), bits);
     EXPECT_EQ(certificate.rules[9].verdict, Verdict::undecided);
     EXPECT_EQ(certificate.verdict, Verdict::refuted);
     EXPECT_EQ(certificate.rule, "lower");
@@ -425,8 +424,8 @@ TEST(Bound, NoChangeMakesAFalseClaimVerified) {
 
 TEST(Bound, ThreadsDoNotMatter) {
   for (const BoundDocument& document : all_files()) {
-    const Certificate one = check_bound(document, {.threads = 1});
-    const Certificate three = check_bound(document, {.threads = 3});
+    const Certificate one = check(document, {.threads = 1});
+    const Certificate three = check(document, {.threads = 3});
     ASSERT_EQ(one.rules.size(), three.rules.size());
     for (std::size_t i = 0; i < one.rules.size(); ++i) EXPECT_EQ(to_string(one.rules[i]), to_string(three.rules[i]));
     EXPECT_EQ(one.counts.work, three.counts.work);
@@ -509,9 +508,9 @@ TEST(BoundOfARadius, ACellThatIsNotCutIsRefuted) {
 TEST(Bound, TooLittleWorkOrPrecisionIsUndecided) {
   for (const BoundDocument& document : all_files()) {
     const std::uint64_t all = checked(document).counts.work;
-    EXPECT_EQ(check_bound(document, {.threads = 2, .max_work = all}).verdict, Verdict::verified);
+    EXPECT_EQ(check(document, {.threads = 2, .max_work = all}).verdict, Verdict::verified);
     for (const std::uint64_t work : {all - 1, all / 2, all / 10, std::uint64_t{1000}}) {
-      EXPECT_EQ(check_bound(document, {.threads = 2, .max_work = work}).verdict, Verdict::undecided) << work;
+      EXPECT_EQ(check(document, {.threads = 2, .max_work = work}).verdict, Verdict::undecided) << work;
     }
   }
 }
@@ -829,7 +828,7 @@ void expect_no_wrong_verdict(BoundDocument document, std::uint32_t t, std::uint3
   document.triangulations.push_back({});
   const auto verdict = [&](double factor) {
     document.value.upper = least * factor;
-    return check_bound(document, {.threads = 1, .max_precision = 128, .max_work = std::uint64_t{1} << 50}).verdict;
+    return check(document, {.threads = 1, .max_precision = 128, .max_work = std::uint64_t{1} << 50}).verdict;
   };
   int open = 0;
   for (std::uint32_t length = 0; length < 50; ++length) {

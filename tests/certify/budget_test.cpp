@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "certify/claims/geodesics/check.h"
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/net/structure.h"
 
@@ -87,15 +86,15 @@ TEST(Budget, NothingIsVerifiedWithLessWorkThanItTakes) {
 
 TEST(Budget, NoGeodesicsAreVerifiedWithLessWorkThanTheyTake) {
   const GeodesicsDocument document = read_geodesics(path("geodesics/three-cuffs.json"));
-  const Certificate all = check_geodesics(document, {.threads = 1});
+  const Certificate all = check(document, {.threads = 1});
   ASSERT_EQ(all.verdict, Verdict::verified);
   const std::uint64_t work = all.counts.work;
-  EXPECT_EQ(check_geodesics(document, {.threads = 3}).counts.work, work);
-  EXPECT_EQ(check_geodesics(document, {.threads = 2, .max_work = work}).verdict, Verdict::verified);
+  EXPECT_EQ(check(document, {.threads = 3}).counts.work, work);
+  EXPECT_EQ(check(document, {.threads = 2, .max_work = work}).verdict, Verdict::verified);
   for (std::uint64_t k = 1; k < 16; ++k) {
     const std::uint64_t less = k == 15 ? work - 1 : work / 16 * k;
-    const Certificate one = check_geodesics(document, {.threads = 1, .max_work = less});
-    const Certificate four = check_geodesics(document, {.threads = 4, .max_work = less});
+    const Certificate one = check(document, {.threads = 1, .max_work = less});
+    const Certificate four = check(document, {.threads = 4, .max_work = less});
     EXPECT_EQ(one.verdict, Verdict::undecided) << k;
     EXPECT_EQ(text(one), text(four)) << k;
     ASSERT_EQ(one.geodesics.has_value(), four.geodesics.has_value());

@@ -1,4 +1,4 @@
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <map>
 #include <string>
 
+#include "certify/check.h"
 #include "certify/claims/collars/check.h"
-#include "certify/claims/net/check.h"
 #include "certify/file/reader.h"
 #include "certify/net/collar_members.h"
 #include "certify/net/darts.h"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "certify/claims/geodesics/check.h"
+#include "certify/check.h"
 #include "certify/claims/geodesics/completeness_check.h"
 #include "certify/net/surface_sides.h"
 #include "tests/certify/lifted_reference.h"
@@ -15,7 +15,7 @@ GeodesicsDocument load(const std::string& name) {
 }
 
 std::string outcome(const GeodesicsDocument& document) {
-  const Certificate certificate = check_geodesics(document, {.threads = 2, .max_precision = 1024});
+  const Certificate certificate = check(document, {.threads = 2, .max_precision = 1024});
   return std::string(name(certificate.verdict)) + (certificate.rule.empty() ? "" : ": " + certificate.rule);
 }
 
@@ -75,7 +75,7 @@ Counts expected_counts(const NetDocument& net, Real bound) {
 }
 
 void expect_counts(const GeodesicsDocument& document, Real bound, const std::string& what) {
-  const Certificate certificate = check_geodesics(document, {.threads = 1});
+  const Certificate certificate = check(document, {.threads = 1});
   ASSERT_EQ(certificate.verdict, Verdict::verified) << what << ": " << certificate.message;
   const Counts expected = expected_counts(document.net, bound);
   EXPECT_EQ(certificate.geodesics->lifted_triangles, expected.visits) << what;
@@ -178,11 +178,11 @@ TEST(Completeness, EndsTheSearchOfAVertexAtAnElementThatIsNotDecided) {
   none.claim = GeodesicsDocument::Claim::spectrum;
   none.geodesics.clear();
   none.up_to = "3.0571";
-  const std::uint64_t all = check_geodesics(none, {.threads = 1}).geodesics->lifted_triangles;
+  const std::uint64_t all = check(none, {.threads = 1}).geodesics->lifted_triangles;
   for (const auto& [up_to, expected] : {std::pair{"3.057141838961996322544912369", "VERIFIED"},
                                         {"3.057141838961996322544912370", "REFUTED: complete"}}) {
     none.up_to = up_to;
-    const Certificate coarse = check_geodesics(none, {.threads = 1, .max_precision = 64});
+    const Certificate coarse = check(none, {.threads = 1, .max_precision = 64});
     EXPECT_EQ(coarse.verdict, Verdict::undecided) << up_to;
     EXPECT_EQ(coarse.rule, "complete") << up_to;
     EXPECT_LT(coarse.geodesics->lifted_triangles, all / 2) << up_to;
@@ -207,7 +207,7 @@ TEST(Completeness, ACurveOfLength2Arsinh1IsSmallAndOneThatIsLongerBy1e20IsNot) {
   listed.pieces = exactly.pieces;
   EXPECT_EQ(outcome(listed), "REFUTED: geodesics") << "longer than 2 arsinh 1";
   const auto with_64_bits = [](const GeodesicsDocument& document) {
-    const Certificate certificate = check_geodesics(document, {.threads = 1, .max_precision = 64});
+    const Certificate certificate = check(document, {.threads = 1, .max_precision = 64});
     return std::string(name(certificate.verdict)) + ": " + certificate.rule;
   };
   EXPECT_EQ(with_64_bits(listed), "REFUTED: geodesics") << "by exact numbers alone";

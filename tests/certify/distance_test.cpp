@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/claims/distance/check.h"
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "certify/net/darts.h"
@@ -37,7 +36,7 @@ DistanceDocument zero() { return load("zero"); }
 
 std::vector<std::string> all_files() { return {"four-equal", "across-a-cuff-of-1e-8", "bolza", "zero"}; }
 
-Certificate checked(const DistanceDocument& document) { return check_distance(document, {.threads = 2}); }
+Certificate checked(const DistanceDocument& document) { return check(document, {.threads = 2}); }
 
 /// "VERDICT", or "VERDICT: rule".
 std::string outcome(const DistanceDocument& document) {
@@ -181,11 +180,11 @@ TEST(Distance, WideBallsDecideNothing) {
     int decided = 0;
     int open = 0;
     for (std::size_t length = 0; length < 200; length += 1 + length / 4) {
-      const Verdict verdict = check_distance(with_detours(good, length), with_64_bits()).verdict;
+      const Verdict verdict = check(with_detours(good, length), with_64_bits()).verdict;
       EXPECT_TRUE(verdict == Verdict::verified || verdict == Verdict::undecided) << length;
       ++(verdict == Verdict::undecided ? open : decided);
       for (const DistanceDocument& document : wrong) {
-        const Verdict of_wrong = check_distance(with_detours(document, length), with_64_bits()).verdict;
+        const Verdict of_wrong = check(with_detours(document, length), with_64_bits()).verdict;
         EXPECT_TRUE(of_wrong == Verdict::refuted || of_wrong == Verdict::undecided) << length;
       }
     }
@@ -218,7 +217,7 @@ TEST(Distance, TheEnclosureMayBeAsTightAsBinary64) {
 int times_open(std::size_t rule, const DistanceDocument& document, Verdict never) {
   int open = 0;
   for (std::size_t length = 0; length < 60; ++length) {
-    const Certificate certificate = check_distance(with_detours(document, length), with_64_bits());
+    const Certificate certificate = check(with_detours(document, length), with_64_bits());
     if (certificate.rules.size() <= rule) continue;  // The paths are refuted.
     EXPECT_NE(certificate.rules[rule].verdict, never) << length;
     open += certificate.rules[rule].verdict == Verdict::undecided ? 1 : 0;
@@ -261,7 +260,7 @@ TEST(Distance, ARefutedRuleCountsMoreThanOneThatIsOpen) {
   document.distance = {0, 20};
   document.equal = true;
   document.paths = {{0, 1}, {2, 0}};
-  const Certificate certificate = check_distance(with_detours(document, 150), with_64_bits());
+  const Certificate certificate = check(with_detours(document, 150), with_64_bits());
   EXPECT_EQ(certificate.rules[7].verdict, Verdict::undecided);
   EXPECT_EQ(certificate.rules[8].verdict, Verdict::refuted);
   EXPECT_EQ(certificate.verdict, Verdict::refuted);
@@ -272,7 +271,7 @@ TEST(Distance, TheFirstPathThatIsWrongIsNamedAmongThoseThatAreOpen) {
   DistanceDocument document = with_detours(bolza(), 150);
   document.distance = {0, 3};
   document.paths.push_back(document.paths[0]);
-  const auto message = [&] { return check_distance(document, with_64_bits()).message; };
+  const auto message = [&] { return check(document, with_64_bits()).message; };
   EXPECT_THAT(message(), StartsWith("path 0 has a length in"));
   EXPECT_THAT(message(), HasSubstr("not decided whether in"));
   document.paths.push_back({0, 1, 2, 3, 0, 1, 2, 3});
@@ -283,7 +282,7 @@ TEST(Distance, TheFirstPathThatIsWrongIsNamedAmongThoseThatAreOpen) {
 
 TEST(Distance, WordsThatAreTooLongForExactNumbersLeaveThingsOpen) {
   const auto verdict = [](const char* rule, const DistanceDocument& document) {
-    for (const RuleReport& report : check_distance(document, with_64_bits()).rules) {
+    for (const RuleReport& report : check(document, with_64_bits()).rules) {
       if (report.rule == rule) return report.verdict;
     }
     return Verdict::malformed;
@@ -444,8 +443,8 @@ TEST(Distance, ZeroIsDecidedBeyondAllBitsOfBallsAndWhereBallsAreExact) {
 
 TEST(Distance, ThreadsDoNotMatter) {
   for (const std::string& file : all_files()) {
-    const Certificate one = check_distance(load(file), {.threads = 1});
-    const Certificate three = check_distance(load(file), {.threads = 3});
+    const Certificate one = check(load(file), {.threads = 1});
+    const Certificate three = check(load(file), {.threads = 3});
     ASSERT_EQ(one.rules.size(), three.rules.size());
     for (std::size_t i = 0; i < one.rules.size(); ++i) EXPECT_EQ(to_string(one.rules[i]), to_string(three.rules[i]));
     EXPECT_EQ(one.counts.work, three.counts.work);
@@ -454,8 +453,8 @@ TEST(Distance, ThreadsDoNotMatter) {
 
 TEST(Distance, TooManyTrianglesAreUndecided) {
   const std::size_t triangles = bolza().net.triangles.size();
-  EXPECT_EQ(check_distance(bolza(), {.threads = 1, .max_triangles = triangles}).verdict, Verdict::verified);
-  const Certificate certificate = check_distance(bolza(), {.threads = 1, .max_triangles = triangles - 1});
+  EXPECT_EQ(check(bolza(), {.threads = 1, .max_triangles = triangles}).verdict, Verdict::verified);
+  const Certificate certificate = check(bolza(), {.threads = 1, .max_triangles = triangles - 1});
   EXPECT_EQ(certificate.verdict, Verdict::undecided);
   EXPECT_EQ(certificate.rule, "paths");
   EXPECT_THAT(certificate.message, HasSubstr("more triangles than the limit, " + std::to_string(triangles - 1)));
@@ -463,17 +462,17 @@ TEST(Distance, TooManyTrianglesAreUndecided) {
 
 TEST(Distance, TooLittleWorkOrPrecisionIsUndecided) {
   const std::uint64_t all = checked(across_a_cuff()).counts.work;
-  EXPECT_EQ(check_distance(across_a_cuff(), {.threads = 2, .max_work = all}).verdict, Verdict::verified);
+  EXPECT_EQ(check(across_a_cuff(), {.threads = 2, .max_work = all}).verdict, Verdict::verified);
   for (const std::uint64_t work : {all - 1, all / 2, all / 10, std::uint64_t{1000}}) {
-    EXPECT_EQ(check_distance(across_a_cuff(), {.threads = 2, .max_work = work}).verdict, Verdict::undecided) << work;
+    EXPECT_EQ(check(across_a_cuff(), {.threads = 2, .max_work = work}).verdict, Verdict::undecided) << work;
   }
   // What the net takes alone.
   const std::uint64_t net = check(across_a_cuff().net, {.threads = 2}).counts.work;
   for (const std::uint64_t work : {net, net + 1}) {
-    EXPECT_EQ(check_distance(across_a_cuff(), {.threads = 2, .max_work = work}).verdict, Verdict::undecided);
+    EXPECT_EQ(check(across_a_cuff(), {.threads = 2, .max_work = work}).verdict, Verdict::undecided);
   }
   // 21 is the distance: 64 bits do not tell the ends of the paths apart, nor lengths that differ by 10^-15.
-  EXPECT_EQ(check_distance(across_a_cuff(), {.threads = 2, .max_precision = 64}).verdict, Verdict::undecided);
+  EXPECT_EQ(check(across_a_cuff(), {.threads = 2, .max_precision = 64}).verdict, Verdict::undecided);
 }
 
 TEST(Distance, EveryDefectOfADocumentIsMalformed) {

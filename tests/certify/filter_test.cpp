@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/net/darts.h"
 

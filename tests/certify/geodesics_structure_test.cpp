@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/claims/geodesics/check.h"
+#include "certify/check.h"
 #include "certify/claims/geodesics/structure.h"
 #include "certify/file/reader.h"
 #include "certify/net/surface_sides.h"
@@ -31,7 +31,7 @@ void expect_malformed(const GeodesicsDocument& document, const std::string& prob
   const auto found = structure_problem(document);
   ASSERT_TRUE(found.has_value()) << "expected: " << problem;
   EXPECT_NE(found->find(problem), std::string::npos) << *found;
-  const Certificate certificate = check_geodesics(document, {.threads = 1});
+  const Certificate certificate = check(document, {.threads = 1});
   EXPECT_EQ(certificate.verdict, Verdict::malformed);
   EXPECT_EQ(certificate.rule, "structure");
 }

@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "certify/claims/geodesics/check.h"
+#include "certify/check.h"
 #include "certify/claims/geodesics/chord_table.h"
 #include "certify/claims/geodesics/list_rules.h"
 #include "certify/claims/geodesics/orbit_search.h"
@@ -35,7 +35,7 @@ NetDocument load(const std::string& name) {
 NetDocument bolza() { return load("regular-2-10-vertices.json"); }
 
 std::string outcome(const GeodesicsDocument& document) {
-  const Certificate certificate = check_geodesics(document, {.threads = 2, .max_precision = 1024});
+  const Certificate certificate = check(document, {.threads = 2, .max_precision = 1024});
   return std::string(name(certificate.verdict)) + (certificate.rule.empty() ? "" : ": " + certificate.rule);
 }
 
@@ -189,7 +189,7 @@ TEST(Geodesics, SystoleOfBolzaIsVerified) {
 }
 
 TEST(Geodesics, SpectrumOfBolzaIsVerified) {
-  const Certificate certificate = check_geodesics(bolza_to_5());
+  const Certificate certificate = check(bolza_to_5());
   EXPECT_EQ(certificate.verdict, Verdict::verified) << certificate.rule << ": " << certificate.message;
   EXPECT_EQ(bolza_to_5().geodesics.size(), 24U);
   ASSERT_TRUE(certificate.geodesics.has_value());
@@ -202,7 +202,7 @@ TEST(Geodesics, MoreOfTheSpectrumOfBolzaIsVerified) {
   // 7 + 5√2: 24, 24, 48 and 96. They were also counted apart from this code, in exact arithmetic over Z[exp(iπ/4)]: all
   // elements that move the centre so little that every class has one among them, up to conjugation by side pairings.
   const GeodesicsDocument document = spectrum(load("regular-2-26-vertices.json"), "6.8", 6);
-  const Certificate certificate = check_geodesics(document);
+  const Certificate certificate = check(document);
   EXPECT_EQ(certificate.verdict, Verdict::verified) << certificate.rule << ": " << certificate.message;
   std::vector<std::uint32_t> counts;
   for (const GeodesicsDocument::Cluster& cluster : document.clusters) counts.push_back(cluster.count);
@@ -365,7 +365,7 @@ TEST(Geodesics, OneLeftOutIsRefuted) {
   document.geodesics.clear();
   document.clusters.clear();
   EXPECT_EQ(outcome(document), "REFUTED: complete");
-  EXPECT_THAT(check_geodesics(document).message, HasSubstr("is not in the list"));
+  EXPECT_THAT(check(document).message, HasSubstr("is not in the list"));
   document.up_to = "3.05";
   EXPECT_EQ(outcome(document), "VERIFIED") << "the systole is longer";
 }
@@ -461,16 +461,16 @@ TEST(Geodesics, AnUpToThatIsNearlyALengthIsDecidedWithMoreBits) {
   EXPECT_EQ(outcome(all), "REFUTED: geodesics") << "the list has longer ones";
   shorter.up_to = below;
   EXPECT_EQ(outcome(shorter), "VERIFIED");
-  EXPECT_EQ(check_geodesics(shorter, {.threads = 1, .max_precision = 64}).rule, "complete") << "64 bits do not tell";
+  EXPECT_EQ(check(shorter, {.threads = 1, .max_precision = 64}).rule, "complete") << "64 bits do not tell";
   all.up_to = above;
   EXPECT_EQ(outcome(all), "VERIFIED");
-  EXPECT_EQ(check_geodesics(all, {.threads = 1, .max_precision = 64}).rule, "geodesics") << "64 bits do not tell";
+  EXPECT_EQ(check(all, {.threads = 1, .max_precision = 64}).rule, "geodesics") << "64 bits do not tell";
   shorter.up_to = above;
   EXPECT_EQ(outcome(shorter), "REFUTED: complete") << "the list lacks twelve";
 }
 
 TEST(Geodesics, TooManyVisitsAreUndecided) {
-  const Certificate certificate = check_geodesics(bolza_to_5(), {.threads = 1, .max_visits = 1000});
+  const Certificate certificate = check(bolza_to_5(), {.threads = 1, .max_visits = 1000});
   EXPECT_EQ(certificate.verdict, Verdict::undecided);
   EXPECT_EQ(certificate.rule, "complete");
   EXPECT_THAT(certificate.message, HasSubstr("its share of the limit"));
@@ -481,8 +481,8 @@ TEST(Geodesics, TooManyVisitsAreUndecided) {
 TEST(Geodesics, TooManyTrianglesAreUndecided) {
   const GeodesicsDocument document = systole(bolza());
   const std::size_t triangles = document.net.triangles.size();
-  EXPECT_EQ(check_geodesics(document, {.threads = 1, .max_triangles = triangles}).verdict, Verdict::verified);
-  const Certificate certificate = check_geodesics(document, {.threads = 1, .max_triangles = triangles - 1});
+  EXPECT_EQ(check(document, {.threads = 1, .max_triangles = triangles}).verdict, Verdict::verified);
+  const Certificate certificate = check(document, {.threads = 1, .max_triangles = triangles - 1});
   EXPECT_EQ(certificate.verdict, Verdict::undecided);
   EXPECT_EQ(certificate.rule, "geodesics");
   EXPECT_THAT(certificate.message, HasSubstr("more triangles than the limit, " + std::to_string(triangles - 1)));
@@ -514,7 +514,7 @@ TEST(Geodesics, DifferentLengthsCalledEqualAreRefuted) {
 
 /// The verdict of one rule.
 std::string verdict_of(const GeodesicsDocument& document, const std::string& rule) {
-  for (const RuleReport& report : check_geodesics(document, {.threads = 1, .max_precision = 256}).rules) {
+  for (const RuleReport& report : check(document, {.threads = 1, .max_precision = 256}).rules) {
     if (report.rule == rule) return std::string(name(report.verdict));
   }
   return "none";
@@ -574,7 +574,7 @@ TEST(Geodesics, ALongerGeodesicIsNoSystole) {
   GeodesicsDocument document = systole(bolza());
   document.geodesics[0] = bolza_to_5().geodesics[12];
   EXPECT_EQ(outcome(document), "REFUTED: complete");
-  EXPECT_THAT(check_geodesics(document).message, HasSubstr("is shorter"));
+  EXPECT_THAT(check(document).message, HasSubstr("is shorter"));
   document.geodesics[0].length.lower = 3;
   EXPECT_EQ(outcome(document), "REFUTED: complete") << "none is shorter than 3, but some are than this one";
   const GeodesicsDocument longer = spectrum(bolza(), "5.9", 5);
@@ -601,16 +601,15 @@ TEST(Geodesics, ALongConjugateOfASystoleTakesMoreBits) {
       read_geodesics(std::string(EPSNET_TEST_DATA) + "/geodesics/systole-long-conjugate.json");
   ASSERT_EQ(document.geodesics[0].word.size(), 56U);
   EXPECT_EQ(outcome(document), "VERIFIED");
-  EXPECT_EQ(check_geodesics(document, {.threads = 1, .max_precision = 64}).verdict, Verdict::undecided);
+  EXPECT_EQ(check(document, {.threads = 1, .max_precision = 64}).verdict, Verdict::undecided);
 }
 
 TEST(Geodesics, TheClaimIsSaid) {
-  EXPECT_THAT(check_geodesics(systole(bolza())).claim, HasSubstr("lies in [3.05714"));
-  EXPECT_THAT(check_geodesics(bolza_to_5()).claim,
-              HasSubstr("the 24 primitive closed geodesics of length at most \"5\""));
+  EXPECT_THAT(check(systole(bolza())).claim, HasSubstr("lies in [3.05714"));
+  EXPECT_THAT(check(bolza_to_5()).claim, HasSubstr("the 24 primitive closed geodesics of length at most \"5\""));
   GeodesicsDocument malformed = bolza_to_5();
   malformed.clusters.clear();
-  const Certificate certificate = check_geodesics(malformed);
+  const Certificate certificate = check(malformed);
   EXPECT_EQ(certificate.verdict, Verdict::malformed);
   EXPECT_EQ(certificate.claim, "");
   EXPECT_EQ(certificate.counts.vertices, 0U);
@@ -620,7 +619,7 @@ TEST(Geodesics, GeodesicsOfAWrongNetAreNotVerified) {
   GeodesicsDocument document = bolza_to_5();
   document.net.epsilon = "0.1";
   EXPECT_EQ(outcome(document), "REFUTED: covering");
-  EXPECT_FALSE(check_geodesics(document).geodesics.has_value());
+  EXPECT_FALSE(check(document).geodesics.has_value());
   document.net = {};
   EXPECT_EQ(outcome(document), "MALFORMED: structure");
   // A pseudo net covers the thick part only.
@@ -635,8 +634,8 @@ TEST(Geodesics, ThreadsDoNotMatter) {
   wrong.geodesics.erase(wrong.geodesics.begin() + 3, wrong.geodesics.begin() + 9);
   wrong.clusters = clusters(wrong.geodesics);
   for (const GeodesicsDocument& document : {good, wrong}) {
-    const Certificate single = check_geodesics(document, {.threads = 1});
-    const Certificate several = check_geodesics(document, {.threads = 5});
+    const Certificate single = check(document, {.threads = 1});
+    const Certificate several = check(document, {.threads = 5});
     EXPECT_EQ(single.message, several.message);
     EXPECT_EQ(single.geodesics->lifted_triangles, several.geodesics->lifted_triangles);
     EXPECT_EQ(single.geodesics->candidates, several.geodesics->candidates);
@@ -665,7 +664,7 @@ GeodesicsDocument thin() { return thick_thin("one-cuff-of-1e-8.json"); }
 TEST(ThickThin, DecompositionsAreVerified) {
   for (const GeodesicsDocument& document : {three_cuffs(), thin()}) {
     ASSERT_EQ(document.geodesics.size(), 3U);
-    const Certificate certificate = check_geodesics(document);
+    const Certificate certificate = check(document);
     EXPECT_EQ(certificate.verdict, Verdict::verified) << certificate.rule << ": " << certificate.message;
     EXPECT_EQ(certificate.rules.size(), 13U);
     EXPECT_GT(certificate.geodesics->deep_vertices, 2U);
@@ -720,7 +719,7 @@ TEST(ThickThin, ACurveOfLength2Arsinh1WithAWordTooLongToBeComparedIsUndecided) {
   GeodesicsDocument document =
       read_geodesics(std::string(EPSNET_TEST_DATA) + "/geodesics/one-curve-of-2-arsinh-1.json");
   const CheckOptions few_bits{.threads = 2, .max_precision = 128};
-  EXPECT_EQ(check_geodesics(document, few_bits).verdict, Verdict::verified);
+  EXPECT_EQ(check(document, few_bits).verdict, Verdict::verified);
   const auto& net = document.net;
   std::vector<std::uint32_t>& word = document.geodesics[0].word;
   const std::uint32_t tile = net.charts[net.vertices[document.geodesics[0].vertex].chart].tile;
@@ -728,7 +727,7 @@ TEST(ThickThin, ACurveOfLength2Arsinh1WithAWordTooLongToBeComparedIsUndecided) {
   std::vector<std::uint32_t> lengthy;
   while (lengthy.size() < 600'000) lengthy.insert(lengthy.end(), relator.begin(), relator.end());
   word.insert(word.begin(), lengthy.begin(), lengthy.end());
-  const Certificate certificate = check_geodesics(document, few_bits);
+  const Certificate certificate = check(document, few_bits);
   EXPECT_EQ(certificate.verdict, Verdict::undecided);
   EXPECT_EQ(certificate.rule, "geodesics");
 }
@@ -761,7 +760,7 @@ GeodesicsDocument nearly_equal_cuffs() { return thick_thin("two-cuffs-that-diffe
 
 std::vector<std::string> rules_asked(const GeodesicsDocument& document) {
   std::vector<std::string> result;
-  for (const RuleReport& report : check_geodesics(document, {.threads = 1}).rules) result.push_back(report.rule);
+  for (const RuleReport& report : check(document, {.threads = 1}).rules) result.push_back(report.rule);
   result.erase(result.begin(), result.begin() + 7);
   return result;
 }
@@ -837,7 +836,7 @@ TEST(Geodesics, WideBallsDecideNothing) {
     document.geodesics[0].word = with_far_relator(document.net.surface, 0, word, length);
     const auto said = [&](Interval enclosure) {
       document.geodesics[0].length = enclosure;
-      return check_geodesics(document, {.threads = 1, .max_precision = 64}).rules.at(7).verdict;
+      return check(document, {.threads = 1, .max_precision = 64}).rules.at(7).verdict;
     };
     const Verdict good = said({3, 3.1});
     EXPECT_NE(good, Verdict::refuted) << length;

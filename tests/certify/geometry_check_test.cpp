@@ -13,7 +13,7 @@
 #include <string>
 
 #include "certify/base/text.h"
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/net/darts.h"
 #include "certify/net/lifted_triangle.h"

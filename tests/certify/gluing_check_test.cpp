@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/net/surface_sides.h"
 #include "certify/numbers/ball.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <map>
 
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/net/lifted_triangle.h"
 #include "certify/net/surface_check.h"

@@ -8,10 +8,7 @@
 #include <sstream>
 
 #include "certify/base/fault.h"
-#include "certify/claims/bound/check.h"
-#include "certify/claims/distance/check.h"
-#include "certify/claims/geodesics/check.h"
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/claims/net/claim.h"
 #include "certify/file/reader.h"
 #include "certify/net/structure.h"
@@ -103,9 +100,7 @@ NetDocument net() { return read_net(std::string(EPSNET_TEST_DATA) + "/certify/ve
 /// The verdict line about a claim with the further rules a and b that are asked like this.
 std::string line_of(const NetDocument& document, const std::function<void(Verification&)>& ask,
                     const CheckOptions& options = {.threads = 1}) {
-  RuleNames rules = rules_of(document);
-  rules.insert(rules.end(), {"a", "b"});
-  const Claim claim{document, "a claim", rules, [&](Verification& run, const Crossings&) { ask(run); }};
+  const Claim claim{document, "a claim", {"a", "b"}, [&](Verification& run, const Crossings&) { ask(run); }};
   const Certificate certificate = verify(claim, 1, options);
   EXPECT_EQ(certificate.claim, "a claim");
   return verdict_line(certificate);

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "certify/base/text.h"
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/exact/checker.h"
 #include "certify/exact/json.h"
 #include "certify/file/reader.h"

@@ -13,8 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "certify/claims/bound/check.h"
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "kernel/plane.h"
 #include "netgen/distances/distance.h"
 #include "netgen/nets/net_options.h"
@@ -33,7 +32,7 @@ using testing::HasSubstr;
 
 /// Returns the outcome of the checker: "VERIFIED", or the reason for another verdict.
 std::string verdict(const BoundDocument& document) {
-  return certify::verdict_line(certify::check_bound(document, {.threads = 1, .max_work = std::uint64_t{1} << 50}));
+  return certify::verdict_line(certify::check(document, {.threads = 1, .max_work = std::uint64_t{1} << 50}));
 }
 
 /// Returns a random point strictly inside a random tile.

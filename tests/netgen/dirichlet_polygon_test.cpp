@@ -6,7 +6,7 @@
 #include <numbers>
 #include <rapidcheck/gtest.h>
 
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "kernel/plane.h"
 #include "tests/support/triangulations.h"
 

@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "certify/base/text.h"
-#include "certify/claims/distance/check.h"
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
 #include "netgen/lifts/layout.h"
@@ -33,7 +32,7 @@ using testing::HasSubstr;
 
 /// Returns the outcome of the checker: "VERIFIED", or the reason for another verdict.
 std::string verdict(const DistanceDocument& document) {
-  return certify::verdict_line(certify::check_distance(document, {.threads = 1}));
+  return certify::verdict_line(certify::check(document, {.threads = 1}));
 }
 
 /// Returns a random point strictly inside a random tile.
@@ -361,7 +360,7 @@ RC_GTEST_PROP(PrintedProperty, ContainsTheDistanceAndTheCircumradius, ()) {
   const BasePoint p = any_place(surface);
   const BasePoint q = any_place(surface);
   const DistanceDocument document = distance(surface, p, q);
-  const certify::Certificate certificate = certify::check_distance(document, {.threads = 1});
+  const certify::Certificate certificate = certify::check(document, {.threads = 1});
   RC_ASSERT(certificate.verdict == certify::Verdict::verified);
   Complex<Mp1024> z = convert<Mp1024>(p.z);
   for (const std::uint32_t side : document.paths.front()) z = surface.crossing_as<Mp1024>(side)(z);

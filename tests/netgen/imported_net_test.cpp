@@ -3,7 +3,7 @@
 #include <map>
 #include <rapidcheck/gtest.h>
 
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "netgen/base/gmp.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/exchange/triangulation_stream.h"

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "kernel/plane.h"
 #include "netgen/distances/distance.h"
 #include "netgen/nets/certified_net.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/net/darts.h"
 #include "kernel/plane.h"
 #include "netgen/exchange/exchange.h"

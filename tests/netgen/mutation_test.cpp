@@ -4,7 +4,7 @@
 #include <map>
 #include <sstream>
 
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/exact/checker.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "certify/base/text.h"
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "netgen/surfaces/octagon.h"
 
 namespace epsnet {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/claims/net/check.h"
+#include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "netgen/nets/certified_net.h"

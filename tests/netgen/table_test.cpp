@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <iostream>
 
-#include "certify/claims/geodesics/check.h"
+#include "certify/check.h"
 #include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/geodesics/geodesics.h"
@@ -38,7 +38,7 @@ TEST(Systoles, Of179Of180OctagonsAreAboveOneHalf) {
   double least = HUGE_VAL;
   for (std::int32_t seed = 1; seed <= 180; ++seed) {
     const certify::GeodesicsDocument document = systole(random_octagon(seed));
-    ASSERT_EQ(certify::check_geodesics(document).verdict, certify::Verdict::verified) << "seed " << seed;
+    ASSERT_EQ(certify::check(document).verdict, certify::Verdict::verified) << "seed " << seed;
     above_half += document.geodesics[0].length.lower > 0.5 ? 1 : 0;
     least = std::min(least, document.geodesics[0].length.lower);
   }

@@ -11,8 +11,6 @@
 #include "certify/claims/bound/element.h"
 #include "certify/claims/bound/structure.h"
 #include "certify/claims/bound/triangles.h"
-#include "certify/claims/net/check.h"
-#include "certify/claims/net/claim.h"
 #include "certify/lifted/lorentz.h"
 #include "certify/net/darts.h"
 #include "certify/net/label_evaluator.h"
@@ -448,22 +446,17 @@ std::string text_of(const BoundDocument& document) {
   return what + " lies in " + to_string(document.value);
 }
 
+}  // namespace
+
+RuleNames own_rules(const BoundDocument& document) {
+  return {document.claim == BoundDocument::Claim::radius ? "upper" : "lower", "triangulations", "cells"};
+}
+
 Claim claim_of(const BoundDocument& document) {
   const auto ask = [&](Verification& run, Crossings crossings) {
     BoundCheck(document, run, std::move(crossings)).ask();
   };
-  return {document.net, text_of(document), rules_of(document), ask};
-}
-
-}  // namespace
-
-RuleNames rules_of(const BoundDocument& document) {
-  const char* const at_vertex = document.claim == BoundDocument::Claim::radius ? "upper" : "lower";
-  return with_net_rules(document.net, {at_vertex, "triangulations", "cells"});
-}
-
-Certificate check_bound(const BoundDocument& document, const CheckOptions& options) {
-  return verify(document, options, claim_of);
+  return {document.net, text_of(document), own_rules(document), ask};
 }
 
 }  // namespace epsnet::certify

@@ -8,7 +8,7 @@
 
 /// The contents of a bound file as plain data, member by member as docs/format.md defines them.
 ///
-/// A document only states what a file says; nothing here is proved. `check_bound` (check.h) decides whether it is
+/// A document only states what a file says; nothing here is proved. `check` (certify/check.h) decides whether it is
 /// true. Lengths are hyperbolic.
 namespace epsnet::certify {
 

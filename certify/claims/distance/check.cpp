@@ -8,8 +8,6 @@
 #include "certify/base/decimals.h"
 #include "certify/base/text.h"
 #include "certify/claims/distance/structure.h"
-#include "certify/claims/net/check.h"
-#include "certify/claims/net/claim.h"
 #include "certify/lifted/interval_index.h"
 #include "certify/lifted/lifted_plane.h"
 #include "certify/net/darts.h"
@@ -108,7 +106,8 @@ class DistanceCheck {
         net_(extended(document)),
         parts_(label_parts(std::move(crossings), net_.charts, run.budget())),
         evaluator_(net_, parts_),
-        point_(exact_point_within(document.point.z, run.budget())) {}
+        point_(exact_point_within(document.point.z, run.budget())),
+        rules_(own_rules(document)) {}
 
   void ask(Verification& run) {
     try {
@@ -386,7 +385,7 @@ class DistanceCheck {
   LabelParts parts_;
   LabelEvaluator evaluator_;
   ExactPoint point_;  ///< q.
-  OpenRules rules_{{kPaths, kEqual, kNearest}};
+  OpenRules rules_;
   bool lengths_decided_ = false;
   slong precision_ = 64;
 };
@@ -413,21 +412,15 @@ std::string text_of(const DistanceDocument& document) {
               : "the " + count + " paths listed are all of length at most " + decimal_below(document.distance.upper));
 }
 
+}  // namespace
+
+RuleNames own_rules(const DistanceDocument& /*document*/) { return {kPaths, kEqual, kNearest}; }
+
 Claim claim_of(const DistanceDocument& document) {
   const auto ask = [&](Verification& run, Crossings crossings) {
     DistanceCheck(document, run, std::move(crossings)).ask(run);
   };
-  return {document.net, text_of(document), rules_of(document), ask};
-}
-
-}  // namespace
-
-RuleNames rules_of(const DistanceDocument& document) {
-  return with_net_rules(document.net, {kPaths, kEqual, kNearest});
-}
-
-Certificate check_distance(const DistanceDocument& document, const CheckOptions& options) {
-  return verify(document, options, claim_of);
+  return {document.net, text_of(document), own_rules(document), ask};
 }
 
 }  // namespace epsnet::certify

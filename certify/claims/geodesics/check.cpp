@@ -11,8 +11,6 @@
 #include "certify/claims/geodesics/exact_traces.h"
 #include "certify/claims/geodesics/list_rules.h"
 #include "certify/claims/geodesics/structure.h"
-#include "certify/claims/net/check.h"
-#include "certify/claims/net/claim.h"
 #include "certify/numbers/parallel.h"
 #include "certify/numbers/precision.h"
 #include "certify/verdict/open_rules.h"
@@ -46,14 +44,6 @@ constexpr const char* kEqual = "equal";
 constexpr const char* kComplete = "complete";
 constexpr const char* kPieces = "pieces";
 
-/// The rules of a claim after those of the net.
-RuleNames own_rules(GeodesicsDocument::Claim claim) {
-  if (claim == GeodesicsDocument::Claim::systole) return {kGeodesics, kSimple, kComplete};
-  RuleNames rules{kGeodesics, kDistinct, kSimple, kEqual, kComplete};
-  if (claim == GeodesicsDocument::Claim::thick_thin) rules.emplace_back(kPieces);
-  return rules;
-}
-
 class GeodesicsCheck {
  public:
   GeodesicsCheck(const GeodesicsDocument& document, const Verification& run, Crossings crossings)
@@ -67,7 +57,7 @@ class GeodesicsCheck {
         elements_(document.geodesics.size()),
         traces_(evaluator_),
         completeness_(document, evaluator_, options_),
-        rules_(own_rules(document.claim)) {
+        rules_(own_rules(document)) {
     std::iota(elements_.begin(), elements_.end(), static_cast<std::uint32_t>(document.net.labels.size()) + 1);
   }
 
@@ -301,21 +291,20 @@ std::string text_of(const GeodesicsDocument& document) {
          " primitive closed geodesics of length at most 2 arsinh 1, up to orientation, and the pieces without them";
 }
 
+}  // namespace
+
+RuleNames own_rules(const GeodesicsDocument& document) {
+  if (document.claim == GeodesicsDocument::Claim::systole) return {kGeodesics, kSimple, kComplete};
+  RuleNames rules{kGeodesics, kDistinct, kSimple, kEqual, kComplete};
+  if (document.claim == GeodesicsDocument::Claim::thick_thin) rules.emplace_back(kPieces);
+  return rules;
+}
+
 Claim claim_of(const GeodesicsDocument& document) {
   const auto ask = [&](Verification& run, Crossings crossings) {
     GeodesicsCheck(document, run, std::move(crossings)).ask(run);
   };
-  return {document.net, text_of(document), rules_of(document), ask};
-}
-
-}  // namespace
-
-RuleNames rules_of(const GeodesicsDocument& document) {
-  return with_net_rules(document.net, own_rules(document.claim));
-}
-
-Certificate check_geodesics(const GeodesicsDocument& document, const CheckOptions& options) {
-  return verify(document, options, claim_of);
+  return {document.net, text_of(document), own_rules(document), ask};
 }
 
 }  // namespace epsnet::certify

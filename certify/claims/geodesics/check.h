@@ -1,19 +1,12 @@
 #pragma once
 
-#include "certify/base/fault.h"
-#include "certify/claims/geodesics/document.h"
-#include "certify/verdict/report.h"
+#include "certify/claims/geodesics/structure.h"
+#include "certify/claims/net/claim.h"
 
-/// The checker of geodesics files. It decides whether a list of closed geodesics is what the file claims
-/// (docs/proof.md, section 11).
+/// The claim of a geodesics file: whether a list of closed geodesics is what the file says (docs/proof.md, section 11).
 namespace epsnet::certify {
 
-/// Returns the names of the rules in the order of evaluation: those of the net, then those of `check_geodesics` that
-/// the claim needs.
-[[nodiscard]] RuleNames rules_of(const GeodesicsDocument& document);
-
-/// Checks the net first, with its seven rules. If the net is not verified, returns the net's certificate. Otherwise
-/// checks the rules
+/// The names of its own rules, in order:
 ///
 /// * `geodesics`: every element is a closed geodesic whose length lies in its enclosure and is at most `up_to`;
 /// * `distinct`: no two are the same up to orientation, and none is a power of another;
@@ -22,9 +15,10 @@ namespace epsnet::certify {
 /// * `complete`: none is missing (a systole: none is shorter);
 /// * `pieces`: the surface cut along them has the claimed pieces.
 ///
-/// A systole needs only `geodesics`, `simple` and `complete`; only a thick-thin decomposition needs `pieces`. Like
-/// `check`, returns a certificate for a document of any content; the number of threads does not change it. Time is
+/// A systole needs only `geodesics`, `simple` and `complete`; only a thick-thin decomposition needs `pieces`. Time is
 /// proportional to the number of lifted triangles visited, about e^L for geodesics of length up to L.
-[[nodiscard]] Certificate check_geodesics(const GeodesicsDocument& document, const CheckOptions& options = {});
+[[nodiscard]] RuleNames own_rules(const GeodesicsDocument& document);
+
+[[nodiscard]] Claim claim_of(const GeodesicsDocument& document);
 
 }  // namespace epsnet::certify

@@ -7,7 +7,7 @@
 
 #include "certify/claims/geodesics/chord_table.h"
 #include "certify/claims/geodesics/document.h"
-#include "certify/claims/net/check.h"
+#include "certify/verdict/report.h"
 
 namespace epsnet::certify {
 

@@ -10,7 +10,7 @@
 
 /// The contents of a geodesics file as plain data, member by member as docs/format.md defines them.
 ///
-/// A document only states what a file says; nothing here is proved. `check_geodesics` (check.h) decides
+/// A document only states what a file says; nothing here is proved. `check` (certify/check.h) decides
 /// whether it is true. Lengths are hyperbolic.
 namespace epsnet::certify {
 

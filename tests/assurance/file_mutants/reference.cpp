@@ -21,7 +21,7 @@ KnownGeodesics::~KnownGeodesics() { delete surface_; }
 namespace {
 
 template <class Rules>
-void check_geodesics(const std::optional<Rules>& rules, const GeodesicsFile& file) {
+void check(const std::optional<Rules>& rules, const GeodesicsFile& file) {
   if (!rules || !rules->same_surface(file.net)) throw Unknown{"another surface"};
   rules->check(file);
 }
@@ -68,9 +68,9 @@ Answer ask(std::string_view text, const KnownGeodesics* known) {
     if (!file.geodesics) return {valid, ""};
     if (known == nullptr) return {unknown, "the geodesics of another surface"};
     if (file.net.genus == 0) {
-      check_geodesics(known->surface_->tiles, *file.geodesics);
+      check(known->surface_->tiles, *file.geodesics);
     } else {
-      check_geodesics(known->surface_->octagon, *file.geodesics);
+      check(known->surface_->octagon, *file.geodesics);
     }
     return {valid, ""};
   } catch (const Malformed& malformed_file) {
