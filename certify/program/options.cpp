@@ -6,10 +6,12 @@
 #include <iostream>
 #include <limits>
 #include <numeric>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "certify/base/text.h"
+#include "certify/claims.h"
 #include "certify/program/output.h"
 #include "certify/program/second_checker.h"
 
@@ -58,16 +60,24 @@ std::string unknown_option(const CLI::App& app) {
   return unknown + ": no such option" + (nearest.empty() ? "" : ", did you mean " + nearest + "?");
 }
 
-constexpr const char* kDescription =
-    "Checks the claim of each file. Every number is enclosed in balls, and nothing is taken from the generator.\n"
-    "A net file claims that its vertices are an epsilon-net of the surface, or of the thick part (a pseudo net), and\n"
-    "that its triangles are a Delaunay triangulation. A geodesics file claims to list the systole, the spectrum up to\n"
-    "a length, or the thick-thin decomposition. A distance file claims to list the shortest paths between two points.\n"
-    "A bound file claims two bounds for the diameter, the radius, or the radius of the largest embedded disk.";
+std::string description() {
+  std::string text =
+      "Checks the claim of each file. Every number is enclosed in balls, and nothing is taken from the generator.";
+  for (const ClaimKind& kind : kClaimKinds) text.append("\n").append(kind.says);
+  return text;
+}
+
+/// "net, geodesics, … and … files".
+std::string names_of_files() {
+  std::string text;
+  for (std::size_t i = 0; i < kClaimKinds.size(); ++i) {
+    text.append(i == 0 ? "" : i + 1 < kClaimKinds.size() ? ", " : " and ").append(kClaimKinds[i].name);
+  }
+  return text + " files";
+}
 
 void add_options(CLI::App& app, Request& request) {
-  app.add_option("FILE", request.files,
-                 "net, geodesics, distance and bound files (docs/format.md); \"-\" is standard input")
+  app.add_option("FILE", request.files, names_of_files() + " (docs/format.md); \"-\" is standard input")
       ->required()
       ->option_text("... REQUIRED");
   app.add_flag("--exact", request.exact,
@@ -114,7 +124,7 @@ void add_options(CLI::App& app, Request& request) {
 
 std::variant<Request, int> parse_command_line(int argc, char** argv) {
   Request request;
-  CLI::App app(kDescription, "certify");
+  CLI::App app(description(), "certify");
   add_options(app, request);
   try {
     app.parse(argc, argv);

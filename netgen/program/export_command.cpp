@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "certify/claims.h"
 #include "netgen/distances/vertex_distances.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/net_geometry.h"
@@ -27,13 +28,12 @@ struct ExportRequest {
 using Exportable = std::variant<Surface, certify::NetDocument>;
 Exportable exportable(Contents contents, const std::string& file) {
   if (auto* surface = std::get_if<Surface>(&contents)) return std::move(*surface);
-  if (auto* net = std::get_if<certify::NetDocument>(&contents)) return std::move(*net);
+  if (const auto* net = net_in(contents)) return *net;
   if (auto* imported = std::get_if<ImportedSurface>(&contents)) return std::move(imported->surface);
   throw JobError(file + ": expected a surface file or a net file, not " +
-                 (std::holds_alternative<DirichletPolygon>(contents)            ? "a Dirichlet domain"
-                  : std::holds_alternative<certify::DistanceDocument>(contents) ? "a distance file"
-                  : std::holds_alternative<certify::BoundDocument>(contents)    ? "a bound file"
-                                                                                : "a geodesics file"));
+                 (std::holds_alternative<DirichletPolygon>(contents)
+                      ? "a Dirichlet domain"
+                      : certify::kind_of(std::get<certify::ClaimDocument>(contents)).file()));
 }
 
 std::string domain_text(const Exportable& contents) {

@@ -1,7 +1,9 @@
 #include <memory>
 #include <string>
+#include <string_view>
 #include <variant>
 
+#include "certify/claims.h"
 #include "netgen/lifts/info.h"
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/program/commands.h"
@@ -16,34 +18,37 @@ struct InfoRequest {
   bool json = false;
 };
 
+/// The report for each kind of claim; of its net, for a kind without a report of its own.
+struct ClaimContents {
+  Report operator()(const certify::GeodesicsDocument& document) const { return geodesics_report(document); }
+  Report operator()(const certify::DistanceDocument& document) const {
+    return distance_report(document, document.paths);
+  }
+  Report operator()(const certify::BoundDocument& document) const { return bound_report(document); }
+  Report operator()(const certify::NetDocument& net) const { return facts_report(net_info(net)); }
+  template <class Document>
+  Report operator()(const Document& document) const {
+    return (*this)(document.net);
+  }
+};
+
 /// The report for each kind of contents.
 struct InfoOf {
   Report operator()(const Surface& surface) const { return facts_report(surface_info(surface)); }
-  Report operator()(const certify::NetDocument& net) const { return facts_report(net_info(net)); }
   Report operator()(const DirichletPolygon& polygon) const { return facts_report(dirichlet_info(polygon)); }
   Report operator()(const ImportedSurface& imported) const {
     const bool polygon = imported.format == ExchangeFormat::domain;
     return facts_report(surface_info(imported.surface, polygon ? "polygon, a text of the domain format"
                                                                : "triangulation, a text with cross-ratios"));
   }
-  Report operator()(const certify::GeodesicsDocument& document) const {
-    Report list = geodesics_report(document);
-    Report report{"file: closed geodesics (not verified here: run certify)\n" + list.text,
-                  Json::object({{"file", "geodesics"}})};
-    report.json.update(list.json);
-    return report;
-  }
-  Report operator()(const certify::DistanceDocument& document) const {
-    Report list = distance_report(document, document.paths);
-    Report report{"file: a distance (not verified here: run certify)\n" + list.text,
-                  Json::object({{"file", "distance"}})};
-    report.json.update(list.json);
-    return report;
-  }
-  Report operator()(const certify::BoundDocument& document) const {
-    Report bounds = bound_report(document);
-    Report report{"file: a cover (not verified here: run certify)\n" + bounds.text, Json::object({{"file", "cover"}})};
-    report.json.update(bounds.json);
+  Report operator()(const certify::ClaimDocument& claim) const {
+    if (const auto* net = std::get_if<certify::NetDocument>(&claim)) return facts_report(net_info(*net));
+    const certify::ClaimKind& kind = certify::kind_of(claim);
+    const Report contents = std::visit(ClaimContents(), claim);
+    const std::string word(kind.format.substr(std::string_view("epsnet-").size()));
+    Report report{"file: " + std::string(kind.contents) + " (not verified here: run certify)\n" + contents.text,
+                  Json::object({{"file", word}})};
+    report.json.update(contents.json);
     return report;
   }
 };

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "certify/base/text.h"
+#include "certify/claims.h"
 #include "certify/file/compact.h"
 #include "certify/file/reader.h"
 #include "netgen/exchange/triangulation_stream.h"
@@ -90,21 +91,26 @@ Contents read_any_input(const std::string& path) {
   Json::sax_parse(text, &finder);
   const std::string format = finder.format.value_or("");
   if (format == "epsnet-surface") return parse_surface_file(text, name);
-  if (format == "epsnet-net") return certify::parse_net(text, name);
-  if (format == "epsnet-geodesics") return certify::parse_geodesics(text, name);
-  if (format == "epsnet-distance") return certify::parse_distance(text, name);
-  if (format == "epsnet-cover") return certify::parse_bound(text, name);
+  std::string formats = "epsnet-surface, ";
+  for (const certify::ClaimKind& kind : certify::kClaimKinds) {
+    if (format == kind.format) return certify::parse_claim(text, name);
+    formats.append(kind.format).append(", ");
+  }
   if (format == "epsnet-dirichlet") return parse_dirichlet_json(text, name);
-  throw JobError(
-      name + ": " +
-      (finder.format ? "the member \"format\" is " + certify::in_quotes(format) : "no member \"format\"") +
-      ", expected epsnet-surface, epsnet-net, epsnet-geodesics, epsnet-distance, epsnet-cover or epsnet-dirichlet");
+  throw JobError(name + ": " +
+                 (finder.format ? "the member \"format\" is " + certify::in_quotes(format) : "no member \"format\"") +
+                 ", expected " + formats + "or epsnet-dirichlet");
+}
+
+const certify::NetDocument* net_in(const Contents& contents) {
+  const auto* claim = std::get_if<certify::ClaimDocument>(&contents);
+  return claim == nullptr ? nullptr : std::get_if<certify::NetDocument>(claim);
 }
 
 SurfaceOrNet read_surface_or_net(const std::string& path) {
   const Contents contents = read_any_input(path);
   if (const auto* surface = std::get_if<Surface>(&contents)) return {*surface, std::nullopt};
-  if (const auto* net = std::get_if<certify::NetDocument>(&contents)) return {from_document(net->surface), *net};
+  if (const auto* net = net_in(contents)) return {from_document(net->surface), *net};
   throw JobError(path + ": expected a surface file or a net file");
 }
 

@@ -51,8 +51,9 @@ struct ImportedSurface {
 };
 
 /// The contents of any file that the program writes or imports.
-using Contents = std::variant<Surface, certify::NetDocument, certify::GeodesicsDocument, certify::DistanceDocument,
-                              certify::BoundDocument, DirichletPolygon, ImportedSurface>;
+using Contents = std::variant<Surface, certify::ClaimDocument, DirichletPolygon, ImportedSurface>;
 [[nodiscard]] Contents read_any_input(const std::string& path);
+/// The net of a net file; null for any other contents.
+[[nodiscard]] const certify::NetDocument* net_in(const Contents& contents);
 
 }  // namespace epsnet::program

@@ -1,6 +1,7 @@
 #include "certify/verdict/rule_book.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 
 #include "certify/base/fault.h"
 #include "certify/check.h"
+#include "certify/claims.h"
 #include "certify/claims/net/claim.h"
 #include "certify/file/reader.h"
 #include "certify/net/structure.h"
@@ -20,6 +22,7 @@ namespace {
 using testing::ElementsAre;
 using testing::ElementsAreArray;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 RuleReport verified(const std::string& rule) { return {rule, Verdict::verified, "it holds"}; }
 RuleReport refuted(const std::string& rule) { return {rule, Verdict::refuted, "it fails"}; }
@@ -189,6 +192,34 @@ std::vector<std::string> own_rules(const Document& document) {
   const RuleNames all = rules_of(document);
   EXPECT_TRUE(all.size() > net_rules.size() && std::equal(net_rules.begin(), net_rules.end(), all.begin()));
   return {all.begin() + static_cast<std::ptrdiff_t>(net_rules.size()), all.end()};
+}
+
+TEST(Claims, HaveARowASectionOfTheFormatAndOneOfTheProof) {
+  std::ifstream in(std::string(EPSNET_TEST_DATA) + "/../../docs/proof.md");
+  std::stringstream proof;
+  proof << in.rdbuf();
+  for (const ClaimKind& kind : kClaimKinds) {
+    std::string title(kind.name);
+    title[0] = static_cast<char>(std::toupper(title[0]));
+    EXPECT_THAT(section("## " + title + " file"), HasSubstr("\"format\": \"" + std::string(kind.format) + "\""));
+    EXPECT_THAT(std::string(kind.says), StartsWith("A " + std::string(kind.name) + " file claims "));
+    EXPECT_THAT(proof.str(), HasSubstr("\n## " + std::to_string(kind.section) + ". "));
+  }
+}
+
+TEST(Claims, OfAFileIsTheRowWithItsFormat) {
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"certify/verified/octagon-9-vertices.json", "net"},
+      {"geodesics/no-curve-of-2-arsinh-1-and-1e-20-more.json", "geodesics"},
+      {"distances/bolza.json", "distance"},
+      {"bounds/octagon-diameter.json", "bound"}};
+  ASSERT_EQ(files.size(), kClaimKinds.size());
+  for (const auto& [file, name] : files) {
+    const std::string path = std::string(EPSNET_TEST_DATA) + "/" + file;
+    const ClaimKind& kind = kind_of(read_claim(path));
+    EXPECT_EQ(kind.name, name);
+    EXPECT_THAT(load(path), HasSubstr("\"" + std::string(kind.format) + "\""));
+  }
 }
 
 TEST(Rules, OfANetAreThoseOfTheDocument) {
