@@ -5,9 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "certify/claims/bound/document.h"
-#include "certify/claims/distance/document.h"
-#include "certify/claims/geodesics/document.h"
+#include "certify/file/reader.h"
 #include "certify/net/document.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/nets/dirichlet_polygon.h"
