@@ -1,5 +1,5 @@
 # The libraries epsnet is linked with, found in the same way by its own build and by find_package(epsnet):
-#   GMP::GMP, GMP::GMPXX, MPFR::MPFR, FLINT::FLINT (FLINT with Arb: two libraries before FLINT 3), simdjson::simdjson,
+#   GMP::GMP, GMP::GMPXX, MPFR::MPFR, FLINT::FLINT (FLINT with Arb: two libraries before FLINT 3),
 #   Threads::Threads, TBB::tbb, and the Boost headers as Boost::headers.
 # Sets epsnet_missing to the libraries that are not found. If epsnet_is_shared is set, searches only for the libraries that public headers include.
 
@@ -48,7 +48,7 @@ if(NOT epsnet_is_shared)
     epsnet_import(FLINT::FLINT arb.h flint-arb flint MPFR::MPFR)
   endif()
 
-  foreach(package Threads simdjson TBB)
+  foreach(package Threads TBB)
     find_package(${package} QUIET)
     if(NOT ${package}_FOUND)
       list(APPEND epsnet_missing ${package})

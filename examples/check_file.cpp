@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
   try {
     // A net file, a geodesics file, a distance file or a bound file, whichever it is. The reader is strict: what
     // docs/format.md does not allow throws.
-    const certify::ClaimDocument document = certify::read_claim(argv[1]);
+    const certify::ClaimDocument document = certify::read_file<certify::ClaimDocument>(argv[1]);
 
     // A document of whatever content gives a certificate.
     const certify::Certificate certificate = certify::check_claim(document);

@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
 
   // The file can be checked by anybody: certify net.json
   std::ofstream file(folder / "net.json");
-  epsnet::certify::write_net(result.net, file);
+  epsnet::certify::write_file(result.net, file);
 
   std::ofstream picture(folder / "net.svg");
   picture << epsnet::draw_svg(result.net, {.dirichlet = true, .colouring = epsnet::Colouring::circumradius});

@@ -10,12 +10,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace epsnet::certify;
   BoundDocument document;
   try {
-    document = parse_bound({reinterpret_cast<const char*>(data), size}, "input");
+    document = parse_file<BoundDocument>({reinterpret_cast<const char*>(data), size}, "input");
   } catch (const MalformedError&) {
     return 0;
   }
   std::ostringstream out;
-  write_bound(document, out);
-  if (parse_bound(out.str(), "written") != document) std::abort();
+  write_file(document, out);
+  if (parse_file<BoundDocument>(out.str(), "written") != document) std::abort();
   return 0;
 }

@@ -25,7 +25,7 @@ void require(bool condition) {
 
 std::string to_text(const NetDocument& document) {
   std::ostringstream out;
-  write_net(document, out);
+  write_file(document, out);
   return out.str();
 }
 
@@ -234,7 +234,7 @@ void require_plausible(const NetDocument& document, const Certificate& certifica
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   NetDocument document;
   try {
-    document = parse_net({reinterpret_cast<const char*>(data), size}, "input");
+    document = parse_file<NetDocument>({reinterpret_cast<const char*>(data), size}, "input");
   } catch (const MalformedError&) {
     return 0;
   }
@@ -254,7 +254,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   Chooser choose(seed);
   if (choose.below(50) == 0) return LLVMFuzzerMutate(data, size, max_size);
   try {
-    NetDocument document = parse_net({reinterpret_cast<const char*>(data), size}, "input");
+    NetDocument document = parse_file<NetDocument>({reinterpret_cast<const char*>(data), size}, "input");
     if (document.vertices.empty() || document.triangles.empty()) return LLVMFuzzerMutate(data, size, max_size);
     for (unsigned changes = 1 + choose.below(2); changes > 0; --changes) mutate(document, choose);
     const std::string text = to_text(document);

@@ -17,7 +17,7 @@ using namespace epsnet;
 /// are not nets, such as geodesics files, which the second checker does not check.
 certify::Verdict first_opinion(std::string_view text, std::string& rule) {
   try {
-    const auto document = certify::parse_claim(text, "input");
+    const auto document = certify::parse_file<certify::ClaimDocument>(text, "input");
     const auto* net = std::get_if<certify::NetDocument>(&document);
     if (net == nullptr) return certify::Verdict::undecided;
     const certify::Certificate certificate =

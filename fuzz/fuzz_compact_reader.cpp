@@ -17,16 +17,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (unsigned i = 0; i < 8; ++i) bytes += static_cast<char>(static_cast<unsigned char>(sum.value() >> (8 * i)));
   NetDocument document;
   try {
-    document = parse_net(bytes, "input");
+    document = parse_file<NetDocument>(bytes, "input");
   } catch (const MalformedError&) {
     return 0;
   }
   std::ostringstream text;
-  write_net(document, text);
-  if (parse_net(text.str(), "written") != document) std::abort();
+  write_file(document, text);
+  if (parse_file<NetDocument>(text.str(), "written") != document) std::abort();
   if (!is_compact(bytes)) return 0;
   std::ostringstream compact;
   write_compact_net(document, compact);
-  if (parse_net(compact.str(), "written") != document) std::abort();
+  if (parse_file<NetDocument>(compact.str(), "written") != document) std::abort();
   return 0;
 }

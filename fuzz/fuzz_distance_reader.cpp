@@ -10,12 +10,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace epsnet::certify;
   DistanceDocument document;
   try {
-    document = parse_distance({reinterpret_cast<const char*>(data), size}, "input");
+    document = parse_file<DistanceDocument>({reinterpret_cast<const char*>(data), size}, "input");
   } catch (const MalformedError&) {
     return 0;
   }
   std::ostringstream out;
-  write_distance(document, out);
-  if (parse_distance(out.str(), "written") != document) std::abort();
+  write_file(document, out);
+  if (parse_file<DistanceDocument>(out.str(), "written") != document) std::abort();
   return 0;
 }

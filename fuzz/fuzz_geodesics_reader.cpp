@@ -10,12 +10,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace epsnet::certify;
   GeodesicsDocument document;
   try {
-    document = parse_geodesics({reinterpret_cast<const char*>(data), size}, "input");
+    document = parse_file<GeodesicsDocument>({reinterpret_cast<const char*>(data), size}, "input");
   } catch (const MalformedError&) {
     return 0;
   }
   std::ostringstream out;
-  write_geodesics(document, out);
-  if (parse_geodesics(out.str(), "written") != document) std::abort();
+  write_file(document, out);
+  if (parse_file<GeodesicsDocument>(out.str(), "written") != document) std::abort();
   return 0;
 }

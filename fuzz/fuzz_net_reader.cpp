@@ -15,7 +15,7 @@ using namespace epsnet::certify;
 
 std::optional<NetDocument> read(std::string_view text) {
   try {
-    return parse_net(text, "input");
+    return parse_file<NetDocument>(text, "input");
   } catch (const MalformedError&) {
     return std::nullopt;
   }
@@ -42,7 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!is_compact(text) && read(with_names_escaped(std::string(text))) != document) std::abort();
   if (!document) return 0;
   std::ostringstream out;
-  write_net(*document, out);
-  if (parse_net(out.str(), "written") != *document) std::abort();
+  write_file(*document, out);
+  if (parse_file<NetDocument>(out.str(), "written") != *document) std::abort();
   return 0;
 }

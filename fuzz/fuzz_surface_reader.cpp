@@ -31,13 +31,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace epsnet::certify;
   SurfaceDocument surface;
   try {
-    surface = parse_surface({reinterpret_cast<const char*>(data), size}, "input");
+    surface = parse_file<SurfaceDocument>({reinterpret_cast<const char*>(data), size}, "input");
   } catch (const MalformedError&) {
     return 0;
   }
   std::ostringstream out;
-  write_surface(surface, out);
-  require(parse_surface(out.str(), "written") == surface);
+  write_file(surface, out);
+  require(parse_file<SurfaceDocument>(out.str(), "written") == surface);
   require(accepted(surface) == (check_surface(surface).report.verdict == Verdict::verified));
   return 0;
 }

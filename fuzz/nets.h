@@ -55,8 +55,8 @@ inline void require_net(const epsnet::Surface& surface, double least, Bytes& byt
     require(static_cast<double>(result.net.vertices.size()) * sinh_half * sinh_half >= surface.genus() - 1 - 1e-9);
 
   std::ostringstream out;
-  epsnet::certify::write_net(result.net, out);
-  const auto read = epsnet::certify::parse_net(out.str(), "written");
+  epsnet::certify::write_file(result.net, out);
+  const auto read = epsnet::certify::parse_file<epsnet::certify::NetDocument>(out.str(), "written");
   require(read == result.net);
   require(epsnet::certify::check(read, options.check).verdict == epsnet::certify::Verdict::verified);
 }

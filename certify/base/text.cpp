@@ -103,11 +103,11 @@ double nearest_subnormal(const JsonNumber& number) {
   return quotient <= mpz_class(1) << 52 ? std::ldexp(quotient.get_d(), -1074) : HUGE_VAL;
 }
 
-/// The length of the printable character in UTF-8 that the text begins with; 0 if it begins with anything else.
-std::size_t printable_length(std::string_view text) {
+/// The length of the character in UTF-8 that the text begins with; 0 if it begins with none.
+std::size_t character_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
   const std::uint32_t lead = byte(0);
-  if (lead < 0x80) return lead >= 0x20 && lead != 0x7f ? 1 : 0;
+  if (lead < 0x80) return 1;
   const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
   if (lead < 0xc0 || lead >= 0xf8 || text.size() < length) return 0;
   std::uint32_t code = lead & (0xffU >> (length + 1));
@@ -115,9 +115,18 @@ std::size_t printable_length(std::string_view text) {
     if ((byte(i) & 0xc0U) != 0x80) return 0;
     code = code << 6U | (byte(i) & 0x3fU);
   }
-  constexpr std::array<std::uint32_t, 5> kLeast{0, 0, 0xa0, 0x800, 0x10000};  // Below 0xa0 are control characters.
+  constexpr std::array<std::uint32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
   const bool surrogate = code >= 0xd800 && code < 0xe000;
   return code >= kLeast[length] && code <= 0x10ffff && !surrogate ? length : 0;
+}
+
+/// The same of a character that is printable: no control character, of which U+0080 to U+009f take two bytes.
+std::size_t printable_length(std::string_view text) {
+  const std::size_t length = character_length(text);
+  const auto first = static_cast<unsigned char>(text.front());
+  const bool control =
+      length == 2 ? first == 0xc2 && static_cast<unsigned char>(text[1]) < 0xa0 : first < 0x20 || first == 0x7f;
+  return control ? 0 : length;
 }
 
 }  // namespace
@@ -207,6 +216,15 @@ std::string in_quotes(std::string_view text) {
   for (const char c : text.substr(0, kShown)) result += (c >= ' ' && c <= '~' && c != '"' && c != '\\') ? c : '?';
   if (text.size() > kShown) result += "...";
   return result + '"';
+}
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = character_length(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
 }
 
 std::string printable(std::string_view text) {

@@ -31,6 +31,9 @@ inline constexpr std::size_t kMaxRationalDigits = 1'000'000;
 /// line of our own output.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
+/// Whether the text is UTF-8 (RFC 3629): no surrogates, no character in more bytes than it needs.
+[[nodiscard]] bool is_utf8(std::string_view text);
+
 /// Returns the text with each byte that is not part of printable UTF-8 replaced by a question mark.
 [[nodiscard]] std::string printable(std::string_view text);
 

@@ -88,7 +88,9 @@ class Parts {
     return static_cast<std::uint32_t>(number<4>(take(4).data()));
   }
   [[nodiscard]] std::uint64_t left() const { return pieces_.left() - kChecksumBytes; }
-  [[nodiscard]] bool checksum_fits() {
+  /// Whether the checksum at the end is that of the file. Takes all that is left before it.
+  [[nodiscard]] bool is_intact() {
+    while (left() > 0) take(std::min<std::uint64_t>(left(), pieces_.ahead(kChecksumBytes + 1).size() - kChecksumBytes));
     return sum_.value() == number<kChecksumBytes>(pieces_.ahead(kChecksumBytes).data());
   }
 
@@ -103,14 +105,6 @@ std::size_t width_of(std::uint32_t written, const char* place) {
     fail(place, "a width of " + std::to_string(written) + " bytes, expected 1, 2 or 4");
   }
   return written;
-}
-
-/// Whether the checksum is right; also of bytes that are too few to have one.
-bool is_intact(std::string_view bytes) {
-  if (bytes.size() < kCompactMagic.size() + kChecksumBytes) return true;
-  CompactChecksum sum;
-  sum.add(bytes.substr(0, bytes.size() - kChecksumBytes));
-  return sum.value() == number<kChecksumBytes>(bytes.data() + bytes.size() - kChecksumBytes);
 }
 
 void read_vertices(Parts& parts, std::uint32_t count, std::size_t chart_width, NetDocument& document) {
@@ -175,11 +169,8 @@ void read_triangles(Parts& parts, std::uint32_t count, std::size_t label_width, 
   });
 }
 
-}  // namespace
-
-NetDocument parse_compact(Pieces& bytes, const ReadHead& read_head) {
-  if (bytes.left() < kCompactMagic.size() + kChecksumBytes) fail("checksum", "the file ends before it");
-  Parts parts(bytes);
+/// The file up to its checksum.
+NetDocument read_parts(Parts& parts, const ReadHead& read_head) {
   parts.expect(kCompactMagic.size(), "header");
   parts.take(kCompactMagic.size());
   const std::uint32_t version = parts.word("header");
@@ -200,17 +191,21 @@ NetDocument parse_compact(Pieces& bytes, const ReadHead& read_head) {
   read_vertices(parts, vertices, chart_width, document);
   read_triangles(parts, triangles, label_width, document);
   if (parts.left() != 0) fail("checksum", std::to_string(parts.left()) + " bytes too many before it");
-  if (!parts.checksum_fits()) fail("checksum", kDamaged);
   return document;
 }
 
-NetDocument parse_compact(std::string_view bytes, const ReadHead& read_head) {
-  Pieces pieces(bytes);
+}  // namespace
+
+NetDocument parse_compact(Pieces& bytes, const ReadHead& read_head) {
+  if (bytes.left() < kCompactMagic.size() + kChecksumBytes) fail("checksum", "the file ends before it");
+  Parts parts(bytes);
   try {
-    return parse_compact(pieces, read_head);
+    NetDocument document = read_parts(parts, read_head);
+    if (!parts.is_intact()) fail("checksum", kDamaged);
+    return document;
   } catch (const MalformedError&) {
     // Whatever else the bytes say: if they were damaged, that is what is wrong.
-    if (!is_intact(bytes)) fail("checksum", kDamaged);
+    if (!parts.is_intact()) fail("checksum", kDamaged);
     throw;
   }
 }

@@ -21,9 +21,6 @@ using ReadHead = std::function<NetDocument(std::string_view)>;
 
 /// Reads a compact file. Throws MalformedError without the file's name. Indices may be out of range as in a document of
 /// any other file (structure_problem). O(size); no more memory than the document takes, however the sizes lie.
-[[nodiscard]] NetDocument parse_compact(std::string_view bytes, const ReadHead& read_head);
-
-/// The same of a file that comes in pieces. What is said of a file that was damaged need not be that it was.
 [[nodiscard]] NetDocument parse_compact(Pieces& bytes, const ReadHead& read_head);
 
 /// The checksum at the end of a compact file: XXH64 with the seed 0.

@@ -30,6 +30,10 @@ class Pieces {
   }
   /// Goes on behind bytes that are in memory.
   void skip(std::size_t size) { here_.remove_prefix(size); }
+  /// Goes on to the end, and shows the witness what is left.
+  void skip_all() {
+    while (left() > 0) skip(ahead(1).size());
+  }
   [[nodiscard]] std::uint64_t left() const { return here_.size() + unread_; }
 
  private:

@@ -48,51 +48,18 @@ inline constexpr std::uint64_t kMaxBytesAtOnce = 4'000'000;
 /// The contents of a file that can be checked.
 using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocument, BoundDocument>;
 
-/// Reads a large file in chunks, without holding it in memory. Passes its bytes to `witness` in order. Returns nullopt
-/// if the path is not a large file that can be checked, or if anything is wrong with it; then `load` and
-/// `parse_claim_in_place` read the file or report the error.
-[[nodiscard]] std::optional<ClaimDocument> read_claim_in_pieces(
-    const std::filesystem::path& path, const std::function<void(std::string_view)>& witness = {});
+/// Is shown all bytes of a file, piece by piece in their order.
+using Witness = std::function<void(std::string_view)>;
 
-/// Reads a net file, compact or not. Throws FileError or MalformedError.
-[[nodiscard]] NetDocument read_net(const std::filesystem::path& path);
+/// Reads a file, a large one in chunks, without holding it in memory. `Contents` says what is expected: NetDocument, of
+/// a net file that is compact or not, SurfaceDocument, GeodesicsDocument, DistanceDocument, BoundDocument, or
+/// ClaimDocument. Then the member `format` names the kind, and a file with any other format is read as a net file.
+/// Throws FileError, or MalformedError, after the witness has seen all of a file that is not too large.
+template <class Contents>
+[[nodiscard]] Contents read_file(const std::filesystem::path& path, const Witness& witness = {});
 
-/// Reads a net file from memory; `name` stands for the file in messages. Throws MalformedError.
-[[nodiscard]] NetDocument parse_net(std::string_view text, std::string_view name);
-
-/// Reads a surface file. Throws FileError or MalformedError.
-[[nodiscard]] SurfaceDocument read_surface(const std::filesystem::path& path);
-
-/// Reads a surface file from memory; `name` stands for the file in messages. Throws MalformedError.
-[[nodiscard]] SurfaceDocument parse_surface(std::string_view text, std::string_view name);
-
-/// Reads a geodesics file. Throws FileError or MalformedError.
-[[nodiscard]] GeodesicsDocument read_geodesics(const std::filesystem::path& path);
-
-/// Reads a geodesics file from memory; `name` stands for the file in messages. Throws MalformedError.
-[[nodiscard]] GeodesicsDocument parse_geodesics(std::string_view text, std::string_view name);
-
-/// Reads a distance file. Throws FileError or MalformedError.
-[[nodiscard]] DistanceDocument read_distance(const std::filesystem::path& path);
-
-/// Reads a distance file from memory; `name` stands for the file in messages. Throws MalformedError.
-[[nodiscard]] DistanceDocument parse_distance(std::string_view text, std::string_view name);
-
-/// Reads a bound file. Throws FileError or MalformedError.
-[[nodiscard]] BoundDocument read_bound(const std::filesystem::path& path);
-
-/// Reads a bound file from memory; `name` stands for the file in messages. Throws MalformedError.
-[[nodiscard]] BoundDocument parse_bound(std::string_view text, std::string_view name);
-
-/// Reads a file that can be checked. Its member `format` names its kind; a file with any other format is read as a net
-/// file. Throws FileError or MalformedError.
-[[nodiscard]] ClaimDocument read_claim(const std::filesystem::path& path);
-
-/// Like `read_claim`, from memory; `name` stands for the file in messages. Throws MalformedError.
-[[nodiscard]] ClaimDocument parse_claim(std::string_view text, std::string_view name);
-
-/// Like `parse_claim`, without copying the bytes. The bytes are unchanged, but their capacity may grow. Throws
-/// MalformedError.
-[[nodiscard]] ClaimDocument parse_claim_in_place(std::string& bytes, std::string_view name);
+/// Like `read_file`, from memory; `name` stands for the file in messages. Throws MalformedError.
+template <class Contents>
+[[nodiscard]] Contents parse_file(std::string_view bytes, std::string_view name);
 
 }  // namespace epsnet::certify

@@ -10,9 +10,13 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "certify/file/compact.h"
+#include "certify/file/fields.h"
 #include "certify/net/darts.h"
 
 namespace epsnet::certify {
@@ -69,138 +73,119 @@ class Buffer {
   std::string text_;
 };
 
-/// `[a,b,…]` with `write_element` for each.
-template <class Range, class WriteElement>
-void write_list(Buffer& buffer, const Range& range, const WriteElement& write_element) {
-  const char* separator = "[";
-  for (const auto& element : range) {
-    buffer.text(separator);
-    separator = ",";
-    write_element(element);
+template <class T>
+concept Array = requires(const T& value) {
+  Fields<T>::elements(value);
+};
+template <class T>
+concept Object = requires(const T& value) {
+  Fields<T>::members(value);
+};
+template <class T>
+concept Enumeration = std::is_enum_v<T>;
+
+/// Writes values as their types and fields.h say.
+class Writer {
+ public:
+  explicit Writer(std::ostream& out) : buffer_(out) {}
+
+  template <class Root>
+  void write_all(const Root& root) {
+    write(root);
+    buffer_.text("\n");
+    buffer_.flush();
   }
-  buffer.text(range.empty() ? "[]" : "]");
-}
 
-/// As write_list, one element a line.
-template <class Range, class WriteRow>
-void write_rows(Buffer& buffer, const Range& range, const WriteRow& write_row) {
-  const char* separator = "[\n";
-  for (const auto& row : range) {
-    buffer.text(separator);
-    separator = ",\n";
-    write_row(row);
+ private:
+  void write(std::uint32_t index) { buffer_.number(index); }
+  void write(double number) { buffer_.number(number); }
+  void write(bool truth) { buffer_.text(truth ? "true" : "false"); }
+  void write(const mpq_class& rational) { buffer_.string(rational.get_str()); }
+  void write(const std::string& text) { buffer_.escaped_string(text); }
+  void write(Format format) { buffer_.string(format.name); }
+  void write(Version version) { write(version.number); }
+  template <Enumeration T>
+  void write(T value) {
+    buffer_.string(Fields<T>::kNames[static_cast<std::size_t>(value)]);
   }
-  buffer.text(range.empty() ? "[]" : "\n]");
-}
-
-void write_coordinates(Buffer& buffer, const RationalPoint& point) {
-  buffer.string(point.x.get_str());
-  buffer.text(",");
-  buffer.string(point.y.get_str());
-}
-
-void write_numbers(Buffer& buffer, std::initializer_list<std::uint32_t> numbers) {
-  write_list(buffer, std::vector<std::uint32_t>(numbers), [&](std::uint32_t n) { buffer.number(n); });
-}
-
-void write_tiles(Buffer& buffer, const SurfaceDocument& surface) {
-  buffer.text("\"tiles\",\n\"tiles\":");
-  write_rows(buffer, surface.tiles, [&](const SurfaceDocument::Tile& tile) {
-    write_list(buffer, tile, [&](const RationalPoint& vertex) {
-      buffer.text("[");
-      write_coordinates(buffer, vertex);
-      buffer.text("]");
-    });
-  });
-  buffer.text(",\n\"gluing\":");
-  write_rows(buffer, surface.gluing, [&](const SurfaceDocument::Gluing& g) {
-    write_numbers(buffer, {g.tile, g.side, g.other_tile, g.other_side});
-  });
-}
-
-void write_surface_object(Buffer& buffer, const SurfaceDocument& surface) {
-  buffer.text("{\"kind\":");
-  if (surface.regular_genus == 0) {
-    write_tiles(buffer, surface);
-  } else {
-    buffer.text("\"regular\",\"genus\":");
-    buffer.number(surface.regular_genus);
+  template <class T>
+  void write(const std::optional<T>& value) {
+    write(*value);
   }
-  if (!surface.about.empty()) {
-    buffer.text(",\n\"about\":");
-    buffer.escaped_string(surface.about);
+  template <class Indices>
+  void write(List<Indices> list) {
+    write(list.indices);
   }
-  buffer.text("}");
-}
 
-void write_collars(Buffer& buffer, const std::vector<NetDocument::Collar>& collars) {
-  const auto number = [&](auto n) { buffer.number(n); };
-  buffer.text(",\n\"collars\":");
-  write_rows(buffer, collars, [&](const NetDocument::Collar& collar) {
-    buffer.text("{\"core\":");
-    write_list(buffer, collar.core, number);
-    buffer.text(",\"length\":");
-    write_list(buffer, collar.length, number);
-    buffer.text(",\"vertices\":");
-    write_list(buffer, collar.vertices, number);
-    buffer.text(",\"triangles\":");
-    write_list(buffer, collar.triangles, number);
-    buffer.text("}");
-  });
-}
-
-void write_net_object(Buffer& buffer, const NetDocument& document) {
-  buffer.text("{\"format\":\"epsnet-net\",\"version\":1,\n\"surface\":");
-  write_surface_object(buffer, document.surface);
-  buffer.text(",\n\"epsilon\":");
-  buffer.string(document.epsilon);
-  buffer.text(",\n\"charts\":");
-  write_rows(buffer, document.charts, [&](const NetDocument::Chart& chart) {
-    buffer.text("[");
-    buffer.number(chart.tile);
-    buffer.text(",");
-    write_coordinates(buffer, chart.centre);
-    buffer.text("]");
-  });
-  buffer.text(",\n\"labels\":");
-  write_rows(buffer, document.labels, [&](const NetDocument::Label& label) {
-    buffer.text("[");
-    buffer.number(label.from);
-    buffer.text(",");
-    buffer.number(label.to);
-    buffer.text(",");
-    write_list(buffer, label.word, [&](std::uint32_t side) { buffer.number(side); });
-    buffer.text("]");
-  });
-  buffer.text(",\n\"vertices\":");
-  write_rows(buffer, document.vertices, [&](const NetDocument::Vertex& vertex) {
-    buffer.text("[");
-    buffer.number(vertex.chart);
-    buffer.text(",");
-    buffer.number(vertex.x);
-    buffer.text(",");
-    buffer.number(vertex.y);
-    buffer.text("]");
-  });
-  buffer.text(",\n\"triangles\":");
-  write_rows(buffer, document.triangles, [&](const NetDocument::Triangle& t) {
-    buffer.text("[");
-    for (const std::uint32_t n : t.vertex) {
-      buffer.number(n);
-      buffer.text(",");
+  template <class T>
+  void write(const std::vector<T>& list) {
+    const bool is_part = std::exchange(is_part_, true);
+    const char* separator = is_part ? "[" : "[\n";
+    for (const T& element : list) {
+      buffer_.text(separator);
+      separator = is_part ? "," : ",\n";
+      write(element);
     }
-    for (const std::uint32_t n : t.opposite) {
-      buffer.number(n);
-      buffer.text(",");
-    }
-    buffer.number(t.label[0]);
-    buffer.text(",");
-    buffer.number(t.label[1]);
-    buffer.text("]");
-  });
-  if (document.collars) write_collars(buffer, *document.collars);
-  buffer.text("}");
-}
+    buffer_.text(list.empty() ? "[]" : is_part ? "]" : "\n]");
+    is_part_ = is_part;
+  }
+
+  template <Array T>
+  void write(const T& array) {
+    const char* separator = "[";
+    const auto write_element = [&](const auto& element) {
+      buffer_.text(separator);
+      separator = ",";
+      write(element);
+    };
+    const auto write_elements = [&]<class Element>(const Element& element) {
+      if constexpr (requires { element.indices; }) {
+        std::for_each(element.indices.begin(), element.indices.end(), write_element);
+      } else {
+        write_element(element);
+      }
+    };
+    std::apply([&](const auto&... element) { (write_elements(element), ...); }, Fields<T>::elements(array));
+    buffer_.text("]");
+  }
+
+  template <Object T>
+  void write(const T& object) {
+    bool is_first = true;
+    const auto write_member = [&]<class Value>(const Member<Value>& member) {
+      if (member.presence == Presence::forbidden) return;
+      if (member.presence == Presence::optional && is_empty(member.value)) return;
+      // A number stands on the line of the member before it.
+      using Plain = std::remove_cvref_t<Value>;
+      constexpr bool kIsNumber = std::is_same_v<Plain, std::uint32_t> || std::is_same_v<Plain, Version>;
+      buffer_.text(is_first ? "{" : is_part_ || kIsNumber ? "," : ",\n");
+      is_first = false;
+      buffer_.string(member.name);
+      buffer_.text(":");
+      write(member.value);
+    };
+    std::apply([&](const auto&... member) { (write_member(member), ...); }, Fields<T>::members(object));
+    buffer_.text("}");
+  }
+
+  void write(const SurfaceDocument& surface) {
+    const SurfaceKind kind = surface.regular_genus == 0 ? SurfaceKind::tiles : SurfaceKind::regular;
+    write(SurfaceObject<const SurfaceDocument>{surface, kind});
+  }
+
+  static bool is_empty(const std::string& text) { return text.empty(); }
+  template <class T>
+  static bool is_empty(const std::optional<T>& value) {
+    return !value.has_value();
+  }
+  template <class T>
+  static bool is_empty(const T&) {
+    return false;
+  }
+
+  Buffer buffer_;
+  bool is_part_ = false;  ///< Of an array, whose elements have a line each.
+};
 
 /// Collects bytes, hands them to the stream in large pieces, and adds them to the checksum.
 class CompactBuffer {
@@ -258,58 +243,14 @@ void check_pairs(const NetDocument& document) {
   }
 }
 
-const char* claim_text(GeodesicsDocument::Claim claim) {
-  switch (claim) {
-    case GeodesicsDocument::Claim::systole:
-      return "systole";
-    case GeodesicsDocument::Claim::spectrum:
-      return "spectrum";
-    case GeodesicsDocument::Claim::thick_thin:
-      break;
-  }
-  return "thick-thin";
-}
-
-const char* truth_text(bool value) { return value ? "true" : "false"; }
-
-void write_geodesic(Buffer& buffer, const GeodesicsDocument::ClosedGeodesic& geodesic) {
-  buffer.text("{\"vertex\":");
-  buffer.number(geodesic.vertex);
-  buffer.text(",\"word\":");
-  write_list(buffer, geodesic.word, [&](std::uint32_t side) { buffer.number(side); });
-  buffer.text(",\"length\":[");
-  buffer.number(geodesic.length.lower);
-  buffer.text(",");
-  buffer.number(geodesic.length.upper);
-  buffer.text("],\"simple\":");
-  buffer.text(truth_text(geodesic.simple));
-  buffer.text("}");
-}
-
-void write_cluster(Buffer& buffer, const GeodesicsDocument::Cluster& cluster) {
-  buffer.text("{\"first\":");
-  buffer.number(cluster.first);
-  buffer.text(",\"count\":");
-  buffer.number(cluster.count);
-  buffer.text(",\"equal\":");
-  buffer.text(truth_text(cluster.equal));
-  buffer.text("}");
-}
-
-void write_piece(Buffer& buffer, const GeodesicsDocument::Piece& piece) {
-  buffer.text("{\"genus\":");
-  buffer.number(piece.genus);
-  buffer.text(",\"boundaries\":");
-  write_list(buffer, piece.boundaries, [&](const auto& side) { write_numbers(buffer, {side.first, side.second}); });
-  buffer.text("}");
-}
-
 }  // namespace
 
 void write_compact_net(const NetDocument& document, std::ostream& out) {
   check_pairs(document);
   std::ostringstream head;
-  write_net({document.surface, document.epsilon, document.charts, document.labels, {}, {}, document.collars}, head);
+  write_file(
+      NetDocument{document.surface, document.epsilon, document.charts, document.labels, {}, {}, document.collars},
+      head);
   const std::string text = head.str();
   const std::size_t chart_width = width_of(document.charts.size());
   const std::size_t label_width = width_of(document.labels.size() + 1);
@@ -344,92 +285,19 @@ void write_compact_net(const NetDocument& document, std::ostream& out) {
   buffer.checksum();
 }
 
-void write_surface(const SurfaceDocument& surface, std::ostream& out) {
-  Buffer buffer(out);
-  buffer.text("{\"format\":\"epsnet-surface\",\"version\":1,\n\"surface\":");
-  write_surface_object(buffer, surface);
-  buffer.text("}\n");
-  buffer.flush();
-}
-
-void write_net(const NetDocument& document, std::ostream& out) {
-  Buffer buffer(out);
-  write_net_object(buffer, document);
-  buffer.text("\n");
-  buffer.flush();
-}
-
-void write_geodesics(const GeodesicsDocument& document, std::ostream& out) {
-  Buffer buffer(out);
-  buffer.text("{\"format\":\"epsnet-geodesics\",\"version\":1,\n\"claim\":");
-  buffer.string(claim_text(document.claim));
-  buffer.text(",\n\"net\":");
-  write_net_object(buffer, document.net);
-  if (document.claim == GeodesicsDocument::Claim::spectrum) {
-    buffer.text(",\n\"up_to\":");
-    buffer.string(document.up_to);
+template <class Document>
+void write_file(const Document& document, std::ostream& out) {
+  if constexpr (std::is_same_v<Document, SurfaceDocument>) {
+    Writer(out).write_all(SurfaceFile<const SurfaceDocument>{document});
+  } else {
+    Writer(out).write_all(document);
   }
-  buffer.text(",\n\"geodesics\":");
-  write_rows(buffer, document.geodesics,
-             [&](const GeodesicsDocument::ClosedGeodesic& row) { write_geodesic(buffer, row); });
-  if (document.claim != GeodesicsDocument::Claim::systole) {
-    buffer.text(",\n\"clusters\":");
-    write_rows(buffer, document.clusters, [&](const GeodesicsDocument::Cluster& row) { write_cluster(buffer, row); });
-  }
-  if (document.claim == GeodesicsDocument::Claim::thick_thin) {
-    buffer.text(",\n\"pieces\":");
-    write_rows(buffer, document.pieces, [&](const GeodesicsDocument::Piece& row) { write_piece(buffer, row); });
-  }
-  buffer.text("}\n");
-  buffer.flush();
 }
 
-void write_distance(const DistanceDocument& document, std::ostream& out) {
-  Buffer buffer(out);
-  buffer.text("{\"format\":\"epsnet-distance\",\"version\":1,\n\"net\":");
-  write_net_object(buffer, document.net);
-  buffer.text(",\n\"point\":[");
-  buffer.number(document.point.tile);
-  buffer.text(",");
-  write_coordinates(buffer, document.point.z);
-  buffer.text("],\n\"distance\":[");
-  buffer.number(document.distance.lower);
-  buffer.text(",");
-  buffer.number(document.distance.upper);
-  buffer.text("],\n\"paths\":");
-  write_rows(buffer, document.paths, [&](const std::vector<std::uint32_t>& path) {
-    write_list(buffer, path, [&](std::uint32_t side) { buffer.number(side); });
-  });
-  buffer.text(",\n\"equal\":");
-  buffer.text(truth_text(document.equal));
-  buffer.text("}\n");
-  buffer.flush();
-}
-
-void write_bound(const BoundDocument& document, std::ostream& out) {
-  const auto number = [](Buffer& buffer) { return [&](std::uint32_t n) { buffer.number(n); }; };
-  Buffer buffer(out);
-  buffer.text("{\"format\":\"epsnet-cover\",\"version\":1,\n\"claim\":");
-  buffer.string(document.claim == BoundDocument::Claim::diameter ? "diameter"
-                : document.claim == BoundDocument::Claim::radius ? "radius"
-                                                                 : "embedded-disk");
-  buffer.text(",\n\"net\":");
-  write_net_object(buffer, document.net);
-  buffer.text(",\n\"value\":[");
-  buffer.number(document.value.lower);
-  buffer.text(",");
-  buffer.number(document.value.upper);
-  buffer.text("],\n\"triangulations\":");
-  write_rows(buffer, document.triangulations, [&](const BoundDocument::Triangulation& row) {
-    std::vector<std::uint32_t> numbers{row.parent};
-    numbers.insert(numbers.end(), row.flips.begin(), row.flips.end());
-    write_list(buffer, numbers, number(buffer));
-  });
-  buffer.text(",\n\"cells\":");
-  write_rows(buffer, document.cells,
-             [&](const std::vector<std::uint32_t>& row) { write_list(buffer, row, number(buffer)); });
-  buffer.text("}\n");
-  buffer.flush();
-}
+template void write_file(const SurfaceDocument& document, std::ostream& out);
+template void write_file(const NetDocument& document, std::ostream& out);
+template void write_file(const GeodesicsDocument& document, std::ostream& out);
+template void write_file(const DistanceDocument& document, std::ostream& out);
+template void write_file(const BoundDocument& document, std::ostream& out);
 
 }  // namespace epsnet::certify

@@ -65,11 +65,6 @@ class Sha256 {
   sha256_ctx context_{};
 };
 
-void write(const NetDocument& net, std::ostream& out) { write_net(net, out); }
-void write(const GeodesicsDocument& document, std::ostream& out) { write_geodesics(document, out); }
-void write(const DistanceDocument& document, std::ostream& out) { write_distance(document, out); }
-void write(const BoundDocument& document, std::ostream& out) { write_bound(document, out); }
-
 /// What the second checker says of the bytes, and what follows from it.
 void add_second_opinion(FileReport& report, std::string_view bytes) {
   report.second = ask_second_checker(bytes);
@@ -83,48 +78,48 @@ FileReport check_bytes(const Request& request, const std::string& path) {
     const std::string prefix = report.name + ": ";
     return std::string(text.starts_with(prefix) ? text.substr(prefix.size()) : text);
   };
-  // A file that the second checker is asked about is read as a whole.
-  static_assert(kBytesCheckedTwice <= kMaxBytesAtOnce);
-  std::optional<ClaimDocument> document;
-  if (!request.exact) {
-    Sha256 sum;
-    document = read_claim_in_pieces(path, [&](std::string_view piece) { sum.add(piece); });
-    if (document) report.sha256 = sum.text();
-  }
-  const bool in_pieces = document.has_value();
-  std::string bytes;
-  try {
-    if (!in_pieces) {
-      bytes = load(path);
-      Sha256 sum;
-      sum.add(bytes);
-      report.sha256 = sum.text();
-      document = parse_claim_in_place(bytes, report.name);
+  Sha256 sum;
+  std::string bytes;  // Kept for the second checker, if it may be asked about them.
+  bool seen = false;
+  bool kept = true;
+  const auto witness = [&](std::string_view piece) {
+    seen = true;
+    sum.add(piece);
+    kept = kept && (request.exact || bytes.size() + piece.size() <= kBytesCheckedTwice);
+    if (kept) {
+      bytes += piece;
+    } else {
+      std::string().swap(bytes);
     }
+  };
+  ClaimDocument document;
+  try {
+    document = read_file<ClaimDocument>(path, witness);
+    report.sha256 = sum.text();
   } catch (const FileError& error) {
     report.error = without_name(error);
     return report;
   } catch (const MalformedError& error) {
+    if (seen) report.sha256 = sum.text();
     report.certificate = malformed(without_name(error));
     // Of compact files the second checker knows only what a reader made of them.
-    if (!is_compact(bytes) && (request.exact || bytes.size() <= kBytesCheckedTwice)) add_second_opinion(report, bytes);
+    if (seen && kept && !is_compact(bytes)) add_second_opinion(report, bytes);
     return report;
   }
-  const NetDocument& net = net_of(*document);
-  if (request.print_parsed) std::visit([](const auto& claim) { write(claim, std::cout); }, *document);
-  const bool small = net.triangles.size() <= kTrianglesCheckedTwice && bytes.size() <= kBytesCheckedTwice;
-  const bool twice = request.exact || (small && !in_pieces);
+  const NetDocument& net = net_of(document);
+  if (request.print_parsed) std::visit([](const auto& claim) { write_file(claim, std::cout); }, document);
+  const bool twice = kept && (request.exact || net.triangles.size() <= kTrianglesCheckedTwice);
   if (!twice) std::string().swap(bytes);  // They may be gigabytes.
   Progress progress;
   CheckOptions options = request.options;
   options.progress = [&](std::string_view rule, double share) { progress.show(rule, share); };
-  report.certificate = check_claim(*document, options);
+  report.certificate = check_claim(document, options);
   report.is_claim = report.certificate.verdict != Verdict::malformed;
   if (twice) {
     progress.show("second checker", 0);
     if (is_compact(bytes)) {
       std::ostringstream text;
-      write_net(net, text);
+      write_file(net, text);
       bytes = std::move(text).str();
     }
     add_second_opinion(report, bytes);

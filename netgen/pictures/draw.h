@@ -70,12 +70,12 @@ struct Layer {
 
 /// Returns the closed geodesics of a geodesics file. Each is a part of the first layer, in the file's order. For a
 /// thick-thin decomposition there are also the boundaries of the collars of the small curves. Requires:
-/// certify::read_geodesics returned `geodesics`. The two documents have the same surface, but may have different nets.
+/// `geodesics` was read from a file. The two documents have the same surface, but may have different nets.
 /// Also throws NetGeometryError if the surfaces differ, or if a word is not that of a closed geodesic.
 [[nodiscard]] std::vector<Layer> geodesics_layers(const certify::NetDocument& net,
                                                   const certify::GeodesicsDocument& geodesics);
 
-/// Returns the paths of a distance file. Requires: certify::read_distance returned `distance`. The two documents have
+/// Returns the paths of a distance file. Requires: `distance` was read from a file. The two documents have
 /// the same surface, but may have different nets. Also throws NetGeometryError if the surfaces differ.
 [[nodiscard]] Layer distance_layer(const certify::NetDocument& net, const certify::DistanceDocument& distance);
 

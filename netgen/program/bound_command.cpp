@@ -47,7 +47,7 @@ void enclose(const BoundRequest& request, MakeBound make) {
   if (certificate.verdict != certify::Verdict::verified) {
     throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
   }
-  write_outputs({{request.output, [&](std::ostream& out) { certify::write_bound(document, out); }}});
+  write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(document, out); }}});
   Report report{"verdict: VERIFIED\n", Json::object({{"verdict", "VERIFIED"}})};
   const Report bounds = bound_report(document);
   report.text += bounds.text;

@@ -56,7 +56,7 @@ void measure_distance(const DistanceRequest& request) {
   if (!request.svg.empty()) {
     svg = draw_svg(document.net, {.layers = {distance_layer(document.net, document)}}, &left_out);
   }
-  write_outputs({{request.output, [&](std::ostream& out) { certify::write_distance(document, out); }},
+  write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(document, out); }},
                  {request.svg, [&](std::ostream& out) { out << svg; }}});
   write_left_out(left_out);
   Report report{"verdict: VERIFIED\n", Json::object({{"verdict", "VERIFIED"}})};

@@ -51,7 +51,8 @@ DrawOptions shown(const DrawRequest& request, const certify::NetDocument& net) {
   }
   if (!request.distance.empty()) {
     try {
-      options.layers.push_back(distance_layer(NetGeometry(net), certify::read_distance(request.distance)));
+      options.layers.push_back(
+          distance_layer(NetGeometry(net), certify::read_file<certify::DistanceDocument>(request.distance)));
     } catch (const NetGeometryError& error) {
       throw JobError(request.distance + ": " + error.what());
     }

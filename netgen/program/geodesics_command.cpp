@@ -139,7 +139,7 @@ void list_geodesics(const GeodesicsRequest& request, const Compute& compute) {
     report = {"verdict: VERIFIED\n", Json::object({{"verdict", "VERIFIED"}})};
   }
   if (!request.output.empty()) {
-    write_output(request.output, [&](std::ostream& out) { certify::write_geodesics(document, out); });
+    write_output(request.output, [&](std::ostream& out) { certify::write_file(document, out); });
   }
   const Report list = geodesics_report(document);
   report.text += list.text;

@@ -1,7 +1,6 @@
 #include "netgen/program/input.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "certify/base/text.h"
 #include "certify/claims.h"
 #include "certify/file/compact.h"
+#include "certify/file/document_reader.h"
 #include "certify/file/reader.h"
 #include "netgen/exchange/triangulation_stream.h"
 #include "netgen/program/output.h"
@@ -16,39 +16,6 @@
 
 namespace epsnet::program {
 namespace {
-
-/// Finds the member "format" of the outermost object, wherever it is, then stops; stores nothing else.
-class FormatFinder : public nlohmann::json_sax<Json> {
- public:
-  std::optional<std::string> format;
-
-  bool start_object(std::size_t) override { return enter(true); }
-  bool start_array(std::size_t) override { return enter(false); }
-  bool end_object() override { return leave(); }
-  bool end_array() override { return leave(); }
-  bool key(std::string& name) override {
-    here_ = depth_ == 1 && name == "format";
-    return true;
-  }
-  bool string(std::string& value) override {
-    if (here_) format = value;
-    return !here_;
-  }
-  bool null() override { return !here_; }
-  bool boolean(bool) override { return !here_; }
-  bool number_integer(std::int64_t) override { return !here_; }
-  bool number_unsigned(std::uint64_t) override { return !here_; }
-  bool number_float(double, const std::string&) override { return !here_; }
-  bool binary(Json::binary_t&) override { return false; }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override { return false; }
-
- private:
-  bool enter(bool object) { return (depth_++ > 0 || object) && !here_; }
-  bool leave() { return --depth_ > 0; }
-
-  std::size_t depth_ = 0;
-  bool here_ = false;
-};
 
 bool is_json(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -75,30 +42,30 @@ certify::NetDocument read_net_input(const std::string& path) {
   const std::string name = certify::display_name(path);
   if (!is_json(text) && !certify::is_compact(text))
     throw JobError(name + ": neither JSON nor compact, expected a net file, made by 'epsnet net'");
-  return certify::parse_net(text, name);
+  return certify::parse_file<certify::NetDocument>(text, name);
 }
 
 Contents read_any_input(const std::string& path) {
   const std::string text = certify::load(path);
-  if (certify::is_compact(text)) return certify::parse_net(text, certify::display_name(path));
+  if (certify::is_compact(text)) return certify::parse_file<certify::NetDocument>(text, certify::display_name(path));
   if (!is_json(text)) {
     const ExchangeFormat format =
         is_triangulation_stream(text) ? ExchangeFormat::triangulation : ExchangeFormat::domain;
     return ImportedSurface{format, import_surface(text, text_name(path))};
   }
   const std::string name = certify::display_name(path);
-  FormatFinder finder;
-  Json::sax_parse(text, &finder);
-  const std::string format = finder.format.value_or("");
+  certify::Pieces bytes(text);
+  const std::optional<std::string> named = certify::format_of(bytes);
+  const std::string format = named.value_or("");
   if (format == "epsnet-surface") return parse_surface_file(text, name);
   std::string formats = "epsnet-surface, ";
   for (const certify::ClaimKind& kind : certify::kClaimKinds) {
-    if (format == kind.format) return certify::parse_claim(text, name);
+    if (format == kind.format) return certify::parse_file<certify::ClaimDocument>(text, name);
     formats.append(kind.format).append(", ");
   }
   if (format == "epsnet-dirichlet") return parse_dirichlet_json(text, name);
   throw JobError(name + ": " +
-                 (finder.format ? "the member \"format\" is " + certify::in_quotes(format) : "no member \"format\"") +
+                 (named ? "the member \"format\" is " + certify::in_quotes(format) : "no member \"format\"") +
                  ", expected " + formats + "or epsnet-dirichlet");
 }
 

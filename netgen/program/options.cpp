@@ -90,7 +90,7 @@ void add_geodesics(CLI::App& command, std::string& file) {
 }
 
 std::vector<Layer> load_geodesics_layers(const std::string& file, const certify::NetDocument& net) {
-  const certify::GeodesicsDocument document = certify::read_geodesics(file);
+  const certify::GeodesicsDocument document = certify::read_file<certify::GeodesicsDocument>(file);
   try {
     return geodesics_layers(NetGeometry(net), document);
   } catch (const NetGeometryError& error) {

@@ -128,7 +128,7 @@ FileType net_type(const std::string& path) {
 
 void write_net_file(const certify::NetDocument& net, const std::string& path, std::ostream& out) {
   if (net_type(path) == FileType::json) {
-    certify::write_net(net, out);
+    certify::write_file(net, out);
     return;
   }
   try {

@@ -31,7 +31,7 @@ struct SurfaceRequest {
 
 void write_surface_file(const Surface& surface, const std::string& output, bool json) {
   const certify::SurfaceDocument document = to_document(surface);
-  write_output(output, [&](std::ostream& out) { certify::write_surface(document, out); });
+  write_output(output, [&](std::ostream& out) { certify::write_file(document, out); });
   if (json) write_report(facts_report(surface_info(surface)), true, is_stdout(output));
 }
 

@@ -1,10 +1,11 @@
 #include "netgen/surfaces/fenchel_nielsen_request.h"
 
 #include <algorithm>
+#include <charconv>
 #include <set>
-#include <simdjson.h>
 #include <utility>
 
+#include "certify/file/json.h"
 #include "netgen/base/gmp.h"
 
 namespace epsnet {
@@ -91,70 +92,75 @@ std::vector<Rational> numbers(const std::vector<std::string>& texts, const char*
   return result;
 }
 
-/// Reads a request with simdjson.
+/// Reads a request and nothing else. Throws RequestError, or JsonError.
 class Reader {
  public:
-  FenchelNielsenRequest read(simdjson::ondemand::document& document) {
+  explicit Reader(certify::Pieces& text) : json_(text) {}
+
+  FenchelNielsenRequest read() {
     FenchelNielsenRequest request;
     std::set<std::string> seen;
-    for (auto field : object(document)) {
-      const std::string key(take(field.unescaped_key(), "a member's name"));
-      if (!seen.insert(key).second) {
-        throw RequestError("member " + in_quotes(key) + " occurs twice");
-      }
-      simdjson::ondemand::value value = take(field.value(), key);
-      if (key == "graph") {
-        request.graph = std::string(take(value.get_string(), "graph: a string"));
-      } else if (key == "genus") {
-        const std::uint64_t genus = take(value.get_uint64(), "genus: an integer");
-        request.genus = static_cast<std::uint32_t>(std::min<std::uint64_t>(genus, ~std::uint32_t{0}));
-      } else if (key == "seed") {
-        request.seed = take(value.get_uint64(), "seed: an integer");
-      } else if (key == "lengths") {
-        request.lengths = texts(value, key);
-      } else if (key == "twists") {
-        request.twists = texts(value, key);
+    take('{', "an object with members graph, genus, seed, lengths, twists");
+    json_.members([&](std::string_view name) {
+      const auto [place, is_new] = seen.emplace(name);
+      const std::string& member = *place;
+      if (!is_new) throw RequestError("member " + in_quotes(member) + " occurs twice");
+      if (member == "graph") {
+        if (json_.next() != '"') fail_to_find("graph: a string");
+        request.graph = json_.string();
+      } else if (member == "genus") {
+        request.genus = static_cast<std::uint32_t>(std::min<std::uint64_t>(integer(member), ~std::uint32_t{0}));
+      } else if (member == "seed") {
+        request.seed = integer(member);
+      } else if (member == "lengths") {
+        request.lengths = decimals(member);
+      } else if (member == "twists") {
+        request.twists = decimals(member);
       } else {
-        throw RequestError("unknown member " + in_quotes(key) + ", expected graph, genus, seed, lengths or twists");
+        throw RequestError("unknown member " + in_quotes(member) + ", expected graph, genus, seed, lengths or twists");
       }
-    }
-    if (document.current_location().error() != simdjson::OUT_OF_BOUNDS) {
-      throw RequestError("something follows the object");
-    }
+    });
+    if (!json_.at_end()) throw RequestError("something follows the object");
     return request;
   }
 
  private:
-  static simdjson::ondemand::object object(simdjson::ondemand::document& document) {
-    return take(document.get_object(), "an object with members graph, genus, seed, lengths, twists");
+  [[noreturn]] void fail_to_find(const std::string& expected) {
+    throw RequestError("expected " + expected + ", not " + json_.found());
   }
 
-  template <class T>
-  static T take(simdjson::simdjson_result<T> result, std::string_view expected) {
-    T value;
-    if (const auto error = std::move(result).get(value)) {
-      throw RequestError("expected " + std::string(expected) + " (" + simdjson::error_message(error) + ")");
-    }
-    return value;
+  void take(char mark, const std::string& expected) {
+    if (!json_.take(mark)) fail_to_find(expected);
+  }
+
+  /// A number or literal. Not empty.
+  std::string token(const std::string& expected) {
+    const std::string_view token = json_.token();
+    if (token.empty()) fail_to_find(expected);
+    return std::string(token);
+  }
+
+  std::uint64_t integer(const std::string& member) {
+    const std::string text = token(member + ": an integer");
+    std::uint64_t value = 0;
+    const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = error == std::errc() && last == text.data() + text.size();
+    if (whole && (text.front() != '0' || text.size() == 1)) return value;
+    throw RequestError("expected " + member + ": an integer from 0 to 2^64 - 1, not " + in_quotes(text));
   }
 
   /// Returns decimals as written, whether as bare numbers or as strings.
-  static std::vector<std::string> texts(simdjson::ondemand::value value, const std::string& key) {
+  std::vector<std::string> decimals(const std::string& member) {
     std::vector<std::string> result;
-    for (auto item : take(value.get_array(), key + ": an array of numbers")) {
-      simdjson::ondemand::value element = take<simdjson::ondemand::value>(item, key + ": a number");
-      std::string_view text;
-      if (element.get_string().get(text)) {
-        text = element.raw_json_token();
-        while (!text.empty() &&
-               (text.back() == ' ' || text.back() == '\n' || text.back() == '\t' || text.back() == '\r')) {
-          text.remove_suffix(1);
-        }
-      }
-      result.emplace_back(text);
-    }
+    take('[', member + ": an array of numbers");
+    json_.elements([&](std::size_t) {
+      const bool bare = json_.next() != '"';
+      result.push_back(bare ? token(member + ": a number") : std::string(json_.string()));
+    });
     return result;
   }
+
+  certify::Json json_;
 };
 
 }  // namespace
@@ -183,13 +189,12 @@ FenchelNielsen resolve(const FenchelNielsenRequest& request) {
 }
 
 FenchelNielsenRequest parse_fenchel_nielsen(const std::string& text) {
-  const simdjson::padded_string padded(text);
-  simdjson::ondemand::parser parser;
-  simdjson::ondemand::document document;
-  if (const auto problem = parser.iterate(padded).get(document)) {
-    throw RequestError(std::string("not JSON: ") + simdjson::error_message(problem));
+  certify::Pieces bytes(text);
+  try {
+    return Reader(bytes).read();
+  } catch (const certify::JsonError& error) {
+    throw RequestError(std::string("not JSON: ") + error.what());
   }
-  return Reader().read(document);
 }
 
 }  // namespace epsnet

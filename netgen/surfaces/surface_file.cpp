@@ -62,16 +62,16 @@ Surface from_file(const certify::SurfaceDocument& document, const std::string& n
 }  // namespace
 
 Surface load_surface(const std::filesystem::path& path) {
-  return from_file(certify::read_surface(path), path.string());
+  return from_file(certify::read_file<certify::SurfaceDocument>(path), path.string());
 }
 
 Surface parse_surface_file(std::string_view text, const std::string& name) {
-  return from_file(certify::parse_surface(text, name), name);
+  return from_file(certify::parse_file<certify::SurfaceDocument>(text, name), name);
 }
 
 void save_surface(const Surface& surface, const std::filesystem::path& path) {
   const certify::SurfaceDocument document = to_document(surface);
-  write_file_atomically(path, [&](std::ostream& out) { certify::write_surface(document, out); });
+  write_file_atomically(path, [&](std::ostream& out) { certify::write_file(document, out); });
 }
 
 }  // namespace epsnet

@@ -70,8 +70,10 @@ void bind_distances(py::module_& module) {
       [](const DistanceDocument& document, const certify::CheckOptions& options) {
         return certify::check(document, options);
       },
-      [](const DistanceDocument& document, std::ostream& out) { certify::write_distance(document, out); },
-      [](const std::string& text, const std::string& name) { return certify::parse_distance(text, name); });
+      [](const DistanceDocument& document, std::ostream& out) { certify::write_file(document, out); },
+      [](const std::string& text, const std::string& name) {
+        return certify::parse_file<certify::DistanceDocument>(text, name);
+      });
   distances
       .def_static("measure",
                   [](const Surface& surface, const BasePoint& p, const BasePoint& q, double width) {
@@ -90,8 +92,10 @@ void bind_distances(py::module_& module) {
       [](const BoundDocument& document, const certify::CheckOptions& options) {
         return certify::check(document, options);
       },
-      [](const BoundDocument& document, std::ostream& out) { certify::write_bound(document, out); },
-      [](const std::string& text, const std::string& name) { return certify::parse_bound(text, name); });
+      [](const BoundDocument& document, std::ostream& out) { certify::write_file(document, out); },
+      [](const std::string& text, const std::string& name) {
+        return certify::parse_file<certify::BoundDocument>(text, name);
+      });
   bounds.def_static("enclose", &enclose)
       .def_property_readonly("net", [](const SharedBound& self) { return SharedNet(self->net); })
       .def_property_readonly("claim", [](const SharedBound& self) { return name_of(self->claim); })

@@ -27,7 +27,7 @@ void bind_files(py::module_& module) {
   module.def(
       "parse_claim",
       [](const std::string& text, const std::string& name) {
-        return claim_of(interruptible([=] { return certify::parse_claim(text, name); }));
+        return claim_of(interruptible([=] { return certify::parse_file<certify::ClaimDocument>(text, name); }));
       },
       py::arg("text"), py::arg("name"));
   module.def(

@@ -38,8 +38,10 @@ void bind_geodesics(py::module_& module) {
       [](const GeodesicsDocument& document, const certify::CheckOptions& options) {
         return certify::check(document, options);
       },
-      [](const GeodesicsDocument& document, std::ostream& out) { certify::write_geodesics(document, out); },
-      [](const std::string& text, const std::string& name) { return certify::parse_geodesics(text, name); });
+      [](const GeodesicsDocument& document, std::ostream& out) { certify::write_file(document, out); },
+      [](const std::string& text, const std::string& name) {
+        return certify::parse_file<certify::GeodesicsDocument>(text, name);
+      });
   bound
       .def_static("systole",
                   [](const Surface& surface, const std::string& epsilon, unsigned threads, const py::object& progress) {

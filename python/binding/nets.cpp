@@ -306,8 +306,10 @@ void bind_nets(py::module_& module) {
   py::class_<SharedNet> net(module, "Net");
   bind_document<NetDocument>(
       net, [](const NetDocument& document, const certify::CheckOptions& options) { return check(document, options); },
-      [](const NetDocument& document, std::ostream& out) { certify::write_net(document, out); },
-      [](const std::string& text, const std::string& name) { return certify::parse_net(text, name); });
+      [](const NetDocument& document, std::ostream& out) { certify::write_file(document, out); },
+      [](const std::string& text, const std::string& name) {
+        return certify::parse_file<certify::NetDocument>(text, name);
+      });
   net.def_static("compute", &compute, py::arg("surface"), py::arg("epsilon"), py::arg("options"), py::arg("progress"))
       .def_static("of_tiles",
                   [](const Surface& surface, const std::string& epsilon) {

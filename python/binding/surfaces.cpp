@@ -80,14 +80,13 @@ void bind_surface(py::module_& module) {
       .def(
           "save",
           [](const Surface& surface, const std::filesystem::path& path) {
-            save(path, [surface](std::ostream& out) { certify::write_surface(to_document(surface), out); });
+            save(path, [surface](std::ostream& out) { certify::write_file(to_document(surface), out); });
           },
           py::arg("path"))
       .def("text",
            [](const Surface& surface) {
-             return py::bytes(interruptible([=] {
-               return written([&](std::ostream& out) { certify::write_surface(to_document(surface), out); });
-             }));
+             return py::bytes(interruptible(
+                 [=] { return written([&](std::ostream& out) { certify::write_file(to_document(surface), out); }); }));
            })
       .def("info",
            [](const Surface& surface) { return interruptible([=] { return surface_info(surface).json.dump(); }); })

@@ -92,8 +92,9 @@ std::vector<std::filesystem::path> files() {
 TEST(Binary64, NumbersAreReadAsTheNearestOnes) {
   for (const Environment& environment : environments()) {
     for (const auto& path : files()) {
-      const ClaimDocument expected = read_claim(path);
-      EXPECT_EQ(environment.run([&] { return read_claim(path); }), expected) << environment.name() << " " << path;
+      const ClaimDocument expected = read_file<ClaimDocument>(path);
+      EXPECT_EQ(environment.run([&] { return read_file<ClaimDocument>(path); }), expected)
+          << environment.name() << " " << path;
     }
   }
 }
@@ -117,7 +118,7 @@ std::string text(const Certificate& certificate) {
 
 TEST(Binary64, CertificatesAreTheSameHoweverTheCallerRounds) {
   for (const auto& path : files()) {
-    const ClaimDocument document = read_claim(path);
+    const ClaimDocument document = read_file<ClaimDocument>(path);
     const std::string expected = text(check_claim(document, {.threads = 1}));
     for (const Environment& environment : environments()) {
       for (const unsigned threads : {1U, 3U}) {
@@ -129,7 +130,8 @@ TEST(Binary64, CertificatesAreTheSameHoweverTheCallerRounds) {
 }
 
 TEST(Binary64, WithoutRoundingToNearestTheFilterSettlesNothing) {
-  const NetDocument document = read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/octagon-33-vertices.json");
+  const NetDocument document =
+      read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/certify/verified/octagon-33-vertices.json");
   const CollarMembers collars(document);
   const auto settled = [&] {
     const Filter filter(document, collars, {1e9, 1e9}, {1e-9, 1e-9});

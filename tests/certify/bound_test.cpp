@@ -26,7 +26,7 @@ using testing::HasSubstr;
 using Claim = BoundDocument::Claim;
 
 BoundDocument load(const std::string& name) {
-  return read_bound(std::string(EPSNET_TEST_DATA) + "/bounds/" + name + ".json");
+  return read_file<BoundDocument>(std::string(EPSNET_TEST_DATA) + "/bounds/" + name + ".json");
 }
 
 /// The diameter of the regular surface of genus 2, to all digits.
@@ -73,7 +73,7 @@ double below(double x) { return std::nextafter(x, 0.0); }
 
 std::string written(const BoundDocument& document) {
   std::ostringstream out;
-  write_bound(document, out);
+  write_file(document, out);
   return out.str();
 }
 
@@ -524,9 +524,9 @@ TEST(Bound, EveryDefectOfADocumentIsMalformed) {
     EXPECT_EQ(certificate.rule, "structure");
     // The reader refuses what is written of it, with the same words.
     std::ostringstream out;
-    write_bound(document, out);
+    write_file(document, out);
     try {
-      (void)parse_bound(out.str(), "test");
+      (void)parse_file<BoundDocument>(out.str(), "test");
       ADD_FAILURE() << "read: " << certificate.message;
     } catch (const MalformedError& error) {
       EXPECT_EQ(error.what(), "test: " + certificate.message);
@@ -875,8 +875,8 @@ TEST(Bound, InfiniteOrUnorderedBoundsAreMalformed) {
 
 TEST(BoundFile, WhatIsWrittenIsRead) {
   for (const BoundDocument& document : all_files()) {
-    EXPECT_EQ(parse_bound(written(document), "test"), document);
-    EXPECT_EQ(std::get<BoundDocument>(parse_claim(written(document), "test")), document);
+    EXPECT_EQ(parse_file<BoundDocument>(written(document), "test"), document);
+    EXPECT_EQ(std::get<BoundDocument>(parse_file<ClaimDocument>(written(document), "test")), document);
   }
 }
 
@@ -888,7 +888,7 @@ TEST(BoundFile, HasExactlyItsMembers) {
     EXPECT_NE(place, std::string::npos) << old;
     changed.replace(place, old.size(), by);
     try {
-      (void)parse_bound(changed, "test");
+      (void)parse_file<BoundDocument>(changed, "test");
     } catch (const MalformedError& error) {
       return error.what();
     }
@@ -896,13 +896,13 @@ TEST(BoundFile, HasExactlyItsMembers) {
   };
   EXPECT_EQ(complaint("\"claim\":\"diameter\"", "\"claim\":\"embedded-disk\""), "");
   EXPECT_THAT(complaint("\"claim\":\"diameter\"", "\"claim\":\"girth\""),
-              HasSubstr("claim: \"girth\" is no claim, expected \"diameter\", \"radius\" or \"embedded-disk\""));
+              HasSubstr("\"claim\" is \"girth\", expected \"diameter\", \"radius\" or \"embedded-disk\""));
   EXPECT_THAT(complaint("\"claim\":\"diameter\",\n", ""), HasSubstr("missing member \"claim\""));
   EXPECT_THAT(complaint("\"claim\"", "\"claim\":\"diameter\",\"claim\""), HasSubstr("repeated member"));
   EXPECT_THAT(complaint("\"claim\"", "\"p\":0,\"claim\""), HasSubstr("unknown member \"p\""));
   EXPECT_THAT(complaint("\"value\":[", "\"value\":[0,"), HasSubstr("value: too many elements"));
   EXPECT_THAT(complaint("\"triangulations\":[\n[", "\"triangulations\":[\n[],["),
-              HasSubstr("triangulations[0]: no element, expected the number of a triangulation, and darts"));
+              HasSubstr("triangulations[0]: has 0 elements, expected [k, d, …], a triangulation and darts"));
   EXPECT_THAT(complaint("\"triangulations\":[\n[0", "\"triangulations\":[\n[-1"), HasSubstr("triangulations[0]"));
   EXPECT_THAT(complaint("\"cells\":[\n[", "\"cells\":[\n[1.5,"), HasSubstr("cells[0]"));
   EXPECT_THAT(complaint("\"epsnet-cover\"", "\"epsnet-distance\""), HasSubstr("format"));

@@ -12,7 +12,7 @@ namespace epsnet::certify {
 namespace {
 
 std::string path(const std::string& name) { return std::string(EPSNET_TEST_DATA) + "/" + name; }
-NetDocument load(const std::string& name) { return read_net(path("certify/verified/" + name)); }
+NetDocument load(const std::string& name) { return read_file<NetDocument>(path("certify/verified/" + name)); }
 
 /// All that a certificate says in words.
 std::string text(const Certificate& certificate) {
@@ -85,7 +85,7 @@ TEST(Budget, NothingIsVerifiedWithLessWorkThanItTakes) {
 }
 
 TEST(Budget, NoGeodesicsAreVerifiedWithLessWorkThanTheyTake) {
-  const GeodesicsDocument document = read_geodesics(path("geodesics/three-cuffs.json"));
+  const GeodesicsDocument document = read_file<GeodesicsDocument>(path("geodesics/three-cuffs.json"));
   const Certificate all = check(document, {.threads = 1});
   ASSERT_EQ(all.verdict, Verdict::verified);
   const std::uint64_t work = all.counts.work;

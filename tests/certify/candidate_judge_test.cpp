@@ -13,7 +13,7 @@ namespace {
 using Claim = GeodesicsDocument::Claim;
 
 GeodesicsDocument load(const std::string& name) {
-  return read_geodesics(std::string(EPSNET_TEST_DATA) + "/geodesics/" + name);
+  return read_file<GeodesicsDocument>(std::string(EPSNET_TEST_DATA) + "/geodesics/" + name);
 }
 
 /// Two curves of lengths that agree to 14 digits, and a third one.

@@ -15,7 +15,7 @@ namespace epsnet::certify {
 namespace {
 
 NetDocument load(const std::string& name) {
-  return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
+  return read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
 }
 NetDocument nine() { return load("octagon-9-vertices.json"); }
 NetDocument one() { return load("octagon-1-vertex.json"); }
@@ -101,7 +101,7 @@ TEST(Check, EnclosuresContainWhatTheyEnclose) {
   NetDocument document = nine();
   document.epsilon = "1.01";
   expect_inside(check(document).enclosures->epsilon, "1.01");
-  const Certificate collars = check(read_net(std::string(EPSNET_TEST_DATA) + "/forgeries/collars.json"));
+  const Certificate collars = check(read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/forgeries/collars.json"));
   ASSERT_TRUE(collars.enclosures->shortest_core.has_value());
   EXPECT_NEAR(collars.enclosures->shortest_core->lower, 0.125, 1e-13);
 }

@@ -17,7 +17,7 @@ namespace epsnet::certify {
 namespace {
 
 /// A pseudo net of genus 2 with collars about geodesics of the lengths 1/8 and 1/4.
-NetDocument two_collars() { return read_net(std::string(EPSNET_TEST_DATA) + "/forgeries/collars.json"); }
+NetDocument two_collars() { return read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/forgeries/collars.json"); }
 
 /// What the rule works with.
 struct Setting {

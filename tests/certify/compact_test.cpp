@@ -21,7 +21,9 @@
 namespace epsnet::certify {
 namespace {
 
-NetDocument load_net(const std::string& name) { return read_net(std::string(EPSNET_TEST_DATA) + "/" + name); }
+NetDocument load_net(const std::string& name) {
+  return read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/" + name);
+}
 
 std::string compact(const NetDocument& document) {
   std::ostringstream out;
@@ -40,7 +42,7 @@ std::string with_checksum(std::string bytes) {
 
 std::string problem(const std::string& bytes) {
   try {
-    (void)parse_net(bytes, "net.epsn");
+    (void)parse_file<NetDocument>(bytes, "net.epsn");
     return "";
   } catch (const MalformedError& error) {
     return error.what();
@@ -108,7 +110,7 @@ TEST_F(Compact, SaysWhatNetFilesSay) {
     for (const auto& entry : std::filesystem::directory_iterator(std::string(EPSNET_TEST_DATA) + "/" + folder)) {
       ClaimDocument document;
       try {
-        document = read_claim(entry.path());
+        document = read_file<ClaimDocument>(entry.path());
       } catch (const MalformedError&) {
         continue;
       }
@@ -121,10 +123,10 @@ TEST_F(Compact, SaysWhatNetFilesSay) {
         continue;  // Darts that are not paired.
       }
       ++nets;
-      const NetDocument read = parse_net(bytes, "compact");
+      const NetDocument read = parse_file<NetDocument>(bytes, "compact");
       EXPECT_EQ(read, *net) << entry.path();
       EXPECT_EQ(compact(read), bytes);
-      EXPECT_EQ(std::get<NetDocument>(parse_claim(bytes, "compact")), *net);
+      EXPECT_EQ(std::get<NetDocument>(parse_file<ClaimDocument>(bytes, "compact")), *net);
     }
   }
   EXPECT_GT(nets, 40);
@@ -134,7 +136,7 @@ TEST_F(Compact, NumbersKeepTheirSigns) {
   NetDocument net = net_;
   net.vertices[1].x = -0.0;
   net.vertices[1].y = 5e-324;
-  const NetDocument read = parse_net(compact(net), "compact");
+  const NetDocument read = parse_file<NetDocument>(compact(net), "compact");
   EXPECT_TRUE(std::signbit(read.vertices[1].x));
   EXPECT_EQ(read.vertices[1].y, 5e-324);
 }
@@ -164,7 +166,7 @@ TEST_F(Compact, DartsThatAreNotPairedCannotBeWritten) {
 TEST_F(Compact, NumbersMayTakeMoreBytesThanTheyMust) {
   for (const std::uint32_t charts : {1U, 2U, 4U}) {
     for (const std::uint32_t labels : {1U, 2U, 4U}) {
-      EXPECT_EQ(parse_net(widened(good_, charts, labels), "compact"), net_) << charts << labels;
+      EXPECT_EQ(parse_file<NetDocument>(widened(good_, charts, labels), "compact"), net_) << charts << labels;
     }
   }
   for (const std::uint32_t width : {3U, 5U, 8U, 16U}) {
@@ -249,7 +251,7 @@ TEST_F(Compact, LabelsThatEndEarlyAreNamed) {
 
 /// A file is read in pieces of 2^18 bytes, of which the first ends here in the checksum or next to it.
 TEST_F(Compact, PiecesMayEndInTheChecksum) {
-  NetDocument document = parse_net(good_, "test");
+  NetDocument document = parse_file<NetDocument>(good_, "test");
   document.surface.about = "a";
   const std::size_t least = compact(document).size();
   for (std::size_t more = 0; more <= 20; ++more) {
@@ -261,7 +263,9 @@ TEST_F(Compact, PiecesMayEndInTheChecksum) {
     ASSERT_EQ(std::fwrite(bytes.data(), 1, size, file.get()), size);
     std::rewind(file.get());
     Pieces pieces(file.get(), size, {});
-    EXPECT_EQ(parse_compact(pieces, [](std::string_view head) { return parse_net(head, "head"); }), document) << more;
+    EXPECT_EQ(parse_compact(pieces, [](std::string_view head) { return parse_file<NetDocument>(head, "head"); }),
+              document)
+        << more;
   }
 }
 
@@ -312,7 +316,7 @@ TEST_F(Compact, EveryRuleOfTheFormatIsNamed) {
 TEST_F(Compact, TheHeadHasNoVertices) {
   const auto with_head = [&](const NetDocument& head) {
     std::ostringstream text;
-    write_net(head, text);
+    write_file(head, text);
     std::string bytes = good_.substr(0, 32) + text.str() + good_.substr(parts_.x);
     set_word(bytes, 12, static_cast<std::uint32_t>(text.str().size()));
     return problem(with_checksum(bytes));
@@ -336,9 +340,9 @@ TEST_F(Compact, WhateverIsReadIsWrittenTheSame) {
       bytes[parts_.x + random() % (bytes.size() - 8 - parts_.x)] = static_cast<char>(random());
     }
     try {
-      const NetDocument document = parse_net(with_checksum(bytes), "compact");
+      const NetDocument document = parse_file<NetDocument>(with_checksum(bytes), "compact");
       ++readable;
-      EXPECT_EQ(parse_net(compact(document), "compact"), document);
+      EXPECT_EQ(parse_file<NetDocument>(compact(document), "compact"), document);
     } catch (const MalformedError&) {
     }
   }

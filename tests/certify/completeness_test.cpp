@@ -11,7 +11,7 @@ namespace epsnet::certify {
 namespace {
 
 GeodesicsDocument load(const std::string& name) {
-  return read_geodesics(std::string(EPSNET_TEST_DATA) + "/geodesics/" + name);
+  return read_file<GeodesicsDocument>(std::string(EPSNET_TEST_DATA) + "/geodesics/" + name);
 }
 
 std::string outcome(const GeodesicsDocument& document) {
@@ -85,7 +85,7 @@ void expect_counts(const GeodesicsDocument& document, Real bound, const std::str
 
 GeodesicsDocument bolza_systole(const std::string& name) {
   GeodesicsDocument document;
-  document.net = read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
+  document.net = read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
   document.geodesics = {{0, {0}, {3.057, 3.0572}, true}};
   return document;
 }

@@ -74,7 +74,8 @@ class Bolza {
  public:
   /// The curves' words begin with a detour, which is gone back at their ends.
   explicit Bolza(const std::string& name, slong precision = 128, const Word& detour = {})
-      : lifted_(read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name), geodesics(detour), precision) {}
+      : lifted_(read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name), geodesics(detour),
+                precision) {}
 
   static std::vector<GeodesicsDocument::ClosedGeodesic> geodesics(const Word& detour) {
     std::vector<GeodesicsDocument::ClosedGeodesic> result;
@@ -318,8 +319,8 @@ TEST(ExactSide, IsWhatBallsSayAndLeftOnTheAxis) {
   int on_axis = 0;
   for (const char* name :
        {"regular-2-10-vertices.json", "regular-2-4-rotated-vertices.json", "octagon-9-vertices.json"}) {
-    const LiftedNet lifted(read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name), Bolza::geodesics({}),
-                           512);
+    const LiftedNet lifted(read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name),
+                           Bolza::geodesics({}), 512);
     std::vector<ChordTable::Member> members;
     for (std::uint32_t i = 0; i < 12; ++i) members.push_back({first_darts(lifted.net())[0], lifted.element(i)});
     const ChordTable table(lifted.plane(), std::move(members), 1);

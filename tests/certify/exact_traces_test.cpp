@@ -15,7 +15,9 @@ const std::vector<Word> kWords{{0},       {1},          {4},          {2},      
                                {0, 3},    {0, 0},       {2, 2},       {0, 2, 5},    {0, 1, 6, 6},   {3, 0, 1, 7},
                                {0, 0, 1}, {1, 0, 0, 5}, {2, 2, 0, 5}, {7, 3, 2, 1}, {0, 1, 2, 1, 5}};
 
-NetDocument net_of(const std::string& name) { return read_net(std::string(EPSNET_TEST_DATA) + "/certify/" + name); }
+NetDocument net_of(const std::string& name) {
+  return read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/certify/" + name);
+}
 
 TEST(ExactTraces, OrderLengths) {
   for (const char* name : {"verified/regular-2-10-vertices.json", "verified/octagon-9-vertices.json"}) {
@@ -43,7 +45,7 @@ TEST(ExactTraces, TellALengthFrom2Arsinh1) {
   for (const auto& [name, expected] : {std::pair{"one-curve-of-2-arsinh-1.json", 0},
                                        {"one-curve-of-2-arsinh-1-less-1e-20.json", -1},
                                        {"no-curve-of-2-arsinh-1-and-1e-20-more.json", 1}}) {
-    const LiftedNet lifted(read_geodesics(std::string(EPSNET_TEST_DATA) + "/geodesics/" + name).net);
+    const LiftedNet lifted(read_file<GeodesicsDocument>(std::string(EPSNET_TEST_DATA) + "/geodesics/" + name).net);
     const ExactTraces traces(lifted.evaluator());
     EXPECT_EQ(traces.compare_with_short(Word{0}), expected) << name;
     EXPECT_EQ(traces.compare_with_short(Word{4}), expected) << name;

@@ -18,7 +18,9 @@ std::vector<std::filesystem::path> files(const std::string& verdict) {
   return result;
 }
 
-Certificate check_file(const std::filesystem::path& path) { return check_claim(read_claim(path), {.threads = 2}); }
+Certificate check_file(const std::filesystem::path& path) {
+  return check_claim(read_file<ClaimDocument>(path), {.threads = 2});
+}
 
 void expect_verdict(const std::string& folder, Verdict verdict, std::size_t at_least, bool named_by_rule) {
   const auto paths = files(folder);
@@ -42,7 +44,7 @@ TEST(Files, MalformedOnesAreNotRead) {
   EXPECT_GE(paths.size(), 60U);
   for (const auto& path : paths) {
     SCOPED_TRACE(path.string());
-    EXPECT_THROW(static_cast<void>(read_net(path)), MalformedError);
+    EXPECT_THROW(static_cast<void>(read_file<NetDocument>(path)), MalformedError);
   }
 }
 

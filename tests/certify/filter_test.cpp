@@ -277,7 +277,7 @@ TEST_F(Filtered, MeasuresAreWidenedByTheirErrors) {
 
 // What is asked of which corners.
 
-NetDocument load(const std::string& name) { return read_net(std::string(EPSNET_TEST_DATA) + "/" + name); }
+NetDocument load(const std::string& name) { return read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/" + name); }
 
 constexpr Questions kAll = 255;
 

@@ -16,7 +16,7 @@
 namespace epsnet::certify {
 namespace {
 
-GeodesicsDocument three_cuffs() { return read_geodesics(EPSNET_TEST_DATA "/geodesics/three-cuffs.json"); }
+GeodesicsDocument three_cuffs() { return read_file<GeodesicsDocument>(EPSNET_TEST_DATA "/geodesics/three-cuffs.json"); }
 
 GeodesicsDocument systole() {
   GeodesicsDocument document = three_cuffs();

@@ -28,7 +28,7 @@ namespace {
 using testing::HasSubstr;
 
 NetDocument load(const std::string& name) {
-  return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
+  return read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
 }
 
 /// The Bolza surface with 10 and with 4 vertices.
@@ -598,7 +598,7 @@ TEST(Geodesics, EverySystoleIsOne) {
 TEST(Geodesics, ALongConjugateOfASystoleTakesMoreBits) {
   // To 64 bits the ball of Re a holds numbers of both signs, so it may not be compared with cosh(l/2): more bits.
   const GeodesicsDocument document =
-      read_geodesics(std::string(EPSNET_TEST_DATA) + "/geodesics/systole-long-conjugate.json");
+      read_file<GeodesicsDocument>(std::string(EPSNET_TEST_DATA) + "/geodesics/systole-long-conjugate.json");
   ASSERT_EQ(document.geodesics[0].word.size(), 56U);
   EXPECT_EQ(outcome(document), "VERIFIED");
   EXPECT_EQ(check(document, {.threads = 1, .max_precision = 64}).verdict, Verdict::undecided);
@@ -645,15 +645,15 @@ TEST(Geodesics, ThreadsDoNotMatter) {
 TEST(Geodesics, WhatIsWrittenIsRead) {
   for (const GeodesicsDocument& document : {bolza_to_5(), systole(bolza())}) {
     std::ostringstream out;
-    write_geodesics(document, out);
-    EXPECT_EQ(parse_geodesics(out.str(), "written"), document);
+    write_file(document, out);
+    EXPECT_EQ(parse_file<GeodesicsDocument>(out.str(), "written"), document);
   }
 }
 
 // Thick-thin decompositions.
 
 GeodesicsDocument thick_thin(const std::string& name) {
-  return read_geodesics(std::string(EPSNET_TEST_DATA) + "/geodesics/" + name);
+  return read_file<GeodesicsDocument>(std::string(EPSNET_TEST_DATA) + "/geodesics/" + name);
 }
 
 /// Two pairs of pants with three cuffs in common, of lengths 0.5, 0.7, 1.2, on which vertices of the net lie.
@@ -717,7 +717,7 @@ TEST(ThickThin, WrongPiecesAreRefuted) {
 TEST(ThickThin, ACurveOfLength2Arsinh1WithAWordTooLongToBeComparedIsUndecided) {
   // Around a corner of a tile and back very often first: of an element known to balls, too long for exact numbers.
   GeodesicsDocument document =
-      read_geodesics(std::string(EPSNET_TEST_DATA) + "/geodesics/one-curve-of-2-arsinh-1.json");
+      read_file<GeodesicsDocument>(std::string(EPSNET_TEST_DATA) + "/geodesics/one-curve-of-2-arsinh-1.json");
   const CheckOptions few_bits{.threads = 2, .max_precision = 128};
   EXPECT_EQ(check(document, few_bits).verdict, Verdict::verified);
   const auto& net = document.net;
@@ -938,9 +938,9 @@ TEST(ThickThin, IsASpectrumAndBeginsWithTheSystole) {
 
 TEST(GeodesicsReader, DefectsAreMalformed) {
   std::ostringstream out;
-  write_geodesics(three_cuffs(), out);
+  write_file(three_cuffs(), out);
   const std::string good = out.str();
-  EXPECT_EQ(parse_geodesics(good, "good"), three_cuffs());
+  EXPECT_EQ(parse_file<GeodesicsDocument>(good, "good"), three_cuffs());
   const std::vector<std::pair<std::string, std::string>> defects{
       {"epsnet-geodesics", "epsnet-net"},
       {"\"claim\":\"thick-thin\"", "\"claim\":\"thick\""},
@@ -967,11 +967,12 @@ TEST(GeodesicsReader, DefectsAreMalformed) {
     const std::size_t place = text.find(from);
     ASSERT_NE(place, std::string::npos) << from;
     text.replace(place, from.size(), to);
-    EXPECT_THROW(static_cast<void>(parse_geodesics(text, "broken")), MalformedError) << from << " -> " << to;
+    EXPECT_THROW(static_cast<void>(parse_file<GeodesicsDocument>(text, "broken")), MalformedError)
+        << from << " -> " << to;
   }
-  EXPECT_THROW(static_cast<void>(parse_geodesics(good + "x", "broken")), MalformedError);
+  EXPECT_THROW(static_cast<void>(parse_file<GeodesicsDocument>(good + "x", "broken")), MalformedError);
   for (std::size_t size = 0; size + 2 < good.size(); size += 97) {
-    EXPECT_THROW(static_cast<void>(parse_geodesics(good.substr(0, size), "cut")), MalformedError);
+    EXPECT_THROW(static_cast<void>(parse_file<GeodesicsDocument>(good.substr(0, size), "cut")), MalformedError);
   }
 }
 

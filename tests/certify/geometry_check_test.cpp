@@ -28,7 +28,7 @@ namespace {
 
 using Point = std::complex<double>;
 
-NetDocument load(const std::string& name) { return read_net(std::string(EPSNET_TEST_DATA) + "/" + name); }
+NetDocument load(const std::string& name) { return read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/" + name); }
 
 struct Setting {
   explicit Setting(const NetDocument& document, const Budget& budget = {})

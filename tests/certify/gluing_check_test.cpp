@@ -13,7 +13,7 @@
 namespace epsnet::certify {
 namespace {
 
-NetDocument load(const std::string& name) { return read_net(std::string(EPSNET_TEST_DATA) + "/" + name); }
+NetDocument load(const std::string& name) { return read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/" + name); }
 
 Ball ball(double value, double radius = 0) {
   Ball result;
@@ -78,8 +78,9 @@ std::vector<std::vector<std::uint32_t>> loops_at(const SurfaceSides& sides, std:
 TEST(GluingCheck, ALabelAndAShortLoopAreNotTheLabel) {
   // Far out in a collar a loop around it moves points by little. Whether it is 1 is asked where the inscribed disk is.
   int asked = 0;
-  const NetDocument net =
-      read_geodesics(std::string(EPSNET_TEST_DATA) + "/geodesics/two-short-cuffs-that-differ-by-1e-17.json").net;
+  const NetDocument net = read_file<GeodesicsDocument>(std::string(EPSNET_TEST_DATA) +
+                                                       "/geodesics/two-short-cuffs-that-differ-by-1e-17.json")
+                              .net;
   const SurfaceSides sides(net.surface);
   for (std::size_t t = 0; t < net.triangles.size(); ++t) {
     for (std::size_t i = 0; i < 2; ++i) {

@@ -12,7 +12,7 @@ namespace {
 constexpr double kNear = 1e-9;
 
 NetDocument net_of(const std::string& name) {
-  return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
+  return read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
 }
 
 void expect_near(const Vector& x, const Vector& y, const std::string& what) {

@@ -25,7 +25,7 @@ using testing::HasSubstr;
 constexpr std::uint32_t kHuge = ~std::uint32_t{0};
 
 /// A net with labels, and a pseudo net.
-NetDocument load(const std::string& name) { return read_net(std::string(EPSNET_TEST_DATA) + "/" + name); }
+NetDocument load(const std::string& name) { return read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/" + name); }
 
 struct Setting {
   explicit Setting(const NetDocument& net)

@@ -11,7 +11,7 @@ namespace epsnet::certify {
 namespace {
 
 NetDocument load(const std::string& name) {
-  return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
+  return read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
 }
 
 bool says(const RuleReport& report, const std::string& text) {

@@ -10,7 +10,7 @@ namespace epsnet::certify {
 namespace {
 
 NetDocument net_of(const std::string& name) {
-  return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
+  return read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
 }
 
 struct Found {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """public_headers_test.py ROOT: the public headers of certify (certify/CMakeLists.txt) include no other one of the project.
 
-Plain data and three functions are what a user sees: neither FLINT nor simdjson is needed to include them.
+Plain data and three functions are what a user sees: FLINT is not needed to include them.
 """
 
 import pathlib

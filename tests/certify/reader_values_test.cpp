@@ -119,19 +119,19 @@ std::vector<Json> files() {
           cover("embedded-disk")};
 }
 
-void write(const NetDocument& document, std::ostream& out) { write_net(document, out); }
-void write(const GeodesicsDocument& document, std::ostream& out) { write_geodesics(document, out); }
-void write(const DistanceDocument& document, std::ostream& out) { write_distance(document, out); }
-void write(const BoundDocument& document, std::ostream& out) { write_bound(document, out); }
+void write(const NetDocument& document, std::ostream& out) { write_file(document, out); }
+void write(const GeodesicsDocument& document, std::ostream& out) { write_file(document, out); }
+void write(const DistanceDocument& document, std::ostream& out) { write_file(document, out); }
+void write(const BoundDocument& document, std::ostream& out) { write_file(document, out); }
 
 /// What the reader understands, as JSON; null if it accepts nothing.
 Json understood(const std::string& text, bool surface) {
   std::ostringstream out;
   try {
     if (surface) {
-      write_surface(parse_surface(text, "test"), out);
+      write_file(parse_file<SurfaceDocument>(text, "test"), out);
     } else {
-      std::visit([&](const auto& document) { write(document, out); }, parse_claim(text, "test"));
+      std::visit([&](const auto& document) { write(document, out); }, parse_file<ClaimDocument>(text, "test"));
     }
   } catch (const MalformedError&) {
     return nullptr;
@@ -271,7 +271,7 @@ TEST(ReaderValues, EveryMemberIsThereOnce) {
 
 std::string complaint(const Json& file) {
   try {
-    static_cast<void>(parse_claim(file.dump(), "test"));
+    static_cast<void>(parse_file<ClaimDocument>(file.dump(), "test"));
   } catch (const MalformedError& error) {
     return error.what();
   }

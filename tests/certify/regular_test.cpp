@@ -272,7 +272,9 @@ TEST(Regular, ThreePointsOnALineAreFoundExactly) {
   }
 }
 
-NetDocument file(const std::string& name) { return read_net(std::string(EPSNET_TEST_DATA) + "/certify/" + name); }
+NetDocument file(const std::string& name) {
+  return read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/certify/" + name);
+}
 
 TEST(Regular, TiesOfSymmetricVerticesAreFound) {
   // z and iz are exact in binary64: squares around the centre and around the corner of the tile.

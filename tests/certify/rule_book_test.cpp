@@ -98,7 +98,9 @@ TEST(RuleBook, VerifiedSoFarIsAboutWhatWasReported) {
 
 // Claims about a net that is one.
 
-NetDocument net() { return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/octagon-9-vertices.json"); }
+NetDocument net() {
+  return read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/certify/verified/octagon-9-vertices.json");
+}
 
 /// The verdict line about a claim with the further rules a and b that are asked like this.
 std::string line_of(const NetDocument& document, const std::function<void(Verification&)>& ask,
@@ -216,7 +218,7 @@ TEST(Claims, OfAFileIsTheRowWithItsFormat) {
   ASSERT_EQ(files.size(), kClaimKinds.size());
   for (const auto& [file, name] : files) {
     const std::string path = std::string(EPSNET_TEST_DATA) + "/" + file;
-    const ClaimKind& kind = kind_of(read_claim(path));
+    const ClaimKind& kind = kind_of(read_file<ClaimDocument>(path));
     EXPECT_EQ(kind.name, name);
     EXPECT_THAT(load(path), HasSubstr("\"" + std::string(kind.format) + "\""));
   }

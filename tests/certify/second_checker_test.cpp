@@ -171,7 +171,7 @@ using certify::SurfaceDocument;
 
 std::string text_of(const NetDocument& document) {
   std::ostringstream out;
-  certify::write_net(document, out);
+  certify::write_file(document, out);
   return out.str();
 }
 
@@ -201,7 +201,9 @@ void expect_of_both(const NetDocument& document, const std::string& expected) {
   }
 }
 
-NetDocument load(const std::string& name) { return certify::read_net(std::string(EPSNET_TEST_DATA) + "/" + name); }
+NetDocument load(const std::string& name) {
+  return certify::read_file<certify::NetDocument>(std::string(EPSNET_TEST_DATA) + "/" + name);
+}
 
 /// A net on two tiles in six charts.
 NetDocument two_tiles() {

@@ -20,7 +20,7 @@ SurfaceDocument::Tile tile(std::initializer_list<std::pair<mpq_class, mpq_class>
 }
 
 SurfaceDocument octagon() {
-  return read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/octagon-1-vertex.json").surface;
+  return read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/certify/verified/octagon-1-vertex.json").surface;
 }
 
 TEST(SurfaceCheck, OctagonHasGenusTwo) {
@@ -240,7 +240,8 @@ TEST(SurfaceCheck, SidesOfUnequalLengthAreNamed) {
 
 TEST(SurfaceCheck, SpheresAndToriAreNamed) {
   const auto text = [](const char* name) {
-    return check_surface(read_net(std::string(EPSNET_TEST_DATA) + "/certify/refuted/" + name).surface).report.text;
+    return check_surface(read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/certify/refuted/" + name).surface)
+        .report.text;
   };
   EXPECT_TRUE(has(text("surface-sphere.json"), "is a sphere")) << text("surface-sphere.json");
   EXPECT_TRUE(has(text("surface-torus.json"), "is a torus")) << text("surface-torus.json");

@@ -40,7 +40,7 @@ using ::testing::ThrowsMessage;
 using Point = Complex<double>;
 
 certify::NetDocument verified(const char* name) {
-  return certify::read_net(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
+  return certify::read_file<certify::NetDocument>(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
 }
 
 certify::NetDocument octagon_net(std::int32_t seed, const char* epsilon) {

@@ -270,13 +270,19 @@ TEST(FenchelNielsenRequest, WhatIsGivenIsCheckedBeforeASeedIsAskedFor) {
 }
 
 TEST(FenchelNielsenRequest, BadOnesAreNamed) {
-  expect_request_error("", "not JSON");
+  expect_request_error("",
+                       "expected an object with members graph, genus, seed, lengths, twists, not the end of the text");
   expect_request_error("[]", "expected an object");
   expect_request_error("{", "expected");
-  expect_request_error(R"({"genus": 2, "seed": 1} x)", "expected an object");
+  expect_request_error(R"({"genus": 2, "seed": 1} x)", "something follows the object");
   expect_request_error(R"({"Genus": 2})", "unknown member \"Genus\"");
   expect_request_error(R"({"genus": 2, "seed": 1, "genus": 3})", "member \"genus\" occurs twice");
   expect_request_error(R"({"genus": -2})", "genus: an integer");
+  expect_request_error(R"({"genus": 02})", "genus: an integer");
+  expect_request_error(R"({"seed": 18446744073709551616})", "seed: an integer");
+  expect_request_error(R"({"genus": })", "expected genus: an integer, not \"}\"");
+  expect_request_error(R"({"genus": 2, "seed" 1})", "not JSON");
+  expect_request_error(R"({"genus": 2, "lengths": [1 2]})", "not JSON");
   expect_request_error(R"({"genus": 2})", "seed: needed");
   expect_request_error(R"({"seed": 2})", "genus: needed");
   expect_request_error(R"({"genus": 3, "graph": "0-1 0-1 0-1", "seed": 1})", "the pants graph has genus 2");

@@ -15,7 +15,7 @@ TEST(LargeSurface, OfGenus6500HasAFileThatIsRead) {
   EXPECT_LE(surface.about().size(), std::size_t{1} << 20);
   EXPECT_NE(surface.about().find(" more edges"), std::string::npos);
   std::ostringstream file;
-  certify::write_surface(to_document(surface), file);
+  certify::write_file(to_document(surface), file);
   EXPECT_EQ(parse_surface_file(file.str(), "the file").genus(), 6500U);
 }
 

@@ -28,7 +28,7 @@ using certify::Verdict;
 
 std::string written(const NetDocument& net) {
   std::ostringstream out;
-  certify::write_net(net, out);
+  certify::write_file(net, out);
   return out.str();
 }
 
@@ -76,7 +76,7 @@ std::string outcome(const NetDocument& mutant, test::Oracle& oracle) {
       << second.rule << ": " << second.message;
   // The reader refuses exactly the broken structures; NaN and infinity cannot even be written.
   try {
-    EXPECT_EQ(certify::parse_net(written(mutant), "mutant"), mutant);
+    EXPECT_EQ(certify::parse_file<certify::NetDocument>(written(mutant), "mutant"), mutant);
     EXPECT_NE(certificate.verdict, Verdict::malformed) << certificate.message;
   } catch (const certify::MalformedError& error) {
     EXPECT_EQ(certificate.verdict, Verdict::malformed) << error.what();

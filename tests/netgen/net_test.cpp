@@ -29,7 +29,7 @@ const NetOptions kOneThread{.check = {.threads = 1}};
 
 std::string text_of(const certify::NetDocument& net) {
   std::ostringstream out;
-  certify::write_net(net, out);
+  certify::write_file(net, out);
   return out.str();
 }
 
@@ -105,7 +105,7 @@ TEST(Net, UncertifiedIsTheSameNet) {
 
 TEST(Net, FileReadsBackTheSame) {
   const CertifiedNet net = certified_net(random_octagon(7), 0.3);
-  EXPECT_EQ(certify::parse_net(text_of(net.net), "net"), net.net);
+  EXPECT_EQ(certify::parse_file<certify::NetDocument>(text_of(net.net), "net"), net.net);
 }
 
 TEST(Net, StatisticsAreConsistent) {

@@ -152,8 +152,8 @@ TEST(PseudoNet, EpsilonIsAtMostLnSqrt2) {
 TEST(PseudoNet, FileReadsBackTheSame) {
   const NetDocument net = compute_net(with_cuffs({power_of_ten(12)}), Length("0.34"), kPseudo).net;
   std::ostringstream out;
-  certify::write_net(net, out);
-  EXPECT_EQ(certify::parse_net(out.str(), "net"), net);
+  certify::write_file(net, out);
+  EXPECT_EQ(certify::parse_file<certify::NetDocument>(out.str(), "net"), net);
   EXPECT_EQ(net, compute_net(with_cuffs({power_of_ten(12)}), Length("0.34"), kPseudo).net);
 }
 
@@ -434,13 +434,13 @@ TEST(PseudoCertificate, WhatIsNoCollarIsMalformed) {
 
 TEST(PseudoCertificate, MembersOfCollarsAreRead) {
   std::ostringstream out;
-  certify::write_net(good(), out);
+  certify::write_file(good(), out);
   const std::string text = out.str();
   const auto complaint = [&](const std::string& from, const std::string& to) {
     std::string changed = text;
     changed.replace(changed.rfind(from), from.size(), to);
     try {
-      (void)certify::parse_net(changed, "test");
+      (void)certify::parse_file<certify::NetDocument>(changed, "test");
     } catch (const certify::MalformedError& error) {
       return std::string(error.what());
     }

@@ -33,7 +33,7 @@ const NetOptions kSparse{.sparse = true, .check = {.threads = 1}};
 
 std::string text_of(const certify::NetDocument& net) {
   std::ostringstream out;
-  certify::write_net(net, out);
+  certify::write_file(net, out);
   return out.str();
 }
 

@@ -31,7 +31,7 @@ import sys
 LEFT_OUT = ("certify/program/", "certify/exact/main.cpp", "certify/file/writer.", "certify/verdict/report.",
             "certify/numbers/budget.h")
 # In these files texts are more than messages.
-TEXT_MATTERS = ("certify/exact/json.", "certify/base/text.", "certify/file/reader.")
+TEXT_MATTERS = ("certify/exact/json.", "certify/base/text.", "certify/file/json.", "certify/file/document_reader.")
 # Functions that prepare a file's text for display in a message.
 SHOWN = re.compile(r"^(in_quotes|path_in_quotes|printable(_length)?|display_name)$")
 # Statements that only free or reserve memory, or count work.
@@ -500,7 +500,7 @@ class Reader:
                 value = self.kids(variables[0])[0]
                 inner = self.explicit(value)
                 text = self.text(inner)
-                if text and "simdjson" not in self.type_of(inner) and inner["kind"] not in ("InitListExpr", "CXXStdInitializerListExpr") and not text.startswith("{"):
+                if text and inner["kind"] not in ("InitListExpr", "CXXStdInitializerListExpr") and not text.startswith("{"):
                     self.wrap(inner, "bound", "mutant::part({id}, {inner})", "without the first")
                     self.wrap(inner, "bound", "mutant::but_last({id}, {inner})", "without the last")
                 self.walk(value)

@@ -80,7 +80,7 @@ certify::ClaimDocument through_compact(certify::ClaimDocument claim) {
   } catch (const std::invalid_argument&) {
     return claim;
   }
-  return certify::parse_net(out.str(), "net.epsn");
+  return certify::parse_file<certify::NetDocument>(out.str(), "net.epsn");
 }
 
 class CertifyFile : public testing::Test {
@@ -89,7 +89,7 @@ class CertifyFile : public testing::Test {
   void TestBody() override {
     certify::Certificate certificate;
     try {
-      certify::ClaimDocument claim = certify::read_claim(expected_.path);
+      certify::ClaimDocument claim = certify::read_file<certify::ClaimDocument>(expected_.path);
       if (way_ == Way::compact) claim = through_compact(std::move(claim));
       certificate = certify::check_claim(claim, {.threads = 1, .filter = way_ != Way::without_filter});
     } catch (const certify::MalformedError& error) {

@@ -60,9 +60,9 @@ struct Family {
 std::string written(const Document& document) {
   std::ostringstream out;
   if (const auto* net = std::get_if<NetDocument>(&document)) {
-    certify::write_net(*net, out);
+    certify::write_file(*net, out);
   } else {
-    certify::write_geodesics(std::get<GeodesicsDocument>(document), out);
+    certify::write_file(std::get<GeodesicsDocument>(document), out);
   }
   return out.str();
 }
@@ -80,7 +80,7 @@ Base net(const std::string& name, const Surface& surface, const char* epsilon, u
   return base(name + ", epsilon " + epsilon, certified_net(surface, Length(epsilon), options).net, weight);
 }
 Base file(const std::string& path, unsigned weight = 1) {
-  const certify::ClaimDocument document = certify::read_claim(EPSNET_TEST_DATA "/" + path);
+  const certify::ClaimDocument document = certify::read_file<certify::ClaimDocument>(EPSNET_TEST_DATA "/" + path);
   const auto* geodesics = std::get_if<GeodesicsDocument>(&document);
   return base(path, geodesics != nullptr ? Document(*geodesics) : Document(std::get<NetDocument>(document)), weight);
 }
@@ -257,7 +257,7 @@ struct Opinion {
 
 Opinion ask_certify(const std::string& text) {
   try {
-    const auto document = certify::parse_claim(text, "mutant");
+    const auto document = certify::parse_file<certify::ClaimDocument>(text, "mutant");
     const certify::CheckOptions options{.threads = 1, .max_precision = 4096};
     const certify::Certificate c = certify::check_claim(document, options);
     return {c.verdict, c.rule, c.message};

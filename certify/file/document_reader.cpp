@@ -1,0 +1,364 @@
+#include "certify/file/document_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <string_view>
+#include <system_error>
+#include <tuple>
+#include <type_traits>
+
+#include "certify/base/text.h"
+#include "certify/claims/bound/structure.h"
+#include "certify/claims/distance/structure.h"
+#include "certify/claims/geodesics/structure.h"
+#include "certify/file/compact.h"
+#include "certify/file/fields.h"
+#include "certify/file/json.h"
+#include "certify/file/reader.h"
+#include "certify/net/structure.h"
+
+namespace epsnet::certify {
+namespace {
+
+constexpr std::size_t kMaxWordLetters = 1'000'000;
+constexpr std::size_t kMaxLettersInAll = 10'000'000;
+
+template <class T>
+concept Array = requires(T& value) {
+  Fields<T>::elements(value);
+};
+template <class T>
+concept Object = requires(T& value) {
+  Fields<T>::members(value);
+};
+template <class T>
+concept Enumeration = std::is_enum_v<T>;
+
+/// "a", "b" or "c".
+template <std::size_t kSize>
+std::string listed(const std::array<std::string_view, kSize>& names) {
+  std::string result;
+  for (std::size_t i = 0; i < kSize; ++i) {
+    result += (i == 0 ? "" : i + 1 < kSize ? ", " : " or ") + in_quotes(names[i]);
+  }
+  return result;
+}
+
+/// Where we are in the file: member[row].part, kept so that the good case formats nothing.
+struct Place {
+  const char* prefix = "";
+  std::string_view member;
+  std::size_t row = 0;
+  bool in_row = false;
+  std::string_view part = {};
+
+  [[nodiscard]] std::string text() const {
+    std::string result = prefix + std::string(member);
+    if (in_row) result += "[" + std::to_string(row) + "]";
+    if (!part.empty()) result += "." + std::string(part);
+    return result;
+  }
+};
+
+constexpr Place kDocument{.member = "document"};
+
+/// Reads values as their types and fields.h say. What is wrong is said of the place where it is.
+class Reader {
+ public:
+  explicit Reader(Pieces& text) : json_(text) {}
+
+  /// Reads a text that consists of one object.
+  template <class Root>
+  void read_all(Root& root) {
+    try {
+      if (json_.at_end()) fail("the input is empty, expected an object");
+      read(root);
+      place_ = kDocument;
+      if (!json_.at_end()) fail("text after the end of the document");
+    } catch (const JsonError& error) {
+      fail(error.what());
+    }
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& problem) const { throw MalformedError(place_.text() + ": " + problem); }
+
+  [[noreturn]] void fail_to_find(std::string_view expected) {
+    fail(json_.found() + " found, expected " + std::string(expected));
+  }
+
+  void open(char bracket, std::string_view expected) {
+    if (!json_.take(bracket)) fail_to_find(expected);
+  }
+
+  /// A number or literal. Not empty.
+  std::string_view token(const char* expected) {
+    const std::string_view token = json_.token();
+    if (token.empty()) fail_to_find(expected);
+    return token;
+  }
+
+  std::string_view string(const char* expected) {
+    if (json_.next() != '"') fail_to_find(expected);
+    return json_.string();
+  }
+
+  void read(std::uint32_t& index) {
+    if (!json_.take_small_integer(index)) read_token(index);
+  }
+
+  void read_token(std::uint32_t& index) {
+    constexpr const char* kExpected = "an index: an integer >= 0 without sign, fraction or exponent";
+    const std::string_view text = token(kExpected);
+    const char* const end = text.data() + text.size();
+    const auto [last, error] = std::from_chars(text.data(), end, index);
+    const bool digits = last == end && (text.front() != '0' || text.size() == 1);
+    if (digits && error == std::errc()) return;
+    if (digits && error == std::errc::result_out_of_range) fail("the index " + in_quotes(text) + " is too large");
+    fail(in_quotes(text) + " found, expected " + kExpected);
+  }
+
+  void read(double& number) {
+    constexpr const char* kExpected = "a finite binary64 number";
+    const std::string_view text = token(kExpected);
+    const auto value = parse_binary64(text);
+    if (!value) fail(in_quotes(text) + " found, expected " + kExpected);
+    number = *value;
+  }
+
+  void read(mpq_class& rational) {
+    const std::string_view text = string("a rational in a string, such as \"-3/4\"");
+    auto value = parse_rational(text);
+    if (!value) fail(in_quotes(text) + " is not a rational of at most 10^6 digits, such as \"-3/4\"");
+    rational = *std::move(value);
+  }
+
+  void read(bool& truth) {
+    constexpr const char* kExpected = "true or false";
+    const std::string_view text = token(kExpected);
+    truth = text == "true";
+    if (!truth && text != "false") fail(in_quotes(text) + " found, expected " + kExpected);
+  }
+
+  void read(std::vector<std::uint32_t>& word) {
+    open('[', "a word, an array of side numbers");
+    json_.elements([&](std::size_t position) {
+      if (position >= kMaxWordLetters) fail("the word has more than the limit of 10^6 letters");
+      if (++letters_in_all_ > kMaxLettersInAll) fail("more than the limit of 10^7 letters in all");
+      read(word.emplace_back());
+    });
+  }
+
+  template <class T>
+  void read(std::optional<T>& value) {
+    read(value.emplace());
+  }
+
+  /// An array of which each element is a row, unless this is part of one.
+  template <class T>
+  void read(std::vector<T>& list) {
+    if constexpr (Array<T>) {
+      if (place_.in_row) {
+        open('[', std::string("an array of ") + Fields<T>::kExpected);
+        json_.elements([&](std::size_t) { read(list.emplace_back()); });
+        return;
+      }
+    }
+    read_rows(list, [&](T& row) { read(row); });
+  }
+
+  void read(const List<std::vector<std::vector<std::uint32_t>>>& list) {
+    read_rows(list.indices, [&](std::vector<std::uint32_t>& row) {
+      open('[', "an array of indices");
+      json_.elements([&](std::size_t) { read(row.emplace_back()); });
+    });
+  }
+
+  template <class Row, class ReadRow>
+  void read_rows(std::vector<Row>& rows, const ReadRow& read_row) {
+    open('[', "an array");
+    json_.elements([&](std::size_t position) {
+      place_.in_row = true;
+      place_.row = position;
+      read_row(rows.emplace_back());
+      place_.in_row = false;
+    });
+  }
+
+  template <Array T>
+  void read(T& array) {
+    open('[', Fields<T>::kExpected);
+    std::size_t position = 0;
+    std::apply([&](auto&&... element) { (read_element<T>(element, position++), ...); }, Fields<T>::elements(array));
+    if (json_.take(']')) return;
+    if (json_.next() == ',') fail(std::string("too many elements, expected ") + Fields<T>::kExpected);
+    fail_to_find("\",\" or \"]\"");
+  }
+
+  template <class T, class Element>
+  void read_element(Element& element, std::size_t position) {
+    if (position == 0 ? json_.next() == ']' : !json_.take(',')) fail_to_find_element(position, Fields<T>::kExpected);
+    read(element);
+  }
+
+  [[noreturn]] void fail_to_find_element(std::size_t position, const char* expected) {
+    if (json_.next() != ']') fail_to_find("\",\" or \"]\"");
+    fail("has " + std::to_string(position) + " elements, expected " + expected);
+  }
+
+  /// All elements that are left.
+  template <class T>
+  void read_element(List<std::vector<std::uint32_t>>& rest, std::size_t) {
+    while (json_.take(',')) read(rest.indices.emplace_back());
+  }
+
+  template <Object T>
+  void read(T& object) {
+    open('{', "an object");
+    if constexpr (requires { Fields<T>::kName; }) place_ = {.member = Fields<T>::kName};
+    const Place place = place_;
+    std::array<bool, std::tuple_size_v<decltype(Fields<T>::members(object))>> seen{};
+    json_.members([&](std::string_view name) {
+      std::size_t position = 0;
+      const auto read_if_named = [&](auto& member) {
+        if (member.name != name) {
+          ++position;
+          return false;
+        }
+        if (seen[position]) fail("repeated member " + in_quotes(name));
+        seen[position] = true;
+        read_member<T>(member, place);
+        return true;
+      };
+      auto members = Fields<T>::members(object);
+      const bool known = std::apply([&](auto&... member) { return (read_if_named(member) || ...); }, members);
+      if (!known) fail("unknown member " + in_quotes(name));
+    });
+    std::size_t position = 0;
+    const auto check_presence = [&](const auto& member) {
+      const bool found = seen[position++];
+      if (member.presence == (found ? Presence::forbidden : Presence::required)) {
+        fail((found ? "unknown member " : "missing member ") + in_quotes(member.name) + member.condition);
+      }
+    };
+    // Which members there must be may depend on what others say.
+    std::apply([&](const auto&... member) { (check_presence(member), ...); }, Fields<T>::members(object));
+  }
+
+  /// Reads the value of a member of an object at the place.
+  template <class T, class Value>
+  void read_member(Member<Value>& member, const Place& place) {
+    if constexpr (requires { Fields<T>::kPrefix; }) {
+      place_ = {.prefix = Fields<T>::kPrefix, .member = member.name};
+    } else {
+      place_.part = member.name;
+    }
+    using Plain = std::remove_reference_t<Value>;
+    if constexpr (std::is_same_v<Plain, std::string>) {
+      member.value = string(member.expected);
+    } else if constexpr (std::is_same_v<Plain, Format>) {
+      const std::string_view text = string("a string");
+      place_ = place;
+      one_of(std::array{member.value.name}, member.name, text);
+    } else if constexpr (std::is_same_v<Plain, Version>) {
+      std::uint32_t version = 0;
+      read(version);
+      place_ = place;
+      if (version != member.value.number) {
+        fail("version " + std::to_string(version) + " is not a version this program reads, expected " +
+             std::to_string(member.value.number));
+      }
+    } else if constexpr (Enumeration<Plain>) {
+      const std::string_view text = string("a string");
+      place_ = place;
+      member.value = static_cast<Plain>(one_of(Fields<Plain>::kNames, member.name, text));
+    } else {
+      if constexpr (requires { member.value.reserve(member.rows); }) member.value.reserve(member.rows);
+      read(member.value);
+    }
+    place_ = place;
+  }
+
+  template <std::size_t kSize>
+  std::size_t one_of(const std::array<std::string_view, kSize>& names, std::string_view member, std::string_view text) {
+    const auto found = std::find(names.begin(), names.end(), text);
+    if (found == names.end()) fail(in_quotes(member) + " is " + in_quotes(text) + ", expected " + listed(names));
+    return static_cast<std::size_t>(found - names.begin());
+  }
+
+  void read(SurfaceDocument& surface) {
+    SurfaceObject<SurfaceDocument> object{surface, SurfaceKind::tiles};
+    read(object);
+    if (object.kind == SurfaceKind::tiles) return;
+    // A genus of 0 would read as "not regular" in the document, so the range is checked here.
+    place_ = {.prefix = "surface.", .member = "genus"};
+    if (const auto problem = regular_genus_problem(surface.regular_genus)) fail(*problem);
+  }
+
+  Json json_;
+  Place place_ = kDocument;
+  std::size_t letters_in_all_ = 0;
+};
+
+template <class Document>
+void read_text(Pieces& text, Document& document) {
+  if (text.ahead(3).starts_with("\xef\xbb\xbf")) {
+    throw MalformedError("document: begins with a byte order mark, expected an object");
+  }
+  if constexpr (std::is_same_v<Document, SurfaceDocument>) {
+    SurfaceFile<SurfaceDocument> file{document};
+    Reader(text).read_all(file);
+  } else {
+    Reader(text).read_all(document);
+  }
+}
+
+NetDocument read_compact_head(std::string_view text) {
+  Pieces head(text);
+  NetDocument document;
+  try {
+    read_text(head, document);
+  } catch (const MalformedError& error) {
+    throw MalformedError(std::string("head: ") + error.what());
+  }
+  return document;
+}
+
+}  // namespace
+
+template <class Document>
+Document read_document(Pieces& bytes) {
+  Document document;
+  const bool compact = std::is_same_v<Document, NetDocument> && is_compact(bytes.ahead(kCompactMagic.size()));
+  if constexpr (std::is_same_v<Document, NetDocument>) {
+    if (compact) document = parse_compact(bytes, read_compact_head);
+  }
+  if (!compact) read_text(bytes, document);
+  if (const auto problem = structure_problem(document)) throw MalformedError(*problem);
+  return document;
+}
+
+template SurfaceDocument read_document(Pieces& bytes);
+template NetDocument read_document(Pieces& bytes);
+template GeodesicsDocument read_document(Pieces& bytes);
+template DistanceDocument read_document(Pieces& bytes);
+template BoundDocument read_document(Pieces& bytes);
+
+std::optional<std::string> format_of(Pieces& bytes) {
+  try {
+    Json json(bytes);
+    if (!json.take('{')) return std::nullopt;
+    do {
+      if (json.member_name() == "format")
+        return json.next() == '"' ? std::optional<std::string>(json.string()) : std::nullopt;
+      json.skip();
+    } while (json.take(','));
+  } catch (const JsonError&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace epsnet::certify
