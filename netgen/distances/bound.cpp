@@ -51,7 +51,7 @@ class BoundSearch {
       : claim_(claim), climb_(climb), options_(options), width_(width) {
     known_.push_back({vertex_triangulation(base, elements_), 0, {}});
     numbers_[known_[0].map.key()] = 0;
-    const Point vertex = on_hyperboloid(convert<Number>(base.vertex(0).z));
+    const Point vertex = on_hyperboloid(convert<Number>(base.vertex(VertexId(0)).z));
     frames_.emplace_back(elements_, vertex);
     const Site start{vertex, 0, 0};
     look_at(start);
@@ -354,7 +354,7 @@ void move_to(Triangulation& triangulation, const Point& target) {
   double part = 1;
   constexpr int kMostSteps = 10'000;
   for (int steps = 0; steps < kMostSteps; ++steps) {
-    const Vertex vertex = triangulation.vertex(0);
+    const Vertex vertex = triangulation.vertex(VertexId(0));
     // The goal in the chart of the vertex.
     const Complex<Number> end =
         to_home == kIdentity ? goal : triangulation.isometry_in<Number>(triangulation.inverse(to_home))(goal);
@@ -367,7 +367,7 @@ void move_to(Triangulation& triangulation, const Point& target) {
     const Complex<Number> step = Number(tanh(length) / size) * way;
     const auto point =
         triangulation.lifted_point(vertex.chart, (step + here) / (one + conj(here) * step), Atlas::Precision::binary64);
-    const Dart d = make_dart(0, 0);
+    const Dart d = make_dart(TriangleId(0), 0);
     if (!point || !move_vertex(triangulation, d, *point)) {
       part /= 2;
       continue;
@@ -391,7 +391,7 @@ certify::NetDocument net_above_eccentricity(Triangulation& triangulation) {
   EdgeElements elements;
   const VertexTriangulation map = vertex_triangulation(triangulation, elements);
   const LorentzVector<EdgeElements::Number> place =
-      on_hyperboloid(convert<EdgeElements::Number>(triangulation.vertex(0).z));
+      on_hyperboloid(convert<EdgeElements::Number>(triangulation.vertex(VertexId(0)).z));
   Frame frame(elements, place);
   const double eccentricity = length_of(PlacedTriangulation(map, frame, place).largest_enclosure());
   return net_document(triangulation, Length(std::ceil(eccentricity) + 2));

@@ -67,7 +67,7 @@ Isometry<T> AxisCatalogue<T>::label(LabelId l) {
 }
 
 template <class T>
-const typename AxisCatalogue<T>::Corners& AxisCatalogue<T>::corners(std::uint32_t t) {
+const typename AxisCatalogue<T>::Corners& AxisCatalogue<T>::corners(TriangleId t) {
   if (!corners_[t]) {
     corners_[t].emplace();
     for (std::uint32_t i = 0; i < 3; ++i) {
@@ -220,7 +220,7 @@ typename AxisCatalogue<T>::Period AxisCatalogue<T>::follow(Place place) {
 
 template <class T>
 bool AxisCatalogue<T>::is_simple(const std::vector<Step>& steps) {
-  std::map<std::uint32_t, std::vector<const Step*>> by_triangle;
+  std::map<TriangleId, std::vector<const Step*>> by_triangle;
   for (const Step& step : steps) {
     std::vector<const Step*>& others = by_triangle[step.triangle];
     for (const Step* other : others) {

@@ -30,7 +30,7 @@ class AxisCatalogue {
 
   /// A triangle that a geodesic passes through. The geodesic cuts the corner `cut` off from the other two.
   struct Step {
-    std::uint32_t triangle;
+    TriangleId triangle;
     Isometry<T> element;  ///< In the triangle's chart: the translation along the geodesic. Determinant 1, Re a > 0.
     std::uint32_t cut;
     bool cut_is_left;  ///< Whether the corner cut off lies to the left of the geodesic.
@@ -65,7 +65,7 @@ class AxisCatalogue {
  private:
   using Vector = LorentzVector<T>;
   struct Place {
-    std::uint32_t triangle;
+    TriangleId triangle;
     Isometry<T> element;
   };
   struct Known {
@@ -78,7 +78,7 @@ class AxisCatalogue {
   [[nodiscard]] static bool same_axis(const Isometry<T>& f, const Isometry<T>& g);
   [[nodiscard]] static bool axes_cross(const Isometry<T>& f, const Isometry<T>& g);
   [[nodiscard]] static Isometry<T> conjugate(const Isometry<T>& by, const Isometry<T>& f);
-  [[nodiscard]] const Corners& corners(std::uint32_t t);
+  [[nodiscard]] const Corners& corners(TriangleId t);
   [[nodiscard]] Isometry<T> label(LabelId l);
   /// Returns a vector moved from the chart of a dart's triangle to that of the triangle across.
   [[nodiscard]] Vector carried(Dart d, const Vector& x);
@@ -106,8 +106,8 @@ class AxisCatalogue {
 
   Triangulation& triangulation_;
   std::vector<Geodesic> geodesics_;
-  std::vector<std::optional<Corners>> corners_;        ///< By triangle, once they have been needed.
-  std::vector<std::multimap<double, Known>> axes_in_;  ///< By triangle: by `key`.
+  ById<TriangleId, std::optional<Corners>> corners_;        ///< By triangle, once they have been needed.
+  ById<TriangleId, std::multimap<double, Known>> axes_in_;  ///< By triangle: by `key`.
   std::uint64_t comparisons_ = 0;
 };
 

@@ -16,7 +16,7 @@ class Cells {
       for (const CornerArc& arc : curve) ++arcs_[arc.triangle][arc.corner];
     }
     std::uint32_t count = 0;
-    for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+    for (const TriangleId t : triangulation.triangles()) {
       first_[t] = count;
       count += arcs_[t][0] + arcs_[t][1] + arcs_[t][2] + 1;
     }
@@ -28,7 +28,7 @@ class Cells {
   [[nodiscard]] std::uint32_t component(std::uint32_t cell) { return components_.find(cell); }
 
   /// Returns the cell with `rank` arcs between it and a corner. The central cell is the last one of every corner.
-  [[nodiscard]] std::uint32_t at_corner(std::uint32_t t, std::uint32_t corner, std::uint32_t rank) const {
+  [[nodiscard]] std::uint32_t at_corner(TriangleId t, std::uint32_t corner, std::uint32_t rank) const {
     if (rank == arcs_[t][corner]) return first_[t] + arcs_[t][0] + arcs_[t][1] + arcs_[t][2];
     std::uint32_t cell = first_[t] + rank;
     for (std::uint32_t i = 0; i < corner; ++i) cell += arcs_[t][i];
@@ -38,7 +38,7 @@ class Cells {
   /// Calls visit(cell, cell beyond) for each of the segments into which arcs cut the edges.
   template <class Visit>
   void for_each_segment(const Visit& visit) const {
-    for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+    for (const TriangleId t : triangulation_.triangles()) {
       for (std::uint32_t i = 0; i < 3; ++i) {
         const Dart d = make_dart(t, i);
         const Dart e = triangulation_.opposite(d);
@@ -52,14 +52,14 @@ class Cells {
  private:
   /// Returns the cell beside segment s of a dart.
   [[nodiscard]] std::uint32_t along(Dart d, std::uint32_t s) const {
-    const std::uint32_t t = triangle_of(d);
+    const TriangleId t = triangle_of(d);
     const std::uint32_t i = corner_of(d);
     return s <= arcs_[t][i] ? at_corner(t, i, s) : at_corner(t, next(i), arcs_[t][i] + arcs_[t][next(i)] - s);
   }
 
   const Triangulation& triangulation_;
-  std::vector<std::array<std::uint32_t, 3>> arcs_;  ///< By triangle and corner: how many arcs cut it off.
-  std::vector<std::uint32_t> first_;
+  ById<TriangleId, std::array<std::uint32_t, 3>> arcs_;  ///< By triangle and corner: how many arcs cut it off.
+  ById<TriangleId, std::uint32_t> first_;
   DisjointSets components_{0};
 };
 
@@ -72,10 +72,10 @@ std::vector<certify::GeodesicsDocument::Piece> cut_surface(const Triangulation& 
   std::vector<int> characteristic(cells.size());
   for (std::uint32_t cell = 0; cell < cells.size(); ++cell) ++characteristic[cells.component(cell)];
   cells.for_each_segment([&](std::uint32_t cell, std::uint32_t) { --characteristic[cells.component(cell)]; });
-  std::vector<bool> counted(triangulation.vertex_count());
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+  ById<VertexId, bool> counted(triangulation.vertex_count());
+  for (const TriangleId t : triangulation.triangles()) {
     for (std::uint32_t i = 0; i < 3; ++i) {
-      const std::uint32_t v = triangulation.corner(t, i).vertex;
+      const VertexId v = triangulation.corner(t, i).vertex;
       if (!counted[v]) ++characteristic[cells.component(cells.at_corner(t, i, 0))];
       counted[v] = true;
     }

@@ -10,7 +10,7 @@ namespace epsnet {
 
 /// A simple closed curve passing through a triangle: it cuts off one corner.
 struct CornerArc {
-  std::uint32_t triangle;
+  TriangleId triangle;
   std::uint32_t corner;  ///< The corner cut off.
   bool corner_is_left;   ///< Whether it is on the left of the directed curve.
   std::uint32_t rank;    ///< How many other arcs are nearer to it.

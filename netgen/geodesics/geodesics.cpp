@@ -42,7 +42,7 @@ class Search {
         unfolding_(triangulation_, epsilon_),
         deep_(triangulation_.vertex_count()) {
     AxisCatalogue<Mp1024> exact(triangulation_);
-    for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+    for (const TriangleId t : triangulation_.triangles()) {
       for (std::uint32_t i = 0; i < 3; ++i) {
         const Dart d = make_dart(t, i);
         if (is_loop(d) && d < triangulation_.opposite(d)) examine_loop(exact, {d, {}, next_dart(d)});
@@ -52,8 +52,8 @@ class Search {
 
   /// Returns paths to all closed geodesics of length at most `length`, each at least once, or a power of it.
   [[nodiscard]] std::vector<ReturnPath> paths(double length) const {
-    std::vector<std::uint32_t> vertices;
-    for (std::uint32_t v = 0; v < deep_.size(); ++v) {
+    std::vector<VertexId> vertices;
+    for (const VertexId v : deep_.ids()) {
       if (!deep_[v]) vertices.push_back(v);
     }
     const double displacement = 2 * std::asinh(std::sinh(length / 2) * std::cosh(epsilon_));
@@ -82,7 +82,7 @@ class Search {
 
  private:
   [[nodiscard]] bool is_loop(Dart d) const {
-    const std::uint32_t t = triangle_of(d);
+    const TriangleId t = triangle_of(d);
     return triangulation_.corner(t, corner_of(d)).vertex == triangulation_.corner(t, next(corner_of(d))).vertex;
   }
 
@@ -117,7 +117,7 @@ class Search {
   double epsilon_;
   Triangulation triangulation_;
   Unfolding unfolding_;
-  std::vector<bool> deep_;
+  ById<VertexId, bool> deep_;
   std::vector<ReturnPath> deep_loops_;
   double shortest_core_ = std::numeric_limits<double>::infinity();
 };
@@ -166,7 +166,7 @@ certify::GeodesicsDocument::ClosedGeodesic to_document(Triangulation& triangulat
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double length = static_cast<double>(geodesic.length);
   const Dart start = geodesic.path.start;
-  return {.vertex = triangulation.corner(triangle_of(start), corner_of(start)).vertex,
+  return {.vertex = triangulation.corner(triangle_of(start), corner_of(start)).vertex.number(),
           .word = word_of(triangulation, geodesic.path),
           .length = {std::nextafter(length, 0.0), std::nextafter(length, kInfinity)},
           .simple = geodesic.simple};
@@ -209,7 +209,7 @@ std::vector<certify::GeodesicsDocument::Piece> pieces(
   for (std::size_t c = 0; c < curves.size(); ++c) {
     for (std::size_t i = 0; i < curves[c].size(); ++i) {
       const auto& step = geodesics[c].steps[i];
-      at_corner[std::size_t{3} * step.triangle + step.cut].push_back({&step, &curves[c][i]});
+      at_corner[std::size_t{3} * step.triangle.number() + step.cut].push_back({&step, &curves[c][i]});
     }
   }
   for (auto& arcs : at_corner) {

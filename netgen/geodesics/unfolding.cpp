@@ -15,7 +15,7 @@ constexpr double kSlack = 1e-9;
 
 /// A triangle on the way back, the vertex moved into its chart, and the edges that are still to be crossed there.
 struct Unfolding::Visit {
-  std::uint32_t triangle;
+  TriangleId triangle;
   std::uint32_t
       entered;  ///< The corner whose dart was crossed on the way in; in the first triangle that of the vertex.
   std::uint32_t next_edge;  ///< The first edge across which the search has not gone yet.
@@ -28,7 +28,7 @@ Unfolding::Unfolding(Triangulation& triangulation, double largest_circumradius)
       dart_of_vertex_(triangulation.vertex_count()) {
   std::unordered_map<LabelId, std::uint32_t> number{{kIdentity, 0}};
   cells_.reserve(triangulation.triangle_count());
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+  for (const TriangleId t : triangulation.triangles()) {
     cells_.push_back(make_cell(triangulation, t));
     for (std::uint32_t i = 0; i < 3; ++i) {
       dart_of_vertex_[triangulation.corner(t, i).vertex] = make_dart(t, i);
@@ -40,7 +40,7 @@ Unfolding::Unfolding(Triangulation& triangulation, double largest_circumradius)
   }
 }
 
-Unfolding::Cell Unfolding::make_cell(Triangulation& triangulation, std::uint32_t t) {
+Unfolding::Cell Unfolding::make_cell(Triangulation& triangulation, TriangleId t) {
   Cell cell{};
   for (std::uint32_t i = 0; i < 3; ++i) {
     // These are computed precisely and rounded once, as corners may be far away in a triangle as long as a collar.
@@ -70,7 +70,7 @@ bool Unfolding::is_child(const Visit& parent, std::uint32_t edge, const LorentzV
 }
 
 Isometry<double> Unfolding::element(const std::vector<Visit>& way, std::uint32_t corner) const {
-  const auto label = [&](std::uint32_t t, std::uint32_t i) {
+  const auto label = [&](TriangleId t, std::uint32_t i) {
     const LabelId l = triangulation_.corner(t, i).label;
     return l == kIdentity ? Isometry<double>{} : triangulation_.atlas().isometry(l);
   };
@@ -85,7 +85,7 @@ Isometry<double> Unfolding::element(const std::vector<Visit>& way, std::uint32_t
 void Unfolding::report(const std::vector<Visit>& way, const Search& search, std::vector<ReturnPath>& found) const {
   const Visit& here = way.back();
   const Cell& cell = cells_[here.triangle];
-  const std::uint32_t vertex = triangulation_.corner(way.front().triangle, way.front().entered).vertex;
+  const VertexId vertex = triangulation_.corner(way.front().triangle, way.front().entered).vertex;
   const double farthest = std::cosh(search.displacement) * (1 + kSlack);
   const double slack = kSlack * here.vertex.t;
   for (std::uint32_t j = 0; j < 3; ++j) {
@@ -108,7 +108,7 @@ void Unfolding::report(const std::vector<Visit>& way, const Search& search, std:
   }
 }
 
-std::vector<ReturnPath> Unfolding::returns(std::uint32_t vertex, const Search& search,
+std::vector<ReturnPath> Unfolding::returns(VertexId vertex, const Search& search,
                                            const std::function<void()>& tick) const {
   assert(vertex < dart_of_vertex_.size());
   constexpr std::uint64_t kTickEvery = 1U << 16;

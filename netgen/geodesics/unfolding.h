@@ -40,7 +40,7 @@ class Unfolding {
   /// inverse elements mostly one is reported; a lift may be reported twice. Bounds are taken a little larger than
   /// given, so that rounding misses none. The time is about the number of triangles in a disk whose radius is
   /// `displacement` plus two circumradii. Thread-safe. `tick`, if given, is called occasionally.
-  [[nodiscard]] std::vector<ReturnPath> returns(std::uint32_t vertex, const Search& search,
+  [[nodiscard]] std::vector<ReturnPath> returns(VertexId vertex, const Search& search,
                                                 const std::function<void()>& tick = {}) const;
 
  private:
@@ -52,16 +52,16 @@ class Unfolding {
   };
   struct Visit;
 
-  [[nodiscard]] static Cell make_cell(Triangulation& triangulation, std::uint32_t t);
+  [[nodiscard]] static Cell make_cell(Triangulation& triangulation, TriangleId t);
   [[nodiscard]] bool is_child(const Visit& parent, std::uint32_t edge, const LorentzVector<double>& carried) const;
   [[nodiscard]] Isometry<double> element(const std::vector<Visit>& way, std::uint32_t corner) const;
   void report(const std::vector<Visit>& way, const Search& search, std::vector<ReturnPath>& found) const;
 
   const Triangulation& triangulation_;
   double largest_circumradius_;
-  std::vector<Cell> cells_;
+  ById<TriangleId, Cell> cells_;
   std::vector<Isometry<double>> isometries_{{}};  ///< Number 0 is the identity.
-  std::vector<Dart> dart_of_vertex_;
+  ById<VertexId, Dart> dart_of_vertex_;
 };
 
 }  // namespace epsnet

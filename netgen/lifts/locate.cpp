@@ -16,9 +16,9 @@ std::uint32_t PointLocation::nearest_corner() const {
 
 Locator::Locator(const certify::NetDocument& net) : net_(triangulation_of(net)), used_(net_.clone()) {
   starts_.resize(net_.surface().tiles().size());
-  std::vector<bool> seen(net_.atlas().charts().count());
-  for (std::uint32_t t = 0; t < net_.triangle_count(); ++t) {
-    const std::uint32_t c = net_.chart_of(t);
+  ById<ChartId, bool> seen(net_.atlas().charts().count());
+  for (const TriangleId t : net_.triangles()) {
+    const ChartId c = net_.chart_of(t);
     if (seen[c]) continue;
     seen[c] = true;
     const Chart& chart = net_.atlas().charts()[c];
@@ -32,7 +32,7 @@ PointLocation Locator::locate(const BasePoint& point) {
   constexpr std::uint32_t kMostLabels = 100'000;
   if (used_.atlas().labels().count() > net_.atlas().labels().count() + kMostLabels) used_ = net_.clone();
 
-  std::uint32_t start = 0;
+  TriangleId start(0);
   const Complex<double> z = convert<double>(point.z);
   if (const std::vector<Start>& starts = starts_[point.tile]; !starts.empty()) {
     start = std::min_element(starts.begin(), starts.end(), [&](const Start& a, const Start& b) {
@@ -42,12 +42,12 @@ PointLocation Locator::locate(const BasePoint& point) {
   const LiftedPoint lifted_point = used_.lifted_point(point, start);
   const Location location = epsnet::locate(used_, start, lifted_point, Walk::straight);
 
-  const std::uint32_t t = triangle_of(location.dart);
+  const TriangleId t = triangle_of(location.dart);
   PointLocation result{};
   result.place = location.type == Location::Type::vertex ? PointLocation::Place::corner
                  : location.type == Location::Type::edge ? PointLocation::Place::side
                                                          : PointLocation::Place::inside;
-  result.triangle = t;
+  result.triangle = t.number();
   result.number = result.place == PointLocation::Place::inside ? 0 : corner_of(location.dart);
   // The path leads from the chart of the triangle to that of the start, and on to that of the point.
   const LabelId to_point = used_.product(used_.inverse(lifted_point.label), location.transition);

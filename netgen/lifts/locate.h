@@ -47,7 +47,7 @@ class Locator {
  private:
   /// A triangle, and the centre of its chart.
   struct Start {
-    std::uint32_t triangle;
+    TriangleId triangle;
     Complex<double> centre;
   };
 

@@ -15,7 +15,7 @@ namespace epsnet {
 namespace {
 
 /// The core of a translation as seen from z.
-Core core_of(std::uint32_t chart, const Isometry<Mp1024>& f, const Mp1024& sinh2, const Complex<Mp1024>& z) {
+Core core_of(ChartId chart, const Isometry<Mp1024>& f, const Mp1024& sinh2, const Complex<Mp1024>& z) {
   const Mp1024 scale = 1 / sqrt(isometry_discriminant(f));
   const LorentzVector<Mp1024> normal = scale * axis_normal(f);
   const LorentzVector<Mp1024> p = on_hyperboloid(z);
@@ -45,7 +45,7 @@ Collars::Collars(Triangulation& triangulation, const Length& epsilon)
   sinh2_half_ = s * s;
 }
 
-std::optional<std::uint32_t> Collars::partner_of(std::uint32_t v) const {
+std::optional<ChartId> Collars::partner_of(VertexId v) const {
   if (sides_.empty()) {
     return std::nullopt;
   }
@@ -54,12 +54,12 @@ std::optional<std::uint32_t> Collars::partner_of(std::uint32_t v) const {
   return found != sides_.end() && vertex.z == Complex<double>{} ? std::optional(found->second.partner) : std::nullopt;
 }
 
-bool Collars::are_partners(std::uint32_t u, std::uint32_t v) const {
+bool Collars::are_partners(VertexId u, VertexId v) const {
   return partner_of(u) == triangulation_.vertex(v).chart && has_vertex(v);
 }
 
 bool Collars::is_short_loop(Dart d) {
-  const std::uint32_t v = triangulation_.corner(d).vertex;
+  const VertexId v = triangulation_.corner(d).vertex;
   if (triangulation_.corner(next_dart(d)).vertex != v) {
     return false;
   }
@@ -83,9 +83,9 @@ std::optional<Core> Collars::core_at(Dart d) {
   return std::nullopt;
 }
 
-std::optional<Dart> Collars::loop_of(std::uint32_t t) {
+std::optional<Dart> Collars::loop_of(TriangleId t) {
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const std::uint32_t v = triangulation_.triangle(t).vertex[i];
+    const VertexId v = triangulation_.triangle(t).vertex[i];
     const Dart d = make_dart(t, i);
     if (v == triangulation_.triangle(t).vertex[next(i)] &&
         are_partners(v, triangulation_.triangle(t).vertex[previous(i)]) && is_short_loop(d)) {
@@ -95,9 +95,9 @@ std::optional<Dart> Collars::loop_of(std::uint32_t t) {
   return std::nullopt;
 }
 
-bool Collars::has_triangle(std::uint32_t t) { return !sides_.empty() && loop_of(t).has_value(); }
+bool Collars::has_triangle(TriangleId t) { return !sides_.empty() && loop_of(t).has_value(); }
 
-bool Collars::is_handled(const Core& core, std::uint32_t t, LabelId label) {
+bool Collars::is_handled(const Core& core, TriangleId t, LabelId label) {
   if (sides_.empty()) {
     return false;
   }
@@ -120,20 +120,19 @@ bool Collars::is_handled(const Core& core, std::uint32_t t, LabelId label) {
   const Side& side = sides_.at(triangulation_.vertex(corner.vertex).chart);
   const LabelId to_core =
       triangulation_.product(side.to_core, triangulation_.product(triangulation_.inverse(corner.label), to_last));
-  const Complex<Mp1024> z =
-      to_core == kIdentity ? Complex<Mp1024>{} : triangulation_.isometry_in<Mp1024>(to_core)({});
+  const Complex<Mp1024> z = to_core == kIdentity ? Complex<Mp1024>{} : triangulation_.isometry_in<Mp1024>(to_core)({});
   // Different cores no longer than ε ≤ ln √2 are more than 2 arsinh(1/sinh(ε/2)) > 3 apart (collar theorem).
   return abs(lorentz_product(on_hyperboloid(z), side.normal)) < 0.01;
 }
 
-std::vector<Dart> Collars::way_to_collar(std::uint32_t t) const {
+std::vector<Dart> Collars::way_to_collar(TriangleId t) const {
   struct Visit {
-    std::uint32_t triangle;
+    TriangleId triangle;
     std::size_t before;
     Dart through;
   };
   std::vector<Visit> visits{{t, 0, Dart{}}};
-  std::unordered_set<std::uint32_t> seen{t};
+  std::unordered_set<TriangleId> seen{t};
   for (std::size_t k = 0; k < visits.size(); ++k) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       const Dart d = make_dart(visits[k].triangle, i);
@@ -145,7 +144,7 @@ std::vector<Dart> Collars::way_to_collar(std::uint32_t t) const {
         std::reverse(way.begin(), way.end());
         return way;
       }
-      const std::uint32_t other = triangle_of(triangulation_.opposite(d));
+      const TriangleId other = triangle_of(triangulation_.opposite(d));
       if (seen.insert(other).second) {
         visits.push_back({other, k, d});
       }
@@ -160,7 +159,7 @@ LiftedPoint Collars::point_near(const Core& core, const Complex<Mp1024>& z) {
   return *point;
 }
 
-Collars::Inserted Collars::insert(const Core& core, const Complex<Mp1024>& z, std::uint32_t t, LabelId label,
+Collars::Inserted Collars::insert(const Core& core, const Complex<Mp1024>& z, TriangleId t, LabelId label,
                                   Journal* journal) {
   const LiftedPoint point = point_near(core, z);
   const auto inserted =
@@ -172,7 +171,7 @@ Collars::Inserted Collars::insert(const Core& core, const Complex<Mp1024>& z, st
           triangulation_.product(corner.label, triangulation_.inverse(point.label))};
 }
 
-void Collars::insert_pair(const Core& core, std::uint32_t t, LabelId label, Journal* journal) {
+void Collars::insert_pair(const Core& core, TriangleId t, LabelId label, Journal* journal) {
   // A little more than d_ε, for all roundings. Not less than ε/8, so that the diametral disks of the two loops contain
   // no other vertex: with the loop ends at the feet 0 and l, its middle at the height m, tanh m = tanh d/cosh(l/2), the
   // other vertex, at the foot l/32, is outside if 2 tanh d tanh m > cosh(l/2) − cosh(15l/32), and the left side is more
@@ -186,23 +185,24 @@ void Collars::insert_pair(const Core& core, std::uint32_t t, LabelId label, Jour
   // The feet differ, so that the ends of the two loops are not cocircular.
   const Mp1024 shift = length_of(core) / 32;
   const Inserted q = insert(core, point_beside(core, Mp1024(-height), shift), p.triangle, p.label, journal);
-  const std::uint32_t chart_p = triangulation_.vertex(p.vertex).chart;
-  const std::uint32_t chart_q = triangulation_.vertex(q.vertex).chart;
+  const ChartId chart_p = triangulation_.vertex(p.vertex).chart;
+  const ChartId chart_q = triangulation_.vertex(q.vertex).chart;
   sides_[chart_p] = {chart_q, p.to_core, core.normal};
   sides_[chart_q] = {chart_p, q.to_core, core.normal};
 }
 
 std::vector<certify::NetDocument::Collar> Collars::documents() {
   // Maps the chart of a vertex to the loop of the triangle that has this vertex twice.
-  std::unordered_map<std::uint32_t, Dart> loops;
+  std::unordered_map<ChartId, Dart> loops;
   std::vector<certify::NetDocument::Collar> result;
   const auto vertex_of = [&](Dart d) { return triangulation_.corner(d).vertex; };
-  for (std::uint32_t t = 0; !sides_.empty() && t < triangulation_.triangle_count(); ++t) {
+  for (const TriangleId t : triangulation_.triangles()) {
+    if (sides_.empty()) break;
     const std::optional<Dart> loop = loop_of(t);
     if (!loop) {
       continue;
     }
-    const std::uint32_t chart = triangulation_.vertex(vertex_of(*loop)).chart;
+    const ChartId chart = triangulation_.vertex(vertex_of(*loop)).chart;
     loops[chart] = *loop;
     const auto other = loops.find(sides_.at(chart).partner);
     if (other == loops.end()) {
@@ -217,8 +217,8 @@ std::vector<certify::NetDocument::Collar> Collars::documents() {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     result.push_back({triangulation_.atlas().labels()[triangulation_.label_along(first)].word,
                       {std::nextafter(length, 0), std::nextafter(length, kInfinity)},
-                      {vertex_of(first), vertex_of(*loop)},
-                      {triangle_of(first), t}});
+                      {vertex_of(first).number(), vertex_of(*loop).number()},
+                      {triangle_of(first).number(), t.number()}});
   }
   if (result.size() != count()) {
     throw NetError("a collar of a short closed geodesic did not stay an annulus of two triangles");

@@ -16,7 +16,7 @@ namespace epsnet {
 
 /// A closed geodesic no longer than ε as seen from a vertex near it.
 struct Core {
-  std::uint32_t chart;           ///< The vertex's chart, whose coordinates are used below.
+  ChartId chart;                 ///< The vertex's chart, whose coordinates are used below.
   Mp1024 sinh2;                  ///< sinh²(length/2).
   LorentzVector<Mp1024> foot;    ///< The point of the lifted core, a line, that is nearest to the vertex;
   LorentzVector<Mp1024> along;   ///< the unit vector along the line there,
@@ -41,48 +41,48 @@ class Collars {
   [[nodiscard]] std::optional<Core> core_at(Dart d);
   /// Whether insert_pair was called for this core. `label` leads from its chart to the chart of triangle t, where the
   /// search starts.
-  [[nodiscard]] bool is_handled(const Core& core, std::uint32_t t, LabelId label);
+  [[nodiscard]] bool is_handled(const Core& core, TriangleId t, LabelId label);
   /// Inserts the two vertices of a core and makes the triangulation Delaunay again. Throws NetError if no place is
   /// found for them.
-  void insert_pair(const Core& core, std::uint32_t t, LabelId label, Journal* journal);
+  void insert_pair(const Core& core, TriangleId t, LabelId label, Journal* journal);
 
   [[nodiscard]] std::size_t count() const { return sides_.size() / 2; }
   /// Whether insert_pair made this vertex.
-  [[nodiscard]] bool has_vertex(std::uint32_t v) const { return partner_of(v).has_value(); }
+  [[nodiscard]] bool has_vertex(VertexId v) const { return partner_of(v).has_value(); }
   /// Whether one call of insert_pair made both vertices.
-  [[nodiscard]] bool are_partners(std::uint32_t u, std::uint32_t v) const;
+  [[nodiscard]] bool are_partners(VertexId u, VertexId v) const;
   /// Whether a triangle is one of the two in the annulus of a collar.
-  [[nodiscard]] bool has_triangle(std::uint32_t t);
+  [[nodiscard]] bool has_triangle(TriangleId t);
 
   /// The collars as a net file has them. Throws NetError if one is not an annulus of two triangles. O(n).
   [[nodiscard]] std::vector<certify::NetDocument::Collar> documents();
 
  private:
   /// The chart of the other vertex of the collar of v.
-  [[nodiscard]] std::optional<std::uint32_t> partner_of(std::uint32_t v) const;
+  [[nodiscard]] std::optional<ChartId> partner_of(VertexId v) const;
   /// A dart from a vertex to itself that is shorter than l_ε.
   [[nodiscard]] bool is_short_loop(Dart d);
   /// The dart of a triangle of an annulus that is its loop.
-  [[nodiscard]] std::optional<Dart> loop_of(std::uint32_t t);
+  [[nodiscard]] std::optional<Dart> loop_of(TriangleId t);
   /// A vertex of a collar.
   struct Side {
-    std::uint32_t partner;         ///< The chart of the other vertex of the collar.
+    ChartId partner;               ///< The chart of the other vertex of the collar.
     LabelId to_core;               ///< From its chart to the chart of the core.
     LorentzVector<Mp1024> normal;  ///< Of the core.
   };
   struct Inserted {
-    std::uint32_t vertex;
-    LabelId to_core;         ///< From its chart to the chart of the core.
-    std::uint32_t triangle;  ///< A triangle at the vertex.
-    LabelId label;           ///< From the chart of the core to the chart of this triangle.
+    VertexId vertex;
+    LabelId to_core;      ///< From its chart to the chart of the core.
+    TriangleId triangle;  ///< A triangle at the vertex.
+    LabelId label;        ///< From the chart of the core to the chart of this triangle.
   };
   /// Makes a point of a core's chart the origin of a chart of its own. Throws NetError.
   [[nodiscard]] LiftedPoint point_near(const Core& core, const Complex<Mp1024>& z);
-  [[nodiscard]] Inserted insert(const Core& core, const Complex<Mp1024>& z, std::uint32_t t, LabelId label,
+  [[nodiscard]] Inserted insert(const Core& core, const Complex<Mp1024>& z, TriangleId t, LabelId label,
                                 Journal* journal);
   /// The darts to cross from a triangle to the nearest one with a vertex of a collar, and last the dart that leaves
   /// that vertex there; empty if there is no such vertex. O(n).
-  [[nodiscard]] std::vector<Dart> way_to_collar(std::uint32_t t) const;
+  [[nodiscard]] std::vector<Dart> way_to_collar(TriangleId t) const;
 
   /// Limit for a walk to a point beside a core, which may cross many triangles that wind around it. Walks end by thesis
   /// Theorem II.1.
@@ -90,8 +90,8 @@ class Collars {
 
   Triangulation& triangulation_;
   Mp1024 epsilon_;
-  Mp1024 sinh2_half_;                              ///< sinh²(ε/2).
-  std::unordered_map<std::uint32_t, Side> sides_;  ///< By the chart of the vertex.
+  Mp1024 sinh2_half_;                        ///< sinh²(ε/2).
+  std::unordered_map<ChartId, Side> sides_;  ///< By the chart of the vertex.
 };
 
 }  // namespace epsnet

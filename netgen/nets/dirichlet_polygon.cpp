@@ -42,15 +42,15 @@ DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<B
   Triangulation triangulation = delaunay_start(surface, base).triangulation;
   (void)reduce_to_vertex_0(triangulation);
   // The lifts of the base point around 0, counterclockwise: the ends of the darts that leave it.
-  const std::vector<Dart> clockwise = triangulation.star(make_dart(0, 0));
+  const std::vector<Dart> clockwise = triangulation.star(make_dart(TriangleId(0), 0));
   const std::vector<Dart> star(clockwise.rbegin(), clockwise.rend());
   // If closed geodesics are short, 256 bits cannot resolve how close the lifts lie to the boundary of the disk.
-  const Complex<Mp1024> origin = convert<Mp1024>(triangulation.vertex(0).z);
+  const Complex<Mp1024> origin = convert<Mp1024>(triangulation.vertex(VertexId(0)).z);
   const Isometry<Mp1024> to_origin = Isometry<Mp1024>::translation(-origin);
   std::vector<Complex<Mp1024>> lifts;
   lifts.reserve(star.size());
   for (const Dart d : star) {
-    lifts.push_back(to_origin(triangulation.lift_in<Mp1024>({0, triangulation.label_along(d)})));
+    lifts.push_back(to_origin(triangulation.lift_in<Mp1024>({VertexId(0), triangulation.label_along(d)})));
   }
   // Centre k is that of the triangle clockwise of dart k, where its side starts.
   std::vector<Complex<Mp1024>> centres;

@@ -41,25 +41,27 @@ certify::NetDocument net_document(const Triangulation& triangulation, const Leng
   Renumbering label_number(atlas.labels().count());
   (void)label_number(kIdentity);
   net.vertices.reserve(triangulation.vertex_count());
-  for (std::uint32_t v = 0; v < triangulation.vertex_count(); ++v) {
+  for (const VertexId v : triangulation.vertices()) {
     const Vertex& vertex = triangulation.vertex(v);
-    net.vertices.push_back({vertex.z.x, vertex.z.y, chart_number(vertex.chart)});
+    net.vertices.push_back({vertex.z.x, vertex.z.y, chart_number(vertex.chart.number())});
   }
   net.triangles.reserve(triangulation.triangle_count());
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+  for (const TriangleId t : triangulation.triangles()) {
     const Triangle& triangle = triangulation.triangle(t);
-    net.triangles.push_back({triangle.vertex,
+    const auto& [a, b, c] = triangle.vertex;
+    net.triangles.push_back({{a.number(), b.number(), c.number()},
                              {document_dart(triangle.opposite[0]), document_dart(triangle.opposite[1]),
                               document_dart(triangle.opposite[2])},
                              {label_number(triangle.label(1)), label_number(triangle.label(2))}});
   }
   for (const std::uint32_t c : chart_number.used()) {
-    net.charts.push_back({atlas.charts()[c].tile, to_gmp(atlas.charts()[c].centre)});
+    const Chart& chart = atlas.charts()[ChartId(c)];
+    net.charts.push_back({chart.tile, to_gmp(chart.centre)});
   }
   for (const LabelId l : label_number.used()) {
     if (l != kIdentity) {
       const LabelTable::Entry& label = atlas.labels()[l];
-      net.labels.push_back({chart_number(label.from), chart_number(label.to), label.word});
+      net.labels.push_back({chart_number(label.from.number()), chart_number(label.to.number()), label.word});
     }
   }
   return net;
@@ -90,7 +92,7 @@ void check_label(const certify::NetDocument::Label& label, const std::string& na
     }
   }
   const Surface& surface = atlas.surface();
-  std::uint32_t tile = atlas.charts()[label.from].tile;
+  std::uint32_t tile = atlas.charts()[ChartId(label.from)].tile;
   for (const std::uint32_t side : label.word) {
     if (side >= surface.side_count() || surface.tile_of_side(side) != tile) {
       refuse(name + " crosses side " + std::to_string(side) + ", which tile " + std::to_string(tile) +
@@ -98,9 +100,9 @@ void check_label(const certify::NetDocument::Label& label, const std::string& na
     }
     tile = surface.tile_of_side(surface.partner(side));
   }
-  if (tile != atlas.charts()[label.to].tile) {
+  if (tile != atlas.charts()[ChartId(label.to)].tile) {
     refuse(name + " ends in tile " + std::to_string(tile) + ", its chart is in tile " +
-           std::to_string(atlas.charts()[label.to].tile));
+           std::to_string(atlas.charts()[ChartId(label.to)].tile));
   }
 }
 
@@ -109,7 +111,7 @@ std::vector<LabelId> add_labels(const certify::NetDocument& net, Atlas& atlas) {
   std::vector<LabelId> labels{kIdentity};
   for (const certify::NetDocument::Label& label : net.labels) {
     check_label(label, "label " + std::to_string(labels.size()), atlas);
-    labels.push_back(atlas.label(label.from, label.to, label.word));
+    labels.push_back(atlas.label(ChartId(label.from), ChartId(label.to), label.word));
   }
   return labels;
 }
@@ -129,7 +131,8 @@ Triangle triangle_of(const certify::NetDocument::Triangle& triangle, std::size_t
     if (labels[label] > kLargestLabel) throw LimitError("more than 2^24 labels");
   }
   const auto& [first, second, third] = triangle.opposite;
-  return {triangle.vertex,
+  const auto& [a, b, c] = triangle.vertex;
+  return {{VertexId(a), VertexId(b), VertexId(c)},
           {triangulation_dart(first), triangulation_dart(second), triangulation_dart(third)},
           Triangle::packed(labels[triangle.label[0]], labels[triangle.label[1]])};
 }
@@ -143,7 +146,7 @@ Triangulation triangulation_of(const certify::NetDocument& net) {
   std::vector<Vertex> vertices;
   vertices.reserve(net.vertices.size());
   for (const certify::NetDocument::Vertex& vertex : net.vertices) {
-    vertices.push_back({{vertex.x, vertex.y}, vertex.chart});
+    vertices.push_back({{vertex.x, vertex.y}, ChartId(vertex.chart)});
   }
   std::vector<Triangle> triangles;
   triangles.reserve(net.triangles.size());

@@ -8,9 +8,9 @@
 namespace epsnet {
 
 /// Returns the number of a triangulation's dart in a net file.
-[[nodiscard]] constexpr std::uint32_t document_dart(Dart d) { return 3 * triangle_of(d) + corner_of(d); }
+[[nodiscard]] constexpr std::uint32_t document_dart(Dart d) { return 3 * triangle_of(d).number() + corner_of(d); }
 /// Returns the triangulation's dart with a number of a net file.
-[[nodiscard]] constexpr Dart triangulation_dart(std::uint32_t d) { return make_dart(d / 3, d % 3); }
+[[nodiscard]] constexpr Dart triangulation_dart(std::uint32_t d) { return make_dart(TriangleId(d / 3), d % 3); }
 
 /// Returns a triangulation as the plain data of a net file, without unused charts and labels. O(size).
 [[nodiscard]] certify::NetDocument net_document(const Triangulation& triangulation, const Length& epsilon);

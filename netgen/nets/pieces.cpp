@@ -54,22 +54,22 @@ constexpr unsigned kRounds = 2;
 struct Partition {
   struct Place {
     std::uint32_t piece = kNone;
-    std::uint32_t number = 0;  ///< Its number in the piece.
+    TriangleId number{0};  ///< Its number in the piece.
   };
-  std::vector<Place> place;                         ///< By triangle.
-  std::vector<std::vector<std::uint32_t>> members;  ///< By piece.
+  ById<TriangleId, Place> place;
+  std::vector<ById<TriangleId, TriangleId>> members;  ///< By piece: its triangles, by their numbers in the piece.
 };
 
-/// Returns which triangles are within `kMargin` steps of the given ones, by triangle.
-std::vector<bool> zone_around(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
-  std::vector<bool> in_zone(mesh.triangles.size());
-  std::vector<std::uint32_t> ring(triangles.begin(), triangles.end());
-  for (const std::uint32_t t : ring) in_zone[t] = true;
+/// Returns which triangles are within `kMargin` steps of the given ones.
+ById<TriangleId, bool> zone_around(const Mesh& mesh, std::span<const TriangleId> triangles) {
+  ById<TriangleId, bool> in_zone(mesh.triangles.size());
+  std::vector<TriangleId> ring(triangles.begin(), triangles.end());
+  for (const TriangleId t : ring) in_zone[t] = true;
   for (unsigned step = 0; step < kMargin; ++step) {
-    std::vector<std::uint32_t> beyond;
-    for (const std::uint32_t t : ring) {
+    std::vector<TriangleId> beyond;
+    for (const TriangleId t : ring) {
       for (const Dart d : mesh.triangles[t].opposite) {
-        const std::uint32_t s = triangle_of(d);
+        const TriangleId s = triangle_of(d);
         if (!in_zone[s]) {
           in_zone[s] = true;
           beyond.push_back(s);
@@ -82,11 +82,11 @@ std::vector<bool> zone_around(const Mesh& mesh, std::span<const std::uint32_t> t
 }
 
 /// Assigns the triangles of a zone to the seed that is the fewest steps away: breadth first from all seeds.
-Partition partition(const Mesh& mesh, std::span<const std::uint32_t> seeds, const std::vector<bool>& zone) {
+Partition partition(const Mesh& mesh, std::span<const TriangleId> seeds, const ById<TriangleId, bool>& zone) {
   Partition result;
   result.place.resize(mesh.triangles.size());
-  std::vector<std::uint32_t> met;
-  const auto meet = [&](std::uint32_t t, std::uint32_t piece) {
+  std::vector<TriangleId> met;
+  const auto meet = [&](TriangleId t, std::uint32_t piece) {
     if (!zone[t] || result.place[t].piece != kNone) return;
     result.place[t].piece = piece;
     met.push_back(t);
@@ -96,9 +96,9 @@ Partition partition(const Mesh& mesh, std::span<const std::uint32_t> seeds, cons
     for (const Dart d : mesh.triangles[met[i]].opposite) meet(triangle_of(d), result.place[met[i]].piece);
   }
   result.members.resize(seeds.size());
-  for (const std::uint32_t t : met) {
-    std::vector<std::uint32_t>& members = result.members[result.place[t].piece];
-    result.place[t].number = static_cast<std::uint32_t>(members.size());
+  for (const TriangleId t : met) {
+    ById<TriangleId, TriangleId>& members = result.members[result.place[t].piece];
+    result.place[t].number = members.end_id();
     members.push_back(t);
   }
   return result;
@@ -109,13 +109,14 @@ class VertexNumbers {
  public:
   /// Has room for this many vertices.
   explicit VertexNumbers(std::size_t most)
-      : bits_(static_cast<unsigned>(std::bit_width(most)) + 1), table_(std::size_t{1} << bits_, {kNone, 0}) {}
-  [[nodiscard]] std::uint32_t operator()(std::uint32_t v) {
+      : bits_(static_cast<unsigned>(std::bit_width(most)) + 1),
+        table_(std::size_t{1} << bits_, {kNoVertex, VertexId(0)}) {}
+  [[nodiscard]] VertexId operator()(VertexId v) {
     constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15;  // Multiplicative hashing.
-    auto i = static_cast<std::size_t>((v * kGolden) >> (64 - bits_));
+    auto i = static_cast<std::size_t>((v.number() * kGolden) >> (64 - bits_));
     while (table_[i].first != v) {
-      if (table_[i].first == kNone) {
-        table_[i] = {v, static_cast<std::uint32_t>(met_.size())};
+      if (table_[i].first == kNoVertex) {
+        table_[i] = {v, met_.end_id()};
         met_.push_back(v);
         break;
       }
@@ -123,23 +124,31 @@ class VertexNumbers {
     }
     return table_[i].second;
   }
-  [[nodiscard]] std::vector<std::uint32_t> take() { return std::move(met_); }
+  [[nodiscard]] ById<VertexId, VertexId> take() { return std::move(met_); }
 
  private:
+  static constexpr VertexId kNoVertex{kNone};
+
   unsigned bits_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> table_;
-  std::vector<std::uint32_t> met_;
+  std::vector<std::pair<VertexId, VertexId>> table_;
+  ById<VertexId, VertexId> met_;
 };
 
 /// The vertices and triangles of the whole triangulation. Their vectors grow at their ends while pieces are refined,
 /// but do not move, as they have enough room.
-struct Whole {
+class Whole {
+ public:
   explicit Whole(Mesh& mesh)
-      : points(mesh.points.data()), charts(mesh.charts.data()), triangles(mesh.triangles.data()) {}
+      : points_(mesh.points.data()), charts_(mesh.charts.data()), triangles_(mesh.triangles.data()) {}
 
-  Complex<double>* points;
-  std::uint32_t* charts;
-  Triangle* triangles;
+  [[nodiscard]] Complex<double>& point(VertexId v) const { return points_[v.number()]; }
+  [[nodiscard]] ChartId& chart(VertexId v) const { return charts_[v.number()]; }
+  [[nodiscard]] Triangle& triangle(TriangleId t) const { return triangles_[t.number()]; }
+
+ private:
+  Complex<double>* points_;
+  ChartId* charts_;
+  Triangle* triangles_;
 };
 
 /// A part of a triangulation with its own numbering: first the triangles and vertices that it had at the beginning,
@@ -148,7 +157,7 @@ class Piece {
  public:
   /// Copies the triangles of a piece and the darts between them. `list` has its pending triangles, by their numbers in
   /// the piece.
-  void take(const Whole& whole, const Partition& partition, std::uint32_t piece, std::span<const std::uint32_t> list) {
+  void take(const Whole& whole, const Partition& partition, std::uint32_t piece, std::span<const TriangleId> list) {
     triangles_ = partition.members[piece];
     pending_.clear();
     flips_ = 0;
@@ -157,9 +166,9 @@ class Piece {
     mesh_.charts.clear();
     mesh_.triangles.clear();
     VertexNumbers number(3 * triangles_.size());
-    for (const std::uint32_t t : triangles_) {
-      Triangle triangle = whole.triangles[t];
-      for (std::uint32_t& v : triangle.vertex) v = number(v);
+    for (const TriangleId t : triangles_) {
+      Triangle triangle = whole.triangle(t);
+      for (VertexId& v : triangle.vertex) v = number(v);
       for (Dart& d : triangle.opposite) {
         const Partition::Place place = partition.place[triangle_of(d)];
         d = place.piece == piece ? make_dart(place.number, corner_of(d)) : kOutside;
@@ -167,18 +176,18 @@ class Piece {
       mesh_.triangles.push_back(triangle);
     }
     vertices_ = number.take();
-    for (const std::uint32_t v : vertices_) {
-      mesh_.points.push_back(whole.points[v]);
-      mesh_.charts.push_back(whole.charts[v]);
+    for (const VertexId v : vertices_) {
+      mesh_.points.push_back(whole.point(v));
+      mesh_.charts.push_back(whole.chart(v));
     }
     list_given_ = list;
-    for (const std::uint32_t t : list) list_.push({&t, 1});
+    for (const TriangleId t : list) list_.push({&t, 1});
   }
 
   void refine(KnownLabels& labels, const Threshold& apart, const Threshold& large) {
     NewTriangles made;
     while (list_.size() > 0) {
-      const std::uint32_t t = list_.pop();
+      const TriangleId t = list_.pop();
       if (!mesh_.triangles[t].marked()) continue;
       const auto centre = circumcentre_fast(mesh_, labels.atlas(), t);
       const auto insert = [&] {
@@ -211,19 +220,20 @@ class Piece {
       if (is_new) order[i] = count++;
       return is_new;
     };
-    std::vector<std::uint32_t>& met = search_;
+    std::vector<TriangleId>& met = search_;
     met.clear();
     // From every old triangle, visits the new ones that can be reached through new ones alone.
-    for (std::uint32_t first = 0; first < triangles_.size(); ++first) {
+    for (const TriangleId first : triangles_.ids()) {
       met.push_back(first);
       for (std::size_t i = met.size() - 1; i < met.size(); ++i) {
         const Triangle& triangle = mesh_.triangles[met[i]];
-        for (const std::uint32_t v : triangle.vertex) {
-          if (v >= vertices_.size()) (void)meet(vertex_order_, v - vertices_.size(), vertices);
+        for (const VertexId v : triangle.vertex) {
+          if (v >= vertices_.end_id()) (void)meet(vertex_order_, v.number() - vertices_.size(), vertices);
         }
         for (const Dart d : triangle.opposite) {
-          const std::uint32_t t = triangle_of(d);
-          if (d != kOutside && t >= triangles_.size() && meet(triangle_order_, t - triangles_.size(), triangles)) {
+          const TriangleId t = triangle_of(d);
+          if (d != kOutside && t >= triangles_.end_id() &&
+              meet(triangle_order_, t.number() - triangles_.size(), triangles)) {
             met.push_back(t);
           }
         }
@@ -248,21 +258,21 @@ class Piece {
   void number_from(std::size_t vertex, std::size_t triangle) {
     first_vertex_ = vertex;
     first_triangle_ = triangle;
-    for (std::uint32_t& t : pending_) t = triangle_number(t);
+    for (TriangleId& t : pending_) t = triangle_number(t);
   }
   /// The triangles still pending, by their numbers in the whole.
-  [[nodiscard]] const std::vector<std::uint32_t>& pending() const { return pending_; }
+  [[nodiscard]] const std::vector<TriangleId>& pending() const { return pending_; }
 
   /// Writes the piece back. Touches only its own triangles and the new vertices and triangles.
   void give_back(const Whole& whole) const {
     if (forgotten_) return;
-    for (auto v = static_cast<std::uint32_t>(vertices_.size()); v < mesh_.points.size(); ++v) {
-      whole.points[vertex_number(v)] = mesh_.points[v];
-      whole.charts[vertex_number(v)] = mesh_.charts[v];
+    for (VertexId v = vertices_.end_id(); v < mesh_.points.end_id(); ++v) {
+      whole.point(vertex_number(v)) = mesh_.points[v];
+      whole.chart(vertex_number(v)) = mesh_.charts[v];
     }
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+    for (const TriangleId t : mesh_.triangles.ids()) {
       const Triangle& from = mesh_.triangles[t];
-      Triangle& to = whole.triangles[triangle_number(t)];
+      Triangle& to = whole.triangle(triangle_number(t));
       for (std::uint32_t i = 0; i < 3; ++i) {
         to.vertex[i] = vertex_number(from.vertex[i]);
         // A triangle with a neighbour outside has not changed, and neither has this dart.
@@ -275,26 +285,27 @@ class Piece {
   }
 
  private:
-  [[nodiscard]] std::uint32_t vertex_number(std::uint32_t v) const {
+  /// The numbers in the whole.
+  [[nodiscard]] VertexId vertex_number(VertexId v) const {
     const std::size_t old = vertices_.size();
-    return v < old ? vertices_[v] : static_cast<std::uint32_t>(first_vertex_ + vertex_order_[v - old]);
+    return v.number() < old ? vertices_[v] : VertexId(first_vertex_ + vertex_order_[v.number() - old]);
   }
-  [[nodiscard]] std::uint32_t triangle_number(std::uint32_t t) const {
+  [[nodiscard]] TriangleId triangle_number(TriangleId t) const {
     const std::size_t old = triangles_.size();
-    return t < old ? triangles_[t] : static_cast<std::uint32_t>(first_triangle_ + triangle_order_[t - old]);
+    return t.number() < old ? triangles_[t] : TriangleId(first_triangle_ + triangle_order_[t.number() - old]);
   }
 
-  std::vector<std::uint32_t> triangles_;  ///< Their numbers in the whole.
-  std::vector<std::uint32_t> vertices_;
+  ById<TriangleId, TriangleId> triangles_;  ///< The numbers in the whole of those that it had at the beginning.
+  ById<VertexId, VertexId> vertices_;
   std::vector<std::uint32_t> vertex_order_;    ///< Of the new ones.
   std::vector<std::uint32_t> triangle_order_;  ///< Of the new ones.
-  std::vector<std::uint32_t> search_;
+  std::vector<TriangleId> search_;
   std::size_t first_vertex_ = 0;
   std::size_t first_triangle_ = 0;
   Mesh mesh_;
-  std::span<const std::uint32_t> list_given_;
+  std::span<const TriangleId> list_given_;
   TriangleQueue list_;
-  std::vector<std::uint32_t> pending_;
+  std::vector<TriangleId> pending_;
   bool forgotten_ = false;
   std::uint64_t flips_ = 0;
 };
@@ -310,7 +321,7 @@ class PieceRefinement {
         large_(large),
         options_(options) {}
 
-  [[nodiscard]] PieceResult run(std::vector<std::uint32_t> pending) {
+  [[nodiscard]] PieceResult run(std::vector<TriangleId> pending) {
     result_.pending = std::move(pending);
     for (unsigned k = 0; k < kRounds && !result_.pending.empty(); ++k) round();
     return std::move(result_);
@@ -319,12 +330,12 @@ class PieceRefinement {
  private:
   /// Refines pieces around some of the pending triangles.
   void round() {
-    const std::vector<std::uint32_t> seeds = choose_seeds();
+    const std::vector<TriangleId> seeds = choose_seeds();
     const Partition parts = partition(mesh_, seeds, zone_around(mesh_, result_.pending));
     // The list of each piece keeps the order of the whole list. Triangles in no piece stay pending.
-    std::vector<std::vector<std::uint32_t>> lists(seeds.size());
-    std::vector<std::uint32_t> pending;
-    for (const std::uint32_t t : result_.pending) {
+    std::vector<std::vector<TriangleId>> lists(seeds.size());
+    std::vector<TriangleId> pending;
+    for (const TriangleId t : result_.pending) {
       const auto [piece, triangle] = parts.place[t];
       if (piece == kNone) {
         pending.push_back(t);
@@ -399,17 +410,17 @@ class PieceRefinement {
                                        tbb::make_filter<Piece*, void>(tbb::filter_mode::parallel, give_back));
     receive(&mesh_);
     receive(&idle);
-    std::erase_if(pending, [&](std::uint32_t t) { return !mesh_.triangles[t].marked(); });
+    std::erase_if(pending, [&](TriangleId t) { return !mesh_.triangles[t].marked(); });
     result_.pending = std::move(pending);
   }
 
   /// Takes pending triangles at equal intervals; as they are ordered by age, the seeds are spread over the surface.
-  [[nodiscard]] std::vector<std::uint32_t> choose_seeds() const {
+  [[nodiscard]] std::vector<TriangleId> choose_seeds() const {
     const double left = options_.expected_vertices - static_cast<double>(mesh_.points.size());
     const auto count = static_cast<double>(result_.pending.size());
     const double pieces = std::max({1.0, left / kVerticesOfPiece, count / kPendingOfPiece});
     const auto stride = static_cast<std::size_t>(std::max(1.0, count / pieces));
-    std::vector<std::uint32_t> seeds;
+    std::vector<TriangleId> seeds;
     for (std::size_t k = 0; k < result_.pending.size(); k += stride) seeds.push_back(result_.pending[k]);
     return seeds;
   }
@@ -425,9 +436,9 @@ class PieceRefinement {
 
 }  // namespace
 
-PieceResult refine_in_pieces(Triangulation& triangulation, std::vector<std::uint32_t> pending, const Threshold& apart,
+PieceResult refine_in_pieces(Triangulation& triangulation, std::vector<TriangleId> pending, const Threshold& apart,
                              const Threshold& large, const PieceOptions& options) {
-  assert(std::ranges::all_of(pending, [&](std::uint32_t t) { return triangulation.triangle(t).marked(); }));
+  assert(std::ranges::all_of(pending, [&](TriangleId t) { return triangulation.triangle(t).marked(); }));
   PieceRefinement refinement(triangulation, apart, large, options);
   if (options.threads == 0) return refinement.run(std::move(pending));
   // As many threads as requested, even on fewer cores.

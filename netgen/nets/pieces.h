@@ -21,8 +21,8 @@ struct PieceOptions {
 /// The result of a refinement in pieces.
 struct PieceResult {
   std::uint64_t insertions = 0;
-  std::uint64_t flips = 0;             ///< As NetStatistics counts them.
-  std::vector<std::uint32_t> pending;  ///< Triangles still marked; some may turn out not to be large.
+  std::uint64_t flips = 0;          ///< As NetStatistics counts them.
+  std::vector<TriangleId> pending;  ///< Triangles still marked; some may turn out not to be large.
 };
 
 /// Inserts the circumcentres of large triangles in many pieces of a Delaunay triangulation concurrently, with
@@ -30,7 +30,7 @@ struct PieceResult {
 /// the result. Requires: `pending` are all large triangles, and they are marked. The result depends on the
 /// triangulation only, not on `threads` (docs/design.md, "On all cores"). Throws LimitError and what `report` throws;
 /// the triangulation is then unusable.
-[[nodiscard]] PieceResult refine_in_pieces(Triangulation& triangulation, std::vector<std::uint32_t> pending,
+[[nodiscard]] PieceResult refine_in_pieces(Triangulation& triangulation, std::vector<TriangleId> pending,
                                            const Threshold& apart, const Threshold& large, const PieceOptions& options);
 
 }  // namespace epsnet

@@ -54,7 +54,7 @@ class Refinement {
     if (collars_ != nullptr) {
       statistics_.removed += clear_collars(triangulation_, apart_, *collars_);
     }
-    for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+    for (const TriangleId t : triangulation_.triangles()) {
       enter(t);
     }
     initial_triangles_ = triangulation_.triangle_count();
@@ -64,7 +64,7 @@ class Refinement {
         refine_pieces();
         continue;
       }
-      const std::uint32_t t = list_.pop();
+      const TriangleId t = list_.pop();
       // Memory is fetched while earlier entries are processed, which saves a fifth of the time for nets larger than the
       // caches. (This is not a function of its own, as g++ 12 removes calls of functions that only prefetch.)
       if constexpr (std::is_same_v<ListOf<kList>, TriangleQueue>) {
@@ -104,15 +104,15 @@ class Refinement {
   static constexpr double kShareForMore = 0.05;
   static constexpr bool kLargeAlone = kList == TriangleList::large_back || kList == TriangleList::largest_first;
 
-  [[nodiscard]] bool is_large(std::uint32_t t) { return triangulation_.compare_circumradius(t, large_) > 0; }
+  [[nodiscard]] bool is_large(TriangleId t) { return triangulation_.compare_circumradius(t, large_) > 0; }
 
   /// Whether the circumcentre of t is to be inserted: t is large and not in the annulus of a collar.
-  [[nodiscard]] bool is_to_go(std::uint32_t t) {
+  [[nodiscard]] bool is_to_go(TriangleId t) {
     return is_large(t) && !(collars_ != nullptr && collars_->has_triangle(t));
   }
 
   /// Puts a new triangle on the list; if the list is for large triangles only, just those that `is_to_go` accepts.
-  void enter(std::uint32_t t) {
+  void enter(TriangleId t) {
     if (!kLargeAlone || is_to_go(t)) {
       mark(triangulation_, t);
       push({&t, 1});
@@ -123,19 +123,19 @@ class Refinement {
   void enter(const NewTriangles& made) {
     if constexpr (kLargeAlone) {
       push({made.large_slots.data(), made.large_count});
-      for (const std::uint32_t t : std::span(made.unsure_slots.data(), made.unsure_count)) {
+      for (const TriangleId t : std::span(made.unsure_slots.data(), made.unsure_count)) {
         enter(t);
       }
     } else {
-      for (const std::uint32_t t : std::span(made.slots.data(), made.count)) {
+      for (const TriangleId t : std::span(made.slots.data(), made.count)) {
         enter(t);
       }
     }
   }
 
-  void push(std::span<const std::uint32_t> triangles) {
+  void push(std::span<const TriangleId> triangles) {
     if constexpr (kList == TriangleList::largest_first) {
-      for (const std::uint32_t t : triangles) {
+      for (const TriangleId t : triangles) {
         list_.push(t, circumradius_order(t));
       }
     } else {
@@ -144,7 +144,7 @@ class Refinement {
   }
 
   /// Returns sinh²(R/2), where R is the circumradius; infinity if binary64 cannot compute the centre.
-  [[nodiscard]] double circumradius_order(std::uint32_t t) const {
+  [[nodiscard]] double circumradius_order(TriangleId t) const {
     const auto centre = circumcentre_fast(triangulation_.mesh(), triangulation_.atlas(), t);
     if (!centre || norm(*centre) >= 1) {
       return std::numeric_limits<double>::infinity();
@@ -168,17 +168,17 @@ class Refinement {
   /// Continues in pieces, on all cores. The triangles still pending afterwards are on the list.
   void refine_pieces() {
     pieces_from_ = std::numeric_limits<double>::infinity();
-    std::vector<std::uint32_t> pending;
+    std::vector<TriangleId> pending;
     pending.reserve(list_.size());
     while (list_.size() > 0) {
-      const std::uint32_t t = list_.pop();
+      const TriangleId t = list_.pop();
       if (triangulation_.triangle(t).marked()) pending.push_back(t);
     }
     const PieceResult result = refine_in_pieces(triangulation_, std::move(pending), apart_, large_,
                                                 {expected_, options_.threads, [this](std::size_t n) { report(n); }});
     statistics_.insertions += result.insertions;
     statistics_.flips += result.flips;
-    for (const std::uint32_t t : result.pending) {
+    for (const TriangleId t : result.pending) {
       if (is_to_go(t)) {
         push({&t, 1});
       } else {
@@ -191,7 +191,7 @@ class Refinement {
     }
   }
 
-  void insert_circumcentre(std::uint32_t t) {
+  void insert_circumcentre(TriangleId t) {
     // Nearly always binary64 computes the centre accurately, and it stays in the triangle's chart.
     const auto centre_in_chart = circumcentre_fast(triangulation_.mesh(), triangulation_.atlas(), t);
     const Atlas& atlas = triangulation_.atlas();
@@ -208,7 +208,7 @@ class Refinement {
           return;
         }
       } else {
-        const std::uint32_t chart = triangulation_.chart_of(t);
+        const ChartId chart = triangulation_.chart_of(t);
         std::optional<LiftedPoint> point = atlas.lifted_point_nearby(chart, *centre_in_chart);
         if (!point)
           point = triangulation_.lifted_point(chart, convert<Mp1024>(*centre_in_chart), Atlas::Precision::binary64);
@@ -224,20 +224,20 @@ class Refinement {
       return;
     }
     throw NetError("no point near the circumcentre of a triangle with vertices " +
-                   std::to_string(triangulation_.triangle(t).vertex[0]) + ", " +
-                   std::to_string(triangulation_.triangle(t).vertex[1]) + ", " +
-                   std::to_string(triangulation_.triangle(t).vertex[2]) +
+                   to_string(triangulation_.triangle(t).vertex[0]) + ", " +
+                   to_string(triangulation_.triangle(t).vertex[1]) + ", " +
+                   to_string(triangulation_.triangle(t).vertex[2]) +
                    " could be proved to be at least epsilon away from all vertices");
   }
 
   /// Makes a centre the next vertex, rounded to binary64 or, if that is too close to a vertex, as the origin of a chart
   /// of its own. False, with nothing changed, if neither works.
-  [[nodiscard]] bool insert_precise(std::uint32_t t, const std::optional<Complex<Mp1024>>& centre) {
+  [[nodiscard]] bool insert_precise(TriangleId t, const std::optional<Complex<Mp1024>>& centre) {
     return centre &&
            (insert_at(t, *centre, Atlas::Precision::binary64) || insert_at(t, *centre, Atlas::Precision::bits_256));
   }
 
-  [[nodiscard]] bool insert_at(std::uint32_t t, const Complex<Mp1024>& centre, Atlas::Precision precision) {
+  [[nodiscard]] bool insert_at(TriangleId t, const Complex<Mp1024>& centre, Atlas::Precision precision) {
     // A centre that seems too far away may turn out to be near when it is computed with more bits.
     const auto point = triangulation_.lifted_point(triangulation_.chart_of(t), centre, precision);
     return point && insert(t, *point, InCircle::unknown);
@@ -248,8 +248,8 @@ class Refinement {
 
   /// Makes a point the next vertex. False, with nothing changed, if it is not in the circumcircle of t or cannot be
   /// proved to be at distance ε from all vertices.
-  [[nodiscard]] bool insert(std::uint32_t t, const LiftedPoint& point, InCircle in_circle) {
-    const std::uint32_t v = add_vertex(triangulation_, {point.z, point.chart});
+  [[nodiscard]] bool insert(TriangleId t, const LiftedPoint& point, InCircle in_circle) {
+    const VertexId v = add_vertex(triangulation_, {point.z, point.chart});
     const Corner p{v, point.label};
     const bool in_conflict = in_circle == InCircle::known ||
                              triangulation_.in_circle(triangulation_.corner(t, 0), triangulation_.corner(t, 1),
@@ -259,8 +259,8 @@ class Refinement {
         return triangulation_.compare_distance(e.from, p, apart_) > 0;
       };
       if (cavity_.find(triangulation_, t, p) && std::ranges::all_of(cavity_.boundary(), is_apart)) {
-        const std::span<const std::uint32_t> fan = cavity_.fill(triangulation_, p, nullptr);
-        for (const std::uint32_t s : fan) {
+        const std::span<const TriangleId> fan = cavity_.fill(triangulation_, p, nullptr);
+        for (const TriangleId s : fan) {
           enter(s);
         }
         // A cavity of k triangles has k + 2 edges, as many as splitting one triangle and k − 1 flips give.
@@ -274,7 +274,7 @@ class Refinement {
 
   /// Walk, split, flip (thesis IV.4.3 to IV.4.5). False, with nothing changed, if the point turns out too close to a
   /// vertex, or too far from t.
-  [[nodiscard]] bool insert_with_flips(std::uint32_t t, const LiftedPoint& point) {
+  [[nodiscard]] bool insert_with_flips(TriangleId t, const LiftedPoint& point) {
     Journal journal = open_journal(triangulation_);
     // A circumcentre is a few steps away from its triangle; at first perhaps as many as there are triangles (the fan of
     // a regular polygon). It is farther away only if rounding has moved it around a very short curve.
@@ -283,9 +283,9 @@ class Refinement {
     if (!inserted) {
       return false;
     }
-    const std::vector<std::uint32_t> changed = changed_triangles(journal);
-    const std::uint32_t v = inserted->vertex;
-    const auto is_new = [v](std::uint32_t a, std::uint32_t b) { return a == v || b == v; };
+    const std::vector<TriangleId> changed = changed_triangles(journal);
+    const VertexId v = inserted->vertex;
+    const auto is_new = [v](VertexId a, VertexId b) { return a == v || b == v; };
     if (short_edge(changed, is_new)) {
       undo(triangulation_, journal);
       return false;
@@ -293,7 +293,7 @@ class Refinement {
     if (leads_to_collar(t, point, inserted->dart, journal)) {
       return true;
     }
-    for (const std::uint32_t s : changed) {
+    for (const TriangleId s : changed) {
       enter(s);
     }
     statistics_.flips += inserted->flips;
@@ -309,8 +309,8 @@ class Refinement {
   /// Returns the first dart of the given triangles that leads from one vertex to a different one, satisfies
   /// `counts(from, to)` and is not proved to be longer than ε; nullopt if there is none.
   template <class Counts>
-  [[nodiscard]] std::optional<Dart> short_edge(std::span<const std::uint32_t> triangles, const Counts& counts) {
-    for (const std::uint32_t s : triangles) {
+  [[nodiscard]] std::optional<Dart> short_edge(std::span<const TriangleId> triangles, const Counts& counts) {
+    for (const TriangleId s : triangles) {
       for (std::uint32_t i = 0; i < 3; ++i) {
         const Corner a = triangulation_.corner(s, i);
         const Corner b = triangulation_.corner(s, next(i));
@@ -328,7 +328,7 @@ class Refinement {
   ///
   /// It is enough to test this here: a vertex in such a collar has a loop (Lemma III.8), and a cavity makes no loops,
   /// as it joins its new vertex to old ones only (Cavity::find returns false if lifts of the cavity meet).
-  [[nodiscard]] bool leads_to_collar(std::uint32_t t, const LiftedPoint& point, Dart d, const Journal& journal) {
+  [[nodiscard]] bool leads_to_collar(TriangleId t, const LiftedPoint& point, Dart d, const Journal& journal) {
     if (collars_ == nullptr) {
       return false;
     }
@@ -348,18 +348,16 @@ class Refinement {
   /// loop cuts off would then lie in the disk with diameter pp', nearer than ε to p, as the loop is shorter than l_ε
   /// (Lemma III.11). And no later vertex lies in the circumdisk of a triangle of the annulus, as the part of it outside
   /// of the annulus is in the same disks. So these triangles stay. Collars::documents and the certifier check this.
-  void handle_collar(std::uint32_t t, LabelId label, const Core& core) {
+  void handle_collar(TriangleId t, LabelId label, const Core& core) {
     Journal journal = open_journal(triangulation_);
     collars_->insert_pair(core, t, label, &journal);
-    const std::vector<std::uint32_t> changed = changed_triangles(journal);
-    const auto no_partners = [this](std::uint32_t a, std::uint32_t b) { return !collars_->are_partners(a, b); };
+    const std::vector<TriangleId> changed = changed_triangles(journal);
+    const auto no_partners = [this](VertexId a, VertexId b) { return !collars_->are_partners(a, b); };
     if (const std::optional<Dart> d = short_edge(changed, no_partners)) {
-      const std::uint32_t near =
-          std::min(triangulation_.corner(*d).vertex, triangulation_.corner(next_dart(*d)).vertex);
-      throw NetError("a vertex beside a short closed geodesic is closer than epsilon to vertex " +
-                     std::to_string(near));
+      const VertexId near = std::min(triangulation_.corner(*d).vertex, triangulation_.corner(next_dart(*d)).vertex);
+      throw NetError("a vertex beside a short closed geodesic is closer than epsilon to vertex " + to_string(near));
     }
-    for (const std::uint32_t s : changed) {
+    for (const TriangleId s : changed) {
       enter(s);
     }
     // t was taken from the list, but may be as large as before.
@@ -370,8 +368,8 @@ class Refinement {
 
   /// Returns the slots whose triangle has changed, or lost its mark, since the journal was opened, in the order in
   /// which they first changed.
-  [[nodiscard]] std::vector<std::uint32_t> changed_triangles(const Journal& journal) const {
-    std::vector<std::uint32_t> result;
+  [[nodiscard]] std::vector<TriangleId> changed_triangles(const Journal& journal) const {
+    std::vector<TriangleId> result;
     for (const auto& [t, before] : journal.overwritten) {
       const Triangle& now = triangulation_.triangle(t);
       if ((now.vertex != before.vertex || now.labels_and_mark != before.labels_and_mark) &&
@@ -379,7 +377,7 @@ class Refinement {
         result.push_back(t);
       }
     }
-    for (auto t = static_cast<std::uint32_t>(journal.triangles); t < triangulation_.triangle_count(); ++t) {
+    for (TriangleId t(journal.triangles); t.number() < triangulation_.triangle_count(); ++t) {
       result.push_back(t);
     }
     return result;

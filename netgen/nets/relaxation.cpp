@@ -24,7 +24,7 @@ double power(double x, unsigned n) {
 /// triangle turns over, and no Delaunay edge is flipped.
 class Relaxation {
  public:
-  Relaxation(Triangulation& triangulation, const Threshold& size, std::optional<std::uint32_t> kept)
+  Relaxation(Triangulation& triangulation, const Threshold& size, std::optional<VertexId> kept)
       : triangulation_(triangulation),
         editor_(triangulation),
         kept_(kept),
@@ -66,7 +66,7 @@ class Relaxation {
   }
 
   /// False if the triangle is not counterclockwise.
-  [[nodiscard]] bool find_circle(std::uint32_t t) {
+  [[nodiscard]] bool find_circle(TriangleId t) {
     const Triangle& triangle = triangulation_.triangle(t);
     const Complex<double> a = triangulation_.point(triangle.vertex[0]);
     const Complex<double> b = lifted(triangle, 1);
@@ -99,10 +99,10 @@ class Relaxation {
     bool all = false;
     while (!all) {
       all = true;
-      for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+      for (const TriangleId t : triangulation_.triangles()) {
         if (find_circle(t)) continue;
         all = false;
-        for (const std::uint32_t v : triangulation_.triangle(t).vertex) {
+        for (const VertexId v : triangulation_.triangle(t).vertex) {
           editor_.points()[v] = before_[v];
           velocity_[v] = {0, 0};
         }
@@ -112,7 +112,7 @@ class Relaxation {
 
   void find_pulls(unsigned exponent) {
     pulls_.assign(triangulation_.vertex_count(), {});
-    for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+    for (const TriangleId t : triangulation_.triangles()) {
       const Circle& circle = circles_[t];
       const Triangle& triangle = triangulation_.triangle(t);
       // As in circumcentre_near_origin. If the circle comes near the unit circle, or does not exist, the weight is NaN,
@@ -125,7 +125,7 @@ class Relaxation {
       // sinh²R = 4 radius2/rest. The unit of areas is about 1/rest, up to a factor.
       const double weight = circle.area * inverse * power(scale_ * circle.radius2 * inverse, exponent);
       for (std::uint32_t i = 0; i < 3; ++i) {
-        const std::uint32_t v = triangle.vertex[i];
+        const VertexId v = triangle.vertex[i];
         const LabelId label = triangle.label(i);
         const Complex<double> centre = label == kIdentity
                                            ? hyperbolic_centre
@@ -141,7 +141,7 @@ class Relaxation {
 
   void move(const RelaxationSweep& sweep) {
     before_ = editor_.points();
-    for (std::uint32_t v = 0; v < triangulation_.vertex_count(); ++v) {
+    for (const VertexId v : triangulation_.vertices()) {
       const Pull& pull = pulls_[v];
       constexpr double kMost = std::numeric_limits<double>::max();
       if (v == kept_ || !(pull.weight > 0 && pull.weight < kMost)) continue;
@@ -161,7 +161,7 @@ class Relaxation {
 
   void flip_where_needed() {
     Journal journal = open_journal(triangulation_);
-    for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+    for (const TriangleId t : triangulation_.triangles()) {
       for (std::uint32_t i = 0; i < 3; ++i) {
         const Dart d = make_dart(t, i);
         if (!(d < triangulation_.opposite(d)) || is_seen_delaunay(d) || triangulation_.is_delaunay(d)) continue;
@@ -177,7 +177,7 @@ class Relaxation {
 
   /// Whether d is Delaunay according to binary64 and the circle of the triangle of d.
   [[nodiscard]] bool is_seen_delaunay(Dart d) const {
-    const std::uint32_t t = triangle_of(d);
+    const TriangleId t = triangle_of(d);
     const Dart e = triangulation_.opposite(d);
     const Triangle& across = triangulation_.triangle(triangle_of(e));
     if (!triangulation_.triangle(t).all_identity() || !across.all_identity()) return false;
@@ -189,9 +189,9 @@ class Relaxation {
   /// Gives another chart to vertices that have moved too far from the origin of theirs.
   void change_charts() {
     constexpr double kRadius2 = kChartRadius * kChartRadius;
-    const std::vector<Complex<double>>& points = editor_.points();
+    const ById<VertexId, Complex<double>>& points = editor_.points();
     if (std::ranges::none_of(points, [](const Complex<double>& z) { return norm(z) > kRadius2; })) return;
-    for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+    for (const TriangleId t : triangulation_.triangles()) {
       for (std::uint32_t i = 0; i < 3; ++i) {
         if (norm(points[triangulation_.triangle(t).vertex[i]]) > kRadius2) change_chart(make_dart(t, i));
       }
@@ -200,7 +200,7 @@ class Relaxation {
 
   /// The same for the vertex that d leaves.
   void change_chart(Dart d) {
-    const std::uint32_t v = triangulation_.corner(d).vertex;
+    const VertexId v = triangulation_.corner(d).vertex;
     const Vertex vertex = triangulation_.vertex(v);
     std::optional<LiftedPoint> point = triangulation_.atlas().lifted_point_nearby(vertex.chart, vertex.z);
     if (!point)
@@ -217,12 +217,12 @@ class Relaxation {
 
   Triangulation& triangulation_;
   const Editor editor_;
-  const std::optional<std::uint32_t> kept_;
+  const std::optional<VertexId> kept_;
   const double scale_;  ///< 4/sinh²R of a typical triangle.
-  std::vector<Complex<double>> before_;
-  std::vector<Complex<double>> velocity_;
-  std::vector<Circle> circles_;
-  std::vector<Pull> pulls_;
+  ById<VertexId, Complex<double>> before_;
+  ById<VertexId, Complex<double>> velocity_;
+  ById<TriangleId, Circle> circles_;
+  ById<VertexId, Pull> pulls_;
   std::vector<Dart> pending_;
   std::uint64_t flips_ = 0;
 };
@@ -230,7 +230,7 @@ class Relaxation {
 }  // namespace
 
 std::uint64_t relax(Triangulation& triangulation, const Threshold& size, std::span<const RelaxationSweep> sweeps,
-                    std::optional<std::uint32_t> kept) {
+                    std::optional<VertexId> kept) {
   Relaxation relaxation(triangulation, size, kept);
   for (const RelaxationSweep& sweep : sweeps) {
     relaxation.sweep(sweep);

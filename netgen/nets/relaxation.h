@@ -26,6 +26,6 @@ struct RelaxationSweep {
 ///
 /// Exponent 0, step 1 and no momentum give the smoothing of optimal Delaunay triangulations (Chen, Xu, 2004).
 std::uint64_t relax(Triangulation& triangulation, const Threshold& size, std::span<const RelaxationSweep> sweeps,
-                    std::optional<std::uint32_t> kept = std::nullopt);
+                    std::optional<VertexId> kept = std::nullopt);
 
 }  // namespace epsnet

@@ -39,7 +39,7 @@ class SparseRefinement {
  public:
   SparseRefinement(Triangulation& triangulation, const Length& epsilon, const NetOptions& options)
       : triangulation_(triangulation), epsilon_(epsilon), options_(options), covering_(epsilon.value()) {
-    if (options.base) kept_ = 0;
+    if (options.base) kept_ = VertexId(0);
   }
 
   [[nodiscard]] NetStatistics run() {
@@ -106,7 +106,7 @@ class SparseRefinement {
   /// Whether more than one percent of the triangles are larger than ε, each of which would lead to a new vertex.
   [[nodiscard]] bool are_many_large() {
     std::uint64_t large = 0;
-    for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+    for (const TriangleId t : triangulation_.triangles()) {
       if (triangulation_.compare_circumradius(t, covering_) > 0) ++large;
     }
     return 100 * large > triangulation_.triangle_count();
@@ -116,7 +116,7 @@ class SparseRefinement {
   const Length& epsilon_;
   const NetOptions& options_;
   const Threshold covering_;
-  std::optional<std::uint32_t> kept_;
+  std::optional<VertexId> kept_;
   double shown_ = 0;
   NetStatistics statistics_;
 };
@@ -125,11 +125,11 @@ class SparseRefinement {
 
 NetStatistics refine_sparsely(Triangulation& triangulation, const Length& epsilon, const NetOptions& options) {
   const double least = require_possible(triangulation.surface(), epsilon);
-  const Vertex base = triangulation.vertex(0);
+  const Vertex base = triangulation.vertex(VertexId(0));
   Triangulation plain = triangulation.clone();
   NetStatistics statistics = SparseRefinement(triangulation, epsilon, options).run();
   // With few points, or thin parts, the refinement alone may happen to be better. The base may also have moved.
-  const Vertex first = triangulation.vertex(0);
+  const Vertex first = triangulation.vertex(VertexId(0));
   const bool base_is_lost = options.base && !(first.z == base.z && first.chart == base.chart);
   if (base_is_lost || triangulation.vertex_count() > 1.5 * least) {
     const NetStatistics plain_statistics = refine(plain, epsilon, options);

@@ -28,19 +28,20 @@ class Reduction {
       }
       if (!approach(*d) || ++moves > kMostMoves) {
         throw NetError("the surface's own vertices are closer to each other than epsilon, and vertex " +
-                       std::to_string(from(*d)) + " could not be moved into vertex " + std::to_string(to(*d)));
+                       to_string(from(*d)) + " could not be moved into vertex " + to_string(to(*d)));
       }
     }
   }
 
  private:
-  [[nodiscard]] std::uint32_t from(Dart d) const { return triangulation_.corner(d).vertex; }
-  [[nodiscard]] std::uint32_t to(Dart d) const { return from(next_dart(d)); }
+  [[nodiscard]] VertexId from(Dart d) const { return triangulation_.corner(d).vertex; }
+  [[nodiscard]] VertexId to(Dart d) const { return from(next_dart(d)); }
 
   bool contract_where_possible() {
     bool changed = false;
-    for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
-      for (std::uint32_t i = 0; i < 3 && t < triangulation_.triangle_count(); ++i) {
+    // Contractions take triangles away.
+    for (TriangleId t(0); t.number() < triangulation_.triangle_count(); ++t) {
+      for (std::uint32_t i = 0; i < 3 && t.number() < triangulation_.triangle_count(); ++i) {
         const Dart d = make_dart(t, i);
         if (from(d) != to(d) && goes_(d)) {
           if (const std::optional<Dart> merged = contract(triangulation_, d)) {
@@ -54,7 +55,7 @@ class Reduction {
   }
 
   [[nodiscard]] std::optional<Dart> remaining() {
-    for (std::uint32_t t = 0; t < triangulation_.triangle_count(); ++t) {
+    for (const TriangleId t : triangulation_.triangles()) {
       for (std::uint32_t i = 0; i < 3; ++i) {
         if (const Dart d = make_dart(t, i); from(d) != to(d) && goes_(d)) {
           return d;
@@ -110,7 +111,8 @@ bool too_close(Triangulation& triangulation, Dart d, const Threshold& apart) {
 /// whether there was one.
 bool handle_collars(Triangulation& triangulation, Collars& collars) {
   const std::size_t before = collars.count();
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+  // The triangles that are inserted follow.
+  for (TriangleId t(0); t.number() < triangulation.triangle_count(); ++t) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       const Corner corner = triangulation.corner(t, i);
       if (collars.has_vertex(corner.vertex)) {
@@ -142,17 +144,17 @@ DelaunayStart delaunay_start_of_points(const Surface& surface, const std::vector
   Triangulation& triangulation = start.triangulation;
   start.removed = reduce_to_vertex_0(triangulation);
   for (std::uint32_t v = 1; v < points.size(); ++v) {
-    const LiftedPoint point = triangulation.lifted_point(points[v], 0);
-    const Location location = locate(triangulation, 0, point, Walk::straight);
+    const LiftedPoint point = triangulation.lifted_point(points[v], TriangleId(0));
+    const Location location = locate(triangulation, TriangleId(0), point, Walk::straight);
     if (location.type == Location::Type::vertex) {
-      throw ClosePointsError(triangulation.corner(location.dart).vertex, v);
+      throw ClosePointsError(triangulation.corner(location.dart).vertex.number(), v);
     }
-    const auto inserted = insert_by_flips(triangulation, 0, point, Walk::straight, kAnySteps);
+    const auto inserted = insert_by_flips(triangulation, TriangleId(0), point, Walk::straight, kAnySteps);
     if (!inserted) throw NetError("point " + std::to_string(v) + " could not be made a vertex");
     start.flips += inserted->flips;
     // The nearest other vertex is a neighbour.
     for (const Dart d : triangulation.star(inserted->dart)) {
-      const std::uint32_t other = triangulation.corner(next_dart(d)).vertex;
+      const std::uint32_t other = triangulation.corner(next_dart(d)).vertex.number();
       if (other != v && too_close(triangulation, d, apart)) throw ClosePointsError(other, v);
     }
   }
@@ -178,7 +180,7 @@ std::uint32_t clear_collars(Triangulation& triangulation, const Threshold& apart
 }
 
 std::uint32_t reduce_to_vertex_0(Triangulation& triangulation) {
-  const auto leaves_another = [&](Dart d) { return triangulation.corner(d).vertex != 0; };
+  const auto leaves_another = [&](Dart d) { return triangulation.corner(d).vertex != VertexId(0); };
   return Reduction(triangulation, leaves_another).run();
 }
 

@@ -140,7 +140,7 @@ struct ElementOfPath {
 std::vector<ElementOfPath> elements_up_to_7(Triangulation& triangulation, AxisCatalogue<Mp256>& catalogue) {
   const Unfolding unfolding(triangulation, 1);
   std::vector<ElementOfPath> result;
-  for (std::uint32_t v = 0; v < triangulation.vertex_count(); ++v) {
+  for (const VertexId v : triangulation.vertices()) {
     for (const ReturnPath& path : unfolding.returns(v, {2 * std::asinh(std::sinh(3.5) * std::cosh(1.0)), 7})) {
       result.push_back({path, catalogue.element(path)});
     }
@@ -296,13 +296,13 @@ RC_GTEST_PROP(UnfoldingProperty, WaysComeBack, ()) {
   const Surface surface = random_octagon(any_index<std::int32_t>(1000));
   Triangulation triangulation(surface);
   (void)make_delaunay(triangulation);
-  const std::uint32_t v = any_index(triangulation.vertex_count());
+  const VertexId v = test::any_vertex(triangulation);
   const Unfolding unfolding(triangulation, 5);
   for (const ReturnPath& path : unfolding.returns(v, {4, 4})) {
     const auto vertex_at = [&](Dart d) { return triangulation.corner(triangle_of(d), corner_of(d)).vertex; };
     RC_ASSERT(vertex_at(path.start) == v);
     RC_ASSERT(vertex_at(path.end) == v);
-    std::uint32_t triangle = triangle_of(path.start);
+    TriangleId triangle = triangle_of(path.start);
     for (const Dart d : path.darts) {
       RC_ASSERT(triangle_of(d) == triangle);
       triangle = triangle_of(triangulation.opposite(d));

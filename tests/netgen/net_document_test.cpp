@@ -42,8 +42,8 @@ TEST(TriangulationOfANet, HasTheNetsVerticesAndTriangles) {
   EXPECT_EQ(problem(again), "");
   EXPECT_EQ(again.vertex_count(), net.triangulation.vertex_count());
   EXPECT_EQ(again.surface().tiles(), net.triangulation.surface().tiles());
-  for (std::uint32_t v = 0; v < again.vertex_count(); ++v) EXPECT_EQ(again.point(v), net.triangulation.point(v));
-  for (std::uint32_t t = 0; t < again.triangle_count(); ++t) {
+  for (const VertexId v : again.vertices()) EXPECT_EQ(again.point(v), net.triangulation.point(v));
+  for (const TriangleId t : again.triangles()) {
     EXPECT_EQ(again.triangle(t).vertex, net.triangulation.triangle(t).vertex);
     EXPECT_EQ(again.triangle(t).opposite, net.triangulation.triangle(t).opposite);
   }
@@ -53,8 +53,9 @@ TEST(TriangulationOfANet, HasTheNetsVerticesAndTriangles) {
 
 TEST(TriangulationOfANet, FlipsNothing) {
   Triangulation triangulation = triangulated_net(random_octagon(1), Length("0.6")).triangulation;
-  Dart d = make_dart(0, 0);
-  while (!test::flippable(triangulation, d)) d = make_dart(triangle_of(d) + 1, 0);
+  TriangleId t(0);
+  while (!test::flippable(triangulation, make_dart(t, 0))) ++t;
+  const Dart d = make_dart(t, 0);
   (void)flip(triangulation, d);
   ASSERT_TRUE(test::not_delaunay(triangulation).has_value());
   const NetDocument net = net_document(triangulation, Length("0.6"));

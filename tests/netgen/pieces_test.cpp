@@ -28,7 +28,7 @@ struct CoarseNet {
       : triangulation(triangulated_net(surface, Length(epsilon * coarser)).triangulation),
         apart(Length(epsilon).value() / 2),
         large(Length(epsilon).value()) {
-    for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+    for (const TriangleId t : triangulation.triangles()) {
       if (triangulation.compare_circumradius(t, large) > 0) {
         mark(triangulation, t);
         pending.push_back(t);
@@ -45,20 +45,20 @@ struct CoarseNet {
   Triangulation triangulation;
   Threshold apart;
   Threshold large;
-  std::vector<std::uint32_t> pending;
+  std::vector<TriangleId> pending;
   std::function<void(std::size_t)> report = [](std::size_t) {};
 };
 
 void require_delaunay(Triangulation& triangulation) {
   RC_ASSERT(problem(triangulation) == "");
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+  for (const TriangleId t : triangulation.triangles()) {
     for (std::uint32_t i = 0; i < 3; ++i) RC_ASSERT(triangulation.is_delaunay(make_dart(t, i)));
   }
 }
 
 /// The nearest other vertex is a Delaunay neighbour.
 void require_apart(Triangulation& triangulation, const Threshold& apart) {
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+  for (const TriangleId t : triangulation.triangles()) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       const Corner a = triangulation.corner(t, i);
       const Corner b = triangulation.corner(t, next(i));
@@ -69,9 +69,9 @@ void require_apart(Triangulation& triangulation, const Threshold& apart) {
 
 /// Exactly the large triangles are marked and pending.
 void require_that_nothing_large_is_forgotten(CoarseNet& net, const PieceResult& result) {
-  std::map<std::uint32_t, bool> pending;
-  for (const std::uint32_t t : result.pending) pending[t] = true;
-  for (std::uint32_t t = 0; t < net.triangulation.triangle_count(); ++t) {
+  std::map<TriangleId, bool> pending;
+  for (const TriangleId t : result.pending) pending[t] = true;
+  for (const TriangleId t : net.triangulation.triangles()) {
     const bool is_large = net.triangulation.compare_circumradius(t, net.large) > 0;
     RC_ASSERT(is_large == pending.contains(t));
     RC_ASSERT(is_large == net.triangulation.triangle(t).marked());
@@ -112,7 +112,7 @@ TEST(Pieces, InsertNearlyAllWhereThereIsOne) {
 std::string bytes(const Triangulation& triangulation) {
   const Mesh& mesh = triangulation.mesh();
   const auto raw = [](const auto& values) {
-    return std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof values[0]);
+    return std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof *values.data());
   };
   return raw(mesh.points) + raw(mesh.charts) + raw(mesh.triangles);
 }

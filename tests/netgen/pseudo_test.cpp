@@ -389,9 +389,9 @@ TEST(PseudoCertificate, TrianglesOfCollarsNeedACircumcircle) {
     // Of the two edges from side to side, the one that comes after the loop, always.
     const auto [t, u] = collars.documents().front().triangles;
     std::uint32_t loop = 0;
-    const auto& v = triangulation.triangle(t).vertex;
+    const auto& v = triangulation.triangle(TriangleId(t)).vertex;
     while (v[loop] != v[next(loop)]) ++loop;
-    (void)flip(triangulation, make_dart(t, next(loop)));
+    (void)flip(triangulation, make_dart(TriangleId(t), next(loop)));
     NetDocument net = net_document(triangulation, epsilon);
     net.collars = collars.documents();
     const Certificate certificate = certify::check(net, {.threads = 1});

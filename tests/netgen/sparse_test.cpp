@@ -42,7 +42,7 @@ double times_lower_bound(const certify::NetDocument& net, std::uint32_t genus) {
 }
 
 bool is_delaunay(Triangulation& t) {
-  for (std::uint32_t s = 0; s < t.triangle_count(); ++s) {
+  for (const TriangleId s : t.triangles()) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (!t.is_delaunay(make_dart(s, i))) return false;
     }
@@ -56,7 +56,7 @@ double largest_sinh2(Triangulation& t, double least, double most) {
     const double middle = (least + most) / 2;
     const Threshold threshold{Rational(std::asinh(std::sqrt(middle)))};
     bool any = false;
-    for (std::uint32_t s = 0; s < t.triangle_count() && !any; ++s) any = t.compare_circumradius(s, threshold) > 0;
+    for (const TriangleId s : t.triangles()) any = any || t.compare_circumradius(s, threshold) > 0;
     (any ? least : most) = middle;
   }
   return most;
@@ -83,7 +83,7 @@ RC_GTEST_PROP(RelaxationProperty, LeavesADelaunayTriangulation, ()) {
 
 RC_GTEST_PROP(RelaxationProperty, KeepsAVertexInItsPlace, ()) {
   Triangulation t = test::any_delaunay(test::any_tiled_surface().surface, 1 + any_index(20u));
-  const std::uint32_t kept = any_index(t.vertex_count());
+  const VertexId kept = test::any_vertex(t);
   const Vertex before = t.vertex(kept);
   const std::array<RelaxationSweep, 2> sweeps{{{2, 0.5, 0}, {2, 0.5, 0.5}}};
   (void)relax(t, Threshold(Rational(1, 4)), sweeps, kept);
@@ -112,17 +112,18 @@ TEST(Relaxation, MakesTheLargestCircleSmaller) {
 RC_GTEST_PROP(RenumberingProperty, ChangesNumbersAlone, ()) {
   const Surface& surface = test::any_tiled_surface().surface;
   Triangulation t = test::any_delaunay(surface, any_index(40u));
-  const Vertex first = t.vertex(0);
+  const Vertex first = t.vertex(VertexId(0));
   const auto vertices = t.vertex_count();
   renumber_by_neighbours(t);
   RC_ASSERT(t.vertex_count() == vertices);
   RC_ASSERT(problem(t) == "");
   RC_ASSERT(is_delaunay(t));
-  RC_ASSERT(t.vertex(0).z == first.z);
-  RC_ASSERT(t.vertex(0).chart == first.chart);
+  RC_ASSERT(t.vertex(VertexId(0)).z == first.z);
+  RC_ASSERT(t.vertex(VertexId(0)).chart == first.chart);
   // Each triangle but the first has a neighbour before it.
-  for (std::uint32_t s = 1; s < t.triangle_count(); ++s) {
-    std::uint32_t least = s;
+  for (const TriangleId s : t.triangles()) {
+    if (s == TriangleId(0)) continue;
+    TriangleId least = s;
     for (const Dart d : t.triangle(s).opposite) least = std::min(least, triangle_of(d));
     RC_ASSERT(least < s);
   }
@@ -194,9 +195,10 @@ TEST(SparseNet, KeepsTheBasePoint) {
   for (const char* epsilon : {"0.15", "0.5", "2"}) {
     const CertifiedNet net = certified_net(surface, Length(epsilon), options);
     const auto& vertex = net.net.vertices.front();
-    EXPECT_EQ(vertex.x, start.vertex(0).z.x);
-    EXPECT_EQ(vertex.y, start.vertex(0).z.y);
-    EXPECT_EQ(net.net.charts[vertex.chart].centre.x, to_gmp(start.atlas().charts()[start.vertex(0).chart].centre).x);
+    EXPECT_EQ(vertex.x, start.vertex(VertexId(0)).z.x);
+    EXPECT_EQ(vertex.y, start.vertex(VertexId(0)).z.y);
+    EXPECT_EQ(net.net.charts[vertex.chart].centre.x,
+              to_gmp(start.atlas().charts()[start.vertex(VertexId(0)).chart].centre).x);
   }
 }
 

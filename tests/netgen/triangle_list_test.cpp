@@ -3,7 +3,6 @@
 #include <array>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <numeric>
 
 namespace epsnet {
 namespace {
@@ -14,24 +13,23 @@ template <class List>
 std::vector<std::uint32_t> emptied(List& list) {
   std::vector<std::uint32_t> result;
   while (list.size() > 0) {
-    result.push_back(list.pop());
+    result.push_back(list.pop().number());
   }
   return result;
 }
 
 TEST(TriangleList, QueueGivesTheOldestFirstWhileItGrows) {
   TriangleQueue queue;
-  std::array<std::uint32_t, 700> block{};
+  std::array<TriangleId, 700> block{};
   std::uint32_t next_in = 0;
   std::uint32_t next_out = 0;
   for (int round = 0; round < 20; ++round) {
-    std::iota(block.begin(), block.end(), next_in);
-    next_in += block.size();
+    for (TriangleId& t : block) t = TriangleId(next_in++);
     queue.push(block);
-    ASSERT_EQ(queue[0], next_out);
-    ASSERT_EQ(queue[queue.size() - 1], next_in - 1);
+    ASSERT_EQ(queue[0].number(), next_out);
+    ASSERT_EQ(queue[queue.size() - 1].number(), next_in - 1);
     for (int i = 0; i < 300; ++i) {
-      ASSERT_EQ(queue.pop(), next_out++);
+      ASSERT_EQ(queue.pop().number(), next_out++);
     }
   }
   const std::vector<std::uint32_t> rest = emptied(queue);
@@ -42,19 +40,19 @@ TEST(TriangleList, QueueGivesTheOldestFirstWhileItGrows) {
 
 TEST(TriangleList, StackGivesTheNewestFirst) {
   TriangleStack stack;
-  stack.push(std::array{1U, 2U});
-  stack.push(std::array{3U});
-  EXPECT_EQ(stack.pop(), 3U);
-  stack.push(std::array{2U});
+  stack.push(std::array{TriangleId(1), TriangleId(2)});
+  stack.push(std::array{TriangleId(3)});
+  EXPECT_EQ(stack.pop(), TriangleId(3));
+  stack.push(std::array{TriangleId(2)});
   EXPECT_THAT(emptied(stack), ElementsAre(2, 2, 1));
 }
 
 TEST(TriangleList, HeapGivesTheLargestFirst) {
   TriangleHeap heap;
-  heap.push(7, 0.5);
-  heap.push(9, 2);
-  heap.push(8, 2);
-  heap.push(1, 1);
+  heap.push(TriangleId(7), 0.5);
+  heap.push(TriangleId(9), 2);
+  heap.push(TriangleId(8), 2);
+  heap.push(TriangleId(1), 1);
   EXPECT_THAT(emptied(heap), ElementsAre(8, 9, 1, 7));
 }
 

@@ -111,12 +111,20 @@ inline std::uint32_t end_tile(const Surface& surface, std::uint32_t tile, const 
   return word.empty() ? tile : surface.tile_of_side(surface.partner(word.back()));
 }
 
+/// A random triangle or vertex.
+inline TriangleId any_triangle(const Triangulation& triangulation) {
+  return TriangleId(any_index(triangulation.triangle_count()));
+}
+inline VertexId any_vertex(const Triangulation& triangulation) {
+  return VertexId(any_index(triangulation.vertex_count()));
+}
+
 /// A triangle or an edge on the surface: vertices and the isometries between their charts.
 using Signature = std::array<std::uint32_t, 5>;
 
 /// Returns the label from the chart of corner j of a triangle to the chart of its corner i, as a label of the atlas
 /// of `reference`, which has the same charts.
-inline LabelId between_corners(Triangulation& triangulation, std::uint32_t t, std::uint32_t i, std::uint32_t j,
+inline LabelId between_corners(Triangulation& triangulation, TriangleId t, std::uint32_t i, std::uint32_t j,
                                Triangulation& reference) {
   const Triangle& triangle = triangulation.triangle(t);
   const LabelId label = triangulation.product(triangulation.inverse(triangle.label(i)), triangle.label(j));
@@ -129,12 +137,12 @@ inline LabelId between_corners(Triangulation& triangulation, std::uint32_t t, st
 /// same vertices are the same if and only if these lists are equal.
 inline std::vector<Signature> triangles_of(Triangulation& triangulation, Triangulation& reference) {
   std::vector<Signature> result;
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+  for (const TriangleId t : triangulation.triangles()) {
     Signature least;
     least.fill(~0u);
     for (std::uint32_t i = 0; i < 3; ++i) {
       const auto& v = triangulation.triangle(t).vertex;
-      least = std::min(least, {v[i], v[next(i)], v[previous(i)],  //
+      least = std::min(least, {v[i].number(), v[next(i)].number(), v[previous(i)].number(),  //
                                between_corners(triangulation, t, i, next(i), reference),
                                between_corners(triangulation, t, i, previous(i), reference)});
     }
@@ -156,7 +164,7 @@ inline Corner corner_across(Triangulation& triangulation, Dart d) {
 /// Returns 1 if the edge is not Delaunay, 0 if the two triangles have the same circumcircle, and −1 if the edge is in
 /// every Delaunay triangulation.
 inline int delaunay_sign(Triangulation& triangulation, Dart d) {
-  const std::uint32_t t = triangle_of(d);
+  const TriangleId t = triangle_of(d);
   return triangulation.in_circle(triangulation.corner(t, 0), triangulation.corner(t, 1), triangulation.corner(t, 2),
                                  corner_across(triangulation, d));
 }
@@ -165,11 +173,12 @@ inline int delaunay_sign(Triangulation& triangulation, Dart d) {
 /// tessellation, which is unique.
 inline std::vector<Signature> tessellation_of(Triangulation& triangulation, Triangulation& reference) {
   std::vector<Signature> result;
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+  for (const TriangleId t : triangulation.triangles()) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (delaunay_sign(triangulation, make_dart(t, i)) < 0) {
         const auto& v = triangulation.triangle(t).vertex;
-        result.push_back({v[i], v[next(i)], between_corners(triangulation, t, i, next(i), reference), 0, 0});
+        result.push_back(
+            {v[i].number(), v[next(i)].number(), between_corners(triangulation, t, i, next(i), reference), 0, 0});
       }
     }
   }
@@ -182,7 +191,7 @@ inline std::vector<Signature> tessellation_of(Triangulation& triangulation) {
 
 /// Returns the first edge that is not Delaunay; nullopt if there is none.
 inline std::optional<Dart> not_delaunay(Triangulation& triangulation) {
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+  for (const TriangleId t : triangulation.triangles()) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (!triangulation.is_delaunay(make_dart(t, i))) {
         return make_dart(t, i);
@@ -203,22 +212,22 @@ inline bool flippable(Triangulation& triangulation, Dart d) {
 
 inline Dart any_dart(const Triangulation& triangulation) {
   const auto i = any_index<std::uint32_t>(3 * triangulation.triangle_count());
-  return make_dart(i / 3, i % 3);
+  return make_dart(TriangleId(i / 3), i % 3);
 }
 
 /// Everything that `undo` has to restore.
 struct Snapshot {
-  std::vector<std::pair<Complex<double>, std::uint32_t>> vertices;
+  std::vector<std::pair<Complex<double>, ChartId>> vertices;
   std::vector<Triangle> triangles;
   bool operator==(const Snapshot&) const = default;
 };
 
 inline Snapshot snapshot(const Triangulation& triangulation) {
   Snapshot result;
-  for (std::uint32_t v = 0; v < triangulation.vertex_count(); ++v) {
+  for (const VertexId v : triangulation.vertices()) {
     result.vertices.emplace_back(triangulation.vertex(v).z, triangulation.vertex(v).chart);
   }
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+  for (const TriangleId t : triangulation.triangles()) {
     result.triangles.push_back(triangulation.triangle(t));
   }
   return result;
@@ -226,8 +235,8 @@ inline Snapshot snapshot(const Triangulation& triangulation) {
 
 /// Returns a point of the surface near the coordinate z of a triangle's chart, with the label from the point's chart to
 /// the triangle's.
-inline LiftedPoint point_in(Triangulation& triangulation, std::uint32_t t, const Complex<Mp256>& z) {
-  const std::uint32_t chart = triangulation.chart_of(t);
+inline LiftedPoint point_in(Triangulation& triangulation, TriangleId t, const Complex<Mp256>& z) {
+  const ChartId chart = triangulation.chart_of(t);
   if (norm(z) <= Mp256(0.25)) {
     return {chart, convert<double>(z), kIdentity};
   }
@@ -235,7 +244,7 @@ inline LiftedPoint point_in(Triangulation& triangulation, std::uint32_t t, const
 }
 
 /// Returns the point of a triangle with positive weights w on its corners, by linear interpolation on the hyperboloid.
-inline LiftedPoint weighted_point(Triangulation& triangulation, std::uint32_t t, const std::array<double, 3>& w) {
+inline LiftedPoint weighted_point(Triangulation& triangulation, TriangleId t, const std::array<double, 3>& w) {
   Complex<Mp256> sum{};
   Mp256 height(0);
   for (std::uint32_t i = 0; i < 3; ++i) {
@@ -251,7 +260,7 @@ inline LiftedPoint weighted_point(Triangulation& triangulation, std::uint32_t t,
 }
 
 /// Returns a random point inside a triangle.
-inline LiftedPoint any_point(Triangulation& triangulation, std::uint32_t t) {
+inline LiftedPoint any_point(Triangulation& triangulation, TriangleId t) {
   const auto weight = [] { return 0.02 + any_share(); };
   const double a = weight();
   const double b = weight();
@@ -261,7 +270,7 @@ inline LiftedPoint any_point(Triangulation& triangulation, std::uint32_t t) {
 
 /// Makes a point the next vertex; the straight walk finds its triangle. `point.label` leads from its chart to the chart
 /// of triangle t. Returns false, with nothing changed, if there already is a vertex at the point.
-inline bool insert_by_flips(Triangulation& triangulation, std::uint32_t t, const LiftedPoint& point,
+inline bool insert_by_flips(Triangulation& triangulation, TriangleId t, const LiftedPoint& point,
                             Journal* journal = nullptr) {
   return epsnet::insert_by_flips(triangulation, t, point, Walk::straight, kAnySteps, journal).has_value();
 }
@@ -271,7 +280,7 @@ inline Triangulation any_delaunay(const Surface& surface, std::uint32_t points) 
   Triangulation triangulation(surface);
   make_delaunay(triangulation);
   for (std::uint32_t i = 0; i < points; ++i) {
-    const auto t = any_index(triangulation.triangle_count());
+    const auto t = any_triangle(triangulation);
     static_cast<void>(insert_by_flips(triangulation, t, any_point(triangulation, t)));
   }
   return triangulation;
@@ -280,7 +289,7 @@ inline Triangulation any_delaunay(const Surface& surface, std::uint32_t points) 
 /// Returns the sum of the triangles' areas, by lifts with 256 bits: 4π(g − 1) if they cover the surface once.
 inline double total_area(Triangulation& triangulation) {
   double area = 0;
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+  for (const TriangleId t : triangulation.triangles()) {
     std::array<Complex<Mp256>, 3> p;
     for (std::uint32_t i = 0; i < 3; ++i) {
       p[i] = triangulation.lift_in<Mp256>(triangulation.corner(t, i));

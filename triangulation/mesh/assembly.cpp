@@ -11,21 +11,21 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& what) { throw TriangulationError(what); }
 
-void check_vertex(const Atlas& atlas, std::uint32_t number, const Vertex& vertex) {
-  if (vertex.chart >= atlas.charts().count()) {
-    refuse("vertex " + std::to_string(number) + " is in chart " + std::to_string(vertex.chart) + ", there are " +
+void check_vertex(const Atlas& atlas, VertexId id, const Vertex& vertex) {
+  if (vertex.chart.number() >= atlas.charts().count()) {
+    refuse("vertex " + to_string(id) + " is in chart " + to_string(vertex.chart) + ", there are " +
            std::to_string(atlas.charts().count()));
   }
   if (!(norm(vertex.z) <= kChartRadius * kChartRadius)) {
-    refuse("vertex " + std::to_string(number) + " is far from the origin of its chart");
+    refuse("vertex " + to_string(id) + " is far from the origin of its chart");
   }
 }
 
-void check_triangle(const Atlas& atlas, std::size_t vertices, std::uint32_t number, const Triangle& triangle) {
+void check_triangle(const Atlas& atlas, std::size_t vertices, TriangleId id, const Triangle& triangle) {
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const std::string place = "triangle " + std::to_string(number) + ", corner " + std::to_string(i);
-    if (triangle.vertex[i] >= vertices) {
-      refuse(place + " is vertex " + std::to_string(triangle.vertex[i]) + ", there are " + std::to_string(vertices));
+    const std::string place = "triangle " + to_string(id) + ", corner " + std::to_string(i);
+    if (triangle.vertex[i].number() >= vertices) {
+      refuse(place + " is vertex " + to_string(triangle.vertex[i]) + ", there are " + std::to_string(vertices));
     }
     if (triangle.label(i) >= atlas.labels().count()) {
       refuse(place + " has label " + std::to_string(triangle.label(i)) + ", there are " +
@@ -41,11 +41,11 @@ Triangulation assembled(Atlas atlas, std::span<const Vertex> vertices, std::span
   const Editor editor(result);
   editor.require_room(triangles.size());
   for (const Vertex& vertex : vertices) {
-    check_vertex(result.atlas(), result.vertex_count(), vertex);
+    check_vertex(result.atlas(), VertexId(result.vertex_count()), vertex);
     (void)editor.add_vertex(vertex);
   }
   for (const Triangle& triangle : triangles) {
-    const std::uint32_t t = editor.add_triangle();
+    const TriangleId t = editor.add_triangle();
     check_triangle(result.atlas(), vertices.size(), t, triangle);
     editor.triangles()[t] = triangle;
   }

@@ -8,7 +8,7 @@
 
 namespace epsnet {
 
-void Cavity::take_face(const Triangulation& triangulation, std::uint32_t t) {
+void Cavity::take_face(const Triangulation& triangulation, TriangleId t) {
   triangles_.assign(1, t);
   boundary_.clear();
   for (std::uint32_t i = 0; i < 3; ++i) {
@@ -34,13 +34,13 @@ void Cavity::take_edge(Triangulation& triangulation, Dart d) {
   }
 }
 
-bool Cavity::find(Triangulation& triangulation, std::uint32_t t, Corner p) {
+bool Cavity::find(Triangulation& triangulation, TriangleId t, Corner p) {
   assert(may_be_in_circle(triangulation, t, p));
   triangles_.clear();
   boundary_.clear();
   pending_.clear();
   triangles_.push_back(t);
-  const auto in_cavity = [this](std::uint32_t s) {
+  const auto in_cavity = [this](TriangleId s) {
     return std::find(triangles_.begin(), triangles_.end(), s) != triangles_.end();
   };
   // Depth first, edges counterclockwise, so that the boundary comes in its cyclic order.
@@ -51,7 +51,7 @@ bool Cavity::find(Triangulation& triangulation, std::uint32_t t, Corner p) {
   while (!pending_.empty()) {
     const Edge edge = pending_.back();
     pending_.pop_back();
-    const std::uint32_t s = triangle_of(edge.outer);
+    const TriangleId s = triangle_of(edge.outer);
     const std::uint32_t j = corner_of(edge.outer);
     const LabelId lift_of_s = triangulation.lift_across(edge.from.label, edge.to.label, edge.outer);
     const Corner apex = triangulation.moved(lift_of_s, triangulation.corner(s, previous(j)));
@@ -73,7 +73,7 @@ bool Cavity::find(Triangulation& triangulation, std::uint32_t t, Corner p) {
                       [&](const Edge& b) { return in_cavity(triangle_of(b.outer)); });
 }
 
-std::span<const std::uint32_t> Cavity::fill(Triangulation& triangulation, Corner p, Journal* journal) {
+std::span<const TriangleId> Cavity::fill(Triangulation& triangulation, Corner p, Journal* journal) {
   const Editor editor(triangulation, journal);
   const std::size_t n = boundary_.size();
   assert(std::ranges::all_of(boundary_, [&](const Edge& b) { return may_be_left(triangulation, b.from, b.to, p); }));
@@ -97,9 +97,9 @@ std::span<const std::uint32_t> Cavity::fill(Triangulation& triangulation, Corner
   for (std::size_t i = 0; i < n; ++i) {
     editor.set(fan_[i], p, boundary_[i].from, boundary_[i].to);
   }
-  std::uint32_t last = fan_[n - 1];
+  TriangleId last = fan_[n - 1];
   for (std::size_t i = 0; i < n; ++i) {
-    const std::uint32_t t = fan_[i];
+    const TriangleId t = fan_[i];
     editor.link(make_dart(t, 1), boundary_[i].outer);
     editor.link(make_dart(t, 0), make_dart(last, 2));
     last = t;

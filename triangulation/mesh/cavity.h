@@ -24,25 +24,25 @@ class Cavity {
   };
 
   /// The region is one triangle; corners are lifted to its chart.
-  void take_face(const Triangulation& triangulation, std::uint32_t t);
+  void take_face(const Triangulation& triangulation, TriangleId t);
   /// The region is the two triangles beside d; corners are lifted to the chart of d's.
   void take_edge(Triangulation& triangulation, Dart d);
   /// The region is all triangles in conflict with p, lifted to the chart of t, of which t must be one (Bowyer–Watson).
   /// False if a lift of the region meets another one (few vertices, short loops). Requires a Delaunay triangulation.
-  [[nodiscard]] bool find(Triangulation& triangulation, std::uint32_t t, Corner p);
+  [[nodiscard]] bool find(Triangulation& triangulation, TriangleId t, Corner p);
 
   /// The boundary, counterclockwise.
   [[nodiscard]] std::span<const Edge> boundary() const { return boundary_; }
 
   /// Replaces the region by the fan from p to its boundary. Returns the triangles of the fan: p is their corner 0, dart
   /// 1 is opposite to it.
-  std::span<const std::uint32_t> fill(Triangulation& triangulation, Corner p, Journal* journal);
+  std::span<const TriangleId> fill(Triangulation& triangulation, Corner p, Journal* journal);
 
  private:
-  std::vector<std::uint32_t> triangles_;
+  std::vector<TriangleId> triangles_;
   std::vector<Edge> boundary_;
   std::vector<Edge> pending_;
-  std::vector<std::uint32_t> fan_;
+  std::vector<TriangleId> fan_;
 };
 
 }  // namespace epsnet

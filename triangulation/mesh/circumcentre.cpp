@@ -7,7 +7,7 @@
 
 namespace epsnet {
 
-std::optional<Complex<double>> circumcentre_fast(const Mesh& mesh, const Atlas& atlas, std::uint32_t t) {
+std::optional<Complex<double>> circumcentre_fast(const Mesh& mesh, const Atlas& atlas, TriangleId t) {
   const Triangle& triangle = mesh.triangles[t];
   const auto lifted = [&](std::uint32_t i) {
     const Complex<double>& z = mesh.points[triangle.vertex[i]];
@@ -32,7 +32,7 @@ std::optional<Complex<double>> circumcentre_fast(const Mesh& mesh, const Atlas& 
   return circumcentre_near_origin(a, b, c);
 }
 
-LiftedPoint in_nearest_chart(const Mesh& mesh, const Atlas& atlas, std::uint32_t t, const Complex<double>& z) {
+LiftedPoint in_nearest_chart(const Mesh& mesh, const Atlas& atlas, TriangleId t, const Complex<double>& z) {
   const Triangle& triangle = mesh.triangles[t];
   LiftedPoint nearest{mesh.charts[triangle.vertex[0]], z, kIdentity};
   for (const std::uint32_t i : {1u, 2u}) {
@@ -45,7 +45,7 @@ LiftedPoint in_nearest_chart(const Mesh& mesh, const Atlas& atlas, std::uint32_t
 }
 
 template <class T>
-std::optional<Complex<Mp1024>> circumcentre_precise(Triangulation& triangulation, std::uint32_t t) {
+std::optional<Complex<Mp1024>> circumcentre_precise(Triangulation& triangulation, TriangleId t) {
   std::array<Complex<T>, 3> p;
   for (std::uint32_t i = 0; i < 3; ++i) {
     const Corner c = triangulation.corner(t, i);
@@ -54,7 +54,7 @@ std::optional<Complex<Mp1024>> circumcentre_precise(Triangulation& triangulation
   const auto centre = circumcentre(p[0], p[1], p[2]);
   return centre ? std::optional(convert<Mp1024>(*centre)) : std::nullopt;
 }
-template std::optional<Complex<Mp1024>> circumcentre_precise<Mp256>(Triangulation&, std::uint32_t);
-template std::optional<Complex<Mp1024>> circumcentre_precise<Mp1024>(Triangulation&, std::uint32_t);
+template std::optional<Complex<Mp1024>> circumcentre_precise<Mp256>(Triangulation&, TriangleId);
+template std::optional<Complex<Mp1024>> circumcentre_precise<Mp1024>(Triangulation&, TriangleId);
 
 }  // namespace epsnet

@@ -11,8 +11,7 @@ namespace {
 
 /// The corners of a triangle with `vertex` replaced, wherever it is one; the replacement is given in the chart of
 /// `vertex`.
-std::array<Corner, 3> corners_with(Triangulation& triangulation, std::uint32_t t, std::uint32_t vertex,
-                                   Corner replacement) {
+std::array<Corner, 3> corners_with(Triangulation& triangulation, TriangleId t, VertexId vertex, Corner replacement) {
   std::array<Corner, 3> corners{};
   for (std::uint32_t i = 0; i < 3; ++i) {
     const Corner c = triangulation.corner(t, i);
@@ -24,11 +23,11 @@ std::array<Corner, 3> corners_with(Triangulation& triangulation, std::uint32_t t
 /// Replaces the vertex of a star in all of its triangles but two; false, with nothing changed, if one of them would not
 /// be counterclockwise.
 bool replace_vertex(Triangulation& triangulation, const std::vector<Dart>& star, Corner replacement,
-                    const std::array<std::uint32_t, 2>& except) {
-  const std::uint32_t v = triangulation.corner(star.front()).vertex;
-  std::vector<std::pair<std::uint32_t, std::array<Corner, 3>>> changes;
+                    const std::array<std::optional<TriangleId>, 2>& except) {
+  const VertexId v = triangulation.corner(star.front()).vertex;
+  std::vector<std::pair<TriangleId, std::array<Corner, 3>>> changes;
   for (const Dart d : star) {
-    const std::uint32_t t = triangle_of(d);
+    const TriangleId t = triangle_of(d);
     if (t == except[0] || t == except[1]) {
       continue;
     }
@@ -46,9 +45,9 @@ bool replace_vertex(Triangulation& triangulation, const std::vector<Dart>& star,
 }
 
 /// The last vertex takes the number of the one removed.
-void remove_vertex(Triangulation& triangulation, std::uint32_t v) {
+void remove_vertex(Triangulation& triangulation, VertexId v) {
   const Editor editor(triangulation);
-  const std::uint32_t last = triangulation.vertex_count() - 1;
+  const VertexId last(triangulation.vertex_count() - 1);
   if (v != last) {
     editor.points()[v] = editor.points()[last];
     editor.charts()[v] = editor.charts()[last];
@@ -60,9 +59,9 @@ void remove_vertex(Triangulation& triangulation, std::uint32_t v) {
 }
 
 /// The last triangle takes the number of the one removed.
-void remove_triangle(Triangulation& triangulation, std::uint32_t t) {
-  std::vector<Triangle>& triangles = Editor(triangulation).triangles();
-  const std::uint32_t last = triangulation.triangle_count() - 1;
+void remove_triangle(Triangulation& triangulation, TriangleId t) {
+  ById<TriangleId, Triangle>& triangles = Editor(triangulation).triangles();
+  const TriangleId last(triangulation.triangle_count() - 1);
   if (t != last) {
     triangles[t] = triangles[last];
     for (std::uint32_t i = 0; i < 3; ++i) {
@@ -82,16 +81,16 @@ void remove_triangle(Triangulation& triangulation, std::uint32_t t) {
 void close_edge(Triangulation& triangulation, Dart d) {
   const Dart e = triangulation.opposite(d);
   const std::array<Dart, 4> inner{next_dart(d), previous_dart(d), next_dart(e), previous_dart(e)};
-  const auto place_of = [&](Dart x) {
+  const auto position_of = [&](Dart x) {
     return static_cast<std::size_t>(std::find(inner.begin(), inner.end(), x) - inner.begin());
   };
   std::vector<std::array<Dart, 2>> links;
   for (std::size_t k = 0; k < 4; ++k) {
     const Dart outer = triangulation.opposite(inner[k]);
-    if (place_of(outer) == 4) {
+    if (position_of(outer) == 4) {
       std::size_t mate = k ^ 1;
-      while (place_of(triangulation.opposite(inner[mate])) != 4) {
-        mate = place_of(triangulation.opposite(inner[mate])) ^ 1;
+      while (position_of(triangulation.opposite(inner[mate])) != 4) {
+        mate = position_of(triangulation.opposite(inner[mate])) ^ 1;
       }
       links.push_back({outer, triangulation.opposite(inner[mate])});
     }
@@ -107,15 +106,15 @@ void close_edge(Triangulation& triangulation, Dart d) {
 /// triangle would not stay counterclockwise.
 std::optional<Dart> merge(Triangulation& triangulation, Dart d) {
   const Dart e = triangulation.opposite(d);
-  const std::array<std::uint32_t, 2> vanishing{triangle_of(d), triangle_of(e)};
-  const std::uint32_t v = triangulation.corner(d).vertex;
-  const std::uint32_t w = triangulation.corner(e).vertex;
+  const std::array<TriangleId, 2> vanishing{triangle_of(d), triangle_of(e)};
+  const VertexId v = triangulation.corner(d).vertex;
+  const VertexId w = triangulation.corner(e).vertex;
   const std::vector<Dart> around = triangulation.star(d);
   const auto survivor = std::find_if(around.begin(), around.end(), [&](Dart x) {
     return triangle_of(x) != vanishing[0] && triangle_of(x) != vanishing[1];
   });
   if (v == w || vanishing[0] == vanishing[1] || survivor == around.end() ||
-      !replace_vertex(triangulation, around, {w, triangulation.label_along(d)}, vanishing)) {
+      !replace_vertex(triangulation, around, {w, triangulation.label_along(d)}, {vanishing[0], vanishing[1]})) {
     return std::nullopt;
   }
   close_edge(triangulation, d);
@@ -123,35 +122,38 @@ std::optional<Dart> merge(Triangulation& triangulation, Dart d) {
 }
 
 /// The numbers of what stays, counted in order.
-std::vector<std::uint32_t> numbers_without(const std::vector<bool>& goes) {
-  std::vector<std::uint32_t> result(goes.size());
-  std::uint32_t number = 0;
-  for (std::size_t i = 0; i < goes.size(); ++i) {
-    result[i] = number;
-    if (!goes[i]) ++number;
+template <class I>
+ById<I, I> numbers_without(const ById<I, bool>& goes) {
+  ById<I, I> result(goes.size());
+  I next(0);
+  for (const I i : goes.ids()) {
+    result[i] = next;
+    if (!goes[i]) ++next;
   }
   return result;
 }
 
-template <class T>
-void erase(std::vector<T>& values, const std::vector<bool>& goes) {
-  std::size_t size = 0;
-  for (std::size_t i = 0; i < goes.size(); ++i) {
-    if (!goes[i]) values[size++] = values[i];
+template <class I, class T>
+void erase(ById<I, T>& values, const ById<I, bool>& goes) {
+  I end(0);
+  for (const I i : goes.ids()) {
+    if (goes[i]) continue;
+    values[end] = values[i];
+    ++end;
   }
-  values.resize(size);
+  values.resize(end.number());
 }
 
 }  // namespace
 
 std::optional<Dart> contract(Triangulation& triangulation, Dart d) {
-  const std::uint32_t v = triangulation.corner(d).vertex;
+  const VertexId v = triangulation.corner(d).vertex;
   const auto [first, last] = std::minmax({triangle_of(d), triangle_of(triangulation.opposite(d))});
   const std::optional<Dart> survivor = merge(triangulation, d);
   if (!survivor) return std::nullopt;
   Dart left = *survivor;  // Leaves v, that is now w.
-  for (const std::uint32_t t : {last, first}) {
-    if (triangle_of(left) == triangulation.triangle_count() - 1) {
+  for (const TriangleId t : {last, first}) {
+    if (triangle_of(left).number() == triangulation.triangle_count() - 1) {
       left = make_dart(t, corner_of(left));
     }
     remove_triangle(triangulation, t);
@@ -161,13 +163,13 @@ std::optional<Dart> contract(Triangulation& triangulation, Dart d) {
 }
 
 std::uint32_t contract_all(Triangulation& triangulation, const std::function<bool(Dart)>& goes) {
-  std::vector<bool> vertex_goes(triangulation.vertex_count());
-  std::vector<bool> triangle_goes(triangulation.triangle_count());
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+  ById<VertexId, bool> vertex_goes(triangulation.vertex_count());
+  ById<TriangleId, bool> triangle_goes(triangulation.triangle_count());
+  for (const TriangleId t : triangulation.triangles()) {
     for (std::uint32_t i = 0; i < 3 && !triangle_goes[t]; ++i) {
       const Dart d = make_dart(t, i);
-      const std::uint32_t v = triangulation.corner(d).vertex;
-      const std::uint32_t across = triangle_of(triangulation.opposite(d));
+      const VertexId v = triangulation.corner(d).vertex;
+      const TriangleId across = triangle_of(triangulation.opposite(d));
       if (v != triangulation.corner(next_dart(d)).vertex && goes(d) && merge(triangulation, d)) {
         vertex_goes[v] = true;
         triangle_goes[t] = true;
@@ -175,14 +177,14 @@ std::uint32_t contract_all(Triangulation& triangulation, const std::function<boo
       }
     }
   }
-  const std::vector<std::uint32_t> vertex_number = numbers_without(vertex_goes);
-  const std::vector<std::uint32_t> triangle_number = numbers_without(triangle_goes);
+  const ById<VertexId, VertexId> vertex_number = numbers_without(vertex_goes);
+  const ById<TriangleId, TriangleId> triangle_number = numbers_without(triangle_goes);
   const Editor editor(triangulation);
   erase(editor.points(), vertex_goes);
   erase(editor.charts(), vertex_goes);
   erase(editor.triangles(), triangle_goes);
   for (Triangle& triangle : editor.triangles()) {
-    for (std::uint32_t& v : triangle.vertex) v = vertex_number[v];
+    for (VertexId& v : triangle.vertex) v = vertex_number[v];
     for (Dart& d : triangle.opposite) d = make_dart(triangle_number[triangle_of(d)], corner_of(d));
   }
   return static_cast<std::uint32_t>(vertex_goes.size()) - triangulation.vertex_count();
@@ -190,15 +192,14 @@ std::uint32_t contract_all(Triangulation& triangulation, const std::function<boo
 
 bool move_vertex(Triangulation& triangulation, Dart d, const LiftedPoint& point) {
   const std::vector<Dart> around = triangulation.star(d);
-  const std::uint32_t v = triangulation.corner(d).vertex;
+  const VertexId v = triangulation.corner(d).vertex;
   const Editor editor(triangulation);
-  const std::uint32_t u = editor.add_vertex({point.z, point.chart});
-  constexpr std::uint32_t kNone = ~std::uint32_t{0};
-  const bool moved = replace_vertex(triangulation, around, {u, point.label}, {kNone, kNone});
+  const VertexId u = editor.add_vertex({point.z, point.chart});
+  const bool moved = replace_vertex(triangulation, around, {u, point.label}, {});
   if (moved) {
     // v becomes what u is.
     for (const Dart x : around) {
-      std::array<std::uint32_t, 3>& vertices = editor.triangles()[triangle_of(x)].vertex;
+      std::array<VertexId, 3>& vertices = editor.triangles()[triangle_of(x)].vertex;
       std::replace(vertices.begin(), vertices.end(), u, v);
     }
     editor.points()[v] = point.z;

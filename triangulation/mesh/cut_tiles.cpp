@@ -52,16 +52,16 @@ void Cutting::cut_tiles(const std::optional<BasePoint>& base) {
     const std::uint32_t first = surface_.side_number(tile, 0);
     // The corners lifted to one chart: the base point's, or that of the tile's first corner.
     const bool has_base = base && base->tile == tile;
-    const std::uint32_t reference =
-        has_base ? editor_.charts()[0] : editor_.charts()[first_class + surface_.vertex_class(first)];
+    const ChartId reference =
+        editor_.charts()[has_base ? VertexId(0) : VertexId(first_class + surface_.vertex_class(first))];
     const Word to_reference = has_base ? Word{} : reversed(surface_, words[first]);
     std::vector<Corner> corners;
     for (std::uint32_t side = first; side < first + surface_.tiles()[tile].size(); ++side) {
-      const std::uint32_t v = first_class + surface_.vertex_class(side);
+      const VertexId v(first_class + surface_.vertex_class(side));
       corners.push_back(
           {v, atlas_.label(editor_.charts()[v], reference, concatenated(surface_, words[side], to_reference))});
     }
-    const std::vector<Dart> darts = has_base ? cut_around({0, kIdentity}, corners) : cut_by_halves(corners);
+    const std::vector<Dart> darts = has_base ? cut_around({VertexId(0), kIdentity}, corners) : cut_by_halves(corners);
     dart_of_side.insert(dart_of_side.end(), darts.begin(), darts.end());
   }
   glue_sides(dart_of_side);
@@ -79,7 +79,7 @@ std::vector<Word> Cutting::add_vertex_classes(std::uint32_t first_class) {
     }
     placed[v] = true;
     const std::uint32_t tile = surface_.tile_of_side(corner);
-    editor_.charts()[first_class + v] =
+    editor_.charts()[VertexId(first_class + v)] =
         atlas_.add_chart({tile, surface_.tiles()[tile][corner - surface_.side_number(tile, 0)]});
     const Word cycle = surface_.corner_cycle(corner);
     // To corner i of the cycle leads the first part of it, or the rest of it backwards: the shorter one.
@@ -93,15 +93,14 @@ std::vector<Word> Cutting::add_vertex_classes(std::uint32_t first_class) {
 }
 
 std::vector<Dart> Cutting::cut_around(Corner centre, const std::vector<Corner>& corners) {
-  const std::uint32_t first = triangulation_.triangle_count();
   std::vector<Dart> darts;
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const std::uint32_t t = editor_.add_triangle();
+    const TriangleId t = editor_.add_triangle();
     editor_.set(t, centre, corners[k], corners[(k + 1) % corners.size()]);
     darts.push_back(make_dart(t, 1));
   }
-  for (std::uint32_t t = first; t < triangulation_.triangle_count(); ++t) {
-    editor_.link(make_dart(t, 2), make_dart(t + 1 < triangulation_.triangle_count() ? t + 1 : first, 0));
+  for (std::size_t k = 0; k < darts.size(); ++k) {
+    editor_.link(next_dart(darts[k]), previous_dart(darts[(k + 1) % darts.size()]));
   }
   return darts;
 }
@@ -123,7 +122,7 @@ std::vector<Dart> Cutting::cut_by_halves(std::uint32_t n, const SetCorners& set_
       continue;
     }
     const std::uint32_t m = (chord.i + chord.j) / 2;
-    const std::uint32_t t = editor_.add_triangle();
+    const TriangleId t = editor_.add_triangle();
     set_corners(t, chord.i, m, chord.j);
     if (chord.above) {
       editor_.link(make_dart(t, 2), *chord.above);
@@ -138,7 +137,7 @@ std::vector<Dart> Cutting::cut_by_halves(std::uint32_t n, const SetCorners& set_
 
 std::vector<Dart> Cutting::cut_by_halves(const std::vector<Corner>& corners) {
   return cut_by_halves(static_cast<std::uint32_t>(corners.size()),
-                       [&](std::uint32_t t, std::uint32_t i, std::uint32_t m, std::uint32_t j) {
+                       [&](TriangleId t, std::uint32_t i, std::uint32_t m, std::uint32_t j) {
                          editor_.set(t, corners[i], corners[m], corners[j]);
                        });
 }
@@ -154,7 +153,7 @@ void Cutting::cut_regular() {
   // The centres of the copies of the tile around a corner make a polygon, dual to the tile: one vertex on the surface.
   // Its corners are cocircular, so it may be cut in any way.
   const std::uint32_t n = surface_.side_count();
-  editor_.add_vertex({{0, 0}, atlas_.add_chart({0, {0, 0}})});
+  const VertexId v = editor_.add_vertex({{0, 0}, atlas_.add_chart({0, {0, 0}})});
   const Word cycle = surface_.corner_cycle(0);
   // Corner i of the polygon, counterclockwise, is copy n − i of the tile, and copy k + 1 is behind side cycle[k] of
   // copy k. The path from corner j to corner i < j is the shorter one of the two around the tile's corner.
@@ -167,11 +166,11 @@ void Cutting::cut_regular() {
       word.insert(word.end(), cycle.begin(), from);
       word = reversed(surface_, word);
     }
-    return atlas_.label(0, 0, std::move(word));
+    return atlas_.label(editor_.charts()[v], editor_.charts()[v], std::move(word));
   };
   const std::vector<Dart> darts =
-      cut_by_halves(n, [&](std::uint32_t t, std::uint32_t i, std::uint32_t m, std::uint32_t j) {
-        editor_.set(t, {0, kIdentity}, {0, label(i, m)}, {0, label(i, j)});
+      cut_by_halves(n, [&](TriangleId t, std::uint32_t i, std::uint32_t m, std::uint32_t j) {
+        editor_.set(t, {v, kIdentity}, {v, label(i, m)}, {v, label(i, j)});
       });
   // Its side from corner i to i + 1 crosses a side of the tile.
   std::vector<Dart> dart_of_side(n);

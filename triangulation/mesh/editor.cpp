@@ -8,7 +8,7 @@ void Editor::require_room(std::size_t count, std::size_t triangles) {
   }
 }
 
-void Editor::set(std::uint32_t t, Corner c0, Corner c1, Corner c2) const {
+void Editor::set(TriangleId t, Corner c0, Corner c1, Corner c2) const {
   record(t);
   std::uint64_t labels = 0;
   if ((c0.label | c1.label | c2.label) != kIdentity) {

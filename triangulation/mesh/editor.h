@@ -22,22 +22,23 @@ class Editor {
 
   [[nodiscard]] Atlas& atlas() const { return triangulation_.atlas_; }
   [[nodiscard]] Mesh& mesh() const { return triangulation_.mesh_; }
-  [[nodiscard]] std::vector<Complex<double>>& points() const { return triangulation_.mesh_.points; }
-  [[nodiscard]] std::vector<std::uint32_t>& charts() const { return triangulation_.mesh_.charts; }
-  [[nodiscard]] std::vector<Triangle>& triangles() const { return triangulation_.mesh_.triangles; }
+  [[nodiscard]] ById<VertexId, Complex<double>>& points() const { return triangulation_.mesh_.points; }
+  [[nodiscard]] ById<VertexId, ChartId>& charts() const { return triangulation_.mesh_.charts; }
+  [[nodiscard]] ById<TriangleId, Triangle>& triangles() const { return triangulation_.mesh_.triangles; }
 
   /// No triangulation has more triangles.
-  static constexpr std::size_t kMostTriangles = kLargestTriangle;
+  static constexpr std::size_t kMostTriangles = kLargestTriangle.number();
   /// Throws LimitError if so many more triangles are more than there may be.
   void require_room(std::size_t triangles) const { require_room(triangulation_.triangle_count(), triangles); }
   /// The same for `count` triangles that are there.
   static void require_room(std::size_t count, std::size_t triangles);
   /// Adds a vertex that no triangle has yet.
-  std::uint32_t add_vertex(const Vertex& v) const {
-    assert(v.chart < triangulation_.atlas().charts().count() && norm(v.z) <= kChartRadius * kChartRadius);
+  VertexId add_vertex(const Vertex& v) const {
+    assert(v.chart.number() < triangulation_.atlas().charts().count() && norm(v.z) <= kChartRadius * kChartRadius);
+    const VertexId id = points().end_id();
     points().push_back(v.z);
     charts().push_back(v.chart);
-    return triangulation_.vertex_count() - 1;
+    return id;
   }
   /// Takes back the last add_vertex; no triangle may have the vertex.
   void pop_vertex() const {
@@ -45,12 +46,13 @@ class Editor {
     points().pop_back();
     charts().pop_back();
   }
-  std::uint32_t add_triangle() const {
+  TriangleId add_triangle() const {
+    const TriangleId id = triangles().end_id();
     triangles().push_back({});
-    return triangulation_.triangle_count() - 1;
+    return id;
   }
   /// Gives a triangle its corners, all in one chart of reference, and takes its mark; its opposite darts stay.
-  void set(std::uint32_t t, Corner c0, Corner c1, Corner c2) const;
+  void set(TriangleId t, Corner c0, Corner c1, Corner c2) const;
   /// Makes two darts opposite to each other.
   void link(Dart d, Dart e) const {
     assert(d != e);
@@ -60,8 +62,8 @@ class Editor {
   }
 
  private:
-  void record(std::uint32_t t) const {
-    if (journal_ != nullptr && t < journal_->triangles) {
+  void record(TriangleId t) const {
+    if (journal_ != nullptr && t.number() < journal_->triangles) {
       journal_->overwritten.emplace_back(t, triangles()[t]);
     }
   }

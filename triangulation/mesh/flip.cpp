@@ -11,8 +11,8 @@ namespace epsnet {
 Dart flip(Triangulation& triangulation, Dart d, Journal* journal) {
   const Editor editor(triangulation, journal);
   const Dart e = triangulation.opposite(d);
-  const std::uint32_t t = triangle_of(d);
-  const std::uint32_t s = triangle_of(e);
+  const TriangleId t = triangle_of(d);
+  const TriangleId s = triangle_of(e);
   const LabelId across = triangulation.transition(d);
   const Corner a = triangulation.corner(d);
   const Corner b = triangulation.corner(next_dart(d));
@@ -63,7 +63,7 @@ std::uint64_t restore_delaunay(Triangulation& triangulation, std::vector<Dart>& 
 
 std::uint64_t make_delaunay(Triangulation& triangulation) {
   std::vector<Dart> pending;
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+  for (const TriangleId t : triangulation.triangles()) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (const Dart d = make_dart(t, i); d < triangulation.opposite(d)) {
         pending.push_back(d);

@@ -18,9 +18,9 @@ enum class Outcome { inserted, labels_met, undecided };
 template <bool kLabels>
 class LocalInsertion {
  public:
-  LocalInsertion(Mesh& mesh, KnownLabels& labels, std::uint32_t t, const LiftedPoint& point)
+  LocalInsertion(Mesh& mesh, KnownLabels& labels, TriangleId t, const LiftedPoint& point)
       : mesh_(mesh), labels_(labels), t_(t), point_(point), p_(point.z), height_(1 - norm(point.z)) {
-    assert(t < mesh.triangles.size() && norm(point.z) <= kChartRadius * kChartRadius);
+    assert(t.number() < mesh.triangles.size() && norm(point.z) <= kChartRadius * kChartRadius);
   }
 
   [[nodiscard]] Outcome run(const Threshold& apart, const Threshold& large, NewTriangles& made) {
@@ -51,7 +51,7 @@ class LocalInsertion {
     Complex<double> offset;  ///< From p.
     double offset_norm;
     double height;  ///< 1 − |z|².
-    std::uint32_t vertex;
+    VertexId vertex;
     LabelId label;
   };
   /// An edge of a triangle in conflict, to be crossed: the dart on its other side; its ends are numbers of rims.
@@ -68,13 +68,13 @@ class LocalInsertion {
   };
   static constexpr std::size_t kMost = NewTriangles::kMost - 2;  ///< Triangles in conflict.
 
-  std::uint32_t add_rim(std::uint32_t vertex, LabelId label, const Complex<double>& z, const Complex<double>& offset,
+  std::uint32_t add_rim(VertexId vertex, LabelId label, const Complex<double>& z, const Complex<double>& offset,
                         double offset_norm) {
     rims_[rim_count_] = {z, offset, offset_norm, 1 - norm(z), vertex, label};
     return rim_count_++;
   }
 
-  [[nodiscard]] Complex<double> lift_of(std::uint32_t vertex, LabelId label) {
+  [[nodiscard]] Complex<double> lift_of(VertexId vertex, LabelId label) {
     if (!kLabels || label == kIdentity) {
       return mesh_.points[vertex];
     }
@@ -87,7 +87,7 @@ class LocalInsertion {
     return j == 0 ? to.label : labels_.product(from.label, labels_.inverse(outside.label(next(j))));
   }
 
-  [[nodiscard]] bool in_cavity(std::uint32_t s) const {
+  [[nodiscard]] bool in_cavity(TriangleId s) const {
     return kLabels && std::find(cavity_.data(), cavity_.data() + cavity_count_, s) != cavity_.data() + cavity_count_;
   }
 
@@ -122,7 +122,7 @@ class LocalInsertion {
       if (outer == kOutside) {
         return Outcome::undecided;
       }
-      const std::uint32_t s = triangle_of(outer);
+      const TriangleId s = triangle_of(outer);
       const std::uint32_t j = corner_of(outer);
       const Triangle& outside = mesh_.triangles[s];
       LabelId apex_label = kIdentity;
@@ -134,7 +134,7 @@ class LocalInsertion {
       } else if (!outside.all_identity()) {
         return Outcome::labels_met;
       }
-      const std::uint32_t apex = outside.vertex[previous(j)];
+      const VertexId apex = outside.vertex[previous(j)];
       const Complex<double> z = lift_of(apex, apex_label);
       const Complex<double> offset = z - p_;
       const double offset_norm = norm(offset);
@@ -178,22 +178,22 @@ class LocalInsertion {
 
   /// The new vertex, and the fan from it to the boundary.
   void fill(const Threshold& large, NewTriangles& made) {
-    std::vector<Triangle>& triangles = mesh_.triangles;
+    ById<TriangleId, Triangle>& triangles = mesh_.triangles;
     Editor::require_room(triangles.size(), 2);
-    const auto v = static_cast<std::uint32_t>(mesh_.points.size());
+    const VertexId v = mesh_.points.end_id();
     mesh_.charts.push_back(point_.chart);
     mesh_.points.push_back(p_);
     std::copy_n(cavity_.data(), cavity_count_, made.slots.data());
     for (std::size_t i = cavity_count_; i < edge_count_; ++i) {
-      made.slots[i] = static_cast<std::uint32_t>(triangles.size());
+      made.slots[i] = triangles.end_id();
       triangles.push_back({});
     }
     made.count = static_cast<std::uint32_t>(edge_count_);
     made.large_count = 0;
     made.unsure_count = 0;
-    std::uint32_t preceding = made.slots[edge_count_ - 1];
+    TriangleId preceding = made.slots[edge_count_ - 1];
     for (std::size_t i = 0; i < edge_count_; ++i) {
-      const std::uint32_t slot = made.slots[i];
+      const TriangleId slot = made.slots[i];
       const std::size_t following = i + 1 < edge_count_ ? i + 1 : 0;
       const Rim& from = rims_[edges_[i].from];
       const Rim& to = rims_[edges_[following].from];
@@ -225,7 +225,7 @@ class LocalInsertion {
 
   Mesh& mesh_;
   KnownLabels& labels_;
-  const std::uint32_t t_;
+  const TriangleId t_;
   const LiftedPoint& point_;
   const Complex<double> p_;
   const double height_;  ///< 1 − |p|².
@@ -237,12 +237,12 @@ class LocalInsertion {
   std::array<Rim, NewTriangles::kMost> rims_;
   std::array<Gate, NewTriangles::kMost> gates_;
   std::array<Edge, NewTriangles::kMost> edges_;
-  std::array<std::uint32_t, kMost> cavity_;
+  std::array<TriangleId, kMost> cavity_;
 };
 
 }  // namespace
 
-bool insert_locally(Mesh& mesh, KnownLabels& labels, std::uint32_t t, const LiftedPoint& point, const Threshold& apart,
+bool insert_locally(Mesh& mesh, KnownLabels& labels, TriangleId t, const LiftedPoint& point, const Threshold& apart,
                     const Threshold& large, NewTriangles& made) {
   Outcome outcome = LocalInsertion<false>(mesh, labels, t, point).run(apart, large, made);
   if (outcome == Outcome::labels_met) {

@@ -15,9 +15,9 @@ struct NewTriangles {
   std::uint32_t count = 0;
   std::uint32_t large_count = 0;
   std::uint32_t unsure_count = 0;
-  std::array<std::uint32_t, kMost> slots;
-  std::array<std::uint32_t, kMost> large_slots;
-  std::array<std::uint32_t, kMost> unsure_slots;
+  std::array<TriangleId, kMost> slots;
+  std::array<TriangleId, kMost> large_slots;
+  std::array<TriangleId, kMost> unsure_slots;
 };
 
 /// In a mesh that is a part of a triangulation: the dart across from every edge of its boundary.
@@ -30,7 +30,7 @@ inline constexpr Dart kOutside = make_dart(kLargestTriangle, 0);
 /// vertices, or if the mesh is a part and the cavity reaches to its boundary. `made` is memory of the caller. Triangles
 /// with sinh²R > large are marked. Reads nothing but the mesh, `labels` and its atlas, and the binary64 ends of the
 /// thresholds.
-[[nodiscard]] bool insert_locally(Mesh& mesh, KnownLabels& labels, std::uint32_t t, const LiftedPoint& point,
+[[nodiscard]] bool insert_locally(Mesh& mesh, KnownLabels& labels, TriangleId t, const LiftedPoint& point,
                                   const Threshold& apart, const Threshold& large, NewTriangles& made);
 
 }  // namespace epsnet

@@ -44,17 +44,17 @@ enum class Walk {
 inline constexpr std::uint32_t kAnySteps = ~0u;
 
 /// Returns where vertex p lies. The label of p lifts it to the chart of triangle `start`.
-[[nodiscard]] Location locate(Triangulation& triangulation, std::uint32_t start, Corner p, Walk walk,
+[[nodiscard]] Location locate(Triangulation& triangulation, TriangleId start, Corner p, Walk walk,
                               std::uint32_t most_steps = kAnySteps);
 /// Like `locate`, for a point that is not a vertex. Its label leads to the chart of `start`.
-[[nodiscard]] Location locate(Triangulation& triangulation, std::uint32_t start, const LiftedPoint& point, Walk walk,
+[[nodiscard]] Location locate(Triangulation& triangulation, TriangleId start, const LiftedPoint& point, Walk walk,
                               std::uint32_t most_steps = kAnySteps);
 
 /// `locate` by the visibility walk (thesis Theorem II.1): requires a Delaunay triangulation.
-[[nodiscard]] Location locate_visibility(Triangulation& triangulation, std::uint32_t start, Corner p,
+[[nodiscard]] Location locate_visibility(Triangulation& triangulation, TriangleId start, Corner p,
                                          std::uint32_t most_steps = kAnySteps);
 /// `locate` by the straight walk from corner 0 of `start` (thesis Chapter II).
-[[nodiscard]] Location locate_straight(Triangulation& triangulation, std::uint32_t start, Corner p,
+[[nodiscard]] Location locate_straight(Triangulation& triangulation, TriangleId start, Corner p,
                                        std::uint32_t most_steps = kAnySteps);
 
 // The journal.
@@ -63,7 +63,7 @@ inline constexpr std::uint32_t kAnySteps = ~0u;
 struct Journal {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
-  std::vector<std::pair<std::uint32_t, Triangle>> overwritten;
+  std::vector<std::pair<TriangleId, Triangle>> overwritten;
 };
 
 /// Starts to record for `undo`.
@@ -83,7 +83,7 @@ std::uint64_t make_delaunay(Triangulation& triangulation);
 
 /// What insert_by_flips did.
 struct InsertedVertex {
-  std::uint32_t vertex;
+  VertexId vertex;
   Dart dart;            ///< Leaves the vertex.
   std::uint32_t steps;  ///< Of the walk.
   std::uint64_t flips;
@@ -92,7 +92,7 @@ struct InsertedVertex {
 /// Makes a point the next vertex of a Delaunay triangulation: walk from triangle `start`, split, flip (thesis IV.4.3 to
 /// IV.4.5). The label of the point leads to the chart of `start`. Nothing, with nothing changed, if there is a vertex
 /// already or if the walk takes more than `most_steps`. Throws LimitError.
-[[nodiscard]] std::optional<InsertedVertex> insert_by_flips(Triangulation& triangulation, std::uint32_t start,
+[[nodiscard]] std::optional<InsertedVertex> insert_by_flips(Triangulation& triangulation, TriangleId start,
                                                             const LiftedPoint& point, Walk walk,
                                                             std::uint32_t most_steps = kAnySteps,
                                                             Journal* journal = nullptr);
@@ -110,27 +110,27 @@ void renumber_by_neighbours(Triangulation& triangulation);
 // Delaunay.
 
 /// Adds a vertex that no triangle has yet; returns its number.
-std::uint32_t add_vertex(Triangulation& triangulation, const Vertex& v);
+VertexId add_vertex(Triangulation& triangulation, const Vertex& v);
 /// Takes back the last add_vertex; no triangle may have the vertex.
 void pop_vertex(Triangulation& triangulation);
 
 /// Splits triangle t into three at a vertex in its interior. `label` leads from the vertex's chart to t's chart.
 /// Returns the triangles around the vertex: it is their corner 0, dart 1 is opposite to it.
-std::vector<std::uint32_t> split_face(Triangulation& triangulation, std::uint32_t t, std::uint32_t vertex,
-                                      LabelId label, Journal* journal = nullptr);
+std::vector<TriangleId> split_face(Triangulation& triangulation, TriangleId t, VertexId vertex, LabelId label,
+                                   Journal* journal = nullptr);
 /// Splits the edge of d, and the two triangles beside it, at a vertex in its interior. `label` leads from the vertex'
 /// chart to the chart of d's triangle. Returns the triangles around the vertex, as split_face.
-std::vector<std::uint32_t> split_edge(Triangulation& triangulation, Dart d, std::uint32_t vertex, LabelId label,
-                                      Journal* journal = nullptr);
+std::vector<TriangleId> split_edge(Triangulation& triangulation, Dart d, VertexId vertex, LabelId label,
+                                   Journal* journal = nullptr);
 
 /// Makes `vertex` (added, in no triangle) a vertex of the Delaunay triangulation by Bowyer–Watson, starting at triangle
 /// t, which must be in conflict with it. `label` leads from the vertex's chart to t's chart. Returns the triangles
 /// around the vertex, as split_face; nothing, with nothing changed, if the cavity meets a lift of itself (few vertices,
 /// short loops), or `accept(corners of the link)` says no. Requires a Delaunay triangulation.
-[[nodiscard]] std::optional<std::vector<std::uint32_t>> insert_in_cavity(Triangulation& triangulation, std::uint32_t t,
-                                                                         std::uint32_t vertex, LabelId label,
-                                                                         const std::function<bool(Corner)>& accept,
-                                                                         Journal* journal = nullptr);
+[[nodiscard]] std::optional<std::vector<TriangleId>> insert_in_cavity(Triangulation& triangulation, TriangleId t,
+                                                                      VertexId vertex, LabelId label,
+                                                                      const std::function<bool(Corner)>& accept,
+                                                                      Journal* journal = nullptr);
 
 /// Replaces the edge of d by the other diagonal of the two triangles beside it, and returns a dart of the new edge. The
 /// two triangles may share more edges. Requires their lifts side by side to make a strictly convex quadrilateral; an

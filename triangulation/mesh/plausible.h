@@ -17,7 +17,7 @@ namespace epsnet {
 }
 
 /// False if p is certainly outside of the circle through the corners of a triangle, in whose chart it is.
-[[nodiscard]] inline bool may_be_in_circle(const Triangulation& triangulation, std::uint32_t t, Corner p) {
+[[nodiscard]] inline bool may_be_in_circle(const Triangulation& triangulation, TriangleId t, Corner p) {
   const Triangulation::Lift a = triangulation.lift(triangulation.corner(t, 0));
   const Triangulation::Lift b = triangulation.lift(triangulation.corner(t, 1));
   const Triangulation::Lift c = triangulation.lift(triangulation.corner(t, 2));

@@ -8,13 +8,12 @@ namespace epsnet {
 namespace {
 
 std::string at(std::string_view what, Dart d) {
-  return std::string(what) + " at triangle " + std::to_string(triangle_of(d)) + ", edge " +
-         std::to_string(corner_of(d));
+  return std::string(what) + " at triangle " + to_string(triangle_of(d)) + ", edge " + std::to_string(corner_of(d));
 }
 
 std::string problem_of_dart(Triangulation& triangulation, Dart d) {
   const Dart e = triangulation.opposite(d);
-  if (triangle_of(e) >= triangulation.triangle_count() || corner_of(e) > 2 || triangulation.opposite(e) != d ||
+  if (triangle_of(e).number() >= triangulation.triangle_count() || corner_of(e) > 2 || triangulation.opposite(e) != d ||
       e == d) {
     return at("opposite is not an involution without fixed point", d);
   }
@@ -23,8 +22,8 @@ std::string problem_of_dart(Triangulation& triangulation, Dart d) {
   if (triangulation.corner(next_dart(e)).vertex != start.vertex) {
     return at("the vertices on the two sides differ", d);
   }
-  const std::uint32_t from = triangulation.vertex(start.vertex).chart;
-  const std::uint32_t to = triangulation.chart_of(triangle_of(d));
+  const ChartId from = triangulation.vertex(start.vertex).chart;
+  const ChartId to = triangulation.chart_of(triangle_of(d));
   if (start.label == kIdentity ? from != to
                                : atlas.labels()[start.label].from != from || atlas.labels()[start.label].to != to) {
     return at("a label leads from or to another chart", d);
@@ -32,7 +31,7 @@ std::string problem_of_dart(Triangulation& triangulation, Dart d) {
   return {};
 }
 
-std::string problem_of_triangle(Triangulation& triangulation, std::uint32_t t) {
+std::string problem_of_triangle(Triangulation& triangulation, TriangleId t) {
   for (std::uint32_t i = 0; i < 3; ++i) {
     const Dart d = make_dart(t, i);
     const Dart e = triangulation.opposite(d);
@@ -49,16 +48,16 @@ std::string problem_of_triangle(Triangulation& triangulation, std::uint32_t t) {
 
 /// The darts that leave each vertex, `darts_leaving[v]` of them, are one cycle around it.
 std::string problem_of_vertices(const Triangulation& triangulation) {
-  std::vector<std::uint64_t> darts_leaving(triangulation.vertex_count(), 0);
-  std::vector<Dart> some_dart(triangulation.vertex_count());
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+  ById<VertexId, std::uint64_t> darts_leaving(triangulation.vertex_count(), 0);
+  ById<VertexId, Dart> some_dart(triangulation.vertex_count());
+  for (const TriangleId t : triangulation.triangles()) {
     for (std::uint32_t i = 0; i < 3; ++i) {
-      const std::uint32_t v = triangulation.triangle(t).vertex[i];
+      const VertexId v = triangulation.triangle(t).vertex[i];
       ++darts_leaving[v];
       some_dart[v] = make_dart(t, i);
     }
   }
-  for (std::uint32_t v = 0; v < triangulation.vertex_count(); ++v) {
+  for (const VertexId v : triangulation.vertices()) {
     std::uint64_t turned = 0;
     if (darts_leaving[v] > 0) {
       Dart d = some_dart[v];
@@ -68,10 +67,10 @@ std::string problem_of_vertices(const Triangulation& triangulation) {
       } while (d != some_dart[v] && turned <= darts_leaving[v]);
     }
     if (turned == 0 || turned != darts_leaving[v]) {
-      return "the darts that leave vertex " + std::to_string(v) + " do not form one cycle";
+      return "the darts that leave vertex " + to_string(v) + " do not form one cycle";
     }
     if (norm(triangulation.vertex(v).z) > kChartRadius * kChartRadius) {
-      return "vertex " + std::to_string(v) + " is far from the origin of its chart";
+      return "vertex " + to_string(v) + " is far from the origin of its chart";
     }
   }
   return {};
@@ -90,12 +89,12 @@ std::string problem_of_counts(const Triangulation& triangulation) {
 
 std::string problem(Triangulation& triangulation) {
   // Labels are multiplied only after it is known that one leads from where the other leads to.
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+  for (const TriangleId t : triangulation.triangles()) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (std::string what = problem_of_dart(triangulation, make_dart(t, i)); !what.empty()) return what;
     }
   }
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+  for (const TriangleId t : triangulation.triangles()) {
     if (std::string what = problem_of_triangle(triangulation, t); !what.empty()) return what;
   }
   if (std::string what = problem_of_vertices(triangulation); !what.empty()) return what;

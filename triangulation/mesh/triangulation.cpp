@@ -20,9 +20,9 @@ std::vector<Dart> Triangulation::star(Dart d) const {
   return darts;
 }
 
-LiftedPoint Triangulation::lifted_point(const BasePoint& point, std::uint32_t t) {
-  const std::uint32_t chart = atlas_.add_chart({point.tile, point.z});
-  const std::uint32_t there = chart_of(t);
+LiftedPoint Triangulation::lifted_point(const BasePoint& point, TriangleId t) {
+  const ChartId chart = atlas_.add_chart({point.tile, point.z});
+  const ChartId there = chart_of(t);
   return {chart,
           {0, 0},
           atlas_.label(chart, there, path_between_tiles(surface(), point.tile, atlas_.charts()[there].tile))};
@@ -86,7 +86,7 @@ int Triangulation::orientation(Corner a, Corner b, Corner c) {
   });
 }
 
-int Triangulation::compare_circumradius_staged(std::uint32_t t, const Threshold& s) {
+int Triangulation::compare_circumradius_staged(TriangleId t, const Threshold& s) {
   return staged(std::array{corner(t, 0), corner(t, 1), corner(t, 2)},
                 [&s]<class T>(const std::array<Complex<T>, 3>& p, const T& error) {
                   const auto& [low, high] = s.at<T>();
@@ -102,7 +102,7 @@ int Triangulation::compare_distance_staged(Corner a, Corner b, const Threshold& 
 }
 
 bool Triangulation::is_delaunay(Dart d) {
-  const std::uint32_t t = triangle_of(d);
+  const TriangleId t = triangle_of(d);
   const Dart e = opposite(d);
   const LabelId across = transition(d);
   return in_circle(corner(t, 0), corner(t, 1), corner(t, 2),

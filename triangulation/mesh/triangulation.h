@@ -11,6 +11,7 @@
 #include "triangulation/mesh/threshold.h"
 #include "triangulation/surface/atlas.h"
 #include "triangulation/surface/error.h"
+#include "triangulation/surface/id.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet {
@@ -22,15 +23,15 @@ namespace epsnet {
 enum class Dart : std::uint32_t {};
 
 /// The largest number of a triangle that a dart has room for.
-inline constexpr std::uint32_t kLargestTriangle = (1U << 30) - 1;
+inline constexpr TriangleId kLargestTriangle{(1U << 30) - 1};
 
 /// Dart i of a triangle, i < 3.
-[[nodiscard]] constexpr Dart make_dart(std::uint32_t triangle, std::uint32_t corner) {
+[[nodiscard]] constexpr Dart make_dart(TriangleId triangle, std::uint32_t corner) {
   assert(triangle <= kLargestTriangle && corner < 3);
-  return Dart{4 * triangle + corner};
+  return Dart{4 * triangle.number() + corner};
 }
 /// The triangle of a dart.
-[[nodiscard]] constexpr std::uint32_t triangle_of(Dart d) { return static_cast<std::uint32_t>(d) >> 2; }
+[[nodiscard]] constexpr TriangleId triangle_of(Dart d) { return TriangleId(static_cast<std::uint32_t>(d) >> 2); }
 /// The corner of its triangle at which it starts.
 [[nodiscard]] constexpr std::uint32_t corner_of(Dart d) {
   const std::uint32_t corner = static_cast<std::uint32_t>(d) & 3;
@@ -55,7 +56,7 @@ inline constexpr std::uint32_t kLargestTriangle = (1U << 30) - 1;
 /// A vertex: the point of the surface with coordinate z in a chart, |z| ≤ kChartRadius.
 struct Vertex {
   Complex<double> z;
-  std::uint32_t chart;
+  ChartId chart;
 };
 
 /// The largest label that a triangle has room for.
@@ -64,7 +65,7 @@ inline constexpr LabelId kLargestLabel = (1u << 24) - 1;
 /// A triangle of the labelled triangulation (thesis I.4.1 and I.4.2 in one): vertices, darts across, and the labels
 /// that lift corners 1 and 2 to the chart of corner 0. 32 bytes.
 struct Triangle {
-  std::array<std::uint32_t, 3> vertex;
+  std::array<VertexId, 3> vertex;
   std::array<Dart, 3> opposite;
   std::uint64_t labels_and_mark;  ///< Label of corner 1 (24 bits), of corner 2 (24 bits), 15 zeros, the mark.
 
@@ -92,14 +93,14 @@ static_assert(sizeof(Triangle) == 32);
 /// The vertices and triangles of a triangulation, or of a part of one. Coordinates and charts are separate arrays, as
 /// the predicates of nearly all triangles need only the coordinates.
 struct Mesh {
-  std::vector<Complex<double>> points;
-  std::vector<std::uint32_t> charts;
-  std::vector<Triangle> triangles;
+  ById<VertexId, Complex<double>> points;
+  ById<VertexId, ChartId> charts;
+  ById<TriangleId, Triangle> triangles;
 };
 
 /// A vertex lifted by a label to some chart of reference.
 struct Corner {
-  std::uint32_t vertex;
+  VertexId vertex;
   LabelId label;
   bool operator==(const Corner&) const = default;
 };
@@ -140,29 +141,33 @@ class Triangulation {
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   /// The charts of the vertices and the labels of the corners.
   [[nodiscard]] const Atlas& atlas() const { return atlas_; }
-  /// Returns the number of vertices. They are numbered from 0.
+  /// Returns the number of vertices.
   [[nodiscard]] std::uint32_t vertex_count() const { return static_cast<std::uint32_t>(mesh_.points.size()); }
-  /// Returns the number of triangles. They are numbered from 0.
+  /// Returns the number of triangles.
   [[nodiscard]] std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(mesh_.triangles.size()); }
+  /// The numbers of all vertices.
+  [[nodiscard]] Ids<VertexId> vertices() const { return mesh_.points.ids(); }
+  /// The numbers of all triangles.
+  [[nodiscard]] Ids<TriangleId> triangles() const { return mesh_.triangles.ids(); }
   /// Returns vertex v.
-  [[nodiscard]] Vertex vertex(std::uint32_t v) const {
-    assert(v < vertex_count());
+  [[nodiscard]] Vertex vertex(VertexId v) const {
+    assert(v.number() < vertex_count());
     return {mesh_.points[v], mesh_.charts[v]};
   }
   /// The coordinate of a vertex in its chart.
-  [[nodiscard]] const Complex<double>& point(std::uint32_t v) const {
-    assert(v < vertex_count());
+  [[nodiscard]] const Complex<double>& point(VertexId v) const {
+    assert(v.number() < vertex_count());
     return mesh_.points[v];
   }
   /// Returns triangle t.
-  [[nodiscard]] const Triangle& triangle(std::uint32_t t) const {
-    assert(t < triangle_count());
+  [[nodiscard]] const Triangle& triangle(TriangleId t) const {
+    assert(t.number() < triangle_count());
     return mesh_.triangles[t];
   }
   /// The chart of a triangle: that of its corner 0.
-  [[nodiscard]] std::uint32_t chart_of(std::uint32_t t) const { return mesh_.charts[triangle(t).vertex[0]]; }
+  [[nodiscard]] ChartId chart_of(TriangleId t) const { return mesh_.charts[triangle(t).vertex[0]]; }
   /// Corner i of triangle t, lifted to the chart of t.
-  [[nodiscard]] Corner corner(std::uint32_t t, std::uint32_t i) const {
+  [[nodiscard]] Corner corner(TriangleId t, std::uint32_t i) const {
     assert(i < 3);
     return {triangle(t).vertex[i], triangle(t).label(i)};
   }
@@ -222,13 +227,13 @@ class Triangulation {
     return atlas_.lift<T>(c.label, point(c.vertex));
   }
   /// As Atlas::lifted_point.
-  [[nodiscard]] std::optional<LiftedPoint> lifted_point(std::uint32_t chart, const Complex<Mp1024>& z,
+  [[nodiscard]] std::optional<LiftedPoint> lifted_point(ChartId chart, const Complex<Mp1024>& z,
                                                         Atlas::Precision precision) {
     return atlas_.lifted_point(chart, z, precision);
   }
   /// Returns a point in its closed tile as the origin of a chart of its own, lifted to the chart of triangle t. Throws
   /// LimitError if the path there leads too far.
-  [[nodiscard]] LiftedPoint lifted_point(const BasePoint& point, std::uint32_t t);
+  [[nodiscard]] LiftedPoint lifted_point(const BasePoint& point, TriangleId t);
 
   // Predicates on lifted vertices, all corners in the same chart of reference. Staged: binary64, then 256, 1024, 4096
   // bits; beyond that a tie, 0.
@@ -242,7 +247,7 @@ class Triangulation {
   [[nodiscard]] bool is_delaunay(Dart d);
   /// Returns 1 if the hyperbolic circumradius R of triangle t certainly has sinh²R > s, −1 if certainly sinh²R < s, 0
   /// for a tie.
-  [[nodiscard]] int compare_circumradius(std::uint32_t t, const Threshold& s) {
+  [[nodiscard]] int compare_circumradius(TriangleId t, const Threshold& s) {
     const Triangle& triangle = mesh_.triangles[t];
     if (triangle.all_identity()) {
       const StageSign sign =
@@ -275,7 +280,7 @@ class Triangulation {
   explicit Triangulation(Atlas atlas) : atlas_(std::move(atlas)) {}
   Triangulation(const Triangulation&) = default;
 
-  [[nodiscard]] int compare_circumradius_staged(std::uint32_t t, const Threshold& s);
+  [[nodiscard]] int compare_circumradius_staged(TriangleId t, const Threshold& s);
   [[nodiscard]] int compare_distance_staged(Corner a, Corner b, const Threshold& s);
   /// Runs the stages of a predicate on the corners: `stage` takes the lifted points and the bound on their error.
   template <std::size_t N, class Stage>

@@ -43,8 +43,8 @@ bool untwist(Triangulation& triangulation, Dart d, Journal* journal) {
   const bool previous_glued = triangulation.opposite(previous_dart(d)) == previous_dart(e);
   if (!next_glued && !previous_glued) return false;
   Atlas& atlas = Editor(triangulation).atlas();
-  const std::uint32_t t = triangle_of(d);
-  const std::uint32_t s = triangle_of(e);
+  const TriangleId t = triangle_of(d);
+  const TriangleId s = triangle_of(e);
   const std::uint32_t of_p = next_glued ? corner_of(d) : next(corner_of(d));
   const std::uint32_t of_turned_f = next_glued ? next(corner_of(d)) : corner_of(d);
   const Corner p = triangulation.corner(t, of_p);

@@ -8,7 +8,7 @@ namespace {
 
 /// Face, edge or vertex, for a point p that no edge of d's triangle has on its other side.
 Location classify(Triangulation& triangulation, Dart d, LabelId transition_to_start, Corner p, std::uint32_t steps) {
-  const std::uint32_t t = triangle_of(d);
+  const TriangleId t = triangle_of(d);
   std::array<int, 3> signs{};
   for (std::uint32_t i = 0; i < 3; ++i) {
     signs[i] = triangulation.orientation(triangulation.moved(transition_to_start, triangulation.corner(t, i)),
@@ -29,22 +29,22 @@ Location classify(Triangulation& triangulation, Dart d, LabelId transition_to_st
 
 }  // namespace
 
-Location locate(Triangulation& triangulation, std::uint32_t start, Corner p, Walk walk, std::uint32_t most_steps) {
+Location locate(Triangulation& triangulation, TriangleId start, Corner p, Walk walk, std::uint32_t most_steps) {
   return walk == Walk::visibility ? locate_visibility(triangulation, start, p, most_steps)
                                   : locate_straight(triangulation, start, p, most_steps);
 }
 
-Location locate(Triangulation& triangulation, std::uint32_t start, const LiftedPoint& point, Walk walk,
+Location locate(Triangulation& triangulation, TriangleId start, const LiftedPoint& point, Walk walk,
                 std::uint32_t most_steps) {
   const Editor editor(triangulation);
-  const std::uint32_t v = editor.add_vertex({point.z, point.chart});
+  const VertexId v = editor.add_vertex({point.z, point.chart});
   const Location location = locate(triangulation, start, Corner{v, point.label}, walk, most_steps);
   editor.pop_vertex();
   return location;
 }
 
-Location locate_visibility(Triangulation& triangulation, std::uint32_t start, Corner p, std::uint32_t most_steps) {
-  std::uint32_t t = start;
+Location locate_visibility(Triangulation& triangulation, TriangleId start, Corner p, std::uint32_t most_steps) {
+  TriangleId t = start;
   LabelId lift_of_t = kIdentity;
   std::uint32_t steps = 0;
   std::uint32_t entered = 3;  // The edge through which t was entered: p is not behind it.
@@ -72,7 +72,7 @@ Location locate_visibility(Triangulation& triangulation, std::uint32_t start, Co
   }
 }
 
-Location locate_straight(Triangulation& triangulation, std::uint32_t start, Corner p, std::uint32_t most_steps) {
+Location locate_straight(Triangulation& triangulation, TriangleId start, Corner p, std::uint32_t most_steps) {
   std::uint32_t steps = 0;
   Dart d = make_dart(start, 0);  // Leaves the corner the walk starts from, whatever triangle it turns to.
   LabelId lift_of_t = kIdentity;

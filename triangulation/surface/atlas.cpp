@@ -55,7 +55,7 @@ Atlas::Atlas(const Surface& surface) : charts_(surface), words_(surface) {
   }
 }
 
-std::optional<Evaluated<Mp256>> Atlas::evaluate_label(std::uint32_t from, std::uint32_t to, const Word& word) const {
+std::optional<Evaluated<Mp256>> Atlas::evaluate_label(ChartId from, ChartId to, const Word& word) const {
   std::optional<Evaluated<Mp256>> value = words_.value<Mp256>(kLabelAccuracy + 10, charts_, from, to, word);
   if (value && value->accuracy < kAbsoluteAccuracy + log2_norm(value->isometry)) {
     value = words_.value<Mp256>(240, charts_, from, to, word);
@@ -71,20 +71,20 @@ const Evaluated<Mp256>& Atlas::precise(LabelId l) {
   return labels_.set_precise(l, std::move(*value));
 }
 
-std::optional<LabelId> Atlas::find_label(std::uint32_t from, std::uint32_t to, Word word) {
+std::optional<LabelId> Atlas::find_label(ChartId from, ChartId to, Word word) {
   assert(is_path(surface(), charts_[from].tile, charts_[to].tile, word));
   const std::optional<Evaluated<Mp256>> value = evaluate_label(from, to, word);
   return value ? std::optional(find_or_add(from, to, *value, std::move(word))) : std::nullopt;
 }
 
-LabelId Atlas::label(std::uint32_t from, std::uint32_t to, Word word) {
+LabelId Atlas::label(ChartId from, ChartId to, Word word) {
   const std::size_t sides = word.size();
   const std::optional<LabelId> result = find_label(from, to, std::move(word));
   if (!result) throw_too_far(sides);
   return *result;
 }
 
-LabelId Atlas::find_or_add(std::uint32_t from, std::uint32_t to, const Evaluated<Mp256>& value, Word word) {
+LabelId Atlas::find_or_add(ChartId from, ChartId to, const Evaluated<Mp256>& value, Word word) {
   const Isometry<Mp256>& isometry = value.isometry;
   const auto small = [](const Mp256& x) { return binary_exponent(x) < -kSameLabelBits; };
   const auto equal = [&](const Isometry<Mp256>& f, const Isometry<Mp256>& g) {
@@ -108,7 +108,7 @@ LabelId Atlas::find_or_add(std::uint32_t from, std::uint32_t to, const Evaluated
 
 std::optional<LabelId> Atlas::find_product(LabelId f, LabelId g) const {
   assert(labels_[g].to == labels_[f].from);
-  const std::uint32_t from = labels_[g].from;
+  const ChartId from = labels_[g].from;
   return labels_.find(from, labels_[f].to, charts_.disk(from), isometry(f) * isometry(g),
                       size_of(isometry(f)) * size_of(isometry(g)));
 }
@@ -224,7 +224,7 @@ T Atlas::lift_error() {
   }
 }
 
-std::optional<LiftedPoint> Atlas::lifted_point_nearby(std::uint32_t c, const Complex<double>& z) const {
+std::optional<LiftedPoint> Atlas::lifted_point_nearby(ChartId c, const Complex<double>& z) const {
   constexpr double kRadius2 = kChartRadius * kChartRadius;
   std::optional<LiftedPoint> best;
   double best_norm = kRadius2;
@@ -254,7 +254,7 @@ std::optional<Atlas::TilePoint> Atlas::walk_through_tiles(std::uint32_t tile, co
   return point;
 }
 
-std::optional<LiftedPoint> Atlas::lifted_point(std::uint32_t c, const Complex<Mp1024>& z, Precision precision) {
+std::optional<LiftedPoint> Atlas::lifted_point(ChartId c, const Complex<Mp1024>& z, Precision precision) {
   assert(norm(z) < 1);
   // In the tile whose coordinates it has: far from the origin bits are worth less, so there are many.
   const std::optional<TilePoint> point = walk_through_tiles(charts_[c].tile, charts_.frame<Mp1024>(c)(z));
@@ -262,7 +262,7 @@ std::optional<LiftedPoint> Atlas::lifted_point(std::uint32_t c, const Complex<Mp
     return std::nullopt;
   }
   const bool exact = precision == Precision::bits_256;
-  std::optional<std::uint32_t> chart = exact ? std::nullopt : charts_.nearest(point->tile, point->z);
+  std::optional<ChartId> chart = exact ? std::nullopt : charts_.nearest(point->tile, point->z);
   if (!chart) {
     // Short centres where binary64 places them well, else all the bits there are.
     const bool round = !exact && norm(point->z) < 0.999999;

@@ -23,7 +23,7 @@ class LimitError : public Error {
 /// A point of the surface as a vertex, lifted to a chart of reference: a chart, coordinates with |z| ≤ kChartRadius
 /// there, and the label from that chart to the chart of reference.
 struct LiftedPoint {
-  std::uint32_t chart;
+  ChartId chart;
   Complex<double> z;
   LabelId label;
 };
@@ -47,11 +47,11 @@ class Atlas {
   [[nodiscard]] std::uint64_t factor_count() const { return words_.factor_count(); }
 
   /// As Charts::add.
-  std::uint32_t add_chart(Chart chart) { return charts_.add(std::move(chart)); }
+  ChartId add_chart(Chart chart) { return charts_.add(std::move(chart)); }
 
   /// The label of a word from the tile of chart `from` to the tile of chart `to`. Throws LimitError if the word leads
   /// too far to be evaluated.
-  [[nodiscard]] LabelId label(std::uint32_t from, std::uint32_t to, Word word);
+  [[nodiscard]] LabelId label(ChartId from, ChartId to, Word word);
   /// Returns f ∘ g. Requires: g leads to the chart that f leads from.
   [[nodiscard]] LabelId product(LabelId f, LabelId g) {
     if (f == kIdentity) {
@@ -98,10 +98,10 @@ class Atlas {
   };
   /// Returns the point with coordinate z in chart c as a vertex; nullopt if it is too far away: 10,000 tiles, or
   /// farther than labels can be evaluated.
-  [[nodiscard]] std::optional<LiftedPoint> lifted_point(std::uint32_t c, const Complex<Mp1024>& z, Precision precision);
+  [[nodiscard]] std::optional<LiftedPoint> lifted_point(ChartId c, const Complex<Mp1024>& z, Precision precision);
   /// Like `lifted_point`, for a point known in binary64, and with existing labels only. Returns nullopt if no label
   /// takes the point near the origin of a chart.
-  [[nodiscard]] std::optional<LiftedPoint> lifted_point_nearby(std::uint32_t c, const Complex<double>& z) const;
+  [[nodiscard]] std::optional<LiftedPoint> lifted_point_nearby(ChartId c, const Complex<double>& z) const;
 
  private:
   /// A point in the coordinates of the tile that contains it, and the path to that tile.
@@ -118,12 +118,11 @@ class Atlas {
   /// LabelTable::find for f ∘ g.
   [[nodiscard]] std::optional<LabelId> find_product(LabelId f, LabelId g) const;
   /// The label of a value, a new one or not.
-  [[nodiscard]] LabelId find_or_add(std::uint32_t from, std::uint32_t to, const Evaluated<Mp256>& value, Word word);
+  [[nodiscard]] LabelId find_or_add(ChartId from, ChartId to, const Evaluated<Mp256>& value, Word word);
   /// As `label`; nullopt if the word leads too far to be evaluated.
-  [[nodiscard]] std::optional<LabelId> find_label(std::uint32_t from, std::uint32_t to, Word word);
+  [[nodiscard]] std::optional<LabelId> find_label(ChartId from, ChartId to, Word word);
   /// The value that labels are compared by; nullopt if the word leads too far to be evaluated.
-  [[nodiscard]] std::optional<Evaluated<Mp256>> evaluate_label(std::uint32_t from, std::uint32_t to,
-                                                               const Word& word) const;
+  [[nodiscard]] std::optional<Evaluated<Mp256>> evaluate_label(ChartId from, ChartId to, const Word& word) const;
   /// That of a label. Throws LimitError if its word leads too far.
   [[nodiscard]] const Evaluated<Mp256>& precise(LabelId l);
 

@@ -65,9 +65,9 @@ Charts::Disk Charts::disk_inside(std::span<const Complex<double>> tile) {
   return {in_disk(centre), sinh_radius > 1e-4 ? sinh_radius / 2 : 0};
 }
 
-std::uint32_t Charts::add(Chart chart) {
+ChartId Charts::add(Chart chart) {
   assert(chart.tile < surface_.tiles().size() && norm(chart.centre) < 1);
-  const std::uint32_t c = count();
+  const ChartId c = entries_.end_id();
   of_tile_[chart.tile].push_back(c);
   Disk disk = disks_[chart.tile];
   const Complex<double> centre = convert<double>(chart.centre);
@@ -82,12 +82,12 @@ std::uint32_t Charts::add(Chart chart) {
 }
 
 template <class T>
-Isometry<T> Charts::frame(std::uint32_t c) const {
+Isometry<T> Charts::frame(ChartId c) const {
   return Isometry<T>::translation(convert<T>(entry(c).chart.centre));
 }
 
 template <class T>
-Isometry<T> Charts::unit_frame(std::uint32_t c) const {
+Isometry<T> Charts::unit_frame(ChartId c) const {
   if constexpr (std::is_same_v<T, Mp256>) {
     return entry(c).unit_frame;
   } else {
@@ -95,16 +95,16 @@ Isometry<T> Charts::unit_frame(std::uint32_t c) const {
   }
 }
 
-std::optional<std::uint32_t> Charts::nearest(std::uint32_t tile, const Complex<Mp1024>& z) const {
+std::optional<ChartId> Charts::nearest(std::uint32_t tile, const Complex<Mp1024>& z) const {
   const auto charts = of_tile_.find(tile);
   if (charts == of_tile_.end()) {
     return std::nullopt;
   }
-  std::optional<std::uint32_t> nearest;
+  std::optional<ChartId> nearest;
   double best = 0.6 * 0.6;
   // Most charts are seen in binary64 to be farther than that.
   const Complex<double> seen = convert<double>(z);
-  for (const std::uint32_t candidate : charts->second) {
+  for (const ChartId candidate : charts->second) {
     if (certainly_farther(entries_[candidate].centre, seen, best)) {
       continue;
     }
@@ -139,11 +139,11 @@ std::optional<std::uint32_t> Charts::side_before(std::uint32_t tile, const Compl
   return std::nullopt;
 }
 
-template Isometry<Mp256> Charts::frame<Mp256>(std::uint32_t) const;
-template Isometry<Mp1024> Charts::frame<Mp1024>(std::uint32_t) const;
-template Isometry<Mp4096> Charts::frame<Mp4096>(std::uint32_t) const;
-template Isometry<Mp256> Charts::unit_frame<Mp256>(std::uint32_t) const;
-template Isometry<Mp1024> Charts::unit_frame<Mp1024>(std::uint32_t) const;
-template Isometry<Mp4096> Charts::unit_frame<Mp4096>(std::uint32_t) const;
+template Isometry<Mp256> Charts::frame<Mp256>(ChartId) const;
+template Isometry<Mp1024> Charts::frame<Mp1024>(ChartId) const;
+template Isometry<Mp4096> Charts::frame<Mp4096>(ChartId) const;
+template Isometry<Mp256> Charts::unit_frame<Mp256>(ChartId) const;
+template Isometry<Mp1024> Charts::unit_frame<Mp1024>(ChartId) const;
+template Isometry<Mp4096> Charts::unit_frame<Mp4096>(ChartId) const;
 
 }  // namespace epsnet

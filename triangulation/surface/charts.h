@@ -9,6 +9,7 @@
 
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
+#include "triangulation/surface/id.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet {
@@ -38,21 +39,21 @@ class Charts {
   [[nodiscard]] const Surface& surface() const { return surface_; }
 
   /// Appends a chart without checking for duplicates; returns its number. Requires: its centre is in the open disk.
-  std::uint32_t add(Chart chart);
+  ChartId add(Chart chart);
   [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(entries_.size()); }
-  [[nodiscard]] const Chart& operator[](std::uint32_t c) const { return entry(c).chart; }
+  [[nodiscard]] const Chart& operator[](ChartId c) const { return entry(c).chart; }
 
   /// The isometry from the coordinates of chart c to those of its tile, in T (Mp256, Mp1024, Mp4096).
   template <class T>
-  [[nodiscard]] Isometry<T> frame(std::uint32_t c) const;
+  [[nodiscard]] Isometry<T> frame(ChartId c) const;
   /// `frame` scaled to determinant 1.
   template <class T>
-  [[nodiscard]] Isometry<T> unit_frame(std::uint32_t c) const;
+  [[nodiscard]] Isometry<T> unit_frame(ChartId c) const;
   /// A disk of the chart's tile, in the coordinates of the chart.
-  [[nodiscard]] const Disk& disk(std::uint32_t c) const { return entry(c).disk; }
+  [[nodiscard]] const Disk& disk(ChartId c) const { return entry(c).disk; }
 
   /// The chart of a tile whose origin is nearest to the point z of the tile, if that is near.
-  [[nodiscard]] std::optional<std::uint32_t> nearest(std::uint32_t tile, const Complex<Mp1024>& z) const;
+  [[nodiscard]] std::optional<ChartId> nearest(std::uint32_t tile, const Complex<Mp1024>& z) const;
   /// A side of a tile on whose right z lies, other than `entered`, the one through which a walk came; nullopt if z is
   /// in the tile.
   [[nodiscard]] std::optional<std::uint32_t> side_before(std::uint32_t tile, const Complex<Mp1024>& z,
@@ -65,8 +66,8 @@ class Charts {
     Disk disk;
     Isometry<Mp256> unit_frame;
   };
-  [[nodiscard]] const Entry& entry(std::uint32_t c) const {
-    assert(c < count());
+  [[nodiscard]] const Entry& entry(ChartId c) const {
+    assert(c.number() < count());
     return entries_[c];
   }
   /// A disk inside of a tile, from its corners, in its coordinates.
@@ -75,8 +76,8 @@ class Charts {
   Surface surface_;
   std::vector<Complex<double>> corners_;  ///< Of all tiles, by the side that starts there; rounded.
   std::vector<Disk> disks_;               ///< By tile.
-  std::vector<Entry> entries_;
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> of_tile_;
+  ById<ChartId, Entry> entries_;
+  std::unordered_map<std::uint32_t, std::vector<ChartId>> of_tile_;  ///< By tile.
 };
 
 }  // namespace epsnet

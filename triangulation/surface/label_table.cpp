@@ -31,17 +31,17 @@ const Isometry<T>* LabelTable::isometry_in(LabelId l) const {
   return found != values.end() ? &found->second : nullptr;
 }
 
-std::span<const LabelId> LabelTable::to(std::uint32_t chart) const {
-  return chart < to_.size() ? std::span<const LabelId>(to_[chart]) : std::span<const LabelId>{};
+std::span<const LabelId> LabelTable::to(ChartId chart) const {
+  return chart.number() < to_.size() ? std::span<const LabelId>(to_[chart]) : std::span<const LabelId>{};
 }
 
-std::span<const LabelId> LabelTable::between(std::uint32_t from, std::uint32_t to) const {
-  const auto found = between_.find(pair_key(from, to));
+std::span<const LabelId> LabelTable::between(ChartId from, ChartId to) const {
+  const auto found = between_.find(pair_key(from.number(), to.number()));
   return found != between_.end() ? std::span<const LabelId>(found->second) : std::span<const LabelId>{};
 }
 
-std::optional<LabelId> LabelTable::find(std::uint32_t from, std::uint32_t to, const Charts::Disk& disk,
-                                        const Isometry<double>& h, double size) const {
+std::optional<LabelId> LabelTable::find(ChartId from, ChartId to, const Charts::Disk& disk, const Isometry<double>& h,
+                                        double size) const {
   // Two isometries are the same if they take the centre of a disk that the group moves off itself to points nearer than
   // twice its radius: sinh of half of the distance of n/d and n'/d' is |n d' − n' d|/(1 − |centre|²).
   const double gap = 1 - norm(disk.centre);
@@ -84,8 +84,8 @@ LabelId LabelTable::add(Entry entry) {
   const Isometry<double> isometry = convert<double>(entry.value);
   const auto id = static_cast<LabelId>(entries_.size() + 1);
   rounded_.push_back({isometry, error_of_images(isometry), kUnknownLabel});
-  between_[pair_key(entry.from, entry.to)].push_back(id);
-  if (entry.to >= to_.size()) to_.resize(std::size_t{entry.to} + 1);
+  between_[pair_key(entry.from.number(), entry.to.number())].push_back(id);
+  if (entry.to.number() >= to_.size()) to_.resize(std::size_t{entry.to.number()} + 1);
   to_[entry.to].push_back(id);
   entries_.push_back(std::move(entry));
   return id;

@@ -34,8 +34,8 @@ class LabelTable {
  public:
   /// A label other than the identity.
   struct Entry {
-    std::uint32_t from;
-    std::uint32_t to;
+    ChartId from;
+    ChartId to;
     Word word;
     Isometry<DoubleDouble> value;
     double error;                             ///< Bounds ν of the error of `value`, ν(a, b) = |a| + |b|.
@@ -64,13 +64,13 @@ class LabelTable {
   template <class T>
   [[nodiscard]] const Isometry<T>* isometry_in(LabelId l) const;
   /// The labels that lead to a chart, in the order of their numbers.
-  [[nodiscard]] std::span<const LabelId> to(std::uint32_t chart) const;
+  [[nodiscard]] std::span<const LabelId> to(ChartId chart) const;
   /// The labels between two charts, in the order of their numbers.
-  [[nodiscard]] std::span<const LabelId> between(std::uint32_t from, std::uint32_t to) const;
+  [[nodiscard]] std::span<const LabelId> between(ChartId from, ChartId to) const;
   /// The label of an isometry h between two charts among those that exist, the identity included; kUnknownLabel if it
   /// is certainly none of them; nothing if binary64 does not tell. The disk is that of chart `from`; h is off by at
   /// most 6u·size, size ≥ ν(h) (docs/error-bounds.md, E6).
-  [[nodiscard]] std::optional<LabelId> find(std::uint32_t from, std::uint32_t to, const Charts::Disk& disk,
+  [[nodiscard]] std::optional<LabelId> find(ChartId from, ChartId to, const Charts::Disk& disk,
                                             const Isometry<double>& h, double size) const;
 
   /// Adds a label. Requires: it is certainly different from all existing ones between its charts.
@@ -98,7 +98,7 @@ class LabelTable {
 
   std::deque<Entry> entries_;
   std::vector<Rounded> rounded_;  ///< Apart, as the fast path wants nothing else.
-  std::vector<std::vector<LabelId>> to_;
+  ById<ChartId, std::vector<LabelId>> to_;
   std::unordered_map<std::uint64_t, std::vector<LabelId>> between_;
   std::unordered_map<std::uint64_t, LabelId> products_;
   template <class T>

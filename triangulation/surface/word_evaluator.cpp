@@ -137,7 +137,7 @@ double WordEvaluator::append_factors(const Word& word, std::vector<Isometry<T>>&
 }
 
 template <class T>
-WordEvaluator::Product<T> WordEvaluator::product(const Charts& charts, std::uint32_t from, std::uint32_t to,
+WordEvaluator::Product<T> WordEvaluator::product(const Charts& charts, ChartId from, ChartId to,
                                                  const Word& word) const {
   // The value is a product M_n … M_0; an error in M_i is magnified by the partial products on its two sides. Factors
   // have determinant 1, the product is not normalised again: |a|² − |b|² has lost its bits where |a| is large.
@@ -168,8 +168,8 @@ WordEvaluator::Product<T> WordEvaluator::product(const Charts& charts, std::uint
 }
 
 template <class T>
-std::optional<Evaluated<T>> WordEvaluator::value(double bits, const Charts& charts, std::uint32_t from,
-                                                 std::uint32_t to, const Word& word) const {
+std::optional<Evaluated<T>> WordEvaluator::value(double bits, const Charts& charts, ChartId from, ChartId to,
+                                                 const Word& word) const {
   const auto rounded = [](const auto& value, double field_bits) {
     return Evaluated<T>{convert<T>(value.isometry), std::min(field_bits - value.bits_lost, kMantissaBits<T> - 4.0)};
   };
@@ -194,12 +194,12 @@ std::optional<Evaluated<T>> WordEvaluator::value(double bits, const Charts& char
   return std::nullopt;
 }
 
-template std::optional<Evaluated<Mp256>> WordEvaluator::value<Mp256>(double, const Charts&, std::uint32_t,
-                                                                     std::uint32_t, const Word&) const;
-template std::optional<Evaluated<Mp1024>> WordEvaluator::value<Mp1024>(double, const Charts&, std::uint32_t,
-                                                                       std::uint32_t, const Word&) const;
-template std::optional<Evaluated<Mp4096>> WordEvaluator::value<Mp4096>(double, const Charts&, std::uint32_t,
-                                                                       std::uint32_t, const Word&) const;
+template std::optional<Evaluated<Mp256>> WordEvaluator::value<Mp256>(double, const Charts&, ChartId, ChartId,
+                                                                     const Word&) const;
+template std::optional<Evaluated<Mp1024>> WordEvaluator::value<Mp1024>(double, const Charts&, ChartId, ChartId,
+                                                                       const Word&) const;
+template std::optional<Evaluated<Mp4096>> WordEvaluator::value<Mp4096>(double, const Charts&, ChartId, ChartId,
+                                                                       const Word&) const;
 template const Isometry<Mp1024>& WordEvaluator::crossing<Mp1024>(std::uint32_t) const;
 
 }  // namespace epsnet

@@ -30,8 +30,8 @@ class WordEvaluator {
   /// to its entries, accuracy ≥ bits, computed in a field that is large enough; nullopt if no field is. T is Mp256,
   /// Mp1024 or Mp4096.
   template <class T>
-  [[nodiscard]] std::optional<Evaluated<T>> value(double bits, const Charts& charts, std::uint32_t from,
-                                                  std::uint32_t to, const Word& word) const;
+  [[nodiscard]] std::optional<Evaluated<T>> value(double bits, const Charts& charts, ChartId from, ChartId to,
+                                                  const Word& word) const;
   /// The crossing of side s, of determinant 1.
   template <class T>
   [[nodiscard]] const Isometry<T>& crossing(std::uint32_t s) const;
@@ -46,7 +46,7 @@ class WordEvaluator {
     double bits_lost;
   };
   template <class T>
-  [[nodiscard]] Product<T> product(const Charts& charts, std::uint32_t from, std::uint32_t to, const Word& word) const;
+  [[nodiscard]] Product<T> product(const Charts& charts, ChartId from, ChartId to, const Word& word) const;
   /// The crossings around a vertex, multiplied up: products[i] is the product of the first i of them.
   template <class T>
   struct FullTurn {

@@ -26,8 +26,8 @@ Triangulation octagon() {
 
 TEST(AssertionsDeathTest, ADartHasATriangleAndACornerOfThree) {
   std::uint32_t three = 3;
-  EXPECT_DEATH((void)make_dart(0, three), "corner < 3");
-  EXPECT_DEATH((void)make_dart(kLargestTriangle + three, 0), "kLargestTriangle");
+  EXPECT_DEATH((void)make_dart(TriangleId(0), three), "corner < 3");
+  EXPECT_DEATH((void)make_dart(TriangleId(kLargestTriangle.number() + three), 0), "kLargestTriangle");
   EXPECT_DEATH((void)corner_of(Dart{three}), "corner < 3");
   EXPECT_DEATH((void)next(three), "i < 3");
   EXPECT_DEATH((void)previous(three), "i < 3");
@@ -44,14 +44,14 @@ TEST(AssertionsDeathTest, ALabelIsThereAndNotTheIdentity) {
     EXPECT_DEATH((void)atlas.error(l), "has");
   }
   EXPECT_DEATH((void)atlas.known_inverse(kUnknownLabel), "has");
-  EXPECT_DEATH((void)atlas.charts()[atlas.charts().count()], "count");
+  EXPECT_DEATH((void)atlas.charts()[ChartId(atlas.charts().count())], "count");
 }
 
 TEST(AssertionsDeathTest, ALabelLeadsWhereTheNextOneStarts) {
   const Surface& surface = test::gallery()[0].surface;
   Atlas atlas(surface);
-  const std::uint32_t corner = atlas.add_chart({0, surface.tiles()[0][0]});
-  const std::uint32_t middle = atlas.add_chart({0, {}});
+  const ChartId corner = atlas.add_chart({0, surface.tiles()[0][0]});
+  const ChartId middle = atlas.add_chart({0, {}});
   const LabelId g = atlas.label(corner, middle, {});
   EXPECT_DEATH((void)atlas.product(g, g), "to\\(g\\) == from\\(f\\)");
   EXPECT_DEATH((void)atlas.known_product(g, g), "to\\(g\\) == from\\(f\\)");
@@ -72,29 +72,29 @@ TEST(AssertionsDeathTest, ASurfaceHasTheSide) {
 TEST(AssertionsDeathTest, ATriangulationHasTheElement) {
   const Triangulation triangulation = octagon();
   EXPECT_DEATH((void)triangulation.opposite(kOutside), "triangle_count");
-  EXPECT_DEATH((void)triangulation.triangle(triangulation.triangle_count()), "triangle_count");
+  EXPECT_DEATH((void)triangulation.triangle(TriangleId(triangulation.triangle_count())), "triangle_count");
   EXPECT_DEATH((void)triangulation.corner(0, 3), "i < 3");
-  EXPECT_DEATH((void)triangulation.vertex(triangulation.vertex_count()), "vertex_count");
-  EXPECT_DEATH((void)triangulation.triangle(0).label(3), "corner < 3");
+  EXPECT_DEATH((void)triangulation.vertex(VertexId(triangulation.vertex_count())), "vertex_count");
+  EXPECT_DEATH((void)triangulation.triangle(TriangleId(0)).label(3), "corner < 3");
   EXPECT_DEATH((void)Triangle::packed(kLargestLabel + 1, kIdentity), "kLargestLabel");
 }
 
 TEST(AssertionsDeathTest, AFlipNeedsAConvexQuadrilateral) {
   // Around a vertex inside of a triangle the two triangles beside each edge make a corner of more than π.
   Triangulation triangulation = octagon();
-  const LiftedPoint place = test::weighted_point(triangulation, 0, {1, 1, 1});
-  const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
-  const std::uint32_t t = split_face(triangulation, 0, v, place.label)[0];
+  const LiftedPoint place = test::weighted_point(triangulation, TriangleId(0), {1, 1, 1});
+  const VertexId v = add_vertex(triangulation, {place.z, place.chart});
+  const TriangleId t = split_face(triangulation, TriangleId(0), v, place.label)[0];
   EXPECT_DEATH((void)flip(triangulation, make_dart(t, 0)), "may_be_left");
 }
 
 TEST(AssertionsDeathTest, AVertexIsInsertedWhereItIs) {
   // A point of triangle 0, as if it lay in the triangle beside it.
   Triangulation triangulation = octagon();
-  const LiftedPoint place = test::weighted_point(triangulation, 0, {1, 1, 1});
-  const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
-  const std::uint32_t t = triangle_of(triangulation.opposite(make_dart(0, 0)));
-  const LabelId across = triangulation.transition(triangulation.opposite(make_dart(0, 0)));
+  const LiftedPoint place = test::weighted_point(triangulation, TriangleId(0), {1, 1, 1});
+  const VertexId v = add_vertex(triangulation, {place.z, place.chart});
+  const TriangleId t = triangle_of(triangulation.opposite(make_dart(TriangleId(0), 0)));
+  const LabelId across = triangulation.transition(triangulation.opposite(make_dart(TriangleId(0), 0)));
   const LabelId label = triangulation.product(across, place.label);
   EXPECT_DEATH((void)split_face(triangulation, t, v, label), "may_be_left");
 }

@@ -14,10 +14,10 @@ namespace {
 using test::any_index;
 using test::any_share;
 
-std::uint32_t start_of(const Triangulation& t, Dart d) { return t.corner(d).vertex; }
-std::uint32_t end_of(const Triangulation& t, Dart d) { return start_of(t, next_dart(d)); }
+VertexId start_of(const Triangulation& t, Dart d) { return t.corner(d).vertex; }
+VertexId end_of(const Triangulation& t, Dart d) { return start_of(t, next_dart(d)); }
 
-Dart any_dart(const Triangulation& t) { return make_dart(any_index(t.triangle_count()), any_index(3u)); }
+Dart any_dart(const Triangulation& t) { return make_dart(test::any_triangle(t), any_index(3u)); }
 
 /// A triangulation of a surface, flipped at random.
 Triangulation any_triangulation(const Surface& surface) {
@@ -34,9 +34,9 @@ std::string problem_of(Triangulation triangulation) { return problem(triangulati
 TEST(Star, IsTheDartsThatLeaveAVertex) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
     const Triangulation t(named.surface);
-    for (std::uint32_t v = 0; v < t.vertex_count(); ++v) {
+    for (const VertexId v : t.vertices()) {
       std::vector<Dart> leaving;
-      for (std::uint32_t s = 0; s < t.triangle_count(); ++s) {
+      for (const TriangleId s : t.triangles()) {
         for (std::uint32_t i = 0; i < 3; ++i) {
           if (start_of(t, make_dart(s, i)) == v) {
             leaving.push_back(make_dart(s, i));
@@ -54,8 +54,8 @@ RC_GTEST_PROP(ContractionProperty, LeavesATriangulationOrEverything, ()) {
   const Surface& surface = test::any_tiled_surface().surface;
   Triangulation t = any_triangulation(surface);
   const Dart d = any_dart(t);
-  const std::uint32_t v = start_of(t, d);
-  const std::uint32_t w = end_of(t, d);
+  const VertexId v = start_of(t, d);
+  const VertexId w = end_of(t, d);
   const Vertex end = t.vertex(w);
   const auto vertices = t.vertex_count();
   const auto before = test::snapshot(t);
@@ -82,7 +82,7 @@ RC_GTEST_PROP(ContractionProperty, AllAtOnceLeaveATriangulation, ()) {
   const auto vertices = t.vertex_count();
   const std::uint32_t kept = any_index(3u);
   std::uint32_t asked = 0;
-  const auto goes = [&](Dart d) { return start_of(t, d) % 3 != kept && ++asked % 2 == 0; };
+  const auto goes = [&](Dart d) { return start_of(t, d).number() % 3 != kept && ++asked % 2 == 0; };
   const auto before = test::snapshot(t);
   const auto removed = contract_all(t, goes);
   RC_CLASSIFY(removed > 1, "several removed");
@@ -96,7 +96,7 @@ RC_GTEST_PROP(ContractionProperty, MovesKeepTheTriangulation, ()) {
   const Surface& surface = test::any_tiled_surface().surface;
   Triangulation t = any_triangulation(surface);
   const Dart d = any_dart(t);
-  const std::uint32_t v = start_of(t, d);
+  const VertexId v = start_of(t, d);
   const Vertex old = t.vertex(v);
   const Complex<double> step =
       std::ldexp(any_share() - 0.5, -static_cast<int>(any_index(8u))) * Complex<double>{1, any_share()};
@@ -115,7 +115,7 @@ RC_GTEST_PROP(ContractionProperty, MovesKeepTheTriangulation, ()) {
 }
 
 bool is_delaunay(Triangulation& t) {
-  for (std::uint32_t s = 0; s < t.triangle_count(); ++s) {
+  for (const TriangleId s : t.triangles()) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (!t.is_delaunay(make_dart(s, i))) {
         return false;
@@ -137,7 +137,7 @@ RC_GTEST_PROP(StartProperty, IsAPacking, ()) {
   RC_ASSERT(t.vertex_count() >= 1U);
   RC_ASSERT(problem(t) == "");
   RC_ASSERT(is_delaunay(t));
-  for (std::uint32_t s = 0; s < t.triangle_count(); ++s) {
+  for (const TriangleId s : t.triangles()) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (start_of(t, make_dart(s, i)) != end_of(t, make_dart(s, i))) {
         RC_ASSERT(t.compare_distance(t.corner(s, i), t.corner(s, next(i)), apart) > 0);
@@ -149,12 +149,12 @@ RC_GTEST_PROP(StartProperty, IsAPacking, ()) {
 RC_GTEST_PROP(StartProperty, OneVertexInItsPlace, ()) {
   const Surface& surface = test::any_tiled_surface().surface;
   Triangulation t = test::any_delaunay(surface, any_index(20u));
-  const Vertex base = t.vertex(0);
+  const Vertex base = t.vertex(VertexId(0));
   (void)reduce_to_vertex_0(t);
   RC_ASSERT(t.vertex_count() == 1U);
   RC_ASSERT(t.triangle_count() == 4 * surface.genus() - 2);
-  RC_ASSERT(t.vertex(0).z == base.z);
-  RC_ASSERT(t.vertex(0).chart == base.chart);
+  RC_ASSERT(t.vertex(VertexId(0)).z == base.z);
+  RC_ASSERT(t.vertex(VertexId(0)).chart == base.chart);
   RC_ASSERT(problem(t) == "");
   RC_ASSERT(is_delaunay(t));
 }
@@ -171,7 +171,7 @@ TEST(BasePoint, IsVertex0AndItsTileIsItsStar) {
   Triangulation t(surface, BasePoint{2, centre});
   EXPECT_EQ(problem(t), "");
   EXPECT_EQ(t.vertex_count(), surface.vertex_class_count() + 1);
-  EXPECT_EQ(t.atlas().charts()[t.vertex(0).chart].centre, centre);
+  EXPECT_EQ(t.atlas().charts()[t.vertex(VertexId(0)).chart].centre, centre);
   (void)make_delaunay(t);
   (void)reduce_to_vertex_0(t);
   EXPECT_EQ(t.vertex_count(), 1U);

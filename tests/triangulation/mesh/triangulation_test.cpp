@@ -42,13 +42,13 @@ int shared_edges(const Triangulation& triangulation, Dart d) {
 }
 
 /// The corner of an existing vertex as seen from a triangle, by some path.
-LabelId some_label(Triangulation& triangulation, std::uint32_t vertex, std::uint32_t t, const Word& word) {
+LabelId some_label(Triangulation& triangulation, VertexId vertex, TriangleId t, const Word& word) {
   return Editor(triangulation).atlas().label(triangulation.vertex(vertex).chart, triangulation.chart_of(t), word);
 }
 
 /// The point p, given in the chart of the walk's start, lies where the location says.
 bool lies_there(Triangulation& triangulation, Corner p, const Location& location) {
-  const std::uint32_t t = triangle_of(location.dart);
+  const TriangleId t = triangle_of(location.dart);
   const auto lifted = [&](std::uint32_t i) {
     const Corner c = triangulation.corner(t, i);
     return Corner{c.vertex, triangulation.product(location.transition, c.label)};
@@ -76,7 +76,7 @@ bool lies_there(Triangulation& triangulation, Corner p, const Location& location
 struct Symmetric {
   Surface surface;
   Triangulation triangulation;
-  std::uint32_t chart;
+  ChartId chart;
 
   Symmetric(std::int32_t seed, const std::vector<Complex<double>>& points)
       : surface(random_octagon(seed)), triangulation(surface), chart(Editor(triangulation).atlas().add_chart({0, {}})) {
@@ -89,10 +89,12 @@ struct Symmetric {
   Symmetric(const Symmetric&) = delete;
   Symmetric& operator=(const Symmetric&) = delete;
 
-  [[nodiscard]] LiftedPoint place(const Complex<double>& z, std::uint32_t t) {
+  [[nodiscard]] LiftedPoint place(const Complex<double>& z, TriangleId t) {
     return {chart, z, Editor(triangulation).atlas().label(chart, triangulation.chart_of(t), {})};
   }
-  void insert(const Complex<double>& z) { static_cast<void>(test::insert_by_flips(triangulation, 0, place(z, 0))); }
+  void insert(const Complex<double>& z) {
+    static_cast<void>(test::insert_by_flips(triangulation, TriangleId(0), place(z, TriangleId(0))));
+  }
 };
 
 std::vector<Complex<double>> any_points(std::size_t less_than = 12) {
@@ -133,8 +135,8 @@ TEST(Triangulation, OfAnOctagonHasOneVertexAndLoopsOnly) {
   (void)make_delaunay(triangulation);
   EXPECT_EQ(triangulation.vertex_count(), 1U);
   EXPECT_EQ(triangulation.triangle_count(), 6U);
-  for (std::uint32_t t = 0; t < 6; ++t) {
-    EXPECT_EQ(triangulation.triangle(t).vertex, (std::array<std::uint32_t, 3>{0, 0, 0}));
+  for (const TriangleId t : Ids<TriangleId>(6)) {
+    EXPECT_EQ(triangulation.triangle(t).vertex, (std::array<VertexId, 3>{VertexId(0), VertexId(0), VertexId(0)}));
     EXPECT_NE(triangulation.triangle(t).label(1), kIdentity);
     EXPECT_NE(triangulation.triangle(t).label(2), kIdentity);
     EXPECT_NE(triangulation.triangle(t).label(1), triangulation.triangle(t).label(2));
@@ -169,8 +171,8 @@ TEST(Triangulation, EdgesOfTwoTrianglesThatShareTwoAreFlipped) {
     Triangulation triangulation(surface);
     (void)make_delaunay(triangulation);
     for (int i = 0; i < 60; ++i) {
-      const Dart d = make_dart(static_cast<std::uint32_t>(random() % triangulation.triangle_count()),
-                               static_cast<std::uint32_t>(random() % 3));
+      const Dart d =
+          make_dart(TriangleId(random() % triangulation.triangle_count()), static_cast<std::uint32_t>(random() % 3));
       if (shared_edges(triangulation, d) < 2) {
         continue;
       }
@@ -198,7 +200,7 @@ TEST(Triangulation, KeepsTheSurfaceItIsMadeOf) {
   EXPECT_EQ(snapshot(copy), snapshot(triangulation));
   Atlas atlas(random_octagon(123));
   (void)atlas.add_chart({0, {}});
-  EXPECT_EQ(atlas.label(0, 0, atlas.surface().corner_cycle(0)), kIdentity);
+  EXPECT_EQ(atlas.label(ChartId(0), ChartId(0), atlas.surface().corner_cycle(0)), kIdentity);
 }
 
 TEST(Triangulation, CloneIsApart) {
@@ -206,8 +208,8 @@ TEST(Triangulation, CloneIsApart) {
   Triangulation copy = triangulation.clone();
   EXPECT_EQ(snapshot(copy), snapshot(triangulation));
   for (std::uint32_t i = 0; i < 9; ++i) {
-    if (test::flippable(triangulation, make_dart(i / 3, i % 3))) {
-      (void)flip(triangulation, make_dart(i / 3, i % 3));
+    if (test::flippable(triangulation, make_dart(TriangleId(i / 3), i % 3))) {
+      (void)flip(triangulation, make_dart(TriangleId(i / 3), i % 3));
     }
   }
   EXPECT_FALSE(snapshot(copy) == snapshot(triangulation));
@@ -217,16 +219,17 @@ TEST(Triangulation, CloneIsApart) {
 TEST(Triangulation, ProblemsAreSeen) {
   for (const auto& [name, surface] : gallery()) {
     Triangulation triangulation(surface);
-    (void)add_vertex(triangulation, {{0, 0}, 0});
+    (void)add_vertex(triangulation, {{0, 0}, ChartId(0)});
     EXPECT_NE(problem(triangulation), "") << "a vertex without a triangle";
     pop_vertex(triangulation);
     EXPECT_EQ(problem(triangulation), "");
     // The three edges of a vertex of degree three have no strictly convex quadrilateral; to flip one all the same turns
     // a triangle over.
-    const LiftedPoint place = test::weighted_point(triangulation, 0, {1, 1, 1});
-    const auto around = split_face(triangulation, 0, add_vertex(triangulation, {place.z, place.chart}), place.label);
+    const LiftedPoint place = test::weighted_point(triangulation, TriangleId(0), {1, 1, 1});
+    const auto around =
+        split_face(triangulation, TriangleId(0), add_vertex(triangulation, {place.z, place.chart}), place.label);
     EXPECT_EQ(problem(triangulation), "") << name;
-    for (const std::uint32_t t : around) {
+    for (const TriangleId t : around) {
       EXPECT_FALSE(test::flippable(triangulation, make_dart(t, 0))) << name;
 #ifdef NDEBUG  // Else an assertion sees it before.
       Triangulation broken = triangulation.clone();
@@ -240,7 +243,7 @@ TEST(Triangulation, ProblemsAreSeen) {
 TEST(Dart, IsATypeOfItsOwn) {
   static_assert(!std::is_convertible_v<std::uint32_t, Dart>);
   static_assert(!std::is_convertible_v<Dart, std::uint32_t>);
-  for (std::uint32_t t = 0; t < 5; ++t) {
+  for (const TriangleId t : Ids<TriangleId>(5)) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       const Dart d = make_dart(t, i);
       EXPECT_EQ(triangle_of(d), t);
@@ -248,7 +251,7 @@ TEST(Dart, IsATypeOfItsOwn) {
       EXPECT_EQ(next_dart(d), make_dart(t, (i + 1) % 3));
       EXPECT_EQ(previous_dart(d), make_dart(t, (i + 2) % 3));
       EXPECT_EQ(triangulation_dart(document_dart(d)), d);
-      EXPECT_EQ(document_dart(d), 3 * t + i);
+      EXPECT_EQ(document_dart(d), 3 * t.number() + i);
     }
   }
 }
@@ -257,8 +260,8 @@ TEST(Locate, TheCentreOfASymmetricOctagonIsOnAnEdge) {
   for (const std::int32_t seed : {1, 2, 3, 123, 321}) {
     Symmetric s(seed, {});
     Triangulation& triangulation = s.triangulation;
-    const std::uint32_t v = add_vertex(triangulation, {{0, 0}, s.chart});
-    for (std::uint32_t start = 0; start < triangulation.triangle_count(); ++start) {
+    const VertexId v = add_vertex(triangulation, {{0, 0}, s.chart});
+    for (const TriangleId start : triangulation.triangles()) {
       const Corner p{v, some_label(triangulation, v, start, {})};
       for (const Location& location :
            {locate_visibility(triangulation, start, p), locate_straight(triangulation, start, p)}) {
@@ -273,15 +276,15 @@ TEST(Locate, VerticesAreFoundFromEverywhere) {
   for (const auto& [name, surface] : gallery()) {
     Triangulation triangulation(surface);
     (void)make_delaunay(triangulation);
-    const std::uint32_t v = add_vertex(triangulation, triangulation.vertex(0));
-    for (std::uint32_t start = 0; start < triangulation.triangle_count(); ++start) {
-      for (const Word& word : {Word{}, Word{start}}) {
+    const VertexId v = add_vertex(triangulation, triangulation.vertex(VertexId(0)));
+    for (const TriangleId start : triangulation.triangles()) {
+      for (const Word& word : {Word{}, Word{start.number()}}) {
         const Corner p{v, some_label(triangulation, v, start, word)};
         for (const Location& location :
              {locate_visibility(triangulation, start, p), locate_straight(triangulation, start, p)}) {
           EXPECT_EQ(location.type, Location::Type::vertex) << name;
           const Corner found = triangulation.corner(triangle_of(location.dart), corner_of(location.dart));
-          EXPECT_EQ(found.vertex, 0U);
+          EXPECT_EQ(found.vertex, VertexId(0));
           EXPECT_EQ(triangulation.product(location.transition, found.label), p.label) << name;
         }
       }
@@ -293,9 +296,9 @@ TEST(Locate, APointOfTheFirstTriangleNeedsNoStep) {
   for (const auto& [name, surface] : gallery()) {
     Triangulation triangulation(surface);
     (void)make_delaunay(triangulation);
-    for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+    for (const TriangleId t : triangulation.triangles()) {
       const LiftedPoint place = test::weighted_point(triangulation, t, {1, 1, 1});
-      const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
+      const VertexId v = add_vertex(triangulation, {place.z, place.chart});
       for (const Location& location : {locate_visibility(triangulation, t, {v, place.label}),
                                        locate_straight(triangulation, t, {v, place.label})}) {
         EXPECT_EQ(location.type, Location::Type::face) << name;
@@ -316,14 +319,14 @@ TEST(Insert, APointOnAnEdgeGivesTheSameBothWays) {
   ASSERT_EQ(problem(triangulation), "");
   for (const double x : {0.0, 0.0625, -0.1875, 0x1p-30, 1.0 / 3}) {
     Triangulation by_flips = triangulation.clone();
-    const LiftedPoint place = s.place({x, 0}, 0);
-    const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
-    const Location location = locate_straight(triangulation, 0, {v, place.label});
+    const LiftedPoint place = s.place({x, 0}, TriangleId(0));
+    const VertexId v = add_vertex(triangulation, {place.z, place.chart});
+    const Location location = locate_straight(triangulation, TriangleId(0), {v, place.label});
     EXPECT_EQ(location.type, Location::Type::edge) << x;
     const LabelId label = triangulation.product(triangulation.inverse(location.transition), place.label);
     ASSERT_TRUE(insert_in_cavity(triangulation, triangle_of(location.dart), v, label, kAcceptAll).has_value()) << x;
     EXPECT_EQ(problem(triangulation), "") << x;
-    EXPECT_TRUE(test::insert_by_flips(by_flips, 0, place)) << x;
+    EXPECT_TRUE(test::insert_by_flips(by_flips, TriangleId(0), place)) << x;
     EXPECT_EQ(problem(by_flips), "") << x;
     EXPECT_EQ(tessellation_of(by_flips, triangulation), tessellation_of(triangulation)) << x;
   }
@@ -337,13 +340,13 @@ TEST(Insert, ACavityThatIsNotAcceptedChangesNothing) {
   }();
   std::mt19937 random(7);
   for (int i = 0; i < 30; ++i) {
-    const auto t = static_cast<std::uint32_t>(random() % triangulation.triangle_count());
+    const TriangleId t(random() % triangulation.triangle_count());
     static_cast<void>(test::insert_by_flips(triangulation, t, test::weighted_point(triangulation, t, {1, 1.25, 1.5})));
   }
   int calls = 0;
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+  for (const TriangleId t : triangulation.triangles()) {
     const LiftedPoint place = test::weighted_point(triangulation, t, {1, 1, 1});
-    const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
+    const VertexId v = add_vertex(triangulation, {place.z, place.chart});
     const auto before = snapshot(triangulation);
     const auto refuse = [&](Corner c) {
       ++calls;
@@ -397,18 +400,18 @@ RC_GTEST_PROP(TriangulationProperty, TwoFlipsUndoEachOther, ()) {
   const auto once = snapshot(triangulation);
   const Dart h = flip(triangulation, flip(triangulation, flip(triangulation, flip(triangulation, g))));
   RC_ASSERT(triangulation.opposite(h) == triangulation.opposite(g));
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
-    RC_ASSERT(triangulation.triangle(t).vertex == once.triangles[t].vertex);
-    RC_ASSERT(triangulation.triangle(t).opposite == once.triangles[t].opposite);
+  for (const TriangleId t : triangulation.triangles()) {
+    RC_ASSERT(triangulation.triangle(t).vertex == once.triangles[t.number()].vertex);
+    RC_ASSERT(triangulation.triangle(t).opposite == once.triangles[t.number()].opposite);
   }
 }
 
 RC_GTEST_PROP(TriangulationProperty, CavityAndFlipsInsertTheSame, ()) {
   Triangulation triangulation = any_delaunay(any_surface().surface, any_index(25u));
-  const auto t = any_index(triangulation.triangle_count());
+  const TriangleId t = test::any_triangle(triangulation);
   const LiftedPoint place = any_point(triangulation, t);
   Triangulation by_flips = triangulation.clone();
-  const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
+  const VertexId v = add_vertex(triangulation, {place.z, place.chart});
   const Corner p{v, place.label};
   RC_PRE(triangulation.in_circle(triangulation.corner(t, 0), triangulation.corner(t, 1), triangulation.corner(t, 2),
                                  p) > 0);
@@ -425,14 +428,14 @@ RC_GTEST_PROP(TriangulationProperty, CavityAndFlipsInsertTheSame, ()) {
   RC_ASSERT(problem(by_flips) == "");
   RC_ASSERT(tessellation_of(by_flips, triangulation) == tessellation_of(triangulation));
   // The new triangles are a fan around the vertex.
-  for (const std::uint32_t s : *inserted) {
+  for (const TriangleId s : *inserted) {
     RC_ASSERT(triangulation.triangle(s).vertex[0] == v);
     RC_ASSERT(triangle_of(triangulation.opposite(make_dart(s, 0))) != s);
   }
   // One triangle more than the cavity had, twice; the fan is all that the vertex has.
   std::size_t corners = 0;
-  for (std::uint32_t s = 0; s < triangulation.triangle_count(); ++s) {
-    for (const std::uint32_t w : triangulation.triangle(s).vertex) {
+  for (const TriangleId s : triangulation.triangles()) {
+    for (const VertexId w : triangulation.triangle(s).vertex) {
       corners += w == v ? 1 : 0;
     }
   }
@@ -442,7 +445,7 @@ RC_GTEST_PROP(TriangulationProperty, CavityAndFlipsInsertTheSame, ()) {
 RC_GTEST_PROP(TriangulationProperty, TheNearestChartIsThatOfACorner, ()) {
   Symmetric s(any_index<std::int32_t>(200), any_points(30));
   Triangulation& triangulation = s.triangulation;
-  const auto t = any_index(triangulation.triangle_count());
+  const TriangleId t = test::any_triangle(triangulation);
   const double angle = any_index(360u) * std::numbers::pi / 180;
   const double radius = 0.75 * test::any_share();
   const Complex<double> z{radius * std::cos(angle), radius * std::sin(angle)};
@@ -466,7 +469,7 @@ RC_GTEST_PROP(TriangulationProperty, TheFastInsertionIsTheCavity, ()) {
   // Small triangles in few charts, so that it often applies.
   Symmetric s(any_index<std::int32_t>(200), any_points(60));
   Triangulation& triangulation = s.triangulation;
-  const auto t = any_index(triangulation.triangle_count());
+  const TriangleId t = test::any_triangle(triangulation);
   const LiftedPoint place = any_point(triangulation, t);
   const Threshold apart(Rational(1 + any_index(20u), 200));
   const Threshold large(Rational(1, 1 + any_index(10u)));
@@ -482,18 +485,18 @@ RC_GTEST_PROP(TriangulationProperty, TheFastInsertionIsTheCavity, ()) {
     return;
   }
   const bool labelled = std::any_of(made.slots.begin(), made.slots.begin() + made.count,
-                                    [&](std::uint32_t slot) { return !triangulation.triangle(slot).all_identity(); });
+                                    [&](TriangleId slot) { return !triangulation.triangle(slot).all_identity(); });
   RC_CLASSIFY(labelled, "with labels");
   RC_ASSERT(problem(triangulation) == "");
-  const std::uint32_t v = add_vertex(by_cavity, {place.z, place.chart});
+  const VertexId v = add_vertex(by_cavity, {place.z, place.chart});
   const auto accept = [&](Corner c) { return by_cavity.compare_distance(c, {v, place.label}, apart) > 0; };
   const auto around = insert_in_cavity(by_cavity, t, v, place.label, accept);
   RC_ASSERT(around.has_value());
   RC_ASSERT(triangles_of(by_cavity, triangulation) == triangles_of(triangulation));
   // Slot for slot; the same triangles are large, and marked.
   RC_ASSERT(std::equal(made.slots.begin(), made.slots.begin() + made.count, around->begin(), around->end()));
-  std::vector<std::uint32_t> large_slots;
-  for (const std::uint32_t slot : *around) {
+  std::vector<TriangleId> large_slots;
+  for (const TriangleId slot : *around) {
     if (by_cavity.compare_circumradius(slot, large) > 0) {
       mark(by_cavity, slot);
       large_slots.push_back(slot);
@@ -511,9 +514,9 @@ RC_GTEST_PROP(TriangulationProperty, TheFastInsertionIsTheCavity, ()) {
 RC_GTEST_PROP(TriangulationProperty, SplitFacesAreSound, ()) {
   const Surface& surface = any_surface().surface;
   Triangulation triangulation = any_delaunay(surface, any_index(6u));
-  const auto t = any_index(triangulation.triangle_count());
+  const TriangleId t = test::any_triangle(triangulation);
   const LiftedPoint place = any_point(triangulation, t);
-  const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
+  const VertexId v = add_vertex(triangulation, {place.z, place.chart});
   const Location location = locate_visibility(triangulation, t, {v, place.label});
   RC_PRE(location.type == Location::Type::face && triangle_of(location.dart) == t);
   const auto around = split_face(triangulation, t, v, place.label);
@@ -525,9 +528,9 @@ RC_GTEST_PROP(TriangulationProperty, SplitFacesAreSound, ()) {
 RC_GTEST_PROP(TriangulationProperty, SplitEdgesAreSound, ()) {
   Symmetric s(any_index<std::int32_t>(200), any_points());
   Triangulation& triangulation = s.triangulation;
-  const LiftedPoint place = s.place({0, 0}, 0);
-  const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
-  const Location location = locate_visibility(triangulation, 0, {v, place.label});
+  const LiftedPoint place = s.place({0, 0}, TriangleId(0));
+  const VertexId v = add_vertex(triangulation, {place.z, place.chart});
+  const Location location = locate_visibility(triangulation, TriangleId(0), {v, place.label});
   RC_ASSERT(location.type == Location::Type::edge);
   const LabelId label = triangulation.product(triangulation.inverse(location.transition), place.label);
   const auto before = snapshot(triangulation);
@@ -537,7 +540,7 @@ RC_GTEST_PROP(TriangulationProperty, SplitEdgesAreSound, ()) {
   RC_ASSERT(around.size() == 4U);
   RC_ASSERT(std::abs(total_area(triangulation) - area_of(s.surface)) < 1e-9);
   std::vector<Dart> pending;
-  for (const std::uint32_t t : around) {
+  for (const TriangleId t : around) {
     pending.push_back(make_dart(t, 1));
   }
   (void)restore_delaunay(triangulation, pending, &journal);
@@ -553,7 +556,7 @@ RC_GTEST_PROP(TriangulationProperty, UndoRestoresEverything, ()) {
   Journal journal = open_journal(triangulation);
   const auto operations = 1 + any_index(6u);
   for (std::uint32_t i = 0; i < operations; ++i) {
-    const auto t = any_index(triangulation.triangle_count());
+    const TriangleId t = test::any_triangle(triangulation);
     switch (any_index(3u)) {
       case 0: {
         const Dart d = any_dart(triangulation);
@@ -568,12 +571,12 @@ RC_GTEST_PROP(TriangulationProperty, UndoRestoresEverything, ()) {
       default: {
         // From Delaunay, as the cavity requires.
         std::vector<Dart> pending;
-        for (std::uint32_t s = 0; s < triangulation.triangle_count(); ++s) {
+        for (const TriangleId s : triangulation.triangles()) {
           pending.insert(pending.end(), {make_dart(s, 0), make_dart(s, 1), make_dart(s, 2)});
         }
         (void)restore_delaunay(triangulation, pending, &journal);
         const LiftedPoint place = any_point(triangulation, t);
-        const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
+        const VertexId v = add_vertex(triangulation, {place.z, place.chart});
         if (!insert_in_cavity(triangulation, t, v, place.label, kAcceptAll, &journal)) {
           pop_vertex(triangulation);
         }
@@ -589,12 +592,12 @@ RC_GTEST_PROP(TriangulationProperty, UndoRestoresEverything, ()) {
 RC_GTEST_PROP(TriangulationProperty, WalksFindTheSameTriangleFromEverywhere, ()) {
   const Surface& surface = any_surface().surface;
   Triangulation triangulation = any_delaunay(surface, any_index(25u));
-  const auto t = any_index(triangulation.triangle_count());
+  const TriangleId t = test::any_triangle(triangulation);
   const LiftedPoint place = any_point(triangulation, t);
-  const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
-  std::set<std::pair<std::uint32_t, LabelId>> found;
+  const VertexId v = add_vertex(triangulation, {place.z, place.chart});
+  std::set<std::pair<TriangleId, LabelId>> found;
   for (int i = 0; i < 3; ++i) {
-    const auto start = any_index(triangulation.triangle_count());
+    const TriangleId start = test::any_triangle(triangulation);
     const Corner p{v, some_label(triangulation, v, start, test::any_word(surface, 0, 2))};
     const Location visible = locate_visibility(triangulation, start, p);
     const Location straight = locate_straight(triangulation, start, p);
@@ -620,10 +623,10 @@ RC_GTEST_PROP(TriangulationProperty, TheStraightWalkEndsInEveryTriangulation, ()
       (void)flip(triangulation, d);
     }
   }
-  const auto t = any_index(triangulation.triangle_count());
+  const TriangleId t = test::any_triangle(triangulation);
   const LiftedPoint place = any_point(triangulation, t);
-  const std::uint32_t v = add_vertex(triangulation, {place.z, place.chart});
-  for (std::uint32_t start = 0; start < triangulation.triangle_count(); ++start) {
+  const VertexId v = add_vertex(triangulation, {place.z, place.chart});
+  for (const TriangleId start : triangulation.triangles()) {
     const Corner p{v, some_label(triangulation, v, start, {})};
     RC_ASSERT(lies_there(triangulation, p, locate_straight(triangulation, start, p)));
   }
@@ -634,10 +637,9 @@ RC_GTEST_PROP(TriangulationProperty, WalksAgreeOnEdgesAndVertices, ()) {
   Triangulation& triangulation = s.triangulation;
   // The centre of the octagon, or a vertex, seen from anywhere.
   const bool centre = any_index(2u) == 0;
-  const Vertex vertex =
-      centre ? Vertex{{0, 0}, s.chart} : triangulation.vertex(any_index(triangulation.vertex_count()));
-  const std::uint32_t v = add_vertex(triangulation, vertex);
-  const auto start = any_index(triangulation.triangle_count());
+  const Vertex vertex = centre ? Vertex{{0, 0}, s.chart} : triangulation.vertex(test::any_vertex(triangulation));
+  const VertexId v = add_vertex(triangulation, vertex);
+  const TriangleId start = test::any_triangle(triangulation);
   const Corner p{v, some_label(triangulation, v, start, test::any_word(s.surface, 0, 1))};
   const Location visible = locate_visibility(triangulation, start, p);
   const Location straight = locate_straight(triangulation, start, p);

@@ -25,7 +25,7 @@ Surface twisted_octagon(const std::string& length) {
 /// The lengths of the edges, in order, as sinh² of half of them.
 std::vector<double> edges(Triangulation& triangulation) {
   std::vector<double> result;
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+  for (const TriangleId t : triangulation.triangles()) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       const auto lifted = [&](std::uint32_t k) {
         const Corner c = triangulation.corner(t, k);
@@ -43,7 +43,7 @@ int flip_one_by_one(Triangulation& triangulation) {
   int flips = 0;
   for (bool changed = true; changed;) {
     changed = false;
-    for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+    for (const TriangleId t : triangulation.triangles()) {
       for (std::uint32_t i = 0; i < 3; ++i) {
         if (!triangulation.is_delaunay(make_dart(t, i))) {
           (void)flip(triangulation, make_dart(t, i));
@@ -74,7 +74,7 @@ TEST(Untwisting, TakesFewFlipsAndFewPredicatesInMultiprecision) {
   EXPECT_LE(triangulation.multiprecision_count(), 50U);
   EXPECT_LE(triangulation.atlas().factor_count(), 20'000U);
   EXPECT_EQ(problem(triangulation), "");
-  for (std::uint32_t t = 0; t < triangulation.triangle_count(); ++t) {
+  for (const TriangleId t : triangulation.triangles()) {
     for (std::uint32_t i = 0; i < 3; ++i) EXPECT_TRUE(triangulation.is_delaunay(make_dart(t, i)));
   }
 }
@@ -99,7 +99,7 @@ TEST(AtlasPower, IsTheRepeatedProduct) {
   const Surface surface = Surface::regular(2);
   Atlas atlas(surface);
   (void)atlas.add_chart({0, {0, 0}});
-  const LabelId f = atlas.label(0, 0, {3, 5});
+  const LabelId f = atlas.label(ChartId(0), ChartId(0), {3, 5});
   LabelId product = kIdentity;
   for (std::uint64_t n = 0; n < 40; ++n) {
     EXPECT_EQ(atlas.power(f, n), product) << n;
@@ -122,7 +122,7 @@ template <class T>
 void expect_value(Atlas& atlas, const std::vector<Isometry<Mp4096>>& crossings, const Word& word, int bits) {
   Isometry<Mp4096> expected;
   for (const std::uint32_t s : word) expected = crossings[s] * expected;
-  const Isometry<Mp4096> value = convert<Mp4096>(atlas.isometry_in<T>(atlas.label(0, 0, word)));
+  const Isometry<Mp4096> value = convert<Mp4096>(atlas.isometry_in<T>(atlas.label(ChartId(0), ChartId(0), word)));
   const auto difference = [&](int sign) {
     return norm(value.a - Mp4096(sign) * expected.a) + norm(value.b - Mp4096(sign) * expected.b);
   };

@@ -62,10 +62,10 @@ T separation(const Complex<T>& z, const Complex<T>& w) {
 TEST(Atlas, TheEmptyWordIsTheIdentityOfAChartOnly) {
   const Surface& surface = gallery()[0].surface;
   Atlas atlas = three_charts(surface);
-  EXPECT_EQ(atlas.label(1, 1, {}), kIdentity);
-  EXPECT_NE(atlas.label(0, 1, {}), kIdentity);
-  EXPECT_NE(atlas.label(0, 1, {}), atlas.label(1, 0, {}));
-  EXPECT_EQ(atlas.inverse(atlas.label(0, 1, {})), atlas.label(1, 0, {}));
+  EXPECT_EQ(atlas.label(ChartId(1), ChartId(1), {}), kIdentity);
+  EXPECT_NE(atlas.label(ChartId(0), ChartId(1), {}), kIdentity);
+  EXPECT_NE(atlas.label(ChartId(0), ChartId(1), {}), atlas.label(ChartId(1), ChartId(0), {}));
+  EXPECT_EQ(atlas.inverse(atlas.label(ChartId(0), ChartId(1), {})), atlas.label(ChartId(1), ChartId(0), {}));
 }
 
 TEST(Atlas, RelatorsAreTheIdentity) {
@@ -73,10 +73,10 @@ TEST(Atlas, RelatorsAreTheIdentity) {
     Atlas atlas = three_charts(surface);
     for (std::uint32_t side = 0; side < surface.side_count(); ++side) {
       Word word = surface.corner_cycle(side);
-      EXPECT_EQ(atlas.label(0, 0, word), kIdentity) << name << ", side " << side;
-      EXPECT_EQ(atlas.label(1, 1, reversed(surface, word)), kIdentity) << name << ", side " << side;
+      EXPECT_EQ(atlas.label(ChartId(0), ChartId(0), word), kIdentity) << name << ", side " << side;
+      EXPECT_EQ(atlas.label(ChartId(1), ChartId(1), reversed(surface, word)), kIdentity) << name << ", side " << side;
       word.pop_back();
-      EXPECT_NE(atlas.label(0, 0, word), kIdentity) << name << ", side " << side;
+      EXPECT_NE(atlas.label(ChartId(0), ChartId(0), word), kIdentity) << name << ", side " << side;
     }
   }
 }
@@ -86,14 +86,14 @@ TEST(Atlas, EverySideIsAnotherLabelAndKnowsItsCharts) {
     Atlas atlas = three_charts(surface);
     std::set<LabelId> labels;
     for (std::uint32_t side = 0; side < surface.side_count(); ++side) {
-      const LabelId l = atlas.label(2, 1, {side});
-      EXPECT_EQ(atlas.labels()[l].from, 2U);
-      EXPECT_EQ(atlas.labels()[l].to, 1U);
+      const LabelId l = atlas.label(ChartId(2), ChartId(1), {side});
+      EXPECT_EQ(atlas.labels()[l].from, ChartId(2));
+      EXPECT_EQ(atlas.labels()[l].to, ChartId(1));
       EXPECT_EQ(atlas.labels()[l].word, Word{side});
       labels.insert(l);
     }
     EXPECT_EQ(labels.size(), surface.side_count()) << name;
-    EXPECT_EQ(atlas.labels().to(1).size(), labels.size()) << name;
+    EXPECT_EQ(atlas.labels().to(ChartId(1)).size(), labels.size()) << name;
     EXPECT_EQ(atlas.labels().count(), labels.size() + 1) << name;
   }
 }
@@ -107,9 +107,9 @@ TEST(Atlas, LabelsOfASurfaceOfManyTiles) {
   Atlas atlas(surface);
   (void)atlas.add_chart({0, {}});
   (void)atlas.add_chart({1, {}});
-  const LabelId across = atlas.label(0, 1, {4});
+  const LabelId across = atlas.label(ChartId(0), ChartId(1), {4});
   EXPECT_NE(across, kIdentity) << "another chart, though the same coordinates";
-  EXPECT_EQ(atlas.inverse(across), atlas.label(1, 0, {9}));
+  EXPECT_EQ(atlas.inverse(across), atlas.label(ChartId(1), ChartId(0), {9}));
   EXPECT_EQ(atlas.product(atlas.inverse(across), across), kIdentity);
   const Complex<double> z{0.25, -0.5};
   EXPECT_EQ(atlas.lift<Mp256>(across, z), convert<Mp256>(z));
@@ -131,8 +131,8 @@ TEST(Atlas, PathsThatLeadFarAreFollowedUpToALength) {
   const Surface surface = fenchel_nielsen_surface({PantsGraph::parse("0-0 0-1 1-1"), {1, 1, 1}, {0, 0, 0}});
   Atlas atlas(surface);
   (void)atlas.add_chart({0, {}});
-  EXPECT_NE(atlas.label(0, 0, Word(500, 0)), kIdentity);
-  EXPECT_THROW((void)atlas.label(0, 0, Word(900, 0)), LimitError);
+  EXPECT_NE(atlas.label(ChartId(0), ChartId(0), Word(500, 0)), kIdentity);
+  EXPECT_THROW((void)atlas.label(ChartId(0), ChartId(0), Word(900, 0)), LimitError);
 }
 
 TEST(Word, ReversedAndConcatenatedUndoEachOther) {
@@ -147,8 +147,8 @@ RC_GTEST_PROP(AtlasProperty, EqualWordsAreOneLabel, ()) {
   const Surface& surface = any_surface().surface;
   Atlas atlas = three_charts(surface);
   const Word word = any_word(surface, 0, 6);
-  const std::uint32_t from = any_index(3u);
-  const std::uint32_t to = any_index(3u);
+  const ChartId from(any_index(3u));
+  const ChartId to(any_index(3u));
   const LabelId label = atlas.label(from, to, word);
   // A detour around a vertex, or over a side and back, anywhere on the way.
   Word longer = word;
@@ -172,7 +172,7 @@ RC_GTEST_PROP(AtlasProperty, LabelsAreEqualIfAndOnlyIfTheirIsometriesAre, ()) {
   }
   const bool same = equal(exact_value(surface, word), exact_value(surface, other));
   RC_CLASSIFY(same);
-  RC_ASSERT((atlas.label(1, 2, word) == atlas.label(1, 2, other)) == same);
+  RC_ASSERT((atlas.label(ChartId(1), ChartId(2), word) == atlas.label(ChartId(1), ChartId(2), other)) == same);
 }
 
 RC_GTEST_PROP(AtlasProperty, ProductsAndInversesAreThoseOfTheGroup, ()) {
@@ -181,13 +181,13 @@ RC_GTEST_PROP(AtlasProperty, ProductsAndInversesAreThoseOfTheGroup, ()) {
   const Word u = any_word(surface, 0, 4);
   const Word v = any_word(surface, 0, 4);
   const Word w = any_word(surface, 0, 4);
-  const LabelId f = atlas.label(2, 0, u);
-  const LabelId g = atlas.label(1, 2, v);
-  const LabelId h = atlas.label(0, 1, w);
-  RC_ASSERT(atlas.product(f, g) == atlas.label(1, 0, concatenated(surface, v, u)));
+  const LabelId f = atlas.label(ChartId(2), ChartId(0), u);
+  const LabelId g = atlas.label(ChartId(1), ChartId(2), v);
+  const LabelId h = atlas.label(ChartId(0), ChartId(1), w);
+  RC_ASSERT(atlas.product(f, g) == atlas.label(ChartId(1), ChartId(0), concatenated(surface, v, u)));
   RC_ASSERT(atlas.product(atlas.product(f, g), h) == atlas.product(f, atlas.product(g, h)));
   RC_ASSERT(atlas.inverse(atlas.inverse(f)) == f);
-  RC_ASSERT(atlas.inverse(f) == atlas.label(0, 2, reversed(surface, u)));
+  RC_ASSERT(atlas.inverse(f) == atlas.label(ChartId(0), ChartId(2), reversed(surface, u)));
   RC_ASSERT(atlas.product(f, atlas.inverse(f)) == kIdentity);
   RC_ASSERT(atlas.product(atlas.inverse(f), f) == kIdentity);
   RC_ASSERT(atlas.inverse(atlas.product(f, g)) == atlas.product(atlas.inverse(g), atlas.inverse(f)));
@@ -198,7 +198,7 @@ RC_GTEST_PROP(AtlasProperty, ProductsAndInversesAreThoseOfTheGroup, ()) {
 RC_GTEST_PROP(AtlasProperty, LiftsAgreeAtAllPrecisionsWithinTheirErrors, ()) {
   const Surface& surface = any_surface().surface;
   Atlas atlas = three_charts(surface);
-  const LabelId l = atlas.label(any_index(3u), any_index(3u), any_word(surface, 0, 5));
+  const LabelId l = atlas.label(ChartId(any_index(3u)), ChartId(any_index(3u)), any_word(surface, 0, 5));
   RC_PRE(l != kIdentity);
   const Complex<double> z = any_point_of_disk(0.75);
   const Complex<double> rounded = atlas.isometry(l)(z);
@@ -215,10 +215,10 @@ RC_GTEST_PROP(AtlasProperty, ProductsAreRoundedAsTheirWordsAre, ()) {
   // However long the chain of products that a label comes from.
   const Surface& surface = any_surface().surface;
   Atlas atlas = three_charts(surface);
-  LabelId product = atlas.label(any_index(3u), 0, any_word(surface, 0, 2));
+  LabelId product = atlas.label(ChartId(any_index(3u)), ChartId(0), any_word(surface, 0, 2));
   for (int i = 0; i < 12; ++i) {
-    const std::uint32_t to = any_index(3u);
-    const std::uint32_t at = product == kIdentity ? to : atlas.labels()[product].to;
+    const ChartId to(any_index(3u));
+    const ChartId at = product == kIdentity ? to : atlas.labels()[product].to;
     const LabelId step = atlas.label(at, to, any_word(surface, 0, 1));
     product = any_index(4u) == 0 ? atlas.inverse(atlas.product(step, product)) : atlas.product(step, product);
     if (product == kIdentity) continue;
@@ -239,17 +239,18 @@ RC_GTEST_PROP(AtlasProperty, LiftsAreTheWordsValues, ()) {
   const Surface& surface = any_surface().surface;
   Atlas atlas = three_charts(surface);
   const Word word = any_word(surface, 0, 3);
-  const LabelId l = atlas.label(0, 1, word);
+  const LabelId l = atlas.label(ChartId(0), ChartId(1), word);
   const Complex<double> z = any_point_of_disk(0.75);
-  const auto frame = [&](std::uint32_t c) { return Isometry<Rational>::translation(atlas.charts()[c].centre); };
-  const Complex<Rational> exact = inverse(frame(1))(exact_value(surface, word)(frame(0)(convert<Rational>(z))));
+  const auto frame = [&](ChartId c) { return Isometry<Rational>::translation(atlas.charts()[c].centre); };
+  const Complex<Rational> exact =
+      inverse(frame(ChartId(1)))(exact_value(surface, word)(frame(ChartId(0))(convert<Rational>(z))));
   RC_ASSERT(separation(atlas.lift<Mp1024>(l, z), convert<Mp1024>(exact)) <= Atlas::lift_error<Mp1024>());
 }
 
 RC_GTEST_PROP(AtlasProperty, PlaceKeepsThePoint, ()) {
   const Surface& surface = any_surface().surface;
   Atlas atlas = three_charts(surface);
-  const std::uint32_t c = any_index(3u);
+  const ChartId c(any_index(3u));
   const Complex<Mp256> z = convert<Mp256>(any_point_of_disk(0.999));
   const bool exact = any_index(2u) == 1;
   const auto found =
@@ -280,7 +281,7 @@ TEST(Atlas, APointTooFarAwayHasNoPlace) {
       const auto around = axis(turn);
       found = surface.tile_of_side(surface.partner(then)) == tile && around && displacement_length(turn) < 1e-5;
       if (!found) continue;
-      const std::uint32_t chart = atlas.add_chart({tile, {}});
+      const ChartId chart = atlas.add_chart({tile, {}});
       for (const double distance : {-3.0, 3.0}) {
         const LorentzVector<Mp1024> ends = LorentzVector<Mp1024>{around->from.x, around->from.y, 1} +
                                            exp(Mp1024(distance)) * LorentzVector<Mp1024>{around->to.x, around->to.y, 1};
@@ -295,7 +296,7 @@ TEST(Atlas, APointTooFarAwayHasNoPlace) {
 RC_GTEST_PROP(AtlasProperty, PlaceNearbyIsTheSamePoint, ()) {
   const Surface& surface = any_surface().surface;
   Atlas atlas = three_charts(surface);
-  const std::uint32_t c = any_index(3u);
+  const ChartId c(any_index(3u));
   const Complex<double> z = any_point_of_disk(0.95);
   const auto known = atlas.lifted_point(c, convert<Mp1024>(z), Atlas::Precision::binary64);
   RC_ASSERT(known.has_value());
