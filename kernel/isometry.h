@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "kernel/complex.h"
+#include "kernel/numbers.h"
 
 namespace epsnet {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <optional>
 
-#include "kernel/complex.h"
 #include "kernel/isometry.h"
+#include "kernel/numbers.h"
 
 /// The formulas of the hyperbolic plane in the Poincaré disk, over any field. Signs are not certified here;
 /// predicates.h certifies them.

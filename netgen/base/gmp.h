@@ -7,7 +7,6 @@
 
 #include "certify/base/text.h"
 #include "certify/net/document.h"
-#include "kernel/complex.h"
 #include "kernel/numbers.h"
 
 /// Conversions between the numbers of documents, which are GMP's own classes, and the numbers of the kernel.

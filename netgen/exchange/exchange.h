@@ -8,7 +8,7 @@
 
 #include "certify/net/document.h"
 #include "netgen/base/length.h"
-#include "netgen/lifts/layout.h"
+#include "netgen/lifts/net_geometry.h"
 #include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "netgen/lifts/layout.h"
 #include "netgen/lifts/net_geometry.h"
 
 /// Lifts of the triangles of a net to the Poincaré disk.

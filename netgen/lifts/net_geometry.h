@@ -12,7 +12,7 @@
 #include "certify/net/document.h"
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
-#include "netgen/lifts/layout.h"
+#include "triangulation/surface/error.h"
 
 namespace epsnet::certify {
 struct SurfaceSides;
@@ -20,6 +20,19 @@ struct SurfaceSides;
 
 /// A net document as points and isometries, for pictures and summaries. Nothing here is proved.
 namespace epsnet {
+
+/// The document is not a net, or its numbers are too large for pictures and summaries. what() is one line.
+class NetGeometryError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// The order in which triangles are lifted (thesis IV.5).
+enum class DrawOrder {
+  weight,  ///< Next the triangle across the edge uv of least |u|² + |v|²: looks like the Dirichlet domain (figure
+           ///< IV.9).
+  breadth_first,  ///< By the number of edges crossed: the combinatorial Dirichlet domain (figure IV.10, bottom).
+};
 
 /// Returns the tile of a regular surface, with vertices rounded to 256 bits, and its gluing, as a rational surface. For
 /// pictures only.

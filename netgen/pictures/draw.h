@@ -8,8 +8,8 @@
 #include "certify/claims/distance/document.h"
 #include "certify/claims/geodesics/document.h"
 #include "certify/net/document.h"
-#include "kernel/complex.h"
-#include "netgen/lifts/layout.h"
+#include "kernel/numbers.h"
+#include "netgen/lifts/net_geometry.h"
 
 /// Pictures of nets in the Poincaré disk. Nothing here is proved. All functions throw NetGeometryError if the structure
 /// of the document is not that of a net; they do not check its geometry.

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "kernel/complex.h"
+#include "kernel/numbers.h"
 
 /// Geodesics on paper: the disk in pixels, SVG paths.
 namespace epsnet {

@@ -13,7 +13,7 @@
 #include "certify/check.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/distances/vertex_distances.h"
-#include "netgen/lifts/layout.h"
+#include "netgen/lifts/net_geometry.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"

@@ -12,7 +12,7 @@
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
-#include "netgen/surfaces/fenchel_nielsen_request.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
 

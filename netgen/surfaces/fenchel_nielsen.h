@@ -1,14 +1,72 @@
 #pragma once
 
+#include <array>
+#include <cassert>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "netgen/surfaces/pants_graph.h"
+#include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 
+/// Fenchel–Nielsen coordinates: pants graphs, the surfaces, and requests as text.
 namespace epsnet {
+
+/// The edges are not those of a pants graph: not trivalent, not connected, or too many. what() names the node.
+class PantsGraphError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// A connected trivalent graph: 2g − 2 nodes, the pairs of pants, and 3g − 3 edges, the cuffs of a pants decomposition
+/// of a surface of genus g ≥ 2. Loops (a one-holed torus) and double edges are allowed. Immutable.
+class PantsGraph {
+ public:
+  /// One of the three cuffs, numbered 0, 1, 2, of a pair of pants.
+  struct End {
+    std::uint32_t pants;
+    std::uint32_t cuff;
+    bool operator==(const End&) const = default;
+  };
+  /// The two cuffs that an edge joins.
+  using Edge = std::array<End, 2>;
+
+  /// Takes the two end nodes of every edge. The cuffs of a node are numbered in the order in which the edges name it.
+  /// Throws PantsGraphError. The genus is at most 100,000.
+  explicit PantsGraph(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges);
+
+  /// Returns a path of nodes joined by single and double edges in turn, with a loop at both ends.
+  [[nodiscard]] static PantsGraph chain(std::uint32_t genus);
+  /// Returns a cycle of nodes joined by single and double edges in turn.
+  [[nodiscard]] static PantsGraph ring(std::uint32_t genus);
+  /// Returns a balanced tree with a loop at every leaf.
+  [[nodiscard]] static PantsGraph tree(std::uint32_t genus);
+  /// Returns a random graph: pairs the 3(2g − 2) ends at random until the graph is connected. A seed gives the same
+  /// graph on every machine.
+  [[nodiscard]] static PantsGraph random(std::uint32_t genus, std::uint64_t seed);
+  /// Reads a list of edges such as "0-1 0-1 0-1"; separators are spaces and commas. Throws PantsGraphError, also for
+  /// bad syntax.
+  [[nodiscard]] static PantsGraph parse(std::string_view text);
+
+  /// Returns the genus of the surfaces with this graph.
+  [[nodiscard]] std::uint32_t genus() const { return static_cast<std::uint32_t>(edges_.size() / 3 + 1); }
+  /// The number of nodes, 2g − 2.
+  [[nodiscard]] std::uint32_t pants_count() const { return 2 * genus() - 2; }
+  /// The edges in the order in which they were given.
+  [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
+  /// The number of the edge at a cuff.
+  [[nodiscard]] std::uint32_t edge_at(std::uint32_t pants, std::uint32_t cuff) const {
+    assert(pants < pants_count() && cuff < 3);
+    return at_[3 * pants + cuff];
+  }
+
+ private:
+  std::vector<Edge> edges_;
+  std::vector<std::uint32_t> at_;
+};
 
 /// Fenchel–Nielsen coordinates: for every edge of a pants graph the hyperbolic length of its cuff, and the twist with
 /// which the two sides are glued, which is also a hyperbolic length.
@@ -47,5 +105,43 @@ class CoordinateError : public SurfaceError {
 /// Returns random coordinates on a graph: lengths uniform in [1, 4], twists uniform in [0, length). A seed gives the
 /// same coordinates on every machine.
 [[nodiscard]] FenchelNielsen random_coordinates(PantsGraph graph, std::uint64_t seed);
+
+/// An invalid request. what() is "MEMBER: PROBLEM" if one member is wrong, else "PROBLEM".
+class FenchelNielsenRequestError : public Error {
+ public:
+  /// An error that belongs to no single member.
+  explicit FenchelNielsenRequestError(const std::string& problem) : Error(problem), problem_(problem) {}
+  /// An error in a member, with the problem.
+  FenchelNielsenRequestError(const std::string& member, const std::string& problem)
+      : Error(member + ": " + problem), member_(member), problem_(problem) {}
+
+  /// "graph", "genus", "seed", "lengths", "twists", or empty.
+  [[nodiscard]] const std::string& member() const { return member_; }
+  /// The problem, without the name of the member.
+  [[nodiscard]] const std::string& problem() const { return problem_; }
+
+ private:
+  std::string member_;
+  std::string problem_;
+};
+
+/// Fenchel–Nielsen coordinates as given on a command line or in a JSON file. Missing values are drawn with the seed.
+struct FenchelNielsenRequest {
+  /// "chain", "ring", "tree", "random", or the edges themselves as in "0-1 0-1 0-1". Empty: random.
+  std::string graph;
+  std::optional<std::uint32_t> genus;
+  std::optional<std::uint64_t> seed;
+  /// Decimals or rationals, one for each edge, or one for all. Empty: random.
+  std::vector<std::string> lengths;
+  std::vector<std::string> twists;
+};
+
+/// Returns the coordinates of a request. Checks the given values before it requires a seed. Throws
+/// FenchelNielsenRequestError.
+[[nodiscard]] FenchelNielsen resolve(const FenchelNielsenRequest& request);
+
+/// Reads a request from the text of a JSON object with some of the members "graph", "genus", "seed", "lengths",
+/// "twists"; numbers are exact decimals, bare or in strings. Throws FenchelNielsenRequestError.
+[[nodiscard]] FenchelNielsenRequest parse_fenchel_nielsen(const std::string& text);
 
 }  // namespace epsnet

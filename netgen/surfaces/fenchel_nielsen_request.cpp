@@ -1,5 +1,3 @@
-#include "netgen/surfaces/fenchel_nielsen_request.h"
-
 #include <algorithm>
 #include <charconv>
 #include <set>
@@ -7,6 +5,7 @@
 
 #include "certify/file/json.h"
 #include "netgen/base/gmp.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
 
 namespace epsnet {
 namespace {

@@ -1,10 +1,8 @@
-#include "netgen/surfaces/fundamental_polygon.h"
-
 #include <algorithm>
 #include <list>
 #include <optional>
 
-#include "netgen/surfaces/word_isometry.h"
+#include "netgen/surfaces/group.h"
 #include "triangulation/surface/atlas.h"
 
 namespace epsnet {

@@ -1,5 +1,3 @@
-#include "netgen/surfaces/pants_graph.h"
-
 #include <algorithm>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
@@ -7,6 +5,7 @@
 #include <string>
 
 #include "netgen/base/disjoint_sets.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
 
 namespace epsnet {
 namespace {

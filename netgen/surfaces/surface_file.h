@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "certify/net/document.h"
-#include "netgen/base/write_error.h"
+#include "netgen/base/atomic_file.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet {

@@ -1,5 +1,3 @@
-#include "netgen/surfaces/word_isometry.h"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -8,6 +6,7 @@
 #include "certify/numbers/isometry.h"
 #include "certify/numbers/regular_number.h"
 #include "netgen/base/gmp.h"
+#include "netgen/surfaces/group.h"
 
 namespace epsnet {
 namespace {

@@ -11,7 +11,6 @@
 
 #include "certify/base/interval.h"
 #include "certify/net/document.h"
-#include "kernel/complex.h"
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
 #include "triangulation/surface/surface.h"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "kernel/complex.h"
+#include "kernel/numbers.h"
 
 // The bounds of the predicates, and the same bytes on every machine, need a*b + c to be rounded twice. These functions
 // may use the fused multiply-add of x86 where the machine has it, so that only -ffp-contract=off keeps them from it;

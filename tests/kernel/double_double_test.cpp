@@ -1,8 +1,8 @@
-#include "kernel/double_double.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+
+#include "kernel/numbers.h"
 
 namespace epsnet {
 namespace {

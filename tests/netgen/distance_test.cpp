@@ -14,7 +14,7 @@
 #include "certify/check.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
-#include "netgen/lifts/layout.h"
+#include "netgen/lifts/net_geometry.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/draw.h"
 #include "netgen/surfaces/octagon.h"

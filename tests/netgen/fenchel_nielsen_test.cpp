@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include "netgen/base/gmp.h"
-#include "netgen/surfaces/fenchel_nielsen_request.h"
 #include "tests/support/triangulations.h"
 
 namespace epsnet {

@@ -1,12 +1,10 @@
-#include "netgen/surfaces/fundamental_polygon.h"
-
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/group.h"
 #include "netgen/surfaces/octagon.h"
-#include "netgen/surfaces/word_isometry.h"
 
 namespace epsnet {
 namespace {

@@ -8,7 +8,7 @@
 #include "netgen/exchange/exchange.h"
 #include "netgen/exchange/triangulation_stream.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/surfaces/fenchel_nielsen_request.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/polygons.h"
 #include "tests/support/triangulations.h"

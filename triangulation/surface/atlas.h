@@ -41,7 +41,9 @@ class Atlas {
 
   /// The surface whose charts these are.
   [[nodiscard]] const Surface& surface() const { return charts_.surface(); }
+  /// The charts.
   [[nodiscard]] const Charts& charts() const { return charts_; }
+  /// The labels that there are so far.
   [[nodiscard]] const LabelTable& labels() const { return labels_; }
   /// Returns the number of isometries multiplied so far to evaluate words, which is the cost of new labels.
   [[nodiscard]] std::uint64_t factor_count() const { return words_.factor_count(); }

@@ -34,12 +34,15 @@ class Charts {
     double sinh_radius;  ///< 0 where binary64 does not see such a disk.
   };
 
+  /// No charts yet.
   explicit Charts(const Surface& surface);
 
+  /// The surface whose charts these are.
   [[nodiscard]] const Surface& surface() const { return surface_; }
 
   /// Appends a chart without checking for duplicates; returns its number. Requires: its centre is in the open disk.
   ChartId add(Chart chart);
+  /// Returns the number of charts.
   [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(entries_.size()); }
   [[nodiscard]] const Chart& operator[](ChartId c) const { return entry(c).chart; }
 

@@ -18,11 +18,12 @@ template <class Kind>
 class Id {
  public:
   Id() = default;
-  /// Requires: 0 ≤ number < 2^32.
+  /// The id with a number. Requires: 0 ≤ number < 2^32.
   constexpr explicit Id(std::integral auto number) : number_(static_cast<std::uint32_t>(number)) {
     assert(std::in_range<std::uint32_t>(number));
   }
 
+  /// The number.
   [[nodiscard]] constexpr std::uint32_t number() const { return number_; }
   constexpr Id& operator++() {
     ++number_;
@@ -40,16 +41,21 @@ template <class Kind>
   return std::to_string(id.number());
 }
 
+/// The number of a chart in an atlas.
 using ChartId = Id<struct ChartKind>;
+/// The number of a vertex in a triangulation.
 using VertexId = Id<struct VertexKind>;
+/// The number of a triangle in a triangulation.
 using TriangleId = Id<struct TriangleKind>;
 
 /// The numbers less than `count`, in order: what a range-based for loop needs.
 template <class I>
 class Ids {
  public:
+  /// Points to an id.
   class Iterator {
    public:
+    /// Points to this id.
     constexpr explicit Iterator(I id) : id_(id) {}
     [[nodiscard]] constexpr I operator*() const { return id_; }
     constexpr Iterator& operator++() {
@@ -62,8 +68,11 @@ class Ids {
     I id_;
   };
 
+  /// The numbers less than `count`.
   constexpr explicit Ids(std::uint32_t count) : count_(count) {}
+  /// The first number.
   [[nodiscard]] constexpr Iterator begin() const { return Iterator(I(0)); }
+  /// Behind the last number.
   [[nodiscard]] constexpr Iterator end() const { return Iterator(I(count_)); }
 
  private:

@@ -9,7 +9,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include "kernel/double_double.h"
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
 #include "triangulation/surface/charts.h"
@@ -75,13 +74,17 @@ class LabelTable {
 
   /// Adds a label. Requires: it is certainly different from all existing ones between its charts.
   LabelId add(Entry entry);
+  /// Makes two labels inverse to each other.
   void set_inverse(LabelId f, LabelId inverse) {
     assert(has(f) && has(inverse));
     rounded_[f - 1].inverse = inverse;
     rounded_[inverse - 1].inverse = f;
   }
+  /// Remembers f ∘ g.
   void set_product(LabelId f, LabelId g, LabelId product);
+  /// Remembers the precise value of a label, and returns it.
   const Evaluated<Mp256>& set_precise(LabelId l, Evaluated<Mp256> value);
+  /// Remembers the isometry of a label in T, and returns it.
   template <class T>
   const Isometry<T>& set_isometry(LabelId l, const Isometry<T>& value);
 

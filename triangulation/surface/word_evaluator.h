@@ -24,6 +24,7 @@ struct Evaluated {
 /// what was computed once: not for several threads.
 class WordEvaluator {
  public:
+  /// Rounds the crossings. O(sides).
   explicit WordEvaluator(const Surface& surface);
 
   /// The isometry of a word from the coordinates of chart `from` to those of chart `to`, to within 2^−accuracy relative

@@ -240,6 +240,16 @@ TEST(Triangulation, ProblemsAreSeen) {
   }
 }
 
+TEST(Id, IsATypeOfItsOwnForEveryKind) {
+  static_assert(!std::is_convertible_v<std::uint32_t, VertexId> && !std::is_convertible_v<VertexId, std::uint32_t>);
+  static_assert(!std::is_convertible_v<VertexId, TriangleId> && !std::is_constructible_v<VertexId, TriangleId>);
+  static_assert(!std::is_convertible_v<VertexId, ChartId> && !std::is_constructible_v<VertexId, ChartId>);
+  static_assert(sizeof(VertexId) == sizeof(std::uint32_t) && std::is_trivially_copyable_v<VertexId>);
+  std::vector<std::uint32_t> numbers;
+  for (const VertexId v : Ids<VertexId>(3)) numbers.push_back(v.number());
+  EXPECT_EQ(numbers, (std::vector<std::uint32_t>{0, 1, 2}));
+}
+
 TEST(Dart, IsATypeOfItsOwn) {
   static_assert(!std::is_convertible_v<std::uint32_t, Dart>);
   static_assert(!std::is_convertible_v<Dart, std::uint32_t>);
