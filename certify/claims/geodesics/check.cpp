@@ -63,11 +63,14 @@ class GeodesicsCheck {
 
   void ask(Verification& run) {
     try {
-      with_rising_precision(options_.max_precision, [&](slong precision) {
-        precision_ = precision;
-        pass(precision);
-        return verdict(kGeodesics) == Verdict::refuted || all_decided();
-      });
+      with_rising_precision(
+          options_.max_precision,
+          [&](slong precision) {
+            precision_ = precision;
+            pass(precision);
+            return verdict(kGeodesics) == Verdict::refuted || all_decided();
+          },
+          completeness_.first_precision());
       if (verdict(kGeodesics) == Verdict::refuted) rules_.keep_first();
     } catch (const BudgetSpent& spent) {
       rules_.give_up(spent.what());

@@ -1,7 +1,7 @@
 #include "certify/claims/geodesics/completeness_check.h"
 
 #include <algorithm>
-#include <numeric>
+#include <atomic>
 
 #include "certify/base/text.h"
 #include "certify/claims/geodesics/candidate_judge.h"
@@ -10,6 +10,14 @@
 #include "certify/numbers/parallel.h"
 
 namespace epsnet::certify {
+namespace {
+
+/// A spectrum from here on is searched for across edges: the search around vertices takes e^L steps for each of them.
+const mpq_class kLongLength = 6;
+/// Edges crossed by one part of the search before it is given up: a hundred times what usual surfaces take at L = 12.
+constexpr std::uint64_t kMostCrossings = 20'000'000;
+
+}  // namespace
 
 /// All vertices at one precision.
 class CompletenessCheck::Pass {
@@ -37,9 +45,12 @@ class CompletenessCheck::Pass {
     arb_sqrtpos(sinh_distance_.get(), sinh_distance_.get(), precision);
   }
 
+  [[nodiscard]] const CandidateJudge& judge() const { return judge_; }
+  [[nodiscard]] const Ball& cosh_half() const { return cosh_half_; }
+
   /// Calls tick() now and then.
   template <class Tick>
-  void examine(std::uint32_t v, Vertex& vertex, const Tick& tick) const {
+  void examine(std::uint32_t v, SearchPart& vertex, const Tick& tick) const {
     vertex.text.clear();
     if (examine_loops(v, vertex)) return;
     const BallVector place = position(v);
@@ -70,7 +81,7 @@ class CompletenessCheck::Pass {
   }
 
   /// True if the vertex is deep; then its short loop is the only candidate.
-  bool examine_loops(std::uint32_t v, Vertex& vertex) const {
+  bool examine_loops(std::uint32_t v, SearchPart& vertex) const {
     for (const std::uint32_t dart : check_.loops_[v]) {
       BallIsometry element = compose(inverse(plane_.label(corner_label(net_, dart))),
                                      plane_.label(corner_label(net_, next_dart(dart))), plane_.precision());
@@ -112,7 +123,7 @@ class CompletenessCheck::Pass {
   }
 
   [[nodiscard]] Tri judge(std::uint32_t v, const BallIsometry& element, const LabelProduct& product,
-                          const BallVector* place, Vertex& vertex) const {
+                          const BallVector* place, SearchPart& vertex) const {
     CandidateJudge::Judgement judgement = judge_.judge(v, element, product, place);
     vertex.candidates += judgement.is_candidate ? 1 : 0;
     if (judgement.in_order == Tri::no) vertex.text = std::move(judgement.text);
@@ -136,8 +147,10 @@ CompletenessCheck::CompletenessCheck(const GeodesicsDocument& document, const La
       evaluator_(evaluator),
       up_to_(document.claim == GeodesicsDocument::Claim::spectrum ? decimal(document.up_to) : mpq_class()),
       progress_(options.progress),
+      max_visits_(options.max_visits),
       limit_(options.max_visits / std::max<std::size_t>(document.net.vertices.size(), 1)),
       vertices_(document.net.vertices.size()),
+      crosses_edges_(up_to_ >= kLongLength),
       loops_(document.net.vertices.size()) {
   const NetDocument& net = document.net;
   for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
@@ -148,12 +161,17 @@ CompletenessCheck::CompletenessCheck(const GeodesicsDocument& document, const La
 
 RuleReport CompletenessCheck::check(const LiftedPlane& plane, const ChordTable& table, unsigned threads) {
   const Pass pass(*this, plane, table);
+  if (crosses_edges_) {
+    if (auto report = check_crossings(plane, pass, threads)) return *std::move(report);
+    crosses_edges_ = false;
+    crossings_.clear();
+  }
   std::vector<std::uint32_t> open;
   for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
     if (vertices_[v].complete == Tri::unknown && !vertices_[v].limit_reached) open.push_back(v);
   }
   // What is begun is forgotten if the budget ends it, so that the counts do not depend on the number of threads.
-  std::vector<Vertex> vertices = vertices_;
+  std::vector<SearchPart> vertices = vertices_;
   for_each_parallel(open.size(), threads, [&](unsigned worker, std::size_t i) {
     pass.examine(open[i], vertices[open[i]], [&] {
       if (worker == 0 && progress_) progress_("complete", static_cast<double>(i) / static_cast<double>(open.size()));
@@ -162,7 +180,7 @@ RuleReport CompletenessCheck::check(const LiftedPlane& plane, const ChordTable& 
   vertices_ = std::move(vertices);
 
   const auto find = [&](Tri wanted) {
-    return std::find_if(vertices_.begin(), vertices_.end(), [&](const Vertex& v) { return v.complete == wanted; });
+    return std::find_if(vertices_.begin(), vertices_.end(), [&](const SearchPart& v) { return v.complete == wanted; });
   };
   if (const auto wrong = find(Tri::no); wrong != vertices_.end()) return {"complete", Verdict::refuted, wrong->text};
   if (const auto left = find(Tri::unknown); left != vertices_.end()) {
@@ -173,6 +191,10 @@ RuleReport CompletenessCheck::check(const LiftedPlane& plane, const ChordTable& 
                 : name + ": not decided whether all geodesics near it are in the list, with " +
                       std::to_string(plane.precision()) + " bits"};
   }
+  return verified();
+}
+
+RuleReport CompletenessCheck::verified() const {
   if (document_.claim == GeodesicsDocument::Claim::systole) {
     return {"complete", Verdict::verified, "no closed geodesic is shorter than geodesic 0"};
   }
@@ -180,23 +202,54 @@ RuleReport CompletenessCheck::check(const LiftedPlane& plane, const ChordTable& 
           "no primitive closed geodesic of length at most " + bound_name() + " is missing"};
 }
 
+std::optional<RuleReport> CompletenessCheck::check_crossings(const LiftedPlane& plane, const Pass& pass,
+                                                             unsigned threads) {
+  const CrossingPass crossings(plane, pass.judge(), pass.cosh_half());
+  if (crossings.size() == 0) return std::nullopt;
+  const std::uint64_t limit = std::min(kMostCrossings, max_visits_);
+  std::vector<SearchPart> parts(crossings.size());
+  std::atomic<bool> too_many = false;
+  for_each_parallel(parts.size(), threads, [&](unsigned worker, std::size_t i) {
+    if (too_many) return;
+    parts[i] = crossings.examine(i, limit, [&] {
+      if (worker == 0 && progress_) progress_("complete", static_cast<double>(i) / static_cast<double>(parts.size()));
+    });
+    if (parts[i].limit_reached) too_many = true;
+  });
+  if (too_many) return std::nullopt;
+  crossings_ = std::move(parts);
+  const auto find = [&](Tri wanted) {
+    return std::find_if(crossings_.begin(), crossings_.end(),
+                        [&](const auto& part) { return part.complete == wanted; });
+  };
+  if (const auto wrong = find(Tri::no); wrong != crossings_.end()) return {{"complete", Verdict::refuted, wrong->text}};
+  if (find(Tri::unknown) == crossings_.end()) return verified();
+  return {{"complete", Verdict::undecided,
+           "not decided whether all geodesics are in the list, with " + std::to_string(plane.precision()) + " bits"}};
+}
+
 bool CompletenessCheck::limit_reached() const {
-  return std::any_of(vertices_.begin(), vertices_.end(), [](const Vertex& v) { return v.limit_reached; });
+  return std::any_of(vertices_.begin(), vertices_.end(), [](const SearchPart& v) { return v.limit_reached; });
+}
+
+template <class Count>
+std::uint64_t CompletenessCheck::sum(const Count& count) const {
+  std::uint64_t result = 0;
+  for (const SearchPart& part : vertices_) result += count(part);
+  for (const SearchPart& part : crossings_) result += count(part);
+  return result;
 }
 
 std::uint64_t CompletenessCheck::visits() const {
-  return std::accumulate(vertices_.begin(), vertices_.end(), std::uint64_t{0},
-                         [](std::uint64_t sum, const Vertex& v) { return sum + v.visits; });
+  return sum([](const SearchPart& part) { return part.visits; });
 }
 
 std::uint64_t CompletenessCheck::candidates() const {
-  return std::accumulate(vertices_.begin(), vertices_.end(), std::uint64_t{0},
-                         [](std::uint64_t sum, const Vertex& v) { return sum + v.candidates; });
+  return sum([](const SearchPart& part) { return part.candidates; });
 }
 
 std::uint64_t CompletenessCheck::deep_vertices() const {
-  return static_cast<std::uint64_t>(
-      std::count_if(vertices_.begin(), vertices_.end(), [](const Vertex& v) { return v.deep; }));
+  return sum([](const SearchPart& part) { return std::uint64_t{part.deep}; });
 }
 
 Ball CompletenessCheck::cosh_half_bound(const LiftedPlane& plane) const {

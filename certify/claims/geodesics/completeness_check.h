@@ -1,12 +1,15 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "certify/claims/geodesics/chord_table.h"
+#include "certify/claims/geodesics/crossing_pass.h"
 #include "certify/claims/geodesics/document.h"
+#include "certify/numbers/precision.h"
 #include "certify/verdict/report.h"
 
 namespace epsnet::certify {
@@ -33,21 +36,22 @@ class CompletenessCheck {
   [[nodiscard]] std::uint64_t candidates() const;
   [[nodiscard]] std::uint64_t deep_vertices() const;
 
+  /// The least precision at which it makes sense to ask.
+  [[nodiscard]] slong first_precision() const { return crosses_edges_ ? 128 : kFirstPrecision; }
+
   /// cosh(L/2). The plane is of the evaluator's document.
   [[nodiscard]] Ball cosh_half_bound(const LiftedPlane& plane) const;
   /// L in words.
   [[nodiscard]] std::string bound_name() const;
 
  private:
-  struct Vertex {
-    Tri complete = Tri::unknown;
-    bool deep = false;
-    bool limit_reached = false;
-    std::uint64_t visits = 0;
-    std::uint64_t candidates = 0;
-    std::string text;
-  };
   class Pass;
+
+  /// The search across edges; nothing if it takes too long, and the search around vertices should be tried.
+  [[nodiscard]] std::optional<RuleReport> check_crossings(const LiftedPlane& plane, const Pass& pass, unsigned threads);
+  [[nodiscard]] RuleReport verified() const;
+  template <class Count>
+  [[nodiscard]] std::uint64_t sum(const Count& count) const;
 
   /// The label number of the first geodesic's word.
   [[nodiscard]] std::uint32_t first_element() const {
@@ -58,8 +62,11 @@ class CompletenessCheck {
   const LabelEvaluator& evaluator_;
   mpq_class up_to_;                                         ///< Of a spectrum.
   std::function<void(std::string_view, double)> progress_;  ///< As in CheckOptions.
-  std::uint64_t limit_;                                     ///< Visits for one vertex.
-  std::vector<Vertex> vertices_;
+  std::uint64_t max_visits_;
+  std::uint64_t limit_;  ///< Visits for one vertex.
+  std::vector<SearchPart> vertices_;
+  std::vector<SearchPart> crossings_;              ///< Of the last precision, if the search is across edges.
+  bool crosses_edges_;                             ///< Whether that search is tried first.
   std::vector<std::vector<std::uint32_t>> loops_;  ///< By vertex: darts from it to itself.
 };
 
