@@ -25,18 +25,26 @@ namespace {
 /// Collects text and hands it to the stream in large pieces: one stream call per number would dominate the time.
 class Buffer {
  public:
-  explicit Buffer(std::ostream& out) : out_(out) { text_.reserve(kPiece + kPiece / 4); }
+  explicit Buffer(std::ostream& out) : out_(out) {}
+
+  void mark(char c) {
+    make_room(1);
+    bytes_[size_++] = c;
+  }
 
   void text(std::string_view piece) {
-    text_ += piece;
-    if (text_.size() >= kPiece) flush();
+    make_room(piece.size());
+    if (piece.size() > bytes_.size()) bytes_.resize(piece.size());
+    std::copy(piece.begin(), piece.end(), bytes_.data() + size_);
+    size_ += piece.size();
   }
 
   template <class Number>
   void number(Number value) {
-    char digits[32];
-    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
-    text(std::string_view(digits, static_cast<std::size_t>(end - digits)));
+    constexpr std::size_t kLongest = 32;
+    make_room(kLongest);
+    char* const first = bytes_.data() + size_;
+    size_ += static_cast<std::size_t>(std::to_chars(first, first + kLongest, value).ptr - first);
   }
 
   void string(std::string_view value) {
@@ -63,14 +71,18 @@ class Buffer {
   }
 
   void flush() {
-    out_.write(text_.data(), static_cast<std::streamsize>(text_.size()));
-    text_.clear();
+    out_.write(bytes_.data(), static_cast<std::streamsize>(size_));
+    size_ = 0;
   }
 
  private:
-  static constexpr std::size_t kPiece = 1 << 20;
+  void make_room(std::size_t size) {
+    if (bytes_.size() - size_ < size) flush();
+  }
+
   std::ostream& out_;
-  std::string text_;
+  std::vector<char> bytes_ = std::vector<char>(1 << 20);
+  std::size_t size_ = 0;
 };
 
 template <class T>
@@ -120,7 +132,7 @@ class Writer {
   template <class T>
   void write(const std::vector<T>& list) {
     const bool is_part = std::exchange(is_part_, true);
-    const char* separator = is_part ? "[" : "[\n";
+    std::string_view separator = is_part ? "[" : "[\n";
     for (const T& element : list) {
       buffer_.text(separator);
       separator = is_part ? "," : ",\n";
@@ -132,10 +144,10 @@ class Writer {
 
   template <Array T>
   void write(const T& array) {
-    const char* separator = "[";
+    char separator = '[';
     const auto write_element = [&](const auto& element) {
-      buffer_.text(separator);
-      separator = ",";
+      buffer_.mark(separator);
+      separator = ',';
       write(element);
     };
     const auto write_elements = [&]<class Element>(const Element& element) {
@@ -146,7 +158,7 @@ class Writer {
       }
     };
     std::apply([&](const auto&... element) { (write_elements(element), ...); }, Fields<T>::elements(array));
-    buffer_.text("]");
+    buffer_.mark(']');
   }
 
   template <Object T>
