@@ -10,8 +10,8 @@
 
 #include "triangulation/mesh/triangulation.h"
 
-/// What a triangulation is asked and how it is changed, by level: queries, which change no triangle; high-level operations,
-/// which keep it sound (and Delaunay where they say so); low-level operations, of which these are made.
+/// What a triangulation is asked and how it is changed, by level: queries, which change no triangle; high-level
+/// operations, which keep it sound (and Delaunay where they say so); low-level operations, of which these are made.
 ///
 /// A triangulation is sound if `problem` finds nothing. Where an operation records into a journal, `undo` takes it
 /// back.

@@ -19,7 +19,8 @@ struct SearchPart {
   std::string text;  ///< Of what is missing.
 };
 
-/// All closed geodesics at one precision, by the edges that they cross (docs/proof.md, section 11, Lemmas 15.1 to 15.3).
+/// All closed geodesics at one precision, by the edges that they cross (docs/proof.md, section 11, Lemmas 15.1
+/// to 15.3).
 ///
 /// If every part is complete, the list lacks none. The parts are the loop edges of collars, and then the edges that are
 /// not inside one collar.
