@@ -14,17 +14,20 @@ constexpr int kExitInternal = 70;
 constexpr std::size_t kMaxBytes = std::size_t{1} << 32;
 constexpr const char* kUsage =
     "Usage: certify-exact FILE\n\n"
-    "Checks a net file by integers alone: a second opinion beside certify, for surfaces made of rational tiles.\n"
+    "Checks a net file by integers alone: a second opinion beside certify, for\n"
+    "surfaces made of rational tiles.\n"
     "FILE is read completely; - is standard input. Example: certify-exact net.json\n\n"
-    "The line of output is VERIFIED, REFUTED: rule: why, UNDECIDED: rule: why, or MALFORMED: why.\n"
-    "Exit codes: 0 verified, 1 refuted, 2 undecided, 3 malformed file, 64 usage, 70 internal fault.\n";
+    "The line of output is VERIFIED, REFUTED: rule: why, UNDECIDED: rule: why, or\n"
+    "MALFORMED: why.\n"
+    "Exit codes: 0 verified, or --help, 1 refuted, 2 undecided, 3 malformed file,\n"
+    "64 usage, 70 internal fault.\n";
 
 }  // namespace
 
 int main(int argc, char** argv) try {
   if (argc != 2 || std::string(argv[1]) == "--help") {
-    (argc == 2 ? std::cout : std::cerr) << kUsage;
-    return kExitUsage;
+    (argc == 2 ? std::cout : std::cerr) << kUsage << std::flush;
+    return argc != 2 ? kExitUsage : std::cout ? 0 : kExitInternal;
   }
   const std::string path = argv[1];
   std::ifstream file(path, std::ios::binary);

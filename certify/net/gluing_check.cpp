@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "certify/base/counted.h"
 #include "certify/net/darts.h"
 #include "certify/net/surface_check.h"
 #include "certify/numbers/parallel.h"
@@ -202,8 +203,9 @@ class GluingChecker {
                                                     : ": not decided whether the labels agree in the group" + why)};
     }
     return {"gluing", Verdict::verified,
-            "the triangles fit across every edge; " + std::to_string(items_.size()) +
-                " different equations of labels hold in the group of the surface"};
+            "the triangles fit across every edge; " +
+                counted(items_.size(), "equation of labels holds", "different equations of labels hold") +
+                " in the group of the surface"};
   }
 
   const NetDocument& document_;

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "certify/base/counted.h"
 #include "certify/net/darts.h"
 
 namespace epsnet::certify {
@@ -94,7 +95,7 @@ RuleReport check_map(const NetDocument& document, std::uint64_t genus) {
   const std::size_t triangles = document.triangles.size();
   return {"map", Verdict::verified,
           "a connected closed oriented surface of genus " + std::to_string(genus) + " made of " +
-              std::to_string(document.vertices.size()) + " vertices, " + std::to_string(3 * triangles / 2) +
+              counted(document.vertices.size(), "vertex", "vertices") + ", " + std::to_string(3 * triangles / 2) +
               " edges, " + std::to_string(triangles) + " triangles"};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "certify/base/counted.h"
 #include "certify/net/surface_sides.h"
 #include "certify/numbers/ball_vector.h"
 #include "certify/numbers/parallel.h"
@@ -124,10 +125,11 @@ class SurfaceChecker {
       return outcome;
     }
     outcome.report.verdict = Verdict::verified;
-    outcome.report.text =
-        "a closed hyperbolic surface of genus " + std::to_string(genus_) + ": " + std::to_string(tiles_.size()) +
-        " convex tiles, " + std::to_string(sides_.partner.size() / 2) + " pairs of sides of exactly equal length, " +
-        std::to_string(vertices_.size()) + " vertex cycles that close up exactly with total angle 2*pi";
+    outcome.report.text = "a closed hyperbolic surface of genus " + std::to_string(genus_) + ": " +
+                          counted(tiles_.size(), "convex tile", "convex tiles") + ", " +
+                          std::to_string(sides_.partner.size() / 2) + " pairs of sides of exactly equal length, " +
+                          counted(vertices_.size(), "vertex cycle that closes up", "vertex cycles that close up") +
+                          " exactly with total angle 2*pi";
     outcome.genus = genus_;
     outcome.crossings = RationalCrossings(std::move(crossings_));
     return outcome;

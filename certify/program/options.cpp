@@ -60,9 +60,12 @@ std::string unknown_option(const CLI::App& app) {
   return unknown + ": no such option" + (nearest.empty() ? "" : ", did you mean " + nearest + "?");
 }
 
+// Lines of --help have at most 80 columns; texts of options begin in column 30.
+
 std::string description() {
   std::string text =
-      "Checks the claim of each file. Every number is enclosed in balls, and nothing is taken from the generator.";
+      "Checks the claim of each file. Every number is enclosed in balls, and nothing is\n"
+      "taken from the generator.";
   for (const ClaimKind& kind : kClaimKinds) text.append("\n").append(kind.says);
   return text;
 }
@@ -77,47 +80,49 @@ std::string names_of_files() {
 }
 
 void add_options(CLI::App& app, Request& request) {
-  app.add_option("FILE", request.files, names_of_files() + " (docs/format.md); \"-\" is standard input")
+  app.add_option("FILE", request.files, names_of_files() + "\n(docs/format.md); \"-\" is standard input")
       ->required()
       ->option_text("... REQUIRED");
   app.add_flag("--exact", request.exact,
-               "use the second checker (certify-exact) for nets of any size; without this option up to " +
-                   std::to_string(kTrianglesCheckedTwice) + " triangles and 4 MB");
+               "use the second checker (certify-exact) for nets of\nany size; without this option up to " +
+                   std::to_string(kTrianglesCheckedTwice) + "\ntriangles and 4 MB");
   app.add_flag("--json", request.json, "print only one JSON object per file, on one line");
   app.add_option("--threads", request.options.threads, "number of threads, at most 1024; 0 is one per core")
       ->check(integer_between(0, 1024))
       ->option_text("N [0]");
   app.add_option("--max-precision", request.options.max_precision,
-                 "bits after which a comparison is undecided, 64 to 1048576")
+                 "bits after which a comparison is undecided, 64 to\n1048576")
       ->check(integer_between(kLeastPrecision, kGreatestPrecision))
       ->option_text("N [8192]");
   app.add_option("--max-visits", request.options.max_visits,
-                 "lifted triangles visited before a list of geodesics is undecided, at least 1")
+                 "lifted triangles visited before a list of\ngeodesics is undecided, at least 1")
       ->check(integer_between(1, std::numeric_limits<std::uint64_t>::max()))
       ->option_text("N [100000000]");
   app.add_option("--max-work", request.options.max_work,
-                 "units of work before the rest is undecided; 0 chooses a limit by the size of the file")
+                 "units of work before the rest is undecided; 0\nchooses a limit by the size of the file")
       ->check(integer_between(0, std::numeric_limits<std::uint64_t>::max()))
       ->option_text("N [0]");
   app.add_flag_callback(
       "--no-filter", [&request] { request.options.filter = false; },
-      "use ball arithmetic for everything, without the filter in binary64: the same answer, some ten times slower");
+      "use ball arithmetic for everything, without the\nfilter in binary64: the same answer, some ten\ntimes slower");
   app.add_flag("--print-parsed", request.print_parsed, "first print the document as it was read")->excludes("--json");
   app.set_version_flag("--version", "certify " EPSNET_VERSION);
   app.footer(
       "Examples:\n"
       "  certify net.json && echo 'this is an epsilon-net'\n"
       "  certify results/*.json\n\n"
-      "The last line of output is VERIFIED, REFUTED: rule: why, UNDECIDED: rule: why, or MALFORMED: why.\n"
-      "Of several files it is VERIFIED if all of them are; else it names the first that is not, and the exit code is\n"
-      "that file's. The line sha256 identifies the bytes that were checked.\n"
-      "A net is checked twice: in balls, and by integers alone if its surface is made of rational tiles. The line\n"
-      "second checker says what the second one found, the line verified by who verified the file. If one verifies "
-      "what\n"
-      "the other refutes, the verdict is UNDECIDED: the two checkers disagree.\n"
-      "Exit codes: 0 verified, 1 refuted, 2 undecided, 3 malformed file, 64 usage, a file that cannot be read, --help\n"
-      "or --version, 70 the machine failed (memory, output that cannot be written), 71 a fault of this program: no\n"
-      "verdict, please report it.");
+      "The last line of output is VERIFIED, REFUTED: rule: why, UNDECIDED: rule: why,\n"
+      "or MALFORMED: why. Of several files it is VERIFIED if all of them are; else it\n"
+      "names the first that is not, and the exit code is that file's. The line sha256\n"
+      "identifies the bytes that were checked.\n"
+      "A net is checked twice: in balls, and by integers alone if its surface is made\n"
+      "of rational tiles. The line second checker says what the second one found, the\n"
+      "line verified by who verified the file. If one verifies what the other refutes,\n"
+      "the verdict is UNDECIDED: the two checkers disagree.\n"
+      "Exit codes: 0 verified, or --help or --version, 1 refuted, 2 undecided,\n"
+      "3 malformed file, 64 usage or a file that cannot be read, 70 the machine failed\n"
+      "(memory, output that cannot be written), 71 a fault of this program: no verdict,\n"
+      "please report it.");
 }
 
 }  // namespace
@@ -129,10 +134,10 @@ std::variant<Request, int> parse_command_line(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help_or_version) {
-    // --help succeeds as a command, but nothing is verified: it must not look like success to a script.
     app.exit(help_or_version);
-    std::cout.flush();
-    return kExitUsage;
+    if (std::cout.flush()) return 0;
+    std::cerr << "certify: cannot write to standard output\n";
+    return kExitInternal;
   } catch (const CLI::ParseError& error) {
     if (app.remaining().empty()) {
       app.exit(error);

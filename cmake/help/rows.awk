@@ -28,7 +28,7 @@ END {
       if (match(head, /  +/) && RSTART < 30) {
         text = substr(head, RSTART + RLENGTH)
         head = substr(head, 1, RSTART - 1)
-      } else if (line[i + 1] !~ /^          /) {
+      } else if (substr(l, 30, 1) == " " || line[i + 1] !~ /^          /) {
         text = substr(l, 31)
         head = trim(substr(l, 3, 28))
       }

@@ -43,8 +43,12 @@ expect 64 '' --json --print-parsed "$data"/verified/octagon-1-vertex.json
 expect 64 '' "$data"/no-such-file.json
 expect 64 '' "$data"
 expect 64 '' /dev/zero
-expect 64 'verdict, please report it' --help
-expect 64 'certify ' --version
+expect 0 'please report it' --help
+expect 0 'certify ' --version
+"$certify" --help | awk 'length($0) > 80' | grep . && {
+  echo "certify --help has lines of more than 80 columns"
+  failures=$((failures + 1))
+}
 
 good=$data/verified/octagon-1-vertex.json
 other=$data/verified/octagon-9-vertices.json

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "certify/base/counted.h"
 #include "certify/base/decimals.h"
 #include "certify/claims/bound/element.h"
 #include "certify/claims/bound/structure.h"
@@ -210,8 +211,9 @@ class BoundCheck {
       }
       maps_.push_back(std::move(map));
     }
-    return {"triangulations", Verdict::verified,
-            std::to_string(maps_.size()) + " triangulations, " + std::to_string(products_.size()) + " flips"};
+    return {
+        "triangulations", Verdict::verified,
+        counted(maps_.size(), "triangulation", "triangulations") + ", " + counted(products_.size(), "flip", "flips")};
   }
 
   RuleReport cells() {

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "certify/base/counted.h"
 #include "certify/base/text.h"
 #include "certify/net/darts.h"
 #include "certify/net/gluing_check.h"
@@ -323,9 +324,9 @@ class CollarChecker {
 
   [[nodiscard]] std::string proved(const CollarsOutcome& outcome) const {
     if (document_.collars->empty()) return "there are none, and epsilon is at most ln sqrt(2)";
-    return std::to_string(document_.collars->size()) + " annuli of two triangles around closed geodesics no longer " +
-           "than epsilon, the shortest of a length in " + to_string(*outcome.shortest_core) +
-           "; their vertices are in the thick part and cover what they have of it";
+    return counted(document_.collars->size(), "annulus", "annuli") +
+           " of two triangles around closed geodesics no longer " + "than epsilon, the shortest of a length in " +
+           to_string(*outcome.shortest_core) + "; their vertices are in the thick part and cover what they have of it";
   }
 
   const NetDocument& document_;

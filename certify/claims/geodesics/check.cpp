@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "certify/base/counted.h"
 #include "certify/base/text.h"
 #include "certify/claims/geodesics/chord_table.h"
 #include "certify/claims/geodesics/completeness_check.h"
@@ -165,7 +166,8 @@ class GeodesicsCheck {
       }
     }
     report(kGeodesics, Verdict::verified,
-           std::to_string(elements_.size()) + " closed geodesics have lengths in their enclosures");
+           counted(elements_.size(), "closed geodesic has its length in its enclosure",
+                   "closed geodesics have lengths in their enclosures"));
   }
 
   /// lo ≤ l ≤ hi; equality is impossible, as cosh(l/2) is algebraic.
@@ -248,7 +250,7 @@ class GeodesicsCheck {
     std::sort(actual.begin(), actual.end(), boundaries);
     std::sort(claimed.begin(), claimed.end(), boundaries);
     if (actual == claimed) {
-      report(kPieces, Verdict::verified, std::to_string(actual.size()) + " pieces, as said");
+      report(kPieces, Verdict::verified, counted(actual.size(), "piece", "pieces") + ", as said");
     } else {
       report(kPieces, Verdict::refuted, "the surface cut along the geodesics has " + pieces_text(actual));
     }
@@ -256,7 +258,7 @@ class GeodesicsCheck {
 
   static std::string pieces_text(const std::vector<GeodesicsDocument::Piece>& pieces) {
     constexpr std::size_t kShown = 20;
-    std::string result = std::to_string(pieces.size()) + " pieces (genus, boundaries):";
+    std::string result = counted(pieces.size(), "piece", "pieces") + " (genus, boundaries):";
     for (std::size_t i = 0; i < std::min(pieces.size(), kShown); ++i) {
       result += " (" + std::to_string(pieces[i].genus) + ", " + std::to_string(pieces[i].boundaries.size()) + ")";
     }
