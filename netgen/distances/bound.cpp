@@ -380,12 +380,6 @@ void move_to(Triangulation& triangulation, const Point& target) {
   throw NetError("the vertex of a triangulation could not be moved to where the function is largest");
 }
 
-Triangulation one_vertex_triangulation(const Surface& surface, const std::optional<BasePoint>& vertex) {
-  Triangulation result = delaunay_start(surface, vertex).triangulation;
-  (void)reduce_to_vertex_0(result);
-  return result;
-}
-
 /// Returns the Delaunay triangulation with one vertex as a net whose ε is above the eccentricity.
 certify::NetDocument net_above_eccentricity(Triangulation& triangulation) {
   EdgeElements elements;
@@ -399,7 +393,7 @@ certify::NetDocument net_above_eccentricity(Triangulation& triangulation) {
 
 BoundDocument bound_document(const Surface& surface, BoundDocument::Claim claim, const BoundOptions& options) {
   if (!(options.width >= kLeastBoundWidth)) throw std::invalid_argument("the width is less than 1e-12");
-  Triangulation base = one_vertex_triangulation(surface, std::nullopt);
+  Triangulation base = delaunay_start_of_point(surface, std::nullopt).triangulation;
   {
     BoundSearch search(base, claim, options, options.width / 4, BoundSearch::Climb::yes);
     search.run();
@@ -433,7 +427,7 @@ BoundDocument bound_document(const Surface& surface, BoundDocument::Claim claim,
 }  // namespace
 
 certify::NetDocument eccentricity_net(const Surface& surface, const BasePoint& vertex) {
-  Triangulation triangulation = one_vertex_triangulation(surface, vertex);
+  Triangulation triangulation = delaunay_start_of_point(surface, vertex).triangulation;
   return net_above_eccentricity(triangulation);
 }
 

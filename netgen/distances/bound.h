@@ -25,7 +25,7 @@ struct BoundOptions {
 
 /// Returns the one-vertex Delaunay triangulation as a net; its ε is larger than its largest circumradius. The largest
 /// circumradius is the eccentricity of the vertex: the greatest distance of a point from it (docs/proof.md, Lemma 5.2).
-/// Throws SurfaceError unless the vertex is strictly inside its tile.
+/// The vertex may be anywhere in the disk of its tile. Throws SurfaceError if it is no point of the surface.
 [[nodiscard]] certify::NetDocument eccentricity_net(const Surface& surface, const BasePoint& vertex);
 
 /// Encloses the diameter: the greatest distance of two points. Branch and bound over the positions of one of them

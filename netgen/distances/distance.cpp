@@ -18,6 +18,7 @@
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/nets/net_options.h"
 #include "triangulation/surface/atlas.h"
+#include "triangulation/surface/points.h"
 
 namespace epsnet {
 namespace {
@@ -29,15 +30,6 @@ constexpr int kEqualBits = 300;
 /// The most paths in a document. The 4g-gon of the largest genus has 4000 from its centre to its vertex; across a cuff
 /// of length l there are about 10⁻⁷/l whose lengths are too close for binary64.
 constexpr std::size_t kMostPaths = 5000;
-
-bool is_strictly_inside(const Surface& surface, const BasePoint& point) {
-  try {
-    require_inside(surface, point);
-    return true;
-  } catch (const SurfaceError&) {
-    return false;
-  }
-}
 
 /// Returns the isometry of a word.
 Isometry<Mp1024> value(const Surface& surface, const Word& word) {
@@ -153,29 +145,6 @@ class LiftsOfPoint {
 
 }  // namespace
 
-namespace {
-
-/// Takes a point to the tile that contains it; it is given in the coordinates of another tile. `name` stands for it in
-/// messages.
-BasePoint moved_into_its_tile(const Surface& surface, BasePoint point, const std::string& name) {
-  // A walk along a line would need more care. Each step of this walk leads closer to the inside of the tile.
-  constexpr int kMostTiles = 10'000;
-  for (int tiles = 0; tiles < kMostTiles; ++tiles) {
-    const Tile& tile = surface.tiles()[point.tile];
-    std::uint32_t k = 0;
-    while (k < tile.size() && orientation_determinant(tile[k], tile[(k + 1) % tile.size()], point.z) >= 0) ++k;
-    if (k == tile.size()) return point;
-    if (surface.is_regular()) {
-      throw NetError(name + " is not in the tile of its chart, so that its coordinates there are not rational");
-    }
-    const std::uint32_t side = surface.side_number(point.tile, k);
-    point = {surface.tile_of_side(surface.partner(side)), surface.crossing(side)(point.z)};
-  }
-  throw NetError(name + " is more than " + std::to_string(kMostTiles) + " tiles away from that of its chart");
-}
-
-}  // namespace
-
 BasePoint point_of_vertex(const Surface& surface, const certify::NetDocument& net, std::uint32_t vertex) {
   const std::string name = "vertex " + std::to_string(vertex);
   if (vertex >= net.vertices.size()) {
@@ -183,8 +152,8 @@ BasePoint point_of_vertex(const Surface& surface, const certify::NetDocument& ne
   }
   const auto& [x, y, c] = net.vertices[vertex];
   const certify::NetDocument::Chart& chart = net.charts[c];
-  return moved_into_its_tile(
-      surface, {chart.tile, Isometry<Rational>::translation(from_gmp(chart.centre))({Rational(x), Rational(y)})}, name);
+  return in_its_tile(surface,
+                     {chart.tile, Isometry<Rational>::translation(from_gmp(chart.centre))({Rational(x), Rational(y)})});
 }
 
 BasePoint point_of_triangle(const Surface& surface, const certify::NetDocument& net, std::uint32_t triangle,
@@ -217,23 +186,21 @@ BasePoint point_of_triangle(const Surface& surface, const certify::NetDocument& 
     mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), kBits);
     return from_gmp(result);
   };
-  return moved_into_its_tile(surface, {chart.tile, {to_rational(z.x), to_rational(z.y)}}, name);
+  return in_its_tile(surface, {chart.tile, {to_rational(z.x), to_rational(z.y)}});
 }
 
 certify::DistanceDocument distance(const Surface& surface, const BasePoint& p, const BasePoint& q,
                                    const DistanceOptions& options) {
-  require_in_tile(surface, p);
-  require_in_tile(surface, q);
-  if (!is_strictly_inside(surface, p)) {
-    if (is_strictly_inside(surface, q)) return distance(surface, q, p, options);
-    throw SurfaceError("both points are on the boundary of their tiles, expected one strictly inside");
-  }
+  require_on_surface(surface, p);
+  require_on_surface(surface, q);
+  const bool same = is_same_point(surface, p, q);
   const DirichletPolygon polygon = dirichlet_polygon(surface, p);
-  auto [paths, enclosure] = LiftsOfPoint(surface, p, polygon).shortest(p.tile, q);
+  const BasePoint& end = same ? p : q;  // In the same coordinates it can be seen.
+  auto [paths, enclosure] = LiftsOfPoint(surface, p, polygon).shortest(p.tile, end);
   certify::DistanceDocument result;
   result.net = polygon.triangulation;
-  result.point = {q.tile, to_gmp(q.z)};
-  result.distance = p.tile == q.tile && p.z == q.z ? certify::Interval{0, 0} : enclosure;
+  result.point = {end.tile, to_gmp(end.z)};
+  result.distance = same ? certify::Interval{0, 0} : enclosure;
   result.equal = paths.back().length - paths.front().length <= ldexp(Mp1024(1), -kEqualBits);
   for (LiftsOfPoint::Path& path : paths) result.paths.push_back(std::move(path.word));
   if (result.distance.upper - result.distance.lower > options.width) {

@@ -17,8 +17,8 @@ struct DistanceOptions {
 };
 
 /// Returns a vertex of a net of this surface as a point of the tile in which it lies, exactly. Throws NetError if there
-/// is no such vertex. Throws NetError on a regular surface if the vertex is not in the tile of its chart, because its
-/// coordinates are then not rational.
+/// is no such vertex. On a regular surface, whose crossings are not rational, it has the coordinates of the tile of its
+/// chart, and may be beyond a side of that tile.
 [[nodiscard]] BasePoint point_of_vertex(const Surface& surface, const certify::NetDocument& net, std::uint32_t vertex);
 
 /// Returns the point of a triangle of a net with these weights. Lift the triangle; the point lies on the ray of the
@@ -30,12 +30,13 @@ struct DistanceOptions {
                                           std::uint32_t triangle, const std::array<Rational, 3>& weights);
 
 /// Returns the distance of p and q, and all geodesics between them of length up to the upper end of the enclosure, as
-/// paths from p to q. If p is not strictly inside its tile, the paths lead from q to p, and `point` is p.
+/// paths from p to q. The points may be anywhere in the disks of their tiles. If they are the same point of the surface
+/// (is_same_point), the distance is 0, and `point` is p.
 ///
 /// The result is not proved yet; certify::check proves it. Deterministic. The time is that of the Dirichlet
-/// domain of p, however far away q is and however short closed geodesics are. Throws SurfaceError if a point is not in
-/// its tile, or if neither is strictly inside. Throws NetError if the enclosure is wider than `options.width`, or if it
-/// has more than 5000 paths, as across a cuff shorter than 10⁻¹⁰. Throws LimitError.
+/// domain of p, however far away q is and however short closed geodesics are. Throws SurfaceError for what is no point
+/// of the surface. Throws NetError if the enclosure is wider than `options.width`, or if it has more than 5000 paths,
+/// as across a cuff shorter than 10⁻¹⁰. Throws LimitError.
 [[nodiscard]] certify::DistanceDocument distance(const Surface& surface, const BasePoint& p, const BasePoint& q,
                                                  const DistanceOptions& options = {});
 

@@ -7,6 +7,7 @@
 #include "kernel/plane.h"
 #include "netgen/nets/net_document.h"
 #include "triangulation/mesh/operations.h"
+#include "triangulation/surface/points.h"
 
 namespace epsnet {
 
@@ -28,7 +29,7 @@ Locator::Locator(const certify::NetDocument& net) : net_(triangulation_of(net)),
 
 PointLocation Locator::locate(const BasePoint& point) {
   const Surface& surface = net_.surface();
-  require_in_tile(surface, point);
+  require_on_surface(surface, point);
   constexpr std::uint32_t kMostLabels = 100'000;
   if (used_.atlas().labels().count() > net_.atlas().labels().count() + kMostLabels) used_ = net_.clone();
 

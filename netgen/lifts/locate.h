@@ -38,10 +38,10 @@ class Locator {
   /// Evaluates all labels. Throws the exceptions of triangulation_of.
   explicit Locator(const certify::NetDocument& net);
 
-  /// Returns a triangle that contains a point of a closed tile. Proved signs, in binary64 and up to 4096 bits, decide
-  /// the triangle and the position; a sign that is still unknown counts as "on a side". The search is a straight walk
-  /// from a triangle near the point's tile, which ends in every triangulation. Throws SurfaceError if the point is not
-  /// in the closed tile, LimitError if it is too far from all triangles.
+  /// Returns a triangle that contains a point, which may be anywhere in the disk of its tile. Proved signs, in binary64
+  /// and up to 4096 bits, decide the triangle and the position; a sign that is still unknown counts as "on a side". The
+  /// search is a straight walk from a triangle near the point's tile, which ends in every triangulation. Throws
+  /// SurfaceError if it is no point of the surface, LimitError if it is too far from all triangles.
   [[nodiscard]] PointLocation locate(const BasePoint& point);
 
  private:

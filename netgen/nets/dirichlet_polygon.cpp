@@ -39,8 +39,7 @@ Word word_along(const Triangulation& triangulation, Dart d) {
 }  // namespace
 
 DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<BasePoint>& base) {
-  Triangulation triangulation = delaunay_start(surface, base).triangulation;
-  (void)reduce_to_vertex_0(triangulation);
+  Triangulation triangulation = delaunay_start_of_point(surface, base).triangulation;
   // The lifts of the base point around 0, counterclockwise: the ends of the darts that leave it.
   const std::vector<Dart> clockwise = triangulation.star(make_dart(TriangleId(0), 0));
   const std::vector<Dart> star(clockwise.rbegin(), clockwise.rend());

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "triangulation/mesh/operations.h"
+#include "triangulation/surface/points.h"
 
 namespace epsnet {
 namespace {
@@ -137,23 +138,61 @@ DelaunayStart delaunay_start(const Surface& surface, const std::optional<BasePoi
   return start;
 }
 
+namespace {
+
+bool is_strictly_inside(const Surface& surface, const BasePoint& point) {
+  try {
+    require_inside(surface, point);
+    return true;
+  } catch (const SurfaceError&) {
+    return false;
+  }
+}
+
+/// Makes a point the next vertex of a Delaunay triangulation, in a chart of its own. Throws ClosePointsError if it is a
+/// vertex already.
+InsertedVertex insert_point(Triangulation& triangulation, const BasePoint& point) {
+  const std::uint32_t v = triangulation.vertex_count();
+  const LiftedPoint lifted = triangulation.lifted_point(point, TriangleId(0));
+  const Location location = locate(triangulation, TriangleId(0), lifted, Walk::straight);
+  if (location.type == Location::Type::vertex) {
+    throw ClosePointsError(triangulation.corner(location.dart).vertex.number(), v);
+  }
+  const auto inserted = insert_by_flips(triangulation, TriangleId(0), lifted, Walk::straight, kAnySteps);
+  if (!inserted) throw NetError("point " + std::to_string(v) + " could not be made a vertex");
+  return *inserted;
+}
+
+}  // namespace
+
+DelaunayStart delaunay_start_of_point(const Surface& surface, const std::optional<BasePoint>& point) {
+  if (point) require_on_surface(surface, *point);
+  if (!point || is_strictly_inside(surface, *point)) {
+    DelaunayStart start = delaunay_start(surface, point);
+    start.removed = reduce_to_vertex_0(start.triangulation);
+    return start;
+  }
+  // On the boundary of its tile, or beyond: the second vertex, into which the first one moves, which is another point.
+  std::optional<BasePoint> other = centre_of_tile(surface, point->tile);
+  if (is_same_point(surface, *other, *point)) other.reset();
+  DelaunayStart start = delaunay_start(surface, other);
+  start.removed = reduce_to_vertex_0(start.triangulation);
+  start.flips += insert_point(start.triangulation, *point).flips;
+  const auto leaves_the_first = [&](Dart d) { return start.triangulation.corner(d).vertex == VertexId(0); };
+  start.removed += Reduction(start.triangulation, leaves_the_first).run();
+  return start;
+}
+
 DelaunayStart delaunay_start_of_points(const Surface& surface, const std::vector<BasePoint>& points,
                                        const Threshold& apart) {
-  for (const BasePoint& point : points) require_inside(surface, point);
-  DelaunayStart start = delaunay_start(surface, points.front());
+  for (const BasePoint& point : points) require_on_surface(surface, point);
+  DelaunayStart start = delaunay_start_of_point(surface, points.front());
   Triangulation& triangulation = start.triangulation;
-  start.removed = reduce_to_vertex_0(triangulation);
   for (std::uint32_t v = 1; v < points.size(); ++v) {
-    const LiftedPoint point = triangulation.lifted_point(points[v], TriangleId(0));
-    const Location location = locate(triangulation, TriangleId(0), point, Walk::straight);
-    if (location.type == Location::Type::vertex) {
-      throw ClosePointsError(triangulation.corner(location.dart).vertex.number(), v);
-    }
-    const auto inserted = insert_by_flips(triangulation, TriangleId(0), point, Walk::straight, kAnySteps);
-    if (!inserted) throw NetError("point " + std::to_string(v) + " could not be made a vertex");
-    start.flips += inserted->flips;
+    const InsertedVertex inserted = insert_point(triangulation, points[v]);
+    start.flips += inserted.flips;
     // The nearest other vertex is a neighbour.
-    for (const Dart d : triangulation.star(inserted->dart)) {
+    for (const Dart d : triangulation.star(inserted.dart)) {
       const std::uint32_t other = triangulation.corner(next_dart(d)).vertex.number();
       if (other != v && too_close(triangulation, d, apart)) throw ClosePointsError(other, v);
     }

@@ -20,9 +20,14 @@ struct DelaunayStart {
 /// Returns the Delaunay triangulation of the vertices that Triangulation's constructor makes.
 [[nodiscard]] DelaunayStart delaunay_start(const Surface& surface, const std::optional<BasePoint>& base);
 
+/// Returns the Delaunay triangulation whose one vertex is a point of the surface, exactly, wherever it is in the disk
+/// of its tile; by default the surface's first vertex, or the centre of a regular surface. Throws SurfaceError if it is
+/// no point of the surface, LimitError, NetError.
+[[nodiscard]] DelaunayStart delaunay_start_of_point(const Surface& surface, const std::optional<BasePoint>& point);
+
 /// Returns the Delaunay triangulation of these points, at least one, as vertices 0, 1, 2, …, each the origin of a chart
-/// of its own. Throws SurfaceError for a point that is not strictly inside its tile, ClosePointsError for two points
-/// that are not farther apart than twice `apart`.
+/// of its own. Throws SurfaceError for what is no point of the surface, ClosePointsError for two points that are not
+/// farther apart than twice `apart`.
 [[nodiscard]] DelaunayStart delaunay_start_of_points(const Surface& surface, const std::vector<BasePoint>& points,
                                                      const Threshold& apart);
 

@@ -279,6 +279,7 @@ Layer with_curves(Layer layer, const AddCurves& add_curves) {
     add_curves(layer);
   } catch (const CurveNotFollowed& error) {
     layer.arcs.clear();
+    layer.spots.clear();
     layer.parts.clear();
     layer.left_out = error.what();
   }
@@ -435,17 +436,18 @@ std::vector<Layer> geodesics_layers(const NetGeometry& geometry, const certify::
     return source.charts[source.vertices[geodesic.vertex].chart].tile;
   };
   std::vector<Layer> layers;
-  layers.push_back(with_curves({.name = "closed geodesics", .colour = palette::kGeodesics}, [&](Layer& layer) {
-    const Tiles tiles(geometry);
-    for (std::size_t i = 0; i < geodesics.geodesics.size(); ++i) {
-      const certify::GeodesicsDocument::ClosedGeodesic& geodesic = geodesics.geodesics[i];
-      const ClosedPath path = closed_path(geometry, tiles, tile_of(geodesic), geodesic.word, {0, 0});
-      Placement near = tiles.near[tile_of(geodesic)];
-      layer.parts.push_back({"geodesic " + std::to_string(i) + (geodesic.simple ? ", simple" : ""),
-                             path.length.convert_to<double>(), layer.arcs.size()});
-      append_segment(layer, geometry, near, path.at(0, 0), path.at(path.length, 0));
-    }
-  }));
+  layers.push_back(
+      with_curves({.name = "closed geodesics", .colour = palette::kGeodesics, .in_front = true}, [&](Layer& layer) {
+        const Tiles tiles(geometry);
+        for (std::size_t i = 0; i < geodesics.geodesics.size(); ++i) {
+          const certify::GeodesicsDocument::ClosedGeodesic& geodesic = geodesics.geodesics[i];
+          const ClosedPath path = closed_path(geometry, tiles, tile_of(geodesic), geodesic.word, {0, 0});
+          Placement near = tiles.near[tile_of(geodesic)];
+          layer.parts.push_back({"geodesic " + std::to_string(i) + (geodesic.simple ? ", simple" : ""),
+                                 path.length.convert_to<double>(), layer.arcs.size()});
+          append_segment(layer, geometry, near, path.at(0, 0), path.at(path.length, 0));
+        }
+      }));
   if (geodesics.claim != certify::GeodesicsDocument::Claim::thick_thin) return layers;
   const Layer collars{.name = "collars of small curves", .colour = palette::kSmallCurveCollars};
   layers.push_back(with_curves(collars, [&](Layer& layer) {
@@ -462,7 +464,7 @@ std::vector<Layer> geodesics_layers(const NetGeometry& geometry, const certify::
 Layer distance_layer(const NetGeometry& geometry, const certify::DistanceDocument& distance) {
   const certify::NetDocument& source = distance.net;
   require_same_surface(geometry, source, "paths");
-  return with_curves({.name = "shortest paths", .colour = palette::kPaths}, [&](Layer& layer) {
+  return with_curves({.name = "shortest paths", .colour = palette::kPaths, .in_front = true}, [&](Layer& layer) {
     const Tiles tiles(geometry);
     const certify::NetDocument::Vertex& vertex = source.vertices[0];
     const certify::NetDocument::Chart& chart = source.charts[vertex.chart];
@@ -472,7 +474,11 @@ Layer distance_layer(const NetGeometry& geometry, const certify::DistanceDocumen
       Isometry<Mp256> value;
       for (const std::uint32_t side : path) value = normalized(tiles.parts.crossings[side] * value);
       Placement near = tiles.near[chart.tile];
+      const std::size_t first = layer.arcs.size();
       append_segment(layer, geometry, near, start, inverse(value)(rounded<Mp256>(distance.point.z)));
+      if (layer.arcs.size() == first) continue;  // Of length 0.
+      layer.spots.push_back({layer.arcs[first].dart, layer.arcs[first].from});
+      layer.spots.push_back({layer.arcs.back().dart, layer.arcs.back().to});
     }
   });
 }

@@ -9,7 +9,6 @@
 
 #include "certify/net/darts.h"
 #include "netgen/lifts/lifts.h"
-#include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/pictures/dirichlet.h"
 #include "netgen/pictures/legend.h"
 #include "netgen/pictures/palette.h"
@@ -40,10 +39,8 @@ std::string legend_name(const Layer& layer) {
 
 class Picture {
  public:
-  /// `polygon` is the Dirichlet domain of the centre, if it is known.
-  Picture(const certify::NetDocument& document, const DrawOptions& options, const std::vector<Point>* polygon = nullptr)
+  Picture(const certify::NetDocument& document, const DrawOptions& options)
       : document_(document),
-        polygon_(polygon),
         geometry_(document),
         options_(options),
         paper_(options.size),
@@ -72,11 +69,14 @@ class Picture {
     for (const Layer& layer : options_.layers) body += area_group(layer);
     if (options_.triangles) body += edge_group();
     if (options_.combinatorial_dirichlet) body += combinatorial_dirichlet_path();
-    for (const Layer& layer : options_.layers) body += curve_group(layer);
+    for (const Layer& layer : options_.layers)
+      if (!layer.in_front) body += curve_group(layer);
     for (const Layer& layer : options_.layers)
       if (!layer.left_out.empty()) left_out_.push_back(layer.name + ": " + layer.left_out);
     if (options_.dirichlet) body += dirichlet_group();
     if (options_.vertices) body += dot_group();
+    for (const Layer& layer : options_.layers)
+      if (layer.in_front) body += curve_group(layer);
     if (options_.legend) body += legend_group();
     return head() + body + "</svg>\n";
   }
@@ -200,18 +200,42 @@ class Picture {
            "\"><title>" + escaped(layer.name) + "</title></path>\n";
   }
 
+  [[nodiscard]] Point placed(std::uint32_t dart, const Point& z) const {
+    return lifts_.placements[lifted(dart).placement[dart % 3]].rounded(z);
+  }
+
+  [[nodiscard]] PathsByWidth curves_of(const Layer& layer, double width) const {
+    PathsByWidth paths(paper_, width);
+    for (const Arc& arc : layer.arcs) paths.add_tapered(placed(arc.dart, arc.from), placed(arc.dart, arc.to));
+    for (const std::uint32_t dart : layer.darts) paths.add_tapered(start(dart), end(dart));
+    return paths;
+  }
+
+  [[nodiscard]] PathsByWidth spots_of(const Layer& layer, double width) const {
+    PathsByWidth dots(paper_, width);
+    for (const Spot& spot : layer.spots) {
+      const Point z = placed(spot.dart, spot.z);
+      dots.at(1 - norm(z)).dot(z);
+    }
+    return dots;
+  }
+
   [[nodiscard]] std::string curve_group(const Layer& layer) const {
     if (layer.arcs.empty() && layer.darts.empty()) return "";
-    PathsByWidth paths(paper_, 1.4 * outline_width_);
-    for (const Arc& arc : layer.arcs) {
-      const Isometry<double>& placement = lifts_.placements[lifted(arc.dart).placement[arc.dart % 3]].rounded;
-      paths.add_tapered(placement(arc.from), placement(arc.to));
-    }
-    for (const std::uint32_t dart : layer.darts) paths.add_tapered(start(dart), end(dart));
-    std::string out = "<g class=\"layer\" fill=\"none\" stroke=\"" + layer.colour +
-                      "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<title>" + escaped(layer.name) +
-                      "</title>\n";
-    paths.append_to(out);
+    const double unit = options_.size / 1000.0;
+    const double width = layer.in_front ? 5 * unit : 1.4 * outline_width_;
+    std::string out = "<g class=\"layer\" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<title>" +
+                      escaped(layer.name) + "</title>\n";
+    const auto append = [&](const std::string& colour, const PathsByWidth& paths) {
+      out += "<g stroke=\"" + colour + "\">\n";
+      paths.append_to(out);
+      out += "</g>\n";
+    };
+    // A margin of white makes it stand out from whatever is behind it.
+    if (layer.in_front) append(palette::kPaper, curves_of(layer, width + 3 * unit));
+    append(layer.colour, curves_of(layer, width));
+    if (!layer.spots.empty()) append(palette::kPaper, spots_of(layer, 17 * unit));
+    if (!layer.spots.empty()) append(layer.colour, spots_of(layer, 13 * unit));
     return out + "</g>\n";
   }
 
@@ -287,7 +311,6 @@ class Picture {
 
   /// Returns the vertices of the Dirichlet domain; none if they cannot be computed, and then left_out_ has the reason.
   [[nodiscard]] std::vector<Point> domain() {
-    if (polygon_ != nullptr) return *polygon_;
     try {
       return dirichlet_domain(geometry_, options_.centre);
     } catch (const DomainNotDrawn& error) {
@@ -376,7 +399,6 @@ class Picture {
   }
 
   const certify::NetDocument& document_;
-  const std::vector<Point>* polygon_;
   NetGeometry geometry_;
   DrawOptions options_;
   Paper paper_;
@@ -400,13 +422,6 @@ std::string draw_svg(const certify::NetDocument& document, const DrawOptions& op
   std::string svg = picture.svg();
   if (left_out != nullptr) left_out->insert(left_out->end(), picture.left_out().begin(), picture.left_out().end());
   return svg;
-}
-
-std::string draw_svg(const DirichletPolygon& polygon, const DrawOptions& options) {
-  DrawOptions with_domain = options;
-  with_domain.dirichlet = true;
-  with_domain.centre = 0;
-  return Picture(polygon.triangulation, with_domain, &polygon.vertices).svg();
 }
 
 }  // namespace epsnet

@@ -30,6 +30,12 @@ struct Arc {
   Complex<double> to;    ///< Where it ends.
 };
 
+/// A point in a triangle, in the chart of one of the triangle's corners, as in Arc.
+struct Spot {
+  std::uint32_t dart;
+  Complex<double> z;
+};
+
 /// An addition to a picture of a triangulation: arcs, edges or triangles, all in one colour.
 struct Layer {
   /// A closed geodesic: its arcs in order, from `first_arc` up to the first arc of the next part.
@@ -46,6 +52,8 @@ struct Layer {
   std::vector<std::uint32_t> darts = {};      ///< Edges of the triangulation, each as one or both of its darts.
   std::vector<std::uint32_t> triangles = {};  ///< Filled.
   std::vector<Part> parts = {};               ///< Only of closed geodesics, one for each.
+  std::vector<Spot> spots = {};               ///< Points, marked by dots.
+  bool in_front = false;                      ///< What was asked for: in front of all else, wide and with a margin.
   std::string left_out = {};                  ///< Why curves of it are missing; nothing if none is.
 };
 
@@ -75,8 +83,8 @@ struct Layer {
 [[nodiscard]] std::vector<Layer> geodesics_layers(const certify::NetDocument& net,
                                                   const certify::GeodesicsDocument& geodesics);
 
-/// Returns the paths of a distance file. Requires: `distance` was read from a file. The two documents have
-/// the same surface, but may have different nets. Also throws NetGeometryError if the surfaces differ.
+/// Returns the paths of a distance file, with their ends. Requires: `distance` was read from a file. The two documents
+/// have the same surface, but may have different nets. Also throws NetGeometryError if the surfaces differ.
 [[nodiscard]] Layer distance_layer(const certify::NetDocument& net, const certify::DistanceDocument& distance);
 
 /// Options of a picture.
@@ -108,11 +116,5 @@ struct DrawOptions {
 /// per vertex. O(n log n) for n triangles.
 [[nodiscard]] std::string draw_svg(const certify::NetDocument& document, const DrawOptions& options = {},
                                    std::vector<std::string>* left_out = nullptr);
-
-struct DirichletPolygon;
-
-/// Returns a picture of a Dirichlet domain (dirichlet_polygon.h) around the one vertex of its Delaunay triangulation,
-/// which is drawn as well.
-[[nodiscard]] std::string draw_svg(const DirichletPolygon& polygon, const DrawOptions& options = {});
 
 }  // namespace epsnet

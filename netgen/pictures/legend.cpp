@@ -49,10 +49,10 @@ void Legend::add(Mark mark, const std::string& colour, const std::string& name) 
   add_text(name, 27);
 }
 
-void Legend::add_areas(const std::vector<std::pair<std::string, std::string>>& colours_and_names) {
+void Legend::add_areas(const std::vector<std::pair<std::string, std::string>>& colours_and_names, double width) {
   constexpr std::size_t kPerRow = 4;
   for (std::size_t i = 0; i < colours_and_names.size(); ++i) {
-    const double x = 10 + 38.0 * static_cast<double>(i % kPerRow);
+    const double x = 10 + width * static_cast<double>(i % kPerRow);
     if (i % kPerRow == 0) next_row();
     add_mark(Mark::area, colours_and_names[i].first, x);
     add_text(colours_and_names[i].second, x + 14);

@@ -28,8 +28,8 @@ class Legend {
   explicit Legend(double unit) : unit_(unit) {}
 
   void add(Mark mark, const std::string& colour, const std::string& name);
-  /// Adds several areas with short names in a row.
-  void add_areas(const std::vector<std::pair<std::string, std::string>>& colours_and_names);
+  /// Adds areas with short names, four in a row, each of a width in units.
+  void add_areas(const std::vector<std::pair<std::string, std::string>>& colours_and_names, double width = 38);
   void add_text_row(const std::string& text);
 
   /// Returns the group of SVG elements.

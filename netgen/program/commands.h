@@ -16,6 +16,7 @@
 #include "netgen/lifts/info.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/curves.h"
+#include "netgen/pictures/polygon.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
 #include "triangulation/mesh/triangulation.h"
@@ -50,6 +51,8 @@ void add_convert_command(CLI::App& app, Job& chosen);
 
 // Options that several commands have.
 
+/// The help text for a file whose surface is used.
+inline constexpr const char* kSurfaceHelp = "a surface file, or any file that has a surface, such as a net file";
 /// Adds a required argument, a file to read. `name` is that of the argument, such as NET.
 void add_input(CLI::App& command, const char* name, std::string& path, const char* what);
 /// Adds an option with a file to read or to write.
@@ -60,10 +63,14 @@ void add_output(CLI::App& command, std::string& output, const char* what);
 void add_json(CLI::App& command, bool& json);
 /// Adds --threads N.
 void add_threads(CLI::App& command, unsigned& threads);
-/// Returns the point that --base, or another option, names: "tile,x,y", or "tile": the centre of the tile. Throws
-/// UsageError.
-[[nodiscard]] BasePoint parse_base(const std::string& text, const Surface& surface,
-                                   const std::string& option = "--base");
+/// Returns the point that --base, or another option or argument, names: "tile,x,y", or "tile": the centre of the tile.
+/// One that is outside of its tile is brought to the tile that contains it, with a line on standard error that says so.
+/// Throws UsageError if the text names no point, JobError if the surface has none there.
+[[nodiscard]] BasePoint parse_base(const std::string& text, const Surface& surface, const std::string& name = "--base");
+/// Returns a point as parse_base reads it, exactly.
+[[nodiscard]] std::string point_text(const BasePoint& point);
+/// Returns the same as an object: the tile, and the coordinates as texts of rationals.
+[[nodiscard]] Json point_json(const BasePoint& point);
 /// The help text for a point of a surface file or a net file.
 inline constexpr const char* kPointHelp =
     "a point: T,X,Y of tile T, exact, or T alone for its centre; for a net file also vN, vertex N, or tN:A,B,C, the "
@@ -80,8 +87,12 @@ void add_point(CLI::App& command, const char* name, std::string& text, const std
 [[nodiscard]] std::string with_leading_zero(const std::string& number);
 /// Returns the value of an option that is a positive length. Throws UsageError, which names the option.
 [[nodiscard]] Length parse_length(const std::string& option, const std::string& text);
+/// Returns a picture as SVG; writes what it could not show to standard error.
+[[nodiscard]] std::string svg_of(const PolygonPicture& picture);
 /// Adds --geodesics FILE.
 void add_geodesics(CLI::App& command, std::string& file);
+/// Adds --distance FILE.
+void add_distance(CLI::App& command, std::string& file);
 /// Returns facts of info.h as a report.
 [[nodiscard]] inline Report facts_report(const Facts& facts) { return {facts.text, facts.json}; }
 /// Returns the facts proved by the certificate of a net.
@@ -90,12 +101,13 @@ void add_geodesics(CLI::App& command, std::string& file);
 [[nodiscard]] Report geodesics_report(const certify::GeodesicsDocument& document);
 /// Returns the contents of a bound file, as lines and as an object.
 [[nodiscard]] Report bound_report(const certify::BoundDocument& document);
-/// Returns a distance and the words of the shortest geodesics, as lines and as an object.
-[[nodiscard]] Report distance_report(const certify::DistanceDocument& document,
-                                     const std::vector<std::vector<std::uint32_t>>& words);
+/// Returns the contents of a distance file, as lines and as an object.
+[[nodiscard]] Report distance_report(const certify::DistanceDocument& document);
 /// Returns the closed geodesics of a geodesics file about the net's surface, as layers of a picture. Throws JobError,
 /// and the exceptions of the reader.
 [[nodiscard]] std::vector<Layer> load_geodesics_layers(const std::string& file, const certify::NetDocument& net);
+/// Returns the same for the paths of a distance file.
+[[nodiscard]] Layer load_distance_layer(const std::string& file, const certify::NetDocument& net);
 /// Returns a validator for a whole number from least to most, both included. CLI11's own has messages that differ
 /// between versions.
 [[nodiscard]] CLI::Validator integer_between(std::uint64_t least, std::uint64_t most);

@@ -4,7 +4,7 @@
 
 #include "netgen/lifts/info.h"
 #include "netgen/nets/dirichlet_polygon.h"
-#include "netgen/pictures/draw.h"
+#include "netgen/pictures/polygon.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
@@ -23,16 +23,11 @@ struct DirichletRequest {
 void make_dirichlet(const DirichletRequest& request) {
   check_files({{"SURFACE", request.surface}},
               {{"--output", request.output, FileType::json}, {"--svg", request.svg, FileType::svg}});
-  const Surface surface = read_surface_input(request.surface);
+  const SurfaceOrNet input = read_surface_or_net(request.surface);
   const std::optional<BasePoint> base =
-      request.base.empty() ? std::nullopt : std::optional(parse_base(request.base, surface));
-  const DirichletPolygon polygon = dirichlet_polygon(surface, base);
-  std::string svg;
-  if (!request.svg.empty()) {
-    DrawOptions options;
-    options.dirichlet = true;
-    svg = draw_svg(polygon, options);
-  }
+      request.base.empty() ? std::nullopt : std::optional(parse_point("--base", request.base, input));
+  const DirichletPolygon polygon = dirichlet_polygon(input.surface, base);
+  const std::string svg = request.svg.empty() ? "" : svg_of(picture_of(polygon));
   write_outputs({{request.output, [&](std::ostream& out) { out << dirichlet_json(polygon); }},
                  {request.svg, [&](std::ostream& out) { out << svg; }}});
   if (request.json) {
@@ -48,15 +43,13 @@ void add_dirichlet_command(CLI::App& app, Job& chosen) {
   CLI::App* command = app.add_subcommand(
       "dirichlet",
       "The Dirichlet domain of a point: its sides with their pairings as words, proved, and its vertices, rounded.");
-  add_input(*command, "SURFACE", request.surface, "a surface file");
+  add_input(*command, "SURFACE", request.surface, kSurfaceHelp);
   command
       ->add_option("--base", request.base,
-                   "the point: of tile T, strictly inside of it, exact; T alone is its centre. Without it the "
-                   "surface's first vertex, the "
-                   "centre of a regular one")
-      ->option_text("T[,X,Y]");
+                   std::string(kPointHelp) + ". Without it the surface's first vertex, the centre of a regular one")
+      ->option_text("T[,X,Y]|vN|tN:A,B,C");
   add_output(*command, request.output, "the JSON file to write (docs/format.md)");
-  add_file(*command, "--svg", request.svg, "also draw it, with the Delaunay triangulation; \"-\" is standard output");
+  add_file(*command, "--svg", request.svg, "also draw it, with its glued sides; \"-\" is standard output");
   add_json(*command, request.json);
   command->footer("Example:\n  epsnet dirichlet s.json --base 0,0.1,-1/3 -o domain.json --svg domain.svg");
   command->callback([&chosen, shared] { chosen = [shared] { make_dirichlet(*shared); }; });

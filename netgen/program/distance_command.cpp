@@ -9,7 +9,7 @@
 #include "certify/file/writer.h"
 #include "netgen/base/gmp.h"
 #include "netgen/distances/distance.h"
-#include "netgen/pictures/draw.h"
+#include "netgen/pictures/polygon.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
@@ -28,14 +28,6 @@ struct DistanceRequest {
   bool json = false;
 };
 
-/// Returns the paths from P to Q, even if the distance was measured from Q.
-std::vector<Word> words_from(const BasePoint& q, const Surface& surface, const certify::DistanceDocument& document) {
-  if (document.point == certify::DistanceDocument::Point{q.tile, to_gmp(q.z)}) return document.paths;
-  std::vector<Word> words;
-  for (const Word& word : document.paths) words.push_back(reversed(surface, word));
-  return words;
-}
-
 void measure_distance(const DistanceRequest& request) {
   check_files({{"SURFACE", request.surface}},
               {{"--output", request.output, FileType::json}, {"--svg", request.svg, FileType::svg}});
@@ -51,34 +43,31 @@ void measure_distance(const DistanceRequest& request) {
   if (certificate.verdict != certify::Verdict::verified) {
     throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
   }
-  std::string svg;
-  std::vector<std::string> left_out;
-  if (!request.svg.empty()) {
-    svg = draw_svg(document.net, {.layers = {distance_layer(document.net, document)}}, &left_out);
-  }
+  const std::string svg = request.svg.empty() ? "" : svg_of(picture_of(document));
   write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(document, out); }},
                  {request.svg, [&](std::ostream& out) { out << svg; }}});
-  write_left_out(left_out);
   Report report{"verdict: VERIFIED\n", Json::object({{"verdict", "VERIFIED"}})};
-  const Report found = distance_report(document, words_from(q, input.surface, document));
+  const Report found = distance_report(document);
   report.text += found.text;
   report.json.update(found.json);
+  report.json["p"] = point_json(p);
+  report.json["q"] = point_json(q);
   write_report(report, request.json, is_stdout(request.output) || is_stdout(request.svg));
 }
 
 }  // namespace
 
-Report distance_report(const certify::DistanceDocument& document, const std::vector<Word>& words) {
+Report distance_report(const certify::DistanceDocument& document) {
   Report report{"distance: " + to_string(document.distance) + '\n',
                 Json::object({{"distance", interval_json(document.distance)}, {"equal", document.equal}})};
-  report.text += "paths: " + std::to_string(words.size());
-  if (words.size() > 1) {
+  report.text += "paths: " + std::to_string(document.paths.size());
+  if (document.paths.size() > 1) {
     report.text += document.equal ? ", all the shortest ones, of exactly equal length"
                                   : ", all of length at most " + certify::decimal_below(document.distance.upper);
   }
   report.text += '\n';
   report.json["paths"] = Json::array();
-  for (const Word& word : words) {
+  for (const Word& word : document.paths) {
     report.text += "word:";
     for (const std::uint32_t side : word) report.text.append(" ").append(std::to_string(side));
     report.text += '\n';
@@ -92,14 +81,13 @@ void add_distance_command(CLI::App& app, Job& chosen) {
   DistanceRequest& request = *shared;
   CLI::App* command = app.add_subcommand(
       "distance", "The distance between two points, enclosed and proved, and all shortest geodesics between them.");
-  add_input(*command, "SURFACE", request.surface, "a surface file, or a net file");
-  add_point(*command, "P", request.p,
-            std::string(kPointHelp) + ". One of the two points must be strictly inside its tile");
+  add_input(*command, "SURFACE", request.surface, kSurfaceHelp);
+  add_point(*command, "P", request.p, kPointHelp);
   add_point(*command, "Q", request.q, "the other point");
   add_file(*command, "-o,--output", request.output,
            "the distance file to write, for certify; \"-\" is standard output");
   add_file(*command, "--svg", request.svg,
-           "also draw the paths, with the Delaunay triangulation of one of the points; \"-\" is standard output");
+           "also draw the paths, in the Dirichlet domain of P; \"-\" is standard output");
   command
       ->add_option("--width", request.width,
                    "the largest width of the enclosure, which is as narrow as binary64 allows; an error if it is wider")

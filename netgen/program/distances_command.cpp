@@ -161,10 +161,9 @@ void add_distances_command(CLI::App& app, Job& chosen) {
   add_json(*command, request.json);
   add_threads(*command, request.threads);
   command->footer(
-      "The report gives a bound for the errors of the numbers, some 1e-13. That bound is proved on paper\n"
+      "The report gives a bound for the errors of the numbers, some 1e-13. That bound is proved on paper "
       "(docs/distances.md); 'epsnet distance' makes a certificate for one pair. The table takes one search of the net "
-      "for\n"
-      "each vertex of --from.\n\n"
+      "for each vertex of --from.\n\n"
       "Example:\n"
       "  epsnet distances net.json -o d.npy\n"
       "  epsnet distances net.json --from v0,v17 --bounds -o d.csv");

@@ -1,13 +1,15 @@
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "certify/file/reader.h"
 #include "netgen/distances/vertex_distances.h"
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/pictures/draw.h"
+#include "netgen/pictures/polygon.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
@@ -17,7 +19,7 @@ namespace epsnet::program {
 namespace {
 
 struct DrawRequest {
-  std::string net;
+  std::string file;
   std::string output;
   std::string geodesics;
   std::string distance;
@@ -25,7 +27,21 @@ struct DrawRequest {
   bool dirichlet = false;
   bool png = false;
   DrawOptions options;
+  std::vector<const CLI::Option*> of_nets;  ///< Options that only the picture of a net has.
+  const CLI::Option* centre = nullptr;
 };
+
+/// The vertex in the centre where none was asked for: beside the middle of the first curve that was, so that it is not
+/// drawn small.
+std::uint32_t centre_for(const certify::NetDocument& net, const DrawOptions& options) {
+  for (const Layer& layer : options.layers) {
+    if (!layer.in_front || layer.arcs.empty()) continue;
+    const std::size_t end = layer.parts.size() > 1 ? layer.parts[1].first_arc : layer.arcs.size();
+    const std::uint32_t dart = layer.arcs[end / 2].dart;
+    return net.triangles[dart / 3].vertex[dart % 3];
+  }
+  return options.centre;
+}
 
 /// The options that --show names.
 DrawOptions shown(const DrawRequest& request, const certify::NetDocument& net) {
@@ -44,37 +60,61 @@ DrawOptions shown(const DrawRequest& request, const certify::NetDocument& net) {
   if (!request.geodesics.empty()) {
     for (Layer& layer : load_geodesics_layers(request.geodesics, net)) options.layers.push_back(std::move(layer));
   }
+  if (!request.distance.empty()) options.layers.push_back(load_distance_layer(request.distance, net));
+  if (request.centre->count() == 0) options.centre = centre_for(net, options);
   if (options.colouring == Colouring::values) {
     const DistanceTable table = distances_from(net, {options.centre});
     for (std::size_t v = 0; v < table.to.size(); ++v) options.values.push_back(table.distance(0, v));
     options.values_name = "distance";
   }
-  if (!request.distance.empty()) {
-    try {
-      options.layers.push_back(
-          distance_layer(NetGeometry(net), certify::read_file<certify::DistanceDocument>(request.distance)));
-    } catch (const NetGeometryError& error) {
-      throw JobError(request.distance + ": " + error.what());
-    }
-  }
   return options;
 }
 
-void draw(const DrawRequest& request) {
-  const FileType type = request.png ? FileType::png : picture_type("--output", request.output);
-  check_files({{"NET", request.net}, {"--geodesics", request.geodesics}, {"--distance", request.distance}},
-              {{"--output", request.output, type}});
-  const certify::NetDocument net = read_net_input(request.net);
+struct Drawn {
   std::string svg;
   std::vector<std::string> left_out;
-  try {
-    svg = draw_svg(net, shown(request, net), &left_out);
-  } catch (const NetGeometryError& error) {
-    throw JobError(request.net + ": " + error.what());
+};
+
+/// What is drawn of each kind of contents.
+struct DrawingOf {
+  const DrawRequest& request;
+
+  Drawn operator()(const certify::NetDocument& net) const {
+    Drawn result;
+    result.svg = draw_svg(net, shown(request, net), &result.left_out);
+    return result;
   }
-  const std::string picture = type == FileType::png ? png_of_svg(svg, request.options.size) : std::move(svg);
+  Drawn operator()(const ImportedSurface& imported) const { return (*this)(imported.surface); }
+  Drawn operator()(const certify::ClaimDocument& claim) const { return std::visit(*this, claim); }
+  template <class T>
+  Drawn operator()(const T& contents) const {
+    if constexpr (requires { picture_of(contents); }) {
+      for (const CLI::Option* option : request.of_nets) {
+        if (option->count() > 0) throw UsageError(option->get_name() + ": only for a net file");
+      }
+      const PolygonPicture picture = picture_of(contents);
+      return {draw_svg(picture, request.options.size), picture.left_out};
+    } else {
+      return (*this)(contents.net);
+    }
+  }
+};
+
+void draw(const DrawRequest& request) {
+  const FileType type = request.png ? FileType::png : picture_type("--output", request.output);
+  check_files({{"FILE", request.file}, {"--geodesics", request.geodesics}, {"--distance", request.distance}},
+              {{"--output", request.output, type}});
+  const Contents contents = read_any_input(request.file);
+  Drawn drawn;
+  try {
+    drawn = std::visit(DrawingOf{request}, contents);
+  } catch (const NetGeometryError& error) {
+    throw JobError(request.file + ": " + error.what());
+  }
+  const std::string picture =
+      type == FileType::png ? png_of_svg(drawn.svg, request.options.size) : std::move(drawn.svg);
   write_output(request.output, [&](std::ostream& out) { out << picture; });
-  write_left_out(left_out);
+  write_left_out(drawn.left_out);
 }
 
 }  // namespace
@@ -83,8 +123,11 @@ void add_draw_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<DrawRequest>();
   DrawRequest& request = *shared;
   CLI::App* draw_command = app.add_subcommand(
-      "draw", "Draw a net: one lift of every triangle, with one vertex in the centre of the Poincare disk.");
-  add_input(*draw_command, "NET", request.net, "a net file");
+      "draw",
+      "Draw a file in the Poincare disk. Of a net one lift of every triangle, with one vertex in the centre; of a "
+      "surface "
+      "its tiles, laid out as one polygon; of anything else a Dirichlet domain with what the file claims.");
+  add_input(*draw_command, "FILE", request.file, "a net file, or any file that epsnet writes for itself or imports");
   add_output(*draw_command, request.output,
              "the picture to write, SVG or PNG as its name ends in .svg or .png, SVG without an extension");
   draw_command
@@ -112,11 +155,17 @@ void add_draw_command(CLI::App& app, Job& chosen) {
                                      {"distance", Colouring::values}}))
       ->option_text("none|circumradius|chart|distance [none]");
   draw_command->add_flag("--legend", request.options.legend, "explain the colours in a corner");
-  draw_command->add_option("--centre,--center", request.options.centre, "the vertex in the centre")
-      ->option_text("V [0]");
+  request.centre = draw_command
+                       ->add_option("--centre,--center", request.options.centre,
+                                    "the vertex in the centre; by default 0, or a vertex beside the first curve of "
+                                    "--distance or --geodesics")
+                       ->option_text("V");
   add_geodesics(*draw_command, request.geodesics);
-  add_file(*draw_command, "--distance", request.distance,
-           "also show the shortest paths of this file of the same surface (distance)");
+  add_distance(*draw_command, request.distance);
+  for (const char* name :
+       {"--order", "--show", "--dirichlet", "--colour", "--legend", "--centre", "--geodesics", "--distance"}) {
+    request.of_nets.push_back(draw_command->get_option(name));
+  }
   draw_command->add_flag("--png", request.png, "write a PNG picture, to standard output too");
   draw_command->add_option("--size", request.options.size, "width and height in pixels")
       ->check(integer_between(50, 20000))
@@ -124,7 +173,9 @@ void add_draw_command(CLI::App& app, Job& chosen) {
   draw_command->footer(
       "Example:\n"
       "  epsnet draw net.json -o net.svg --dirichlet\n"
-      "  epsnet draw net.json -o net.png --show triangles,half-disks --colour circumradius --legend");
+      "  epsnet draw net.json -o net.png --show triangles,half-disks \\\n"
+      "    --colour circumradius --legend\n"
+      "  epsnet draw s.json -o s.svg");
   draw_command->callback([&chosen, shared] { chosen = [shared] { draw(*shared); }; });
 }
 

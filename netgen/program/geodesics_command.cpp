@@ -9,6 +9,7 @@
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/geodesics/geodesics.h"
+#include "netgen/pictures/polygon.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
@@ -25,6 +26,7 @@ struct GeodesicsRequest {
   std::string up_to;
   std::string epsilon = "1";
   std::string output;
+  std::string svg;
   bool no_certify = false;
   bool json = false;
   unsigned threads = 0;
@@ -123,7 +125,8 @@ void certify_geodesics(const GeodesicsDocument& document, unsigned threads) {
 }
 
 void list_geodesics(const GeodesicsRequest& request, const Compute& compute) {
-  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::json}});
+  check_files({{"SURFACE", request.surface}},
+              {{"--output", request.output, FileType::json}, {"--svg", request.svg, FileType::svg}});
   const Surface surface = read_surface_input(request.surface);
   GeodesicsDocument document;
   {
@@ -138,20 +141,22 @@ void list_geodesics(const GeodesicsRequest& request, const Compute& compute) {
     certify_geodesics(document, request.threads);
     report = {"verdict: VERIFIED\n", Json::object({{"verdict", "VERIFIED"}})};
   }
-  if (!request.output.empty()) {
-    write_output(request.output, [&](std::ostream& out) { certify::write_file(document, out); });
-  }
+  const std::string svg = request.svg.empty() ? "" : svg_of(picture_of(document));
+  write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(document, out); }},
+                 {request.svg, [&](std::ostream& out) { out << svg; }}});
   const Report list = geodesics_report(document);
   report.text += list.text;
   report.json.update(list.json);
-  write_report(report, request.json, is_stdout(request.output));
+  write_report(report, request.json, is_stdout(request.output) || is_stdout(request.svg));
 }
 
 /// The options that the three commands share.
 void add_common(CLI::App& command, GeodesicsRequest& request) {
-  add_input(command, "SURFACE", request.surface, "a surface file");
+  add_input(command, "SURFACE", request.surface, kSurfaceHelp);
   add_file(command, "-o,--output", request.output,
            "the geodesics file to write, for certify; \"-\" is standard output");
+  add_file(command, "--svg", request.svg,
+           "also draw them, in the Dirichlet domain of a point of the first one; \"-\" is standard output");
   command
       .add_option("--epsilon", request.epsilon,
                   "the epsilon of the net from which the search starts; any value gives the same list")

@@ -21,9 +21,7 @@ struct InfoRequest {
 /// The report for each kind of claim; of its net, for a kind without a report of its own.
 struct ClaimContents {
   Report operator()(const certify::GeodesicsDocument& document) const { return geodesics_report(document); }
-  Report operator()(const certify::DistanceDocument& document) const {
-    return distance_report(document, document.paths);
-  }
+  Report operator()(const certify::DistanceDocument& document) const { return distance_report(document); }
   Report operator()(const certify::BoundDocument& document) const { return bound_report(document); }
   Report operator()(const certify::NetDocument& net) const { return facts_report(net_info(net)); }
   template <class Document>

@@ -22,6 +22,11 @@ bool is_json(const std::string& text) {
   return first != std::string::npos && (text[first] == '{' || text[first] == '[');
 }
 
+std::optional<std::string> format_in(const std::string& text) {
+  certify::Pieces bytes(text);
+  return certify::format_of(bytes);
+}
+
 /// Returns the name of a file for readers of texts, which add the line: "NAME:LINE: ".
 std::string text_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
@@ -29,12 +34,21 @@ std::string text_name(const std::string& path) { return path == "-" ? "standard 
 
 TextInput read_text_input(const std::string& path) { return {text_name(path), certify::load(path)}; }
 
-Surface read_surface_input(const std::string& path) {
-  const std::string text = certify::load(path);
-  const std::string name = certify::display_name(path);
-  if (!is_json(text))
-    throw JobError(name + ": not JSON, expected a surface file; 'epsnet surface import' makes one of a text");
+namespace {
+
+Surface surface_of_text(const std::string& text, const std::string& name) {
+  if (!is_json(text) && !certify::is_compact(text)) {
+    throw JobError(name +
+                   ": neither JSON nor compact, expected a surface file, or one about a surface; 'epsnet surface "
+                   "import' makes one of a text");
+  }
   return parse_surface_file(text, name);
+}
+
+}  // namespace
+
+Surface read_surface_input(const std::string& path) {
+  return surface_of_text(certify::load(path), certify::display_name(path));
 }
 
 certify::NetDocument read_net_input(const std::string& path) {
@@ -54,8 +68,7 @@ Contents read_any_input(const std::string& path) {
     return ImportedSurface{format, import_surface(text, text_name(path))};
   }
   const std::string name = certify::display_name(path);
-  certify::Pieces bytes(text);
-  const std::optional<std::string> named = certify::format_of(bytes);
+  const std::optional<std::string> named = format_in(text);
   const std::string format = named.value_or("");
   if (format == "epsnet-surface") return parse_surface_file(text, name);
   std::string formats = "epsnet-surface, ";
@@ -75,10 +88,14 @@ const certify::NetDocument* net_in(const Contents& contents) {
 }
 
 SurfaceOrNet read_surface_or_net(const std::string& path) {
-  const Contents contents = read_any_input(path);
-  if (const auto* surface = std::get_if<Surface>(&contents)) return {*surface, std::nullopt};
-  if (const auto* net = net_in(contents)) return {from_document(net->surface), *net};
-  throw JobError(path + ": expected a surface file or a net file");
+  const std::string text = certify::load(path);
+  const std::string name = certify::display_name(path);
+  if (certify::is_compact(text) || (is_json(text) && format_in(text) == "epsnet-net")) {
+    certify::NetDocument net = certify::parse_file<certify::NetDocument>(text, name);
+    Surface surface = from_document(net.surface, name);
+    return {std::move(surface), std::move(net)};
+  }
+  return {surface_of_text(text, name), std::nullopt};
 }
 
 std::vector<PointText> read_points(const std::string& path) {

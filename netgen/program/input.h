@@ -22,6 +22,7 @@ struct TextInput {
 };
 [[nodiscard]] TextInput read_text_input(const std::string& path);
 
+/// The surface of a surface file, or of any file about one (parse_surface_file).
 [[nodiscard]] Surface read_surface_input(const std::string& path);
 [[nodiscard]] certify::NetDocument read_net_input(const std::string& path);
 
@@ -30,7 +31,7 @@ struct SurfaceOrNet {
   Surface surface;
   std::optional<certify::NetDocument> net;
 };
-/// A surface file or a net file. Throws JobError for any other.
+/// Of a net file both; of any other file that has a surface, the surface.
 [[nodiscard]] SurfaceOrNet read_surface_or_net(const std::string& path);
 
 /// A point of a file of points, as on the command line, and its name in messages: "FILE:LINE".

@@ -96,9 +96,8 @@ void add_locate_command(CLI::App& app, Job& chosen) {
            "also the points of this file, one per line; # begins a comment; \"-\" is standard input");
   add_json(*command, request.json);
   command->footer(
-      "For each point: a triangle that contains it, and whether it is on a side or a corner, decided exactly;\n"
-      "its weights on the corners, as tN:A,B,C takes them; the nearest corner, rounded; and the lift: the "
-      "sides\n"
+      "For each point: a triangle that contains it, and whether it is on a side or a corner, decided exactly; "
+      "its weights on the corners, as tN:A,B,C takes them; the nearest corner, rounded; and the lift: the sides "
       "that a path crosses from the tile of the point to that of the triangle's chart.\n\n"
       "Example:\n"
       "  epsnet locate net.json 0,0.1,-1/3 v17 t12:1,1,1\n"

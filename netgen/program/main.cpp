@@ -5,6 +5,7 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@
 #include "certify/file/reader.h"
 #include "netgen/base/atomic_file.h"
 #include "netgen/program/commands.h"
+#include "netgen/program/help.h"
 #include "netgen/program/output.h"
 #include "netgen/program/parse_error.h"
 #include "triangulation/surface/error.h"
@@ -80,6 +82,7 @@ int run(int argc, char** argv) {
       "In an epsilon-net every point of the surface is within epsilon of a vertex, and the vertices are at least "
       "epsilon apart.",
       "epsnet");
+  app.formatter(std::make_shared<HelpFormatter>());
   // 0: an unknown command is then named; a missing one is found below.
   app.require_subcommand(0, 1);
   add_surface_command(app, chosen);

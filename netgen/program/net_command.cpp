@@ -54,16 +54,12 @@ struct NetRequest {
   NetOptions options;
 };
 
-/// Reads a point of a file, which must be strictly inside its tile.
+/// Reads a point of a file.
 BasePoint parse_given_point(const PointText& point, const Surface& surface) {
   try {
-    BasePoint result = parse_base(point.text, surface, point.name);
-    require_inside(surface, result);
-    return result;
+    return parse_base(point.text, surface, point.name);
   } catch (const UsageError& error) {
     throw JobError(error.what());
-  } catch (const SurfaceError& error) {
-    throw JobError(point.name + ": " + error.what());
   }
 }
 
@@ -305,13 +301,12 @@ void add_net_command(CLI::App& app, Job& chosen) {
   add_output(*net, request.output, "the net file to write, only if the net is verified");
   add_file(*net, "--svg", request.svg, "also draw the net; \"-\" is standard output");
   add_file(*net, "--record", request.record, "also write the measurements of the thesis as a table of one line (CSV)");
-  net->add_option(
-         "--base", request.base,
-         "start from this point alone: of tile T, strictly inside it, exact; T alone is the centre of the tile")
+  net->add_option("--base", request.base,
+                  "start from this point alone: of tile T, exact; T alone is the centre of the tile")
       ->option_text("T[,X,Y]");
   CLI::Option* points = add_file(*net, "--points", request.points,
                                  "start from the points of this file, after --base if it is given: T,X,Y or T on each "
-                                 "line, exact, strictly inside their tiles; they are the first vertices. It is an "
+                                 "line, exact; they are the first vertices. It is an "
                                  "error if two are not farther than epsilon from each other; \"-\" is standard input");
   net->add_flag("--pseudo", request.options.pseudo,
                 "a pseudo net: the collars of closed geodesics no longer than epsilon are left empty; "

@@ -2,6 +2,7 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <iostream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -12,6 +13,7 @@
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/output.h"
+#include "triangulation/surface/points.h"
 
 namespace epsnet::program {
 
@@ -84,6 +86,11 @@ Length parse_length(const std::string& option, const std::string& text) {
   }
 }
 
+std::string svg_of(const PolygonPicture& picture) {
+  write_left_out(picture.left_out);
+  return draw_svg(picture);
+}
+
 void add_geodesics(CLI::App& command, std::string& file) {
   add_file(command, "--geodesics", file,
            "also show the closed geodesics of this file of the same surface (systole, spectrum, thick-thin)");
@@ -98,25 +105,59 @@ std::vector<Layer> load_geodesics_layers(const std::string& file, const certify:
   }
 }
 
-BasePoint parse_base(const std::string& text, const Surface& surface, const std::string& option) {
+void add_distance(CLI::App& command, std::string& file) {
+  add_file(command, "--distance", file, "also show the shortest paths of this file of the same surface (distance)");
+}
+
+Layer load_distance_layer(const std::string& file, const certify::NetDocument& net) {
+  const certify::DistanceDocument document = certify::read_file<certify::DistanceDocument>(file);
+  try {
+    return distance_layer(NetGeometry(net), document);
+  } catch (const NetGeometryError& error) {
+    throw JobError(file + ": " + error.what());
+  }
+}
+
+namespace {
+
+/// "T,X,Y" or "T".
+BasePoint coordinates(const std::string& text, const Surface& surface, const std::string& name) {
   const std::size_t first = std::min(text.find(','), text.size());
   const std::string tile = text.substr(0, first);
   const bool digits = !tile.empty() && tile.size() <= 9 && tile.find_first_not_of("0123456789") == std::string::npos;
-  if (digits && first == text.size()) {
-    try {
-      return centre_of_tile(surface, static_cast<std::uint32_t>(std::stoul(tile)));
-    } catch (const SurfaceError& error) {
-      throw JobError(option + ": " + error.what());
-    }
-  }
+  if (digits && first == text.size()) return centre_of_tile(surface, static_cast<std::uint32_t>(std::stoul(tile)));
   const std::size_t second = text.find(',', first + 1);
   if (digits && second != std::string::npos) {
     const auto x = parse_decimal(with_leading_zero(text.substr(first + 1, second - first - 1)));
     const auto y = parse_decimal(with_leading_zero(text.substr(second + 1)));
     if (x && y) return {static_cast<std::uint32_t>(std::stoul(tile)), {*x, *y}};
   }
-  throw UsageError(option + ": expected a tile and a point of it, as in 0,1/10,-0.25, or a tile alone, not \"" +
+  throw UsageError(name + ": expected a tile and a point of it, as in 0,1/10,-0.25, or a tile alone, not \"" +
                    text.substr(0, 80) + "\"");
+}
+
+}  // namespace
+
+BasePoint parse_base(const std::string& text, const Surface& surface, const std::string& name) {
+  try {
+    const BasePoint point = coordinates(text, surface, name);
+    BasePoint result = in_its_tile(surface, point);
+    if (result.tile != point.tile || result.z != point.z) {
+      std::cerr << name << ": outside of tile " << point.tile << "; the same point in its own tile is "
+                << point_text(result) << '\n';
+    }
+    return result;
+  } catch (const SurfaceError& error) {
+    throw JobError(name + ": " + error.what());
+  }
+}
+
+std::string point_text(const BasePoint& point) {
+  return std::to_string(point.tile) + ',' + point.z.x.str() + ',' + point.z.y.str();
+}
+
+Json point_json(const BasePoint& point) {
+  return Json::object({{"tile", point.tile}, {"x", point.z.x.str()}, {"y", point.z.y.str()}});
 }
 
 void add_point(CLI::App& command, const char* name, std::string& text, const std::string& what) {
@@ -160,11 +201,7 @@ std::optional<TriangleWeights> parse_weights(const std::string& text) {
 
 BasePoint parse_point(const std::string& name, const std::string& text, const SurfaceOrNet& input) try {
   const std::string quoted = "\"" + text.substr(0, 80) + "\"";
-  if (!text.starts_with('v') && !text.starts_with('t')) {
-    BasePoint point = parse_base(text, input.surface, name);
-    require_in_tile(input.surface, point);
-    return point;
-  }
+  if (!text.starts_with('v') && !text.starts_with('t')) return parse_base(text, input.surface, name);
   const auto vertex = number_after('v', text);
   const auto weights = parse_weights(text);
   if (text.starts_with('v') && !vertex) {

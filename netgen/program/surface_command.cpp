@@ -211,9 +211,9 @@ void add_surface_command(CLI::App& app, Job& chosen) {
   fenchel->footer(
       "Example:\n"
       "  epsnet surface fenchel-nielsen --genus 7 --seed 3 -o s.json\n"
-      "  epsnet surface fenchel-nielsen --pants-graph \"0-0 0-1 1-1\" --lengths 1,1e-8,2 --twists 0,0.5,1 -o s.json\n\n"
-      "The foot of the common perpendicular with the next cuff is a mark on each cuff of a pair of pants. With twist "
-      "0\n"
+      "  epsnet surface fenchel-nielsen --pants-graph \"0-0 0-1 1-1\" \\\n"
+      "    --lengths 1,1e-8,2 --twists 0,0.5,1 -o s.json\n\n"
+      "The foot of the common perpendicular with the next cuff is a mark on each cuff of a pair of pants. With twist 0 "
       "the two marks meet. docs/fenchel-nielsen.md has the conventions.");
   fenchel->callback(
       [&chosen, fenchel_request] { chosen = [fenchel_request] { make_fenchel_nielsen(*fenchel_request); }; });

@@ -19,6 +19,7 @@ struct ViewRequest {
   std::string output;
   std::string title;
   std::string geodesics;
+  std::string distance;
   bool no_certify = false;
   bool json = false;
   certify::CheckOptions check;
@@ -60,6 +61,7 @@ std::string page(const ViewRequest& request, const certify::NetDocument& net,
     if (!request.geodesics.empty()) {
       for (Layer& layer : load_geodesics_layers(request.geodesics, net)) options.layers.push_back(std::move(layer));
     }
+    if (!request.distance.empty()) options.layers.push_back(load_distance_layer(request.distance, net));
     for (const Layer& layer : options.layers) {
       if (layer.left_out.empty()) continue;
       report.text += "left out: " + layer.name + ": " + layer.left_out + '\n';
@@ -73,7 +75,7 @@ std::string page(const ViewRequest& request, const certify::NetDocument& net,
 }
 
 void view(const ViewRequest& request) {
-  check_files({{"NET", request.net}, {"--geodesics", request.geodesics}},
+  check_files({{"NET", request.net}, {"--geodesics", request.geodesics}, {"--distance", request.distance}},
               {{"--output", request.output, FileType::html}});
   const certify::NetDocument net = read_net_input(request.net);
   std::optional<certify::Certificate> certificate;
@@ -105,6 +107,7 @@ void add_view_command(CLI::App& app, Job& chosen) {
   add_output(*command, request.output, "the HTML file to write");
   command->add_option("--title", request.title, "the page's title")->option_text("TEXT [the file's name]");
   add_geodesics(*command, request.geodesics);
+  add_distance(*command, request.distance);
   command->add_flag("--no-certify", request.no_certify, "do not check the net; the page says so");
   add_json(*command, request.json);
   add_threads(*command, request.check.threads);

@@ -1,9 +1,15 @@
 #include "netgen/surfaces/surface_file.h"
 
+#include <algorithm>
 #include <ostream>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "certify/claims.h"
+#include "certify/file/compact.h"
+#include "certify/file/document_reader.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "netgen/base/atomic_file.h"
@@ -48,10 +54,7 @@ Surface from_document(const certify::SurfaceDocument& surface) {
   return result;
 }
 
-namespace {
-
-/// Like from_document; errors name the file.
-Surface from_file(const certify::SurfaceDocument& document, const std::string& name) {
+Surface from_document(const certify::SurfaceDocument& document, const std::string& name) {
   try {
     return from_document(document);
   } catch (const SurfaceError& error) {
@@ -59,14 +62,41 @@ Surface from_file(const certify::SurfaceDocument& document, const std::string& n
   }
 }
 
+namespace {
+
+/// The surface that a file is about.
+certify::SurfaceDocument surface_of(certify::ClaimDocument&& claim) {
+  return std::visit(
+      []<class Document>(Document& document) {
+        if constexpr (std::is_same_v<Document, certify::NetDocument>) {
+          return std::move(document.surface);
+        } else {
+          return std::move(document.net.surface);
+        }
+      },
+      claim);
+}
+
+bool is_claim(const std::string& text) {
+  if (certify::is_compact(text)) return true;
+  certify::Pieces bytes(text);
+  const std::string format = certify::format_of(bytes).value_or("");
+  return std::any_of(certify::kClaimKinds.begin(), certify::kClaimKinds.end(),
+                     [&](const certify::ClaimKind& kind) { return kind.format == format; });
+}
+
+certify::SurfaceDocument surface_in(const std::string& text, const std::string& name) {
+  return is_claim(text) ? surface_of(certify::parse_file<certify::ClaimDocument>(text, name)) : certify::parse_file<certify::SurfaceDocument>(text, name);
+}
+
 }  // namespace
 
 Surface load_surface(const std::filesystem::path& path) {
-  return from_file(certify::read_file<certify::SurfaceDocument>(path), path.string());
+  return from_document(surface_in(certify::load(path), certify::display_name(path)), path.string());
 }
 
-Surface parse_surface_file(std::string_view text, const std::string& name) {
-  return from_file(certify::parse_file<certify::SurfaceDocument>(text, name), name);
+Surface parse_surface_file(const std::string& text, const std::string& name) {
+  return from_document(surface_in(text, name), name);
 }
 
 void save_surface(const Surface& surface, const std::filesystem::path& path) {

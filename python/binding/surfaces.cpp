@@ -3,7 +3,7 @@
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/info.h"
 #include "netgen/nets/dirichlet_polygon.h"
-#include "netgen/pictures/draw.h"
+#include "netgen/pictures/polygon.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/octagon.h"
@@ -170,7 +170,7 @@ void bind_polygons(py::module_& module) {
                              })
       .def("svg",
            [](const DirichletPolygon& polygon, std::uint32_t size) {
-             return interruptible([=] { return draw_svg(polygon, {.dirichlet = true, .size = size}); });
+             return interruptible([=] { return draw_svg(picture_of(polygon), size); });
            })
       .def("text", [](const DirichletPolygon& polygon) { return py::bytes(dirichlet_json(polygon)); })
       .def("info", [](const DirichletPolygon& polygon) { return dirichlet_info(polygon).json.dump(); });

@@ -58,11 +58,10 @@ def test_paths_turn_around_with_their_ends(octagon):
     corner = (0, octagon.tiles[0][0].re, octagon.tiles[0][0].im)
     inside = (0, 0.1, 0.2)
     there, back = octagon.distance(inside, corner), octagon.distance(corner, inside)
-    assert there == back and len(there.paths) == len(back.paths)
+    assert abs(there.mid - back.mid) < 1e-12 and len(there.paths) == len(back.paths)
     partner = octagon.partner
     assert sorted(back.paths) == sorted(tuple(partner(s) for s in reversed(word)) for word in there.paths)
-    with pytest.raises(epsnet.SurfaceError, match="both points are on the boundary"):
-        octagon.distance(corner, corner)
+    assert octagon.distance(corner, corner).upper == 0
 
 
 def test_equal_paths(octagon, bolza):
@@ -74,7 +73,7 @@ def test_equal_paths(octagon, bolza):
 
 
 def test_points_that_are_none(octagon):
-    for wrong in ((3, 0, 0), (0, 2, 0), (0, "0.999", 0)):
+    for wrong in ((3, 0, 0), (0, 2, 0), (0, 1, 0)):
         with pytest.raises(epsnet.SurfaceError):
             octagon.distance((0, 0.1, 0), wrong)
     for wrong in ("v3", (0, 1), None):

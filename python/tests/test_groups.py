@@ -248,5 +248,5 @@ def test_dirichlet_domains(octagon, bolza):
         assert domain.sides[side.partner].partner == k
         # The two are inverse to each other, exactly.
         assert (side.isometry * domain.sides[side.partner].isometry).is_identity()
-    with pytest.raises(epsnet.SurfaceError, match="base point"):
-        octagon.dirichlet_domain((0, "0.99", 0))
+    with pytest.raises(epsnet.SurfaceError, match="unit disk"):
+        octagon.dirichlet_domain((0, 1, 0))

@@ -110,7 +110,7 @@ def test_given_points_are_the_first_vertices(octagon, bolza):
     with pytest.raises(epsnet.NetError, match="points 0 and 1"):
         octagon.net("0.5", points=[(0, 0, 0), (0, 0.1, 0)])
     with pytest.raises(epsnet.SurfaceError):
-        octagon.net("0.5", points=[(0, "0.99", 0)])
+        octagon.net("0.5", points=[(0, 1, 0)])
 
 
 def test_the_ways_of_the_thesis(octagon):
@@ -199,8 +199,8 @@ def test_pseudo_nets():
 def test_a_net_starts_from_a_base(octagon):
     base = octagon.point(0, "1/10", "-1/7")
     assert octagon.net(1, base=base).point(0) == base
-    with pytest.raises(epsnet.SurfaceError, match="base point"):
-        octagon.net(1, base=(0, "0.99", 0))
+    with pytest.raises(epsnet.SurfaceError, match="unit disk"):
+        octagon.net(1, base=(0, 1, 0))
 
 
 def test_tiles_as_a_net(octagon, net, tmp_path):

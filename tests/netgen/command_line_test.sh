@@ -285,12 +285,12 @@ json '^{"verdict":"VERIFIED","claim":"spectrum","up_to":"3","geodesics":\[{' spe
 json '^{"verdict":"VERIFIED","claim":"thick-thin","geodesics":\[{.*"collar_half_width":\[1.99.*"pieces":\[{"genus":1,"boundaries":\[{"geodesic":0,"side":"left"},' thick-thin s.json --json
 json '^{"file":"dirichlet","sides":18,"ties":0,' dirichlet s.json -o x.json --json
 json '^{"file":"distance","distance":\[0.72635597917927[0-9]*,0.72635597917927[0-9]*\],"equal":true,"paths":\[\[\]\]}$' info --json distance.json
-json '^{"verdict":"VERIFIED","distance":\[0.72635597917927[0-9]*,0.72635597917927[0-9]*\],"equal":true,"paths":\[\[\]\]}$' distance s.json 0,0.1,-1/3 0,0,0 --json
-json '^{"verdict":"VERIFIED","distance":\[0,0\],"equal":true,"paths":\[\[\]\]}$' distance net.json v3 v3 --json
-json '^{"verdict":"VERIFIED","diameter":\[2.44845244767[0-9]*,2.44845244767[0-9]*\],"cells":[0-9]*,"triangulations":[0-9]*}$' diameter regular.json --json
-json '^{"verdict":"VERIFIED","embedded_disk_radius":\[1.5[0-9]*,1.[56][0-9]*\],"cells":[0-9]*,"triangulations":[0-9]*}$' embedded-disk regular.json --width 0.1 --json
-json '^{"verdict":"VERIFIED","radius":\[1.8[0-9]*,1.94[0-9]*\],"cells":[0-9]*,"triangulations":[0-9]*}$' radius regular.json --width 0.1 --json
-json '^{"verdict":"VERIFIED","eccentricity":\[2.44845244767[0-9]*,2.44845244767[0-9]*\]}$' eccentricity regular.json 0 --json
+json '^{"verdict":"VERIFIED","distance":\[0.72635597917927[0-9]*,0.72635597917927[0-9]*\],"equal":true,"paths":\[\[\]\],"p":{"tile":0,"x":"1/10","y":"-1/3"},"q":{"tile":0,"x":"0","y":"0"}}$' distance s.json 0,0.1,-1/3 0,0,0 --json
+json '^{"verdict":"VERIFIED","distance":\[0,0\],"equal":true,"paths":\[\[\]\],"p":{.*},"q":{.*}}$' distance net.json v3 v3 --json
+json '^{"verdict":"VERIFIED","diameter":\[2.44845244767[0-9]*,2.44845244767[0-9]*\],"cells":[0-9]*,"triangulations":[0-9]*,"p":{"tile":0,"x":"0","y":"0"},"q":\[{.*}\],"distance_of_p_and_q":\[2.44845244767[0-9]*,2.44845244767[0-9]*\]}$' diameter regular.json --json
+json '^{"verdict":"VERIFIED","embedded_disk_radius":\[1.5[0-9]*,1.[56][0-9]*\],"cells":[0-9]*,"triangulations":[0-9]*,"p":{.*}}$' embedded-disk regular.json --width 0.1 --json
+json '^{"verdict":"VERIFIED","radius":\[1.8[0-9]*,1.94[0-9]*\],"cells":[0-9]*,"triangulations":[0-9]*,"p":{.*},"q":\[{.*}\],"distance_of_p_and_q":\[1.9[0-9]*,1.9[0-9]*\]}$' radius regular.json --width 0.1 --json
+json '^{"verdict":"VERIFIED","eccentricity":\[2.44845244767[0-9]*,2.44845244767[0-9]*\],"p":{"tile":0,"x":"0","y":"0"},"q":\[{.*}\],"distance_of_p_and_q":\[2.44845244767[0-9]*,2.44845244767[0-9]*\]}$' eccentricity regular.json 0 --json
 json '^{"verdict":"VERIFIED"}$' view net.json -o x.html --json
 json '^{"file":"surface","genus":2,' surface octagon --seed 1 -o x.json --json
 json '"regular":true,' surface regular --genus 2 -o x.json --json
@@ -375,9 +375,9 @@ sed 's/"epsilon":"0.5"/"epsilon":".5"/' net.json >point.json
 bad 1 'point.json' draw point.json -o out/x.svg
 
 # Points: which one is wrong, and why.
-bad 1 '^epsnet: Q: the point is in tile 1, the surface has 1 tiles' distance s.json 0 1,0,0
-bad 1 '^epsnet: P: the point is not in tile 0: it is on the right of side' distance s.json 0,0.9,0.3 0
-bad 1 '^epsnet: P: the point is not in tile 0: ' distance s.json 0,7,0 0
+bad 1 '^epsnet: Q: the point is in tile 1, the surface has 1 tile$' distance s.json 0 1,0,0
+bad 1 '^epsnet: P: the point is not inside of the unit disk$' distance s.json 0,7,0 0
+bad 1 '^epsnet: P: the point is not inside of the unit disk$' distance s.json 0,1,0 0
 bad 64 '^epsnet: Q: expected a tile and a point of it, as in 0,1/10,-0.25, or a tile alone, not "0,nan,0"' distance s.json 0 0,nan,0
 bad 64 '^epsnet: Q: expected a tile and a point of it' distance s.json 0 0,0.1
 bad 64 '^epsnet: P: expected v and the number of a vertex, as in v17, not "vx"' distance net.json vx v1
@@ -394,7 +394,7 @@ bad 1 '^epsnet: close.txt:2 (0,0.1,0.1) and close.txt:4 (0,0.1,0.11) are not far
 bad 1 '^epsnet: --base and close.txt:2 (0,0.1,0.1) are not' net s.json --epsilon 0.5 --base 0 --points close.txt -o out/x.json
 bad 64 'pseudo' net s.json --epsilon 0.3 --points close.txt --pseudo -o out/x.json
 printf '0,0.1,0.1\n0,9,9\n' >far.txt
-bad 1 '^epsnet: far.txt:2: the base point is not strictly inside of tile 0' net s.json --epsilon 0.5 --points far.txt -o out/x.json
+bad 1 '^epsnet: far.txt:2: the point is not inside of the unit disk$' net s.json --epsilon 0.5 --points far.txt -o out/x.json
 printf '0,0.1,x\n' >wrong.txt
 bad 1 '^epsnet: wrong.txt:1: expected a tile and a point of it' net s.json --epsilon 0.5 --points wrong.txt -o out/x.json
 bad 1 '^epsnet: wrong.txt:1: expected a tile and a point of it' locate net.json --points wrong.txt
@@ -408,18 +408,113 @@ bad 64 'a table is .npy or .csv' distances net.json -o out/d.txt
 bad 1 'expected "epsnet-net"' distances s.json -o out/d.npy
 bad 64 '^epsnet: --width: expected a positive number' distance s.json 0 0 --width 0
 bad 1 'wider than 1e-17' distance s.json 0 0,0.1,0 --width 1e-17
-bad 1 'both points are on the boundary' distance symmetric.json 0,5/6,0 0,0.6,0.6
-bad 1 'expected a surface file or a net file' distance systole.json 0 0
+bad 1 'expected "epsnet-surface"' distance domain.json 0 0
 for command in diameter radius embedded-disk; do
   for width in 0 -1 nan 0.1,0.2; do
     bad 64 '^epsnet: --width: expected a positive number' "$command" s.json "--width=$width" -o out/x.json
   done
   bad 64 '^epsnet: --width: less than the least width, 1e-12' "$command" s.json --width 1e-13 -o out/x.json
-  bad 1 'expected "epsnet-surface"' "$command" systole.json -o out/x.json
+  bad 1 'expected "epsnet-surface"' "$command" domain.json -o out/x.json
 done
 bad 64 '^epsnet: P: expected a tile and a point of it, as in 0,1/10,-0.25, or a tile alone, not "0,nan,0"' eccentricity s.json 0,nan,0 -o out/x.json
-bad 1 '^epsnet: .*point is in tile 1, the surface has 1 tiles' eccentricity s.json 1,0,0 -o out/x.json
-bad 1 '^epsnet: P: the point is not in tile 0: it is on the right of side 0' eccentricity s.json 0,0.9,0.3 -o out/x.json
+bad 1 '^epsnet: P: the point is in tile 1, the surface has 1 tile$' eccentricity s.json 1,0,0 -o out/x.json
+
+# All points are allowed: at corners of tiles, and twice the same.
+good distance symmetric.json 0,5/6,0 0,0.6,0.6 -o x.json
+verified x.json
+says '^distance: \[0, 0\]$'
+good distance symmetric.json 0,5/6,0 0,0.1,0 -o x.json
+verified x.json
+good eccentricity symmetric.json 0,0.6,0.6 -o x.json
+verified x.json
+good dirichlet symmetric.json --base 0,0.6,0.6 -o x.json
+good surface fenchel-nielsen --genus 2 --seed 3 -o fn.json
+good net fn.json --epsilon 0.5 -o fn-net.json
+for v in v0 v1 v2; do
+  good distance fn-net.json v0 $v -o x.json
+  verified x.json
+  good eccentricity fn-net.json $v
+done
+printf '0,5/6,0\n0\n' >corner.txt
+good net symmetric.json --epsilon 0.5 --points corner.txt -o x.json
+verified x.json
+good net symmetric.json --epsilon 0.5 --base 0,0.6,0.6 -o x.json
+verified x.json
+printf '0,5/6,0\n0,0.6,0.6\n' >twice.txt
+bad 1 '^epsnet: twice.txt:1 (0,5/6,0) and twice.txt:2 (0,0.6,0.6) are not farther' net symmetric.json --epsilon 0.5 --points twice.txt -o out/x.json
+
+# brought ARGUMENTS...: the program succeeds, and says that a point was outside of its tile.
+brought() {
+  runs=$((runs + 1))
+  "$epsnet" "$@" >output 2>"$messages" || complain "epsnet $*: $(cat "$messages")"
+  grep -q '^[^ ]*: outside of tile 0; the same point in its own tile is 0,' "$messages" || complain "epsnet $*: does not say that the point was moved"
+}
+brought distance s.json 0,0.9,0.3 0 -o x.json
+verified x.json
+there=$(sed -n 's/.* in its own tile is //p' "$messages")
+cp output moved
+good distance s.json "$there" 0
+same output moved
+brought eccentricity s.json 0,0.9,0.3
+brought locate net.json 0,0.9,0.3
+brought dirichlet s.json --base 0,0.9,0.3 -o x.json
+printf '0,0.1,0\n0,0.9,0.3\n' >outside.txt
+brought net s.json --epsilon 0.5 --points outside.txt -o x.json
+verified x.json
+
+# A net carries its surface, and so do all files that certify checks.
+for file in net.json systole.json distance.json diameter.json; do
+  good convert $file x.json --surface
+  same s.json x.json
+done
+good convert net.json net.epsn
+good convert net.epsn x.json --surface
+same s.json x.json
+bad 1 'expected "epsnet-surface"' convert domain.json out/x.json --surface
+bad 64 '.epsn is for a compact net file' convert net.json out/x.epsn --surface
+good systole net.json -o x.json
+same systole.json x.json
+good spectrum net.epsn --up-to 3 -o x.json
+same spectrum.json x.json
+good diameter systole.json --width 0.1 -o x.json
+same diameter.json x.json
+good net diameter.json --epsilon 0.5 -o x.json
+same net.json x.json
+good dirichlet net.json -o x.json
+same domain.json x.json
+
+# Pictures: of any file; what is only for nets is refused for others.
+for file in s.json net.json net.epsn systole.json spectrum.json distance.json diameter.json disk.json domain.json; do
+  good draw $file -o x.svg
+  grep -q '</svg>' x.svg || complain "no picture of $file"
+done
+bad 64 '^epsnet: --colour: only for a net file$' draw s.json --colour chart -o out/x.svg
+bad 64 '^epsnet: --distance: only for a net file$' draw s.json --distance distance.json -o out/x.svg
+good view net.json --distance distance.json -o x.html
+grep -q 'shortest paths' x.html || complain 'no paths on the page'
+good surface octagon --seed 9 -o other.json
+good distance other.json 0,0.1,0 0 -o other-distance.json
+bad 1 'of another surface' view net.json --distance other-distance.json -o out/x.html
+
+# Where bounds are attained: both ends, and their distance, which certify proves.
+good diameter s.json --width 0.1 -o x.json --ends ends.json --svg x.svg
+verified ends.json
+same diameter.json x.json
+p=$(sed -n 's/^p: //p' output)
+q=$(sed -n 's/^q: //p' output | head -n 1)
+of_ends=$(sed -n 's/^distance of p and q: //p' output)
+good distance s.json "$p" "$q" -o x.json
+same ends.json x.json
+grep -qxF "distance: $of_ends" output || complain "expected the distance $of_ends in $(cat output)"
+grep -q '>q</text>' x.svg || complain 'the other end is not in the picture'
+good radius s.json --width 0.1 --json
+says '"p":{"tile":0,"x":"'
+says '"q":\[{"tile":0'
+good embedded-disk s.json --width 0.1 --svg x.svg
+says '^p: 0,'
+good eccentricity s.json 0 --ends ends.json
+verified ends.json
+bad 64 'are one file' diameter s.json -o out/x.json --ends out/x.json
 
 # What is given is checked before a seed is asked for, and named as the option is.
 bad 64 '^epsnet: --genus: .*at least 2' surface fenchel-nielsen --genus 1 -o out/x.json
@@ -437,7 +532,7 @@ echo '{"genus": 3}' >request.json
 bad 1 '^epsnet: request.json: seed: needed' surface fenchel-nielsen --from request.json -o out/x.json
 bad 64 '^epsnet: --genus: .*at least 2' surface fenchel-nielsen --from request.json --genus 1 -o out/x.json
 bad 64 '^epsnet: --lengths: expected 1 or 6' surface fenchel-nielsen --from request.json --lengths 1,2 -o out/x.json
-bad 1 '^epsnet: --base: .*1 tiles' net s.json --epsilon 0.5 --base 4 -o out/x.json
+bad 1 '^epsnet: --base: the point is in tile 4, the surface has 1 tile$' net s.json --epsilon 0.5 --base 4 -o out/x.json
 
 meant() {
   suggestion=$1

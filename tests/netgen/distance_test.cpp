@@ -8,6 +8,7 @@
 #include <rapidcheck/gtest.h>
 #include <set>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "certify/base/text.h"
@@ -20,6 +21,7 @@
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
 #include "tests/support/triangulations.h"
+#include "triangulation/surface/points.h"
 
 namespace epsnet {
 namespace {
@@ -139,11 +141,85 @@ TEST(Distance, AllShortestPathsAreFound) {
     EXPECT_TRUE(document.equal);
     EXPECT_EQ(verdict(document), "VERIFIED");
     EXPECT_NEAR(document.distance.lower, 2 * std::atanh(5.0 / 6), 1e-14);
-    // From the corner, which is on the boundary, the paths lead from the other end.
+    // And back, from a vertex that is no point inside of a tile.
     const DistanceDocument back = distance(surface, end, centre);
-    EXPECT_EQ(back, document);
+    EXPECT_EQ(back.paths.size(), 4U);
+    EXPECT_TRUE(back.equal);
+    EXPECT_EQ(verdict(back), "VERIFIED");
+    EXPECT_EQ(back.distance, document.distance);
   }
-  EXPECT_THROW((void)distance(surface, {0, tile[0]}, {0, tile[1]}), SurfaceError);
+  // All corners are one point.
+  const DistanceDocument same = distance(surface, {0, tile[0]}, {0, tile[1]});
+  EXPECT_EQ(same.distance, (Interval{0, 0}));
+  EXPECT_EQ(verdict(same), "VERIFIED");
+}
+
+/// A point of a side, exactly: a side is an arc of a circle through rational points orthogonal to the unit circle, and
+/// so through the inverse 1/z̄ of its start; a line of rational slope through the start meets it in another one.
+Complex<Rational> point_of_side(const Complex<Rational>& from, const Complex<Rational>& to) {
+  // The centre c of the circle: 2 Re(c̄z) = 1 + |z|² for both ends.
+  const Rational twice = 2 * cross(from, to);
+  const Rational a = 1 + norm(from);
+  const Rational b = 1 + norm(to);
+  const Complex<Rational> centre{(a * to.y - b * from.y) / twice, (b * from.x - a * to.x) / twice};
+  // The direction of the middle of the arc, seen from the start, to a few bits.
+  const Complex<Mp256> outward = convert<Mp256>(from + Rational(1, 2) * (to - from) - centre);
+  const Mp256 radius = sqrt(norm(convert<Mp256>(from - centre)));
+  const Complex<Mp256> middle = convert<Mp256>(centre) + Mp256(radius / sqrt(norm(outward))) * outward;
+  const Complex<Mp256> aim = middle - convert<Mp256>(from);
+  const auto few_bits = [](const Mp256& x) { return Rational(Mp256(ldexp(round(ldexp(x, 20)), -20))); };
+  const Complex<Rational> slope{few_bits(aim.x), few_bits(aim.y)};
+  // |from + s slope − c|² = |from − c|².
+  const Rational s = -2 * dot(from - centre, slope) / norm(slope);
+  return from + s * slope;
+}
+
+TEST(Distance, OfPointsOnSidesAndCornersOfTiles) {
+  for (const test::NamedSurface& named : test::tiled_gallery()) {
+    const Surface& surface = named.surface;
+    if (surface.is_regular() || surface.genus() > 3) continue;
+    const Tile& tile = surface.tiles()[0];
+    const BasePoint on_side{0, point_of_side(tile[0], tile[1])};
+    ASSERT_EQ(orientation_determinant(tile[0], tile[1], on_side.z), 0);
+    ASSERT_NO_THROW((void)in_its_tile(surface, on_side));
+    EXPECT_THROW(require_inside(surface, on_side), SurfaceError);
+    const BasePoint corner{0, tile[1]};
+    const BasePoint inside = centre_of_tile(surface, 0);
+    for (const auto& [p, q] : {std::pair(on_side, corner), std::pair(corner, on_side), std::pair(on_side, inside)}) {
+      const DistanceDocument document = distance(surface, p, q);
+      EXPECT_EQ(verdict(document), "VERIFIED") << named.name;
+      EXPECT_LT(document.distance.upper - document.distance.lower, 1e-12) << named.name;
+      EXPECT_NEAR(length_of_path(surface, p, q, document.paths[0]), document.distance.lower, 1e-12) << named.name;
+    }
+    // The same point, as the neighbour has it.
+    const std::uint32_t side = surface.side_number(0, 0);
+    const BasePoint beyond{surface.tile_of_side(surface.partner(side)), surface.crossing(side)(on_side.z)};
+    EXPECT_TRUE(is_same_point(surface, on_side, beyond)) << named.name;
+    EXPECT_FALSE(is_same_point(surface, on_side, corner)) << named.name;
+    const DistanceDocument same = distance(surface, on_side, beyond);
+    EXPECT_EQ(same.distance, (Interval{0, 0})) << named.name;
+    EXPECT_EQ(verdict(same), "VERIFIED") << named.name;
+  }
+}
+
+TEST(Distance, OfAPointOutsideOfItsTileIsThatOfThePointInTheTileWhereItLies) {
+  for (const test::NamedSurface& named : test::tiled_gallery()) {
+    const Surface& surface = named.surface;
+    if (surface.is_regular() || surface.genus() > 3) continue;
+    const BasePoint p = centre_of_tile(surface, 0);
+    const std::uint32_t side = surface.side_number(0, 1);
+    const BasePoint q = centre_of_tile(surface, surface.tile_of_side(surface.partner(side)));
+    const BasePoint outside{0, surface.crossing(surface.partner(side))(q.z)};
+    const BasePoint back = in_its_tile(surface, outside);
+    EXPECT_EQ(back.tile, q.tile) << named.name;
+    EXPECT_EQ(back.z, q.z) << named.name;
+    const DistanceDocument expected = distance(surface, p, q);
+    for (const auto& [from, to] : {std::pair(p, outside), std::pair(outside, p)}) {
+      const DistanceDocument document = distance(surface, from, to);
+      EXPECT_EQ(verdict(document), "VERIFIED") << named.name;
+      EXPECT_NEAR(document.distance.lower, expected.distance.lower, 1e-12) << named.name;
+    }
+  }
 }
 
 TEST(Distance, AcrossAThinCuffAndAlongIt) {
@@ -174,10 +250,10 @@ TEST(Distance, ErrorsSayWhichPointAndWhy) {
     }
     return "";
   };
-  EXPECT_THAT(complaint({1, {0, 0}}), HasSubstr("the point is in tile 1, the surface has 1 tiles"));
-  EXPECT_THAT(complaint({0, {Rational(9, 10), 0}}),
-              HasSubstr("the point is not in tile 0: it is on the right of side 0"));
-  EXPECT_THAT(complaint({0, {2, 0}}), HasSubstr("the point is not in tile 0"));
+  EXPECT_THAT(complaint({1, {0, 0}}), HasSubstr("the point is in tile 1, the surface has 1 tile"));
+  EXPECT_THAT(complaint({0, {1, 0}}), HasSubstr("the point is not inside of the unit disk"));
+  EXPECT_THAT(complaint({0, {2, 0}}), HasSubstr("the point is not inside of the unit disk"));
+  EXPECT_EQ(complaint({0, {Rational(9, 10), 0}}), "") << "beyond a side of the tile";
   EXPECT_THAT(complaint({0, {Rational(1, 2), 0}}, {.width = 1e-17}), HasSubstr("wider than 1e-17"));
 }
 
@@ -186,18 +262,10 @@ TEST(Distance, AVertexOfANetIsAPointOfATile) {
     const certify::NetDocument net = compute_net(named.surface, Length("0.7")).net;
     const Surface surface = from_document(net.surface);
     for (std::uint32_t v = 0; v < std::min<std::size_t>(net.vertices.size(), 20); ++v) {
-      const BasePoint point = [&] {
-        try {
-          return point_of_vertex(surface, net, v);
-        } catch (const NetError&) {
-          return BasePoint{~0u, {}};
-        }
-      }();
-      if (point.tile == ~0u) {
-        EXPECT_TRUE(surface.is_regular());
-        continue;
-      }
-      EXPECT_NO_THROW(require_in_tile(surface, point)) << named.name;
+      const BasePoint point = point_of_vertex(surface, net, v);
+      const BasePoint own = in_its_tile(surface, point);
+      EXPECT_TRUE(own.tile == point.tile && own.z == point.z) << named.name;
+      EXPECT_NO_THROW(require_on_surface(surface, point)) << named.name;
     }
     EXPECT_THROW((void)point_of_vertex(surface, net, static_cast<std::uint32_t>(net.vertices.size())), NetError);
   }

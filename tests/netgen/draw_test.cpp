@@ -275,16 +275,6 @@ RC_GTEST_PROP(DirichletDomainProperty, ClosesForAnyVertexOfAnyOctagon, ()) {
   RC_ASSERT(domain.size() >= 8 && domain.size() <= 18);
 }
 
-TEST(Draw, ThePictureOfADirichletPolygonShowsThatPolygon) {
-  const Surface surface = random_octagon(123);
-  const DirichletPolygon polygon = dirichlet_polygon(surface, BasePoint{0, {Rational(1, 10), Rational(1, 5)}});
-  EXPECT_EQ(draw_svg(polygon), draw_svg(polygon, {.dirichlet = true}));
-  EXPECT_THAT(draw_svg(polygon), HasSubstr("class=\"dirichlet\""));
-  DirichletPolygon turned = polygon;
-  for (Point& z : turned.vertices) z = Point{-z.y, z.x};
-  EXPECT_NE(draw_svg(turned), draw_svg(polygon));
-}
-
 // ---- The picture ----
 
 /// Numbers of an SVG path whose letters are m, l, a, h, z, in absolute coordinates: for each arc its ends, radius and

@@ -11,6 +11,7 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
+#include "triangulation/surface/points.h"
 
 namespace epsnet {
 namespace {
@@ -65,9 +66,20 @@ TEST(Locate, GivesWeightsAndANearCorner) {
   }
 }
 
-TEST(Locate, APointThatIsNotInItsTileIsAnError) {
+TEST(Locate, APointBeyondASideOfItsTileIsThatOfTheNeighbour) {
+  const Surface surface = random_octagon(123);
+  Locator locator(compute_net(surface, Length("0.8")).net);
+  const BasePoint outside{0, {Rational(9, 10), Rational(3, 10)}};
+  const BasePoint point = in_its_tile(surface, outside);
+  EXPECT_THROW(require_inside(surface, outside), SurfaceError);
+  EXPECT_NO_THROW(require_inside(surface, point));
+  EXPECT_EQ(locator.locate(outside).triangle, locator.locate(point).triangle);
+  EXPECT_NEAR(locator.locate(outside).weights[0], locator.locate(point).weights[0], 1e-12);
+}
+
+TEST(Locate, WhatIsNoPointOfTheSurfaceIsAnError) {
   Locator locator(compute_net(random_octagon(123), Length("0.8")).net);
-  EXPECT_THROW((void)locator.locate({0, {Rational(99, 100), 0}}), SurfaceError);
+  EXPECT_THROW((void)locator.locate({0, {1, 0}}), SurfaceError);
   EXPECT_THROW((void)locator.locate({1, {0, 0}}), SurfaceError);
 }
 
@@ -126,7 +138,7 @@ TEST(GivenPoints, MayNotBeTooClose) {
   EXPECT_EQ(error({.points = {a, b, a}}), Pair(0, 2));
   EXPECT_EQ(error({.base = a, .points = {b, near_b}}), Pair(1, 2));
   EXPECT_EQ(error({.base = b, .points = {near_b}}), Pair(0, 1));
-  EXPECT_THROW((void)compute_net(surface, Length("0.3"), {.points = {{0, {Rational(99, 100), 0}}}}), SurfaceError);
+  EXPECT_THROW((void)compute_net(surface, Length("0.3"), {.points = {{0, {1, 0}}}}), SurfaceError);
   EXPECT_THROW((void)compute_net(surface, Length("0.3"), {.points = {a}, .pseudo = true}), std::invalid_argument);
 }
 

@@ -1,19 +1,20 @@
+#include <algorithm>
 #include <cassert>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "kernel/plane.h"
-#include "triangulation/surface/surface.h"
+#include "triangulation/surface/points.h"
 
 namespace epsnet {
 namespace {
 
 void require_tile(const Surface& surface, std::uint32_t tile) {
-  if (tile >= surface.tiles().size()) {
-    throw SurfaceError("the base point is in tile " + std::to_string(tile) + ", the surface has " +
-                       std::to_string(surface.tiles().size()) + " tiles");
-  }
+  const std::size_t tiles = surface.tiles().size();
+  if (tile < tiles) return;
+  throw SurfaceError("the point is in tile " + std::to_string(tile) + ", the surface has " + std::to_string(tiles) +
+                     (tiles == 1 ? " tile" : " tiles"));
 }
 
 /// The first side that the point is not strictly left of.
@@ -24,6 +25,17 @@ std::optional<std::size_t> side_not_left_of(const Tile& tile, const Complex<Rati
     }
   }
   return std::nullopt;
+}
+
+/// The sign says on which side of side k of its tile a point lies: positive is inside, 0 on the line.
+auto side_of(const Surface& surface, const BasePoint& point, std::uint32_t k) {
+  const Tile& tile = surface.tiles()[point.tile];
+  return orientation_determinant(tile[k], tile[(k + 1) % tile.size()], point.z);
+}
+
+BasePoint across(const Surface& surface, const BasePoint& point, std::uint32_t k) {
+  const std::uint32_t side = surface.side_number(point.tile, k);
+  return {surface.tile_of_side(surface.partner(side)), surface.crossing(side)(point.z)};
 }
 
 }  // namespace
@@ -68,6 +80,45 @@ void require_in_tile(const Surface& surface, const BasePoint& point) {
     throw SurfaceError("the point is not in tile " + std::to_string(point.tile) + ": it is on the right of side " +
                        std::to_string(k));
   }
+}
+
+void require_on_surface(const Surface& surface, const BasePoint& point) {
+  require_tile(surface, point.tile);
+  if (norm(point.z) >= 1) throw SurfaceError("the point is not inside of the unit disk");
+}
+
+BasePoint in_its_tile(const Surface& surface, const BasePoint& point) {
+  require_on_surface(surface, point);
+  if (surface.is_regular()) return point;
+  // A walk along a line would need more care; this one leads nearer to the tile's inside with each step.
+  constexpr int kMostTiles = 10'000;
+  BasePoint here = point;
+  for (int tiles = 0; tiles < kMostTiles; ++tiles) {
+    const auto sides = static_cast<std::uint32_t>(surface.tiles()[here.tile].size());
+    std::uint32_t k = 0;
+    while (k < sides && side_of(surface, here, k) >= 0) ++k;
+    if (k == sides) return here;
+    here = across(surface, here, k);
+  }
+  throw SurfaceError("the point is more than " + std::to_string(kMostTiles) + " tiles away from tile " +
+                     std::to_string(point.tile));
+}
+
+bool is_same_point(const Surface& surface, const BasePoint& p, const BasePoint& q) {
+  const auto equal = [](const BasePoint& a, const BasePoint& b) { return a.tile == b.tile && a.z == b.z; };
+  const BasePoint goal = in_its_tile(surface, q);
+  // All places that p has in closed tiles: several if it is on a side or a corner.
+  std::vector<BasePoint> places{in_its_tile(surface, p)};
+  for (std::size_t i = 0; i < places.size() && !surface.is_regular(); ++i) {
+    for (std::uint32_t k = 0; k < surface.tiles()[places[i].tile].size(); ++k) {
+      if (side_of(surface, places[i], k) != 0) continue;
+      const BasePoint place = across(surface, places[i], k);
+      if (std::none_of(places.begin(), places.end(), [&](const BasePoint& known) { return equal(place, known); })) {
+        places.push_back(place);
+      }
+    }
+  }
+  return std::any_of(places.begin(), places.end(), [&](const BasePoint& place) { return equal(place, goal); });
 }
 
 }  // namespace epsnet

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "certify/claims/bound/document.h"
+#include "certify/claims/distance/document.h"
+#include "certify/claims/geodesics/document.h"
+#include "kernel/numbers.h"
+#include "netgen/nets/dirichlet_polygon.h"
+
+/// Pictures of one polygon of the Poincaré disk whose sides are paired: a Dirichlet domain, or the tiles of a surface,
+/// with the points and curves that were asked for in front. Nothing here is proved.
+namespace epsnet {
+
+/// What such a picture shows. All coordinates are those of the disk.
+struct PolygonPicture {
+  using Point = Complex<double>;
+  using Segment = std::array<Point, 2>;
+  struct Side {
+    Segment ends;           ///< Counterclockwise around the polygon.
+    std::uint32_t partner;  ///< An index of `sides`.
+    std::string name;       ///< Its label.
+  };
+  struct Curve {
+    std::string name;
+    std::string colour;
+    std::vector<Segment> segments;
+  };
+  struct Mark {
+    std::string name;   ///< In the legend.
+    std::string label;  ///< Beside each place.
+    std::string colour;
+    std::vector<Point> places;
+  };
+  struct Disk {
+    std::string name;
+    std::string colour;
+    double radius;  ///< Hyperbolic; the centre is 0.
+  };
+  std::string title;
+  std::vector<Side> sides;     ///< In order around the polygon: side k ends where side k + 1 starts.
+  std::vector<Segment> inner;  ///< Sides of tiles inside the polygon.
+  std::vector<Disk> disks;
+  std::vector<Curve> curves;
+  std::vector<Mark> marks;
+  std::vector<std::string> left_out;  ///< "name: reason" of what is missing.
+};
+
+/// Returns the picture as SVG, `size` pixels wide and high (50 to 20000), with a legend. Sides that are glued to each
+/// other have one colour, and their labels, but for sides shorter than a label; sides, curves and marks do not become
+/// thinner towards the circle.
+[[nodiscard]] std::string draw_svg(const PolygonPicture& picture, std::uint32_t size = 1000);
+
+/// Returns the picture of a Dirichlet domain with its base point in the centre. Sides have their numbers in the
+/// polygon.
+[[nodiscard]] PolygonPicture picture_of(const DirichletPolygon& polygon);
+
+/// Returns the picture of the tiles of a surface, laid out around a tile as a tree, with the middle of all in the
+/// centre. Sides have their numbers on the surface, which are the letters of words.
+[[nodiscard]] PolygonPicture picture_of(const Surface& surface);
+
+/// The following have a Dirichlet domain, with its base point in the centre. If it cannot be made, or the genus is more
+/// than 100, `left_out` says so. They throw SurfaceError if the document has no surface.
+
+/// Returns the picture of all paths of a distance file, from p in the centre to q.
+[[nodiscard]] PolygonPicture picture_of(const certify::DistanceDocument& distance);
+
+/// Returns the picture of the geodesics of a geodesics file, cut by the domain; the centre is a point of the first one.
+/// At most 200 are drawn, the shortest.
+[[nodiscard]] PolygonPicture picture_of(const certify::GeodesicsDocument& geodesics);
+
+/// Returns the picture of where the bounds of a diameter, a radius or an embedded disk are attained. For a diameter the
+/// vertex of the file is in the centre, with the points farthest from it and the segments there; for a radius the disk
+/// around the vertex that covers the surface as well; for an embedded disk that disk.
+[[nodiscard]] PolygonPicture picture_of(const certify::BoundDocument& bound);
+
+/// Returns the picture of a net with one vertex: the vertex in the centre, the points farthest from it, and the
+/// segments there.
+[[nodiscard]] PolygonPicture picture_of_eccentricity(const certify::NetDocument& net);
+
+}  // namespace epsnet

@@ -1,0 +1,208 @@
+#include "netgen/pictures/polygon.h"
+
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "certify/check.h"
+#include "kernel/lorentz.h"
+#include "kernel/plane.h"
+#include "netgen/distances/bound.h"
+#include "netgen/distances/distance.h"
+#include "netgen/geodesics/geodesics.h"
+#include "netgen/nets/domain_frame.h"
+#include "netgen/pictures/palette.h"
+#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surface_file.h"
+#include "tests/support/triangulations.h"
+#include "triangulation/surface/points.h"
+
+namespace epsnet {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using Point = PolygonPicture::Point;
+
+double length_of(const PolygonPicture::Segment& segment) { return distance(segment[0], segment[1]); }
+
+double length_of(const PolygonPicture::Curve& curve) {
+  double length = 0;
+  for (const PolygonPicture::Segment& segment : curve.segments) length += length_of(segment);
+  return length;
+}
+
+/// Sides close up, paired ones are of equal length.
+void expect_paired_polygon(const PolygonPicture& picture, const std::string& name) {
+  const std::size_t n = picture.sides.size();
+  ASSERT_GE(n, 4U) << name;
+  for (std::size_t k = 0; k < n; ++k) {
+    const PolygonPicture::Side& side = picture.sides[k];
+    EXPECT_LT(std::sqrt(norm(side.ends[1] - picture.sides[(k + 1) % n].ends[0])), 1e-9) << name;
+    ASSERT_LT(side.partner, n) << name;
+    EXPECT_EQ(picture.sides[side.partner].partner, k) << name;
+    EXPECT_NEAR(length_of(side.ends), length_of(picture.sides[side.partner].ends), 1e-6) << name;
+  }
+}
+
+/// The stroke of each side, and the colour of each label.
+struct SideColours {
+  std::vector<std::string> strokes;
+  std::map<std::string, std::string> labels;
+};
+
+SideColours colours_of_sides(const std::string& svg) {
+  SideColours result;
+  const std::size_t sides = svg.find("<g class=\"sides\"");
+  const std::size_t labels = svg.find("<g class=\"labels\"");
+  const std::size_t end = svg.find("</g>", labels);
+  const std::string strokes = svg.substr(sides, labels - sides);
+  const std::regex stroke("<path stroke=\"([^\"]*)\"");
+  for (std::sregex_iterator i(strokes.begin(), strokes.end(), stroke), none; i != none; ++i) {
+    result.strokes.push_back((*i)[1]);
+  }
+  const std::string texts = svg.substr(labels, end - labels);
+  const std::regex text("fill=\"([^\"]*)\">([^<]*)</text>");
+  for (std::sregex_iterator i(texts.begin(), texts.end(), text), none; i != none; ++i) result.labels[(*i)[2]] = (*i)[1];
+  return result;
+}
+
+TEST(PolygonPicture, OfADirichletDomainHasLabelledSidesWithPairsInOneColour) {
+  const DirichletPolygon polygon =
+      dirichlet_polygon(random_octagon(123), BasePoint{0, {Rational(1, 10), Rational(1, 5)}});
+  const PolygonPicture picture = picture_of(polygon);
+  expect_paired_polygon(picture, "octagon");
+  const std::string svg = draw_svg(picture);
+  EXPECT_EQ(svg, draw_svg(picture));
+  const SideColours colours = colours_of_sides(svg);
+  ASSERT_EQ(colours.strokes.size(), polygon.sides.size());
+  for (std::size_t k = 0; k < polygon.sides.size(); ++k) {
+    const std::size_t partner = polygon.sides[k].partner;
+    EXPECT_EQ(colours.strokes[k], colours.strokes[partner]);
+    // The legend names all pairs; a side that is shorter than its label has none.
+    if (k < partner) EXPECT_THAT(svg, HasSubstr('>' + std::to_string(k) + ' ' + std::to_string(partner) + "</text>"));
+    const Point chord = polygon.vertices[(k + 1) % polygon.sides.size()] - polygon.vertices[k];
+    if (485 * std::sqrt(norm(chord)) < 13) continue;
+    ASSERT_TRUE(colours.labels.contains(std::to_string(k))) << k;
+    EXPECT_EQ(colours.labels.at(std::to_string(k)), colours.strokes[k]);
+    for (std::size_t other = 0; other < k; ++other) {
+      if (other == partner) continue;
+      EXPECT_NE(colours.strokes[k], colours.strokes[other]);
+    }
+  }
+  EXPECT_THAT(svg, HasSubstr(">base point</text>"));
+  EXPECT_THAT(svg, HasSubstr(">glued sides:</text>"));
+  EXPECT_THAT(svg, Not(HasSubstr("class=\"edges\""))) << "no fan of triangles";
+}
+
+TEST(PolygonPicture, OfASurfaceIsACentredPolygonOfItsTiles) {
+  for (const test::NamedSurface& named : test::tiled_gallery()) {
+    const PolygonPicture picture = picture_of(named.surface);
+    expect_paired_polygon(picture, named.name);
+    EXPECT_EQ(picture.sides.size() + 2 * picture.inner.size(), named.surface.side_count()) << named.name;
+    EXPECT_EQ(picture.inner.size() + 1, named.surface.tiles().size()) << named.name;
+    LorentzVector<double> sum;
+    for (const PolygonPicture::Side& side : picture.sides) sum = sum + on_hyperboloid(side.ends[0]);
+    EXPECT_LT(std::hypot(sum.x, sum.y) / sum.t, 1e-6) << named.name;
+  }
+}
+
+TEST(PolygonPicture, OfADistanceShowsThePathsFromTheCentreAndBothEnds) {
+  for (const test::NamedSurface& named : test::tiled_gallery()) {
+    if (named.surface.genus() > 3) continue;
+    const certify::DistanceDocument document =
+        distance(named.surface, centre_of_tile(named.surface, 0), {0, {Rational(1, 10), Rational(1, 20)}});
+    const PolygonPicture picture = picture_of(document);
+    ASSERT_EQ(picture.curves.size(), 1U) << named.name;
+    ASSERT_EQ(picture.curves[0].segments.size(), document.paths.size()) << named.name;
+    for (const PolygonPicture::Segment& path : picture.curves[0].segments) {
+      EXPECT_EQ(norm(path[0]), 0) << named.name;
+      EXPECT_NEAR(length_of(path), document.distance.lower, 1e-9) << named.name;
+    }
+    const std::string svg = draw_svg(picture);
+    for (const char* end : {">p</text>", ">q</text>"}) EXPECT_THAT(svg, HasSubstr(end)) << named.name;
+    EXPECT_THAT(svg, HasSubstr(">shortest path")) << named.name;
+    // In front of all sides, wide, with a margin.
+    EXPECT_GT(svg.find("<g class=\"curve\""), svg.find("<g class=\"labels\"")) << named.name;
+    EXPECT_GT(svg.find("<g class=\"mark\""), svg.find("<g class=\"curve\"")) << named.name;
+    EXPECT_THAT(svg, HasSubstr(std::string("<path stroke=\"") + palette::kPaths + "\" stroke-width=\"5.00\""));
+  }
+}
+
+TEST(PolygonPicture, OfClosedGeodesicsHasThemInFullLength) {
+  for (const test::NamedSurface& named : test::tiled_gallery()) {
+    if (named.surface.genus() > 3) continue;
+    const certify::GeodesicsDocument document = systole(named.surface);
+    const PolygonPicture picture = picture_of(document);
+    EXPECT_TRUE(picture.left_out.empty()) << named.name;
+    ASSERT_EQ(picture.curves.size(), 1U) << named.name;
+    EXPECT_NEAR(length_of(picture.curves[0]), document.geodesics[0].length.lower, 1e-9) << named.name;
+    // The centre is a point of it, and no other lift of the point is nearer than its ends.
+    double nearest = 1;
+    for (const PolygonPicture::Segment& segment : picture.curves[0].segments) {
+      nearest = std::min({nearest, norm(segment[0]), norm(segment[1])});
+      EXPECT_LT(std::abs(cross(segment[0], segment[1])), 1e-9) << named.name << ": no diameter";
+    }
+  }
+}
+
+TEST(PolygonPicture, OfASpectrumHasACurveForEachCluster) {
+  const Surface bolza = Surface::regular(2);
+  const certify::GeodesicsDocument document = spectrum(bolza, Length("5"));
+  const PolygonPicture picture = picture_of(document);
+  ASSERT_EQ(picture.curves.size(), document.clusters.size());
+  EXPECT_TRUE(picture.left_out.empty());
+  for (std::size_t i = 0; i < document.clusters.size(); ++i) {
+    const auto& cluster = document.clusters[document.clusters.size() - 1 - i];  // The shortest in front.
+    EXPECT_NEAR(length_of(picture.curves[i]), cluster.count * document.geodesics[cluster.first].length.lower, 1e-6);
+  }
+  EXPECT_THAT(draw_svg(picture), HasSubstr(">12 closed geodesics of length 3.0571</text>"));
+}
+
+/// The distance of the vertex from each of the points is the eccentricity; no point of the surface is farther.
+TEST(FarthestPoints, AreWhereTheEccentricityIsAttained) {
+  for (const test::NamedSurface& named : test::tiled_gallery()) {
+    if (named.surface.genus() > 3) continue;
+    const BasePoint p = centre_of_tile(named.surface, 0);
+    const certify::Certificate certificate = certify::check(eccentricity_net(named.surface, p));
+    ASSERT_EQ(certificate.verdict, certify::Verdict::verified) << named.name;
+    const std::vector<BasePoint> points = farthest_points(named.surface, dirichlet_polygon(named.surface, p));
+    ASSERT_FALSE(points.empty()) << named.name;
+    for (const BasePoint& q : points) {
+      EXPECT_NO_THROW(require_on_surface(named.surface, q)) << named.name;
+      const certify::Interval found = distance(named.surface, p, q).distance;
+      EXPECT_NEAR(found.lower, certificate.enclosures->largest_circumradius.lower, 1e-10) << named.name;
+    }
+  }
+}
+
+/// The centre of the regular octagon has one farthest point, the vertex, at the greatest distance of all.
+TEST(FarthestPoints, OfTheCentreOfTheBolzaSurfaceIsItsVertex) {
+  const Surface bolza = Surface::regular(2);
+  const certify::BoundDocument document = diameter(bolza, {.width = 1e-3});
+  const PolygonPicture picture = picture_of(document);
+  ASSERT_EQ(picture.marks.size(), 2U);
+  for (const PolygonPicture::Segment& path : picture.curves.at(0).segments) {
+    EXPECT_GE(length_of(path), document.value.lower - 1e-9);
+    EXPECT_LE(length_of(path), document.value.upper + 1e-9);
+  }
+  EXPECT_EQ(farthest_points(bolza, dirichlet_polygon(bolza, BasePoint{0, {0, 0}})).size(), 1U);
+}
+
+TEST(PolygonPicture, OfAnEmbeddedDiskShowsTheDiskInTheDomain) {
+  const certify::BoundDocument document = largest_embedded_disk(random_octagon(123), {.width = 1e-2});
+  const PolygonPicture picture = picture_of(document);
+  ASSERT_EQ(picture.disks.size(), 1U);
+  EXPECT_EQ(picture.disks[0].radius, document.value.lower);
+  // It touches no side: every vertex is outside of it, and the sides are at its radius or farther.
+  for (const PolygonPicture::Side& side : picture.sides) {
+    EXPECT_GT(distance(Point{}, side.ends[0]), document.value.lower);
+  }
+}
+
+}  // namespace
+}  // namespace epsnet
