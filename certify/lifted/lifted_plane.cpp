@@ -12,7 +12,7 @@ namespace {
 
 /// Whether (a, b) certainly differ; only if their signs are chosen does this mean different isometries.
 bool disjoint(const BallIsometry& f, const BallIsometry& g) {
-  return certainly_different(f.a.get(), g.a.get()) || certainly_different(f.b.get(), g.b.get());
+  return certainly_different(f.a, g.a) || certainly_different(f.b, g.b);
 }
 
 }  // namespace
@@ -46,17 +46,15 @@ void LiftedPlane::place_triangle(std::uint32_t t) {
     const NetDocument::Vertex& vertex = net_.vertices[start(net_, dart)];
     corners_[dart] = unit_vector(labels_[corner_label(net_, dart)], vertex.x, vertex.y, precision_);
   }
-  Ball determinant;
   const std::uint32_t first = 3 * t;
   for (std::uint32_t dart = first; dart < first + 3; ++dart) {
     lines_[dart] = cross_product(corners_[dart], corners_[next_dart(dart)], precision_);
   }
-  dot(determinant.get(), lines_[first], corners_[first + 2], precision_);
-  BallVector& alpha = alphas_[t];
+  Ball determinant;
+  dot(determinant, lines_[first], corners_[first + 2], precision_);
+  const Precision scope(precision_);
   for (std::size_t i = 0; i < 3; ++i) {
-    arb_add(alpha[i], lines_[first][i], lines_[first + 1][i], precision_);
-    arb_add(alpha[i], alpha[i], lines_[first + 2][i], precision_);
-    arb_div(alpha[i], alpha[i], determinant.get(), precision_);
+    alphas_[t][i] = (lines_[first][i] + lines_[first + 1][i] + lines_[first + 2][i]) / determinant;
   }
 }
 
@@ -101,7 +99,7 @@ void LiftedPlane::find_disks(const LabelParts& parts, slong cap) {
 Tri LiftedPlane::same(std::uint32_t chart, const BallIsometry& f, const BallIsometry& g) const {
   if (disjoint(f, g)) {
     // The signs mean something only where they could be chosen.
-    const bool signs = certainly_positive(f.a.re()) == Tri::yes && certainly_positive(g.a.re()) == Tri::yes;
+    const bool signs = certainly_positive(real(f.a)) == Tri::yes && certainly_positive(real(g.a)) == Tri::yes;
     return signs ? Tri::no : Tri::unknown;
   }
   const auto& disk = looked_up(disks_, chart, "there is no chart");

@@ -14,9 +14,7 @@ namespace epsnet::certify {
 [[nodiscard]] BallVector unit_vector(const BallIsometry& label, double x, double y, slong precision);
 
 /// The matrix of an isometry.
-struct BallMatrix {
-  BallVector rows[3];
-};
+using BallMatrix = std::array<BallVector, 3>;
 
 [[nodiscard]] BallMatrix lorentz_matrix(const BallIsometry& f, slong precision);
 [[nodiscard]] BallVector apply(const BallMatrix& m, const BallVector& x, slong precision);
@@ -27,6 +25,9 @@ void choose_sign(BallIsometry& f);
 
 /// cosh(l/2) = |Re a| for the translation length l, whatever the sign of (a, b).
 [[nodiscard]] Ball cosh_half_length(const BallIsometry& f);
+
+/// The row of the traceless part of f, (i Im a, b), which is the image of the vector (−Im b, Re b, Im a).
+[[nodiscard]] BallVector traceless_row(const BallIsometry& f);
 
 /// The row of the unit normal of the axis of f, positive on the left of the axis directed like the translation. f is
 /// hyperbolic with Re a = cosh(l/2), l its translation length. Not finite if balls do not tell Re a > 1.

@@ -1,9 +1,13 @@
 #include "certify/net/crossings.h"
 
-#include <algorithm>
+#include <array>
 
 namespace epsnet::certify {
 namespace {
+
+/// c = 2 − ζ − ζ⁻¹ > 0, and s² = (c sinh ρ)² = 2c(ζ + ζ⁻¹). Times c², what turns are made of has few powers of ζ.
+constexpr std::array<PowerOfZeta, 3> kScale{{{2, 0}, {-1, 1}, {-1, -1}}};
+constexpr std::array<PowerOfZeta, 5> kSquareOfS{{{-4, 0}, {4, 1}, {4, -1}, {-2, 2}, {-2, -2}}};
 
 struct CornerTurn {
   std::uint32_t side;  ///< The first one crossed.
@@ -44,23 +48,29 @@ std::size_t RationalCrossings::product_bits(std::size_t frame_bits, std::span<co
   return sum;
 }
 
-BallIsometry RegularCrossings::balls(std::uint32_t side, slong precision) const {
-  const std::uint32_t genus = ring_->genus();
-  BallIsometry result;
-  Ball sinh;
-  set_regular_apothem(result.a.re(), sinh.get(), genus, precision);
-  set_regular_direction(result.b.get(), genus, side, precision);
-  acb_mul_arb(result.b.get(), result.b.get(), sinh.get(), precision);
-  acb_neg(result.b.get(), result.b.get());
-  return result;
-}
+RegularCrossings::RegularCrossings(std::uint32_t genus, const Budget& budget)
+    : ring_(std::make_unique<RegularRing>(4 * genus, kSquareOfS, budget)) {}
 
 Isometry<RegularNumber> RegularCrossings::exact(std::span<const std::uint32_t> word) const {
   if (word.empty()) return embed(exact_identity());
-  const std::vector<CornerTurn> turns = turns_of(ring_->genus(), word);
-  return compose_range(0, turns.size(), [&](std::size_t i) {
-    return regular_turn(*ring_, turns[i].side, turns[i].count, turns[i].turn);
-  });
+  const std::vector<CornerTurn> turns = turns_of(genus(), word);
+  return compose_range(0, turns.size(),
+                       [&](std::size_t i) { return turn(turns[i].side, turns[i].count, turns[i].turn); });
+}
+
+Isometry<RegularNumber> RegularCrossings::turn(std::uint32_t side, std::uint32_t count, Turn turn) const {
+  const std::int64_t g = genus();
+  const std::int64_t j = count;
+  const std::int64_t up = turn == Turn::counterclockwise ? 1 : -1;
+  const std::int64_t all = up * (j - 1) * (2 * g + 1);
+  const std::int64_t a = all + up * g * j;
+  const std::int64_t b = all + side + up * g * (j - 1);
+  std::vector<PowerOfZeta> scaled_a;
+  for (const PowerOfZeta& x : {PowerOfZeta{1, a - up * j}, PowerOfZeta{1, a + up * (2 - j)}, PowerOfZeta{-2, a + up}}) {
+    for (const PowerOfZeta& y : kScale) scaled_a.push_back({x.coefficient * y.coefficient, x.power + y.power});
+  }
+  const std::array<PowerOfZeta, 4> scaled_b{{{-1, b}, {1, b + up}, {1, b - up * j}, {-1, b + up * (1 - j)}}};
+  return {regular_number(*ring_, scaled_a, {}), regular_number(*ring_, {}, scaled_b)};
 }
 
 Isometry<RegularNumber> RegularCrossings::embed(const ExactIsometry& f) const {
@@ -68,13 +78,8 @@ Isometry<RegularNumber> RegularCrossings::embed(const ExactIsometry& f) const {
 }
 
 std::size_t RegularCrossings::product_bits(std::size_t frame_bits, std::span<const std::uint32_t> word) const {
-  // Frames count in every embedding. Many turns of few bits take as long as few of many.
-  constexpr std::size_t kLeastBits = 512;
-  std::size_t sum = 2 * ring_->embeddings().size() * frame_bits;
-  for (const CornerTurn& turn : turns_of(ring_->genus(), word)) {
-    sum += std::max(kLeastBits, regular_turn_bits(*ring_, turn.count));
-  }
-  return sum;
+  // A turn adds some four bits to each coefficient.
+  return size() * (frame_bits + 4 * turns_of(genus(), word).size());
 }
 
 }  // namespace epsnet::certify

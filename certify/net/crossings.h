@@ -49,30 +49,40 @@ class RationalCrossings {
   std::vector<ExactIsometry> crossings_;
 };
 
-/// Of the regular 4g-gon: side k has the crossing (a, −s ζ^k), in the notation of regular_number.h.
+/// Which way a path turns around a corner of a regular tile: side k is followed by side k + 2g + 1 or k + 2g − 1.
+enum class Turn { counterclockwise, clockwise };
+
+/// Of the regular 4g-gon, the tile with opposite sides glued; everything exact is over its ring.
 ///
 /// Words turn around corners, and a turn has a closed form: what is exact takes time by turns, not by letters.
 class RegularCrossings {
  public:
   using Number = RegularNumber;
-  static constexpr std::size_t kMaxExactBits = std::size_t{1} << 21;
+  static constexpr std::size_t kMaxExactBits = RationalCrossings::kMaxExactBits;
 
-  explicit RegularCrossings(std::uint32_t genus, const Budget& budget = {})
-      : ring_(std::make_unique<RegularRing>(genus, budget)) {}
+  explicit RegularCrossings(std::uint32_t genus, const Budget& budget = {});
 
-  [[nodiscard]] std::size_t size() const { return 4 * std::size_t{ring_->genus()}; }
-  [[nodiscard]] BallIsometry balls(std::uint32_t side, slong precision) const;
+  [[nodiscard]] std::size_t size() const { return ring_->order(); }
+  [[nodiscard]] const RegularRing& ring() const { return *ring_; }
+  [[nodiscard]] BallIsometry balls(std::uint32_t side, slong precision) const {
+    return regular_crossing(genus(), side, precision);
+  }
   [[nodiscard]] static std::uint64_t ball_work(std::uint32_t /*side*/, std::uint64_t precision) {
     return 4 * function_work(precision);
   }
-  [[nodiscard]] std::uint64_t letter_work() const { return 8 * ring_->embeddings().size(); }
-  /// Expressions alone; `sign` takes its own work off the budget.
-  [[nodiscard]] static std::uint64_t exact_work(std::size_t value_bits) { return 4000 + value_bits / 8; }
+  [[nodiscard]] static std::uint64_t letter_work() { return 20; }
+  /// Numbers take their own work off the budget.
+  [[nodiscard]] static std::uint64_t exact_work(std::size_t /*value_bits*/) { return 4000; }
   [[nodiscard]] Isometry<RegularNumber> exact(std::span<const std::uint32_t> word) const;
+  /// The product of `count` ≥ 1 crossings that turn around one corner, the first one that of `side`, times a positive
+  /// number of the ring, the same for all turns (docs/proof.md, Lemma 9.1).
+  [[nodiscard]] Isometry<RegularNumber> turn(std::uint32_t side, std::uint32_t count, Turn turn) const;
   [[nodiscard]] Isometry<RegularNumber> embed(const ExactIsometry& f) const;
   [[nodiscard]] std::size_t product_bits(std::size_t frame_bits, std::span<const std::uint32_t> word) const;
 
  private:
+  [[nodiscard]] std::uint32_t genus() const { return ring_->order() / 4; }
+
   std::unique_ptr<const RegularRing> ring_;  ///< Numbers point to it, also after a move.
 };
 

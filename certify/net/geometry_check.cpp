@@ -175,14 +175,10 @@ class Pass {
   Pass(const NetDocument& document, const CollarMembers& collars, const LabelTable& labels, const mpq_class& epsilon,
        slong precision, bool last)
       : document_(document), collars_(collars), labels_(labels), precision_(precision), last_(last) {
-    Ball radius;
-    set_rational(radius.get(), epsilon, precision);
-    epsilon_ = outer_interval(radius.get());
-    arb_sinh(sinh_squared_.get(), radius.get(), precision);
-    arb_sqr(sinh_squared_.get(), sinh_squared_.get(), precision);
-    arb_mul_2exp_si(radius.get(), radius.get(), -1);
-    arb_sinh(half_sinh_squared_.get(), radius.get(), precision);
-    arb_sqr(half_sinh_squared_.get(), half_sinh_squared_.get(), precision);
+    const Ball radius = Ball::rounded(epsilon);
+    epsilon_ = outer_interval(radius);
+    sinh_squared_ = sqr(sinh(radius));
+    half_sinh_squared_ = sqr(sinh(half(radius)));
   }
 
   /// Works on the open questions of triangle t and returns those that stay open.
@@ -203,15 +199,15 @@ class Pass {
 
  private:
   Questions examine_orientation(std::uint32_t t, LiftedTriangle& lifted, Findings& findings) const {
-    const Tri positive = certainly_positive(lifted.measure_orientation(precision_).get());
+    const Tri positive = certainly_positive(lifted.measure_orientation(precision_));
     if (positive == Tri::no) refute_orientation(document_, t, findings);
     return positive == Tri::unknown ? kOrientationBit : Questions{0};
   }
 
   Questions examine_covering(std::uint32_t t, LiftedTriangle& lifted, Findings& findings) const {
     const auto& radius = lifted.measure_circumradius(sinh_squared_.get(), precision_);
-    const Tri inside = certainly_positive(radius.slack.get());
-    const Interval squared = quotient(radius.numerator.get(), radius.denominator.get());
+    const Tri inside = certainly_positive(radius.slack);
+    const Interval squared = quotient(radius.numerator, radius.denominator);
     if (inside == Tri::no) {
       findings.refute(kCovering, t,
                       triangle_name(document_, t) + " has a circumradius in " + to_string(length_interval(squared, 1)) +
@@ -229,7 +225,7 @@ class Pass {
   /// All that rule `covering` asks of a triangle of a collar.
   Questions examine_circumcircle(std::uint32_t t, LiftedTriangle& lifted, Findings& findings) const {
     const auto& radius = lifted.measure_circumradius(sinh_squared_.get(), precision_);
-    const Tri exists = certainly_positive(radius.denominator.get());
+    const Tri exists = certainly_positive(radius.denominator);
     // Never after rule delaunay (docs/proof.md, Lemma 4).
     if (exists == Tri::no) findings.refute(kCovering, t, triangle_name(document_, t) + " has no circumcircle");
     return exists == Tri::unknown ? kCoveringBit : Questions{0};
@@ -237,12 +233,12 @@ class Pass {
 
   Questions examine_delaunay(std::uint32_t t, std::uint32_t i, LiftedTriangle& lifted, Findings& findings) const {
     const Ball& cross_ratio = lifted.measure_cross_ratio(document_, labels_, i, precision_);
-    if (is_exactly_zero(cross_ratio.get())) {
+    if (is_exactly_zero(cross_ratio)) {
       // Nothing was rounded, as happens with coordinates of few digits: a tie already proved.
       findings.ties.push_back(3 * t + i);
       return 0;
     }
-    const Tri positive = certainly_positive(cross_ratio.get());
+    const Tri positive = certainly_positive(cross_ratio);
     if (positive == Tri::yes) refute_delaunay(document_, 3 * t + i, findings);
     return positive == Tri::unknown ? delaunay_bit(i) : Questions{0};
   }
@@ -253,8 +249,8 @@ class Pass {
     const std::optional<Rule> rule = length_rule(document_, collars_, dart);
     const auto& edge = lifted.measure_edge(half_sinh_squared_.get(), i, precision_);
     const Ball& difference = lifted.squared_difference(i);
-    const Tri short_edge = rule ? certainly_positive(edge.lack.get()) : Tri::no;
-    const Interval squared = quotient(difference.get(), edge.gap_product.get());
+    const Tri short_edge = rule ? certainly_positive(edge.lack) : Tri::no;
+    const Interval squared = quotient(difference, edge.gap_product);
     if (short_edge == Tri::yes) {
       findings.refute(*rule, t,
                       edge_name(document_, dart) + " has a length in " + to_string(length_interval(squared, 2)) +
@@ -517,17 +513,10 @@ class GeometryChecker {
   [[nodiscard]] bool is_last(slong precision) const { return precision >= options_.max_precision; }
 
   void sift() {
-    Ball radius;
-    Ball square;
-    set_rational(radius.get(), epsilon_, kFirstPrecision);
-    const auto squared_sinh = [&] {
-      arb_sinh(square.get(), radius.get(), kFirstPrecision);
-      arb_sqr(square.get(), square.get(), kFirstPrecision);
-      return outer_interval(square.get());
-    };
-    const Interval whole = squared_sinh();
-    arb_mul_2exp_si(radius.get(), radius.get(), -1);
-    questions_.sift(Filter(document_, collars_, whole, squared_sinh()), threads_);
+    const Precision scope(kFirstPrecision);
+    const Ball radius = Ball::rounded(epsilon_);
+    const auto squared_sinh = [](const Ball& x) { return outer_interval(sqr(sinh(x))); };
+    questions_.sift(Filter(document_, collars_, squared_sinh(radius), squared_sinh(half(radius))), threads_);
   }
 
   /// All open questions, in balls.
@@ -560,9 +549,8 @@ class GeometryChecker {
 
   void enclose() {
     const Findings& all = questions_.findings();
-    Ball radius;
-    set_rational(radius.get(), epsilon_, 128);
-    outcome_.epsilon = outer_interval(radius.get());
+    const Precision scope(128);
+    outcome_.epsilon = outer_interval(Ball::rounded(epsilon_));
     outcome_.ties = all.ties;
     std::sort(outcome_.ties.begin(), outcome_.ties.end());
     if (const auto& x = all.circumradius.value()) outcome_.largest_circumradius = length_interval(*x, 1);

@@ -224,12 +224,11 @@ class GluingChecker {
 }  // namespace
 
 Tri is_identity(const BallIsometry& element, const Ball& sinh_radius, slong precision) {
-  Ball displacement, bound;
-  half_displacement_squared(displacement.get(), element, precision);
-  arb_sqr(bound.get(), sinh_radius.get(), precision);
-  // sinh²(d/2) < sinh²(r) with the displacement d and the radius r: d < 2r, so the quotient is 1.
-  if (certainly_less(displacement.get(), bound.get()) == Tri::yes) return Tri::yes;
-  return certainly_positive(displacement.get()) == Tri::yes ? Tri::no : Tri::unknown;
+  const Precision scope(precision);
+  // sinh²(d/2) = |b|² < sinh²(r) with the displacement d and the radius r: d < 2r, so the quotient is 1.
+  const Ball displacement = norm(element.b);
+  if (certainly_less(displacement, sqr(sinh_radius)) == Tri::yes) return Tri::yes;
+  return certainly_positive(displacement) == Tri::yes ? Tri::no : Tri::unknown;
 }
 
 GluingOutcome check_gluing(const NetDocument& document, const LabelEvaluator& evaluator, const LabelParts& parts,

@@ -168,9 +168,9 @@ const Ball& LiftedTriangle::measure_cross_ratio(const NetDocument& document, con
   return cross_ratio_;
 }
 
-Interval quotient(arb_srcptr numerator, arb_srcptr denominator) {
+Interval quotient(const Ball& numerator, const Ball& denominator) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  if (!arb_is_finite(numerator) || !arb_is_finite(denominator)) return {0, kInfinity};
+  if (!is_finite(numerator) || !is_finite(denominator)) return {0, kInfinity};
   return quotient(fast_interval(numerator), fast_interval(denominator));
 }
 
@@ -183,13 +183,9 @@ Interval quotient(Interval n, Interval d) {
 }
 
 Interval length_interval(Interval squared_sinh, slong factor) {
-  Ball x;
+  const Precision scope(128);
   const auto end = [&](double value) {
-    arb_set_d(x.get(), std::max(value, 0.0));
-    arb_sqrtpos(x.get(), x.get(), 128);
-    arb_asinh(x.get(), x.get(), 128);
-    arb_mul_si(x.get(), x.get(), factor, 128);
-    return outer_interval(x.get());
+    return outer_interval(factor * asinh(sqrt(Ball::exactly(std::max(value, 0.0)))));
   };
   if (std::isinf(squared_sinh.upper)) return {end(squared_sinh.lower).lower, squared_sinh.upper};
   return {end(squared_sinh.lower).lower, end(squared_sinh.upper).upper};

@@ -124,7 +124,7 @@ class LiftedTriangle {
 /// num/den as an interval of binary64, outward; everything up from 0 if den may be 0.
 ///
 /// Both quantities are nonnegative by what they are, so ends below 0 count as 0.
-[[nodiscard]] Interval quotient(arb_srcptr numerator, arb_srcptr denominator);
+[[nodiscard]] Interval quotient(const Ball& numerator, const Ball& denominator);
 /// The same of intervals: n/d.
 [[nodiscard]] Interval quotient(Interval n, Interval d);
 

@@ -81,16 +81,13 @@ struct Fraction {
 Fraction length(const ExactPoint& p, const ExactPoint& q) { return {norm(q.m * p.n - p.m * q.n), gap(p) * gap(q)}; }
 
 /// The interior angle at v between the directions of `next` (first) and `previous` (second), counterclockwise.
-void interior_angle(arb_ptr result, const ExactPoint& v, const ExactPoint& next, const ExactPoint& previous) {
+Ball interior_angle(const ExactPoint& v, const ExactPoint& next, const ExactPoint& previous) {
   // Take v to 0; the angle is that of the quotient of the two images, a positive multiple of which is in Z[i].
   const ExactIsometry to_origin = inverse(translation_to(v));
   const MovedPoint<Gaussian> from = moved(to_origin, next);
   const MovedPoint<Gaussian> to = moved(to_origin, previous);
   const Gaussian quotient = to.n * from.d * conjugate(to.d * from.n);
-  Ball x, y;
-  set_integer(x.get(), quotient.re, kAnglePrecision);
-  set_integer(y.get(), quotient.im, kAnglePrecision);
-  arb_atan2(result, y.get(), x.get(), kAnglePrecision);
+  return atan2(Ball::rounded(quotient.im), Ball::rounded(quotient.re));
 }
 
 /// Everything about one surface, laid out by side number.
@@ -198,14 +195,12 @@ class SurfaceChecker {
   /// Around every vertex the crossings multiply to the identity, exactly, and the angles to one full turn.
   [[nodiscard]] std::optional<AngleProblem> problem_around(std::uint32_t first) const {
     std::vector<const ExactIsometry*> path;
-    Ball angle, turn, sum;
-    arb_const_pi(turn.get(), kAnglePrecision);
-    arb_mul_2exp_si(turn.get(), turn.get(), 1);
+    const Precision scope(kAnglePrecision);
+    Ball sum;
     std::uint32_t s = first;
     do {
       path.push_back(&crossings_[s]);
-      interior_angle(angle.get(), start(s), end(s), start(sides_.previous[s]));
-      arb_add(sum.get(), sum.get(), angle.get(), kAnglePrecision);
+      sum += interior_angle(start(s), end(s), start(sides_.previous[s]));
       s = sides_.next_around(s);
     } while (s != first);
     // A tree of products; each of its levels has all the bits.
@@ -219,8 +214,7 @@ class SurfaceChecker {
     }
     // The sum is now a positive multiple of 2π; the ball says which. That it does not would be a fault of ours: its
     // bits are far more than that takes.
-    arb_div(sum.get(), sum.get(), turn.get(), kAnglePrecision);
-    const std::optional<slong> turns = only_integer(sum.get());
+    const std::optional<slong> turns = only_integer(sum / twice(pi()));
     if (turns == 1) return std::nullopt;
     return AngleProblem{"the angles around " + corner_name(sides_, first) + " add up to " +
                             (turns ? std::to_string(*turns) : "an unknown number of") + " full turns, not to one",
@@ -250,92 +244,57 @@ class SurfaceChecker {
 };
 
 /// (2x, 2y, 1 + |z|²) in balls, a positive multiple of the point of the hyperboloid.
-BallVector ball_vector(const ExactPoint& z, slong precision) {
-  BallVector v;
-  set_integer(v[0], 2 * z.m * z.n.re, precision);
-  set_integer(v[1], 2 * z.m * z.n.im, precision);
-  set_integer(v[2], norm(z.n) + z.m * z.m, precision);
-  return v;
+BallVector ball_vector(const ExactPoint& z) {
+  const HyperboloidVector<mpz_class> v = hyperboloid_vector(z);
+  return {Ball::rounded(v.x), Ball::rounded(v.y), Ball::rounded(v.t)};
 }
 
 /// The mean of the tile's vertices in the Klein model, in balls.
-std::array<Ball, 2> klein_mean(const ExactTile& tile, slong precision) {
-  std::array<Ball, 2> mean;
-  Ball part;
+std::array<Ball, 2> klein_mean(const ExactTile& tile) {
+  std::array<Ball, 2> sum;
   for (const ExactPoint& vertex : tile) {
-    const BallVector v = ball_vector(vertex, precision);
-    for (std::size_t i = 0; i < 2; ++i) {
-      arb_div(part.get(), v[i], v[2], precision);
-      arb_add(mean[i].get(), mean[i].get(), part.get(), precision);
-    }
+    const BallVector v = ball_vector(vertex);
+    for (std::size_t i = 0; i < 2; ++i) sum[i] += v[i] / v[2];
   }
-  for (Ball& x : mean) arb_div_ui(x.get(), x.get(), static_cast<ulong>(tile.size()), precision);
-  return mean;
-}
-
-/// From the Klein model, k, to the Poincaré disk, k/(1 + √(1 − |k|²)).
-void klein_to_poincare(std::array<Ball, 2>& k, slong precision) {
-  Ball root, square;
-  arb_sqr(root.get(), k[0].get(), precision);
-  arb_sqr(square.get(), k[1].get(), precision);
-  arb_add(root.get(), root.get(), square.get(), precision);
-  arb_sub_ui(root.get(), root.get(), 1, precision);
-  arb_neg(root.get(), root.get());
-  arb_sqrtpos(root.get(), root.get(), precision);
-  arb_add_ui(root.get(), root.get(), 1, precision);
-  for (Ball& x : k) arb_div(x.get(), x.get(), root.get(), precision);
+  return {sum[0] / tile.size(), sum[1] / tile.size()};
 }
 
 /// The integer nearest to 2^precision times the midpoint of x; 0 if x is not finite.
-mpz_class scaled_to_integer(Ball x, slong precision) {
-  mpz_class result;
-  arb_mul_2exp_si(x.get(), x.get(), precision);
-  if (!arb_is_finite(x.get())) return result;
-  fmpz_t integer;
-  fmpz_init(integer);
-  arf_get_fmpz(integer, arb_midref(x.get()), ARF_RND_NEAR);
-  fmpz_get_mpz(result.get_mpz_t(), integer);
-  fmpz_clear(integer);
-  return result;
+mpz_class scaled_to_integer(const Ball& x, slong precision) {
+  Integer integer;
+  if (is_finite(x)) arf_get_fmpz(integer.get(), arb_midref(scaled(x, precision).get()), ARF_RND_NEAR);
+  return integer.value();
 }
 
 /// A point inside the tile near the mean of its vertices in the Klein model, with about `precision` bits. Only a good
 /// guess is needed, which the caller tests: midpoints do.
 ExactPoint approximate_centre(const ExactTile& tile, slong precision) {
-  std::array<Ball, 2> centre = klein_mean(tile, precision);
-  for (Ball& x : centre) arb_get_mid_arb(x.get(), x.get());
-  klein_to_poincare(centre, precision);
-  ExactPoint result{{scaled_to_integer(centre[0], precision), scaled_to_integer(centre[1], precision)}, 1};
-  mpz_mul_2exp(result.m.get_mpz_t(), result.m.get_mpz_t(), static_cast<mp_bitcnt_t>(precision));
-  return result;
+  std::array<Ball, 2> k = klein_mean(tile);
+  for (Ball& x : k) arb_get_mid_arb(x.get(), x.get());
+  // From the Klein model to the Poincaré disk.
+  const Ball divisor = sqrt_of_nonnegative(1 - (sqr(k[0]) + sqr(k[1]))) + 1;
+  mpz_class scale = 1;
+  scale <<= static_cast<mp_bitcnt_t>(precision);
+  return {{scaled_to_integer(k[0] / divisor, precision), scaled_to_integer(k[1] / divisor, precision)}, scale};
 }
 
 /// sinh of the distance of z from the line through p and q, positive on its left: det(p, q, z)/(|p × q| |z|) with the
 /// Lorentz norms |p × q|² = ⟨p,q⟩² − ⟨p,p⟩⟨q,q⟩ and |z|² = −⟨z,z⟩ = (1−|z|²)².
-void sinh_distance(arb_ptr result, const ExactPoint& z, const ExactPoint& p, const ExactPoint& q, slong precision) {
-  const BallVector normal = cross_product(ball_vector(p, precision), ball_vector(q, precision), precision);
-  Ball size, product;
-  lorentz_product(size.get(), normal, normal, precision);
-  arb_sqrt(size.get(), size.get(), precision);
-  set_integer(product.get(), gap(z), precision);
-  arb_mul(size.get(), size.get(), product.get(), precision);
-  dot(result, normal, ball_vector(z, precision), precision);
-  arb_div(result, result, size.get(), precision);
+Ball sinh_distance(const ExactPoint& z, const ExactPoint& p, const ExactPoint& q, slong precision) {
+  const BallVector normal = cross_product(ball_vector(p), ball_vector(q), precision);
+  Ball determinant;
+  dot(determinant, normal, ball_vector(z), precision);
+  return determinant / (sqrt(lorentz_product(normal, normal, precision)) * Ball::rounded(gap(z)));
 }
 
 /// The disk about a point that touches the first of the tile's sides; nothing unless the point is certainly inside.
 std::optional<InscribedDisk> disk_about(ExactPoint centre, const ExactTile& tile, slong precision) {
   if (gap(centre) <= 0) return std::nullopt;
   InscribedDisk disk{std::move(centre), {}};
-  Ball distance;
   for (std::size_t k = 0; k < tile.size(); ++k) {
-    sinh_distance(distance.get(), disk.centre, tile[k], tile[(k + 1) % tile.size()], precision);
-    if (certainly_positive(distance.get()) != Tri::yes) return std::nullopt;
-    if (k == 0) {
-      disk.sinh_radius = distance;
-    } else {
-      arb_min(disk.sinh_radius.get(), disk.sinh_radius.get(), distance.get(), precision);
-    }
+    const Ball distance = sinh_distance(disk.centre, tile[k], tile[(k + 1) % tile.size()], precision);
+    if (certainly_positive(distance) != Tri::yes) return std::nullopt;
+    disk.sinh_radius = k == 0 ? distance : min(disk.sinh_radius, distance);
   }
   return disk;
 }
@@ -392,10 +351,8 @@ std::optional<InscribedDisk> inscribed_disk(const SurfaceDocument::Tile& tile, l
 std::optional<InscribedDisk> inscribed_disk(const SurfaceDocument& surface, std::uint32_t tile, long cap,
                                             const Budget& budget) {
   if (surface.regular_genus == 0) return inscribed_disk(surface.tiles[tile], cap, budget);
-  InscribedDisk disk{{{0, 0}, 1}, {}};
-  Ball cosh;
-  set_regular_apothem(cosh.get(), disk.sinh_radius.get(), surface.regular_genus, kApothemPrecision);
-  return disk;
+  // The inscribed circle.
+  return InscribedDisk{{{0, 0}, 1}, -real(regular_crossing(surface.regular_genus, 0, kApothemPrecision).b)};
 }
 
 }  // namespace epsnet::certify

@@ -26,29 +26,22 @@ BallIsometry compose(const BallIsometry& f, const BallIsometry& g, slong precisi
   return result;
 }
 
-BallIsometry inverse(const BallIsometry& f) {
-  BallIsometry result;
-  acb_conj(result.a.get(), f.a.get());
-  acb_neg(result.b.get(), f.b.get());
-  return result;
-}
+BallIsometry inverse(const BallIsometry& f) { return {conjugate(f.a), -f.b}; }
 
 BallIsometry to_balls(const ExactIsometry& f, slong precision) {
-  BallIsometry result;
-  Ball scale;
-  set_integer(scale.get(), determinant(f), precision);
-  arb_rsqrt(scale.get(), scale.get(), precision);
-  set_integer(result.a.re(), f.a.re, precision);
-  set_integer(result.a.im(), f.a.im, precision);
-  set_integer(result.b.re(), f.b.re, precision);
-  set_integer(result.b.im(), f.b.im, precision);
-  acb_mul_arb(result.a.get(), result.a.get(), scale.get(), precision);
-  acb_mul_arb(result.b.get(), result.b.get(), scale.get(), precision);
-  return result;
+  const Precision scope(precision);
+  const Ball scale = rsqrt(Ball::rounded(determinant(f)));
+  const auto scaled = [&](const Gaussian& z) { return scale * ComplexBall(Ball::rounded(z.re), Ball::rounded(z.im)); };
+  return {scaled(f.a), scaled(f.b)};
+}
+
+BallIsometry regular_crossing(std::uint32_t genus, std::uint32_t side, slong precision) {
+  const Precision scope(precision);
+  const Ball cosh = cot(pi() / (4 * std::uint64_t{genus}));
+  return {{cosh, Ball()}, -(sqrt(sqr(cosh) - 1) * root_of_unity(side, 4 * genus))};
 }
 
 void half_displacement_squared(arb_ptr result, const BallIsometry& f, slong precision) {
-  // arb_sqr squares one ball, so the result is never below 0 by more than rounding.
   Ball square;
   arb_sqr(result, f.b.re(), precision);
   arb_sqr(square.get(), f.b.im(), precision);

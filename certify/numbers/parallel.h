@@ -13,7 +13,8 @@ namespace epsnet::certify {
 
 /// Calls body(worker, i) for every i < count, each exactly once, by up to `threads` threads (at least 1; the calling
 /// one is worker 0). Returns when all are done. If a call throws, no new ones are started and the first exception to
-/// arrive is thrown again. Results must be stored by i, so that they do not depend on the number of threads.
+/// arrive is thrown again. Balls round as in the calling thread. Results must be stored by i, so that they do not
+/// depend on the number of threads.
 template <class Body>
 void for_each_parallel(std::size_t count, unsigned threads, const Body& body) {
   std::atomic<std::size_t> next{0};
@@ -32,7 +33,8 @@ void for_each_parallel(std::size_t count, unsigned threads, const Body& body) {
     std::vector<std::jthread> helpers;
     const std::size_t workers = std::min<std::size_t>(std::max(threads, 1U), count);
     for (unsigned worker = 1; worker < workers; ++worker) {
-      helpers.emplace_back([&work, worker] {
+      helpers.emplace_back([&work, worker, bits = Precision::current()] {
+        const Precision scope(bits);
         work(worker);
         // FLINT keeps memory and constants for each thread and returns them only when asked.
         flint_cleanup();

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "certify/numbers/ball.h"
+
 /// How many bits balls have, and when exact arithmetic takes over.
 namespace epsnet::certify {
 
@@ -16,10 +18,12 @@ inline constexpr long kExactFromForEdges = 256;
 inline constexpr long kExactFromForAxes = 128;
 
 /// Calls attempt(precision) with `first` bits, with twice as many, and so on, the last time with `cap` bits (once, if
-/// `cap` is not more than `first`), until it returns true: decided. Returns whether it did.
+/// `cap` is not more than `first`), until it returns true: decided. Returns whether it did. Balls round to as many
+/// bits.
 template <class Attempt>
 bool with_rising_precision(long cap, const Attempt& attempt, long first = kFirstPrecision) {
   for (long precision = std::min(first, cap);; precision = std::min(2 * precision, cap)) {
+    const Precision scope(precision);
     if (attempt(precision)) return true;
     if (precision >= cap) return false;
   }

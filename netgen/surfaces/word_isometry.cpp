@@ -4,7 +4,6 @@
 #include <string>
 
 #include "certify/numbers/isometry.h"
-#include "certify/numbers/regular_number.h"
 #include "netgen/base/gmp.h"
 #include "netgen/surfaces/group.h"
 
@@ -40,20 +39,10 @@ certify::ExactIsometry product(const Surface& surface, const Word& word) {
   return result;
 }
 
-certify::BallIsometry regular_crossing(std::uint32_t genus, std::uint32_t side, slong precision) {
-  certify::BallIsometry result;
-  certify::Ball sinh;
-  certify::set_regular_apothem(result.a.re(), sinh.get(), genus, precision);
-  certify::set_regular_direction(result.b.get(), genus, side, precision);
-  acb_mul_arb(result.b.get(), result.b.get(), sinh.get(), precision);
-  acb_neg(result.b.get(), result.b.get());
-  return result;
-}
-
 certify::BallIsometry regular_product(const Surface& surface, const Word& word, slong precision) {
   if (word.empty()) return certify::identity_isometry();
   return certify::compose_range(
-      0, word.size(), [&](std::size_t i) { return regular_crossing(surface.genus(), word[i], precision); },
+      0, word.size(), [&](std::size_t i) { return certify::regular_crossing(surface.genus(), word[i], precision); },
       [&](const certify::BallIsometry& f, const certify::BallIsometry& g) {
         return certify::compose(f, g, precision);
       });

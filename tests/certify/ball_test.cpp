@@ -85,42 +85,42 @@ TEST(BallTraps, ComparingNanIsUnknown) {
   const Ball x = nan_ball();
   const Ball y = ball(0.5, 20);
   EXPECT_EQ(arf_cmp(arb_midref(x.get()), arb_midref(y.get())), 0);  // The trap: NaN "equals" 1/2.
-  EXPECT_EQ(certainly_less(x.get(), y.get()), Tri::unknown);
-  EXPECT_EQ(certainly_less(y.get(), x.get()), Tri::unknown);
-  EXPECT_EQ(certainly_positive(x.get()), Tri::unknown);
+  EXPECT_EQ(certainly_less(x, y), Tri::unknown);
+  EXPECT_EQ(certainly_less(y, x), Tri::unknown);
+  EXPECT_EQ(certainly_positive(x), Tri::unknown);
 }
 
 TEST(BallTraps, NamedPredicatesSayNothingOfNan) {
   const Ball x = nan_ball();
-  EXPECT_EQ(certainly_negative(x.get()), Tri::unknown);
-  EXPECT_EQ(certain_sign(x.get()), 0);
-  EXPECT_FALSE(is_exactly_zero(x.get()));
-  EXPECT_FALSE(is_finite(x.get()));
-  EXPECT_EQ(only_integer(x.get()), std::nullopt);
+  EXPECT_EQ(certainly_negative(x), Tri::unknown);
+  EXPECT_EQ(certain_sign(x), 0);
+  EXPECT_FALSE(is_exactly_zero(x));
+  EXPECT_FALSE(is_finite(x));
+  EXPECT_EQ(only_integer(x), std::nullopt);
   ComplexBall z, one;
   acb_indeterminate(z.get());
   acb_one(one.get());
-  EXPECT_FALSE(certainly_different(z.get(), one.get()));
-  EXPECT_FALSE(certainly_different(one.get(), z.get()));
+  EXPECT_FALSE(certainly_different(z, one));
+  EXPECT_FALSE(certainly_different(one, z));
 }
 
 TEST(Ball, SignsAreCertainOnlyIfAllPointsHaveThem) {
-  EXPECT_EQ(certain_sign(ball(0.5, 2).get()), 1);
-  EXPECT_EQ(certain_sign(ball(-0.5, 2).get()), -1);
-  EXPECT_EQ(certain_sign(ball(0.25, 2).get()), 0) << "0 is a point of the ball";
-  EXPECT_EQ(certainly_negative(ball(0.25, 2).get()), Tri::no) << "0 is not negative";
-  EXPECT_EQ(certainly_negative(ball(-0.25, 1).get()), Tri::unknown);
+  EXPECT_EQ(certain_sign(ball(0.5, 2)), 1);
+  EXPECT_EQ(certain_sign(ball(-0.5, 2)), -1);
+  EXPECT_EQ(certain_sign(ball(0.25, 2)), 0) << "0 is a point of the ball";
+  EXPECT_EQ(certainly_negative(ball(0.25, 2)), Tri::no) << "0 is not negative";
+  EXPECT_EQ(certainly_negative(ball(-0.25, 1)), Tri::unknown);
   Ball zero;
-  EXPECT_EQ(certain_sign(zero.get()), 0);
-  EXPECT_TRUE(is_exactly_zero(zero.get()));
-  EXPECT_FALSE(is_exactly_zero(ball(0, 900).get()));
+  EXPECT_EQ(certain_sign(zero), 0);
+  EXPECT_TRUE(is_exactly_zero(zero));
+  EXPECT_FALSE(is_exactly_zero(ball(0, 900)));
 }
 
 TEST(Ball, AnIntegerIsFoundOnlyIfItIsTheOnlyOne) {
-  EXPECT_EQ(only_integer(ball(2.1, 2).get()), 2);
-  EXPECT_EQ(only_integer(ball(2.5, 3).get()), std::nullopt) << "none";
-  EXPECT_EQ(only_integer(ball(2.5, 0).get()), std::nullopt) << "two";
-  EXPECT_EQ(only_integer(ball(0x1p80, 5).get()), std::nullopt) << "too large";
+  EXPECT_EQ(only_integer(ball(2.1, 2)), 2);
+  EXPECT_EQ(only_integer(ball(2.5, 3)), std::nullopt) << "none";
+  EXPECT_EQ(only_integer(ball(2.5, 0)), std::nullopt) << "two";
+  EXPECT_EQ(only_integer(ball(0x1p80, 5)), std::nullopt) << "too large";
 }
 
 TEST(Binary64, AboveAndBelowAreNextNumbersOrBeyond) {
@@ -158,9 +158,9 @@ TEST(BallTraps, DecimalsEnterAsRationals) {
   Ball binary;
   arb_set_d(binary.get(), 0.1);
   EXPECT_FALSE(contains(binary, mpq_class(1, 10)));
-  Ball decimal;
-  set_rational(decimal.get(), mpq_class(1, 10), 64);
-  EXPECT_TRUE(contains(decimal, mpq_class(1, 10)));
+  const Precision scope(64);
+  EXPECT_FALSE(contains(Ball::exactly(0.1), mpq_class(1, 10)));
+  EXPECT_TRUE(contains(Ball::rounded(mpq_class(1, 10)), mpq_class(1, 10)));
 }
 
 TEST(BallTraps, AliasedArgumentsAreTheSameNumber) {
@@ -171,33 +171,33 @@ TEST(BallTraps, AliasedArgumentsAreTheSameNumber) {
   arb_mul(product.get(), x.get(), ball(0, 10).get(), 64);
   Ball difference;
   arb_sub(difference.get(), x.get(), Ball(x).get(), 64);
-  EXPECT_EQ(certainly_less(product.get(), product.get()), Tri::unknown);
+  EXPECT_EQ(certainly_less(product, product), Tri::unknown);
   EXPECT_TRUE(contains(difference, mpq_class(1, 1024)));  // A copy is a number of its own.
 }
 
 TEST(BallTraps, InfiniteBallsProveNothing) {
   Ball x;
   arb_zero_pm_inf(x.get());
-  EXPECT_EQ(certainly_less(x.get(), ball(1, 10).get()), Tri::unknown);
-  const Interval all = outer_interval(x.get());
+  EXPECT_EQ(certainly_less(x, ball(1, 10)), Tri::unknown);
+  const Interval all = outer_interval(x);
   EXPECT_EQ(all.lower, -std::numeric_limits<double>::infinity());
   EXPECT_EQ(all.upper, std::numeric_limits<double>::infinity());
 }
 
 TEST(Ball, TouchingBallsAreNotCompared) {
-  EXPECT_EQ(certainly_less(ball(0, 1).get(), ball(1.5, 1).get()), Tri::yes);
-  EXPECT_EQ(certainly_less(ball(0, 1).get(), ball(1, 1).get()), Tri::unknown);  // Both may be 1/2.
-  EXPECT_EQ(certainly_less(ball(2, 1).get(), ball(1, 1).get()), Tri::no);       // At best both are 3/2.
-  EXPECT_EQ(certainly_positive(ball(0.5, 1).get()), Tri::unknown);
-  EXPECT_EQ(certainly_positive(ball(0.75, 1).get()), Tri::yes);
-  EXPECT_EQ(certainly_positive(ball(-0.5, 1).get()), Tri::no);
-  EXPECT_EQ(certainly_positive(Ball().get()), Tri::no);
+  EXPECT_EQ(certainly_less(ball(0, 1), ball(1.5, 1)), Tri::yes);
+  EXPECT_EQ(certainly_less(ball(0, 1), ball(1, 1)), Tri::unknown);  // Both may be 1/2.
+  EXPECT_EQ(certainly_less(ball(2, 1), ball(1, 1)), Tri::no);       // At best both are 3/2.
+  EXPECT_EQ(certainly_positive(ball(0.5, 1)), Tri::unknown);
+  EXPECT_EQ(certainly_positive(ball(0.75, 1)), Tri::yes);
+  EXPECT_EQ(certainly_positive(ball(-0.5, 1)), Tri::no);
+  EXPECT_EQ(certainly_positive(Ball()), Tri::no);
 }
 
 TEST(Ball, OuterIntervalRoundsOutward) {
-  Ball third;
-  set_rational(third.get(), mpq_class(1, 3), 200);
-  const Interval x = outer_interval(third.get());
+  const Precision scope(200);
+  const Ball third = Ball::rounded(mpq_class(1, 3));
+  const Interval x = outer_interval(third);
   EXPECT_LT(mpq_class(x.lower), mpq_class(1, 3));
   EXPECT_GT(mpq_class(x.upper), mpq_class(1, 3));
   EXPECT_EQ(above(x.lower), x.upper);
@@ -206,11 +206,11 @@ TEST(Ball, OuterIntervalRoundsOutward) {
 TEST(Ball, OuterIntervalHoldsHugeAndTinyNumbers) {
   Ball x = ball(1, 10);
   arb_mul_2exp_si(x.get(), x.get(), 5000);
-  EXPECT_LE(outer_interval(x.get()).lower, std::numeric_limits<double>::max());
-  EXPECT_EQ(outer_interval(x.get()).upper, std::numeric_limits<double>::infinity());
+  EXPECT_LE(outer_interval(x).lower, std::numeric_limits<double>::max());
+  EXPECT_EQ(outer_interval(x).upper, std::numeric_limits<double>::infinity());
   arb_mul_2exp_si(x.get(), x.get(), -10000);
-  EXPECT_EQ(outer_interval(x.get()).lower, 0);
-  EXPECT_GT(outer_interval(x.get()).upper, 0);
+  EXPECT_EQ(outer_interval(x).lower, 0);
+  EXPECT_GT(outer_interval(x).upper, 0);
 }
 
 mpz_class random_integer(int bits) {
@@ -258,7 +258,7 @@ RC_GTEST_PROP(BallProperty, CompositionContainsTheExactOne, ()) {
 
 TEST(Ball, OuterIntervalHoldsBothEndsOfAWideBall) {
   for (const double middle : {1.0, -1.0, 0.0, 1e-3}) {
-    const Interval interval = outer_interval(ball(middle, 1).get());  // ± 1/2.
+    const Interval interval = outer_interval(ball(middle, 1));  // ± 1/2.
     EXPECT_LE(interval.lower, middle - 0.5);
     EXPECT_GE(interval.upper, middle + 0.5);
     EXPECT_NEAR(interval.lower, middle - 0.5, 1e-9);
@@ -278,8 +278,8 @@ TEST(Ball, AFastIntervalHoldsTheBall) {
           mag_zero(arb_radref(rest.get()));
           arb_add(x.get(), x.get(), rest.get(), 400);
           if (radius >= 0) mag_set_ui_2exp_si(arb_radref(x.get()), 1, -radius);
-          const Interval outer = outer_interval(x.get());
-          const Interval fast = fast_interval(x.get());
+          const Interval outer = outer_interval(x);
+          const Interval fast = fast_interval(x);
           EXPECT_LE(fast.lower, outer.lower) << start << ", " << share << ", " << radius;
           EXPECT_GE(fast.upper, outer.upper) << start << ", " << share << ", " << radius;
           const double width = outer.upper - outer.lower + std::fabs(start) * 0x1p-49 + 0x1p-1060;
@@ -293,7 +293,7 @@ TEST(Ball, AFastIntervalHoldsTheBall) {
 
 TEST(Ball, AreSortedIfBallsTellTheirOrder) {
   const auto sorted = [](std::vector<Ball> balls) {
-    const bool certain = sort_certainly(balls, [](const Ball& x) { return x.get(); });
+    const bool certain = sort_certainly(balls, [](const Ball& x) -> const Ball& { return x; });
     EXPECT_TRUE(std::is_sorted(balls.begin(), balls.end(), [](const Ball& x, const Ball& y) {
       return arf_cmp(arb_midref(x.get()), arb_midref(y.get())) < 0;
     }));
@@ -315,12 +315,12 @@ TEST(Ball, WhatIsNotFiniteIsUnknown) {
   arb_neg_inf(minus.get());
   arb_one(one.get());
   for (const Ball& x : {infinite, minus, nan_ball()}) {
-    EXPECT_EQ(certainly_less(x.get(), one.get()), Tri::unknown);
-    EXPECT_EQ(certainly_less(one.get(), x.get()), Tri::unknown);
-    EXPECT_EQ(certainly_positive(x.get()), Tri::unknown);
-    EXPECT_EQ(certainly_negative(x.get()), Tri::unknown);
-    EXPECT_EQ(outer_interval(x.get()).lower, -std::numeric_limits<double>::infinity());
-    EXPECT_EQ(outer_interval(x.get()).upper, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(certainly_less(x, one), Tri::unknown);
+    EXPECT_EQ(certainly_less(one, x), Tri::unknown);
+    EXPECT_EQ(certainly_positive(x), Tri::unknown);
+    EXPECT_EQ(certainly_negative(x), Tri::unknown);
+    EXPECT_EQ(outer_interval(x).lower, -std::numeric_limits<double>::infinity());
+    EXPECT_EQ(outer_interval(x).upper, std::numeric_limits<double>::infinity());
   }
 }
 
@@ -328,10 +328,117 @@ TEST(Ball, BallsAreDifferentIfTheyHaveNoPointInCommon) {
   ComplexBall x, y;
   acb_set_si(x.get(), 1);
   acb_set_si(y.get(), 2);
-  EXPECT_TRUE(certainly_different(x.get(), y.get()));
-  EXPECT_FALSE(certainly_different(x.get(), x.get()));
+  EXPECT_TRUE(certainly_different(x, y));
+  EXPECT_FALSE(certainly_different(x, x));
   mag_set_ui(arb_radref(y.re()), 1);
-  EXPECT_FALSE(certainly_different(x.get(), y.get()));
+  EXPECT_FALSE(certainly_different(x, y));
+}
+
+/// A number of random size, and a ball of random width that contains it.
+struct Enclosed {
+  mpq_class value;
+  Ball ball;
+};
+
+Enclosed random_number() {
+  const mpz_class denominator = 1 + abs(random_integer(*rc::gen::inRange(1, 100)));
+  const mpz_class numerator = random_integer(*rc::gen::inRange(1, 100));
+  mpq_class value = mpq_class(*rc::gen::arbitrary<bool>() ? numerator : mpz_class(-numerator)) / mpq_class(denominator);
+  Ball ball = Ball::rounded(value);
+  if (*rc::gen::arbitrary<bool>()) arb_add_error_2exp_si(ball.get(), -*rc::gen::inRange(0, 100));
+  return {value, ball};
+}
+
+// The inclusion principle, for each operator.
+RC_GTEST_PROP(BallProperty, OperatorsContainWhatTheyName, ()) {
+  const Precision scope(*rc::gen::inRange(2, 200));
+  const auto [x, a] = random_number();
+  const auto [y, b] = random_number();
+  RC_ASSERT(contains(a + b, x + y));
+  RC_ASSERT(contains(a - b, x - y));
+  RC_ASSERT(contains(a * b, x * y));
+  if (y != 0) RC_ASSERT(contains(a / b, x / y));
+  RC_ASSERT(contains(-a, -x));
+  RC_ASSERT(contains(a + 3, x + 3));
+  RC_ASSERT(contains(3 + a, x + 3));
+  RC_ASSERT(contains(a - 3, x - 3));
+  RC_ASSERT(contains(3 - a, 3 - x));
+  RC_ASSERT(contains(3 * a, 3 * x));
+  RC_ASSERT(contains(a / 3, x / 3));
+  if (x != 0) RC_ASSERT(contains(3 / a, 3 / x));
+  RC_ASSERT(contains(half(a), x / 2) && contains(twice(a), 2 * x) && contains(scaled(a, -7), x / 128));
+  RC_ASSERT(contains(abs(a), abs(x)) && contains(sqr(a), x * x));
+  RC_ASSERT(contains(min(a, b), std::min(x, y)) && contains(max(a, b), std::max(x, y)));
+  RC_ASSERT(contains(sqr(sqrt_of_nonnegative(abs(a))), abs(x)));
+  // Functions with their inverses.
+  RC_ASSERT(contains(sinh(asinh(a)), x));
+  RC_ASSERT(contains(sqr(cosh(a)) - sqr(sinh(a)), 1));
+  const Ball more = abs(a) + 2;
+  RC_ASSERT(contains(sqr(sqrt(more)), abs(x) + 2) && contains(1 / sqr(rsqrt(more)), abs(x) + 2));
+  RC_ASSERT(contains(cosh(acosh(more)), abs(x) + 2));
+  // (x + iy)(x − iy), and its angle, 0.
+  const ComplexBall z(a, b);
+  RC_ASSERT(contains(norm(z), x * x + y * y) && contains(real(z * conjugate(z)), x * x + y * y));
+  RC_ASSERT(contains(imaginary(z * conjugate(z)), 0) && contains(imaginary(-(z + z)), -2 * y));
+  RC_ASSERT(contains(real(b * z), x * y) && contains(imaginary(b * z), y * y));
+}
+
+TEST(Ball, ConstantsAndAnglesAreThose) {
+  const Precision scope(100);
+  const double right = std::acos(0.0);
+  const auto expect = [](const Ball& x, double value) {
+    const Interval found = outer_interval(x);
+    EXPECT_LE(found.lower, found.upper);
+    EXPECT_NEAR(found.lower, value, 1e-15);
+    EXPECT_NEAR(found.upper, value, 1e-15);
+  };
+  expect(half(pi()), right);
+  expect(ln2(), std::log(2.0));
+  expect(atan(Ball::exactly(1)), right / 2);
+  expect(cot(pi() / 4), 1);
+  expect(atan2(Ball::exactly(1), Ball::exactly(-1)), 1.5 * right);
+  expect(atan2(Ball::exactly(-1), Ball::exactly(1)), -right / 2);
+  expect(real(root_of_unity(1, 8)), std::sqrt(0.5));
+  expect(imaginary(root_of_unity(7, 8)), -std::sqrt(0.5));
+  EXPECT_TRUE(contains(real(root_of_unity(4000000000U, 4000000001U)) - real(root_of_unity(1, 4000000001U)), 0));
+}
+
+TEST(BallTraps, FunctionsHaveNoValueWhereItIsNotCertain) {
+  const Precision scope(64);
+  EXPECT_FALSE(is_finite(sqrt(ball(0, 60))));
+  EXPECT_TRUE(is_finite(sqrt_of_nonnegative(ball(0, 60))));
+  EXPECT_FALSE(is_finite(rsqrt(ball(0, 60))));
+  EXPECT_FALSE(is_finite(acosh(ball(1, 60))));
+  EXPECT_FALSE(is_finite(1 / ball(0, 60)));
+  EXPECT_EQ(certainly_negative(sqr(ball(0, 1))), Tri::unknown) << "a square, but the ball does not say so";
+  EXPECT_EQ(certainly_negative(sqr(ball(1, 1))), Tri::no);
+  // Integers are not rounded when they enter.
+  EXPECT_TRUE(contains(Ball::exactly(std::numeric_limits<std::uint64_t>::max()), mpq_class("18446744073709551615")));
+  EXPECT_TRUE(contains(Ball::exactly(std::numeric_limits<std::int64_t>::min()), mpq_class("-9223372036854775808")));
+  const Precision few(2);
+  EXPECT_TRUE(contains(Ball::rounded(mpz_class(1001)), 1001));
+  EXPECT_FALSE(is_exactly_zero(Ball::rounded(mpz_class(1001)) - 1001));
+}
+
+TEST(Precision, IsThatOfTheInnermostScopeAndOfTheCallersThread) {
+  const auto accuracy = [] { return arb_rel_accuracy_bits(pi().get()); };
+  EXPECT_THROW((void)pi(), Fault);
+  EXPECT_THROW((void)(Ball() + Ball()), Fault);
+  {
+    const Precision outer(300);
+    EXPECT_NEAR(static_cast<double>(accuracy()), 300, 10);
+    {
+      const Precision inner(80);
+      EXPECT_NEAR(static_cast<double>(accuracy()), 80, 10);
+    }
+    EXPECT_NEAR(static_cast<double>(accuracy()), 300, 10);
+    for_each_parallel(20, 4, [&](unsigned, std::size_t) { EXPECT_NEAR(static_cast<double>(accuracy()), 300, 10); });
+    with_rising_precision(1000, [&](long precision) {
+      EXPECT_NEAR(static_cast<double>(accuracy()), static_cast<double>(precision), 10);
+      return false;
+    });
+  }
+  EXPECT_THROW((void)pi(), Fault);
 }
 
 TEST(Parallel, EveryIndexOnceByAnyNumberOfThreads) {

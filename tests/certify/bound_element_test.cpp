@@ -50,12 +50,9 @@ BallIsometry both_of(const Isometry& f, const Isometry& g) {
 
 /// A point of the disk as a unit vector (2x, 2y, 1 + |z|²)/(1 − |z|²).
 BallVector unit_vector(Complex z) {
-  BallVector result;
   const double gap = 1 - std::norm(z);
-  arb_set_d(result[0], 2 * z.real() / gap);
-  arb_set_d(result[1], 2 * z.imag() / gap);
-  arb_set_d(result[2], (1 + std::norm(z)) / gap);
-  return result;
+  return {Ball::exactly(2 * z.real() / gap), Ball::exactly(2 * z.imag() / gap),
+          Ball::exactly((1 + std::norm(z)) / gap)};
 }
 
 /// sinh²(d(z, fz)/2).
@@ -74,9 +71,7 @@ TEST(BoundElement, TheDisplacementContainsThatOfEveryIsometryInTheBall) {
           const Element element = element_of(both_of(f, g), kPrecision);
           for (const double from_axis : {0.0, 1e-3, 0.3, 1.0}) {
             const Complex z = std::tanh((s + from_axis) / 2) * std::polar(1.0, t + std::acos(0.0));
-            Ball found;
-            set_displacement(found.get(), element, unit_vector(z), kPrecision);
-            const Interval interval = outer_interval(found.get());
+            const Interval interval = outer_interval(displacement(element, unit_vector(z), kPrecision));
             const double of_f = displacement(f, z), of_g = displacement(g, z);
             const double rounding = 1e-12 * (1 + of_g);
             EXPECT_LT(interval.lower, std::min(of_f, of_g) + rounding) << width << " " << l << " " << from_axis;
@@ -96,9 +91,7 @@ TEST(BoundElement, TheDisplacementIsThatOfTheIsometry) {
     const Isometry f = along(l, 1.1, 0.4);
     const Element element = element_of(both_of(f, f), kPrecision);
     for (const Complex z : {Complex(0, 0), Complex(0.3, -0.2), Complex(-0.7, 0.5)}) {
-      Ball found;
-      set_displacement(found.get(), element, unit_vector(z), kPrecision);
-      const Interval interval = outer_interval(found.get());
+      const Interval interval = outer_interval(displacement(element, unit_vector(z), kPrecision));
       EXPECT_NEAR(interval.lower, displacement(f, z), 1e-12 * (1 + displacement(f, z)));
       EXPECT_NEAR(interval.upper, displacement(f, z), 1e-12 * (1 + displacement(f, z)));
     }

@@ -12,11 +12,7 @@ namespace {
 
 constexpr slong kPrecision = 128;
 
-Ball number(double x) {
-  Ball result;
-  arb_set_d(result.get(), x);
-  return result;
-}
+Ball number(double x) { return Ball::exactly(x); }
 
 /// All numbers from lower to upper.
 Ball between(double lower, double upper) {
@@ -33,7 +29,18 @@ using Triangle = std::array<Ball, 3>;
 
 Triangle triangle(double a, double b, double c) { return {number(a), number(b), number(c)}; }
 
-Tri fit(const Triangle& sides, const Ball& most) { return fits(sides, most, kPrecision); }
+Tri fit(const Triangle& sides, const Ball& most) {
+  const Precision scope(kPrecision);
+  return fits(sides, most);
+}
+TriangleMeasures measured(const Triangle& sides) {
+  const Precision scope(kPrecision);
+  return measures(sides);
+}
+Tri counterclockwise(const std::vector<Ball>& areas) {
+  const Precision scope(kPrecision);
+  return all_counterclockwise(areas);
+}
 
 TEST(BoundTriangles, ATriangleThatIsNotAcuteFitsIfItsLongestSideDoes) {
   // 1 + 2 < 5: whichever side it is.
@@ -102,7 +109,7 @@ TEST(BoundTriangles, MeasuresAreThoseOfTheTriangle) {
   for (const auto& [a, b, c] : std::initializer_list<std::array<double, 3>>{
            {1, 1, 1}, {4, 5, 6}, {6, 4, 5}, {5, 6, 4}, {0.01, 0.02, 0.015}, {7, 1, 5}, {100, 70, 3}, {0.5, 8, 6}}) {
     const Triangle sides = triangle(a, b, c);
-    const TriangleMeasures found = measures(sides, kPrecision);
+    const TriangleMeasures found = measured(sides);
     const double k = 2 * (a * b + b * c + c * a) - a * a - b * b - c * c;
     ASSERT_GT(k, 0);
     EXPECT_NEAR(middle(found.k) / k, 1, 1e-12);
@@ -110,15 +117,15 @@ TEST(BoundTriangles, MeasuresAreThoseOfTheTriangle) {
     EXPECT_NEAR(middle(found.cotangent[1]), (c + a - b) / std::sqrt(k), 1e-12);
     EXPECT_NEAR(middle(found.cotangent[2]), (a + b - c) / std::sqrt(k), 1e-12);
     EXPECT_NEAR(middle(found.area), area_by_angles(a, b, c), 1e-9 * middle(found.area) + 1e-12);
-    EXPECT_EQ(certainly_positive(found.area.get()), Tri::yes);
+    EXPECT_EQ(certainly_positive(found.area), Tri::yes);
   }
 }
 
 TEST(BoundTriangles, WithoutACircumcircleThereAreNoMeasures) {
   for (const Triangle& sides : {triangle(1, 1, 5), triangle(5, 1, 1), Triangle{between(3, 5), number(1), number(1)}}) {
-    const TriangleMeasures found = measures(sides, kPrecision);
-    EXPECT_NE(certainly_positive(found.k.get()), Tri::yes);
-    for (const Ball& cotangent : found.cotangent) EXPECT_FALSE(is_finite(cotangent.get()));
+    const TriangleMeasures found = measured(sides);
+    EXPECT_NE(certainly_positive(found.k), Tri::yes);
+    for (const Ball& cotangent : found.cotangent) EXPECT_FALSE(is_finite(cotangent));
   }
 }
 
@@ -131,24 +138,24 @@ std::vector<Ball> six_areas(double each) {
 
 TEST(BoundTriangles, AreCounterclockwiseIfTheirAreasSumUpToThatOfTheSurface) {
   constexpr double kArea = 4 * std::numbers::pi;
-  EXPECT_EQ(all_counterclockwise(six_areas(kArea / 6), kPrecision), Tri::yes);
+  EXPECT_EQ(counterclockwise(six_areas(kArea / 6)), Tri::yes);
   // One that is turned over counts twice too much.
   for (std::size_t turned = 0; turned < 6; ++turned) {
     std::vector<Ball> areas = six_areas((kArea + 0.5) / 5);
     areas[turned] = number(0.5);
-    EXPECT_EQ(all_counterclockwise(areas, kPrecision), Tri::no) << turned;
+    EXPECT_EQ(counterclockwise(areas), Tri::no) << turned;
     // What is too much is nearly as large as this one.
     areas = six_areas(kArea / 5 - 1e-9);
     areas[turned] = number(0.25);
-    EXPECT_EQ(all_counterclockwise(areas, kPrecision), Tri::yes) << turned;
+    EXPECT_EQ(counterclockwise(areas), Tri::yes) << turned;
     areas = six_areas(kArea / 5 + 1e-9);
     areas[turned] = number(0.25);
-    EXPECT_EQ(all_counterclockwise(areas, kPrecision), Tri::no) << turned;
+    EXPECT_EQ(counterclockwise(areas), Tri::no) << turned;
     areas[turned] = between(0.2, 0.3);
-    EXPECT_NE(all_counterclockwise(areas, kPrecision), Tri::yes) << turned;
+    EXPECT_NE(counterclockwise(areas), Tri::yes) << turned;
     areas = six_areas(kArea / 5 - 0.1);
     areas[turned] = between(0, 0.6);
-    EXPECT_EQ(all_counterclockwise(areas, kPrecision), Tri::unknown) << turned;
+    EXPECT_EQ(counterclockwise(areas), Tri::unknown) << turned;
   }
 }
 
@@ -169,7 +176,8 @@ std::vector<Ball> with_edge(std::vector<Ball> h, std::size_t dart, const Ball& l
 }
 
 Tri answer(const std::vector<Ball>& h, const Ball& least) {
-  return is_delaunay_and_wide(kAcross, h, least, kPrecision);
+  const Precision scope(kPrecision);
+  return is_delaunay_and_wide(kAcross, h, least);
 }
 
 TEST(BoundTriangles, AreWideIfOneIs) {

@@ -170,7 +170,7 @@ TEST(Chords, EndWhereTheVisitorSaysSo) {
 /// Whether the balls of a chord's element hold this one, of which one sign is meant.
 bool may_be(const Chord& chord, const Key& element) {
   const BallIsometry& f = chord.element;
-  const std::array<arb_srcptr, 4> numbers{f.a.re(), f.a.im(), f.b.re(), f.b.im()};
+  const std::array<Ball, 4> numbers{real(f.a), imaginary(f.a), real(f.b), imaginary(f.b)};
   for (std::size_t i = 0; i < 4; ++i) {
     const Interval x = outer_interval(numbers[i]);
     if (1e-6 * static_cast<double>(element[i] + 1) < x.lower || x.upper < 1e-6 * static_cast<double>(element[i] - 1)) {
@@ -186,7 +186,7 @@ void expect_all(const ChordList& list, const std::map<PairKey, std::array<int, 3
     EXPECT_EQ(chord.is_certain(), std::find(chord.side.begin(), chord.side.end(), 1) != chord.side.end() &&
                                       std::find(chord.side.begin(), chord.side.end(), -1) != chord.side.end())
         << what;
-    EXPECT_EQ(certainly_positive(chord.element.a.re()), Tri::yes) << what;
+    EXPECT_EQ(certainly_positive(real(chord.element.a)), Tri::yes) << what;
   }
   // A chord for each, no chord for two: whoever comes last may push others on.
   std::vector<const PairKey*> taken(list.chords.size(), nullptr);

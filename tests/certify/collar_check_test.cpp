@@ -59,7 +59,7 @@ double loop_length(const NetDocument& document, std::size_t c, std::size_t i) {
       compose(inverse(label(setting, document, dart)), label(setting, document, next_dart(dart)), 256);
   Ball squared;
   half_displacement_squared(squared.get(), moves, 256);
-  return 2 * std::asinh(std::sqrt(outer_interval(squared.get()).lower));
+  return 2 * std::asinh(std::sqrt(outer_interval(squared).lower));
 }
 
 std::string decimal(double x) {
@@ -304,7 +304,8 @@ TEST(CollarCheck, AVertexThat64BitsDoNotTellFromTheThinPartIsUndecided) {
       arb_mul_2exp_si(length.get(), length.get(), 1);
       mpz_class digits;
       mpz_ui_pow_ui(digits.get_mpz_t(), 10, 30);
-      set_integer(unit.get(), digits, 256);
+      const Precision scope(256);
+      unit = Ball::rounded(digits);
       arb_mul(length.get(), length.get(), unit.get(), 256);
       arb_floor(length.get(), length.get(), 256);
       fmpz_t floor;

@@ -190,11 +190,9 @@ std::pair<mpq_class, mpq_class> printed_ends(const std::string& text) {
 void expect_printed_around(arb_srcptr number, const std::string& text) {
   const auto [lower, upper] = printed_ends(text);
   ASSERT_GT(arb_rel_accuracy_bits(number), 950);
-  Ball end;
-  set_rational(end.get(), lower, 1000);
-  EXPECT_TRUE(arb_le(end.get(), number)) << text;
-  set_rational(end.get(), upper, 1000);
-  EXPECT_TRUE(arb_ge(end.get(), number)) << text;
+  const Precision scope(1000);
+  EXPECT_TRUE(arb_le(Ball::rounded(lower).get(), number)) << text;
+  EXPECT_TRUE(arb_ge(Ball::rounded(upper).get(), number)) << text;
   EXPECT_LE(mpq_class(upper - lower), mpq_class(upper * 0x1p-51)) << text;
 }
 

@@ -217,7 +217,7 @@ TEST(LiftedTriangle, QuotientsContainEveryQuotient) {
     for (const double d : {1.0 / 7, 3e-100, 2e100, 1.0}) {
       for (const double r : {0.0, 1e-17, 1e-9, 0.5}) {
         for (const double s : {0.0, 1e-17, 1e-9, 0.5}) {
-          const Interval interval = quotient(ball(n, n * r).get(), ball(d, d * s).get());
+          const Interval interval = quotient(ball(n, n * r), ball(d, d * s));
           const mpq_class least = (mpq_class(n) - mpq_class(n * r)) / (mpq_class(d) + mpq_class(d * s));
           const mpq_class most = (mpq_class(n) + mpq_class(n * r)) / (mpq_class(d) - mpq_class(d * s));
           EXPECT_LE(mpq_class(interval.lower), least);
@@ -229,7 +229,7 @@ TEST(LiftedTriangle, QuotientsContainEveryQuotient) {
     }
   }
   const auto expect = [&](const Ball& n, const Ball& d, double lower, double upper) {
-    const Interval interval = quotient(n.get(), d.get());
+    const Interval interval = quotient(n, d);
     EXPECT_EQ(interval.lower, lower);
     EXPECT_EQ(interval.upper, upper);
   };
@@ -238,11 +238,11 @@ TEST(LiftedTriangle, QuotientsContainEveryQuotient) {
   expect(none, ball(1, 0), 0, kInfinity);
   expect(ball(1, 0), none, 0, kInfinity);
   expect(ball(1, 0), ball(-1, 0.5), 0, kInfinity);
-  const Interval open = quotient(ball(1, 0.5).get(), ball(1, 2).get());
+  const Interval open = quotient(ball(1, 0.5), ball(1, 2));
   EXPECT_GT(open.lower, 0.16);
   EXPECT_LE(open.lower, 0.5 / 3);
   EXPECT_EQ(open.upper, kInfinity);
-  const Interval from_zero = quotient(ball(1, 2).get(), ball(1, 0).get());
+  const Interval from_zero = quotient(ball(1, 2), ball(1, 0));
   EXPECT_EQ(from_zero.lower, 0);
   EXPECT_GE(from_zero.upper, 3);
   EXPECT_LT(from_zero.upper, 3.001);
@@ -259,7 +259,8 @@ TEST(LiftedTriangle, QuotientsAreRoundedOutward) {
     Number result;
     const mpz_class middle = mpz_class(static_cast<unsigned long>(random())) | (mpz_class(1) << 63);
     const auto exponent = static_cast<slong>(random() % 40) - 80;
-    set_integer(result.ball.get(), middle, 128);
+    const Precision scope(128);
+    result.ball = Ball::rounded(middle);
     arb_mul_2exp_si(result.ball.get(), result.ball.get(), exponent);
     if (random() % 4 != 0) arb_add_error_2exp_si(result.ball.get(), exponent + static_cast<slong>(random() % 14));
     // Some are nearly as wide as they are large.
@@ -273,7 +274,7 @@ TEST(LiftedTriangle, QuotientsAreRoundedOutward) {
   for (int trial = 0; trial < 3000; ++trial) {
     const Number x = number();
     const Number y = number();
-    const Interval found = quotient(x.ball.get(), y.ball.get());
+    const Interval found = quotient(x.ball, y.ball);
     EXPECT_LE(mpq_class(found.lower), x.lower / y.upper);
     EXPECT_TRUE(std::isinf(found.upper) || mpq_class(found.upper) >= x.upper / y.lower);
     EXPECT_TRUE(std::isfinite(found.upper) || y.lower * 1e9 < y.upper);
@@ -321,7 +322,7 @@ TEST(LiftedTriangle, LengthsAreRoundedOutward) {
       arb_sqrt(length.get(), length.get(), 400);
       arb_asinh(length.get(), length.get(), 400);
       arb_mul_si(length.get(), length.get(), factor, 400);
-      const Interval exact = outer_interval(length.get());
+      const Interval exact = outer_interval(length);
       const Interval found = length_interval({value, value}, factor);
       EXPECT_EQ(found, exact) << value;
       EXPECT_EQ(length_interval({value, HUGE_VAL}, factor), (Interval{exact.lower, HUGE_VAL})) << value;
@@ -571,7 +572,7 @@ bool holds(Interval x, const Ball& value) {
   Ball lower, upper;
   arb_set_d(lower.get(), x.lower);
   arb_set_d(upper.get(), x.upper);
-  return certainly_less(lower.get(), value.get()) == Tri::yes && certainly_less(value.get(), upper.get()) == Tri::yes;
+  return certainly_less(lower, value) == Tri::yes && certainly_less(value, upper) == Tri::yes;
 }
 
 TEST(GeometryCheck, EnclosuresHoldWhat256BitsTell) {
@@ -585,8 +586,7 @@ TEST(GeometryCheck, EnclosuresHoldWhat256BitsTell) {
     // sinh² of the largest circumradius, and of half the longest edge, the shortest edge and the shortest loop.
     std::optional<Ball> radius, longest, edge, loop;
     const auto keep = [](std::optional<Ball>& extreme, const Ball& x, int sign) {
-      if (!extreme ||
-          (sign > 0 ? certainly_less(extreme->get(), x.get()) : certainly_less(x.get(), extreme->get())) == Tri::yes) {
+      if (!extreme || (sign > 0 ? certainly_less(*extreme, x) : certainly_less(x, *extreme)) == Tri::yes) {
         extreme = x;
       }
     };

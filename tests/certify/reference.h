@@ -65,7 +65,7 @@ inline Move rounded(const ExactIsometry& f) {
   return {{part(f.a.re), part(f.a.im)}, {part(f.b.re), part(f.b.im)}};
 }
 
-inline Vector middle(const BallVector& x) { return {middle(x[0]), middle(x[1]), middle(x[2])}; }
+inline Vector middle(const BallVector& x) { return {middle(x[0].get()), middle(x[1].get()), middle(x[2].get())}; }
 
 inline Vector vector_of(Complex z) {
   const Real gap = 1 - std::norm(z);

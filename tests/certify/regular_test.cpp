@@ -104,7 +104,7 @@ TEST(Regular, SurfaceIsOneByTheorem) {
     const auto disk = inscribed_disk(surface, 0, 64);
     ASSERT_TRUE(disk.has_value());
     const double apothem = std::acosh(1 / std::tan(M_PI / 4 / genus));
-    EXPECT_NEAR(outer_interval(disk->sinh_radius.get()).lower, std::sinh(apothem), 1e-9 * std::sinh(apothem));
+    EXPECT_NEAR(outer_interval(disk->sinh_radius).lower, std::sinh(apothem), 1e-9 * std::sinh(apothem));
   }
 }
 

@@ -99,8 +99,8 @@ TEST(SurfaceCheck, ANearlyIdealTriangleHasAnInscribedDisk) {
   const auto disk = inscribed_disk(thin, 8192);
   ASSERT_TRUE(disk.has_value());
   // The radius of the circle inscribed in an ideal triangle is ln(3)/2, so sinh of it is 1/√3; the centre is not far.
-  EXPECT_GT(outer_interval(disk->sinh_radius.get()).lower, 0.3);
-  EXPECT_LT(outer_interval(disk->sinh_radius.get()).upper, 0.58);
+  EXPECT_GT(outer_interval(disk->sinh_radius).lower, 0.3);
+  EXPECT_LT(outer_interval(disk->sinh_radius).upper, 0.58);
 }
 
 TEST(SurfaceCheck, ASliverHasAnInscribedDisk) {
@@ -108,7 +108,7 @@ TEST(SurfaceCheck, ASliverHasAnInscribedDisk) {
   const SurfaceDocument::Tile sliver = tile({{mpq_class(-1, 2), 0}, {mpq_class(1, 2), 0}, {0, tiny}});
   const auto disk = inscribed_disk(sliver, 8192);
   ASSERT_TRUE(disk.has_value());
-  EXPECT_GT(outer_interval(disk->sinh_radius.get()).lower, 0);
+  EXPECT_GT(outer_interval(disk->sinh_radius).lower, 0);
 }
 
 // Each clause of convexity alone, at each corner, in a tile that need not fit to its gluing: the clause is named.
@@ -358,8 +358,8 @@ TEST(SurfaceCheck, TheInscribedDiskTouchesTheNearestSideWhereverTheFileBegins) {
       least = std::min(least, (n[0] * z[0] + n[1] * z[1] + n[2] * z[2]) /
                                   std::sqrt(n[0] * n[0] + n[1] * n[1] - n[2] * n[2]) / (1 - x * x - y * y));
     }
-    EXPECT_NEAR(outer_interval(disk->sinh_radius.get()).lower, least, 1e-12);
-    EXPECT_NEAR(outer_interval(disk->sinh_radius.get()).upper, least, 1e-12);
+    EXPECT_NEAR(outer_interval(disk->sinh_radius).lower, least, 1e-12);
+    EXPECT_NEAR(outer_interval(disk->sinh_radius).upper, least, 1e-12);
   }
 }
 

@@ -78,23 +78,16 @@ struct Cell {
 };
 
 /// The two parts of a cell that is cut from the midpoint of a side to the corner opposite to it.
-std::array<Cell, 2> halves(const Cell& cell, std::uint32_t side, slong precision) {
+std::array<Cell, 2> halves(const Cell& cell, std::uint32_t side) {
   const std::uint32_t end = (side + 1) % 3;
   const std::uint32_t far = (side + 2) % 3;
   // cosh(d/2); the midpoint (U + V)/(2 cosh(d/2)); the cosh of its distance from the corner opposite.
-  Ball half, median;
-  arb_add_ui(half.get(), cell.cosh[side].get(), 1, precision);
-  arb_mul_2exp_si(half.get(), half.get(), -1);
-  arb_sqrt(half.get(), half.get(), precision);
+  const Ball half = sqrt(certify::half(cell.cosh[side] + 1));
   BallVector middle;
   for (std::size_t i = 0; i < 3; ++i) {
-    arb_add(middle[i], cell.corner[side][i], cell.corner[end][i], precision);
-    arb_div(middle[i], middle[i], half.get(), precision);
-    arb_mul_2exp_si(middle[i], middle[i], -1);
+    middle[i] = certify::half((cell.corner[side][i] + cell.corner[end][i]) / half);
   }
-  arb_add(median.get(), cell.cosh[end].get(), cell.cosh[far].get(), precision);
-  arb_div(median.get(), median.get(), half.get(), precision);
-  arb_mul_2exp_si(median.get(), median.get(), -1);
+  const Ball median = certify::half((cell.cosh[end] + cell.cosh[far]) / half);
   Cell first = cell;
   first.corner[end] = middle;
   first.cosh[side] = half;
@@ -155,7 +148,7 @@ class BoundCheck {
     const NetDocument& net = document_.net;
     spend(kVertexOperations, net.triangles.size());
     const LabelTable labels = all_labels();
-    const Ball squared = sinh_squared(bound);
+    const Ball squared = sqr(sinh(Ball::exactly(bound)));
     const bool disk = document_.claim == Claim::embedded_disk;
     Tri less = disk ? Tri::no : Tri::yes;
     LiftedTriangle lifted;
@@ -163,10 +156,10 @@ class BoundCheck {
       lifted.load(net, labels, t, precision_);
       if (disk) {
         for (std::uint32_t edge = 0; edge < 3; ++edge) {
-          less = either(less, certainly_positive(lifted.measure_edge(squared.get(), edge, precision_).lack.get()));
+          less = either(less, certainly_positive(lifted.measure_edge(squared.get(), edge, precision_).lack));
         }
       } else {
-        less = both(less, certainly_positive(lifted.measure_circumradius(squared.get(), precision_).slack.get()));
+        less = both(less, certainly_positive(lifted.measure_circumradius(squared.get(), precision_).slack));
       }
     }
     return less;
@@ -247,14 +240,6 @@ class BoundCheck {
     return {numbers, evaluator_.evaluate(numbers, precision_, cap, threads_), numbers.size()};
   }
 
-  [[nodiscard]] Ball sinh_squared(double x) const {
-    Ball result;
-    arb_set_d(result.get(), x);
-    arb_sinh(result.get(), result.get(), precision_);
-    arb_sqr(result.get(), result.get(), precision_);
-    return result;
-  }
-
   /// All elements of all triangulations, at the vertex' chart.
   void evaluate() {
     const LabelTable labels = all_labels();
@@ -275,7 +260,7 @@ class BoundCheck {
     for (const Product& product : products_) {
       elements_.push_back(element_of(compose(value(product.first), value(product.second), precision_), precision_));
     }
-    most_ = sinh_squared(document_.value.upper);
+    most_ = sqr(sinh(Ball::exactly(document_.value.upper)));
     // The triangles of the net, in the chart of the vertex.
     const NetDocument::Vertex& vertex = document_.net.vertices[0];
     triangles_.assign(darts_ / 3, {});
@@ -284,8 +269,7 @@ class BoundCheck {
     }
     for (Cell& triangle : triangles_) {
       for (std::size_t i = 0; i < 3; ++i) {
-        lorentz_product(triangle.cosh[i].get(), triangle.corner[i], triangle.corner[(i + 1) % 3], precision_);
-        arb_neg(triangle.cosh[i].get(), triangle.cosh[i].get());
+        triangle.cosh[i] = -lorentz_product(triangle.corner[i], triangle.corner[(i + 1) % 3], precision_);
       }
     }
   }
@@ -310,7 +294,7 @@ class BoundCheck {
         if (entry < 3) {
           spend(kCutOperations);
           budget_.spend(memory_work(kCellBalls * (48 + static_cast<std::uint64_t>(precision_) / 8)));
-          std::array<Cell, 2> parts = halves(cell, entry, precision_);
+          std::array<Cell, 2> parts = halves(cell, entry);
           open.push_back(std::move(parts[1]));
           open.push_back(std::move(parts[0]));
           continue;
@@ -348,8 +332,8 @@ class BoundCheck {
   }
 
   /// sinh²(d/2) for the edge of an element at a point.
-  void displacement(arb_ptr result, std::uint32_t id, const BallVector& p) const {
-    set_displacement(result, looked_up(elements_, id / 2, "there is no element"), p, precision_);
+  [[nodiscard]] Ball displacement(std::uint32_t id, const BallVector& p) const {
+    return certify::displacement(looked_up(elements_, id / 2, "there is no element"), p, precision_);
   }
 
   /// The same of every dart.
@@ -357,7 +341,7 @@ class BoundCheck {
     std::vector<Ball> h(darts_);
     for (std::uint32_t d = 0; d < darts_; ++d) {
       const std::uint32_t e = map.opposite[d];
-      if (d < e) displacement(h[d].get(), map.element[d], p);
+      if (d < e) h[d] = displacement(map.element[d], p);
       if (d > e) h[d] = h[e];
     }
     return h;
@@ -382,17 +366,12 @@ class BoundCheck {
     spend(kCutOperations + 2 * kFunctionOperations);
     spend(kEdgeOperations + 2 * kTriangleOperations, darts_ / 2);
     spend(kFunctionOperations, darts_ / 3);
-    const Cell half = halves(cell, side, precision_)[0];
+    const Cell half = halves(cell, side)[0];
     const std::uint32_t end = (side + 1) % 3;
     // No point of the cell is farther from the midpoint than a corner is.
-    Ball least, reach;
-    arb_max(reach.get(), half.cosh[side].get(), half.cosh[end].get(), precision_);
-    arb_acosh(reach.get(), reach.get(), precision_);
-    arb_set_d(least.get(), document_.value.lower);
-    arb_add(least.get(), least.get(), reach.get(), precision_);
-    arb_sinh(least.get(), least.get(), precision_);
-    arb_sqr(least.get(), least.get(), precision_);
-    return is_delaunay_and_wide(map.opposite, displacements(map, half.corner[end]), least, precision_);
+    const Ball reach = acosh(max(half.cosh[side], half.cosh[end]));
+    const Ball least = sqr(sinh(Ball::exactly(document_.value.lower) + reach));
+    return is_delaunay_and_wide(map.opposite, displacements(map, half.corner[end]), least);
   }
 
   /// d(p, gp) ≤ 2hi at the corners, and g ≠ 1, which is implied (docs/proof.md, section 12).
@@ -400,11 +379,10 @@ class BoundCheck {
     spend(kEdgeOperations, 3);
     Tri within = Tri::yes;
     Tri moves = Tri::unknown;
-    Ball h;
     for (const BallVector& p : cell.corner) {
-      displacement(h.get(), map_at(by / darts_).element[by % darts_], p);
-      if (certainly_positive(h.get()) == Tri::yes) moves = Tri::yes;
-      within = both(within, !certainly_less(most_.get(), h.get()));
+      const Ball h = displacement(map_at(by / darts_).element[by % darts_], p);
+      if (certainly_positive(h) == Tri::yes) moves = Tri::yes;
+      within = both(within, !certainly_less(most_, h));
     }
     return both(within, moves);
   }
@@ -417,7 +395,7 @@ class BoundCheck {
     for (const BallVector& p : cell.corner) {
       const std::vector<Ball> h = displacements(map, p);
       for (std::uint32_t d = 0; d < darts_ && result != Tri::no; d += 3) {
-        result = both(result, fits(Sides(&h[d], 3), most_, precision_));
+        result = both(result, fits(Sides(&h[d], 3), most_));
       }
     }
     return result;

@@ -2,25 +2,23 @@
 
 #include <utility>
 
+#include "certify/lifted/lorentz.h"
+
 namespace epsnet::certify {
 
 Element element_of(BallIsometry isometry, slong precision) {
-  Element result;
-  arb_neg(result.normal_row[0], isometry.b.im());
-  arb_set(result.normal_row[1], isometry.b.re());
-  arb_neg(result.normal_row[2], isometry.a.im());
-  Ball im_square;
-  half_displacement_squared(result.square.get(), isometry, precision);
-  arb_sqr(im_square.get(), isometry.a.im(), precision);
-  arb_sub(result.square.get(), result.square.get(), im_square.get(), precision);
-  result.isometry = std::move(isometry);
-  return result;
+  const Precision scope(precision);
+  BallVector row = traceless_row(isometry);
+  Ball square = norm(isometry.b) - sqr(imaginary(isometry.a));
+  return {std::move(isometry), std::move(row), std::move(square)};
 }
 
-void set_displacement(arb_ptr result, const Element& element, const BallVector& p, slong precision) {
+Ball displacement(const Element& element, const BallVector& p, slong precision) {
+  Ball result;
   dot(result, element.normal_row, p, precision);
-  arb_sqr(result, result, precision);
-  arb_add(result, result, element.square.get(), precision);
+  arb_sqr(result.get(), result.get(), precision);
+  arb_add(result.get(), result.get(), element.square.get(), precision);
+  return result;
 }
 
 }  // namespace epsnet::certify

@@ -17,7 +17,7 @@ struct Element {
 /// Contains what is true of every isometry in the ball.
 [[nodiscard]] Element element_of(BallIsometry isometry, slong precision);
 
-/// Sets the result to sinh²(d(p, gp)/2), p a unit vector of the hyperboloid.
-void set_displacement(arb_ptr result, const Element& element, const BallVector& p, slong precision);
+/// sinh²(d(p, gp)/2), p a unit vector of the hyperboloid.
+[[nodiscard]] Ball displacement(const Element& element, const BallVector& p, slong precision);
 
 }  // namespace epsnet::certify

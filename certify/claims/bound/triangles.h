@@ -8,7 +8,7 @@
 #include "certify/numbers/ball.h"
 
 /// Triangulations with one vertex at a point, by numbers alone: the sinh²(d/2) of their edges (docs/proof.md, section
-/// 15).
+/// 15). Balls round to the precision of the caller.
 namespace epsnet::certify {
 
 /// sinh²(d/2) of the three sides of a triangle.
@@ -16,7 +16,7 @@ using Sides = std::span<const Ball, 3>;
 
 /// Whether a triangle certainly lies in a disk of radius r, `most` its sinh²: its circumcircle is not larger, or it is
 /// not acute and the disk with the longest side as diameter is not. `no` if it certainly does not.
-[[nodiscard]] Tri fits(Sides sides, const Ball& most, slong precision);
+[[nodiscard]] Tri fits(Sides sides, const Ball& most);
 
 /// The measures of a triangle with a circumcircle.
 struct TriangleMeasures {
@@ -27,15 +27,15 @@ struct TriangleMeasures {
 };
 
 /// Returns the measures of a triangle. Unless K is certainly positive, all other members are non-finite.
-[[nodiscard]] TriangleMeasures measures(Sides sides, slong precision);
+[[nodiscard]] TriangleMeasures measures(Sides sides);
 
 /// Whether F triangles with one vertex, of these areas, that cover a closed surface once, if clockwise ones count
 /// negatively, certainly are all counterclockwise: ΣA < A + π(F − 2) for each.
-[[nodiscard]] Tri all_counterclockwise(std::span<const Ball> areas, slong precision);
+[[nodiscard]] Tri all_counterclockwise(std::span<const Ball> areas);
 
 /// Whether the triangulation is Delaunay at the point, all edges certainly locally so (docs/proof.md, Lemma 25), and
 /// its largest circumradius is at least r, `least` its sinh². What is across each dart, and sinh²(d/2) of each.
 [[nodiscard]] Tri is_delaunay_and_wide(std::span<const std::uint32_t> opposite, std::span<const Ball> h,
-                                       const Ball& least, slong precision);
+                                       const Ball& least);
 
 }  // namespace epsnet::certify

@@ -68,41 +68,15 @@ Problem combinatorial_problem(const NetDocument& document) {
   return std::nullopt;
 }
 
-/// |z|², of a ball each.
-Ball norm(const ComplexBall& z, slong precision) {
-  Ball result, square;
-  arb_sqr(result.get(), z.re(), precision);
-  arb_sqr(square.get(), z.im(), precision);
-  arb_add(result.get(), result.get(), square.get(), precision);
-  return result;
-}
-
 /// sinh(l/2) sinh(h) with the length l of a translation γ and the distance h from its axis, positive on one side of it,
 /// either one, of the point to which a label takes a vertex. The fixed points of γ = (a, b) are the z with |z| = 1 and
 /// Im(b̄z) = Im a, so this is (2 Im(b̄z) − (1 + |z|²) Im a)/(1 − |z|²); with z = n/d nothing but 1 − |w|² is divided by.
-Ball height(const BallIsometry& translation, const BallIsometry& label, const NetDocument::Vertex& vertex,
-            slong precision) {
-  ComplexBall w, n, d, product;
-  arb_set_d(w.re(), vertex.x);
-  arb_set_d(w.im(), vertex.y);
-  acb_mul(n.get(), label.a.get(), w.get(), precision);
-  acb_add(n.get(), n.get(), label.b.get(), precision);
-  acb_conj(d.get(), w.get());  // d̄ = b w̄ + a.
-  acb_mul(d.get(), d.get(), label.b.get(), precision);
-  acb_add(d.get(), d.get(), label.a.get(), precision);
-  acb_mul(product.get(), n.get(), d.get(), precision);
-  ComplexBall conjugate;
-  acb_conj(conjugate.get(), translation.b.get());
-  acb_mul(product.get(), product.get(), conjugate.get(), precision);
-  Ball result, sum, gap;
-  arb_mul_2exp_si(result.get(), product.im(), 1);
-  arb_add(sum.get(), norm(n, precision).get(), norm(d, precision).get(), precision);
-  arb_mul(sum.get(), sum.get(), translation.a.im(), precision);
-  arb_sub(result.get(), result.get(), sum.get(), precision);
-  arb_sub_ui(gap.get(), norm(w, precision).get(), 1, precision);
-  arb_neg(gap.get(), gap.get());
-  arb_div(result.get(), result.get(), gap.get(), precision);
-  return result;
+Ball height(const BallIsometry& translation, const BallIsometry& label, const NetDocument::Vertex& vertex) {
+  const ComplexBall w(Ball::exactly(vertex.x), Ball::exactly(vertex.y));
+  const ComplexBall n = label.a * w + label.b;
+  const ComplexBall conjugate_d = label.b * conjugate(w) + label.a;
+  const Ball imaginary_part = imaginary(n * conjugate_d * conjugate(translation.b));
+  return (twice(imaginary_part) - (norm(n) + norm(conjugate_d)) * imaginary(translation.a)) / (1 - norm(w));
 }
 
 /// The lengths of one collar in balls. S = sinh²(l/2), E = sinh²(ε/2), and for each of the two vertices at the distance
@@ -119,51 +93,29 @@ struct Measures {
 };
 
 /// arsinh √(numerator/S).
-Ball arsinh_of_root(const Ball& numerator, const Ball& s, slong precision) {
-  Ball result;
-  arb_div(result.get(), numerator.get(), s.get(), precision);
-  arb_sqrtpos(result.get(), result.get(), precision);
-  arb_asinh(result.get(), result.get(), precision);
-  return result;
-}
+Ball arsinh_of_root(const Ball& numerator, const Ball& s) { return asinh(sqrt_of_nonnegative(numerator / s)); }
 
-Measures measure(const mpq_class& epsilon, const BallIsometry& loop, std::array<Ball, 2> heights, slong precision) {
+Measures measure(const mpq_class& epsilon, const BallIsometry& loop, std::array<Ball, 2> heights) {
   Measures m;
   m.heights = std::move(heights);
   // sinh²(l/2) = |b|² − (Im a)².
-  Ball square;
-  half_displacement_squared(m.s.get(), loop, precision);
-  arb_sqr(square.get(), loop.a.im(), precision);
-  arb_sub(m.s.get(), m.s.get(), square.get(), precision);
-  set_rational(m.epsilon.get(), epsilon, precision);
-  arb_mul_2exp_si(m.e.get(), m.epsilon.get(), -1);
-  arb_sinh(m.e.get(), m.e.get(), precision);
-  arb_sqr(m.e.get(), m.e.get(), precision);
-  arb_sqrtpos(m.length.get(), m.s.get(), precision);
-  arb_asinh(m.length.get(), m.length.get(), precision);
-  arb_mul_2exp_si(m.length.get(), m.length.get(), 1);
+  m.s = norm(loop.b) - sqr(imaginary(loop.a));
+  m.epsilon = Ball::rounded(epsilon);
+  m.e = sqr(sinh(half(m.epsilon)));
+  m.length = twice(asinh(sqrt_of_nonnegative(m.s)));
   for (std::size_t i = 0; i < 2; ++i) {
-    arb_sqr(square.get(), m.heights[i].get(), precision);
-    arb_add(m.h[i].get(), m.s.get(), square.get(), precision);
-    m.distances[i] = arsinh_of_root(square, m.s, precision);
+    const Ball square = sqr(m.heights[i]);
+    m.h[i] = m.s + square;
+    m.distances[i] = arsinh_of_root(square, m.s);
   }
-  arb_sub(square.get(), m.e.get(), m.s.get(), precision);
-  m.thin_width = arsinh_of_root(square, m.s, precision);
+  m.thin_width = arsinh_of_root(m.e - m.s, m.s);
   return m;
 }
 
 /// Clause (g): 2 arsinh(sinh(l/4) cosh d) + (d − d_ε) < ε.
-Tri covers(const Measures& m, std::size_t i, slong precision) {
-  Ball reach, cosh;
-  arb_mul_2exp_si(reach.get(), m.length.get(), -2);
-  arb_sinh(reach.get(), reach.get(), precision);
-  arb_cosh(cosh.get(), m.distances[i].get(), precision);
-  arb_mul(reach.get(), reach.get(), cosh.get(), precision);
-  arb_asinh(reach.get(), reach.get(), precision);
-  arb_mul_2exp_si(reach.get(), reach.get(), 1);
-  arb_add(reach.get(), reach.get(), m.distances[i].get(), precision);
-  arb_sub(reach.get(), reach.get(), m.thin_width.get(), precision);
-  return certainly_less(reach.get(), m.epsilon.get());
+Tri covers(const Measures& m, std::size_t i) {
+  const Ball& d = m.distances[i];
+  return certainly_less(twice(asinh(sinh(scaled(m.length, -2)) * cosh(d))) + d - m.thin_width, m.epsilon);
 }
 
 /// Something that a collar must satisfy, and what to say if it does not.
@@ -173,24 +125,19 @@ struct Clause {
 };
 
 /// Clauses (d) to (g).
-std::vector<Clause> clauses(const NetDocument::Collar& collar, const Measures& m, slong precision) {
-  const Interval length = outer_interval(m.length.get());
-  const std::string found = "the core has a length in " + to_string(length);
-  Ball least, most, product;
-  arb_set_d(least.get(), collar.length[0]);
-  arb_set_d(most.get(), collar.length[1]);
-  arb_mul(product.get(), m.heights[0].get(), m.heights[1].get(), precision);
-  arb_neg(product.get(), product.get());
-  std::vector<Clause> result{
-      {certainly_positive(m.s.get()), "the core is no closed geodesic"},
-      {!certainly_less(m.length.get(), least.get()), found + ", less than the file says"},
-      {!certainly_less(most.get(), m.length.get()), found + ", more than the file says"},
-      {certainly_less(m.s.get(), m.e.get()), found + ", greater than epsilon"},
-      {certainly_positive(product.get()), "the two vertices are not on different sides of the core"}};
+std::vector<Clause> clauses(const NetDocument::Collar& collar, const Measures& m) {
+  const std::string found = "the core has a length in " + to_string(outer_interval(m.length));
+  const auto& [least, most] = collar.length;
+  std::vector<Clause> result{{certainly_positive(m.s), "the core is no closed geodesic"},
+                             {!certainly_less(m.length, Ball::exactly(least)), found + ", less than the file says"},
+                             {!certainly_less(Ball::exactly(most), m.length), found + ", more than the file says"},
+                             {certainly_less(m.s, m.e), found + ", greater than epsilon"},
+                             {certainly_negative(m.heights[0] * m.heights[1]),
+                              "the two vertices are not on different sides of the core"}};
   for (std::size_t i = 0; i < 2; ++i) {
     const std::string vertex = "vertex " + std::to_string(collar.vertices[i]);
-    result.push_back({!certainly_less(m.h[i].get(), m.e.get()), vertex + " is in the epsilon-thin part"});
-    result.push_back({covers(m, i, precision), vertex + " does not cover the thick part of its side of the annulus"});
+    result.push_back({!certainly_less(m.h[i], m.e), vertex + " is in the epsilon-thin part"});
+    result.push_back({covers(m, i), vertex + " does not cover the thick part of its side of the annulus"});
   }
   return result;
 }
@@ -209,7 +156,7 @@ class CollarChecker {
   CollarsOutcome run() {
     CollarsOutcome outcome;
     outcome.report = {"collars", Verdict::verified, ""};
-    decide("epsilon", outcome, [&](slong precision) { return epsilon_clause(precision); });
+    decide("epsilon", outcome, [&](slong) { return epsilon_clause(); });
     if (outcome.report.verdict != Verdict::verified) return outcome;
     if (const auto problem = combinatorial_problem(document_)) {
       outcome.report = {"collars", Verdict::refuted, *problem};
@@ -252,11 +199,9 @@ class CollarChecker {
   }
 
   /// e^2ε ≤ 2, never an equality (Lemma 7).
-  [[nodiscard]] Clause epsilon_clause(slong precision) const {
-    Ball twice, limit;
-    set_rational(twice.get(), 2 * epsilon_, precision);
-    arb_const_log2(limit.get(), precision);
-    return {certainly_less(twice.get(), limit.get()), "it is greater than ln sqrt(2), the limit for a pseudo net"};
+  [[nodiscard]] Clause epsilon_clause() const {
+    return {certainly_less(Ball::rounded(mpq_class(2 * epsilon_)), ln2()),
+            "it is greater than ln sqrt(2), the limit for a pseudo net"};
   }
 
   [[nodiscard]] BallIsometry label(std::uint32_t dart, slong precision) const {
@@ -280,12 +225,11 @@ class CollarChecker {
       const BallIsometry loop = compose(to, inverse(from), precision);
       const Measures measures =
           measure(epsilon_, loop,
-                  {height(loop, from, document_.vertices[p], precision),
-                   height(loop, label(previous_dart(at_p), precision), document_.vertices[q], precision)},
-                  precision);
-      all = clauses(collar, measures, precision);
+                  {height(loop, from, document_.vertices[p]),
+                   height(loop, label(previous_dart(at_p), precision), document_.vertices[q])});
+      all = clauses(collar, measures);
       if (first_failure(all).holds == Tri::yes) {
-        const Interval length = outer_interval(measures.length.get());
+        const Interval length = outer_interval(measures.length);
         Interval& shortest = outcome.shortest_core ? *outcome.shortest_core : outcome.shortest_core.emplace(length);
         shortest = {std::min(shortest.lower, length.lower), std::min(shortest.upper, length.upper)};
       }

@@ -41,48 +41,31 @@ ExactPoint exact_point_within(const RationalPoint& z, const Budget& budget) {
 }
 
 /// The unit vector of a point.
-BallVector unit_vector(const ExactPoint& z, slong precision) {
-  const HyperboloidVector<mpz_class> vector = hyperboloid_vector(z);
-  BallVector result;
-  Ball scale;
-  set_integer(scale.get(), gap(z), precision);
-  set_integer(result[0], vector.x, precision);
-  set_integer(result[1], vector.y, precision);
-  set_integer(result[2], vector.t, precision);
-  for (std::size_t i = 0; i < 3; ++i) arb_div(result[i], result[i], scale.get(), precision);
-  return result;
+BallVector unit_vector(const ExactPoint& z) {
+  const HyperboloidVector<mpz_class> v = hyperboloid_vector(z);
+  const Ball scale = Ball::rounded(gap(z));
+  return {Ball::rounded(v.x) / scale, Ball::rounded(v.y) / scale, Ball::rounded(v.t) / scale};
 }
 
 /// cosh of the distance of two points.
 Ball cosh_distance(const BallVector& u, const BallVector& v, slong precision) {
-  Ball result;
-  lorentz_product(result.get(), u, v, precision);
-  arb_neg(result.get(), result.get());
-  return result;
+  return -lorentz_product(u, v, precision);
 }
 
 /// From cosh d, rounded outward; from 0 up if balls do not tell cosh d > 1.
-Interval distance_interval(const Ball& cosh, slong precision) {
-  Ball distance;
-  arb_acosh(distance.get(), cosh.get(), precision);
-  Interval result = outer_interval(distance.get());
-  if (is_finite(distance.get())) return result;
+Interval distance_interval(const Ball& cosh) {
+  const Ball distance = acosh(cosh);
+  if (is_finite(distance)) return outer_interval(distance);
   // acosh grows, so that the upper end alone will do.
-  arb_get_ubound_arf(arb_midref(distance.get()), cosh.get(), precision);
-  mag_zero(arb_radref(distance.get()));
-  arb_acosh(distance.get(), distance.get(), precision);
-  result = outer_interval(distance.get());
-  return {0, result.upper};
+  Ball upper;
+  arb_get_ubound_arf(arb_midref(upper.get()), cosh.get(), Precision::bits());
+  return {0, outer_interval(acosh(upper)).upper};
 }
 
 /// A number that lifts of q have, of which no two on one surface agree but by accident. Any number would do that is
 /// the same for equal lifts: those whose keys may be equal are compared.
-Interval key(const BallVector& x, slong precision) {
-  Ball value, part;
-  arb_mul_si(value.get(), x[0], 617, precision);
-  arb_mul_si(part.get(), x[1], 391, precision);
-  arb_add(value.get(), value.get(), part.get(), precision);
-  return outer_interval(value.get());
+Interval key(const BallVector& x) {
+  return outer_interval(617 * x[0] + 391 * x[1]);
 }
 
 /// sinh² of half of a length, up to a factor that all lengths share.
@@ -160,7 +143,7 @@ class DistanceCheck {
     const NetDocument::Vertex& vertex = net_.vertices[0];
     const BallVector start = certify::unit_vector(identity_isometry(), vertex.x, vertex.y, precision_);
     budget().spend(4 * product_work(certify::bits(point_)));
-    Paths paths{unit_vector(point_, precision_), {}, {}};
+    Paths paths{unit_vector(point_), {}, {}};
     for (std::size_t i = 0; i < document_.paths.size(); ++i) {
       plane.spend(60);
       plane.keep(11);
@@ -200,7 +183,7 @@ class DistanceCheck {
       if (!wrong && !lengths_decided_) continue;  // The first one is named.
       lengths_decided_ = false;
       report(kPaths, wrong ? Verdict::refuted : Verdict::undecided,
-             path_name(i) + " has a length in " + to_string(distance_interval(paths[i].cosh, precision_)) +
+             path_name(i) + " has a length in " + to_string(distance_interval(paths[i].cosh)) +
                  (wrong ? ", not in " : ", not decided whether in ") + to_string(document_.distance) +
                  (wrong ? "" : ", with " + bits()));
       if (wrong) return;
@@ -210,16 +193,9 @@ class DistanceCheck {
   /// lo ≤ d ≤ hi; equality is impossible but for 0, as cosh d is algebraic.
   [[nodiscard]] Tri is_enclosed(const Ball& cosh, std::size_t i) const {
     const auto [lower, upper] = document_.distance;
-    const Tri above_lower = lower > 0 ? certainly_less(cosh_of(lower).get(), cosh.get()) : Tri::yes;
-    const Tri below_upper = upper > 0 ? certainly_less(cosh.get(), cosh_of(upper).get()) : is_zero(cosh, i);
+    const Tri above_lower = lower > 0 ? certainly_less(certify::cosh(Ball::exactly(lower)), cosh) : Tri::yes;
+    const Tri below_upper = upper > 0 ? certainly_less(cosh, certify::cosh(Ball::exactly(upper))) : is_zero(cosh, i);
     return both(above_lower, below_upper);
-  }
-
-  [[nodiscard]] Ball cosh_of(double length) const {
-    Ball result;
-    arb_set_d(result.get(), length);
-    arb_cosh(result.get(), result.get(), precision_);
-    return result;
   }
 
   /// Of a path. Nothing if its numbers are not of a size to calculate with.
@@ -238,9 +214,7 @@ class DistanceCheck {
   }
 
   [[nodiscard]] Tri is_zero(const Ball& cosh, std::size_t i) const {
-    Ball one;
-    arb_one(one.get());
-    if (certainly_less(one.get(), cosh.get()) == Tri::yes) return Tri::no;
+    if (certainly_less(Ball::exactly(1), cosh) == Tri::yes) return Tri::no;
     const auto sign = std::visit(
         [&](const auto& crossings) -> std::optional<int> {
           const auto length = exact_length(crossings, i);
@@ -256,7 +230,7 @@ class DistanceCheck {
   bool index_paths(const LiftedPlane& plane, Paths& paths) {
     bool different = true;
     for (std::uint32_t i = 0; i < paths.all.size(); ++i) {
-      const Interval x = key(paths.all[i].end, precision_);
+      const Interval x = key(paths.all[i].end);
       if (open(kPaths)) {
         for (const std::uint32_t other : paths.by_end.near(x)) {
           const Tri same = is_same(plane, paths.all[other].element, paths.all[i].element);
@@ -334,21 +308,21 @@ class DistanceCheck {
 
   void check_nearest(const LiftedPlane& plane, const BallVector& start, const Paths& paths) {
     const std::vector<Neighbour> around = neighbours(plane, start);
-    const Ball most = cosh_of(document_.distance.upper);
+    const Ball most = cosh(Ball::exactly(document_.distance.upper));
     std::optional<std::string> undecided;
     for (std::size_t i = 0; i < paths.all.size(); ++i) {
       const Path& path = paths.all[i];
       plane.spend(kNeighbourOperations, around.size());
       for (std::size_t dart = 0; dart < around.size(); ++dart) {
         const Ball cosh = cosh_distance(around[dart].place, path.end, precision_);
-        const Tri farther = certainly_less(most.get(), cosh.get());
+        const Tri farther = certainly_less(most, cosh);
         if (farther == Tri::yes) continue;
         // The path from γp to W⁻¹q is the path with Wγ from p.
         const Tri listed = is_listed(plane, compose(path.element, around[dart].element, precision_), paths);
         if (listed == Tri::yes) continue;
         if (both(!listed, !farther) == Tri::yes) {
           report(kNearest, Verdict::refuted,
-                 "a path of length in " + to_string(distance_interval(cosh, precision_)) +
+                 "a path of length in " + to_string(distance_interval(cosh)) +
                      " is missing: the loop at the vertex along dart " + std::to_string(dart) + ", then " +
                      path_name(i));
           return;
@@ -371,7 +345,7 @@ class DistanceCheck {
   [[nodiscard]] Tri is_listed(const LiftedPlane& plane, const BallIsometry& element, const Paths& paths) const {
     plane.spend(kSameOperations);
     Tri result = Tri::no;
-    for (const std::uint32_t i : paths.by_end.near(key(end_of(element, paths), precision_))) {
+    for (const std::uint32_t i : paths.by_end.near(key(end_of(element, paths)))) {
       result = either(result, is_same(plane, paths.all[i].element, element));
       if (result == Tri::yes) break;
     }

@@ -21,14 +21,14 @@ CandidateJudge::CandidateJudge(const GeodesicsDocument& document, const LabelEva
       cosh_half_(cosh_half),
       traces_(evaluator),
       first_darts_(first_darts(plane.net())) {
-  set_rational(sinh_epsilon_.get(), decimal(document.net.epsilon), plane.precision());
-  arb_sinh(sinh_epsilon_.get(), sinh_epsilon_.get(), plane.precision());
+  const Precision scope(plane.precision());
+  sinh_epsilon_ = sinh(Ball::rounded(decimal(document.net.epsilon)));
 }
 
 CandidateJudge::Judgement CandidateJudge::judge(std::uint32_t v, const BallIsometry& element,
                                                 const LabelProduct& product, const BallVector* place) const {
   plane_.spend(kJudgeOperations);
-  const Tri shorter = certainly_less(cosh_half_length(element).get(), cosh_half_.get());
+  const Tri shorter = certainly_less(cosh_half_length(element), cosh_half_);
   if (shorter == Tri::no) return {};
   const std::uint32_t chart = plane_.net().vertices[v].chart;
   const Tri trivial = plane_.same(chart, element, identity_isometry());
@@ -40,14 +40,13 @@ CandidateJudge::Judgement CandidateJudge::judge(std::uint32_t v, const BallIsome
 }
 
 bool CandidateJudge::inverse_will_do(const BallIsometry& element) {
-  return certainly_positive(element.a.re()) == Tri::yes && certainly_negative(element.b.im()) == Tri::yes;
+  return certainly_positive(real(element.a)) == Tri::yes && certainly_negative(imaginary(element.b)) == Tri::yes;
 }
 
 bool CandidateJudge::is_far(const BallIsometry& element, const BallVector& place) const {
   Ball distance;
-  dot(distance.get(), axis_row(element, plane_.precision()), place, plane_.precision());
-  arb_abs(distance.get(), distance.get());
-  return certainly_less(sinh_epsilon_.get(), distance.get()) == Tri::yes;
+  dot(distance, axis_row(element, plane_.precision()), place, plane_.precision());
+  return certainly_less(sinh_epsilon_, abs(distance)) == Tri::yes;
 }
 
 /// Whether lengths that balls do not tell apart are so near that the exact numbers should be asked, not more bits.

@@ -20,13 +20,7 @@ namespace epsnet::certify {
 namespace {
 
 /// cosh(x/2) of a binary64.
-Ball cosh_half(double x, slong precision) {
-  Ball result;
-  arb_set_d(result.get(), x);
-  arb_mul_2exp_si(result.get(), result.get(), -1);
-  arb_cosh(result.get(), result.get(), precision);
-  return result;
-}
+Ball cosh_half(double x) { return cosh(half(Ball::exactly(x))); }
 
 /// The net with the words of the geodesics as further labels, which no triangle uses.
 NetDocument extended(const GeodesicsDocument& document) {
@@ -173,13 +167,13 @@ class GeodesicsCheck {
   /// lo ≤ l ≤ hi; equality is impossible, as cosh(l/2) is algebraic.
   [[nodiscard]] Tri is_enclosed(const BallIsometry& f, Interval length) const {
     const Ball cosh = cosh_half_length(f);
-    const Tri above_lower = certainly_less(cosh_half(length.lower, precision_).get(), cosh.get());
-    const Tri below_upper = certainly_less(cosh.get(), cosh_half(length.upper, precision_).get());
+    const Tri above_lower = certainly_less(cosh_half(length.lower), cosh);
+    const Tri below_upper = certainly_less(cosh, cosh_half(length.upper));
     return both(above_lower, below_upper);
   }
 
   [[nodiscard]] Tri is_within(const LiftedPlane& plane, const BallIsometry& f, std::size_t i) const {
-    const Tri less = certainly_less(cosh_half_length(f).get(), completeness_.cosh_half_bound(plane).get());
+    const Tri less = certainly_less(cosh_half_length(f), completeness_.cosh_half_bound(plane));
     if (less != Tri::unknown || document_.claim != GeodesicsDocument::Claim::thick_thin) return less;
     const auto sign = traces_.compare_with_short(evaluator_.word(elements_[i]));
     if (!sign) return Tri::unknown;

@@ -120,11 +120,7 @@ ChordTable::Match ChordTable::find_other(std::uint32_t geodesic) const {
 }
 
 Tri ChordTable::cross(const Chord& x, const Chord& y) const {
-  Ball product, one;
-  arb_one(one.get());
-  lorentz_product(product.get(), x.axis, y.axis, plane_.precision());
-  arb_abs(product.get(), product.get());
-  return certainly_less(product.get(), one.get());
+  return certainly_less(abs(lorentz_product(x.axis, y.axis, plane_.precision())), Ball::exactly(1));
 }
 
 Tri ChordTable::crosses_itself(std::uint32_t geodesic) const {

@@ -27,9 +27,8 @@ BallIsometry conjugate_by(const BallIsometry& t, const BallIsometry& g, slong pr
 Interval axis_key(const BallVector& axis, slong precision) {
   constexpr std::array<slong, 3> kWeights{577, 341, 199};
   Ball value;
-  for (std::size_t i = 0; i < 3; ++i) arb_addmul_si(value.get(), axis[i], kWeights[i], precision);
-  arb_abs(value.get(), value.get());
-  return outer_interval(value.get());
+  for (std::size_t i = 0; i < 3; ++i) arb_addmul_si(value.get(), axis[i].get(), kWeights[i], precision);
+  return outer_interval(abs(value));
 }
 
 bool all_finite(const BallVector& x) { return is_finite(x[0]) && is_finite(x[1]) && is_finite(x[2]); }
@@ -82,24 +81,19 @@ class ChordSearch {
   /// The orthogonal projection of x to the axis, X − ⟨X, n⟩ n.
   [[nodiscard]] BallVector foot_of(const BallVector& x, const BallVector& axis) const {
     const slong precision = plane_.precision();
-    BallVector foot;
-    Ball distance, shift;
-    dot(distance.get(), axis, x, precision);
-    for (std::size_t i = 0; i < 3; ++i) {
-      arb_mul(shift.get(), distance.get(), axis[i], precision);
-      // The row (n₀, n₁, −n₂) belongs to the vector n.
-      if (i == 2) arb_neg(shift.get(), shift.get());
-      arb_sub(foot[i], x[i], shift.get(), precision);
-    }
-    return foot;
+    const Precision scope(precision);
+    Ball distance;
+    dot(distance, axis, x, precision);
+    // The row (n₀, n₁, −n₂) belongs to the vector n.
+    return {x[0] - distance * axis[0], x[1] - distance * axis[1], x[2] + distance * axis[2]};
   }
 
   /// A dart of the triangle that has the point certainly on its other side.
   [[nodiscard]] std::uint32_t dart_towards(std::uint32_t triangle, const BallVector& point) const {
     Ball value;
     for (std::uint32_t dart = 3 * triangle; dart < 3 * triangle + 3; ++dart) {
-      dot(value.get(), plane_.line(dart), point, plane_.precision());
-      if (certainly_negative(value.get()) == Tri::yes) return dart;
+      dot(value, plane_.line(dart), point, plane_.precision());
+      if (certainly_negative(value) == Tri::yes) return dart;
     }
     return Chord::kNone;
   }
@@ -119,14 +113,14 @@ class ChordSearch {
   [[nodiscard]] bool measure(Chord& chord) const {
     plane_.spend(kChordOperations);
     // The sides of the axis are told apart only by an element whose sign is chosen.
-    if (certainly_positive(chord.element.a.re()) != Tri::yes) return false;
+    if (certainly_positive(real(chord.element.a)) != Tri::yes) return false;
     chord.axis = axis_row(chord.element, plane_.precision());
     if (!all_finite(chord.axis)) return false;
     chord.key = axis_key(chord.axis, plane_.precision());
     Ball value;
     for (std::uint32_t i = 0; i < 3; ++i) {
-      dot(value.get(), chord.axis, plane_.corner(3 * chord.triangle + i), plane_.precision());
-      chord.side[i] = certain_sign(value.get());
+      dot(value, chord.axis, plane_.corner(3 * chord.triangle + i), plane_.precision());
+      chord.side[i] = certain_sign(value);
     }
     return true;
   }
@@ -172,10 +166,8 @@ class ChordSearch {
 }  // namespace
 
 Interval translation_length(const BallIsometry& element, slong precision) {
-  Ball length;
-  arb_acosh(length.get(), cosh_half_length(element).get(), precision);
-  arb_mul_2exp_si(length.get(), length.get(), 1);
-  const Interval interval = outer_interval(length.get());
+  const Precision scope(precision);
+  const Interval interval = outer_interval(twice(acosh(cosh_half_length(element))));
   return {std::max(interval.lower, 0.0), interval.upper};
 }
 

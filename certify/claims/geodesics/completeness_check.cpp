@@ -29,20 +29,10 @@ class CompletenessCheck::Pass {
         first_darts_(first_darts(net_)),
         cosh_half_(check.cosh_half_bound(plane)),
         judge_(check.document_, check.evaluator_, plane, table, cosh_half_) {
-    const slong precision = plane.precision();
-    Ball cosh_epsilon, squared_sinh;
-    set_rational(epsilon_.get(), decimal(net_.epsilon), precision);
-    arb_cosh(cosh_epsilon.get(), epsilon_.get(), precision);
+    epsilon_ = Ball::rounded(decimal(net_.epsilon));
     // sinh(D/2) = sinh(L/2) cosh ε; cosh D = 1 + 2 sinh²(D/2).
-    arb_sqr(squared_sinh.get(), cosh_half_.get(), precision);
-    arb_sub_ui(squared_sinh.get(), squared_sinh.get(), 1, precision);
-    arb_sqr(cosh_epsilon.get(), cosh_epsilon.get(), precision);
-    arb_mul(squared_sinh.get(), squared_sinh.get(), cosh_epsilon.get(), precision);
-    arb_mul_2exp_si(cosh_distance_.get(), squared_sinh.get(), 1);
-    arb_add_ui(cosh_distance_.get(), cosh_distance_.get(), 1, precision);
-    arb_sqr(sinh_distance_.get(), cosh_distance_.get(), precision);
-    arb_sub_ui(sinh_distance_.get(), sinh_distance_.get(), 1, precision);
-    arb_sqrtpos(sinh_distance_.get(), sinh_distance_.get(), precision);
+    cosh_distance_ = twice((sqr(cosh_half_) - 1) * sqr(cosh(epsilon_))) + 1;
+    sinh_distance_ = sqrt_of_nonnegative(sqr(cosh_distance_) - 1);
   }
 
   [[nodiscard]] const CandidateJudge& judge() const { return judge_; }
@@ -74,10 +64,7 @@ class CompletenessCheck::Pass {
   /// Whether triangles, each of area less than π, cannot cover within the limit the disk of the radius r with cosh r =
   /// cosh(D)/2: there α ≤ cosh r + sinh r tanh ε < cosh D, so that all that meet it are visited.
   [[nodiscard]] bool is_hopeless() const {
-    Ball least, limit;
-    arb_sub_ui(least.get(), cosh_distance_.get(), 2, plane_.precision());
-    arb_set_ui(limit.get(), check_.limit_);
-    return certainly_less(limit.get(), least.get()) == Tri::yes;
+    return certainly_less(Ball::exactly(check_.limit_), cosh_distance_ - 2) == Tri::yes;
   }
 
   /// True if the vertex is deep; then its short loop is the only candidate.
@@ -99,22 +86,12 @@ class CompletenessCheck::Pass {
 
   /// sinh(l/2) < 1 and d + ε < w(l) = arsinh(1/sinh(l/2)), d the distance of the vertex from the axis: certainly.
   [[nodiscard]] bool is_deep(std::uint32_t v, const BallIsometry& element) const {
-    const slong precision = plane_.precision();
-    Ball half_length, width, distance;
-    arb_sqr(half_length.get(), element.a.re(), precision);
-    arb_sub_ui(half_length.get(), half_length.get(), 1, precision);
-    arb_sqrt(half_length.get(), half_length.get(), precision);
-    Ball one;
-    arb_one(one.get());
+    const Ball sinh_half_length = sqrt(sqr(real(element.a)) - 1);
     // Implied by d + ε < w(l), as a loop is at most 2ε long (docs/proof.md, Lemma 13).
-    if (certainly_less(half_length.get(), one.get()) != Tri::yes) return false;
-    arb_inv(width.get(), half_length.get(), precision);
-    arb_asinh(width.get(), width.get(), precision);
-    dot(distance.get(), axis_row(element, precision), position(v), precision);
-    arb_abs(distance.get(), distance.get());
-    arb_asinh(distance.get(), distance.get(), precision);
-    arb_add(distance.get(), distance.get(), epsilon_.get(), precision);
-    return certainly_less(distance.get(), width.get()) == Tri::yes;
+    if (certainly_less(sinh_half_length, Ball::exactly(1)) != Tri::yes) return false;
+    Ball sinh_distance;
+    dot(sinh_distance, axis_row(element, plane_.precision()), position(v), plane_.precision());
+    return certainly_less(asinh(abs(sinh_distance)) + epsilon_, asinh(1 / sinh_half_length)) == Tri::yes;
   }
 
   /// The vertex in its own chart.
@@ -160,6 +137,7 @@ CompletenessCheck::CompletenessCheck(const GeodesicsDocument& document, const La
 }
 
 RuleReport CompletenessCheck::check(const LiftedPlane& plane, const ChordTable& table, unsigned threads) {
+  const Precision scope(plane.precision());
   const Pass pass(*this, plane, table);
   if (crosses_edges_) {
     if (auto report = check_crossings(plane, pass, threads)) return *std::move(report);
@@ -253,21 +231,16 @@ std::uint64_t CompletenessCheck::deep_vertices() const {
 }
 
 Ball CompletenessCheck::cosh_half_bound(const LiftedPlane& plane) const {
-  Ball result;
+  const Precision scope(plane.precision());
   switch (document_.claim) {
     case GeodesicsDocument::Claim::thick_thin:
-      arb_sqrt_ui(result.get(), 2, plane.precision());
-      break;
+      return sqrt(Ball::exactly(2));
     case GeodesicsDocument::Claim::systole:
-      result = cosh_half_length(plane.label(first_element()));
-      break;
+      return cosh_half_length(plane.label(first_element()));
     case GeodesicsDocument::Claim::spectrum:
-      set_rational(result.get(), up_to_, plane.precision());
-      arb_mul_2exp_si(result.get(), result.get(), -1);
-      arb_cosh(result.get(), result.get(), plane.precision());
-      break;
+      return cosh(half(Ball::rounded(up_to_)));
   }
-  return result;
+  throw Fault("a claim of geodesics without a name");
 }
 
 std::string CompletenessCheck::bound_name() const {

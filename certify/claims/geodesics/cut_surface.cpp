@@ -91,10 +91,10 @@ class Cutter {
     std::vector<Arc>& arcs = arcs_[dart];
     plane_.spend(10, arcs.size());
     for (Arc& arc : arcs) {
-      dot(arc.distance.get(), table_.chord(arc.place).axis, plane_.corner(dart), plane_.precision());
-      arb_abs(arc.distance.get(), arc.distance.get());
+      dot(arc.distance, table_.chord(arc.place).axis, plane_.corner(dart), plane_.precision());
+      arc.distance = abs(std::move(arc.distance));
     }
-    return sort_certainly(arcs, [](const Arc& arc) { return arc.distance.get(); });
+    return sort_certainly(arcs, [](const Arc& arc) -> const Ball& { return arc.distance; });
   }
 
   /// Cells of triangle t: the central one, then those around corner 0 outward from it, then corner 1, corner 2.

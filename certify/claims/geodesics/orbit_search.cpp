@@ -29,27 +29,18 @@ class OrbitSearch {
   /// The greatest value at q of the α of gΔ, Δ the root, if gṽ is within D of the vertex: α(q) = cosh d(q, C)/cosh R
   /// ≤ cosh(D' + R)/cosh R = cosh D' + sinh D' tanh R with D' = D + d(q, ṽ) and R the circumradius of Δ.
   void set_bound(const Ball& cosh_distance, const Ball& sinh_distance) {
-    const slong precision = plane_.precision();
+    const Precision scope(plane_.precision());
     // α is the product with a vector of square −1/cosh²R.
-    Ball tanh_radius;
     const BallVector& alpha = plane_.alpha(root_ / 3);
-    lorentz_product(tanh_radius.get(), alpha, alpha, precision);
-    arb_add_ui(tanh_radius.get(), tanh_radius.get(), 1, precision);
-    arb_sqrtpos(tanh_radius.get(), tanh_radius.get(), precision);
-    Ball sinh_shift;
-    arb_sqr(sinh_shift.get(), cosh_shift_.get(), precision);
-    arb_sub_ui(sinh_shift.get(), sinh_shift.get(), 1, precision);
-    arb_sqrtpos(sinh_shift.get(), sinh_shift.get(), precision);
-    Ball sinh_sum;
-    arb_mul(sinh_sum.get(), sinh_distance.get(), cosh_shift_.get(), precision);
-    arb_addmul(sinh_sum.get(), cosh_distance.get(), sinh_shift.get(), precision);
-    arb_mul(bound_.get(), cosh_distance.get(), cosh_shift_.get(), precision);
-    arb_addmul(bound_.get(), sinh_distance.get(), sinh_shift.get(), precision);
-    arb_addmul(bound_.get(), sinh_sum.get(), tanh_radius.get(), precision);
+    const Ball tanh_radius = sqrt_of_nonnegative(lorentz_product(alpha, alpha, plane_.precision()) + 1);
+    const Ball sinh_shift = sqrt_of_nonnegative(sqr(cosh_shift_) - 1);
+    const Ball sinh_sum = sinh_distance * cosh_shift_ + cosh_distance * sinh_shift;
+    const Ball cosh_sum = cosh_distance * cosh_shift_ + sinh_distance * sinh_shift;
+    bound_ = cosh_sum + sinh_sum * tanh_radius;
   }
 
   OrbitOutcome run() {
-    if (!is_finite(bound_.get()) || !accurate(frames_.back()) || !visit(path_.back())) return outcome_;
+    if (!is_finite(bound_) || !accurate(frames_.back()) || !visit(path_.back())) return outcome_;
     while (!path_.empty()) {
       Step& step = path_.back();
       if (step.next_edge == 3) {
@@ -87,17 +78,14 @@ class OrbitSearch {
     std::uint32_t corner = root_;
     for (const ulong weight : kWeights) {
       for (std::size_t i = 0; i < 3; ++i) {
-        arb_addmul_ui(frame.q[i], plane_.corner(corner)[i], weight, precision);
+        arb_addmul_ui(frame.q[i].get(), plane_.corner(corner)[i].get(), weight, precision);
       }
       corner = next_dart(corner);
     }
-    Ball scale;
-    lorentz_product(scale.get(), frame.q, frame.q, precision);
-    arb_neg(scale.get(), scale.get());
-    arb_rsqrt(scale.get(), scale.get(), precision);
-    for (std::size_t i = 0; i < 3; ++i) arb_mul(frame.q[i], frame.q[i], scale.get(), precision);
-    lorentz_product(cosh_shift_.get(), frame.q, plane_.corner(root_), precision);
-    arb_neg(cosh_shift_.get(), cosh_shift_.get());
+    const Precision scope(precision);
+    const Ball scale = rsqrt(-lorentz_product(frame.q, frame.q, precision));
+    for (Ball& x : frame.q) x = x * scale;
+    cosh_shift_ = -lorentz_product(frame.q, plane_.corner(root_), precision);
     frames_.push_back(std::move(frame));
     path_.push_back({root_ / 3, kNoEdge, 0, true});
   }
@@ -108,15 +96,15 @@ class OrbitSearch {
   }
 
   [[nodiscard]] static bool accurate(const Frame& frame) {
-    return is_finite(frame.q[2]) && arb_rel_accuracy_bits(frame.q[2]) >= kLeastAccuracy;
+    return is_finite(frame.q[2]) && arb_rel_accuracy_bits(frame.q[2].get()) >= kLeastAccuracy;
   }
 
   /// Visits the neighbour across a dart of the last triangle if it may be that one's child and is near enough. False if
   /// the search must end.
   bool try_child(std::uint32_t dart) {
     // The child has this edge between itself and q: q is strictly on our side of it. Left out only if certainly not.
-    dot(value_.get(), plane_.line(dart), frames_.back().q, plane_.precision());
-    if (certainly_positive(value_.get()) == Tri::no) return true;
+    dot(value_, plane_.line(dart), frames_.back().q, plane_.precision());
+    if (certainly_positive(value_) == Tri::no) return true;
     const std::uint32_t other = opposite(net_, dart);
     const bool own_frame = enter_frame(dart);
     if (own_frame && !accurate(frames_.back())) return false;
@@ -152,12 +140,12 @@ class OrbitSearch {
   bool is_child(std::uint32_t entry) {
     const BallVector& q = frames_.back().q;
     for (std::uint32_t dart = entry - entry % 3; dart < entry; ++dart) {
-      dot(value_.get(), plane_.line(dart), q, plane_.precision());
-      if (certainly_negative(value_.get()) == Tri::yes) return false;
+      dot(value_, plane_.line(dart), q, plane_.precision());
+      if (certainly_negative(value_) == Tri::yes) return false;
     }
     // The bound minus α(q): cheaper than a comparison of the two.
-    arb_dot(value_.get(), bound_.get(), 1, plane_.alpha(entry / 3)[0], 1, q[0], 1, 3, plane_.precision());
-    return certainly_negative(value_.get()) != Tri::yes;
+    arb_dot(value_.get(), bound_.get(), 1, plane_.alpha(entry / 3)[0].get(), 1, q[0].get(), 1, 3, plane_.precision());
+    return certainly_negative(value_) != Tri::yes;
   }
 
   /// Counts the triangle and reports the element that takes the root to it, if there is one. False if the search must

@@ -98,10 +98,8 @@ class NetRules {
 }  // namespace
 
 Interval area_of(std::uint64_t genus) {
-  Ball area;
-  arb_const_pi(area.get(), 128);
-  arb_mul_ui(area.get(), area.get(), 4 * (genus - 1), 128);
-  return outer_interval(area.get());
+  const Precision scope(128);
+  return outer_interval(4 * (genus - 1) * pi());
 }
 
 Crossings ask_net_rules(const NetDocument& document, Verification& run) { return NetRules(document, run).ask(); }
