@@ -1,5 +1,6 @@
 #include "certify/net/crossings.h"
 
+#include <algorithm>
 #include <array>
 
 namespace epsnet::certify {
@@ -78,8 +79,9 @@ Isometry<RegularNumber> RegularCrossings::embed(const ExactIsometry& f) const {
 }
 
 std::size_t RegularCrossings::product_bits(std::size_t frame_bits, std::span<const std::uint32_t> word) const {
-  // A turn adds some four bits to each coefficient.
-  return size() * (frame_bits + 4 * turns_of(genus(), word).size());
+  // A turn adds some four bits to each coefficient. Many turns of few bits take as long as few of many.
+  const std::size_t turn_bits = std::max<std::size_t>(2048, 4 * size());
+  return 2 * size() * frame_bits + turn_bits * turns_of(genus(), word).size();
 }
 
 }  // namespace epsnet::certify
