@@ -192,7 +192,7 @@ inline Ball& operator+=(Ball& x, const Ball& y) { return x = x + y; }
 }
 [[nodiscard]] inline Ball min(const Ball& x, const Ball& y) { return ball_of(arb_min, x, y); }
 [[nodiscard]] inline Ball max(const Ball& x, const Ball& y) { return ball_of(arb_max, x, y); }
-/// A ball around 0 has a square with points below 0, which are no squares.
+/// The square of a wide ball has points below 0, which are no squares.
 [[nodiscard]] inline Ball sqr(const Ball& x) { return ball_of(arb_sqr, x); }
 /// Not finite unless x ≥ 0 is certain.
 [[nodiscard]] inline Ball sqrt(const Ball& x) { return ball_of(arb_sqrt, x); }

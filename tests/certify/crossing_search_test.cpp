@@ -166,19 +166,18 @@ TEST(MovedNet, ThirdCornersAreThoseAcross) {
     const MovedNet moved(lifted.plane());
     ASSERT_TRUE(moved.valid()) << name;
     const NetDocument& net = lifted.net();
-    Ball product, expected;
     for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
       // The distance of the third corner from the end of the dart, in both triangles.
       const std::uint32_t other = opposite(net, dart);
-      lorentz_product(expected.get(), moved.corner(previous_dart(other)), moved.corner(other), 128);
+      const Ball expected = lorentz_product(moved.corner(previous_dart(other)), moved.corner(other), 128);
       BallVector third;
       const std::uint32_t corners[3] = {next_dart(dart), dart, previous_dart(dart)};
       for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
-          arb_addmul(third[k], moved.beyond(dart)[i], moved.corner(corners[i])[k], 128);
+          arb_addmul(third[k].get(), moved.beyond(dart)[i].get(), moved.corner(corners[i])[k].get(), 128);
         }
       }
-      lorentz_product(product.get(), third, moved.corner(next_dart(dart)), 128);
+      const Ball product = lorentz_product(third, moved.corner(next_dart(dart)), 128);
       EXPECT_TRUE(arb_overlaps(product.get(), expected.get())) << name << ", dart " << dart;
       EXPECT_GT(arb_rel_accuracy_bits(product.get()), 30);
     }

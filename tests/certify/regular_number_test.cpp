@@ -193,7 +193,6 @@ TEST(RegularNumber, TurnsHaveTheSignsOfTheirProducts) {
   // Many times around a corner.
   for (const std::uint32_t genus : {2U, 3U, 4U}) {
     const RegularCrossings crossings(genus);
-    const RegularRing& ring = crossings.ring();
     std::array<std::complex<double>, 4> product{1, 0, 0, 1};
     for (std::uint32_t count = 1; count <= 30 * genus; ++count) {
       const auto m = embedded_crossing(genus, 1, (count - 1) * (2 * genus + 1) % (4 * genus));
@@ -338,11 +337,12 @@ TEST(RegularNumber, RegularMapsHaveARingToo) {
     const Isometry<RegularNumber> turn{power_of_zeta(ring, at_p), integer(ring, 0)};
     const Isometry<RegularNumber> flip{Gaussian{0, 1} * twice_real(power_of_zeta(ring, at_q)),
                                        Gaussian{0, -1} * regular_s(ring)};
-    const auto expect_order = [&](const Isometry<RegularNumber>& f, int order) {
+    SCOPED_TRACE(std::to_string(p) + ", " + std::to_string(q));
+    const auto expect_order = [](const Isometry<RegularNumber>& f, int order) {
       Isometry<RegularNumber> power = f;
       for (int k = 1; k <= order; ++k, power = compose(f, power)) {
         const bool is_one = is_zero(power.b) && sign(twice_imaginary(power.a)) == 0;
-        EXPECT_EQ(is_one, k == order) << p << ", " << q << ": " << k;
+        EXPECT_EQ(is_one, k == order) << k;
       }
     };
     expect_order(turn, p);

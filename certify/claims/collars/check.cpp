@@ -128,12 +128,12 @@ struct Clause {
 std::vector<Clause> clauses(const NetDocument::Collar& collar, const Measures& m) {
   const std::string found = "the core has a length in " + to_string(outer_interval(m.length));
   const auto& [least, most] = collar.length;
-  std::vector<Clause> result{{certainly_positive(m.s), "the core is no closed geodesic"},
-                             {!certainly_less(m.length, Ball::exactly(least)), found + ", less than the file says"},
-                             {!certainly_less(Ball::exactly(most), m.length), found + ", more than the file says"},
-                             {certainly_less(m.s, m.e), found + ", greater than epsilon"},
-                             {certainly_negative(m.heights[0] * m.heights[1]),
-                              "the two vertices are not on different sides of the core"}};
+  std::vector<Clause> result{
+      {certainly_positive(m.s), "the core is no closed geodesic"},
+      {!certainly_less(m.length, Ball::exactly(least)), found + ", less than the file says"},
+      {!certainly_less(Ball::exactly(most), m.length), found + ", more than the file says"},
+      {certainly_less(m.s, m.e), found + ", greater than epsilon"},
+      {certainly_negative(m.heights[0] * m.heights[1]), "the two vertices are not on different sides of the core"}};
   for (std::size_t i = 0; i < 2; ++i) {
     const std::string vertex = "vertex " + std::to_string(collar.vertices[i]);
     result.push_back({!certainly_less(m.h[i], m.e), vertex + " is in the epsilon-thin part"});
@@ -223,10 +223,9 @@ class CollarChecker {
     if (all.front().holds == Tri::yes) {
       // From here on in the chart of the triangle.
       const BallIsometry loop = compose(to, inverse(from), precision);
-      const Measures measures =
-          measure(epsilon_, loop,
-                  {height(loop, from, document_.vertices[p]),
-                   height(loop, label(previous_dart(at_p), precision), document_.vertices[q])});
+      const Measures measures = measure(epsilon_, loop,
+                                        {height(loop, from, document_.vertices[p]),
+                                         height(loop, label(previous_dart(at_p), precision), document_.vertices[q])});
       all = clauses(collar, measures);
       if (first_failure(all).holds == Tri::yes) {
         const Interval length = outer_interval(measures.length);

@@ -64,9 +64,7 @@ Interval distance_interval(const Ball& cosh) {
 
 /// A number that lifts of q have, of which no two on one surface agree but by accident. Any number would do that is
 /// the same for equal lifts: those whose keys may be equal are compared.
-Interval key(const BallVector& x) {
-  return outer_interval(617 * x[0] + 391 * x[1]);
-}
+Interval key(const BallVector& x) { return outer_interval(617 * x[0] + 391 * x[1]); }
 
 /// sinh² of half of a length, up to a factor that all lengths share.
 template <class CrossingsOfAKind>

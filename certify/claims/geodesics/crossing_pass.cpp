@@ -28,17 +28,14 @@ BallIsometry CrossingPass::element_of_loop(std::uint32_t dart) const {
 void CrossingPass::find_collar(std::uint32_t loop, std::vector<bool>& inner) {
   const slong precision = plane_.precision();
   const BallIsometry element = element_of_loop(loop);
-  Ball sinh_half, width, one, distance;
-  arb_one(one.get());
-  arb_sqr(sinh_half.get(), element.a.re(), precision);
-  arb_sub_ui(sinh_half.get(), sinh_half.get(), 1, precision);
-  arb_sqrt(sinh_half.get(), sinh_half.get(), precision);
-  if (certainly_positive(sinh_half.get()) != Tri::yes || certainly_less(sinh_half.get(), one.get()) != Tri::yes) return;
-  arb_inv(width.get(), sinh_half.get(), precision);
+  const Precision scope(precision);
+  const Ball sinh_half = sqrt(sqr(real(element.a)) - 1);
+  if (certainly_positive(sinh_half) != Tri::yes || certainly_less(sinh_half, Ball::exactly(1)) != Tri::yes) return;
+  const Ball width = 1 / sinh_half;
+  Ball distance;
   const auto is_inside = [&](const BallVector& axis, std::uint32_t dart) {
-    dot(distance.get(), axis, moved_.corner(dart), precision);
-    arb_abs(distance.get(), distance.get());
-    return certainly_less(distance.get(), width.get()) == Tri::yes;
+    dot(distance, axis, moved_.corner(dart), precision);
+    return certainly_less(abs(distance), width) == Tri::yes;
   };
   bool found = false;
   std::uint32_t dart = loop;

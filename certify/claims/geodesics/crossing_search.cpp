@@ -15,8 +15,8 @@ constexpr slong kLeastAccuracy = 24;
 /// Operations of balls that a visit takes.
 constexpr std::uint64_t kVisitOperations = 30;
 
-[[nodiscard]] double lower_end(arb_srcptr x) { return outer_interval(x).lower; }
-[[nodiscard]] double upper_end(arb_srcptr x) { return outer_interval(x).upper; }
+[[nodiscard]] double lower_end(const Ball& x) { return outer_interval(x).lower; }
+[[nodiscard]] double upper_end(const Ball& x) { return outer_interval(x).upper; }
 
 // Intervals of numbers that are not negative.
 [[nodiscard]] Interval times(Interval x, Interval y) { return {below(x.lower * y.lower), above(x.upper * y.upper)}; }
@@ -33,11 +33,9 @@ MovedNet::MovedNet(const LiftedPlane& plane) : plane_(plane) {
   plane.spend(400, darts);
   plane.keep(8, darts);
   shortest_.assign(net.vertices.size(), std::numeric_limits<double>::infinity());
-  Ball value;
+  const Precision scope(plane.precision());
   for (std::uint32_t dart = 0; dart < darts; ++dart) {
-    lorentz_product(value.get(), plane.corner(dart), plane.corner(next_dart(dart)), plane.precision());
-    arb_add_ui(value.get(), value.get(), 1, plane.precision());
-    arb_mul_2exp_si(value.get(), value.get(), -1);
+    const Ball value = half(lorentz_product(plane.corner(dart), plane.corner(next_dart(dart)), plane.precision()) + 1);
     const double length = std::sqrt(std::abs(arf_get_d(arb_midref(value.get()), ARF_RND_NEAR)));
     for (const std::uint32_t v : {start(net, dart), start(net, next_dart(dart))}) {
       shortest_[v] = std::min(shortest_[v], length);
@@ -70,9 +68,9 @@ bool MovedNet::place(double share) {
   }
   Ball determinant;
   for (std::uint32_t dart = 0; dart < corners_.size(); dart += 3) {
-    dot(determinant.get(), cross_product(corners_[dart], corners_[dart + 1], plane_.precision()), corners_[dart + 2],
+    dot(determinant, cross_product(corners_[dart], corners_[dart + 1], plane_.precision()), corners_[dart + 2],
         plane_.precision());
-    if (certainly_positive(determinant.get()) != Tri::yes) return false;
+    if (certainly_positive(determinant) != Tri::yes) return false;
   }
   return true;
 }
@@ -81,24 +79,24 @@ void MovedNet::measure() {
   const slong precision = plane_.precision();
   beyond_.resize(corners_.size());
   cosh_.resize(corners_.size());
-  Ball value, volume;
+  const Precision scope(precision);
+  Ball volume;
   for (std::uint32_t dart = 0; dart < corners_.size(); ++dart) {
     const BallVector& right = corners_[dart];
     const BallVector& left = corners_[next_dart(dart)];
     const BallVector& apex = corners_[previous_dart(dart)];
-    lorentz_product(value.get(), left, right, precision);
-    arb_neg(value.get(), value.get());
-    cosh_[dart] = outer_interval(value.get());
+    cosh_[dart] = outer_interval(-lorentz_product(left, right, precision));
     const std::uint32_t other = opposite(plane_.net(), dart);
     BallVector x = corners_[previous_dart(other)];
     if (const auto* transition = plane_.transition(other)) x = apply(transition->matrix, x, precision);
     // Cramer's rule.
-    const BallVector lines[3] = {cross_product(right, apex, precision), cross_product(apex, left, precision),
-                                 cross_product(left, right, precision)};
-    dot(volume.get(), lines[0], left, precision);
+    const std::array<BallVector, 3> lines = {cross_product(right, apex, precision),
+                                             cross_product(apex, left, precision),
+                                             cross_product(left, right, precision)};
+    dot(volume, lines[0], left, precision);
     for (std::size_t i = 0; i < 3; ++i) {
       dot(beyond_[dart][i], lines[i], x, precision);
-      arb_div(beyond_[dart][i], beyond_[dart][i], volume.get(), precision);
+      beyond_[dart][i] = beyond_[dart][i] / volume;
     }
   }
 }
@@ -172,9 +170,7 @@ class CrossingSearch::Way {
     BallVector result;
     std::size_t i = 0;
     for (const std::uint32_t dart : {next_dart(first), first, previous_dart(first)}) {
-      lorentz_product(result[i], net_.corner(corner), net_.corner(dart), precision());
-      arb_neg(result[i], result[i]);
-      ++i;
+      result[i++] = -lorentz_product(net_.corner(corner), net_.corner(dart), precision());
     }
     return result;
   }
@@ -183,7 +179,7 @@ class CrossingSearch::Way {
   /// triangle. On the left, the dart leads from r to c and l is behind, on the right from c to l with r behind.
   [[nodiscard]] static BallVector turned(const BallVector& values, bool left) {
     BallVector result = values;
-    arb_swap(result[2], result[left ? 0 : 1]);
+    arb_swap(result[2].get(), result[left ? 0 : 1].get());
     return result;
   }
 
@@ -198,7 +194,8 @@ class CrossingSearch::Way {
       rays_.push_back(std::move(ray));
     }
     for (const BallVector* distances : {&from_end, &from_start}) {
-      accurate_ = accurate_ && is_finite((*distances)[2]) && arb_rel_accuracy_bits((*distances)[2]) >= kLeastAccuracy;
+      accurate_ =
+          accurate_ && is_finite((*distances)[2]) && arb_rel_accuracy_bits((*distances)[2].get()) >= kLeastAccuracy;
     }
     node.from_end = std::move(from_end);
     node.from_start = std::move(from_start);
@@ -213,7 +210,7 @@ class CrossingSearch::Way {
     if (nodes_.size() == 1) {
       for (std::size_t i = 0; i < 3; ++i) {
         BallVector ray;
-        arb_set_si(ray[i], i == 0 ? 1 : i == 1 ? -1 : wanted);
+        ray[i] = Ball::exactly(i == 0 ? 1 : i == 1 ? -1 : wanted);
         clipped_.push_back(turned(ray, left));
       }
       return true;
@@ -239,11 +236,11 @@ class CrossingSearch::Way {
   [[nodiscard]] BallVector meeting(const BallVector& x, const BallVector& y) const {
     BallVector result;
     Ball a, b;
-    arb_abs(a.get(), y[2]);
-    arb_abs(b.get(), x[2]);
+    arb_abs(a.get(), y[2].get());
+    arb_abs(b.get(), x[2].get());
     for (std::size_t i = 0; i < 2; ++i) {
-      arb_mul(result[i], a.get(), x[i], precision());
-      arb_addmul(result[i], b.get(), y[i], precision());
+      arb_mul(result[i].get(), a.get(), x[i].get(), precision());
+      arb_addmul(result[i].get(), b.get(), y[i].get(), precision());
     }
     return result;
   }
@@ -297,7 +294,7 @@ class CrossingSearch::Way {
     return {std::max(below(lower - 1), 0.0), std::max(above(upper - 1), 0.0)};
   }
 
-  [[nodiscard]] static Interval at_least_1(arb_srcptr cosh) {
+  [[nodiscard]] static Interval at_least_1(const Ball& cosh) {
     const Interval x = fast_interval(cosh);
     return {std::max(x.lower, 1.0), std::max(x.upper, 1.0)};
   }
@@ -333,8 +330,8 @@ class CrossingSearch::Way {
 CrossingSearch::CrossingSearch(const MovedNet& net, const std::vector<bool>& inner, const Ball& cosh_half)
     : net_(net), cosh_half_(cosh_half), code_(inner.size()) {
   const NetDocument& document = net.plane().net();
-  arb_acosh(length_.get(), cosh_half.get(), net.plane().precision());
-  arb_mul_2exp_si(length_.get(), length_.get(), 1);
+  const Precision scope(net.plane().precision());
+  length_ = twice(acosh(cosh_half));
   std::vector<std::uint32_t> edges;
   for (std::uint32_t dart = 0; dart < inner.size(); ++dart) {
     if (dart < opposite(document, dart)) edges.push_back(dart);
@@ -356,12 +353,10 @@ CrossingSearch::CrossingSearch(const MovedNet& net, const std::vector<bool>& inn
 /// lower bound for the way back from there, found by a search the other way round. Empty if the precision is too low.
 std::vector<double> CrossingSearch::limits(std::size_t start, Way& way) const {
   const auto first = static_cast<std::uint32_t>(2 * start);
-  Ball half, x;
-  arb_mul_2exp_si(half.get(), length_.get(), -1);
-  const double half_below = lower_end(half.get());
-  arb_cosh(x.get(), half.get(), 64);
-  arb_sqr(x.get(), x.get(), 64);
-  const double most = upper_end(x.get());
+  const Ball half_length = half(length_);
+  const double half_below = lower_end(half_length);
+  const Precision scope(64);
+  const double most = upper_end(sqr(cosh(half_length)));
   // cosh² of the least distance; ways longer than half are not followed.
   std::vector<double> cosh2(dart_of_.size(), std::numeric_limits<double>::infinity());
   cosh2[first] = 1;
@@ -373,20 +368,13 @@ std::vector<double> CrossingSearch::limits(std::size_t start, Way& way) const {
       });
   if (!way.accurate()) return {};
   std::vector<double> result(cosh2.size());
-  Ball back;
   for (std::size_t code = 0; code < result.size(); ++code) {
     double distance = half_below;
     if (std::isfinite(cosh2[code])) {
-      arb_set_d(back.get(), std::max(cosh2[code], 1.0));
-      arb_sqrt(back.get(), back.get(), 64);
-      arb_acosh(back.get(), back.get(), 64);
-      distance = std::min(distance, std::max(lower_end(back.get()), 0.0));
+      const Ball back = acosh(sqrt(Ball::exactly(std::max(cosh2[code], 1.0))));
+      distance = std::min(distance, std::max(lower_end(back), 0.0));
     }
-    arb_set_d(back.get(), distance);
-    arb_sub(x.get(), length_.get(), back.get(), 64);
-    arb_cosh(x.get(), x.get(), 64);
-    arb_sqr(x.get(), x.get(), 64);
-    result[code] = upper_end(x.get());
+    result[code] = upper_end(sqr(cosh(length_ - Ball::exactly(distance))));
   }
   return result;
 }
@@ -394,8 +382,8 @@ std::vector<double> CrossingSearch::limits(std::size_t start, Way& way) const {
 /// From the values in the triangle before a dart to those in the one beyond.
 void CrossingSearch::cross(std::uint32_t dart, BallVector& values) const {
   Ball apex;
-  dot(apex.get(), net_.beyond(dart), values, net_.plane().precision());
-  arb_swap(values[2], apex.get());
+  dot(apex, net_.beyond(dart), values, net_.plane().precision());
+  values[2] = std::move(apex);
 }
 
 /// Whether the dart crossed after another one is that which has the third corner on the left.
@@ -419,7 +407,7 @@ bool CrossingSearch::possibly_follows(const BallIsometry& element, const std::ve
     if (i + 1 == codes.size()) break;
     cross(dart_of_[codes[i]], values);
     // The next dart begins or ends with the third corner.
-    arb_swap(values[2], values[is_to_the_right(codes[i], codes[i + 1]) ? 0 : 1]);
+    arb_swap(values[2].get(), values[is_to_the_right(codes[i], codes[i + 1]) ? 0 : 1].get());
   }
   return true;
 }
@@ -460,7 +448,7 @@ OrbitOutcome CrossingSearch::run(std::size_t start, std::uint64_t limit,
 
   const auto report_element = [&] {
     const BallIsometry g = element();
-    if (certainly_less(cosh_half_.get(), cosh_half_length(g).get()) == Tri::yes) return Search::go_on;
+    if (certainly_less(cosh_half_, cosh_half_length(g)) == Tri::yes) return Search::go_on;
     if (!possibly_follows(g, way.codes())) return Search::go_on;
     // In the chart of the root's vertex.
     const BallIsometry& from_vertex = plane.label(corner_label(document, root));
