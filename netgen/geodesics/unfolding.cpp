@@ -110,7 +110,7 @@ void Unfolding::report(const std::vector<Visit>& way, const Search& search, std:
 
 std::vector<ReturnPath> Unfolding::returns(VertexId vertex, const Search& search,
                                            const std::function<void()>& tick) const {
-  assert(vertex < dart_of_vertex_.size());
+  assert(vertex.number() < dart_of_vertex_.size());
   constexpr std::uint64_t kTickEvery = 1U << 16;
   std::uint64_t visits = 0;
   // A triangle with a corner within D of the vertex has its circumcentre within D + R, and cosh(D + R)/cosh R grows
