@@ -7,6 +7,8 @@
 #include "certify/file/writer.h"
 #include "netgen/distances/bound.h"
 #include "netgen/distances/distance.h"
+#include "netgen/nets/dirichlet_polygon.h"
+#include "netgen/nets/domain_frame.h"
 #include "python/binding/documents.h"
 #include "python/binding/nets.h"
 #include "triangulation/surface/atlas.h"
@@ -79,6 +81,8 @@ void bind_distances(py::module_& module) {
                   [](const Surface& surface, const BasePoint& p, const BasePoint& q, double width) {
                     return interruptible([=] { return SharedDistance(distance(surface, p, q, {.width = width})); });
                   })
+      .def("svg", [](const SharedDistance& self,
+                     std::uint32_t size) { return svg_of([self] { return picture_of(*self); }, size); })
       .def_property_readonly("net", [](const SharedDistance& self) { return SharedNet(self->net); })
       .def_property_readonly("value", [](const SharedDistance& self) { return self->distance; })
       .def_property_readonly("equal", [](const SharedDistance& self) { return self->equal; })
@@ -97,6 +101,8 @@ void bind_distances(py::module_& module) {
         return certify::parse_file<certify::BoundDocument>(text, name);
       });
   bounds.def_static("enclose", &enclose)
+      .def("svg", [](const SharedBound& self,
+                     std::uint32_t size) { return svg_of([self] { return picture_of(*self); }, size); })
       .def_property_readonly("net", [](const SharedBound& self) { return SharedNet(self->net); })
       .def_property_readonly("claim", [](const SharedBound& self) { return name_of(self->claim); })
       .def_property_readonly("value", [](const SharedBound& self) { return self->value; })
@@ -105,6 +111,9 @@ void bind_distances(py::module_& module) {
 
   module.def("eccentricity_net", [](const Surface& surface, const BasePoint& point) {
     return interruptible([=] { return SharedNet(eccentricity_net(surface, point)); });
+  });
+  module.def("farthest_points", [](const Surface& surface, const BasePoint& point) {
+    return interruptible([=] { return farthest_points(surface, dirichlet_polygon(surface, point)); });
   });
   module.attr("least_bound_width") = kLeastBoundWidth;
   module.def("reversed_word", [](const Surface& surface, const Word& word) { return reversed(surface, word); });

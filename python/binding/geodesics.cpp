@@ -59,6 +59,8 @@ void bind_geodesics(py::module_& module) {
                   [](const Surface& surface, const std::string& epsilon, unsigned threads, const py::object& progress) {
                     return found(surface, epsilon, threads, progress, thick_thin);
                   })
+      .def("svg", [](const SharedGeodesics& self,
+                     std::uint32_t size) { return svg_of([self] { return picture_of(*self); }, size); })
       .def_property_readonly("claim", [](const SharedGeodesics& self) { return name_of(self->claim); })
       .def_property_readonly("up_to", [](const SharedGeodesics& self) { return self->up_to; })
       .def_property_readonly("net", [](const SharedGeodesics& self) { return SharedNet(self->net); })

@@ -101,6 +101,21 @@ void JobState::abandon() {
   ended_signal_.wait_for(lock, kPatience, [this] { return ended_; });
 }
 
+std::string svg_of(const std::function<PolygonPicture()>& make, std::uint32_t size) {
+  const auto [svg, left_out] = interruptible([make, size] {
+    PolygonPicture picture = make();
+    return std::pair(draw_svg(picture, size), std::move(picture.left_out));
+  });
+  warn_of(left_out);
+  return svg;
+}
+
+void warn_of(const std::vector<std::string>& left_out) {
+  for (const std::string& what : left_out) {
+    if (PyErr_WarnEx(PyExc_UserWarning, ("left out: " + what).c_str(), 1) != 0) throw py::error_already_set();
+  }
+}
+
 void save(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
   interruptible([path, write](const Progress& progress) {
     write_files_atomically({{path, write}}, [&] { progress("writing", 1); });

@@ -15,6 +15,7 @@
 #include <variant>
 
 #include "netgen/base/progress.h"
+#include "netgen/pictures/polygon.h"
 #include "python/binding/binding.h"
 
 /// Computations that Python waits for, and that it can stop waiting for.
@@ -81,6 +82,12 @@ auto interruptible(Function function, const py::object& callback = py::none()) {
   job->wait(callback);
   if constexpr (kReturns) return std::move(*job->result);
 }
+
+/// Warns in Python of what a picture leaves out.
+void warn_of(const std::vector<std::string>& left_out);
+
+/// Returns the picture that `make()` returns as SVG, computed as in `interruptible`. Warns of what is left out.
+std::string svg_of(const std::function<PolygonPicture()>& make, std::uint32_t size);
 
 /// Writes a file, completely or not at all; nothing if the wait is ended. `write` owns what it needs.
 void save(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);

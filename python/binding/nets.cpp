@@ -405,9 +405,7 @@ void bind_nets(py::module_& module) {
           "svg",
           [](const SharedNet& self, const PictureOptions& options, const std::vector<Layer>& layers) {
             const auto [svg, left_out] = interruptible([=] { return picture(*self, options, layers); });
-            for (const std::string& what : left_out) {
-              if (PyErr_WarnEx(PyExc_UserWarning, ("left out: " + what).c_str(), 1) != 0) throw py::error_already_set();
-            }
+            warn_of(left_out);
             return svg;
           },
           py::arg("options"), py::arg("layers"))
@@ -421,6 +419,10 @@ void bind_nets(py::module_& module) {
       .def("exported",
            [](const SharedNet& self, const std::string& format, std::optional<std::uint32_t> distance_from) {
              return py::bytes(interruptible([=] { return exported(*self, format, distance_from); }));
+           })
+      .def("eccentricity_svg",
+           [](const SharedNet& self, std::uint32_t size) {
+             return svg_of([self] { return picture_of_eccentricity(*self); }, size);
            })
       .def("distance_layer",
            [](const SharedNet& self, const Shared<certify::DistanceDocument>& distance) {

@@ -88,6 +88,8 @@ void bind_surface(py::module_& module) {
            })
       .def("info",
            [](const Surface& surface) { return interruptible([=] { return surface_info(surface).json.dump(); }); })
+      .def("svg", [](const Surface& surface,
+                     std::uint32_t size) { return svg_of([surface] { return picture_of(surface); }, size); })
       .def("domain_text", [](const Surface& surface) { return interruptible([=] { return write_domain(surface); }); })
       .def("triangulation_text",
            [](const Surface& surface) {
@@ -168,10 +170,8 @@ void bind_polygons(py::module_& module) {
                                }
                                return sides;
                              })
-      .def("svg",
-           [](const DirichletPolygon& polygon, std::uint32_t size) {
-             return interruptible([=] { return draw_svg(picture_of(polygon), size); });
-           })
+      .def("svg", [](const DirichletPolygon& polygon,
+                     std::uint32_t size) { return svg_of([polygon] { return picture_of(polygon); }, size); })
       .def("text", [](const DirichletPolygon& polygon) { return py::bytes(dirichlet_json(polygon)); })
       .def("info", [](const DirichletPolygon& polygon) { return dirichlet_info(polygon).json.dump(); });
 }

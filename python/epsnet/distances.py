@@ -8,11 +8,8 @@ from . import _epsnet
 from ._arguments import Number, as_fraction, as_index, refuse
 from ._documents import Core, Document
 from ._progress import Progress, Shower
-from ._svg import polygon_svg
 from .certificates import Certificate, checked
-from .domains import DirichletDomain
 from .intervals import Interval
-from .isometries import Gaussian, Isometry
 from .nets import Net
 from .points import Point, PointLike, base_point, point_of
 
@@ -69,26 +66,15 @@ class Distance(_Measured):
         """Whether all paths have exactly equal length, so that all are shortest; False claims nothing."""
         return self._core.equal and self.proved
 
-    def svg(self, size: int = 500) -> str:
-        """The paths in the Dirichlet domain of p, which is in the centre; of q, if p is not strictly inside its tile."""
-        _, (x, y) = base = self._core.net.charts[0]
-        centre, (_, z) = Gaussian(x, y), self._core.point
-        ends = []
-        for word in self._core.paths:
-            lift = Isometry(self.surface, word).inverse()
-            end = lift(Gaussian(*z) if lift.is_exact else complex(Gaussian(*z)))
-            ends.append(complex((end - centre) / (1 - centre.conjugate() * end)) if isinstance(end, Gaussian) else _moved(end, complex(centre)))
-        return polygon_svg(DirichletDomain(self.surface, base).vertices, as_index(size, "size", 50, 20000), ends)
+    def svg(self, size: int = 600) -> str:
+        """The paths in the Dirichlet domain of p, which is in the centre."""
+        return self._core.svg(as_index(size, "size", 50, 20000))
 
     def _layers_on(self, net: "_epsnet.Net") -> list["_epsnet.Layer"]:
         return [net.distance_layer(self._core)]
 
     def _repr_svg_(self) -> str:
         return self.svg()
-
-
-def _moved(z: complex, to_centre: complex) -> complex:
-    return (z - to_centre) / (1 - to_centre.conjugate() * z)
 
 
 class Cover(_Measured):
@@ -111,12 +97,36 @@ class Cover(_Measured):
         """A point where the function is at least the lower end; for a radius, at most the upper end."""
         return point_of(self._core.net.charts[0])
 
+    def svg(self, size: int = 600) -> str:
+        """Where it is attained, in the Dirichlet domain of ``point``."""
+        return self._core.svg(as_index(size, "size", 50, 20000))
 
-class Diameter(Cover):
+    def _repr_svg_(self) -> str:
+        return self.svg()
+
+
+class _Attained(Cover):
+    """A bound that is the distance of ``point`` from those that are farthest from it."""
+
+    def farthest_points(self) -> list[Point]:
+        """The points farthest from ``point``; their coordinates are rounded to multiples of 2⁻¹⁰⁰."""
+        return farthest_points(self.surface, self.point)
+
+    def distance(self) -> Distance:
+        """The distance of ``point`` from one of the points farthest from it, proved, with its paths.
+
+        >>> import epsnet
+        >>> epsnet.Surface.regular(2).diameter("1e-6").distance().proved
+        True
+        """
+        return distance(self.surface, self.point, self.farthest_points()[0], 1e-6)
+
+
+class Diameter(_Attained):
     """The greatest distance of two points of a surface, as an interval."""
 
 
-class Radius(Cover):
+class Radius(_Attained):
     """The least r such that a disk of radius r covers the surface, as an interval: the least eccentricity, that of about ``point``."""
 
 
@@ -138,8 +148,32 @@ class Eccentricity(Interval):
         """The certificate of the net."""
         return self.net.certificate
 
+    @property
+    def point(self) -> Point:
+        """The point."""
+        return self.net.charts[0]
+
+    def farthest_points(self) -> list[Point]:
+        """The points farthest from it; their coordinates are rounded to multiples of 2⁻¹⁰⁰."""
+        return farthest_points(self.net.surface, self.point)
+
+    def distance(self) -> Distance:
+        """The distance of the point from one of those that are farthest from it, proved, with its paths."""
+        return distance(self.net.surface, self.point, self.farthest_points()[0], 1e-6)
+
+    def svg(self, size: int = 600) -> str:
+        """The point in the centre of its Dirichlet domain, and those that are farthest from it."""
+        return self.net._core.eccentricity_svg(as_index(size, "size", 50, 20000))
+
+    def _repr_svg_(self) -> str:
+        return self.svg()
+
     def __reduce__(self) -> tuple[Any, ...]:
         return Eccentricity, (self.net,)
+
+
+def farthest_points(surface: "Surface", p: Point) -> list[Point]:
+    return [point_of(base) for base in _epsnet.farthest_points(surface._core, base_point(surface._core, p, "p"))]
 
 
 def _width(width: Number) -> float:

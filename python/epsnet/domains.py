@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Optional
 
 from . import _epsnet
 from ._arguments import Path, as_index, as_path
-from ._svg import polygon_svg
 from .isometries import Gaussian, Isometry
 from .points import BasePoint
 
@@ -68,7 +67,7 @@ class FundamentalPolygon:
         return f"<FundamentalPolygon with {len(self.sides)} sides>"
 
     def _repr_svg_(self) -> str:
-        return polygon_svg([complex(z) for z in self.vertices])
+        return self.surface.svg()
 
 
 class DirichletSide(NamedTuple):

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Callable, Iterator, List, NamedTuple, Opt
 import numpy as np
 
 from . import _epsnet
-from ._arguments import Number, Path, as_threads, length_text
+from ._arguments import Number, Path, as_index, as_threads, length_text
 from ._documents import Document
 from ._progress import Progress, Shower
 from .certificates import Certificate, checked
@@ -179,8 +179,8 @@ class ClosedGeodesics(Document, Sequence[ClosedGeodesic]):
         return iter(self._list)
 
     def svg(self, size: int = 600) -> str:
-        """All of them on the triangulation of a net of the surface."""
-        return self.net.svg(centre=self._list[0]._vertex if self._list else 0, vertices=False, size=size, show=[self])
+        """All of them, the shortest 200 at most, in a Dirichlet domain of the surface."""
+        return self._core.svg(as_index(size, "size", 50, 20000))
 
     def _layers_on(self, net: "_epsnet.Net") -> list["_epsnet.Layer"]:
         return net.geodesics_layers(self._core)
@@ -244,7 +244,7 @@ class Systole(Interval):
         self._geodesics.save(path)
 
     def svg(self, size: int = 600) -> str:
-        """The geodesic on the triangulation of a net of the surface."""
+        """The geodesic in a Dirichlet domain of the surface."""
         return self._geodesics.svg(size)
 
     def _layers_on(self, net: "_epsnet.Net") -> list["_epsnet.Layer"]:

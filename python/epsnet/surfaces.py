@@ -394,8 +394,12 @@ class Surface(Immutable):
         tiles = len(self._core.tiles)
         return f"<Surface of genus {self.genus}: {tiles} tile{'' if tiles == 1 else 's'}, {self._core.side_count} sides>"
 
+    def svg(self, size: int = 600) -> str:
+        """The tiles, laid out around one of them; sides that are glued to each other have one colour."""
+        return self._core.svg(as_index(size, "size", 50, 20000))
+
     def _repr_svg_(self) -> str:
-        return self.fundamental_polygon()._repr_svg_()
+        return self.svg()
 
 
 def _unpickled(text: bytes) -> Surface:

@@ -115,6 +115,16 @@ def test_the_radius(octagon, bolza):
     assert radius.lower <= at.upper and at.lower <= radius.upper
 
 
+def test_where_bounds_are_attained(octagon, bolza):
+    for surface in (octagon, bolza):
+        for bound in (surface.diameter("1e-6"), surface.eccentricity((0, 0.1, 0.2)), surface.radius("0.1")):
+            farthest, d = bound.farthest_points(), bound.distance()
+            at = surface.eccentricity(bound.point)
+            assert d.proved and len(farthest) >= 1 and d.lower - 1e-9 <= at.upper and at.lower <= d.upper + 1e-9
+            assert all(surface.distance(bound.point, q).upper + 1e-9 >= d.lower for q in farthest)
+    assert not hasattr(epsnet.EmbeddedDisk, "farthest_points")
+
+
 def test_tables_of_distances(octagon, net):
     table = net.distances([5, 6], [5, 7, 100])
     assert list(table.rows) == [5, 6] and list(table.columns) == [5, 7, 100] and table.bounds.shape == (2, 3, 2)

@@ -31,11 +31,11 @@ except KeyboardInterrupt:
 # Work of minutes; and work that never ends, as it waits for a pipe that nobody writes to, and does not look at its progress.
 WORK = [
     'surface.net("0.001", progress=begun)',
-    'surface.net("0.01", sparse=True, progress=begun)',
+    'surface.net("0.001", sparse=True, progress=begun)',
     'surface.spectrum("13", progress=begun)',
     "thin.diameter(1e-9, progress=begun)",
     'surface.radius("1e-5", progress=begun)',
-    'surface.net("0.02").distances(progress=begun)',
+    'surface.net("0.05").distances(progress=begun)',
     'epsnet.map(lambda s: s.net("0.001", progress=begun), [surface, thin])',
     'os.mkfifo("pipe"); soon(); epsnet.load("pipe")',
     'os.mkfifo("pipe"); soon(); epsnet.map(lambda s: epsnet.load("pipe"), [surface])',

@@ -18,6 +18,7 @@ EVERYWHERE = {
     "--json": "values are objects",
     "--output": "save, or what the method returns",
     "--svg": "svg of what the method returns",
+    "--ends": "distance of what the method returns",
     "--no-certify": "the module hands out nothing that is not verified",
 }
 NOT_IN_PYTHON = {
@@ -26,6 +27,7 @@ NOT_IN_PYTHON = {
     ("systole", "--epsilon"): "any gives the same geodesic",
     ("spectrum", "--epsilon"): "any gives the same list",
     ("thick-thin", "--epsilon"): "any gives the same list",
+    ("convert", "--surface"): "Surface.load(path).save",
     ("draw", "--png"): "a browser or a notebook shows SVG; the module does not link the library that the program draws with",
 }
 # The function of a command, and its parameters that are called otherwise.
@@ -49,7 +51,7 @@ FUNCTIONS = {
     "thick-thin": (Surface.thick_thin, {}),
     "draw": (Net.svg, {"--show": ("triangles", "vertices", "dirichlet", "combinatorial_dirichlet", "tiles", "disks", "half_disks"),
                        "--geodesics": "show", "--distance": "show"}),
-    "view": (Net.view, {"--geodesics": "show", "--threads": None}),
+    "view": (Net.view, {"--geodesics": "show", "--distance": "show", "--threads": None}),
     "info": (Net.info, {}),
     "export": (Net.export, {}),
     "convert": (Net.save, {}),
