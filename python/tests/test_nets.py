@@ -141,7 +141,7 @@ def test_a_false_net_is_not_handed_out(tmp_path, net):
 @pytest.mark.parametrize(
     "text, place",
     [
-        ("{", "document"),
+        ("{", "net"),
         ('{"format": "epsnet-net"}', None),
         ('{"format": "epsnet-net", "version": 2}', "net"),
         ("[]", "document"),
