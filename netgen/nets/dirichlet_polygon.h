@@ -31,11 +31,11 @@ struct DirichletPolygon {
   certify::NetDocument triangulation;
 };
 
-/// Returns the Dirichlet domain of a base point, which may be anywhere in the disk of its tile. The default is the surface's first vertex, or the centre of a regular
-/// surface. The set of sides, their words and their partners are proved; distances and vertices are rounded. The time
-/// is that of the one-vertex Delaunay triangulation, mostly its labels: milliseconds for genus 2, tenths of a second
-/// for genus 20. Throws SurfaceError if the base point is no point of the surface. Throws LimitError. Throws
-/// NetError, for example if the triangulation is not verified.
+/// Returns the Dirichlet domain of a base point, which may be anywhere in the disk of its tile. The default is the
+/// surface's first vertex, or the centre of a regular surface. The set of sides, their words and their partners are
+/// proved; distances and vertices are rounded. The time is that of the one-vertex Delaunay triangulation, mostly its
+/// labels: milliseconds for genus 2, tenths of a second for genus 20. Throws SurfaceError if the base point is no point
+/// of the surface. Throws LimitError. Throws NetError, for example if the triangulation is not verified.
 [[nodiscard]] DirichletPolygon dirichlet_polygon(const Surface& surface, const std::optional<BasePoint>& base);
 
 /// Returns the polygon as JSON (docs/format.md, "Dirichlet domain").

@@ -40,13 +40,13 @@ struct PolygonPicture {
     std::string colour;
     double radius;  ///< Hyperbolic; the centre is 0.
   };
-  std::string title;
-  std::vector<Side> sides;     ///< In order around the polygon: side k ends where side k + 1 starts.
-  std::vector<Segment> inner;  ///< Sides of tiles inside the polygon.
-  std::vector<Disk> disks;
-  std::vector<Curve> curves;
-  std::vector<Mark> marks;
-  std::vector<std::string> left_out;  ///< "name: reason" of what is missing.
+  std::string title{};
+  std::vector<Side> sides{};     ///< In order around the polygon: side k ends where side k + 1 starts.
+  std::vector<Segment> inner{};  ///< Sides of tiles inside the polygon.
+  std::vector<Disk> disks{};
+  std::vector<Curve> curves{};
+  std::vector<Mark> marks{};
+  std::vector<std::string> left_out{};  ///< "name: reason" of what is missing.
 };
 
 /// Returns the picture as SVG, `size` pixels wide and high (50 to 20000), with a legend. Sides that are glued to each

@@ -86,7 +86,8 @@ bool is_claim(const std::string& text) {
 }
 
 certify::SurfaceDocument surface_in(const std::string& text, const std::string& name) {
-  return is_claim(text) ? surface_of(certify::parse_file<certify::ClaimDocument>(text, name)) : certify::parse_file<certify::SurfaceDocument>(text, name);
+  return is_claim(text) ? surface_of(certify::parse_file<certify::ClaimDocument>(text, name))
+                        : certify::parse_file<certify::SurfaceDocument>(text, name);
 }
 
 }  // namespace

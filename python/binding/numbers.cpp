@@ -27,14 +27,10 @@ bool set_integer(mpz_ptr result, const py::handle& value) {
 
 /// An interval around arcosh x = 2 arsinh √((x − 1)/2), x at least 1; around 0 for less.
 certify::Interval arcosh(const Rational& x) {
-  constexpr slong kPrecision = 128;
   if (x <= 1) return {0, 0};
-  certify::Ball result;
-  certify::set_rational(result.get(), to_gmp(Rational((x - 1) / 2)), kPrecision);
-  arb_sqrt(result.get(), result.get(), kPrecision);
-  arb_asinh(result.get(), result.get(), kPrecision);
-  arb_mul_2exp_si(result.get(), result.get(), 1);
-  return certify::outer_interval(result.get());
+  const certify::Precision precision(128);
+  const certify::Ball half_of_excess = certify::Ball::rounded(mpq_class(to_gmp(Rational((x - 1) / 2))));
+  return certify::outer_interval(certify::twice(certify::asinh(certify::sqrt(half_of_excess))));
 }
 
 }  // namespace

@@ -84,7 +84,9 @@ TEST(PolygonPicture, OfADirichletDomainHasLabelledSidesWithPairsInOneColour) {
     const std::size_t partner = polygon.sides[k].partner;
     EXPECT_EQ(colours.strokes[k], colours.strokes[partner]);
     // The legend names all pairs; a side that is shorter than its label has none.
-    if (k < partner) EXPECT_THAT(svg, HasSubstr('>' + std::to_string(k) + ' ' + std::to_string(partner) + "</text>"));
+    if (k < partner) {
+      EXPECT_THAT(svg, HasSubstr('>' + std::to_string(k) + ' ' + std::to_string(partner) + "</text>"));
+    }
     const Point chord = polygon.vertices[(k + 1) % polygon.sides.size()] - polygon.vertices[k];
     if (485 * std::sqrt(norm(chord)) < 13) continue;
     ASSERT_TRUE(colours.labels.contains(std::to_string(k))) << k;
