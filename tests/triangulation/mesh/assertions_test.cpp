@@ -73,7 +73,7 @@ TEST(AssertionsDeathTest, ATriangulationHasTheElement) {
   const Triangulation triangulation = octagon();
   EXPECT_DEATH((void)triangulation.opposite(kOutside), "triangle_count");
   EXPECT_DEATH((void)triangulation.triangle(TriangleId(triangulation.triangle_count())), "triangle_count");
-  EXPECT_DEATH((void)triangulation.corner(0, 3), "i < 3");
+  EXPECT_DEATH((void)triangulation.corner(TriangleId(0), 3), "i < 3");
   EXPECT_DEATH((void)triangulation.vertex(VertexId(triangulation.vertex_count())), "vertex_count");
   EXPECT_DEATH((void)triangulation.triangle(TriangleId(0)).label(3), "corner < 3");
   EXPECT_DEATH((void)Triangle::packed(kLargestLabel + 1, kIdentity), "kLargestLabel");
