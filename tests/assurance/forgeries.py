@@ -1938,7 +1938,7 @@ def triangle_of_a_collar_of_32_ones():
     return collars((0, "triangles", [collars()["collars"][0]["triangles"][0], 2**32 - 1]))
 
 
-@malformed("collars[0]", exact=LEFT)
+@malformed("collars[0].vertices", exact=LEFT)
 def vertex_of_a_collar_plus_2_to_32():
     """A collar's vertex plus 2³²."""
     p, q = collars()["collars"][0]["vertices"]
@@ -2118,7 +2118,7 @@ def clusters_that_are_not_the_runs():
     return document
 
 
-@malformed("clusters[0]", exact=LEFT)
+@malformed("clusters[0].count", exact=LEFT)
 def cluster_of_2_to_32_more():
     """A cluster of 2³² + 12 geodesics."""
     document = seed("spectrum-of-equal-lengths")
@@ -2170,7 +2170,7 @@ def systole_between_nearly_nothing_and_its_length():
     return document
 
 
-@malformed("geodesics[0]", exact=LEFT)
+@malformed("geodesics[0].vertex", exact=LEFT)
 def vertex_of_a_geodesic_plus_2_to_32():
     """A geodesic's vertex plus 2³²."""
     document = seed("systole")
@@ -2522,7 +2522,7 @@ def embedded_disk_of_radius_nothing():
     return with_(document, value=[0, document["value"][1]])
 
 
-@malformed("claim", exact=LEFT)
+@malformed("bound file", exact=LEFT)
 def bound_with_another_claim():
     """A claim that does not exist."""
     return with_(bound_file("regular-diameter"), claim="girth")

@@ -100,8 +100,7 @@ bad 64 'list' s1.json --epsilons 0.5 --list E -o out
 bad 64 'two surfaces are called s1' s1.json ./s1.json --epsilons 0.5 -o out
 bad 1 'nowhere: no such directory' s1.json --epsilons 0.5 -o nowhere
 bad 1 'nothing.json: cannot be read' nothing.json --epsilons 0.5 -o out
-bad 1 'net.json' net.json --epsilons 0.5 -o out
-bad 1 'expected.*surface\|not a surface\|"epsnet-surface"' net.json --epsilons 0.5 -o out
+bad 1 'record.csv' record.csv --epsilons 0.5 -o out
 bad 1 '1e-9 needs more than' s1.json --epsilons 0.5,1e-9 -o out
 [ -z "$(ls -A out)" ] || complain "bad input leaves $(ls -A out)"
 mkdir out/s1.csv
