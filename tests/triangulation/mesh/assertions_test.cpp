@@ -53,9 +53,9 @@ TEST(AssertionsDeathTest, ALabelLeadsWhereTheNextOneStarts) {
   const ChartId corner = atlas.add_chart({0, surface.tiles()[0][0]});
   const ChartId middle = atlas.add_chart({0, {}});
   const LabelId g = atlas.label(corner, middle, {});
-  EXPECT_DEATH((void)atlas.product(g, g), "to\\(g\\) == from\\(f\\)");
-  EXPECT_DEATH((void)atlas.known_product(g, g), "to\\(g\\) == from\\(f\\)");
-  EXPECT_DEATH((void)atlas.power(g, 2), "from\\(f\\) == to\\(f\\)");
+  EXPECT_DEATH((void)atlas.product(g, g), "to == .*from");
+  EXPECT_DEATH((void)atlas.known_product(g, g), "to == .*from");
+  EXPECT_DEATH((void)atlas.power(g, 2), "from == .*to");
   EXPECT_DEATH((void)atlas.label(corner, middle, {surface.side_count()}), "is_path");
   EXPECT_DEATH((void)atlas.add_chart({1, {}}), "tiles");
   EXPECT_DEATH((void)atlas.add_chart({0, {Rational(1), Rational(0)}}), "norm");
