@@ -164,7 +164,7 @@ typename AxisCatalogue<T>::Passage AxisCatalogue<T>::passage(const Place& place)
     side[i] = lorentz_product(axis, x);
     const bool on_axis = boost::multiprecision::abs(side[i]) <= zero_level<T>() * size * x.t;
     if (on_axis) side[i] = 0;
-    result.meets_vertex = result.meets_vertex || on_axis;
+    if (on_axis) result.vertex = i;
     left[i] = side[i] >= 0;
   }
   if (left[0] == left[1] && left[1] == left[2]) return result;
@@ -179,22 +179,17 @@ typename AxisCatalogue<T>::Passage AxisCatalogue<T>::passage(const Place& place)
 }
 
 template <class T>
-Dart AxisCatalogue<T>::way_to_axis(const Place& place, std::uint32_t entered) {
-  const Vector axis = axis_normal(place.element);
-  const auto distance = [&](std::uint32_t k) {
-    const Vector& x = corners(place.triangle)[k];
-    return T(boost::multiprecision::abs(lorentz_product(axis, x)) / x.t);
-  };
-  Dart leave{};
-  std::optional<T> least;
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    const T farther = std::max(distance(i), distance(next(i)));
-    if (i != entered && (!least || farther < *least)) {
-      least = farther;
-      leave = make_dart(place.triangle, i);
-    }
+typename AxisCatalogue<T>::Place AxisCatalogue<T>::cut_triangle(Place place) {
+  const Passage first = passage(place);
+  if (first.step || !first.vertex) return place;
+  // All around the vertex there is a triangle with a corner on the right: the vertex counts as on the left.
+  Dart d = make_dart(place.triangle, *first.vertex);
+  for (std::size_t steps = 0; steps < kMostSteps; ++steps) {
+    place = beyond(d, place.element);
+    d = next_dart(triangulation_.opposite(d));
+    if (passage(place).step) return place;
   }
-  return leave;
+  throw NetError("a closed geodesic was not found at a vertex that it passes through");
 }
 
 /// Follows one period, from a triangle that contains a point of the axis.
@@ -202,18 +197,16 @@ template <class T>
 typename AxisCatalogue<T>::Period AxisCatalogue<T>::follow(Place place) {
   Period period;
   std::vector<Step>& steps = period.steps;
-  std::uint32_t entered = 3;
+  place = cut_triangle(place);
   while (steps.size() < kMostSteps) {
     // The period ends with the element that it started with, not with another lift of the same geodesic.
     if (!steps.empty() && place.triangle == steps[0].triangle && same_axis(place.element, steps[0].element))
       return period;
     const Passage here = passage(place);
-    period.meets_vertex = period.meets_vertex || here.meets_vertex;
-    if (!here.step && !steps.empty()) break;
-    if (here.step) steps.push_back(*here.step);
-    const Dart leave = here.step ? here.leave : way_to_axis(place, entered);
-    place = beyond(leave, place.element);
-    entered = corner_of(triangulation_.opposite(leave));
+    period.meets_vertex = period.meets_vertex || here.vertex;
+    if (!here.step) break;
+    steps.push_back(*here.step);
+    place = beyond(here.leave, place.element);
   }
   throw NetError("a closed geodesic could not be followed through the triangulation");
 }

@@ -8,10 +8,17 @@
 
 #include "kernel/lorentz.h"
 #include "kernel/numbers.h"
-#include "netgen/geodesics/unfolding.h"
 #include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {
+
+/// A way through the triangulation from a vertex to a lift of the same vertex, which names an element of the group: the
+/// one that takes the vertex's lift at the start to the one at the end.
+struct ReturnPath {
+  Dart start;               ///< Leaves the vertex; its triangle is the first.
+  std::vector<Dart> darts;  ///< Crossed one after the other, each a dart of the triangle that is left.
+  Dart end;                 ///< Of the last triangle; leaves the lift of the vertex.
+};
 
 /// Closed geodesics, each as the triangles that one period of it passes through.
 ///
@@ -49,6 +56,9 @@ class AxisCatalogue {
   /// Returns the hyperbolic distance of the start of a dart from the axis of an element, which is given in the chart of
   /// the dart's triangle.
   [[nodiscard]] T distance_from_axis(Dart start, const Isometry<T>& element);
+
+  /// An element in the chart of a dart's triangle, written in that of the triangle across.
+  [[nodiscard]] Isometry<T> element_beyond(Dart d, const Isometry<T>& element) { return beyond(d, element).element; }
 
   /// Returns the number of the geodesic of an element of a path. The element may be a power or the inverse of a known
   /// geodesic; otherwise it becomes a new one. Requires: roots come before their powers. Throws NetError if its axis is
@@ -88,15 +98,14 @@ class AxisCatalogue {
   [[nodiscard]] std::optional<std::uint32_t> find(const Place& place);
   /// How an axis passes through a triangle.
   struct Passage {
-    std::optional<Step> step;  ///< Absent if the axis misses the triangle.
-    Dart leave{};              ///< Where it leaves the triangle; valid with a step only.
-    bool meets_vertex = false;
+    std::optional<Step> step;             ///< Absent if the axis misses the triangle.
+    Dart leave{};                         ///< Through which it leaves; with a step only.
+    std::optional<std::uint32_t> vertex;  ///< A corner on the axis.
   };
   [[nodiscard]] Passage passage(const Place& place);
-  /// Leaves a triangle out of which the axis was pushed at a vertex or along an edge: crosses the edge nearest to the
-  /// axis, but not back across the edge of corner `entered`.
-  [[nodiscard]] Dart way_to_axis(const Place& place, std::uint32_t entered);
-  /// Returns one period of an axis.
+  /// If the axis was pushed out of a triangle at a vertex or along an edge: a triangle at that vertex which it cuts.
+  [[nodiscard]] Place cut_triangle(Place place);
+  /// One period of an axis.
   struct Period {
     std::vector<Step> steps;
     bool meets_vertex = false;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -14,7 +16,7 @@
 #include "certify/numbers/parallel.h"
 #include "netgen/geodesics/axis_catalogue.h"
 #include "netgen/geodesics/cut_surface.h"
-#include "netgen/geodesics/unfolding.h"
+#include "netgen/geodesics/cutting_search.h"
 #include "netgen/nets/certified_net.h"
 
 namespace epsnet {
@@ -28,45 +30,39 @@ NetOptions net_options(const GeodesicsOptions& options) {
   return result;
 }
 
-/// A net, and which of its vertices are deep: so far inside a collar that only its core and powers pass near them.
+/// A net, and the search for the closed geodesics of its surface.
 ///
-/// Every other closed geodesic has a point outside of all collars (docs/geodesics.md). This point is within ε of a
-/// vertex v, and the geodesic's element at v moves v by a distance d with sinh(d/2) ≤ sinh(L/2) cosh ε. If the collar
-/// of the core of a loop at v contains the disk of radius ε around v, no search has to start from v.
+/// A loop edge whose core is short names a collar. What crosses edges inside of one collar alone is its core
+/// (docs/geodesics.md), so the search begins at other edges, and the cores are found by their loops.
 class Search {
  public:
   Search(const Surface& surface, const GeodesicsOptions& options)
       : options_(options),
-        epsilon_(static_cast<double>(options.epsilon.value())),
-        triangulation_(triangulated_net(surface, options.epsilon, net_options(options)).triangulation),
-        unfolding_(triangulation_, epsilon_),
-        deep_(triangulation_.vertex_count()) {
+        triangulation_(triangulated_net(surface, options.epsilon, net_options(options)).triangulation) {
     AxisCatalogue<Mp1024> exact(triangulation_);
+    std::vector<bool> inner(4 * std::size_t{triangulation_.triangle_count()});
     for (const TriangleId t : triangulation_.triangles()) {
       for (std::uint32_t i = 0; i < 3; ++i) {
         const Dart d = make_dart(t, i);
-        if (is_loop(d) && d < triangulation_.opposite(d)) examine_loop(exact, {d, {}, next_dart(d)});
+        if (is_loop(d) && d < triangulation_.opposite(d)) examine_loop(exact, {d, {}, next_dart(d)}, inner);
       }
     }
+    ways_.emplace(triangulation_, inner);
   }
 
-  /// Returns paths to all closed geodesics of length at most `length`, each at least once, or a power of it.
-  [[nodiscard]] std::vector<ReturnPath> paths(double length) const {
-    std::vector<VertexId> vertices;
-    for (const VertexId v : deep_.ids()) {
-      if (!deep_[v]) vertices.push_back(v);
-    }
-    const double displacement = 2 * std::asinh(std::sinh(length / 2) * std::cosh(epsilon_));
-    require_feasible(length, displacement, vertices.size());
+  /// Paths to all closed geodesics of length at most `length`, each at least once; those that are not certain perhaps
+  /// more than once, and powers of some.
+  [[nodiscard]] std::vector<ClosedPath> paths(double length) const {
+    require_feasible(length);
     const unsigned threads =
         options_.threads != 0 ? options_.threads : std::max(std::thread::hardware_concurrency(), 1U);
-    std::vector<std::vector<ReturnPath>> found(vertices.size());
-    certify::for_each_parallel(vertices.size(), threads, [&](unsigned worker, std::size_t i) {
-      const auto tick = [&] { report("searching", static_cast<double>(i) / static_cast<double>(vertices.size())); };
-      found[i] = unfolding_.returns(vertices[i], {displacement, length}, worker == 0 ? tick : std::function<void()>());
+    std::vector<std::vector<ClosedPath>> found(ways_->starts());
+    certify::for_each_parallel(found.size(), threads, [&](unsigned worker, std::size_t i) {
+      const auto tick = [&] { report("searching", static_cast<double>(i) / static_cast<double>(found.size())); };
+      found[i] = ways_->paths(i, length, kMostCrossings, worker == 0 ? tick : std::function<void()>());
       if (worker == 0) tick();
     });
-    std::vector<ReturnPath> all = deep_loops_;
+    std::vector<ClosedPath> all;
     for (auto& some : found)
       all.insert(all.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
     return all;
@@ -77,7 +73,9 @@ class Search {
   }
 
   [[nodiscard]] Triangulation& triangulation() { return triangulation_; }
-  /// Returns the length of the shortest core of a loop; infinity if there is no loop.
+  /// The loop edges that name collars.
+  [[nodiscard]] const std::vector<ReturnPath>& loops() const { return loops_; }
+  /// The length of the shortest core of a loop edge; infinity if there is no loop edge.
   [[nodiscard]] double shortest_core() const { return shortest_core_; }
 
  private:
@@ -86,83 +84,121 @@ class Search {
     return triangulation_.corner(t, corner_of(d)).vertex == triangulation_.corner(t, next(corner_of(d))).vertex;
   }
 
-  /// Disks of radius r = D + 2ε and area 2π(cosh r − 1) are searched, on a surface of area 4π(g − 1).
-  void require_feasible(double length, double displacement, std::size_t searches) const {
-    constexpr double kMost = 1e11;
-    const double copies = (std::cosh(displacement + 2 * epsilon_) - 1) / (2 * (triangulation_.surface().genus() - 1.0));
-    const double triangles = copies * static_cast<double>(searches) * triangulation_.triangle_count();
-    if (triangles <= kMost) return;
+  /// There are about e^L/2L geodesics of lengths L from 1 on, and some 40 edges are crossed for each.
+  void require_feasible(double length) const {
+    const double crossings = 20 * std::exp(length) / std::max(length, 1.0);
+    if (crossings <= static_cast<double>(kMostCrossings)) return;
     std::ostringstream message;
-    message << "to find all closed geodesics up to length " << length
-            << " from a net with epsilon = " << options_.epsilon.text() << " takes a search through about " << triangles
-            << " triangles, more than the limit, " << kMost;
+    message << "to find all closed geodesics up to length " << length << " takes a search across about " << crossings
+            << " edges, more than the limit, " << static_cast<double>(kMostCrossings);
     throw NetError(message.str());
   }
 
-  void examine_loop(AxisCatalogue<Mp1024>& exact, ReturnPath loop) {
+  void examine_loop(AxisCatalogue<Mp1024>& exact, ReturnPath loop, std::vector<bool>& inner) {
     const Isometry<Mp1024> g = exact.element(loop);
     const double core = static_cast<double>(displacement_length(g));
     shortest_core_ = std::min(shortest_core_, core);
     // The bounds are a little less than 2 arsinh 1 and the collar's half-width, so that rounding does not matter.
     if (!(core > 0 && core < 2 * std::asinh(1.0) - kMargin)) return;
-    const double distance = static_cast<double>(exact.distance_from_axis(loop.start, g));
-    if (distance + epsilon_ >= std::asinh(1 / std::sinh(core / 2)) - kMargin) return;
-    deep_[triangulation_.corner(triangle_of(loop.start), corner_of(loop.start)).vertex] = true;
-    deep_loops_.push_back(std::move(loop));
+    const double width = std::asinh(1 / std::sinh(core / 2)) - kMargin;
+    if (!(static_cast<double>(exact.distance_from_axis(loop.start, g)) < width)) return;
+    // The edges at the vertex that end in this lift of the collar, too.
+    Isometry<Mp1024> carried = g;
+    for (const Dart d : triangulation_.star(loop.start)) {
+      if (static_cast<double>(exact.distance_from_axis(next_dart(d), carried)) < width) {
+        inner[static_cast<std::uint32_t>(d)] = true;
+        inner[static_cast<std::uint32_t>(triangulation_.opposite(d))] = true;
+      }
+      carried = exact.element_beyond(d, carried);
+    }
+    loops_.push_back(std::move(loop));
   }
 
   static constexpr double kMargin = 1e-6;
+  static constexpr std::uint64_t kMostCrossings = 10'000'000'000;
 
   const GeodesicsOptions& options_;
-  double epsilon_;
   Triangulation triangulation_;
-  Unfolding unfolding_;
-  ById<VertexId, bool> deep_;
-  std::vector<ReturnPath> deep_loops_;
+  std::optional<CuttingSearch> ways_;
+  std::vector<ReturnPath> loops_;
   double shortest_core_ = std::numeric_limits<double>::infinity();
 };
 
-/// Returns all closed geodesics of length at most `up_to`, by length.
+/// Closed geodesics, by length. Those that the search tells from all others by their paths alone are not looked up in
+/// a catalogue.
 template <class T>
-AxisCatalogue<T> find_all(Search& search, const T& up_to) {
-  struct Candidate {
-    ReturnPath path;
-    Isometry<T> element;
-    T length;
-  };
-  // A length this close to `up_to` counts as equal, and so as not longer.
+struct Found {
+  T length;
+  ReturnPath path;
+  bool simple;
+};
+
+template <class T>
+struct Candidate {
+  ReturnPath path;
+  T length;
+  std::optional<bool> simple;  ///< Of a geodesic with only one path.
+};
+
+/// The candidates of length at most `up_to`, by length.
+template <class T>
+std::vector<Candidate<T>> candidates(Search& search, AxisCatalogue<T>& catalogue, const T& up_to) {
+  // The cores of collars may be found by loops, too.
+  constexpr double kShort = 1.8;
+  // Equal is not longer: two numbers so close are equal.
   const T most = up_to * (1 + boost::multiprecision::ldexp(T(1), -100));
-  AxisCatalogue<T> catalogue(search.triangulation());
-  std::vector<Candidate> candidates;
-  for (ReturnPath& path : search.paths(static_cast<double>(up_to))) {
-    const Isometry<T> element = catalogue.element(path);
-    const T length = displacement_length(element);
-    if (length <= most) candidates.push_back({std::move(path), element, length});
+  std::vector<Candidate<T>> result;
+  const auto add = [&](ReturnPath path, std::optional<bool> simple) {
+    T length = displacement_length(catalogue.element(path));
+    if (length > most) return;
+    if (length < kShort) simple.reset();
+    result.push_back({std::move(path), std::move(length), simple});
+  };
+  for (const ReturnPath& loop : search.loops()) add(loop, std::nullopt);
+  for (ClosedPath& path : search.paths(static_cast<double>(up_to))) {
+    const Dart first = path.darts.front();
+    add({first, std::move(path.darts), first}, path.certain ? path.simple : std::nullopt);
   }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.length < b.length; });
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    (void)catalogue.find_or_add(candidates[i].path, candidates[i].element);
-    search.report("telling geodesics apart", static_cast<double>(i) / static_cast<double>(candidates.size()));
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Candidate<T>& a, const Candidate<T>& b) { return a.length < b.length; });
+  return result;
+}
+
+/// All closed geodesics of length at most `up_to`, by length. The catalogue gets all that are shorter than 1.8.
+template <class T>
+std::vector<Found<T>> find_all(Search& search, AxisCatalogue<T>& catalogue, const T& up_to) {
+  std::vector<Candidate<T>> wanted = candidates(search, catalogue, up_to);
+  std::vector<Found<T>> result;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    Candidate<T>& candidate = wanted[i];
+    if (!candidate.simple) {
+      const std::size_t known = catalogue.geodesics().size();
+      (void)catalogue.find_or_add(candidate.path, catalogue.element(candidate.path));
+      if (catalogue.geodesics().size() == known) continue;
+      candidate.simple = catalogue.geodesics().back().simple;
+    }
+    result.push_back({std::move(candidate.length), std::move(candidate.path), *candidate.simple});
+    search.report("telling geodesics apart", static_cast<double>(i) / static_cast<double>(wanted.size()));
   }
-  return catalogue;
+  return result;
 }
 
 /// Returns the word of a path from a vertex to itself, directed from the vertex to its lift at the end.
 Word word_of(Triangulation& triangulation, const ReturnPath& path) {
-  const auto label = [&](Dart d) { return triangulation.corner(triangle_of(d), corner_of(d)).label; };
-  LabelId result = label(path.end);
-  for (std::size_t i = path.darts.size(); i-- > 0;) {
-    result = triangulation.product(triangulation.transition(path.darts[i]), result);
-  }
-  result = triangulation.product(triangulation.inverse(label(path.start)), result);
-  // The value of a word changes coordinates along the path, so it moves points in the other direction.
-  return triangulation.atlas().labels()[triangulation.inverse(result)].word;
+  Word word;
+  const auto append = [&](LabelId label) {
+    if (label == kIdentity) return;
+    word = concatenated(triangulation.surface(), std::move(word), triangulation.atlas().labels()[label].word);
+  };
+  // The value of a word changes coordinates along the path, from those here to those beyond each dart.
+  append(triangulation.corner(path.start).label);
+  for (const Dart d : path.darts) append(triangulation.inverse(triangulation.transition(d)));
+  append(triangulation.inverse(triangulation.corner(path.end).label));
+  return word;
 }
 
 template <class T>
-certify::GeodesicsDocument::ClosedGeodesic to_document(Triangulation& triangulation,
-                                                       const typename AxisCatalogue<T>::Geodesic& geodesic) {
+certify::GeodesicsDocument::ClosedGeodesic to_document(Triangulation& triangulation, const Found<T>& geodesic) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double length = static_cast<double>(geodesic.length);
   const Dart start = geodesic.path.start;
@@ -176,8 +212,7 @@ certify::GeodesicsDocument::ClosedGeodesic to_document(Triangulation& triangulat
 /// decides.
 template <class T>
 std::vector<certify::GeodesicsDocument::Cluster> clusters(
-    const std::vector<typename AxisCatalogue<T>::Geodesic>& geodesics,
-    const std::vector<certify::GeodesicsDocument::ClosedGeodesic>& documents) {
+    const std::vector<Found<T>>& geodesics, const std::vector<certify::GeodesicsDocument::ClosedGeodesic>& documents) {
   std::vector<certify::GeodesicsDocument::Cluster> result;
   double reach = 0;
   for (std::uint32_t i = 0; i < documents.size(); ++i) {
@@ -224,13 +259,12 @@ std::vector<certify::GeodesicsDocument::Piece> pieces(
 template <class T>
 certify::GeodesicsDocument all_geodesics(Search& search, const GeodesicsOptions& options,
                                          certify::GeodesicsDocument::Claim claim, const T& up_to) {
-  const AxisCatalogue<T> catalogue = find_all<T>(search, up_to);
+  AxisCatalogue<T> catalogue(search.triangulation());
+  const std::vector<Found<T>> found = find_all<T>(search, catalogue, up_to);
   certify::GeodesicsDocument result;
   result.claim = claim;
-  for (const auto& geodesic : catalogue.geodesics()) {
-    result.geodesics.push_back(to_document<T>(search.triangulation(), geodesic));
-  }
-  result.clusters = clusters<T>(catalogue.geodesics(), result.geodesics);
+  for (const Found<T>& geodesic : found) result.geodesics.push_back(to_document<T>(search.triangulation(), geodesic));
+  result.clusters = clusters<T>(found, result.geodesics);
   if (claim == certify::GeodesicsDocument::Claim::thick_thin)
     result.pieces = pieces<T>(search.triangulation(), catalogue.geodesics());
   result.net = net_document(search.triangulation(), options.epsilon);
@@ -245,12 +279,13 @@ certify::GeodesicsDocument shortest_geodesic(Search& search, const GeodesicsOpti
   const double most = std::min(search.shortest_core(), 2 * std::log(4.0 * genus - 2)) * (1 + 1e-9);
   constexpr double kStep = 0.5;
   for (double bound = std::min(most, kStep);; bound = std::min(most, bound + kStep)) {
-    const AxisCatalogue<T> catalogue = find_all<T>(search, T(bound));
-    if (catalogue.geodesics().empty() && bound < most) continue;
-    if (catalogue.geodesics().empty()) throw NetError("no closed geodesic was found up to the bound of the systole");
+    AxisCatalogue<T> catalogue(search.triangulation());
+    const std::vector<Found<T>> found = find_all<T>(search, catalogue, T(bound));
+    if (found.empty() && bound < most) continue;
+    if (found.empty()) throw NetError("no closed geodesic was found up to the bound of the systole");
     certify::GeodesicsDocument result;
     result.claim = certify::GeodesicsDocument::Claim::systole;
-    result.geodesics.push_back(to_document<T>(search.triangulation(), catalogue.geodesics().front()));
+    result.geodesics.push_back(to_document<T>(search.triangulation(), found.front()));
     result.net = net_document(search.triangulation(), options.epsilon);
     return result;
   }

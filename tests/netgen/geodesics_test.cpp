@@ -13,8 +13,9 @@
 
 #include "netgen/geodesics/axis_catalogue.h"
 #include "netgen/geodesics/cut_surface.h"
-#include "netgen/geodesics/unfolding.h"
+#include "netgen/geodesics/cutting_search.h"
 #include "netgen/nets/certified_net.h"
+#include "tests/netgen/unfolding.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/operations.h"
 
@@ -24,6 +25,8 @@ namespace {
 // What keeps a reference cannot be made from a temporary.
 static_assert(std::is_constructible_v<Unfolding, Triangulation&, double>);
 static_assert(!std::is_constructible_v<Unfolding, Triangulation, double>);
+static_assert(std::is_constructible_v<CuttingSearch, Triangulation&, std::vector<bool>>);
+static_assert(!std::is_constructible_v<CuttingSearch, Triangulation, std::vector<bool>>);
 static_assert(std::is_constructible_v<AxisCatalogue<Mp256>, Triangulation&>);
 static_assert(!std::is_constructible_v<AxisCatalogue<Mp256>, Triangulation>);
 
@@ -136,12 +139,14 @@ struct ElementOfPath {
   Isometry<Mp256> element;
 };
 
-/// The elements of all closed geodesics of length at most 7, by length, many for one geodesic.
-std::vector<ElementOfPath> elements_up_to_7(Triangulation& triangulation, AxisCatalogue<Mp256>& catalogue) {
+/// The elements of all closed geodesics of length at most `up_to`, by length, many for one geodesic: by a search
+/// through all triangles around each vertex.
+std::vector<ElementOfPath> all_elements(Triangulation& triangulation, AxisCatalogue<Mp256>& catalogue, double up_to) {
   const Unfolding unfolding(triangulation, 1);
+  const double displacement = 2 * std::asinh(std::sinh(up_to / 2) * std::cosh(1.0));
   std::vector<ElementOfPath> result;
   for (const VertexId v : triangulation.vertices()) {
-    for (const ReturnPath& path : unfolding.returns(v, {2 * std::asinh(std::sinh(3.5) * std::cosh(1.0)), 7})) {
+    for (const ReturnPath& path : unfolding.returns(v, {displacement, up_to})) {
       result.push_back({path, catalogue.element(path)});
     }
   }
@@ -151,12 +156,41 @@ std::vector<ElementOfPath> elements_up_to_7(Triangulation& triangulation, AxisCa
   return result;
 }
 
+/// Cutting sequences and triangles around vertices give the same lists, also where many geodesics pass through vertices
+/// and have equal lengths, and in collars.
+TEST(Spectrum, IsWhatASearchAroundVerticesFinds) {
+  std::vector<std::pair<Surface, double>> surfaces{
+      {random_octagon(5), 7.5}, {Surface::regular(2), 8}, {Surface::regular(3), 6}};
+  FenchelNielsen coordinates = random_coordinates(PantsGraph::random(3, 3), 3);
+  surfaces.emplace_back(fenchel_nielsen_surface(coordinates), 6);
+  coordinates.lengths[1] = Rational(1, 5);
+  coordinates.twists[1] = 0;
+  surfaces.emplace_back(fenchel_nielsen_surface(coordinates), 6);
+  for (const auto& [surface, up_to] : surfaces) {
+    Triangulation triangulation = triangulated_net(surface, Length("1")).triangulation;
+    AxisCatalogue<Mp256> catalogue(triangulation);
+    std::vector<double> expected;
+    for (const ElementOfPath& e : all_elements(triangulation, catalogue, up_to)) {
+      const std::size_t known = catalogue.geodesics().size();
+      (void)catalogue.find_or_add(e.path, e.element);
+      if (catalogue.geodesics().size() > known) expected.push_back(static_cast<double>(displacement_length(e.element)));
+    }
+    const GeodesicsDocument document = spectrum(surface, Length(std::to_string(up_to)));
+    ASSERT_GT(expected.size(), 30U);
+    expect_near(lengths_of(document), expected, 1e-13);
+    const auto simple = [](const auto& list) {
+      return std::count_if(list.begin(), list.end(), [](const auto& geodesic) { return geodesic.simple; });
+    };
+    EXPECT_EQ(simple(document.geodesics), simple(catalogue.geodesics()));
+  }
+}
+
 TEST(AxisCatalogue, ComparesAnElementWithThoseOnItsAxisOnly) {
   // Not with all in its triangle: that would take the square of the number of geodesics.
   const Surface surface = random_octagon(5);
   Triangulation triangulation = triangulated_net(surface, Length("1")).triangulation;
   AxisCatalogue<Mp256> catalogue(triangulation);
-  const std::vector<ElementOfPath> elements = elements_up_to_7(triangulation, catalogue);
+  const std::vector<ElementOfPath> elements = all_elements(triangulation, catalogue, 7);
   for (const ElementOfPath& e : elements) (void)catalogue.find_or_add(e.path, e.element);
   EXPECT_GT(elements.size(), 600U);
   EXPECT_GE(catalogue.geodesics().size(), 97U);
@@ -167,11 +201,24 @@ TEST(AxisCatalogue, KnowsPowersAndInverses) {
   const Surface surface = random_octagon(5);
   Triangulation triangulation = triangulated_net(surface, Length("1")).triangulation;
   AxisCatalogue<Mp256> catalogue(triangulation);
-  for (const ElementOfPath& e : elements_up_to_7(triangulation, catalogue)) {
+  for (const ElementOfPath& e : all_elements(triangulation, catalogue, 7)) {
     const std::uint32_t number = catalogue.find_or_add(e.path, e.element);
     const Isometry<Mp256> square = e.element * e.element;
     EXPECT_EQ(catalogue.find_or_add(e.path, square), number);
     EXPECT_EQ(catalogue.find_or_add(e.path, inverse(square * e.element)), number);
+  }
+}
+
+/// A cuff without a twist passes along edges and through vertices, and triangles beside it only touch it.
+TEST(Spectrum, FindsACuffAlongEdges) {
+  FenchelNielsen coordinates = random_coordinates(PantsGraph::random(4, 35), 35);
+  coordinates.twists[35 % coordinates.twists.size()] = 0;
+  const std::vector<double> lengths = lengths_of(spectrum(fenchel_nielsen_surface(coordinates), Length("3.5")));
+  for (const Rational& cuff : coordinates.lengths) {
+    const auto length = static_cast<double>(cuff);
+    EXPECT_TRUE(length > 3.5 ||
+                std::any_of(lengths.begin(), lengths.end(), [&](double x) { return std::abs(x - length) < 1e-9; }))
+        << length;
   }
 }
 
@@ -289,6 +336,35 @@ TEST(CutSurface, AlongASeparatingCuff) {
 TEST(CutSurface, AlongNothing) {
   const Surface surface = random_octagon(1);
   EXPECT_EQ(cut_surface(Triangulation(surface), {}), (std::vector<certify::GeodesicsDocument::Piece>{{2, {}}}));
+}
+
+TEST(CuttingSearch, CrossesNoMoreEdgesThanItMay) {
+  Triangulation triangulation = triangulated_net(random_octagon(5), Length("1")).triangulation;
+  const CuttingSearch search(triangulation, std::vector<bool>(4 * std::size_t{triangulation.triangle_count()}));
+  EXPECT_FALSE(search.paths(0, 6, 1'000'000).empty());
+  EXPECT_THROW((void)search.paths(0, 6, 100), NetError);
+}
+
+/// Each path is closed, short enough, and begins with its least dart; no two belong to one geodesic.
+RC_GTEST_PROP(CuttingSearchProperty, PathsAreClosed, ()) {
+  const Surface surface = random_octagon(any_index<std::int32_t>(1000));
+  Triangulation triangulation = triangulated_net(surface, Length("1")).triangulation;
+  const CuttingSearch search(triangulation, std::vector<bool>(4 * std::size_t{triangulation.triangle_count()}));
+  AxisCatalogue<Mp256> catalogue(triangulation);
+  std::set<std::vector<Dart>> cycles;
+  const std::size_t start = any_index(search.starts());
+  for (const ClosedPath& path : search.paths(start, 4, 1'000'000)) {
+    for (std::size_t i = 0; i < path.darts.size(); ++i) {
+      const Dart after = path.darts[(i + 1) % path.darts.size()];
+      RC_ASSERT(triangle_of(triangulation.opposite(path.darts[i])) == triangle_of(after));
+      RC_ASSERT(after != triangulation.opposite(path.darts[i]));
+    }
+    const Dart first = path.darts[0];
+    RC_ASSERT(displacement_length(catalogue.element({first, path.darts, first})) < 4.001);
+    std::vector<Dart> cycle = path.darts;
+    std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
+    RC_ASSERT(cycles.insert(cycle).second);
+  }
 }
 
 /// Each way leads from the vertex to a lift of it no farther away than asked.

@@ -1,4 +1,4 @@
-#include "netgen/geodesics/unfolding.h"
+#include "tests/netgen/unfolding.h"
 
 #include <cassert>
 #include <cmath>

@@ -6,17 +6,10 @@
 #include <vector>
 
 #include "kernel/lorentz.h"
+#include "netgen/geodesics/axis_catalogue.h"
 #include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {
-
-/// A path through the triangulation from a vertex to a lift of the same vertex. It determines the element of the group
-/// that takes the vertex's lift at the start to the one at the end.
-struct ReturnPath {
-  Dart start;               ///< Leaves the vertex; its triangle is the first.
-  std::vector<Dart> darts;  ///< Crossed one after the other, each a dart of the triangle that is left.
-  Dart end;                 ///< A dart of the last triangle; leaves the lift of the vertex.
-};
 
 /// The lifts of a Delaunay triangulation around one of its vertices, in binary64.
 ///
