@@ -183,6 +183,9 @@ class CuttingSearch::Way {
     const double first = first_cosh_;
     double least2 = std::min({end_to_edge2(p.left, q.left, first), end_to_edge2(p.right, q.right, first),
                               end_to_edge2(p.left, p.right, cosh_edge), end_to_edge2(q.left, q.right, cosh_edge)});
+    // From a short edge no point is nearer than an end by more than its length.
+    if (is_short(first) || is_short(cosh_edge))
+      return std::sqrt(std::max(least2 * nearer(std::min(first, cosh_edge)), 1.0));
     // Of the distance from a line sinh² has its minimum on an edge inside if neither end has cosh² of its
     // length times as much as the other.
     const auto has_foot = [](double x2, double y2, double edge) {
@@ -199,11 +202,20 @@ class CuttingSearch::Way {
 
   static double square(double x) { return x * x; }
 
+  /// An edge so short that the distance from its line is lost by cancellation.
+  static bool is_short(double edge) { return edge < 1 + 1e-8; }
+  /// A lower bound of cosh² (d - l) / cosh² d, for the length l of an edge of which cosh l is given.
+  static double nearer(double edge) {
+    const double exp_length = edge + std::sqrt(edge * edge - 1);
+    return 1 / (exp_length * exp_length);
+  }
+
   /// cosh² of the distance of a point from an edge, or from its line, of the distances of whose ends from the point and
   /// from each other the cosh are given.
   static double end_to_edge2(double p, double q, double edge) {
     if (p >= edge * q) return q * q;
     if (q >= edge * p) return p * p;
+    if (is_short(edge)) return std::min(p * p, q * q) * nearer(edge);
     return line2(p, q, edge);
   }
   static double line2(double p, double q, double edge) {
