@@ -1,19 +1,18 @@
 #pragma once
 
 #include "certify/base/fault.h"
-#include "certify/file/reader.h"
+#include "certify/documents.h"
 #include "certify/verdict/report.h"
 
 /// The checker: decides whether a document proves what it claims (docs/proof.md).
 ///
-/// `Document` is one of the alternatives of ClaimDocument. What each claims, and the rules it must satisfy, is in
-/// docs/format.md; its arguments are in the folder of the claim in certify/claims.
+/// What each claim says, and the rules it must satisfy, is in docs/format.md; its arguments are in the folder of the
+/// claim in certify/claims.
 namespace epsnet::certify {
 
 /// Returns the names of a document's rules in the order of evaluation: those of its net, seven, or nine for a pseudo
 /// net, then its own. A geodesics file needs those that its claim asks for.
-template <class Document>
-[[nodiscard]] RuleNames rules_of(const Document& document);
+[[nodiscard]] RuleNames rules_of(const AnyClaim& document);
 
 /// Checks all rules. Returns a certificate for a document of any content. Throws only if the machine fails
 /// (std::bad_alloc, std::system_error) or this program has a bug (Fault); then there is no verdict.
@@ -26,13 +25,6 @@ template <class Document>
 /// lifted triangles visited, about e^L; for a distance O(paths · triangles) more, however long the paths are; for
 /// bounds O(cells) more. Once the total work exceeds `max_work`, the remaining rules are undecided. A rule that was
 /// refuted before stays refuted. The number of threads changes nothing.
-template <class Document>
-[[nodiscard]] Certificate check(const Document& document, const CheckOptions& options = {});
-
-/// As `check`, for the document of whichever claim.
-[[nodiscard]] Certificate check_claim(const ClaimDocument& document, const CheckOptions& options = {});
-
-/// Returns the net of a document.
-[[nodiscard]] const NetDocument& net_of(const ClaimDocument& document);
+[[nodiscard]] Certificate check(const AnyClaim& document, const CheckOptions& options = {});
 
 }  // namespace epsnet::certify

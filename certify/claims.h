@@ -1,45 +1,29 @@
 #pragma once
 
 #include <array>
-#include <string>
-#include <string_view>
 #include <variant>
 
-#include "certify/file/reader.h"
+#include "certify/claims/bound/check.h"
+#include "certify/claims/bound/fields.h"
+#include "certify/claims/distance/check.h"
+#include "certify/claims/distance/fields.h"
+#include "certify/claims/geodesics/check.h"
+#include "certify/claims/geodesics/fields.h"
+#include "certify/claims/net/fields.h"
+#include "certify/documents.h"
+#include "certify/net/structure.h"
 
-/// The table of claims. What a message or a test needs to know of each kind of file that can be checked is a row of it.
+/// What the folders of all claims say of their files: the fields, the functions of check.h, and the table of claims.
 namespace epsnet::certify {
 
-/// One kind of claim.
-struct ClaimKind {
-  std::string_view name;      ///< A file of this kind is a NAME file, and has a section with this title in format.md.
-  std::string_view format;    ///< The member `format` of its files.
-  std::string_view contents;  ///< What is in a file: "closed geodesics".
-  std::string_view says;  ///< What such a file claims, one sentence of a few lines of 80 columns for `certify --help`.
-  int section;            ///< The section of docs/proof.md with its theorem or its rules.
-
-  /// Returns "a NAME file".
-  [[nodiscard]] std::string file() const { return "a " + std::string(name) + " file"; }
-};
+template <class... Documents>
+constexpr std::array<ClaimKind, sizeof...(Documents)> kinds_of(const std::variant<Documents...>* /*list*/) {
+  return {Fields<Documents>::kKind...};
+}
 
 /// In the order of the alternatives of ClaimDocument.
-inline constexpr std::array<ClaimKind, std::variant_size_v<ClaimDocument>> kClaimKinds{{
-    {"net", "epsnet-net", "a net",
-     "A net file claims that its vertices are an epsilon-net of the surface, or of the\n"
-     "thick part (a pseudo net), and that its triangles are a Delaunay triangulation.",
-     2},
-    {"geodesics", "epsnet-geodesics", "closed geodesics",
-     "A geodesics file claims to list the systole, the spectrum up to a length, or the\n"
-     "thick-thin decomposition.",
-     11},
-    {"distance", "epsnet-distance", "a distance",
-     "A distance file claims to list the shortest paths between two points.", 14},
-    {"bound", "epsnet-cover", "bounds",
-     "A bound file claims two bounds for the diameter, the radius, or the radius of\n"
-     "the largest embedded disk.",
-     15},
-}};
+inline constexpr auto kClaimKinds = kinds_of(static_cast<const ClaimDocument*>(nullptr));
 
-[[nodiscard]] inline const ClaimKind& kind_of(const ClaimDocument& document) { return kClaimKinds[document.index()]; }
+[[nodiscard]] inline const ClaimKind& kind_of(const AnyClaim& claim) { return kClaimKinds[claim.index()]; }
 
 }  // namespace epsnet::certify

@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
     const certify::ClaimDocument document = certify::read_file<certify::ClaimDocument>(argv[1]);
 
     // A document of whatever content gives a certificate.
-    const certify::Certificate certificate = certify::check_claim(document);
+    const certify::Certificate certificate = certify::check(document);
 
     for (const certify::RuleReport& rule : certificate.rules) {
       std::cout << rule.rule << ": " << certify::name(rule.verdict) << '\n';

@@ -10,14 +10,10 @@
 #include <type_traits>
 
 #include "certify/base/text.h"
-#include "certify/claims/bound/structure.h"
-#include "certify/claims/distance/structure.h"
-#include "certify/claims/geodesics/structure.h"
+#include "certify/claims.h"
 #include "certify/file/compact.h"
-#include "certify/file/fields.h"
 #include "certify/file/json.h"
 #include "certify/file/reader.h"
-#include "certify/net/structure.h"
 
 namespace epsnet::certify {
 namespace {
@@ -302,17 +298,12 @@ class Reader {
   std::size_t letters_in_all_ = 0;
 };
 
-template <class Document>
-void read_text(Pieces& text, Document& document) {
+template <class Root>
+void read_text(Pieces& text, Root& root) {
   if (text.ahead(3).starts_with("\xef\xbb\xbf")) {
     throw MalformedError("document: begins with a byte order mark, expected an object");
   }
-  if constexpr (std::is_same_v<Document, SurfaceDocument>) {
-    SurfaceFile<SurfaceDocument> file{document};
-    Reader(text).read_all(file);
-  } else {
-    Reader(text).read_all(document);
-  }
+  Reader(text).read_all(root);
 }
 
 NetDocument read_compact_head(std::string_view text) {
@@ -326,25 +317,33 @@ NetDocument read_compact_head(std::string_view text) {
   return document;
 }
 
-}  // namespace
-
 template <class Document>
-Document read_document(Pieces& bytes) {
-  Document document;
-  const bool compact = std::is_same_v<Document, NetDocument> && is_compact(bytes.ahead(kCompactMagic.size()));
-  if constexpr (std::is_same_v<Document, NetDocument>) {
-    if (compact) document = parse_compact(bytes, read_compact_head);
+void read_bytes(Pieces& bytes, Document& document) {
+  read_text(bytes, document);
+}
+void read_bytes(Pieces& bytes, SurfaceDocument& document) {
+  SurfaceFile<SurfaceDocument> file{document};
+  read_text(bytes, file);
+}
+void read_bytes(Pieces& bytes, NetDocument& document) {
+  if (is_compact(bytes.ahead(kCompactMagic.size()))) {
+    document = parse_compact(bytes, read_compact_head);
+  } else {
+    read_text(bytes, document);
   }
-  if (!compact) read_text(bytes, document);
-  if (const auto problem = structure_problem(document)) throw MalformedError(*problem);
-  return document;
 }
 
-template SurfaceDocument read_document(Pieces& bytes);
-template NetDocument read_document(Pieces& bytes);
-template GeodesicsDocument read_document(Pieces& bytes);
-template DistanceDocument read_document(Pieces& bytes);
-template BoundDocument read_document(Pieces& bytes);
+}  // namespace
+
+void read_document(Pieces& bytes, DocumentPointer document) {
+  const auto problem = std::visit(
+      [&](auto* one) {
+        read_bytes(bytes, *one);
+        return structure_problem(*one);
+      },
+      document);
+  if (problem) throw MalformedError(*problem);
+}
 
 std::optional<std::string> format_of(Pieces& bytes) {
   try {

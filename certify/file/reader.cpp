@@ -9,11 +9,12 @@
 #include <system_error>
 #include <unistd.h>
 #include <utility>
+#include <variant>
 
 #include "certify/base/binary64.h"
 #include "certify/base/text.h"
+#include "certify/claims.h"
 #include "certify/file/document_reader.h"
-#include "certify/file/fields.h"
 
 namespace epsnet::certify {
 namespace {
@@ -43,42 +44,36 @@ class Source {
   std::string_view bytes_;
 };
 
-template <class Document>
-void read_source(const Source& source, const Witness& witness, Document& document) {
+void read_source(const Source& source, const Witness& witness, DocumentPointer document) {
   Pieces bytes = source.pieces(witness);
   try {
-    document = read_document<Document>(bytes);
+    read_document(bytes, document);
   } catch (const MalformedError&) {
     bytes.skip_all();
     throw;
   }
 }
 
-/// Reads the one of the documents that the file names, or else the first.
+/// An empty document of the kind that the format names, or else of the first.
 template <class... Documents>
-void read_source(const Source& source, const Witness& witness, std::variant<Documents...>& document) {
-  Pieces beginning = source.pieces();
-  const std::optional<std::string> format = format_of(beginning);
-  const auto read_if_named = [&]<class Document>(std::in_place_type_t<Document>) {
-    if (format != Fields<Document>::kFormat) return false;
-    read_source(source, witness, document.template emplace<Document>());
-    return true;
-  };
-  const bool known = (read_if_named(std::in_place_type<Documents>) || ...);
-  if (!known) read_source(source, witness, std::get<0>(document));
+void choose(std::variant<Documents...>& document, const std::optional<std::string>& format) {
+  (void)((format == Fields<Documents>::kKind.format && (document.template emplace<Documents>(), true)) || ...);
 }
 
-template <class Contents>
-Contents contents_of(const Source& source, std::string_view name, const Witness& witness) {
+void read_source(const Source& source, const Witness& witness, ClaimDocument* document) {
+  Pieces beginning = source.pieces();
+  choose(*document, format_of(beginning));
+  read_source(source, witness, std::visit([](auto& one) -> DocumentPointer { return &one; }, *document));
+}
+
+void read_contents(const Source& source, std::string_view name, const Witness& witness, ContentsPointer contents) {
   const RoundingToNearest rounding;
-  Contents contents;
   try {
     if (source.size() > kMaxFileBytes) throw MalformedError("document: the file is larger than the limit of 4 GiB");
-    read_source(source, witness, contents);
+    std::visit([&](auto* one) { read_source(source, witness, one); }, contents);
   } catch (const MalformedError& error) {
     throw MalformedError(std::string(name) + ": " + error.what());
   }
-  return contents;
 }
 
 /// Opens a file that should be read in chunks, and says how large it is.
@@ -134,34 +129,18 @@ std::string load(const std::filesystem::path& path) {
   return bytes;
 }
 
-template <class Contents>
-Contents read_file(const std::filesystem::path& path, const Witness& witness) {
+void read_file_into(ContentsPointer contents, const std::filesystem::path& path, const Witness& witness) {
   const std::string name = display_name(path);
   if (const auto [file, size] = open_large_file(path); file) {
-    return contents_of<Contents>(Source(file.get(), size), name, witness);
+    return read_contents(Source(file.get(), size), name, witness, contents);
   }
   const std::string bytes = load(path);
   if (witness) witness(bytes);
-  return contents_of<Contents>(Source(bytes), name, {});
+  read_contents(Source(bytes), name, {}, contents);
 }
 
-template <class Contents>
-Contents parse_file(std::string_view bytes, std::string_view name) {
-  return contents_of<Contents>(Source(bytes), name, {});
+void parse_file_into(ContentsPointer contents, std::string_view bytes, std::string_view name) {
+  read_contents(Source(bytes), name, {}, contents);
 }
-
-template SurfaceDocument read_file(const std::filesystem::path& path, const Witness& witness);
-template NetDocument read_file(const std::filesystem::path& path, const Witness& witness);
-template GeodesicsDocument read_file(const std::filesystem::path& path, const Witness& witness);
-template DistanceDocument read_file(const std::filesystem::path& path, const Witness& witness);
-template BoundDocument read_file(const std::filesystem::path& path, const Witness& witness);
-template ClaimDocument read_file(const std::filesystem::path& path, const Witness& witness);
-
-template SurfaceDocument parse_file(std::string_view bytes, std::string_view name);
-template NetDocument parse_file(std::string_view bytes, std::string_view name);
-template GeodesicsDocument parse_file(std::string_view bytes, std::string_view name);
-template DistanceDocument parse_file(std::string_view bytes, std::string_view name);
-template BoundDocument parse_file(std::string_view bytes, std::string_view name);
-template ClaimDocument parse_file(std::string_view bytes, std::string_view name);
 
 }  // namespace epsnet::certify

@@ -9,13 +9,9 @@
 #include <string_view>
 #include <variant>
 
-#include "certify/claims/bound/document.h"
-#include "certify/claims/distance/document.h"
-#include "certify/claims/geodesics/document.h"
-#include "certify/net/document.h"
+#include "certify/documents.h"
 
-/// The strict reader of net, surface, geodesics, distance and bound files, version 1. docs/format.md is the
-/// specification.
+/// The strict reader of surface files and of the files of all claims, version 1. docs/format.md is the specification.
 ///
 /// Everything that the format does not allow is an error: an unknown, missing or repeated member, a wrong type, an
 /// index written as 1.0, a binary64 that overflows, text after the document, an index out of range, a word whose sides
@@ -45,21 +41,31 @@ class FileError : public std::runtime_error {
 /// Files of at most this many bytes are not read in chunks.
 inline constexpr std::uint64_t kMaxBytesAtOnce = 4'000'000;
 
-/// The contents of a file that can be checked.
-using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocument, BoundDocument>;
-
 /// Is shown all bytes of a file, piece by piece in their order.
 using Witness = std::function<void(std::string_view)>;
 
-/// Reads a file, a large one in chunks, without holding it in memory. `Contents` says what is expected: NetDocument, of
-/// a net file that is compact or not, SurfaceDocument, GeodesicsDocument, DistanceDocument, BoundDocument, or
-/// ClaimDocument. Then the member `format` names the kind, and a file with any other format is read as a net file.
-/// Throws FileError, or MalformedError, after the witness has seen all of a file that is not too large.
+/// Where to put the contents of a file: a document of the kind that is expected, or of the kind that the file names.
+using ContentsPointer = Pointers<>::And<ClaimDocument, SurfaceDocument>;
+void read_file_into(ContentsPointer contents, const std::filesystem::path& path, const Witness& witness);
+void parse_file_into(ContentsPointer contents, std::string_view bytes, std::string_view name);
+
+/// Reads a file, a large one in chunks, without holding it in memory. `Contents` says what is expected:
+/// SurfaceDocument, NetDocument, of a net file that is compact or not, the document of another claim, or ClaimDocument.
+/// Then the member `format` names the kind, and a file with any other format is read as a net file. Throws FileError,
+/// or MalformedError, after the witness has seen all of a file that is not too large.
 template <class Contents>
-[[nodiscard]] Contents read_file(const std::filesystem::path& path, const Witness& witness = {});
+[[nodiscard]] Contents read_file(const std::filesystem::path& path, const Witness& witness = {}) {
+  Contents contents;
+  read_file_into(&contents, path, witness);
+  return contents;
+}
 
 /// Like `read_file`, from memory; `name` stands for the file in messages. Throws MalformedError.
 template <class Contents>
-[[nodiscard]] Contents parse_file(std::string_view bytes, std::string_view name);
+[[nodiscard]] Contents parse_file(std::string_view bytes, std::string_view name) {
+  Contents contents;
+  parse_file_into(&contents, bytes, name);
+  return contents;
+}
 
 }  // namespace epsnet::certify

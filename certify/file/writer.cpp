@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "certify/claims.h"
 #include "certify/file/compact.h"
-#include "certify/file/fields.h"
 #include "certify/net/darts.h"
 
 namespace epsnet::certify {
@@ -297,19 +297,12 @@ void write_compact_net(const NetDocument& document, std::ostream& out) {
   buffer.checksum();
 }
 
-template <class Document>
-void write_file(const Document& document, std::ostream& out) {
-  if constexpr (std::is_same_v<Document, SurfaceDocument>) {
-    Writer(out).write_all(SurfaceFile<const SurfaceDocument>{document});
-  } else {
-    Writer(out).write_all(document);
-  }
+void write_file(const AnyClaim& document, std::ostream& out) {
+  document.visit([&](const auto& one) { Writer(out).write_all(one); });
 }
 
-template void write_file(const SurfaceDocument& document, std::ostream& out);
-template void write_file(const NetDocument& document, std::ostream& out);
-template void write_file(const GeodesicsDocument& document, std::ostream& out);
-template void write_file(const DistanceDocument& document, std::ostream& out);
-template void write_file(const BoundDocument& document, std::ostream& out);
+void write_file(const SurfaceDocument& surface, std::ostream& out) {
+  Writer(out).write_all(SurfaceFile<const SurfaceDocument>{surface});
+}
 
 }  // namespace epsnet::certify

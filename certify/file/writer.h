@@ -2,10 +2,7 @@
 
 #include <iosfwd>
 
-#include "certify/claims/bound/document.h"
-#include "certify/claims/distance/document.h"
-#include "certify/claims/geodesics/document.h"
-#include "certify/net/document.h"
+#include "certify/documents.h"
 
 /// Writes the files of docs/format.md. The writer is not trusted: the checker reads its output with reader.h.
 ///
@@ -13,10 +10,9 @@
 /// what is read from them equals the document. O(size), buffered. Errors are reported by the state of the stream.
 namespace epsnet::certify {
 
-/// Writes a file. `Document` is SurfaceDocument, NetDocument, GeodesicsDocument, of which the members that its claim
-/// has are written, DistanceDocument or BoundDocument.
-template <class Document>
-void write_file(const Document& document, std::ostream& out);
+/// Writes a file, of a geodesics document the members that its claim has.
+void write_file(const AnyClaim& document, std::ostream& out);
+void write_file(const SurfaceDocument& surface, std::ostream& out);
 
 /// Writes a compact net file, about 55 bytes per vertex. Requires: `opposite` is an involution without fixed points.
 /// Otherwise throws std::invalid_argument before anything is written, and only write_file can write the document.

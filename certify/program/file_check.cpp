@@ -11,7 +11,6 @@
 #include <string_view>
 #include <unistd.h>
 #include <utility>
-#include <variant>
 
 #include "certify/base/fault.h"
 #include "certify/check.h"
@@ -106,14 +105,14 @@ FileReport check_bytes(const Request& request, const std::string& path) {
     if (seen && kept && !is_compact(bytes)) add_second_opinion(report, bytes);
     return report;
   }
-  const NetDocument& net = net_of(document);
-  if (request.print_parsed) std::visit([](const auto& claim) { write_file(claim, std::cout); }, document);
+  const NetDocument& net = AnyClaim(document).net();
+  if (request.print_parsed) write_file(document, std::cout);
   const bool twice = kept && (request.exact || net.triangles.size() <= kTrianglesCheckedTwice);
   if (!twice) std::string().swap(bytes);  // They may be gigabytes.
   Progress progress;
   CheckOptions options = request.options;
   options.progress = [&](std::string_view rule, double share) { progress.show(rule, share); };
-  report.certificate = check_claim(document, options);
+  report.certificate = check(document, options);
   report.is_claim = report.certificate.verdict != Verdict::malformed;
   if (twice) {
     progress.show("second checker", 0);

@@ -119,10 +119,10 @@ std::string text(const Certificate& certificate) {
 TEST(Binary64, CertificatesAreTheSameHoweverTheCallerRounds) {
   for (const auto& path : files()) {
     const ClaimDocument document = read_file<ClaimDocument>(path);
-    const std::string expected = text(check_claim(document, {.threads = 1}));
+    const std::string expected = text(check(document, {.threads = 1}));
     for (const Environment& environment : environments()) {
       for (const unsigned threads : {1U, 3U}) {
-        const auto certificate = environment.run([&] { return check_claim(document, {.threads = threads}); });
+        const auto certificate = environment.run([&] { return check(document, {.threads = threads}); });
         EXPECT_EQ(text(certificate), expected) << environment.name() << " " << path;
       }
     }

@@ -19,7 +19,7 @@ std::vector<std::filesystem::path> files(const std::string& verdict) {
 }
 
 Certificate check_file(const std::filesystem::path& path) {
-  return check_claim(read_file<ClaimDocument>(path), {.threads = 2});
+  return check(read_file<ClaimDocument>(path), {.threads = 2});
 }
 
 void expect_verdict(const std::string& folder, Verdict verdict, std::size_t at_least, bool named_by_rule) {

@@ -444,7 +444,9 @@ NetDocument from_file(const std::string& bytes) {
   EXPECT_EQ(std::fwrite(bytes.data(), 1, bytes.size(), file.get()), bytes.size());
   std::rewind(file.get());
   Pieces pieces(file.get(), bytes.size(), {});
-  return read_document<NetDocument>(pieces);
+  NetDocument document;
+  read_document(pieces, &document);
+  return document;
 }
 
 TEST(Reader, ValuesCrossTheEndsOfPieces) {

@@ -29,6 +29,19 @@ def room_of(path, rooms):
     return max(fits, key=len, default=None)
 
 
+def with_folders(rooms, folders):
+    """The table in which PARENT/* stands for each folder in PARENT that has no row of its own."""
+    rows = {}
+    for room, allowed in rooms.items():
+        names = [room]
+        if room.endswith("/*"):
+            names = [name for name in folders if posixpath.dirname(name) == room[:-2] and name not in rooms]
+        rows[room] = (names, allowed)
+    return {
+        name: {one for other in allowed for one in rows.get(other, ([other],))[0]} for names, allowed in rows.values() for name in names
+    }
+
+
 def violations(root, rooms):
     names = {name for allowed in rooms.values() for name in allowed if name != "*"}
     for name in sorted(names - rooms.keys()):
@@ -97,13 +110,18 @@ def self_test():
     assert rooms == {"a": {"a/b"}, "a/b": set(), "a/check": {"*"}}, rooms
     assert named_public("epsnet_public_headers(a\n  ../epsnet.h\n  b/x.h)", "a") == {"epsnet.h", "a/b/x.h"}
     assert room_of("a/x.h", rooms) == "a" and room_of("a/b/x.h", rooms) == "a/b"
+    every = with_folders({"a/*": {"b"}, "a/c": {"a/*"}}, ["a/c", "a/d", "a/e", "f/g"])
+    assert every == {"a/d": {"b"}, "a/e": {"b"}, "a/c": {"a/d", "a/e"}}, every
     assert room_of("a/check.h", rooms) == "a/check" and room_of("a/checks.h", rooms) == "a" and room_of("c.h", rooms) is None
 
 
 def main():
     self_test()
     root = pathlib.Path(sys.argv[1])
-    found = list(public_violations(root)) + list(violations(root, read_table((root / "docs/rooms.md").read_text(encoding="utf-8"))))
+    table = read_table((root / "docs/rooms.md").read_text(encoding="utf-8"))
+    parents = {room[:-2] for room in table if room.endswith("/*")}
+    folders = [path.relative_to(root).as_posix() for parent in parents for path in (root / parent).iterdir() if path.is_dir()]
+    found = list(public_violations(root)) + list(violations(root, with_folders(table, folders)))
     print("\n".join(found))
     return 1 if found else 0
 

@@ -10,7 +10,7 @@
 #include "certify/base/counted.h"
 #include "certify/base/decimals.h"
 #include "certify/claims/bound/element.h"
-#include "certify/claims/bound/structure.h"
+#include "certify/claims/net/claim.h"
 #include "certify/claims/bound/triangles.h"
 #include "certify/lifted/lorentz.h"
 #include "certify/net/darts.h"

@@ -1,4 +1,4 @@
-#include "certify/claims/bound/structure.h"
+#include "certify/claims/bound/check.h"
 
 #include "certify/net/structure.h"
 

@@ -7,7 +7,7 @@
 
 #include "certify/base/decimals.h"
 #include "certify/base/text.h"
-#include "certify/claims/distance/structure.h"
+#include "certify/claims/net/claim.h"
 #include "certify/lifted/interval_index.h"
 #include "certify/lifted/lifted_plane.h"
 #include "certify/net/darts.h"

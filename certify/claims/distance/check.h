@@ -1,11 +1,27 @@
 #pragma once
 
-#include "certify/claims/distance/structure.h"
-#include "certify/claims/net/claim.h"
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "certify/claims/distance/document.h"
+#include "certify/verdict/report.h"
 
 /// The claim of a distance file: whether the distance of two points lies in an interval, and the list contains all
 /// geodesics between them of length up to the upper end (docs/proof.md, section 14).
 namespace epsnet::certify {
+
+struct Claim;
+
+/// What a distance document must satisfy before any rule makes sense: its net has no structure problem, one vertex and
+/// no collars; the point is in the disk of a tile; words lead from the tile of the vertex's chart to that tile, and
+/// there is at least one; the enclosure is finite, not negative and in order.
+///
+/// The first problem; nullopt if there is none. Exact, O(size of the document).
+[[nodiscard]] std::optional<std::string> structure_problem(const DistanceDocument& document);
+
+/// About the least number of bytes of a file with this content (docs/format.md, "Limits").
+[[nodiscard]] std::uint64_t least_bytes(const DistanceDocument& document);
 
 /// The names of its own rules, in order:
 ///

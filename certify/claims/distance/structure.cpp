@@ -1,4 +1,4 @@
-#include "certify/claims/distance/structure.h"
+#include "certify/claims/distance/check.h"
 
 #include "certify/net/structure.h"
 

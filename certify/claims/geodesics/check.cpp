@@ -11,7 +11,7 @@
 #include "certify/claims/geodesics/cut_surface.h"
 #include "certify/claims/geodesics/exact_traces.h"
 #include "certify/claims/geodesics/list_rules.h"
-#include "certify/claims/geodesics/structure.h"
+#include "certify/claims/net/claim.h"
 #include "certify/numbers/parallel.h"
 #include "certify/numbers/precision.h"
 #include "certify/verdict/open_rules.h"

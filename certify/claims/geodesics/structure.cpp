@@ -1,4 +1,4 @@
-#include "certify/claims/geodesics/structure.h"
+#include "certify/claims/geodesics/check.h"
 
 #include <algorithm>
 

@@ -12,7 +12,7 @@
 /// What every claim is made of, and the one way in which it is checked: the rules of the net, then those of its own.
 ///
 /// The folder of a claim has four functions of its document: `structure_problem`, `least_bytes`, `own_rules` and
-/// `claim_of`. check.cpp calls them in this order.
+/// `claim_of`.
 namespace epsnet::certify {
 
 /// A claim about a net, or about the surface of one.

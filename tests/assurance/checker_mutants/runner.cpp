@@ -91,7 +91,7 @@ class CertifyFile : public testing::Test {
     try {
       certify::ClaimDocument claim = certify::read_file<certify::ClaimDocument>(expected_.path);
       if (way_ == Way::compact) claim = through_compact(std::move(claim));
-      certificate = certify::check_claim(claim, {.threads = 1, .filter = way_ != Way::without_filter});
+      certificate = certify::check(claim, {.threads = 1, .filter = way_ != Way::without_filter});
     } catch (const certify::MalformedError& error) {
       certificate.verdict = certify::Verdict::malformed;
       certificate.message = error.what();

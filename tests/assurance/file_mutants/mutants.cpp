@@ -259,7 +259,7 @@ Opinion ask_certify(const std::string& text) {
   try {
     const auto document = certify::parse_file<certify::ClaimDocument>(text, "mutant");
     const certify::CheckOptions options{.threads = 1, .max_precision = 4096};
-    const certify::Certificate c = certify::check_claim(document, options);
+    const certify::Certificate c = certify::check(document, options);
     return {c.verdict, c.rule, c.message};
   } catch (const certify::MalformedError& error) {
     return {Verdict::malformed, "", error.what()};

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <variant>
+
+#include "certify/claims/bound/document.h"
+#include "certify/claims/distance/document.h"
+#include "certify/claims/geodesics/document.h"
+#include "certify/net/document.h"
+
+/// The one list of the claims that files can make.
+namespace epsnet::certify {
+
+/// The contents of a file that can be checked. What is needed for each kind of claim follows from this list.
+using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocument, BoundDocument>;
+
+/// Pointers to the documents of that list.
+template <class Documents = ClaimDocument>
+struct Pointers;
+template <class... Documents>
+struct Pointers<std::variant<Documents...>> {
+  using ToConst = std::variant<const Documents*...>;
+  template <class... More>
+  using And = std::variant<More*..., Documents*...>;
+};
+
+/// A reference to the document of a claim, for functions that serve all claims. Converts from each of these documents
+/// and from ClaimDocument.
+class AnyClaim {
+ public:
+  template <class Document>
+  requires std::constructible_from < Pointers<>::ToConst,
+  const Document* > AnyClaim(const Document& document) : document_(&document) {}
+  AnyClaim(const ClaimDocument& document)
+      : AnyClaim(std::visit([](const auto& one) { return AnyClaim(one); }, document)) {}
+
+  /// The number of its alternative of ClaimDocument.
+  [[nodiscard]] std::size_t index() const { return document_.index(); }
+
+  /// Returns what `use` makes of the document.
+  template <class Use>
+  decltype(auto) visit(const Use& use) const {
+    return std::visit([&](const auto* document) -> decltype(auto) { return use(*document); }, document_);
+  }
+
+  /// Returns its net.
+  [[nodiscard]] const NetDocument& net() const {
+    return visit([]<class Document>(const Document& document) -> const NetDocument& {
+      if constexpr (std::same_as<Document, NetDocument>) {
+        return document;
+      } else {
+        return document.net;
+      }
+    });
+  }
+
+ private:
+  Pointers<>::ToConst document_;
+};
+
+}  // namespace epsnet::certify
