@@ -33,7 +33,7 @@ constexpr double kShortestCurve = 0x1p-88;
   throw LimitError("a path of " + std::to_string(sides) + " sides leads too far to be evaluated");
 }
 
-std::string two_digits(double value) {
+std::string with_exponent(double value) {
   std::array<char, 32> text{};
   (void)std::snprintf(text.data(), text.size(), "%.1e", value);
   return text.data();
@@ -50,7 +50,7 @@ Atlas::Atlas(const Surface& surface) : charts_(surface), words_(surface) {
   for (std::uint32_t t = 0; t < surface.tiles().size() && !surface.is_regular(); ++t) {
     if (const double shortest = curve_bound(surface.tiles()[t]); shortest < kShortestCurve) {
       throw LimitError("tile " + std::to_string(t) + " is too thin: closed geodesics through it may be as short as " +
-                       two_digits(shortest) + ", expected at least " + two_digits(kShortestCurve));
+                       with_exponent(shortest) + ", expected at least " + with_exponent(kShortestCurve));
     }
   }
 }

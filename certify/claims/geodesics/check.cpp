@@ -35,7 +35,7 @@ NetDocument extended(const GeodesicsDocument& document) {
 constexpr const char* kGeodesics = "geodesics";
 constexpr const char* kDistinct = "distinct";
 constexpr const char* kSimple = "simple";
-constexpr const char* kEqual = "equal";
+constexpr const char* kEqualLengths = "equal";
 constexpr const char* kComplete = "complete";
 constexpr const char* kPieces = "pieces";
 
@@ -105,7 +105,7 @@ class GeodesicsCheck {
     progress(kGeodesics);
     const LiftedPlane plane(net_, evaluator_, parts_, precision, options_.max_precision, threads_);
     if (open(kGeodesics)) check_lengths(plane);
-    if (open(kEqual)) check_equal();
+    if (open(kEqualLengths)) check_equal();
     if (verdict(kGeodesics) != Verdict::verified) return;
     std::vector<ChordTable::Member> members;
     for (std::size_t i = 0; i < elements_.size(); ++i) members.push_back({first_dart(i), element(plane, i)});
@@ -191,13 +191,13 @@ class GeodesicsCheck {
         const Tri equal = lengths_equal(elements_[cluster.first], elements_[i]);
         if (equal == Tri::yes) continue;
         const std::string names = geodesic_name(cluster.first) + " and " + geodesic_name(i);
-        report(kEqual, equal == Tri::no ? Verdict::refuted : Verdict::undecided,
+        report(kEqualLengths, equal == Tri::no ? Verdict::refuted : Verdict::undecided,
                equal == Tri::no ? names + " have different lengths in a cluster of equal ones"
                                 : names + ": the words are too long to compare the lengths exactly");
         return;
       }
     }
-    report(kEqual, Verdict::verified,
+    report(kEqualLengths, Verdict::verified,
            std::to_string(claimed) + " of " + std::to_string(document_.clusters.size()) +
                " clusters consist of equal lengths, exactly");
   }
@@ -294,7 +294,7 @@ std::string text_of(const GeodesicsDocument& document) {
 
 RuleNames own_rules(const GeodesicsDocument& document) {
   if (document.claim == GeodesicsDocument::Claim::systole) return {kGeodesics, kSimple, kComplete};
-  RuleNames rules{kGeodesics, kDistinct, kSimple, kEqual, kComplete};
+  RuleNames rules{kGeodesics, kDistinct, kSimple, kEqualLengths, kComplete};
   if (document.claim == GeodesicsDocument::Claim::thick_thin) rules.emplace_back(kPieces);
   return rules;
 }
