@@ -34,19 +34,32 @@ struct Violation {
   std::string text;
 };
 
-/// Contains the extreme of all quantities seen; starts empty.
-class Extreme {
+/// Quantities of which an extreme is enclosed: the largest sinh²R, the others of sinh²(d/2).
+enum Measure : std::size_t { kCircumradius, kLongest, kShortestEdge, kShortestLoop };
+constexpr std::array kMeasures{kCircumradius, kLongest, kShortestEdge, kShortestLoop};
+
+/// Contains the extreme of all quantities seen; nullopt for what was not seen.
+class Extremes {
  public:
-  void largest(Interval x) {
-    value_ = value_ ? Interval{std::max(value_->lower, x.lower), std::max(value_->upper, x.upper)} : x;
+  void add(Measure measure, Interval x) {
+    std::optional<Interval>& value = values_[measure];
+    if (!value) {
+      value = x;
+    } else if (measure == kCircumradius || measure == kLongest) {
+      value = {std::max(value->lower, x.lower), std::max(value->upper, x.upper)};
+    } else {
+      value = {std::min(value->lower, x.lower), std::min(value->upper, x.upper)};
+    }
   }
-  void smallest(Interval x) {
-    value_ = value_ ? Interval{std::min(value_->lower, x.lower), std::min(value_->upper, x.upper)} : x;
+  void add(const Extremes& other) {
+    for (const Measure measure : kMeasures) {
+      if (other[measure]) add(measure, *other[measure]);
+    }
   }
-  [[nodiscard]] const std::optional<Interval>& value() const { return value_; }
+  [[nodiscard]] const std::optional<Interval>& operator[](Measure measure) const { return values_[measure]; }
 
  private:
-  std::optional<Interval> value_;
+  std::array<std::optional<Interval>, 4> values_;
 };
 
 /// The measures that the filter settled and that may still be extreme: the largest circumradius, the longest or the
@@ -61,18 +74,16 @@ class Candidates {
 
   void add(const Candidate& candidate) {
     if (candidate.question == kCoveringBit) {
-      circumradius_ = std::max(circumradius_, candidate.measure.lower);
+      extremes_.add(kCircumradius, candidate.measure);
     } else {
-      longest_ = std::max(longest_, candidate.measure.lower);
-      shortest_ = std::min(shortest_, candidate.measure.upper);
+      extremes_.add(kLongest, candidate.measure);
+      extremes_.add(kShortestEdge, candidate.measure);
     }
     if (may_be_extreme(candidate)) candidates_.push_back(candidate);
   }
 
   void add(const Candidates& other) {
-    circumradius_ = std::max(circumradius_, other.circumradius_);
-    longest_ = std::max(longest_, other.longest_);
-    shortest_ = std::min(shortest_, other.shortest_);
+    extremes_.add(other.extremes_);
     candidates_.insert(candidates_.end(), other.candidates_.begin(), other.candidates_.end());
   }
 
@@ -89,13 +100,12 @@ class Candidates {
   /// have changed no end of an enclosure.
   [[nodiscard]] bool may_be_extreme(const Candidate& candidate) const {
     constexpr double kMargin = 1 + 0x1p-20;
-    if (candidate.question == kCoveringBit) return candidate.measure.upper * kMargin >= circumradius_;
-    return candidate.measure.upper * kMargin >= longest_ || candidate.measure.lower <= shortest_ * kMargin;
+    const auto [lower, upper] = candidate.measure;
+    if (candidate.question == kCoveringBit) return upper * kMargin >= extremes_[kCircumradius]->lower;
+    return upper * kMargin >= extremes_[kLongest]->lower || lower <= extremes_[kShortestEdge]->upper * kMargin;
   }
 
-  double circumradius_ = 0;  ///< The largest is at least this.
-  double longest_ = 0;
-  double shortest_ = std::numeric_limits<double>::infinity();  ///< The shortest is at most this.
+  Extremes extremes_;  ///< Of all that were added.
   std::vector<Candidate> candidates_;
 };
 
@@ -103,10 +113,7 @@ class Candidates {
 struct Findings {
   std::array<std::optional<Violation>, 5> refuted;
   std::vector<std::uint32_t> ties;
-  Extreme circumradius;  ///< Of sinh² R.
-  Extreme longest;       ///< Of sinh²(d/2), as the two below.
-  Extreme shortest_edge;
-  Extreme shortest_loop;
+  Extremes extremes;
 
   void refute(Rule rule, std::size_t triangle, const std::string& text) {
     if (!refuted[rule] || triangle < refuted[rule]->triangle) refuted[rule] = Violation{triangle, text};
@@ -117,10 +124,7 @@ struct Findings {
       if (other.refuted[rule]) refute(rule, other.refuted[rule]->triangle, other.refuted[rule]->text);
     }
     ties.insert(ties.end(), other.ties.begin(), other.ties.end());
-    if (const auto& x = other.circumradius.value()) circumradius.largest(*x);
-    if (const auto& x = other.longest.value()) longest.largest(*x);
-    if (const auto& x = other.shortest_edge.value()) shortest_edge.smallest(*x);
-    if (const auto& x = other.shortest_loop.value()) shortest_loop.smallest(*x);
+    extremes.add(other.extremes);
   }
 };
 
@@ -144,6 +148,18 @@ std::optional<Rule> length_rule(const NetDocument& document, const CollarMembers
   return collars.are_partners(u, v) ? std::nullopt : std::optional(kPacking);
 }
 
+/// The questions about triangle t that belong to a rule.
+Questions questions_of(const NetDocument& document, const CollarMembers& collars, Rule rule, std::uint32_t t) {
+  if (rule == kOrientation) return kOrientationBit;
+  if (rule == kDelaunay) return kDelaunayBits;
+  if (rule == kCovering) return kCoveringBit;
+  Questions result = 0;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    if (length_rule(document, collars, 3 * t + i) == rule) result = static_cast<Questions>(result | length_bit(i));
+  }
+  return result;
+}
+
 void refute_orientation(const NetDocument& document, std::uint32_t t, Findings& findings) {
   findings.refute(kOrientation, t, triangle_name(document, t) + " is not strictly counterclockwise");
 }
@@ -157,16 +173,15 @@ void refute_delaunay(const NetDocument& document, std::uint32_t dart, Findings& 
 bool examine_exactly(const NetDocument& document, const LabelEvaluator& evaluator, std::uint32_t t, Questions question,
                      Findings& findings) {
   if (question == kOrientationBit) {
-    if (!exact_orientation_is_feasible(document, evaluator, t)) return false;
-    if (exact_orientation(document, evaluator, t) <= 0) refute_orientation(document, t, findings);
-    return true;
+    const std::optional<int> sign = exact_orientation(document, evaluator, t);
+    if (sign && *sign <= 0) refute_orientation(document, t, findings);
+    return sign.has_value();
   }
   const std::uint32_t dart = 3 * t + (question == delaunay_bit(0) ? 0 : question == delaunay_bit(1) ? 1 : 2);
-  if (!exact_cross_ratio_is_feasible(document, evaluator, dart)) return false;
-  const int sign = exact_cross_ratio_sign(document, evaluator, dart);
-  if (sign > 0) refute_delaunay(document, dart, findings);
-  if (sign == 0) findings.ties.push_back(dart);
-  return true;
+  const std::optional<int> sign = exact_cross_ratio_sign(document, evaluator, dart);
+  if (sign && *sign > 0) refute_delaunay(document, dart, findings);
+  if (sign && *sign == 0) findings.ties.push_back(dart);
+  return sign.has_value();
 }
 
 /// One run over the open triangles at one precision.
@@ -218,7 +233,7 @@ class Pass {
                    (inside == Tri::yes && !measured(radius.denominator)))) {
       return kCoveringBit;
     }
-    findings.circumradius.largest(squared);
+    findings.extremes.add(kCircumradius, squared);
     return inside == Tri::unknown ? kCoveringBit : Questions{0};
   }
 
@@ -260,8 +275,8 @@ class Pass {
         (short_edge == Tri::unknown || !measured(difference) || !measured(edge.gap_product))) {
       return length_bit(i);
     }
-    findings.longest.largest(squared);
-    if (loop || rule) (loop ? findings.shortest_loop : findings.shortest_edge).smallest(squared);
+    findings.extremes.add(kLongest, squared);
+    if (loop || rule) findings.extremes.add(loop ? kShortestLoop : kShortestEdge, squared);
     return short_edge == Tri::unknown ? length_bit(i) : Questions{0};
   }
 
@@ -317,17 +332,13 @@ class Questionnaire {
 
   /// Takes away what the filter settles, but for measures that may be extreme.
   void sift(const Filter& filter, unsigned threads) {
-    const std::size_t blocks = (triangles_.size() + kBlock - 1) / kBlock;
-    std::vector<Candidates> found(blocks);
-    for_each_parallel(blocks, threads, [&](unsigned, std::size_t block) {
-      const std::size_t end = std::min(triangles_.size(), (block + 1) * kBlock);
-      for (std::size_t k = block * kBlock; k < end; ++k) {
-        const Filter::Answer answer = filter.answer(triangles_[k], open_[k]);
-        open_[k] = static_cast<Questions>(open_[k] & ~answer.settled);
-        if (answer.settled & kCoveringBit) found[block].add({k, kCoveringBit, answer.circumradius});
-        for (std::uint32_t i = 0; i < 3; ++i) {
-          if (answer.settled & length_bit(i)) found[block].add({k, length_bit(i), answer.length[i]});
-        }
+    std::vector<Candidates> found(blocks());
+    for_each_open(threads, [&](unsigned, std::size_t block, std::size_t k) {
+      const Filter::Answer answer = filter.answer(triangles_[k], open_[k]);
+      open_[k] = static_cast<Questions>(open_[k] & ~answer.settled);
+      if (answer.settled & kCoveringBit) found[block].add({k, kCoveringBit, answer.circumradius});
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        if (answer.settled & length_bit(i)) found[block].add({k, length_bit(i), answer.length[i]});
       }
     });
     Candidates all;
@@ -341,17 +352,13 @@ class Questionnaire {
   /// examine(worker, t, open, findings) for all that are open; it returns what stays open.
   template <class Examine>
   void ask(unsigned threads, const CheckOptions& options, const Examine& examine) {
-    const std::size_t blocks = (triangles_.size() + kBlock - 1) / kBlock;
-    std::vector<Findings> found(blocks);
+    std::vector<Findings> found(blocks());
     // What is open changes together with what was found, so that an exception leaves both as they were.
     std::vector<Questions> open(open_.size());
-    for_each_parallel(blocks, threads, [&](unsigned worker, std::size_t block) {
-      const std::size_t end = std::min(triangles_.size(), (block + 1) * kBlock);
-      for (std::size_t k = block * kBlock; k < end; ++k) {
-        open[k] = examine(worker, triangles_[k], open_[k], found[block]);
-      }
-      if (worker == 0 && options.progress) {
-        options.progress("geometry", static_cast<double>(block) / static_cast<double>(blocks));
+    for_each_open(threads, [&](unsigned worker, std::size_t block, std::size_t k) {
+      open[k] = examine(worker, triangles_[k], open_[k], found[block]);
+      if (worker == 0 && options.progress && k % kBlock == 0) {
+        options.progress("geometry", static_cast<double>(block) / static_cast<double>(found.size()));
       }
     });
     open_ = std::move(open);
@@ -397,16 +404,24 @@ class Questionnaire {
   void finish(bool all_asked) {
     constexpr Interval kAnything{0, std::numeric_limits<double>::infinity()};
     if (!measures_dropped_ && (all_asked || std::none_of(open_.begin(), open_.end(), measures))) return;
-    all_.circumradius.largest(kAnything);
-    all_.longest.largest(kAnything);
-    all_.shortest_edge.smallest(kAnything);
-    all_.shortest_loop.smallest(kAnything);
+    for (const Measure measure : kMeasures) all_.extremes.add(measure, kAnything);
   }
 
   /// The rule that is refuted, if questions of this rule were dropped for it.
   [[nodiscard]] std::optional<Rule> dropped_for(Rule rule) const { return dropped_for_[rule]; }
 
  private:
+  [[nodiscard]] std::size_t blocks() const { return (triangles_.size() + kBlock - 1) / kBlock; }
+
+  /// body(worker, block, k) for all triangles that are open, those of one block by one thread and in order.
+  template <class Body>
+  void for_each_open(unsigned threads, const Body& body) const {
+    for_each_parallel(blocks(), threads, [&](unsigned worker, std::size_t block) {
+      const std::size_t end = std::min(triangles_.size(), (block + 1) * kBlock);
+      for (std::size_t k = block * kBlock; k < end; ++k) body(worker, block, k);
+    });
+  }
+
   /// Whether a question asks for the circumradius or a length.
   static bool measures(Questions questions) { return (questions & ~(kOrientationBit | kDelaunayBits)) != 0; }
 
@@ -419,7 +434,7 @@ class Questionnaire {
     for (std::size_t k = 0; k < open_.size(); ++k) {
       Questions kept = 0;
       for (const Rule rule : kRules) {
-        const Questions questions = questions_of(rule, k);
+        const Questions questions = questions_of(document_, collars_, rule, triangles_[k]);
         if (rule < *refuted || (rule == *refuted && triangles_[k] < all_.refuted[rule]->triangle)) {
           kept = static_cast<Questions>(kept | questions);
         } else if (open_[k] & questions) {
@@ -441,20 +456,6 @@ class Questionnaire {
     }
     triangles_.resize(kept);
     open_.resize(kept);
-  }
-
-  /// The questions of triangle number k that belong to a rule.
-  [[nodiscard]] Questions questions_of(Rule rule, std::size_t k) const {
-    if (rule == kOrientation) return kOrientationBit;
-    if (rule == kDelaunay) return kDelaunayBits;
-    if (rule == kCovering) return kCoveringBit;
-    Questions result = 0;
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      if (length_rule(document_, collars_, 3 * triangles_[k] + i) == rule) {
-        result = static_cast<Questions>(result | length_bit(i));
-      }
-    }
-    return result;
   }
 
   const NetDocument& document_;
@@ -553,10 +554,14 @@ class GeometryChecker {
     outcome_.epsilon = outer_interval(Ball::rounded(epsilon_));
     outcome_.ties = all.ties;
     std::sort(outcome_.ties.begin(), outcome_.ties.end());
-    if (const auto& x = all.circumradius.value()) outcome_.largest_circumradius = length_interval(*x, 1);
-    if (const auto& x = all.longest.value()) outcome_.longest_edge = length_interval(*x, 2);
-    if (const auto& x = all.shortest_edge.value()) outcome_.shortest_edge = length_interval(*x, 2);
-    if (const auto& x = all.shortest_loop.value()) outcome_.shortest_loop = length_interval(*x, 2);
+    const auto length = [&](Measure measure) -> std::optional<Interval> {
+      const std::optional<Interval>& x = all.extremes[measure];
+      return x ? std::optional(length_interval(*x, measure == kCircumradius ? 1 : 2)) : std::nullopt;
+    };
+    outcome_.largest_circumradius = length(kCircumradius).value_or(Interval{});
+    outcome_.longest_edge = length(kLongest).value_or(Interval{});
+    outcome_.shortest_edge = length(kShortestEdge);
+    outcome_.shortest_loop = length(kShortestLoop);
   }
 
   /// By rule.
@@ -591,23 +596,18 @@ class GeometryChecker {
 
   /// What a rule leaves open in triangle t, of which these questions are; nothing if that is nothing.
   [[nodiscard]] std::optional<std::string> undecided_text(Rule rule, std::uint32_t t, Questions open) const {
-    if (rule == kOrientation && (open & kOrientationBit)) {
+    const unsigned left = open & questions_of(document_, collars_, rule, t);
+    if (left == 0) return std::nullopt;
+    if (rule == kOrientation)
       return triangle_name(document_, t) + ": not decided whether it is strictly counterclockwise";
-    }
-    if (rule == kCovering && (open & kCoveringBit)) {
+    if (rule == kCovering) {
       return triangle_name(document_, t) + ": not decided whether " +
              (collars_.has_triangle(t) ? "it has a circumcircle" : "the circumradius is at most epsilon");
     }
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const std::uint32_t dart = 3 * t + i;
-      if (rule == kDelaunay && (open & delaunay_bit(i))) {
-        return edge_name(document_, dart) + ": not decided whether it is Delaunay";
-      }
-      if ((open & length_bit(i)) && length_rule(document_, collars_, dart) == rule) {
-        return edge_name(document_, dart) + ": not decided whether it is at least epsilon long";
-      }
-    }
-    return std::nullopt;
+    std::uint32_t i = 0;
+    while (!(left & (delaunay_bit(i) | length_bit(i)))) ++i;
+    return edge_name(document_, 3 * t + i) + ": not decided whether it is " +
+           (rule == kDelaunay ? "Delaunay" : "at least epsilon long");
   }
 
   const NetDocument& document_;

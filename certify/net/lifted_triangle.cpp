@@ -232,44 +232,36 @@ class ExactCorners {
   const CrossingsOfAKind& crossings_;
 };
 
-std::size_t triangle_bits(const NetDocument& document, const LabelEvaluator& evaluator, std::uint32_t t) {
-  const auto& label = document.triangles[t].label;
-  return evaluator.exact_bits(label[0]) + evaluator.exact_bits(label[1]);
-}
-
-std::size_t max_exact_bits(const LabelEvaluator& evaluator) {
-  return std::visit([](const auto& crossings) { return crossings.kMaxExactBits; }, evaluator.crossings());
+/// sign(corners) over the ring of the crossings; nullopt if the labels of these triangles have too many bits together.
+template <class Sign>
+std::optional<int> exact_sign(const NetDocument& document, const LabelEvaluator& evaluator,
+                              std::initializer_list<std::uint32_t> triangles, const Sign& sign) {
+  std::size_t bits = 0;
+  for (const std::uint32_t t : triangles) {
+    for (const std::uint32_t number : document.triangles[t].label) bits += evaluator.exact_bits(number);
+  }
+  return std::visit(
+      [&](const auto& crossings) -> std::optional<int> {
+        if (bits > crossings.kMaxExactBits) return std::nullopt;
+        return sign(ExactCorners(document, evaluator, crossings));
+      },
+      evaluator.crossings());
 }
 
 }  // namespace
 
-int exact_orientation(const NetDocument& document, const LabelEvaluator& evaluator, std::uint32_t t) {
-  return std::visit(
-      [&](const auto& crossings) {
-        const ExactCorners corners(document, evaluator, crossings);
-        return orientation(corners.corner(3 * t), corners.corner(3 * t + 1), corners.corner(3 * t + 2));
-      },
-      evaluator.crossings());
+std::optional<int> exact_orientation(const NetDocument& document, const LabelEvaluator& evaluator, std::uint32_t t) {
+  return exact_sign(document, evaluator, {t}, [&](const auto& corners) {
+    return orientation(corners.corner(3 * t), corners.corner(3 * t + 1), corners.corner(3 * t + 2));
+  });
 }
 
-int exact_cross_ratio_sign(const NetDocument& document, const LabelEvaluator& evaluator, std::uint32_t dart) {
-  return std::visit(
-      [&](const auto& crossings) {
-        const ExactCorners corners(document, evaluator, crossings);
-        return cross_ratio_sign(std::array{corners.corner(dart), corners.far_corner(dart),
-                                           corners.corner(next_dart(dart)), corners.corner(previous_dart(dart))});
-      },
-      evaluator.crossings());
-}
-
-bool exact_orientation_is_feasible(const NetDocument& document, const LabelEvaluator& evaluator, std::uint32_t t) {
-  return triangle_bits(document, evaluator, t) <= max_exact_bits(evaluator);
-}
-
-bool exact_cross_ratio_is_feasible(const NetDocument& document, const LabelEvaluator& evaluator, std::uint32_t dart) {
-  return triangle_bits(document, evaluator, dart / 3) +
-             triangle_bits(document, evaluator, opposite(document, dart) / 3) <=
-         max_exact_bits(evaluator);
+std::optional<int> exact_cross_ratio_sign(const NetDocument& document, const LabelEvaluator& evaluator,
+                                          std::uint32_t dart) {
+  return exact_sign(document, evaluator, {dart / 3, opposite(document, dart) / 3}, [&](const auto& corners) {
+    return cross_ratio_sign(std::array{corners.corner(dart), corners.far_corner(dart), corners.corner(next_dart(dart)),
+                                       corners.corner(previous_dart(dart))});
+  });
 }
 
 }  // namespace epsnet::certify

@@ -131,16 +131,12 @@ class LiftedTriangle {
 /// From an interval of sinh² of a length to one of `factor` times the length, outward.
 [[nodiscard]] Interval length_interval(Interval squared_sinh, slong factor);
 
-/// The sign of LiftedTriangle::measure_orientation for triangle t, exactly.
-[[nodiscard]] int exact_orientation(const NetDocument& document, const LabelEvaluator& evaluator, std::uint32_t t);
-/// The sign of LiftedTriangle::measure_cross_ratio for the edge of a dart, exactly.
-[[nodiscard]] int exact_cross_ratio_sign(const NetDocument& document, const LabelEvaluator& evaluator,
-                                         std::uint32_t dart);
-
-/// Whether the numbers that these two make are of a size to calculate with.
-[[nodiscard]] bool exact_orientation_is_feasible(const NetDocument& document, const LabelEvaluator& evaluator,
-                                                 std::uint32_t t);
-[[nodiscard]] bool exact_cross_ratio_is_feasible(const NetDocument& document, const LabelEvaluator& evaluator,
-                                                 std::uint32_t dart);
+/// The sign of LiftedTriangle::measure_orientation for triangle t, exactly; nullopt if its numbers are too large to
+/// calculate with.
+[[nodiscard]] std::optional<int> exact_orientation(const NetDocument& document, const LabelEvaluator& evaluator,
+                                                   std::uint32_t t);
+/// The sign of LiftedTriangle::measure_cross_ratio for the edge of a dart, likewise.
+[[nodiscard]] std::optional<int> exact_cross_ratio_sign(const NetDocument& document, const LabelEvaluator& evaluator,
+                                                        std::uint32_t dart);
 
 }  // namespace epsnet::certify

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "certify/base/counted.h"
+#include "certify/net/connection.h"
 #include "certify/net/darts.h"
 
 namespace epsnet::certify {
@@ -51,23 +52,11 @@ Problem vertex_problem(const NetDocument& document) {
 }
 
 Problem connection_problem(const NetDocument& document) {
-  std::vector<bool> reached(document.triangles.size());
-  std::vector<std::uint32_t> found{0};
-  found.reserve(reached.size());
-  reached[0] = true;
-  // What is found first is left first, so that triangles stay near in memory whose neighbours are.
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    for (const std::uint32_t dart : document.triangles[found[i]].opposite) {
-      const std::uint32_t neighbour = dart / 3;
-      if (reached[neighbour]) continue;
-      reached[neighbour] = true;
-      found.push_back(neighbour);
-    }
-  }
-  for (std::size_t t = 0; t < reached.size(); ++t) {
-    if (!reached[t]) return "not connected: no path of edges leads from triangle 0 to triangle " + std::to_string(t);
-  }
-  return std::nullopt;
+  const auto missing = first_unreached(document.triangles.size(), [&](std::uint32_t t, const auto& visit) {
+    for (const std::uint32_t dart : document.triangles[t].opposite) visit(dart / 3);
+  });
+  if (!missing) return std::nullopt;
+  return "not connected: no path of edges leads from triangle 0 to triangle " + std::to_string(*missing);
 }
 
 Problem euler_problem(const NetDocument& document, std::uint64_t genus) {

@@ -35,32 +35,33 @@ Problem gluing_problem(const SurfaceDocument& surface) {
   std::vector<std::vector<bool>> glued;
   glued.reserve(surface.tiles.size());
   std::size_t sides = 0;
-  for (std::size_t t = 0; t < surface.tiles.size(); ++t) {
-    const std::size_t size = surface.tiles[t].size();
-    if (size < 3) return at("surface.tiles", t) + "has " + std::to_string(size) + " vertices, expected at least 3";
-    glued.emplace_back(size, false);
-    sides += size;
-  }
+  const auto tile_problem = [&](const SurfaceDocument::Tile& tile) -> Problem {
+    if (tile.size() < 3) return "has " + std::to_string(tile.size()) + " vertices, expected at least 3";
+    glued.emplace_back(tile.size(), false);
+    sides += tile.size();
+    return std::nullopt;
+  };
+  if (auto problem = first_row_problem("surface.tiles", surface.tiles, tile_problem)) return problem;
   if (sides == 0) return "surface.tiles: no tile, expected at least one";
-  if (sides >= std::numeric_limits<std::uint32_t>::max())
+  if (sides >= std::numeric_limits<std::uint32_t>::max()) {
     return "surface.tiles: too many sides, expected less than 2^32";
-  for (std::size_t row = 0; row < surface.gluing.size(); ++row) {
-    const auto& [tile, side, other_tile, other_side] = surface.gluing[row];
-    for (const auto& [t, s] : {std::pair{tile, side}, std::pair{other_tile, other_side}}) {
-      if (t >= glued.size()) return at("surface.gluing", row) + out_of_range("tile", t, glued.size());
-      if (s >= glued[t].size()) return at("surface.gluing", row) + out_of_range("side", s, glued[t].size());
+  }
+  const auto row_problem = [&](const SurfaceDocument::Gluing& row) -> Problem {
+    for (const auto& [t, s] : {std::pair{row.tile, row.side}, std::pair{row.other_tile, row.other_side}}) {
+      if (t >= glued.size()) return out_of_range("tile", t, glued.size());
+      if (s >= glued[t].size()) return out_of_range("side", s, glued[t].size());
       if (glued[t][s]) {
-        return at("surface.gluing", row) + "side " + std::to_string(s) + " of tile " + std::to_string(t) +
+        return "side " + std::to_string(s) + " of tile " + std::to_string(t) +
                " occurs twice, expected every side once";
       }
       glued[t][s] = true;
     }
-  }
-  if (2 * surface.gluing.size() != sides) {
-    return "surface.gluing: " + std::to_string(2 * surface.gluing.size()) + " of " + std::to_string(sides) +
-           " sides occur, expected every side once";
-  }
-  return std::nullopt;
+    return std::nullopt;
+  };
+  if (auto problem = first_row_problem("surface.gluing", surface.gluing, row_problem)) return problem;
+  if (2 * surface.gluing.size() == sides) return std::nullopt;
+  return "surface.gluing: " + std::to_string(2 * surface.gluing.size()) + " of " + std::to_string(sides) +
+         " sides occur, expected every side once";
 }
 
 Problem regular_problem(const SurfaceDocument& surface) {
@@ -70,76 +71,81 @@ Problem regular_problem(const SurfaceDocument& surface) {
   return std::nullopt;
 }
 
-Problem label_problem(const NetDocument& document, const SurfaceSides& sides) {
-  for (std::size_t row = 0; row < document.labels.size(); ++row) {
-    const NetDocument::Label& label = document.labels[row];
+/// `found` and `expected` are the charts from which and to which the label leads.
+std::string wrong_label(std::size_t number, std::size_t corner, const std::array<std::uint32_t, 2>& found,
+                        const std::array<std::uint32_t, 2>& expected) {
+  return "label number " + std::to_string(number) + " of corner " + std::to_string(corner) + " leads from chart " +
+         std::to_string(found[0]) + " to chart " + std::to_string(found[1]) + ", expected from " +
+         std::to_string(expected[0]) + " to " + std::to_string(expected[1]);
+}
+
+/// What is wrong with one row of a net. The rows before it, and those of the members before its own, have no problem.
+class NetRows {
+ public:
+  explicit NetRows(const NetDocument& net) : net_(net), sides_(net.surface) {}
+
+  [[nodiscard]] Problem operator()(const NetDocument::Chart& chart) const {
+    if (chart.tile >= sides_.first.size()) return out_of_range("tile", chart.tile, sides_.first.size());
+    const auto& [x, y] = chart.centre;
+    if (x * x + y * y >= 1) return "the centre is not inside the unit disk";
+    return std::nullopt;
+  }
+
+  [[nodiscard]] Problem operator()(const NetDocument::Label& label) const {
     for (const std::uint32_t chart : {label.from, label.to}) {
-      if (chart >= document.charts.size())
-        return at("labels", row) + out_of_range("chart", chart, document.charts.size());
+      if (chart >= net_.charts.size()) return out_of_range("chart", chart, net_.charts.size());
     }
-    if (const auto problem = word_problem(sides, label.word, document.charts[label.from].tile,
-                                          document.charts[label.to].tile, "chart " + std::to_string(label.to))) {
-      return at("labels", row) + *problem;
-    }
+    return word_problem(sides_, label.word, net_.charts[label.from].tile, net_.charts[label.to].tile,
+                        "chart " + std::to_string(label.to));
   }
-  return std::nullopt;
-}
 
-/// Needs vertices without problem.
-Problem collar_problem(const NetDocument& document, const SurfaceSides& sides) {
-  for (std::size_t row = 0; row < document.collars->size(); ++row) {
-    const NetDocument::Collar& collar = (*document.collars)[row];
-    for (const std::uint32_t v : collar.vertices) {
-      if (v >= document.vertices.size())
-        return at("collars", row) + out_of_range("vertex", v, document.vertices.size());
-    }
-    for (const std::uint32_t t : collar.triangles) {
-      if (t >= document.triangles.size())
-        return at("collars", row) + out_of_range("triangle", t, document.triangles.size());
-    }
-    const Interval length{collar.length[0], collar.length[1]};
-    if (!is_length(length)) {
-      return at("collars", row) + "the length " + to_string(length) + " is not an interval of numbers >= 0";
-    }
-    const std::uint32_t v = collar.vertices[0];
-    const std::uint32_t tile = document.charts[document.vertices[v].chart].tile;
-    if (const auto problem = word_problem(sides, collar.core, tile, tile, "vertex " + std::to_string(v))) {
-      return at("collars", row) + *problem;
-    }
+  [[nodiscard]] Problem operator()(const NetDocument::Vertex& vertex) const {
+    if (vertex.chart >= net_.charts.size()) return out_of_range("chart", vertex.chart, net_.charts.size());
+    if (inside_disk(vertex.x, vertex.y)) return std::nullopt;
+    return "(" + shortest(vertex.x) + ", " + shortest(vertex.y) + ") is not inside the unit disk";
   }
-  return std::nullopt;
-}
 
-Problem triangle_problem(const NetDocument& document) {
-  if (document.triangles.size() > (std::size_t{1} << 30)) return "triangles: more than the limit of 2^30 rows";
-  const std::size_t darts = 3 * document.triangles.size();
-  for (std::size_t row = 0; row < document.triangles.size(); ++row) {
-    const NetDocument::Triangle& triangle = document.triangles[row];
+  [[nodiscard]] Problem operator()(const NetDocument::Triangle& triangle) const {
     for (const std::uint32_t v : triangle.vertex) {
-      if (v >= document.vertices.size())
-        return at("triangles", row) + out_of_range("vertex", v, document.vertices.size());
+      if (v >= vertices_) return out_of_range("vertex", v, vertices_);
     }
     for (const std::uint32_t dart : triangle.opposite) {
-      if (dart >= darts) return at("triangles", row) + out_of_range("dart", dart, darts);
+      if (dart >= darts_) return out_of_range("dart", dart, darts_);
     }
-    const std::uint32_t chart = document.vertices[triangle.vertex[0]].chart;
+    // The label of a corner leads from the chart of its vertex to that of corner 0.
+    const std::uint32_t chart = net_.vertices[triangle.vertex[0]].chart;
     for (std::size_t i = 1; i < 3; ++i) {
-      const std::uint32_t own_chart = document.vertices[triangle.vertex[i]].chart;
+      const std::uint32_t own_chart = net_.vertices[triangle.vertex[i]].chart;
       const std::uint32_t number = triangle.label[i - 1];
-      if (number > document.labels.size()) {
-        return at("triangles", row) + out_of_range("label number", number, document.labels.size() + 1);
-      }
-      const std::uint32_t from = number == 0 ? chart : document.labels[number - 1].from;
-      const std::uint32_t to = number == 0 ? chart : document.labels[number - 1].to;
-      if (from != own_chart || to != chart) {
-        return at("triangles", row) + "label number " + std::to_string(number) + " of corner " + std::to_string(i) +
-               " leads from chart " + std::to_string(from) + " to chart " + std::to_string(to) + ", expected from " +
-               std::to_string(own_chart) + " to " + std::to_string(chart);
-      }
+      if (number > net_.labels.size()) return out_of_range("label number", number, net_.labels.size() + 1);
+      const std::uint32_t from = number == 0 ? chart : net_.labels[number - 1].from;
+      const std::uint32_t to = number == 0 ? chart : net_.labels[number - 1].to;
+      if (from == own_chart && to == chart) continue;
+      return wrong_label(number, i, {from, to}, {own_chart, chart});
     }
+    return std::nullopt;
   }
-  return std::nullopt;
-}
+
+  [[nodiscard]] Problem operator()(const NetDocument::Collar& collar) const {
+    for (const std::uint32_t v : collar.vertices) {
+      if (v >= net_.vertices.size()) return out_of_range("vertex", v, net_.vertices.size());
+    }
+    for (const std::uint32_t t : collar.triangles) {
+      if (t >= net_.triangles.size()) return out_of_range("triangle", t, net_.triangles.size());
+    }
+    const Interval length{collar.length[0], collar.length[1]};
+    if (!is_length(length)) return "the length " + to_string(length) + " is not an interval of numbers >= 0";
+    const std::uint32_t v = collar.vertices[0];
+    const std::uint32_t tile = net_.charts[net_.vertices[v].chart].tile;
+    return word_problem(sides_, collar.core, tile, tile, "vertex " + std::to_string(v));
+  }
+
+ private:
+  const NetDocument& net_;
+  SurfaceSides sides_;
+  std::size_t vertices_ = net_.vertices.size();
+  std::size_t darts_ = 3 * net_.triangles.size();
+};
 
 }  // namespace
 
@@ -163,28 +169,13 @@ Problem structure_problem(const NetDocument& document) {
   const auto epsilon = parse_decimal(document.epsilon);
   if (!epsilon) return "epsilon: " + in_quotes(document.epsilon) + " is not a decimal, such as \"0.01\"";
   if (*epsilon <= 0) return "epsilon: " + in_quotes(document.epsilon) + " is not positive";
-  const std::size_t tiles = number_of_tiles(document.surface);
-  for (std::size_t row = 0; row < document.charts.size(); ++row) {
-    const NetDocument::Chart& chart = document.charts[row];
-    if (chart.tile >= tiles) return at("charts", row) + out_of_range("tile", chart.tile, tiles);
-    if (chart.centre.x * chart.centre.x + chart.centre.y * chart.centre.y >= 1) {
-      return at("charts", row) + "the centre is not inside the unit disk";
-    }
-  }
-  const SurfaceSides sides(document.surface);
-  if (auto problem = label_problem(document, sides)) return problem;
-  for (std::size_t row = 0; row < document.vertices.size(); ++row) {
-    const NetDocument::Vertex& vertex = document.vertices[row];
-    if (vertex.chart >= document.charts.size()) {
-      return at("vertices", row) + out_of_range("chart", vertex.chart, document.charts.size());
-    }
-    if (!inside_disk(vertex.x, vertex.y)) {
-      return at("vertices", row) + "(" + shortest(vertex.x) + ", " + shortest(vertex.y) +
-             ") is not inside the unit disk";
-    }
-  }
-  if (auto problem = triangle_problem(document)) return problem;
-  return document.collars ? collar_problem(document, sides) : std::nullopt;
+  const NetRows rows(document);
+  if (auto problem = first_row_problem("charts", document.charts, rows)) return problem;
+  if (auto problem = first_row_problem("labels", document.labels, rows)) return problem;
+  if (auto problem = first_row_problem("vertices", document.vertices, rows)) return problem;
+  if (document.triangles.size() > (std::size_t{1} << 30)) return "triangles: more than the limit of 2^30 rows";
+  if (auto problem = first_row_problem("triangles", document.triangles, rows)) return problem;
+  return document.collars ? first_row_problem("collars", *document.collars, rows) : std::nullopt;
 }
 
 Problem whole_net_problem(const NetDocument& net) {

@@ -22,6 +22,16 @@ inline constexpr std::size_t kMaxAboutBytes = std::size_t{1} << 20;
 /// The place of a row, at the beginning of a problem: "MEMBER[ROW]: ".
 [[nodiscard]] std::string at(const char* member, std::size_t row);
 
+/// The first problem among problem(row) of the rows of a member, with its place; nullopt if there is none.
+template <class Rows, class ProblemOfRow>
+[[nodiscard]] std::optional<std::string> first_row_problem(const char* member, const Rows& rows,
+                                                           const ProblemOfRow& problem) {
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    if (const auto found = problem(rows[row])) return at(member, row) + *found;
+  }
+  return std::nullopt;
+}
+
 /// What is wrong with the genus of a regular 4g-gon; nullopt if it is in range.
 [[nodiscard]] std::optional<std::string> regular_genus_problem(std::uint32_t genus);
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "certify/base/counted.h"
+#include "certify/net/connection.h"
 #include "certify/net/surface_sides.h"
 #include "certify/numbers/ball_vector.h"
 #include "certify/numbers/parallel.h"
@@ -22,26 +24,38 @@ constexpr slong kApothemPrecision = 128;
 /// Bits of the first attempt to find an inscribed disk.
 constexpr slong kFirstDiskPrecision = 128;
 
-using Problem = std::optional<std::string>;
+/// Why the surface is none, or why that is not known.
+struct Objection {
+  Objection(std::string words, Verdict so = Verdict::refuted) : text(std::move(words)), verdict(so) {}
+  std::string text;
+  Verdict verdict;
+};
+using Problem = std::optional<Objection>;
 using ExactTile = std::vector<ExactPoint>;
+
+ExactTile exact_tile(const SurfaceDocument::Tile& tile, const Budget& budget) {
+  ExactTile result;
+  for (const RationalPoint& vertex : tile) {
+    budget.spend(exact_point_work(vertex));
+    result.push_back(exact_point(vertex));
+  }
+  return result;
+}
 
 /// The first problem among problem(0), …, problem(count − 1), which do not depend on each other.
 template <class Find>
-auto first_problem(std::size_t count, unsigned threads, const Find& problem) {
-  std::vector<decltype(problem(0))> problems(count);
+Problem first_problem(std::size_t count, unsigned threads, const Find& problem) {
+  std::vector<Problem> problems(count);
   for_each_parallel(count, threads, [&](unsigned, std::size_t i) { problems[i] = problem(i); });
-  const auto found = std::find_if(problems.begin(), problems.end(), [](const auto& p) { return p.has_value(); });
+  const auto found = std::find_if(problems.begin(), problems.end(), [](const Problem& p) { return p.has_value(); });
   return found != problems.end() ? std::move(*found) : std::nullopt;
 }
 
 std::string named(const char* what, std::size_t index) { return std::string(what) + " " + std::to_string(index); }
 
-std::string corner_name(const SurfaceSides& sides, std::size_t side) {
-  return "vertex " + std::to_string(sides.corner[side]) + " of tile " + std::to_string(sides.tile[side]);
-}
-
-std::string side_name(const SurfaceSides& sides, std::size_t side) {
-  return "side " + std::to_string(sides.corner[side]) + " of tile " + std::to_string(sides.tile[side]);
+/// "vertex 1 of tile 0": a side, or the vertex that it leaves.
+std::string named(const char* what, const SurfaceSides& sides, std::size_t side) {
+  return named(what, sides.corner[side]) + " of " + named("tile", sides.tile[side]);
 }
 
 /// The tile is a strictly convex polygon of the disk, counterclockwise.
@@ -52,7 +66,7 @@ std::string side_name(const SurfaceSides& sides, std::size_t side) {
 Problem convexity_problem(const ExactTile& tile, std::size_t t) {
   const std::size_t n = tile.size();
   for (std::size_t k = 0; k < n; ++k) {
-    if (gap(tile[k]) <= 0) return named("vertex", k) + " of tile " + std::to_string(t) + " is not inside the unit disk";
+    if (gap(tile[k]) <= 0) return named("vertex", k) + " of " + named("tile", t) + " is not inside the unit disk";
   }
   const std::string tile_name = named("tile", t) + " is not strictly convex and counterclockwise: ";
   std::vector<HyperboloidVector<mpz_class>> v;
@@ -95,14 +109,7 @@ class SurfaceChecker {
  public:
   SurfaceChecker(const SurfaceDocument& surface, unsigned threads, const Budget& budget)
       : sides_(surface), threads_(threads), budget_(budget) {
-    for (const SurfaceDocument::Tile& tile : surface.tiles) {
-      ExactTile exact;
-      for (const RationalPoint& vertex : tile) {
-        budget.spend(exact_point_work(vertex));
-        exact.push_back(exact_point(vertex));
-      }
-      tiles_.push_back(std::move(exact));
-    }
+    for (const SurfaceDocument::Tile& tile : surface.tiles) tiles_.push_back(exact_tile(tile, budget));
   }
 
   SurfaceOutcome check() {
@@ -114,22 +121,15 @@ class SurfaceChecker {
     if (!problem) problem = genus_problem();
     if (!problem) problem = length_problem();
     if (!problem) problem = vertex_problem();
-    SurfaceOutcome outcome;
-    outcome.report.rule = "surface";
-    if (problem) {
-      outcome.report.verdict = undecided_ ? Verdict::undecided : Verdict::refuted;
-      outcome.report.text = *problem;
-      return outcome;
-    }
-    outcome.report.verdict = Verdict::verified;
-    outcome.report.text = "a closed hyperbolic surface of genus " + std::to_string(genus_) + ": " +
-                          counted(tiles_.size(), "convex tile", "convex tiles") + ", " +
-                          std::to_string(sides_.partner.size() / 2) + " pairs of sides of exactly equal length, " +
-                          counted(vertices_.size(), "vertex cycle that closes up", "vertex cycles that close up") +
-                          " exactly with total angle 2*pi";
-    outcome.genus = genus_;
-    outcome.crossings = RationalCrossings(std::move(crossings_));
-    return outcome;
+    if (problem) return {{"surface", problem->verdict, problem->text}};
+    return {{"surface", Verdict::verified,
+             "a closed hyperbolic surface of genus " + std::to_string(genus_) + ": " +
+                 counted(tiles_.size(), "convex tile", "convex tiles") + ", " +
+                 std::to_string(sides_.partner.size() / 2) + " pairs of sides of exactly equal length, " +
+                 counted(vertices_.size(), "vertex cycle that closes up", "vertex cycles that close up") +
+                 " exactly with total angle 2*pi"},
+            genus_,
+            RationalCrossings(std::move(crossings_))};
   }
 
  private:
@@ -142,25 +142,12 @@ class SurfaceChecker {
     for (const ExactPoint& vertex : tiles_[t]) budget_.spend(100 * product_work(4 * bits(vertex)));
   }
 
-  Problem connection_problem() const {
-    std::vector<char> reached(tiles_.size(), 0);
-    std::vector<std::uint32_t> pending{0};
-    reached[0] = 1;
-    while (!pending.empty()) {
-      const std::uint32_t t = pending.back();
-      pending.pop_back();
-      for (std::size_t s = sides_.first[t]; s < sides_.first[t] + tiles_[t].size(); ++s) {
-        const std::uint32_t neighbour = sides_.tile[sides_.partner[s]];
-        if (!reached[neighbour]) {
-          reached[neighbour] = 1;
-          pending.push_back(neighbour);
-        }
-      }
-    }
-    const auto missing = std::find(reached.begin(), reached.end(), 0);
-    if (missing == reached.end()) return std::nullopt;
-    return "the surface is not connected: no path of glued sides leads from tile 0 to tile " +
-           std::to_string(missing - reached.begin());
+  [[nodiscard]] Problem connection_problem() const {
+    const auto missing = first_unreached(tiles_.size(), [&](std::uint32_t t, const auto& visit) {
+      for (std::size_t k = 0; k < tiles_[t].size(); ++k) visit(sides_.tile[sides_.partner[sides_.first[t] + k]]);
+    });
+    if (!missing) return std::nullopt;
+    return "the surface is not connected: no path of glued sides leads from tile 0 to " + named("tile", *missing);
   }
 
   Problem length_problem() {
@@ -171,7 +158,8 @@ class SurfaceChecker {
       const Fraction own = length(start(s), end(s));
       const Fraction glued = length(start(other), end(other));
       if (own.numerator * glued.denominator != glued.numerator * own.denominator) {
-        return side_name(sides_, s) + " is glued to " + side_name(sides_, other) + ", which is not of equal length";
+        return named("side", sides_, s) + " is glued to " + named("side", sides_, other) +
+               ", which is not of equal length";
       }
       crossings_[s] = crossing(start(s), end(s), start(other), end(other));
       crossings_[other] = inverse(crossings_[s]);
@@ -179,21 +167,12 @@ class SurfaceChecker {
     });
   }
 
-  Problem vertex_problem() {
-    const auto found =
-        first_problem(vertices_.size(), threads_, [&](std::size_t i) { return problem_around(vertices_[i]); });
-    if (!found) return std::nullopt;
-    undecided_ = found->undecided;
-    return found->text;
+  [[nodiscard]] Problem vertex_problem() const {
+    return first_problem(vertices_.size(), threads_, [&](std::size_t i) { return problem_around(vertices_[i]); });
   }
 
-  struct AngleProblem {
-    std::string text;
-    bool undecided;
-  };
-
   /// Around every vertex the crossings multiply to the identity, exactly, and the angles to one full turn.
-  [[nodiscard]] std::optional<AngleProblem> problem_around(std::uint32_t first) const {
+  [[nodiscard]] Problem problem_around(std::uint32_t first) const {
     std::vector<const ExactIsometry*> path;
     const Precision scope(kAnglePrecision);
     Ball sum;
@@ -208,25 +187,26 @@ class SurfaceChecker {
     for (const ExactIsometry* f : path) path_bits += bits(*f);
     budget_.spend(8 * product_work(path_bits), std::bit_width(path.size()));
     if (!is_identity(compose_path(path))) {
-      return AngleProblem{"the " + std::to_string(path.size()) + " corners around " + corner_name(sides_, first) +
-                              " do not close up: the product of the crossings is not the identity",
-                          false};
+      return "the " + std::to_string(path.size()) + " corners around " + named("vertex", sides_, first) +
+             " do not close up: the product of the crossings is not the identity";
     }
     // The sum is now a positive multiple of 2π; the ball says which. That it does not would be a fault of ours: its
     // bits are far more than that takes.
     const std::optional<slong> turns = only_integer(sum / twice(pi()));
     if (turns == 1) return std::nullopt;
-    return AngleProblem{"the angles around " + corner_name(sides_, first) + " add up to " +
-                            (turns ? std::to_string(*turns) : "an unknown number of") + " full turns, not to one",
-                        !turns};
+    const std::string count = turns ? std::to_string(*turns) : "an unknown number of";
+    return Objection(
+        "the angles around " + named("vertex", sides_, first) + " add up to " + count + " full turns, not to one",
+        turns ? Verdict::refuted : Verdict::undecided);
   }
 
   Problem genus_problem() {
     vertices_ = sides_.vertices();
     const auto euler = static_cast<std::int64_t>(vertices_.size() + tiles_.size()) -
                        static_cast<std::int64_t>(sides_.partner.size() / 2);
-    if (euler == 2) return "the surface is a sphere, expected genus at least 2";
-    if (euler == 0) return "the surface is a torus, expected genus at least 2";
+    if (euler == 2 || euler == 0) {
+      return std::string("the surface is a ") + (euler == 2 ? "sphere" : "torus") + ", expected genus at least 2";
+    }
     // An oriented closed connected surface has even characteristic at most 2; anything else is a fault of ours.
     if (euler > 0 || euler % 2 != 0) return "the Euler characteristic is " + std::to_string(euler);
     genus_ = static_cast<std::uint64_t>(1 - euler / 2);
@@ -240,7 +220,6 @@ class SurfaceChecker {
   std::vector<ExactIsometry> crossings_;
   std::vector<std::uint32_t> vertices_;  ///< One side that leaves it for each vertex of the surface.
   std::uint64_t genus_ = 0;
-  bool undecided_ = false;
 };
 
 /// (2x, 2y, 1 + |z|²) in balls, a positive multiple of the point of the hyperboloid.
@@ -301,21 +280,14 @@ std::optional<InscribedDisk> disk_about(ExactPoint centre, const ExactTile& tile
 
 /// What holds by theorem for the regular 4g-gon with angles π/(2g), opposite sides glued (docs/proof.md, section 9).
 SurfaceOutcome regular_outcome(std::uint32_t genus, const Budget& budget) {
-  SurfaceOutcome outcome;
-  outcome.report.rule = "surface";
   // The structure check refuses other genera; the theorem needs this one condition, so it is looked at again.
-  if (genus < 2) {
-    outcome.report.verdict = Verdict::refuted;
-    outcome.report.text = "a regular surface has a genus of at least 2";
-    return outcome;
-  }
-  outcome.report.verdict = Verdict::verified;
-  outcome.report.text = "a closed hyperbolic surface of genus " + std::to_string(genus) + " by theorem: the regular " +
-                        std::to_string(4 * genus) + "-gon with interior angles pi/" + std::to_string(2 * genus) +
-                        ", opposite sides glued" + (genus == 2 ? " (the Bolza surface)" : "");
-  outcome.genus = genus;
-  outcome.crossings = RegularCrossings(genus, budget);
-  return outcome;
+  if (genus < 2) return {{"surface", Verdict::refuted, "a regular surface has a genus of at least 2"}};
+  return {{"surface", Verdict::verified,
+           "a closed hyperbolic surface of genus " + std::to_string(genus) + " by theorem: the regular " +
+               std::to_string(4 * genus) + "-gon with interior angles pi/" + std::to_string(2 * genus) +
+               ", opposite sides glued" + (genus == 2 ? " (the Bolza surface)" : "")},
+          genus,
+          RegularCrossings(genus, budget)};
 }
 
 }  // namespace
@@ -325,18 +297,12 @@ SurfaceOutcome check_surface(const SurfaceDocument& surface, unsigned threads, c
   try {
     return SurfaceChecker(surface, threads, budget).check();
   } catch (const BudgetSpent& spent) {
-    SurfaceOutcome outcome;
-    outcome.report = {"surface", Verdict::undecided, spent.what()};
-    return outcome;
+    return {{"surface", Verdict::undecided, spent.what()}};
   }
 }
 
 std::optional<InscribedDisk> inscribed_disk(const SurfaceDocument::Tile& tile, long cap, const Budget& budget) {
-  ExactTile exact;
-  for (const RationalPoint& vertex : tile) {
-    budget.spend(exact_point_work(vertex));
-    exact.push_back(exact_point(vertex));
-  }
+  const ExactTile exact = exact_tile(tile, budget);
   std::optional<InscribedDisk> disk;
   const auto attempt = [&](slong precision) {
     budget.spend(80 * ball_work(static_cast<std::uint64_t>(precision)), exact.size());

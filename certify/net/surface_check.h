@@ -10,7 +10,7 @@ namespace epsnet::certify {
 struct SurfaceOutcome {
   RuleReport report;
   std::uint64_t genus = 0;
-  Crossings crossings;  ///< Complete if the report is verified.
+  Crossings crossings = {};  ///< Complete if the report is verified.
 };
 
 /// Rule `surface`: the tiles and their gluing are a closed hyperbolic surface of genus ≥ 2 (Poincaré's polygon theorem,

@@ -32,20 +32,16 @@ Problem cells_problem(const BoundDocument& document) {
                                 : document.claim == BoundDocument::Claim::radius ? 3
                                                                                  : 3 * triangles;
   const std::uint64_t bounds = (document.triangulations.size() + 1) * of_each;
-  for (std::size_t t = 0; t < document.cells.size(); ++t) {
+  return first_row_problem("cells", document.cells, [&](const std::vector<std::uint32_t>& row) -> Problem {
     std::size_t open = 1;
-    for (const std::uint32_t entry : document.cells[t]) {
-      if (open == 0) return at("cells", t) + "more numbers than the subdivision has";
-      if (entry < 3) {
-        ++open;
-        continue;
-      }
-      if (entry - 3 >= bounds) return at("cells", t) + std::to_string(entry) + " names nothing that bounds a cell";
-      --open;
+    for (const std::uint32_t entry : row) {
+      if (open == 0) return "more numbers than the subdivision has";
+      if (entry >= 3 && entry - 3 >= bounds) return std::to_string(entry) + " names nothing that bounds a cell";
+      open = entry < 3 ? open + 1 : open - 1;
     }
-    if (open != 0) return at("cells", t) + "the subdivision ends early, " + std::to_string(open) + " cells are missing";
-  }
-  return std::nullopt;
+    if (open == 0) return std::nullopt;
+    return "the subdivision ends early, " + std::to_string(open) + " cells are missing";
+  });
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-#include "certify/claims/distance/check.h"
-
 #include "certify/net/structure.h"
+
+#include "certify/claims/distance/check.h"
 
 namespace epsnet::certify {
 namespace {
@@ -21,12 +21,9 @@ Problem paths_problem(const DistanceDocument& document) {
   if (document.paths.empty()) return "paths: no element, expected at least one";
   const SurfaceSides sides(document.net.surface);
   const std::uint32_t start = document.net.charts[document.net.vertices[0].chart].tile;
-  for (std::size_t i = 0; i < document.paths.size(); ++i) {
-    if (auto problem = word_problem(sides, document.paths[i], start, document.point.tile, "the point")) {
-      return at("paths", i) + *problem;
-    }
-  }
-  return std::nullopt;
+  return first_row_problem("paths", document.paths, [&](const std::vector<std::uint32_t>& path) {
+    return word_problem(sides, path, start, document.point.tile, "the point");
+  });
 }
 
 }  // namespace
