@@ -12,10 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "certify/check.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
 #include "certify/net/darts.h"
+#include "tests/certify/claim_files.h"
 #include "tests/certify/reference.h"
 
 /// Bound files. Each rule is broken by a file in which nothing else is wrong.
@@ -44,22 +42,6 @@ std::vector<BoundDocument> all_files() { return {regular(), octagon(), disk()}; 
 /// arcosh(cot²(π/8)): from the centre of the octagon to its corner.
 double regular_diameter() { return std::acosh(std::pow(std::tan(std::numbers::pi / 8), -2)); }
 
-Certificate checked(const BoundDocument& document) { return check(document, {.threads = 2}); }
-
-/// "VERDICT", or "VERDICT: rule".
-std::string outcome(const BoundDocument& document) {
-  const Certificate certificate = checked(document);
-  return std::string(name(certificate.verdict)) + (certificate.rule.empty() ? "" : ": " + certificate.rule);
-}
-
-/// What a rule says, "" if it was not asked.
-std::string verdict_of(const std::string& rule, const BoundDocument& document) {
-  for (const RuleReport& report : checked(document).rules) {
-    if (report.rule == rule) return std::string(name(report.verdict));
-  }
-  return "";
-}
-
 /// What the net says of its vertex: its eccentricity, or its injectivity radius, half of the shortest loop.
 Interval at_vertex(const BoundDocument& document) {
   const Certificate certificate = check(document.net, {.threads = 2});
@@ -70,12 +52,6 @@ Interval at_vertex(const BoundDocument& document) {
 
 double above(double x) { return std::nextafter(x, 2 * x); }
 double below(double x) { return std::nextafter(x, 0.0); }
-
-std::string written(const BoundDocument& document) {
-  std::ostringstream out;
-  write_file(document, out);
-  return out.str();
-}
 
 /// How many of the documents that `change` makes, one for every leaf, are refuted by the rule `cells`; all others are
 /// verified.
@@ -519,19 +495,7 @@ TEST(Bound, EveryDefectOfADocumentIsMalformed) {
   const auto complaint = [](const BoundDocument& good, const std::function<void(BoundDocument&)>& change) {
     BoundDocument document = good;
     change(document);
-    const Certificate certificate = checked(document);
-    EXPECT_EQ(certificate.verdict, Verdict::malformed);
-    EXPECT_EQ(certificate.rule, "structure");
-    // The reader refuses what is written of it, with the same words.
-    std::ostringstream out;
-    write_file(document, out);
-    try {
-      (void)parse_file<BoundDocument>(out.str(), "test");
-      ADD_FAILURE() << "read: " << certificate.message;
-    } catch (const MalformedError& error) {
-      EXPECT_EQ(error.what(), "test: " + certificate.message);
-    }
-    return certificate.message;
+    return structure_complaint(document);
   };
   using Document = BoundDocument;
   std::vector<BoundDocument> files = all_files();
@@ -887,12 +851,7 @@ TEST(BoundFile, HasExactlyItsMembers) {
     const std::size_t place = changed.find(old);
     EXPECT_NE(place, std::string::npos) << old;
     changed.replace(place, old.size(), by);
-    try {
-      (void)parse_file<BoundDocument>(changed, "test");
-    } catch (const MalformedError& error) {
-      return error.what();
-    }
-    return "";
+    return reading_complaint<BoundDocument>(changed);
   };
   EXPECT_EQ(complaint("\"claim\":\"diameter\"", "\"claim\":\"embedded-disk\""), "");
   EXPECT_THAT(complaint("\"claim\":\"diameter\"", "\"claim\":\"girth\""),

@@ -7,11 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "certify/check.h"
-#include "certify/file/reader.h"
-#include "certify/file/writer.h"
 #include "certify/net/darts.h"
 #include "certify/net/surface_sides.h"
+#include "tests/certify/claim_files.h"
 #include "tests/certify/far_words.h"
 
 /// Distance files. Each rule is broken by a file in which nothing else is wrong; nets are those of the rest of the
@@ -35,22 +33,6 @@ DistanceDocument bolza() { return load("bolza"); }
 DistanceDocument zero() { return load("zero"); }
 
 std::vector<std::string> all_files() { return {"four-equal", "across-a-cuff-of-1e-8", "bolza", "zero"}; }
-
-Certificate checked(const DistanceDocument& document) { return check(document, {.threads = 2}); }
-
-/// "VERDICT", or "VERDICT: rule".
-std::string outcome(const DistanceDocument& document) {
-  const Certificate certificate = checked(document);
-  return std::string(name(certificate.verdict)) + (certificate.rule.empty() ? "" : ": " + certificate.rule);
-}
-
-/// The verdict of one rule; "" if it was not asked.
-std::string verdict_of(const std::string& rule, const DistanceDocument& document) {
-  for (const RuleReport& report : checked(document).rules) {
-    if (report.rule == rule) return std::string(name(report.verdict));
-  }
-  return "";
-}
 
 std::uint32_t partner(std::uint32_t side) { return (side + 4) % 8; }
 
@@ -479,19 +461,7 @@ TEST(Distance, EveryDefectOfADocumentIsMalformed) {
   const auto complaint = [](const std::function<void(DistanceDocument&)>& change) {
     DistanceDocument document = four_equal();
     change(document);
-    const Certificate certificate = checked(document);
-    EXPECT_EQ(certificate.verdict, Verdict::malformed);
-    EXPECT_EQ(certificate.rule, "structure");
-    // The reader refuses what is written of it, with the same words.
-    std::ostringstream out;
-    write_file(document, out);
-    try {
-      (void)parse_file<DistanceDocument>(out.str(), "test");
-      ADD_FAILURE() << "read: " << certificate.message;
-    } catch (const MalformedError& error) {
-      EXPECT_EQ(error.what(), "test: " + certificate.message);
-    }
-    return certificate.message;
+    return structure_complaint(document);
   };
   using Document = DistanceDocument;
   EXPECT_THAT(complaint([](Document& d) { d.net.vertices.push_back(d.net.vertices[0]); }),
@@ -561,12 +531,6 @@ TEST(Distance, InfiniteOrUnorderedEnclosuresAreMalformed) {
   }
 }
 
-std::string written(const DistanceDocument& document) {
-  std::ostringstream out;
-  write_file(document, out);
-  return out.str();
-}
-
 TEST(DistanceFile, WhatIsWrittenIsRead) {
   for (const std::string& file : all_files()) {
     const DistanceDocument document = load(file);
@@ -582,12 +546,7 @@ TEST(DistanceFile, HasExactlyItsMembers) {
     const std::size_t place = changed.rfind(old);
     EXPECT_NE(place, std::string::npos) << old;
     changed.replace(place, old.size(), by);
-    try {
-      (void)parse_file<DistanceDocument>(changed, "test");
-    } catch (const MalformedError& error) {
-      return error.what();
-    }
-    return "";
+    return reading_complaint<DistanceDocument>(changed);
   };
   EXPECT_EQ(complaint("\"equal\":true", "\"equal\":false"), "");
   EXPECT_THAT(complaint(",\n\"equal\":true", ""), HasSubstr("missing member \"equal\""));

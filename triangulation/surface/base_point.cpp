@@ -68,20 +68,6 @@ BasePoint centre_of_tile(const Surface& surface, std::uint32_t tile) {
   }
 }
 
-void require_in_tile(const Surface& surface, const BasePoint& point) {
-  const std::size_t tiles = surface.tiles().size();
-  if (point.tile >= tiles) {
-    throw SurfaceError("the point is in tile " + std::to_string(point.tile) + ", the surface has " +
-                       std::to_string(tiles) + " tiles");
-  }
-  const Tile& tile = surface.tiles()[point.tile];
-  for (std::size_t k = 0; k < tile.size(); ++k) {
-    if (norm(point.z) < 1 && orientation_determinant(tile[k], tile[(k + 1) % tile.size()], point.z) >= 0) continue;
-    throw SurfaceError("the point is not in tile " + std::to_string(point.tile) + ": it is on the right of side " +
-                       std::to_string(k));
-  }
-}
-
 void require_on_surface(const Surface& surface, const BasePoint& point) {
   require_tile(surface, point.tile);
   if (norm(point.z) >= 1) throw SurfaceError("the point is not inside of the unit disk");

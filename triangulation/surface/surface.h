@@ -178,7 +178,4 @@ struct BasePoint {
 /// Throws SurfaceError if the point is not strictly inside its tile.
 void require_inside(const Surface& surface, const BasePoint& base);
 
-/// Throws SurfaceError unless the point is in its closed tile.
-void require_in_tile(const Surface& surface, const BasePoint& point);
-
 }  // namespace epsnet

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sstream>
+#include <string>
+
+#include "certify/check.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+
+/// What the tests of all claims ask of a document, and of the text of its file.
+namespace epsnet::certify {
+
+inline Certificate checked(const AnyClaim& document) { return check(document, {.threads = 2}); }
+
+/// "VERDICT", or "VERDICT: rule".
+inline std::string outcome(const AnyClaim& document) {
+  const Certificate certificate = checked(document);
+  return std::string(name(certificate.verdict)) + (certificate.rule.empty() ? "" : ": " + certificate.rule);
+}
+
+/// The verdict of one rule; "" if it was not asked.
+inline std::string verdict_of(const std::string& rule, const AnyClaim& document) {
+  for (const RuleReport& report : checked(document).rules) {
+    if (report.rule == rule) return std::string(name(report.verdict));
+  }
+  return "";
+}
+
+inline std::string written(const AnyClaim& document) {
+  std::ostringstream out;
+  write_file(document, out);
+  return out.str();
+}
+
+/// What the reader says of a text; "" if it reads it.
+template <class Document>
+std::string reading_complaint(const std::string& text) {
+  try {
+    (void)parse_file<Document>(text, "test");
+  } catch (const MalformedError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// Expects that a document without structure is malformed, and that the reader refuses what is written of it with the
+/// same words, which are returned.
+template <class Document>
+std::string structure_complaint(const Document& document) {
+  const Certificate certificate = checked(document);
+  EXPECT_EQ(certificate.verdict, Verdict::malformed);
+  EXPECT_EQ(certificate.rule, "structure");
+  EXPECT_EQ(reading_complaint<Document>(written(document)), "test: " + certificate.message);
+  return certificate.message;
+}
+
+}  // namespace epsnet::certify
