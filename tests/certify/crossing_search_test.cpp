@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "certify/check.h"
-#include "certify/claims/geodesics/chord_table.h"
+#include "certify/claims/geodesics/axis_crossings.h"
+#include "certify/claims/geodesics/chords.h"
 #include "certify/claims/geodesics/completeness_check.h"
+#include "certify/claims/geodesics/least_sequence.h"
 #include "tests/certify/lifted_reference.h"
 #include "tests/support/scale.h"
 
-/// The search for least sequences of edges (docs/proof.md, Lemmas 15.1 to 15.3), on lists that another program found
+/// The search for least sequences of edges (docs/proof.md, Lemmas 15.1 to 15.5), on lists that another program found
 /// and the search around vertices verified: of a surface without symmetries; of the Bolza surface, on which up to 24
 /// have one length and many pass through the vertices of the net; and of one with a cuff of length 1e-3.
 namespace epsnet::certify {
@@ -21,9 +23,10 @@ GeodesicsDocument load(const std::string& name) {
   return read_file<GeodesicsDocument>(std::string(EPSNET_TEST_DATA) + "/geodesics/" + name + ".json");
 }
 
-/// The list without geodesic i.
-GeodesicsDocument without(GeodesicsDocument document, std::size_t i) {
-  document.geodesics.erase(document.geodesics.begin() + static_cast<std::ptrdiff_t>(i));
+/// A list in order, with clusters that claim little.
+GeodesicsDocument in_order(GeodesicsDocument document) {
+  std::stable_sort(document.geodesics.begin(), document.geodesics.end(),
+                   [](const auto& x, const auto& y) { return x.length.lower < y.length.lower; });
   document.clusters.clear();
   double reach = 0;
   for (std::uint32_t k = 0; k < document.geodesics.size(); ++k) {
@@ -36,21 +39,56 @@ GeodesicsDocument without(GeodesicsDocument document, std::size_t i) {
   return document;
 }
 
-/// The middles of the lengths of all elements reported that are not longer than the list's bound; nothing if the search
-/// says that it is not complete.
+/// The list without geodesic i.
+GeodesicsDocument without(GeodesicsDocument document, std::size_t i) {
+  document.geodesics.erase(document.geodesics.begin() + static_cast<std::ptrdiff_t>(i));
+  return in_order(std::move(document));
+}
+
+/// The list with geodesic i run through once more, `times` times.
+GeodesicsDocument with_power(GeodesicsDocument document, std::size_t i, int times) {
+  GeodesicsDocument::ClosedGeodesic power = document.geodesics[i];
+  for (int k = 1; k < times; ++k) {
+    power.word.insert(power.word.end(), document.geodesics[i].word.begin(), document.geodesics[i].word.end());
+  }
+  power.length = {times * power.length.lower, times * power.length.upper};
+  document.geodesics.push_back(power);
+  return in_order(std::move(document));
+}
+
+/// A list with all that its search needs.
+struct SearchOfList {
+  explicit SearchOfList(const GeodesicsDocument& document, slong precision = 128)
+      : lifted(document.net, document.geodesics, precision), moved(lifted.plane()) {
+    if (!moved.valid()) return;
+    const CompletenessCheck completeness(document, lifted.evaluator(), {});
+    order.emplace(moved, std::vector<bool>(3 * document.net.triangles.size()));
+    search.emplace(moved, *order, completeness.cosh_half_bound(lifted.plane()));
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> darts(const std::vector<std::uint32_t>& codes) const {
+    std::vector<std::uint32_t> result;
+    for (const std::uint32_t code : codes) result.push_back(order->dart(code));
+    return result;
+  }
+
+  LiftedNet lifted;
+  MovedNet moved;
+  std::optional<DartOrder> order;
+  std::optional<CrossingSearch> search;
+};
+
+/// The middles of the lengths of all elements reported; nothing if the search says that it is not complete.
 std::optional<std::vector<double>> lengths_found(const GeodesicsDocument& document, slong precision,
                                                  std::uint64_t limit = 1'000'000) {
-  const LiftedNet lifted(document.net, document.geodesics, precision);
-  const MovedNet moved(lifted.plane());
-  if (!moved.valid()) return std::nullopt;
-  const CompletenessCheck completeness(document, lifted.evaluator(), {});
-  const CrossingSearch search(moved, std::vector<bool>(3 * document.net.triangles.size()),
-                              completeness.cosh_half_bound(lifted.plane()));
+  const Precision scope(precision);
+  const SearchOfList list(document, precision);
+  if (!list.search) return std::nullopt;
   std::vector<double> found;
   bool complete = true;
-  for (std::size_t start = 0; start < search.starts(); ++start) {
-    const OrbitOutcome outcome = search.run(start, limit, [&](const BallIsometry& element, const LabelProduct&) {
-      const Interval length = translation_length(element, precision);
+  for (std::size_t part = 0; part < list.search->size(); ++part) {
+    const OrbitOutcome outcome = list.search->run(part, limit, [&](const std::vector<std::uint32_t>& codes) {
+      const Interval length = translation_length(element_across(list.lifted.plane(), list.darts(codes)), precision);
       found.push_back((length.lower + length.upper) / 2);
       return Search::go_on;
     });
@@ -83,15 +121,147 @@ TEST(CrossingSearch, MissesWhicheverIsLeftOut) {
   }
 }
 
+/// Deep in a collar more bits are needed.
+TEST(CrossingSearch, VerifiesAListWithAVeryShortCuff) {
+  const GeodesicsDocument document = load("one-cuff-of-1e-8-to-6.5");
+  const Certificate certificate = check(document);
+  EXPECT_EQ(certificate.verdict, Verdict::verified) << certificate.message;
+  EXPECT_GE(certificate.geodesics->candidates, document.geodesics.size());
+  EXPECT_GE(certificate.geodesics->deep_vertices, 1U);
+  const auto step = static_cast<std::size_t>(std::ceil(6 / test::multiplier()));
+  for (std::size_t i = 0; i < document.geodesics.size(); i += step) {
+    const Certificate lacking = check(without(document, i));
+    EXPECT_EQ(lacking.verdict, Verdict::refuted) << "geodesic " << i;
+    EXPECT_EQ(lacking.rule, "complete") << "geodesic " << i << ": " << lacking.message;
+  }
+}
+
+TEST(CrossingSearch, FindsWhatOccursTwice) {
+  for (const std::string& name : kLists) {
+    const GeodesicsDocument document = load(name);
+    for (std::size_t i = 0; i < document.geodesics.size(); i += 17) {
+      const Certificate certificate = check(with_power(document, i, 1), {.threads = 2});
+      EXPECT_EQ(certificate.verdict, Verdict::refuted) << name << ", geodesic " << i;
+      EXPECT_EQ(certificate.rule, "distinct") << name << ", geodesic " << i;
+    }
+  }
+  const GeodesicsDocument bolza = load("bolza-to-6.2");
+  for (std::size_t i = 0; i < 12; ++i) {
+    const Certificate certificate = check(with_power(bolza, i, 2));
+    EXPECT_EQ(certificate.verdict, Verdict::refuted);
+    EXPECT_EQ(certificate.rule, "distinct");
+    EXPECT_NE(certificate.message.find(" is geodesic " + std::to_string(i) + ", run through 2 times, up to orient"),
+              std::string::npos)
+        << certificate.message;
+    // A power alone is not what the list lacks.
+    GeodesicsDocument alone = with_power(bolza, i, 2);
+    alone.geodesics.erase(alone.geodesics.begin() + static_cast<std::ptrdiff_t>(i));
+    const Certificate without_root = check(in_order(alone));
+    EXPECT_EQ(without_root.verdict, Verdict::refuted);
+    EXPECT_EQ(without_root.rule, "complete") << without_root.message;
+  }
+}
+
+TEST(CrossingSearch, TellsWhatIsSimple) {
+  for (const std::string& name : kLists) {
+    const GeodesicsDocument document = load(name);
+    for (std::size_t i = 0; i < document.geodesics.size(); i += 7) {
+      GeodesicsDocument wrong = document;
+      wrong.geodesics[i].simple = !wrong.geodesics[i].simple;
+      const Certificate certificate = check(wrong);
+      EXPECT_EQ(certificate.verdict, Verdict::refuted) << name << ", geodesic " << i;
+      EXPECT_EQ(certificate.message,
+                "geodesic " + std::to_string(i) + (document.geodesics[i].simple ? " is simple" : " is not simple"));
+    }
+  }
+}
+
+TEST(CrossingSearch, DoesTheSameWithTwoThreads) {
+  for (const std::string& name : kLists) {
+    const GeodesicsDocument document = load(name);
+    const Certificate one = check(document, {.threads = 1});
+    const Certificate two = check(document, {.threads = 2});
+    EXPECT_EQ(one.geodesics->lifted_triangles, two.geodesics->lifted_triangles);
+    EXPECT_EQ(one.geodesics->candidates, two.geodesics->candidates);
+    EXPECT_EQ(one.counts.work, two.counts.work);
+  }
+}
+
 TEST(CrossingSearch, ReportsAnElementOfEveryLength) {
   const GeodesicsDocument document = load("bolza-to-6.2");
-  const auto found = lengths_found(document, 128);
-  ASSERT_TRUE(found);
-  for (const GeodesicsDocument::Cluster& cluster : document.clusters) {
-    const Interval length = document.geodesics[cluster.first].length;
-    const auto count = std::count_if(found->begin(), found->end(),
-                                     [&](double x) { return length.lower - 1e-9 < x && x < length.upper + 1e-9; });
-    EXPECT_GE(count, cluster.count);
+  // With numbers of twice the length of binary64, and with balls.
+  for (const slong precision : {128, 192}) {
+    const auto found = lengths_found(document, precision);
+    ASSERT_TRUE(found);
+    for (const GeodesicsDocument::Cluster& cluster : document.clusters) {
+      const Interval length = document.geodesics[cluster.first].length;
+      const auto count = std::count_if(found->begin(), found->end(),
+                                       [&](double x) { return length.lower - 1e-9 < x && x < length.upper + 1e-9; });
+      EXPECT_GE(count, cluster.count) << precision << " bits";
+    }
+  }
+}
+
+/// What is reported is a least rotation, and each sequence once, in whichever part: parts share the work.
+TEST(CrossingSearch, ReportsEverySequenceOnce) {
+  for (const std::string& name : kLists) {
+    const SearchOfList list(load(name));
+    ASSERT_TRUE(list.search);
+    std::vector<std::vector<std::uint32_t>> found;
+    for (std::size_t part = 0; part < list.search->size(); ++part) {
+      (void)list.search->run(part, 1'000'000, [&](const std::vector<std::uint32_t>& codes) {
+        EXPECT_EQ(period_of(codes), codes.size());
+        for (std::size_t i = 1; i < codes.size(); ++i) {
+          std::vector<std::uint32_t> rotation = codes;
+          std::rotate(rotation.begin(), rotation.begin() + static_cast<std::ptrdiff_t>(i), rotation.end());
+          EXPECT_LT(codes, rotation);
+        }
+        found.push_back(codes);
+        return Search::go_on;
+      });
+    }
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end()) << name;
+  }
+}
+
+/// The sequence of every geodesic of a list is among those reported, and is that of no other.
+TEST(CrossingSearch, ReportsTheSequencesOfTheList) {
+  for (const std::string& name : kLists) {
+    const GeodesicsDocument document = load(name);
+    const SearchOfList list(document);
+    ASSERT_TRUE(list.search);
+    std::vector<std::vector<std::uint32_t>> found;
+    for (std::size_t part = 0; part < list.search->size(); ++part) {
+      (void)list.search->run(part, 1'000'000, [&](const std::vector<std::uint32_t>& codes) {
+        found.push_back(least_sequence(codes).root);
+        return Search::go_on;
+      });
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<LeastSequence> sequences;
+    const auto firsts = first_darts(document.net);
+    for (std::uint32_t i = 0; i < document.geodesics.size(); ++i) {
+      const BallIsometry element = list.lifted.element(i);
+      const auto crossings = axis_crossings(list.moved, firsts[document.geodesics[i].vertex], element);
+      ASSERT_TRUE(crossings) << name << ", geodesic " << i;
+      const BallIsometry across = element_across(list.lifted.plane(), crossings->darts);
+      EXPECT_EQ(crosses(list.moved, across, crossings->darts), Tri::yes);
+      EXPECT_TRUE(arb_overlaps(cosh_half_length(across).get(), cosh_half_length(element).get()));
+      EXPECT_EQ(crosses_itself(list.lifted.plane(), *crossings), document.geodesics[i].simple ? Tri::no : Tri::yes);
+      std::vector<std::uint32_t> codes;
+      for (const std::uint32_t dart : crossings->darts) codes.push_back(list.order->code(dart));
+      sequences.push_back(least_sequence(codes));
+      EXPECT_EQ(sequences.back().exponent, 1U);
+      // With no edges inside a collar, ways around its core are given up for their number.
+      if (document.geodesics[i].length.upper < 1) continue;
+      EXPECT_TRUE(std::binary_search(found.begin(), found.end(), sequences.back().root)) << name << ", geodesic " << i;
+    }
+    const SequenceTable table(sequences);
+    for (std::uint32_t i = 0; i < sequences.size(); ++i) {
+      EXPECT_TRUE(table.contains(sequences[i].root));
+      EXPECT_FALSE(table.find_other(i));
+    }
   }
 }
 
@@ -116,46 +286,24 @@ TEST(CrossingSearch, OmitsNothingThatFewBitsDoNotTell) {
 TEST(CrossingSearch, EndsIncompleteWhereItsLimitOrTheReportEndsIt) {
   const GeodesicsDocument document = load("octagon-5-to-6");
   EXPECT_FALSE(lengths_found(document, 128, 10));
-  const LiftedNet lifted(document.net, document.geodesics);
-  const MovedNet moved(lifted.plane());
-  ASSERT_TRUE(moved.valid());
-  const CompletenessCheck completeness(document, lifted.evaluator(), {});
-  const CrossingSearch search(moved, std::vector<bool>(3 * document.net.triangles.size()),
-                              completeness.cosh_half_bound(lifted.plane()));
+  EXPECT_FALSE(lengths_found(document, 192, 10));
+  const SearchOfList list(document);
+  ASSERT_TRUE(list.search);
   int reports = 0;
-  const auto stop = [&](const BallIsometry&, const LabelProduct&) {
+  const auto stop = [&](const std::vector<std::uint32_t>&) {
     ++reports;
     return Search::stop;
   };
-  const OrbitOutcome stopped = search.run(0, 1'000'000, stop);
+  std::size_t part = 0;
+  OrbitOutcome stopped;
+  for (; reports == 0 && part < list.search->size(); ++part) stopped = list.search->run(part, 1'000'000, stop);
   EXPECT_EQ(reports, 1);
   EXPECT_FALSE(stopped.complete);
   EXPECT_FALSE(stopped.limit_reached);
-  const OrbitOutcome limited = search.run(0, 5, stop);
+  const OrbitOutcome limited = list.search->run(part - 1, 5, stop);
   EXPECT_TRUE(limited.limit_reached);
   EXPECT_FALSE(limited.complete);
   EXPECT_EQ(limited.visits, 6U);
-}
-
-/// The products of labels that are reported are the elements: exact numbers are made from them.
-TEST(CrossingSearch, ProductsOfLabelsAreTheElements) {
-  const GeodesicsDocument document = load("bolza-to-6.2");
-  const LiftedNet lifted(document.net, document.geodesics);
-  const Reference reference(lifted.net());
-  const MovedNet moved(lifted.plane());
-  ASSERT_TRUE(moved.valid());
-  const CompletenessCheck completeness(document, lifted.evaluator(), {});
-  const CrossingSearch search(moved, std::vector<bool>(3 * document.net.triangles.size()),
-                              completeness.cosh_half_bound(lifted.plane()));
-  int reports = 0;
-  for (std::size_t start = 0; start < search.starts(); ++start) {
-    (void)search.run(start, 1'000'000, [&](const BallIsometry& element, const LabelProduct& product) {
-      EXPECT_EQ(key_of(reference.value(product())), key_of(middle(element)));
-      ++reports;
-      return Search::go_on;
-    });
-  }
-  EXPECT_GE(reports, 48);
 }
 
 /// A net all of whose vertices are moved is still one of the same surface; across a dart lies what the labels say.

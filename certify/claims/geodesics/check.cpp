@@ -88,8 +88,9 @@ class GeodesicsCheck {
 
   /// Whether more bits can change nothing.
   [[nodiscard]] bool all_decided() const {
+    if (is_wrong()) return true;
     for (const char* rule : {kGeodesics, kDistinct, kSimple, kPieces}) {
-      if (open(rule)) return verdict(kSimple) == Verdict::refuted || verdict(kDistinct) == Verdict::refuted;
+      if (open(rule)) return false;
     }
     return !open(kComplete) || completeness_.limit_reached();
   }
@@ -107,18 +108,55 @@ class GeodesicsCheck {
     if (open(kGeodesics)) check_lengths(plane);
     if (open(kEqualLengths)) check_equal();
     if (verdict(kGeodesics) != Verdict::verified) return;
+    if (completeness_.crosses_edges() && ask_crossings(plane)) return;
+    ask_chords(plane);
+  }
+
+  /// By the edges that the geodesics cross; false if that takes too long.
+  bool ask_crossings(const LiftedPlane& plane) {
+    const CrossingPass crossings(
+        plane, completeness_.cosh_half_bound(plane), elements_.size(),
+        [&](std::size_t i) -> CrossingPass::Member {
+          return {first_dart(i), element(plane, i)};
+        },
+        threads_);
+    if (!crossings.valid()) {
+      completeness_.give_up_crossings();
+      return false;
+    }
+    if (!crossings.complete()) {
+      doubt_all("not decided which edges the geodesics cross, with " + bits());
+      return true;
+    }
+    if (open(kDistinct)) check_distinct(crossings.table());
+    if (open(kSimple)) {
+      std::vector<Meetings> meetings;
+      for (const Tri itself : crossings.crosses_itself()) meetings.push_back({itself, Tri::no});
+      rules_.report(simple_report(document_.geodesics, meetings, false, precision_));
+    }
+    if (is_wrong() || !open(kComplete)) return true;
+    progress(kComplete);
+    const auto report = completeness_.check(crossings, precision_, threads_);
+    if (report) {
+      rules_.report(*report);
+    } else {
+      completeness_.give_up_crossings();
+    }
+    return report.has_value();
+  }
+
+  /// By the chords of the geodesics in the triangles.
+  void ask_chords(const LiftedPlane& plane) {
     std::vector<ChordTable::Member> members;
     for (std::size_t i = 0; i < elements_.size(); ++i) members.push_back({first_dart(i), element(plane, i)});
     const ChordTable table(plane, std::move(members), threads_);
     if (!table.complete()) {
-      for (const char* rule : {kDistinct, kSimple, kComplete, kPieces}) {
-        rules_.doubt(rule, "not decided which triangles the geodesics meet, with " + bits());
-      }
+      doubt_all("not decided which triangles the geodesics meet, with " + bits());
       return;
     }
     if (open(kDistinct)) check_distinct(table);
     if (open(kSimple)) check_simple(table);
-    if (verdict(kDistinct) == Verdict::refuted || verdict(kSimple) == Verdict::refuted) return;
+    if (is_wrong()) return;
     if (open(kComplete)) {
       progress(kComplete);
       rules_.report(completeness_.check(plane, table, threads_));
@@ -126,6 +164,14 @@ class GeodesicsCheck {
     if (open(kPieces) && verdict(kSimple) == Verdict::verified && verdict(kDistinct) == Verdict::verified) {
       check_pieces(plane, table);
     }
+  }
+
+  [[nodiscard]] bool is_wrong() const {
+    return verdict(kDistinct) == Verdict::refuted || verdict(kSimple) == Verdict::refuted;
+  }
+
+  void doubt_all(const std::string& why) {
+    for (const char* rule : {kDistinct, kSimple, kComplete, kPieces}) rules_.doubt(rule, why);
   }
 
   [[nodiscard]] std::string bits() const { return std::to_string(precision_) + " bits"; }
@@ -142,22 +188,32 @@ class GeodesicsCheck {
   // Rule geodesics.
 
   void check_lengths(const LiftedPlane& plane) {
+    struct Answer {
+      Tri enclosed = Tri::unknown;
+      Tri within = Tri::unknown;
+    };
+    std::vector<Answer> answers(elements_.size());
+    for_each_parallel(answers.size(), threads_, [&](unsigned, std::size_t i) {
+      const BallIsometry f = element(plane, i);
+      answers[i].enclosed = is_enclosed(f, document_.geodesics[i].length);
+      answers[i].within = document_.claim == GeodesicsDocument::Claim::systole ? Tri::yes : is_within(plane, f, i);
+    });
     for (const Tri wanted : {Tri::no, Tri::unknown}) {
-      for (std::size_t i = 0; i < elements_.size(); ++i) {
-        const BallIsometry f = element(plane, i);
-        const Tri enclosed = is_enclosed(f, document_.geodesics[i].length);
-        const Tri within = document_.claim == GeodesicsDocument::Claim::systole ? Tri::yes : is_within(plane, f, i);
-        if (enclosed != wanted && within != wanted) continue;
-        const bool wrong = wanted == Tri::no;
-        const std::string actual = " has a length in " + to_string(translation_length(f, plane.precision()));
-        const std::string what =
-            enclosed == wanted
-                ? (wrong ? ", not in " : ", not decided whether in ") + to_string(document_.geodesics[i].length)
-                : (wrong ? ", more than " : ", not decided whether at most ") + completeness_.bound_name();
-        report(kGeodesics, wrong ? Verdict::refuted : Verdict::undecided,
-               geodesic_name(i) + actual + what + (wrong ? "" : ", with " + bits()));
-        return;
-      }
+      const auto found = std::find_if(answers.begin(), answers.end(), [&](const Answer& answer) {
+        return answer.enclosed == wanted || answer.within == wanted;
+      });
+      if (found == answers.end()) continue;
+      const auto i = static_cast<std::size_t>(found - answers.begin());
+      const bool wrong = wanted == Tri::no;
+      const std::string actual =
+          " has a length in " + to_string(translation_length(element(plane, i), plane.precision()));
+      const std::string what =
+          found->enclosed == wanted
+              ? (wrong ? ", not in " : ", not decided whether in ") + to_string(document_.geodesics[i].length)
+              : (wrong ? ", more than " : ", not decided whether at most ") + completeness_.bound_name();
+      report(kGeodesics, wrong ? Verdict::refuted : Verdict::undecided,
+             geodesic_name(i) + actual + what + (wrong ? "" : ", with " + bits()));
+      return;
     }
     report(kGeodesics, Verdict::verified,
            counted(elements_.size(), "closed geodesic has its length in its enclosure",
@@ -183,19 +239,26 @@ class GeodesicsCheck {
   // Rule equal.
 
   void check_equal() {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  // Said to be of equal length.
     std::size_t claimed = 0;
     for (const GeodesicsDocument::Cluster& cluster : document_.clusters) {
       if (!cluster.equal) continue;
       ++claimed;
       for (std::uint32_t i = cluster.first + 1; i < cluster.first + cluster.count; ++i) {
-        const Tri equal = lengths_equal(elements_[cluster.first], elements_[i]);
-        if (equal == Tri::yes) continue;
-        const std::string names = geodesic_name(cluster.first) + " and " + geodesic_name(i);
-        report(kEqualLengths, equal == Tri::no ? Verdict::refuted : Verdict::undecided,
-               equal == Tri::no ? names + " have different lengths in a cluster of equal ones"
-                                : names + ": the words are too long to compare the lengths exactly");
-        return;
+        pairs.emplace_back(cluster.first, i);
       }
+    }
+    std::vector<Tri> equal(pairs.size(), Tri::unknown);
+    for_each_parallel(pairs.size(), threads_, [&](unsigned, std::size_t k) {
+      equal[k] = lengths_equal(elements_[pairs[k].first], elements_[pairs[k].second]);
+    });
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      if (equal[k] == Tri::yes) continue;
+      const std::string names = geodesic_name(pairs[k].first) + " and " + geodesic_name(pairs[k].second);
+      report(kEqualLengths, equal[k] == Tri::no ? Verdict::refuted : Verdict::undecided,
+             equal[k] == Tri::no ? names + " have different lengths in a cluster of equal ones"
+                                 : names + ": the words are too long to compare the lengths exactly");
+      return;
     }
     report(kEqualLengths, Verdict::verified,
            std::to_string(claimed) + " of " + std::to_string(document_.clusters.size()) +
@@ -214,6 +277,17 @@ class GeodesicsCheck {
     std::vector<ChordTable::Match> matches(table.size());
     for_each_parallel(table.size(), threads_,
                       [&](unsigned, std::size_t i) { matches[i] = table.find_other(static_cast<std::uint32_t>(i)); });
+    rules_.report(distinct_report(matches, precision_));
+  }
+
+  void check_distinct(const SequenceTable& table) {
+    std::vector<ChordTable::Match> matches(elements_.size());
+    for (std::uint32_t i = 0; i < matches.size(); ++i) {
+      const auto match = table.find_other(i);
+      if (!match) continue;
+      matches[i] = {Tri::yes, match->geodesic, match->power};
+      break;
+    }
     rules_.report(distinct_report(matches, precision_));
   }
 

@@ -14,8 +14,10 @@ namespace {
 
 /// A spectrum from here on is searched for across edges: the search around vertices takes e^L steps for each of them.
 const mpq_class kLongLength = 6;
-/// Edges crossed by one part of the search before it is given up: a hundred times what usual surfaces take at L = 12.
+/// Edges crossed by one part of the search before it is given up, and as many more for each geodesic of the list: on
+/// usual surfaces 200 for each geodesic are enough for all parts together.
 constexpr std::uint64_t kMostCrossings = 20'000'000;
+constexpr std::uint64_t kMostCrossingsForEach = 1'000;
 
 }  // namespace
 
@@ -34,9 +36,6 @@ class CompletenessCheck::Pass {
     cosh_distance_ = twice((sqr(cosh_half_) - 1) * sqr(cosh(epsilon_))) + 1;
     sinh_distance_ = sqrt_of_nonnegative(sqr(cosh_distance_) - 1);
   }
-
-  [[nodiscard]] const CandidateJudge& judge() const { return judge_; }
-  [[nodiscard]] const Ball& cosh_half() const { return cosh_half_; }
 
   /// Calls tick() now and then.
   template <class Tick>
@@ -139,11 +138,6 @@ CompletenessCheck::CompletenessCheck(const GeodesicsDocument& document, const La
 RuleReport CompletenessCheck::check(const LiftedPlane& plane, const ChordTable& table, unsigned threads) {
   const Precision scope(plane.precision());
   const Pass pass(*this, plane, table);
-  if (crosses_edges_) {
-    if (auto report = check_crossings(plane, pass, threads)) return *std::move(report);
-    crosses_edges_ = false;
-    crossings_.clear();
-  }
   std::vector<std::uint32_t> open;
   for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
     if (vertices_[v].complete == Tri::unknown && !vertices_[v].limit_reached) open.push_back(v);
@@ -180,11 +174,15 @@ RuleReport CompletenessCheck::verified() const {
           "no primitive closed geodesic of length at most " + bound_name() + " is missing"};
 }
 
-std::optional<RuleReport> CompletenessCheck::check_crossings(const LiftedPlane& plane, const Pass& pass,
-                                                             unsigned threads) {
-  const CrossingPass crossings(plane, pass.judge(), pass.cosh_half());
-  if (crossings.size() == 0) return std::nullopt;
-  const std::uint64_t limit = std::min(kMostCrossings, max_visits_);
+void CompletenessCheck::give_up_crossings() {
+  crosses_edges_ = false;
+  crossings_.clear();
+}
+
+std::optional<RuleReport> CompletenessCheck::check(const CrossingPass& crossings, slong precision, unsigned threads) {
+  const Precision scope(precision);
+  const std::uint64_t limit =
+      std::min(kMostCrossings + kMostCrossingsForEach * document_.geodesics.size(), max_visits_);
   std::vector<SearchPart> parts(crossings.size());
   std::atomic<bool> too_many = false;
   for_each_parallel(parts.size(), threads, [&](unsigned worker, std::size_t i) {
@@ -203,7 +201,7 @@ std::optional<RuleReport> CompletenessCheck::check_crossings(const LiftedPlane& 
   if (const auto wrong = find(Tri::no); wrong != crossings_.end()) return {{"complete", Verdict::refuted, wrong->text}};
   if (find(Tri::unknown) == crossings_.end()) return verified();
   return {{"complete", Verdict::undecided,
-           "not decided whether all geodesics are in the list, with " + std::to_string(plane.precision()) + " bits"}};
+           "not decided whether all geodesics are in the list, with " + std::to_string(precision) + " bits"}};
 }
 
 bool CompletenessCheck::limit_reached() const {

@@ -26,8 +26,16 @@ class CompletenessCheck {
   /// document is that net with the words of the geodesics as further labels, in the order of the list.
   CompletenessCheck(const GeodesicsDocument& document, const LabelEvaluator& evaluator, const CheckOptions& options);
 
-  /// Continues with the vertices that are still open; the table is that of the list's geodesics at the precision of the
-  /// plane. The report does not depend on the number of threads.
+  /// Whether the search across edges should be asked, as long as it does not take too long.
+  [[nodiscard]] bool crosses_edges() const { return crosses_edges_; }
+  /// By the search across edges, of a list that is complete(). Nothing if it takes too long, and the search around
+  /// vertices should be asked.
+  [[nodiscard]] std::optional<RuleReport> check(const CrossingPass& crossings, slong precision, unsigned threads);
+  /// No more searches across edges.
+  void give_up_crossings();
+
+  /// By the search around vertices: continues with those that are still open; the table is that of the list's geodesics
+  /// at the precision of the plane. The report does not depend on the number of threads.
   [[nodiscard]] RuleReport check(const LiftedPlane& plane, const ChordTable& table, unsigned threads);
 
   /// Whether a vertex needs more visits than are allowed: more bits do not help.
@@ -47,8 +55,6 @@ class CompletenessCheck {
  private:
   class Pass;
 
-  /// The search across edges; nothing if it takes too long, and the search around vertices should be tried.
-  [[nodiscard]] std::optional<RuleReport> check_crossings(const LiftedPlane& plane, const Pass& pass, unsigned threads);
   [[nodiscard]] RuleReport verified() const;
   template <class Count>
   [[nodiscard]] std::uint64_t sum(const Count& count) const;

@@ -1,17 +1,38 @@
 #include "certify/claims/geodesics/crossing_pass.h"
 
+#include <algorithm>
+
+#include "certify/base/text.h"
+#include "certify/claims/geodesics/chords.h"
 #include "certify/net/darts.h"
+#include "certify/numbers/parallel.h"
 
 namespace epsnet::certify {
 
-CrossingPass::CrossingPass(const LiftedPlane& plane, const CandidateJudge& judge, const Ball& cosh_half)
-    : plane_(plane), net_(plane.net()), judge_(judge), moved_(plane) {
+CrossingPass::CrossingPass(const LiftedPlane& plane, const Ball& cosh_half, std::size_t count,
+                           const std::function<Member(std::size_t)>& member, unsigned threads)
+    : plane_(plane), net_(plane.net()), cosh_half_(cosh_half), moved_(plane), crosses_itself_(count, Tri::unknown) {
   if (!moved_.valid()) return;
   std::vector<bool> inner(3 * net_.triangles.size());
   for (std::uint32_t dart = 0; dart < inner.size(); ++dart) {
     if (start(net_, dart) == start(net_, next_dart(dart)) && dart < opposite(net_, dart)) find_collar(dart, inner);
   }
-  search_.emplace(moved_, inner, cosh_half);
+  order_.emplace(moved_, inner);
+  search_.emplace(moved_, *order_, cosh_half);
+  std::vector<LeastSequence> sequences(count);
+  for_each_parallel(count, threads, [&](unsigned, std::size_t i) {
+    const auto [first_dart, element] = member(i);
+    std::optional<AxisCrossings> crossings = axis_crossings(moved_, first_dart, element);
+    if (!crossings) return;
+    plane_.keep(1 + crossings->darts.size() / 12);
+    sequences[i] = sequence_of(crossings->darts);
+    // A power runs through the same chords again and again.
+    crossings->darts.resize(crossings->darts.size() / sequences[i].exponent);
+    crosses_itself_[i] = certify::crosses_itself(plane_, *crossings);
+  });
+  if (std::none_of(sequences.begin(), sequences.end(), [](const auto& sequence) { return sequence.root.empty(); })) {
+    table_.emplace(std::move(sequences));
+  }
 }
 
 /// The element of a loop edge in the chart of its vertex.
@@ -54,40 +75,66 @@ void CrossingPass::find_collar(std::uint32_t loop, std::vector<bool>& inner) {
   if (found) loops_.push_back(loop);
 }
 
+LeastSequence CrossingPass::sequence_of(const std::vector<std::uint32_t>& darts) const {
+  std::vector<std::uint32_t> codes(darts.size());
+  std::transform(darts.begin(), darts.end(), codes.begin(), [&](std::uint32_t dart) { return order_->code(dart); });
+  return least_sequence(codes);
+}
+
 SearchPart CrossingPass::examine(std::size_t part, std::uint64_t limit, const std::function<void()>& tick) const {
   SearchPart result;
   if (part < loops_.size()) {
-    const std::uint32_t loop = loops_[part];
     result.deep = true;
-    result.complete = judge(
-        loop, element_of_loop(loop),
-        [&] {
-          return std::vector<SignedLabel>{{corner_label(net_, loop), true},
-                                          {corner_label(net_, next_dart(loop)), false}};
-        },
-        result);
+    result.complete = is_in_order(loops_[part], result);
     return result;
   }
-  const std::size_t start = part - loops_.size();
   Tri answer = Tri::yes;
-  const OrbitOutcome outcome =
-      search_->run(start, limit, [&](const BallIsometry& element, const LabelProduct& product) {
-        tick();
-        answer = judge(search_->first_dart(start), element, product, result);
-        return answer == Tri::yes ? Search::go_on : Search::stop;
-      });
+  const OrbitOutcome outcome = search_->run(part - loops_.size(), limit, [&](const std::vector<std::uint32_t>& codes) {
+    tick();
+    answer = is_in_order(codes, result);
+    return answer == Tri::yes ? Search::go_on : Search::stop;
+  });
   result.visits = outcome.visits;
   result.limit_reached = outcome.limit_reached;
   result.complete = answer == Tri::yes && !outcome.complete ? Tri::unknown : answer;
   return result;
 }
 
-Tri CrossingPass::judge(std::uint32_t dart, const BallIsometry& element, const LabelProduct& product,
-                        SearchPart& part) const {
-  CandidateJudge::Judgement judgement = judge_.judge(start(net_, dart), element, product, nullptr);
-  part.candidates += judgement.is_candidate ? 1 : 0;
-  if (judgement.in_order == Tri::no) part.text = std::move(judgement.text);
-  return judgement.in_order;
+/// Whether the geodesic of a loop edge is in the list, or too long.
+Tri CrossingPass::is_in_order(std::uint32_t loop, SearchPart& part) const {
+  const BallIsometry element = element_of_loop(loop);
+  const Tri shorter = certainly_less(cosh_half_length(element), cosh_half_);
+  if (shorter == Tri::no) return Tri::yes;
+  const auto crossings = axis_crossings(moved_, loop, element);
+  if (!crossings) return Tri::unknown;
+  ++part.candidates;
+  if (table_->contains(sequence_of(crossings->darts).root)) return Tri::yes;
+  return shorter == Tri::yes ? missing(loop, element, part) : Tri::unknown;
+}
+
+/// Whether a cyclic sequence that is no power is in the list, or not that of a geodesic, or of one that is too long.
+Tri CrossingPass::is_in_order(const std::vector<std::uint32_t>& codes, SearchPart& part) const {
+  plane_.spend(1, codes.size());
+  if (table_->contains(least_sequence(codes).root)) {
+    ++part.candidates;
+    return Tri::yes;
+  }
+  std::vector<std::uint32_t> darts(codes.size());
+  std::transform(codes.begin(), codes.end(), darts.begin(), [&](std::uint32_t code) { return order_->dart(code); });
+  const BallIsometry element = element_across(plane_, darts);
+  const Tri shorter = certainly_less(cosh_half_length(element), cosh_half_);
+  if (shorter == Tri::no) return Tri::yes;
+  const Tri is_sequence = crosses(moved_, element, darts);
+  if (is_sequence == Tri::no) return Tri::yes;
+  ++part.candidates;
+  if (shorter == Tri::unknown || is_sequence == Tri::unknown) return Tri::unknown;
+  return missing(darts.front(), element, part);
+}
+
+Tri CrossingPass::missing(std::uint32_t dart, const BallIsometry& element, SearchPart& part) const {
+  part.text = "a closed geodesic near vertex " + std::to_string(start(net_, dart)) + " of length in " +
+              to_string(translation_length(element, plane_.precision())) + " is not in the list";
+  return Tri::no;
 }
 
 }  // namespace epsnet::certify

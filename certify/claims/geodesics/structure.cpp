@@ -1,9 +1,9 @@
-#include "certify/claims/geodesics/check.h"
+#include "certify/net/structure.h"
 
 #include <algorithm>
 
 #include "certify/base/text.h"
-#include "certify/net/structure.h"
+#include "certify/claims/geodesics/check.h"
 
 namespace epsnet::certify {
 namespace {
