@@ -36,6 +36,7 @@
 #include "netgen/pictures/polygon.h"
 #include "netgen/pictures/viewer.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/cover.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"

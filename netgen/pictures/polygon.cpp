@@ -148,7 +148,7 @@ class Drawing {
   }
 
   [[nodiscard]] std::string legend() const {
-    Legend legend(unit_);
+    Legend legend(1.3 * unit_);
     for (const PolygonPicture::Mark& mark : picture_.marks) legend.add(epsnet::Mark::dot, mark.colour, mark.name);
     for (const PolygonPicture::Curve& curve : picture_.curves) legend.add(epsnet::Mark::line, curve.colour, curve.name);
     for (const PolygonPicture::Disk& disk : picture_.disks) legend.add(epsnet::Mark::area, disk.colour, disk.name);

@@ -12,6 +12,7 @@
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
+#include "netgen/surfaces/cover.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
@@ -150,6 +151,33 @@ void import_surface_text(const SurfaceRequest& request) {
   write_surface_file(import_surface(input.text, input.name, request.format), request.output, request.json);
 }
 
+struct CoverRequest {
+  std::string surface;
+  std::string permutations;
+  std::optional<std::uint32_t> degree;
+  std::optional<std::uint64_t> seed;
+  std::string output;
+  bool json = false;
+};
+
+void make_cover(const CoverRequest& request) {
+  if (request.permutations.empty() && !(request.degree && request.seed))
+    throw UsageError("surface cover: expected --permutations, or --degree and --seed (try --help)");
+  check_files({{"SURFACE", request.surface}, {"--permutations", request.permutations}},
+              {{"--output", request.output, FileType::json}});
+  const Surface base = read_surface_input(request.surface);
+  if (request.permutations.empty()) {
+    write_surface_file(cover(base, random_sheets(base, *request.degree, *request.seed)), request.output, request.json);
+    return;
+  }
+  const TextInput input = read_text_input(request.permutations);
+  try {
+    write_surface_file(cover(base, parse_permutations(input.text)), request.output, request.json);
+  } catch (const CoverError& error) {
+    throw JobError(input.name + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 void add_surface_command(CLI::App& app, Job& chosen) {
@@ -229,6 +257,32 @@ void add_surface_command(CLI::App& app, Job& chosen) {
   add_json(*regular, regular_request->json);
   regular->footer("Example:\n  epsnet surface regular --genus 2 -o bolza.json");
   regular->callback([&chosen, regular_request] { chosen = [regular_request] { make_regular(*regular_request); }; });
+
+  const auto cover_request = std::make_shared<CoverRequest>();
+  CLI::App* cover_command = surface->add_subcommand(
+      "cover", "An unbranched cover of a surface, connected: given by permutations of its sheets, or random.");
+  add_input(*cover_command, "SURFACE", cover_request->surface, kSurfaceHelp);
+  CLI::Option* permutations =
+      add_file(*cover_command, "--permutations", cover_request->permutations,
+               "a JSON array of permutations, one for each pair of sides of the fundamental polygon, as in [[1,0],...] "
+               "(docs/covers.md); \"-\" is standard input");
+  cover_command
+      ->add_option("--degree", cover_request->degree,
+                   "the number of sheets of a random cover, 1 to 50; all covers of this degree are equally likely")
+      ->excludes(permutations)
+      ->check(integer_between(1, kMostRandomSheets))
+      ->option_text("N");
+  cover_command->add_option("--seed", cover_request->seed, "0 to 2^64 - 1; the same seed gives the same cover")
+      ->excludes(permutations)
+      ->check(CLI::NonNegativeNumber.description(""))
+      ->option_text("K");
+  add_output(*cover_command, cover_request->output, "the surface file to write");
+  add_json(*cover_command, cover_request->json);
+  cover_command->footer(
+      "Example:\n"
+      "  epsnet surface cover s.json --degree 10 --seed 1 -o cover.json\n"
+      "  epsnet surface cover s.json --permutations p.json -o cover.json");
+  cover_command->callback([&chosen, cover_request] { chosen = [cover_request] { make_cover(*cover_request); }; });
 
   const auto import_request = std::make_shared<SurfaceRequest>();
   CLI::App* import_command = surface->add_subcommand(

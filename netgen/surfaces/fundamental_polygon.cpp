@@ -56,17 +56,37 @@ std::vector<std::uint32_t> without_folds(const Surface& surface, const std::list
   return sides;
 }
 
+PolygonSides polygon_sides(const Surface& surface, const Tree& tree) {
+  PolygonSides result;
+  result.side = without_folds(surface, tree.rim);
+  const auto count = static_cast<std::uint32_t>(result.side.size());
+  std::vector<std::uint32_t> place(surface.side_count());
+  for (std::uint32_t k = 0; k < count; ++k) place[result.side[k]] = k;
+  for (const std::uint32_t s : result.side) result.partner.push_back(place[surface.partner(s)]);
+  std::vector<bool> visited(count);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    if (visited[k]) continue;
+    std::vector<std::uint32_t>& relation = result.relations.emplace_back();
+    for (std::uint32_t s = k; !visited[s]; s = (result.partner[s] + 1) % count) {
+      visited[s] = true;
+      relation.push_back(s);
+    }
+  }
+  return result;
+}
+
 }  // namespace
+
+PolygonSides polygon_sides(const Surface& surface) { return polygon_sides(surface, Tree(surface)); }
 
 FundamentalPolygon fundamental_polygon(const Surface& surface) {
   const Tree tree(surface);
-  const std::vector<std::uint32_t> sides = without_folds(surface, tree.rim);
-  std::vector<std::uint32_t> place(surface.side_count());
-  for (std::uint32_t k = 0; k < sides.size(); ++k) place[sides[k]] = k;
+  PolygonSides polygon = polygon_sides(surface, tree);
   FundamentalPolygon result;
   std::optional<std::uint32_t> tile;
   Isometry<Rational> to_root;
-  for (const std::uint32_t s : sides) {
+  for (std::size_t k = 0; k < polygon.side.size(); ++k) {
+    const std::uint32_t s = polygon.side[k];
     const std::uint32_t here = surface.tile_of_side(s);
     const std::uint32_t there = surface.partner(s);
     const Word& way = tree.path[surface.tile_of_side(there)];
@@ -75,7 +95,7 @@ FundamentalPolygon fundamental_polygon(const Surface& surface) {
     word.push_back(there);
     const Word home = reversed(surface, tree.path[here]);
     word.insert(word.end(), home.begin(), home.end());
-    result.sides.push_back({std::move(word), place[there], s});
+    result.sides.push_back({std::move(word), polygon.partner[k], s});
     if (surface.is_regular()) {
       result.vertices.push_back(surface.tiles()[0][s]);
       continue;
@@ -86,16 +106,7 @@ FundamentalPolygon fundamental_polygon(const Surface& surface) {
     }
     result.vertices.push_back(to_root(surface.tiles()[here][s - surface.side_number(here, 0)]));
   }
-  std::vector<bool> visited(sides.size());
-  for (std::uint32_t k = 0; k < sides.size(); ++k) {
-    if (visited[k]) continue;
-    std::vector<std::uint32_t>& relation = result.relations.emplace_back();
-    for (std::uint32_t s = k; !visited[s];) {
-      visited[s] = true;
-      relation.push_back(s);
-      s = (result.sides[s].partner + 1) % static_cast<std::uint32_t>(sides.size());
-    }
-  }
+  result.relations = std::move(polygon.relations);
   return result;
 }
 

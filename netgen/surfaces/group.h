@@ -40,6 +40,16 @@ inline constexpr unsigned kMostEnclosureBits = 1U << 20;
 /// std::invalid_argument beyond kMostEnclosureBits. Linear in the letters of the word, at fixed precision.
 [[nodiscard]] EnclosedIsometry enclosed_isometry(const Surface& surface, const Word& word, unsigned bits);
 
+/// The sides of a fundamental polygon, without coordinates. O(sides) but for the words of paths.
+struct PolygonSides {
+  std::vector<std::uint32_t> side;     ///< By side of the polygon, counterclockwise: its number on the surface.
+  std::vector<std::uint32_t> partner;  ///< By side of the polygon: the one that it is glued to.
+  std::vector<std::vector<std::uint32_t>> relations;  ///< As in FundamentalPolygon.
+};
+
+/// Returns the sides of fundamental_polygon(surface). Every other side of the surface lies inside of the polygon.
+[[nodiscard]] PolygonSides polygon_sides(const Surface& surface);
+
 /// A fundamental polygon of a surface: its tiles, laid out around tile 0 in the coordinates of tile 0. Each tile is
 /// placed next to an earlier one, along a tree of crossed sides. For a surface of one tile it is that tile.
 ///

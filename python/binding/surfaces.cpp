@@ -4,6 +4,7 @@
 #include "netgen/lifts/info.h"
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/pictures/polygon.h"
+#include "netgen/surfaces/cover.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/octagon.h"
@@ -57,6 +58,18 @@ void bind_surface(py::module_& module) {
       .def_static(
           "regular", [](std::uint32_t genus) { return interruptible([=] { return Surface::regular(genus); }); },
           py::arg("genus"))
+      .def(
+          "cover",
+          [](const Surface& base, const std::vector<Permutation>& permutations) {
+            return interruptible([=] { return cover(base, permutations); });
+          },
+          py::arg("permutations"))
+      .def(
+          "random_sheets",
+          [](const Surface& base, std::uint32_t degree, std::uint64_t seed) {
+            return interruptible([=] { return random_sheets(base, degree, seed); });
+          },
+          py::arg("degree"), py::arg("seed"))
       .def_static(
           "fenchel_nielsen",
           [](const Coordinates& request) {

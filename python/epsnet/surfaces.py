@@ -256,6 +256,40 @@ class Surface(Immutable):
         """
         return DirichletDomain(self, None if p is None else base_point(self._core, p, "p"))
 
+    def cover(
+        self, permutations: Optional[Iterable[Iterable[int]]] = None, *, degree: Optional[int] = None, seed: Optional[int] = None
+    ) -> "Surface":
+        """A connected unbranched cover: copies of the tiles, exactly (docs/covers.md).
+
+        ``permutations``: one for each of ``generators()``, the images of the sheets 0, 1, …: where one gets across the first of the two sides
+        of the fundamental polygon. Or, with ``degree`` (at most 50) and ``seed``, random: ``random_sheets``.
+
+        >>> import epsnet
+        >>> octagon = epsnet.Surface.octagon(1)
+        >>> octagon.cover([(1, 0), (0, 1), (0, 1), (0, 1)]).genus
+        3
+        >>> octagon.cover(degree=10, seed=1).genus
+        11
+        """
+        if permutations is None:
+            sheets = self.random_sheets(degree, seed)  # type: ignore[arg-type]
+        elif degree is not None or seed is not None:
+            refuse("no degree and no seed where permutations are given", degree if seed is None else seed, "permutations")
+        else:
+            sheets = [tuple(as_indices(p, "permutations")) for p in as_items(permutations, "permutations", "permutations")]
+        with argument("permutations"):
+            return Surface._of(self._core.cover(sheets))
+
+    def random_sheets(self, degree: int, seed: int) -> list[tuple[int, ...]]:
+        """Permutations for ``cover``, drawn uniformly from those of connected covers of this degree with numbered sheets.
+
+        >>> import epsnet
+        >>> epsnet.Surface.octagon(1).random_sheets(3, 1)
+        [(2, 1, 0), (2, 1, 0), (1, 2, 0), (2, 0, 1)]
+        """
+        number = as_index(degree, "degree", 1, 50)
+        return [tuple(p) for p in self._core.random_sheets(number, as_index(seed, "seed", 0, 2**64 - 1))]
+
     # Nets.
 
     def net(

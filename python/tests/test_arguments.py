@@ -73,6 +73,8 @@ def calls(octagon, net, bolza):
     return [
         (Surface, dict(tiles=octagon.tiles, gluing=octagon.gluing)),
         (Surface.octagon, dict(seed=1)), (Surface.octagon, dict(half=octagon.tiles[0][:4])), (Surface.regular, dict(genus=2)),
+        (octagon.cover, dict(permutations=[(1, 0), (0, 1), (0, 1), (0, 1)])), (octagon.cover, dict(degree=2, seed=1)),
+        (octagon.random_sheets, dict(degree=2, seed=1)),
         (Surface.fenchel_nielsen, dict(lengths=1, twists=0, graph="chain", genus=2, seed=1)),
         (Surface.load, dict(path="none")), (octagon.save, dict(path="none")), (octagon.export, dict(format="domain", path="none")),
         (octagon.partner, dict(side=0)), (octagon.point, dict(tile=0, x=0, y=0)), (octagon.centre, dict(tile=0)),

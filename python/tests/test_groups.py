@@ -250,3 +250,18 @@ def test_dirichlet_domains(octagon, bolza):
         assert (side.isometry * domain.sides[side.partner].isometry).is_identity()
     with pytest.raises(epsnet.SurfaceError, match="unit disk"):
         octagon.dirichlet_domain((0, 1, 0))
+
+
+def test_covers(octagon):
+    sheets = octagon.random_sheets(6, 2)
+    cover = octagon.cover(sheets)
+    assert cover == octagon.cover(degree=6, seed=2)
+    assert cover.genus == 7 and cover.tiles == 6 * octagon.tiles
+    # A closed geodesic of the cover lies over one of the base.
+    assert octagon.systole().lower <= cover.systole().upper
+    for permutations in ([(1, 0)], [(1, 0), (0, 1), (0, 1), (1, 1)], [(0, 1)] * 4):
+        with pytest.raises(epsnet.SurfaceError):
+            octagon.cover(permutations)
+    for wrong in ({"degree": 51, "seed": 1}, {"degree": 3}, {"permutations": sheets, "degree": 6}, {"permutations": "abc"}):
+        with pytest.raises(epsnet.EpsnetError):
+            octagon.cover(**wrong)

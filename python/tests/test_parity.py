@@ -35,6 +35,7 @@ FUNCTIONS = {
     "surface octagon": (Surface.octagon, {"--coordinates": "half"}),
     "surface fenchel-nielsen": (Surface.fenchel_nielsen, {"--pants-graph": "graph", "--from": None}),
     "surface regular": (Surface.regular, {}),
+    "surface cover": (Surface.cover, {}),
     "surface import": (Surface.load, {"--format": None}),
     "net": (Surface.net, {}),
     "import-net": (Net.of_tiles, {"--threads": None}),

@@ -255,6 +255,17 @@ json() {
   grep -q -e "$pattern" output || complain "epsnet $*: expected $pattern in $(cat output)"
 }
 # Ends of intervals are rounded outward in decimal: 12 pi = 37.69911184307751886..., and epsilon is not 2.3.
+good surface cover s.json --degree 4 --seed 1 -o cover.json --json
+says '"genus":5,'
+good net cover.json --epsilon 0.8 -o cover-net.json
+verified cover-net.json
+echo '[[1,0],[0,1],[0,1],[0,1]]' >sheets.json
+good surface cover net.json --permutations sheets.json -o cover.json
+echo '[[1,0],[0,1],[0,1]]' >sheets.json
+bad 1 '^epsnet: sheets.json: 3 permutations found, expected 4' surface cover s.json --permutations sheets.json -o out/x.json
+bad 64 'expected an integer from 1 to 50' surface cover s.json --degree 51 --seed 1 -o out/x.json
+bad 64 'expected --permutations, or --degree and --seed' surface cover s.json --degree 3 -o out/x.json
+bad 1 'no rational coordinates' surface cover regular.json --degree 3 --seed 1 -o out/x.json
 good surface regular --genus 4 -o regular-4.json
 good net regular-4.json --epsilon 2.2999999999999999 -o net-4.json
 "$certify" net-4.json >output || complain "certify: a net of the regular surface of genus 4: $(cat output)"
