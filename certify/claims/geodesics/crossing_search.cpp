@@ -13,9 +13,9 @@ namespace epsnet::certify {
 namespace {
 
 /// Bits that a distance must be known to; with fewer, hardly anything would be given up.
-constexpr slong kLeastAccuracy = 24;
+constexpr slong kLeastBits = 24;
 /// Operations of balls that a visit takes, and visits that are paid for at once.
-constexpr std::uint64_t kVisitOperations = 30;
+constexpr std::uint64_t kCrossingOperations = 30;
 constexpr std::uint64_t kVisitsAtOnce = 256;
 /// How many edges have their work shared out, and by how many turns.
 constexpr std::size_t kSharedEdges = 8;
@@ -55,10 +55,10 @@ template <std::size_t N>
 }
 
 [[nodiscard]] bool is_accurate(const Ball& x) {
-  return is_finite(x) && arb_rel_accuracy_bits(x.get()) >= kLeastAccuracy;
+  return is_finite(x) && arb_rel_accuracy_bits(x.get()) >= kLeastBits;
 }
 [[nodiscard]] bool is_accurate(const DoubleDouble& x) {
-  return is_finite(x) && x.radius <= std::ldexp(std::fabs(x.high), -static_cast<int>(kLeastAccuracy));
+  return is_finite(x) && x.radius <= std::ldexp(std::fabs(x.high), -static_cast<int>(kLeastBits));
 }
 
 /// A multiple of a ray by a positive number, so that nothing overflows. Balls never do.
@@ -119,7 +119,7 @@ class CrossingSearch::Way {
       const std::uint32_t dart = left ? next_dart(back) : previous_dart(back);
       const std::uint32_t code = order_.code(dart);
       if (code < least) continue;
-      if (tried_++ % kVisitsAtOnce == 0) net_.plane().spend(kVisitOperations, kVisitsAtOnce);
+      if (tried_++ % kVisitsAtOnce == 0) net_.plane().spend(kCrossingOperations, kVisitsAtOnce);
       if (!may_cross(code)) continue;
       Triple from_end = turned(nodes_.back().from_end, left);
       Triple from_start = turned(nodes_.back().from_start, left);
