@@ -313,17 +313,19 @@ LabelTable needed_labels(const NetDocument& document, const LabelEvaluator& eval
 /// The triangles that are still open, in file order, and what was found in the others.
 class Questionnaire {
  public:
-  Questionnaire(const NetDocument& document, const CollarMembers& collars)
+  Questionnaire(const NetDocument& document, const CollarMembers& collars, unsigned threads)
       : document_(document), collars_(collars), triangles_(document.triangles.size()), open_(triangles_.size()) {
-    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-      triangles_[t] = t;
-      open_[t] = kOrientationBit | kCoveringBit;
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        if (3 * t + i < opposite(document, 3 * t + i)) {
-          open_[t] = static_cast<Questions>(open_[t] | delaunay_bit(i) | length_bit(i));
+    for_each_block(triangles_.size(), threads, [&](std::size_t, std::size_t first, std::size_t last) {
+      for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
+        triangles_[t] = t;
+        open_[t] = kOrientationBit | kCoveringBit;
+        for (std::uint32_t i = 0; i < 3; ++i) {
+          if (3 * t + i < opposite(document, 3 * t + i)) {
+            open_[t] = static_cast<Questions>(open_[t] | delaunay_bit(i) | length_bit(i));
+          }
         }
       }
-    }
+    });
   }
 
   [[nodiscard]] const std::vector<std::uint32_t>& triangles() const { return triangles_; }
@@ -478,7 +480,7 @@ class GeometryChecker {
         threads_(threads),
         epsilon_(decimal(document.epsilon)),
         collars_(document),
-        questions_(document, collars_),
+        questions_(document, collars_, threads),
         why_(", with " + std::to_string(options.max_precision) + " bits") {}
 
   GeometryOutcome run() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <compare>
+#include <iterator>
 #include <numeric>
 #include <set>
 #include <span>
@@ -50,11 +51,12 @@ class SortedNumbers {
   std::vector<std::uint32_t> numbers_;
 };
 
-/// The equations that are not trivial, each with its first dart, in the order of these.
-std::vector<Item> collect(const NetDocument& document) {
+/// The equations of darts from the first to before the last one that are not trivial, each with its first dart, in the
+/// order of these.
+std::vector<Item> collect(const NetDocument& document, std::size_t first, std::size_t last) {
   std::set<Equation> seen;
   std::vector<Item> items;
-  for (std::uint32_t dart = 0; dart < 3 * document.triangles.size(); ++dart) {
+  for (auto dart = static_cast<std::uint32_t>(first); dart < last; ++dart) {
     const std::uint32_t other = opposite(document, dart);
     if (other < dart) continue;
     const std::uint32_t a = corner_label(document, dart);
@@ -66,6 +68,19 @@ std::vector<Item> collect(const NetDocument& document) {
     if ((a == c && b == d) || (a == b && c == d)) continue;
     const Equation equation{{a, b, c, d}, chart_of_triangle(document, other / 3)};
     if (seen.insert(equation).second) items.push_back({equation, dart});
+  }
+  return items;
+}
+
+/// Those of all darts.
+std::vector<Item> collect(const NetDocument& document, unsigned threads) {
+  std::set<Equation> seen;
+  std::vector<Item> items;
+  for (const std::vector<Item>&some :
+       results_of_blocks(3 * document.triangles.size(), threads,
+                         [&](std::size_t first, std::size_t last) { return collect(document, first, last); })) {
+    std::copy_if(some.begin(), some.end(), std::back_inserter(items),
+                 [&](const Item& item) { return seen.insert(item.equation).second; });
   }
   return items;
 }
@@ -100,7 +115,7 @@ class GluingChecker {
         parts_(parts),
         max_precision_(max_precision),
         threads_(threads),
-        items_(collect(document)),
+        items_(collect(document, threads)),
         pending_(items_.size()),
         charts_(items_, [](const Item& item, auto& numbers) { numbers.push_back(item.equation.chart); }),
         tiles_(items_,

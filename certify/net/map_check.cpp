@@ -1,10 +1,14 @@
 #include "certify/net/map_check.h"
 
+#include <algorithm>
+#include <atomic>
 #include <string>
+#include <vector>
 
 #include "certify/base/counted.h"
 #include "certify/net/connection.h"
 #include "certify/net/darts.h"
+#include "certify/numbers/parallel.h"
 
 namespace epsnet::certify {
 namespace {
@@ -16,8 +20,9 @@ std::string dart_name(std::size_t dart) {
          std::to_string(dart % 3) + ")";
 }
 
-Problem opposite_problem(const NetDocument& document) {
-  for (std::uint32_t dart = 0; dart < 3 * document.triangles.size(); ++dart) {
+/// Of darts from the first to before the last one.
+Problem opposite_problem(const NetDocument& document, std::size_t first, std::size_t last) {
+  for (auto dart = static_cast<std::uint32_t>(first); dart < last; ++dart) {
     const std::uint32_t other = opposite(document, dart);
     if (other == dart) return dart_name(dart) + " is its own opposite";
     if (opposite(document, other) != dart) {
@@ -31,6 +36,49 @@ Problem opposite_problem(const NetDocument& document) {
     }
   }
   return std::nullopt;
+}
+
+Problem opposite_problem(const NetDocument& document, unsigned threads) {
+  const auto problems =
+      results_of_blocks(3 * document.triangles.size(), threads,
+                        [&](std::size_t first, std::size_t last) { return opposite_problem(document, first, last); });
+  const auto found = std::find_if(problems.begin(), problems.end(), [](const Problem& x) { return x.has_value(); });
+  return found == problems.end() ? std::nullopt : *found;
+}
+
+using AtomicNumbers = std::vector<std::atomic<std::uint32_t>>;
+
+/// Whether the darts that leave a vertex form exactly one cycle, for all vertices: whether every vertex has a dart, and
+/// the cycles of one dart of each, which have no dart in common, have all darts. Opposite darts have their ends
+/// exchanged.
+bool has_no_vertex_problem(const NetDocument& document, unsigned threads) {
+  const std::size_t triangles = document.triangles.size();
+  AtomicNumbers after_dart(document.vertices.size());  // Of each vertex some dart that leaves it, plus 1.
+  for_each_block(triangles, threads, [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t dart = 3 * first; dart < 3 * last; ++dart) {
+      const auto number = static_cast<std::uint32_t>(dart);
+      after_dart[start(document, number)].store(number + 1, std::memory_order_relaxed);
+    }
+  });
+  std::atomic<std::size_t> visited = 0;
+  std::atomic<bool> all_met = true;
+  for_each_block(after_dart.size(), threads, [&](std::size_t, std::size_t first, std::size_t last) {
+    std::size_t here = 0;
+    for (std::size_t v = first; v < last; ++v) {
+      const std::uint32_t after = after_dart[v].load(std::memory_order_relaxed);
+      if (after == 0) {
+        all_met = false;
+        return;
+      }
+      std::uint32_t dart = after - 1;
+      do {
+        dart = opposite(document, previous_dart(dart));
+        ++here;
+      } while (dart != after - 1);
+    }
+    visited += here;
+  });
+  return all_met && visited == 3 * triangles;
 }
 
 /// The darts that leave a vertex, each followed by the next one around it, form exactly one cycle.
@@ -49,6 +97,65 @@ Problem vertex_problem(const NetDocument& document) {
     if (!met[v]) return "vertex " + std::to_string(v) + " belongs to no triangle";
   }
   return std::nullopt;
+}
+
+/// Disjoint sets of numbers, united by several threads (R. J. Anderson and H. Woll, Wait-free parallel algorithms for
+/// the union-find problem, STOC 1991). Parents are less than their children, so there are no cycles.
+class Sets {
+ public:
+  Sets(std::size_t count, unsigned threads) : parents_(count), threads_(threads) {
+    for_each_block(count, threads_, [&](std::size_t, std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) parents_[i] = static_cast<std::uint32_t>(i);
+    });
+  }
+
+  void unite(std::uint32_t x, std::uint32_t y) {
+    for (;;) {
+      x = root(x);
+      y = root(y);
+      if (x == y) return;
+      if (x < y) std::swap(x, y);
+      if (std::uint32_t expected = x; parents_[x].compare_exchange_weak(expected, y, std::memory_order_relaxed)) return;
+    }
+  }
+
+  /// When all are united.
+  [[nodiscard]] bool is_one() const {
+    std::atomic<std::size_t> roots = 0;
+    for_each_block(parents_.size(), threads_, [&](std::size_t, std::size_t first, std::size_t last) {
+      std::size_t here = 0;
+      for (std::size_t i = first; i < last; ++i) here += parents_[i].load(std::memory_order_relaxed) == i ? 1 : 0;
+      roots += here;
+    });
+    return roots == 1;
+  }
+
+ private:
+  /// Halves the way for the next one.
+  [[nodiscard]] std::uint32_t root(std::uint32_t x) {
+    for (;;) {
+      std::uint32_t parent = parents_[x].load(std::memory_order_relaxed);
+      const std::uint32_t above = parents_[parent].load(std::memory_order_relaxed);
+      if (parent == above) return parent;
+      parents_[x].compare_exchange_weak(parent, above, std::memory_order_relaxed);
+      x = above;
+    }
+  }
+
+  AtomicNumbers parents_;
+  unsigned threads_;
+};
+
+bool is_connected(const NetDocument& document, unsigned threads) {
+  Sets sets(document.triangles.size(), threads);
+  for_each_block(document.triangles.size(), threads, [&](std::size_t, std::size_t first, std::size_t last) {
+    for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
+      for (const std::uint32_t dart : document.triangles[t].opposite) {
+        if (dart / 3 < t) sets.unite(t, dart / 3);
+      }
+    }
+  });
+  return sets.is_one();
 }
 
 Problem connection_problem(const NetDocument& document) {
@@ -72,13 +179,14 @@ Problem euler_problem(const NetDocument& document, std::uint64_t genus) {
 
 }  // namespace
 
-RuleReport check_map(const NetDocument& document, std::uint64_t genus) {
+RuleReport check_map(const NetDocument& document, std::uint64_t genus, unsigned threads) {
   Problem problem;
   if (document.vertices.empty()) problem = "there is no vertex";
   if (!problem && document.triangles.empty()) problem = "there is no triangle";
-  if (!problem) problem = opposite_problem(document);
-  if (!problem) problem = vertex_problem(document);
-  if (!problem) problem = connection_problem(document);
+  if (!problem) problem = opposite_problem(document, threads);
+  // What is wrong is looked for by one thread, in the order of the file.
+  if (!problem && !has_no_vertex_problem(document, threads)) problem = vertex_problem(document);
+  if (!problem && !is_connected(document, threads)) problem = connection_problem(document);
   if (!problem) problem = euler_problem(document, genus);
   if (problem) return {"map", Verdict::refuted, *problem};
   const std::size_t triangles = document.triangles.size();

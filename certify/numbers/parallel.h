@@ -45,4 +45,24 @@ void for_each_parallel(std::size_t count, unsigned threads, const Body& body) {
   if (failure) std::rethrow_exception(failure);
 }
 
+/// Calls body(block, first, last) for blocks of consecutive numbers less than count, block 0 being the first of them,
+/// as for_each_parallel does.
+template <class Body>
+void for_each_block(std::size_t count, unsigned threads, const Body& body) {
+  constexpr std::size_t kBlock = std::size_t{1} << 14;
+  for_each_parallel((count + kBlock - 1) / kBlock, threads, [&](unsigned, std::size_t block) {
+    body(block, block * kBlock, std::min(count, (block + 1) * kBlock));
+  });
+}
+
+/// What the blocks make, one after the other: result(first, last) for each.
+template <class Result>
+[[nodiscard]] auto results_of_blocks(std::size_t count, unsigned threads, const Result& result) {
+  std::vector<decltype(result(count, count))> results;
+  for_each_block(count, 1, [&](std::size_t, std::size_t, std::size_t) { results.emplace_back(); });
+  for_each_block(count, threads,
+                 [&](std::size_t block, std::size_t first, std::size_t last) { results[block] = result(first, last); });
+  return results;
+}
+
 }  // namespace epsnet::certify

@@ -441,6 +441,21 @@ TEST(Precision, IsThatOfTheInnermostScopeAndOfTheCallersThread) {
   EXPECT_THROW((void)pi(), Fault);
 }
 
+TEST(Parallel, BlocksHaveEveryNumberOnceAndInOrder) {
+  for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{16'384}, std::size_t{100'001}}) {
+    for (const unsigned threads : {1U, 3U}) {
+      std::size_t next = 0;
+      for (const auto& [first, last] : results_of_blocks(
+               count, threads, [](std::size_t first, std::size_t last) { return std::pair(first, last); })) {
+        EXPECT_EQ(first, next);
+        EXPECT_LT(first, last);
+        next = last;
+      }
+      EXPECT_EQ(next, count);
+    }
+  }
+}
+
 TEST(Parallel, EveryIndexOnceByAnyNumberOfThreads) {
   for (const unsigned threads : {0U, 1U, 2U, 5U}) {
     for (const std::size_t count : {0U, 1U, 3U, 100U}) {

@@ -130,6 +130,75 @@ TEST(MapCheck, TwoNetsAreNotConnected) {
   EXPECT_TRUE(says(check_map(two, 3), "not connected"));
 }
 
+/// A torus of 2n² triangles: every cell (i, j) of a grid has one at its corner (i, j) and one at (i + 1, j + 1).
+NetDocument torus(std::uint32_t n) {
+  NetDocument document;
+  document.vertices.resize(std::size_t{n} * n);
+  const auto vertex = [&](std::uint32_t i, std::uint32_t j) { return (i % n) * n + j % n; };
+  const auto dart = [&](std::uint32_t i, std::uint32_t j, std::uint32_t which, std::uint32_t edge) {
+    return 3 * (2 * vertex(i, j) + which) + edge;
+  };
+  for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t j = 0; j < n; ++j) {
+      document.triangles.push_back({.vertex = {vertex(i, j), vertex(i + 1, j), vertex(i, j + 1)},
+                                    .opposite = {dart(i, j + n - 1, 1, 0), dart(i, j, 1, 1), dart(i + n - 1, j, 1, 2)},
+                                    .label = {}});
+      document.triangles.push_back({.vertex = {vertex(i + 1, j + 1), vertex(i, j + 1), vertex(i + 1, j)},
+                                    .opposite = {dart(i, j + 1, 0, 0), dart(i, j, 0, 1), dart(i + 1, j, 0, 2)},
+                                    .label = {}});
+    }
+  }
+  return document;
+}
+
+/// What is wrong is the same for any number of threads, which share large maps out.
+std::string text_of_map(const NetDocument& document, std::uint64_t genus) {
+  const RuleReport report = check_map(document, genus, 1);
+  for (const unsigned threads : {2U, 5U}) {
+    EXPECT_EQ(check_map(document, genus, threads).verdict, report.verdict);
+    EXPECT_EQ(check_map(document, genus, threads).text, report.text);
+  }
+  return std::string(name(report.verdict)) + ": " + report.text;
+}
+
+TEST(MapCheck, LargeMapsAreCheckedInBlocks) {
+  const NetDocument good = torus(200);
+  EXPECT_EQ(text_of_map(good, 1).substr(0, 8), "VERIFIED");
+  EXPECT_NE(text_of_map(good, 2).find("expected -2 for genus 2"), std::string::npos);
+  // Wrong darts in several blocks: the first one is named.
+  for (const std::uint32_t wrong : {0U, 40'000U, 100'001U, 239'999U}) {
+    NetDocument document = good;
+    for (std::uint32_t dart = wrong; dart < 240'000; dart += 50'000)
+      document.triangles[dart / 3].opposite[dart % 3] = dart;
+    EXPECT_NE(text_of_map(document, 1).find(first_culprit(document)), std::string::npos);
+  }
+  // One vertex for two: two cycles there, and a vertex without a triangle.
+  for (const std::uint32_t gone : {1U, 20'000U, 39'999U}) {
+    NetDocument document = good;
+    for (NetDocument::Triangle& triangle : document.triangles) {
+      for (std::uint32_t& v : triangle.vertex) v = v == gone ? 777 : v;
+    }
+    EXPECT_EQ(text_of_map(document, 1), "REFUTED: the darts leaving vertex 777 form more than one cycle");
+    NetDocument idle = good;
+    idle.vertices.push_back({});
+    for (NetDocument::Triangle& triangle : idle.triangles) {
+      for (std::uint32_t& v : triangle.vertex) v += v >= gone ? 1 : 0;
+    }
+    EXPECT_EQ(text_of_map(idle, 1), "REFUTED: vertex " + std::to_string(gone) + " belongs to no triangle");
+  }
+  // Two of them, the triangles of one between those of the other.
+  NetDocument two;
+  two.vertices.resize(2 * good.vertices.size());
+  for (const NetDocument::Triangle& triangle : good.triangles) {
+    for (const std::uint32_t copy : {0U, 1U}) {
+      NetDocument::Triangle& added = two.triangles.emplace_back(triangle);
+      for (std::uint32_t& v : added.vertex) v = 2 * v + copy;
+      for (std::uint32_t& dart : added.opposite) dart = 3 * (2 * (dart / 3) + copy) + dart % 3;
+    }
+  }
+  EXPECT_EQ(text_of_map(two, 1), "REFUTED: not connected: no path of edges leads from triangle 0 to triangle 1");
+}
+
 TEST(MapCheck, EmptyOnesAreNone) {
   NetDocument document;
   EXPECT_TRUE(says(check_map(document, 2), "there is no vertex"));

@@ -48,7 +48,7 @@ class NetRules {
 
   bool map() {
     run_.progress("map");
-    return run_.report(check_map(document_, counts_.genus)) == Verdict::verified;
+    return run_.report(check_map(document_, counts_.genus, run_.threads())) == Verdict::verified;
   }
 
   bool gluing() {
