@@ -2,13 +2,17 @@
 
 #include <array>
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
+#include <deque>
 #include <exception>
 #include <iostream>
+#include <mutex>
 #include <nettle/sha2.h>
 #include <optional>
 #include <sstream>
 #include <string_view>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 
@@ -64,6 +68,64 @@ class Sha256 {
   sha256_ctx context_{};
 };
 
+/// The checksum of a file that is read in pieces, made in a thread of its own from the second piece on.
+class Sha256InBackground {
+ public:
+  explicit Sha256InBackground(bool alone) : alone_(alone) {}
+  ~Sha256InBackground() { finish(); }
+  Sha256InBackground(const Sha256InBackground&) = delete;
+  Sha256InBackground& operator=(const Sha256InBackground&) = delete;
+
+  void add(std::string_view piece) {
+    if (alone_ || !std::exchange(begun_, true)) return sum_.add(piece);
+    if (!thread_.joinable()) thread_ = std::thread([this] { work(); });
+    constexpr std::size_t kMostPieces = 8;
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return pieces_.size() < kMostPieces; });
+    pieces_.emplace_back(piece);
+    changed_.notify_all();
+  }
+  /// Of what was added. At the end.
+  [[nodiscard]] std::string text() {
+    finish();
+    return sum_.text();
+  }
+
+ private:
+  void finish() {
+    if (!thread_.joinable()) return;
+    {
+      const std::lock_guard lock(mutex_);
+      finished_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+  }
+
+  void work() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+      changed_.wait(lock, [&] { return finished_ || !pieces_.empty(); });
+      if (pieces_.empty()) return;
+      const std::string piece = std::move(pieces_.front());
+      pieces_.pop_front();
+      lock.unlock();
+      changed_.notify_all();
+      sum_.add(piece);
+      lock.lock();
+    }
+  }
+
+  bool alone_;
+  bool begun_ = false;
+  Sha256 sum_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<std::string> pieces_;
+  bool finished_ = false;
+  std::thread thread_;
+};
+
 /// What the second checker says of the bytes, and what follows from it.
 void add_second_opinion(FileReport& report, std::string_view bytes) {
   report.second = ask_second_checker(bytes);
@@ -77,7 +139,7 @@ FileReport check_bytes(const Request& request, const std::string& path) {
     const std::string prefix = report.name + ": ";
     return std::string(text.starts_with(prefix) ? text.substr(prefix.size()) : text);
   };
-  Sha256 sum;
+  Sha256InBackground sum(request.options.threads == 1);
   std::string bytes;  // Kept for the second checker, if it may be asked about them.
   bool seen = false;
   bool kept = true;

@@ -204,6 +204,17 @@ bad 1 'expected a net file' convert polygon.txt out/x.epsn
 head -c 500 net.epsn >cut.epsn
 bad 1 'checksum' convert cut.epsn out/x.json
 bad 64 'TO' convert net.json
+# Files of more than 4 MB are read in pieces, and threads share the work: the output is the same.
+good net s.json --epsilon 0.01 --no-certify -o large.json
+good convert large.json large.epsn
+head -c 7000000 large.json >cut.json
+for file in large.json large.epsn cut.json; do
+  for threads in 1 2 5; do
+    "$certify" --threads $threads $file >certificate-$threads
+    cmp -s certificate-1 certificate-$threads || complain "certify --threads $threads $file says something else"
+  done
+  grep -q "^sha256: $(sha256sum <$file | cut -d ' ' -f 1)$" certificate-1 || complain "$file: not the sum of sha256sum"
+done
 
 for command in '' surface 'surface octagon' 'surface fenchel-nielsen' 'surface regular' 'surface import' net import-net systole spectrum \
   thick-thin dirichlet distance locate distances eccentricity diameter radius embedded-disk draw view info export convert; do
