@@ -37,6 +37,16 @@ template <class T>
   return *std::move(x);
 }
 
+/// Returns the numbers of all x of a range in increasing order, each once; add(x, numbers) appends those of one x.
+template <class Range, class Add>
+[[nodiscard]] std::vector<std::uint32_t> increasing(const Range& range, const Add& add) {
+  std::vector<std::uint32_t> numbers;
+  for (const auto& x : range) add(x, numbers);
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
 /// Returns the index of a number among numbers in increasing order. Throws Fault if it is not one of them.
 [[nodiscard]] inline std::size_t place_of(std::uint32_t number, std::span<const std::uint32_t> increasing) {
   const auto found = std::lower_bound(increasing.begin(), increasing.end(), number);

@@ -553,17 +553,18 @@ class GeometryChecker {
   void enclose() {
     const Findings& all = questions_.findings();
     const Precision scope(128);
-    outcome_.epsilon = outer_interval(Ball::rounded(epsilon_));
     outcome_.ties = all.ties;
     std::sort(outcome_.ties.begin(), outcome_.ties.end());
     const auto length = [&](Measure measure) -> std::optional<Interval> {
       const std::optional<Interval>& x = all.extremes[measure];
       return x ? std::optional(length_interval(*x, measure == kCircumradius ? 1 : 2)) : std::nullopt;
     };
-    outcome_.largest_circumradius = length(kCircumradius).value_or(Interval{});
-    outcome_.longest_edge = length(kLongest).value_or(Interval{});
-    outcome_.shortest_edge = length(kShortestEdge);
-    outcome_.shortest_loop = length(kShortestLoop);
+    Enclosures& enclosures = outcome_.enclosures;
+    enclosures.epsilon = outer_interval(Ball::rounded(epsilon_));
+    enclosures.largest_circumradius = length(kCircumradius).value_or(Interval{});
+    enclosures.longest_edge = length(kLongest).value_or(Interval{});
+    enclosures.shortest_edge = length(kShortestEdge);
+    enclosures.shortest_loop = length(kShortestLoop);
   }
 
   /// By rule.
@@ -572,11 +573,11 @@ class GeometryChecker {
     return {"all " + std::to_string(document_.triangles.size()) + " triangles are strictly counterclockwise",
             "all " + edges + " edges are Delaunay, " + std::to_string(outcome_.ties.size()) + " of them exact ties",
             std::string("every circumradius") + (collars_.pseudo() ? " outside of collars" : "") +
-                " is at most epsilon; the largest lies in " + to_string(outcome_.largest_circumradius),
-            outcome_.shortest_edge
+                " is at most epsilon; the largest lies in " + to_string(outcome_.enclosures.largest_circumradius),
+            outcome_.enclosures.shortest_edge
                 ? std::string("every edge between different vertices") +
                       (collars_.pseudo() ? " that are not those of one collar" : "") +
-                      " is at least epsilon long; the shortest lies in " + to_string(*outcome_.shortest_edge)
+                      " is at least epsilon long; the shortest lies in " + to_string(*outcome_.enclosures.shortest_edge)
                 : std::string("there is only one vertex, every edge is a loop"),
             "every loop at a vertex of no collar is at least epsilon long"};
   }

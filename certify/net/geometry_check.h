@@ -12,11 +12,7 @@ struct GeometryOutcome {
   std::vector<std::uint32_t> ties;  ///< The smaller darts of the edges that are exact ties, in order.
   std::uint64_t triangles_beyond_64_bits = 0;
   std::uint64_t max_precision = 64;
-  Interval epsilon{};
-  Interval largest_circumradius{};
-  Interval longest_edge{};
-  std::optional<Interval> shortest_edge;
-  std::optional<Interval> shortest_loop;
+  Enclosures enclosures;  ///< But for the area and the cores.
 };
 
 /// Rules `orientation`, `delaunay`, `covering` and `packing`: every lifted triangle is strictly counterclockwise, no

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <numeric>
 #include <set>
-#include <span>
 #include <string>
 
 #include "certify/base/counted.h"
@@ -28,27 +27,6 @@ struct Item {
   Equation equation;
   std::uint32_t dart;  ///< The first dart with this equation.
   Tri holds = Tri::unknown;
-};
-
-/// Numbers in increasing order, each once.
-class SortedNumbers {
- public:
-  /// add(x, numbers) appends the numbers of x, for every x of the range.
-  template <class Range, class Add>
-  SortedNumbers(const Range& range, const Add& add) {
-    for (const auto& x : range) add(x, numbers_);
-    std::sort(numbers_.begin(), numbers_.end());
-    numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
-  }
-
-  [[nodiscard]] std::size_t size() const { return numbers_.size(); }
-  [[nodiscard]] std::uint32_t operator[](std::size_t i) const { return numbers_[i]; }
-  /// Fault, if it is not there.
-  [[nodiscard]] std::size_t index(std::uint32_t number) const { return place_of(number, numbers_); }
-  [[nodiscard]] std::span<const std::uint32_t> values() const { return numbers_; }
-
- private:
-  std::vector<std::uint32_t> numbers_;
 };
 
 /// The equations of darts from the first to before the last one that are not trivial, each with its first dart, in the
@@ -117,9 +95,8 @@ class GluingChecker {
         threads_(threads),
         items_(collect(document, threads)),
         pending_(items_.size()),
-        charts_(items_, [](const Item& item, auto& numbers) { numbers.push_back(item.equation.chart); }),
-        tiles_(items_,
-               [&](const Item& item, auto& numbers) { numbers.push_back(document.charts[item.equation.chart].tile); }),
+        charts_(increasing(items_, [](const Item& item, auto& charts) { charts.push_back(item.equation.chart); })),
+        tiles_(increasing(charts_, [&](std::uint32_t c, auto& tiles) { tiles.push_back(document.charts[c].tile); })),
         disks_(tiles_.size()) {
     std::iota(pending_.begin(), pending_.end(), std::size_t{0});
   }
@@ -149,20 +126,20 @@ class GluingChecker {
   }
 
   [[nodiscard]] const std::optional<InscribedDisk>& disk_of(std::uint32_t chart) const {
-    return disks_[tiles_.index(document_.charts[chart].tile)];
+    return disks_[place_of(document_.charts[chart].tile, tiles_)];
   }
 
   /// Asks all that are pending, and forgets those that are decided.
   void decide(slong precision) {
     spend(precision);
     bits_used_ = static_cast<std::uint64_t>(precision);
-    const SortedNumbers numbers(pending_, [&](std::size_t i, auto& result) {
+    const std::vector<std::uint32_t> numbers = increasing(pending_, [&](std::size_t i, auto& result) {
       for (const std::uint32_t number : items_[i].equation.labels) {
         if (number != 0) result.push_back(number);
       }
     });
     const std::vector<BallIsometry> labels =
-        evaluator_.evaluate(numbers.values(), precision, std::min(4 * precision, 2 * max_precision_), threads_);
+        evaluator_.evaluate(numbers, precision, std::min(4 * precision, 2 * max_precision_), threads_);
     const std::vector<BallIsometry> bases = bases_of_charts(precision);
     for_each_parallel(pending_.size(), threads_, [&](unsigned, std::size_t p) {
       Item& item = items_[pending_[p]];
@@ -171,9 +148,9 @@ class GluingChecker {
       std::array<const BallIsometry*, 4> factors{};
       for (std::size_t i = 0; i < 4; ++i) {
         const std::uint32_t number = item.equation.labels[i];
-        factors[i] = number == 0 ? nullptr : &labels[numbers.index(number)];
+        factors[i] = number == 0 ? nullptr : &labels[place_of(number, numbers)];
       }
-      item.holds = holds(factors, bases[charts_.index(item.equation.chart)], disk->sinh_radius, precision);
+      item.holds = holds(factors, bases[place_of(item.equation.chart, charts_)], disk->sinh_radius, precision);
     });
     forget_decided();
   }
@@ -181,7 +158,7 @@ class GluingChecker {
   void spend(slong precision) const {
     const auto bits_used = static_cast<std::uint64_t>(precision);
     parts_.budget.spend(100 * ball_work(bits_used), pending_.size());
-    for (const std::uint32_t chart : charts_.values()) {
+    for (const std::uint32_t chart : charts_) {
       const std::size_t disk_bits = disk_of(chart) ? bits(disk_of(chart)->centre) : 0;
       parts_.budget.spend(to_balls_work(bits(parts_.frames[chart]) + disk_bits, bits_used));
     }
@@ -230,8 +207,8 @@ class GluingChecker {
   unsigned threads_;
   std::vector<Item> items_;
   std::vector<std::size_t> pending_;  ///< Those that are not decided and matter.
-  SortedNumbers charts_;
-  SortedNumbers tiles_;
+  std::vector<std::uint32_t> charts_;
+  std::vector<std::uint32_t> tiles_;
   std::vector<std::optional<InscribedDisk>> disks_;  ///< By place in tiles_.
   std::uint64_t bits_used_ = 0;
 };

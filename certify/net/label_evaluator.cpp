@@ -1,6 +1,7 @@
 #include "certify/net/label_evaluator.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "certify/numbers/parallel.h"
@@ -93,55 +94,57 @@ std::vector<std::uint32_t> LabelEvaluator::word(std::span<const SignedLabel> pro
 std::vector<BallIsometry> LabelEvaluator::evaluate(std::span<const std::uint32_t> numbers, slong precision, slong cap,
                                                    unsigned threads) const {
   std::vector<BallIsometry> results(numbers.size());
-  std::vector<char> done(numbers.size(), 0);
+  std::vector<std::size_t> pending(numbers.size());
+  std::iota(pending.begin(), pending.end(), std::size_t{0});
   // More bits than the wanted ones from the start: a product of n letters loses about log2(n) bits.
   for (slong working = precision + 32;; working = std::min(2 * working, cap)) {
-    // Every crossing and frame in use is rounded once, not once for each letter.
-    std::vector<std::uint32_t> sides;
-    std::vector<std::uint32_t> charts;
-    std::size_t pending = 0;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      if (done[i]) continue;
-      const NetDocument::Label& label = label_at(numbers[i]);
-      charts.insert(charts.end(), {label.from, label.to});
-      sides.insert(sides.end(), label.word.begin(), label.word.end());
-      ++pending;
-    }
-    const auto wide = static_cast<std::uint64_t>(working);
-    budget().spend(28 * ball_work(wide), sides.size() + 3 * pending);
-    budget().spend(memory_work(200 + wide / 2), pending);
-    for (std::vector<std::uint32_t>* used : {&sides, &charts}) {
-      std::sort(used->begin(), used->end());
-      used->erase(std::unique(used->begin(), used->end()), used->end());
-    }
-    for (const std::uint32_t side : sides) {
-      budget().spend(std::visit([&](const auto& kind) { return kind.ball_work(side, wide); }, parts_.crossings));
-    }
-    for (const std::uint32_t chart : charts) budget().spend(to_balls_work(bits(parts_.frames[chart]), wide));
-    std::vector<BallIsometry> crossings(sides.size());
-    std::vector<BallIsometry> frames(charts.size());
-    for_each_parallel(sides.size(), threads, [&](unsigned, std::size_t k) {
-      crossings[k] = ball_crossing(parts_.crossings, sides[k], working);
-    });
-    for_each_parallel(charts.size(), threads,
-                      [&](unsigned, std::size_t k) { frames[k] = to_balls(parts_.frames[charts[k]], working); });
-    const bool last = working >= cap;
-    for_each_parallel(numbers.size(), threads, [&](unsigned, std::size_t i) {
-      if (done[i]) return;
-      const NetDocument::Label& label = label_at(numbers[i]);
-      const auto composed = [&](const BallIsometry& f, const BallIsometry& g) { return compose(f, g, working); };
-      results[i] = frames[place_of(label.from, charts)];
-      if (!label.word.empty()) {
-        const auto crossing = [&](std::size_t k) -> const BallIsometry& {
-          return crossings[place_of(label.word[k], sides)];
-        };
-        results[i] = composed(compose_range(0, label.word.size(), crossing, composed), results[i]);
-      }
-      results[i] = composed(inverse(frames[place_of(label.to, charts)]), results[i]);
-      done[i] = last || accurate(results[i], precision);
-    });
-    if (std::find(done.begin(), done.end(), 0) == done.end()) return results;
+    std::vector<std::uint32_t> asked;
+    for (const std::size_t i : pending) asked.push_back(numbers[i]);
+    std::vector<BallIsometry> values = multiplied(asked, working, threads);
+    for (std::size_t k = 0; k < pending.size(); ++k) results[pending[k]] = std::move(values[k]);
+    std::erase_if(pending, [&](std::size_t i) { return working >= cap || accurate(results[i], precision); });
+    if (pending.empty()) return results;
   }
+}
+
+std::vector<BallIsometry> LabelEvaluator::multiplied(std::span<const std::uint32_t> numbers, slong precision,
+                                                     unsigned threads) const {
+  // Every crossing and frame in use is rounded once, not once for each letter.
+  std::size_t letters = 0;
+  const std::vector<std::uint32_t> sides = increasing(numbers, [&](std::uint32_t number, auto& all) {
+    const std::vector<std::uint32_t>& word = label_at(number).word;
+    all.insert(all.end(), word.begin(), word.end());
+    letters += word.size();
+  });
+  const std::vector<std::uint32_t> charts = increasing(numbers, [&](std::uint32_t number, auto& all) {
+    all.insert(all.end(), {label_at(number).from, label_at(number).to});
+  });
+  const auto wide = static_cast<std::uint64_t>(precision);
+  budget().spend(28 * ball_work(wide), letters + 3 * numbers.size());
+  budget().spend(memory_work(200 + wide / 2), numbers.size());
+  for (const std::uint32_t side : sides) {
+    budget().spend(std::visit([&](const auto& kind) { return kind.ball_work(side, wide); }, parts_.crossings));
+  }
+  for (const std::uint32_t chart : charts) budget().spend(to_balls_work(bits(parts_.frames[chart]), wide));
+  std::vector<BallIsometry> crossings(sides.size());
+  std::vector<BallIsometry> frames(charts.size());
+  std::vector<BallIsometry> results(numbers.size());
+  for_each_parallel(sides.size(), threads, [&](unsigned, std::size_t k) {
+    crossings[k] = ball_crossing(parts_.crossings, sides[k], precision);
+  });
+  for_each_parallel(charts.size(), threads,
+                    [&](unsigned, std::size_t k) { frames[k] = to_balls(parts_.frames[charts[k]], precision); });
+  for_each_parallel(numbers.size(), threads, [&](unsigned, std::size_t i) {
+    const auto& [from, to, word] = label_at(numbers[i]);
+    const auto composed = [&](const BallIsometry& f, const BallIsometry& g) { return compose(f, g, precision); };
+    const auto crossing = [&, &word = word](std::size_t k) -> const BallIsometry& {
+      return crossings[place_of(word[k], sides)];
+    };
+    results[i] = frames[place_of(from, charts)];
+    if (!word.empty()) results[i] = composed(compose_range(0, word.size(), crossing, composed), results[i]);
+    results[i] = composed(inverse(frames[place_of(to, charts)]), results[i]);
+  });
+  return results;
 }
 
 }  // namespace epsnet::certify

@@ -94,6 +94,9 @@ class LabelEvaluator {
   [[nodiscard]] const NetDocument::Label& label_at(std::uint32_t number) const {
     return looked_up(labels_, std::size_t{number} - 1, kMissing);
   }
+  /// The values of these labels, worked out with so many bits.
+  [[nodiscard]] std::vector<BallIsometry> multiplied(std::span<const std::uint32_t> numbers, slong precision,
+                                                     unsigned threads) const;
   /// Crosses one more side, and back again if it was the last one.
   void append(std::vector<std::uint32_t>& word, std::uint32_t side) const;
   void add(std::uint32_t from, std::uint32_t to, const std::vector<std::uint32_t>& word);

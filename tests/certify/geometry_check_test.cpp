@@ -44,11 +44,11 @@ void expect_equal(const GeometryOutcome& a, const GeometryOutcome& b) {
   EXPECT_EQ(a.ties, b.ties);
   EXPECT_EQ(a.triangles_beyond_64_bits, b.triangles_beyond_64_bits);
   EXPECT_EQ(a.max_precision, b.max_precision);
-  EXPECT_EQ(a.epsilon, b.epsilon);
-  EXPECT_EQ(a.largest_circumradius, b.largest_circumradius);
-  EXPECT_EQ(a.longest_edge, b.longest_edge);
-  EXPECT_EQ(a.shortest_edge, b.shortest_edge);
-  EXPECT_EQ(a.shortest_loop, b.shortest_loop);
+  EXPECT_EQ(a.enclosures.epsilon, b.enclosures.epsilon);
+  EXPECT_EQ(a.enclosures.largest_circumradius, b.enclosures.largest_circumradius);
+  EXPECT_EQ(a.enclosures.longest_edge, b.enclosures.longest_edge);
+  EXPECT_EQ(a.enclosures.shortest_edge, b.enclosures.shortest_edge);
+  EXPECT_EQ(a.enclosures.shortest_loop, b.enclosures.shortest_loop);
 }
 
 /// In balls alone, and the same with the filter.
@@ -383,9 +383,9 @@ TEST(GeometryCheck, MeasuresAreTheSameWithTheFilterWhicheverTriangleIsTheExtreme
   std::set<double> shortest, longest, widest;
   const auto ask = [&](const NetDocument& document) {
     const GeometryOutcome found = outcome(document, 2);
-    shortest.insert(found.shortest_edge->lower);
-    longest.insert(found.longest_edge.lower);
-    widest.insert(found.largest_circumradius.lower);
+    shortest.insert(found.enclosures.shortest_edge->lower);
+    longest.insert(found.enclosures.longest_edge.lower);
+    widest.insert(found.enclosures.largest_circumradius.lower);
   };
   ask(one);
   for (std::size_t t = 0; t < one.triangles.size(); ++t) {
@@ -614,12 +614,12 @@ TEST(GeometryCheck, EnclosuresHoldWhat256BitsTell) {
       return square;
     };
     const GeometryOutcome found = outcome(document);
-    EXPECT_TRUE(holds(found.largest_circumradius, length(*radius, 1))) << name;
-    EXPECT_TRUE(holds(found.longest_edge, length(*longest, 2))) << name;
-    ASSERT_EQ(found.shortest_edge.has_value(), edge.has_value()) << name;
-    ASSERT_EQ(found.shortest_loop.has_value(), loop.has_value()) << name;
-    EXPECT_TRUE(!edge || holds(*found.shortest_edge, length(*edge, 2))) << name;
-    EXPECT_TRUE(!loop || holds(*found.shortest_loop, length(*loop, 2))) << name;
+    EXPECT_TRUE(holds(found.enclosures.largest_circumradius, length(*radius, 1))) << name;
+    EXPECT_TRUE(holds(found.enclosures.longest_edge, length(*longest, 2))) << name;
+    ASSERT_EQ(found.enclosures.shortest_edge.has_value(), edge.has_value()) << name;
+    ASSERT_EQ(found.enclosures.shortest_loop.has_value(), loop.has_value()) << name;
+    EXPECT_TRUE(!edge || holds(*found.enclosures.shortest_edge, length(*edge, 2))) << name;
+    EXPECT_TRUE(!loop || holds(*found.enclosures.shortest_loop, length(*loop, 2))) << name;
   }
 }
 
@@ -634,12 +634,12 @@ TEST(GeometryCheck, EnclosuresContainWhatIsMeasured) {
     shortest = std::min(shortest, length);
   }
   const GeometryOutcome found = outcome(document);
-  EXPECT_NEAR(found.longest_edge.lower, longest, 1e-12);
-  EXPECT_NEAR(found.longest_edge.upper, longest, 1e-12);
-  EXPECT_LT(found.longest_edge.lower, found.longest_edge.upper);
-  EXPECT_NEAR(found.shortest_edge->lower, shortest, 1e-12);
-  EXPECT_NEAR(found.shortest_edge->upper, shortest, 1e-12);
-  EXPECT_LT(found.shortest_edge->lower, found.shortest_edge->upper);
+  EXPECT_NEAR(found.enclosures.longest_edge.lower, longest, 1e-12);
+  EXPECT_NEAR(found.enclosures.longest_edge.upper, longest, 1e-12);
+  EXPECT_LT(found.enclosures.longest_edge.lower, found.enclosures.longest_edge.upper);
+  EXPECT_NEAR(found.enclosures.shortest_edge->lower, shortest, 1e-12);
+  EXPECT_NEAR(found.enclosures.shortest_edge->upper, shortest, 1e-12);
+  EXPECT_LT(found.enclosures.shortest_edge->lower, found.enclosures.shortest_edge->upper);
 }
 
 }  // namespace

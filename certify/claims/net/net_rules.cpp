@@ -78,13 +78,9 @@ class NetRules {
     counts_.exact_ties = outcome.ties.size();
     counts_.triangles_beyond_64_bits = outcome.triangles_beyond_64_bits;
     run_.certificate().ties = std::move(outcome.ties);
-    run_.certificate().enclosures = Enclosures{.epsilon = outcome.epsilon,
-                                               .area = area_of(counts_.genus),
-                                               .largest_circumradius = outcome.largest_circumradius,
-                                               .longest_edge = outcome.longest_edge,
-                                               .shortest_edge = outcome.shortest_edge,
-                                               .shortest_loop = outcome.shortest_loop,
-                                               .shortest_core = shortest_core_};
+    outcome.enclosures.area = area_of(counts_.genus);
+    outcome.enclosures.shortest_core = shortest_core_;
+    run_.certificate().enclosures = outcome.enclosures;
   }
 
   const NetDocument& document_;
