@@ -18,6 +18,8 @@
 #include "netgen/geodesics/cut_surface.h"
 #include "netgen/geodesics/cutting_search.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/nets/net_document.h"
+#include "netgen/nets/triangulated_net.h"
 
 namespace epsnet {
 namespace {

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/nets/net_document.h"
 #include "triangulation/mesh/operations.h"
+#include "triangulation/mesh/triangulation.h"
 #include "triangulation/surface/points.h"
 
 namespace epsnet {
@@ -15,19 +17,43 @@ std::uint32_t PointLocation::nearest_corner() const {
   return static_cast<std::uint32_t>(std::min_element(distances.begin(), distances.end()) - distances.begin());
 }
 
-Locator::Locator(const certify::NetDocument& net) : net_(triangulation_of(net)), used_(net_.clone()) {
-  starts_.resize(net_.surface().tiles().size());
-  ById<ChartId, bool> seen(net_.atlas().charts().count());
-  for (const TriangleId t : net_.triangles()) {
-    const ChartId c = net_.chart_of(t);
-    if (seen[c]) continue;
-    seen[c] = true;
-    const Chart& chart = net_.atlas().charts()[c];
-    starts_[chart.tile].push_back({t, convert<double>(chart.centre)});
+/// The triangulation of the net, and where to begin in it.
+class Locator::Triangles {
+ public:
+  explicit Triangles(const certify::NetDocument& net) : net_(triangulation_of(net)), used_(net_.clone()) {
+    starts_.resize(net_.surface().tiles().size());
+    ById<ChartId, bool> seen(net_.atlas().charts().count());
+    for (const TriangleId t : net_.triangles()) {
+      const ChartId c = net_.chart_of(t);
+      if (seen[c]) continue;
+      seen[c] = true;
+      const Chart& chart = net_.atlas().charts()[c];
+      starts_[chart.tile].push_back({t, convert<double>(chart.centre)});
+    }
   }
-}
 
-PointLocation Locator::locate(const BasePoint& point) {
+  PointLocation locate(const BasePoint& point);
+
+ private:
+  /// A triangle, and the centre of its chart.
+  struct Start {
+    TriangleId triangle;
+    Complex<double> centre;
+  };
+
+  Triangulation net_;
+  Triangulation used_;  ///< Gets a chart and labels for each point; replaced by a fresh copy when these are many.
+  std::vector<std::vector<Start>> starts_;  ///< By tile.
+};
+
+Locator::Locator(const certify::NetDocument& net) : triangles_(std::make_unique<Triangles>(net)) {}
+Locator::Locator(Locator&&) noexcept = default;
+Locator& Locator::operator=(Locator&&) noexcept = default;
+Locator::~Locator() = default;
+
+PointLocation Locator::locate(const BasePoint& point) { return triangles_->locate(point); }
+
+PointLocation Locator::Triangles::locate(const BasePoint& point) {
   const Surface& surface = net_.surface();
   require_on_surface(surface, point);
   constexpr std::uint32_t kMostLabels = 100'000;

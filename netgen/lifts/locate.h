@@ -2,10 +2,9 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 #include "certify/net/document.h"
-#include "triangulation/mesh/triangulation.h"
 #include "triangulation/surface/surface.h"
 
 /// Location of points in the triangles of a net.
@@ -37,6 +36,9 @@ class Locator {
  public:
   /// Evaluates all labels. Throws the exceptions of triangulation_of.
   explicit Locator(const certify::NetDocument& net);
+  Locator(Locator&&) noexcept;
+  Locator& operator=(Locator&&) noexcept;
+  ~Locator();
 
   /// Returns a triangle that contains a point, which may be anywhere in the disk of its tile. Proved signs, in binary64
   /// and up to 4096 bits, decide the triangle and the position; a sign that is still unknown counts as "on a side". The
@@ -45,15 +47,8 @@ class Locator {
   [[nodiscard]] PointLocation locate(const BasePoint& point);
 
  private:
-  /// A triangle, and the centre of its chart.
-  struct Start {
-    TriangleId triangle;
-    Complex<double> centre;
-  };
-
-  Triangulation net_;
-  Triangulation used_;  ///< Gets a chart and labels for each point; replaced by a fresh copy when these are many.
-  std::vector<std::vector<Start>> starts_;  ///< By tile.
+  class Triangles;
+  std::unique_ptr<Triangles> triangles_;
 };
 
 }  // namespace epsnet

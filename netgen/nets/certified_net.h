@@ -1,14 +1,9 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "certify/net/document.h"
 #include "certify/verdict/report.h"
 #include "netgen/base/length.h"
-#include "netgen/nets/net_document.h"
 #include "netgen/nets/net_options.h"
-#include "triangulation/mesh/triangulation.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet {
@@ -26,22 +21,11 @@ struct UncertifiedNet {
   NetStatistics statistics;
 };
 
-/// A net as a triangulation, not proved.
-struct TriangulatedNet {
-  Triangulation triangulation;
-  NetStatistics statistics;
-  std::optional<std::vector<certify::NetDocument::Collar>> collars;  ///< Of a pseudo net.
-};
-
-/// Computes an ε-net of the surface by Delaunay refinement (thesis Algorithm IV.4.1).
+/// Computes an ε-net of the surface by Delaunay refinement (thesis Algorithm IV.4.1). There is no certificate.
 ///
 /// The start consists of the vertices of the surface's tiles. Some vertices closer than ε to each other are removed.
 /// For a pseudo net, vertices near closed geodesics no longer than ε are removed too. Deterministic. Throws NetError,
 /// LimitError, std::bad_alloc. Throws std::invalid_argument for a pseudo net with ε > ln √2 or with `sparse`.
-[[nodiscard]] TriangulatedNet triangulated_net(const Surface& surface, const Length& epsilon,
-                                               const NetOptions& options = {});
-
-/// Like triangulated_net, as a document. There is no certificate.
 [[nodiscard]] UncertifiedNet compute_net(const Surface& surface, const Length& epsilon, const NetOptions& options = {});
 
 /// Computes an ε-net of the surface and proves it: every point of the surface is within hyperbolic distance ε of a

@@ -10,6 +10,7 @@
 #include "certify/check.h"
 #include "kernel/plane.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/nets/net_document.h"
 #include "netgen/nets/start.h"
 
 namespace epsnet {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "certify/net/document.h"
-#include "triangulation/mesh/triangulation.h"
 #include "triangulation/surface/error.h"
+#include "triangulation/surface/surface.h"
 
 namespace epsnet {
 

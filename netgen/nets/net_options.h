@@ -12,7 +12,7 @@
 #include "certify/verdict/report.h"
 #include "netgen/base/length.h"
 #include "netgen/base/progress.h"
-#include "triangulation/mesh/operations.h"
+#include "triangulation/mesh/walk.h"
 #include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 

@@ -11,7 +11,6 @@
 #include "netgen/nets/domain_frame.h"
 #include "python/binding/documents.h"
 #include "python/binding/nets.h"
-#include "triangulation/surface/atlas.h"
 
 namespace epsnet::python {
 namespace {

@@ -8,8 +8,6 @@
 #include "netgen/nets/net_options.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "python/binding/binding.h"
-#include "triangulation/mesh/triangulation.h"
-#include "triangulation/surface/atlas.h"
 #include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 

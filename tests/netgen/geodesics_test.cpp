@@ -15,6 +15,7 @@
 #include "netgen/geodesics/cut_surface.h"
 #include "netgen/geodesics/cutting_search.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/nets/triangulated_net.h"
 #include "tests/netgen/unfolding.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/operations.h"

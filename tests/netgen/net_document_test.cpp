@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "netgen/nets/certified_net.h"
+#include "netgen/nets/triangulated_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"

@@ -14,6 +14,7 @@
 #include "certify/file/writer.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/collars.h"
+#include "netgen/nets/net_document.h"
 #include "netgen/nets/refine.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/operations.h"

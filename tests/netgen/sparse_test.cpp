@@ -17,6 +17,7 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
 #include "netgen/nets/relaxation.h"
+#include "netgen/nets/triangulated_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"

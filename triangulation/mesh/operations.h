@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "triangulation/mesh/triangulation.h"
+#include "triangulation/mesh/walk.h"
 
 /// What a triangulation is asked and how it is changed, by level: queries, which change no triangle; high-level
 /// operations, which keep it sound (and Delaunay where they say so); low-level operations, of which these are made.
@@ -32,12 +33,6 @@ struct Location {
   Dart dart;            ///< A dart of the containing triangle: any for `face`, along the edge, or from the vertex.
   LabelId transition;   ///< From that triangle's chart to the chart in which the point was given.
   std::uint32_t steps;  ///< Triangles entered after the first one.
-};
-
-/// The walk that finds the triangle containing a point (thesis Chapter II, IV.4.3).
-enum class Walk {
-  visibility,  ///< Crosses any edge behind which the point lies; ends in a Delaunay triangulation (Theorem II.1).
-  straight,    ///< Follows the geodesic from a corner; ends in every triangulation.
 };
 
 /// No limit to the steps of a walk.

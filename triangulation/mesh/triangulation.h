@@ -105,20 +105,14 @@ struct Corner {
   bool operator==(const Corner&) const = default;
 };
 
-/// Vertices and triangles are not a triangulation; what() names the first wrong element.
-class TriangulationError : public Error {
- public:
-  using Error::Error;
-};
-
 /// A geometric triangulation of a closed hyperbolic surface by geodesic triangles, in local coordinates.
 ///
 /// A combinatorial map whose triangle corners carry isometries. One vertex, loops, multiple edges and triangles that
 /// share several edges are normal. Copied only by `clone`.
 ///
-/// The class has the data, the darts and the predicates; `locate` (walk.h) searches a triangulation. The functions that
-/// change one serve the refinement of nets and are not installed (docs/design.md). Most predicates may add labels to
-/// the atlas, so they are not const.
+/// The class has the data, the darts and the predicates; `locate` (operations.h) searches a triangulation. The
+/// functions that change one serve the refinement of nets (docs/design.md). Most predicates may add labels to the
+/// atlas, so they are not const.
 class Triangulation {
  public:
   /// Cuts the tiles of the surface into triangles; the vertices are the vertex classes of the tiles, exactly. With a

@@ -14,12 +14,6 @@
 
 namespace epsnet {
 
-/// A surface or a triangulation is beyond a limit: too many triangles or labels, a path too long to be evaluated.
-class LimitError : public Error {
- public:
-  using Error::Error;
-};
-
 /// A point of the surface as a vertex, lifted to a chart of reference: a chart, coordinates with |z| ≤ kChartRadius
 /// there, and the label from that chart to the chart of reference.
 struct LiftedPoint {

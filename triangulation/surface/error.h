@@ -11,4 +11,16 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A surface or a triangulation is beyond a limit: too many triangles or labels, a path too long to be evaluated.
+class LimitError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Vertices and triangles are not a triangulation; what() names the first wrong element.
+class TriangulationError : public Error {
+ public:
+  using Error::Error;
+};
+
 }  // namespace epsnet
