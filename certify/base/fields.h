@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "certify/base/interval.h"
@@ -31,6 +32,17 @@ namespace epsnet::certify {
 
 template <class T>
 struct Fields;
+
+template <class T>
+concept Array = requires(T& value) {
+  Fields<T>::elements(value);
+};
+template <class T>
+concept Object = requires(T& value) {
+  Fields<T>::members(value);
+};
+template <class T>
+concept Enumeration = std::is_enum_v<T>;
 
 /// A member that is `optional` is written unless it is empty.
 enum class Presence { required, optional, forbidden };

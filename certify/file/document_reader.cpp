@@ -21,17 +21,6 @@ namespace {
 constexpr std::size_t kMaxWordLetters = 1'000'000;
 constexpr std::size_t kMaxLettersInAll = 10'000'000;
 
-template <class T>
-concept Array = requires(T& value) {
-  Fields<T>::elements(value);
-};
-template <class T>
-concept Object = requires(T& value) {
-  Fields<T>::members(value);
-};
-template <class T>
-concept Enumeration = std::is_enum_v<T>;
-
 /// "a", "b" or "c".
 template <std::size_t kSize>
 std::string listed(const std::array<std::string_view, kSize>& names) {

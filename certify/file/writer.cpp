@@ -85,17 +85,6 @@ class Buffer {
   std::size_t size_ = 0;
 };
 
-template <class T>
-concept Array = requires(const T& value) {
-  Fields<T>::elements(value);
-};
-template <class T>
-concept Object = requires(const T& value) {
-  Fields<T>::members(value);
-};
-template <class T>
-concept Enumeration = std::is_enum_v<T>;
-
 /// Writes values as their types and fields.h say.
 class Writer {
  public:

@@ -12,7 +12,15 @@ namespace epsnet::certify {
 class CollarMembers {
  public:
   /// Needs a document without structure problem. O(number of triangles) if there is a collar.
-  explicit CollarMembers(const NetDocument& document);
+  explicit CollarMembers(const NetDocument& document) : pseudo_(document.collars.has_value()) {
+    if (!pseudo_ || document.collars->empty()) return;
+    triangles_.resize(document.triangles.size());
+    for (const NetDocument::Collar& collar : *document.collars) {
+      for (const std::uint32_t t : collar.triangles) triangles_[t] = true;
+      partners_[collar.vertices[0]] = collar.vertices[1];
+      partners_[collar.vertices[1]] = collar.vertices[0];
+    }
+  }
 
   /// Whether the net is a pseudo net.
   [[nodiscard]] bool pseudo() const { return pseudo_; }

@@ -1,19 +1,12 @@
 #include "certify/verdict/report.h"
 
+#include <array>
+
 namespace epsnet::certify {
 
 std::string_view name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::verified:
-      return "VERIFIED";
-    case Verdict::refuted:
-      return "REFUTED";
-    case Verdict::undecided:
-      return "UNDECIDED";
-    case Verdict::malformed:
-      break;
-  }
-  return "MALFORMED";
+  constexpr std::array<std::string_view, 4> kNames{"VERIFIED", "REFUTED", "UNDECIDED", "MALFORMED"};
+  return kNames[static_cast<std::size_t>(verdict)];
 }
 
 std::string to_string(const RuleReport& report) {

@@ -11,7 +11,7 @@
 
 #include "certify/base/interval.h"
 #include "certify/base/text.h"
-#include "certify/claims/net/net_rules.h"
+#include "certify/claims/net/claim.h"
 #include "certify/numbers/ball.h"
 
 namespace epsnet::certify {

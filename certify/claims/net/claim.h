@@ -31,6 +31,9 @@ struct Claim {
 /// The verdict about the claim of a document without structure problem; `least_bytes` is that of the document.
 [[nodiscard]] Certificate verify(const Claim& claim, std::uint64_t least_bytes, const CheckOptions& options);
 
+/// The area 4π(g − 1) of a closed hyperbolic surface of genus g ≥ 2, enclosed.
+[[nodiscard]] Interval area_of(std::uint64_t genus);
+
 // The claim of a net file, which has no rules but those of its net.
 
 [[nodiscard]] inline RuleNames own_rules(const NetDocument& /*document*/) { return {}; }
