@@ -22,6 +22,7 @@
 #include "netgen/distances/bound.h"
 #include "netgen/distances/distance.h"
 #include "netgen/distances/vertex_distances.h"
+#include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/lifts/lifts.h"

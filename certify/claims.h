@@ -7,6 +7,8 @@
 #include "certify/claims/bound/fields.h"
 #include "certify/claims/distance/check.h"
 #include "certify/claims/distance/fields.h"
+#include "certify/claims/eigenvalues/check.h"
+#include "certify/claims/eigenvalues/fields.h"
 #include "certify/claims/geodesics/check.h"
 #include "certify/claims/geodesics/fields.h"
 #include "certify/claims/net/fields.h"

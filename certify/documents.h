@@ -6,6 +6,7 @@
 
 #include "certify/claims/bound/document.h"
 #include "certify/claims/distance/document.h"
+#include "certify/claims/eigenvalues/document.h"
 #include "certify/claims/geodesics/document.h"
 #include "certify/net/document.h"
 
@@ -13,7 +14,7 @@
 namespace epsnet::certify {
 
 /// The contents of a file that can be checked. What is needed for each kind of claim follows from this list.
-using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocument, BoundDocument>;
+using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocument, BoundDocument, EigenvaluesDocument>;
 
 /// Pointers to the documents of that list.
 template <class Documents = ClaimDocument>

@@ -26,6 +26,7 @@
 /// | std::string | a string |
 /// | bool | true or false |
 /// | std::vector<std::uint32_t> | a word, of which the length is limited |
+/// | std::vector<double> | numbers, on one line |
 /// | std::vector<T> | an array of T; each has a line, unless it is part of another one |
 /// | Format, Version, List | see below |
 namespace epsnet::certify {
@@ -134,8 +135,11 @@ struct ClaimKind {
   std::string_view says;  ///< What such a file claims, one sentence of a few lines of 80 columns for `certify --help`.
   int section;            ///< The section of docs/proof.md with its theorem or its rules.
 
-  /// Returns "a NAME file".
-  [[nodiscard]] std::string file() const { return "a " + std::string(name) + " file"; }
+  /// Returns "a NAME file", or "an NAME file".
+  [[nodiscard]] std::string file() const {
+    const bool vowel = std::string_view("aeio").find(name.front()) != std::string_view::npos;
+    return (vowel ? "an " : "a ") + std::string(name) + " file";
+  }
 };
 
 }  // namespace epsnet::certify

@@ -731,7 +731,7 @@ class Checker {
 std::optional<std::string> not_for_this_checker(const Json& root) {
   if (root.kind != Json::Kind::object) throw Malformed("expected an object");
   const Json& format = member(root, "format");
-  for (const std::string kind : {"geodesics", "distance", "cover"})
+  for (const std::string kind : {"geodesics", "distance", "cover", "eigenvalues"})
     if (is_text(format, "epsnet-" + kind)) return "a " + kind + " file";
   expect_text(format, "epsnet-net", "the format");
   if (find(root, "collars") != nullptr) return "a pseudo net";

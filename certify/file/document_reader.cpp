@@ -154,6 +154,11 @@ class Reader {
     read_rows(list, [&](T& row) { read(row); });
   }
 
+  void read(std::vector<double>& numbers) {
+    open('[', "an array of numbers");
+    json_.elements([&](std::size_t) { read(numbers.emplace_back()); });
+  }
+
   void read(const List<std::vector<std::vector<std::uint32_t>>>& list) {
     read_rows(list.indices, [&](std::vector<std::uint32_t>& row) {
       open('[', "an array of indices");

@@ -12,6 +12,7 @@
 #include "certify/check.h"
 #include "certify/claims/bound/document.h"
 #include "certify/claims/distance/document.h"
+#include "certify/claims/eigenvalues/document.h"
 #include "certify/claims/geodesics/document.h"
 #include "netgen/lifts/info.h"
 #include "netgen/nets/certified_net.h"
@@ -43,6 +44,7 @@ void add_embedded_disk_command(CLI::App& app, Job& chosen);
 void add_systole_command(CLI::App& app, Job& chosen);
 void add_spectrum_command(CLI::App& app, Job& chosen);
 void add_thick_thin_command(CLI::App& app, Job& chosen);
+void add_eigenvalues_command(CLI::App& app, Job& chosen);
 void add_draw_command(CLI::App& app, Job& chosen);
 void add_view_command(CLI::App& app, Job& chosen);
 void add_info_command(CLI::App& app, Job& chosen);
@@ -101,6 +103,8 @@ void add_distance(CLI::App& command, std::string& file);
 [[nodiscard]] Report geodesics_report(const certify::GeodesicsDocument& document);
 /// Returns the contents of a bound file, as lines and as an object.
 [[nodiscard]] Report bound_report(const certify::BoundDocument& document);
+/// Returns the contents of an eigenvalues file, as lines and as an object.
+[[nodiscard]] Report eigenvalues_report(const certify::EigenvaluesDocument& document);
 /// Returns the contents of a distance file, as lines and as an object.
 [[nodiscard]] Report distance_report(const certify::DistanceDocument& document);
 /// Returns the closed geodesics of a geodesics file about the net's surface, as layers of a picture. Throws JobError,

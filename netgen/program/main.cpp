@@ -99,6 +99,7 @@ int run(int argc, char** argv) {
   add_diameter_command(app, chosen);
   add_radius_command(app, chosen);
   add_embedded_disk_command(app, chosen);
+  add_eigenvalues_command(app, chosen);
   add_draw_command(app, chosen);
   add_view_command(app, chosen);
   add_info_command(app, chosen);

@@ -102,6 +102,19 @@ Json cover(const std::string& claim) {
   return result;
 }
 
+Json eigenvalues() {
+  Json result = Json::parse(R"({"order": 8, "degree": 2, "eigenvalues_up_to": 5.5,
+      "windows": [{"in": [1, 2], "least": 1, "most": 1, "smallest": [1, 1.5], "greatest": [1.25, 2]},
+                  {"in": [3, 4], "least": 0, "most": 2, "smallest": [3, 4], "greatest": [3, 4]}],
+      "at_most": [{"in": [0, 1], "count": 0, "coefficients": [1, 0.5, -0.25]},
+                  {"in": [1, 2], "count": 1, "coefficients": [0.125, 0, 3]}],
+      "at_least": [{"in": [0, 3], "within": [1, 2], "count": 1, "coefficients": [2, 1, 4]}]})");
+  result.update(geodesics("spectrum"));
+  result.erase("claim");
+  result["format"] = "epsnet-eigenvalues";
+  return result;
+}
+
 std::vector<Json> files() {
   return {surface_file(tiles()),
           surface_file(regular()),
@@ -116,7 +129,8 @@ std::vector<Json> files() {
           distance(),
           cover("radius"),
           cover("diameter"),
-          cover("embedded-disk")};
+          cover("embedded-disk"),
+          eigenvalues()};
 }
 
 /// What the reader understands, as JSON; null if it accepts nothing.

@@ -207,7 +207,7 @@ TEST(Claims, HaveARowASectionOfTheFormatAndOneOfTheProof) {
     std::string title(kind.name);
     title[0] = static_cast<char>(std::toupper(title[0]));
     EXPECT_THAT(section("## " + title + " file"), HasSubstr("\"format\": \"" + std::string(kind.format) + "\""));
-    EXPECT_THAT(std::string(kind.says), StartsWith("A " + std::string(kind.name) + " file claims "));
+    EXPECT_THAT(std::string(kind.says), StartsWith("A" + kind.file().substr(1) + " claims "));
     EXPECT_THAT(proof.str(), HasSubstr("\n## " + std::to_string(kind.section) + ". "));
   }
 }

@@ -9,6 +9,9 @@ good surface octagon --seed 123 -o s.json
 good net s.json --epsilon 0.5 -o net.json
 good systole s.json -o systole.json
 good spectrum s.json --up-to 3 -o spectrum.json
+good eigenvalues s.json --up-to 7 -o eigenvalues.json
+verified eigenvalues.json
+grep -q 'eigenvalues in (0, 1/4): none' output || complain "no line about small eigenvalues: $(cat output)"
 good dirichlet s.json -o domain.json
 good distance s.json 0,0.1,-1/3 0 -o distance.json
 printf '0,0.1,0.1\n0,-0.3,1/3\n' >points.txt
@@ -218,7 +221,7 @@ piped() {
   cmp -s output.0 output.1 && cmp -s output.1 output.2 || complain "epsnet $*: not the same of a pipe"
   [ -s output.0 ] || complain "epsnet $*: nothing"
 }
-for file in s.json net.json systole.json spectrum.json domain.json distance.json "$triangulation" "$polygon"; do
+for file in s.json net.json systole.json spectrum.json eigenvalues.json domain.json distance.json "$triangulation" "$polygon"; do
   piped "$file" info IN
   piped "$file" info --json IN
 done
@@ -226,6 +229,7 @@ piped s.json net IN --epsilon 0.5 -o -
 piped s.json systole IN
 piped s.json spectrum IN --up-to 3
 piped s.json thick-thin IN
+piped s.json eigenvalues IN --up-to 7
 piped s.json dirichlet IN -o -
 piped s.json distance IN 0 0,0.1,0 -o -
 piped net.json distance IN v3 v5
@@ -370,6 +374,12 @@ done
 good net s.json --epsilon .5 -o x.json
 same net.json x.json
 good spectrum s.json --up-to .6 -o x.json
+for value in 0 -1 nan x; do
+  bad 64 "^epsnet: --up-to: $positive \"$value\"" eigenvalues s.json --up-to "$value"
+done
+bad 64 '^epsnet: --up-to: more than the greatest length, 30' eigenvalues s.json --up-to 31
+bad 64 '^epsnet: --count: ' eigenvalues s.json --count 0
+bad 1 'nothing can be said about the eigenvalues' eigenvalues s.json --up-to 1 -o out/x.json
 verified x.json
 grep -q '"up_to":"0.6"' x.json || complain 'the length is not in the file as 0.6'
 good systole s.json --epsilon .9

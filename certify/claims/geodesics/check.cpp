@@ -10,6 +10,7 @@
 #include "certify/claims/geodesics/completeness_check.h"
 #include "certify/claims/geodesics/cut_surface.h"
 #include "certify/claims/geodesics/exact_traces.h"
+#include "certify/claims/geodesics/geodesics_rules.h"
 #include "certify/claims/geodesics/list_rules.h"
 #include "certify/claims/net/claim.h"
 #include "certify/numbers/parallel.h"
@@ -21,16 +22,6 @@ namespace {
 
 /// cosh(x/2) of a binary64.
 Ball cosh_half(double x) { return cosh(half(Ball::exactly(x))); }
-
-/// The net with the words of the geodesics as further labels, which no triangle uses.
-NetDocument extended(const GeodesicsDocument& document) {
-  NetDocument net = document.net;
-  for (const GeodesicsDocument::ClosedGeodesic& geodesic : document.geodesics) {
-    const std::uint32_t chart = net.vertices[geodesic.vertex].chart;
-    net.labels.push_back({chart, chart, geodesic.word});
-  }
-  return net;
-}
 
 constexpr const char* kGeodesics = "geodesics";
 constexpr const char* kDistinct = "distinct";
@@ -45,7 +36,7 @@ class GeodesicsCheck {
       : document_(document),
         options_(run.options()),
         threads_(run.threads()),
-        net_(extended(document)),
+        net_(with_geodesics_as_labels(document)),
         parts_(label_parts(std::move(crossings), net_.charts, run.budget())),
         evaluator_(net_, parts_),
         first_darts_(first_darts(net_)),
@@ -73,6 +64,9 @@ class GeodesicsCheck {
     rules_.conclude(run);
     run.certificate().geodesics = counts();
   }
+
+  /// The parts of the labels, at the end.
+  [[nodiscard]] LabelParts take_parts() && { return std::move(parts_); }
 
  private:
   [[nodiscard]] GeodesicsCounts counts() const {
@@ -373,9 +367,24 @@ RuleNames own_rules(const GeodesicsDocument& document) {
   return rules;
 }
 
+NetDocument with_geodesics_as_labels(const GeodesicsDocument& document) {
+  NetDocument net = document.net;
+  for (const GeodesicsDocument::ClosedGeodesic& geodesic : document.geodesics) {
+    const std::uint32_t chart = net.vertices[geodesic.vertex].chart;
+    net.labels.push_back({chart, chart, geodesic.word});
+  }
+  return net;
+}
+
+LabelParts ask_geodesics_rules(const GeodesicsDocument& document, Verification& run, Crossings crossings) {
+  GeodesicsCheck check(document, run, std::move(crossings));
+  check.ask(run);
+  return std::move(check).take_parts();
+}
+
 Claim claim_of(const GeodesicsDocument& document) {
   const auto ask = [&](Verification& run, Crossings crossings) {
-    GeodesicsCheck(document, run, std::move(crossings)).ask(run);
+    (void)ask_geodesics_rules(document, run, std::move(crossings));
   };
   return {document.net, text_of(document), own_rules(document), ask};
 }

@@ -1,0 +1,220 @@
+#include "certify/claims/eigenvalues/check.h"
+
+#include <numeric>
+#include <utility>
+
+#include "certify/base/counted.h"
+#include "certify/base/text.h"
+#include "certify/claims/eigenvalues/counting.h"
+#include "certify/claims/eigenvalues/test_function.h"
+#include "certify/claims/eigenvalues/trace_forms.h"
+#include "certify/claims/geodesics/check.h"
+#include "certify/claims/geodesics/geodesics_rules.h"
+#include "certify/claims/net/claim.h"
+#include "certify/lifted/lorentz.h"
+#include "certify/numbers/precision.h"
+#include "certify/verdict/open_rules.h"
+
+namespace epsnet::certify {
+namespace {
+
+using AtMost = EigenvaluesDocument::AtMost;
+using AtLeast = EigenvaluesDocument::AtLeast;
+using Forms = std::array<Ball, 3>;
+
+constexpr const char* kTraces = "traces";
+constexpr const char* kMost = "most";
+constexpr const char* kLeast = "least";
+constexpr const char* kWindows = "windows";
+
+/// Test functions grow with L to some 10¹⁰ times their values at the eigenvalues.
+constexpr slong kFirstBits = 192;
+
+RuleNames rules_beyond_the_spectrum() { return {kTraces, kMost, kLeast, kWindows}; }
+
+/// Sum of P(λ) f̂(λ)² over all eigenvalues: P = ρ − λ for σ = 0, otherwise (ρ − λ)(λ − σ).
+Ball weighted_sum(const Forms& forms, Interval in) {
+  const Ball rho = Ball::exactly(in.upper);
+  if (in.lower == 0) return rho * forms[0] - forms[1];
+  const Ball sigma = Ball::exactly(in.lower);
+  return (rho + sigma) * forms[1] - forms[2] - rho * sigma * forms[0];
+}
+
+/// P on an interval.
+Ball weight(Interval in, Interval lambda) {
+  const Ball x = ball_of(arb_union, Ball::exactly(lambda.lower), Ball::exactly(lambda.upper));
+  const Ball below = Ball::exactly(in.upper) - x;
+  return in.lower == 0 ? below : below * (x - Ball::exactly(in.lower));
+}
+
+class EigenvaluesCheck {
+ public:
+  EigenvaluesCheck(const EigenvaluesDocument& document, Verification& run, const LabelParts& parts)
+      : document_(document),
+        options_(run.options()),
+        threads_(run.threads()),
+        budget_(run.budget()),
+        genus_(static_cast<std::uint32_t>(run.certificate().counts.genus)),
+        functions_(test_functions(document)),
+        net_(with_geodesics_as_labels(document)),
+        evaluator_(net_, parts),
+        rules_(rules_beyond_the_spectrum()),
+        open_at_most_(numbers_below(document.at_most.size())),
+        open_at_least_(numbers_below(document.at_least.size())) {}
+
+  void ask(Verification& run) {
+    try {
+      check_windows();
+      with_rising_precision(
+          options_.max_precision,
+          [&](slong precision) {
+            pass(precision);
+            run.used(static_cast<std::uint64_t>(precision));
+            return !rules_.open(kTraces) && !rules_.open(kMost) && !rules_.open(kLeast);
+          },
+          kFirstBits);
+    } catch (const BudgetSpent& spent) {
+      rules_.give_up(spent.what());
+    }
+    rules_.conclude(run);
+  }
+
+ private:
+  static std::vector<std::size_t> numbers_below(std::size_t size) {
+    std::vector<std::size_t> result(size);
+    std::iota(result.begin(), result.end(), std::size_t{0});
+    return result;
+  }
+
+  void check_windows() {
+    const std::uint64_t statements = document_.at_most.size() + document_.at_least.size() + 1;
+    budget_.spend(10 * (document_.windows.size() + 1) * statements, statements * statements);
+    const auto problem = Counting(document_).problem();
+    rules_.report({kWindows, problem ? Verdict::refuted : Verdict::verified,
+                   problem ? *problem
+                           : counted(document_.windows.size(), "window", "windows") +
+                                 ", and no eigenvalue elsewhere up to " + shortest(document_.eigenvalues_up_to)});
+  }
+
+  /// All open rules at one precision.
+  void pass(slong precision) {
+    if (options_.progress) options_.progress(kTraces, 0);
+    const std::string bits = std::to_string(precision) + " bits";
+    const auto trace_forms = TraceForms::of(functions_, genus_, lengths(precision), budget_);
+    if (!trace_forms) return rules_.doubt(kTraces, "not decided where multiples of lengths lie, with " + bits);
+    check_traces(*trace_forms);
+    if (rules_.verdict(kTraces) != Verdict::verified) return;
+    check(kMost, document_.at_most, open_at_most_, bits,
+          [&](const AtMost& row) { return at_most(row, (*trace_forms)(row.coefficients)); });
+    check(kLeast, document_.at_least, open_at_least_, bits,
+          [&](const AtLeast& row) { return at_least(row, (*trace_forms)(row.coefficients)); });
+  }
+
+  /// Of the geodesics, from their words.
+  [[nodiscard]] std::vector<Ball> lengths(slong precision) const {
+    const std::size_t labels = document_.net.labels.size();
+    std::vector<std::uint32_t> numbers(document_.geodesics.size());
+    std::iota(numbers.begin(), numbers.end(), static_cast<std::uint32_t>(labels) + 1);
+    std::vector<Ball> result;
+    for (const BallIsometry& element : evaluator_.evaluate(numbers, precision, 4 * precision, threads_))
+      result.push_back(twice(acosh(cosh_half_length(element))));
+    return result;
+  }
+
+  void check_traces(const TraceForms& trace_forms) {
+    std::vector<Forms> forms;
+    for (const AtMost& row : document_.at_most) forms.push_back(trace_forms(row.coefficients));
+    for (const AtLeast& row : document_.at_least) forms.push_back(trace_forms(row.coefficients));
+    rules_.report(traces_report(forms));
+  }
+
+  template <class Row, class Holds>
+  void check(const char* rule, const std::vector<Row>& rows, std::vector<std::size_t>& open, const std::string& bits,
+             const Holds& holds) {
+    if (!rules_.open(rule)) return;
+    std::vector<std::size_t> left;
+    for (const std::size_t i : open) {
+      const Tri answer = holds(rows[i]);
+      if (answer == Tri::no) {
+        rules_.report(
+            {rule, Verdict::refuted, "statement " + std::to_string(i) + " does not follow from its coefficients"});
+        return;
+      }
+      if (answer == Tri::unknown) left.push_back(i);
+      if (options_.progress) options_.progress(rule, static_cast<double>(i) / static_cast<double>(rows.size()));
+    }
+    open = std::move(left);
+    if (open.empty()) {
+      rules_.report({rule, Verdict::verified, counted(rows.size(), "statement", "statements")});
+    } else {
+      rules_.doubt(rule, "statement " + std::to_string(open.front()) + " is not decided, with " + bits);
+    }
+  }
+
+  /// F₀ < (count + 1)·f̂² on the interval.
+  [[nodiscard]] Tri at_most(const AtMost& row, const Forms& forms) const {
+    const SquaredTestFunction square(functions_, row.coefficients);
+    return is_positive_on(row.in, [&](Interval part) {
+      spend(square);
+      return (std::uint64_t{row.count} + 1) * square.on(part) - forms[0];
+    });
+  }
+
+  /// The sum of P f̂² is more than (count − 1)·P f̂² on the interval `within`.
+  [[nodiscard]] Tri at_least(const AtLeast& row, const Forms& forms) const {
+    const SquaredTestFunction square(functions_, row.coefficients);
+    const Ball sum = weighted_sum(forms, row.in);
+    return is_positive_on(row.within, [&](Interval part) {
+      spend(square);
+      return sum - (row.count - 1) * weight(row.in, part) * square.on(part);
+    });
+  }
+
+  void spend(const SquaredTestFunction& square) const {
+    budget_.spend(ball_work(static_cast<std::uint64_t>(Precision::bits())), square.operations());
+  }
+
+  const EigenvaluesDocument& document_;
+  const CheckOptions& options_;
+  unsigned threads_;
+  const Budget& budget_;
+  std::uint32_t genus_;
+  TestFunctions functions_;
+  NetDocument net_;
+  LabelEvaluator evaluator_;
+  OpenRules rules_;
+  std::vector<std::size_t> open_at_most_;
+  std::vector<std::size_t> open_at_least_;
+};
+
+std::string text_of(const EigenvaluesDocument& document) {
+  std::uint64_t least = 0;
+  std::uint64_t most = 0;
+  for (const EigenvaluesDocument::Window& window : document.windows) {
+    least += window.least;
+    most += window.most;
+  }
+  return "eigenvalues of the Laplacian: " + (least == most ? "" : "from " + std::to_string(least) + " to ") +
+         std::to_string(most) + " in (0, " + shortest(document.eigenvalues_up_to) + "], with multiplicity, in " +
+         counted(document.windows.size(), "interval", "intervals");
+}
+
+}  // namespace
+
+RuleNames own_rules(const EigenvaluesDocument& /*document*/) {
+  GeodesicsDocument spectrum;
+  spectrum.claim = GeodesicsDocument::Claim::spectrum;
+  RuleNames rules = own_rules(spectrum);
+  for (const std::string_view rule : rules_beyond_the_spectrum()) rules.push_back(rule);
+  return rules;
+}
+
+Claim claim_of(const EigenvaluesDocument& document) {
+  const auto ask = [&](Verification& run, Crossings crossings) {
+    const LabelParts parts = ask_geodesics_rules(document, run, std::move(crossings));
+    if (run.rules().verified_so_far()) EigenvaluesCheck(document, run, parts).ask(run);
+  };
+  return {document.net, text_of(document), own_rules(document), ask};
+}
+
+}  // namespace epsnet::certify

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "certify/claims/eigenvalues/document.h"
+#include "certify/verdict/report.h"
+
+/// The claim of an eigenvalues file: how many eigenvalues of the Laplacian lie where (docs/proof.md, section 17).
+namespace epsnet::certify {
+
+struct Claim;
+
+/// What an eigenvalues document must satisfy before any rule makes sense: what a spectrum must (geodesics/check.h); n
+/// even from 8 to 16, K from 1 to 64, L ≤ 2K + n/2; K + 1 finite coefficients for each statement, not all 0; intervals
+/// in order in [0, ¼ + 9/δ²]; windows in increasing order, disjoint, up to `eigenvalues_up_to`.
+///
+/// The first problem; nullopt if there is none. Exact, O(size of the document).
+[[nodiscard]] std::optional<std::string> structure_problem(const EigenvaluesDocument& document);
+
+/// About the least number of bytes of a file with this content (docs/format.md, "Limits").
+[[nodiscard]] std::uint64_t least_bytes(const EigenvaluesDocument& document);
+
+/// The names of its own rules, in order: those of the spectrum (geodesics/check.h), and then
+///
+/// * `traces`: the sums of squares over the eigenvalues that the trace formula gives are positive;
+/// * `most`, `least`: the inequalities of the statements `at_most` and `at_least`;
+/// * `windows`: the claims about the windows, and that no eigenvalue is elsewhere, follow from the statements.
+///
+/// Time: that of the spectrum's rules, and some (10·geodesics + 10⁵·statements) operations of balls.
+[[nodiscard]] RuleNames own_rules(const EigenvaluesDocument& document);
+
+[[nodiscard]] Claim claim_of(const EigenvaluesDocument& document);
+
+}  // namespace epsnet::certify

@@ -1,0 +1,559 @@
+#include "netgen/eigenvalues/eigenvalues.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kernel/isometry.h"
+#include "netgen/eigenvalues/solver.h"
+#include "netgen/eigenvalues/trace_matrices.h"
+#include "netgen/geodesics/geodesics.h"
+#include "netgen/nets/certified_net.h"
+
+namespace epsnet {
+namespace {
+
+using certify::EigenvaluesDocument;
+using certify::Interval;
+
+/// The lengths of the geodesics of a list, from their words.
+RealVector lengths_of(const Surface& surface, const certify::GeodesicsDocument& spectrum) {
+  std::vector<Isometry<Real>> crossings;
+  for (std::uint32_t s = 0; s < surface.side_count(); ++s) crossings.push_back(surface.crossing_as<Real>(s));
+  RealVector result;
+  for (const auto& geodesic : spectrum.geodesics) {
+    Isometry<Real> product = crossings[geodesic.word.front()];
+    for (std::size_t i = 1; i < geodesic.word.size(); ++i) product = crossings[geodesic.word[i]] * product;
+    result.push_back(displacement_length(product));
+  }
+  return result;
+}
+
+/// Coefficients as they are in the file, and their three sums Σ λ^p f̂².
+struct Trial {
+  std::vector<double> coefficients;
+  std::array<Real, 3> sums;
+};
+
+/// Proves numbers of eigenvalues in intervals by test functions, as far as sampled minima and maxima are right.
+class Prover {
+ public:
+  Prover(TestSpace space, std::vector<RealMatrix> matrices)
+      : space_(std::move(space)), matrices_(std::move(matrices)), solver_(Solver::of(matrices_[0])) {
+    if (!solver_) throw NetError("the trace formula gives a singular matrix");
+  }
+
+  [[nodiscard]] const TestSpace& space() const { return space_; }
+
+  /// The bound for the number of eigenvalues at λ: the least Σ f̂² with f̂(λ) = 1.
+  [[nodiscard]] double most_at(double lambda) const {
+    const RealVector values = space_.values(Real(lambda));
+    return static_cast<double>(1 / dot(values, solver_->solve(values)));
+  }
+
+  /// The test function that attains it.
+  [[nodiscard]] Trial best_at(double lambda) const { return trial(solver_->solve(space_.values(Real(lambda)))); }
+
+  /// The test function with the least Σ f̂² that is 1 at several points, so that it is flat between near ones. Nothing
+  /// for points that are too near.
+  [[nodiscard]] std::optional<Trial> flat_on(const std::vector<double>& points) const {
+    std::vector<RealVector> values;
+    std::vector<RealVector> solved;
+    for (const double x : points) {
+      values.push_back(space_.values(Real(x)));
+      solved.push_back(solver_->solve(values.back()));
+    }
+    RealMatrix products(points.size(), RealVector(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (std::size_t j = 0; j < points.size(); ++j) products[i][j] = dot(values[i], solved[j]);
+    }
+    const auto solver = Solver::of(products);
+    if (!solver) return std::nullopt;
+    const RealVector factors = solver->solve(RealVector(points.size(), Real(1)));
+    RealVector c(values.front().size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (std::size_t k = 0; k < c.size(); ++k) c[k] += factors[i] * solved[i][k];
+    }
+    return trial(std::move(c));
+  }
+
+  /// The best test function for sums of (ρ − λ) f̂², or (ρ − λ)(λ − σ) f̂² for σ > 0, relative to its value at λ.
+  class Weighted {
+   public:
+    Weighted(const Prover& prover, Interval in) : prover_(prover), in_(in), solver_(Solver::of(matrix(prover, in))) {}
+    [[nodiscard]] Interval in() const { return in_; }
+    [[nodiscard]] std::optional<Trial> best_at(double lambda) const {
+      if (!solver_) return std::nullopt;
+      return prover_.trial(solver_->solve(prover_.space_.values(Real(lambda))));
+    }
+    [[nodiscard]] Real sum(const Trial& trial) const { return combined(trial.sums, in_); }
+    [[nodiscard]] Real weight(const Real& lambda) const {
+      return in_.lower == 0 ? Real(in_.upper - lambda) : Real((in_.upper - lambda) * (lambda - in_.lower));
+    }
+
+   private:
+    static Real combined(const std::array<Real, 3>& x, Interval in) {
+      const Real rho = in.upper;
+      const Real sigma = in.lower;
+      return in.lower == 0 ? Real(rho * x[0] - x[1]) : Real((rho + sigma) * x[1] - x[2] - rho * sigma * x[0]);
+    }
+    static RealMatrix matrix(const Prover& prover, Interval in) {
+      const auto& [zero, one, two] = std::tie(prover.matrices_[0], prover.matrices_[1], prover.matrices_[2]);
+      RealMatrix result = zero;
+      for (std::size_t j = 0; j < zero.size(); ++j) {
+        for (std::size_t k = 0; k < zero.size(); ++k) result[j][k] = combined({zero[j][k], one[j][k], two[j][k]}, in);
+      }
+      return result;
+    }
+
+    const Prover& prover_;
+    Interval in_;
+    std::optional<Solver> solver_;
+  };
+
+  /// The least m for which the test function proves "at most m in the interval".
+  [[nodiscard]] double most_in(const Trial& trial, Interval in) const {
+    const Real least = extreme(in, [&](const Real& x) { return Real(-square(trial, x)); });
+    if (least >= 0) return HUGE_VAL;
+    const Real ratio = trial.sums[0] / -least * (1 + kMargin);
+    return std::floor(static_cast<double>(ratio));
+  }
+  /// The greatest m for which it proves "at least m if all are within".
+  [[nodiscard]] double least_in(const Weighted& weighted, const Trial& trial, Interval within) const {
+    const Real sum = weighted.sum(trial);
+    if (sum <= 0) return 0;
+    const Real greatest = extreme(within, [&](const Real& x) { return Real(weighted.weight(x) * square(trial, x)); });
+    if (greatest <= 0) return 0;
+    return std::min(std::ceil(static_cast<double>(Real(sum / greatest * (1 - kMargin)))), 1e6);
+  }
+
+  /// The least b, and a test function, for which Σ P f̂² = 0, P = b − λ for σ = 0 and otherwise (b − λ)(λ − σ): for
+  /// every greater b one eigenvalue lies in (σ, b). The one next to a guess. By inverse iteration.
+  [[nodiscard]] std::optional<std::pair<Trial, double>> first_behind(double sigma, double guess) const {
+    const std::size_t size = matrices_[0].size();
+    RealMatrix left = matrices_[1];
+    RealMatrix right = matrices_[0];
+    for (std::size_t j = 0; sigma > 0 && j < size; ++j) {
+      for (std::size_t k = 0; k < size; ++k) {
+        left[j][k] = matrices_[2][j][k] - sigma * matrices_[1][j][k];
+        right[j][k] = matrices_[1][j][k] - sigma * matrices_[0][j][k];
+      }
+    }
+    RealMatrix shifted = left;
+    for (std::size_t j = 0; j < size; ++j) {
+      for (std::size_t k = 0; k < size; ++k) shifted[j][k] -= guess * right[j][k];
+    }
+    const auto solver = Solver::of(shifted);
+    if (!solver) return std::nullopt;
+    RealVector c = space_.values(Real(guess));
+    constexpr int kRounds = 60;
+    for (int round = 0; round < kRounds; ++round) {
+      RealVector image(size);
+      for (std::size_t j = 0; j < size; ++j) image[j] = dot(right[j], c);
+      c = solver->solve(image);
+      const Real scale = 1 / boost::multiprecision::sqrt(dot(c, c));
+      for (Real& x : c) x *= scale;
+    }
+    Trial result = trial(std::move(c));
+    const auto& sums = result.sums;
+    const Real above = sigma > 0 ? Real(sums[2] - sigma * sums[1]) : sums[1];
+    const Real below = sigma > 0 ? Real(sums[1] - sigma * sums[0]) : sums[0];
+    if (below <= 0) return std::nullopt;
+    return std::pair(std::move(result), static_cast<double>(Real(above / below)));
+  }
+
+ private:
+  static constexpr double kMargin = 0x1p-50;
+
+  [[nodiscard]] Trial trial(RealVector c) const {
+    using boost::multiprecision::abs;
+    Real greatest = 0;
+    for (const Real& x : c) greatest = std::max(greatest, Real(abs(x)));
+    Trial result;
+    for (Real& x : c) {
+      result.coefficients.push_back(static_cast<double>(Real(x / greatest)));
+      x = result.coefficients.back();
+    }
+    for (std::size_t p = 0; p < 3; ++p) {
+      for (std::size_t j = 0; j < c.size(); ++j) result.sums[p] += c[j] * dot(matrices_[p][j], c);
+    }
+    return result;
+  }
+
+  /// f̂(λ)²
+  [[nodiscard]] Real square(const Trial& trial, const Real& lambda) const {
+    const RealVector values = space_.values(lambda);
+    Real result = 0;
+    for (std::size_t k = 0; k < values.size(); ++k) result += trial.coefficients[k] * values[k];
+    return result * result;
+  }
+
+  /// The greatest value of a function on an interval, sampled; the samples around the greatest one are refined.
+  template <class Function>
+  [[nodiscard]] Real extreme(Interval in, const Function& function) const {
+    const auto parameter = [](double x) { return std::sqrt(std::max(x, 0.0)); };
+    const double waves = (parameter(in.upper) - parameter(in.lower)) * static_cast<double>(space_.support);
+    int parts = 4 + static_cast<int>(2 * waves);
+    double lower = in.lower;
+    double upper = in.upper;
+    std::optional<Real> greatest;
+    for (int round = 0; round < 12 && lower < upper; ++round, parts = 4) {
+      int best = 0;
+      std::optional<Real> best_value;
+      for (int i = 0; i <= parts; ++i) {
+        const double x = i == parts ? upper : lower + (upper - lower) * i / parts;
+        const Real value = function(Real(x));
+        if (!best_value || value > *best_value) {
+          best_value = value;
+          best = i;
+        }
+      }
+      if (!greatest || *best_value > *greatest) greatest = best_value;
+      const double width = (upper - lower) / parts;
+      const double middle = lower + width * best;
+      // At an end of the interval the function is monotone.
+      if ((best == 0 && lower == in.lower) || (best == parts && upper == in.upper)) break;
+      lower = std::max(lower, middle - width);
+      upper = std::min(upper, middle + width);
+    }
+    return greatest ? *greatest : function(Real(in.lower));
+  }
+
+  TestSpace space_;
+  std::vector<RealMatrix> matrices_;
+  std::optional<Solver> solver_;
+};
+
+/// Finds windows with eigenvalues, gaps without, and what proves them.
+class Search {
+ public:
+  Search(const Prover& prover, const EigenvaluesOptions& options, EigenvaluesDocument& document)
+      : prover_(prover), options_(options), document_(document) {}
+
+  void run() {
+    find_windows();
+    std::uint64_t found = 0;
+    std::size_t used = 0;
+    for (; used < windows_.size() && (options_.count == 0 || found < options_.count); ++used) {
+      report("eigenvalues", static_cast<double>(used) / static_cast<double>(windows_.size()));
+      examine(used);
+      found += document_.windows.back().least;
+    }
+    for (std::size_t i = 0; i <= used; ++i) cover(gap(i));
+    document_.eigenvalues_up_to = gap(used).upper;
+    if (used == windows_.size() && (options_.count == 0 || found < options_.count)) add_last_window(gap(used));
+  }
+
+ private:
+  static constexpr double kOpen = 0.98;  ///< Where at most so many eigenvalues can be, there is none, provably.
+
+  void report(std::string_view what, double share) const {
+    if (options_.progress) options_.progress(what, share);
+  }
+
+  /// Before window i, or behind the last one.
+  [[nodiscard]] Interval gap(std::size_t i) const {
+    return {i == 0 ? 0.0 : windows_[i - 1].upper, i < windows_.size() ? windows_[i].lower : end_};
+  }
+
+  /// λ where bound(λ) passes kOpen between a point where it is less and one where it is not.
+  [[nodiscard]] double edge(double less, double more) const {
+    for (int i = 0; i < 30; ++i) {
+      const double middle = (less + more) / 2;
+      (prover_.most_at(middle) < kOpen ? less : more) = middle;
+    }
+    return less;
+  }
+
+  /// The greatest of the bounds between three points, by golden section.
+  [[nodiscard]] std::pair<double, double> peak(double lower, double upper) const {
+    const double ratio = (std::sqrt(5.0) - 1) / 2;
+    double x = upper - ratio * (upper - lower);
+    double y = lower + ratio * (upper - lower);
+    double at_x = prover_.most_at(x);
+    double at_y = prover_.most_at(y);
+    for (int i = 0; i < 50; ++i) {
+      if (at_x > at_y) {
+        upper = std::exchange(y, x);
+        at_y = at_x;
+        x = upper - ratio * (upper - lower);
+        at_x = prover_.most_at(x);
+      } else {
+        lower = std::exchange(x, y);
+        at_x = at_y;
+        y = lower + ratio * (upper - lower);
+        at_y = prover_.most_at(y);
+      }
+    }
+    return {at_x > at_y ? x : y, std::max(at_x, at_y)};
+  }
+
+  /// Windows where the bound is kOpen or more, with gaps around each. They end where no gap follows.
+  void find_windows() {
+    const double support = static_cast<double>(prover_.space().support);
+    const double step = static_cast<double>(prover_.space().step());
+    const double greatest = 0.25 + 8.9 / (step * step);
+    const double patience = 6;  // In units of the resolution, 2π/L, of r.
+    const double stride = 0.35 / support;
+    struct Sample {
+      double lambda;
+      double bound;
+    };
+    std::vector<Sample> samples;
+    double last_gap = 0;
+    for (double root = 0; root * root < greatest; root += stride) {
+      samples.push_back({root * root, prover_.most_at(root * root)});
+      if (samples.back().bound < kOpen) last_gap = root;
+      if (root - last_gap > patience * 6.28 / support) break;
+      report("bounds", std::min(root / 5, 1.0));
+    }
+    if (samples.front().bound >= kOpen) {
+      std::ostringstream message;
+      message << "nothing can be said about the eigenvalues from closed geodesics of length at most "
+              << options_.up_to.text() << "; a greater --up-to is needed";
+      throw NetError(message.str());
+    }
+    // From gap to gap; a peak that the samples miss is a local maximum of theirs.
+    double opened = -1;  // The lower end of a window of samples; negative outside of windows.
+    end_ = 0;
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+      const Sample& before = samples[i - 1];
+      const Sample& here = samples[i];
+      if (before.bound < kOpen && here.bound < kOpen) {
+        end_ = here.lambda;
+        if (i + 1 < samples.size() && before.bound < here.bound && samples[i + 1].bound < here.bound) {
+          const auto [top, bound] = peak(before.lambda, samples[i + 1].lambda);
+          if (bound >= kOpen) windows_.push_back({edge(before.lambda, top), edge(samples[i + 1].lambda, top)});
+        }
+      } else if (before.bound < kOpen) {
+        opened = edge(before.lambda, here.lambda);
+        end_ = opened;
+      } else if (here.bound < kOpen) {
+        windows_.push_back({opened, edge(here.lambda, before.lambda)});
+        opened = -1;
+        end_ = here.lambda;
+      }
+    }
+    // A window found from a sample may reach beyond the next one.
+    std::vector<Interval> merged;
+    for (const Interval& window : windows_) {
+      if (!merged.empty() && window.lower <= merged.back().upper) {
+        merged.back().upper = std::max(merged.back().upper, window.upper);
+      } else {
+        merged.push_back(window);
+      }
+    }
+    windows_ = std::move(merged);
+    if (!windows_.empty() && windows_.back().upper >= end_) end_ = std::nextafter(windows_.back().upper, HUGE_VAL);
+  }
+
+  void add_at_most(const Trial& trial, Interval in, double count) {
+    document_.at_most.push_back({in, static_cast<std::uint32_t>(count), trial.coefficients});
+  }
+  void add_at_least(const Prover::Weighted& weighted, const Trial& trial, Interval within, double count) {
+    document_.at_least.push_back({weighted.in(), within, static_cast<std::uint32_t>(count), trial.coefficients});
+  }
+
+  /// Statements "none" for an interval in which the bound is less than kOpen.
+  void cover(Interval open) {
+    double from = open.lower;
+    while (from < open.upper) {
+      std::optional<Trial> best;
+      double reached = from;
+      for (const double share : {1.0, 0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.06, 0.03, 0.015, 0.007, 0.003, 0.001, 0.0}) {
+        const Trial trial = prover_.best_at(from + share * (open.upper - from));
+        double good = from + share * (open.upper - from);
+        if (prover_.most_in(trial, {from, good}) != 0) continue;
+        double bad = open.upper;
+        if (prover_.most_in(trial, {from, bad}) == 0) good = bad;
+        for (int i = 0; i < 16 && good < bad; ++i) {
+          const double middle = (good + bad) / 2;
+          (prover_.most_in(trial, {from, middle}) == 0 ? good : bad) = middle;
+        }
+        if (good > reached) {
+          reached = good;
+          best = trial;
+        }
+        if (best) break;
+      }
+      if (!best) throw NetError("the eigenvalues cannot be separated");
+      add_at_most(*best, {from, reached}, 0);
+      from = reached;
+    }
+  }
+
+  /// The least number that can be proved to be the most in an interval, and by what.
+  struct Cover {
+    double count;
+    std::vector<std::pair<Interval, Trial>> statements;
+    std::vector<double> counts;
+  };
+  [[nodiscard]] Cover most_in(Interval in, int depth) const {
+    Cover best{HUGE_VAL, {}, {}};
+    const double middle = (in.lower + in.upper) / 2;
+    for (const auto& points : std::vector<std::vector<double>>{
+             {middle}, {in.lower}, {in.upper}, {in.lower, in.upper}, {in.lower, middle, in.upper}}) {
+      const auto trial = prover_.flat_on(points);
+      if (!trial) continue;
+      const double count = prover_.most_in(*trial, in);
+      if (count < best.count) best = {count, {{in, *trial}}, {count}};
+    }
+    if (depth == 0 || best.count <= 1) return best;
+    Cover first = most_in({in.lower, middle}, depth - 1);
+    const Cover second = most_in({middle, in.upper}, depth - 1);
+    if (first.count + second.count >= best.count) return best;
+    first.count += second.count;
+    first.statements.insert(first.statements.end(), second.statements.begin(), second.statements.end());
+    first.counts.insert(first.counts.end(), second.counts.begin(), second.counts.end());
+    return first;
+  }
+
+  /// The weights that are positive around a window, and that end in the gaps around it.
+  [[nodiscard]] std::vector<Prover::Weighted> weights(std::size_t i) const {
+    const Interval before = gap(i);
+    const Interval behind = gap(i + 1);
+    std::vector<Prover::Weighted> result;
+    for (const double share : {1.0, 0.6, 0.3}) {
+      const double upper = behind.lower + share * (behind.upper - behind.lower);
+      for (const double other : {1.0, 0.6, 0.3}) {
+        const double lower = i == 0 ? 0.0 : before.upper - other * (before.upper - before.lower);
+        result.emplace_back(prover_, Interval{lower, upper});
+        if (i == 0) break;
+      }
+    }
+    return result;
+  }
+
+  /// Counts the eigenvalues in window i, and encloses the smallest and the greatest one if they can be counted.
+  void examine(std::size_t i) {
+    const Interval in = windows_[i];
+    const Cover most = most_in(in, in.upper - in.lower > 0.05 ? 3 : 0);
+    for (std::size_t k = 0; k < most.statements.size(); ++k)
+      add_at_most(most.statements[k].second, most.statements[k].first, most.counts[k]);
+    const std::vector<Prover::Weighted> all = weights(i);
+    double least = 0;
+    std::optional<Trial> best;
+    const Prover::Weighted* best_weight = nullptr;
+    for (const Prover::Weighted& weighted : all) {
+      for (const double share : {0.5, 0.0, 1.0, 0.25, 0.75}) {
+        const auto trial = weighted.best_at(in.lower + share * (in.upper - in.lower));
+        const double count = trial ? std::min(prover_.least_in(weighted, *trial, in), most.count) : 0;
+        if (count <= least) continue;
+        least = count;
+        best = trial;
+        best_weight = &weighted;
+      }
+    }
+    if (best) add_at_least(*best_weight, *best, in, least);
+    const auto count = static_cast<std::uint32_t>(most.count);
+    Interval smallest = in;
+    Interval greatest = in;
+    if (least == most.count) {
+      greatest.lower = limit(in, all, most.count, false);
+      smallest.upper = limit(in, all, most.count, true);
+    }
+    document_.windows.push_back({in, static_cast<std::uint32_t>(least), count, smallest, greatest});
+  }
+
+  /// A window with at least one eigenvalue, behind the last gap, from where there is no gap any more.
+  void add_last_window(Interval open) {
+    for (const double share : {0.0, 0.3, 0.6}) {
+      const double from = windows_.empty() ? 0.0 : open.lower + share * (open.upper - open.lower);
+      const auto test = prover_.first_behind(from, open.upper);
+      if (!test) continue;
+      for (const double excess : {1e-12, 1e-9, 1e-6, 1e-3}) {
+        const Interval in{open.upper, test->second + excess * (test->second - open.upper)};
+        const Prover::Weighted weighted(prover_, {from, in.upper});
+        if (!(in.lower < in.upper) || prover_.least_in(weighted, test->first, in) < 1) continue;
+        if (!document_.windows.empty() && document_.windows.back().in.upper >= in.lower) return;
+        const Cover most = most_in(in, 3);
+        if (!(most.count < 1e6)) return;
+        for (std::size_t k = 0; k < most.statements.size(); ++k)
+          add_at_most(most.statements[k].second, most.statements[k].first, most.counts[k]);
+        add_at_least(weighted, test->first, in, 1);
+        document_.windows.push_back({in, 1, static_cast<std::uint32_t>(most.count), in, in});
+        document_.eigenvalues_up_to = in.upper;
+        return;
+      }
+    }
+  }
+
+  /// The end of the greatest part of a window, from its lower end on or, `mirrored`, from its upper end on, for which
+  /// it can be proved that not all of its eigenvalues are there.
+  double limit(Interval in, const std::vector<Prover::Weighted>& all, double count, bool mirrored) {
+    const double start = mirrored ? in.upper : in.lower;
+    const auto part = [&](double x) { return mirrored ? Interval{x, in.upper} : Interval{in.lower, x}; };
+    const auto by_most = [&](double x) -> std::optional<Trial> {
+      Trial trial = prover_.best_at(x);
+      return prover_.most_in(trial, part(x)) < count ? std::optional(std::move(trial)) : std::nullopt;
+    };
+    double reached = start;
+    std::optional<Trial> best;
+    const Prover::Weighted* best_weight = nullptr;
+    const auto extend = [&](const auto& prove, const Prover::Weighted* weighted) {
+      // Only what reaches further than what is known is of use.
+      double good = reached;
+      double bad = mirrored ? in.lower : in.upper;
+      for (int i = 0; i < 45 && good != bad; ++i) {
+        // First the place next to what is known.
+        const double middle = i == 0 ? good + (bad - good) * 0x1p-20 : good + (bad - good) / 2;
+        auto trial = prove(middle);
+        if (!trial) {
+          if (i == 0) return;
+          bad = middle;
+          continue;
+        }
+        good = middle;
+        best = std::move(trial);
+        best_weight = weighted;
+      }
+      reached = good;
+    };
+    extend(by_most, nullptr);
+    for (const Prover::Weighted& weighted : all) {
+      extend(
+          [&](double x) -> std::optional<Trial> {
+            auto trial = weighted.best_at(x);
+            if (!trial || prover_.least_in(weighted, *trial, part(x)) <= count) return std::nullopt;
+            return trial;
+          },
+          &weighted);
+    }
+    if (!best) return start;
+    if (best_weight == nullptr) {
+      add_at_most(*best, part(reached), count - 1);
+    } else {
+      add_at_least(*best_weight, *best, part(reached), count + 1);
+    }
+    return reached;
+  }
+
+  const Prover& prover_;
+  const EigenvaluesOptions& options_;
+  EigenvaluesDocument& document_;
+  std::vector<Interval> windows_;
+  double end_ = 0;  ///< Of the gap behind the last window.
+};
+
+}  // namespace
+
+EigenvaluesDocument eigenvalues(const Surface& surface, const EigenvaluesOptions& options) {
+  constexpr int kLongest = 30;
+  if (options.up_to.value() > kLongest) throw std::invalid_argument("the length is more than 30");
+  GeodesicsOptions geodesics_options;
+  geodesics_options.threads = options.threads;
+  geodesics_options.progress = options.progress;
+  EigenvaluesDocument document;
+  static_cast<certify::GeodesicsDocument&>(document) = spectrum(surface, options.up_to, geodesics_options);
+  const TestSpace space{static_cast<Real>(options.up_to.value()), document.order, document.degree};
+  const Prover prover(space, trace_matrices(space, surface.genus(), lengths_of(surface, document)));
+  Search(prover, options, document).run();
+  return document;
+}
+
+}  // namespace epsnet

@@ -1,0 +1,453 @@
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "certify/check.h"
+#include "certify/claims/eigenvalues/check.h"
+#include "certify/claims/eigenvalues/counting.h"
+#include "certify/claims/eigenvalues/test_function.h"
+#include "certify/claims/eigenvalues/trace_forms.h"
+#include "certify/file/reader.h"
+
+/// Eigenvalues files. Each rule is broken by a file in which nothing else is wrong.
+namespace epsnet::certify {
+namespace {
+
+using testing::HasSubstr;
+using Document = EigenvaluesDocument;
+
+/// λ_1 of a random octagon, simple.
+Document octagon() { return read_file<Document>(std::string(EPSNET_TEST_DATA) + "/eigenvalues/octagon-5-to-8.json"); }
+/// The first three windows of the Bolza surface, of 3, 4 and 2 eigenvalues.
+Document bolza() { return read_file<Document>(std::string(EPSNET_TEST_DATA) + "/eigenvalues/bolza-to-9.json"); }
+
+/// λ_1 of the Bolza surface, multiplicity 3, and the next one, multiplicity 4 (A. Strohmaier, V. Uski, An algorithm for
+/// the computation of eigenvalues, spectral zeta functions and zeta-determinants on hyperbolic surfaces).
+constexpr double kFirst = 3.8388872588421995;
+constexpr double kSecond = 5.353601341189;
+
+Certificate checked(const Document& document) { return check(document, {.threads = 2}); }
+
+/// "VERDICT", or "VERDICT: rule".
+std::string outcome(const Document& document) {
+  const Certificate certificate = checked(document);
+  return std::string(name(certificate.verdict)) + (certificate.rule.empty() ? "" : ": " + certificate.rule);
+}
+
+double above(double x) { return std::nextafter(x, HUGE_VAL); }
+double below(double x) { return std::nextafter(x, 0.0); }
+
+TEST(Eigenvalues, TrueFilesAreVerified) {
+  EXPECT_EQ(outcome(octagon()), "VERIFIED");
+  EXPECT_EQ(outcome(bolza()), "VERIFIED");
+}
+
+TEST(Eigenvalues, OfTheBolzaSurfaceAreThoseOfTheLiterature) {
+  const Document document = bolza();
+  ASSERT_GE(document.windows.size(), 2U);
+  const auto& first = document.windows[0];
+  EXPECT_EQ(first.least, 3U);
+  EXPECT_EQ(first.most, 3U);
+  EXPECT_LE(first.greatest.lower, kFirst);
+  EXPECT_GE(first.smallest.upper, kFirst);
+  EXPECT_EQ(document.windows[1].least, 4U);
+  EXPECT_LE(document.windows[1].greatest.lower, kSecond);
+  EXPECT_GE(document.windows[1].smallest.upper, kSecond);
+}
+
+// The spectrum.
+
+TEST(Eigenvalues, AGeodesicLeftOutIsMissedByTheRuleOfTheSpectrum) {
+  Document document = octagon();
+  document.geodesics.pop_back();
+  document.clusters.pop_back();
+  EXPECT_EQ(outcome(document), "REFUTED: complete");
+}
+
+TEST(Eigenvalues, AWrongLengthIsFoundByTheRuleOfTheSpectrum) {
+  Document document = octagon();
+  Interval& length = document.geodesics.front().length;
+  length = {below(below(length.lower)), below(length.lower)};
+  EXPECT_EQ(outcome(document), "REFUTED: geodesics");
+}
+
+/// The forms of the octagon with these lengths, its genus being `genus`.
+TraceForms forms_of(const Document& document, std::size_t without, std::uint32_t genus) {
+  std::vector<Ball> lengths;
+  for (std::size_t i = 0; i < document.geodesics.size(); ++i) {
+    if (i == without) continue;
+    const Interval length = document.geodesics[i].length;
+    lengths.push_back(half(Ball::exactly(length.lower) + Ball::exactly(length.upper)));
+  }
+  return TraceForms::of(test_functions(document), genus, lengths, Budget()).value();
+}
+
+std::vector<std::array<Ball, 3>> sums_of(const Document& document, const TraceForms& forms) {
+  std::vector<std::array<Ball, 3>> sums;
+  for (const auto& row : document.at_most) sums.push_back(forms(row.coefficients));
+  for (const auto& row : document.at_least) sums.push_back(forms(row.coefficients));
+  return sums;
+}
+
+TEST(Traces, OfTheWholeListArePositive) {
+  const Precision scope(192);
+  const Document document = octagon();
+  const RuleReport report = traces_report(sums_of(document, forms_of(document, document.geodesics.size(), 2)));
+  EXPECT_EQ(report.verdict, Verdict::verified) << report.text;
+}
+
+TEST(Traces, WithoutOneGeodesicAreNegative) {
+  const Precision scope(192);
+  const Document document = octagon();
+  for (const std::size_t without : {std::size_t{0}, std::size_t{5}, std::size_t{20}}) {
+    const RuleReport report = traces_report(sums_of(document, forms_of(document, without, 2)));
+    EXPECT_EQ(report.verdict, Verdict::refuted) << without;
+    EXPECT_THAT(report.text, HasSubstr("cannot be complete"));
+  }
+}
+
+TEST(Traces, OfAnotherGenusAreNegative) {
+  const Precision scope(192);
+  const Document document = octagon();
+  // Fewer eigenvalues than the geodesics need.
+  const auto report = traces_report(sums_of(document, forms_of(document, document.geodesics.size(), 1)));
+  EXPECT_EQ(report.verdict, Verdict::refuted);
+}
+
+TEST(Traces, AreUndecidedWhereTheSignIs) {
+  Ball wide;
+  arb_set_d(wide.get(), 0);
+  const Precision scope(64);
+  arb_add_error(wide.get(), Ball::exactly(1).get());
+  const std::vector<std::array<Ball, 3>> sums{{wide, wide, wide}};
+  EXPECT_EQ(traces_report(sums).verdict, Verdict::undecided);
+}
+
+TEST(Traces, WhereALengthLiesMustBeCertain) {
+  const Precision scope(64);
+  Ball length = Ball::exactly(4);
+  arb_add_error(length.get(), Ball::exactly(1).get());
+  const TestFunctions functions{mpq_class(8), 8, 32};
+  EXPECT_FALSE(TraceForms::of(functions, 2, std::vector{length}, Budget()));
+  EXPECT_TRUE(TraceForms::of(functions, 2, std::vector{Ball::exactly(4.001)}, Budget()));
+}
+
+TEST(Traces, VeryShortGeodesicsSpendTheBudget) {
+  const Precision scope(64);
+  const TestFunctions functions{mpq_class(8), 8, 32};
+  EXPECT_THROW((void)TraceForms::of(functions, 2, std::vector{Ball::exactly(1e-9)}, Budget(1'000'000'000)),
+               BudgetSpent);
+}
+
+/// The identity part alone, without geodesics, is 2(g − 1) ∫₀^∞ r tanh(πr) f̂² dr: a sum over r in small steps.
+TEST(Traces, TheIdentityPartIsItsIntegralOverR) {
+  const Precision scope(128);
+  const TestFunctions functions{mpq_class(1), 8, 3};
+  const std::vector<double> c{1, -0.5, 0.25, 2};
+  const auto sums = TraceForms::of(functions, 3, {}, Budget()).value()(c);
+  const double step = functions.step().get_d();
+  const auto value = [&](double r) {
+    double result = 0;
+    for (std::size_t k = 0; k < c.size(); ++k) result += c[k] * std::cos(static_cast<double>(k) * step * r);
+    const double x = step * r / 2;
+    return result * std::pow(x == 0 ? 1 : std::sin(x) / x, 4);
+  };
+  double at_zero = 0;
+  for (std::size_t k = 0; k < c.size(); ++k) at_zero += c[k] * std::cosh(static_cast<double>(k) * step / 2);
+  at_zero *= std::pow(std::sinh(step / 4) / (step / 4), 4);
+  std::array<double, 3> expected{-at_zero * at_zero, 0, 0};
+  constexpr double kStep = 0.01;
+  for (double r = kStep / 2; r < 3000; r += kStep) {
+    const double term = 4 * r * std::tanh(std::numbers::pi * r) * value(r) * value(r) * kStep;
+    for (std::size_t p = 0; p < 3; ++p) expected[p] += term * std::pow(0.25 + r * r, static_cast<double>(p));
+  }
+  for (std::size_t p = 0; p < 3; ++p) {
+    EXPECT_NEAR(outer_interval(sums[p]).lower / expected[p], 1, 1e-4) << p;
+    EXPECT_LT(outer_interval(sums[p]).upper - outer_interval(sums[p]).lower, 1e-12 * std::abs(expected[p]));
+  }
+}
+
+// Values of test functions.
+
+TEST(SquaredTestFunction, ContainsItsValues) {
+  const Precision scope(128);
+  const TestFunctions functions{mpq_class(8), 8, 5};
+  const std::vector<double> c{1, -2, 0.5, 3, -1, 0.25};
+  const double step = functions.step().get_d();
+  const auto value = [&](double lambda) {
+    const std::complex<double> r = std::sqrt(std::complex<double>(lambda - 0.25));
+    std::complex<double> sum = 0;
+    for (std::size_t k = 0; k < c.size(); ++k) sum += c[k] * std::cos(static_cast<double>(k) * step * r);
+    const std::complex<double> x = step * r / 2.0;
+    return std::pow((sum * std::pow(x == 0.0 ? 1.0 : std::sin(x) / x, 4)).real(), 2);
+  };
+  const SquaredTestFunction square(functions, c);
+  for (const Interval in : {Interval{0, 0.5}, {0.2, 0.3}, {0.25, 0.25}, {0, 0}, {1, 1.5}, {7, 7.25}}) {
+    const Interval found = outer_interval(square.on(in));
+    for (int i = 0; i <= 8; ++i) {
+      const double x = value(in.lower + (in.upper - in.lower) * i / 8);
+      EXPECT_LE(found.lower, x * (1 + 1e-12)) << in.lower;
+      EXPECT_GE(found.upper, x * (1 - 1e-12)) << in.lower;
+    }
+    if (in.lower == in.upper) {
+      EXPECT_LT(found.upper - found.lower, 1e-15 * found.upper);
+    }
+  }
+}
+
+TEST(IsPositiveOn, AnswersWhatIsCertain) {
+  const Precision scope(128);
+  const auto less = [](double zero) {
+    return [zero](Interval x) {
+      const Ball all = ball_of(arb_union, Ball::exactly(x.lower), Ball::exactly(x.upper));
+      return sqr(all - Ball::exactly(1)) - Ball::exactly(zero);
+    };
+  };
+  EXPECT_EQ(is_positive_on({0, 3}, less(-1e-3)), Tri::yes);
+  EXPECT_EQ(is_positive_on({0, 3}, less(1e-3)), Tri::no);
+  EXPECT_EQ(is_positive_on({0, 1}, less(0)), Tri::no);
+  // Never decided: a ball around 0, whatever the interval.
+  EXPECT_EQ(is_positive_on({0, 1},
+                           [](Interval) {
+                             Ball result;
+                             arb_add_error(result.get(), Ball::exactly(1).get());
+                             return result;
+                           }),
+            Tri::unknown);
+}
+
+// The rules of statements: each row is changed alone.
+
+/// The outcomes of the files that `change` makes of the octagon's.
+std::string changed(const std::function<void(Document&)>& change) {
+  Document document = octagon();
+  change(document);
+  return outcome(document);
+}
+
+TEST(Eigenvalues, AChangedCoefficientIsRefuted) {
+  EXPECT_EQ(changed([](Document& d) { d.at_most.front().coefficients[3] += 0.25; }), "REFUTED: most");
+  EXPECT_EQ(changed([](Document& d) { d.at_least.front().coefficients[3] += 0.25; }), "REFUTED: least");
+}
+
+TEST(Eigenvalues, AWiderIntervalOfNoneIsRefuted) {
+  EXPECT_EQ(changed([](Document& d) {
+              for (auto& row : d.at_most) {
+                if (row.count == 0) row.in.upper = 2.8;
+              }
+            }),
+            "REFUTED: most");
+}
+
+TEST(Eigenvalues, ASmallerCountIsRefuted) {
+  EXPECT_EQ(changed([](Document& d) {
+              for (auto& row : d.at_most) row.count = 0;
+            }),
+            "REFUTED: most");
+}
+
+TEST(Eigenvalues, AGreaterCountIsRefuted) {
+  EXPECT_EQ(changed([](Document& d) { ++d.at_least.front().count; }), "REFUTED: least");
+}
+
+TEST(Eigenvalues, ANarrowerIntervalForTheEigenvalueIsRefuted) {
+  EXPECT_EQ(changed([](Document& d) {
+              auto& in = d.at_least.front().in;
+              in.upper = d.at_least.front().within.upper = (d.windows[0].in.lower + in.upper) / 2;
+            }),
+            "REFUTED: least");
+}
+
+TEST(Eigenvalues, AnotherOrderIsRefuted) {
+  EXPECT_EQ(changed([](Document& d) { d.order = 10; }), "REFUTED: least");
+}
+
+TEST(Eigenvalues, TooFewBitsAreUndecided) {
+  const Document document = bolza();
+  const Certificate certificate = check(document, {.threads = 2, .max_precision = 64});
+  EXPECT_NE(certificate.verdict, Verdict::verified);
+  EXPECT_NE(certificate.verdict, Verdict::refuted);
+}
+
+// Counting.
+
+TEST(Windows, AreNarrowerOnlyWhereThatFollows) {
+  EXPECT_EQ(changed([](Document& d) {
+              auto& window = d.windows[0];
+              window.in.lower = above(window.in.lower);
+              window.smallest = window.greatest = window.in;
+            }),
+            "REFUTED: windows");
+  EXPECT_EQ(changed([](Document& d) { d.eigenvalues_up_to = above(d.eigenvalues_up_to); }), "REFUTED: windows");
+  EXPECT_EQ(changed([](Document& d) { d.windows.clear(); }), "REFUTED: windows");
+}
+
+TEST(Windows, MultiplicitiesAreThoseThatFollow) {
+  for (const std::size_t i : {0U, 1U}) {
+    Document document = bolza();
+    const auto all = [&](std::uint32_t least, std::uint32_t most) {
+      auto& window = document.windows[i];
+      window.least = least;
+      window.most = most;
+      window.smallest = window.greatest = window.in;
+      return Counting(document).problem().value_or("");
+    };
+    const std::uint32_t count = document.windows[i].most;
+    EXPECT_EQ(all(count, count), "");
+    EXPECT_EQ(all(count - 1, count + 1), "");
+    EXPECT_THAT(all(count - 1, count - 1), HasSubstr("at most"));
+    EXPECT_THAT(all(count + 1, count + 1), HasSubstr("at least"));
+  }
+}
+
+TEST(Windows, HullsAreThoseThatFollow) {
+  for (const std::size_t i : {0U, 1U}) {
+    Document document = bolza();
+    ASSERT_FALSE(Counting(document).problem());
+    document.windows[i].smallest.upper = below(document.windows[i].smallest.upper);
+    EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("smallest"));
+    document = bolza();
+    document.windows[i].greatest.lower = above(document.windows[i].greatest.lower);
+    EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("greatest"));
+  }
+}
+
+TEST(Windows, EveryStatementThatIsUsedIsNeeded) {
+  Document document = octagon();
+  const std::size_t rows = document.at_most.size();
+  std::size_t needed = 0;
+  for (std::size_t i = 0; i < rows; ++i) {
+    Document without = document;
+    without.at_most.erase(without.at_most.begin() + static_cast<std::ptrdiff_t>(i));
+    needed += Counting(without).problem() ? 1 : 0;
+  }
+  EXPECT_EQ(needed, rows);
+  document.at_least.clear();
+  EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("at least 1"));
+}
+
+/// A document of statements alone.
+Document statements() {
+  Document document;
+  document.eigenvalues_up_to = 10;
+  document.at_most = {{{0, 2}, 0, {}}, {{2, 3}, 1, {}}, {{3, 4}, 1, {}}, {{4, 10}, 0, {}}};
+  document.at_least = {{{0, 5}, {2, 4}, 2, {}}};
+  document.windows = {{{2, 4}, 2, 2, {2, 4}, {2, 4}}};
+  return document;
+}
+
+TEST(Windows, SumsOfCoveringStatements) {
+  Document document = statements();
+  EXPECT_EQ(Counting(document).problem(), std::nullopt);
+  document.at_most[2].in.lower = above(3.0);
+  EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("no bound follows"));
+  document.at_most[2].in.lower = 2.5;
+  EXPECT_EQ(Counting(document).problem(), std::nullopt);
+}
+
+TEST(Windows, AtLeastNeedsNoneElsewhereInItsInterval) {
+  Document document = statements();
+  document.at_least[0].in.upper = above(10.0);
+  EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("at least 2"));
+  document = statements();
+  document.at_least[0].within.upper = 3.5;
+  EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("at least 2"));
+}
+
+TEST(Windows, OnesThatAreNotAllInAPart) {
+  Document document = statements();
+  // At most one in [3, 4]: the smallest is less than 3.
+  document.windows[0].smallest.upper = 3;
+  document.windows[0].greatest.lower = 3;
+  EXPECT_EQ(Counting(document).problem(), std::nullopt);
+  document.windows[0].smallest.upper = below(3.0);
+  EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("smallest"));
+  // If all were in [2.75, 4], there would be three.
+  document.at_least.push_back({{0, 5}, {2.75, 4}, 3, {}});
+  document.windows[0].smallest.upper = 2.75;
+  EXPECT_EQ(Counting(document).problem(), std::nullopt);
+  document.at_least.back().count = 2;
+  EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("smallest"));
+  document.at_least.back() = {{0, 20}, {2.75, 4}, 3, {}};
+  EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("smallest"));
+}
+
+// Structure.
+
+std::string problem(const std::function<void(Document&)>& change) {
+  Document document = octagon();
+  change(document);
+  return structure_problem(document).value_or("");
+}
+
+TEST(EigenvaluesStructure, NumbersAreInRange) {
+  EXPECT_EQ(problem([](Document&) {}), "");
+  for (const std::uint32_t order : {0U, 6U, 9U, 18U}) {
+    EXPECT_THAT(problem([&](Document& d) { d.order = order; }), HasSubstr("order: "));
+  }
+  for (const std::uint32_t degree : {0U, 65U}) {
+    EXPECT_THAT(problem([&](Document& d) { d.degree = degree; }), HasSubstr("degree: "));
+  }
+  EXPECT_THAT(problem([](Document& d) { d.up_to = "68.5"; }), HasSubstr("degree: 32 is too small"));
+  EXPECT_EQ(problem([](Document& d) { d.up_to = "9"; }), "");
+  EXPECT_THAT(problem([](Document& d) { d.claim = GeodesicsDocument::Claim::systole; }), HasSubstr("spectrum"));
+  for (const double end : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    EXPECT_THAT(problem([&](Document& d) {
+                  d.windows.clear();
+                  d.eigenvalues_up_to = end;
+                }),
+                HasSubstr("eigenvalues_up_to"));
+  }
+}
+
+TEST(EigenvaluesStructure, StatementsAreWhole) {
+  EXPECT_THAT(problem([](Document& d) { d.at_most[0].coefficients.pop_back(); }), HasSubstr("32 coefficients"));
+  EXPECT_THAT(problem([](Document& d) { d.at_least[0].coefficients.push_back(1); }), HasSubstr("34 coefficients"));
+  EXPECT_THAT(problem([](Document& d) { d.at_most[0].coefficients.assign(33, 0); }), HasSubstr("are 0"));
+  EXPECT_THAT(problem([](Document& d) { d.at_most[0].coefficients[0] = std::nan(""); }), HasSubstr("not finite"));
+  EXPECT_THAT(problem([](Document& d) { std::swap(d.at_most[0].in.lower, d.at_most[0].in.upper); }),
+              HasSubstr("in is"));
+  EXPECT_THAT(problem([](Document& d) { d.at_most[0].in.lower = -1; }), HasSubstr("in is not 0 <="));
+  // 1/4 + 9/δ² for δ = 8/68.
+  EXPECT_THAT(problem([](Document& d) { d.at_most[0].in.upper = above(650.5); }), HasSubstr("beyond"));
+  EXPECT_EQ(problem([](Document& d) { d.at_most[0].in.upper = 650.5; }), "");
+  EXPECT_THAT(problem([](Document& d) { d.at_least[0].count = 0; }), HasSubstr("the count is 0"));
+  EXPECT_THAT(problem([](Document& d) { d.at_least[0].within.upper = above(d.at_least[0].in.upper); }),
+              HasSubstr("not a part"));
+  EXPECT_THAT(problem([](Document& d) {
+                d.at_least[0].in = d.at_least[0].within = {1, 1};
+              }),
+              HasSubstr("single point"));
+}
+
+TEST(EigenvaluesStructure, WindowsAreInOrder) {
+  using Window = Document::Window;
+  const auto with = [](std::vector<Window> windows) {
+    return problem([&](Document& d) {
+      d.windows = std::move(windows);
+      d.eigenvalues_up_to = 5;
+    });
+  };
+  const Window good{{1, 2}, 1, 1, {1, 1.5}, {1.25, 2}};
+  EXPECT_EQ(with({good}), "");
+  EXPECT_THAT(with({good, good}), HasSubstr("windows[1]: in does not begin after"));
+  EXPECT_THAT(with({{{4, 6}, 1, 1, {4, 6}, {4, 6}}}), HasSubstr("beyond"));
+  EXPECT_THAT(with({{{1, 2}, 0, 0, {1, 2}, {1, 2}}}), HasSubstr("least <= most"));
+  EXPECT_THAT(with({{{1, 2}, 2, 1, {1, 2}, {1, 2}}}), HasSubstr("least <= most"));
+  EXPECT_THAT(with({{{1, 2}, 1, 2, {1, 1.5}, {1, 2}}}), HasSubstr("although"));
+  EXPECT_THAT(with({{{1, 2}, 1, 1, {1.25, 2}, {1, 2}}}), HasSubstr("smallest"));
+  EXPECT_THAT(with({{{1, 2}, 1, 1, {1, 2.5}, {1, 2}}}), HasSubstr("smallest"));
+  EXPECT_THAT(with({{{1, 2}, 1, 1, {1, 2}, {1, 1.5}}}), HasSubstr("greatest"));
+  EXPECT_THAT(with({{{1, 2}, 1, 1, {1, 2}, {0.5, 2}}}), HasSubstr("greatest"));
+  EXPECT_THAT(with({{{2, 1}, 1, 1, {2, 1}, {2, 1}}}), HasSubstr("lo <= hi"));
+}
+
+}  // namespace
+}  // namespace epsnet::certify
