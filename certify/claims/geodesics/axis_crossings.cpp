@@ -81,6 +81,7 @@ std::optional<AxisCrossings> axis_crossings(const MovedNet& net, std::uint32_t f
   std::uint32_t dart = first->dart;
   for (;;) {
     plane.spend(kStepOperations);
+    plane.keep(4);
     result.darts.push_back(dart);
     result.axes.push_back(axis);
     if (const auto* transition = plane.transition(dart)) {

@@ -24,7 +24,6 @@ CrossingPass::CrossingPass(const LiftedPlane& plane, const Ball& cosh_half, std:
     const auto [first_dart, element] = member(i);
     std::optional<AxisCrossings> crossings = axis_crossings(moved_, first_dart, element);
     if (!crossings) return;
-    plane_.keep(1 + crossings->darts.size() / 12);
     sequences[i] = sequence_of(crossings->darts);
     // A power runs through the same chords again and again.
     crossings->darts.resize(crossings->darts.size() / sequences[i].exponent);
