@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -56,10 +57,8 @@ class Search {
   /// more than once, and powers of some.
   [[nodiscard]] std::vector<ClosedPath> paths(double length) const {
     require_feasible(length);
-    const unsigned threads =
-        options_.threads != 0 ? options_.threads : std::max(std::thread::hardware_concurrency(), 1U);
     std::vector<std::vector<ClosedPath>> found(ways_->starts());
-    certify::for_each_parallel(found.size(), threads, [&](unsigned worker, std::size_t i) {
+    certify::for_each_parallel(found.size(), threads(), [&](unsigned worker, std::size_t i) {
       const auto tick = [&] { report("searching", static_cast<double>(i) / static_cast<double>(found.size())); };
       found[i] = ways_->paths(i, length, kMostCrossings, worker == 0 ? tick : std::function<void()>());
       if (worker == 0) tick();
@@ -74,6 +73,9 @@ class Search {
     if (options_.progress) options_.progress(what, share);
   }
 
+  [[nodiscard]] unsigned threads() const {
+    return options_.threads != 0 ? options_.threads : std::max(std::thread::hardware_concurrency(), 1U);
+  }
   [[nodiscard]] Triangulation& triangulation() { return triangulation_; }
   /// The loop edges that name collars.
   [[nodiscard]] const std::vector<ReturnPath>& loops() const { return loops_; }
@@ -135,6 +137,46 @@ struct Found {
   bool simple;
 };
 
+/// The elements of paths, from labels that are evaluated once: threads may share them.
+template <class T>
+class PathElements {
+ public:
+  explicit PathElements(Triangulation& triangulation)
+      : at_corner_(4 * std::size_t{triangulation.triangle_count()}), across_(at_corner_.size()) {
+    std::unordered_map<LabelId, std::uint32_t> numbers{{kIdentity, 0}};
+    const auto number_of = [&](LabelId label) {
+      const auto [entry, is_new] = numbers.try_emplace(label, static_cast<std::uint32_t>(values_.size()));
+      if (is_new) values_.push_back(triangulation.isometry_in<T>(label));
+      return entry->second;
+    };
+    for (const TriangleId t : triangulation.triangles()) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const Dart d = make_dart(t, i);
+        at_corner_[index(d)] = number_of(triangulation.corner(t, i).label);
+        across_[index(d)] = number_of(triangulation.transition(d));
+      }
+    }
+  }
+
+  /// As AxisCatalogue::element.
+  [[nodiscard]] Isometry<T> operator()(const ReturnPath& path) const {
+    Isometry<T> result = values_[at_corner_[index(path.end)]];
+    for (std::size_t i = path.darts.size(); i-- > 0;) {
+      const std::uint32_t number = across_[index(path.darts[i])];
+      if (number != 0) result = values_[number] * result;
+    }
+    result = result * inverse(values_[at_corner_[index(path.start)]]);
+    return result.a.x < 0 ? Isometry<T>{-result.a, -result.b} : result;
+  }
+
+ private:
+  [[nodiscard]] static std::uint32_t index(Dart d) { return static_cast<std::uint32_t>(d); }
+
+  std::vector<Isometry<T>> values_{{}};   ///< Number 0 is the identity.
+  std::vector<std::uint32_t> at_corner_;  ///< By dart: the number of the label of the corner that it leaves,
+  std::vector<std::uint32_t> across_;     ///< and of that which leads across it.
+};
+
 template <class T>
 struct Candidate {
   ReturnPath path;
@@ -144,23 +186,24 @@ struct Candidate {
 
 /// The candidates of length at most `up_to`, by length.
 template <class T>
-std::vector<Candidate<T>> candidates(Search& search, AxisCatalogue<T>& catalogue, const T& up_to) {
+std::vector<Candidate<T>> candidates(Search& search, const T& up_to) {
   // The cores of collars may be found by loops, too.
   constexpr double kShort = 1.8;
   // Equal is not longer: two numbers so close are equal.
   const T most = up_to * (1 + boost::multiprecision::ldexp(T(1), -100));
   std::vector<Candidate<T>> result;
-  const auto add = [&](ReturnPath path, std::optional<bool> simple) {
-    T length = displacement_length(catalogue.element(path));
-    if (length > most) return;
-    if (length < kShort) simple.reset();
-    result.push_back({std::move(path), std::move(length), simple});
-  };
-  for (const ReturnPath& loop : search.loops()) add(loop, std::nullopt);
+  for (const ReturnPath& loop : search.loops()) result.push_back({loop, 0, std::nullopt});
   for (ClosedPath& path : search.paths(static_cast<double>(up_to))) {
     const Dart first = path.darts.front();
-    add({first, std::move(path.darts), first}, path.certain ? path.simple : std::nullopt);
+    result.push_back({{first, std::move(path.darts), first}, 0, path.certain ? path.simple : std::nullopt});
   }
+  const PathElements<T> element(search.triangulation());
+  certify::for_each_parallel(result.size(), search.threads(), [&](unsigned, std::size_t i) {
+    Candidate<T>& candidate = result[i];
+    candidate.length = displacement_length(element(candidate.path));
+    if (candidate.length < kShort) candidate.simple.reset();
+  });
+  std::erase_if(result, [&](const Candidate<T>& candidate) { return candidate.length > most; });
   std::stable_sort(result.begin(), result.end(),
                    [](const Candidate<T>& a, const Candidate<T>& b) { return a.length < b.length; });
   return result;
@@ -169,7 +212,7 @@ std::vector<Candidate<T>> candidates(Search& search, AxisCatalogue<T>& catalogue
 /// All closed geodesics of length at most `up_to`, by length. The catalogue gets all that are shorter than 1.8.
 template <class T>
 std::vector<Found<T>> find_all(Search& search, AxisCatalogue<T>& catalogue, const T& up_to) {
-  std::vector<Candidate<T>> wanted = candidates(search, catalogue, up_to);
+  std::vector<Candidate<T>> wanted = candidates(search, up_to);
   std::vector<Found<T>> result;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     Candidate<T>& candidate = wanted[i];
