@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -235,8 +234,9 @@ class Search {
   Search(const Prover& prover, const EigenvaluesOptions& options, EigenvaluesDocument& document)
       : prover_(prover), options_(options), document_(document) {}
 
-  void run() {
-    find_windows();
+  /// False if nothing can be said.
+  [[nodiscard]] bool run() {
+    if (!find_windows()) return false;
     std::uint64_t found = 0;
     std::size_t used = 0;
     for (; used < windows_.size() && (options_.count == 0 || found < options_.count); ++used) {
@@ -244,9 +244,12 @@ class Search {
       examine(used);
       found += document_.windows.back().least;
     }
-    for (std::size_t i = 0; i <= used; ++i) cover(gap(i));
+    for (std::size_t i = 0; i <= used; ++i) {
+      if (!cover(gap(i))) return false;
+    }
     document_.eigenvalues_up_to = gap(used).upper;
     if (used == windows_.size() && (options_.count == 0 || found < options_.count)) add_last_window(gap(used));
+    return true;
   }
 
  private:
@@ -293,8 +296,9 @@ class Search {
     return {at_x > at_y ? x : y, std::max(at_x, at_y)};
   }
 
-  /// Windows where the bound is kOpen or more, with gaps around each. They end where no gap follows.
-  void find_windows() {
+  /// Windows where the bound is kOpen or more, with gaps around each. They end where no gap follows. False if none
+  /// begins at 0.
+  [[nodiscard]] bool find_windows() {
     const double support = static_cast<double>(prover_.space().support);
     const double step = static_cast<double>(prover_.space().step());
     const double greatest = 0.25 + 8.9 / (step * step);
@@ -312,12 +316,7 @@ class Search {
       if (root - last_gap > patience * 6.28 / support) break;
       report("bounds", std::min(root / 5, 1.0));
     }
-    if (samples.front().bound >= kOpen) {
-      std::ostringstream message;
-      message << "nothing can be said about the eigenvalues from closed geodesics of length at most "
-              << options_.up_to.text() << "; a greater --up-to is needed";
-      throw NetError(message.str());
-    }
+    if (samples.front().bound >= kOpen) return false;
     // From gap to gap; a peak that the samples miss is a local maximum of theirs.
     double opened = -1;  // The lower end of a window of samples; negative outside of windows.
     end_ = 0;
@@ -350,6 +349,7 @@ class Search {
     }
     windows_ = std::move(merged);
     if (!windows_.empty() && windows_.back().upper >= end_) end_ = std::nextafter(windows_.back().upper, HUGE_VAL);
+    return true;
   }
 
   void add_at_most(const Trial& trial, Interval in, double count) {
@@ -359,8 +359,8 @@ class Search {
     document_.at_least.push_back({weighted.in(), within, static_cast<std::uint32_t>(count), trial.coefficients});
   }
 
-  /// Statements "none" for an interval in which the bound is less than kOpen.
-  void cover(Interval open) {
+  /// Statements "none" for an interval in which the bound is less than kOpen. False if the search for them fails.
+  [[nodiscard]] bool cover(Interval open) {
     double from = open.lower;
     while (from < open.upper) {
       std::optional<Trial> best;
@@ -381,10 +381,11 @@ class Search {
         }
         if (best) break;
       }
-      if (!best) throw NetError("the eigenvalues cannot be separated");
+      if (!best) return false;
       add_at_most(*best, {from, reached}, 0);
       from = reached;
     }
+    return true;
   }
 
   /// The least number that can be proved to be the most in an interval, and by what.
@@ -540,6 +541,16 @@ class Search {
   double end_ = 0;  ///< Of the gap behind the last window.
 };
 
+/// How many eigenvalues are counted exactly, and then how narrow the first window's two enclosures together are.
+using Quality = std::pair<std::uint64_t, double>;
+Quality quality_of(const EigenvaluesDocument& document) {
+  std::uint64_t counted = 0;
+  for (const auto& window : document.windows) counted += window.least == window.most ? window.most : 0;
+  if (document.windows.empty()) return {counted, -HUGE_VAL};
+  const auto& first = document.windows.front();
+  return {counted, -std::abs(first.smallest.upper - first.greatest.lower)};
+}
+
 }  // namespace
 
 EigenvaluesDocument eigenvalues(const Surface& surface, const EigenvaluesOptions& options) {
@@ -548,12 +559,30 @@ EigenvaluesDocument eigenvalues(const Surface& surface, const EigenvaluesOptions
   GeodesicsOptions geodesics_options;
   geodesics_options.threads = options.threads;
   geodesics_options.progress = options.progress;
-  EigenvaluesDocument document;
-  static_cast<certify::GeodesicsDocument&>(document) = spectrum(surface, options.up_to, geodesics_options);
-  const TestSpace space{static_cast<Real>(options.up_to.value()), document.order, document.degree};
-  const Prover prover(space, trace_matrices(space, surface.genus(), lengths_of(surface, document)));
-  Search(prover, options, document).run();
-  return document;
+  EigenvaluesDocument best;
+  static_cast<certify::GeodesicsDocument&>(best) = spectrum(surface, options.up_to, geodesics_options);
+  const RealVector lengths = lengths_of(surface, best);
+  // Which order is better depends on the surface: a high one on those whose eigenvalues are far apart.
+  std::optional<Quality> quality;
+  for (const std::uint32_t order : {8U, 12U}) {
+    EigenvaluesDocument document = best;
+    document.order = order;
+    document.windows.clear();
+    document.at_most.clear();
+    document.at_least.clear();
+    const TestSpace space{static_cast<Real>(options.up_to.value()), document.order, document.degree};
+    const Prover prover(space, trace_matrices(space, surface.genus(), lengths));
+    if (!Search(prover, options, document).run()) continue;
+    const Quality found = quality_of(document);
+    if (quality && found <= *quality) continue;
+    quality = found;
+    best = std::move(document);
+  }
+  if (!quality) {
+    throw NetError("nothing can be said about the eigenvalues from closed geodesics of length at most " +
+                   options.up_to.text() + "; a greater --up-to is needed");
+  }
+  return best;
 }
 
 }  // namespace epsnet

@@ -112,6 +112,7 @@ py::array view(const py::object& owner, const void* data, std::vector<py::ssize_
 
 void bind_certificates(py::module_& module);
 void bind_distances(py::module_& module);
+void bind_eigenvalues(py::module_& module);
 void bind_errors(py::module_& module);
 void bind_files(py::module_& module);
 void bind_geodesics(py::module_& module);

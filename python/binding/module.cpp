@@ -10,5 +10,6 @@ PYBIND11_MODULE(_epsnet, module) {
   epsnet::python::bind_nets(module);
   epsnet::python::bind_geodesics(module);
   epsnet::python::bind_distances(module);
+  epsnet::python::bind_eigenvalues(module);
   epsnet::python::bind_files(module);
 }

@@ -16,6 +16,7 @@ In a notebook a net, a closed geodesic, a domain shows itself as a picture, and 
 Surface         octagon, fenchel_nielsen, regular, load: surfaces; and what they are asked for
 Net             vertices, edges, triangles, lifts as arrays of NumPy; certificate; pictures; files
 ClosedGeodesics systole, spectrum, thick-thin decomposition, each with its proof
+Eigenvalues     of the Laplacian: intervals with their numbers, proved
 Distance        and Diameter, Radius, EmbeddedDisk, Eccentricity: numbers as intervals, with their proofs
 Interval        lower and upper ends, and whether it is proved; arithmetic and comparisons
 Isometry        an element of the group: exact, or in SU(1,1) and SL(2,R) with proved errors
@@ -27,6 +28,7 @@ from . import _epsnet, errors
 from .certificates import Certificate, Rule
 from .distances import Cover, Diameter, Distance, Eccentricity, EmbeddedDisk, Radius
 from .domains import DirichletDomain, DirichletSide, FundamentalPolygon, PolygonSide
+from .eigenvalues import Eigenvalues, EigenvalueWindow
 from .errors import ArgumentError, EpsnetError, FileError, FormatError, LimitError, NetError, NotVerifiedError, SurfaceError, UndecidedError
 from .files import certify, load
 from .geodesics import ClosedGeodesic, ClosedGeodesics, Multiplicities, Multiplicity, Piece, Systole, ThickThin
@@ -41,7 +43,7 @@ __version__: str = _epsnet.__version__
 
 __all__ = [
     "ArgumentError", "Axis", "Certificate", "ClosedGeodesic", "ClosedGeodesics", "Collar", "ComplexInterval", "Cover", "Diameter",
-    "DirichletDomain", "DirichletSide", "Distance", "DistanceTable", "Eccentricity", "EmbeddedDisk", "EpsnetError", "FileError", "FormatError",
+    "DirichletDomain", "DirichletSide", "Distance", "DistanceTable", "Eccentricity", "EigenvalueWindow", "Eigenvalues", "EmbeddedDisk", "EpsnetError", "FileError", "FormatError",
     "FundamentalPolygon", "Gaussian", "Interval", "Isometry", "Lifts", "LimitError", "Location", "Multiplicities", "Multiplicity", "Net",
     "NetError", "NotVerifiedError", "Page", "Piece", "Point", "PolygonSide", "Radius", "Rule", "Surface", "SurfaceError", "Systole", "ThickThin",
     "UndecidedError", "certify", "ends", "errors", "load",

@@ -9,17 +9,19 @@ from ._documents import certified, read
 from ._progress import Progress, Shower
 from .certificates import Certificate
 from .distances import Cover, Distance, cover_of
+from .eigenvalues import Eigenvalues
 from .geodesics import ClosedGeodesics, Systole, ThickThin
 from .nets import Net
 from .surfaces import Surface
 
 __all__ = ["certify", "load"]
 
-Loaded = Union[Surface, Net, ClosedGeodesics, Systole, ThickThin, Distance, Cover]
+Loaded = Union[Surface, Net, ClosedGeodesics, Systole, ThickThin, Distance, Cover, Eigenvalues]
 
 
 def load(path: Path, *, check: bool = True, progress: Progress = None) -> Loaded:
-    """The contents of a file: a Surface, a Net, ClosedGeodesics (Systole, ThickThin), a Distance, a Diameter, a Radius or an EmbeddedDisk.
+    """The contents of a file: a Surface, a Net, ClosedGeodesics (Systole, ThickThin), a Distance, a Diameter, a Radius or an EmbeddedDisk,
+    or Eigenvalues.
 
     The file is checked; NotVerifiedError, which has the certificate, unless it is verified. With ``check=False`` nothing is checked: then
     intervals say ``proved=False``, and ``certificate`` checks when it is asked for. FormatError and FileError say where, and what was expected.
@@ -43,6 +45,8 @@ def load(path: Path, *, check: bool = True, progress: Progress = None) -> Loaded
         return Distance(core, None, certificate)
     if isinstance(core, _epsnet.Cover):
         return cover_of(core, None, certificate)
+    if isinstance(core, _epsnet.Eigenvalues):
+        return Eigenvalues(core, None, certificate)
     if core.claim == "systole":
         return Systole(ClosedGeodesics(core, None, certificate))
     return (ThickThin if core.claim == "thick-thin" else ClosedGeodesics)(core, None, certificate)

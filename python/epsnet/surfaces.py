@@ -17,6 +17,7 @@ from ._immutable import Immutable
 from ._progress import Progress
 from .distances import Diameter, Distance, Eccentricity, EmbeddedDisk, Radius, cover, distance, eccentricity
 from .domains import DirichletDomain, FundamentalPolygon
+from .eigenvalues import Eigenvalues, eigenvalues
 from .geodesics import ClosedGeodesics, Systole, ThickThin, spectrum, systole, thick_thin
 from .isometries import Gaussian, Isometry
 from .nets import Net
@@ -365,6 +366,19 @@ class Surface(Immutable):
         (1, [Piece(genus=1, boundaries=[(0, 'left'), (0, 'right')])])
         """
         return thick_thin(self, threads, progress)
+
+    # The Laplacian.
+
+    def eigenvalues(self, up_to: Number = 10, count: Optional[int] = None, *, threads: int = 0, progress: Progress = None) -> Eigenvalues:
+        """Intervals with the eigenvalues of the Laplacian, with multiplicity, from 0 on without a gap. Proved from all closed geodesics up to
+        the length ``up_to``, at most 30, in time proportional to e^up_to. Stops when ``count`` of them are found. NetError if nothing can be said.
+
+        >>> import epsnet
+        >>> first = epsnet.Surface.regular(2).eigenvalues(9, count=7)
+        >>> [(window.least, window.most, window.smallest.lower < value < window.greatest.upper) for window, value in zip(first, (3.8388873, 5.3536013))]
+        [(3, 3, True), (4, 4, True)]
+        """
+        return eigenvalues(self, up_to, count, threads, progress)
 
     # Distances.
 

@@ -81,6 +81,7 @@ def calls(octagon, net, bolza):
         (octagon.element, dict(word=[0])), (octagon.dirichlet_domain, dict(p=0)), (octagon.reduced, dict(word=[0])),
         (octagon.net, dict(epsilon=1, base=0, points=[], pseudo=False, sparse=False, insert="cavity", locate="straight", list="A", threads=1, progress=False)),
         (octagon.systole, dict(threads=1, progress=False)), (octagon.spectrum, dict(up_to=2, threads=1, progress=False)),
+        (octagon.eigenvalues, dict(up_to=7, count=1, threads=1, progress=False)),
         (octagon.thick_thin, dict(threads=1, progress=False)), (octagon.distance, dict(p=0, q=(0, 0.1, 0), width=1)),
         (octagon.diameter, dict(width=1, progress=False)), (octagon.radius, dict(width=1, progress=False)),
         (octagon.embedded_disk, dict(width=1, progress=False)), (octagon.eccentricity, dict(p=0)),

@@ -50,6 +50,7 @@ FUNCTIONS = {
     "systole": (Surface.systole, {}),
     "spectrum": (Surface.spectrum, {}),
     "thick-thin": (Surface.thick_thin, {}),
+    "eigenvalues": (Surface.eigenvalues, {}),
     "draw": (Net.svg, {"--show": ("triangles", "vertices", "dirichlet", "combinatorial_dirichlet", "tiles", "disks", "half_disks"),
                        "--geodesics": "show", "--distance": "show"}),
     "view": (Net.view, {"--geodesics": "show", "--distance": "show", "--threads": None}),

@@ -1,0 +1,47 @@
+#include "netgen/eigenvalues/eigenvalues.h"
+
+#include "certify/check.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+#include "python/binding/documents.h"
+#include "python/binding/nets.h"
+
+namespace epsnet::python {
+
+void bind_eigenvalues(py::module_& module) {
+  using certify::EigenvaluesDocument;
+  using SharedEigenvalues = Shared<EigenvaluesDocument>;
+  py::class_<SharedEigenvalues> bound(module, "Eigenvalues");
+  bind_document<EigenvaluesDocument>(
+      bound,
+      [](const EigenvaluesDocument& document, const certify::CheckOptions& options) {
+        return certify::check(document, options);
+      },
+      [](const EigenvaluesDocument& document, std::ostream& out) { certify::write_file(document, out); },
+      [](const std::string& text, const std::string& name) {
+        return certify::parse_file<EigenvaluesDocument>(text, name);
+      });
+  bound
+      .def_static("find",
+                  [](const Surface& surface, const std::string& up_to, std::uint32_t count, unsigned threads,
+                     const py::object& callback) {
+                    const auto search = [surface, up_to = Length(up_to), count, threads](const Progress& progress) {
+                      return SharedEigenvalues(eigenvalues(
+                          surface, {.up_to = up_to, .count = count, .threads = threads, .progress = progress}));
+                    };
+                    return interruptible(search, callback);
+                  })
+      .def_property_readonly("net", [](const SharedEigenvalues& self) { return SharedNet(self->net); })
+      .def_property_readonly("up_to", [](const SharedEigenvalues& self) { return self->up_to; })
+      .def_property_readonly("eigenvalues_up_to", [](const SharedEigenvalues& self) { return self->eigenvalues_up_to; })
+      .def_property_readonly("windows", [](const SharedEigenvalues& self) {
+        std::vector<std::tuple<certify::Interval, std::uint32_t, std::uint32_t, certify::Interval, certify::Interval>>
+            result;
+        for (const EigenvaluesDocument::Window& w : self->windows) {
+          result.emplace_back(w.in, w.least, w.most, w.smallest, w.greatest);
+        }
+        return result;
+      });
+}
+
+}  // namespace epsnet::python
