@@ -378,7 +378,7 @@ for value in 0 -1 nan x; do
   bad 64 "^epsnet: --up-to: $positive \"$value\"" eigenvalues s.json --up-to "$value"
 done
 bad 64 '^epsnet: --up-to: more than the greatest length, 30' eigenvalues s.json --up-to 31
-bad 64 '^epsnet: --count: ' eigenvalues s.json --count 0
+bad 64 '^epsnet: eigenvalues: --count: expected an integer from 1 to 1000000, not "0"' eigenvalues s.json --count 0
 bad 1 'nothing can be said about the eigenvalues' eigenvalues s.json --up-to 1 -o out/x.json
 verified x.json
 grep -q '"up_to":"0.6"' x.json || complain 'the length is not in the file as 0.6'
