@@ -38,6 +38,7 @@
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/cover.h"
 #include "netgen/surfaces/group.h"
+#include "netgen/surfaces/named_maps.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
 #include "triangulation/mesh/walk.h"

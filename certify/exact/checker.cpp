@@ -738,6 +738,7 @@ std::optional<std::string> not_for_this_checker(const Json& root) {
   const Json* surface = find(root, "surface");
   const Json* kind = surface == nullptr ? nullptr : find(*surface, "kind");
   if (kind != nullptr && is_text(*kind, "regular")) return "a regular surface";
+  if (kind != nullptr && is_text(*kind, "map")) return "a map of regular tiles";
   return std::nullopt;
 }
 

@@ -281,10 +281,13 @@ class Reader {
   void read(SurfaceDocument& surface) {
     SurfaceObject<SurfaceDocument> object{surface, SurfaceKind::tiles};
     read(object);
-    if (object.kind == SurfaceKind::tiles) return;
-    // A genus of 0 would read as "not regular" in the document, so the range is checked here.
-    place_ = {.prefix = "surface.", .member = "genus"};
-    if (const auto problem = regular_genus_problem(surface.regular_genus)) fail(*problem);
+    // A genus of 0 would read as "not regular" in the document, and p = 0 as "no map", so the ranges are checked here.
+    const auto require = [&](const char* member, const std::optional<std::string>& problem) {
+      place_ = {.prefix = "surface.", .member = member};
+      if (problem) fail(*problem);
+    };
+    if (object.kind == SurfaceKind::regular) require("genus", regular_genus_problem(surface.regular_genus));
+    if (object.kind == SurfaceKind::map) require("p", map_number_problem(surface.map_tile.p));
   }
 
   Json json_;

@@ -170,7 +170,9 @@ class Writer {
   }
 
   void write(const SurfaceDocument& surface) {
-    const SurfaceKind kind = surface.regular_genus == 0 ? SurfaceKind::tiles : SurfaceKind::regular;
+    const SurfaceKind kind = surface.map_tile.p != 0      ? SurfaceKind::map
+                             : surface.regular_genus != 0 ? SurfaceKind::regular
+                                                          : SurfaceKind::tiles;
     write(SurfaceObject<const SurfaceDocument>{surface, kind});
   }
 

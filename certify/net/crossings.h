@@ -49,23 +49,25 @@ class RationalCrossings {
   std::vector<ExactIsometry> crossings_;
 };
 
-/// Which way a path turns around a corner of a regular tile: side k is followed by side k + 2g + 1 or k + 2g − 1.
-enum class Turn { counterclockwise, clockwise };
+/// Which way a path turns around a vertex of regular tiles: a side is followed by the one after its partner
+/// (clockwise), or by the one before it.
+enum class Turn { clockwise, counterclockwise };
 
-/// Of the regular 4g-gon, the tile with opposite sides glued; everything exact is over its ring.
+/// Of regular tiles that are all the same; everything exact is over the ring of the tile.
 ///
-/// Words turn around corners, and a turn has a closed form: what is exact takes time by turns, not by letters.
+/// Words turn around vertices, and a turn has a closed form: what is exact takes time by turns, not by letters.
 class RegularCrossings {
  public:
   using Number = RegularNumber;
   static constexpr std::size_t kMaxExactBits = RationalCrossings::kMaxExactBits;
 
-  explicit RegularCrossings(std::uint32_t genus, const Budget& budget = {});
+  /// Requires: a hyperbolic tile; partners of sides, which are numbered through all tiles.
+  RegularCrossings(RegularTile tile, std::vector<std::uint32_t> partner, const Budget& budget = {});
 
-  [[nodiscard]] std::size_t size() const { return ring_->order(); }
+  [[nodiscard]] std::size_t size() const { return partner_.size(); }
   [[nodiscard]] const RegularRing& ring() const { return *ring_; }
   [[nodiscard]] BallIsometry balls(std::uint32_t side, slong precision) const {
-    return regular_crossing(genus(), side, precision);
+    return regular_crossing(tile_, side % tile_.p, partner_[side] % tile_.p, precision);
   }
   [[nodiscard]] static std::uint64_t ball_work(std::uint32_t /*side*/, std::uint64_t precision) {
     return 4 * function_work(precision);
@@ -74,15 +76,34 @@ class RegularCrossings {
   /// Numbers take their own work off the budget.
   [[nodiscard]] static std::uint64_t exact_work(std::size_t /*value_bits*/) { return 4000; }
   [[nodiscard]] Isometry<RegularNumber> exact(std::span<const std::uint32_t> word) const;
-  /// The product of `count` ≥ 1 crossings that turn around one corner, the first one that of `side`, times a positive
-  /// number of the ring, the same for all turns (docs/proof.md, Lemma 9.1).
+  /// The product of `count` ≥ 1 crossings that turn around one vertex, the first one that of `side`, times a positive
+  /// number, the same for all turns (docs/proof.md, Lemma 9.1).
   [[nodiscard]] Isometry<RegularNumber> turn(std::uint32_t side, std::uint32_t count, Turn turn) const;
   [[nodiscard]] Isometry<RegularNumber> embed(const ExactIsometry& f) const;
   [[nodiscard]] std::size_t product_bits(std::size_t frame_bits, std::span<const std::uint32_t> word) const;
 
  private:
-  [[nodiscard]] std::uint32_t genus() const { return ring_->order() / 4; }
+  /// Some crossings that turn around one vertex.
+  struct CornerTurn {
+    Turn turn;
+    std::uint32_t count;
+    std::int64_t first;  ///< The corner at which the first side starts.
+    std::int64_t last;   ///< That of the partner of the last, with p added for each time around a tile.
+  };
+  /// The turn of one crossing.
+  [[nodiscard]] CornerTurn crossing_of(std::uint32_t side) const;
+  [[nodiscard]] std::uint32_t following(std::uint32_t side, Turn turn) const;
+  /// The turn goes on across `side`.
+  void go_on(CornerTurn& turn, std::uint32_t side) const;
+  /// The turns that a word is made of, each as long as it can be; shorter ones would have the same product.
+  [[nodiscard]] std::vector<CornerTurn> turns_of(std::span<const std::uint32_t> word) const;
+  [[nodiscard]] Isometry<RegularNumber> product(const CornerTurn& turn) const;
 
+  RegularTile tile_;
+  std::vector<std::uint32_t> partner_;
+  std::int64_t at_p_;                        ///< e^{iπ/p} and e^{iπ/q} are these powers of a root of unity,
+  std::int64_t at_q_;                        ///< of which ζ is the power number
+  std::int64_t step_;                        ///< 1 or 2: odd powers are not always needed.
   std::unique_ptr<const RegularRing> ring_;  ///< Numbers point to it, also after a move.
 };
 

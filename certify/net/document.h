@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "certify/base/rational_point.h"
+#include "certify/base/regular_tile.h"
 
 /// The contents of a net file as plain data, member by member as docs/format.md defines them.
 ///
@@ -14,7 +15,7 @@
 /// true.
 namespace epsnet::certify {
 
-/// A surface file: tiles glued side to side, or a surface known by name.
+/// A surface file: tiles glued side to side, which are listed, or all regular; or a surface known by name.
 struct SurfaceDocument {
   /// A strictly convex polygon, vertices counterclockwise; side k goes from vertex k to vertex k + 1.
   using Tile = std::vector<RationalPoint>;
@@ -31,6 +32,7 @@ struct SurfaceDocument {
   std::vector<Tile> tiles;
   std::vector<Gluing> gluing;
   std::uint32_t regular_genus = 0;  ///< Not 0: the regular 4g-gon of this genus; tiles and gluing are then empty.
+  RegularTile map_tile;             ///< p ≠ 0: that of a map, the polygon that every tile is; tiles is then empty.
   std::string about;                ///< Free text in UTF-8, no part of any claim.
   bool operator==(const SurfaceDocument&) const = default;
 };

@@ -31,21 +31,8 @@ bool inside_disk(double x, double y) {
   return exact_x * exact_x + exact_y * exact_y < 1;
 }
 
-Problem gluing_problem(const SurfaceDocument& surface) {
-  std::vector<std::vector<bool>> glued;
-  glued.reserve(surface.tiles.size());
-  std::size_t sides = 0;
-  const auto tile_problem = [&](const SurfaceDocument::Tile& tile) -> Problem {
-    if (tile.size() < 3) return "has " + std::to_string(tile.size()) + " vertices, expected at least 3";
-    glued.emplace_back(tile.size(), false);
-    sides += tile.size();
-    return std::nullopt;
-  };
-  if (auto problem = first_row_problem("surface.tiles", surface.tiles, tile_problem)) return problem;
-  if (sides == 0) return "surface.tiles: no tile, expected at least one";
-  if (sides >= std::numeric_limits<std::uint32_t>::max()) {
-    return "surface.tiles: too many sides, expected less than 2^32";
-  }
+/// Every side occurs once; none of those that `glued` has, by tile, has occurred so far. There are `sides` of them.
+Problem gluing_problem(const SurfaceDocument& surface, std::vector<std::vector<bool>> glued, std::size_t sides) {
   const auto row_problem = [&](const SurfaceDocument::Gluing& row) -> Problem {
     for (const auto& [t, s] : {std::pair{row.tile, row.side}, std::pair{row.other_tile, row.other_side}}) {
       if (t >= glued.size()) return out_of_range("tile", t, glued.size());
@@ -62,6 +49,41 @@ Problem gluing_problem(const SurfaceDocument& surface) {
   if (2 * surface.gluing.size() == sides) return std::nullopt;
   return "surface.gluing: " + std::to_string(2 * surface.gluing.size()) + " of " + std::to_string(sides) +
          " sides occur, expected every side once";
+}
+
+Problem tiles_problem(const SurfaceDocument& surface) {
+  std::vector<std::vector<bool>> glued;
+  glued.reserve(surface.tiles.size());
+  std::size_t sides = 0;
+  const auto tile_problem = [&](const SurfaceDocument::Tile& tile) -> Problem {
+    if (tile.size() < 3) return "has " + std::to_string(tile.size()) + " vertices, expected at least 3";
+    glued.emplace_back(tile.size(), false);
+    sides += tile.size();
+    return std::nullopt;
+  };
+  if (auto problem = first_row_problem("surface.tiles", surface.tiles, tile_problem)) return problem;
+  if (sides == 0) return "surface.tiles: no tile, expected at least one";
+  if (sides >= std::numeric_limits<std::uint32_t>::max()) {
+    return "surface.tiles: too many sides, expected less than 2^32";
+  }
+  return gluing_problem(surface, std::move(glued), sides);
+}
+
+/// There are as many tiles as the rows of `gluing` have sides for.
+Problem map_problem(const SurfaceDocument& surface) {
+  if (!surface.tiles.empty()) return "surface.tiles: a map has none";
+  const auto [p, q] = surface.map_tile;
+  if (const auto problem = map_number_problem(p)) return "surface.p: " + *problem;
+  if (const auto problem = map_number_problem(q)) return "surface.q: " + *problem;
+  const std::size_t sides = 2 * surface.gluing.size();
+  if (sides == 0) return "surface.gluing: no row, expected at least one";
+  if (sides >= std::numeric_limits<std::uint32_t>::max()) {
+    return "surface.gluing: too many sides, expected less than 2^32";
+  }
+  if (sides % p != 0) {
+    return "surface.gluing: " + std::to_string(sides) + " sides occur, expected a multiple of " + std::to_string(p);
+  }
+  return gluing_problem(surface, std::vector(sides / p, std::vector<bool>(p)), sides);
 }
 
 Problem regular_problem(const SurfaceDocument& surface) {
@@ -159,9 +181,15 @@ Problem regular_genus_problem(std::uint32_t genus) {
   return std::nullopt;
 }
 
+Problem map_number_problem(std::uint32_t number) {
+  if (3 <= number && number <= kMaxRegularSides) return std::nullopt;
+  return std::to_string(number) + " found, expected at least 3 and at most " + std::to_string(kMaxRegularSides);
+}
+
 Problem structure_problem(const SurfaceDocument& surface) {
   if (surface.about.size() > kMaxAboutBytes) return "surface.about: more than the limit of 1 MiB";
-  return surface.regular_genus == 0 ? gluing_problem(surface) : regular_problem(surface);
+  if (surface.map_tile.p != 0) return map_problem(surface);
+  return surface.regular_genus == 0 ? tiles_problem(surface) : regular_problem(surface);
 }
 
 Problem structure_problem(const NetDocument& document) {

@@ -32,8 +32,14 @@ template <class Rows, class ProblemOfRow>
   return std::nullopt;
 }
 
+/// The largest numbers of sides and of corners around a vertex of the tiles of a map.
+inline constexpr std::uint32_t kMaxRegularSides = 10'000;
+
 /// What is wrong with the genus of a regular 4g-gon; nullopt if it is in range.
 [[nodiscard]] std::optional<std::string> regular_genus_problem(std::uint32_t genus);
+
+/// What is wrong with one of the two numbers of a map's tile; nullopt if it is in range.
+[[nodiscard]] std::optional<std::string> map_number_problem(std::uint32_t number);
 
 /// The first problem, "PLACE: what is wrong, what was expected"; nullopt if there is none. Corners of tiles are not
 /// examined (that is rule `surface`).

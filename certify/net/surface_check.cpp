@@ -58,6 +58,22 @@ std::string named(const char* what, const SurfaceSides& sides, std::size_t side)
   return named(what, sides.corner[side]) + " of " + named("tile", sides.tile[side]);
 }
 
+Problem connection_problem(const SurfaceSides& sides) {
+  const auto missing = first_unreached(sides.first.size(), [&](std::uint32_t t, const auto& visit) {
+    std::uint32_t s = sides.first[t];
+    do {
+      visit(sides.tile[sides.partner[s]]);
+      s = sides.next[s];
+    } while (s != sides.first[t]);
+  });
+  if (!missing) return std::nullopt;
+  return "the surface is not connected: no path of glued sides leads from tile 0 to " + named("tile", *missing);
+}
+
+std::int64_t euler_characteristic(const SurfaceSides& sides, std::size_t vertices) {
+  return static_cast<std::int64_t>(vertices + sides.first.size()) - static_cast<std::int64_t>(sides.partner.size() / 2);
+}
+
 /// The tile is a strictly convex polygon of the disk, counterclockwise.
 ///
 /// Seen from vertex 0, the others turn strictly counterclockwise and stay within a half-turn from vertex 1 on: then the
@@ -117,7 +133,7 @@ class SurfaceChecker {
       spend_on_corners(t);
       return convexity_problem(tiles_[t], t);
     });
-    if (!problem) problem = connection_problem();
+    if (!problem) problem = connection_problem(sides_);
     if (!problem) problem = genus_problem();
     if (!problem) problem = length_problem();
     if (!problem) problem = vertex_problem();
@@ -140,14 +156,6 @@ class SurfaceChecker {
   /// bits of a vertex, and two greatest common divisors.
   void spend_on_corners(std::size_t t) const {
     for (const ExactPoint& vertex : tiles_[t]) budget_.spend(100 * product_work(4 * bits(vertex)));
-  }
-
-  [[nodiscard]] Problem connection_problem() const {
-    const auto missing = first_unreached(tiles_.size(), [&](std::uint32_t t, const auto& visit) {
-      for (std::size_t k = 0; k < tiles_[t].size(); ++k) visit(sides_.tile[sides_.partner[sides_.first[t] + k]]);
-    });
-    if (!missing) return std::nullopt;
-    return "the surface is not connected: no path of glued sides leads from tile 0 to " + named("tile", *missing);
   }
 
   Problem length_problem() {
@@ -202,8 +210,7 @@ class SurfaceChecker {
 
   Problem genus_problem() {
     vertices_ = sides_.vertices();
-    const auto euler = static_cast<std::int64_t>(vertices_.size() + tiles_.size()) -
-                       static_cast<std::int64_t>(sides_.partner.size() / 2);
+    const std::int64_t euler = euler_characteristic(sides_, vertices_.size());
     if (euler == 2 || euler == 0) {
       return std::string("the surface is a ") + (euler == 2 ? "sphere" : "torus") + ", expected genus at least 2";
     }
@@ -278,24 +285,66 @@ std::optional<InscribedDisk> disk_about(ExactPoint centre, const ExactTile& tile
   return disk;
 }
 
-/// What holds by theorem for the regular 4g-gon with angles π/(2g), opposite sides glued (docs/proof.md, section 9).
-SurfaceOutcome regular_outcome(std::uint32_t genus, const Budget& budget) {
-  // The structure check refuses other genera; the theorem needs this one condition, so it is looked at again.
-  if (genus < 2) return {{"surface", Verdict::refuted, "a regular surface has a genus of at least 2"}};
-  return {{"surface", Verdict::verified,
-           "a closed hyperbolic surface of genus " + std::to_string(genus) + " by theorem: the regular " +
-               std::to_string(4 * genus) + "-gon with interior angles pi/" + std::to_string(2 * genus) +
-               ", opposite sides glued" + (genus == 2 ? " (the Bolza surface)" : "")},
-          genus,
-          RegularCrossings(genus, budget)};
-}
+/// Regular tiles with q corners around every vertex: sides are equal and angles add up, whatever the gluing
+/// (docs/proof.md, section 9).
+class RegularSurfaceChecker {
+ public:
+  RegularSurfaceChecker(const SurfaceDocument& surface, const Budget& budget)
+      : surface_(surface), sides_(surface), tile_(*regular_tile(surface)), budget_(budget) {}
+
+  SurfaceOutcome check() {
+    if (!tile_.is_hyperbolic())
+      return refuted("there is no hyperbolic " + named() + ": 1/p + 1/q is not less than 1/2");
+    if (const Problem problem = connection_problem(sides_)) return refuted(problem->text);
+    const std::vector<std::uint32_t> vertices = sides_.vertices();
+    for (const std::uint32_t first : vertices) {
+      std::uint32_t corners = 0;
+      std::uint32_t s = first;
+      do {
+        ++corners;
+        s = sides_.next_around(s);
+      } while (s != first);
+      if (corners != tile_.q) {
+        return refuted(std::to_string(corners) + " corners meet at " + certify::named("vertex", sides_, first) +
+                       ", expected q = " + std::to_string(tile_.q));
+      }
+    }
+    const std::int64_t euler = euler_characteristic(sides_, vertices.size());
+    // 1/p + 1/q < 1/2 makes it negative; anything else is a fault of ours.
+    if (euler >= 0 || euler % 2 != 0) return refuted("the Euler characteristic is " + std::to_string(euler));
+    const auto genus = static_cast<std::uint64_t>(1 - euler / 2);
+    return {{"surface", Verdict::verified, text(genus)}, genus, RegularCrossings(tile_, sides_.partner, budget_)};
+  }
+
+ private:
+  static SurfaceOutcome refuted(const std::string& text) { return {{"surface", Verdict::refuted, text}}; }
+
+  [[nodiscard]] std::string named() const {
+    return "regular " + std::to_string(tile_.p) + "-gon with interior angles 2*pi/" + std::to_string(tile_.q);
+  }
+
+  [[nodiscard]] std::string text(std::uint64_t genus) const {
+    const std::string surface = "a closed hyperbolic surface of genus " + std::to_string(genus);
+    if (surface_.regular_genus == 0) {
+      return surface + ": " + std::to_string(sides_.first.size()) + " times the " + named() + ", " +
+             std::to_string(tile_.q) + " corners around every vertex";
+    }
+    return surface + " by theorem: the regular " + std::to_string(4 * genus) + "-gon with interior angles pi/" +
+           std::to_string(2 * genus) + ", opposite sides glued" + (genus == 2 ? " (the Bolza surface)" : "");
+  }
+
+  const SurfaceDocument& surface_;
+  SurfaceSides sides_;
+  RegularTile tile_;
+  const Budget& budget_;
+};
 
 }  // namespace
 
 SurfaceOutcome check_surface(const SurfaceDocument& surface, unsigned threads, const Budget& budget) {
-  if (surface.regular_genus != 0) return regular_outcome(surface.regular_genus, budget);
   try {
-    return SurfaceChecker(surface, threads, budget).check();
+    return regular_tile(surface) ? RegularSurfaceChecker(surface, budget).check()
+                                 : SurfaceChecker(surface, threads, budget).check();
   } catch (const BudgetSpent& spent) {
     return {{"surface", Verdict::undecided, spent.what()}};
   }
@@ -316,9 +365,10 @@ std::optional<InscribedDisk> inscribed_disk(const SurfaceDocument::Tile& tile, l
 
 std::optional<InscribedDisk> inscribed_disk(const SurfaceDocument& surface, std::uint32_t tile, long cap,
                                             const Budget& budget) {
-  if (surface.regular_genus == 0) return inscribed_disk(surface.tiles[tile], cap, budget);
+  const auto regular = regular_tile(surface);
+  if (!regular) return inscribed_disk(surface.tiles[tile], cap, budget);
   // The inscribed circle.
-  return InscribedDisk{{{0, 0}, 1}, -real(regular_crossing(surface.regular_genus, 0, kApothemPrecision).b)};
+  return InscribedDisk{{{0, 0}, 1}, sinh_of_apothem(*regular, kApothemPrecision)};
 }
 
 }  // namespace epsnet::certify

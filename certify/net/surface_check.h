@@ -15,9 +15,9 @@ struct SurfaceOutcome {
 
 /// Rule `surface`: the tiles and their gluing are a closed hyperbolic surface of genus ≥ 2 (Poincaré's polygon theorem,
 /// docs/proof.md, section 2). Everything is exact but the angle sums, where balls tell an integer from its neighbours.
-/// A regular 4g-gon is one by theorem (section 9): nothing is left to compute. Needs a document without structure
-/// problem. Quasi-linear in the number of digits;
-/// undecided, if that is more work than the budget allows.
+/// Regular tiles are one by theorem (section 9) if q corners meet at every vertex: nothing else is left to compute.
+/// Needs a document without structure problem. Quasi-linear in the number of digits; undecided, if that is more work
+/// than the budget allows.
 [[nodiscard]] SurfaceOutcome check_surface(const SurfaceDocument& surface, unsigned threads = 1,
                                            const Budget& budget = {});
 
@@ -32,7 +32,7 @@ struct InscribedDisk {
 [[nodiscard]] std::optional<InscribedDisk> inscribed_disk(const SurfaceDocument::Tile& tile, long cap,
                                                           const Budget& budget = {});
 
-/// The same for tile number `tile` of a surface that passed check_surface. A regular 4g-gon has its inscribed circle.
+/// The same for tile number `tile` of a surface that passed check_surface. A regular tile has its inscribed circle.
 [[nodiscard]] std::optional<InscribedDisk> inscribed_disk(const SurfaceDocument& surface, std::uint32_t tile, long cap,
                                                           const Budget& budget = {});
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "certify/net/document.h"
@@ -8,7 +9,15 @@
 namespace epsnet::certify {
 
 [[nodiscard]] inline std::size_t number_of_tiles(const SurfaceDocument& surface) {
+  if (surface.map_tile.p != 0) return 2 * surface.gluing.size() / surface.map_tile.p;
   return surface.regular_genus == 0 ? surface.tiles.size() : 1;
+}
+
+/// What all tiles are, unless they are listed.
+[[nodiscard]] inline std::optional<RegularTile> regular_tile(const SurfaceDocument& surface) {
+  if (surface.map_tile.p != 0) return surface.map_tile;
+  if (surface.regular_genus == 0) return std::nullopt;
+  return RegularTile{4 * surface.regular_genus, 4 * surface.regular_genus};
 }
 
 /// The sides of all tiles, numbered in the order of the file (docs/format.md, "Side numbers"), and how they are glued.
@@ -16,13 +25,13 @@ namespace epsnet::certify {
 /// Needs indices in range and every side glued once (structure_problem). O(number of sides).
 struct SurfaceSides {
   explicit SurfaceSides(const SurfaceDocument& surface) {
-    if (surface.regular_genus == 0) {
-      for (const SurfaceDocument::Tile& polygon : surface.tiles) add_tile(static_cast<std::uint32_t>(polygon.size()));
-      for (const auto& [t, k, other_t, other_k] : surface.gluing) glue(first[t] + k, first[other_t] + other_k);
+    if (const auto regular = regular_tile(surface)) {
+      for (std::size_t t = 0; t < number_of_tiles(surface); ++t) add_tile(regular->p);
     } else {
-      add_tile(4 * surface.regular_genus);
-      for (std::uint32_t k = 0; k < 2 * surface.regular_genus; ++k) glue(k, k + 2 * surface.regular_genus);
+      for (const SurfaceDocument::Tile& polygon : surface.tiles) add_tile(static_cast<std::uint32_t>(polygon.size()));
     }
+    for (const auto& [t, k, other_t, other_k] : surface.gluing) glue(first[t] + k, first[other_t] + other_k);
+    for (std::uint32_t k = 0; k < 2 * surface.regular_genus; ++k) glue(k, k + 2 * surface.regular_genus);
     previous.resize(tile.size());
     for (std::uint32_t s = 0; s < tile.size(); ++s) previous[next[s]] = s;
   }

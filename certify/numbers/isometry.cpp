@@ -35,10 +35,27 @@ BallIsometry to_balls(const ExactIsometry& f, slong precision) {
   return {scaled(f.a), scaled(f.b)};
 }
 
-BallIsometry regular_crossing(std::uint32_t genus, std::uint32_t side, slong precision) {
+namespace {
+
+Ball cosh_of_apothem(RegularTile tile) {
+  return real(root_of_unity(1, 2 * tile.q)) / imaginary(root_of_unity(1, 2 * tile.p));
+}
+
+}  // namespace
+
+BallIsometry regular_crossing(RegularTile tile, std::uint32_t k, std::uint32_t l, slong precision) {
   const Precision scope(precision);
-  const Ball cosh = cot(pi() / (4 * std::uint64_t{genus}));
-  return {{cosh, Ball()}, -(sqrt(sqr(cosh) - 1) * root_of_unity(side, 4 * genus))};
+  const Ball cosh = cosh_of_apothem(tile);
+  if (l < k) l += tile.p;
+  // As powers of e^{iπ/(2p)}, where i is the p-th.
+  const std::uint32_t order = 4 * tile.p;
+  return {cosh * root_of_unity((order + 2 * l - 2 * k - tile.p) % order, order),
+          sqrt(sqr(cosh) - 1) * root_of_unity((2 * l + 2 * k + tile.p) % order, order)};
+}
+
+Ball sinh_of_apothem(RegularTile tile, slong precision) {
+  const Precision scope(precision);
+  return sqrt(sqr(cosh_of_apothem(tile)) - 1);
 }
 
 void half_displacement_squared(arb_ptr result, const BallIsometry& f, slong precision) {

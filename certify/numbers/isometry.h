@@ -1,5 +1,6 @@
 #pragma once
 
+#include "certify/base/regular_tile.h"
 #include "certify/numbers/ball.h"
 #include "certify/numbers/budget.h"
 #include "certify/numbers/exact.h"
@@ -23,9 +24,12 @@ struct BallIsometry {
 [[nodiscard]] constexpr std::uint64_t to_balls_work(std::uint64_t exact_bits, std::uint64_t precision) {
   return 2 * product_work(exact_bits) + 32 * ball_work(precision);
 }
-/// The crossing of side k of the regular 4g-gon with opposite sides glued: (cosh ρ, −sinh ρ e^{ikπ/(2g)}), ρ the
-/// distance of the centre from the sides, cosh ρ = cot(π/(4g)).
-[[nodiscard]] BallIsometry regular_crossing(std::uint32_t genus, std::uint32_t side, slong precision);
+/// The crossing of side k of a regular tile to side l of another: (−iη^{l − k} cosh ρ, iη^{l + k} sinh ρ), η =
+/// e^{iπ/p}, ρ the distance of the centre from the sides, cosh ρ = cos(π/q)/sin(π/p); l + p stands for l if l < k.
+/// Requires: a hyperbolic tile; k, l < p.
+[[nodiscard]] BallIsometry regular_crossing(RegularTile tile, std::uint32_t k, std::uint32_t l, slong precision);
+/// sinh ρ.
+[[nodiscard]] Ball sinh_of_apothem(RegularTile tile, slong precision);
 /// |f(0)|²/(1 − |f(0)|²) = |b|² = sinh²(d/2), d the distance of 0 and f(0).
 void half_displacement_squared(arb_ptr result, const BallIsometry& f, slong precision);
 

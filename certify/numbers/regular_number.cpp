@@ -6,6 +6,7 @@
 #include <acb_poly.h>
 #endif
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "certify/numbers/precision.h"
@@ -77,10 +78,44 @@ Tri positive(const RegularNumber& x) {
   return certainly_positive(real(value_at(x.u, zeta)) + real(value_at(x.v, zeta)) * s);
 }
 
+/// The sign of a number that is not 0: some precision tells it.
+int sign_of_nonzero(const RegularNumber& x) {
+  const slong first = 64 + static_cast<slong>(std::max(bits_of_coefficients(x.u), bits_of_coefficients(x.v)));
+  Tri answer = Tri::unknown;
+  const auto attempt = [&](slong precision) {
+    x.ring->budget().spend(4 * ball_work(static_cast<std::uint64_t>(precision)), x.ring->order());
+    answer = positive(x);
+    return answer != Tri::unknown;
+  };
+  with_rising_precision(std::numeric_limits<slong>::max() / 2, attempt, first);
+  return answer == Tri::yes ? 1 : -1;
+}
+
+/// Whether an automorphism of ℚ(ζ) makes s² negative. If s were in ℚ(ζ), its image would be real as s is, and have a
+/// square ≥ 0.
+bool has_negative_conjugate(std::uint32_t order, std::span<const PowerOfZeta> square, const Budget& budget) {
+  constexpr slong kBits = 64;
+  const Precision scope(kBits);
+  for (std::uint32_t j = order / 2 - 1; j > 0; --j) {
+    if (std::gcd(j, order) != 1) continue;
+    budget.spend(function_work(kBits), square.size());
+    Ball value;
+    for (const auto& [coefficient, power] : square) {
+      const std::int64_t n = order;
+      value += coefficient * real(root_of_unity(static_cast<std::uint32_t>((power * j % n + n) % n), order));
+    }
+    if (certainly_negative(value) == Tri::yes) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 RegularRing::RegularRing(std::uint32_t order, std::span<const PowerOfZeta> square_of_s, Budget budget)
-    : order_(order), budget_(std::move(budget)), square_of_s_(polynomial(square_of_s)) {
+    : order_(order),
+      budget_(std::move(budget)),
+      square_of_s_(polynomial(square_of_s)),
+      has_new_root_(has_negative_conjugate(order, square_of_s, budget_)) {
   fmpz_poly_cyclotomic(cyclotomic_.get(), order);
 }
 
@@ -164,17 +199,14 @@ RegularNumber twice_imaginary(const RegularNumber& x) { return Gaussian{0, 1} * 
 
 int sign(const RegularNumber& x) {
   const RegularRing& ring = *x.ring;
-  if (ring.is_zero(x.u) && ring.is_zero(x.v)) return 0;
-  // The number is not 0, so some precision tells its sign.
-  const slong first = 64 + static_cast<slong>(std::max(bits_of_coefficients(x.u), bits_of_coefficients(x.v)));
-  Tri answer = Tri::unknown;
-  const auto attempt = [&](slong precision) {
-    ring.budget().spend(4 * ball_work(static_cast<std::uint64_t>(precision)), ring.order());
-    answer = positive(x);
-    return answer != Tri::unknown;
-  };
-  with_rising_precision(std::numeric_limits<slong>::max() / 2, attempt, first);
-  return answer == Tri::yes ? 1 : -1;
+  const bool no_v = ring.is_zero(x.v);
+  if (ring.is_zero(x.u)) return no_v ? 0 : sign_of_nonzero({&ring, {}, x.v});
+  if (ring.has_new_root() || no_v) return sign_of_nonzero(x);
+  // If (u + vs)(u − vs) = 0, then u + vs = 0 or 2u.
+  const RegularNumber other{&ring, x.u, negative(x.v)};
+  if (!ring.is_zero((x * other).u)) return sign_of_nonzero(x);
+  const int sign_of_u = sign_of_nonzero({&ring, x.u});
+  return sign_of_nonzero({&ring, x.v}) == sign_of_u ? sign_of_u : 0;
 }
 
 }  // namespace epsnet::certify

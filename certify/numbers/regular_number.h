@@ -11,7 +11,7 @@
 
 /// The numbers of regular polygons, exactly: ℤ[ζ, s] with ζ = e^{2πi/n} and s² a positive number of ℤ[ζ].
 ///
-/// The 4g-gon with opposite sides glued has n = 4g (certify/crossings.h, docs/proof.md, section 9).
+/// Regular tiles have such a ring (certify/net/crossings.h, docs/proof.md, section 9).
 namespace epsnet::certify {
 
 struct PolynomialType {
@@ -34,12 +34,13 @@ struct PowerOfZeta {
 /// One ring. Arithmetic and `sign` take their work off the budget; BudgetSpent, if that is too much.
 class RegularRing {
  public:
-  /// ζ = e^{2πi/order}, 4 divides the order; s > 0 has the given square. Requires: s ∉ ℚ(ζ), so that u + vs = 0 means
-  /// u = v = 0.
+  /// ζ = e^{2πi/order}, 4 divides the order; s > 0 has the given square.
   RegularRing(std::uint32_t order, std::span<const PowerOfZeta> square_of_s, Budget budget = {});
 
   [[nodiscard]] std::uint32_t order() const { return order_; }
   [[nodiscard]] const Polynomial& square_of_s() const { return square_of_s_; }
+  /// Whether s is known not to be in ℚ(ζ), so that u + vs = 0 means u = v = 0. O(order) at worst.
+  [[nodiscard]] bool has_new_root() const { return has_new_root_; }
   [[nodiscard]] const Budget& budget() const { return budget_; }
 
   /// The polynomial in ζ. O(order + terms).
@@ -52,6 +53,7 @@ class RegularRing {
   Budget budget_;
   Polynomial cyclotomic_;
   Polynomial square_of_s_;
+  bool has_new_root_;
 };
 
 /// The number u(ζ) + v(ζ)s. The degrees are less than order/2, as ζ^{order/2} = −1; different polynomials may be equal
@@ -84,8 +86,7 @@ struct RegularNumber {
 /// No divisor is looked for.
 inline void reduce(Isometry<RegularNumber>& /*f*/) {}
 
-/// The sign of a real number, exactly: 0 if both polynomials are divisible by the cyclotomic one, otherwise by balls of
-/// more and more bits, which must end.
+/// The sign of u + vs, u and v real numbers, exactly: of what is not 0 by balls of more and more bits, which must end.
 [[nodiscard]] int sign(const RegularNumber& x);
 
 }  // namespace epsnet::certify

@@ -189,7 +189,12 @@ Facts surface_info(const Surface& surface, const std::string& kind) {
   out.add("tiles", "tiles", surface.tiles().size());
   out.add("sides", "sides", surface.side_count());
   out.add("vertices", "vertices", surface.vertex_class_count());
-  if (surface.is_regular()) out.line("kind", "the regular " + std::to_string(surface.side_count()) + "-gon");
+  if (surface.is_regular_polygon()) {
+    out.line("kind", "the regular " + std::to_string(surface.side_count()) + "-gon");
+  } else if (const auto& regular = surface.regular_tile()) {
+    out.line("kind", "a map of type {" + std::to_string(regular->p) + ", " + std::to_string(regular->q) + "}");
+    out.json["type"] = {regular->p, regular->q};
+  }
   out.json["regular"] = surface.is_regular();
   std::size_t longest = 0;
   std::size_t total = 0;

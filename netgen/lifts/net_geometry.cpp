@@ -105,11 +105,25 @@ class StagedEvaluator {
 
 }  // namespace
 
-certify::SurfaceDocument rounded_polygon(std::uint32_t regular_genus) {
-  const Surface surface = Surface::regular(regular_genus);
+namespace {
+
+Surface regular_surface(const certify::SurfaceDocument& document) {
+  if (document.regular_genus != 0) return Surface::regular(document.regular_genus);
+  std::vector<Gluing> gluing;
+  for (const auto& [t, k, other_t, other_k] : document.gluing) gluing.push_back({t, k, other_t, other_k});
+  return Surface::map({document.map_tile.p, document.map_tile.q}, std::move(gluing));
+}
+
+}  // namespace
+
+certify::SurfaceDocument with_rounded_tiles(const certify::SurfaceDocument& document) {
+  if (!certify::regular_tile(document)) return document;
+  const Surface surface = regular_surface(document);
   certify::SurfaceDocument result;
-  certify::SurfaceDocument::Tile& tile = result.tiles.emplace_back();
-  for (const Complex<Rational>& z : surface.tiles()[0]) tile.push_back(to_gmp(z));
+  for (const Tile& tile : surface.tiles()) {
+    certify::SurfaceDocument::Tile& copy = result.tiles.emplace_back();
+    for (const Complex<Rational>& z : tile) copy.push_back(to_gmp(z));
+  }
   for (const Gluing& g : surface.gluing()) result.gluing.push_back({g.tile, g.side, g.other_tile, g.other_side});
   return result;
 }
@@ -132,7 +146,7 @@ double size_in_bits(const Isometry<T>& f) {
 template <class T>
 Parts<T>::Parts(const certify::NetDocument& document, const certify::SurfaceSides& sides) {
   std::optional<Surface> regular;
-  if (document.surface.regular_genus != 0) regular = Surface::regular(document.surface.regular_genus);
+  if (certify::regular_tile(document.surface)) regular = regular_surface(document.surface);
   for (std::uint32_t side = 0; side < sides.partner.size(); ++side) {
     if (regular) {
       crossings.push_back(regular->crossing_as<T>(side));

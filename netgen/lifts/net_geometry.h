@@ -34,9 +34,8 @@ enum class DrawOrder {
   breadth_first,  ///< By the number of edges crossed: the combinatorial Dirichlet domain (figure IV.10, bottom).
 };
 
-/// Returns the tile of a regular surface, with vertices rounded to 256 bits, and its gluing, as a rational surface. For
-/// pictures only.
-[[nodiscard]] certify::SurfaceDocument rounded_polygon(std::uint32_t regular_genus);
+/// Returns the surface with tiles that are listed: regular ones with vertices rounded to 256 bits. For pictures only.
+[[nodiscard]] certify::SurfaceDocument with_rounded_tiles(const certify::SurfaceDocument& surface);
 
 /// Returns the first dart d with opposite(d) = d or opposite(opposite(d)) ≠ d; nullopt if there is none. Requires:
 /// indices are in range (certify::structure_problem). O(triangles).

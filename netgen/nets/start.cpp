@@ -132,8 +132,8 @@ bool handle_collars(Triangulation& triangulation, Collars& collars) {
 
 DelaunayStart delaunay_start(const Surface& surface, const std::optional<BasePoint>& base) {
   DelaunayStart start{Triangulation(surface, base), 0};
-  // The triangulation of a regular surface around its centre is Delaunay; detecting its ties would take all bits.
-  const bool is_delaunay = surface.is_regular() && start.triangulation.vertex_count() == 1;
+  // The triangulation of regular tiles by their centres is Delaunay; detecting its ties would take all bits.
+  const bool is_delaunay = surface.is_regular() && (!base || base->z == Complex<Rational>{});
   if (!is_delaunay) start.flips = make_delaunay(start.triangulation);
   return start;
 }
@@ -167,7 +167,9 @@ InsertedVertex insert_point(Triangulation& triangulation, const BasePoint& point
 
 DelaunayStart delaunay_start_of_point(const Surface& surface, const std::optional<BasePoint>& point) {
   if (point) require_on_surface(surface, *point);
-  if (!point || is_strictly_inside(surface, *point)) {
+  // Cut by the centres of its tiles, a map is Delaunay, and few corners are near each other.
+  const bool is_map = surface.is_regular() && surface.tiles().size() > 1;
+  if (!point || (is_strictly_inside(surface, *point) && (!is_map || point->z == Complex<Rational>{}))) {
     DelaunayStart start = delaunay_start(surface, point);
     start.removed = reduce_to_vertex_0(start.triangulation);
     return start;

@@ -144,8 +144,7 @@ struct Tiles {
 Tiles::Tiles(const NetGeometry& geometry) : parts(geometry.document(), geometry.sides()) {
   const certify::NetDocument& document = geometry.document();
   const certify::SurfaceSides& sides = geometry.sides();
-  const certify::SurfaceDocument surface =
-      document.surface.regular_genus != 0 ? rounded_polygon(document.surface.regular_genus) : document.surface;
+  const certify::SurfaceDocument surface = with_rounded_tiles(document.surface);
   for (const certify::SurfaceDocument::Tile& tile : surface.tiles) {
     std::vector<Point>& points = corners.emplace_back();
     for (const certify::RationalPoint& z : tile) points.push_back(rounded<Mp256>(z));
@@ -421,10 +420,9 @@ namespace {
 
 /// Throws NetGeometryError unless the curves of a net, called `what`, are on the surface that is drawn.
 void require_same_surface(const NetGeometry& geometry, const certify::NetDocument& source, const char* what) {
-  const certify::SurfaceDocument& surface = geometry.document().surface;
-  if (source.surface.tiles != surface.tiles || source.surface.gluing != surface.gluing ||
-      source.surface.regular_genus != surface.regular_genus)
-    throw NetGeometryError(std::string("these are ") + what + " of another surface");
+  certify::SurfaceDocument surface = geometry.document().surface;
+  surface.about = source.surface.about;
+  if (source.surface != surface) throw NetGeometryError(std::string("these are ") + what + " of another surface");
 }
 
 }  // namespace

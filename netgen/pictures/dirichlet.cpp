@@ -37,7 +37,7 @@ certify::SurfaceDocument with_first_corner(certify::SurfaceDocument surface, std
 /// Returns the corner of a chart's tile that is the chart's centre, if there is one.
 std::optional<std::uint32_t> corner_at(const certify::SurfaceDocument& surface,
                                        const certify::NetDocument::Chart& chart) {
-  if (surface.regular_genus != 0) return std::nullopt;
+  if (certify::regular_tile(surface)) return std::nullopt;
   const certify::SurfaceDocument::Tile& tile = surface.tiles[chart.tile];
   const auto found = std::find(tile.begin(), tile.end(), chart.centre);
   if (found == tile.end()) return std::nullopt;
@@ -56,10 +56,8 @@ class Tiles {
  public:
   explicit Tiles(const NetGeometry& geometry)
       : sides_(geometry.sides()), parts_(geometry.document(), geometry.sides()) {
-    const certify::SurfaceDocument& surface = geometry.document().surface;
-    const certify::SurfaceDocument regular =
-        surface.regular_genus != 0 ? rounded_polygon(surface.regular_genus) : certify::SurfaceDocument();
-    for (const certify::SurfaceDocument::Tile& tile : surface.regular_genus != 0 ? regular.tiles : surface.tiles) {
+    const certify::SurfaceDocument surface = with_rounded_tiles(geometry.document().surface);
+    for (const certify::SurfaceDocument::Tile& tile : surface.tiles) {
       std::vector<Point>& corners = corners_.emplace_back();
       for (const certify::RationalPoint& z : tile) corners.push_back(to_klein(rounded<Mp1024>(z)));
     }
@@ -150,8 +148,8 @@ std::vector<Complex<double>> domain_of_vertex(const NetGeometry& geometry, const
       const Surface surface = from_document(with_first_corner(net.surface, chart.tile, *corner));
       return dirichlet_polygon(surface, std::nullopt).vertices;
     }
-    if (net.surface.regular_genus != 0 && chart.centre.x == 0 && chart.centre.y == 0)
-      return dirichlet_polygon(from_document(net.surface), std::nullopt).vertices;
+    if (certify::regular_tile(net.surface) && chart.centre.x == 0 && chart.centre.y == 0)
+      return dirichlet_polygon(from_document(net.surface), BasePoint{chart.tile, {0, 0}}).vertices;
   }
   const Tiles tiles(geometry);
   const Point z{Mp1024(v.x), Mp1024(v.y)};

@@ -14,6 +14,7 @@
 #include "netgen/program/output.h"
 #include "netgen/surfaces/cover.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/named_maps.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
 
@@ -24,6 +25,8 @@ struct SurfaceRequest {
   std::optional<std::int32_t> seed;
   std::string coordinates;
   std::uint32_t genus = 0;
+  std::string name;
+  bool list = false;
   std::string file;
   ExchangeFormat format = ExchangeFormat::automatic;
   std::string output;
@@ -89,6 +92,42 @@ void make_fenchel_nielsen(FenchelNielsenCommand command) {
 void make_regular(const SurfaceRequest& request) {
   check_files({}, {{"--output", request.output, FileType::json}});
   write_surface_file(Surface::regular(request.genus), request.output, request.json);
+}
+
+void list_named_surfaces() {
+  write_stdout([](std::ostream& out) {
+    for (const NamedSurface& surface : named_surfaces()) {
+      out << surface.name << "\n  " << surface.description << "\n  " << surface.source << ".\n";
+    }
+  });
+}
+
+void make_named(const SurfaceRequest& request) {
+  if (request.list) return list_named_surfaces();
+  if (request.name.empty()) throw UsageError("surface named: expected NAME or --list (try --help)");
+  if (request.output.empty()) throw UsageError("--output is required");
+  check_files({}, {{"--output", request.output, FileType::json}});
+  const Surface surface = [&] {
+    try {
+      return named_surface(request.name);
+    } catch (const SurfaceError& error) {
+      throw UsageError(std::string("NAME: ") + error.what());
+    }
+  }();
+  write_surface_file(surface, request.output, request.json);
+}
+
+void make_map(const SurfaceRequest& request) {
+  check_files({{"FILE", request.file}}, {{"--output", request.output, FileType::json}});
+  const TextInput input = read_text_input(request.file);
+  const Surface surface = [&] {
+    try {
+      return surface_of_map(parse_map(input.text));
+    } catch (const SurfaceError& error) {
+      throw JobError(input.name + ": " + error.what());
+    }
+  }();
+  write_surface_file(surface, request.output, request.json);
 }
 
 using Octagon = std::array<Complex<Rational>, 4>;
@@ -283,6 +322,33 @@ void add_surface_command(CLI::App& app, Job& chosen) {
       "  epsnet surface cover s.json --degree 10 --seed 1 -o cover.json\n"
       "  epsnet surface cover s.json --permutations p.json -o cover.json");
   cover_command->callback([&chosen, cover_request] { chosen = [cover_request] { make_cover(*cover_request); }; });
+
+  const auto named_request = std::make_shared<SurfaceRequest>();
+  CLI::App* named = surface->add_subcommand(
+      "named",
+      "A surface that has a name, such as Klein's quartic: regular tiles, exactly, most of them regular maps.");
+  CLI::Option* name =
+      named->add_option("NAME", named_request->name, "a name of --list, a number in place of G")->option_text(" ");
+  named->add_flag("--list", named_request->list, "print all names, with a sentence and a source for each")
+      ->excludes(name);
+  add_file(*named, "-o,--output", named_request->output,
+           "the surface file to write, needed with NAME; \"-\" is standard output");
+  add_json(*named, named_request->json);
+  named->footer("Example:\n  epsnet surface named klein -o klein.json\n  epsnet surface named wiman-7 -o wiman.json");
+  named->callback([&chosen, named_request] { chosen = [named_request] { make_named(*named_request); }; });
+
+  const auto map_request = std::make_shared<SurfaceRequest>();
+  CLI::App* map = surface->add_subcommand(
+      "map",
+      "The surface of a map of which all faces have p sides and all vertices q corners: its faces are regular, with "
+      "equal angles, exactly.");
+  add_input(*map, "FILE", map_request->file,
+            "a JSON object with two permutations of the darts, which are numbered from 0: rotation, to the next dart "
+            "around the face, counterclockwise, and edges, to the other dart of the edge");
+  add_output(*map, map_request->output, "the surface file to write");
+  add_json(*map, map_request->json);
+  map->footer("Example:\n  epsnet surface map map.json -o s.json");
+  map->callback([&chosen, map_request] { chosen = [map_request] { make_map(*map_request); }; });
 
   const auto import_request = std::make_shared<SurfaceRequest>();
   CLI::App* import_command = surface->add_subcommand(

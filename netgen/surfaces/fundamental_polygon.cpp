@@ -37,6 +37,16 @@ struct Tree {
   }
 };
 
+/// The point at the end of a path, in the coordinates where it starts, rounded to 256 bits.
+Complex<Rational> rounded_from(const Surface& surface, const Word& path, const Complex<Rational>& z) {
+  if (path.empty()) return z;
+  Complex<Mp1024> result = convert<Mp1024>(z);
+  for (auto side = path.rbegin(); side != path.rend(); ++side) {
+    result = surface.crossing_as<Mp1024>(surface.partner(*side))(result);
+  }
+  return {Rational(Mp256(result.x)), Rational(Mp256(result.y))};
+}
+
 /// Removes pairs of neighbouring sides that are glued to each other.
 std::vector<std::uint32_t> without_folds(const Surface& surface, const std::list<std::uint32_t>& rim) {
   std::vector<std::uint32_t> sides;
@@ -96,15 +106,16 @@ FundamentalPolygon fundamental_polygon(const Surface& surface) {
     const Word home = reversed(surface, tree.path[here]);
     word.insert(word.end(), home.begin(), home.end());
     result.sides.push_back({std::move(word), polygon.partner[k], s});
+    const Complex<Rational>& corner = surface.tiles()[here][s - surface.side_number(here, 0)];
     if (surface.is_regular()) {
-      result.vertices.push_back(surface.tiles()[0][s]);
+      result.vertices.push_back(rounded_from(surface, tree.path[here], corner));
       continue;
     }
     if (tile != here) {
       to_root = inverse(exact_isometry(surface, tree.path[here]));
       tile = here;
     }
-    result.vertices.push_back(to_root(surface.tiles()[here][s - surface.side_number(here, 0)]));
+    result.vertices.push_back(to_root(corner));
   }
   result.relations = std::move(polygon.relations);
   return result;

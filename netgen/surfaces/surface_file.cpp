@@ -20,13 +20,17 @@ namespace epsnet {
 certify::SurfaceDocument to_document(const Surface& surface) {
   certify::SurfaceDocument document;
   document.about = surface.about();
-  if (surface.is_regular()) {
+  if (surface.is_regular_polygon()) {
     document.regular_genus = surface.genus();
     return document;
   }
-  for (const Tile& tile : surface.tiles()) {
-    certify::SurfaceDocument::Tile& copy = document.tiles.emplace_back();
-    for (const Complex<Rational>& z : tile) copy.push_back(to_gmp(z));
+  if (const auto& regular = surface.regular_tile()) {
+    document.map_tile = {regular->p, regular->q};
+  } else {
+    for (const Tile& tile : surface.tiles()) {
+      certify::SurfaceDocument::Tile& copy = document.tiles.emplace_back();
+      for (const Complex<Rational>& z : tile) copy.push_back(to_gmp(z));
+    }
   }
   for (const auto& [tile, side, other_tile, other_side] : surface.gluing()) {
     document.gluing.push_back({tile, side, other_tile, other_side});
@@ -49,7 +53,8 @@ Surface from_document(const certify::SurfaceDocument& surface) {
   for (const auto& [tile, side, other_tile, other_side] : surface.gluing) {
     gluing.push_back({tile, side, other_tile, other_side});
   }
-  Surface result(std::move(tiles), std::move(gluing));
+  const auto [p, q] = surface.map_tile;
+  Surface result = p != 0 ? Surface::map({p, q}, std::move(gluing)) : Surface(std::move(tiles), std::move(gluing));
   result.set_about(surface.about);
   return result;
 }

@@ -42,7 +42,11 @@ certify::ExactIsometry product(const Surface& surface, const Word& word) {
 certify::BallIsometry regular_product(const Surface& surface, const Word& word, slong precision) {
   if (word.empty()) return certify::identity_isometry();
   return certify::compose_range(
-      0, word.size(), [&](std::size_t i) { return certify::regular_crossing(surface.genus(), word[i], precision); },
+      0, word.size(),
+      [&](std::size_t i) {
+        const auto [p, q] = *surface.regular_tile();
+        return certify::regular_crossing({p, q}, word[i] % p, surface.partner(word[i]) % p, precision);
+      },
       [&](const certify::BallIsometry& f, const certify::BallIsometry& g) {
         return certify::compose(f, g, precision);
       });
@@ -100,7 +104,7 @@ bool is_narrow(arb_srcptr x, slong size, slong bits) {
 
 Isometry<Rational> exact_isometry(const Surface& surface, const Word& word) {
   require_path(surface, word);
-  if (surface.is_regular()) throw SurfaceError("the isometries of a regular surface are not rational");
+  if (surface.is_regular()) throw SurfaceError("the isometries of regular tiles are not rational");
   const certify::ExactIsometry f = product(surface, word);
   const auto rational = [](const mpz_class& x) { return from_gmp(mpq_class(x)); };
   return {{rational(f.a.re), rational(f.a.im)}, {rational(f.b.re), rational(f.b.im)}};

@@ -7,6 +7,7 @@
 #include "netgen/surfaces/cover.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
+#include "netgen/surfaces/named_maps.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
 #include "python/binding/binding.h"
@@ -71,6 +72,23 @@ void bind_surface(py::module_& module) {
           },
           py::arg("degree"), py::arg("seed"))
       .def_static(
+          "named", [](const std::string& name) { return interruptible([=] { return named_surface(name); }); },
+          py::arg("name"))
+      .def_static("names",
+                  [] {
+                    std::vector<std::pair<std::string, std::string>> result;
+                    for (const NamedSurface& surface : named_surfaces()) {
+                      result.emplace_back(surface.name, surface.description);
+                    }
+                    return result;
+                  })
+      .def_static(
+          "map",
+          [](const Permutation& rotation, const Permutation& edges) {
+            return interruptible([=] { return surface_of_map({rotation, edges}); });
+          },
+          py::arg("rotation"), py::arg("edges"))
+      .def_static(
           "fenchel_nielsen",
           [](const Coordinates& request) {
             return interruptible([=] { return fenchel_nielsen_surface(request.coordinates); });
@@ -111,6 +129,12 @@ void bind_surface(py::module_& module) {
            })
       .def_property("about", &Surface::about, &Surface::set_about)
       .def_property_readonly("is_regular", &Surface::is_regular)
+      .def_property_readonly("is_regular_polygon", &Surface::is_regular_polygon)
+      .def_property_readonly("regular_tile",
+                             [](const Surface& surface) {
+                               const auto& tile = surface.regular_tile();
+                               return tile ? std::optional(std::pair(tile->p, tile->q)) : std::nullopt;
+                             })
       .def_property_readonly("genus", &Surface::genus)
       .def_property_readonly("tiles", &Surface::tiles)
       .def_property_readonly("gluing", &gluing_of)

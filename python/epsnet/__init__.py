@@ -13,7 +13,7 @@ than ε. What is computed is checked by an independent checker in ball arithmeti
 
 In a notebook a net, a closed geodesic, a domain shows itself as a picture, and ``net.view()`` is a page to travel in.
 
-Surface         octagon, fenchel_nielsen, regular, load: surfaces; and what they are asked for
+Surface         octagon, fenchel_nielsen, regular, named, map, load: surfaces; and what they are asked for
 Net             vertices, edges, triangles, lifts as arrays of NumPy; certificate; pictures; files
 ClosedGeodesics systole, spectrum, thick-thin decomposition, each with its proof
 Eigenvalues     of the Laplacian: intervals with their numbers, proved

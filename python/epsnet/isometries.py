@@ -203,7 +203,7 @@ class Isometry:
 
     @property
     def is_exact(self) -> bool:
-        """Whether ``a`` and ``b`` exist: true if the tiles are rational, which holds for all surfaces except the regular ones."""
+        """Whether ``a`` and ``b`` exist: true if the tiles are rational, which holds for all surfaces except those of regular tiles."""
         return not self.surface.is_regular
 
     def _pair(self) -> tuple[Gaussian, Gaussian]:
@@ -355,6 +355,8 @@ class Isometry:
     def __hash__(self) -> int:
         if self.is_exact:
             return hash((self.a * self.a, self.a * self.b))  # The sign of (a, b) is arbitrary.
+        if not self.surface._core.is_regular_polygon:
+            return hash(self.surface)  # Each vertex has a relation of its own.
         # The relation has each letter and its inverse once, so that the sums of exponents depend on the element alone.
         count = Counter(self.word)
         return hash(frozenset((side, n) for side in count if (n := count[side] - count[self.surface.partner(side)])))
@@ -367,9 +369,10 @@ class Isometry:
         """Whether it is 1, decided exactly."""
         if self.is_exact:
             return self.b == 0 and self.a.im == 0
-        # It takes the centre of the tile to that of another one, at least 2r away, cosh r = cot(π/4g) > 2; and |a| = cosh(d/2) for its distance d.
-        a, _ = self.enclosure(8)
-        return a.re**2 + a.im**2 < 3
+        # It takes the centre of the tile to that of another one, at least 2r away, where cosh r = cos(π/q)/sin(π/p) is least for {3, 7}, 1.04…; and
+        # |a| = cosh(d/2) for its distance d.
+        a, _ = self.enclosure(16)
+        return a.re**2 + a.im**2 < Fraction(21, 20)
 
     def __call__(self, z: Union[Gaussian, complex]) -> Union[Gaussian, complex]:
         """The image of a point of the disk: exactly for a Gaussian, rounded, and not proved, for a complex number."""

@@ -31,7 +31,7 @@ _Kind = TypeVar("_Kind")
 class Surface(Immutable):
     """A closed hyperbolic surface, exactly: convex polygons (tiles) in the Poincaré disk, glued side to side by isometries. Immutable.
 
-    Surfaces are made by ``octagon``, ``fenchel_nielsen``, ``regular``, ``load``, or of tiles and their gluing:
+    Surfaces are made by ``octagon``, ``fenchel_nielsen``, ``regular``, ``named``, ``map``, ``load``, or of tiles and their gluing:
 
     >>> import epsnet
     >>> surface = epsnet.Surface.octagon(seed=123)
@@ -95,6 +95,43 @@ class Surface(Immutable):
         number = as_index(genus, "genus")
         with argument("genus"):
             return cls._of(_epsnet.Surface.regular(number))
+
+    @classmethod
+    def named(cls, name: str) -> "Surface":
+        """A surface that has a name, exactly: those of ``Surface.names()``, such as ``"klein"`` or ``"wiman-7"``.
+
+        >>> import epsnet
+        >>> epsnet.Surface.named("klein")
+        <Surface of genus 3: a map of type {7, 3}>
+        """
+        if not isinstance(name, str):
+            refuse("a string", name, "name")
+        with argument("name"):
+            return cls._of(_epsnet.Surface.named(name))
+
+    @classmethod
+    def names(cls) -> dict[str, str]:
+        """What ``named`` knows: a sentence for each name. A G in a name stands for a genus.
+
+        >>> import epsnet
+        >>> sorted(epsnet.Surface.names())
+        ['accola-maclachlan-G', 'bolza', 'bring', 'fermat-quartic', 'fricke-macbeath', 'klein', 'wiman-G']
+        """
+        return dict(_epsnet.Surface.names())
+
+    @classmethod
+    def map(cls, rotation: Iterable[int], edges: Iterable[int]) -> "Surface":
+        """The surface of a map: all its faces are made regular, with equal angles at all vertices.
+
+        Two permutations of the darts 0, 1, … give the map: ``rotation`` leads to the next dart around the face, counterclockwise, ``edges`` to the
+        other dart of the edge. All faces must have the same number of sides, and all vertices the same number of corners.
+
+        >>> import epsnet
+        >>> octagon = [(k + 1) % 8 for k in range(8)], [(k + 4) % 8 for k in range(8)]
+        >>> epsnet.Surface.map(*octagon) == epsnet.Surface.regular(2)
+        True
+        """
+        return cls._of(_epsnet.Surface.map(as_indices(rotation, "rotation"), as_indices(edges, "edges")))
 
     @classmethod
     def fenchel_nielsen(
@@ -174,12 +211,12 @@ class Surface(Immutable):
 
     @property
     def is_regular(self) -> bool:
-        """Whether the surface was made by ``regular``. Then its tile is rounded, and elements of its group are algebraic."""
+        """Whether its tiles are regular, as ``regular``, ``named`` and ``map`` make them. Then they are rounded, and elements of its group are algebraic."""
         return self._core.is_regular
 
     @property
     def tiles(self) -> list[list[Gaussian]]:
-        """The polygons, counterclockwise, each in its own coordinates. Exact; for a regular surface rounded to 256 bits."""
+        """The polygons, counterclockwise, each in its own coordinates. Exact; for regular tiles rounded to 256 bits."""
         return [[Gaussian(x, y) for x, y in tile] for tile in self._core.tiles]
 
     @property
@@ -438,7 +475,10 @@ class Surface(Immutable):
 
     def __repr__(self) -> str:
         if self.is_regular:
-            return f"<Surface of genus {self.genus}: the regular {4 * self.genus}-gon>"
+            if self._core.is_regular_polygon:
+                return f"<Surface of genus {self.genus}: the regular {4 * self.genus}-gon>"
+            p, q = self._core.regular_tile
+            return f"<Surface of genus {self.genus}: a map of type {{{p}, {q}}}>"
         tiles = len(self._core.tiles)
         return f"<Surface of genus {self.genus}: {tiles} tile{'' if tiles == 1 else 's'}, {self._core.side_count} sides>"
 

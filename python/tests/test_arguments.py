@@ -73,6 +73,7 @@ def calls(octagon, net, bolza):
     return [
         (Surface, dict(tiles=octagon.tiles, gluing=octagon.gluing)),
         (Surface.octagon, dict(seed=1)), (Surface.octagon, dict(half=octagon.tiles[0][:4])), (Surface.regular, dict(genus=2)),
+        (Surface.named, dict(name="bolza")), (Surface.map, dict(rotation=[(k + 1) % 8 for k in range(8)], edges=[(k + 4) % 8 for k in range(8)])),
         (octagon.cover, dict(permutations=[(1, 0), (0, 1), (0, 1), (0, 1)])), (octagon.cover, dict(degree=2, seed=1)),
         (octagon.random_sheets, dict(degree=2, seed=1)),
         (Surface.fenchel_nielsen, dict(lengths=1, twists=0, graph="chain", genus=2, seed=1)),
@@ -157,7 +158,7 @@ def test_the_list_of_calls_is_complete(calls):
         (lambda s, n: n.svg(colour="x"), "colour"), (lambda s, n: n.svg(show=[3]), "show"), (lambda s, n: n.svg(show=3), "show"),
         (lambda s, n: n.export("vtu", distance_from=10**6), "distance_from"), (lambda s, n: n.export("off", distance_from=0), "distance_from"),
         (lambda s, n: n.distances("v0"), "rows"), (lambda s, n: n.distances(0, [10**6]), "columns"), (lambda s, n: n.distances(True), "rows"),
-        (lambda s, n: n.point_of_triangle(0, (1, 1)), "weights"), (lambda s, n: s.regular(1), "genus"),
+        (lambda s, n: n.point_of_triangle(0, (1, 1)), "weights"), (lambda s, n: s.regular(1), "genus"), (lambda s, n: s.named("nobody"), "name"),
         (lambda s, n: s.distance(0, "v3"), "q"), (lambda s, n: s.distance((0, "one", 0), 0), "p"), (lambda s, n: s.centre(7), "tile"),
         (lambda s, n: s.spectrum("1/0"), "up_to"), (lambda s, n: s.diameter(0), "width"), (lambda s, n: s.save("s.epsn"), "path"),
         (lambda s, n: s.systole().save("s.epsn"), "path"), (lambda s, n: s.spectrum(1).save("s.epsn"), "path"),

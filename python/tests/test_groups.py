@@ -144,7 +144,7 @@ def test_words_that_are_none(octagon, pants):
 
 
 def test_powers_and_equality(octagon, bolza, pants):
-    for surface in (octagon, bolza, pants):
+    for surface in (octagon, bolza, pants, Surface.named("bring")):
         f, g = next((f, g) for f in surface.generators() for g in surface.generators() if f * g != g * f)
         assert f**0 == surface.element([]) == f * f.inverse() and (f**0).is_identity() and not f.is_identity()
         assert f**3 == f * f * f and f**-2 == (f * f).inverse() and (f * g) ** 2 == f * g * f * g

@@ -35,6 +35,8 @@ FUNCTIONS = {
     "surface octagon": (Surface.octagon, {"--coordinates": "half"}),
     "surface fenchel-nielsen": (Surface.fenchel_nielsen, {"--pants-graph": "graph", "--from": None}),
     "surface regular": (Surface.regular, {}),
+    "surface named": (Surface.named, {"--list": None}),
+    "surface map": (Surface.map, {}),
     "surface cover": (Surface.cover, {}),
     "surface import": (Surface.load, {"--format": None}),
     "net": (Surface.net, {}),

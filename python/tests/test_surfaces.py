@@ -82,6 +82,18 @@ def test_exchange_with_cgal(tmp_path, octagon):
         octagon.export("obj")
 
 
+def test_named_surfaces_and_maps():
+    assert all(text for text in Surface.names().values())
+    klein = Surface.named("klein")
+    assert (klein.genus, len(klein.tiles), klein.is_regular) == (3, 24, True)
+    assert pickle.loads(pickle.dumps(klein)) == klein
+    assert Surface.named("wiman-2") != Surface.regular(2) == Surface.named("bolza")
+    with pytest.raises(epsnet.SurfaceError, match="edges: dart 0 is its own image"):
+        Surface.map([1, 2, 0], [0, 2, 1])
+    systole = klein.systole()
+    assert 3.9359 < systole.lower <= systole.upper < 3.936
+
+
 def test_points(octagon):
     p = octagon.point(0, 0.1, "-1/3")
     assert p == (0, Fraction(1, 10), Fraction(-1, 3)) and p.z == Gaussian("1/10", "-1/3")

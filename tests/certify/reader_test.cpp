@@ -140,7 +140,7 @@ TEST(Reader, RegularSurfacesThatAreNoneAreMalformed) {
   EXPECT_EQ(surface_complaint(R"({"kind": "tiles", "tiles": [], "gluing": [], "genus": 2})"),
             "test: surface: unknown member \"genus\" in a surface of the kind \"tiles\"");
   EXPECT_EQ(surface_complaint(R"({"kind": "round"})"),
-            "test: surface: \"kind\" is \"round\", expected \"tiles\" or \"regular\"");
+            "test: surface: \"kind\" is \"round\", expected \"tiles\", \"regular\" or \"map\"");
 }
 
 TEST(Reader, MembersComeInAnyOrderAndRationalsNeedNotBeReduced) {

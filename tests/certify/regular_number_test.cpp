@@ -20,9 +20,16 @@ RegularNumber power_of_zeta(const RegularRing& ring, std::int64_t k) {
 }
 RegularNumber regular_s(const RegularRing& ring) { return regular_number(ring, {}, std::array{PowerOfZeta{1, 0}}); }
 
+/// Those of the 4g-gon with opposite sides glued.
+RegularCrossings regular_polygon(std::uint32_t genus) {
+  SurfaceDocument surface;
+  surface.regular_genus = genus;
+  return {*regular_tile(surface), SurfaceSides(surface).partner};
+}
+
 /// The crossing of one side, and what it is multiplied by.
 Isometry<RegularNumber> crossing(const RegularCrossings& crossings, std::uint32_t side) {
-  return crossings.turn(side, 1, Turn::counterclockwise);
+  return crossings.turn(side, 1, Turn::clockwise);
 }
 RegularNumber scale(const RegularRing& ring) {
   const RegularNumber c = integer(ring, 2) - twice_real(power_of_zeta(ring, 1));
@@ -48,7 +55,7 @@ void expect_contains(const ComplexBall& ball, const RegularNumber& x, const Regu
 
 TEST(RegularNumber, CrossingsAreWhatTheFormulaSays) {
   for (std::uint32_t genus = 2; genus <= 30; ++genus) {
-    const RegularCrossings crossings(genus);
+    const RegularCrossings crossings = regular_polygon(genus);
     const RegularRing& ring = crossings.ring();
     const RegularNumber zeta = power_of_zeta(ring, 1);
     const RegularNumber one = integer(ring, 1);
@@ -64,7 +71,7 @@ TEST(RegularNumber, CrossingsAreWhatTheFormulaSays) {
 
 TEST(RegularNumber, ZeroIsFoundWhereverTheLeastRelationHides) {
   for (std::uint32_t genus = 2; genus <= 40; ++genus) {
-    const RegularCrossings crossings(genus);
+    const RegularCrossings crossings = regular_polygon(genus);
     const RegularRing& ring = crossings.ring();
     // For odd divisors p of g, 1 − ζ^(2g/p) + ζ^(4g/p) − … = 0.
     for (std::uint32_t p = 3; p <= genus; p += 2) {
@@ -85,7 +92,7 @@ TEST(RegularNumber, ZeroIsFoundWhereverTheLeastRelationHides) {
 TEST(RegularNumber, SignsOfNumbersThatAreNearlyZeroAreFound) {
   const Precision scope(4000);
   for (const std::uint32_t genus : {2U, 3U, 7U, 20U}) {
-    const RegularCrossings crossings(genus);
+    const RegularCrossings crossings = regular_polygon(genus);
     const RegularRing& ring = crossings.ring();
     // 2 cos θ, and s² = 2(2 − 2 cos θ)·2 cos θ.
     const Ball cosine = twice(real(root_of_unity(1, 4 * genus)));
@@ -109,7 +116,7 @@ TEST(RegularNumber, SignsOfNumbersThatAreNearlyZeroAreFound) {
 TEST(RegularNumber, MultiplesOfManyPrimesAreNotZero) {
   // Not even of primes of which the field has all roots of unity of order 4g.
   for (const std::uint32_t genus : {2U, 3U, 7U}) {
-    const RegularCrossings crossings(genus);
+    const RegularCrossings crossings = regular_polygon(genus);
     const RegularRing& ring = crossings.ring();
     const mpz_class order = 4 * genus;
     mpz_class p = (mpz_class(1) << 62) / order * order + 1;
@@ -129,10 +136,10 @@ TEST(RegularNumber, MultiplesOfManyPrimesAreNotZero) {
 
 TEST(RegularNumber, TurnsAreProductsOfCrossings) {
   for (const std::uint32_t genus : {2U, 3U, 4U, 6U, 15U}) {
-    const RegularCrossings crossings(genus);
+    const RegularCrossings crossings = regular_polygon(genus);
     const RegularRing& ring = crossings.ring();
-    for (const Turn turn : {Turn::counterclockwise, Turn::clockwise}) {
-      const std::uint32_t step = turn == Turn::counterclockwise ? 2 * genus + 1 : 2 * genus - 1;
+    for (const Turn turn : {Turn::clockwise, Turn::counterclockwise}) {
+      const std::uint32_t step = turn == Turn::clockwise ? 2 * genus + 1 : 2 * genus - 1;
       for (const std::uint32_t start : {0U, 1U, 3 * genus}) {
         Isometry<RegularNumber> product = crossing(crossings, start);
         RegularNumber factor = integer(ring, 1);
@@ -150,10 +157,10 @@ TEST(RegularNumber, TurnsAreProductsOfCrossings) {
 
 TEST(RegularNumber, TurnsMayBeLongerThanOnceAround) {
   const std::uint32_t genus = 33;
-  const RegularCrossings crossings(genus);
+  const RegularCrossings crossings = regular_polygon(genus);
   const RegularRing& ring = crossings.ring();
-  for (const Turn turn : {Turn::counterclockwise, Turn::clockwise}) {
-    const std::uint32_t step = turn == Turn::counterclockwise ? 2 * genus + 1 : 2 * genus - 1;
+  for (const Turn turn : {Turn::clockwise, Turn::counterclockwise}) {
+    const std::uint32_t step = turn == Turn::clockwise ? 2 * genus + 1 : 2 * genus - 1;
     for (const std::uint32_t count : {1U, 62U, 63U, 64U, 65U, 127U, 128U, 131U, 132U, 133U, 200U, 1000U, 100'000U}) {
       const Isometry<RegularNumber> before = crossings.turn(5, count, turn);
       const Isometry<RegularNumber> after = crossings.turn(5, count + 1, turn);
@@ -167,7 +174,7 @@ TEST(RegularNumber, TurnsMayBeLongerThanOnceAround) {
 
 TEST(RegularNumber, MultiplesAreSums) {
   for (const std::uint32_t genus : {2U, 5U}) {
-    const RegularCrossings crossings(genus);
+    const RegularCrossings crossings = regular_polygon(genus);
     const RegularRing& ring = crossings.ring();
     const RegularNumber x = regular_s(ring) + integer(ring, 1);
     EXPECT_EQ(sign(mpz_class(0) * x), 0);
@@ -192,13 +199,13 @@ std::array<std::complex<double>, 4> embedded_crossing(std::uint32_t genus, std::
 TEST(RegularNumber, TurnsHaveTheSignsOfTheirProducts) {
   // Many times around a corner.
   for (const std::uint32_t genus : {2U, 3U, 4U}) {
-    const RegularCrossings crossings(genus);
+    const RegularCrossings crossings = regular_polygon(genus);
     std::array<std::complex<double>, 4> product{1, 0, 0, 1};
     for (std::uint32_t count = 1; count <= 30 * genus; ++count) {
       const auto m = embedded_crossing(genus, 1, (count - 1) * (2 * genus + 1) % (4 * genus));
       product = {m[0] * product[0] + m[1] * product[2], m[0] * product[1] + m[1] * product[3],
                  m[2] * product[0] + m[3] * product[2], m[2] * product[1] + m[3] * product[3]};
-      const Isometry<RegularNumber> turn = crossings.turn(0, count, Turn::counterclockwise);
+      const Isometry<RegularNumber> turn = crossings.turn(0, count, Turn::clockwise);
       const auto expect_sign = [&](const RegularNumber& x, double expected) {
         EXPECT_EQ(sign(x), std::abs(expected) < 1e-9 ? 0 : expected < 0 ? -1 : 1) << genus << ", " << count;
       };
@@ -211,7 +218,7 @@ TEST(RegularNumber, TurnsHaveTheSignsOfTheirProducts) {
 }
 
 TEST(RegularNumber, GaussianIntegersAreANumberOfTheRing) {
-  const RegularCrossings crossings(5);
+  const RegularCrossings crossings = regular_polygon(5);
   const RegularRing& ring = crossings.ring();
   const Gaussian x{-7, 3};
   const Gaussian y{2, 11};
@@ -226,7 +233,7 @@ TEST(RegularNumber, GaussianIntegersAreANumberOfTheRing) {
 
 TEST(RegularCrossings, BallsContainTheExactOnes) {
   for (const std::uint32_t genus : {2U, 3U, 4U, 9U}) {
-    const RegularCrossings crossings(genus);
+    const RegularCrossings crossings = regular_polygon(genus);
     ASSERT_EQ(crossings.size(), 4 * genus);
     for (std::uint32_t side = 0; side < 4 * genus; ++side) {
       const BallIsometry balls = crossings.balls(side, 64);
@@ -242,13 +249,13 @@ TEST(RegularCrossings, BallsContainTheExactOnes) {
 
 /// The vertex k of the polygon: tanh(R/2) e^{i(2k−1)π/(4g)} with cosh R = cot²(π/(4g)).
 ComplexBall polygon_vertex(std::uint32_t genus, std::uint32_t k) {
-  const Ball cosh = sqr(real(regular_crossing(genus, 0, 128).a));
+  const Ball cosh = sqr(real(regular_crossing({4 * genus, 4 * genus}, 0, 2 * genus, 128).a));
   return sqrt((cosh - 1) / (cosh + 1)) * root_of_unity(2 * k + 8 * genus - 1, 8 * genus);
 }
 
 TEST(RegularCrossings, EveryShortWordIsTheProductOfItsLetters) {
   for (const std::uint32_t genus : {2U, 3U}) {
-    const RegularCrossings crossings(genus);
+    const RegularCrossings crossings = regular_polygon(genus);
     const auto expect_equal = [](const Isometry<RegularNumber>& f, const Isometry<RegularNumber>& g) {
       // Real multiples are the same: f.a g.b = f.b g.a and f.a conj(g.a) real, and the like for b.
       EXPECT_TRUE(is_zero(f.a * g.b - f.b * g.a));
@@ -274,7 +281,7 @@ TEST(RegularCrossings, EveryShortWordIsTheProductOfItsLetters) {
 TEST(RegularCrossings, SidesGoToTheirPartnersReversed) {
   const Precision scope(128);
   for (const std::uint32_t genus : {2U, 3U, 10U}) {
-    const RegularCrossings crossings(genus);
+    const RegularCrossings crossings = regular_polygon(genus);
     const auto sides = 4 * genus;
     for (std::uint32_t k = 0; k < sides; ++k) {
       const BallIsometry f = crossings.balls(k, 128);
@@ -296,7 +303,7 @@ TEST(RegularCrossings, TheCornersCloseUpExactlyAndNotBefore) {
     SurfaceDocument surface;
     surface.regular_genus = genus;
     const SurfaceSides sides(surface);
-    const RegularCrossings crossings(genus);
+    const RegularCrossings crossings = regular_polygon(genus);
     auto product = crossings.embed(exact_identity());
     std::uint32_t side = 0;
     for (std::uint32_t count = 1; count <= 4 * genus; ++count) {
@@ -354,7 +361,7 @@ TEST(RegularNumber, RegularMapsHaveARingToo) {
 TEST(RegularNumber, NumbersThatAreZeroModuloALargePrimeAreNotZero) {
   // c₀ + c₁√2 + c₂s + c₃√2s of genus 2 that is 0 modulo a prime near 2⁶², with c as small as can be: its norm is hardly
   // more than the prime.
-  const RegularCrossings crossings(2);
+  const RegularCrossings crossings = regular_polygon(2);
   const RegularRing& ring = crossings.ring();
   const RegularNumber root = twice_real(power_of_zeta(ring, 1));
   const RegularNumber s = regular_s(ring);

@@ -259,7 +259,9 @@ TEST(Regular, ThreePointsOnALineAreFoundExactly) {
       document.charts[0].centre = {mpq_class(x), mpq_class(y)};
       document.vertices = {{-x, -y, 0}, {-x, std::nextafter(-y, 1.0), 0}};
       document.labels = {{0, 0, {0}}, {0, 0, {0, 0}}};
-      LabelParts parts{RegularCrossings(genus), {translation_to(exact_point(x, y))}};
+      const RegularTile tile{4 * genus, 4 * genus};
+      LabelParts parts{RegularCrossings(tile, SurfaceSides(document.surface).partner),
+                       {translation_to(exact_point(x, y))}};
       const LabelEvaluator evaluator(document, parts);
       document.triangles[0].label = {1, 2};
       EXPECT_EQ(exact_orientation(document, evaluator, 0), 0);

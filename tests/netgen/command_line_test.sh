@@ -270,6 +270,32 @@ bad 1 '^epsnet: sheets.json: 3 permutations found, expected 4' surface cover s.j
 bad 64 'expected an integer from 1 to 50' surface cover s.json --degree 51 --seed 1 -o out/x.json
 bad 64 'expected --permutations, or --degree and --seed' surface cover s.json --degree 3 -o out/x.json
 bad 1 'no rational coordinates' surface cover regular.json --degree 3 --seed 1 -o out/x.json
+good surface named --list
+grep -q '^fricke-macbeath$' output || complain "surface named --list: $(cat output)"
+good surface named klein -o klein.json --json
+says '"genus":3,.*"type":\[7,3\],"regular":true,'
+good net klein.json --epsilon 0.5 -o klein-net.json
+verified klein-net.json
+good info klein-net.json
+good convert klein-net.json klein-2.json --surface
+cmp klein.json klein-2.json || complain 'convert --surface: another surface than the one that the net was made of'
+good draw klein-net.json -o klein.svg --show tiles,dirichlet
+good dirichlet klein.json --base 3,0.1,0.1 -o klein-domain.json
+good surface named accola-maclachlan-4 -o accola.json
+good systole accola.json -o accola-systole.json
+verified accola-systole.json
+echo '{"rotation": [1, 2, 3, 4, 5, 6, 7, 0], "edges": [4, 5, 6, 7, 0, 1, 2, 3]}' >map.json
+good surface map map.json -o from-map.json
+good surface regular --genus 2 -o regular.json
+cmp from-map.json regular.json || complain 'surface map: the regular octagon is another file'
+bad 64 'there is no surface "nobody", expected bolza, klein,' surface named nobody -o out/x.json
+bad 64 'genus of wiman-G must be at least 2' surface named wiman-1 -o out/x.json
+bad 64 'expected NAME or --list' surface named -o out/x.json
+bad 64 'output' surface named klein
+bad 64 'excludes' surface named klein --list
+echo '{"rotation": [1, 2, 3, 4, 5, 6, 7, 0], "edges": [4, 5, 6, 7, 0, 1, 2, 2]}' >map.json
+bad 1 '^epsnet: map.json: edges: darts 6 and 7 have the same image, 2' surface map map.json -o out/x.json
+bad 1 'no-map.json' surface map no-map.json -o out/x.json
 good surface regular --genus 4 -o regular-4.json
 good net regular-4.json --epsilon 2.2999999999999999 -o net-4.json
 "$certify" net-4.json >output || complain "certify: a net of the regular surface of genus 4: $(cat output)"

@@ -19,7 +19,8 @@ class Cutting {
         editor_(triangulation) {}
 
   void cut_tiles(const std::optional<BasePoint>& base);
-  void cut_regular();
+  /// The centres of all tiles are the vertices, that of one tile is vertex 0. Requires: a regular surface.
+  void cut_around_classes(std::uint32_t first_tile);
 
  private:
   /// Makes the vertex classes vertices, from number `first_class` on, each the origin of a chart of its first corner.
@@ -149,33 +150,43 @@ void Cutting::glue_sides(const std::vector<Dart>& dart_of_side) {
   }
 }
 
-void Cutting::cut_regular() {
-  // The centres of the copies of the tile around a corner make a polygon, dual to the tile: one vertex on the surface.
-  // Its corners are cocircular, so it may be cut in any way.
-  const std::uint32_t n = surface_.side_count();
-  const VertexId v = editor_.add_vertex({{0, 0}, atlas_.add_chart({0, {0, 0}})});
-  const Word cycle = surface_.corner_cycle(0);
-  // Corner i of the polygon, counterclockwise, is copy n − i of the tile, and copy k + 1 is behind side cycle[k] of
-  // copy k. The path from corner j to corner i < j is the shorter one of the two around the tile's corner.
-  const auto label = [&](std::uint32_t i, std::uint32_t j) {
-    const auto from = cycle.begin() + (n - j);
-    const auto to = cycle.begin() + (n - i);
-    Word word(from, to);
-    if (2 * (j - i) > n) {
-      word.assign(to, cycle.end());
-      word.insert(word.end(), cycle.begin(), from);
-      word = reversed(surface_, word);
-    }
-    return atlas_.label(editor_.charts()[v], editor_.charts()[v], std::move(word));
+void Cutting::cut_around_classes(std::uint32_t first_tile) {
+  // Vertex 0 is the centre of `first_tile`; that of tile 0 stands in its place.
+  const auto vertex = [&](std::uint32_t tile) {
+    return VertexId(tile == first_tile ? 0 : tile == 0 ? first_tile : tile);
   };
-  const std::vector<Dart> darts =
-      cut_by_halves(n, [&](TriangleId t, std::uint32_t i, std::uint32_t m, std::uint32_t j) {
-        editor_.set(t, {v, kIdentity}, {v, label(i, m)}, {v, label(i, j)});
-      });
-  // Its side from corner i to i + 1 crosses a side of the tile.
-  std::vector<Dart> dart_of_side(n);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    dart_of_side[cycle[n - i - 1]] = darts[i];
+  for (std::uint32_t v = 0; v < surface_.tiles().size(); ++v) {
+    editor_.add_vertex({{0, 0}, atlas_.add_chart({vertex(v).number(), {0, 0}})});
+  }
+  std::vector<Dart> dart_of_side(surface_.side_count());
+  std::vector<bool> done(surface_.vertex_class_count(), false);
+  for (std::uint32_t corner = 0; corner < surface_.side_count(); ++corner) {
+    if (done[surface_.vertex_class(corner)]) continue;
+    done[surface_.vertex_class(corner)] = true;
+    // The centres of the tiles around the class make a polygon, dual to it. Its corners are cocircular, so it may be
+    // cut in any way. Corner i of the polygon, counterclockwise, is copy n − i of a tile, and copy k + 1 is behind side
+    // cycle[k] of copy k.
+    const Word cycle = surface_.corner_cycle(corner);
+    const auto n = static_cast<std::uint32_t>(cycle.size());
+    const auto centre = [&](std::uint32_t i) { return vertex(surface_.tile_of_side(cycle[(n - i) % n])); };
+    // The path from corner j to corner i < j is the shorter one of the two around the class.
+    const auto lifted = [&](std::uint32_t i, std::uint32_t j) -> Corner {
+      const auto from = cycle.begin() + (n - j);
+      const auto to = cycle.begin() + (n - i);
+      Word word(from, to);
+      if (2 * (j - i) > n) {
+        word.assign(to, cycle.end());
+        word.insert(word.end(), cycle.begin(), from);
+        word = reversed(surface_, word);
+      }
+      return {centre(j), atlas_.label(editor_.charts()[centre(j)], editor_.charts()[centre(i)], std::move(word))};
+    };
+    const std::vector<Dart> darts =
+        cut_by_halves(n, [&](TriangleId t, std::uint32_t i, std::uint32_t m, std::uint32_t j) {
+          editor_.set(t, {centre(i), kIdentity}, lifted(i, m), lifted(i, j));
+        });
+    // Its side from corner i to i + 1 crosses a side of a tile.
+    for (std::uint32_t i = 0; i < n; ++i) dart_of_side[cycle[n - i - 1]] = darts[i];
   }
   glue_sides(dart_of_side);
 }
@@ -187,7 +198,7 @@ Triangulation::Triangulation(const Surface& surface, const std::optional<BasePoi
     require_inside(surface, *base);
   }
   if (surface.is_regular() && (!base || base->z == Complex<Rational>{})) {
-    Cutting(*this).cut_regular();
+    Cutting(*this).cut_around_classes(base ? base->tile : 0);
   } else {
     Cutting(*this).cut_tiles(base);
   }

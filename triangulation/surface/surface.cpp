@@ -41,41 +41,67 @@ Surface::Data Surface::checked(std::vector<Tile> tiles, std::vector<Gluing> glui
   return data;
 }
 
+Surface Surface::map(RegularTile regular, std::vector<Gluing> gluing) {
+  constexpr std::uint32_t kMost = 10'000;
+  const auto [p, q] = regular;
+  const std::string type = "{" + std::to_string(p) + ", " + std::to_string(q) + "}";
+  if (p < 3 || q < 3 || p > kMost || q > kMost) {
+    throw SurfaceError("p and q must be at least 3 and at most " + std::to_string(kMost) + ", not " + type);
+  }
+  if ((p - 2) * (q - 2) <= 4) throw SurfaceError("there is no hyperbolic map of type " + type);
+  if (gluing.empty() || 2 * gluing.size() % p != 0) {
+    throw SurfaceError(std::to_string(2 * gluing.size()) +
+                       " sides are glued, expected a multiple of p = " + std::to_string(p));
+  }
+  // The circumradius R has cosh R = cot(π/p) cot(π/q), and a vertex the Euclidean distance tanh(R/2) from 0.
+  const Mp1024 half_angle = boost::math::constants::pi<Mp1024>() / p;
+  const Mp1024 cosh = Mp1024(1 / tan(half_angle)) * Mp1024(1 / tan(Mp1024(boost::math::constants::pi<Mp1024>() / q)));
+  const Mp1024 radius = sqrt(Mp1024((cosh - 1) / (cosh + 1)));
+  Tile tile;
+  for (std::uint32_t k = 0; k < p; ++k) {
+    const Mp1024 angle = half_angle * (2 * Mp1024(k) - 1);
+    tile.push_back({Rational(Mp256(radius * cos(angle))), Rational(Mp256(radius * sin(angle)))});
+  }
+  Data data;
+  data.regular_tile = regular;
+  data.tiles.assign(2 * gluing.size() / p, tile);
+  data.gluing = std::move(gluing);
+  GluedPolygons polygons(data.tiles, data.gluing);
+  data.genus = polygons.genus();
+  data.sides = std::move(polygons).sides();
+  for (std::uint32_t corner = 0; corner < data.sides.partner.size(); ++corner) {
+    const std::uint32_t corners = data.sides.vertex_class_sizes[data.sides.vertex_class[corner]];
+    if (corners == q) continue;
+    throw SurfaceError(std::to_string(corners) + " corners meet at vertex " + std::to_string(corner % p) + " of tile " +
+                       std::to_string(corner / p) + ", expected q = " + std::to_string(q));
+  }
+  return Surface(std::move(data));
+}
+
 Surface Surface::regular(std::uint32_t genus) {
   constexpr std::uint32_t kLargestGenus = 1000;
   if (genus < 2 || genus > kLargestGenus) {
     throw SurfaceError("the genus of a regular 4g-gon must be at least 2 and at most " + std::to_string(kLargestGenus) +
                        ", not " + std::to_string(genus));
   }
-  const std::uint32_t n = 4 * genus;
-  const Mp1024 half_angle = boost::math::constants::pi<Mp1024>() / n;
-  const Mp1024 cot = 1 / tan(half_angle);
-  // The circumradius R has cosh R = cot²(π/4g), and a vertex the Euclidean distance tanh(R/2) from 0.
-  const Mp1024 radius = sqrt(Mp1024((cot * cot - 1) / (cot * cot + 1)));
-  Data data;
-  data.regular = true;
-  data.genus = genus;
-  Tile tile;
-  for (std::uint32_t k = 0; k < n; ++k) {
-    const Mp1024 angle = half_angle * (2 * Mp1024(k) - 1);
-    tile.push_back({Rational(Mp256(radius * cos(angle))), Rational(Mp256(radius * sin(angle)))});
-    data.sides.side_tile.push_back(0);
-    data.sides.partner.push_back((k + n / 2) % n);
-    data.sides.vertex_class.push_back(0);
-    if (k < n / 2) {
-      data.gluing.push_back({0, k, 0, k + n / 2});
-    }
+  std::vector<Gluing> gluing;
+  for (std::uint32_t k = 0; k < 2 * genus; ++k) gluing.push_back({0, k, 0, k + 2 * genus});
+  return map({4 * genus, 4 * genus}, std::move(gluing));
+}
+
+bool Surface::is_regular_polygon() const {
+  const std::uint32_t sides = 4 * genus();
+  if (!is_regular() || *regular_tile() != RegularTile{sides, sides}) return false;
+  for (std::uint32_t k = 0; k < sides; ++k) {
+    if (partner(k) != (k + sides / 2) % sides) return false;
   }
-  data.tiles.push_back(std::move(tile));
-  data.sides.first_side.push_back(0);
-  data.sides.vertex_class_sizes = {n};
-  return Surface(std::move(data));
+  return true;
 }
 
 const Isometry<Rational>& Surface::crossing(std::uint32_t s) const {
   assert(s < side_count());
   if (is_regular()) {
-    throw std::logic_error("the crossings of a regular surface are not rational");
+    throw std::logic_error("the crossings of regular tiles are not rational");
   }
   return data_->crossing[s];
 }
@@ -96,12 +122,24 @@ Isometry<T> Surface::crossing_as(std::uint32_t s) const {
   if (!is_regular()) {
     return normalized(convert<T>(crossing(s)));
   }
-  // The translation by twice the apothem ρ, cosh ρ = cot(π/4g), against the direction of the midpoint of side s.
-  const T half_angle = boost::math::constants::pi<T>() / (4 * genus());
-  const T cosine = 1 / tan(half_angle);
-  const T sine = -sqrt(T(cosine * cosine - 1));
-  const T direction = 2 * half_angle * s;
-  return {{cosine, T(0)}, {sine * cos(direction), sine * sin(direction)}};
+  // From side k to side l of regular tiles: the translation by twice the apothem ρ against the direction of the
+  // midpoint of k, cosh ρ = cos(π/q)/sin(π/p); then the turn that takes this direction to that of l.
+  const std::uint32_t p = regular_tile()->p;
+  const std::uint32_t q = regular_tile()->q;
+  const T pi = boost::math::constants::pi<T>();
+  const T cosine = cos(T(pi / q)) / sin(T(pi / p));
+  const T sine = sqrt(T(cosine * cosine - 1));
+  const std::uint32_t k = s % p;
+  const std::uint32_t l = partner(s) % p + (partner(s) % p < k ? p : 0);
+  const auto along = [&](const T& size, std::int64_t quarters) {
+    // Exact where it can be.
+    if (quarters % (2 * std::int64_t{p}) == 0)
+      return Complex<T>{quarters % (4 * std::int64_t{p}) == 0 ? size : T(-size), T(0)};
+    const T direction = pi * quarters / (2 * p);
+    return Complex<T>{size * cos(direction), size * sin(direction)};
+  };
+  return {along(cosine, 2 * std::int64_t{l} - 2 * std::int64_t{k} - p),
+          along(sine, 2 * std::int64_t{l} + 2 * std::int64_t{k} + p)};
 }
 
 template Isometry<Mp256> Surface::crossing_as<Mp256>(std::uint32_t) const;

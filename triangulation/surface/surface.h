@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +25,13 @@ struct Gluing {
   std::uint32_t other_tile;
   std::uint32_t other_side;
   bool operator==(const Gluing&) const = default;
+};
+
+/// The regular p-gon whose interior angles are 2π/q: q of them meet at a vertex.
+struct RegularTile {
+  std::uint32_t p;
+  std::uint32_t q;
+  bool operator==(const RegularTile&) const = default;
 };
 
 /// Tiles and a gluing that are not a closed hyperbolic surface; what() names the element and the numbers.
@@ -61,13 +69,21 @@ class Surface {
   Surface& operator=(const Surface&) = default;
   ~Surface() = default;
 
-  /// The regular 4g-gon with the interior angle π/2g, centred at 0, the midpoint of side k in the direction kπ/2g,
-  /// opposite sides glued by translations: the Bolza surface for g = 2. It closes up by theorem (docs/proof.md). Its
+  /// A map of type {p, q}: every tile is the regular p-gon with the interior angle 2π/q, centred at 0, the midpoint of
+  /// side k in the direction 2πk/p, and q corners meet at every vertex. It closes up by theorem (docs/proof.md). Its
   /// coordinates are algebraic numbers: `tiles` has them rounded to 256 bits, `crossing_as` gives the crossings to any
-  /// precision. Throws SurfaceError unless 2 ≤ g ≤ 1000.
+  /// precision. Throws SurfaceError unless p and q are 3 to 10,000, 1/p + 1/q < 1/2, every side of tiles 0, 1, 2, … is
+  /// glued once and not to itself, the surface is connected, and every vertex has q corners.
+  [[nodiscard]] static Surface map(RegularTile tile, std::vector<Gluing> gluing);
+  /// The map of one tile of type {4g, 4g}, opposite sides glued by translations: the Bolza surface for g = 2. Throws
+  /// SurfaceError unless 2 ≤ g ≤ 1000.
   [[nodiscard]] static Surface regular(std::uint32_t genus);
-  /// Whether the surface was made by `regular`.
-  [[nodiscard]] bool is_regular() const { return data_->regular; }
+  /// Returns what every tile is, if the surface was made by `map` or `regular`.
+  [[nodiscard]] const std::optional<RegularTile>& regular_tile() const { return data_->regular_tile; }
+  /// Whether the surface was made by `map` or `regular`.
+  [[nodiscard]] bool is_regular() const { return regular_tile().has_value(); }
+  /// Whether it could have been made by `regular`.
+  [[nodiscard]] bool is_regular_polygon() const;
 
   /// Returns the genus, at least 2.
   [[nodiscard]] std::uint32_t genus() const { return data_->genus; }
@@ -139,7 +155,7 @@ class Surface {
 
  private:
   struct Data {
-    bool regular = false;
+    std::optional<RegularTile> regular_tile;
     std::vector<Tile> tiles;
     std::vector<Gluing> gluing;
     GluedSides sides;

@@ -16,11 +16,11 @@ struct Fields<SurfaceDocument::Gluing> {
   static auto elements(auto& g) { return std::tie(g.tile, g.side, g.other_tile, g.other_side); }
 };
 
-enum class SurfaceKind { tiles, regular };
+enum class SurfaceKind { tiles, regular, map };
 
 template <>
 struct Fields<SurfaceKind> {
-  static constexpr std::array<std::string_view, 2> kNames{"tiles", "regular"};
+  static constexpr std::array<std::string_view, 3> kNames{"tiles", "regular", "map"};
 };
 
 /// A surface as it is in files, which say of what kind it is. `Surface` is SurfaceDocument, const or not.
@@ -36,13 +36,18 @@ struct Fields<SurfaceObject<Surface>> {
   static constexpr const char* kPrefix = "surface.";
   static auto members(auto& object) {
     auto& surface = object.surface;
+    const bool tiles = object.kind == SurfaceKind::tiles;
     const bool regular = object.kind == SurfaceKind::regular;
-    const char* of_kind = regular ? " in a surface of the kind \"regular\"" : " in a surface of the kind \"tiles\"";
-    return std::tuple(member("kind", object.kind),  //
-                      member("tiles", surface.tiles).only_if(!regular, of_kind),
-                      member("gluing", surface.gluing).only_if(!regular, of_kind),
-                      member("genus", surface.regular_genus).only_if(regular, of_kind),
-                      member("about", surface.about).optional());
+    const bool map = object.kind == SurfaceKind::map;
+    const char* of_kind = tiles     ? " in a surface of the kind \"tiles\""
+                          : regular ? " in a surface of the kind \"regular\""
+                                    : " in a surface of the kind \"map\"";
+    return std::tuple(
+        member("kind", object.kind),  //
+        member("p", surface.map_tile.p).only_if(map, of_kind), member("q", surface.map_tile.q).only_if(map, of_kind),
+        member("tiles", surface.tiles).only_if(tiles, of_kind),
+        member("gluing", surface.gluing).only_if(!regular, of_kind),
+        member("genus", surface.regular_genus).only_if(regular, of_kind), member("about", surface.about).optional());
   }
 };
 

@@ -1,0 +1,211 @@
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "certify/check.h"
+#include "certify/file/reader.h"
+#include "certify/net/crossings.h"
+#include "certify/net/structure.h"
+#include "certify/net/surface_check.h"
+#include "certify/net/surface_sides.h"
+
+/// Surfaces of the kind "map": regular tiles, glued in any way that q of them meet at every vertex.
+namespace epsnet::certify {
+namespace {
+
+NetDocument file(const std::string& name) {
+  return read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/certify/verified/" + name);
+}
+
+/// {10, 5}, genus 2: one decagon, opposite sides glued.
+SurfaceDocument decagon() {
+  SurfaceDocument surface;
+  surface.map_tile = {10, 5};
+  for (std::uint32_t k = 0; k < 5; ++k) surface.gluing.push_back({0, k, 0, k + 5});
+  return surface;
+}
+
+/// {7, 3}, genus 3: 24 heptagons.
+SurfaceDocument klein() { return file("map-klein.json").surface; }
+
+std::string problem(const SurfaceDocument& surface) { return structure_problem(surface).value_or("none"); }
+
+std::string refuted(const SurfaceDocument& surface) {
+  EXPECT_EQ(problem(surface), "none");
+  const SurfaceOutcome outcome = check_surface(surface);
+  EXPECT_EQ(outcome.report.verdict, Verdict::refuted);
+  return outcome.report.text;
+}
+
+TEST(RegularMaps, AreSurfacesByCounting) {
+  const SurfaceOutcome one = check_surface(decagon());
+  EXPECT_EQ(one.report.verdict, Verdict::verified);
+  EXPECT_EQ(one.genus, 2U);
+  const SurfaceOutcome many = check_surface(klein());
+  EXPECT_EQ(many.report.verdict, Verdict::verified);
+  EXPECT_EQ(many.genus, 3U);
+  EXPECT_EQ(many.report.text,
+            "a closed hyperbolic surface of genus 3: 24 times the regular 7-gon with interior angles 2*pi/3, 3 corners "
+            "around every vertex");
+}
+
+TEST(RegularMaps, AVertexWithAnotherNumberOfCornersIsRefuted) {
+  SurfaceDocument surface = klein();
+  surface.map_tile.q = 4;
+  EXPECT_EQ(refuted(surface), "3 corners meet at vertex 0 of tile 0, expected q = 4");
+  surface = klein();
+  // Two rows exchange their ends: a permutation without fixed sides as before, but not the same vertices.
+  std::swap(surface.gluing[0].other_side, surface.gluing[1].other_side);
+  std::swap(surface.gluing[0].other_tile, surface.gluing[1].other_tile);
+  EXPECT_NE(refuted(surface).find("corners meet at vertex"), std::string::npos);
+}
+
+TEST(RegularMaps, AreHyperbolic) {
+  // The sphere with the faces of a cube has three squares around each corner, and the torus four.
+  SurfaceDocument torus;
+  torus.map_tile = {4, 4};
+  torus.gluing = {{0, 0, 0, 2}, {0, 1, 0, 3}};
+  EXPECT_EQ(refuted(torus),
+            "there is no hyperbolic regular 4-gon with interior angles 2*pi/4: 1/p + 1/q is not less than 1/2");
+  for (const auto& [p, q, hyperbolic] :
+       {std::tuple{3U, 6U, false}, std::tuple{6U, 3U, false}, std::tuple{3U, 7U, true}, std::tuple{7U, 3U, true},
+        std::tuple{4U, 5U, true}, std::tuple{5U, 3U, false}}) {
+    EXPECT_EQ((RegularTile{p, q}.is_hyperbolic()), hyperbolic) << p << ", " << q;
+  }
+}
+
+TEST(RegularMaps, AreConnected) {
+  SurfaceDocument surface = decagon();
+  for (std::uint32_t k = 0; k < 5; ++k) surface.gluing.push_back({1, k, 1, k + 5});
+  EXPECT_EQ(refuted(surface), "the surface is not connected: no path of glued sides leads from tile 0 to tile 1");
+}
+
+TEST(RegularMaps, WithoutStructureAreNone) {
+  SurfaceDocument surface = decagon();
+  surface.gluing[3] = {0, 3, 0, 3};
+  EXPECT_EQ(problem(surface), "surface.gluing[3]: side 3 of tile 0 occurs twice, expected every side once");
+  surface = decagon();
+  surface.gluing[4] = {0, 4, 0, 8};
+  EXPECT_EQ(problem(surface), "surface.gluing[4]: side 8 of tile 0 occurs twice, expected every side once");
+  surface = decagon();
+  surface.gluing[2].other_side = 10;
+  EXPECT_EQ(problem(surface), "surface.gluing[2]: side 10 does not exist, expected less than 10");
+  surface = decagon();
+  surface.gluing[2].other_tile = 1;
+  EXPECT_EQ(problem(surface), "surface.gluing[2]: tile 1 does not exist, expected less than 1");
+  surface = decagon();
+  surface.gluing.pop_back();
+  EXPECT_EQ(problem(surface), "surface.gluing: 8 sides occur, expected a multiple of 10");
+  surface.gluing.clear();
+  EXPECT_EQ(problem(surface), "surface.gluing: no row, expected at least one");
+  for (const std::uint32_t number : {1U, 2U, 10'001U, ~0U}) {
+    const std::string found = std::to_string(number) + " found, expected at least 3 and at most 10000";
+    surface = decagon();
+    surface.map_tile.p = number;
+    EXPECT_EQ(problem(surface), "surface.p: " + found);
+    surface = decagon();
+    surface.map_tile.q = number;
+    EXPECT_EQ(problem(surface), "surface.q: " + found);
+  }
+  surface = decagon();
+  surface.tiles.emplace_back(10);
+  EXPECT_EQ(problem(surface), "surface.tiles: a map has none");
+}
+
+RegularNumber integer(const RegularRing& ring, long value) { return regular_number(ring, {value, 0}); }
+
+bool is_zero(const RegularNumber& x) { return sign(norm(x)) == 0; }
+
+/// Up to a positive factor.
+bool same(const Isometry<RegularNumber>& f, const Isometry<RegularNumber>& g) {
+  const RegularNumber quotient = f.a * conjugate(g.a);
+  return is_zero(f.a * g.b - f.b * g.a) && sign(twice_imaginary(quotient)) == 0 && sign(twice_real(quotient)) == 1 &&
+         sign(twice_imaginary(f.b * conjugate(g.b))) == 0;
+}
+
+TEST(RegularMaps, TurnsAreProductsOfCrossings) {
+  for (const SurfaceDocument& surface : {decagon(), klein(), file("map-bring.json").surface}) {
+    const SurfaceSides sides(surface);
+    const RegularCrossings crossings(surface.map_tile, sides.partner);
+    for (std::uint32_t first = 0; first < sides.partner.size(); first += 3) {
+      for (const Turn turn : {Turn::clockwise, Turn::counterclockwise}) {
+        SCOPED_TRACE(std::to_string(surface.map_tile.p) + ", side " + std::to_string(first));
+        std::uint32_t side = first;
+        auto product = crossings.turn(first, 1, Turn::clockwise);
+        for (std::uint32_t count = 1; count <= surface.map_tile.q + 1; ++count) {
+          EXPECT_TRUE(same(crossings.turn(first, count, turn), product)) << count;
+          EXPECT_EQ(is_zero(product.b), count == surface.map_tile.q) << count;
+          side = turn == Turn::clockwise ? sides.next_around(side) : sides.previous[sides.partner[side]];
+          product = compose(crossings.turn(side, 1, Turn::clockwise), product);
+        }
+      }
+    }
+  }
+}
+
+TEST(RegularMaps, BallsContainTheExactCrossings) {
+  for (const SurfaceDocument& surface : {decagon(), klein()}) {
+    const SurfaceSides sides(surface);
+    const RegularCrossings crossings(surface.map_tile, sides.partner);
+    const RegularRing& ring = crossings.ring();
+    for (std::uint32_t side = 0; side < sides.partner.size(); ++side) {
+      const Precision scope(64);
+      const BallIsometry balls = crossings.balls(side, 64);
+      const Isometry<RegularNumber> exact = crossings.exact(std::array{side});
+      // a conj(exact.a) > 0 in balls of the one and of the other: the quotient b/a is the same number.
+      const auto value = [&](const RegularNumber& x) {
+        const auto part = [&](const Polynomial& p) {
+          ComplexBall sum;
+          for (slong k = 0; k < fmpz_poly_length(p.get()); ++k) {
+            sum = sum + Ball::exactly(fmpz_poly_get_coeff_si(p.get(), k)) *
+                            root_of_unity(static_cast<std::uint32_t>(k), ring.order());
+          }
+          return sum;
+        };
+        return part(x.u) + sqrt(real(part(ring.square_of_s()))) * part(x.v);
+      };
+      const ComplexBall difference = value(exact.b) * balls.a + -(value(exact.a) * balls.b);
+      EXPECT_TRUE(arb_contains_zero(difference.re()) && arb_contains_zero(difference.im())) << side;
+      EXPECT_LT(mag_get_d(arb_radref(difference.re())), 1e-9);
+      const ComplexBall same_direction = value(exact.a) * conjugate(balls.a);
+      EXPECT_EQ(certainly_positive(real(same_direction)), Tri::yes);
+      EXPECT_TRUE(arb_contains_zero(same_direction.im()));
+    }
+  }
+}
+
+TEST(RegularMaps, TheRootMayBeANumberOfTheField) {
+  // {4, 6} and {6, 10} have s = 2 sin(π/q)·2 sin(π/p) sinh ρ = 1; the sign of u + vs is exact all the same.
+  const auto crossings_of = [](std::uint32_t p, std::uint32_t q) { return RegularCrossings({p, q}, {}); };
+  for (const auto& [p, q] : {std::pair{4U, 6U}, std::pair{6U, 10U}}) {
+    const RegularCrossings crossings = crossings_of(p, q);
+    const RegularRing& ring = crossings.ring();
+    EXPECT_FALSE(ring.has_new_root());
+    const RegularNumber s = regular_number(ring, {}, std::array{PowerOfZeta{1, 0}});
+    EXPECT_EQ(sign(s - integer(ring, 1)), 0);
+    EXPECT_EQ(sign(integer(ring, 1) - s), 0);
+    EXPECT_EQ(sign(s + integer(ring, 1)), 1);
+    EXPECT_EQ(sign(integer(ring, -1) - s), -1);
+    EXPECT_EQ(sign(s - integer(ring, 2)), -1);
+    EXPECT_EQ(sign(mpz_class(3) * s - integer(ring, 2)), 1);
+    EXPECT_EQ(sign(s), 1);
+    EXPECT_EQ(sign(s - s), 0);
+  }
+  for (const auto& [p, q] : {std::pair{7U, 3U}, std::pair{8U, 8U}, std::pair{5U, 4U}, std::pair{402U, 201U}}) {
+    EXPECT_TRUE(crossings_of(p, q).ring().has_new_root()) << p;
+  }
+}
+
+TEST(RegularMaps, OfOnePolygonWithOppositeSidesGluedIsTheRegularSurface) {
+  const NetDocument regular = file("regular-2-4-rotated-vertices.json");
+  NetDocument map = regular;
+  map.surface.regular_genus = 0;
+  map.surface.map_tile = {8, 8};
+  for (std::uint32_t k = 0; k < 4; ++k) map.surface.gluing.push_back({0, k, 0, k + 4});
+  const Certificate certificate = check(map);
+  EXPECT_EQ(certificate.verdict, Verdict::verified);
+  EXPECT_EQ(certificate.ties, check(regular).ties);
+}
+
+}  // namespace
+}  // namespace epsnet::certify
