@@ -14,7 +14,8 @@
 namespace epsnet::certify {
 
 /// The contents of a file that can be checked. What is needed for each kind of claim follows from this list.
-using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocument, BoundDocument, EigenvaluesDocument>;
+using ClaimDocument =
+    std::variant<NetDocument, GeodesicsDocument, DistanceDocument, BoundDocument, EigenvaluesDocument>;
 
 /// Pointers to the documents of that list.
 template <class Documents = ClaimDocument>
@@ -33,7 +34,7 @@ class AnyClaim {
   template <class Document>
   requires std::constructible_from < Pointers<>::ToConst,
   const Document* > AnyClaim(const Document& document) : document_(&document) {}
-  AnyClaim(const ClaimDocument& document)
+  explicit(false) AnyClaim(const ClaimDocument& document)
       : AnyClaim(std::visit([](const auto& one) { return AnyClaim(one); }, document)) {}
 
   /// The number of its alternative of ClaimDocument.

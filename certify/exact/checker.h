@@ -18,8 +18,8 @@ struct Result {
   std::string message;  ///< Of a refuted rule the first culprit; empty if verified.
 };
 
-/// The verdict on a net file. Regular surfaces, maps, pseudo nets and geodesics files are undecided: "not for this checker".
-/// Linear time in the size of the file but for the exact numbers of labels. Throws std::bad_alloc only.
+/// The verdict on a net file. Regular surfaces, maps, pseudo nets and geodesics files are undecided: "not for this
+/// checker". Linear time in the size of the file but for the exact numbers of labels. Throws std::bad_alloc only.
 [[nodiscard]] Result check(std::string_view text);
 
 }  // namespace epsnet::exact

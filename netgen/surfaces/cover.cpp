@@ -318,7 +318,6 @@ std::vector<Permutation> parse_permutations(const std::string& text) {
 }
 
 Surface cover(const Surface& base, const std::vector<Permutation>& permutations) {
-  if (base.is_regular()) throw SurfaceError("a cover of a regular surface has no rational coordinates");
   const PolygonSides polygon = polygon_sides(base);
   require_permutations(permutations, polygon.side.size() / 2);
   const std::size_t degree = permutations.front().size();
@@ -338,14 +337,15 @@ Surface cover(const Surface& base, const std::vector<Permutation>& permutations)
   std::vector<Tile> copies;
   std::vector<Gluing> gluing;
   for (std::uint32_t sheet = 0; sheet < degree; ++sheet) {
-    copies.insert(copies.end(), base.tiles().begin(), base.tiles().end());
+    if (!base.is_regular()) copies.insert(copies.end(), base.tiles().begin(), base.tiles().end());
     for (const Gluing& g : base.gluing()) {
       const std::uint32_t k = side_of_polygon[base.side_number(g.tile, g.side)];
       const std::uint32_t other = k < across.size() ? across[k][sheet] : sheet;
       gluing.push_back({sheet * tiles + g.tile, g.side, other * tiles + g.other_tile, g.other_side});
     }
   }
-  Surface result(std::move(copies), std::move(gluing));
+  Surface result = base.is_regular() ? Surface::map(*base.regular_tile(), std::move(gluing))
+                                     : Surface(std::move(copies), std::move(gluing));
   const std::string of = base.about().empty() ? "a surface of genus " + std::to_string(base.genus()) : base.about();
   result.set_about("cover of degree " + std::to_string(degree) + " of " + of);
   return result;

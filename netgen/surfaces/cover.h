@@ -4,13 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "netgen/surfaces/permutation.h"
 #include "triangulation/surface/surface.h"
 
 /// Unbranched covers of a surface, given by how its group permutes the sheets. docs/covers.md has the conventions.
 namespace epsnet {
-
-/// A permutation of 0, …, n − 1, which takes i to entry i.
-using Permutation = std::vector<std::uint32_t>;
 
 /// Permutations that do not describe a connected cover; what() names the generator or relation, and the sheets.
 class CoverError : public SurfaceError {
@@ -31,8 +29,7 @@ inline constexpr std::uint32_t kMostRandomSheets = 50;
 ///
 /// Throws CoverError if there are not as many permutations as pairs, if they are no permutations of the same numbers,
 /// if their product around a vertex of the polygon is not the identity, if the cover is not connected, or if it would
-/// have more than 2^20 sides. Throws SurfaceError for `is_regular` surfaces, whose copies have no rational coordinates.
-/// The time is that of the constructor of Surface.
+/// have more than 2^20 sides. The time is that of the constructor of Surface. The cover of a map is a map.
 [[nodiscard]] Surface cover(const Surface& base, const std::vector<Permutation>& permutations);
 
 /// Returns permutations for `cover`, drawn uniformly from all those that describe a connected cover of this degree with

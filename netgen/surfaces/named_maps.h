@@ -6,13 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "netgen/surfaces/permutation.h"
 #include "triangulation/surface/surface.h"
 
 /// Surfaces of regular maps: many of those with the most symmetries or the longest systoles.
 namespace epsnet {
-
-/// A permutation of 0, 1, …: its images.
-using Permutation = std::vector<std::uint32_t>;
 
 /// Permutations that are no map; what() says which one is wrong, and where.
 class MapError : public SurfaceError {

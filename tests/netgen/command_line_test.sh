@@ -269,7 +269,9 @@ echo '[[1,0],[0,1],[0,1]]' >sheets.json
 bad 1 '^epsnet: sheets.json: 3 permutations found, expected 4' surface cover s.json --permutations sheets.json -o out/x.json
 bad 64 'expected an integer from 1 to 50' surface cover s.json --degree 51 --seed 1 -o out/x.json
 bad 64 'expected --permutations, or --degree and --seed' surface cover s.json --degree 3 -o out/x.json
-bad 1 'no rational coordinates' surface cover regular.json --degree 3 --seed 1 -o out/x.json
+good surface cover regular.json --degree 3 --seed 1 -o cover.json
+good net cover.json --epsilon 1 -o cover-net.json
+verified cover-net.json
 good surface named --list
 grep -q '^fricke-macbeath$' output || complain "surface named --list: $(cat output)"
 good surface named klein -o klein.json --json

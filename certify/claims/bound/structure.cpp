@@ -1,6 +1,6 @@
-#include "certify/claims/bound/check.h"
-
 #include "certify/net/structure.h"
+
+#include "certify/claims/bound/check.h"
 
 namespace epsnet::certify {
 namespace {

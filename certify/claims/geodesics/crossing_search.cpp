@@ -54,9 +54,7 @@ template <std::size_t N>
   return result;
 }
 
-[[nodiscard]] bool is_accurate(const Ball& x) {
-  return is_finite(x) && arb_rel_accuracy_bits(x.get()) >= kLeastBits;
-}
+[[nodiscard]] bool is_accurate(const Ball& x) { return is_finite(x) && arb_rel_accuracy_bits(x.get()) >= kLeastBits; }
 [[nodiscard]] bool is_accurate(const DoubleDouble& x) {
   return is_finite(x) && x.radius <= std::ldexp(std::fabs(x.high), -static_cast<int>(kLeastBits));
 }
