@@ -313,7 +313,9 @@ class RegularSurfaceChecker {
     // 1/p + 1/q < 1/2 makes it negative; anything else is a fault of ours.
     if (euler >= 0 || euler % 2 != 0) return refuted("the Euler characteristic is " + std::to_string(euler));
     const auto genus = static_cast<std::uint64_t>(1 - euler / 2);
-    return {{"surface", Verdict::verified, text(genus)}, genus, RegularCrossings(tile_, sides_.partner, budget_)};
+    // Not in the braces below: an exception there makes g++ 12 destroy the report twice.
+    RegularCrossings crossings(tile_, sides_.partner, budget_);
+    return {{"surface", Verdict::verified, text(genus)}, genus, std::move(crossings)};
   }
 
  private:

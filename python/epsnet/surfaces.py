@@ -475,9 +475,10 @@ class Surface(Immutable):
 
     def __repr__(self) -> str:
         if self.is_regular:
-            if self._core.is_regular_polygon:
+            tile = self._core.regular_tile
+            if self._core.is_regular_polygon or tile is None:
                 return f"<Surface of genus {self.genus}: the regular {4 * self.genus}-gon>"
-            p, q = self._core.regular_tile
+            p, q = tile
             return f"<Surface of genus {self.genus}: a map of type {{{p}, {q}}}>"
         tiles = len(self._core.tiles)
         return f"<Surface of genus {self.genus}: {tiles} tile{'' if tiles == 1 else 's'}, {self._core.side_count} sides>"
