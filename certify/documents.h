@@ -27,15 +27,20 @@ struct Pointers<std::variant<Documents...>> {
   using And = std::variant<More*..., Documents*...>;
 };
 
+template <class Document>
+concept IsDocument = std::constructible_from < Pointers<>::ToConst,
+const Document* > ;
+
 /// A reference to the document of a claim, for functions that serve all claims. Converts from each of these documents
 /// and from ClaimDocument.
 class AnyClaim {
  public:
-  template <class Document>
-  requires std::constructible_from < Pointers<>::ToConst,
-  const Document* > AnyClaim(const Document& document) : document_(&document) {}
-  explicit(false) AnyClaim(const ClaimDocument& document)
+  // Meant to convert. NOLINTBEGIN(google-explicit-constructor)
+  template <IsDocument Document>
+  AnyClaim(const Document& document) : document_(&document) {}
+  AnyClaim(const ClaimDocument& document)
       : AnyClaim(std::visit([](const auto& one) { return AnyClaim(one); }, document)) {}
+  // NOLINTEND(google-explicit-constructor)
 
   /// The number of its alternative of ClaimDocument.
   [[nodiscard]] std::size_t index() const { return document_.index(); }

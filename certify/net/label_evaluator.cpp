@@ -99,6 +99,7 @@ std::vector<BallIsometry> LabelEvaluator::evaluate(std::span<const std::uint32_t
   // More bits than the wanted ones from the start: a product of n letters loses about log2(n) bits.
   for (slong working = precision + 32;; working = std::min(2 * working, cap)) {
     std::vector<std::uint32_t> asked;
+    asked.reserve(pending.size());
     for (const std::size_t i : pending) asked.push_back(numbers[i]);
     std::vector<BallIsometry> values = multiplied(asked, working, threads);
     for (std::size_t k = 0; k < pending.size(); ++k) results[pending[k]] = std::move(values[k]);

@@ -26,6 +26,7 @@ constexpr slong kFirstDiskPrecision = 128;
 
 /// Why the surface is none, or why that is not known.
 struct Objection {
+  // NOLINTNEXTLINE(google-explicit-constructor): most objections are words alone.
   Objection(std::string words, Verdict so = Verdict::refuted) : text(std::move(words)), verdict(so) {}
   std::string text;
   Verdict verdict;

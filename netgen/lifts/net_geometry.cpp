@@ -116,15 +116,15 @@ Surface regular_surface(const certify::SurfaceDocument& document) {
 
 }  // namespace
 
-certify::SurfaceDocument with_rounded_tiles(const certify::SurfaceDocument& document) {
-  if (!certify::regular_tile(document)) return document;
-  const Surface surface = regular_surface(document);
+certify::SurfaceDocument with_rounded_tiles(const certify::SurfaceDocument& surface) {
+  if (!certify::regular_tile(surface)) return surface;
+  const Surface regular = regular_surface(surface);
   certify::SurfaceDocument result;
-  for (const Tile& tile : surface.tiles()) {
+  for (const Tile& tile : regular.tiles()) {
     certify::SurfaceDocument::Tile& copy = result.tiles.emplace_back();
     for (const Complex<Rational>& z : tile) copy.push_back(to_gmp(z));
   }
-  for (const Gluing& g : surface.gluing()) result.gluing.push_back({g.tile, g.side, g.other_tile, g.other_side});
+  for (const Gluing& g : regular.gluing()) result.gluing.push_back({g.tile, g.side, g.other_tile, g.other_side});
   return result;
 }
 

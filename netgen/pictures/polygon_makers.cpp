@@ -301,10 +301,10 @@ PolygonPicture picture_of(const certify::DistanceDocument& distance) {
   return in_domain(surface, first_vertex(distance.net), "shortest paths between two points", add);
 }
 
-PolygonPicture picture_of(const certify::GeodesicsDocument& document) {
-  const Surface surface = from_document(document.net.surface);
-  const auto add = [&](PolygonPicture& result, const Domain& domain) { add_geodesics(result, domain, document); };
-  return in_domain(surface, point_of_first(surface, document), "closed geodesics", add);
+PolygonPicture picture_of(const certify::GeodesicsDocument& geodesics) {
+  const Surface surface = from_document(geodesics.net.surface);
+  const auto add = [&](PolygonPicture& result, const Domain& domain) { add_geodesics(result, domain, geodesics); };
+  return in_domain(surface, point_of_first(surface, geodesics), "closed geodesics", add);
 }
 
 PolygonPicture picture_of(const certify::BoundDocument& bound) {

@@ -216,6 +216,7 @@ constexpr std::array<Named, 7> kNamed{{
 const std::vector<NamedSurface>& facts() {
   static const std::vector<NamedSurface> result = [] {
     std::vector<NamedSurface> all;
+    all.reserve(std::size(kNamed));
     for (const Named& named : kNamed) all.push_back(named.facts);
     return all;
   }();
@@ -318,7 +319,7 @@ Surface named_surface(const std::string& name) {
     }
     if (!surface) continue;
     surface->set_about(name + ": " + std::string(named.facts.description));
-    return std::move(*surface);
+    return *surface;
   }
   throw SurfaceError("there is no surface \"" + name + "\", expected " + all_names() + ", with a genus for G");
 }

@@ -59,9 +59,9 @@ Surface from_document(const certify::SurfaceDocument& surface) {
   return result;
 }
 
-Surface from_document(const certify::SurfaceDocument& document, const std::string& name) {
+Surface from_document(const certify::SurfaceDocument& surface, const std::string& name) {
   try {
-    return from_document(document);
+    return from_document(surface);
   } catch (const SurfaceError& error) {
     throw SurfaceError(name + ": " + error.what());
   }

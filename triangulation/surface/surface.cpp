@@ -41,9 +41,9 @@ Surface::Data Surface::checked(std::vector<Tile> tiles, std::vector<Gluing> glui
   return data;
 }
 
-Surface Surface::map(RegularTile regular, std::vector<Gluing> gluing) {
+Surface Surface::map(RegularTile tile, std::vector<Gluing> gluing) {
   constexpr std::uint32_t kMost = 10'000;
-  const auto [p, q] = regular;
+  const auto [p, q] = tile;
   const std::string type = "{" + std::to_string(p) + ", " + std::to_string(q) + "}";
   if (p < 3 || q < 3 || p > kMost || q > kMost) {
     throw SurfaceError("p and q must be at least 3 and at most " + std::to_string(kMost) + ", not " + type);
@@ -57,14 +57,14 @@ Surface Surface::map(RegularTile regular, std::vector<Gluing> gluing) {
   const Mp1024 half_angle = boost::math::constants::pi<Mp1024>() / p;
   const Mp1024 cosh = Mp1024(1 / tan(half_angle)) * Mp1024(1 / tan(Mp1024(boost::math::constants::pi<Mp1024>() / q)));
   const Mp1024 radius = sqrt(Mp1024((cosh - 1) / (cosh + 1)));
-  Tile tile;
+  Tile polygon;
   for (std::uint32_t k = 0; k < p; ++k) {
     const Mp1024 angle = half_angle * (2 * Mp1024(k) - 1);
-    tile.push_back({Rational(Mp256(radius * cos(angle))), Rational(Mp256(radius * sin(angle)))});
+    polygon.push_back({Rational(Mp256(radius * cos(angle))), Rational(Mp256(radius * sin(angle)))});
   }
   Data data;
-  data.regular_tile = regular;
-  data.tiles.assign(2 * gluing.size() / p, tile);
+  data.regular_tile = tile;
+  data.tiles.assign(2 * gluing.size() / p, polygon);
   data.gluing = std::move(gluing);
   GluedPolygons polygons(data.tiles, data.gluing);
   data.genus = polygons.genus();
@@ -126,7 +126,7 @@ Isometry<T> Surface::crossing_as(std::uint32_t s) const {
   // midpoint of k, cosh ρ = cos(π/q)/sin(π/p); then the turn that takes this direction to that of l.
   const std::uint32_t p = regular_tile()->p;
   const std::uint32_t q = regular_tile()->q;
-  const T pi = boost::math::constants::pi<T>();
+  const T& pi = boost::math::constants::pi<T>();
   const T cosine = cos(T(pi / q)) / sin(T(pi / p));
   const T sine = sqrt(T(cosine * cosine - 1));
   const std::uint32_t k = s % p;

@@ -82,12 +82,12 @@ std::array<Cell, 2> halves(const Cell& cell, std::uint32_t side) {
   const std::uint32_t end = (side + 1) % 3;
   const std::uint32_t far = (side + 2) % 3;
   // cosh(d/2); the midpoint (U + V)/(2 cosh(d/2)); the cosh of its distance from the corner opposite.
-  const Ball half = sqrt(certify::half(cell.cosh[side] + 1));
+  Ball half = sqrt(certify::half(cell.cosh[side] + 1));
   BallVector middle;
   for (std::size_t i = 0; i < 3; ++i) {
     middle[i] = certify::half((cell.corner[side][i] + cell.corner[end][i]) / half);
   }
-  const Ball median = certify::half((cell.cosh[end] + cell.cosh[far]) / half);
+  Ball median = certify::half((cell.cosh[end] + cell.cosh[far]) / half);
   Cell first = cell;
   first.corner[end] = middle;
   first.cosh[side] = half;
