@@ -92,8 +92,8 @@ SurfaceOrNet read_surface_or_net(const std::string& path) {
   const std::string name = certify::display_name(path);
   if (certify::is_compact(text) || (is_json(text) && format_in(text) == "epsnet-net")) {
     certify::NetDocument net = certify::parse_file<certify::NetDocument>(text, name);
-    Surface surface = from_document(net.surface, name);
-    return {std::move(surface), std::move(net)};
+    const Surface surface = from_document(net.surface, name);
+    return {surface, std::move(net)};
   }
   return {surface_of_text(text, name), std::nullopt};
 }
