@@ -8,6 +8,9 @@
 /// Text of the file format (docs/format.md, "Numbers") and text for messages.
 namespace epsnet::certify {
 
+/// What is wrong, in words; nullopt if nothing is.
+using Problem = std::optional<std::string>;
+
 /// The largest number of digits of one rational, numerator and denominator together, or of one decimal, before and
 /// after the point together and without the exponent. Leading zeros count.
 inline constexpr std::size_t kMaxRationalDigits = 1'000'000;

@@ -6,14 +6,13 @@
 #include <vector>
 
 #include "certify/base/counted.h"
+#include "certify/base/text.h"
 #include "certify/net/connection.h"
 #include "certify/net/darts.h"
 #include "certify/numbers/parallel.h"
 
 namespace epsnet::certify {
 namespace {
-
-using Problem = std::optional<std::string>;
 
 std::string dart_name(std::size_t dart) {
   return "dart " + std::to_string(dart) + " (triangle " + std::to_string(dart / 3) + ", edge " +

@@ -8,8 +8,6 @@
 namespace epsnet::certify {
 namespace {
 
-using Problem = std::optional<std::string>;
-
 std::string out_of_range(const char* what, std::size_t index, std::size_t size) {
   return std::string(what) + " " + std::to_string(index) + " does not exist, expected less than " +
          std::to_string(size);

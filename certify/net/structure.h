@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "certify/base/interval.h"
+#include "certify/base/text.h"
 #include "certify/net/document.h"
 #include "certify/net/surface_sides.h"
 
@@ -24,8 +24,7 @@ inline constexpr std::size_t kMaxAboutBytes = std::size_t{1} << 20;
 
 /// The first problem among problem(row) of the rows of a member, with its place; nullopt if there is none.
 template <class Rows, class ProblemOfRow>
-[[nodiscard]] std::optional<std::string> first_row_problem(const char* member, const Rows& rows,
-                                                           const ProblemOfRow& problem) {
+[[nodiscard]] Problem first_row_problem(const char* member, const Rows& rows, const ProblemOfRow& problem) {
   for (std::size_t row = 0; row < rows.size(); ++row) {
     if (const auto found = problem(rows[row])) return at(member, row) + *found;
   }
@@ -36,17 +35,17 @@ template <class Rows, class ProblemOfRow>
 inline constexpr std::uint32_t kMaxRegularSides = 10'000;
 
 /// What is wrong with the genus of a regular 4g-gon; nullopt if it is in range.
-[[nodiscard]] std::optional<std::string> regular_genus_problem(std::uint32_t genus);
+[[nodiscard]] Problem regular_genus_problem(std::uint32_t genus);
 
 /// What is wrong with one of the two numbers of a map's tile; nullopt if it is in range.
-[[nodiscard]] std::optional<std::string> map_number_problem(std::uint32_t number);
+[[nodiscard]] Problem map_number_problem(std::uint32_t number);
 
 /// The first problem, "PLACE: what is wrong, what was expected"; nullopt if there is none. Corners of tiles are not
 /// examined (that is rule `surface`).
-[[nodiscard]] std::optional<std::string> structure_problem(const SurfaceDocument& surface);
+[[nodiscard]] Problem structure_problem(const SurfaceDocument& surface);
 
 /// As above, for the whole document.
-[[nodiscard]] std::optional<std::string> structure_problem(const NetDocument& document);
+[[nodiscard]] Problem structure_problem(const NetDocument& document);
 
 /// About the least number of bytes of a file with this content (docs/format.md, "Limits"): of a net, a point, a word.
 [[nodiscard]] std::uint64_t least_bytes(const NetDocument& document);
@@ -56,15 +55,15 @@ inline constexpr std::uint32_t kMaxRegularSides = 10'000;
 // What claims ask of their own members.
 
 /// As structure_problem, for the net of a claim about the whole surface: it has no collars either.
-[[nodiscard]] std::optional<std::string> whole_net_problem(const NetDocument& net);
+[[nodiscard]] Problem whole_net_problem(const NetDocument& net);
 
 /// As whole_net_problem, for a claim about the one vertex of the net.
-[[nodiscard]] std::optional<std::string> one_vertex_problem(const NetDocument& net);
+[[nodiscard]] Problem one_vertex_problem(const NetDocument& net);
 
 /// What is wrong with a word that should lead from one tile to another, that of `target`. Requires: sides of a surface
 /// without problem.
-[[nodiscard]] std::optional<std::string> word_problem(const SurfaceSides& sides, const std::vector<std::uint32_t>& word,
-                                                      std::uint32_t from, std::uint32_t to, const std::string& target);
+[[nodiscard]] Problem word_problem(const SurfaceSides& sides, const std::vector<std::uint32_t>& word,
+                                   std::uint32_t from, std::uint32_t to, const std::string& target);
 
 /// Whether both ends are finite, not negative, and in order.
 [[nodiscard]] bool is_length(Interval x);

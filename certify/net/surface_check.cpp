@@ -31,7 +31,7 @@ struct Objection {
   std::string text;
   Verdict verdict;
 };
-using Problem = std::optional<Objection>;
+using MaybeObjection = std::optional<Objection>;
 using ExactTile = std::vector<ExactPoint>;
 
 ExactTile exact_tile(const SurfaceDocument::Tile& tile, const Budget& budget) {
@@ -45,10 +45,11 @@ ExactTile exact_tile(const SurfaceDocument::Tile& tile, const Budget& budget) {
 
 /// The first problem among problem(0), …, problem(count − 1), which do not depend on each other.
 template <class Find>
-Problem first_problem(std::size_t count, unsigned threads, const Find& problem) {
-  std::vector<Problem> problems(count);
+MaybeObjection first_problem(std::size_t count, unsigned threads, const Find& problem) {
+  std::vector<MaybeObjection> problems(count);
   for_each_parallel(count, threads, [&](unsigned, std::size_t i) { problems[i] = problem(i); });
-  const auto found = std::find_if(problems.begin(), problems.end(), [](const Problem& p) { return p.has_value(); });
+  const auto found =
+      std::find_if(problems.begin(), problems.end(), [](const MaybeObjection& p) { return p.has_value(); });
   return found != problems.end() ? std::move(*found) : std::nullopt;
 }
 
@@ -59,7 +60,7 @@ std::string named(const char* what, const SurfaceSides& sides, std::size_t side)
   return named(what, sides.corner[side]) + " of " + named("tile", sides.tile[side]);
 }
 
-Problem connection_problem(const SurfaceSides& sides) {
+MaybeObjection connection_problem(const SurfaceSides& sides) {
   const auto missing = first_unreached(sides.first.size(), [&](std::uint32_t t, const auto& visit) {
     std::uint32_t s = sides.first[t];
     do {
@@ -80,7 +81,7 @@ std::int64_t euler_characteristic(const SurfaceSides& sides, std::size_t vertice
 /// Seen from vertex 0, the others turn strictly counterclockwise and stay within a half-turn from vertex 1 on: then the
 /// polygon is simple. With a left turn at every vertex a simple polygon is strictly convex. (Left turns alone would let
 /// pass polygons that wind twice.) Signs of determinants in the hyperboloid model, so lines are hyperbolic lines.
-Problem convexity_problem(const ExactTile& tile, std::size_t t) {
+MaybeObjection convexity_problem(const ExactTile& tile, std::size_t t) {
   const std::size_t n = tile.size();
   for (std::size_t k = 0; k < n; ++k) {
     if (gap(tile[k]) <= 0) return named("vertex", k) + " of " + named("tile", t) + " is not inside the unit disk";
@@ -130,7 +131,7 @@ class SurfaceChecker {
   }
 
   SurfaceOutcome check() {
-    Problem problem = first_problem(tiles_.size(), threads_, [&](std::size_t t) {
+    MaybeObjection problem = first_problem(tiles_.size(), threads_, [&](std::size_t t) {
       spend_on_corners(t);
       return convexity_problem(tiles_[t], t);
     });
@@ -159,9 +160,9 @@ class SurfaceChecker {
     for (const ExactPoint& vertex : tiles_[t]) budget_.spend(100 * product_work(4 * bits(vertex)));
   }
 
-  Problem length_problem() {
+  MaybeObjection length_problem() {
     crossings_.resize(sides_.partner.size());
-    return first_problem(sides_.partner.size(), threads_, [&](std::size_t s) -> Problem {
+    return first_problem(sides_.partner.size(), threads_, [&](std::size_t s) -> MaybeObjection {
       const std::size_t other = sides_.partner[s];
       if (other < s) return std::nullopt;
       const Fraction own = length(start(s), end(s));
@@ -176,12 +177,12 @@ class SurfaceChecker {
     });
   }
 
-  [[nodiscard]] Problem vertex_problem() const {
+  [[nodiscard]] MaybeObjection vertex_problem() const {
     return first_problem(vertices_.size(), threads_, [&](std::size_t i) { return problem_around(vertices_[i]); });
   }
 
   /// Around every vertex the crossings multiply to the identity, exactly, and the angles to one full turn.
-  [[nodiscard]] Problem problem_around(std::uint32_t first) const {
+  [[nodiscard]] MaybeObjection problem_around(std::uint32_t first) const {
     std::vector<const ExactIsometry*> path;
     const Precision scope(kAnglePrecision);
     Ball sum;
@@ -209,7 +210,7 @@ class SurfaceChecker {
         turns ? Verdict::refuted : Verdict::undecided);
   }
 
-  Problem genus_problem() {
+  MaybeObjection genus_problem() {
     vertices_ = sides_.vertices();
     const std::int64_t euler = euler_characteristic(sides_, vertices_.size());
     if (euler == 2 || euler == 0) {
@@ -296,7 +297,7 @@ class RegularSurfaceChecker {
   SurfaceOutcome check() {
     if (!tile_.is_hyperbolic())
       return refuted("there is no hyperbolic " + named() + ": 1/p + 1/q is not less than 1/2");
-    if (const Problem problem = connection_problem(sides_)) return refuted(problem->text);
+    if (const MaybeObjection problem = connection_problem(sides_)) return refuted(problem->text);
     const std::vector<std::uint32_t> vertices = sides_.vertices();
     for (const std::uint32_t first : vertices) {
       std::uint32_t corners = 0;

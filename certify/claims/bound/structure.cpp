@@ -5,8 +5,6 @@
 namespace epsnet::certify {
 namespace {
 
-using Problem = std::optional<std::string>;
-
 Problem triangulations_problem(const BoundDocument& document) {
   const std::size_t darts = 3 * document.net.triangles.size();
   for (std::size_t k = 0; k < document.triangulations.size(); ++k) {

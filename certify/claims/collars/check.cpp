@@ -14,8 +14,6 @@
 namespace epsnet::certify {
 namespace {
 
-using Problem = std::optional<std::string>;
-
 std::string name_of(const NetDocument& document, std::size_t c) {
   const auto& [p, q] = (*document.collars)[c].vertices;
   return "collar " + std::to_string(c) + " (vertices " + std::to_string(p) + ", " + std::to_string(q) + ")";

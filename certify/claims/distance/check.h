@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 
+#include "certify/base/text.h"
 #include "certify/claims/distance/document.h"
 #include "certify/verdict/report.h"
 
@@ -18,7 +18,7 @@ struct Claim;
 /// there is at least one; the enclosure is finite, not negative and in order.
 ///
 /// The first problem; nullopt if there is none. Exact, O(size of the document).
-[[nodiscard]] std::optional<std::string> structure_problem(const DistanceDocument& document);
+[[nodiscard]] Problem structure_problem(const DistanceDocument& document);
 
 /// About the least number of bytes of a file with this content (docs/format.md, "Limits").
 [[nodiscard]] std::uint64_t least_bytes(const DistanceDocument& document);

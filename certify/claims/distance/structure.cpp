@@ -5,8 +5,6 @@
 namespace epsnet::certify {
 namespace {
 
-using Problem = std::optional<std::string>;
-
 Problem point_problem(const DistanceDocument& document) {
   const auto& [tile, z] = document.point;
   const std::size_t tiles = number_of_tiles(document.net.surface);

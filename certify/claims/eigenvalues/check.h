@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 
+#include "certify/base/text.h"
 #include "certify/claims/eigenvalues/document.h"
 #include "certify/verdict/report.h"
 
@@ -17,7 +17,7 @@ struct Claim;
 /// in order in [0, ¼ + 9/δ²]; windows in increasing order, disjoint, up to `eigenvalues_up_to`.
 ///
 /// The first problem; nullopt if there is none. Exact, O(size of the document).
-[[nodiscard]] std::optional<std::string> structure_problem(const EigenvaluesDocument& document);
+[[nodiscard]] Problem structure_problem(const EigenvaluesDocument& document);
 
 /// About the least number of bytes of a file with this content (docs/format.md, "Limits").
 [[nodiscard]] std::uint64_t least_bytes(const EigenvaluesDocument& document);

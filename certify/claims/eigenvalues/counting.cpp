@@ -53,7 +53,7 @@ bool Counting::not_all_in(Interval part, Interval window, std::uint32_t count) c
   });
 }
 
-std::optional<std::string> Counting::window_problem(const EigenvaluesDocument::Window& window) const {
+Problem Counting::window_problem(const EigenvaluesDocument::Window& window) const {
   if (const auto there = most(window.in); !there || *there > window.most) {
     return "at most " + std::to_string(window.most) +
            " eigenvalues: " + (there ? "only at most " + std::to_string(*there) + " follows" : "no bound follows");
@@ -72,7 +72,7 @@ std::optional<std::string> Counting::window_problem(const EigenvaluesDocument::W
   return std::nullopt;
 }
 
-std::optional<std::string> Counting::problem() const {
+Problem Counting::problem() const {
   double end = 0;
   for (std::size_t i = 0; i <= document_.windows.size(); ++i) {
     const bool last = i == document_.windows.size();

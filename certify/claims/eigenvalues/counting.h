@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "certify/base/text.h"
 #include "certify/claims/eigenvalues/document.h"
 
 namespace epsnet::certify {
@@ -17,7 +18,7 @@ class Counting {
   explicit Counting(const EigenvaluesDocument& document);
 
   /// The first claim of the windows that does not follow; nullopt if all do.
-  [[nodiscard]] std::optional<std::string> problem() const;
+  [[nodiscard]] Problem problem() const;
 
  private:
   /// The least number of eigenvalues in the closed interval that the statements allow at most; nothing if they do not
@@ -31,7 +32,7 @@ class Counting {
   [[nodiscard]] bool at_least(std::uint32_t count, Interval window) const;
   /// Whether not all of the `count` eigenvalues in the window lie in this part of it.
   [[nodiscard]] bool not_all_in(Interval part, Interval window, std::uint32_t count) const;
-  [[nodiscard]] std::optional<std::string> window_problem(const EigenvaluesDocument::Window& window) const;
+  [[nodiscard]] Problem window_problem(const EigenvaluesDocument::Window& window) const;
 
   const EigenvaluesDocument& document_;
   std::vector<EigenvaluesDocument::AtMost> by_upper_;  ///< Without coefficients, by the upper ends.

@@ -1,4 +1,3 @@
-
 #include "certify/net/structure.h"
 
 #include <algorithm>
@@ -13,7 +12,6 @@
 namespace epsnet::certify {
 namespace {
 
-using Problem = std::optional<std::string>;
 using Document = EigenvaluesDocument;
 
 Problem functions_problem(const Document& document) {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 
+#include "certify/base/text.h"
 #include "certify/claims/geodesics/document.h"
 #include "certify/verdict/report.h"
 
@@ -17,7 +17,7 @@ struct Claim;
 /// the enclosures make; every side of every geodesic bounds one piece; there is exactly what the claim needs.
 ///
 /// The first problem; nullopt if there is none. Exact, O(size of the document).
-[[nodiscard]] std::optional<std::string> structure_problem(const GeodesicsDocument& document);
+[[nodiscard]] Problem structure_problem(const GeodesicsDocument& document);
 
 /// About the least number of bytes of a file with this content (docs/format.md, "Limits").
 [[nodiscard]] std::uint64_t least_bytes(const GeodesicsDocument& document);

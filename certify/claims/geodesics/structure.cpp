@@ -8,8 +8,6 @@
 namespace epsnet::certify {
 namespace {
 
-using Problem = std::optional<std::string>;
-
 Problem geodesics_problem(const GeodesicsDocument& document) {
   const SurfaceSides sides(document.net.surface);
   const auto& rows = document.geodesics;
