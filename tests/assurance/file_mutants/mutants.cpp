@@ -316,6 +316,7 @@ struct Options {
   std::uint64_t seed = 1;
   unsigned jobs = 1;
   std::filesystem::path folder = ".";
+  std::filesystem::path keep;  ///< A folder for all mutants that `certify-exact` is asked about, or empty.
   bool details = false;
 };
 
@@ -378,8 +379,12 @@ class Attack {
       others += std::string(", ") + who + ": " + std::string(certify::name(other.verdict)) + " " + other.rule + " " +
                 other.message;
     };
-    if (mutant.family->for_exact)
+    if (mutant.family->for_exact) {
       compare("certify-exact", ask_exact(mutant.text), row.exact_asked, row.exact_undecided);
+      if (!options_.keep.empty()) {
+        std::ofstream(options_.keep / (std::to_string(number) + ".json"), std::ios::binary) << mutant.text;
+      }
+    }
     const auto after_exact = std::chrono::steady_clock::now();
     if (number % mutant.family->reference_one_of == 0) {
       compare("reference", ask_reference(mutant.text, mutant.base->known), row.reference_asked,
@@ -459,6 +464,8 @@ int main(int argc, char** argv) try {
       ->capture_default_str();
   app.add_option("--folder", options.folder, "Where mutants that the checkers disagree about go")
       ->capture_default_str();
+  app.add_option("--keep", options.keep, "A folder into which all mutants that are for certify-exact are written")
+      ->check(CLI::ExistingDirectory);
   app.add_flag("--details", options.details, "A line for each mutant: base, defects, verdicts, milliseconds");
   CLI11_PARSE(app, argc, argv);
   return epsnet::attack::Attack(options, epsnet::attack::families()).run() ? 0 : 1;
