@@ -33,6 +33,7 @@
 #include "netgen/nets/domain_frame.h"
 #include "netgen/nets/net_options.h"
 #include "netgen/pictures/draw.h"
+#include "netgen/pictures/eigenvalues_picture.h"
 #include "netgen/pictures/polygon.h"
 #include "netgen/pictures/viewer.h"
 #include "netgen/surfaces/cover.h"

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "kernel/isometry.h"
-#include "netgen/eigenvalues/solver.h"
+#include "netgen/eigenvalues/prover.h"
 #include "netgen/eigenvalues/trace_matrices.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
@@ -20,213 +20,11 @@ namespace {
 using certify::EigenvaluesDocument;
 using certify::Interval;
 
-/// The lengths of the geodesics of a list, from their words.
-RealVector lengths_of(const Surface& surface, const certify::GeodesicsDocument& spectrum) {
-  std::vector<Isometry<Real>> crossings;
-  for (std::uint32_t s = 0; s < surface.side_count(); ++s) crossings.push_back(surface.crossing_as<Real>(s));
-  RealVector result;
-  for (const auto& geodesic : spectrum.geodesics) {
-    Isometry<Real> product = crossings[geodesic.word.front()];
-    for (std::size_t i = 1; i < geodesic.word.size(); ++i) product = crossings[geodesic.word[i]] * product;
-    result.push_back(displacement_length(product));
-  }
-  return result;
+/// For the lengths of the geodesics of the document.
+Prover prover_of(const Surface& surface, const EigenvaluesDocument& document, const RealVector& lengths) {
+  const TestSpace space{static_cast<Real>(Length(document.up_to).value()), document.order, document.degree};
+  return {space, trace_matrices(space, surface.genus(), lengths)};
 }
-
-/// Coefficients as they are in the file, and their three sums Σ λ^p f̂².
-struct Trial {
-  std::vector<double> coefficients;
-  std::array<Real, 3> sums;
-};
-
-/// Proves numbers of eigenvalues in intervals by test functions, as far as sampled minima and maxima are right.
-class Prover {
- public:
-  Prover(TestSpace space, std::vector<RealMatrix> matrices)
-      : space_(std::move(space)), matrices_(std::move(matrices)), solver_(Solver::of(matrices_[0])) {
-    if (!solver_) throw NetError("the trace formula gives a singular matrix");
-  }
-
-  [[nodiscard]] const TestSpace& space() const { return space_; }
-
-  /// The bound for the number of eigenvalues at λ: the least Σ f̂² with f̂(λ) = 1.
-  [[nodiscard]] double most_at(double lambda) const {
-    const RealVector values = space_.values(Real(lambda));
-    return static_cast<double>(1 / dot(values, solver_->solve(values)));
-  }
-
-  /// The test function that attains it.
-  [[nodiscard]] Trial best_at(double lambda) const { return trial(solver_->solve(space_.values(Real(lambda)))); }
-
-  /// The test function with the least Σ f̂² that is 1 at several points, so that it is flat between near ones. Nothing
-  /// for points that are too near.
-  [[nodiscard]] std::optional<Trial> flat_on(const std::vector<double>& points) const {
-    std::vector<RealVector> values;
-    std::vector<RealVector> solved;
-    for (const double x : points) {
-      values.push_back(space_.values(Real(x)));
-      solved.push_back(solver_->solve(values.back()));
-    }
-    RealMatrix products(points.size(), RealVector(points.size()));
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      for (std::size_t j = 0; j < points.size(); ++j) products[i][j] = dot(values[i], solved[j]);
-    }
-    const auto solver = Solver::of(products);
-    if (!solver) return std::nullopt;
-    const RealVector factors = solver->solve(RealVector(points.size(), Real(1)));
-    RealVector c(values.front().size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      for (std::size_t k = 0; k < c.size(); ++k) c[k] += factors[i] * solved[i][k];
-    }
-    return trial(std::move(c));
-  }
-
-  /// The best test function for sums of (ρ − λ) f̂², or (ρ − λ)(λ − σ) f̂² for σ > 0, relative to its value at λ.
-  class Weighted {
-   public:
-    Weighted(const Prover& prover, Interval in) : prover_(prover), in_(in), solver_(Solver::of(matrix(prover, in))) {}
-    [[nodiscard]] Interval in() const { return in_; }
-    [[nodiscard]] std::optional<Trial> best_at(double lambda) const {
-      if (!solver_) return std::nullopt;
-      return prover_.trial(solver_->solve(prover_.space_.values(Real(lambda))));
-    }
-    [[nodiscard]] Real sum(const Trial& trial) const { return combined(trial.sums, in_); }
-    [[nodiscard]] Real weight(const Real& lambda) const {
-      return in_.lower == 0 ? Real(in_.upper - lambda) : Real((in_.upper - lambda) * (lambda - in_.lower));
-    }
-
-   private:
-    static Real combined(const std::array<Real, 3>& x, Interval in) {
-      const Real rho = in.upper;
-      const Real sigma = in.lower;
-      return in.lower == 0 ? Real(rho * x[0] - x[1]) : Real((rho + sigma) * x[1] - x[2] - rho * sigma * x[0]);
-    }
-    static RealMatrix matrix(const Prover& prover, Interval in) {
-      const auto& [zero, one, two] = std::tie(prover.matrices_[0], prover.matrices_[1], prover.matrices_[2]);
-      RealMatrix result = zero;
-      for (std::size_t j = 0; j < zero.size(); ++j) {
-        for (std::size_t k = 0; k < zero.size(); ++k) result[j][k] = combined({zero[j][k], one[j][k], two[j][k]}, in);
-      }
-      return result;
-    }
-
-    const Prover& prover_;
-    Interval in_;
-    std::optional<Solver> solver_;
-  };
-
-  /// The least m for which the test function proves "at most m in the interval".
-  [[nodiscard]] double most_in(const Trial& trial, Interval in) const {
-    const Real least = extreme(in, [&](const Real& x) { return Real(-square(trial, x)); });
-    if (least >= 0) return HUGE_VAL;
-    const Real ratio = trial.sums[0] / -least * (1 + kMargin);
-    return std::floor(static_cast<double>(ratio));
-  }
-  /// The greatest m for which it proves "at least m if all are within".
-  [[nodiscard]] double least_in(const Weighted& weighted, const Trial& trial, Interval within) const {
-    const Real sum = weighted.sum(trial);
-    if (sum <= 0) return 0;
-    const Real greatest = extreme(within, [&](const Real& x) { return Real(weighted.weight(x) * square(trial, x)); });
-    if (greatest <= 0) return 0;
-    return std::min(std::ceil(static_cast<double>(Real(sum / greatest * (1 - kMargin)))), 1e6);
-  }
-
-  /// The least b, and a test function, for which Σ P f̂² = 0, P = b − λ for σ = 0 and otherwise (b − λ)(λ − σ): for
-  /// every greater b one eigenvalue lies in (σ, b). The one next to a guess. By inverse iteration.
-  [[nodiscard]] std::optional<std::pair<Trial, double>> first_behind(double sigma, double guess) const {
-    const std::size_t size = matrices_[0].size();
-    RealMatrix left = matrices_[1];
-    RealMatrix right = matrices_[0];
-    for (std::size_t j = 0; sigma > 0 && j < size; ++j) {
-      for (std::size_t k = 0; k < size; ++k) {
-        left[j][k] = matrices_[2][j][k] - sigma * matrices_[1][j][k];
-        right[j][k] = matrices_[1][j][k] - sigma * matrices_[0][j][k];
-      }
-    }
-    RealMatrix shifted = left;
-    for (std::size_t j = 0; j < size; ++j) {
-      for (std::size_t k = 0; k < size; ++k) shifted[j][k] -= guess * right[j][k];
-    }
-    const auto solver = Solver::of(shifted);
-    if (!solver) return std::nullopt;
-    RealVector c = space_.values(Real(guess));
-    constexpr int kRounds = 60;
-    for (int round = 0; round < kRounds; ++round) {
-      RealVector image(size);
-      for (std::size_t j = 0; j < size; ++j) image[j] = dot(right[j], c);
-      c = solver->solve(image);
-      const Real scale = 1 / boost::multiprecision::sqrt(dot(c, c));
-      for (Real& x : c) x *= scale;
-    }
-    Trial result = trial(std::move(c));
-    const auto& sums = result.sums;
-    const Real above = sigma > 0 ? Real(sums[2] - sigma * sums[1]) : sums[1];
-    const Real below = sigma > 0 ? Real(sums[1] - sigma * sums[0]) : sums[0];
-    if (below <= 0) return std::nullopt;
-    return std::pair(std::move(result), static_cast<double>(Real(above / below)));
-  }
-
- private:
-  static constexpr double kMargin = 0x1p-50;
-
-  [[nodiscard]] Trial trial(RealVector c) const {
-    using boost::multiprecision::abs;
-    Real greatest = 0;
-    for (const Real& x : c) greatest = std::max(greatest, Real(abs(x)));
-    Trial result;
-    for (Real& x : c) {
-      result.coefficients.push_back(static_cast<double>(Real(x / greatest)));
-      x = result.coefficients.back();
-    }
-    for (std::size_t p = 0; p < 3; ++p) {
-      for (std::size_t j = 0; j < c.size(); ++j) result.sums[p] += c[j] * dot(matrices_[p][j], c);
-    }
-    return result;
-  }
-
-  /// f̂(λ)²
-  [[nodiscard]] Real square(const Trial& trial, const Real& lambda) const {
-    const RealVector values = space_.values(lambda);
-    Real result = 0;
-    for (std::size_t k = 0; k < values.size(); ++k) result += trial.coefficients[k] * values[k];
-    return result * result;
-  }
-
-  /// The greatest value of a function on an interval, sampled; the samples around the greatest one are refined.
-  template <class Function>
-  [[nodiscard]] Real extreme(Interval in, const Function& function) const {
-    const auto parameter = [](double x) { return std::sqrt(std::max(x, 0.0)); };
-    const double waves = (parameter(in.upper) - parameter(in.lower)) * static_cast<double>(space_.support);
-    int parts = 4 + static_cast<int>(2 * waves);
-    double lower = in.lower;
-    double upper = in.upper;
-    std::optional<Real> greatest;
-    for (int round = 0; round < 12 && lower < upper; ++round, parts = 4) {
-      int best = 0;
-      std::optional<Real> best_value;
-      for (int i = 0; i <= parts; ++i) {
-        const double x = i == parts ? upper : lower + (upper - lower) * i / parts;
-        const Real value = function(Real(x));
-        if (!best_value || value > *best_value) {
-          best_value = value;
-          best = i;
-        }
-      }
-      if (!greatest || *best_value > *greatest) greatest = best_value;
-      const double width = (upper - lower) / parts;
-      const double middle = lower + width * best;
-      // At an end of the interval the function is monotone.
-      if ((best == 0 && lower == in.lower) || (best == parts && upper == in.upper)) break;
-      lower = std::max(lower, middle - width);
-      upper = std::min(upper, middle + width);
-    }
-    return greatest ? *greatest : function(Real(in.lower));
-  }
-
-  TestSpace space_;
-  std::vector<RealMatrix> matrices_;
-  std::optional<Solver> solver_;
-};
 
 /// Finds windows with eigenvalues, gaps without, and what proves them.
 class Search {
@@ -236,7 +34,7 @@ class Search {
 
   /// False if nothing can be said.
   [[nodiscard]] bool run() {
-    if (!find_windows()) return false;
+    find_windows();
     std::uint64_t found = 0;
     std::size_t used = 0;
     for (; used < windows_.size() && (options_.count == 0 || found < options_.count); ++used) {
@@ -249,7 +47,7 @@ class Search {
     }
     document_.eigenvalues_up_to = gap(used).upper;
     if (used == windows_.size() && (options_.count == 0 || found < options_.count)) add_last_window(gap(used));
-    return true;
+    return document_.eigenvalues_up_to > 0;
   }
 
  private:
@@ -296,9 +94,9 @@ class Search {
     return {at_x > at_y ? x : y, std::max(at_x, at_y)};
   }
 
-  /// Windows where the bound is kOpen or more, with gaps around each. They end where no gap follows. False if none
-  /// begins at 0.
-  [[nodiscard]] bool find_windows() {
+  /// Windows where the bound is kOpen or more; behind each of them there is a gap, and before it there is one or 0.
+  /// They end where no gap follows.
+  void find_windows() {
     const double support = static_cast<double>(prover_.space().support);
     const double step = static_cast<double>(prover_.space().step());
     const double greatest = 0.25 + 8.9 / (step * step);
@@ -316,9 +114,8 @@ class Search {
       if (root - last_gap > patience * 6.28 / support) break;
       report("bounds", std::min(root / 5, 1.0));
     }
-    if (samples.front().bound >= kOpen) return false;
     // From gap to gap; a peak that the samples miss is a local maximum of theirs.
-    double opened = -1;  // The lower end of a window of samples; negative outside of windows.
+    double opened = 0;  // The lower end of a window of samples.
     end_ = 0;
     for (std::size_t i = 1; i < samples.size(); ++i) {
       const Sample& before = samples[i - 1];
@@ -334,7 +131,6 @@ class Search {
         end_ = opened;
       } else if (here.bound < kOpen) {
         windows_.push_back({opened, edge(here.lambda, before.lambda)});
-        opened = -1;
         end_ = here.lambda;
       }
     }
@@ -349,7 +145,6 @@ class Search {
     }
     windows_ = std::move(merged);
     if (!windows_.empty() && windows_.back().upper >= end_) end_ = std::nextafter(windows_.back().upper, HUGE_VAL);
-    return true;
   }
 
   void add_at_most(const Trial& trial, Interval in, double count) {
@@ -419,10 +214,11 @@ class Search {
     const Interval before = gap(i);
     const Interval behind = gap(i + 1);
     std::vector<Prover::Weighted> result;
+    // Rounding must not lead out of the gaps.
     for (const double share : {1.0, 0.6, 0.3}) {
-      const double upper = behind.lower + share * (behind.upper - behind.lower);
+      const double upper = std::min(behind.upper, behind.lower + share * (behind.upper - behind.lower));
       for (const double other : {1.0, 0.6, 0.3}) {
-        const double lower = i == 0 ? 0.0 : before.upper - other * (before.upper - before.lower);
+        const double lower = i == 0 ? 0.0 : std::max(before.lower, before.upper - other * (before.upper - before.lower));
         result.emplace_back(prover_, Interval{lower, upper});
         if (i == 0) break;
       }
@@ -570,8 +366,7 @@ EigenvaluesDocument eigenvalues(const Surface& surface, const EigenvaluesOptions
     document.windows.clear();
     document.at_most.clear();
     document.at_least.clear();
-    const TestSpace space{static_cast<Real>(options.up_to.value()), document.order, document.degree};
-    const Prover prover(space, trace_matrices(space, surface.genus(), lengths));
+    const Prover prover = prover_of(surface, document, lengths);
     if (!Search(prover, options, document).run()) continue;
     const Quality found = quality_of(document);
     if (quality && found <= *quality) continue;
@@ -580,9 +375,28 @@ EigenvaluesDocument eigenvalues(const Surface& surface, const EigenvaluesOptions
   }
   if (!quality) {
     throw NetError("nothing can be said about the eigenvalues from closed geodesics of length at most " +
-                   options.up_to.text() + "; a greater --up-to is needed");
+                   options.up_to.text() + "; a length of 1 or more is needed");
   }
   return best;
+}
+
+std::optional<double> length_to_count_first(const EigenvaluesDocument& document) {
+  if (document.windows.empty()) return std::nullopt;
+  const EigenvaluesDocument::Window& first = document.windows.front();
+  if (first.least == first.most) return std::nullopt;
+  const double up_to = static_cast<double>(Length(document.up_to).value());
+  const double area =
+      (static_cast<double>(document.net.triangles.size()) / 2 - static_cast<double>(document.net.vertices.size())) *
+      std::numbers::pi;
+  return std::max(up_to + 1, area / 2 * std::sqrt(std::max(0.0, first.in.upper - 0.25)) + 3);
+}
+
+std::vector<double> eigenvalue_bounds(const Surface& surface, const EigenvaluesDocument& document,
+                                      const std::vector<double>& lambdas) {
+  const Prover prover = prover_of(surface, document, lengths_of(surface, document));
+  std::vector<double> result;
+  for (const double lambda : lambdas) result.push_back(prover.most_at(lambda));
+  return result;
 }
 
 }  // namespace epsnet

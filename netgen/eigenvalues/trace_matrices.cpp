@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "kernel/isometry.h"
+
 namespace epsnet {
 namespace {
 
@@ -103,6 +105,18 @@ RealVector differences(const RealVector& x) {
 }
 
 }  // namespace
+
+RealVector lengths_of(const Surface& surface, const certify::GeodesicsDocument& spectrum) {
+  std::vector<Isometry<Real>> crossings;
+  for (std::uint32_t s = 0; s < surface.side_count(); ++s) crossings.push_back(surface.crossing_as<Real>(s));
+  RealVector result;
+  for (const auto& geodesic : spectrum.geodesics) {
+    Isometry<Real> product = crossings[geodesic.word.front()];
+    for (std::size_t i = 1; i < geodesic.word.size(); ++i) product = crossings[geodesic.word[i]] * product;
+    result.push_back(displacement_length(product));
+  }
+  return result;
+}
 
 RealVector TestSpace::values(const Real& lambda) const {
   using boost::multiprecision::abs;

@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "certify/claims/geodesics/document.h"
 #include "kernel/numbers.h"
+#include "triangulation/surface/surface.h"
 
 /// What the trace formula says of the eigenvalues of a surface, as matrices; docs/eigenvalues.md says how they are
 /// used.
@@ -24,6 +26,9 @@ struct TestSpace {
   /// f̂(λ) is the scalar product of the coefficients and this vector.
   [[nodiscard]] RealVector values(const Real& lambda) const;
 };
+
+/// The lengths of the geodesics of a list, from their words. Rounded.
+[[nodiscard]] RealVector lengths_of(const Surface& surface, const certify::GeodesicsDocument& spectrum);
 
 /// By p = 0, 1, 2 the matrix of the quadratic form Σ λ^p f̂(λ)² of c, over the eigenvalues λ ≠ 0. `lengths` are those of
 /// the primitive closed geodesics of length at most L, up to orientation. Rounded.

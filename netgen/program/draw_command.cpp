@@ -9,6 +9,7 @@
 #include "netgen/distances/vertex_distances.h"
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/pictures/draw.h"
+#include "netgen/pictures/eigenvalues_picture.h"
 #include "netgen/pictures/polygon.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
@@ -92,8 +93,10 @@ struct DrawingOf {
       for (const CLI::Option* option : request.of_nets) {
         if (option->count() > 0) throw UsageError(option->get_name() + ": only for a net file");
       }
-      const PolygonPicture picture = picture_of(contents);
-      return {draw_svg(picture, request.options.size), picture.left_out};
+      const auto picture = picture_of(contents);
+      Drawn result{draw_svg(picture, request.options.size), {}};
+      if constexpr (requires { picture.left_out; }) result.left_out = picture.left_out;
+      return result;
     } else {
       return (*this)(contents.net);
     }
@@ -126,7 +129,8 @@ void add_draw_command(CLI::App& app, Job& chosen) {
       "draw",
       "Draw a file in the Poincare disk. Of a net one lift of every triangle, with one vertex in the centre; of a "
       "surface "
-      "its tiles, laid out as one polygon; of anything else a Dirichlet domain with what the file claims.");
+      "its tiles, laid out as one polygon; of eigenvalues a bound for their number at each place; of anything else a "
+      "Dirichlet domain with what the file claims.");
   add_input(*draw_command, "FILE", request.file, "a net file, or any file that epsnet writes for itself or imports");
   add_output(*draw_command, request.output,
              "the picture to write, SVG or PNG as its name ends in .svg or .png, SVG without an extension");

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <sstream>
@@ -9,6 +10,7 @@
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/eigenvalues/eigenvalues.h"
+#include "netgen/pictures/eigenvalues_picture.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
@@ -25,6 +27,7 @@ struct EigenvaluesRequest {
   std::string up_to = "10";
   std::uint32_t count = 0;
   std::string output;
+  std::string svg;
   bool json = false;
   unsigned threads = 0;
 };
@@ -58,7 +61,7 @@ std::string eigenvalues_text(const EigenvaluesDocument& document) {
   std::uint64_t index = 1;  // Of the next eigenvalue; 0 where it is not known.
   for (const EigenvaluesDocument::Window& window : document.windows) {
     const Interval in = enclosure(window);
-    out << "none in (" << certify::shortest(from) << ", " << certify::shortest(in.lower) << ")\n";
+    if (from < in.lower) out << "none in (" << certify::shortest(from) << ", " << certify::shortest(in.lower) << ")\n";
     out << count_text(window) << " in " << to_string(in);
     if (window.least != window.most) {
       index = 0;
@@ -89,6 +92,8 @@ std::string eigenvalues_text(const EigenvaluesDocument& document) {
     }
   }
   out << "closed geodesics used: " << document.geodesics.size() << ", of length at most " << document.up_to << '\n';
+  if (const auto needed = length_to_count_first(document))
+    out << "to count the first ones, take closed geodesics of length up to about " << std::ceil(*needed) << '\n';
   return out.str();
 }
 
@@ -111,11 +116,13 @@ Json eigenvalues_json(const EigenvaluesDocument& document) {
   }
   result["closed_geodesics"] = document.geodesics.size();
   result["up_to"] = document.up_to;
+  if (const auto needed = length_to_count_first(document)) result["up_to_needed"] = std::ceil(*needed);
   return result;
 }
 
 void find_eigenvalues(const EigenvaluesRequest& request) {
-  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::json}});
+  check_files({{"SURFACE", request.surface}},
+              {{"--output", request.output, FileType::json}, {"--svg", request.svg, FileType::svg}});
   const Length up_to = parse_length("--up-to", request.up_to);
   constexpr int kLongest = 30;
   if (up_to.value() > kLongest) throw UsageError("--up-to: more than the greatest length, 30");
@@ -139,12 +146,14 @@ void find_eigenvalues(const EigenvaluesRequest& request) {
   if (certificate.verdict != certify::Verdict::verified) {
     throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
   }
-  write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(document, out); }}});
+  const std::string svg = request.svg.empty() ? "" : draw_svg(picture_of(document));
+  write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(document, out); }},
+                 {request.svg, [&](std::ostream& out) { out << svg; }}});
   Report report{"verdict: VERIFIED\n", Json::object({{"verdict", "VERIFIED"}})};
   const Report contents = eigenvalues_report(document);
   report.text += contents.text;
   report.json.update(contents.json);
-  write_report(report, request.json, is_stdout(request.output));
+  write_report(report, request.json, is_stdout(request.output) || is_stdout(request.svg));
 }
 
 }  // namespace
@@ -169,6 +178,9 @@ void add_eigenvalues_command(CLI::App& app, Job& chosen) {
       ->option_text("N");
   add_file(*command, "-o,--output", shared->output,
            "the eigenvalues file to write, for certify; \"-\" is standard output");
+  add_file(
+      *command, "--svg", shared->svg,
+      "also draw the bound for the number of eigenvalues at each place, and the intervals; \"-\" is standard output");
   add_json(*command, shared->json);
   add_threads(*command, shared->threads);
   command->footer(

@@ -1,5 +1,6 @@
 #include "netgen/program/png.h"
 
+#include <cmath>
 #include <librsvg/rsvg.h>
 #include <memory>
 
@@ -25,7 +26,7 @@ using Owned = std::unique_ptr<T, Releaser<T, release>>;
 
 }  // namespace
 
-std::string png_of_svg(const std::string& svg, std::uint32_t size) {
+std::string png_of_svg(const std::string& svg, std::uint32_t width) {
   GError* error = nullptr;
   const Owned<GInputStream, g_object_unref> stream(
       g_memory_input_stream_new_from_data(svg.data(), static_cast<gssize>(svg.size()), nullptr));
@@ -33,13 +34,16 @@ std::string png_of_svg(const std::string& svg, std::uint32_t size) {
   const Owned<RsvgHandle, g_object_unref> picture(
       rsvg_handle_new_from_stream_sync(stream.get(), nullptr, RSVG_HANDLE_FLAG_UNLIMITED, nullptr, &error));
   if (!picture) fail(error);
-  const auto pixels = static_cast<int>(size);
+  double own_width = 1;
+  double own_height = 1;
+  rsvg_handle_get_intrinsic_size_in_pixels(picture.get(), &own_width, &own_height);
+  const double height = std::round(own_height / own_width * width);
   const Owned<cairo_surface_t, cairo_surface_destroy> surface(
-      cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels, pixels));
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height)));
   const Owned<cairo_t, cairo_destroy> pen(cairo_create(surface.get()));
   cairo_set_source_rgb(pen.get(), 1, 1, 1);
   cairo_paint(pen.get());
-  const RsvgRectangle viewport{0, 0, static_cast<double>(size), static_cast<double>(size)};
+  const RsvgRectangle viewport{0, 0, static_cast<double>(width), height};
   if (rsvg_handle_render_document(picture.get(), pen.get(), &viewport, &error) == 0) fail(error);
   std::string result;
   const auto append = [](void* out, const unsigned char* bytes, unsigned count) {

@@ -3,6 +3,7 @@
 #include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
+#include "netgen/pictures/eigenvalues_picture.h"
 #include "python/binding/documents.h"
 #include "python/binding/nets.h"
 
@@ -31,6 +32,10 @@ void bind_eigenvalues(py::module_& module) {
                     };
                     return interruptible(search, callback);
                   })
+      .def("svg",
+           [](const SharedEigenvalues& self, std::uint32_t size) {
+             return interruptible([self, size] { return draw_svg(picture_of(*self), size); });
+           })
       .def_property_readonly("net", [](const SharedEigenvalues& self) { return SharedNet(self->net); })
       .def_property_readonly("up_to", [](const SharedEigenvalues& self) { return self->up_to; })
       .def_property_readonly("eigenvalues_up_to", [](const SharedEigenvalues& self) { return self->eigenvalues_up_to; })

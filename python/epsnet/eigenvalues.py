@@ -70,6 +70,13 @@ class Eigenvalues(Document, Sequence[EigenvalueWindow]):
         """The net on which the list of closed geodesics is proved."""
         return Net(self._core.net, self._surface, None)
 
+    def svg(self, size: int = 600) -> str:
+        """A bound for the number of eigenvalues at each place of the axis, and the windows, as SVG of this width."""
+        return self._core.svg(as_index(size, "size", 50, 20000))
+
+    def _repr_svg_(self) -> str:
+        return self.svg()
+
     def __len__(self) -> int:
         return len(self._windows)
 

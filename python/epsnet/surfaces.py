@@ -408,7 +408,8 @@ class Surface(Immutable):
 
     def eigenvalues(self, up_to: Number = 10, count: Optional[int] = None, *, threads: int = 0, progress: Progress = None) -> Eigenvalues:
         """Intervals with the eigenvalues of the Laplacian, with multiplicity, from 0 on without a gap. Proved from all closed geodesics up to
-        the length ``up_to``, at most 30, in time proportional to e^up_to. Stops when ``count`` of them are found. NetError if nothing can be said.
+        the length ``up_to``, at most 30, in time proportional to e^up_to. Stops when ``count`` of them are found. NetError if up_to is
+        so small, less than about 1, that nothing can be said.
 
         >>> import epsnet
         >>> first = epsnet.Surface.regular(2).eigenvalues(9, count=7)

@@ -1,4 +1,6 @@
 """Eigenvalues of the Laplacian."""
+import xml.etree.ElementTree as ElementTree
+
 import pytest
 
 import epsnet
@@ -30,8 +32,24 @@ def test_of_a_file_are_the_same(bolza, tmp_path):
     assert not epsnet.load(path, check=False)[0].interval.proved
 
 
+def test_few_geodesics_bound_the_first_one(bolza):
+    (window,) = bolza.eigenvalues(1)
+    assert window.interval.lower == 0 and window.least == 1 < window.most and window.interval.upper > BOLZA[0][1]
+
+
+def test_the_picture_has_a_band_for_each_window(bolza):
+    found = bolza.eigenvalues(9, count=7)
+    root = ElementTree.fromstring(found.svg(700))
+    assert (root.get("width"), root.get("height")) == ("700", "434")
+    bands = next(group for group in root if group.get("class") == "windows")
+    assert len(bands) == len(found)
+    assert found._repr_svg_() == found.svg() != found.svg(700)
+    with pytest.raises(epsnet.ArgumentError):
+        found.svg(1)
+
+
 def test_what_cannot_be_said_is_an_error(bolza):
-    with pytest.raises(epsnet.NetError, match="nothing can be said"):
-        bolza.eigenvalues(1)
+    with pytest.raises(epsnet.NetError, match="nothing can be said.*a length of 1 or more"):
+        bolza.eigenvalues("1e-3")
     with pytest.raises(epsnet.ArgumentError, match="at most 30"):
         bolza.eigenvalues(31)

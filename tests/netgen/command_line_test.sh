@@ -12,6 +12,13 @@ good spectrum s.json --up-to 3 -o spectrum.json
 good eigenvalues s.json --up-to 7 -o eigenvalues.json
 verified eigenvalues.json
 grep -q 'eigenvalues in (0, 1/4): none' output || complain "no line about small eigenvalues: $(cat output)"
+good eigenvalues s.json --up-to 7 --svg eigenvalues.svg
+good draw eigenvalues.json -o drawn.svg
+same eigenvalues.svg drawn.svg
+grep -q 'class="windows"' drawn.svg || complain 'no windows in the picture of eigenvalues'
+good draw eigenvalues.json -o eigenvalues.png --size 100
+[ "$(od -An -t u1 -j 16 -N 8 eigenvalues.png | tr -s ' ')" = ' 0 0 0 100 0 0 0 62' ] || complain "the size of a picture that is not square: $(od -An -t u1 -j 16 -N 8 eigenvalues.png)"
+bad 64 '^epsnet: --dirichlet: only for a net file' draw eigenvalues.json --dirichlet -o out/x.svg
 good dirichlet s.json -o domain.json
 good distance s.json 0,0.1,-1/3 0 -o distance.json
 printf '0,0.1,0.1\n0,-0.3,1/3\n' >points.txt
@@ -407,7 +414,11 @@ for value in 0 -1 nan x; do
 done
 bad 64 '^epsnet: --up-to: more than the greatest length, 30' eigenvalues s.json --up-to 31
 bad 64 '^epsnet: eigenvalues: --count: expected an integer from 1 to 1000000, not "0"' eigenvalues s.json --count 0
-bad 1 'nothing can be said about the eigenvalues' eigenvalues s.json --up-to 1 -o out/x.json
+bad 1 'nothing can be said about the eigenvalues.*; a length of 1 or more is needed' eigenvalues s.json --up-to 1e-3 -o out/x.json --svg out/x.svg
+good eigenvalues s.json --up-to 3
+grep -q '^to count the first ones, take closed geodesics of length up to about 9$' output || complain "no length that is needed: $(cat output)"
+good eigenvalues s.json --up-to 3 --json
+grep -q '"up_to_needed":9' output || complain "no length that is needed: $(cat output)"
 verified x.json
 grep -q '"up_to":"0.6"' x.json || complain 'the length is not in the file as 0.6'
 good systole s.json --epsilon .9

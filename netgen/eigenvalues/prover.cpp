@@ -1,0 +1,180 @@
+#include "netgen/eigenvalues/prover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "netgen/nets/certified_net.h"
+
+namespace epsnet {
+namespace {
+
+using certify::Interval;
+
+/// What rounding may add to quotients of sums and extreme values.
+constexpr double kMargin = 0x1p-50;
+
+/// Σ P f̂² for the sums Σ λ^p f̂².
+Real combined(const std::array<Real, 3>& x, Interval in) {
+  const Real rho = in.upper;
+  const Real sigma = in.lower;
+  return in.lower == 0 ? Real(rho * x[0] - x[1]) : Real((rho + sigma) * x[1] - x[2] - rho * sigma * x[0]);
+}
+
+RealMatrix weighted_matrix(const std::vector<RealMatrix>& matrices, Interval in) {
+  RealMatrix result = matrices[0];
+  for (std::size_t j = 0; j < result.size(); ++j) {
+    for (std::size_t k = 0; k < result.size(); ++k)
+      result[j][k] = combined({matrices[0][j][k], matrices[1][j][k], matrices[2][j][k]}, in);
+  }
+  return result;
+}
+
+}  // namespace
+
+Prover::Prover(TestSpace space, std::vector<RealMatrix> matrices)
+    : space_(std::move(space)), matrices_(std::move(matrices)), solver_(Solver::of(matrices_[0])) {
+  if (!solver_) throw NetError("the trace formula gives a singular matrix");
+}
+
+double Prover::most_at(double lambda) const {
+  const RealVector values = space_.values(Real(lambda));
+  return static_cast<double>(1 / dot(values, solver_->solve(values)));
+}
+
+std::optional<Trial> Prover::flat_on(const std::vector<double>& points) const {
+  std::vector<RealVector> values;
+  std::vector<RealVector> solved;
+  for (const double x : points) {
+    values.push_back(space_.values(Real(x)));
+    solved.push_back(solver_->solve(values.back()));
+  }
+  RealMatrix products(points.size(), RealVector(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = 0; j < points.size(); ++j) products[i][j] = dot(values[i], solved[j]);
+  }
+  const auto solver = Solver::of(products);
+  if (!solver) return std::nullopt;
+  const RealVector factors = solver->solve(RealVector(points.size(), Real(1)));
+  RealVector c(values.front().size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t k = 0; k < c.size(); ++k) c[k] += factors[i] * solved[i][k];
+  }
+  return trial(std::move(c));
+}
+
+Prover::Weighted::Weighted(const Prover& prover, Interval in)
+    : prover_(prover), in_(in), solver_(Solver::of(weighted_matrix(prover.matrices_, in))) {}
+
+std::optional<Trial> Prover::Weighted::best_at(double lambda) const {
+  if (!solver_) return std::nullopt;
+  return prover_.trial(solver_->solve(prover_.space_.values(Real(lambda))));
+}
+
+Real Prover::Weighted::sum(const Trial& trial) const { return combined(trial.sums, in_); }
+
+Real Prover::Weighted::weight(const Real& lambda) const {
+  return in_.lower == 0 ? Real(in_.upper - lambda) : Real((in_.upper - lambda) * (lambda - in_.lower));
+}
+
+template <class Function>
+Real Prover::extreme(Interval in, const Function& function) const {
+  const auto parameter = [](double x) { return std::sqrt(std::max(x, 0.0)); };
+  const double waves = (parameter(in.upper) - parameter(in.lower)) * static_cast<double>(space_.support);
+  int parts = 4 + static_cast<int>(2 * waves);
+  double lower = in.lower;
+  double upper = in.upper;
+  std::optional<Real> greatest;
+  for (int round = 0; round < 12 && lower < upper; ++round, parts = 4) {
+    int best = 0;
+    std::optional<Real> best_value;
+    for (int i = 0; i <= parts; ++i) {
+      const double x = i == parts ? upper : lower + (upper - lower) * i / parts;
+      const Real value = function(Real(x));
+      if (!best_value || value > *best_value) {
+        best_value = value;
+        best = i;
+      }
+    }
+    if (!greatest || *best_value > *greatest) greatest = best_value;
+    const double width = (upper - lower) / parts;
+    const double middle = lower + width * best;
+    // At an end of the interval the function is monotone.
+    if ((best == 0 && lower == in.lower) || (best == parts && upper == in.upper)) break;
+    lower = std::max(lower, middle - width);
+    upper = std::min(upper, middle + width);
+  }
+  return greatest ? *greatest : function(Real(in.lower));
+}
+
+double Prover::most_in(const Trial& trial, Interval in) const {
+  const Real least = extreme(in, [&](const Real& x) { return Real(-square(trial, x)); });
+  if (least >= 0) return HUGE_VAL;
+  const Real ratio = trial.sums[0] / -least * (1 + kMargin);
+  return std::floor(static_cast<double>(ratio));
+}
+
+double Prover::least_in(const Weighted& weighted, const Trial& trial, Interval within) const {
+  const Real sum = weighted.sum(trial);
+  if (sum <= 0) return 0;
+  const Real greatest = extreme(within, [&](const Real& x) { return Real(weighted.weight(x) * square(trial, x)); });
+  if (greatest <= 0) return 0;
+  return std::min(std::ceil(static_cast<double>(Real(sum / greatest * (1 - kMargin)))), 1e6);
+}
+
+std::optional<std::pair<Trial, double>> Prover::first_behind(double sigma, double guess) const {
+  const std::size_t size = matrices_[0].size();
+  RealMatrix left = matrices_[1];
+  RealMatrix right = matrices_[0];
+  for (std::size_t j = 0; sigma > 0 && j < size; ++j) {
+    for (std::size_t k = 0; k < size; ++k) {
+      left[j][k] = matrices_[2][j][k] - sigma * matrices_[1][j][k];
+      right[j][k] = matrices_[1][j][k] - sigma * matrices_[0][j][k];
+    }
+  }
+  RealMatrix shifted = left;
+  for (std::size_t j = 0; j < size; ++j) {
+    for (std::size_t k = 0; k < size; ++k) shifted[j][k] -= guess * right[j][k];
+  }
+  const auto solver = Solver::of(shifted);
+  if (!solver) return std::nullopt;
+  RealVector c = space_.values(Real(guess));
+  constexpr int kRounds = 60;
+  for (int round = 0; round < kRounds; ++round) {
+    RealVector image(size);
+    for (std::size_t j = 0; j < size; ++j) image[j] = dot(right[j], c);
+    c = solver->solve(image);
+    const Real scale = 1 / boost::multiprecision::sqrt(dot(c, c));
+    for (Real& x : c) x *= scale;
+  }
+  Trial result = trial(std::move(c));
+  const auto& sums = result.sums;
+  const Real above = sigma > 0 ? Real(sums[2] - sigma * sums[1]) : sums[1];
+  const Real below = sigma > 0 ? Real(sums[1] - sigma * sums[0]) : sums[0];
+  if (below <= 0) return std::nullopt;
+  return std::pair(std::move(result), static_cast<double>(Real(above / below)));
+}
+
+Trial Prover::trial(RealVector c) const {
+  using boost::multiprecision::abs;
+  Real greatest = 0;
+  for (const Real& x : c) greatest = std::max(greatest, Real(abs(x)));
+  Trial result;
+  for (Real& x : c) {
+    result.coefficients.push_back(static_cast<double>(Real(x / greatest)));
+    x = result.coefficients.back();
+  }
+  for (std::size_t p = 0; p < 3; ++p) {
+    for (std::size_t j = 0; j < c.size(); ++j) result.sums[p] += c[j] * dot(matrices_[p][j], c);
+  }
+  return result;
+}
+
+Real Prover::square(const Trial& trial, const Real& lambda) const {
+  const RealVector values = space_.values(lambda);
+  Real result = 0;
+  for (std::size_t k = 0; k < values.size(); ++k) result += trial.coefficients[k] * values[k];
+  return result * result;
+}
+
+}  // namespace epsnet

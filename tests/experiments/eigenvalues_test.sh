@@ -1,0 +1,66 @@
+#!/bin/sh
+# eigenvalues_test.sh PYTHON EIGENVALUES PROGRAMS: the tables of a few surfaces; what is finished is kept; what is not proved; bad input.
+python=$1
+script=$2
+programs=$3
+failures=0
+here=$(mktemp -d) || exit 1
+trap 'rm -rf "$here"' EXIT
+cd "$here" || exit 1
+
+complain() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+# make PROGRAMS DIR ARGUMENTS...
+make() {
+  from=$1
+  to=$2
+  shift 2
+  "$python" "$script" --quick --programs "$from" -o "$to" "$@" >output 2>messages
+}
+# instead NAME COMMANDS: a directory NAME whose epsnet runs these commands before the real one, with the same arguments.
+instead() {
+  mkdir "$1"
+  printf '#!/bin/sh\n%s\nexec "%s/epsnet" "$@"\n' "$2" "$programs" >"$1/epsnet"
+  chmod +x "$1/epsnet"
+}
+
+make "$programs" out || complain "exit code $?: $(cat messages)"
+for table in statistics octagons pinched covers named; do [ -s out/$table.md ] || complain "no table $table"; done
+# The ends are those that epsnet prints, rounded outward.
+"$programs/epsnet" surface octagon --seed 2 -o s.json && "$programs/epsnet" eigenvalues s.json --up-to 7 --count 1 --json >facts.json
+grep -q '"in":\[2.183[0-9]*,2.394[0-9]*\]' facts.json || complain "octagon 2: $(cat facts.json)"
+grep -q '^| 2 | \[2.18, 2.40\] | 1.7090 | 2.5102 |' out/octagons.md || complain "octagons: $(cat out/octagons.md)"
+grep -q '^| 2 | λ_1 in \[0.40' out/pinched.md || complain "pinched: $(cat out/pinched.md)"
+grep -q '^| 2 | 1 | 3 | λ_1 in \[0.88, 1.10\] | 0 |$' out/covers.md || complain "covers: $(cat out/covers.md)"
+grep -q '^| Bolza | 6 | 48 | 1 to 3 in \[3.385, 3.973\] | 0 |$' out/named.md || complain "named: $(cat out/named.md)"
+
+# Once more: nothing is computed again.
+instead idle 'case "$1" in eigenvalues | systole | diameter) echo "epsnet: computed again" >&2; exit 70 ;; esac'
+cp out/pinched.md expected
+make idle out || complain "again: exit code $?: $(cat messages)"
+cmp -s expected out/pinched.md || complain 'the table differs when made again'
+
+# What is not proved is a question mark; what fails otherwise ends the run.
+instead unproved 'case "$1" in eigenvalues) echo "epsnet: not certified" >&2; exit 1 ;; esac'
+make unproved none --only octagons --only pinched || complain "not proved: exit code $?: $(cat messages)"
+grep -q '^| 2 | ? | 1.7090 |' none/octagons.md || complain "not proved: $(cat none/octagons.md)"
+grep -q '^| 1 | not proved |' none/pinched.md || complain "not proved: $(cat none/pinched.md)"
+# bad TEXT PROGRAMS ARGUMENTS...: one line on standard error that has the text.
+bad() {
+  text=$1
+  from=$2
+  shift 2
+  make "$from" bad "$@" && complain "$text: it succeeds"
+  [ "$(wc -l <messages)" = 1 ] && grep -q "^experiments/eigenvalues: .*$text" messages || complain "expected '$text' in $(cat messages)"
+}
+instead faulty 'case "$1" in eigenvalues) echo "epsnet: internal fault" >&2; exit 70 ;; esac'
+bad 'eigenvalues: exit code 70: epsnet: internal fault' faulty --only pinched
+instead wrong 'case "$1" in eigenvalues) echo "{\"verdict\":\"not certified\"}"; exit 0 ;; esac'
+bad 'expected VERIFIED' wrong --only pinched
+bad 'no-programs/epsnet: No such file' no-programs --only pinched
+bad 'full run' "$programs" --docs
+
+[ $failures = 0 ] && echo 'all passed'
+[ $failures = 0 ]
