@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <string>
 #include <string_view>
-#include <variant>
 
 #include "certify/check.h"
 #include "certify/exact/checker.h"
@@ -13,15 +12,12 @@ namespace {
 
 using namespace epsnet;
 
-/// Returns the verdict of `certify` without its second checker, and the rule that it names. Undecided for files that
-/// are not nets, such as geodesics files, which the second checker does not check.
+/// Returns the verdict of `certify` without its second checker, and the rule that it names.
 certify::Verdict first_opinion(std::string_view text, std::string& rule) {
   try {
     const auto document = certify::parse_file<certify::ClaimDocument>(text, "input");
-    const auto* net = std::get_if<certify::NetDocument>(&document);
-    if (net == nullptr) return certify::Verdict::undecided;
     const certify::Certificate certificate =
-        certify::check(*net, {.threads = 1, .max_precision = 512, .max_work = 400'000'000});
+        certify::check(document, {.threads = 1, .max_precision = 512, .max_work = 400'000'000});
     rule = certificate.rule;
     return certificate.verdict;
   } catch (const certify::MalformedError&) {

@@ -3,10 +3,11 @@
 #include <string>
 #include <string_view>
 
-/// A second checker of net files, for surfaces made of rational tiles: integers only.
+/// A second checker of nets, pseudo nets, distance files and bound files, for surfaces made of rational tiles. It
+/// computes with integers, and with intervals whose ends MPFR rounds where a root or a function is asked.
 ///
-/// It shares nothing with the checker beside it: no ball arithmetic, no floating point, no JSON library, no threads, no
-/// line of code. It is written against docs/format.md and docs/proof.md, in the order of the latter's sections.
+/// It shares nothing with the checker beside it: no ball arithmetic, no JSON library, no threads, no line of code. It
+/// is written against docs/format.md and docs/proof.md, in the order of the latter's sections.
 namespace epsnet::exact {
 
 /// The values are the exit codes of the program.
@@ -18,8 +19,11 @@ struct Result {
   std::string message;  ///< Of a refuted rule the first culprit; empty if verified.
 };
 
-/// The verdict on a net file. Regular surfaces, maps, pseudo nets and geodesics files are undecided: "not for this
-/// checker". Linear time in the size of the file but for the exact numbers of labels. Throws std::bad_alloc only.
+/// What takes the place of a rule where a file is not for this checker; the message says what kind of file it is.
+inline constexpr const char* kLeftOut = "document";
+
+/// The verdict on a file. Regular surfaces, maps, geodesics and eigenvalues files are undecided, by kLeftOut. Linear
+/// time in the size of the file but for the exact numbers of labels. Throws std::bad_alloc only.
 [[nodiscard]] Result check(std::string_view text);
 
 }  // namespace epsnet::exact

@@ -6,7 +6,7 @@
 
 #include "certify/exact/checker.h"
 
-/// The program `certify-exact FILE`: reads a net file (`-` is standard input) and prints one verdict line.
+/// The program `certify-exact FILE`: reads a file (`-` is standard input) and prints one verdict line.
 namespace {
 
 constexpr int kExitUsage = 64;
@@ -14,8 +14,8 @@ constexpr int kExitInternal = 70;
 constexpr std::size_t kMaxBytes = std::size_t{1} << 32;
 constexpr const char* kUsage =
     "Usage: certify-exact FILE\n\n"
-    "Checks a net file by integers alone: a second opinion beside certify, for\n"
-    "surfaces made of rational tiles.\n"
+    "Checks a net, a pseudo net, a distance or bound file: a second opinion beside\n"
+    "certify, by integers and MPFR, for surfaces made of rational tiles.\n"
     "FILE is read completely; - is standard input. Example: certify-exact net.json\n\n"
     "The line of output is VERIFIED, REFUTED: rule: why, UNDECIDED: rule: why, or\n"
     "MALFORMED: why.\n"

@@ -128,8 +128,13 @@ class Sha256InBackground {
 
 /// What the second checker says of the bytes, and what follows from it.
 void add_second_opinion(FileReport& report, std::string_view bytes) {
-  report.second = ask_second_checker(bytes);
-  report.certificate = agreed(std::move(report.certificate), *report.second);
+  const SecondOpinion opinion = ask_second_checker(bytes);
+  if (opinion.rule == exact::kLeftOut) {
+    report.not_asked = opinion.message;
+    return;
+  }
+  report.second = opinion;
+  report.certificate = agreed(std::move(report.certificate), opinion);
 }
 
 FileReport check_bytes(const Request& request, const std::string& path) {
@@ -170,7 +175,10 @@ FileReport check_bytes(const Request& request, const std::string& path) {
   const NetDocument& net = AnyClaim(document).net();
   if (request.print_parsed) write_file(document, std::cout);
   const bool twice = kept && (request.exact || net.triangles.size() <= kTrianglesCheckedTwice);
-  if (!twice) std::string().swap(bytes);  // They may be gigabytes.
+  if (!twice) {
+    std::string().swap(bytes);  // They may be gigabytes.
+    report.not_asked = "more than " + std::to_string(kTrianglesCheckedTwice) + " triangles or 4 MB; --exact asks it";
+  }
   Progress progress;
   CheckOptions options = request.options;
   options.progress = [&](std::string_view rule, double share) { progress.show(rule, share); };

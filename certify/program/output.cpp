@@ -78,8 +78,7 @@ std::string joined(const std::vector<const char*>& words, const char* separator)
 
 std::string second_checker_line(const FileReport& report) {
   if (report.second) return "second checker: " + verdict_line(*report.second) + '\n';
-  return "second checker: not asked, more than " + std::to_string(kTrianglesCheckedTwice) +
-         " triangles or 4 MB; --exact asks it\n";
+  return "second checker: not asked, " + report.not_asked + '\n';
 }
 
 std::string json_string(std::string_view text) {
@@ -161,6 +160,7 @@ void add_findings(const FileReport& report, Members& members) {
 
 int exit_code(const FileReport& report) {
   if (report.fault) return kExitFault;
+  if (report.certificate.rule == kAgreement) return kExitDisagreement;
   return report.error.empty() ? exit_code(report.certificate.verdict) : kExitUsage;
 }
 

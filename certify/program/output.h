@@ -14,6 +14,7 @@ inline constexpr int kExitVerified = 0;
 inline constexpr int kExitRefuted = 1;
 inline constexpr int kExitUndecided = 2;
 inline constexpr int kExitMalformed = 3;
+inline constexpr int kExitDisagreement = 4;  ///< The two checkers contradict each other.
 inline constexpr int kExitUsage = 64;
 inline constexpr int kExitInternal = 70;  ///< The machine failed: memory, a crash, output that cannot be written.
 inline constexpr int kExitFault = 71;     ///< The checker found itself to be wrong (Fault).
@@ -27,7 +28,8 @@ struct FileReport {
   bool fault = false;                        ///< The error is a fault of this program; else it could not be read.
   bool is_claim = false;                     ///< Whether it was understood, so that there is something to count.
   Certificate certificate = {};              ///< Of both checkers. Its message begins without the file's name.
-  std::optional<SecondOpinion> second = {};  ///< Absent if the second checker was not run.
+  std::optional<SecondOpinion> second = {};  ///< Absent if the second checker was not asked.
+  std::string not_asked = {};                ///< Why not, if the file was understood.
 };
 
 [[nodiscard]] int exit_code(const FileReport& report);

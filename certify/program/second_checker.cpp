@@ -44,7 +44,7 @@ Certificate agreed(Certificate first, const SecondOpinion& second) {
   if (!disagree(first.verdict, second.verdict)) return first;
   first.message = "the two checkers disagree: certify says " + verdict_line(first) + "; certify-exact says " +
                   verdict_line(second) + "; please report this, with the file, to the authors of epsnet";
-  first.rule = "agreement";
+  first.rule = kAgreement;
   first.verdict = Verdict::undecided;
   return first;
 }

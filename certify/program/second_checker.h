@@ -18,7 +18,7 @@ inline constexpr std::uint64_t kBytesCheckedTwice = 4'000'000;
 /// What the second checker says, in the words of the first.
 struct SecondOpinion {
   Verdict verdict = Verdict::undecided;
-  std::string rule;     ///< Empty if verified or malformed.
+  std::string rule;     ///< Empty if verified or malformed; exact::kLeftOut if the file is not for it.
   std::string message;  ///< Empty if verified. One printable line.
 };
 
@@ -31,7 +31,10 @@ struct SecondOpinion {
 /// Whether what one proves contradicts what the other proves: one verifies, the other refutes or finds malformed.
 [[nodiscard]] bool disagree(Verdict first, Verdict second);
 
-/// The certificate, unless the two disagree: then it is undecided and says so, whatever the first one proved.
+/// What takes the place of a rule where the two disagree.
+inline constexpr const char* kAgreement = "agreement";
+
+/// The certificate, unless the two disagree: then it is undecided by kAgreement, whatever the first one proved.
 [[nodiscard]] Certificate agreed(Certificate first, const SecondOpinion& second);
 
 }  // namespace epsnet::certify::program

@@ -1750,7 +1750,7 @@ def collars(*changes):
     return document
 
 
-@refuted("collars", exact=LEFT, says="is not the core")
+@refuted("collars", says="is not the core")
 def collars_that_exchange_their_cores():
     """The cores and lengths of two collars are exchanged, with ways to and fro between their tiles."""
     document = collars()
@@ -1766,7 +1766,7 @@ def collars_that_exchange_their_cores():
     return document
 
 
-@refuted("collars", exact=LEFT, says="than the file says")
+@refuted("collars", says="than the file says")
 def collars_that_exchange_their_lengths():
     """The lengths of two collars are exchanged."""
     document = collars()
@@ -1775,7 +1775,7 @@ def collars_that_exchange_their_lengths():
     return document
 
 
-@refuted("collars", exact=LEFT, says="corners")
+@refuted("collars", says="corners")
 def collars_that_exchange_a_triangle():
     """The second triangles of two collars are exchanged: no two of them make an annulus."""
     document = collars()
@@ -1784,7 +1784,7 @@ def collars_that_exchange_a_triangle():
     return document
 
 
-@refuted("collars", exact=LEFT, says="corners")
+@refuted("collars", says="corners")
 def collars_that_exchange_a_vertex():
     """The second vertices of two collars are exchanged."""
     document = collars()
@@ -1793,7 +1793,7 @@ def collars_that_exchange_a_vertex():
     return document
 
 
-@refuted("collars", exact=LEFT, says="named twice")
+@refuted("collars", says="named twice")
 def collar_twice():
     """The same collar twice."""
     document = collars()
@@ -1801,7 +1801,7 @@ def collar_twice():
     return document
 
 
-@refuted("collars", exact=LEFT, says="named twice")
+@refuted("collars", says="named twice")
 def collar_twice_from_its_other_side():
     """The same collar once more, seen from its other vertex."""
     document = collars()
@@ -1810,7 +1810,7 @@ def collar_twice_from_its_other_side():
     return document
 
 
-@refuted("collars", exact=LEFT, says="vertex 0 is named twice")
+@refuted("collars", says="vertex 0 is named twice")
 def collars_with_a_vertex_in_common():
     """A third collar of other triangles, at a vertex of the first one."""
     document = collars()
@@ -1822,13 +1822,13 @@ def collars_with_a_vertex_in_common():
     return document
 
 
-@refuted("collars", exact=LEFT, says="is not the core")
+@refuted("collars", says="is not the core")
 def core_squared():
     """The core is the square of the loop."""
     return collars((1, "core", collars()["collars"][1]["core"] * 2))
 
 
-@refuted("collars", exact=LEFT, says="is not the core")
+@refuted("collars", says="is not the core")
 def core_conjugated():
     """The core is a conjugate of the loop: the same geodesic, another element."""
     document = collars()
@@ -1844,13 +1844,13 @@ def core_conjugated():
     return document
 
 
-@refuted("collars", exact=LEFT, says="is not the core")
+@refuted("collars", says="is not the core")
 def core_empty():
     """The core is the empty word."""
     return collars((1, "core", []))
 
 
-@refuted("collars", exact=LEFT, says="more than the file says")
+@refuted("collars", says="more than the file says")
 def length_of_the_core_too_small():
     """The core is said to be shorter than it is by one unit in the last place."""
     length = 0.25
@@ -1861,38 +1861,38 @@ def below(x):
     return math.nextafter(x, 0)
 
 
-@refuted("collars", exact=LEFT, says="less than the file says")
+@refuted("collars", says="less than the file says")
 def length_of_the_core_too_large():
     """The core is said to be longer than it is, by 10⁻¹⁵."""
     return collars((1, "length", [0.25 + 1e-15, 0.3]))
 
 
-@refuted("collars", exact=LEFT)
+@refuted("collars")
 def length_of_the_core_zero():
     """The core is said to have the length 0, a cusp."""
     return collars((1, "length", [0, 0]))
 
 
-@refuted("collars", exact=LEFT, says="greater than epsilon")
+@refuted("collars", says="greater than epsilon")
 def core_longer_than_epsilon():
     """ε is 0.2, less than the core of one collar, which is 0.25 long."""
     document = collars()
     return with_(document, epsilon="0.2", collars=document["collars"][::-1])
 
 
-@refuted("collars", exact=LEFT, also=["covering"], says="does not cover")
+@refuted("collars", also=["covering"], says="does not cover")
 def collar_wider_than_its_vertices_cover():
     """ε is 0.3: a collar's vertices are too far away to cover its part of the thick part."""
     return with_(collars(), epsilon="0.3")
 
 
-@refuted("collars", exact=LEFT, also=["packing"], says="thin part")
+@refuted("collars", also=["packing"], says="thin part")
 def vertices_of_a_collar_in_the_thin_part():
     """ε is 0.3465, so that the vertices of a collar have loops that are shorter."""
     return with_(collars(), epsilon="0.3465")
 
 
-@refuted("collars", exact=LEFT, says="ln sqrt")
+@refuted("collars", says="ln sqrt")
 def epsilon_more_than_the_logarithm_of_root_2():
     """ε is ln √2, rounded up after 60 digits."""
     with localcontext() as context:
@@ -1900,7 +1900,7 @@ def epsilon_more_than_the_logarithm_of_root_2():
         return with_(collars(), epsilon=to_60_digits(Decimal(2).ln() / 2, 1))
 
 
-@refuted("collars", exact=LEFT)
+@refuted("collars")
 def collar_where_there_is_none():
     """Two ordinary neighbouring triangles are said to be a collar."""
     document = collars()
@@ -1910,7 +1910,7 @@ def collar_where_there_is_none():
     return document
 
 
-@refuted("covering", exact=LEFT, also=["packing", "thick"])
+@refuted("covering", also=["packing", "thick"])
 def collar_left_out():
     """One of two collars is not listed."""
     document = collars()
@@ -1926,26 +1926,26 @@ def collars_left_out_of_a_net():
     return document
 
 
-@refuted("thick", exact=LEFT)
+@refuted("thick")
 def vertices_in_the_thin_part():
     """A net, with the empty list of collars: vertices around a short geodesic are in the thin part."""
     return seed("net-with-short-curves")
 
 
-@malformed("collars[0]", exact=LEFT)
+@malformed("collars[0]")
 def triangle_of_a_collar_of_32_ones():
     """A collar's triangle 2³² − 1."""
     return collars((0, "triangles", [collars()["collars"][0]["triangles"][0], 2**32 - 1]))
 
 
-@malformed("collars[0].vertices", exact=LEFT)
+@malformed("collars[0].vertices")
 def vertex_of_a_collar_plus_2_to_32():
     """A collar's vertex plus 2³²."""
     p, q = collars()["collars"][0]["vertices"]
     return collars((0, "vertices", [p, q + 2**32]))
 
 
-@malformed("collars[0]", exact=LEFT)
+@malformed("collars[0]")
 def length_of_the_core_the_other_way_around():
     """The length of a core between 0.3 and 0.2."""
     return collars((0, "length", [0.3, 0.2]))
@@ -2285,7 +2285,7 @@ def seven_paths():
     return distance_file("across-a-cuff-of-1e-8")
 
 
-@refuted("nearest", exact=LEFT)
+@refuted("nearest")
 def distance_without_one_of_four_equal_paths():
     """One of four shortest paths of equal length is left out."""
     document = four_paths()
@@ -2293,7 +2293,7 @@ def distance_without_one_of_four_equal_paths():
     return document
 
 
-@refuted("nearest", exact=LEFT)
+@refuted("nearest")
 def distance_without_a_path_that_is_longer_by_1e_16():
     """One of seven paths is left out: not a shortest one, and longer by less than binary64 tells."""
     document = seven_paths()
@@ -2328,7 +2328,7 @@ def distance_too_small_by_1e_12():
     return with_(document, distance=[x - 1e-12 for x in document["distance"]])
 
 
-@refuted("paths", exact=LEFT)
+@refuted("paths")
 def distance_with_a_longer_path():
     """One of four paths goes around a closed geodesic first."""
     document = four_paths()
@@ -2336,7 +2336,7 @@ def distance_with_a_longer_path():
     return document
 
 
-@refuted("paths", exact=LEFT, says="again")
+@refuted("paths", says="again")
 def distance_with_a_path_twice():
     """One of four paths takes the place of another one, once around the corner of the octagon before it begins."""
     document = four_paths()
@@ -2344,7 +2344,7 @@ def distance_with_a_path_twice():
     return document
 
 
-@refuted("paths", exact=LEFT)
+@refuted("paths")
 def distance_zero_of_points_1e_400_apart():
     """The distance of a point and one 10⁻⁴⁰⁰ away is said to be 0."""
     document = distance_file("zero")
@@ -2352,19 +2352,19 @@ def distance_zero_of_points_1e_400_apart():
     return with_(document, point=[tile, rational(Fraction(x) + Fraction(1, 10**400)), y])
 
 
-@refuted("equal", exact=LEFT)
+@refuted("equal")
 def distance_with_lengths_that_are_nearly_equal():
     """Seven lengths that agree in 15 digits are said to be equal."""
     return with_(seven_paths(), equal=True)
 
 
-@malformed("net", exact=LEFT)
+@malformed("net")
 def distance_in_a_net_of_more_vertices():
     """A net of several vertices: the nearest vertex of the net may be another one."""
     return with_(distance_file("bolza"), net=octagon(), paths=[[]])
 
 
-@malformed("paths[0]", exact=LEFT)
+@malformed("paths[0]")
 def distance_along_a_path_to_another_tile():
     """The path ends in the other tile."""
     document = seven_paths()
@@ -2372,7 +2372,7 @@ def distance_along_a_path_to_another_tile():
     return document
 
 
-@malformed("distance", exact=LEFT)
+@malformed("distance")
 def distance_below_zero():
     """The enclosure begins at −10⁻³⁰⁰."""
     return with_(distance_file("zero"), distance=[-1e-300, 0])
@@ -2406,7 +2406,7 @@ def diameter_too_large_by_1e_12():
     return bound_moved("regular-diameter", 1e-12, 1e-12)
 
 
-@refuted("cells", exact=LEFT)
+@refuted("cells")
 def diameter_with_all_cells_bounded_by_the_triangulation_of_the_net():
     """No cell has a triangulation of its own, and the circumradii of the net's grow away from its vertex."""
     document = bound_file("octagon-diameter")
@@ -2422,7 +2422,7 @@ def diameter_with_a_flip_left_out():
     return document
 
 
-@refuted("cells", exact=LEFT)
+@refuted("cells")
 def diameter_with_a_triangle_that_is_one_cell():
     """A triangle is not cut: its bound is asked for at its corners, the net's vertex, and is too large for all."""
     document = bound_file("octagon-diameter")
@@ -2430,7 +2430,7 @@ def diameter_with_a_triangle_that_is_one_cell():
     return document
 
 
-@malformed("cells", exact=LEFT)
+@malformed("cells")
 def diameter_without_a_triangle():
     """The last triangle of the net has no cells: a part of the surface is not looked at."""
     document = bound_file("octagon-diameter")
@@ -2438,7 +2438,7 @@ def diameter_without_a_triangle():
     return document
 
 
-@malformed("cells[1]", exact=LEFT)
+@malformed("cells[1]")
 def diameter_without_a_cell():
     """The last cell of a triangle is left out."""
     document = bound_file("octagon-diameter")
@@ -2446,7 +2446,7 @@ def diameter_without_a_cell():
     return document
 
 
-@malformed("cells[1]", exact=LEFT)
+@malformed("cells[1]")
 def diameter_with_a_cell_too_many():
     """One cell more than the cuts make."""
     document = bound_file("octagon-diameter")
@@ -2454,7 +2454,7 @@ def diameter_with_a_cell_too_many():
     return document
 
 
-@malformed("triangulations[0]", exact=LEFT)
+@malformed("triangulations[0]")
 def diameter_with_a_triangulation_made_from_itself():
     """The first triangulation is made from itself."""
     document = bound_file("octagon-diameter")
@@ -2462,7 +2462,7 @@ def diameter_with_a_triangulation_made_from_itself():
     return document
 
 
-@refuted("covering", exact=LEFT)
+@refuted("covering")
 def diameter_with_a_net_that_is_none():
     """The ε of the net is less than the eccentricity of its vertex."""
     document = bound_file("octagon-diameter")
@@ -2470,7 +2470,7 @@ def diameter_with_a_net_that_is_none():
     return document
 
 
-@refuted("orientation", exact=LEFT, also=("delaunay", "covering"))
+@refuted("orientation", also=("delaunay", "covering"))
 def diameter_of_another_surface():
     """The surface is another octagon; net, triangulations and cells are left as they are."""
     document = bound_file("octagon-diameter")
@@ -2478,19 +2478,19 @@ def diameter_of_another_surface():
     return document
 
 
-@refuted("upper", exact=LEFT)
+@refuted("upper")
 def radius_too_small_by_1e_12():
     """The upper end is less than the eccentricity of the net's vertex by 10⁻¹²."""
     return bound_moved("octagon-radius", 0, -1e-12)
 
 
-@refuted("cells", exact=LEFT)
+@refuted("cells")
 def radius_with_a_lower_end_larger_by_1e_12():
     """The lower end is more by 10⁻¹² than what the worst cell proves."""
     return bound_moved("octagon-radius", 1e-12, 0)
 
 
-@refuted("cells", exact=LEFT)
+@refuted("cells")
 def radius_with_a_triangulation_that_is_not_delaunay():
     """The lower end is next to nothing, but one cell has the triangulation of another one, whose largest circumradius at
     its midpoint is no eccentricity."""
@@ -2501,7 +2501,7 @@ def radius_with_a_triangulation_that_is_not_delaunay():
     return document
 
 
-@refuted("cells", exact=LEFT)
+@refuted("cells")
 def diameter_said_to_be_the_radius():
     """The claim is another one, and the same triangulations are asked for the eccentricity at midpoints of sides."""
     document = with_(bound_file("octagon-diameter"), claim="radius")
@@ -2509,13 +2509,13 @@ def diameter_said_to_be_the_radius():
                  value=[document["value"][0], 3])
 
 
-@refuted("cells", exact=LEFT)
+@refuted("cells")
 def embedded_disk_too_small_by_a_tenth():
     """Both ends are moved down by 1/10: there are larger disks."""
     return bound_moved("octagon-embedded-disk", -0.1, -0.1)
 
 
-@malformed("value", exact=LEFT)
+@malformed("value")
 def embedded_disk_of_radius_nothing():
     """The enclosure begins at 0, which says nothing."""
     document = bound_file("octagon-embedded-disk")
@@ -2539,7 +2539,7 @@ def as_it_is():
     return octagon()
 
 
-@disguise(LEFT)
+@disguise()
 def collars_as_they_are():
     """The pseudo net of the forged collars."""
     return collars()
@@ -2581,13 +2581,13 @@ def small_curves_as_they_are():
     return small_curves()
 
 
-@disguise(LEFT)
+@disguise()
 def equal_distances_as_they_are():
     """A distance with four shortest paths."""
     return four_paths()
 
 
-@disguise(LEFT)
+@disguise()
 def distance_with_words_in_other_letters():
     """The same with words that go once around the corner of the octagon, and to and fro."""
     document = four_paths()
@@ -2595,13 +2595,13 @@ def distance_with_words_in_other_letters():
     return document
 
 
-@disguise(LEFT)
+@disguise()
 def distance_with_a_lower_end_of_zero():
     """An enclosure that says less than it could."""
     return with_(seven_paths(), distance=[-0.0, seven_paths()["distance"][1]])
 
 
-@disguise(LEFT)
+@disguise()
 def narrow_collar_as_it_is():
     """A pseudo net with a core nearly as long as ε: the two vertices of the collar are 0.11 apart, ε is 0.34."""
     return seed("narrow-collar")
@@ -2865,7 +2865,7 @@ def epsilon_1e_60_more_than_the_radius_of_the_regular_octagon():
     return with_(seed("regular-of-one-vertex"), epsilon=to_60_digits(regular_radius(), 1))
 
 
-@disguise(LEFT)
+@disguise()
 def core_inverted():
     """The core of a collar is the inverse of the loop, which the format allows."""
     document = collars()
@@ -2875,7 +2875,7 @@ def core_inverted():
     return document
 
 
-@disguise(LEFT)
+@disguise()
 def enclosures_made_wide():
     """The lengths of cores are enclosed by the wide but true interval from 0 to 0.3."""
     return collars((0, "length", [0, 0.3]), (1, "length", [0, 0.3]))

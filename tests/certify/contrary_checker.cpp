@@ -15,7 +15,7 @@ Result check(std::string_view /*text*/) {
   if (wanted == "MALFORMED") return {Verdict::malformed, "", "not JSON"};
   // Whatever part of the program notices that another part is wrong.
   if (wanted == "FAULT") throw certify::Fault("made for a test");
-  return {Verdict::undecided, "document", "not for this checker: any"};
+  return {Verdict::undecided, kLeftOut, "not for this checker: any"};
 }
 
 }  // namespace epsnet::exact

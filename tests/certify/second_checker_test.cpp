@@ -73,7 +73,18 @@ TEST(SecondChecker, LeavesOthersFilesOut) {
   const std::string data = EPSNET_TEST_DATA;
   EXPECT_TRUE(is_left_out(check(contents(data + "/certify/verified/regular-2-10-vertices.json"))));
   EXPECT_TRUE(is_left_out(check(contents(data + "/geodesics/three-cuffs.json"))));
-  EXPECT_TRUE(is_left_out(check(R"({"format": "epsnet-net", "collars": []})")));
+  EXPECT_TRUE(is_left_out(check(contents(data + "/bounds/regular-diameter.json"))));
+  EXPECT_TRUE(is_left_out(check(contents(data + "/distances/bolza.json"))));
+}
+
+TEST(SecondChecker, VerifiesClaimsOfEveryKindThatItKnows) {
+  for (const std::string name :
+       {"bounds/octagon-diameter", "bounds/octagon-radius", "bounds/octagon-embedded-disk", "distances/four-equal",
+        "distances/zero", "distances/across-a-cuff-of-1e-8", "forgeries/collars", "forgeries/narrow-collar"}) {
+    SCOPED_TRACE(name);
+    const Result result = check(contents(std::string(EPSNET_TEST_DATA) + "/" + name + ".json"));
+    EXPECT_EQ(result.verdict, Verdict::verified) << result.rule << ": " << result.message;
+  }
 }
 
 TEST(SecondChecker, EverySingleByteRemovedIsNoticedOrHarmless) {

@@ -40,7 +40,7 @@ undecided=$data/undecided/packing-epsilon-is-the-edge-length-to-2600-digits.json
 expect 0 "second checker: VERIFIED
 verified by: certify and certify-exact
 VERIFIED" "$certify" "$good"
-expect 0 "second checker: UNDECIDED: document: not for this checker: a regular surface
+expect 0 "second checker: not asked, not for this checker: regular surfaces
 verified by: certify
 VERIFIED" "$certify" "$regular"
 "$certify" "$refuted" | grep -q '^second checker: REFUTED: surface: ' || fail "the torus is not refuted twice"
@@ -57,18 +57,18 @@ VERIFIED" "$contrary" "$good"
 "$contrary" --json "$refuted" | grep -q '^{"verdict": "UNDECIDED", .*"rule": "agreement", ' || fail "--json: no disagreement"
 for file in "$refuted" "$malformed"; do
   "$contrary" "$file" >"$folder/out"
-  [ $? = 2 ] || fail "$file: the exit code is not that of UNDECIDED"
+  [ $? = 4 ] || fail "$file: the exit code is not that of a disagreement"
   tail -n 1 "$folder/out" | grep -q "^UNDECIDED: agreement: $why .*; certify-exact says VERIFIED$report\$" ||
     fail "$file: no disagreement"
 done
 "$contrary" "$undecided" | tail -n 1 | grep -q '^UNDECIDED: packing: ' || fail "an undecided file is not undecided"
 EPSNET_SECOND_VERDICT=REFUTED
-expect 2 "second checker: $second
+expect 4 "second checker: $second
 UNDECIDED: agreement: $why VERIFIED; certify-exact says $second$report" "$contrary" "$good"
-expect 2 "UNDECIDED: \"$good\": agreement: $why VERIFIED; certify-exact says $second$report" "$contrary" "$good" "$regular"
+expect 4 "UNDECIDED: \"$good\": agreement: $why VERIFIED; certify-exact says $second$report" "$contrary" "$good" "$regular"
 "$contrary" --json "$good" | grep -q '^{"verdict": "UNDECIDED", .*"verified_by": \[\]' || fail "--json: verified by somebody"
 EPSNET_SECOND_VERDICT=MALFORMED
-expect 2 "UNDECIDED: agreement: $why VERIFIED; certify-exact says MALFORMED: not JSON$report" "$contrary" "$good"
+expect 4 "UNDECIDED: agreement: $why VERIFIED; certify-exact says MALFORMED: not JSON$report" "$contrary" "$good"
 for EPSNET_SECOND_VERDICT in REFUTED MALFORMED UNDECIDED; do
   for file in "$refuted" "$malformed" "$undecided"; do
     runs=$((runs + 1))
@@ -77,7 +77,7 @@ for EPSNET_SECOND_VERDICT in REFUTED MALFORMED UNDECIDED; do
   done
 done
 EPSNET_SECOND_VERDICT=UNDECIDED
-expect 0 "second checker: UNDECIDED: document: not for this checker: any
+expect 0 "second checker: not asked, not for this checker: any
 verified by: certify
 VERIFIED" "$contrary" "$good"
 
@@ -101,7 +101,7 @@ verified by: certify
 VERIFIED" "$contrary" "$folder/large.json"
 "$contrary" --json "$folder/large.json" | grep -q '"second_checker": null, "verified_by": \["certify"\]' ||
   fail "--json: the second checker was asked"
-expect 2 "UNDECIDED: agreement: $why VERIFIED; certify-exact says $second$report" "$contrary" --exact "$folder/large.json"
+expect 4 "UNDECIDED: agreement: $why VERIFIED; certify-exact says $second$report" "$contrary" --exact "$folder/large.json"
 expect 0 "second checker: VERIFIED
 verified by: certify and certify-exact
 VERIFIED" "$certify" --exact "$folder/large.json"

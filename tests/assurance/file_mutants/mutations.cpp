@@ -11,6 +11,8 @@
 namespace epsnet::attack {
 namespace {
 
+using certify::BoundDocument;
+using certify::DistanceDocument;
 using certify::GeodesicsDocument;
 using certify::NetDocument;
 
@@ -516,8 +518,8 @@ const std::vector<Mutation>& collar_mutations() {
   return all;
 }
 
-const std::vector<GeodesicsMutation>& geodesics_mutations() {
-  static const std::vector<GeodesicsMutation> all{
+const std::vector<MutationOf<GeodesicsDocument>>& geodesics_mutations() {
+  static const std::vector<MutationOf<GeodesicsDocument>> all{
       {"geodesic left out, and all else fits",
        [](GeodesicsDocument& file, Random& r) { leave_out(file, r.below(file.geodesics.size())); }},
       {"geodesic dropped",
@@ -668,6 +670,72 @@ const std::vector<GeodesicsMutation>& geodesics_mutations() {
          file.pieces.clear();
          make_clusters(file);
        }},
+  };
+  return all;
+}
+
+const std::vector<MutationOf<DistanceDocument>>& distance_mutations() {
+  static const std::vector<MutationOf<DistanceDocument>> all{
+      {"end of the distance",
+       [](DistanceDocument& file, Random& r) {
+         change_length(r.below(2) == 0 ? file.distance.lower : file.distance.upper, r);
+       }},
+      {"path left out",
+       [](DistanceDocument& file, Random& r) { file.paths.erase(file.paths.begin() + r.below(file.paths.size())); }},
+      {"path twice", [](DistanceDocument& file, Random& r) { file.paths.push_back(r.of(file.paths)); }},
+      {"path changed", [](DistanceDocument& file, Random& r) { change_word(r.of(file.paths), file.net, r); }},
+      {"paths exchanged", [](DistanceDocument& file, Random& r) { std::swap(r.of(file.paths), r.of(file.paths)); }},
+      {"equal or not", [](DistanceDocument& file, Random&) { file.equal = !file.equal; }},
+      {"point moved",
+       [](DistanceDocument& file, Random& r) {
+         mpq_class& x = r.below(2) == 0 ? file.point.z.x : file.point.z.y;
+         x += mpq_class(r.below(2) == 0 ? 1 : -1, mpz_class(1) << (4 + r.below(60)));
+         x.canonicalize();
+       }},
+      {"tile of the point",
+       [](DistanceDocument& file, Random& r) { file.point.tile = r.below(file.net.surface.tiles.size() + 1); }},
+  };
+  return all;
+}
+
+const std::vector<MutationOf<BoundDocument>>& bound_mutations() {
+  static const std::vector<MutationOf<BoundDocument>> all{
+      {"end of the value",
+       [](BoundDocument& file, Random& r) { change_length(r.below(2) == 0 ? file.value.lower : file.value.upper, r); }},
+      {"another claim",
+       [](BoundDocument& file, Random& r) { file.claim = static_cast<BoundDocument::Claim>(r.below(3)); }},
+      {"number of a cell", [](BoundDocument& file, Random& r) { r.of(r.of(file.cells)) = r.below(40); }},
+      {"number of a cell, of another one",
+       [](BoundDocument& file, Random& r) { r.of(r.of(file.cells)) = r.of(r.of(file.cells)); }},
+      {"cell left out",
+       [](BoundDocument& file, Random& r) {
+         std::vector<std::uint32_t>& row = r.of(file.cells);
+         row.erase(row.begin() + r.below(row.size()));
+       }},
+      {"two cells made one",
+       [](BoundDocument& file, Random& r) {
+         std::vector<std::uint32_t>& row = r.of(file.cells);
+         const std::size_t i = r.below(row.size());
+         if (row.size() < i + 3 || row[i] > 2 || row[i + 1] < 3 || row[i + 2] < 3) throw NothingToChange{};
+         row.erase(row.begin() + static_cast<std::ptrdiff_t>(i), row.begin() + static_cast<std::ptrdiff_t>(i + 2));
+       }},
+      {"rows of cells exchanged",
+       [](BoundDocument& file, Random& r) { std::swap(r.of(file.cells), r.of(file.cells)); }},
+      {"flip of another dart",
+       [](BoundDocument& file, Random& r) {
+         r.of(r.of(file.triangulations).flips) = r.below(3 * file.net.triangles.size() + 1);
+       }},
+      {"flip left out",
+       [](BoundDocument& file, Random& r) {
+         std::vector<std::uint32_t>& flips = r.of(file.triangulations).flips;
+         flips.erase(flips.begin() + r.below(flips.size()));
+       }},
+      {"triangulation made from another one",
+       [](BoundDocument& file, Random& r) {
+         r.of(file.triangulations).parent = r.below(file.triangulations.size() + 1);
+       }},
+      {"triangulations exchanged",
+       [](BoundDocument& file, Random& r) { std::swap(r.of(file.triangulations), r.of(file.triangulations)); }},
   };
   return all;
 }

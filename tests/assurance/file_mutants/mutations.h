@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "certify/claims/bound/document.h"
+#include "certify/claims/distance/document.h"
 #include "certify/claims/geodesics/document.h"
 #include "certify/net/document.h"
 
@@ -36,10 +38,12 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-struct Mutation {
+template <class Document>
+struct MutationOf {
   const char* name;
-  std::function<void(certify::NetDocument&, Random&)> apply;
+  std::function<void(Document&, Random&)> apply;
 };
+using Mutation = MutationOf<certify::NetDocument>;
 
 /// Defects of nets, most of them for surfaces made of tiles. They throw NothingToChange where there is nothing to
 /// change.
@@ -48,12 +52,10 @@ struct Mutation {
 [[nodiscard]] const std::vector<Mutation>& regular_mutations();
 [[nodiscard]] const std::vector<Mutation>& collar_mutations();
 
-struct GeodesicsMutation {
-  const char* name;
-  std::function<void(certify::GeodesicsDocument&, Random&)> apply;
-};
-/// Defects of the parts of a geodesics file other than its net.
-[[nodiscard]] const std::vector<GeodesicsMutation>& geodesics_mutations();
+/// Defects of the parts of a claim other than its net.
+[[nodiscard]] const std::vector<MutationOf<certify::GeodesicsDocument>>& geodesics_mutations();
+[[nodiscard]] const std::vector<MutationOf<certify::DistanceDocument>>& distance_mutations();
+[[nodiscard]] const std::vector<MutationOf<certify::BoundDocument>>& bound_mutations();
 
 /// Defects of the text: its bytes, tokens, and the notation of numbers.
 void change_text(std::string& text, Random& random);

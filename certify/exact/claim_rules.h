@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "certify/exact/document.h"
+#include "certify/exact/net_rules.h"
+
+/// The rules of claims about a net of one vertex, to be asked after those of the net, which are verified then. Each
+/// function throws Malformed if the structure of the document is broken; the net's rules and the document must live as
+/// long as what it returns.
+namespace epsnet::exact {
+
+/// Section 14 of docs/proof.md.
+[[nodiscard]] std::vector<Rule> distance_rules(const DistanceDocument& document, NetRules& net);
+/// Section 15.
+[[nodiscard]] std::vector<Rule> bound_rules(const BoundDocument& document, NetRules& net);
+
+}  // namespace epsnet::exact

@@ -1,0 +1,235 @@
+#include "certify/exact/document.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace epsnet::exact {
+
+const Json* find(const Json& object, const char* name) {
+  for (const Json::Member& member : object.members) {
+    if (member.name == name) return &member.value;
+  }
+  return nullptr;
+}
+
+const Json& member(const Json& object, const char* name) {
+  const Json* found = find(object, name);
+  if (found == nullptr) throw Malformed(std::string("no member \"") + name + '"');
+  return *found;
+}
+
+bool is_text(const Json& value, std::string_view text) {
+  return value.kind == Json::Kind::string && value.text == text;
+}
+
+void expect_text(const Json& value, std::string_view text, const char* what) {
+  if (!is_text(value, text)) throw Malformed("unexpected value for " + std::string(what));
+}
+
+namespace {
+
+void expect_members(const Json& value, std::initializer_list<std::string_view> names) {
+  if (value.kind != Json::Kind::object) throw Malformed("expected an object");
+  for (const Json::Member& found : value.members) {
+    if (std::find(names.begin(), names.end(), found.name) == names.end()) {
+      throw Malformed("unknown member \"" + found.name.substr(0, 40) + '"');
+    }
+  }
+}
+
+const std::vector<Json>& array(const Json& value, const char* what) {
+  if (value.kind != Json::Kind::array) throw Malformed(std::string(what) + ": expected an array");
+  return value.elements;
+}
+
+const std::vector<Json>& tuple(const Json& value, std::size_t size, const char* what) {
+  const std::vector<Json>& elements = array(value, what);
+  if (elements.size() != size) throw Malformed(std::string(what) + ": expected " + std::to_string(size) + " elements");
+  return elements;
+}
+
+Point read_rational_point(const Json& x, const Json& y) {
+  const mpq_class re = to_rational(x);
+  const mpq_class im = to_rational(y);
+  const mpz_class m = lcm(re.get_den(), im.get_den());
+  return {{re.get_num() * (m / re.get_den()), im.get_num() * (m / im.get_den())}, m};
+}
+
+Point read_binary_point(const Json& x, const Json& y) {
+  const Binary64 re = to_binary64(x);
+  const Binary64 im = to_binary64(y);
+  const long shift = std::max({0L, -re.exponent, -im.exponent});
+  const auto scaled = [&](const Binary64& n) {
+    return mpz_class(n.mantissa << static_cast<mp_bitcnt_t>(n.exponent + shift));
+  };
+  return lowest_terms({scaled(re), scaled(im)}, mpz_class(1) << static_cast<mp_bitcnt_t>(shift));
+}
+
+void expect_version(const Json& root) {
+  if (to_index(member(root, "version")) != 1) throw Malformed("the version is not 1");
+}
+
+mpq_class read_binary64(const Json& value) {
+  const Binary64 read = to_binary64(value);
+  const auto power = static_cast<mp_bitcnt_t>(std::abs(read.exponent));
+  return read.exponent < 0 ? mpq_class(read.mantissa, mpz_class(1) << power) : mpq_class(read.mantissa << power);
+}
+
+/// 0 <= lower <= upper.
+std::array<mpq_class, 2> read_length(const Json& value, const char* what) {
+  const auto& two = tuple(value, 2, what);
+  std::array<mpq_class, 2> length{read_binary64(two[0]), read_binary64(two[1])};
+  for (mpq_class& end : length) end.canonicalize();
+  if (length[0] < 0 || length[1] < length[0]) throw Malformed(std::string(what) + ": expected 0 <= lo <= hi");
+  return length;
+}
+
+std::vector<Index> read_indices(const Json& value, const char* what) {
+  std::vector<Index> indices;
+  for (const Json& element : array(value, what)) indices.push_back(to_index(element));
+  return indices;
+}
+
+/// Words of at most 10⁶ letters, 10⁷ in all.
+class Words {
+ public:
+  std::vector<Index> read(const Json& value) {
+    std::vector<Index> word = read_indices(value, "a word");
+    letters_ += word.size();
+    if (word.size() > 1'000'000 || letters_ > 10'000'000) throw Malformed("too many letters");
+    return word;
+  }
+
+ private:
+  std::size_t letters_ = 0;
+};
+
+std::vector<Collar> read_collars(const Json& value, Words& words) {
+  std::vector<Collar> collars;
+  for (const Json& row : array(value, "collars")) {
+    expect_members(row, {"core", "length", "vertices", "triangles"});
+    const auto& vertices = tuple(member(row, "vertices"), 2, "vertices of a collar");
+    const auto& triangles = tuple(member(row, "triangles"), 2, "triangles of a collar");
+    collars.push_back({words.read(member(row, "core")),
+                       read_length(member(row, "length"), "length of a collar"),
+                       {to_index(vertices[0]), to_index(vertices[1])},
+                       {to_index(triangles[0]), to_index(triangles[1])}});
+  }
+  return collars;
+}
+
+Net read_net(const Json& root, Words& words) {
+  expect_members(root,
+                 {"format", "version", "surface", "epsilon", "charts", "labels", "vertices", "triangles", "collars"});
+  expect_text(member(root, "format"), "epsnet-net", "the format");
+  expect_version(root);
+  Net net;
+  const Json& surface = member(root, "surface");
+  expect_members(surface, {"kind", "tiles", "gluing", "about"});
+  expect_text(member(surface, "kind"), "tiles", "the kind of the surface");
+  if (const Json* about = find(surface, "about");
+      about != nullptr && (about->kind != Json::Kind::string || about->text.size() > (std::size_t{1} << 20))) {
+    throw Malformed("about: expected a string of at most 1 MiB");
+  }
+  for (const Json& row : array(member(surface, "tiles"), "tiles")) {
+    net.tiles.emplace_back();
+    for (const Json& vertex : array(row, "a tile")) {
+      const auto& pair = tuple(vertex, 2, "a vertex of a tile");
+      net.tiles.back().push_back(read_rational_point(pair[0], pair[1]));
+    }
+  }
+  for (const Json& row : array(member(surface, "gluing"), "gluing")) {
+    const auto& four = tuple(row, 4, "gluing");
+    net.gluing.push_back({to_index(four[0]), to_index(four[1]), to_index(four[2]), to_index(four[3])});
+  }
+  net.epsilon = to_decimal(member(root, "epsilon"));
+  for (const Json& row : array(member(root, "charts"), "charts")) {
+    const auto& three = tuple(row, 3, "a chart");
+    net.charts.emplace_back(to_index(three[0]), read_rational_point(three[1], three[2]));
+  }
+  for (const Json& row : array(member(root, "labels"), "labels")) {
+    const auto& three = tuple(row, 3, "a label");
+    net.labels.push_back({to_index(three[0]), to_index(three[1]), words.read(three[2])});
+  }
+  for (const Json& row : array(member(root, "vertices"), "vertices")) {
+    const auto& three = tuple(row, 3, "a vertex");
+    net.vertices.push_back({to_index(three[0]), read_binary_point(three[1], three[2])});
+  }
+  for (const Json& row : array(member(root, "triangles"), "triangles")) {
+    const auto& n = tuple(row, 8, "a triangle");
+    const auto at = [&](std::size_t i) { return to_index(n[i]); };
+    net.triangles.push_back({{at(0), at(1), at(2)}, {at(3), at(4), at(5)}, {0, at(6), at(7)}});
+  }
+  if (const Json* collars = find(root, "collars")) net.collars = read_collars(*collars, words);
+  return net;
+}
+
+/// The net of a claim: of one vertex, and without collars.
+Net read_one_vertex_net(const Json& root, Words& words) {
+  const Json& net = member(root, "net");
+  if (net.kind == Json::Kind::object && find(net, "collars") != nullptr) throw Malformed("a pseudo net");
+  Net result = read_net(net, words);
+  if (result.vertices.size() != 1) throw Malformed("a net of another number of vertices than one");
+  return result;
+}
+
+}  // namespace
+
+Net read_net(const Json& root) {
+  Words words;
+  return read_net(root, words);
+}
+
+DistanceDocument read_distance(const Json& root) {
+  expect_members(root, {"format", "version", "net", "point", "distance", "paths", "equal"});
+  expect_version(root);
+  Words words;
+  Net net = read_one_vertex_net(root, words);
+  const auto& point = tuple(member(root, "point"), 3, "the point");
+  DistanceDocument document{.net = std::move(net),
+                            .tile = to_index(point[0]),
+                            .point = read_rational_point(point[1], point[2]),
+                            .distance = read_length(member(root, "distance"), "the distance"),
+                            .paths = {},
+                            .equal = false};
+  for (const Json& word : array(member(root, "paths"), "paths")) document.paths.push_back(words.read(word));
+  const Json& equal = member(root, "equal");
+  document.equal = equal.kind == Json::Kind::literal && equal.text == "true";
+  if (!document.equal && (equal.kind != Json::Kind::literal || equal.text != "false")) {
+    throw Malformed("equal: expected true or false");
+  }
+  return document;
+}
+
+BoundDocument read_bound(const Json& root) {
+  expect_members(root, {"format", "version", "claim", "net", "value", "triangulations", "cells"});
+  expect_version(root);
+  Words words;
+  BoundDocument document{.net = read_one_vertex_net(root, words),
+                         .claim = BoundDocument::Claim::diameter,
+                         .value = read_length(member(root, "value"), "the value"),
+                         .triangulations = {},
+                         .cells = {}};
+  const Json& claim = member(root, "claim");
+  if (is_text(claim, "radius")) {
+    document.claim = BoundDocument::Claim::radius;
+  } else if (is_text(claim, "embedded-disk")) {
+    document.claim = BoundDocument::Claim::embedded_disk;
+  } else {
+    expect_text(claim, "diameter", "the claim");
+  }
+  for (const Json& row : array(member(root, "triangulations"), "triangulations")) {
+    std::vector<Index> flips = read_indices(row, "a triangulation");
+    if (flips.empty()) throw Malformed("a triangulation: expected the number of another one");
+    const Index parent = flips.front();
+    flips.erase(flips.begin());
+    document.triangulations.push_back({parent, std::move(flips)});
+  }
+  for (const Json& row : array(member(root, "cells"), "cells")) document.cells.push_back(read_indices(row, "cells"));
+  return document;
+}
+
+}  // namespace epsnet::exact

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <gmpxx.h>
+#include <mpfr.h>
+
+#include "certify/exact/squared_sinh.h"
+
+/// Intervals whose ends MPFR rounds outward. What is not a number stays so, and comparisons with it are unknown.
+namespace epsnet::exact {
+
+class Interval {
+ public:
+  static constexpr mpfr_prec_t kBits = 256;
+
+  Interval(long n = 0) {  // NOLINT(google-explicit-constructor): numbers in formulas.
+    mpfr_inits2(kBits, lower_, upper_, nullptr);
+    mpfr_set_si(lower_, n, MPFR_RNDD);
+    mpfr_set_si(upper_, n, MPFR_RNDU);
+  }
+  explicit Interval(const mpq_class& x) {
+    mpfr_inits2(kBits, lower_, upper_, nullptr);
+    mpfr_set_q(lower_, x.get_mpq_t(), MPFR_RNDD);
+    mpfr_set_q(upper_, x.get_mpq_t(), MPFR_RNDU);
+  }
+  Interval(const Interval& other) {
+    mpfr_inits2(kBits, lower_, upper_, nullptr);
+    *this = other;
+  }
+  Interval& operator=(const Interval& other) {
+    mpfr_set(lower_, other.lower_, MPFR_RNDD);
+    mpfr_set(upper_, other.upper_, MPFR_RNDU);
+    return *this;
+  }
+  ~Interval() { mpfr_clears(lower_, upper_, nullptr); }
+
+  friend Interval operator+(const Interval& x, const Interval& y) {
+    Interval z;
+    mpfr_add(z.lower_, x.lower_, y.lower_, MPFR_RNDD);
+    mpfr_add(z.upper_, x.upper_, y.upper_, MPFR_RNDU);
+    return z;
+  }
+  friend Interval operator-(const Interval& x) {
+    Interval z;
+    mpfr_neg(z.lower_, x.upper_, MPFR_RNDD);
+    mpfr_neg(z.upper_, x.lower_, MPFR_RNDU);
+    return z;
+  }
+  friend Interval operator-(const Interval& x, const Interval& y) { return x + (-y); }
+  friend Interval operator*(const Interval& x, const Interval& y) { return hull_of(mpfr_mul, x, y); }
+  friend Interval operator/(const Interval& x, const Interval& y) {
+    return mpfr_sgn(y.lower_) * mpfr_sgn(y.upper_) > 0 ? hull_of(mpfr_div, x, y) : not_a_number();
+  }
+
+  friend Interval square(const Interval& x) {
+    Interval z = x * x;
+    if (mpfr_sgn(z.lower_) < 0) mpfr_set_zero(z.lower_, 1);
+    return z;
+  }
+  /// Of a number that is known not to be negative.
+  friend Interval sqrt(Interval x) {
+    if (mpfr_sgn(x.lower_) < 0) mpfr_set_zero(x.lower_, 1);
+    return increasing(mpfr_sqrt, x);
+  }
+  friend Interval sinh(const Interval& x) { return increasing(mpfr_sinh, x); }
+  friend Interval arsinh(const Interval& x) { return increasing(mpfr_asinh, x); }
+  friend Interval arctan(const Interval& x) { return increasing(mpfr_atan, x); }
+  /// Of a number that is known to be at least 1.
+  friend Interval arcosh(Interval x) {
+    if (mpfr_cmp_ui(x.lower_, 1) < 0) mpfr_set_ui(x.lower_, 1, MPFR_RNDD);
+    return increasing(mpfr_acosh, x);
+  }
+  friend Interval log(const Interval& x) { return increasing(mpfr_log, x); }
+
+  friend Answer is_less(const Interval& x, const Interval& y) {
+    if (mpfr_less_p(x.upper_, y.lower_) != 0) return Answer::yes;
+    return mpfr_greaterequal_p(x.lower_, y.upper_) != 0 ? Answer::no : Answer::unknown;
+  }
+
+  static Interval pi() {
+    Interval z;
+    mpfr_const_pi(z.lower_, MPFR_RNDD);
+    mpfr_const_pi(z.upper_, MPFR_RNDU);
+    return z;
+  }
+
+ private:
+  static Interval not_a_number() {
+    Interval z;
+    mpfr_set_nan(z.lower_);
+    mpfr_set_nan(z.upper_);
+    return z;
+  }
+
+  template <class Function>
+  static Interval increasing(const Function& function, const Interval& x) {
+    Interval z;
+    function(z.lower_, x.lower_, MPFR_RNDD);
+    function(z.upper_, x.upper_, MPFR_RNDU);
+    return z;
+  }
+
+  /// The values of an operation, monotone in each of its operands, on the four pairs of ends.
+  template <class Operation>
+  static Interval hull_of(const Operation& operation, const Interval& x, const Interval& y) {
+    Interval z = not_a_number();  // As yet: the first end is taken as it is.
+    Interval t;
+    bool first = true;
+    for (const auto* p : {&x.lower_, &x.upper_}) {
+      for (const auto* q : {&y.lower_, &y.upper_}) {
+        operation(t.lower_, *p, *q, MPFR_RNDD);
+        operation(t.upper_, *p, *q, MPFR_RNDU);
+        if (mpfr_nan_p(t.lower_) != 0) return not_a_number();
+        if (first || mpfr_less_p(t.lower_, z.lower_) != 0) mpfr_set(z.lower_, t.lower_, MPFR_RNDD);
+        if (first || mpfr_greater_p(t.upper_, z.upper_) != 0) mpfr_set(z.upper_, t.upper_, MPFR_RNDU);
+        first = false;
+      }
+    }
+    return z;
+  }
+
+  mpfr_t lower_;
+  mpfr_t upper_;
+};
+
+}  // namespace epsnet::exact
