@@ -2267,6 +2267,176 @@ def boundary_of_a_third_side():
     return document
 
 
+# ---- Eigenvalues -------------------------------------------------------------------------------------------------
+
+group = "eigenvalues"
+
+
+def eigenvalues(name="octagon-5-to-8"):
+    with open(os.path.join(TOP, "tests", "data", "eigenvalues", name + ".json"), encoding="utf-8") as file:
+        return json.load(file)
+
+
+def bolza(row=None, **changes):
+    """The file of the Bolza surface, with 3, 4 and 2 eigenvalues; `row` is the list and the index of a statement that is
+    changed."""
+    document = eigenvalues("bolza-to-9")
+    if row:
+        document[row[0]][row[1]].update(changes)
+    return document
+
+
+def as_one_window(document, i, **changes):
+    """Window i changed, its two enclosures being itself."""
+    window = {**document["windows"][i], **changes}
+    document["windows"][i] = {**window, "smallest": window["in"], "greatest": window["in"]}
+    return document
+
+
+@refuted("complete", exact=LEFT)
+def eigenvalues_without_a_geodesic():
+    """One closed geodesic is left out of 217; all statements are as before."""
+    document = eigenvalues()
+    del document["geodesics"][100]
+    return runs(document)
+
+
+@refuted("complete", exact=LEFT)
+def eigenvalues_from_geodesics_up_to_more():
+    """L is 8.1 instead of 8, and geodesics of lengths in between are missing."""
+    return with_(eigenvalues(), up_to="8.1")
+
+
+@refuted("windows", exact=LEFT)
+def eigenvalues_from_geodesics_up_to_a_bit_more():
+    """L is 8.0001 instead of 8: no geodesic is missing, but the test functions are others. The window is narrowed to
+    where λ_1 would be by those of L = 8.0001, for which there are no statements."""
+    document = with_(eigenvalues(), up_to="8.0001")
+    low, high = document["windows"][0]["in"]
+    return as_one_window(document, 0, **{"in": [low + 1e-6, high]})
+
+
+@refuted("geodesics", exact=LEFT)
+def eigenvalues_of_another_surface():
+    """The net is that of another octagon, whose closed geodesics have other lengths."""
+    return with_(eigenvalues(), net=octagon())
+
+
+@refuted("most", exact=LEFT)
+def eigenvalues_none_where_one_is():
+    """The interval of the statement that there is none reaches to the end of the window, which is left out."""
+    document = eigenvalues()
+    document["at_most"] = [{**document["at_most"][0], "in": [0, document["eigenvalues_up_to"]]}]
+    return with_(document, windows=[], at_least=[])
+
+
+@refuted("most", exact=LEFT)
+def eigenvalues_none_a_little_further():
+    """The interval of the statement that there is none is longer by 0.02, which is still before λ_1."""
+    document = eigenvalues()
+    rows = [row for row in document["at_most"] if row["count"] == 0]
+    rows[0]["in"][1] += 0.02
+    return document
+
+
+@refuted("most", exact=LEFT)
+def eigenvalues_with_one_coefficient_of_the_other_sign():
+    """One of the 33 coefficients of a test function has the other sign."""
+    document = eigenvalues()
+    document["at_most"][1]["coefficients"][5] *= -1
+    return document
+
+
+@refuted("least", exact=LEFT)
+def eigenvalues_with_the_coefficients_of_another_statement():
+    """That there is an eigenvalue is said with the test function that says that there is none."""
+    document = eigenvalues()
+    document["at_least"][0]["coefficients"] = document["at_most"][0]["coefficients"]
+    return document
+
+
+@refuted("most", exact=LEFT)
+def multiplicity_three_said_to_be_two():
+    """The first window of the Bolza surface has 2 eigenvalues instead of 3, in the window and in its statement."""
+    return as_one_window(bolza(("at_most", 0), count=2), 0, least=2, most=2)
+
+
+@refuted("least", exact=LEFT)
+def multiplicity_three_said_to_be_four():
+    """The first window of the Bolza surface has 4 eigenvalues instead of 3, in the window and in its statements."""
+    document = bolza(("at_least", 0), count=4)
+    document["at_most"][0]["count"] = 4
+    return as_one_window(document, 0, least=4, most=4)
+
+
+@refuted("windows", exact=LEFT)
+def multiplicity_four_said_to_be_three():
+    """The second window of the Bolza surface has 3 eigenvalues instead of 4, without a statement for it."""
+    return as_one_window(bolza(), 1, least=3, most=3)
+
+
+@refuted("windows", exact=LEFT)
+def window_narrower_by_a_unit():
+    """A window begins one unit in the last place later."""
+    document = bolza()
+    low, high = document["windows"][1]["in"]
+    return as_one_window(document, 1, **{"in": [math.nextafter(low, 9), high]})
+
+
+@refuted("windows", exact=LEFT)
+def window_left_out():
+    """The window with two eigenvalues is missing."""
+    document = bolza()
+    del document["windows"][2]
+    return document
+
+
+@refuted("windows", exact=LEFT)
+def smallest_eigenvalue_enclosed_in_less():
+    """The enclosure of the smallest eigenvalue of a window ends one unit in the last place earlier."""
+    document = bolza()
+    document["windows"][0]["smallest"][1] = math.nextafter(document["windows"][0]["smallest"][1], 0)
+    return document
+
+
+@refuted("windows", exact=LEFT)
+def eigenvalues_up_to_more():
+    """The end of the claim is one unit in the last place later."""
+    document = bolza()
+    return with_(document, eigenvalues_up_to=math.nextafter(document["eigenvalues_up_to"], 99))
+
+
+@refuted("windows", exact=LEFT)
+def at_least_in_an_interval_with_another_window():
+    """That at least 3 are in the first window is said with a weight that is positive in the second one as well: there are
+    3 in both together."""
+    document = bolza()
+    row = next(row for row in document["at_least"] if row["in"][0] == 0)
+    row["in"][1] = document["windows"][2]["in"][0]
+    document["at_least"] = [row] + [other for other in document["at_least"] if other["in"][0] > 0]
+    return as_one_window(document, 0)
+
+
+@malformed("at_most[0]", exact=LEFT)
+def coefficients_that_are_0():
+    """The test function 0, for which F₀ = 0 < f̂² is not even asked."""
+    return bolza(("at_most", 0), coefficients=[0] * 33)
+
+
+@malformed("at_most[0].count", exact=LEFT)
+def count_plus_2_to_32():
+    """A count of 3 + 2³²."""
+    return bolza(("at_most", 0), count=3 + 2**32)
+
+
+@malformed("windows[2]", exact=LEFT)
+def windows_that_overlap():
+    """Four eigenvalues counted twice, in two windows."""
+    document = bolza()
+    document["windows"].insert(1, document["windows"][1])
+    return document
+
+
 # ---- Distances ---------------------------------------------------------------------------------------------------
 
 group = "distances"
@@ -2881,6 +3051,24 @@ def enclosures_made_wide():
     return collars((0, "length", [0, 0.3]), (1, "length", [0, 0.3]))
 
 
+@disguise(LEFT)
+def eigenvalues_said_in_other_words():
+    """Coefficients 2⁶⁰⁰ times as large, statements in another order and twice, windows that claim less."""
+    document = eigenvalues("bolza-to-9")
+    for row in document["at_most"] + document["at_least"]:
+        row["coefficients"] = [math.ldexp(c, 600) for c in row["coefficients"]]
+    document["at_most"] = document["at_most"][::-1] + document["at_most"][:2]
+    return as_one_window(as_one_window(document, 0, least=2), 1)
+
+
+@disguise(LEFT)
+def eigenvalues_from_0_on():
+    """A window from 0 on, which contains what is said to be none of before; E ends in it."""
+    document = eigenvalues()
+    high = document["windows"][0]["in"][1]
+    return as_one_window(document, 0, **{"in": [0, high]})
+
+
 # ---- Asking the programs -----------------------------------------------------------------------------------------
 
 
@@ -2949,8 +3137,8 @@ GROUPS = {
     "text": "The text", "numbers": "Numbers", "structure": "Structure", "surface": "Rule `surface`",
     "map": "Rule `map`", "gluing": "Rule `gluing`", "orientation": "Rule `orientation`",
     "delaunay": "Rule `delaunay`", "covering": "Rule `covering`", "packing": "Rule `packing`",
-    "collars": "Pseudo nets", "geodesics": "Closed geodesics", "distances": "Distances",
-    "bounds": "Diameter, radius, embedded disk", "disguises": "Disguises"}
+    "collars": "Pseudo nets", "geodesics": "Closed geodesics", "eigenvalues": "Eigenvalues",
+    "distances": "Distances", "bounds": "Diameter, radius, embedded disk", "disguises": "Disguises"}
 
 
 def tables():
