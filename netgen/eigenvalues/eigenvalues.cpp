@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "certify/base/text.h"
 #include "netgen/eigenvalues/prover.h"
 #include "netgen/eigenvalues/trace_matrices.h"
 #include "netgen/geodesics/geodesics.h"
@@ -20,8 +21,17 @@ namespace {
 using certify::EigenvaluesDocument;
 using certify::Interval;
 
-/// For the lengths of the geodesics of the document.
+/// For the lengths of the geodesics of the document, the shortest first. Throws LimitError if they have too many
+/// multiples.
 Prover prover_of(const Surface& surface, const EigenvaluesDocument& document, const RealVector& lengths) {
+  constexpr double kMostMultiples = 1e6;
+  const double up_to = static_cast<double>(Length(document.up_to).value());
+  double multiples = 0;
+  for (const Real& length : lengths) multiples += std::floor(up_to / static_cast<double>(length));
+  if (multiples > kMostMultiples) {
+    throw LimitError("the closed geodesics have more than 1000000 multiples of length at most " + document.up_to +
+                     "; the shortest one has the length " + certify::shortest(static_cast<double>(lengths.front())));
+  }
   const TestSpace space{static_cast<Real>(Length(document.up_to).value()), document.order, document.degree};
   return {space, trace_matrices(space, surface.genus(), lengths)};
 }
@@ -218,7 +228,8 @@ class Search {
     for (const double share : {1.0, 0.6, 0.3}) {
       const double upper = std::min(behind.upper, behind.lower + share * (behind.upper - behind.lower));
       for (const double other : {1.0, 0.6, 0.3}) {
-        const double lower = i == 0 ? 0.0 : std::max(before.lower, before.upper - other * (before.upper - before.lower));
+        const double lower =
+            i == 0 ? 0.0 : std::max(before.lower, before.upper - other * (before.upper - before.lower));
         result.emplace_back(prover_, Interval{lower, upper});
         if (i == 0) break;
       }

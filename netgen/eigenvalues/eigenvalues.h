@@ -26,7 +26,8 @@ struct EigenvaluesOptions {
 /// cannot be told apart any more. The results are not proved yet; certify::check proves them. Deterministic.
 ///
 /// Throws NetError if the spectrum cannot be found, or nothing can be said as L is less than about 1; LimitError if the
-/// surface is beyond the numbers of the generator; std::invalid_argument if L is more than 30.
+/// surface is beyond the numbers of the generator, or its closed geodesics are so short that they have more than 10⁶
+/// multiples of length at most L; std::invalid_argument if L is more than 30.
 [[nodiscard]] certify::EigenvaluesDocument eigenvalues(const Surface& surface, const EigenvaluesOptions& options = {});
 
 /// Returns about the L that is needed to count the eigenvalues of the first window; nullopt if they are counted. An
@@ -34,7 +35,8 @@ struct EigenvaluesOptions {
 [[nodiscard]] std::optional<double> length_to_count_first(const certify::EigenvaluesDocument& document);
 
 /// Returns I(λ) for each λ, the best bound for the number of eigenvalues at λ that the test functions of the document
-/// give: the least Σ f̂² with f̂(λ) = 1. Rounded. Requires: 0 ≤ λ ≤ ¼ + 9/δ², and the document is one of the surface.
+/// give: the least Σ f̂² with f̂(λ) = 1. Rounded. Throws LimitError, as above. Requires: 0 ≤ λ ≤ ¼ + 9/δ², and the
+/// document is one of the surface.
 [[nodiscard]] std::vector<double> eigenvalue_bounds(const Surface& surface,
                                                     const certify::EigenvaluesDocument& document,
                                                     const std::vector<double>& lambdas);

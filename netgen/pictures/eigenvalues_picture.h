@@ -22,8 +22,8 @@ struct EigenvaluesPicture {
 };
 
 /// Returns the curve I(λ), with the windows of the file as bands. It is evaluated at some 500 places, and more near the
-/// windows. Throws SurfaceError if the document has no surface. Time: some 0.1 ms for each place, and that of
-/// trace_matrices.
+/// windows. Throws SurfaceError if the document has no surface, LimitError as eigenvalue_bounds. Time: some 0.1 ms for
+/// each place, and that of trace_matrices.
 [[nodiscard]] EigenvaluesPicture picture_of(const certify::EigenvaluesDocument& document);
 
 /// Returns the picture as SVG, `size` pixels wide (50 to 20000) and 0.62 times as high. Above each band is its number

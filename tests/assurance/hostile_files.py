@@ -655,6 +655,39 @@ def spectrum_up_to_14_of_few():
     return list_of(net("octagon-1-vertex"), [[0], [1], [2], [3]], up_to="14")
 
 
+def eigenvalues_file():
+    with open(os.path.join(data, "eigenvalues", "octagon-5-to-8.json")) as file:
+        return json.load(file)
+
+
+@kind
+def eigenvalues_of_many_statements():
+    result = eigenvalues_file()
+    row = result["at_most"][1]
+    result["at_most"] += [row] * ((SIZE - 40_000) // len(json.dumps(row)))
+    return result
+
+
+@kind
+def eigenvalues_of_many_windows():
+    result = eigenvalues_file()
+    constant = [1] + [0] * result["degree"]
+    result["at_most"] += [{"in": [0, 1], "count": 1, "coefficients": constant}] * 3_000
+    ends = [[3 + k / 1000, 3 + (k + 0.5) / 1000] for k in range(3_000)]
+    result["windows"] += [{"in": x, "least": 0, "most": 1, "smallest": x, "greatest": x} for x in ends]
+    result["eigenvalues_up_to"] = 7
+    return result
+
+
+@kind
+def eigenvalues_with_a_geodesic_of_length_1e_9():
+    result = epsnet("spectrum", "--up-to", "3", surface=["fenchel-nielsen", "--pants-graph", "0-0 0-1 1-1", "--lengths",
+                                                         "2,1e-9,2", "--twists", "0"])
+    del result["claim"]
+    return {**result, "format": "epsnet-eigenvalues", "order": 8, "degree": 1, "eigenvalues_up_to": 1, "windows": [],
+            "at_most": [{"in": [0, 1], "count": 0, "coefficients": [1, 0]}], "at_least": []}
+
+
 @kind
 def systole_on_a_fine_net():
     result = epsnet("systole", surface=["octagon", "--seed", "5"])

@@ -58,6 +58,9 @@ expect collar-core-that-cancels-in-450000-letters VERIFIED
 expect collar-in-a-tile-of-long-coordinates 'REFUTED: collars'
 expect geodesics-300-of-250-letters ''
 expect spectrum-up-to-9999-digits UNDECIDED
+expect eigenvalues-of-many-statements UNDECIDED
+expect eigenvalues-of-many-windows UNDECIDED
+expect eigenvalues-with-a-geodesic-of-length-1e-9 UNDECIDED
 expect thick-thin-of-long-words VERIFIED
 expect thick-thin-of-a-long-conjugate ''
 expect empty-arrays-many MALFORMED

@@ -392,6 +392,12 @@ TEST(Eigenvalues, LengthsOutOfRangeAreRefused) {
               testing::ThrowsMessage<std::invalid_argument>(HasSubstr("more than 30")));
 }
 
+TEST(Eigenvalues, VeryShortGeodesicsAreRefused) {
+  EXPECT_THAT([] { (void)eigenvalues(with_cuff("1e-9"), up_to("6")); },
+              testing::ThrowsMessage<LimitError>(HasSubstr("more than 1000000 multiples of length at most 6; the "
+                                                           "shortest one has the length 1e-09")));
+}
+
 // The bound and its picture.
 
 TEST(EigenvalueBounds, AreLessThanOneOutsideOfWindowsAndAtLeastTheNumberInThem) {
