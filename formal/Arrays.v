@@ -88,12 +88,6 @@ Proof.
   intros. unfold indices. rewrite in_count. lia.
 Qed.
 
-Lemma nth_count : forall A (l : list A) j i d, (i < length l)%nat -> nth i (count l j) d = j + N.of_nat i.
-Proof.
-  induction l as [|x l IH]; intros j i d H; simpl in *; [lia|].
-  destruct i; simpl; [lia|]. rewrite IH; lia.
-Qed.
-
 Lemma length_count : forall A (l : list A) j, length (count l j) = length l.
 Proof.
   induction l; intros; simpl; auto.
@@ -127,14 +121,4 @@ Lemma mem_insert_all : forall l i s, mem i (insert_all l s) = true -> In i l \/ 
 Proof.
   induction l as [|x l IH]; intros i s H; simpl in *; auto.
   destruct (IH _ _ H) as [|H']; auto. destruct (mem_insert _ _ _ H'); auto.
-Qed.
-
-(** A table of values: the value at each index that it was made for. *)
-Lemma get_table : forall A B (l : list A) (f : N -> B) nothing i,
-  i < size l -> get (of_list (map f (indices l))) nothing i = f i.
-Proof.
-  intros A B l f nothing i H. rewrite get_of_list. unfold at_index, size in *.
-  rewrite nth_indep with (d' := f 0).
-  - rewrite map_nth. unfold indices. rewrite nth_count by lia. f_equal. lia.
-  - rewrite map_length. unfold indices. rewrite length_count. lia.
 Qed.

@@ -328,7 +328,7 @@ Definition map_rule (first : N -> N) (cycles : list (list N)) : bool :=
   (0 <? fast_size (vertices d))%N && (0 <? fast_size (triangles d))%N &&
   forallb (fun e => negb (opposite n e =? e)%N && (opposite n (opposite n e) =? e)%N &&
                     (start n e =? start n (next (opposite n e)))%N) all_darts &&
-  forallb (fun v => start n (first v) =? v)%N all_vertices &&
+  forallb (fun v => (first v <? 3 * fast_size (triangles d)) && (start n (first v) =? v))%N all_vertices &&
   (let seen := fold_left (fun s v => walk all_darts (turn_left n) (first v) s) all_vertices nobody in
    forallb (fun e => mem e seen) all_darts) &&
   connected all_triangles

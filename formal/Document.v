@@ -54,7 +54,8 @@ Fixpoint sides_from (t : N) (l : list (list point)) : list (N * N) :=
 
 Definition sides (d : document) : list (N * N) := sides_from 0 (tiles d).
 
-(** What is asked of a document, by index. Side s starts at corner s of all corners of tiles, in the order of the file. *)
+(** What is asked of a document, by index. Side s starts at corner s of all corners of tiles, in the order of
+    the file. *)
 Record net := Net {
   tile_at : N -> list point;
   corner_at : N -> point;
