@@ -1,10 +1,28 @@
 #include "certify/check.h"
 
+#include <optional>
+#include <string>
+#include <type_traits>
+
 #include "certify/base/binary64.h"
 #include "certify/claims.h"
 #include "certify/claims/net/claim.h"
 
 namespace epsnet::certify {
+
+namespace {
+
+/// Only nets may be so large that one thread is slow.
+template <class Document>
+std::optional<std::string> structure_problem_by(const Document& document, unsigned threads) {
+  if constexpr (std::is_same_v<Document, NetDocument>) {
+    return structure_problem(document, threads);
+  } else {
+    return structure_problem(document);
+  }
+}
+
+}  // namespace
 
 RuleNames rules_of(const AnyClaim& document) {
   return with_net_rules(document.net(), document.visit([](const auto& one) { return own_rules(one); }));
@@ -14,7 +32,7 @@ Certificate check(const AnyClaim& document, const CheckOptions& options) {
   const RoundingToNearest rounding;
   if (options.progress) options.progress("structure", 0);
   return document.visit([&](const auto& one) {
-    if (const auto problem = structure_problem(one)) return malformed(*problem);
+    if (const auto problem = structure_problem_by(one, number_of_threads(options))) return malformed(*problem);
     return verify(claim_of(one), least_bytes(one), options);
   });
 }

@@ -44,10 +44,10 @@ class Source {
   std::string_view bytes_;
 };
 
-void read_source(const Source& source, const Witness& witness, DocumentPointer document) {
+void read_source(const Source& source, const Witness& witness, Structure structure, DocumentPointer document) {
   Pieces bytes = source.pieces(witness);
   try {
-    read_document(bytes, document);
+    read_document(bytes, document, structure);
   } catch (const MalformedError&) {
     bytes.skip_all();
     throw;
@@ -60,17 +60,18 @@ void choose(std::variant<Documents...>& document, const std::optional<std::strin
   (void)((format == Fields<Documents>::kKind.format && (document.template emplace<Documents>(), true)) || ...);
 }
 
-void read_source(const Source& source, const Witness& witness, ClaimDocument* document) {
+void read_source(const Source& source, const Witness& witness, Structure structure, ClaimDocument* document) {
   Pieces beginning = source.pieces();
   choose(*document, format_of(beginning));
-  read_source(source, witness, std::visit([](auto& one) -> DocumentPointer { return &one; }, *document));
+  read_source(source, witness, structure, std::visit([](auto& one) -> DocumentPointer { return &one; }, *document));
 }
 
-void read_contents(const Source& source, std::string_view name, const Witness& witness, ContentsPointer contents) {
+void read_contents(const Source& source, std::string_view name, const Witness& witness, Structure structure,
+                   ContentsPointer contents) {
   const RoundingToNearest rounding;
   try {
     if (source.size() > kMaxFileBytes) throw MalformedError("document: the file is larger than the limit of 4 GiB");
-    std::visit([&](auto* one) { read_source(source, witness, one); }, contents);
+    std::visit([&](auto* one) { read_source(source, witness, structure, one); }, contents);
   } catch (const MalformedError& error) {
     throw MalformedError(std::string(name) + ": " + error.what());
   }
@@ -129,18 +130,19 @@ std::string load(const std::filesystem::path& path) {
   return bytes;
 }
 
-void read_file_into(ContentsPointer contents, const std::filesystem::path& path, const Witness& witness) {
+void read_file_into(ContentsPointer contents, const std::filesystem::path& path, const Witness& witness,
+                    Structure structure) {
   const std::string name = display_name(path);
   if (const auto [file, size] = open_large_file(path); file) {
-    return read_contents(Source(file.get(), size), name, witness, contents);
+    return read_contents(Source(file.get(), size), name, witness, structure, contents);
   }
   const std::string bytes = load(path);
   if (witness) witness(bytes);
-  read_contents(Source(bytes), name, {}, contents);
+  read_contents(Source(bytes), name, {}, structure, contents);
 }
 
 void parse_file_into(ContentsPointer contents, std::string_view bytes, std::string_view name) {
-  read_contents(Source(bytes), name, {}, contents);
+  read_contents(Source(bytes), name, {}, Structure::checked, contents);
 }
 
 }  // namespace epsnet::certify

@@ -44,9 +44,14 @@ inline constexpr std::uint64_t kMaxBytesAtOnce = 4'000'000;
 /// Is shown all bytes of a file, piece by piece in their order.
 using Witness = std::function<void(std::string_view)>;
 
+/// Whether a reader checks the structure of what it read (that indices are in range, and so on), or leaves that to
+/// `check`, which always does.
+enum class Structure { checked, unchecked };
+
 /// Where to put the contents of a file: a document of the kind that is expected, or of the kind that the file names.
 using ContentsPointer = Pointers<>::And<ClaimDocument, SurfaceDocument>;
-void read_file_into(ContentsPointer contents, const std::filesystem::path& path, const Witness& witness);
+void read_file_into(ContentsPointer contents, const std::filesystem::path& path, const Witness& witness,
+                    Structure structure);
 void parse_file_into(ContentsPointer contents, std::string_view bytes, std::string_view name);
 
 /// Reads a file, a large one in chunks, without holding it in memory. `Contents` says what is expected:
@@ -54,9 +59,10 @@ void parse_file_into(ContentsPointer contents, std::string_view bytes, std::stri
 /// Then the member `format` names the kind, and a file with any other format is read as a net file. Throws FileError,
 /// or MalformedError, after the witness has seen all of a file that is not too large.
 template <class Contents>
-[[nodiscard]] Contents read_file(const std::filesystem::path& path, const Witness& witness = {}) {
+[[nodiscard]] Contents read_file(const std::filesystem::path& path, const Witness& witness = {},
+                                 Structure structure = Structure::checked) {
   Contents contents;
-  read_file_into(&contents, path, witness);
+  read_file_into(&contents, path, witness, structure);
   return contents;
 }
 

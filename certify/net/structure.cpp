@@ -1,9 +1,11 @@
 #include "certify/net/structure.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "certify/base/text.h"
+#include "certify/numbers/parallel.h"
 
 namespace epsnet::certify {
 namespace {
@@ -167,6 +169,19 @@ class NetRows {
   std::size_t darts_ = 3 * net_.triangles.size();
 };
 
+/// As first_row_problem, shared out among threads.
+template <class Row>
+Problem first_net_problem(const char* member, const std::vector<Row>& rows, const NetRows& net, unsigned threads) {
+  const auto problems = results_of_blocks(rows.size(), threads, [&](std::size_t first, std::size_t last) -> Problem {
+    for (std::size_t row = first; row < last; ++row) {
+      if (const auto found = net(rows[row])) return at(member, row) + *found;
+    }
+    return std::nullopt;
+  });
+  const auto found = std::find_if(problems.begin(), problems.end(), [](const Problem& x) { return x.has_value(); });
+  return found == problems.end() ? std::nullopt : *found;
+}
+
 }  // namespace
 
 std::string at(const char* member, std::size_t row) { return std::string(member) + "[" + std::to_string(row) + "]: "; }
@@ -190,7 +205,7 @@ Problem structure_problem(const SurfaceDocument& surface) {
   return surface.regular_genus == 0 ? tiles_problem(surface) : regular_problem(surface);
 }
 
-Problem structure_problem(const NetDocument& document) {
+Problem structure_problem(const NetDocument& document, unsigned threads) {
   if (auto problem = structure_problem(document.surface)) return problem;
   const auto epsilon = parse_decimal(document.epsilon);
   if (!epsilon) return "epsilon: " + in_quotes(document.epsilon) + " is not a decimal, such as \"0.01\"";
@@ -198,9 +213,9 @@ Problem structure_problem(const NetDocument& document) {
   const NetRows rows(document);
   if (auto problem = first_row_problem("charts", document.charts, rows)) return problem;
   if (auto problem = first_row_problem("labels", document.labels, rows)) return problem;
-  if (auto problem = first_row_problem("vertices", document.vertices, rows)) return problem;
+  if (auto problem = first_net_problem("vertices", document.vertices, rows, threads)) return problem;
   if (document.triangles.size() > (std::size_t{1} << 30)) return "triangles: more than the limit of 2^30 rows";
-  if (auto problem = first_row_problem("triangles", document.triangles, rows)) return problem;
+  if (auto problem = first_net_problem("triangles", document.triangles, rows, threads)) return problem;
   return document.collars ? first_row_problem("collars", *document.collars, rows) : std::nullopt;
 }
 

@@ -44,8 +44,8 @@ inline constexpr std::uint32_t kMaxRegularSides = 10'000;
 /// examined (that is rule `surface`).
 [[nodiscard]] Problem structure_problem(const SurfaceDocument& surface);
 
-/// As above, for the whole document.
-[[nodiscard]] Problem structure_problem(const NetDocument& document);
+/// As above, for the whole document, by up to so many threads.
+[[nodiscard]] Problem structure_problem(const NetDocument& document, unsigned threads = 1);
 
 /// About the least number of bytes of a file with this content (docs/format.md, "Limits"): of a net, a point, a word.
 [[nodiscard]] std::uint64_t least_bytes(const NetDocument& document);

@@ -158,9 +158,13 @@ FileReport check_bytes(const Request& request, const std::string& path) {
       std::string().swap(bytes);
     }
   };
+  // Of compact files the second checker knows only what a reader made of them.
+  const auto ask_about_malformed = [&] {
+    if (seen && kept && !is_compact(bytes)) add_second_opinion(report, bytes);
+  };
   ClaimDocument document;
   try {
-    document = read_file<ClaimDocument>(path, witness);
+    document = read_file<ClaimDocument>(path, witness, Structure::unchecked);
     report.sha256 = sum.text();
   } catch (const FileError& error) {
     report.error = without_name(error);
@@ -168,23 +172,21 @@ FileReport check_bytes(const Request& request, const std::string& path) {
   } catch (const MalformedError& error) {
     if (seen) report.sha256 = sum.text();
     report.certificate = malformed(without_name(error));
-    // Of compact files the second checker knows only what a reader made of them.
-    if (seen && kept && !is_compact(bytes)) add_second_opinion(report, bytes);
+    ask_about_malformed();
     return report;
-  }
-  const NetDocument& net = AnyClaim(document).net();
-  if (request.print_parsed) write_file(document, std::cout);
-  const bool twice = kept && (request.exact || net.triangles.size() <= kTrianglesCheckedTwice);
-  if (!twice) {
-    std::string().swap(bytes);  // They may be gigabytes.
-    report.not_asked = "more than " + std::to_string(kTrianglesCheckedTwice) + " triangles or 4 MB; --exact asks it";
   }
   Progress progress;
   CheckOptions options = request.options;
   options.progress = [&](std::string_view rule, double share) { progress.show(rule, share); };
   report.certificate = check(document, options);
   report.is_claim = report.certificate.verdict != Verdict::malformed;
-  if (twice) {
+  if (!report.is_claim) {
+    ask_about_malformed();
+    return report;
+  }
+  if (request.print_parsed) write_file(document, std::cout);
+  const NetDocument& net = AnyClaim(document).net();
+  if (kept && (request.exact || net.triangles.size() <= kTrianglesCheckedTwice)) {
     progress.show("second checker", 0);
     if (is_compact(bytes)) {
       std::ostringstream text;
@@ -192,6 +194,8 @@ FileReport check_bytes(const Request& request, const std::string& path) {
       bytes = std::move(text).str();
     }
     add_second_opinion(report, bytes);
+  } else {
+    report.not_asked = "more than " + std::to_string(kTrianglesCheckedTwice) + " triangles or 4 MB; --exact asks it";
   }
   return report;
 }

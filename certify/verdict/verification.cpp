@@ -10,12 +10,16 @@ namespace epsnet::certify {
 namespace {
 
 CheckOptions bounded(CheckOptions options) {
-  if (options.threads == 0) options.threads = std::max(std::thread::hardware_concurrency(), 1U);
+  options.threads = number_of_threads(options);
   options.max_precision = std::clamp(options.max_precision, kLeastPrecision, kGreatestPrecision);
   return options;
 }
 
 }  // namespace
+
+unsigned number_of_threads(const CheckOptions& options) {
+  return options.threads != 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1U);
+}
 
 Verification::Verification(const CheckOptions& options, std::uint64_t least_bytes, RuleNames rules, std::string claim)
     : options_(bounded(options)),

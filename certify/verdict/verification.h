@@ -8,6 +8,9 @@
 
 namespace epsnet::certify {
 
+/// At least one.
+[[nodiscard]] unsigned number_of_threads(const CheckOptions& options);
+
 /// One check of one document: what it may use, and what is known so far.
 class Verification {
  public:

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "certify/base/text.h"
+#include "certify/check.h"
 #include "certify/file/document_reader.h"
 #include "certify/file/writer.h"
 
@@ -447,6 +448,17 @@ NetDocument from_file(const std::string& bytes) {
   NetDocument document;
   read_document(pieces, &document);
   return document;
+}
+
+TEST(Reader, StructureMayBeLeftToTheCheck) {
+  const std::string text = replaced(kSmallNet, "[[0 ,-0.25e-1,0.5\t]]", "[[7 ,-0.25e-1,0.5\t]]");
+  Pieces pieces(text);
+  NetDocument document;
+  read_document(pieces, &document, Structure::unchecked);
+  EXPECT_EQ(document.vertices.at(0).chart, 7U);
+  const Certificate certificate = check(document);
+  EXPECT_EQ(certificate.verdict, Verdict::malformed);
+  EXPECT_EQ("test: " + certificate.message, complaint(text));
 }
 
 TEST(Reader, ValuesCrossTheEndsOfPieces) {

@@ -351,6 +351,23 @@ TEST(Structure, ANetMayHaveManyRows) {
   EXPECT_EQ(problem([](NetDocument& d) { d.vertices.resize(100'000, d.vertices[0]); }), "");
 }
 
+TEST(Structure, ThreadsFindTheFirstProblem) {
+  NetDocument document = net();
+  document.triangles.resize(100'000, document.triangles[0]);
+  document.triangles[99'999].vertex[0] = 1'000'000;
+  document.triangles[40'000].vertex[1] = 1'000'000;
+  document.triangles[40'001].vertex[2] = 1'000'000;
+  document.vertices.resize(100'000, document.vertices[0]);
+  for (const unsigned threads : {1U, 2U, 5U}) {
+    EXPECT_EQ(structure_problem(document, threads),
+              "triangles[40000]: vertex 1000000 does not exist, expected less than 100000");
+  }
+  document.vertices[70'000].x = 2;
+  for (const unsigned threads : {1U, 2U, 5U}) {
+    EXPECT_TRUE(structure_problem(document, threads)->starts_with("vertices[70000]: (2, ")) << threads;
+  }
+}
+
 TEST(SurfaceSides, AreNumberedInTheOrderOfTheFile) {
   const SurfaceSides sides(tiles());
   EXPECT_EQ(number_of_tiles(tiles()), 2U);
