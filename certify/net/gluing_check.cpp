@@ -29,23 +29,29 @@ struct Item {
   Tri holds = Tri::unknown;
 };
 
-/// The equations of darts from the first to before the last one that are not trivial, each with its first dart, in the
-/// order of these.
+bool has_no_label(const NetDocument::Triangle& triangle) { return triangle.label[0] == 0 && triangle.label[1] == 0; }
+
+/// The equations of darts of triangles from the first to before the last one that are not trivial, each with its first
+/// dart, in the order of these.
 std::vector<Item> collect(const NetDocument& document, std::size_t first, std::size_t last) {
   std::set<Equation> seen;
   std::vector<Item> items;
-  for (auto dart = static_cast<std::uint32_t>(first); dart < last; ++dart) {
-    const std::uint32_t other = opposite(document, dart);
-    if (other < dart) continue;
-    const std::uint32_t a = corner_label(document, dart);
-    const std::uint32_t b = corner_label(document, next_dart(other));
-    const std::uint32_t c = corner_label(document, next_dart(dart));
-    const std::uint32_t d = corner_label(document, other);
-    // The same numbers twice: the same products; and a label times its own inverse is 1. Label number 0 counts as a
-    // number here: for it, the charts at its two ends are the same one.
-    if ((a == c && b == d) || (a == b && c == d)) continue;
-    const Equation equation{{a, b, c, d}, chart_of_triangle(document, other / 3)};
-    if (seen.insert(equation).second) items.push_back({equation, dart});
+  for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
+    const NetDocument::Triangle& triangle = document.triangles[t];
+    for (std::uint32_t dart = 3 * t; dart < 3 * t + 3; ++dart) {
+      const std::uint32_t other = triangle.opposite[dart - 3 * t];
+      if (other < dart) continue;
+      if (has_no_label(triangle) && has_no_label(triangle_at(document, other / 3))) continue;
+      const std::uint32_t a = corner_label(document, dart);
+      const std::uint32_t b = corner_label(document, next_dart(other));
+      const std::uint32_t c = corner_label(document, next_dart(dart));
+      const std::uint32_t d = corner_label(document, other);
+      // The same numbers twice: the same products; and a label times its own inverse is 1. Label number 0 counts as a
+      // number here: for it, the charts at its two ends are the same one.
+      if ((a == c && b == d) || (a == b && c == d)) continue;
+      const Equation equation{{a, b, c, d}, chart_of_triangle(document, other / 3)};
+      if (seen.insert(equation).second) items.push_back({equation, dart});
+    }
   }
   return items;
 }
@@ -55,7 +61,7 @@ std::vector<Item> collect(const NetDocument& document, unsigned threads) {
   std::set<Equation> seen;
   std::vector<Item> items;
   for (const std::vector<Item>&some :
-       results_of_blocks(3 * document.triangles.size(), threads,
+       results_of_blocks(document.triangles.size(), threads,
                          [&](std::size_t first, std::size_t last) { return collect(document, first, last); })) {
     std::copy_if(some.begin(), some.end(), std::back_inserter(items),
                  [&](const Item& item) { return seen.insert(item.equation).second; });

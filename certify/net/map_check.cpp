@@ -19,28 +19,34 @@ std::string dart_name(std::size_t dart) {
          std::to_string(dart % 3) + ")";
 }
 
-/// Of darts from the first to before the last one.
-Problem opposite_problem(const NetDocument& document, std::size_t first, std::size_t last) {
-  for (auto dart = static_cast<std::uint32_t>(first); dart < last; ++dart) {
-    const std::uint32_t other = opposite(document, dart);
-    if (other == dart) return dart_name(dart) + " is its own opposite";
-    if (opposite(document, other) != dart) {
-      return dart_name(dart) + " has the opposite dart " + std::to_string(other) + ", whose opposite is dart " +
-             std::to_string(opposite(document, other));
-    }
-    if (start(document, dart) != start(document, next_dart(other))) {
-      return dart_name(dart) + " starts at vertex " + std::to_string(start(document, dart)) +
-             ", but its opposite dart " + std::to_string(other) + " ends at vertex " +
-             std::to_string(start(document, next_dart(other)));
-    }
+/// What is wrong with the opposite of dart 3t + i.
+Problem opposite_problem(const NetDocument& document, std::uint32_t t, std::uint32_t i) {
+  const NetDocument::Triangle& triangle = document.triangles[t];
+  const std::uint32_t dart = 3 * t + i;
+  const std::uint32_t other = triangle.opposite[i];
+  const NetDocument::Triangle& neighbour = triangle_at(document, other / 3);
+  const std::uint32_t back = neighbour.opposite[other % 3];
+  const std::uint32_t end = neighbour.vertex[next_dart(other) % 3];
+  if (other != dart && back == dart && end == triangle.vertex[i]) return std::nullopt;
+  if (other == dart) return dart_name(dart) + " is its own opposite";
+  if (back != dart) {
+    return dart_name(dart) + " has the opposite dart " + std::to_string(other) + ", whose opposite is dart " +
+           std::to_string(back);
   }
-  return std::nullopt;
+  return dart_name(dart) + " starts at vertex " + std::to_string(triangle.vertex[i]) + ", but its opposite dart " +
+         std::to_string(other) + " ends at vertex " + std::to_string(end);
 }
 
 Problem opposite_problem(const NetDocument& document, unsigned threads) {
   const auto problems =
-      results_of_blocks(3 * document.triangles.size(), threads,
-                        [&](std::size_t first, std::size_t last) { return opposite_problem(document, first, last); });
+      results_of_blocks(document.triangles.size(), threads, [&](std::size_t first, std::size_t last) -> Problem {
+        for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
+          for (std::uint32_t i = 0; i < 3; ++i) {
+            if (auto problem = opposite_problem(document, t, i)) return problem;
+          }
+        }
+        return std::nullopt;
+      });
   const auto found = std::find_if(problems.begin(), problems.end(), [](const Problem& x) { return x.has_value(); });
   return found == problems.end() ? std::nullopt : *found;
 }
@@ -54,9 +60,10 @@ bool has_no_vertex_problem(const NetDocument& document, unsigned threads) {
   const std::size_t triangles = document.triangles.size();
   AtomicNumbers after_dart(document.vertices.size());  // Of each vertex some dart that leaves it, plus 1.
   for_each_block(triangles, threads, [&](std::size_t, std::size_t first, std::size_t last) {
-    for (std::size_t dart = 3 * first; dart < 3 * last; ++dart) {
-      const auto number = static_cast<std::uint32_t>(dart);
-      after_dart[start(document, number)].store(number + 1, std::memory_order_relaxed);
+    for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        after_dart[document.triangles[t].vertex[i]].store(3 * t + i + 1, std::memory_order_relaxed);
+      }
     }
   });
   std::atomic<std::size_t> visited = 0;
@@ -102,13 +109,19 @@ Problem vertex_problem(const NetDocument& document) {
 /// the union-find problem, STOC 1991). Parents are less than their children, so there are no cycles.
 class Sets {
  public:
-  Sets(std::size_t count, unsigned threads) : parents_(count), threads_(threads) {
+  /// parent(i) ≤ i is in the same set as i.
+  template <class Parent>
+  Sets(std::size_t count, unsigned threads, const Parent& parent) : parents_(count), threads_(threads) {
     for_each_block(count, threads_, [&](std::size_t, std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) parents_[i] = static_cast<std::uint32_t>(i);
+      for (auto i = static_cast<std::uint32_t>(first); i < last; ++i) {
+        parents_[i].store(parent(i), std::memory_order_relaxed);
+      }
     });
   }
 
   void unite(std::uint32_t x, std::uint32_t y) {
+    // Nearly always, as parents are nearly always roots.
+    if (parents_[x].load(std::memory_order_relaxed) == parents_[y].load(std::memory_order_relaxed)) return;
     for (;;) {
       x = root(x);
       y = root(y);
@@ -133,10 +146,11 @@ class Sets {
   /// Halves the way for the next one.
   [[nodiscard]] std::uint32_t root(std::uint32_t x) {
     for (;;) {
-      std::uint32_t parent = parents_[x].load(std::memory_order_relaxed);
+      const std::uint32_t parent = parents_[x].load(std::memory_order_relaxed);
       const std::uint32_t above = parents_[parent].load(std::memory_order_relaxed);
       if (parent == above) return parent;
-      parents_[x].compare_exchange_weak(parent, above, std::memory_order_relaxed);
+      // Whatever other threads do, x is no root any more, and `above` is one of those that it leads to.
+      parents_[x].store(above, std::memory_order_relaxed);
       x = above;
     }
   }
@@ -146,7 +160,11 @@ class Sets {
 };
 
 bool is_connected(const NetDocument& document, unsigned threads) {
-  Sets sets(document.triangles.size(), threads);
+  Sets sets(document.triangles.size(), threads, [&](std::uint32_t t) {
+    std::uint32_t least = t;
+    for (const std::uint32_t dart : document.triangles[t].opposite) least = std::min(least, dart / 3);
+    return least;
+  });
   for_each_block(document.triangles.size(), threads, [&](std::size_t, std::size_t first, std::size_t last) {
     for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
       for (const std::uint32_t dart : document.triangles[t].opposite) {
