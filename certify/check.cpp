@@ -14,7 +14,7 @@ namespace {
 
 /// Only nets may be so large that one thread is slow.
 template <class Document>
-std::optional<std::string> structure_problem_by(const Document& document, unsigned threads) {
+Problem structure_problem_by(const Document& document, unsigned threads) {
   if constexpr (std::is_same_v<Document, NetDocument>) {
     return structure_problem(document, threads);
   } else {

@@ -1,6 +1,7 @@
 #include "certify/net/geometry_check.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -67,7 +68,7 @@ class Extremes {
 class Candidates {
  public:
   struct Candidate {
-    std::size_t k;  ///< As in Questionnaire::open.
+    std::uint32_t triangle;
     Questions question;
     Interval measure;
   };
@@ -82,12 +83,11 @@ class Candidates {
     if (may_be_extreme(candidate)) candidates_.push_back(candidate);
   }
 
-  void add(const Candidates& other) {
-    extremes_.add(other.extremes_);
-    candidates_.insert(candidates_.end(), other.candidates_.begin(), other.candidates_.end());
-  }
+  [[nodiscard]] const Extremes& extremes() const { return extremes_; }
+  /// Compares with others, too, from now on.
+  void add(const Extremes& others) { extremes_.add(others); }
 
-  /// Calls body(candidate) for those that may be extreme among all.
+  /// Calls body(candidate) for those that may be extreme among all, in the order in which they were added.
   template <class Body>
   void for_each(const Body& body) const {
     for (const Candidate& candidate : candidates_) {
@@ -292,64 +292,104 @@ class Pass {
   Ball half_sinh_squared_;
 };
 
-/// The labels that the open triangles and their neighbours carry, evaluated at one precision.
-LabelTable needed_labels(const NetDocument& document, const LabelEvaluator& evaluator,
-                         const std::vector<std::uint32_t>& triangles, slong precision, slong cap, unsigned threads) {
-  std::vector<char> used(document.labels.size() + 1, 0);
-  const auto use = [&](std::uint32_t t) {
-    for (const std::uint32_t number : document.triangles[t].label) used[number] = 1;
-  };
-  for (const std::uint32_t t : triangles) {
-    use(t);
-    for (const std::uint32_t dart : document.triangles[t].opposite) use(dart / 3);
-  }
+/// The labels that triangles carry, in increasing order.
+std::vector<std::uint32_t> used_labels(const NetDocument& document, unsigned threads) {
+  std::vector<std::atomic<bool>> used(document.labels.size() + 1);
+  for_each_block(document.triangles.size(), threads, [&](std::size_t, std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      for (const std::uint32_t number : document.triangles[t].label) {
+        if (number != 0) used[number].store(true, std::memory_order_relaxed);
+      }
+    }
+  });
   std::vector<std::uint32_t> numbers;
   for (std::uint32_t number = 1; number < used.size(); ++number) {
     if (used[number]) numbers.push_back(number);
   }
-  return {numbers, evaluator.evaluate(numbers, precision, cap, threads), document.labels.size()};
+  return numbers;
+}
+
+/// Those that these triangles and their neighbours carry, likewise.
+std::vector<std::uint32_t> labels_near(const NetDocument& document, const std::vector<std::uint32_t>& triangles) {
+  return increasing(triangles, [&](std::uint32_t t, auto& numbers) {
+    const auto use = [&](std::uint32_t triangle) {
+      for (const std::uint32_t number : document.triangles[triangle].label) {
+        if (number != 0) numbers.push_back(number);
+      }
+    };
+    use(t);
+    for (const std::uint32_t dart : document.triangles[t].opposite) use(dart / 3);
+  });
 }
 
 /// The triangles that are still open, in file order, and what was found in the others.
 class Questionnaire {
  public:
-  Questionnaire(const NetDocument& document, const CollarMembers& collars, unsigned threads)
-      : document_(document), collars_(collars), triangles_(document.triangles.size()), open_(triangles_.size()) {
-    for_each_block(triangles_.size(), threads, [&](std::size_t, std::size_t first, std::size_t last) {
-      for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
-        triangles_[t] = t;
-        open_[t] = kOrientationBit | kCoveringBit;
-        for (std::uint32_t i = 0; i < 3; ++i) {
-          if (3 * t + i < opposite(document, 3 * t + i)) {
-            open_[t] = static_cast<Questions>(open_[t] | delaunay_bit(i) | length_bit(i));
+  Questionnaire(const NetDocument& document, const CollarMembers& collars) : document_(document), collars_(collars) {}
+
+  /// Opens all questions but for those that the filter settles, if there is one, and that are no measures which may be
+  /// extreme. At the beginning.
+  void open(const Filter* filter, unsigned threads) {
+    const std::size_t count = document_.triangles.size();
+    struct Block {
+      std::vector<std::uint32_t> triangles;
+      std::vector<Questions> open;
+      Candidates settled;
+    };
+    std::vector<Block> blocks((count + kBlock - 1) / kBlock);
+    for_each_parallel(blocks.size(), threads, [&](unsigned, std::size_t b) {
+      Block& block = blocks[b];
+      std::array<std::uint32_t, Filter::kMost> triangles{};
+      std::array<Questions, Filter::kMost> open{};
+      std::array<Filter::Answer, Filter::kMost> answers;
+      const std::size_t end = std::min(count, (b + 1) * kBlock);
+      for (std::size_t first = b * kBlock; first < end; first += Filter::kMost) {
+        const std::size_t size = std::min(Filter::kMost, end - first);
+        for (std::size_t k = 0; k < size; ++k) {
+          triangles[k] = static_cast<std::uint32_t>(first + k);
+          open[k] = all_questions(triangles[k]);
+        }
+        if (filter != nullptr) filter->answer({triangles.data(), size}, {open.data(), size}, {answers.data(), size});
+        for (std::size_t k = 0; k < size; ++k) {
+          const Filter::Answer& answer = answers[k];
+          if (answer.settled & kCoveringBit) block.settled.add({triangles[k], kCoveringBit, answer.circumradius});
+          for (std::uint32_t i = 0; i < 3; ++i) {
+            if (answer.settled & length_bit(i)) {
+              block.settled.add({triangles[k], length_bit(i), answer.length[i]});
+            }
           }
+          if (open[k] == answer.settled) continue;
+          block.triangles.push_back(triangles[k]);
+          block.open.push_back(static_cast<Questions>(open[k] & ~answer.settled));
         }
       }
     });
+    Extremes extremes;
+    for (const Block& block : blocks) extremes.add(block.settled.extremes());
+    for (Block& block : blocks) {
+      block.settled.add(extremes);
+      std::size_t k = 0;
+      const auto take = [&] {
+        triangles_.push_back(block.triangles[k]);
+        open_.push_back(block.open[k++]);
+      };
+      block.settled.for_each([&](const Candidates::Candidate& candidate) {
+        while (k < block.triangles.size() && block.triangles[k] <= candidate.triangle) take();
+        if (triangles_.empty() || triangles_.back() != candidate.triangle) {
+          triangles_.push_back(candidate.triangle);
+          open_.push_back(0);
+        }
+        open_.back() = static_cast<Questions>(open_.back() | candidate.question);
+      });
+      while (k < block.triangles.size()) take();
+    }
+    is_open_ = true;
   }
+  [[nodiscard]] bool is_open() const { return is_open_; }
 
   [[nodiscard]] const std::vector<std::uint32_t>& triangles() const { return triangles_; }
   [[nodiscard]] const std::vector<Questions>& open() const { return open_; }
   [[nodiscard]] const Findings& findings() const { return all_; }
-
-  /// Takes away what the filter settles, but for measures that may be extreme.
-  void sift(const Filter& filter, unsigned threads) {
-    std::vector<Candidates> found(blocks());
-    for_each_open(threads, [&](unsigned, std::size_t block, std::size_t k) {
-      const Filter::Answer answer = filter.answer(triangles_[k], open_[k]);
-      open_[k] = static_cast<Questions>(open_[k] & ~answer.settled);
-      if (answer.settled & kCoveringBit) found[block].add({k, kCoveringBit, answer.circumradius});
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        if (answer.settled & length_bit(i)) found[block].add({k, length_bit(i), answer.length[i]});
-      }
-    });
-    Candidates all;
-    for (const Candidates& candidates : found) all.add(candidates);
-    all.for_each([&](const Candidates::Candidate& candidate) {
-      open_[candidate.k] = static_cast<Questions>(open_[candidate.k] | candidate.question);
-    });
-    forget_settled();
-  }
 
   /// examine(worker, t, open, findings) for all that are open; it returns what stays open.
   template <class Examine>
@@ -424,6 +464,15 @@ class Questionnaire {
     });
   }
 
+  [[nodiscard]] Questions all_questions(std::uint32_t t) const {
+    Questions result = kOrientationBit | kCoveringBit;
+    const auto& opposite = document_.triangles[t].opposite;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (3 * t + i < opposite[i]) result = static_cast<Questions>(result | delaunay_bit(i) | length_bit(i));
+    }
+    return result;
+  }
+
   /// Whether a question asks for the circumradius or a length.
   static bool measures(Questions questions) { return (questions & ~(kOrientationBit | kDelaunayBits)) != 0; }
 
@@ -464,6 +513,7 @@ class Questionnaire {
   const CollarMembers& collars_;
   std::vector<std::uint32_t> triangles_;
   std::vector<Questions> open_;
+  bool is_open_ = false;
   Findings all_;
   std::array<std::optional<Rule>, 5> dropped_for_;
   bool measures_dropped_ = false;
@@ -480,15 +530,15 @@ class GeometryChecker {
         threads_(threads),
         epsilon_(decimal(document.epsilon)),
         collars_(document),
-        questions_(document, collars_, threads),
+        questions_(document, collars_),
         why_(", with " + std::to_string(options.max_precision) + " bits") {}
 
   GeometryOutcome run() {
-    bool all_asked = true;
+    bool all_asked = false;
     try {
       // All are counted, whatever the filter settles, so that what a file may take does not depend on it.
-      evaluator_.budget().spend(kBallOperations * ball_work(kFirstPrecision), questions_.triangles().size());
-      if (options_.filter) sift();
+      evaluator_.budget().spend(kBallOperations * ball_work(kFirstPrecision), document_.triangles.size());
+      open_questions();
       const auto attempt = [&](slong precision) {
         all_asked = false;
         ask(precision);
@@ -500,6 +550,7 @@ class GeometryChecker {
       if (!questions_.triangles().empty()) with_rising_precision(options_.max_precision, attempt);
     } catch (const BudgetSpent& spent) {
       why_ = std::string(": ") + spent.what();
+      if (!questions_.is_open()) questions_.open(nullptr, threads_);
     }
     questions_.finish(all_asked);
     enclose();
@@ -515,11 +566,21 @@ class GeometryChecker {
  private:
   [[nodiscard]] bool is_last(slong precision) const { return precision >= options_.max_precision; }
 
-  void sift() {
+  /// All of them, or those that the filter leaves, which needs the labels of all triangles.
+  void open_questions() {
+    const std::vector<std::uint32_t> numbers = used_labels(document_, threads_);
+    labels_.emplace(values_of(numbers, kFirstPrecision));
+    if (!options_.filter) return questions_.open(nullptr, threads_);
     const Precision scope(kFirstPrecision);
     const Ball radius = Ball::rounded(epsilon_);
     const auto squared_sinh = [](const Ball& x) { return outer_interval(sqr(sinh(x))); };
-    questions_.sift(Filter(document_, collars_, squared_sinh(radius), squared_sinh(half(radius))), threads_);
+    const Filter filter(document_, collars_, numbers, *labels_, squared_sinh(radius), squared_sinh(half(radius)));
+    questions_.open(&filter, threads_);
+  }
+
+  [[nodiscard]] LabelTable values_of(const std::vector<std::uint32_t>& numbers, slong precision) const {
+    const slong cap = std::min(4 * precision, 2 * options_.max_precision);
+    return {numbers, evaluator_.evaluate(numbers, precision, cap, threads_), document_.labels.size()};
   }
 
   /// All open questions, in balls.
@@ -527,10 +588,9 @@ class GeometryChecker {
     if (precision > kFirstPrecision) {
       evaluator_.budget().spend(kBallOperations * ball_work(static_cast<std::uint64_t>(precision)),
                                 questions_.triangles().size());
+      labels_.emplace(values_of(labels_near(document_, questions_.triangles()), precision));
     }
-    const LabelTable labels = needed_labels(document_, evaluator_, questions_.triangles(), precision,
-                                            std::min(4 * precision, 2 * options_.max_precision), threads_);
-    const Pass pass(document_, collars_, labels, epsilon_, precision, is_last(precision));
+    const Pass pass(document_, collars_, *labels_, epsilon_, precision, is_last(precision));
     std::vector<std::unique_ptr<LiftedTriangle>> lifted(std::max(threads_, 1U));
     questions_.ask(threads_, options_, [&](unsigned worker, std::uint32_t t, Questions open, Findings& findings) {
       if (!lifted[worker]) lifted[worker] = std::make_unique<LiftedTriangle>();
@@ -620,7 +680,8 @@ class GeometryChecker {
   mpq_class epsilon_;
   CollarMembers collars_;
   Questionnaire questions_;
-  std::string why_;  ///< Message suffix: why undecided questions stayed undecided.
+  std::optional<LabelTable> labels_;  ///< Those that open questions need, with the bits of the last pass.
+  std::string why_;                   ///< Message suffix: why undecided questions stayed undecided.
   bool decided_exactly_ = false;
   GeometryOutcome outcome_;
 };

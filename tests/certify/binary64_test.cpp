@@ -134,9 +134,14 @@ TEST(Binary64, WithoutRoundingToNearestTheFilterSettlesNothing) {
       read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/certify/verified/octagon-33-vertices.json");
   const CollarMembers collars(document);
   const auto settled = [&] {
-    const Filter filter(document, collars, {1e9, 1e9}, {1e-9, 1e-9});
+    const Filter filter(document, collars, {}, LabelTable({}, {}, document.labels.size()), {1e9, 1e9}, {1e-9, 1e-9});
     std::size_t result = 0;
-    for (std::uint32_t t = 0; t < document.triangles.size(); ++t) result += filter.answer(t, 255).settled != 0 ? 1 : 0;
+    constexpr Questions kAll = 255;
+    for (std::uint32_t t = 0; t < document.triangles.size(); ++t) {
+      Filter::Answer answer;
+      filter.answer({&t, 1}, {&kAll, 1}, {&answer, 1});
+      result += answer.settled != 0 ? 1 : 0;
+    }
     return result;
   };
   EXPECT_GT(settled(), 10U);

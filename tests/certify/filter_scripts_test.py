@@ -29,11 +29,11 @@ GOALS = {
     "counterclockwise":
         r"|sx| <= 2 /\ |sy| <= 2 /\ |vx| <= 2 /\ |vy| <= 2 /\ |p| <= 1 /\ |q| <= 1 /\ |p1| <= 1 /\ "
         r"|q1| <= 1 /\ |p2| <= 1 /\ |q2| <= 1 /\ ns in [1, 2] /\ nv in [1, 2] -> "
-        r"|determinant - DETERMINANT| <= 1b-43 /\ bound >= 1b-42",
+        r"|determinant - DETERMINANT| <= 1b-43 /\ bound >= 1b-23",
     "delaunay":
         r"|ax| <= 2 /\ |ay| <= 2 /\ |bx| <= 2 /\ |by| <= 2 /\ |cx| <= 2 /\ |cy| <= 2 /\ |dx| <= 2 /\ "
         r"|dy| <= 2 /\ na in [1, 2] /\ nb in [1, 2] /\ nc in [1, 2] /\ nd in [1, 2] -> "
-        r"|value - VALUE| <= 1b-42 /\ bound <= -1b-41",
+        r"|value - VALUE| <= 1b-42 /\ bound <= -1b-16",
     "gap":
         r"|p| <= 1 /\ |q| <= 1 -> |gap - GAP| <= 1b-51 /\ (gap >= 1b-12 -> |gap -/ GAP| <= 1b-38)",
     "squared_distance":
@@ -45,6 +45,8 @@ GOALS = {
 }
 ARGUMENTS = {"counterclockwise": "z0 z1 z2", "delaunay": "z0 z1 z2 z3", "squared_distance": "p q", "gap": "z",
              "squared_half_sinh": "d a b", "squared_sinh_of_circumradius": "d a"}
+# By how much points that were moved change what is compared, as a power of two (Lemma 30.2).
+MOVED = {"counterclockwise": -24, "delaunay": -16.9}
 
 
 class Different(Exception):
@@ -58,9 +60,9 @@ def same(what, found, expected):
 
 def python(text):
     """An expression of C++ or Gappa as one of Python; 0x1p-9 and 1b-9 become power(-9)."""
+    text = text.replace("&&", "and").replace("std::numeric_limits<double>::infinity()", "infinity")
     text = re.sub(r"\b(?:0x1p|1b)(-?\d+)", r"power(\1)", re.sub(r"\s+", " ", text).strip())
-    text = re.sub(r"^\{(.*)\}$", r"(\1)", text)
-    return re.sub(r"^(.*) \? (.*) : (.*)$", r"(\2) if (\1) else (\3)", text)
+    return re.sub(r"^\{(.*)\}$", r"(\1)", text)
 
 
 class Expander:
@@ -91,8 +93,10 @@ class Expander:
             return (BINARY[type(node.op)], self.of(node.left), self.of(node.right))
         if isinstance(node, ast.Compare) and len(node.ops) == 1:
             return (COMPARED[type(node.ops[0])], self.of(node.left), self.of(node.comparators[0]))
-        if isinstance(node, ast.IfExp):
-            return ("if", self.of(node.test), self.of(node.body), self.of(node.orelse))
+        if isinstance(node, ast.BoolOp) and isinstance(node.op, ast.And):
+            return ("and", *map(self.of, node.values))
+        if isinstance(node, ast.Call) and node.func.id == "select":
+            return ("if", *map(self.of, node.args))
         if isinstance(node, ast.Call) and node.func.id == "power":
             return "2^" + ast.unparse(node.args[0])
         if isinstance(node, ast.Call) and node.func.id == "norm":
@@ -116,30 +120,32 @@ class Code:
             if returned:
                 self.functions[name] = self.arguments[name], returned[1]
         same("minus", self.functions["minus"], (["p", "q"], "{p.x - q.x, p.y - q.y}"))
-        same("norm", self.functions["norm"], (["z"], "std::max(std::abs(z.x), std::abs(z.y))"))
+        same("norm", self.functions["norm"], (["z"], "max(abs(z.x), abs(z.y))"))
         constants = Expander({})
         self.constants = {name: constants.tree(value)
                           for name, value in re.findall(r"constexpr double (\w+) = (.*?);", text)}
 
     def expand(self, name, leaves):
-        """Its local variables and the last `return` in terms of the leaves; the texts of leaves; conditions."""
+        """Its local variables and its `return` in terms of the leaves; the texts of leaves."""
         same(f"arguments of {name}", self.arguments[name], ARGUMENTS[name].split())
         body = self.bodies[name]
         expander = Expander({**self.constants, **leaves}, self.functions)
         texts = {}
-        for local, value in re.findall(r"const (?:double|Point) (\w+) = (.*?);", body, re.S):
+        for local, value in re.findall(r"const (?:Lanes|Points|Mask) (\w+) = (.*?);", body, re.S):
             if local in leaves:
                 texts[local] = value
             else:
                 expander.values[local] = expander.tree(value)
-        returned = expander.tree(re.findall(r"return (.*?);", body, re.S)[-1])
-        return expander.values, returned, texts, re.findall(r"if \((.*?)\) return", body, re.S)
+        returns = re.findall(r"return (.*?);", body, re.S)
+        same(f"ways out of {name}", len(returns), 1)
+        return expander.values, expander.tree(returns[0]), texts
 
 
 class Script:
     """A Gappa script: its values, rounded in lower case and exact in capitals, and what it proves of them."""
 
     def __init__(self, name, text):
+        self.name = name
         self.comments = dict(re.findall(r"^(\w)x = .*# (.*)$", text, re.M))
         text = re.sub(r"#.*", "", text)
         statements, goal = re.match(r"([^{]*)\{([^}]*)\}", text).groups()
@@ -171,11 +177,13 @@ def points(*names):
     return {name: (name + "x", name + "y") for name in names}
 
 
-def check_norms(script, texts, conditions, names):
-    """The points are the differences that the script says, and the norms of all of them are asked."""
+def compared(code, script, texts, returned, names):
+    """What is compared, after the norms of all points, which are the differences that the script says."""
     for name in names:
         same(f"what {name} is", texts[name], script.comments[name])
-    same("norms that are asked", conditions, ["!(" + " && ".join(f"norm({name}) > kLeastNorm" for name in names) + ")"])
+    norms = [(">", f"norm of {name}", code.constants["kLeastNorm"]) for name in names]
+    same("norms that are asked", returned[:-1], ("and", *norms))
+    return returned[-1]
 
 
 def with_norms(tree, names):
@@ -185,47 +193,55 @@ def with_norms(tree, names):
     return "norm of " + tree[1] if re.fullmatch(f"n[{names}]", tree) else tree
 
 
+def bounded(script, of):
+    """The bound is more than the errors by rounding and by labels together."""
+    errors = 2.0 ** script.bound(f"|{of} - {of.upper()}|") + 2.0 ** MOVED[script.name]
+    same("errors below the bound", errors < 2.0 ** script.bound("bound"), True)
+
+
 def counterclockwise(code, scripts):
     script = scripts["counterclockwise"]
     z = {"z0": ("p", "q"), "z1": ("p1", "q1"), "z2": ("p2", "q2")}
-    _, returned, texts, conditions = code.expand("counterclockwise", {**points("s", "v"), **z})
-    check_norms(script, texts, conditions, "sv")
-    same("comparison", returned, (">", script.values["determinant"], with_norms(script.values["bound"], "sv")))
-    same("half of the bound", script.bound("|determinant - DETERMINANT|") + 1, script.bound("bound"))
+    _, returned, texts = code.expand("counterclockwise", {**points("s", "v"), **z})
+    same("comparison", compared(code, script, texts, returned, "sv"),
+         (">", script.values["determinant"], with_norms(script.values["bound"], "sv")))
+    bounded(script, "determinant")
 
 
 def delaunay(code, scripts):
     script = scripts["delaunay"]
-    _, returned, texts, conditions = code.expand("delaunay", points("a", "b", "c", "d"))
-    check_norms(script, texts, conditions, "abcd")
-    same("comparison", returned, ("<", script.values["value"], with_norms(script.values["bound"], "abcd")))
-    same("half of the bound", script.bound("|value - VALUE|") + 1, script.bound("bound"))
+    _, returned, texts = code.expand("delaunay", points("a", "b", "c", "d"))
+    same("comparison", compared(code, script, texts, returned, "abcd"),
+         ("<", script.values["value"], with_norms(script.values["bound"], "abcd")))
+    bounded(script, "value")
 
 
 def measures(code, scripts):
     distance, gap, quotient = (scripts[name] for name in ("squared_distance", "gap", "squared_half_sinh"))
-    _, returned, texts, _ = code.expand("squared_distance", points("s"))
+    _, returned, texts = code.expand("squared_distance", points("s"))
     same("what s is", texts["s"], "minus(p, q)")
     same("squared_distance", returned, (distance.values["squared"], (">", "norm of s", code.constants["kLeastNorm"])))
-    _, returned, _, _ = code.expand("gap", {"z": ("p", "q")})
+    _, returned, _ = code.expand("gap", {"z": ("p", "q")})
     least = code.constants["kLeastGap"]
     same("gap", returned, ("if", (">", gap.values["gap"], least), gap.values["gap"], "0"))
     same("least gap", least, f"2^{gap.bound('gap')}")
     leaves = {name: name for name in "dab"}
-    _, returned, _, _ = code.expand("squared_half_sinh", leaves)
+    _, returned, _ = code.expand("squared_half_sinh", leaves)
     same("squared_half_sinh", returned, (quotient.values["lower"], quotient.values["upper"]))
 
 
 def circumradius(code, scripts):
     script, quotient = scripts["circumradius"], scripts["circumradius_quotient"]
-    leaves = {"d": ("d0", "d1", "d2"), "a": ("a0", "a1", "a2"), "greatest": "greatest"}
-    values, _, texts, conditions = code.expand("squared_sinh_of_circumradius", leaves)
-    same("a flat triangle", conditions, ["!(k > 0x1p-10 * (greatest * greatest))"])
-    same("greatest", texts["greatest"], "std::max({x, y, z})")
+    leaves = {"d": ("d0", "d1", "d2"), "a": ("a0", "a1", "a2"), "greatest": "greatest", "certain": "certain",
+              "infinity": "infinity"}
+    values, _, texts = code.expand("squared_sinh_of_circumradius", leaves)
+    same("no flat triangle", texts["certain"], "k > 0x1p-4 * (greatest * greatest)")
+    same("greatest", texts["greatest"], "max(max(x, y), z)")
     for name in ("x", "y", "z", "k", "error"):
         same(name, values[name], script.values[name])
-    _, returned, _, _ = code.expand("squared_sinh_of_circumradius", {**leaves, "k": "k", "error": "error"})
-    same("quotients", returned, (quotient.values["lower"], quotient.values["upper"]))
+    _, returned, _ = code.expand("squared_sinh_of_circumradius", {**leaves, "k": "k", "error": "error"})
+    same("quotients", returned, (("if", "certain", quotient.values["lower"], "0"),
+                                 ("if", "certain", quotient.values["upper"], "infinity")))
     same("half of the error", script.bound("|k - K|") + 1, script.bound("error"))
 
 

@@ -9,7 +9,7 @@ f fl= sx * (p + p1) + sy * (q + q1);
 g fl= vx * (p + p2) + vy * (q + q2);
 middle fl= (1 + (p * p + q * q)) * (sx * vy - sy * vx);
 determinant fl= (middle + p * (sy * g - vy * f)) - q * (sx * g - vx * f);
-bound fl= 1b-42 * (ns * nv); # the norms, what the determinant is compared with
+bound fl= 1b-23 * (ns * nv); # the norms, what the determinant is compared with
 
 F = SX * (p + p1) + SY * (q + q1);
 G = VX * (p + p2) + VY * (q + q2);
@@ -17,4 +17,4 @@ DETERMINANT = ((1 + (p * p + q * q)) * (SX * VY - SY * VX) + p * (SY * G - VY * 
 
 { |sx| <= 2 /\ |sy| <= 2 /\ |vx| <= 2 /\ |vy| <= 2 /\ |p| <= 1 /\ |q| <= 1 /\ |p1| <= 1 /\ |q1| <= 1 /\ |p2| <= 1 /\ |q2| <= 1 /\
   ns in [1, 2] /\ nv in [1, 2]
-  -> |determinant - DETERMINANT| <= 1b-43 /\ bound >= 1b-42 }
+  -> |determinant - DETERMINANT| <= 1b-43 /\ bound >= 1b-23 }

@@ -21,8 +21,8 @@ MY = CX * DY + CY * DX;
 VALUE = MX * NY - MY * NX;
 
 # The norms, and what the value is compared with.
-bound fl= -1b-41 * ((na * nb) * (nc * nd));
+bound fl= -1b-16 * ((na * nb) * (nc * nd));
 
 { |ax| <= 2 /\ |ay| <= 2 /\ |bx| <= 2 /\ |by| <= 2 /\ |cx| <= 2 /\ |cy| <= 2 /\ |dx| <= 2 /\ |dy| <= 2 /\
   na in [1, 2] /\ nb in [1, 2] /\ nc in [1, 2] /\ nd in [1, 2]
-  -> |value - VALUE| <= 1b-42 /\ bound <= -1b-41 }
+  -> |value - VALUE| <= 1b-42 /\ bound <= -1b-16 }
