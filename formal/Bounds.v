@@ -120,11 +120,14 @@ Proof.
   eapply (exp_terms_enclose _ (2 * n) m _ 0); eauto; try lia; unfold partial, term; simpl; try lra; lia.
 Qed.
 
+Lemma exp_opp : forall x, exp x * exp (- x) = 1.
+Proof. intros. rewrite <- exp_plus, Rplus_opp_r. apply exp_0. Qed.
+
 (** (E − 1)²/4E = sinh²(x) for E = e^(2x). *)
 Lemma sinh_exp : forall x, sinh x * sinh x * (4 * exp (2 * x)) = (exp (2 * x) - 1) * (exp (2 * x) - 1).
 Proof.
   intros x. unfold sinh. replace (2 * x) with (x + x) by ring. rewrite exp_plus.
-  assert (exp x * exp (- x) = 1) as E by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0).
+  pose proof (exp_opp x) as E.
   set (p := exp x) in *. set (q := exp (- x)) in *.
   replace ((p - q) / 2 * ((p - q) / 2) * (4 * (p * p))) with ((p * p - p * q) * (p * p - p * q)) by field.
   rewrite E. ring.

@@ -41,7 +41,7 @@ Lemma sinh_double : forall x, sinh x * sinh x = 4 * (sinh (x / 2) * sinh (x / 2)
 Proof.
   intros x. unfold sinh. set (y := x / 2).
   replace x with (y + y) by (unfold y; field). rewrite exp_plus. replace (- (y + y)) with (- y + - y) by ring.
-  rewrite exp_plus. assert (exp y * exp (- y) = 1) as E by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0).
+  rewrite exp_plus. pose proof (exp_opp y) as E.
   set (p := exp y) in *. set (q := exp (- y)) in *.
   replace (1 + (p - q) / 2 * ((p - q) / 2)) with (1 - p * q + (p + q) / 2 * ((p + q) / 2)) by field.
   rewrite E. field.
