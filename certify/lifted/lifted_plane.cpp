@@ -25,9 +25,10 @@ LiftedPlane::LiftedPlane(const NetDocument& net, const LabelEvaluator& evaluator
   keep(21, triangles);
   evaluate_labels(evaluator, cap, threads);
   corners_.resize(3 * triangles);
-  lines_.resize(3 * triangles);
-  alphas_.resize(triangles);
-  for (std::uint32_t t = 0; t < triangles; ++t) place_triangle(t);
+  for (std::uint32_t dart = 0; dart < corners_.size(); ++dart) {
+    const NetDocument::Vertex& vertex = net.vertices[start(net, dart)];
+    corners_[dart] = unit_vector(labels_[corner_label(net, dart)], vertex.x, vertex.y, precision);
+  }
   find_transitions();
   find_disks(parts, cap);
 }
@@ -39,23 +40,6 @@ void LiftedPlane::evaluate_labels(const LabelEvaluator& evaluator, slong cap, un
       evaluator.evaluate(numbers, precision_, std::min(4 * precision_, 2 * cap), threads);
   labels_.push_back(identity_isometry());
   for (BallIsometry& value : values) labels_.push_back(std::move(value));
-}
-
-void LiftedPlane::place_triangle(std::uint32_t t) {
-  for (std::uint32_t dart = 3 * t; dart < 3 * t + 3; ++dart) {
-    const NetDocument::Vertex& vertex = net_.vertices[start(net_, dart)];
-    corners_[dart] = unit_vector(labels_[corner_label(net_, dart)], vertex.x, vertex.y, precision_);
-  }
-  const std::uint32_t first = 3 * t;
-  for (std::uint32_t dart = first; dart < first + 3; ++dart) {
-    lines_[dart] = cross_product(corners_[dart], corners_[next_dart(dart)], precision_);
-  }
-  Ball determinant;
-  dot(determinant, lines_[first], corners_[first + 2], precision_);
-  const Precision scope(precision_);
-  for (std::size_t i = 0; i < 3; ++i) {
-    alphas_[t][i] = (lines_[first][i] + lines_[first + 1][i] + lines_[first + 2][i]) / determinant;
-  }
 }
 
 void LiftedPlane::find_transitions() {

@@ -37,12 +37,6 @@ class LiftedPlane {
   }
   /// The corner where the dart starts, as a unit vector in the chart of its triangle.
   [[nodiscard]] const BallVector& corner(std::uint32_t dart) const { return looked_up(corners_, dart, kNoDart); }
-  /// Positive on the side of the dart's line on which its triangle lies, 0 on the line.
-  [[nodiscard]] const BallVector& line(std::uint32_t dart) const { return looked_up(lines_, dart, kNoDart); }
-  /// cosh d(·, C)/cosh R, C and R the circumcentre and the circumradius of the triangle: 1 at its corners.
-  [[nodiscard]] const BallVector& alpha(std::uint32_t triangle) const {
-    return looked_up(alphas_, triangle, "there is no triangle");
-  }
 
   /// From the chart of a dart's triangle to that of the triangle across.
   struct Transition {
@@ -64,7 +58,6 @@ class LiftedPlane {
   static constexpr const char* kNoDart = "there is no dart";
 
   void evaluate_labels(const LabelEvaluator& evaluator, slong cap, unsigned threads);
-  void place_triangle(std::uint32_t t);
   void find_transitions();
   void find_disks(const LabelParts& parts, slong cap);
 
@@ -73,8 +66,6 @@ class LiftedPlane {
   slong precision_;
   std::vector<BallIsometry> labels_;
   std::vector<BallVector> corners_;
-  std::vector<BallVector> lines_;
-  std::vector<BallVector> alphas_;
   std::vector<Transition> transitions_;
   std::vector<std::uint32_t> transition_of_;  ///< By dart, plus 1; 0 for the identity.
 

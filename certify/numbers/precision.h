@@ -12,10 +12,8 @@ inline constexpr long kFirstPrecision = 64;
 
 /// Bits from which on exact arithmetic is tried on what balls leave open. No precision of balls decides an exact tie;
 /// but an exact answer takes as much time as many passes with balls, and near ties are decided by a few more bits. A
-/// net has as many edges as one likes, and its near ties do not reach 256 bits. The corners that an axis may pass
-/// through are few, so that one more pass over the whole plane costs more than to decide them at once.
+/// net has as many edges as one likes, and its near ties do not reach 256 bits.
 inline constexpr long kExactFromForEdges = 256;
-inline constexpr long kExactFromForAxes = 128;
 
 /// Calls attempt(precision) with `first` bits, with twice as many, and so on, the last time with `cap` bits (once, if
 /// `cap` is not more than `first`), until it returns true: decided. Returns whether it did. Balls round to as many

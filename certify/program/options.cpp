@@ -97,7 +97,7 @@ void add_options(CLI::App& app, Request& request) {
   app.add_option("--max-visits", request.options.max_visits,
                  "lifted triangles visited before a list of\ngeodesics is undecided, at least 1")
       ->check(integer_between(1, std::numeric_limits<std::uint64_t>::max()))
-      ->option_text("N [100000000]");
+      ->option_text("N [1000000000]");
   app.add_option("--max-work", request.options.max_work,
                  "units of work before the rest is undecided; 0\nchooses a limit by the size of the file")
       ->check(integer_between(0, std::numeric_limits<std::uint64_t>::max()))

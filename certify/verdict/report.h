@@ -30,8 +30,9 @@ struct CheckOptions {
   /// Units of work (budget.h) after which all remaining questions are undecided; 0: a limit chosen by the size of the
   /// file.
   std::uint64_t max_work = 0;
-  /// Geodesics files only: the most lifted triangles visited. If a search needs more, the rule `complete` is undecided.
-  std::uint64_t max_visits = 100'000'000;
+  /// Geodesics and eigenvalues files only: the most lifted triangles visited. If the search for missing geodesics needs
+  /// more, the rule `complete` is undecided.
+  std::uint64_t max_visits = 1'000'000'000;
   /// Geodesics, distance and bound files only: the most triangles of the net, each of which takes a kilobyte of memory.
   /// Claims about a larger net are undecided. No such claim needs a finer net.
   std::size_t max_triangles = std::size_t{1} << 20;
@@ -87,9 +88,9 @@ struct Enclosures {
 /// The cost of checking a geodesics file.
 struct GeodesicsCounts {
   std::uint64_t geodesics = 0;
-  std::uint64_t lifted_triangles = 0;    ///< Visited in the search for missing geodesics.
-  std::uint64_t candidates = 0;          ///< Short elements found, counted once per vertex near the axis.
-  std::uint64_t deep_vertices = 0;       ///< Vertices whose disks lie in collars.
+  std::uint64_t lifted_triangles = 0;    ///< Entered in the search for missing geodesics.
+  std::uint64_t candidates = 0;          ///< Sequences of edges of perhaps short geodesics.
+  std::uint64_t deep_vertices = 0;       ///< Loop edges there inside collars.
   std::uint64_t max_precision_used = 0;  ///< Bits.
 };
 

@@ -11,9 +11,7 @@
 #include <sstream>
 
 #include "certify/check.h"
-#include "certify/claims/geodesics/chord_table.h"
 #include "certify/claims/geodesics/list_rules.h"
-#include "certify/claims/geodesics/orbit_search.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "certify/net/surface_check.h"
@@ -213,145 +211,6 @@ TEST(Geodesics, MoreOfTheSpectrumOfBolzaIsVerified) {
   EXPECT_LT(simple, 96);
 }
 
-/// The chords of a list's geodesics at 128 bits.
-class TestedTable {
- public:
-  explicit TestedTable(const GeodesicsDocument& document)
-      : net_(document.net), first_number_(static_cast<std::uint32_t>(net_.labels.size()) + 1) {
-    for (const GeodesicsDocument::ClosedGeodesic& geodesic : document.geodesics) {
-      const std::uint32_t chart = net_.vertices[geodesic.vertex].chart;
-      net_.labels.push_back({chart, chart, geodesic.word});
-    }
-    parts_.crossings = check_surface(net_.surface, 1).crossings;
-    for (const NetDocument::Chart& chart : net_.charts)
-      parts_.frames.push_back(translation_to(exact_point(chart.centre)));
-    evaluator_.emplace(net_, parts_);
-    plane_.emplace(net_, *evaluator_, parts_, 128, 1024, 1);
-    std::vector<ChordTable::Member> members;
-    for (std::uint32_t i = 0; i < document.geodesics.size(); ++i) {
-      members.push_back({first_darts(net_)[document.geodesics[i].vertex], plane_->label(first_number_ + i)});
-    }
-    table_.emplace(*plane_, std::move(members), 1);
-  }
-
-  [[nodiscard]] const LiftedPlane& plane() const { return *plane_; }
-  [[nodiscard]] const ChordTable& table() const { return *table_; }
-
- private:
-  NetDocument net_;
-  std::uint32_t first_number_;
-  LabelParts parts_;
-  std::optional<LabelEvaluator> evaluator_;
-  std::optional<LiftedPlane> plane_;
-  std::optional<ChordTable> table_;
-};
-
-TEST(OrbitSearch, ReportsEveryElementThatMovesTheVertexLittleAndEachOnce) {
-  const NetDocument net = bolza();
-  const TestedTable tested(systole(net));
-  const slong precision = tested.plane().precision();
-  constexpr double kDistance = 6;
-  Ball cosh, sinh, distance;
-  arb_set_d(distance.get(), kDistance);
-  arb_sinh_cosh(sinh.get(), cosh.get(), distance.get(), precision);
-  std::vector<Element> elements;
-  std::vector<std::uint32_t> word;
-  each_word(4, word, [&](const auto& w) { elements.push_back(value(w)); });
-  std::uint32_t vertices = 0;
-  for (std::uint32_t v = 0; v < net.vertices.size(); ++v) {
-    const NetDocument::Chart& chart = net.charts[net.vertices[v].chart];
-    if (exact_point(chart.centre).n != Gaussian{}) continue;
-    ++vertices;
-    const std::complex<double> z(net.vertices[v].x, net.vertices[v].y);
-    std::map<std::array<long, 4>, std::uint32_t> reports;
-    const auto scaled = [](arb_srcptr x) { return std::lround(1e6 * arf_get_d(arb_midref(x), ARF_RND_NEAR)); };
-    const auto outcome =
-        search_orbit(tested.plane(), first_darts(net)[v], cosh, sinh, 1'000'000,
-                     [&](const BallIsometry& element, const LabelProduct&) {
-                       const auto& [f, g] = element;
-                       ++reports[std::array<long, 4>{scaled(f.re()), scaled(f.im()), scaled(g.re()), scaled(g.im())}];
-                       return Search::go_on;
-                     });
-    EXPECT_TRUE(outcome.complete);
-    std::uint32_t near = 0;
-    for (const Element& g : elements) {
-      const std::complex<double> image = (g.first * z + g.second) / (std::conj(g.second) * z + std::conj(g.first));
-      const double sinh_half = std::abs(image - z) / std::sqrt((1 - std::norm(image)) * (1 - std::norm(z)));
-      if (2 * std::asinh(sinh_half) > kDistance - 1e-6) continue;
-      ++near;
-      const double sign = g.first.real() > 0 ? 1e6 : -1e6;
-      const std::array<long, 4> key{std::lround(sign * g.first.real()), std::lround(sign * g.first.imag()),
-                                    std::lround(sign * g.second.real()), std::lround(sign * g.second.imag())};
-      EXPECT_TRUE(reports.contains(key)) << "vertex " << v;
-    }
-    EXPECT_GT(near, 40U);
-    for (const auto& [key, count] : reports) EXPECT_EQ(count, 1U) << "vertex " << v;
-  }
-  EXPECT_GT(vertices, 3U);
-}
-
-TEST(ChordTable, ComparesAChordWithThoseOnItsAxisOnly) {
-  // Not with all in its triangle: that would take the square of the number of geodesics.
-  const TestedTable tested(spectrum(bolza(), "6.8", 6));
-  const ChordTable& table = tested.table();
-  ASSERT_TRUE(table.complete());
-  std::size_t chords = 0;
-  std::size_t comparisons = 0;
-  std::size_t pairs = 0;
-  for (std::uint32_t i = 0; i < table.size(); ++i) {
-    for (std::uint32_t k = 0; k < table.list(i).chords.size(); ++k) {
-      const Chord& chord = table.list(i).chords[k];
-      const auto found = table.on_axis(chord);
-      EXPECT_TRUE(std::any_of(found.begin(), found.end(),
-                              [&](const ChordTable::Place& place) { return place.geodesic == i && place.chord == k; }));
-      ++chords;
-      comparisons += found.size();
-      pairs += table.in_triangle(chord.triangle).size();
-    }
-  }
-  EXPECT_EQ(table.size(), 96U);
-  EXPECT_GT(pairs, 50 * chords);
-  EXPECT_LT(comparisons, chords + chords / 100);
-}
-
-TEST(ChordTable, FindsPowersAndInversesOfEveryChord) {
-  const TestedTable tested(bolza_to_5());
-  const ChordTable& table = tested.table();
-  const slong precision = tested.plane().precision();
-  for (std::uint32_t i = 0; i < table.size(); ++i) {
-    for (const Chord& chord : table.list(i).chords) {
-      Chord other = chord;
-      const auto find = [&] { return table.find(other, translation_length(other.element, precision)); };
-      EXPECT_EQ(find().found, Tri::yes);
-      EXPECT_EQ(find().geodesic, i);
-      EXPECT_EQ(find().power, 1U);
-      other.element = inverse(chord.element);
-      EXPECT_EQ(find().found, Tri::yes);
-      EXPECT_EQ(find().geodesic, i);
-      other.element = compose(other.element, compose(other.element, other.element, precision), precision);
-      EXPECT_EQ(find().found, Tri::yes);
-      EXPECT_EQ(find().geodesic, i);
-      EXPECT_EQ(find().power, 3U);
-      EXPECT_EQ(table.find(chord, table.length(i), i).found, Tri::no) << "nothing but itself";
-    }
-  }
-}
-
-TEST(ChordTable, FindsAChordWhereItsKeyIsWideOrOnlyTouchesThatOfTheTable) {
-  const TestedTable tested(bolza_to_5());
-  const ChordTable& table = tested.table();
-  for (std::uint32_t i = 0; i < table.size(); ++i) {
-    const Chord& chord = table.list(i).chords.front();
-    const Interval key = chord.key;
-    for (const Interval other : {Interval{key.lower - 1, key.lower}, Interval{key.upper, key.upper + 1},
-                                 Interval{-1e300, 1e300}, Interval{key.upper, key.upper}}) {
-      Chord known = chord;
-      known.key = other;
-      EXPECT_EQ(table.find(known, table.length(i)).geodesic, i);
-    }
-  }
-}
-
 // Broken in one place: each rule is named.
 
 TEST(Geodesics, OneLeftOutIsRefuted) {
@@ -473,9 +332,14 @@ TEST(Geodesics, TooManyVisitsAreUndecided) {
   const Certificate certificate = check(bolza_to_5(), {.threads = 1, .max_visits = 1000});
   EXPECT_EQ(certificate.verdict, Verdict::undecided);
   EXPECT_EQ(certificate.rule, "complete");
-  EXPECT_THAT(certificate.message, HasSubstr("its share of the limit"));
-  EXPECT_EQ(certificate.geodesics->max_precision_used, 64U) << "more bits do not help";
-  EXPECT_LT(certificate.geodesics->lifted_triangles, 2000U);
+  EXPECT_THAT(certificate.message, HasSubstr("the search crosses more than 1000 edges, its limit"));
+  EXPECT_EQ(certificate.geodesics->max_precision_used, 128U) << "more bits do not help";
+  EXPECT_EQ(certificate.geodesics->lifted_triangles, 1000U);
+  const std::uint64_t needed = check(bolza_to_5()).geodesics->lifted_triangles;
+  for (const unsigned threads : {1U, 3U}) {
+    EXPECT_EQ(check(bolza_to_5(), {.threads = threads, .max_visits = needed}).verdict, Verdict::verified);
+    EXPECT_EQ(check(bolza_to_5(), {.threads = threads, .max_visits = needed - 1}).verdict, Verdict::undecided);
+  }
 }
 
 TEST(Geodesics, TooManyTrianglesAreUndecided) {
@@ -747,6 +611,28 @@ TEST(ThickThin, OneLeftOutIsRefuted) {
   }
 }
 
+/// Next to coordinates a vertex cannot be moved by less than 1e-17; one on the cuff has to be moved by less than 1e-25.
+TEST(ThickThin, ACuffOf1e25IsFound) {
+  const GeodesicsDocument document = thick_thin("one-cuff-of-1e-25.json");
+  ASSERT_EQ(document.geodesics.size(), 2U);
+  EXPECT_LT(document.geodesics[0].length.upper, 1.1e-25);
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  GeodesicsDocument lacking = document;
+  lacking.geodesics.erase(lacking.geodesics.begin());
+  lacking.clusters = clusters(lacking.geodesics);
+  lacking.pieces = {{2, {}}};
+  lacking.pieces[0].boundaries = {{0, 0}, {0, 1}};
+  EXPECT_EQ(outcome(lacking), "REFUTED: complete");
+  GeodesicsDocument longer = document;
+  longer.claim = GeodesicsDocument::Claim::systole;
+  longer.pieces.clear();
+  longer.clusters.clear();
+  longer.geodesics = {document.geodesics[1]};
+  EXPECT_EQ(outcome(longer), "REFUTED: complete");
+  longer.geodesics = {document.geodesics[0]};
+  EXPECT_EQ(outcome(longer), "VERIFIED");
+}
+
 TEST(ThickThin, AWrongSimpleIsRefuted) {
   for (std::size_t i = 0; i < 3; ++i) {
     GeodesicsDocument document = three_cuffs();
@@ -852,28 +738,15 @@ TEST(Geodesics, WideBallsDecideNothing) {
 
 constexpr std::array kAnswers{Tri::no, Tri::yes, Tri::unknown};
 
-TEST(ListRules, AreDistinctIfNoneIsKnownToBeAnotherAndNoneOpen) {
-  for (const Tri x : kAnswers) {
-    for (const Tri y : kAnswers) {
-      for (const Tri z : kAnswers) {
-        const std::vector<ChordTable::Match> matches{{x, 7, 1}, {y, 8, 2}, {z, 9, 1}};
-        const RuleReport report = distinct_report(matches, 64);
-        EXPECT_EQ(report.rule, "distinct");
-        const auto first = [&](Tri wanted) { return x == wanted ? "0" : y == wanted ? "1" : z == wanted ? "2" : ""; };
-        const std::string same = first(Tri::yes), open = first(Tri::unknown);
-        if (!same.empty()) {
-          EXPECT_EQ(report.verdict, Verdict::refuted);
-          EXPECT_THAT(report.text, HasSubstr("geodesic " + same + " is geodesic "));
-          EXPECT_EQ(report.text.find("2 times") != std::string::npos, same == "1");
-        } else if (!open.empty()) {
-          EXPECT_EQ(report.verdict, Verdict::undecided);
-          EXPECT_EQ(report.text, "geodesic " + open + ": not decided whether it occurs twice, with 64 bits");
-        } else {
-          EXPECT_EQ(report.verdict, Verdict::verified);
-        }
-      }
-    }
-  }
+TEST(ListRules, AreDistinctIfNoneIsAnotherOrAPowerOfIt) {
+  EXPECT_EQ(distinct_report(SequenceTable({})).verdict, Verdict::verified);
+  EXPECT_EQ(distinct_report(SequenceTable({{{1, 2}, 1}, {{1, 3}, 1}, {{2, 3}, 2}})).verdict, Verdict::verified);
+  const RuleReport same = distinct_report(SequenceTable({{{1, 2}, 1}, {{1, 3}, 1}, {{1, 3}, 1}}));
+  EXPECT_EQ(same.rule, "distinct");
+  EXPECT_EQ(same.verdict, Verdict::refuted);
+  EXPECT_EQ(same.text, "geodesic 1 is geodesic 2, up to orientation");
+  EXPECT_EQ(distinct_report(SequenceTable({{{1, 2}, 6}, {{1, 3}, 2}, {{1, 2}, 3}})).text,
+            "geodesic 0 is geodesic 2, run through 2 times, up to orientation");
 }
 
 TEST(ListRules, AreSimpleAsSaidAndDisjointIfNothingIsOpen) {

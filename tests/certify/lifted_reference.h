@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <random>
 #include <utility>
 #include <vector>
 
-#include "certify/claims/geodesics/chords.h"
+#include "certify/claims/geodesics/axis_crossings.h"
 #include "certify/claims/geodesics/document.h"
 #include "certify/file/reader.h"
 #include "certify/net/darts.h"
@@ -117,49 +116,5 @@ class LiftedNet {
   std::optional<LabelEvaluator> evaluator_;
   std::optional<LiftedPlane> plane_;
 };
-
-/// The point q of the reverse search near the start of the dart: the sum of the corners of its triangle with these
-/// weights, and the vertex.
-inline constexpr Vector kWeights{967, 22, 11};
-
-inline Complex point_near(const Reference& reference, std::uint32_t dart) {
-  Vector sum{};
-  for (const Real weight : kWeights) {
-    const Vector x = vector_of(reference.corner(dart));
-    for (std::size_t i = 0; i < 3; ++i) sum[i] += weight * x[i];
-    dart = next_dart(dart);
-  }
-  const Real scale = std::sqrt(-lorentz(sum, sum));
-  return point_of({sum[0] / scale, sum[1] / scale, sum[2] / scale});
-}
-
-/// The lifted triangles with α(q) ≤ cosh(D' + R)/cosh R, D' = D + d(q, v), R the circumradius of the first.
-struct Wanted {
-  std::uint64_t triangles = 0;
-  std::map<Key, Move> elements;  ///< Of the lifts of the first triangle, in the chart of the vertex.
-  Real gap = 1e9;                ///< How near an α comes to the bound, relatively.
-};
-
-inline Wanted wanted(const Reference& reference, std::uint32_t dart, Real distance_bound) {
-  const Complex q = point_near(reference, dart);
-  const Complex v = reference.corner(dart);
-  const Real radius = reference.circumradius(dart / 3);
-  const Real bound = std::cosh(distance_bound + distance(q, v) + radius) / std::cosh(radius);
-  const Move to_root = reference.label(corner_label(reference.net(), dart));
-  Wanted result;
-  // cosh d(q, C) = α(q) cosh R.
-  const Real largest = reference.largest_circumradius();
-  for (const Lift& lift : reference.lifts(dart / 3, q, std::acosh(bound * std::cosh(largest)) + largest)) {
-    const Vector n = reference.circumcentre(lift.triangle);
-    const Real alpha = -lorentz(n, vector_of(image(lift.to_chart, q)));
-    result.gap = std::min(result.gap, std::abs(alpha / bound - 1));
-    if (alpha > bound) continue;
-    ++result.triangles;
-    if (lift.triangle != dart / 3) continue;
-    const Move element = inverted(to_root) * inverted(lift.to_chart) * to_root;
-    result.elements[key_of(element)] = element;
-  }
-  return result;
-}
 
 }  // namespace epsnet::certify

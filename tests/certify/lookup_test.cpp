@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "certify/base/text.h"
-#include "certify/claims/geodesics/chord_table.h"
+#include "certify/claims/geodesics/least_sequence.h"
 #include "certify/file/reader.h"
 #include "certify/lifted/interval_index.h"
 #include "certify/lifted/lifted_plane.h"
@@ -167,19 +167,12 @@ TEST(Lookup, OfWhatIsNotInALiftedPlaneIsAFault) {
   expect_fault([&] { (void)plane.label(labels + 1); }, "there is no value of label number");
   (void)plane.corner(3 * triangles - 1);
   expect_fault([&] { (void)plane.corner(3 * triangles); }, "there is no dart");
-  expect_fault([&] { (void)plane.line(3 * triangles); }, "there is no dart");
   expect_fault([&] { (void)plane.transition(3 * triangles); }, "there is no dart");
-  expect_fault([&] { (void)plane.alpha(triangles); }, "there is no triangle");
   const auto charts = static_cast<std::uint32_t>(setting.document.charts.size());
   expect_fault([&] { (void)plane.same(charts, identity_isometry(), identity_isometry()); }, "there is no chart");
   // A list of no geodesics.
-  const ChordTable table(plane, {}, 1);
-  expect_fault([&] { (void)table.list(0); }, "there is no geodesic");
-  expect_fault([&] { (void)table.length(0); }, "there is no geodesic");
-  expect_fault([&] { (void)table.first_dart(0); }, "there is no geodesic");
-  expect_fault([&] { (void)table.chord({0, 0}); }, "there is no geodesic");
-  EXPECT_TRUE(table.in_triangle(triangles - 1).empty());
-  expect_fault([&] { (void)table.in_triangle(triangles); }, "there is no triangle");
+  const SequenceTable table({});
+  expect_fault([&] { (void)table.find_other(0); }, "there is no geodesic");
 }
 
 TEST(Lookup, OfAnIntervalWithItsEndsExchangedIsAFault) {

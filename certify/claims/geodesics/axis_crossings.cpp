@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
-#include "certify/claims/geodesics/chords.h"
 #include "certify/net/darts.h"
 
 namespace epsnet::certify {
@@ -39,32 +37,69 @@ bool may_be_equal(const BallVector& x, const BallVector& y) {
   return true;
 }
 
-/// Where an axis leaves a triangle.
+/// A line that leaves a triangle.
 struct Exit {
   std::uint32_t dart;
   BallIsometry element;  ///< In the chart of the triangle,
   BallVector axis;       ///< and its axis.
 };
 
-/// The dart across which an axis leaves a triangle that it certainly cuts: its end is on the left of the axis and its
-/// start on the right, and the third corner on one of the sides.
-std::optional<std::uint32_t> exit_of(const MovedNet& net, std::uint32_t triangle, const BallVector& axis) {
-  std::array<int, 3> sides{};
-  for (std::uint32_t i = 0; i < 3; ++i) sides[i] = side(net, axis, 3 * triangle + i);
+using Sides = std::array<int, 3>;
+
+/// The sides of a line on which the corners of a triangle certainly lie.
+Sides sides(const MovedNet& net, std::uint32_t triangle, const BallVector& line) {
+  Sides result{};
+  for (std::uint32_t i = 0; i < 3; ++i) result[i] = side(net, line, 3 * triangle + i);
+  return result;
+}
+
+/// The number of the edge across which a line leaves a triangle that it certainly cuts: its end is on the left of the
+/// line and its start on the right, and the third corner on one of the sides.
+std::optional<std::uint32_t> exit_edge(const Sides& sides) {
   for (std::uint32_t i = 0; i < 3; ++i) {
-    if (sides[i] < 0 && sides[(i + 1) % 3] > 0 && sides[(i + 2) % 3] != 0) return 3 * triangle + i;
+    if (sides[i] < 0 && sides[(i + 1) % 3] > 0 && sides[(i + 2) % 3] != 0) return i;
   }
   return std::nullopt;
 }
 
-/// A triangle that the axis certainly cuts: nearly always one of those that it meets where the vertices are not moved.
+/// From a point of the first triangle along the perpendicular to the axis, to a triangle that the axis certainly cuts.
 std::optional<Exit> find_exit(const MovedNet& net, std::uint32_t first_dart, const BallIsometry& element) {
-  std::optional<Exit> exit;
-  (void)find_chords(net.plane(), first_dart, element, [&](const Chord& chord) {
-    if (const auto dart = exit_of(net, chord.triangle, chord.axis)) exit = Exit{*dart, chord.element, chord.axis};
-    return !exit;
-  });
-  return exit;
+  const LiftedPlane& plane = net.plane();
+  const Precision scope(plane.precision());
+  std::uint32_t triangle = first_dart / 3;
+  const BallIsometry& to_triangle = plane.label(corner_label(plane.net(), first_dart));
+  BallIsometry here =
+      compose(compose(to_triangle, element, plane.precision()), inverse(to_triangle), plane.precision());
+  choose_sign(here);
+  BallVector axis = axis_row(here, plane.precision());
+  // On no symmetry of the triangle.
+  BallVector point, foot;
+  for (std::size_t i = 0; i < 3; ++i) {
+    point[i] = 31 * net.corner(first_dart)[i] + 22 * net.corner(next_dart(first_dart))[i] +
+               11 * net.corner(previous_dart(first_dart))[i];
+  }
+  Ball distance;
+  dot(distance, axis, point, plane.precision());
+  const BallVector normal = dual(axis);
+  for (std::size_t i = 0; i < 3; ++i) foot[i] = point[i] - distance * normal[i];
+  BallVector perpendicular = cross_product(point, foot, plane.precision());
+  for (;;) {
+    plane.spend(kStepOperations);
+    const Sides of_axis = sides(net, triangle, axis);
+    if (const auto edge = exit_edge(of_axis)) return Exit{3 * triangle + *edge, std::move(here), std::move(axis)};
+    if (of_axis[0] == 0 || of_axis[0] != of_axis[1] || of_axis[1] != of_axis[2]) return std::nullopt;
+    const auto edge = exit_edge(sides(net, triangle, perpendicular));
+    if (!edge) return std::nullopt;
+    const std::uint32_t dart = 3 * triangle + *edge;
+    if (const auto* transition = plane.transition(dart)) {
+      const BallIsometry& across = transition->isometry;
+      here = compose(compose(across, here, plane.precision()), inverse(across), plane.precision());
+      choose_sign(here);
+    }
+    carry(plane, dart, axis);
+    carry(plane, dart, perpendicular);
+    triangle = opposite(plane.net(), dart) / 3;
+  }
 }
 
 }  // namespace
@@ -128,23 +163,49 @@ Tri crosses(const MovedNet& net, const BallIsometry& element, std::span<const st
   return result;
 }
 
-Tri crosses_itself(const LiftedPlane& plane, const AxisCrossings& crossings) {
-  const auto triangle = [&](std::uint32_t i) { return crossings.darts[i] / 3; };
-  std::vector<std::uint32_t> by_triangle(crossings.darts.size());
-  std::iota(by_triangle.begin(), by_triangle.end(), 0U);
-  std::stable_sort(by_triangle.begin(), by_triangle.end(),
-                   [&](std::uint32_t x, std::uint32_t y) { return triangle(x) < triangle(y); });
-  Tri result = Tri::no;
-  for (std::size_t i = 0; i < by_triangle.size(); ++i) {
-    for (std::size_t k = i; k-- > 0 && triangle(by_triangle[k]) == triangle(by_triangle[i]);) {
+std::vector<Meetings> find_meetings(const LiftedPlane& plane, std::span<const AxisCrossings> geodesics) {
+  struct Chord {
+    std::uint32_t triangle;
+    std::size_t geodesic;
+    const BallVector* axis;
+  };
+  std::vector<Chord> chords;
+  for (std::size_t i = 0; i < geodesics.size(); ++i) {
+    for (std::size_t k = 0; k < geodesics[i].darts.size(); ++k) {
+      chords.push_back({geodesics[i].darts[k] / 3, i, &geodesics[i].axes[k]});
+    }
+  }
+  std::stable_sort(chords.begin(), chords.end(),
+                   [](const Chord& x, const Chord& y) { return x.triangle < y.triangle; });
+  std::vector<Meetings> result(geodesics.size());
+  for (auto y = chords.begin(); y != chords.end(); ++y) {
+    for (auto x = y; x != chords.begin() && std::prev(x)->triangle == y->triangle;) {
+      --x;
+      const bool same = x->geodesic == y->geodesic;
+      Tri& of_x = same ? result[x->geodesic].itself : result[x->geodesic].another;
+      Tri& of_y = same ? of_x : result[y->geodesic].another;
+      if (of_x == Tri::yes && of_y == Tri::yes) continue;
       plane.spend(4);
-      const Ball product =
-          lorentz_product(crossings.axes[by_triangle[i]], crossings.axes[by_triangle[k]], plane.precision());
-      result = either(result, certainly_less(abs(product), Ball::exactly(1)));
-      if (result == Tri::yes) return result;
+      const Tri cross = certainly_less(abs(lorentz_product(*x->axis, *y->axis, plane.precision())), Ball::exactly(1));
+      of_x = either(of_x, cross);
+      of_y = either(of_y, cross);
     }
   }
   return result;
+}
+
+Interval translation_length(const BallIsometry& element, slong precision) {
+  const Precision scope(precision);
+  const Interval interval = outer_interval(twice(acosh(cosh_half_length(element))));
+  return {std::max(interval.lower, 0.0), interval.upper};
+}
+
+std::vector<std::uint32_t> first_darts(const NetDocument& net) {
+  std::vector<std::uint32_t> darts(net.vertices.size());
+  for (std::uint32_t dart = 3 * static_cast<std::uint32_t>(net.triangles.size()); dart-- > 0;) {
+    darts[start(net, dart)] = dart;
+  }
+  return darts;
 }
 
 }  // namespace epsnet::certify

@@ -29,8 +29,20 @@ struct AxisCrossings {
 /// They follow each other.
 [[nodiscard]] Tri crosses(const MovedNet& net, const BallIsometry& element, std::span<const std::uint32_t> darts);
 
-/// Whether two of the chords in one triangle cross: the geodesic of the axis, of which this is the shortest period, is
-/// not simple.
-[[nodiscard]] Tri crosses_itself(const LiftedPlane& plane, const AxisCrossings& crossings);
+/// What a geodesic crosses.
+struct Meetings {
+  Tri itself = Tri::no;
+  Tri another = Tri::no;  ///< Of those that are given.
+};
+
+/// Each is one shortest period of a geodesic, and no two are the same. O(n log n) for n chords, and the pairs in one
+/// triangle.
+[[nodiscard]] std::vector<Meetings> find_meetings(const LiftedPlane& plane, std::span<const AxisCrossings> geodesics);
+
+/// The length of an element from cosh(l/2) = |Re a| > 1, rounded outward; from 0 up if balls do not tell |Re a| > 1.
+[[nodiscard]] Interval translation_length(const BallIsometry& element, slong precision);
+
+/// A dart that leaves each vertex.
+[[nodiscard]] std::vector<std::uint32_t> first_darts(const NetDocument& net);
 
 }  // namespace epsnet::certify

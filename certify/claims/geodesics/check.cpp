@@ -6,8 +6,7 @@
 
 #include "certify/base/counted.h"
 #include "certify/base/text.h"
-#include "certify/claims/geodesics/chord_table.h"
-#include "certify/claims/geodesics/completeness_check.h"
+#include "certify/claims/geodesics/crossing_pass.h"
 #include "certify/claims/geodesics/cut_surface.h"
 #include "certify/claims/geodesics/exact_traces.h"
 #include "certify/claims/geodesics/geodesics_rules.h"
@@ -22,6 +21,9 @@ namespace {
 
 /// cosh(x/2) of a binary64.
 Ball cosh_half(double x) { return cosh(half(Ball::exactly(x))); }
+
+/// Bits that a list is asked with first: fewer hardly ever suffice for the search.
+constexpr slong kFirstPrecisionOfSearch = 128;
 
 constexpr const char* kGeodesics = "geodesics";
 constexpr const char* kDistinct = "distinct";
@@ -42,7 +44,6 @@ class GeodesicsCheck {
         first_darts_(first_darts(net_)),
         elements_(document.geodesics.size()),
         traces_(evaluator_),
-        completeness_(document, evaluator_, options_),
         rules_(own_rules(document)) {
     std::iota(elements_.begin(), elements_.end(), static_cast<std::uint32_t>(document.net.labels.size()) + 1);
   }
@@ -56,7 +57,7 @@ class GeodesicsCheck {
             pass(precision);
             return verdict(kGeodesics) == Verdict::refuted || all_decided();
           },
-          completeness_.first_precision());
+          kFirstPrecisionOfSearch);
       if (verdict(kGeodesics) == Verdict::refuted) rules_.keep_first();
     } catch (const BudgetSpent& spent) {
       rules_.give_up(spent.what());
@@ -71,9 +72,9 @@ class GeodesicsCheck {
  private:
   [[nodiscard]] GeodesicsCounts counts() const {
     return {.geodesics = document_.geodesics.size(),
-            .lifted_triangles = completeness_.visits(),
-            .candidates = completeness_.candidates(),
-            .deep_vertices = completeness_.deep_vertices(),
+            .lifted_triangles = completeness_.visits,
+            .candidates = completeness_.candidates,
+            .deep_vertices = loops_,
             .max_precision_used = static_cast<std::uint64_t>(precision_)};
   }
 
@@ -86,7 +87,7 @@ class GeodesicsCheck {
     for (const char* rule : {kGeodesics, kDistinct, kSimple, kPieces}) {
       if (open(rule)) return false;
     }
-    return !open(kComplete) || completeness_.limit_reached();
+    return !open(kComplete) || completeness_.limit_reached;
   }
 
   void report(const char* rule, Verdict verdict, std::string text) { rules_.report({rule, verdict, std::move(text)}); }
@@ -102,61 +103,24 @@ class GeodesicsCheck {
     if (open(kGeodesics)) check_lengths(plane);
     if (open(kEqualLengths)) check_equal();
     if (verdict(kGeodesics) != Verdict::verified) return;
-    if (completeness_.crosses_edges() && ask_crossings(plane)) return;
-    ask_chords(plane);
-  }
-
-  /// By the edges that the geodesics cross; false if that takes too long.
-  bool ask_crossings(const LiftedPlane& plane) {
     const CrossingPass crossings(
-        plane, completeness_.cosh_half_bound(plane), elements_.size(),
+        document_, evaluator_, plane, cosh_half_bound(plane),
         [&](std::size_t i) -> CrossingPass::Member {
-          return {first_dart(i), element(plane, i)};
+          return {first_darts_[document_.geodesics[i].vertex], element(plane, i)};
         },
         threads_);
-    if (!crossings.valid()) {
-      completeness_.give_up_crossings();
-      return false;
-    }
     if (!crossings.complete()) {
       doubt_all("not decided which edges the geodesics cross, with " + bits());
-      return true;
-    }
-    if (open(kDistinct)) check_distinct(crossings.table());
-    if (open(kSimple)) {
-      std::vector<Meetings> meetings;
-      for (const Tri itself : crossings.crosses_itself()) meetings.push_back({itself, Tri::no});
-      rules_.report(simple_report(document_.geodesics, meetings, false, precision_));
-    }
-    if (is_wrong() || !open(kComplete)) return true;
-    progress(kComplete);
-    const auto report = completeness_.check(crossings, precision_, threads_);
-    if (report) {
-      rules_.report(*report);
-    } else {
-      completeness_.give_up_crossings();
-    }
-    return report.has_value();
-  }
-
-  /// By the chords of the geodesics in the triangles.
-  void ask_chords(const LiftedPlane& plane) {
-    std::vector<ChordTable::Member> members;
-    for (std::size_t i = 0; i < elements_.size(); ++i) members.push_back({first_dart(i), element(plane, i)});
-    const ChordTable table(plane, std::move(members), threads_);
-    if (!table.complete()) {
-      doubt_all("not decided which triangles the geodesics meet, with " + bits());
       return;
     }
-    if (open(kDistinct)) check_distinct(table);
-    if (open(kSimple)) check_simple(table);
-    if (is_wrong()) return;
-    if (open(kComplete)) {
-      progress(kComplete);
-      rules_.report(completeness_.check(plane, table, threads_));
+    if (open(kDistinct)) rules_.report(distinct_report(crossings.table()));
+    if (open(kSimple)) {
+      rules_.report(simple_report(document_.geodesics, crossings.meetings(), is_thick_thin(), precision_));
     }
+    if (is_wrong()) return;
+    if (open(kComplete)) check_complete(crossings);
     if (open(kPieces) && verdict(kSimple) == Verdict::verified && verdict(kDistinct) == Verdict::verified) {
-      check_pieces(plane, table);
+      check_pieces(crossings);
     }
   }
 
@@ -169,7 +133,18 @@ class GeodesicsCheck {
   }
 
   [[nodiscard]] std::string bits() const { return std::to_string(precision_) + " bits"; }
-  [[nodiscard]] std::uint32_t first_dart(std::size_t i) const { return first_darts_[document_.geodesics[i].vertex]; }
+  [[nodiscard]] bool is_systole() const { return document_.claim == GeodesicsDocument::Claim::systole; }
+  [[nodiscard]] bool is_thick_thin() const { return document_.claim == GeodesicsDocument::Claim::thick_thin; }
+
+  /// cosh(L/2).
+  [[nodiscard]] Ball cosh_half_bound(const LiftedPlane& plane) const {
+    if (is_systole()) return cosh_half_length(plane.label(elements_[0]));
+    if (is_thick_thin()) return sqrt(Ball::exactly(2));
+    return cosh(half(Ball::rounded(decimal(document_.up_to))));
+  }
+
+  /// L in words.
+  [[nodiscard]] std::string bound_name() const { return is_thick_thin() ? "2 arsinh 1" : in_quotes(document_.up_to); }
 
   /// The element that translates along geodesic i in its direction: a path ends where the inverse of its word's value
   /// takes its start.
@@ -190,7 +165,7 @@ class GeodesicsCheck {
     for_each_parallel(answers.size(), threads_, [&](unsigned, std::size_t i) {
       const BallIsometry f = element(plane, i);
       answers[i].enclosed = is_enclosed(f, document_.geodesics[i].length);
-      answers[i].within = document_.claim == GeodesicsDocument::Claim::systole ? Tri::yes : is_within(plane, f, i);
+      answers[i].within = is_systole() ? Tri::yes : is_within(plane, f, i);
     });
     for (const Tri wanted : {Tri::no, Tri::unknown}) {
       const auto found = std::find_if(answers.begin(), answers.end(), [&](const Answer& answer) {
@@ -204,7 +179,7 @@ class GeodesicsCheck {
       const std::string what =
           found->enclosed == wanted
               ? (wrong ? ", not in " : ", not decided whether in ") + to_string(document_.geodesics[i].length)
-              : (wrong ? ", more than " : ", not decided whether at most ") + completeness_.bound_name();
+              : (wrong ? ", more than " : ", not decided whether at most ") + bound_name();
       report(kGeodesics, wrong ? Verdict::refuted : Verdict::undecided,
              geodesic_name(i) + actual + what + (wrong ? "" : ", with " + bits()));
       return;
@@ -223,8 +198,8 @@ class GeodesicsCheck {
   }
 
   [[nodiscard]] Tri is_within(const LiftedPlane& plane, const BallIsometry& f, std::size_t i) const {
-    const Tri less = certainly_less(cosh_half_length(f), completeness_.cosh_half_bound(plane));
-    if (less != Tri::unknown || document_.claim != GeodesicsDocument::Claim::thick_thin) return less;
+    const Tri less = certainly_less(cosh_half_length(f), cosh_half_bound(plane));
+    if (less != Tri::unknown || !is_thick_thin()) return less;
     const auto sign = traces_.compare_with_short(evaluator_.word(elements_[i]));
     if (!sign) return Tri::unknown;
     return *sign > 0 ? Tri::no : Tri::yes;
@@ -265,40 +240,31 @@ class GeodesicsCheck {
     return *sign == 0 ? Tri::yes : Tri::no;
   }
 
-  // Rules distinct and simple.
+  // Rule complete.
 
-  void check_distinct(const ChordTable& table) {
-    std::vector<ChordTable::Match> matches(table.size());
-    for_each_parallel(table.size(), threads_,
-                      [&](unsigned, std::size_t i) { matches[i] = table.find_other(static_cast<std::uint32_t>(i)); });
-    rules_.report(distinct_report(matches, precision_));
-  }
-
-  void check_distinct(const SequenceTable& table) {
-    std::vector<ChordTable::Match> matches(elements_.size());
-    for (std::uint32_t i = 0; i < matches.size(); ++i) {
-      const auto match = table.find_other(i);
-      if (!match) continue;
-      matches[i] = {Tri::yes, match->geodesic, match->power};
-      break;
-    }
-    rules_.report(distinct_report(matches, precision_));
-  }
-
-  void check_simple(const ChordTable& table) {
-    const bool disjoint = document_.claim == GeodesicsDocument::Claim::thick_thin;
-    std::vector<Meetings> meetings(table.size());
-    for_each_parallel(table.size(), threads_, [&](unsigned, std::size_t i) {
-      const auto geodesic = static_cast<std::uint32_t>(i);
-      meetings[i] = {table.crosses_itself(geodesic), disjoint ? table.crosses_another(geodesic) : Tri::no};
+  void check_complete(const CrossingPass& crossings) {
+    completeness_ = crossings.search(options_.max_visits, threads_, [&](double share) {
+      if (options_.progress) options_.progress(kComplete, share);
     });
-    rules_.report(simple_report(document_.geodesics, meetings, disjoint, precision_));
+    loops_ = crossings.loops();
+    if (completeness_.complete == Tri::no) {
+      report(kComplete, Verdict::refuted, completeness_.missing);
+    } else if (completeness_.limit_reached) {
+      report(kComplete, Verdict::undecided,
+             "the search crosses more than " + std::to_string(options_.max_visits) + " edges, its limit");
+    } else if (completeness_.complete == Tri::unknown) {
+      report(kComplete, Verdict::undecided, "not decided whether all geodesics are in the list, with " + bits());
+    } else {
+      report(kComplete, Verdict::verified,
+             is_systole() ? "no closed geodesic is shorter than geodesic 0"
+                          : "no primitive closed geodesic of length at most " + bound_name() + " is missing");
+    }
   }
 
   // Rule pieces.
 
-  void check_pieces(const LiftedPlane& plane, const ChordTable& table) {
-    const auto found = cut_surface(plane, evaluator_, table, elements_);
+  void check_pieces(const CrossingPass& crossings) {
+    const auto found = cut_surface(crossings.net(), crossings.geodesics());
     if (!found) {
       rules_.doubt(kPieces, "not decided how the geodesics cut the triangles, with " + bits());
       return;
@@ -336,7 +302,8 @@ class GeodesicsCheck {
   std::vector<std::uint32_t> first_darts_;
   std::vector<std::uint32_t> elements_;  ///< By geodesic: its label number in net_.
   ExactTraces traces_;
-  CompletenessCheck completeness_;
+  Completeness completeness_;  ///< At the last precision that it was asked with.
+  std::size_t loops_ = 0;      ///< In collars, then.
   OpenRules rules_;
   slong precision_ = 64;
 };

@@ -7,22 +7,22 @@
 
 #include "certify/claims/geodesics/axis_crossings.h"
 #include "certify/claims/geodesics/crossing_search.h"
+#include "certify/claims/geodesics/document.h"
+#include "certify/claims/geodesics/exact_traces.h"
 #include "certify/claims/geodesics/least_sequence.h"
 
 namespace epsnet::certify {
 
-/// What is known of one part of the search for geodesics that a list lacks.
-struct SearchPart {
+/// What is known of the closed geodesics that a list lacks.
+struct Completeness {
   Tri complete = Tri::unknown;
-  bool deep = false;  ///< A short loop was looked at instead of a search.
   bool limit_reached = false;
   std::uint64_t visits = 0;
-  std::uint64_t candidates = 0;
-  std::string text;  ///< Of what is missing.
+  std::uint64_t candidates = 0;  ///< Sequences of closed geodesics that are perhaps short enough.
+  std::string missing;           ///< Of one that is missing, in words.
 };
 
-/// A list of closed geodesics at one precision, by the edges that they cross (docs/proof.md, section 11, Lemmas 15.1
-/// to 15.5).
+/// A list of closed geodesics at one precision, by the edges that they cross (docs/proof.md, section 11).
 class CrossingPass {
  public:
   /// One geodesic's element, in the chart of the vertex that the dart leaves.
@@ -31,44 +31,52 @@ class CrossingPass {
     BallIsometry element;
   };
 
-  /// The plane must outlive the pass. `cosh_half` is cosh(L/2), `member(i)` makes member i of `count`. Several threads
-  /// work.
-  CrossingPass(const LiftedPlane& plane, const Ball& cosh_half, std::size_t count,
-               const std::function<Member(std::size_t)>& member, unsigned threads);
+  /// All must outlive the pass. The evaluator's document is the net with the words of the list as further labels.
+  /// `cosh_half` is cosh(L/2), `member(i)` makes member i of the document's list. Several threads work.
+  CrossingPass(const GeodesicsDocument& document, const LabelEvaluator& evaluator, const LiftedPlane& plane,
+               const Ball& cosh_half, const std::function<Member(std::size_t)>& member, unsigned threads);
 
-  /// Whether the vertices could be moved; otherwise nothing else may be asked.
-  [[nodiscard]] bool valid() const { return search_.has_value(); }
-  /// Whether it is known which edges each geodesic of the list crosses; otherwise nothing of what follows may be asked.
+  /// Whether it is known which edges each geodesic of the list crosses, and which edges lie in collars; otherwise
+  /// nothing of what follows may be asked.
   [[nodiscard]] bool complete() const { return table_.has_value(); }
 
   /// The list.
   [[nodiscard]] const SequenceTable& table() const { return *table_; }
-  /// By geodesic: whether it crosses itself.
-  [[nodiscard]] const std::vector<Tri>& crosses_itself() const { return crosses_itself_; }
+  /// By geodesic: whether it crosses itself; and, for a thick-thin decomposition, another one.
+  [[nodiscard]] const std::vector<Meetings>& meetings() const { return meetings_; }
+  /// The geodesics of a thick-thin decomposition; nothing else is kept.
+  [[nodiscard]] const std::vector<AxisCrossings>& geodesics() const { return geodesics_; }
+  [[nodiscard]] const MovedNet& net() const { return moved_; }
+  /// How many loop edges are inside the collars of their cores.
+  [[nodiscard]] std::size_t loops() const { return loops_.size(); }
 
-  /// How many parts the search for what the list lacks has: the loop edges of collars, and then those of the
-  /// search across edges. If every part is complete, the list lacks nothing.
-  [[nodiscard]] std::size_t size() const { return loops_.size() + search_->size(); }
-  /// Calls tick() now and then. Crosses at most `limit` edges. Thread-safe.
-  [[nodiscard]] SearchPart examine(std::size_t part, std::uint64_t limit, const std::function<void()>& tick) const;
+  /// Searches for what the list lacks, across at most `limit` edges. Calls progress(share done) now and then, from the
+  /// calling thread. But for the visits beyond the limit, the result does not depend on the number of threads.
+  [[nodiscard]] Completeness search(std::uint64_t limit, unsigned threads,
+                                    const std::function<void(double)>& progress) const;
 
  private:
-  void find_collar(std::uint32_t loop, std::vector<bool>& inner);
+  [[nodiscard]] bool find_collar(std::uint32_t loop, std::vector<bool>& inner);
   [[nodiscard]] BallIsometry element_of_loop(std::uint32_t dart) const;
-  [[nodiscard]] LeastSequence sequence_of(const std::vector<std::uint32_t>& darts) const;
-  [[nodiscard]] Tri is_in_order(std::uint32_t loop, SearchPart& part) const;
-  [[nodiscard]] Tri is_in_order(const std::vector<std::uint32_t>& codes, SearchPart& part) const;
-  [[nodiscard]] Tri missing(std::uint32_t dart, const BallIsometry& element, SearchPart& part) const;
+  [[nodiscard]] std::vector<std::uint32_t> codes_of(const std::vector<std::uint32_t>& darts) const;
+  [[nodiscard]] std::vector<std::uint32_t> codes_of_loop(std::uint32_t loop) const;
+  [[nodiscard]] Tri is_in_order(const std::vector<std::uint32_t>& codes, Completeness& part) const;
+  [[nodiscard]] Tri is_to_be_listed(const BallIsometry& element, const std::vector<std::uint32_t>& darts) const;
 
+  const GeodesicsDocument& document_;
+  const LabelEvaluator& evaluator_;
+  std::uint32_t first_element_;  ///< The label number of the first geodesic's word.
   const LiftedPlane& plane_;
   const NetDocument& net_;
+  ExactTraces traces_;
   Ball cosh_half_;
   MovedNet moved_;
   std::vector<std::uint32_t> loops_;  ///< One dart of each loop edge that is inside the collar of its core.
   std::optional<DartOrder> order_;
   std::optional<CrossingSearch> search_;
   std::optional<SequenceTable> table_;
-  std::vector<Tri> crosses_itself_;
+  std::vector<Meetings> meetings_;
+  std::vector<AxisCrossings> geodesics_;
 };
 
 }  // namespace epsnet::certify

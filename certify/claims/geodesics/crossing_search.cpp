@@ -358,12 +358,12 @@ std::optional<CrossingSearch::Limits> CrossingSearch::limits(std::uint32_t first
   return result;
 }
 
-OrbitOutcome CrossingSearch::run(std::size_t part, std::uint64_t limit, const Report& report) const {
+SearchOutcome CrossingSearch::run(std::size_t part, std::uint64_t limit, const Report& report) const {
   const Precision scope(net_.plane().precision());
   const Part& own = looked_up(parts_, part, "the search has no part");
   if (!beyond_.empty()) {
     bool stopped = false;
-    const OrbitOutcome outcome = run_with(beyond_, own, limit, [&](const std::vector<std::uint32_t>& codes) {
+    const SearchOutcome outcome = run_with(beyond_, own, limit, [&](const std::vector<std::uint32_t>& codes) {
       const Search answer = report(codes);
       stopped = answer == Search::stop;
       return answer;
@@ -375,9 +375,9 @@ OrbitOutcome CrossingSearch::run(std::size_t part, std::uint64_t limit, const Re
 }
 
 template <class Number>
-OrbitOutcome CrossingSearch::run_with(const std::vector<std::array<Number, 3>>& beyond, const Part& part,
-                                      std::uint64_t limit, const Report& report) const {
-  OrbitOutcome outcome;
+SearchOutcome CrossingSearch::run_with(const std::vector<std::array<Number, 3>>& beyond, const Part& part,
+                                       std::uint64_t limit, const Report& report) const {
+  SearchOutcome outcome;
   Way<Number> way(*this, beyond);
   const std::optional<Limits> farthest = limits(part.first, way);
   if (!farthest) return outcome;

@@ -8,9 +8,17 @@
 
 #include "certify/claims/geodesics/double_double.h"
 #include "certify/claims/geodesics/moved_net.h"
-#include "certify/claims/geodesics/orbit_search.h"
 
 namespace epsnet::certify {
+
+/// What is asked at every closed geodesic that is found, in the order of the search.
+enum class Search { go_on, stop };
+
+struct SearchOutcome {
+  bool complete = false;  ///< All were reported; false if this precision or `limit` does not suffice.
+  bool limit_reached = false;
+  std::uint64_t visits = 0;  ///< Darts crossed.
+};
 
 /// The closed geodesics of a triangulated surface by the sequences of edges that they cross: the search for least
 /// cyclic sequences of darts, one edge to begin at after the other (docs/proof.md, section 11).
@@ -32,7 +40,7 @@ class CrossingSearch {
   /// Thread-safe.
   ///
   /// Depth first, with memory proportional to the depth. A visit is a dart crossed.
-  [[nodiscard]] OrbitOutcome run(std::size_t part, std::uint64_t limit, const Report& report) const;
+  [[nodiscard]] SearchOutcome run(std::size_t part, std::uint64_t limit, const Report& report) const;
 
  private:
   /// The ways from an edge on; the first turns are given, to the left or to the right.
@@ -47,8 +55,8 @@ class CrossingSearch {
   template <class Number>
   [[nodiscard]] std::optional<Limits> limits(std::uint32_t first, Way<Number>& way) const;
   template <class Number>
-  [[nodiscard]] OrbitOutcome run_with(const std::vector<std::array<Number, 3>>& beyond, const Part& part,
-                                      std::uint64_t limit, const Report& report) const;
+  [[nodiscard]] SearchOutcome run_with(const std::vector<std::array<Number, 3>>& beyond, const Part& part,
+                                       std::uint64_t limit, const Report& report) const;
 
   const MovedNet& net_;
   const DartOrder& order_;

@@ -1,20 +1,17 @@
 #include "certify/claims/geodesics/cut_surface.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <numeric>
 
-#include "certify/claims/geodesics/exact_side.h"
 #include "certify/net/darts.h"
-#include "certify/numbers/precision.h"
 
 namespace epsnet::certify {
 namespace {
 
-/// A chord that separates a corner of its triangle from the other two.
+/// Where a geodesic separates a corner of a triangle from the other two.
 struct Arc {
-  ChordTable::Place place;
+  std::uint32_t geodesic;
   bool corner_is_left;
   Ball distance;  ///< sinh of that of the corner from the geodesic.
 };
@@ -35,66 +32,33 @@ class Partition {
 
 class Cutter {
  public:
-  Cutter(const LiftedPlane& plane, const LabelEvaluator& evaluator, const ChordTable& table,
-         const std::vector<std::uint32_t>& elements)
-      : plane_(plane),
-        net_(plane.net()),
-        evaluator_(evaluator),
-        table_(table),
-        elements_(elements),
-        first_darts_(first_darts(net_)),
-        arcs_(3 * net_.triangles.size()) {}
+  Cutter(const MovedNet& net, const std::vector<AxisCrossings>& geodesics)
+      : moved_(net), net_(net.plane().net()), geodesics_(geodesics), arcs_(3 * net_.triangles.size()) {}
 
   std::optional<std::vector<GeodesicsDocument::Piece>> run() {
-    for (std::uint32_t t = 0; t < net_.triangles.size(); ++t) {
-      for (const ChordTable::Place place : table_.in_triangle(t)) {
-        if (!add_arc(t, place)) return std::nullopt;
-      }
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        if (!sort_arcs(3 * t + i)) return std::nullopt;
-      }
+    for (std::uint32_t i = 0; i < geodesics_.size(); ++i) add_arcs(i);
+    // Arcs are disjoint: one that lies between another and the corner is nearer to it.
+    for (std::vector<Arc>& arcs : arcs_) {
+      if (!sort_certainly(arcs, [](const Arc& arc) -> const Ball& { return arc.distance; })) return std::nullopt;
     }
     number_cells();
     return pieces();
   }
 
  private:
-  /// The side of each corner, 1 for left; nothing if unknown.
-  std::optional<std::array<int, 3>> sides(ChordTable::Place place) const {
-    const Chord& chord = table_.chord(place);
-    std::array<int, 3> side = chord.side;
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      if (side[i] != 0) continue;
-      if (plane_.precision() < kExactFromForAxes) return std::nullopt;
-      const auto exact = exact_side(net_, evaluator_, table_, elements_[place.geodesic], place, i);
-      if (!exact) return std::nullopt;
-      side[i] = *exact;
+  /// Between two darts that follow each other a geodesic cuts off the corner that they have in common.
+  void add_arcs(std::uint32_t geodesic) {
+    const auto& [darts, axes] = geodesics_[geodesic];
+    moved_.plane().spend(10, darts.size());
+    for (std::size_t k = 0; k < darts.size(); ++k) {
+      const std::uint32_t entry = opposite(net_, darts[k == 0 ? darts.size() - 1 : k - 1]);
+      // Darts are crossed with their starts on the right.
+      const bool corner_is_left = darts[k] != next_dart(entry);
+      const std::uint32_t corner = corner_is_left ? entry : darts[k];
+      Ball distance;
+      dot(distance, axes[k], moved_.corner(corner), moved_.plane().precision());
+      arcs_[corner].push_back({geodesic, corner_is_left, abs(std::move(distance))});
     }
-    return side;
-  }
-
-  bool add_arc(std::uint32_t t, ChordTable::Place place) {
-    const auto side = sides(place);
-    if (!side) return false;
-    const int sum = (*side)[0] + (*side)[1] + (*side)[2];
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      // Two corners on one side make a sum of that sign; the third is alone.
-      if (std::abs(sum) == 1 && (*side)[i] == -sum) arcs_[3 * t + i].push_back({place, (*side)[i] > 0, {}});
-    }
-    return true;
-  }
-
-  /// Sorts the arcs around the corner where the dart starts by their distance from it.
-  bool sort_arcs(std::uint32_t dart) {
-    // Arcs are disjoint: one that lies between another and the corner X is nearer to it. sinh of a distance is |⟨n,
-    // X⟩|.
-    std::vector<Arc>& arcs = arcs_[dart];
-    plane_.spend(10, arcs.size());
-    for (Arc& arc : arcs) {
-      dot(arc.distance, table_.chord(arc.place).axis, plane_.corner(dart), plane_.precision());
-      arc.distance = abs(std::move(arc.distance));
-    }
-    return sort_certainly(arcs, [](const Arc& arc) -> const Ball& { return arc.distance; });
   }
 
   /// Cells of triangle t: the central one, then those around corner 0 outward from it, then corner 1, corner 2.
@@ -135,7 +99,7 @@ class Cutter {
     // χ of each component: vertices − segments of edges + cells, all open.
     std::map<std::size_t, long> euler;
     for (std::size_t c = 0; c < cells_; ++c) ++euler[partition.find(c)];
-    for (const std::uint32_t dart : first_darts_) ++euler[partition.find(cell_at(dart, 0))];
+    for (const std::uint32_t dart : first_darts(net_)) ++euler[partition.find(cell_at(dart, 0))];
     for (std::uint32_t dart = 0; dart < arcs_.size(); ++dart) {
       if (opposite(net_, dart) < dart) continue;
       for (std::size_t k = 0; k < segments(dart); ++k) --euler[partition.find(cell_at(dart, k))];
@@ -147,7 +111,7 @@ class Cutter {
                                                                   const std::map<std::size_t, long>& euler) const {
     std::map<std::size_t, GeodesicsDocument::Piece> by_root;
     for (const auto& [root, unused] : euler) by_root[root];
-    std::vector<std::size_t> component(2 * table_.size(), cells_);
+    std::vector<std::size_t> component(2 * geodesics_.size(), cells_);
     for (std::uint32_t dart = 0; dart < arcs_.size(); ++dart) {
       for (std::size_t k = 0; k < arcs_[dart].size(); ++k) {
         const Arc& arc = arcs_[dart][k];
@@ -155,8 +119,8 @@ class Cutter {
         const std::size_t outer = partition.find(cell(dart, k + 1));
         for (const std::uint32_t side : {0U, 1U}) {
           const std::size_t found = arc.corner_is_left == (side == 0) ? inner : outer;
-          std::size_t& known = component[2 * std::size_t{arc.place.geodesic} + side];
-          if (known == cells_) by_root[found].boundaries.emplace_back(arc.place.geodesic, side);
+          std::size_t& known = component[2 * std::size_t{arc.geodesic} + side];
+          if (known == cells_) by_root[found].boundaries.emplace_back(arc.geodesic, side);
           // Never, if all sides and orders are certain: a side of a geodesic is in one component.
           if (known != cells_ && known != found) return std::nullopt;
           known = found;
@@ -174,12 +138,9 @@ class Cutter {
     return result;
   }
 
-  const LiftedPlane& plane_;
+  const MovedNet& moved_;
   const NetDocument& net_;
-  const LabelEvaluator& evaluator_;
-  const ChordTable& table_;
-  const std::vector<std::uint32_t>& elements_;
-  std::vector<std::uint32_t> first_darts_;
+  const std::vector<AxisCrossings>& geodesics_;
   std::vector<std::vector<Arc>> arcs_;  ///< By dart: those around the corner where it starts.
   std::vector<std::size_t> central_;    ///< By triangle.
   std::vector<std::size_t> around_;     ///< By dart: the first cell around its corner.
@@ -188,11 +149,9 @@ class Cutter {
 
 }  // namespace
 
-std::optional<std::vector<GeodesicsDocument::Piece>> cut_surface(const LiftedPlane& plane,
-                                                                 const LabelEvaluator& evaluator,
-                                                                 const ChordTable& table,
-                                                                 const std::vector<std::uint32_t>& elements) {
-  return Cutter(plane, evaluator, table, elements).run();
+std::optional<std::vector<GeodesicsDocument::Piece>> cut_surface(const MovedNet& net,
+                                                                 const std::vector<AxisCrossings>& geodesics) {
+  return Cutter(net, geodesics).run();
 }
 
 }  // namespace epsnet::certify

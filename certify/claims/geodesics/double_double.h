@@ -12,7 +12,7 @@ namespace epsnet::certify {
 inline constexpr double kUnderflow = 0x1p-900;
 
 /// A number within `radius` of high + low, two numbers of binary64, |low| ≤ 2⁻⁵³ |high|: some hundred bits, in a fifth
-/// of the time that balls take. Nothing is known of a number whose members are not finite. docs/proof.md, Lemma 15.4,
+/// of the time that balls take. Nothing is known of a number whose members are not finite. docs/proof.md, Lemma 14.1,
 /// bounds the errors; it asks for rounding to nearest (RoundingToNearest).
 struct DoubleDouble {
   double high = 0;

@@ -26,6 +26,8 @@ class SequenceTable {
  public:
   explicit SequenceTable(std::vector<LeastSequence> sequences);
 
+  [[nodiscard]] std::size_t size() const { return sequences_.size(); }
+
   /// Whether a geodesic has this root, which it runs through once.
   [[nodiscard]] bool contains(const std::vector<std::uint32_t>& root) const;
 

@@ -6,20 +6,13 @@ namespace epsnet::certify {
 
 std::string geodesic_name(std::size_t i) { return "geodesic " + std::to_string(i); }
 
-RuleReport distinct_report(std::span<const ChordTable::Match> matches, slong precision) {
-  const auto first = [&](Tri wanted) {
-    return std::find_if(matches.begin(), matches.end(), [&](const auto& match) { return match.found == wanted; });
-  };
-  if (const auto same = first(Tri::yes); same != matches.end()) {
-    const std::string power = same->power == 1 ? "" : ", run through " + std::to_string(same->power) + " times";
+RuleReport distinct_report(const SequenceTable& table) {
+  for (std::uint32_t i = 0; i < table.size(); ++i) {
+    const auto match = table.find_other(i);
+    if (!match) continue;
+    const std::string power = match->power == 1 ? "" : ", run through " + std::to_string(match->power) + " times";
     return {"distinct", Verdict::refuted,
-            geodesic_name(static_cast<std::size_t>(same - matches.begin())) + " is " + geodesic_name(same->geodesic) +
-                power + ", up to orientation"};
-  }
-  if (const auto open = first(Tri::unknown); open != matches.end()) {
-    return {"distinct", Verdict::undecided,
-            geodesic_name(static_cast<std::size_t>(open - matches.begin())) +
-                ": not decided whether it occurs twice, with " + std::to_string(precision) + " bits"};
+            geodesic_name(i) + " is " + geodesic_name(match->geodesic) + power + ", up to orientation"};
   }
   return {"distinct", Verdict::verified, "no two are the same and none is a power of another"};
 }

@@ -7,6 +7,17 @@
 #include "certify/net/darts.h"
 
 namespace epsnet::certify {
+namespace {
+
+/// The translation that takes 0 to x + iy.
+BallIsometry translation_to(double x, double y) {
+  const Ball re = Ball::exactly(x);
+  const Ball im = Ball::exactly(y);
+  const Ball scale = rsqrt(1 - sqr(re) - sqr(im));
+  return {{scale, Ball()}, {re * scale, im * scale}};
+}
+
+}  // namespace
 
 MovedNet::MovedNet(const LiftedPlane& plane) : plane_(plane) {
   const NetDocument& net = plane.net();
@@ -33,17 +44,18 @@ MovedNet::MovedNet(const LiftedPlane& plane) : plane_(plane) {
 bool MovedNet::place(double share) {
   const NetDocument& net = plane_.net();
   std::mt19937 random;
-  std::vector<NetDocument::Vertex> vertices = net.vertices;
-  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-    NetDocument::Vertex& vertex = vertices[v];
-    const double size = share * shortest_[v] * (1 - vertex.x * vertex.x - vertex.y * vertex.y);
-    vertex.x += size * (std::ldexp(static_cast<double>(random()), -31) - 1);
-    vertex.y += size * (std::ldexp(static_cast<double>(random()), -31) - 1);
-    if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y)) return false;
+  const auto moved_by = [&](double size) { return size * (std::ldexp(static_cast<double>(random()), -31) - 1); };
+  // In the chart with the vertex at its origin, as next to other numbers small ones would be lost.
+  std::vector<std::array<double, 2>> moves(net.vertices.size());
+  for (std::uint32_t v = 0; v < moves.size(); ++v) {
+    for (double& x : moves[v]) x = moved_by(share * shortest_[v]);
+    if (!(std::hypot(moves[v][0], moves[v][1]) < 0.5)) return false;
   }
   for (std::uint32_t dart = 0; dart < corners_.size(); ++dart) {
-    const NetDocument::Vertex& vertex = vertices[start(net, dart)];
-    corners_[dart] = unit_vector(plane_.label(corner_label(net, dart)), vertex.x, vertex.y, plane_.precision());
+    const std::uint32_t v = start(net, dart);
+    const BallIsometry from_origin = compose(plane_.label(corner_label(net, dart)),
+                                             translation_to(net.vertices[v].x, net.vertices[v].y), plane_.precision());
+    corners_[dart] = unit_vector(from_origin, moves[v][0], moves[v][1], plane_.precision());
     // Else it is no point of the plane.
     if (certainly_positive(corners_[dart][2]) != Tri::yes) return false;
   }
