@@ -51,7 +51,7 @@ class CrossingPass {
   [[nodiscard]] std::size_t loops() const { return loops_.size(); }
 
   /// Searches for what the list lacks, across at most `limit` edges. Calls progress(share done) now and then, from the
-  /// calling thread. But for the visits beyond the limit, the result does not depend on the number of threads.
+  /// calling thread. The result does not depend on the number of threads.
   [[nodiscard]] Completeness search(std::uint64_t limit, unsigned threads,
                                     const std::function<void(double)>& progress) const;
 

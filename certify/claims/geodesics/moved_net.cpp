@@ -27,8 +27,10 @@ MovedNet::MovedNet(const LiftedPlane& plane) : plane_(plane) {
   shortest_.assign(net.vertices.size(), std::numeric_limits<double>::infinity());
   const Precision scope(plane.precision());
   for (std::uint32_t dart = 0; dart < darts; ++dart) {
-    const Ball value = half(lorentz_product(plane.corner(dart), plane.corner(next_dart(dart)), plane.precision()) + 1);
-    const double length = std::sqrt(std::abs(arf_get_d(arb_midref(value.get()), ARF_RND_NEAR)));
+    const Ball value = half(-lorentz_product(plane.corner(dart), plane.corner(next_dart(dart)), plane.precision()) - 1);
+    // With so few bits nothing would be known of the triangles.
+    if (certainly_positive(value) != Tri::yes) return;
+    const double length = std::sqrt(arf_get_d(arb_midref(value.get()), ARF_RND_NEAR));
     for (const std::uint32_t v : {start(net, dart), start(net, next_dart(dart))}) {
       shortest_[v] = std::min(shortest_[v], length);
     }
