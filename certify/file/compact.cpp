@@ -119,6 +119,19 @@ void read_vertices(Parts& parts, std::uint32_t count, std::size_t chart_width, N
   parts.take_indices(count, chart_width, [&](std::uint32_t chart) { (v++)->chart = chart; });
 }
 
+/// A dart, with the place of its triangle and its number there, so that going on divides nothing.
+struct Dart {
+  std::size_t number = 0;
+  std::size_t triangle = 0;
+  std::size_t edge = 0;
+  void operator++() {
+    ++number;
+    if (++edge < 3) return;
+    edge = 0;
+    ++triangle;
+  }
+};
+
 void read_triangles(Parts& parts, std::uint32_t count, std::size_t label_width, NetDocument& document) {
   const std::size_t darts = std::size_t{3} * count;
   if (darts % 2 != 0) fail("triangles", "an odd number of darts, which cannot be paired");
@@ -127,44 +140,44 @@ void read_triangles(Parts& parts, std::uint32_t count, std::size_t label_width, 
   parts.expect(4 * darts, "triangles");
   parts.expect(2 * darts, "opposites");
   parts.expect(bytes_of_bits, "labelled corners");
-  document.triangles.resize(count, {.vertex = {}, .opposite = {kNone, kNone, kNone}, .label = {}});
-  std::size_t dart = 0;
+  std::vector<NetDocument::Triangle>& triangles = document.triangles;
+  triangles.resize(count, {.vertex = {}, .opposite = {kNone, kNone, kNone}, .label = {}});
+  Dart corner;
   parts.take_numbers<4>(darts, [&](std::uint64_t vertex) {
-    document.triangles[dart / 3].vertex[dart % 3] = static_cast<std::uint32_t>(vertex);
-    ++dart;
+    triangles[corner.triangle].vertex[corner.edge] = static_cast<std::uint32_t>(vertex);
+    ++corner;
   });
-  const auto opposite_of = [&](std::size_t d) -> std::uint32_t& { return document.triangles[d / 3].opposite[d % 3]; };
-  dart = 0;
+  Dart dart;
   std::size_t pair = 0;
   parts.take_numbers<4>(darts / 2, [&](std::uint64_t other) {
     // Of the darts not yet paired each one names its partner, which comes later.
-    while (opposite_of(dart) != kNone) ++dart;
-    if (other <= dart || other >= darts || opposite_of(other) != kNone) {
+    while (triangles[dart.triangle].opposite[dart.edge] != kNone) ++dart;
+    if (other <= dart.number || other >= darts || triangles[other / 3].opposite[other % 3] != kNone) {
       fail("opposites", pair,
-           "the opposite of dart " + std::to_string(dart) + " is " + std::to_string(other) +
+           "the opposite of dart " + std::to_string(dart.number) + " is " + std::to_string(other) +
                ", expected a later dart that has none");
     }
-    opposite_of(dart) = static_cast<std::uint32_t>(other);
-    opposite_of(other) = static_cast<std::uint32_t>(dart);
+    triangles[dart.triangle].opposite[dart.edge] = static_cast<std::uint32_t>(other);
+    triangles[other / 3].opposite[other % 3] = static_cast<std::uint32_t>(dart.number);
     ++pair;
   });
   const std::string labelled(parts.take(bytes_of_bits));
-  const auto is_labelled = [&](std::size_t corner) {
-    return ((static_cast<unsigned char>(labelled[corner / 8]) >> (corner % 8)) & 1U) != 0;
-  };
   std::size_t labels = 0;
-  for (std::size_t corner = 0; corner < corners; ++corner) labels += is_labelled(corner) ? 1 : 0;
-  for (std::size_t bit = corners; bit < 8 * labelled.size(); ++bit) {
-    if (is_labelled(bit)) fail("labelled corners", "a bit beyond the last corner is set");
+  for (const char byte : labelled) labels += static_cast<std::size_t>(std::popcount(static_cast<unsigned char>(byte)));
+  const std::size_t beyond = 8 * labelled.size() - corners;
+  if (beyond > 0 && (static_cast<unsigned char>(labelled.back()) >> (8 - beyond)) != 0) {
+    fail("labelled corners", "a bit beyond the last corner is set");
   }
   parts.expect(labels * label_width, "labels of corners");
-  std::size_t corner = 0;
+  std::size_t next = 0;
   std::size_t read = 0;
   parts.take_indices(labels, label_width, [&](std::uint32_t label) {
-    while (!is_labelled(corner)) ++corner;
+    while (((static_cast<unsigned char>(labelled[next / 8]) >> (next % 8)) & 1U) == 0) {
+      next += next % 8 == 0 && labelled[next / 8] == 0 ? 8 : 1;
+    }
     if (label == 0) fail("labels of corners", read, "0, expected another, as the corner is said to have one");
-    document.triangles[corner / 2].label[corner % 2] = label;
-    ++corner;
+    triangles[next / 2].label[next % 2] = label;
+    ++next;
     ++read;
   });
 }

@@ -12,11 +12,11 @@ namespace {
 
 // Differences of coordinates are rounded once, so they are as accurate as numbers can be, however close the points.
 Points minus(const Points& p, const Points& q) { return {p.x - q.x, p.y - q.y}; }
-Lanes norm(const Points& z) { return max(abs(z.x), abs(z.y)); }
+inline Lanes norm(const Points& z) { return max(abs(z.x), abs(z.y)); }
 Lanes cross(const Points& p, const Points& q) { return p.x * q.y - p.y * q.x; }
 Points times(const Points& p, const Points& q) { return {p.x * q.x - p.y * q.y, p.x * q.y + p.y * q.x}; }
 
-Lanes select(const Mask& mask, const Lanes& yes, const Lanes& no) {
+inline Lanes select(const Mask& mask, const Lanes& yes, const Lanes& no) {
   Lanes result = no;
   where(mask, result) = yes;
   return result;
@@ -205,18 +205,22 @@ std::optional<std::array<filter::Point, 3>> Filter::corners(std::uint32_t t) con
   return z;
 }
 
-std::optional<filter::Point> Filter::far_corner(std::uint32_t dart) const {
-  const std::uint32_t other = opposite(document_, dart);
-  const std::uint32_t far = previous_dart(other);
-  const NetDocument::Vertex& vertex = document_.vertices[start(document_, far)];
+std::optional<filter::Point> Filter::far_corner(const NetDocument::Triangle& triangle, std::uint32_t edge) const {
+  const std::uint32_t other = triangle.opposite[edge];
+  const NetDocument::Triangle& neighbour = triangle_at(document_, other / 3);
+  const std::uint32_t far = previous_dart(other) % 3;
+  const NetDocument::Vertex& vertex = document_.vertices[neighbour.vertex[far]];
   std::optional<filter::Point> z = filter::Point{vertex.x, vertex.y};
+  const auto label_at = [](const NetDocument::Triangle& one, std::uint32_t corner) {
+    return corner == 0 ? 0 : one.label[corner - 1];
+  };
+  // L_{t,i} L_{t',j+1}⁻¹ L_{t',far}, where equal labels cancel.
+  const std::uint32_t here = label_at(triangle, edge);
+  const std::uint32_t there = label_at(neighbour, next_dart(other) % 3);
+  const std::uint32_t last = label_at(neighbour, far);
   const auto move = [&](std::uint32_t number, bool back) {
     if (number != 0 && z) z = filter::image(back ? inverse(labels_[number]) : labels_[number], *z);
   };
-  // L_{t,i} L_{t',j+1}⁻¹ L_{t',far}, where equal labels cancel.
-  const std::uint32_t here = corner_label(document_, dart);
-  const std::uint32_t there = corner_label(document_, next_dart(other));
-  const std::uint32_t last = corner_label(document_, far);
   if (there != last || there == here) move(last, false);
   if (there != last && there != here) move(there, true);
   if (there != here) move(here, false);
@@ -248,7 +252,7 @@ void Filter::answer(std::span<const std::uint32_t> triangles, std::span<const Qu
       const Point& z0 = (*z)[i];
       const Point& z2 = (*z)[(i + 1) % 3];
       const Point& z3 = (*z)[(i + 2) % 3];
-      std::optional<Point> z1 = far_corner(3 * t + i);
+      std::optional<Point> z1 = far_corner(triangle, i);
       if (z1 && (moved || z1->moved) &&
           !(known_apart(z3, *z1) && known_apart(z2, z0) && known_apart(z3, z0) && known_apart(z2, *z1))) {
         z1.reset();

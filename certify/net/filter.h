@@ -108,8 +108,9 @@ class Filter {
  private:
   /// The corners where the triangle lives; nullopt if they are not known well enough.
   [[nodiscard]] std::optional<std::array<filter::Point, 3>> corners(std::uint32_t t) const;
-  /// The far corner of the neighbour across a dart, likewise.
-  [[nodiscard]] std::optional<filter::Point> far_corner(std::uint32_t dart) const;
+  /// The far corner of the neighbour across an edge of a triangle, likewise.
+  [[nodiscard]] std::optional<filter::Point> far_corner(const NetDocument::Triangle& triangle,
+                                                        std::uint32_t edge) const;
 
   const NetDocument& document_;
   const CollarMembers& collars_;

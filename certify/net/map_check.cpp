@@ -19,22 +19,25 @@ std::string dart_name(std::size_t dart) {
          std::to_string(dart % 3) + ")";
 }
 
-/// What is wrong with the opposite of dart 3t + i.
-Problem opposite_problem(const NetDocument& document, std::uint32_t t, std::uint32_t i) {
+/// Whether the opposite of dart 3t + i is another dart, with the opposite 3t + i, which ends where that one begins.
+bool has_opposite(const NetDocument& document, std::uint32_t t, std::uint32_t i) {
   const NetDocument::Triangle& triangle = document.triangles[t];
-  const std::uint32_t dart = 3 * t + i;
   const std::uint32_t other = triangle.opposite[i];
   const NetDocument::Triangle& neighbour = triangle_at(document, other / 3);
-  const std::uint32_t back = neighbour.opposite[other % 3];
-  const std::uint32_t end = neighbour.vertex[next_dart(other) % 3];
-  if (other != dart && back == dart && end == triangle.vertex[i]) return std::nullopt;
+  return other != 3 * t + i && neighbour.opposite[other % 3] == 3 * t + i &&
+         neighbour.vertex[next_dart(other) % 3] == triangle.vertex[i];
+}
+
+/// Of a dart that has no such opposite.
+std::string wrong_opposite(const NetDocument& document, std::uint32_t dart) {
+  const std::uint32_t other = opposite(document, dart);
   if (other == dart) return dart_name(dart) + " is its own opposite";
-  if (back != dart) {
+  if (opposite(document, other) != dart) {
     return dart_name(dart) + " has the opposite dart " + std::to_string(other) + ", whose opposite is dart " +
-           std::to_string(back);
+           std::to_string(opposite(document, other));
   }
-  return dart_name(dart) + " starts at vertex " + std::to_string(triangle.vertex[i]) + ", but its opposite dart " +
-         std::to_string(other) + " ends at vertex " + std::to_string(end);
+  return dart_name(dart) + " starts at vertex " + std::to_string(start(document, dart)) + ", but its opposite dart " +
+         std::to_string(other) + " ends at vertex " + std::to_string(start(document, next_dart(other)));
 }
 
 Problem opposite_problem(const NetDocument& document, unsigned threads) {
@@ -42,7 +45,7 @@ Problem opposite_problem(const NetDocument& document, unsigned threads) {
       results_of_blocks(document.triangles.size(), threads, [&](std::size_t first, std::size_t last) -> Problem {
         for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
           for (std::uint32_t i = 0; i < 3; ++i) {
-            if (auto problem = opposite_problem(document, t, i)) return problem;
+            if (!has_opposite(document, t, i)) return wrong_opposite(document, 3 * t + i);
           }
         }
         return std::nullopt;

@@ -113,7 +113,7 @@ class Code:
     def __init__(self, text):
         text = re.sub(r"//.*", "", text)
         self.functions, self.bodies, self.arguments = {}, {}, {}
-        for name, arguments, body in re.findall(r"^\w+ (\w+)\(([^)]*)\) \{(.*?)\}$", text, re.M | re.S):
+        for name, arguments, body in re.findall(r"^(?:inline )?\w+ (\w+)\(([^)]*)\) \{(.*?)\}$", text, re.M | re.S):
             self.bodies[name] = body
             self.arguments[name] = re.findall(r"[& ](\w+)(?=,|$)", arguments)
             returned = re.fullmatch(r"\s*return (.*);\s*", body, re.S)
