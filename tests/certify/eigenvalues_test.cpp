@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <functional>
@@ -6,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -274,6 +276,70 @@ TEST(Eigenvalues, TooFewBitsAreUndecided) {
   const Certificate certificate = check(document, {.threads = 2, .max_precision = 64});
   EXPECT_NE(certificate.verdict, Verdict::verified);
   EXPECT_NE(certificate.verdict, Verdict::refuted);
+}
+
+/// Changes one number of a file, by a unit in the last place, by a little, or by much.
+void mutate(Document& document, std::mt19937& random) {
+  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+  const auto change = [&](double& x) {
+    const std::array<double, 4> values{above(x), below(2) == 0 ? -x : std::nextafter(x, 0.0), x * (1 + 1e-6), x * 1.02};
+    x = values[below(values.size())];
+  };
+  const auto change_end = [&](Interval& in) { change(below(2) == 0 ? in.lower : in.upper); };
+  const auto change_count = [&](std::uint32_t& count) { count += below(2) == 0 ? 1U : ~0U; };
+  auto& most = document.at_most[below(document.at_most.size())];
+  auto& least = document.at_least[below(document.at_least.size())];
+  auto& window = document.windows[below(document.windows.size())];
+  switch (below(9)) {
+    case 0:
+      return change(most.coefficients[below(most.coefficients.size())]);
+    case 1:
+      return change(least.coefficients[below(least.coefficients.size())]);
+    case 2:
+      return change_end(most.in);
+    case 3:
+      return change_end(below(2) == 0 ? least.in : least.within);
+    case 4:
+      return change_count(below(2) == 0 ? most.count : least.count);
+    case 5:
+      change_end(window.in);
+      window.smallest = window.greatest = window.in;
+      return;
+    case 6:
+      return change_count(below(2) == 0 ? window.most : window.least);
+    case 7:
+      return change_end(below(2) == 0 ? window.smallest : window.greatest);
+    default:
+      return change(document.eigenvalues_up_to);
+  }
+}
+
+/// The only eigenvalue of the octagon below 3.69 is near 2.77507 (L = 14 proves 2.77505 < λ_1 < 2.77509, 3.69 < λ_2).
+TEST(Eigenvalues, MutantsThatAreVerifiedAreTrue) {
+  constexpr double kOnly = 2.77507;
+  std::mt19937 random(27);
+  int verified = 0;
+  constexpr int kMutants = 120;
+  for (int i = 0; i < kMutants; ++i) {
+    Document document = octagon();
+    mutate(document, random);
+    if (checked(document).verdict != Verdict::verified) continue;
+    ++verified;
+    bool there = document.eigenvalues_up_to < kOnly;
+    for (const auto& window : document.windows) {
+      const bool contains = window.in.lower < kOnly && kOnly < window.in.upper;
+      there |= contains;
+      EXPECT_LE(window.least, contains ? 1U : 0U) << i;
+      EXPECT_GE(window.most, contains ? 1U : 0U) << i;
+      if (contains && window.least == window.most) {
+        EXPECT_LT(window.greatest.lower, kOnly) << i;
+        EXPECT_GT(window.smallest.upper, kOnly) << i;
+      }
+    }
+    EXPECT_TRUE(there) << i;
+  }
+  EXPECT_GT(verified, kMutants / 10);
+  EXPECT_LT(verified, kMutants / 2);
 }
 
 // Counting.

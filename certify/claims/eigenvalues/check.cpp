@@ -58,9 +58,7 @@ class EigenvaluesCheck {
         functions_(test_functions(document)),
         net_(with_geodesics_as_labels(document)),
         evaluator_(net_, parts),
-        rules_(rules_beyond_the_spectrum()),
-        open_at_most_(numbers_below(document.at_most.size())),
-        open_at_least_(numbers_below(document.at_least.size())) {}
+        rules_(rules_beyond_the_spectrum()) {}
 
   void ask(Verification& run) {
     try {
@@ -80,12 +78,6 @@ class EigenvaluesCheck {
   }
 
  private:
-  static std::vector<std::size_t> numbers_below(std::size_t size) {
-    std::vector<std::size_t> result(size);
-    std::iota(result.begin(), result.end(), std::size_t{0});
-    return result;
-  }
-
   void check_windows() {
     const std::uint64_t statements = document_.at_most.size() + document_.at_least.size() + 1;
     budget_.spend(10 * (document_.windows.size() + 1) * statements, statements * statements);
@@ -104,9 +96,9 @@ class EigenvaluesCheck {
     if (!trace_forms) return rules_.doubt(kTraces, "not decided where multiples of lengths lie, with " + bits);
     check_traces(*trace_forms);
     if (rules_.verdict(kTraces) != Verdict::verified) return;
-    check(kMost, document_.at_most, open_at_most_, bits,
+    check(kMost, document_.at_most, bits,
           [&](const AtMost& row) { return at_most(row, (*trace_forms)(row.coefficients)); });
-    check(kLeast, document_.at_least, open_at_least_, bits,
+    check(kLeast, document_.at_least, bits,
           [&](const AtLeast& row) { return at_least(row, (*trace_forms)(row.coefficients)); });
   }
 
@@ -129,26 +121,20 @@ class EigenvaluesCheck {
   }
 
   template <class Row, class Holds>
-  void check(const char* rule, const std::vector<Row>& rows, std::vector<std::size_t>& open, const std::string& bits,
-             const Holds& holds) {
+  void check(const char* rule, const std::vector<Row>& rows, const std::string& bits, const Holds& holds) {
     if (!rules_.open(rule)) return;
-    std::vector<std::size_t> left;
-    for (const std::size_t i : open) {
-      const Tri answer = holds(rows[i]);
-      if (answer == Tri::no) {
-        rules_.report(
-            {rule, Verdict::refuted, "statement " + std::to_string(i) + " does not follow from its coefficients"});
-        return;
-      }
-      if (answer == Tri::unknown) left.push_back(i);
+    std::string doubt;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
       if (options_.progress) options_.progress(rule, static_cast<double>(i) / static_cast<double>(rows.size()));
+      const Tri answer = holds(rows[i]);
+      if (answer == Tri::yes) continue;
+      const std::string statement = "statement " + std::to_string(i);
+      if (answer == Tri::no)
+        return rules_.report({rule, Verdict::refuted, statement + " does not follow from its coefficients"});
+      if (doubt.empty()) doubt = statement + " is not decided, with " + bits;
     }
-    open = std::move(left);
-    if (open.empty()) {
-      rules_.report({rule, Verdict::verified, counted(rows.size(), "statement", "statements")});
-    } else {
-      rules_.doubt(rule, "statement " + std::to_string(open.front()) + " is not decided, with " + bits);
-    }
+    if (!doubt.empty()) return rules_.doubt(rule, doubt);
+    rules_.report({rule, Verdict::verified, counted(rows.size(), "statement", "statements")});
   }
 
   /// F₀ < (count + 1)·f̂² on the interval.
@@ -183,8 +169,6 @@ class EigenvaluesCheck {
   NetDocument net_;
   LabelEvaluator evaluator_;
   OpenRules rules_;
-  std::vector<std::size_t> open_at_most_;
-  std::vector<std::size_t> open_at_least_;
 };
 
 std::string text_of(const EigenvaluesDocument& document) {
