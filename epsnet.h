@@ -25,6 +25,7 @@
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/geodesics/geodesics.h"
+#include "netgen/isometries/isometries.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/lifts/locate.h"
 #include "netgen/lifts/net_geometry.h"

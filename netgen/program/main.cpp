@@ -100,6 +100,8 @@ int run(int argc, char** argv) {
   add_radius_command(app, chosen);
   add_embedded_disk_command(app, chosen);
   add_eigenvalues_command(app, chosen);
+  add_isometries_command(app, chosen);
+  add_isometric_command(app, chosen);
   add_draw_command(app, chosen);
   add_view_command(app, chosen);
   add_info_command(app, chosen);
@@ -111,7 +113,8 @@ int run(int argc, char** argv) {
       "  epsnet surface octagon --seed 123 -o s.json\n"
       "  epsnet net s.json --epsilon 0.1 -o net.json --svg net.svg\n"
       "  certify net.json\n\n"
-      "Exit codes: 0 success, 1 the job failed, 2 undecided (import-net), 64 invalid command line, 70 internal fault.\n"
+      "Exit codes: 0 success, 1 the job failed, 2 undecided (import-net, isometric), 64 invalid command line, 70 "
+      "internal fault.\n"
       "An interrupted command leaves no files behind.");
   try {
     app.parse(argc, argv);

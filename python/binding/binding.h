@@ -116,6 +116,7 @@ void bind_eigenvalues(py::module_& module);
 void bind_errors(py::module_& module);
 void bind_files(py::module_& module);
 void bind_geodesics(py::module_& module);
+void bind_isometries(py::module_& module);
 void bind_nets(py::module_& module);
 void bind_numbers(py::module_& module);
 void bind_surfaces(py::module_& module);

@@ -22,6 +22,7 @@ from .geodesics import ClosedGeodesics, Systole, ThickThin, spectrum, systole, t
 from .isometries import Gaussian, Isometry
 from .nets import Net
 from .points import Point, PointLike, base_point, point_of
+from .symmetries import IsometryGroup, SurfaceIsometry, isometric_to, isometries
 
 __all__ = ["Surface"]
 
@@ -403,6 +404,30 @@ class Surface(Immutable):
         (1, [Piece(genus=1, boundaries=[(0, 'left'), (0, 'right')])])
         """
         return thick_thin(self, threads, progress)
+
+    # Symmetries.
+
+    def isometries(self, *, threads: int = 0, progress: Progress = None) -> IsometryGroup:
+        """The isometries of the surface, also those that reverse the orientation. Each is decided exactly; that there are no others is computed
+        with 256 bits, without a certificate. LimitError on surfaces with very thin parts.
+
+        >>> import epsnet
+        >>> group = epsnet.Surface.regular(2).isometries()
+        >>> len(group), sum(f.preserves_orientation for f in group)
+        (96, 48)
+        """
+        return isometries(self, threads, progress)
+
+    def isometric_to(self, other: "Surface", *, threads: int = 0, progress: Progress = None) -> Optional[SurfaceIsometry]:
+        """An isometry to another surface, decided exactly; None if there is none, which is computed with 256 bits, without a certificate.
+        UndecidedError if the exact numbers of the two surfaces are of different kinds.
+
+        >>> import epsnet
+        >>> bolza = epsnet.Surface.regular(2)
+        >>> bolza.isometric_to(bolza), bolza.isometric_to(epsnet.Surface.octagon(1))
+        (<SurfaceIsometry that preserves orientation>, None)
+        """
+        return isometric_to(self, other, threads, progress)
 
     # The Laplacian.
 

@@ -69,6 +69,7 @@ class Nonsense:
 @pytest.fixture(scope="module")
 def calls(octagon, net, bolza):
     spectrum, distance, polygon = octagon.spectrum(2), octagon.distance((0, 0.1, 0), 0), octagon.dirichlet_domain((0, 0, 0))
+    group = octagon.isometries()
     x, element, table = Interval(1, 2), octagon.element([0]), net.distances(0)
     return [
         (Surface, dict(tiles=octagon.tiles, gluing=octagon.gluing)),
@@ -83,6 +84,8 @@ def calls(octagon, net, bolza):
         (octagon.net, dict(epsilon=1, base=0, points=[], pseudo=False, sparse=False, insert="cavity", locate="straight", list="A", threads=1, progress=False)),
         (octagon.systole, dict(threads=1, progress=False)), (octagon.spectrum, dict(up_to=2, threads=1, progress=False)),
         (octagon.eigenvalues, dict(up_to=7, count=1, threads=1, progress=False)),
+        (octagon.isometries, dict(threads=1, progress=False)), (octagon.isometric_to, dict(other=bolza, threads=1, progress=False)),
+        (group.product, dict(i=0, j=1)), (group.order, dict(i=0)), (group.fixed_points, dict(i=0)), (group.permutation, dict(i=0)),
         (octagon.thick_thin, dict(threads=1, progress=False)), (octagon.distance, dict(p=0, q=(0, 0.1, 0), width=1)),
         (octagon.diameter, dict(width=1, progress=False)), (octagon.radius, dict(width=1, progress=False)),
         (octagon.embedded_disk, dict(width=1, progress=False)), (octagon.eccentricity, dict(p=0)),

@@ -53,6 +53,8 @@ FUNCTIONS = {
     "spectrum": (Surface.spectrum, {}),
     "thick-thin": (Surface.thick_thin, {}),
     "eigenvalues": (Surface.eigenvalues, {}),
+    "isometries": (Surface.isometries, {}),
+    "isometric": (Surface.isometric_to, {}),
     "draw": (Net.svg, {"--show": ("triangles", "vertices", "dirichlet", "combinatorial_dirichlet", "tiles", "disks", "half_disks"),
                        "--geodesics": "show", "--distance": "show"}),
     "view": (Net.view, {"--geodesics": "show", "--distance": "show", "--threads": None}),

@@ -20,6 +20,19 @@ good draw eigenvalues.json -o eigenvalues.png --size 100
 [ "$(od -An -t u1 -j 16 -N 8 eigenvalues.png | tr -s ' ')" = ' 0 0 0 100 0 0 0 62' ] || complain "the size of a picture that is not square: $(od -An -t u1 -j 16 -N 8 eigenvalues.png)"
 bad 64 '^epsnet: --dirichlet: only for a net file' draw eigenvalues.json --dirichlet -o out/x.svg
 good dirichlet s.json -o domain.json
+good isometries s.json
+grep -q '^isometries: 2, of which 2 preserve orientation$' output || complain "the symmetries of an octagon: $(cat output)"
+good isometries s.json --json --threads 1
+grep -q '"fixed_points": *6' output || complain "the hyperelliptic involution has 6 fixed points: $(cat output)"
+good isometric s.json net.json
+grep -q '^isometric: yes$' output || complain "a surface is isometric to itself: $(cat output)"
+good surface regular --genus 2 -o bolza.json
+good isometric s.json bolza.json
+grep -q '^isometric: no$' output || complain "an octagon is not the regular one: $(cat output)"
+# The Bolza surface again, by octagons of which three meet at each vertex: GL(2,3).
+printf '%s' '{"rotation":[1,3,5,6,8,9,11,13,14,16,18,19,21,22,24,2,20,27,28,30,32,33,35,4,31,38,39,40,41,0,29,26,43,10,7,42,45,46,47,23,25,44,37,15,12,17,34,36],"edges":[2,4,0,7,1,10,12,3,15,17,5,20,6,23,25,8,26,9,29,31,11,34,36,13,37,14,16,33,35,18,42,19,44,27,21,28,22,24,43,45,46,47,30,38,32,39,40,41]}' >octagons.json
+good surface map octagons.json -o octagons-map.json
+bad 2 'undecided: the exact numbers' isometric bolza.json octagons-map.json
 good distance s.json 0,0.1,-1/3 0 -o distance.json
 printf '0,0.1,0.1\n0,-0.3,1/3\n' >points.txt
 good net s.json --epsilon 0.5 --points points.txt -o given.json

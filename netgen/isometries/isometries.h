@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "netgen/base/progress.h"
+#include "netgen/surfaces/permutation.h"
+#include "triangulation/surface/error.h"
+#include "triangulation/surface/surface.h"
+
+/// The isometries of a surface, and from one surface to another. docs/isometries.md says how and why.
+///
+/// That they are isometries is decided exactly. That there is no other one is computed with numbers of 256 bits, and
+/// has no certificate.
+namespace epsnet {
+
+/// An isometry between two surfaces S and T, as what it does with the group of S: f lifts to an isometry of the plane,
+/// from the coordinates of tile 0 of S to those of tile 0 of T.
+struct SurfaceIsometry {
+  bool preserves_orientation;
+  /// By generator γ of S: a word of T, from tile 0 to itself, for f ∘ γ ∘ f⁻¹. The generators are the sides k of
+  /// fundamental_polygon(S) with k < partner, in order.
+  std::vector<Word> images;
+};
+
+/// The isometries of a surface, a group.
+class IsometryGroup {
+ public:
+  /// Number 0 is the identity.
+  [[nodiscard]] const std::vector<SurfaceIsometry>& isometries() const { return isometries_; }
+  [[nodiscard]] std::size_t size() const { return isometries_.size(); }
+  /// How many preserve the orientation.
+  [[nodiscard]] std::size_t orientation_preserving() const;
+  /// The numbers of isometries that generate all.
+  [[nodiscard]] const std::vector<std::uint32_t>& generators() const { return generators_; }
+  /// The number of the isometry i after j. O(size) at worst.
+  [[nodiscard]] std::uint32_t product(std::uint32_t i, std::uint32_t j) const;
+  /// By isometry j: product(i, j). These permutations are a group isomorphic to that of the isometries. O(size) for
+  /// each of the generators that i is a product of.
+  [[nodiscard]] Permutation permutation(std::uint32_t i) const;
+  /// The least n > 0 for which the n-th power is the identity.
+  [[nodiscard]] std::uint32_t order(std::uint32_t i) const;
+  /// How many points an isometry other than the identity leaves where they are; nothing for those that reverse the
+  /// orientation, as they may fix curves, and for the identity.
+  [[nodiscard]] std::optional<std::uint64_t> fixed_points(std::uint32_t i) const { return fixed_points_[i]; }
+  /// "C6" for a cyclic group, "D4" for the symmetries of a square, "C2 x C2"; empty for other groups.
+  [[nodiscard]] std::string name() const;
+
+ private:
+  friend IsometryGroup isometries(const Surface& surface, const struct IsometryOptions& options);
+
+  std::vector<SurfaceIsometry> isometries_;
+  std::vector<std::uint32_t> generators_;
+  std::vector<Permutation> action_;  ///< By generator g and isometry j: g after j.
+  /// By isometry other than the identity: it is a generator, by its place, after another isometry.
+  struct Step {
+    std::uint32_t generator;
+    std::uint32_t then;
+  };
+  std::vector<Step> steps_;
+  std::vector<std::optional<std::uint64_t>> fixed_points_;
+};
+
+struct IsometryOptions {
+  unsigned threads = 0;    ///< 0: as many as the machine has cores. The result is the same for any number.
+  Progress progress = {};  ///< Called occasionally, if given.
+};
+
+/// Returns all isometries of a surface. Throws NetError or LimitError if the search would be too long, as it is on
+/// surfaces with very thin parts alone.
+///
+/// Time is about that of the spectrum up to the length of the systole, or 4, and some e^d steps for each closed
+/// geodesic that is as long as the one that is chosen, where d is the length of a shortest loop across it.
+[[nodiscard]] IsometryGroup isometries(const Surface& surface, const IsometryOptions& options = {});
+
+/// The answer to whether two surfaces are isometric.
+struct IsometricAnswer {
+  enum class Kind {
+    yes,       ///< Decided exactly.
+    no,        ///< Computed with 256 bits.
+    undecided  ///< `isometry` is one to 100 bits, but the numbers of the surfaces cannot be compared exactly.
+  };
+  Kind kind = Kind::no;
+  std::optional<SurfaceIsometry> isometry;
+  std::string reason;  ///< Of a `no`: what tells the surfaces apart, in words; of `undecided`, why.
+};
+
+/// Returns an isometry from one surface to another, if there is one: one that preserves the orientation, if there is
+/// one of those. Throws as `isometries`.
+[[nodiscard]] IsometricAnswer isometric(const Surface& first, const Surface& second,
+                                        const IsometryOptions& options = {});
+
+}  // namespace epsnet

@@ -1,0 +1,183 @@
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "netgen/base/progress_line.h"
+#include "netgen/isometries/isometries.h"
+#include "netgen/program/commands.h"
+#include "netgen/program/input.h"
+#include "netgen/program/output.h"
+#include "netgen/surfaces/group.h"
+
+/// The commands isometries and isometric: the symmetries of a surface, and whether two surfaces are the same.
+namespace epsnet::program {
+namespace {
+
+struct IsometriesRequest {
+  std::string surface;
+  std::string other;
+  bool json = false;
+  unsigned threads = 0;
+};
+
+std::string word_text(const Word& word) {
+  std::string result;
+  for (const std::uint32_t side : word) result += (result.empty() ? "" : " ") + std::to_string(side);
+  return result;
+}
+
+/// The words of the generators of which isometries give the images.
+std::vector<Word> generator_words(const Surface& surface) {
+  std::vector<Word> result;
+  const FundamentalPolygon polygon = fundamental_polygon(surface);
+  for (std::uint32_t k = 0; k < polygon.sides.size(); ++k) {
+    if (k < polygon.sides[k].partner) result.push_back(polygon.sides[k].word);
+  }
+  return result;
+}
+
+const char* orientation_text(bool preserves) { return preserves ? "preserves orientation" : "reverses orientation"; }
+
+/// A line for each image of a generator.
+void write_images(std::ostream& out, const std::vector<Word>& words, const SurfaceIsometry& isometry) {
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    out << "  " << word_text(words[k]) << " -> " << word_text(isometry.images[k]) << '\n';
+  }
+}
+
+Json isometry_json(const SurfaceIsometry& isometry) {
+  return Json::object({{"preserves_orientation", isometry.preserves_orientation}, {"images", isometry.images}});
+}
+
+IsometryOptions options_of(const IsometriesRequest& request, ProgressLine& progress) {
+  IsometryOptions result;
+  result.threads = request.threads;
+  result.progress = progress.shower();
+  return result;
+}
+
+void list_isometries(const IsometriesRequest& request) {
+  check_files({{"SURFACE", request.surface}}, {});
+  const Surface surface = read_surface_input(request.surface);
+  const IsometryGroup group = [&] {
+    ProgressLine progress;
+    return isometries(surface, options_of(request, progress));
+  }();
+  const std::vector<Word> words = generator_words(surface);
+  const auto preserving = group.orientation_preserving();
+  const std::string name = group.name();
+  Report report;
+  if (request.json) {
+    Json& json = report.json;
+    json["order"] = group.size();
+    json["orientation_preserving"] = preserving;
+    if (!name.empty()) json["name"] = name;
+    json["proved"] = Json::array({"isometries"});
+    json["computed"] = Json::array({"completeness"});
+    json["words"] = words;
+    json["generators"] = group.generators();
+    json["isometries"] = Json::array();
+    for (std::uint32_t i = 0; i < group.size(); ++i) {
+      Json& entry = json["isometries"].emplace_back(isometry_json(group.isometries()[i]));
+      entry["order"] = group.order(i);
+      if (const auto count = group.fixed_points(i)) entry["fixed_points"] = *count;
+    }
+  } else {
+    std::ostringstream out;
+    out << "isometries: " << group.size() << ", of which " << preserving << " preserve orientation\n";
+    if (!name.empty()) out << "group: " << name << '\n';
+    // By kind: orientation, order, fixed points; −1 where they are not points alone.
+    std::map<std::tuple<bool, std::uint32_t, std::int64_t>, std::size_t> kinds;
+    for (std::uint32_t i = 0; i < group.size(); ++i) {
+      const auto points = group.fixed_points(i);
+      ++kinds[{!group.isometries()[i].preserves_orientation, group.order(i),
+               points ? static_cast<std::int64_t>(*points) : -1}];
+    }
+    for (const auto& [kind, count] : kinds) {
+      const auto& [reverses, order, points] = kind;
+      out << count << " of order " << order << ", " << orientation_text(!reverses);
+      if (points >= 0) out << ", " << points << (points == 1 ? " fixed point" : " fixed points");
+      out << '\n';
+    }
+    for (const std::uint32_t g : group.generators()) {
+      out << "generator " << g << ": order " << group.order(g) << ", "
+          << orientation_text(group.isometries()[g].preserves_orientation) << '\n';
+      write_images(out, words, group.isometries()[g]);
+    }
+    out << "decided by exact numbers: each of these is an isometry\n"
+           "computed with 256 bits, not proved: there is no other one\n";
+    report.text = out.str();
+  }
+  write_report(report, request.json, false);
+}
+
+const char* answer_text(IsometricAnswer::Kind kind) {
+  if (kind == IsometricAnswer::Kind::yes) return "yes";
+  return kind == IsometricAnswer::Kind::no ? "no" : "undecided";
+}
+
+void compare_surfaces(const IsometriesRequest& request) {
+  check_files({{"SURFACE", request.surface}, {"OTHER", request.other}}, {});
+  const Surface surface = read_surface_input(request.surface);
+  const Surface other = read_surface_input(request.other);
+  const IsometricAnswer answer = [&] {
+    ProgressLine progress;
+    return isometric(surface, other, options_of(request, progress));
+  }();
+  const std::vector<Word> words = generator_words(surface);
+  Report report;
+  report.json["isometric"] = answer_text(answer.kind);
+  if (!answer.reason.empty()) report.json["reason"] = answer.reason;
+  std::ostringstream out;
+  out << "isometric: " << answer_text(answer.kind) << '\n';
+  if (!answer.reason.empty()) out << "reason: " << answer.reason << '\n';
+  if (answer.isometry) {
+    report.json["words"] = words;
+    report.json["isometry"] = isometry_json(*answer.isometry);
+    out << "isometry: " << orientation_text(answer.isometry->preserves_orientation) << '\n';
+    write_images(out, words, *answer.isometry);
+  }
+  if (answer.kind == IsometricAnswer::Kind::yes) out << "decided by exact numbers\n";
+  if (answer.kind == IsometricAnswer::Kind::no) out << "computed with 256 bits, not proved\n";
+  report.text = out.str();
+  write_report(report, request.json, false);
+  if (answer.kind == IsometricAnswer::Kind::undecided) throw UndecidedError("undecided: " + answer.reason);
+}
+
+}  // namespace
+
+void add_isometries_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<IsometriesRequest>();
+  CLI::App* command = app.add_subcommand(
+      "isometries", "The isometry group of a surface: its order, its elements by what they do with the generators.");
+  add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
+  add_json(*command, shared->json);
+  add_threads(*command, shared->threads);
+  command->footer(
+      "Each isometry is decided by exact numbers. That there are no others is computed with 256 bits, and has no\n"
+      "certificate.\n\n"
+      "Example:\n  epsnet surface named klein -o klein.json\n  epsnet isometries klein.json");
+  command->callback([&chosen, shared] { chosen = [shared] { list_isometries(*shared); }; });
+}
+
+void add_isometric_command(CLI::App& app, Job& chosen) {
+  const auto shared = std::make_shared<IsometriesRequest>();
+  CLI::App* command =
+      app.add_subcommand("isometric", "Whether two surfaces are isometric: an isometry, or what tells them apart.");
+  add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
+  add_input(*command, "OTHER", shared->other, kSurfaceHelp);
+  add_json(*command, shared->json);
+  add_threads(*command, shared->threads);
+  command->footer(
+      "An isometry is decided by exact numbers; \"no\" is computed with 256 bits, and has no certificate.\n"
+      "Exit code 2: undecided, as the exact numbers of the two surfaces are of different kinds.\n\n"
+      "Example:\n  epsnet isometric s.json t.json");
+  command->callback([&chosen, shared] { chosen = [shared] { compare_surfaces(*shared); }; });
+}
+
+}  // namespace epsnet::program

@@ -1,0 +1,128 @@
+"""The isometries of a surface, and from one surface to another."""
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING, List, Optional, Sequence, Tuple, Union, overload
+
+from . import _epsnet
+from ._arguments import as_index, as_threads, refuse
+from ._progress import Progress, Shower
+from .errors import UndecidedError
+from .isometries import Isometry
+
+if TYPE_CHECKING:
+    from .surfaces import Surface
+
+__all__ = ["IsometryGroup", "SurfaceIsometry"]
+
+
+class SurfaceIsometry:
+    """An isometry from a surface to another or to itself, as what it does with the group. That it is one is decided exactly."""
+
+    def __init__(self, surface: "Surface", target: "Surface", core: Tuple[bool, List[List[int]]]) -> None:
+        self._target = target
+        #: The surface that it maps.
+        self.surface = surface
+        #: Whether it preserves the orientation.
+        self.preserves_orientation = core[0]
+        #: By generator of ``surface.generators()``: the word of the element of the other group to which it goes.
+        self.words = tuple(tuple(word) for word in core[1])
+
+    @property
+    def images(self) -> List[Isometry]:
+        """The elements of the other group to which ``surface.generators()`` go."""
+        return [self._target.element(word) for word in self.words]
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, SurfaceIsometry):
+            return NotImplemented
+        return (self.surface, self._target, self.preserves_orientation, self.words) == (
+            other.surface, other._target, other.preserves_orientation, other.words,
+        )
+
+    def __hash__(self) -> int:
+        return hash((self.preserves_orientation, self.words))
+
+    def __repr__(self) -> str:
+        return f"<SurfaceIsometry that {'preserves' if self.preserves_orientation else 'reverses'} orientation>"
+
+
+class IsometryGroup(Sequence[SurfaceIsometry]):
+    """The isometries of a surface; number 0 is the identity.
+
+    Each is decided exactly. That there are no others is computed with numbers of 256 bits, and has no certificate.
+    """
+
+    def __init__(self, surface: "Surface", core: "_epsnet.IsometryGroup") -> None:
+        self.surface = surface
+        self._core = core
+
+    @cached_property
+    def _isometries(self) -> List[SurfaceIsometry]:
+        return [SurfaceIsometry(self.surface, self.surface, self._core.isometry(i)) for i in range(len(self._core))]
+
+    def __len__(self) -> int:
+        return len(self._core)
+
+    @overload
+    def __getitem__(self, place: int) -> SurfaceIsometry: ...
+    @overload
+    def __getitem__(self, place: slice) -> List[SurfaceIsometry]: ...
+    def __getitem__(self, place: Union[int, slice]) -> Union[SurfaceIsometry, List[SurfaceIsometry]]:
+        return self._isometries[place]
+
+    @property
+    def generators(self) -> List[int]:
+        """The numbers of isometries that generate all."""
+        return list(self._core.generators)
+
+    @property
+    def name(self) -> str:
+        """"C6" for a cyclic group, "D4" for the symmetries of a square, "C2 x C2"; empty for other groups."""
+        return self._core.name
+
+    def _number(self, i: int) -> int:
+        return as_index(i, "i", 0, len(self) - 1)
+
+    def product(self, i: int, j: int) -> int:
+        """The number of isometry i after isometry j."""
+        return self._core.product(self._number(i), as_index(j, "j", 0, len(self) - 1))
+
+    def order(self, i: int) -> int:
+        """The order of isometry i."""
+        return self._core.order(self._number(i))
+
+    def fixed_points(self, i: int) -> Optional[int]:
+        """How many points isometry i fixes; None for the identity, and for those that reverse the orientation: they may fix curves."""
+        return self._core.fixed_points(self._number(i))
+
+    def permutation(self, i: int) -> List[int]:
+        """Isometry i as a permutation of the numbers of isometries, by product from the left: for SymPy or GAP.
+
+        >>> import epsnet
+        >>> group = epsnet.Surface.octagon(1).isometries()
+        >>> [group.permutation(i) for i in range(len(group))]
+        [[0, 1], [1, 0]]
+        """
+        return list(self._core.permutation(self._number(i)))
+
+    def __repr__(self) -> str:
+        name = f" {self.name}" if self.name else ""
+        return f"<IsometryGroup{name} of order {len(self)}>"
+
+
+def isometries(surface: "Surface", threads: int, progress: Progress) -> IsometryGroup:
+    threads = as_threads(threads)
+    with Shower(progress) as callback:
+        return IsometryGroup(surface, _epsnet.IsometryGroup(surface._core, threads, callback))
+
+
+def isometric_to(surface: "Surface", other: "Surface", threads: int, progress: Progress) -> Optional[SurfaceIsometry]:
+    if not isinstance(other, type(surface)):
+        refuse("a surface", other, "other")
+    threads = as_threads(threads)
+    with Shower(progress) as callback:
+        decided, found, reason = _epsnet.isometric(surface._core, other._core, threads, callback)
+    if not decided:
+        raise UndecidedError(reason)
+    return None if found is None else SurfaceIsometry(surface, other, found)

@@ -1,0 +1,256 @@
+#include "netgen/isometries/isometries.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kernel/isometry.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/group.h"
+#include "netgen/surfaces/named_maps.h"
+#include "netgen/surfaces/octagon.h"
+
+namespace epsnet {
+namespace {
+
+using Kind = IsometricAnswer::Kind;
+
+/// The words of the generators of which isometries give the images.
+std::vector<Word> generators(const Surface& surface) {
+  std::vector<Word> result;
+  const FundamentalPolygon polygon = fundamental_polygon(surface);
+  for (std::uint32_t k = 0; k < polygon.sides.size(); ++k) {
+    if (k < polygon.sides[k].partner) result.push_back(polygon.sides[k].word);
+  }
+  return result;
+}
+
+double middle(const EnclosedNumber& x) { return static_cast<double>(Rational((x.lower + x.upper) / 2)); }
+
+/// |Re a| of the value of a word: half the trace.
+double half_trace(const Surface& surface, const Word& word) {
+  return std::abs(middle(enclosed_isometry(surface, word, 100).a_re));
+}
+
+/// Checks, by a way of its own, that an isometry keeps relations and lengths: those of all products of at most three
+/// generators.
+void expect_isometry(const Surface& from, const Surface& to, const SurfaceIsometry& isometry) {
+  const std::vector<Word> words = generators(from);
+  ASSERT_EQ(isometry.images.size(), words.size());
+  const auto expect_same = [&](const Word& word, const Word& image) {
+    const double expected = half_trace(from, word);
+    EXPECT_NEAR(half_trace(to, image), expected, 1e-9 * expected);
+  };
+  const std::size_t count = std::min<std::size_t>(words.size(), 6);
+  for (std::size_t i = 0; i < count; ++i) {
+    expect_same(words[i], isometry.images[i]);
+    for (std::size_t j = 0; j < i; ++j) {
+      const Word word = concatenated(from, words[i], words[j]);
+      const Word image = concatenated(to, isometry.images[i], isometry.images[j]);
+      expect_same(word, image);
+      for (std::size_t k = 0; k < j; ++k) {
+        expect_same(concatenated(from, word, words[k]), concatenated(to, image, isometry.images[k]));
+      }
+    }
+  }
+  const FundamentalPolygon polygon = fundamental_polygon(from);
+  std::vector<std::size_t> pair(polygon.sides.size());
+  for (std::size_t k = 0, number = 0; k < pair.size(); ++k) {
+    if (k < polygon.sides[k].partner) pair[k] = pair[polygon.sides[k].partner] = number++;
+  }
+  for (const std::vector<std::uint32_t>& relation : polygon.relations) {
+    // γ₁γ₂… applies the last one first, and a word its first letter.
+    Word word;
+    for (auto k = relation.rbegin(); k != relation.rend(); ++k) {
+      const Word& image = isometry.images[pair[*k]];
+      word = concatenated(to, word, *k < polygon.sides[*k].partner ? image : reversed(to, image));
+    }
+    const EnclosedIsometry product = enclosed_isometry(to, word, 100);
+    EXPECT_NEAR(std::abs(middle(product.a_re)), 1, 1e-9);
+    EXPECT_NEAR(middle(product.b_re), 0, 1e-9);
+  }
+}
+
+/// Checks that the permutations are a group, and that the orders and numbers of fixed points fit: by Hurwitz's formula
+/// the surface has 2g − 2 = n(2h − 2) + Σ fixed points, summed over all f ≠ 1 that preserve the orientation, for n of
+/// them and a quotient of genus h.
+void expect_group(const Surface& surface, const IsometryGroup& group) {
+  const auto count = static_cast<std::uint32_t>(group.size());
+  std::int64_t fixed = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Permutation p = group.permutation(i);
+    Permutation sorted = p;
+    std::sort(sorted.begin(), sorted.end());
+    for (std::uint32_t j = 0; j < count; ++j) ASSERT_EQ(sorted[j], j);
+    EXPECT_EQ(p[0], i);
+    fixed += static_cast<std::int64_t>(group.fixed_points(i).value_or(0));
+    const std::uint32_t j = (7 * i + 3) % count;
+    EXPECT_EQ(group.isometries()[p[j]].preserves_orientation,
+              group.isometries()[i].preserves_orientation == group.isometries()[j].preserves_orientation);
+  }
+  const auto preserving = static_cast<std::int64_t>(group.orientation_preserving());
+  const std::int64_t rest = 2 * std::int64_t{surface.genus()} - 2 - fixed;
+  EXPECT_EQ(rest % (2 * preserving), 0);
+  EXPECT_GE(rest / preserving, -2);
+}
+
+struct Expected {
+  std::string name;
+  std::size_t preserving;
+  std::size_t all;
+};
+
+class KnownGroup : public testing::TestWithParam<Expected> {};
+
+TEST_P(KnownGroup, HasTheOrderOfTheLiterature) {
+  const Surface surface = named_surface(GetParam().name);
+  const IsometryGroup group = isometries(surface);
+  EXPECT_EQ(group.orientation_preserving(), GetParam().preserving);
+  EXPECT_EQ(group.size(), GetParam().all);
+  expect_group(surface, group);
+  for (const std::uint32_t g : group.generators()) expect_isometry(surface, surface, group.isometries()[g]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Isometries, KnownGroup,
+                         testing::Values(Expected{"bolza", 48, 96}, Expected{"klein", 168, 336},
+                                         Expected{"bring", 120, 240}, Expected{"fermat-quartic", 96, 192},
+                                         Expected{"wiman-2", 10, 20}, Expected{"wiman-3", 14, 28},
+                                         Expected{"accola-maclachlan-3", 32, 64},
+                                         Expected{"accola-maclachlan-4", 40, 80}),
+                         [](const auto& row) {
+                           std::string name = row.param.name;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(Isometries, OfRegularPolygonsTurnAndReflectThem) {
+  // The rotations of the 4g-gon and the hyperelliptic involution, which is among them; in genus 2 there are more.
+  for (const std::uint32_t genus : {3U, 5U}) {
+    const Surface surface = Surface::regular(genus);
+    const IsometryGroup group = isometries(surface);
+    EXPECT_EQ(group.orientation_preserving(), 8 * genus);
+    EXPECT_EQ(group.size(), 16 * genus);
+    expect_group(surface, group);
+  }
+}
+
+TEST(Isometries, OfARandomOctagonAreTheHyperellipticInvolution) {
+  for (int seed = 0; seed < 100; ++seed) {
+    const Surface surface = random_octagon(seed);
+    const IsometryGroup group = isometries(surface);
+    ASSERT_EQ(group.size(), 2U) << "seed " << seed;
+    EXPECT_TRUE(group.isometries()[1].preserves_orientation);
+    EXPECT_EQ(group.fixed_points(1), 6U);
+    EXPECT_EQ(group.name(), "C2");
+  }
+}
+
+TEST(Isometries, AreTheSameForAnyNumberOfThreads) {
+  const Surface surface = named_surface("bring");
+  const IsometryGroup one = isometries(surface, {.threads = 1, .progress = {}});
+  const IsometryGroup three = isometries(surface, {.threads = 3, .progress = {}});
+  ASSERT_EQ(one.size(), three.size());
+  for (std::uint32_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one.isometries()[i].images, three.isometries()[i].images);
+    EXPECT_EQ(one.permutation(i), three.permutation(i));
+  }
+}
+
+TEST(Isometries, HaveNames) {
+  EXPECT_EQ(isometries(named_surface("wiman-3")).name(), "D14");
+  EXPECT_EQ(isometries(named_surface("klein")).name(), "");
+}
+
+TEST(Isometries, OfThinSurfacesAreFound) {
+  const Surface thin =
+      fenchel_nielsen_surface(resolve({"0-1 0-1 0-1", {}, {}, {"1/1000", "1", "1"}, {"1/8", "1/4", "1/2"}}));
+  EXPECT_EQ(isometries(thin).size(), 2U);
+}
+
+/// An octagon cut along the diagonal between corners 0 and 4, both halves moved, and tile 1 named first.
+Surface cut_octagon(const Surface& octagon) {
+  const Tile& corners = octagon.tiles()[0];
+  const auto moved = [](const Isometry<Rational>& f, std::vector<Complex<Rational>> points) {
+    for (Complex<Rational>& z : points) z = f(z);
+    return points;
+  };
+  const auto by = [](int x, int y) { return Isometry<Rational>::translation({Rational(x) / 7, Rational(y) / 5}); };
+  const Tile first = moved(by(1, 1), {corners[4], corners[5], corners[6], corners[7], corners[0]});
+  const Tile second = moved(by(-1, 2), {corners[0], corners[1], corners[2], corners[3], corners[4]});
+  // Side k of the octagon is side k − 4 of the first tile, or side k of the second one; side 4 of both is the diagonal.
+  std::vector<Gluing> gluing{{0, 4, 1, 4}};
+  for (std::uint32_t k = 0; k < 4; ++k) gluing.push_back({1, k, 0, k});
+  return Surface({first, second}, gluing);
+}
+
+TEST(Isometric, IsASurfaceThatIsCutAndGluedAnew) {
+  const Surface octagon = random_octagon(5);
+  const Surface cut = cut_octagon(octagon);
+  for (const auto& [from, to] : {std::pair(octagon, cut), std::pair(cut, octagon)}) {
+    const IsometricAnswer answer = isometric(from, to);
+    ASSERT_EQ(answer.kind, Kind::yes);
+    expect_isometry(from, to, *answer.isometry);
+  }
+}
+
+TEST(Isometric, IsAMirrorImage) {
+  const Surface octagon = random_octagon(5);
+  Tile mirrored;
+  for (std::size_t k = 8; k-- > 0;) mirrored.push_back(conj(octagon.tiles()[0][k]));
+  std::vector<Gluing> gluing;
+  for (std::uint32_t k = 0; k < 4; ++k) gluing.push_back({0, k, 0, k + 4});
+  const Surface mirror({mirrored}, gluing);
+  const IsometricAnswer answer = isometric(octagon, mirror);
+  ASSERT_EQ(answer.kind, Kind::yes);
+  EXPECT_FALSE(answer.isometry->preserves_orientation);
+  expect_isometry(octagon, mirror, *answer.isometry);
+}
+
+Surface pants(const std::string& length, const std::string& twist) {
+  return fenchel_nielsen_surface(resolve({"0-1 0-1 0-1", {}, {}, {length, "2.5", "3"}, {twist, "0.2", "0.3"}}));
+}
+
+TEST(Isometric, IsASurfaceWithADehnTwist) {
+  const IsometricAnswer answer = isometric(pants("2", "0.125"), pants("2", "2.125"));
+  ASSERT_EQ(answer.kind, Kind::yes);
+  expect_isometry(pants("2", "0.125"), pants("2", "2.125"), *answer.isometry);
+}
+
+TEST(Isometric, AreNotSurfacesThatDifferALittle) {
+  EXPECT_EQ(isometric(pants("2", "0.125"), pants("2.000000001", "0.125")).kind, Kind::no);
+  EXPECT_EQ(isometric(pants("2", "0.125"), pants("2", "0.125000001")).kind, Kind::no);
+  EXPECT_EQ(isometric(random_octagon(1), random_octagon(2)).kind, Kind::no);
+}
+
+TEST(Isometric, AreNotSurfacesOfDifferentGenera) {
+  const IsometricAnswer answer = isometric(Surface::regular(2), Surface::regular(3));
+  EXPECT_EQ(answer.kind, Kind::no);
+  EXPECT_EQ(answer.reason, "the genera are 2 and 3");
+}
+
+TEST(Isometric, AreMapsOfTheSameType) {
+  const Surface klein = named_surface("klein");
+  const IsometricAnswer answer = isometric(klein, klein);
+  ASSERT_EQ(answer.kind, Kind::yes);
+  expect_isometry(klein, klein, *answer.isometry);
+}
+
+TEST(Isometric, IsUndecidedWhereTheNumbersAreOfDifferentKinds) {
+  // The Bolza surface as a map of type {8, 3}, by two generators of GL(2,3) as they permute the vectors other than 0.
+  const Surface octagons = surface_of_map(map_of_group({3, 7, 0, 4, 5, 1, 2, 6}, {2, 5, 0, 3, 6, 1, 4, 7}));
+  ASSERT_EQ(octagons.genus(), 2U);
+  EXPECT_EQ(isometries(octagons).size(), 96U);
+  const IsometricAnswer answer = isometric(octagons, Surface::regular(2));
+  ASSERT_EQ(answer.kind, Kind::undecided);
+  expect_isometry(octagons, Surface::regular(2), *answer.isometry);
+  EXPECT_FALSE(answer.reason.empty());
+}
+
+}  // namespace
+}  // namespace epsnet
