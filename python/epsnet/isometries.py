@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import importlib.util
-from collections import Counter
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Sequence, Tuple, Union
 
@@ -355,11 +354,8 @@ class Isometry:
     def __hash__(self) -> int:
         if self.is_exact:
             return hash((self.a * self.a, self.a * self.b))  # The sign of (a, b) is arbitrary.
-        if not self.surface._core.is_regular_polygon:
-            return hash(self.surface)  # Each vertex has a relation of its own.
-        # The relation has each letter and its inverse once, so that the sums of exponents depend on the element alone.
-        count = Counter(self.word)
-        return hash(frozenset((side, n) for side in count if (n := count[side] - count[self.surface.partner(side)])))
+        circulation = self.surface._circulation
+        return hash(sum(circulation[side] for side in self.word))
 
     def inverse(self) -> "Isometry":
         """The path backwards."""

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import json
+import random
 from fractions import Fraction
 from functools import cached_property
 from typing import Any, Iterable, Optional, Sequence, Type, TypeVar, Union
@@ -256,6 +257,47 @@ class Surface(Immutable):
     def _tile_of(self) -> list[int]:
         """By side: its tile."""
         return [tile for tile, corners in enumerate(self._core.tiles) for _ in corners]
+
+    @cached_property
+    def _circulation(self) -> list[int]:
+        """By side: a number for crossing it, the opposite one for crossing back, and 0 around each vertex. So the sum over a word depends on the
+        element alone; numbers are large and drawn, so that it tells the homology of elements."""
+        sides = range(self._core.side_count)
+        partner = [self.partner(side) for side in sides]
+        following = [side + 1 for side in sides]
+        first = 0
+        for tile in self._core.tiles:
+            first += len(tile)
+            following[first - 1] = first - len(tile)
+        start = [-1] * len(partner)
+        leaving: list[list[int]] = []
+        for side in sides:
+            if start[side] < 0:
+                cycle = []
+                while start[side] < 0:
+                    start[side] = len(leaving)
+                    cycle.append(side)
+                    side = following[partner[side]]
+                leaving.append(cycle)
+        # The sides are the edges of a graph of the vertices. Those of a tree make good for all others.
+        draw = random.Random(1)
+        up: dict[int, int] = {0: -1}
+        order = [0]
+        for vertex in order:
+            for side in leaving[vertex]:
+                if start[partner[side]] not in up:
+                    up[start[partner[side]]] = partner[side]
+                    order.append(start[partner[side]])
+        tree = set(up.values())
+        number = [0] * len(partner)
+        for side in sides:
+            if side < partner[side] and not tree & {side, partner[side]}:
+                number[side] = draw.getrandbits(60)
+                number[partner[side]] = -number[side]
+        for vertex in reversed(order[1:]):
+            number[up[vertex]] = -sum(number[side] for side in leaving[vertex])
+            number[partner[up[vertex]]] = -number[up[vertex]]
+        return number
 
     # Its group.
 

@@ -265,3 +265,16 @@ def test_covers(octagon):
     for wrong in ({"degree": 51, "seed": 1}, {"degree": 3}, {"permutations": sheets, "degree": 6}, {"permutations": "abc"}):
         with pytest.raises(epsnet.EpsnetError):
             octagon.cover(**wrong)
+
+
+def test_elements_of_maps_have_hashes_of_their_own():
+    klein = Surface.named("klein")
+    generators = klein.generators()
+    assert len({hash(g) for g in generators}) == len(set(generators)) > 6
+    for relation in klein.fundamental_polygon().relations():
+        sides = klein.fundamental_polygon().sides
+        rest = klein.element([])
+        for k in relation[1:]:
+            rest = rest * sides[k].isometry
+        first = sides[relation[0]].isometry.inverse()
+        assert first == rest and hash(first) == hash(rest)

@@ -1,0 +1,62 @@
+"""Isometries of a surface, and between two."""
+import pytest
+
+import epsnet
+from epsnet import Surface
+
+
+def test_groups_of_permutations(bolza):
+    group = bolza.isometries()
+    assert len(group) == 96 and sum(f.preserves_orientation for f in group) == 48 and group.name == ""
+    identity = list(range(96))
+    assert group.permutation(0) == identity and group.order(0) == 1 and group.fixed_points(0) is None
+    for i in group.generators:
+        power = identity
+        for _ in range(group.order(i)):
+            power = [group.permutation(i)[k] for k in power]
+        assert power == identity
+        for j in (1, 17, 95):
+            product = group.permutation(group.product(i, j))
+            assert product == [group.permutation(i)[k] for k in group.permutation(j)]
+
+
+def test_sympy_knows_the_group(bolza):
+    combinatorics = pytest.importorskip("sympy.combinatorics")
+    group = bolza.isometries()
+    known = combinatorics.PermutationGroup([combinatorics.Permutation(group.permutation(i)) for i in group.generators])
+    assert known.order() == 96
+
+
+def test_images_satisfy_the_relations(octagon):
+    for isometry in octagon.isometries():
+        polygon = octagon.fundamental_polygon()
+        first = [k for k, side in enumerate(polygon.sides) if k < side.partner]
+        image = {}
+        for k, element in zip(first, isometry.images):
+            image[k], image[polygon.sides[k].partner] = element, element.inverse()
+        for relation in polygon.relations():
+            product = octagon.element([])
+            for k in relation:
+                product = product * image[k]
+            assert product.is_identity()
+
+
+def test_isometric_surfaces(octagon, bolza):
+    isometry = octagon.isometric_to(octagon)
+    assert isometry.preserves_orientation and isometry == octagon.isometric_to(octagon) and "preserves" in repr(isometry)
+    assert hash(isometry) == hash(octagon.isometric_to(octagon))
+    assert octagon.isometric_to(bolza) is None and octagon.isometric_to(Surface.named("klein")) is None
+
+
+def test_undecided_is_not_no(bolza):
+    # GL(2,3) as it permutes the eight vectors other than 0: octagons of which three meet at each vertex.
+    x, y = (3, 7, 0, 4, 5, 1, 2, 6), (2, 5, 0, 3, 6, 1, 4, 7)
+    elements = [tuple(range(8))]
+    for g in elements:
+        for h in (x, y):
+            product = tuple(h[k] for k in g)
+            if product not in elements:
+                elements.append(product)
+    rotation, edges = ([elements.index(tuple(h[k] for k in g)) for g in elements] for h in (x, y))
+    with pytest.raises(epsnet.UndecidedError):
+        bolza.isometric_to(Surface.map(rotation, edges))
