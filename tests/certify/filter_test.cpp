@@ -559,7 +559,7 @@ TEST_F(Moved, WhatIsSettledWithLabelsIsTrue) {
     }
     document.vertices[v] = before;
   }
-  for (const std::size_t question : {0, 1}) {
+  for (const std::size_t question : {0U, 1U}) {
     EXPECT_GT(said[question], 1'000) << question;
     EXPECT_GT(silent[question], 300) << question;
   }

@@ -55,12 +55,12 @@ WordEvaluator::WordEvaluator(const Surface& surface) : surface_(surface) {
                                      : convert<Mp256>(surface.crossing_as<Mp1024>(s)));
   }
   const auto is_long = [&](std::uint32_t corner) { return surface.corners_around(corner) >= 2 * kLongTurn; };
-  constexpr std::uint32_t kUnset = ~std::uint32_t{0};
+  constexpr std::uint32_t kNoRank = ~std::uint32_t{0};
   for (std::uint32_t corner = 0; corner < surface.side_count(); ++corner) {
     if (!is_long(corner)) continue;
-    if (rank_in_turn_.empty()) rank_in_turn_.assign(surface.side_count(), kUnset);
+    if (rank_in_turn_.empty()) rank_in_turn_.assign(surface.side_count(), kNoRank);
     std::uint32_t rank = 0;
-    for (std::uint32_t s = corner; rank_in_turn_[s] == kUnset; s = next_crossing(surface, s, Turn::counterclockwise)) {
+    for (std::uint32_t s = corner; rank_in_turn_[s] == kNoRank; s = next_crossing(surface, s, Turn::counterclockwise)) {
       rank_in_turn_[s] = rank++;
     }
   }
