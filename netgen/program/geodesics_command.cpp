@@ -34,12 +34,6 @@ struct GeodesicsRequest {
 
 using Compute = std::function<GeodesicsDocument(const Surface&, const GeodesicsOptions&)>;
 
-std::string word_text(const std::vector<std::uint32_t>& word) {
-  std::string result;
-  for (const std::uint32_t side : word) result += (result.empty() ? "" : " ") + std::to_string(side);
-  return result;
-}
-
 /// Returns "name: value" lines for a systole, otherwise a row for each geodesic.
 std::string geodesics_text(const GeodesicsDocument& document) {
   std::ostringstream out;

@@ -25,12 +25,6 @@ struct IsometriesRequest {
   unsigned threads = 0;
 };
 
-std::string word_text(const Word& word) {
-  std::string result;
-  for (const std::uint32_t side : word) result += (result.empty() ? "" : " ") + std::to_string(side);
-  return result;
-}
-
 /// The words of the generators of which isometries give the images.
 std::vector<Word> generator_words(const Surface& surface) {
   std::vector<Word> result;

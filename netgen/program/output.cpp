@@ -17,6 +17,12 @@ bool is_stdout(const std::string& path) {
   return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
 }
 
+std::string word_text(const std::vector<std::uint32_t>& word) {
+  std::string result;
+  for (const std::uint32_t side : word) result += (result.empty() ? "" : " ") + std::to_string(side);
+  return result;
+}
+
 void write_stdout(const std::function<void(std::ostream&)>& write) {
   write(std::cout);
   std::cout.flush();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <stdexcept>
@@ -38,6 +39,9 @@ class UndecidedError : public JobError {
 
 /// Throws JobError if standard output takes no more.
 void write_stdout(const std::function<void(std::ostream&)>& write);
+
+/// A word in a report: its side numbers, with spaces between them.
+[[nodiscard]] std::string word_text(const std::vector<std::uint32_t>& word);
 
 /// What a command writes to a file.
 enum class FileType { json, compact, text, svg, png, html, off, vtu, npy, msh };

@@ -404,7 +404,7 @@ TEST(EigenvalueBounds, AreLessThanOneOutsideOfWindowsAndAtLeastTheNumberInThem) 
   const EigenvaluesDocument document = bolza();
   const std::vector<double> bounds =
       eigenvalue_bounds(from_document(document.net.surface), document, {0, 1, kFirst, 4.5, kFourth, 6.5});
-  for (const std::size_t i : {0, 1, 3, 5}) EXPECT_LT(bounds[i], 0.98) << i;
+  for (const std::size_t i : {0U, 1U, 3U, 5U}) EXPECT_LT(bounds[i], 0.98) << i;
   EXPECT_GE(bounds[2], 3);
   EXPECT_GE(bounds[4], 4);
 }
