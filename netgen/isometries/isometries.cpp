@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "certify/base/decimals.h"
 #include "certify/base/text.h"
 #include "certify/numbers/parallel.h"
 #include "netgen/geodesics/geodesics.h"
@@ -300,9 +301,15 @@ GeodesicsOptions geodesics_options(const IsometryOptions& options) {
 }
 
 /// A length a little above that of the systole, and at least 4, where even thin surfaces have closed geodesics that do
-/// not go along their thin parts.
+/// not go along their thin parts. Throws LimitError if the systole is too short.
 Length list_length(const Surface& surface, const IsometryOptions& options) {
+  // Across thin parts ways are long, and the tiles near them too many.
+  constexpr double kLeastSystole = 0.0099;
   const double systole_length = systole(surface, geodesics_options(options)).geodesics.front().length.upper;
+  if (systole_length < kLeastSystole) {
+    throw LimitError("isometries are found on surfaces with a systole of at least 0.01; this one has " +
+                     certify::decimal_above(systole_length));
+  }
   return Length(std::max(4.0, systole_length * (1 + 1e-9)));
 }
 

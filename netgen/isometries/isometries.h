@@ -69,8 +69,8 @@ struct IsometryOptions {
   Progress progress = {};  ///< Called occasionally, if given.
 };
 
-/// Returns all isometries of a surface. Throws NetError or LimitError if the search would be too long, as it is on
-/// surfaces with very thin parts alone.
+/// Returns all isometries of a surface. Throws NetError, or LimitError if the search would be too long: if the systole
+/// is less than 0.01.
 ///
 /// Time is about that of the spectrum up to the length of the systole, or 4, and some e^d steps for each closed
 /// geodesic that is as long as the one that is chosen, where d is the length of a shortest loop across it.

@@ -169,7 +169,7 @@ TEST(Isometries, HaveNames) {
 
 TEST(Isometries, OfThinSurfacesAreFound) {
   const Surface thin =
-      fenchel_nielsen_surface(resolve({"0-1 0-1 0-1", {}, {}, {"1/1000", "1", "1"}, {"1/8", "1/4", "1/2"}}));
+      fenchel_nielsen_surface(resolve({"0-1 0-1 0-1", {}, {}, {"1/50", "1", "1"}, {"1/8", "1/4", "1/2"}}));
   EXPECT_EQ(isometries(thin).size(), 2U);
 }
 
@@ -232,6 +232,12 @@ TEST(Isometric, AreNotSurfacesOfDifferentGenera) {
   const IsometricAnswer answer = isometric(Surface::regular(2), Surface::regular(3));
   EXPECT_EQ(answer.kind, Kind::no);
   EXPECT_EQ(answer.reason, "the genera are 2 and 3");
+}
+
+TEST(Isometries, AreNotSearchedForNextToVeryShortGeodesics) {
+  const Surface thin =
+      fenchel_nielsen_surface(resolve({"0-1 0-1 0-1", {}, {}, {"1/200", "1/200", "1/200"}, {"0", "0", "0"}}));
+  EXPECT_THROW(static_cast<void>(isometries(thin)), LimitError);
 }
 
 TEST(Isometric, AreMapsOfTheSameType) {
