@@ -3,15 +3,7 @@
 python=$1
 batch=$2
 programs=$3
-failures=0
-here=$(mktemp -d) || exit 1
-trap 'rm -rf "$here"' EXIT
-cd "$here" || exit 1
-
-complain() {
-  echo "FAILED: $*"
-  failures=$((failures + 1))
-}
+. "$(dirname "$0")/scratch.sh"
 # run ARGUMENTS...: nothing is left where temporary files are.
 mkdir tmp
 run() {

@@ -4,15 +4,7 @@
 python=$1
 run=$2
 programs=$3
-failures=0
-here=$(mktemp -d) || exit 1
-trap 'rm -rf "$here"' EXIT
-cd "$here" || exit 1
-
-complain() {
-  echo "FAILED: $*"
-  failures=$((failures + 1))
-}
+. "$(dirname "$0")/scratch.sh"
 # measure PROGRAMS DIR
 measure() { "$python" "$run" --quick --only distances --programs "$1" -o "$2" >output 2>messages; }
 # instead NAME COMMANDS: a directory NAME whose epsnet runs these commands before the real one, with the same arguments.

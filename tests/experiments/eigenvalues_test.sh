@@ -3,15 +3,7 @@
 python=$1
 script=$2
 programs=$3
-failures=0
-here=$(mktemp -d) || exit 1
-trap 'rm -rf "$here"' EXIT
-cd "$here" || exit 1
-
-complain() {
-  echo "FAILED: $*"
-  failures=$((failures + 1))
-}
+. "$(dirname "$0")/scratch.sh"
 # make PROGRAMS DIR ARGUMENTS...
 make() {
   from=$1

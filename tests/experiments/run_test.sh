@@ -3,15 +3,7 @@
 python=$1
 run=$2
 programs=$3
-failures=0
-here=$(mktemp -d) || exit 1
-trap 'rm -rf "$here"' EXIT
-cd "$here" || exit 1
-
-complain() {
-  echo "FAILED: $*"
-  failures=$((failures + 1))
-}
+. "$(dirname "$0")/scratch.sh"
 quick() { "$python" "$run" --quick --programs "$programs" "$@" >output 2>messages; }
 # bad TEXT ARGUMENTS...: one line on standard error at the end, which starts with the name and has the text.
 bad() {

@@ -2,15 +2,7 @@
 # sweep_test.sh EPSNET SWEEP: the records of a sweep are complete and certified; what is finished is kept, anything else is done again; bad input.
 epsnet=$1
 sweep=$2
-failures=0
-here=$(mktemp -d) || exit 1
-trap 'rm -rf "$here"' EXIT
-cd "$here" || exit 1
-
-complain() {
-  echo "FAILED: $*"
-  failures=$((failures + 1))
-}
+. "$(dirname "$0")/scratch.sh"
 
 # finds N: a sweep of the three surfaces finds N of them finished, and all are complete and certified afterwards.
 finds() {
