@@ -253,11 +253,13 @@ certify::GeodesicsDocument::ClosedGeodesic to_document(Triangulation& triangulat
           .simple = geodesic.simple};
 }
 
-/// Returns the runs of overlapping enclosures. Lengths that agree to a hundred bits are claimed to be equal; certify
-/// decides.
+/// Returns the runs of overlapping enclosures. Lengths that agree to seven tenths of their bits are claimed to be
+/// equal; certify decides. (Coordinates of surfaces are often rounded, and lengths that would be equal without that
+/// agree to a third of their bits.)
 template <class T>
 std::vector<certify::GeodesicsDocument::Cluster> clusters(
     const std::vector<Found<T>>& geodesics, const std::vector<certify::GeodesicsDocument::ClosedGeodesic>& documents) {
+  constexpr int kBits = std::numeric_limits<T>::digits * 7 / 10;
   std::vector<certify::GeodesicsDocument::Cluster> result;
   double reach = 0;
   for (std::uint32_t i = 0; i < documents.size(); ++i) {
@@ -268,7 +270,7 @@ std::vector<certify::GeodesicsDocument::Cluster> clusters(
     certify::GeodesicsDocument::Cluster& last = result.back();
     ++last.count;
     const T difference = geodesics[i].length - geodesics[last.first].length;
-    last.equal = last.equal && difference <= boost::multiprecision::ldexp(geodesics[i].length, -100);
+    last.equal = last.equal && difference <= boost::multiprecision::ldexp(geodesics[i].length, -kBits);
   }
   return result;
 }

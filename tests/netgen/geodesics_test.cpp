@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "certify/check.h"
 #include "netgen/geodesics/axis_catalogue.h"
 #include "netgen/geodesics/cut_surface.h"
 #include "netgen/geodesics/cutting_search.h"
@@ -221,6 +222,18 @@ TEST(Spectrum, FindsACuffAlongEdges) {
                 std::any_of(lengths.begin(), lengths.end(), [&](double x) { return std::abs(x - length) < 1e-9; }))
         << length;
   }
+}
+
+/// Twists of 0 and equal lengths give a symmetric surface, but its coordinates are rounded: lengths that ought to be
+/// equal differ in late digits, and the certifier sees that.
+TEST(Spectrum, ClaimsNoEqualityOfRoundedLengths) {
+  const PantsGraph ring = PantsGraph::ring(3);
+  const std::size_t cuffs = ring.edges().size();
+  const FenchelNielsen coordinates{
+      .graph = ring, .lengths = std::vector<Rational>(cuffs, 2), .twists = std::vector<Rational>(cuffs, 0)};
+  const GeodesicsDocument document = spectrum(fenchel_nielsen_surface(coordinates), Length("4"));
+  EXPECT_GT(document.geodesics.size(), cuffs);
+  EXPECT_EQ(certify::check(document).verdict, certify::Verdict::verified);
 }
 
 /// On a surface with a pair of pants whose cuffs a, b, c are short, the figure eight around a and b has cosh(ℓ/2) = 2
