@@ -406,6 +406,7 @@ std::vector<double> eigenvalue_bounds(const Surface& surface, const EigenvaluesD
                                       const std::vector<double>& lambdas) {
   const Prover prover = prover_of(surface, document, lengths_of(surface, document));
   std::vector<double> result;
+  result.reserve(lambdas.size());
   for (const double lambda : lambdas) result.push_back(prover.most_at(lambda));
   return result;
 }

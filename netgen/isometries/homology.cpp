@@ -20,9 +20,9 @@ std::int64_t inverse(std::int64_t x) {
   return result;
 }
 
-/// row −= factor·other.
-void subtract(std::vector<std::int64_t>& row, std::int64_t factor, const std::vector<std::int64_t>& other) {
-  for (std::size_t i = 0; i < row.size(); ++i) row[i] = reduced(row[i] - factor * other[i] % kPrime);
+/// from −= factor·vector.
+void subtract(std::vector<std::int64_t>& from, std::int64_t factor, const std::vector<std::int64_t>& vector) {
+  for (std::size_t i = 0; i < from.size(); ++i) from[i] = reduced(from[i] - factor * vector[i] % kPrime);
 }
 
 }  // namespace

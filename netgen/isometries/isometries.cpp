@@ -499,6 +499,7 @@ IsometricAnswer isometric(const Surface& first, const Surface& second, const Iso
   const LiftedTiles tiles(second, others.geodesics.front().length.lower);
   const std::vector<Match> found = all_matches(tiles, others, source.pair, options);
   std::vector<std::pair<const Match*, Motion<Number>>> motions;
+  motions.reserve(found.size());
   for (const Match& match : found) motions.emplace_back(&match, source.motion_of(match, tiles));
   // One that preserves the orientation is the better answer.
   std::stable_partition(motions.begin(), motions.end(),

@@ -60,8 +60,8 @@ LorentzVector<double> rounded(const LiftedTiles::Vector& v) {
 
 }  // namespace
 
-LiftedTiles::LiftedTiles(Surface surface, double shortest)
-    : surface_(std::move(surface)), shortest_(std::clamp(shortest, 1e-5, 1.0)) {
+LiftedTiles::LiftedTiles(const Surface& surface, double shortest)
+    : surface_(surface), shortest_(std::clamp(shortest, 1e-5, 1.0)) {
   for (std::uint32_t tile = 0; tile < surface_.tiles().size(); ++tile) {
     const Tile& corners = surface_.tiles()[tile];
     const auto corner = [&](std::size_t k) { return on_hyperboloid(convert<Number>(corners[k % corners.size()])); };

@@ -20,7 +20,7 @@ class LiftedTiles {
   using Vector = LorentzVector<Number>;
 
   /// No closed geodesic is shorter than `shortest`, or none goes through the middle of a tile that is. O(sides).
-  LiftedTiles(Surface surface, double shortest);
+  LiftedTiles(const Surface& surface, double shortest);
 
   [[nodiscard]] const Surface& surface() const { return surface_; }
   /// The value of a word (group.h), of determinant 1.
