@@ -17,6 +17,7 @@
 #include "certify/claims/eigenvalues/test_function.h"
 #include "certify/claims/eigenvalues/trace_forms.h"
 #include "certify/file/reader.h"
+#include "tests/support/scale.h"
 
 /// Eigenvalues files. Each rule is broken by a file in which nothing else is wrong.
 namespace epsnet::certify {
@@ -319,8 +320,8 @@ TEST(Eigenvalues, MutantsThatAreVerifiedAreTrue) {
   constexpr double kOnly = 2.77507;
   std::mt19937 random(27);
   int verified = 0;
-  constexpr int kMutants = 120;
-  for (int i = 0; i < kMutants; ++i) {
+  const int mutants = test::scaled(120);
+  for (int i = 0; i < mutants; ++i) {
     Document document = octagon();
     mutate(document, random);
     if (checked(document).verdict != Verdict::verified) continue;
@@ -338,8 +339,8 @@ TEST(Eigenvalues, MutantsThatAreVerifiedAreTrue) {
     }
     EXPECT_TRUE(there) << i;
   }
-  EXPECT_GT(verified, kMutants / 10);
-  EXPECT_LT(verified, kMutants / 2);
+  EXPECT_GT(verified, mutants / 10);
+  EXPECT_LT(verified, mutants / 2);
 }
 
 // Counting.
