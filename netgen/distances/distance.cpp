@@ -193,12 +193,17 @@ certify::DistanceDocument distance(const Surface& surface, const BasePoint& p, c
                                    const DistanceOptions& options) {
   require_on_surface(surface, p);
   require_on_surface(surface, q);
+  return distance(surface, p, dirichlet_polygon(surface, p), q, options);
+}
+
+certify::DistanceDocument distance(const Surface& surface, const BasePoint& p, const DirichletPolygon& domain_of_p,
+                                   const BasePoint& q, const DistanceOptions& options) {
+  require_on_surface(surface, q);
   const bool same = is_same_point(surface, p, q);
-  const DirichletPolygon polygon = dirichlet_polygon(surface, p);
   const BasePoint& end = same ? p : q;  // In the same coordinates it can be seen.
-  auto [paths, enclosure] = LiftsOfPoint(surface, p, polygon).shortest(p.tile, end);
+  auto [paths, enclosure] = LiftsOfPoint(surface, p, domain_of_p).shortest(p.tile, end);
   certify::DistanceDocument result;
-  result.net = polygon.triangulation;
+  result.net = domain_of_p.triangulation;
   result.point = {end.tile, to_gmp(end.z)};
   result.distance = same ? certify::Interval{0, 0} : enclosure;
   result.equal = paths.back().length - paths.front().length <= ldexp(Mp1024(1), -kEqualBits);

@@ -9,6 +9,8 @@
 /// The distance between two points of a surface, with all shortest geodesics. docs/distances.md says how and why.
 namespace epsnet {
 
+struct DirichletPolygon;
+
 /// Options of a distance.
 struct DistanceOptions {
   /// The largest width of the enclosure (hyperbolic length). The enclosure is as narrow as binary64 numbers allow; it
@@ -38,6 +40,11 @@ struct DistanceOptions {
 /// of the surface. Throws NetError if the enclosure is wider than `options.width`, or if it has more than 5000 paths,
 /// as across a cuff shorter than 10⁻¹⁰. Throws LimitError.
 [[nodiscard]] certify::DistanceDocument distance(const Surface& surface, const BasePoint& p, const BasePoint& q,
+                                                 const DistanceOptions& options = {});
+
+/// The same; the Dirichlet domain of p is at hand, and the rest takes little time.
+[[nodiscard]] certify::DistanceDocument distance(const Surface& surface, const BasePoint& p,
+                                                 const DirichletPolygon& domain_of_p, const BasePoint& q,
                                                  const DistanceOptions& options = {});
 
 }  // namespace epsnet

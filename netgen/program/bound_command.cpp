@@ -44,8 +44,9 @@ Where where(const certify::NetDocument& net, bool with_farthest) {
   Where result{point_of_vertex(surface, net, 0)};
   if (!with_farthest) return result;
   try {
-    result.farthest = farthest_points(surface, dirichlet_polygon(surface, result.p));
-    result.distance = distance(surface, result.p, result.farthest.front());
+    const DirichletPolygon domain = dirichlet_polygon(surface, result.p);
+    result.farthest = farthest_points(surface, domain);
+    result.distance = distance(surface, result.p, domain, result.farthest.front());
     certify::CheckOptions options;
     options.max_work = std::numeric_limits<std::uint64_t>::max();  // It was made here.
     const certify::Certificate certificate = certify::check(*result.distance, options);
