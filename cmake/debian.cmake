@@ -3,6 +3,7 @@
 #   libepsnet0.2    the shared libraries
 #   libepsnet-dev   headers, the packages of CMake and pkg-config, the examples
 #   python3-epsnet  the Python module, for the Python of this Debian
+#   certify-proved  the checker that is proved in Coq, if EPSNET_PROVED is ON: what formal/build has built
 set(abi ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(CPACK_PACKAGE_CONTACT "The epsnet authors <epsnet@example.org>")
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
@@ -52,6 +53,20 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
   "libepsnet${abi} (= ${version}), python3 (>= 3.${EPSNET_PYTHON_MINOR}), python3 (<< 3.${next_python}), python3-numpy")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-flint, python3-matplotlib, python3-mpmath, python3-scipy, python3-tqdm")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "${about}\n.\nThis is the Python module.")
+
+option(EPSNET_PROVED "Also make the package certify-proved" OFF)
+if(EPSNET_PROVED)
+  list(APPEND CPACK_COMPONENTS_ALL proved)
+  set(CPACK_DEBIAN_PROVED_PACKAGE_NAME certify-proved)
+  set(CPACK_DEBIAN_PROVED_PACKAGE_SECTION math)
+  set(CPACK_COMPONENT_PROVED_DESCRIPTION "${about}\n.\nThis is a small checker of net files that is proved correct in Coq.")
+  set(proved ${CMAKE_SOURCE_DIR}/build/formal/certify-proved)
+  set(proved_help ${CMAKE_CURRENT_BINARY_DIR}/help-proved)
+  execute_process(COMMAND ${CMAKE_CURRENT_LIST_DIR}/help/make.sh ${proved_help} ${PROJECT_VERSION} ${proved} COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND gzip -9nr ${proved_help}/man1 COMMAND_ERROR_IS_FATAL ANY)
+  install(PROGRAMS ${proved} TYPE BIN COMPONENT proved)
+  install(DIRECTORY ${proved_help}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT proved)
+endif()
 
 # The copyright and the changelog that Debian requires in each package.
 set(name epsnet)
