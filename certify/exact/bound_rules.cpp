@@ -31,20 +31,18 @@ struct Displacement {
   [[nodiscard]] Interval at(const Vector& u) const { return sigma + square(n[0] * u[0] + n[1] * u[1] + n[2] * u[2]); }
 };
 
-Displacement displacement_of(const Isometry& g) {
-  const Interval d(mpq_class(norm(g.a) - norm(g.b)));
+template <class R>
+Displacement displacement_of(const Isometry<R>& g) {
+  const Interval d = enclosure(R(norm(g.a) - norm(g.b)));
   const Interval root = sqrt(d);
-  const auto scaled = [&](const mpz_class& x) { return Interval(mpq_class(x)) / root; };
-  return {Interval(mpq_class(norm(g.b) - g.a.im * g.a.im)) / d, {scaled(-g.b.im), scaled(g.b.re), scaled(-g.a.im)}};
+  const auto scaled = [&](const R& x) { return enclosure(x) / root; };
+  return {enclosure(R(norm(g.b) - g.a.im * g.a.im)) / d, {scaled(-g.b.im), scaled(g.b.re), scaled(-g.a.im)}};
 }
 
-Vector unit_vector(const Point& z) {
-  const mpz_class m = gap(z);
-  const auto quotient = [&](const mpz_class& n) {
-    mpq_class q(n, m);
-    q.canonicalize();
-    return Interval(q);
-  };
+template <class R>
+Vector unit_vector(const Point<R>& z) {
+  const Interval m = enclosure(gap(z));
+  const auto quotient = [&](const R& n) { return enclosure(n) / m; };
   return {quotient(2 * z.n.re * z.m), quotient(2 * z.n.im * z.m), quotient(z.m * z.m + norm(z.n))};
 }
 
@@ -69,9 +67,10 @@ Middle middle_of(const Cell& cell, Index side) {
   return {point, half, (cell.cosh[end] + cell.cosh[(side + 2) % 3]) / (2 * half)};
 }
 
+template <class R>
 class BoundRules {
  public:
-  BoundRules(const BoundDocument& document, NetRules& net) : document_(document), net_(net) {}
+  BoundRules(const BoundDocument& document, NetRules<R>& net) : document_(document), net_(net) {}
 
   /// The rules `lower` and `upper`: at the vertex of the net.
   void check_vertex() {
@@ -92,8 +91,7 @@ class BoundRules {
     for (Index dart = 0; dart < net_.darts(); ++dart) {
       first.opposite[dart] = net_.opposite(dart);
       first.element[dart] = elements_.size();
-      elements_.push_back(
-          net_.product(inverse(net_.label(net_.label_number(dart))), net_.label(net_.label_number(next(dart)))));
+      elements_.push_back(net_.element(dart));
     }
     maps_.push_back(std::move(first));
     for (const BoundDocument::Triangulation& row : document_.triangulations) {
@@ -104,7 +102,7 @@ class BoundRules {
   }
 
   void check_cells() {
-    for (const Isometry& element : elements_) displacements_.push_back(displacement_of(element));
+    for (const Isometry<R>& element : elements_) displacements_.push_back(displacement_of(element));
     const Interval end(document_.value[document_.claim == Claim::radius ? 0 : 1]);
     most_ = square(sinh(end));
     for (Index t = 0; t < document_.cells.size(); ++t) {
@@ -156,7 +154,7 @@ class BoundRules {
       map.opposite[across] = to[i];
       map.element[to[i]] = old.element[from[i]];
     }
-    const Isometry product = net_.product(elements_[old.element[from[0]]], elements_[old.element[from[1]]]);
+    const Isometry<R> product = net_.product(elements_[old.element[from[0]]], elements_[old.element[from[1]]]);
     map.element[e] = elements_.size();
     map.element[d] = elements_.size() + 1;
     elements_.push_back(product);
@@ -164,14 +162,12 @@ class BoundRules {
   }
 
   Cell triangle(Index t) {
-    std::array<Point, 3> z{net_.corner(3 * t), net_.corner(3 * t + 1), net_.corner(3 * t + 2)};
+    std::array<Point<R>, 3> z{net_.corner(3 * t), net_.corner(3 * t + 1), net_.corner(3 * t + 2)};
     Cell cell;
     for (std::size_t i = 0; i < 3; ++i) {
       cell.corner[i] = unit_vector(z[i]);
-      const Point& w = z[(i + 1) % 3];
-      mpq_class half(squared_difference(z[i], w), gap(z[i]) * gap(w));
-      half.canonicalize();
-      cell.cosh[i] = Interval(2 * half + 1);
+      const Point<R>& w = z[(i + 1) % 3];
+      cell.cosh[i] = 2 * (enclosure(squared_difference(z[i], w)) / enclosure(R(gap(z[i]) * gap(w)))) + 1;
     }
     return cell;
   }
@@ -269,8 +265,8 @@ class BoundRules {
   }
 
   const BoundDocument& document_;
-  NetRules& net_;
-  std::vector<Isometry> elements_;
+  NetRules<R>& net_;
+  std::vector<Isometry<R>> elements_;
   std::vector<Map> maps_;
   std::vector<Displacement> displacements_;
   Interval most_;  ///< sinh² of the bound for cells.
@@ -290,7 +286,8 @@ void expect_subdivision(const std::vector<Index>& cells, std::size_t bounds) {
 
 }  // namespace
 
-std::vector<Rule> bound_rules(const BoundDocument& document, NetRules& net) {
+template <class R>
+std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<R>& net) {
   if (document.value[0] == 0) throw Malformed("the value is not positive");
   for (std::size_t k = 0; k < document.triangulations.size(); ++k) {
     expect_less(document.triangulations[k].parent, k + 1, "an earlier triangulation");
@@ -301,10 +298,13 @@ std::vector<Rule> bound_rules(const BoundDocument& document, NetRules& net) {
   for (const std::vector<Index>& row : document.cells) {
     expect_subdivision(row, (document.triangulations.size() + 1) * of_each);
   }
-  const auto rules = std::make_shared<BoundRules>(document, net);
+  const auto rules = std::make_shared<BoundRules<R>>(document, net);
   return {{document.claim == Claim::radius ? "upper" : "lower", [rules] { rules->check_vertex(); }},
           {"triangulations", [rules] { rules->check_triangulations(); }},
           {"cells", [rules] { rules->check_cells(); }}};
 }
+
+template std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<mpz_class>& net);
+template std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<Algebraic>& net);
 
 }  // namespace epsnet::exact

@@ -1,7 +1,8 @@
 #include "certify/exact/checker.h"
 
-#include <optional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "certify/exact/claim_rules.h"
@@ -11,20 +12,6 @@
 
 namespace epsnet::exact {
 namespace {
-
-/// Whether the file is one of those that this checker leaves to the other.
-std::optional<std::string> not_for_this_checker(const Json& root) {
-  const Json& format = member(root, "format");
-  for (const std::string kind : {"geodesics", "eigenvalues"}) {
-    if (is_text(format, "epsnet-" + kind)) return kind + " files";
-  }
-  const Json* net = is_text(format, "epsnet-net") ? &root : find(root, "net");
-  const Json* surface = net == nullptr ? nullptr : find(*net, "surface");
-  const Json* kind = surface == nullptr ? nullptr : find(*surface, "kind");
-  if (kind != nullptr && is_text(*kind, "regular")) return "regular surfaces";
-  if (kind != nullptr && is_text(*kind, "map")) return "maps of regular tiles";
-  return std::nullopt;
-}
 
 Result left_out(const std::string& kind) { return {Verdict::undecided, kLeftOut, "not for this checker: " + kind}; }
 
@@ -42,13 +29,16 @@ Result ask(const std::vector<Rule>& rules) {
   return {Verdict::verified, "", ""};
 }
 
-/// A claim about a net: the rules of the net, then its own.
-template <class Document, class OwnRules>
-Result check_claim(const Document& document, const OwnRules& own_rules) {
-  NetRules net(document.net);
-  std::vector<Rule> rules = net.rules();
-  for (Rule& rule : own_rules(document, net)) rules.push_back(std::move(rule));
-  return ask(rules);
+/// The rules of the net, then those that own_rules says.
+template <class OwnRules>
+Result ask_all(const Net& net, const OwnRules& own_rules) {
+  const auto ask_all_of = [&](auto net_rules) {
+    std::vector<Rule> rules = net_rules->rules();
+    for (Rule& rule : own_rules(*net_rules)) rules.push_back(std::move(rule));
+    return ask(rules);
+  };
+  if (net.regular) return ask_all_of(std::make_unique<NetRules<Algebraic>>(net));
+  return ask_all_of(std::make_unique<NetRules<mpz_class>>(net));
 }
 
 }  // namespace
@@ -58,15 +48,19 @@ Result check(std::string_view text) {
   try {
     const Json root = parse_json(text);
     if (root.kind != Json::Kind::object) throw Malformed("expected an object");
-    if (const auto reason = not_for_this_checker(root)) {
-      return left_out(*reason);
-    }
     const Json& format = member(root, "format");
-    if (is_text(format, "epsnet-distance")) return check_claim(read_distance(root), distance_rules);
-    if (is_text(format, "epsnet-cover")) return check_claim(read_bound(root), bound_rules);
-    const Net net = read_net(root);
-    NetRules rules(net);
-    return ask(rules.rules());
+    for (const std::string kind : {"geodesics", "eigenvalues"}) {
+      if (is_text(format, "epsnet-" + kind)) return left_out(kind + " files");
+    }
+    if (is_text(format, "epsnet-distance")) {
+      const DistanceDocument document = read_distance(root);
+      return ask_all(document.net, [&](auto& net) { return distance_rules(document, net); });
+    }
+    if (is_text(format, "epsnet-cover")) {
+      const BoundDocument document = read_bound(root);
+      return ask_all(document.net, [&](auto& net) { return bound_rules(document, net); });
+    }
+    return ask_all(read_net(root), [](auto&) { return std::vector<Rule>(); });
   } catch (const Malformed& error) {
     return {Verdict::malformed, "", error.what()};
   }

@@ -11,8 +11,10 @@
 namespace epsnet::exact {
 
 /// Section 14 of docs/proof.md.
-[[nodiscard]] std::vector<Rule> distance_rules(const DistanceDocument& document, NetRules& net);
+template <class R>
+[[nodiscard]] std::vector<Rule> distance_rules(const DistanceDocument& document, NetRules<R>& net);
 /// Section 15.
-[[nodiscard]] std::vector<Rule> bound_rules(const BoundDocument& document, NetRules& net);
+template <class R>
+[[nodiscard]] std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<R>& net);
 
 }  // namespace epsnet::exact

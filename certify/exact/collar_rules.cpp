@@ -1,5 +1,5 @@
 #include <array>
-#include <set>
+#include <string>
 
 #include "certify/exact/interval.h"
 #include "certify/exact/net_rules.h"
@@ -15,18 +15,83 @@ void expect(Answer holds, const std::string& otherwise) {
 
 std::string vertex_name(Index v) { return "vertex " + number(v); }
 
-}  // namespace
-
-void NetRules::check_collar_structure(const Collar& collar) const {
-  for (const Index v : collar.vertices) expect_less(v, net_.vertices.size(), "vertex");
-  for (const Index t : collar.triangles) expect_less(t, net_.triangles.size(), "triangle");
-  const Index tile = net_.charts[net_.vertices[collar.vertices[0]].chart].first;
-  expect_path(collar.core, tile, tile);
+/// The dart of a triangle that goes from `twice` to itself, the third corner being `once`.
+Index loop_dart(const NetStructure& net, Index t, Index twice, Index once) {
+  for (Index dart = 3 * t; dart < 3 * t + 3; ++dart) {
+    if (net.start(dart) == twice && net.start(next(dart)) == twice && net.start(previous(dart)) == once) return dart;
+  }
+  throw Refutation{net.triangle_name(t) + " has not two corners at " + vertex_name(twice) + ", one at " +
+                   vertex_name(once)};
 }
 
-void NetRules::check_collars() {
-  expect(is_less(2 * Interval(net_.epsilon), log(Interval(2))), "epsilon is greater than ln sqrt(2)");
-  for (const Collar& collar : *net_.collars) {
+/// (b): the dart from p to p of the first triangle.
+Index loop_of(const NetStructure& net, const Collar& collar) {
+  const auto& [p, q] = collar.vertices;
+  const Index at_p = loop_dart(net, collar.triangles[0], p, q);
+  const Index at_q = loop_dart(net, collar.triangles[1], q, p);
+  if (net.opposite(next(at_p)) != next(at_q) || net.opposite(previous(at_p)) != previous(at_q)) {
+    throw Refutation{net.triangle_name(at_p / 3) + " and " + net.triangle_name(at_q / 3) + " are not an annulus"};
+  }
+  return at_p;
+}
+
+/// (c) to (g).
+template <class R>
+void check_collar(NetRules<R>& net, const Collar& collar) {
+  const Index at_p = loop_of(net, collar);
+  const Isometry<R> from = net.label(net.label_number(at_p));
+  const Isometry<R> to = net.label(net.label_number(next(at_p)));
+  // (c): the loop at p, in the chart of p.
+  const Isometry<R> loop = net.element(at_p);
+  const Index chart = net.net().vertices[collar.vertices[0]].chart;
+  const Isometry<R> core = net.product(inverse(net.frame(chart)), net.value(chart, collar.core));
+  if (!are_equal(core, loop) && !are_equal(inverse(core), loop)) {
+    throw Refutation{"the loop at " + vertex_name(collar.vertices[0]) + " is not the core"};
+  }
+  // (d): γ = (a, b) up to the root of D = |a|² − |b|², in the chart of the triangle; σ = S/D = sinh²(l/2).
+  const auto& [a, b] = net.product(to, inverse(from));
+  const R d = norm(a) - norm(b);
+  const R s = norm(b) - a.im * a.im;
+  if (sgn(s) <= 0) throw Refutation{"the core is no closed geodesic"};
+  const auto& [least, most] = collar.length;
+  expect(!is_less(s, d, squared_sinh(least / 2)), "the length of the core is less than the file says");
+  expect(is_less(s, d, squared_sinh(most / 2)), "the length of the core is more than the file says");
+  // (e)
+  const SquaredSinh half_epsilon = squared_sinh(net.net().epsilon / 2);
+  expect(is_less(s, d, half_epsilon), "the length of the core is greater than epsilon");
+  // (f): s(z) = h/(1 − |z|²) up to the root of D, with z = n/m.
+  std::array<R, 2> h, g;
+  for (const std::size_t i : {0U, 1U}) {
+    const Point<R> z = net.corner(i == 0 ? at_p : previous(at_p));
+    h[i] = 2 * z.m * (conjugate(b) * z.n).im - (z.m * z.m + norm(z.n)) * a.im;
+    g[i] = gap(z);
+  }
+  if (sgn(h[0]) * sgn(h[1]) >= 0) throw Refutation{"the two vertices are not on different sides of the core"};
+  // (g)
+  const Interval sigma = enclosure(s) / enclosure(d);
+  const Interval epsilon(net.net().epsilon);
+  const Interval half_length = arsinh(sqrt(sigma));
+  const Interval thin_width = arsinh(sqrt((square(sinh(epsilon / 2)) - sigma) / sigma));
+  for (const std::size_t i : {0U, 1U}) {
+    const R square_of_gap = g[i] * g[i];
+    const R square_of_h = h[i] * h[i];
+    expect(!is_less(R(s * square_of_gap + square_of_h), R(d * square_of_gap), half_epsilon),
+           vertex_name(collar.vertices[i]) + " is in the epsilon-thin part");
+    // cosh² d_v = 1 + s²/σ.
+    const Interval ratio = enclosure(square_of_h) / enclosure(R(s * square_of_gap));
+    const Interval distance = arsinh(sqrt(ratio));
+    const Interval along = 2 * arsinh(sinh(half_length / 2) * sqrt(ratio + 1));
+    expect(is_less(along + distance - thin_width, epsilon),
+           vertex_name(collar.vertices[i]) + " does not cover the thick part of its side of the annulus");
+  }
+}
+
+}  // namespace
+
+template <class R>
+void NetRules<R>::check_collars() {
+  expect(is_less(2 * Interval(net().epsilon), log(Interval(2))), "epsilon is greater than ln sqrt(2)");
+  for (const Collar& collar : *net().collars) {
     // (a)
     for (const Index t : collar.triangles) {
       if (in_collar_[t]) throw Refutation{"triangle " + number(t) + " is named twice"};
@@ -37,78 +102,11 @@ void NetRules::check_collars() {
         throw Refutation{vertex_name(collar.vertices[i]) + " is named twice"};
       }
     }
-    check_collar(collar);
+    check_collar(*this, collar);
   }
 }
 
-Index NetRules::loop_dart(Index t, Index twice, Index once) const {
-  for (Index dart = 3 * t; dart < 3 * t + 3; ++dart) {
-    if (start(dart) == twice && start(next(dart)) == twice && start(previous(dart)) == once) return dart;
-  }
-  throw Refutation{triangle_name(t) + " has not two corners at " + vertex_name(twice) + ", one at " +
-                   vertex_name(once)};
-}
-
-Index NetRules::loop_of(const Collar& collar) const {
-  const auto& [p, q] = collar.vertices;
-  const Index at_p = loop_dart(collar.triangles[0], p, q);
-  const Index at_q = loop_dart(collar.triangles[1], q, p);
-  if (opposite(next(at_p)) != next(at_q) || opposite(previous(at_p)) != previous(at_q)) {
-    throw Refutation{triangle_name(at_p / 3) + " and " + triangle_name(at_q / 3) + " are not an annulus"};
-  }
-  return at_p;
-}
-
-void NetRules::check_collar(const Collar& collar) {
-  const Index at_p = loop_of(collar);
-  const Isometry from = label(label_number(at_p));
-  const Isometry to = label(label_number(next(at_p)));
-  // (c): the loop at p, in the chart of p.
-  const Isometry loop = product(inverse(from), to);
-  const Index chart = net_.vertices[collar.vertices[0]].chart;
-  const Isometry core = product(inverse(translation_to(net_.charts[chart].second)), value(chart, collar.core));
-  if (!is_identity(compose(core, loop)) && !is_identity(compose(inverse(core), loop))) {
-    throw Refutation{"the loop at " + vertex_name(collar.vertices[0]) + " is not the core"};
-  }
-  // (d): γ = (a, b) up to the root of D = |a|² − |b|², in the chart of the triangle; σ = S/D = sinh²(l/2).
-  const auto& [a, b] = product(to, inverse(from));
-  const mpz_class d = norm(a) - norm(b);
-  const mpz_class s = norm(b) - a.im * a.im;
-  if (s <= 0) throw Refutation{"the core is no closed geodesic"};
-  const auto& [least, most] = collar.length;
-  expect(!is_less(s, d, squared_sinh(least / 2)), "the length of the core is less than the file says");
-  expect(is_less(s, d, squared_sinh(most / 2)), "the length of the core is more than the file says");
-  // (e)
-  const SquaredSinh half_epsilon = squared_sinh(net_.epsilon / 2);
-  expect(is_less(s, d, half_epsilon), "the length of the core is greater than epsilon");
-  // (f): s(z) = h/(1 − |z|²) up to the root of D, with z = n/m.
-  std::array<mpq_class, 2> squares;  // s(z)².
-  int signs = 1;
-  for (const std::size_t i : {0U, 1U}) {
-    const Point z = corner(i == 0 ? at_p : previous(at_p));
-    const mpz_class h = 2 * z.m * (conjugate(b) * z.n).im - (z.m * z.m + norm(z.n)) * a.im;
-    signs *= sgn(h);
-    squares[i] = mpq_class(h * h, gap(z) * gap(z) * d);
-    squares[i].canonicalize();
-  }
-  if (signs >= 0) throw Refutation{"the two vertices are not on different sides of the core"};
-  // (g)
-  mpq_class sigma(s, d);
-  sigma.canonicalize();
-  const Interval epsilon(net_.epsilon);
-  const Interval half_length = arsinh(sqrt(Interval(sigma)));
-  const Interval thin_width = arsinh(sqrt((square(sinh(epsilon / 2)) - Interval(sigma)) / Interval(sigma)));
-  for (const std::size_t i : {0U, 1U}) {
-    const mpq_class h = sigma + squares[i];
-    expect(!is_less(h.get_num(), h.get_den(), half_epsilon),
-           vertex_name(collar.vertices[i]) + " is in the epsilon-thin part");
-    // cosh² d_v = 1 + s²/σ.
-    const mpq_class ratio = squares[i] / sigma;
-    const Interval distance = arsinh(sqrt(Interval(ratio)));
-    const Interval along = 2 * arsinh(sinh(half_length / 2) * sqrt(Interval(ratio + 1)));
-    expect(is_less(along + distance - thin_width, epsilon),
-           vertex_name(collar.vertices[i]) + " does not cover the thick part of its side of the annulus");
-  }
-}
+template void NetRules<mpz_class>::check_collars();
+template void NetRules<Algebraic>::check_collars();
 
 }  // namespace epsnet::exact

@@ -51,21 +51,21 @@ const std::vector<Json>& tuple(const Json& value, std::size_t size, const char* 
   return elements;
 }
 
-Point read_rational_point(const Json& x, const Json& y) {
+RationalPoint read_rational_point(const Json& x, const Json& y) {
   const mpq_class re = to_rational(x);
   const mpq_class im = to_rational(y);
   const mpz_class m = lcm(re.get_den(), im.get_den());
   return {{re.get_num() * (m / re.get_den()), im.get_num() * (m / im.get_den())}, m};
 }
 
-Point read_binary_point(const Json& x, const Json& y) {
+RationalPoint read_binary_point(const Json& x, const Json& y) {
   const Binary64 re = to_binary64(x);
   const Binary64 im = to_binary64(y);
   const long shift = std::max({0L, -re.exponent, -im.exponent});
   const auto scaled = [&](const Binary64& n) {
     return mpz_class(n.mantissa << static_cast<mp_bitcnt_t>(n.exponent + shift));
   };
-  return lowest_terms({scaled(re), scaled(im)}, mpz_class(1) << static_cast<mp_bitcnt_t>(shift));
+  return lowest_terms({scaled(re), scaled(im)}, mpz_class(mpz_class(1) << static_cast<mp_bitcnt_t>(shift)));
 }
 
 void expect_version(const Json& root) {
@@ -121,30 +121,59 @@ std::vector<Collar> read_collars(const Json& value, Words& words) {
   return collars;
 }
 
+Index read_between(const Json& value, Index least, Index most, const char* what) {
+  const Index n = to_index(value);
+  if (n < least || n > most) {
+    throw Malformed(std::string(what) + ": not from " + std::to_string(least) + " to " + std::to_string(most));
+  }
+  return n;
+}
+
+void read_gluing(const Json& surface, Net& net) {
+  for (const Json& row : array(member(surface, "gluing"), "gluing")) {
+    const auto& four = tuple(row, 4, "gluing");
+    net.gluing.push_back({to_index(four[0]), to_index(four[1]), to_index(four[2]), to_index(four[3])});
+  }
+}
+
+void read_surface(const Json& surface, Net& net) {
+  const Json& kind = member(surface, "kind");
+  if (is_text(kind, "regular")) {
+    expect_members(surface, {"kind", "genus", "about"});
+    const Index genus = read_between(member(surface, "genus"), 2, 1000, "genus");
+    net.regular = {4 * genus, 4 * genus};
+    for (Index k = 0; k < 2 * genus; ++k) net.gluing.push_back({0, k, 0, k + 2 * genus});
+  } else if (is_text(kind, "map")) {
+    expect_members(surface, {"kind", "p", "q", "gluing", "about"});
+    net.regular = {read_between(member(surface, "p"), 3, 10'000, "p"),
+                   read_between(member(surface, "q"), 3, 10'000, "q")};
+    read_gluing(surface, net);
+    if (2 * net.gluing.size() % net.regular->p != 0) throw Malformed("the sides are not those of whole tiles");
+  } else {
+    expect_members(surface, {"kind", "tiles", "gluing", "about"});
+    expect_text(kind, "tiles", "the kind of the surface");
+    for (const Json& row : array(member(surface, "tiles"), "tiles")) {
+      net.tiles.emplace_back();
+      for (const Json& vertex : array(row, "a tile")) {
+        const auto& pair = tuple(vertex, 2, "a vertex of a tile");
+        net.tiles.back().push_back(read_rational_point(pair[0], pair[1]));
+      }
+    }
+    read_gluing(surface, net);
+  }
+  if (const Json* about = find(surface, "about");
+      about != nullptr && (about->kind != Json::Kind::string || about->text.size() > (std::size_t{1} << 20))) {
+    throw Malformed("about: expected a string of at most 1 MiB");
+  }
+}
+
 Net read_net(const Json& root, Words& words) {
   expect_members(root,
                  {"format", "version", "surface", "epsilon", "charts", "labels", "vertices", "triangles", "collars"});
   expect_text(member(root, "format"), "epsnet-net", "the format");
   expect_version(root);
   Net net;
-  const Json& surface = member(root, "surface");
-  expect_members(surface, {"kind", "tiles", "gluing", "about"});
-  expect_text(member(surface, "kind"), "tiles", "the kind of the surface");
-  if (const Json* about = find(surface, "about");
-      about != nullptr && (about->kind != Json::Kind::string || about->text.size() > (std::size_t{1} << 20))) {
-    throw Malformed("about: expected a string of at most 1 MiB");
-  }
-  for (const Json& row : array(member(surface, "tiles"), "tiles")) {
-    net.tiles.emplace_back();
-    for (const Json& vertex : array(row, "a tile")) {
-      const auto& pair = tuple(vertex, 2, "a vertex of a tile");
-      net.tiles.back().push_back(read_rational_point(pair[0], pair[1]));
-    }
-  }
-  for (const Json& row : array(member(surface, "gluing"), "gluing")) {
-    const auto& four = tuple(row, 4, "gluing");
-    net.gluing.push_back({to_index(four[0]), to_index(four[1]), to_index(four[2]), to_index(four[3])});
-  }
+  read_surface(member(root, "surface"), net);
   net.epsilon = to_decimal(member(root, "epsilon"));
   for (const Json& row : array(member(root, "charts"), "charts")) {
     const auto& three = tuple(row, 3, "a chart");

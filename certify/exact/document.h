@@ -11,10 +11,11 @@
 #include "certify/exact/json.h"
 #include "certify/exact/plane.h"
 
-/// The documents that this checker knows (docs/format.md), on surfaces of rational tiles.
+/// The documents that this checker knows (docs/format.md).
 namespace epsnet::exact {
 
 using Index = std::uint32_t;
+using RationalPoint = Point<mpz_class>;
 
 struct Label {
   Index from;
@@ -24,7 +25,7 @@ struct Label {
 
 struct Vertex {
   Index chart;
-  Point z;
+  RationalPoint z;
 };
 
 struct Triangle {
@@ -41,21 +42,31 @@ struct Collar {
   std::array<Index, 2> triangles;
 };
 
+/// Of a regular surface or a map: p-gons with the angles 2π/q.
+struct RegularTiles {
+  Index p;
+  Index q;
+};
+
 struct Net {
-  std::vector<std::vector<Point>> tiles;
+  std::vector<std::vector<RationalPoint>> tiles;  ///< Unless they are regular.
+  std::optional<RegularTiles> regular;
   std::vector<std::array<Index, 4>> gluing;
   mpq_class epsilon;
-  std::vector<std::pair<Index, Point>> charts;
+  std::vector<std::pair<Index, RationalPoint>> charts;
   std::vector<Label> labels;
   std::vector<Vertex> vertices;
   std::vector<Triangle> triangles;
   std::optional<std::vector<Collar>> collars;
+
+  [[nodiscard]] std::size_t tile_count() const { return regular ? 2 * gluing.size() / regular->p : tiles.size(); }
+  [[nodiscard]] std::size_t sides_of(std::size_t tile) const { return regular ? regular->p : tiles[tile].size(); }
 };
 
 struct DistanceDocument {
   Net net;
   Index tile;
-  Point point;
+  RationalPoint point;
   std::array<mpq_class, 2> distance;
   std::vector<std::vector<Index>> paths;
   bool equal;

@@ -22,6 +22,12 @@ class Interval {
     mpfr_set_q(lower_, x.get_mpq_t(), MPFR_RNDD);
     mpfr_set_q(upper_, x.get_mpq_t(), MPFR_RNDU);
   }
+  /// From lower/2^exponent to upper/2^exponent.
+  Interval(const mpz_class& lower, const mpz_class& upper, mpfr_exp_t exponent) {
+    mpfr_inits2(kBits, lower_, upper_, nullptr);
+    mpfr_set_z_2exp(lower_, lower.get_mpz_t(), -exponent, MPFR_RNDD);
+    mpfr_set_z_2exp(upper_, upper.get_mpz_t(), -exponent, MPFR_RNDU);
+  }
   Interval(const Interval& other) {
     mpfr_inits2(kBits, lower_, upper_, nullptr);
     *this = other;
@@ -121,5 +127,7 @@ class Interval {
   mpfr_t lower_;
   mpfr_t upper_;
 };
+
+inline Interval enclosure(const mpz_class& x) { return Interval(mpq_class(x)); }
 
 }  // namespace epsnet::exact

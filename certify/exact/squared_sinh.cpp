@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "certify/exact/net_rules.h"
+#include "certify/exact/plane.h"
 
 namespace epsnet::exact {
 
@@ -30,14 +30,6 @@ SquaredSinh squared_sinh(const mpq_class& x) {
     if (t == 0 && high * 8 < divisor) break;
   }
   return {.lower = lower, .upper = upper + u, .k = k};
-}
-
-Answer is_less(const mpz_class& numerator, const mpz_class& denominator, const SquaredSinh& s) {
-  if (s.infinite) return Answer::yes;
-  const mpz_class scaled = numerator << s.k;
-  if (scaled < s.lower * denominator) return Answer::yes;
-  if (scaled >= s.upper * denominator) return Answer::no;
-  return Answer::unknown;
 }
 
 }  // namespace epsnet::exact

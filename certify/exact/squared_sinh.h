@@ -1,9 +1,15 @@
 #pragma once
 
 #include <gmpxx.h>
+#include <string>
 
-/// Rational numbers compared with sinh² of rational numbers.
+/// Numbers compared with sinh² of rational numbers.
 namespace epsnet::exact {
+
+/// A question that is too large for exact numbers, or too close for the digits used.
+struct TooLarge {
+  std::string what;
+};
 
 enum class Answer { no, yes, unknown };
 
@@ -30,6 +36,12 @@ inline const SquaredSinh kInfiniteSinh{.lower = {}, .upper = {}, .infinite = tru
 [[nodiscard]] SquaredSinh squared_sinh(const mpq_class& x);
 
 /// Whether numerator/denominator < sinh²x. The denominator is positive. The two are equal only if both are 0.
-[[nodiscard]] Answer is_less(const mpz_class& numerator, const mpz_class& denominator, const SquaredSinh& s);
+template <class R>
+[[nodiscard]] Answer is_less(const R& numerator, const R& denominator, const SquaredSinh& s) {
+  if (s.infinite) return Answer::yes;
+  const R scaled = mpz_class(mpz_class(1) << s.k) * numerator;
+  if (sgn(R(scaled - s.lower * denominator)) < 0) return Answer::yes;
+  return sgn(R(scaled - s.upper * denominator)) >= 0 ? Answer::no : Answer::unknown;
+}
 
 }  // namespace epsnet::exact

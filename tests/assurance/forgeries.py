@@ -469,7 +469,7 @@ def glued_side_of_32_ones():
     return document
 
 
-@malformed("surface.genus", exact=LEFT)
+@malformed("surface.genus")
 def genus_plus_2_to_32():
     """A regular surface of genus 2³² + 2."""
     document = seed("regular")
@@ -1170,7 +1170,7 @@ def nothing_at_all():
     return with_(octagon(), triangles=[], vertices=[], labels=[], charts=[])
 
 
-@refuted("map", exact=LEFT)
+@refuted("map")
 def genus_of_another_surface():
     """A net of the regular surface of genus 2, said to be one of genus 3."""
     document = seed("regular")
@@ -1320,7 +1320,7 @@ def pairing_of_another_surface():
     return document
 
 
-@refuted("gluing", exact=LEFT, also=["orientation", "delaunay", "covering", "packing"])
+@refuted("gluing", also=["orientation", "delaunay", "covering", "packing"])
 def label_of_a_regular_surface():
     """One letter of one word of a net on the regular surface is replaced by the next side, which the symmetries do
     not distinguish from it."""
@@ -1530,7 +1530,7 @@ def tie_missed_by_the_least_binary64():
     raise AssertionError
 
 
-@refuted("delaunay", exact=LEFT)
+@refuted("delaunay")
 def tie_of_a_regular_surface_missed():
     """Symmetric vertices of the regular octagon, one of them moved by one unit in the last place."""
     document = seed("regular-of-one-vertex")
@@ -1633,7 +1633,7 @@ def epsilon_1e_minus_9999():
     return with_(octagon(), epsilon="1e-9999")
 
 
-@refuted("covering", exact=LEFT)
+@refuted("covering")
 def epsilon_1e_60_less_than_the_radius_of_the_regular_octagon():
     """ε is arcosh(3 + 2√2), the circumradius of the regular octagon, rounded down after 60 digits."""
     return with_(seed("regular-of-one-vertex"), epsilon=to_60_digits(regular_radius()))
@@ -1731,7 +1731,7 @@ def narrow_collar_as_a_net():
     return document
 
 
-@refuted("packing", exact=LEFT)
+@refuted("packing")
 def epsilon_more_than_the_edges_of_a_regular_surface():
     """A net of the regular surface whose ε exceeds its shortest edge by less than 10⁻¹⁵."""
     return with_(seed("regular"), epsilon="1.52857091948099")
@@ -2471,27 +2471,27 @@ def distance_without_a_path_that_is_longer_by_1e_16():
     return document
 
 
-@refuted("nearest", exact=LEFT)
+@refuted("nearest")
 def distance_along_another_path():
     """The one path listed goes once around a side first, and the distance is said to be as large as that."""
     return with_(distance_file("bolza"), paths=[[2, 0]], distance=[0, 10])
 
 
-@refuted("nearest", exact=LEFT)
+@refuted("nearest")
 def distance_with_an_upper_end_beyond_the_next_path():
     """hi is more than the length of the next path, which is not listed."""
     document = distance_file("bolza")
     return with_(document, distance=[document["distance"][0], 5])
 
 
-@refuted("paths", exact=LEFT)
+@refuted("paths")
 def distance_too_large_by_1e_12():
     """The enclosure is moved up by 10⁻¹²."""
     document = distance_file("bolza")
     return with_(document, distance=[x + 1e-12 for x in document["distance"]])
 
 
-@refuted("paths", exact=LEFT)
+@refuted("paths")
 def distance_too_small_by_1e_12():
     """The enclosure is moved down by 10⁻¹²."""
     document = distance_file("bolza")
@@ -2564,13 +2564,13 @@ def bound_moved(name, low, high):
     return with_(document, value=[document["value"][0] + low, document["value"][1] + high])
 
 
-@refuted("cells", exact=LEFT)
+@refuted("cells")
 def diameter_too_small_by_1e_12():
     """The upper end for the regular surface of genus 2 is less than its diameter by 10⁻¹², the lower end by more."""
     return with_(bound_file("regular-diameter"), value=[2.4, math.acosh(math.tan(math.pi / 8) ** -2) - 1e-12])
 
 
-@refuted("lower", exact=LEFT)
+@refuted("lower")
 def diameter_too_large_by_1e_12():
     """The whole enclosure is moved up by 10⁻¹²."""
     return bound_moved("regular-diameter", 1e-12, 1e-12)
@@ -2583,7 +2583,7 @@ def diameter_with_all_cells_bounded_by_the_triangulation_of_the_net():
     return with_(document, cells=[[entry if entry < 3 else 3 for entry in row] for row in document["cells"]])
 
 
-@refuted("cells", exact=LEFT)
+@refuted("cells")
 def diameter_with_a_flip_left_out():
     """A triangulation lacks its last flip, and so do all that are made from it."""
     document = bound_file("regular-diameter")
@@ -2692,7 +2692,7 @@ def embedded_disk_of_radius_nothing():
     return with_(document, value=[0, document["value"][1]])
 
 
-@malformed("bound file", exact=LEFT)
+@malformed("bound file")
 def bound_with_another_claim():
     """A claim that does not exist."""
     return with_(bound_file("regular-diameter"), claim="girth")
@@ -2809,7 +2809,7 @@ def short_curves_as_they_are():
     return document
 
 
-@disguise(LEFT)
+@disguise()
 def regular_as_it_is():
     """The regular surface."""
     return seed("regular")
@@ -3029,7 +3029,7 @@ def epsilon_1e_60_less_than_the_shortest_edge():
     return with_(octagon(), epsilon=to_60_digits(edge_of(Mesh(octagon()))))
 
 
-@disguise(LEFT)
+@disguise()
 def epsilon_1e_60_more_than_the_radius_of_the_regular_octagon():
     """ε is the circumradius of the regular octagon, rounded up after 60 digits."""
     return with_(seed("regular-of-one-vertex"), epsilon=to_60_digits(regular_radius(), 1))

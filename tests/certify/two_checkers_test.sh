@@ -32,6 +32,7 @@ expect() {
 
 good=$data/verified/octagon-9-vertices.json
 regular=$data/verified/regular-2-10-vertices.json
+spectrum=$data/../geodesics/bolza-to-6.2.json
 refuted=$data/refuted/surface-torus.json
 malformed=$data/malformed/empty.json
 undecided=$data/undecided/packing-epsilon-is-the-edge-length-to-2600-digits.json
@@ -40,9 +41,12 @@ undecided=$data/undecided/packing-epsilon-is-the-edge-length-to-2600-digits.json
 expect 0 "second checker: VERIFIED
 verified by: certify and certify-exact
 VERIFIED" "$certify" "$good"
-expect 0 "second checker: not asked, not for this checker: regular surfaces
-verified by: certify
+expect 0 "second checker: VERIFIED
+verified by: certify and certify-exact
 VERIFIED" "$certify" "$regular"
+expect 0 "second checker: not asked, not for this checker: geodesics files
+verified by: certify
+VERIFIED" "$certify" "$spectrum"
 "$certify" "$refuted" | grep -q '^second checker: REFUTED: surface: ' || fail "the torus is not refuted twice"
 "$certify" "$refuted" | grep -q '^verified by: ' && fail "the torus is verified by somebody"
 

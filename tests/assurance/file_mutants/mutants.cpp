@@ -89,6 +89,11 @@ Surface cuffs(const PantsGraph& graph, const std::vector<const char*>& lengths) 
   return fenchel_nielsen_surface(coordinates);
 }
 
+/// A regular octagon, with sides glued of which some numbers have an odd sum.
+Surface octagon_of_another_gluing() {
+  return Surface::map({8, 8}, {{0, 0, 0, 2}, {0, 1, 0, 4}, {0, 3, 0, 6}, {0, 5, 0, 7}});
+}
+
 std::vector<Family> families() {
   std::vector<Family> all;
   const auto add = [&](std::string name, unsigned weight, unsigned reference_one_of,
@@ -136,7 +141,7 @@ std::vector<Family> families() {
     b.push_back(net("a cuff of 1e-3", cuffs(PantsGraph::chain(2), {"2", "0.001", "2.5"}), "1.6", 2));
   }
   {
-    auto& b = add("regular nets", 100, 1, false);
+    auto& b = add("regular nets", 100, 1, true);
     b.push_back(net("regular of genus 2", Surface::regular(2), "1.2", 2));
     b.push_back(file("forgeries/regular.json", 2));
     b.push_back(file("forgeries/regular-of-one-vertex.json", 3));
@@ -144,6 +149,13 @@ std::vector<Family> families() {
     b.push_back(file("certify/verified/regular-3-centre.json", 4));
     b.push_back(net("regular of genus 3", Surface::regular(3), "1.6", 1));
     b.push_back(net("regular of genus 4", Surface::regular(4), "2", 1));
+  }
+  {
+    // The reference does not know maps.
+    auto& b = add("maps", 40, 0, true);
+    b.push_back(file("certify/verified/map-klein.json", 1));
+    b.push_back(file("certify/verified/map-bring.json", 1));
+    b.push_back(net("an octagon of another gluing", octagon_of_another_gluing(), "1.5", 2));
   }
   {
     auto& b = add("pseudo nets", 60, 1, true);
@@ -165,12 +177,14 @@ std::vector<Family> families() {
     b.push_back(file("distances/four-equal.json", 3));
     b.push_back(file("distances/zero.json", 1));
     b.push_back(file("distances/across-a-cuff-of-1e-8.json", 1));
+    b.push_back(file("distances/bolza.json", 2));
   }
   {
     auto& b = add("bounds", 60, 0, true);
     b.push_back(file("bounds/octagon-diameter.json", 2));
     b.push_back(file("bounds/octagon-radius.json", 2));
     b.push_back(file("bounds/octagon-embedded-disk.json", 2));
+    b.push_back(file("bounds/regular-diameter.json", 2));
   }
   return all;
 }

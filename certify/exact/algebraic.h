@@ -1,0 +1,92 @@
+#pragma once
+
+#include <gmpxx.h>
+#include <map>
+#include <vector>
+
+#include "certify/exact/interval.h"
+
+/// The real numbers that regular tiles need, exactly (docs/proof.md, section 9).
+namespace epsnet::exact {
+
+class Algebraic;
+
+/// x_0 + Σ x_k 2cos(2πk/n), k >= 1. The last number is not 0.
+using Cosines = std::vector<mpz_class>;
+
+/// ℤ[2cos(2π/n), s] for regular p-gons with the angles 2π/q. With d_m = 2 sin(π/m), s = d_p d_q sinh ρ and so
+/// s² = (2 − 2cos(2π/q))(2cos(2π/p) + 2cos(2π/q)).
+class RealField {
+ public:
+  /// n = lcm(4, q, p), or lcm(4, q, 2p) if `half_turns`. p, q >= 3, (p − 2)(q − 2) > 4. Throws TooLarge if the field of
+  /// the cosines has a degree of more than kMaxDegree.
+  RealField(unsigned long p, unsigned long q, bool half_turns);
+  RealField(const RealField&) = delete;
+  RealField& operator=(const RealField&) = delete;
+
+  static constexpr std::size_t kMaxDegree = 64;
+
+  [[nodiscard]] unsigned long n() const { return n_; }
+  /// Of the field of the cosines: numbers are given by this many first cosines.
+  [[nodiscard]] std::size_t degree() const { return relation_.size() - 1; }
+  /// 2 cos(2πk/n).
+  [[nodiscard]] Algebraic cosine(long k) const;
+  [[nodiscard]] Algebraic s() const;
+
+  [[nodiscard]] Cosines product(const Cosines& x, const Cosines& y) const;
+  [[nodiscard]] const Cosines& square_of_s() const { return square_of_s_; }
+
+  /// 2^bits times 1, 2cos(2π/n), 2cos(4π/n), … and, the last one, s: integers that are wrong by less than 1.
+  [[nodiscard]] const std::vector<mpz_class>& values(mp_bitcnt_t bits) const;
+
+ private:
+  /// Normal form: fewer than degree() + 1 numbers.
+  void reduce(Cosines& x) const;
+
+  unsigned long p_;
+  unsigned long q_;
+  unsigned long n_;
+  /// The cyclotomic polynomial: 0 = r_0 + Σ r_k 2cos(2πk/n), of which the last r_k is 1.
+  std::vector<long> relation_;
+  Cosines square_of_s_;
+  mutable std::map<mp_bitcnt_t, std::vector<mpz_class>> values_;
+};
+
+/// u + vs. An integer belongs to every field; other numbers of one formula to the same one, which must live as long.
+class Algebraic {
+ public:
+  Algebraic(long n = 0) : Algebraic(mpz_class(n)) {}  // NOLINT(google-explicit-constructor): numbers in formulas.
+  Algebraic(const mpz_class& n);                      // NOLINT(google-explicit-constructor)
+  Algebraic(const RealField& field, Cosines u, Cosines v);
+
+  [[nodiscard]] const Cosines& u() const { return u_; }
+
+  friend Algebraic operator+(const Algebraic& x, const Algebraic& y);
+  friend Algebraic operator-(const Algebraic& x, const Algebraic& y);
+  friend Algebraic operator-(const Algebraic& x);
+  friend Algebraic operator*(const Algebraic& x, const Algebraic& y);
+
+  /// The sign, exactly.
+  friend int sgn(const Algebraic& x);
+  friend Interval enclosure(const Algebraic& x);
+
+  friend void take_common(const Algebraic& x, mpz_class& common);
+  friend void divide(Algebraic& x, const mpz_class& divisor);
+  /// Bits of all integers, as often as the degree says: the cost of a product.
+  friend std::size_t bits(const Algebraic& x);
+
+ private:
+  /// 2^(2 bits) times the number is nearer than the error to the value.
+  struct Approximation {
+    mpz_class value;
+    mpz_class error;
+  };
+  [[nodiscard]] Approximation approximation(mp_bitcnt_t bits) const;
+  [[nodiscard]] bool is_integer() const { return u_.size() <= 1 && v_.empty(); }
+
+  const RealField* field_ = nullptr;  ///< None for integers.
+  Cosines u_;
+  Cosines v_;
+};
+
+}  // namespace epsnet::exact
