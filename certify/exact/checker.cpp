@@ -49,8 +49,11 @@ Result check(std::string_view text) {
     const Json root = parse_json(text);
     if (root.kind != Json::Kind::object) throw Malformed("expected an object");
     const Json& format = member(root, "format");
-    for (const std::string kind : {"geodesics", "eigenvalues"}) {
-      if (is_text(format, "epsnet-" + kind)) return left_out(kind + " files");
+    if (is_text(format, "epsnet-eigenvalues")) return left_out("eigenvalues files");
+    if (is_text(format, "epsnet-geodesics")) {
+      if (is_text(member(root, "claim"), "thick-thin")) return left_out("thick-thin decompositions");
+      const GeodesicsDocument document = read_geodesics(root);
+      return ask_all(document.net, [&](auto& net) { return geodesic_rules(document, net); });
     }
     if (is_text(format, "epsnet-distance")) {
       const DistanceDocument document = read_distance(root);

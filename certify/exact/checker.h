@@ -3,9 +3,9 @@
 #include <string>
 #include <string_view>
 
-/// A second checker of nets, pseudo nets, distance files and bound files. It computes with integers, of which it makes
-/// the algebraic numbers of regular tiles, and with intervals whose ends MPFR rounds where a root or a function is
-/// asked.
+/// A second checker of nets, pseudo nets, systoles, spectra, distance files and bound files. It computes with integers,
+/// of which it makes the algebraic numbers of regular tiles, and with intervals whose ends MPFR rounds where a root or
+/// a function is asked.
 ///
 /// It shares nothing with the checker beside it: no ball arithmetic, no JSON library, no threads, no line of code. It
 /// is written against docs/format.md and docs/proof.md, in the order of the latter's sections.
@@ -23,8 +23,8 @@ struct Result {
 /// What takes the place of a rule where a file is not for this checker; the message says what kind of file it is.
 inline constexpr const char* kLeftOut = "document";
 
-/// The verdict on a file. Compact, geodesics and eigenvalues files are undecided, by kLeftOut. Linear time in the size
-/// of the file but for the exact numbers of labels. Throws std::bad_alloc only.
+/// The verdict on a file. Compact files, thick-thin decompositions and eigenvalues files are undecided, by kLeftOut.
+/// Linear time in the size of the file but for the exact numbers of labels. Throws std::bad_alloc only.
 [[nodiscard]] Result check(std::string_view text);
 
 }  // namespace epsnet::exact

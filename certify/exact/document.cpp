@@ -196,13 +196,25 @@ Net read_net(const Json& root, Words& words) {
   return net;
 }
 
-/// The net of a claim: of one vertex, and without collars.
-Net read_one_vertex_net(const Json& root, Words& words) {
+/// The net of a claim: without collars.
+Net read_whole_net(const Json& root, Words& words) {
   const Json& net = member(root, "net");
   if (net.kind == Json::Kind::object && find(net, "collars") != nullptr) throw Malformed("a pseudo net");
-  Net result = read_net(net, words);
+  return read_net(net, words);
+}
+
+Net read_one_vertex_net(const Json& root, Words& words) {
+  Net result = read_whole_net(root, words);
   if (result.vertices.size() != 1) throw Malformed("a net of another number of vertices than one");
   return result;
+}
+
+bool read_bool(const Json& value) {
+  const bool is_true = value.kind == Json::Kind::literal && value.text == "true";
+  if (!is_true && (value.kind != Json::Kind::literal || value.text != "false")) {
+    throw Malformed("expected true or false");
+  }
+  return is_true;
 }
 
 }  // namespace
@@ -225,11 +237,7 @@ DistanceDocument read_distance(const Json& root) {
                             .paths = {},
                             .equal = false};
   for (const Json& word : array(member(root, "paths"), "paths")) document.paths.push_back(words.read(word));
-  const Json& equal = member(root, "equal");
-  document.equal = equal.kind == Json::Kind::literal && equal.text == "true";
-  if (!document.equal && (equal.kind != Json::Kind::literal || equal.text != "false")) {
-    throw Malformed("equal: expected true or false");
-  }
+  document.equal = read_bool(member(root, "equal"));
   return document;
 }
 
@@ -258,6 +266,33 @@ BoundDocument read_bound(const Json& root) {
     document.triangulations.push_back({parent, std::move(flips)});
   }
   for (const Json& row : array(member(root, "cells"), "cells")) document.cells.push_back(read_indices(row, "cells"));
+  return document;
+}
+
+GeodesicsDocument read_geodesics(const Json& root) {
+  expect_version(root);
+  const Json& claim = member(root, "claim");
+  const bool is_spectrum = is_text(claim, "spectrum");
+  if (is_spectrum) {
+    expect_members(root, {"format", "version", "claim", "net", "up_to", "geodesics", "clusters"});
+  } else {
+    expect_text(claim, "systole", "the claim");
+    expect_members(root, {"format", "version", "claim", "net", "geodesics"});
+  }
+  Words words;
+  GeodesicsDocument document{.net = read_whole_net(root, words), .up_to = {}, .geodesics = {}, .clusters = {}};
+  for (const Json& row : array(member(root, "geodesics"), "geodesics")) {
+    expect_members(row, {"vertex", "word", "length", "simple"});
+    document.geodesics.push_back({to_index(member(row, "vertex")), words.read(member(row, "word")),
+                                  read_length(member(row, "length"), "a length"), read_bool(member(row, "simple"))});
+  }
+  if (!is_spectrum) return document;
+  document.up_to = to_decimal(member(root, "up_to"));
+  for (const Json& row : array(member(root, "clusters"), "clusters")) {
+    expect_members(row, {"first", "count", "equal"});
+    document.clusters.push_back(
+        {to_index(member(row, "first")), to_index(member(row, "count")), read_bool(member(row, "equal"))});
+  }
   return document;
 }
 

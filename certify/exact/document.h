@@ -86,11 +86,33 @@ struct BoundDocument {
   std::vector<std::vector<Index>> cells;
 };
 
+struct ClosedGeodesic {
+  Index vertex;
+  std::vector<Index> word;
+  std::array<mpq_class, 2> length;
+  bool simple;
+};
+
+struct Cluster {
+  Index first;
+  Index count;
+  bool equal;
+};
+
+/// A systole, or a spectrum, which has a bound.
+struct GeodesicsDocument {
+  Net net;
+  std::optional<mpq_class> up_to;
+  std::vector<ClosedGeodesic> geodesics;
+  std::vector<Cluster> clusters;
+};
+
 // Members, kinds and ranges of numbers. Each throws Malformed. Indices may name what is not there.
 
 [[nodiscard]] Net read_net(const Json& root);
 [[nodiscard]] DistanceDocument read_distance(const Json& root);
 [[nodiscard]] BoundDocument read_bound(const Json& root);
+[[nodiscard]] GeodesicsDocument read_geodesics(const Json& root);
 
 /// The member of an object, if it has one of this name.
 [[nodiscard]] const Json* find(const Json& object, const char* name);

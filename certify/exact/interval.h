@@ -52,7 +52,20 @@ class Interval {
     return z;
   }
   friend Interval operator-(const Interval& x, const Interval& y) { return x + (-y); }
-  friend Interval operator*(const Interval& x, const Interval& y) { return hull_of(mpfr_mul, x, y); }
+  friend Interval operator*(const Interval& x, const Interval& y) {
+    const bool positive = mpfr_sgn(y.lower_) >= 0;
+    if (!positive && mpfr_sgn(y.upper_) > 0) {
+      const bool both_signs = mpfr_sgn(x.lower_) < 0 && mpfr_sgn(x.upper_) > 0;
+      return both_signs ? hull_of(mpfr_mul, x, y) : y * x;
+    }
+    // y has one sign: the ends come from one end of x each.
+    const auto& low = positive ? x.lower_ : x.upper_;
+    const auto& high = positive ? x.upper_ : x.lower_;
+    Interval z;
+    mpfr_mul(z.lower_, low, mpfr_sgn(low) < 0 ? y.upper_ : y.lower_, MPFR_RNDD);
+    mpfr_mul(z.upper_, high, mpfr_sgn(high) < 0 ? y.lower_ : y.upper_, MPFR_RNDU);
+    return z;
+  }
   friend Interval operator/(const Interval& x, const Interval& y) {
     return mpfr_sgn(y.lower_) * mpfr_sgn(y.upper_) > 0 ? hull_of(mpfr_div, x, y) : not_a_number();
   }
@@ -81,6 +94,10 @@ class Interval {
     if (mpfr_less_p(x.upper_, y.lower_) != 0) return Answer::yes;
     return mpfr_greaterequal_p(x.lower_, y.upper_) != 0 ? Answer::no : Answer::unknown;
   }
+
+  // Numbers of binary64 that are not more and not less than the ends.
+  [[nodiscard]] double lower() const { return mpfr_get_d(lower_, MPFR_RNDD); }
+  [[nodiscard]] double upper() const { return mpfr_get_d(upper_, MPFR_RNDU); }
 
   static Interval pi() {
     Interval z;

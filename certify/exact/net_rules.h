@@ -53,7 +53,7 @@ class NetRules : public NetStructure {
   [[nodiscard]] Isometry<R> frame(Index chart) const { return translation_to(point<R>(net().charts[chart].second)); }
   /// The corner where the dart starts, in the chart of its triangle.
   Point<R> corner(Index dart);
-  /// The isometry that takes a lift of the start of a dart to that of its end.
+  /// What takes coordinates of the chart of a dart's end to those of its start's chart, along the dart.
   Isometry<R> element(Index dart) {
     return product(inverse(label(label_number(dart))), label(label_number(next(dart))));
   }

@@ -1971,7 +1971,7 @@ def spectrum():
     return seed("spectrum")
 
 
-@refuted("complete", exact=LEFT)
+@refuted("complete")
 def spectrum_without_one():
     """One geodesic in the middle of the list is left out."""
     document = spectrum()
@@ -1979,7 +1979,7 @@ def spectrum_without_one():
     return runs(document)
 
 
-@refuted("complete", exact=LEFT)
+@refuted("complete")
 def spectrum_without_the_first():
     """The shortest geodesic is left out."""
     document = spectrum()
@@ -1987,7 +1987,7 @@ def spectrum_without_the_first():
     return runs(document)
 
 
-@refuted("complete", exact=LEFT)
+@refuted("complete")
 def spectrum_without_one_just_below_its_bound():
     """The longest geodesic is left out, `up_to` being more than its length by 10⁻¹⁵."""
     document = spectrum()
@@ -1995,14 +1995,14 @@ def spectrum_without_one_just_below_its_bound():
     return runs(with_(document, up_to=repr(last["length"][1])))
 
 
-@refuted("complete", exact=LEFT)
+@refuted("complete")
 def spectrum_of_nothing():
     """No geodesic at all, up to 2.2647398959355344, more than the systole by less than 10⁻¹⁵."""
     return with_(spectrum(), geodesics=[], clusters=[],
                  up_to=repr(math.nextafter(spectrum()["geodesics"][0]["length"][1], 3)))
 
 
-@refuted("complete", exact=LEFT)
+@refuted("complete")
 def spectrum_without_one_of_twelve_equal_ones():
     """One of the twelve systoles of the Bolza surface is left out."""
     document = seed("spectrum-of-equal-lengths")
@@ -2010,14 +2010,14 @@ def spectrum_without_one_of_twelve_equal_ones():
     return runs(document)
 
 
-@refuted("geodesics", exact=LEFT)
+@refuted("geodesics")
 def spectrum_with_one_beyond_its_bound():
     """`up_to` is less than the longest length by 10⁻¹⁵."""
     document = spectrum()
     return with_(document, up_to=repr(document["geodesics"][-1]["length"][0] - 1e-15))
 
 
-@refuted("distinct", exact=LEFT)
+@refuted("distinct")
 def spectrum_with_a_power():
     """Twice around the shortest geodesic, as one more of a list that has all."""
     document = seed("spectrum-with-a-figure-eight")
@@ -2029,7 +2029,7 @@ def spectrum_with_a_power():
     return runs(document)
 
 
-@refuted("distinct", exact=LEFT)
+@refuted("distinct")
 def spectrum_with_a_twin():
     """The shortest geodesic again, as another loop, conjugated."""
     document = spectrum()
@@ -2040,7 +2040,7 @@ def spectrum_with_a_twin():
     return runs(document)
 
 
-@refuted("distinct", exact=LEFT)
+@refuted("distinct")
 def spectrum_with_an_inverse():
     """The shortest geodesic again, the other way around."""
     document = spectrum()
@@ -2049,7 +2049,7 @@ def spectrum_with_an_inverse():
     return runs(document)
 
 
-@refuted("distinct", exact=LEFT)
+@refuted("distinct")
 def spectrum_with_a_twin_for_one_left_out():
     """One of twelve geodesics of equal length is replaced by another one of them, inverted and conjugated: their number
     is right."""
@@ -2059,7 +2059,7 @@ def spectrum_with_a_twin_for_one_left_out():
     return document
 
 
-@refuted("geodesics", exact=LEFT)
+@refuted("geodesics")
 def length_too_small_by_one_unit():
     """A length's upper end is the binary64 number below the lower end of the true enclosure."""
     document = spectrum()
@@ -2068,7 +2068,7 @@ def length_too_small_by_one_unit():
     return document
 
 
-@refuted("geodesics", exact=LEFT)
+@refuted("geodesics")
 def word_of_the_identity():
     """A word that goes once around the corner of the octagon, and so is no geodesic."""
     document = spectrum()
@@ -2076,7 +2076,7 @@ def word_of_the_identity():
     return document
 
 
-@refuted("geodesics", exact=LEFT)
+@refuted("geodesics")
 def word_of_another_geodesic():
     """The word of the second geodesic with the length of the first."""
     document = spectrum()
@@ -2085,7 +2085,7 @@ def word_of_another_geodesic():
     return document
 
 
-@refuted("simple", exact=LEFT)
+@refuted("simple")
 def simple_geodesic_said_to_cross_itself():
     """A simple geodesic is said not to be simple."""
     document = spectrum()
@@ -2093,7 +2093,7 @@ def simple_geodesic_said_to_cross_itself():
     return document
 
 
-@refuted("simple", exact=LEFT)
+@refuted("simple")
 def figure_eight_said_to_be_simple():
     """A geodesic that crosses itself is said to be simple."""
     document = seed("spectrum-with-a-figure-eight")
@@ -2101,7 +2101,7 @@ def figure_eight_said_to_be_simple():
     return document
 
 
-@refuted("equal", exact=LEFT)
+@refuted("equal")
 def lengths_said_to_be_equal():
     """The enclosures of two lengths are widened until they meet, and the lengths said to be equal."""
     document = spectrum()
@@ -2110,7 +2110,7 @@ def lengths_said_to_be_equal():
     return runs(document)
 
 
-@malformed("clusters[0]", exact=LEFT)
+@malformed("clusters[0]")
 def clusters_that_are_not_the_runs():
     """Twelve equal lengths as two clusters of six."""
     document = seed("spectrum-of-equal-lengths")
@@ -2118,7 +2118,7 @@ def clusters_that_are_not_the_runs():
     return document
 
 
-@malformed("clusters[0].count", exact=LEFT)
+@malformed("clusters[0].count")
 def cluster_of_2_to_32_more():
     """A cluster of 2³² + 12 geodesics."""
     document = seed("spectrum-of-equal-lengths")
@@ -2126,7 +2126,7 @@ def cluster_of_2_to_32_more():
     return document
 
 
-@malformed("clusters[0]", exact=LEFT)
+@malformed("clusters[0]")
 def cluster_that_overflows():
     """Clusters of 2³² − 1 and 13 geodesics: twelve in 32 bits."""
     document = seed("spectrum-of-equal-lengths")
@@ -2135,7 +2135,7 @@ def cluster_that_overflows():
     return document
 
 
-@refuted("complete", exact=LEFT)
+@refuted("complete")
 def systole_that_is_the_second():
     """The second shortest geodesic is said to be the shortest."""
     document = seed("systole")
@@ -2143,7 +2143,7 @@ def systole_that_is_the_second():
     return with_(document, net=seed("spectrum")["net"], geodesics=[second])
 
 
-@refuted("complete", exact=LEFT)
+@refuted("complete")
 def systole_run_through_twice():
     """The square of the systole is said to be the systole."""
     document = seed("systole")
@@ -2153,7 +2153,7 @@ def systole_run_through_twice():
     return document
 
 
-@refuted("geodesics", exact=LEFT)
+@refuted("geodesics")
 def systole_too_short():
     """The systole with a length that is less by 10⁻¹⁵."""
     document = seed("systole")
@@ -2162,7 +2162,7 @@ def systole_too_short():
     return document
 
 
-@malformed("geodesics[0]", exact=LEFT)
+@malformed("geodesics[0]")
 def systole_between_nearly_nothing_and_its_length():
     """The length of the systole between 10⁻³⁰⁰ and 2.3: a true enclosure that says nothing."""
     document = seed("systole")
@@ -2170,7 +2170,7 @@ def systole_between_nearly_nothing_and_its_length():
     return document
 
 
-@malformed("geodesics[0].vertex", exact=LEFT)
+@malformed("geodesics[0].vertex")
 def vertex_of_a_geodesic_plus_2_to_32():
     """A geodesic's vertex plus 2³²."""
     document = seed("systole")
@@ -2184,7 +2184,7 @@ def spectrum_said_to_be_small_curves():
     return with_(spectrum(), claim="thick-thin")
 
 
-@refuted("covering", exact=LEFT)
+@refuted("covering")
 def geodesics_of_a_net_that_is_none():
     """The net of a list of geodesics has an ε that is too small."""
     document = spectrum()
@@ -2192,7 +2192,7 @@ def geodesics_of_a_net_that_is_none():
     return document
 
 
-@malformed("net", exact=LEFT)
+@malformed("net")
 def geodesics_of_a_pseudo_net():
     """The net of a list of geodesics has the empty list of collars, and may so leave disks uncovered."""
     document = spectrum()
@@ -2715,31 +2715,31 @@ def collars_as_they_are():
     return collars()
 
 
-@disguise(LEFT)
+@disguise()
 def spectrum_as_it_is():
     """The spectrum of the forged ones."""
     return spectrum()
 
 
-@disguise(LEFT)
+@disguise()
 def spectrum_of_nothing_below_the_systole():
     """No geodesic at all, up to a number less than the systole by less than 10⁻¹⁵."""
     return with_(spectrum(), geodesics=[], clusters=[], up_to=repr(below(spectrum()["geodesics"][0]["length"][0])))
 
 
-@disguise(LEFT)
+@disguise()
 def equal_lengths_as_they_are():
     """The twelve systoles of the Bolza surface."""
     return seed("spectrum-of-equal-lengths")
 
 
-@disguise(LEFT)
+@disguise()
 def figure_eight_as_it_is():
     """A spectrum with a geodesic that crosses itself."""
     return seed("spectrum-with-a-figure-eight")
 
 
-@disguise(LEFT)
+@disguise()
 def systole_as_it_is():
     """The systole."""
     return seed("systole")

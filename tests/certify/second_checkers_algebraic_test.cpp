@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -112,6 +113,21 @@ TEST(SecondCheckersAlgebraic, DegreesThatAreTooLargeAreNotTried) {
   EXPECT_THROW(RealField(10'000, 9'999, true), TooLarge);
   EXPECT_THROW(RealField(4'000, 4'000, false), TooLarge);
   EXPECT_EQ(RealField(84, 84, false).degree(), 12U);
+}
+
+TEST(SecondCheckersIntervals, ProductsAreThoseOfTheirEnds) {
+  // All intervals with ends from −2 to 3.
+  for (long a = -2; a <= 3; ++a) {
+    for (long b = a; b <= 3; ++b) {
+      for (long c = -2; c <= 3; ++c) {
+        for (long d = c; d <= 3; ++d) {
+          const Interval product = Interval(a, b, 0) * Interval(c, d, 0);
+          EXPECT_EQ(product.lower(), static_cast<double>(std::min({a * c, a * d, b * c, b * d})));
+          EXPECT_EQ(product.upper(), static_cast<double>(std::max({a * c, a * d, b * c, b * d})));
+        }
+      }
+    }
+  }
 }
 
 Net tiles_of(Tiles kind, const std::vector<std::array<Index, 2>>& pairs) {

@@ -32,7 +32,7 @@ expect() {
 
 good=$data/verified/octagon-9-vertices.json
 regular=$data/verified/regular-2-10-vertices.json
-spectrum=$data/../geodesics/bolza-to-6.2.json
+cuffs=$data/../geodesics/three-cuffs.json
 refuted=$data/refuted/surface-torus.json
 malformed=$data/malformed/empty.json
 undecided=$data/undecided/packing-epsilon-is-the-edge-length-to-2600-digits.json
@@ -44,9 +44,9 @@ VERIFIED" "$certify" "$good"
 expect 0 "second checker: VERIFIED
 verified by: certify and certify-exact
 VERIFIED" "$certify" "$regular"
-expect 0 "second checker: not asked, not for this checker: geodesics files
+expect 0 "second checker: not asked, not for this checker: thick-thin decompositions
 verified by: certify
-VERIFIED" "$certify" "$spectrum"
+VERIFIED" "$certify" "$cuffs"
 "$certify" "$refuted" | grep -q '^second checker: REFUTED: surface: ' || fail "the torus is not refuted twice"
 "$certify" "$refuted" | grep -q '^verified by: ' && fail "the torus is verified by somebody"
 

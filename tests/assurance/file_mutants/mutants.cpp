@@ -164,12 +164,15 @@ std::vector<Family> families() {
     b.push_back(net("a cuff of 0.01", cuffs(PantsGraph::chain(2), {"0.2", "0.01", "0.2"}), "0.34", 1, true));
   }
   {
-    auto& b = add("geodesics", 50, 1, false);
+    auto& b = add("geodesics", 30, 1, true);
     b.push_back(file("forgeries/systole.json", 8));
     b.push_back(file("forgeries/spectrum.json", 8));
     b.push_back(file("forgeries/spectrum-of-equal-lengths.json", 4));
-    b.push_back(file("forgeries/small-curves.json", 8));
     b.push_back(file("forgeries/spectrum-with-a-figure-eight.json", 1));
+  }
+  {
+    auto& b = add("thick-thin decompositions", 20, 1, false);
+    b.push_back(file("forgeries/small-curves.json", 8));
     b.push_back(file("geodesics/three-cuffs.json", 8));
   }
   {
