@@ -185,7 +185,8 @@ FileReport check_bytes(const Request& request, const std::string& path) {
     return report;
   }
   if (request.print_parsed) write_file(document, std::cout);
-  const NetDocument& net = AnyClaim(document).net();
+  const AnyClaim claim(document);
+  const NetDocument& net = claim.net();
   if (kept && (request.exact || net.triangles.size() <= kTrianglesCheckedTwice)) {
     progress.show("second checker", 0);
     if (is_compact(bytes)) {

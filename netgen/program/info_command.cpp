@@ -42,7 +42,8 @@ struct InfoOf {
   }
   Report operator()(const certify::ClaimDocument& claim) const {
     if (const auto* net = std::get_if<certify::NetDocument>(&claim)) return facts_report(net_info(*net));
-    const certify::ClaimKind& kind = certify::kind_of(claim);
+    const certify::AnyClaim any(claim);
+    const certify::ClaimKind& kind = certify::kind_of(any);
     const Report contents = std::visit(ClaimContents(), claim);
     const std::string word(kind.format.substr(std::string_view("epsnet-").size()));
     Report report{"file: " + std::string(kind.contents) + " (not verified here: run certify)\n" + contents.text,
