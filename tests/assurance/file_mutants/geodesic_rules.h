@@ -30,19 +30,15 @@ class GeodesicRules {
         claim_(file.claim) {
     move_vertices();
     for (const auto& polygon : tiling_.tiles) {
-      if constexpr (std::is_same_v<F, mpz_class>) {
-        std::complex<double> mean = 0;  // In the Klein model, where the polygon is convex.
-        for (const Point<F>& z : polygon) {
-          const Complex<F> n = z.n * conj(z.d);
-          const F size = norm(z.d) + norm(z.n);
-          mean +=
-              std::complex<double>(2 * ratio(n.re, size), 2 * ratio(n.im, size)) / static_cast<double>(polygon.size());
-        }
-        mean /= 1 + std::sqrt(1 - std::norm(mean));
-        centre_.push_back(point<F>({mpq_class(mean.real()), mpq_class(mean.imag())}));
-      } else {
-        centre_.push_back({{F(0), F(0)}, {F(1), F(0)}});
+      std::complex<double> mean = 0;  // In the Klein model, where the polygon is convex.
+      for (const Point<F>& z : polygon) {
+        const Complex<F> n = z.n * conj(z.d);
+        const F size = norm(z.d) + norm(z.n);
+        mean +=
+            std::complex<double>(2 * ratio(n.re, size), 2 * ratio(n.im, size)) / static_cast<double>(polygon.size());
       }
+      mean /= 1 + std::sqrt(1 - std::norm(mean));
+      centre_.push_back(point<F>({mpq_class(mean.real()), mpq_class(mean.imag())}));
     }
     learn(file);
   }
@@ -88,12 +84,6 @@ class GeodesicRules {
   };
 
   void move_vertices() {
-    if constexpr (!std::is_same_v<F, mpz_class>) {
-      // Corner 0 of the octagon is √2 s/4 − (2 − √2) s/4 i.
-      using K = decltype(F().u);
-      tiling_.tiles.assign(1, std::vector<Point<F>>(8));
-      tiling_.tiles[0][0] = {{F(K(0), K(0, 1)), F(K(0), K(-2, 1))}, {F(4), F(0)}};
-    }
     std::vector<Index> first(tiling_.tiles.size(), ~Index{0});
     for (Index s = 0; s < tile_.size(); ++s) first[tile_[s]] = std::min(first[tile_[s]], s);
     const auto old = tiling_.tiles;

@@ -166,29 +166,6 @@ template <class F>
   return result;
 }
 
-/// The regular polygon, without its vertices.
-template <int Genus>
-[[nodiscard]] Tiling<RegularNumber<Genus>> regular_tiling() {
-  using F = RegularNumber<Genus>;
-  using K = typename Field<Genus>::K;
-  const std::vector<K> cosines = Field<Genus>::cosines();
-  const auto cosine = [&](int k) {  // 2 cos(kπ/2g)
-    k = ((k % (4 * Genus)) + 4 * Genus) % (4 * Genus);
-    if (k > 2 * Genus) k = 4 * Genus - k;
-    return k <= Genus ? cosines[static_cast<std::size_t>(k)]
-                      : K(K(0) - cosines[static_cast<std::size_t>(2 * Genus - k)]);
-  };
-  Tiling<F> result;
-  result.euler = 2 - 2 * Genus;
-  const F s{K(0), K(1)};
-  for (int k = 0; k < 4 * Genus; ++k) {
-    const Complex<F> root{F(cosine(k), K(0)), F(cosine(k - Genus), K(0))};  // 2ζᵏ; sin = cos(· − π/2).
-    const F a(Field<Genus>::a() + Field<Genus>::a(), K(0));
-    result.crossing.push_back({{a, F(0)}, {F(-(s * root.re)), F(-(s * root.im))}});
-  }
-  return result;
-}
-
 template <class F>
 class NetRules {
  public:
@@ -197,7 +174,6 @@ class NetRules {
   /// Checks all rules after `surface`, in their order. Throws Broken.
   void check() {
     map();
-    if (tiling_.crossing.empty()) throw Unknown{"a regular surface of large genus"};
     evaluate_labels();
     each_edge("gluing", [&](Index d) { return same(step(d), label(next(d)) * inverse(label(across(d)))); });
     if (net_.collars) collars();

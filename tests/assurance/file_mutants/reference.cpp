@@ -7,7 +7,6 @@ namespace epsnet::attack {
 
 struct KnownGeodesics::Surface {
   std::optional<GeodesicRules<mpz_class>> tiles;
-  std::optional<GeodesicRules<RegularNumber<2>>> octagon;
 };
 
 KnownGeodesics::KnownGeodesics() : surface_(new Surface) {}
@@ -20,28 +19,10 @@ KnownGeodesics::~KnownGeodesics() { delete surface_; }
 
 namespace {
 
-template <class Rules>
-void check(const std::optional<Rules>& rules, const GeodesicsFile& file) {
-  if (!rules || !rules->same_surface(file.net)) throw Unknown{"another surface"};
-  rules->check(file);
-}
-
-/// The rules of the net.
-void check_net(const NetFile& net) {
-  if (net.genus == 0) {
-    const Tiling<mpz_class> tiling = rational_tiling<mpz_class>(net);
-    NetRules<mpz_class>(net, tiling).check();
-    return;
-  }
-  const auto regular = [&]<int Genus>() {
-    static const Tiling<RegularNumber<Genus>> tiling = regular_tiling<Genus>();
-    NetRules<RegularNumber<Genus>>(net, tiling).check();
-  };
-  if (net.genus == 2) return regular.operator()<2>();
-  if (net.genus == 3) return regular.operator()<3>();
-  if (net.genus == 4) return regular.operator()<4>();
-  const Tiling<mpz_class> shape{{}, {}, 2 - 2 * static_cast<long>(net.genus)};
-  NetRules<mpz_class>(net, shape).check();
+/// Throws Unknown for a surface that the reference does not know.
+Tiling<mpz_class> tiling_of(const NetFile& net) {
+  if (net.genus != 0) throw Unknown{"regular tiles"};
+  return rational_tiling<mpz_class>(net);
 }
 
 }  // namespace
@@ -50,13 +31,7 @@ KnownGeodesics learn(std::string_view text) {
   const File file = read_file(text);
   if (!file.geodesics) throw std::runtime_error("no geodesics file");
   KnownGeodesics known;
-  if (file.net.genus == 0) {
-    known.surface_->tiles.emplace(*file.geodesics, rational_tiling<mpz_class>(file.net));
-  } else if (file.net.genus == 2) {
-    known.surface_->octagon.emplace(*file.geodesics, regular_tiling<2>());
-  } else {
-    throw std::runtime_error("geodesics of a regular surface that is not the octagon");
-  }
+  known.surface_->tiles.emplace(*file.geodesics, tiling_of(file.net));
   return known;
 }
 
@@ -64,14 +39,13 @@ Answer ask(std::string_view text, const KnownGeodesics* known) {
   using enum Answer::Verdict;
   try {
     const File file = read_file(text);
-    check_net(file.net);
+    const Tiling<mpz_class> tiling = tiling_of(file.net);
+    NetRules<mpz_class>(file.net, tiling).check();
     if (!file.geodesics) return {valid, ""};
     if (known == nullptr) return {unknown, "the geodesics of another surface"};
-    if (file.net.genus == 0) {
-      check(known->surface_->tiles, *file.geodesics);
-    } else {
-      check(known->surface_->octagon, *file.geodesics);
-    }
+    const auto& rules = known->surface_->tiles;
+    if (!rules || !rules->same_surface(file.net)) throw Unknown{"another surface"};
+    rules->check(*file.geodesics);
     return {valid, ""};
   } catch (const Malformed& malformed_file) {
     return {malformed, malformed_file.why};

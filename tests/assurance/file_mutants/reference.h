@@ -5,11 +5,10 @@
 
 #include "tests/assurance/file_mutants/reference_document.h"
 
-/// A third implementation of the rules of docs/format.md, in exact arithmetic, for every kind of surface, pseudo nets
-/// and geodesics. It is as short as possible, shares no line with certify/, and is for small files only.
+/// A third implementation of the rules of docs/format.md, in exact arithmetic, for rational tiles, pseudo nets and
+/// geodesics. It is as short as possible, shares no line with certify/, and is for small files only.
 ///
-/// It uses integers for rational tiles, and towers of square roots for regular surfaces of genus 2, 3 and 4. Rationals
-/// enclose sinh² of lengths; closed geodesics are compared by the sides that they cross.
+/// It uses integers. Rationals enclose sinh² of lengths; closed geodesics are compared by the sides that they cross.
 namespace epsnet::attack {
 
 struct Answer {

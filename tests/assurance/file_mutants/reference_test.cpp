@@ -23,10 +23,16 @@ std::vector<std::filesystem::path> files(const std::string& folder) {
 
 bool is_geodesics(const std::string& text) { return text.find("epsnet-geodesics") != std::string::npos; }
 
+/// Whether the reference leaves the file to the other checkers.
+bool is_of_regular_tiles(const Answer& answer) {
+  return answer.verdict == Answer::Verdict::unknown && answer.rule == "regular tiles";
+}
+
 TEST(Reference, AcceptsTrueNets) {
   for (const auto& path : files("verified")) {
     if (path.stem().string().starts_with("map-")) continue;  // The reference knows no maps.
     const Answer answer = ask(contents(path));
+    if (is_of_regular_tiles(answer)) continue;
     EXPECT_EQ(answer.verdict, Answer::Verdict::valid) << path << ": " << answer.rule;
   }
 }
@@ -38,6 +44,7 @@ TEST(Reference, NamesTheRuleThatIsBroken) {
     if (name.starts_with("cells-")) continue;               // A bound file: the reference knows none.
     if (name.find("-map-") != std::string::npos) continue;  // A net on a map: likewise.
     const Answer answer = ask(contents(path));
+    if (is_of_regular_tiles(answer)) continue;
     EXPECT_EQ(answer.verdict, Answer::Verdict::invalid) << path << ": " << answer.rule;
     EXPECT_EQ(answer.rule, name.substr(0, name.find('-'))) << path;
   }
