@@ -11,6 +11,8 @@
 #include "certify/claims/eigenvalues/fields.h"
 #include "certify/claims/geodesics/check.h"
 #include "certify/claims/geodesics/fields.h"
+#include "certify/claims/isometries/check.h"
+#include "certify/claims/isometries/fields.h"
 #include "certify/claims/net/fields.h"
 #include "certify/documents.h"
 #include "certify/net/structure.h"

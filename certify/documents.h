@@ -8,14 +8,15 @@
 #include "certify/claims/distance/document.h"
 #include "certify/claims/eigenvalues/document.h"
 #include "certify/claims/geodesics/document.h"
+#include "certify/claims/isometries/document.h"
 #include "certify/net/document.h"
 
 /// The one list of the claims that files can make.
 namespace epsnet::certify {
 
 /// The contents of a file that can be checked. What is needed for each kind of claim follows from this list.
-using ClaimDocument =
-    std::variant<NetDocument, GeodesicsDocument, DistanceDocument, BoundDocument, EigenvaluesDocument>;
+using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocument, BoundDocument, EigenvaluesDocument,
+                                   IsometriesDocument>;
 
 /// Pointers to the documents of that list.
 template <class Documents = ClaimDocument>

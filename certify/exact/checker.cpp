@@ -49,7 +49,9 @@ Result check(std::string_view text) {
     const Json root = parse_json(text);
     if (root.kind != Json::Kind::object) throw Malformed("expected an object");
     const Json& format = member(root, "format");
-    if (is_text(format, "epsnet-eigenvalues")) return left_out("eigenvalues files");
+    for (const std::string kind : {"eigenvalues", "isometries"}) {
+      if (is_text(format, "epsnet-" + kind)) return left_out(kind + " files");
+    }
     if (is_text(format, "epsnet-geodesics")) {
       if (is_text(member(root, "claim"), "thick-thin")) return left_out("thick-thin decompositions");
       const GeodesicsDocument document = read_geodesics(root);

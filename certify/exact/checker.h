@@ -23,8 +23,8 @@ struct Result {
 /// What takes the place of a rule where a file is not for this checker; the message says what kind of file it is.
 inline constexpr const char* kLeftOut = "document";
 
-/// The verdict on a file. Compact files, thick-thin decompositions and eigenvalues files are undecided, by kLeftOut.
-/// Linear time in the size of the file but for the exact numbers of labels. Throws std::bad_alloc only.
+/// The verdict on a file. Compact files, thick-thin decompositions, eigenvalues and isometries files are undecided, by
+/// kLeftOut. Linear time in the size of the file but for the exact numbers of labels. Throws std::bad_alloc only.
 [[nodiscard]] Result check(std::string_view text);
 
 }  // namespace epsnet::exact

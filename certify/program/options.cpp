@@ -70,17 +70,18 @@ std::string description() {
   return text;
 }
 
-/// "net, geodesics, … and …", the kinds of files.
+/// "net, geodesics, … and …", the kinds of files, four on a line.
 std::string names_of_files() {
   std::string text;
   for (std::size_t i = 0; i < kClaimKinds.size(); ++i) {
-    text.append(i == 0 ? "" : i + 1 < kClaimKinds.size() ? ", " : " and ").append(kClaimKinds[i].name);
+    const char* comma = i % 4 == 0 ? ",\n" : ", ";
+    text.append(i == 0 ? "" : i + 1 < kClaimKinds.size() ? comma : " and ").append(kClaimKinds[i].name);
   }
   return text;
 }
 
 void add_options(CLI::App& app, Request& request) {
-  app.add_option("FILE", request.files, names_of_files() + "\nfiles (docs/format.md); \"-\" is standard input")
+  app.add_option("FILE", request.files, names_of_files() + " files\n(docs/format.md); \"-\" is standard input")
       ->required()
       ->option_text("... REQUIRED");
   app.add_flag("--exact", request.exact,

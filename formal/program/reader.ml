@@ -164,7 +164,9 @@ let document root =
 let not_for_this_checker = function
   | Object found -> (
     match member found "format" with
-    | String (("epsnet-geodesics" | "epsnet-distance" | "epsnet-cover" | "epsnet-eigenvalues") as format) ->
+    | String
+        (("epsnet-geodesics" | "epsnet-distance" | "epsnet-cover" | "epsnet-eigenvalues" | "epsnet-isometries") as
+         format) ->
       Some ("a file of the format " ^ format)
     | String "epsnet-net" -> (
       if List.mem_assoc "collars" found then Some "a pseudo net"

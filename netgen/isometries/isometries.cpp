@@ -418,14 +418,14 @@ std::string IsometryGroup::name() const {
 }
 
 IsometryGroup isometries(const Surface& surface, const IsometryOptions& options) {
-  const certify::GeodesicsDocument geodesics =
-      spectrum(surface, list_length(surface, options), geodesics_options(options));
+  IsometryGroup group;
+  group.geodesics_ = spectrum(surface, list_length(surface, options), geodesics_options(options));
+  const certify::GeodesicsDocument& geodesics = group.geodesics_;
   const Source source(surface, geodesics);
   const LiftedTiles& tiles = source.tiles;
   const std::vector<Match> found = all_matches(tiles, geodesics, source.pair, options);
 
   // Where one that is found is not in the group of those before, it is examined, and becomes a generator.
-  IsometryGroup group;
   std::vector<Motion<Number>> generators;
   std::optional<Classes> classes(std::in_place, tiles);
   (void)classes->find(Motion<Number>(), true);

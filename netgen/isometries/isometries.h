@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "certify/claims/isometries/document.h"
+#include "certify/verdict/report.h"
 #include "netgen/base/progress.h"
 #include "netgen/surfaces/permutation.h"
 #include "triangulation/surface/error.h"
@@ -13,8 +15,8 @@
 
 /// The isometries of a surface, and from one surface to another. docs/isometries.md says how and why.
 ///
-/// That they are isometries is decided exactly. That there is no other one is computed with numbers of 256 bits, and
-/// has no certificate.
+/// That they are isometries is decided exactly. That there is no other one, or none at all, is computed with numbers of
+/// 256 bits; `certified_isometries` proves the former.
 namespace epsnet {
 
 /// An isometry between two surfaces S and T, as what it does with the group of S: f lifts to an isometry of the plane,
@@ -48,6 +50,8 @@ class IsometryGroup {
   [[nodiscard]] std::optional<std::uint64_t> fixed_points(std::uint32_t i) const { return fixed_points_[i]; }
   /// "C6" for a cyclic group, "D4" for the symmetries of a square, "C2 x C2"; empty for other groups.
   [[nodiscard]] std::string name() const;
+  /// The closed geodesics from which they were told.
+  [[nodiscard]] const certify::GeodesicsDocument& geodesics() const { return geodesics_; }
 
  private:
   friend IsometryGroup isometries(const Surface& surface, const struct IsometryOptions& options);
@@ -62,6 +66,7 @@ class IsometryGroup {
   };
   std::vector<Step> steps_;
   std::vector<std::optional<std::uint64_t>> fixed_points_;
+  certify::GeodesicsDocument geodesics_;
 };
 
 struct IsometryOptions {
@@ -75,6 +80,19 @@ struct IsometryOptions {
 /// Time is about that of the spectrum up to the length of the systole, or 4, and some e^d steps for each closed
 /// geodesic that is as long as the one that is chosen, where d is the length of a shortest loop across it.
 [[nodiscard]] IsometryGroup isometries(const Surface& surface, const IsometryOptions& options = {});
+
+/// An isometries file, and its certificate.
+struct CertifiedIsometries {
+  certify::IsometriesDocument document;
+  certify::Certificate certificate;
+};
+
+/// Returns the isometry group of a surface as a file that certify verifies: with the closed geodesics from which the
+/// isometries were told, or longer ones until they leave room for no other isometry. The last certificate is not that
+/// of a file that is verified, if closed geodesics that are 2 longer do not suffice. Throws as `isometries`. Time is
+/// that of the spectrum and its certificate, and the exact examination of the group's generators.
+[[nodiscard]] CertifiedIsometries certified_isometries(const Surface& surface, const IsometryGroup& group,
+                                                       const IsometryOptions& options = {});
 
 /// The answer to whether two surfaces are isometric.
 struct IsometricAnswer {

@@ -14,6 +14,7 @@
 #include "certify/claims/distance/document.h"
 #include "certify/claims/eigenvalues/document.h"
 #include "certify/claims/geodesics/document.h"
+#include "certify/claims/isometries/document.h"
 #include "netgen/lifts/info.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/curves.h"
@@ -107,6 +108,8 @@ void add_distance(CLI::App& command, std::string& file);
 [[nodiscard]] Report bound_report(const certify::BoundDocument& document);
 /// Returns the contents of an eigenvalues file, as lines and as an object.
 [[nodiscard]] Report eigenvalues_report(const certify::EigenvaluesDocument& document);
+/// Returns the contents of an isometries file, as lines and as an object.
+[[nodiscard]] Report isometries_report(const certify::IsometriesDocument& document);
 /// Returns the contents of a distance file, as lines and as an object.
 [[nodiscard]] Report distance_report(const certify::DistanceDocument& document);
 /// Returns the closed geodesics of a geodesics file about the net's surface, as layers of a picture. Throws JobError,

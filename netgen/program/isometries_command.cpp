@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "certify/base/text.h"
+#include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/isometries/isometries.h"
 #include "netgen/program/commands.h"
@@ -21,6 +23,7 @@ namespace {
 struct IsometriesRequest {
   std::string surface;
   std::string other;
+  std::string output;
   bool json = false;
   unsigned threads = 0;
 };
@@ -56,23 +59,28 @@ IsometryOptions options_of(const IsometriesRequest& request, ProgressLine& progr
 }
 
 void list_isometries(const IsometriesRequest& request) {
-  check_files({{"SURFACE", request.surface}}, {});
+  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::json}});
   const Surface surface = read_surface_input(request.surface);
-  const IsometryGroup group = [&] {
+  const auto [group, proof] = [&] {
     ProgressLine progress;
-    return isometries(surface, options_of(request, progress));
+    const IsometryOptions options = options_of(request, progress);
+    IsometryGroup found = isometries(surface, options);
+    CertifiedIsometries certified = certified_isometries(surface, found, options);
+    return std::pair(std::move(found), std::move(certified));
   }();
+  const std::string verdict = certify::verdict_line(proof.certificate);
+  const bool proved = proof.certificate.verdict == certify::Verdict::verified;
+  if (!proved && !request.output.empty()) throw JobError("not certified: " + verdict + "; nothing was written");
   const std::vector<Word> words = generator_words(surface);
   const auto preserving = group.orientation_preserving();
   const std::string name = group.name();
   Report report;
   if (request.json) {
     Json& json = report.json;
+    json["verdict"] = certify::name(proof.certificate.verdict);
     json["order"] = group.size();
     json["orientation_preserving"] = preserving;
     if (!name.empty()) json["name"] = name;
-    json["proved"] = Json::array({"isometries"});
-    json["computed"] = Json::array({"completeness"});
     json["words"] = words;
     json["generators"] = group.generators();
     json["isometries"] = Json::array();
@@ -83,6 +91,7 @@ void list_isometries(const IsometriesRequest& request) {
     }
   } else {
     std::ostringstream out;
+    out << "verdict: " << verdict << '\n';
     out << "isometries: " << group.size() << ", of which " << preserving << " preserve orientation\n";
     if (!name.empty()) out << "group: " << name << '\n';
     // By kind: orientation, order, fixed points; −1 where they are not points alone.
@@ -103,11 +112,14 @@ void list_isometries(const IsometriesRequest& request) {
           << orientation_text(group.isometries()[g].preserves_orientation) << '\n';
       write_images(out, words, group.isometries()[g]);
     }
-    out << "decided by exact numbers: each of these is an isometry\n"
-           "computed with 256 bits, not proved: there is no other one\n";
+    out << "closed geodesics used: " << proof.document.geodesics.size() << ", of length at most "
+        << proof.document.up_to << '\n';
+    if (!proved) out << "proved: each of these is an isometry; computed with 256 bits: there is no other one\n";
     report.text = out.str();
   }
-  write_report(report, request.json, false);
+  write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(proof.document, out); }}});
+  write_report(report, request.json, is_stdout(request.output));
+  if (!proved) throw UndecidedError(verdict);
 }
 
 const char* answer_text(IsometricAnswer::Kind kind) {
@@ -145,17 +157,36 @@ void compare_surfaces(const IsometriesRequest& request) {
 
 }  // namespace
 
+Report isometries_report(const certify::IsometriesDocument& document) {
+  std::ostringstream out;
+  out << "isometries: " << document.order << '\n';
+  Json generators = Json::array();
+  for (std::size_t i = 0; i < document.isometries.size(); ++i) {
+    const bool preserves = document.isometries[i].preserves_orientation;
+    out << "generator " << i << ": " << orientation_text(preserves) << '\n';
+    generators.push_back(Json::object({{"preserves_orientation", preserves}}));
+  }
+  out << "closed geodesics used: " << document.geodesics.size() << ", of length at most " << document.up_to << '\n';
+  return {out.str(), Json::object({{"order", document.order},
+                                   {"generators", std::move(generators)},
+                                   {"closed_geodesics", document.geodesics.size()},
+                                   {"up_to", document.up_to}})};
+}
+
 void add_isometries_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<IsometriesRequest>();
   CLI::App* command = app.add_subcommand(
-      "isometries", "The isometry group of a surface: its order, its elements by what they do with the generators.");
+      "isometries",
+      "The isometry group of a surface, proved: its order, its elements by what they do with the generators.");
   add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
+  add_file(*command, "-o,--output", shared->output,
+           "the isometries file to write, for certify; \"-\" is standard output");
   add_json(*command, shared->json);
   add_threads(*command, shared->threads);
   command->footer(
-      "Each isometry is decided by exact numbers. That there are no others is computed with 256 bits, and has no\n"
-      "certificate.\n\n"
-      "Example:\n  epsnet surface named klein -o klein.json\n  epsnet isometries klein.json");
+      "Exit code 2: undecided, as closed geodesics do not prove that there are no other isometries.\n\n"
+      "Example:\n  epsnet surface named klein -o klein.json\n"
+      "  epsnet isometries klein.json -o isometries.json && certify isometries.json");
   command->callback([&chosen, shared] { chosen = [shared] { list_isometries(*shared); }; });
 }
 

@@ -89,6 +89,8 @@ PolygonSides polygon_sides(const Surface& surface, const Tree& tree) {
 
 PolygonSides polygon_sides(const Surface& surface) { return polygon_sides(surface, Tree(surface)); }
 
+std::vector<Word> polygon_paths(const Surface& surface) { return Tree(surface).path; }
+
 FundamentalPolygon fundamental_polygon(const Surface& surface) {
   const Tree tree(surface);
   PolygonSides polygon = polygon_sides(surface, tree);

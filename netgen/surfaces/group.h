@@ -50,6 +50,9 @@ struct PolygonSides {
 /// Returns the sides of fundamental_polygon(surface). Every other side of the surface lies inside of the polygon.
 [[nodiscard]] PolygonSides polygon_sides(const Surface& surface);
 
+/// Returns by tile the path from tile 0 to it along the tree of fundamental_polygon(surface).
+[[nodiscard]] std::vector<Word> polygon_paths(const Surface& surface);
+
 /// A fundamental polygon of a surface: its tiles, laid out around tile 0 in the coordinates of tile 0. Each tile is
 /// placed next to an earlier one, along a tree of crossed sides. For a surface of one tile it is that tile.
 ///

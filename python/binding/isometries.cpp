@@ -1,11 +1,34 @@
 #include "netgen/isometries/isometries.h"
 
-#include "python/binding/binding.h"
-#include "python/binding/job.h"
+#include "certify/check.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+#include "python/binding/documents.h"
+#include "python/binding/nets.h"
 
 namespace epsnet::python {
 
 void bind_isometries(py::module_& module) {
+  using certify::IsometriesDocument;
+  using SharedProof = Shared<IsometriesDocument>;
+  py::class_<SharedProof> proof(module, "IsometryProof");
+  bind_document<IsometriesDocument>(
+      proof,
+      [](const IsometriesDocument& document, const certify::CheckOptions& options) {
+        return certify::check(document, options);
+      },
+      [](const IsometriesDocument& document, std::ostream& out) { certify::write_file(document, out); },
+      [](const std::string& text, const std::string& name) {
+        return certify::parse_file<IsometriesDocument>(text, name);
+      });
+  proof.def_property_readonly("net", [](const SharedProof& self) { return SharedNet(self->net); })
+      .def_property_readonly("up_to", [](const SharedProof& self) { return self->up_to; })
+      .def_property_readonly("order", [](const SharedProof& self) { return self->order; })
+      .def_property_readonly("preserving", [](const SharedProof& self) {
+        std::vector<bool> result;
+        for (const auto& isometry : self->isometries) result.push_back(isometry.preserves_orientation);
+        return result;
+      });
   using Kind = IsometricAnswer::Kind;
   using Plain = std::pair<bool, std::vector<Word>>;
   const auto plain = [](const SurfaceIsometry& f) { return Plain(f.preserves_orientation, f.images); };
@@ -15,6 +38,16 @@ void bind_isometries(py::module_& module) {
             [=](const Progress& progress) { return isometries(surface, {.threads = threads, .progress = progress}); },
             callback);
       }))
+      .def("proof",
+           [](const IsometryGroup& self, const Surface& surface, unsigned threads, const py::object& callback) {
+             return interruptible(
+                 [=](const Progress& progress) {
+                   auto [document, certificate] =
+                       certified_isometries(surface, self, {.threads = threads, .progress = progress});
+                   return std::pair(SharedProof(std::move(document)), std::move(certificate));
+                 },
+                 callback);
+           })
       .def("__len__", &IsometryGroup::size)
       .def("isometry", [plain](const IsometryGroup& self, std::uint32_t i) { return plain(self.isometries().at(i)); })
       .def("product", &IsometryGroup::product)

@@ -14,7 +14,7 @@ from .errors import ArgumentError
 if TYPE_CHECKING:
     from .surfaces import Surface
 
-Core = Union["_epsnet.Net", "_epsnet.Geodesics", "_epsnet.Distance", "_epsnet.Cover", "_epsnet.Eigenvalues"]
+Core = Union["_epsnet.Net", "_epsnet.Geodesics", "_epsnet.Distance", "_epsnet.Cover", "_epsnet.Eigenvalues", "_epsnet.IsometryProof"]
 Self = TypeVar("Self", bound="Document")
 
 

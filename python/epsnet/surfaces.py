@@ -450,8 +450,8 @@ class Surface(Immutable):
     # Symmetries.
 
     def isometries(self, *, threads: int = 0, progress: Progress = None) -> IsometryGroup:
-        """The isometries of the surface, also those that reverse the orientation. Each is decided exactly; that there are no others is computed
-        with 256 bits, without a certificate. LimitError on surfaces with very thin parts.
+        """The isometries of the surface, also those that reverse the orientation. Each is decided exactly; that there are no others is proved
+        when ``proof`` of the group is asked for. LimitError on surfaces with very thin parts.
 
         >>> import epsnet
         >>> group = epsnet.Surface.regular(2).isometries()

@@ -5,15 +5,18 @@ from functools import cached_property
 from typing import TYPE_CHECKING, List, Optional, Sequence, Tuple, Union, overload
 
 from . import _epsnet
-from ._arguments import as_index, as_threads, refuse
+from ._arguments import Path, as_index, as_threads, refuse
+from ._documents import Document
 from ._progress import Progress, Shower
+from .certificates import Certificate, required
 from .errors import UndecidedError
 from .isometries import Isometry
+from .nets import Net
 
 if TYPE_CHECKING:
     from .surfaces import Surface
 
-__all__ = ["IsometryGroup", "SurfaceIsometry"]
+__all__ = ["IsometryGroup", "IsometryProof", "SurfaceIsometry"]
 
 
 class SurfaceIsometry:
@@ -47,15 +50,76 @@ class SurfaceIsometry:
         return f"<SurfaceIsometry that {'preserves' if self.preserves_orientation else 'reverses'} orientation>"
 
 
+class IsometryProof(Document):
+    """How many isometries a surface has, and some that generate all, with what proves it: the contents of an isometries file."""
+
+    _core: "_epsnet.IsometryProof"
+
+    def __init__(self, core: "_epsnet.IsometryProof", surface: Optional["Surface"], certificate: Optional[Certificate]) -> None:
+        self._hold(core, surface, certificate)
+
+    @property
+    def order(self) -> int:
+        """How many isometries there are."""
+        return self._core.order
+
+    @property
+    def orientation_preserving(self) -> int:
+        """How many of them preserve the orientation."""
+        return self.order if all(self._core.preserving) else self.order // 2
+
+    @property
+    def up_to(self) -> str:
+        """The length up to which closed geodesics prove it."""
+        return self._core.up_to
+
+    @cached_property
+    def net(self) -> Net:
+        """The net on which the list of closed geodesics is proved."""
+        return Net(self._core.net, self._surface, None)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, IsometryProof) and bool(self._core == other._core)
+
+    def __hash__(self) -> int:
+        return hash((self.order, self.up_to))
+
+    def __repr__(self) -> str:
+        return f"<IsometryProof of order {self.order}{'' if self.proved else ' (not proved)'}>"
+
+
 class IsometryGroup(Sequence[SurfaceIsometry]):
     """The isometries of a surface; number 0 is the identity.
 
-    Each is decided exactly. That there are no others is computed with numbers of 256 bits, and has no certificate.
+    Each is decided exactly. That there are no others is computed with numbers of 256 bits, until ``proof`` is asked for.
     """
 
-    def __init__(self, surface: "Surface", core: "_epsnet.IsometryGroup") -> None:
+    def __init__(self, surface: "Surface", core: "_epsnet.IsometryGroup", threads: int = 0) -> None:
         self.surface = surface
         self._core = core
+        self._threads = threads
+
+    @cached_property
+    def proof(self) -> IsometryProof:
+        """The proof that these are isometries, and that there are no others. It is made on first use. NotVerifiedError if closed geodesics
+        do not prove it.
+
+        >>> import epsnet
+        >>> epsnet.Surface.octagon(1).isometries().proof
+        <IsometryProof of order 2>
+        """
+        with Shower(False) as callback:
+            core, found = self._core.proof(self.surface._core, self._threads, callback)
+        return IsometryProof(core, self.surface, required(Certificate(found), "isometries"))
+
+    @property
+    def certificate(self) -> Certificate:
+        """The result of the checker for ``proof``."""
+        return self.proof.certificate
+
+    def save(self, path: Path) -> None:
+        """Writes the file of ``proof``, completely or not at all: for ``epsnet.load``, and for the program ``certify``."""
+        self.proof.save(path)
 
     @cached_property
     def _isometries(self) -> List[SurfaceIsometry]:
@@ -114,7 +178,7 @@ class IsometryGroup(Sequence[SurfaceIsometry]):
 def isometries(surface: "Surface", threads: int, progress: Progress) -> IsometryGroup:
     threads = as_threads(threads)
     with Shower(progress) as callback:
-        return IsometryGroup(surface, _epsnet.IsometryGroup(surface._core, threads, callback))
+        return IsometryGroup(surface, _epsnet.IsometryGroup(surface._core, threads, callback), threads)
 
 
 def isometric_to(surface: "Surface", other: "Surface", threads: int, progress: Progress) -> Optional[SurfaceIsometry]:

@@ -86,6 +86,7 @@ def calls(octagon, net, bolza):
         (octagon.eigenvalues, dict(up_to=7, count=1, threads=1, progress=False)),
         (octagon.isometries, dict(threads=1, progress=False)), (octagon.isometric_to, dict(other=bolza, threads=1, progress=False)),
         (group.product, dict(i=0, j=1)), (group.order, dict(i=0)), (group.fixed_points, dict(i=0)), (group.permutation, dict(i=0)),
+        (group.save, dict(path="none")), (group.proof.save, dict(path="none")),
         (octagon.thick_thin, dict(threads=1, progress=False)), (octagon.distance, dict(p=0, q=(0, 0.1, 0), width=1)),
         (octagon.diameter, dict(width=1, progress=False)), (octagon.radius, dict(width=1, progress=False)),
         (octagon.embedded_disk, dict(width=1, progress=False)), (octagon.eccentricity, dict(p=0)),

@@ -20,6 +20,23 @@ def test_groups_of_permutations(bolza):
             assert product == [group.permutation(i)[k] for k in group.permutation(j)]
 
 
+def test_proof(bolza, octagon, tmp_path):
+    group = bolza.isometries()
+    proof = group.proof
+    assert proof.proved and proof is group.proof and group.certificate.verified
+    assert (proof.order, proof.orientation_preserving) == (96, 48) and float(proof.up_to) == 4 and proof.surface == bolza
+    assert "96" in group.certificate.claim
+    path = str(tmp_path / "isometries.json")
+    group.save(path)
+    assert epsnet.certify(path).verdict == "VERIFIED"
+    loaded = epsnet.load(path)
+    assert loaded == proof and hash(loaded) == hash(proof) and repr(loaded) == repr(proof) and loaded.proved
+    assert loaded.surface.isometries().proof == proof and loaded.net.surface == bolza
+    assert "not proved" in repr(epsnet.load(path, check=False)) or epsnet.load(path, check=False).proved
+    other = octagon.isometries().proof
+    assert other != proof and (other.order, other.orientation_preserving) == (2, 2)
+
+
 def test_sympy_knows_the_group(bolza):
     combinatorics = pytest.importorskip("sympy.combinatorics")
     group = bolza.isometries()

@@ -2437,6 +2437,96 @@ def windows_that_overlap():
     return document
 
 
+# ---- Isometries --------------------------------------------------------------------------------------------------
+
+group = "isometries"
+
+
+def isometries(name="octagon-5", **changes):
+    """The octagon, with the hyperelliptic involution and nothing else; or the Bolza surface, with 96."""
+    with open(os.path.join(TOP, "tests", "data", "isometries", name + ".json"), encoding="utf-8") as file:
+        return {**json.load(file), **changes}
+
+
+def with_image(document, k, word):
+    """The image of element k under the first isometry replaced."""
+    document["isometries"][0]["images"][k] = word
+    return document
+
+
+@refuted("complete", exact=LEFT)
+def isometries_without_a_geodesic():
+    """One closed geodesic is left out; what is seen from the others would be as before."""
+    document = isometries()
+    del document["geodesics"][-1]
+    return runs(document)
+
+
+@refuted("geodesics", exact=LEFT)
+def isometries_of_another_surface():
+    """The net is that of another octagon, which has an involution with the same images."""
+    return isometries(net=octagon())
+
+
+@refuted("isometries", exact=LEFT)
+def isometry_with_an_image_inverted():
+    """One generator goes to the inverse of its image, which has the same trace."""
+    document = isometries()
+    image = document["isometries"][0]["images"][3]
+    return with_image(document, 3, [(s + 4) % 8 for s in reversed(image)])
+
+
+@refuted("isometries", exact=LEFT)
+def isometry_with_an_image_conjugated():
+    """One generator goes to a conjugate of its image, which has the same trace; its products have others."""
+    document = isometries()
+    loop, image = document["isometries"][0]["images"][4:6]
+    return with_image(document, 5, loop + image + [(s + 4) % 8 for s in reversed(loop)])
+
+
+@refuted("isometries", exact=LEFT)
+def isometry_with_another_orientation():
+    """The involution is said to reverse the orientation."""
+    document = isometries()
+    document["isometries"][0]["preserves_orientation"] = False
+    return document
+
+
+@refuted("isometries", exact=LEFT)
+def pair_with_one_axis():
+    """The two elements of the pair are the same, so that they say nothing of orientations."""
+    document = isometries()
+    document["pair"][1] = document["pair"][0]
+    for row in document["isometries"]:
+        row["images"][1] = row["images"][0]
+    return document
+
+
+@refuted("least", exact=LEFT)
+def isometries_of_a_lower_order():
+    """The Bolza surface is said to have 95 isometries."""
+    return isometries("bolza", order=95)
+
+
+@forgery("UNDECIDED: least", LEFT)
+def isometries_told_apart_by_nothing():
+    """The cocycle is 0."""
+    document = isometries()
+    return with_(document, cocycle=[0] * len(document["cocycle"]))
+
+
+@forgery("UNDECIDED: most", LEFT)
+def involution_left_out():
+    """The octagon is said to have no isometry but the identity."""
+    return isometries(isometries=[], order=1)
+
+
+@refuted("most", exact=LEFT)
+def isometries_of_a_higher_order():
+    """The Bolza surface is said to have 97 isometries."""
+    return isometries("bolza", order=97)
+
+
 # ---- Distances ---------------------------------------------------------------------------------------------------
 
 group = "distances"
@@ -3069,6 +3159,23 @@ def eigenvalues_from_0_on():
     return as_one_window(document, 0, **{"in": [0, high]})
 
 
+@disguise(LEFT)
+def isometries_in_other_words():
+    """Another lift of the involution, which is listed twice; all paths begin with a loop, so that other elements generate."""
+    document = isometries()
+
+    def conjugated(loop, word):
+        return loop + word + [(s + 4) % 8 for s in reversed(loop)]
+
+    loop = document["pair"][0]
+    (row,) = document["isometries"]
+    x, y, *others = row["images"]
+    images = [conjugated(loop, word) for word in [x, y, *(conjugated(x, word) for word in others)]]
+    document["isometries"] = [{**row, "images": images}] * 2
+    document["paths"] = [loop + path for path in document["paths"]]
+    return document
+
+
 # ---- Asking the programs -----------------------------------------------------------------------------------------
 
 
@@ -3138,6 +3245,7 @@ GROUPS = {
     "map": "Rule `map`", "gluing": "Rule `gluing`", "orientation": "Rule `orientation`",
     "delaunay": "Rule `delaunay`", "covering": "Rule `covering`", "packing": "Rule `packing`",
     "collars": "Pseudo nets", "geodesics": "Closed geodesics", "eigenvalues": "Eigenvalues",
+    "isometries": "Isometries",
     "distances": "Distances", "bounds": "Diameter, radius, embedded disk", "disguises": "Disguises"}
 
 

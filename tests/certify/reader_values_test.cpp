@@ -115,6 +115,17 @@ Json eigenvalues() {
   return result;
 }
 
+Json isometries() {
+  Json result = Json::parse(R"({"order": 4, "isometries": [
+      {"preserves_orientation": true, "images": [[0, 3], [2], [], [1], [0, 5, 3], [1, 1]]},
+      {"preserves_orientation": false, "images": [[1], [0, 4, 3], [2], [1], [], [2, 2]]}],
+      "paths": [[], [0]], "pair": [[1], [0, 7, 3]], "cocycle": [4294967295, 0, 17, 5]})");
+  result.update(geodesics("spectrum"));
+  result.erase("claim");
+  result["format"] = "epsnet-isometries";
+  return result;
+}
+
 std::vector<Json> files() {
   return {surface_file(tiles()),
           surface_file(regular()),
@@ -130,7 +141,8 @@ std::vector<Json> files() {
           cover("radius"),
           cover("diameter"),
           cover("embedded-disk"),
-          eigenvalues()};
+          eigenvalues(),
+          isometries()};
 }
 
 /// What the reader understands, as JSON; null if it accepts nothing.

@@ -20,6 +20,12 @@ good draw eigenvalues.json -o eigenvalues.png --size 100
 [ "$(od -An -t u1 -j 16 -N 8 eigenvalues.png | tr -s ' ')" = ' 0 0 0 100 0 0 0 62' ] || complain "the size of a picture that is not square: $(od -An -t u1 -j 16 -N 8 eigenvalues.png)"
 bad 64 '^epsnet: --dirichlet: only for a net file' draw eigenvalues.json --dirichlet -o out/x.svg
 good dirichlet s.json -o domain.json
+good isometries s.json -o isometries.json
+grep -q '^verdict: VERIFIED$' output || complain "the symmetries of an octagon are proved: $(cat output)"
+verified isometries.json
+good info isometries.json
+grep -q '^isometries: 2$' output || complain "what is in an isometries file: $(cat output)"
+bad 64 '^epsnet: --output' isometries s.json -o isometries.txt.svg
 good isometries s.json
 grep -q '^isometries: 2, of which 2 preserve orientation$' output || complain "the symmetries of an octagon: $(cat output)"
 good isometries s.json --json --threads 1

@@ -100,6 +100,13 @@ void expect_group(const Surface& surface, const IsometryGroup& group) {
   EXPECT_GE(rest / preserving, -2);
 }
 
+/// That they are proved, by a file of so many isometries.
+void expect_proof(const Surface& surface, const IsometryGroup& group) {
+  const auto [document, certificate] = certified_isometries(surface, group);
+  EXPECT_EQ(certificate.verdict, certify::Verdict::verified) << certify::verdict_line(certificate);
+  EXPECT_EQ(document.order, group.size());
+}
+
 struct Expected {
   std::string name;
   std::size_t preserving;
@@ -114,6 +121,7 @@ TEST_P(KnownGroup, HasTheOrderOfTheLiterature) {
   EXPECT_EQ(group.orientation_preserving(), GetParam().preserving);
   EXPECT_EQ(group.size(), GetParam().all);
   expect_group(surface, group);
+  expect_proof(surface, group);
   for (const std::uint32_t g : group.generators()) expect_isometry(surface, surface, group.isometries()[g]);
 }
 
@@ -137,6 +145,7 @@ TEST(Isometries, OfRegularPolygonsTurnAndReflectThem) {
     EXPECT_EQ(group.orientation_preserving(), 8 * genus);
     EXPECT_EQ(group.size(), 16 * genus);
     expect_group(surface, group);
+    expect_proof(surface, group);
   }
 }
 
@@ -148,6 +157,7 @@ TEST(Isometries, OfARandomOctagonAreTheHyperellipticInvolution) {
     EXPECT_TRUE(group.isometries()[1].preserves_orientation);
     EXPECT_EQ(group.fixed_points(1), 6U);
     EXPECT_EQ(group.name(), "C2");
+    if (seed < 20) expect_proof(surface, group);
   }
 }
 
@@ -170,7 +180,26 @@ TEST(Isometries, HaveNames) {
 TEST(Isometries, OfThinSurfacesAreFound) {
   const Surface thin =
       fenchel_nielsen_surface(resolve({"0-1 0-1 0-1", {}, {}, {"1/50", "1", "1"}, {"1/8", "1/4", "1/2"}}));
-  EXPECT_EQ(isometries(thin).size(), 2U);
+  const IsometryGroup group = isometries(thin);
+  EXPECT_EQ(group.size(), 2U);
+  expect_proof(thin, group);
+}
+
+TEST(Isometries, OfMostSurfacesOfHigherGenusAreTheIdentity) {
+  for (const std::uint32_t genus : {3U, 4U}) {
+    // On one of genus 4 the closed geodesics of length at most 4 do not tell that.
+    const Surface surface = fenchel_nielsen_surface(resolve({"", genus, 2, {}, {}}));
+    const IsometryGroup group = isometries(surface);
+    EXPECT_EQ(group.size(), 1U);
+    expect_proof(surface, group);
+  }
+}
+
+TEST(Isometries, OfAMapOfManyTilesAreProved) {
+  const Surface surface = named_surface("bring");
+  const auto [document, certificate] = certified_isometries(surface, isometries(surface));
+  ASSERT_EQ(certificate.verdict, certify::Verdict::verified);
+  EXPECT_EQ(certificate.claim, "the surface has exactly 240 isometries, half of which preserve the orientation");
 }
 
 /// An octagon cut along the diagonal between corners 0 and 4, both halves moved, and tile 1 named first.

@@ -7,15 +7,19 @@ namespace epsnet {
 namespace {
 
 TEST(Isometries, OfTheFrickeMacbeathCurve) {
-  const IsometryGroup group = isometries(named_surface("fricke-macbeath"));
+  const Surface surface = named_surface("fricke-macbeath");
+  const IsometryGroup group = isometries(surface);
   EXPECT_EQ(group.orientation_preserving(), 504U);
   EXPECT_EQ(group.size(), 1008U);
+  EXPECT_EQ(certified_isometries(surface, group).certificate.verdict, certify::Verdict::verified);
 }
 
 TEST(Isometries, OfARegularPolygonOfHigherGenus) {
-  const IsometryGroup group = isometries(Surface::regular(10));
+  const Surface surface = Surface::regular(10);
+  const IsometryGroup group = isometries(surface);
   EXPECT_EQ(group.orientation_preserving(), 80U);
   EXPECT_EQ(group.size(), 160U);
+  EXPECT_EQ(certified_isometries(surface, group).certificate.verdict, certify::Verdict::verified);
 }
 
 }  // namespace

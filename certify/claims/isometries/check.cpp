@@ -1,0 +1,218 @@
+#include "certify/claims/isometries/check.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "certify/base/counted.h"
+#include "certify/claims/geodesics/check.h"
+#include "certify/claims/geodesics/geodesics_rules.h"
+#include "certify/claims/isometries/conjugation.h"
+#include "certify/claims/isometries/frames.h"
+#include "certify/claims/isometries/orbit.h"
+#include "certify/claims/net/claim.h"
+#include "certify/lifted/lorentz.h"
+#include "certify/numbers/parallel.h"
+#include "certify/numbers/precision.h"
+#include "certify/verdict/open_rules.h"
+
+namespace epsnet::certify {
+namespace {
+
+using Word = IsometriesDocument::Word;
+
+constexpr const char* kIsometries = "isometries";
+constexpr const char* kLeast = "least";
+constexpr const char* kMost = "most";
+
+constexpr slong kFirstBits = 128;
+
+RuleNames rules_beyond_the_spectrum() { return {kIsometries, kLeast, kMost}; }
+
+class IsometriesCheck {
+ public:
+  IsometriesCheck(const IsometriesDocument& document, Verification& run, const LabelParts& parts)
+      : document_(document),
+        options_(run.options()),
+        threads_(run.threads()),
+        parts_(parts),
+        budget_(run.budget()),
+        sides_(document.net.surface),
+        net_(with_geodesics_as_labels(document)),
+        evaluator_(net_, parts),
+        first_darts_(first_darts(net_)),
+        rules_(rules_beyond_the_spectrum()) {}
+
+  void ask(Verification& run) {
+    try {
+      run.progress(kIsometries);
+      check_isometries();
+      if (rules_.verdict(kIsometries) == Verdict::verified) check_least();
+      if (rules_.verdict(kIsometries) == Verdict::verified && rules_.verdict(kLeast) != Verdict::refuted) {
+        run.progress(kMost);
+        with_rising_precision(
+            options_.max_precision,
+            [&](slong precision) {
+              check_most(precision);
+              run.used(static_cast<std::uint64_t>(precision));
+              return !rules_.open(kMost);
+            },
+            kFirstBits);
+      }
+    } catch (const BudgetSpent& spent) {
+      rules_.give_up(spent.what());
+    }
+    rules_.conclude(run);
+  }
+
+ private:
+  void report(const char* rule, Verdict verdict, std::string text) { rules_.report({rule, verdict, std::move(text)}); }
+
+  // Rule isometries.
+
+  void check_isometries() {
+    const auto sign = crossing_sign(parts_.crossings, document_.pair[0], document_.pair[1], budget_);
+    if (sign == 0) return report(kIsometries, Verdict::refuted, "the axes of the pair do not cross");
+    const std::vector<Word> generators = words();
+    for (std::size_t i = 0; sign && i < document_.isometries.size(); ++i) {
+      const auto& [preserves_orientation, images] = document_.isometries[i];
+      std::vector<ElementPair> pairs;
+      for (std::size_t k = 0; k < images.size(); ++k) pairs.push_back({generators[k], images[k]});
+      const auto conjugate = are_conjugate(parts_.crossings, pairs, budget_);
+      const auto image_sign = crossing_sign(parts_.crossings, images[0], images[1], budget_);
+      const std::string name = "isometry " + std::to_string(i);
+      if (!conjugate || !image_sign) {
+        return report(kIsometries, Verdict::undecided, name + ": its numbers are too large to be compared exactly");
+      }
+      if (!*conjugate) return report(kIsometries, Verdict::refuted, name + " is none: traces differ");
+      if ((*image_sign == *sign) != preserves_orientation) {
+        return report(kIsometries, Verdict::refuted,
+                      name + (preserves_orientation ? " reverses the orientation" : " preserves the orientation"));
+      }
+    }
+    if (!sign) return report(kIsometries, Verdict::undecided, "the numbers of the pair are too large");
+    report(kIsometries, Verdict::verified,
+           counted(document_.isometries.size(), "isometry", "isometries") + ", exactly");
+  }
+
+  /// The two elements of the pair, and the generators.
+  [[nodiscard]] std::vector<Word> words() const {
+    std::vector<Word> result = document_.pair;
+    for (std::uint32_t s = 0; s < sides_.partner.size(); ++s) {
+      if (s > sides_.partner[s]) continue;
+      Word& word = result.emplace_back(document_.paths[sides_.tile[s]]);
+      word.push_back(s);
+      const Word& back = document_.paths[sides_.tile[sides_.partner[s]]];
+      std::transform(back.rbegin(), back.rend(), std::back_inserter(word), [&](auto t) { return sides_.partner[t]; });
+    }
+    return result;
+  }
+
+  // Rule least.
+
+  void check_least() {
+    const std::uint64_t found = orbit_size(sides_, document_, budget_);
+    const std::string order = std::to_string(document_.order);
+    if (found > document_.order) {
+      report(kLeast, Verdict::refuted, "they generate more than " + order);
+    } else if (found < document_.order) {
+      report(kLeast, Verdict::undecided,
+             "they generate at least " + std::to_string(found) + "; not decided whether " + order);
+    } else {
+      report(kLeast, Verdict::verified, "they generate at least " + order);
+    }
+  }
+
+  // Rule most.
+
+  void check_most(slong precision) {
+    const std::string bits = std::to_string(precision) + " bits";
+    const LiftedPlane plane(net_, evaluator_, parts_, precision, options_.max_precision, threads_);
+    const auto geodesics = crossing_geodesics(plane);
+    if (!geodesics) return rules_.doubt(kMost, "not decided where the geodesics cross, with " + bits);
+    const std::uint64_t most = least_frames(plane, *geodesics);
+    if (most == 0) {
+      rules_.doubt(kMost, "no two of the geodesics cross");
+    } else if (most <= document_.order) {
+      // Never less, as there are so many.
+      report(kMost, most == document_.order ? Verdict::verified : Verdict::refuted,
+             "there are at most " + std::to_string(most));
+    } else {
+      rules_.doubt(kMost, "there are at most " + std::to_string(most) + ", with " + bits);
+    }
+  }
+
+  [[nodiscard]] std::optional<CrossingGeodesics> crossing_geodesics(const LiftedPlane& plane) const {
+    const MovedNet net(plane);
+    if (!net.valid()) return std::nullopt;
+    const std::size_t count = document_.geodesics.size();
+    CrossingGeodesics result;
+    result.lengths.resize(count);
+    std::vector<AxisCrossings> periods(count);
+    for_each_parallel(count, threads_, [&](unsigned, std::size_t i) {
+      BallIsometry element = inverse(plane.label(static_cast<std::uint32_t>(document_.net.labels.size() + 1 + i)));
+      choose_sign(element);
+      result.lengths[i] = twice(acosh(cosh_half_length(element)));
+      auto crossings = axis_crossings(net, first_darts_[document_.geodesics[i].vertex], element);
+      if (crossings) periods[i] = *std::move(crossings);
+    });
+    if (std::any_of(periods.begin(), periods.end(), [](const auto& period) { return period.darts.empty(); })) {
+      return std::nullopt;
+    }
+    auto points = crossing_points(net, periods);
+    if (!points) return std::nullopt;
+    result.points = *std::move(points);
+    return result;
+  }
+
+  /// The least of the bounds that crossing points of the geodesics give, as far as they are needed; 0 if there is none.
+  [[nodiscard]] std::uint64_t least_frames(const LiftedPlane& plane, const CrossingGeodesics& geodesics) const {
+    std::uint64_t least = 0;
+    for (const GeodesicsDocument::Cluster& cluster : document_.clusters) {
+      // One for each length.
+      for (std::size_t k = 0; k < geodesics.points[cluster.first].size(); ++k) {
+        const std::uint64_t found = possible_frames(plane, geodesics, cluster.first, k);
+        if (least == 0 || found < least) least = found;
+        if (least <= document_.order) return least;
+      }
+    }
+    return least;
+  }
+
+  const IsometriesDocument& document_;
+  const CheckOptions& options_;
+  unsigned threads_;
+  const LabelParts& parts_;
+  const Budget& budget_;
+  SurfaceSides sides_;
+  NetDocument net_;
+  LabelEvaluator evaluator_;
+  std::vector<std::uint32_t> first_darts_;
+  OpenRules rules_;
+};
+
+std::string text_of(const IsometriesDocument& document) {
+  const bool all_preserve = std::all_of(document.isometries.begin(), document.isometries.end(),
+                                        [](const auto& isometry) { return isometry.preserves_orientation; });
+  return "the surface has exactly " + counted(document.order, "isometry", "isometries") +
+         (all_preserve ? ", all of which preserve" : ", half of which preserve") + " the orientation";
+}
+
+}  // namespace
+
+RuleNames own_rules(const IsometriesDocument& /*document*/) {
+  GeodesicsDocument spectrum;
+  spectrum.claim = GeodesicsDocument::Claim::spectrum;
+  RuleNames rules = own_rules(spectrum);
+  for (const std::string_view rule : rules_beyond_the_spectrum()) rules.push_back(rule);
+  return rules;
+}
+
+Claim claim_of(const IsometriesDocument& document) {
+  const auto ask = [&](Verification& run, Crossings crossings) {
+    const LabelParts parts = ask_geodesics_rules(document, run, std::move(crossings));
+    if (run.rules().verified_so_far()) IsometriesCheck(document, run, parts).ask(run);
+  };
+  return {document.net, text_of(document), own_rules(document), ask};
+}
+
+}  // namespace epsnet::certify

@@ -1,0 +1,112 @@
+#include "certify/claims/isometries/conjugation.h"
+
+#include <array>
+#include <type_traits>
+#include <utility>
+
+namespace epsnet::certify {
+namespace {
+
+using Letters = std::span<const std::uint32_t>;
+
+/// Evaluates words exactly, of the crossings of one kind.
+template <class CrossingsOfAKind>
+class Evaluator {
+ public:
+  using Element = Isometry<typename CrossingsOfAKind::Number>;
+
+  Evaluator(const CrossingsOfAKind& crossings, const Budget& budget) : crossings_(crossings), budget_(budget) {}
+
+  /// Whether products of four such elements are not too large.
+  [[nodiscard]] bool feasible(Letters word) const {
+    return crossings_.product_bits(0, word) <= CrossingsOfAKind::kMaxExactBits / 8;
+  }
+
+  /// With a trace that is not negative.
+  [[nodiscard]] Element element(Letters word) const {
+    budget_.spend(crossings_.letter_work(), word.size());
+    budget_.spend(CrossingsOfAKind::exact_work(crossings_.product_bits(0, word)), 16);
+    Element f = crossings_.exact(word);
+    if (sign(twice_real(f.a)) >= 0) return f;
+    const mpz_class minus(-1);
+    return {minus * f.a, minus * f.b};
+  }
+
+  /// 1, x, y and xy: a basis of the matrices.
+  [[nodiscard]] std::array<Element, 4> basis(Letters x_word, Letters y_word) const {
+    const Element x = element(x_word);
+    const Element y = element(y_word);
+    return {crossings_.embed(exact_identity()), x, y, compose(x, y)};
+  }
+
+ private:
+  const CrossingsOfAKind& crossings_;
+  const Budget& budget_;
+};
+
+/// Whether two traces agree up to their sign, and whether they have the same one: `any` if both are 0.
+enum class Ratio { different, same, opposite, any };
+
+/// Of the traces of two elements, scaled to determinant 1.
+template <class Element>
+Ratio trace_ratio(const Element& f, const Element& g) {
+  using Real = std::decay_t<decltype(norm(f.a))>;
+  const Real t = twice_real(f.a);
+  const Real u = twice_real(g.a);
+  const Real difference = t * t * (norm(g.a) - norm(g.b)) - u * u * (norm(f.a) - norm(f.b));
+  if (sign(difference) != 0) return Ratio::different;
+  const int product = sign(t) * sign(u);
+  return product == 0 ? Ratio::any : (product > 0 ? Ratio::same : Ratio::opposite);
+}
+
+}  // namespace
+
+std::optional<bool> are_conjugate(const Crossings& crossings, std::span<const ElementPair> pairs,
+                                  const Budget& budget) {
+  return std::visit(
+      [&](const auto& kind) -> std::optional<bool> {
+        const Evaluator evaluator(kind, budget);
+        for (const ElementPair& pair : pairs) {
+          if (!evaluator.feasible(pair.from) || !evaluator.feasible(pair.to)) return std::nullopt;
+        }
+        const auto from = evaluator.basis(pairs[0].from, pairs[1].from);
+        const auto to = evaluator.basis(pairs[0].to, pairs[1].to);
+        for (std::size_t i = 1; i < 4; ++i) {
+          const Ratio ratio = trace_ratio(from[i], to[i]);
+          if (ratio == Ratio::different || ratio == Ratio::opposite) return false;
+        }
+        for (const ElementPair& pair : pairs.subspan(2)) {
+          const auto f = evaluator.element(pair.from);
+          const auto g = evaluator.element(pair.to);
+          Ratio sign = Ratio::any;
+          for (std::size_t i = 0; i < 4; ++i) {
+            const Ratio ratio = trace_ratio(compose(from[i], f), compose(to[i], g));
+            if (ratio == Ratio::different) return false;
+            if (ratio == Ratio::any) continue;
+            if (sign != Ratio::any && ratio != sign) return false;
+            sign = ratio;
+          }
+        }
+        return true;
+      },
+      crossings);
+}
+
+std::optional<int> crossing_sign(const Crossings& crossings, Letters word, Letters other, const Budget& budget) {
+  return std::visit(
+      [&](const auto& kind) -> std::optional<int> {
+        const Evaluator evaluator(kind, budget);
+        if (!evaluator.feasible(word) || !evaluator.feasible(other)) return std::nullopt;
+        const auto x = evaluator.element(word);
+        const auto y = evaluator.element(other);
+        // xy − yx turns around the point where the axes cross: it has a positive determinant only if they do.
+        const auto f = compose(x, y);
+        const auto g = compose(y, x);
+        const auto a = f.a - g.a;
+        if (sign(norm(a) - norm(f.b - g.b)) <= 0) return 0;
+        return sign(twice_imaginary(a));
+      },
+      crossings);
+}
+
+}  // namespace epsnet::certify

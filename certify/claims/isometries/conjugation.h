@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "certify/net/crossings.h"
+#include "certify/numbers/budget.h"
+
+/// Isometries of the plane that take some elements of groups to others, decided exactly (docs/proof.md, Lemmas 38 and
+/// 39).
+namespace epsnet::certify {
+
+/// Words from a tile to itself; the second one is perhaps in another group over the same ring.
+struct ElementPair {
+  std::vector<std::uint32_t> from;
+  std::vector<std::uint32_t> to;
+};
+
+/// Whether there is an isometry f of the plane with f ∘ x ∘ f⁻¹ = x' for the elements x of all pairs and their partners
+/// x'. Nothing, if their numbers are too large; BudgetSpent, if that is too much work.
+///
+/// Requires: two pairs or more; all elements but the identity are hyperbolic, and the first two `from` have no end of
+/// their axes in common.
+[[nodiscard]] std::optional<bool> are_conjugate(const Crossings& crossings, std::span<const ElementPair> pairs,
+                                                const Budget& budget);
+
+/// 1 or −1 if the axes of two elements cross, with opposite signs for the mirror images of the two; 0 if they do not
+/// cross. Each is directed like the translation. Nothing, if the numbers are too large; BudgetSpent.
+[[nodiscard]] std::optional<int> crossing_sign(const Crossings& crossings, std::span<const std::uint32_t> word,
+                                               std::span<const std::uint32_t> other, const Budget& budget);
+
+}  // namespace epsnet::certify

@@ -1,0 +1,149 @@
+#include <limits>
+#include <random>
+#include <utility>
+
+#include "certify/check.h"
+#include "netgen/geodesics/geodesics.h"
+#include "netgen/isometries/exact_conjugacy.h"
+#include "netgen/isometries/isometries.h"
+#include "netgen/surfaces/group.h"
+
+namespace epsnet {
+namespace {
+
+using certify::IsometriesDocument;
+
+/// Translates words into images, by the images of the side pairings of the fundamental polygon.
+class Substitution {
+ public:
+  explicit Substitution(const Surface& surface) : surface_(surface), number_(surface.side_count()) {
+    const PolygonSides polygon = polygon_sides(surface);
+    std::int64_t count = 0;
+    for (std::uint32_t k = 0; k < polygon.side.size(); ++k) {
+      if (k > polygon.partner[k]) continue;
+      // The pairing of a side crosses its partner.
+      number_[polygon.side[polygon.partner[k]]] = ++count;
+      number_[polygon.side[k]] = -count;
+    }
+  }
+
+  /// The image of a word from tile 0 to itself.
+  [[nodiscard]] Word operator()(const Word& word, const std::vector<Word>& images) const {
+    Word result;
+    for (const std::uint32_t s : word) {
+      const std::int64_t number = number_[s];
+      if (number == 0) continue;
+      const Word& image = images[static_cast<std::size_t>(std::abs(number)) - 1];
+      result = concatenated(surface_, std::move(result), number > 0 ? image : reversed(surface_, image));
+    }
+    return result;
+  }
+
+ private:
+  const Surface& surface_;
+  std::vector<std::int64_t> number_;  ///< By letter: of a pairing, from 1 on; negative for its inverse; 0 for none.
+};
+
+/// Two elements of which the axes cross, by words from tile 0 to itself: generators, or what turns around pants.
+std::vector<Word> crossing_pair(const Surface& surface) {
+  const auto crossings = *joint_crossings(surface, surface);
+  std::vector<Word> generators;
+  for (const FundamentalPolygon::Side& side : fundamental_polygon(surface).sides) generators.push_back(side.word);
+  for (std::size_t j = 1; j < generators.size(); ++j) {
+    for (std::size_t i = 0; i < j; ++i) {
+      const Word& x = generators[i];
+      const Word& y = generators[j];
+      const Word y_back = reversed(surface, y);
+      for (const auto& [first, second] : {std::pair{x, y},
+                                          {concatenated(surface, x, y_back), concatenated(surface, y_back, x)},
+                                          {concatenated(surface, x, y), concatenated(surface, y, x)}}) {
+        const auto sign = certify::crossing_sign(crossings, first, second, {});
+        if (sign && *sign != 0) return {first, second};
+      }
+    }
+  }
+  throw LimitError("no two elements were found of which the axes cross");
+}
+
+/// The values, by side that is less than its partner, of a function of words that is determined by random numbers: what
+/// flows along edges, as much into a vertex as out of it.
+std::vector<std::uint32_t> random_cocycle(const Surface& surface) {
+  std::mt19937 random;
+  std::vector<std::uint32_t> flow(surface.side_count());
+  for (std::uint32_t s = 0; s < flow.size(); ++s) {
+    const std::uint32_t partner = surface.partner(s);
+    flow[s] = s < partner ? static_cast<std::uint32_t>(random()) : 0 - flow[partner];
+  }
+  // Along a tree of edges to the vertex of side 0, by sides that leave vertices; a partner leaves the other end.
+  std::vector<bool> reached(surface.vertex_class_count());
+  reached[surface.vertex_class(0)] = true;
+  std::vector<std::uint32_t> sides = surface.corner_cycle(0);
+  std::vector<std::uint32_t> to_root;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const std::uint32_t back = surface.partner(sides[i]);
+    if (reached[surface.vertex_class(back)]) continue;
+    reached[surface.vertex_class(back)] = true;
+    to_root.push_back(back);
+    const Word more = surface.corner_cycle(back);
+    sides.insert(sides.end(), more.begin(), more.end());
+  }
+  for (auto side = to_root.rbegin(); side != to_root.rend(); ++side) {
+    std::uint32_t excess = 0;
+    for (const std::uint32_t s : surface.corner_cycle(*side)) excess += flow[s];
+    flow[*side] -= excess;
+    flow[surface.partner(*side)] += excess;
+  }
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t s = 0; s < flow.size(); ++s) {
+    if (s < surface.partner(s)) result.push_back(flow[s]);
+  }
+  return result;
+}
+
+/// But for the spectrum.
+IsometriesDocument document_of(const Surface& surface, const IsometryGroup& group) {
+  IsometriesDocument result;
+  result.order = static_cast<std::uint32_t>(group.size());
+  result.paths = polygon_paths(surface);
+  result.pair = crossing_pair(surface);
+  result.cocycle = random_cocycle(surface);
+  const Substitution image_of(surface);
+  for (const std::uint32_t g : group.generators()) {
+    const SurfaceIsometry& f = group.isometries()[g];
+    IsometriesDocument::Isometry& isometry = result.isometries.emplace_back();
+    isometry.preserves_orientation = f.preserves_orientation;
+    for (const Word& word : result.pair) isometry.images.push_back(image_of(word, f.images));
+    for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
+      // The paths cross no sides of the polygon.
+      if (s < surface.partner(s)) isometry.images.push_back(image_of({s}, f.images));
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+CertifiedIsometries certified_isometries(const Surface& surface, const IsometryGroup& group,
+                                         const IsometryOptions& options) {
+  constexpr int kMostTries = 5;
+  constexpr double kStep = 0.5;
+  CertifiedIsometries result{document_of(surface, group), {}};
+  certify::CheckOptions check;
+  check.threads = options.threads;
+  check.max_work = std::numeric_limits<std::uint64_t>::max();  // No limit, as the document was made here.
+  check.max_precision = 1024;
+  check.progress = options.progress;
+  static_cast<certify::GeodesicsDocument&>(result.document) = group.geodesics();
+  for (int tries = 1;; ++tries) {
+    result.certificate = certify::check(result.document, check);
+    // Only that there are no others depends on how many closed geodesics there are.
+    if (result.certificate.rule != "most" || tries == kMostTries) return result;
+    GeodesicsOptions geodesics;
+    geodesics.threads = options.threads;
+    geodesics.progress = options.progress;
+    const double length = static_cast<double>(Length(result.document.up_to).value()) + kStep;
+    static_cast<certify::GeodesicsDocument&>(result.document) = spectrum(surface, Length(length), geodesics);
+  }
+}
+
+}  // namespace epsnet

@@ -1,0 +1,309 @@
+#include <algorithm>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "certify/check.h"
+#include "certify/claims/isometries/check.h"
+#include "certify/claims/isometries/conjugation.h"
+#include "certify/claims/isometries/orbit.h"
+#include "certify/file/reader.h"
+
+/// Isometries files. Each rule is broken by a file in which nothing else is wrong.
+namespace epsnet::certify {
+namespace {
+
+using testing::HasSubstr;
+using Document = IsometriesDocument;
+using Word = Document::Word;
+
+Document read(const std::string& name) {
+  return read_file<Document>(std::string(EPSNET_TEST_DATA) + "/isometries/" + name + ".json");
+}
+
+/// 96 isometries, of which 48 preserve the orientation.
+Document bolza() { return read("bolza"); }
+/// The hyperelliptic involution and nothing else.
+Document octagon() { return read("octagon-5"); }
+/// Nothing but the identity; several tiles.
+Document fenchel_nielsen() { return read("fenchel-nielsen-3-1"); }
+
+Certificate checked(const Document& document) { return check(document, {.threads = 2, .max_precision = 256}); }
+
+/// "VERDICT", or "VERDICT: rule".
+std::string outcome(const Document& document) {
+  const Certificate certificate = checked(document);
+  return std::string(name(certificate.verdict)) + (certificate.rule.empty() ? "" : ": " + certificate.rule);
+}
+
+std::string structure(const Document& document) {
+  const Certificate certificate = checked(document);
+  EXPECT_EQ(certificate.verdict, Verdict::malformed);
+  return certificate.message;
+}
+
+/// The path back.
+Word reversed(const Document& document, Word word) {
+  const SurfaceSides sides(document.net.surface);
+  std::reverse(word.begin(), word.end());
+  for (std::uint32_t& s : word) s = sides.partner[s];
+  return word;
+}
+
+Word joined(Word first, const Word& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+/// The isometries that preserve the orientation, of those listed.
+Document without_reflections(Document document) {
+  std::erase_if(document.isometries, [](const auto& isometry) { return !isometry.preserves_orientation; });
+  return document;
+}
+
+TEST(Isometries, TrueFilesAreVerified) {
+  EXPECT_EQ(outcome(bolza()), "VERIFIED");
+  EXPECT_EQ(outcome(octagon()), "VERIFIED");
+  EXPECT_EQ(outcome(fenchel_nielsen()), "VERIFIED");
+}
+
+TEST(Isometries, TheClaimIsInWords) {
+  EXPECT_EQ(checked(bolza()).claim, "the surface has exactly 96 isometries, half of which preserve the orientation");
+  EXPECT_EQ(checked(octagon()).claim, "the surface has exactly 2 isometries, all of which preserve the orientation");
+}
+
+TEST(Isometries, AnyLiftOfAnIsometryWillDo) {
+  Document document = octagon();
+  const Word turned = document.pair[0];
+  for (Word& image : document.isometries[0].images) {
+    image = joined(joined(turned, image), reversed(document, turned));
+  }
+  EXPECT_EQ(outcome(document), "VERIFIED");
+}
+
+TEST(Isometries, AnyPathsWillDo) {
+  Document document = fenchel_nielsen();
+  ASSERT_TRUE(document.isometries.empty());
+  for (Word& path : document.paths) path = joined(document.pair[0], path);
+  EXPECT_EQ(outcome(document), "VERIFIED");
+}
+
+TEST(Isometries, TheIdentityMayBeListed) {
+  Document document = octagon();
+  Document::Isometry& identity = document.isometries.emplace_back();
+  identity.images = document.pair;
+  const SurfaceSides sides(document.net.surface);
+  for (std::uint32_t s = 0; s < sides.partner.size(); ++s) {
+    if (s < sides.partner[s]) identity.images.push_back({s});
+  }
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  identity.preserves_orientation = false;
+  EXPECT_EQ(outcome(document), "REFUTED: isometries");
+}
+
+// The spectrum.
+
+TEST(Isometries, AGeodesicLeftOutIsMissedByTheRuleOfTheSpectrum) {
+  Document document = octagon();
+  document.geodesics.pop_back();
+  document.clusters.pop_back();
+  EXPECT_EQ(outcome(document), "REFUTED: complete");
+}
+
+// Rule isometries.
+
+TEST(Isometries, AnImageWithAnotherWordIsRefuted) {
+  for (std::size_t k = 0; k < 6; ++k) {
+    Document document = octagon();
+    Word& image = document.isometries[0].images.at(k);
+    image = reversed(document, image);
+    EXPECT_EQ(outcome(document), "REFUTED: isometries") << k;
+  }
+}
+
+TEST(Isometries, AnImageThatIsConjugateIsRefuted) {
+  // Its trace is the same, that of products is not.
+  for (std::size_t k = 0; k < 6; ++k) {
+    Document document = octagon();
+    Word& image = document.isometries[0].images.at(k);
+    const Word other = document.isometries[0].images.at(k < 4 ? 4 : 2);
+    image = joined(joined(other, image), reversed(document, other));
+    EXPECT_EQ(outcome(document), "REFUTED: isometries") << k;
+  }
+}
+
+TEST(Isometries, AnOrientationThatIsTheOtherOneIsRefuted) {
+  for (std::size_t i = 0; i < bolza().isometries.size(); ++i) {
+    Document document = bolza();
+    document.isometries[i].preserves_orientation = !document.isometries[i].preserves_orientation;
+    EXPECT_EQ(outcome(document), "REFUTED: isometries") << i;
+  }
+}
+
+TEST(Isometries, APairOfWhichTheAxesDoNotCrossIsRefuted) {
+  Document document = octagon();
+  document.pair[1] = document.pair[0];
+  const Certificate certificate = checked(document);
+  EXPECT_EQ(certificate.verdict, Verdict::refuted);
+  EXPECT_THAT(certificate.message, HasSubstr("do not cross"));
+}
+
+// Rule least.
+
+TEST(Isometries, TooFewGeneratorsAreUndecided) { EXPECT_EQ(outcome(without_reflections(bolza())), "UNDECIDED: least"); }
+
+TEST(Isometries, MoreThanTheOrderIsRefuted) {
+  Document document = bolza();
+  document.order = 95;
+  EXPECT_EQ(outcome(document), "REFUTED: least");
+}
+
+TEST(Isometries, ACocycleThatTellsNothingApartIsUndecided) {
+  Document document = octagon();
+  std::fill(document.cocycle.begin(), document.cocycle.end(), 0);
+  EXPECT_EQ(outcome(document), "UNDECIDED: least");
+}
+
+TEST(Isometries, OfASumModulo2To32AreToldApart) {
+  Document document = octagon();
+  EXPECT_EQ(orbit_size(SurfaceSides(document.net.surface), document, {}), 2U);
+  // The involution takes every class to its opposite, and 2³¹ is its own one.
+  for (std::uint32_t& value : document.cocycle) value = std::uint32_t{1} << 31;
+  EXPECT_EQ(orbit_size(SurfaceSides(document.net.surface), document, {}), 1U);
+}
+
+// Rule most.
+
+TEST(Isometries, AGroupWithoutItsReflectionsIsUndecided) {
+  Document document = without_reflections(bolza());
+  document.order = static_cast<std::uint32_t>(orbit_size(SurfaceSides(document.net.surface), document, {}));
+  ASSERT_GE(document.order, 2U);
+  EXPECT_EQ(outcome(document), "UNDECIDED: most");
+}
+
+TEST(Isometries, WithoutTheInvolutionTheGroupIsUndecided) {
+  Document document = octagon();
+  document.isometries.clear();
+  document.order = 1;
+  EXPECT_EQ(outcome(document), "UNDECIDED: most");
+}
+
+TEST(Isometries, LessThanTheOrderIsRefuted) {
+  Document document = bolza();
+  document.order = 192;
+  EXPECT_EQ(outcome(document), "REFUTED: most");
+}
+
+TEST(Isometries, GeodesicsOfWhichNoTwoCrossDecideNothing) {
+  Document document = octagon();
+  document.geodesics.resize(1);
+  document.clusters.resize(1);
+  document.up_to = std::to_string(document.geodesics[0].length.upper + 1e-5);
+  ASSERT_TRUE(document.geodesics[0].simple);
+  const Certificate certificate = checked(document);
+  EXPECT_EQ(certificate.rule, "most");
+  EXPECT_THAT(certificate.message, HasSubstr("no two of the geodesics cross"));
+}
+
+// Structure.
+
+TEST(Isometries, WhatIsMalformedIsNamed) {
+  Document document = octagon();
+  document.order = 0;
+  EXPECT_THAT(structure(document), HasSubstr("order: 0"));
+
+  document = fenchel_nielsen();
+  document.paths.pop_back();
+  EXPECT_THAT(structure(document), HasSubstr("paths: "));
+
+  document = fenchel_nielsen();
+  std::swap(document.paths[1], document.paths[2]);
+  EXPECT_THAT(structure(document), HasSubstr("paths[1]: the word ends in tile 2"));
+
+  document = octagon();
+  document.pair.pop_back();
+  EXPECT_THAT(structure(document), HasSubstr("pair: 1 words, expected 2"));
+
+  document = fenchel_nielsen();
+  document.pair[1].pop_back();
+  EXPECT_THAT(structure(document), HasSubstr("pair: word 1: the word ends in tile"));
+
+  document = octagon();
+  document.isometries[0].images.pop_back();
+  EXPECT_THAT(structure(document), HasSubstr("isometries[0]: 5 words, expected 6"));
+
+  document = octagon();
+  document.isometries[0].images[2] = {8};
+  EXPECT_THAT(structure(document), HasSubstr("isometries[0]: word 2: "));
+
+  document = octagon();
+  document.cocycle.push_back(0);
+  EXPECT_THAT(structure(document), HasSubstr("cocycle: 5 numbers, expected one for each pair of sides, 4"));
+}
+
+TEST(Isometries, ACocycleHasTheSum0AroundEachVertex) {
+  const SurfaceSides sides(fenchel_nielsen().net.surface);
+  const auto vertex = [&](std::uint32_t side) {
+    std::uint32_t least = side;
+    for (std::uint32_t s = sides.next_around(side); s != side; s = sides.next_around(s)) least = std::min(least, s);
+    return least;
+  };
+  std::size_t k = 0;
+  std::size_t edges = 0;
+  for (std::uint32_t s = 0; s < sides.partner.size(); ++s) {
+    if (s > sides.partner[s]) continue;
+    Document document = fenchel_nielsen();
+    ++document.cocycle[k++];
+    // What a loop at a vertex adds it takes away.
+    if (vertex(s) == vertex(sides.partner[s])) continue;
+    ++edges;
+    EXPECT_THAT(structure(document), HasSubstr("cocycle: the sum around the vertex"));
+  }
+  EXPECT_GT(edges, 0U);
+}
+
+// Conjugation.
+
+Crossings regular_crossings() { return RegularCrossings({8, 8}, {4, 5, 6, 7, 0, 1, 2, 3}); }
+
+TEST(Conjugation, OfARegularOctagonRotationsAndReflectionsAreFound) {
+  const Crossings crossings = regular_crossings();
+  std::vector<ElementPair> rotation;
+  std::vector<ElementPair> reflection;
+  for (std::uint32_t s = 0; s < 4; ++s) {
+    rotation.push_back({{s}, {s + 1}});
+    reflection.push_back({{s}, {(8 - s) % 8}});
+  }
+  EXPECT_EQ(are_conjugate(crossings, rotation, {}), true);
+  EXPECT_EQ(are_conjugate(crossings, reflection, {}), true);
+  const auto sign = [&](std::uint32_t x, std::uint32_t y) {
+    return crossing_sign(crossings, std::vector{x}, std::vector{y}, {});
+  };
+  const int first = sign(0, 1).value();
+  EXPECT_NE(first, 0);
+  EXPECT_EQ(sign(1, 2), first);
+  EXPECT_EQ(sign(1, 0), -first);
+  EXPECT_EQ(sign(0, 7), -first);
+  EXPECT_EQ(sign(0, 5), -first);
+  EXPECT_EQ(sign(4, 5), first);
+  EXPECT_EQ(sign(0, 0), 0);
+  EXPECT_EQ(sign(0, 4), 0);
+}
+
+TEST(Conjugation, WhereOneSignOfATraceDiffersThereIsNone) {
+  const Crossings crossings = regular_crossings();
+  // Axes that cross at the centre at the angles π/4 and 3π/4.
+  EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{{0}, {0}}, {{1}, {1}}}, {}), true);
+  EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{{0}, {0}}, {{1}, {5}}}, {}), false);
+  EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{{0}, {0}}, {{1}, {1}}, {{2}, {6}}}, {}), false);
+}
+
+TEST(Conjugation, OfTheIdentityIsTheIdentity) {
+  const Crossings crossings = regular_crossings();
+  EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{{0}, {1}}, {{1}, {2}}, {{}, {3, 7}}}, {}), true);
+  EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{{0}, {1}}, {{1}, {2}}, {{}, {3}}}, {}), false);
+}
+
+}  // namespace
+}  // namespace epsnet::certify
