@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "certify/base/text.h"
+#include "netgen/eigenvalues/eigenfunction.h"
 #include "netgen/eigenvalues/prover.h"
 #include "netgen/eigenvalues/trace_matrices.h"
 #include "netgen/geodesics/geodesics.h"
@@ -358,6 +359,30 @@ Quality quality_of(const EigenvaluesDocument& document) {
   return {counted, -std::abs(first.smallest.upper - first.greatest.lower)};
 }
 
+/// Encloses the smallest and the greatest eigenvalue of windows with a certain number more narrowly, where functions
+/// prove where one is: those of the first windows.
+void add_eigenfunctions(const EigenvaluesOptions& options, EigenvaluesDocument& document) {
+  constexpr std::size_t kMost = 5;  // So that certify checks the file within the work that it allows by default.
+  const EigenfunctionSearch search(document, options.threads, options.progress);
+  for (EigenvaluesDocument::Window& window : document.windows) {
+    if (window.least != window.most || document.eigenfunctions.size() >= kMost) continue;
+    std::vector<double> guesses{(window.smallest.upper + window.greatest.lower) / 2};
+    if (window.most > 1) guesses = {window.smallest.upper, window.greatest.lower};
+    Interval known{};
+    for (const double guess : guesses) {
+      auto function = search.near(guess);
+      if (!function || function->in.lower <= window.in.lower || window.in.upper <= function->in.upper) continue;
+      const Interval in{std::nextafter(function->in.lower, 0.0), std::nextafter(function->in.upper, HUGE_VAL)};
+      const bool narrower = in.upper < window.smallest.upper || window.greatest.lower < in.lower;
+      if (!narrower || (in.lower <= known.upper && known.lower <= in.upper)) continue;
+      known = in;
+      window.smallest.upper = std::min(window.smallest.upper, in.upper);
+      window.greatest.lower = std::max(window.greatest.lower, in.lower);
+      document.eigenfunctions.push_back(*std::move(function));
+    }
+  }
+}
+
 }  // namespace
 
 EigenvaluesDocument eigenvalues(const Surface& surface, const EigenvaluesOptions& options) {
@@ -388,6 +413,7 @@ EigenvaluesDocument eigenvalues(const Surface& surface, const EigenvaluesOptions
     throw NetError("nothing can be said about the eigenvalues from closed geodesics of length at most " +
                    options.up_to.text() + "; a length of 1 or more is needed");
   }
+  if (options.eigenfunctions) add_eigenfunctions(options, best);
   return best;
 }
 

@@ -18,8 +18,11 @@ struct EigenvaluesOptions {
   /// intervals of small eigenvalues by about a factor of 5.
   Length up_to{"10"};
   std::uint32_t count = 0;  ///< Stop behind the window that completes so many eigenvalues; 0: where windows end.
-  unsigned threads = 0;     ///< 0: as many as the machine has cores. The result is the same for any number.
-  Progress progress = {};   ///< Called occasionally, if given.
+  /// Whether eigenvalues that are counted are enclosed to some nine digits by approximate eigenfunctions, which takes
+  /// some seconds for each window. Not if the net has more than some 25 vertices (genus 4 and more).
+  bool eigenfunctions = true;
+  unsigned threads = 0;    ///< 0: as many as the machine has cores. The result is the same for any number.
+  Progress progress = {};  ///< Called occasionally, if given.
 };
 
 /// Returns intervals, each with a number of eigenvalues, and coefficients that prove them, from 0 up to where they

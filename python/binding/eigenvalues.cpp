@@ -23,15 +23,17 @@ void bind_eigenvalues(py::module_& module) {
         return certify::parse_file<EigenvaluesDocument>(text, name);
       });
   bound
-      .def_static("find",
-                  [](const Surface& surface, const std::string& up_to, std::uint32_t count, unsigned threads,
-                     const py::object& callback) {
-                    const auto search = [surface, up_to = Length(up_to), count, threads](const Progress& progress) {
-                      return SharedEigenvalues(eigenvalues(
-                          surface, {.up_to = up_to, .count = count, .threads = threads, .progress = progress}));
-                    };
-                    return interruptible(search, callback);
-                  })
+      .def_static(
+          "find",
+          [](const Surface& surface, const std::string& up_to, std::uint32_t count, bool fast, unsigned threads,
+             const py::object& callback) {
+            const auto search = [surface, up_to = Length(up_to), count, fast, threads](const Progress& progress) {
+              return SharedEigenvalues(eigenvalues(
+                  surface,
+                  {.up_to = up_to, .count = count, .eigenfunctions = !fast, .threads = threads, .progress = progress}));
+            };
+            return interruptible(search, callback);
+          })
       .def("svg",
            [](const SharedEigenvalues& self, std::uint32_t size) {
              return interruptible([self, size] { return draw_svg(picture_of(*self), size); });

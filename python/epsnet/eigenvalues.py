@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, List, Optional, Sequence, Union, overload
 
 from . import _epsnet
-from ._arguments import Number, as_fraction, as_index, as_threads, length_text, refuse
+from ._arguments import Number, as_flag, as_fraction, as_index, as_threads, length_text, refuse
 from ._documents import Document
 from ._progress import Progress, Shower
 from .certificates import Certificate, checked
@@ -98,12 +98,12 @@ class Eigenvalues(Document, Sequence[EigenvalueWindow]):
         return f"<Eigenvalues up to {self.bound}: windows of {counts or 'none'}{'' if self.proved else ' (not proved)'}>"
 
 
-def eigenvalues(surface: "Surface", up_to: Number, count: Optional[int], threads: int, progress: Progress) -> Eigenvalues:
+def eigenvalues(surface: "Surface", up_to: Number, count: Optional[int], fast: bool, threads: int, progress: Progress) -> Eigenvalues:
     text = length_text(up_to, "up_to")
     most = 0 if count is None else as_index(count, "count", 1, 10**6)
     threads = as_threads(threads)
     if as_fraction(up_to, "up_to") > 30:
         refuse("a length of at most 30", up_to, "up_to")
     with Shower(progress) as callback:
-        core = _epsnet.Eigenvalues.find(surface._core, text, most, threads, callback)
+        core = _epsnet.Eigenvalues.find(surface._core, text, most, as_flag(fast, "fast"), threads, callback)
     return Eigenvalues(core, surface, checked(core, progress, threads, subject="eigenvalues"))

@@ -2406,6 +2406,102 @@ def eigenvalues_up_to_more():
     return with_(document, eigenvalues_up_to=math.nextafter(document["eigenvalues_up_to"], 99))
 
 
+def eigenfunction(**changes):
+    """The file of an octagon with λ_1 = 2.77506798…, the row of its eigenfunction changed."""
+    document = eigenvalues("octagon-5-to-8-digits")
+    document["eigenfunctions"][0].update(changes)
+    return document
+
+
+UNPROVED = "UNDECIDED: eigenfunctions"
+
+
+@forgery(UNPROVED, exact=LEFT)
+def eigenfunction_of_another_eigenvalue():
+    """λ of the functions is a billionth more, and so are all ends of enclosures."""
+    document = eigenfunction()
+    row = document["eigenfunctions"][0]
+    row["lambda"] += 2.5e-9
+    row["in"] = [x + 2.5e-9 for x in row["in"]]
+    window = document["windows"][0]
+    window["smallest"][1] += 2.5e-9
+    window["greatest"][0] += 2.5e-9
+    return document
+
+
+@forgery(UNPROVED, exact=LEFT)
+def eigenfunction_enclosed_in_less():
+    """The interval of an eigenfunction is half as wide, as is the enclosure of its eigenvalue."""
+    document = eigenfunction()
+    row = document["eigenfunctions"][0]
+    row["in"] = [(x + row["lambda"]) / 2 for x in row["in"]]
+    window = document["windows"][0]
+    window["smallest"][1], window["greatest"][0] = (math.nextafter(row["in"][1], 9), math.nextafter(row["in"][0], 0))
+    return document
+
+
+@forgery(UNPROVED, exact=LEFT)
+def eigenfunction_that_is_constant():
+    """1 around every vertex: the functions of all vertices agree in their centres only."""
+    document = eigenfunction()
+    each = len(document["eigenfunctions"][0]["coefficients"]) // 9
+    return eigenfunction(coefficients=([1] + [0] * (each - 1)) * 9)
+
+
+@forgery(UNPROVED, exact=LEFT)
+def eigenfunction_of_one_vertex():
+    """The function of the first vertex alone; it is 0 around all others."""
+    coefficients = eigenfunction()["eigenfunctions"][0]["coefficients"]
+    each = len(coefficients) // 9
+    return eigenfunction(coefficients=coefficients[:each] + [0] * (8 * each))
+
+
+@forgery(UNPROVED, exact=LEFT)
+def eigenfunction_with_vertices_exchanged():
+    """The functions of two vertices are exchanged."""
+    coefficients = eigenfunction()["eigenfunctions"][0]["coefficients"]
+    each = len(coefficients) // 9
+    return eigenfunction(coefficients=coefficients[each:2 * each] + coefficients[:each] + coefficients[2 * each:])
+
+
+@forgery(UNPROVED, exact=LEFT)
+def eigenfunction_turned():
+    """The function of the first vertex is turned by 10⁻⁹ around it."""
+    document = eigenfunction()
+    coefficients = document["eigenfunctions"][0]["coefficients"]
+    for m in range(1, (len(coefficients) // 9 + 1) // 2):
+        x, y = coefficients[2 * m - 1], coefficients[2 * m]
+        c, s = math.cos(1e-9 * m), math.sin(1e-9 * m)
+        coefficients[2 * m - 1], coefficients[2 * m] = c * x - s * y, s * x + c * y
+    return document
+
+
+@refuted("windows", exact=LEFT)
+def eigenfunction_left_out():
+    """The eigenfunction is missing, and the enclosure is as narrow as with it."""
+    return with_(eigenfunction(), eigenfunctions=[])
+
+
+@malformed("eigenfunctions[0]", exact=LEFT)
+def eigenfunction_on_disks_that_do_not_cover():
+    """The functions count within ε of the vertices, and on the boundary of these disks nothing need count."""
+    return eigenfunction(radius=1)
+
+
+@malformed("eigenfunctions[0]", exact=LEFT)
+def eigenfunction_that_is_zero():
+    """0 around every vertex: all functions agree."""
+    return eigenfunction(coefficients=[0] * len(eigenfunction()["eigenfunctions"][0]["coefficients"]))
+
+
+@malformed("eigenfunctions[0]", exact=LEFT)
+def eigenfunction_of_the_eigenvalue_0():
+    """The constant function, for an interval from 0 on."""
+    document = eigenfunction()
+    each = len(document["eigenfunctions"][0]["coefficients"]) // 9
+    return eigenfunction(coefficients=([1] + [0] * (each - 1)) * 9, **{"lambda": 0, "in": [0, 2.7]})
+
+
 @refuted("windows", exact=LEFT)
 def at_least_in_an_interval_with_another_window():
     """That at least 3 are in the first window is said with a weight that is positive in the second one as well: there are

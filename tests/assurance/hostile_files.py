@@ -680,12 +680,29 @@ def eigenvalues_of_many_windows():
 
 
 @kind
+def eigenvalues_of_many_functions():
+    result = eigenvalues_file()
+    row = {"in": [2.7, 2.9], "lambda": 2.8, "radius": 1.9, "coefficients": [1] * (9 * 401)}
+    result["eigenfunctions"] = [row] * ((SIZE - 40_000) // len(json.dumps(row)))
+    return result
+
+
+@kind
+def eigenvalues_of_many_functions_of_order_1():
+    result = eigenvalues_file()
+    row = {"in": [1e-300, 1e300], "lambda": 1e-300, "radius": 1.001, "coefficients": [1] * (9 * 3)}
+    result["eigenfunctions"] = [row] * ((SIZE - 40_000) // len(json.dumps(row)))
+    return result
+
+
+@kind
 def eigenvalues_with_a_geodesic_of_length_1e_9():
     result = epsnet("spectrum", "--up-to", "3", surface=["fenchel-nielsen", "--pants-graph", "0-0 0-1 1-1", "--lengths",
                                                          "2,1e-9,2", "--twists", "0"])
     del result["claim"]
     return {**result, "format": "epsnet-eigenvalues", "order": 8, "degree": 1, "eigenvalues_up_to": 1, "windows": [],
-            "at_most": [{"in": [0, 1], "count": 0, "coefficients": [1, 0]}], "at_least": []}
+            "at_most": [{"in": [0, 1], "count": 0, "coefficients": [1, 0]}], "at_least": [],
+            "eigenfunctions": []}
 
 
 @kind

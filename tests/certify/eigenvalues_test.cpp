@@ -11,12 +11,22 @@
 #include <string>
 #include <vector>
 
+#if __has_include(<flint/acb_hypgeom.h>)
+#include <flint/acb_hypgeom.h>
+#else
+#include <acb_hypgeom.h>
+#endif
+
 #include "certify/check.h"
 #include "certify/claims/eigenvalues/check.h"
 #include "certify/claims/eigenvalues/counting.h"
+#include "certify/claims/eigenvalues/eigenfunction.h"
+#include "certify/claims/eigenvalues/near_vertices.h"
 #include "certify/claims/eigenvalues/test_function.h"
 #include "certify/claims/eigenvalues/trace_forms.h"
 #include "certify/file/reader.h"
+#include "certify/net/label_evaluator.h"
+#include "certify/net/surface_check.h"
 #include "tests/support/scale.h"
 
 /// Eigenvalues files. Each rule is broken by a file in which nothing else is wrong.
@@ -28,6 +38,10 @@ using Document = EigenvaluesDocument;
 
 /// λ_1 of a random octagon, simple.
 Document octagon() { return read_file<Document>(std::string(EPSNET_TEST_DATA) + "/eigenvalues/octagon-5-to-8.json"); }
+/// The same with an approximate eigenfunction, which gives nine digits.
+Document digits() {
+  return read_file<Document>(std::string(EPSNET_TEST_DATA) + "/eigenvalues/octagon-5-to-8-digits.json");
+}
 /// The first three windows of the Bolza surface, of 3, 4 and 2 eigenvalues.
 Document bolza() { return read_file<Document>(std::string(EPSNET_TEST_DATA) + "/eigenvalues/bolza-to-9.json"); }
 
@@ -341,6 +355,216 @@ TEST(Eigenvalues, MutantsThatAreVerifiedAreTrue) {
   }
   EXPECT_GT(verified, mutants / 10);
   EXPECT_LT(verified, mutants / 2);
+}
+
+// Approximate eigenfunctions.
+
+TEST(Eigenfunctions, GiveNineDigits) {
+  const Document document = digits();
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  ASSERT_EQ(document.windows.size(), 1U);
+  const auto& window = document.windows[0];
+  // What the trace formula alone proves from geodesics up to 14.
+  EXPECT_GT(window.greatest.lower, 2.77505);
+  EXPECT_LT(window.smallest.upper, 2.77509);
+  EXPECT_LT(window.smallest.upper - window.greatest.lower, 3e-9);
+}
+
+/// What certify says of the file with its eigenfunction changed.
+std::string with_function(const std::function<void(Document::Eigenfunction&)>& change) {
+  Document document = digits();
+  change(document.eigenfunctions.at(0));
+  return outcome(document);
+}
+
+TEST(Eigenfunctions, ThatProveLessAreUndecided) {
+  const std::string undecided = "UNDECIDED: eigenfunctions";
+  EXPECT_EQ(with_function([](auto& f) { f.lambda += 5e-10; }), undecided);
+  EXPECT_EQ(with_function([](auto& f) { f.in.lower = f.lambda - (f.lambda - f.in.lower) * 0.99; }), undecided);
+  EXPECT_EQ(with_function([](auto& f) { f.in.upper = f.lambda; }), undecided);
+  EXPECT_EQ(with_function([](auto& f) { f.coefficients[0] *= 1 + 1e-9; }), undecided);
+  EXPECT_EQ(with_function([](auto& f) { f.coefficients.back() += 1; }), undecided);
+  // The functions of two vertices exchanged; the function of one of them left out.
+  EXPECT_EQ(with_function([](auto& f) {
+              const auto second = f.coefficients.begin() + 153;
+              std::swap_ranges(f.coefficients.begin(), second, second);
+            }),
+            undecided);
+  EXPECT_EQ(with_function([](auto& f) { std::fill_n(f.coefficients.end() - 153, 153, 0.0); }), undecided);
+  // Disks that overlap by less, or so much that the series is not used.
+  EXPECT_EQ(with_function([](auto& f) { f.radius = 1.01; }), undecided);
+  EXPECT_EQ(with_function([](auto& f) { f.radius = 1.9; }), undecided);
+}
+
+TEST(Eigenfunctions, WithTwiceTheCoefficientsProveTheSame) {
+  EXPECT_EQ(with_function([](auto& f) {
+              for (double& c : f.coefficients) c *= 2;
+            }),
+            "VERIFIED");
+}
+
+TEST(Eigenfunctions, ThatAreMissingAreMissed) {
+  Document document = digits();
+  document.eigenfunctions.clear();
+  EXPECT_EQ(outcome(document), "REFUTED: windows");
+}
+
+TEST(Eigenfunctions, NotAllEigenvaluesOfAWindowAreWhereTheOneIsNot) {
+  Document document = digits();
+  ASSERT_FALSE(Counting(document).problem());
+  const Interval in = document.eigenfunctions[0].in;
+  document.windows[0].smallest.upper = in.upper;
+  EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("smallest"));
+  document = digits();
+  document.windows[0].greatest.lower = in.lower;
+  EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("greatest"));
+  // One that may be in another window proves nothing.
+  document = digits();
+  document.eigenfunctions[0].in.lower = below(document.windows[0].in.lower);
+  EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("smallest"));
+  // That there is one is known from it as well.
+  document = digits();
+  document.at_least.clear();
+  EXPECT_FALSE(Counting(document).problem());
+  document.eigenfunctions[0].in.upper = above(document.windows[0].in.upper);
+  EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("at least 1"));
+}
+
+TEST(Eigenfunctions, OfWrongStructureAreMalformed) {
+  const auto problem = [](const std::function<void(Document::Eigenfunction&)>& change) {
+    Document document = digits();
+    change(document.eigenfunctions.at(0));
+    return structure_problem(document).value_or("");
+  };
+  EXPECT_EQ(problem([](auto&) {}), "");
+  for (const double lambda : {0.0, -1.0, 2.7, 2.8, std::nan(""), HUGE_VAL})
+    EXPECT_THAT(problem([&](auto& f) { f.lambda = lambda; }), HasSubstr("eigenfunctions[0]: lambda is not in in"));
+  EXPECT_THAT(problem([](auto& f) { f.in.lower = 0; }), HasSubstr("0 < lo"));
+  EXPECT_THAT(problem([](auto& f) { f.in.upper = HUGE_VAL; }), HasSubstr("lo <= hi"));
+  for (const double radius : {0.5, 1.0, 2.0, std::nan("")})
+    EXPECT_THAT(problem([&](auto& f) { f.radius = radius; }), HasSubstr("more than epsilon and less than 2"));
+  EXPECT_THAT(problem([](auto& f) { f.coefficients.pop_back(); }), HasSubstr("1376 coefficients, expected 2M + 1"));
+  for (const std::size_t each : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{152}, std::size_t{403}})
+    EXPECT_THAT(problem([&](auto& f) { f.coefficients.assign(9 * each, 1); }), HasSubstr("expected 2M + 1")) << each;
+  EXPECT_THAT(problem([](auto& f) { f.coefficients.assign(9 * 401, 0); }), HasSubstr("are 0"));
+  EXPECT_THAT(problem([](auto& f) { f.coefficients[7] = std::nan(""); }), HasSubstr("not finite"));
+}
+
+/// ₂F₁(½ − ir, ½ + ir; m + 1; −s/(1 − s)) by Arb.
+Ball reference_factor(double lambda, double s, std::uint32_t m) {
+  acb_t r, a, b, c, z, value;
+  for (acb_struct* x : {r, a, b, c, z, value}) acb_init(x);
+  const slong bits = Precision::bits();
+  acb_set_d(r, lambda - 0.25);
+  acb_sqrt(r, r, bits);
+  acb_mul_onei(r, r);
+  acb_set_d(a, 0.5);
+  acb_sub(b, a, r, bits);
+  acb_add(a, a, r, bits);
+  acb_set_ui(c, m + 1);
+  acb_set_d(z, s);
+  acb_sub_ui(value, z, 1, bits);
+  acb_div(z, z, value, bits);
+  acb_hypgeom_2f1(value, a, b, c, z, 0, bits);
+  Ball result(acb_realref(value));
+  for (acb_struct* x : {r, a, b, c, z, value}) acb_clear(x);
+  return result;
+}
+
+TEST(RadialFactors, AreHypergeometricFunctions) {
+  const Precision scope(160);
+  for (const double lambda : {0.015625, 0.25, 2.75, 30.0}) {
+    for (const double s : {0.0, 0.0625, 0.375, 0.5}) {
+      const std::vector<Ball> found = RadialFactors(Ball::exactly(lambda), 40)(Ball::exactly(s));
+      for (const std::uint32_t m : {0U, 1U, 2U, 17U, 40U}) {
+        const Interval error = outer_interval(found[m] - reference_factor(lambda, s, m));
+        EXPECT_LE(error.lower, 0) << lambda << ' ' << s << ' ' << m;
+        EXPECT_GE(error.upper, 0) << lambda << ' ' << s << ' ' << m;
+        EXPECT_LT(error.upper - error.lower, 1e-25) << lambda << ' ' << s << ' ' << m;
+      }
+    }
+  }
+}
+
+TEST(RadialFactors, AreNotUsedBeyondOneHalf) {
+  const Precision scope(128);
+  EXPECT_FALSE(is_finite(RadialFactors(Ball::exactly(1), 8)(Ball::exactly(above(0.5)))[3]));
+  // A series of order 1 that would take too long.
+  EXPECT_FALSE(is_finite(RadialFactors(Ball::exactly(1), 1)(Ball::exactly(0.25))[0]));
+}
+
+/// The inequalities of docs/proof.md, Lemma 37.1, at many places; derivatives by differences.
+TEST(RadialFactors, SatisfyTheirBounds) {
+  const Precision scope(128);
+  for (const double lambda : {0.1, 2.75, 12.0, 40.0}) {
+    const RadialFactors factors(Ball::exactly(lambda), 30);
+    const auto functions = [&](double rho) {
+      const double t = std::tanh(rho / 2);
+      std::vector<double> result;
+      double power = 1;
+      for (const Ball& factor : factors(Ball::exactly(t * t))) {
+        result.push_back(power * arf_get_d(arb_midref(factor.get()), ARF_RND_NEAR));
+        power *= t;
+      }
+      return result;
+    };
+    for (double rho = 0.05; rho < 1.7; rho += 0.11) {
+      const double t = std::tanh(rho / 2);
+      const double step = 1e-4;
+      const auto here = functions(rho);
+      const auto before = functions(rho - step);
+      const auto behind = functions(rho + step);
+      for (std::uint32_t m = 0; m < here.size(); ++m) {
+        EXPECT_LE(std::abs(here[m]), std::pow(t, m) * (1 + 1e-12)) << lambda << ' ' << rho << ' ' << m;
+        if (lambda * std::sinh(rho) * std::sinh(rho) <= (m + 1) * (m + 1)) {
+          EXPECT_GE(here[m], std::pow(t, m) * std::exp(-lambda * (std::cosh(rho) - 1) / (m + 1)) * (1 - 1e-12));
+        }
+        const double slope = std::abs(behind[m] - before[m]) / (2 * step);
+        const double bound = m * std::pow(t, m - 1.0) + lambda * std::pow(t, m + 1.0);
+        EXPECT_LE(slope + m * std::abs(here[m]) / std::sinh(rho), bound * (1 + 1e-4))
+            << lambda << ' ' << rho << ' ' << m;
+      }
+    }
+  }
+}
+
+/// The lifts near each vertex of the octagon's net.
+std::optional<std::vector<std::vector<NearVertex>>> near_in(const Document& document, double distance, slong bits) {
+  const Precision scope(bits);
+  const LabelParts parts = label_parts(check_surface(document.net.surface).crossings, document.net.charts, {});
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t k = 1; k <= document.net.labels.size(); ++k) numbers.push_back(k);
+  const auto labels = LabelEvaluator(document.net, parts).evaluate(numbers, bits, 4 * bits, 1);
+  return near_vertices(document, labels, Ball::exactly(distance), {});
+}
+
+/// Those nearer than 1.5 that a search for others finds, too; and each is seen from both of its ends.
+TEST(NearVertices, AreAllThatAreNear) {
+  const Document document = octagon();
+  const auto near = near_in(document, 1.5, 128).value();
+  const auto more = near_in(document, 3, 128).value();
+  std::vector<std::vector<std::size_t>> counts(near.size(), std::vector<std::size_t>(near.size()));
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    std::size_t others = 0;
+    for (const NearVertex& vertex : more[k]) {
+      const double sinh_squared = outer_interval(vertex.sinh_squared).lower;
+      EXPECT_LT(sinh_squared, std::pow(std::sinh(1.5), 2) * (1 + 1e-9));
+      others += sinh_squared < std::pow(std::sinh(0.75), 2) ? 1 : 0;
+    }
+    EXPECT_EQ(near[k].size(), others) << k;
+    EXPECT_GT(near[k].size(), 3U) << k;
+    for (const NearVertex& vertex : more[k]) ++counts[k][vertex.vertex];
+  }
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    for (std::size_t l = 0; l < k; ++l) EXPECT_EQ(counts[k][l], counts[l][k]);
+    // A lift of a vertex and its inverse.
+    EXPECT_EQ(counts[k][k] % 2, 0U);
+  }
+}
+
+TEST(NearVertices, NeedBits) {
+  const Document document = octagon();
+  EXPECT_FALSE(near_in(document, 3, 4));
 }
 
 // Counting.

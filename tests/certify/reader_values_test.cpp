@@ -108,7 +108,9 @@ Json eigenvalues() {
                   {"in": [3, 4], "least": 0, "most": 2, "smallest": [3, 4], "greatest": [3, 4]}],
       "at_most": [{"in": [0, 1], "count": 0, "coefficients": [1, 0.5, -0.25]},
                   {"in": [1, 2], "count": 1, "coefficients": [0.125, 0, 3]}],
-      "at_least": [{"in": [0, 3], "within": [1, 2], "count": 1, "coefficients": [2, 1, 4]}]})");
+      "at_least": [{"in": [0, 3], "within": [1, 2], "count": 1, "coefficients": [2, 1, 4]}],
+      "eigenfunctions": [{"in": [1, 2], "lambda": 1.5, "radius": 1.75,
+                          "coefficients": [1, 0.5, -0.25, 2, 0, 0, 1, 3, 0.125, 0, 0.75, 4]}]})");
   result.update(geodesics("spectrum"));
   result.erase("claim");
   result["format"] = "epsnet-eigenvalues";

@@ -1,11 +1,13 @@
 #include "certify/claims/eigenvalues/check.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
 #include "certify/base/counted.h"
 #include "certify/base/text.h"
 #include "certify/claims/eigenvalues/counting.h"
+#include "certify/claims/eigenvalues/eigenfunction.h"
 #include "certify/claims/eigenvalues/test_function.h"
 #include "certify/claims/eigenvalues/trace_forms.h"
 #include "certify/claims/geodesics/check.h"
@@ -20,17 +22,22 @@ namespace {
 
 using AtMost = EigenvaluesDocument::AtMost;
 using AtLeast = EigenvaluesDocument::AtLeast;
+using Eigenfunction = EigenvaluesDocument::Eigenfunction;
 using Forms = std::array<Ball, 3>;
 
 constexpr const char* kTraces = "traces";
 constexpr const char* kMost = "most";
 constexpr const char* kLeast = "least";
+constexpr const char* kEigenfunctions = "eigenfunctions";
 constexpr const char* kWindows = "windows";
 
 /// Test functions grow with L to some 10¹⁰ times their values at the eigenvalues.
 constexpr slong kFirstBits = 192;
+/// Coefficients of eigenfunctions have the 53 bits of binary64, and little is lost: many more bits prove no more.
+constexpr slong kFirstBitsOfFunctions = 128;
+constexpr slong kMostBitsOfFunctions = 512;
 
-RuleNames rules_beyond_the_spectrum() { return {kTraces, kMost, kLeast, kWindows}; }
+RuleNames rules_beyond_the_spectrum() { return {kTraces, kMost, kLeast, kEigenfunctions, kWindows}; }
 
 /// Sum of P(λ) f̂(λ)² over all eigenvalues: P = ρ − λ for σ = 0, otherwise (ρ − λ)(λ − σ).
 Ball weighted_sum(const Forms& forms, Interval in) {
@@ -71,6 +78,13 @@ class EigenvaluesCheck {
             return !rules_.open(kTraces) && !rules_.open(kMost) && !rules_.open(kLeast);
           },
           kFirstBits);
+      with_rising_precision(
+          std::min(options_.max_precision, kMostBitsOfFunctions),
+          [&](slong precision) {
+            run.used(static_cast<std::uint64_t>(precision));
+            return check_eigenfunctions(precision);
+          },
+          kFirstBitsOfFunctions);
     } catch (const BudgetSpent& spent) {
       rules_.give_up(spent.what());
     }
@@ -102,13 +116,43 @@ class EigenvaluesCheck {
           [&](const AtLeast& row) { return at_least(row, (*trace_forms)(row.coefficients)); });
   }
 
+  /// False if more bits may help.
+  bool check_eigenfunctions(slong precision) {
+    const std::vector<Eigenfunction>& rows = document_.eigenfunctions;
+    const std::vector<BallIsometry> labels = elements(1, document_.net.labels.size(), precision);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (options_.progress)
+        options_.progress(kEigenfunctions, static_cast<double>(i) / static_cast<double>(rows.size()));
+      const std::string function = "function " + std::to_string(i);
+      const auto error = eigenvalue_error(document_, rows[i], labels, genus_, budget_, threads_);
+      if (!error || !is_finite(*error)) {
+        rules_.doubt(kEigenfunctions, function + " is not decided, with " + std::to_string(precision) + " bits");
+        return false;
+      }
+      const Ball lambda = Ball::exactly(rows[i].lambda);
+      const auto below = [](const Ball& x, const Ball& y) { return certainly_less(y, x) == Tri::no; };
+      if (!below(Ball::exactly(rows[i].in.lower), lambda - *error) ||
+          !below(lambda + *error, Ball::exactly(rows[i].in.upper))) {
+        rules_.doubt(kEigenfunctions, function + " proves an eigenvalue only within " +
+                                          shortest(outer_interval(*error).upper) + " of its lambda");
+        return true;
+      }
+    }
+    rules_.report({kEigenfunctions, Verdict::verified, counted(rows.size(), "function", "functions")});
+    return true;
+  }
+
+  /// The values of labels from this number on: those of the net from 1 on, and then the geodesics.
+  [[nodiscard]] std::vector<BallIsometry> elements(std::size_t first, std::size_t count, slong precision) const {
+    std::vector<std::uint32_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), static_cast<std::uint32_t>(first));
+    return evaluator_.evaluate(numbers, precision, 4 * precision, threads_);
+  }
+
   /// Of the geodesics, from their words.
   [[nodiscard]] std::vector<Ball> lengths(slong precision) const {
-    const std::size_t labels = document_.net.labels.size();
-    std::vector<std::uint32_t> numbers(document_.geodesics.size());
-    std::iota(numbers.begin(), numbers.end(), static_cast<std::uint32_t>(labels) + 1);
     std::vector<Ball> result;
-    for (const BallIsometry& element : evaluator_.evaluate(numbers, precision, 4 * precision, threads_))
+    for (const BallIsometry& element : elements(document_.net.labels.size() + 1, document_.geodesics.size(), precision))
       result.push_back(twice(acosh(cosh_half_length(element))));
     return result;
   }

@@ -6,6 +6,7 @@ namespace epsnet::certify {
 namespace {
 
 using AtLeast = EigenvaluesDocument::AtLeast;
+using Eigenfunction = EigenvaluesDocument::Eigenfunction;
 
 bool contains(Interval x, Interval y) { return x.lower <= y.lower && y.upper <= x.upper; }
 
@@ -38,7 +39,11 @@ std::optional<std::uint64_t> Counting::most(Interval closed) const {
 }
 
 bool Counting::at_least(std::uint32_t count, Interval window) const {
-  if (count == 0) return true;
+  const auto& functions = document_.eigenfunctions;
+  if (count == 0 || (count == 1 && std::any_of(functions.begin(), functions.end(),
+                                               [&](const Eigenfunction& row) { return contains(window, row.in); }))) {
+    return true;
+  }
   return std::any_of(document_.at_least.begin(), document_.at_least.end(), [&](const AtLeast& row) {
     return row.count >= count && contains(window, row.within) && none_between(row.in.lower, row.within.lower) &&
            none_between(row.within.upper, row.in.upper);
@@ -47,6 +52,12 @@ bool Counting::at_least(std::uint32_t count, Interval window) const {
 
 bool Counting::not_all_in(Interval part, Interval window, std::uint32_t count) const {
   if (const auto there = most(part); there && *there < count) return true;
+  const auto& functions = document_.eigenfunctions;
+  if (std::any_of(functions.begin(), functions.end(), [&](const Eigenfunction& row) {
+        return contains(window, row.in) && (row.in.upper < part.lower || part.upper < row.in.lower);
+      })) {
+    return true;
+  }
   return std::any_of(document_.at_least.begin(), document_.at_least.end(), [&](const AtLeast& row) {
     return row.count > count && contains(row.within, part) && none_between(row.in.lower, window.lower) &&
            none_between(window.upper, row.in.upper);

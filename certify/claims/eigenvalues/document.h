@@ -35,6 +35,17 @@ struct EigenvaluesDocument : GeodesicsDocument {
     bool operator==(const AtLeast&) const = default;
   };
 
+  /// An eigenvalue lies in `in`: functions around the vertices of the net nearly fit together to an eigenfunction.
+  struct Eigenfunction {
+    Interval in{};
+    double lambda = 0;  ///< Of the functions; in `in`.
+    double radius = 0;  ///< Around each vertex its function counts within this distance, more than ε.
+    /// By vertex α₀, α₁, β₁, …, α_M, β_M: its function is the sum of the (α_m cos mθ + β_m sin mθ) tanh(ρ/2)^m F_m, in
+    /// polar coordinates.
+    Coefficients coefficients;
+    bool operator==(const Eigenfunction&) const = default;
+  };
+
   /// What is claimed of the eigenvalues in `in`. Where `least` and `most` differ the other two intervals are `in`.
   struct Window {
     Interval in{};
@@ -53,6 +64,7 @@ struct EigenvaluesDocument : GeodesicsDocument {
   std::vector<Window> windows;
   std::vector<AtMost> at_most;
   std::vector<AtLeast> at_least;
+  std::vector<Eigenfunction> eigenfunctions;
   bool operator==(const EigenvaluesDocument&) const = default;
 };
 

@@ -31,6 +31,14 @@ struct Fields<EigenvaluesDocument::AtLeast> {
 };
 
 template <>
+struct Fields<EigenvaluesDocument::Eigenfunction> {
+  static auto members(auto& row) {
+    return std::tuple(member("in", row.in), member("lambda", row.lambda), member("radius", row.radius),
+                      member("coefficients", row.coefficients));
+  }
+};
+
+template <>
 struct Fields<EigenvaluesDocument> {
   static constexpr ClaimKind kKind{"eigenvalues", "epsnet-eigenvalues", "eigenvalues",
                                    "An eigenvalues file claims how many eigenvalues of the Laplacian lie in which\n"
@@ -45,7 +53,8 @@ struct Fields<EigenvaluesDocument> {
                    member("geodesics", document.geodesics), member("clusters", document.clusters),
                    member("order", document.order), member("degree", document.degree),
                    member("eigenvalues_up_to", document.eigenvalues_up_to), member("windows", document.windows),
-                   member("at_most", document.at_most), member("at_least", document.at_least)));
+                   member("at_most", document.at_most), member("at_least", document.at_least),
+                   member("eigenfunctions", document.eigenfunctions)));
   }
 };
 

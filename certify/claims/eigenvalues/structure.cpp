@@ -30,6 +30,30 @@ Problem functions_problem(const Document& document) {
 /// Whether x and y, both finite, are the ends of an interval in [0, ∞).
 bool in_order(double x, double y) { return std::isfinite(x) && std::isfinite(y) && 0 <= x && x <= y; }
 
+Problem values_problem(const Document::Coefficients& coefficients) {
+  if (!std::all_of(coefficients.begin(), coefficients.end(), [](double c) { return std::isfinite(c); }))
+    return "a coefficient is not finite";
+  if (std::all_of(coefficients.begin(), coefficients.end(), [](double c) { return c == 0; }))
+    return "all coefficients are 0";
+  return std::nullopt;
+}
+
+Problem eigenfunction_problem(const Document& document, const Document::Eigenfunction& row) {
+  constexpr std::size_t kGreatestOrder = 200;
+  const auto& [in, lambda, radius, coefficients] = row;
+  if (!in_order(in.lower, lambda) || !in_order(lambda, in.upper) || in.lower == 0)
+    return "lambda is not in in, or in is not 0 < lo <= hi";
+  if (!std::isfinite(radius) || radius >= 2 || mpq_class(radius) <= decimal(document.net.epsilon))
+    return "radius is not more than epsilon and less than 2";
+  const std::size_t vertices = document.net.vertices.size();
+  const std::size_t each = coefficients.size() / std::max<std::size_t>(vertices, 1);
+  if (coefficients.size() != each * vertices || each % 2 == 0 || each < 3 || each > 2 * kGreatestOrder + 1) {
+    return std::to_string(coefficients.size()) + " coefficients, expected 2M + 1 for each of " +
+           std::to_string(vertices) + " vertices, M from 1 to " + std::to_string(kGreatestOrder);
+  }
+  return values_problem(coefficients);
+}
+
 /// Says what is wrong with intervals of eigenvalues and with coefficients.
 class Statements {
  public:
@@ -48,11 +72,7 @@ class Statements {
       return std::to_string(coefficients.size()) + " coefficients, expected degree + 1, " +
              std::to_string(document_.degree + 1);
     }
-    if (!std::all_of(coefficients.begin(), coefficients.end(), [](double c) { return std::isfinite(c); }))
-      return "a coefficient is not finite";
-    if (std::all_of(coefficients.begin(), coefficients.end(), [](double c) { return c == 0; }))
-      return "all coefficients are 0";
-    return std::nullopt;
+    return values_problem(coefficients);
   }
 
  private:
@@ -112,6 +132,10 @@ Problem structure_problem(const Document& document) {
                                   [&](const auto& row) { return at_least_problem(statements, row); })) {
     return problem;
   }
+  if (auto problem = rows_problem("eigenfunctions", document.eigenfunctions,
+                                  [&](const auto& row) { return eigenfunction_problem(document, row); })) {
+    return problem;
+  }
   if (!std::isfinite(document.eigenvalues_up_to) || document.eigenvalues_up_to <= 0)
     return "eigenvalues_up_to: not a positive number";
   for (std::size_t i = 0; i < document.windows.size(); ++i) {
@@ -124,6 +148,7 @@ std::uint64_t least_bytes(const Document& document) {
   std::uint64_t bytes = least_bytes(static_cast<const GeodesicsDocument&>(document)) + 80 * document.windows.size();
   for (const Document::AtMost& row : document.at_most) bytes += 35 + 2 * row.coefficients.size();
   for (const Document::AtLeast& row : document.at_least) bytes += 50 + 2 * row.coefficients.size();
+  for (const Document::Eigenfunction& row : document.eigenfunctions) bytes += 50 + 2 * row.coefficients.size();
   return bytes;
 }
 
