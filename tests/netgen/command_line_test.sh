@@ -12,6 +12,9 @@ good spectrum s.json --up-to 3 -o spectrum.json
 good eigenvalues s.json --up-to 7 -o eigenvalues.json
 verified eigenvalues.json
 grep -q 'eigenvalues in (0, 1/4): none' output || complain "no line about small eigenvalues: $(cat output)"
+grep -q '"eigenfunctions":\[$' eigenvalues.json || complain 'no eigenfunction'
+good eigenvalues s.json --up-to 7 --fast -o fast.json
+grep -q '"eigenfunctions":\[\]' fast.json || complain 'eigenfunctions in spite of --fast'
 good eigenvalues s.json --up-to 7 --svg eigenvalues.svg
 good draw eigenvalues.json -o drawn.svg
 same eigenvalues.svg drawn.svg
