@@ -150,7 +150,7 @@ void EigenfunctionSearch::add_values(double lambda, Point z, double sign, double
     factors[m - 1] = (1 + s) * factors[m] - s * (1 + lambda / (m * (m + 1.0))) * factors[m + 1];
   row[0] += sign * factors[0];
   Point power = 1;
-  for (std::uint32_t m = 1; m <= order_; ++m) {
+  for (std::size_t m = 1; m <= order_; ++m) {
     power *= scale_ * z;
     row[2 * m - 1] += sign * factors[m] * power.real();
     row[2 * m] += sign * factors[m] * power.imag();
@@ -246,7 +246,7 @@ std::optional<Eigenfunction> EigenfunctionSearch::near(double lambda) const {
   if (!found) return std::nullopt;
   Eigenfunction result{{}, found->first, radius_, std::move(found->second)};
   for (std::size_t i = 0; i < result.coefficients.size(); ++i)
-    result.coefficients[i] *= std::pow(scale_, static_cast<double>((i % each_ + 1) / 2));
+    result.coefficients[i] *= std::pow(scale_, static_cast<int>((i % each_ + 1) / 2));
   const certify::Precision scope(kBits);
   const auto error = certify::eigenvalue_error(document_, result, labels_, genus_, {}, threads_);
   if (!error || !certify::is_finite(*error)) return std::nullopt;

@@ -45,7 +45,7 @@ class LocalFunctions {
   }
 
   /// The cost of a value, in operations of balls.
-  [[nodiscard]] std::uint64_t operations() const { return factors_.operations() + 8 * order_; }
+  [[nodiscard]] std::uint64_t operations() const { return factors_.operations() + 8 * std::uint64_t{order_}; }
 
   /// At a point of the disk with the vertex in its centre.
   [[nodiscard]] Ball value(std::size_t vertex, const ComplexBall& z) const {
@@ -67,7 +67,7 @@ class LocalFunctions {
  private:
   [[nodiscard]] std::pair<double, double> coefficients(std::size_t vertex, std::uint32_t m) const {
     const auto own = coefficients_.subspan(vertex * each_, each_);
-    return m == 0 ? std::pair(own[0], 0.0) : std::pair(own[2 * m - 1], own[2 * m]);
+    return m == 0 ? std::pair(own[0], 0.0) : std::pair(own[std::size_t{2} * m - 1], own[std::size_t{2} * m]);
   }
 
   Ball lambda_;
@@ -90,7 +90,8 @@ class Mismatch {
 
   /// The cost of a call, in operations of balls.
   [[nodiscard]] std::uint64_t operations() const {
-    return 2 * half_number() * (2 * functions_.operations() + 4 * half_number() + 30);
+    const std::uint64_t half = half_number();
+    return 2 * half * (2 * functions_.operations() + 4 * half + 30);
   }
 
   /// Of the functions of `near.vertex`, seen from `vertex`, and of `vertex`. `total` bounds both together.

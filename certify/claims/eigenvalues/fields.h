@@ -4,6 +4,7 @@
 
 #include "certify/base/fields.h"
 #include "certify/claims/eigenvalues/document.h"
+#include "certify/claims/geodesics/fields.h"
 
 namespace epsnet::certify {
 
@@ -48,10 +49,8 @@ struct Fields<EigenvaluesDocument> {
   static constexpr const char* kPrefix = "";
   static auto members(auto& document) {
     return std::tuple_cat(
-        format_and_version(kKind.format),
-        std::tuple(member("net", document.net), member("up_to", document.up_to).expecting("a decimal in a string"),
-                   member("geodesics", document.geodesics), member("clusters", document.clusters),
-                   member("order", document.order), member("degree", document.degree),
+        format_and_version(kKind.format), spectrum_members(document),
+        std::tuple(member("order", document.order), member("degree", document.degree),
                    member("eigenvalues_up_to", document.eigenvalues_up_to), member("windows", document.windows),
                    member("at_most", document.at_most), member("at_least", document.at_least),
                    member("eigenfunctions", document.eigenfunctions)));

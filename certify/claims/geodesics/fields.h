@@ -44,6 +44,12 @@ struct Fields<GeodesicsDocument::Piece> {
   }
 };
 
+/// The members of a spectrum in the document of a claim that rests on one.
+auto spectrum_members(auto& document) {
+  return std::tuple(member("net", document.net), member("up_to", document.up_to).expecting("a decimal in a string"),
+                    member("geodesics", document.geodesics), member("clusters", document.clusters));
+}
+
 template <>
 struct Fields<GeodesicsDocument> {
   static constexpr ClaimKind kKind{"geodesics", "epsnet-geodesics", "closed geodesics",

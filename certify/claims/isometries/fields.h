@@ -25,13 +25,10 @@ struct Fields<IsometriesDocument> {
   static constexpr const char* kName = "isometries file";
   static constexpr const char* kPrefix = "";
   static auto members(auto& document) {
-    return std::tuple_cat(
-        format_and_version(kKind.format),
-        std::tuple(member("net", document.net), member("up_to", document.up_to).expecting("a decimal in a string"),
-                   member("geodesics", document.geodesics), member("clusters", document.clusters),
-                   member("order", document.order), member("isometries", document.isometries),
-                   member("paths", document.paths), member("pair", document.pair),
-                   member("cocycle", document.cocycle)));
+    return std::tuple_cat(format_and_version(kKind.format), spectrum_members(document),
+                          std::tuple(member("order", document.order), member("isometries", document.isometries),
+                                     member("paths", document.paths), member("pair", document.pair),
+                                     member("cocycle", document.cocycle)));
   }
 };
 
