@@ -117,7 +117,7 @@ void list_isometries(const IsometriesRequest& request) {
     if (!proved) out << "proved: each of these is an isometry; computed with 256 bits: there is no other one\n";
     report.text = out.str();
   }
-  write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(proof.document, out); }}});
+  write_outputs({{request.output, [&proof = proof](std::ostream& out) { certify::write_file(proof.document, out); }}});
   write_report(report, request.json, is_stdout(request.output));
   if (!proved) throw UndecidedError(verdict);
 }
