@@ -767,6 +767,27 @@ def empty_arrays_many():
     return document
 
 
+def isometries_file():
+    with open(os.path.join(data, "isometries", "octagon-5.json")) as file:
+        return json.load(file)
+
+
+@kind
+def isometries_of_many_rows():
+    result = isometries_file()
+    row = result["isometries"][0]
+    result["isometries"] = [row] * ((SIZE - 60_000) // len(json.dumps(row)))
+    return result
+
+
+@kind
+def isometries_of_long_words():
+    result = isometries_file()
+    word = result["pair"][0]
+    result["isometries"][0]["images"][0] = word * ((SIZE - 60_000) // (2 * len(word)))
+    return result
+
+
 @kind
 def members_many():
     document = net("octagon-1-vertex")

@@ -61,6 +61,10 @@ expect spectrum-up-to-9999-digits UNDECIDED
 expect eigenvalues-of-many-statements UNDECIDED
 expect eigenvalues-of-many-windows UNDECIDED
 expect eigenvalues-with-a-geodesic-of-length-1e-9 UNDECIDED
+expect eigenvalues-of-many-functions UNDECIDED
+expect eigenvalues-of-many-functions-of-order-1 UNDECIDED
+expect isometries-of-many-rows VERIFIED
+expect isometries-of-long-words UNDECIDED
 expect thick-thin-of-long-words VERIFIED
 expect thick-thin-of-a-long-conjugate ''
 expect empty-arrays-many MALFORMED
