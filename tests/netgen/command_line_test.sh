@@ -9,13 +9,12 @@ good surface octagon --seed 123 -o s.json
 good net s.json --epsilon 0.5 -o net.json
 good systole s.json -o systole.json
 good spectrum s.json --up-to 3 -o spectrum.json
-good eigenvalues s.json --up-to 7 -o eigenvalues.json
+good eigenvalues s.json --up-to 7 -o eigenvalues.json --svg eigenvalues.svg
 verified eigenvalues.json
 grep -q 'eigenvalues in (0, 1/4): none' output || complain "no line about small eigenvalues: $(cat output)"
 grep -q '"eigenfunctions":\[$' eigenvalues.json || complain 'no eigenfunction'
 good eigenvalues s.json --up-to 7 --fast -o fast.json
 grep -q '"eigenfunctions":\[\]' fast.json || complain 'eigenfunctions in spite of --fast'
-good eigenvalues s.json --up-to 7 --svg eigenvalues.svg
 good draw eigenvalues.json -o drawn.svg
 same eigenvalues.svg drawn.svg
 grep -q 'class="windows"' drawn.svg || complain 'no windows in the picture of eigenvalues'
@@ -258,7 +257,7 @@ piped s.json net IN --epsilon 0.5 -o -
 piped s.json systole IN
 piped s.json spectrum IN --up-to 3
 piped s.json thick-thin IN
-piped s.json eigenvalues IN --up-to 7
+piped s.json eigenvalues IN --up-to 7 --fast
 piped s.json dirichlet IN -o -
 piped s.json distance IN 0 0,0.1,0 -o -
 piped net.json distance IN v3 v5
@@ -437,9 +436,9 @@ done
 bad 64 '^epsnet: --up-to: more than the greatest length, 30' eigenvalues s.json --up-to 31
 bad 64 '^epsnet: eigenvalues: --count: expected an integer from 1 to 1000000, not "0"' eigenvalues s.json --count 0
 bad 1 'nothing can be said about the eigenvalues.*; a length of 1 or more is needed' eigenvalues s.json --up-to 1e-3 -o out/x.json --svg out/x.svg
-good eigenvalues s.json --up-to 3
+good eigenvalues s.json --up-to 3 --fast
 grep -q '^to count the first ones, take closed geodesics of length up to about 9$' output || complain "no length that is needed: $(cat output)"
-good eigenvalues s.json --up-to 3 --json
+good eigenvalues s.json --up-to 3 --fast --json
 grep -q '"up_to_needed":9' output || complain "no length that is needed: $(cat output)"
 verified x.json
 grep -q '"up_to":"0.6"' x.json || complain 'the length is not in the file as 0.6'

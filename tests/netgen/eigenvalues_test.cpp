@@ -319,10 +319,8 @@ TEST(Eigenvalues, AreTheSameForAnyNumberOfThreads) {
   const Surface surface = random_octagon(2);
   EigenvaluesOptions one = up_to("7");
   one.threads = 1;
-  one.eigenfunctions = true;
   EigenvaluesOptions three = up_to("7");
   three.threads = 3;
-  three.eigenfunctions = true;
   EXPECT_EQ(eigenvalues(surface, one), eigenvalues(surface, three));
 }
 
@@ -404,22 +402,6 @@ TEST(Eigenvalues, VeryShortGeodesicsAreRefused) {
 
 // Approximate eigenfunctions.
 
-TEST(EigenfunctionSearch, FindsTheNearestEigenvalue) {
-  const EigenvaluesDocument document = octagon();
-  const EigenfunctionSearch search(document, 2);
-  // Of the octagon of seed 5: λ_1 is in [2.77505, 2.77509], and λ_2 in [3.639, 4.029].
-  for (const auto& [guess, lower, upper] :
-       {std::tuple{2.76, 2.77505, 2.77509}, {2.8, 2.77505, 2.77509}, {3.7, 3.639, 4.029}}) {
-    const auto function = search.near(guess);
-    ASSERT_TRUE(function) << guess;
-    EXPECT_GT(function->in.lower, lower);
-    EXPECT_LT(function->in.upper, upper);
-    EXPECT_LT(function->in.upper - function->in.lower, 5e-9);
-    EXPECT_LT(function->in.lower, function->lambda);
-    EXPECT_LT(function->lambda, function->in.upper);
-  }
-}
-
 TEST(EigenfunctionSearch, AgreesWithTheLiterature) {
   const EigenvaluesDocument document = bolza();
   const EigenfunctionSearch search(document, 2);
@@ -438,17 +420,6 @@ TEST(EigenfunctionSearch, LeavesLargeNetsOut) {
   EigenvaluesDocument document;
   static_cast<certify::GeodesicsDocument&>(document) = spectrum(surface, Length("1"));
   EXPECT_FALSE(EigenfunctionSearch(document, 2).near(0.2));
-}
-
-/// Counted by the trace formula, enclosed by eigenfunctions.
-TEST(Eigenvalues, ThatAreCountedAreEnclosedToNineDigits) {
-  for (const Surface& surface : {random_octagon(3), Surface::regular(2), of_genus(3)}) {
-    const EigenvaluesDocument document = eigenvalues(surface, {.up_to = Length("9"), .count = 1});
-    EXPECT_TRUE(is_verified(document)) << surface.genus();
-    const auto& first = document.windows.front();
-    ASSERT_EQ(first.least, first.most);
-    EXPECT_LT(std::abs(first.smallest.upper - first.greatest.lower), 1e-8) << first.most;
-  }
 }
 
 // The bound and its picture.

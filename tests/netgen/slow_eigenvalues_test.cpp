@@ -1,0 +1,55 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <string>
+#include <tuple>
+
+#include "certify/check.h"
+#include "certify/file/reader.h"
+#include "netgen/eigenvalues/eigenfunction.h"
+#include "netgen/eigenvalues/eigenvalues.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/octagon.h"
+
+/// Approximate eigenfunctions are found in dense matrices, which takes seconds for each.
+namespace epsnet {
+namespace {
+
+using certify::EigenvaluesDocument;
+
+TEST(EigenfunctionSearch, FindsTheNearestEigenvalue) {
+  const auto document =
+      certify::read_file<EigenvaluesDocument>(std::string(EPSNET_TEST_DATA) + "/eigenvalues/octagon-5-to-8.json");
+  const EigenfunctionSearch search(document, 2);
+  // Of the octagon of seed 5: λ_1 is in [2.77505, 2.77509], and λ_2 in [3.639, 4.029].
+  for (const auto& [guess, lower, upper] :
+       {std::tuple{2.76, 2.77505, 2.77509}, {2.8, 2.77505, 2.77509}, {3.7, 3.639, 4.029}}) {
+    const auto function = search.near(guess);
+    ASSERT_TRUE(function) << guess;
+    EXPECT_GT(function->in.lower, lower);
+    EXPECT_LT(function->in.upper, upper);
+    EXPECT_LT(function->in.upper - function->in.lower, 5e-9);
+    EXPECT_LT(function->in.lower, function->lambda);
+    EXPECT_LT(function->lambda, function->in.upper);
+  }
+}
+
+/// Counted by the trace formula, enclosed by eigenfunctions.
+TEST(Eigenvalues, ThatAreCountedAreEnclosedToNineDigits) {
+  for (const Surface& surface : {random_octagon(3), Surface::regular(2),
+                                 fenchel_nielsen_surface(random_coordinates(PantsGraph::random(3, 1), 1))}) {
+    const EigenvaluesDocument document = eigenvalues(surface, {.up_to = Length("9"), .count = 1});
+    EXPECT_EQ(certify::check(document, {.threads = 2}).verdict, certify::Verdict::verified) << surface.genus();
+    const auto& first = document.windows.front();
+    ASSERT_EQ(first.least, first.most);
+    EXPECT_LT(std::abs(first.smallest.upper - first.greatest.lower), 1e-8) << first.most;
+  }
+}
+
+TEST(Eigenvalues, WithEigenfunctionsAreTheSameForAnyNumberOfThreads) {
+  const Surface surface = random_octagon(2);
+  EXPECT_EQ(eigenvalues(surface, {.up_to = Length("7"), .threads = 1}),
+            eigenvalues(surface, {.up_to = Length("7"), .threads = 3}));
+}
+
+}  // namespace
+}  // namespace epsnet
