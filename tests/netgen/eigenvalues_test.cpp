@@ -402,19 +402,6 @@ TEST(Eigenvalues, VeryShortGeodesicsAreRefused) {
 
 // Approximate eigenfunctions.
 
-TEST(EigenfunctionSearch, AgreesWithTheLiterature) {
-  const EigenvaluesDocument document = bolza();
-  const EigenfunctionSearch search(document, 2);
-  for (const double known : {kFirst, kFourth}) {
-    const auto function = search.near(known + 0.01);
-    ASSERT_TRUE(function);
-    EXPECT_LT(function->in.lower, known);
-    EXPECT_LT(known, function->in.upper);
-    EXPECT_LT(function->in.upper - function->in.lower, 1e-8);
-    EXPECT_NEAR(function->lambda, known, 1e-11);
-  }
-}
-
 TEST(EigenfunctionSearch, LeavesLargeNetsOut) {
   const Surface surface = of_genus(6);
   EigenvaluesDocument document;

@@ -16,9 +16,12 @@ namespace {
 
 using certify::EigenvaluesDocument;
 
+EigenvaluesDocument file(const char* name) {
+  return certify::read_file<EigenvaluesDocument>(std::string(EPSNET_TEST_DATA) + "/eigenvalues/" + name);
+}
+
 TEST(EigenfunctionSearch, FindsTheNearestEigenvalue) {
-  const auto document =
-      certify::read_file<EigenvaluesDocument>(std::string(EPSNET_TEST_DATA) + "/eigenvalues/octagon-5-to-8.json");
+  const EigenvaluesDocument document = file("octagon-5-to-8.json");
   const EigenfunctionSearch search(document, 2);
   // Of the octagon of seed 5: λ_1 is in [2.77505, 2.77509], and λ_2 in [3.639, 4.029].
   for (const auto& [guess, lower, upper] :
@@ -30,6 +33,20 @@ TEST(EigenfunctionSearch, FindsTheNearestEigenvalue) {
     EXPECT_LT(function->in.upper - function->in.lower, 5e-9);
     EXPECT_LT(function->in.lower, function->lambda);
     EXPECT_LT(function->lambda, function->in.upper);
+  }
+}
+
+/// λ_1 and λ_4 of the Bolza surface (A. Strohmaier, V. Uski).
+TEST(EigenfunctionSearch, AgreesWithTheLiterature) {
+  const EigenvaluesDocument document = file("bolza-to-9.json");
+  const EigenfunctionSearch search(document, 2);
+  for (const double known : {3.8388872588421995, 5.353601341189}) {
+    const auto function = search.near(known + 0.01);
+    ASSERT_TRUE(function);
+    EXPECT_LT(function->in.lower, known);
+    EXPECT_LT(known, function->in.upper);
+    EXPECT_LT(function->in.upper - function->in.lower, 1e-8);
+    EXPECT_NEAR(function->lambda, known, 1e-11);
   }
 }
 
