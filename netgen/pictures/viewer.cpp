@@ -236,13 +236,16 @@ std::vector<Layer> standard_layers(const certify::NetDocument& document) {
   return layers;
 }
 
+std::string viewer_data(const certify::NetDocument& document, const ViewerOptions& options) {
+  return net_json(NetGeometry(document), options);
+}
+
 std::string viewer_page(const certify::NetDocument& document, const ViewerOptions& options) {
-  const NetGeometry geometry(document);
   std::string page(kViewerPage);
   const auto put = [&](std::string_view mark, const std::string& text) {
     page.replace(page.find(mark), mark.size(), text);
   };
-  put("@DATA@", net_json(geometry, options));
+  put("@DATA@", viewer_data(document, options));
   put("@TITLE@", html_text(options.title));
   return page;
 }

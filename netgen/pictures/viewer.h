@@ -25,9 +25,13 @@ struct ViewerOptions {
 /// has the reason. Throws NetGeometryError if the document is not a net.
 [[nodiscard]] std::vector<Layer> standard_layers(const certify::NetDocument& document);
 
-/// Returns one self-contained HTML page: the triangulation of the net, its numbers and its verdict
-/// (netgen/pictures/viewer.html is the page). The page unfolds the triangulation around a point of view that can move
-/// without end.
+/// Returns what a viewer shows, as a JSON object for the class `Net` of netgen/pictures/viewer/unfolding.js: the
+/// triangulation of the net, its numbers and its verdict. Equal arguments give equal bytes. Throws NetGeometryError if
+/// the document is not a net. O(triangles).
+[[nodiscard]] std::string viewer_data(const certify::NetDocument& document, const ViewerOptions& options);
+
+/// Returns one self-contained HTML page (netgen/pictures/viewer/viewer.html) with the data of `viewer_data`. The page
+/// unfolds the triangulation around a point of view that can move without end.
 ///
 /// The page computes in binary64, in coordinates around the point of view, so errors stay invisible wherever it moves.
 /// Edges longer than about 60 are beyond it. The facts name layers that are left out. Equal arguments give equal bytes.
