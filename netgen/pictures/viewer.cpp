@@ -180,6 +180,9 @@ std::string facts_json(const NetGeometry& geometry, const ViewerOptions& options
   return facts.json();
 }
 
+/// JSON has no infinity, and a net of one vertex may have any ε.
+constexpr double kLargestEpsilon = 1e300;
+
 std::string net_json(const NetGeometry& geometry, const ViewerOptions& options) {
   const certify::NetDocument& document = geometry.document();
   const std::optional<certify::Certificate>& certificate = options.certificate;
@@ -207,7 +210,7 @@ std::string net_json(const NetGeometry& geometry, const ViewerOptions& options) 
          ", \"message\": " +
          json_string(!certificate || certificate->message.empty() ? ""
                                                                   : certificate->rule + ": " + certificate->message) +
-         ",\n\"epsilon\": " + certify::shortest(geometry.epsilon().get_d()) +
+         ",\n\"epsilon\": " + certify::shortest(std::min(geometry.epsilon().get_d(), kLargestEpsilon)) +
          ", \"facts\": " + facts_json(geometry, options) + ",\n\"palette\": " + palette_json() +
          ",\n\"opposite\": " + base64(opposite) + ",\n\"vertex_darts\": " + base64(vertex_darts) +
          ",\n\"points\": " + base64(points) + ",\n\"charts\": " + base64(charts) +

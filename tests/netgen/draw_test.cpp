@@ -572,6 +572,7 @@ TEST(Viewer, ListsTheGeodesicsWithTheirArcs) {
   const Layer& geodesics = *std::find_if(shown.options.layers.begin(), shown.options.layers.end(),
                                          [](const Layer& layer) { return layer.name == "closed geodesics"; });
   EXPECT_THAT(page, HasSubstr("\"parts\": [[\"geodesic 0, simple\", 0.1"));
+  EXPECT_THAT(page, HasSubstr(viewer_data(shown.net, {.title = "net", .layers = shown.options.layers})));
   for (std::size_t i = 0; i < geodesics.parts.size(); ++i) {
     const std::size_t end = i + 1 < geodesics.parts.size() ? geodesics.parts[i + 1].first_arc : geodesics.arcs.size();
     ASSERT_LT(geodesics.parts[i].first_arc, end);
@@ -580,6 +581,12 @@ TEST(Viewer, ListsTheGeodesicsWithTheirArcs) {
       length += 2 * std::asinh(std::sqrt(sinh2_half_distance(geodesics.arcs[k].from, geodesics.arcs[k].to)));
     EXPECT_NEAR(length, geodesics.parts[i].length, 1e-9) << geodesics.parts[i].name;
   }
+}
+
+TEST(Viewer, WritesAFiniteEpsilon) {
+  certify::NetDocument net = verified("octagon-1-vertex.json");
+  net.epsilon = "1" + std::string(400, '0');
+  EXPECT_THAT(viewer_data(net, {.title = "net"}), HasSubstr("\"epsilon\": 1e+300,"));
 }
 
 TEST(Draw, CentresTheVertexAskedFor) {

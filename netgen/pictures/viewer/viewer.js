@@ -90,7 +90,7 @@ class Viewer {
   // Fills the elements `picture` and `panel` of the page; one viewer at a time, as they have ids. `onTap(x, y)` hears of points of the disk that are asked for.
   // The new viewer shows the part that `before`, one of the same triangulation, showed.
   constructor(picture, panel, net, {onTap = () => {}, before = null} = {}) {
-    const kept = before && before.state();
+    const kept = before && before.state(), schemeOfBefore = $('scheme') ? $('scheme').value : '';
     picture.innerHTML = kPictureParts;
     panel.innerHTML = kPanelParts;
     this.net = net;
@@ -100,7 +100,7 @@ class Viewer {
     if (kept) this.restore(kept);
     this.fillPanel();
     this.listen();
-    if (kept) $('scheme').value = kept.scheme;
+    $('scheme').value = schemeOfBefore;
     this.setScheme();
     this.resize();
   }
@@ -111,7 +111,7 @@ class Viewer {
   }
   state() {
     const {unfolding: {here}, zoom, layers, colouring, pins} = this.drawing;
-    return {here, zoom, colouring, pins, isOn: new Map(layers.map(layer => [layer.name, layer.on])), scheme: $('scheme').value};
+    return {here, zoom, colouring, pins, isOn: new Map(layers.map(layer => [layer.name, layer.on]))};
   }
   restore({here, zoom, colouring, pins, isOn}) {
     const drawing = this.drawing;
