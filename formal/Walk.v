@@ -211,7 +211,8 @@ Proof.
     by (rewrite Eu; unfold combination; simpl; repeat split; ring).
   assert (is_unit u) as U by (unfold is_unit, dot; rewrite Ux, Uy, Ut; unfold g in M2; lra).
   assert (0 < vt u) as F by (rewrite Ut; now apply Rmult_lt_0_compat).
-  exists (project u), m. split; [now apply project_in_plane|]. split; [|split; [auto|rewrite <- Eu; now apply lift_project]].
+  exists (project u), m. split; [now apply project_in_plane|].
+  split; [|split; [auto|rewrite <- Eu; now apply lift_project]].
   unfold project, abs2, Re, Im. cbn [fst snd].
   assert (vx u * vx u + vy u * vy u <= k * (vt u * vt u)) as L.
   { rewrite Ux, Uy, Ut. replace (m * vx y * (m * vx y) + m * vy y * (m * vy y))
@@ -317,7 +318,8 @@ Lemma avoid_roots : forall l : list (R * R * R), (forall a b c, In (a, b, c) l -
   exists s, 0 < s < 1 /\ forall a b c, In (a, b, c) l -> a + b * s + c * (s * s) <> 0.
 Proof.
   intros l H.
-  assert (exists roots, forall a b c, In (a, b, c) l -> forall s, a + b * s + c * (s * s) = 0 -> In s roots) as [roots R].
+  assert (exists roots, forall a b c, In (a, b, c) l -> forall s, a + b * s + c * (s * s) = 0 -> In s roots)
+    as [roots R].
   { induction l as [|[[a b] c] l IH]; [exists []; intros a b c []|].
     destruct IH as [r1 R1]; [intros; apply H; now right|].
     destruct (two_roots a b c) as [r2 R2]; [apply H; now left|].
