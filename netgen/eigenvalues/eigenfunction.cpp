@@ -22,16 +22,10 @@ using Point = std::complex<double>;
 using Eigenfunction = certify::EigenvaluesDocument::Eigenfunction;
 
 constexpr long kBits = 128;
+constexpr std::size_t kMostCandidates = 10;
 
 double rounded(const Ball& x) { return arf_get_d(arb_midref(x.get()), ARF_RND_NEAR); }
 Point rounded(const certify::ComplexBall& z) { return {rounded(certify::real(z)), rounded(certify::imaginary(z))}; }
-
-double norm(const Vector& x) { return std::sqrt(std::inner_product(x.begin(), x.end(), x.begin(), 0.0)); }
-
-void normalize(Vector& x) {
-  const double scale = 1 / norm(x);
-  for (double& value : x) value *= scale;
-}
 
 /// F_m(s) by its series.
 double radial_factor(double lambda, double s, std::uint32_t m) {
@@ -45,51 +39,63 @@ double radial_factor(double lambda, double s, std::uint32_t m) {
   return sum;
 }
 
-/// A symmetric positive definite matrix, of which the lower half counts, factored by Cholesky's method.
-class Cholesky {
- public:
-  /// Nothing if a pivot is not positive.
-  static std::optional<Cholesky> of(std::vector<Vector> matrix) {
-    for (std::size_t i = 0; i < matrix.size(); ++i) {
-      for (std::size_t j = 0; j <= i; ++j) {
-        const double rest = matrix[i][j] - dot(matrix[i], matrix[j], j);
-        if (j < i) {
-          matrix[i][j] = rest / matrix[j][j];
-        } else if (rest > 0) {
-          matrix[i][i] = std::sqrt(rest);
-        } else {
-          return std::nullopt;
-        }
+/// Sums in a fixed order, four at a time, which the processor can add at once.
+double dot(const double* x, const double* y, std::size_t count) {
+  double sums[4] = {0, 0, 0, 0};
+  std::size_t k = 0;
+  for (; k + 4 <= count; k += 4) {
+    for (std::size_t i = 0; i < 4; ++i) sums[i] += x[k + i] * y[k + i];
+  }
+  for (; k < count; ++k) sums[0] += x[k] * y[k];
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+double dot(const Vector& x, const Vector& y) { return dot(x.data(), y.data(), x.size()); }
+
+double norm(const Vector& x) { return std::sqrt(dot(x, x)); }
+
+void add(double* to, double factor, const double* from, std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k) to[k] += factor * from[k];
+}
+void add(Vector& to, double factor, const Vector& from) { add(to.data(), factor, from.data(), to.size()); }
+
+void normalize(Vector& x) {
+  const double scale = 1 / norm(x);
+  for (double& value : x) value *= scale;
+}
+
+/// The eigenvalues of a symmetric matrix, in increasing order, and eigenvectors of norm 1, by Jacobi's method.
+std::vector<std::pair<double, Vector>> eigenvectors(std::vector<Vector> matrix) {
+  const std::size_t size = matrix.size();
+  std::vector<Vector> vectors(size, Vector(size));  // As rows.
+  for (std::size_t i = 0; i < size; ++i) vectors[i][i] = 1;
+  constexpr int kMostSweeps = 30;
+  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+    bool changed = false;
+    for (std::size_t p = 0; p < size; ++p) {
+      for (std::size_t q = p + 1; q < size; ++q) {
+        const double off = matrix[p][q];
+        if (std::abs(off) < 1e-18) continue;
+        changed = true;
+        const double angle = 0.5 * std::atan2(2 * off, matrix[q][q] - matrix[p][p]);
+        const double c = std::cos(angle);
+        const double s = std::sin(angle);
+        const auto rotate = [c, s](double& x, double& y) {
+          const double before = x;
+          x = c * x - s * y;
+          y = s * before + c * y;
+        };
+        for (std::size_t k = 0; k < size; ++k) rotate(matrix[p][k], matrix[q][k]);
+        for (std::size_t k = 0; k < size; ++k) rotate(matrix[k][p], matrix[k][q]);
+        for (std::size_t k = 0; k < size; ++k) rotate(vectors[p][k], vectors[q][k]);
       }
     }
-    return Cholesky(std::move(matrix));
+    if (!changed) break;
   }
-
-  [[nodiscard]] Vector solve(Vector x) const {
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = (x[i] - dot(factor_[i], x, i)) / factor_[i][i];
-    for (std::size_t i = x.size(); i-- > 0;) {
-      x[i] /= factor_[i][i];
-      for (std::size_t j = 0; j < i; ++j) x[j] -= factor_[i][j] * x[i];
-    }
-    return x;
-  }
-
- private:
-  explicit Cholesky(std::vector<Vector> factor) : factor_(std::move(factor)) {}
-
-  /// Of the first entries. Four sums at a time: their order is fixed, and the processor can add them at once.
-  static double dot(const Vector& x, const Vector& y, std::size_t count) {
-    double sums[4] = {0, 0, 0, 0};
-    std::size_t k = 0;
-    for (; k + 4 <= count; k += 4) {
-      for (std::size_t i = 0; i < 4; ++i) sums[i] += x[k + i] * y[k + i];
-    }
-    for (; k < count; ++k) sums[0] += x[k] * y[k];
-    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
-  }
-
-  std::vector<Vector> factor_;
-};
+  std::vector<std::pair<double, Vector>> result;
+  for (std::size_t i = 0; i < size; ++i) result.emplace_back(matrix[i][i], std::move(vectors[i]));
+  std::sort(result.begin(), result.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+  return result;
+}
 
 }  // namespace
 
@@ -98,12 +104,13 @@ EigenfunctionSearch::EigenfunctionSearch(const certify::EigenvaluesDocument& doc
     : document_(document),
       threads_(threads != 0 ? threads : std::max(std::thread::hardware_concurrency(), 1U)),
       progress_(std::move(progress)),
-      radius_(1.3 * certify::decimal(document.net.epsilon).get_d()),
-      scale_(1 / std::tanh(radius_ / 2)),
+      epsilon_(certify::decimal(document.net.epsilon).get_d()),
+      radius_(1.3 * epsilon_),
+      scale_(1 / std::tanh(0.8 * epsilon_)),
       order_(76),
       each_(2 * std::size_t{order_} + 1) {
-  constexpr std::size_t kGreatestSize = 4000;
-  if (size() > kGreatestSize) return;
+  constexpr std::size_t kMostVertices = 150;
+  if (document.net.vertices.size() > kMostVertices) return;
   const certify::Precision scope(kBits);
   auto surface = certify::check_surface(document.net.surface, threads_);
   genus_ = static_cast<std::uint32_t>(surface.genus);
@@ -111,140 +118,187 @@ EigenfunctionSearch::EigenfunctionSearch(const certify::EigenvaluesDocument& doc
   std::vector<std::uint32_t> numbers(document.net.labels.size());
   std::iota(numbers.begin(), numbers.end(), 1U);
   labels_ = certify::LabelEvaluator(document.net, parts).evaluate(numbers, kBits, 4 * kBits, threads_);
-  add_pairs();
+  add_circles();
 }
 
-/// The circles of docs/proof.md, Lemma 37.4.
-void EigenfunctionSearch::add_pairs() {
-  const double epsilon = certify::decimal(document_.net.epsilon).get_d();
-  const Ball distance = Ball::exactly(epsilon) + Ball::exactly(radius_);
-  const auto near = certify::near_vertices(document_, labels_, distance, {});
+/// Two circles around each vertex, of more than ε, so that all their points are within ε of another vertex; two, as a
+/// function may vanish on one of them. They are as wide as the disks in which certify compares functions.
+void EigenfunctionSearch::add_circles() {
+  const double outer = 1.6 * epsilon_;
+  const auto near =
+      certify::near_vertices(document_, labels_, Ball::exactly(outer) + Ball::exactly(1.01 * epsilon_), {});
   if (!near) return;
-  const std::uint32_t points = 2 * order_ + 20;
-  for (std::uint32_t vertex = 0; vertex < near->size(); ++vertex) {
-    for (const certify::NearVertex& other : (*near)[vertex]) {
-      if (other.vertex < vertex) continue;
-      const Point a = rounded(other.isometry.a);
-      const Point b = rounded(other.isometry.b);
-      const double length = std::abs(a);
-      const Point middle = a * b / (length * (length + 1));
-      const double cosh_radius = (std::cosh(epsilon) + std::cosh(radius_)) / (2 * length);
-      const double t = std::sqrt((cosh_radius - 1) / (cosh_radius + 1));
-      Pair& pair = pairs_.emplace_back(Pair{vertex, other.vertex, {}, {}});
-      for (std::uint32_t k = 0; k < points; ++k) {
-        const Point around = std::polar(t, 2 * std::numbers::pi * k / points);
-        const Point z = (around + middle) / (1.0 + std::conj(middle) * around);
-        pair.in_first.push_back(z);
-        pair.in_second.push_back((std::conj(a) * z - b) / (a - std::conj(b) * z));
+  const std::uint32_t around = 2 * order_ + 20;
+  for (const double radius : {outer, 1.4 * epsilon_}) {
+    for (std::uint32_t k = 0; k < around; ++k)
+      points_.push_back(std::polar(std::tanh(radius / 2), 2 * std::numbers::pi * k / around));
+  }
+  for (const auto& others : *near) {
+    std::vector<std::pair<Point, Point>> isometries;
+    isometries.reserve(others.size());
+    for (const certify::NearVertex& other : others)
+      isometries.emplace_back(rounded(other.isometry.a), rounded(other.isometry.b));
+    for (const Point& z : points_) {
+      Point best = 1;
+      std::uint32_t vertex = 0;
+      for (std::size_t i = 0; i < others.size(); ++i) {
+        const auto& [a, b] = isometries[i];
+        const Point w = (std::conj(a) * z - b) / (a - std::conj(b) * z);
+        if (std::norm(w) >= std::norm(best)) continue;
+        best = w;
+        vertex = others[i].vertex;
       }
+      nearest_.push_back(vertex);
+      points_of_nearest_.push_back(best);
     }
   }
 }
 
-void EigenfunctionSearch::add_values(double lambda, Point z, double sign, double* row) const {
+void EigenfunctionSearch::set_values(double lambda, Point z, double* row) const {
   const double s = std::norm(z);
   Vector factors(order_ + 2);
   factors[order_ + 1] = radial_factor(lambda, s, order_ + 1);
   factors[order_] = radial_factor(lambda, s, order_);
   for (std::uint32_t m = order_; m > 0; --m)
     factors[m - 1] = (1 + s) * factors[m] - s * (1 + lambda / (m * (m + 1.0))) * factors[m + 1];
-  row[0] += sign * factors[0];
+  row[0] = factors[0];
   Point power = 1;
   for (std::size_t m = 1; m <= order_; ++m) {
     power *= scale_ * z;
-    row[2 * m - 1] += sign * factors[m] * power.real();
-    row[2 * m] += sign * factors[m] * power.imag();
+    row[2 * m - 1] = factors[m] * power.real();
+    row[2 * m] = factors[m] * power.imag();
   }
 }
 
-std::vector<Vector> EigenfunctionSearch::rows(const Pair& pair, double lambda) const {
-  std::vector<Vector> result(pair.in_first.size(), Vector(pair.first == pair.second ? each_ : 2 * each_));
-  for (std::size_t k = 0; k < result.size(); ++k) {
-    add_values(lambda, pair.in_first[k], -1, result[k].data());
-    add_values(lambda, pair.in_second[k], 1, result[k].data() + (result[k].size() - each_));
+/// The differences of the functions of each vertex and its neighbours on its circles: a linear map of coefficients.
+class EigenfunctionSearch::Differences {
+ public:
+  Differences(const EigenfunctionSearch& search, double lambda)
+      : search_(search),
+        own_(search.points_.size() * search.each_),
+        others_(search.points_of_nearest_.size() * search.each_) {
+    const std::size_t each = search.each_;
+    for (std::size_t k = 0; k < search.points_.size(); ++k)
+      search.set_values(lambda, search.points_[k], own_.data() + k * each);
+    for (std::size_t k = 0; k < search.points_of_nearest_.size(); ++k)
+      search.set_values(lambda, search.points_of_nearest_[k], others_.data() + k * each);
+    weight_ = 1 / std::sqrt(static_cast<double>(search.points_.size()));
   }
-  return result;
-}
 
-Vector EigenfunctionSearch::differences(double lambda, const Vector& c) const {
-  Vector result;
-  for (const Pair& pair : pairs_) {
-    for (const Vector& row : rows(pair, lambda)) {
-      double sum = 0;
-      for (std::size_t i = 0; i < row.size(); ++i) sum += row[i] * c[column(pair, i)];
-      result.push_back(sum);
-    }
+  [[nodiscard]] Vector operator()(const Vector& c) const {
+    const std::size_t each = search_.each_;
+    Vector result(search_.nearest_.size());
+    for_each_row([&](std::size_t k, std::size_t vertex, const double* own, const double* other) {
+      result[k] = weight_ *
+                  (dot(other, c.data() + search_.nearest_[k] * each, each) - dot(own, c.data() + vertex * each, each));
+    });
+    return result;
   }
-  return result;
-}
 
-std::optional<Vector> EigenfunctionSearch::best(double lambda) const {
-  std::vector<Vector> matrix(size(), Vector(size()));
-  for (const Pair& pair : pairs_) {
-    for (const Vector& row : rows(pair, lambda)) {
-      for (std::size_t i = 0; i < row.size(); ++i) {
-        Vector& target = matrix[column(pair, i)];
-        const double factor = row[i];
-        for (std::size_t block = 0; block <= i / each_; ++block) {
-          double* const to = target.data() + column(pair, block * each_);
-          const double* const from = row.data() + block * each_;
-          for (std::size_t j = 0; j < each_; ++j) to[j] += factor * from[j];
-        }
-      }
-    }
+  [[nodiscard]] Vector transposed(const Vector& r) const {
+    const std::size_t each = search_.each_;
+    Vector result(search_.size());
+    for_each_row([&](std::size_t k, std::size_t vertex, const double* own, const double* other) {
+      add(result.data() + search_.nearest_[k] * each, weight_ * r[k], other, each);
+      add(result.data() + vertex * each, -weight_ * r[k], own, each);
+    });
+    return result;
   }
-  double greatest = 0;
-  for (std::size_t i = 0; i < size(); ++i) greatest = std::max(greatest, matrix[i][i]);
-  for (std::size_t i = 0; i < size(); ++i) matrix[i][i] += 1e-14 * greatest;  // Else rounding may make it indefinite.
-  const auto factor = Cholesky::of(std::move(matrix));
-  if (!factor) return std::nullopt;
+
+ private:
+  template <class Function>
+  void for_each_row(const Function& function) const {
+    const std::size_t points = search_.points_.size();
+    for (std::size_t k = 0; k < search_.nearest_.size(); ++k)
+      function(k, k / points, own_.data() + k % points * search_.each_, others_.data() + k * search_.each_);
+  }
+
+  const EigenfunctionSearch& search_;
+  Vector own_;     ///< By point: the values of functions of norm 1, the same ones around each vertex.
+  Vector others_;  ///< By vertex and point, for the nearest other vertex.
+  double weight_;
+};
+
+Vector EigenfunctionSearch::any_coefficients() const {
   Vector c(size());
   for (std::size_t i = 0; i < size(); ++i) c[i] = static_cast<double>(i * i % 101) - 50;
-  for (int i = 0; i < 6; ++i) {
-    c = factor->solve(std::move(c));
-    normalize(c);
-  }
-  // The products of rows are rounded: corrections from the differences themselves.
-  for (int i = 0; i < 2; ++i) {
-    const Vector r = differences(lambda, c);
-    Vector gradient(size());
-    std::size_t k = 0;
-    for (const Pair& pair : pairs_) {
-      for (const Vector& row : rows(pair, lambda)) {
-        for (std::size_t j = 0; j < row.size(); ++j) gradient[column(pair, j)] += row[j] * r[k];
-        ++k;
-      }
-    }
-    const Vector correction = factor->solve(std::move(gradient));
-    for (std::size_t j = 0; j < size(); ++j) c[j] -= correction[j];
-    normalize(c);
-  }
   return c;
 }
 
+/// By Lanczos's method for AᵀA, A the differences, with all vectors made orthogonal again. Most eigenvalues are near 1,
+/// those of high waves, which neighbours do not pass on; the least ones are few.
+std::vector<EigenfunctionSearch::Candidate> EigenfunctionSearch::best(double lambda, Vector c,
+                                                                      std::size_t count) const {
+  constexpr std::size_t kSteps = 120;
+  const Differences differences(*this, lambda);
+  normalize(c);
+  std::vector<Vector> basis{std::move(c)};
+  std::vector<Vector> small(kSteps, Vector(kSteps));
+  for (std::size_t i = 0; i < kSteps; ++i) {
+    Vector next = differences.transposed(differences(basis[i]));
+    for (int round = 0; round < 2; ++round) {
+      for (std::size_t j = 0; j <= i; ++j) {
+        const double product = dot(basis[j], next);
+        if (round == 0 && j + 1 >= i) small[i][j] = small[j][i] = product;
+        add(next, -product, basis[j]);
+      }
+    }
+    if (i + 1 == kSteps) break;
+    normalize(next);
+    basis.push_back(std::move(next));
+  }
+  const auto pairs = eigenvectors(std::move(small));
+  std::vector<Vector> least(kMostCandidates, Vector(size()));
+  for (std::size_t i = 0; i < kMostCandidates; ++i) {
+    for (std::size_t j = 0; j < kSteps; ++j) add(least[i], pairs[i].second[j], basis[j]);
+  }
+  const double step = 1e-5 * lambda;
+  const Differences above(*this, lambda + step);
+  const Differences below(*this, lambda - step);
+  std::vector<Candidate> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    // Products are rounded: corrections from the differences themselves.
+    Vector own = least[i];
+    const Vector gradient = differences.transposed(differences(own));
+    for (std::size_t j = 0; j < kMostCandidates; ++j) {
+      if (pairs[j].first > 2 * pairs[i].first) add(own, -dot(least[j], gradient) / pairs[j].first, least[j]);
+    }
+    normalize(own);
+    // By Gauss and Newton's method, as the differences for the best coefficients of any λ are orthogonal to all that
+    // coefficients can change.
+    const Vector r = differences(own);
+    Vector slope = above(own);
+    add(slope, -1, below(own));
+    result.push_back({std::move(own), norm(r), lambda - dot(r, r) * 2 * step / dot(r, slope)});
+  }
+  return result;
+}
+
+std::vector<double> EigenfunctionSearch::around(double lambda) const {
+  std::vector<double> result;
+  if (points_of_nearest_.empty()) return result;
+  for (const Candidate& candidate : best(lambda, any_coefficients(), kMostCandidates)) {
+    if (candidate.lambda > 0) result.push_back(candidate.lambda);
+  }
+  std::sort(result.begin(), result.end(),
+            [&](double x, double y) { return std::abs(x - lambda) < std::abs(y - lambda); });
+  return result;
+}
+
 std::optional<Eigenfunction> EigenfunctionSearch::near(double lambda) const {
-  std::optional<std::pair<double, Vector>> found;
-  double least = HUGE_VAL;
+  if (points_of_nearest_.empty()) return std::nullopt;
+  std::optional<std::pair<double, Candidate>> found;
   constexpr int kMostSteps = 8;
-  for (int i = 0; i < kMostSteps && lambda > 0 && !pairs_.empty(); ++i) {
+  for (int i = 0; i < kMostSteps && lambda > 0; ++i) {
     if (progress_) progress_("eigenfunctions", static_cast<double>(i) / kMostSteps);
-    auto c = best(lambda);
-    if (!c) break;
-    const Vector r = differences(lambda, *c);
-    if (norm(r) > least / 2) break;
-    least = norm(r);
-    // The derivative of the differences by λ; by Gauss and Newton's method, as the differences for the best
-    // coefficients of any λ are orthogonal to all that coefficients can change.
-    const double step = 1e-5 * lambda;
-    const Vector above = differences(lambda + step, *c);
-    const Vector below = differences(lambda - step, *c);
-    double product = 0;
-    for (std::size_t k = 0; k < r.size(); ++k) product += r[k] * (above[k] - below[k]) / (2 * step);
-    found.emplace(lambda, *std::move(c));
-    lambda -= least * least / product;
+    Candidate next = std::move(best(lambda, found ? found->second.coefficients : any_coefficients(), 1).front());
+    if (found && next.differences > found->second.differences / 2) break;
+    const double nearer = next.lambda;
+    found.emplace(lambda, std::move(next));
+    lambda = nearer;
   }
   if (!found) return std::nullopt;
-  Eigenfunction result{{}, found->first, radius_, std::move(found->second)};
+  Eigenfunction result{{}, found->first, radius_, std::move(found->second.coefficients)};
   for (std::size_t i = 0; i < result.coefficients.size(); ++i)
     result.coefficients[i] *= std::pow(scale_, static_cast<int>((i % each_ + 1) / 2));
   const certify::Precision scope(kBits);

@@ -19,44 +19,47 @@ class EigenfunctionSearch {
   /// many as the machine has cores.
   EigenfunctionSearch(const certify::EigenvaluesDocument& document, unsigned threads, Progress progress = {});
 
-  /// An eigenvalue near a guess, with an interval in which its function proves one; nothing if there is none, or if the
-  /// net has more than some 25 vertices. Deterministic. Time: the cube of the number of vertices, some seconds for 25.
+  /// About where the eigenvalues around λ are, the nearest ones, the nearest first. An eigenvalue of some multiplicity
+  /// may occur as often. Some tenths of a second for 10 vertices; the time is proportional to their number.
+  [[nodiscard]] std::vector<double> around(double lambda) const;
+
+  /// The eigenvalue nearest to a guess, with an interval in which its function proves one; nothing if there is none, or
+  /// if the net has more than 150 vertices. Deterministic. About a second for 10 vertices; proportional to their
+  /// number.
   [[nodiscard]] std::optional<certify::EigenvaluesDocument::Eigenfunction> near(double lambda) const;
 
  private:
   using Vector = std::vector<double>;
-  /// Two vertices whose functions should agree on a circle: its points in the disks of both.
-  struct Pair {
-    std::uint32_t first;
-    std::uint32_t second;
-    std::vector<std::complex<double>> in_first;
-    std::vector<std::complex<double>> in_second;
+  using Point = std::complex<double>;
+  class Differences;
+  /// Coefficients whose differences are small relative to them.
+  struct Candidate {
+    Vector coefficients;
+    double differences;  ///< Their norm; that of the coefficients is 1.
+    double lambda;       ///< Where they would be least, by their derivatives.
   };
 
-  void add_pairs();
-  /// By point of the circle: what each coefficient of the first vertex, and of the second, adds to the difference.
-  [[nodiscard]] std::vector<Vector> rows(const Pair& pair, double lambda) const;
-  void add_values(double lambda, std::complex<double> z, double sign, double* row) const;
-  /// The differences of coefficients on all circles.
-  [[nodiscard]] Vector differences(double lambda, const Vector& c) const;
-  /// The coefficients with the least differences, of norm 1.
-  [[nodiscard]] std::optional<Vector> best(double lambda) const;
-  /// The coefficient of an entry of a row.
-  [[nodiscard]] std::size_t column(const Pair& pair, std::size_t i) const {
-    return i < each_ ? pair.first * each_ + i : pair.second * each_ + (i - each_);
-  }
+  void add_circles();
+  /// What each coefficient adds to the value at a point of the disk of its vertex.
+  void set_values(double lambda, Point z, double* row) const;
+  /// So many with the least differences, the least first, at most 10. The search begins at coefficients `c`.
+  [[nodiscard]] std::vector<Candidate> best(double lambda, Vector c, std::size_t count) const;
+  [[nodiscard]] Vector any_coefficients() const;
   [[nodiscard]] std::size_t size() const { return each_ * document_.net.vertices.size(); }
 
   const certify::EigenvaluesDocument& document_;
   unsigned threads_;
   Progress progress_;
+  double epsilon_;
   double radius_;
   double scale_;  ///< Coefficients m are scaled with this number to the power m.
   std::uint32_t order_;
   std::size_t each_;  ///< Coefficients of each vertex.
   std::vector<certify::BallIsometry> labels_;
   std::uint32_t genus_ = 0;
-  std::vector<Pair> pairs_;
+  std::vector<Point> points_;             ///< Of circles in the disk around a vertex.
+  std::vector<std::uint32_t> nearest_;    ///< By vertex and point: the other vertex that is nearest,
+  std::vector<Point> points_of_nearest_;  ///< and the point in its disk.
 };
 
 }  // namespace epsnet

@@ -1,6 +1,7 @@
 #include "netgen/eigenvalues/eigenvalues.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -34,7 +35,9 @@ Prover prover_of(const Surface& surface, const EigenvaluesDocument& document, co
                      "; the shortest one has the length " + certify::shortest(static_cast<double>(lengths.front())));
   }
   const TestSpace space{static_cast<Real>(Length(document.up_to).value()), document.order, document.degree};
-  return {space, trace_matrices(space, surface.genus(), lengths)};
+  std::vector<Interval> known;
+  for (const auto& function : document.eigenfunctions) known.push_back(function.in);
+  return {space, trace_matrices(space, surface.genus(), lengths), std::move(known)};
 }
 
 /// Finds windows with eigenvalues, gaps without, and what proves them.
@@ -145,7 +148,12 @@ class Search {
         end_ = here.lambda;
       }
     }
-    // A window found from a sample may reach beyond the next one.
+    // A window found from a sample may reach beyond the next one, or contain a known eigenvalue; other known ones have
+    // windows of their own.
+    for (const Interval& in : prover_.known()) {
+      if (in.upper < end_) windows_.push_back(widened(in));
+    }
+    std::sort(windows_.begin(), windows_.end(), [](Interval x, Interval y) { return x.lower < y.lower; });
     std::vector<Interval> merged;
     for (const Interval& window : windows_) {
       if (!merged.empty() && window.lower <= merged.back().upper) {
@@ -156,6 +164,17 @@ class Search {
     }
     windows_ = std::move(merged);
     if (!windows_.empty() && windows_.back().upper >= end_) end_ = std::nextafter(windows_.back().upper, HUGE_VAL);
+  }
+
+  /// So that what is outside has no point in common with it.
+  static Interval widened(Interval in) { return {std::nextafter(in.lower, 0.0), std::nextafter(in.upper, HUGE_VAL)}; }
+  /// The known eigenvalues in an interval.
+  [[nodiscard]] std::vector<Interval> known_in(Interval in) const {
+    std::vector<Interval> result;
+    for (const Interval& known : prover_.known()) {
+      if (in.lower < known.lower && known.upper < in.upper) result.push_back(known);
+    }
+    return result;
   }
 
   void add_at_most(const Trial& trial, Interval in, double count) {
@@ -220,6 +239,11 @@ class Search {
     return first;
   }
 
+  void add(const Cover& most) {
+    for (std::size_t k = 0; k < most.statements.size(); ++k)
+      add_at_most(most.statements[k].second, most.statements[k].first, most.counts[k]);
+  }
+
   /// The weights that are positive around a window, and that end in the gaps around it.
   [[nodiscard]] std::vector<Prover::Weighted> weights(std::size_t i) const {
     const Interval before = gap(i);
@@ -241,17 +265,36 @@ class Search {
   /// Counts the eigenvalues in window i, and encloses the smallest and the greatest one if they can be counted.
   void examine(std::size_t i) {
     const Interval in = windows_[i];
+    const std::vector<Interval> known = known_in(in);
     const Cover most = most_in(in, in.upper - in.lower > 0.05 ? 3 : 0);
-    for (std::size_t k = 0; k < most.statements.size(); ++k)
-      add_at_most(most.statements[k].second, most.statements[k].first, most.counts[k]);
-    const std::vector<Prover::Weighted> all = weights(i);
+    add(most);
+    const auto count = static_cast<std::uint32_t>(most.count);
+    EigenvaluesDocument::Window window{in, static_cast<std::uint32_t>(known.size()), count, in, in};
+    if (window.least < count) {
+      const std::vector<Prover::Weighted> all = weights(i);
+      window.least = std::max(window.least, add_least(in, all, most.count));
+      if (window.least == count) {
+        window.greatest.lower = limit(in, all, most.count, false);
+        window.smallest.upper = limit(in, all, most.count, true);
+      }
+    }
+    for (const Interval& one : known) {
+      if (window.least < count) break;
+      window.smallest.upper = std::min(window.smallest.upper, widened(one).upper);
+      window.greatest.lower = std::max(window.greatest.lower, widened(one).lower);
+    }
+    document_.windows.push_back(window);
+  }
+
+  /// The greatest number of eigenvalues in a window that can be proved, with its statement; at most `most`.
+  std::uint32_t add_least(Interval in, const std::vector<Prover::Weighted>& all, double most) {
     double least = 0;
     std::optional<Trial> best;
     const Prover::Weighted* best_weight = nullptr;
     for (const Prover::Weighted& weighted : all) {
       for (const double share : {0.5, 0.0, 1.0, 0.25, 0.75}) {
         const auto trial = weighted.best_at(in.lower + share * (in.upper - in.lower));
-        const double count = trial ? std::min(prover_.least_in(weighted, *trial, in), most.count) : 0;
+        const double count = trial ? std::min(prover_.least_in(weighted, *trial, in), most) : 0;
         if (count <= least) continue;
         least = count;
         best = trial;
@@ -259,18 +302,28 @@ class Search {
       }
     }
     if (best) add_at_least(*best_weight, *best, in, least);
-    const auto count = static_cast<std::uint32_t>(most.count);
-    Interval smallest = in;
-    Interval greatest = in;
-    if (least == most.count) {
-      greatest.lower = limit(in, all, most.count, false);
-      smallest.upper = limit(in, all, most.count, true);
+    return static_cast<std::uint32_t>(least);
+  }
+
+  /// A window that ends with the first known eigenvalue behind the last gap. False if there is none.
+  [[nodiscard]] bool add_known_window(Interval open) {
+    for (const Interval& known : prover_.known()) {
+      if (known.lower <= open.upper) continue;
+      const Interval in{open.upper, widened(known).upper};
+      if (!document_.windows.empty() && document_.windows.back().in.upper >= in.lower) return true;
+      const Cover most = most_in(in, 3);
+      if (!(most.count < 1e6)) return true;
+      add(most);
+      document_.windows.push_back({in, 1, static_cast<std::uint32_t>(most.count), in, in});
+      document_.eigenvalues_up_to = in.upper;
+      return true;
     }
-    document_.windows.push_back({in, static_cast<std::uint32_t>(least), count, smallest, greatest});
+    return false;
   }
 
   /// A window with at least one eigenvalue, behind the last gap, from where there is no gap any more.
   void add_last_window(Interval open) {
+    if (add_known_window(open)) return;
     for (const double share : {0.0, 0.3, 0.6}) {
       const double from = windows_.empty() ? 0.0 : open.lower + share * (open.upper - open.lower);
       const auto test = prover_.first_behind(from, open.upper);
@@ -282,8 +335,7 @@ class Search {
         if (!document_.windows.empty() && document_.windows.back().in.upper >= in.lower) return;
         const Cover most = most_in(in, 3);
         if (!(most.count < 1e6)) return;
-        for (std::size_t k = 0; k < most.statements.size(); ++k)
-          add_at_most(most.statements[k].second, most.statements[k].first, most.counts[k]);
+        add(most);
         add_at_least(weighted, test->first, in, 1);
         document_.windows.push_back({in, 1, static_cast<std::uint32_t>(most.count), in, in});
         document_.eigenvalues_up_to = in.upper;
@@ -349,6 +401,10 @@ class Search {
   double end_ = 0;  ///< Of the gap behind the last window.
 };
 
+std::uint32_t genus_of(const EigenvaluesDocument& document) {
+  return static_cast<std::uint32_t>((document.net.triangles.size() - 2 * document.net.vertices.size()) / 4 + 1);
+}
+
 /// How many eigenvalues are counted exactly, and then how narrow the first window's two enclosures together are.
 using Quality = std::pair<std::uint64_t, double>;
 Quality quality_of(const EigenvaluesDocument& document) {
@@ -359,45 +415,38 @@ Quality quality_of(const EigenvaluesDocument& document) {
   return {counted, -std::abs(first.smallest.upper - first.greatest.lower)};
 }
 
-/// Encloses the smallest and the greatest eigenvalue of windows with a certain number more narrowly, where functions
-/// prove where one is: those of the first windows.
-void add_eigenfunctions(const EigenvaluesOptions& options, EigenvaluesDocument& document) {
-  constexpr std::size_t kMost = 5;  // So that certify checks the file within the work that it allows by default.
-  const EigenfunctionSearch search(document, options.threads, options.progress);
-  for (EigenvaluesDocument::Window& window : document.windows) {
-    if (window.least != window.most || document.eigenfunctions.size() >= kMost) continue;
-    std::vector<double> guesses{(window.smallest.upper + window.greatest.lower) / 2};
-    if (window.most > 1) guesses = {window.smallest.upper, window.greatest.lower};
-    Interval known{};
+/// Adds functions of eigenvalues behind those that are known, in increasing order, until there are `count` or none is
+/// found any more. The place from which to search on is `from`.
+void add_eigenfunctions(std::size_t count, const EigenfunctionSearch& search, double& from,
+                        std::vector<EigenvaluesDocument::Eigenfunction>& functions, double stride) {
+  constexpr double kLast = 40;
+  const auto is_known = [&](double lower, double upper) {
+    return std::any_of(functions.begin(), functions.end(),
+                       [&](const auto& known) { return lower <= known.in.upper && known.in.lower <= upper; });
+  };
+  while (from < kLast && functions.size() < count) {
+    const double middle = from + stride / 2;
+    const std::vector<double> guesses = search.around(middle);
+    if (guesses.empty()) return;
     for (const double guess : guesses) {
+      if (std::abs(guess - middle) > 0.75 * stride || is_known(guess - 1e-4 * stride, guess + 1e-4 * stride)) continue;
       auto function = search.near(guess);
-      if (!function || function->in.lower <= window.in.lower || window.in.upper <= function->in.upper) continue;
-      const Interval in{std::nextafter(function->in.lower, 0.0), std::nextafter(function->in.upper, HUGE_VAL)};
-      const bool narrower = in.upper < window.smallest.upper || window.greatest.lower < in.lower;
-      if (!narrower || (in.lower <= known.upper && known.lower <= in.upper)) continue;
-      known = in;
-      window.smallest.upper = std::min(window.smallest.upper, in.upper);
-      window.greatest.lower = std::max(window.greatest.lower, in.lower);
-      document.eigenfunctions.push_back(*std::move(function));
+      if (function && !is_known(function->in.lower, function->in.upper)) functions.push_back(*std::move(function));
     }
+    // Where the nearest one is far, its place is a rough estimate.
+    from += std::max(stride, std::abs(guesses.front() - middle) / 2);
   }
+  std::sort(functions.begin(), functions.end(), [](const auto& x, const auto& y) { return x.lambda < y.lambda; });
 }
 
-}  // namespace
-
-EigenvaluesDocument eigenvalues(const Surface& surface, const EigenvaluesOptions& options) {
-  constexpr int kLongest = 30;
-  if (options.up_to.value() > kLongest) throw std::invalid_argument("the length is more than 30");
-  GeodesicsOptions geodesics_options;
-  geodesics_options.threads = options.threads;
-  geodesics_options.progress = options.progress;
-  EigenvaluesDocument best;
-  static_cast<certify::GeodesicsDocument&>(best) = spectrum(surface, options.up_to, geodesics_options);
-  const RealVector lengths = lengths_of(surface, best);
+/// A document with a spectrum and perhaps functions, completed by windows and what proves them.
+EigenvaluesDocument with_windows(const Surface& surface, const EigenvaluesOptions& options,
+                                 const EigenvaluesDocument& start, const RealVector& lengths) {
   // Which order is better depends on the surface: a high one on those whose eigenvalues are far apart.
   std::optional<Quality> quality;
+  EigenvaluesDocument best;
   for (const std::uint32_t order : {8U, 12U}) {
-    EigenvaluesDocument document = best;
+    EigenvaluesDocument document = start;
     document.order = order;
     document.windows.clear();
     document.at_most.clear();
@@ -410,11 +459,103 @@ EigenvaluesDocument eigenvalues(const Surface& surface, const EigenvaluesOptions
     best = std::move(document);
   }
   if (!quality) {
-    throw NetError("nothing can be said about the eigenvalues from closed geodesics of length at most " +
-                   options.up_to.text() + "; a length of 1 or more is needed");
+    throw NetError("nothing can be said about the eigenvalues from closed geodesics of length at most " + start.up_to +
+                   "; a length of 1 or more is needed");
   }
-  if (options.eigenfunctions) add_eigenfunctions(options, best);
   return best;
+}
+
+/// From closed geodesics up to one length. Functions of `last`, if there is one, are taken over.
+EigenvaluesDocument eigenvalues_from(const Surface& surface, const EigenvaluesOptions& options, const Length& up_to,
+                                     const EigenvaluesDocument* last) {
+  GeodesicsOptions geodesics_options;
+  geodesics_options.threads = options.threads;
+  geodesics_options.progress = options.progress;
+  EigenvaluesDocument best;
+  static_cast<certify::GeodesicsDocument&>(best) = spectrum(surface, up_to, geodesics_options);
+  if (last != nullptr && last->net == best.net) best.eigenfunctions = last->eigenfunctions;
+  const RealVector lengths = lengths_of(surface, best);
+  // A few functions, which certify checks within the work that it allows by default; more if more eigenvalues are
+  // wanted than these prove.
+  constexpr std::size_t kBatch = 5;
+  std::optional<EigenfunctionSearch> search;
+  if (options.eigenfunctions && best.eigenfunctions.empty()) search.emplace(best, options.threads, options.progress);
+  double from = 0;
+  for (std::size_t wanted = options.count == 0 ? kBatch : std::min<std::size_t>(options.count + 1, kBatch);;
+       wanted += kBatch) {
+    // Eigenvalues are about 1/(g − 1) apart.
+    if (search) add_eigenfunctions(wanted, *search, from, best.eigenfunctions, 1.0 / surface.genus());
+    const bool all = !search || best.eigenfunctions.size() < wanted || options.count <= kBatch;
+    best = with_windows(surface, options, best, lengths);
+    if (all || quality_of(best).first >= options.count) return best;
+  }
+}
+
+/// How narrow the intervals of the first `count` eigenvalues are; infinite if they are not counted.
+double width_of_first(const EigenvaluesDocument& document, std::uint32_t count) {
+  double width = 0;
+  std::uint64_t found = 0;
+  for (const EigenvaluesDocument::Window& window : document.windows) {
+    if (found >= count || window.least != window.most) break;
+    found += window.most;
+    const bool simple = window.most == 1;
+    width = std::max(width, simple ? window.smallest.upper - window.greatest.lower : window.in.upper - window.in.lower);
+  }
+  return found >= count ? width : HUGE_VAL;
+}
+
+/// From longer and longer closed geodesics, until the width is reached or the time is used.
+EigenvaluesDocument eigenvalues_from_more(const Surface& surface, const EigenvaluesOptions& options) {
+  constexpr double kFirstLength = 8;
+  constexpr double kLeastStep = 0.25;
+  const Length greatest = options.up_to.value_or(Length(options.seconds ? "30" : "16"));
+  const std::uint32_t wanted = std::max(options.count, 1U);
+  const auto start = std::chrono::steady_clock::now();
+  const auto elapsed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  std::optional<EigenvaluesDocument> best;
+  double reached = HUGE_VAL;
+  double length = kFirstLength;
+  for (double before = 0;;) {
+    const bool last = greatest.value() <= length;
+    const Length up_to = last ? greatest : Length(length);
+    try {
+      best = eigenvalues_from(surface, options, up_to, best ? &*best : nullptr);
+    } catch (const LimitError&) {
+      if (!best) throw;
+      break;
+    }
+    reached = width_of_first(*best, wanted);
+    if (last || (options.width && reached < *options.width)) break;
+    double step = 1;
+    const double now = elapsed();
+    if (options.seconds) {
+      // The time is at most proportional to e^L, and a check takes as long again.
+      const double more = std::log(std::max(*options.seconds - now, 0.0) / (2 * (now - before)));
+      step = std::min(step, std::floor(more / kLeastStep) * kLeastStep);
+      if (!(step > 0)) break;
+    }
+    before = now;
+    length += step;
+  }
+  if (options.width && !(reached < *options.width)) {
+    const std::string which =
+        wanted == 1 ? "the first eigenvalue is" : "the first " + std::to_string(wanted) + " eigenvalues are";
+    throw NetError(
+        which + (reached < HUGE_VAL ? " enclosed to " + certify::shortest(reached) + " only" : " not counted") +
+        " by closed geodesics of length at most " + best->up_to + ", expected " + certify::shortest(*options.width));
+  }
+  return *std::move(best);
+}
+
+}  // namespace
+
+EigenvaluesDocument eigenvalues(const Surface& surface, const EigenvaluesOptions& options) {
+  constexpr int kLongest = 30;
+  if (options.up_to && options.up_to->value() > kLongest) throw std::invalid_argument("the length is more than 30");
+  if (options.width && !(*options.width > 0)) throw std::invalid_argument("the width is not positive");
+  if (options.seconds && !(*options.seconds > 0)) throw std::invalid_argument("the time is not positive");
+  if (options.width || options.seconds) return eigenvalues_from_more(surface, options);
+  return eigenvalues_from(surface, options, options.up_to.value_or(Length("10")), nullptr);
 }
 
 std::optional<double> length_to_count_first(const EigenvaluesDocument& document) {
@@ -422,9 +563,7 @@ std::optional<double> length_to_count_first(const EigenvaluesDocument& document)
   const EigenvaluesDocument::Window& first = document.windows.front();
   if (first.least == first.most) return std::nullopt;
   const double up_to = static_cast<double>(Length(document.up_to).value());
-  const double area =
-      (static_cast<double>(document.net.triangles.size()) / 2 - static_cast<double>(document.net.vertices.size())) *
-      std::numbers::pi;
+  const double area = 2 * std::numbers::pi * (genus_of(document) - 1.0);
   return std::max(up_to + 1, area / 2 * std::sqrt(std::max(0.0, first.in.upper - 0.25)) + 3);
 }
 

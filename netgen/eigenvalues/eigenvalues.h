@@ -14,23 +14,32 @@ namespace epsnet {
 
 /// Options of the search for eigenvalues.
 struct EigenvaluesOptions {
-  /// L: closed geodesics up to this length are used. The time is proportional to e^L; each unit of L narrows the
-  /// intervals of small eigenvalues by about a factor of 5.
-  Length up_to{"10"};
+  /// L: closed geodesics up to this length are used, 10 by default. The time is proportional to e^L; each unit of L
+  /// narrows what the trace formula proves by about a factor of 5. With `width` or `seconds` the greatest L, 16 or 30
+  /// by default: smaller ones, from 8 on, are tried first.
+  std::optional<Length> up_to;
   std::uint32_t count = 0;  ///< Stop behind the window that completes so many eigenvalues; 0: where windows end.
-  /// Whether eigenvalues that are counted are enclosed to some nine digits by approximate eigenfunctions, which takes
-  /// some seconds for each window. Not if the net has more than some 25 vertices (genus 4 and more).
+  /// Until the first `count` eigenvalues, or the first one, are counted, each in an interval that is narrower.
+  std::optional<double> width;
+  /// Until about so many seconds are used, with as many again as the last search for a check. The L that is reached,
+  /// and so the result, depends on the machine.
+  std::optional<double> seconds;
+  /// Whether the first eigenvalues are enclosed to some nine digits by approximate eigenfunctions, which also make gaps
+  /// between eigenvalues provable that the trace formula alone does not show. Some seconds; proportional to the number
+  /// of vertices. Not if the net has more than 150.
   bool eigenfunctions = true;
   unsigned threads = 0;    ///< 0: as many as the machine has cores. The result is the same for any number.
   Progress progress = {};  ///< Called occasionally, if given.
 };
 
 /// Returns intervals, each with a number of eigenvalues, and coefficients that prove them, from 0 up to where they
-/// cannot be told apart any more. The results are not proved yet; certify::check proves them. Deterministic.
+/// cannot be told apart any more. The results are not proved yet; certify::check proves them. Deterministic, but for
+/// `seconds`.
 ///
-/// Throws NetError if the spectrum cannot be found, or nothing can be said as L is less than about 1; LimitError if the
-/// surface is beyond the numbers of the generator, or its closed geodesics are so short that they have more than 10⁶
-/// multiples of length at most L; std::invalid_argument if L is more than 30.
+/// Throws NetError if the spectrum cannot be found, nothing can be said as L is less than about 1, or `width` is not
+/// reached; LimitError if the surface is beyond the numbers of the generator, or its closed geodesics are so short that
+/// they have more than 10⁶ multiples of length at most L; std::invalid_argument if L is more than 30, or `width` or
+/// `seconds` is not positive.
 [[nodiscard]] certify::EigenvaluesDocument eigenvalues(const Surface& surface, const EigenvaluesOptions& options = {});
 
 /// Returns about the L that is needed to count the eigenvalues of the first window; nullopt if they are counted. An

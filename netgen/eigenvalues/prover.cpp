@@ -30,10 +30,31 @@ RealMatrix weighted_matrix(const std::vector<RealMatrix>& matrices, Interval in)
   return result;
 }
 
+/// The form Σ f̂² over all eigenvalues but the known ones. Each of these keeps a small share, and one for the slope of f̂
+/// there, so that the form is positive although they are known in intervals only.
+RealMatrix without(RealMatrix matrix, const TestSpace& space, const std::vector<Interval>& known) {
+  constexpr double kShare = 1e-5;
+  for (const Interval& in : known) {
+    const RealVector lower = space.values(Real(in.lower));
+    const RealVector upper = space.values(Real(in.upper));
+    for (std::size_t j = 0; j < matrix.size(); ++j) {
+      for (std::size_t k = 0; k < matrix.size(); ++k) {
+        const Real value = (lower[j] + upper[j]) * (lower[k] + upper[k]) / 4;
+        const Real change = (lower[j] - upper[j]) * (lower[k] - upper[k]);
+        matrix[j][k] += change / kShare - (1 - kShare) * value;
+      }
+    }
+  }
+  return matrix;
+}
+
 }  // namespace
 
-Prover::Prover(TestSpace space, std::vector<RealMatrix> matrices)
-    : space_(std::move(space)), matrices_(std::move(matrices)), solver_(Solver::of(matrices_[0])) {
+Prover::Prover(TestSpace space, std::vector<RealMatrix> matrices, std::vector<Interval> known)
+    : space_(std::move(space)),
+      matrices_(std::move(matrices)),
+      known_(std::move(known)),
+      solver_(Solver::of(without(matrices_[0], space_, known_))) {
   if (!solver_) throw NetError("the trace formula gives a singular matrix");
 }
 
@@ -110,7 +131,11 @@ Real Prover::extreme(Interval in, const Function& function) const {
 double Prover::most_in(const Trial& trial, Interval in) const {
   const Real least = extreme(in, [&](const Real& x) { return Real(-square(trial, x)); });
   if (least >= 0) return HUGE_VAL;
-  const Real ratio = trial.sums[0] / -least * (1 + kMargin);
+  Real sum = trial.sums[0];
+  for (std::size_t i = 0; i < known_.size(); ++i) {
+    if (known_[i].upper < in.lower || in.upper < known_[i].lower) sum -= trial.known[i];
+  }
+  const Real ratio = std::max(Real(0), sum) / -least * (1 + kMargin);
   return std::floor(static_cast<double>(ratio));
 }
 
@@ -166,6 +191,12 @@ Trial Prover::trial(RealVector c) const {
   }
   for (std::size_t p = 0; p < 3; ++p) {
     for (std::size_t j = 0; j < c.size(); ++j) result.sums[p] += c[j] * dot(matrices_[p][j], c);
+  }
+  for (const Interval& in : known_) {
+    const Real lower = dot(c, space_.values(Real(in.lower)));
+    const Real upper = dot(c, space_.values(Real(in.upper)));
+    const Real least = (lower < 0) == (upper < 0) ? std::min(Real(abs(lower)), Real(abs(upper))) : Real(0);
+    result.known.push_back(least * least * (1 - kMargin));
   }
   return result;
 }

@@ -16,17 +16,21 @@ namespace epsnet {
 struct Trial {
   std::vector<double> coefficients;
   std::array<Real, 3> sums;
+  std::vector<Real> known;  ///< By known eigenvalue: what it adds at least to the first sum.
 };
 
 /// Finds test functions that prove numbers of eigenvalues, as far as sampled minima and maxima are right.
 class Prover {
  public:
-  /// `matrices` are those of trace_matrices for this space. Throws NetError if the first one is singular.
-  Prover(TestSpace space, std::vector<RealMatrix> matrices);
+  /// `matrices` are those of trace_matrices for this space. Each of the disjoint intervals `known` contains an
+  /// eigenvalue. Throws NetError if the first matrix is singular.
+  Prover(TestSpace space, std::vector<RealMatrix> matrices, std::vector<certify::Interval> known = {});
 
   [[nodiscard]] const TestSpace& space() const { return space_; }
+  [[nodiscard]] const std::vector<certify::Interval>& known() const { return known_; }
 
-  /// The bound for the number of eigenvalues at λ: the least Σ f̂² with f̂(λ) = 1.
+  /// The bound for the number of eigenvalues at λ that are not known: the least Σ f̂² over all but the known ones with
+  /// f̂(λ) = 1.
   [[nodiscard]] double most_at(double lambda) const;
   /// The test function that attains it.
   [[nodiscard]] Trial best_at(double lambda) const { return trial(solver_->solve(space_.values(Real(lambda)))); }
@@ -70,7 +74,8 @@ class Prover {
 
   TestSpace space_;
   std::vector<RealMatrix> matrices_;
-  std::optional<Solver> solver_;
+  std::vector<certify::Interval> known_;
+  std::optional<Solver> solver_;  ///< For sums over unknown eigenvalues.
 };
 
 }  // namespace epsnet

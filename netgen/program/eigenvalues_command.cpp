@@ -24,8 +24,10 @@ using certify::Interval;
 
 struct EigenvaluesRequest {
   std::string surface;
-  std::string up_to = "10";
+  std::string up_to;
   std::uint32_t count = 0;
+  std::string width;
+  std::uint32_t seconds = 0;
   std::string output;
   std::string svg;
   bool fast = false;
@@ -124,26 +126,29 @@ Json eigenvalues_json(const EigenvaluesDocument& document) {
 void find_eigenvalues(const EigenvaluesRequest& request) {
   check_files({{"SURFACE", request.surface}},
               {{"--output", request.output, FileType::json}, {"--svg", request.svg, FileType::svg}});
-  const Length up_to = parse_length("--up-to", request.up_to);
-  constexpr int kLongest = 30;
-  if (up_to.value() > kLongest) throw UsageError("--up-to: more than the greatest length, 30");
+  EigenvaluesOptions options{.count = request.count, .eigenfunctions = !request.fast, .threads = request.threads};
+  if (!request.up_to.empty()) {
+    options.up_to = parse_length("--up-to", request.up_to);
+    constexpr int kLongest = 30;
+    if (options.up_to->value() > kLongest) throw UsageError("--up-to: more than the greatest length, 30");
+  }
+  if (!request.width.empty()) options.width = static_cast<double>(parse_length("--width", request.width).value());
+  if (request.seconds > 0) options.seconds = request.seconds;
   const Surface surface = read_surface_input(request.surface);
   EigenvaluesDocument document;
   certify::Certificate certificate;
   {
     ProgressLine progress;
-    EigenvaluesOptions options{
-        .up_to = up_to, .count = request.count, .eigenfunctions = !request.fast, .threads = request.threads};
     options.progress = progress.shower();
     document = eigenvalues(surface, options);
   }
   {
     ProgressLine progress;
-    certify::CheckOptions options;
-    options.threads = request.threads;
-    options.max_work = std::numeric_limits<std::uint64_t>::max();  // No limit, as the document was made here.
-    options.progress = progress.shower("certificate: ");
-    certificate = certify::check(document, options);
+    certify::CheckOptions check_options;
+    check_options.threads = request.threads;
+    check_options.max_work = std::numeric_limits<std::uint64_t>::max();  // No limit, as the document was made here.
+    check_options.progress = progress.shower("certificate: ");
+    certificate = certify::check(document, check_options);
   }
   if (certificate.verdict != certify::Verdict::verified) {
     throw JobError("not certified: " + certify::verdict_line(certificate) + "; nothing was written");
@@ -173,8 +178,19 @@ void add_eigenvalues_command(CLI::App& app, Job& chosen) {
   command
       ->add_option("--up-to", shared->up_to,
                    "use the closed geodesics up to this length, at most 30; time proportional to e^L, and more "
-                   "eigenvalues")
+                   "eigenvalues. With --width or --time: the greatest length [16 or 30], after smaller ones, from 8 on")
       ->option_text("L [10]");
+  command
+      ->add_option("--width", shared->width,
+                   "take closed geodesics of more and more lengths until the first eigenvalue, or the first N of "
+                   "--count, are counted, each in an interval that is narrower than W")
+      ->option_text("W");
+  command
+      ->add_option("--time", shared->seconds,
+                   "take closed geodesics of more and more lengths until about so many seconds are used, the "
+                   "certificate included: how far that leads depends on the machine")
+      ->check(integer_between(1, 1'000'000))
+      ->option_text("SECONDS");
   command->add_option("--count", shared->count, "stop when so many eigenvalues are found")
       ->check(integer_between(1, 1'000'000))
       ->option_text("N");
@@ -190,7 +206,7 @@ void add_eigenvalues_command(CLI::App& app, Job& chosen) {
   add_threads(*command, shared->threads);
   command->footer(
       "Example:\n  epsnet eigenvalues s.json\n  epsnet eigenvalues s.json --up-to 12 -o eigenvalues.json && certify "
-      "eigenvalues.json");
+      "eigenvalues.json\n  epsnet eigenvalues s.json --width 1e-6\n  epsnet eigenvalues s.json --time 60 --fast");
   command->callback([&chosen, shared] { chosen = [shared] { find_eigenvalues(*shared); }; });
 }
 

@@ -25,12 +25,16 @@ void bind_eigenvalues(py::module_& module) {
   bound
       .def_static(
           "find",
-          [](const Surface& surface, const std::string& up_to, std::uint32_t count, bool fast, unsigned threads,
+          [](const Surface& surface, const std::optional<std::string>& up_to, std::uint32_t count,
+             std::optional<double> width, std::optional<double> seconds, bool fast, unsigned threads,
              const py::object& callback) {
-            const auto search = [surface, up_to = Length(up_to), count, fast, threads](const Progress& progress) {
-              return SharedEigenvalues(eigenvalues(
-                  surface,
-                  {.up_to = up_to, .count = count, .eigenfunctions = !fast, .threads = threads, .progress = progress}));
+            EigenvaluesOptions options{
+                .count = count, .width = width, .seconds = seconds, .eigenfunctions = !fast, .threads = threads};
+            if (up_to) options.up_to = Length(*up_to);
+            const auto search = [surface, options](const Progress& progress) {
+              EigenvaluesOptions with_progress = options;
+              with_progress.progress = progress;
+              return SharedEigenvalues(eigenvalues(surface, with_progress));
             };
             return interruptible(search, callback);
           })

@@ -98,12 +98,25 @@ class Eigenvalues(Document, Sequence[EigenvalueWindow]):
         return f"<Eigenvalues up to {self.bound}: windows of {counts or 'none'}{'' if self.proved else ' (not proved)'}>"
 
 
-def eigenvalues(surface: "Surface", up_to: Number, count: Optional[int], fast: bool, threads: int, progress: Progress) -> Eigenvalues:
-    text = length_text(up_to, "up_to")
+def _positive(x: Optional[Number], name: str, expected: str) -> Optional[float]:
+    if x is None:
+        return None
+    value = float(min(as_fraction(x, name), 10**9))  # More makes no difference.
+    if value <= 0:
+        refuse(expected, x, name)
+    return value
+
+
+def eigenvalues(
+    surface: "Surface", up_to: Optional[Number], count: Optional[int], width: Optional[Number], time: Optional[Number], fast: bool, threads: int, progress: Progress
+) -> Eigenvalues:
+    text = None if up_to is None else length_text(up_to, "up_to")
     most = 0 if count is None else as_index(count, "count", 1, 10**6)
+    size = _positive(width, "width", "a positive number")
+    seconds = _positive(time, "time", "a positive number of seconds")
     threads = as_threads(threads)
-    if as_fraction(up_to, "up_to") > 30:
+    if up_to is not None and as_fraction(up_to, "up_to") > 30:
         refuse("a length of at most 30", up_to, "up_to")
     with Shower(progress) as callback:
-        core = _epsnet.Eigenvalues.find(surface._core, text, most, as_flag(fast, "fast"), threads, callback)
+        core = _epsnet.Eigenvalues.find(surface._core, text, most, size, seconds, as_flag(fast, "fast"), threads, callback)
     return Eigenvalues(core, surface, checked(core, progress, threads, subject="eigenvalues"))

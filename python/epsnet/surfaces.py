@@ -473,18 +473,25 @@ class Surface(Immutable):
 
     # The Laplacian.
 
-    def eigenvalues(self, up_to: Number = 10, count: Optional[int] = None, *, fast: bool = False, threads: int = 0, progress: Progress = None) -> Eigenvalues:
+    def eigenvalues(
+        self, up_to: Optional[Number] = None, count: Optional[int] = None, *, width: Optional[Number] = None, time: Optional[Number] = None,
+        fast: bool = False, threads: int = 0, progress: Progress = None
+    ) -> Eigenvalues:
         """Intervals with the eigenvalues of the Laplacian, with multiplicity, from 0 on without a gap. Proved from all closed geodesics up to
-        the length ``up_to``, at most 30, in time proportional to e^up_to. Stops when ``count`` of them are found. Those that are counted are
-        enclosed to some nine digits by approximate eigenfunctions; ``fast`` leaves these out, seconds less for each interval. NetError if
-        up_to is so small, less than about 1, that nothing can be said.
+        the length ``up_to``, 10 by default and at most 30, in time proportional to e^up_to. Stops when ``count`` of them are found. The first
+        ones are enclosed to some nine digits by approximate eigenfunctions; ``fast`` leaves these out, some seconds less. NetError if up_to
+        is so small, less than about 1, that nothing can be said.
+
+        With ``width``, longer and longer geodesics are taken, from 8 to ``up_to`` (16), until the first eigenvalue, or the first ``count``,
+        are counted, each in an interval that is narrower; NetError if that is not reached. With ``time``, until about so many seconds are used:
+        how far that leads depends on the machine.
 
         >>> import epsnet
         >>> first = epsnet.Surface.regular(2).eigenvalues(9, count=7)
         >>> [(window.least, window.most, window.smallest.lower < value < window.greatest.upper) for window, value in zip(first, (3.8388873, 5.3536013))]
         [(3, 3, True), (4, 4, True)]
         """
-        return eigenvalues(self, up_to, count, fast, threads, progress)
+        return eigenvalues(self, up_to, count, width, time, fast, threads, progress)
 
     # Distances.
 

@@ -83,7 +83,7 @@ def calls(octagon, net, bolza):
         (octagon.element, dict(word=[0])), (octagon.dirichlet_domain, dict(p=0)), (octagon.reduced, dict(word=[0])),
         (octagon.net, dict(epsilon=1, base=0, points=[], pseudo=False, sparse=False, insert="cavity", locate="straight", list="A", threads=1, progress=False)),
         (octagon.systole, dict(threads=1, progress=False)), (octagon.spectrum, dict(up_to=2, threads=1, progress=False)),
-        (octagon.eigenvalues, dict(up_to=7, count=1, fast=True, threads=1, progress=False)),
+        (octagon.eigenvalues, dict(up_to=7, count=1, width=2, time=1000, fast=True, threads=1, progress=False)),
         (octagon.isometries, dict(threads=1, progress=False)), (octagon.isometric_to, dict(other=bolza, threads=1, progress=False)),
         (group.product, dict(i=0, j=1)), (group.order, dict(i=0)), (group.fixed_points, dict(i=0)), (group.permutation, dict(i=0)),
         (group.save, dict(path="none")), (group.proof.save, dict(path="none")),

@@ -19,8 +19,25 @@ def test_of_the_bolza_surface_are_those_of_the_literature(bolza):
 
 
 def test_a_simple_one_is_in_both_enclosures():
-    (window,) = epsnet.Surface.octagon(seed=5).eigenvalues(8)
+    (window,) = epsnet.Surface.octagon(seed=5).eigenvalues(8, count=1)
     assert (window.least, window.most) == (1, 1) and window.interval.ends == (window.greatest.lower, window.smallest.upper)
+
+
+def test_a_width_is_reached_or_an_error():
+    octagon = epsnet.Surface.octagon(seed=5)
+    (window,) = octagon.eigenvalues(width="0.1", count=1, fast=True)
+    assert window.interval.width < 0.1 and window.least == window.most == 1
+    with pytest.raises(epsnet.NetError, match="at most 8.5, expected 0.03"):
+        octagon.eigenvalues("8.5", count=1, width=0.03, fast=True)
+    for wrong in (0, -1, float("nan")):
+        with pytest.raises(epsnet.ArgumentError):
+            octagon.eigenvalues(width=wrong)
+        with pytest.raises(epsnet.ArgumentError):
+            octagon.eigenvalues(time=wrong)
+
+
+def test_a_time_is_for_longer_and_longer_geodesics():
+    assert epsnet.Surface.octagon(seed=5).eigenvalues(7, time=1000, fast=True).up_to == "7"
 
 
 def test_of_a_file_are_the_same(bolza, tmp_path):

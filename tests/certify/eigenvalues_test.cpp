@@ -42,6 +42,8 @@ Document octagon() { return read_file<Document>(std::string(EPSNET_TEST_DATA) + 
 Document digits() {
   return read_file<Document>(std::string(EPSNET_TEST_DATA) + "/eigenvalues/octagon-5-to-8-digits.json");
 }
+/// The same with its first two eigenvalues: the functions of three make the gaps between them provable.
+Document two() { return read_file<Document>(std::string(EPSNET_TEST_DATA) + "/eigenvalues/octagon-5-to-8-two.json"); }
 /// The first three windows of the Bolza surface, of 3, 4 and 2 eigenvalues.
 Document bolza() { return read_file<Document>(std::string(EPSNET_TEST_DATA) + "/eigenvalues/bolza-to-9.json"); }
 
@@ -53,8 +55,8 @@ constexpr double kSecond = 5.353601341189;
 Certificate checked(const Document& document) { return check(document, {.threads = 2}); }
 
 /// "VERDICT", or "VERDICT: rule".
-std::string outcome(const Document& document) {
-  const Certificate certificate = checked(document);
+std::string outcome(const Document& document, std::uint64_t max_work = 0) {
+  const Certificate certificate = check(document, {.threads = 2, .max_work = max_work});
   return std::string(name(certificate.verdict)) + (certificate.rule.empty() ? "" : ": " + certificate.rule);
 }
 
@@ -430,6 +432,60 @@ TEST(Eigenfunctions, NotAllEigenvaluesOfAWindowAreWhereTheOneIsNot) {
   EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("at least 1"));
 }
 
+TEST(Eigenfunctions, EigenvaluesThatAreKnownElsewhereAreLeftOutOfSums) {
+  const Document document = two();
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  ASSERT_EQ(document.eigenfunctions.size(), 3U);
+  ASSERT_EQ(document.windows.size(), 2U);
+  for (const std::size_t i : {0U, 1U}) {
+    const auto& window = document.windows[i];
+    EXPECT_EQ(window.least, 1U);
+    EXPECT_EQ(window.most, 1U);
+    EXPECT_LT(window.in.upper - window.in.lower, 1e-8);
+  }
+  // Of all rules but that of the functions, which takes too much work.
+  const auto changed = [&](const std::function<void(Document&)>& change) {
+    Document copy = document;
+    change(copy);
+    return outcome(copy, 2'000'000'000);
+  };
+  const std::string others_verified = "UNDECIDED: eigenfunctions";
+  EXPECT_EQ(changed([](Document&) {}), others_verified);
+  // Each of the three is needed.
+  for (std::ptrdiff_t i = 0; i < 3; ++i)
+    EXPECT_EQ(changed([&](Document& d) { d.eigenfunctions.erase(d.eigenfunctions.begin() + i); }), "REFUTED: most")
+        << i;
+  // One that is there twice counts once.
+  EXPECT_EQ(changed([&](Document& d) { d.eigenfunctions[2] = d.eigenfunctions[1]; }), "REFUTED: most");
+  EXPECT_EQ(changed([&](Document& d) { d.eigenfunctions.push_back(d.eigenfunctions[1]); }), others_verified);
+  // One that may be in the interval of the statement.
+  EXPECT_EQ(changed([&](Document& d) { d.eigenfunctions[0].in.upper = d.windows[0].in.upper; }), "REFUTED: most");
+  // It is somewhere in its interval, where the test function may be small.
+  Document wide = document;
+  wide.eigenfunctions[2].in.upper = wide.eigenfunctions[2].in.lower + 1;
+  const Certificate certificate = check(wide, {.threads = 2, .max_precision = 192, .max_work = 2'000'000'000});
+  EXPECT_EQ(certificate.verdict, Verdict::undecided);
+  EXPECT_EQ(certificate.rule, "most");
+}
+
+/// Functions beyond 1/4 + 9/step² are no reason to read a test function there.
+TEST(Eigenfunctions, BeyondTheReachOfTestFunctionsAreNotLeftOutOfSums) {
+  Document document = digits();
+  document.eigenfunctions.push_back(document.eigenfunctions[0]);
+  document.eigenfunctions[1].in.upper = 1e6;
+  document.eigenfunctions[1].in.lower = document.eigenfunctions[1].lambda = 1e5;
+  EXPECT_EQ(outcome(document, 2'000'000'000), "UNDECIDED: eigenfunctions");
+}
+
+TEST(Disjoint, AreAsManyAsThereAre) {
+  const auto result = [](std::vector<Interval> intervals) { return disjoint(std::move(intervals)); };
+  EXPECT_TRUE(result({}).empty());
+  EXPECT_EQ(result({{3, 4}, {1, 2}}), (std::vector<Interval>{{1, 2}, {3, 4}}));
+  EXPECT_EQ(result({{1, 2}, {2, 3}, {above(2), 3}}), (std::vector<Interval>{{1, 2}, {above(2), 3}}));
+  EXPECT_EQ(result({{0, 10}, {1, 2}, {1.5, 4}, {5, 6}}), (std::vector<Interval>{{1, 2}, {5, 6}}));
+  EXPECT_EQ(result({{1, 2}, {0, 2}, {2, 2}}), (std::vector<Interval>{{0, 2}}));
+}
+
 TEST(Eigenfunctions, OfWrongStructureAreMalformed) {
   const auto problem = [](const std::function<void(Document::Eigenfunction&)>& change) {
     Document document = digits();
@@ -649,6 +705,19 @@ TEST(Windows, AtLeastNeedsNoneElsewhereInItsInterval) {
   EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("at least 2"));
   document = statements();
   document.at_least[0].within.upper = 3.5;
+  EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("at least 2"));
+}
+
+TEST(Windows, DisjointFunctionsShowAsManyEigenvalues) {
+  Document document = statements();
+  document.at_least.clear();
+  document.eigenfunctions = {{{2.5, 2.6}, 2.5, 0, {}}, {{3.1, 3.2}, 3.1, 0, {}}};
+  EXPECT_EQ(Counting(document).problem(), std::nullopt);
+  document.eigenfunctions[1].in.lower = 2.6;
+  EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("at least 2"));
+  document.eigenfunctions[1].in = {3.1, above(4)};
+  EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("at least 2"));
+  document.eigenfunctions.pop_back();
   EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("at least 2"));
 }
 

@@ -9,7 +9,7 @@ good surface octagon --seed 123 -o s.json
 good net s.json --epsilon 0.5 -o net.json
 good systole s.json -o systole.json
 good spectrum s.json --up-to 3 -o spectrum.json
-good eigenvalues s.json --up-to 7 -o eigenvalues.json --svg eigenvalues.svg
+good eigenvalues s.json --up-to 7 --count 1 -o eigenvalues.json --svg eigenvalues.svg
 verified eigenvalues.json
 grep -q 'eigenvalues in (0, 1/4): none' output || complain "no line about small eigenvalues: $(cat output)"
 grep -q '"eigenfunctions":\[$' eigenvalues.json || complain 'no eigenfunction'
@@ -436,6 +436,13 @@ done
 bad 64 '^epsnet: --up-to: more than the greatest length, 30' eigenvalues s.json --up-to 31
 bad 64 '^epsnet: eigenvalues: --count: expected an integer from 1 to 1000000, not "0"' eigenvalues s.json --count 0
 bad 1 'nothing can be said about the eigenvalues.*; a length of 1 or more is needed' eigenvalues s.json --up-to 1e-3 -o out/x.json --svg out/x.svg
+good eigenvalues s.json --up-to 7 --time 1000 --fast
+grep -q '^closed geodesics used: .* of length at most 7$' output || complain "not up to the greatest length: $(cat output)"
+for value in 0 -1 nan x; do
+  bad 64 "^epsnet: --width: $positive \"$value\"" eigenvalues s.json --width "$value"
+  bad 64 "^epsnet: eigenvalues: --time: expected an integer from 1 to 1000000, not \"$value\"" eigenvalues s.json --time "$value"
+done
+bad 1 'length at most 6, expected 1e-30$' eigenvalues s.json --width 1e-30 --up-to 6 --fast -o out/x.json
 good eigenvalues s.json --up-to 3 --fast
 grep -q '^to count the first ones, take closed geodesics of length up to about 9$' output || complain "no length that is needed: $(cat output)"
 good eigenvalues s.json --up-to 3 --fast --json

@@ -394,6 +394,38 @@ TEST(Eigenvalues, LengthsOutOfRangeAreRefused) {
               testing::ThrowsMessage<std::invalid_argument>(HasSubstr("more than 30")));
 }
 
+TEST(Eigenvalues, AWidthIsReachedOrAnError) {
+  EigenvaluesOptions options{.width = 0.1, .eigenfunctions = false};
+  const EigenvaluesDocument found = eigenvalues(random_octagon(5), options);
+  EXPECT_EQ(found.up_to, "8") << "a width of 0.0999";
+  const auto& first = found.windows.front();
+  EXPECT_EQ(first.most, 1U);
+  EXPECT_LT(first.smallest.upper - first.greatest.lower, 0.1);
+  EXPECT_EQ(found, eigenvalues(random_octagon(5), up_to("8")));
+  options.width = 0.03;
+  EXPECT_EQ(eigenvalues(random_octagon(5), options).up_to, "10");
+  options.up_to = Length("8.5");
+  EXPECT_THAT([&] { (void)eigenvalues(random_octagon(5), options); },
+              testing::ThrowsMessage<NetError>(HasSubstr("by closed geodesics of length at most 8.5, expected 0.03")));
+  options.count = 3;
+  EXPECT_THAT([&] { (void)eigenvalues(random_octagon(5), options); },
+              testing::ThrowsMessage<NetError>(HasSubstr("the first 3 eigenvalues are not counted")));
+  for (const double width : {0.0, -1.0, std::nan("")}) {
+    options.width = width;
+    EXPECT_THROW((void)eigenvalues(random_octagon(5), options), std::invalid_argument);
+  }
+}
+
+TEST(Eigenvalues, ATimeOfNothingIsOneSearch) {
+  EigenvaluesOptions options{.seconds = 1e-9, .eigenfunctions = false};
+  EXPECT_EQ(eigenvalues(random_octagon(5), options), eigenvalues(random_octagon(5), up_to("8")));
+  options.up_to = Length("6");
+  options.seconds = 1e9;
+  EXPECT_EQ(eigenvalues(random_octagon(5), options), eigenvalues(random_octagon(5), up_to("6")));
+  options.seconds = 0;
+  EXPECT_THROW((void)eigenvalues(random_octagon(5), options), std::invalid_argument);
+}
+
 TEST(Eigenvalues, VeryShortGeodesicsAreRefused) {
   EXPECT_THAT([] { (void)eigenvalues(with_cuff("1e-9"), up_to("6")); },
               testing::ThrowsMessage<LimitError>(HasSubstr("more than 1000000 multiples of length at most 6; the "
@@ -403,10 +435,12 @@ TEST(Eigenvalues, VeryShortGeodesicsAreRefused) {
 // Approximate eigenfunctions.
 
 TEST(EigenfunctionSearch, LeavesLargeNetsOut) {
-  const Surface surface = of_genus(6);
+  const Surface surface = of_genus(30);
   EigenvaluesDocument document;
   static_cast<certify::GeodesicsDocument&>(document) = spectrum(surface, Length("1"));
+  ASSERT_GT(document.net.vertices.size(), 150U);
   EXPECT_FALSE(EigenfunctionSearch(document, 2).near(0.2));
+  EXPECT_TRUE(EigenfunctionSearch(document, 2).around(0.2).empty());
 }
 
 // The bound and its picture.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "certify/check.h"
 #include "certify/file/reader.h"
@@ -62,10 +63,36 @@ TEST(Eigenvalues, ThatAreCountedAreEnclosedToNineDigits) {
   }
 }
 
+/// The trace formula alone proves one eigenvalue from so few geodesics.
+TEST(Eigenvalues, FunctionsShowTheGapsBetweenThem) {
+  const EigenvaluesDocument document = eigenvalues(random_octagon(5), {.up_to = Length("8")});
+  EXPECT_EQ(certify::check(document, {.threads = 2}).verdict, certify::Verdict::verified);
+  ASSERT_GE(document.windows.size(), 4U);
+  double last = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& window = document.windows[i];
+    EXPECT_EQ(window.least, 1U) << i;
+    EXPECT_EQ(window.most, 1U) << i;
+    EXPECT_LT(window.in.upper - window.in.lower, 1e-8) << i;
+    EXPECT_GT(window.in.lower, last + 0.1) << i;
+    last = window.in.upper;
+  }
+}
+
+TEST(EigenfunctionSearch, GuessesAreNearEigenvalues) {
+  const EigenvaluesDocument document = file("octagon-5-to-8.json");
+  const EigenfunctionSearch search(document, 2);
+  const std::vector<double> guesses = search.around(2.8);
+  ASSERT_FALSE(guesses.empty());
+  EXPECT_NEAR(guesses.front(), 2.775068, 1e-3);
+  for (std::size_t i = 1; i < guesses.size(); ++i)
+    EXPECT_LE(std::abs(guesses[i - 1] - 2.8), std::abs(guesses[i] - 2.8));
+}
+
 TEST(Eigenvalues, WithEigenfunctionsAreTheSameForAnyNumberOfThreads) {
   const Surface surface = random_octagon(2);
-  EXPECT_EQ(eigenvalues(surface, {.up_to = Length("7"), .threads = 1}),
-            eigenvalues(surface, {.up_to = Length("7"), .threads = 3}));
+  EXPECT_EQ(eigenvalues(surface, {.up_to = Length("7"), .count = 1, .threads = 1}),
+            eigenvalues(surface, {.up_to = Length("7"), .count = 1, .threads = 3}));
 }
 
 }  // namespace

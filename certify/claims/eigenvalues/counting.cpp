@@ -1,6 +1,8 @@
 #include "certify/claims/eigenvalues/counting.h"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 namespace epsnet::certify {
 namespace {
@@ -11,6 +13,16 @@ using Eigenfunction = EigenvaluesDocument::Eigenfunction;
 bool contains(Interval x, Interval y) { return x.lower <= y.lower && y.upper <= x.upper; }
 
 }  // namespace
+
+std::vector<Interval> disjoint(std::vector<Interval> intervals) {
+  std::sort(intervals.begin(), intervals.end(),
+            [](Interval x, Interval y) { return std::tie(x.upper, x.lower) < std::tie(y.upper, y.lower); });
+  std::vector<Interval> result;
+  for (const Interval& in : intervals) {
+    if (result.empty() || result.back().upper < in.lower) result.push_back(in);
+  }
+  return result;
+}
 
 Counting::Counting(const EigenvaluesDocument& document) : document_(document) {
   for (const auto& row : document.at_most) by_upper_.push_back({row.in, row.count, {}});
@@ -39,11 +51,11 @@ std::optional<std::uint64_t> Counting::most(Interval closed) const {
 }
 
 bool Counting::at_least(std::uint32_t count, Interval window) const {
-  const auto& functions = document_.eigenfunctions;
-  if (count == 0 || (count == 1 && std::any_of(functions.begin(), functions.end(),
-                                               [&](const Eigenfunction& row) { return contains(window, row.in); }))) {
-    return true;
+  std::vector<Interval> known;
+  for (const Eigenfunction& row : document_.eigenfunctions) {
+    if (contains(window, row.in)) known.push_back(row.in);
   }
+  if (count <= disjoint(std::move(known)).size()) return true;
   return std::any_of(document_.at_least.begin(), document_.at_least.end(), [&](const AtLeast& row) {
     return row.count >= count && contains(window, row.within) && none_between(row.in.lower, row.within.lower) &&
            none_between(row.within.upper, row.in.upper);

@@ -11,6 +11,10 @@
 
 namespace epsnet::certify {
 
+/// Of these intervals, in the order of their ends, upper ends first, each one that has no point in common with those
+/// taken before: as many disjoint ones as there are. O(n log n).
+[[nodiscard]] std::vector<Interval> disjoint(std::vector<Interval> intervals);
+
 /// What follows for the windows of a file once all its statements of both kinds are proved (docs/proof.md, Lemma 37).
 /// Comparisons of binary64 and sums of integers alone: exact. About (number of statements)² for each question.
 class Counting {

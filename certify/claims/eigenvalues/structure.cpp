@@ -58,8 +58,7 @@ Problem eigenfunction_problem(const Document& document, const Document::Eigenfun
 class Statements {
  public:
   explicit Statements(const Document& document)
-      : document_(document),
-        greatest_(mpq_class(1, 4) + 9 / (test_functions(document).step() * test_functions(document).step())) {}
+      : document_(document), greatest_(greatest_eigenvalue(test_functions(document))) {}
 
   [[nodiscard]] Problem interval_problem(const char* name, Interval x) const {
     if (!in_order(x.lower, x.upper)) return std::string(name) + " is not 0 <= lo <= hi";

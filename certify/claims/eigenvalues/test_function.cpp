@@ -23,6 +23,10 @@ Ball hull(const Ball& x, const Ball& y) { return ball_of(arb_union, x, y); }
 
 }  // namespace
 
+mpq_class greatest_eigenvalue(const TestFunctions& functions) {
+  return mpq_class(1, 4) + 9 / (functions.step() * functions.step());
+}
+
 TestFunctions test_functions(const EigenvaluesDocument& document) {
   return {decimal(document.up_to), document.order, document.degree};
 }

@@ -14,6 +14,9 @@ namespace epsnet::certify {
 /// The test functions of a document, of which `up_to` is a decimal.
 [[nodiscard]] TestFunctions test_functions(const EigenvaluesDocument& document);
 
+/// ¼ + 9/δ², up to which values of the functions are enclosed.
+[[nodiscard]] mpq_class greatest_eigenvalue(const TestFunctions& functions);
+
 /// f̂² on intervals (docs/proof.md, Lemma 34).
 class SquaredTestFunction {
  public:
