@@ -383,7 +383,7 @@ Qed.
 (** Two points that lie over the same point of the surface: an isometry of the plane takes one to the other, and lifted
     triangles to lifted triangles. *)
 Variable same_point : C -> C -> Prop.
-Hypothesis same_refl : forall u, same_point u u.
+Hypothesis same_refl : forall u, is_vertex u -> same_point u u.
 Hypothesis same_sym : forall u v, same_point u v -> same_point v u.
 Hypothesis same_trans : forall u v w, same_point u v -> same_point v w -> same_point u w.
 Hypothesis moved : forall u v, same_point u v -> exists g, proper g /\ act g u = v /\
