@@ -1,8 +1,10 @@
 #include "netgen/program/input.h"
 
 #include <algorithm>
+#include <charconv>
 #include <optional>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 #include "certify/base/text.h"
@@ -98,8 +100,8 @@ SurfaceOrNet read_surface_or_net(const std::string& path) {
   return {surface_of_text(text, name), std::nullopt};
 }
 
-std::vector<PointText> read_points(const std::string& path) {
-  std::vector<PointText> result;
+std::vector<LineText> read_lines(const std::string& path, const std::string& expected) {
+  std::vector<LineText> result;
   std::istringstream lines(certify::load(path));
   std::size_t number = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -110,7 +112,24 @@ std::vector<PointText> read_points(const std::string& path) {
     const std::size_t end = line.find_last_not_of(" \t\r");
     result.push_back({text_name(path) + ":" + std::to_string(number), line.substr(begin, end - begin + 1)});
   }
-  if (result.empty()) throw JobError(text_name(path) + ": no points, expected one on each line, as in 0,1/10,-0.25");
+  if (result.empty()) throw JobError(text_name(path) + ": no " + expected);
+  return result;
+}
+
+Word parse_word(const std::string& name, const std::string& text) {
+  constexpr const char* kSeparators = " \t,";
+  Word result;
+  for (std::size_t begin = text.find_first_not_of(kSeparators); begin != std::string::npos;) {
+    const std::size_t end = std::min(text.find_first_of(kSeparators, begin), text.size());
+    std::uint32_t side = 0;
+    const auto [last, error] = std::from_chars(text.data() + begin, text.data() + end, side);
+    if (error != std::errc() || last != text.data() + end) {
+      throw JobError(name + ": expected numbers of sides, as in 0 3 5, not " +
+                     certify::in_quotes(text.substr(begin, end - begin)));
+    }
+    result.push_back(side);
+    begin = text.find_first_not_of(kSeparators, end);
+  }
   return result;
 }
 

@@ -34,14 +34,19 @@ struct SurfaceOrNet {
 /// Of a net file both; of any other file that has a surface, the surface.
 [[nodiscard]] SurfaceOrNet read_surface_or_net(const std::string& path);
 
-/// A point of a file of points, as on the command line, and its name in messages: "FILE:LINE".
-struct PointText {
+/// A line of a file, as on the command line, and its name in messages: "FILE:LINE".
+struct LineText {
   std::string name;
   std::string text;
 };
-/// Reads a file with one point per line; "#" begins a comment, and blank lines are ignored. Throws JobError if there is
-/// no point.
-[[nodiscard]] std::vector<PointText> read_points(const std::string& path);
+/// Reads a file with one point, or the like, per line; "#" begins a comment, and blank lines are ignored. Throws
+/// JobError if there is none: "no " and what was expected.
+[[nodiscard]] std::vector<LineText> read_lines(const std::string& path, const std::string& expected);
+/// What is expected of a file of points.
+inline constexpr const char* kPointLines = "points, expected one on each line, as in 0,1/10,-0.25";
+/// Reads a word: the numbers of sides, with spaces or commas between them. Throws JobError; the message begins with
+/// `name`.
+[[nodiscard]] Word parse_word(const std::string& name, const std::string& text);
 
 /// A surface that was imported from a text of another program.
 struct ImportedSurface {

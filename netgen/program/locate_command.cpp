@@ -21,11 +21,11 @@ struct LocateRequest {
 };
 
 /// Returns the points of the command line and of the file, with their names in messages.
-std::vector<PointText> points_of(const LocateRequest& request) {
-  std::vector<PointText> points;
+std::vector<LineText> points_of(const LocateRequest& request) {
+  std::vector<LineText> points;
   for (const std::string& text : request.points) points.push_back({"P", text});
   if (!request.file.empty()) {
-    for (PointText& point : read_points(request.file)) points.push_back(std::move(point));
+    for (LineText& point : read_lines(request.file, kPointLines)) points.push_back(std::move(point));
   }
   return points;
 }
@@ -64,11 +64,11 @@ void locate_points(const LocateRequest& request) {
   check_files({{"NET", request.net}, {"--points", request.file}}, {});
   const certify::NetDocument net = read_net_input(request.net);
   const SurfaceOrNet input{from_document(net.surface), net};
-  const std::vector<PointText> points = points_of(request);
+  const std::vector<LineText> points = points_of(request);
   Locator locator(net);
   Report report;
   report.json["points"] = Json::array();
-  for (const PointText& point : points) {
+  for (const LineText& point : points) {
     Report found = [&] {
       try {
         return location_report(point.text, locator.locate(parse_point(point.name, point.text, input)), net);

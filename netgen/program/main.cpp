@@ -102,6 +102,7 @@ int run(int argc, char** argv) {
   add_eigenvalues_command(app, chosen);
   add_isometries_command(app, chosen);
   add_isometric_command(app, chosen);
+  add_pants_command(app, chosen);
   add_draw_command(app, chosen);
   add_view_command(app, chosen);
   add_info_command(app, chosen);

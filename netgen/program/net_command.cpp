@@ -55,7 +55,7 @@ struct NetRequest {
 };
 
 /// Reads a point of a file.
-BasePoint parse_given_point(const PointText& point, const Surface& surface) {
+BasePoint parse_given_point(const LineText& point, const Surface& surface) {
   try {
     return parse_base(point.text, surface, point.name);
   } catch (const UsageError& error) {
@@ -65,10 +65,10 @@ BasePoint parse_given_point(const PointText& point, const Surface& surface) {
 
 /// Returns the message about two points that are too close, without the value of ε at its end.
 std::string close_points_message(const ClosePointsError& error, const NetOptions& options,
-                                 const std::vector<PointText>& points) {
+                                 const std::vector<LineText>& points) {
   const auto name = [&](std::uint32_t vertex) {
     if (options.base && vertex == 0) return std::string("--base");
-    const PointText& point = points[vertex - (options.base ? 1 : 0)];
+    const LineText& point = points[vertex - (options.base ? 1 : 0)];
     return point.name + " (" + point.text.substr(0, 80) + ")";
   };
   return name(error.first()) + " and " + name(error.second()) + " are not farther from each other than epsilon = ";
@@ -228,8 +228,9 @@ void make_net(const NetRequest& request) {
   times.reading = watch.lap();
   NetOptions options = request.options;
   if (!request.base.empty()) options.base = parse_base(request.base, surface);
-  const std::vector<PointText> points = request.points.empty() ? std::vector<PointText>() : read_points(request.points);
-  for (const PointText& point : points) options.points.push_back(parse_given_point(point, surface));
+  const std::vector<LineText> points =
+      request.points.empty() ? std::vector<LineText>() : read_lines(request.points, kPointLines);
+  for (const LineText& point : points) options.points.push_back(parse_given_point(point, surface));
   const double start = processor_seconds();
   const UncertifiedNet net = [&] {
     try {

@@ -34,6 +34,25 @@ good isometries s.json --json --threads 1
 grep -q '"fixed_points": *6' output || complain "the hyperelliptic involution has 6 fixed points: $(cat output)"
 good isometric s.json net.json
 grep -q '^isometric: yes$' output || complain "a surface is isometric to itself: $(cat output)"
+good pants s.json -o pants.json --json --threads 1
+grep -q '"graph":"0-1 [01]-[01] [01]-[01]","own":false,"cuffs":\[{"ends":\[\[0,0\],\[1,0\]\],"length":\[0.5476' output || complain "the pants of an octagon: $(cat output)"
+good surface fenchel-nielsen --from pants.json -o from-pants.json
+good pants from-pants.json -o pants-again.json
+grep -q '^pants: 2, cuffs: 3, those of which the surface was made$' output || complain "pants of pants: $(cat output)"
+grep -q '^  exp(length/2) = [0-9]*/[0-9]*, exactly$' output || complain "an exact length: $(cat output)"
+good pants from-pants.json --find
+grep -q '^pants: 2, cuffs: 3$' output || complain "pants found: $(cat output)"
+printf '# short\n6\n' >curves.txt
+bad 1 '^epsnet: curves.txt:2: curve 0: letter 0 is side 6, no side of tile 1, where the path ends' pants from-pants.json --curves curves.txt -o out/x.json
+printf '0 2\n' >curves.txt
+bad 1 '^epsnet: curves.txt:1: curve 0: null-homotopic' pants from-pants.json --curves curves.txt -o out/x.json
+printf '2\n2,2\n' >curves.txt
+bad 1 '^epsnet: curves.txt:2: curve 1: homotopic to curve 0' pants from-pants.json --curves curves.txt -o out/x.json
+printf '2 x\n' >curves.txt
+bad 1 '^epsnet: curves.txt:1: expected numbers of sides, as in 0 3 5, not "x"' pants from-pants.json --curves curves.txt -o out/x.json
+printf '# nothing\n' >curves.txt
+bad 1 '^epsnet: curves.txt: no curves, expected one on each line' pants from-pants.json --curves curves.txt -o out/x.json
+bad 64 'excludes' pants from-pants.json --curves curves.txt --find
 good surface regular --genus 2 -o bolza.json
 good isometric s.json bolza.json
 grep -q '^isometric: no$' output || complain "an octagon is not the regular one: $(cat output)"
