@@ -33,6 +33,7 @@
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/nets/domain_frame.h"
 #include "netgen/nets/net_options.h"
+#include "netgen/pants/dehn_twist.h"
 #include "netgen/pants/pants.h"
 #include "netgen/pictures/draw.h"
 #include "netgen/pictures/eigenvalues_picture.h"

@@ -253,7 +253,8 @@ struct Source {
   /// The isometry of the plane that a match tells, from the coordinates of tile 0 to those of tile 0.
   [[nodiscard]] Motion<Number> motion_of(const Match& match, const LiftedTiles& to) const {
     const Motion<Number> f = motion_of_pairs(pair.x.element, pair.y, match.x, match.y);
-    return motion(to.value(path_between_tiles(to.surface(), match.tile, 0))) * f *
+    // By the paths of from_tile_0: between two tiles there may be several shortest ones.
+    return motion(to.value(reversed(to.surface(), path_between_tiles(to.surface(), 0, match.tile)))) * f *
            motion(tiles.value(path_between_tiles(tiles.surface(), 0, pair.x.tile)));
   }
 

@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "certify/base/text.h"
 #include "certify/file/writer.h"
 #include "netgen/base/gmp.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/info.h"
+#include "netgen/pants/dehn_twist.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
@@ -190,6 +192,42 @@ void import_surface_text(const SurfaceRequest& request) {
   write_surface_file(import_surface(input.text, input.name, request.format), request.output, request.json);
 }
 
+struct TwistRequest {
+  std::string surface;
+  std::string curve;
+  std::int32_t power = 1;
+  std::string by;
+  std::string output;
+  bool json = false;
+};
+
+/// Writes the surface that `twist` makes of a surface and a curve.
+template <class Twist>
+void make_twisted(const TwistRequest& request, const Twist& twist) {
+  check_files({{"SURFACE", request.surface}}, {{"--output", request.output, FileType::json}});
+  const Surface surface = read_surface_input(request.surface);
+  const Word curve = parse_word("CURVE", request.curve);
+  const Surface result = [&] {
+    try {
+      return twist(surface, curve);
+    } catch (const CurveError& error) {
+      throw JobError("CURVE: " + error.problem());
+    }
+  }();
+  write_surface_file(result, request.output, request.json);
+}
+
+void make_dehn_twist(const TwistRequest& request) {
+  make_twisted(request,
+               [&](const Surface& surface, const Word& curve) { return dehn_twisted(surface, curve, request.power); });
+}
+
+void make_twist(const TwistRequest& request) {
+  const auto by = parse_decimal(with_leading_zero(request.by));
+  if (!by) throw UsageError("--by: expected a decimal or a fraction, not " + certify::in_quotes(request.by));
+  make_twisted(request, [&](const Surface& surface, const Word& curve) { return twisted(surface, curve, *by); });
+}
+
 struct CoverRequest {
   std::string surface;
   std::string permutations;
@@ -322,6 +360,42 @@ void add_surface_command(CLI::App& app, Job& chosen) {
       "  epsnet surface cover s.json --degree 10 --seed 1 -o cover.json\n"
       "  epsnet surface cover s.json --permutations p.json -o cover.json");
   cover_command->callback([&chosen, cover_request] { chosen = [cover_request] { make_cover(*cover_request); }; });
+
+  constexpr const char* kCurveHelp =
+      "a simple closed curve, as the numbers of the sides that it crosses, in quotes or with commas; epsnet spectrum "
+      "and "
+      "epsnet pants print such words";
+  const auto dehn_request = std::make_shared<TwistRequest>();
+  CLI::App* dehn = surface->add_subcommand(
+      "dehn-twist",
+      "The same surface with another marking: its tiles as triangles, glued alike, after a Dehn twist along a curve.");
+  add_input(*dehn, "SURFACE", dehn_request->surface, kSurfaceHelp);
+  dehn->add_option("CURVE", dehn_request->curve, kCurveHelp)->required()->option_text("REQUIRED");
+  dehn->add_option("POWER", dehn_request->power, "how often to the left; to the right, if it is negative")
+      ->check(CLI::Range(-kMostTwists, kMostTwists).description(""))
+      ->option_text("[1]");
+  add_output(*dehn, dehn_request->output, "the surface file to write");
+  add_json(*dehn, dehn_request->json);
+  dehn->footer(
+      "A word of side numbers stands for the element that the Dehn twist makes of it. docs/fenchel-nielsen.md has the "
+      "details.\n\n"
+      "Example:\n  epsnet surface dehn-twist s.json 6,1 -2 -o t.json\n  epsnet isometric s.json t.json");
+  dehn->callback([&chosen, dehn_request] { chosen = [dehn_request] { make_dehn_twist(*dehn_request); }; });
+
+  const auto twist_request = std::make_shared<TwistRequest>();
+  CLI::App* twist = surface->add_subcommand(
+      "twist", "The surface cut along a simple closed geodesic and glued anew, one side moved along it.");
+  add_input(*twist, "SURFACE", twist_request->surface, kSurfaceHelp);
+  twist->add_option("CURVE", twist_request->curve, kCurveHelp)->required()->option_text("REQUIRED");
+  twist->add_option("--by", twist_request->by, "the hyperbolic length by which the other side is moved to the left")
+      ->required()
+      ->option_text("T REQUIRED");
+  add_output(*twist, twist_request->output, "the surface file to write");
+  add_json(*twist, twist_request->json);
+  twist->footer(
+      "The surface is one of surface fenchel-nielsen, with its rounding.\n\n"
+      "Example:\n  epsnet surface twist s.json 6,1 --by 0.1 -o t.json");
+  twist->callback([&chosen, twist_request] { chosen = [twist_request] { make_twist(*twist_request); }; });
 
   const auto named_request = std::make_shared<SurfaceRequest>();
   CLI::App* named = surface->add_subcommand(

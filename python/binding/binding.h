@@ -119,6 +119,7 @@ void bind_geodesics(py::module_& module);
 void bind_isometries(py::module_& module);
 void bind_nets(py::module_& module);
 void bind_numbers(py::module_& module);
+void bind_pants(py::module_& module);
 void bind_surfaces(py::module_& module);
 
 }  // namespace epsnet::python

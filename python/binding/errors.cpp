@@ -1,4 +1,5 @@
 #include <stdexcept>
+#include <string>
 
 #include "certify/base/fault.h"
 #include "certify/file/reader.h"
@@ -6,6 +7,7 @@
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/net_geometry.h"
 #include "netgen/nets/net_options.h"
+#include "netgen/pants/pants.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "python/binding/binding.h"
 #include "triangulation/surface/error.h"
@@ -39,6 +41,8 @@ void bind_errors(py::module_&) {
       raise("SurfaceError", error.what());
     } catch (const PantsGraphError& error) {
       raise("SurfaceError", error.what(), "graph");
+    } catch (const CurveError& error) {
+      raise("ArgumentError", error.problem(), "curve " + std::to_string(error.number()));
     } catch (const NetError& error) {
       raise("NetError", error.what());
     } catch (const LimitError& error) {

@@ -19,6 +19,7 @@ ClosedGeodesics systole, spectrum, thick-thin decomposition, each with its proof
 Eigenvalues     of the Laplacian: intervals with their numbers, proved
 Distance        and Diameter, Radius, EmbeddedDisk, Eccentricity: numbers as intervals, with their proofs
 Interval        lower and upper ends, and whether it is proved; arithmetic and comparisons
+PantsDecomposition  Fenchel–Nielsen coordinates of any surface
 IsometryGroup   the symmetries of a surface, with their proof
 Isometry        an element of the group: exact, or in SU(1,1) and SL(2,R) with proved errors
 load, certify   files, and what the checker says of them
@@ -37,6 +38,7 @@ from .intervals import Interval, ends
 from .isometries import Axis, ComplexInterval, Gaussian, Isometry
 from .many import map as map  # Not in __all__, where it would hide Python's own.
 from .nets import Collar, DistanceTable, Lifts, Location, Net, Page
+from .pants import Cuff, PantsDecomposition
 from .points import Point
 from .surfaces import Surface
 from .symmetries import IsometryGroup, IsometryProof, SurfaceIsometry
@@ -44,9 +46,9 @@ from .symmetries import IsometryGroup, IsometryProof, SurfaceIsometry
 __version__: str = _epsnet.__version__
 
 __all__ = [
-    "ArgumentError", "Axis", "Certificate", "ClosedGeodesic", "ClosedGeodesics", "Collar", "ComplexInterval", "Cover", "Diameter",
+    "ArgumentError", "Axis", "Certificate", "ClosedGeodesic", "ClosedGeodesics", "Collar", "ComplexInterval", "Cover", "Cuff", "Diameter",
     "DirichletDomain", "DirichletSide", "Distance", "DistanceTable", "Eccentricity", "EigenvalueWindow", "Eigenvalues", "EmbeddedDisk", "EpsnetError", "FileError", "FormatError",
     "FundamentalPolygon", "Gaussian", "Interval", "Isometry", "IsometryGroup", "IsometryProof", "Lifts", "LimitError", "Location", "Multiplicities", "Multiplicity", "Net",
-    "NetError", "NotVerifiedError", "Page", "Piece", "Point", "PolygonSide", "Radius", "Rule", "Surface", "SurfaceError", "SurfaceIsometry", "Systole",
+    "NetError", "NotVerifiedError", "Page", "PantsDecomposition", "Piece", "Point", "PolygonSide", "Radius", "Rule", "Surface", "SurfaceError", "SurfaceIsometry", "Systole",
     "ThickThin", "UndecidedError", "certify", "ends", "errors", "load",
 ]

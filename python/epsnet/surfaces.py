@@ -23,6 +23,7 @@ from .geodesics import ClosedGeodesics, Systole, ThickThin, spectrum, systole, t
 from .isometries import Gaussian, Isometry
 from .nets import Net
 from .points import Point, PointLike, base_point, point_of
+from .pants import PantsDecomposition, dehn_twist, dehn_twist_words, pants, twist
 from .symmetries import IsometryGroup, SurfaceIsometry, isometric_to, isometries
 
 __all__ = ["Surface"]
@@ -470,6 +471,48 @@ class Surface(Immutable):
         (<SurfaceIsometry that preserves orientation>, None)
         """
         return isometric_to(self, other, threads, progress)
+
+    # Pants.
+
+    def pants(self, curves: Optional[Sequence[Any]] = None, *, find: bool = False, threads: int = 0, progress: Progress = None) -> PantsDecomposition:
+        """A pants decomposition, and the Fenchel–Nielsen coordinates, proved: along ``curves``, words or closed geodesics, which short ones
+        complete; or along the cuffs of which ``Surface.fenchel_nielsen`` made the surface, unless short ones are to be found; or along
+        short closed geodesics. ArgumentError for curves that are not simple, disjoint and different. Twists are known modulo the lengths.
+
+        >>> import epsnet
+        >>> pants = epsnet.Surface.fenchel_nielsen([2, 3, 4], ["1/2", 0, 1], "0-1 0-1 0-1").pants()
+        >>> [round(length.mid, 12) for length in pants.lengths], [round(twist.mid, 12) + 0 for twist in pants.twists]
+        ([2.0, 3.0, 4.0], [0.5, 0.0, 1.0])
+        """
+        return pants(self, curves, find, threads, progress)
+
+    def dehn_twist(self, curve: Any, power: int = 1) -> "Surface":
+        """The same surface with another marking, that of a Dehn twist along a simple closed curve, to the left, or to the right for a negative
+        power: its tiles as triangles, glued alike, so that a word of sides stands for the element that the twist makes of it
+        (docs/fenchel-nielsen.md). SurfaceError for regular tiles.
+
+        >>> import epsnet
+        >>> surface = epsnet.Surface.octagon(123)
+        >>> surface.dehn_twist(surface.pants().cuffs[0]).isometric_to(surface)
+        <SurfaceIsometry that preserves orientation>
+        """
+        return self._of(dehn_twist(self, curve, power))
+
+    def dehn_twist_words(self, curve: Any, power: int = 1) -> list[tuple[int, ...]]:
+        """By side: the path that a Dehn twist makes of the path across it. For surfaces of regular tiles, too."""
+        return dehn_twist_words(self, curve, power)
+
+    def twist(self, curve: Any, by: Number) -> "Surface":
+        """The surface cut along the geodesic of a simple closed curve and glued anew, the other side moved to the left by a hyperbolic length, as
+        seen from either side: made by ``Surface.fenchel_nielsen``, with its rounding.
+
+        >>> import epsnet
+        >>> surface = epsnet.Surface.octagon(123)
+        >>> curve = surface.pants().cuffs[0]
+        >>> surface.twist(curve, "1/10").systole().mid == surface.systole().mid
+        True
+        """
+        return self._of(twist(self, curve, by))
 
     # The Laplacian.
 
