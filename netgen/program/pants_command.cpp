@@ -24,7 +24,7 @@ struct PantsRequest {
   unsigned threads = 0;
 };
 
-/// A number as the simplest decimal in an interval of two or three neighbours in binary64.
+/// The middle of a narrow interval, as a decimal that reads back as the same binary64.
 std::string middle_text(certify::Interval x) { return certify::shortest(x.lower + (x.upper - x.lower) / 2); }
 
 /// Returns the coordinates as `surface fenchel-nielsen --from` reads them.
@@ -39,15 +39,15 @@ Json coordinates_json(const PantsDecomposition& pants) {
       {{"graph", graph_text(pants.graph)}, {"lengths", std::move(lengths)}, {"twists", std::move(twists)}});
 }
 
-Report pants_report(const PantsDecomposition& pants, bool own) {
+Report pants_report(const PantsDecomposition& pants) {
   Report report;
   report.json["genus"] = pants.graph.genus();
   report.json["graph"] = graph_text(pants.graph);
-  report.json["own"] = own;
+  report.json["own"] = pants.own;
   Json& cuffs = report.json["cuffs"] = Json::array();
   std::ostringstream out;
   out << "pants: " << pants.graph.pants_count() << ", cuffs: " << pants.cuffs.size()
-      << (own ? ", those of which the surface was made" : "") << '\n';
+      << (pants.own ? ", those of which the surface was made" : "") << '\n';
   out << "graph: " << graph_text(pants.graph) << '\n';
   for (std::size_t e = 0; e < pants.cuffs.size(); ++e) {
     const PantsDecomposition::Cuff& cuff = pants.cuffs[e];
@@ -95,7 +95,7 @@ void cut_into_pants(const PantsRequest& request) {
     }
   }();
   write_output(request.output, [&](std::ostream& out) { out << coordinates_json(pants).dump() << '\n'; });
-  write_report(pants_report(pants, pants.own), request.json, is_stdout(request.output));
+  write_report(pants_report(pants), request.json, is_stdout(request.output));
 }
 
 }  // namespace
@@ -108,8 +108,7 @@ void add_pants_command(CLI::App& app, Job& chosen) {
   add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
   CLI::Option* curves = add_file(*command, "--curves", shared->curves,
                                  "disjoint simple closed curves to cut along, one on each line, by the numbers of the "
-                                 "sides that it crosses; short "
-                                 "ones complete them; \"-\" is standard input");
+                                 "sides that it crosses; short ones complete them; \"-\" is standard input");
   command
       ->add_flag("--find", shared->find,
                  "look for short curves, also if surface fenchel-nielsen made the surface and its own cuffs are known")
