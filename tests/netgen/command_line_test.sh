@@ -53,18 +53,18 @@ bad 1 '^epsnet: curves.txt:1: expected numbers of sides, as in 0 3 5, not "x"' p
 printf '# nothing\n' >curves.txt
 bad 1 '^epsnet: curves.txt: no curves, expected one on each line' pants from-pants.json --curves curves.txt -o out/x.json
 good surface dehn-twist from-pants.json 2 -o once.json
-good surface dehn-twist once.json 2 -2 -o twice.json --json
+good surface dehn-twist once.json '4 2' -2 -o twice.json --json
 grep -q '"tiles": *10' output || complain "a heptagon is five triangles: $(cat output)"
 good isometric from-pants.json twice.json
 grep -q '^isometric: yes$' output || complain "a Dehn twist does not change the surface: $(cat output)"
-good surface twist from-pants.json 2 --by -.125 -o moved.json
+good surface twist from-pants.json 2 --by=-.125 -o moved.json
 good isometric from-pants.json moved.json
 grep -q '^isometric: no$' output || complain "a twist changes the surface: $(cat output)"
 bad 1 '^epsnet: CURVE: null-homotopic$' surface dehn-twist from-pants.json 0,2 -o out/x.json
 bad 1 '^epsnet: CURVE: not simple: its geodesic crosses itself$' surface dehn-twist from-pants.json '0 3 0' -o out/x.json
 bad 1 '^epsnet: CURVE: expected numbers of sides, as in 0 3 5, not "two"' surface twist from-pants.json two --by 1 -o out/x.json
 bad 64 'by' surface twist from-pants.json 2 --by much -o out/x.json
-bad 64 'POWER' surface dehn-twist from-pants.json 2 1001 -o out/x.json
+bad 64 '1001' surface dehn-twist from-pants.json 2 1001 -o out/x.json
 bad 64 'excludes' pants from-pants.json --curves curves.txt --find
 good surface regular --genus 2 -o bolza.json
 good isometric s.json bolza.json
