@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "certify/exact/claim_documents.h"
 #include "certify/exact/claim_rules.h"
 #include "certify/exact/document.h"
 #include "certify/exact/json.h"
@@ -17,16 +18,18 @@ Result left_out(const std::string& kind) { return {Verdict::undecided, kLeftOut,
 
 /// Asks the rules in their order until one does not hold or is not decided.
 Result ask(const std::vector<Rule>& rules) {
+  Result result{Verdict::verified, "", ""};
   for (const Rule& rule : rules) {
     try {
       rule.ask();
     } catch (const Refutation& refutation) {
       return {Verdict::refuted, rule.name, refutation.what};
     } catch (const TooLarge& question) {
-      return {Verdict::undecided, rule.name, question.what};
+      if (result.verdict == Verdict::verified) result = {Verdict::undecided, rule.name, question.what};
+      if (!rule.may_be_open) break;
     }
   }
-  return {Verdict::verified, "", ""};
+  return result;
 }
 
 /// The rules of the net, then those that own_rules says.
@@ -43,19 +46,16 @@ Result ask_all(const Net& net, const OwnRules& own_rules) {
 
 }  // namespace
 
-Result check(std::string_view text) {
+Result check(std::string_view text, long most_lifts) {
   if (text.starts_with("\211EPSNET\n")) return left_out("compact files");
   try {
     const Json root = parse_json(text);
     if (root.kind != Json::Kind::object) throw Malformed("expected an object");
     const Json& format = member(root, "format");
-    for (const std::string kind : {"eigenvalues", "isometries"}) {
-      if (is_text(format, "epsnet-" + kind)) return left_out(kind + " files");
-    }
     if (is_text(format, "epsnet-geodesics")) {
       if (is_text(member(root, "claim"), "thick-thin")) return left_out("thick-thin decompositions");
       const GeodesicsDocument document = read_geodesics(root);
-      return ask_all(document.net, [&](auto& net) { return geodesic_rules(document, net); });
+      return ask_all(document.net, [&](auto& net) { return geodesic_rules(document, net, most_lifts); });
     }
     if (is_text(format, "epsnet-distance")) {
       const DistanceDocument document = read_distance(root);
@@ -65,7 +65,17 @@ Result check(std::string_view text) {
       const BoundDocument document = read_bound(root);
       return ask_all(document.net, [&](auto& net) { return bound_rules(document, net); });
     }
+    if (is_text(format, "epsnet-eigenvalues")) {
+      const EigenvaluesDocument document = read_eigenvalues(root);
+      return ask_all(document.spectrum.net, [&](auto& net) { return eigenvalue_rules(document, net, most_lifts); });
+    }
+    if (is_text(format, "epsnet-isometries")) {
+      const IsometriesDocument document = read_isometries(root);
+      return ask_all(document.spectrum.net, [&](auto& net) { return isometry_rules(document, net, most_lifts); });
+    }
     return ask_all(read_net(root), [](auto&) { return std::vector<Rule>(); });
+  } catch (const LeftOut& question) {
+    return left_out(question.what);
   } catch (const Malformed& error) {
     return {Verdict::malformed, "", error.what()};
   }

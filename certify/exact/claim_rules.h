@@ -1,23 +1,38 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
-#include "certify/exact/document.h"
+#include "certify/exact/claim_documents.h"
 #include "certify/exact/net_rules.h"
 
 /// The rules of claims about a net, to be asked after those of the net, which are verified then. Each
 /// function throws Malformed if the structure of the document is broken; the net's rules and the document must live as
-/// long as what it returns.
+/// long as what it returns. A list of geodesics may ask for `most_lifts` lifted vertices.
 namespace epsnet::exact {
 
 /// Section 11.1 of docs/proof.md: a systole or a spectrum.
 template <class R>
-[[nodiscard]] std::vector<Rule> geodesic_rules(const GeodesicsDocument& document, NetRules<R>& net);
+[[nodiscard]] std::vector<Rule> geodesic_rules(const GeodesicsDocument& document, NetRules<R>& net, long most_lifts);
 /// Section 14.
 template <class R>
 [[nodiscard]] std::vector<Rule> distance_rules(const DistanceDocument& document, NetRules<R>& net);
 /// Section 15.
 template <class R>
 [[nodiscard]] std::vector<Rule> bound_rules(const BoundDocument& document, NetRules<R>& net);
+/// Section 17.
+template <class R>
+[[nodiscard]] std::vector<Rule> eigenvalue_rules(const EigenvaluesDocument& document, NetRules<R>& net,
+                                                 long most_lifts);
+/// Section 18.
+template <class R>
+[[nodiscard]] std::vector<Rule> isometry_rules(const IsometriesDocument& document, NetRules<R>& net, long most_lifts);
+
+/// Rules that keep their owner alive.
+template <class Owner>
+std::vector<Rule> kept(const std::shared_ptr<Owner>& owner, std::vector<Rule> rules) {
+  for (Rule& rule : rules) rule.ask = [owner, ask = std::move(rule.ask)] { ask(); };
+  return rules;
+}
 
 }  // namespace epsnet::exact

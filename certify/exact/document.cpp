@@ -29,8 +29,6 @@ void expect_text(const Json& value, std::string_view text, const char* what) {
   if (!is_text(value, text)) throw Malformed("unexpected value for " + std::string(what));
 }
 
-namespace {
-
 void expect_members(const Json& value, std::initializer_list<std::string_view> names) {
   if (value.kind != Json::Kind::object) throw Malformed("expected an object");
   for (const Json::Member& found : value.members) {
@@ -58,16 +56,6 @@ RationalPoint read_rational_point(const Json& x, const Json& y) {
   return {{re.get_num() * (m / re.get_den()), im.get_num() * (m / im.get_den())}, m};
 }
 
-RationalPoint read_binary_point(const Json& x, const Json& y) {
-  const Binary64 re = to_binary64(x);
-  const Binary64 im = to_binary64(y);
-  const long shift = std::max({0L, -re.exponent, -im.exponent});
-  const auto scaled = [&](const Binary64& n) {
-    return mpz_class(n.mantissa << static_cast<mp_bitcnt_t>(n.exponent + shift));
-  };
-  return lowest_terms({scaled(re), scaled(im)}, mpz_class(mpz_class(1) << static_cast<mp_bitcnt_t>(shift)));
-}
-
 void expect_version(const Json& root) {
   if (to_index(member(root, "version")) != 1) throw Malformed("the version is not 1");
 }
@@ -75,14 +63,15 @@ void expect_version(const Json& root) {
 mpq_class read_binary64(const Json& value) {
   const Binary64 read = to_binary64(value);
   const auto power = static_cast<mp_bitcnt_t>(std::abs(read.exponent));
-  return read.exponent < 0 ? mpq_class(read.mantissa, mpz_class(1) << power) : mpq_class(read.mantissa << power);
+  if (read.exponent >= 0) return read.mantissa << power;
+  mpq_class number(read.mantissa, mpz_class(1) << power);
+  number.canonicalize();
+  return number;
 }
 
-/// 0 <= lower <= upper.
 std::array<mpq_class, 2> read_length(const Json& value, const char* what) {
   const auto& two = tuple(value, 2, what);
   std::array<mpq_class, 2> length{read_binary64(two[0]), read_binary64(two[1])};
-  for (mpq_class& end : length) end.canonicalize();
   if (length[0] < 0 || length[1] < length[0]) throw Malformed(std::string(what) + ": expected 0 <= lo <= hi");
   return length;
 }
@@ -93,19 +82,24 @@ std::vector<Index> read_indices(const Json& value, const char* what) {
   return indices;
 }
 
-/// Words of at most 10⁶ letters, 10⁷ in all.
-class Words {
- public:
-  std::vector<Index> read(const Json& value) {
-    std::vector<Index> word = read_indices(value, "a word");
-    letters_ += word.size();
-    if (word.size() > 1'000'000 || letters_ > 10'000'000) throw Malformed("too many letters");
-    return word;
-  }
+std::vector<Index> Words::read(const Json& value) {
+  std::vector<Index> word = read_indices(value, "a word");
+  letters_ += word.size();
+  if (word.size() > 1'000'000 || letters_ > 10'000'000) throw Malformed("too many letters");
+  return word;
+}
 
- private:
-  std::size_t letters_ = 0;
-};
+namespace {
+
+RationalPoint read_binary_point(const Json& x, const Json& y) {
+  const Binary64 re = to_binary64(x);
+  const Binary64 im = to_binary64(y);
+  const long shift = std::max({0L, -re.exponent, -im.exponent});
+  const auto scaled = [&](const Binary64& n) {
+    return mpz_class(n.mantissa << static_cast<mp_bitcnt_t>(n.exponent + shift));
+  };
+  return lowest_terms({scaled(re), scaled(im)}, mpz_class(mpz_class(1) << static_cast<mp_bitcnt_t>(shift)));
+}
 
 std::vector<Collar> read_collars(const Json& value, Words& words) {
   std::vector<Collar> collars;
@@ -167,6 +161,8 @@ void read_surface(const Json& surface, Net& net) {
   }
 }
 
+}  // namespace
+
 Net read_net(const Json& root, Words& words) {
   expect_members(root,
                  {"format", "version", "surface", "epsilon", "charts", "labels", "vertices", "triangles", "collars"});
@@ -196,104 +192,9 @@ Net read_net(const Json& root, Words& words) {
   return net;
 }
 
-/// The net of a claim: without collars.
-Net read_whole_net(const Json& root, Words& words) {
-  const Json& net = member(root, "net");
-  if (net.kind == Json::Kind::object && find(net, "collars") != nullptr) throw Malformed("a pseudo net");
-  return read_net(net, words);
-}
-
-Net read_one_vertex_net(const Json& root, Words& words) {
-  Net result = read_whole_net(root, words);
-  if (result.vertices.size() != 1) throw Malformed("a net of another number of vertices than one");
-  return result;
-}
-
-bool read_bool(const Json& value) {
-  const bool is_true = value.kind == Json::Kind::literal && value.text == "true";
-  if (!is_true && (value.kind != Json::Kind::literal || value.text != "false")) {
-    throw Malformed("expected true or false");
-  }
-  return is_true;
-}
-
-}  // namespace
-
 Net read_net(const Json& root) {
   Words words;
   return read_net(root, words);
-}
-
-DistanceDocument read_distance(const Json& root) {
-  expect_members(root, {"format", "version", "net", "point", "distance", "paths", "equal"});
-  expect_version(root);
-  Words words;
-  Net net = read_one_vertex_net(root, words);
-  const auto& point = tuple(member(root, "point"), 3, "the point");
-  DistanceDocument document{.net = std::move(net),
-                            .tile = to_index(point[0]),
-                            .point = read_rational_point(point[1], point[2]),
-                            .distance = read_length(member(root, "distance"), "the distance"),
-                            .paths = {},
-                            .equal = false};
-  for (const Json& word : array(member(root, "paths"), "paths")) document.paths.push_back(words.read(word));
-  document.equal = read_bool(member(root, "equal"));
-  return document;
-}
-
-BoundDocument read_bound(const Json& root) {
-  expect_members(root, {"format", "version", "claim", "net", "value", "triangulations", "cells"});
-  expect_version(root);
-  Words words;
-  BoundDocument document{.net = read_one_vertex_net(root, words),
-                         .claim = BoundDocument::Claim::diameter,
-                         .value = read_length(member(root, "value"), "the value"),
-                         .triangulations = {},
-                         .cells = {}};
-  const Json& claim = member(root, "claim");
-  if (is_text(claim, "radius")) {
-    document.claim = BoundDocument::Claim::radius;
-  } else if (is_text(claim, "embedded-disk")) {
-    document.claim = BoundDocument::Claim::embedded_disk;
-  } else {
-    expect_text(claim, "diameter", "the claim");
-  }
-  for (const Json& row : array(member(root, "triangulations"), "triangulations")) {
-    std::vector<Index> flips = read_indices(row, "a triangulation");
-    if (flips.empty()) throw Malformed("a triangulation: expected the number of another one");
-    const Index parent = flips.front();
-    flips.erase(flips.begin());
-    document.triangulations.push_back({parent, std::move(flips)});
-  }
-  for (const Json& row : array(member(root, "cells"), "cells")) document.cells.push_back(read_indices(row, "cells"));
-  return document;
-}
-
-GeodesicsDocument read_geodesics(const Json& root) {
-  expect_version(root);
-  const Json& claim = member(root, "claim");
-  const bool is_spectrum = is_text(claim, "spectrum");
-  if (is_spectrum) {
-    expect_members(root, {"format", "version", "claim", "net", "up_to", "geodesics", "clusters"});
-  } else {
-    expect_text(claim, "systole", "the claim");
-    expect_members(root, {"format", "version", "claim", "net", "geodesics"});
-  }
-  Words words;
-  GeodesicsDocument document{.net = read_whole_net(root, words), .up_to = {}, .geodesics = {}, .clusters = {}};
-  for (const Json& row : array(member(root, "geodesics"), "geodesics")) {
-    expect_members(row, {"vertex", "word", "length", "simple"});
-    document.geodesics.push_back({to_index(member(row, "vertex")), words.read(member(row, "word")),
-                                  read_length(member(row, "length"), "a length"), read_bool(member(row, "simple"))});
-  }
-  if (!is_spectrum) return document;
-  document.up_to = to_decimal(member(root, "up_to"));
-  for (const Json& row : array(member(root, "clusters"), "clusters")) {
-    expect_members(row, {"first", "count", "equal"});
-    document.clusters.push_back(
-        {to_index(member(row, "first")), to_index(member(row, "count")), read_bool(member(row, "equal"))});
-  }
-  return document;
 }
 
 }  // namespace epsnet::exact

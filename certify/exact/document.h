@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <gmpxx.h>
+#include <initializer_list>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -11,7 +12,7 @@
 #include "certify/exact/json.h"
 #include "certify/exact/plane.h"
 
-/// The documents that this checker knows (docs/format.md).
+/// The document of a net (docs/format.md).
 namespace epsnet::exact {
 
 using Index = std::uint32_t;
@@ -63,57 +64,31 @@ struct Net {
   [[nodiscard]] std::size_t sides_of(std::size_t tile) const { return regular ? regular->p : tiles[tile].size(); }
 };
 
-struct DistanceDocument {
-  Net net;
-  Index tile;
-  RationalPoint point;
-  std::array<mpq_class, 2> distance;
-  std::vector<std::vector<Index>> paths;
-  bool equal;
-};
-
-struct BoundDocument {
-  enum class Claim { diameter, radius, embedded_disk };
-  struct Triangulation {
-    Index parent;
-    std::vector<Index> flips;
-  };
-
-  Net net;
-  Claim claim;
-  std::array<mpq_class, 2> value;
-  std::vector<Triangulation> triangulations;
-  std::vector<std::vector<Index>> cells;
-};
-
-struct ClosedGeodesic {
-  Index vertex;
-  std::vector<Index> word;
-  std::array<mpq_class, 2> length;
-  bool simple;
-};
-
-struct Cluster {
-  Index first;
-  Index count;
-  bool equal;
-};
-
-/// A systole, or a spectrum, which has a bound.
-struct GeodesicsDocument {
-  Net net;
-  std::optional<mpq_class> up_to;
-  std::vector<ClosedGeodesic> geodesics;
-  std::vector<Cluster> clusters;
-};
-
-// Members, kinds and ranges of numbers. Each throws Malformed. Indices may name what is not there.
-
+/// Members, kinds and ranges of numbers. Throws Malformed. Indices may name what is not there.
 [[nodiscard]] Net read_net(const Json& root);
-[[nodiscard]] DistanceDocument read_distance(const Json& root);
-[[nodiscard]] BoundDocument read_bound(const Json& root);
-[[nodiscard]] GeodesicsDocument read_geodesics(const Json& root);
 
+// For readers of other documents. Each throws Malformed, and names `what` is wrong.
+
+/// Words of at most 10⁶ letters, 10⁷ in all.
+class Words {
+ public:
+  std::vector<Index> read(const Json& value);
+
+ private:
+  std::size_t letters_ = 0;
+};
+
+[[nodiscard]] Net read_net(const Json& root, Words& words);
+[[nodiscard]] RationalPoint read_rational_point(const Json& x, const Json& y);
+[[nodiscard]] mpq_class read_binary64(const Json& value);
+/// 0 <= lower <= upper.
+[[nodiscard]] std::array<mpq_class, 2> read_length(const Json& value, const char* what);
+[[nodiscard]] std::vector<Index> read_indices(const Json& value, const char* what);
+
+void expect_members(const Json& value, std::initializer_list<std::string_view> names);
+void expect_version(const Json& root);
+[[nodiscard]] const std::vector<Json>& array(const Json& value, const char* what);
+[[nodiscard]] const std::vector<Json>& tuple(const Json& value, std::size_t size, const char* what);
 /// The member of an object, if it has one of this name.
 [[nodiscard]] const Json* find(const Json& object, const char* name);
 /// The same, which must be there. Throws Malformed.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <gmpxx.h>
 #include <mpfr.h>
 
@@ -12,24 +13,25 @@ class Interval {
  public:
   static constexpr mpfr_prec_t kBits = 256;
 
-  Interval(long n = 0) {  // NOLINT(google-explicit-constructor): numbers in formulas.
-    mpfr_inits2(kBits, lower_, upper_, nullptr);
+  Interval() { begin(); }
+  Interval(long n) {  // NOLINT(google-explicit-constructor): numbers in formulas.
+    begin();
     mpfr_set_si(lower_, n, MPFR_RNDD);
     mpfr_set_si(upper_, n, MPFR_RNDU);
   }
   explicit Interval(const mpq_class& x) {
-    mpfr_inits2(kBits, lower_, upper_, nullptr);
+    begin();
     mpfr_set_q(lower_, x.get_mpq_t(), MPFR_RNDD);
     mpfr_set_q(upper_, x.get_mpq_t(), MPFR_RNDU);
   }
   /// From lower/2^exponent to upper/2^exponent.
   Interval(const mpz_class& lower, const mpz_class& upper, mpfr_exp_t exponent) {
-    mpfr_inits2(kBits, lower_, upper_, nullptr);
+    begin();
     mpfr_set_z_2exp(lower_, lower.get_mpz_t(), -exponent, MPFR_RNDD);
     mpfr_set_z_2exp(upper_, upper.get_mpz_t(), -exponent, MPFR_RNDU);
   }
   Interval(const Interval& other) {
-    mpfr_inits2(kBits, lower_, upper_, nullptr);
+    begin();
     *this = other;
   }
   Interval& operator=(const Interval& other) {
@@ -37,7 +39,6 @@ class Interval {
     mpfr_set(upper_, other.upper_, MPFR_RNDU);
     return *this;
   }
-  ~Interval() { mpfr_clears(lower_, upper_, nullptr); }
 
   friend Interval operator+(const Interval& x, const Interval& y) {
     Interval z;
@@ -70,6 +71,28 @@ class Interval {
     return mpfr_sgn(y.lower_) * mpfr_sgn(y.upper_) > 0 ? hull_of(mpfr_div, x, y) : not_a_number();
   }
 
+  /// The least interval that contains both.
+  friend Interval hull(const Interval& x, const Interval& y) {
+    if (mpfr_unordered_p(x.lower_, y.lower_) != 0 || mpfr_unordered_p(x.upper_, y.upper_) != 0) return not_a_number();
+    Interval z;
+    mpfr_min(z.lower_, x.lower_, y.lower_, MPFR_RNDD);
+    mpfr_max(z.upper_, x.upper_, y.upper_, MPFR_RNDU);
+    return z;
+  }
+  /// A number near the middle.
+  friend Interval middle(const Interval& x) {
+    Interval z;
+    mpfr_add(z.lower_, x.lower_, x.upper_, MPFR_RNDN);
+    mpfr_div_2ui(z.lower_, z.lower_, 1, MPFR_RNDN);
+    mpfr_set(z.upper_, z.lower_, MPFR_RNDN);
+    return z;
+  }
+  friend Interval power(const Interval& x, unsigned long exponent) {
+    Interval z(1);
+    for (unsigned long i = 0; i < exponent; ++i) z = z * x;
+    return z;
+  }
+
   friend Interval square(const Interval& x) {
     Interval z = x * x;
     if (mpfr_sgn(z.lower_) < 0) mpfr_set_zero(z.lower_, 1);
@@ -88,6 +111,12 @@ class Interval {
     if (mpfr_cmp_ui(x.lower_, 1) < 0) mpfr_set_ui(x.lower_, 1, MPFR_RNDD);
     return increasing(mpfr_acosh, x);
   }
+  /// Of a number from 0 to π, and of one from 0 to π/2.
+  friend Interval cos(const Interval& x) { return decreasing(mpfr_cos, x); }
+  friend Interval sin(const Interval& x) { return increasing(mpfr_sin, x); }
+  /// Of a number that is not negative.
+  friend Interval cosh(const Interval& x) { return increasing(mpfr_cosh, x); }
+  friend Interval exp(const Interval& x) { return increasing(mpfr_exp, x); }
   friend Interval log(const Interval& x) { return increasing(mpfr_log, x); }
 
   friend Answer is_less(const Interval& x, const Interval& y) {
@@ -122,6 +151,14 @@ class Interval {
     return z;
   }
 
+  template <class Function>
+  static Interval decreasing(const Function& function, const Interval& x) {
+    Interval z;
+    function(z.lower_, x.upper_, MPFR_RNDD);
+    function(z.upper_, x.lower_, MPFR_RNDU);
+    return z;
+  }
+
   /// The values of an operation, monotone in each of its operands, on the four pairs of ends.
   template <class Operation>
   static Interval hull_of(const Operation& operation, const Interval& x, const Interval& y) {
@@ -141,6 +178,14 @@ class Interval {
     return z;
   }
 
+  /// The limbs of both ends are here: nothing is allocated.
+  void begin() {
+    mpfr_custom_init_set(lower_, MPFR_ZERO_KIND, 0, kBits, limbs_.data());
+    mpfr_custom_init_set(upper_, MPFR_ZERO_KIND, 0, kBits, limbs_.data() + kLimbs);
+  }
+
+  static constexpr std::size_t kLimbs = kBits / GMP_NUMB_BITS;
+  std::array<mp_limb_t, 2 * kLimbs> limbs_{};
   mpfr_t lower_;
   mpfr_t upper_;
 };

@@ -69,8 +69,7 @@ Isometry<R> NetRules<R>::product(const Isometry<R>& g, const Isometry<R>& f) {
 }
 
 template <class R>
-Isometry<R> NetRules<R>::value(Index from, const std::vector<Index>& word) {
-  const Isometry<R> first = frame(from);
+Isometry<R> NetRules<R>::value(const Isometry<R>& first, const std::vector<Index>& word) {
   std::vector<const Isometry<R>*> path{&first};
   for (const Index side : word) path.push_back(&crossings()[side]);
   return product(path);

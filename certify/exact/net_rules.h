@@ -21,6 +21,7 @@ namespace epsnet::exact {
 struct Rule {
   const char* name;
   std::function<void()> ask;
+  bool may_be_open = false;  ///< The next rule is asked even if this one is not decided.
 };
 
 /// A net and its rules. A rule may be asked if those before it are verified. The net must live as long. R is mpz_class
@@ -47,8 +48,10 @@ class NetRules : public NetStructure {
   Point<R> image(const Isometry<R>& f, const Point<R>& z);
   /// The value of a label number, F_to⁻¹ ∘ word ∘ F_from.
   const Isometry<R>& label(Index number_of_label);
+  /// The value of a word.
+  Isometry<R> value(const std::vector<Index>& word) { return value(Isometry<R>(), word); }
   /// The value of a word after F_from, in the coordinates of the tile where it ends.
-  Isometry<R> value(Index from, const std::vector<Index>& word);
+  Isometry<R> value(Index from, const std::vector<Index>& word) { return value(frame(from), word); }
   /// z ↦ (z + c)/(1 + c̄z), c the centre of the chart.
   [[nodiscard]] Isometry<R> frame(Index chart) const { return translation_to(point<R>(net().charts[chart].second)); }
   /// The corner where the dart starts, in the chart of its triangle.
@@ -64,6 +67,7 @@ class NetRules : public NetStructure {
   Answer half_edge_is_less(Index dart, const SquaredSinh& s);
 
  private:
+  Isometry<R> value(const Isometry<R>& first, const std::vector<Index>& word);
   void check_surface();
   /// What the kinds of tiles have to themselves: that they fit around every corner. The number of cycles of corners.
   std::size_t check_tiles();

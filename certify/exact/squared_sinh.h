@@ -11,6 +11,11 @@ struct TooLarge {
   std::string what;
 };
 
+/// A question that is left to others, for what the file says or for its size.
+struct LeftOut {
+  std::string what;
+};
+
 enum class Answer { no, yes, unknown };
 
 [[nodiscard]] inline Answer operator!(Answer x) {

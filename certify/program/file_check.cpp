@@ -127,8 +127,8 @@ class Sha256InBackground {
 };
 
 /// What the second checker says of the bytes, and what follows from it.
-void add_second_opinion(FileReport& report, std::string_view bytes) {
-  const SecondOpinion opinion = ask_second_checker(bytes);
+void add_second_opinion(FileReport& report, std::string_view bytes, bool exact) {
+  const SecondOpinion opinion = ask_second_checker(bytes, exact);
   if (opinion.rule == exact::kLeftOut) {
     report.not_asked = opinion.message;
     return;
@@ -160,7 +160,7 @@ FileReport check_bytes(const Request& request, const std::string& path) {
   };
   // Of compact files the second checker knows only what a reader made of them.
   const auto ask_about_malformed = [&] {
-    if (seen && kept && !is_compact(bytes)) add_second_opinion(report, bytes);
+    if (seen && kept && !is_compact(bytes)) add_second_opinion(report, bytes, request.exact);
   };
   ClaimDocument document;
   try {
@@ -194,7 +194,7 @@ FileReport check_bytes(const Request& request, const std::string& path) {
       write_file(net, text);
       bytes = std::move(text).str();
     }
-    add_second_opinion(report, bytes);
+    add_second_opinion(report, bytes, request.exact);
   } else {
     report.not_asked = "more than " + std::to_string(kTrianglesCheckedTwice) + " triangles or 4 MB; --exact asks it";
   }

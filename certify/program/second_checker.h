@@ -22,8 +22,9 @@ struct SecondOpinion {
   std::string message;  ///< Empty if verified. One printable line.
 };
 
-/// Never throws but for want of memory. The time is bounded by what the checker takes for numbers of labels.
-[[nodiscard]] SecondOpinion ask_second_checker(std::string_view bytes);
+/// Never throws but for want of memory. The time is bounded by what the checker takes for numbers of labels, and for
+/// lists of geodesics, which may be longer if `exact`.
+[[nodiscard]] SecondOpinion ask_second_checker(std::string_view bytes, bool exact);
 
 /// "VERIFIED", "REFUTED: rule: message", …
 [[nodiscard]] std::string verdict_line(const SecondOpinion& opinion);

@@ -47,6 +47,17 @@ VERIFIED" "$certify" "$regular"
 expect 0 "second checker: not asked, not for this checker: thick-thin decompositions
 verified by: certify
 VERIFIED" "$certify" "$cuffs"
+for file in isometries/octagon-5 isometries/bolza eigenvalues/bolza-to-3.1 forgeries/spectrum; do
+  expect 0 "second checker: VERIFIED
+verified by: certify and certify-exact
+VERIFIED" "$certify" "$data/../$file.json"
+done
+expect 0 "second checker: not asked, not for this checker: approximate eigenfunctions
+verified by: certify
+VERIFIED" "$certify" "$data/../eigenvalues/octagon-5-to-8-digits.json"
+expect 0 "second checker: not asked, not for this checker: so many loops of such lengths
+verified by: certify
+VERIFIED" "$certify" "$data/../eigenvalues/octagon-5-to-8.json"
 "$certify" "$refuted" | grep -q '^second checker: REFUTED: surface: ' || fail "the torus is not refuted twice"
 "$certify" "$refuted" | grep -q '^verified by: ' && fail "the torus is verified by somebody"
 

@@ -36,7 +36,9 @@ namespace epsnet::attack {
 namespace {
 
 using certify::DistanceDocument;
+using certify::EigenvaluesDocument;
 using certify::GeodesicsDocument;
+using certify::IsometriesDocument;
 using certify::NetDocument;
 using certify::Verdict;
 using Document = certify::ClaimDocument;
@@ -197,6 +199,17 @@ std::vector<Family> families() {
     b.push_back(file("bounds/octagon-embedded-disk.json", 2));
     b.push_back(file("bounds/regular-diameter.json", 2));
   }
+  {
+    auto& b = add("isometries", 20, 0, true);
+    b.push_back(file("isometries/octagon-5.json", 2));
+    b.push_back(file("isometries/bolza.json", 1));
+    b.push_back(file("isometries/bolza-of-one-vertex.json", 2));
+    b.push_back(file("isometries/fenchel-nielsen-3-1.json", 1));
+  }
+  {
+    auto& b = add("eigenvalues", 20, 0, true);
+    b.push_back(file("eigenvalues/bolza-to-3.1.json"));
+  }
   return all;
 }
 
@@ -226,6 +239,15 @@ std::string own_defect(const std::vector<MutationOf<Claim>>& all, Document& docu
   return mutation.name;
 }
 
+/// The same for a claim that rests on a spectrum: a defect of that, too.
+template <class Claim>
+std::string defect_on_spectrum(const std::vector<MutationOf<Claim>>& all, Document& document, Random& random) {
+  if (random.below(4) != 0) return own_defect(all, document, random);
+  const auto& mutation = geodesics_mutations()[random.below(geodesics_mutations().size())];
+  mutation.apply(std::get<Claim>(document), random);
+  return mutation.name;
+}
+
 /// The net of a document that is one or has one.
 NetDocument& net_of(Document& document) {
   return std::visit(
@@ -244,6 +266,12 @@ std::string defect(Document& document, Random& random) {
   if (!std::holds_alternative<NetDocument>(document) && random.below(5) != 0) {
     if (std::holds_alternative<GeodesicsDocument>(document)) {
       return own_defect(geodesics_mutations(), document, random);
+    }
+    if (std::holds_alternative<EigenvaluesDocument>(document)) {
+      return defect_on_spectrum(eigenvalues_mutations(), document, random);
+    }
+    if (std::holds_alternative<IsometriesDocument>(document)) {
+      return defect_on_spectrum(isometries_mutations(), document, random);
     }
     if (std::holds_alternative<DistanceDocument>(document)) return own_defect(distance_mutations(), document, random);
     return own_defect(bound_mutations(), document, random);

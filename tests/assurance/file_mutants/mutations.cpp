@@ -13,7 +13,9 @@ namespace {
 
 using certify::BoundDocument;
 using certify::DistanceDocument;
+using certify::EigenvaluesDocument;
 using certify::GeodesicsDocument;
+using certify::IsometriesDocument;
 using certify::NetDocument;
 
 /// Changes an index to another one below n; sometimes to one that is just too large, or as large as possible.
@@ -135,6 +137,30 @@ void change_word(std::vector<std::uint32_t>& word, const NetDocument& net, Rando
     }
     default:
       word.insert(word.begin() + at, {side, partners(net.surface).at(side)});
+  }
+}
+
+/// Changes a count by one, or to anything small.
+void change_count(std::uint32_t& count, Random& r) {
+  switch (r.below(3)) {
+    case 0:
+      ++count;
+      break;
+    case 1:
+      --count;
+      break;
+    default:
+      count = r.below(6);
+  }
+}
+
+/// Any row of a statement: of either kind.
+template <class Change>
+void change_statement(EigenvaluesDocument& file, Random& r, const Change& change) {
+  if (r.below(file.at_most.size() + file.at_least.size()) < file.at_most.size()) {
+    change(r.of(file.at_most));
+  } else {
+    change(r.of(file.at_least));
   }
 }
 
@@ -736,6 +762,139 @@ const std::vector<MutationOf<BoundDocument>>& bound_mutations() {
        }},
       {"triangulations exchanged",
        [](BoundDocument& file, Random& r) { std::swap(r.of(file.triangulations), r.of(file.triangulations)); }},
+  };
+  return all;
+}
+
+const std::vector<MutationOf<EigenvaluesDocument>>& eigenvalues_mutations() {
+  static const std::vector<MutationOf<EigenvaluesDocument>> all{
+      {"coefficient",
+       [](EigenvaluesDocument& file, Random& r) {
+         change_statement(file, r, [&](auto& row) { change_length(r.of(row.coefficients), r); });
+       }},
+      {"coefficients of another",
+       [](EigenvaluesDocument& file, Random& r) {
+         EigenvaluesDocument::Coefficients other;
+         change_statement(file, r, [&](auto& row) { other = row.coefficients; });
+         change_statement(file, r, [&](auto& row) { row.coefficients = other; });
+       }},
+      {"coefficients scaled, still true",
+       [](EigenvaluesDocument& file, Random& r) {
+         const double by = std::ldexp(r.sign(), static_cast<int>(r.below(200)) - 100);
+         change_statement(file, r, [&](auto& row) {
+           for (double& c : row.coefficients) c *= by;
+         });
+       }},
+      {"coefficient left out",
+       [](EigenvaluesDocument& file, Random& r) {
+         change_statement(file, r, [&](auto& row) { drop_last(row.coefficients); });
+       }},
+      {"interval of a statement",
+       [](EigenvaluesDocument& file, Random& r) {
+         change_statement(file, r, [&](auto& row) { change_length(r.below(2) == 0 ? row.in.lower : row.in.upper, r); });
+       }},
+      {"interval in that of a statement",
+       [](EigenvaluesDocument& file, Random& r) {
+         certify::Interval& within = r.of(file.at_least).within;
+         change_length(r.below(2) == 0 ? within.lower : within.upper, r);
+       }},
+      {"count of a statement",
+       [](EigenvaluesDocument& file, Random& r) {
+         change_statement(file, r, [&](auto& row) { change_count(row.count, r); });
+       }},
+      {"statement left out",
+       [](EigenvaluesDocument& file, Random& r) {
+         if (r.below(2) == 0) {
+           file.at_most.erase(file.at_most.begin() + r.below(file.at_most.size()));
+         } else {
+           file.at_least.erase(file.at_least.begin() + r.below(file.at_least.size()));
+         }
+       }},
+      {"least or most of a window",
+       [](EigenvaluesDocument& file, Random& r) {
+         EigenvaluesDocument::Window& window = r.of(file.windows);
+         change_count(r.below(2) == 0 ? window.least : window.most, r);
+         if (r.below(2) == 0) window.least = window.most;
+       }},
+      {"number of eigenvalues, in a window and in statements",
+       [](EigenvaluesDocument& file, Random& r) {
+         EigenvaluesDocument::Window& window = r.of(file.windows);
+         change_count(window.most, r);
+         window.least = window.most;
+         window.smallest = window.greatest = window.in;
+         for (auto& row : file.at_most) row.count = row.count == 0 ? 0 : window.most;
+         for (auto& row : file.at_least) row.count = window.most;
+       }},
+      {"interval of a window",
+       [](EigenvaluesDocument& file, Random& r) {
+         EigenvaluesDocument::Window& window = r.of(file.windows);
+         change_length(r.below(2) == 0 ? window.in.lower : window.in.upper, r);
+         if (r.below(2) == 0) window.smallest = window.greatest = window.in;
+       }},
+      {"enclosure of an eigenvalue",
+       [](EigenvaluesDocument& file, Random& r) {
+         EigenvaluesDocument::Window& window = r.of(file.windows);
+         change_length(r.below(2) == 0 ? window.smallest.upper : window.greatest.lower, r);
+       }},
+      {"window left out", [](EigenvaluesDocument& file,
+                             Random& r) { file.windows.erase(file.windows.begin() + r.below(file.windows.size())); }},
+      {"end of the claim", [](EigenvaluesDocument& file, Random& r) { change_length(file.eigenvalues_up_to, r); }},
+      {"order or degree",
+       [](EigenvaluesDocument& file, Random& r) { change_index(r.below(2) == 0 ? file.order : file.degree, 70, r); }},
+  };
+  return all;
+}
+
+const std::vector<MutationOf<IsometriesDocument>>& isometries_mutations() {
+  static const std::vector<MutationOf<IsometriesDocument>> all{
+      {"order", [](IsometriesDocument& file, Random& r) { change_count(file.order, r); }},
+      {"orientation",
+       [](IsometriesDocument& file, Random& r) {
+         bool& preserves = r.of(file.isometries).preserves_orientation;
+         preserves = !preserves;
+       }},
+      {"image changed",
+       [](IsometriesDocument& file, Random& r) { change_word(r.of(r.of(file.isometries).images), file.net, r); }},
+      {"image inverted",
+       [](IsometriesDocument& file, Random& r) { invert(r.of(r.of(file.isometries).images), file.net.surface); }},
+      {"images exchanged",
+       [](IsometriesDocument& file, Random& r) {
+         auto& images = r.of(file.isometries).images;
+         std::swap(r.of(images), r.of(images));
+       }},
+      {"images of another isometry",
+       [](IsometriesDocument& file, Random& r) { r.of(file.isometries).images = r.of(file.isometries).images; }},
+      {"the identity",
+       [](IsometriesDocument& file, Random& r) {
+         // True if the generators are single letters, as they are of one tile.
+         IsometriesDocument::Isometry& isometry = r.of(file.isometries);
+         isometry.images = file.pair;
+         const std::vector<std::uint32_t> partner = partners(file.net.surface);
+         for (std::uint32_t s = 0; s < partner.size(); ++s) {
+           if (s < partner[s]) isometry.images.push_back({s});
+         }
+       }},
+      {"isometry left out",
+       [](IsometriesDocument& file, Random& r) {
+         file.isometries.erase(file.isometries.begin() + r.below(file.isometries.size()));
+         if (r.below(2) == 0) file.order = 1;
+       }},
+      {"isometry twice", [](IsometriesDocument& file, Random& r) { file.isometries.push_back(r.of(file.isometries)); }},
+      {"path changed", [](IsometriesDocument& file, Random& r) { change_word(r.of(file.paths), file.net, r); }},
+      {"pair changed", [](IsometriesDocument& file, Random& r) { change_word(r.of(file.pair), file.net, r); }},
+      {"pair exchanged",
+       [](IsometriesDocument& file, Random& r) {
+         std::swap(file.pair.at(0), file.pair.at(1));
+         if (r.below(2) == 0) return;
+         for (auto& isometry : file.isometries) std::swap(isometry.images.at(0), isometry.images.at(1));
+       }},
+      {"cocycle",
+       [](IsometriesDocument& file, Random& r) { change_index(r.of(file.cocycle), std::size_t{1} << 31, r); }},
+      {"another cocycle of one tile, or of 0",
+       [](IsometriesDocument& file, Random& r) {
+         const bool zero = r.below(2) == 0;
+         for (std::uint32_t& c : file.cocycle) c = zero ? 0 : r.below(1000);
+       }},
   };
   return all;
 }

@@ -9,7 +9,9 @@
 
 #include "certify/claims/bound/document.h"
 #include "certify/claims/distance/document.h"
+#include "certify/claims/eigenvalues/document.h"
 #include "certify/claims/geodesics/document.h"
+#include "certify/claims/isometries/document.h"
 #include "certify/net/document.h"
 
 /// Defects of documents and of their text, each chosen at random.
@@ -56,6 +58,8 @@ using Mutation = MutationOf<certify::NetDocument>;
 [[nodiscard]] const std::vector<MutationOf<certify::GeodesicsDocument>>& geodesics_mutations();
 [[nodiscard]] const std::vector<MutationOf<certify::DistanceDocument>>& distance_mutations();
 [[nodiscard]] const std::vector<MutationOf<certify::BoundDocument>>& bound_mutations();
+[[nodiscard]] const std::vector<MutationOf<certify::EigenvaluesDocument>>& eigenvalues_mutations();
+[[nodiscard]] const std::vector<MutationOf<certify::IsometriesDocument>>& isometries_mutations();
 
 /// Defects of the text: its bytes, tokens, and the notation of numbers.
 void change_text(std::string& text, Random& random);

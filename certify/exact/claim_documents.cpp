@@ -1,0 +1,178 @@
+#include "certify/exact/claim_documents.h"
+
+#include <string>
+#include <utility>
+
+namespace epsnet::exact {
+namespace {
+
+/// The net of a claim: without collars.
+Net read_whole_net(const Json& root, Words& words) {
+  const Json& net = member(root, "net");
+  if (net.kind == Json::Kind::object && find(net, "collars") != nullptr) throw Malformed("a pseudo net");
+  return read_net(net, words);
+}
+
+Net read_one_vertex_net(const Json& root, Words& words) {
+  Net result = read_whole_net(root, words);
+  if (result.vertices.size() != 1) throw Malformed("a net of another number of vertices than one");
+  return result;
+}
+
+bool read_bool(const Json& value) {
+  const bool is_true = value.kind == Json::Kind::literal && value.text == "true";
+  if (!is_true && (value.kind != Json::Kind::literal || value.text != "false")) {
+    throw Malformed("expected true or false");
+  }
+  return is_true;
+}
+
+/// What a list of geodesics has, whatever else is in the file.
+GeodesicsDocument read_list(const Json& root, GeodesicsDocument::Claim claim, Words& words) {
+  GeodesicsDocument document{
+      .claim = claim, .net = read_whole_net(root, words), .up_to = {}, .geodesics = {}, .clusters = {}};
+  for (const Json& row : array(member(root, "geodesics"), "geodesics")) {
+    expect_members(row, {"vertex", "word", "length", "simple"});
+    document.geodesics.push_back({to_index(member(row, "vertex")), words.read(member(row, "word")),
+                                  read_length(member(row, "length"), "a length"), read_bool(member(row, "simple"))});
+  }
+  if (claim == GeodesicsDocument::Claim::systole) return document;
+  if (claim == GeodesicsDocument::Claim::spectrum) document.up_to = to_decimal(member(root, "up_to"));
+  for (const Json& row : array(member(root, "clusters"), "clusters")) {
+    expect_members(row, {"first", "count", "equal"});
+    document.clusters.push_back(
+        {to_index(member(row, "first")), to_index(member(row, "count")), read_bool(member(row, "equal"))});
+  }
+  return document;
+}
+
+Range read_range(const Json& row, const char* name) { return read_length(member(row, name), name); }
+
+Coefficients read_coefficients(const Json& row) {
+  Coefficients coefficients;
+  for (const Json& value : array(member(row, "coefficients"), "coefficients"))
+    coefficients.push_back(read_binary64(value));
+  return coefficients;
+}
+
+std::vector<std::vector<Index>> read_words(const Json& root, const char* name, Words& words) {
+  std::vector<std::vector<Index>> result;
+  for (const Json& word : array(member(root, name), name)) result.push_back(words.read(word));
+  return result;
+}
+
+}  // namespace
+
+DistanceDocument read_distance(const Json& root) {
+  expect_members(root, {"format", "version", "net", "point", "distance", "paths", "equal"});
+  expect_version(root);
+  Words words;
+  Net net = read_one_vertex_net(root, words);
+  const auto& point = tuple(member(root, "point"), 3, "the point");
+  DistanceDocument document{.net = std::move(net),
+                            .tile = to_index(point[0]),
+                            .point = read_rational_point(point[1], point[2]),
+                            .distance = read_length(member(root, "distance"), "the distance"),
+                            .paths = {},
+                            .equal = false};
+  for (const Json& word : array(member(root, "paths"), "paths")) document.paths.push_back(words.read(word));
+  document.equal = read_bool(member(root, "equal"));
+  return document;
+}
+
+BoundDocument read_bound(const Json& root) {
+  expect_members(root, {"format", "version", "claim", "net", "value", "triangulations", "cells"});
+  expect_version(root);
+  Words words;
+  BoundDocument document{.net = read_one_vertex_net(root, words),
+                         .claim = BoundDocument::Claim::diameter,
+                         .value = read_length(member(root, "value"), "the value"),
+                         .triangulations = {},
+                         .cells = {}};
+  const Json& claim = member(root, "claim");
+  if (is_text(claim, "radius")) {
+    document.claim = BoundDocument::Claim::radius;
+  } else if (is_text(claim, "embedded-disk")) {
+    document.claim = BoundDocument::Claim::embedded_disk;
+  } else {
+    expect_text(claim, "diameter", "the claim");
+  }
+  for (const Json& row : array(member(root, "triangulations"), "triangulations")) {
+    std::vector<Index> flips = read_indices(row, "a triangulation");
+    if (flips.empty()) throw Malformed("a triangulation: expected the number of another one");
+    const Index parent = flips.front();
+    flips.erase(flips.begin());
+    document.triangulations.push_back({parent, std::move(flips)});
+  }
+  for (const Json& row : array(member(root, "cells"), "cells")) document.cells.push_back(read_indices(row, "cells"));
+  return document;
+}
+
+GeodesicsDocument read_geodesics(const Json& root) {
+  using enum GeodesicsDocument::Claim;
+  expect_version(root);
+  Words words;
+  const Json& claim = member(root, "claim");
+  if (is_text(claim, "spectrum")) {
+    expect_members(root, {"format", "version", "claim", "net", "up_to", "geodesics", "clusters"});
+    return read_list(root, spectrum, words);
+  }
+  expect_text(claim, "systole", "the claim");
+  expect_members(root, {"format", "version", "claim", "net", "geodesics"});
+  return read_list(root, systole, words);
+}
+
+EigenvaluesDocument read_eigenvalues(const Json& root) {
+  expect_members(root, {"format", "version", "net", "up_to", "geodesics", "clusters", "order", "degree",
+                        "eigenvalues_up_to", "windows", "at_most", "at_least", "eigenfunctions"});
+  expect_version(root);
+  Words words;
+  EigenvaluesDocument document{.spectrum = read_list(root, GeodesicsDocument::Claim::spectrum, words),
+                               .order = to_index(member(root, "order")),
+                               .degree = to_index(member(root, "degree")),
+                               .up_to = read_binary64(member(root, "eigenvalues_up_to")),
+                               .windows = {},
+                               .at_most = {},
+                               .at_least = {},
+                               .eigenfunctions = {}};
+  for (const Json& row : array(member(root, "windows"), "windows")) {
+    expect_members(row, {"in", "least", "most", "smallest", "greatest"});
+    document.windows.push_back({read_range(row, "in"), to_index(member(row, "least")), to_index(member(row, "most")),
+                                read_range(row, "smallest"), read_range(row, "greatest")});
+  }
+  for (const Json& row : array(member(root, "at_most"), "at_most")) {
+    expect_members(row, {"in", "count", "coefficients"});
+    document.at_most.push_back({read_range(row, "in"), to_index(member(row, "count")), read_coefficients(row)});
+  }
+  for (const Json& row : array(member(root, "at_least"), "at_least")) {
+    expect_members(row, {"in", "within", "count", "coefficients"});
+    document.at_least.push_back(
+        {read_range(row, "in"), read_range(row, "within"), to_index(member(row, "count")), read_coefficients(row)});
+  }
+  for (const Json& row : array(member(root, "eigenfunctions"), "eigenfunctions")) {
+    expect_members(row, {"in", "lambda", "radius", "coefficients"});
+    document.eigenfunctions.push_back({read_range(row, "in"), read_binary64(member(row, "lambda")),
+                                       read_binary64(member(row, "radius")), read_coefficients(row)});
+  }
+  return document;
+}
+
+IsometriesDocument read_isometries(const Json& root) {
+  expect_members(root, {"format", "version", "net", "up_to", "geodesics", "clusters", "order", "isometries", "paths",
+                        "pair", "cocycle"});
+  expect_version(root);
+  Words words;
+  IsometriesDocument document{.spectrum = read_list(root, GeodesicsDocument::Claim::spectrum, words),
+                              .order = to_index(member(root, "order")),
+                              .isometries = {},
+                              .paths = read_words(root, "paths", words),
+                              .pair = read_words(root, "pair", words),
+                              .cocycle = read_indices(member(root, "cocycle"), "the cocycle")};
+  for (const Json& row : array(member(root, "isometries"), "isometries")) {
+    expect_members(row, {"preserves_orientation", "images"});
+    document.isometries.push_back({read_bool(member(row, "preserves_orientation")), read_words(row, "images", words)});
+  }
+  return document;
+}
+
+}  // namespace epsnet::exact

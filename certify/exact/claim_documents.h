@@ -1,0 +1,120 @@
+#pragma once
+
+#include <array>
+#include <gmpxx.h>
+#include <vector>
+
+#include "certify/exact/document.h"
+
+/// The documents of claims (docs/format.md).
+namespace epsnet::exact {
+
+struct DistanceDocument {
+  Net net;
+  Index tile;
+  RationalPoint point;
+  std::array<mpq_class, 2> distance;
+  std::vector<std::vector<Index>> paths;
+  bool equal;
+};
+
+struct BoundDocument {
+  enum class Claim { diameter, radius, embedded_disk };
+  struct Triangulation {
+    Index parent;
+    std::vector<Index> flips;
+  };
+
+  Net net;
+  Claim claim;
+  std::array<mpq_class, 2> value;
+  std::vector<Triangulation> triangulations;
+  std::vector<std::vector<Index>> cells;
+};
+
+struct ClosedGeodesic {
+  Index vertex;
+  std::vector<Index> word;
+  std::array<mpq_class, 2> length;
+  bool simple;
+};
+
+struct Cluster {
+  Index first;
+  Index count;
+  bool equal;
+};
+
+struct GeodesicsDocument {
+  enum class Claim { systole, spectrum };
+
+  Claim claim;
+  Net net;
+  mpq_class up_to;  ///< Of a spectrum.
+  std::vector<ClosedGeodesic> geodesics;
+  std::vector<Cluster> clusters;  ///< Unless it is a systole.
+};
+
+using Range = std::array<mpq_class, 2>;
+using Coefficients = std::vector<mpq_class>;
+
+struct EigenvaluesDocument {
+  struct AtMost {
+    Range in;
+    Index count;
+    Coefficients coefficients;
+  };
+  struct AtLeast {
+    Range in;
+    Range within;
+    Index count;
+    Coefficients coefficients;
+  };
+  struct Eigenfunction {
+    Range in;
+    mpq_class lambda;
+    mpq_class radius;
+    Coefficients coefficients;
+  };
+  struct Window {
+    Range in;
+    Index least;
+    Index most;
+    Range smallest;
+    Range greatest;
+  };
+
+  GeodesicsDocument spectrum;
+  Index order;
+  Index degree;
+  mpq_class up_to;
+  std::vector<Window> windows;
+  std::vector<AtMost> at_most;
+  std::vector<AtLeast> at_least;
+  std::vector<Eigenfunction> eigenfunctions;
+};
+
+struct IsometriesDocument {
+  using Word = std::vector<Index>;
+  struct Row {
+    bool preserves_orientation;
+    std::vector<Word> images;
+  };
+
+  GeodesicsDocument spectrum;
+  Index order;
+  std::vector<Row> isometries;
+  std::vector<Word> paths;
+  std::vector<Word> pair;
+  std::vector<Index> cocycle;
+};
+
+// Members, kinds and ranges of numbers. Each throws Malformed. Indices may name what is not there.
+
+[[nodiscard]] DistanceDocument read_distance(const Json& root);
+[[nodiscard]] BoundDocument read_bound(const Json& root);
+[[nodiscard]] GeodesicsDocument read_geodesics(const Json& root);
+[[nodiscard]] EigenvaluesDocument read_eigenvalues(const Json& root);
+[[nodiscard]] IsometriesDocument read_isometries(const Json& root);
+
+}  // namespace epsnet::exact
