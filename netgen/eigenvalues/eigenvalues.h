@@ -47,8 +47,8 @@ struct EigenvaluesOptions {
 [[nodiscard]] std::optional<double> length_to_count_first(const certify::EigenvaluesDocument& document);
 
 /// Returns I(λ) for each λ, the best bound for the number of eigenvalues at λ that the test functions of the document
-/// give: the least Σ f̂² with f̂(λ) = 1. Rounded. Throws LimitError, as above. Requires: 0 ≤ λ ≤ ¼ + 9/δ², and the
-/// document is one of the surface.
+/// give, but for those that its eigenfunctions show: the least Σ f̂² over all others with f̂(λ) = 1. Rounded. Throws
+/// LimitError, as above. Requires: 0 ≤ λ ≤ ¼ + 9/δ², and the document is one of the surface.
 [[nodiscard]] std::vector<double> eigenvalue_bounds(const Surface& surface,
                                                     const certify::EigenvaluesDocument& document,
                                                     const std::vector<double>& lambdas);
