@@ -19,7 +19,7 @@ static_assert(FLT_EVAL_METHOD == 0, "expressions of binary64 are not rounded to 
 [[nodiscard]] bool rounds_to_nearest();
 
 /// Rounding to nearest for this thread, and for threads that it starts, as long as this object lives; then the
-/// floating-point environment is again what it was. std::from_chars and all bounds for rounding errors rely on it.
+/// floating-point environment is again what it was. All bounds for rounding errors rely on it.
 class RoundingToNearest {
  public:
   /// Throws Fault if the processor does not do it.

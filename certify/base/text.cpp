@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <limits>
 #include <system_error>
 
 #include "certify/base/lookup.h"
@@ -65,9 +68,69 @@ std::optional<JsonNumber> split_json_number(std::string_view text) {
   return number;
 }
 
-/// |x| to the nearest multiple of 2⁻¹⁰⁷⁴, ties to even, in exact arithmetic: the standard leaves open what from_chars
-/// gives for numbers below the normal ones. Infinity if the result is above 2⁻¹⁰²², the least normal number.
-double nearest_subnormal(const JsonNumber& number) {
+using Integer128 = unsigned __int128;
+
+/// A power of 5 with 64 bits, shifted, and ⌊2¹²⁷/power⌋ or, if that is 2⁶⁴, 2⁶⁴ − 1.
+struct PowerOfFive {
+  std::uint64_t power;
+  int shift;
+  std::uint64_t reciprocal;
+};
+
+/// As far as powers have 64 bits.
+constexpr auto kPowersOfFive = [] {
+  std::array<PowerOfFive, 28> powers{};
+  std::uint64_t power = 1;
+  for (PowerOfFive& entry : powers) {
+    const int shift = std::countl_zero(power);
+    const Integer128 reciprocal = (Integer128{1} << 127) / (power << shift);
+    entry = {power << shift, shift, static_cast<std::uint64_t>(reciprocal - (reciprocal >> 64))};
+    power *= 5;
+  }
+  return powers;
+}();
+
+/// |x| as the nearest binary64, ties to even, if it has few digits, of which at most 27 stand behind the point, as
+/// nearly all numbers of files have. By a quotient of integers: no floating-point operation here rounds.
+std::optional<double> nearest_of_few_digits(const JsonNumber& number) {
+  std::uint64_t digits = 0;
+  for (const std::string_view part : {number.whole, number.fraction}) {
+    for (const char c : part) {
+      if (digits > (std::numeric_limits<std::uint64_t>::max() - 9) / 10) return std::nullopt;
+      digits = 10 * digits + static_cast<std::uint64_t>(c - '0');
+    }
+  }
+  if (digits == 0) return 0;
+  if (number.exponent.size() > 3 || number.fraction.size() >= kPowersOfFive.size()) return std::nullopt;
+  int exponent = 0;
+  for (const char c : number.exponent) exponent = 10 * exponent + (c - '0');
+  const int places = static_cast<int>(number.fraction.size()) + (number.negative_exponent ? exponent : -exponent);
+  if (places < 0 || places >= static_cast<int>(kPowersOfFive.size())) return std::nullopt;
+  // |x| = n/power · 2^(power_shift − shift − places); both have 64 bits. 2⁶² < Q = 2⁶³n/power < 2⁶⁴.
+  const auto& [power, power_shift, reciprocal] = kPowersOfFive[static_cast<std::size_t>(places)];
+  const int shift = std::countl_zero(digits);
+  const std::uint64_t n = digits << shift;
+  // q ≤ Q < q + 2, as the reciprocal is less than 1 too small, and so is q.
+  auto q = static_cast<std::uint64_t>((static_cast<Integer128>(n) * reciprocal) >> 64);
+  // 53 bits are kept.
+  const int dropped = 10 + static_cast<int>(q >> 63);
+  const std::uint64_t half = std::uint64_t{1} << (dropped - 1);
+  std::uint64_t rest = q & (2 * half - 1);
+  bool up = rest > half;
+  if (rest == half || rest == half - 1) {  // It may matter what Q is.
+    const Integer128 dividend = static_cast<Integer128>(n) << 63;
+    q = static_cast<std::uint64_t>(dividend / power);
+    rest = q & (2 * half - 1);
+    const bool exact = static_cast<Integer128>(q) * power == dividend;
+    up = rest > half || (rest == half && (!exact || ((q >> dropped) & 1) != 0));
+  }
+  const std::uint64_t mantissa = (q >> dropped) + (up ? 1 : 0);
+  const int scale = dropped - 63 + power_shift - shift - places;  // From −153 to 11.
+  return static_cast<double>(mantissa) * std::bit_cast<double>(static_cast<std::uint64_t>(1023 + scale) << 52);
+}
+
+/// The same for every number; infinity if that is the nearest.
+double nearest_of_many_digits(const JsonNumber& number) {
   std::string digits(number.whole);
   digits += number.fraction;
   const std::size_t zeros = std::min(digits.find_first_not_of('0'), digits.size());
@@ -82,25 +145,36 @@ double nearest_subnormal(const JsonNumber& number) {
   if (number.negative_exponent) exponent = -exponent;
   // |x| = 0.d₁d₂… · 10^exponent with d₁ ≠ 0.
   exponent += static_cast<long>(number.whole.size()) - static_cast<long>(zeros);
-  if (exponent > -307) return HUGE_VAL;
-  if (exponent < -323) return 0;  // |x| < 10⁻³²⁴ < 2⁻¹⁰⁷⁵, half of the least subnormal number.
+  if (exponent > 309) return HUGE_VAL;  // |x| ≥ 10³⁰⁹ > 2¹⁰²⁴.
+  if (exponent < -323) return 0;        // |x| < 10⁻³²⁴ < 2⁻¹⁰⁷⁵, half of the least subnormal number.
   digits.erase(0, zeros);
-  // A tie, an odd multiple of 2⁻¹⁰⁷⁵, has at most 1075 digits: of those after that it only matters whether they are 0.
+  // A tie is an integer below 2¹⁰²⁵ or a multiple of 2⁻¹⁰⁷⁵, and has at most 1075 digits: of those after that it only
+  // matters whether they are 0.
   constexpr std::size_t kDigits = 1100;
   if (digits.size() > kDigits) {
     const bool more = digits.find_first_not_of('0', kDigits) != std::string::npos;
     digits.resize(kDigits);
     if (more) digits += '1';
   }
-  // The quotient and remainder of |x| by 2⁻¹⁰⁷⁴.
-  const mpz_class dividend = integer(digits) << 1074;
-  const mpz_class divisor = power_of_ten(digits.size() + static_cast<unsigned long>(-exponent));
-  mpz_class quotient;
-  mpz_class remainder;
-  mpz_fdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), dividend.get_mpz_t(), divisor.get_mpz_t());
+  // |x| as a quotient.
+  mpz_class dividend = integer(digits);
+  mpz_class divisor = 1;
+  exponent -= static_cast<long>(digits.size());
+  (exponent < 0 ? divisor : dividend) *= power_of_ten(static_cast<unsigned long>(std::abs(exponent)));
+  // The last place: a quotient by it has 53 bits, or 54, or fewer if the number is subnormal.
+  const auto bits = [](const mpz_class& n) { return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); };
+  long place = std::max(bits(dividend) - bits(divisor) - 53, -1074L);
+  (place < 0 ? dividend : divisor) <<= static_cast<unsigned long>(std::abs(place));
+  mpz_class quotient = dividend / divisor;
+  if (bits(quotient) > 53) {
+    divisor *= 2;
+    quotient /= 2;
+    ++place;
+  }
+  const mpz_class remainder = dividend - quotient * divisor;
   const int half = cmp(2 * remainder, divisor);
   if (half > 0 || (half == 0 && mpz_odd_p(quotient.get_mpz_t()) != 0)) ++quotient;
-  return quotient <= mpz_class(1) << 52 ? std::ldexp(quotient.get_d(), -1074) : HUGE_VAL;
+  return std::ldexp(quotient.get_d(), static_cast<int>(place));
 }
 
 /// The length of the character in UTF-8 that the text begins with; 0 if it begins with none.
@@ -201,11 +275,8 @@ std::optional<mpq_class> parse_decimal(std::string_view text) {
 std::optional<double> parse_binary64(std::string_view text) {
   const auto number = split_json_number(text);
   if (!number) return std::nullopt;
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (end != text.data() + text.size()) return std::nullopt;
-  if (error == std::errc() && std::isnormal(value)) return value;
-  value = nearest_subnormal(*number);
+  const auto few = nearest_of_few_digits(*number);
+  const double value = few ? *few : nearest_of_many_digits(*number);
   if (std::isinf(value)) return std::nullopt;
   return number->negative ? -value : value;
 }

@@ -16,12 +16,6 @@ inline Lanes norm(const Points& z) { return max(abs(z.x), abs(z.y)); }
 Lanes cross(const Points& p, const Points& q) { return p.x * q.y - p.y * q.x; }
 Points times(const Points& p, const Points& q) { return {p.x * q.x - p.y * q.y, p.x * q.y + p.y * q.x}; }
 
-inline Lanes select(const Mask& mask, const Lanes& yes, const Lanes& no) {
-  Lanes result = no;
-  where(mask, result) = yes;
-  return result;
-}
-
 /// Below, products might underflow (proof.md, Lemma 26).
 constexpr double kLeastNorm = 0x1p-100;
 constexpr double kLeastGap = 0x1p-12;
@@ -144,10 +138,7 @@ class Columns {
   }
   [[nodiscard]] std::size_t size() const { return size_; }
   /// Point i of the rows from `row` on.
-  [[nodiscard]] Points points(std::size_t i, std::size_t row) const {
-    return {Lanes(&x_[i][row], std::experimental::element_aligned),
-            Lanes(&y_[i][row], std::experimental::element_aligned)};
-  }
+  [[nodiscard]] Points points(std::size_t i, std::size_t row) const { return {Lanes(&x_[i][row]), Lanes(&y_[i][row])}; }
 
  private:
   static_assert(kCount % Lanes::size() == 0);

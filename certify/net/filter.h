@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <experimental/simd>
 #include <limits>
 #include <optional>
 #include <span>
@@ -12,6 +11,7 @@
 #include "certify/base/interval.h"
 #include "certify/net/collar_members.h"
 #include "certify/net/document.h"
+#include "certify/net/lanes.h"
 #include "certify/net/lifted_triangle.h"
 #include "certify/net/questions.h"
 
@@ -20,10 +20,6 @@ namespace epsnet::certify {
 /// The tests of the filter, for several triangles or edges at once. Coordinates are at most 1 in absolute value. `true`
 /// is certain, `false` says nothing.
 namespace filter {
-
-/// One number of each of them. Operations are those of binary64, lane by lane.
-using Lanes = std::experimental::native_simd<double>;
-using Mask = Lanes::mask_type;
 
 struct Points {
   Lanes x;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <future>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -11,10 +12,15 @@
 
 namespace epsnet::certify {
 
+/// The number of threads that a request means: 0 stands for as many as the machine has cores.
+[[nodiscard]] inline unsigned thread_count(unsigned requested) {
+  return requested != 0 ? requested : std::max(std::thread::hardware_concurrency(), 1U);
+}
+
 /// Calls body(worker, i) for every i < count, each exactly once, by up to `threads` threads (at least 1; the calling
-/// one is worker 0). Returns when all are done. If a call throws, no new ones are started and the first exception to
-/// arrive is thrown again. Balls round as in the calling thread. Results must be stored by i, so that they do not
-/// depend on the number of threads.
+/// one is worker 0). The others do its work where a thread cannot be started. Returns when all are done. If a call
+/// throws, no new ones are started and the first exception to arrive is thrown again. Balls round as in the calling
+/// thread. Results must be stored by i, so that they do not depend on the number of threads.
 template <class Body>
 void for_each_parallel(std::size_t count, unsigned threads, const Body& body) {
   std::atomic<std::size_t> next{0};
@@ -30,15 +36,17 @@ void for_each_parallel(std::size_t count, unsigned threads, const Body& body) {
     }
   };
   {
-    std::vector<std::jthread> helpers;
+    // Their destructors wait for threads that run; what is deferred as no thread could be started is never called.
+    std::vector<std::future<void>> helpers;
     const std::size_t workers = std::min<std::size_t>(std::max(threads, 1U), count);
     for (unsigned worker = 1; worker < workers; ++worker) {
-      helpers.emplace_back([&work, worker, bits = Precision::current()] {
-        const Precision scope(bits);
-        work(worker);
-        // FLINT keeps memory and constants for each thread and returns them only when asked.
-        flint_cleanup();
-      });
+      helpers.push_back(
+          std::async(std::launch::async | std::launch::deferred, [&work, worker, bits = Precision::current()] {
+            const Precision scope(bits);
+            work(worker);
+            // FLINT keeps memory and constants for each thread until it is asked for them.
+            flint_cleanup();
+          }));
     }
     work(0);
   }

@@ -1,10 +1,10 @@
 #include "certify/verdict/verification.h"
 
 #include <algorithm>
-#include <thread>
 #include <utility>
 
 #include "certify/base/lookup.h"
+#include "certify/numbers/parallel.h"
 
 namespace epsnet::certify {
 namespace {
@@ -17,9 +17,7 @@ CheckOptions bounded(CheckOptions options) {
 
 }  // namespace
 
-unsigned number_of_threads(const CheckOptions& options) {
-  return options.threads != 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1U);
-}
+unsigned number_of_threads(const CheckOptions& options) { return thread_count(options.threads); }
 
 Verification::Verification(const CheckOptions& options, std::uint64_t least_bytes, RuleNames rules, std::string claim)
     : options_(bounded(options)),
