@@ -17,13 +17,13 @@ struct EigenvaluesOptions {
   /// L: closed geodesics up to this length are used, 10 by default. The time is proportional to e^L; each unit of L
   /// narrows what the trace formula proves by about a factor of 5. With `width` or `seconds` the greatest L, 16 or 30
   /// by default: smaller ones, from 8 on, are tried first.
-  std::optional<Length> up_to;
+  std::optional<Length> up_to = {};
   std::uint32_t count = 0;  ///< Stop behind the window that completes so many eigenvalues; 0: where windows end.
   /// Until the first `count` eigenvalues, or the first one, are counted, each in an interval that is narrower.
-  std::optional<double> width;
+  std::optional<double> width = {};
   /// Until about so many seconds are used, with as many again as the last search for a check. The L that is reached,
   /// and so the result, depends on the machine.
-  std::optional<double> seconds;
+  std::optional<double> seconds = {};
   /// Whether the first eigenvalues are enclosed to some nine digits by approximate eigenfunctions, which also make gaps
   /// between eigenvalues provable that the trace formula alone does not show. Some seconds; proportional to the number
   /// of vertices. Not if the net has more than 150.
