@@ -42,6 +42,7 @@
 #include "netgen/surfaces/cover.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
+#include "netgen/surfaces/matrices.h"
 #include "netgen/surfaces/named_maps.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"

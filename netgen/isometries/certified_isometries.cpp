@@ -1,9 +1,9 @@
-#include <limits>
 #include <random>
 #include <utility>
 
 #include "certify/check.h"
 #include "netgen/geodesics/geodesics.h"
+#include "netgen/isometries/check_options.h"
 #include "netgen/isometries/exact_conjugacy.h"
 #include "netgen/isometries/isometries.h"
 #include "netgen/surfaces/group.h"
@@ -128,11 +128,7 @@ CertifiedIsometries certified_isometries(const Surface& surface, const IsometryG
   constexpr int kMostTries = 5;
   constexpr double kStep = 0.5;
   CertifiedIsometries result{document_of(surface, group), {}};
-  certify::CheckOptions check;
-  check.threads = options.threads;
-  check.max_work = std::numeric_limits<std::uint64_t>::max();  // No limit, as the document was made here.
-  check.max_precision = 1024;
-  check.progress = options.progress;
+  const certify::CheckOptions check = check_options(options);
   static_cast<certify::GeodesicsDocument&>(result.document) = group.geodesics();
   for (int tries = 1;; ++tries) {
     result.certificate = certify::check(result.document, check);

@@ -5,17 +5,19 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <sstream>
 #include <string_view>
 #include <thread>
 #include <utility>
 
 #include "certify/base/decimals.h"
 #include "certify/base/text.h"
+#include "certify/check.h"
 #include "certify/numbers/parallel.h"
 #include "netgen/geodesics/geodesics.h"
+#include "netgen/isometries/check_options.h"
 #include "netgen/isometries/exact_conjugacy.h"
 #include "netgen/isometries/homology.h"
+#include "netgen/isometries/length_spectra.h"
 #include "netgen/isometries/lifted_tiles.h"
 #include "netgen/surfaces/group.h"
 
@@ -314,6 +316,40 @@ Length list_length(const Surface& surface, const IsometryOptions& options) {
   return Length(std::max(4.0, systole_length * (1 + 1e-9)));
 }
 
+/// Whether the certifier verifies spectra.
+bool are_verified(const std::vector<certify::GeodesicsDocument>& spectra, const IsometryOptions& options) {
+  return std::all_of(spectra.begin(), spectra.end(), [&](const certify::GeodesicsDocument& spectrum) {
+    return certify::check(spectrum, check_options(options)).verdict == certify::Verdict::verified;
+  });
+}
+
+/// Looks for an isometry from one surface to another, and returns whether there is one, perhaps one that cannot be
+/// decided. Requires: their spectra, which do not certainly differ.
+bool search(const Surface& first, const Surface& second, const std::vector<certify::GeodesicsDocument>& spectra,
+            const IsometryOptions& options, IsometricAnswer& answer) {
+  if (spectra[1].geodesics.empty()) return false;
+  const Source source(first, spectra[0]);
+  const LiftedTiles tiles(second, spectra[1].geodesics.front().length.lower);
+  const std::vector<Match> found = all_matches(tiles, spectra[1], source.pair, options);
+  std::vector<std::pair<const Match*, Motion<Number>>> motions;
+  motions.reserve(found.size());
+  for (const Match& match : found) motions.emplace_back(&match, source.motion_of(match, tiles));
+  // One that preserves the orientation is the better answer.
+  std::stable_partition(motions.begin(), motions.end(),
+                        [](const auto& entry) { return preserves_orientation(entry.second); });
+  for (const auto& [match, f] : motions) {
+    std::optional<SurfaceIsometry> isometry = surface_isometry(source.generators, tiles, f);
+    if (!isometry) continue;
+    const std::optional<bool> exact = source.is_exact(*match, tiles, *isometry);
+    if (exact && !*exact) continue;
+    answer.kind = exact ? IsometricAnswer::Kind::yes : IsometricAnswer::Kind::undecided;
+    answer.isometry = std::move(isometry);
+    if (!exact) answer.reason = "the exact numbers of the two surfaces are of different kinds";
+    return true;
+  }
+  return false;
+}
+
 /// Isometries of a surface modulo its group, told by where they take a frame: each is known by the tile in which the
 /// image of a point is, and by the isometry from the coordinates of tile 0 to those of this tile.
 class Classes {
@@ -484,42 +520,40 @@ IsometryGroup isometries(const Surface& surface, const IsometryOptions& options)
 }
 
 IsometricAnswer isometric(const Surface& first, const Surface& second, const IsometryOptions& options) {
+  constexpr int kMostTries = 5;
+  constexpr double kStep = 0.5;
   IsometricAnswer answer;
   if (first.genus() != second.genus()) {
+    answer.kind = IsometricAnswer::Kind::no;
     answer.reason = "the genera are " + std::to_string(first.genus()) + " and " + std::to_string(second.genus());
     return answer;
   }
-  const Length length = list_length(first, options);
-  const certify::GeodesicsDocument geodesics = spectrum(first, length, geodesics_options(options));
-  const certify::GeodesicsDocument others = spectrum(second, length, geodesics_options(options));
-  const Source source(first, geodesics);
-  if (others.geodesics.empty()) {
-    answer.reason = "the shortest closed geodesic of the second surface is longer than " + length.text();
-    return answer;
+  Length length = list_length(first, options);
+  for (int tries = 1;; ++tries) {
+    std::vector<certify::GeodesicsDocument> spectra;
+    for (const Surface* surface : {&first, &second}) {
+      spectra.push_back(spectrum(*surface, length, geodesics_options(options)));
+    }
+    if (const auto difference = certain_difference(spectra[0], spectra[1])) {
+      answer.reason = *difference;
+      answer.kind = are_verified(spectra, options) ? IsometricAnswer::Kind::no : IsometricAnswer::Kind::undecided;
+      if (answer.kind == IsometricAnswer::Kind::no) {
+        answer.spectra = std::move(spectra);
+      } else {
+        answer.reason += "; but certify does not verify these lists";
+      }
+      return answer;
+    }
+    // The search for an isometry needs the first lists alone; its answer does not depend on them.
+    if (tries == 1 && search(first, second, spectra, options, answer)) return answer;
+    if (tries == kMostTries) break;
+    length = Length(static_cast<double>(length.value()) + kStep);
   }
-  const LiftedTiles tiles(second, others.geodesics.front().length.lower);
-  const std::vector<Match> found = all_matches(tiles, others, source.pair, options);
-  std::vector<std::pair<const Match*, Motion<Number>>> motions;
-  motions.reserve(found.size());
-  for (const Match& match : found) motions.emplace_back(&match, source.motion_of(match, tiles));
-  // One that preserves the orientation is the better answer.
-  std::stable_partition(motions.begin(), motions.end(),
-                        [](const auto& entry) { return preserves_orientation(entry.second); });
-  for (const auto& [match, f] : motions) {
-    std::optional<SurfaceIsometry> isometry = surface_isometry(source.generators, tiles, f);
-    if (!isometry) continue;
-    const std::optional<bool> exact = source.is_exact(*match, tiles, *isometry);
-    if (exact && !*exact) continue;
-    answer.kind = exact ? IsometricAnswer::Kind::yes : IsometricAnswer::Kind::undecided;
-    answer.isometry = std::move(isometry);
-    if (!exact) answer.reason = "the exact numbers of the two surfaces are of different kinds";
-    return answer;
-  }
-  std::ostringstream reason;
-  reason
-      << "no two elements of the second group have the traces of two elements of the first one, and of their product, "
-         "and extend to the group";
-  answer.reason = reason.str();
+  answer.reason =
+      "with 256 bits no two elements of the second group have the traces of two elements of the first one, and of "
+      "their "
+      "product, and extend to the group; but there are as many closed geodesics of the same lengths up to " +
+      length.text();
   return answer;
 }
 

@@ -15,8 +15,9 @@
 
 /// The isometries of a surface, and from one surface to another. docs/isometries.md says how and why.
 ///
-/// That they are isometries is decided exactly. That there is no other one, or none at all, is computed with numbers of
-/// 256 bits; `certified_isometries` proves the former.
+/// That they are isometries is decided exactly. That there is no other one is computed with numbers of 256 bits;
+/// `certified_isometries` proves it. That there is none at all between two surfaces is proved by their closed
+/// geodesics.
 namespace epsnet {
 
 /// An isometry between two surfaces S and T, as what it does with the group of S: f lifts to an isometry of the plane,
@@ -98,16 +99,20 @@ struct CertifiedIsometries {
 struct IsometricAnswer {
   enum class Kind {
     yes,       ///< Decided exactly.
-    no,        ///< Computed with 256 bits.
-    undecided  ///< `isometry` is one to 100 bits, but the numbers of the surfaces cannot be compared exactly.
+    no,        ///< Proved: by the genus, or by `spectra`.
+    undecided  ///< No isometry is found with 256 bits and no proof that there is none; or `isometry` is one to 100
+               ///< bits, but the numbers of the surfaces cannot be compared exactly.
   };
-  Kind kind = Kind::no;
+  Kind kind = Kind::undecided;
   std::optional<SurfaceIsometry> isometry;
   std::string reason;  ///< Of a `no`: what tells the surfaces apart, in words; of `undecided`, why.
+  /// Of a `no`, if the genera are equal: the spectra of both surfaces, VERIFIED, which certainly differ.
+  std::vector<certify::GeodesicsDocument> spectra;
 };
 
 /// Returns an isometry from one surface to another, if there is one: one that preserves the orientation, if there is
-/// one of those. Throws as `isometries`.
+/// one of those. Otherwise it looks for numbers of closed geodesics that differ, up to lengths that are 2 longer than
+/// those that `isometries` needs. Throws as `isometries`.
 [[nodiscard]] IsometricAnswer isometric(const Surface& first, const Surface& second,
                                         const IsometryOptions& options = {});
 

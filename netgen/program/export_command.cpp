@@ -1,5 +1,6 @@
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -11,17 +12,19 @@
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
+#include "netgen/surfaces/matrices.h"
 
 namespace epsnet::program {
 namespace {
 
-enum class ExportFormat { domain, triangulation, off, vtu, gmsh, edges, json };
+enum class ExportFormat { domain, triangulation, off, vtu, gmsh, edges, json, matrices };
 
 struct ExportRequest {
   std::string file;
   ExportFormat format = ExportFormat::triangulation;
   std::string output;
   std::string distance_from;
+  std::optional<MatrixModel> model;
 };
 
 /// The contents of a file that can be exported.
@@ -52,6 +55,7 @@ FileType file_type(ExportFormat format) {
     case ExportFormat::gmsh:
       return FileType::msh;
     case ExportFormat::json:
+    case ExportFormat::matrices:
       return FileType::json;
     default:
       return FileType::text;
@@ -94,6 +98,13 @@ void export_file(const ExportRequest& request) {
     throw UsageError("--distance-from is for --format vtu");
   }
   check_files({{"FILE", request.file}}, {{"--output", request.output, file_type(request.format)}});
+  if (request.model && request.format != ExportFormat::matrices) throw UsageError("--model is for --format matrices");
+  if (request.format == ExportFormat::matrices) {
+    const std::string text =
+        write_matrices(read_surface_input(request.file), request.model.value_or(MatrixModel::sl2r));
+    write_output(request.output, [&](std::ostream& out) { out << text; });
+    return;
+  }
   const Exportable contents = exportable(read_any_input(request.file), request.file);
   try {
     if (const auto write = mesh_writer(request.format)) {
@@ -131,11 +142,13 @@ void add_export_command(CLI::App& app, Job& chosen) {
       "export", "Write a surface or a net as a text that other programs read: CGAL's, exactly, or a mesh.");
   add_input(*command, "FILE", request.file, "a surface file or a net file");
   command
-      ->add_option("--format", request.format,
-                   "exact, for CGAL: domain, the polygon of a surface of one tile; triangulation, the triangles of a "
-                   "net, or the tiles of a surface cut into triangles, with an anchor and cross-ratios. Rounded, of a "
-                   "net: off or vtu, one lift of every triangle; gmsh (and data of vtu), the glued surface for finite "
-                   "elements; edges, a table of vertices and lengths; json, all of it")
+      ->add_option(
+          "--format", request.format,
+          "exact, for CGAL: domain, the polygon of a surface of one tile; triangulation, the triangles of a "
+          "net, or the tiles of a surface cut into triangles, with an anchor and cross-ratios. Rounded, of a "
+          "net: off or vtu, one lift of every triangle; gmsh (and data of vtu), the glued surface for finite "
+          "elements; edges, a table of vertices and lengths; json, all of it. Of any file: matrices, generators of "
+          "the group of the surface with their relation, exact and rounded")
       ->required()
       ->transform(one_of<ExportFormat>({{"domain", ExportFormat::domain},
                                         {"triangulation", ExportFormat::triangulation},
@@ -143,15 +156,23 @@ void add_export_command(CLI::App& app, Job& chosen) {
                                         {"vtu", ExportFormat::vtu},
                                         {"gmsh", ExportFormat::gmsh},
                                         {"edges", ExportFormat::edges},
-                                        {"json", ExportFormat::json}}))
-      ->option_text("domain|triangulation|off|vtu|gmsh|edges|json REQUIRED");
+                                        {"json", ExportFormat::json},
+                                        {"matrices", ExportFormat::matrices}}))
+      ->option_text("domain|triangulation|off|vtu|gmsh|edges|json|matrices REQUIRED");
   add_output(*command, request.output, "the text to write");
   command
       ->add_option("--distance-from", request.distance_from,
                    "vtu: also the distance of every vertex from this one, as the array distance at points")
       ->option_text("vN");
+  command
+      ->add_option("--model", request.model,
+                   "matrices: sl2r, acting on the half-plane, or su11, acting on the disk, as the numbers Re a, Im a, "
+                   "Re b, Im b")
+      ->transform(one_of<MatrixModel>({{"sl2r", MatrixModel::sl2r}, {"su11", MatrixModel::su11}}))
+      ->option_text("sl2r|su11 [sl2r]");
   command->footer(
       "Example:\n"
+      "  epsnet export s.json --format matrices -o matrices.json\n"
       "  epsnet export s.json --format domain -o polygon.txt\n"
       "  epsnet export net.json --format triangulation -o triangulation.txt\n"
       "  epsnet export net.json --format vtu --distance-from v0 -o net.vtu");

@@ -24,6 +24,8 @@ struct IsometriesRequest {
   std::string surface;
   std::string other;
   std::string output;
+  std::string first_spectrum;
+  std::string second_spectrum;
   bool json = false;
   unsigned threads = 0;
 };
@@ -128,7 +130,9 @@ const char* answer_text(IsometricAnswer::Kind kind) {
 }
 
 void compare_surfaces(const IsometriesRequest& request) {
-  check_files({{"SURFACE", request.surface}, {"OTHER", request.other}}, {});
+  check_files({{"SURFACE", request.surface}, {"OTHER", request.other}},
+              {{"--first-spectrum", request.first_spectrum, FileType::json},
+               {"--second-spectrum", request.second_spectrum, FileType::json}});
   const Surface surface = read_surface_input(request.surface);
   const Surface other = read_surface_input(request.other);
   const IsometricAnswer answer = [&] {
@@ -149,9 +153,17 @@ void compare_surfaces(const IsometriesRequest& request) {
     write_images(out, words, *answer.isometry);
   }
   if (answer.kind == IsometricAnswer::Kind::yes) out << "decided by exact numbers\n";
-  if (answer.kind == IsometricAnswer::Kind::no) out << "computed with 256 bits, not proved\n";
+  if (answer.kind == IsometricAnswer::Kind::no) {
+    out << (answer.spectra.empty() ? "different: proved\n" : "different: proved by two lists, both VERIFIED\n");
+  }
   report.text = out.str();
-  write_report(report, request.json, false);
+  std::vector<NewFile> files;
+  for (std::size_t i = 0; i < answer.spectra.size(); ++i) {
+    files.push_back({i == 0 ? request.first_spectrum : request.second_spectrum,
+                     [&spectrum = answer.spectra[i]](std::ostream& file) { certify::write_file(spectrum, file); }});
+  }
+  write_outputs(std::move(files));
+  write_report(report, request.json, is_stdout(request.first_spectrum) || is_stdout(request.second_spectrum));
   if (answer.kind == IsometricAnswer::Kind::undecided) throw UndecidedError("undecided: " + answer.reason);
 }
 
@@ -196,12 +208,22 @@ void add_isometric_command(CLI::App& app, Job& chosen) {
       app.add_subcommand("isometric", "Whether two surfaces are isometric: an isometry, or what tells them apart.");
   add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
   add_input(*command, "OTHER", shared->other, kSurfaceHelp);
+  add_file(
+      *command, "--first-spectrum", shared->first_spectrum,
+      "if the surfaces differ and their genera do not: the closed geodesics of SURFACE that prove it, for certify");
+  add_file(*command, "--second-spectrum", shared->second_spectrum, "the same for OTHER");
   add_json(*command, shared->json);
   add_threads(*command, shared->threads);
   command->footer(
-      "An isometry is decided by exact numbers; \"no\" is computed with 256 bits, and has no certificate.\n"
-      "Exit code 2: undecided, as the exact numbers of the two surfaces are of different kinds.\n\n"
-      "Example:\n  epsnet isometric s.json t.json");
+      "An isometry is decided by exact numbers. That there is none is proved by the genera, or by the numbers of "
+      "closed "
+      "geodesics up to some length.\n"
+      "Exit code 2: undecided, as neither is found, or the exact numbers of the two surfaces are of different "
+      "kinds.\n\n"
+      "Example:\n"
+      "  epsnet isometric s.json t.json\n"
+      "  epsnet isometric s.json t.json --first-spectrum s-spectrum.json --second-spectrum t-spectrum.json\n"
+      "  certify s-spectrum.json t-spectrum.json");
   command->callback([&chosen, shared] { chosen = [shared] { compare_surfaces(*shared); }; });
 }
 

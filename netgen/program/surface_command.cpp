@@ -2,6 +2,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "netgen/program/output.h"
 #include "netgen/surfaces/cover.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/matrices.h"
 #include "netgen/surfaces/named_maps.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
@@ -228,6 +230,38 @@ void make_twist(const TwistRequest& request) {
   make_twisted(request, [&](const Surface& surface, const Word& curve) { return twisted(surface, curve, *by); });
 }
 
+void make_from_matrices(const SurfaceRequest& request) {
+  check_files({{"FILE", request.file}}, {{"--output", request.output, FileType::json}});
+  const TextInput input = read_text_input(request.file);
+  const MatrixSurface made = [&] {
+    try {
+      return surface_of_matrices(parse_matrices(input.text));
+    } catch (const MatricesError& error) {
+      const std::string message = input.name + ": " + error.what();
+      if (error.kind() == MatricesError::Kind::undecided) throw UndecidedError(message);
+      throw JobError(message);
+    }
+  }();
+  const certify::SurfaceDocument document = to_document(made.surface);
+  write_output(request.output, [&](std::ostream& out) { certify::write_file(document, out); });
+  Report report = facts_report(surface_info(made.surface));
+  report.json["exact"] = made.is_exact;
+  report.json["distance"] = made.distance;
+  report.json["words"] = made.words;
+  std::ostringstream out;
+  out << "genus: " << made.surface.genus() << '\n';
+  if (made.is_exact) {
+    out << "group: exactly that of the matrices\n";
+  } else {
+    out << "group: the nearest exact one; entries differ by at most " << certify::shortest(made.distance) << '\n';
+  }
+  for (std::size_t k = 0; k < made.words.size(); ++k) {
+    out << "generator " << k + 1 << ": word " << word_text(made.words[k]) << '\n';
+  }
+  report.text = out.str();
+  write_report(report, request.json, is_stdout(request.output));
+}
+
 struct CoverRequest {
   std::string surface;
   std::string permutations;
@@ -423,6 +457,25 @@ void add_surface_command(CLI::App& app, Job& chosen) {
   add_json(*map, map_request->json);
   map->footer("Example:\n  epsnet surface map map.json -o s.json");
   map->callback([&chosen, map_request] { chosen = [map_request] { make_map(*map_request); }; });
+
+  const auto matrices_request = std::make_shared<SurfaceRequest>();
+  CLI::App* matrices = surface->add_subcommand(
+      "matrices",
+      "The surface of the group that matrices in SL(2,R) or SU(1,1) generate: exactly that of rational matrices, or "
+      "the "
+      "nearest exact one to decimals. Torsion, groups that are not discrete or not cocompact are errors that name an "
+      "element.");
+  add_input(*matrices, "FILE", matrices_request->file,
+            "a matrix a b c d in each line, or JSON, with or without a relation (docs/exchange-formats.md)");
+  add_output(*matrices, matrices_request->output, "the surface file to write");
+  add_json(*matrices, matrices_request->json);
+  matrices->footer(
+      "Exit code 2: undecided, as no fundamental domain was found within the limits.\n\n"
+      "Example:\n"
+      "  epsnet export s.json --format matrices -o matrices.json\n"
+      "  epsnet surface matrices matrices.json -o same.json && epsnet isometric s.json same.json");
+  matrices->callback(
+      [&chosen, matrices_request] { chosen = [matrices_request] { make_from_matrices(*matrices_request); }; });
 
   const auto import_request = std::make_shared<SurfaceRequest>();
   CLI::App* import_command = surface->add_subcommand(

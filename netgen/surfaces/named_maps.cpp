@@ -172,7 +172,8 @@ constexpr std::array<Named, 7> kNamed{{
     {{"bolza",
       "The surface of genus 2 with the most symmetries (48, the rotations) and the longest systole: the regular "
       "octagon.",
-      "O. Bolza, On binary sextics with linear transformations into themselves, Amer. J. Math. 10 (1887)"},
+      "O. Bolza, On binary sextics with linear transformations into themselves, Amer. J. Math. 10 (1887); P. Schmutz, "
+      "Riemann surfaces with shortest geodesic of maximal length, GAFA 3 (1993)"},
      bolza,
      nullptr},
     {{"klein",
@@ -193,7 +194,8 @@ constexpr std::array<Named, 7> kNamed{{
      nullptr},
     {{"fricke-macbeath",
       "The curve of genus 7 with as many symmetries as there can be (504, PSL(2,8)): 72 regular heptagons, {7, 3}.",
-      "A. M. Macbeath, On a curve of genus 7, Proc. London Math. Soc. 15 (1965)"},
+      "R. Fricke, Ueber eine einfache Gruppe von 504 Operationen, Math. Ann. 52 (1899); A. M. Macbeath, On a curve of "
+      "genus 7, Proc. London Math. Soc. 15 (1965)"},
      fricke_macbeath,
      nullptr},
     {{"wiman-G",

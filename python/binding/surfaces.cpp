@@ -7,6 +7,7 @@
 #include "netgen/surfaces/cover.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
+#include "netgen/surfaces/matrices.h"
 #include "netgen/surfaces/named_maps.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
@@ -88,6 +89,19 @@ void bind_surface(py::module_& module) {
             return interruptible([=] { return surface_of_map({rotation, edges}); });
           },
           py::arg("rotation"), py::arg("edges"))
+      .def_static(
+          "from_matrices",
+          [](const std::string& text) {
+            return interruptible([=] { return surface_of_matrices(parse_matrices(text)).surface; });
+          },
+          py::arg("text"))
+      .def(
+          "matrices",
+          [](const Surface& surface, bool in_disk) {
+            return interruptible(
+                [=] { return write_matrices(surface, in_disk ? MatrixModel::su11 : MatrixModel::sl2r); });
+          },
+          py::arg("in_disk"))
       .def_static(
           "fenchel_nielsen",
           [](const Coordinates& request) {

@@ -1,6 +1,7 @@
 """Closed hyperbolic surfaces."""
 from __future__ import annotations
 
+import decimal
 import json
 import random
 from fractions import Fraction
@@ -29,6 +30,14 @@ from .symmetries import IsometryGroup, SurfaceIsometry, isometric_to, isometries
 __all__ = ["Surface"]
 
 _Kind = TypeVar("_Kind")
+
+
+def _matrix_text(x: Any) -> str:
+    """A number of a matrix: a float stays a decimal, which says that it is rounded."""
+    if isinstance(x, (float, np.floating)):
+        as_fraction(x, "generators")
+        return repr(float(x))
+    return str(x) if isinstance(x, decimal.Decimal) else as_text(x, "generators")
 
 
 class Surface(Immutable):
@@ -135,6 +144,35 @@ class Surface(Immutable):
         True
         """
         return cls._of(_epsnet.Surface.map(as_indices(rotation, "rotation"), as_indices(edges, "edges")))
+
+    @classmethod
+    def from_matrices(
+        cls, generators: Iterable[Any], relation: Union[str, Iterable[int], None] = None, *, model: str = "sl2r"
+    ) -> "Surface":
+        """The surface of the group that matrices generate (docs/matrices.md).
+
+        ``generators``: for the model ``"sl2r"`` matrices ((a, b), (c, d)) with a positive determinant, up to scale; for ``"su11"`` the first row
+        ((Re a, Im a), (Re b, Im b)). Integers, fractions and texts such as ``"1/3"`` are exact, and then the group is exactly that of the matrices.
+        Floats and decimals are rounded numbers: unless they fulfil the relations of the group exactly, the surface is a rational one nearest to
+        them, and ``about`` says how far it is. ``relation``: ``"abAB"`` or ``[1, 2, -1, -2]``, a product that is 1; it is checked.
+        Raises SurfaceError, with the element that shows it, for groups that are not discrete, not cocompact, or have torsion.
+
+        >>> import epsnet
+        >>> surface = epsnet.Surface.octagon(3)
+        >>> matrices = surface.matrices()
+        >>> same = epsnet.Surface.from_matrices(matrices["generators"], matrices["relation"])
+        >>> bool(surface.isometric_to(same))
+        True
+        """
+        rows = [
+            [[_matrix_text(x) for x in as_items(row, "generators", "rows of two numbers")] for row in as_items(m, "generators", "matrices")]
+            for m in as_items(generators, "generators", "matrices")
+        ]
+        text: dict[str, Any] = {"model": as_choice(model, "model", ("sl2r", "su11")), "generators": rows}
+        if relation is not None:
+            letters = relation if isinstance(relation, str) else [int(k) for k in as_items(relation, "relation", "integers")]
+            text["relation"] = letters
+        return cls._of(_epsnet.Surface.from_matrices(json.dumps(text)))
 
     @classmethod
     def fenchel_nielsen(
@@ -310,6 +348,19 @@ class Surface(Immutable):
         [(4,), (5,), (6,), (7,)]
         """
         return self.fundamental_polygon().generators()
+
+    def matrices(self, model: str = "sl2r") -> dict[str, Any]:
+        """2g matrices that generate the group, and the relation between them: what ``epsnet export --format matrices`` writes.
+
+        The members ``generators`` (exact, texts of integers, up to scale; for regular tiles decimals), ``rounded`` (of determinant 1),
+        ``relation`` and ``words``, as docs/exchange-formats.md has them.
+
+        >>> import epsnet
+        >>> epsnet.Surface.octagon(3).matrices()["relation"]
+        [1, 2, 3, 4, -1, -2, -3, -4]
+        """
+        text = self._core.matrices(as_choice(model, "model", ("sl2r", "su11")) == "su11")
+        return dict(json.loads(text))
 
     def element(self, word: Iterable[int]) -> Isometry:
         """The element of the group for a path across sides, each the number of a side of the tile in which the path is.

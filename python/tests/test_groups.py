@@ -278,3 +278,56 @@ def test_elements_of_maps_have_hashes_of_their_own():
             rest = rest * sides[k].isometry
         first = sides[relation[0]].isometry.inverse()
         assert first == rest and hash(first) == hash(rest)
+
+
+def test_matrices_make_the_same_surface(octagon, pants):
+    for surface in (octagon, pants):
+        for model in ("sl2r", "su11"):
+            text = surface.matrices(model)
+            same = Surface.from_matrices(text["generators"], text["relation"], model=model)
+            assert same.genus == surface.genus and surface.isometric_to(same)
+            exact = [[[Fraction(x) for x in row] for row in m] for m in text["generators"]]
+            assert Surface.from_matrices(exact, model=model) == same
+
+
+def test_exported_matrices_fulfil_their_relation(octagon, pants):
+    """What a user of Sage computes with the exported text, in fractions: the product of the relation is a multiple of 1."""
+
+    def times(m, n):
+        return [[sum(m[i][k] * n[k][j] for k in range(2)) for j in range(2)] for i in range(2)]
+
+    for surface in (octagon, pants):
+        text = surface.matrices()
+        exact = [[[Fraction(x) for x in row] for row in m] for m in text["generators"]]
+        one = [[1, 0], [0, 1]]
+        for k in text["relation"]:
+            (a, b), (c, d) = exact[abs(k) - 1]
+            one = times(one, exact[k - 1] if k > 0 else [[d, -b], [-c, a]])
+        assert one[0][1] == one[1][0] == 0 and one[0][0] == one[1][1] != 0
+        for m, rounded in zip(exact, text["rounded"]):
+            scale = math.sqrt(m[0][0] * m[1][1] - m[0][1] * m[1][0])
+            assert all(abs(abs(float(x)) - abs(float(y) / scale)) <= 1e-12 * (1 + abs(float(x)))
+                       for r, s in zip(rounded, m) for x, y in zip(r, s))
+
+
+def test_floats_mean_the_nearest_surface(octagon):
+    rounded = [[[round(float(x), 9) for x in row] for row in m] for m in octagon.matrices()["rounded"]]
+    near = Surface.from_matrices(rounded)
+    assert near.genus == 2 and "entries differ by at most" in near.about
+    assert not octagon.isometric_to(near)
+    assert near.systole().length.lower == pytest.approx(octagon.systole().length.lower, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    "generators, message",
+    [
+        ([[[1, 1], [0, 1]], [[0, -1], [1, 0]]], "torsion: the element b is elliptic, of order 2"),
+        ([[[1, 2], [0, 1]], [[1, 0], [2, 1]]], "not cocompact: the element a is parabolic"),
+        ([[["3/5", "4/5"], ["-4/5", "3/5"]], [[2, 0], [0, "1/2"]]], "not discrete: the element a is elliptic, of infinite order"),
+        ([[[1, 2]]], "1 rows found"),
+        ([], "no generators"),
+    ],
+)
+def test_matrices_of_no_surface_are_refused(generators, message):
+    with pytest.raises(epsnet.SurfaceError, match=message):
+        Surface.from_matrices(generators)

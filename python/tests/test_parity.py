@@ -27,6 +27,9 @@ NOT_IN_PYTHON = {
     ("systole", "--epsilon"): "any gives the same geodesic",
     ("spectrum", "--epsilon"): "any gives the same list",
     ("thick-thin", "--epsilon"): "any gives the same list",
+    ("isometric", "--first-spectrum"): "surface.spectrum(up_to)",
+    ("isometric", "--second-spectrum"): "other.spectrum(up_to)",
+    ("export", "--model"): "Surface.matrices(model)",
     ("convert", "--surface"): "Surface.load(path).save",
     ("draw", "--png"): "a browser or a notebook shows SVG; the module does not link the library that the program draws with",
 }
@@ -40,6 +43,7 @@ FUNCTIONS = {
     "surface cover": (Surface.cover, {}),
     "surface dehn-twist": (Surface.dehn_twist, {}),
     "surface twist": (Surface.twist, {}),
+    "surface matrices": (Surface.from_matrices, {}),
     "surface import": (Surface.load, {"--format": None}),
     "net": (Surface.net, {}),
     "import-net": (Net.of_tiles, {"--threads": None}),

@@ -69,6 +69,10 @@ bad 64 'excludes' pants from-pants.json --curves curves.txt --find
 good surface regular --genus 2 -o bolza.json
 good isometric s.json bolza.json
 grep -q '^isometric: no$' output || complain "an octagon is not the regular one: $(cat output)"
+says '^different: proved by two lists, both VERIFIED$'
+good isometric s.json bolza.json --first-spectrum first.json --second-spectrum second.json
+verified first.json
+verified second.json
 # The Bolza surface again, by octagons of which three meet at each vertex: GL(2,3).
 printf '%s' '{"rotation":[1,3,5,6,8,9,11,13,14,16,18,19,21,22,24,2,20,27,28,30,32,33,35,4,31,38,39,40,41,0,29,26,43,10,7,42,45,46,47,23,25,44,37,15,12,17,34,36],"edges":[2,4,0,7,1,10,12,3,15,17,5,20,6,23,25,8,26,9,29,31,11,34,36,13,37,14,16,33,35,18,42,19,44,27,21,28,22,24,43,45,46,47,30,38,32,39,40,41]}' >octagons.json
 good surface map octagons.json -o octagons-map.json
@@ -332,6 +336,23 @@ bad 64 'expected --permutations, or --degree and --seed' surface cover s.json --
 good surface cover regular.json --degree 3 --seed 1 -o cover.json
 good net cover.json --epsilon 1 -o cover-net.json
 verified cover-net.json
+# Matrices of a surface make the same surface.
+good export net.json --format matrices -o matrices.json
+good surface matrices matrices.json -o same.json
+says 'exactly that of the matrices'
+good isometric net.json same.json
+says 'isometric: yes'
+good net same.json --epsilon 0.8 -o same-net.json
+verified same-net.json
+good export s.json --format matrices --model su11 -o su11.json
+good surface matrices su11.json -o same.json --json
+says '"exact":true,"distance":0'
+good export regular.json --format matrices -o decimals.json
+good surface matrices decimals.json -o same.json
+says 'the nearest exact one; entries differ by at most'
+printf '1 1 0 1\n0 -1 1 0\n' >modular.txt
+bad 1 '^epsnet: modular.txt: the group has torsion: the element b is elliptic, of order 2' surface matrices modular.txt -o out/x.json
+bad 64 'model is for --format matrices' export s.json --format domain --model su11 -o out/x.txt
 good surface named --list
 grep -q '^fricke-macbeath$' output || complain "surface named --list: $(cat output)"
 good surface named klein -o klein.json --json

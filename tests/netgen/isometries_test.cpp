@@ -10,9 +10,12 @@
 #include <utility>
 #include <vector>
 
+#include "certify/check.h"
 #include "kernel/isometry.h"
+#include "netgen/isometries/length_spectra.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
+#include "netgen/surfaces/matrices.h"
 #include "netgen/surfaces/named_maps.h"
 #include "netgen/surfaces/octagon.h"
 
@@ -255,6 +258,61 @@ TEST(Isometric, AreNotSurfacesThatDifferALittle) {
   EXPECT_EQ(isometric(pants("2", "0.125"), pants("2.000000001", "0.125")).kind, Kind::no);
   EXPECT_EQ(isometric(pants("2", "0.125"), pants("2", "0.125000001")).kind, Kind::no);
   EXPECT_EQ(isometric(random_octagon(1), random_octagon(2)).kind, Kind::no);
+}
+
+TEST(Isometric, AProofOfDifferenceIsTwoVerifiedSpectra) {
+  const IsometricAnswer answer = isometric(pants("2", "0.125"), pants("2.000000001", "0.125"));
+  ASSERT_EQ(answer.spectra.size(), 2U);
+  for (const certify::GeodesicsDocument& spectrum : answer.spectra) {
+    EXPECT_EQ(certify::check(spectrum).verdict, certify::Verdict::verified);
+  }
+  EXPECT_EQ(certain_difference(answer.spectra[0], answer.spectra[1]), answer.reason);
+}
+
+TEST(Isometric, IsUndecidedWhereLengthsAgreeToAllDigits) {
+  // The surface nearest to matrices of 30 digits: lengths are enclosed to some 16 digits.
+  const Surface octagon = random_octagon(3);
+  MatrixGenerators matrices = parse_matrices(write_matrices(octagon));
+  matrices.digits = 30;
+  for (Isometry<Rational>& f : matrices.generators) {
+    const auto decimal = [](const Mp256& x) { return Rational(Mp256(round(x * Mp256("1e28")) / Mp256("1e28"))); };
+    const Isometry<Mp256> g = normalized(convert<Mp256>(f));
+    f = {{decimal(g.a.x), decimal(g.a.y)}, {decimal(g.b.x), decimal(g.b.y)}};
+  }
+  const MatrixSurface near = surface_of_matrices(matrices);
+  ASSERT_FALSE(near.is_exact);
+  const IsometricAnswer answer = isometric(octagon, near.surface);
+  EXPECT_EQ(answer.kind, Kind::undecided);
+  EXPECT_FALSE(answer.isometry);
+  EXPECT_NE(answer.reason.find("as many closed geodesics of the same lengths"), std::string::npos) << answer.reason;
+}
+
+certify::GeodesicsDocument lengths(const std::vector<certify::Interval>& intervals, const std::string& up_to) {
+  certify::GeodesicsDocument result;
+  result.claim = certify::GeodesicsDocument::Claim::spectrum;
+  result.up_to = up_to;
+  for (const certify::Interval& length : intervals) result.geodesics.push_back({0, {}, length, true});
+  return result;
+}
+
+TEST(CertainDifference, IsOneOfNumbersAndNotOfOverlappingIntervals) {
+  const auto some = lengths({{1, 1.25}, {2, 2.25}}, "3");
+  EXPECT_FALSE(certain_difference(some, some));
+  EXPECT_FALSE(certain_difference(some, lengths({{1.25, 1.5}, {2.25, 2.5}}, "3")));
+  EXPECT_EQ(
+      certain_difference(some, lengths({{1.5, 1.75}, {2, 2.25}}, "3")),
+      "the first surface has at least 1 primitive closed geodesics of length at most 1.25, the second one at most "
+      "0");
+  EXPECT_EQ(
+      certain_difference(some, lengths({{1, 1.25}, {1, 1.25}}, "3")),
+      "the second surface has at least 2 primitive closed geodesics of length at most 1.25, the first one at most "
+      "1");
+  // A list says nothing about longer ones than those that it has all of.
+  EXPECT_FALSE(certain_difference(some, lengths({{1, 1.25}}, "2")));
+  EXPECT_FALSE(certain_difference(some, lengths({{1, 1.25}}, "2.2499999999999999999")));
+  EXPECT_TRUE(certain_difference(some, lengths({{1, 1.25}}, "2.25")));
+  EXPECT_TRUE(certain_difference(lengths({{1, 1.25}}, "2.25"), some));
+  EXPECT_FALSE(certain_difference(lengths({}, "1"), some));
 }
 
 TEST(Isometric, AreNotSurfacesOfDifferentGenera) {

@@ -228,7 +228,7 @@ done
 bad 64 'which command'
 bad 64 'ln sqrt(2)' net thin.json --epsilon 0.35 --pseudo -o out/net.json
 bad 64 'nonsense' nonsense
-bad 64 'octagon, fenchel-nielsen, regular, cover, named, map or import' surface
+bad 64 'octagon, fenchel-nielsen, regular, cover, named, map, matrices or import' surface
 bad 64 'nonsense' surface nonsense
 bad 64 'seed' surface octagon -o out/s.json
 bad 64 '^epsnet: --sparse and --pseudo: a pseudo net cannot be sparse' net thin.json --epsilon 0.3 --sparse --pseudo -o out/net.json

@@ -1,0 +1,291 @@
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "certify/base/text.h"
+#include "certify/file/json.h"
+#include "netgen/base/gmp.h"
+#include "netgen/base/json_text.h"
+#include "netgen/surfaces/group.h"
+#include "netgen/surfaces/matrices.h"
+#include "netgen/surfaces/one_relator.h"
+#include "triangulation/surface/exact_points.h"
+
+/// Matrices as text: JSON or a matrix in each line.
+namespace epsnet {
+namespace {
+
+constexpr std::size_t kMostGenerators = 1000;
+constexpr std::size_t kMostBits = 100'000;
+
+[[noreturn]] void fail(const std::string& message) { throw MatricesError(MatricesError::Kind::text, message); }
+
+/// The significant digits of a decimal; nothing for integers and fractions.
+std::optional<unsigned> digits_of_decimal(std::string_view text) {
+  if (text.find_first_of(".eE") == std::string_view::npos) return std::nullopt;
+  unsigned digits = 0;
+  for (const char c : text.substr(0, text.find_first_of("eE"))) {
+    if (std::isdigit(static_cast<unsigned char>(c)) != 0 && (digits > 0 || c != '0')) ++digits;
+  }
+  return digits;
+}
+
+class MatrixReader {
+ public:
+  MatrixGenerators read(const std::string& text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first == std::string::npos) fail("the text is empty, expected matrices");
+    if (text[first] == '{') {
+      read_json(text);
+    } else {
+      read_lines(text);
+    }
+    for (std::size_t k = 0; k < entries_.size(); ++k) result_.generators.push_back(isometry(k));
+    if (result_.generators.empty()) fail("no generators found, expected at least one");
+    const auto most = static_cast<std::int32_t>(entries_.size());
+    for (const std::int32_t letter : result_.relation) {
+      if (letter == 0 || letter > most || -letter > most) {
+        fail("relation: " + letter_name(letter) + " found, expected generators 1 to " + std::to_string(most) +
+             ", negative for inverses, or letters from a on");
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  static std::string letter_name(std::int32_t letter) { return std::to_string(letter); }
+
+  void set_model(std::string_view name) {
+    if (name == "sl2r") {
+      result_.model = MatrixModel::sl2r;
+    } else if (name == "su11") {
+      result_.model = MatrixModel::su11;
+    } else {
+      fail("model: " + certify::in_quotes(name) + R"( found, expected "sl2r" or "su11")");
+    }
+  }
+
+  Rational number(std::string_view text, const std::string& place) {
+    const auto value = text.size() <= kMostBits ? parse_decimal(text) : std::nullopt;
+    if (!value) fail(place + ": " + certify::in_quotes(text) + " found, expected an integer, a fraction or a decimal");
+    if (*value != 0 && msb(Integer(abs(numerator(*value)))) + msb(Integer(denominator(*value))) > kMostBits) {
+      fail(place + ": more than " + std::to_string(kMostBits) + " bits");
+    }
+    if (const auto digits = digits_of_decimal(text)) result_.digits = std::max(result_.digits.value_or(0), *digits);
+    return *value;
+  }
+
+  std::string name_of_next() const { return "generator " + std::to_string(entries_.size() + 1); }
+
+  void add(std::vector<Rational> entries) {
+    if (entries_.size() == kMostGenerators) fail("more than " + std::to_string(kMostGenerators) + " generators");
+    entries_.push_back(std::move(entries));
+  }
+
+  Isometry<Rational> isometry(std::size_t k) const {
+    const std::vector<Rational>& e = entries_[k];
+    // z ↦ (z − i)/(z + i) takes the half-plane to the disk.
+    const Isometry<Rational> f = result_.model == MatrixModel::su11
+                                     ? Isometry<Rational>{{e[0], e[1]}, {e[2], e[3]}}
+                                     : Isometry<Rational>{{e[0] + e[3], e[1] - e[2]}, {e[0] - e[3], -e[1] - e[2]}};
+    if (f.determinant() <= 0) {
+      fail("generator " + std::to_string(k + 1) +
+           ": the determinant is not positive, so it is no isometry of the plane" + " that preserves the orientation");
+    }
+    return f;
+  }
+
+  void read_letters(std::string_view word) {
+    for (const char c : word) {
+      if (c == ' ' || c == '*' || c == '.') continue;
+      if (std::isalpha(static_cast<unsigned char>(c)) == 0) {
+        fail("relation: " + certify::in_quotes(word) +
+             " found, expected letters, a for generator 1, A for its inverse, or numbers");
+      }
+      const int letter = std::tolower(static_cast<unsigned char>(c)) - 'a' + 1;
+      result_.relation.push_back(std::islower(static_cast<unsigned char>(c)) != 0 ? letter : -letter);
+    }
+  }
+
+  void read_letter_number(std::string_view text) {
+    std::int32_t letter = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), letter);
+    if (error != std::errc() || end != text.data() + text.size()) {
+      fail("relation: " + certify::in_quotes(text) + " found, expected the number of a generator");
+    }
+    result_.relation.push_back(letter);
+  }
+
+  void read_lines(const std::string& text) {
+    std::istringstream lines(text);
+    std::string line;
+    for (std::size_t number_of_line = 1; std::getline(lines, line); ++number_of_line) {
+      line.erase(std::min(line.find('#'), line.size()));
+      std::replace_if(
+          line.begin(), line.end(), [](char c) { return c == ',' || c == ';' || c == '\t' || c == '\r'; }, ' ');
+      std::vector<std::string> words;
+      std::istringstream stream(line);
+      for (std::string word; stream >> word;) words.push_back(word);
+      if (words.empty()) continue;
+      const std::string place = "line " + std::to_string(number_of_line);
+      if (words[0] == "model" && words.size() == 2) {
+        set_model(words[1]);
+      } else if (words[0] == "relation") {
+        const bool is_number = words.size() > 1 && std::isalpha(static_cast<unsigned char>(words[1][0])) == 0;
+        for (std::size_t i = 1; i < words.size(); ++i)
+          is_number ? read_letter_number(words[i]) : read_letters(words[i]);
+      } else if (words.size() == 4) {
+        std::vector<Rational> entries;
+        for (const std::string& word : words) entries.push_back(number(word, place));
+        add(std::move(entries));
+      } else {
+        fail(place + ": " + std::to_string(words.size()) + " words found, expected the four numbers of a matrix, " +
+             "\"model sl2r\", \"model su11\" or \"relation\" and its letters");
+      }
+    }
+  }
+
+  void read_json(const std::string& text) {
+    certify::Pieces pieces(text);
+    certify::Json json(pieces);
+    try {
+      (void)json.take('{');
+      json.members([&](std::string_view name) {
+        if (name == "model") {
+          expect_string(json, "model");
+          set_model(json.string());
+        } else if (name == "generators") {
+          entries_.clear();
+          expect_array(json, "generators");
+          json.elements([&](std::size_t) { read_matrix(json); });
+        } else if (name == "relation") {
+          result_.relation.clear();
+          if (json.next() == '"') {
+            read_letters(json.string());
+          } else {
+            expect_array(json, "relation");
+            json.elements([&](std::size_t) { read_letter_number(json.token()); });
+          }
+        } else {
+          json.skip();
+        }
+      });
+      if (!json.at_end()) fail(json.found() + " found after the object");
+    } catch (const certify::JsonError& error) {
+      fail(error.what());
+    }
+  }
+
+  static void expect_string(certify::Json& json, const std::string& place) {
+    if (json.next() != '"') fail(place + ": " + json.found() + " found, expected a string");
+  }
+  static void expect_array(certify::Json& json, const std::string& place) {
+    if (!json.take('[')) fail(place + ": " + json.found() + " found, expected an array");
+  }
+
+  void read_matrix(certify::Json& json) {
+    const std::string place = name_of_next();
+    expect_array(json, place);
+    std::vector<Rational> entries;
+    std::size_t rows = 0;
+    json.elements([&](std::size_t) {
+      ++rows;
+      expect_array(json, place);
+      std::size_t columns = 0;
+      json.elements([&](std::size_t) {
+        ++columns;
+        // Numbers may be strings, as fractions have to be.
+        entries.push_back(number(json.next() == '"' ? json.string() : json.token(), place));
+      });
+      if (columns != 2) fail(place + ": " + std::to_string(columns) + " numbers in a row, expected 2");
+    });
+    if (rows != 2) {
+      fail(place + ": " + std::to_string(rows) +
+           " rows found, expected two: [[a, b], [c, d]], or [[Re a, Im a], [Re b, " + "Im b]] for su11");
+    }
+    add(std::move(entries));
+  }
+
+  MatrixGenerators result_;
+  std::vector<std::vector<Rational>> entries_;
+};
+
+/// The four numbers of a matrix, as its text has them.
+template <class T>
+std::vector<T> entries(const Isometry<T>& f, MatrixModel model) {
+  if (model == MatrixModel::su11) return {f.a.x, f.a.y, f.b.x, f.b.y};
+  return {f.a.x + f.b.x, f.a.y - f.b.y, T(-f.a.y - f.b.y), f.a.x - f.b.x};
+}
+
+template <class T, class Text>
+Json matrix_json(const Isometry<T>& f, MatrixModel model, const Text& text) {
+  const std::vector<T> e = entries(f, model);
+  return Json::array({Json::array({text(e[0]), text(e[1])}), Json::array({text(e[2]), text(e[3])})});
+}
+
+Json rounded_json(const Isometry<Mp1024>& f, MatrixModel model) {
+  constexpr int kDigits = 50;
+  return matrix_json(f, model, [](const Mp1024& x) { return x.str(kDigits, std::ios_base::fmtflags{}); });
+}
+
+}  // namespace
+
+MatrixGenerators parse_matrices(const std::string& text) { return MatrixReader().read(text); }
+
+std::string write_matrices(const Surface& surface, MatrixModel model) {
+  const PolygonSides sides = polygon_sides(surface);
+  const OneRelator group(sides);
+  const FundamentalPolygon polygon = fundamental_polygon(surface);
+  Json exact = Json::array();
+  Json rounded = Json::array();
+  Json relation = Json::array();
+  Json words = Json::array();
+  std::vector<std::int32_t> letter(polygon.sides.size());
+  std::int32_t count = 0;
+  for (const std::uint32_t k : group.relation) {
+    if (letter[k] == 0) {
+      letter[k] = ++count;
+      letter[sides.partner[k]] = -count;
+      const Word& word = polygon.sides[k].word;
+      words.push_back(word);
+      Isometry<Mp1024> f;
+      if (surface.is_regular()) {
+        f = {{Mp1024(1), Mp1024(0)}, {Mp1024(0), Mp1024(0)}};
+        for (const std::uint32_t s : word) f = surface.crossing_as<Mp1024>(s) * f;
+        f = normalized(f);
+      } else {
+        const Isometry<Rational> isometry = exact_isometry(surface, word);
+        f = normalized(convert<Mp1024>(isometry));
+        exact.push_back(matrix_json(isometry, model, [](const Rational& x) { return x.str(); }));
+      }
+      rounded.push_back(rounded_json(f, model));
+    }
+    relation.push_back(letter[k]);
+  }
+  // One member in each line, one matrix in each line.
+  std::ostringstream out;
+  const auto list = [&](const char* name, const Json& items) {
+    out << "  \"" << name << "\": [";
+    for (std::size_t i = 0; i < items.size(); ++i) out << (i == 0 ? "\n    " : ",\n    ") << json_text(items[i]);
+    out << "\n  ]";
+  };
+  out << "{\n  \"format\": \"epsnet-matrices\",\n  \"version\": 1,\n";
+  out << "  \"about\": " << json_text(Json(surface.about())) << ",\n";
+  out << "  \"model\": \"" << (model == MatrixModel::sl2r ? "sl2r" : "su11") << "\",\n";
+  out << "  \"genus\": " << surface.genus() << ",\n";
+  out << "  \"exact\": " << (surface.is_regular() ? "false" : "true") << ",\n";
+  list("generators", surface.is_regular() ? rounded : exact);
+  out << ",\n  \"relation\": " << json_text(relation) << ",\n";
+  if (!surface.is_regular()) {
+    list("rounded", rounded);
+    out << ",\n";
+  }
+  list("words", words);
+  out << "\n}\n";
+  return out.str();
+}
+
+}  // namespace epsnet
