@@ -513,8 +513,8 @@ class Surface(Immutable):
         return isometries(self, threads, progress)
 
     def isometric_to(self, other: "Surface", *, threads: int = 0, progress: Progress = None) -> Optional[SurfaceIsometry]:
-        """An isometry to another surface, decided exactly; None if there is none, which is computed with 256 bits, without a certificate.
-        UndecidedError if the exact numbers of the two surfaces are of different kinds.
+        """An isometry to another surface, decided exactly; None if there is none, which is proved by the genera or by the numbers of closed
+        geodesics up to some length. UndecidedError if neither is found, or the exact numbers of the two surfaces are of different kinds.
 
         >>> import epsnet
         >>> bolza = epsnet.Surface.regular(2)

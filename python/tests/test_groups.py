@@ -322,7 +322,7 @@ def test_floats_mean_the_nearest_surface(octagon):
     "generators, message",
     [
         ([[[1, 1], [0, 1]], [[0, -1], [1, 0]]], "torsion: the element b is elliptic, of order 2"),
-        ([[[1, 2], [0, 1]], [[1, 0], [2, 1]]], "not cocompact: the element a is parabolic"),
+        ([[[1, 2], [0, 1]], [[1, 0], [2, 1]]], "not cocompact: the element b is parabolic"),
         ([[["3/5", "4/5"], ["-4/5", "3/5"]], [[2, 0], [0, "1/2"]]], "not discrete: the element a is elliptic, of infinite order"),
         ([[[1, 2]]], "1 rows found"),
         ([], "no generators"),
