@@ -142,6 +142,8 @@ def test_choices_are_those_of_the_program(net, bolza):
     for form in values("export", "--format"):
         if form == "domain":
             assert net.surface.export(form)
+        elif form == "matrices":
+            assert net.surface.matrices()["relation"]
         else:
             assert net.export(form)
     for option in ("insert", "locate", "list"):

@@ -228,7 +228,7 @@ done
 bad 64 'which command'
 bad 64 'ln sqrt(2)' net thin.json --epsilon 0.35 --pseudo -o out/net.json
 bad 64 'nonsense' nonsense
-bad 64 'octagon, fenchel-nielsen, regular, cover, named, map, matrices or import' surface
+bad 64 'octagon, fenchel-nielsen, regular, cover, dehn-twist, twist, named, map, matrices or import' surface
 bad 64 'nonsense' surface nonsense
 bad 64 'seed' surface octagon -o out/s.json
 bad 64 '^epsnet: --sparse and --pseudo: a pseudo net cannot be sparse' net thin.json --epsilon 0.3 --sparse --pseudo -o out/net.json
@@ -300,7 +300,7 @@ bad 64 '--genus: expected an integer from 2 to 1000, not "1001"' surface regular
 bad 1 'not inside of the unit disk' net fn.json --epsilon 1 --base 0,1,0 -o out/n.json
 bad 1 'the surface has 4 tiles' net fn.json --epsilon 1 --base 4 -o out/n.json
 bad 64 'expected one of cavity, flips, not "both"' net fn.json --epsilon 1 --insert both -o out/n.json
-bad 64 'expected one of domain, triangulation, off, vtu, gmsh, edges, json, not "obj"' export fn.json --format obj -o out/e
+bad 64 'expected one of domain, triangulation, off, vtu, gmsh, edges, json, matrices, not "obj"' export fn.json --format obj -o out/e
 bad 64 '--genus: expected an integer from 2 to 1000, not "three"' surface regular --genus three
 bad 64 '--seed = three: not a whole number' surface octagon --seed three -o out/s.json
 bad 1 'not inside of the unit disk' net bolza.json --epsilon 1 --base 0,1.1,0 -o out/n.json
