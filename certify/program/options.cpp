@@ -85,8 +85,8 @@ void add_options(CLI::App& app, Request& request) {
       ->required()
       ->option_text("... REQUIRED");
   app.add_flag("--exact", request.exact,
-               "use the second checker (certify-exact) for nets of\nany size and longer lists of geodesics; without "
-               "this\noption up to " +
+               "use the second checker (certify-exact) for nets of\nany size and longer lists of geodesics; without\n"
+               "this option up to " +
                    std::to_string(kTrianglesCheckedTwice) + " triangles and 4 MB");
   app.add_flag("--json", request.json, "print only one JSON object per file, on one line");
   app.add_option("--threads", request.options.threads, "number of threads, at most 1024; 0 is one per core")

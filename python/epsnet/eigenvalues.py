@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, List, Optional, Sequence, Union, overload
 
@@ -101,7 +102,7 @@ class Eigenvalues(Document, Sequence[EigenvalueWindow]):
 def _positive(x: Optional[Number], name: str, expected: str) -> Optional[float]:
     if x is None:
         return None
-    value = float(min(as_fraction(x, name), 10**9))  # More makes no difference.
+    value = float(min(as_fraction(x, name), Fraction(10**9)))  # More makes no difference.
     if value <= 0:
         refuse(expected, x, name)
     return value

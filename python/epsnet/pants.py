@@ -78,13 +78,13 @@ class PantsDecomposition:
         return f"<PantsDecomposition: {len(self.pants)} pairs of pants, {len(self.cuffs)} cuffs>"
 
 
-def as_word(curve: Any) -> list[int]:
+def as_word(curve: Any, name: str = "curve") -> list[int]:
     """The word of a curve: of side numbers, or of what has one, as a closed geodesic or a cuff."""
-    return as_indices(getattr(curve, "word", curve), "curve")
+    return as_indices(getattr(curve, "word", curve), name)
 
 
 def pants(surface: "Surface", curves: Optional[Sequence[Any]], find: bool, threads: int, progress: Progress) -> PantsDecomposition:
-    words = [] if curves is None else [as_word(curve) for curve in as_items(curves, "curves", "words")]
+    words = [] if curves is None else [as_word(curve, "curves") for curve in as_items(curves, "curves", "words")]
     find, threads = as_flag(find, "find"), as_threads(threads)
     with Shower(progress) as callback:
         return PantsDecomposition(surface, _epsnet.pants(surface._core, words, find, threads, callback))

@@ -69,7 +69,8 @@ class Nonsense:
 @pytest.fixture(scope="module")
 def calls(octagon, net, bolza):
     spectrum, distance, polygon = octagon.spectrum(2), octagon.distance((0, 0.1, 0), 0), octagon.dirichlet_domain((0, 0, 0))
-    group = octagon.isometries()
+    group, matrices, pants = octagon.isometries(), octagon.matrices(), octagon.pants()
+    curve = pants.cuffs[0].word
     x, element, table = Interval(1, 2), octagon.element([0]), net.distances(0)
     return [
         (Surface, dict(tiles=octagon.tiles, gluing=octagon.gluing)),
@@ -78,6 +79,11 @@ def calls(octagon, net, bolza):
         (octagon.cover, dict(permutations=[(1, 0), (0, 1), (0, 1), (0, 1)])), (octagon.cover, dict(degree=2, seed=1)),
         (octagon.random_sheets, dict(degree=2, seed=1)),
         (Surface.fenchel_nielsen, dict(lengths=1, twists=0, graph="chain", genus=2, seed=1)),
+        (Surface.from_matrices, dict(generators=matrices["generators"], relation=matrices["relation"], model="sl2r")),
+        (octagon.matrices, dict(model="su11")),
+        (octagon.pants, dict(curves=[curve], find=False, threads=1, progress=False)), (pants.fenchel_nielsen, dict(twists=0)),
+        (octagon.dehn_twist, dict(curve=curve, power=1)), (octagon.dehn_twist_words, dict(curve=curve, power=1)),
+        (octagon.twist, dict(curve=curve, by=1)),
         (Surface.load, dict(path="none")), (octagon.save, dict(path="none")), (octagon.export, dict(format="domain", path="none")),
         (octagon.partner, dict(side=0)), (octagon.point, dict(tile=0, x=0, y=0)), (octagon.centre, dict(tile=0)),
         (octagon.element, dict(word=[0])), (octagon.dirichlet_domain, dict(p=0)), (octagon.reduced, dict(word=[0])),
