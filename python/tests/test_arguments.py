@@ -127,8 +127,8 @@ def test_every_wrong_argument_is_named(calls, tmp_path, monkeypatch):
     problems = []
     for function, right in calls:
         for name in right:
-            # A text is right for the name of a file and for a title, and no other number is.
-            for wrong in [Nonsense()] + ([10**30] if name in ("path", "title") else ["abc"]):
+            # A text is right for the name of a file, a title and a relation, and no other number is.
+            for wrong in [Nonsense()] + ([10**30] if name in ("path", "title", "relation") else ["abc"]):
                 try:
                     function(**{**right, name: wrong})
                     outcome = "returned"
