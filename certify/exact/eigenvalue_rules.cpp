@@ -213,8 +213,8 @@ class EigenvalueRules {
     for (std::size_t i = 0; i < document_.at_most.size(); ++i) {
       const auto& [in, count, coefficients] = document_.at_most[i];
       const TestFunction function(document_, coefficients);
-      const auto margin = [&](const Range& part) {
-        return (static_cast<long>(count) + 1) * function.squared_on(part) - of_at_most_[i][0];
+      const auto margin = [&, most = static_cast<long>(count)](const Range& part) {
+        return (most + 1) * function.squared_on(part) - of_at_most_[i][0];
       };
       expect_yes(is_positive(in, margin), i);
     }
@@ -229,10 +229,11 @@ class EigenvalueRules {
       const Interval rho(in[1]);
       const Interval sum = in[0] == 0 ? rho * f[0] - f[1] : (rho + sigma) * f[1] - f[2] - rho * sigma * f[0];
       const TestFunction function(document_, coefficients);
-      const auto margin = [&](const Range& part) {
+      const bool from_zero = in[0] == 0;
+      const auto margin = [&, least = static_cast<long>(count)](const Range& part) {
         const Interval lambda = hull(Interval(part[0]), Interval(part[1]));
-        const Interval weight = in[0] == 0 ? rho - lambda : (rho - lambda) * (lambda - sigma);
-        return sum - (static_cast<long>(count) - 1) * weight * function.squared_on(part);
+        const Interval weight = from_zero ? rho - lambda : (rho - lambda) * (lambda - sigma);
+        return sum - (least - 1) * weight * function.squared_on(part);
       };
       expect_yes(is_positive(within, margin), i);
     }

@@ -136,7 +136,7 @@ class Loops {
     Index dart;  ///< From the parent.
   };
 
-  void prepare(const Interval& bound);
+  void prepare(const Interval& reach);
   void find_at(Index first);
   void join_all();
   /// |n − zd|² for the point z of v.

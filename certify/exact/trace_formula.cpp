@@ -66,9 +66,7 @@ std::vector<Interval> by_powers(const Coefficients& coefficients) {
     t = std::move(next);
     next = std::move(after);
   }
-  std::vector<Interval> result;
-  for (const mpq_class& x : sum) result.emplace_back(x);
-  return result;
+  return {sum.begin(), sum.end()};
 }
 
 /// a_0, …, a_2K with (Σ c_k cos kx)² = Σ a_m cos mx.
@@ -81,9 +79,7 @@ std::vector<Interval> squared(const Coefficients& coefficients) {
       sum[std::max(j, k) - std::min(j, k)] += half;
     }
   }
-  std::vector<Interval> result;
-  for (const mpq_class& x : sum) result.emplace_back(x);
-  return result;
+  return {sum.begin(), sum.end()};
 }
 
 /// ¼ G − G″/δ², of a polynomial of u/δ.

@@ -49,10 +49,10 @@ std::optional<std::string> certainly_more(const Bounds& some, const char* name, 
 
 std::optional<std::string> certain_difference(const certify::GeodesicsDocument& first,
                                               const certify::GeodesicsDocument& second) {
-  const Bounds some(first);
-  const Bounds others(second);
-  const auto found = certainly_more(some, "the first surface", others, "the second one", second.up_to);
-  return found ? found : certainly_more(others, "the second surface", some, "the first one", first.up_to);
+  const Bounds of_first(first);
+  const Bounds of_second(second);
+  const auto found = certainly_more(of_first, "the first surface", of_second, "the second one", second.up_to);
+  return found ? found : certainly_more(of_second, "the second surface", of_first, "the first one", first.up_to);
 }
 
 }  // namespace epsnet

@@ -170,6 +170,7 @@ class CurveSystem::Exploration {
     const Isometry<Number> frame = lifts_[number].frame;
     const std::vector<Vector>& corners = system_.corners_[tile];
     std::vector<Vector> ends;
+    ends.reserve(corners.size());
     for (const Vector& corner : corners) ends.push_back(image(frame, corner));
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const double key = height_of(ends[k], ends[(k + 1) % ends.size()], corners[k], corners[(k + 1) % ends.size()]);

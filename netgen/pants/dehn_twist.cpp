@@ -155,6 +155,7 @@ class TwistedTiles {
     for (const std::vector<Corner>& corners : corners_) {
       first_triangle.push_back(static_cast<std::uint32_t>(tiles.size()));
       std::vector<Complex<Rational>> at;
+      at.reserve(corners.size());
       for (const Corner& c : corners) at.push_back(c.exact(points[c.vertex]));
       for (std::size_t k = 1; k + 1 < at.size(); ++k) tiles.push_back({at[0], at[k], at[k + 1]});
     }
@@ -188,10 +189,16 @@ class TwistedTiles {
 
   [[nodiscard]] Vector at(const Corner& c) const { return image(c.isometry, points_[c.vertex]); }
 
+  [[nodiscard]] std::vector<Vector> at(const std::vector<Corner>& corners) const {
+    std::vector<Vector> result;
+    result.reserve(corners.size());
+    for (const Corner& c : corners) result.push_back(at(c));
+    return result;
+  }
+
   [[nodiscard]] bool is_oriented() const {
     for (const std::vector<Corner>& corners : corners_) {
-      std::vector<Vector> positions;
-      for (const Corner& c : corners) positions.push_back(at(c));
+      const std::vector<Vector> positions = at(corners);
       for (std::size_t k = 1; k + 1 < positions.size(); ++k) {
         const Number volume = lorentz_product(lorentz_cross(positions[0], positions[k]), positions[k + 1]);
         if (!(volume > boost::multiprecision::ldexp(Number(1), -60))) return false;
@@ -204,8 +211,7 @@ class TwistedTiles {
   void pull() {
     std::vector<Vector> sums = points_;
     for (const std::vector<Corner>& corners : corners_) {
-      std::vector<Vector> positions;
-      for (const Corner& c : corners) positions.push_back(at(c));
+      const std::vector<Vector> positions = at(corners);
       const auto join = [&](std::size_t i, std::size_t j, const Number& weight) {
         for (const auto& [a, b] : {std::pair(i, j), std::pair(j, i)}) {
           sums[corners[a].vertex] =

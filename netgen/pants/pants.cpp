@@ -196,6 +196,7 @@ Pieces assembled(const Surface& surface, const CurveSystem& system, const std::v
     }
   }
   std::vector<std::pair<std::uint32_t, std::uint32_t>> nodes;
+  nodes.reserve(order.size());
   for (const std::uint32_t c : order) nodes.emplace_back(beside[c][0].pants, beside[c][1].pants);
   PantsGraph graph(nodes);
   // By pants and cuff of the graph: the side of a curve.

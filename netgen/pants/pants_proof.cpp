@@ -50,7 +50,7 @@ class Values {
 };
 
 /// The one of ±f with Re a > 0, if that is certain.
-std::optional<BallIsometry> positive(BallIsometry f) {
+std::optional<BallIsometry> positive(const BallIsometry& f) {
   const int sign = certify::certain_sign(real_part(f));
   if (sign == 0) return std::nullopt;
   return sign > 0 ? f : BallIsometry{-f.a, -f.b};

@@ -68,7 +68,8 @@ std::optional<int> order_of_elliptic(const ExactIsometry& f) {
   if (square.get_den() != 1) return std::nullopt;
   constexpr std::array<int, 4> kOrders{2, 3, 4, 6};
   const mpz_class& value = square.get_num();
-  return value >= 0 && value < 4 ? std::optional(kOrders.at(value.get_ui())) : std::nullopt;
+  if (sgn(value) < 0 || cmp(value, 3) > 0) return std::nullopt;
+  return kOrders.at(value.get_ui());
 }
 
 /// What is known about a group: its elements are looked at as they are found.

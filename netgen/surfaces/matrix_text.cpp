@@ -88,9 +88,9 @@ class MatrixReader {
   Isometry<Rational> isometry(std::size_t k) const {
     const std::vector<Rational>& e = entries_[k];
     // z ↦ (z − i)/(z + i) takes the half-plane to the disk.
-    const Isometry<Rational> f = result_.model == MatrixModel::su11
-                                     ? Isometry<Rational>{{e[0], e[1]}, {e[2], e[3]}}
-                                     : Isometry<Rational>{{e[0] + e[3], e[1] - e[2]}, {e[0] - e[3], -e[1] - e[2]}};
+    Isometry<Rational> f = result_.model == MatrixModel::su11
+                               ? Isometry<Rational>{{e[0], e[1]}, {e[2], e[3]}}
+                               : Isometry<Rational>{{e[0] + e[3], e[1] - e[2]}, {e[0] - e[3], -e[1] - e[2]}};
     if (f.determinant() <= 0) {
       fail("generator " + std::to_string(k + 1) +
            ": the determinant is not positive, so it is no isometry of the plane" + " that preserves the orientation");
@@ -139,6 +139,7 @@ class MatrixReader {
           is_number ? read_letter_number(words[i]) : read_letters(words[i]);
       } else if (words.size() == 4) {
         std::vector<Rational> entries;
+        entries.reserve(words.size());
         for (const std::string& word : words) entries.push_back(number(word, place));
         add(std::move(entries));
       } else {

@@ -132,6 +132,7 @@ Numeric nudge(std::size_t direction, const Mp256& size) {
 std::vector<ExactIsometry> rational_solution(const std::vector<Numeric>& generators, const SurfaceRelation& relation,
                                              unsigned bits) {
   std::vector<ExactIsometry> result;
+  result.reserve(generators.size());
   for (const Numeric& f : generators) result.push_back(rounded_to(f, bits));
   const Split parts = split(relation);
   // Traces of u and v are those of yA and yB⁻¹.
