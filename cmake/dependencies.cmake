@@ -48,7 +48,11 @@ if(NOT epsnet_is_shared)
     epsnet_import(FLINT::FLINT arb.h flint-arb flint MPFR::MPFR)
   endif()
 
-  foreach(package Threads TBB)
+  set(packages Threads TBB)
+  if(EMSCRIPTEN)
+    set(packages Threads)  # One thread: netgen/nets/pipeline.h.
+  endif()
+  foreach(package ${packages})
     find_package(${package} QUIET)
     if(NOT ${package}_FOUND)
       list(APPEND epsnet_missing ${package})

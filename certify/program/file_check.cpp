@@ -177,7 +177,7 @@ FileReport check_bytes(const Request& request, const std::string& path) {
   }
   Progress progress;
   CheckOptions options = request.options;
-  options.progress = [&](std::string_view rule, double share) { progress.show(rule, share); };
+  if (!options.progress) options.progress = [&](std::string_view rule, double share) { progress.show(rule, share); };
   report.certificate = check(document, options);
   report.is_claim = report.certificate.verdict != Verdict::malformed;
   if (!report.is_claim) {
@@ -188,7 +188,7 @@ FileReport check_bytes(const Request& request, const std::string& path) {
   const AnyClaim claim(document);
   const NetDocument& net = claim.net();
   if (kept && (request.exact || net.triangles.size() <= kTrianglesCheckedTwice)) {
-    progress.show("second checker", 0);
+    options.progress("second checker", 0);
     if (is_compact(bytes)) {
       std::ostringstream text;
       write_file(net, text);

@@ -7,8 +7,8 @@
 
 namespace epsnet::certify::program {
 
-/// Reads a file once and has both checkers check its bytes. Shows how far it is on a terminal. A fault of this program
-/// is reported and no verdict.
+/// Reads a file once and has both checkers check its bytes. Shows how far it is on a terminal, unless the options say
+/// who is told. A fault of this program is reported and no verdict.
 [[nodiscard]] FileReport check_file(const Request& request, const std::string& path);
 
 }  // namespace epsnet::certify::program

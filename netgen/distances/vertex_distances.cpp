@@ -10,7 +10,6 @@
 #include <numeric>
 #include <optional>
 #include <string>
-#include <thread>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
@@ -447,8 +446,7 @@ class TableMaker {
   template <class T>
   std::vector<Chunk> make(const std::vector<Chunk>& chunks) {
     const Labels<T> labels(searched_.net, surface_);
-    const unsigned threads =
-        options_.threads != 0 ? options_.threads : std::max(std::thread::hardware_concurrency(), 1U);
+    const unsigned threads = certify::thread_count(options_.threads);
     std::vector<std::optional<Search<T>>> searches(std::min<std::size_t>(threads, chunks.size()));
     std::vector<char> failed(chunks.size(), 0);
     std::atomic<std::size_t> rows_done = table_.from.size();

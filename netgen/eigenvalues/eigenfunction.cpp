@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <thread>
 #include <utility>
 
 #include "certify/base/text.h"
@@ -12,6 +11,7 @@
 #include "certify/claims/eigenvalues/near_vertices.h"
 #include "certify/net/label_evaluator.h"
 #include "certify/net/surface_check.h"
+#include "certify/numbers/parallel.h"
 
 namespace epsnet {
 namespace {
@@ -102,7 +102,7 @@ std::vector<std::pair<double, Vector>> eigenvectors(std::vector<Vector> matrix) 
 EigenfunctionSearch::EigenfunctionSearch(const certify::EigenvaluesDocument& document, unsigned threads,
                                          Progress progress)
     : document_(document),
-      threads_(threads != 0 ? threads : std::max(std::thread::hardware_concurrency(), 1U)),
+      threads_(certify::thread_count(threads)),
       progress_(std::move(progress)),
       epsilon_(certify::decimal(document.net.epsilon).get_d()),
       radius_(1.3 * epsilon_),

@@ -9,7 +9,6 @@
 #include <sstream>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -73,9 +72,7 @@ class Search {
     if (options_.progress) options_.progress(what, share);
   }
 
-  [[nodiscard]] unsigned threads() const {
-    return options_.threads != 0 ? options_.threads : std::max(std::thread::hardware_concurrency(), 1U);
-  }
+  [[nodiscard]] unsigned threads() const { return certify::thread_count(options_.threads); }
   [[nodiscard]] Triangulation& triangulation() { return triangulation_; }
   /// The loop edges that name collars.
   [[nodiscard]] const std::vector<ReturnPath>& loops() const { return loops_; }

@@ -6,7 +6,6 @@
 #include <limits>
 #include <map>
 #include <string_view>
-#include <thread>
 #include <utility>
 
 #include "certify/base/decimals.h"
@@ -274,16 +273,12 @@ struct Source {
   }
 };
 
-unsigned thread_count(const IsometryOptions& options) {
-  return options.threads != 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1U);
-}
-
 /// All matches of a pair on a surface, in the order of its closed geodesics.
 std::vector<Match> all_matches(const LiftedTiles& tiles, const certify::GeodesicsDocument& geodesics, const Pair& pair,
                                const IsometryOptions& options) {
   const std::vector<Line> all = lines(tiles, geodesics);
   std::vector<std::vector<Match>> found(all.size());
-  certify::for_each_parallel(all.size(), thread_count(options), [&](unsigned worker, std::size_t i) {
+  certify::for_each_parallel(all.size(), certify::thread_count(options.threads), [&](unsigned worker, std::size_t i) {
     found[i] = matches(tiles, all[i], pair);
     if (worker == 0 && options.progress) {
       options.progress("comparing geodesics", static_cast<double>(i) / static_cast<double>(all.size()));
@@ -504,7 +499,7 @@ IsometryGroup isometries(const Surface& surface, const IsometryOptions& options)
 
   for (const Motion<Number>& f : generators) group.generators_.push_back(*classes->find(f, false));
   group.isometries_.resize(classes->size());
-  certify::for_each_parallel(classes->size(), thread_count(options), [&](unsigned, std::size_t i) {
+  certify::for_each_parallel(classes->size(), certify::thread_count(options.threads), [&](unsigned, std::size_t i) {
     group.isometries_[i] =
         *surface_isometry(source.generators, tiles, classes->motion_of(static_cast<std::uint32_t>(i)));
   });

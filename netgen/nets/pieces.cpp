@@ -5,38 +5,18 @@
 #include <bit>
 #include <cassert>
 #include <cstddef>
-#include <oneapi/tbb/concurrent_queue.h>
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/parallel_pipeline.h>
-#include <oneapi/tbb/task_arena.h>
 #include <thread>
 #include <utility>
 
+#include "netgen/nets/pipeline.h"
 #include "netgen/nets/triangle_list.h"
 #include "triangulation/mesh/circumcentre.h"
 #include "triangulation/mesh/editor.h"
 #include "triangulation/mesh/local_insertion.h"
 #include "triangulation/surface/known_labels.h"
 
-#ifdef EPSNET_THREAD_SANITIZER
-#include <sanitizer/tsan_interface.h>
-#endif
-
 namespace epsnet {
 namespace {
-
-namespace tbb = oneapi::tbb;
-
-// The thread sanitizer does not see inside oneTBB and must be told the order of events: everything that a thread did
-// before it passed an object on happens before what the receiving thread does.
-#ifdef EPSNET_THREAD_SANITIZER
-void receive(void* something) { __tsan_acquire(something); }
-void hand_on(void* something) { __tsan_release(something); }
-#else
-void receive(void* /*something*/) {}
-void hand_on(void* /*something*/) {}
-#endif
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
@@ -343,27 +323,17 @@ class PieceRefinement {
         lists[piece].push_back(triangle);
       }
     }
-    const int threads =
-        options_.threads == 0 ? tbb::this_task_arena::max_concurrency() : static_cast<int>(options_.threads);
+    const int threads = options_.threads == 0 ? threads_here() : static_cast<int>(options_.threads);
     const auto tokens = 3 * static_cast<std::size_t>(threads);
     const std::thread::id caller = std::this_thread::get_id();
-    tbb::enumerable_thread_specific<KnownLabels> labels([this] { return KnownLabels(triangulation_.atlas()); });
+    ForEachThread<KnownLabels> labels([this] { return KnownLabels(triangulation_.atlas()); });
     std::vector<Piece> memory(tokens);
-    tbb::concurrent_queue<Piece*> idle;
+    SharedQueue<Piece*> idle;
     for (Piece& piece : memory) {
       idle.push(&piece);
       hand_on(&piece);
     }
     hand_on(&mesh_);
-    std::uint32_t next_piece = 0;
-    hand_on(&next_piece);
-    const auto choose = [&](tbb::flow_control& flow) {
-      receive(&next_piece);
-      if (next_piece == seeds.size()) flow.stop();
-      const std::uint32_t k = next_piece++;
-      hand_on(&next_piece);
-      return k;
-    };
     const Whole whole(mesh_);
     const auto refine = [&](std::uint32_t k) {
       Piece* piece = nullptr;
@@ -404,10 +374,7 @@ class PieceRefinement {
       hand_on(&idle);
       idle.push(piece);
     };
-    tbb::parallel_pipeline(tokens, tbb::make_filter<void, std::uint32_t>(tbb::filter_mode::serial_in_order, choose) &
-                                       tbb::make_filter<std::uint32_t, Piece*>(tbb::filter_mode::parallel, refine) &
-                                       tbb::make_filter<Piece*, Piece*>(tbb::filter_mode::serial_in_order, number) &
-                                       tbb::make_filter<Piece*, void>(tbb::filter_mode::parallel, give_back));
+    pipeline<Piece*>(static_cast<std::uint32_t>(seeds.size()), tokens, refine, number, give_back);
     receive(&mesh_);
     receive(&idle);
     std::erase_if(pending, [&](TriangleId t) { return !mesh_.triangles[t].marked(); });
@@ -441,10 +408,7 @@ PieceResult refine_in_pieces(Triangulation& triangulation, std::vector<TriangleI
   assert(std::ranges::all_of(pending, [&](TriangleId t) { return triangulation.triangle(t).marked(); }));
   PieceRefinement refinement(triangulation, apart, large, options);
   if (options.threads == 0) return refinement.run(std::move(pending));
-  // As many threads as requested, even on fewer cores.
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, options.threads);
-  tbb::task_arena arena(static_cast<int>(options.threads));
-  return arena.execute([&] { return refinement.run(std::move(pending)); });
+  return with_threads(options.threads, [&] { return refinement.run(std::move(pending)); });
 }
 
 }  // namespace epsnet

@@ -21,11 +21,12 @@ Surface::Data Surface::checked(std::vector<Tile> tiles, std::vector<Gluing> glui
   polygons.check_vertices();
   polygons.check_convex();
   polygons.check_lengths();
-  // Angles take as long as all crossings: side by side with them where there are many.
+  // Angles take as long as all crossings: side by side with them where there are many, and threads.
   constexpr std::size_t kMany = 100;
   const std::vector<std::uint32_t>& partner = polygons.sides().partner;
-  std::future<void> angles = std::async(partner.size() > kMany ? std::launch::async : std::launch::deferred,
-                                        [&polygons] { polygons.check_angles(); });
+  std::future<void> angles =
+      std::async(partner.size() > kMany ? std::launch::async | std::launch::deferred : std::launch::deferred,
+                 [&polygons] { polygons.check_angles(); });
   const std::vector<ScaledPoint>& points = polygons.points();
   data.crossing.resize(partner.size());
   for (std::uint32_t s = 0; s < data.crossing.size(); ++s) {

@@ -1,0 +1,530 @@
+#include "wasm/binding/requests.h"
+
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <limits>
+#include <map>
+#include <new>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "certify/base/fault.h"
+#include "certify/base/text.h"
+#include "certify/check.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+#include "certify/program/file_check.h"
+#include "certify/program/output.h"
+#include "netgen/base/gmp.h"
+#include "netgen/base/length.h"
+#include "netgen/distances/bound.h"
+#include "netgen/distances/distance.h"
+#include "netgen/distances/vertex_distances.h"
+#include "netgen/eigenvalues/eigenvalues.h"
+#include "netgen/exchange/exchange.h"
+#include "netgen/geodesics/geodesics.h"
+#include "netgen/lifts/info.h"
+#include "netgen/lifts/locate.h"
+#include "netgen/nets/certified_net.h"
+#include "netgen/nets/dirichlet_polygon.h"
+#include "netgen/pictures/draw.h"
+#include "netgen/pictures/eigenvalues_picture.h"
+#include "netgen/pictures/polygon.h"
+#include "netgen/pictures/viewer.h"
+#include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/named_maps.h"
+#include "netgen/surfaces/octagon.h"
+#include "netgen/surfaces/surface_file.h"
+
+namespace epsnet::wasm {
+namespace {
+
+using certify::ClaimDocument;
+using certify::NetDocument;
+
+/// The name of a file of a request in messages, and the path at which the checker reads it.
+constexpr const char* kFile = "file";
+
+std::string text_of(const ClaimDocument& document) {
+  std::ostringstream out;
+  std::visit([&](const auto& one) { certify::write_file(one, out); }, document);
+  return std::move(out).str();
+}
+
+std::string text_of(const Surface& surface) {
+  std::ostringstream out;
+  certify::write_file(to_document(surface), out);
+  return std::move(out).str();
+}
+
+/// One request: its members, by kind, each with an error that names it.
+class Members {
+ public:
+  explicit Members(const Request& request) : request_(request), object_(request.what) {}
+  Members(const Request& request, const Json& object) : request_(request), object_(object) {}
+
+  [[nodiscard]] bool has(const char* name) const { return object_.contains(name); }
+  [[nodiscard]] const Json& at(const char* name) const {
+    const auto found = object_.find(name);
+    if (found == object_.end()) throw std::invalid_argument(std::string(name) + ": missing");
+    return *found;
+  }
+  template <class T>
+  [[nodiscard]] T get(const char* name) const {
+    return as<T>(at(name), name);
+  }
+  template <class T>
+  [[nodiscard]] T get(const char* name, T otherwise) const {
+    return has(name) ? get<T>(name) : otherwise;
+  }
+  [[nodiscard]] Members member(const char* name) const {
+    if (!at(name).is_object()) throw std::invalid_argument(std::string(name) + ": expected an object");
+    return {request_, at(name)};
+  }
+  /// A length as it is written, "0.1", or a number.
+  [[nodiscard]] Length length(const char* name) const {
+    const Json& value = at(name);
+    if (value.is_number()) return Length(value.get<double>());
+    return Length(get<std::string>(name));
+  }
+  /// The bytes of a file that the member has the number of.
+  [[nodiscard]] const std::string& file(const char* name) const {
+    const auto number = get<std::size_t>(name);
+    if (number >= request_.files.size()) throw std::invalid_argument(std::string(name) + ": there is no such file");
+    return request_.files[number];
+  }
+
+ private:
+  template <class T>
+  [[nodiscard]] static T as(const Json& value, const char* name) {
+    try {
+      if constexpr (std::is_unsigned_v<T> && !std::is_same_v<T, bool>) {
+        if (!value.is_number_unsigned()) throw std::invalid_argument(std::string(name) + ": expected a number >= 0");
+        if (value.get<std::uint64_t>() > std::numeric_limits<T>::max()) {
+          throw std::invalid_argument(std::string(name) + ": the number is too large");
+        }
+      }
+      return value.get<T>();
+    } catch (const Json::exception&) {
+      throw std::invalid_argument(std::string(name) + ": a value of this kind was not expected");
+    }
+  }
+
+  const Request& request_;
+  const Json& object_;
+};
+
+Surface surface_of_file(const std::string& bytes, const std::string& name) {
+  const std::size_t start = bytes.find_first_not_of(" \t\r\n");
+  const bool ours = certify::is_utf8(bytes.substr(0, 1)) && start != std::string::npos && bytes[start] == '{';
+  const bool compact = !certify::is_utf8(bytes.substr(0, 4096)) || bytes.find('\0') < 64;
+  return ours || compact ? parse_surface_file(bytes, name) : import_surface(bytes, name);
+}
+
+/// The surface of a request: an object with one member, which names a way to make it.
+Surface surface_of(const Members& members) {
+  const Members recipe = members.member("surface");
+  if (recipe.has("octagon")) {
+    const auto seed = recipe.get<std::int64_t>("octagon");
+    if (seed < std::numeric_limits<std::int32_t>::min() || seed > std::numeric_limits<std::int32_t>::max()) {
+      throw std::invalid_argument("octagon: the seed is not a number of 32 bits");
+    }
+    return random_octagon(static_cast<std::int32_t>(seed));
+  }
+  if (recipe.has("named")) return named_surface(recipe.get<std::string>("named"));
+  if (recipe.has("regular")) return Surface::regular(recipe.get<std::uint32_t>("regular"));
+  if (recipe.has("fenchel_nielsen")) {
+    return fenchel_nielsen_surface(resolve(parse_fenchel_nielsen(recipe.at("fenchel_nielsen").dump())));
+  }
+  if (recipe.has("map")) return surface_of_map(parse_map(recipe.at("map").dump()));
+  if (recipe.has("file")) return surface_of_file(recipe.file("file"), recipe.get<std::string>("name", kFile));
+  throw std::invalid_argument("surface: expected octagon, named, regular, fenchel_nielsen, map or file");
+}
+
+NetDocument net_of(const Members& members) {
+  return certify::parse_file<NetDocument>(members.file("net"), kFile);
+}
+
+// Certificates. They are those of the program `certify`, made by its code from the bytes of the file.
+
+struct CheckRequest {
+  std::string name = kFile;  ///< Of the file in the certificate.
+  bool exact = false;        ///< Ask the second checker about files of any size.
+  bool unlimited = false;    ///< For what was made here.
+};
+
+certify::program::FileReport check(const std::string& bytes, const CheckRequest& how, const Progress& progress) {
+  std::FILE* file = std::fopen(kFile, "wb");
+  const bool written = file != nullptr && std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+  if (file == nullptr || std::fclose(file) != 0 || !written) throw std::bad_alloc();
+  certify::program::Request request;
+  request.exact = how.exact;
+  request.options.threads = 1;
+  request.options.progress = progress;
+  if (how.unlimited) request.options.max_work = std::numeric_limits<std::uint64_t>::max();
+  certify::program::FileReport report = certify::program::check_file(request, kFile);
+  std::remove(kFile);
+  report.path = how.name;
+  report.name = certify::display_name(how.name);
+  return report;
+}
+
+/// The JSON of `certify --json` without the end of its line, and its text with the verdict.
+std::string json_of(const certify::program::FileReport& report) {
+  std::string json = as_json(report);
+  json.pop_back();
+  return json;
+}
+
+std::string text_of(const certify::program::FileReport& report) {
+  const bool malformed = report.error.empty() && report.certificate.verdict == certify::Verdict::malformed;
+  return as_text(report) + verdict_line(report, malformed ? report.name : "") + '\n';
+}
+
+/// {"certificate": …, MEMBERS}, with the file and the text of the certificate. Throws NetError unless it is verified.
+Answer proved(const ClaimDocument& document, Json members, const Progress& progress) {
+  std::string text = text_of(document);
+  const certify::program::FileReport report = check(text, {.unlimited = true}, progress);
+  if (exit_code(report) != certify::program::kExitVerified) {
+    throw NetError("not certified: " + (report.error.empty() ? verdict_line(report, "") : report.error));
+  }
+  std::string json = R"({"certificate": )" + json_of(report);
+  for (const auto& [name, value] : members.items()) json += ", " + Json(name).dump() + ": " + json_text(value);
+  return {json + "}", {std::move(text), text_of(report)}};
+}
+
+// Pictures.
+
+constexpr std::pair<const char*, Colouring> kColourings[] = {{"none", Colouring::none},
+                                                             {"circumradius", Colouring::circumradius},
+                                                             {"chart", Colouring::chart},
+                                                             {"distance", Colouring::values}};
+
+std::vector<double> distances_of_vertices(const NetDocument& net, std::uint32_t vertex) {
+  const DistanceTable table = distances_from(net, {vertex});
+  std::vector<double> result;
+  for (std::size_t v = 0; v < table.to.size(); ++v) result.push_back(table.distance(0, v));
+  return result;
+}
+
+/// The layers of the files that the member "layers" names: of closed geodesics and distances.
+std::vector<Layer> layers_of(const Members& members, const NetDocument& net, const Request& request) {
+  std::vector<Layer> layers;
+  for (const std::size_t number : members.get<std::vector<std::size_t>>("layers", {})) {
+    if (number >= request.files.size()) throw std::invalid_argument("layers: there is no such file");
+    const auto claim = certify::parse_file<ClaimDocument>(request.files[number], kFile);
+    if (const auto* distance = std::get_if<certify::DistanceDocument>(&claim)) {
+      layers.push_back(distance_layer(net, *distance));
+    } else if (const auto* geodesics = std::get_if<certify::GeodesicsDocument>(&claim)) {
+      for (Layer& layer : geodesics_layers(net, *geodesics)) layers.push_back(std::move(layer));
+    } else {
+      throw std::invalid_argument("layers: expected files of closed geodesics or of distances");
+    }
+  }
+  return layers;
+}
+
+std::string net_picture(const NetDocument& net, const Members& members, const Request& request) {
+  DrawOptions options;
+  options.size = members.get<std::uint32_t>("size", options.size);
+  if (options.size < 50 || options.size > 20000) throw std::invalid_argument("size: expected 50 to 20000 pixels");
+  options.centre = members.get<std::uint32_t>("centre", 0);
+  options.legend = members.get<bool>("legend", false);
+  const auto colour = members.get<std::string>("colour", "none");
+  bool known = false;
+  for (const auto& [name, colouring] : kColourings) {
+    if (colour != name) continue;
+    options.colouring = colouring;
+    known = true;
+  }
+  if (!known) throw std::invalid_argument("colour: expected none, circumradius, chart or distance");
+  if (members.has("show")) {
+    const std::map<std::string, bool*> what{{"triangles", &options.triangles},
+                                            {"vertices", &options.vertices},
+                                            {"dirichlet", &options.dirichlet},
+                                            {"combinatorial-dirichlet", &options.combinatorial_dirichlet},
+                                            {"disks", &options.covering_disks},
+                                            {"half-disks", &options.packing_disks}};
+    for (const auto& [name, shown] : what) *shown = false;
+    for (const auto& name : members.get<std::vector<std::string>>("show")) {
+      if (name == "tiles") {
+        options.layers.push_back(tile_layer(net));
+        continue;
+      }
+      const auto shown = what.find(name);
+      if (shown == what.end()) throw std::invalid_argument("show: there is no " + certify::in_quotes(name));
+      *shown->second = true;
+    }
+  }
+  for (Layer& layer : collar_layers(net)) options.layers.push_back(std::move(layer));
+  for (Layer& layer : layers_of(members, net, request)) options.layers.push_back(std::move(layer));
+  if (options.colouring == Colouring::values) {
+    options.values = distances_of_vertices(net, options.centre);
+    options.values_name = "distance";
+  }
+  return draw_svg(net, options);
+}
+
+std::string picture(const Members& members, const Request& request) {
+  if (members.has("surface")) return draw_svg(picture_of(surface_of(members)), members.get<std::uint32_t>("size", 1000));
+  const auto claim = certify::parse_file<ClaimDocument>(members.file("file"), kFile);
+  return std::visit(
+      [&](const auto& document) {
+        if constexpr (requires { picture_of(document); }) {
+          return draw_svg(picture_of(document), members.get<std::uint32_t>("size", 1000));
+        } else if constexpr (requires { document.net; }) {
+          return net_picture(document.net, members, request);
+        } else {
+          return net_picture(document, members, request);
+        }
+      },
+      claim);
+}
+
+// Points: {"tile": T, "z": ["x", "y"]}, {"vertex": V} or {"triangle": T, "weights": [a, b, c]} of the net of the request.
+
+Rational rational(const Json& value, const char* name) {
+  const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+  const auto number = certify::parse_decimal(text);
+  if (!number) throw std::invalid_argument(std::string(name) + ": " + certify::in_quotes(text) + " is not a number");
+  return Rational(number->get_mpq_t());
+}
+
+BasePoint point_of(const Members& members, const char* name, const Surface& surface) {
+  const Members point = members.member(name);
+  if (point.has("vertex")) return point_of_vertex(surface, net_of(members), point.get<std::uint32_t>("vertex"));
+  if (point.has("triangle")) {
+    const Json& weights = point.at("weights");
+    if (!weights.is_array() || weights.size() != 3) throw std::invalid_argument("weights: expected three numbers");
+    return point_of_triangle(
+        surface, net_of(members), point.get<std::uint32_t>("triangle"),
+        {rational(weights[0], "weights"), rational(weights[1], "weights"), rational(weights[2], "weights")});
+  }
+  const auto tile = point.get<std::uint32_t>("tile");
+  if (!point.has("z")) return centre_of_tile(surface, tile);
+  const Json& z = point.at("z");
+  if (!z.is_array() || z.size() != 2) throw std::invalid_argument("z: expected two numbers");
+  return {tile, {rational(z[0], "z"), rational(z[1], "z")}};
+}
+
+Json point_json(const BasePoint& point) {
+  return Json::object({{"tile", point.tile}, {"z", Json::array({point.z.x.str(), point.z.y.str()})}});
+}
+
+// The requests.
+
+Answer about_surface(const Members& members) {
+  const Surface surface = surface_of(members);
+  return {json_text(surface_info(surface).json), {text_of(surface)}};
+}
+
+Answer make_net(const Members& members, const Progress& progress) {
+  NetOptions options;
+  options.threads = 1;
+  options.progress = progress;
+  options.pseudo = members.get<bool>("pseudo", false);
+  options.sparse = members.get<bool>("sparse", false);
+  const Surface surface = surface_of(members);
+  if (members.has("base")) options.base = point_of(members, "base", surface);
+  const UncertifiedNet net = compute_net(surface, members.length("epsilon"), options);
+  return proved(net.net, Json::object({{"info", net_info(net.net).json}}), progress);
+}
+
+Answer check_file(const Members& members, const Progress& progress) {
+  const certify::program::FileReport report =
+      check(members.file("file"), {members.get<std::string>("name", kFile), members.get<bool>("exact", false)}, progress);
+  return {json_of(report), {text_of(report)}};
+}
+
+Answer find_geodesics(const Members& members, const Progress& progress) {
+  GeodesicsOptions options{.threads = 1, .progress = progress};
+  const Surface surface = surface_of(members);
+  const auto what = members.get<std::string>("do");
+  const certify::GeodesicsDocument found = what == "systole"    ? systole(surface, options)
+                                           : what == "spectrum" ? spectrum(surface, members.length("up_to"), options)
+                                                                : thick_thin(surface, options);
+  Json list = Json::array();
+  for (const auto& geodesic : found.geodesics) {
+    list.push_back(Json::object({{"length", interval_json(geodesic.length)}, {"simple", geodesic.simple},
+                                 {"word", geodesic.word}}));
+  }
+  return proved(found, Json::object({{"geodesics", std::move(list)}}), progress);
+}
+
+Answer find_bound(const Members& members, const Progress& progress) {
+  const auto what = members.get<std::string>("do");
+  BoundOptions options;
+  options.width = members.get<double>("width", what == "radius" ? 1e-2 : 1e-6);
+  options.progress = progress;
+  const Surface surface = surface_of(members);
+  const certify::BoundDocument found = what == "diameter" ? diameter(surface, options)
+                                       : what == "radius" ? radius(surface, options)
+                                                          : largest_embedded_disk(surface, options);
+  return proved(found, Json::object({{"value", interval_json(found.value)}}), progress);
+}
+
+Answer measure_distance(const Members& members, const Progress& progress) {
+  const Surface surface = surface_of(members);
+  const BasePoint p = point_of(members, "p", surface);
+  const BasePoint q = point_of(members, "q", surface);
+  const certify::DistanceDocument found = distance(surface, p, q);
+  return proved(found,
+                Json::object({{"value", interval_json(found.distance)},
+                              {"equal", found.equal},
+                              {"paths", found.paths},
+                              {"p", point_json(p)},
+                              {"q", point_json(q)}}),
+                progress);
+}
+
+Answer find_eigenvalues(const Members& members, const Progress& progress) {
+  EigenvaluesOptions options;
+  if (members.has("up_to")) options.up_to = members.length("up_to");
+  options.count = members.get<std::uint32_t>("count", 0);
+  options.eigenfunctions = !members.get<bool>("fast", false);
+  options.threads = 1;
+  options.progress = progress;
+  const certify::EigenvaluesDocument found = eigenvalues(surface_of(members), options);
+  Json windows = Json::array();
+  for (const auto& window : found.windows) {
+    windows.push_back(Json::object({{"in", interval_json(window.in)},
+                                    {"least", window.least},
+                                    {"most", window.most},
+                                    {"smallest", interval_json(window.smallest)},
+                                    {"greatest", interval_json(window.greatest)}}));
+  }
+  return proved(found, Json::object({{"windows", std::move(windows)}, {"eigenvalues_up_to", found.eigenvalues_up_to}}),
+                progress);
+}
+
+Answer draw(const Members& members, const Request& request) { return {"{}", {picture(members, request)}}; }
+
+Answer make_page(const Members& members, const Request& request, const Progress& progress) {
+  const NetDocument net = net_of(members);
+  certify::CheckOptions check_options;
+  check_options.threads = 1;
+  check_options.progress = progress;
+  ViewerOptions options{.title = members.get<std::string>("title", ""),
+                        .certificate = certify::check(net, check_options),
+                        .layers = standard_layers(net)};
+  for (Layer& layer : layers_of(members, net, request)) options.layers.push_back(std::move(layer));
+  constexpr std::size_t kMostVerticesWithDistances = 100'000;  // As the program has it.
+  if (options.certificate->verdict == certify::Verdict::verified && net.vertices.size() <= kMostVerticesWithDistances) {
+    try {
+      options.distances = distances_of_vertices(net, 0);
+    } catch (const Error&) {  // The page does without.
+    }
+  }
+  return {"{}", {viewer_page(net, options)}};
+}
+
+Answer about_net(const Members& members) { return {json_text(net_info(net_of(members)).json)}; }
+
+Answer locate_point(const Members& members) {
+  const NetDocument net = net_of(members);
+  const Surface surface = from_document(net.surface);
+  const PointLocation found = Locator(net).locate(point_of(members, "point", surface));
+  constexpr const char* kPlaces[] = {"inside", "side", "corner"};
+  return {json_text(Json::object({{"place", kPlaces[static_cast<int>(found.place)]},
+                                  {"triangle", found.triangle},
+                                  {"number", found.number},
+                                  {"word", found.word},
+                                  {"weights", found.weights},
+                                  {"distances", found.distances},
+                                  {"nearest", net.triangles[found.triangle].vertex[found.nearest_corner()]}}))};
+}
+
+Answer resolve_coordinates(const Members& members) {
+  const FenchelNielsen found = resolve(parse_fenchel_nielsen(members.at("fenchel_nielsen").dump()));
+  Json edges = Json::array();
+  for (const PantsGraph::Edge& edge : found.graph.edges()) edges.push_back({edge[0].pants, edge[1].pants});
+  const auto texts = [](const std::vector<Rational>& numbers) {
+    Json result = Json::array();
+    for (const Rational& x : numbers) result.push_back(x.str());
+    return result;
+  };
+  return {json_text(Json::object({{"genus", found.graph.genus()},
+                                  {"edges", std::move(edges)},
+                                  {"lengths", texts(found.lengths)},
+                                  {"twists", texts(found.twists)}}))};
+}
+
+Answer list_names() {
+  Json names = Json::array();
+  for (const NamedSurface& surface : named_surfaces()) {
+    names.push_back(Json::object({{"name", surface.name}, {"description", surface.description}}));
+  }
+  return {json_text(Json::object({{"version", EPSNET_VERSION}, {"names", std::move(names)}}))};
+}
+
+Answer answer_or_throw(const Request& request, const Progress& progress) {
+  if (!request.what.is_object()) throw std::invalid_argument("the request is not a JSON object");
+  const Members members(request);
+  const std::map<std::string, std::function<Answer()>> requests{
+      {"about", [] { return list_names(); }},
+      {"surface", [&] { return about_surface(members); }},
+      {"coordinates", [&] { return resolve_coordinates(members); }},
+      {"net", [&] { return make_net(members, progress); }},
+      {"info", [&] { return about_net(members); }},
+      {"locate", [&] { return locate_point(members); }},
+      {"certify", [&] { return check_file(members, progress); }},
+      {"systole", [&] { return find_geodesics(members, progress); }},
+      {"spectrum", [&] { return find_geodesics(members, progress); }},
+      {"thick-thin", [&] { return find_geodesics(members, progress); }},
+      {"diameter", [&] { return find_bound(members, progress); }},
+      {"radius", [&] { return find_bound(members, progress); }},
+      {"embedded-disk", [&] { return find_bound(members, progress); }},
+      {"distance", [&] { return measure_distance(members, progress); }},
+      {"eigenvalues", [&] { return find_eigenvalues(members, progress); }},
+      {"svg", [&] { return draw(members, request); }},
+      {"page", [&] { return make_page(members, request, progress); }}};
+  const auto what = members.get<std::string>("do");
+  const auto found = requests.find(what);
+  if (found == requests.end()) throw std::invalid_argument("do: there is no request " + certify::in_quotes(what));
+  return found->second();
+}
+
+Answer failure(const char* kind, const std::string& message) {
+  return {json_text(Json::object({{"error", {{"kind", kind}, {"message", certify::printable(message)}}}}))};
+}
+
+}  // namespace
+
+Answer answer(const Request& request, const Progress& progress) {
+  try {
+    return answer_or_throw(request, progress);
+  } catch (const std::bad_alloc&) {
+    return failure("MemoryError", "not enough memory: a browser gives a page 4 GiB at most");
+  } catch (const SurfaceError& error) {
+    return failure("SurfaceError", error.what());
+  } catch (const FenchelNielsenRequestError& error) {
+    return failure("SurfaceError", error.what());
+  } catch (const PantsGraphError& error) {
+    return failure("SurfaceError", error.what());
+  } catch (const NetError& error) {
+    return failure("NetError", error.what());
+  } catch (const NetGeometryError& error) {
+    return failure("NetError", error.what());
+  } catch (const LimitError& error) {
+    return failure("LimitError", error.what());
+  } catch (const ExchangeError& error) {
+    return failure("FormatError", error.what());
+  } catch (const certify::MalformedError& error) {
+    return failure("FormatError", error.what());
+  } catch (const certify::Fault& fault) {
+    return failure("EpsnetError", fault.what());
+  } catch (const Error& error) {
+    return failure("EpsnetError", error.what());
+  } catch (const std::invalid_argument& error) {
+    return failure("ArgumentError", error.what());
+  } catch (const std::exception& error) {
+    return failure("EpsnetError", error.what());
+  }
+}
+
+}  // namespace epsnet::wasm

@@ -1,0 +1,174 @@
+/** ε-nets of closed hyperbolic surfaces, computed and proved. docs/wasm.md of epsnet describes this interface. */
+
+/** A number that is exact: a string such as "0.1" or "1/10". A number of JavaScript is taken by its shortest decimal. */
+export type Exact = string | number;
+/** The ends of an enclosure, rounded outward; null stands for infinity. */
+export type Interval = [number | null, number | null];
+/** The bytes of a file. */
+export type Bytes = Uint8Array | ArrayBuffer | string;
+export type Verdict = "VERIFIED" | "REFUTED" | "UNDECIDED" | "MALFORMED";
+
+/** What every request may be given. */
+export interface JobOptions {
+  /** Ends the computation, by ending the worker; the promise is rejected with the reason of the signal. */
+  signal?: AbortSignal;
+  /** Is told now and then what is being done, and the share that is done, from 0 to 1. */
+  progress?: (what: string, share: number) => void;
+}
+
+/** The object of `certify --json` (docs/exchange-formats.md), and the text that `certify` prints. */
+export interface Certificate {
+  /** Null if there is none: see `error`. */
+  verdict: Verdict | null;
+  file: string;
+  sha256?: string;
+  rule?: string;
+  message?: string;
+  error?: string;
+  second_checker?: { verdict: Verdict; rule: string; message: string } | null;
+  verified_by?: string[];
+  claim?: string;
+  rules?: { rule: string; verdict: Verdict; text: string }[];
+  counts?: Record<string, number>;
+  geodesics?: Record<string, number>;
+  enclosures?: Record<string, Interval>;
+  text: string;
+}
+
+/** "SurfaceError", "NetError", "LimitError", "FormatError", "ArgumentError", "MemoryError" or "EpsnetError". */
+export class EpsnetError extends Error {
+  kind: string;
+  constructor(kind: string, message: string);
+}
+
+/** A point: of a tile, with exact coordinates; the centre of a tile; a vertex of a net, or a point of one of its triangles. */
+export type Point =
+  | { tile: number; z?: [Exact, Exact] }
+  | { vertex: number }
+  | { triangle: number; weights: [Exact, Exact, Exact] };
+
+export interface PictureOptions {
+  /** Width and height in pixels. */
+  size?: number;
+  /** The vertex in the centre. */
+  centre?: number;
+  /** How the triangles of a net are filled. */
+  colour?: "none" | "circumradius" | "chart" | "distance";
+  legend?: boolean;
+  /** What is drawn of a net; by default triangles and vertices. */
+  show?: ("triangles" | "vertices" | "dirichlet" | "combinatorial-dirichlet" | "tiles" | "disks" | "half-disks")[];
+}
+
+/** A file that is verified, with its certificate. */
+export class ProvedFile {
+  readonly bytes: Uint8Array;
+  readonly text: string;
+  readonly certificate: Certificate;
+  svg(options?: PictureOptions & { layers?: ProvedFile[] } & JobOptions): Promise<string>;
+}
+export interface Geodesics extends ProvedFile {
+  readonly geodesics: { length: Interval; simple: boolean; word: number[] }[];
+}
+export interface Bound extends ProvedFile {
+  readonly value: Interval;
+}
+export interface Distance extends ProvedFile {
+  readonly value: Interval;
+  /** Whether all paths have exactly the same length. */
+  readonly equal: boolean;
+  readonly paths: number[][];
+  readonly p: { tile: number; z: [string, string] };
+  readonly q: { tile: number; z: [string, string] };
+}
+export interface Eigenvalues extends ProvedFile {
+  readonly windows: { in: Interval; least: number; most: number; smallest: Interval; greatest: Interval }[];
+  readonly eigenvalues_up_to: number;
+}
+/** A triangle of a net that contains a point. */
+export interface Location {
+  place: "inside" | "side" | "corner";
+  triangle: number;
+  number: number;
+  word: number[];
+  weights: [number, number, number];
+  distances: [number, number, number];
+  nearest: number;
+}
+
+/** An ε-net that is verified. */
+export class Net extends ProvedFile {
+  /** Facts, as of `epsnet info --json`. */
+  readonly info: Record<string, unknown>;
+  readonly surface: Surface;
+  page(options?: { title?: string; layers?: ProvedFile[] } & JobOptions): Promise<string>;
+  distance(p: Point, q: Point, options?: JobOptions): Promise<Distance>;
+  locate(point: Point, options?: JobOptions): Promise<Location>;
+}
+
+/** A closed hyperbolic surface: how it is made. Nothing is computed, and no error reported, before something is asked for. */
+export class Surface {
+  readonly recipe: object;
+  info(options?: JobOptions): Promise<Record<string, unknown>>;
+  file(options?: JobOptions): Promise<Uint8Array>;
+  svg(options?: { size?: number } & JobOptions): Promise<string>;
+  net(epsilon: Exact, options?: { pseudo?: boolean; sparse?: boolean; base?: Point } & JobOptions): Promise<Net>;
+  systole(options?: JobOptions): Promise<Geodesics>;
+  spectrum(upTo: Exact, options?: JobOptions): Promise<Geodesics>;
+  thickThin(options?: JobOptions): Promise<Geodesics>;
+  diameter(options?: { width?: number } & JobOptions): Promise<Bound>;
+  radius(options?: { width?: number } & JobOptions): Promise<Bound>;
+  embeddedDisk(options?: { width?: number } & JobOptions): Promise<Bound>;
+  distance(p: Point, q: Point, options?: JobOptions): Promise<Distance>;
+  eigenvalues(options?: { upTo?: Exact; count?: number; fast?: boolean } & JobOptions): Promise<Eigenvalues>;
+}
+
+export interface FenchelNielsen {
+  /** "chain", "ring", "tree", "random", or the edges, as "0-1 0-1 0-1". */
+  graph?: string;
+  genus?: number;
+  seed?: number;
+  lengths?: Exact[];
+  twists?: Exact[];
+}
+
+export function octagon(seed: number): Surface;
+export function named(name: string): Surface;
+export function regular(genus: number): Surface;
+export function fenchelNielsen(coordinates: FenchelNielsen): Surface;
+export function map(darts: { rotation: number[]; edges: number[] }): Surface;
+export function surfaceFromFile(data: Bytes, name?: string): Surface;
+export function coordinates(
+  request: FenchelNielsen,
+  options?: JobOptions,
+): Promise<{ genus: number; edges: [number, number][]; lengths: string[]; twists: string[] }>;
+/** What both checkers say; `json` is the line of `certify --json`. Never rejected for what is in the file. */
+export function certify(
+  data: Bytes,
+  options?: { name?: string; exact?: boolean } & JobOptions,
+): Promise<Certificate & { json: string }>;
+export function svg(data: Bytes, options?: PictureOptions & { layers?: Bytes[] } & JobOptions): Promise<string>;
+export function about(options?: JobOptions): Promise<{ version: string; names: { name: string; description: string }[] }>;
+/** Any request of docs/wasm.md. */
+export function ask(what: object, files?: Uint8Array[], options?: JobOptions): Promise<Record<string, unknown>>;
+/** Ends the worker, and with it what it computes. */
+export function close(): void;
+
+declare const epsnet: {
+  octagon: typeof octagon;
+  named: typeof named;
+  regular: typeof regular;
+  fenchelNielsen: typeof fenchelNielsen;
+  map: typeof map;
+  surfaceFromFile: typeof surfaceFromFile;
+  coordinates: typeof coordinates;
+  certify: typeof certify;
+  svg: typeof svg;
+  about: typeof about;
+  ask: typeof ask;
+  close: typeof close;
+  Surface: typeof Surface;
+  Net: typeof Net;
+  ProvedFile: typeof ProvedFile;
+  EpsnetError: typeof EpsnetError;
+};
+export default epsnet;

@@ -1,0 +1,275 @@
+// epsnet: ε-nets of closed hyperbolic surfaces, computed and proved. docs/wasm.md describes this interface, epsnet.d.ts its types.
+//
+// A surface is a recipe, a net and all else that is proved is the text of its file; a worker computes and keeps nothing. So a computation is
+// cancelled by ending the worker.
+
+/** What went wrong; `kind` is a name such as "SurfaceError". */
+export class EpsnetError extends Error {
+  constructor(kind, message) {
+    super(message);
+    this.name = "EpsnetError";
+    this.kind = kind;
+  }
+}
+
+const encoder = new TextEncoder();
+const decoder = new TextDecoder();
+
+// The worker.
+
+let worker = null;
+let current = null; // The job that the worker is at.
+let waiting = [];
+let lastId = 0;
+
+async function startWorker() {
+  const url = new URL("./worker.mjs", import.meta.url);
+  if (typeof process === "object" && process.versions?.node) {
+    const { Worker } = await import("node:worker_threads");
+    const started = new Worker(url);
+    started.on("message", receive.bind(null, started));
+    started.on("error", (error) => fail(started, error));
+    return { post: (message) => started.postMessage(message), end: () => started.terminate(), idle: () => started.unref(), busy: () => started.ref(), started };
+  }
+  const started = new Worker(url, { type: "module" });
+  started.onmessage = ({ data }) => receive(started, data);
+  started.onerror = (event) => fail(started, event);
+  return { post: (message) => started.postMessage(message), end: () => started.terminate(), idle() {}, busy() {}, started };
+}
+
+/** Takes the worker away; the next job gets a new one. */
+function endWorker() {
+  worker?.then((running) => running.end(), () => {});
+  worker = null;
+}
+
+async function next() {
+  if (current !== null || waiting.length === 0) return;
+  const job = (current = waiting.shift());
+  worker ??= startWorker();
+  try {
+    const running = await worker;
+    if (current !== job) return; // Cancelled meanwhile.
+    job.started = running.started;
+    running.busy();
+    running.post({ id: job.id, what: job.what, files: job.files });
+  } catch (error) {
+    settle(job, () => job.reject(new EpsnetError("EpsnetError", `no worker: ${error?.message ?? error}`)));
+  }
+}
+
+function settle(job, how) {
+  if (current !== job) return;
+  current = null;
+  job.signal?.removeEventListener("abort", job.cancel);
+  how();
+  worker?.then((running) => { if (current === null) running.idle(); }, () => {});
+  next();
+}
+
+function receive(started, { id, json, files, error, broken, progress }) {
+  const job = current;
+  if (job === null || job.id !== id || job.started !== started) return;
+  if (progress) return job.progress?.(progress.what, progress.share);
+  if (broken) endWorker();
+  settle(job, () => (error ? job.reject(new EpsnetError(error.kind, error.message)) : job.resolve({ json, files, ...JSON.parse(json) })));
+}
+
+function fail(started, event) {
+  const job = current;
+  if (job === null || job.started !== started) return;
+  endWorker();
+  settle(job, () => job.reject(new EpsnetError("EpsnetError", `the worker failed: ${event?.message ?? "it could not be loaded"}`)));
+}
+
+/** Asks the module (docs/wasm.md, "Requests"). Resolves to the members of the answer's object, and `files`, arrays of bytes. */
+export function ask(what, files = [], { signal, progress } = {}) {
+  return new Promise((resolve, reject) => {
+    const aborted = () => reject(signal.reason ?? new DOMException("This operation was aborted", "AbortError"));
+    if (signal?.aborted) return aborted();
+    const job = { id: ++lastId, what, files, resolve, reject, signal, progress };
+    job.cancel = () => {
+      if (current === job) {
+        endWorker();
+        settle(job, aborted);
+      } else {
+        waiting = waiting.filter((other) => other !== job);
+        aborted();
+      }
+    };
+    signal?.addEventListener("abort", job.cancel, { once: true });
+    waiting.push(job);
+    next();
+  });
+}
+
+/** Ends the worker, and with it what it computes. The next request starts a new one. */
+export function close() {
+  const jobs = current === null ? waiting : [current, ...waiting];
+  waiting = [];
+  current = null;
+  endWorker();
+  for (const job of jobs) job.reject(new EpsnetError("EpsnetError", "closed"));
+}
+
+function bytesOf(data) {
+  if (typeof data === "string") return encoder.encode(data);
+  if (data instanceof Uint8Array) return data;
+  if (data instanceof ArrayBuffer) return new Uint8Array(data);
+  throw new TypeError("expected a string, an ArrayBuffer or a Uint8Array");
+}
+
+/** An enclosure, as text: the ends are decimals that are rounded outward. */
+const OPTIONS = ["signal", "progress"];
+
+/** The options of a request without those of the job. */
+function members(options) {
+  return Object.fromEntries(Object.entries(options).filter(([name, value]) => !OPTIONS.includes(name) && value !== undefined));
+}
+
+/** A file that both checkers were asked about: its bytes, and its certificate. */
+export class ProvedFile {
+  constructor({ files: [bytes, text], json, files, ...facts }) {
+    this.bytes = bytes;
+    this.certificate = { ...facts.certificate, text: decoder.decode(text) };
+    for (const [name, value] of Object.entries(facts)) if (name !== "certificate") this[name] = value;
+  }
+  /** The text of the file. */
+  get text() {
+    return decoder.decode(this.bytes);
+  }
+  /** Its picture, as SVG. */
+  async svg({ layers = [], ...options } = {}) {
+    const what = { do: "svg", file: 0, layers: layers.map((_, k) => k + 1), ...members(options) };
+    return decoder.decode((await ask(what, [this.bytes, ...layers.map((layer) => layer.bytes)], options)).files[0]);
+  }
+}
+
+/** An ε-net that is verified. */
+export class Net extends ProvedFile {
+  /** The surface of the net, from its file. */
+  get surface() {
+    return new Surface({ file: 0, name: "net" }, [this.bytes]);
+  }
+  /** A page to travel in, as HTML: one file that needs nothing else. */
+  async page({ layers = [], ...options } = {}) {
+    const what = { do: "page", net: 0, layers: layers.map((_, k) => k + 1), ...members(options) };
+    return decoder.decode((await ask(what, [this.bytes, ...layers.map((layer) => layer.bytes)], options)).files[0]);
+  }
+  /** The distance of two points, {vertex}, {triangle, weights} or {tile, z}, with all shortest geodesics. */
+  async distance(p, q, options = {}) {
+    return new ProvedFile(await ask({ do: "distance", surface: { file: 0 }, net: 0, p, q }, [this.bytes], options));
+  }
+  /** The triangle that contains a point. */
+  async locate(point, options = {}) {
+    const { json, files, ...found } = await ask({ do: "locate", net: 0, point }, [this.bytes], options);
+    return found;
+  }
+}
+
+/** A closed hyperbolic surface: how it is made. Nothing is computed before it is asked for. */
+export class Surface {
+  constructor(recipe, files = []) {
+    this.recipe = recipe;
+    this.files = files;
+  }
+  #ask(what, options = {}) {
+    return ask({ ...what, surface: this.recipe, ...members(options) }, this.files, options);
+  }
+  /** Facts: genus, tiles, area and more (`epsnet info --json`). */
+  async info(options) {
+    const { json, files, ...facts } = await this.#ask({ do: "surface" }, options);
+    return facts;
+  }
+  /** The bytes of its surface file. */
+  async file(options) {
+    return (await this.#ask({ do: "surface" }, options)).files[0];
+  }
+  /** The picture of its tiles, as SVG. */
+  async svg(options) {
+    return decoder.decode((await this.#ask({ do: "svg" }, options)).files[0]);
+  }
+  /** An ε-net; ε is exact: a string such as "0.1" or "1/10". Never resolves to a net that is not verified. */
+  async net(epsilon, options) {
+    return new Net(await this.#ask({ do: "net", epsilon }, options));
+  }
+  /** A shortest closed geodesic. */
+  async systole(options) {
+    return new ProvedFile(await this.#ask({ do: "systole" }, options));
+  }
+  /** All primitive closed geodesics of length at most `upTo`. */
+  async spectrum(upTo, options) {
+    return new ProvedFile(await this.#ask({ do: "spectrum", up_to: upTo }, options));
+  }
+  /** The small curves, and the pieces into which they cut the surface. */
+  async thickThin(options) {
+    return new ProvedFile(await this.#ask({ do: "thick-thin" }, options));
+  }
+  /** An enclosure of the diameter. */
+  async diameter(options) {
+    return new ProvedFile(await this.#ask({ do: "diameter" }, options));
+  }
+  /** An enclosure of the radius. */
+  async radius(options) {
+    return new ProvedFile(await this.#ask({ do: "radius" }, options));
+  }
+  /** An enclosure of the radius of the largest embedded disk. */
+  async embeddedDisk(options) {
+    return new ProvedFile(await this.#ask({ do: "embedded-disk" }, options));
+  }
+  /** The distance of two points {tile, z: [x, y]}; numbers are exact in strings. */
+  async distance(p, q, options) {
+    return new ProvedFile(await this.#ask({ do: "distance", p, q }, options));
+  }
+  /** Eigenvalues of the Laplacian from the closed geodesics of length at most `upTo`. */
+  async eigenvalues({ upTo, ...options } = {}) {
+    return new ProvedFile(await this.#ask({ do: "eigenvalues", ...(upTo === undefined ? {} : { up_to: upTo }) }, options));
+  }
+}
+
+/** The random octagon of a seed. */
+export function octagon(seed) {
+  return new Surface({ octagon: seed });
+}
+/** A surface by its name, such as "bolza". */
+export function named(name) {
+  return new Surface({ named: name });
+}
+/** The regular surface of a genus. */
+export function regular(genus) {
+  return new Surface({ regular: genus });
+}
+/** The surface of Fenchel–Nielsen coordinates: {graph, genus, seed, lengths, twists}. */
+export function fenchelNielsen(coordinates) {
+  return new Surface({ fenchel_nielsen: coordinates });
+}
+/** The surface of a map: {rotation, edges}. */
+export function map(darts) {
+  return new Surface({ map: darts });
+}
+/** The surface of a file: of a surface file, of any file that `certify` checks, or of CGAL's. */
+export function surfaceFromFile(data, name = "file") {
+  return new Surface({ file: 0, name }, [bytesOf(data)]);
+}
+/** The coordinates that a request for Fenchel–Nielsen coordinates means: {genus, edges, lengths, twists}. */
+export async function coordinates(request, options = {}) {
+  const { json, files, ...found } = await ask({ do: "coordinates", fenchel_nielsen: request }, [], options);
+  return found;
+}
+/** What both checkers say of a file: the object of `certify --json`, and `text`, that of `certify`. */
+export async function certify(data, options = {}) {
+  const { json, files, ...certificate } = await ask({ do: "certify", file: 0, ...members(options) }, [bytesOf(data)], options);
+  return { ...certificate, text: decoder.decode(files[0]), json };
+}
+/** The picture of any file of epsnet, as SVG. */
+export async function svg(data, { layers = [], ...options } = {}) {
+  const what = { do: "svg", file: 0, layers: layers.map((_, k) => k + 1), ...members(options) };
+  return decoder.decode((await ask(what, [bytesOf(data), ...layers.map(bytesOf)], options)).files[0]);
+}
+/** The version, and the names that `named` knows: {version, names: [{name, description}]}. */
+export async function about(options = {}) {
+  const { json, files, ...found } = await ask({ do: "about" }, [], options);
+  return found;
+}
+
+export default { octagon, named, regular, fenchelNielsen, map, surfaceFromFile, coordinates, certify, svg, about, ask, close, Surface, Net, ProvedFile, EpsnetError };

@@ -1,0 +1,107 @@
+// What wasm/test runs in a folder with the npm package: the interface as users see it.
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import path from "node:path";
+import test, { after } from "node:test";
+
+import epsnet, { EpsnetError, octagon } from "epsnet";
+
+const data = process.argv[2];
+after(() => epsnet.close());
+
+/** The error that a promise is rejected with. */
+async function kindOf(promise) {
+  const error = await promise.then(() => assert.fail("no error"), (problem) => problem);
+  assert(error instanceof EpsnetError, String(error));
+  return error.kind;
+}
+
+test("the example of the README", async () => {
+  const net = await epsnet.octagon(123).net("0.1");
+  assert.equal(net.certificate.verdict, "VERIFIED");
+  assert.deepEqual(net.certificate.verified_by, ["certify", "certify-exact"]);
+  assert.match(net.certificate.text, /\nVERIFIED\n$/);
+  const certificate = await epsnet.certify(net.bytes);
+  assert.equal(certificate.sha256, net.certificate.sha256);
+  assert.equal(net.info.vertices, net.certificate.counts.vertices);
+  assert.match(await net.svg(), /^<svg /);
+  assert.match(await net.page({ title: "A title" }), /<title>A title/);
+  const again = await net.surface.net("0.1");
+  assert.deepEqual(again.bytes, net.bytes);
+});
+
+test("surfaces from everywhere", async () => {
+  const { names, version } = await epsnet.about();
+  assert.match(version, /^\d+\.\d+\.\d+$/);
+  assert(names.some(({ name }) => name === "bolza"));
+  assert.equal((await epsnet.named("klein").info()).genus, 3);
+  assert.equal((await epsnet.regular(4).info()).genus, 4);
+  assert.equal((await epsnet.fenchelNielsen({ graph: "chain", genus: 2, seed: 1 }).info()).genus, 2);
+  const { edges, lengths } = await epsnet.coordinates({ graph: "chain", genus: 2, seed: 1 });
+  assert.deepEqual([edges.length, lengths.length], [3, 3]);
+  const file = await octagon(7).file();
+  assert.deepEqual(await epsnet.surfaceFromFile(file).file(), file);
+  assert.equal((await epsnet.surfaceFromFile((await octagon(7).net("1")).bytes).info()).genus, 2);
+});
+
+test("geodesics, distances, bounds, eigenvalues", async () => {
+  const surface = octagon(123);
+  const systole = await surface.systole();
+  const [lower, upper] = systole.geodesics[0].length;
+  assert(lower <= upper && upper - lower < 1e-9);
+  const spectrum = await surface.spectrum("3");
+  assert.deepEqual(spectrum.geodesics[0].length, systole.geodesics[0].length);
+  const net = await surface.net("0.5");
+  const distance = await net.distance({ vertex: 0 }, { triangle: 5, weights: [1, 1, 1] });
+  assert(distance.value[0] > 0);
+  assert.match(await net.svg({ layers: [systole, distance] }), /^<svg /);
+  assert.equal((await net.locate(distance.q)).place, "inside");
+  assert.equal((await surface.diameter({ width: 0.1 })).certificate.verdict, "VERIFIED");
+  assert((await surface.eigenvalues({ upTo: 5, fast: true })).windows.length > 0);
+});
+
+test("files are what certify says they are", async () => {
+  for (const folder of ["verified", "refuted", "undecided", "malformed"]) {
+    const name = fs.readdirSync(path.join(data, "certify", folder))[0];
+    const certificate = await epsnet.certify(fs.readFileSync(path.join(data, "certify", folder, name)), { name });
+    assert.equal(certificate.verdict.toLowerCase(), folder, name);
+    assert.equal(certificate.file, name);
+  }
+  assert.equal((await epsnet.certify("")).verdict, "MALFORMED");
+});
+
+test("errors have their kind", async () => {
+  assert.equal(await kindOf(epsnet.named("nowhere").info()), "SurfaceError");
+  assert.equal(await kindOf(octagon(1.5).info()), "ArgumentError");
+  assert.equal(await kindOf(octagon(2 ** 40).info()), "ArgumentError");
+  assert.equal(await kindOf(octagon(1).net("-1")), "ArgumentError");
+  assert.equal(await kindOf(octagon(1).net("0.5", { pseudo: true })), "ArgumentError");
+  assert.equal(await kindOf(octagon(1).svg({ size: 100, colour: 7 }).then(() => octagon(1).net("x"))), "ArgumentError");
+  assert.equal(await kindOf(epsnet.surfaceFromFile("{}").info()), "FormatError");
+  assert.equal(await kindOf(epsnet.svg("nonsense")), "FormatError");
+  assert.equal(await kindOf(epsnet.ask({ do: "nothing" })), "ArgumentError");
+  assert.equal(await kindOf(epsnet.ask([])), "ArgumentError");
+});
+
+test("texts of megabytes fit", async () => {
+  const net = await octagon(123).net("0.02");
+  assert(net.bytes.length > 2e6);
+  assert.equal((await epsnet.certify(net.text)).verdict, "VERIFIED");
+});
+
+test("progress and cancellation", async () => {
+  const steps = [];
+  const controller = new AbortController();
+  const job = octagon(123).net("0.003", {
+    signal: controller.signal,
+    progress: (what, share) => {
+      steps.push([what, share]);
+      controller.abort();
+    },
+  });
+  const next = octagon(321).net("1"); // Waits, and is answered by a new worker.
+  await assert.rejects(job, { name: "AbortError" });
+  assert(steps.every(([what, share]) => typeof what === "string" && share >= 0 && share <= 1) && steps.length > 0);
+  assert.equal((await next).certificate.verdict, "VERIFIED");
+  await assert.rejects(octagon(1).net("1", { signal: AbortSignal.abort() }), { name: "AbortError" });
+});
