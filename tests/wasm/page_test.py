@@ -1,0 +1,313 @@
+"""page_test.py SITE DATA CERTIFY [--chromium PROGRAM] [--firefox PROGRAM] [--pictures FOLDER]: the page of wasm/page in browsers without windows.
+
+SITE is the folder that wasm/build makes, DATA is tests/data, CERTIFY is the program. On a wide and on a narrow screen somebody makes nets, drops files,
+cancels, follows links, asks questions, and uses nothing but the keyboard. With --pictures the screens are kept as PNG, to be looked at.
+"""
+import argparse
+import base64
+import functools
+import hashlib
+import http.server
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import threading
+
+from browsers import BrowserError, Chromium, Firefox, kFramePath, wait
+
+
+class Handler(http.server.SimpleHTTPRequestHandler):
+    extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map, ".mjs": "text/javascript", ".wasm": "application/wasm"}
+
+    def do_GET(self):
+        if self.path != kFramePath:
+            super().do_GET()
+            return
+        self.send_response(200)
+        self.send_header("Content-Type", "text/html")
+        self.end_headers()
+        self.wfile.write(b"<!DOCTYPE html><title>a frame</title><body></body>")
+
+    def log_message(self, *_):
+        pass
+
+
+class Page:
+    """The page in one browser, on one screen."""
+
+    def __init__(self, browser, address: str, size: tuple[int, int], pictures: pathlib.Path | None) -> None:
+        self.browser, self.address, self.size, self.pictures = browser, address, size, pictures
+        self.failures: list[str] = []
+
+    def expect(self, holds, what: str) -> None:
+        if not holds:
+            self.failures.append(what)
+
+    def run(self, body: str):
+        return self.browser.run(body)
+
+    def text(self, id: str) -> str:
+        return self.run(f"return document.getElementById({json.dumps(id)}).textContent")
+
+    def click(self, id: str) -> None:
+        self.run(f"document.getElementById({json.dumps(id)}).click()")
+
+    def set(self, id: str, value: str) -> None:
+        self.run(f"""const box = document.getElementById({json.dumps(id)}); box.value = {json.dumps(value)};
+                     for (const type of ['input', 'change']) box.dispatchEvent(new Event(type, {{bubbles: true}}))""")
+
+    def open(self, hash: str = "") -> None:
+        self.browser.go(self.address + hash)
+        wait(lambda: self.run("return document.getElementById('commands').textContent !== ''"), "the page is there")
+
+    def rest(self, what: str) -> None:
+        wait(lambda: self.run("return document.getElementById('cancel').disabled"), f"{what} ends", 240)
+
+    def verdicts(self) -> dict[str, str]:
+        """What the page says of each checker."""
+        return self.run("""const rows = [...document.querySelectorAll('#certificate-text dt')];
+            return Object.fromEntries(rows.map(row => [row.textContent, row.nextSibling.textContent]))""")
+
+    def drop(self, name: str, content: bytes) -> None:
+        self.run(f"""const bytes = Uint8Array.from(atob({json.dumps(base64.b64encode(content).decode())}), c => c.charCodeAt(0)), data = new DataTransfer();
+            data.items.add(new File([bytes], {json.dumps(name)}));
+            for (const type of ['dragover', 'drop']) document.getElementById('make').dispatchEvent(new DragEvent(type, {{bubbles: true, cancelable: true, dataTransfer: data}}))""")
+        self.rest(name)
+
+    def saved(self, button: str) -> bytes:
+        """The bytes of the file that a button offers."""
+        return base64.b64decode(self.run(f"""const {{createObjectURL}} = URL, {{click}} = HTMLAnchorElement.prototype;
+            let file = null;
+            URL.createObjectURL = blob => {{ file = blob; return createObjectURL(blob); }};
+            HTMLAnchorElement.prototype.click = () => {{}};
+            [...document.querySelectorAll('button')].find(button => button.textContent === {json.dumps(button)}).click();
+            HTMLAnchorElement.prototype.click = click;
+            URL.createObjectURL = createObjectURL;
+            let text = '';
+            for (const byte of new Uint8Array(await file.arrayBuffer())) text += String.fromCharCode(byte);
+            return btoa(text)"""))
+
+    def keep(self, name: str) -> None:
+        if self.pictures is not None:
+            (self.pictures / f"{self.browser.name}-{self.size[0]}-{name}.png").write_bytes(self.browser.picture())
+
+
+def first_net(page: Page, certify: str) -> None:
+    page.open()
+    page.keep("start")
+    page.expect(page.run("return innerWidth") == page.size[0], "the screen is not as wide as it should be")
+    page.expect(page.text("verdict") == "" and page.run("return document.getElementById('certificate').hidden"), "a verdict before anything was asked")
+    page.click("start")
+    page.rest("a net")
+    page.expect(page.text("verdict") == "VERIFIED", f"the first net: {page.text('verdict')} {page.text('problem')}")
+    said = page.verdicts()
+    for checker in ("certify", "certify-exact"):
+        page.expect(said.get(checker, "").startswith("VERIFIED"), f"{checker} says {said.get(checker)}")
+    net = page.saved("Save the net")
+    page.expect(hashlib.sha256(net).hexdigest() == said.get("SHA-256"), "the net that is saved is not the one that was checked")
+    answer = subprocess.run([certify, "-"], input=net, stdout=subprocess.PIPE, check=False)
+    page.expect(answer.returncode == 0, f"the program says of the saved net: {answer.stdout.decode()[-200:]}")
+    page.expect(page.saved("Save the certificate").decode().splitlines()[-1] == "VERIFIED", "the saved certificate")
+    page.expect(re.match("[0-9]{3,} triangles in view", page.text("status")), f"the picture says {page.text('status')}")
+    page.keep("verified")
+    page.expect(page.run("""return performance.getEntriesByType('resource').every(entry => new URL(entry.name).origin === location.origin || entry.name.startsWith('data:'))"""),
+                "something was asked from elsewhere")
+
+
+def questions(page: Page) -> None:
+    page.click("systole")
+    page.rest("the systole")
+    page.expect("closed geodesic" in page.text("answered") and "VERIFIED" in page.text("answered"), f"the systole: {page.text('answered')} {page.text('problem')}")
+    page.expect(page.run("return document.getElementById('geodesics').options.length > 0"), "the systole is not drawn")
+    page.click("take")
+    # Two points near the centre: a click at one, and Enter at another one.
+    page.run("""const canvas = document.getElementById('view'), box = canvas.getBoundingClientRect();
+        for (const type of ['pointerdown', 'pointerup'])
+          canvas.dispatchEvent(new PointerEvent(type, {bubbles: true, pointerId: 1, clientX: box.left + box.width / 2 + 31, clientY: box.top + box.height / 2 - 17}));
+        canvas.dispatchEvent(new KeyboardEvent('keydown', {key: 'Enter', bubbles: true, cancelable: true}))""")
+    page.rest("a distance")
+    page.expect("the distance is in [" in page.text("answered"), f"the distance: {page.text('answered')[:200]} {page.text('problem')}")
+    page.keep("questions")
+
+
+def files(page: Page, data: pathlib.Path) -> None:
+    page.open()
+    forged = (data / "certify/refuted/covering-epsilon-too-small.json").read_bytes()
+    page.drop("forged.json", forged)
+    said = page.verdicts()
+    page.expect(page.text("verdict") == "REFUTED", f"a forged file is {page.text('verdict')} {page.text('problem')}")
+    for checker in ("certify", "certify-exact"):
+        page.expect(said.get(checker, "").startswith("REFUTED"), f"of a forged file {checker} says {said.get(checker)}")
+    page.expect(said.get("SHA-256") == hashlib.sha256(forged).hexdigest(), "the hash of a forged file")
+    page.expect(page.run("return document.getElementById('questions').hidden"), "questions to a net that is refuted")
+    page.keep("refuted")
+    page.drop("nonsense.json", b"{\"format\": 1, \xff}")
+    page.expect(page.text("verdict") == "MALFORMED", f"nonsense is {page.text('verdict')} {page.text('problem')}")
+    page.drop("true.json", (data / "certify/verified/octagon-1-vertex.json").read_bytes())
+    page.expect(page.text("verdict") == "VERIFIED", f"a true file is {page.text('verdict')} {page.text('problem')}")
+    page.expect(page.run("return !document.querySelector('#surface [value=file]').disabled"), "the surface of a file cannot be chosen")
+    page.drop("spectrum.json", (data / "geodesics/octagon-5-to-6.json").read_bytes())
+    page.expect(page.text("verdict") == "VERIFIED" and page.run("return document.getElementById('geodesics').options.length > 0"),
+                f"a file of geodesics is {page.text('verdict')}, and not drawn: {page.text('problem')}")
+
+
+def bad_input(page: Page) -> None:
+    page.open()
+    for epsilon in ("0", "-1", "abc", "", "NaN"):
+        page.set("epsilon", epsilon)
+        page.click("start")
+        page.rest(f"ε = {epsilon}")
+        page.expect(page.text("verdict") == "" and page.text("problem") != "", f"ε = '{epsilon}': {page.text('verdict')} {page.text('problem')}")
+    page.set("epsilon", "0.5")
+    page.click("start")
+    page.rest("ε = 0.5")
+    page.expect(page.text("verdict") == "VERIFIED", f"ε = 0.5: {page.text('verdict')} {page.text('problem')}")
+    page.set("epsilon", "abc")
+    page.click("start")
+    page.rest("ε = abc")
+    page.expect(page.text("verdict") == "" and page.run("return document.getElementById('certificate').hidden"), "a verdict of before beside an error")
+    page.set("epsilon", "0.0001")
+    page.click("start")
+    page.expect("epsnet net s.json --epsilon 0.0001" in page.text("problem"), f"too much: {page.text('problem')}")
+    page.open("#surface=octagon&seed=<img>&epsilon=0.1&kind=net")
+    page.expect(page.run("return document.getElementById('seed').value") == "123", "an address with nonsense is followed")
+
+
+def cancel(page: Page) -> None:
+    page.open()
+    page.set("epsilon", "0.01")
+    page.click("start")
+    page.click("cancel")
+    page.rest("what is cancelled")
+    page.expect("cancelled" in page.text("work-text") and page.text("verdict") == "", f"cancelled: {page.text('work-text')} {page.text('verdict')}")
+    page.set("epsilon", "0.5")
+    page.click("start")
+    page.rest("the net after it")
+    page.expect(page.text("verdict") == "VERIFIED", f"after cancelling: {page.text('verdict')} {page.text('problem')}")
+
+
+def link(page: Page) -> None:
+    page.open("#surface=fenchel-nielsen&genus=2&graph=chain&lengths=1.5,2,0.75&twists=0.5,-1,0&epsilon=0.3&kind=sparse")
+    page.rest("a link")
+    values = {id: page.run(f"return document.getElementById('{id}').value")
+              for id in ("surface", "genus", "length-0", "length-2", "twist-1", "epsilon", "kind")}
+    page.expect(list(values.values()) == ["fenchel-nielsen", "2", "1.5", "0.75", "-1", "0.3", "sparse"], f"a link restores {values}")
+    page.expect(page.text("verdict") == "VERIFIED", f"the net of a link: {page.text('verdict')} {page.text('problem')}")
+    page.keep("link")
+    before = page.run("return location.hash")
+    page.set("length-0", "1.6")
+    page.click("copy-link")
+    page.expect(page.run("return location.hash") == before.replace("1.5", "1.6"), f"the link is {page.run('return location.hash')}")
+
+
+def keyboard(page: Page) -> None:
+    """From the top of the page with Tab, Enter and letters."""
+    page.open()
+    press = page.browser.press
+
+    def tab_to(id: str) -> None:
+        for _ in range(60):
+            press("Tab")
+            if page.run("return document.activeElement.id") == id:
+                page.expect(page.run("return parseFloat(getComputedStyle(document.activeElement).outlineWidth) >= 2"), f"{id} does not show the focus")
+                return
+        raise BrowserError(f"Tab does not lead to {id}")
+
+    tab_to("seed")
+    press("End", "Backspace", "Backspace", "Backspace", "77")
+    tab_to("start")
+    press("Enter")
+    page.rest("a net by keys")
+    page.expect(page.text("verdict") == "VERIFIED" and "seed=77" in page.run("return location.hash"), f"by keys: {page.text('verdict')} {page.text('problem')}")
+    tab_to("view")
+    press("Enter")
+    page.expect("vertex" in page.text("status"), f"Enter in the picture says {page.text('status')}")
+    tab_to("systole")
+    press("Enter")
+    page.rest("a systole by keys")
+    page.expect("closed geodesic" in page.text("answered"), "no systole by keys")
+    page.expect(page.run("return document.activeElement.id") == "systole", "the focus is not where it was before the work")
+
+
+def layout(page: Page) -> None:
+    page.expect(page.run("return document.documentElement.scrollWidth <= innerWidth"), "the page is wider than the screen")
+    wide = page.run("""return [...document.querySelectorAll('button, input, select, p, pre, h2, label')].filter(e => e.getClientRects().length > 0 &&
+        e.getBoundingClientRect().right > innerWidth + 1).map(e => e.id || e.textContent.slice(0, 30)).join(', ')""")
+    page.expect(wide == "", f"beyond the edge of the screen: {wide}")
+    nameless = page.run("""return [...document.querySelectorAll('button, input, select, canvas, textarea')].filter(e => !(e.ariaLabel || e.getAttribute('aria-label') ||
+        (e.labels && e.labels[0] && e.labels[0].textContent.trim()) || e.textContent.trim() || e.getAttribute('aria-labelledby'))).map(e => e.id || e.outerHTML.slice(0, 60)).join(', ')""")
+    page.expect(nameless == "", f"without a name: {nameless}")
+    twice = page.run("""const ids = [...document.querySelectorAll('[id]')].map(e => e.id); return ids.filter((id, k) => ids.indexOf(id) !== k).join(', ')""")
+    page.expect(twice == "", f"ids that come twice: {twice}")
+    faint = page.run(kContrast)
+    page.expect(faint == "", f"hard to read: {faint}")
+
+
+# Contrast of text with the colour behind it, as the Web Content Accessibility Guidelines define it.
+kContrast = """
+const channels = colour => colour.match(/[0-9.]+/g).map(Number), bad = [];
+const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
+  const element = node.parentElement;
+  if (node.data.trim() === '' || element.getClientRects().length === 0 || element.closest('script, noscript, option, :disabled')) continue;
+  let behind = element;
+  while (behind !== document.documentElement && channels(getComputedStyle(behind).backgroundColor)[3] === 0) behind = behind.parentElement;
+  const ratio = contrast(channels(getComputedStyle(element).color).slice(0, 3), channels(getComputedStyle(behind).backgroundColor).slice(0, 3));
+  if (ratio < 4.5) bad.push(`${node.data.trim().slice(0, 20)} (${ratio.toFixed(1)})`);
+}
+return bad.join(', ')"""
+
+
+def run_all(browser, address: str, data: pathlib.Path, certify: str, pictures: pathlib.Path | None) -> int:
+    count = 0
+    for size in ((1280, 900), (390, 844)):
+        browser.resize(*size)
+        page = Page(browser, address, size, pictures)
+        parts = [lambda: first_net(page, certify), lambda: layout(page), lambda: questions(page), lambda: layout(page), lambda: files(page, data),
+                 lambda: bad_input(page), lambda: cancel(page), lambda: link(page), lambda: layout(page), lambda: keyboard(page)]
+        for part in parts:
+            try:
+                part()
+            except BrowserError as error:
+                page.failures.append(str(error))
+        for failure in page.failures:
+            print(f"FAILED: {browser.name}, {size[0]} pixels: {failure}")
+        if not page.failures:
+            print(f"passed: {browser.name}, {size[0]} pixels")
+        count += len(page.failures)
+    return count
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("site", type=pathlib.Path)
+    parser.add_argument("data", type=pathlib.Path)
+    parser.add_argument("certify")
+    parser.add_argument("--chromium")
+    parser.add_argument("--firefox")
+    parser.add_argument("--pictures", type=pathlib.Path)
+    options = parser.parse_args()
+    if options.pictures is not None:
+        options.pictures.mkdir(parents=True, exist_ok=True)
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Handler, directory=options.site))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    browsers = [(kind, program) for kind, program in ((Chromium, options.chromium), (Firefox, options.firefox)) if program]
+    if not browsers:
+        parser.error("--chromium or --firefox is needed")
+    failures = 0
+    for kind, program in browsers:
+        with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as home:
+            browser = kind(program, pathlib.Path(home))
+            try:
+                failures += run_all(browser, f"http://127.0.0.1:{server.server_port}/", options.data, options.certify, options.pictures)
+            finally:
+                browser.close()
+    server.shutdown()
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
