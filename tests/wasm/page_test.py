@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """page_test.py SITE DATA CERTIFY [--chromium PROGRAM] [--firefox PROGRAM] [--pictures FOLDER]: the page of wasm/page in browsers without windows.
 
 SITE is the folder that wasm/build makes, DATA is tests/data, CERTIFY is the program. On a wide and on a narrow screen somebody makes nets, drops files,
