@@ -404,14 +404,37 @@ Answer find_eigenvalues(const Members& members, const Progress& progress) {
 
 Answer draw(const Members& members, const Request& request) { return {"{}", {picture(members, request)}}; }
 
-Answer make_page(const Members& members, const Request& request, const Progress& progress) {
-  const NetDocument net = net_of(members);
+/// A net, from its file or from any file that is about one, and what is to be shown of it.
+struct Shown {
+  NetDocument net;
+  ViewerOptions options;
+};
+
+Shown shown_net(const Members& members, const Request& request, const Progress& progress) {
+  auto claim = certify::parse_file<ClaimDocument>(members.file("net"), kFile);
+  std::vector<Layer> own;
+  NetDocument net = std::visit(
+      [&](auto& document) -> NetDocument {
+        using Document = std::remove_cvref_t<decltype(document)>;
+        if constexpr (std::is_same_v<Document, certify::DistanceDocument>) {
+          own.push_back(distance_layer(document.net, document));
+        } else if constexpr (std::is_same_v<Document, certify::GeodesicsDocument>) {
+          own = geodesics_layers(document.net, document);
+        }
+        if constexpr (requires { document.net; }) {
+          return std::move(document.net);
+        } else {
+          return std::move(document);
+        }
+      },
+      claim);
   certify::CheckOptions check_options;
   check_options.threads = 1;
   check_options.progress = progress;
   ViewerOptions options{.title = members.get<std::string>("title", ""),
                         .certificate = certify::check(net, check_options),
                         .layers = standard_layers(net)};
+  for (Layer& layer : own) options.layers.push_back(std::move(layer));
   for (Layer& layer : layers_of(members, net, request)) options.layers.push_back(std::move(layer));
   constexpr std::size_t kMostVerticesWithDistances = 100'000;  // As the program has it.
   if (options.certificate->verdict == certify::Verdict::verified && net.vertices.size() <= kMostVerticesWithDistances) {
@@ -420,7 +443,17 @@ Answer make_page(const Members& members, const Request& request, const Progress&
     } catch (const Error&) {  // The page does without.
     }
   }
-  return {"{}", {viewer_page(net, options)}};
+  return {std::move(net), std::move(options)};
+}
+
+Answer make_page(const Members& members, const Request& request, const Progress& progress) {
+  const Shown shown = shown_net(members, request, progress);
+  return {"{}", {viewer_page(shown.net, shown.options)}};
+}
+
+Answer make_viewer_data(const Members& members, const Request& request, const Progress& progress) {
+  const Shown shown = shown_net(members, request, progress);
+  return {viewer_data(shown.net, shown.options)};
 }
 
 Answer about_net(const Members& members) { return {json_text(net_info(net_of(members)).json)}; }
@@ -482,7 +515,8 @@ Answer answer_or_throw(const Request& request, const Progress& progress) {
       {"distance", [&] { return measure_distance(members, progress); }},
       {"eigenvalues", [&] { return find_eigenvalues(members, progress); }},
       {"svg", [&] { return draw(members, request); }},
-      {"page", [&] { return make_page(members, request, progress); }}};
+      {"page", [&] { return make_page(members, request, progress); }},
+      {"viewer", [&] { return make_viewer_data(members, request, progress); }}};
   const auto what = members.get<std::string>("do");
   const auto found = requests.find(what);
   if (found == requests.end()) throw std::invalid_argument("do: there is no request " + certify::in_quotes(what));

@@ -101,6 +101,8 @@ export class Net extends ProvedFile {
   readonly info: Record<string, unknown>;
   readonly surface: Surface;
   page(options?: { title?: string; layers?: ProvedFile[] } & JobOptions): Promise<string>;
+  /** What the viewer of wasm/page shows of it. */
+  viewerData(options?: { title?: string; layers?: ProvedFile[] } & JobOptions): Promise<object>;
   distance(p: Point, q: Point, options?: JobOptions): Promise<Distance>;
   locate(point: Point, options?: JobOptions): Promise<Location>;
 }

@@ -156,6 +156,11 @@ export class Net extends ProvedFile {
     const what = { do: "page", net: 0, layers: layers.map((_, k) => k + 1), ...members(options) };
     return decoder.decode((await ask(what, [this.bytes, ...layers.map((layer) => layer.bytes)], options)).files[0]);
   }
+  /** What the viewer of wasm/page shows of it. */
+  async viewerData({ layers = [], ...options } = {}) {
+    const what = { do: "viewer", net: 0, layers: layers.map((_, k) => k + 1), ...members(options) };
+    return JSON.parse((await ask(what, [this.bytes, ...layers.map((layer) => layer.bytes)], options)).json);
+  }
   /** The distance of two points, {vertex}, {triangle, weights} or {tile, z}, with all shortest geodesics. */
   async distance(p, q, options = {}) {
     return new ProvedFile(await ask({ do: "distance", surface: { file: 0 }, net: 0, p, q }, [this.bytes], options));
