@@ -1,5 +1,5 @@
 # Targets that check the sources: format and format-check, by clang-format. (clang-tidy: .ci/tidy.)
-set(folders certify kernel triangulation netgen python experiments tests fuzz examples)
+set(folders certify kernel triangulation netgen python experiments tests fuzz examples wasm)
 list(TRANSFORM folders PREPEND ${CMAKE_SOURCE_DIR}/)
 list(TRANSFORM folders APPEND /*.h OUTPUT_VARIABLE headers)
 list(TRANSFORM folders APPEND /*.cpp OUTPUT_VARIABLE sources)

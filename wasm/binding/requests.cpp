@@ -108,6 +108,8 @@ class Members {
         if (value.get<std::uint64_t>() > std::numeric_limits<T>::max()) {
           throw std::invalid_argument(std::string(name) + ": the number is too large");
         }
+      } else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>) {
+        if (!value.is_number_integer()) throw std::invalid_argument(std::string(name) + ": expected an integer");
       }
       return value.get<T>();
     } catch (const Json::exception&) {
@@ -146,9 +148,7 @@ Surface surface_of(const Members& members) {
   throw std::invalid_argument("surface: expected octagon, named, regular, fenchel_nielsen, map or file");
 }
 
-NetDocument net_of(const Members& members) {
-  return certify::parse_file<NetDocument>(members.file("net"), kFile);
-}
+NetDocument net_of(const Members& members) { return certify::parse_file<NetDocument>(members.file("net"), kFile); }
 
 // Certificates. They are those of the program `certify`, made by its code from the bytes of the file.
 
@@ -244,12 +244,10 @@ std::string net_picture(const NetDocument& net, const Members& members, const Re
   }
   if (!known) throw std::invalid_argument("colour: expected none, circumradius, chart or distance");
   if (members.has("show")) {
-    const std::map<std::string, bool*> what{{"triangles", &options.triangles},
-                                            {"vertices", &options.vertices},
-                                            {"dirichlet", &options.dirichlet},
-                                            {"combinatorial-dirichlet", &options.combinatorial_dirichlet},
-                                            {"disks", &options.covering_disks},
-                                            {"half-disks", &options.packing_disks}};
+    const std::map<std::string, bool*> what{
+        {"triangles", &options.triangles},  {"vertices", &options.vertices},
+        {"dirichlet", &options.dirichlet},  {"combinatorial-dirichlet", &options.combinatorial_dirichlet},
+        {"disks", &options.covering_disks}, {"half-disks", &options.packing_disks}};
     for (const auto& [name, shown] : what) *shown = false;
     for (const auto& name : members.get<std::vector<std::string>>("show")) {
       if (name == "tiles") {
@@ -271,7 +269,8 @@ std::string net_picture(const NetDocument& net, const Members& members, const Re
 }
 
 std::string picture(const Members& members, const Request& request) {
-  if (members.has("surface")) return draw_svg(picture_of(surface_of(members)), members.get<std::uint32_t>("size", 1000));
+  if (members.has("surface"))
+    return draw_svg(picture_of(surface_of(members)), members.get<std::uint32_t>("size", 1000));
   const auto claim = certify::parse_file<ClaimDocument>(members.file("file"), kFile);
   return std::visit(
       [&](const auto& document) {
@@ -286,7 +285,8 @@ std::string picture(const Members& members, const Request& request) {
       claim);
 }
 
-// Points: {"tile": T, "z": ["x", "y"]}, {"vertex": V} or {"triangle": T, "weights": [a, b, c]} of the net of the request.
+// Points: {"tile": T, "z": ["x", "y"]}, {"vertex": V} or {"triangle": T, "weights": [a, b, c]} of the net of the
+// request.
 
 Rational rational(const Json& value, const char* name) {
   const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
@@ -336,8 +336,8 @@ Answer make_net(const Members& members, const Progress& progress) {
 }
 
 Answer check_file(const Members& members, const Progress& progress) {
-  const certify::program::FileReport report =
-      check(members.file("file"), {members.get<std::string>("name", kFile), members.get<bool>("exact", false)}, progress);
+  const certify::program::FileReport report = check(
+      members.file("file"), {members.get<std::string>("name", kFile), members.get<bool>("exact", false)}, progress);
   return {json_of(report), {text_of(report)}};
 }
 
@@ -350,8 +350,8 @@ Answer find_geodesics(const Members& members, const Progress& progress) {
                                                                 : thick_thin(surface, options);
   Json list = Json::array();
   for (const auto& geodesic : found.geodesics) {
-    list.push_back(Json::object({{"length", interval_json(geodesic.length)}, {"simple", geodesic.simple},
-                                 {"word", geodesic.word}}));
+    list.push_back(Json::object(
+        {{"length", interval_json(geodesic.length)}, {"simple", geodesic.simple}, {"word", geodesic.word}}));
   }
   return proved(found, Json::object({{"geodesics", std::move(list)}}), progress);
 }

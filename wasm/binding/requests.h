@@ -20,7 +20,7 @@ struct Request {
 
 /// Its answer.
 struct Answer {
-  std::string json;                    ///< An object.
+  std::string json;                     ///< An object.
   std::vector<std::string> files = {};  ///< Their bytes; the request says which.
 };
 

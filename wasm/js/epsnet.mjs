@@ -119,7 +119,7 @@ function bytesOf(data) {
   throw new TypeError("expected a string, an ArrayBuffer or a Uint8Array");
 }
 
-/** An enclosure, as text: the ends are decimals that are rounded outward. */
+/** Options of the job, which are not of the request. */
 const OPTIONS = ["signal", "progress"];
 
 /** The options of a request without those of the job. */
