@@ -7,16 +7,21 @@ const port = node ? (await import("node:worker_threads")).parentPort : self;
 let progressOf; // The number of the request that is being answered.
 let reported = 0;
 
-const module = await createModule({
+// A browser does not keep messages for a worker that waits before it listens: so the first request waits for the module.
+let module;
+const ready = createModule({
   print: (text) => console.log(text),
   printErr: (text) => console.error(text),
+}).then((made) => {
+  module = made;
+  module.progress = (what, share) => {
+    const now = Date.now();
+    if (now - reported < 50) return;
+    reported = now;
+    port.postMessage({ id: progressOf, progress: { what, share } });
+  };
 });
-module.progress = (what, share) => {
-  const now = Date.now();
-  if (now - reported < 50) return;
-  reported = now;
-  port.postMessage({ id: progressOf, progress: { what, share } });
-};
+ready.catch(() => {}); // Whoever asks is told.
 
 /** Returns the bytes of a part of the answer, which outlive the module's memory. */
 function output(number) {
@@ -47,8 +52,9 @@ function answer({ id, what, files }) {
   return { id, json, files: outputs };
 }
 
-function handle(request) {
+async function handle(request) {
   try {
+    await ready;
     const message = answer(request);
     port.postMessage(message, message.files.map((file) => file.buffer));
   } catch (error) {
