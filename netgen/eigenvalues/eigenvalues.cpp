@@ -479,6 +479,8 @@ EigenvaluesDocument eigenvalues_from(const Surface& surface, const EigenvaluesOp
   // wanted than these prove.
   constexpr std::size_t kBatch = 5;
   std::optional<EigenfunctionSearch> search;
+  // Throws, before any work for eigenfunctions, if next to no length was asked for.
+  if (up_to.value() < 1) static_cast<void>(with_windows(surface, options, best, lengths));
   if (options.eigenfunctions && best.eigenfunctions.empty()) search.emplace(best, options.threads, options.progress);
   double from = 0;
   for (std::size_t wanted = options.count == 0 ? kBatch : std::min<std::size_t>(options.count + 1, kBatch);;

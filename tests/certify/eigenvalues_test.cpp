@@ -379,7 +379,7 @@ std::string with_function(const std::function<void(Document::Eigenfunction&)>& c
   return outcome(document);
 }
 
-TEST(Eigenfunctions, ThatProveLessAreUndecided) {
+TEST(SlowEigenfunctions, ThatProveLessAreUndecided) {
   const std::string undecided = "UNDECIDED: eigenfunctions";
   EXPECT_EQ(with_function([](auto& f) { f.lambda += 5e-10; }), undecided);
   EXPECT_EQ(with_function([](auto& f) { f.in.lower = f.lambda - (f.lambda - f.in.lower) * 0.99; }), undecided);
@@ -432,7 +432,7 @@ TEST(Eigenfunctions, NotAllEigenvaluesOfAWindowAreWhereTheOneIsNot) {
   EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("at least 1"));
 }
 
-TEST(Eigenfunctions, EigenvaluesThatAreKnownElsewhereAreLeftOutOfSums) {
+TEST(SlowEigenfunctions, EigenvaluesThatAreKnownElsewhereAreLeftOutOfSums) {
   const Document document = two();
   EXPECT_EQ(outcome(document), "VERIFIED");
   ASSERT_EQ(document.eigenfunctions.size(), 3U);

@@ -28,6 +28,11 @@ grep -q '^| 2 | λ_1 in \[0.40' out/pinched.md || complain "pinched: $(cat out/p
 grep -q '^| 2 | 1 | 3 | λ_1 in \[0.9214217430, 0.9214217453\] | 0 |$' out/covers.md || complain "covers: $(cat out/covers.md)"
 grep -q '^| Bolza | 6 | 48 | 1 to 3 in \[3.385, 3.973\] | 0 |$' out/named.md || complain "named: $(cat out/named.md)"
 
+# Without --fast the file has eigenfunctions, and they are proved.
+"$programs/epsnet" eigenvalues s.json --up-to 4 --count 1 -o eigenvalues.json >facts || complain "octagon 2, eigenfunctions: exit code $?"
+grep -q '"eigenfunctions":\[$' eigenvalues.json || complain 'no eigenfunction'
+[ "$("$programs/certify" eigenvalues.json | tail -n 1)" = VERIFIED ] || complain 'a file with eigenfunctions is not verified'
+
 # Once more: nothing is computed again.
 instead idle 'case "$1" in eigenvalues | systole | diameter) echo "epsnet: computed again" >&2; exit 70 ;; esac'
 cp out/pinched.md expected
