@@ -16,6 +16,7 @@
 #include "certify/base/fault.h"
 #include "certify/base/text.h"
 #include "certify/check.h"
+#include "certify/file/compact.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "certify/program/file_check.h"
@@ -123,9 +124,8 @@ class Members {
 
 Surface surface_of_file(const std::string& bytes, const std::string& name) {
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
-  const bool ours = certify::is_utf8(bytes.substr(0, 1)) && start != std::string::npos && bytes[start] == '{';
-  const bool compact = !certify::is_utf8(bytes.substr(0, 4096)) || bytes.find('\0') < 64;
-  return ours || compact ? parse_surface_file(bytes, name) : import_surface(bytes, name);
+  const bool json = start != std::string::npos && bytes[start] == '{';
+  return json || certify::is_compact(bytes) ? parse_surface_file(bytes, name) : import_surface(bytes, name);
 }
 
 /// The surface of a request: an object with one member, which names a way to make it.
