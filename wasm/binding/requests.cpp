@@ -94,8 +94,9 @@ class Members {
     return Length(get<std::string>(name));
   }
   /// The bytes of a file that the member has the number of.
-  [[nodiscard]] const std::string& file(const char* name) const {
-    const auto number = get<std::size_t>(name);
+  [[nodiscard]] const std::string& file(const char* name) const { return file(name, get<std::size_t>(name)); }
+  /// The bytes of the file with this number, which is one of those that the member lists.
+  [[nodiscard]] const std::string& file(const char* name, std::size_t number) const {
     if (number >= request_.files.size()) throw std::invalid_argument(std::string(name) + ": there is no such file");
     return request_.files[number];
   }
@@ -213,11 +214,10 @@ std::vector<double> distances_of_vertices(const NetDocument& net, std::uint32_t 
 }
 
 /// The layers of the files that the member "layers" names: of closed geodesics and distances.
-std::vector<Layer> layers_of(const Members& members, const NetDocument& net, const Request& request) {
+std::vector<Layer> layers_of(const Members& members, const NetDocument& net) {
   std::vector<Layer> layers;
   for (const std::size_t number : members.get<std::vector<std::size_t>>("layers", {})) {
-    if (number >= request.files.size()) throw std::invalid_argument("layers: there is no such file");
-    const auto claim = certify::parse_file<ClaimDocument>(request.files[number], kFile);
+    const auto claim = certify::parse_file<ClaimDocument>(members.file("layers", number), kFile);
     if (const auto* distance = std::get_if<certify::DistanceDocument>(&claim)) {
       layers.push_back(distance_layer(net, *distance));
     } else if (const auto* geodesics = std::get_if<certify::GeodesicsDocument>(&claim)) {
@@ -229,7 +229,7 @@ std::vector<Layer> layers_of(const Members& members, const NetDocument& net, con
   return layers;
 }
 
-std::string net_picture(const NetDocument& net, const Members& members, const Request& request) {
+std::string net_picture(const NetDocument& net, const Members& members) {
   DrawOptions options;
   options.size = members.get<std::uint32_t>("size", options.size);
   if (options.size < 50 || options.size > 20000) throw std::invalid_argument("size: expected 50 to 20000 pixels");
@@ -260,7 +260,7 @@ std::string net_picture(const NetDocument& net, const Members& members, const Re
     }
   }
   for (Layer& layer : collar_layers(net)) options.layers.push_back(std::move(layer));
-  for (Layer& layer : layers_of(members, net, request)) options.layers.push_back(std::move(layer));
+  for (Layer& layer : layers_of(members, net)) options.layers.push_back(std::move(layer));
   if (options.colouring == Colouring::values) {
     options.values = distances_of_vertices(net, options.centre);
     options.values_name = "distance";
@@ -268,7 +268,7 @@ std::string net_picture(const NetDocument& net, const Members& members, const Re
   return draw_svg(net, options);
 }
 
-std::string picture(const Members& members, const Request& request) {
+std::string picture(const Members& members) {
   if (members.has("surface"))
     return draw_svg(picture_of(surface_of(members)), members.get<std::uint32_t>("size", 1000));
   const auto claim = certify::parse_file<ClaimDocument>(members.file("file"), kFile);
@@ -277,9 +277,9 @@ std::string picture(const Members& members, const Request& request) {
         if constexpr (requires { picture_of(document); }) {
           return draw_svg(picture_of(document), members.get<std::uint32_t>("size", 1000));
         } else if constexpr (requires { document.net; }) {
-          return net_picture(document.net, members, request);
+          return net_picture(document.net, members);
         } else {
-          return net_picture(document, members, request);
+          return net_picture(document, members);
         }
       },
       claim);
@@ -402,7 +402,7 @@ Answer find_eigenvalues(const Members& members, const Progress& progress) {
                 progress);
 }
 
-Answer draw(const Members& members, const Request& request) { return {"{}", {picture(members, request)}}; }
+Answer draw(const Members& members) { return {"{}", {picture(members)}}; }
 
 /// A net, from its file or from any file that is about one, and what is to be shown of it.
 struct Shown {
@@ -410,7 +410,7 @@ struct Shown {
   ViewerOptions options;
 };
 
-Shown shown_net(const Members& members, const Request& request, const Progress& progress) {
+Shown shown_net(const Members& members, const Progress& progress) {
   auto claim = certify::parse_file<ClaimDocument>(members.file("net"), kFile);
   std::vector<Layer> own;
   NetDocument net = std::visit(
@@ -435,7 +435,7 @@ Shown shown_net(const Members& members, const Request& request, const Progress& 
                         .certificate = certify::check(net, check_options),
                         .layers = standard_layers(net)};
   for (Layer& layer : own) options.layers.push_back(std::move(layer));
-  for (Layer& layer : layers_of(members, net, request)) options.layers.push_back(std::move(layer));
+  for (Layer& layer : layers_of(members, net)) options.layers.push_back(std::move(layer));
   constexpr std::size_t kMostVerticesWithDistances = 100'000;  // As the program has it.
   if (options.certificate->verdict == certify::Verdict::verified && net.vertices.size() <= kMostVerticesWithDistances) {
     try {
@@ -446,13 +446,13 @@ Shown shown_net(const Members& members, const Request& request, const Progress& 
   return {std::move(net), std::move(options)};
 }
 
-Answer make_page(const Members& members, const Request& request, const Progress& progress) {
-  const Shown shown = shown_net(members, request, progress);
+Answer make_page(const Members& members, const Progress& progress) {
+  const Shown shown = shown_net(members, progress);
   return {"{}", {viewer_page(shown.net, shown.options)}};
 }
 
-Answer make_viewer_data(const Members& members, const Request& request, const Progress& progress) {
-  const Shown shown = shown_net(members, request, progress);
+Answer make_viewer_data(const Members& members, const Progress& progress) {
+  const Shown shown = shown_net(members, progress);
   return {viewer_data(shown.net, shown.options)};
 }
 
@@ -514,9 +514,9 @@ Answer answer_or_throw(const Request& request, const Progress& progress) {
       {"embedded-disk", [&] { return find_bound(members, progress); }},
       {"distance", [&] { return measure_distance(members, progress); }},
       {"eigenvalues", [&] { return find_eigenvalues(members, progress); }},
-      {"svg", [&] { return draw(members, request); }},
-      {"page", [&] { return make_page(members, request, progress); }},
-      {"viewer", [&] { return make_viewer_data(members, request, progress); }}};
+      {"svg", [&] { return draw(members); }},
+      {"page", [&] { return make_page(members, progress); }},
+      {"viewer", [&] { return make_viewer_data(members, progress); }}};
   const auto what = members.get<std::string>("do");
   const auto found = requests.find(what);
   if (found == requests.end()) throw std::invalid_argument("do: there is no request " + certify::in_quotes(what));
