@@ -230,7 +230,7 @@ TEST(Bound, ACellWithTheTriangulationOfTheNetMayBeRefuted) {
   EXPECT_GT(refuted_by_cells(octagon(), net), 10U);
 }
 
-TEST(Bound, ACellWithAnotherDartMayBeRefuted) {
+TEST(SlowBound, ACellWithAnotherDartMayBeRefuted) {
   const auto darts = static_cast<std::uint32_t>(3 * disk().net.triangles.size());
   const auto others = [&](std::uint32_t leaf) {
     std::vector<std::uint32_t> result;
@@ -248,7 +248,7 @@ TEST(Bound, ACellWithAnotherDartMayBeRefuted) {
   EXPECT_GT(refuted_by_cells(disk(), others), 8 * leaves);
 }
 
-TEST(Bound, AFlipThatIsLeftOutIsRefuted) {
+TEST(SlowBound, AFlipThatIsLeftOutIsRefuted) {
   for (const BoundDocument& document : all_files()) {
     std::size_t refuted = 0;
     for (std::size_t k = 0; k < document.triangulations.size(); ++k) {
@@ -361,7 +361,7 @@ TEST(Bound, ClaimsThatAreExchangedAreNotVerified) {
 }
 
 /// Whatever is changed, what is verified is true.
-TEST(Bound, NoChangeMakesAFalseClaimVerified) {
+TEST(SlowBound, NoChangeMakesAFalseClaimVerified) {
   std::mt19937 random(1);
   const auto below = [&](std::size_t bound) { return static_cast<std::uint32_t>(random() % bound); };
   const BoundDocument good = regular();

@@ -243,7 +243,7 @@ Answers answers(const GeodesicsDocument& document, Verdict expected, const std::
   return result;
 }
 
-TEST(Completeness, IsNotSaidOfSmallCurvesWithFewBits) {
+TEST(SlowCompleteness, IsNotSaidOfSmallCurvesWithFewBits) {
   for (const char* name : {"three-cuffs.json", "one-curve-of-2-arsinh-1.json", "two-cuffs-that-differ-by-1e-14.json"}) {
     const GeodesicsDocument good = load(name);
     EXPECT_GT(answers(good, Verdict::verified, name).open, 10) << name;
@@ -253,7 +253,7 @@ TEST(Completeness, IsNotSaidOfSmallCurvesWithFewBits) {
   }
 }
 
-TEST(Completeness, OfASystoleIsNotSaidWithFewBits) {
+TEST(SlowCompleteness, OfASystoleIsNotSaidWithFewBits) {
   const GeodesicsDocument cuffs = load("two-cuffs-that-differ-by-1e-14.json");
   EXPECT_EQ(outcome(as_systole(cuffs, 0)), "VERIFIED");
   EXPECT_EQ(outcome(as_systole(cuffs, 1)), "REFUTED: complete");
@@ -371,7 +371,7 @@ TEST(Completeness, KnowsALoopWhoseLabelsAreNoneOfThemTrivial) {
   }
 }
 
-TEST(Completeness, OfASpectrumIsNotSaidWithFewBits) {
+TEST(SlowCompleteness, OfASpectrumIsNotSaidWithFewBits) {
   const GeodesicsDocument cuffs = load("two-cuffs-that-differ-by-1e-14.json");
   // Between the cuffs, below the first, above the second.
   const GeodesicsDocument one = without(without(cuffs, 2), 1);

@@ -109,7 +109,7 @@ TEST(CrossingSearch, VerifiesLists) {
   }
 }
 
-TEST(CrossingSearch, MissesWhicheverIsLeftOut) {
+TEST(SlowCrossingSearch, MissesWhicheverIsLeftOut) {
   const auto step = static_cast<std::size_t>(std::ceil(1 / test::multiplier()));  // With sanitizers, not all of them.
   for (const std::string& name : kLists) {
     const GeodesicsDocument document = load(name);
@@ -142,7 +142,7 @@ TEST(CrossingSearch, TellsSystolesFromLongerGeodesics) {
 }
 
 /// Deep in a collar more bits are needed.
-TEST(CrossingSearch, VerifiesAListWithAVeryShortCuff) {
+TEST(SlowCrossingSearch, VerifiesAListWithAVeryShortCuff) {
   const GeodesicsDocument document = load("one-cuff-of-1e-8-to-6.5");
   const Certificate certificate = check(document);
   EXPECT_EQ(certificate.verdict, Verdict::verified) << certificate.message;

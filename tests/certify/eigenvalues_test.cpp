@@ -332,7 +332,7 @@ void mutate(Document& document, std::mt19937& random) {
 }
 
 /// The only eigenvalue of the octagon below 3.69 is near 2.77507 (L = 14 proves 2.77505 < λ_1 < 2.77509, 3.69 < λ_2).
-TEST(Eigenvalues, MutantsThatAreVerifiedAreTrue) {
+TEST(SlowEigenvalues, MutantsThatAreVerifiedAreTrue) {
   constexpr double kOnly = 2.77507;
   std::mt19937 random(27);
   int verified = 0;
