@@ -106,7 +106,7 @@ def calls(octagon, net, bolza):
         (spectrum.save, dict(path="none")), (spectrum.svg, dict(size=100)), (spectrum[0].svg, dict(size=100)),
         (octagon.systole().svg, dict(size=100)), (octagon.systole().save, dict(path="none")),
         (distance.svg, dict(size=100)), (distance.save, dict(path="none")), (polygon.svg, dict(size=100)),
-        (octagon.svg, dict(size=100)), (octagon.eigenvalues(3).svg, dict(size=100)), (octagon.eccentricity(0).svg, dict(size=100)), (octagon.diameter("0.1").svg, dict(size=100)), (polygon.save, dict(path="none")),
+        (octagon.svg, dict(size=100)), (octagon.eigenvalues(3, fast=True).svg, dict(size=100)), (octagon.eccentricity(0).svg, dict(size=100)), (octagon.diameter("0.1").svg, dict(size=100)), (polygon.save, dict(path="none")),
         (element.enclosure, dict(bits=2)), (element.su11, dict(bits=2, kind="interval")), (element.sl2r, dict(bits=2, kind="interval")),
         (element.matrix, dict(model="disk")), (element.trace, dict(bits=2)), (element.axis, dict(bits=2)), (element.__pow__, dict(exponent=2)),
         (element, dict(z=0j)),

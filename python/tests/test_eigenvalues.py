@@ -41,7 +41,7 @@ def test_a_time_is_for_longer_and_longer_geodesics():
 
 
 def test_of_a_file_are_the_same(bolza, tmp_path):
-    found = bolza.eigenvalues(9, count=3)
+    found = bolza.eigenvalues(9, count=3, fast=True)
     path = str(tmp_path / "eigenvalues.json")
     found.save(path)
     loaded = epsnet.load(path)
@@ -50,12 +50,12 @@ def test_of_a_file_are_the_same(bolza, tmp_path):
 
 
 def test_few_geodesics_bound_the_first_one(bolza):
-    (window,) = bolza.eigenvalues(1)
+    (window,) = bolza.eigenvalues(1, fast=True)
     assert window.interval.lower == 0 and window.least == 1 < window.most and window.interval.upper > BOLZA[0][1]
 
 
 def test_the_picture_has_a_band_for_each_window(bolza):
-    found = bolza.eigenvalues(9, count=7)
+    found = bolza.eigenvalues(9, count=7, fast=True)
     root = ElementTree.fromstring(found.svg(700))
     assert (root.get("width"), root.get("height")) == ("700", "434")
     bands = next(group for group in root if group.get("class") == "windows")
