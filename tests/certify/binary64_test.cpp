@@ -116,7 +116,7 @@ std::string text(const Certificate& certificate) {
   return out.str();
 }
 
-TEST(Binary64, CertificatesAreTheSameHoweverTheCallerRounds) {
+TEST(SlowBinary64, CertificatesAreTheSameHoweverTheCallerRounds) {
   for (const auto& path : files()) {
     const ClaimDocument document = read_file<ClaimDocument>(path);
     const std::string expected = text(check(document, {.threads = 1}));

@@ -398,7 +398,7 @@ TEST(SlowEigenfunctions, ThatProveLessAreUndecided) {
   EXPECT_EQ(with_function([](auto& f) { f.radius = 1.9; }), undecided);
 }
 
-TEST(Eigenfunctions, WithTwiceTheCoefficientsProveTheSame) {
+TEST(SlowEigenfunctions, WithTwiceTheCoefficientsProveTheSame) {
   EXPECT_EQ(with_function([](auto& f) {
               for (double& c : f.coefficients) c *= 2;
             }),
@@ -469,7 +469,7 @@ TEST(SlowEigenfunctions, EigenvaluesThatAreKnownElsewhereAreLeftOutOfSums) {
 }
 
 /// Functions beyond 1/4 + 9/step² are no reason to read a test function there.
-TEST(Eigenfunctions, BeyondTheReachOfTestFunctionsAreNotLeftOutOfSums) {
+TEST(SlowEigenfunctions, BeyondTheReachOfTestFunctionsAreNotLeftOutOfSums) {
   Document document = digits();
   document.eigenfunctions.push_back(document.eigenfunctions[0]);
   document.eigenfunctions[1].in.upper = 1e6;

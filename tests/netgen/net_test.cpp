@@ -315,7 +315,7 @@ Means means(int octagons, const char* epsilon, const NetOptions& options = {}) {
           sum.share_at_start / octagons};
 }
 
-TEST(Thesis, TableIV3MeanNumberOfVertices) {
+TEST(SlowThesis, TableIV3MeanNumberOfVertices) {
   const auto expect_mean = [](const char* epsilon, double thesis, double tolerance) {
     const double mean = means(60, epsilon).vertices;
     std::cout << "epsilon " << epsilon << ": " << mean << " vertices, thesis " << thesis << '\n';
@@ -328,13 +328,13 @@ TEST(Thesis, TableIV3MeanNumberOfVertices) {
   expect_mean("0.05", 3454, 0.01);
 }
 
-TEST(Thesis, TableIV3ByFlipsAsWell) {
+TEST(SlowThesis, TableIV3ByFlipsAsWell) {
   for (const Walk walk : {Walk::visibility, Walk::straight}) {
     EXPECT_NEAR(means(60, "0.2", {.insertion = Insertion::flips, .walk = walk}).vertices, 216, 0.01 * 216);
   }
 }
 
-TEST(Thesis, FiguresIV11AndIV12FlipsAndWalks) {
+TEST(SlowThesis, FiguresIV11AndIV12FlipsAndWalks) {
   const auto print = [](const char* what, const Means& m) {
     std::cout << what << ": " << m.flips_per_insertion << " flips per insertion, " << m.steps_of_walks
               << " steps of walks that leave the first triangle, " << m.share_at_start << " stay\n";
@@ -353,7 +353,7 @@ TEST(Thesis, FiguresIV11AndIV12FlipsAndWalks) {
 }
 
 /// Table IV.2: on 60 surfaces the thesis' variants differ in flips and in points.
-TEST(Thesis, TheListOfTrianglesMatters) {
+TEST(SlowThesis, TheListOfTrianglesMatters) {
   const auto by_list = [](TriangleList list) {
     return means(60, "0.1", {.insertion = Insertion::flips, .list = list});
   };
