@@ -9,8 +9,13 @@ import epsnet
 BOLZA = [(3, 3.8388872588421995), (4, 5.353601341189)]
 
 
-def test_of_the_bolza_surface_are_those_of_the_literature(bolza):
-    found = bolza.eigenvalues(9, count=7)
+@pytest.fixture(scope="module")
+def found(bolza):
+    """The first seven of the Bolza surface, with eigenfunctions: ten seconds."""
+    return bolza.eigenvalues(9, count=7)
+
+
+def test_of_the_bolza_surface_are_those_of_the_literature(found):
     assert found.proved and found.up_to == "9" and len(found) == 2 and found.bound > 7
     for window, (count, value) in zip(found, BOLZA):
         assert window.least == window.most == count
@@ -40,8 +45,7 @@ def test_a_time_is_for_longer_and_longer_geodesics():
     assert epsnet.Surface.octagon(seed=5).eigenvalues(7, time=1000, fast=True).up_to == "7"
 
 
-def test_of_a_file_are_the_same(bolza, tmp_path):
-    found = bolza.eigenvalues(9, count=3, fast=True)
+def test_of_a_file_are_the_same(found, tmp_path):
     path = str(tmp_path / "eigenvalues.json")
     found.save(path)
     loaded = epsnet.load(path)
@@ -54,8 +58,7 @@ def test_few_geodesics_bound_the_first_one(bolza):
     assert window.interval.lower == 0 and window.least == 1 < window.most and window.interval.upper > BOLZA[0][1]
 
 
-def test_the_picture_has_a_band_for_each_window(bolza):
-    found = bolza.eigenvalues(9, count=7, fast=True)
+def test_the_picture_has_a_band_for_each_window(found):
     root = ElementTree.fromstring(found.svg(700))
     assert (root.get("width"), root.get("height")) == ("700", "434")
     bands = next(group for group in root if group.get("class") == "windows")
