@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <string>
+#include <vector>
 
 #include "kernel/plane.h"
 #include "netgen/exchange/domain_format.h"

@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 #include <numbers>
 #include <rapidcheck/gtest.h>
+#include <string>
+#include <vector>
 
 #include "certify/check.h"
 #include "kernel/plane.h"
+#include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
 
 namespace epsnet {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 #include <set>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>

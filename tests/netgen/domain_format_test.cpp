@@ -1,10 +1,13 @@
 #include "netgen/exchange/domain_format.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "certify/file/reader.h"
 #include "netgen/exchange/ear_clipping.h"

@@ -1,13 +1,16 @@
 #include "netgen/pictures/draw.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <optional>
 #include <rapidcheck/gtest.h>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>

@@ -1,6 +1,7 @@
 #include "netgen/surfaces/fenchel_nielsen.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -8,7 +9,10 @@
 #include <gtest/gtest.h>
 #include <memory>
 #include <rapidcheck/gtest.h>
+#include <string>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 #include "netgen/base/gmp.h"
 #include "tests/support/triangulations.h"

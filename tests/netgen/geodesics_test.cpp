@@ -1,6 +1,7 @@
 #include "netgen/geodesics/geodesics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <iostream>
@@ -9,6 +10,7 @@
 #include <set>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "certify/check.h"
@@ -17,6 +19,7 @@
 #include "netgen/geodesics/cutting_search.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/triangulated_net.h"
+#include "netgen/surfaces/octagon.h"
 #include "tests/netgen/unfolding.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/operations.h"

@@ -1,7 +1,12 @@
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
+#include <optional>
 #include <rapidcheck/gtest.h>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "certify/check.h"
 #include "netgen/base/gmp.h"

@@ -1,8 +1,12 @@
 #include "netgen/lifts/locate.h"
 
+#include <array>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "certify/check.h"

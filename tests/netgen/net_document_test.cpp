@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/triangulated_net.h"

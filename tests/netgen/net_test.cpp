@@ -8,12 +8,15 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
+#include "netgen/exchange/domain_format.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/surfaces/octagon.h"
 #include "tests/support/polygons.h"
 #include "tests/support/scale.h"
 #include "tests/support/triangulations.h"

@@ -1,8 +1,10 @@
 #include "netgen/surfaces/octagon.h"
 
+#include <array>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <string>
 
 #include "netgen/exchange/domain_format.h"
 #include "tests/support/polygons.h"

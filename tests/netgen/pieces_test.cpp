@@ -12,6 +12,7 @@
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/refine.h"
 #include "netgen/nets/triangulated_net.h"
+#include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/editor.h"
 #include "triangulation/mesh/marks.h"

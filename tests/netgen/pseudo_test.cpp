@@ -6,7 +6,9 @@
 #include <rapidcheck/gtest.h>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "certify/check.h"
@@ -16,6 +18,7 @@
 #include "netgen/nets/collars.h"
 #include "netgen/nets/net_document.h"
 #include "netgen/nets/refine.h"
+#include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/operations.h"
 

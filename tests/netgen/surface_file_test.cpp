@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <ostream>
+#include <stdexcept>
+#include <string>
 #include <sys/stat.h>
+#include <vector>
 
 #include "certify/file/reader.h"
 #include "netgen/base/atomic_file.h"

@@ -6,6 +6,10 @@
 #include <numeric>
 #include <rapidcheck/gtest.h>
 #include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "certify/file/reader.h"
 #include "netgen/exchange/domain_format.h"

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 #include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 

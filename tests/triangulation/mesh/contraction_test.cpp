@@ -2,8 +2,11 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <string>
+#include <vector>
 
 #include "netgen/nets/start.h"
+#include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/operations.h"
 

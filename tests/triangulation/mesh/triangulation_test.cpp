@@ -1,13 +1,19 @@
 #include "triangulation/mesh/triangulation.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <random>
 #include <rapidcheck/gtest.h>
 #include <set>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "netgen/nets/net_document.h"
+#include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/circumcentre.h"
 #include "triangulation/mesh/editor.h"

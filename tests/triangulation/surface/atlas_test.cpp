@@ -1,5 +1,7 @@
 #include "triangulation/surface/atlas.h"
 
+#include <algorithm>
+#include <cmath>
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 #include <set>
@@ -7,6 +9,7 @@
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
 #include "tests/support/triangulations.h"
 

@@ -1,7 +1,10 @@
 #include "triangulation/surface/curve_bound.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <utility>
+#include <vector>
 
 #include "tests/support/triangulations.h"
 
