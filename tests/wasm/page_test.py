@@ -23,7 +23,10 @@ from browsers import BrowserError, Chromium, Firefox, kFramePath, wait
 class Handler(http.server.SimpleHTTPRequestHandler):
     extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map, ".mjs": "text/javascript", ".wasm": "application/wasm"}
 
+    requested: list[str] = []
+
     def do_GET(self):
+        self.requested.append(self.path)
         if self.path != kFramePath:
             super().do_GET()
             return
@@ -32,8 +35,16 @@ class Handler(http.server.SimpleHTTPRequestHandler):
         self.end_headers()
         self.wfile.write(b"<!DOCTYPE html><title>a frame</title><body></body>")
 
+    def end_headers(self):
+        self.send_header("Cache-Control", "no-store")  # So that `requested` has all that a page uses.
+        super().end_headers()
+
     def log_message(self, *_):
         pass
+
+
+# What a first net does not need of the module.
+kDeferred = "/module.deferred.wasm"
 
 
 class Page:
@@ -97,6 +108,7 @@ class Page:
 
 
 def first_net(page: Page, certify: str) -> None:
+    Handler.requested.clear()
     page.open()
     page.keep("start")
     page.expect(page.run("return innerWidth") == page.size[0], "the screen is not as wide as it should be")
@@ -114,6 +126,7 @@ def first_net(page: Page, certify: str) -> None:
     page.expect(page.saved("Save the certificate").decode().splitlines()[-1] == "VERIFIED", "the saved certificate")
     page.expect(re.match("[0-9]{3,} triangles in view", page.text("status")), f"the picture says {page.text('status')}")
     page.keep("verified")
+    page.expect(kDeferred not in Handler.requested, "the first net loaded the whole module")
     page.expect(page.run("""return performance.getEntriesByType('resource').every(entry => new URL(entry.name).origin === location.origin || entry.name.startsWith('data:'))"""),
                 "something was asked from elsewhere")
 
@@ -121,6 +134,7 @@ def first_net(page: Page, certify: str) -> None:
 def questions(page: Page) -> None:
     page.click("systole")
     page.rest("the systole")
+    page.expect(kDeferred in Handler.requested, "the systole did not load the rest of the module")
     page.expect("closed geodesic" in page.text("answered") and "VERIFIED" in page.text("answered"), f"the systole: {page.text('answered')} {page.text('problem')}")
     page.expect(page.run("return document.getElementById('geodesics').options.length > 0"), "the systole is not drawn")
     page.click("take")

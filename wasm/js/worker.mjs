@@ -11,7 +11,10 @@ let reported = 0;
 let module;
 const ready = createModule({
   print: (text) => console.log(text),
-  printErr: (text) => console.error(text),
+  printErr: (text) => {
+    // Not worth a word: the second part of the module, module.deferred.wasm, is loaded when it is needed first.
+    if (!/^(placeholder function called|instantiated deferred module)/.test(text)) console.error(text);
+  },
 }).then((made) => {
   module = made;
   module.progress = (what, share) => {
