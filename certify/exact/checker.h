@@ -3,9 +3,9 @@
 #include <string>
 #include <string_view>
 
-/// A second checker of nets, pseudo nets, systoles, spectra, distances, bounds, eigenvalues and isometries. It computes
-/// with integers, of which it makes the algebraic numbers of regular tiles, and with intervals whose ends MPFR rounds
-/// where a root or a function is asked.
+/// A second checker of nets, pseudo nets, lists of geodesics, distances, bounds, eigenvalues and isometries. It
+/// computes with integers, of which it makes the algebraic numbers of regular tiles, and with intervals whose ends MPFR
+/// rounds where a root or a function is asked.
 ///
 /// It shares nothing with the checker beside it: no ball arithmetic, no JSON library, no threads, no line of code. It
 /// is written against docs/format.md and docs/proof.md, in the order of the latter's sections.
@@ -27,9 +27,9 @@ inline constexpr const char* kLeftOut = "document";
 inline constexpr long kUsualLifts = 100'000;
 inline constexpr long kMostLifts = 10'000'000;
 
-/// The verdict on a file. Compact files, thick-thin decompositions, eigenvalues files with eigenfunctions, and lists of
-/// geodesics that take more lifts are undecided, by kLeftOut. Linear time in the size of the file but for the exact
-/// numbers of labels, and for lists of geodesics. Throws std::bad_alloc only.
+/// The verdict on a file. Compact files, eigenvalues files with eigenfunctions, and lists of geodesics that take more
+/// lifts are undecided, by kLeftOut. Linear time in the size of the file but for the exact numbers of labels, and for
+/// lists of geodesics. Throws std::bad_alloc only.
 [[nodiscard]] Result check(std::string_view text, long most_lifts = kUsualLifts);
 
 }  // namespace epsnet::exact

@@ -11,7 +11,7 @@
 /// long as what it returns. A list of geodesics may ask for `most_lifts` lifted vertices.
 namespace epsnet::exact {
 
-/// Section 11.1 of docs/proof.md: a systole or a spectrum.
+/// Section 11.1 of docs/proof.md: a list of geodesics.
 template <class R>
 [[nodiscard]] std::vector<Rule> geodesic_rules(const GeodesicsDocument& document, NetRules<R>& net, long most_lifts);
 /// Section 14.

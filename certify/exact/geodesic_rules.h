@@ -39,7 +39,9 @@ class GeodesicRules {
   void check_simple();
   void check_equal() const;
   void check_complete();
+  void check_pieces();
 
+  [[nodiscard]] bool is_thick_thin() const { return document_.claim == GeodesicsDocument::Claim::thick_thin; }
   void expect_less(std::size_t i, const mpq_class& length, bool wanted);
   void find_powers();
   [[nodiscard]] const Class& class_of(std::size_t i) const { return classes_[loops_->representative(listed_[i])]; }

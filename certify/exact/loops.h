@@ -51,6 +51,12 @@ struct HalfLength {
   R denominator;
 };
 
+/// Whether the length is at most 2 arsinh 1.
+template <class R>
+bool is_small(const HalfLength<R>& x) {
+  return sgn(R(x.numerator - x.denominator)) <= 0;
+}
+
 /// The sign of the difference of two lengths.
 template <class R>
 int compare(const HalfLength<R>& x, const HalfLength<R>& y) {
