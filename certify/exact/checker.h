@@ -23,12 +23,12 @@ struct Result {
 /// What takes the place of a rule where a file is not for this checker; the message says what kind of file it is.
 inline constexpr const char* kLeftOut = "document";
 
-/// Lifted vertices that a list of geodesics may ask for: some seconds, and minutes.
+/// Lifted vertices that a list of geodesics may ask for, and values that eigenfunctions may: some seconds, and minutes.
 inline constexpr long kUsualLifts = 100'000;
 inline constexpr long kMostLifts = 10'000'000;
 
-/// The verdict on a file. Compact files, eigenvalues files with eigenfunctions, and lists of geodesics that take more
-/// lifts are undecided, by kLeftOut. Linear time in the size of the file but for the exact numbers of labels, and for
+/// The verdict on a file. Compact files, lists of geodesics that take more lifts, and eigenfunctions that take more
+/// values are undecided, by kLeftOut. Linear time in the size of the file but for the exact numbers of labels, and for
 /// lists of geodesics. Throws std::bad_alloc only.
 [[nodiscard]] Result check(std::string_view text, long most_lifts = kUsualLifts);
 

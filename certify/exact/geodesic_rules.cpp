@@ -85,7 +85,7 @@ std::vector<Rule> GeodesicRules<R>::rules() {
 }
 
 template <class R>
-const Loops<R>& GeodesicRules<R>::loops() {
+Loops<R>& GeodesicRules<R>::loops() {
   if (loops_) return *loops_;
   const auto squared_half_sinh = [](const mpq_class& length) { return square(sinh(Interval(length) / 2)); };
   // Of a thick-thin decomposition more than 1, as lengths may be 2 arsinh 1 exactly.

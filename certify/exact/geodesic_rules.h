@@ -25,7 +25,7 @@ class GeodesicRules {
   /// Of the list; after the rule `geodesics`.
   [[nodiscard]] const std::vector<HalfLength<R>>& lengths() const { return lengths_; }
   /// Those of length at most L.
-  [[nodiscard]] const Loops<R>& loops();
+  [[nodiscard]] Loops<R>& loops();
 
  private:
   /// Of elements that are conjugate, or inverse to that: powers of what root.

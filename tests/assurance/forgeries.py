@@ -2558,6 +2558,41 @@ def eigenfunction(**changes):
 UNPROVED = "UNDECIDED: eigenfunctions"
 
 
+def rough_eigenfunction(**changes):
+    """The same with few geodesics and coefficients: λ_1 is known to three digits, and both checkers know the file."""
+    document = eigenvalues("octagon-5-to-7-digits")
+    document["eigenfunctions"][0].update(changes)
+    return document
+
+
+@forgery(UNPROVED)
+def rough_eigenfunction_enclosed_in_less():
+    """The interval of an eigenfunction is a third as wide."""
+    return rough_eigenfunction(**{"in": [2.774, 2.776]})
+
+
+@forgery(UNPROVED)
+def rough_eigenfunction_turned_at_a_vertex():
+    """Around the last vertex α_1 has the other sign."""
+    coefficients = rough_eigenfunction()["eigenfunctions"][0]["coefficients"]
+    coefficients[8 * len(coefficients) // 9 + 1] *= -1
+    return rough_eigenfunction(coefficients=coefficients)
+
+
+@refuted("most", also=["windows"])
+def rough_eigenfunction_left_out():
+    """No eigenfunction: a count that takes account of its eigenvalue is one less than what follows."""
+    return with_(rough_eigenfunction(), eigenfunctions=[])
+
+
+@refuted("windows")
+def rough_eigenfunction_enclosed_by_a_unit_less():
+    """The upper end of the smallest eigenvalue's enclosure is the end of its function's interval."""
+    document = rough_eigenfunction()
+    document["windows"][0]["smallest"][1] = document["eigenfunctions"][0]["in"][1]
+    return document
+
+
 @forgery(UNPROVED, exact=LEFT)
 def eigenfunction_of_another_eigenvalue():
     """λ of the functions is a billionth more, and so are all ends of enclosures."""

@@ -104,7 +104,8 @@ TEST(SecondChecker, VerifiesClaimsOfEveryKindThatItKnows) {
                                  "isometries/octagon-5",
                                  "isometries/fenchel-nielsen-3-1",
                                  "isometries/bolza-of-one-vertex",
-                                 "eigenvalues/bolza-to-3.1"}) {
+                                 "eigenvalues/bolza-to-3.1",
+                                 "eigenvalues/octagon-5-to-7-digits"}) {
     SCOPED_TRACE(name);
     const Result result = check(contents(std::string(EPSNET_TEST_DATA) + "/" + name + ".json"));
     EXPECT_EQ(result.verdict, Verdict::verified) << result.rule << ": " << result.message;
@@ -117,6 +118,15 @@ TEST(SecondChecker, LeavesListsOutThatAreTooLargeForIt) {
   const std::string spectrum = contents(std::string(EPSNET_TEST_DATA) + "/forgeries/spectrum.json");
   EXPECT_EQ(check(spectrum).verdict, Verdict::verified);
   EXPECT_TRUE(is_left_out(check(spectrum, 100)));
+}
+
+TEST(SecondChecker, LeavesEigenfunctionsOutThatAreTooManyForIt) {
+  auto document = certify::read_file<certify::EigenvaluesDocument>(std::string(EPSNET_TEST_DATA) +
+                                                                   "/eigenvalues/octagon-5-to-7-digits.json");
+  document.eigenfunctions.resize(8, document.eigenfunctions[0]);
+  std::ostringstream out;
+  certify::write_file(document, out);
+  EXPECT_EQ(check(out.str()).message, "not for this checker: so many eigenfunctions");
 }
 
 TEST(SecondChecker, EverySingleByteRemovedIsNoticedOrHarmless) {
