@@ -50,11 +50,12 @@ std::vector<Piece> read_pieces(const Json& value) {
   std::vector<Piece> pieces;
   for (const Json& row : array(value, "pieces")) {
     expect_members(row, {"genus", "boundaries"});
-    Piece& piece = pieces.emplace_back(to_index(member(row, "genus")));
+    Piece piece{.genus = to_index(member(row, "genus")), .boundaries = {}};
     for (const Json& boundary : array(member(row, "boundaries"), "boundaries")) {
       const auto& pair = tuple(boundary, 2, "a boundary");
       piece.boundaries.push_back({to_index(pair[0]), to_index(pair[1])});
     }
+    pieces.push_back(std::move(piece));
   }
   return pieces;
 }

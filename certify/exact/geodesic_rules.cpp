@@ -87,11 +87,13 @@ std::vector<Rule> GeodesicRules<R>::rules() {
 template <class R>
 Loops<R>& GeodesicRules<R>::loops() {
   if (loops_) return *loops_;
-  const auto squared_half_sinh = [](const mpq_class& length) { return square(sinh(Interval(length) / 2)); };
+  const std::vector<ClosedGeodesic>& rows = document_.geodesics;
+  const bool is_systole = document_.claim == Claim::systole;
+  // Powers of the first geodesic, both ways, are lifts at a vertex near its axis. 2 arsinh 1 is more than 1.
+  const mpq_class longest = is_thick_thin() ? mpq_class(1) : is_systole ? rows[0].length[1] : document_.up_to;
+  if (!rows.empty() && 2 * longest > most_lifts_ * rows[0].length[1]) leave_loops_out();
   // Of a thick-thin decomposition more than 1, as lengths may be 2 arsinh 1 exactly.
-  bound_ = document_.claim == Claim::spectrum ? squared_half_sinh(document_.up_to)
-           : is_thick_thin()                  ? 1 + Interval(1, 1, 32)
-                                              : squared_half_sinh(document_.geodesics[0].length[1]);
+  bound_ = is_thick_thin() ? 1 + Interval(1, 1, 32) : square(sinh(Interval(longest) / 2));
   loops_.emplace(net_, bound_, most_lifts_);
   find_powers();
   for (std::size_t i = 0; i < elements_.size(); ++i) listed_.push_back(near_its_axis(i));

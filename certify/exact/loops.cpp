@@ -8,6 +8,7 @@
 namespace epsnet::exact {
 
 void give_up(const std::string& why) { throw TooLarge{why}; }
+void leave_loops_out() { throw LeftOut{"so many loops of such lengths"}; }
 
 bool decided(Answer answer, const char* what) {
   if (answer == Answer::unknown) give_up(std::string(what) + " is not decided by the digits used");
@@ -22,8 +23,6 @@ namespace {
 
 constexpr double kSquares = 1L << 30;
 constexpr double kError = 1.0 / (1L << 8);  ///< Of a place, in squares.
-
-[[noreturn]] void leave_out() { throw LeftOut{"so many loops of such lengths"}; }
 
 /// Where a point is in the table, wrong by less than kError: the quotients of numbers that are known to 2⁻⁴⁵ of |d|.
 std::array<double, 2> in_squares(const Place& place) {
@@ -79,7 +78,7 @@ void Loops<R>::prepare() {
   // As many lifts as fit into so many disks by area: 2π(cosh D − 1), cosh D = 1 + 2 sinh²(D/2), of −2πχ each V.
   const auto vertices = static_cast<long>(net.vertices.size());
   const auto minus_euler = static_cast<long>(net.triangles.size() / 2) - vertices;
-  if (is_less(Interval(lifts_left_), 2 * reach_ * vertices * vertices / minus_euler) == Answer::yes) leave_out();
+  if (is_less(Interval(lifts_left_), 2 * reach_ * vertices * vertices / minus_euler) == Answer::yes) leave_loops_out();
   leaving_.resize(net.vertices.size());
   for (const Vertex& vertex : net.vertices) {
     const auto m = enclosure(vertex.z.m);
@@ -116,7 +115,7 @@ std::vector<typename Loops<R>::Lift> Loops<R>::lifts(Index first, const Interval
       if (is_less(farthest[step.end], moved(first, place)) == Answer::yes) continue;
       if (table.find(step.end, place, [&](std::size_t k) { return are_same(lifts[k].place, place, step.end); }))
         continue;
-      if (--lifts_left_ < 0) leave_out();
+      if (--lifts_left_ < 0) leave_loops_out();
       table.insert(step.end, place, lifts.size());
       lifts.push_back({step.end, compose(lifts[i].frame, step.motion), place, i, dart});
     }

@@ -19,6 +19,8 @@ using Motion = Isometry<Interval>;
 
 /// Gives a question up: TooLarge.
 [[noreturn]] void give_up(const std::string& why);
+/// Leaves a list that is too long to others: LeftOut.
+[[noreturn]] void leave_loops_out();
 
 /// Whether the answer is yes; unknown is too close.
 bool decided(Answer answer, const char* what);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -48,7 +49,7 @@ class Cutter {
   }
 
  private:
-  static constexpr std::size_t kNone = -1;
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
   struct Element {
     Index geodesic;
