@@ -104,8 +104,7 @@ TEST(SecondChecker, VerifiesClaimsOfEveryKindThatItKnows) {
                                  "isometries/octagon-5",
                                  "isometries/fenchel-nielsen-3-1",
                                  "isometries/bolza-of-one-vertex",
-                                 "eigenvalues/bolza-to-3.1",
-                                 "eigenvalues/octagon-5-to-7-digits"}) {
+                                 "eigenvalues/bolza-to-3.1"}) {
     SCOPED_TRACE(name);
     const Result result = check(contents(std::string(EPSNET_TEST_DATA) + "/" + name + ".json"));
     EXPECT_EQ(result.verdict, Verdict::verified) << result.rule << ": " << result.message;
@@ -120,9 +119,13 @@ TEST(SecondChecker, LeavesListsOutThatAreTooLargeForIt) {
   EXPECT_TRUE(is_left_out(check(spectrum, 100)));
 }
 
-TEST(SecondChecker, LeavesEigenfunctionsOutThatAreTooManyForIt) {
+TEST(SlowSecondChecker, VerifiesEigenfunctionsThatAreNotTooMany) {
   auto document = certify::read_file<certify::EigenvaluesDocument>(std::string(EPSNET_TEST_DATA) +
                                                                    "/eigenvalues/octagon-5-to-7-digits.json");
+  std::ostringstream good;
+  certify::write_file(document, good);
+  const Result result = check(good.str());
+  EXPECT_EQ(result.verdict, Verdict::verified) << result.rule << ": " << result.message;
   document.eigenfunctions.resize(8, document.eigenfunctions[0]);
   std::ostringstream out;
   certify::write_file(document, out);
