@@ -92,6 +92,7 @@ TEST(SecondChecker, VerifiesClaimsOfEveryKindThatItKnows) {
                                  "geodesics/bolza-to-6.2",
                                  "geodesics/octagon-5-to-6",
                                  "geodesics/three-cuffs",
+                                 "geodesics/three-cuffs-and-one-vertex",
                                  "geodesics/two-cuffs-that-differ-by-1e-14",
                                  "geodesics/two-short-cuffs-that-differ-by-1e-17",
                                  "geodesics/no-curve-of-2-arsinh-1-and-1e-20-more",
@@ -445,6 +446,8 @@ using certify::GeodesicsDocument;
 
 /// Two pairs of pants with three cuffs in common, on which vertices of the net lie.
 GeodesicsDocument three_cuffs() { return load<GeodesicsDocument>("geodesics/three-cuffs.json"); }
+/// The same on another surface, on a net of one vertex: geodesics cross an edge several times.
+GeodesicsDocument one_vertex() { return load<GeodesicsDocument>("geodesics/three-cuffs-and-one-vertex.json"); }
 /// Regular hexagons; the only small curve has the length 2 arsinh 1.
 GeodesicsDocument hexagons() { return load<GeodesicsDocument>("geodesics/hexagons-with-a-curve-of-2-arsinh-1.json"); }
 
@@ -502,7 +505,7 @@ TEST(BothCheckers, ThickThinCurvesAreSimpleAndAsLongAsOthersOnlyIfTheyAre) {
 }
 
 TEST(BothCheckers, PiecesAreThoseOfTheCutSurface) {
-  for (const GeodesicsDocument& good : {three_cuffs(), hexagons()}) {
+  for (const GeodesicsDocument& good : {three_cuffs(), one_vertex(), hexagons()}) {
     GeodesicsDocument document = good;
     std::reverse(document.pieces.begin(), document.pieces.end());
     for (auto& piece : document.pieces) std::reverse(piece.boundaries.begin(), piece.boundaries.end());
@@ -528,31 +531,38 @@ TEST(BothCheckers, PiecesAreThoseOfTheCutSurface) {
   expect_of_both(document, "REFUTED: pieces");
 }
 
-TEST(BothCheckers, SidesOfPiecesAreThoseOfDirectedGeodesics) {
-  const GeodesicsDocument good = three_cuffs();
-  std::map<std::uint32_t, std::uint32_t> partner;
-  const auto side = [&](std::uint32_t tile, std::uint32_t k) {
-    for (std::uint32_t t = 0; t < tile; ++t) k += static_cast<std::uint32_t>(good.net.surface.tiles[t].size());
-    return k;
+/// By side, numbered through all tiles: the other one of its pair.
+std::map<std::uint32_t, std::uint32_t> partners(const SurfaceDocument& surface) {
+  const auto number = [&](std::uint32_t tile, std::uint32_t side) {
+    for (std::uint32_t t = 0; t < tile; ++t) side += static_cast<std::uint32_t>(surface.tiles[t].size());
+    return side;
   };
-  for (const SurfaceDocument::Gluing& g : good.net.surface.gluing) {
-    const std::uint32_t one = side(g.tile, g.side);
-    const std::uint32_t other = side(g.other_tile, g.other_side);
-    partner[one] = other;
-    partner[other] = one;
+  std::map<std::uint32_t, std::uint32_t> result;
+  for (const SurfaceDocument::Gluing& g : surface.gluing) {
+    const std::uint32_t one = number(g.tile, g.side);
+    const std::uint32_t other = number(g.other_tile, g.other_side);
+    result[one] = other;
+    result[other] = one;
   }
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    GeodesicsDocument document = good;
-    for (auto& piece : document.pieces) {
-      for (auto& boundary : piece.boundaries) {
-        if (boundary.first == i) boundary.second = 1 - boundary.second;
+  return result;
+}
+
+TEST(BothCheckers, SidesOfPiecesAreThoseOfDirectedGeodesics) {
+  for (const GeodesicsDocument& good : {three_cuffs(), one_vertex()}) {
+    const auto partner = partners(good.net.surface);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      GeodesicsDocument document = good;
+      for (auto& piece : document.pieces) {
+        for (auto& boundary : piece.boundaries) {
+          if (boundary.first == i) boundary.second = 1 - boundary.second;
+        }
       }
+      expect_of_both(document, "REFUTED: pieces");
+      auto& word = document.geodesics[i].word;
+      std::reverse(word.begin(), word.end());
+      for (std::uint32_t& letter : word) letter = partner.at(letter);
+      expect_of_both(document, "VERIFIED");
     }
-    expect_of_both(document, "REFUTED: pieces");
-    auto& word = document.geodesics[i].word;
-    std::reverse(word.begin(), word.end());
-    for (std::uint32_t& letter : word) letter = partner.at(letter);
-    expect_of_both(document, "VERIFIED");
   }
 }
 
