@@ -53,7 +53,6 @@ Result check(std::string_view text, long most_lifts) {
     if (root.kind != Json::Kind::object) throw Malformed("expected an object");
     const Json& format = member(root, "format");
     if (is_text(format, "epsnet-geodesics")) {
-      if (is_text(member(root, "claim"), "thick-thin")) return left_out("thick-thin decompositions");
       const GeodesicsDocument document = read_geodesics(root);
       return ask_all(document.net, [&](auto& net) { return geodesic_rules(document, net, most_lifts); });
     }

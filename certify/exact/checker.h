@@ -3,9 +3,9 @@
 #include <string>
 #include <string_view>
 
-/// A second checker of nets, pseudo nets, systoles, spectra, distances, bounds, eigenvalues and isometries. It computes
-/// with integers, of which it makes the algebraic numbers of regular tiles, and with intervals whose ends MPFR rounds
-/// where a root or a function is asked.
+/// A second checker of nets, pseudo nets, lists of geodesics, distances, bounds, eigenvalues and isometries. It
+/// computes with integers, of which it makes the algebraic numbers of regular tiles, and with intervals whose ends MPFR
+/// rounds where a root or a function is asked.
 ///
 /// It shares nothing with the checker beside it: no ball arithmetic, no JSON library, no threads, no line of code. It
 /// is written against docs/format.md and docs/proof.md, in the order of the latter's sections.
@@ -23,13 +23,13 @@ struct Result {
 /// What takes the place of a rule where a file is not for this checker; the message says what kind of file it is.
 inline constexpr const char* kLeftOut = "document";
 
-/// Lifted vertices that a list of geodesics may ask for: some seconds, and minutes.
+/// Lifted vertices that a list of geodesics may ask for, and values that eigenfunctions may: some seconds, and minutes.
 inline constexpr long kUsualLifts = 100'000;
 inline constexpr long kMostLifts = 10'000'000;
 
-/// The verdict on a file. Compact files, thick-thin decompositions, eigenvalues files with eigenfunctions, and lists of
-/// geodesics that take more lifts are undecided, by kLeftOut. Linear time in the size of the file but for the exact
-/// numbers of labels, and for lists of geodesics. Throws std::bad_alloc only.
+/// The verdict on a file. Compact files, lists of geodesics that take more lifts, and eigenfunctions that take more
+/// values are undecided, by kLeftOut. Linear time in the size of the file but for the exact numbers of labels, and for
+/// lists of geodesics. Throws std::bad_alloc only.
 [[nodiscard]] Result check(std::string_view text, long most_lifts = kUsualLifts);
 
 }  // namespace epsnet::exact

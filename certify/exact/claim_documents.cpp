@@ -30,7 +30,7 @@ bool read_bool(const Json& value) {
 /// What a list of geodesics has, whatever else is in the file.
 GeodesicsDocument read_list(const Json& root, GeodesicsDocument::Claim claim, Words& words) {
   GeodesicsDocument document{
-      .claim = claim, .net = read_whole_net(root, words), .up_to = {}, .geodesics = {}, .clusters = {}};
+      .claim = claim, .net = read_whole_net(root, words), .up_to = {}, .geodesics = {}, .clusters = {}, .pieces = {}};
   for (const Json& row : array(member(root, "geodesics"), "geodesics")) {
     expect_members(row, {"vertex", "word", "length", "simple"});
     document.geodesics.push_back({to_index(member(row, "vertex")), words.read(member(row, "word")),
@@ -44,6 +44,20 @@ GeodesicsDocument read_list(const Json& root, GeodesicsDocument::Claim claim, Wo
         {to_index(member(row, "first")), to_index(member(row, "count")), read_bool(member(row, "equal"))});
   }
   return document;
+}
+
+std::vector<Piece> read_pieces(const Json& value) {
+  std::vector<Piece> pieces;
+  for (const Json& row : array(value, "pieces")) {
+    expect_members(row, {"genus", "boundaries"});
+    Piece piece{.genus = to_index(member(row, "genus")), .boundaries = {}};
+    for (const Json& boundary : array(member(row, "boundaries"), "boundaries")) {
+      const auto& pair = tuple(boundary, 2, "a boundary");
+      piece.boundaries.push_back({to_index(pair[0]), to_index(pair[1])});
+    }
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
 }
 
 Range read_range(const Json& row, const char* name) { return read_length(member(row, name), name); }
@@ -116,6 +130,12 @@ GeodesicsDocument read_geodesics(const Json& root) {
   if (is_text(claim, "spectrum")) {
     expect_members(root, {"format", "version", "claim", "net", "up_to", "geodesics", "clusters"});
     return read_list(root, spectrum, words);
+  }
+  if (is_text(claim, "thick-thin")) {
+    expect_members(root, {"format", "version", "claim", "net", "geodesics", "clusters", "pieces"});
+    GeodesicsDocument document = read_list(root, thick_thin, words);
+    document.pieces = read_pieces(member(root, "pieces"));
+    return document;
   }
   expect_text(claim, "systole", "the claim");
   expect_members(root, {"format", "version", "claim", "net", "geodesics"});

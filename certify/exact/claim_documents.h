@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <gmpxx.h>
 #include <vector>
 
@@ -45,14 +46,23 @@ struct Cluster {
   bool equal;
 };
 
+/// Of the surface cut along geodesics.
+struct Piece {
+  Index genus;
+  std::vector<std::array<Index, 2>> boundaries;  ///< A geodesic, and 0 for its left side, 1 for its right one.
+
+  friend auto operator<=>(const Piece&, const Piece&) = default;
+};
+
 struct GeodesicsDocument {
-  enum class Claim { systole, spectrum };
+  enum class Claim { systole, spectrum, thick_thin };
 
   Claim claim;
   Net net;
   mpq_class up_to;  ///< Of a spectrum.
   std::vector<ClosedGeodesic> geodesics;
   std::vector<Cluster> clusters;  ///< Unless it is a systole.
+  std::vector<Piece> pieces;      ///< Of a thick-thin decomposition.
 };
 
 using Range = std::array<mpq_class, 2>;

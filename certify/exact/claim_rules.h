@@ -8,10 +8,11 @@
 
 /// The rules of claims about a net, to be asked after those of the net, which are verified then. Each
 /// function throws Malformed if the structure of the document is broken; the net's rules and the document must live as
-/// long as what it returns. A list of geodesics may ask for `most_lifts` lifted vertices.
+/// long as what it returns. A list of geodesics may ask for `most_lifts` lifted vertices, and
+/// eigenfunctions for as many values.
 namespace epsnet::exact {
 
-/// Section 11.1 of docs/proof.md: a systole or a spectrum.
+/// Section 11.1 of docs/proof.md: a list of geodesics.
 template <class R>
 [[nodiscard]] std::vector<Rule> geodesic_rules(const GeodesicsDocument& document, NetRules<R>& net, long most_lifts);
 /// Section 14.

@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "certify/exact/claim_rules.h"
+#include "certify/exact/eigenfunctions.h"
 #include "certify/exact/geodesic_rules.h"
 #include "certify/exact/trace_formula.h"
 
-/// Sections 17 and 17.1: eigenvalues of the Laplacian, by the trace formula. Eigenfunctions are left out.
+/// Sections 17 and 17.1: eigenvalues of the Laplacian, by the trace formula and eigenfunctions.
 namespace epsnet::exact {
 namespace {
 
@@ -17,6 +18,28 @@ using Document = EigenvaluesDocument;
 using Function = Document::Eigenfunction;
 
 bool contains(const Range& x, const Range& y) { return x[0] <= y[0] && y[1] <= x[1]; }
+bool are_apart(const Range& x, const Range& y) { return x[1] < y[0] || y[1] < x[0]; }
+
+/// Of the intervals of eigenfunctions for which that holds, in the order of their upper ends, or lower ends if these
+/// are equal, each one that has no point in common with those taken before.
+template <class Condition>
+std::vector<Range> disjoint(const Document& document, const Condition& holds) {
+  std::vector<Range> known;
+  for (const Function& row : document.eigenfunctions) {
+    if (holds(row.in)) known.push_back({row.in[1], row.in[0]});
+  }
+  std::sort(known.begin(), known.end());
+  std::vector<Range> result;
+  for (const auto& [upper, lower] : known) {
+    if (result.empty() || result.back()[1] < lower) result.push_back({lower, upper});
+  }
+  return result;
+}
+
+mpq_class greatest_eigenvalue(const Document& document) {
+  const mpq_class step = step_of(document);
+  return mpq_class(1, 4) + 9 / (step * step);
+}
 
 // Structure.
 
@@ -32,9 +55,8 @@ void expect_coefficients(const Coefficients& coefficients) {
 void check_structure(const Document& document) {
   expect(document.order >= 8 && document.order <= 16 && document.order % 2 == 0, "order: not 8, 10, …, 16");
   expect(document.degree >= 1 && document.degree <= 64, "degree: not from 1 to 64");
-  const mpq_class step = step_of(document);
-  expect(step <= 1, "degree: too small for lengths up to up_to");
-  const mpq_class greatest = mpq_class(1, 4) + 9 / (step * step);
+  expect(step_of(document) <= 1, "degree: too small for lengths up to up_to");
+  const mpq_class greatest = greatest_eigenvalue(document);
   const auto expect_statement = [&](const Range& in, const Coefficients& coefficients) {
     expect(in[1] <= greatest, "in: reaches too far");
     expect(coefficients.size() == document.degree + 1, "not degree + 1 coefficients");
@@ -97,7 +119,7 @@ Answer is_positive(const Range& range, const Enclose& enclose) {
   return Answer::yes;
 }
 
-/// What follows for windows from statements that are true (Lemma 37 (a), (b) and (c)).
+/// What follows for windows from statements that are true (Lemma 37).
 class Counting {
  public:
   explicit Counting(const Document& document) : document_(document), by_end_(document.at_most) {
@@ -146,6 +168,7 @@ class Counting {
     return lower >= upper || at_most({lower, upper}, 0);
   }
   [[nodiscard]] bool at_least(const Range& window, Index count) const {
+    if (count <= disjoint(document_, [&](const Range& in) { return contains(window, in); }).size()) return true;
     return std::any_of(document_.at_least.begin(), document_.at_least.end(), [&](const Document::AtLeast& row) {
       return row.count >= count && contains(window, row.within) && none_between(row.in[0], row.within[0]) &&
              none_between(row.within[1], row.in[1]);
@@ -154,6 +177,7 @@ class Counting {
   /// Whether not all of the `count` eigenvalues in the window are in this part of it.
   [[nodiscard]] bool not_all_in(const Range& part, const Range& window, Index count) const {
     return at_most(part, std::uint64_t{count} - 1) ||
+           !disjoint(document_, [&](const Range& in) { return contains(window, in) && are_apart(in, part); }).empty() ||
            std::any_of(document_.at_least.begin(), document_.at_least.end(), [&](const Document::AtLeast& row) {
              return row.count > count && contains(row.within, part) && none_between(row.in[0], window[0]) &&
                     none_between(window[1], row.in[1]);
@@ -168,9 +192,8 @@ template <class R>
 class EigenvalueRules {
  public:
   EigenvalueRules(const Document& document, NetRules<R>& net, long most_lifts)
-      : document_(document), spectrum_(document.spectrum, net, most_lifts) {
+      : document_(document), spectrum_(document.spectrum, net, most_lifts), values_left_(most_lifts) {
     check_structure(document);
-    if (!document.eigenfunctions.empty()) throw LeftOut{"approximate eigenfunctions"};
   }
 
   [[nodiscard]] std::vector<Rule> rules() {
@@ -178,6 +201,7 @@ class EigenvalueRules {
     rules.push_back({"traces", [this] { check_traces(); }});
     rules.push_back({"most", [this] { check_most(); }});
     rules.push_back({"least", [this] { check_least(); }});
+    rules.push_back({.name = "eigenfunctions", .ask = [this] { check_eigenfunctions(); }, .may_be_open = true});
     rules.push_back({"windows", [this] { Counting(document_).check(); }});
     return rules;
   }
@@ -195,9 +219,7 @@ class EigenvalueRules {
     std::vector<Interval> lengths;
     for (const HalfLength<R>& x : spectrum_.lengths())
       lengths.push_back(2 * arsinh(sqrt(enclosure(x.numerator) / enclosure(x.denominator))));
-    const Net& net = document_.spectrum.net;
-    const TraceFormula formula(document_, lengths,
-                               static_cast<long>(net.triangles.size() / 2) - static_cast<long>(net.vertices.size()));
+    const TraceFormula formula(document_, lengths, minus_euler());
     for (const auto& row : document_.at_most) of_at_most_.push_back(formula.sums(row.coefficients));
     for (const auto& row : document_.at_least) of_at_least_.push_back(formula.sums(row.coefficients));
     for (const std::vector<Sums>& rows : {of_at_most_, of_at_least_}) {
@@ -208,13 +230,25 @@ class EigenvalueRules {
     }
   }
 
-  /// F_0 < (count + 1) f² in the whole range.
+  /// 2g − 2
+  [[nodiscard]] long minus_euler() const {
+    const Net& net = document_.spectrum.net;
+    return static_cast<long>(net.triangles.size() / 2) - static_cast<long>(net.vertices.size());
+  }
+
+  /// F_0, without what known eigenvalues elsewhere add, < (count + 1) f² in the whole range.
   void check_most() const {
     for (std::size_t i = 0; i < document_.at_most.size(); ++i) {
       const auto& [in, count, coefficients] = document_.at_most[i];
       const TestFunction function(document_, coefficients);
+      Interval sum = of_at_most_[i][0];
+      const mpq_class greatest = greatest_eigenvalue(document_);
+      const auto counts = [&, &range = in](const Range& known) {
+        return are_apart(known, range) && known[1] <= greatest;
+      };
+      for (const Range& known : disjoint(document_, counts)) sum = sum - function.squared_on(known);
       const auto margin = [&, most = static_cast<long>(count)](const Range& part) {
-        return (most + 1) * function.squared_on(part) - of_at_most_[i][0];
+        return (most + 1) * function.squared_on(part) - sum;
       };
       expect_yes(is_positive(in, margin), i);
     }
@@ -239,8 +273,43 @@ class EigenvalueRules {
     }
   }
 
+  /// [λ − δ, λ + δ] is a part of the range of each function.
+  void check_eigenfunctions() {
+    const std::vector<Function>& rows = document_.eigenfunctions;
+    std::vector<NearLifts> near;
+    for (const Function& row : rows) {
+      near.push_back(near_lifts(row.radius));
+      values_left_ -= static_cast<long>(values_needed(row, near.back()));
+      if (values_left_ < 0) throw LeftOut{"so many eigenfunctions"};
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Function& row = rows[i];
+      const Interval error = eigenvalue_error(row, document_.spectrum.net.epsilon, near[i], minus_euler());
+      const Interval lambda(row.lambda);
+      if (is_less(lambda - error, Interval(row.in[0])) != Answer::no ||
+          is_less(Interval(row.in[1]), lambda + error) != Answer::no)
+        give_up("function " + number(i) + " does not prove an eigenvalue in its interval");
+    }
+  }
+
+  /// Those nearer than ε + R to a vertex.
+  [[nodiscard]] NearLifts near_lifts(const mpq_class& radius) {
+    Loops<R>& loops = spectrum_.loops();
+    const Interval reach = square(sinh(Interval(document_.spectrum.net.epsilon + radius) / 2));
+    NearLifts near(document_.spectrum.net.vertices.size());
+    for (Index v = 0; v < near.size(); ++v) {
+      const auto lifts = loops.lifts(v, reach);
+      for (auto lift = lifts.begin() + 1; lift != lifts.end(); ++lift) {
+        const Motion from_centre = inverse(loops.to_centre(lift->vertex));
+        near[v].push_back({lift->vertex, compose(loops.to_centre(v), compose(lift->frame, from_centre))});
+      }
+    }
+    return near;
+  }
+
   const Document& document_;
   GeodesicRules<R> spectrum_;
+  long values_left_;  ///< Of eigenfunctions.
   std::vector<Sums> of_at_most_;
   std::vector<Sums> of_at_least_;
 };

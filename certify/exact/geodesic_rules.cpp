@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 
 #include "certify/exact/claim_rules.h"
+#include "certify/exact/pieces.h"
 
 namespace epsnet::exact {
 namespace {
@@ -28,6 +30,26 @@ void expect_runs(const GeodesicsDocument& document) {
   if (!same) throw Malformed("clusters: not the runs that the lengths make");
 }
 
+/// Every side of every geodesic once.
+void expect_sides(const GeodesicsDocument& document) {
+  std::set<std::array<Index, 2>> sides;
+  for (const Piece& piece : document.pieces) {
+    for (const auto& side : piece.boundaries) {
+      expect_less(side[0], document.geodesics.size(), "geodesic");
+      expect_less(side[1], 2, "side");
+      if (!sides.insert(side).second) throw Malformed("pieces: a side occurs twice");
+    }
+  }
+  if (sides.size() != 2 * document.geodesics.size()) throw Malformed("pieces: a side is missing");
+}
+
+/// In one order, whatever that of the file.
+std::vector<Piece> sorted(std::vector<Piece> pieces) {
+  for (Piece& piece : pieces) std::sort(piece.boundaries.begin(), piece.boundaries.end());
+  std::sort(pieces.begin(), pieces.end());
+  return pieces;
+}
+
 }  // namespace
 
 template <class R>
@@ -46,6 +68,7 @@ GeodesicRules<R>::GeodesicRules(const GeodesicsDocument& document, NetRules<R>& 
   } else {
     if (document.claim == Claim::spectrum && document.up_to <= 0) throw Malformed("up_to is not positive");
     expect_runs(document);
+    if (is_thick_thin()) expect_sides(document);
   }
 }
 
@@ -57,14 +80,20 @@ std::vector<Rule> GeodesicRules<R>::rules() {
   rules.push_back({"simple", [this] { check_simple(); }});
   if (is_list) rules.push_back({"equal", [this] { check_equal(); }});
   rules.push_back({"complete", [this] { check_complete(); }});
+  if (is_thick_thin()) rules.push_back({"pieces", [this] { check_pieces(); }});
   return rules;
 }
 
 template <class R>
-const Loops<R>& GeodesicRules<R>::loops() {
+Loops<R>& GeodesicRules<R>::loops() {
   if (loops_) return *loops_;
-  bound_ = square(
-      sinh(Interval(document_.claim == Claim::spectrum ? document_.up_to : document_.geodesics[0].length[1]) / 2));
+  const std::vector<ClosedGeodesic>& rows = document_.geodesics;
+  const bool is_systole = document_.claim == Claim::systole;
+  // Powers of the first geodesic, both ways, are lifts at a vertex near its axis. 2 arsinh 1 is more than 1.
+  const mpq_class longest = is_thick_thin() ? mpq_class(1) : is_systole ? rows[0].length[1] : document_.up_to;
+  if (!rows.empty() && 2 * longest > most_lifts_ * rows[0].length[1]) leave_loops_out();
+  // Of a thick-thin decomposition more than 1, as lengths may be 2 arsinh 1 exactly.
+  bound_ = is_thick_thin() ? 1 + Interval(1, 1, 32) : square(sinh(Interval(longest) / 2));
   loops_.emplace(net_, bound_, most_lifts_);
   find_powers();
   for (std::size_t i = 0; i < elements_.size(); ++i) listed_.push_back(near_its_axis(i));
@@ -81,6 +110,7 @@ void GeodesicRules<R>::check_lengths() {
     expect_less(i, row.length[0], false);
     expect_less(i, row.length[1], true);
     if (document_.claim == Claim::spectrum) expect_less(i, document_.up_to, true);
+    if (is_thick_thin() && !is_small(lengths_[i])) throw Refutation{name(i) + " is longer than 2 arsinh 1"};
   }
 }
 
@@ -165,9 +195,21 @@ void GeodesicRules<R>::check_complete() {
     }
     const std::size_t representative = loops_->representative(i);
     if (classes_[representative].exponent == 1 && !is_listed[representative]) {
+      if (is_thick_thin() && !is_small(HalfLength<R>(loops_->exact(loop)))) continue;
       throw Refutation{"a closed geodesic is missing" + where};
     }
   }
+}
+
+template <class R>
+void GeodesicRules<R>::check_pieces() {
+  std::vector<std::size_t> directed;  // A word leads from z to where its value takes z from.
+  for (const std::size_t loop : listed_) directed.push_back(loops().all()[loop].inverse);
+  const std::vector<Piece> found = sorted(pieces(net_, loops(), directed));
+  if (found == sorted(document_.pieces)) return;
+  std::string text = "the pieces are, with their genera and boundaries:";
+  for (const Piece& piece : found) text += " (" + number(piece.genus) + ", " + number(piece.boundaries.size()) + ")";
+  throw Refutation{text};
 }
 
 template <class R>

@@ -25,7 +25,7 @@ class GeodesicRules {
   /// Of the list; after the rule `geodesics`.
   [[nodiscard]] const std::vector<HalfLength<R>>& lengths() const { return lengths_; }
   /// Those of length at most L.
-  [[nodiscard]] const Loops<R>& loops();
+  [[nodiscard]] Loops<R>& loops();
 
  private:
   /// Of elements that are conjugate, or inverse to that: powers of what root.
@@ -39,7 +39,9 @@ class GeodesicRules {
   void check_simple();
   void check_equal() const;
   void check_complete();
+  void check_pieces();
 
+  [[nodiscard]] bool is_thick_thin() const { return document_.claim == GeodesicsDocument::Claim::thick_thin; }
   void expect_less(std::size_t i, const mpq_class& length, bool wanted);
   void find_powers();
   [[nodiscard]] const Class& class_of(std::size_t i) const { return classes_[loops_->representative(listed_[i])]; }

@@ -79,6 +79,13 @@ class Interval {
     mpfr_max(z.upper_, x.upper_, y.upper_, MPFR_RNDU);
     return z;
   }
+  friend Interval max(const Interval& x, const Interval& y) {
+    if (mpfr_unordered_p(x.lower_, y.lower_) != 0 || mpfr_unordered_p(x.upper_, y.upper_) != 0) return not_a_number();
+    Interval z;
+    mpfr_max(z.lower_, x.lower_, y.lower_, MPFR_RNDD);
+    mpfr_max(z.upper_, x.upper_, y.upper_, MPFR_RNDU);
+    return z;
+  }
   /// A number near the middle.
   friend Interval middle(const Interval& x) {
     Interval z;

@@ -8,6 +8,7 @@
 namespace epsnet::exact {
 
 void give_up(const std::string& why) { throw TooLarge{why}; }
+void leave_loops_out() { throw LeftOut{"so many loops of such lengths"}; }
 
 bool decided(Answer answer, const char* what) {
   if (answer == Answer::unknown) give_up(std::string(what) + " is not decided by the digits used");
@@ -22,8 +23,6 @@ namespace {
 
 constexpr double kSquares = 1L << 30;
 constexpr double kError = 1.0 / (1L << 8);  ///< Of a place, in squares.
-
-[[noreturn]] void leave_out() { throw LeftOut{"so many loops of such lengths"}; }
 
 /// Where a point is in the table, wrong by less than kError: the quotients of numbers that are known to 2⁻⁴⁵ of |d|.
 std::array<double, 2> in_squares(const Place& place) {
@@ -63,20 +62,23 @@ std::optional<std::size_t> PointTable::find(Index vertex, const Place& place,
 
 template <class R>
 Loops<R>::Loops(NetRules<R>& net, const Interval& bound, long most_lifts)
-    : net_(net), bound_(bound), thick_(1 + square(sinh(Interval(net.net().epsilon)))), lifts_left_(most_lifts) {
-  prepare(bound * thick_);
+    : net_(net),
+      bound_(bound),
+      thick_(1 + square(sinh(Interval(net.net().epsilon)))),
+      reach_(bound * thick_),
+      lifts_left_(most_lifts) {
+  prepare();
   for (Index v = 0; v < origin_.size(); ++v) find_at(v);
   join_all();
 }
 
-/// For loops that move their vertices by at most D, sinh²(D/2) = reach.
 template <class R>
-void Loops<R>::prepare(const Interval& reach) {
+void Loops<R>::prepare() {
   const Net& net = net_.net();
   // As many lifts as fit into so many disks by area: 2π(cosh D − 1), cosh D = 1 + 2 sinh²(D/2), of −2πχ each V.
   const auto vertices = static_cast<long>(net.vertices.size());
   const auto minus_euler = static_cast<long>(net.triangles.size() / 2) - vertices;
-  if (is_less(Interval(lifts_left_), 2 * reach * vertices * vertices / minus_euler) == Answer::yes) leave_out();
+  if (is_less(Interval(lifts_left_), 2 * reach_ * vertices * vertices / minus_euler) == Answer::yes) leave_loops_out();
   leaving_.resize(net.vertices.size());
   for (const Vertex& vertex : net.vertices) {
     const auto m = enclosure(vertex.z.m);
@@ -96,12 +98,13 @@ void Loops<R>::prepare(const Interval& reach) {
   }
   for (const Interval& gap : gap_) {
     apart_.push_back(enclosure((*shortest)[0]) / enclosure((*shortest)[1]) * square(gap));
-    reach_.push_back(reach * gap);
   }
 }
 
 template <class R>
-void Loops<R>::find_at(Index first) {
+std::vector<typename Loops<R>::Lift> Loops<R>::lifts(Index first, const Interval& reach) {
+  std::vector<Interval> farthest;
+  for (const Interval& gap : gap_) farthest.push_back(reach * gap * gap_[first]);
   std::vector<Lift> lifts{{first, {}, self(first), 0, 0}};
   PointTable table;
   table.insert(first, lifts[0].place, 0);
@@ -109,14 +112,20 @@ void Loops<R>::find_at(Index first) {
     for (const Index dart : leaving_[lifts[i].vertex]) {
       const Step& step = steps_[dart];
       const Place place = image(lifts[i].frame, step.place);
-      if (is_farther(first, place, step.end) == Answer::yes) continue;
+      if (is_less(farthest[step.end], moved(first, place)) == Answer::yes) continue;
       if (table.find(step.end, place, [&](std::size_t k) { return are_same(lifts[k].place, place, step.end); }))
         continue;
-      if (--lifts_left_ < 0) leave_out();
+      if (--lifts_left_ < 0) leave_loops_out();
       table.insert(step.end, place, lifts.size());
       lifts.push_back({step.end, compose(lifts[i].frame, step.motion), place, i, dart});
     }
   }
+  return lifts;
+}
+
+template <class R>
+void Loops<R>::find_at(Index first) {
+  const std::vector<Lift> lifts = this->lifts(first, reach_);
   for (std::size_t i = 1; i < lifts.size(); ++i) {
     const Lift& lift = lifts[i];
     if (lift.vertex != first ||

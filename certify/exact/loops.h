@@ -19,6 +19,8 @@ using Motion = Isometry<Interval>;
 
 /// Gives a question up: TooLarge.
 [[noreturn]] void give_up(const std::string& why);
+/// Leaves a list that is too long to others: LeftOut.
+[[noreturn]] void leave_loops_out();
 
 /// Whether the answer is yes; unknown is too close.
 bool decided(Answer answer, const char* what);
@@ -50,6 +52,12 @@ struct HalfLength {
   R numerator;
   R denominator;
 };
+
+/// Whether the length is at most 2 arsinh 1.
+template <class R>
+bool is_small(const HalfLength<R>& x) {
+  return sgn(R(x.numerator - x.denominator)) <= 0;
+}
 
 /// The sign of the difference of two lengths.
 template <class R>
@@ -102,6 +110,14 @@ class Loops {
   /// sinh²(D/2) = bound cosh²ε. Throws TooLarge, and LeftOut if that takes more lifted vertices than `most_lifts`.
   Loops(NetRules<R>& net, const Interval& bound, long most_lifts);
 
+  struct Lift {
+    Index vertex;
+    Motion frame;  ///< To the chart of the first vertex.
+    Place place;
+    std::size_t parent;
+    Index dart;  ///< From the parent.
+  };
+
   [[nodiscard]] const std::vector<Loop>& all() const { return loops_; }
   /// Elements of one closed geodesic, run through equally often, have one representative.
   [[nodiscard]] std::size_t representative(std::size_t i) const;
@@ -126,24 +142,24 @@ class Loops {
     return moved(v, place) / (gap_[v] * gap_[w]);
   }
   [[nodiscard]] Isometry<R> exact(const Loop& loop) const;
+  /// The vertex itself, and all lifts of vertices no farther from it than D, sinh²(D/2) = reach, and perhaps some that
+  /// are hardly farther. Throws TooLarge, and LeftOut.
+  [[nodiscard]] std::vector<Lift> lifts(Index first, const Interval& reach);
+  /// To the disk with the vertex in its centre.
+  [[nodiscard]] Motion to_centre(Index v) const {
+    const Interval scale = 1 / sqrt(gap_[v]);
+    return {{scale, 0}, -(scale * origin_[v])};
+  }
 
  private:
-  struct Lift {
-    Index vertex;
-    Motion frame;  ///< To the chart of the first vertex.
-    Place place;
-    std::size_t parent;
-    Index dart;  ///< From the parent.
-  };
-
-  void prepare(const Interval& reach);
+  void prepare();
   void find_at(Index first);
   void join_all();
   /// |n − zd|² for the point z of v.
   [[nodiscard]] Interval moved(Index v, const Place& place) const { return norm(place.n - origin_[v] * place.d); }
   /// Whether this lift of vertex w is farther than D from vertex v itself.
   [[nodiscard]] Answer is_farther(Index v, const Place& place, Index w) const {
-    return is_less(reach_[w] * gap_[v], moved(v, place));
+    return is_less(reach_ * gap_[w] * gap_[v], moved(v, place));
   }
   /// Two lifts of a vertex are the same if they are nearer than the shortest edge.
   [[nodiscard]] Answer are_same(const Place& x, const Place& y, Index v) const {
@@ -153,13 +169,13 @@ class Loops {
   NetRules<R>& net_;
   Interval bound_;
   Interval thick_;  ///< cosh²ε
+  Interval reach_;  ///< sinh²(D/2)
   long lifts_left_;
   std::vector<std::vector<Index>> leaving_;  ///< Darts, by vertex.
   std::vector<Step> steps_;                  ///< By dart.
   std::vector<Complex<Interval>> origin_;    ///< By vertex: where it is in its chart, and 1 − |z|².
   std::vector<Interval> gap_;
   std::vector<Interval> apart_;  ///< By vertex: sinh² of half the shortest edge, times the square of the gap.
-  std::vector<Interval> reach_;  ///< By vertex: sinh²(D/2), times the gap.
   std::vector<Loop> loops_;
   PointTable table_;
   mutable std::vector<std::size_t> parent_;  ///< Of a class.

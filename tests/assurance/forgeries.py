@@ -2178,7 +2178,7 @@ def vertex_of_a_geodesic_plus_2_to_32():
     return document
 
 
-@malformed("geodesics file", exact=LEFT)
+@malformed("geodesics file")
 def spectrum_said_to_be_small_curves():
     """A spectrum under the claim `thick-thin`, for which it has no pieces."""
     return with_(spectrum(), claim="thick-thin")
@@ -2204,7 +2204,7 @@ def small_curves():
     return seed("small-curves")
 
 
-@refuted("complete", exact=LEFT)
+@refuted("complete")
 def small_curve_left_out():
     """The shortest of three small curves is left out, and the pieces are those of the other two."""
     document = small_curves()
@@ -2213,7 +2213,41 @@ def small_curve_left_out():
     return runs(document)
 
 
-@refuted("geodesics", exact=LEFT)
+@refuted("complete")
+def all_small_curves_left_out():
+    """No small curves are listed, and the surface is the only piece."""
+    return runs(with_(small_curves(), geodesics=[], pieces=[{"genus": 2, "boundaries": []}]))
+
+
+@refuted("distinct")
+def small_curve_listed_twice():
+    """The longest small curve once more, with an annulus between the two."""
+    document = small_curves()
+    document["geodesics"].append(document["geodesics"][2])
+    for piece in document["pieces"]:
+        piece["boundaries"] = [[3, 1] if b == [2, 1] else b for b in piece["boundaries"]]
+    document["pieces"].append({"genus": 0, "boundaries": [[2, 1], [3, 0]]})
+    return runs(document)
+
+
+@refuted("simple")
+def small_curve_said_to_cross_itself():
+    """A small curve is said not to be simple."""
+    document = small_curves()
+    document["geodesics"][1]["simple"] = False
+    return document
+
+
+@refuted("equal")
+def small_curves_said_to_be_of_equal_length():
+    """The enclosures of two small curves are widened until they meet, and the lengths said to be equal."""
+    document = small_curves()
+    a, b = document["geodesics"][:2]
+    a["length"][1] = b["length"][1]
+    return runs(document)
+
+
+@refuted("geodesics")
 def small_curve_that_is_too_long():
     """Among the small curves is the next geodesic, longer than 2 arsinh 1."""
     document = small_curves()
@@ -2225,7 +2259,7 @@ def small_curve_that_is_too_long():
     return runs(document)
 
 
-@refuted("pieces", exact=LEFT)
+@refuted("pieces")
 def piece_of_another_genus():
     """A pair of pants is said to have genus 1."""
     document = small_curves()
@@ -2233,7 +2267,7 @@ def piece_of_another_genus():
     return document
 
 
-@refuted("pieces", exact=LEFT)
+@refuted("pieces")
 def piece_on_the_other_side():
     """The two sides of one curve are exchanged between two pieces."""
     document = small_curves()
@@ -2243,7 +2277,25 @@ def piece_on_the_other_side():
     return document
 
 
-@refuted("pieces", exact=LEFT)
+@refuted("pieces")
+def side_moved_to_another_piece():
+    """One side of a curve bounds the other piece: an annulus and a sphere with four holes, with the same χ in all."""
+    document = small_curves()
+    first, second = (piece["boundaries"] for piece in document["pieces"])
+    second.append(first.pop())
+    return document
+
+
+@refuted("pieces")
+def pieces_of_a_surface_without_its_curves():
+    """The shortest curve is no boundary but on one side of a torus with a hole, and on the other of a third piece."""
+    document = small_curves()
+    document["pieces"] = [{"genus": 1, "boundaries": [[0, 0]]}, {"genus": 0, "boundaries": [[0, 1]]},
+                          {"genus": 0, "boundaries": [[1, 0], [1, 1], [2, 0], [2, 1]]}]
+    return document
+
+
+@refuted("pieces")
 def pieces_made_one():
     """Two pairs of pants are said to be one piece."""
     document = small_curves()
@@ -2251,7 +2303,7 @@ def pieces_made_one():
     return document
 
 
-@refuted("pieces", exact=LEFT)
+@refuted("pieces")
 def piece_without_boundary():
     """A sphere without boundary beside the pieces."""
     document = small_curves()
@@ -2259,11 +2311,29 @@ def piece_without_boundary():
     return document
 
 
-@malformed("pieces[0]", exact=LEFT)
+@malformed("pieces[0]")
 def boundary_of_a_third_side():
     """A boundary on side 2 of a curve."""
     document = small_curves()
     document["pieces"][0]["boundaries"][0][1] = 2
+    return document
+
+
+@malformed("pieces[1]")
+def side_of_a_curve_in_two_pieces():
+    """A side of a curve bounds both pairs of pants."""
+    document = small_curves()
+    first, second = (piece["boundaries"] for piece in document["pieces"])
+    second.append(first[0])
+    return document
+
+
+@malformed("pieces")
+def side_of_a_curve_in_no_piece():
+    """A side of a curve bounds no piece, and that piece has another genus."""
+    document = small_curves()
+    document["pieces"][0]["boundaries"].pop()
+    document["pieces"][0]["genus"] = 1
     return document
 
 
@@ -2486,6 +2556,41 @@ def eigenfunction(**changes):
 
 
 UNPROVED = "UNDECIDED: eigenfunctions"
+
+
+def rough_eigenfunction(**changes):
+    """The same with few geodesics and coefficients: λ_1 is known to three digits, and both checkers know the file."""
+    document = eigenvalues("octagon-5-to-7-digits")
+    document["eigenfunctions"][0].update(changes)
+    return document
+
+
+@forgery(UNPROVED)
+def rough_eigenfunction_enclosed_in_less():
+    """The interval of an eigenfunction is a third as wide."""
+    return rough_eigenfunction(**{"in": [2.774, 2.776]})
+
+
+@forgery(UNPROVED)
+def rough_eigenfunction_turned_at_a_vertex():
+    """Around the last vertex α_1 has the other sign."""
+    coefficients = rough_eigenfunction()["eigenfunctions"][0]["coefficients"]
+    coefficients[8 * len(coefficients) // 9 + 1] *= -1
+    return rough_eigenfunction(coefficients=coefficients)
+
+
+@refuted("most", also=["windows"])
+def rough_eigenfunction_left_out():
+    """No eigenfunction: a count that takes account of its eigenvalue is one less than what follows."""
+    return with_(rough_eigenfunction(), eigenfunctions=[])
+
+
+@refuted("windows")
+def rough_eigenfunction_enclosed_by_a_unit_less():
+    """The upper end of the smallest eigenvalue's enclosure is the end of its function's interval."""
+    document = rough_eigenfunction()
+    document["windows"][0]["smallest"][1] = document["eigenfunctions"][0]["in"][1]
+    return document
 
 
 @forgery(UNPROVED, exact=LEFT)
@@ -3003,7 +3108,7 @@ def systole_as_it_is():
     return seed("systole")
 
 
-@disguise(LEFT)
+@disguise()
 def small_curves_as_they_are():
     """The small curves and pieces."""
     return small_curves()

@@ -71,7 +71,6 @@ TEST(SecondChecker, MalformedFilesAreMalformed) { expect_verdicts("malformed", V
 
 TEST(SecondChecker, LeavesOthersFilesOut) {
   const std::string data = EPSNET_TEST_DATA;
-  EXPECT_TRUE(is_left_out(check(contents(data + "/geodesics/three-cuffs.json"))));
   EXPECT_TRUE(is_left_out(check(contents(data + "/eigenvalues/octagon-5-to-8.json"))));
   EXPECT_TRUE(is_left_out(check(contents(data + "/eigenvalues/octagon-5-to-8-digits.json"))));
 }
@@ -92,6 +91,15 @@ TEST(SecondChecker, VerifiesClaimsOfEveryKindThatItKnows) {
                                  "geodesics/systole-far-from-the-only-vertex",
                                  "geodesics/bolza-to-6.2",
                                  "geodesics/octagon-5-to-6",
+                                 "geodesics/three-cuffs",
+                                 "geodesics/three-cuffs-and-one-vertex",
+                                 "geodesics/two-cuffs-that-differ-by-1e-14",
+                                 "geodesics/two-short-cuffs-that-differ-by-1e-17",
+                                 "geodesics/no-curve-of-2-arsinh-1-and-1e-20-more",
+                                 "geodesics/one-curve-of-2-arsinh-1",
+                                 "geodesics/one-curve-of-2-arsinh-1-less-1e-20",
+                                 "geodesics/hexagons-with-a-curve-of-2-arsinh-1",
+                                 "forgeries/small-curves",
                                  "forgeries/spectrum-with-a-figure-eight",
                                  "isometries/bolza",
                                  "isometries/octagon-5",
@@ -110,6 +118,19 @@ TEST(SecondChecker, LeavesListsOutThatAreTooLargeForIt) {
   const std::string spectrum = contents(std::string(EPSNET_TEST_DATA) + "/forgeries/spectrum.json");
   EXPECT_EQ(check(spectrum).verdict, Verdict::verified);
   EXPECT_TRUE(is_left_out(check(spectrum, 100)));
+}
+
+TEST(SlowSecondChecker, VerifiesEigenfunctionsThatAreNotTooMany) {
+  auto document = certify::read_file<certify::EigenvaluesDocument>(std::string(EPSNET_TEST_DATA) +
+                                                                   "/eigenvalues/octagon-5-to-7-digits.json");
+  std::ostringstream good;
+  certify::write_file(document, good);
+  const Result result = check(good.str());
+  EXPECT_EQ(result.verdict, Verdict::verified) << result.rule << ": " << result.message;
+  document.eigenfunctions.resize(8, document.eigenfunctions[0]);
+  std::ostringstream out;
+  certify::write_file(document, out);
+  EXPECT_EQ(check(out.str()).message, "not for this checker: so many eigenfunctions");
 }
 
 TEST(SecondChecker, EverySingleByteRemovedIsNoticedOrHarmless) {
@@ -205,7 +226,8 @@ using certify::NetDocument;
 using certify::RationalPoint;
 using certify::SurfaceDocument;
 
-std::string text_of(const NetDocument& document) {
+template <class Document>
+std::string text_of(const Document& document) {
   std::ostringstream out;
   certify::write_file(document, out);
   return out.str();
@@ -225,7 +247,8 @@ std::string place(const std::string& message) {
 
 /// That both checkers say so, and name the same triangle or edge, the first one in the file. For the first checker a
 /// document, whatever it says, has been read already.
-void expect_of_both(const NetDocument& document, const std::string& expected) {
+template <class Document>
+void expect_of_both(const Document& document, const std::string& expected) {
   const Result second = check(text_of(document));
   EXPECT_EQ(outcome(second), expected) << second.message;
   const certify::Certificate first = certify::check(document, {.threads = 1});
@@ -237,8 +260,9 @@ void expect_of_both(const NetDocument& document, const std::string& expected) {
   }
 }
 
-NetDocument load(const std::string& name) {
-  return certify::read_file<certify::NetDocument>(std::string(EPSNET_TEST_DATA) + "/" + name);
+template <class Document = NetDocument>
+Document load(const std::string& name) {
+  return certify::read_file<Document>(std::string(EPSNET_TEST_DATA) + "/" + name);
 }
 
 /// A net on two tiles in six charts.
@@ -413,6 +437,151 @@ TEST(BothCheckers, ATileHasThreeVerticesAndThereIsOne) {
   }
   document = {};
   document.epsilon = "1";
+  expect_of_both(document, "MALFORMED");
+}
+
+// Thick-thin decompositions that are wrong in one place.
+
+using certify::GeodesicsDocument;
+
+/// Two pairs of pants with three cuffs in common, on which vertices of the net lie.
+GeodesicsDocument three_cuffs() { return load<GeodesicsDocument>("geodesics/three-cuffs.json"); }
+/// The same on another surface, on a net of one vertex: geodesics cross an edge several times.
+GeodesicsDocument one_vertex() { return load<GeodesicsDocument>("geodesics/three-cuffs-and-one-vertex.json"); }
+/// Regular hexagons; the only small curve has the length 2 arsinh 1.
+GeodesicsDocument hexagons() { return load<GeodesicsDocument>("geodesics/hexagons-with-a-curve-of-2-arsinh-1.json"); }
+
+/// The runs that the lengths make if none meet.
+void make_runs(GeodesicsDocument& document) {
+  document.clusters.clear();
+  for (std::uint32_t i = 0; i < document.geodesics.size(); ++i) document.clusters.push_back({i, 1, false});
+}
+
+TEST(BothCheckers, ThickThinLengthsAreEnclosedAndAtMost2Arsinh1) {
+  GeodesicsDocument document = three_cuffs();
+  document.geodesics[2].length = {1.3, 1.4};
+  expect_of_both(document, "REFUTED: geodesics");
+  // A curve longer by 10⁻²⁰ is not to be listed, and one shorter by that is.
+  document = load<GeodesicsDocument>("geodesics/no-curve-of-2-arsinh-1-and-1e-20-more.json");
+  const GeodesicsDocument shorter = load<GeodesicsDocument>("geodesics/one-curve-of-2-arsinh-1-less-1e-20.json");
+  document.geodesics = shorter.geodesics;
+  document.clusters = shorter.clusters;
+  document.pieces = shorter.pieces;
+  expect_of_both(document, "REFUTED: geodesics");
+  document.net = shorter.net;
+  expect_of_both(document, "VERIFIED");
+}
+
+TEST(BothCheckers, ThickThinListsHaveEachCurveOnceAndNoneIsMissing) {
+  for (const GeodesicsDocument& good :
+       {three_cuffs(), hexagons(), load<GeodesicsDocument>("geodesics/one-curve-of-2-arsinh-1-less-1e-20.json")}) {
+    for (std::uint32_t i = 0; i < good.geodesics.size(); ++i) {
+      GeodesicsDocument document = good;
+      document.geodesics.erase(document.geodesics.begin() + i);
+      make_runs(document);
+      for (GeodesicsDocument::Piece& piece : document.pieces) {
+        std::erase_if(piece.boundaries, [&](const auto& side) { return side.first == i; });
+        for (auto& [geodesic, side] : piece.boundaries) geodesic -= geodesic > i ? 1 : 0;
+      }
+      expect_of_both(document, "REFUTED: complete");
+    }
+    GeodesicsDocument document = good;
+    const auto last = static_cast<std::uint32_t>(good.geodesics.size());
+    document.geodesics.push_back(good.geodesics.back());
+    document.clusters.back().count = 2;
+    document.pieces.push_back({0, {{last, 0}, {last, 1}}});
+    expect_of_both(document, "REFUTED: distinct");
+  }
+}
+
+TEST(BothCheckers, ThickThinCurvesAreSimpleAndAsLongAsOthersOnlyIfTheyAre) {
+  GeodesicsDocument document = three_cuffs();
+  document.geodesics[1].simple = false;
+  expect_of_both(document, "REFUTED: simple");
+  document = load<GeodesicsDocument>("geodesics/two-cuffs-that-differ-by-1e-14.json");
+  for (auto& geodesic : document.geodesics) geodesic.length = {0.4, 1.3};
+  document.clusters = {{0, 3, true}};
+  expect_of_both(document, "REFUTED: equal");
+}
+
+TEST(BothCheckers, PiecesAreThoseOfTheCutSurface) {
+  for (const GeodesicsDocument& good : {three_cuffs(), one_vertex(), hexagons()}) {
+    GeodesicsDocument document = good;
+    std::reverse(document.pieces.begin(), document.pieces.end());
+    for (auto& piece : document.pieces) std::reverse(piece.boundaries.begin(), piece.boundaries.end());
+    expect_of_both(document, "VERIFIED");
+    ++document.pieces[0].genus;
+    expect_of_both(document, "REFUTED: pieces");
+    document = good;
+    document.pieces.push_back({0, {}});
+    expect_of_both(document, "REFUTED: pieces");
+    // A side in a piece of its own.
+    document.pieces.back().boundaries.push_back(document.pieces[0].boundaries.back());
+    document.pieces[0].boundaries.pop_back();
+    expect_of_both(document, "REFUTED: pieces");
+  }
+  GeodesicsDocument document = three_cuffs();
+  auto& boundaries = document.pieces[0].boundaries;
+  // A side moved, and two pieces made one.
+  boundaries.push_back(document.pieces[1].boundaries.back());
+  document.pieces[1].boundaries.pop_back();
+  expect_of_both(document, "REFUTED: pieces");
+  boundaries.insert(boundaries.end(), document.pieces[1].boundaries.begin(), document.pieces[1].boundaries.end());
+  document.pieces.pop_back();
+  expect_of_both(document, "REFUTED: pieces");
+}
+
+/// By side, numbered through all tiles: the other one of its pair.
+std::map<std::uint32_t, std::uint32_t> partners(const SurfaceDocument& surface) {
+  const auto number = [&](std::uint32_t tile, std::uint32_t side) {
+    for (std::uint32_t t = 0; t < tile; ++t) side += static_cast<std::uint32_t>(surface.tiles[t].size());
+    return side;
+  };
+  std::map<std::uint32_t, std::uint32_t> result;
+  for (const SurfaceDocument::Gluing& g : surface.gluing) {
+    const std::uint32_t one = number(g.tile, g.side);
+    const std::uint32_t other = number(g.other_tile, g.other_side);
+    result[one] = other;
+    result[other] = one;
+  }
+  return result;
+}
+
+TEST(BothCheckers, SidesOfPiecesAreThoseOfDirectedGeodesics) {
+  for (const GeodesicsDocument& good : {three_cuffs(), one_vertex()}) {
+    const auto partner = partners(good.net.surface);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      GeodesicsDocument document = good;
+      for (auto& piece : document.pieces) {
+        for (auto& boundary : piece.boundaries) {
+          if (boundary.first == i) boundary.second = 1 - boundary.second;
+        }
+      }
+      expect_of_both(document, "REFUTED: pieces");
+      auto& word = document.geodesics[i].word;
+      std::reverse(word.begin(), word.end());
+      for (std::uint32_t& letter : word) letter = partner.at(letter);
+      expect_of_both(document, "VERIFIED");
+    }
+  }
+}
+
+TEST(BothCheckers, EverySideOfAGeodesicIsInOnePiece) {
+  const GeodesicsDocument good = three_cuffs();
+  const auto expect_malformed = [&](const std::pair<std::uint32_t, std::uint32_t>& boundary) {
+    GeodesicsDocument document = good;
+    document.pieces[0].boundaries[0] = boundary;
+    expect_of_both(document, "MALFORMED");
+  };
+  expect_malformed(good.pieces[0].boundaries[1]);
+  expect_malformed(good.pieces[1].boundaries[0]);
+  expect_malformed({good.pieces[0].boundaries[0].first, 2});
+  expect_malformed({3, 0});
+  expect_malformed({kHuge, kHuge});
+  GeodesicsDocument document = good;
+  document.pieces[0].boundaries.pop_back();
+  expect_of_both(document, "MALFORMED");
+  document.pieces.clear();
   expect_of_both(document, "MALFORMED");
 }
 

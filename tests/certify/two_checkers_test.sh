@@ -32,7 +32,6 @@ expect() {
 
 good=$data/verified/octagon-9-vertices.json
 regular=$data/verified/regular-2-10-vertices.json
-cuffs=$data/../geodesics/three-cuffs.json
 refuted=$data/refuted/surface-torus.json
 malformed=$data/malformed/empty.json
 undecided=$data/undecided/packing-epsilon-is-the-edge-length-to-2600-digits.json
@@ -44,17 +43,15 @@ VERIFIED" "$certify" "$good"
 expect 0 "second checker: VERIFIED
 verified by: certify and certify-exact
 VERIFIED" "$certify" "$regular"
-expect 0 "second checker: not asked, not for this checker: thick-thin decompositions
+expect 0 "second checker: not asked, not for this checker: so many loops of such lengths
 verified by: certify
-VERIFIED" "$certify" "$cuffs"
-for file in isometries/octagon-5 isometries/bolza eigenvalues/bolza-to-3.1 forgeries/spectrum; do
+VERIFIED" "$certify" "$data/../geodesics/one-cuff-of-1e-8.json"
+for file in geodesics/three-cuffs isometries/octagon-5 isometries/bolza eigenvalues/bolza-to-3.1 \
+  eigenvalues/octagon-5-to-7-digits forgeries/spectrum; do
   expect 0 "second checker: VERIFIED
 verified by: certify and certify-exact
 VERIFIED" "$certify" "$data/../$file.json"
 done
-expect 0 "second checker: not asked, not for this checker: approximate eigenfunctions
-verified by: certify
-VERIFIED" "$certify" "$data/../eigenvalues/octagon-5-to-8-digits.json"
 expect 0 "second checker: not asked, not for this checker: so many loops of such lengths
 verified by: certify
 VERIFIED" "$certify" "$data/../eigenvalues/octagon-5-to-8.json"

@@ -56,7 +56,6 @@ struct Family {
   std::string name;
   unsigned weight;            ///< Its share of the mutants.
   unsigned reference_one_of;  ///< One of this many mutants is also checked by the reference; 0: none.
-  bool for_exact;             ///< Whether certify-exact decides such files.
   std::vector<Base> bases;
 };
 
@@ -104,13 +103,12 @@ Surface octagon_of_another_gluing() {
 
 std::vector<Family> families() {
   std::vector<Family> all;
-  const auto add = [&](std::string name, unsigned weight, unsigned reference_one_of,
-                       bool for_exact) -> std::vector<Base>& {
-    all.push_back({std::move(name), weight, reference_one_of, for_exact, {}});
+  const auto add = [&](std::string name, unsigned weight, unsigned reference_one_of) -> std::vector<Base>& {
+    all.push_back({std::move(name), weight, reference_one_of, {}});
     return all.back().bases;
   };
   {
-    auto& b = add("octagons", 230, 16, true);
+    auto& b = add("octagons", 230, 16);
     b.push_back(net("octagon 123", random_octagon(123), "0.9", 2));
     b.push_back(net("octagon 321", random_octagon(321), "0.8", 1));
     b.push_back(net("octagon 7", random_octagon(7), "1.2", 4));
@@ -120,7 +118,7 @@ std::vector<Family> families() {
     b.push_back(file("certify/verified/square-of-cocircular-vertices.json", 2));
   }
   {
-    auto& b = add("polygons", 230, 16, true);
+    auto& b = add("polygons", 230, 16);
     b.push_back(net("polygon-g2-small", polygon("polygon-g2-small"), "1", 3));
     b.push_back(net("polygon-g2-theta", polygon("polygon-g2-theta"), "1.2", 3));
     b.push_back(net("polygon-g3-small", polygon("polygon-g3-small"), "1.3", 2));
@@ -133,7 +131,7 @@ std::vector<Family> families() {
     b.push_back(net("three tiles", tiles, "1", 3));
   }
   {
-    auto& b = add("Fenchel-Nielsen surfaces", 180, 16, true);
+    auto& b = add("Fenchel-Nielsen surfaces", 180, 16);
     b.push_back(net("chain of genus 2, random", fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(2), 5)),
                     "1.1", 3));
     b.push_back(
@@ -143,13 +141,13 @@ std::vector<Family> families() {
     b.push_back(net("theta of equal cuffs", cuffs(PantsGraph::ring(2), {"2", "2", "2"}), "1", 2));
   }
   {
-    auto& b = add("thin surfaces", 150, 32, true);
+    auto& b = add("thin surfaces", 150, 32);
     b.push_back(net("polygon-g2-thin-1e-2", polygon("polygon-g2-thin-1e-2"), "1.5", 4));
     b.push_back(net("polygon-g2-thin-1e-4", polygon("polygon-g2-thin-1e-4"), "2", 1));
     b.push_back(net("a cuff of 1e-3", cuffs(PantsGraph::chain(2), {"2", "0.001", "2.5"}), "1.6", 2));
   }
   {
-    auto& b = add("regular nets", 100, 0, true);
+    auto& b = add("regular nets", 100, 0);
     b.push_back(net("regular of genus 2", Surface::regular(2), "1.2", 2));
     b.push_back(file("forgeries/regular.json", 2));
     b.push_back(file("forgeries/regular-of-one-vertex.json", 3));
@@ -159,55 +157,55 @@ std::vector<Family> families() {
     b.push_back(net("regular of genus 4", Surface::regular(4), "2", 1));
   }
   {
-    auto& b = add("maps", 40, 0, true);
+    auto& b = add("maps", 40, 0);
     b.push_back(file("certify/verified/map-klein.json", 1));
     b.push_back(file("certify/verified/map-bring.json", 1));
     b.push_back(net("an octagon of another gluing", octagon_of_another_gluing(), "1.5", 2));
   }
   {
-    auto& b = add("pseudo nets", 60, 1, true);
+    auto& b = add("pseudo nets", 60, 1);
     b.push_back(file("forgeries/collars.json", 1));
     b.push_back(net("three cuffs of 0.1", cuffs(PantsGraph::ring(2), {"0.1", "0.12", "0.15"}), "0.346", 2, true));
     b.push_back(net("a cuff of 0.01", cuffs(PantsGraph::chain(2), {"0.2", "0.01", "0.2"}), "0.34", 1, true));
   }
   {
-    auto& b = add("geodesics", 25, 1, true);
+    auto& b = add("geodesics", 25, 1);
     b.push_back(file("forgeries/systole.json", 8));
     b.push_back(file("forgeries/spectrum.json", 8));
     b.push_back(file("forgeries/spectrum-with-a-figure-eight.json", 1));
   }
   {
-    auto& b = add("geodesics of regular surfaces", 5, 0, true);
+    auto& b = add("geodesics of regular surfaces", 5, 0);
     b.push_back(file("forgeries/spectrum-of-equal-lengths.json"));
   }
   {
-    auto& b = add("thick-thin decompositions", 20, 1, false);
+    auto& b = add("thick-thin decompositions", 20, 1);
     b.push_back(file("forgeries/small-curves.json", 8));
     b.push_back(file("geodesics/three-cuffs.json", 8));
   }
   {
-    auto& b = add("distances", 60, 0, true);
+    auto& b = add("distances", 60, 0);
     b.push_back(file("distances/four-equal.json", 3));
     b.push_back(file("distances/zero.json", 1));
     b.push_back(file("distances/across-a-cuff-of-1e-8.json", 1));
     b.push_back(file("distances/bolza.json", 2));
   }
   {
-    auto& b = add("bounds", 60, 0, true);
+    auto& b = add("bounds", 60, 0);
     b.push_back(file("bounds/octagon-diameter.json", 2));
     b.push_back(file("bounds/octagon-radius.json", 2));
     b.push_back(file("bounds/octagon-embedded-disk.json", 2));
     b.push_back(file("bounds/regular-diameter.json", 2));
   }
   {
-    auto& b = add("isometries", 20, 0, true);
+    auto& b = add("isometries", 20, 0);
     b.push_back(file("isometries/octagon-5.json", 2));
     b.push_back(file("isometries/bolza.json", 1));
     b.push_back(file("isometries/bolza-of-one-vertex.json", 2));
     b.push_back(file("isometries/fenchel-nielsen-3-1.json", 1));
   }
   {
-    auto& b = add("eigenvalues", 20, 0, true);
+    auto& b = add("eigenvalues", 20, 0);
     b.push_back(file("eigenvalues/bolza-to-3.1.json"));
   }
   return all;
@@ -397,7 +395,7 @@ struct Options {
   std::uint64_t seed = 1;
   unsigned jobs = 1;
   std::filesystem::path folder = ".";
-  std::filesystem::path keep;  ///< A folder for all mutants that `certify-exact` is asked about, or empty.
+  std::filesystem::path keep;  ///< A folder for all mutants, or empty.
   bool details = false;
 };
 
@@ -424,7 +422,7 @@ class Attack {
   void unspoilt(const Family& family, const Base& base) {
     const Opinion first = ask_certify(base.text);
     const Opinion second = family.reference_one_of == 0 ? first : ask_reference(base.text, base.known);
-    const bool exact = !family.for_exact || ask_exact(base.text).verdict == Verdict::verified;
+    const bool exact = ask_exact(base.text).verdict == Verdict::verified;
     if (first.verdict == Verdict::verified && second.verdict == Verdict::verified && exact) return;
     std::cerr << base.name << ": certify: " << first.message << "; reference: " << second.message << '\n';
     ++failures_;
@@ -460,11 +458,9 @@ class Attack {
       others += std::string(", ") + who + ": " + std::string(certify::name(other.verdict)) + " " + other.rule + " " +
                 other.message;
     };
-    if (mutant.family->for_exact) {
-      compare("certify-exact", ask_exact(mutant.text), row.exact_asked, row.exact_undecided);
-      if (!options_.keep.empty()) {
-        std::ofstream(options_.keep / (std::to_string(number) + ".json"), std::ios::binary) << mutant.text;
-      }
+    compare("certify-exact", ask_exact(mutant.text), row.exact_asked, row.exact_undecided);
+    if (!options_.keep.empty()) {
+      std::ofstream(options_.keep / (std::to_string(number) + ".json"), std::ios::binary) << mutant.text;
     }
     const auto after_exact = std::chrono::steady_clock::now();
     if (const unsigned one_of = mutant.family->reference_one_of; one_of != 0 && number % one_of == 0) {
@@ -545,8 +541,7 @@ int main(int argc, char** argv) try {
       ->capture_default_str();
   app.add_option("--folder", options.folder, "Where mutants that the checkers disagree about go")
       ->capture_default_str();
-  app.add_option("--keep", options.keep, "A folder into which all mutants that are for certify-exact are written")
-      ->check(CLI::ExistingDirectory);
+  app.add_option("--keep", options.keep, "A folder into which all mutants are written")->check(CLI::ExistingDirectory);
   app.add_flag("--details", options.details, "A line for each mutant: base, defects, verdicts, milliseconds");
   CLI11_PARSE(app, argc, argv);
   return epsnet::attack::Attack(options, epsnet::attack::families()).run() ? 0 : 1;
