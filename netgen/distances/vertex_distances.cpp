@@ -249,7 +249,7 @@ struct Length2Arsinh {
   double value;
   double error;
 };
-Length2Arsinh length_of(double s) {
+Length2Arsinh length_with_error(double s) {
   // s + √(1 + s²) is off by 3.1 units.
   const double value = 2 * log_of(s + std::sqrt(1 + s * s));
   return {value, kUlp * (16 + 4 * value)};
@@ -291,8 +291,8 @@ class Search {
   /// Returns the distance of vertex v from the last source.
   [[nodiscard]] Interval distance(std::uint32_t v) const {
     if (v == source_) return {0, 0};
-    const Length2Arsinh lower = length_of(nearest_[v].lower);
-    const Length2Arsinh upper = length_of(nearest_[v].upper);
+    const Length2Arsinh lower = length_with_error(nearest_[v].lower);
+    const Length2Arsinh upper = length_with_error(nearest_[v].upper);
     return {std::max(0.0, lower.value - lower.error), upper.value + upper.error};
   }
 

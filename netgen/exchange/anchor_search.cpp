@@ -15,7 +15,7 @@
 namespace epsnet {
 namespace {
 
-constexpr std::uint32_t kUnset = ~std::uint32_t{0};
+constexpr std::uint32_t kNoTriangle = ~std::uint32_t{0};
 /// Any corner of any triangle can be the origin; this many triangles are tried, as some have simpler numbers.
 constexpr std::size_t kMostTriangles = 16;
 // Limits that no triangulation of a surface reaches; numbers beyond them would take minutes.
@@ -48,7 +48,7 @@ struct Moebius {
   [[nodiscard]] Gaussian determinant() const { return bracket(infinity, zero); }
 };
 
-std::size_t bits(const Integer& n) { return n == 0 ? 1 : std::size_t{msb(Integer(abs(n)))} + 1; }
+using epsnet::bits;
 std::size_t bits(const Gaussian& z) { return bits(z.x) + bits(z.y); }
 std::size_t bits(const Moebius& m) { return bits(m.infinity.u) + bits(m.infinity.v) + bits(m.zero.u) + bits(m.zero.v); }
 
@@ -168,7 +168,7 @@ class AnchorSearch {
         name_(name),
         place_(std::size_t{3} * count()),
         edge_(std::size_t{3} * count()),
-        parent_(count(), kUnset) {
+        parent_(count(), kNoTriangle) {
     for (std::uint32_t t = 0; t < count(); ++t) {
       for (std::uint32_t i = 0; i < 3; ++i) place_[stream.triangles[t][i]] = {t, i};
     }
@@ -196,7 +196,7 @@ class AnchorSearch {
 
  private:
   struct Place {
-    std::uint32_t triangle = kUnset;
+    std::uint32_t triangle = kNoTriangle;
     std::uint32_t side = 0;
   };
 
@@ -217,14 +217,14 @@ class AnchorSearch {
     for (std::size_t k = 0; k < order_.size(); ++k) {
       for (const std::uint32_t d : stream_.triangles[order_[k]]) {
         const std::uint32_t t = place_[opposite(d)].triangle;
-        if (t == 0 || parent_[t] != kUnset) continue;
+        if (t == 0 || parent_[t] != kNoTriangle) continue;
         parent_[t] = d;
         order_.push_back(t);
       }
     }
     if (order_.size() == count()) return;
     std::uint32_t t = 1;
-    while (parent_[t] != kUnset) ++t;
+    while (parent_[t] != kNoTriangle) ++t;
     fail("the surface is not connected: no path of edges leads from triangle 0 to triangle " + std::to_string(t));
   }
 
@@ -233,7 +233,7 @@ class AnchorSearch {
   [[nodiscard]] std::vector<std::uint32_t> generators() const {
     std::vector<bool> is_crossed(stream_.edges.size());
     for (const std::uint32_t d : parent_) {
-      if (d != kUnset) is_crossed[edge_[d]] = true;
+      if (d != kNoTriangle) is_crossed[edge_[d]] = true;
     }
     // The sets of darts with the same start.
     DisjointSets vertices(std::size_t{3} * count());

@@ -17,13 +17,13 @@ namespace {
 using Point = Complex<Rational>;
 using Corners = std::array<Point, 3>;
 
-constexpr std::uint32_t kUnset = ~std::uint32_t{0};
+constexpr std::uint32_t kNoTile = ~std::uint32_t{0};
 constexpr std::size_t kMaxBits = 3'321'928;  // 10^6 decimal digits, the limit of surface files.
 constexpr std::size_t kMaxGrowth = 1000;
 /// Euclid's algorithm takes quadratic time; numbers with such common factors are left as they are.
 constexpr std::size_t kMaxReducedBits = 20'000;
 
-std::size_t bits(const Integer& n) { return n == 0 ? 1 : std::size_t{msb(Integer(abs(n)))} + 1; }
+using epsnet::bits;
 std::size_t bits(const Rational& q) { return bits(Integer(numerator(q))) + bits(Integer(denominator(q))); }
 std::size_t bits(const Point& z) { return bits(z.x) + bits(z.y); }
 std::size_t bits(const Corners& corners) { return bits(corners[0]) + bits(corners[1]) + bits(corners[2]); }
@@ -62,7 +62,7 @@ Corners simplified(const Corners& corners) {
 
 /// The place of a dart: side `side` of tile `tile`.
 struct Place {
-  std::uint32_t tile = kUnset;
+  std::uint32_t tile = kNoTile;
   std::uint32_t side = 0;
 };
 

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <utility>
 
 #include "triangulation/surface/exact_points.h"
 
-/// Division of Gaussian integers.
+/// Sizes of integers, and division of Gaussian integers.
 namespace epsnet {
+
+/// How many bits |n| has; 1 for 0.
+[[nodiscard]] inline std::size_t bits(const Integer& n) { return n == 0 ? 1 : std::size_t{msb(Integer(abs(n)))} + 1; }
 
 /// The integer nearest to n/d, d > 0.
 [[nodiscard]] inline Integer nearest(const Integer& n, const Integer& d) {

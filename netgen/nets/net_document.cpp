@@ -69,17 +69,17 @@ certify::NetDocument net_document(const Triangulation& triangulation, const Leng
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) { throw TriangulationError(what); }
+[[noreturn]] void refuse_net(const std::string& what) { throw TriangulationError(what); }
 
 void add_charts(const certify::NetDocument& net, Atlas& atlas) {
   for (const certify::NetDocument::Chart& chart : net.charts) {
     const std::string name = "chart " + std::to_string(atlas.charts().count());
     if (chart.tile >= atlas.surface().tiles().size()) {
-      refuse(name + " is in tile " + std::to_string(chart.tile) + ", the surface has " +
-             std::to_string(atlas.surface().tiles().size()));
+      refuse_net(name + " is in tile " + std::to_string(chart.tile) + ", the surface has " +
+                 std::to_string(atlas.surface().tiles().size()));
     }
     const Complex<Rational> centre = from_gmp(chart.centre);
-    if (norm(centre) >= 1) refuse(name + " has its centre outside of the unit disk");
+    if (norm(centre) >= 1) refuse_net(name + " has its centre outside of the unit disk");
     (void)atlas.add_chart({chart.tile, centre});
   }
 }
@@ -88,21 +88,22 @@ void add_charts(const certify::NetDocument& net, Atlas& atlas) {
 void check_label(const certify::NetDocument::Label& label, const std::string& name, const Atlas& atlas) {
   for (const std::uint32_t chart : {label.from, label.to}) {
     if (chart >= atlas.charts().count()) {
-      refuse(name + " names chart " + std::to_string(chart) + ", there are " + std::to_string(atlas.charts().count()));
+      refuse_net(name + " names chart " + std::to_string(chart) + ", there are " +
+                 std::to_string(atlas.charts().count()));
     }
   }
   const Surface& surface = atlas.surface();
   std::uint32_t tile = atlas.charts()[ChartId(label.from)].tile;
   for (const std::uint32_t side : label.word) {
     if (side >= surface.side_count() || surface.tile_of_side(side) != tile) {
-      refuse(name + " crosses side " + std::to_string(side) + ", which tile " + std::to_string(tile) +
-             " does not have");
+      refuse_net(name + " crosses side " + std::to_string(side) + ", which tile " + std::to_string(tile) +
+                 " does not have");
     }
     tile = surface.tile_of_side(surface.partner(side));
   }
   if (tile != atlas.charts()[ChartId(label.to)].tile) {
-    refuse(name + " ends in tile " + std::to_string(tile) + ", its chart is in tile " +
-           std::to_string(atlas.charts()[ChartId(label.to)].tile));
+    refuse_net(name + " ends in tile " + std::to_string(tile) + ", its chart is in tile " +
+               std::to_string(atlas.charts()[ChartId(label.to)].tile));
   }
 }
 
@@ -121,12 +122,12 @@ Triangle triangle_of(const certify::NetDocument::Triangle& triangle, std::size_t
                      const std::vector<LabelId>& labels, const std::string& name) {
   for (const std::uint32_t dart : triangle.opposite) {
     if (dart / 3 >= count) {
-      refuse(name + " is glued to dart " + std::to_string(dart) + ", there are " + std::to_string(3 * count));
+      refuse_net(name + " is glued to dart " + std::to_string(dart) + ", there are " + std::to_string(3 * count));
     }
   }
   for (const std::uint32_t label : triangle.label) {
     if (label >= labels.size()) {
-      refuse(name + " has label " + std::to_string(label) + ", there are " + std::to_string(labels.size()));
+      refuse_net(name + " has label " + std::to_string(label) + ", there are " + std::to_string(labels.size()));
     }
     if (labels[label] > kLargestLabel) throw LimitError("more than 2^24 labels");
   }

@@ -25,13 +25,6 @@ Permutation identity(std::size_t degree) {
   return result;
 }
 
-/// First p, then q.
-Permutation product(const Permutation& p, const Permutation& q) {
-  Permutation result(p.size());
-  for (std::size_t i = 0; i < p.size(); ++i) result[i] = q[p[i]];
-  return result;
-}
-
 Permutation inverse_of(const Permutation& p) {
   Permutation result(p.size());
   for (std::uint32_t i = 0; i < p.size(); ++i) result[p[i]] = i;
@@ -94,7 +87,7 @@ std::vector<Permutation> both_ways(const PolygonSides& polygon, const std::vecto
 void require_relations(const PolygonSides& polygon, const std::vector<Permutation>& across) {
   for (const SidesOfPolygon& relation : polygon.relations) {
     Permutation around = identity(across.front().size());
-    for (const std::uint32_t k : relation) around = product(around, across[k]);
+    for (const std::uint32_t k : relation) around = composed(around, across[k]);
     for (std::uint32_t i = 0; i < around.size(); ++i) {
       if (around[i] == i) continue;
       std::string sides;
@@ -213,7 +206,7 @@ std::optional<std::array<Permutation, 2>> draw_pair(const Permutation& w, const 
   }
   // y x⁻¹ y⁻¹ = x⁻¹ w takes the cycles of x⁻¹ w to those of x⁻¹, all of which are as long.
   const Permutation back = inverse_of(x);
-  std::vector<Permutation> from = cycles_of(product(back, w));
+  std::vector<Permutation> from = cycles_of(composed(back, w));
   std::vector<Permutation> to = cycles_of(back);
   if (from.size() != to.size()) return std::nullopt;
   shuffle(to, engine);
@@ -316,7 +309,7 @@ std::vector<Permutation> random_sheets(const Surface& base, std::uint32_t degree
   };
   const auto value = [&](const SidesOfPolygon& word) {
     Permutation result = identity(degree);
-    for (const std::uint32_t k : word) result = product(result, across[k]);
+    for (const std::uint32_t k : word) result = composed(result, across[k]);
     return result;
   };
   for (;;) {
@@ -332,11 +325,11 @@ std::vector<Permutation> random_sheets(const Surface& base, std::uint32_t degree
     const Permutation b = value(form.b);
     const Permutation c = value(form.c);
     const Permutation d = value(form.d);
-    const Permutation w = inverse_of(product(product(b, value(form.z)), product(d, c)));
+    const Permutation w = inverse_of(composed(composed(b, value(form.z)), composed(d, c)));
     const auto pair = draw_pair(w, partitions, engine);
     if (!pair) continue;
-    set(form.x, product(product(d, c), (*pair)[0]));
-    set(form.y, product(product(inverse_of(b), (*pair)[1]), inverse_of(c)));
+    set(form.x, composed(composed(d, c), (*pair)[0]));
+    set(form.y, composed(composed(inverse_of(b), (*pair)[1]), inverse_of(c)));
     for (auto e = group.expressed.rbegin(); e != group.expressed.rend(); ++e) set(e->side, value(e->word));
     std::vector<Permutation> result;
     for (std::uint32_t k = 0; k < across.size(); ++k) {

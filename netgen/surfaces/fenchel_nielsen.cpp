@@ -5,10 +5,10 @@
 #include <boost/random/uniform_int_distribution.hpp>
 #include <utility>
 
+#include "triangulation/surface/exact_points.h"
+
 namespace epsnet {
 namespace {
-
-using Integer = boost::multiprecision::mpz_int;
 
 /// A matrix of PGL₂(Q) with positive determinant, acting on the upper half-plane.
 struct Matrix {

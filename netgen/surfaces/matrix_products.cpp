@@ -9,7 +9,7 @@
 namespace epsnet {
 namespace {
 
-constexpr std::size_t kMostBits = std::size_t{1} << 24;
+constexpr std::size_t kMostBitsOfProduct = std::size_t{1} << 24;
 
 }  // namespace
 
@@ -82,8 +82,8 @@ certify::ExactIsometry MatrixProducts::exact(Id x) {
     if (node.exact) continue;
     node.exact = certify::compose(known(node.left), known(node.right));
     certify::reduce(*node.exact);
-    if (certify::bits(*node.exact) > kMostBits) {
-      throw LimitError("a product of matrices has more than " + std::to_string(kMostBits) + " bits");
+    if (certify::bits(*node.exact) > kMostBitsOfProduct) {
+      throw LimitError("a product of matrices has more than " + std::to_string(kMostBitsOfProduct) + " bits");
     }
   }
   return known(x);

@@ -19,7 +19,7 @@ namespace epsnet {
 namespace {
 
 constexpr std::size_t kMostGenerators = 1000;
-constexpr std::size_t kMostBits = 100'000;
+constexpr std::size_t kMostBitsOfEntry = 100'000;
 
 [[noreturn]] void fail(const std::string& message) { throw MatricesError(MatricesError::Kind::text, message); }
 
@@ -69,10 +69,10 @@ class MatrixReader {
   }
 
   Rational number(std::string_view text, const std::string& place) {
-    const auto value = text.size() <= kMostBits ? parse_decimal(text) : std::nullopt;
+    const auto value = text.size() <= kMostBitsOfEntry ? parse_decimal(text) : std::nullopt;
     if (!value) fail(place + ": " + certify::in_quotes(text) + " found, expected an integer, a fraction or a decimal");
-    if (*value != 0 && msb(Integer(abs(numerator(*value)))) + msb(Integer(denominator(*value))) > kMostBits) {
-      fail(place + ": more than " + std::to_string(kMostBits) + " bits");
+    if (*value != 0 && msb(Integer(abs(numerator(*value)))) + msb(Integer(denominator(*value))) > kMostBitsOfEntry) {
+      fail(place + ": more than " + std::to_string(kMostBitsOfEntry) + " bits");
     }
     if (const auto digits = digits_of_decimal(text)) result_.digits = std::max(result_.digits.value_or(0), *digits);
     return *value;

@@ -12,13 +12,6 @@
 namespace epsnet {
 namespace {
 
-/// x, then y.
-Permutation product(const Permutation& x, const Permutation& y) {
-  Permutation result(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) result[i] = y[x[i]];
-  return result;
-}
-
 void require_permutation(const Permutation& images, const std::string& name) {
   const auto number = [](std::size_t i) { return std::to_string(i); };
   std::vector<std::optional<std::size_t>> origin(images.size());
@@ -264,8 +257,8 @@ DartMap map_of_group(const Permutation& x, const Permutation& y) {
   };
   DartMap map;
   for (std::size_t g = 0; g < elements.size(); ++g) {
-    map.rotation.push_back(number_of(product(x, elements[g])));
-    map.edges.push_back(number_of(product(y, elements[g])));
+    map.rotation.push_back(number_of(composed(x, elements[g])));
+    map.edges.push_back(number_of(composed(y, elements[g])));
   }
   return map;
 }
@@ -289,7 +282,7 @@ Surface surface_of_map(const DartMap& map) {
   const auto faces = cycles(rotation);
   const std::uint32_t p = common_length(faces, "rotation", "the number of sides of the face");
   const std::uint32_t q =
-      common_length(cycles(product(edges, rotation)), "edges, then rotation", "the number of corners at the vertex");
+      common_length(cycles(composed(edges, rotation)), "edges, then rotation", "the number of corners at the vertex");
   std::vector<Gluing> side(rotation.size());
   for (std::uint32_t t = 0; t < faces.size(); ++t) {
     for (std::uint32_t k = 0; k < p; ++k) side[faces[t][k]] = {t, k, 0, 0};
