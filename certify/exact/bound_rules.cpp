@@ -20,9 +20,6 @@ struct Map {
   std::vector<std::size_t> element;
 };
 
-/// A vector of the hyperboloid.
-using Vector = std::array<Interval, 3>;
-
 /// sinh²(d(p, gp)/2) = σ + ⟨n, U(p)⟩² for a point p.
 struct Displacement {
   Interval sigma;

@@ -197,6 +197,9 @@ class Interval {
   mpfr_t upper_;
 };
 
+/// A vector of the space of the hyperboloid.
+using Vector = std::array<Interval, 3>;
+
 inline Interval enclosure(const mpz_class& x) { return Interval(mpq_class(x)); }
 
 }  // namespace epsnet::exact

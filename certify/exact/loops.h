@@ -36,8 +36,6 @@ struct Place {
 /// sinh²(l/2) of a motion of determinant 1, if that is positive.
 [[nodiscard]] inline Interval squared_half_length(const Motion& g) { return norm(g.b) - square(g.a.im); }
 
-using Vector = std::array<Interval, 3>;
-
 /// The normal of the axis of a motion of determinant 1, with the square sinh²(l/2).
 [[nodiscard]] inline Vector axis_normal(const Motion& g) { return {-g.b.im, g.b.re, g.a.im}; }
 [[nodiscard]] inline Interval lorentz_product(const Vector& u, const Vector& v) {
