@@ -17,15 +17,17 @@ are built from the text of the source. One change of a place is one mutant:
   call         exchanged for its counterpart: bounds from below and above, rounding directions, sinh and cosh, ...
   dropped      a statement that is a call or an assignment
 
-Code that cannot affect a verdict is left out: messages, counts, the account of work, the bits of balls (the inclusion
+What does not compile is left out, by trial. Code that cannot affect a verdict is left out as well: messages, counts, the account of work, the bits of balls (the inclusion
 principle holds for any number of bits), the writer, the programs.
 """
 import concurrent.futures
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 
 # The writers of text, and the account of work: of the verdicts only UNDECIDED depends on them.
 LEFT_OUT = ("certify/program/", "certify/exact/main.cpp", "certify/file/writer.", "certify/verdict/report.",
@@ -70,6 +72,8 @@ for left, right in PAIRS:
             COUNTERPARTS[name].append(other)
 ENUMERATORS = {"Tri": ("no", "yes", "unknown"), "Verdict": ("verified", "refuted", "undecided")}
 WORDS = {"Tri": "unknown", "Verdict": "undecided"}
+# The name of a file that is none, in the trial.
+TRIAL = "mutant"
 
 
 class Tree:
@@ -574,19 +578,28 @@ def read(source, clang, path, texts):
     return {p: (t.changes, t.wraps, t.functions, t.undivided) for p, t in trees.items() if t.changes or t.wraps}
 
 
-def render(tree, spans, number):
-    """Returns the file with all its changes; `number` assigns the next mutant's number to a change."""
+def render(tree, spans, number, trial=False):
+    """Returns the file with all its changes; `number` assigns the next mutant's number to a change.
+
+    In a trial each replacement is a line of its own in a file called "mutant", with the mutant's number: so that is where the compiler sees an error.
+    """
     text = tree.text.decode("latin-1")
+
+    def marked(number, replacement, at):
+        if not trial:
+            return replacement
+        line = tree.text[:at].count(b"\n") + 1
+        return f'\n#line {number} "{TRIAL}"\n{replacement}\n#line {line} "{tree.path}"\n'
 
     def line_of(at):
         begin = tree.text.rfind(b"\n", 0, at) + 1
         end = tree.text.find(b"\n", at)
         return tree.text[:at].count(b"\n") + 1, tree.text[begin:end if end >= 0 else None].decode().strip()
 
-    def register(span, kind, before, after):
+    def register(span, kind, before, after, table, key):
         number, line = line_of(span[0])
         return add({"file": tree.path, "function": tree.functions[span], "line_number": number, "line": line,
-                    "kind": kind, "from": before, "to": after})
+                    "kind": kind, "from": before, "to": after, "change": (table, span, key)})
     add = number
 
     def shown(text):
@@ -609,13 +622,13 @@ def render(tree, spans, number):
         arms = []
         for replacement, (kind, same) in tree.changes.get(span, {}).items():
             after = replacement[len("mutant::value("):-1] if not same else replacement
-            number = register(span, kind, shown(before), shown(after))
-            arms.append((number, replacement.encode().decode("latin-1"), same))
+            number = register(span, kind, shown(before), shown(after), tree.changes, replacement)
+            arms.append((number, marked(number, replacement.encode().decode("latin-1"), span[1]), same))
         calls = [w for w in tree.wraps.get(span, []) if w[2] is None]
-        for kind, what, _ in calls:
-            replacement, name = what
-            number = register(span, kind, shown(before), shown(replacement))
-            body = f"(mutant::at({number}) ? {replacement.encode().decode('latin-1')} : {body})"
+        for call in calls:
+            kind, (replacement, _), _ = call
+            number = register(span, kind, shown(before), shown(replacement), tree.wraps, call)
+            body = f"(mutant::at({number}) ? {marked(number, replacement.encode().decode('latin-1'), span[0])} : {body})"
         if arms:
             valued = not all(same for _, _, same in arms)
             if any(kind in ("condition", "logic", "comparison") for kind, _ in tree.changes[span].values()):
@@ -626,7 +639,7 @@ def render(tree, spans, number):
         for kind, what, form in tree.wraps.get(span, []):
             if form is None:
                 continue
-            number = register(span, kind, shown(before), what)
+            number = register(span, kind, shown(before), what, tree.wraps, (kind, what, form))
             body = form.replace("{id}", str(number)).replace("{inner}", body)
         return body
 
@@ -644,6 +657,48 @@ def render(tree, spans, number):
     return inside(0, len(text), roots)
 
 
+def errors(target, source, clang, path):
+    """Where changes do not compile in a file of the trial: pairs of a file and a line."""
+    command = [clang, "-std=c++20", "-fsyntax-only", "-w", "-ferror-limit=0", "-Wno-narrowing", f"-I{target}", f"-I{source}", path]
+    run = subprocess.run(command, cwd=target, capture_output=True, text=True, check=False)
+    places = set()
+    for error in re.split(r"^(?=[^\s:]+:\d+:\d+: (?:fatal )?error: )", run.stderr, flags=re.MULTILINE)[1:]:
+        found = [(file, int(line)) for file, line in re.findall(r"^([^\s:]+):(\d+):\d+: (?:error|note): ", error, re.MULTILINE)]
+        # An error in a header of others is that of who instantiates it; a value that is not constant, that of what is called for it.
+        ours = [place for place in found if place[0] == TRIAL or place[0].startswith("certify/")]
+        places.update(ours if "constant expression" in error else ours[:1])
+    if run.returncode != 0 and not places:
+        sys.exit(f"mutate.py: {path} does not compile:\n{run.stderr[:2000]}")
+    return places
+
+
+def leave_out_what_does_not_compile(trees, compiled, source, target, clang):
+    """Takes changes away until all files compile, and returns how many. Of an error outside of all replacements it takes all changes of the line."""
+    count, failing = 0, compiled
+    while failing:
+        mutants = []
+
+        def number(entry):
+            mutants.append(entry)
+            return len(mutants)
+        for path in sorted(trees):
+            write_tree(trees[path], target, number, trial=True)
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            found = list(pool.map(lambda path: errors(target, source, clang, path), failing))
+        failing = [path for path, places in zip(failing, found) if places]
+        places = set().union(*found)
+        before = count
+        for n, m in enumerate(mutants, 1):
+            if (TRIAL, n) in places or (m["file"], m["line_number"]) in places:
+                table, span, key = m["change"]
+                if key in table.get(span, ()):
+                    table[span].pop(key) if isinstance(table[span], dict) else table[span].remove(key)
+                    count += 1
+        if failing and count == before:
+            sys.exit(f"mutate.py: without a change that could be left out, these do not compile: {', '.join(failing)}: {sorted(places)[:5]}")
+    return count
+
+
 def write(path, data):
     """Writes a file only if it changes, so that nothing that depends on it is rebuilt."""
     if os.path.exists(path):
@@ -652,6 +707,12 @@ def write(path, data):
                 return
     with open(path, "wb") as file:
         file.write(data)
+
+
+def write_tree(tree, target, number, trial=False):
+    body = render(tree, {span for table in (tree.changes, tree.wraps) for span in table if table[span]}, number, trial)
+    lead = b'#include "mutant.h"\n#line 1 "' + tree.path.encode() + b'"\n'
+    write(os.path.join(target, tree.path), (b"#pragma once\n" if tree.path.endswith(".h") else b"") + lead + body.encode("latin-1"))
 
 
 def main():
@@ -697,19 +758,29 @@ def main():
             if "false" in changes:
                 for replacement in [r for r, (kind, _) in changes.items() if kind == "negation"]:
                     del changes[replacement]
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "mutant.h"), "rb") as file:
+        header = file.read()
+    write(os.path.join(target, "mutant.h"), header)
+    with tempfile.TemporaryDirectory() as trial:
+        for folder, _, names in os.walk(os.path.join(target, "certify")):  # Those that are not changed.
+            for name in names:
+                path = os.path.relpath(os.path.join(folder, name), target)
+                if path.startswith(LEFT_OUT):
+                    os.makedirs(os.path.dirname(os.path.join(trial, path)), exist_ok=True)
+                    shutil.copy(os.path.join(target, path), os.path.join(trial, path))
+        for path in trees:
+            os.makedirs(os.path.dirname(os.path.join(trial, path)), exist_ok=True)
+        write(os.path.join(trial, "mutant.h"), header)
+        left_out = leave_out_what_does_not_compile(trees, compiled, source, trial, clang)
     mutants = []
 
     def number(entry):
         mutants.append(entry)
         entry["id"] = len(mutants)
+        del entry["change"]
         return len(mutants)
     for path in sorted(trees):
-        tree = trees[path]
-        body = render(tree, set(tree.changes) | set(tree.wraps), number)
-        lead = b'#include "mutant.h"\n#line 1 "' + path.encode() + b'"\n'
-        write(os.path.join(target, path), (b"#pragma once\n" if path.endswith(".h") else b"") + lead + body.encode("latin-1"))
-    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "mutant.h"), "rb") as file:
-        write(os.path.join(target, "mutant.h"), file.read())
+        write_tree(trees[path], target, number)
     # Equal changes on one line are distinguished by a number.
     seen = {}
     for m in mutants:
@@ -718,7 +789,7 @@ def main():
         m["nth"] = seen[key]
     write(os.path.join(target, "mutants.json"), json.dumps(mutants, ensure_ascii=False, indent=0).encode())
     write(os.path.join(target, "mutant_count.h"), f"#define MUTANT_COUNT {len(mutants) + 1}\n".encode())
-    print(f"{len(mutants)} mutants of {sum(bool(t.changes or t.wraps) for t in trees.values())} files")
+    print(f"{len(mutants)} mutants of {sum(bool(t.changes or t.wraps) for t in trees.values())} files; {left_out} changes that do not compile are left out")
 
 
 if __name__ == "__main__":
