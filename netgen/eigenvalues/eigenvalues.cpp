@@ -40,6 +40,8 @@ Prover prover_of(const Surface& surface, const EigenvaluesDocument& document, co
   return {space, trace_matrices(space, surface.genus(), lengths), std::move(known)};
 }
 
+constexpr double kOpen = 0.98;  ///< Where at most so many eigenvalues can be, there is none, provably.
+
 /// Finds windows with eigenvalues, gaps without, and what proves them.
 class Search {
  public:
@@ -65,8 +67,6 @@ class Search {
   }
 
  private:
-  static constexpr double kOpen = 0.98;  ///< Where at most so many eigenvalues can be, there is none, provably.
-
   void report(std::string_view what, double share) const {
     if (options_.progress) options_.progress(what, share);
   }
@@ -415,26 +415,50 @@ Quality quality_of(const EigenvaluesDocument& document) {
   return {counted, -std::abs(first.smallest.upper - first.greatest.lower)};
 }
 
-/// Adds functions of eigenvalues behind those that are known, in increasing order, until there are `count` or none is
-/// found any more. The place from which to search on is `from`.
-void add_eigenfunctions(std::size_t count, const EigenfunctionSearch& search, double& from,
-                        std::vector<EigenvaluesDocument::Eigenfunction>& functions, double stride) {
-  constexpr double kLast = 40;
+using Eigenfunctions = std::vector<EigenvaluesDocument::Eigenfunction>;
+
+/// Adds functions of the eigenvalues within `reach` of `place` that are found and not known. Returns about where the
+/// nearest eigenvalue is; nothing if the search says nothing.
+std::optional<double> add_near(double place, double reach, const EigenfunctionSearch& search,
+                               Eigenfunctions& functions) {
   const auto is_known = [&](double lower, double upper) {
     return std::any_of(functions.begin(), functions.end(),
                        [&](const auto& known) { return lower <= known.in.upper && known.in.lower <= upper; });
   };
+  const std::vector<double> guesses = search.around(place);
+  if (guesses.empty()) return std::nullopt;
+  const double same = 1e-4 * reach;
+  for (const double guess : guesses) {
+    if (std::abs(guess - place) > reach || is_known(guess - same, guess + same)) continue;
+    auto function = search.near(guess);
+    if (function && !is_known(function->in.lower, function->in.upper)) functions.push_back(*std::move(function));
+  }
+  return guesses.front();
+}
+
+/// Adds functions of eigenvalues less than `end`, as surfaces with short geodesics have them. Those of 0, which are
+/// constant, hide them from a search at greater places; so it goes to smaller and smaller ones, where the trace formula
+/// leaves room for an eigenvalue.
+void add_small_eigenfunctions(double end, const Prover& prover, const EigenfunctionSearch& search,
+                              Eigenfunctions& functions) {
+  constexpr int kHalvings = 12;
+  double place = end;
+  for (int i = 0; i < kHalvings; ++i, place /= 2) {
+    if (prover.most_at(place) >= kOpen) add_near(place, place / 2, search, functions);
+  }
+}
+
+/// Adds functions of eigenvalues behind those that are known, in increasing order, until there are `count` or none is
+/// found any more. The place from which to search on is `from`.
+void add_eigenfunctions(std::size_t count, const EigenfunctionSearch& search, double& from, Eigenfunctions& functions,
+                        double stride) {
+  constexpr double kLast = 40;
   while (from < kLast && functions.size() < count) {
     const double middle = from + stride / 2;
-    const std::vector<double> guesses = search.around(middle);
-    if (guesses.empty()) return;
-    for (const double guess : guesses) {
-      if (std::abs(guess - middle) > 0.75 * stride || is_known(guess - 1e-4 * stride, guess + 1e-4 * stride)) continue;
-      auto function = search.near(guess);
-      if (function && !is_known(function->in.lower, function->in.upper)) functions.push_back(*std::move(function));
-    }
+    const std::optional<double> nearest = add_near(middle, 0.75 * stride, search, functions);
+    if (!nearest) break;
     // Where the nearest one is far, its place is a rough estimate.
-    from += std::max(stride, std::abs(guesses.front() - middle) / 2);
+    from += std::max(stride, std::abs(*nearest - middle) / 2);
   }
   std::sort(functions.begin(), functions.end(), [](const auto& x, const auto& y) { return x.lambda < y.lambda; });
 }
@@ -482,11 +506,13 @@ EigenvaluesDocument eigenvalues_from(const Surface& surface, const EigenvaluesOp
   // Throws, before any work for eigenfunctions, if next to no length was asked for.
   if (up_to.value() < 1) static_cast<void>(with_windows(surface, options, best, lengths));
   if (options.eigenfunctions && best.eigenfunctions.empty()) search.emplace(best, options.threads, options.progress);
+  // Eigenvalues are about 1/(g − 1) apart.
+  const double stride = 1.0 / surface.genus();
+  if (search) add_small_eigenfunctions(stride / 4, prover_of(surface, best, lengths), *search, best.eigenfunctions);
   double from = 0;
   for (std::size_t wanted = options.count == 0 ? kBatch : std::min<std::size_t>(options.count + 1, kBatch);;
        wanted += kBatch) {
-    // Eigenvalues are about 1/(g − 1) apart.
-    if (search) add_eigenfunctions(wanted, *search, from, best.eigenfunctions, 1.0 / surface.genus());
+    if (search) add_eigenfunctions(wanted, *search, from, best.eigenfunctions, stride);
     const bool all = !search || best.eigenfunctions.size() < wanted || options.count <= kBatch;
     best = with_windows(surface, options, best, lengths);
     if (all || quality_of(best).first >= options.count) return best;

@@ -56,6 +56,10 @@ Prover::Prover(TestSpace space, std::vector<RealMatrix> matrices, std::vector<In
       known_(std::move(known)),
       solver_(Solver::of(without(matrices_[0], space_, known_))) {
   if (!solver_) throw NetError("the trace formula gives a singular matrix");
+  for (const Interval& in : known_) {
+    const Real middle = (Real(in.lower) + Real(in.upper)) / 2;
+    known_values_.push_back({space_.values(Real(in.lower)), space_.values(middle), space_.values(Real(in.upper))});
+  }
 }
 
 double Prover::most_at(double lambda) const {
@@ -180,6 +184,24 @@ std::optional<std::pair<Trial, double>> Prover::first_behind(double sigma, doubl
   return std::pair(std::move(result), static_cast<double>(Real(above / below)));
 }
 
+Real Prover::least_square(const RealVector& c, const KnownValues& known) {
+  using boost::multiprecision::abs;
+  // Balls (of a middle and a radius, which has 30 bits) of the two factors of f̂² = sincⁿ·g², of which sinc^{n/2} is the
+  // first value. That of g is from its Taylor series at the middle.
+  constexpr double kRadius = 1 + 0x1p-24;
+  const Real lower = dot(c, known.lower) / known.lower.front();
+  const Real middle = abs(dot(c, known.middle)) / known.middle.front();
+  const Real upper = dot(c, known.upper) / known.upper.front();
+  const Real bend = abs(Real(abs(lower + upper) - 2 * middle));
+  const Real radius = (abs(Real(lower - upper)) / 2 + bend) * kRadius;
+  const Real square = middle * middle;
+  const Real square_radius = (2 * middle + radius) * radius * kRadius;
+  const Real power = known.middle.front() * known.middle.front();
+  const Real power_radius = (known.lower.front() * known.lower.front() - power) * kRadius;
+  const Real least = power * square - (power + power_radius) * square_radius - square * power_radius;
+  return std::max(Real(0), Real(least - kMargin * power * square));
+}
+
 Trial Prover::trial(RealVector c) const {
   using boost::multiprecision::abs;
   Real greatest = 0;
@@ -192,12 +214,7 @@ Trial Prover::trial(RealVector c) const {
   for (std::size_t p = 0; p < 3; ++p) {
     for (std::size_t j = 0; j < c.size(); ++j) result.sums[p] += c[j] * dot(matrices_[p][j], c);
   }
-  for (const Interval& in : known_) {
-    const Real lower = dot(c, space_.values(Real(in.lower)));
-    const Real upper = dot(c, space_.values(Real(in.upper)));
-    const Real least = (lower < 0) == (upper < 0) ? std::min(Real(abs(lower)), Real(abs(upper))) : Real(0);
-    result.known.push_back(least * least * (1 - kMargin));
-  }
+  for (const KnownValues& known : known_values_) result.known.push_back(least_square(c, known));
   return result;
 }
 

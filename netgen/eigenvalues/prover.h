@@ -64,6 +64,16 @@ class Prover {
   [[nodiscard]] std::optional<std::pair<Trial, double>> first_behind(double sigma, double guess) const;
 
  private:
+  /// The values of test functions at the ends and in the middle of a known interval.
+  struct KnownValues {
+    RealVector lower;
+    RealVector middle;
+    RealVector upper;
+  };
+
+  /// What f̂² is at least in a known interval by the ball that `certify` computes for it. This is a little less than the
+  /// least value, and statements are so near to their bounds that the difference counts.
+  [[nodiscard]] static Real least_square(const RealVector& c, const KnownValues& known);
   /// Rounds the coefficients, relative to the greatest.
   [[nodiscard]] Trial trial(RealVector c) const;
   /// f̂(λ)²
@@ -75,6 +85,7 @@ class Prover {
   TestSpace space_;
   std::vector<RealMatrix> matrices_;
   std::vector<certify::Interval> known_;
+  std::vector<KnownValues> known_values_;
   std::optional<Solver> solver_;  ///< For sums over unknown eigenvalues.
 };
 

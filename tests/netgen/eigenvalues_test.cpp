@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "certify/check.h"
+#include "certify/claims/eigenvalues/test_function.h"
 #include "certify/claims/eigenvalues/trace_forms.h"
 #include "certify/file/reader.h"
 #include "certify/numbers/precision.h"
@@ -260,6 +261,26 @@ TEST(Prover, NumbersAreQuotientsOfSumsAndExtremeValues) {
           sampled(in, [&](double x) { return weight(x) * static_cast<double>(square(prover.space(), d, x)); }).second;
       const double least = sum <= 0 ? 0 : std::ceil(static_cast<double>(sum) / greatest);
       EXPECT_EQ(prover.least_in(weighted, *best, in), least) << in.lower << ' ' << sigma;
+    }
+  }
+}
+
+/// Statements are made so near to their bounds that the ball of `certify` must not contain less.
+TEST(Prover, KnownEigenvaluesAddWhatTheCheckerComputes) {
+  const EigenvaluesDocument document = octagon();
+  const std::vector<Interval> known{{2.775068 - 1e-7, 2.775068 + 1e-7}, {3.8, 3.8 + 1e-3}, {0.006, 0.006 + 1e-9}};
+  const Prover prover(space_of(document), matrices_of(document), known);
+  const certify::TestFunctions functions = certify::test_functions(document);
+  const certify::Precision precision(256);
+  for (const double place : {0.01, 1.0, 2.7, 4.0}) {
+    const Trial trial = prover.best_at(place);
+    const certify::SquaredTestFunction square(functions, trial.coefficients);
+    ASSERT_EQ(trial.known.size(), known.size());
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      const double least = certify::outer_interval(square.on(known[i])).lower;
+      const auto expected = static_cast<double>(trial.known[i]);
+      EXPECT_LE(expected, std::max(least, 0.0)) << place << ' ' << i;
+      EXPECT_GE(expected, (1 - 1e-3) * least) << place << ' ' << i;
     }
   }
 }

@@ -64,6 +64,21 @@ TEST(Eigenvalues, ThatAreCountedAreEnclosedToNineDigits) {
   }
 }
 
+/// A curve that separates becomes short. The constant functions, of the eigenvalue 0, are near.
+TEST(Eigenvalues, ThatAreSmallAreEnclosedToo) {
+  FenchelNielsenRequest request;
+  request.graph = "0-0 0-1 1-1";
+  request.lengths = {"2", "1/16", "2"};
+  request.twists = {"0.3", "0", "0.7"};
+  const Surface surface = fenchel_nielsen_surface(resolve(request));
+  const EigenvaluesDocument document = eigenvalues(surface, {.up_to = Length("10"), .count = 1});
+  EXPECT_EQ(certify::check(document, {.threads = 2}).verdict, certify::Verdict::verified);
+  const auto& first = document.windows.front();
+  EXPECT_EQ(first.most, 1U);
+  EXPECT_LT(first.smallest.upper, 0.007);
+  EXPECT_LT(first.smallest.upper - first.greatest.lower, 1e-7);
+}
+
 /// The trace formula alone proves one eigenvalue from so few geodesics.
 TEST(Eigenvalues, FunctionsShowTheGapsBetweenThem) {
   const EigenvaluesDocument document = eigenvalues(random_octagon(5), {.up_to = Length("8")});
