@@ -28,10 +28,9 @@
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/assurance/file_mutants/mutations.h"
-#include "tests/assurance/file_mutants/reference.h"
 
 /// Mutants of files: single and double defects of true files, in the document or in its text. The verdicts of `certify`
-/// are compared with those of `certify-exact`, and with the reference of this folder.
+/// are compared with those of `certify-exact`.
 namespace epsnet::attack {
 namespace {
 
@@ -49,13 +48,11 @@ struct Base {
   Document document;
   std::string text;
   unsigned weight;
-  KnownGeodesics known;
 };
 
 struct Family {
   std::string name;
-  unsigned weight;            ///< Its share of the mutants.
-  unsigned reference_one_of;  ///< One of this many mutants is also checked by the reference; 0: none.
+  unsigned weight;  ///< Its share of the mutants.
   std::vector<Base> bases;
 };
 
@@ -65,16 +62,9 @@ std::string written(const Document& document) {
   return out.str();
 }
 
-/// Whether the reference knows the file's geodesics: those of rational tiles.
-bool knows(const Document& document) {
-  const auto* geodesics = std::get_if<GeodesicsDocument>(&document);
-  return geodesics != nullptr && geodesics->net.surface.regular_genus == 0;
-}
-
 Base base(std::string name, Document document, unsigned weight = 1) {
   std::string text = written(document);
-  KnownGeodesics known = knows(document) ? learn(text) : KnownGeodesics();
-  return {std::move(name), std::move(document), std::move(text), weight, std::move(known)};
+  return {std::move(name), std::move(document), std::move(text), weight};
 }
 Base net(const std::string& name, const Surface& surface, const char* epsilon, unsigned weight = 1,
          bool pseudo = false) {
@@ -103,12 +93,12 @@ Surface octagon_of_another_gluing() {
 
 std::vector<Family> families() {
   std::vector<Family> all;
-  const auto add = [&](std::string name, unsigned weight, unsigned reference_one_of) -> std::vector<Base>& {
-    all.push_back({std::move(name), weight, reference_one_of, {}});
+  const auto add = [&](std::string name, unsigned weight) -> std::vector<Base>& {
+    all.push_back({std::move(name), weight, {}});
     return all.back().bases;
   };
   {
-    auto& b = add("octagons", 230, 16);
+    auto& b = add("octagons", 230);
     b.push_back(net("octagon 123", random_octagon(123), "0.9", 2));
     b.push_back(net("octagon 321", random_octagon(321), "0.8", 1));
     b.push_back(net("octagon 7", random_octagon(7), "1.2", 4));
@@ -118,7 +108,7 @@ std::vector<Family> families() {
     b.push_back(file("certify/verified/square-of-cocircular-vertices.json", 2));
   }
   {
-    auto& b = add("polygons", 230, 16);
+    auto& b = add("polygons", 230);
     b.push_back(net("polygon-g2-small", polygon("polygon-g2-small"), "1", 3));
     b.push_back(net("polygon-g2-theta", polygon("polygon-g2-theta"), "1.2", 3));
     b.push_back(net("polygon-g3-small", polygon("polygon-g3-small"), "1.3", 2));
@@ -131,7 +121,7 @@ std::vector<Family> families() {
     b.push_back(net("three tiles", tiles, "1", 3));
   }
   {
-    auto& b = add("Fenchel-Nielsen surfaces", 180, 16);
+    auto& b = add("Fenchel-Nielsen surfaces", 180);
     b.push_back(net("chain of genus 2, random", fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(2), 5)),
                     "1.1", 3));
     b.push_back(
@@ -141,13 +131,13 @@ std::vector<Family> families() {
     b.push_back(net("theta of equal cuffs", cuffs(PantsGraph::ring(2), {"2", "2", "2"}), "1", 2));
   }
   {
-    auto& b = add("thin surfaces", 150, 32);
+    auto& b = add("thin surfaces", 150);
     b.push_back(net("polygon-g2-thin-1e-2", polygon("polygon-g2-thin-1e-2"), "1.5", 4));
     b.push_back(net("polygon-g2-thin-1e-4", polygon("polygon-g2-thin-1e-4"), "2", 1));
     b.push_back(net("a cuff of 1e-3", cuffs(PantsGraph::chain(2), {"2", "0.001", "2.5"}), "1.6", 2));
   }
   {
-    auto& b = add("regular nets", 100, 0);
+    auto& b = add("regular nets", 100);
     b.push_back(net("regular of genus 2", Surface::regular(2), "1.2", 2));
     b.push_back(file("forgeries/regular.json", 2));
     b.push_back(file("forgeries/regular-of-one-vertex.json", 3));
@@ -157,55 +147,55 @@ std::vector<Family> families() {
     b.push_back(net("regular of genus 4", Surface::regular(4), "2", 1));
   }
   {
-    auto& b = add("maps", 40, 0);
+    auto& b = add("maps", 40);
     b.push_back(file("certify/verified/map-klein.json", 1));
     b.push_back(file("certify/verified/map-bring.json", 1));
     b.push_back(net("an octagon of another gluing", octagon_of_another_gluing(), "1.5", 2));
   }
   {
-    auto& b = add("pseudo nets", 60, 1);
+    auto& b = add("pseudo nets", 60);
     b.push_back(file("forgeries/collars.json", 1));
     b.push_back(net("three cuffs of 0.1", cuffs(PantsGraph::ring(2), {"0.1", "0.12", "0.15"}), "0.346", 2, true));
     b.push_back(net("a cuff of 0.01", cuffs(PantsGraph::chain(2), {"0.2", "0.01", "0.2"}), "0.34", 1, true));
   }
   {
-    auto& b = add("geodesics", 25, 1);
+    auto& b = add("geodesics", 25);
     b.push_back(file("forgeries/systole.json", 8));
     b.push_back(file("forgeries/spectrum.json", 8));
     b.push_back(file("forgeries/spectrum-with-a-figure-eight.json", 1));
   }
   {
-    auto& b = add("geodesics of regular surfaces", 5, 0);
+    auto& b = add("geodesics of regular surfaces", 5);
     b.push_back(file("forgeries/spectrum-of-equal-lengths.json"));
   }
   {
-    auto& b = add("thick-thin decompositions", 20, 1);
+    auto& b = add("thick-thin decompositions", 20);
     b.push_back(file("forgeries/small-curves.json", 8));
     b.push_back(file("geodesics/three-cuffs.json", 8));
   }
   {
-    auto& b = add("distances", 60, 0);
+    auto& b = add("distances", 60);
     b.push_back(file("distances/four-equal.json", 3));
     b.push_back(file("distances/zero.json", 1));
     b.push_back(file("distances/across-a-cuff-of-1e-8.json", 1));
     b.push_back(file("distances/bolza.json", 2));
   }
   {
-    auto& b = add("bounds", 60, 0);
+    auto& b = add("bounds", 60);
     b.push_back(file("bounds/octagon-diameter.json", 2));
     b.push_back(file("bounds/octagon-radius.json", 2));
     b.push_back(file("bounds/octagon-embedded-disk.json", 2));
     b.push_back(file("bounds/regular-diameter.json", 2));
   }
   {
-    auto& b = add("isometries", 20, 0);
+    auto& b = add("isometries", 20);
     b.push_back(file("isometries/octagon-5.json", 2));
     b.push_back(file("isometries/bolza.json", 1));
     b.push_back(file("isometries/bolza-of-one-vertex.json", 2));
     b.push_back(file("isometries/fenchel-nielsen-3-1.json", 1));
   }
   {
-    auto& b = add("eigenvalues", 20, 0);
+    auto& b = add("eigenvalues", 20);
     b.push_back(file("eigenvalues/bolza-to-3.1.json"));
   }
   return all;
@@ -352,14 +342,6 @@ Opinion ask_exact(const std::string& text) {
   return {kVerdicts.at(static_cast<std::size_t>(result.verdict)), result.rule, result.message};
 }
 
-Opinion ask_reference(const std::string& text, const KnownGeodesics& known) {
-  const Answer answer = ask(text, &known);
-  constexpr std::array<Verdict, 4> kVerdicts{Verdict::verified, Verdict::refuted, Verdict::malformed,
-                                             Verdict::undecided};
-  const Verdict verdict = kVerdicts.at(static_cast<std::size_t>(answer.verdict));
-  return {verdict, verdict == Verdict::refuted ? answer.rule : "", answer.rule};
-}
-
 bool decided(const Opinion& opinion) { return opinion.verdict != Verdict::undecided; }
 /// Whether both decide, with different verdicts.
 bool disagree(const Opinion& one, const Opinion& other) {
@@ -370,20 +352,14 @@ bool disagree(const Opinion& one, const Opinion& other) {
 struct Row {
   std::uint64_t mutants = 0;
   std::array<std::uint64_t, 4> verdict{};  ///< Counts of the verdicts of `certify`, by Verdict.
-  std::uint64_t exact_asked = 0;           ///< Mutants that `certify-exact` checked.
-  std::uint64_t exact_undecided = 0;       ///< Those of them that it left undecided.
-  std::uint64_t reference_asked = 0;
-  std::uint64_t reference_undecided = 0;
-  std::uint64_t other_rules = 0;  ///< Both refute, by different rules.
+  std::uint64_t exact_undecided = 0;       ///< Those that `certify-exact` leaves undecided.
+  std::uint64_t other_rules = 0;           ///< Both refute, by different rules.
   std::uint64_t disagreements = 0;
 
   void operator+=(const Row& other) {
     mutants += other.mutants;
     for (std::size_t i = 0; i < 4; ++i) verdict.at(i) += other.verdict.at(i);
-    exact_asked += other.exact_asked;
     exact_undecided += other.exact_undecided;
-    reference_asked += other.reference_asked;
-    reference_undecided += other.reference_undecided;
     other_rules += other.other_rules;
     disagreements += other.disagreements;
   }
@@ -408,8 +384,8 @@ class Attack {
 
   /// Whether there was no disagreement.
   bool run() {
-    for (Family& family : families_) {
-      for (Base& base : family.bases) unspoilt(family, base);
+    for (const Family& family : families_) {
+      for (const Base& base : family.bases) unspoilt(base);
     }
     certify::for_each_parallel(options_.jobs, options_.jobs, [this](unsigned, std::size_t) { work(); });
     if (terminal_) std::fputs("\r                                        \r", stderr);
@@ -418,13 +394,12 @@ class Attack {
   }
 
  private:
-  /// Checks that all checkers verify the true file.
-  void unspoilt(const Family& family, const Base& base) {
+  /// Checks that both checkers verify the true file.
+  void unspoilt(const Base& base) {
     const Opinion first = ask_certify(base.text);
-    const Opinion second = family.reference_one_of == 0 ? first : ask_reference(base.text, base.known);
-    const bool exact = ask_exact(base.text).verdict == Verdict::verified;
-    if (first.verdict == Verdict::verified && second.verdict == Verdict::verified && exact) return;
-    std::cerr << base.name << ": certify: " << first.message << "; reference: " << second.message << '\n';
+    const Opinion second = ask_exact(base.text);
+    if (first.verdict == Verdict::verified && second.verdict == Verdict::verified) return;
+    std::cerr << base.name << ": certify: " << first.message << "; certify-exact: " << second.message << '\n';
     ++failures_;
   }
 
@@ -444,46 +419,35 @@ class Attack {
   void examine(const Mutant& mutant, std::uint64_t number, Row& row) {
     const auto start = std::chrono::steady_clock::now();
     const Opinion first = ask_certify(mutant.text);
-    const auto after_certify = std::chrono::steady_clock::now();
+    const auto between = std::chrono::steady_clock::now();
+    const Opinion second = ask_exact(mutant.text);
+    const auto end = std::chrono::steady_clock::now();
     ++row.mutants;
     ++row.verdict.at(static_cast<std::size_t>(first.verdict));
-    bool differ = false;
-    std::string others;
-    const auto compare = [&](const char* who, const Opinion& other, std::uint64_t& asked, std::uint64_t& undecided) {
-      ++asked;
-      if (!decided(other)) ++undecided;
-      if (first.verdict == Verdict::refuted && other.verdict == Verdict::refuted && first.rule != other.rule)
-        ++row.other_rules;
-      differ = differ || disagree(first, other);
-      others += std::string(", ") + who + ": " + std::string(certify::name(other.verdict)) + " " + other.rule + " " +
-                other.message;
-    };
-    compare("certify-exact", ask_exact(mutant.text), row.exact_asked, row.exact_undecided);
+    if (!decided(second)) ++row.exact_undecided;
+    const bool refuted = first.verdict == Verdict::refuted && second.verdict == Verdict::refuted;
+    if (refuted && first.rule != second.rule) ++row.other_rules;
     if (!options_.keep.empty()) {
       std::ofstream(options_.keep / (std::to_string(number) + ".json"), std::ios::binary) << mutant.text;
     }
-    const auto after_exact = std::chrono::steady_clock::now();
-    if (const unsigned one_of = mutant.family->reference_one_of; one_of != 0 && number % one_of == 0) {
-      compare("reference", ask_reference(mutant.text, mutant.base->known), row.reference_asked,
-              row.reference_undecided);
-    }
+    const auto said = [](const Opinion& opinion) {
+      return std::string(certify::name(opinion.verdict)) + " " + opinion.rule + " " + opinion.message;
+    };
     if (options_.details) {
       const auto ms = [](auto a, auto b) { return std::chrono::duration<double, std::milli>(b - a).count(); };
       const std::lock_guard lock(mutex_);
-      std::cout << number << '\t' << mutant.base->name << '\t' << mutant.how << '\t' << certify::name(first.verdict)
-                << ' ' << first.rule << ' ' << first.message << others << '\t' << ms(start, after_certify) << '\t'
-                << ms(after_certify, after_exact) << '\t' << ms(after_exact, std::chrono::steady_clock::now()) << '\n';
+      std::cout << number << '\t' << mutant.base->name << '\t' << mutant.how << '\t' << said(first) << '\t'
+                << said(second) << '\t' << ms(start, between) << '\t' << ms(between, end) << '\n';
     }
-    if (!differ) return;
+    if (!disagree(first, second)) return;
     ++row.disagreements;
     const std::filesystem::path path =
         options_.folder / ("disagreement-" + std::to_string(options_.seed) + "-" + std::to_string(number) + ".json");
     const std::lock_guard lock(mutex_);
     ++failures_;
     std::ofstream(path, std::ios::binary) << mutant.text;
-    std::cerr << path.string() << ": " << mutant.base->name << ", " << mutant.how
-              << ": certify: " << certify::name(first.verdict) << ' ' << first.rule << ' ' << first.message << others
-              << '\n';
+    std::cerr << path.string() << ": " << mutant.base->name << ", " << mutant.how << ": certify: " << said(first)
+              << ", certify-exact: " << said(second) << '\n';
   }
 
   void progress(std::uint64_t done) {
@@ -493,18 +457,16 @@ class Attack {
   }
 
   void print() const {
-    std::cout << "| family | mutants | VERIFIED | REFUTED | MALFORMED | UNDECIDED | checked by `certify-exact` | "
-                 "UNDECIDED there "
-                 "| checked by the reference | unknown there | refuted by another rule | disagreements |\n"
-                 "| --- | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: | --: |\n";
+    std::cout << "| family | mutants | VERIFIED | REFUTED | MALFORMED | UNDECIDED | UNDECIDED by `certify-exact` | "
+                 "refuted by another rule | disagreements |\n"
+                 "| --- | --: | --: | --: | --: | --: | --: | --: | --: |\n";
     Row sum;
     const auto line = [](const std::string& name, const Row& row) {
       std::cout << "| " << name << " | " << row.mutants;
       for (const Verdict v : {Verdict::verified, Verdict::refuted, Verdict::malformed, Verdict::undecided}) {
         std::cout << " | " << row.verdict.at(static_cast<std::size_t>(v));
       }
-      std::cout << " | " << row.exact_asked << " | " << row.exact_undecided << " | " << row.reference_asked << " | "
-                << row.reference_undecided << " | " << row.other_rules << " | " << row.disagreements << " |\n";
+      std::cout << " | " << row.exact_undecided << " | " << row.other_rules << " | " << row.disagreements << " |\n";
     };
     for (const Family& family : families_) {
       line(family.name, rows_.at(family.name));
@@ -528,10 +490,10 @@ class Attack {
 int main(int argc, char** argv) try {
   epsnet::attack::Options options;
   CLI::App app{
-      "Mutants of net files and geodesics files: single and double defects, in the document or in its bytes.\n"
-      "What certify says of each is compared with certify-exact and with an exact reference. A mutant on which two of "
-      "them\n"
-      "disagree is written to a file, and the exit code is 1. Example: attack_mutants --mutants 1000000 --jobs 2"};
+      "Mutants of files of all claims: single and double defects, in the document or in its bytes.\n"
+      "What certify says of each is compared with certify-exact. A mutant on which they disagree is written to a "
+      "file,\n"
+      "and the exit code is 1. Example: attack_mutants --mutants 1000000 --jobs 2"};
   app.add_option("--mutants", options.mutants, "How many")->capture_default_str();
   app.add_option("--seed", options.seed, "Chooses all of them")->capture_default_str();
   app.add_option("--first", options.first, "The number of the first one, to make a single one again")
