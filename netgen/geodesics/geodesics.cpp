@@ -319,7 +319,7 @@ certify::GeodesicsDocument all_geodesics(Search& search, const GeodesicsOptions&
 template <class T>
 certify::GeodesicsDocument shortest_geodesic(Search& search, const GeodesicsOptions& options) {
   const std::uint32_t genus = search.triangulation().surface().genus();
-  // The systole is at most 2 ln(4g − 2) (Buser, Theorem 5.2.1).
+  // The systole is at most 2 ln(4g − 2) (Buser, Lemma 5.2.1).
   const double most = std::min(search.shortest_core(), 2 * std::log(4.0 * genus - 2)) * (1 + 1e-9);
   constexpr double kStep = 0.5;
   for (double bound = std::min(most, kStep);; bound = std::min(most, bound + kStep)) {

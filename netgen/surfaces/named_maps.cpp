@@ -176,7 +176,8 @@ constexpr std::array<Named, 7> kNamed{{
      klein,
      nullptr},
     {{"fermat-quartic", "The quartic x^4 + y^4 + z^4 = 0, genus 3, with 96 symmetries: 12 regular octagons, {8, 3}.",
-      "M. Conder, P. Dobcsanyi, Determination of all regular maps of small genus, J. Combin. Theory B 81 (2001): R3.2"},
+      "M. Conder, P. Dobcsanyi, Determination of all regular maps of small genus, J. Combin. Theory B 81 (2001): the "
+      "dual of R3.2"},
      fermat_quartic,
      nullptr},
     {{"bring",
@@ -195,7 +196,7 @@ constexpr std::array<Named, 7> kNamed{{
       "Wiman's curve y^2 = x^(2g+1) - 1 of genus G, with a symmetry of the greatest order 4g + 2: the regular "
       "(4g + 2)-gon, opposite sides glued.",
       "A. Wiman, Ueber die hyperelliptischen Curven und diejenigen vom Geschlechte p = 3, welche eindeutige "
-      "Transformationen in sich zulassen, Bihang Svenska Vet.-Akad. Handl. 21 (1895)"},
+      "Transformationen in sich zulassen, Bihang Svenska Vet.-Akad. Handl. 21, no. 1 (1895)"},
      nullptr,
      wiman},
     {{"accola-maclachlan-G",
