@@ -24,17 +24,15 @@ BasePoint point_of(const certify::RationalPoint& z, std::uint32_t tile) {
   return {tile, {Rational(z.x.get_mpq_t()), Rational(z.y.get_mpq_t())}};
 }
 
-using Claim = BoundDocument::Claim;
-
 /// The claims, by the names that files give them.
 struct NamedBound {
-  Claim claim;
+  BoundDocument::Claim claim;
   const char* name;
   BoundDocument (*make)(const Surface&, const BoundOptions&);
 };
-constexpr NamedBound kBounds[] = {{Claim::diameter, "diameter", &diameter},
-                                  {Claim::radius, "radius", &radius},
-                                  {Claim::embedded_disk, "embedded-disk", &largest_embedded_disk}};
+constexpr NamedBound kBounds[] = {{BoundDocument::Claim::diameter, "diameter", &diameter},
+                                  {BoundDocument::Claim::radius, "radius", &radius},
+                                  {BoundDocument::Claim::embedded_disk, "embedded-disk", &largest_embedded_disk}};
 
 SharedBound enclose(const Surface& surface, const std::string& claim, double width, const py::object& callback) {
   const auto* const found =
@@ -49,7 +47,7 @@ SharedBound enclose(const Surface& surface, const std::string& claim, double wid
   return interruptible(search, callback);
 }
 
-const char* name_of(Claim claim) {
+const char* name_of(BoundDocument::Claim claim) {
   return std::find_if(std::begin(kBounds), std::end(kBounds), [&](const NamedBound& c) { return claim == c.claim; })
       ->name;
 }

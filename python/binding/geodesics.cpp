@@ -11,9 +11,9 @@ namespace {
 
 using certify::GeodesicsDocument;
 using SharedGeodesics = Shared<GeodesicsDocument>;
-using Claim = GeodesicsDocument::Claim;
 
-const char* name_of(Claim claim) {
+const char* name_of(GeodesicsDocument::Claim claim) {
+  using Claim = GeodesicsDocument::Claim;
   if (claim == Claim::systole) return "systole";
   return claim == Claim::spectrum ? "spectrum" : "thick-thin";
 }

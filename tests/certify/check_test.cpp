@@ -465,7 +465,7 @@ TEST(Mutation, EveryWrongVertexOfACornerIsRefuted) {
   }
 }
 
-TEST(Mutation, EveryWrongLabelNumberIsRefuted) {
+TEST(SlowMutation, EveryWrongLabelNumberIsRefuted) {
   // Some words of this file are different words of one element of the group (found apart from this program, with
   // mpmath at 300 bits): such a label may stand for the other.
   const auto element = [](std::uint32_t number) {

@@ -104,6 +104,9 @@ class Compact : public testing::Test {
   const Parts parts_{good_};
 };
 
+/// Tests that take seconds with sanitizers.
+class SlowCompact : public Compact {};
+
 TEST_F(Compact, SaysWhatNetFilesSay) {
   int nets = 0;
   for (const char* folder : {"certify/verified", "certify/refuted", "certify/undecided"}) {
@@ -181,7 +184,7 @@ TEST_F(Compact, NumbersMayTakeMoreBytesThanTheyMust) {
 TEST_F(Compact, TheChecksumIsXxh64WithTheSeed0) { EXPECT_EQ(CompactChecksum().value(), 0xef46db3751d8e999U); }
 
 /// However many bytes charts and labels take.
-TEST_F(Compact, AnyByteThatChangesIsNoticed) {
+TEST_F(SlowCompact, AnyByteThatChangesIsNoticed) {
   for (const std::uint32_t charts : {1U, 2U, 4U}) {
     for (const std::uint32_t labels : {1U, 2U, 4U}) {
       const std::string good = widened(good_, charts, labels);
@@ -331,7 +334,7 @@ TEST_F(Compact, TheHeadHasNoVertices) {
   EXPECT_EQ(with_head(head), "net.epsn: head: vertices or triangles in the JSON text, expected none");
 }
 
-TEST_F(Compact, WhateverIsReadIsWrittenTheSame) {
+TEST_F(SlowCompact, WhateverIsReadIsWrittenTheSame) {
   std::mt19937_64 random(7);
   int readable = 0;
   for (int k = 0; k < 3000; ++k) {

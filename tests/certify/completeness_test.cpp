@@ -331,7 +331,7 @@ NetDocument with_lift_across(NetDocument net, std::uint32_t v, std::uint32_t sid
   return net;
 }
 
-TEST(Completeness, KnowsALoopWhoseLabelsAreNoneOfThemTrivial) {
+TEST(SlowCompleteness, KnowsALoopWhoseLabelsAreNoneOfThemTrivial) {
   // Cuffs so short that all vertices near them are deep: nothing but their loops is looked at. Every vertex is taken to
   // another of its lifts, and loops are turned until they lead from corner 1 to corner 2.
   std::mt19937 random(1);

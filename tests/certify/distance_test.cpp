@@ -151,7 +151,7 @@ DistanceDocument with_detours(DistanceDocument document, std::size_t length) {
 CheckOptions with_64_bits() { return {.threads = 1, .max_precision = 64, .max_work = std::uint64_t{1} << 50}; }
 
 /// What is true is not refuted and what is false not verified, however wide the balls are.
-TEST(Distance, WideBallsDecideNothing) {
+TEST(SlowDistance, WideBallsDecideNothing) {
   for (const auto& make : {four_equal, bolza, zero}) {
     const DistanceDocument good = make();
     std::vector<DistanceDocument> wrong(3, good);
@@ -262,7 +262,7 @@ TEST(Distance, TheFirstPathThatIsWrongIsNamedAmongThoseThatAreOpen) {
   EXPECT_THAT(message(), HasSubstr("not in [0, 3]"));
 }
 
-TEST(Distance, WordsThatAreTooLongForExactNumbersLeaveThingsOpen) {
+TEST(SlowDistance, WordsThatAreTooLongForExactNumbersLeaveThingsOpen) {
   const auto verdict = [](const char* rule, const DistanceDocument& document) {
     for (const RuleReport& report : check(document, with_64_bits()).rules) {
       if (report.rule == rule) return report.verdict;
