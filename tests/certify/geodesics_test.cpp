@@ -578,7 +578,7 @@ TEST(ThickThin, WrongPiecesAreRefuted) {
   EXPECT_EQ(outcome(document), "REFUTED: pieces");
 }
 
-TEST(ThickThin, ACurveOfLength2Arsinh1WithAWordTooLongToBeComparedIsUndecided) {
+TEST(SlowThickThin, ACurveOfLength2Arsinh1WithAWordTooLongToBeComparedIsUndecided) {
   // Around a corner of a tile and back very often first: of an element known to balls, too long for exact numbers.
   GeodesicsDocument document =
       read_file<GeodesicsDocument>(std::string(EPSNET_TEST_DATA) + "/geodesics/one-curve-of-2-arsinh-1.json");

@@ -75,7 +75,7 @@ std::vector<std::vector<std::uint32_t>> loops_at(const SurfaceSides& sides, std:
   return result;
 }
 
-TEST(GluingCheck, ALabelAndAShortLoopAreNotTheLabel) {
+TEST(SlowGluingCheck, ALabelAndAShortLoopAreNotTheLabel) {
   // Far out in a collar a loop around it moves points by little. Whether it is 1 is asked where the inscribed disk is.
   int asked = 0;
   const NetDocument net = read_file<GeodesicsDocument>(std::string(EPSNET_TEST_DATA) +

@@ -161,7 +161,7 @@ std::string text_of_map(const NetDocument& document, std::uint64_t genus) {
   return std::string(name(report.verdict)) + ": " + report.text;
 }
 
-TEST(MapCheck, LargeMapsAreCheckedInBlocks) {
+TEST(SlowMapCheck, LargeMapsAreCheckedInBlocks) {
   const NetDocument good = torus(200);
   EXPECT_EQ(text_of_map(good, 1).substr(0, 8), "VERIFIED");
   EXPECT_NE(text_of_map(good, 2).find("expected -2 for genus 2"), std::string::npos);

@@ -382,7 +382,7 @@ TEST(Reader, WhatItAcceptsIsJson) {
   }
 }
 
-TEST(Reader, LettersInAllHaveALimit) {
+TEST(SlowReader, LettersInAllHaveALimit) {
   std::string word = "0";
   for (int i = 1; i < 1'000'000; ++i) word += ",0";
   const auto net = [](const std::string& labels) {
@@ -677,7 +677,7 @@ TEST(Reader, LargeFilesAreReadInPieces) {
   }
 }
 
-TEST(Reader, WhatIsWrongWithLargeFilesIsSaidAsOfSmallOnes) {
+TEST(SlowReader, WhatIsWrongWithLargeFilesIsSaidAsOfSmallOnes) {
   const auto to_compact = [](const NetDocument& document) {
     std::ostringstream out;
     write_compact_net(document, out);

@@ -300,7 +300,7 @@ SurfaceDocument in_sheets(std::uint32_t sheets,
 }
 
 /// The only cone point has the angle 6π. It is seen wherever it is among the vertices, and as the last of many.
-TEST(SurfaceCheck, AConeAngleIsSeenAtTheLastVertexOfAll) {
+TEST(SlowSurfaceCheck, AConeAngleIsSeenAtTheLastVertexOfAll) {
   for (const std::uint32_t sheets : {3U, 4U, 10U, 30U}) {
     int last = 0;
     for (std::uint32_t exchanged = 0; exchanged < sheets; ++exchanged) {
