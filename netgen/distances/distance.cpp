@@ -1,5 +1,3 @@
-#include "netgen/distances/distance.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,14 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include "certify/base/decimals.h"
+#include "certify/base/interval.h"
 #include "certify/net/darts.h"
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
-#include "netgen/lifts/net_geometry.h"
+#include "netgen/distances/distances.h"
+#include "netgen/lifts/lifts.h"
+#include "netgen/nets/certified_net.h"
 #include "netgen/nets/dirichlet_polygon.h"
-#include "netgen/nets/net_options.h"
 #include "triangulation/surface/atlas.h"
 #include "triangulation/surface/points.h"
 

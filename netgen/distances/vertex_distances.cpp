@@ -1,5 +1,3 @@
-#include "netgen/distances/vertex_distances.h"
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -20,7 +18,8 @@
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
 #include "netgen/base/gmp.h"
-#include "netgen/lifts/net_geometry.h"
+#include "netgen/distances/distances.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/surfaces/surface_file.h"
 #include "triangulation/surface/atlas.h"
 #include "triangulation/surface/curve_bound.h"

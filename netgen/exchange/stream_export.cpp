@@ -8,7 +8,7 @@
 #include "netgen/base/gmp.h"
 #include "netgen/exchange/gaussian_fraction.h"
 #include "netgen/exchange/triangulation_stream.h"
-#include "netgen/lifts/net_geometry.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/surfaces/surface_file.h"
 
 /// Surfaces and nets as triangulations given by cross-ratios.

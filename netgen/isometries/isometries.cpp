@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "certify/base/decimals.h"
+#include "certify/base/interval.h"
 #include "certify/base/text.h"
 #include "certify/check.h"
 #include "certify/numbers/parallel.h"

@@ -1,11 +1,10 @@
-#include "netgen/lifts/locate.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/nets/net_document.h"
 #include "triangulation/mesh/operations.h"
 #include "triangulation/mesh/triangulation.h"

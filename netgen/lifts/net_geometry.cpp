@@ -1,5 +1,3 @@
-#include "netgen/lifts/net_geometry.h"
-
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -12,6 +10,7 @@
 #include "certify/net/surface_sides.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
+#include "netgen/lifts/lifts.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet {

@@ -8,7 +8,7 @@
 #include <unordered_set>
 
 #include "kernel/plane.h"
-#include "netgen/nets/net_options.h"
+#include "netgen/nets/certified_net.h"
 #include "triangulation/mesh/operations.h"
 
 namespace epsnet {

@@ -1,12 +1,11 @@
-#include "netgen/nets/domain_frame.h"
-
 #include <algorithm>
 #include <string>
 #include <utility>
 
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
-#include "netgen/nets/net_options.h"
+#include "netgen/nets/certified_net.h"
+#include "netgen/nets/dirichlet_polygon.h"
 #include "triangulation/surface/points.h"
 
 namespace epsnet {

@@ -1,5 +1,3 @@
-#include "netgen/pants/dehn_twist.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -8,6 +6,7 @@
 #include <utility>
 
 #include "netgen/pants/curve_system.h"
+#include "netgen/pants/pants.h"
 #include "netgen/surfaces/group.h"
 #include "triangulation/surface/error.h"
 

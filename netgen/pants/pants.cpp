@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "netgen/geodesics/geodesics.h"
-#include "netgen/nets/net_options.h"
+#include "netgen/nets/certified_net.h"
 #include "netgen/pants/curve_system.h"
 #include "netgen/pants/pants_proof.h"
 

@@ -11,7 +11,7 @@
 #include "kernel/lorentz.h"
 #include "netgen/base/gmp.h"
 #include "netgen/isometries/exact_conjugacy.h"
-#include "netgen/nets/net_options.h"
+#include "netgen/nets/certified_net.h"
 #include "triangulation/surface/error.h"
 
 namespace epsnet {

@@ -8,14 +8,14 @@
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
-#include "netgen/nets/domain_frame.h"
-#include "netgen/nets/net_options.h"
+#include "netgen/nets/certified_net.h"
+#include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/pictures/palette.h"
-#include "netgen/pictures/polygon.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/pictures/svg_path.h"
 #include "netgen/surfaces/surface_file.h"
 
-/// The pictures of polygon.h: what is in them.
+/// The pictures of pictures.h that show a polygon: what is in them.
 namespace epsnet {
 namespace {
 

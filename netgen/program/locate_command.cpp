@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "netgen/lifts/locate.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"

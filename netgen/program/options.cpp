@@ -9,8 +9,8 @@
 
 #include "certify/file/reader.h"
 #include "netgen/base/gmp.h"
-#include "netgen/distances/distance.h"
-#include "netgen/lifts/net_geometry.h"
+#include "netgen/distances/distances.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/output.h"
 #include "triangulation/surface/points.h"

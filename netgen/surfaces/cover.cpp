@@ -1,5 +1,3 @@
-#include "netgen/surfaces/cover.h"
-
 #include <algorithm>
 #include <array>
 #include <boost/random/mersenne_twister.hpp>
@@ -10,6 +8,7 @@
 
 #include "certify/file/json.h"
 #include "netgen/surfaces/group.h"
+#include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/one_relator.h"
 
 namespace epsnet {

@@ -1,5 +1,3 @@
-#include "netgen/surfaces/matrices.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

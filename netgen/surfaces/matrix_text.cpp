@@ -10,7 +10,6 @@
 #include "netgen/base/gmp.h"
 #include "netgen/base/json_text.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/matrices.h"
 #include "netgen/surfaces/one_relator.h"
 #include "triangulation/surface/exact_points.h"
 

@@ -1,3 +1,5 @@
+#include "netgen/distances/distances.h"
+
 #include <algorithm>
 #include <iterator>
 #include <stdexcept>
@@ -5,10 +7,7 @@
 #include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "netgen/distances/bound.h"
-#include "netgen/distances/distance.h"
 #include "netgen/nets/dirichlet_polygon.h"
-#include "netgen/nets/domain_frame.h"
 #include "python/binding/documents.h"
 #include "python/binding/nets.h"
 

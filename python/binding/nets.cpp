@@ -9,16 +9,12 @@
 #include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "netgen/distances/distance.h"
-#include "netgen/distances/vertex_distances.h"
+#include "netgen/distances/distances.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/info.h"
 #include "netgen/lifts/lifts.h"
-#include "netgen/lifts/locate.h"
-#include "netgen/lifts/net_geometry.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/pictures/draw.h"
-#include "netgen/pictures/viewer.h"
+#include "netgen/pictures/net_pictures.h"
 #include "netgen/surfaces/surface_file.h"
 
 namespace epsnet::python {

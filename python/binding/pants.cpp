@@ -1,6 +1,5 @@
 #include "netgen/pants/pants.h"
 
-#include "netgen/pants/dehn_twist.h"
 #include "python/binding/binding.h"
 #include "python/binding/job.h"
 

@@ -1,5 +1,3 @@
-#include "netgen/distances/bound.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
@@ -15,8 +13,8 @@
 
 #include "certify/check.h"
 #include "kernel/plane.h"
-#include "netgen/distances/distance.h"
-#include "netgen/nets/net_options.h"
+#include "netgen/distances/distances.h"
+#include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"

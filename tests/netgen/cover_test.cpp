@@ -1,5 +1,3 @@
-#include "netgen/surfaces/cover.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
@@ -7,6 +5,7 @@
 #include <set>
 
 #include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/octagon.h"
 
 namespace epsnet {

@@ -1,5 +1,3 @@
-#include "netgen/pants/dehn_twist.h"
-
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

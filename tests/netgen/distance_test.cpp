@@ -1,5 +1,3 @@
-#include "netgen/distances/distance.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,9 +14,10 @@
 #include "certify/check.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
-#include "netgen/lifts/net_geometry.h"
+#include "netgen/distances/distances.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/pictures/draw.h"
+#include "netgen/pictures/net_pictures.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
 #include "tests/support/triangulations.h"

@@ -1,5 +1,3 @@
-#include "netgen/lifts/locate.h"
-
 #include <array>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +9,8 @@
 
 #include "certify/check.h"
 #include "kernel/plane.h"
-#include "netgen/distances/distance.h"
+#include "netgen/distances/distances.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"

@@ -1,5 +1,3 @@
-#include "netgen/surfaces/matrices.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,7 +5,7 @@
 #include "netgen/isometries/isometries.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/named_maps.h"
+#include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/octagon.h"
 
 namespace epsnet {

@@ -1,5 +1,3 @@
-#include "netgen/surfaces/named_maps.h"
-
 #include <gtest/gtest.h>
 #include <string>
 #include <utility>
@@ -8,6 +6,7 @@
 #include "certify/check.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/surface_file.h"
 #include "triangulation/surface/points.h"
 

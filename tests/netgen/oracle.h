@@ -7,7 +7,7 @@
 
 #include "certify/net/document.h"
 #include "kernel/plane.h"
-#include "netgen/base/length.h"
+#include "netgen/base/options.h"
 #include "netgen/surfaces/surface_file.h"
 #include "triangulation/mesh/threshold.h"
 

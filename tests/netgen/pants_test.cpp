@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "netgen/geodesics/geodesics.h"
-#include "netgen/nets/net_options.h"
+#include "netgen/nets/certified_net.h"
 #include "netgen/pants/pants_proof.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/named_maps.h"
+#include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/octagon.h"
 
 namespace epsnet {

@@ -1,5 +1,3 @@
-#include "netgen/pictures/polygon.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
@@ -12,11 +10,11 @@
 #include "certify/check.h"
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
-#include "netgen/distances/bound.h"
-#include "netgen/distances/distance.h"
+#include "netgen/distances/distances.h"
 #include "netgen/geodesics/geodesics.h"
-#include "netgen/nets/domain_frame.h"
+#include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/pictures/palette.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
 #include "tests/support/triangulations.h"

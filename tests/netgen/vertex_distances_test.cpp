@@ -1,5 +1,3 @@
-#include "netgen/distances/vertex_distances.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -14,9 +12,9 @@
 
 #include "certify/net/darts.h"
 #include "kernel/plane.h"
-#include "netgen/distances/distance.h"
+#include "netgen/distances/distances.h"
 #include "netgen/exchange/exchange.h"
-#include "netgen/lifts/net_geometry.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
