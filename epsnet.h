@@ -34,4 +34,5 @@
 #include "netgen/surfaces/surface_file.h"
 #include "triangulation/mesh/walk.h"
 #include "triangulation/surface/error.h"
+#include "triangulation/surface/id.h"
 #include "triangulation/surface/surface.h"

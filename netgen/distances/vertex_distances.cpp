@@ -87,7 +87,7 @@ class Labels {
  public:
   Labels(const NetDocument& net, const Surface& surface) {
     std::vector<Bounded<T>> crossings;
-    for (std::uint32_t s = 0; s < surface.side_count(); ++s) crossings.push_back(made(surface.crossing_as<T>(s)));
+    for (const SideId s : surface.side_ids()) crossings.push_back(made(surface.crossing_as<T>(s)));
     std::vector<Bounded<T>> frames;
     for (const NetDocument::Chart& chart : net.charts) {
       frames.push_back(made(normalized(Isometry<T>::translation(rounded<T>(chart.centre)))));

@@ -62,7 +62,7 @@ class DirichletFileError : public Error {
 
 /// Returns a point near one that is given by 1024 bits, in the tile that contains it, with coordinates that are
 /// multiples of 2⁻¹⁰⁰. Throws SurfaceError if it is more than 100,000 tiles away.
-[[nodiscard]] BasePoint rounded_point(const Surface& surface, std::uint32_t tile, const Complex<Mp1024>& z);
+[[nodiscard]] BasePoint rounded_point(const Surface& surface, TileId tile, const Complex<Mp1024>& z);
 
 /// The domain, with its side pairings.
 class DomainFrame {
@@ -71,7 +71,7 @@ class DomainFrame {
   DomainFrame(const Surface& surface, const DirichletPolygon& polygon);
 
   /// The tile of the base point.
-  [[nodiscard]] std::uint32_t tile() const { return tile_; }
+  [[nodiscard]] TileId tile() const { return tile_; }
   /// From the coordinates of that tile to the disk with the base point at 0; turned as the polygon's vertices are.
   [[nodiscard]] const Isometry<Mp1024>& from_tile() const { return from_tile_; }
   /// By side: its γ. Beyond the side lies the image of the domain under γ.
@@ -88,7 +88,7 @@ class DomainFrame {
   [[nodiscard]] std::optional<std::uint32_t> side_towards(const Complex<Mp1024>& z) const;
 
  private:
-  std::uint32_t tile_;
+  TileId tile_;
   Isometry<Mp1024> from_tile_;
   std::vector<Isometry<Mp1024>> pairings_;
   std::vector<Complex<Mp1024>> vertices_;

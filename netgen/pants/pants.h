@@ -93,7 +93,7 @@ inline constexpr std::int32_t kMostTwists = 1000;
 /// makes of it. That of a path is the product of those of its letters. A path that meets the curve turns left, as often
 /// around it as `power` says; right, if it is negative. Throws CurveError for a curve that is not simple, LimitError
 /// for a power beyond kMostTwists.
-[[nodiscard]] std::vector<Word> dehn_twist_words(const Surface& surface, const Word& curve, std::int32_t power = 1);
+[[nodiscard]] ById<SideId, Word> dehn_twist_words(const Surface& surface, const Word& curve, std::int32_t power = 1);
 
 /// Returns the surface with another marking. Its tiles are triangles: those into which the diagonals from corner 0 cut
 /// the tiles, in this order, glued alike, but each is as long and thin as the Dehn twist makes it, and vertices are

@@ -67,7 +67,7 @@ Report distance_report(const certify::DistanceDocument& document) {
   }
   report.text += '\n';
   report.json["paths"] = Json::array();
-  for (const Word& word : document.paths) {
+  for (const std::vector<std::uint32_t>& word : document.paths) {
     report.text += "word:";
     for (const std::uint32_t side : word) report.text.append(" ").append(std::to_string(side));
     report.text += '\n';

@@ -44,7 +44,7 @@ inline constexpr unsigned kMostEnclosureBits = 1U << 20;
 
 /// The sides of a fundamental polygon, without coordinates. O(sides) but for the words of paths.
 struct PolygonSides {
-  std::vector<std::uint32_t> side;     ///< By side of the polygon, counterclockwise: its number on the surface.
+  std::vector<SideId> side;            ///< By side of the polygon, counterclockwise: its number on the surface.
   std::vector<std::uint32_t> partner;  ///< By side of the polygon: the one that it is glued to.
   std::vector<std::vector<std::uint32_t>> relations;  ///< As in FundamentalPolygon.
 };
@@ -53,7 +53,7 @@ struct PolygonSides {
 [[nodiscard]] PolygonSides polygon_sides(const Surface& surface);
 
 /// Returns by tile the path from tile 0 to it along the tree of fundamental_polygon(surface).
-[[nodiscard]] std::vector<Word> polygon_paths(const Surface& surface);
+[[nodiscard]] ById<TileId, Word> polygon_paths(const Surface& surface);
 
 /// A fundamental polygon of a surface: its tiles, laid out around tile 0 in the coordinates of tile 0. Each tile is
 /// placed next to an earlier one, along a tree of crossed sides. For a surface of one tile it is that tile.
@@ -66,7 +66,7 @@ struct FundamentalPolygon {
   struct Side {
     Word word;
     std::uint32_t partner;  ///< The side to which γ⁻¹ takes this one, end to start.
-    std::uint32_t side;     ///< The number of this side on the surface.
+    SideId side;            ///< The number of this side on the surface.
   };
   std::vector<Side> sides;
   /// vertices[k] is the start of side k. Exact; for a regular surface rounded to 256 bits.

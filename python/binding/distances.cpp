@@ -20,7 +20,7 @@ using SharedDistance = Shared<DistanceDocument>;
 using SharedBound = Shared<BoundDocument>;
 
 BasePoint point_of(const certify::RationalPoint& z, std::uint32_t tile) {
-  return {tile, {Rational(z.x.get_mpq_t()), Rational(z.y.get_mpq_t())}};
+  return {TileId(tile), {Rational(z.x.get_mpq_t()), Rational(z.y.get_mpq_t())}};
 }
 
 using Claim = BoundDocument::Claim;

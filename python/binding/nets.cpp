@@ -353,13 +353,13 @@ void bind_nets(py::module_& module) {
             std::vector<BasePoint> charts;
             for (const NetDocument::Chart& chart : self->charts) {
               charts.push_back(
-                  {chart.tile, {Rational(chart.centre.x.get_mpq_t()), Rational(chart.centre.y.get_mpq_t())}});
+                  {TileId(chart.tile), {Rational(chart.centre.x.get_mpq_t()), Rational(chart.centre.y.get_mpq_t())}});
             }
             return charts;
           })
       .def_property_readonly("labels",
                              [](const SharedNet& self) {
-                               std::vector<std::tuple<std::uint32_t, std::uint32_t, Word>> labels;
+                               std::vector<std::tuple<std::uint32_t, std::uint32_t, std::vector<std::uint32_t>>> labels;
                                for (const NetDocument::Label& label : self->labels) {
                                  labels.emplace_back(label.from, label.to, label.word);
                                }
@@ -368,7 +368,8 @@ void bind_nets(py::module_& module) {
       .def_property_readonly(
           "collars",
           [](const SharedNet& self) {
-            using Row = std::tuple<Word, certify::Interval, std::array<std::uint32_t, 2>, std::array<std::uint32_t, 2>>;
+            using Row = std::tuple<std::vector<std::uint32_t>, certify::Interval, std::array<std::uint32_t, 2>,
+                                   std::array<std::uint32_t, 2>>;
             std::optional<std::vector<Row>> collars;
             if (!self->collars) return collars;
             collars.emplace();

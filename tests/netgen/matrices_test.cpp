@@ -29,7 +29,7 @@ bool same(const Isometry<Rational>& f, const Isometry<Rational>& g) {
 /// Whether the group of the surface has each of the matrices, where its word says.
 bool has_generators(const MatrixSurface& made, const MatrixGenerators& matrices) {
   for (std::size_t k = 0; k < matrices.generators.size(); ++k) {
-    if (!is_path(made.surface, 0, 0, made.words[k])) return false;
+    if (!is_path(made.surface, TileId(0), TileId(0), made.words[k])) return false;
     if (!same(exact_isometry(made.surface, made.words[k]), matrices.generators[k])) return false;
   }
   return made.words.size() == matrices.generators.size();

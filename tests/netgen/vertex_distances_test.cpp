@@ -136,7 +136,7 @@ TEST(VertexDistances, AreTheLeastThatWordsGive) {
   std::set<std::pair<long, long>> seen;
   for (std::size_t done = 0, level = 0; level < 6; ++level) {
     for (const std::size_t end = elements.size(); done < end; ++done) {
-      for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
+      for (const SideId s : surface.side_ids()) {
         const auto crossing = convert<double>(surface.crossing_as<Mp256>(s));
         const Isometry<double> element = normalized(crossing * elements[done]);
         const Complex<double> place = element({0.01, 0.02});

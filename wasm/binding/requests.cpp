@@ -301,7 +301,7 @@ BasePoint point_of(const Members& members, const char* name, const Surface& surf
         surface, net_of(members), point.get<std::uint32_t>("triangle"),
         {rational(weights[0], "weights"), rational(weights[1], "weights"), rational(weights[2], "weights")});
   }
-  const auto tile = point.get<std::uint32_t>("tile");
+  const TileId tile(point.get<std::uint32_t>("tile"));
   if (!point.has("z")) return centre_of_tile(surface, tile);
   const Json& z = point.at("z");
   if (!z.is_array() || z.size() != 2) throw std::invalid_argument("z: expected two numbers");
