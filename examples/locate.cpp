@@ -17,7 +17,7 @@ int main() {
   using epsnet::Rational;
   for (const auto& [x, y] :
        {std::array{Rational(0), Rational(0)}, {Rational(1, 2), Rational(1, 4)}, {Rational(-1, 3), Rational(1, 4)}}) {
-    const epsnet::PointLocation found = locator.locate({0, {x, y}});
+    const epsnet::PointLocation found = locator.locate({epsnet::TileId(0), {x, y}});
     // The net is a covering: this is never more than 0.25.
     std::cout << '(' << x << ", " << y << "): triangle " << found.triangle << ", nearest corner at "
               << found.distances[found.nearest_corner()] << '\n';

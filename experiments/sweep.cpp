@@ -13,12 +13,12 @@
 #include <thread>
 #include <vector>
 
-#include "certify/base/decimals.h"
+#include "certify/base/interval.h"
 #include "certify/check.h"
 #include "certify/numbers/parallel.h"
 #include "experiments/record_file.h"
 #include "netgen/base/atomic_file.h"
-#include "netgen/base/length.h"
+#include "netgen/base/options.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "certify/base/interval.h"
-#include "certify/base/rational_point.h"
+#include "certify/base/tile.h"
 
 /// What files consist of (docs/format.md), said once for the reader and the writer. The types of one claim are in the
 /// `fields.h` of its folder.

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "certify/base/rational_point.h"
-#include "certify/base/regular_tile.h"
+#include "certify/base/tile.h"
 
 /// The contents of a net file as plain data, member by member as docs/format.md defines them.
 ///

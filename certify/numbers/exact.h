@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "certify/base/rational_point.h"
+#include "certify/base/tile.h"
 #include "certify/numbers/budget.h"
 
 /// The hyperbolic plane without rounding: points, isometries and predicates over a ring of complex numbers.

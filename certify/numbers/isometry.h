@@ -1,6 +1,6 @@
 #pragma once
 
-#include "certify/base/regular_tile.h"
+#include "certify/base/tile.h"
 #include "certify/numbers/ball.h"
 #include "certify/numbers/budget.h"
 #include "certify/numbers/exact.h"

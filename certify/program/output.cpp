@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "certify/base/decimals.h"
+#include "certify/base/interval.h"
 #include "certify/base/text.h"
 
 namespace epsnet::certify::program {

@@ -9,12 +9,6 @@
 
 namespace epsnet {
 
-/// A file could not be written. what() is one line: the path and the reason ("No space left on device").
-class WriteError : public Error {
- public:
-  using Error::Error;
-};
-
 /// A file to write: its path, and a function that writes its contents to a stream.
 struct NewFile {
   std::filesystem::path path;

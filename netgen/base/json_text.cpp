@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "certify/base/decimals.h"
+#include "certify/base/interval.h"
 
 namespace epsnet {
 namespace {

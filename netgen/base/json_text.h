@@ -4,12 +4,19 @@
 #include <string>
 
 #include "certify/base/interval.h"
+#include "triangulation/surface/id.h"
 
 /// JSON with bounds. nlohmann::json would print numbers rounded to nearest, so a bound is stored as a binary value that
 /// contains its decimal.
 namespace epsnet {
 
 using Json = nlohmann::ordered_json;
+
+/// A number of something is a number in JSON, too.
+template <class Kind>
+void to_json(Json& json, Id<Kind> id) {
+  json = id.number();
+}
 
 /// Returns the two ends as the decimals of certify::to_string; an infinite end is null.
 [[nodiscard]] Json interval_json(certify::Interval x);

@@ -1,5 +1,3 @@
-#include "netgen/base/length.h"
-
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -8,6 +6,7 @@
 #include <utility>
 
 #include "netgen/base/gmp.h"
+#include "netgen/base/options.h"
 
 namespace epsnet {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "netgen/base/progress.h"
+#include "netgen/base/options.h"
 
 namespace epsnet {
 

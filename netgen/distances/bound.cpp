@@ -1,5 +1,3 @@
-#include "netgen/distances/bound.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,9 +11,10 @@
 #include <vector>
 
 #include "certify/check.h"
+#include "netgen/distances/distances.h"
 #include "netgen/distances/vertex_triangulation.h"
+#include "netgen/nets/certified_net.h"
 #include "netgen/nets/net_document.h"
-#include "netgen/nets/net_options.h"
 #include "netgen/nets/start.h"
 #include "triangulation/mesh/operations.h"
 

@@ -1,5 +1,3 @@
-#include "netgen/distances/distance.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,14 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include "certify/base/decimals.h"
+#include "certify/base/interval.h"
 #include "certify/net/darts.h"
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
-#include "netgen/lifts/net_geometry.h"
+#include "netgen/distances/distances.h"
+#include "netgen/lifts/lifts.h"
+#include "netgen/nets/certified_net.h"
 #include "netgen/nets/dirichlet_polygon.h"
-#include "netgen/nets/net_options.h"
 #include "triangulation/surface/atlas.h"
 #include "triangulation/surface/points.h"
 
@@ -34,7 +33,7 @@ constexpr std::size_t kMostPaths = 5000;
 /// Returns the isometry of a word.
 Isometry<Mp1024> value(const Surface& surface, const Word& word) {
   Isometry<Mp1024> result;
-  for (const std::uint32_t side : word) result = surface.crossing_as<Mp1024>(side) * result;
+  for (const SideId side : word) result = surface.crossing_as<Mp1024>(side) * result;
   return result;
 }
 
@@ -60,8 +59,7 @@ class LiftsOfPoint {
 
   /// Returns the least binary64 enclosure of the distance to a point of the surface, and all paths to it that are no
   /// longer than the upper end.
-  [[nodiscard]] std::pair<std::vector<Path>, certify::Interval> shortest(std::uint32_t start,
-                                                                         const BasePoint& q) const {
+  [[nodiscard]] std::pair<std::vector<Path>, certify::Interval> shortest(TileId start, const BasePoint& q) const {
     Word word = path_between_tiles(surface_, start, q.tile);
     const Complex<Mp1024> end = from_tile_(inverse(value(surface_, word))(convert<Mp1024>(q.z)));
     const Path nearest = descended({std::move(word), end, distance(Complex<Mp1024>{}, end)});
@@ -152,8 +150,8 @@ BasePoint point_of_vertex(const Surface& surface, const certify::NetDocument& ne
   }
   const auto& [x, y, c] = net.vertices[vertex];
   const certify::NetDocument::Chart& chart = net.charts[c];
-  return in_its_tile(surface,
-                     {chart.tile, Isometry<Rational>::translation(from_gmp(chart.centre))({Rational(x), Rational(y)})});
+  return in_its_tile(surface, {TileId(chart.tile),
+                               Isometry<Rational>::translation(from_gmp(chart.centre))({Rational(x), Rational(y)})});
 }
 
 BasePoint point_of_triangle(const Surface& surface, const certify::NetDocument& net, std::uint32_t triangle,
@@ -186,7 +184,7 @@ BasePoint point_of_triangle(const Surface& surface, const certify::NetDocument& 
     mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), kBits);
     return from_gmp(result);
   };
-  return in_its_tile(surface, {chart.tile, {to_rational(z.x), to_rational(z.y)}});
+  return in_its_tile(surface, {TileId(chart.tile), {to_rational(z.x), to_rational(z.y)}});
 }
 
 certify::DistanceDocument distance(const Surface& surface, const BasePoint& p, const BasePoint& q,
@@ -204,10 +202,10 @@ certify::DistanceDocument distance(const Surface& surface, const BasePoint& p, c
   auto [paths, enclosure] = LiftsOfPoint(surface, p, domain_of_p).shortest(p.tile, end);
   certify::DistanceDocument result;
   result.net = domain_of_p.triangulation;
-  result.point = {end.tile, to_gmp(end.z)};
+  result.point = {end.tile.number(), to_gmp(end.z)};
   result.distance = same ? certify::Interval{0, 0} : enclosure;
   result.equal = paths.back().length - paths.front().length <= ldexp(Mp1024(1), -kEqualBits);
-  for (LiftsOfPoint::Path& path : paths) result.paths.push_back(std::move(path.word));
+  for (const LiftsOfPoint::Path& path : paths) result.paths.push_back(letters_of(path.word));
   if (result.distance.upper - result.distance.lower > options.width) {
     throw NetError("binary64 encloses the distance in " + to_string(result.distance) + ", which is wider than " +
                    certify::decimal_below(options.width));

@@ -2,9 +2,9 @@
 #include <ostream>
 #include <string>
 
-#include "certify/base/decimals.h"
+#include "certify/base/interval.h"
 #include "certify/base/text.h"
-#include "netgen/distances/vertex_distances.h"
+#include "netgen/distances/distances.h"
 
 namespace epsnet {
 namespace {

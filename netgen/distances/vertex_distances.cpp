@@ -1,5 +1,3 @@
-#include "netgen/distances/vertex_distances.h"
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -20,7 +18,8 @@
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
 #include "netgen/base/gmp.h"
-#include "netgen/lifts/net_geometry.h"
+#include "netgen/distances/distances.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/surfaces/surface_file.h"
 #include "triangulation/surface/atlas.h"
 #include "triangulation/surface/curve_bound.h"
@@ -88,7 +87,7 @@ class Labels {
  public:
   Labels(const NetDocument& net, const Surface& surface) {
     std::vector<Bounded<T>> crossings;
-    for (std::uint32_t s = 0; s < surface.side_count(); ++s) crossings.push_back(made(surface.crossing_as<T>(s)));
+    for (const SideId s : surface.side_ids()) crossings.push_back(made(surface.crossing_as<T>(s)));
     std::vector<Bounded<T>> frames;
     for (const NetDocument::Chart& chart : net.charts) {
       frames.push_back(made(normalized(Isometry<T>::translation(rounded<T>(chart.centre)))));

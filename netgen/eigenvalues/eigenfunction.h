@@ -7,7 +7,7 @@
 
 #include "certify/claims/eigenvalues/document.h"
 #include "certify/numbers/isometry.h"
-#include "netgen/base/progress.h"
+#include "netgen/base/options.h"
 
 /// Eigenvalues to many digits, by the method of particular solutions. docs/eigenvalues.md says how.
 namespace epsnet {

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "certify/claims/eigenvalues/document.h"
-#include "netgen/base/length.h"
-#include "netgen/base/progress.h"
+#include "netgen/base/options.h"
 #include "triangulation/surface/surface.h"
 
 /// Eigenvalues of the Laplacian of a surface from its length spectrum. docs/eigenvalues.md says how and why.

@@ -108,7 +108,7 @@ RealVector differences(const RealVector& x) {
 
 RealVector lengths_of(const Surface& surface, const certify::GeodesicsDocument& spectrum) {
   std::vector<Isometry<Real>> crossings;
-  for (std::uint32_t s = 0; s < surface.side_count(); ++s) crossings.push_back(surface.crossing_as<Real>(s));
+  for (const SideId s : surface.side_ids()) crossings.push_back(surface.crossing_as<Real>(s));
   RealVector result;
   for (const auto& geodesic : spectrum.geodesics) {
     Isometry<Real> product = crossings[geodesic.word.front()];

@@ -89,7 +89,7 @@ Surface make_surface(Domain domain) {
       throw SurfaceError("the polygon intersects itself: side " + std::to_string(pair->first) + " meets side " +
                          std::to_string(pair->second));
     }
-    if (polygon.clockwise(0)) throw SurfaceError(*problem);
+    if (polygon.clockwise(TileId(0))) throw SurfaceError(*problem);
     polygon.check_lengths();
     polygon.check_angles();
     PolygonTriangulation triangulation = clip_ears(polygon.klein_points());
@@ -126,7 +126,7 @@ std::string write_domain(const Surface& surface) {
                         std::to_string(surface.tiles().size()) + " tiles; the triangulation format holds them");
   }
   std::string text = std::to_string(surface.side_count()) + "\n";
-  for (std::uint32_t s = 0; s < surface.side_count(); ++s) text += std::to_string(surface.partner(s)) + "\n";
+  for (const SideId s : surface.side_ids()) text += to_string(surface.partner(s)) + "\n";
   const auto fraction = [](const Rational& value) { return numerator(value).str() + "/" + denominator(value).str(); };
   for (const auto& [x, y] : surface.tiles()[0]) text += fraction(x) + " " + fraction(y) + "\n";
   return text;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "certify/net/document.h"
-#include "netgen/base/length.h"
-#include "netgen/lifts/net_geometry.h"
+#include "netgen/base/options.h"
+#include "netgen/lifts/lifts.h"
 #include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 

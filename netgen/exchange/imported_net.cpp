@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "certify/net/darts.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/surfaces/surface_file.h"
 #include "triangulation/surface/atlas.h"
@@ -15,8 +14,6 @@ namespace {
 constexpr std::size_t kMostLetters = 10'000'000;  // Of all words of a net file (docs/format.md).
 
 // The tiles are triangles, so sides and darts have the same numbers, 3t + i.
-using certify::next_dart;
-using certify::previous_dart;
 
 /// The direction of a label along a side: from the chart of its end to that of its start, or the reverse.
 enum class Way { to_start, to_end };
@@ -31,24 +28,24 @@ class Builder {
   }
 
   certify::NetDocument net() {
-    for (std::uint32_t corner = 0; corner < surface_.side_count(); ++corner) {
+    for (const SideId corner : surface_.side_ids()) {
       if (surface_.vertex_class(corner) == net_.vertices.size()) add_vertex(corner);
     }
-    for (std::uint32_t t = 0; t < surface_.tiles().size(); ++t) add_triangle(t);
+    for (const TileId t : surface_.tile_ids()) add_triangle(t);
     return std::move(net_);
   }
 
  private:
   /// Adds the vertex of a corner, the first one of its class, and finds the words from the corner's tile to the other
   /// tiles around the vertex.
-  void add_vertex(std::uint32_t corner) {
-    const std::uint32_t tile = surface_.tile_of_side(corner);
-    net_.charts.push_back({tile, net_.surface.tiles[tile][corner % 3]});
+  void add_vertex(SideId corner) {
+    const std::uint32_t tile = surface_.tile_of_side(corner).number();
+    net_.charts.push_back({tile, net_.surface.tiles[tile][surface_.place_in_tile(corner)]});
     net_.vertices.push_back({0, 0, static_cast<std::uint32_t>(net_.vertices.size())});
-    for (std::uint32_t c = corner;;) {
+    for (SideId c = corner;;) {
       // Moves counterclockwise across the side that ends at the vertex; its partner starts there.
-      const std::uint32_t side = previous_dart(c);
-      const std::uint32_t next = surface_.partner(side);
+      const SideId side = surface_.previous_side(c);
+      const SideId next = surface_.partner(side);
       if (next == corner) return;
       path_[next] = concatenated(surface_, path_[c], {side});
       count_letters(path_[next], path_letters_);
@@ -56,32 +53,34 @@ class Builder {
     }
   }
 
-  void add_triangle(std::uint32_t t) {
+  void add_triangle(TileId t) {
     certify::NetDocument::Triangle& triangle = net_.triangles.emplace_back();
     for (std::uint32_t i = 0; i < 3; ++i) {
-      triangle.vertex[i] = surface_.vertex_class(3 * t + i);
-      triangle.opposite[i] = surface_.partner(3 * t + i);
+      const SideId side = surface_.side_number(t, i);
+      triangle.vertex[i] = surface_.vertex_class(side);
+      triangle.opposite[i] = surface_.partner(side).number();
     }
-    triangle.label = {label(3 * t, Way::to_start), label(3 * t + 2, Way::to_end)};
+    triangle.label = {label(surface_.side_number(t, 0), Way::to_start), label(surface_.side_number(t, 2), Way::to_end)};
   }
 
   /// Returns the label along a side. Its word is that of the triangle with the smaller number on either side of it, so
   /// both triangles use the same label.
-  std::uint32_t label(std::uint32_t side, Way way) {
-    const std::uint32_t partner = surface_.partner(side);
+  std::uint32_t label(SideId side, Way way) {
+    const SideId partner = surface_.partner(side);
     if (partner < side) return label(partner, reverse(way));
     // The label leads from `start` to `end`.
-    const std::uint32_t start = way == Way::to_end ? side : next_dart(side);
-    const std::uint32_t end = way == Way::to_end ? next_dart(side) : side;
+    const SideId next = surface_.next_side(side);
+    const SideId start = way == Way::to_end ? side : next;
+    const SideId end = way == Way::to_end ? next : side;
     const std::uint32_t from = surface_.vertex_class(start);
     const std::uint32_t to = surface_.vertex_class(end);
-    Word word = concatenated(surface_, path_[start], reversed(surface_, path_[end]));
+    const Word word = concatenated(surface_, path_[start], reversed(surface_, path_[end]));
     if (from == to && word.empty()) return 0;
     const auto [known, is_new] =
         labels_.try_emplace({from, to, word}, static_cast<std::uint32_t>(net_.labels.size() + 1));
     if (is_new) {
       count_letters(word, label_letters_);
-      net_.labels.push_back({from, to, std::move(word)});
+      net_.labels.push_back({from, to, letters_of(word)});
     }
     return known->second;
   }
@@ -98,7 +97,7 @@ class Builder {
   const Surface& surface_;
   certify::NetDocument net_;
   /// By corner: the word from the tile of the chart of its vertex to its own tile.
-  std::vector<Word> path_;
+  ById<SideId, Word> path_;
   std::map<std::tuple<std::uint32_t, std::uint32_t, Word>, std::uint32_t> labels_;
   std::size_t path_letters_ = 0;
   std::size_t label_letters_ = 0;
@@ -107,9 +106,9 @@ class Builder {
 }  // namespace
 
 certify::NetDocument net_of_tiles(const Surface& surface, const Length& epsilon) {
-  for (std::size_t t = 0; t < surface.tiles().size(); ++t) {
-    if (surface.is_regular() || surface.tiles()[t].size() != 3) {
-      throw ExchangeError("tile " + std::to_string(t) + " has " + std::to_string(surface.tiles()[t].size()) +
+  for (const TileId t : surface.tile_ids()) {
+    if (surface.is_regular() || surface.tile(t).size() != 3) {
+      throw ExchangeError("tile " + to_string(t) + " has " + std::to_string(surface.tile(t).size()) +
                           " sides, expected triangles: the triangulation is to be that of the tiles");
     }
   }

@@ -8,7 +8,7 @@
 #include "netgen/base/gmp.h"
 #include "netgen/exchange/gaussian_fraction.h"
 #include "netgen/exchange/triangulation_stream.h"
-#include "netgen/lifts/net_geometry.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/surfaces/surface_file.h"
 
 /// Surfaces and nets as triangulations given by cross-ratios.
@@ -79,9 +79,9 @@ class TriangulatedTiles {
  public:
   explicit TriangulatedTiles(const Surface& surface) : surface_(surface) {
     require_tiles(!surface.is_regular());
-    std::vector<std::uint32_t> dart_of_side;
-    for (std::uint32_t tile = 0; tile < surface.tiles().size(); ++tile) cut(tile, dart_of_side);
-    for (std::uint32_t s = 0; s < dart_of_side.size(); ++s) {
+    ById<SideId, std::uint32_t> dart_of_side;
+    for (const TileId tile : surface.tile_ids()) cut(tile, dart_of_side);
+    for (const SideId s : dart_of_side.ids()) {
       opposite_[dart_of_side[s]] = dart_of_side[surface.partner(s)];
     }
   }
@@ -90,13 +90,13 @@ class TriangulatedTiles {
   [[nodiscard]] std::uint32_t opposite(std::uint32_t dart) const { return opposite_[dart]; }
   [[nodiscard]] Corners corners(std::uint32_t t) {
     const auto [tile, second] = triangles_[t];
-    const Tile& vertices = surface_.tiles()[tile];
+    const Tile& vertices = surface_.tile(tile);
     return {vertices[0], vertices[second], vertices[second + 1]};
   }
 
  private:
-  void cut(std::uint32_t tile, std::vector<std::uint32_t>& dart_of_side) {
-    const auto size = static_cast<std::uint32_t>(surface_.tiles()[tile].size());
+  void cut(TileId tile, ById<SideId, std::uint32_t>& dart_of_side) {
+    const auto size = static_cast<std::uint32_t>(surface_.tile(tile).size());
     const std::uint32_t first = count();
     const std::uint32_t last = first + size - 3;
     dart_of_side.push_back(3 * first);
@@ -110,7 +110,7 @@ class TriangulatedTiles {
   }
 
   struct Piece {
-    std::uint32_t tile;
+    TileId tile;
     std::uint32_t second;  ///< The corners are the vertices 0, `second` and the next one.
   };
 
@@ -170,7 +170,7 @@ class NetTriangles {
     const Surface surface = from_document(net_.surface);
     for (const certify::NetDocument::Label& label : net_.labels) {
       Isometry<Rational> path;
-      for (const std::uint32_t side : label.word) path = surface.crossing(side) * path;
+      for (const SideId side : word_of_letters(label.word)) path = surface.crossing(side) * path;
       const auto to = Isometry<Rational>::translation(from_gmp(net_.charts[label.to].centre));
       const auto from = Isometry<Rational>::translation(from_gmp(net_.charts[label.from].centre));
       labels_.push_back(integral(inverse(to) * path * from));

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "netgen/nets/net_options.h"
+#include "netgen/nets/certified_net.h"
 
 namespace epsnet {
 namespace {

@@ -9,7 +9,7 @@
 #include <unordered_map>
 
 #include "kernel/numbers.h"
-#include "netgen/nets/net_options.h"
+#include "netgen/nets/certified_net.h"
 
 namespace epsnet {
 namespace {

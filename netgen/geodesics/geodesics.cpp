@@ -245,7 +245,7 @@ certify::GeodesicsDocument::ClosedGeodesic to_document(Triangulation& triangulat
   const double length = static_cast<double>(geodesic.length);
   const Dart start = geodesic.path.start;
   return {.vertex = triangulation.corner(triangle_of(start), corner_of(start)).vertex.number(),
-          .word = word_of(triangulation, geodesic.path),
+          .word = letters_of(word_of(triangulation, geodesic.path)),
           .length = {std::nextafter(length, 0.0), std::nextafter(length, kInfinity)},
           .simple = geodesic.simple};
 }

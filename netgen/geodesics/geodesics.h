@@ -1,8 +1,7 @@
 #pragma once
 
 #include "certify/claims/geodesics/document.h"
-#include "netgen/base/length.h"
-#include "netgen/base/progress.h"
+#include "netgen/base/options.h"
 #include "triangulation/surface/surface.h"
 
 /// Closed geodesics of a surface: the systole, the length spectrum, the small curves. docs/geodesics.md says how and

@@ -30,7 +30,7 @@ class Substitution {
   /// The image of a word from tile 0 to itself.
   [[nodiscard]] Word operator()(const Word& word, const std::vector<Word>& images) const {
     Word result;
-    for (const std::uint32_t s : word) {
+    for (const SideId s : word) {
       const std::int64_t number = number_[s];
       if (number == 0) continue;
       const Word& image = images[static_cast<std::size_t>(std::abs(number)) - 1];
@@ -41,7 +41,7 @@ class Substitution {
 
  private:
   const Surface& surface_;
-  std::vector<std::int64_t> number_;  ///< By letter: of a pairing, from 1 on; negative for its inverse; 0 for none.
+  ById<SideId, std::int64_t> number_;  ///< By letter: of a pairing, from 1 on; negative for its inverse; 0 for none.
 };
 
 /// Two elements of which the axes cross, by words from tile 0 to itself: generators, or what turns around pants.
@@ -57,7 +57,7 @@ std::vector<Word> crossing_pair(const Surface& surface) {
       for (const auto& [first, second] : {std::pair{x, y},
                                           {concatenated(surface, x, y_back), concatenated(surface, y_back, x)},
                                           {concatenated(surface, x, y), concatenated(surface, y, x)}}) {
-        const auto sign = certify::crossing_sign(crossings, first, second, {});
+        const auto sign = certify::crossing_sign(crossings, letters_of(first), letters_of(second), {});
         if (sign && *sign != 0) return {first, second};
       }
     }
@@ -69,18 +69,18 @@ std::vector<Word> crossing_pair(const Surface& surface) {
 /// flows along edges, as much into a vertex as out of it.
 std::vector<std::uint32_t> random_cocycle(const Surface& surface) {
   std::mt19937 random;
-  std::vector<std::uint32_t> flow(surface.side_count());
-  for (std::uint32_t s = 0; s < flow.size(); ++s) {
-    const std::uint32_t partner = surface.partner(s);
+  ById<SideId, std::uint32_t> flow(surface.side_count());
+  for (const SideId s : flow.ids()) {
+    const SideId partner = surface.partner(s);
     flow[s] = s < partner ? static_cast<std::uint32_t>(random()) : 0 - flow[partner];
   }
   // Along a tree of edges to the vertex of side 0, by sides that leave vertices; a partner leaves the other end.
   std::vector<bool> reached(surface.vertex_class_count());
-  reached[surface.vertex_class(0)] = true;
-  std::vector<std::uint32_t> sides = surface.corner_cycle(0);
-  std::vector<std::uint32_t> to_root;
+  reached[surface.vertex_class(SideId(0))] = true;
+  std::vector<SideId> sides = surface.corner_cycle(SideId(0));
+  std::vector<SideId> to_root;
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    const std::uint32_t back = surface.partner(sides[i]);
+    const SideId back = surface.partner(sides[i]);
     if (reached[surface.vertex_class(back)]) continue;
     reached[surface.vertex_class(back)] = true;
     to_root.push_back(back);
@@ -89,12 +89,12 @@ std::vector<std::uint32_t> random_cocycle(const Surface& surface) {
   }
   for (auto side = to_root.rbegin(); side != to_root.rend(); ++side) {
     std::uint32_t excess = 0;
-    for (const std::uint32_t s : surface.corner_cycle(*side)) excess += flow[s];
+    for (const SideId s : surface.corner_cycle(*side)) excess += flow[s];
     flow[*side] -= excess;
     flow[surface.partner(*side)] += excess;
   }
   std::vector<std::uint32_t> result;
-  for (std::uint32_t s = 0; s < flow.size(); ++s) {
+  for (const SideId s : flow.ids()) {
     if (s < surface.partner(s)) result.push_back(flow[s]);
   }
   return result;
@@ -104,18 +104,19 @@ std::vector<std::uint32_t> random_cocycle(const Surface& surface) {
 IsometriesDocument document_of(const Surface& surface, const IsometryGroup& group) {
   IsometriesDocument result;
   result.order = static_cast<std::uint32_t>(group.size());
-  result.paths = polygon_paths(surface);
-  result.pair = crossing_pair(surface);
+  for (const Word& path : polygon_paths(surface)) result.paths.push_back(letters_of(path));
+  const std::vector<Word> pair = crossing_pair(surface);
+  for (const Word& word : pair) result.pair.push_back(letters_of(word));
   result.cocycle = random_cocycle(surface);
   const Substitution image_of(surface);
   for (const std::uint32_t g : group.generators()) {
     const SurfaceIsometry& f = group.isometries()[g];
     IsometriesDocument::Isometry& isometry = result.isometries.emplace_back();
     isometry.preserves_orientation = f.preserves_orientation;
-    for (const Word& word : result.pair) isometry.images.push_back(image_of(word, f.images));
-    for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
+    for (const Word& word : pair) isometry.images.push_back(letters_of(image_of(word, f.images)));
+    for (const SideId s : surface.side_ids()) {
       // The paths cross no sides of the polygon.
-      if (s < surface.partner(s)) isometry.images.push_back(image_of({s}, f.images));
+      if (s < surface.partner(s)) isometry.images.push_back(letters_of(image_of({s}, f.images)));
     }
   }
   return result;

@@ -21,13 +21,13 @@ std::optional<certify::Crossings> joint_crossings(const Surface& first, const Su
   const std::uint32_t count = first.side_count();
   if (const auto& tile = first.regular_tile()) {
     std::vector<std::uint32_t> partner;
-    for (std::uint32_t s = 0; s < count; ++s) partner.push_back(first.partner(s));
-    for (std::uint32_t s = 0; s < second.side_count(); ++s) partner.push_back(count + second.partner(s));
+    for (const SideId s : first.side_ids()) partner.push_back(first.partner(s).number());
+    for (const SideId s : second.side_ids()) partner.push_back(count + second.partner(s).number());
     return certify::RegularCrossings({tile->p, tile->q}, std::move(partner));
   }
   std::vector<certify::ExactIsometry> crossings;
   for (const Surface* surface : {&first, &second}) {
-    for (std::uint32_t s = 0; s < surface->side_count(); ++s) {
+    for (const SideId s : surface->side_ids()) {
       const Isometry<Rational>& f = surface->crossing(s);
       crossings.push_back({to_gaussian(f.a), to_gaussian(f.b)});
     }

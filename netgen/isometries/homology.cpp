@@ -30,9 +30,9 @@ void subtract(std::vector<std::int64_t>& from, std::int64_t factor, const std::v
 Homology::Homology(const Surface& surface) : sign_(surface.side_count()), pair_(surface.side_count()) {
   const PolygonSides polygon = polygon_sides(surface);
   for (std::size_t k = 0; k < polygon.side.size(); ++k) {
-    const std::uint32_t s = polygon.side[k];
+    const SideId s = polygon.side[k];
     if (polygon.partner[k] < k) continue;
-    const std::uint32_t other = polygon.side[polygon.partner[k]];
+    const SideId other = polygon.side[polygon.partner[k]];
     pair_[s] = pair_[other] = pairs_++;
     sign_[s] = 1;
     sign_[other] = -1;
@@ -55,7 +55,7 @@ Homology::Homology(const Surface& surface) : sign_(surface.side_count()), pair_(
 
 Homology::Row Homology::class_of(const Word& word) const {
   Row result(pairs_);
-  for (const std::uint32_t s : word) {
+  for (const SideId s : word) {
     if (sign_[s] != 0) result[pair_[s]] = reduced(result[pair_[s]] + sign_[s]);
   }
   return result;

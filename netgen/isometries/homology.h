@@ -24,9 +24,9 @@ class Homology {
   [[nodiscard]] Row class_of(const Word& word) const;
 
   std::size_t pairs_ = 0;
-  std::vector<std::int64_t> sign_;  ///< By side of the surface: 1 or −1 if it is a side of the polygon, else 0,
-  std::vector<std::size_t> pair_;   ///< and of which pair.
-  std::vector<Row> relations_;      ///< Reduced: row i has a 1 at pivots_[i], where all others have 0.
+  ById<SideId, std::int64_t> sign_;  ///< 1 or −1 if a side of the surface is a side of the polygon, else 0,
+  ById<SideId, std::size_t> pair_;   ///< and of which pair.
+  std::vector<Row> relations_;       ///< Reduced: row i has a 1 at pivots_[i], where all others have 0.
   std::vector<std::size_t> pivots_;
 };
 

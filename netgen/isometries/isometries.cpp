@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "certify/base/decimals.h"
+#include "certify/base/interval.h"
 #include "certify/base/text.h"
 #include "certify/check.h"
 #include "certify/numbers/parallel.h"
@@ -35,7 +35,7 @@ bool agree(const Number& x, const Number& y) {
 
 /// A closed geodesic: an element in the coordinates of a tile. Re a > 0.
 struct Line {
-  std::uint32_t tile;
+  TileId tile;
   Word word;
   Isometry<Number> element;
   Number length;
@@ -63,9 +63,10 @@ T half_trace_of_product(const Isometry<T>& f, const Isometry<T>& g) {
 std::vector<Line> lines(const LiftedTiles& tiles, const certify::GeodesicsDocument& document) {
   std::vector<Line> result;
   for (const auto& geodesic : document.geodesics) {
-    const std::uint32_t tile = document.net.charts[document.net.vertices[geodesic.vertex].chart].tile;
-    const Isometry<Number> element = normalized(tiles.value(geodesic.word));
-    result.push_back({tile, geodesic.word, element, displacement_length(element)});
+    const TileId tile(document.net.charts[document.net.vertices[geodesic.vertex].chart].tile);
+    Word word = word_of_letters(geodesic.word);
+    const Isometry<Number> element = normalized(tiles.value(word));
+    result.push_back({tile, std::move(word), element, displacement_length(element)});
   }
   return result;
 }
@@ -156,7 +157,7 @@ Pair cheapest_pair(const LiftedTiles& tiles, const std::vector<Line>& lines) {
 
 /// A pair of elements to which an isometry may take another pair, in the coordinates of a tile.
 struct Match {
-  std::uint32_t tile;
+  TileId tile;
   Isometry<Number> x;
   Isometry<Number> y;
   Word x_word;
@@ -213,16 +214,17 @@ struct Generators {
   }
 };
 
-/// A word from tile 0 to itself for one from another tile to itself.
-Word from_tile_0(const Surface& surface, std::uint32_t tile, const Word& word) {
-  const Word way = path_between_tiles(surface, 0, tile);
-  return concatenated(surface, concatenated(surface, way, word), reversed(surface, way));
+/// The letters of a word from tile 0 to itself for one from another tile to itself.
+std::vector<std::uint32_t> from_tile_0(const Surface& surface, TileId tile, const Word& word) {
+  const Word way = path_between_tiles(surface, TileId(0), tile);
+  return letters_of(concatenated(surface, concatenated(surface, way, word), reversed(surface, way)));
 }
 
 /// Returns the word of an element of the group, from tile 0 to itself; nothing, if the isometry is none.
 std::optional<Word> word_of(const LiftedTiles& tiles, const Isometry<Number>& element) {
-  Word way = tiles.walk(0, image(element, tiles.centre(0)));
-  if (!way.empty() && tiles.surface().tile_of_side(tiles.surface().partner(way.back())) != 0) return std::nullopt;
+  Word way = tiles.walk(TileId(0), image(element, tiles.centre(TileId(0))));
+  if (!way.empty() && tiles.surface().tile_of_side(tiles.surface().partner(way.back())) != TileId(0))
+    return std::nullopt;
   const Isometry<Number> rest = tiles.value(way) * element;
   if (!agree(rest.a.y, 0) || !agree(rest.b.x, 0) || !agree(rest.b.y, 0)) return std::nullopt;
   return concatenated(tiles.surface(), {}, reversed(tiles.surface(), way));
@@ -255,8 +257,8 @@ struct Source {
   [[nodiscard]] Motion<Number> motion_of(const Match& match, const LiftedTiles& to) const {
     const Motion<Number> f = motion_of_pairs(pair.x.element, pair.y, match.x, match.y);
     // By the paths of from_tile_0: between two tiles there may be several shortest ones.
-    return motion(to.value(reversed(to.surface(), path_between_tiles(to.surface(), 0, match.tile)))) * f *
-           motion(tiles.value(path_between_tiles(tiles.surface(), 0, pair.x.tile)));
+    return motion(to.value(reversed(to.surface(), path_between_tiles(to.surface(), TileId(0), match.tile)))) * f *
+           motion(tiles.value(path_between_tiles(tiles.surface(), TileId(0), pair.x.tile)));
   }
 
   /// Whether an isometry that agrees with the numbers is one: exactly.
@@ -267,7 +269,7 @@ struct Source {
     pairs.push_back({from_tile_0(from, pair.x.tile, pair.x.word), from_tile_0(to.surface(), match.tile, match.x_word)});
     pairs.push_back({from_tile_0(from, pair.x.tile, pair.y_word), from_tile_0(to.surface(), match.tile, match.y_word)});
     for (std::size_t k = 0; k < generators.words.size(); ++k) {
-      pairs.push_back({generators.words[k], isometry.images[k]});
+      pairs.push_back({letters_of(generators.words[k]), letters_of(isometry.images[k])});
     }
     return are_conjugate(from, to.surface(), pairs);
   }
@@ -352,13 +354,13 @@ class Classes {
   explicit Classes(const LiftedTiles& tiles) : tiles_(tiles) {
     // No symmetry fixes a point like this, nor takes it to a side of a tile.
     const Complex<Number> offset{Number("0.01234567890123456789"), Number("0.0298765432109876543")};
-    point_ = image(normalized(Isometry<Number>::translation(in_disk(tiles.centre(0)))), on_hyperboloid(offset));
+    point_ = image(normalized(Isometry<Number>::translation(in_disk(tiles.centre(TileId(0))))), on_hyperboloid(offset));
   }
 
   /// Returns the number of an isometry, given in the coordinates of tile 0; if it is unknown, and `add`, it gets one.
   std::optional<std::uint32_t> find(const Motion<Number>& f, bool add) {
-    const Word way = tiles_.walk(0, f(point_));
-    const std::uint32_t tile = way.empty() ? 0 : tiles_.surface().tile_of_side(tiles_.surface().partner(way.back()));
+    const Word way = tiles_.walk(TileId(0), f(point_));
+    const TileId tile = way.empty() ? TileId(0) : tiles_.surface().tile_of_side(tiles_.surface().partner(way.back()));
     const Motion<Number> reduced = motion(tiles_.value(way)) * f;
     const Vector place = reduced(point_);
     auto& known = known_[tile];
@@ -374,7 +376,7 @@ class Classes {
     const auto number = static_cast<std::uint32_t>(reduced_.size());
     known.emplace(key, number);
     reduced_.push_back(reduced);
-    motions_.push_back(motion(tiles_.value(path_between_tiles(tiles_.surface(), tile, 0))) * reduced);
+    motions_.push_back(motion(tiles_.value(path_between_tiles(tiles_.surface(), tile, TileId(0)))) * reduced);
     return number;
   }
 
@@ -387,7 +389,7 @@ class Classes {
   Vector point_;
   std::vector<Motion<Number>> reduced_;
   std::vector<Motion<Number>> motions_;
-  std::map<std::uint32_t, std::multimap<double, std::uint32_t>> known_;  ///< By tile and first coordinate.
+  std::map<TileId, std::multimap<double, std::uint32_t>> known_;  ///< By tile and first coordinate.
 };
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 #include "certify/claims/isometries/document.h"
 #include "certify/verdict/report.h"
-#include "netgen/base/progress.h"
-#include "netgen/surfaces/permutation.h"
+#include "netgen/base/options.h"
+#include "netgen/surfaces/maps_and_covers.h"
 #include "triangulation/surface/error.h"
 #include "triangulation/surface/surface.h"
 

@@ -21,7 +21,7 @@ class SeenPoints {
   explicit SeenPoints(double distance) : distance_(distance) {}
 
   /// Whether the point is new.
-  bool insert(std::uint32_t tile, const LorentzVector<double>& point) {
+  bool insert(TileId tile, const LorentzVector<double>& point) {
     // Cells are larger, so most points are far from the edge of one, and one look-up is enough.
     for (std::int64_t i = cell(point.x - distance_); i <= cell(point.x + distance_); ++i) {
       for (std::int64_t j = cell(point.y - distance_); j <= cell(point.y + distance_); ++j) {
@@ -38,14 +38,14 @@ class SeenPoints {
 
  private:
   struct Point {
-    std::uint32_t tile;
+    TileId tile;
     double x;
     double y;
   };
   [[nodiscard]] std::int64_t cell(double x) const { return static_cast<std::int64_t>(std::floor(x / (8 * distance_))); }
-  static std::uint64_t key(std::uint32_t tile, std::int64_t column, std::int64_t row) {
+  static std::uint64_t key(TileId tile, std::int64_t column, std::int64_t row) {
     constexpr std::uint64_t kFactor = 0x9E3779B97F4A7C15;
-    std::uint64_t result = tile;
+    std::uint64_t result = tile.number();
     for (const std::int64_t part : {column, row}) result = (result ^ static_cast<std::uint64_t>(part)) * kFactor;
     return result ^ (result >> 29);
   }
@@ -62,12 +62,12 @@ LorentzVector<double> rounded(const LiftedTiles::Vector& v) {
 
 LiftedTiles::LiftedTiles(const Surface& surface, double shortest)
     : surface_(surface), shortest_(std::clamp(shortest, 1e-5, 1.0)) {
-  for (std::uint32_t tile = 0; tile < surface_.tiles().size(); ++tile) {
-    const Tile& corners = surface_.tiles()[tile];
+  for (const TileId tile : surface_.tile_ids()) {
+    const Tile& corners = surface_.tile(tile);
     const auto corner = [&](std::size_t k) { return on_hyperboloid(convert<Number>(corners[k % corners.size()])); };
     Vector sum;
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      const std::uint32_t s = surface_.side_number(tile, static_cast<std::uint32_t>(k));
+    for (const SideId s : surface_.sides_of(tile)) {
+      const std::size_t k = surface_.place_in_tile(s);
       const Vector start = corner(k);
       const Vector end = corner(k + 1);
       const Vector normal = lorentz_cross(start, end);
@@ -87,24 +87,23 @@ LiftedTiles::LiftedTiles(const Surface& surface, double shortest)
 
 Isometry<Number> LiftedTiles::value(const Word& word) const {
   Isometry<Number> result;
-  for (const std::uint32_t s : word) result = sides_[s].crossing * result;
+  for (const SideId s : word) result = sides_[s].crossing * result;
   return result;
 }
 
-Word LiftedTiles::walk(std::uint32_t tile, Vector point) const {
+Word LiftedTiles::walk(TileId tile, Vector point) const {
   constexpr std::size_t kMostSteps = 100'000;
   constexpr std::size_t kSteps = 1000;  // So many go across the side that is farthest away; others may go in circles.
   const Number nothing = boost::multiprecision::ldexp(Number(-1), -100);
   Word word;
-  std::vector<std::uint32_t> beyond;
+  std::vector<SideId> beyond;
   while (word.size() < kMostSteps) {
     beyond.clear();
     double least = 0;
-    std::uint32_t farthest = 0;
+    SideId farthest(0);
     const LorentzVector<double> rounded_point = rounded(point);
     const double error = 1e-12 * rounded_point.t;
-    const std::uint32_t first = surface_.side_number(tile, 0);
-    for (std::uint32_t s = first; s < first + surface_.tiles()[tile].size(); ++s) {
+    for (const SideId s : surface_.sides_of(tile)) {
       const double depth = lorentz_product(sides_[s].rounded_line, rounded_point);
       const double size = error * sides_[s].rounded_line.t * sides_[s].rounded_line.t + error;
       if (depth > size || (depth > -size && lorentz_product(sides_[s].line, point) >= nothing)) continue;
@@ -115,7 +114,7 @@ Word LiftedTiles::walk(std::uint32_t tile, Vector point) const {
       }
     }
     if (beyond.empty()) return word;
-    const std::uint32_t s = word.size() < kSteps && least < 0 ? farthest : beyond[word.size() * 7919 % beyond.size()];
+    const SideId s = word.size() < kSteps && least < 0 ? farthest : beyond[word.size() * 7919 % beyond.size()];
     word.push_back(s);
     point = image(sides_[s].crossing, point);
     tile = surface_.tile_of_side(surface_.partner(s));
@@ -132,23 +131,20 @@ Word LiftedTiles::Elements::word(const Element& element) const {
   return reversed(*surface_, concatenated(*surface_, out, reversed(*surface_, start_)));
 }
 
-LiftedTiles::Elements LiftedTiles::elements(std::uint32_t tile, const Vector& point, double radius,
-                                            std::uint64_t most) const {
+LiftedTiles::Elements LiftedTiles::elements(TileId tile, const Vector& point, double radius, std::uint64_t most) const {
   Elements result;
   result.surface_ = &surface_;
   result.start_ = walk(tile, point);
-  const std::uint32_t home =
-      result.start_.empty() ? tile : surface_.tile_of_side(surface_.partner(result.start_.back()));
+  const TileId home = result.start_.empty() ? tile : surface_.tile_of_side(surface_.partner(result.start_.back()));
   const Isometry<Number> to_point = normalized(Isometry<Number>::translation(in_disk(point)));
   const Isometry<Number> home_frame = value(result.start_) * to_point;
   const auto to_home = convert<DoubleDouble>(home_frame);
   // Two lifts of a centre are farther apart than this, also as seen from above.
   SeenPoints seen(shortest_ / 4);
   const double cosh_radius = std::cosh(radius) * (1 + 1e-9) + 1e-9;
-  std::vector<LorentzVector<double>> centres;
+  ById<TileId, LorentzVector<double>> centres;
   for (const Vector& c : centres_) centres.push_back(rounded(c));
-  const auto add = [&](const Isometry<DoubleDouble>& frame, std::uint32_t of, std::uint32_t before,
-                       std::uint32_t side) {
+  const auto add = [&](const Isometry<DoubleDouble>& frame, TileId of, std::uint32_t before, SideId side) {
     if (!seen.insert(of, image(convert<double>(frame), centres[of]))) return;
     if (result.lifts_.size() >= most) {
       throw LimitError("more than " + std::to_string(most) + " tiles are nearer than " + std::to_string(radius) +
@@ -160,11 +156,9 @@ LiftedTiles::Elements LiftedTiles::elements(std::uint32_t tile, const Vector& po
     const auto element = convert<double>(frame * to_home);
     if (norm(element.a) + norm(element.b) <= cosh_radius) result.list_.push_back({element, number});
   };
-  add(convert<DoubleDouble>(inverse(home_frame)), home, 0, 0);
+  add(convert<DoubleDouble>(inverse(home_frame)), home, 0, SideId(0));
   for (std::size_t i = 0; i < result.lifts_.size(); ++i) {
     const Elements::Lift lift = result.lifts_[i];
-    const std::uint32_t first = surface_.side_number(lift.tile, 0);
-    const auto count = static_cast<std::uint32_t>(surface_.tiles()[lift.tile].size());
     const auto frame = convert<double>(lift.frame);
     const double height = norm(frame.a) + norm(frame.b);
     // The t of the image of a vector. Of a point it is the cosh of its distance from 0, of a normal the sinh.
@@ -177,14 +171,16 @@ LiftedTiles::Elements LiftedTiles::elements(std::uint32_t tile, const Vector& po
       if (end >= side.cosh_length * start || start >= side.cosh_length * end) return false;
       return std::hypot(1, height_of(side.rounded_line)) <= cosh_radius;
     };
+    const SideId first = surface_.side_number(lift.tile, 0);
     const double first_height = height_of(sides_[first].start);
     double start = first_height;
-    for (std::uint32_t k = 0; k < count; ++k) {
-      const double end = k + 1 < count ? height_of(sides_[first + k + 1].start) : first_height;
-      const Side& side = sides_[first + k];
+    for (const SideId s : surface_.sides_of(lift.tile)) {
+      const SideId next = surface_.next_side(s);
+      const double end = next != first ? height_of(sides_[next].start) : first_height;
+      const Side& side = sides_[s];
       if (is_near(side, start, end)) {
-        const std::uint32_t across = surface_.tile_of_side(surface_.partner(first + k));
-        add(lift.frame * side.back, across, static_cast<std::uint32_t>(i), first + k);
+        const TileId across = surface_.tile_of_side(surface_.partner(s));
+        add(lift.frame * side.back, across, static_cast<std::uint32_t>(i), s);
       }
       start = end;
     }

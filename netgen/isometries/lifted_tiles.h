@@ -26,11 +26,11 @@ class LiftedTiles {
   /// The value of a word (group.h), of determinant 1.
   [[nodiscard]] Isometry<Number> value(const Word& word) const;
   /// A point inside of a tile.
-  [[nodiscard]] const Vector& centre(std::uint32_t tile) const { return centres_[tile]; }
+  [[nodiscard]] const Vector& centre(TileId tile) const { return centres_[tile]; }
 
   /// Returns a path from a tile to the one that contains a point, which is given in the coordinates of the first tile.
   /// Throws LimitError if it is too long.
-  [[nodiscard]] Word walk(std::uint32_t tile, Vector point) const;
+  [[nodiscard]] Word walk(TileId tile, Vector point) const;
 
   /// An element of the group that moves a point by a distance of at most R.
   struct Element {
@@ -48,9 +48,9 @@ class LiftedTiles {
     friend class LiftedTiles;
     struct Lift {
       Isometry<DoubleDouble> frame;  ///< From the coordinates of the tile.
-      std::uint32_t tile;
+      TileId tile;
       std::uint32_t before;  ///< The lift from which it was reached,
-      std::uint32_t side;    ///< and the side crossed.
+      SideId side;           ///< and the side crossed.
     };
     const Surface* surface_ = nullptr;
     Word start_;  ///< To the tile that contains the point.
@@ -61,7 +61,7 @@ class LiftedTiles {
   /// that move it a little more. Frames have some 100
   /// bits. Throws LimitError if more than `most` lifts of
   /// tiles have to be visited. About 2π cosh(radius)/(area of a tile) steps.
-  [[nodiscard]] Elements elements(std::uint32_t tile, const Vector& point, double radius, std::uint64_t most) const;
+  [[nodiscard]] Elements elements(TileId tile, const Vector& point, double radius, std::uint64_t most) const;
 
  private:
   struct Side {
@@ -75,8 +75,8 @@ class LiftedTiles {
 
   Surface surface_;
   double shortest_;
-  std::vector<Side> sides_;
-  std::vector<Vector> centres_;
+  ById<SideId, Side> sides_;
+  ById<TileId, Vector> centres_;
 };
 
 }  // namespace epsnet

@@ -10,7 +10,7 @@
 #include "certify/net/surface_sides.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
-#include "netgen/lifts/net_geometry.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/nets/bounds.h"
 
 namespace epsnet {

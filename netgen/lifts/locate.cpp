@@ -1,11 +1,10 @@
-#include "netgen/lifts/locate.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/nets/net_document.h"
 #include "triangulation/mesh/operations.h"
 #include "triangulation/mesh/triangulation.h"
@@ -43,7 +42,7 @@ class Locator::Triangles {
 
   Triangulation net_;
   Triangulation used_;  ///< Gets a chart and labels for each point; replaced by a fresh copy when these are many.
-  std::vector<std::vector<Start>> starts_;  ///< By tile.
+  ById<TileId, std::vector<Start>> starts_;
 };
 
 Locator::Locator(const certify::NetDocument& net) : triangles_(std::make_unique<Triangles>(net)) {}

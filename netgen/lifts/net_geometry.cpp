@@ -1,5 +1,3 @@
-#include "netgen/lifts/net_geometry.h"
-
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -12,6 +10,7 @@
 #include "certify/net/surface_sides.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
+#include "netgen/lifts/lifts.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet {
@@ -149,7 +148,7 @@ Parts<T>::Parts(const certify::NetDocument& document, const certify::SurfaceSide
   if (certify::regular_tile(document.surface)) regular = regular_surface(document.surface);
   for (std::uint32_t side = 0; side < sides.partner.size(); ++side) {
     if (regular) {
-      crossings.push_back(regular->crossing_as<T>(side));
+      crossings.push_back(regular->crossing_as<T>(SideId(side)));
       continue;
     }
     // The isometry takes side k, from p to q, to side j, from p' to q': p to q' and q to p'.

@@ -8,7 +8,7 @@
 #include <unordered_set>
 
 #include "kernel/plane.h"
-#include "netgen/nets/net_options.h"
+#include "netgen/nets/certified_net.h"
 #include "triangulation/mesh/operations.h"
 
 namespace epsnet {
@@ -215,7 +215,7 @@ std::vector<certify::NetDocument::Collar> Collars::documents() {
     }
     const auto length = static_cast<double>(length_of(*core));
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    result.push_back({triangulation_.atlas().labels()[triangulation_.label_along(first)].word,
+    result.push_back({letters_of(triangulation_.atlas().labels()[triangulation_.label_along(first)].word),
                       {std::nextafter(length, 0), std::nextafter(length, kInfinity)},
                       {vertex_of(first).number(), vertex_of(*loop).number()},
                       {triangle_of(first).number(), t.number()}});

@@ -8,7 +8,7 @@
 #include "certify/net/document.h"
 #include "kernel/lorentz.h"
 #include "kernel/numbers.h"
-#include "netgen/base/length.h"
+#include "netgen/base/options.h"
 #include "triangulation/mesh/operations.h"
 #include "triangulation/mesh/triangulation.h"
 

@@ -95,7 +95,7 @@ std::string dirichlet_json(const DirichletPolygon& polygon) {
     out << separator << "{\"partner\": " << side.partner << ", \"distance\": " << certify::shortest(side.distance)
         << ", \"word\": [";
     for (std::size_t i = 0; i < side.word.size(); ++i) {
-      out << (i == 0 ? "" : ", ") << side.word[i];
+      out << (i == 0 ? "" : ", ") << side.word[i].number();
     }
     out << "]}";
     separator = ",\n  ";
@@ -153,7 +153,7 @@ DirichletPolygon polygon_of(const Json& file) {
       refuse_polygon(place + ": the partner " + std::to_string(read.partner) + ", but there are " +
                      std::to_string(sides.size()) + " sides");
     read.distance = number(member(side, "distance", place), place);
-    for (const Json& letter : array(member(side, "word", place), place)) read.word.push_back(index(letter, place));
+    for (const Json& letter : array(member(side, "word", place), place)) read.word.emplace_back(index(letter, place));
   }
   for (const Json& vertex : array(member(file, "vertices", whole), "vertices")) {
     const std::string place = "vertices[" + std::to_string(polygon.vertices.size()) + "]";

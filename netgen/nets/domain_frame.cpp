@@ -1,12 +1,11 @@
-#include "netgen/nets/domain_frame.h"
-
 #include <algorithm>
 #include <string>
 #include <utility>
 
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
-#include "netgen/nets/net_options.h"
+#include "netgen/nets/certified_net.h"
+#include "netgen/nets/dirichlet_polygon.h"
 #include "triangulation/surface/points.h"
 
 namespace epsnet {
@@ -21,23 +20,23 @@ Mp1024 distance_from_0(const Complex<Mp1024>& z) { return distance(Complex<Mp102
 
 Isometry<Mp1024> isometry_of(const Surface& surface, const Word& word) {
   Isometry<Mp1024> result;
-  for (const std::uint32_t side : word) result = normalized(surface.crossing_as<Mp1024>(side) * result);
+  for (const SideId side : word) result = normalized(surface.crossing_as<Mp1024>(side) * result);
   return result;
 }
 
-BasePoint rounded_point(const Surface& surface, std::uint32_t tile, const Complex<Mp1024>& z) {
+BasePoint rounded_point(const Surface& surface, TileId tile, const Complex<Mp1024>& z) {
   constexpr int kBits = 100;
   constexpr int kMostTiles = 100'000;
   // The corners of a regular surface's tile are rounded to 256 bits.
   const Mp1024 slack = ldexp(Mp1024(1), -240);
   Complex<Mp1024> here = z;
   for (int tiles = 0; tiles < kMostTiles; ++tiles) {
-    const Tile& corners = surface.tiles()[tile];
-    std::uint32_t k = 0;
-    const auto is_beyond = [&](std::uint32_t side) {
-      return orientation_determinant(convert<Mp1024>(corners[side]),
-                                     convert<Mp1024>(corners[(side + 1) % corners.size()]), here) < -slack;
+    const Tile& corners = surface.tile(tile);
+    const auto is_beyond = [&](std::uint32_t k) {
+      return orientation_determinant(convert<Mp1024>(corners[k]), convert<Mp1024>(corners[(k + 1) % corners.size()]),
+                                     here) < -slack;
     };
+    std::uint32_t k = 0;
     while (k < corners.size() && !is_beyond(k)) ++k;
     if (k == corners.size()) {
       const auto rounded = [&](const Mp1024& x) {
@@ -45,7 +44,7 @@ BasePoint rounded_point(const Surface& surface, std::uint32_t tile, const Comple
       };
       return in_its_tile(surface, {tile, {rounded(here.x), rounded(here.y)}});
     }
-    const std::uint32_t side = surface.side_number(tile, k);
+    const SideId side = surface.side_number(tile, k);
     here = surface.crossing_as<Mp1024>(side)(here);
     tile = surface.tile_of_side(surface.partner(side));
   }
@@ -56,7 +55,7 @@ DomainFrame::DomainFrame(const Surface& surface, const DirichletPolygon& polygon
   const certify::NetDocument& net = polygon.triangulation;
   const certify::NetDocument::Vertex& vertex = net.vertices[0];
   const certify::NetDocument::Chart& chart = net.charts[vertex.chart];
-  tile_ = chart.tile;
+  tile_ = TileId(chart.tile);
   const auto number = [](const mpq_class& x) { return Mp1024(from_gmp(x)); };
   const Complex<Mp1024> centre{number(chart.centre.x), number(chart.centre.y)};
   from_tile_ = normalized(Isometry<Mp1024>::translation(-Complex<Mp1024>{Mp1024(vertex.x), Mp1024(vertex.y)}) *

@@ -56,12 +56,13 @@ certify::NetDocument net_document(const Triangulation& triangulation, const Leng
   }
   for (const std::uint32_t c : chart_number.used()) {
     const Chart& chart = atlas.charts()[ChartId(c)];
-    net.charts.push_back({chart.tile, to_gmp(chart.centre)});
+    net.charts.push_back({chart.tile.number(), to_gmp(chart.centre)});
   }
   for (const LabelId l : label_number.used()) {
     if (l != kIdentity) {
       const LabelTable::Entry& label = atlas.labels()[l];
-      net.labels.push_back({chart_number(label.from.number()), chart_number(label.to.number()), label.word});
+      net.labels.push_back(
+          {chart_number(label.from.number()), chart_number(label.to.number()), letters_of(label.word)});
     }
   }
   return net;
@@ -80,7 +81,7 @@ void add_charts(const certify::NetDocument& net, Atlas& atlas) {
     }
     const Complex<Rational> centre = from_gmp(chart.centre);
     if (norm(centre) >= 1) refuse_net(name + " has its centre outside of the unit disk");
-    (void)atlas.add_chart({chart.tile, centre});
+    (void)atlas.add_chart({TileId(chart.tile), centre});
   }
 }
 
@@ -93,17 +94,16 @@ void check_label(const certify::NetDocument::Label& label, const std::string& na
     }
   }
   const Surface& surface = atlas.surface();
-  std::uint32_t tile = atlas.charts()[ChartId(label.from)].tile;
-  for (const std::uint32_t side : label.word) {
-    if (side >= surface.side_count() || surface.tile_of_side(side) != tile) {
-      refuse_net(name + " crosses side " + std::to_string(side) + ", which tile " + std::to_string(tile) +
-                 " does not have");
+  TileId tile = atlas.charts()[ChartId(label.from)].tile;
+  for (const SideId side : word_of_letters(label.word)) {
+    if (side.number() >= surface.side_count() || surface.tile_of_side(side) != tile) {
+      refuse_net(name + " crosses side " + to_string(side) + ", which tile " + to_string(tile) + " does not have");
     }
     tile = surface.tile_of_side(surface.partner(side));
   }
   if (tile != atlas.charts()[ChartId(label.to)].tile) {
-    refuse_net(name + " ends in tile " + std::to_string(tile) + ", its chart is in tile " +
-               std::to_string(atlas.charts()[ChartId(label.to)].tile));
+    refuse_net(name + " ends in tile " + to_string(tile) + ", its chart is in tile " +
+               to_string(atlas.charts()[ChartId(label.to)].tile));
   }
 }
 
@@ -112,7 +112,7 @@ std::vector<LabelId> add_labels(const certify::NetDocument& net, Atlas& atlas) {
   std::vector<LabelId> labels{kIdentity};
   for (const certify::NetDocument::Label& label : net.labels) {
     check_label(label, "label " + std::to_string(labels.size()), atlas);
-    labels.push_back(atlas.label(ChartId(label.from), ChartId(label.to), label.word));
+    labels.push_back(atlas.label(ChartId(label.from), ChartId(label.to), word_of_letters(label.word)));
   }
   return labels;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "certify/net/document.h"
-#include "netgen/base/length.h"
+#include "netgen/base/options.h"
 #include "triangulation/mesh/triangulation.h"
 
 /// Conversion between triangulations and the plain data of net files.

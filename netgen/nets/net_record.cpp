@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/base/decimals.h"
+#include "certify/base/interval.h"
 #include "netgen/nets/bounds.h"
 
 namespace epsnet {

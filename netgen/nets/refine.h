@@ -1,7 +1,7 @@
 #pragma once
 
+#include "netgen/nets/certified_net.h"
 #include "netgen/nets/collars.h"
-#include "netgen/nets/net_options.h"
 #include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "netgen/nets/net_options.h"
+#include "netgen/nets/certified_net.h"
 #include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "netgen/nets/certified_net.h"
 #include "netgen/nets/collars.h"
-#include "netgen/nets/net_options.h"
 #include "triangulation/mesh/triangulation.h"
 
 namespace epsnet {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "certify/net/document.h"
-#include "netgen/base/length.h"
-#include "netgen/nets/net_options.h"
+#include "netgen/base/options.h"
+#include "netgen/nets/certified_net.h"
 #include "triangulation/mesh/triangulation.h"
 #include "triangulation/surface/surface.h"
 

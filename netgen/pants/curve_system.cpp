@@ -45,14 +45,14 @@ CurveSystem::CurveSystem(const Surface& surface)
     std::vector<Vector>& corners = corners_.emplace_back();
     for (const Complex<Rational>& z : tile) corners.push_back(on_hyperboloid(convert<Number>(z)));
   }
-  for (std::uint32_t s = 0; s < surface_.side_count(); ++s) back_.push_back(inverse(surface_.crossing_as<Number>(s)));
+  for (const SideId s : surface_.side_ids()) back_.push_back(inverse(surface_.crossing_as<Number>(s)));
 }
 
 /// Lifts of tiles on and to the left of an axis, up to its translation, in the order of their distances.
 class CurveSystem::Exploration {
  public:
   Exploration(const CurveSystem& system, const Axis& axis) : system_(system), axis_(axis) {
-    add(Isometry<Number>{}, axis.path.tile, 0, 0, 0);
+    add(Isometry<Number>{}, axis.path.tile, 0, SideId(0), 0);
   }
 
   /// Calls visit(meeting) for all lifts of samples in lifts of tiles for which sinh of the distance is at most
@@ -62,7 +62,7 @@ class CurveSystem::Exploration {
     while (!queue_.empty() && queue_.top().first <= bound()) {
       const std::uint32_t number = queue_.top().second;
       queue_.pop();
-      const std::uint32_t tile = lifts_[number].tile;
+      const TileId tile = lifts_[number].tile;
       const Isometry<Number> frame = lifts_[number].frame;
       for (const std::uint32_t s : system_.samples_in_[tile]) {
         const Sample& sample = system_.samples_[s];
@@ -96,9 +96,9 @@ class CurveSystem::Exploration {
  private:
   struct Lift {
     Isometry<Number> frame;  ///< From the coordinates of the tile.
-    std::uint32_t tile;
+    TileId tile;
     std::uint32_t before;  ///< The lift from which it was reached,
-    std::uint32_t side;    ///< the side crossed,
+    SideId side;           ///< the side crossed,
     std::int64_t shift;    ///< and how many periods of the axis it was moved then.
   };
 
@@ -122,7 +122,7 @@ class CurveSystem::Exploration {
     return result;
   }
 
-  void add(const Isometry<Number>& frame, std::uint32_t tile, std::uint32_t before, std::uint32_t side, double key) {
+  void add(const Isometry<Number>& frame, TileId tile, std::uint32_t before, SideId side, double key) {
     const Vector centre = image(frame, system_.tiles_.centre(tile));
     const Number periods = place_along(axis_.point, axis_.forward, centre) / axis_.length;
     // Not at 0, where the centre of the first tile may be.
@@ -151,7 +151,7 @@ class CurveSystem::Exploration {
   }
 
   /// Whether no other lift of the tile has its centre there, up to rounding.
-  bool is_new(std::uint32_t tile, double height, double place) {
+  bool is_new(TileId tile, double height, double place) {
     constexpr double kCell = 1e-8;
     const auto column = static_cast<std::int64_t>(std::floor(height / kCell));
     const auto row = static_cast<std::int64_t>(std::floor(place / kCell));
@@ -166,7 +166,7 @@ class CurveSystem::Exploration {
   }
 
   void go_on_from(std::uint32_t number) {
-    const std::uint32_t tile = lifts_[number].tile;
+    const TileId tile = lifts_[number].tile;
     const Isometry<Number> frame = lifts_[number].frame;
     const std::vector<Vector>& corners = system_.corners_[tile];
     std::vector<Vector> ends;
@@ -175,8 +175,8 @@ class CurveSystem::Exploration {
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const double key = height_of(ends[k], ends[(k + 1) % ends.size()], corners[k], corners[(k + 1) % ends.size()]);
       if (key < 0) continue;
-      const std::uint32_t s = system_.surface_.side_number(tile, static_cast<std::uint32_t>(k));
-      const std::uint32_t beyond = system_.surface_.tile_of_side(system_.surface_.partner(s));
+      const SideId s = system_.surface_.side_number(tile, static_cast<std::uint32_t>(k));
+      const TileId beyond = system_.surface_.tile_of_side(system_.surface_.partner(s));
       add(frame * system_.back_[s], beyond, number, s, key);
     }
   }
@@ -205,7 +205,7 @@ class CurveSystem::Exploration {
   std::vector<Lift> lifts_;
   using Entry = std::pair<double, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
-  std::map<std::tuple<std::uint32_t, std::int64_t, std::int64_t>, bool> seen_;
+  std::map<std::tuple<TileId, std::int64_t, std::int64_t>, bool> seen_;
 };
 
 ClosedPath CurveSystem::directed(Side side) const {
@@ -234,7 +234,7 @@ CurveSystem::Axis CurveSystem::axis_of(const ClosedPath& path) const {
 CurveSystem::Moved CurveSystem::onto_geodesic(const ClosedPath& path) const {
   Word way = tiles_.walk(path.tile, axis_of(path).point);
   if (way.empty()) return {path, way};
-  const std::uint32_t tile = surface_.tile_of_side(surface_.partner(way.back()));
+  const TileId tile = surface_.tile_of_side(surface_.partner(way.back()));
   Word word = concatenated(surface_, concatenated(surface_, reversed(surface_, way), path.word), way);
   return {{tile, std::move(word)}, std::move(way)};
 }
@@ -252,7 +252,7 @@ std::uint32_t CurveSystem::add(const ClosedPath& path) {
   Vector point = axis.point;
   Vector forward = axis.forward;
   Vector normal = axis.normal;
-  std::uint32_t tile = moved.path.tile;
+  TileId tile = moved.path.tile;
   Word way;
   for (int i = 0; i < static_cast<int>(count); ++i) {
     if (i > 0) {

@@ -15,7 +15,7 @@ namespace epsnet {
 /// A closed curve with a direction: a path from a tile to itself, which is not null-homotopic. Its element is the
 /// isometry from the lift of the tile at the end of the path to the one at its start; it translates along the path.
 struct ClosedPath {
-  std::uint32_t tile;
+  TileId tile;
   Word word;
 };
 
@@ -70,7 +70,7 @@ class CurveSystem {
 
   /// Where a curve passes through a tile, or touches it.
   struct Chord {
-    std::uint32_t tile;
+    TileId tile;
     Vector normal;  ///< Of the curve, positive on its left, in the coordinates of the tile.
     Word word;      ///< A path from the tile to itself: the curve once around, from there.
   };
@@ -86,7 +86,7 @@ class CurveSystem {
   /// A place on a curve.
   struct Sample {
     std::uint32_t curve;
-    std::uint32_t tile;
+    TileId tile;
     Word way;  ///< From the tile of the curve.
     Vector point;
     Vector normal;  ///< Of the curve; of length 1.
@@ -121,11 +121,11 @@ class CurveSystem {
 
   Surface surface_;
   LiftedTiles tiles_;
-  std::vector<std::vector<Vector>> corners_;  ///< By tile.
-  std::vector<Isometry<Number>> back_;        ///< By side: the inverse of its crossing.
+  ById<TileId, std::vector<Vector>> corners_;
+  ById<SideId, Isometry<Number>> back_;  ///< The inverse of a side's crossing.
   std::vector<Curve> curves_;
   std::vector<Sample> samples_;
-  std::vector<std::vector<std::uint32_t>> samples_in_;  ///< By tile.
+  ById<TileId, std::vector<std::uint32_t>> samples_in_;
 };
 
 }  // namespace epsnet

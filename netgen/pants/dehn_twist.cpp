@@ -1,5 +1,3 @@
-#include "netgen/pants/dehn_twist.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -8,6 +6,7 @@
 #include <utility>
 
 #include "netgen/pants/curve_system.h"
+#include "netgen/pants/pants.h"
 #include "netgen/surfaces/group.h"
 #include "triangulation/surface/error.h"
 
@@ -40,7 +39,7 @@ class TwistCurve {
   }
 
   /// What a path in a tile, from one point to another, turns around: a word from the tile to itself.
-  [[nodiscard]] Word turns(std::uint32_t tile, const Vector& from, const Vector& to) const {
+  [[nodiscard]] Word turns(TileId tile, const Vector& from, const Vector& to) const {
     struct Crossing {
       Number place;
       const Chord* chord;
@@ -73,18 +72,18 @@ class TwistCurve {
   static bool is_left(const Number& height) { return height > boost::multiprecision::ldexp(Number(-1), -100); }
 
   const Surface& surface_;
-  std::vector<std::vector<Chord>> chords_;  ///< By tile.
+  ById<TileId, std::vector<Chord>> chords_;
 };
 
-Vector corner(const Surface& surface, std::uint32_t tile, std::size_t k) {
-  const Tile& corners = surface.tiles()[tile];
+Vector corner(const Surface& surface, TileId tile, std::size_t k) {
+  const Tile& corners = surface.tile(tile);
   return on_hyperboloid(convert<Number>(corners[k % corners.size()]));
 }
 
 /// A point inside of a tile.
-Vector middle(const Surface& surface, std::uint32_t tile) {
+Vector middle(const Surface& surface, TileId tile) {
   Vector sum;
-  for (std::size_t k = 0; k < surface.tiles()[tile].size(); ++k) sum = sum + corner(surface, tile, k);
+  for (std::size_t k = 0; k < surface.tile(tile).size(); ++k) sum = sum + corner(surface, tile, k);
   return sum;
 }
 
@@ -93,25 +92,24 @@ class TwistedTiles {
  public:
   TwistedTiles(const Surface& surface, const TwistCurve& curve)
       : surface_(surface), points_(surface.vertex_class_count()) {
-    std::vector<Word> to_first(surface.side_count());
-    std::vector<bool> known(surface.side_count());
-    for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
+    ById<SideId, Word> to_first(surface.side_count());
+    ById<SideId, bool> known(surface.side_count());
+    for (const SideId s : surface.side_ids()) {
       if (known[s]) continue;
       // Corners around a vertex, with paths back to the first one.
       Word path;
-      for (const std::uint32_t c : surface.corner_cycle(s)) {
+      for (const SideId c : surface.corner_cycle(s)) {
         known[c] = true;
         to_first[c] = reversed(surface, path);
         path.push_back(c);
       }
-      points_[surface.vertex_class(s)] =
-          corner(surface, surface.tile_of_side(s), s - surface.side_number(surface.tile_of_side(s), 0));
+      points_[surface.vertex_class(s)] = corner(surface, surface.tile_of_side(s), surface.place_in_tile(s));
     }
-    for (std::uint32_t tile = 0; tile < surface.tiles().size(); ++tile) {
+    for (const TileId tile : surface.tile_ids()) {
       std::vector<Corner>& corners = corners_.emplace_back();
       Word word;
-      for (std::uint32_t k = 0; k < surface.tiles()[tile].size(); ++k) {
-        const std::uint32_t c = surface.side_number(tile, k);
+      for (const SideId c : surface.sides_of(tile)) {
+        const std::uint32_t k = surface.place_in_tile(c);
         const Isometry<Rational> exact = inverse(exact_isometry(surface, concatenated(surface, word, to_first[c])));
         corners.push_back({exact, normalized(convert<Number>(exact)), surface.vertex_class(c)});
         word = concatenated(surface, std::move(word),
@@ -235,21 +233,22 @@ class TwistedTiles {
 
 }  // namespace
 
-std::vector<Word> dehn_twist_words(const Surface& surface, const Word& curve, std::int32_t power) {
+ById<SideId, Word> dehn_twist_words(const Surface& surface, const Word& curve, std::int32_t power) {
   const TwistCurve twist(surface, curve, power);
-  std::vector<Word> result(surface.side_count());
-  for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
-    const std::uint32_t other = surface.partner(s);
-    const std::uint32_t tile = surface.tile_of_side(s);
-    const std::uint32_t beyond = surface.tile_of_side(other);
-    const auto middle_of_side = [&](std::uint32_t side, std::uint32_t of) {
-      const std::uint32_t k = side - surface.side_number(of, 0);
+  ById<SideId, Word> result(surface.side_count());
+  for (const SideId s : surface.side_ids()) {
+    const SideId other = surface.partner(s);
+    const TileId tile = surface.tile_of_side(s);
+    const TileId beyond = surface.tile_of_side(other);
+    const auto middle_of_side = [&](SideId side) {
+      const TileId of = surface.tile_of_side(side);
+      const std::uint32_t k = surface.place_in_tile(side);
       return corner(surface, of, k) + corner(surface, of, k + 1);
     };
-    Word word = twist.turns(tile, middle(surface, tile), middle_of_side(s, tile));
+    Word word = twist.turns(tile, middle(surface, tile), middle_of_side(s));
     word.push_back(s);
     result[s] = concatenated(surface, concatenated(surface, {}, word),
-                             twist.turns(beyond, middle_of_side(other, beyond), middle(surface, beyond)));
+                             twist.turns(beyond, middle_of_side(other), middle(surface, beyond)));
   }
   return result;
 }

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "netgen/geodesics/geodesics.h"
-#include "netgen/nets/net_options.h"
+#include "netgen/nets/certified_net.h"
 #include "netgen/pants/curve_system.h"
 #include "netgen/pants/pants_proof.h"
 
@@ -50,11 +50,11 @@ std::optional<Pieces> own_pants(const Surface& surface) {
   if (surface.is_regular()) return std::nullopt;
   const auto count = static_cast<std::uint32_t>(surface.tiles().size());
   std::vector<PantsPaths> pants;
-  for (std::uint32_t p = 0; p < count; ++p) {
-    if (surface.tiles()[p].size() != kSides) return std::nullopt;
-    const std::uint32_t first = kSides * p;
-    if (surface.partner(first) != first + 2 || surface.partner(first + 3) != first + 5) return std::nullopt;
-    pants.push_back({{Word{first, first + 3}, Word{first + 2}}});
+  for (const TileId p : surface.tile_ids()) {
+    if (surface.tile(p).size() != kSides) return std::nullopt;
+    const auto side = [&](std::uint32_t k) { return surface.side_number(p, k); };
+    if (surface.partner(side(0)) != side(2) || surface.partner(side(3)) != side(5)) return std::nullopt;
+    pants.push_back({{Word{side(0), side(3)}, Word{side(2)}}});
   }
   std::vector<std::pair<std::uint32_t, std::uint32_t>> nodes;
   std::vector<PantsGraph::Edge> ends;
@@ -67,9 +67,9 @@ std::optional<Pieces> own_pants(const Surface& surface) {
     ends.push_back({PantsGraph::End{g.tile, *cuff}, PantsGraph::End{g.other_tile, *other_cuff}});
     // The axis of cuff 2 passes the heptagon beyond side 0.
     Word& path = across.emplace_back();
-    if (*cuff == 2) path.push_back(surface.side_number(g.tile, 0));
-    path.push_back(surface.side_number(g.tile, g.side));
-    if (*other_cuff == 2) path.push_back(surface.side_number(g.other_tile, 2));
+    if (*cuff == 2) path.push_back(surface.side_number(TileId(g.tile), 0));
+    path.push_back(surface.side_number(TileId(g.tile), g.side));
+    if (*other_cuff == 2) path.push_back(surface.side_number(TileId(g.other_tile), 2));
   }
   if (nodes.size() * 2 != 3 * std::size_t{count}) return std::nullopt;
   PantsGraph graph(nodes);
@@ -82,15 +82,15 @@ std::optional<Pieces> own_pants(const Surface& surface) {
 ClosedPath closed_path(const Surface& surface, std::size_t number, const Word& word) {
   if (word.empty()) throw CurveError(number, "a path without letters is trivial");
   for (std::size_t i = 0; i < word.size(); ++i) {
-    const std::string letter = "letter " + std::to_string(i) + " is side " + std::to_string(word[i]);
-    if (word[i] >= surface.side_count()) {
+    const std::string letter = "letter " + std::to_string(i) + " is side " + to_string(word[i]);
+    if (word[i].number() >= surface.side_count()) {
       throw CurveError(number, letter + ", the surface has " + std::to_string(surface.side_count()) + " sides");
     }
-    const std::uint32_t before = word[i == 0 ? word.size() - 1 : i - 1];
-    if (before >= surface.side_count()) continue;  // Its own turn comes.
-    const std::uint32_t tile = surface.tile_of_side(surface.partner(before));
+    const SideId before = word[i == 0 ? word.size() - 1 : i - 1];
+    if (before.number() >= surface.side_count()) continue;  // Its own turn comes.
+    const TileId tile = surface.tile_of_side(surface.partner(before));
     if (surface.tile_of_side(word[i]) != tile) {
-      throw CurveError(number, letter + ", no side of tile " + std::to_string(tile) +
+      throw CurveError(number, letter + ", no side of tile " + to_string(tile) +
                                    (i == 0 ? ", where the path ends" : ", where the letters before it lead"));
     }
   }
@@ -127,7 +127,7 @@ void add_short(const Surface& surface, const PantsOptions& options, CurveSystem&
       const auto& geodesic = document.geodesics[i];
       if (!geodesic.simple) continue;
       const auto& vertex = document.net.vertices[geodesic.vertex];
-      const ClosedPath path{document.net.charts[vertex.chart].tile, geodesic.word};
+      const ClosedPath path{TileId(document.net.charts[vertex.chart].tile), word_of_letters(geodesic.word)};
       if (system.crossed(path) || system.lift_on(path)) continue;
       system.add(path);
     }
@@ -217,7 +217,7 @@ Pieces assembled(const Surface& surface, const CurveSystem& system, const std::v
   }
   const auto path_of = [&](const PantsGraph::End& end) {
     const auto& [first, second] = pants[end.pants].cuffs;
-    const std::uint32_t tile = found[end.pants].cuffs[0].tile;
+    const TileId tile = found[end.pants].cuffs[0].tile;
     if (end.cuff < 2) return ClosedPath{tile, end.cuff == 0 ? first : second};
     return ClosedPath{tile, reversed(surface, concatenated(surface, first, second))};
   };

@@ -11,7 +11,7 @@
 #include "kernel/lorentz.h"
 #include "netgen/base/gmp.h"
 #include "netgen/isometries/exact_conjugacy.h"
-#include "netgen/nets/net_options.h"
+#include "netgen/nets/certified_net.h"
 #include "triangulation/surface/error.h"
 
 namespace epsnet {
@@ -36,7 +36,9 @@ class Values {
 
   [[nodiscard]] BallIsometry operator()(const Word& word) const {
     BallIsometry value = certify::identity_isometry();
-    for (const std::uint32_t s : word) value = times(value, certify::inverse(ball_crossing(crossings_, s, precision_)));
+    for (const SideId s : word) {
+      value = times(value, certify::inverse(ball_crossing(crossings_, s.number(), precision_)));
+    }
     return value;
   }
 
@@ -74,7 +76,8 @@ certify::Tri is_pants(const Cuffs& cuffs, const BallIsometry& product) {
 }
 
 /// Whether the element of a path is 1, exactly.
-bool is_one(const certify::Crossings& crossings, const Word& word, const std::string& name) {
+bool is_one(const certify::Crossings& crossings, const Word& path, const std::string& name) {
+  const std::vector<std::uint32_t> word = letters_of(path);
   return std::visit(
       [&](const auto& kind) {
         using Kind = std::decay_t<decltype(kind)>;
@@ -93,14 +96,13 @@ Word joined(Word first, const Word& then) {
   return first;
 }
 
-std::uint32_t end_of(const Surface& surface, const Word& path) {
-  return surface.tile_of_side(surface.partner(path.back()));
-}
+TileId end_of(const Surface& surface, const Word& path) { return surface.tile_of_side(surface.partner(path.back())); }
 
 std::string edge_name(std::size_t e) { return "cuff " + std::to_string(e); }
 
 /// e^{l/2} for an element of length l, if it is rational.
-std::optional<Rational> rational_root(const Surface& surface, const certify::Crossings& crossings, const Word& word) {
+std::optional<Rational> rational_root(const Surface& surface, const certify::Crossings& crossings, const Word& path) {
+  const std::vector<std::uint32_t> word = letters_of(path);
   if (surface.is_regular()) return std::nullopt;
   const auto& kind = std::get<certify::RationalCrossings>(crossings);
   if (kind.product_bits(0, word) > certify::RationalCrossings::kMaxExactBits / 8) return std::nullopt;
@@ -127,7 +129,7 @@ class Proof {
     }
     for (std::size_t p = 0; p < pants.size(); ++p) {
       const auto& [first, second] = pants[p].cuffs;
-      const auto tile = first.empty() ? 0 : end_of(surface, first);
+      const TileId tile = first.empty() ? TileId(0) : end_of(surface, first);
       if (first.empty() || !is_path(surface, tile, tile, first) || !is_path(surface, tile, tile, second)) {
         throw NetError("piece " + std::to_string(p) + " has no paths that are closed");
       }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "certify/base/interval.h"
-#include "netgen/base/progress.h"
+#include "netgen/base/options.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "triangulation/surface/surface.h"
 

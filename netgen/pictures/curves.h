@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "netgen/lifts/lifts.h"
-#include "netgen/pictures/draw.h"
+#include "netgen/pictures/net_pictures.h"
 
-/// Curves on the surface of a net, cut by its triangles. The functions of draw.h that make layers, for a net that is
-/// laid out already.
+/// Curves on the surface of a net, cut by its triangles. The functions of net_pictures.h that make layers, for a net
+/// that is laid out already.
 namespace epsnet {
 
 /// A segment cut by the lifted triangles that it meets.

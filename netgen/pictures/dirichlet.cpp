@@ -149,13 +149,13 @@ std::vector<Complex<double>> domain_of_vertex(const NetGeometry& geometry, const
       return dirichlet_polygon(surface, std::nullopt).vertices;
     }
     if (certify::regular_tile(net.surface) && chart.centre.x == 0 && chart.centre.y == 0)
-      return dirichlet_polygon(from_document(net.surface), BasePoint{chart.tile, {0, 0}}).vertices;
+      return dirichlet_polygon(from_document(net.surface), BasePoint{TileId(chart.tile), {0, 0}}).vertices;
   }
   const Tiles tiles(geometry);
   const Point z{Mp1024(v.x), Mp1024(v.y)};
   const Place place = tiles.locate(v.chart, chart.tile, z);
   const Point base = tiles.inside(place);
-  const BasePoint exact{place.tile, {dyadic(base.x), dyadic(base.y)}};
+  const BasePoint exact{TileId(place.tile), {dyadic(base.x), dyadic(base.y)}};
   DirichletPolygon polygon = dirichlet_polygon(from_document(net.surface), exact);
   // Both isometries lead from the chart to a disk with the vertex at 0.
   const Isometry<Mp1024> wanted = normalized(Isometry<Mp1024>::translation(-z));

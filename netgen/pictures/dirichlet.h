@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "netgen/lifts/net_geometry.h"
+#include "netgen/lifts/lifts.h"
 
 namespace epsnet {
 

@@ -1,5 +1,3 @@
-#include "netgen/pictures/draw.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,6 +9,7 @@
 #include "netgen/lifts/lifts.h"
 #include "netgen/pictures/dirichlet.h"
 #include "netgen/pictures/legend.h"
+#include "netgen/pictures/net_pictures.h"
 #include "netgen/pictures/palette.h"
 #include "netgen/pictures/svg_path.h"
 

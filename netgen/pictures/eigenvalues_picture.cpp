@@ -1,5 +1,3 @@
-#include "netgen/pictures/eigenvalues_picture.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +5,7 @@
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/pictures/legend.h"
 #include "netgen/pictures/palette.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/pictures/svg_path.h"
 #include "netgen/surfaces/surface_file.h"
 

@@ -1,5 +1,3 @@
-#include "netgen/pictures/polygon.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -7,6 +5,7 @@
 #include "kernel/lorentz.h"
 #include "netgen/pictures/legend.h"
 #include "netgen/pictures/palette.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/pictures/svg_path.h"
 
 namespace epsnet {

@@ -8,14 +8,14 @@
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
-#include "netgen/nets/domain_frame.h"
-#include "netgen/nets/net_options.h"
+#include "netgen/nets/certified_net.h"
+#include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/pictures/palette.h"
-#include "netgen/pictures/polygon.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/pictures/svg_path.h"
 #include "netgen/surfaces/surface_file.h"
 
-/// The pictures of polygon.h: what is in them.
+/// The pictures of pictures.h that show a polygon: what is in them.
 namespace epsnet {
 namespace {
 
@@ -30,7 +30,7 @@ Segment segment(const Point& from, const Point& to) { return {rounded_to_double(
 BasePoint first_vertex(const certify::NetDocument& net) {
   const certify::NetDocument::Vertex& vertex = net.vertices[0];
   const certify::NetDocument::Chart& chart = net.charts[vertex.chart];
-  return {chart.tile,
+  return {TileId(chart.tile),
           Isometry<Rational>::translation(from_gmp(chart.centre))({Rational(vertex.x), Rational(vertex.y)})};
 }
 
@@ -153,15 +153,14 @@ std::optional<std::vector<Segment>> traced(const DomainFrame& frame, Axis line) 
   return rest > tiny ? std::nullopt : std::optional(result);
 }
 
-std::uint32_t tile_of(const certify::GeodesicsDocument& document,
-                      const certify::GeodesicsDocument::ClosedGeodesic& geodesic) {
-  return document.net.charts[document.net.vertices[geodesic.vertex].chart].tile;
+TileId tile_of(const certify::GeodesicsDocument& document, const certify::GeodesicsDocument::ClosedGeodesic& geodesic) {
+  return TileId(document.net.charts[document.net.vertices[geodesic.vertex].chart].tile);
 }
 
 /// A point of the first geodesic; the surface's default if it cannot be told.
 std::optional<BasePoint> point_of_first(const Surface& surface, const certify::GeodesicsDocument& document) {
   if (document.geodesics.empty()) return std::nullopt;
-  const auto line = axis_of(isometry_of(surface, document.geodesics[0].word));
+  const auto line = axis_of(isometry_of(surface, word_of_letters(document.geodesics[0].word)));
   if (!line) return std::nullopt;
   return rounded_point(surface, tile_of(document, document.geodesics[0]), line->place);
 }
@@ -203,7 +202,8 @@ void add_geodesics(PolygonPicture& result, const Domain& domain, const certify::
           domain.frame.from_tile() *
           inverse(isometry_of(domain.surface,
                               path_between_tiles(domain.surface, domain.frame.tile(), tile_of(document, geodesic))));
-      const auto line = axis_of(normalized(way * isometry_of(domain.surface, geodesic.word) * inverse(way)));
+      const auto line =
+          axis_of(normalized(way * isometry_of(domain.surface, word_of_letters(geodesic.word)) * inverse(way)));
       const auto segments = line ? traced(domain.frame, *line) : std::nullopt;
       missing += segments ? 0 : 1;
       if (segments) curve.segments.insert(curve.segments.end(), segments->begin(), segments->end());
@@ -231,27 +231,27 @@ PolygonPicture picture_of(const DirichletPolygon& polygon) {
 
 PolygonPicture picture_of(const Surface& surface) {
   // Breadth first from tile 0, in its coordinates; the rim is what is not crossed, as in fundamental_polygon.
-  std::vector<std::optional<Isometry<Mp1024>>> place(surface.tiles().size());
-  place[0] = Isometry<Mp1024>{};
-  std::vector<std::uint32_t> rim;
-  for (std::uint32_t k = 0; k < surface.tiles()[0].size(); ++k) rim.push_back(surface.side_number(0, k));
+  ById<TileId, std::optional<Isometry<Mp1024>>> place(surface.tiles().size());
+  place[TileId(0)] = Isometry<Mp1024>{};
+  std::vector<SideId> rim;
+  for (const SideId s : surface.sides_of(TileId(0))) rim.push_back(s);
   PolygonPicture result{.title = "surface of genus " + std::to_string(surface.genus()) + ", " +
                                  std::to_string(surface.tiles().size()) +
                                  (surface.tiles().size() == 1 ? " tile" : " tiles")};
-  const auto ends_of = [&](std::uint32_t side) {
-    const std::uint32_t tile = surface.tile_of_side(side);
-    const Tile& corners = surface.tiles()[tile];
-    const std::uint32_t k = side - surface.side_number(tile, 0);
+  const auto ends_of = [&](SideId side) {
+    const TileId tile = surface.tile_of_side(side);
+    const Tile& corners = surface.tile(tile);
+    const std::uint32_t k = surface.place_in_tile(side);
     const auto corner = [&](std::uint32_t i) { return (*place[tile])(convert<Mp1024>(corners[i % corners.size()])); };
     return std::pair(corner(k), corner(k + 1));
   };
   std::vector<std::pair<Point, Point>> inner;
   for (bool grown = true; grown;) {
     grown = false;
-    std::vector<std::uint32_t> next;
-    for (const std::uint32_t side : rim) {
-      const std::uint32_t entry = surface.partner(side);
-      const std::uint32_t tile = surface.tile_of_side(entry);
+    std::vector<SideId> next;
+    for (const SideId side : rim) {
+      const SideId entry = surface.partner(side);
+      const TileId tile = surface.tile_of_side(entry);
       if (place[tile]) {
         next.push_back(side);
         continue;
@@ -259,21 +259,20 @@ PolygonPicture picture_of(const Surface& surface) {
       grown = true;
       place[tile] = normalized(*place[surface.tile_of_side(side)] * inverse(surface.crossing_as<Mp1024>(side)));
       inner.push_back(ends_of(side));
-      for (std::uint32_t s = surface.next_side(entry); s != entry; s = surface.next_side(s)) next.push_back(s);
+      for (SideId s = surface.next_side(entry); s != entry; s = surface.next_side(s)) next.push_back(s);
     }
     rim = std::move(next);
   }
   // The middle of the corners goes to 0.
   LorentzVector<Mp1024> sum;
-  for (const std::uint32_t side : rim) sum = sum + on_hyperboloid(ends_of(side).first);
+  for (const SideId side : rim) sum = sum + on_hyperboloid(ends_of(side).first);
   const Point middle = in_disk(Mp1024(1 / sqrt(Mp1024(-lorentz_product(sum, sum)))) * sum);
   const Isometry<Mp1024> to_centre = Isometry<Mp1024>::translation(-middle);
-  std::vector<std::uint32_t> number(surface.side_count());
+  ById<SideId, std::uint32_t> number(surface.side_count());
   for (std::uint32_t k = 0; k < rim.size(); ++k) number[rim[k]] = k;
-  for (const std::uint32_t side : rim) {
+  for (const SideId side : rim) {
     const auto [from, to] = ends_of(side);
-    result.sides.push_back(
-        {segment(to_centre(from), to_centre(to)), number[surface.partner(side)], std::to_string(side)});
+    result.sides.push_back({segment(to_centre(from), to_centre(to)), number[surface.partner(side)], to_string(side)});
   }
   for (const auto& [from, to] : inner) result.inner.push_back(segment(to_centre(from), to_centre(to)));
   return result;
@@ -289,8 +288,8 @@ PolygonPicture picture_of(const certify::DistanceDocument& distance) {
           std::to_string(distance.paths.size()) + " shortest paths, of length " + fixed(distance.distance.upper, 4);
     }
     const Point q = convert<Mp1024>(from_gmp(distance.point.z));
-    for (const Word& word : distance.paths) {
-      const Point lift = domain.frame.from_tile()(inverse(isometry_of(domain.surface, word))(q));
+    for (const std::vector<std::uint32_t>& letters : distance.paths) {
+      const Point lift = domain.frame.from_tile()(inverse(isometry_of(domain.surface, word_of_letters(letters)))(q));
       end.places.push_back(rounded_to_double(lift));
       paths.segments.push_back(segment({}, lift));
     }

@@ -1,5 +1,3 @@
-#include "netgen/pictures/viewer.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -8,12 +6,13 @@
 #include <string_view>
 #include <utility>
 
-#include "certify/base/decimals.h"
+#include "certify/base/interval.h"
 #include "certify/base/text.h"
 #include "certify/net/darts.h"
 #include "kernel/numbers.h"
 #include "netgen/lifts/lifts.h"
 #include "netgen/pictures/curves.h"
+#include "netgen/pictures/net_pictures.h"
 #include "netgen/pictures/palette.h"
 #include "netgen/pictures/viewer_page.h"
 

@@ -18,7 +18,7 @@
 #include "netgen/lifts/info.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/curves.h"
-#include "netgen/pictures/polygon.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
 #include "triangulation/mesh/triangulation.h"

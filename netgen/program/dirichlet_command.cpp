@@ -4,7 +4,7 @@
 
 #include "netgen/lifts/info.h"
 #include "netgen/nets/dirichlet_polygon.h"
-#include "netgen/pictures/polygon.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"

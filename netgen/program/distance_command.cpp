@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "certify/base/decimals.h"
+#include "certify/base/interval.h"
 #include "certify/check.h"
 #include "certify/file/writer.h"
 #include "netgen/base/gmp.h"
-#include "netgen/distances/distance.h"
-#include "netgen/pictures/polygon.h"
+#include "netgen/distances/distances.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
@@ -67,7 +67,7 @@ Report distance_report(const certify::DistanceDocument& document) {
   }
   report.text += '\n';
   report.json["paths"] = Json::array();
-  for (const Word& word : document.paths) {
+  for (const std::vector<std::uint32_t>& word : document.paths) {
     report.text += "word:";
     for (const std::uint32_t side : word) report.text.append(" ").append(std::to_string(side));
     report.text += '\n';

@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "certify/base/decimals.h"
+#include "certify/base/interval.h"
 #include "certify/check.h"
 #include "netgen/base/progress_line.h"
-#include "netgen/distances/vertex_distances.h"
-#include "netgen/lifts/net_geometry.h"
+#include "netgen/distances/distances.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"

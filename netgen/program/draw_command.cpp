@@ -6,11 +6,10 @@
 #include <variant>
 #include <vector>
 
-#include "netgen/distances/vertex_distances.h"
-#include "netgen/lifts/net_geometry.h"
-#include "netgen/pictures/draw.h"
-#include "netgen/pictures/eigenvalues_picture.h"
-#include "netgen/pictures/polygon.h"
+#include "netgen/distances/distances.h"
+#include "netgen/lifts/lifts.h"
+#include "netgen/pictures/net_pictures.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"

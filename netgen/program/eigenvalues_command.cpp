@@ -10,7 +10,7 @@
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/eigenvalues/eigenvalues.h"
-#include "netgen/pictures/eigenvalues_picture.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"

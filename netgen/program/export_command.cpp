@@ -6,13 +6,13 @@
 #include <variant>
 
 #include "certify/claims.h"
-#include "netgen/distances/vertex_distances.h"
+#include "netgen/distances/distances.h"
 #include "netgen/exchange/exchange.h"
-#include "netgen/lifts/net_geometry.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
-#include "netgen/surfaces/matrices.h"
+#include "netgen/surfaces/group.h"
 
 namespace epsnet::program {
 namespace {

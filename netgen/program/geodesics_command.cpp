@@ -9,7 +9,7 @@
 #include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/geodesics/geodesics.h"
-#include "netgen/pictures/polygon.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"

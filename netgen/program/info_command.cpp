@@ -5,7 +5,7 @@
 
 #include "certify/claims.h"
 #include "netgen/lifts/info.h"
-#include "netgen/lifts/net_geometry.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"

@@ -127,7 +127,7 @@ Word parse_word(const std::string& name, const std::string& text) {
       throw JobError(name + ": expected numbers of sides, as in 0 3 5, not " +
                      certify::in_quotes(text.substr(begin, end - begin)));
     }
-    result.push_back(side);
+    result.emplace_back(side);
     begin = text.find_first_not_of(kSeparators, end);
   }
   return result;

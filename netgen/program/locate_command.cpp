@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "netgen/lifts/locate.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
@@ -47,7 +47,7 @@ Report location_report(const std::string& point, const PointLocation& location, 
   text << "weights:";
   for (const double weight : location.weights) text << ' ' << weight;
   text << "\nword:";
-  for (const std::uint32_t side : location.word) text << ' ' << side;
+  for (const SideId side : location.word) text << ' ' << side.number();
   text << '\n';
   return {text.str(), Json::object({{"point", point},
                                     {"triangle", location.triangle},

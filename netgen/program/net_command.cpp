@@ -18,7 +18,7 @@
 #include "netgen/nets/bounds.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/net_record.h"
-#include "netgen/pictures/draw.h"
+#include "netgen/pictures/net_pictures.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"

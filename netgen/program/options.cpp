@@ -9,8 +9,8 @@
 
 #include "certify/file/reader.h"
 #include "netgen/base/gmp.h"
-#include "netgen/distances/distance.h"
-#include "netgen/lifts/net_geometry.h"
+#include "netgen/distances/distances.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/output.h"
 #include "triangulation/surface/points.h"
@@ -125,12 +125,12 @@ BasePoint coordinates(const std::string& text, const Surface& surface, const std
   const std::size_t first = std::min(text.find(','), text.size());
   const std::string tile = text.substr(0, first);
   const bool digits = !tile.empty() && tile.size() <= 9 && tile.find_first_not_of("0123456789") == std::string::npos;
-  if (digits && first == text.size()) return centre_of_tile(surface, static_cast<std::uint32_t>(std::stoul(tile)));
+  if (digits && first == text.size()) return centre_of_tile(surface, TileId(std::stoul(tile)));
   const std::size_t second = text.find(',', first + 1);
   if (digits && second != std::string::npos) {
     const auto x = parse_decimal(with_leading_zero(text.substr(first + 1, second - first - 1)));
     const auto y = parse_decimal(with_leading_zero(text.substr(second + 1)));
-    if (x && y) return {static_cast<std::uint32_t>(std::stoul(tile)), {*x, *y}};
+    if (x && y) return {TileId(std::stoul(tile)), {*x, *y}};
   }
   throw UsageError(name + ": expected a tile and a point of it, as in 0,1/10,-0.25, or a tile alone, not \"" +
                    text.substr(0, 80) + "\"");
@@ -143,7 +143,7 @@ BasePoint parse_base(const std::string& text, const Surface& surface, const std:
     const BasePoint point = coordinates(text, surface, name);
     BasePoint result = in_its_tile(surface, point);
     if (result.tile != point.tile || result.z != point.z) {
-      std::cerr << name << ": outside of tile " << point.tile << "; the same point in its own tile is "
+      std::cerr << name << ": outside of tile " << to_string(point.tile) << "; the same point in its own tile is "
                 << point_text(result) << '\n';
     }
     return result;
@@ -153,7 +153,7 @@ BasePoint parse_base(const std::string& text, const Surface& surface, const std:
 }
 
 std::string point_text(const BasePoint& point) {
-  return std::to_string(point.tile) + ',' + point.z.x.str() + ',' + point.z.y.str();
+  return to_string(point.tile) + ',' + point.z.x.str() + ',' + point.z.y.str();
 }
 
 Json point_json(const BasePoint& point) {

@@ -23,6 +23,8 @@ std::string word_text(const std::vector<std::uint32_t>& word) {
   return result;
 }
 
+std::string word_text(const Word& word) { return word_text(letters_of(word)); }
+
 void write_stdout(const std::function<void(std::ostream&)>& write) {
   write(std::cout);
   std::cout.flush();

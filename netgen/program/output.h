@@ -12,6 +12,7 @@
 #include "netgen/base/atomic_file.h"
 #include "netgen/base/json_text.h"
 #include "triangulation/surface/error.h"
+#include "triangulation/surface/surface.h"
 
 /// What the commands of the program share: files out, reports, progress, errors.
 namespace epsnet::program {
@@ -42,6 +43,7 @@ void write_stdout(const std::function<void(std::ostream&)>& write);
 
 /// A word in a report: its side numbers, with spaces between them.
 [[nodiscard]] std::string word_text(const std::vector<std::uint32_t>& word);
+[[nodiscard]] std::string word_text(const Word& word);
 
 /// What a command writes to a file.
 enum class FileType { json, compact, text, svg, png, html, off, vtu, npy, msh };

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "certify/check.h"
-#include "netgen/distances/vertex_distances.h"
-#include "netgen/lifts/net_geometry.h"
-#include "netgen/pictures/viewer.h"
+#include "netgen/distances/distances.h"
+#include "netgen/lifts/lifts.h"
+#include "netgen/pictures/net_pictures.h"
 #include "netgen/program/commands.h"
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"

@@ -1,5 +1,3 @@
-#include "netgen/surfaces/cover.h"
-
 #include <algorithm>
 #include <array>
 #include <boost/random/mersenne_twister.hpp>
@@ -10,6 +8,7 @@
 
 #include "certify/file/json.h"
 #include "netgen/surfaces/group.h"
+#include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/one_relator.h"
 
 namespace epsnet {
@@ -273,14 +272,14 @@ Surface cover(const Surface& base, const std::vector<Permutation>& permutations)
                      std::to_string(degree) + " sheets");
   }
   const auto tiles = static_cast<std::uint32_t>(base.tiles().size());
-  std::vector<std::uint32_t> side_of_polygon(base.side_count(), base.side_count());
+  ById<SideId, std::uint32_t> side_of_polygon(base.side_count(), base.side_count());
   for (std::uint32_t k = 0; k < polygon.side.size(); ++k) side_of_polygon[polygon.side[k]] = k;
   std::vector<Tile> copies;
   std::vector<Gluing> gluing;
   for (std::uint32_t sheet = 0; sheet < degree; ++sheet) {
     if (!base.is_regular()) copies.insert(copies.end(), base.tiles().begin(), base.tiles().end());
     for (const Gluing& g : base.gluing()) {
-      const std::uint32_t k = side_of_polygon[base.side_number(g.tile, g.side)];
+      const std::uint32_t k = side_of_polygon[base.side_number(TileId(g.tile), g.side)];
       const std::uint32_t other = k < across.size() ? across[k][sheet] : sheet;
       gluing.push_back({sheet * tiles + g.tile, g.side, other * tiles + g.other_tile, g.other_side});
     }

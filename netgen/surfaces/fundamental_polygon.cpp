@@ -10,19 +10,19 @@ namespace {
 
 /// A tree of the tiles, with tile 0 as its root.
 struct Tree {
-  std::vector<Word> path;        ///< By tile: the path from tile 0 to it.
-  std::list<std::uint32_t> rim;  ///< The sides that the tree does not cross, counterclockwise around all tiles.
+  ById<TileId, Word> path;  ///< The path from tile 0 to a tile.
+  std::list<SideId> rim;    ///< The sides that the tree does not cross, counterclockwise around all tiles.
 
   explicit Tree(const Surface& surface) : path(surface.tiles().size()) {
-    std::vector<bool> reached(path.size());
-    reached[0] = true;
-    for (std::uint32_t k = 0; k < surface.tiles()[0].size(); ++k) rim.push_back(surface.side_number(0, k));
+    ById<TileId, bool> reached(path.size());
+    reached[TileId(0)] = true;
+    for (const SideId s : surface.sides_of(TileId(0))) rim.push_back(s);
     // Breadth first: the sides added in one round are visited in the next.
     for (bool grown = true; grown;) {
       grown = false;
       for (auto place = rim.begin(); place != rim.end();) {
-        const std::uint32_t entry = surface.partner(*place);
-        const std::uint32_t tile = surface.tile_of_side(entry);
+        const SideId entry = surface.partner(*place);
+        const TileId tile = surface.tile_of_side(entry);
         if (reached[tile]) {
           ++place;
           continue;
@@ -30,7 +30,7 @@ struct Tree {
         reached[tile] = grown = true;
         path[tile] = path[surface.tile_of_side(*place)];
         path[tile].push_back(*place);
-        for (std::uint32_t s = surface.next_side(entry); s != entry; s = surface.next_side(s)) rim.insert(place, s);
+        for (SideId s = surface.next_side(entry); s != entry; s = surface.next_side(s)) rim.insert(place, s);
         place = rim.erase(place);
       }
     }
@@ -48,9 +48,9 @@ Complex<Rational> rounded_from(const Surface& surface, const Word& path, const C
 }
 
 /// Removes pairs of neighbouring sides that are glued to each other.
-std::vector<std::uint32_t> without_folds(const Surface& surface, const std::list<std::uint32_t>& rim) {
-  std::vector<std::uint32_t> sides;
-  for (const std::uint32_t s : rim) {
+std::vector<SideId> without_folds(const Surface& surface, const std::list<SideId>& rim) {
+  std::vector<SideId> sides;
+  for (const SideId s : rim) {
     if (!sides.empty() && surface.partner(sides.back()) == s) {
       sides.pop_back();
     } else {
@@ -70,9 +70,9 @@ PolygonSides polygon_sides(const Surface& surface, const Tree& tree) {
   PolygonSides result;
   result.side = without_folds(surface, tree.rim);
   const auto count = static_cast<std::uint32_t>(result.side.size());
-  std::vector<std::uint32_t> place(surface.side_count());
+  ById<SideId, std::uint32_t> place(surface.side_count());
   for (std::uint32_t k = 0; k < count; ++k) place[result.side[k]] = k;
-  for (const std::uint32_t s : result.side) result.partner.push_back(place[surface.partner(s)]);
+  for (const SideId s : result.side) result.partner.push_back(place[surface.partner(s)]);
   std::vector<bool> visited(count);
   for (std::uint32_t k = 0; k < count; ++k) {
     if (visited[k]) continue;
@@ -89,18 +89,18 @@ PolygonSides polygon_sides(const Surface& surface, const Tree& tree) {
 
 PolygonSides polygon_sides(const Surface& surface) { return polygon_sides(surface, Tree(surface)); }
 
-std::vector<Word> polygon_paths(const Surface& surface) { return Tree(surface).path; }
+ById<TileId, Word> polygon_paths(const Surface& surface) { return Tree(surface).path; }
 
 FundamentalPolygon fundamental_polygon(const Surface& surface) {
   const Tree tree(surface);
   PolygonSides polygon = polygon_sides(surface, tree);
   FundamentalPolygon result;
-  std::optional<std::uint32_t> tile;
+  std::optional<TileId> tile;
   Isometry<Rational> to_root;
   for (std::size_t k = 0; k < polygon.side.size(); ++k) {
-    const std::uint32_t s = polygon.side[k];
-    const std::uint32_t here = surface.tile_of_side(s);
-    const std::uint32_t there = surface.partner(s);
+    const SideId s = polygon.side[k];
+    const TileId here = surface.tile_of_side(s);
+    const SideId there = surface.partner(s);
     const Word& way = tree.path[surface.tile_of_side(there)];
     // The path leads from tile 0 to the tile beyond, back across the side, and back to tile 0.
     Word word = way;
@@ -108,7 +108,7 @@ FundamentalPolygon fundamental_polygon(const Surface& surface) {
     const Word home = reversed(surface, tree.path[here]);
     word.insert(word.end(), home.begin(), home.end());
     result.sides.push_back({std::move(word), polygon.partner[k], s});
-    const Complex<Rational>& corner = surface.tiles()[here][s - surface.side_number(here, 0)];
+    const Complex<Rational>& corner = surface.tile(here)[surface.place_in_tile(s)];
     if (surface.is_regular()) {
       result.vertices.push_back(rounded_from(surface, tree.path[here], corner));
       continue;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "kernel/isometry.h"
@@ -8,7 +10,7 @@
 #include "triangulation/surface/surface.h"
 
 /// The group of a surface: words as isometries, exactly and enclosed to any precision; the fundamental polygon, whose
-/// side pairings generate it.
+/// side pairings generate it; surfaces from matrices that generate their groups, and the matrices of a surface.
 namespace epsnet {
 
 /// An interval with rational ends that contains a number.
@@ -42,7 +44,7 @@ inline constexpr unsigned kMostEnclosureBits = 1U << 20;
 
 /// The sides of a fundamental polygon, without coordinates. O(sides) but for the words of paths.
 struct PolygonSides {
-  std::vector<std::uint32_t> side;     ///< By side of the polygon, counterclockwise: its number on the surface.
+  std::vector<SideId> side;            ///< By side of the polygon, counterclockwise: its number on the surface.
   std::vector<std::uint32_t> partner;  ///< By side of the polygon: the one that it is glued to.
   std::vector<std::vector<std::uint32_t>> relations;  ///< As in FundamentalPolygon.
 };
@@ -51,7 +53,7 @@ struct PolygonSides {
 [[nodiscard]] PolygonSides polygon_sides(const Surface& surface);
 
 /// Returns by tile the path from tile 0 to it along the tree of fundamental_polygon(surface).
-[[nodiscard]] std::vector<Word> polygon_paths(const Surface& surface);
+[[nodiscard]] ById<TileId, Word> polygon_paths(const Surface& surface);
 
 /// A fundamental polygon of a surface: its tiles, laid out around tile 0 in the coordinates of tile 0. Each tile is
 /// placed next to an earlier one, along a tree of crossed sides. For a surface of one tile it is that tile.
@@ -64,7 +66,7 @@ struct FundamentalPolygon {
   struct Side {
     Word word;
     std::uint32_t partner;  ///< The side to which γ⁻¹ takes this one, end to start.
-    std::uint32_t side;     ///< The number of this side on the surface.
+    SideId side;            ///< The number of this side on the surface.
   };
   std::vector<Side> sides;
   /// vertices[k] is the start of side k. Exact; for a regular surface rounded to 256 bits.
@@ -78,5 +80,74 @@ struct FundamentalPolygon {
 /// paired with each other are removed, as the vertex between them is an interior point. Time and size are those of the
 /// exact coordinates, whose digits grow with the distance of a tile from tile 0.
 [[nodiscard]] FundamentalPolygon fundamental_polygon(const Surface& surface);
+
+// Matrices that generate the group. docs/matrices.md says how and why.
+
+/// Matrices of which no surface is made; what() says why, with the word of the element that shows it.
+class MatricesError : public SurfaceError {
+ public:
+  enum class Kind {
+    text,         ///< The text violates the format, or a matrix has no positive determinant.
+    relation,     ///< The relation does not hold.
+    torsion,      ///< An element other than 1 has a fixed point in the plane.
+    not_compact,  ///< The group is not cocompact: it has a parabolic element, or the domain has infinite area.
+    not_discrete,
+    undecided  ///< No domain was found within the limits.
+  };
+  MatricesError(Kind kind, const std::string& message) : SurfaceError(message), kind_(kind) {}
+  [[nodiscard]] Kind kind() const { return kind_; }
+
+ private:
+  Kind kind_;
+};
+
+/// The groups to which matrices belong.
+enum class MatrixModel {
+  sl2r,  ///< ((a, b), (c, d)), real, acting on the upper half-plane by z ↦ (az + b)/(cz + d).
+  su11   ///< ((a, b), (b̄, ā)), acting on the Poincaré disk in the same way.
+};
+
+/// Matrices, up to scale, and perhaps a relation between them.
+struct MatrixGenerators {
+  MatrixModel model = MatrixModel::sl2r;
+  /// As isometries of the disk; w = (z − i)/(z + i) takes the half-plane to it. Not scaled to determinant 1.
+  std::vector<Isometry<Rational>> generators;
+  /// k + 1 is generator k, −(k + 1) its inverse; their product in this order is 1. Empty, if none was given.
+  std::vector<std::int32_t> relation;
+  /// The significant digits of the number that has the fewest of them, if there are decimals: the numbers are rounded.
+  std::optional<unsigned> digits;
+};
+
+/// Reads matrices: JSON, or plain text with a matrix in each line (docs/exchange-formats.md). Throws MatricesError.
+[[nodiscard]] MatrixGenerators parse_matrices(const std::string& text);
+
+/// A surface and how its group is related to some matrices.
+struct MatrixSurface {
+  Surface surface;
+  /// By generator: its word on the surface, from tile 0 to itself (exact_isometry). In the coordinates of tile 0 the
+  /// group of the surface is the one that the matrices generate, if `is_exact`.
+  std::vector<Word> words;
+  /// Whether the group is exactly that of the matrices.
+  bool is_exact = true;
+  /// The largest difference between an entry of a given matrix, scaled to determinant 1, and of the matrix that the
+  /// surface has for it, rounded. 0 if `is_exact`.
+  double distance = 0;
+};
+
+/// Returns the surface of which the group is generated by matrices. Its tiles are the Delaunay triangles of the orbit
+/// of one rational point, dual to the Dirichlet domain; the surface is proved by the constructor of Surface, and that
+/// the groups are equal by exact products. If some numbers are decimals and the relations of the domain do not hold
+/// exactly, it is a rational surface nearest to the matrices: the sum of the squares of all differences of entries is
+/// the least possible one, but for 2⁻⁵⁰.
+///
+/// Throws MatricesError, LimitError for products of too many bits. Elements that prove torsion, parabolic ones and
+/// those that violate Jørgensen's inequality are decided exactly, unless numbers are rounded. Cubic in the genus.
+[[nodiscard]] MatrixSurface surface_of_matrices(const MatrixGenerators& matrices);
+
+/// Returns matrices that generate the group of a surface in the coordinates of tile 0, those of the sides k of
+/// fundamental_polygon with k < partner, and a relation that holds between them and implies all others; as a text that
+/// parse_matrices reads, with the words of the generators. Exactly, up to scale, and rounded to determinant 1; for
+/// regular tiles rounded to 50 digits alone. Throws SurfaceError if the polygon has more than one relation.
+[[nodiscard]] std::string write_matrices(const Surface& surface, MatrixModel model = MatrixModel::sl2r);
 
 }  // namespace epsnet

@@ -1,5 +1,3 @@
-#include "netgen/surfaces/matrices.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,7 +18,7 @@ namespace epsnet {
 namespace {
 
 using certify::ExactIsometry;
-using Id = MatrixProducts::Id;
+using ElementId = MatrixProducts::Id;
 using Kind = MatricesError::Kind;
 using Numeric = Isometry<Mp256>;
 
@@ -80,14 +78,14 @@ class Examiner {
       : products_(products), exact_(exact), tolerance_(tolerance) {}
 
   /// Throws MatricesError if an element shows that the group is none of a closed surface.
-  void operator()(Id x) const {
+  void operator()(ElementId x) const {
     const auto value = convert<Mp256>(products_.value(x));
     const Mp256 half_trace = abs(value.a.x);
     if (exact_ ? half_trace < 1 + 1e-9 : half_trace <= 1 + tolerance_) exact_ ? elliptic(x) : maybe_elliptic(x);
     if (half_trace < kJorgensen) jorgensen(x);
   }
 
-  [[nodiscard]] std::string name(Id x) const {
+  [[nodiscard]] std::string name(ElementId x) const {
     constexpr std::size_t kMostLetters = 200;
     if (const auto letters = products_.letters(x, kMostLetters)) {
       return "the element " + word_name(*letters, products_.generators());
@@ -96,7 +94,7 @@ class Examiner {
   }
 
   /// Throws for an element that fixes a point of the plane or of the circle.
-  [[noreturn]] void fixes(Id x, Kind kind, const std::string& what) const {
+  [[noreturn]] void fixes(ElementId x, Kind kind, const std::string& what) const {
     if (exact_) elliptic(x);
     throw MatricesError(kind, name(x) + " " + what + by_digits());
   }
@@ -106,7 +104,7 @@ class Examiner {
  private:
   static constexpr double kJorgensen = 1.118;  // |tr² − 4| < 1.
 
-  void elliptic(Id x) const {
+  void elliptic(ElementId x) const {
     const ExactIsometry f = products_.exact(x);
     const int sign = sgn(mpz_class(certify::norm(f.b) - f.a.im * f.a.im));
     if (sign > 0 || certify::is_identity(f)) return;
@@ -122,7 +120,7 @@ class Examiner {
                                                 decimal(sqrt(Mp256(from_gmp(squared_trace(f))))) + ")");
   }
 
-  void maybe_elliptic(Id x) const {
+  void maybe_elliptic(ElementId x) const {
     const Mp256 half_trace = abs(convert<Mp256>(products_.value(x)).a.x);
     if (half_trace < 1 - tolerance_) {
       throw MatricesError(Kind::torsion, name(x) + " is elliptic, with the trace ±" + decimal(2 * half_trace) +
@@ -135,9 +133,9 @@ class Examiner {
   /// T. Jørgensen (On discrete groups of Möbius transformations, Amer. J. Math. 98, 1976): if |tr² f − 4| +
   /// |tr [f, g] − 2| < 1, then f and g do not generate a discrete group, unless it is elementary. Two hyperbolic
   /// elements without a common fixed point, tr [f, g] ≠ 2, generate no elementary one.
-  void jorgensen(Id x) const {
+  void jorgensen(ElementId x) const {
     const Numeric f = convert<Mp256>(products_.value(x));
-    for (Id y = 1; y <= static_cast<Id>(products_.generators()); ++y) {
+    for (ElementId y = 1; y <= static_cast<ElementId>(products_.generators()); ++y) {
       const Numeric g = convert<Mp256>(products_.value(y));
       const Mp256 commutator = 2 * (f * g * inverse(f) * inverse(g)).a.x;
       const Mp256 sum = abs(Mp256(4 * f.a.x * f.a.x - 4)) + abs(Mp256(commutator - 2));
@@ -255,8 +253,8 @@ Surface surface_of_darts(const Darts& darts, const Tiling& tiling, const std::ve
 /// it, and around fᵢp.
 Word path_of_dart(const Darts& darts, const Tiling& tiling, std::uint32_t i) {
   Word result;
-  for (std::uint32_t h = 1; h <= i; ++h) result.push_back(tiling.side[darts.partner[h]]);
-  for (std::uint32_t h = darts.next(i); h > 0; --h) result.push_back(tiling.side[h]);
+  for (std::uint32_t h = 1; h <= i; ++h) result.emplace_back(tiling.side[darts.partner[h]]);
+  for (std::uint32_t h = darts.next(i); h > 0; --h) result.emplace_back(tiling.side[h]);
   return result;
 }
 
@@ -354,7 +352,7 @@ class Maker {
   /// By generator: a product of darts.
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> factors(const DirichletSearch& search) const {
     std::vector<std::vector<std::uint32_t>> result;
-    for (Id k = 1; k <= static_cast<Id>(generators_.size()); ++k) {
+    for (ElementId k = 1; k <= static_cast<ElementId>(generators_.size()); ++k) {
       auto some = search.factors(k);
       if (!some) {
         throw MatricesError(Kind::undecided, "could not decide: generator " + std::to_string(k) +
@@ -369,7 +367,7 @@ class Maker {
   MatrixSurface exact_surface(MatrixProducts& products, const DirichletSearch& search, const Complex<Rational>& base) {
     const Darts darts{search.partner()};
     std::vector<ExactIsometry> elements;
-    for (const Id id : search.sides()) elements.push_back(products.exact(id));
+    for (const ElementId id : search.sides()) elements.push_back(products.exact(id));
     for (std::uint32_t i = 0; i < darts.count(); ++i) {
       if (same_isometry(certify::compose(elements[i], elements[darts.next(i)]), elements[darts.after(i)])) continue;
       throw MatricesError(Kind::relation,

@@ -10,7 +10,6 @@
 #include "netgen/base/gmp.h"
 #include "netgen/base/json_text.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/matrices.h"
 #include "netgen/surfaces/one_relator.h"
 #include "triangulation/surface/exact_points.h"
 
@@ -255,7 +254,7 @@ std::string write_matrices(const Surface& surface, MatrixModel model) {
       Isometry<Mp1024> f;
       if (surface.is_regular()) {
         f = {{Mp1024(1), Mp1024(0)}, {Mp1024(0), Mp1024(0)}};
-        for (const std::uint32_t s : word) f = surface.crossing_as<Mp1024>(s) * f;
+        for (const SideId s : word) f = surface.crossing_as<Mp1024>(s) * f;
         f = normalized(f);
       } else {
         const Isometry<Rational> isometry = exact_isometry(surface, word);

@@ -1,5 +1,3 @@
-#include "netgen/surfaces/named_maps.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -8,6 +6,7 @@
 #include <utility>
 
 #include "certify/file/json.h"
+#include "netgen/surfaces/maps_and_covers.h"
 
 namespace epsnet {
 namespace {

@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "certify/net/document.h"
-#include "netgen/base/atomic_file.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet {

@@ -12,13 +12,12 @@ namespace {
 
 void require_path(const Surface& surface, const Word& word) {
   for (std::size_t i = 0; i < word.size(); ++i) {
-    const std::string name = "letter " + std::to_string(i) + " of the word is side " + std::to_string(word[i]);
-    if (word[i] >= surface.side_count()) {
+    const std::string name = "letter " + std::to_string(i) + " of the word is side " + to_string(word[i]);
+    if (word[i].number() >= surface.side_count()) {
       throw SurfaceError(name + ", the surface has " + std::to_string(surface.side_count()) + " sides");
     }
     if (i > 0 && surface.tile_of_side(word[i]) != surface.tile_of_side(surface.partner(word[i - 1]))) {
-      throw SurfaceError(name + ", no side of tile " +
-                         std::to_string(surface.tile_of_side(surface.partner(word[i - 1]))) +
+      throw SurfaceError(name + ", no side of tile " + to_string(surface.tile_of_side(surface.partner(word[i - 1]))) +
                          ", where the letters before it lead");
     }
   }
@@ -45,7 +44,8 @@ certify::BallIsometry regular_product(const Surface& surface, const Word& word, 
       0, word.size(),
       [&](std::size_t i) {
         const auto [p, q] = *surface.regular_tile();
-        return certify::regular_crossing({p, q}, word[i] % p, surface.partner(word[i]) % p, precision);
+        return certify::regular_crossing({p, q}, surface.place_in_tile(word[i]),
+                                         surface.place_in_tile(surface.partner(word[i])), precision);
       },
       [&](const certify::BallIsometry& f, const certify::BallIsometry& g) {
         return certify::compose(f, g, precision);

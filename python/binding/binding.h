@@ -13,6 +13,7 @@
 #include "certify/net/document.h"
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
+#include "triangulation/surface/id.h"
 #include "triangulation/surface/surface.h"
 
 /// The extension module `_epsnet`: classes and functions of the public headers, under names of their own. The package
@@ -43,11 +44,26 @@ struct type_caster<epsnet::Complex<epsnet::Rational>> {
   }
 };
 
+/// Numbers of something are ints.
+template <class Kind>
+struct type_caster<epsnet::Id<Kind>> {
+  PYBIND11_TYPE_CASTER(epsnet::Id<Kind>, const_name("int"));
+  bool load(handle source, bool convert) {
+    make_caster<std::uint32_t> number;
+    if (!number.load(source, convert)) return false;
+    value = epsnet::Id<Kind>(cast_op<std::uint32_t>(number));
+    return true;
+  }
+  static handle cast(epsnet::Id<Kind> id, return_value_policy policy, handle parent) {
+    return make_caster<std::uint32_t>::cast(id.number(), policy, parent);
+  }
+};
+
 /// Points of surfaces: (tile, (x, y)).
 template <>
 struct type_caster<epsnet::BasePoint> {
   PYBIND11_TYPE_CASTER(epsnet::BasePoint, const_name("tuple[int, tuple[fractions.Fraction, fractions.Fraction]]"));
-  using Pair = std::pair<std::uint32_t, epsnet::Complex<epsnet::Rational>>;
+  using Pair = std::pair<epsnet::TileId, epsnet::Complex<epsnet::Rational>>;
   bool load(handle source, bool convert) {
     make_caster<Pair> pair;
     if (!pair.load(source, convert)) return false;

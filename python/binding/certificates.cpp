@@ -1,4 +1,4 @@
-#include "certify/base/decimals.h"
+#include "certify/base/interval.h"
 #include "certify/verdict/report.h"
 #include "python/binding/binding.h"
 

@@ -1,3 +1,5 @@
+#include "netgen/distances/distances.h"
+
 #include <algorithm>
 #include <iterator>
 #include <stdexcept>
@@ -5,10 +7,7 @@
 #include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "netgen/distances/bound.h"
-#include "netgen/distances/distance.h"
 #include "netgen/nets/dirichlet_polygon.h"
-#include "netgen/nets/domain_frame.h"
 #include "python/binding/documents.h"
 #include "python/binding/nets.h"
 
@@ -21,7 +20,7 @@ using SharedDistance = Shared<DistanceDocument>;
 using SharedBound = Shared<BoundDocument>;
 
 BasePoint point_of(const certify::RationalPoint& z, std::uint32_t tile) {
-  return {tile, {Rational(z.x.get_mpq_t()), Rational(z.y.get_mpq_t())}};
+  return {TileId(tile), {Rational(z.x.get_mpq_t()), Rational(z.y.get_mpq_t())}};
 }
 
 /// The claims, by the names that files give them.

@@ -6,7 +6,7 @@
 
 #include "certify/net/document.h"
 #include "certify/verdict/report.h"
-#include "netgen/pictures/draw.h"
+#include "netgen/pictures/net_pictures.h"
 #include "python/binding/binding.h"
 #include "python/binding/job.h"
 

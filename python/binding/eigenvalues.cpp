@@ -3,7 +3,7 @@
 #include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "netgen/pictures/eigenvalues_picture.h"
+#include "netgen/pictures/pictures.h"
 #include "python/binding/documents.h"
 #include "python/binding/nets.h"
 

@@ -3,10 +3,9 @@
 
 #include "certify/base/fault.h"
 #include "certify/file/reader.h"
-#include "netgen/base/atomic_file.h"
 #include "netgen/exchange/exchange.h"
-#include "netgen/lifts/net_geometry.h"
-#include "netgen/nets/net_options.h"
+#include "netgen/lifts/lifts.h"
+#include "netgen/nets/certified_net.h"
 #include "netgen/pants/pants.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "python/binding/binding.h"

@@ -2,7 +2,7 @@
 
 #include "certify/check.h"
 #include "certify/file/reader.h"
-#include "netgen/base/length.h"
+#include "netgen/base/options.h"
 #include "python/binding/documents.h"
 
 namespace epsnet::python {

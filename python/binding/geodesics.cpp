@@ -67,7 +67,8 @@ void bind_geodesics(py::module_& module) {
       .def_property_readonly(
           "geodesics",
           [](const SharedGeodesics& self) {
-            std::vector<std::tuple<std::uint32_t, std::uint32_t, Word, certify::Interval, bool>> result;
+            std::vector<std::tuple<std::uint32_t, std::uint32_t, std::vector<std::uint32_t>, certify::Interval, bool>>
+                result;
             for (const GeodesicsDocument::ClosedGeodesic& g : self->geodesics) {
               result.emplace_back(g.vertex, self->net.charts[self->net.vertices[g.vertex].chart].tile, g.word, g.length,
                                   g.simple);

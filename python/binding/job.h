@@ -14,8 +14,8 @@
 #include <utility>
 #include <variant>
 
-#include "netgen/base/progress.h"
-#include "netgen/pictures/polygon.h"
+#include "netgen/base/options.h"
+#include "netgen/pictures/pictures.h"
 #include "python/binding/binding.h"
 
 /// Computations that Python waits for, and that it can stop waiting for.

@@ -9,16 +9,12 @@
 #include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
-#include "netgen/distances/distance.h"
-#include "netgen/distances/vertex_distances.h"
+#include "netgen/distances/distances.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/info.h"
 #include "netgen/lifts/lifts.h"
-#include "netgen/lifts/locate.h"
-#include "netgen/lifts/net_geometry.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/pictures/draw.h"
-#include "netgen/pictures/viewer.h"
+#include "netgen/pictures/net_pictures.h"
 #include "netgen/surfaces/surface_file.h"
 
 namespace epsnet::python {
@@ -357,13 +353,13 @@ void bind_nets(py::module_& module) {
             std::vector<BasePoint> charts;
             for (const NetDocument::Chart& chart : self->charts) {
               charts.push_back(
-                  {chart.tile, {Rational(chart.centre.x.get_mpq_t()), Rational(chart.centre.y.get_mpq_t())}});
+                  {TileId(chart.tile), {Rational(chart.centre.x.get_mpq_t()), Rational(chart.centre.y.get_mpq_t())}});
             }
             return charts;
           })
       .def_property_readonly("labels",
                              [](const SharedNet& self) {
-                               std::vector<std::tuple<std::uint32_t, std::uint32_t, Word>> labels;
+                               std::vector<std::tuple<std::uint32_t, std::uint32_t, std::vector<std::uint32_t>>> labels;
                                for (const NetDocument::Label& label : self->labels) {
                                  labels.emplace_back(label.from, label.to, label.word);
                                }
@@ -372,7 +368,8 @@ void bind_nets(py::module_& module) {
       .def_property_readonly(
           "collars",
           [](const SharedNet& self) {
-            using Row = std::tuple<Word, certify::Interval, std::array<std::uint32_t, 2>, std::array<std::uint32_t, 2>>;
+            using Row = std::tuple<std::vector<std::uint32_t>, certify::Interval, std::array<std::uint32_t, 2>,
+                                   std::array<std::uint32_t, 2>>;
             std::optional<std::vector<Row>> collars;
             if (!self->collars) return collars;
             collars.emplace();

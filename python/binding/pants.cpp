@@ -1,6 +1,5 @@
 #include "netgen/pants/pants.h"
 
-#include "netgen/pants/dehn_twist.h"
 #include "python/binding/binding.h"
 #include "python/binding/job.h"
 
@@ -27,7 +26,7 @@ void bind_pants(py::module_& module) {
     return interruptible([=] { return dehn_twisted(surface, curve, power); });
   });
   module.def("dehn_twist_words", [](const Surface& surface, const Word& curve, std::int32_t power) {
-    return interruptible([=] { return dehn_twist_words(surface, curve, power); });
+    return interruptible([=] { return std::vector<Word>(dehn_twist_words(surface, curve, power)); });
   });
   module.def("twist", [](const Surface& surface, const Word& curve, const Rational& by) {
     return interruptible([=] { return twisted(surface, curve, by); });

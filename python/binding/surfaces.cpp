@@ -3,12 +3,10 @@
 #include "netgen/exchange/exchange.h"
 #include "netgen/lifts/info.h"
 #include "netgen/nets/dirichlet_polygon.h"
-#include "netgen/pictures/polygon.h"
-#include "netgen/surfaces/cover.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/matrices.h"
-#include "netgen/surfaces/named_maps.h"
+#include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
 #include "python/binding/binding.h"
@@ -157,7 +155,7 @@ void bind_surface(py::module_& module) {
       .def("partner",
            [](const Surface& surface, std::uint32_t side) {
              if (side >= surface.side_count()) throw py::index_error("no such side");
-             return surface.partner(side);
+             return surface.partner(SideId(side));
            })
       .def("centre_of_tile",
            [](const Surface& surface, std::uint32_t tile) {
@@ -165,7 +163,7 @@ void bind_surface(py::module_& module) {
                throw SurfaceError("there is no tile " + std::to_string(tile) + ", the surface has " +
                                   std::to_string(surface.tiles().size()));
              }
-             return centre_of_tile(surface, tile);
+             return centre_of_tile(surface, TileId(tile));
            })
       .def(
           "exact_isometry",
@@ -197,7 +195,7 @@ void bind_polygons(py::module_& module) {
       .def_readonly("vertices", &FundamentalPolygon::vertices)
       .def_readonly("relations", &FundamentalPolygon::relations)
       .def_property_readonly("sides", [](const FundamentalPolygon& polygon) {
-        std::vector<std::tuple<Word, std::uint32_t, std::uint32_t>> sides;
+        std::vector<std::tuple<Word, std::uint32_t, SideId>> sides;
         for (const Side& side : polygon.sides) sides.emplace_back(side.word, side.partner, side.side);
         return sides;
       });

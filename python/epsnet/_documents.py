@@ -2,17 +2,15 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Any, ClassVar, Optional, Type, TypeVar, Union
+from typing import Any, ClassVar, Optional, Type, TypeVar, Union
 
 from . import _epsnet
+from ._annotations import Surface
 from ._arguments import Path, as_path
 from ._immutable import Immutable
 from ._progress import Shower
 from .certificates import Certificate, Proof, required
 from .errors import ArgumentError
-
-if TYPE_CHECKING:
-    from .surfaces import Surface
 
 Core = Union["_epsnet.Net", "_epsnet.Geodesics", "_epsnet.Distance", "_epsnet.Cover", "_epsnet.Eigenvalues", "_epsnet.IsometryProof"]
 Self = TypeVar("Self", bound="Document")

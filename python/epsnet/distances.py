@@ -2,9 +2,10 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Optional
+from typing import Any, Optional
 
 from . import _epsnet
+from ._annotations import Surface
 from ._arguments import Number, as_fraction, as_index, refuse
 from ._documents import Core, Document
 from ._progress import Progress, Shower
@@ -12,9 +13,6 @@ from .certificates import Certificate, checked
 from .intervals import Interval
 from .nets import Net
 from .points import Point, PointLike, base_point, point_of
-
-if TYPE_CHECKING:
-    from .surfaces import Surface
 
 __all__ = ["Cover", "Diameter", "Distance", "Eccentricity", "EmbeddedDisk", "Radius"]
 

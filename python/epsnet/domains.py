@@ -2,15 +2,13 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional
+from typing import Any, NamedTuple, Optional
 
 from . import _epsnet
+from ._annotations import Surface
 from ._arguments import Path, as_index, as_path
 from .isometries import Gaussian, Isometry
 from .points import BasePoint
-
-if TYPE_CHECKING:
-    from .surfaces import Surface
 
 __all__ = ["DirichletDomain", "DirichletSide", "FundamentalPolygon", "PolygonSide"]
 

@@ -4,18 +4,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, List, Optional, Sequence, Union, overload
+from typing import List, Optional, Sequence, Union, overload
 
 from . import _epsnet
+from ._annotations import Surface
 from ._arguments import Number, as_flag, as_fraction, as_index, as_threads, length_text, refuse
 from ._documents import Document
 from ._progress import Progress, Shower
 from .certificates import Certificate, checked
 from .intervals import Interval
 from .nets import Net
-
-if TYPE_CHECKING:
-    from .surfaces import Surface
 
 __all__ = ["EigenvalueWindow", "Eigenvalues"]
 

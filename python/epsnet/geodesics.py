@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Callable, Iterator, List, NamedTuple, Opt
 import numpy as np
 
 from . import _epsnet
+from ._annotations import Surface
 from ._arguments import Number, Path, as_index, as_threads, length_text
 from ._documents import Document
 from ._progress import Progress, Shower
@@ -18,8 +19,6 @@ from .nets import Net
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-    from .surfaces import Surface
 
 __all__ = ["ClosedGeodesic", "ClosedGeodesics", "Multiplicities", "Multiplicity", "Piece", "Systole", "ThickThin"]
 

@@ -7,14 +7,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Sequence, Tuple, Un
 
 import numpy as np
 
+from ._annotations import Surface
 from ._arguments import Number, as_choice, as_index, exact, refuse
 from .errors import ArgumentError
 from .intervals import Interval, arcosh
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-    from .surfaces import Surface
 
 __all__ = ["Axis", "ComplexInterval", "Gaussian", "Isometry"]
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Iterable, NamedTuple, Optional, Sequence,
 import numpy as np
 
 from . import _epsnet
+from ._annotations import Surface
 from ._arguments import (
     Number, Path, as_choice, as_flag, as_fraction, as_index, as_indices, as_items, as_optional_path, as_path, as_string, as_threads, length_text,
     refuse,
@@ -23,8 +24,6 @@ from .points import Point, PointLike, base_point, point_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-    from .surfaces import Surface
 
     Complexes = NDArray[np.complex128]
     Floats = NDArray[np.float64]

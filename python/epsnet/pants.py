@@ -2,15 +2,13 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Optional, Sequence
+from typing import Any, Optional, Sequence
 
 from . import _epsnet
+from ._annotations import Surface
 from ._arguments import as_flag, as_fraction, as_index, as_indices, as_items, as_threads
 from ._progress import Progress, Shower
 from .intervals import Interval
-
-if TYPE_CHECKING:
-    from .surfaces import Surface
 
 __all__ = ["Cuff", "PantsDecomposition"]
 

@@ -2,9 +2,10 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import TYPE_CHECKING, List, Optional, Sequence, Tuple, Union, overload
+from typing import List, Optional, Sequence, Tuple, Union, overload
 
 from . import _epsnet
+from ._annotations import Surface
 from ._arguments import Path, as_index, as_threads, refuse
 from ._documents import Document
 from ._progress import Progress, Shower
@@ -12,9 +13,6 @@ from .certificates import Certificate, required
 from .errors import UndecidedError
 from .isometries import Isometry
 from .nets import Net
-
-if TYPE_CHECKING:
-    from .surfaces import Surface
 
 __all__ = ["IsometryGroup", "IsometryProof", "SurfaceIsometry"]
 

@@ -1,4 +1,4 @@
-"""The imports of the package run one way. Those for annotations alone (TYPE_CHECKING) declare names, and may go either way."""
+"""The imports of the package run one way, also those for annotations alone (TYPE_CHECKING), but for those of `_annotations`."""
 import ast
 import graphlib
 import pathlib
@@ -6,13 +6,13 @@ import pathlib
 PACKAGE = pathlib.Path(__file__).parents[1] / "epsnet"
 
 
-def imports_of(tree):
-    """The modules of the package that a module imports when it runs, in functions, too."""
+def imports_of(tree, annotations=False):
+    """The modules of the package that a module imports when it runs, in functions, too; and those that it imports for annotations, if asked for."""
     found = set()
     waiting = [tree]
     while waiting:
         node = waiting.pop()
-        if isinstance(node, ast.If) and isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING":
+        if not annotations and isinstance(node, ast.If) and isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING":
             waiting += node.orelse
             continue
         if isinstance(node, ast.ImportFrom) and node.level == 1:
@@ -23,7 +23,8 @@ def imports_of(tree):
 
 def order_of(sources):
     """The modules, each after those that it imports. CycleError names a circle."""
-    return list(graphlib.TopologicalSorter({name: imports_of(ast.parse(text)) & set(sources) for name, text in sources.items()}).static_order())
+    imports = {name: imports_of(ast.parse(text), annotations=name != "_annotations") & set(sources) for name, text in sources.items()}
+    return list(graphlib.TopologicalSorter(imports).static_order())
 
 
 def test_there_is_no_circle():
@@ -35,10 +36,10 @@ def test_there_is_no_circle():
 
 
 def test_a_circle_would_be_found():
-    for text in ("from .b import x", "from . import b", "def f():\n    from .b import x"):
+    for text in ("from .b import x", "from . import b", "def f():\n    from .b import x", "if TYPE_CHECKING:\n    from .b import x"):
         try:
             order_of({"a": text, "b": "from .a import y"})
         except graphlib.CycleError:
             continue
         assert False, text
-    assert order_of({"a": "if TYPE_CHECKING:\n    from .b import x", "b": "from .a import y"}) == ["a", "b"]
+    assert order_of({"_annotations": "if TYPE_CHECKING:\n    from .b import x", "b": "from ._annotations import y"}) == ["_annotations", "b"]

@@ -1,5 +1,3 @@
-#include "certify/base/decimals.h"
-
 #include <bit>
 #include <cmath>
 #include <gtest/gtest.h>

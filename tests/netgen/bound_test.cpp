@@ -1,5 +1,3 @@
-#include "netgen/distances/bound.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
@@ -15,8 +13,8 @@
 
 #include "certify/check.h"
 #include "kernel/plane.h"
-#include "netgen/distances/distance.h"
-#include "netgen/nets/net_options.h"
+#include "netgen/distances/distances.h"
+#include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
@@ -37,9 +35,9 @@ std::string verdict(const BoundDocument& document) {
 
 /// Returns a random point strictly inside a random tile.
 BasePoint any_place(const Surface& surface) {
-  const std::uint32_t tile = any_index(static_cast<std::uint32_t>(surface.tiles().size()));
+  const TileId tile(any_index(surface.tiles().size()));
   const Complex<Rational> centre = centre_of_tile(surface, tile).z;
-  const Tile& corners = surface.tiles()[tile];
+  const Tile& corners = surface.tile(tile);
   // Towards a corner, in the Klein model, where tiles are convex.
   const Complex<double> corner = to_klein(convert<double>(corners[any_index(corners.size())]));
   const auto share = 0.95 * any_share();
@@ -137,7 +135,7 @@ TEST(Radius, IsBetweenHalfOfTheDiameterAndEveryEccentricity) {
     EXPECT_GE(document.value.upper, diameter(surface, {.width = 0.05}).value.lower / 2);
     const certify::Certificate net = certify::check(document.net);
     EXPECT_NEAR(net.enclosures->largest_circumradius.upper, document.value.upper, 1e-12);
-    for (std::uint32_t tile = 0; tile < surface.tiles().size(); ++tile) {
+    for (const TileId tile : surface.tile_ids()) {
       EXPECT_GE(at_point(surface, centre_of_tile(surface, tile)).eccentricity.upper, document.value.lower);
     }
   }
@@ -250,7 +248,7 @@ TEST(Bound, AWidthBelowTheLeastIsRefusedAndTooFewCellsAreAnErrorWithBounds) {
 
 TEST(Eccentricity, OfTheCentreOfARegularSurfaceIsTheDistanceToItsCorner) {
   for (const std::uint32_t genus : {2u, 3u, 5u}) {
-    const Interval found = at_point(Surface::regular(genus), {0, {0, 0}}).eccentricity;
+    const Interval found = at_point(Surface::regular(genus), {TileId(0), {0, 0}}).eccentricity;
     EXPECT_NEAR(found.lower, regular_diameter(genus), 1e-13);
     EXPECT_NEAR(found.upper, regular_diameter(genus), 1e-13);
   }
@@ -258,10 +256,11 @@ TEST(Eccentricity, OfTheCentreOfARegularSurfaceIsTheDistanceToItsCorner) {
 
 TEST(Eccentricity, IsOfAnyPointOfTheSurface) {
   const Surface bolza = Surface::regular(2);
-  EXPECT_THROW((void)eccentricity_net(bolza, {1, {0, 0}}), SurfaceError);
-  EXPECT_THROW((void)eccentricity_net(bolza, {0, {1, 0}}), SurfaceError);
+  EXPECT_THROW((void)eccentricity_net(bolza, {TileId(1), {0, 0}}), SurfaceError);
+  EXPECT_THROW((void)eccentricity_net(bolza, {TileId(0), {1, 0}}), SurfaceError);
   // Beyond a side of the octagon.
-  EXPECT_EQ(certify::check(eccentricity_net(bolza, {0, {Rational(9, 10), 0}})).verdict, certify::Verdict::verified);
+  EXPECT_EQ(certify::check(eccentricity_net(bolza, {TileId(0), {Rational(9, 10), 0}})).verdict,
+            certify::Verdict::verified);
 }
 
 struct Bounded {

@@ -1,5 +1,3 @@
-#include "netgen/surfaces/cover.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
@@ -7,6 +5,7 @@
 #include <set>
 
 #include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/octagon.h"
 
 namespace epsnet {
@@ -42,17 +41,18 @@ TEST(Cover, IsCopiesOfTheTilesGluedAsTheBaseIs) {
   const auto tiles = static_cast<std::uint32_t>(base.tiles().size());
   ASSERT_EQ(three.tiles().size(), 3 * tiles);
   for (std::uint32_t t = 0; t < 3 * tiles; ++t) EXPECT_EQ(three.tiles()[t], base.tiles()[t % tiles]);
-  for (std::uint32_t s = 0; s < three.side_count(); ++s) {
-    EXPECT_EQ(three.partner(s) % base.side_count(), base.partner(s % base.side_count()));
+  for (const SideId s : three.side_ids()) {
+    const auto of_base = [&](SideId side) { return SideId(side.number() % base.side_count()); };
+    EXPECT_EQ(of_base(three.partner(s)), base.partner(of_base(s)));
   }
 }
 
 TEST(Cover, LeadsFromSheetToSheetAsThePermutationsSay) {
   // The octagon's side k is glued to side k + 4, and side 0 is the first of pair 0.
   const Surface two = cover(random_octagon(1), {{1, 0}, {0, 1}, {0, 1}, {0, 1}});
-  EXPECT_EQ(two.partner(0), 8 + 4);
-  EXPECT_EQ(two.partner(8), 4);
-  EXPECT_EQ(two.partner(1), 5);
+  EXPECT_EQ(two.partner(SideId(0)), SideId(8 + 4));
+  EXPECT_EQ(two.partner(SideId(8)), SideId(4));
+  EXPECT_EQ(two.partner(SideId(1)), SideId(5));
   EXPECT_EQ(two.genus(), 3);
 }
 

@@ -1,5 +1,3 @@
-#include "netgen/pants/dehn_twist.h"
-
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,9 +17,9 @@ namespace epsnet {
 namespace {
 
 /// The image of a path, by those of its letters.
-Word image_of(const Surface& surface, const std::vector<Word>& images, const Word& word) {
+Word image_of(const Surface& surface, const ById<SideId, Word>& images, const Word& word) {
   Word result;
-  for (const std::uint32_t s : word) result = concatenated(surface, std::move(result), images[s]);
+  for (const SideId s : word) result = concatenated(surface, std::move(result), images[s]);
   return result;
 }
 
@@ -62,10 +60,10 @@ RC_GTEST_PROP(DehnTwistProperty, IsAnAutomorphismThatIsUndone, ()) {
   const auto number = *rc::gen::inRange<std::size_t>(0, pants.cuffs.size());
   const Word curve = pants.cuffs[number].curve;
   const auto power = *rc::gen::inRange<std::int32_t>(1, 4);
-  const std::vector<Word> there = dehn_twist_words(surface, curve, power);
-  const std::vector<Word> back = dehn_twist_words(surface, curve, -power);
+  const ById<SideId, Word> there = dehn_twist_words(surface, curve, power);
+  const ById<SideId, Word> back = dehn_twist_words(surface, curve, -power);
   bool changed = false;
-  for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
+  for (const SideId s : surface.side_ids()) {
     RC_ASSERT(same(surface, image_of(surface, back, there[s]), {s}));
     RC_ASSERT(same(surface, there[surface.partner(s)], reversed(surface, there[s])));
     RC_ASSERT(same(surface, image_of(surface, there, surface.corner_cycle(s)), surface.corner_cycle(s)));
@@ -90,7 +88,7 @@ RC_GTEST_PROP(DehnTwistProperty, TheSurfaceIsTheSameByOtherTiles, ()) {
   const Word& along = again.cuffs[0].curve;
   const Surface twisted = dehn_twisted(start, along, power);
   RC_ASSERT(twisted.gluing() == start.gluing());
-  const std::vector<Word> images = dehn_twist_words(start, along, power);
+  const ById<SideId, Word> images = dehn_twist_words(start, along, power);
   const Surface back = dehn_twisted(twisted, along, -power);
   for (const Word& word : generators(start)) {
     RC_ASSERT(std::abs(length(twisted, word) - length(start, image_of(start, images, word))) < 1e-9);
@@ -121,9 +119,9 @@ TEST(DehnTwist, TurnsLeftAsTwistsDo) {
   const Surface after = surface(-nearly);
   const Word curve = pants_decomposition(after).cuffs[0].curve;
   // Into the other pants through one cuff, and back through another one.
-  const Word across{6, after.partner(1)};
-  const std::vector<Word> left = dehn_twist_words(after, curve, 1);
-  const std::vector<Word> right = dehn_twist_words(after, curve, -1);
+  const Word across{SideId(6), after.partner(SideId(1))};
+  const ById<SideId, Word> left = dehn_twist_words(after, curve, 1);
+  const ById<SideId, Word> right = dehn_twist_words(after, curve, -1);
   const double expected = length(before, across);
   EXPECT_NEAR(length(after, image_of(after, left, across)), expected, 1e-7);
   EXPECT_GT(length(after, image_of(after, right, across)), expected + 0.1);
@@ -148,11 +146,11 @@ TEST(DehnTwist, Refusals) {
   const Surface surface = random_octagon(5);
   const Word curve = pants_decomposition(surface).cuffs[0].curve;
   EXPECT_THROW(static_cast<void>(dehn_twisted(surface, {})), CurveError);
-  EXPECT_THROW(static_cast<void>(dehn_twist_words(surface, {0, surface.partner(0)})), CurveError);
+  EXPECT_THROW(static_cast<void>(dehn_twist_words(surface, {SideId(0), surface.partner(SideId(0))})), CurveError);
   EXPECT_THROW(static_cast<void>(dehn_twist_words(surface, curve, kMostTwists + 1)), LimitError);
   const Surface bolza = Surface::regular(2);
-  EXPECT_THROW(static_cast<void>(dehn_twisted(bolza, {0})), SurfaceError);
-  EXPECT_EQ(dehn_twist_words(bolza, {0}).size(), 8U);
+  EXPECT_THROW(static_cast<void>(dehn_twisted(bolza, {SideId(0)})), SurfaceError);
+  EXPECT_EQ(dehn_twist_words(bolza, {SideId(0)}).size(), 8U);
 }
 
 }  // namespace

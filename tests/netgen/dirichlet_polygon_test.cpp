@@ -54,7 +54,7 @@ void expect_words(const DirichletPolygon& polygon, const Surface& surface, const
   const std::size_t n = polygon.sides.size();
   for (std::size_t k = 0; k < n; ++k) {
     Isometry<Mp1024> gamma;
-    for (const std::uint32_t s : polygon.sides[k].word) gamma = surface.crossing_as<Mp1024>(s) * gamma;
+    for (const SideId s : polygon.sides[k].word) gamma = surface.crossing_as<Mp1024>(s) * gamma;
     const auto lift = convert<double>(to_base(gamma(convert<Mp1024>(base))));
     EXPECT_NEAR(distance(Complex<double>{}, lift), 2 * polygon.sides[k].distance, 1e-6) << name;
     for (const std::size_t end : {k, (k + 1) % n}) {
@@ -106,7 +106,7 @@ TEST(DirichletPolygon, HasTiesAtAPointOnAnAxisOfSymmetryAlone) {
     std::vector<std::uint32_t> ties;
     for (const Complex<Rational>& base :
          {Complex<Rational>{Rational(1, 4), Rational(0)}, {Rational(3, 10), Rational(-1, 5)}}) {
-      const DirichletPolygon polygon = dirichlet_polygon(surface, BasePoint{0, base});
+      const DirichletPolygon polygon = dirichlet_polygon(surface, BasePoint{TileId(0), base});
       expect_dirichlet(polygon, genus, "regular");
       expect_proved(polygon, "regular");
       expect_words(polygon, surface, base, "regular");
@@ -119,8 +119,9 @@ TEST(DirichletPolygon, HasTiesAtAPointOnAnAxisOfSymmetryAlone) {
 
 TEST(DirichletPolygon, LooksTheSameFromPointsThatASymmetryExchanges) {
   const Surface bolza = Surface::regular(2);
-  const DirichletPolygon one = dirichlet_polygon(bolza, BasePoint{0, {Rational(1, 4), Rational(1, 7)}});
-  const DirichletPolygon quarter_turn = dirichlet_polygon(bolza, BasePoint{0, {Rational(-1, 7), Rational(1, 4)}});
+  const DirichletPolygon one = dirichlet_polygon(bolza, BasePoint{TileId(0), {Rational(1, 4), Rational(1, 7)}});
+  const DirichletPolygon quarter_turn =
+      dirichlet_polygon(bolza, BasePoint{TileId(0), {Rational(-1, 7), Rational(1, 4)}});
   const auto distances = [](const DirichletPolygon& polygon) {
     std::vector<double> result;
     for (const DirichletPolygon::Side& side : polygon.sides) result.push_back(side.distance);
@@ -134,7 +135,7 @@ TEST(DirichletPolygon, LooksTheSameFromPointsThatASymmetryExchanges) {
 }
 
 TEST(DirichletPolygon, BaseOfASymmetricOctagonIsItsCentre) {
-  const DirichletPolygon polygon = dirichlet_polygon(random_octagon(123), BasePoint{0, {0, 0}});
+  const DirichletPolygon polygon = dirichlet_polygon(random_octagon(123), BasePoint{TileId(0), {0, 0}});
   expect_dirichlet(polygon, 2, "octagon");
   expect_proved(polygon, "octagon");
   expect_words(polygon, random_octagon(123), {}, "octagon");
@@ -148,7 +149,7 @@ TEST(DirichletPolygon, BaseOfASymmetricOctagonIsItsCentre) {
 TEST(DirichletPolygon, IsProvedForABasePointThatIsNoVertex) {
   const Surface surface = random_octagon(7);
   const Complex<Rational> base{Rational(1, 10), Rational(-1, 3)};
-  const DirichletPolygon polygon = dirichlet_polygon(surface, BasePoint{0, base});
+  const DirichletPolygon polygon = dirichlet_polygon(surface, BasePoint{TileId(0), base});
   expect_dirichlet(polygon, 2, "base point");
   expect_proved(polygon, "base point");
   expect_words(polygon, surface, base, "base point");

@@ -1,5 +1,3 @@
-#include "netgen/distances/distance.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,9 +14,10 @@
 #include "certify/check.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
-#include "netgen/lifts/net_geometry.h"
+#include "netgen/distances/distances.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/pictures/draw.h"
+#include "netgen/pictures/net_pictures.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
 #include "tests/support/triangulations.h"
@@ -40,9 +39,9 @@ std::string verdict(const DistanceDocument& document) {
 
 /// Returns a random point strictly inside a random tile.
 BasePoint any_place(const Surface& surface) {
-  const std::uint32_t tile = any_index(static_cast<std::uint32_t>(surface.tiles().size()));
+  const TileId tile(any_index(surface.tiles().size()));
   const Complex<Rational> centre = centre_of_tile(surface, tile).z;
-  const Tile& corners = surface.tiles()[tile];
+  const Tile& corners = surface.tile(tile);
   const Complex<Rational>& corner = corners[any_index(corners.size())];
   // Towards a corner, in the Klein model, where tiles are convex.
   const auto share = 0.95 * any_share();
@@ -64,7 +63,7 @@ Interval distance_of(const Surface& surface, const BasePoint& p, const BasePoint
 /// Returns the length of a path, computed independently.
 double length_of_path(const Surface& surface, const BasePoint& p, const BasePoint& q, const Word& word) {
   Complex<Mp1024> z = convert<Mp1024>(p.z);
-  for (const std::uint32_t side : word) z = surface.crossing_as<Mp1024>(side)(z);
+  for (const SideId side : word) z = surface.crossing_as<Mp1024>(side)(z);
   return static_cast<double>(distance(z, convert<Mp1024>(q.z)));
 }
 
@@ -72,8 +71,7 @@ double length_of_path(const Surface& surface, const BasePoint& p, const BasePoin
 /// binary64, for surfaces of one tile; places are told apart by their coordinates.
 double least_by_words(const Surface& surface, const BasePoint& p, const BasePoint& q, int crossings) {
   std::vector<Isometry<double>> sides;
-  for (std::uint32_t s = 0; s < surface.side_count(); ++s)
-    sides.push_back(convert<double>(surface.crossing_as<Mp256>(s)));
+  for (const SideId s : surface.side_ids()) sides.push_back(convert<double>(surface.crossing_as<Mp256>(s)));
   const Complex<double> from = convert<double>(p.z);
   const Complex<double> to = convert<double>(q.z);
   double least = distance(from, to);
@@ -97,9 +95,10 @@ double least_by_words(const Surface& surface, const BasePoint& p, const BasePoin
 
 TEST(Distance, OfPointsNearEachOtherIsThatOfTheDisk) {
   const Surface bolza = Surface::regular(2);
-  const DistanceDocument document = distance(bolza, {0, {0, 0}}, {0, {Rational(3, 10), Rational(1, 10)}});
+  const DistanceDocument document =
+      distance(bolza, {TileId(0), {0, 0}}, {TileId(0), {Rational(3, 10), Rational(1, 10)}});
   EXPECT_EQ(verdict(document), "VERIFIED");
-  EXPECT_EQ(document.paths, std::vector<Word>{{}});
+  EXPECT_EQ(document.paths, std::vector<std::vector<std::uint32_t>>{{}});
   const double expected = 2 * std::atanh(std::sqrt(0.1));
   EXPECT_NEAR(document.distance.lower, expected, 1e-15);
   EXPECT_LT(document.distance.upper - document.distance.lower, 1e-15);
@@ -107,10 +106,10 @@ TEST(Distance, OfPointsNearEachOtherIsThatOfTheDisk) {
 
 TEST(Distance, ToItselfIsZero) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
-    const BasePoint p = centre_of_tile(named.surface, 0);
+    const BasePoint p = centre_of_tile(named.surface, TileId(0));
     const DistanceDocument document = distance(named.surface, p, p);
     EXPECT_EQ(document.distance, (Interval{0, 0})) << named.name;
-    EXPECT_EQ(document.paths, std::vector<Word>{{}}) << named.name;
+    EXPECT_EQ(document.paths, std::vector<std::vector<std::uint32_t>>{{}}) << named.name;
     EXPECT_EQ(verdict(document), "VERIFIED") << named.name;
   }
 }
@@ -119,7 +118,7 @@ TEST(Distance, OfPointsCloserThanBinary64CanSay) {
   const Surface bolza = Surface::regular(2);
   Rational tiny(1);
   for (int i = 0; i < 400; ++i) tiny /= 10;
-  const DistanceDocument document = distance(bolza, {0, {0, 0}}, {0, {tiny, 0}});
+  const DistanceDocument document = distance(bolza, {TileId(0), {0, 0}}, {TileId(0), {tiny, 0}});
   EXPECT_EQ(document.distance.lower, 0);
   EXPECT_LT(document.distance.upper, 1e-60);
   EXPECT_EQ(verdict(document), "VERIFIED");
@@ -134,9 +133,9 @@ TEST(Distance, AllShortestPathsAreFound) {
   Tile tile = corners;
   for (const Complex<Rational>& corner : corners) tile.push_back(-corner);
   const Surface surface({tile}, {{0, 0, 0, 4}, {0, 1, 0, 5}, {0, 2, 0, 6}, {0, 3, 0, 7}});
-  const BasePoint centre{0, {0, 0}};
+  const BasePoint centre{TileId(0), {0, 0}};
   for (const Complex<Rational>& corner : tile) {
-    const BasePoint end{0, corner};
+    const BasePoint end{TileId(0), corner};
     const DistanceDocument document = distance(surface, centre, end);
     EXPECT_EQ(document.paths.size(), 4U);
     EXPECT_TRUE(document.equal);
@@ -150,7 +149,7 @@ TEST(Distance, AllShortestPathsAreFound) {
     EXPECT_EQ(back.distance, document.distance);
   }
   // All corners are one point.
-  const DistanceDocument same = distance(surface, {0, tile[0]}, {0, tile[1]});
+  const DistanceDocument same = distance(surface, {TileId(0), tile[0]}, {TileId(0), tile[1]});
   EXPECT_EQ(same.distance, (Interval{0, 0}));
   EXPECT_EQ(verdict(same), "VERIFIED");
 }
@@ -180,20 +179,21 @@ TEST(Distance, OfPointsOnSidesAndCornersOfTiles) {
     const Surface& surface = named.surface;
     if (surface.is_regular() || surface.genus() > 3) continue;
     const Tile& tile = surface.tiles()[0];
-    const BasePoint on_side{0, point_of_side(tile[0], tile[1])};
+    const BasePoint on_side{TileId(0), point_of_side(tile[0], tile[1])};
     ASSERT_EQ(orientation_determinant(tile[0], tile[1], on_side.z), 0);
     ASSERT_NO_THROW((void)in_its_tile(surface, on_side));
     EXPECT_THROW(require_inside(surface, on_side), SurfaceError);
-    const BasePoint corner{0, tile[1]};
-    const BasePoint inside = centre_of_tile(surface, 0);
+    const BasePoint corner{TileId(0), tile[1]};
+    const BasePoint inside = centre_of_tile(surface, TileId(0));
     for (const auto& [p, q] : {std::pair(on_side, corner), std::pair(corner, on_side), std::pair(on_side, inside)}) {
       const DistanceDocument document = distance(surface, p, q);
       EXPECT_EQ(verdict(document), "VERIFIED") << named.name;
       EXPECT_LT(document.distance.upper - document.distance.lower, 1e-12) << named.name;
-      EXPECT_NEAR(length_of_path(surface, p, q, document.paths[0]), document.distance.lower, 1e-12) << named.name;
+      EXPECT_NEAR(length_of_path(surface, p, q, word_of_letters(document.paths[0])), document.distance.lower, 1e-12)
+          << named.name;
     }
     // The same point, as the neighbour has it.
-    const std::uint32_t side = surface.side_number(0, 0);
+    const SideId side = surface.side_number(TileId(0), 0);
     const BasePoint beyond{surface.tile_of_side(surface.partner(side)), surface.crossing(side)(on_side.z)};
     EXPECT_TRUE(is_same_point(surface, on_side, beyond)) << named.name;
     EXPECT_FALSE(is_same_point(surface, on_side, corner)) << named.name;
@@ -207,10 +207,10 @@ TEST(Distance, OfAPointOutsideOfItsTileIsThatOfThePointInTheTileWhereItLies) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
     const Surface& surface = named.surface;
     if (surface.is_regular() || surface.genus() > 3) continue;
-    const BasePoint p = centre_of_tile(surface, 0);
-    const std::uint32_t side = surface.side_number(0, 1);
+    const BasePoint p = centre_of_tile(surface, TileId(0));
+    const SideId side = surface.side_number(TileId(0), 1);
     const BasePoint q = centre_of_tile(surface, surface.tile_of_side(surface.partner(side)));
-    const BasePoint outside{0, surface.crossing(surface.partner(side))(q.z)};
+    const BasePoint outside{TileId(0), surface.crossing(surface.partner(side))(q.z)};
     const BasePoint back = in_its_tile(surface, outside);
     EXPECT_EQ(back.tile, q.tile) << named.name;
     EXPECT_EQ(back.z, q.z) << named.name;
@@ -229,7 +229,7 @@ TEST(Distance, AcrossAThinCuffAndAlongIt) {
     test::set_cuff_length(coordinates, 1, cuff);
     const Surface surface = fenchel_nielsen_surface(coordinates);
     std::vector<BasePoint> places;
-    for (std::uint32_t tile = 0; tile < surface.tiles().size(); ++tile) places.push_back(centre_of_tile(surface, tile));
+    for (const TileId tile : surface.tile_ids()) places.push_back(centre_of_tile(surface, tile));
     for (const BasePoint& p : places) {
       for (const BasePoint& q : places) {
         const DistanceDocument document = distance(surface, p, q);
@@ -242,7 +242,7 @@ TEST(Distance, AcrossAThinCuffAndAlongIt) {
 
 TEST(Distance, ErrorsSayWhichPointAndWhy) {
   const Surface bolza = Surface::regular(2);
-  const BasePoint centre{0, {0, 0}};
+  const BasePoint centre{TileId(0), {0, 0}};
   const auto complaint = [&](const BasePoint& point, const DistanceOptions& options = {}) -> std::string {
     try {
       (void)distance(bolza, centre, point, options);
@@ -251,11 +251,11 @@ TEST(Distance, ErrorsSayWhichPointAndWhy) {
     }
     return "";
   };
-  EXPECT_THAT(complaint({1, {0, 0}}), HasSubstr("the point is in tile 1, the surface has 1 tile"));
-  EXPECT_THAT(complaint({0, {1, 0}}), HasSubstr("the point is not inside of the unit disk"));
-  EXPECT_THAT(complaint({0, {2, 0}}), HasSubstr("the point is not inside of the unit disk"));
-  EXPECT_EQ(complaint({0, {Rational(9, 10), 0}}), "") << "beyond a side of the tile";
-  EXPECT_THAT(complaint({0, {Rational(1, 2), 0}}, {.width = 1e-17}), HasSubstr("wider than 1e-17"));
+  EXPECT_THAT(complaint({TileId(1), {0, 0}}), HasSubstr("the point is in tile 1, the surface has 1 tile"));
+  EXPECT_THAT(complaint({TileId(0), {1, 0}}), HasSubstr("the point is not inside of the unit disk"));
+  EXPECT_THAT(complaint({TileId(0), {2, 0}}), HasSubstr("the point is not inside of the unit disk"));
+  EXPECT_EQ(complaint({TileId(0), {Rational(9, 10), 0}}), "") << "beyond a side of the tile";
+  EXPECT_THAT(complaint({TileId(0), {Rational(1, 2), 0}}, {.width = 1e-17}), HasSubstr("wider than 1e-17"));
 }
 
 TEST(Distance, AVertexOfANetIsAPointOfATile) {
@@ -283,13 +283,13 @@ TEST(Distance, OnTheBolzaSurfaceIsSymmetricAndTheLeastThatWordsGive) {
                                               {Rational(1, 4), Rational(-3, 5)}};
   for (const Complex<Rational>& p : places) {
     for (const Complex<Rational>& q : places) {
-      const DistanceDocument document = distance(bolza, {0, p}, {0, q});
+      const DistanceDocument document = distance(bolza, {TileId(0), p}, {TileId(0), q});
       EXPECT_EQ(verdict(document), "VERIFIED");
-      EXPECT_NEAR(document.distance.lower, least_by_words(bolza, {0, p}, {0, q}, 4), 1e-12);
+      EXPECT_NEAR(document.distance.lower, least_by_words(bolza, {TileId(0), p}, {TileId(0), q}, 4), 1e-12);
       const auto turned = [](const Complex<Rational>& z) { return Complex<Rational>{Rational(-z.y), z.x}; };
       const auto mirrored = [](const Complex<Rational>& z) { return Complex<Rational>{z.y, z.x}; };
-      EXPECT_EQ(distance_of(bolza, {0, turned(p)}, {0, turned(q)}), document.distance);
-      EXPECT_EQ(distance_of(bolza, {0, mirrored(p)}, {0, mirrored(q)}), document.distance);
+      EXPECT_EQ(distance_of(bolza, {TileId(0), turned(p)}, {TileId(0), turned(q)}), document.distance);
+      EXPECT_EQ(distance_of(bolza, {TileId(0), mirrored(p)}, {TileId(0), mirrored(q)}), document.distance);
     }
   }
 }
@@ -297,8 +297,8 @@ TEST(Distance, OnTheBolzaSurfaceIsSymmetricAndTheLeastThatWordsGive) {
 /// The picture is drawn in the triangulation of the file itself, and in another net of the surface.
 TEST(Distance, APictureShowsThePathsInFullLength) {
   const Surface& surface = test::gallery()[1].surface;
-  const DistanceDocument document =
-      distance(surface, {0, {Rational(1, 10), Rational(-1, 3)}}, {0, {Rational(-2, 5), Rational(1, 5)}});
+  const DistanceDocument document = distance(surface, {TileId(0), {Rational(1, 10), Rational(-1, 3)}},
+                                             {TileId(0), {Rational(-2, 5), Rational(1, 5)}});
   for (const certify::NetDocument& net : {document.net, compute_net(surface, Length("0.5")).net}) {
     const Layer layer = distance_layer(net, document);
     double length = 0;
@@ -332,8 +332,8 @@ RC_GTEST_PROP(DistanceProperty, IsVerifiedAndThePathsHaveItsLength, ()) {
   const DistanceDocument document = distance(surface, p, q);
   RC_ASSERT(verdict(document) == "VERIFIED");
   RC_ASSERT(document.distance.upper - document.distance.lower <= 1e-12);
-  for (const Word& word : document.paths) {
-    const double length = length_of_path(surface, p, q, word);
+  for (const std::vector<std::uint32_t>& letters : document.paths) {
+    const double length = length_of_path(surface, p, q, word_of_letters(letters));
     RC_ASSERT(std::abs(length - document.distance.lower) <= 1e-13 * std::max(1.0, length));
   }
 }
@@ -346,8 +346,8 @@ RC_GTEST_PROP(DistanceProperty, IsSymmetric, ()) {
   const DistanceDocument back = distance(surface, q, p);
   RC_ASSERT(there.distance == back.distance);
   RC_ASSERT(there.paths.size() == back.paths.size());
-  for (const Word& word : back.paths) {
-    const double length = length_of_path(surface, p, q, reversed(surface, word));
+  for (const std::vector<std::uint32_t>& letters : back.paths) {
+    const double length = length_of_path(surface, p, q, reversed(surface, word_of_letters(letters)));
     RC_ASSERT(std::abs(length - there.distance.lower) <= 1e-13 * std::max(1.0, length));
   }
 }
@@ -417,7 +417,7 @@ Mp1024 circumradius(const Surface& surface, const certify::NetDocument& net, std
     const Complex<Mp1024> centre{Mp1024(from_gmp(c.x)), Mp1024(from_gmp(c.y))};
     corners[i] = Isometry<Mp1024>::translation(centre)(Complex<Mp1024>{Mp1024(v.x), Mp1024(v.y)});
     if (i == 0 || triangle.label[i - 1] == 0) continue;
-    for (const std::uint32_t side : net.labels[triangle.label[i - 1] - 1].word)
+    for (const SideId side : word_of_letters(net.labels[triangle.label[i - 1] - 1].word))
       corners[i] = surface.crossing_as<Mp1024>(side)(corners[i]);
   }
   const auto sinh2 = sinh2_circumradius(corners[0], corners[1], corners[2]);
@@ -432,7 +432,7 @@ RC_GTEST_PROP(PrintedProperty, ContainsTheDistanceAndTheCircumradius, ()) {
   const certify::Certificate certificate = certify::check(document, {.threads = 1});
   RC_ASSERT(certificate.verdict == certify::Verdict::verified);
   Complex<Mp1024> z = convert<Mp1024>(p.z);
-  for (const std::uint32_t side : document.paths.front()) z = surface.crossing_as<Mp1024>(side)(z);
+  for (const SideId side : word_of_letters(document.paths.front())) z = surface.crossing_as<Mp1024>(side)(z);
   RC_ASSERT(is_between(distance(z, convert<Mp1024>(q.z)), ends_after(certificate.claim, "lies in ")));
   Mp1024 largest = 0;
   for (std::size_t t = 0; t < document.net.triangles.size(); ++t)
@@ -444,7 +444,7 @@ RC_GTEST_PROP(PrintedProperty, ContainsTheDistanceAndTheCircumradius, ()) {
 
 RC_GTEST_PROP(PrintedProperty, ContainsEpsilon, ()) {
   static const certify::NetDocument net =
-      distance(random_octagon(1), {0, {0, 0}}, {0, {Rational(1, 10), Rational(0)}}).net;
+      distance(random_octagon(1), {TileId(0), {0, 0}}, {TileId(0), {Rational(1, 10), Rational(0)}}).net;
   certify::NetDocument document = net;
   document.epsilon = *rc::gen::element(std::string("1"), std::string("2"), std::string("37")) + "." +
                      std::to_string(*rc::gen::inRange<std::uint64_t>(1'000'000'000'000'000, 9'999'999'999'999'999));

@@ -225,7 +225,7 @@ RC_GTEST_PROP(DomainFormatProperty, NonConvexPolygonIsTheSameSurface, ()) {
       test::paired_polygon(import_surface_file(files[*rc::gen::inRange<std::size_t>(0, files.size())]));
   const Surface before = polygon.surface();
   const auto k = *rc::gen::inRange<std::uint32_t>(0, before.side_count());
-  RC_PRE(before.partner(k) != (k + 1) % before.side_count());
+  RC_PRE(before.partner(SideId(k)) != before.next_side(SideId(k)));
   polygon = test::cut_and_pasted(polygon, k);
   polygon = test::rotated(polygon, *rc::gen::inRange<std::uint32_t>(0, before.side_count()));
   polygon.vertices = test::moved(*test::isometries(), polygon.vertices);

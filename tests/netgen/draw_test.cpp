@@ -1,5 +1,3 @@
-#include "netgen/pictures/draw.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,7 +26,7 @@
 #include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/pictures/curves.h"
 #include "netgen/pictures/dirichlet.h"
-#include "netgen/pictures/viewer.h"
+#include "netgen/pictures/net_pictures.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"

@@ -17,9 +17,9 @@
 #include "netgen/eigenvalues/prover.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/pictures/eigenvalues_picture.h"
-#include "netgen/surfaces/cover.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
+#include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
 

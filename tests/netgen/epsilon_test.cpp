@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "netgen/base/length.h"
+#include "netgen/base/options.h"
 #include "tests/support/triangulations.h"
 
 namespace epsnet {

@@ -27,7 +27,7 @@ using testing::HasSubstr;
 /// The isometry of a path that returns to its first tile.
 Isometry<Mp1024> value_of(const Surface& surface, const Word& word) {
   Isometry<Mp1024> result;
-  for (const std::uint32_t s : word) {
+  for (const SideId s : word) {
     result = surface.crossing_as<Mp1024>(s) * result;
   }
   return normalized(result);
@@ -40,13 +40,13 @@ Mp1024 length_of(const Surface& surface, const Word& word) {
 
 /// The cuffs of a heptagon as paths: D1, D2 and D3⁻¹ up to conjugation.
 Word cuff_word(const Surface& surface, PantsGraph::End end) {
-  const std::uint32_t first = surface.side_number(end.pants, 0);
-  return end.cuff == 0 ? Word{first + 5, first + 2} : end.cuff == 1 ? Word{first} : Word{first + 5};
+  const auto side = [&](std::uint32_t k) { return surface.side_number(TileId(end.pants), k); };
+  return end.cuff == 0 ? Word{side(5), side(2)} : end.cuff == 1 ? Word{side(0)} : Word{side(5)};
 }
 
-std::uint32_t cuff_side(const Surface& surface, PantsGraph::End end) {
+SideId cuff_side(const Surface& surface, PantsGraph::End end) {
   constexpr std::array<std::uint32_t, 3> kSides{6, 1, 4};
-  return surface.side_number(end.pants, kSides[end.cuff]);
+  return surface.side_number(TileId(end.pants), kSides[end.cuff]);
 }
 
 PantsGraph any_graph(std::uint32_t genus) {
@@ -210,7 +210,7 @@ RC_GTEST_PROP(FenchelNielsenProperty, TwistsAreShiftsOfTheMarks, ()) {
     for (int i = 0; i < std::abs(turns); ++i) {
       Word turn = cuff_word(surface, {0, 1});
       if (turns < 0) turn = reversed(surface, turn);
-      for (const std::uint32_t side : turn) word.push_back(side);
+      for (const SideId side : turn) word.push_back(side);
     }
     got.push_back(length_of(surface, word));
   }

@@ -60,27 +60,27 @@ TEST(FundamentalPolygon, OneTileIsItsOwn) {
 
 TEST(WordIsometry, ExactIsTheProductOfTheCrossings) {
   const Surface surface = random_octagon(123);
-  const Isometry<Rational> product = surface.crossing(5) * surface.crossing(2);
-  const Isometry<Rational> found = exact_isometry(surface, {2, 5});
+  const Isometry<Rational> product = surface.crossing(SideId(5)) * surface.crossing(SideId(2));
+  const Isometry<Rational> found = exact_isometry(surface, word_of_letters({2, 5}));
   // Up to the common factor that is taken out.
   EXPECT_EQ(found.a * product.b, found.b * product.a);
-  EXPECT_TRUE(is_identity(exact_isometry(surface, {3, surface.partner(3)})));
-  EXPECT_TRUE(is_identity(exact_isometry(surface, surface.corner_cycle(0))));
+  EXPECT_TRUE(is_identity(exact_isometry(surface, {SideId(3), surface.partner(SideId(3))})));
+  EXPECT_TRUE(is_identity(exact_isometry(surface, surface.corner_cycle(SideId(0)))));
 }
 
 TEST(WordIsometry, WordsThatAreNoPathsAreRefused) {
   const Surface surface = pants_surface(2, 1);
-  EXPECT_THROW((void)exact_isometry(surface, {99}), SurfaceError);
-  const std::uint32_t tile = surface.tile_of_side(surface.partner(0));
-  const std::uint32_t elsewhere = surface.side_number(1 - tile, 0);
-  EXPECT_THROW((void)enclosed_isometry(surface, {0, elsewhere}, 53), SurfaceError);
-  EXPECT_THROW((void)exact_isometry(Surface::regular(2), {0}), SurfaceError);
-  EXPECT_THROW((void)enclosed_isometry(surface, {0}, kMostEnclosureBits + 1), std::invalid_argument);
+  EXPECT_THROW((void)exact_isometry(surface, {SideId(99)}), SurfaceError);
+  const TileId tile = surface.tile_of_side(surface.partner(SideId(0)));
+  const SideId elsewhere = surface.side_number(TileId(1 - tile.number()), 0);
+  EXPECT_THROW((void)enclosed_isometry(surface, {SideId(0), elsewhere}, 53), SurfaceError);
+  EXPECT_THROW((void)exact_isometry(Surface::regular(2), {SideId(0)}), SurfaceError);
+  EXPECT_THROW((void)enclosed_isometry(surface, {SideId(0)}, kMostEnclosureBits + 1), std::invalid_argument);
 }
 
 TEST(WordIsometry, RegularSurfacesHaveTheirAlgebraicNumbers) {
   // a = cot(pi/8) = 1 + sqrt 2.
-  const EnclosedIsometry f = enclosed_isometry(Surface::regular(2), {0}, 300);
+  const EnclosedIsometry f = enclosed_isometry(Surface::regular(2), {SideId(0)}, 300);
   const auto beyond = [](const Rational& x) { return Rational((x - 1) * (x - 1) - 2); };
   EXPECT_LT(beyond(f.a_re.lower), 0);
   EXPECT_GT(beyond(f.a_re.upper), 0);

@@ -55,7 +55,7 @@ void expect_near(const std::vector<double>& a, const std::vector<double>& b, dou
 /// The length of the closed geodesic of a word from a tile to itself; 0 if the word is not hyperbolic.
 double length_of_word(const Surface& surface, const Word& word) {
   Isometry<Mp1024> value;
-  for (const std::uint32_t s : word) value = surface.crossing_as<Mp1024>(s) * value;
+  for (const SideId s : word) value = surface.crossing_as<Mp1024>(s) * value;
   return static_cast<double>(displacement_length(value));
 }
 
@@ -102,7 +102,8 @@ TEST(Spectrum, WordsAreClosedGeodesicsOfTheirLengths) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
     const GeodesicsDocument document = spectrum(named.surface, Length("3"));
     for (const ClosedGeodesic& geodesic : document.geodesics) {
-      EXPECT_NEAR(length_of_word(named.surface, geodesic.word), length_of(geodesic), 1e-12) << named.name;
+      EXPECT_NEAR(length_of_word(named.surface, word_of_letters(geodesic.word)), length_of(geodesic), 1e-12)
+          << named.name;
     }
   }
 }
@@ -114,7 +115,7 @@ TEST(Spectrum, HasEveryShortWordOfAnOctagon) {
     const Surface surface = random_octagon(seed);
     const std::vector<double> listed = lengths_of(spectrum(surface, Length("5")));
     std::vector<Isometry<Mp256>> generators;
-    for (std::uint32_t s = 0; s < surface.side_count(); ++s) generators.push_back(surface.crossing_as<Mp256>(s));
+    for (const SideId s : surface.side_ids()) generators.push_back(surface.crossing_as<Mp256>(s));
     std::vector<Isometry<Mp256>> words{{}};
     int found = 0;
     for (int letters = 1; letters <= 5; ++letters) {

@@ -37,7 +37,7 @@ Surface pants(const std::string& seed) {
 /// The tiles with the edge at a side of tile t flipped; throws SurfaceError if the two triangles are no convex
 /// quadrilateral.
 Surface flipped(const Surface& surface, std::uint32_t side) {
-  const std::uint32_t other = surface.partner(side);
+  const std::uint32_t other = surface.partner(SideId(side)).number();
   const std::uint32_t t = side / 3;
   const std::uint32_t u = other / 3;
   const auto turned = [](std::uint32_t s, std::uint32_t k) { return s - s % 3 + (s + k) % 3; };
@@ -45,7 +45,7 @@ Surface flipped(const Surface& surface, std::uint32_t side) {
   const auto a = vertex(side);
   const auto b = vertex(turned(side, 1));
   const auto c = vertex(turned(side, 2));
-  const auto d = surface.crossing(other)(vertex(turned(other, 2)));
+  const auto d = surface.crossing(SideId(other))(vertex(turned(other, 2)));
   std::vector<Tile> tiles = surface.tiles();
   tiles[t] = {c, a, d};
   tiles[u] = {d, b, c};
@@ -57,7 +57,7 @@ Surface flipped(const Surface& surface, std::uint32_t side) {
   };
   std::vector<Gluing> gluing{{t, 2, u, 2}};
   for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
-    const std::uint32_t p = surface.partner(s);
+    const std::uint32_t p = surface.partner(SideId(s)).number();
     if (s < p && s != side && s != other) gluing.push_back({place(s) / 3, place(s) % 3, place(p) / 3, place(p) % 3});
   }
   return {std::move(tiles), std::move(gluing)};
@@ -127,7 +127,7 @@ TEST(ImportedNet, AFlippedEdgeIsRefutedAndNamed) {
     const certify::Certificate certificate = verdict_on(stream, "0.5");
     EXPECT_EQ(certificate.verdict, certify::Verdict::refuted);
     EXPECT_EQ(certificate.rule, "delaunay");
-    const std::uint32_t culprit = std::min(3 * (side / 3) + 2, 3 * (surface.partner(side) / 3) + 2);
+    const std::uint32_t culprit = std::min(3 * (side / 3) + 2, 3 * (surface.partner(SideId(side)).number() / 3) + 2);
     EXPECT_THAT(certificate.message, HasSubstr("dart " + std::to_string(culprit) + " "));
     EXPECT_EQ(certificate.counts.vertices, surface.vertex_class_count());
   }

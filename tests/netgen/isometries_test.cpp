@@ -15,8 +15,7 @@
 #include "netgen/isometries/length_spectra.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/matrices.h"
-#include "netgen/surfaces/named_maps.h"
+#include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/octagon.h"
 
 namespace epsnet {

@@ -1,5 +1,3 @@
-#include "netgen/lifts/locate.h"
-
 #include <array>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +9,8 @@
 
 #include "certify/check.h"
 #include "kernel/plane.h"
-#include "netgen/distances/distance.h"
+#include "netgen/distances/distances.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
@@ -54,7 +53,7 @@ TEST(Locate, GivesWeightsAndANearCorner) {
   Locator locator(net);
   for (int x = -5; x <= 5; ++x) {
     for (int y = -5; y <= 5; ++y) {
-      const BasePoint point{0, {Rational(x, 20), Rational(y, 20)}};
+      const BasePoint point{TileId(0), {Rational(x, 20), Rational(y, 20)}};
       const PointLocation found = locator.locate(point);
       EXPECT_LT(found.distances[found.nearest_corner()], 0.4);
       EXPECT_NEAR(found.weights[0] + found.weights[1] + found.weights[2], 1, 1e-14);
@@ -64,7 +63,7 @@ TEST(Locate, GivesWeightsAndANearCorner) {
         weights[i] = Rational(found.weights[i]);
       }
       const BasePoint again = point_of_triangle(surface, net, found.triangle, weights);
-      EXPECT_EQ(again.tile, 0U);
+      EXPECT_EQ(again.tile, TileId(0));
       EXPECT_LT(distance(convert<Mp256>(again.z), convert<Mp256>(point.z)), 1e-13);
     }
   }
@@ -73,7 +72,7 @@ TEST(Locate, GivesWeightsAndANearCorner) {
 TEST(Locate, APointBeyondASideOfItsTileIsThatOfTheNeighbour) {
   const Surface surface = random_octagon(123);
   Locator locator(compute_net(surface, Length("0.8")).net);
-  const BasePoint outside{0, {Rational(9, 10), Rational(3, 10)}};
+  const BasePoint outside{TileId(0), {Rational(9, 10), Rational(3, 10)}};
   const BasePoint point = in_its_tile(surface, outside);
   EXPECT_THROW(require_inside(surface, outside), SurfaceError);
   EXPECT_NO_THROW(require_inside(surface, point));
@@ -83,8 +82,8 @@ TEST(Locate, APointBeyondASideOfItsTileIsThatOfTheNeighbour) {
 
 TEST(Locate, WhatIsNoPointOfTheSurfaceIsAnError) {
   Locator locator(compute_net(random_octagon(123), Length("0.8")).net);
-  EXPECT_THROW((void)locator.locate({0, {1, 0}}), SurfaceError);
-  EXPECT_THROW((void)locator.locate({1, {0, 0}}), SurfaceError);
+  EXPECT_THROW((void)locator.locate({TileId(0), {1, 0}}), SurfaceError);
+  EXPECT_THROW((void)locator.locate({TileId(1), {0, 0}}), SurfaceError);
 }
 
 TEST(Locate, PointsOfTrianglesThatThereAreNot) {
@@ -100,7 +99,7 @@ TEST(Locate, PointsOfTrianglesThatThereAreNot) {
 TEST(GivenPoints, AreVertices) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
     std::vector<BasePoint> points;
-    for (std::uint32_t tile = 0; tile < named.surface.tiles().size(); ++tile) {
+    for (const TileId tile : named.surface.tile_ids()) {
       points.push_back(centre_of_tile(named.surface, tile));
     }
     points[0].z = points[0].z + Complex<Rational>{Rational(1, 1'000'003), 0};
@@ -133,16 +132,16 @@ TEST(GivenPoints, MayNotBeTooClose) {
     }
     return {0, 0};
   };
-  const BasePoint a{0, {0, 0}};
-  const BasePoint b{0, {Rational(1, 3), 0}};
-  const BasePoint near_b{0, {Rational(1, 3), Rational(1, 10)}};
+  const BasePoint a{TileId(0), {0, 0}};
+  const BasePoint b{TileId(0), {Rational(1, 3), 0}};
+  const BasePoint near_b{TileId(0), {Rational(1, 3), Rational(1, 10)}};
   using Pair = std::pair<std::uint32_t, std::uint32_t>;
   EXPECT_EQ(error({.points = {a, b}}), Pair(0, 0));
   EXPECT_EQ(error({.points = {a, b, near_b}}), Pair(1, 2));
   EXPECT_EQ(error({.points = {a, b, a}}), Pair(0, 2));
   EXPECT_EQ(error({.base = a, .points = {b, near_b}}), Pair(1, 2));
   EXPECT_EQ(error({.base = b, .points = {near_b}}), Pair(0, 1));
-  EXPECT_THROW((void)compute_net(surface, Length("0.3"), {.points = {{0, {1, 0}}}}), SurfaceError);
+  EXPECT_THROW((void)compute_net(surface, Length("0.3"), {.points = {{TileId(0), {1, 0}}}}), SurfaceError);
   EXPECT_THROW((void)compute_net(surface, Length("0.3"), {.points = {a}, .pseudo = true}), std::invalid_argument);
 }
 

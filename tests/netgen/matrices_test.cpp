@@ -1,5 +1,3 @@
-#include "netgen/surfaces/matrices.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,7 +5,7 @@
 #include "netgen/isometries/isometries.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/named_maps.h"
+#include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/octagon.h"
 
 namespace epsnet {
@@ -31,7 +29,7 @@ bool same(const Isometry<Rational>& f, const Isometry<Rational>& g) {
 /// Whether the group of the surface has each of the matrices, where its word says.
 bool has_generators(const MatrixSurface& made, const MatrixGenerators& matrices) {
   for (std::size_t k = 0; k < matrices.generators.size(); ++k) {
-    if (!is_path(made.surface, 0, 0, made.words[k])) return false;
+    if (!is_path(made.surface, TileId(0), TileId(0), made.words[k])) return false;
     if (!same(exact_isometry(made.surface, made.words[k]), matrices.generators[k])) return false;
   }
   return made.words.size() == matrices.generators.size();

@@ -12,7 +12,7 @@
 #include "certify/net/darts.h"
 #include "kernel/plane.h"
 #include "netgen/exchange/exchange.h"
-#include "netgen/lifts/net_geometry.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/pictures/curves.h"
 #include "netgen/surfaces/fenchel_nielsen.h"

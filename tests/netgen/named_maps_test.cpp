@@ -1,5 +1,3 @@
-#include "netgen/surfaces/named_maps.h"
-
 #include <gtest/gtest.h>
 #include <string>
 #include <utility>
@@ -8,6 +6,7 @@
 #include "certify/check.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/surface_file.h"
 #include "triangulation/surface/points.h"
 
@@ -81,16 +80,17 @@ TEST(NamedSurfaces, HaveTheRotationsOfTheirGroups) {
     std::uint32_t rotations = 0;
     for (std::uint32_t image = 0; image < order; ++image) {
       // The rotation that takes side 0 to `image`, if there is one: followed along sides and across them.
-      std::vector<std::uint32_t> to(order, order);
-      std::vector<std::uint32_t> pending{0};
-      to[0] = image;
+      const SideId unknown(order);
+      ById<SideId, SideId> to(order, unknown);
+      std::vector<SideId> pending{SideId(0)};
+      to[SideId(0)] = SideId(image);
       bool is_map = true;
       while (is_map && !pending.empty()) {
-        const std::uint32_t s = pending.back();
+        const SideId s = pending.back();
         pending.pop_back();
         for (const auto& [next, next_image] : {std::pair{surface.next_side(s), surface.next_side(to[s])},
                                                std::pair{surface.partner(s), surface.partner(to[s])}}) {
-          if (to[next] == order) {
+          if (to[next] == unknown) {
             to[next] = next_image;
             pending.push_back(next);
           }
@@ -131,7 +131,7 @@ TEST(NamedSurfaces, OfGenus100HaveVerifiedNets) {
 
 TEST(NamedSurfaces, HaveNetsOfPointsThatAreNoCentres) {
   const Surface klein = named_surface("klein");
-  const std::vector<BasePoint> points{{5, {Rational(1, 7), Rational(1, 9)}}, {0, {0, 0}}};
+  const std::vector<BasePoint> points{{TileId(5), {Rational(1, 7), Rational(1, 9)}}, {TileId(0), {0, 0}}};
   EXPECT_EQ(certified_net(klein, Length("0.5"), {.points = points}).certificate.verdict, certify::Verdict::verified);
 }
 

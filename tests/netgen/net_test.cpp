@@ -49,7 +49,7 @@ std::string any_epsilon(double least, double most) {
 /// The length of the shortest closed curve that crosses at most four sides: the systole or a little more.
 double short_curve(const Surface& surface) {
   std::vector<Isometry<double>> generators;
-  for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
+  for (const SideId s : surface.side_ids()) {
     generators.push_back(normalized(convert<double>(surface.crossing(s))));
   }
   double least = HUGE_VAL;
@@ -171,7 +171,7 @@ TEST(Net, BasePointIsTheStart) {
   for (const Complex<Rational>& z : surface.tiles()[3]) {
     base = base + Rational(1, 7) * z;
   }
-  const NetOptions options{.base = BasePoint{3, base}};
+  const NetOptions options{.base = BasePoint{TileId(3), base}};
   const CertifiedNet far = certified_net(surface, Length("9"), options);
   EXPECT_EQ(far.net.vertices.size(), 1U);
   EXPECT_EQ(far.statistics.removed, surface.vertex_class_count());
@@ -184,7 +184,7 @@ TEST(Net, BasePointIsTheStart) {
     EXPECT_EQ(net.charts[vertex.chart].centre.x, mpq_class(base.x.backend().data()));
     EXPECT_EQ(net.charts[vertex.chart].centre.y, mpq_class(base.y.backend().data()));
   }
-  EXPECT_THROW((void)compute_net(surface, Length("1"), {.base = BasePoint{0, {1, 0}}}), SurfaceError);
+  EXPECT_THROW((void)compute_net(surface, Length("1"), {.base = BasePoint{TileId(0), {1, 0}}}), SurfaceError);
 }
 
 TEST(Net, RegularSurfacesAreVerified) {

@@ -7,7 +7,7 @@
 
 #include "certify/net/document.h"
 #include "kernel/plane.h"
-#include "netgen/base/length.h"
+#include "netgen/base/options.h"
 #include "netgen/surfaces/surface_file.h"
 #include "triangulation/mesh/threshold.h"
 
@@ -149,7 +149,7 @@ class Oracle {
     };
     for (const certify::NetDocument::Label& l : net_->labels) {
       Map g = frame(l.from);
-      for (const std::uint32_t s : l.word) g = convert<Mp1024>(surface_->crossing(s)) * g;
+      for (const SideId s : word_of_letters(l.word)) g = convert<Mp1024>(surface_->crossing(s)) * g;
       labels_.push_back(normalized(inverse(frame(l.to)) * g));
     }
   }

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "netgen/geodesics/geodesics.h"
-#include "netgen/nets/net_options.h"
+#include "netgen/nets/certified_net.h"
 #include "netgen/pants/pants_proof.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
-#include "netgen/surfaces/named_maps.h"
+#include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/octagon.h"
 
 namespace epsnet {
@@ -172,11 +172,12 @@ TEST(Pants, CurvesThatAreRefused) {
   };
   EXPECT_EQ(refusal(surface, {pants[0], pants[1], pants[2]}), "");
   EXPECT_EQ(refusal(surface, {pants[0], {}}), "curve 1: a path without letters is trivial");
-  EXPECT_EQ(refusal(surface, {{0, 99}}), "curve 0: letter 1 is side 99, the surface has 14 sides");
-  EXPECT_EQ(refusal(surface, {{0, 8}}),
+  EXPECT_EQ(refusal(surface, {word_of_letters({0, 99})}), "curve 0: letter 1 is side 99, the surface has 14 sides");
+  EXPECT_EQ(refusal(surface, {word_of_letters({0, 8})}),
             "curve 0: letter 1 is side 8, no side of tile 0, where the letters before it lead");
-  EXPECT_EQ(refusal(surface, {{6}}), "curve 0: letter 0 is side 6, no side of tile 1, where the path ends");
-  EXPECT_EQ(refusal(surface, {{0, 2}}), "curve 0: null-homotopic");
+  EXPECT_EQ(refusal(surface, {word_of_letters({6})}),
+            "curve 0: letter 0 is side 6, no side of tile 1, where the path ends");
+  EXPECT_EQ(refusal(surface, {word_of_letters({0, 2})}), "curve 0: null-homotopic");
   EXPECT_EQ(refusal(surface, {joined(pants[1], pants[1])}), "curve 0: power 2 of another closed curve");
   EXPECT_EQ(refusal(surface, {joined(joined(pants[0], pants[0]), pants[0])}),
             "curve 0: power 3 of another closed curve");
@@ -186,7 +187,7 @@ TEST(Pants, CurvesThatAreRefused) {
   EXPECT_EQ(refusal(surface, {joined(pants[0], reversed(surface, pants[1]))}),
             "curve 0: not simple: its geodesic crosses itself");
   // Into the other pants through one cuff, and back through another one.
-  const Word across = joined({6}, {surface.partner(1)});
+  const Word across = joined({SideId(6)}, {surface.partner(SideId(1))});
   EXPECT_EQ(refusal(surface, {across}), "");
   EXPECT_EQ(refusal(surface, {pants[2], across, pants[1]}), "curve 2: its geodesic crosses that of curve 1");
 }

@@ -1,5 +1,3 @@
-#include "netgen/pictures/polygon.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
@@ -12,11 +10,11 @@
 #include "certify/check.h"
 #include "kernel/lorentz.h"
 #include "kernel/plane.h"
-#include "netgen/distances/bound.h"
-#include "netgen/distances/distance.h"
+#include "netgen/distances/distances.h"
 #include "netgen/geodesics/geodesics.h"
-#include "netgen/nets/domain_frame.h"
+#include "netgen/nets/dirichlet_polygon.h"
 #include "netgen/pictures/palette.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
 #include "tests/support/triangulations.h"
@@ -74,7 +72,7 @@ SideColours colours_of_sides(const std::string& svg) {
 
 TEST(PolygonPicture, OfADirichletDomainHasLabelledSidesWithPairsInOneColour) {
   const DirichletPolygon polygon =
-      dirichlet_polygon(random_octagon(123), BasePoint{0, {Rational(1, 10), Rational(1, 5)}});
+      dirichlet_polygon(random_octagon(123), BasePoint{TileId(0), {Rational(1, 10), Rational(1, 5)}});
   const PolygonPicture picture = picture_of(polygon);
   expect_paired_polygon(picture, "octagon");
   const std::string svg = draw_svg(picture);
@@ -117,8 +115,8 @@ TEST(PolygonPicture, OfASurfaceIsACentredPolygonOfItsTiles) {
 TEST(PolygonPicture, OfADistanceShowsThePathsFromTheCentreAndBothEnds) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
     if (named.surface.genus() > 3) continue;
-    const certify::DistanceDocument document =
-        distance(named.surface, centre_of_tile(named.surface, 0), {0, {Rational(1, 10), Rational(1, 20)}});
+    const certify::DistanceDocument document = distance(named.surface, centre_of_tile(named.surface, TileId(0)),
+                                                        {TileId(0), {Rational(1, 10), Rational(1, 20)}});
     const PolygonPicture picture = picture_of(document);
     ASSERT_EQ(picture.curves.size(), 1U) << named.name;
     ASSERT_EQ(picture.curves[0].segments.size(), document.paths.size()) << named.name;
@@ -170,7 +168,7 @@ TEST(PolygonPicture, OfASpectrumHasACurveForEachCluster) {
 TEST(FarthestPoints, AreWhereTheEccentricityIsAttained) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
     if (named.surface.genus() > 3) continue;
-    const BasePoint p = centre_of_tile(named.surface, 0);
+    const BasePoint p = centre_of_tile(named.surface, TileId(0));
     const certify::Certificate certificate = certify::check(eccentricity_net(named.surface, p));
     ASSERT_EQ(certificate.verdict, certify::Verdict::verified) << named.name;
     const std::vector<BasePoint> points = farthest_points(named.surface, dirichlet_polygon(named.surface, p));
@@ -193,7 +191,7 @@ TEST(FarthestPoints, OfTheCentreOfTheBolzaSurfaceIsItsVertex) {
     EXPECT_GE(length_of(path), document.value.lower - 1e-9);
     EXPECT_LE(length_of(path), document.value.upper + 1e-9);
   }
-  EXPECT_EQ(farthest_points(bolza, dirichlet_polygon(bolza, BasePoint{0, {0, 0}})).size(), 1U);
+  EXPECT_EQ(farthest_points(bolza, dirichlet_polygon(bolza, BasePoint{TileId(0), {0, 0}})).size(), 1U);
 }
 
 TEST(PolygonPicture, OfAnEmbeddedDiskShowsTheDiskInTheDomain) {

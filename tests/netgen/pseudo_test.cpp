@@ -121,7 +121,7 @@ TEST(PseudoNet, CollarsAreFoundFromAfar) {
     for (const Insertion insertion : {Insertion::cavity, Insertion::flips}) {
       const Surface surface = with_cuffs({power_of_ten(digits), power_of_ten(digits)});
       NetOptions options = kPseudo;
-      options.base = centre_of_tile(surface, 0);
+      options.base = centre_of_tile(surface, TileId(0));
       options.insertion = insertion;
       expect_verified(surface, "0.2", 2, options);
       EXPECT_GE(compute_net(surface, Length("0.2"), options).statistics.undone, 1U);
@@ -169,7 +169,7 @@ RC_GTEST_PROP(PseudoNetProperty, FenchelNielsenSurfacesAreVerified, ()) {
   NetOptions options = kPseudo;
   options.insertion = any_index(2u) == 0 ? Insertion::cavity : Insertion::flips;
   if (any_index(2u) == 0) {
-    options.base = centre_of_tile(surface, any_index(static_cast<std::uint32_t>(surface.tiles().size())));
+    options.base = centre_of_tile(surface, TileId(any_index(surface.tiles().size())));
   }
   const CertifiedNet net = certified_net(surface, epsilon, options);
   const auto short_cuffs = std::count_if(coordinates.lengths.begin(), coordinates.lengths.end(),
@@ -299,7 +299,7 @@ TEST(PseudoCertificate, TheCoreIsTheLoop) {
     }
   }
   // The inverse is the same curve.
-  word = reversed(with_cuffs({Rational(1, 100), Rational(1, 10)}), core);
+  word = letters_of(reversed(with_cuffs({Rational(1, 100), Rational(1, 10)}), word_of_letters(core)));
   EXPECT_EQ(outcome(net), "VERIFIED");
 }
 

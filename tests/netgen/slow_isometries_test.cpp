@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "netgen/isometries/isometries.h"
-#include "netgen/surfaces/named_maps.h"
+#include "netgen/surfaces/maps_and_covers.h"
 
 namespace epsnet {
 namespace {

@@ -190,7 +190,7 @@ TEST(SparseNet, DoesNotTwistAroundAVeryShortCurve) {
 
 TEST(SparseNet, KeepsTheBasePoint) {
   NetOptions options = kSparse;
-  options.base = BasePoint{0, {Rational(1, 5), Rational(-1, 7)}};
+  options.base = BasePoint{TileId(0), {Rational(1, 5), Rational(-1, 7)}};
   const Surface surface = random_octagon(11);
   const Triangulation start(surface, options.base);
   for (const char* epsilon : {"0.15", "0.5", "2"}) {

@@ -131,8 +131,8 @@ TEST(TriangulationStream, CrossRatiosAreThoseOfTheDefinition) {
   for (const auto& path : test::data_files("triangulations")) {
     const Surface surface = import_surface_file(path);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-    for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
-      if (s < surface.partner(s)) edges.emplace_back(s, surface.partner(s));
+    for (const SideId s : surface.side_ids()) {
+      if (s < surface.partner(s)) edges.emplace_back(s.number(), surface.partner(s).number());
     }
     EXPECT_EQ(glued(surface.tiles(), edges), read_triangulation_stream(test::file_text(path), "sample")) << path;
   }

@@ -1,5 +1,3 @@
-#include "netgen/distances/vertex_distances.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -14,9 +12,9 @@
 
 #include "certify/net/darts.h"
 #include "kernel/plane.h"
-#include "netgen/distances/distance.h"
+#include "netgen/distances/distances.h"
 #include "netgen/exchange/exchange.h"
-#include "netgen/lifts/net_geometry.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
@@ -138,7 +136,7 @@ TEST(VertexDistances, AreTheLeastThatWordsGive) {
   std::set<std::pair<long, long>> seen;
   for (std::size_t done = 0, level = 0; level < 6; ++level) {
     for (const std::size_t end = elements.size(); done < end; ++done) {
-      for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
+      for (const SideId s : surface.side_ids()) {
         const auto crossing = convert<double>(surface.crossing_as<Mp256>(s));
         const Isometry<double> element = normalized(crossing * elements[done]);
         const Complex<double> place = element({0.01, 0.02});

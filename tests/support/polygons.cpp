@@ -27,7 +27,7 @@ std::vector<std::filesystem::path> data_files(const std::string& folder) {
 
 PairedPolygon paired_polygon(const Surface& surface) {
   PairedPolygon polygon{surface.tiles().at(0), {}};
-  for (std::uint32_t s = 0; s < surface.side_count(); ++s) polygon.partner.push_back(surface.partner(s));
+  for (const SideId s : surface.side_ids()) polygon.partner.push_back(surface.partner(s).number());
   return polygon;
 }
 

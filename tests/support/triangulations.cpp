@@ -65,18 +65,18 @@ FenchelNielsen any_coordinates(std::uint32_t genus, double shortest, double long
   return coordinates;
 }
 
-Word any_word(const Surface& surface, std::uint32_t tile, std::size_t longest) {
+Word any_word(const Surface& surface, TileId tile, std::size_t longest) {
   Word word;
   const std::size_t length = any_index<std::size_t>(longest + 1);
   while (word.size() < length) {
-    const auto sides = static_cast<std::uint32_t>(surface.tiles()[tile].size());
+    const auto sides = static_cast<std::uint32_t>(surface.tile(tile).size());
     word.push_back(surface.side_number(tile, any_index(sides)));
     tile = surface.tile_of_side(surface.partner(word.back()));
   }
   return word;
 }
 
-std::uint32_t end_tile(const Surface& surface, std::uint32_t tile, const Word& word) {
+TileId end_tile(const Surface& surface, TileId tile, const Word& word) {
   return word.empty() ? tile : surface.tile_of_side(surface.partner(word.back()));
 }
 

@@ -49,10 +49,10 @@ void set_cuff_length(FenchelNielsen& coordinates, std::size_t edge, const Ration
 FenchelNielsen any_coordinates(std::uint32_t genus, double shortest, double longest);
 
 /// Returns a random path of at most `longest` crossings that starts in a tile; it may go back across the same side.
-Word any_word(const Surface& surface, std::uint32_t tile, std::size_t longest);
+Word any_word(const Surface& surface, TileId tile, std::size_t longest);
 
 /// Returns the tile in which a path ends.
-std::uint32_t end_tile(const Surface& surface, std::uint32_t tile, const Word& word);
+TileId end_tile(const Surface& surface, TileId tile, const Word& word);
 
 /// A random triangle or vertex.
 TriangleId any_triangle(const Triangulation& triangulation);

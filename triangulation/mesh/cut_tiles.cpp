@@ -20,12 +20,12 @@ class Cutting {
 
   void cut_tiles(const std::optional<BasePoint>& base);
   /// The centres of all tiles are the vertices, that of one tile is vertex 0. Requires: a regular surface.
-  void cut_around_classes(std::uint32_t first_tile);
+  void cut_around_classes(TileId first_tile);
 
  private:
   /// Makes the vertex classes vertices, from number `first_class` on, each the origin of a chart of its first corner.
   /// Returns the words from the tiles of these first corners to the tiles of all corners of the class, by corner.
-  [[nodiscard]] std::vector<Word> add_vertex_classes(std::uint32_t first_class);
+  [[nodiscard]] ById<SideId, Word> add_vertex_classes(std::uint32_t first_class);
   /// Cuts a polygon with these corners into triangles: around a vertex inside of it, or again and again into halves, by
   /// diagonals, so that few triangles have corners far apart. Returns the darts of its sides, from corner k to k + 1.
   [[nodiscard]] std::vector<Dart> cut_around(Corner centre, const std::vector<Corner>& corners);
@@ -33,8 +33,8 @@ class Cutting {
   /// The same for n corners; `set_corners(t, i, m, j)` sets those of triangle t to the polygon's, i < m < j.
   template <class SetCorners>
   [[nodiscard]] std::vector<Dart> cut_by_halves(std::uint32_t n, const SetCorners& set_corners);
-  /// Glues the triangles along the sides of the tiles; the darts by side number.
-  void glue_sides(const std::vector<Dart>& dart_of_side);
+  /// Glues the triangles along the sides of the tiles.
+  void glue_sides(const ById<SideId, Dart>& dart_of_side);
 
   Triangulation& triangulation_;
   const Surface& surface_;
@@ -47,17 +47,17 @@ void Cutting::cut_tiles(const std::optional<BasePoint>& base) {
   if (base) {
     editor_.add_vertex({{0, 0}, atlas_.add_chart({base->tile, base->z})});
   }
-  const std::vector<Word> words = add_vertex_classes(first_class);
-  std::vector<Dart> dart_of_side;
-  for (std::uint32_t tile = 0; tile < surface_.tiles().size(); ++tile) {
-    const std::uint32_t first = surface_.side_number(tile, 0);
+  const ById<SideId, Word> words = add_vertex_classes(first_class);
+  ById<SideId, Dart> dart_of_side;
+  for (const TileId tile : surface_.tile_ids()) {
+    const SideId first = surface_.side_number(tile, 0);
     // The corners lifted to one chart: the base point's, or that of the tile's first corner.
     const bool has_base = base && base->tile == tile;
     const ChartId reference =
         editor_.charts()[has_base ? VertexId(0) : VertexId(first_class + surface_.vertex_class(first))];
     const Word to_reference = has_base ? Word{} : reversed(surface_, words[first]);
     std::vector<Corner> corners;
-    for (std::uint32_t side = first; side < first + surface_.tiles()[tile].size(); ++side) {
+    for (const SideId side : surface_.sides_of(tile)) {
       const VertexId v(first_class + surface_.vertex_class(side));
       corners.push_back(
           {v, atlas_.label(editor_.charts()[v], reference, concatenated(surface_, words[side], to_reference))});
@@ -68,20 +68,20 @@ void Cutting::cut_tiles(const std::optional<BasePoint>& base) {
   glue_sides(dart_of_side);
 }
 
-std::vector<Word> Cutting::add_vertex_classes(std::uint32_t first_class) {
-  std::vector<Word> words(surface_.side_count());
+ById<SideId, Word> Cutting::add_vertex_classes(std::uint32_t first_class) {
+  ById<SideId, Word> words(surface_.side_count());
   editor_.points().resize(first_class + surface_.vertex_class_count());
   editor_.charts().resize(editor_.points().size());
   std::vector<bool> placed(surface_.vertex_class_count(), false);
-  for (std::uint32_t corner = 0; corner < words.size(); ++corner) {
+  for (const SideId corner : words.ids()) {
     const std::uint32_t v = surface_.vertex_class(corner);
     if (placed[v]) {
       continue;
     }
     placed[v] = true;
-    const std::uint32_t tile = surface_.tile_of_side(corner);
+    const TileId tile = surface_.tile_of_side(corner);
     editor_.charts()[VertexId(first_class + v)] =
-        atlas_.add_chart({tile, surface_.tiles()[tile][corner - surface_.side_number(tile, 0)]});
+        atlas_.add_chart({tile, surface_.tile(tile)[surface_.place_in_tile(corner)]});
     const Word cycle = surface_.corner_cycle(corner);
     // To corner i of the cycle leads the first part of it, or the rest of it backwards: the shorter one.
     for (std::size_t i = 0; i < cycle.size(); ++i) {
@@ -143,24 +143,25 @@ std::vector<Dart> Cutting::cut_by_halves(const std::vector<Corner>& corners) {
                        });
 }
 
-void Cutting::glue_sides(const std::vector<Dart>& dart_of_side) {
-  for (std::uint32_t s = 0; s < dart_of_side.size(); ++s) {
+void Cutting::glue_sides(const ById<SideId, Dart>& dart_of_side) {
+  for (const SideId s : dart_of_side.ids()) {
     const Dart d = dart_of_side[s];
     editor_.triangles()[triangle_of(d)].opposite[corner_of(d)] = dart_of_side[surface_.partner(s)];
   }
 }
 
-void Cutting::cut_around_classes(std::uint32_t first_tile) {
+void Cutting::cut_around_classes(TileId first_tile) {
   // Vertex 0 is the centre of `first_tile`; that of tile 0 stands in its place.
-  const auto vertex = [&](std::uint32_t tile) {
-    return VertexId(tile == first_tile ? 0 : tile == 0 ? first_tile : tile);
+  const auto exchanged = [&](TileId tile) {
+    return tile == first_tile ? TileId(0) : tile == TileId(0) ? first_tile : tile;
   };
-  for (std::uint32_t v = 0; v < surface_.tiles().size(); ++v) {
-    editor_.add_vertex({{0, 0}, atlas_.add_chart({vertex(v).number(), {0, 0}})});
+  const auto vertex = [&](TileId tile) { return VertexId(exchanged(tile).number()); };
+  for (const TileId tile : surface_.tile_ids()) {
+    editor_.add_vertex({{0, 0}, atlas_.add_chart({exchanged(tile), {0, 0}})});
   }
-  std::vector<Dart> dart_of_side(surface_.side_count());
+  ById<SideId, Dart> dart_of_side(surface_.side_count());
   std::vector<bool> done(surface_.vertex_class_count(), false);
-  for (std::uint32_t corner = 0; corner < surface_.side_count(); ++corner) {
+  for (const SideId corner : surface_.side_ids()) {
     if (done[surface_.vertex_class(corner)]) continue;
     done[surface_.vertex_class(corner)] = true;
     // The centres of the tiles around the class make a polygon, dual to it. Its corners are cocircular, so it may be
@@ -198,7 +199,7 @@ Triangulation::Triangulation(const Surface& surface, const std::optional<BasePoi
     require_inside(surface, *base);
   }
   if (surface.is_regular() && (!base || base->z == Complex<Rational>{})) {
-    Cutting(*this).cut_around_classes(base ? base->tile : 0);
+    Cutting(*this).cut_around_classes(base ? base->tile : TileId(0));
   } else {
     Cutting(*this).cut_tiles(base);
   }

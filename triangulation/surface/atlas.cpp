@@ -47,9 +47,10 @@ Complex<T> dyadic(const Complex<double>& z) {
 }  // namespace
 
 Atlas::Atlas(const Surface& surface) : charts_(surface), words_(surface) {
-  for (std::uint32_t t = 0; t < surface.tiles().size() && !surface.is_regular(); ++t) {
-    if (const double shortest = curve_bound(surface.tiles()[t]); shortest < kShortestCurve) {
-      throw LimitError("tile " + std::to_string(t) + " is too thin: closed geodesics through it may be as short as " +
+  if (surface.is_regular()) return;
+  for (const TileId t : surface.tile_ids()) {
+    if (const double shortest = curve_bound(surface.tile(t)); shortest < kShortestCurve) {
+      throw LimitError("tile " + to_string(t) + " is too thin: closed geodesics through it may be as short as " +
                        with_exponent(shortest) + ", expected at least " + with_exponent(kShortestCurve));
     }
   }
@@ -238,11 +239,11 @@ std::optional<LiftedPoint> Atlas::lifted_point_nearby(ChartId c, const Complex<d
   return best;
 }
 
-std::optional<Atlas::TilePoint> Atlas::walk_through_tiles(std::uint32_t tile, const Complex<Mp1024>& z) const {
+std::optional<Atlas::TilePoint> Atlas::walk_through_tiles(TileId tile, const Complex<Mp1024>& z) const {
   constexpr std::size_t kLongestPath = 10'000;
   TilePoint point{tile, z, {}};
-  std::optional<std::uint32_t> entered;
-  while (const std::optional<std::uint32_t> s = charts_.side_before(point.tile, point.z, entered)) {
+  std::optional<SideId> entered;
+  while (const std::optional<SideId> s = charts_.side_before(point.tile, point.z, entered)) {
     point.z = words_.crossing<Mp1024>(*s)(point.z);
     point.path.push_back(*s);
     entered = surface().partner(*s);

@@ -102,12 +102,12 @@ class Atlas {
  private:
   /// A point in the coordinates of the tile that contains it, and the path to that tile.
   struct TilePoint {
-    std::uint32_t tile;
+    TileId tile;
     Complex<Mp1024> z;
     Word path;
   };
   /// The point with the coordinate z in a tile; nullopt if it is too many tiles away.
-  [[nodiscard]] std::optional<TilePoint> walk_through_tiles(std::uint32_t tile, const Complex<Mp1024>& z) const;
+  [[nodiscard]] std::optional<TilePoint> walk_through_tiles(TileId tile, const Complex<Mp1024>& z) const;
 
   [[nodiscard]] LabelId product_of_others(LabelId f, LabelId g);
   [[nodiscard]] LabelId inverse_of_other(LabelId f);

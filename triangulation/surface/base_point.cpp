@@ -10,10 +10,10 @@
 namespace epsnet {
 namespace {
 
-void require_tile(const Surface& surface, std::uint32_t tile) {
+void require_tile(const Surface& surface, TileId tile) {
   const std::size_t tiles = surface.tiles().size();
-  if (tile < tiles) return;
-  throw SurfaceError("the point is in tile " + std::to_string(tile) + ", the surface has " + std::to_string(tiles) +
+  if (tile.number() < tiles) return;
+  throw SurfaceError("the point is in tile " + to_string(tile) + ", the surface has " + std::to_string(tiles) +
                      (tiles == 1 ? " tile" : " tiles"));
 }
 
@@ -27,33 +27,41 @@ std::optional<std::size_t> side_not_left_of(const Tile& tile, const Complex<Rati
   return std::nullopt;
 }
 
-/// The sign says on which side of side k of its tile a point lies: positive is inside, 0 on the line.
-auto side_of(const Surface& surface, const BasePoint& point, std::uint32_t k) {
-  const Tile& tile = surface.tiles()[point.tile];
+/// The sign says on which side of a side of its tile a point lies: positive is inside, 0 on the line.
+auto side_of(const Surface& surface, const BasePoint& point, SideId s) {
+  const Tile& tile = surface.tile(point.tile);
+  const std::uint32_t k = surface.place_in_tile(s);
   return orientation_determinant(tile[k], tile[(k + 1) % tile.size()], point.z);
 }
 
-BasePoint across(const Surface& surface, const BasePoint& point, std::uint32_t k) {
-  const std::uint32_t side = surface.side_number(point.tile, k);
-  return {surface.tile_of_side(surface.partner(side)), surface.crossing(side)(point.z)};
+/// The first side of its tile that the point lies beyond.
+std::optional<SideId> side_before(const Surface& surface, const BasePoint& point) {
+  for (const SideId s : surface.sides_of(point.tile)) {
+    if (side_of(surface, point, s) < 0) return s;
+  }
+  return std::nullopt;
+}
+
+BasePoint across(const Surface& surface, const BasePoint& point, SideId s) {
+  return {surface.tile_of_side(surface.partner(s)), surface.crossing(s)(point.z)};
 }
 
 }  // namespace
 
 void require_inside(const Surface& surface, const BasePoint& base) {
   require_tile(surface, base.tile);
-  if (const auto side = side_not_left_of(surface.tiles()[base.tile], base.z)) {
-    throw SurfaceError("the base point is not strictly inside of tile " + std::to_string(base.tile) +
-                       ": not left of side " + std::to_string(*side));
+  if (const auto side = side_not_left_of(surface.tile(base.tile), base.z)) {
+    throw SurfaceError("the base point is not strictly inside of tile " + to_string(base.tile) + ": not left of side " +
+                       std::to_string(*side));
   }
 }
 
-BasePoint centre_of_tile(const Surface& surface, std::uint32_t tile) {
+BasePoint centre_of_tile(const Surface& surface, TileId tile) {
   if (surface.is_regular()) {
     return {tile, {0, 0}};
   }
   require_tile(surface, tile);
-  const Tile& vertices = surface.tiles()[tile];
+  const Tile& vertices = surface.tile(tile);
   Complex<Mp1024> sum;
   for (const Complex<Rational>& vertex : vertices) sum = sum + to_klein(convert<Mp1024>(vertex));
   const Complex<Mp1024> centre = from_klein(Mp1024(Mp1024(1) / vertices.size()) * sum);
@@ -80,14 +88,12 @@ BasePoint in_its_tile(const Surface& surface, const BasePoint& point) {
   constexpr int kMostTiles = 10'000;
   BasePoint here = point;
   for (int tiles = 0; tiles < kMostTiles; ++tiles) {
-    const auto sides = static_cast<std::uint32_t>(surface.tiles()[here.tile].size());
-    std::uint32_t k = 0;
-    while (k < sides && side_of(surface, here, k) >= 0) ++k;
-    if (k == sides) return here;
-    here = across(surface, here, k);
+    const std::optional<SideId> beyond = side_before(surface, here);
+    if (!beyond) return here;
+    here = across(surface, here, *beyond);
   }
   throw SurfaceError("the point is more than " + std::to_string(kMostTiles) + " tiles away from tile " +
-                     std::to_string(point.tile));
+                     to_string(point.tile));
 }
 
 bool is_same_point(const Surface& surface, const BasePoint& p, const BasePoint& q) {
@@ -96,9 +102,9 @@ bool is_same_point(const Surface& surface, const BasePoint& p, const BasePoint& 
   // All places that p has in closed tiles: several if it is on a side or a corner.
   std::vector<BasePoint> places{in_its_tile(surface, p)};
   for (std::size_t i = 0; i < places.size() && !surface.is_regular(); ++i) {
-    for (std::uint32_t k = 0; k < surface.tiles()[places[i].tile].size(); ++k) {
-      if (side_of(surface, places[i], k) != 0) continue;
-      const BasePoint place = across(surface, places[i], k);
+    for (const SideId s : surface.sides_of(places[i].tile)) {
+      if (side_of(surface, places[i], s) != 0) continue;
+      const BasePoint place = across(surface, places[i], s);
       if (std::none_of(places.begin(), places.end(), [&](const BasePoint& known) { return equal(place, known); })) {
         places.push_back(place);
       }

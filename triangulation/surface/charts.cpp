@@ -66,7 +66,7 @@ Charts::Disk Charts::disk_inside(std::span<const Complex<double>> tile) {
 }
 
 ChartId Charts::add(Chart chart) {
-  assert(chart.tile < surface_.tiles().size() && norm(chart.centre) < 1);
+  assert(chart.tile.number() < surface_.tiles().size() && norm(chart.centre) < 1);
   const ChartId c = entries_.end_id();
   of_tile_[chart.tile].push_back(c);
   Disk disk = disks_[chart.tile];
@@ -95,7 +95,7 @@ Isometry<T> Charts::unit_frame(ChartId c) const {
   }
 }
 
-std::optional<ChartId> Charts::nearest(std::uint32_t tile, const Complex<Mp1024>& z) const {
+std::optional<ChartId> Charts::nearest(TileId tile, const Complex<Mp1024>& z) const {
   const auto charts = of_tile_.find(tile);
   if (charts == of_tile_.end()) {
     return std::nullopt;
@@ -117,23 +117,20 @@ std::optional<ChartId> Charts::nearest(std::uint32_t tile, const Complex<Mp1024>
   return nearest;
 }
 
-std::optional<std::uint32_t> Charts::side_before(std::uint32_t tile, const Complex<Mp1024>& z,
-                                                 std::optional<std::uint32_t> entered) const {
-  const Tile& vertices = surface_.tiles()[tile];
-  const auto n = static_cast<std::uint32_t>(vertices.size());
-  const std::uint32_t first = surface_.side_number(tile, 0);
+std::optional<SideId> Charts::side_before(TileId tile, const Complex<Mp1024>& z, std::optional<SideId> entered) const {
+  const Tile& vertices = surface_.tile(tile);
   // Most sides are seen in binary64 to have the point on their left.
-  const auto is_left_of = [&](std::uint32_t k, std::uint32_t next) {
+  const auto is_left_of = [&](SideId s) {
+    const SideId next = surface_.next_side(s);
     constexpr double kRounding = 2 * kUnitRoundoff;
-    const StageSign seen =
-        orientation_stage<double>(corners_[first + k], corners_[first + next], convert<double>(z), kRounding);
-    return seen.certain
-               ? seen.sign > 0
-               : orientation_determinant(convert<Mp1024>(vertices[k]), convert<Mp1024>(vertices[next]), z) >= 0;
+    const StageSign seen = orientation_stage<double>(corners_[s], corners_[next], convert<double>(z), kRounding);
+    if (seen.certain) return seen.sign > 0;
+    const auto corner = [&](SideId c) { return convert<Mp1024>(vertices[surface_.place_in_tile(c)]); };
+    return orientation_determinant(corner(s), corner(next), z) >= 0;
   };
-  for (std::uint32_t k = 0; k < n; ++k) {
-    if (entered != first + k && !is_left_of(k, (k + 1) % n)) {
-      return first + k;
+  for (const SideId s : surface_.sides_of(tile)) {
+    if (entered != s && !is_left_of(s)) {
+      return s;
     }
   }
   return std::nullopt;

@@ -17,7 +17,7 @@ namespace epsnet {
 /// A chart: the Poincaré disk of a tile with the origin moved to `centre`; the point z of the chart has the coordinate
 /// (z + centre)/(1 + conj(centre) z) in the tile.
 struct Chart {
-  std::uint32_t tile;
+  TileId tile;
   Complex<Rational> centre;
 };
 
@@ -56,11 +56,11 @@ class Charts {
   [[nodiscard]] const Disk& disk(ChartId c) const { return entry(c).disk; }
 
   /// The chart of a tile whose origin is nearest to the point z of the tile, if that is near.
-  [[nodiscard]] std::optional<ChartId> nearest(std::uint32_t tile, const Complex<Mp1024>& z) const;
+  [[nodiscard]] std::optional<ChartId> nearest(TileId tile, const Complex<Mp1024>& z) const;
   /// A side of a tile on whose right z lies, other than `entered`, the one through which a walk came; nullopt if z is
   /// in the tile.
-  [[nodiscard]] std::optional<std::uint32_t> side_before(std::uint32_t tile, const Complex<Mp1024>& z,
-                                                         std::optional<std::uint32_t> entered) const;
+  [[nodiscard]] std::optional<SideId> side_before(TileId tile, const Complex<Mp1024>& z,
+                                                  std::optional<SideId> entered) const;
 
  private:
   struct Entry {
@@ -77,10 +77,10 @@ class Charts {
   [[nodiscard]] static Disk disk_inside(std::span<const Complex<double>> tile);
 
   Surface surface_;
-  std::vector<Complex<double>> corners_;  ///< Of all tiles, by the side that starts there; rounded.
-  std::vector<Disk> disks_;               ///< By tile.
+  ById<SideId, Complex<double>> corners_;  ///< Of all tiles, rounded.
+  ById<TileId, Disk> disks_;
   ById<ChartId, Entry> entries_;
-  std::unordered_map<std::uint32_t, std::vector<ChartId>> of_tile_;  ///< By tile.
+  std::unordered_map<TileId, std::vector<ChartId>> of_tile_;
 };
 
 }  // namespace epsnet

@@ -17,6 +17,12 @@ class LimitError : public Error {
   using Error::Error;
 };
 
+/// A file could not be written. what() is one line: the path and the reason ("No space left on device").
+class WriteError : public Error {
+ public:
+  using Error::Error;
+};
+
 /// Vertices and triangles are not a triangulation; what() names the first wrong element.
 class TriangulationError : public Error {
  public:

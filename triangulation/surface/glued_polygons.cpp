@@ -10,6 +10,7 @@ namespace epsnet {
 namespace {
 
 constexpr std::uint32_t kUnset = std::numeric_limits<std::uint32_t>::max();
+constexpr SideId kNoSide(kUnset);
 constexpr double kTurn = 2 * std::numbers::pi;
 
 std::string decimal(double value) {
@@ -92,83 +93,73 @@ GluedPolygons::GluedPolygons(const std::vector<Tile>& tiles, const std::vector<G
   genus_ = static_cast<std::uint32_t>((2 - euler) / 2);
 }
 
-std::uint32_t GluedPolygons::next(std::uint32_t side) const {
-  const std::uint32_t tile = sides_.side_tile[side];
-  return side + 1 < sides_.side_tile.size() && sides_.side_tile[side + 1] == tile ? side + 1 : sides_.first_side[tile];
+std::string GluedPolygons::tile_name(TileId t) const {
+  return tiles_.size() == 1 ? "the polygon" : "tile " + to_string(t);
 }
 
-std::uint32_t GluedPolygons::previous(std::uint32_t side) const {
-  const std::uint32_t tile = sides_.side_tile[side];
-  return side > sides_.first_side[tile] ? side - 1
-                                        : sides_.first_side[tile] + static_cast<std::uint32_t>(tiles_[tile].size()) - 1;
-}
-
-std::string GluedPolygons::tile_name(std::uint32_t tile) const {
-  return tiles_.size() == 1 ? "the polygon" : "tile " + std::to_string(tile);
-}
-
-std::string GluedPolygons::name(const char* element, std::uint32_t side) const {
-  const std::uint32_t tile = sides_.side_tile[side];
-  const std::string own = element + (" " + std::to_string(side - sides_.first_side[tile]));
-  return tiles_.size() == 1 ? own : "tile " + std::to_string(tile) + ", " + own;
+std::string GluedPolygons::name(const char* element, SideId side) const {
+  const std::string own = element + (" " + std::to_string(sides_.place_in_tile(side)));
+  return tiles_.size() == 1 ? own : tile_name(sides_.side_tile[side]) + ", " + own;
 }
 
 void GluedPolygons::number_sides() {
   if (tiles_.empty()) throw SurfaceError("there is no tile");
-  for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
-    if (tiles_[t].size() < 3) {
-      throw SurfaceError(tile_name(t) + " has " + std::to_string(tiles_[t].size()) + " vertices, expected at least 3");
+  for (const Tile& tile : tiles_) {
+    const TileId t = sides_.first_side.end_id();
+    if (tile.size() < 3) {
+      throw SurfaceError(tile_name(t) + " has " + std::to_string(tile.size()) + " vertices, expected at least 3");
     }
     // Darts and words number sides with 32 bits; one value stands for "none".
-    if (tiles_[t].size() >= kUnset - sides_.side_tile.size()) throw SurfaceError("there are more than 2^32 - 2 sides");
-    sides_.first_side.push_back(static_cast<std::uint32_t>(sides_.side_tile.size()));
-    sides_.side_tile.insert(sides_.side_tile.end(), tiles_[t].size(), t);
+    if (tile.size() >= kUnset - sides_.side_tile.size()) throw SurfaceError("there are more than 2^32 - 2 sides");
+    sides_.first_side.push_back(sides_.side_tile.end_id());
+    sides_.side_tile.insert(sides_.side_tile.end(), tile.size(), t);
   }
 }
 
 void GluedPolygons::pair_sides(const std::vector<Gluing>& gluing) {
-  sides_.partner.assign(sides_.side_tile.size(), kUnset);
-  const auto number = [&](std::uint32_t tile, std::uint32_t side, std::size_t pair) {
-    if (tile >= tiles_.size()) {
-      throw SurfaceError("pair " + std::to_string(pair) + " of the gluing names tile " + std::to_string(tile) +
+  sides_.partner.assign(sides_.side_tile.size(), kNoSide);
+  const auto number = [&](std::uint32_t tile_number, std::uint32_t side, std::size_t pair) {
+    if (tile_number >= tiles_.size()) {
+      throw SurfaceError("pair " + std::to_string(pair) + " of the gluing names tile " + std::to_string(tile_number) +
                          ", but there are only " + std::to_string(tiles_.size()));
     }
-    if (side >= tiles_[tile].size()) {
+    const TileId t(tile_number);
+    if (side >= tile(t).size()) {
       throw SurfaceError("pair " + std::to_string(pair) + " of the gluing names side " + std::to_string(side) + " of " +
-                         tile_name(tile) + ", which has only " + std::to_string(tiles_[tile].size()) + " sides");
+                         tile_name(t) + ", which has only " + std::to_string(tile(t).size()) + " sides");
     }
-    return sides_.first_side[tile] + side;
+    return SideId(sides_.first_side[t].number() + side);
   };
   for (std::size_t i = 0; i < gluing.size(); ++i) {
-    const std::uint32_t s = number(gluing[i].tile, gluing[i].side, i);
-    const std::uint32_t other = number(gluing[i].other_tile, gluing[i].other_side, i);
+    const SideId s = number(gluing[i].tile, gluing[i].side, i);
+    const SideId other = number(gluing[i].other_tile, gluing[i].other_side, i);
     if (s == other) throw SurfaceError(name("side", s) + " is paired with itself");
-    for (const std::uint32_t used : {s, other}) {
-      if (sides_.partner[used] != kUnset) throw SurfaceError(name("side", used) + " occurs twice in the gluing");
+    for (const SideId used : {s, other}) {
+      if (sides_.partner[used] != kNoSide) throw SurfaceError(name("side", used) + " occurs twice in the gluing");
     }
     sides_.partner[s] = other;
     sides_.partner[other] = s;
   }
-  for (std::uint32_t s = 0; s < sides_.partner.size(); ++s) {
-    if (sides_.partner[s] == kUnset) throw SurfaceError(name("side", s) + " is not paired with any side");
+  for (const SideId s : side_ids()) {
+    if (sides_.partner[s] == kNoSide) throw SurfaceError(name("side", s) + " is not paired with any side");
   }
 }
 
 void GluedPolygons::check_connected() const {
-  std::vector<bool> reached(tiles_.size());
-  std::vector<std::uint32_t> pending{0};
-  reached[0] = true;
+  ById<TileId, bool> reached(tiles_.size());
+  std::vector<TileId> pending{TileId(0)};
+  reached[TileId(0)] = true;
   while (!pending.empty()) {
-    const std::uint32_t tile = pending.back();
+    const TileId t = pending.back();
     pending.pop_back();
-    for (std::uint32_t k = 0; k < tiles_[tile].size(); ++k) {
-      const std::uint32_t neighbour = sides_.side_tile[sides_.partner[sides_.first_side[tile] + k]];
+    for (const SideId s : sides_of(t)) {
+      const TileId neighbour = sides_.side_tile[sides_.partner[s]];
       if (reached[neighbour]) continue;
       reached[neighbour] = true;
       pending.push_back(neighbour);
     }
   }
-  for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
+  for (const TileId t : tile_ids()) {
     if (!reached[t]) {
       throw SurfaceError("the surface is not connected: no path of glued sides leads from tile 0 to " + tile_name(t));
     }
@@ -177,12 +168,12 @@ void GluedPolygons::check_connected() const {
 
 void GluedPolygons::number_vertices() {
   sides_.vertex_class.assign(sides_.side_tile.size(), kUnset);
-  for (std::uint32_t first = 0; first < sides_.vertex_class.size(); ++first) {
+  for (const SideId first : side_ids()) {
     if (sides_.vertex_class[first] != kUnset) continue;
     const auto number = static_cast<std::uint32_t>(sides_.vertex_class_sizes.size());
     sides_.vertex_class_sizes.push_back(0);
     // Side s starts at the vertex; across it the vertex is where the partner ends, which is where the next side starts.
-    for (std::uint32_t s = first; sides_.vertex_class[s] == kUnset; s = next(sides_.partner[s])) {
+    for (SideId s = first; sides_.vertex_class[s] == kUnset; s = next(sides_.partner[s])) {
       sides_.vertex_class[s] = number;
       ++sides_.vertex_class_sizes[number];
     }
@@ -199,7 +190,7 @@ void GluedPolygons::check_vertices() {
         klein_.push_back(klein(point_.back()));
         continue;
       }
-      const auto corner = static_cast<std::uint32_t>(point_.size() - 1);
+      const SideId corner(point_.size() - 1);
       const double modulus = static_cast<double>(sqrt(Mp256(norm(vertex))));
       throw SurfaceError(name("vertex", corner) + (norm(vertex) == 1 ? " lies on" : " lies outside of") +
                          " the unit circle, expected |z| < 1" +
@@ -207,7 +198,7 @@ void GluedPolygons::check_vertices() {
     }
   }
   corner_.reserve(sides_.side_tile.size());
-  for (std::uint32_t s = 0; s < sides_.side_tile.size(); ++s) {
+  for (const SideId s : side_ids()) {
     const Complex<Integer> forward = direction(point_[s], point_[next(s)]);
     if (forward == Complex<Integer>{0, 0}) {
       throw SurfaceError(name("side", s) + " has length 0: its two vertices are the same point");
@@ -216,30 +207,28 @@ void GluedPolygons::check_vertices() {
   }
 }
 
-double GluedPolygons::angle(std::uint32_t corner) const { return argument(corner_[corner]); }
+double GluedPolygons::angle(SideId corner) const { return argument(corner_[corner]); }
 
-bool GluedPolygons::clockwise(std::uint32_t tile) const {
+bool GluedPolygons::clockwise(TileId t) const {
   // At the leftmost vertex a simple polygon turns the way it goes around.
-  std::uint32_t extreme = sides_.first_side[tile];
-  for (std::uint32_t k = 1; k < tiles_[tile].size(); ++k) {
-    if (lexicographically_less(klein_[sides_.first_side[tile] + k], klein_[extreme]))
-      extreme = sides_.first_side[tile] + k;
+  SideId extreme = sides_.first_side[t];
+  for (const SideId corner : sides_of(t)) {
+    if (lexicographically_less(klein_[corner], klein_[extreme])) extreme = corner;
   }
   return corner_[extreme].y < 0;
 }
 
 std::optional<std::string> GluedPolygons::convexity_problem() const {
-  for (std::uint32_t t = 0; t < tiles_.size(); ++t) {
-    const auto size = static_cast<std::uint32_t>(tiles_[t].size());
+  for (const TileId t : tile_ids()) {
     if (clockwise(t)) return tile_name(t) + " is clockwise: the vertices must be listed counterclockwise";
     std::uint32_t windings = 0;
-    for (std::uint32_t s = sides_.first_side[t]; s < sides_.first_side[t] + size; ++s) {
+    for (const SideId s : sides_of(t)) {
       if (!strictly_convex(s)) {
-        return tile_name(t) + " is not strictly convex at its vertex " + std::to_string(s - sides_.first_side[t]) +
+        return tile_name(t) + " is not strictly convex at its vertex " + std::to_string(sides_.place_in_tile(s)) +
                " (interior angle " + decimal(angle(s)) + ")";
       }
       // With left turns only, the direction of the sides turns through the half circle [0, π) once per winding.
-      const std::uint32_t n = next(s);
+      const SideId n = next(s);
       windings += points_up(klein_[s], klein_[n]) && !points_up(klein_[n], klein_[next(n)]) ? 1 : 0;
     }
     if (windings != 1) {
@@ -254,8 +243,8 @@ void GluedPolygons::check_convex() const {
 }
 
 void GluedPolygons::check_lengths() const {
-  for (std::uint32_t s = 0; s < sides_.partner.size(); ++s) {
-    const std::uint32_t other = sides_.partner[s];
+  for (const SideId s : side_ids()) {
+    const SideId other = sides_.partner[s];
     if (other < s) continue;
     const Fraction own = squared_sinh_of_half(point_[s], point_[next(s)]);
     const Fraction glued = squared_sinh_of_half(point_[other], point_[next(other)]);
@@ -270,13 +259,13 @@ void GluedPolygons::check_lengths() const {
 }
 
 void GluedPolygons::check_angles() const {
-  std::vector<bool> visited(sides_.side_tile.size());
+  ById<SideId, bool> visited(sides_.side_tile.size());
   std::vector<Complex<Integer>> factors;
-  for (std::uint32_t first = 0; first < visited.size(); ++first) {
+  for (const SideId first : side_ids()) {
     if (visited[first]) continue;
     factors.clear();
     double sum = 0;
-    for (std::uint32_t s = first; !visited[s]; s = next(sides_.partner[s])) {
+    for (SideId s = first; !visited[s]; s = next(sides_.partner[s])) {
       visited[s] = true;
       factors.push_back(corner_[s]);
       sum += angle(s);

@@ -45,15 +45,15 @@ class GluedPolygons {
   void check_angles() const;
 
   /// The polygon goes clockwise. Exact for simple polygons.
-  [[nodiscard]] bool clockwise(std::uint32_t tile) const;
+  [[nodiscard]] bool clockwise(TileId t) const;
 
-  [[nodiscard]] const std::vector<ScaledPoint>& points() const { return point_; }
-  [[nodiscard]] const std::vector<KleinVector>& klein_points() const { return klein_; }
+  [[nodiscard]] const ById<SideId, ScaledPoint>& points() const { return point_; }
+  [[nodiscard]] const ById<SideId, KleinVector>& klein_points() const { return klein_; }
   [[nodiscard]] const GluedSides& sides() const& { return sides_; }
   [[nodiscard]] GluedSides sides() && { return std::move(sides_); }
   [[nodiscard]] std::uint32_t genus() const { return genus_; }
-  [[nodiscard]] std::uint32_t next(std::uint32_t side) const;
-  [[nodiscard]] std::uint32_t previous(std::uint32_t side) const;
+  [[nodiscard]] SideId next(SideId side) const { return sides_.next(side); }
+  [[nodiscard]] SideId previous(SideId side) const { return sides_.previous(side); }
 
  private:
   void number_sides();
@@ -61,20 +61,28 @@ class GluedPolygons {
   void check_connected() const;
   void number_vertices();
   /// "side 3", or "tile 2, side 3" where there are several tiles.
-  [[nodiscard]] std::string name(const char* element, std::uint32_t side) const;
-  [[nodiscard]] std::string tile_name(std::uint32_t tile) const;
+  [[nodiscard]] std::string name(const char* element, SideId side) const;
+  [[nodiscard]] std::string tile_name(TileId t) const;
   /// True if the corner turns left; false for straight and reflex ones.
-  [[nodiscard]] bool strictly_convex(std::uint32_t corner) const { return corner_[corner].y > 0; }
+  [[nodiscard]] bool strictly_convex(SideId corner) const { return corner_[corner].y > 0; }
   /// The interior angle, in (0, 2π), to within 2⁻⁵⁰.
-  [[nodiscard]] double angle(std::uint32_t corner) const;
+  [[nodiscard]] double angle(SideId corner) const;
+
+  [[nodiscard]] const Tile& tile(TileId t) const { return tiles_[t.number()]; }
+  [[nodiscard]] Ids<TileId> tile_ids() const { return sides_.first_side.ids(); }
+  [[nodiscard]] Ids<SideId> side_ids() const { return sides_.side_tile.ids(); }
+  /// The sides of a tile.
+  [[nodiscard]] Ids<SideId> sides_of(TileId t) const {
+    return Ids<SideId>(sides_.first_side[t], static_cast<std::uint32_t>(tile(t).size()));
+  }
 
   const std::vector<Tile>& tiles_;
   GluedSides sides_;
   std::uint32_t genus_ = 0;
-  std::vector<ScaledPoint> point_;
-  std::vector<KleinVector> klein_;
+  ById<SideId, ScaledPoint> point_;
+  ById<SideId, KleinVector> klein_;
   /// The interior angle at a corner is the argument of this Gaussian integer.
-  std::vector<Complex<Integer>> corner_;
+  ById<SideId, Complex<Integer>> corner_;
 };
 
 }  // namespace epsnet

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-/// Numbers of charts, vertices and triangles as distinct types, so that none can stand for another.
+/// Numbers of tiles, sides, charts, vertices and triangles as distinct types, so that none can stand for another.
 namespace epsnet {
 
 /// The number of one of the things that are of this kind, counted from 0. Converted from and to integers explicitly.
@@ -41,6 +41,10 @@ template <class Kind>
   return std::to_string(id.number());
 }
 
+/// The number of a tile of a surface.
+using TileId = Id<struct TileKind>;
+/// The number of a side of a tile, through all tiles of a surface; also that of the corner where the side starts.
+using SideId = Id<struct SideKind>;
 /// The number of a chart in an atlas.
 using ChartId = Id<struct ChartKind>;
 /// The number of a vertex in a triangulation.
@@ -48,7 +52,7 @@ using VertexId = Id<struct VertexKind>;
 /// The number of a triangle in a triangulation.
 using TriangleId = Id<struct TriangleKind>;
 
-/// The numbers less than `count`, in order: what a range-based for loop needs.
+/// Successive numbers, in order: what a range-based for loop needs.
 template <class I>
 class Ids {
  public:
@@ -69,13 +73,16 @@ class Ids {
   };
 
   /// The numbers less than `count`.
-  constexpr explicit Ids(std::uint32_t count) : count_(count) {}
+  constexpr explicit Ids(std::uint32_t count) : Ids(I(0), count) {}
+  /// `count` numbers, from this one on.
+  constexpr Ids(I first, std::uint32_t count) : first_(first), count_(count) {}
   /// The first number.
-  [[nodiscard]] constexpr Iterator begin() const { return Iterator(I(0)); }
+  [[nodiscard]] constexpr Iterator begin() const { return Iterator(first_); }
   /// Behind the last number.
-  [[nodiscard]] constexpr Iterator end() const { return Iterator(I(count_)); }
+  [[nodiscard]] constexpr Iterator end() const { return Iterator(I(first_.number() + count_)); }
 
  private:
+  I first_;
   std::uint32_t count_;
 };
 
@@ -94,9 +101,12 @@ class ById : public std::vector<T> {
 
 }  // namespace epsnet
 
+/// \cond Doxygen does not know the namespace std.
+/// The hash of the number.
 template <class Kind>
 struct std::hash<epsnet::Id<Kind>> {
   [[nodiscard]] std::size_t operator()(epsnet::Id<Kind> id) const noexcept {
     return std::hash<std::uint32_t>{}(id.number());
   }
 };
+/// \endcond

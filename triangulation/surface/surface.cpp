@@ -23,14 +23,14 @@ Surface::Data Surface::checked(std::vector<Tile> tiles, std::vector<Gluing> glui
   polygons.check_lengths();
   // Angles take as long as all crossings: side by side with them where there are many, and threads.
   constexpr std::size_t kMany = 100;
-  const std::vector<std::uint32_t>& partner = polygons.sides().partner;
+  const ById<SideId, SideId>& partner = polygons.sides().partner;
   std::future<void> angles =
       std::async(partner.size() > kMany ? std::launch::async | std::launch::deferred : std::launch::deferred,
                  [&polygons] { polygons.check_angles(); });
-  const std::vector<ScaledPoint>& points = polygons.points();
+  const ById<SideId, ScaledPoint>& points = polygons.points();
   data.crossing.resize(partner.size());
-  for (std::uint32_t s = 0; s < data.crossing.size(); ++s) {
-    const std::uint32_t other = partner[s];
+  for (const SideId s : partner.ids()) {
+    const SideId other = partner[s];
     if (other < s) continue;
     data.crossing[s] =
         integral_crossing(points[s], points[polygons.next(s)], points[polygons.next(other)], points[other]);
@@ -70,11 +70,12 @@ Surface Surface::map(RegularTile tile, std::vector<Gluing> gluing) {
   GluedPolygons polygons(data.tiles, data.gluing);
   data.genus = polygons.genus();
   data.sides = std::move(polygons).sides();
-  for (std::uint32_t corner = 0; corner < data.sides.partner.size(); ++corner) {
+  for (const SideId corner : data.sides.partner.ids()) {
     const std::uint32_t corners = data.sides.vertex_class_sizes[data.sides.vertex_class[corner]];
     if (corners == q) continue;
-    throw SurfaceError(std::to_string(corners) + " corners meet at vertex " + std::to_string(corner % p) + " of tile " +
-                       std::to_string(corner / p) + ", expected q = " + std::to_string(q));
+    throw SurfaceError(std::to_string(corners) + " corners meet at vertex " +
+                       std::to_string(data.sides.place_in_tile(corner)) + " of tile " +
+                       to_string(data.sides.side_tile[corner]) + ", expected q = " + std::to_string(q));
   }
   return Surface(std::move(data));
 }
@@ -94,22 +95,22 @@ bool Surface::is_regular_polygon() const {
   const std::uint32_t sides = 4 * genus();
   if (!is_regular() || *regular_tile() != RegularTile{sides, sides}) return false;
   for (std::uint32_t k = 0; k < sides; ++k) {
-    if (partner(k) != (k + sides / 2) % sides) return false;
+    if (partner(SideId(k)) != SideId((k + sides / 2) % sides)) return false;
   }
   return true;
 }
 
-const Isometry<Rational>& Surface::crossing(std::uint32_t s) const {
-  assert(s < side_count());
+const Isometry<Rational>& Surface::crossing(SideId s) const {
+  assert(s.number() < side_count());
   if (is_regular()) {
     throw std::logic_error("the crossings of regular tiles are not rational");
   }
   return data_->crossing[s];
 }
 
-Word Surface::corner_cycle(std::uint32_t corner) const {
+Word Surface::corner_cycle(SideId corner) const {
   Word cycle;
-  std::uint32_t s = corner;
+  SideId s = corner;
   do {
     cycle.push_back(s);
     s = next_side(partner(s));
@@ -118,8 +119,8 @@ Word Surface::corner_cycle(std::uint32_t corner) const {
 }
 
 template <class T>
-Isometry<T> Surface::crossing_as(std::uint32_t s) const {
-  assert(s < side_count());
+Isometry<T> Surface::crossing_as(SideId s) const {
+  assert(s.number() < side_count());
   if (!is_regular()) {
     return normalized(convert<T>(crossing(s)));
   }
@@ -130,8 +131,9 @@ Isometry<T> Surface::crossing_as(std::uint32_t s) const {
   const T& pi = boost::math::constants::pi<T>();
   const T cosine = cos(T(pi / q)) / sin(T(pi / p));
   const T sine = sqrt(T(cosine * cosine - 1));
-  const std::uint32_t k = s % p;
-  const std::uint32_t l = partner(s) % p + (partner(s) % p < k ? p : 0);
+  const std::uint32_t k = place_in_tile(s);
+  const std::uint32_t other = place_in_tile(partner(s));
+  const std::uint32_t l = other + (other < k ? p : 0);
   const auto along = [&](const T& size, std::int64_t quarters) {
     // Exact where it can be.
     if (quarters % (2 * std::int64_t{p}) == 0)
@@ -143,8 +145,8 @@ Isometry<T> Surface::crossing_as(std::uint32_t s) const {
           along(sine, 2 * std::int64_t{l} + 2 * std::int64_t{k} + p)};
 }
 
-template Isometry<Mp256> Surface::crossing_as<Mp256>(std::uint32_t) const;
-template Isometry<Mp1024> Surface::crossing_as<Mp1024>(std::uint32_t) const;
-template Isometry<Mp4096> Surface::crossing_as<Mp4096>(std::uint32_t) const;
+template Isometry<Mp256> Surface::crossing_as<Mp256>(SideId) const;
+template Isometry<Mp1024> Surface::crossing_as<Mp1024>(SideId) const;
+template Isometry<Mp4096> Surface::crossing_as<Mp4096>(SideId) const;
 
 }  // namespace epsnet

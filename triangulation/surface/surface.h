@@ -11,6 +11,7 @@
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
 #include "triangulation/surface/error.h"
+#include "triangulation/surface/id.h"
 
 namespace epsnet {
 
@@ -18,7 +19,8 @@ namespace epsnet {
 /// vertex k + 1.
 using Tile = std::vector<Complex<Rational>>;
 
-/// Side `side` of tile `tile` is glued to side `other_side` of tile `other_tile`, start to end.
+/// Side `side` of tile `tile` is glued to side `other_side` of tile `other_tile`, start to end. Nothing is known of
+/// these numbers until a surface is made of them.
 struct Gluing {
   std::uint32_t tile;
   std::uint32_t side;
@@ -40,16 +42,35 @@ class SurfaceError : public Error {
   using Error::Error;
 };
 
-/// A path, as the numbers of the sides that it crosses. The first is a side of the tile where the path starts.
-using Word = std::vector<std::uint32_t>;
+/// A path, as the sides that it crosses. The first is a side of the tile where the path starts.
+using Word = std::vector<SideId>;
+
+/// The word of which a file has these letters. Requires nothing of them: is_path says whether the word is a path.
+[[nodiscard]] Word word_of_letters(const std::vector<std::uint32_t>& letters);
+/// The letters of a word, as files have them.
+[[nodiscard]] std::vector<std::uint32_t> letters_of(const Word& word);
 
 /// How sides and corners, numbered through all tiles, belong to tiles, to each other, and to vertex classes.
 struct GluedSides {
-  std::vector<std::uint32_t> first_side;          ///< By tile.
-  std::vector<std::uint32_t> side_tile;           ///< By side.
-  std::vector<std::uint32_t> partner;             ///< By side.
-  std::vector<std::uint32_t> vertex_class;        ///< By corner.
+  ById<TileId, SideId> first_side;
+  ById<SideId, TileId> side_tile;
+  ById<SideId, SideId> partner;
+  ById<SideId, std::uint32_t> vertex_class;       ///< By corner.
   std::vector<std::uint32_t> vertex_class_sizes;  ///< By vertex class.
+
+  /// The side after side s, counterclockwise around its tile.
+  [[nodiscard]] SideId next(SideId s) const {
+    const SideId after(s.number() + 1);
+    return after != side_tile.end_id() && side_tile[after] == side_tile[s] ? after : first_side[side_tile[s]];
+  }
+  /// The side before side s.
+  [[nodiscard]] SideId previous(SideId s) const {
+    if (s != first_side[side_tile[s]]) return SideId(s.number() - 1);
+    const TileId after(side_tile[s].number() + 1);
+    return SideId((after != first_side.end_id() ? first_side[after] : side_tile.end_id()).number() - 1);
+  }
+  /// Returns k for side k of a tile.
+  [[nodiscard]] std::uint32_t place_in_tile(SideId s) const { return s.number() - first_side[side_tile[s]].number(); }
 };
 
 /// A closed hyperbolic surface, exact: finitely many convex tiles, each in its own coordinates, glued side to side by
@@ -94,50 +115,67 @@ class Surface {
   void set_about(std::string text) { about_ = std::move(text); }
   /// The polygons, each in its own coordinates.
   [[nodiscard]] const std::vector<Tile>& tiles() const { return data_->tiles; }
+  /// A polygon, in its own coordinates.
+  [[nodiscard]] const Tile& tile(TileId t) const {
+    assert(t.number() < tiles().size());
+    return tiles()[t.number()];
+  }
+  /// The numbers of all tiles.
+  [[nodiscard]] Ids<TileId> tile_ids() const { return data_->sides.first_side.ids(); }
   /// The pairs as given to the constructor.
   [[nodiscard]] const std::vector<Gluing>& gluing() const { return data_->gluing; }
 
   /// The number of sides of all tiles.
   [[nodiscard]] std::uint32_t side_count() const { return static_cast<std::uint32_t>(data_->sides.partner.size()); }
-  /// Returns the number of side `side` of tile `tile`.
-  [[nodiscard]] std::uint32_t side_number(std::uint32_t tile, std::uint32_t side) const {
-    assert(tile < tiles().size() && side < tiles()[tile].size());
-    return data_->sides.first_side[tile] + side;
+  /// The numbers of all sides.
+  [[nodiscard]] Ids<SideId> side_ids() const { return data_->sides.partner.ids(); }
+  /// The numbers of the sides of a tile.
+  [[nodiscard]] Ids<SideId> sides_of(TileId t) const {
+    return Ids<SideId>(side_number(t, 0), static_cast<std::uint32_t>(tile(t).size()));
+  }
+  /// Returns the number of side k of a tile.
+  [[nodiscard]] SideId side_number(TileId t, std::uint32_t k) const {
+    assert(t.number() < tiles().size() && k < tiles()[t.number()].size());
+    return SideId(data_->sides.first_side[t].number() + k);
   }
   /// The tile that has side s.
-  [[nodiscard]] std::uint32_t tile_of_side(std::uint32_t s) const {
-    assert(s < side_count());
+  [[nodiscard]] TileId tile_of_side(SideId s) const {
+    assert(s.number() < side_count());
     return data_->sides.side_tile[s];
   }
+  /// Returns k for side k of a tile.
+  [[nodiscard]] std::uint32_t place_in_tile(SideId s) const {
+    assert(s.number() < side_count());
+    return data_->sides.place_in_tile(s);
+  }
   /// The side after side s, counterclockwise around its tile.
-  [[nodiscard]] std::uint32_t next_side(std::uint32_t s) const {
-    const std::uint32_t tile = tile_of_side(s);
-    return s + 1 < side_count() && tile_of_side(s + 1) == tile ? s + 1 : side_number(tile, 0);
+  [[nodiscard]] SideId next_side(SideId s) const {
+    assert(s.number() < side_count());
+    return data_->sides.next(s);
   }
   /// The side before side s.
-  [[nodiscard]] std::uint32_t previous_side(std::uint32_t s) const {
-    const std::uint32_t tile = tile_of_side(s);
-    const std::uint32_t first = side_number(tile, 0);
-    return s > first ? s - 1 : first + static_cast<std::uint32_t>(tiles()[tile].size()) - 1;
+  [[nodiscard]] SideId previous_side(SideId s) const {
+    assert(s.number() < side_count());
+    return data_->sides.previous(s);
   }
   /// The side that side s is glued to.
-  [[nodiscard]] std::uint32_t partner(std::uint32_t s) const {
-    assert(s < side_count());
+  [[nodiscard]] SideId partner(SideId s) const {
+    assert(s.number() < side_count());
     return data_->sides.partner[s];
   }
   /// The isometry from the coordinates of the tile of side s to the coordinates of the tile of its partner, the start
   /// of s to the end of the partner. Its coefficients are Gaussian integers without a common integer factor. Throws
   /// std::logic_error for `is_regular` surfaces, whose crossings are not rational.
-  [[nodiscard]] const Isometry<Rational>& crossing(std::uint32_t s) const;
+  [[nodiscard]] const Isometry<Rational>& crossing(SideId s) const;
   /// Returns `crossing` rounded to T (Mp256, Mp1024, Mp4096) and scaled to determinant 1. Works for `is_regular`
   /// surfaces too.
   template <class T>
-  [[nodiscard]] Isometry<T> crossing_as(std::uint32_t s) const;
+  [[nodiscard]] Isometry<T> crossing_as(SideId s) const;
 
   /// Returns the vertex class of a corner: the point of the surface at that corner. Corners (tile, vertex) are numbered
   /// like the sides that start there; classes are numbered from 0 in the order of first occurrence.
-  [[nodiscard]] std::uint32_t vertex_class(std::uint32_t corner) const {
-    assert(corner < side_count());
+  [[nodiscard]] std::uint32_t vertex_class(SideId corner) const {
+    assert(corner.number() < side_count());
     return data_->sides.vertex_class[corner];
   }
   /// Returns the number of vertex classes.
@@ -145,13 +183,13 @@ class Surface {
     return static_cast<std::uint32_t>(data_->sides.vertex_class_sizes.size());
   }
   /// Returns the number of corners in the vertex class of a corner.
-  [[nodiscard]] std::uint32_t corners_around(std::uint32_t corner) const {
+  [[nodiscard]] std::uint32_t corners_around(SideId corner) const {
     return data_->sides.vertex_class_sizes[vertex_class(corner)];
   }
   /// Returns the corners in the vertex class of `corner`, `corner` first, clockwise around the point. Crossing side s
   /// leads to the corner at the end of its partner, which is the start of the side after the partner. Read as a word, a
   /// part of the cycle leads from the tile of its first corner to the tile of the corner after its last.
-  [[nodiscard]] Word corner_cycle(std::uint32_t corner) const;
+  [[nodiscard]] Word corner_cycle(SideId corner) const;
 
  private:
   struct Data {
@@ -159,7 +197,7 @@ class Surface {
     std::vector<Tile> tiles;
     std::vector<Gluing> gluing;
     GluedSides sides;
-    std::vector<Isometry<Rational>> crossing;
+    ById<SideId, Isometry<Rational>> crossing;
     std::uint32_t genus = 0;
   };
   explicit Surface(Data data) : data_(std::make_shared<const Data>(std::move(data))) {}
@@ -177,19 +215,19 @@ class Surface {
 /// removed, and a path that turns around a vertex takes the shorter way.
 [[nodiscard]] Word concatenated(const Surface& surface, Word first, const Word& then);
 /// Returns a shortest word from one tile to another. O(sides).
-[[nodiscard]] Word path_between_tiles(const Surface& surface, std::uint32_t from, std::uint32_t to);
+[[nodiscard]] Word path_between_tiles(const Surface& surface, TileId from, TileId to);
 /// Whether a word is a path from one tile to another.
-[[nodiscard]] bool is_path(const Surface& surface, std::uint32_t from, std::uint32_t to, const Word& word);
+[[nodiscard]] bool is_path(const Surface& surface, TileId from, TileId to, const Word& word);
 
 /// A point of a surface, in the coordinates of a tile.
 struct BasePoint {
-  std::uint32_t tile;
+  TileId tile;
   Complex<Rational> z;
 };
 
 /// Returns a point with few digits, strictly inside a tile: near the mean of the vertices in the Klein model. Throws
 /// SurfaceError if there is no such tile.
-[[nodiscard]] BasePoint centre_of_tile(const Surface& surface, std::uint32_t tile);
+[[nodiscard]] BasePoint centre_of_tile(const Surface& surface, TileId tile);
 
 /// Throws SurfaceError if the point is not strictly inside its tile.
 void require_inside(const Surface& surface, const BasePoint& base);

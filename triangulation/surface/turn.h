@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "triangulation/surface/surface.h"
 
 namespace epsnet {
@@ -10,8 +8,8 @@ namespace epsnet {
 enum class Turn { counterclockwise, clockwise };
 
 /// The crossing that continues a turn after side s: next to the partner of s in its tile.
-[[nodiscard]] inline std::uint32_t next_crossing(const Surface& surface, std::uint32_t s, Turn turn) {
-  const std::uint32_t partner = surface.partner(s);
+[[nodiscard]] inline SideId next_crossing(const Surface& surface, SideId s, Turn turn) {
+  const SideId partner = surface.partner(s);
   return turn == Turn::counterclockwise ? surface.next_side(partner) : surface.previous_side(partner);
 }
 

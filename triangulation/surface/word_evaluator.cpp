@@ -49,25 +49,25 @@ using TurnField = std::conditional_t<std::is_same_v<T, Mp256>, Mp1024, T>;
 
 WordEvaluator::WordEvaluator(const Surface& surface) : surface_(surface) {
   crossings_.reserve(surface.side_count());
-  for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
-    const std::uint32_t partner = surface.partner(s);
+  for (const SideId s : surface.side_ids()) {
+    const SideId partner = surface.partner(s);
     crossings_.push_back(partner < s ? epsnet::inverse(crossings_[partner])
                                      : convert<Mp256>(surface.crossing_as<Mp1024>(s)));
   }
-  const auto is_long = [&](std::uint32_t corner) { return surface.corners_around(corner) >= 2 * kLongTurn; };
+  const auto is_long = [&](SideId corner) { return surface.corners_around(corner) >= 2 * kLongTurn; };
   constexpr std::uint32_t kNoRank = ~std::uint32_t{0};
-  for (std::uint32_t corner = 0; corner < surface.side_count(); ++corner) {
+  for (const SideId corner : surface.side_ids()) {
     if (!is_long(corner)) continue;
     if (rank_in_turn_.empty()) rank_in_turn_.assign(surface.side_count(), kNoRank);
     std::uint32_t rank = 0;
-    for (std::uint32_t s = corner; rank_in_turn_[s] == kNoRank; s = next_crossing(surface, s, Turn::counterclockwise)) {
+    for (SideId s = corner; rank_in_turn_[s] == kNoRank; s = next_crossing(surface, s, Turn::counterclockwise)) {
       rank_in_turn_[s] = rank++;
     }
   }
 }
 
 template <class T>
-const Isometry<T>& WordEvaluator::crossing(std::uint32_t s) const {
+const Isometry<T>& WordEvaluator::crossing(SideId s) const {
   if constexpr (std::is_same_v<T, Mp256>) {
     return crossings_[s];
   } else {
@@ -78,13 +78,13 @@ const Isometry<T>& WordEvaluator::crossing(std::uint32_t s) const {
 }
 
 template <class T>
-const WordEvaluator::FullTurn<T>& WordEvaluator::full_turn(std::uint32_t corner) const {
+const WordEvaluator::FullTurn<T>& WordEvaluator::full_turn(SideId corner) const {
   auto& known = std::get<Known<T>>(known_).full_turns;
   const std::uint32_t vertex = surface_.vertex_class(corner);
   if (const auto found = known.find(vertex); found != known.end()) {
     return found->second;
   }
-  std::uint32_t s = corner;
+  SideId s = corner;
   while (rank_in_turn_[s] != 0) s = next_crossing(surface_, s, Turn::counterclockwise);
   FullTurn<T> result{{Isometry<T>{}}, 0};
   double largest_product = 1;
@@ -106,7 +106,7 @@ const WordEvaluator::FullTurn<T>& WordEvaluator::full_turn(std::uint32_t corner)
 template <class T>
 double WordEvaluator::append_factors(const Word& word, std::vector<Isometry<T>>& factors) const {
   double missing = 0;
-  const auto product_of_turn = [&](std::uint32_t first, std::size_t length) {
+  const auto product_of_turn = [&](SideId first, std::size_t length) {
     const FullTurn<TurnField<T>>& around = full_turn<TurnField<T>>(first);
     const std::size_t n = around.products.size();
     const std::size_t start = rank_in_turn_[first];
@@ -124,7 +124,7 @@ double WordEvaluator::append_factors(const Word& word, std::vector<Isometry<T>>&
       }
       if (backward >= kLongTurn) {
         // The path backwards turns counterclockwise.
-        const std::uint32_t last = word[i + backward - 1];
+        const SideId last = word[i + backward - 1];
         factors.push_back(epsnet::inverse(product_of_turn(surface_.partner(last), backward)));
         i += backward;
         continue;
@@ -200,6 +200,6 @@ template std::optional<Evaluated<Mp1024>> WordEvaluator::value<Mp1024>(double, c
                                                                        const Word&) const;
 template std::optional<Evaluated<Mp4096>> WordEvaluator::value<Mp4096>(double, const Charts&, ChartId, ChartId,
                                                                        const Word&) const;
-template const Isometry<Mp1024>& WordEvaluator::crossing<Mp1024>(std::uint32_t) const;
+template const Isometry<Mp1024>& WordEvaluator::crossing<Mp1024>(SideId) const;
 
 }  // namespace epsnet

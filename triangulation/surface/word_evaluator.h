@@ -9,6 +9,7 @@
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
 #include "triangulation/surface/charts.h"
+#include "triangulation/surface/id.h"
 #include "triangulation/surface/surface.h"
 
 namespace epsnet {
@@ -35,7 +36,7 @@ class WordEvaluator {
                                                   const Word& word) const;
   /// The crossing of side s, of determinant 1.
   template <class T>
-  [[nodiscard]] const Isometry<T>& crossing(std::uint32_t s) const;
+  [[nodiscard]] const Isometry<T>& crossing(SideId s) const;
   /// The number of isometries multiplied so far.
   [[nodiscard]] std::uint64_t factor_count() const { return factor_count_; }
 
@@ -56,7 +57,7 @@ class WordEvaluator {
   };
   /// That around the vertex of a corner.
   template <class T>
-  [[nodiscard]] const FullTurn<T>& full_turn(std::uint32_t corner) const;
+  [[nodiscard]] const FullTurn<T>& full_turn(SideId corner) const;
   /// Appends the crossings of a word to a list of factors; where the word turns around a vertex with many of them, one
   /// factor for all. Returns by how many bits the worst factor misses the accuracy of a rounded one.
   template <class T>
@@ -65,15 +66,15 @@ class WordEvaluator {
   /// What was asked for in one field above Mp256.
   template <class T>
   struct Known {
-    std::unordered_map<std::uint32_t, Isometry<T>> crossings;
+    std::unordered_map<SideId, Isometry<T>> crossings;
     std::unordered_map<std::uint32_t, FullTurn<T>> full_turns;  ///< By vertex class.
   };
 
   Surface surface_;
-  std::vector<Isometry<Mp256>> crossings_;
+  ById<SideId, Isometry<Mp256>> crossings_;
   /// By side: which one it is of those that are crossed one after the other around its vertex. Empty if there is no
   /// vertex with so many that paths turn far around it.
-  std::vector<std::uint32_t> rank_in_turn_;
+  ById<SideId, std::uint32_t> rank_in_turn_;
   mutable std::uint64_t factor_count_ = 0;
   mutable std::tuple<Known<Mp1024>, Known<Mp4096>> known_;
 };

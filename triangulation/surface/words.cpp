@@ -13,15 +13,29 @@ namespace {
 constexpr std::size_t turn_index(Turn turn) { return turn == Turn::clockwise ? 1 : 0; }
 
 /// The crossings of one full turn that goes on from side s.
-std::uint32_t crossings_around(const Surface& surface, std::uint32_t s, Turn turn) {
+std::uint32_t crossings_around(const Surface& surface, SideId s, Turn turn) {
   return surface.corners_around(turn == Turn::counterclockwise ? s : surface.next_side(s));
 }
 
 }  // namespace
 
+Word word_of_letters(const std::vector<std::uint32_t>& letters) {
+  Word word;
+  word.reserve(letters.size());
+  for (const std::uint32_t letter : letters) word.emplace_back(letter);
+  return word;
+}
+
+std::vector<std::uint32_t> letters_of(const Word& word) {
+  std::vector<std::uint32_t> letters;
+  letters.reserve(word.size());
+  for (const SideId s : word) letters.push_back(s.number());
+  return letters;
+}
+
 Word reversed(const Surface& surface, const Word& word) {
   Word result(word.rbegin(), word.rend());
-  for (std::uint32_t& s : result) {
+  for (SideId& s : result) {
     s = surface.partner(s);
   }
   return result;
@@ -59,7 +73,7 @@ Word concatenated(const Surface& surface, Word first, const Word& then) {
       const std::uint32_t completion = (all - run % all) % all;
       if (completion < run) {
         // More than half of the way around: go around the other way.
-        std::uint32_t s = word.back();
+        SideId s = word.back();
         for (std::uint32_t k = 0; k < completion; ++k) {
           s = next_crossing(surface, s, turn);
           rest.push_back(surface.partner(s));
@@ -73,32 +87,32 @@ Word concatenated(const Surface& surface, Word first, const Word& then) {
   return first;
 }
 
-Word path_between_tiles(const Surface& surface, std::uint32_t from, std::uint32_t to) {
-  assert(from < surface.tiles().size() && to < surface.tiles().size());
-  // By tile: the side through which it was reached.
-  std::vector<std::optional<std::uint32_t>> entered(surface.tiles().size());
-  std::vector<std::uint32_t> queue{to};
+Word path_between_tiles(const Surface& surface, TileId from, TileId to) {
+  assert(from.number() < surface.tiles().size() && to.number() < surface.tiles().size());
+  // The side through which a tile was reached.
+  ById<TileId, std::optional<SideId>> entered(surface.tiles().size());
+  std::vector<TileId> queue{to};
   for (std::size_t i = 0; i < queue.size(); ++i) {
-    const std::uint32_t tile = queue[i];
-    for (std::uint32_t k = 0; k < surface.tiles()[tile].size(); ++k) {
-      const std::uint32_t partner = surface.partner(surface.side_number(tile, k));
-      const std::uint32_t next = surface.tile_of_side(partner);
+    const TileId tile = queue[i];
+    for (const SideId s : surface.sides_of(tile)) {
+      const SideId partner = surface.partner(s);
+      const TileId next = surface.tile_of_side(partner);
       if (next == to || entered[next]) continue;
       entered[next] = partner;
       queue.push_back(next);
     }
   }
   Word word;
-  for (std::uint32_t tile = from; tile != to; tile = surface.tile_of_side(surface.partner(word.back()))) {
+  for (TileId tile = from; tile != to; tile = surface.tile_of_side(surface.partner(word.back()))) {
     word.push_back(*entered[tile]);
   }
   return word;
 }
 
-bool is_path(const Surface& surface, std::uint32_t from, std::uint32_t to, const Word& word) {
-  std::uint32_t tile = from;
-  for (const std::uint32_t s : word) {
-    if (s >= surface.side_count() || surface.tile_of_side(s) != tile) return false;
+bool is_path(const Surface& surface, TileId from, TileId to, const Word& word) {
+  TileId tile = from;
+  for (const SideId s : word) {
+    if (s.number() >= surface.side_count() || surface.tile_of_side(s) != tile) return false;
     tile = surface.tile_of_side(surface.partner(s));
   }
   return tile == to;

@@ -22,23 +22,19 @@
 #include "certify/program/file_check.h"
 #include "certify/program/output.h"
 #include "netgen/base/gmp.h"
-#include "netgen/base/length.h"
-#include "netgen/distances/bound.h"
-#include "netgen/distances/distance.h"
-#include "netgen/distances/vertex_distances.h"
+#include "netgen/base/options.h"
+#include "netgen/distances/distances.h"
 #include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/exchange/exchange.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/lifts/info.h"
-#include "netgen/lifts/locate.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
 #include "netgen/nets/dirichlet_polygon.h"
-#include "netgen/pictures/draw.h"
-#include "netgen/pictures/eigenvalues_picture.h"
-#include "netgen/pictures/polygon.h"
-#include "netgen/pictures/viewer.h"
+#include "netgen/pictures/net_pictures.h"
+#include "netgen/pictures/pictures.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
-#include "netgen/surfaces/named_maps.h"
+#include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/octagon.h"
 #include "netgen/surfaces/surface_file.h"
 
@@ -305,7 +301,7 @@ BasePoint point_of(const Members& members, const char* name, const Surface& surf
         surface, net_of(members), point.get<std::uint32_t>("triangle"),
         {rational(weights[0], "weights"), rational(weights[1], "weights"), rational(weights[2], "weights")});
   }
-  const auto tile = point.get<std::uint32_t>("tile");
+  const TileId tile(point.get<std::uint32_t>("tile"));
   if (!point.has("z")) return centre_of_tile(surface, tile);
   const Json& z = point.at("z");
   if (!z.is_array() || z.size() != 2) throw std::invalid_argument("z: expected two numbers");

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "netgen/base/json_text.h"
-#include "netgen/base/progress.h"
+#include "netgen/base/options.h"
 
 /// What can be asked of the module, in any language: a request is a JSON object and files, and so is its answer.
 ///

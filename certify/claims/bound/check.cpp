@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "certify/base/counted.h"
-#include "certify/base/decimals.h"
+#include "certify/base/interval.h"
 #include "certify/claims/bound/element.h"
 #include "certify/claims/bound/triangles.h"
 #include "certify/claims/net/claim.h"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/base/decimals.h"
+#include "certify/base/interval.h"
 #include "certify/base/text.h"
 #include "certify/claims/net/claim.h"
 #include "certify/lifted/interval_index.h"

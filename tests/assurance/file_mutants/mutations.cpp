@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "netgen/base/length.h"
+#include "netgen/base/options.h"
 
 namespace epsnet::attack {
 namespace {

@@ -50,23 +50,23 @@ TEST(AssertionsDeathTest, ALabelIsThereAndNotTheIdentity) {
 TEST(AssertionsDeathTest, ALabelLeadsWhereTheNextOneStarts) {
   const Surface& surface = test::gallery()[0].surface;
   Atlas atlas(surface);
-  const ChartId corner = atlas.add_chart({0, surface.tiles()[0][0]});
-  const ChartId middle = atlas.add_chart({0, {}});
+  const ChartId corner = atlas.add_chart({TileId(0), surface.tiles()[0][0]});
+  const ChartId middle = atlas.add_chart({TileId(0), {}});
   const LabelId g = atlas.label(corner, middle, {});
   EXPECT_DEATH((void)atlas.product(g, g), "to == .*from");
   EXPECT_DEATH((void)atlas.known_product(g, g), "to == .*from");
   EXPECT_DEATH((void)atlas.power(g, 2), "from == .*to");
-  EXPECT_DEATH((void)atlas.label(corner, middle, {surface.side_count()}), "is_path");
-  EXPECT_DEATH((void)atlas.add_chart({1, {}}), "tiles");
-  EXPECT_DEATH((void)atlas.add_chart({0, {Rational(1), Rational(0)}}), "norm");
+  EXPECT_DEATH((void)atlas.label(corner, middle, {SideId(surface.side_count())}), "is_path");
+  EXPECT_DEATH((void)atlas.add_chart({TileId(1), {}}), "tiles");
+  EXPECT_DEATH((void)atlas.add_chart({TileId(0), {Rational(1), Rational(0)}}), "norm");
 }
 
 TEST(AssertionsDeathTest, ASurfaceHasTheSide) {
   const Surface& surface = test::gallery()[0].surface;
-  EXPECT_DEATH((void)surface.side_number(1, 0), "tiles");
-  EXPECT_DEATH((void)surface.side_number(0, surface.side_count()), "tiles");
-  EXPECT_DEATH((void)surface.partner(surface.side_count()), "side_count");
-  EXPECT_DEATH((void)surface.crossing(surface.side_count()), "side_count");
+  EXPECT_DEATH((void)surface.side_number(TileId(1), 0), "tiles");
+  EXPECT_DEATH((void)surface.side_number(TileId(0), surface.side_count()), "tiles");
+  EXPECT_DEATH((void)surface.partner(SideId(surface.side_count())), "side_count");
+  EXPECT_DEATH((void)surface.crossing(SideId(surface.side_count())), "side_count");
 }
 
 TEST(AssertionsDeathTest, ATriangulationHasTheElement) {

@@ -171,7 +171,7 @@ TEST(BasePoint, IsVertex0AndItsTileIsItsStar) {
     centre = centre + Rational(1, 7) * z;
   }
   // The Euclidean mean of the vertices need not be inside of a hyperbolic polygon; here it is.
-  Triangulation t(surface, BasePoint{2, centre});
+  Triangulation t(surface, BasePoint{TileId(2), centre});
   EXPECT_EQ(problem(t), "");
   EXPECT_EQ(t.vertex_count(), surface.vertex_class_count() + 1);
   EXPECT_EQ(t.atlas().charts()[t.vertex(VertexId(0)).chart].centre, centre);
@@ -183,19 +183,19 @@ TEST(BasePoint, IsVertex0AndItsTileIsItsStar) {
 
 TEST(BasePoint, CentresOfTilesAreInside) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
-    for (std::uint32_t tile = 0; tile < named.surface.tiles().size(); ++tile) {
+    for (const TileId tile : named.surface.tile_ids()) {
       EXPECT_EQ(problem_of(Triangulation(named.surface, centre_of_tile(named.surface, tile))), "") << named.name;
     }
-    EXPECT_THROW((void)centre_of_tile(named.surface, 1000), SurfaceError);
+    EXPECT_THROW((void)centre_of_tile(named.surface, TileId(1000)), SurfaceError);
   }
 }
 
 TEST(BasePoint, MustBeInsideOfItsTile) {
   const Surface octagon = random_octagon(1);
-  EXPECT_EQ(problem_of(Triangulation(octagon, BasePoint{0, {0, 0}})), "");
-  EXPECT_THROW(Triangulation(octagon, BasePoint{1, {0, 0}}), SurfaceError);
-  EXPECT_THROW(Triangulation(octagon, BasePoint{0, {2, 0}}), SurfaceError);
-  EXPECT_THROW(Triangulation(octagon, BasePoint{0, octagon.tiles()[0][0]}), SurfaceError);
+  EXPECT_EQ(problem_of(Triangulation(octagon, BasePoint{TileId(0), {0, 0}})), "");
+  EXPECT_THROW(Triangulation(octagon, BasePoint{TileId(1), {0, 0}}), SurfaceError);
+  EXPECT_THROW(Triangulation(octagon, BasePoint{TileId(0), {2, 0}}), SurfaceError);
+  EXPECT_THROW(Triangulation(octagon, BasePoint{TileId(0), octagon.tiles()[0][0]}), SurfaceError);
 }
 
 TEST(RegularSurface, HasOneVertexAndNeedsNoFlip) {
@@ -205,9 +205,10 @@ TEST(RegularSurface, HasOneVertexAndNeedsNoFlip) {
     EXPECT_EQ(problem(t), "");
     EXPECT_EQ(t.vertex_count(), 1U);
     EXPECT_EQ(make_delaunay(t), 0U);
-    EXPECT_EQ(problem_of(Triangulation(surface, BasePoint{0, {0, 0}})), "");
-    EXPECT_EQ(Triangulation(surface, BasePoint{0, {0, Rational(1, 9)}}).vertex_count(), 2U) << "and the vertex class";
-    EXPECT_THROW(Triangulation(surface, BasePoint{0, {0, Rational(99, 100)}}), SurfaceError);
+    EXPECT_EQ(problem_of(Triangulation(surface, BasePoint{TileId(0), {0, 0}})), "");
+    EXPECT_EQ(Triangulation(surface, BasePoint{TileId(0), {0, Rational(1, 9)}}).vertex_count(), 2U)
+        << "and the vertex class";
+    EXPECT_THROW(Triangulation(surface, BasePoint{TileId(0), {0, Rational(99, 100)}}), SurfaceError);
   }
 }
 
@@ -218,9 +219,9 @@ TEST(RegularSurface, CrossingsTakeSideToSide) {
     const auto n = static_cast<std::uint32_t>(tile.size());
     ASSERT_EQ(n, 4 * genus);
     for (std::uint32_t s = 0; s < n; ++s) {
-      const std::uint32_t other = surface.partner(s);
+      const std::uint32_t other = surface.partner(SideId(s)).number();
       EXPECT_EQ(other, (s + n / 2) % n);
-      const auto g = surface.crossing_as<Mp1024>(s);
+      const auto g = surface.crossing_as<Mp1024>(SideId(s));
       const auto at = [&](std::uint32_t k) { return convert<Mp1024>(tile[k % n]); };
       EXPECT_LT(norm(g(at(s)) - at(other + 1)), Mp1024(1e-140));
       EXPECT_LT(norm(g(at(s + 1)) - at(other)), Mp1024(1e-140));

@@ -85,7 +85,9 @@ struct Symmetric {
   ChartId chart;
 
   Symmetric(std::int32_t seed, const std::vector<Complex<double>>& points)
-      : surface(random_octagon(seed)), triangulation(surface), chart(Editor(triangulation).atlas().add_chart({0, {}})) {
+      : surface(random_octagon(seed)),
+        triangulation(surface),
+        chart(Editor(triangulation).atlas().add_chart({TileId(0), {}})) {
     make_delaunay(triangulation);
     for (const Complex<double>& z : points) {
       insert(z);
@@ -205,8 +207,8 @@ TEST(Triangulation, KeepsTheSurfaceItIsMadeOf) {
   (void)make_delaunay(copy);
   EXPECT_EQ(snapshot(copy), snapshot(triangulation));
   Atlas atlas(random_octagon(123));
-  (void)atlas.add_chart({0, {}});
-  EXPECT_EQ(atlas.label(ChartId(0), ChartId(0), atlas.surface().corner_cycle(0)), kIdentity);
+  (void)atlas.add_chart({TileId(0), {}});
+  EXPECT_EQ(atlas.label(ChartId(0), ChartId(0), atlas.surface().corner_cycle(SideId(0))), kIdentity);
 }
 
 TEST(Triangulation, CloneIsApart) {
@@ -614,7 +616,7 @@ RC_GTEST_PROP(TriangulationProperty, WalksFindTheSameTriangleFromEverywhere, ())
   std::set<std::pair<TriangleId, LabelId>> found;
   for (int i = 0; i < 3; ++i) {
     const TriangleId start = test::any_triangle(triangulation);
-    const Corner p{v, some_label(triangulation, v, start, test::any_word(surface, 0, 2))};
+    const Corner p{v, some_label(triangulation, v, start, test::any_word(surface, TileId(0), 2))};
     const Location visible = locate_visibility(triangulation, start, p);
     const Location straight = locate_straight(triangulation, start, p);
     RC_ASSERT(lies_there(triangulation, p, visible));
@@ -656,7 +658,7 @@ RC_GTEST_PROP(TriangulationProperty, WalksAgreeOnEdgesAndVertices, ()) {
   const Vertex vertex = centre ? Vertex{{0, 0}, s.chart} : triangulation.vertex(test::any_vertex(triangulation));
   const VertexId v = add_vertex(triangulation, vertex);
   const TriangleId start = test::any_triangle(triangulation);
-  const Corner p{v, some_label(triangulation, v, start, test::any_word(s.surface, 0, 1))};
+  const Corner p{v, some_label(triangulation, v, start, test::any_word(s.surface, TileId(0), 1))};
   const Location visible = locate_visibility(triangulation, start, p);
   const Location straight = locate_straight(triangulation, start, p);
   RC_ASSERT(visible.type == (centre ? Location::Type::edge : Location::Type::vertex));

@@ -99,8 +99,8 @@ TEST(Untwisting, ManyMoreTurnsThanWordsMayHaveLettersAreAnError) {
 TEST(AtlasPower, IsTheRepeatedProduct) {
   const Surface surface = Surface::regular(2);
   Atlas atlas(surface);
-  (void)atlas.add_chart({0, {0, 0}});
-  const LabelId f = atlas.label(ChartId(0), ChartId(0), {3, 5});
+  (void)atlas.add_chart({TileId(0), {0, 0}});
+  const LabelId f = atlas.label(ChartId(0), ChartId(0), word_of_letters({3, 5}));
   LabelId product = kIdentity;
   for (std::uint64_t n = 0; n < 40; ++n) {
     EXPECT_EQ(atlas.power(f, n), product) << n;
@@ -109,20 +109,20 @@ TEST(AtlasPower, IsTheRepeatedProduct) {
 }
 
 /// A word of one tile that turns around its vertex by that many crossings, from a side on, and back or forth.
-Word turn(const Surface& surface, std::uint32_t side, std::uint32_t crossings, bool counterclockwise) {
-  const std::uint32_t n = surface.side_count();
+Word turn(const Surface& surface, SideId side, std::uint32_t crossings, bool counterclockwise) {
   Word word{side};
   while (word.size() < crossings) {
-    word.push_back((surface.partner(word.back()) + (counterclockwise ? 1 : n - 1)) % n);
+    const SideId partner = surface.partner(word.back());
+    word.push_back(counterclockwise ? surface.next_side(partner) : surface.previous_side(partner));
   }
   return word;
 }
 
 /// Whether the label of a word, computed in T, is the product of crossings, given with more bits.
 template <class T>
-void expect_value(Atlas& atlas, const std::vector<Isometry<Mp4096>>& crossings, const Word& word, int bits) {
+void expect_value(Atlas& atlas, const ById<SideId, Isometry<Mp4096>>& crossings, const Word& word, int bits) {
   Isometry<Mp4096> expected;
-  for (const std::uint32_t s : word) expected = crossings[s] * expected;
+  for (const SideId s : word) expected = crossings[s] * expected;
   const Isometry<Mp4096> value = convert<Mp4096>(atlas.isometry_in<T>(atlas.label(ChartId(0), ChartId(0), word)));
   const auto difference = [&](int sign) {
     return norm(value.a - Mp4096(sign) * expected.a) + norm(value.b - Mp4096(sign) * expected.b);
@@ -136,19 +136,19 @@ TEST(AtlasTurns, AreEvaluatedAsExactlyAsCrossingsOneByOne) {
        {Surface::regular(16), import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-g10-rnd0.txt")}) {
     ASSERT_EQ(surface.vertex_class_count(), 1U);
     Atlas atlas(surface);
-    (void)atlas.add_chart({0, {0, 0}});
+    (void)atlas.add_chart({TileId(0), {0, 0}});
     const std::uint32_t all = surface.side_count();
-    std::vector<Isometry<Mp4096>> crossings;
-    for (std::uint32_t s = 0; s < all; ++s) crossings.push_back(surface.crossing_as<Mp4096>(s));
+    ById<SideId, Isometry<Mp4096>> crossings;
+    for (const SideId s : surface.side_ids()) crossings.push_back(surface.crossing_as<Mp4096>(s));
     for (std::uint32_t side = 0; side < all; side += 13) {
       for (const std::uint32_t length : {16U, all / 2, all - 1}) {
         for (const bool counterclockwise : {true, false}) {
-          Word word = turn(surface, side, length, counterclockwise);
+          Word word = turn(surface, SideId(side), length, counterclockwise);
           expect_value<Mp256>(atlas, crossings, word, 140);
           expect_value<Mp1024>(atlas, crossings, word, 600);
           // Turns in a longer path.
-          word.push_back((word.back() + 2) % all);
-          const Word other = turn(surface, (side + 5) % all, 17, !counterclockwise);
+          word.emplace_back((word.back().number() + 2) % all);
+          const Word other = turn(surface, SideId((side + 5) % all), 17, !counterclockwise);
           word.insert(word.end(), other.begin(), other.end());
           expect_value<Mp256>(atlas, crossings, word, 140);
         }

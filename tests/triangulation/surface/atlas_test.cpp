@@ -23,23 +23,21 @@ using test::any_word;
 using test::gallery;
 
 /// The chart of a tile whose origin is a vertex of the tile.
-Chart corner_chart(const Surface& surface, std::uint32_t tile, std::uint32_t k) {
-  return {tile, surface.tiles()[tile][k]};
-}
+Chart corner_chart(const Surface& surface, TileId tile, std::uint32_t k) { return {tile, surface.tile(tile)[k]}; }
 
 /// An atlas of three charts of tile 0: at two of its corners and at 0.
 Atlas three_charts(const Surface& surface) {
   Atlas atlas(surface);
-  (void)atlas.add_chart(corner_chart(surface, 0, 0));
-  (void)atlas.add_chart(corner_chart(surface, 0, 3));
-  (void)atlas.add_chart({0, {}});
+  (void)atlas.add_chart(corner_chart(surface, TileId(0), 0));
+  (void)atlas.add_chart(corner_chart(surface, TileId(0), 3));
+  (void)atlas.add_chart({TileId(0), {}});
   return atlas;
 }
 
 /// The value of a word of one tile over Q(i), up to a real factor.
 Isometry<Rational> exact_value(const Surface& surface, const Word& word) {
   Isometry<Rational> result;
-  for (const std::uint32_t s : word) {
+  for (const SideId s : word) {
     result = surface.crossing(s) * result;
   }
   return result;
@@ -74,12 +72,13 @@ TEST(Atlas, TheEmptyWordIsTheIdentityOfAChartOnly) {
 TEST(Atlas, RelatorsAreTheIdentity) {
   for (const auto& [name, surface] : gallery()) {
     Atlas atlas = three_charts(surface);
-    for (std::uint32_t side = 0; side < surface.side_count(); ++side) {
+    for (const SideId side : surface.side_ids()) {
       Word word = surface.corner_cycle(side);
-      EXPECT_EQ(atlas.label(ChartId(0), ChartId(0), word), kIdentity) << name << ", side " << side;
-      EXPECT_EQ(atlas.label(ChartId(1), ChartId(1), reversed(surface, word)), kIdentity) << name << ", side " << side;
+      EXPECT_EQ(atlas.label(ChartId(0), ChartId(0), word), kIdentity) << name << ", side " << side.number();
+      EXPECT_EQ(atlas.label(ChartId(1), ChartId(1), reversed(surface, word)), kIdentity)
+          << name << ", side " << side.number();
       word.pop_back();
-      EXPECT_NE(atlas.label(ChartId(0), ChartId(0), word), kIdentity) << name << ", side " << side;
+      EXPECT_NE(atlas.label(ChartId(0), ChartId(0), word), kIdentity) << name << ", side " << side.number();
     }
   }
 }
@@ -88,7 +87,7 @@ TEST(Atlas, EverySideIsAnotherLabelAndKnowsItsCharts) {
   for (const auto& [name, surface] : gallery()) {
     Atlas atlas = three_charts(surface);
     std::set<LabelId> labels;
-    for (std::uint32_t side = 0; side < surface.side_count(); ++side) {
+    for (const SideId side : surface.side_ids()) {
       const LabelId l = atlas.label(ChartId(2), ChartId(1), {side});
       EXPECT_EQ(atlas.labels()[l].from, ChartId(2));
       EXPECT_EQ(atlas.labels()[l].to, ChartId(1));
@@ -108,11 +107,11 @@ TEST(Atlas, LabelsOfASurfaceOfManyTiles) {
   const Surface surface({{v[0], v[1], v[2], v[3], v[4]}, {v[4], v[5], v[6], v[7], v[0]}},
                         {{0, 0, 1, 0}, {0, 1, 1, 1}, {0, 2, 1, 2}, {0, 3, 1, 3}, {0, 4, 1, 4}});
   Atlas atlas(surface);
-  (void)atlas.add_chart({0, {}});
-  (void)atlas.add_chart({1, {}});
-  const LabelId across = atlas.label(ChartId(0), ChartId(1), {4});
+  (void)atlas.add_chart({TileId(0), {}});
+  (void)atlas.add_chart({TileId(1), {}});
+  const LabelId across = atlas.label(ChartId(0), ChartId(1), {SideId(4)});
   EXPECT_NE(across, kIdentity) << "another chart, though the same coordinates";
-  EXPECT_EQ(atlas.inverse(across), atlas.label(ChartId(1), ChartId(0), {9}));
+  EXPECT_EQ(atlas.inverse(across), atlas.label(ChartId(1), ChartId(0), {SideId(9)}));
   EXPECT_EQ(atlas.product(atlas.inverse(across), across), kIdentity);
   const Complex<double> z{0.25, -0.5};
   EXPECT_EQ(atlas.lift<Mp256>(across, z), convert<Mp256>(z));
@@ -133,29 +132,30 @@ TEST(Atlas, PathsThatLeadFarAreFollowedUpToALength) {
   // Side 0 of a pair of pants leads around a cuff, here of length 1.
   const Surface surface = fenchel_nielsen_surface({PantsGraph::parse("0-0 0-1 1-1"), {1, 1, 1}, {0, 0, 0}});
   Atlas atlas(surface);
-  (void)atlas.add_chart({0, {}});
-  EXPECT_NE(atlas.label(ChartId(0), ChartId(0), Word(500, 0)), kIdentity);
-  EXPECT_THROW((void)atlas.label(ChartId(0), ChartId(0), Word(900, 0)), LimitError);
+  (void)atlas.add_chart({TileId(0), {}});
+  EXPECT_NE(atlas.label(ChartId(0), ChartId(0), Word(500, SideId(0))), kIdentity);
+  EXPECT_THROW((void)atlas.label(ChartId(0), ChartId(0), Word(900, SideId(0))), LimitError);
 }
 
 TEST(Word, ReversedAndConcatenatedUndoEachOther) {
   const Surface& surface = gallery()[1].surface;
-  const Word word{0, 3, 3, 6, 1};
+  const Word word = word_of_letters({0, 3, 3, 6, 1});
   EXPECT_EQ(reversed(surface, reversed(surface, word)), word);
   EXPECT_EQ(concatenated(surface, word, reversed(surface, word)), Word{});
-  EXPECT_EQ(concatenated(surface, {0, 3}, {surface.partner(3), 5}), (Word{0, 5}));
+  EXPECT_EQ(concatenated(surface, word_of_letters({0, 3}), {surface.partner(SideId(3)), SideId(5)}),
+            word_of_letters({0, 5}));
 }
 
 RC_GTEST_PROP(AtlasProperty, EqualWordsAreOneLabel, ()) {
   const Surface& surface = any_surface().surface;
   Atlas atlas = three_charts(surface);
-  const Word word = any_word(surface, 0, 6);
+  const Word word = any_word(surface, TileId(0), 6);
   const ChartId from(any_index(3u));
   const ChartId to(any_index(3u));
   const LabelId label = atlas.label(from, to, word);
   // A detour around a vertex, or over a side and back, anywhere on the way.
   Word longer = word;
-  const auto side = any_index(surface.side_count());
+  const SideId side(any_index(surface.side_count()));
   const Word detour = any_index(2u) == 0 ? Word{side, surface.partner(side)} : surface.corner_cycle(side);
   longer.insert(longer.begin() + static_cast<std::ptrdiff_t>(any_index(word.size() + 1)), detour.begin(), detour.end());
   RC_ASSERT(atlas.label(from, to, longer) == label);
@@ -164,11 +164,11 @@ RC_GTEST_PROP(AtlasProperty, EqualWordsAreOneLabel, ()) {
 RC_GTEST_PROP(AtlasProperty, LabelsAreEqualIfAndOnlyIfTheirIsometriesAre, ()) {
   const Surface& surface = any_surface().surface;
   Atlas atlas = three_charts(surface);
-  const Word word = any_word(surface, 0, 3);
-  Word other = any_word(surface, 0, 3);
+  const Word word = any_word(surface, TileId(0), 3);
+  Word other = any_word(surface, TileId(0), 3);
   // Half of the time the rest of a relator, so that short words can be equal.
   if (any_index(2u) == 0) {
-    const Word around = surface.corner_cycle(any_index(surface.side_count()));
+    const Word around = surface.corner_cycle(SideId(any_index(surface.side_count())));
     other = concatenated(surface, word, around);
     const auto last = std::min<std::size_t>(other.size(), any_index<std::size_t>(2));
     other.resize(other.size() - last);
@@ -181,9 +181,9 @@ RC_GTEST_PROP(AtlasProperty, LabelsAreEqualIfAndOnlyIfTheirIsometriesAre, ()) {
 RC_GTEST_PROP(AtlasProperty, ProductsAndInversesAreThoseOfTheGroup, ()) {
   const Surface& surface = any_surface().surface;
   Atlas atlas = three_charts(surface);
-  const Word u = any_word(surface, 0, 4);
-  const Word v = any_word(surface, 0, 4);
-  const Word w = any_word(surface, 0, 4);
+  const Word u = any_word(surface, TileId(0), 4);
+  const Word v = any_word(surface, TileId(0), 4);
+  const Word w = any_word(surface, TileId(0), 4);
   const LabelId f = atlas.label(ChartId(2), ChartId(0), u);
   const LabelId g = atlas.label(ChartId(1), ChartId(2), v);
   const LabelId h = atlas.label(ChartId(0), ChartId(1), w);
@@ -201,7 +201,7 @@ RC_GTEST_PROP(AtlasProperty, ProductsAndInversesAreThoseOfTheGroup, ()) {
 RC_GTEST_PROP(AtlasProperty, LiftsAgreeAtAllPrecisionsWithinTheirErrors, ()) {
   const Surface& surface = any_surface().surface;
   Atlas atlas = three_charts(surface);
-  const LabelId l = atlas.label(ChartId(any_index(3u)), ChartId(any_index(3u)), any_word(surface, 0, 5));
+  const LabelId l = atlas.label(ChartId(any_index(3u)), ChartId(any_index(3u)), any_word(surface, TileId(0), 5));
   RC_PRE(l != kIdentity);
   const Complex<double> z = any_point_of_disk(0.75);
   const Complex<double> rounded = atlas.isometry(l)(z);
@@ -218,11 +218,11 @@ RC_GTEST_PROP(AtlasProperty, ProductsAreRoundedAsTheirWordsAre, ()) {
   // However long the chain of products that a label comes from.
   const Surface& surface = any_surface().surface;
   Atlas atlas = three_charts(surface);
-  LabelId product = atlas.label(ChartId(any_index(3u)), ChartId(0), any_word(surface, 0, 2));
+  LabelId product = atlas.label(ChartId(any_index(3u)), ChartId(0), any_word(surface, TileId(0), 2));
   for (int i = 0; i < 12; ++i) {
     const ChartId to(any_index(3u));
     const ChartId at = product == kIdentity ? to : atlas.labels()[product].to;
-    const LabelId step = atlas.label(at, to, any_word(surface, 0, 1));
+    const LabelId step = atlas.label(at, to, any_word(surface, TileId(0), 1));
     product = any_index(4u) == 0 ? atlas.inverse(atlas.product(step, product)) : atlas.product(step, product);
     if (product == kIdentity) continue;
     const Isometry<double> rounded = atlas.isometry(product);
@@ -241,7 +241,7 @@ RC_GTEST_PROP(AtlasProperty, LiftsAreTheWordsValues, ()) {
   // Against Q(i): frame, crossings, frame back.
   const Surface& surface = any_surface().surface;
   Atlas atlas = three_charts(surface);
-  const Word word = any_word(surface, 0, 3);
+  const Word word = any_word(surface, TileId(0), 3);
   const LabelId l = atlas.label(ChartId(0), ChartId(1), word);
   const Complex<double> z = any_point_of_disk(0.75);
   const auto frame = [&](ChartId c) { return Isometry<Rational>::translation(atlas.charts()[c].centre); };
@@ -275,11 +275,11 @@ TEST(Atlas, APointTooFarAwayHasNoPlace) {
   const Surface& surface = test::tiled_gallery().back().surface;
   Atlas atlas(surface);
   bool found = false;
-  for (std::uint32_t s = 0; s < surface.side_count() && !found; ++s) {
-    const std::uint32_t tile = surface.tile_of_side(s);
-    const std::uint32_t beyond = surface.tile_of_side(surface.partner(s));
-    for (std::uint32_t k = 0; k < surface.tiles()[beyond].size() && !found; ++k) {
-      const std::uint32_t then = surface.side_number(beyond, k);
+  for (const SideId s : surface.side_ids()) {
+    const TileId tile = surface.tile_of_side(s);
+    const TileId beyond = surface.tile_of_side(surface.partner(s));
+    for (const SideId then : surface.sides_of(beyond)) {
+      if (found) break;
       const auto turn = normalized(convert<Mp1024>(surface.crossing(then) * surface.crossing(s)));
       const auto around = axis(turn);
       found = surface.tile_of_side(surface.partner(then)) == tile && around && displacement_length(turn) < 1e-5;

@@ -60,12 +60,12 @@ RC_GTEST_PROP(CurveBoundProperty, NoClosedGeodesicIsShorter, ()) {
   const auto& surfaces = test::tiled_gallery();
   const Surface& surface = surfaces[test::any_index(surfaces.size())].surface;
   // A path until it is back in its first tile.
-  const std::uint32_t start = test::any_index(static_cast<std::uint32_t>(surface.tiles().size()));
+  const TileId start(test::any_index(surface.tiles().size()));
   Isometry<Mp1024> value;
-  std::uint32_t tile = start;
+  TileId tile = start;
   do {
-    const std::uint32_t side =
-        surface.side_number(tile, test::any_index(static_cast<std::uint32_t>(surface.tiles()[tile].size())));
+    const SideId side =
+        surface.side_number(tile, test::any_index(static_cast<std::uint32_t>(surface.tile(tile).size())));
     value = surface.crossing_as<Mp1024>(side) * value;
     tile = surface.tile_of_side(surface.partner(side));
   } while (tile != start);

@@ -45,8 +45,8 @@ TEST(Surface, OctagonHasGenusTwoAndOneVertex) {
   EXPECT_EQ(surface.genus(), 2U);
   EXPECT_EQ(surface.side_count(), 8U);
   EXPECT_EQ(surface.vertex_class_count(), 1U);
-  EXPECT_EQ(surface.partner(1), 5U);
-  EXPECT_EQ(surface.partner(5), 1U);
+  EXPECT_EQ(surface.partner(SideId(1)), SideId(5));
+  EXPECT_EQ(surface.partner(SideId(5)), SideId(1));
 }
 
 TEST(Surface, CrossingTakesASideToItsPartnerReversed) {
@@ -55,10 +55,10 @@ TEST(Surface, CrossingTakesASideToItsPartnerReversed) {
     ASSERT_EQ(surface.tiles().size(), 1U);
     const Tile& tile = surface.tiles()[0];
     for (std::uint32_t s = 0; s < surface.side_count(); ++s) {
-      const std::uint32_t other = surface.partner(s);
-      EXPECT_EQ(surface.crossing(s)(tile[s]), tile[(other + 1) % tile.size()]) << path << " side " << s;
-      EXPECT_EQ(surface.crossing(s)(tile[(s + 1) % tile.size()]), tile[other]) << path << " side " << s;
-      EXPECT_GT(surface.crossing(s).determinant(), 0);
+      const std::uint32_t other = surface.partner(SideId(s)).number();
+      EXPECT_EQ(surface.crossing(SideId(s))(tile[s]), tile[(other + 1) % tile.size()]) << path << " side " << s;
+      EXPECT_EQ(surface.crossing(SideId(s))(tile[(s + 1) % tile.size()]), tile[other]) << path << " side " << s;
+      EXPECT_GT(surface.crossing(SideId(s)).determinant(), 0);
     }
   }
 }
@@ -67,7 +67,7 @@ TEST(Surface, CrossingBetweenOppositeSidesIsATranslation) {
   // In a symmetric octagon the crossing of opposite sides commutes with z ↦ −z; its axis passes through 0 and its a is
   // real.
   const Surface surface = octagon().surface();
-  for (std::uint32_t s = 0; s < 8; ++s) EXPECT_EQ(surface.crossing(s).a.y, 0);
+  for (std::uint32_t s = 0; s < 8; ++s) EXPECT_EQ(surface.crossing(SideId(s)).a.y, 0);
 }
 
 TEST(Surface, EveryVertexIsInTheOpenDisk) {
@@ -139,7 +139,8 @@ TEST(Surface, AConePointOfTwoFullTurnsIsRefused) {
   bool branched = false;
   std::vector<Gluing> gluing;
   for (const auto& [t, s, other_t, other_s] : base.gluing()) {
-    const bool joins = base.vertex_class(base.side_number(t, s)) != base.vertex_class(base.side_number(t, (s + 1) % 3));
+    const bool joins = base.vertex_class(base.side_number(TileId(t), s)) !=
+                       base.vertex_class(base.side_number(TileId(t), (s + 1) % 3));
     const std::uint32_t swap = joins && !branched ? sheet : 0;
     branched = branched || joins;
     gluing.push_back({t, s, other_t + swap, other_s});
@@ -205,10 +206,10 @@ TEST(Surface, EveryTileHasItsOwnCoordinates) {
   const Surface surface({tile, test::moved(frame, tile)}, gluing);
   EXPECT_EQ(surface.genus(), 3U);
   EXPECT_EQ(surface.vertex_class_count(), 2U);
-  EXPECT_EQ(surface.tile_of_side(9), 1U);
-  EXPECT_EQ(surface.side_number(1, 4), 12U);
-  EXPECT_EQ(surface.partner(0), 12U);
-  EXPECT_EQ(surface.crossing(0)(tile[0]), frame(tile[5]));
+  EXPECT_EQ(surface.tile_of_side(SideId(9)), TileId(1));
+  EXPECT_EQ(surface.side_number(TileId(1), 4), SideId(12));
+  EXPECT_EQ(surface.partner(SideId(0)), SideId(12));
+  EXPECT_EQ(surface.crossing(SideId(0))(tile[0]), frame(tile[5]));
 }
 
 TEST(Surface, CoordinatesOfAThousandDigitsAreExact) {
@@ -246,8 +247,8 @@ TEST(Surface, IsThereAfterItWasMovedFrom) {
 TEST(Surface, SidesAroundATile) {
   for (const auto& path : test::data_files("polygons")) {
     const Surface surface = import_surface_file(path);
-    for (std::uint32_t tile = 0; tile < surface.tiles().size(); ++tile) {
-      const auto n = static_cast<std::uint32_t>(surface.tiles()[tile].size());
+    for (const TileId tile : surface.tile_ids()) {
+      const auto n = static_cast<std::uint32_t>(surface.tile(tile).size());
       for (std::uint32_t k = 0; k < n; ++k) {
         EXPECT_EQ(surface.next_side(surface.side_number(tile, k)), surface.side_number(tile, (k + 1) % n)) << path;
         EXPECT_EQ(surface.previous_side(surface.side_number(tile, (k + 1) % n)), surface.side_number(tile, k)) << path;
@@ -259,22 +260,19 @@ TEST(Surface, SidesAroundATile) {
 TEST(Surface, CornerCyclesGoOnceAroundAVertex) {
   for (const auto& path : test::data_files("polygons")) {
     const Surface surface = import_surface_file(path);
-    for (std::uint32_t corner = 0; corner < surface.side_count(); ++corner) {
+    for (const SideId corner : surface.side_ids()) {
       Word cycle = surface.corner_cycle(corner);
       EXPECT_EQ(cycle.front(), corner) << path;
       for (std::size_t i = 0; i < cycle.size(); ++i) {
         // Across side cycle[i] lies the tile of the corner that follows, and its start is where that side's start goes.
-        const std::uint32_t following = cycle[(i + 1) % cycle.size()];
-        const auto start = [&](std::uint32_t s) {
-          const std::uint32_t tile = surface.tile_of_side(s);
-          return surface.tiles()[tile][s - surface.side_number(tile, 0)];
-        };
+        const SideId following = cycle[(i + 1) % cycle.size()];
+        const auto start = [&](SideId s) { return surface.tile(surface.tile_of_side(s))[surface.place_in_tile(s)]; };
         EXPECT_EQ(surface.tile_of_side(following), surface.tile_of_side(surface.partner(cycle[i]))) << path;
         EXPECT_EQ(surface.crossing(cycle[i])(start(cycle[i])), start(following)) << path;
       }
       std::sort(cycle.begin(), cycle.end());
       Word members;
-      for (std::uint32_t other = 0; other < surface.side_count(); ++other) {
+      for (const SideId other : surface.side_ids()) {
         if (surface.vertex_class(other) == surface.vertex_class(corner)) members.push_back(other);
       }
       EXPECT_EQ(cycle, members) << path;
@@ -284,7 +282,7 @@ TEST(Surface, CornerCyclesGoOnceAroundAVertex) {
 }
 
 TEST(Surface, CrossingsOfARegularSurfaceAreNotRational) {
-  EXPECT_THROW((void)Surface::regular(2).crossing(0), std::logic_error);
+  EXPECT_THROW((void)Surface::regular(2).crossing(SideId(0)), std::logic_error);
 }
 
 TEST(GluedPolygons, ARowOfTilesThatEndsAtOnceIsNoInput) {

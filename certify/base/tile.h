@@ -1,8 +1,17 @@
 #pragma once
 
 #include <cstdint>
+#include <gmpxx.h>
 
+/// What files say of tiles: the corners of a polygon, or the type of a regular one.
 namespace epsnet::certify {
+
+/// A point x + iy of the Poincaré disk with rational coordinates.
+struct RationalPoint {
+  mpq_class x;
+  mpq_class y;
+  bool operator==(const RationalPoint&) const = default;
+};
 
 /// The regular p-gon whose interior angles are 2π/q: q of them meet at a vertex.
 struct RegularTile {

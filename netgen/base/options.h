@@ -1,9 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 
 #include "kernel/numbers.h"
 
+/// What the options of many tasks consist of.
 namespace epsnet {
 
 /// A positive hyperbolic length, exactly: a decimal such as "0.1" (that is 1/10) or a rational "p/q". For example, ε is
@@ -27,5 +30,10 @@ class Length {
   std::string text_;
   Rational value_;
 };
+
+/// Reports the progress of a computation: called occasionally, from the thread that started it, with the name of the
+/// current step and the share of it done, 0 to 1. The text is valid during the call only.
+/// certify::CheckOptions::progress has this type.
+using Progress = std::function<void(std::string_view what, double share)>;
 
 }  // namespace epsnet
