@@ -198,8 +198,7 @@ Real Prover::least_square(const RealVector& c, const KnownValues& known) {
   const Real square_radius = (2 * middle + radius) * radius * kRadius;
   const Real power = known.middle.front() * known.middle.front();
   const Real power_radius = (known.lower.front() * known.lower.front() - power) * kRadius;
-  const Real least = power * square - (power + power_radius) * square_radius - square * power_radius;
-  return std::max(Real(0), Real(least - kMargin * power * square));
+  return power * square * (1 - kMargin) - (power + power_radius) * square_radius - square * power_radius;
 }
 
 Trial Prover::trial(RealVector c) const {

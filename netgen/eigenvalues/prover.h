@@ -16,7 +16,7 @@ namespace epsnet {
 struct Trial {
   std::vector<double> coefficients;
   std::array<Real, 3> sums;
-  std::vector<Real> known;  ///< By known eigenvalue: what it adds at least to the first sum.
+  std::vector<Real> known;  ///< By known eigenvalue: what it adds at least to the first sum, by `certify`'s balls.
 };
 
 /// Finds test functions that prove numbers of eigenvalues, as far as sampled minima and maxima are right.
@@ -72,7 +72,8 @@ class Prover {
   };
 
   /// What f̂² is at least in a known interval by the ball that `certify` computes for it. This is a little less than the
-  /// least value, and statements are so near to their bounds that the difference counts.
+  /// least value, even less than 0 around a zero, and statements are so near to their bounds that the difference
+  /// counts.
   [[nodiscard]] static Real least_square(const RealVector& c, const KnownValues& known);
   /// Rounds the coefficients, relative to the greatest.
   [[nodiscard]] Trial trial(RealVector c) const;
