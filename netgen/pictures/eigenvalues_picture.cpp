@@ -152,9 +152,12 @@ class Drawing {
 
   [[nodiscard]] std::string legend() const {
     Legend legend(1.25 * unit_);
-    legend.add(Mark::line, palette::kPaths,
-               "I(\u03bb), a bound for the number of eigenvalues at \u03bb: where it is "
-               "less than 1, there is none");
+    legend.add(
+        Mark::line, palette::kPaths,
+        picture_.without_known
+            ? "I(\u03bb), a bound for the number of eigenvalues at \u03bb that no eigenfunction shows: where it is "
+              "less than 1, there is no other"
+            : "I(\u03bb), a bound for the number of eigenvalues at \u03bb: where it is less than 1, there is none");
     legend.add(Mark::area, palette::kCoveringDisks,
                "windows, and above each the number of its eigenvalues: there is no "
                "other one");
@@ -178,6 +181,7 @@ EigenvaluesPicture picture_of(const certify::EigenvaluesDocument& document) {
   EigenvaluesPicture result;
   result.up_to = document.eigenvalues_up_to;
   result.windows = document.windows;
+  result.without_known = !document.eigenfunctions.empty();
   result.title = "Eigenvalues of the Laplacian up to " + certify::shortest(result.up_to);
   constexpr int kParts = 500;
   constexpr int kPartsOfWindow = 24;

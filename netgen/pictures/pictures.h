@@ -96,6 +96,7 @@ struct EigenvaluesPicture {
   double up_to = 0;               ///< What is claimed ends here.
   std::vector<Sample> samples{};  ///< By λ, from 0 to beyond up_to.
   std::vector<certify::EigenvaluesDocument::Window> windows{};
+  bool without_known = false;  ///< Whether I(λ) does not count eigenvalues that eigenfunctions of the file show.
 };
 
 /// Returns the curve I(λ), with the windows of the file as bands. It is evaluated at some 500 places, and more near the

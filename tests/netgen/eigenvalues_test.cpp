@@ -534,6 +534,16 @@ TEST(EigenvaluesPicture, IsDrawnWithABandAndANumberForEachWindow) {
   EXPECT_EQ(occurrences(group(unknown, "places"), "<rect") + 1, marks);
 }
 
+/// At an eigenvalue that an eigenfunction shows the curve may be less than 1.
+TEST(EigenvaluesPicture, SaysWhatItsCurveDoesNotCount) {
+  const EigenvaluesDocument document = file("octagon-5-to-8-digits.json");
+  const EigenvaluesPicture picture = picture_of(document);
+  EXPECT_TRUE(picture.without_known);
+  EXPECT_THAT(draw_svg(picture), HasSubstr("that no eigenfunction shows: where it is less than 1, there is no other"));
+  EXPECT_FALSE(picture_of(bolza()).without_known);
+  EXPECT_THAT(draw_svg(picture_of(bolza())), HasSubstr("where it is less than 1, there is none"));
+}
+
 /// A window of no width that can be seen, and numbers that would be at the same place.
 TEST(EigenvaluesPicture, NarrowWindowsCanBeSeen) {
   EigenvaluesPicture picture{.title = "a & b", .up_to = 10, .samples = {{0, 0.5}, {5, 2}, {11, 0.5}}};
