@@ -4,7 +4,7 @@ from __future__ import annotations
 import decimal
 import math
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Callable, Iterable, Optional, Union
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Optional, Union, cast
 
 import numpy as np
 
@@ -204,7 +204,7 @@ class Interval(Immutable):
     def _with(self, other: Any, ends: Callable[["Interval"], tuple[Fraction, Fraction]]) -> "Interval":
         y = _operand(other)
         if y is None:
-            return NotImplemented
+            return cast(Interval, NotImplemented)
         return Interval(*ends(y), proved=self.proved and y.proved)
 
     @staticmethod
@@ -244,7 +244,7 @@ class Interval(Immutable):
     def _decided(self, sign: str, other: Any, holds: Callable[["Interval"], bool], fails: Callable[["Interval"], bool]) -> bool:
         y = _operand(other)
         if y is None:
-            return NotImplemented
+            return cast(bool, NotImplemented)
         if holds(y):
             return True
         if fails(y):

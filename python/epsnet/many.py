@@ -34,7 +34,7 @@ def map(
     >>> import epsnet
     >>> surfaces = [epsnet.Surface.octagon(seed) for seed in range(3)]
     >>> table = epsnet.map(lambda surface: {"genus": surface.genus, "systole": surface.systole()}, surfaces)
-    >>> table["genus"], (table["systole"]["lower"] > 0.2).all(), table["systole"]["proved"].all()
+    >>> table["genus"], bool((table["systole"]["lower"] > 0.2).all()), bool(table["systole"]["proved"].all())
     (array([2, 2, 2]), True, True)
 
     ``workers`` threads call it at the same time, as many as there are cores by default: the library computes without Python's lock, and the

@@ -100,7 +100,7 @@ class DistanceTable:
     >>> table = net.distances([0, 17])
     >>> table.mid.shape, table.error < 1e-12
     ((2, 143), True)
-    >>> table[1, 5].lower == table.lower[1, 5]
+    >>> bool(table[1, 5].lower == table.lower[1, 5])
     True
     """
 
