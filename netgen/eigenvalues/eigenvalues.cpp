@@ -436,9 +436,9 @@ std::optional<double> add_near(double place, double reach, const EigenfunctionSe
   return guesses.front();
 }
 
-/// Adds functions of eigenvalues less than `end`, as surfaces with short geodesics have them. Those of 0, which are
-/// constant, hide them from a search at greater places; so it goes to smaller and smaller ones, where the trace formula
-/// leaves room for an eigenvalue.
+/// Adds functions of eigenvalues less than `end`, as surfaces with short geodesics have them. The constant functions,
+/// of the eigenvalue 0, hide them from a search at greater places; so this one goes to smaller and smaller places,
+/// where the trace formula leaves room for an eigenvalue.
 void add_small_eigenfunctions(double end, const Prover& prover, const EigenfunctionSearch& search,
                               Eigenfunctions& functions) {
   constexpr int kHalvings = 12;

@@ -336,7 +336,7 @@ TEST(SlowEigenvalues, MutantsThatAreVerifiedAreTrue) {
   constexpr double kOnly = 2.77507;
   std::mt19937 random(27);
   int verified = 0;
-  const int mutants = test::scaled(60);
+  const int mutants = test::scaled(120);
   for (int i = 0; i < mutants; ++i) {
     Document document = octagon();
     mutate(document, random);
@@ -372,7 +372,7 @@ TEST(Eigenfunctions, GiveNineDigits) {
   EXPECT_LT(window.smallest.upper - window.greatest.lower, 3e-9);
 }
 
-/// What certify says of the file with its eigenfunction changed. More bits, of which it has tried enough, take longer.
+/// What certify says of the file with its eigenfunction changed. Two precisions are enough to try.
 std::string with_function(const std::function<void(Document::Eigenfunction&)>& change) {
   Document document = digits();
   change(document.eigenfunctions.at(0));

@@ -35,7 +35,7 @@ constexpr const char* kWindows = "windows";
 constexpr slong kFirstBits = 192;
 /// Coefficients of eigenfunctions have the 53 bits of binary64, and little is lost: many more bits prove no more.
 constexpr slong kFirstBitsOfFunctions = 128;
-constexpr slong kMostBitsOfFunctions = 256;
+constexpr slong kMostBitsOfFunctions = 512;
 
 RuleNames rules_beyond_the_spectrum() { return {kTraces, kMost, kLeast, kEigenfunctions, kWindows}; }
 
