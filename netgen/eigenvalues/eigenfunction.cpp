@@ -288,14 +288,22 @@ std::vector<double> EigenfunctionSearch::around(double lambda) const {
 std::optional<Eigenfunction> EigenfunctionSearch::near(double lambda) const {
   if (points_of_nearest_.empty()) return std::nullopt;
   std::optional<std::pair<double, Candidate>> found;
-  constexpr int kMostSteps = 8;
+  constexpr int kMostSteps = 16;
+  constexpr double kRounding = 1e-12;
+  bool failed = false;
   for (int i = 0; i < kMostSteps && lambda > 0; ++i) {
     if (progress_) progress_("eigenfunctions", static_cast<double>(i) / kMostSteps);
-    Candidate next = std::move(best(lambda, found ? found->second.coefficients : any_coefficients(), 1).front());
-    if (found && next.differences > found->second.differences / 2) break;
-    const double nearer = next.lambda;
-    found.emplace(lambda, std::move(next));
-    lambda = nearer;
+    const double at = lambda;
+    Candidate next = std::move(best(at, found ? found->second.coefficients : any_coefficients(), 1).front());
+    lambda = next.lambda;
+    if (!found || next.differences < found->second.differences / 2) {
+      found.emplace(at, std::move(next));
+      failed = false;
+    } else {
+      // The step after one that leads astray leads back, so only two of them are the end.
+      if (failed || found->second.differences < kRounding) break;
+      failed = true;
+    }
   }
   if (!found) return std::nullopt;
   Eigenfunction result{{}, found->first, radius_, std::move(found->second.coefficients)};
@@ -305,6 +313,8 @@ std::optional<Eigenfunction> EigenfunctionSearch::near(double lambda) const {
   const auto error = certify::eigenvalue_error(document_, result, labels_, genus_, {}, threads_);
   if (!error || !certify::is_finite(*error)) return std::nullopt;
   const double margin = certify::outer_interval(*error).upper * (1 + 1e-9);
+  constexpr double kGreatestMargin = 1e-3;  // Less than distances of eigenvalues: more says nothing of use.
+  if (margin > kGreatestMargin) return std::nullopt;
   result.in = {std::nextafter(result.lambda - margin, -HUGE_VAL), std::nextafter(result.lambda + margin, HUGE_VAL)};
   if (result.in.lower <= 0) return std::nullopt;
   return result;

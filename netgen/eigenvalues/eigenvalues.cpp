@@ -45,7 +45,7 @@ constexpr double kOpen = 0.98;  ///< Where at most so many eigenvalues can be, t
 /// Finds windows with eigenvalues, gaps without, and what proves them.
 class Search {
  public:
-  Search(const Prover& prover, const EigenvaluesOptions& options, EigenvaluesDocument& document)
+  Search(Prover& prover, const EigenvaluesOptions& options, EigenvaluesDocument& document)
       : prover_(prover), options_(options), document_(document) {}
 
   /// False if nothing can be said.
@@ -191,7 +191,7 @@ class Search {
       std::optional<Trial> best;
       double reached = from;
       for (const double share : {1.0, 0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.06, 0.03, 0.015, 0.007, 0.003, 0.001, 0.0}) {
-        const Trial trial = prover_.best_at(from + share * (open.upper - from));
+        const Trial trial = prover_.best_at(from + share * (open.upper - from), open);
         double good = from + share * (open.upper - from);
         if (prover_.most_in(trial, {from, good}) != 0) continue;
         double bad = open.upper;
@@ -219,12 +219,12 @@ class Search {
     std::vector<std::pair<Interval, Trial>> statements;
     std::vector<double> counts;
   };
-  [[nodiscard]] Cover most_in(Interval in, int depth) const {
+  [[nodiscard]] Cover most_in(Interval in, int depth) {
     Cover best{HUGE_VAL, {}, {}};
     const double middle = (in.lower + in.upper) / 2;
     for (const auto& points : std::vector<std::vector<double>>{
              {middle}, {in.lower}, {in.upper}, {in.lower, in.upper}, {in.lower, middle, in.upper}}) {
-      const auto trial = prover_.flat_on(points);
+      const auto trial = prover_.flat_on(points, in);
       if (!trial) continue;
       const double count = prover_.most_in(*trial, in);
       if (count < best.count) best = {count, {{in, *trial}}, {count}};
@@ -350,7 +350,7 @@ class Search {
     const double start = mirrored ? in.upper : in.lower;
     const auto part = [&](double x) { return mirrored ? Interval{x, in.upper} : Interval{in.lower, x}; };
     const auto by_most = [&](double x) -> std::optional<Trial> {
-      Trial trial = prover_.best_at(x);
+      Trial trial = prover_.best_at(x, part(x));
       return prover_.most_in(trial, part(x)) < count ? std::optional(std::move(trial)) : std::nullopt;
     };
     double reached = start;
@@ -394,7 +394,7 @@ class Search {
     return reached;
   }
 
-  const Prover& prover_;
+  Prover& prover_;
   const EigenvaluesOptions& options_;
   EigenvaluesDocument& document_;
   std::vector<Interval> windows_;
@@ -475,7 +475,7 @@ EigenvaluesDocument with_windows(const Surface& surface, const EigenvaluesOption
     document.windows.clear();
     document.at_most.clear();
     document.at_least.clear();
-    const Prover prover = prover_of(surface, document, lengths);
+    Prover prover = prover_of(surface, document, lengths);
     if (!Search(prover, options, document).run()) continue;
     const Quality found = quality_of(document);
     if (quality && found <= *quality) continue;

@@ -30,9 +30,10 @@ RealMatrix weighted_matrix(const std::vector<RealMatrix>& matrices, Interval in)
   return result;
 }
 
-/// The form Σ f̂² over all eigenvalues but the known ones. Each of these keeps a small share, and one for the slope of f̂
-/// there, so that the form is positive although they are known in intervals only.
-RealMatrix without(RealMatrix matrix, const TestSpace& space, const std::vector<Interval>& known) {
+/// For the form Σ f̂² over all eigenvalues but some known ones. Each of these keeps a small share, and one for the slope
+/// of f̂ there, so that the form is positive although they are known in intervals only. Throws NetError if it is
+/// singular.
+Solver solver_without(const std::vector<Interval>& known, const TestSpace& space, RealMatrix matrix) {
   constexpr double kShare = 1e-5;
   for (const Interval& in : known) {
     const RealVector lower = space.values(Real(in.lower));
@@ -45,8 +46,12 @@ RealMatrix without(RealMatrix matrix, const TestSpace& space, const std::vector<
       }
     }
   }
-  return matrix;
+  auto solver = Solver::of(std::move(matrix));
+  if (!solver) throw NetError("the trace formula gives a singular matrix");
+  return *std::move(solver);
 }
+
+[[nodiscard]] bool are_disjoint(Interval x, Interval y) { return x.upper < y.lower || y.upper < x.lower; }
 
 }  // namespace
 
@@ -54,8 +59,7 @@ Prover::Prover(TestSpace space, std::vector<RealMatrix> matrices, std::vector<In
     : space_(std::move(space)),
       matrices_(std::move(matrices)),
       known_(std::move(known)),
-      solver_(Solver::of(without(matrices_[0], space_, known_))) {
-  if (!solver_) throw NetError("the trace formula gives a singular matrix");
+      solver_(solver_without(known_, space_, matrices_[0])) {
   for (const Interval& in : known_) {
     const Real middle = (Real(in.lower) + Real(in.upper)) / 2;
     known_values_.push_back({space_.values(Real(in.lower)), space_.values(middle), space_.values(Real(in.upper))});
@@ -64,15 +68,29 @@ Prover::Prover(TestSpace space, std::vector<RealMatrix> matrices, std::vector<In
 
 double Prover::most_at(double lambda) const {
   const RealVector values = space_.values(Real(lambda));
-  return static_cast<double>(1 / dot(values, solver_->solve(values)));
+  return static_cast<double>(1 / dot(values, solver_.solve(values)));
 }
 
-std::optional<Trial> Prover::flat_on(const std::vector<double>& points) const {
+const Solver& Prover::solver_outside(Interval in) {
+  std::vector<bool> left_out;
+  std::vector<Interval> outside;
+  for (const Interval& known : known_) {
+    left_out.push_back(are_disjoint(known, in));
+    if (left_out.back()) outside.push_back(known);
+  }
+  if (outside.size() == known_.size()) return solver_;
+  const auto found = solvers_.find(left_out);
+  if (found != solvers_.end()) return found->second;
+  return solvers_.emplace(std::move(left_out), solver_without(outside, space_, matrices_[0])).first->second;
+}
+
+std::optional<Trial> Prover::flat_on(const std::vector<double>& points, Interval in) {
+  const Solver& outside = solver_outside(in);
   std::vector<RealVector> values;
   std::vector<RealVector> solved;
   for (const double x : points) {
     values.push_back(space_.values(Real(x)));
-    solved.push_back(solver_->solve(values.back()));
+    solved.push_back(outside.solve(values.back()));
   }
   RealMatrix products(points.size(), RealVector(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -137,7 +155,7 @@ double Prover::most_in(const Trial& trial, Interval in) const {
   if (least >= 0) return HUGE_VAL;
   Real sum = trial.sums[0];
   for (std::size_t i = 0; i < known_.size(); ++i) {
-    if (known_[i].upper < in.lower || in.upper < known_[i].lower) sum -= trial.known[i];
+    if (are_disjoint(known_[i], in)) sum -= trial.known[i];
   }
   const Real ratio = std::max(Real(0), sum) / -least * (1 + kMargin);
   return std::floor(static_cast<double>(ratio));

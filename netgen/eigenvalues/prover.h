@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,12 +33,14 @@ class Prover {
   /// The bound for the number of eigenvalues at λ that are not known: the least Σ f̂² over all but the known ones with
   /// f̂(λ) = 1.
   [[nodiscard]] double most_at(double lambda) const;
-  /// The test function that attains it.
-  [[nodiscard]] Trial best_at(double lambda) const { return trial(solver_->solve(space_.values(Real(lambda)))); }
 
-  /// The test function with the least Σ f̂² that is 1 at several points, so that it is flat between near ones. Nothing
-  /// for points that are too near.
-  [[nodiscard]] std::optional<Trial> flat_on(const std::vector<double>& points) const;
+  /// The test function with the least Σ f̂² over all eigenvalues but the known ones outside of an interval that is 1 at
+  /// several points there, so that it is flat between near ones. Nothing for points that are too near.
+  [[nodiscard]] std::optional<Trial> flat_on(const std::vector<double>& points, certify::Interval in);
+  /// The same for one point.
+  [[nodiscard]] Trial best_at(double lambda, certify::Interval in) {
+    return trial(solver_outside(in).solve(space_.values(Real(lambda))));
+  }
 
   /// The best test function for sums of P f̂², P = ρ − λ, or (ρ − λ)(λ − σ) for σ > 0, relative to its value at λ.
   class Weighted {
@@ -71,6 +74,8 @@ class Prover {
     RealVector upper;
   };
 
+  /// For sums over all eigenvalues but the known ones outside of an interval.
+  [[nodiscard]] const Solver& solver_outside(certify::Interval in);
   /// What f̂² is at least in a known interval by the ball that `certify` computes for it. This is a little less than the
   /// least value, even less than 0 around a zero, and statements are so near to their bounds that the difference
   /// counts.
@@ -87,7 +92,8 @@ class Prover {
   std::vector<RealMatrix> matrices_;
   std::vector<certify::Interval> known_;
   std::vector<KnownValues> known_values_;
-  std::optional<Solver> solver_;  ///< For sums over unknown eigenvalues.
+  Solver solver_;                                ///< For sums over unknown eigenvalues.
+  std::map<std::vector<bool>, Solver> solvers_;  ///< By which known eigenvalues the sums leave out.
 };
 
 }  // namespace epsnet
