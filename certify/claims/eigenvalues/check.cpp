@@ -126,9 +126,13 @@ class EigenvaluesCheck {
         options_.progress(kEigenfunctions, static_cast<double>(i) / static_cast<double>(rows.size()));
       const std::string function = "function " + std::to_string(i);
       const auto error = eigenvalue_error(document_, rows[i], labels, genus_, budget_, threads_);
-      if (!error || !is_finite(*error)) {
+      if (!error) {
         rules_.doubt(kEigenfunctions, function + " is not decided, with " + std::to_string(precision) + " bits");
         return false;
+      }
+      if (!is_finite(*error)) {
+        rules_.doubt(kEigenfunctions, function + " proves no eigenvalue");
+        return true;
       }
       const Ball lambda = Ball::exactly(rows[i].lambda);
       const auto below = [](const Ball& x, const Ball& y) { return certainly_less(y, x) == Tri::no; };

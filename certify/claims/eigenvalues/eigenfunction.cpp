@@ -13,6 +13,11 @@ namespace {
 
 Ball one() { return Ball::exactly(1); }
 Ball not_a_number() { return one() / 0; }
+Ball infinity() {
+  Ball result;
+  arb_pos_inf(result.get());
+  return result;
+}
 Ball exponential(const Ball& x) { return ball_of(arb_exp, x); }
 Ball power(const Ball& x, std::uint64_t exponent) {
   Ball result;
@@ -284,8 +289,9 @@ std::optional<Ball> eigenvalue_error(const EigenvaluesDocument& document,
   }
   const Ball root_of_area = sqrt(4 * (genus - 1) * pi());
   const Ball norm = sqrt_of_nonnegative(norm_squared(functions, vertices, sinh_disk)) - root_of_area * error;
-  if (certainly_positive(norm) != Tri::yes) return not_a_number();
-  return root_of_area * residual / norm;
+  if (certainly_positive(norm) == Tri::no) return infinity();
+  Ball bound = root_of_area * residual / norm;
+  return certainly_positive(norm) == Tri::yes && is_finite(bound) ? std::optional(std::move(bound)) : std::nullopt;
 }
 
 }  // namespace epsnet::certify

@@ -42,8 +42,8 @@ class RadialFactors {
   std::vector<Ball> weights_;  ///< By m: 1 + λ/(m(m + 1)).
 };
 
-/// A bound δ such that an eigenvalue of −Δ on the surface, perhaps 0, lies in [λ − δ, λ + δ]. Not finite if there is
-/// none; nothing if balls do not tell which lifts are near. BudgetSpent.
+/// A bound δ such that an eigenvalue of −Δ on the surface, perhaps 0, lies in [λ − δ, λ + δ]; infinity if the functions
+/// prove none. Nothing if more bits are needed. BudgetSpent.
 ///
 /// Requires: the rules of the document's net and of its spectrum are verified, and its structure is right; `labels` are
 /// those of the net.
