@@ -8,7 +8,7 @@
 #include "tests/certify/lifted_reference.h"
 
 /// Walks along axes, and what follows from them for single geodesics.
-namespace epsnet::certify {
+namespace epsnet::certify::axis_crossings_test {
 namespace {
 
 using Word = std::vector<std::uint32_t>;
@@ -200,4 +200,4 @@ TEST(TranslationLength, IsRoundedOutward) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::axis_crossings_test

@@ -16,7 +16,7 @@
 #include "certify/numbers/precision.h"
 #include "certify/numbers/rounding.h"
 
-namespace epsnet::certify {
+namespace epsnet::certify::ball_test {
 namespace {
 
 /// m ± 2^−k.
@@ -500,4 +500,4 @@ TEST(Precision, RisesUntilItIsDecidedOrTheCapIsReached) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::ball_test

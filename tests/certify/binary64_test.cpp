@@ -18,7 +18,7 @@
 #include "certify/net/filter.h"
 
 /// However the caller's floating-point environment is set, files are read and checked as in the default one.
-namespace epsnet::certify {
+namespace epsnet::certify::binary64_test {
 namespace {
 
 /// A floating-point environment that is not the default one, until the end.
@@ -149,4 +149,4 @@ TEST(Binary64, WithoutRoundingToNearestTheFilterSettlesNothing) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::binary64_test

@@ -6,7 +6,7 @@
 #include "certify/claims/bound/element.h"
 
 /// Displacements of isometries that are not known exactly.
-namespace epsnet::certify {
+namespace epsnet::certify::bound_element_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -99,4 +99,4 @@ TEST(BoundElement, TheDisplacementIsThatOfTheIsometry) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::bound_element_test

@@ -17,7 +17,7 @@
 #include "tests/certify/reference.h"
 
 /// Bound files. Each rule is broken by a file in which nothing else is wrong.
-namespace epsnet::certify {
+namespace epsnet::certify::bound_test {
 namespace {
 
 using testing::HasSubstr;
@@ -869,4 +869,4 @@ TEST(BoundFile, HasExactlyItsMembers) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::bound_test

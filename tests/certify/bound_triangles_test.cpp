@@ -7,7 +7,7 @@
 #include "certify/claims/bound/triangles.h"
 
 /// Triangulations at a point, of sides that no surface has: what is asked is arithmetic.
-namespace epsnet::certify {
+namespace epsnet::certify::bound_triangles_test {
 namespace {
 
 constexpr slong kPrecision = 128;
@@ -223,4 +223,4 @@ TEST(BoundTriangles, AreNoTriangulationIfTheirAreasAreTooLarge) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::bound_triangles_test

@@ -8,7 +8,7 @@
 #include "certify/net/structure.h"
 
 /// The work that a file may take: counted, the same for any number of threads, and never exceeded.
-namespace epsnet::certify {
+namespace epsnet::certify::budget_test {
 namespace {
 
 std::string path(const std::string& name) { return std::string(EPSNET_TEST_DATA) + "/" + name; }
@@ -170,4 +170,4 @@ TEST(Budget, EnclosuresOfWhatWasNotMeasuredAreWide) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::budget_test

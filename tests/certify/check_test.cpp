@@ -11,7 +11,7 @@
 #include "certify/file/reader.h"
 #include "certify/net/darts.h"
 
-namespace epsnet::certify {
+namespace epsnet::certify::check_test {
 namespace {
 
 NetDocument load(const std::string& name) {
@@ -556,4 +556,4 @@ TEST(Mutation, RotatedTrianglesStayVerified) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::check_test

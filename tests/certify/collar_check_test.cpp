@@ -13,7 +13,7 @@
 #include "tests/certify/far_words.h"
 
 /// Rule `collars` alone, on documents that the rules before it may refuse: so each clause stands on its own.
-namespace epsnet::certify {
+namespace epsnet::certify::collar_check_test {
 namespace {
 
 /// A pseudo net of genus 2 with collars about geodesics of the lengths 1/8 and 1/4.
@@ -439,4 +439,4 @@ TEST(CollarCheck, WithoutWorkItIsUndecided) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::collar_check_test

@@ -18,7 +18,7 @@
 #include "certify/file/writer.h"
 
 /// Compact net files say what net files say, and nothing that is damaged, cut off or contradictory is read.
-namespace epsnet::certify {
+namespace epsnet::certify::compact_test {
 namespace {
 
 NetDocument load_net(const std::string& name) {
@@ -353,4 +353,4 @@ TEST_F(SlowCompact, WhateverIsReadIsWrittenTheSame) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::compact_test

@@ -8,7 +8,7 @@
 #include "tests/certify/turned.h"
 
 /// Rule `complete`: what it looks at against its definition in docs/proof.md, and lengths that are nearly the bound.
-namespace epsnet::certify {
+namespace epsnet::certify::completeness_test {
 namespace {
 
 GeodesicsDocument load(const std::string& name) {
@@ -388,4 +388,4 @@ TEST(SlowCompleteness, OfASpectrumIsNotSaidWithFewBits) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::completeness_test

@@ -14,7 +14,7 @@
 /// older search, around vertices, verified: of a surface without symmetries; of the Bolza surface, on which up to 24
 /// have one length and many pass through the vertices of the net, or along its edges; of one with a cuff of length
 /// 1e-3; and of Klein's quartic, whose 21 systoles have one length, and the 28 geodesics after them another one.
-namespace epsnet::certify {
+namespace epsnet::certify::crossing_search_test {
 namespace {
 
 const std::vector<std::string> kLists{"octagon-5-to-6", "bolza-to-6.2", "one-cuff-of-1e-3-to-6.5", "klein-to-5.5"};
@@ -354,4 +354,4 @@ TEST(MovedNet, ThirdCornersAreThoseAcross) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::crossing_search_test

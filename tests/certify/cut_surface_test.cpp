@@ -7,7 +7,7 @@
 #include "tests/certify/lifted_reference.h"
 
 /// The pieces that simple closed geodesics leave of the Bolza surface, against its homology.
-namespace epsnet::certify {
+namespace epsnet::certify::cut_surface_test {
 namespace {
 
 using Word = std::vector<std::uint32_t>;
@@ -252,4 +252,4 @@ TEST(CutSurface, LeavesOpenInWhichOrderArcsLie) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::cut_surface_test

@@ -12,7 +12,7 @@
 #include "certify/claims/net/claim.h"
 #include "certify/numbers/ball.h"
 
-namespace epsnet::certify {
+namespace epsnet::certify::decimals_test {
 namespace {
 
 constexpr double kMax = std::numeric_limits<double>::max();
@@ -206,4 +206,4 @@ TEST(PrintedIntervals, ContainTheAreasOfAllGenera) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::decimals_test

@@ -14,7 +14,7 @@
 
 /// Distance files. Each rule is broken by a file in which nothing else is wrong; nets are those of the rest of the
 /// tests.
-namespace epsnet::certify {
+namespace epsnet::certify::distance_test {
 namespace {
 
 using testing::HasSubstr;
@@ -564,4 +564,4 @@ TEST(DistanceFile, HasExactlyItsMembers) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::distance_test

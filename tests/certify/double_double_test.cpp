@@ -7,7 +7,7 @@
 #include <random>
 
 /// The numbers must enclose what they say, exactly; inputs cancel, and are of all sizes.
-namespace epsnet::certify {
+namespace epsnet::certify::double_double_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -128,4 +128,4 @@ TEST(DoubleDouble, BallsAreEnclosed) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::double_double_test

@@ -30,7 +30,7 @@
 #include "tests/support/scale.h"
 
 /// Eigenvalues files. Each rule is broken by a file in which nothing else is wrong.
-namespace epsnet::certify {
+namespace epsnet::certify::eigenvalues_test {
 namespace {
 
 using testing::HasSubstr;
@@ -811,4 +811,4 @@ TEST(EigenvaluesStructure, WindowsAreInOrder) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::eigenvalues_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace epsnet::certify {
+namespace epsnet::certify::exact_test {
 namespace {
 
 ExactPoint point(long x, long y, long m) { return {{x, y}, m}; }
@@ -124,4 +124,4 @@ TEST(Exact, CoordinatesNeedNoCommonDenominator) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::exact_test

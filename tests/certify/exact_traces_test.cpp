@@ -6,7 +6,7 @@
 
 /// Exact comparisons of lengths against long double, on a surface over each ring; and on surfaces where a length is
 /// 2 arsinh 1, or nearly that.
-namespace epsnet::certify {
+namespace epsnet::certify::exact_traces_test {
 namespace {
 
 using Word = std::vector<std::uint32_t>;
@@ -73,4 +73,4 @@ TEST(ExactTraces, SayNothingOfWordsThatAreTooLong) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::exact_traces_test

@@ -7,7 +7,7 @@
 #include "certify/file/reader.h"
 
 /// Every file under tests/data/certify/VERDICT has that verdict; refuted and undecided ones are named RULE-defect.
-namespace epsnet::certify {
+namespace epsnet::certify::files_test {
 namespace {
 
 std::vector<std::filesystem::path> files(const std::string& verdict) {
@@ -59,4 +59,4 @@ TEST(Files, EveryRuleHasARefutedFile) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::files_test

@@ -21,7 +21,7 @@
 #include "certify/net/surface_check.h"
 
 /// Whatever the filter says must be true in rationals; inputs are chosen where it hardly is.
-namespace epsnet::certify {
+namespace epsnet::certify::filter_test {
 namespace {
 
 using filter::Point;
@@ -739,4 +739,4 @@ TEST_F(Filtered, CollarsAreLeftToBalls) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::filter_test

@@ -13,7 +13,7 @@
 #include "certify/net/surface_sides.h"
 
 /// Members that a claim has or has not, and words, as docs/format.md says: each is malformed by itself.
-namespace epsnet::certify {
+namespace epsnet::certify::geodesics_structure_test {
 namespace {
 
 GeodesicsDocument three_cuffs() { return read_file<GeodesicsDocument>(EPSNET_TEST_DATA "/geodesics/three-cuffs.json"); }
@@ -270,4 +270,4 @@ TEST(GeodesicsStructure, PiecesHaveEverySideOnce) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::geodesics_structure_test

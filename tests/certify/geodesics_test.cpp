@@ -20,7 +20,7 @@
 
 /// Geodesics files. The lists are found here by brute force in binary64: words of the group in the order of their
 /// length, told apart by their least conjugate.
-namespace epsnet::certify {
+namespace epsnet::certify::geodesics_test {
 namespace {
 
 using testing::HasSubstr;
@@ -866,4 +866,4 @@ TEST(GeodesicsReader, DocumentsThatNoFileGivesAreMalformed) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::geodesics_test

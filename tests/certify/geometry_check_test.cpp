@@ -23,7 +23,7 @@
 
 /// What is measured of lifted triangles, against the definitions in binary64, and the rules about them alone, on
 /// documents that need not be nets.
-namespace epsnet::certify {
+namespace epsnet::certify::geometry_check_test {
 namespace {
 
 using Point = std::complex<double>;
@@ -643,4 +643,4 @@ TEST(GeometryCheck, EnclosuresContainWhatIsMeasured) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::geometry_check_test

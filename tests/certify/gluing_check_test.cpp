@@ -10,7 +10,7 @@
 #include "tests/certify/far_words.h"
 
 /// When an element is the identity, and labels that 64 bits do not tell from those that they are.
-namespace epsnet::certify {
+namespace epsnet::certify::gluing_check_test {
 namespace {
 
 NetDocument load(const std::string& name) { return read_file<NetDocument>(std::string(EPSNET_TEST_DATA) + "/" + name); }
@@ -121,4 +121,4 @@ TEST(GluingCheck, LabelsThat64BitsDoNotTellAreUndecided) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::gluing_check_test

@@ -7,7 +7,7 @@
 #include <rapidcheck/gtest.h>
 #include <vector>
 
-namespace epsnet::certify {
+namespace epsnet::certify::interval_index_test {
 namespace {
 
 using Items = std::vector<std::uint32_t>;
@@ -80,4 +80,4 @@ TEST(IntervalIndex, LooksAtFewOfManyNarrowOnesThoughSomeAreWide) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::interval_index_test

@@ -11,7 +11,7 @@
 #include "certify/file/reader.h"
 
 /// Isometries files. Each rule is broken by a file in which nothing else is wrong.
-namespace epsnet::certify {
+namespace epsnet::certify::isometries_test {
 namespace {
 
 using testing::HasSubstr;
@@ -306,4 +306,4 @@ TEST(Conjugation, OfTheIdentityIsTheIdentity) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::isometries_test

@@ -12,7 +12,7 @@
 
 /// Tokens of JSON texts, in memory and across the ends of what is in memory. What files mean is in reader_test.cpp and
 /// reader_values_test.cpp.
-namespace epsnet::certify {
+namespace epsnet::certify::json_test {
 namespace {
 
 constexpr std::size_t kPiece = std::size_t{1} << 18U;
@@ -174,4 +174,4 @@ TEST(Json, TheFormatIsThatOfTheOutermostObject) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::json_test

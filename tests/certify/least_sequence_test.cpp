@@ -6,7 +6,7 @@
 
 #include "certify/base/fault.h"
 
-namespace epsnet::certify {
+namespace epsnet::certify::least_sequence_test {
 namespace {
 
 using Codes = std::vector<std::uint32_t>;
@@ -83,4 +83,4 @@ TEST(SequenceTable, TheSameTwiceIsFoundEitherWay) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::least_sequence_test

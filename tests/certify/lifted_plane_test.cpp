@@ -6,7 +6,7 @@
 
 /// Vectors, axes and lifted triangles of certify/geodesics against the same in long double; and when two elements are
 /// said to be the same.
-namespace epsnet::certify {
+namespace epsnet::certify::lifted_plane_test {
 namespace {
 
 constexpr double kNear = 1e-9;
@@ -268,4 +268,4 @@ TEST(LiftedPlane, WithoutADiskNoElementsAreTheSame) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::lifted_plane_test

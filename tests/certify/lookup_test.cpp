@@ -17,7 +17,7 @@
 
 /// What is not there cannot be looked up: each lookup answers what is there, and anything else is a fault of this
 /// program.
-namespace epsnet::certify {
+namespace epsnet::certify::lookup_test {
 namespace {
 
 using testing::HasSubstr;
@@ -184,4 +184,4 @@ TEST(Lookup, OfAnIntervalWithItsEndsExchangedIsAFault) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::lookup_test

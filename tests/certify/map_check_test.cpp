@@ -7,7 +7,7 @@
 #include "certify/net/darts.h"
 
 /// Rule `map` alone: each defect is named, where it is first in the file.
-namespace epsnet::certify {
+namespace epsnet::certify::map_check_test {
 namespace {
 
 NetDocument load(const std::string& name) {
@@ -214,4 +214,4 @@ TEST(MapCheck, TheGenusIsExact) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::map_check_test

@@ -9,7 +9,7 @@
 
 #include "certify/file/reader.h"
 
-namespace epsnet::certify {
+namespace epsnet::certify::pieces_test {
 namespace {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
@@ -91,4 +91,4 @@ TEST(Pieces, BytesInMemoryAreOnePiece) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::pieces_test

@@ -20,7 +20,7 @@
 #include "certify/file/document_reader.h"
 #include "certify/file/writer.h"
 
-namespace epsnet::certify {
+namespace epsnet::certify::reader_test {
 namespace {
 
 NetDocument sample() {
@@ -957,4 +957,4 @@ TEST(Reader, ComplaintsNameThePathAsGiven) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::reader_test

@@ -11,7 +11,7 @@
 
 /// What the reader accepts says what is written, value by value: files of every kind, one value changed at a time, are
 /// read, written again, and compared by another JSON library.
-namespace epsnet::certify {
+namespace epsnet::certify::reader_values_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -348,4 +348,4 @@ TEST(ReaderValues, MembersOfAnotherKindAreRefused) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::reader_values_test

@@ -10,7 +10,7 @@
 #include "certify/net/surface_sides.h"
 
 /// Surfaces of the kind "map": regular tiles, glued in any way that q of them meet at every vertex.
-namespace epsnet::certify {
+namespace epsnet::certify::regular_map_test {
 namespace {
 
 NetDocument file(const std::string& name) {
@@ -208,4 +208,4 @@ TEST(RegularMaps, OfOnePolygonWithOppositeSidesGluedIsTheRegularSurface) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::regular_map_test

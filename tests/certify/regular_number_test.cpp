@@ -11,7 +11,7 @@
 #include "certify/net/crossings.h"
 #include "certify/net/surface_sides.h"
 
-namespace epsnet::certify {
+namespace epsnet::certify::regular_number_test {
 namespace {
 
 RegularNumber integer(const RegularRing& ring, const mpz_class& value) { return regular_number(ring, {value, 0}); }
@@ -412,4 +412,4 @@ TEST(RegularNumber, NumbersThatAreZeroModuloALargePrimeAreNotZero) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::regular_number_test

@@ -13,7 +13,7 @@
 /// Regular 4g-gons, above all the net of one vertex, the tile's centre: around a corner of the tile its 4g lifts are
 /// the corners of a regular polygon, the dual one, so every triangulation of that is Delaunay and all its diagonals are
 /// ties.
-namespace epsnet::certify {
+namespace epsnet::certify::regular_test {
 namespace {
 
 /// The distance of the corners from the centre, which is also the circumradius of all triangles below.
@@ -340,4 +340,4 @@ TEST(Regular, ThreadsDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::regular_test

@@ -18,7 +18,7 @@
 #include "certify/net/structure.h"
 
 /// Nothing is VERIFIED unless every rule that a claim declares was reported, once, and is.
-namespace epsnet::certify {
+namespace epsnet::certify::rule_book_test {
 namespace {
 
 using testing::Contains;
@@ -310,4 +310,4 @@ TEST(Rules, OfBoundsAreThoseOfTheDocument) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::rule_book_test

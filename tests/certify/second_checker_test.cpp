@@ -26,7 +26,7 @@
 
 /// The second checker: the files of tests/data/certify, and its numbers beside those of the first checker.
 /// Mutants of nets are in tests/netgen/mutation_test.cpp.
-namespace epsnet::exact {
+namespace epsnet::exact::second_checker_test {
 namespace {
 
 std::string contents(const std::filesystem::path& path) {
@@ -927,4 +927,4 @@ TEST(SecondCheckersJson, EveryValueIsOfTheKindThatTheFormatSays) {
 }
 
 }  // namespace
-}  // namespace epsnet::exact
+}  // namespace epsnet::exact::second_checker_test

@@ -10,7 +10,7 @@
 #include "certify/exact/net_rules.h"
 
 /// The second checker's numbers of regular tiles, and its crossings.
-namespace epsnet::exact {
+namespace epsnet::exact::second_checkers_algebraic_test {
 namespace {
 
 double twice_cosine(const RealField& field, long k) {
@@ -201,4 +201,4 @@ TEST(SecondCheckersCrossings, MultiplyToTheIdentityAroundEveryCorner) {
 }
 
 }  // namespace
-}  // namespace epsnet::exact
+}  // namespace epsnet::exact::second_checkers_algebraic_test

@@ -12,7 +12,7 @@
 #include "certify/exact/json.h"
 
 /// The second checker's JSON, against the grammar, the table of well-formed UTF-8, and what each number may be.
-namespace epsnet::exact {
+namespace epsnet::exact::second_checkers_json_test {
 namespace {
 
 bool accepts(std::string_view text) {
@@ -386,4 +386,4 @@ TEST(SecondCheckersNumbers, DigitsAndExponentsMakeUpForEachOther) {
 }
 
 }  // namespace
-}  // namespace epsnet::exact
+}  // namespace epsnet::exact::second_checkers_json_test

@@ -17,7 +17,7 @@
 
 /// What docs/format.md says of the members of nets and surfaces together, clause by clause: the last value that is
 /// allowed, and the first that is not.
-namespace epsnet::certify {
+namespace epsnet::certify::structure_test {
 namespace {
 
 using testing::ElementsAre;
@@ -414,4 +414,4 @@ TEST(Darts, GoAroundTheirTriangles) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::structure_test

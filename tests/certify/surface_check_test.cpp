@@ -10,7 +10,7 @@
 #include "certify/file/reader.h"
 #include "certify/net/surface_sides.h"
 
-namespace epsnet::certify {
+namespace epsnet::certify::surface_check_test {
 namespace {
 
 SurfaceDocument::Tile tile(std::initializer_list<std::pair<mpq_class, mpq_class>> vertices) {
@@ -364,4 +364,4 @@ TEST(SurfaceCheck, TheInscribedDiskTouchesTheNearestSideWhereverTheFileBegins) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::surface_check_test

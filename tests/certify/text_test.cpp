@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace epsnet::certify {
+namespace epsnet::certify::text_test {
 namespace {
 
 TEST(Text, DecimalsAreExact) {
@@ -374,4 +374,4 @@ RC_GTEST_PROP(ParseBinary64Property, FractionsOfTwentyDigitsAreExact, ()) {
 }
 
 }  // namespace
-}  // namespace epsnet::certify
+}  // namespace epsnet::certify::text_test

@@ -47,7 +47,7 @@ endif()
 
 set(configure ${CMAKE_COMMAND} -G ${generator} -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_BUILD_TYPE=Release -D CMAKE_PREFIX_PATH=${prefix}
   --no-warn-unused-cli)
-run(${configure} -S ${source}/tests/install/consumer -B ${scratch}/consumer -D README=${source}/README.md -D HEADERS=${headers_alone})
+run(${configure} -S ${source}/tests/install/consumer -B ${scratch}/consumer -D README=${source}/README.md)
 run(${CMAKE_COMMAND} --build ${scratch}/consumer)
 run(${CMAKE_COMMAND} --build ${scratch}/consumer --target examples)
 

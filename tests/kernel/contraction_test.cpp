@@ -11,7 +11,7 @@
 #define EPSNET_WITH_FMA __attribute__((noinline))
 #endif
 
-namespace epsnet {
+namespace epsnet::contraction_test {
 namespace {
 
 bool has_fma() {
@@ -57,4 +57,4 @@ TEST(Contraction, IsOffInTheKernel) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::contraction_test

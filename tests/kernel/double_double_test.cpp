@@ -4,7 +4,7 @@
 
 #include "kernel/numbers.h"
 
-namespace epsnet {
+namespace epsnet::double_double_test {
 namespace {
 
 Rational exact(const DoubleDouble& a) { return Rational(a.high) + Rational(a.low); }
@@ -57,4 +57,4 @@ TEST(DoubleDouble, RoundsNumbersOf256Bits) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::double_double_test

@@ -6,7 +6,7 @@
 #include "kernel/plane.h"
 #include "tests/support/scale.h"
 
-namespace epsnet {
+namespace epsnet::exact_test {
 namespace {
 
 using test::Dyadic;
@@ -45,4 +45,4 @@ TEST(Dyadic, AgreesWithRational) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::exact_test

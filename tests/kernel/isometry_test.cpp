@@ -15,7 +15,7 @@
 #include "tests/kernel/rational_points.h"
 #include "tests/support/scale.h"
 
-namespace epsnet {
+namespace epsnet::isometry_test {
 namespace {
 
 using test::rational_isometry;
@@ -291,4 +291,4 @@ TEST(Axis, OfATranslationAlongTheRealAxis) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::isometry_test

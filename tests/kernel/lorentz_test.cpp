@@ -8,7 +8,7 @@
 #include "tests/kernel/random_points.h"
 #include "tests/kernel/rational_points.h"
 
-namespace epsnet {
+namespace epsnet::lorentz_test {
 namespace {
 
 using test::rational_isometry;
@@ -64,4 +64,4 @@ TEST(Lorentz, TheLeftOfAnAxisIsPositive) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::lorentz_test

@@ -11,7 +11,7 @@
 #include "tests/kernel/rational_points.h"
 #include "tests/support/scale.h"
 
-namespace epsnet {
+namespace epsnet::plane_test {
 namespace {
 
 using test::Random;
@@ -181,4 +181,4 @@ RC_GTEST_PROP(OrientationProperty, IsTheSideSeenFromTheFirstPoint, ()) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::plane_test

@@ -15,7 +15,7 @@
 #include "tests/kernel/rational_points.h"
 #include "tests/support/scale.h"
 
-namespace epsnet {
+namespace epsnet::predicates_test {
 namespace {
 
 using test::Dyadic;
@@ -58,12 +58,14 @@ Complex<To> to(const Complex<From>& z) {
 }
 
 }  // namespace
+}  // namespace epsnet::predicates_test
 
 template <>
-inline Careless unit_roundoff<Careless>() {
-  return Careless(kUnitRoundoff / 100);
+inline epsnet::predicates_test::Careless epsnet::unit_roundoff<epsnet::predicates_test::Careless>() {
+  return epsnet::predicates_test::Careless(kUnitRoundoff / 100);
 }
 
+namespace epsnet::predicates_test {
 namespace {
 
 /// The input of a predicate as a stage sees it, and what it stands for.
@@ -705,4 +707,4 @@ TEST(Mutation, HundredthOfTheErrorOfThePointsIsCaught) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::predicates_test

@@ -16,7 +16,7 @@
 #include "tests/support/polygons.h"
 #include "tests/support/triangulations.h"
 
-namespace epsnet {
+namespace epsnet::anchor_search_test {
 namespace {
 
 using testing::HasSubstr;
@@ -193,4 +193,4 @@ RC_GTEST_PROP(TwoSquaresProperty, HintsAreEnough, ()) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::anchor_search_test

@@ -19,7 +19,7 @@
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
 
-namespace epsnet {
+namespace epsnet::bound_test {
 namespace {
 
 using certify::BoundDocument;
@@ -309,4 +309,4 @@ RC_GTEST_PROP(BoundProperty, EccentricityIsAtLeastEveryDistanceAndLipschitz, ())
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::bound_test

@@ -8,7 +8,7 @@
 #include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/octagon.h"
 
-namespace epsnet {
+namespace epsnet::cover_test {
 namespace {
 
 using Sheets = std::vector<Permutation>;
@@ -133,4 +133,4 @@ TEST(ParsePermutations, ReadsArraysAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::cover_test

@@ -13,7 +13,7 @@
 #include "netgen/surfaces/octagon.h"
 #include "triangulation/surface/error.h"
 
-namespace epsnet {
+namespace epsnet::dehn_twist_test {
 namespace {
 
 /// The image of a path, by those of its letters.
@@ -154,4 +154,4 @@ TEST(DehnTwist, Refusals) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::dehn_twist_test

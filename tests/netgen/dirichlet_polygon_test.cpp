@@ -13,7 +13,7 @@
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
 
-namespace epsnet {
+namespace epsnet::dirichlet_polygon_test {
 namespace {
 
 /// The area of a convex polygon around 0.
@@ -205,4 +205,4 @@ TEST(DirichletPolygon, JsonReadsBackTheSame) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::dirichlet_polygon_test

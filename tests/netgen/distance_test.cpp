@@ -23,7 +23,7 @@
 #include "tests/support/triangulations.h"
 #include "triangulation/surface/points.h"
 
-namespace epsnet {
+namespace epsnet::distance_test {
 namespace {
 
 using certify::DistanceDocument;
@@ -457,4 +457,4 @@ RC_GTEST_PROP(PrintedProperty, ContainsEpsilon, ()) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::distance_test

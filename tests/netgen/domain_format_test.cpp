@@ -16,7 +16,7 @@
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/polygons.h"
 
-namespace epsnet {
+namespace epsnet::domain_format_test {
 namespace {
 
 // What keeps a reference cannot be made from a temporary.
@@ -253,4 +253,4 @@ RC_GTEST_PROP(DomainFormatProperty, ChangedByteIsAnErrorOrAnotherSurface, (std::
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::domain_format_test

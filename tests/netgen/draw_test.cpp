@@ -31,7 +31,7 @@
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
 
-namespace epsnet {
+namespace epsnet::draw_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -788,4 +788,4 @@ TEST(Info, CountsWhatIsThere) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::draw_test

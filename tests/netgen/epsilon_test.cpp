@@ -9,7 +9,7 @@
 #include "netgen/base/options.h"
 #include "tests/support/triangulations.h"
 
-namespace epsnet {
+namespace epsnet::epsilon_test {
 namespace {
 
 /// Every text is rejected with an error that quotes it.
@@ -107,4 +107,4 @@ RC_GTEST_PROP(EpsilonProperty, AnyTextIsANumberOrAnInvalidArgument, ()) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::epsilon_test

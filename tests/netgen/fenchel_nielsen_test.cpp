@@ -17,7 +17,7 @@
 #include "netgen/base/gmp.h"
 #include "tests/support/triangulations.h"
 
-namespace epsnet {
+namespace epsnet::fenchel_nielsen_test {
 namespace {
 
 using test::any_index;
@@ -297,4 +297,4 @@ TEST(FenchelNielsenRequest, BadOnesAreNamed) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::fenchel_nielsen_test

@@ -6,7 +6,7 @@
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/octagon.h"
 
-namespace epsnet {
+namespace epsnet::fundamental_polygon_test {
 namespace {
 
 Surface pants_surface(std::uint32_t genus, std::uint64_t seed) {
@@ -107,4 +107,4 @@ RC_GTEST_PROP(WordIsometryProperty, EnclosuresContainTheExactMatrix, ()) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::fundamental_polygon_test

@@ -24,7 +24,7 @@
 #include "tests/support/triangulations.h"
 #include "triangulation/mesh/operations.h"
 
-namespace epsnet {
+namespace epsnet::geodesics_test {
 namespace {
 
 // What keeps a reference cannot be made from a temporary.
@@ -406,4 +406,4 @@ RC_GTEST_PROP(UnfoldingProperty, WaysComeBack, ()) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::geodesics_test

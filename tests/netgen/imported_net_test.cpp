@@ -18,7 +18,7 @@
 #include "tests/support/polygons.h"
 #include "tests/support/triangulations.h"
 
-namespace epsnet {
+namespace epsnet::imported_net_test {
 namespace {
 
 using testing::HasSubstr;
@@ -160,4 +160,4 @@ RC_GTEST_PROP(ImportedNetProperty, WhateverIsImportedIsMadeOfTheGivenTriangles, 
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::imported_net_test

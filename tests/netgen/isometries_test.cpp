@@ -18,7 +18,7 @@
 #include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/octagon.h"
 
-namespace epsnet {
+namespace epsnet::isometries_test {
 namespace {
 
 using Kind = IsometricAnswer::Kind;
@@ -345,4 +345,4 @@ TEST(Isometric, IsUndecidedWhereTheNumbersAreOfDifferentKinds) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::isometries_test

@@ -6,7 +6,7 @@
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/surface_file.h"
 
-namespace epsnet {
+namespace epsnet::large_surface_test {
 namespace {
 
 // The text `about` would have more than the 1 MiB that a file may have.
@@ -20,4 +20,4 @@ TEST(LargeSurface, OfGenus6500HasAFileThatIsRead) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::large_surface_test

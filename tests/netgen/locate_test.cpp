@@ -16,7 +16,7 @@
 #include "tests/support/triangulations.h"
 #include "triangulation/surface/points.h"
 
-namespace epsnet {
+namespace epsnet::locate_test {
 namespace {
 
 using certify::NetDocument;
@@ -146,4 +146,4 @@ TEST(GivenPoints, MayNotBeTooClose) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::locate_test

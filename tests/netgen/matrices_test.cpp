@@ -8,7 +8,7 @@
 #include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/octagon.h"
 
-namespace epsnet {
+namespace epsnet::matrices_test {
 namespace {
 
 using Kind = MatricesError::Kind;
@@ -224,4 +224,4 @@ TEST(Matrices, TextsThatAreWrongAreRefused) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::matrices_test

@@ -18,7 +18,7 @@
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 
-namespace epsnet {
+namespace epsnet::mesh_export_test {
 namespace {
 
 using Point = Complex<double>;
@@ -271,4 +271,4 @@ TEST(Curves, AClosedGeodesicIsCutWithoutLossOnAnyNetOfItsSurface) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::mesh_export_test

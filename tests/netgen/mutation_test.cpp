@@ -17,7 +17,7 @@
 #include "tests/support/scale.h"
 
 /// Single random defects in verified nets: `certify` must agree with the oracle, and `certify-exact` with `certify`.
-namespace epsnet {
+namespace epsnet::mutation_test {
 namespace {
 
 using attack::Mutation;
@@ -150,4 +150,4 @@ TEST(Mutation, NoMutantIsVerifiedUnlessTheOracleAgrees) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::mutation_test

@@ -10,7 +10,7 @@
 #include "netgen/surfaces/surface_file.h"
 #include "triangulation/surface/points.h"
 
-namespace epsnet {
+namespace epsnet::named_maps_test {
 namespace {
 
 /// The faces, edges and vertices of a surface of regular tiles.
@@ -209,4 +209,4 @@ TEST(SurfaceOfMap, IsNotReadFromOtherTexts) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::named_maps_test

@@ -17,7 +17,7 @@
 #include "triangulation/mesh/operations.h"
 
 /// Net documents as triangulations.
-namespace epsnet {
+namespace epsnet::net_document_test {
 namespace {
 
 using certify::NetDocument;
@@ -135,4 +135,4 @@ TEST(TriangulationOfANet, LabelsMustFitAcrossEveryEdge) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::net_document_test

@@ -10,7 +10,7 @@
 #include "certify/check.h"
 #include "netgen/surfaces/octagon.h"
 
-namespace epsnet {
+namespace epsnet::net_record_test {
 namespace {
 
 std::vector<std::string> fields(const std::string& line) {
@@ -117,4 +117,4 @@ TEST(NetRecord, QuotesNamesThatNeedIt) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::net_record_test

@@ -21,7 +21,7 @@
 #include "tests/support/scale.h"
 #include "tests/support/triangulations.h"
 
-namespace epsnet {
+namespace epsnet::net_test {
 namespace {
 
 using certify::Verdict;
@@ -444,4 +444,4 @@ RC_GTEST_PROP(NetProperty, IsTheSameBytesEveryTime, ()) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::net_test

@@ -9,7 +9,7 @@
 #include "netgen/exchange/domain_format.h"
 #include "tests/support/polygons.h"
 
-namespace epsnet {
+namespace epsnet::octagon_test {
 namespace {
 
 TEST(Octagon, IsWhatCgalPrintsForTheSeed) {
@@ -66,4 +66,4 @@ RC_GTEST_PROP(OctagonProperty, EverySeedGivesTheSameSurfaceOfGenusTwoTwice, (std
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::octagon_test

@@ -17,7 +17,7 @@
 #include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/octagon.h"
 
-namespace epsnet {
+namespace epsnet::pants_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -263,4 +263,4 @@ TEST(Pants, GraphsAreWrittenAsTheyAreRead) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::pants_test

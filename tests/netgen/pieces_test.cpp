@@ -18,7 +18,7 @@
 #include "triangulation/mesh/marks.h"
 #include "triangulation/mesh/operations.h"
 
-namespace epsnet {
+namespace epsnet::pieces_test {
 namespace {
 
 using test::any_index;
@@ -163,4 +163,4 @@ TEST(Pieces, HandOnWhatTheCallerThrows) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::pieces_test

@@ -20,7 +20,7 @@
 #include "tests/support/triangulations.h"
 #include "triangulation/surface/points.h"
 
-namespace epsnet {
+namespace epsnet::polygon_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -206,4 +206,4 @@ TEST(PolygonPicture, OfAnEmbeddedDiskShowsTheDiskInTheDomain) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::polygon_test

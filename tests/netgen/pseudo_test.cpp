@@ -23,7 +23,7 @@
 #include "triangulation/mesh/operations.h"
 
 /// Pseudo epsilon-nets: the generator, and every clause of the certifier's rules `collars` and `thick` broken alone.
-namespace epsnet {
+namespace epsnet::pseudo_test {
 namespace {
 
 using certify::Certificate;
@@ -459,4 +459,4 @@ TEST(PseudoCertificate, MembersOfCollarsAreRead) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::pseudo_test

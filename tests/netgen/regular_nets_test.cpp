@@ -5,7 +5,7 @@
 #include "netgen/nets/certified_net.h"
 
 /// Nets of the regular 4g-gons, whose first triangulations are full of ties.
-namespace epsnet {
+namespace epsnet::regular_nets_test {
 namespace {
 
 void expect_net(std::uint32_t genus, const char* epsilon) {
@@ -34,4 +34,4 @@ TEST(RegularNets, AllDiagonalsAreTiesWithOneVertex) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::regular_nets_test

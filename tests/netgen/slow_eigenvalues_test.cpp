@@ -13,7 +13,7 @@
 #include "netgen/surfaces/octagon.h"
 
 /// Approximate eigenfunctions are found in dense matrices, which takes seconds for each.
-namespace epsnet {
+namespace epsnet::slow_eigenvalues_test {
 namespace {
 
 using certify::EigenvaluesDocument;
@@ -112,4 +112,4 @@ TEST(Eigenvalues, WithEigenfunctionsAreTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::slow_eigenvalues_test

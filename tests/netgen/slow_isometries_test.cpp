@@ -3,7 +3,7 @@
 #include "netgen/isometries/isometries.h"
 #include "netgen/surfaces/maps_and_covers.h"
 
-namespace epsnet {
+namespace epsnet::slow_isometries_test {
 namespace {
 
 TEST(Isometries, OfTheFrickeMacbeathCurve) {
@@ -23,4 +23,4 @@ TEST(Isometries, OfARegularPolygonOfHigherGenus) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::slow_isometries_test

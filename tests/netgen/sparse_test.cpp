@@ -24,7 +24,7 @@
 #include "triangulation/mesh/operations.h"
 
 /// Nets with few points, and the relaxation that they are made with.
-namespace epsnet {
+namespace epsnet::sparse_test {
 namespace {
 
 using test::any_index;
@@ -223,4 +223,4 @@ TEST(SparseNet, IsNoPseudoNet) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::sparse_test

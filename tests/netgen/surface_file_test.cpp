@@ -15,7 +15,7 @@
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/polygons.h"
 
-namespace epsnet {
+namespace epsnet::surface_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -221,4 +221,4 @@ TEST_F(AtomicFile, CheckWritableTellsBeforeAnythingIsWritten) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::surface_file_test

@@ -10,7 +10,7 @@
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/octagon.h"
 
-namespace epsnet {
+namespace epsnet::table_test {
 namespace {
 
 /// Thesis Table IV.3 as the thesis has it: the mean number of vertices over 180 octagons.
@@ -100,4 +100,4 @@ TEST(LargeGenus, PolygonsAreVerified) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::table_test

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace epsnet {
+namespace epsnet::triangle_list_test {
 namespace {
 
 using testing::ElementsAre;
@@ -57,4 +57,4 @@ TEST(TriangleList, HeapGivesTheLargestFirst) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::triangle_list_test

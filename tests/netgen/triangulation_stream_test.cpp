@@ -20,7 +20,7 @@
 #include "tests/support/triangulations.h"
 #include "triangulation/surface/glued_polygons.h"
 
-namespace epsnet {
+namespace epsnet::triangulation_stream_test {
 namespace {
 
 using testing::AllOf;
@@ -536,4 +536,4 @@ RC_GTEST_PROP(TriangulationStreamProperty, ChangedByteIsAnErrorOrTheSame, (std::
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::triangulation_stream_test

@@ -20,7 +20,7 @@
 #include "netgen/surfaces/surface_file.h"
 #include "tests/support/triangulations.h"
 
-namespace epsnet {
+namespace epsnet::vertex_distances_test {
 namespace {
 
 using certify::Interval;
@@ -254,4 +254,4 @@ TEST(VertexDistances, AreWrittenAsNumPyAndAsATable) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::vertex_distances_test

@@ -7,7 +7,7 @@
 #include "triangulation/mesh/operations.h"
 
 /// What the headers require of their callers is asserted in debug and sanitizer builds.
-namespace epsnet {
+namespace epsnet::assertions_test {
 namespace {
 
 TEST(Assertions, AreOnInDebugAndSanitizerBuildsAlone) {
@@ -115,4 +115,4 @@ TEST(AssertionsDeathTest, TheStageWithoutDivisionsIsForPointsNearTheOrigin) {
 #endif
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::assertions_test

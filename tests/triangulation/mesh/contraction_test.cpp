@@ -11,7 +11,7 @@
 #include "triangulation/mesh/operations.h"
 
 /// Contraction of edges, moves of vertices, and the start that they make.
-namespace epsnet {
+namespace epsnet::contraction_test {
 namespace {
 
 using test::any_index;
@@ -233,4 +233,4 @@ TEST(RegularSurface, CrossingsTakeSideToSide) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::contraction_test

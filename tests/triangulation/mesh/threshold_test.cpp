@@ -8,7 +8,7 @@
 
 #include "tests/support/triangulations.h"
 
-namespace epsnet {
+namespace epsnet::threshold_test {
 namespace {
 
 Mp4096 power_of_two(int exponent) { return boost::multiprecision::ldexp(Mp4096(1), exponent); }
@@ -87,4 +87,4 @@ RC_GTEST_PROP(ThresholdProperty, EnclosesTightly, ()) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::threshold_test

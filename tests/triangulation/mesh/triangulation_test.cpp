@@ -21,7 +21,7 @@
 #include "triangulation/mesh/marks.h"
 #include "triangulation/mesh/operations.h"
 
-namespace epsnet {
+namespace epsnet::triangulation_test {
 namespace {
 
 using test::any_dart;
@@ -668,4 +668,4 @@ RC_GTEST_PROP(TriangulationProperty, WalksAgreeOnEdgesAndVertices, ()) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::triangulation_test

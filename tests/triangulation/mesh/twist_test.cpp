@@ -14,7 +14,7 @@
 
 /// What is done at once instead of step by step: many turns around a short closed curve, and paths that turn far around
 /// a vertex of many corners.
-namespace epsnet {
+namespace epsnet::twist_test {
 namespace {
 
 /// Octagons with a closed geodesic of the length in their names, around which their sides and diagonals turn 58, 702
@@ -165,4 +165,4 @@ TEST(AtlasTurns, AreOneFactorInNetsOfRegularPolygons) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::twist_test

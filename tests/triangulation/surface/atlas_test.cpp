@@ -13,7 +13,7 @@
 #include "netgen/surfaces/surface_file.h"
 #include "tests/support/triangulations.h"
 
-namespace epsnet {
+namespace epsnet::atlas_test {
 namespace {
 
 using test::any_index;
@@ -315,4 +315,4 @@ RC_GTEST_PROP(AtlasProperty, PlaceNearbyIsTheSamePoint, ()) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::atlas_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/triangulations.h"
 
-namespace epsnet {
+namespace epsnet::curve_bound_test {
 namespace {
 
 double curve_bound(const Surface& surface) {
@@ -75,4 +75,4 @@ RC_GTEST_PROP(CurveBoundProperty, NoClosedGeodesicIsShorter, ()) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::curve_bound_test

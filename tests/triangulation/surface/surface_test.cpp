@@ -16,7 +16,7 @@
 #include "tests/support/polygons.h"
 #include "triangulation/surface/glued_polygons.h"
 
-namespace epsnet {
+namespace epsnet::surface_test {
 namespace {
 
 using test::PairedPolygon;
@@ -329,4 +329,4 @@ RC_GTEST_PROP(SurfaceProperty, ChangedPairingIsRejected, (std::int32_t seed)) {
 }
 
 }  // namespace
-}  // namespace epsnet
+}  // namespace epsnet::surface_test
