@@ -399,6 +399,18 @@ TEST(SlowEigenfunctions, ThatProveLessAreUndecided) {
   EXPECT_EQ(with_function([](auto& f) { f.radius = 1.9; }), undecided);
 }
 
+/// That a bound for the norm is not positive does not depend on the number of bits.
+TEST(SlowEigenfunctions, ThatProveNothingAreNotAskedWithMoreBits) {
+  Document document = digits();
+  auto& coefficients = document.eigenfunctions.at(0).coefficients;
+  std::swap_ranges(coefficients.begin(), coefficients.begin() + 153, coefficients.begin() + 153);
+  const Certificate certificate = checked(document);
+  EXPECT_EQ(certificate.verdict, Verdict::undecided);
+  EXPECT_EQ(certificate.rule, "eigenfunctions");
+  EXPECT_THAT(certificate.message, HasSubstr("function 0 proves no eigenvalue"));
+  EXPECT_EQ(certificate.counts.max_precision_used, checked(digits()).counts.max_precision_used);
+}
+
 TEST(SlowEigenfunctions, WithTwiceTheCoefficientsProveTheSame) {
   EXPECT_EQ(with_function([](auto& f) {
               for (double& c : f.coefficients) c *= 2;
