@@ -13,6 +13,9 @@
 /// Numbers of eigenvalues in intervals by test functions. docs/eigenvalues.md says why.
 namespace epsnet {
 
+/// Where at most so many eigenvalues can be, there is none, provably.
+inline constexpr double kOpen = 0.98;
+
 /// Coefficients as they are in a file, and their three sums Σ λ^p f̂².
 struct Trial {
   std::vector<double> coefficients;
