@@ -63,36 +63,54 @@ void normalize(Vector& x) {
   for (double& value : x) value *= scale;
 }
 
-/// The eigenvalues of a symmetric matrix, in increasing order, and eigenvectors of norm 1, by Jacobi's method.
-std::vector<std::pair<double, Vector>> eigenvectors(std::vector<Vector> matrix) {
-  const std::size_t size = matrix.size();
+/// The eigenvalues of a symmetric tridiagonal matrix, in increasing order, and eigenvectors of norm 1, by the QR method
+/// with Wilkinson's shifts.
+std::vector<std::pair<double, Vector>> eigenvectors(Vector diagonal, Vector beside) {
+  const std::size_t size = diagonal.size();
   std::vector<Vector> vectors(size, Vector(size));  // As rows.
   for (std::size_t i = 0; i < size; ++i) vectors[i][i] = 1;
-  constexpr int kMostSweeps = 30;
-  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
-    bool changed = false;
-    for (std::size_t p = 0; p < size; ++p) {
-      for (std::size_t q = p + 1; q < size; ++q) {
-        const double off = matrix[p][q];
-        if (std::abs(off) < 1e-18) continue;
-        changed = true;
-        const double angle = 0.5 * std::atan2(2 * off, matrix[q][q] - matrix[p][p]);
-        const double c = std::cos(angle);
-        const double s = std::sin(angle);
-        const auto rotate = [c, s](double& x, double& y) {
-          const double before = x;
-          x = c * x - s * y;
-          y = s * before + c * y;
-        };
-        for (std::size_t k = 0; k < size; ++k) rotate(matrix[p][k], matrix[q][k]);
-        for (std::size_t k = 0; k < size; ++k) rotate(matrix[k][p], matrix[k][q]);
-        for (std::size_t k = 0; k < size; ++k) rotate(vectors[p][k], vectors[q][k]);
+  const auto is_small = [&](std::size_t k) {
+    return std::abs(beside[k]) <= 0x1p-53 * (std::abs(diagonal[k]) + std::abs(diagonal[k + 1]));
+  };
+  std::size_t most_steps = 60 * size;
+  for (std::size_t last = size - 1; last > 0 && most_steps > 0; --most_steps) {
+    std::size_t first = last;  // Of the block that is not split yet.
+    while (first > 0 && !is_small(first - 1)) --first;
+    if (first == last) {
+      --last;
+      continue;
+    }
+    const double half = (diagonal[last - 1] - diagonal[last]) / 2;
+    const double square = beside[last - 1] * beside[last - 1];
+    const double shift = diagonal[last] - square / (half + std::copysign(std::sqrt(half * half + square), half));
+    // Rotations of rows k and k + 1, each of which makes 0 what the one before has left beside the diagonals.
+    double x = diagonal[first] - shift;
+    double bulge = beside[first];
+    for (std::size_t k = first; k < last; ++k) {
+      const double r = std::sqrt(x * x + bulge * bulge);
+      const double c = r > 0 ? x / r : 1;
+      const double s = r > 0 ? bulge / r : 0;
+      if (k > first) beside[k - 1] = r;
+      const double upper = diagonal[k];
+      const double lower = diagonal[k + 1];
+      const double between = beside[k];
+      diagonal[k] = c * c * upper + 2 * c * s * between + s * s * lower;
+      diagonal[k + 1] = s * s * upper - 2 * c * s * between + c * c * lower;
+      beside[k] = (c * c - s * s) * between + c * s * (lower - upper);
+      x = beside[k];
+      if (k + 1 < last) {
+        bulge = s * beside[k + 1];
+        beside[k + 1] *= c;
+      }
+      for (std::size_t i = 0; i < size; ++i) {
+        const double value = vectors[k][i];
+        vectors[k][i] = c * value + s * vectors[k + 1][i];
+        vectors[k + 1][i] = c * vectors[k + 1][i] - s * value;
       }
     }
-    if (!changed) break;
   }
   std::vector<std::pair<double, Vector>> result;
-  for (std::size_t i = 0; i < size; ++i) result.emplace_back(matrix[i][i], std::move(vectors[i]));
+  for (std::size_t i = 0; i < size; ++i) result.emplace_back(diagonal[i], std::move(vectors[i]));
   std::sort(result.begin(), result.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
   return result;
 }
@@ -229,28 +247,32 @@ Vector EigenfunctionSearch::any_coefficients() const {
 /// those of high waves, which neighbours do not pass on; the least ones are few.
 std::vector<EigenfunctionSearch::Candidate> EigenfunctionSearch::best(double lambda, Vector c,
                                                                       std::size_t count) const {
-  constexpr std::size_t kSteps = 120;
+  // About so many eigenvalues are less than λ, by Weyl's law, and as many waves are to be told apart.
+  const double waves = (genus_ - 1) * lambda;
+  const auto steps = static_cast<std::size_t>(100 + 10 * std::min(waves, 30.0));
   const Differences differences(*this, lambda);
   normalize(c);
   std::vector<Vector> basis{std::move(c)};
-  std::vector<Vector> small(kSteps, Vector(kSteps));
-  for (std::size_t i = 0; i < kSteps; ++i) {
+  Vector diagonal(steps);
+  Vector beside(steps - 1);
+  for (std::size_t i = 0; i < steps; ++i) {
     Vector next = differences.transposed(differences(basis[i]));
     for (int round = 0; round < 2; ++round) {
       for (std::size_t j = 0; j <= i; ++j) {
         const double product = dot(basis[j], next);
-        if (round == 0 && j + 1 >= i) small[i][j] = small[j][i] = product;
+        if (round == 0 && j == i) diagonal[i] = product;
+        if (round == 0 && j + 1 == i) beside[j] = product;
         add(next, -product, basis[j]);
       }
     }
-    if (i + 1 == kSteps) break;
+    if (i + 1 == steps) break;
     normalize(next);
     basis.push_back(std::move(next));
   }
-  const auto pairs = eigenvectors(std::move(small));
+  const auto pairs = eigenvectors(std::move(diagonal), std::move(beside));
   std::vector<Vector> least(kMostCandidates, Vector(size()));
   for (std::size_t i = 0; i < kMostCandidates; ++i) {
-    for (std::size_t j = 0; j < kSteps; ++j) add(least[i], pairs[i].second[j], basis[j]);
+    for (std::size_t j = 0; j < steps; ++j) add(least[i], pairs[i].second[j], basis[j]);
   }
   const double step = 1e-5 * lambda;
   const Differences above(*this, lambda + step);

@@ -52,6 +52,29 @@ TEST(EigenfunctionSearch, AgreesWithTheLiterature) {
   }
 }
 
+/// Of the same authors; of the multiplicities four, three and three. Between many waves, steps lead astray.
+TEST(EigenfunctionSearch, FindsGreaterEigenvalues) {
+  const EigenvaluesDocument document = file("bolza-to-9.json");
+  const EigenfunctionSearch search(document, 2);
+  for (const double known : {14.726216787789, 15.048916133267, 18.658819627260}) {
+    const auto function = search.near(known - 0.002);
+    ASSERT_TRUE(function) << known;
+    EXPECT_LT(function->in.lower, known);
+    EXPECT_LT(known, function->in.upper);
+    EXPECT_LT(function->in.upper - function->in.lower, 1e-6);
+  }
+}
+
+/// What proves an eigenvalue only as roughly as the trace formula does is of no use.
+TEST(EigenfunctionSearch, LeavesRoughFunctionsOut) {
+  const EigenvaluesDocument document = file("bolza-to-9.json");
+  const EigenfunctionSearch search(document, 2);
+  for (const double guess : {10.0, 12.0, 30.0, 50.0}) {
+    const auto function = search.near(guess);
+    EXPECT_TRUE(!function || function->in.upper - function->in.lower < 2.1e-3) << guess;
+  }
+}
+
 /// Counted by the trace formula, enclosed by eigenfunctions.
 TEST(Eigenvalues, ThatAreCountedAreEnclosedToNineDigits) {
   for (const Surface& surface : {random_octagon(3), Surface::regular(2),
@@ -92,6 +115,18 @@ TEST(Eigenvalues, FunctionsShowTheGapsBetweenThem) {
     EXPECT_LT(window.in.upper - window.in.lower, 1e-8) << i;
     EXPECT_GT(window.in.lower, last + 0.1) << i;
     last = window.in.upper;
+  }
+}
+
+TEST(Eigenvalues, TheFirstTenAreSimple) {
+  const EigenvaluesDocument document = eigenvalues(random_octagon(5), {.up_to = Length("10"), .count = 10});
+  EXPECT_EQ(certify::check(document, {.threads = 2}).verdict, certify::Verdict::verified);
+  ASSERT_GE(document.windows.size(), 10U);
+  for (std::size_t i = 0; i < 10; ++i) {
+    const auto& window = document.windows[i];
+    EXPECT_EQ(window.least, 1U) << i;
+    EXPECT_EQ(window.most, 1U) << i;
+    EXPECT_LT(window.smallest.upper - window.greatest.lower, 1e-6) << i;
   }
 }
 
