@@ -58,7 +58,8 @@ Quality quality_of(const EigenvaluesDocument& document) {
 using Eigenfunctions = std::vector<EigenvaluesDocument::Eigenfunction>;
 
 /// Adds functions of the eigenvalues within `reach` of `place` that are found and not known. Returns about where the
-/// nearest eigenvalue is; nothing if the search says nothing.
+/// nearest eigenvalue is; nothing if the search says nothing. An eigenvalue of some multiplicity has as many guesses,
+/// next to each other.
 std::optional<double> add_near(double place, double reach, const EigenfunctionSearch& search,
                                Eigenfunctions& functions) {
   const auto is_known = [&](double lower, double upper) {
@@ -68,10 +69,18 @@ std::optional<double> add_near(double place, double reach, const EigenfunctionSe
   const std::vector<double> guesses = search.around(place);
   if (guesses.empty()) return std::nullopt;
   const double same = 1e-4 * reach;
+  std::vector<std::pair<double, double>> led;  // Guesses, and the eigenvalues to which they led.
+  const auto leads_to_same = [&](double guess) {
+    return std::any_of(led.begin(), led.end(), [&](const auto& other) {
+      return std::abs(guess - other.first) < std::abs(other.second - other.first) / 4;
+    });
+  };
   for (const double guess : guesses) {
-    if (std::abs(guess - place) > reach || is_known(guess - same, guess + same)) continue;
+    if (std::abs(guess - place) > reach || is_known(guess - same, guess + same) || leads_to_same(guess)) continue;
     auto function = search.near(guess);
-    if (function && !is_known(function->in.lower, function->in.upper)) functions.push_back(*std::move(function));
+    if (!function) continue;
+    led.emplace_back(guess, function->lambda);
+    if (!is_known(function->in.lower, function->in.upper)) functions.push_back(*std::move(function));
   }
   return guesses.front();
 }
