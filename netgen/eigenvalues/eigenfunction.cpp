@@ -313,7 +313,8 @@ std::optional<Eigenfunction> EigenfunctionSearch::near(double lambda) const {
   constexpr int kMostSteps = 16;
   constexpr double kRounding = 1e-12;
   bool failed = false;
-  for (int i = 0; i < kMostSteps && lambda > 0; ++i) {
+  constexpr double kGreatest = 1e4;  // Beyond, no solution around a vertex is a number.
+  for (int i = 0; i < kMostSteps && lambda > 0 && lambda < kGreatest; ++i) {
     if (progress_) progress_("eigenfunctions", static_cast<double>(i) / kMostSteps);
     const double at = lambda;
     Candidate next = std::move(best(at, found ? found->second.coefficients : any_coefficients(), 1).front());
