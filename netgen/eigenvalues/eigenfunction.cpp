@@ -311,7 +311,7 @@ std::optional<Eigenfunction> EigenfunctionSearch::near(double lambda) const {
   if (points_of_nearest_.empty()) return std::nullopt;
   std::optional<std::pair<double, Candidate>> found;
   constexpr int kMostSteps = 16;
-  constexpr double kRounding = 1e-12;
+  constexpr double kRounding = 3e-14;
   bool failed = false;
   constexpr double kGreatest = 1e4;  // Beyond, no solution around a vertex is a number.
   for (int i = 0; i < kMostSteps && lambda > 0 && lambda < kGreatest; ++i) {
