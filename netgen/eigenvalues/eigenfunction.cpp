@@ -274,7 +274,6 @@ std::vector<EigenfunctionSearch::Candidate> EigenfunctionSearch::best(double lam
   for (std::size_t i = 0; i < kMostCandidates; ++i) {
     for (std::size_t j = 0; j < steps; ++j) add(least[i], pairs[i].second[j], basis[j]);
   }
-  constexpr double kNoise = 1e-14;  // Of the products; what is less is as good as 0.
   const double step = 1e-5 * lambda;
   const Differences above(*this, lambda + step);
   const Differences below(*this, lambda - step);
@@ -284,8 +283,7 @@ std::vector<EigenfunctionSearch::Candidate> EigenfunctionSearch::best(double lam
     Vector own = least[i];
     const Vector gradient = differences.transposed(differences(own));
     for (std::size_t j = 0; j < kMostCandidates; ++j) {
-      if (pairs[j].first > std::max(kNoise, 2 * pairs[i].first))
-        add(own, -dot(least[j], gradient) / pairs[j].first, least[j]);
+      if (pairs[j].first > 2 * pairs[i].first) add(own, -dot(least[j], gradient) / pairs[j].first, least[j]);
     }
     normalize(own);
     // By Gauss and Newton's method, as the differences for the best coefficients of any λ are orthogonal to all that
