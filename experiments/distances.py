@@ -11,6 +11,7 @@ import sys
 import tempfile
 import zlib
 from concurrent.futures import ThreadPoolExecutor, as_completed
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from pathlib import Path
 
 import plan
@@ -97,9 +98,20 @@ def whole_table(data: list[dict]) -> str:
     return "".join(line + "\n" for line in [",".join(COLUMNS), *map(_line, data)])
 
 
+def outward(end: float, rounding: str) -> str:
+    """The shortest decimal that is read as this number and is not inside of the interval that it ends, as epsnet writes it."""
+    decimals = (Context(prec=digits, rounding=rounding).plus(Decimal(end)) for digits in range(1, 30))
+    return format(next(decimal for decimal in decimals if float(decimal) == end), "f")
+
+
 def _line(record: dict) -> str:
+    cells = dict(record)
+    for quantity in QUANTITIES:
+        for name, rounding in (("lower", ROUND_FLOOR), ("upper", ROUND_CEILING)):
+            end = record[f"{quantity}_{name}"]
+            cells[f"{quantity}_{name}"] = None if end is None else outward(end, rounding)
     text = io.StringIO()
-    csv.DictWriter(text, COLUMNS, lineterminator="").writerow(record)
+    csv.DictWriter(text, COLUMNS, lineterminator="").writerow(cells)
     return text.getvalue()
 
 

@@ -31,12 +31,10 @@ if "$python" -c 'import matplotlib' 2>/dev/null; then
     grep -q '</svg>' out/plots/$plot.svg || complain "no plot $plot"
   done
 fi
-# The cells are the ends that epsnet prints, as binary64 numbers: epsnet writes the decimals outward.
+# The cells are the ends that epsnet prints.
 "$programs/epsnet" diameter out/surfaces/octagon-002.json --json >diameter.json || complain 'epsnet diameter'
 ends=$(sed 's/.*"diameter":\[\([^]]*\)\].*/\1/' diameter.json)
-cells=$(sed -n 3p out/$csv | cut -d , -f 10,11)
-"$python" -c 'import sys; x, y = ([float(end) for end in ends.split(",")] for ends in sys.argv[1:]); sys.exit(x != y)' "$cells" "$ends" ||
-  complain "octagon-002 has $ends, not $(sed -n 3p out/$csv)"
+[ "$(sed -n 3p out/$csv | cut -d , -f 10,11)" = "$ends" ] || complain "octagon-002 has $ends, not $(sed -n 3p out/$csv)"
 
 # Once more: only the file is made again that an interruption cut short.
 without_seconds out/$csv >expected
