@@ -230,7 +230,7 @@ TEST(Bound, ACellWithTheTriangulationOfTheNetMayBeRefuted) {
   EXPECT_GT(refuted_by_cells(octagon(), net), 10U);
 }
 
-TEST(SlowBound, ACellWithAnotherDartMayBeRefuted) {
+TEST(DeepBound, ACellWithAnotherDartMayBeRefuted) {
   const auto darts = static_cast<std::uint32_t>(3 * disk().net.triangles.size());
   const auto others = [&](std::uint32_t leaf) {
     std::vector<std::uint32_t> result;

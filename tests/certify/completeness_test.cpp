@@ -243,7 +243,7 @@ Answers answers(const GeodesicsDocument& document, Verdict expected, const std::
   return result;
 }
 
-TEST(SlowCompleteness, IsNotSaidOfSmallCurvesWithFewBits) {
+TEST(DeepCompleteness, IsNotSaidOfSmallCurvesWithFewBits) {
   for (const char* name : {"three-cuffs.json", "one-curve-of-2-arsinh-1.json", "two-cuffs-that-differ-by-1e-14.json"}) {
     const GeodesicsDocument good = load(name);
     EXPECT_GT(answers(good, Verdict::verified, name).open, 10) << name;
@@ -253,7 +253,7 @@ TEST(SlowCompleteness, IsNotSaidOfSmallCurvesWithFewBits) {
   }
 }
 
-TEST(SlowCompleteness, OfASystoleIsNotSaidWithFewBits) {
+TEST(DeepCompleteness, OfASystoleIsNotSaidWithFewBits) {
   const GeodesicsDocument cuffs = load("two-cuffs-that-differ-by-1e-14.json");
   EXPECT_EQ(outcome(as_systole(cuffs, 0)), "VERIFIED");
   EXPECT_EQ(outcome(as_systole(cuffs, 1)), "REFUTED: complete");
@@ -331,7 +331,7 @@ NetDocument with_lift_across(NetDocument net, std::uint32_t v, std::uint32_t sid
   return net;
 }
 
-TEST(SlowCompleteness, KnowsALoopWhoseLabelsAreNoneOfThemTrivial) {
+TEST(DeepCompleteness, KnowsALoopWhoseLabelsAreNoneOfThemTrivial) {
   // Cuffs so short that all vertices near them are deep: nothing but their loops is looked at. Every vertex is taken to
   // another of its lifts, and loops are turned until they lead from corner 1 to corner 2.
   std::mt19937 random(1);
@@ -371,7 +371,7 @@ TEST(SlowCompleteness, KnowsALoopWhoseLabelsAreNoneOfThemTrivial) {
   }
 }
 
-TEST(SlowCompleteness, OfASpectrumIsNotSaidWithFewBits) {
+TEST(DeepCompleteness, OfASpectrumIsNotSaidWithFewBits) {
   const GeodesicsDocument cuffs = load("two-cuffs-that-differ-by-1e-14.json");
   // Between the cuffs, below the first, above the second.
   const GeodesicsDocument one = without(without(cuffs, 2), 1);

@@ -109,7 +109,7 @@ TEST(CrossingSearch, VerifiesLists) {
   }
 }
 
-TEST(SlowCrossingSearch, MissesWhicheverIsLeftOut) {
+TEST(DeepCrossingSearch, MissesWhicheverIsLeftOut) {
   const auto step = static_cast<std::size_t>(std::ceil(1 / test::multiplier()));  // With sanitizers, not all of them.
   for (const std::string& name : kLists) {
     const GeodesicsDocument document = load(name);

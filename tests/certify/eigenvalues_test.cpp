@@ -332,7 +332,7 @@ void mutate(Document& document, std::mt19937& random) {
 }
 
 /// The only eigenvalue of the octagon below 3.69 is near 2.77507 (L = 14 proves 2.77505 < λ_1 < 2.77509, 3.69 < λ_2).
-TEST(SlowEigenvalues, MutantsThatAreVerifiedAreTrue) {
+TEST(DeepEigenvalues, MutantsThatAreVerifiedAreTrue) {
   constexpr double kOnly = 2.77507;
   std::mt19937 random(27);
   int verified = 0;
@@ -380,7 +380,7 @@ std::string with_function(const std::function<void(Document::Eigenfunction&)>& c
   return std::string(name(certificate.verdict)) + (certificate.rule.empty() ? "" : ": " + certificate.rule);
 }
 
-TEST(SlowEigenfunctions, ThatProveLessAreUndecided) {
+TEST(DeepEigenfunctions, ThatProveLessAreUndecided) {
   const std::string undecided = "UNDECIDED: eigenfunctions";
   EXPECT_EQ(with_function([](auto& f) { f.lambda += 5e-10; }), undecided);
   EXPECT_EQ(with_function([](auto& f) { f.in.lower = f.lambda - (f.lambda - f.in.lower) * 0.99; }), undecided);
@@ -445,7 +445,7 @@ TEST(Eigenfunctions, NotAllEigenvaluesOfAWindowAreWhereTheOneIsNot) {
   EXPECT_THAT(Counting(document).problem().value_or(""), HasSubstr("at least 1"));
 }
 
-TEST(SlowEigenfunctions, EigenvaluesThatAreKnownElsewhereAreLeftOutOfSums) {
+TEST(DeepEigenfunctions, EigenvaluesThatAreKnownElsewhereAreLeftOutOfSums) {
   const Document document = two();
   EXPECT_EQ(outcome(document), "VERIFIED");
   ASSERT_EQ(document.eigenfunctions.size(), 3U);
@@ -460,7 +460,7 @@ TEST(SlowEigenfunctions, EigenvaluesThatAreKnownElsewhereAreLeftOutOfSums) {
   const auto changed = [&](const std::function<void(Document&)>& change) {
     Document copy = document;
     change(copy);
-    return outcome(copy, 2'000'000'000);
+    return outcome(copy, 500'000'000);
   };
   const std::string others_verified = "UNDECIDED: eigenfunctions";
   EXPECT_EQ(changed([](Document&) {}), others_verified);
@@ -476,7 +476,7 @@ TEST(SlowEigenfunctions, EigenvaluesThatAreKnownElsewhereAreLeftOutOfSums) {
   // It is somewhere in its interval, where the test function may be small.
   Document wide = document;
   wide.eigenfunctions[2].in.upper = wide.eigenfunctions[2].in.lower + 1;
-  const Certificate certificate = check(wide, {.threads = 2, .max_precision = 192, .max_work = 2'000'000'000});
+  const Certificate certificate = check(wide, {.threads = 2, .max_precision = 192, .max_work = 500'000'000});
   EXPECT_EQ(certificate.verdict, Verdict::undecided);
   EXPECT_EQ(certificate.rule, "most");
 }
@@ -487,7 +487,7 @@ TEST(SlowEigenfunctions, BeyondTheReachOfTestFunctionsAreNotLeftOutOfSums) {
   document.eigenfunctions.push_back(document.eigenfunctions[0]);
   document.eigenfunctions[1].in.upper = 1e6;
   document.eigenfunctions[1].in.lower = document.eigenfunctions[1].lambda = 1e5;
-  EXPECT_EQ(outcome(document, 2'000'000'000), "UNDECIDED: eigenfunctions");
+  EXPECT_EQ(outcome(document, 500'000'000), "UNDECIDED: eigenfunctions");
 }
 
 TEST(Disjoint, AreAsManyAsThereAre) {

@@ -120,7 +120,7 @@ TEST(SecondChecker, LeavesListsOutThatAreTooLargeForIt) {
   EXPECT_TRUE(is_left_out(check(spectrum, 100)));
 }
 
-TEST(SlowSecondChecker, VerifiesEigenfunctionsThatAreNotTooMany) {
+TEST(DeepSecondChecker, VerifiesEigenfunctionsThatAreNotTooMany) {
   auto document = certify::read_file<certify::EigenvaluesDocument>(std::string(EPSNET_TEST_DATA) +
                                                                    "/eigenvalues/octagon-5-to-7-digits.json");
   std::ostringstream good;

@@ -10,7 +10,7 @@ namespace epsnet::large_surface_test {
 namespace {
 
 // The text `about` would have more than the 1 MiB that a file may have.
-TEST(LargeSurface, OfGenus6500HasAFileThatIsRead) {
+TEST(DeepLargeSurface, OfGenus6500HasAFileThatIsRead) {
   const Surface surface = fenchel_nielsen_surface(random_coordinates(PantsGraph::random(6500, 1), 1));
   EXPECT_LE(surface.about().size(), std::size_t{1} << 20);
   EXPECT_NE(surface.about().find(" more edges"), std::string::npos);

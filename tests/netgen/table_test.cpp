@@ -24,16 +24,16 @@ void expect_mean(const char* epsilon, double thesis, double tolerance) {
   EXPECT_NEAR(vertices / kOctagons, thesis, tolerance * thesis);
 }
 
-TEST(TableIV3, EpsilonFourTenths) { expect_mean("0.4", 54, 0.02); }
-TEST(TableIV3, EpsilonThreeTenths) { expect_mean("0.3", 96, 0.02); }
-TEST(TableIV3, EpsilonOneFifth) { expect_mean("0.2", 216, 0.01); }
-TEST(TableIV3, EpsilonOneTenth) { expect_mean("0.1", 865, 0.01); }
-TEST(TableIV3, EpsilonOneTwentieth) { expect_mean("0.05", 3454, 0.01); }
-TEST(TableIV3, EpsilonOneHundredth) { expect_mean("0.01", 86314, 0.01); }
+TEST(DeepTableIV3, EpsilonFourTenths) { expect_mean("0.4", 54, 0.02); }
+TEST(DeepTableIV3, EpsilonThreeTenths) { expect_mean("0.3", 96, 0.02); }
+TEST(DeepTableIV3, EpsilonOneFifth) { expect_mean("0.2", 216, 0.01); }
+TEST(DeepTableIV3, EpsilonOneTenth) { expect_mean("0.1", 865, 0.01); }
+TEST(DeepTableIV3, EpsilonOneTwentieth) { expect_mean("0.05", 3454, 0.01); }
+TEST(DeepTableIV3, EpsilonOneHundredth) { expect_mean("0.01", 86314, 0.01); }
 
 /// The 180 octagons of the thesis' generator are expected to have long systoles (thesis IV.6.2: 173 of its 180 have
 /// more than 0.5, the others more than 0.21, by bounds). Of these 180, with a proof for each.
-TEST(Systoles, Of179Of180OctagonsAreAboveOneHalf) {
+TEST(DeepSystoles, Of179Of180OctagonsAreAboveOneHalf) {
   int above_half = 0;
   double least = HUGE_VAL;
   for (std::int32_t seed = 1; seed <= 180; ++seed) {
@@ -49,7 +49,7 @@ TEST(Systoles, Of179Of180OctagonsAreAboveOneHalf) {
 
 /// Thesis Table IV.4: one surface of genus 2 with a cuff of length 1e-4. Here the mean over twenty, proved, also where
 /// the thesis' doubles fail (0.2 and 0.1: the model 0.5383(16/ε² + w/ε), w the width of the collar).
-TEST(TableIV4, MeansOfThinSurfacesAgreeWithTheThesis) {
+TEST(DeepTableIV4, MeansOfThinSurfacesAgreeWithTheThesis) {
   const std::vector<std::pair<const char*, double>> table{{"0.5", 58},  {"0.45", 64},  {"0.4", 75},  {"0.35", 108},
                                                           {"0.3", 137}, {"0.25", 179}, {"0.2", 260}, {"0.1", 943.1}};
   for (const auto& [epsilon, thesis] : table) {
@@ -68,7 +68,7 @@ TEST(TableIV4, MeansOfThinSurfacesAgreeWithTheThesis) {
 }
 
 /// Thesis Table IV.5: means over three surfaces of genus 3.
-TEST(TableIV5, MeansOfGenus3AgreeWithTheThesis) {
+TEST(DeepTableIV5, MeansOfGenus3AgreeWithTheThesis) {
   const std::vector<std::pair<const char*, double>> table{
       {"0.5", 70}, {"0.4", 108}, {"0.3", 193}, {"0.2", 428}, {"0.1", 1727}};
   for (const auto& [epsilon, thesis] : table) {
@@ -83,14 +83,14 @@ TEST(TableIV5, MeansOfGenus3AgreeWithTheThesis) {
   }
 }
 
-TEST(LargeGenus, FenchelNielsenSurfacesAreVerified) {
+TEST(DeepLargeGenus, FenchelNielsenSurfacesAreVerified) {
   for (const auto& [genus, epsilon] : {std::pair{30u, "0.5"}, {100u, "0.25"}, {300u, "0.5"}}) {
     const Surface surface = fenchel_nielsen_surface(random_coordinates(PantsGraph::random(genus, 1), 1));
     EXPECT_EQ(certified_net(surface, Length(epsilon)).certificate.counts.genus, genus);
   }
 }
 
-TEST(LargeGenus, PolygonsAreVerified) {
+TEST(DeepLargeGenus, PolygonsAreVerified) {
   for (const char* name : {"g20-rnd0", "g50-small"}) {
     const Surface surface = import_surface_file(std::string(EPSNET_TEST_DATA) + "/polygons/polygon-" + name + ".txt");
     for (const char* epsilon : {"3", "0.5", "0.2"}) {

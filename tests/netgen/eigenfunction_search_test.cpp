@@ -13,7 +13,7 @@
 #include "netgen/surfaces/octagon.h"
 
 /// Approximate eigenfunctions are found in dense matrices, which takes seconds for each.
-namespace epsnet::slow_eigenvalues_test {
+namespace epsnet::eigenfunction_search_test {
 namespace {
 
 using certify::EigenvaluesDocument;
@@ -22,7 +22,7 @@ EigenvaluesDocument file(const char* name) {
   return certify::read_file<EigenvaluesDocument>(std::string(EPSNET_TEST_DATA) + "/eigenvalues/" + name);
 }
 
-TEST(EigenfunctionSearch, FindsTheNearestEigenvalue) {
+TEST(DeepEigenfunctionSearch, FindsTheNearestEigenvalue) {
   const EigenvaluesDocument document = file("octagon-5-to-8.json");
   const EigenfunctionSearch search(document, 2);
   // Of the octagon of seed 5: λ_1 is in [2.77505, 2.77509], and λ_2 in [3.639, 4.029].
@@ -39,7 +39,7 @@ TEST(EigenfunctionSearch, FindsTheNearestEigenvalue) {
 }
 
 /// λ_1 and λ_4 of the Bolza surface (A. Strohmaier, V. Uski).
-TEST(EigenfunctionSearch, AgreesWithTheLiterature) {
+TEST(DeepEigenfunctionSearch, AgreesWithTheLiterature) {
   const EigenvaluesDocument document = file("bolza-to-9.json");
   const EigenfunctionSearch search(document, 2);
   for (const auto& [known, width] : {std::pair{3.8388872588421995, 1e-8}, {5.353601341189, 2e-8}}) {
@@ -53,7 +53,7 @@ TEST(EigenfunctionSearch, AgreesWithTheLiterature) {
 }
 
 /// Of the same authors; of the multiplicities four, three and three. Between many waves, steps lead astray.
-TEST(EigenfunctionSearch, FindsGreaterEigenvalues) {
+TEST(DeepEigenfunctionSearch, FindsGreaterEigenvalues) {
   const EigenvaluesDocument document = file("bolza-to-9.json");
   const EigenfunctionSearch search(document, 2);
   for (const double known : {14.726216787789, 15.048916133267, 18.658819627260}) {
@@ -66,7 +66,7 @@ TEST(EigenfunctionSearch, FindsGreaterEigenvalues) {
 }
 
 /// What proves an eigenvalue only as roughly as the trace formula does is of no use.
-TEST(EigenfunctionSearch, LeavesRoughFunctionsOut) {
+TEST(DeepEigenfunctionSearch, LeavesRoughFunctionsOut) {
   const EigenvaluesDocument document = file("bolza-to-9.json");
   const EigenfunctionSearch search(document, 2);
   for (const double guess : {10.0, 12.0, 30.0, 50.0}) {
@@ -76,7 +76,7 @@ TEST(EigenfunctionSearch, LeavesRoughFunctionsOut) {
 }
 
 /// Counted by the trace formula, enclosed by eigenfunctions.
-TEST(Eigenvalues, ThatAreCountedAreEnclosedToNineDigits) {
+TEST(DeepEigenvalues, ThatAreCountedAreEnclosedToNineDigits) {
   for (const Surface& surface : {random_octagon(3), Surface::regular(2),
                                  fenchel_nielsen_surface(random_coordinates(PantsGraph::random(3, 1), 1))}) {
     const EigenvaluesDocument document = eigenvalues(surface, {.up_to = Length("9"), .count = 1});
@@ -88,7 +88,7 @@ TEST(Eigenvalues, ThatAreCountedAreEnclosedToNineDigits) {
 }
 
 /// A curve that separates becomes short. The constant functions, of the eigenvalue 0, are near.
-TEST(Eigenvalues, ThatAreSmallAreEnclosedToo) {
+TEST(DeepEigenvalues, ThatAreSmallAreEnclosedToo) {
   FenchelNielsenRequest request;
   request.graph = "0-0 0-1 1-1";
   request.lengths = {"2", "1/16", "2"};
@@ -103,7 +103,7 @@ TEST(Eigenvalues, ThatAreSmallAreEnclosedToo) {
 }
 
 /// The trace formula alone proves one eigenvalue from so few geodesics.
-TEST(Eigenvalues, FunctionsShowTheGapsBetweenThem) {
+TEST(DeepEigenvalues, FunctionsShowTheGapsBetweenThem) {
   const EigenvaluesDocument document = eigenvalues(random_octagon(5), {.up_to = Length("8")});
   EXPECT_EQ(certify::check(document, {.threads = 2}).verdict, certify::Verdict::verified);
   ASSERT_GE(document.windows.size(), 4U);
@@ -118,7 +118,7 @@ TEST(Eigenvalues, FunctionsShowTheGapsBetweenThem) {
   }
 }
 
-TEST(Eigenvalues, TheFirstTenAreSimple) {
+TEST(DeepEigenvalues, TheFirstTenAreSimple) {
   const EigenvaluesDocument document = eigenvalues(random_octagon(5), {.up_to = Length("10"), .count = 10});
   EXPECT_EQ(certify::check(document, {.threads = 2}).verdict, certify::Verdict::verified);
   ASSERT_GE(document.windows.size(), 10U);
@@ -130,7 +130,7 @@ TEST(Eigenvalues, TheFirstTenAreSimple) {
   }
 }
 
-TEST(EigenfunctionSearch, GuessesAreNearEigenvalues) {
+TEST(DeepEigenfunctionSearch, GuessesAreNearEigenvalues) {
   const EigenvaluesDocument document = file("octagon-5-to-8.json");
   const EigenfunctionSearch search(document, 2);
   const std::vector<double> guesses = search.around(2.8);
@@ -140,11 +140,11 @@ TEST(EigenfunctionSearch, GuessesAreNearEigenvalues) {
     EXPECT_LE(std::abs(guesses[i - 1] - 2.8), std::abs(guesses[i] - 2.8));
 }
 
-TEST(Eigenvalues, WithEigenfunctionsAreTheSameForAnyNumberOfThreads) {
+TEST(DeepEigenvalues, WithEigenfunctionsAreTheSameForAnyNumberOfThreads) {
   const Surface surface = random_octagon(2);
   EXPECT_EQ(eigenvalues(surface, {.up_to = Length("7"), .count = 1, .threads = 1}),
             eigenvalues(surface, {.up_to = Length("7"), .count = 1, .threads = 3}));
 }
 
 }  // namespace
-}  // namespace epsnet::slow_eigenvalues_test
+}  // namespace epsnet::eigenfunction_search_test
