@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -116,6 +117,10 @@ struct MatrixGenerators {
   std::vector<std::int32_t> relation;
   /// The significant digits of the number that has the fewest of them, if there are decimals: the numbers are rounded.
   std::optional<unsigned> digits;
+  /// If it is there, `generators` is empty, and the numbers are exact ones of the ring of these tiles
+  /// (docs/matrices.md).
+  std::optional<RegularTile> tile;
+  std::vector<std::array<std::string, 4>> numbers;  ///< By generator, as texts.
 };
 
 /// Reads matrices: JSON, or plain text with a matrix in each line (docs/exchange-formats.md). Throws MatricesError.
@@ -138,7 +143,7 @@ struct MatrixSurface {
 /// of one rational point, dual to the Dirichlet domain; the surface is proved by the constructor of Surface, and that
 /// the groups are equal by exact products. If some numbers are decimals and the relations of the domain do not hold
 /// exactly, it is a rational surface nearest to the matrices: the sum of the squares of all differences of entries is
-/// the least possible one, but for 2⁻⁵⁰.
+/// the least possible one, but for 2⁻⁵⁰. If tiles are given, it is the surface of a map, and the matrices are exact.
 ///
 /// Throws MatricesError, LimitError for products of too many bits. Elements that prove torsion, parabolic ones and
 /// those that violate Jørgensen's inequality are decided exactly, unless numbers are rounded. Cubic in the genus.
@@ -146,8 +151,8 @@ struct MatrixSurface {
 
 /// Returns matrices that generate the group of a surface in the coordinates of tile 0, those of the sides k of
 /// fundamental_polygon with k < partner, and a relation that holds between them and implies all others; as a text that
-/// parse_matrices reads, with the words of the generators. Exactly, up to scale, and rounded to determinant 1; for
-/// regular tiles rounded to 50 digits alone. Throws SurfaceError if the polygon has more than one relation.
+/// parse_matrices reads, with the words of the generators. Exactly, up to scale, and rounded to determinant 1. Throws
+/// SurfaceError if the polygon has more than one relation.
 [[nodiscard]] std::string write_matrices(const Surface& surface, MatrixModel model = MatrixModel::sl2r);
 
 }  // namespace epsnet

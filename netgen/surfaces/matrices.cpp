@@ -8,6 +8,7 @@
 #include "certify/base/text.h"
 #include "netgen/base/gmp.h"
 #include "netgen/surfaces/dirichlet_search.h"
+#include "netgen/surfaces/field_matrices.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/matrix_products.h"
 #include "netgen/surfaces/nearest_relation.h"
@@ -503,6 +504,7 @@ class Maker {
 }  // namespace
 
 MatrixSurface surface_of_matrices(const MatrixGenerators& matrices) {
+  if (matrices.tile) return surface_of_field_matrices(matrices);
   try {
     return Maker(matrices, true).make();
   } catch (const MatricesError& error) {

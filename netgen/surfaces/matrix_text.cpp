@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <sstream>
@@ -9,8 +10,10 @@
 #include "certify/file/json.h"
 #include "netgen/base/gmp.h"
 #include "netgen/base/json_text.h"
+#include "netgen/surfaces/field_numbers.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/one_relator.h"
+#include "netgen/surfaces/triangle_group.h"
 #include "triangulation/surface/exact_points.h"
 
 /// Matrices as text: JSON or a matrix in each line.
@@ -42,8 +45,12 @@ class MatrixReader {
     } else {
       read_lines(text);
     }
-    for (std::size_t k = 0; k < entries_.size(); ++k) result_.generators.push_back(isometry(k));
-    if (result_.generators.empty()) fail("no generators found, expected at least one");
+    if (entries_.empty()) fail("no generators found, expected at least one");
+    if (result_.tile) {
+      result_.numbers = entries_;
+    } else {
+      for (std::size_t k = 0; k < entries_.size(); ++k) result_.generators.push_back(isometry(k));
+    }
     const auto most = static_cast<std::int32_t>(entries_.size());
     for (const std::int32_t letter : result_.relation) {
       if (letter == 0 || letter > most || -letter > most) {
@@ -69,7 +76,11 @@ class MatrixReader {
 
   Rational number(std::string_view text, const std::string& place) {
     const auto value = text.size() <= kMostBitsOfEntry ? parse_decimal(text) : std::nullopt;
-    if (!value) fail(place + ": " + certify::in_quotes(text) + " found, expected an integer, a fraction or a decimal");
+    if (!value) {
+      fail(place + ": " + certify::in_quotes(text) +
+           " found, expected an integer, a fraction or a decimal; roots and " +
+           "cosines are for tiles, as in \"tiles 8 8\"");
+    }
     if (*value != 0 && msb(Integer(abs(numerator(*value)))) + msb(Integer(denominator(*value))) > kMostBitsOfEntry) {
       fail(place + ": more than " + std::to_string(kMostBitsOfEntry) + " bits");
     }
@@ -79,13 +90,29 @@ class MatrixReader {
 
   std::string name_of_next() const { return "generator " + std::to_string(entries_.size() + 1); }
 
-  void add(std::vector<Rational> entries) {
+  /// Requires: four numbers.
+  void add(const std::vector<std::string>& entries, const std::string& place) {
     if (entries_.size() == kMostGenerators) fail("more than " + std::to_string(kMostGenerators) + " generators");
-    entries_.push_back(std::move(entries));
+    entries_.push_back({entries[0], entries[1], entries[2], entries[3]});
+    places_.push_back(place);
   }
 
-  Isometry<Rational> isometry(std::size_t k) const {
-    const std::vector<Rational>& e = entries_[k];
+  void set_tile(std::string_view p, std::string_view q) {
+    const auto number_of = [](std::string_view text) {
+      std::uint32_t value = 0;
+      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+      if (error != std::errc() || end != text.data() + text.size()) {
+        fail("tiles: " + certify::in_quotes(text) +
+             " found, expected the number p of sides, or q of tiles at a vertex");
+      }
+      return value;
+    };
+    result_.tile = RegularTile{number_of(p), number_of(q)};
+  }
+
+  Isometry<Rational> isometry(std::size_t k) {
+    std::array<Rational, 4> e;
+    for (std::size_t i = 0; i < e.size(); ++i) e.at(i) = number(entries_[k].at(i), places_[k]);
     // z ↦ (z − i)/(z + i) takes the half-plane to the disk.
     Isometry<Rational> f = result_.model == MatrixModel::su11
                                ? Isometry<Rational>{{e[0], e[1]}, {e[2], e[3]}}
@@ -136,14 +163,13 @@ class MatrixReader {
         const bool is_number = words.size() > 1 && std::isalpha(static_cast<unsigned char>(words[1][0])) == 0;
         for (std::size_t i = 1; i < words.size(); ++i)
           is_number ? read_letter_number(words[i]) : read_letters(words[i]);
+      } else if (words[0] == "tiles" && words.size() == 3) {
+        set_tile(words[1], words[2]);
       } else if (words.size() == 4) {
-        std::vector<Rational> entries;
-        entries.reserve(words.size());
-        for (const std::string& word : words) entries.push_back(number(word, place));
-        add(std::move(entries));
+        add(words, place);
       } else {
         fail(place + ": " + std::to_string(words.size()) + " words found, expected the four numbers of a matrix, " +
-             "\"model sl2r\", \"model su11\" or \"relation\" and its letters");
+             "\"model sl2r\", \"model su11\", \"tiles p q\" or \"relation\" and its letters");
       }
     }
   }
@@ -157,8 +183,15 @@ class MatrixReader {
         if (name == "model") {
           expect_string(json, "model");
           set_model(json.string());
+        } else if (name == "tiles") {
+          expect_array(json, "tiles");
+          std::vector<std::string> pq;
+          json.elements([&](std::size_t) { pq.emplace_back(json.token()); });
+          if (pq.size() != 2) fail("tiles: " + std::to_string(pq.size()) + " numbers found, expected [p, q]");
+          set_tile(pq[0], pq[1]);
         } else if (name == "generators") {
           entries_.clear();
+          places_.clear();
           expect_array(json, "generators");
           json.elements([&](std::size_t) { read_matrix(json); });
         } else if (name == "relation") {
@@ -189,7 +222,7 @@ class MatrixReader {
   void read_matrix(certify::Json& json) {
     const std::string place = name_of_next();
     expect_array(json, place);
-    std::vector<Rational> entries;
+    std::vector<std::string> entries;
     std::size_t rows = 0;
     json.elements([&](std::size_t) {
       ++rows;
@@ -198,7 +231,7 @@ class MatrixReader {
       json.elements([&](std::size_t) {
         ++columns;
         // Numbers may be strings, as fractions have to be.
-        entries.push_back(number(json.next() == '"' ? json.string() : json.token(), place));
+        entries.emplace_back(json.next() == '"' ? json.string() : json.token());
       });
       if (columns != 2) fail(place + ": " + std::to_string(columns) + " numbers in a row, expected 2");
     });
@@ -206,11 +239,12 @@ class MatrixReader {
       fail(place + ": " + std::to_string(rows) +
            " rows found, expected two: [[a, b], [c, d]], or [[Re a, Im a], [Re b, " + "Im b]] for su11");
     }
-    add(std::move(entries));
+    add(entries, place);
   }
 
   MatrixGenerators result_;
-  std::vector<std::vector<Rational>> entries_;
+  std::vector<std::array<std::string, 4>> entries_;
+  std::vector<std::string> places_;  ///< Of entries.
 };
 
 /// The four numbers of a matrix, as its text has them.
@@ -231,6 +265,30 @@ Json rounded_json(const Isometry<Mp1024>& f, MatrixModel model) {
   return matrix_json(f, model, [](const Mp1024& x) { return x.str(kDigits, std::ios_base::fmtflags{}); });
 }
 
+/// The walk of a word from tile 0 to itself over regular tiles.
+TileWalk walk_of(const Surface& surface, const Word& word) {
+  const std::uint32_t p = surface.regular_tile()->p;
+  TileWalk result;
+  std::uint32_t ahead = 0;
+  for (const SideId s : word) {
+    result.turns.push_back((surface.place_in_tile(s) + p - ahead) % p);
+    ahead = surface.place_in_tile(surface.partner(s));
+  }
+  result.last_turn = (p - ahead) % p;
+  return result;
+}
+
+/// The numbers of a matrix, exactly, up to a positive factor.
+Json field_matrix_json(const TriangleGroup::ExactElement& f, MatrixModel model) {
+  const auto x = [](const certify::RegularNumber& z) { return certify::twice_real(z); };
+  const auto y = [](const certify::RegularNumber& z) { return certify::twice_imaginary(z); };
+  const std::vector<std::string> e =
+      model == MatrixModel::su11
+          ? field_texts({x(f.a), y(f.a), x(f.b), y(f.b)})
+          : field_texts({x(f.a) + x(f.b), y(f.a) - y(f.b), mpz_class(-1) * (y(f.a) + y(f.b)), x(f.a) - x(f.b)});
+  return Json::array({Json::array({e[0], e[1]}), Json::array({e[2], e[3]})});
+}
+
 }  // namespace
 
 MatrixGenerators parse_matrices(const std::string& text) { return MatrixReader().read(text); }
@@ -243,6 +301,8 @@ std::string write_matrices(const Surface& surface, MatrixModel model) {
   Json rounded = Json::array();
   Json relation = Json::array();
   Json words = Json::array();
+  std::optional<TriangleGroup> tiling;
+  if (surface.is_regular()) tiling.emplace(*surface.regular_tile());
   std::vector<std::int32_t> letter(polygon.sides.size());
   std::int32_t count = 0;
   for (const std::uint32_t k : group.relation) {
@@ -256,6 +316,7 @@ std::string write_matrices(const Surface& surface, MatrixModel model) {
         f = {{Mp1024(1), Mp1024(0)}, {Mp1024(0), Mp1024(0)}};
         for (const SideId s : word) f = surface.crossing_as<Mp1024>(s) * f;
         f = normalized(f);
+        exact.push_back(field_matrix_json(tiling->element(walk_of(surface, word)), model));
       } else {
         const Isometry<Rational> isometry = exact_isometry(surface, word);
         f = normalized(convert<Mp1024>(isometry));
@@ -276,13 +337,11 @@ std::string write_matrices(const Surface& surface, MatrixModel model) {
   out << "  \"about\": " << json_text(Json(surface.about())) << ",\n";
   out << "  \"model\": \"" << (model == MatrixModel::sl2r ? "sl2r" : "su11") << "\",\n";
   out << "  \"genus\": " << surface.genus() << ",\n";
-  out << "  \"exact\": " << (surface.is_regular() ? "false" : "true") << ",\n";
-  list("generators", surface.is_regular() ? rounded : exact);
+  if (tiling) out << "  \"tiles\": [" << tiling->tile().p << ", " << tiling->tile().q << "],\n";
+  list("generators", exact);
   out << ",\n  \"relation\": " << json_text(relation) << ",\n";
-  if (!surface.is_regular()) {
-    list("rounded", rounded);
-    out << ",\n";
-  }
+  list("rounded", rounded);
+  out << ",\n";
   list("words", words);
   out << "\n}\n";
   return out.str();

@@ -147,14 +147,20 @@ class Surface(Immutable):
 
     @classmethod
     def from_matrices(
-        cls, generators: Iterable[Any], relation: Union[str, Iterable[int], None] = None, *, model: str = "sl2r"
+        cls,
+        generators: Iterable[Any],
+        relation: Union[str, Iterable[int], None] = None,
+        *,
+        model: str = "sl2r",
+        tiles: Union[tuple[int, int], Sequence[int], None] = None,
     ) -> "Surface":
         """The surface of the group that matrices generate (docs/matrices.md).
 
         ``generators``: for the model ``"sl2r"`` matrices ((a, b), (c, d)) with a positive determinant, up to scale; for ``"su11"`` the first row
         ((Re a, Im a), (Re b, Im b)). Integers, fractions and texts such as ``"1/3"`` are exact, and then the group is exactly that of the matrices.
         Floats and decimals are rounded numbers: unless they fulfil the relations of the group exactly, the surface is a rational one nearest to
-        them, and ``about`` says how far it is. ``relation``: ``"abAB"`` or ``[1, 2, -1, -2]``, a product that is 1; it is checked.
+        them, and ``about`` says how far it is. With ``tiles``, the pair (p, q), texts such as ``"(1+sqrt(2))/2"`` and ``"s*cos(pi/7)"`` are exact,
+        too, for the groups of maps of this type. ``relation``: ``"abAB"`` or ``[1, 2, -1, -2]``, a product that is 1; it is checked.
         Raises SurfaceError, with the element that shows it, for groups that are not discrete, not cocompact, or have torsion.
 
         >>> import epsnet
@@ -163,6 +169,9 @@ class Surface(Immutable):
         >>> same = epsnet.Surface.from_matrices(matrices["generators"], matrices["relation"])
         >>> bool(surface.isometric_to(same))
         True
+        >>> matrices = epsnet.Surface.named("klein").matrices()
+        >>> epsnet.Surface.from_matrices(matrices["generators"], matrices["relation"], tiles=matrices["tiles"]).genus
+        3
         """
         rows = [
             [[_matrix_text(x) for x in as_items(row, "generators", "rows of two numbers")] for row in as_items(m, "generators", "matrices")]
@@ -172,6 +181,8 @@ class Surface(Immutable):
         if relation is not None:
             letters = relation if isinstance(relation, str) else [int(k) for k in as_items(relation, "relation", "integers")]
             text["relation"] = letters
+        if tiles is not None:
+            text["tiles"] = as_indices(tiles, "tiles")
         return cls._of(_epsnet.Surface.from_matrices(json.dumps(text)))
 
     @classmethod
@@ -352,8 +363,8 @@ class Surface(Immutable):
     def matrices(self, model: str = "sl2r") -> dict[str, Any]:
         """2g matrices that generate the group, and the relation between them: what ``epsnet export --format matrices`` writes.
 
-        The members ``generators`` (exact, texts of integers, up to scale; for regular tiles decimals), ``rounded`` (of determinant 1),
-        ``relation`` and ``words``, as docs/exchange-formats.md has them.
+        The members ``generators`` (exact, texts, up to scale: integers, or for regular tiles numbers of their field), ``rounded`` (of determinant 1),
+        ``relation``, ``words`` and, of regular tiles, ``tiles``, as docs/exchange-formats.md has them.
 
         >>> import epsnet
         >>> epsnet.Surface.octagon(3).matrices()["relation"]

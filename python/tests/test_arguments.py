@@ -69,7 +69,7 @@ class Nonsense:
 @pytest.fixture(scope="module")
 def calls(octagon, net, bolza):
     spectrum, distance, polygon = octagon.spectrum(2), octagon.distance((0, 0.1, 0), 0), octagon.dirichlet_domain((0, 0, 0))
-    group, matrices, pants = octagon.isometries(), octagon.matrices(), octagon.pants()
+    group, matrices, pants = octagon.isometries(), bolza.matrices(), octagon.pants()
     curve = pants.cuffs[0].word
     x, element, table = Interval(1, 2), octagon.element([0]), net.distances(0)
     return [
@@ -79,7 +79,7 @@ def calls(octagon, net, bolza):
         (octagon.cover, dict(permutations=[(1, 0), (0, 1), (0, 1), (0, 1)])), (octagon.cover, dict(degree=2, seed=1)),
         (octagon.random_sheets, dict(degree=2, seed=1)),
         (Surface.fenchel_nielsen, dict(lengths=1, twists=0, graph="chain", genus=2, seed=1)),
-        (Surface.from_matrices, dict(generators=matrices["generators"], relation=matrices["relation"], model="sl2r")),
+        (Surface.from_matrices, dict(generators=matrices["generators"], relation=matrices["relation"], model="sl2r", tiles=matrices["tiles"])),
         (octagon.matrices, dict(model="su11")),
         (octagon.pants, dict(curves=[curve], find=False, threads=1, progress=False)), (pants.fenchel_nielsen, dict(twists=0)),
         (octagon.dehn_twist, dict(curve=curve, power=1)), (octagon.dehn_twist_words, dict(curve=curve, power=1)),

@@ -310,6 +310,23 @@ def test_exported_matrices_fulfil_their_relation(octagon, pants):
                        for r, s in zip(rounded, m) for x, y in zip(r, s))
 
 
+def test_matrices_of_a_map_are_exact():
+    """Texts of irrational numbers, and what they are rounded to."""
+    klein = Surface.named("klein")
+    text = klein.matrices()
+    same = Surface.from_matrices(text["generators"], text["relation"], tiles=text["tiles"])
+    assert klein.isometric_to(same) and len(same.isometries()) == 336
+    p, q = text["tiles"]
+    names = {"sqrt": math.sqrt, "cos": math.cos, "pi": math.pi,
+             "s": 2 * math.sin(math.pi / q) * math.sqrt(2 * math.cos(2 * math.pi / p) + 2 * math.cos(2 * math.pi / q))}
+    for m, rounded in zip(text["generators"], text["rounded"]):
+        (a, b), (c, d) = ([eval(x, names) for x in row] for row in m)
+        scale = math.sqrt(a * d - b * c) * (1 if a * float(rounded[0][0]) > 0 else -1)
+        assert [a / scale, b / scale, c / scale, d / scale] == pytest.approx([float(x) for row in rounded for x in row], abs=1e-9)
+    with pytest.raises(epsnet.SurfaceError, match=r"sqrt\(2\) is not a number of these tiles"):
+        Surface.from_matrices([[["sqrt(2)", 0], [0, 1]]], tiles=(7, 3))
+
+
 def test_floats_mean_the_nearest_surface(octagon):
     rounded = [[[round(float(x), 9) for x in row] for row in m] for m in octagon.matrices()["rounded"]]
     near = Surface.from_matrices(rounded)

@@ -345,9 +345,18 @@ verified same-net.json
 good export s.json --format matrices --model su11 -o su11.json
 good surface matrices su11.json -o same.json --json
 says '"exact":true,"distance":0'
-good export regular.json --format matrices -o decimals.json
+good export regular.json --format matrices -o field.json
+good surface matrices field.json -o same.json
+says 'exactly that of the matrices'
+good isometric regular.json same.json
+says 'isometric: yes'
+sed 's/"tiles"/"-"/; s/"generators"/"--"/; s/"rounded"/"generators"/' field.json >decimals.json
 good surface matrices decimals.json -o same.json
 says 'the nearest exact one; entries differ by at most'
+printf 'tiles 8 8\nsqrt(2) 0 0 1/2\n' >other.txt
+bad 2 '^epsnet: other.txt: could not decide: generator 1 does not take the tiles 8 8 to themselves' surface matrices other.txt -o out/x.json
+printf 'tiles 8 8\nsqrt(3) 0 0 1\n' >other.txt
+bad 1 '^epsnet: other.txt: generator 1: sqrt(3) is not a number of these tiles' surface matrices other.txt -o out/x.json
 printf '1 1 0 1\n0 -1 1 0\n' >modular.txt
 bad 1 '^epsnet: modular.txt: the group has torsion: the element b is elliptic, of order 2' surface matrices modular.txt -o out/x.json
 bad 64 'model is for --format matrices' export s.json --format domain --model su11 -o out/x.txt

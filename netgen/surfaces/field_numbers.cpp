@@ -1,0 +1,293 @@
+#include "netgen/surfaces/field_numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "certify/base/text.h"
+#include "netgen/base/gmp.h"
+
+namespace epsnet {
+namespace {
+
+using certify::PowerOfZeta;
+using certify::RegularNumber;
+using Number = TriangleGroup::Number;
+
+class FieldParser {
+ public:
+  FieldParser(std::string_view text, const TriangleGroup& group)
+      : text_(text), group_(group), order_(group.ring().order()) {}
+
+  FieldNumber read() {
+    FieldNumber result = sum();
+    if (at_ != text_.size()) fail("an operator");
+    return result;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& expected) const {
+    throw SurfaceError(certify::in_quotes(text_) + ": expected " + expected + " at character " +
+                       std::to_string(at_ + 1));
+  }
+  [[noreturn]] void not_there(const std::string& number) const {
+    throw SurfaceError(number + " is not a number of these tiles: of cosines they have those of multiples of 2*pi/" +
+                       std::to_string(order_) +
+                       ", of roots those of rational numbers that are sums of such cosines, and s");
+  }
+
+  bool take(std::string_view token) {
+    if (!text_.substr(at_).starts_with(token)) return false;
+    at_ += token.size();
+    return true;
+  }
+  void expect(std::string_view token) {
+    if (!take(token)) fail("'" + std::string(token) + "'");
+  }
+
+  std::string_view digits() {
+    const std::size_t first = at_;
+    while (at_ < text_.size() && (std::isdigit(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '.'))
+      ++at_;
+    return text_.substr(first, at_ - first);
+  }
+
+  std::int64_t integer() {
+    constexpr std::size_t kMostDigits = 9;
+    const std::string_view found = digits();
+    if (found.empty() || found.size() > kMostDigits || found.find('.') != std::string_view::npos) {
+      fail("an integer of at most nine digits");
+    }
+    return std::stoll(std::string(found));
+  }
+
+  FieldNumber sum() {
+    FieldNumber result = product();
+    while (at_ < text_.size()) {
+      const bool minus = text_[at_] == '-';
+      if (!minus && text_[at_] != '+') break;
+      ++at_;
+      FieldNumber other = product();
+      if (minus) other = negative(std::move(other));
+      result = {other.denominator * result.numerator + result.denominator * other.numerator,
+                result.denominator * other.denominator, result.rounded + other.rounded};
+    }
+    return result;
+  }
+
+  FieldNumber product() {
+    FieldNumber result = factor();
+    while (true) {
+      if (take("*")) {
+        const FieldNumber other = factor();
+        result = {result.numerator * other.numerator, result.denominator * other.denominator,
+                  result.rounded * other.rounded};
+      } else if (take("/")) {
+        const FieldNumber other = factor();
+        const auto divisor = rational_numerator(other);
+        if (!divisor || *divisor == 0) fail("a rational number other than 0 before this");
+        result = {mpz_class(sgn(*divisor) * other.denominator) * result.numerator, result.denominator * abs(*divisor),
+                  result.rounded / other.rounded};
+      } else {
+        return result;
+      }
+    }
+  }
+
+  /// Of a number that is written as a rational one.
+  static std::optional<mpz_class> rational_numerator(const FieldNumber& x) {
+    const auto& [ring, u, v] = x.numerator;
+    if (fmpz_poly_degree(u.get()) > 0 || !fmpz_poly_is_zero(v.get())) return std::nullopt;
+    mpz_class result;
+    fmpz_poly_get_coeff_mpz(result.get_mpz_t(), u.get(), 0);
+    return result;
+  }
+
+  FieldNumber factor() {
+    if (take("-")) return negative(factor());
+    if (take("(")) {
+      constexpr int kMostDepth = 100;
+      if (++depth_ > kMostDepth) fail("fewer parentheses");
+      FieldNumber result = sum();
+      --depth_;
+      expect(")");
+      return result;
+    }
+    if (take("cos(")) return cosine(false);
+    if (take("sin(")) return cosine(true);
+    if (take("sqrt(")) {
+      const std::size_t first = at_;
+      const FieldNumber square = sum();
+      FieldNumber result = root(square, "sqrt(" + std::string(text_.substr(first, at_ - first)) + ")");
+      expect(")");
+      return result;
+    }
+    if (take("s")) return {s_number(), 1, group_.s()};
+    const std::size_t first = at_;
+    const auto value = certify::parse_decimal(digits());
+    if (!value) {
+      at_ = first;
+      fail("a number, sqrt(x), cos(a*pi/b), sin(a*pi/b) or s");
+    }
+    return {certify::regular_number(group_.ring(), certify::Gaussian{value->get_num(), 0}), value->get_den(),
+            rounded<Number>(*value)};
+  }
+
+  static FieldNumber negative(FieldNumber x) {
+    return {mpz_class(-1) * x.numerator, std::move(x.denominator), -x.rounded};
+  }
+
+  /// The cosine of a multiple of π, or the sine, after its parenthesis.
+  FieldNumber cosine(bool is_sine) {
+    const std::size_t first = at_;
+    const std::int64_t sign = take("-") ? -1 : 1;
+    std::int64_t times = 1;
+    if (!take("pi")) {
+      times = integer();
+      expect("*");
+      expect("pi");
+    }
+    const std::int64_t by = take("/") ? integer() : 1;
+    if (by == 0) fail("a number other than 0 before this");
+    const std::string angle(text_.substr(first, at_ - first));
+    expect(")");
+    // ζ to this power is e^{iangle}.
+    if (times * order_ % (2 * by) != 0) not_there((is_sine ? "sin(" : "cos(") + angle + ")");
+    std::int64_t power = sign * (times * order_ / (2 * by));
+    if (is_sine) power = order_ / 4 - power;
+    power %= order_;
+    return {certify::regular_number(group_.ring(), std::array{PowerOfZeta{1, power}, PowerOfZeta{1, -power}}, {}), 2,
+            cos(Number(2 * boost::math::constants::pi<Number>() * power / order_))};
+  }
+
+  /// The root of a rational number, or of s² times the square of one.
+  FieldNumber root(const FieldNumber& x, const std::string& name) {
+    constexpr long kGreatest = 1'000'000;
+    if (const auto numerator = rational_numerator(x)) {
+      const mpz_class product = *numerator * x.denominator;
+      if (product < 0 || product > kGreatest) {
+        fail("a rational number n/m before this, n times m from 0 to " + std::to_string(kGreatest));
+      }
+      FieldNumber result = root_of_integer(product.get_si(), name);
+      result.denominator = x.denominator;
+      result.rounded /= rounded<Number>(mpq_class(x.denominator));
+      return result;
+    }
+    // Where the rounded numbers say so, exact ones decide.
+    const Number factor = sqrt(Number(abs(x.rounded))) / group_.s();
+    constexpr long kMostDenominator = 1000;
+    for (long d = 1; d <= kMostDenominator && factor < kGreatest; ++d) {
+      const auto n = static_cast<long>(round(Number(factor * d)));
+      if (abs(Number(factor * d - n)) > 1e-100) continue;
+      const RegularNumber s = s_number();
+      const RegularNumber difference =
+          mpz_class(mpz_class(d) * d) * x.numerator - mpz_class(mpz_class(n) * n * x.denominator) * (s * s);
+      if (certify::sign(difference) != 0) break;
+      return {mpz_class(n) * s, d, Number(group_.s() * n / d)};
+    }
+    not_there(name);
+  }
+
+  [[nodiscard]] RegularNumber s_number() const {
+    return certify::regular_number(group_.ring(), {}, std::array{PowerOfZeta{1, 0}});
+  }
+
+  /// √n, by Gauss's sums: Σ (a/p) e^{2πia/p} is √p, or i√p for p = 3 modulo 4.
+  FieldNumber root_of_integer(std::int64_t n, const std::string& name) {
+    RegularNumber result = certify::regular_number(group_.ring(), certify::Gaussian{n == 0 ? 0 : 1, 0});
+    std::int64_t rest = std::max<std::int64_t>(n, 1);
+    for (std::int64_t prime = 2; prime <= rest; ++prime) {
+      for (; rest % (prime * prime) == 0; rest /= prime * prime) result = mpz_class(prime) * result;
+      if (rest % prime != 0) continue;
+      rest /= prime;
+      if (order_ % (prime == 2 ? 8 : prime) != 0) not_there(name);
+      std::vector<PowerOfZeta> terms;
+      if (prime == 2) {
+        terms = {{1, order_ / 8}, {1, -order_ / 8}};
+      } else {
+        const std::int64_t quarter = prime % 4 == 3 ? order_ / 4 : 0;
+        for (std::int64_t a = 1; a < prime; ++a) {
+          terms.push_back(
+              {mpz_legendre(mpz_class(a).get_mpz_t(), mpz_class(prime).get_mpz_t()), a * (order_ / prime) - quarter});
+        }
+      }
+      result = result * certify::regular_number(group_.ring(), terms, {});
+    }
+    return {std::move(result), 1, sqrt(Number(n))};
+  }
+
+  std::string_view text_;
+  const TriangleGroup& group_;
+  std::int64_t order_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+};
+
+/// The coefficients of cos(2πk/n) in a real number's real part, k from 0 to n/4.
+std::vector<mpz_class> cosines(const certify::Polynomial& x, std::uint32_t order) {
+  std::vector<mpz_class> result(order / 4);  // That of n/4 is 0.
+  for (slong k = 0; k < fmpz_poly_length(x.get()); ++k) {
+    mpz_class coefficient;
+    fmpz_poly_get_coeff_mpz(coefficient.get_mpz_t(), x.get(), k);
+    const auto i = static_cast<std::uint32_t>(k);
+    if (i < order / 4) result[i] += coefficient;
+    if (i > order / 4) result[order / 2 - i] -= coefficient;
+  }
+  return result;
+}
+
+/// "cos(3*pi/8)", for 2πk/n.
+std::string cosine_text(std::uint32_t k, std::uint32_t order) {
+  const std::uint32_t common = std::gcd(2 * k, order);
+  const std::uint32_t times = 2 * k / common;
+  return "cos(" + (times == 1 ? std::string() : std::to_string(times) + "*") + "pi/" + std::to_string(order / common) +
+         ")";
+}
+
+std::string sum_text(const std::vector<mpz_class>& coefficients, const mpz_class& divisor, std::uint32_t order) {
+  std::string result;
+  for (std::uint32_t k = 0; k < coefficients.size(); ++k) {
+    const mpz_class coefficient = coefficients[k] / divisor;
+    if (coefficient == 0) continue;
+    if (coefficient > 0 && !result.empty()) result += '+';
+    const bool one = k > 0 && abs(coefficient) == 1;
+    if (one) result += coefficient < 0 ? "-" : "";
+    if (!one) result += coefficient.get_str() + (k > 0 ? "*" : "");
+    if (k > 0) result += cosine_text(k, order);
+  }
+  return result;
+}
+
+}  // namespace
+
+FieldNumber parse_field_number(std::string_view text, const TriangleGroup& group) {
+  return FieldParser(text, group).read();
+}
+
+std::vector<std::string> field_texts(const std::vector<RegularNumber>& numbers) {
+  std::vector<std::array<std::vector<mpz_class>, 2>> coefficients;
+  mpz_class divisor;
+  for (const RegularNumber& x : numbers) {
+    const std::uint32_t order = x.ring->order();
+    coefficients.push_back({cosines(x.u, order), cosines(x.v, order)});
+    for (const auto& some : coefficients.back()) {
+      for (const mpz_class& coefficient : some) divisor = gcd(divisor, coefficient);
+    }
+  }
+  if (divisor == 0) divisor = 1;
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::uint32_t order = numbers[i].ring->order();
+    const std::string own = sum_text(coefficients[i][0], divisor, order);
+    const std::string of_s = sum_text(coefficients[i][1], divisor, order);
+    std::string text = own;
+    if (!of_s.empty()) text += (own.empty() ? "" : "+") + (of_s == "1" ? "s" : "s*(" + of_s + ")");
+    result.push_back(text.empty() ? "0" : text);
+  }
+  return result;
+}
+
+}  // namespace epsnet
