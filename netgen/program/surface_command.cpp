@@ -461,7 +461,8 @@ void add_surface_command(CLI::App& app, Job& chosen) {
   CLI::App* matrices = surface->add_subcommand(
       "matrices",
       "The surface of the group that matrices in SL(2,R) or SU(1,1) generate: exactly that of rational matrices, "
-      "or of matrices with roots and cosines that belong to a map; or the nearest exact one to decimals. Torsion, groups that are not discrete or not cocompact are errors that name an "
+      "or of matrices with roots and cosines that belong to a map; or the nearest exact one to decimals. Torsion, "
+      "groups that are not discrete or not cocompact are errors that name an "
       "element.");
   add_input(*matrices, "FILE", matrices_request->file,
             "a matrix a b c d in each line, or JSON, with or without a relation; with a line \"tiles p q\" numbers "

@@ -178,16 +178,12 @@ TEST(FieldMatrices, AreThoseOfTheirWords) {
 /// Covers have fewer symmetries than tiles.
 TEST(FieldMatrices, OfCoversMakeTheSameSurface) {
   const Surface base = Surface::regular(2);
-  int written = 0;
   for (std::uint32_t seed = 0; seed < 8; ++seed) {
     const Surface surface = cover(base, random_sheets(base, 2 + seed % 3, seed));
-    if (polygon_sides(surface).relations.size() != 1) continue;
-    ++written;
     const MatrixSurface made = made_of(write_matrices(surface));
     EXPECT_EQ(made.surface.genus(), surface.genus()) << seed;
     EXPECT_EQ(isometric(surface, made.surface).kind, IsometricAnswer::Kind::yes) << seed;
   }
-  EXPECT_GT(written, 2);
 }
 
 std::string problem_of_walks(const std::vector<TileWalk>& walks) {
