@@ -257,14 +257,15 @@ ExactElement TriangleGroup::element(const TileWalk& walk) const {
   // e^{−iπk/p}, which turns by k sides clockwise.
   const auto turn = [&](std::uint32_t k) {
     return ExactElement{
-        certify::regular_number(*ring_, std::array{PowerOfZeta{1, -std::int64_t{k} * (order / (2 * tile_.p))}}, {}),
+        certify::regular_number(
+            *ring_, std::array{PowerOfZeta{1, -std::int64_t{k} * (order / (std::int64_t{2} * tile_.p))}}, {}),
         certify::regular_number(*ring_, {}, {})};
   };
   // 2i sin(2π/q) and −is.
   const std::int64_t q = order / tile_.q;
   const ExactElement half_turn{certify::regular_number(*ring_, std::array{PowerOfZeta{1, q}, PowerOfZeta{-1, -q}}, {}),
                                certify::regular_number(*ring_, {}, std::array{PowerOfZeta{-1, order / 4}})};
-  const ExactElement last = turn(walk.last_turn);
+  ExactElement last = turn(walk.last_turn);
   if (walk.turns.empty()) return last;
   return certify::compose(last, certify::compose_range(0, walk.turns.size(), [&](std::size_t i) {
                             return certify::compose(half_turn, turn(walk.turns[i]));
