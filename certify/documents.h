@@ -21,12 +21,14 @@ using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocum
 /// Pointers to the documents of that list.
 template <class Documents = ClaimDocument>
 struct Pointers;
+/// @cond
 template <class... Documents>
 struct Pointers<std::variant<Documents...>> {
   using ToConst = std::variant<const Documents*...>;
   template <class... More>
   using And = std::variant<More*..., Documents*...>;
 };
+/// @endcond
 
 template <class Document>
 concept IsDocument = std::constructible_from < Pointers<>::ToConst,
@@ -37,8 +39,10 @@ const Document* > ;
 class AnyClaim {
  public:
   // Meant to convert. NOLINTBEGIN(google-explicit-constructor)
+  /// Refers to a document, which must live as long.
   template <IsDocument Document>
   AnyClaim(const Document& document) : document_(&document) {}
+  /// Refers to whichever it is, likewise.
   AnyClaim(const ClaimDocument& document)
       : AnyClaim(std::visit([](const auto& one) { return AnyClaim(one); }, document)) {}
   // NOLINTEND(google-explicit-constructor)

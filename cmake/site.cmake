@@ -27,6 +27,7 @@ if(TARGET epsnet_python)
     set(has_notebooks TRUE)
   endif()
 endif()
+file(GLOB formal CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/formal/*.v)
 file(GLOB notebooks CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/notebooks/*.ipynb)
 if(EPSNET_DOXYGEN AND EPSNET_SPHINX AND has_notebooks)
   set(source ${site}/source)
@@ -35,6 +36,8 @@ if(EPSNET_DOXYGEN AND EPSNET_SPHINX AND has_notebooks)
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${source} ${site}/xml ${site}/html
     COMMAND ${CMAKE_COMMAND} -E copy_directory docs ${source}/docs
     COMMAND ${CMAKE_COMMAND} -E copy README.md CHANGELOG.md CITATION.cff LICENSE ${source}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${source}/formal
+    COMMAND ${CMAKE_COMMAND} -E copy ${formal} ${source}/formal
     COMMAND ${CMAKE_COMMAND} -E rename ${source}/docs/site/index.md ${source}/index.md
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${source}/docs/site
     COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${CMAKE_BINARY_DIR}/python PYDEVD_DISABLE_FILE_VALIDATION=1 ${Python_EXECUTABLE} -m nbconvert --log-level WARN --to markdown

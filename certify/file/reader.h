@@ -50,8 +50,10 @@ enum class Structure { checked, unchecked };
 
 /// Where to put the contents of a file: a document of the kind that is expected, or of the kind that the file names.
 using ContentsPointer = Pointers<>::And<ClaimDocument, SurfaceDocument>;
+/// What read_file calls.
 void read_file_into(ContentsPointer contents, const std::filesystem::path& path, const Witness& witness,
                     Structure structure);
+/// What parse_file calls.
 void parse_file_into(ContentsPointer contents, std::string_view bytes, std::string_view name);
 
 /// Reads a file, a large one in chunks, without holding it in memory. `Contents` says what is expected:

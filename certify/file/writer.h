@@ -12,6 +12,7 @@ namespace epsnet::certify {
 
 /// Writes a file, of a geodesics document the members that its claim has.
 void write_file(const AnyClaim& document, std::ostream& out);
+/// Writes a surface file.
 void write_file(const SurfaceDocument& surface, std::ostream& out);
 
 /// Writes a compact net file, about 55 bytes per vertex. Requires: `opposite` is an involution without fixed points.

@@ -34,6 +34,7 @@ class IsometryGroup {
  public:
   /// Number 0 is the identity.
   [[nodiscard]] const std::vector<SurfaceIsometry>& isometries() const { return isometries_; }
+  /// The order of the group.
   [[nodiscard]] std::size_t size() const { return isometries_.size(); }
   /// How many preserve the orientation.
   [[nodiscard]] std::size_t orientation_preserving() const;
@@ -70,6 +71,7 @@ class IsometryGroup {
   certify::GeodesicsDocument geodesics_;
 };
 
+/// How isometries are computed.
 struct IsometryOptions {
   unsigned threads = 0;    ///< 0: as many as the machine has cores. The result is the same for any number.
   Progress progress = {};  ///< Called occasionally, if given.
@@ -97,6 +99,7 @@ struct CertifiedIsometries {
 
 /// The answer to whether two surfaces are isometric.
 struct IsometricAnswer {
+  /// What is known.
   enum class Kind {
     yes,       ///< Decided exactly.
     no,        ///< Proved: by the genus, or by `spectra`.

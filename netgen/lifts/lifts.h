@@ -192,8 +192,11 @@ class Locator {
  public:
   /// Evaluates all labels. Throws the exceptions of triangulation_of.
   explicit Locator(const certify::NetDocument& net);
+  /// Moves; what was moved from can be assigned to and destroyed.
   Locator(Locator&&) noexcept;
+  /// Moves likewise.
   Locator& operator=(Locator&&) noexcept;
+  /// Frees what was evaluated.
   ~Locator();
 
   /// Returns a triangle that contains a point, which may be anywhere in the disk of its tile. Proved signs, in binary64

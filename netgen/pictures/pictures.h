@@ -20,24 +20,30 @@ namespace epsnet {
 
 /// What such a picture shows. All coordinates are those of the disk.
 struct PolygonPicture {
+  /// Of the Poincaré disk.
   using Point = Complex<double>;
+  /// Both ends of a geodesic segment.
   using Segment = std::array<Point, 2>;
+  /// A side of the polygon.
   struct Side {
     Segment ends;           ///< Counterclockwise around the polygon.
     std::uint32_t partner;  ///< An index of `sides`.
     std::string name;       ///< Its label.
   };
+  /// A curve in front of the polygon, of geodesic segments.
   struct Curve {
     std::string name;
     std::string colour;
     std::vector<Segment> segments;
   };
+  /// Places that are marked by dots.
   struct Mark {
     std::string name;   ///< In the legend.
     std::string label;  ///< Beside each place.
     std::string colour;
     std::vector<Point> places;
   };
+  /// A disk about the centre of the picture.
   struct Disk {
     std::string name;
     std::string colour;
@@ -88,6 +94,7 @@ struct PolygonPicture {
 
 /// What such a picture shows, over the axis of eigenvalues.
 struct EigenvaluesPicture {
+  /// A point of the curve.
   struct Sample {
     double lambda;
     double bound;  ///< I(λ), of netgen/eigenvalues/eigenvalues.h.

@@ -87,15 +87,18 @@ struct FundamentalPolygon {
 /// Matrices of which no surface is made; what() says why, with the word of the element that shows it.
 class MatricesError : public SurfaceError {
  public:
+  /// Why.
   enum class Kind {
-    text,         ///< The text violates the format, or a matrix has no positive determinant.
-    relation,     ///< The relation does not hold.
-    torsion,      ///< An element other than 1 has a fixed point in the plane.
-    not_compact,  ///< The group is not cocompact: it has a parabolic element, or the domain has infinite area.
-    not_discrete,
-    undecided  ///< No domain was found within the limits.
+    text,          ///< The text violates the format, or a matrix has no positive determinant.
+    relation,      ///< The relation does not hold.
+    torsion,       ///< An element other than 1 has a fixed point in the plane.
+    not_compact,   ///< The group is not cocompact: it has a parabolic element, or the domain has infinite area.
+    not_discrete,  ///< Arbitrarily small motions.
+    undecided      ///< No domain was found within the limits.
   };
+  /// An error of a kind, with its text.
   MatricesError(Kind kind, const std::string& message) : SurfaceError(message), kind_(kind) {}
+  /// Returns why no surface is made.
   [[nodiscard]] Kind kind() const { return kind_; }
 
  private:

@@ -3,7 +3,8 @@ from __future__ import annotations
 
 import os
 import threading
-from concurrent.futures import FIRST_EXCEPTION, Future, ThreadPoolExecutor, wait
+from concurrent.futures import Future, ThreadPoolExecutor
+from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional, Sequence
 
 import numpy as np
@@ -76,14 +77,22 @@ def _rows(function: Callable[[Surface], Any], surfaces: Sequence[Surface], worke
 
 
 def _wait_for(futures: Sequence["Future[Any]"], callback: Optional[Callable[[str, float], object]]) -> None:
-    """Returns when all are done; raises what the first one raises."""
-    left = set(futures)
-    while left:
-        done, left = wait(left, _SECONDS, FIRST_EXCEPTION)
-        for future in done:
-            future.result()
+    """Returns when all are done; raises what the first one raises.
+
+    It waits for a queue, not for the futures: Ctrl-C while their locks are taken would leave one of them locked, and its thread waiting for ever.
+    """
+    ended: "SimpleQueue[Future[Any]]" = SimpleQueue()
+    for future in futures:
+        future.add_done_callback(ended.put)
+    done = 0
+    while done < len(futures):
+        try:
+            ended.get(timeout=_SECONDS).result()
+            done += 1
+        except Empty:
+            pass
         if callback is not None:
-            callback(f"{len(futures) - len(left)} of {len(futures)} surfaces", 1 - len(left) / len(futures))
+            callback(f"{done} of {len(futures)} surfaces", done / len(futures))
 
 
 def _fields(value: Any) -> dict[str, Any]:

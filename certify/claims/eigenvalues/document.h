@@ -56,6 +56,7 @@ struct EigenvaluesDocument : GeodesicsDocument {
     bool operator==(const Window&) const = default;
   };
 
+  /// Claims a complete spectrum.
   EigenvaluesDocument() { claim = Claim::spectrum; }
 
   std::uint32_t order = 8;       ///< n, of the spline.

@@ -15,6 +15,7 @@ namespace epsnet::certify {
 /// The generators of the surface's group are g_s = paths[t] · s · paths[t']⁻¹ for the sides s of tiles t, glued to
 /// sides of tiles t'; those with s less than its partner are in the order of s.
 struct IsometriesDocument : GeodesicsDocument {
+  /// Numbers of sides that a path crosses.
   using Word = std::vector<std::uint32_t>;
 
   /// An isometry of the surface that lifts to an isometry f of the plane, in the coordinates of tile 0.
@@ -25,6 +26,7 @@ struct IsometriesDocument : GeodesicsDocument {
     bool operator==(const Isometry&) const = default;
   };
 
+  /// Claims a complete spectrum.
   IsometriesDocument() { claim = Claim::spectrum; }
 
   std::uint32_t order = 1;           ///< Of the group of all isometries.
