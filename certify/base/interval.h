@@ -20,8 +20,8 @@ struct Interval {
 /// Returns "[lower, upper]": decimals that enclose the interval and read back as its ends.
 [[nodiscard]] std::string to_string(Interval x);
 
-/// The decimal that is at most x and reads back as x, to nearest and ties to even: one of the fewest significant digits,
-/// and of these the nearest to x. It has at most 18.
+/// The decimal that is at most x and reads back as x, to nearest and ties to even: one of the fewest significant
+/// digits, and of these the nearest to x. It has at most 18.
 [[nodiscard]] std::string decimal_below(double x);
 /// The same of decimals that are at least x.
 [[nodiscard]] std::string decimal_above(double x);
