@@ -237,7 +237,7 @@ class CuttingSearch::Judge {
       : search_(search), most_cosh_(std::cosh(length / 2 * (1 + kLengthSlack))) {}
 
   /// The closed path of a sequence, unless it certainly is none of a geodesic that is short enough.
-  std::optional<ClosedPath> judge(const std::vector<std::uint32_t>& codes) {
+  std::optional<CuttingPath> judge(const std::vector<std::uint32_t>& codes) {
     Isometry<double> element;
     for (const std::uint32_t code : codes) {
       const std::uint32_t step = search_.step_[index(search_.dart_[code])];
@@ -246,7 +246,7 @@ class CuttingSearch::Judge {
     if (element.a.x < 0) element = {-element.a, -element.b};
     if (!(element.a.x <= most_cosh_)) return std::nullopt;
     const double discriminant = isometry_discriminant(element);
-    ClosedPath path{{}, false, std::nullopt};
+    CuttingPath path{{}, false, std::nullopt};
     for (const std::uint32_t code : codes) path.darts.push_back(search_.dart_[code]);
     if (!(discriminant > 0)) return path;
     follow((1 / std::sqrt(discriminant)) * axis_normal(element), path.darts);
@@ -427,8 +427,8 @@ void CuttingSearch::number_darts(const std::vector<bool>& inner) {
   }
 }
 
-std::vector<ClosedPath> CuttingSearch::paths(std::size_t start, double length, std::uint64_t most,
-                                             const std::function<void()>& tick) const {
+std::vector<CuttingPath> CuttingSearch::paths(std::size_t start, double length, std::uint64_t most,
+                                              const std::function<void()>& tick) const {
   assert(start < starts_);
   constexpr std::uint64_t kTickEvery = 1U << 14;
   const auto first = static_cast<std::uint32_t>(2 * start);
@@ -455,7 +455,7 @@ std::vector<ClosedPath> CuttingSearch::paths(std::size_t start, double length, s
   std::vector<double> most_cosh(back.size());
   for (std::size_t i = 0; i < back.size(); ++i) most_cosh[i] = std::cosh((length - back[i]) * (1 + kLengthSlack));
 
-  std::vector<ClosedPath> found;
+  std::vector<CuttingPath> found;
   Judge judge(*this, length);
   // periods[n]: the period of the first n darts as the beginning of a least rotation (Duval).
   std::vector<std::uint32_t> periods{0, 1};
@@ -470,7 +470,7 @@ std::vector<ClosedPath> CuttingSearch::paths(std::size_t start, double length, s
     periods.push_back(period);
     if (code == (first ^ 1U) && way_back_is_less(codes, n)) return false;
     if (code == first && periods[n] == n && !way_back_is_less(codes)) {
-      if (std::optional<ClosedPath> path = judge.judge(codes)) found.push_back(*std::move(path));
+      if (std::optional<CuttingPath> path = judge.judge(codes)) found.push_back(*std::move(path));
     }
     count();
     return true;

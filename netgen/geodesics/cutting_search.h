@@ -14,7 +14,7 @@ namespace epsnet {
 
 /// A closed path through the triangles, by the darts that it crosses in turn, each a dart of the triangle that is left:
 /// the last one leads to the triangle of the first. It names an element of the group in the chart of that triangle.
-struct ClosedPath {
+struct CuttingPath {
   std::vector<Dart> darts;
   /// Whether it is certainly how a closed geodesic crosses the edges, all of their ends some 10⁻¹⁰ or more from it.
   /// Then it belongs to no other geodesic, and the geodesic, which is primitive, to no other path.
@@ -42,8 +42,8 @@ class CuttingSearch {
   /// Every closed geodesic of length at most `length` whose least sequence begins at edge number `start`, and perhaps
   /// some others. The bound is taken a little larger than given, so none is missed to rounding. Thread-safe. `tick`, if
   /// given, is called now and then. Throws NetError if that takes more than `most` edges crossed.
-  [[nodiscard]] std::vector<ClosedPath> paths(std::size_t start, double length, std::uint64_t most,
-                                              const std::function<void()>& tick = {}) const;
+  [[nodiscard]] std::vector<CuttingPath> paths(std::size_t start, double length, std::uint64_t most,
+                                               const std::function<void()>& tick = {}) const;
 
  private:
   /// Values of a linear functional at the corners of a triangle that is left through a dart: the end of the dart, which

@@ -54,15 +54,15 @@ class Search {
 
   /// Paths to all closed geodesics of length at most `length`, each at least once; those that are not certain perhaps
   /// more than once, and powers of some.
-  [[nodiscard]] std::vector<ClosedPath> paths(double length) const {
+  [[nodiscard]] std::vector<CuttingPath> paths(double length) const {
     require_feasible(length);
-    std::vector<std::vector<ClosedPath>> found(ways_->starts());
+    std::vector<std::vector<CuttingPath>> found(ways_->starts());
     certify::for_each_parallel(found.size(), threads(), [&](unsigned worker, std::size_t i) {
       const auto tick = [&] { report("searching", static_cast<double>(i) / static_cast<double>(found.size())); };
       found[i] = ways_->paths(i, length, kMostCrossings, worker == 0 ? tick : std::function<void()>());
       if (worker == 0) tick();
     });
-    std::vector<ClosedPath> all;
+    std::vector<CuttingPath> all;
     for (auto& some : found)
       all.insert(all.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
     return all;
@@ -190,7 +190,7 @@ std::vector<Candidate<T>> candidates(Search& search, const T& up_to) {
   const T most = up_to * (1 + boost::multiprecision::ldexp(T(1), -100));
   std::vector<Candidate<T>> result;
   for (const ReturnPath& loop : search.loops()) result.push_back({loop, 0, std::nullopt});
-  for (ClosedPath& path : search.paths(static_cast<double>(up_to))) {
+  for (CuttingPath& path : search.paths(static_cast<double>(up_to))) {
     const Dart first = path.darts.front();
     result.push_back({{first, std::move(path.darts), first}, 0, path.certain ? path.simple : std::nullopt});
   }

@@ -17,6 +17,9 @@ using Kind = MatricesError::Kind;
 using Number = TriangleGroup::Number;
 using ExactElement = TriangleGroup::ExactElement;
 
+/// Some 20 seconds.
+constexpr std::uint64_t kMostWork = 20'000'000'000;
+
 /// A generator, exactly up to scale, and rounded.
 struct Generator {
   ExactElement exact;
@@ -78,7 +81,7 @@ MatrixSurface made(const MatrixGenerators& matrices) {
   const RegularTile tile = *matrices.tile;
   const TriangleGroup group = [&] {
     try {
-      return TriangleGroup(tile);
+      return TriangleGroup(tile, certify::Budget(kMostWork));
     } catch (const SurfaceError& error) {
       throw MatricesError(Kind::text, error.what());
     }

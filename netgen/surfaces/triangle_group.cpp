@@ -27,7 +27,7 @@ Isometry<Number> turned(const Number& angle) {
   return {{cos(half), sin(half)}, {Number(0), Number(0)}};
 }
 
-std::unique_ptr<const certify::RegularRing> ring_of(RegularTile tile) {
+std::unique_ptr<const certify::RegularRing> ring_of(RegularTile tile, const certify::Budget& budget) {
   if (tile.p < 3 || tile.q < 3 || 2 * (std::uint64_t{tile.p} + tile.q) >= std::uint64_t{tile.p} * tile.q) {
     throw SurfaceError("tiles " + std::to_string(tile.p) + " " + std::to_string(tile.q) +
                        ": expected p and q of at least 3, with 1/p + 1/q < 1/2");
@@ -44,8 +44,7 @@ std::unique_ptr<const certify::RegularRing> ring_of(RegularTile tile) {
   for (const PowerOfZeta& x : {PowerOfZeta{2, 0}, PowerOfZeta{-1, q}, PowerOfZeta{-1, -q}}) {
     for (const std::int64_t power : {p, -p, q, -q}) square.push_back({x.coefficient, x.power + power});
   }
-  constexpr std::uint64_t kMostWork = 20'000'000'000;
-  return std::make_unique<certify::RegularRing>(static_cast<std::uint32_t>(order), square, certify::Budget(kMostWork));
+  return std::make_unique<certify::RegularRing>(static_cast<std::uint32_t>(order), square, budget);
 }
 
 bool is_zero(const certify::RegularNumber& x) {
@@ -210,7 +209,8 @@ class CosetTiles {
 
 }  // namespace
 
-TriangleGroup::TriangleGroup(RegularTile tile) : tile_(tile), ring_(ring_of(tile)) {
+TriangleGroup::TriangleGroup(RegularTile tile, const certify::Budget& budget)
+    : tile_(tile), ring_(ring_of(tile, budget)) {
   const Number square = 2 * cos(Number(2 * pi() / tile.p)) + 2 * cos(Number(2 * pi() / tile.q));
   s_ = 2 * sin(Number(pi() / tile.q)) * sqrt(square);
 }

@@ -28,8 +28,9 @@ class TriangleGroup {
   using Number = Mp1024;
   using ExactElement = certify::Isometry<certify::RegularNumber>;
 
-  /// Throws SurfaceError unless p and q are at least 3, 1/p + 1/q < 1/2, and lcm(2p, 2q, 4) is at most 100,000.
-  explicit TriangleGroup(RegularTile tile);
+  /// Products of its numbers take their work off the budget: certify::BudgetSpent. Throws SurfaceError unless p and q
+  /// are at least 3, 1/p + 1/q < 1/2, and lcm(2p, 2q, 4) is at most 100,000.
+  explicit TriangleGroup(RegularTile tile, const certify::Budget& budget = {});
 
   [[nodiscard]] RegularTile tile() const { return tile_; }
   /// Its numbers: ζ = e^{2πi/n} with n = lcm(2p, 2q, 4), and s as in docs/proof.md, section 9.

@@ -371,7 +371,7 @@ RC_GTEST_PROP(CuttingSearchProperty, PathsAreClosed, ()) {
   AxisCatalogue<Mp256> catalogue(triangulation);
   std::set<std::vector<Dart>> cycles;
   const std::size_t start = any_index(search.starts());
-  for (const ClosedPath& path : search.paths(start, 4, 1'000'000)) {
+  for (const CuttingPath& path : search.paths(start, 4, 1'000'000)) {
     for (std::size_t i = 0; i < path.darts.size(); ++i) {
       const Dart after = path.darts[(i + 1) % path.darts.size()];
       RC_ASSERT(triangle_of(triangulation.opposite(path.darts[i])) == triangle_of(after));

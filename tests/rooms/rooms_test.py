@@ -2,7 +2,8 @@
 """rooms_test.py ROOT: every #include of the project is one that the table of docs/rooms.md allows.
 
 Also: every include of an own file is spelled as its path from ROOT, and that file exists; and the public headers, which the rooms' CMakeLists.txt
-name, are those that epsnet.h leads to.
+name, are those that epsnet.h leads to. And no two files define a type of the same name in the same namespace: no compiler sees both, and the linker
+takes the functions of one for the other.
 """
 
 import pathlib
@@ -104,6 +105,40 @@ def public_violations(root):
         yield f"{name}: is installed (epsnet_public_headers), but epsnet.h does not lead to it"
 
 
+NAMESPACE = re.compile(r"(inline )?namespace (([\w:]+) )?{$")
+TYPE = re.compile(r"(?:struct|class|enum class|union) (\w+)(?: final)?(?: :[^:].*)? ?\{")
+
+
+def types_of(text):
+    """The types with linkage that a file defines, (namespace, name): as clang-format has them, at the beginning of a line."""
+    namespaces = []
+    for line in text.splitlines():
+        opened = NAMESPACE.match(line)
+        found = TYPE.match(line)
+        if opened:
+            namespaces.append(opened.group(3))
+        elif line.startswith("}  // namespace"):
+            namespaces.pop()
+        elif found and None not in namespaces:
+            yield "::".join(namespaces), found.group(1)
+
+
+def twice_defined(root, folders):
+    places = {}
+    for file in sorted(path for folder in folders for path in (root / folder).rglob("*") if path.suffix in (".h", ".cpp")):
+        path = file.relative_to(root).as_posix()
+        # Programs of their own.
+        if path.startswith(("tests/install/", "tests/benchmark/")):
+            continue
+        for namespace, name in types_of(file.read_text(encoding="utf-8")):
+            places.setdefault((namespace, name), set()).add(path)
+    if len(places) < 100:
+        yield f"{root}: only {len(places)} types found"
+    for (namespace, name), files in sorted(places.items()):
+        if namespace and len(files) > 1:
+            yield f"{namespace}::{name} is defined in {', '.join(sorted(files))}"
+
+
 def self_test():
     """A table and paths of which the answers are known."""
     rooms = read_table("| room | owns | may include |\n| --- | --- | --- |\n| a | x | a/b |\n| a/b | y | |\n| a/check | z | * |\n")
@@ -112,6 +147,8 @@ def self_test():
     assert room_of("a/x.h", rooms) == "a" and room_of("a/b/x.h", rooms) == "a/b"
     every = with_folders({"a/*": {"b"}, "a/c": {"a/*"}}, ["a/c", "a/d", "a/e", "f/g"])
     assert every == {"a/d": {"b"}, "a/e": {"b"}, "a/c": {"a/d", "a/e"}}, every
+    types = "namespace a {\nstruct X {\n};\nnamespace {\nstruct Y {\n}  // namespace\nclass Z : public X {\nstruct X;\n}  // namespace a\n"
+    assert list(types_of(types)) == [("a", "X"), ("a", "Z")], list(types_of(types))
     assert room_of("a/check.h", rooms) == "a/check" and room_of("a/checks.h", rooms) == "a" and room_of("c.h", rooms) is None
 
 
@@ -121,7 +158,8 @@ def main():
     table = read_table((root / "docs/rooms.md").read_text(encoding="utf-8"))
     parents = {room[:-2] for room in table if room.endswith("/*")}
     folders = [path.relative_to(root).as_posix() for parent in parents for path in (root / parent).iterdir() if path.is_dir()]
-    found = list(public_violations(root)) + list(violations(root, with_folders(table, folders)))
+    found = list(twice_defined(root, sorted({room.split("/")[0] for room in table})))
+    found += list(public_violations(root)) + list(violations(root, with_folders(table, folders)))
     print("\n".join(found))
     return 1 if found else 0
 
