@@ -91,7 +91,7 @@ def _wait_for(futures: Sequence["Future[Any]"], callback: Optional[Callable[[str
             done += 1
         except Empty:
             pass
-        if callback is not None:
+        if callback is not None and (ended.empty() or done == len(futures)):
             callback(f"{done} of {len(futures)} surfaces", done / len(futures))
 
 
