@@ -65,9 +65,15 @@ class CosetTiles {
     }
     TileWalk around_vertex{std::vector<std::uint32_t>(q_, 1), 1};
     around_vertex.turns.front() = 0;
+    std::vector<bool> closed;  // The vertex where a side starts.
     for (std::uint32_t t = 0; t < parents_.size(); ++t) {
       for (std::uint32_t k = 0; k < p_ && parents_[t].tile == t; ++k) {
+        closed.resize(partners_.size());
+        if (closed[t * p_ + k]) continue;
         if (!close(around_vertex, t * p_ + k)) return false;
+        closed.resize(partners_.size());
+        for (Side side = canonical(t * p_ + k); !closed[side]; side = turned(canonical(partners_[side]), 1))
+          closed[side] = true;
       }
     }
     return true;
