@@ -1,4 +1,5 @@
 """What the tests share."""
+import os
 import pathlib
 
 import hypothesis
@@ -6,7 +7,9 @@ import pytest
 
 import epsnet
 
-hypothesis.settings.register_profile("fixed", derandomize=True, database=None, deadline=None)
+# As many cases as properties of the C++ tests have (tests/support/scale.h).
+CASES = max(1, round(100 * float(os.environ.get("EPSNET_TEST_MULTIPLIER") or 1)))
+hypothesis.settings.register_profile("fixed", derandomize=True, database=None, deadline=None, max_examples=CASES)
 hypothesis.settings.load_profile("fixed")
 
 DATA = pathlib.Path(__file__).parents[2] / "tests/data"
