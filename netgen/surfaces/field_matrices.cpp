@@ -51,14 +51,14 @@ Generator generator_of(const std::array<std::string, 4>& texts, MatrixModel mode
       model == MatrixModel::su11
           ? Isometry<Number>{{r[0], r[1]}, {r[2], r[3]}}
           : Isometry<Number>{{Number(r[0] + r[3]), Number(r[1] - r[2])}, {Number(r[0] - r[3]), Number(-r[1] - r[2])}};
-  if (isometry.determinant() <= 0) {
+  ExactElement exact = model == MatrixModel::su11
+                           ? ExactElement{e[0] + i * e[1], e[2] + i * e[3]}
+                           : ExactElement{e[0] + e[3] + i * (e[1] - e[2]), e[0] - e[3] - i * (e[1] + e[2])};
+  if (certify::sign(certify::norm(exact.a) - certify::norm(exact.b)) <= 0) {
     throw MatricesError(
         Kind::text,
         name + ": the determinant is not positive, so it is no isometry of the plane that preserves the orientation");
   }
-  ExactElement exact = model == MatrixModel::su11
-                           ? ExactElement{e[0] + i * e[1], e[2] + i * e[3]}
-                           : ExactElement{e[0] + e[3] + i * (e[1] - e[2]), e[0] - e[3] - i * (e[1] + e[2])};
   return {std::move(exact), normalized(isometry)};
 }
 
@@ -95,11 +95,12 @@ MatrixSurface made(const MatrixGenerators& matrices) {
   for (std::size_t k = 0; k < generators.size(); ++k) {
     const auto walk = group.walk(generators[k].rounded);
     if (!walk || !TriangleGroup::same(group.element(*walk), generators[k].exact)) {
-      throw MatricesError(Kind::undecided, "could not decide: " + named(k) + " does not take " + tiling +
-                                               " to themselves, of which one has its centre at " +
-                                               (matrices.model == MatrixModel::su11 ? "0" : "i") +
-                                               " and the midpoint of a side to the right of it; without tiles, "
-                                               "decimals mean a surface that is near");
+      throw MatricesError(Kind::undecided,
+                          "could not decide: " + named(k) + " does not take " + tiling +
+                              " to themselves, of which one has its centre at " +
+                              (matrices.model == MatrixModel::su11 ? "0" : "i") +
+                              " and the midpoint of a side to the right of it, or moves them too far; without tiles, "
+                              "decimals mean a surface that is near");
     }
     walks.push_back(*walk);
   }

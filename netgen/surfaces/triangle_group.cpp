@@ -230,6 +230,7 @@ std::optional<TileWalk> TriangleGroup::walk(const Isometry<Number>& element) con
   const Isometry<Number> half_turn =
       normalized(Isometry<Number>{{Number(0), Number(2 * sin(Number(2 * pi() / tile_.q)))}, {Number(0), Number(-s_)}});
   TileWalk result;
+  Number farthest(1e200);
   Isometry<Number> from_start{{Number(1), Number(0)}, {Number(0), Number(0)}};
   // The number of the side in a direction, and how far the direction is from it, in sides.
   const auto side_ahead = [&](const Complex<Number>& direction) {
@@ -240,6 +241,10 @@ std::optional<TileWalk> TriangleGroup::walk(const Isometry<Number>& element) con
   };
   for (std::size_t step = 0; step <= kMostSteps; ++step) {
     const Isometry<Number> rest = from_start * back;  // Takes 0 to the goal, as seen from here.
+    // Each crossing leads nearer to the centre of another tile. The first one bounds what is rounded off.
+    const Number far = norm(rest.a);
+    if (!(far < farthest)) return std::nullopt;
+    farthest = far;
     if (sqrt(Number(norm(rest.b) / norm(rest.a))) < kTiny) {
       // A turn by the angle 2 arg a: the element turns back by it at last.
       const auto [sides, distance] =

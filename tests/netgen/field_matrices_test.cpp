@@ -240,6 +240,9 @@ TEST(FieldMatrices, ThatAreNotOfTheTilesAreNotDecided) {
   tiny += std::string(80, '0') + "1";
   EXPECT_THAT(problem("model su11\ntiles 8 8\n1+sqrt(2)+" + tiny + " 0 (2+sqrt(2))*s/2 0\n").second,
               HasSubstr("does not take the tiles 8 8 to themselves"));
+  // To a point of a tile that is not its centre; and too far for 1,024 bits.
+  EXPECT_EQ(problem("model su11\ntiles 8 8\n1+sqrt(2) 0 (2+sqrt(2))*s/2 1/2\n").first, Kind::undecided);
+  EXPECT_EQ(problem("tiles 8 8\n1" + std::string(400, '0') + " 0 0 1\n").first, Kind::undecided);
   // One translation: not cocompact.
   EXPECT_EQ(problem("model su11\ntiles 8 8\n1+sqrt(2) 0 (2+sqrt(2))*s/2 0\n").first, Kind::undecided);
 }
