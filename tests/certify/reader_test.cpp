@@ -812,7 +812,7 @@ TEST(Reader, EveryEscapeIsReadOrRefused) {
     ASSERT_EQ(string_read(unicode_escape(code, "\\u%04X")), wanted) << code;
   }
   for (const std::uint32_t high : {0xd800U, 0xd83dU, 0xdbffU}) {
-    for (std::uint32_t low = 0; low < 0x10000; ++low) {
+    for (std::uint32_t low = 0; low < 0x10000; low += low < 0xdbf0 || low > 0xe010 ? 13 : 1) {
       const bool pair = low >= 0xdc00 && low < 0xe000;
       const auto wanted =
           pair ? std::optional(utf8(0x10000 + ((high - 0xd800) << 10U) + (low - 0xdc00))) : std::nullopt;
