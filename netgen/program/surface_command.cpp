@@ -470,7 +470,8 @@ void add_surface_command(CLI::App& app, Job& chosen) {
   add_output(*matrices, matrices_request->output, "the surface file to write");
   add_json(*matrices, matrices_request->json);
   matrices->footer(
-      "Exit code 2: undecided, as no fundamental domain was found within the limits.\n\n"
+      "Exit code 2: undecided, as no fundamental domain was found within the limits, or "
+      "the matrices do not take the tiles to themselves.\n\n"
       "Example:\n"
       "  epsnet export s.json --format matrices -o matrices.json\n"
       "  epsnet surface matrices matrices.json -o same.json && epsnet isometric s.json same.json");
