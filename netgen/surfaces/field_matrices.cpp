@@ -41,16 +41,9 @@ Generator generator_of(const std::array<std::string, 4>& texts, MatrixModel mode
     denominator = lcm(denominator, numbers.back().denominator);
   }
   std::vector<certify::RegularNumber> e;
-  std::vector<Number> r;
-  for (const FieldNumber& number : numbers) {
-    e.push_back(mpz_class(denominator / number.denominator) * number.numerator);
-    r.push_back(number.rounded);
-  }
+  for (const FieldNumber& number : numbers) e.push_back(mpz_class(denominator / number.denominator) * number.numerator);
+  const std::array<Number, 4> r{numbers[0].rounded, numbers[1].rounded, numbers[2].rounded, numbers[3].rounded};
   const certify::Gaussian i{0, 1};
-  const Isometry<Number> isometry =
-      model == MatrixModel::su11
-          ? Isometry<Number>{{r[0], r[1]}, {r[2], r[3]}}
-          : Isometry<Number>{{Number(r[0] + r[3]), Number(r[1] - r[2])}, {Number(r[0] - r[3]), Number(-r[1] - r[2])}};
   ExactElement exact = model == MatrixModel::su11
                            ? ExactElement{e[0] + i * e[1], e[2] + i * e[3]}
                            : ExactElement{e[0] + e[3] + i * (e[1] - e[2]), e[0] - e[3] - i * (e[1] + e[2])};
@@ -59,7 +52,7 @@ Generator generator_of(const std::array<std::string, 4>& texts, MatrixModel mode
         Kind::text,
         name + ": the determinant is not positive, so it is no isometry of the plane that preserves the orientation");
   }
-  return {std::move(exact), normalized(isometry)};
+  return {std::move(exact), normalized(isometry_of_entries(r, model))};
 }
 
 void check_relation(const std::vector<std::int32_t>& relation, const std::vector<Generator>& generators) {

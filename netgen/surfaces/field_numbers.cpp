@@ -107,12 +107,17 @@ class FieldParser {
   }
 
   FieldNumber factor() {
+    constexpr int kMostDepth = 100;
+    if (++depth_ > kMostDepth) fail("fewer parentheses, or signs before a number,");
+    FieldNumber result = factor_at_depth();
+    --depth_;
+    return result;
+  }
+
+  FieldNumber factor_at_depth() {
     if (take("-")) return negative(factor());
     if (take("(")) {
-      constexpr int kMostDepth = 100;
-      if (++depth_ > kMostDepth) fail("fewer parentheses");
       FieldNumber result = sum();
-      --depth_;
       expect(")");
       return result;
     }

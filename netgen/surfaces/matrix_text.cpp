@@ -10,6 +10,7 @@
 #include "certify/file/json.h"
 #include "netgen/base/gmp.h"
 #include "netgen/base/json_text.h"
+#include "netgen/surfaces/field_matrices.h"
 #include "netgen/surfaces/field_numbers.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/one_relator.h"
@@ -113,10 +114,7 @@ class MatrixReader {
   Isometry<Rational> isometry(std::size_t k) {
     std::array<Rational, 4> e;
     for (std::size_t i = 0; i < e.size(); ++i) e.at(i) = number(entries_[k].at(i), places_[k]);
-    // z ↦ (z − i)/(z + i) takes the half-plane to the disk.
-    Isometry<Rational> f = result_.model == MatrixModel::su11
-                               ? Isometry<Rational>{{e[0], e[1]}, {e[2], e[3]}}
-                               : Isometry<Rational>{{e[0] + e[3], e[1] - e[2]}, {e[0] - e[3], -e[1] - e[2]}};
+    Isometry<Rational> f = isometry_of_entries(e, result_.model);
     if (f.determinant() <= 0) {
       fail("generator " + std::to_string(k + 1) +
            ": the determinant is not positive, so it is no isometry of the plane" + " that preserves the orientation");

@@ -7,18 +7,19 @@
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/octagon.h"
+#include "tests/netgen/matrix_texts.h"
 
 namespace epsnet::matrices_test {
 namespace {
 
 using Kind = MatricesError::Kind;
+using test::made_of;
+using test::problem;
 using ::testing::HasSubstr;
 
 Surface pants_surface(std::uint32_t genus) {
   return fenchel_nielsen_surface(random_coordinates(PantsGraph::chain(genus), 1));
 }
-
-MatrixSurface made_of(const std::string& text) { return surface_of_matrices(parse_matrices(text)); }
 
 /// Whether two pairs are real multiples of each other.
 bool same(const Isometry<Rational>& f, const Isometry<Rational>& g) {
@@ -33,16 +34,6 @@ bool has_generators(const MatrixSurface& made, const MatrixGenerators& matrices)
     if (!same(exact_isometry(made.surface, made.words[k]), matrices.generators[k])) return false;
   }
   return made.words.size() == matrices.generators.size();
-}
-
-/// What is said of a text, and of which kind that is.
-std::pair<Kind, std::string> problem(const std::string& text) {
-  try {
-    (void)made_of(text);
-  } catch (const MatricesError& error) {
-    return {error.kind(), error.what()};
-  }
-  return {Kind::text, "no problem"};
 }
 
 TEST(Matrices, OfASurfaceMakeTheSameSurface) {
