@@ -41,6 +41,7 @@ Generator generator_of(const std::array<std::string, 4>& texts, MatrixModel mode
     denominator = lcm(denominator, numbers.back().denominator);
   }
   std::vector<certify::RegularNumber> e;
+  e.reserve(numbers.size());
   for (const FieldNumber& number : numbers) e.push_back(mpz_class(denominator / number.denominator) * number.numerator);
   const std::array<Number, 4> r{numbers[0].rounded, numbers[1].rounded, numbers[2].rounded, numbers[3].rounded};
   const certify::Gaussian i{0, 1};
