@@ -45,7 +45,7 @@ std::optional<std::uint32_t> corner_at(const certify::SurfaceDocument& surface,
 }
 
 /// A point of the surface in the tile that contains it.
-struct Place {
+struct TilePoint {
   std::uint32_t tile;
   Point z;
   Isometry<Mp1024> from_chart;  ///< From the coordinates of the chart in which the point was given to the tile's.
@@ -63,8 +63,8 @@ class Tiles {
     }
   }
 
-  /// Finds the place of a point of a chart along the straight line from the middle of the chart's tile.
-  [[nodiscard]] Place locate(std::uint32_t chart, std::uint32_t tile, const Point& z) const {
+  /// Finds the tile of a point of a chart along the straight line from the middle of the chart's tile.
+  [[nodiscard]] TilePoint locate(std::uint32_t chart, std::uint32_t tile, const Point& z) const {
     Isometry<Mp1024> g = parts_.frames[chart];
     Point start = from_klein(middle(tile));
     Point target = g(z);
@@ -83,17 +83,17 @@ class Tiles {
   }
 
   /// Returns the point itself if it is inside the tile, otherwise a point beside it that is.
-  [[nodiscard]] Point inside(const Place& place) const {
-    const std::vector<Point>& corners = corners_[place.tile];
-    const Point k = to_klein(place.z);
+  [[nodiscard]] Point inside(const TilePoint& point) const {
+    const std::vector<Point>& corners = corners_[point.tile];
+    const Point k = to_klein(point.z);
     const Mp1024 tiny = ldexp(Mp1024(1), -200);
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Point& u = corners[i];
       if (cross(corners[(i + 1) % corners.size()] - u, k - u) > tiny) continue;
       const Mp1024 share = ldexp(Mp1024(1), -60);
-      return from_klein(k + share * (middle(place.tile) - k));
+      return from_klein(k + share * (middle(point.tile) - k));
     }
-    return place.z;
+    return point.z;
   }
 
  private:
@@ -153,13 +153,13 @@ std::vector<Complex<double>> domain_of_vertex(const NetGeometry& geometry, const
   }
   const Tiles tiles(geometry);
   const Point z{Mp1024(v.x), Mp1024(v.y)};
-  const Place place = tiles.locate(v.chart, chart.tile, z);
-  const Point base = tiles.inside(place);
-  const BasePoint exact{TileId(place.tile), {dyadic(base.x), dyadic(base.y)}};
+  const TilePoint point = tiles.locate(v.chart, chart.tile, z);
+  const Point base = tiles.inside(point);
+  const BasePoint exact{TileId(point.tile), {dyadic(base.x), dyadic(base.y)}};
   DirichletPolygon polygon = dirichlet_polygon(from_document(net.surface), exact);
   // Both isometries lead from the chart to a disk with the vertex at 0.
   const Isometry<Mp1024> wanted = normalized(Isometry<Mp1024>::translation(-z));
-  const Isometry<Mp1024> found = normalized(Isometry<Mp1024>::translation(-place.z) * place.from_chart);
+  const Isometry<Mp1024> found = normalized(Isometry<Mp1024>::translation(-point.z) * point.from_chart);
   return rotated(convert<double>(wanted * inverse(found)), std::move(polygon.vertices));
 }
 

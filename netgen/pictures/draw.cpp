@@ -181,7 +181,7 @@ class Picture {
 
   /// Returns the disks around all drawn lifts of vertices, as one area.
   [[nodiscard]] std::string disk_group(const char* name, const char* title, const char* colour, double radius) const {
-    std::set<Place> drawn;
+    std::set<PaperPoint> drawn;
     Path path(paper_);
     for (const Lifts::LiftedTriangle& triangle : lifts_.lifted)
       for (const Point& z : triangle.corner)
@@ -283,7 +283,7 @@ class Picture {
     const double base_width = std::max(1.6 * dot_width_, 0.006 * options_.size);
     PathsByWidth base(paper_, base_width);
     PathsByWidth rim(paper_, 1.5 * base_width);
-    std::set<Place> drawn;
+    std::set<PaperPoint> drawn;
     for (const Lifts::LiftedTriangle& triangle : lifts_.lifted) {
       for (std::uint32_t i = 0; i < 3; ++i) {
         const Point& z = triangle.corner[i];

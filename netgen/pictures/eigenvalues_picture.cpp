@@ -23,9 +23,9 @@ double tick_step(double range) {
   return 10 * power;
 }
 
-class Drawing {
+class EigenvaluesDrawing {
  public:
-  Drawing(const EigenvaluesPicture& picture, std::uint32_t size)
+  EigenvaluesDrawing(const EigenvaluesPicture& picture, std::uint32_t size)
       : picture_(picture), size_(size), unit_(size / 1000.0), end_(picture.samples.back().lambda) {
     for (const auto& [lambda, bound] : picture.samples) {
       if (lambda <= picture.up_to) top_ = std::max(top_, 1.12 * bound);
@@ -200,6 +200,6 @@ EigenvaluesPicture picture_of(const certify::EigenvaluesDocument& document) {
   return result;
 }
 
-std::string draw_svg(const EigenvaluesPicture& picture, std::uint32_t size) { return Drawing(picture, size).svg(); }
+std::string draw_svg(const EigenvaluesPicture& picture, std::uint32_t size) { return EigenvaluesDrawing(picture, size).svg(); }
 
 }  // namespace epsnet

@@ -31,9 +31,9 @@ std::string pair_colour(std::uint32_t pair) {
   return "hsl(" + fixed(std::fmod(20 + pair * 137.508, 360), 0) + ",60%,42%)";
 }
 
-class Drawing {
+class PolygonDrawing {
  public:
-  Drawing(const PolygonPicture& picture, std::uint32_t size)
+  PolygonDrawing(const PolygonPicture& picture, std::uint32_t size)
       : picture_(picture),
         size_(size),
         unit_(std::max(size, 700U) / 1000.0),
@@ -192,6 +192,6 @@ class Drawing {
 
 }  // namespace
 
-std::string draw_svg(const PolygonPicture& picture, std::uint32_t size) { return Drawing(picture, size).svg(); }
+std::string draw_svg(const PolygonPicture& picture, std::uint32_t size) { return PolygonDrawing(picture, size).svg(); }
 
 }  // namespace epsnet

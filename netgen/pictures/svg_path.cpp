@@ -54,18 +54,18 @@ void append_separated(std::string& out, std::int64_t x) {
 
 }  // namespace
 
-Place Paper::place(const Point& z) const {
+PaperPoint Paper::place(const Point& z) const {
   return {std::llround(100 * (middle_ + radius_ * z.x)), std::llround(100 * (middle_ - radius_ * z.y))};
 }
 
 void Path::move(const Point& z) {
-  const Place place = paper_->place(z);
+  const PaperPoint place = paper_->place(z);
   if (!data_.empty() && place == last_) return;
   append('m', place);
 }
 
 void Path::geodesic(const Point& u, const Point& v) {
-  const Place place = paper_->place(v);
+  const PaperPoint place = paper_->place(v);
   if (place == last_) return;
   const double k = curvature(u, v);
   const double chord = paper_->radius() * std::sqrt(norm(v - u));
@@ -85,7 +85,7 @@ void Path::circle(const Point& z, double radius) {
   const double scale = 1 / (1 - t * t * norm(z));
   const auto r = std::llround(100 * paper_->radius() * t * (1 - norm(z)) * scale);
   if (r < 10) return;
-  Place left = paper_->place((1 - t * t) * scale * z);
+  PaperPoint left = paper_->place((1 - t * t) * scale * z);
   left.x -= r;
   append('m', left);
   for (const std::int64_t way : {2 * r, -2 * r}) {
@@ -106,7 +106,7 @@ void Path::close() {
   command_ = 'z';
 }
 
-void Path::append(char command, const Place& place) {
+void Path::append(char command, const PaperPoint& place) {
   if (command == command_ || (command == 'l' && command_ == 'm')) {
     append_separated(data_, place.x - last_.x);
   } else {

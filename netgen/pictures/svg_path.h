@@ -11,12 +11,12 @@
 /// Geodesics on paper: the disk in pixels, SVG paths.
 namespace epsnet {
 
-/// A place on paper in hundredths of a pixel, the resolution of the file.
-struct Place {
+/// A point of the paper in hundredths of a pixel, the resolution of the file.
+struct PaperPoint {
   std::int64_t x;
   std::int64_t y;
-  bool operator==(const Place&) const = default;
-  bool operator<(const Place& other) const { return std::pair(x, y) < std::pair(other.x, other.y); }
+  bool operator==(const PaperPoint&) const = default;
+  bool operator<(const PaperPoint& other) const { return std::pair(x, y) < std::pair(other.x, other.y); }
 };
 
 /// The disk on paper: centre in the middle, y upwards.
@@ -26,7 +26,7 @@ class Paper {
 
   [[nodiscard]] double radius() const { return radius_; }  ///< Of the disk, in pixels.
   [[nodiscard]] double middle() const { return middle_; }
-  [[nodiscard]] Place place(const Complex<double>& z) const;
+  [[nodiscard]] PaperPoint place(const Complex<double>& z) const;
   /// Returns pixels per unit of hyperbolic length at z.
   [[nodiscard]] double scale(const Complex<double>& z) const { return radius_ * std::max(0.0, 1 - norm(z)) / 2; }
 
@@ -56,14 +56,14 @@ class Path {
  private:
   /// Appends a command and the way to the place. The letter is left out where SVG implies it: for a line after a line
   /// or a move.
-  void append(char command, const Place& place);
+  void append(char command, const PaperPoint& place);
   /// Appends the parameters of an arc of a circle of radius r, in hundredths of a pixel, without its end.
   void append_arc(std::int64_t r, const char* flags);
 
   const Paper* paper_;
   std::string data_;
   char command_ = 'z';
-  Place last_{};  ///< Where the pen is. The first move is from 0.
+  PaperPoint last_{};  ///< Where the pen is. The first move is from 0.
 };
 
 /// Paths in classes of stroke width: powers of ∜2, too fine to see, the widest first. Keeps a reference to the paper.
