@@ -200,6 +200,8 @@ EigenvaluesPicture picture_of(const certify::EigenvaluesDocument& document) {
   return result;
 }
 
-std::string draw_svg(const EigenvaluesPicture& picture, std::uint32_t size) { return EigenvaluesDrawing(picture, size).svg(); }
+std::string draw_svg(const EigenvaluesPicture& picture, std::uint32_t size) {
+  return EigenvaluesDrawing(picture, size).svg();
+}
 
 }  // namespace epsnet
