@@ -7,6 +7,7 @@
 #include <string>
 #include <system_error>
 
+#include "certify/base/text.h"
 #include "certify/file/reader.h"
 #include "netgen/base/gmp.h"
 #include "netgen/distances/distances.h"
@@ -136,6 +137,16 @@ BasePoint coordinates(const std::string& text, const Surface& surface, const std
                    text.substr(0, 80) + "\"");
 }
 
+/// Of a point that a walk led to: around short curves its coordinates get thousands of digits.
+std::string point_for_reader(const BasePoint& point) {
+  const std::string exact = point_text(point);
+  constexpr std::size_t kLongest = 200;
+  if (exact.size() <= kLongest) return exact;
+  return to_string(point.tile) + ',' + certify::shortest(static_cast<double>(point.z.x)) + ',' +
+         certify::shortest(static_cast<double>(point.z.y)) + ", rounded: exactly, these coordinates have " +
+         std::to_string(exact.size()) + " digits";
+}
+
 }  // namespace
 
 BasePoint parse_base(const std::string& text, const Surface& surface, const std::string& name) {
@@ -144,7 +155,7 @@ BasePoint parse_base(const std::string& text, const Surface& surface, const std:
     BasePoint result = in_its_tile(surface, point);
     if (result.tile != point.tile || result.z != point.z) {
       std::cerr << name << ": outside of tile " << to_string(point.tile) << "; the same point in its own tile is "
-                << point_text(result) << '\n';
+                << point_for_reader(result) << '\n';
     }
     return result;
   } catch (const SurfaceError& error) {

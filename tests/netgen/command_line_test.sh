@@ -597,6 +597,9 @@ brought() {
   "$epsnet" "$@" >output 2>"$messages" || complain "epsnet $*: $(cat "$messages")"
   grep -q '^[^ ]*: outside of tile 0; the same point in its own tile is 0,' "$messages" || complain "epsnet $*: does not say that the point was moved"
 }
+good surface import "$data"/polygons/polygon-g2-thin-1e-4.txt -o collar.json
+brought distance collar.json 0,0,0 0 -o x.json
+grep -q '^P: .* 0,-0\.0[0-9]*,0\.0[0-9]*, rounded: exactly, these coordinates have [0-9]* digits$' "$messages" || complain "a point of thousands of digits is not rounded"
 brought distance s.json 0,0.9,0.3 0 -o x.json
 verified x.json
 there=$(sed -n 's/.* in its own tile is //p' "$messages")

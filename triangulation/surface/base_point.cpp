@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernel/plane.h"
+#include "kernel/predicates.h"
 #include "triangulation/surface/points.h"
 
 namespace epsnet {
@@ -27,24 +28,49 @@ std::optional<std::size_t> side_not_left_of(const Tile& tile, const Complex<Rati
   return std::nullopt;
 }
 
-/// The sign says on which side of a side of its tile a point lies: positive is inside, 0 on the line.
-auto side_of(const Surface& surface, const BasePoint& point, SideId s) {
-  const Tile& tile = surface.tile(point.tile);
-  const std::uint32_t k = surface.place_in_tile(s);
-  return orientation_determinant(tile[k], tile[(k + 1) % tile.size()], point.z);
-}
-
-/// The first side of its tile that the point lies beyond.
-std::optional<SideId> side_before(const Surface& surface, const BasePoint& point) {
-  for (const SideId s : surface.sides_of(point.tile)) {
-    if (side_of(surface, point, s) < 0) return s;
+/// A point, and a walk from it across sides of tiles.
+///
+/// It is n/d for Gaussian integers n and d, as crossings are made of these: around a short curve its coordinates get
+/// thousands of digits, and are reduced once, when they are asked for.
+class TileWalk {
+ public:
+  TileWalk(const Surface& surface, const BasePoint& start)
+      : surface_(surface), tile_(start.tile), d_{Rational(denominator(start.z.x) * denominator(start.z.y)), 0} {
+    n_ = d_ * start.z;
   }
-  return std::nullopt;
-}
 
-BasePoint across(const Surface& surface, const BasePoint& point, SideId s) {
-  return {surface.tile_of_side(surface.partner(s)), surface.crossing(s)(point.z)};
-}
+  [[nodiscard]] BasePoint point() const { return {tile_, n_ / d_}; }
+
+  void cross(SideId s) {
+    const Isometry<Rational>& g = surface_.crossing(s);
+    const Complex<Rational> n = g.a * n_ + g.b * d_;
+    d_ = conj(g.b) * n_ + conj(g.a) * d_;
+    n_ = n;
+    tile_ = surface_.tile_of_side(surface_.partner(s));
+  }
+
+  /// The sides of its tile on which the point lies (sign 0), or beyond which (-1); inside of the others.
+  [[nodiscard]] std::vector<SideId> sides_where(int sign) const {
+    const Complex<Mp256> rounded = convert<Mp256>(n_) / convert<Mp256>(d_);
+    const Mp256 error = ldexp(Mp256(1), -250);  // Of the quotient of numbers that are rounded to 256 bits.
+    const Tile& tile = surface_.tile(tile_);
+    std::vector<SideId> result;
+    for (const SideId s : surface_.sides_of(tile_)) {
+      const Complex<Rational>& a = tile[surface_.place_in_tile(s)];
+      const Complex<Rational>& b = tile[(surface_.place_in_tile(s) + 1) % tile.size()];
+      const StageSign stage = orientation_stage(convert<Mp256>(a), convert<Mp256>(b), rounded, error);
+      const int own = stage.certain ? stage.sign : epsnet::sign(orientation_determinant(a, b, point().z));
+      if (own == sign) result.push_back(s);
+    }
+    return result;
+  }
+
+ private:
+  const Surface& surface_;
+  TileId tile_;
+  Complex<Rational> d_;
+  Complex<Rational> n_;
+};
 
 }  // namespace
 
@@ -86,11 +112,11 @@ BasePoint in_its_tile(const Surface& surface, const BasePoint& point) {
   if (surface.is_regular()) return point;
   // A walk along a line would need more care; this one leads nearer to the tile's inside with each step.
   constexpr int kMostTiles = 10'000;
-  BasePoint here = point;
+  TileWalk walk(surface, point);
   for (int tiles = 0; tiles < kMostTiles; ++tiles) {
-    const std::optional<SideId> beyond = side_before(surface, here);
-    if (!beyond) return here;
-    here = across(surface, here, *beyond);
+    const std::vector<SideId> beyond = walk.sides_where(-1);
+    if (beyond.empty()) return tiles == 0 ? point : walk.point();
+    walk.cross(beyond.front());
   }
   throw SurfaceError("the point is more than " + std::to_string(kMostTiles) + " tiles away from tile " +
                      to_string(point.tile));
@@ -102,9 +128,11 @@ bool is_same_point(const Surface& surface, const BasePoint& p, const BasePoint& 
   // All places that p has in closed tiles: several if it is on a side or a corner.
   std::vector<BasePoint> places{in_its_tile(surface, p)};
   for (std::size_t i = 0; i < places.size() && !surface.is_regular(); ++i) {
-    for (const SideId s : surface.sides_of(places[i].tile)) {
-      if (side_of(surface, places[i], s) != 0) continue;
-      const BasePoint place = across(surface, places[i], s);
+    const TileWalk here(surface, places[i]);
+    for (const SideId s : here.sides_where(0)) {
+      TileWalk walk = here;
+      walk.cross(s);
+      const BasePoint place = walk.point();
       if (std::none_of(places.begin(), places.end(), [&](const BasePoint& known) { return equal(place, known); })) {
         places.push_back(place);
       }
