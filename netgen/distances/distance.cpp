@@ -64,15 +64,20 @@ class LiftsOfPoint {
     const Complex<Mp1024> end = from_tile_(inverse(value(surface_, word))(convert<Mp1024>(q.z)));
     const Path nearest = descended({std::move(word), end, distance(Complex<Mp1024>{}, end)});
     const certify::Interval enclosure = enclosing(nearest.length);
+    const Mp1024 sinh_of_half = sinh(Mp1024(Mp1024(enclosure.upper) / 2));
+    const Mp1024 most = sinh_of_half * sinh_of_half;
     std::vector<Path> paths{nearest};
-    std::multimap<double, std::size_t> by_end{{static_cast<double>(end_key(nearest)), 0}};
+    // Across a short curve ends are as near to each other as it is short: found again by how far they are from the
+    // first.
+    const auto end_key = [&](const Path& path) { return static_cast<double>(Mp1024(path.end.x - nearest.end.x)); };
+    std::multimap<double, std::size_t> by_end{{0, 0}};
     for (std::size_t i = 0; i < paths.size(); ++i) {
       for (const Neighbour& neighbour : neighbours_) {
-        if (distance(neighbour.place, paths[i].end) > enclosure.upper) continue;
+        if (sinh2_half_distance(neighbour.place, paths[i].end) > most) continue;
         Path next = moved(paths[i], neighbour);
         const double key = end_key(next);
-        constexpr double kReach = 1e-12;
-        const bool known = std::any_of(by_end.lower_bound(key - kReach), by_end.upper_bound(key + kReach),
+        const double reach = 1e-14 * std::abs(key) + 1e-200;
+        const bool known = std::any_of(by_end.lower_bound(key - reach), by_end.upper_bound(key + reach),
                                        [&](const auto& item) { return same_end(next, paths[item.second]); });
         if (known) continue;
         if (paths.size() == kMostPaths) {
@@ -106,11 +111,11 @@ class LiftsOfPoint {
     constexpr int kMostSteps = 1'000'000;
     for (int step = 0; step < kMostSteps; ++step) {
       const Neighbour* best = nullptr;
-      Mp1024 least = path.length - ldexp(Mp1024(1), -kEqualBits);
+      Mp1024 least = (1 - ldexp(Mp1024(1), -kEqualBits)) * sinh2_half_distance(Complex<Mp1024>{}, path.end);
       for (const Neighbour& neighbour : neighbours_) {
-        const Mp1024 length = distance(neighbour.place, path.end);
-        if (length >= least) continue;
-        least = length;
+        const Mp1024 own = sinh2_half_distance(neighbour.place, path.end);
+        if (own >= least) continue;
+        least = own;
         best = &neighbour;
       }
       if (best == nullptr) return path;
@@ -131,7 +136,6 @@ class LiftsOfPoint {
     return result;
   }
 
-  [[nodiscard]] static double end_key(const Path& path) { return static_cast<double>(path.end.x); }
   [[nodiscard]] static bool same_end(const Path& a, const Path& b) {
     return sinh2_half_distance(a.end, b.end) < ldexp(Mp1024(1), -kEqualBits);
   }

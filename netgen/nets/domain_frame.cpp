@@ -11,10 +11,10 @@
 namespace epsnet {
 namespace {
 
-/// Lengths that differ by less than 2⁻³⁰⁰ are equal here.
+/// sinh²(d/2) of lengths d that differ by a smaller share of themselves are equal here.
 Mp1024 tolerance() { return ldexp(Mp1024(1), -300); }
 
-Mp1024 distance_from_0(const Complex<Mp1024>& z) { return distance(Complex<Mp1024>{}, z); }
+Mp1024 sinh2_from_0(const Complex<Mp1024>& z) { return sinh2_half_distance(Complex<Mp1024>{}, z); }
 
 }  // namespace
 
@@ -75,11 +75,11 @@ DomainFrame::DomainFrame(const Surface& surface, const DirichletPolygon& polygon
 
 std::vector<std::uint32_t> DomainFrame::farthest_vertices() const {
   Mp1024 greatest(0);
-  for (const Complex<Mp1024>& z : vertices_) greatest = std::max(greatest, distance_from_0(z));
+  for (const Complex<Mp1024>& z : vertices_) greatest = std::max(greatest, sinh2_from_0(z));
   std::vector<std::uint32_t> result;
   std::vector<bool> done(vertices_.size(), false);
   for (std::uint32_t k = 0; k < vertices_.size(); ++k) {
-    if (done[k] || distance_from_0(vertices_[k]) < greatest - tolerance()) continue;
+    if (done[k] || sinh2_from_0(vertices_[k]) < (1 - tolerance()) * greatest) continue;
     result.push_back(k);
     // Side k and its partner are glued end to start.
     for (std::uint32_t same = k; !done[same];) {
@@ -92,11 +92,11 @@ std::vector<std::uint32_t> DomainFrame::farthest_vertices() const {
 
 std::optional<std::uint32_t> DomainFrame::side_towards(const Complex<Mp1024>& z) const {
   std::optional<std::uint32_t> result;
-  Mp1024 least = distance_from_0(z) - tolerance();
+  Mp1024 least = (1 - tolerance()) * sinh2_from_0(z);
   for (std::uint32_t k = 0; k < pairings_.size(); ++k) {
-    const Mp1024 length = distance(pairings_[k](Complex<Mp1024>{}), z);
-    if (length >= least) continue;
-    least = length;
+    const Mp1024 own = sinh2_half_distance(pairings_[k](Complex<Mp1024>{}), z);
+    if (own >= least) continue;
+    least = own;
     result = k;
   }
   return result;

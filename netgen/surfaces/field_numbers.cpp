@@ -17,6 +17,16 @@ using certify::PowerOfZeta;
 using certify::RegularNumber;
 using Number = TriangleGroup::Number;
 
+static_assert(sizeof(long) == sizeof(std::int64_t));
+/// GMP has no constructor for `long long`, which std::int64_t is in WebAssembly.
+mpz_class gmp_integer(std::int64_t n) { return mpz_class(static_cast<long>(n)); }
+
+mpz_class coefficient(const certify::Polynomial& x, slong power) {
+  certify::Integer result;
+  fmpz_poly_get_coeff_fmpz(result.get(), x.get(), power);
+  return result.value();
+}
+
 class FieldParser {
  public:
   FieldParser(std::string_view text, const TriangleGroup& group)
@@ -101,9 +111,7 @@ class FieldParser {
   static std::optional<mpz_class> rational_numerator(const FieldNumber& x) {
     const auto& [ring, u, v] = x.numerator;
     if (fmpz_poly_degree(u.get()) > 0 || !fmpz_poly_is_zero(v.get())) return std::nullopt;
-    mpz_class result;
-    fmpz_poly_get_coeff_mpz(result.get_mpz_t(), u.get(), 0);
-    return result;
+    return coefficient(u, 0);
   }
 
   FieldNumber factor() {
@@ -205,7 +213,7 @@ class FieldParser {
     RegularNumber result = certify::regular_number(group_.ring(), certify::Gaussian{n == 0 ? 0 : 1, 0});
     std::int64_t rest = std::max<std::int64_t>(n, 1);
     for (std::int64_t prime = 2; prime <= rest; ++prime) {
-      for (; rest % (prime * prime) == 0; rest /= prime * prime) result = mpz_class(prime) * result;
+      for (; rest % (prime * prime) == 0; rest /= prime * prime) result = gmp_integer(prime) * result;
       if (rest % prime != 0) continue;
       rest /= prime;
       if (order_ % (prime == 2 ? 8 : prime) != 0) not_there(name);
@@ -215,8 +223,8 @@ class FieldParser {
       } else {
         const std::int64_t quarter = prime % 4 == 3 ? order_ / 4 : 0;
         for (std::int64_t a = 1; a < prime; ++a) {
-          terms.push_back(
-              {mpz_legendre(mpz_class(a).get_mpz_t(), mpz_class(prime).get_mpz_t()), a * (order_ / prime) - quarter});
+          terms.push_back({mpz_legendre(gmp_integer(a).get_mpz_t(), gmp_integer(prime).get_mpz_t()),
+                           a * (order_ / prime) - quarter});
         }
       }
       result = result * certify::regular_number(group_.ring(), terms, {});
@@ -235,11 +243,9 @@ class FieldParser {
 std::vector<mpz_class> cosines(const certify::Polynomial& x, std::uint32_t order) {
   std::vector<mpz_class> result(order / 4);  // That of n/4 is 0.
   for (slong k = 0; k < fmpz_poly_length(x.get()); ++k) {
-    mpz_class coefficient;
-    fmpz_poly_get_coeff_mpz(coefficient.get_mpz_t(), x.get(), k);
     const auto i = static_cast<std::uint32_t>(k);
-    if (i < order / 4) result[i] += coefficient;
-    if (i > order / 4) result[order / 2 - i] -= coefficient;
+    if (i < order / 4) result[i] += coefficient(x, k);
+    if (i > order / 4) result[order / 2 - i] -= coefficient(x, k);
   }
   return result;
 }

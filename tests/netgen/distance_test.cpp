@@ -203,6 +203,24 @@ TEST(Distance, OfPointsOnSidesAndCornersOfTiles) {
   }
 }
 
+TEST(Points, ThatAreManyTilesAwayAreBroughtBackExactly) {
+  for (const test::NamedSurface& named : test::tiled_gallery()) {
+    const Surface& surface = named.surface;
+    if (surface.is_regular() || surface.genus() > 3) continue;
+    const BasePoint p = centre_of_tile(surface, TileId(0));
+    BasePoint there = p;
+    for (std::uint32_t i = 0; i < 50; ++i) {
+      const std::uint32_t k = (i % 7) % static_cast<std::uint32_t>(surface.tile(there.tile).size());
+      const SideId side = surface.side_number(there.tile, k);
+      there = {surface.tile_of_side(surface.partner(side)), surface.crossing(side)(there.z)};
+    }
+    const BasePoint back = in_its_tile(surface, there);
+    EXPECT_EQ(back.tile, p.tile) << named.name;
+    EXPECT_EQ(back.z, p.z) << named.name;
+    EXPECT_TRUE(is_same_point(surface, p, there)) << named.name;
+  }
+}
+
 TEST(Distance, OfAPointOutsideOfItsTileIsThatOfThePointInTheTileWhereItLies) {
   for (const test::NamedSurface& named : test::tiled_gallery()) {
     const Surface& surface = named.surface;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cassert>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,46 @@ std::optional<std::size_t> side_not_left_of(const Tile& tile, const Complex<Rati
   return std::nullopt;
 }
 
+constexpr int kMostTiles = 10'000;
+
+[[noreturn]] void too_far(const BasePoint& point) {
+  throw SurfaceError("the point is more than " + std::to_string(kMostTiles) + " tiles away from tile " +
+                     to_string(point.tile));
+}
+
+/// Leads from tile to tile across the first side beyond which the point lies, as 1,024 bits say, until there is none.
+/// Not for a point so near to the unit circle that these are too few.
+std::vector<SideId> sides_on_the_way(const Surface& surface, const BasePoint& point) {
+  std::vector<SideId> sides;
+  TileId tile = point.tile;
+  Complex<Mp1024> z = convert<Mp1024>(point.z);
+  const Mp1024 slack = ldexp(Mp1024(1), -500);
+  if (1 - norm(z) < slack) return sides;
+  const auto first_beyond = [&]() -> std::optional<SideId> {
+    const Tile& corners = surface.tile(tile);
+    for (const SideId s : surface.sides_of(tile)) {
+      const std::uint32_t k = surface.place_in_tile(s);
+      const auto corner = [&](std::size_t i) { return convert<Mp1024>(corners[i % corners.size()]); };
+      if (orientation_determinant(corner(k), corner(k + 1), z) < -slack) return s;
+    }
+    return std::nullopt;
+  };
+  while (const std::optional<SideId> beyond = first_beyond()) {
+    if (sides.size() == kMostTiles) too_far(point);
+    sides.push_back(*beyond);
+    z = surface.crossing_as<Mp1024>(*beyond)(z);
+    tile = surface.tile_of_side(surface.partner(*beyond));
+  }
+  return sides;
+}
+
+/// The crossing of one side after the other: a tree of products, whose numbers are long at the end only.
+Isometry<Rational> crossing_of(const Surface& surface, std::span<const SideId> sides) {
+  if (sides.size() == 1) return surface.crossing(sides[0]);
+  const std::size_t half = sides.size() / 2;
+  return crossing_of(surface, sides.subspan(half)) * crossing_of(surface, sides.first(half));
+}
+
 /// A point, and a walk from it across sides of tiles.
 ///
 /// It is n/d for Gaussian integers n and d, as crossings are made of these: around a short curve its coordinates get
@@ -41,12 +82,13 @@ class TileWalk {
 
   [[nodiscard]] BasePoint point() const { return {tile_, n_ / d_}; }
 
-  void cross(SideId s) {
-    const Isometry<Rational>& g = surface_.crossing(s);
+  /// At least one side.
+  void cross(std::span<const SideId> sides) {
+    const Isometry<Rational> g = crossing_of(surface_, sides);
     const Complex<Rational> n = g.a * n_ + g.b * d_;
     d_ = conj(g.b) * n_ + conj(g.a) * d_;
     n_ = n;
-    tile_ = surface_.tile_of_side(surface_.partner(s));
+    tile_ = surface_.tile_of_side(surface_.partner(sides.back()));
   }
 
   /// The sides of its tile on which the point lies (sign 0), or beyond which (-1); inside of the others.
@@ -111,15 +153,16 @@ BasePoint in_its_tile(const Surface& surface, const BasePoint& point) {
   require_on_surface(surface, point);
   if (surface.is_regular()) return point;
   // A walk along a line would need more care; this one leads nearer to the tile's inside with each step.
-  constexpr int kMostTiles = 10'000;
+  const std::vector<SideId> sides = sides_on_the_way(surface, point);
   TileWalk walk(surface, point);
-  for (int tiles = 0; tiles < kMostTiles; ++tiles) {
+  if (!sides.empty()) walk.cross(sides);
+  // Exactly: where 1,024 bits were not enough there are more.
+  for (std::size_t tiles = sides.size();; ++tiles) {
     const std::vector<SideId> beyond = walk.sides_where(-1);
     if (beyond.empty()) return tiles == 0 ? point : walk.point();
-    walk.cross(beyond.front());
+    if (tiles > kMostTiles) too_far(point);
+    walk.cross(std::span(beyond).first(1));
   }
-  throw SurfaceError("the point is more than " + std::to_string(kMostTiles) + " tiles away from tile " +
-                     to_string(point.tile));
 }
 
 bool is_same_point(const Surface& surface, const BasePoint& p, const BasePoint& q) {
@@ -131,7 +174,7 @@ bool is_same_point(const Surface& surface, const BasePoint& p, const BasePoint& 
     const TileWalk here(surface, places[i]);
     for (const SideId s : here.sides_where(0)) {
       TileWalk walk = here;
-      walk.cross(s);
+      walk.cross({&s, 1});
       const BasePoint place = walk.point();
       if (std::none_of(places.begin(), places.end(), [&](const BasePoint& known) { return equal(place, known); })) {
         places.push_back(place);
