@@ -29,6 +29,10 @@ double length_of(double s) { return std::asinh(std::sqrt(s)); }
 using Number = EdgeElements::Number;
 using Point = LorentzVector<Number>;
 
+/// The most edges of all triangulations, different elements of the group: some 2 GB. Few triangulations are as many
+/// where the genus is large.
+constexpr std::size_t kMostElements = 1'000'000;
+
 Point unit(const Point& p) { return Number(Number(1) / sqrt(Number(-lorentz_product(p, p)))) * p; }
 
 /// Branch and bound: the triangles of a triangulation with one vertex are cut until the bounds of all cells are at most
@@ -69,12 +73,12 @@ class BoundSearch {
     // The lower bound of a radius must be positive.
     constexpr double kLeastRadius = 1e-3;
     while (upper() - lower() > width_ || (claim_ == Claim::radius && upper() > -kLeastRadius)) {
-      if (cells_.size() >= options_.most_cells) {
+      if (cells_.size() >= options_.most_cells || elements_.size() > kMostElements) {
         const bool negated = claim_ == Claim::radius;  // It is the least eccentricity, the maximum of the negative.
         const certify::Interval found =
             negated ? certify::Interval{-upper(), -lower()} : certify::Interval{lower(), upper()};
-        throw NetError("not enclosed to the width wanted with " + std::to_string(options_.most_cells) +
-                       " cells, only by " + to_string(found));
+        throw NetError("not enclosed to the width wanted with " + std::to_string(cells_.size()) + " cells and " +
+                       std::to_string(elements_.size()) + " edges of triangulations, only by " + to_string(found));
       }
       const std::uint32_t top = queue_.top().second;
       queue_.pop();

@@ -109,8 +109,11 @@ Frame::Point Frame::point(const LorentzVector<EdgeElements::Number>& p) const {
 
 double Frame::displacement(EdgeElements::Id id, const Point& p) {
   const std::size_t k = id / 2;
-  if (k >= axes_.size()) axes_.resize(elements_.size());
-  Axis& axis = axes_[k];
+  constexpr std::size_t kOfPage = std::tuple_size_v<Page>;
+  if (k / kOfPage >= pages_.size()) pages_.resize(elements_.size() / kOfPage + 1);
+  std::unique_ptr<Page>& page = pages_[k / kOfPage];
+  if (!page) page = std::make_unique<Page>();
+  Axis& axis = (*page)[k % kOfPage];
   if (axis.square < 0) {
     axis.normal = rounded<double>(image(to_origin_, elements_.element(k).normal));
     axis.square = static_cast<double>(elements_.element(k).square);

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -69,9 +70,12 @@ class Frame {
     Point normal;
     double square = -1;  ///< Negative: not evaluated yet.
   };
+  /// Elements that are near each other in their order are used at the same places: most pages are in few frames.
+  using Page = std::array<Axis, 64>;
+
   const EdgeElements& elements_;
   Isometry<EdgeElements::Number> to_origin_;
-  std::vector<Axis> axes_;
+  std::vector<std::unique_ptr<Page>> pages_;
 };
 
 /// Darts as net files number them: 3t + i leaves corner i of triangle t.
