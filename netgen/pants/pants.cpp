@@ -134,8 +134,9 @@ void add_short(const Surface& surface, const PantsOptions& options, CurveSystem&
   };
   const certify::GeodesicsDocument first = systole(surface, geodesics);
   add_from(first, 0);
-  // Longer ones, as long as there are not too many of them.
-  constexpr double kMostWork = 2e4;
+  // Longer ones, as long as that does not take seconds. Curves that are made around arcs instead get as long as those
+  // before them together, and soon too long for 256 bits.
+  constexpr double kMostWork = 3e6;
   std::size_t known = 0;
   for (double length = std::ceil(first.geodesics[0].length.upper + 0.5);
        system.size() < wanted && std::exp(length) * (surface.genus() - 1) <= kMostWork; length += 1) {

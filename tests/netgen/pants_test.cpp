@@ -124,6 +124,19 @@ TEST(Pants, NamedSurfacesOfGenus3To5) {
   }
 }
 
+TEST(DeepPants, RandomCoversOfGenus31And51) {
+  for (const std::uint32_t degree : {30u, 50u}) {
+    for (const std::int32_t seed : {1, 2, 3}) {
+      const Surface octagon = random_octagon(seed);
+      const auto sheets = random_sheets(octagon, degree, static_cast<std::uint64_t>(seed));
+      const PantsDecomposition pants = pants_decomposition(cover(octagon, sheets));
+      EXPECT_EQ(pants.graph.genus(), degree + 1) << seed;
+      // Far below the 170 that 256 bits can tell from infinity.
+      for (const auto& cuff : pants.cuffs) EXPECT_LT(cuff.length.upper, 80) << degree << ' ' << seed;
+    }
+  }
+}
+
 TEST(Pants, ThinSurfaces) {
   const FenchelNielsen given = coordinates("0-0 0-1 1-1", {Rational(1, 1'000'000), 2, Rational(1, 1000)},
                                            {Rational(1, 4'000'000), 1, Rational(-1, 4000)});
