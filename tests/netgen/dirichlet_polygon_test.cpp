@@ -10,6 +10,7 @@
 
 #include "certify/check.h"
 #include "kernel/plane.h"
+#include "netgen/surfaces/maps_and_covers.h"
 #include "netgen/surfaces/octagon.h"
 #include "tests/support/triangulations.h"
 
@@ -177,6 +178,56 @@ TEST(DirichletPolygon, SidesAreExactWhereBinary64HoldsNoVertex) {
     EXPECT_EQ(partner.partner, k);
     EXPECT_NEAR(partner.distance, polygon.sides[k].distance, 1e-9);
   }
+}
+
+/// Whether two words are paths from tile 0 to the same tile, and the same element.
+bool same_path(const Surface& surface, const Word& u, const Word& v) {
+  const TileId end = u.empty() ? TileId(0) : surface.tile_of_side(surface.partner(u.back()));
+  if (!is_path(surface, TileId(0), end, u) || !is_path(surface, TileId(0), end, v)) return false;
+  const Isometry<Mp1024> quotient = isometry_of(surface, u) * inverse(isometry_of(surface, v));
+  return norm(quotient.b) < ldexp(Mp1024(1), -500);
+}
+
+TEST(Words, AroundATileAgainAndAgainAreShort) {
+  const Surface klein = named_surface("klein");  // Three heptagons meet at every vertex.
+  // Across side 0, and around tile 0 through its neighbours: each is entered beside the side that leads back to tile 0.
+  Word word{SideId(0)};
+  SideId home = klein.partner(word[0]);
+  for (int i = 0; i < 30 * 7 + 3; ++i) {
+    word.push_back(klein.previous_side(home));
+    home = klein.previous_side(klein.partner(word.back()));
+  }
+  const Word shorter = concatenated(klein, {}, word);
+  EXPECT_LE(shorter.size(), 64U);
+  EXPECT_TRUE(same_path(klein, word, shorter));
+}
+
+RC_GTEST_PROP(WordsProperty, OfTrivalentMapsStayTheSameElement, ()) {
+  static const Surface surfaces[] = {named_surface("klein"), named_surface("fricke-macbeath"),
+                                     named_surface("fermat-quartic")};
+  const Surface& surface = surfaces[test::any_index(3u)];
+  // Mostly along rows of tiles: the exit is two or three sides from the entry.
+  Word word{SideId(test::any_index(surface.regular_tile()->p))};
+  const auto length = test::any_index<std::size_t>(200);
+  while (word.size() < length) {
+    SideId s = surface.partner(word.back());
+    const std::uint32_t steps = test::any_index(8u) == 0 ? 4 : 2 + test::any_index(2u);
+    for (std::uint32_t i = 0; i < steps; ++i) s = surface.next_side(s);
+    word.push_back(s);
+  }
+  const Word shorter = concatenated(surface, {}, word);
+  RC_ASSERT(shorter.size() <= word.size());
+  RC_ASSERT(same_path(surface, word, shorter));
+}
+
+TEST(DirichletPolygon, OfTheFrickeMacbeathCurveFromAnyTile) {
+  const Surface surface = named_surface("fricke-macbeath");
+  const DirichletPolygon first = dirichlet_polygon(surface, centre_of_tile(surface, TileId(0)));
+  expect_dirichlet(first, 7, "0");
+  // All tiles are the same under isometries.
+  const DirichletPolygon other = dirichlet_polygon(surface, centre_of_tile(surface, TileId(50)));
+  EXPECT_EQ(other.sides.size(), first.sides.size());
+  EXPECT_EQ(other.ties, first.ties);
 }
 
 TEST(DirichletPolygon, JsonHasEverySide) {

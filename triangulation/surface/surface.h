@@ -212,7 +212,8 @@ class Surface {
 /// The word of the reversed path.
 [[nodiscard]] Word reversed(const Surface& surface, const Word& word);
 /// The word of the path `first` followed by `then`, shortened (Dehn's algorithm): a crossing followed by its inverse is
-/// removed, and a path that turns around a vertex takes the shorter way.
+/// removed, and a path that turns around a vertex takes the shorter way. Of more than 64 letters, a path along a row of
+/// tiles beside which there is a shorter row takes that one, if three tiles meet at every vertex between.
 [[nodiscard]] Word concatenated(const Surface& surface, Word first, const Word& then);
 /// Returns a shortest word from one tile to another. O(sides).
 [[nodiscard]] Word path_between_tiles(const Surface& surface, TileId from, TileId to);

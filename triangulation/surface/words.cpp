@@ -2,6 +2,7 @@
 #include <cassert>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "triangulation/surface/surface.h"
@@ -15,6 +16,50 @@ constexpr std::size_t turn_index(Turn turn) { return turn == Turn::clockwise ? 1
 /// The crossings of one full turn that goes on from side s.
 std::uint32_t crossings_around(const Surface& surface, SideId s, Turn turn) {
   return surface.corners_around(turn == Turn::counterclockwise ? s : surface.next_side(s));
+}
+
+/// The sides of a tile between `entry` and `exit` in the direction of a turn, if they are one or two and three tiles
+/// meet at each of their ends; none otherwise.
+std::vector<SideId> sides_between(const Surface& surface, SideId entry, SideId exit, Turn turn) {
+  std::vector<SideId> sides;
+  for (SideId s = entry; sides.size() <= 2; sides.push_back(s)) {
+    if (crossings_around(surface, surface.partner(s), turn) != 3) return {};
+    s = turn == Turn::counterclockwise ? surface.next_side(s) : surface.previous_side(s);
+    if (s == exit) return sides;
+  }
+  return {};
+}
+
+/// The word with one letter less, where the path passes a row of tiles that are side by side with the tiles of a
+/// shorter one: at the first and the last tile it leaves one side on one hand, at those between two. Nothing if it does
+/// not.
+///
+/// Where three tiles meet at a vertex, a path may go around a tile again and again, and no vertex is on it for long.
+std::optional<Word> straightened(const Surface& surface, const Word& word) {
+  // Across the vertex at which a path turns with this crossing and the one before: one crossing instead of both.
+  const auto shortcut = [&](SideId second, Turn turn) { return surface.partner(next_crossing(surface, second, turn)); };
+  for (const Turn turn : {Turn::counterclockwise, Turn::clockwise}) {
+    std::optional<std::size_t> start;
+    Word row;
+    for (std::size_t k = 0; k + 1 < word.size(); ++k) {
+      const std::vector<SideId> sides = sides_between(surface, surface.partner(word[k]), word[k + 1], turn);
+      if (sides.size() == 1 && start) {
+        row.push_back(shortcut(word[k + 1], turn));
+        row.insert(row.begin(), word.data(), word.data() + *start);
+        row.insert(row.end(), word.data() + k + 2, word.data() + word.size());
+        return row;
+      }
+      if (sides.size() == 1) {
+        start = k;
+        row = {shortcut(sides[0], turn)};
+      } else if (sides.size() == 2 && start) {
+        row.push_back(shortcut(sides[1], turn));
+      } else {
+        start.reset();
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -41,8 +86,10 @@ Word reversed(const Surface& surface, const Word& word) {
   return result;
 }
 
-Word concatenated(const Surface& surface, Word first, const Word& then) {
-  Word& word = first;
+namespace {
+
+/// Dehn's algorithm.
+Word shortened(const Surface& surface, Word word, const Word& then) {
   // For every letter and both turns, how many letters up to this one turn around one vertex.
   std::vector<std::array<std::uint32_t, 2>> runs;
   const auto append_runs = [&] {
@@ -84,7 +131,21 @@ Word concatenated(const Surface& surface, Word first, const Word& then) {
       }
     }
   }
-  return first;
+  return word;
+}
+
+}  // namespace
+
+Word concatenated(const Surface& surface, Word first, const Word& then) {
+  // Short words are left as they are: nothing is gained there.
+  constexpr std::size_t kLong = 64;
+  Word word = shortened(surface, std::move(first), then);
+  while (word.size() > kLong) {
+    const std::optional<Word> shorter = straightened(surface, word);
+    if (!shorter) break;
+    word = shortened(surface, {}, *shorter);
+  }
+  return word;
 }
 
 Word path_between_tiles(const Surface& surface, TileId from, TileId to) {
