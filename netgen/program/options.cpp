@@ -139,7 +139,7 @@ BasePoint coordinates(const std::string& text, const Surface& surface, const std
 
 /// Of a point that a walk led to: around short curves its coordinates get thousands of digits.
 std::string point_for_reader(const BasePoint& point) {
-  const std::string exact = point_text(point);
+  std::string exact = point_text(point);
   constexpr std::size_t kLongest = 200;
   if (exact.size() <= kLongest) return exact;
   return to_string(point.tile) + ',' + certify::shortest(static_cast<double>(point.z.x)) + ',' +
