@@ -29,8 +29,8 @@ double length_of(double s) { return std::asinh(std::sqrt(s)); }
 using Number = EdgeElements::Number;
 using Point = LorentzVector<Number>;
 
-/// The most edges of all triangulations, different elements of the group: some 2 GB. Few triangulations are as many
-/// where the genus is large.
+/// The most edges of all triangulations, different elements of the group: some 2 GB. Where the genus is large, few
+/// triangulations have so many.
 constexpr std::size_t kMostElements = 1'000'000;
 
 Point unit(const Point& p) { return Number(Number(1) / sqrt(Number(-lorentz_product(p, p)))) * p; }
