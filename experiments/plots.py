@@ -167,6 +167,18 @@ def histograms(directory, records) -> None:
     save(directory, "distances")
 
 
+def gaps(directory: Path, genera: dict[int, list[list[float]]]) -> None:
+    """Enclosures of λ_1 of random covers, by genus, beside each other in the order of λ_1."""
+    with plot(directory, "gaps", "λ₁", "genus", "upper right") as axes:
+        for place, found in enumerate(genera.values()):
+            middles = sorted((sum(ends) / 2, (ends[1] - ends[0]) / 2) for ends in found)
+            axes.errorbar([place + 0.7 * (i / len(middles) - 0.5) for i in range(len(middles))], [middle for middle, _ in middles],
+                          [half for _, half in middles], fmt="C0.", markersize=3, elinewidth=0.6)
+        axes.set_xticks(range(len(genera)), [str(genus) for genus in genera])
+        bound(axes, 0.25, "1/4")
+        axes.set_ylim(bottom=0)
+
+
 def draw(directory: Path, data: dict[str, list[dict]]) -> None:
     """The plots for which there are records."""
     if "main" in data:

@@ -57,7 +57,11 @@ test("geodesics, distances, bounds, eigenvalues", async () => {
   assert.match(await net.svg({ layers: [systole, distance] }), /^<svg /);
   assert.equal((await net.locate(distance.q)).place, "inside");
   assert.equal((await surface.diameter({ width: 0.1 })).certificate.verdict, "VERIFIED");
-  assert((await surface.eigenvalues({ upTo: 5, fast: true })).windows.length > 0);
+  const eigenvalues = await surface.eigenvalues({ count: 1, digits: 3 });
+  assert(eigenvalues.eigenvalues[0].count >= 1 && eigenvalues.next > eigenvalues.eigenvalues[0].in[0]);
+  assert.match(await eigenvalues.eigenfunctionSvg(1), /class="nodal-lines"/);
+  assert.equal(await kindOf(eigenvalues.eigenfunctionSvg(1000)), "ArgumentError");
+  assert.equal(await kindOf(surface.eigenvalues({ count: 1, below: 1 })), "ArgumentError");
 });
 
 test("files are what certify says they are", async () => {

@@ -66,7 +66,7 @@ Result check(std::string_view text, long most_lifts) {
     }
     if (is_text(format, "epsnet-eigenvalues")) {
       const EigenvaluesDocument document = read_eigenvalues(root);
-      return ask_all(document.spectrum.net, [&](auto& net) { return eigenvalue_rules(document, net, most_lifts); });
+      return ask_all(document.net, [&](auto& net) { return eigenvalue_rules(document, net, most_lifts); });
     }
     if (is_text(format, "epsnet-isometries")) {
       const IsometriesDocument document = read_isometries(root);

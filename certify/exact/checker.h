@@ -23,13 +23,14 @@ struct Result {
 /// What takes the place of a rule where a file is not for this checker; the message says what kind of file it is.
 inline constexpr const char* kLeftOut = "document";
 
-/// Lifted vertices that a list of geodesics may ask for, and values that eigenfunctions may: some seconds, and minutes.
+/// Lifted vertices that a list of geodesics may ask for, and values that eigenfunctions may, and matrices for 2000
+/// multiplications each: some seconds, and minutes.
 inline constexpr long kUsualLifts = 100'000;
 inline constexpr long kMostLifts = 10'000'000;
 
-/// The verdict on a file. Compact files, lists of geodesics that take more lifts, and eigenfunctions that take more
-/// values are undecided, by kLeftOut. Linear time in the size of the file but for the exact numbers of labels, and for
-/// lists of geodesics. Throws std::bad_alloc only.
+/// The verdict on a file. Compact files, lists of geodesics that take more lifts, and eigenfunctions and matrices that
+/// take more work are undecided, by kLeftOut. Linear time in the size of the file but for the exact numbers of labels,
+/// for lists of geodesics, and for eigenvalues. Throws std::bad_alloc only.
 [[nodiscard]] Result check(std::string_view text, long most_lifts = kUsualLifts);
 
 }  // namespace epsnet::exact

@@ -60,12 +60,9 @@ std::vector<Piece> read_pieces(const Json& value) {
   return pieces;
 }
 
-Range read_range(const Json& row, const char* name) { return read_length(member(row, name), name); }
-
-Coefficients read_coefficients(const Json& row) {
+Coefficients read_coefficients(const Json& function) {
   Coefficients coefficients;
-  for (const Json& value : array(member(row, "coefficients"), "coefficients"))
-    coefficients.push_back(read_binary64(value));
+  for (const Json& value : array(function, "a function")) coefficients.push_back(read_binary64(value));
   return coefficients;
 }
 
@@ -143,36 +140,40 @@ GeodesicsDocument read_geodesics(const Json& root) {
 }
 
 EigenvaluesDocument read_eigenvalues(const Json& root) {
-  expect_members(root, {"format", "version", "net", "up_to", "geodesics", "clusters", "order", "degree",
-                        "eigenvalues_up_to", "windows", "at_most", "at_least", "eigenfunctions"});
+  expect_members(root, {"format", "version", "net", "eigenvalues", "next", "halvings", "side_order", "vertex_order",
+                        "at_most", "at_least", "eigenfunctions"});
   expect_version(root);
   Words words;
-  EigenvaluesDocument document{.spectrum = read_list(root, GeodesicsDocument::Claim::spectrum, words),
-                               .order = to_index(member(root, "order")),
-                               .degree = to_index(member(root, "degree")),
-                               .up_to = read_binary64(member(root, "eigenvalues_up_to")),
-                               .windows = {},
+  EigenvaluesDocument document{.net = read_whole_net(root, words),
+                               .eigenvalues = {},
+                               .next = read_binary64(member(root, "next")),
+                               .halvings = to_index(member(root, "halvings")),
+                               .side_order = read_indices(member(root, "side_order"), "side_order"),
+                               .vertex_order = read_indices(member(root, "vertex_order"), "vertex_order"),
                                .at_most = {},
                                .at_least = {},
                                .eigenfunctions = {}};
-  for (const Json& row : array(member(root, "windows"), "windows")) {
-    expect_members(row, {"in", "least", "most", "smallest", "greatest"});
-    document.windows.push_back({read_range(row, "in"), to_index(member(row, "least")), to_index(member(row, "most")),
-                                read_range(row, "smallest"), read_range(row, "greatest")});
+  for (const Json& row : array(member(root, "eigenvalues"), "eigenvalues")) {
+    expect_members(row, {"in", "count"});
+    document.eigenvalues.push_back({read_length(member(row, "in"), "in"), to_index(member(row, "count"))});
   }
   for (const Json& row : array(member(root, "at_most"), "at_most")) {
-    expect_members(row, {"in", "count", "coefficients"});
-    document.at_most.push_back({read_range(row, "in"), to_index(member(row, "count")), read_coefficients(row)});
+    expect_members(row, {"below", "count", "sigma"});
+    document.at_most.push_back(
+        {read_binary64(member(row, "below")), to_index(member(row, "count")), read_binary64(member(row, "sigma"))});
   }
   for (const Json& row : array(member(root, "at_least"), "at_least")) {
-    expect_members(row, {"in", "within", "count", "coefficients"});
-    document.at_least.push_back(
-        {read_range(row, "in"), read_range(row, "within"), to_index(member(row, "count")), read_coefficients(row)});
+    expect_members(row, {"below", "count"});
+    document.at_least.push_back({read_binary64(member(row, "below")), to_index(member(row, "count"))});
   }
   for (const Json& row : array(member(root, "eigenfunctions"), "eigenfunctions")) {
-    expect_members(row, {"in", "lambda", "radius", "coefficients"});
-    document.eigenfunctions.push_back({read_range(row, "in"), read_binary64(member(row, "lambda")),
-                                       read_binary64(member(row, "radius")), read_coefficients(row)});
+    expect_members(row, {"in", "lambda", "radius", "functions"});
+    document.eigenfunctions.push_back({read_length(member(row, "in"), "in"),
+                                       read_binary64(member(row, "lambda")),
+                                       read_binary64(member(row, "radius")),
+                                       {}});
+    for (const Json& function : array(member(row, "functions"), "functions"))
+      document.eigenfunctions.back().functions.push_back(read_coefficients(function));
   }
   return document;
 }

@@ -69,39 +69,35 @@ using Range = std::array<mpq_class, 2>;
 using Coefficients = std::vector<mpq_class>;
 
 struct EigenvaluesDocument {
-  struct AtMost {
+  struct Enclosure {
     Range in;
     Index count;
-    Coefficients coefficients;
+  };
+  struct AtMost {
+    mpq_class below;
+    Index count;
+    mpq_class sigma;
   };
   struct AtLeast {
-    Range in;
-    Range within;
+    mpq_class below;
     Index count;
-    Coefficients coefficients;
   };
-  struct Eigenfunction {
+  struct Eigenfunctions {
     Range in;
     mpq_class lambda;
     mpq_class radius;
-    Coefficients coefficients;
-  };
-  struct Window {
-    Range in;
-    Index least;
-    Index most;
-    Range smallest;
-    Range greatest;
+    std::vector<Coefficients> functions;
   };
 
-  GeodesicsDocument spectrum;
-  Index order;
-  Index degree;
-  mpq_class up_to;
-  std::vector<Window> windows;
+  Net net;
+  std::vector<Enclosure> eigenvalues;
+  mpq_class next;
+  Index halvings;
+  std::vector<Index> side_order;
+  std::vector<Index> vertex_order;
   std::vector<AtMost> at_most;
   std::vector<AtLeast> at_least;
-  std::vector<Eigenfunction> eigenfunctions;
+  std::vector<Eigenfunctions> eigenfunctions;
 };
 
 struct IsometriesDocument {

@@ -1,11 +1,13 @@
 #include "certify/exact/eigenfunctions.h"
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 
 namespace epsnet::exact {
 namespace {
 
-using Function = EigenvaluesDocument::Eigenfunction;
+using Row = EigenvaluesDocument::Eigenfunctions;
 using Value = Complex<Interval>;
 
 Value quotient(const Value& x, const Value& y) { return (1 / norm(y)) * (x * conjugate(y)); }
@@ -68,7 +70,7 @@ class RadialFactors {
     [[nodiscard]] Interval at(const Interval& x) const {
       Interval sum;
       for (std::size_t i = coefficients_.size(); i > 0; --i) sum = sum * x + coefficients_[i - 1];
-      return sum + rest_;
+      return sum + rest_ * power(x, coefficients_.size());
     }
 
    private:
@@ -81,39 +83,45 @@ class RadialFactors {
   std::vector<Interval> weights_;  ///< By m − 1: 1 + λ/(m(m + 1)).
 };
 
-/// The functions of all vertices.
+Interval absolute(const Interval& x) { return max(x, -x); }
+
+/// The functions of a row around all vertices.
 class LocalFunctions {
  public:
-  LocalFunctions(const Function& function, std::size_t vertices)
-      : lambda(function.lambda),
-        order(static_cast<long>(function.coefficients.size() / vertices / 2)),
-        factors(lambda, order) {
-    for (const mpq_class& c : function.coefficients) coefficients_.emplace_back(c);
+  LocalFunctions(const Row& row, std::size_t vertices)
+      : lambda(row.lambda), order(static_cast<long>(row.functions[0].size() / vertices / 2)), factors(lambda, order) {
+    for (const Coefficients& function : row.functions) coefficients_.emplace_back(function.begin(), function.end());
   }
 
-  /// α_m + iβ_m
-  [[nodiscard]] Value coefficient(Index vertex, long m) const {
+  [[nodiscard]] std::size_t count() const { return coefficients_.size(); }
+
+  /// α_m + iβ_m of function i.
+  [[nodiscard]] Value coefficient(std::size_t i, Index vertex, long m) const {
+    const std::vector<Interval>& all = coefficients_[i];
     const std::size_t at = vertex * static_cast<std::size_t>(2 * order + 1) + static_cast<std::size_t>(2 * m);
-    return m == 0 ? Value{coefficients_[at], 0} : Value{coefficients_[at - 1], coefficients_[at]};
+    return m == 0 ? Value{all[at], 0} : Value{all[at - 1], all[at]};
   }
 
-  /// At a point of the disk with the vertex in its centre.
-  [[nodiscard]] Interval at(Index vertex, const Value& z) const {
+  /// Of each function, at a point of the disk with the vertex in its centre.
+  [[nodiscard]] std::vector<Interval> at(Index vertex, const Value& z) const {
     const std::vector<Interval> radial = factors(norm(z));
-    Interval sum;
+    std::vector<Interval> sums(count());
     Value power{1, 0};
     for (long m = 0; m <= order; ++m) {
-      const Value c = coefficient(vertex, m);
-      sum = sum + (c.re * power.re + c.im * power.im) * radial[static_cast<std::size_t>(m)];
+      const Value weight = radial[static_cast<std::size_t>(m)] * power;
+      for (std::size_t i = 0; i < sums.size(); ++i) {
+        const Value c = coefficient(i, vertex, m);
+        sums[i] = sums[i] + c.re * weight.re + c.im * weight.im;
+      }
       power = power * z;
     }
-    return sum;
+    return sums;
   }
 
-  /// A bound for the function.
-  [[nodiscard]] Interval total(Index vertex) const {
+  /// A bound for function i.
+  [[nodiscard]] Interval total(std::size_t i, Index vertex) const {
     Interval sum;
-    for (long m = 0; m <= order; ++m) sum = sum + sqrt(norm(coefficient(vertex, m)));
+    for (long m = 0; m <= order; ++m) sum = sum + sqrt(norm(coefficient(i, vertex, m)));
     return sum;
   }
 
@@ -122,7 +130,7 @@ class LocalFunctions {
   const RadialFactors factors;
 
  private:
-  std::vector<Interval> coefficients_;
+  std::vector<std::vector<Interval>> coefficients_;
 };
 
 /// Bounds for a function and its gradient.
@@ -136,7 +144,7 @@ struct Bounds {
   }
 };
 
-/// Lemma 37.4, J = M: for the difference of the functions of two vertices, both within ε + R of each other.
+/// Lemma 37.4, J = M: for the differences of the functions of two vertices, both within ε + R of each other.
 class Mismatch {
  public:
   Mismatch(const LocalFunctions& functions, const Interval& cosh_sum)
@@ -144,30 +152,39 @@ class Mismatch {
         cosh_sum_(cosh_sum),
         roots_(roots_of_unity(static_cast<std::size_t>(2 * functions.order))) {}
 
-  [[nodiscard]] Bounds operator()(Index vertex, const NearLift& near) const {
+  /// By function.
+  [[nodiscard]] std::vector<Bounds> operator()(Index vertex, const NearLift& near) const {
     const auto& [a, b] = near.motion;
     const Interval cosh = sqrt(norm(a));  // Of half the distance.
     const Value midpoint = (1 / (cosh * (cosh + 1))) * (a * b);
     const Interval s = squared_tanh(cosh_sum_ / (2 * cosh));
-    return bounds(values(vertex, near, midpoint, sqrt(s)), s, functions_.total(vertex) + functions_.total(near.vertex));
+    const std::vector<Interval> radial = functions_.factors(s);
+    const std::vector<std::vector<Interval>> values = this->values(vertex, near, midpoint, sqrt(s));
+    std::vector<Bounds> result;
+    for (std::size_t i = 0; i < functions_.count(); ++i)
+      result.push_back(bounds(values[i], s, radial, functions_.total(i, vertex) + functions_.total(i, near.vertex)));
+    return result;
   }
 
  private:
-  /// On the circle around the midpoint.
-  [[nodiscard]] std::vector<Interval> values(Index vertex, const NearLift& near, const Value& midpoint,
-                                             const Interval& t) const {
+  /// Of each function, on the circle around the midpoint.
+  [[nodiscard]] std::vector<std::vector<Interval>> values(Index vertex, const NearLift& near, const Value& midpoint,
+                                                          const Interval& t) const {
     const Motion back = inverse(near.motion);
-    std::vector<Interval> result;
+    std::vector<std::vector<Interval>> result(functions_.count());
     for (const Value& root : roots_) {
       const Value around = t * root;
       const Value z = quotient(around + midpoint, Value{1, 0} + conjugate(midpoint) * around);
-      result.push_back(functions_.at(near.vertex, moved(back, z)) - functions_.at(vertex, z));
+      const std::vector<Interval> there = functions_.at(near.vertex, moved(back, z));
+      const std::vector<Interval> here = functions_.at(vertex, z);
+      for (std::size_t i = 0; i < result.size(); ++i) result[i].push_back(there[i] - here[i]);
     }
     return result;
   }
 
   /// In the disk, by the values on the circle. C = `total`.
-  [[nodiscard]] Bounds bounds(const std::vector<Interval>& values, const Interval& s, const Interval& total) const {
+  [[nodiscard]] Bounds bounds(const std::vector<Interval>& values, const Interval& s,
+                              const std::vector<Interval>& radial, const Interval& total) const {
     const Interval& lambda = functions_.lambda;
     const long j = functions_.order;
     const Interval t = sqrt(s);
@@ -178,13 +195,11 @@ class Mismatch {
     const Interval tail =
         2 * total * exp(lambda * (cosh_wider - 1) / (j + 1)) * power(q, static_cast<unsigned long>(j)) / (1 - q);
     Bounds result{tail, tail * ((j + q / (1 - q)) / t + lambda * t)};
-    const std::vector<Interval> radial = functions_.factors(s);
     for (long m = 0; m < j; ++m) {
       Value sum{0, 0};
       for (std::size_t k = 0; k < roots_.size(); ++k)
         sum = sum + values[k] * roots_[static_cast<std::size_t>(m) * k % roots_.size()];
-      const Interval size = sqrt(square(radial[static_cast<std::size_t>(m)]));
-      const Interval one = (sqrt(norm(sum)) / (2 * j) + tail) / size;
+      const Interval one = (sqrt(norm(sum)) / (2 * j) + tail) / absolute(radial[static_cast<std::size_t>(m)]);
       const Interval both = m == 0 ? one : 2 * one;
       result.value = result.value + both;
       result.gradient = result.gradient + both * (m / t + lambda * t);
@@ -197,67 +212,173 @@ class Mismatch {
   std::vector<Value> roots_;
 };
 
-/// Lemma 37.5: A.
-Interval norm_on_disks(const LocalFunctions& functions, std::size_t vertices, const Interval& sinh_radius) {
+/// Lemma 37.6: q.
+Interval least_square(const LocalFunctions& functions, Index vertices, const Interval& sinh_radius) {
   const Interval cosh_radius = sqrt(1 + square(sinh_radius));
   const Interval s = squared_tanh(cosh_radius);
-  Interval sum;
+  std::vector<Interval> weights;  // By m.
   for (long m = 0; m <= functions.order; ++m) {
-    Interval squares;
-    for (Index vertex = 0; vertex < vertices; ++vertex) squares = squares + norm(functions.coefficient(vertex, m));
     const Interval decay = exp(-2 * functions.lambda * (cosh_radius - 1) / (m + 1));
-    sum = sum + (m == 0 ? 2 : 1) * Interval::pi() * squares * decay * 2 * power(s, static_cast<unsigned long>(m) + 1) /
-                    (m + 1);
+    weights.push_back((m == 0 ? 2 : 1) * Interval::pi() * decay * 2 * power(s, static_cast<unsigned long>(m) + 1) /
+                      (m + 1));
   }
-  return sqrt(sum);
+  const auto product = [&](std::size_t i, std::size_t j) {
+    Interval result;
+    for (long m = 0; m <= functions.order; ++m) {
+      Interval sum;
+      for (Index vertex = 0; vertex < vertices; ++vertex) {
+        const Value x = functions.coefficient(i, vertex, m);
+        const Value y = functions.coefficient(j, vertex, m);
+        sum = sum + x.re * y.re + x.im * y.im;
+      }
+      result = result + weights[static_cast<std::size_t>(m)] * sum;
+    }
+    return result;
+  };
+  std::vector<Interval> rows;  // The diagonal of Q, less the other entries.
+  for (std::size_t i = 0; i < functions.count(); ++i) {
+    rows.push_back(product(i, i));
+    for (std::size_t j = 0; j < i; ++j) {
+      const Interval other = absolute(product(i, j));
+      rows[i] = rows[i] - other;
+      rows[j] = rows[j] - other;
+    }
+  }
+  Interval most = -rows[0];
+  for (const Interval& row : rows) most = max(most, -row);
+  return -most;
 }
 
-/// Lemma 37.2: bounds for the sums of |Δψ| and of |∇ψ| if so many lifts count.
-std::array<Interval, 2> partition_bounds(std::size_t count, const Interval& cosh_epsilon, const Interval& cosh_radius) {
-  const Interval overlap = static_cast<long>(count) / square((cosh_radius - cosh_epsilon) / (cosh_radius - 1));
-  const Interval slope = (cosh_radius + 1) / (cosh_radius - 1);
-  const Interval bend = 2 * cosh_radius / (cosh_radius - 1);
-  return {4 * bend * sqrt(overlap) + 20 * slope * overlap, 4 * sqrt(slope * overlap)};
+/// Upper bounds for the sums of |Δψ| and |∇ψ|.
+struct Sums {
+  double laplacians = 0;
+  double gradients = 0;
+};
+
+/// Lemma 37.2 for all points within ρ of 0. In binary64; ρ has room for its errors.
+Sums partition_sums(const std::vector<std::complex<double>>& lifts, double rho, double beta) {
+  double squares = 0;  // Σh² at least, all others at most.
+  double slopes = 0;
+  double changes = 0;
+  double from = 0;
+  double to = 0;
+  std::complex<double> sum;  // Of h∇C at 0,
+  double error = 0;          // and how far it is from there elsewhere.
+  for (const std::complex<double>& z : lifts) {
+    const double u = std::norm(z) / (1 - std::norm(z));  // sinh²(d/2)
+    const std::complex<double> gradient = 2.0 * z / (1 - std::norm(z));
+    const double d = 2 * std::asinh(std::sqrt(u));
+    const double step = rho * std::sinh(d + rho);
+    const double turn = rho * std::cosh(d + rho);
+    const double h_most = 1 - (2 * u - step) / beta;
+    if (h_most <= 0) continue;
+    const double h_least = std::max(0.0, 1 - (2 * u + step) / beta);
+    const double h = std::max(0.0, 1 - 2 * u / beta);
+    const double steep = std::abs(gradient) + turn;
+    const double flat = std::max(0.0, std::abs(gradient) - turn);
+    squares += h_least * h_least;
+    slopes += 2 * h_most * steep / beta;
+    sum += h * gradient;
+    error += (h_most - h_least) * steep + h * turn;
+    double low = 2 * flat * flat / (beta * beta) - 4 * h_most * std::cosh(d + rho) / beta;
+    double high = 2 * steep * steep / (beta * beta) - 4 * h_least * std::max(1.0, 1 + 2 * u - step) / beta;
+    if (h_least == 0) {
+      low = std::min(0.0, low);
+      high = std::max(0.0, high);
+    }
+    changes += std::max(-low, high);
+    from += low;
+    to += high;
+  }
+  if (squares <= 0) give_up("vertices do not cover a disk");
+  const double slope = 2 * (std::abs(sum) + error) / beta;
+  return {
+      (changes + std::max(std::abs(from), std::abs(to))) / squares + 2 * slope * (slopes + slope) / (squares * squares),
+      (slopes + slope) / squares};
+}
+
+/// The greatest in the disk of radius ε around a vertex, from squares that cover it.
+Sums partition_bounds(const std::vector<NearLift>& near, double epsilon, double radius) {
+  constexpr int kSquares = 20;  // Beside each other, from the vertex to the circle.
+  const auto number = [](const Interval& x) { return (x.lower() + x.upper()) / 2; };
+  std::vector<std::complex<double>> lifts{0};
+  for (const NearLift& lift : near) {
+    const Value place = quotient(lift.motion.b, conjugate(lift.motion.a));
+    lifts.emplace_back(number(place.re), number(place.im));
+  }
+  const double edge = std::tanh(epsilon / 2);
+  const double side = edge / kSquares;
+  // A point of a square is that far from its centre; and what is rounded is nearer than the rest.
+  const double rho = std::sqrt(2.0) * side / (1 - std::pow(edge + side, 2)) * (1 + 1e-6) + 1e-9;
+  const double beta = 2 * std::pow(std::sinh(radius / 2), 2);
+  Sums greatest;
+  for (int i = -kSquares - 1; i <= kSquares + 1; ++i) {
+    for (int j = -kSquares - 1; j <= kSquares + 1; ++j) {
+      const std::complex<double> centre(i * side, j * side);
+      if (std::abs(centre) > edge + side) continue;
+      std::vector<std::complex<double>> seen;
+      for (const std::complex<double>& z : lifts) seen.push_back((z - centre) / (1.0 - std::conj(centre) * z));
+      const Sums sums = partition_sums(seen, rho, beta);
+      greatest = {std::max(greatest.laplacians, sums.laplacians), std::max(greatest.gradients, sums.gradients)};
+    }
+  }
+  return {greatest.laplacians * (1 + 1e-6), greatest.gradients * (1 + 1e-6)};
 }
 
 }  // namespace
 
-std::size_t values_needed(const Function& function, const NearLifts& near) {
+std::size_t values_needed(const Row& row, const NearLifts& near) {
   std::size_t pairs = 0;
   for (Index vertex = 0; vertex < near.size(); ++vertex) {
     for (const NearLift& other : near[vertex]) pairs += other.vertex < vertex ? 0 : 1;
   }
-  return pairs * 2 * (function.coefficients.size() / near.size() - 1);
+  const std::size_t count = row.functions.size();
+  const std::size_t coefficients = row.functions[0].size();
+  return count * (pairs * 2 * (coefficients / near.size() - 1) + count * coefficients / 16);
 }
 
-Interval eigenvalue_error(const Function& function, const mpq_class& epsilon, const NearLifts& near, long minus_euler) {
-  const LocalFunctions functions(function, near.size());
+Interval eigenvalue_error(const Row& row, const mpq_class& epsilon, const NearLifts& near, long minus_euler) {
+  const LocalFunctions functions(row, near.size());
   const Interval cosh_epsilon = cosh(Interval(epsilon));
-  const Interval cosh_radius = cosh(Interval(function.radius));
+  const Interval cosh_radius = cosh(Interval(row.radius));
   const Mismatch mismatch(functions, cosh_epsilon + cosh_radius);
-  std::vector<Bounds> greatest(near.size());
-  // −η of Lemma 37.5.
+  std::vector<std::vector<Bounds>> greatest(functions.count(), std::vector<Bounds>(near.size()));
+  // −sinh η of Lemma 37.5.
   Interval least = max(-sinh(Interval(epsilon)), -1 / sqrt(functions.lambda));
   for (Index vertex = 0; vertex < near.size(); ++vertex) {
     for (const NearLift& other : near[vertex]) {
       least = max(least, -sqrt(norm(other.motion.b)));
       if (other.vertex < vertex) continue;
-      const Bounds bounds = mismatch(vertex, other);
-      greatest[vertex].include(bounds);
-      greatest[other.vertex].include(bounds);
+      const std::vector<Bounds> bounds = mismatch(vertex, other);
+      for (std::size_t i = 0; i < bounds.size(); ++i) {
+        greatest[i][vertex].include(bounds[i]);
+        greatest[i][other.vertex].include(bounds[i]);
+      }
     }
   }
-  Bounds error;
+  std::vector<Sums> partition;
+  for (const auto& lifts : near)
+    partition.push_back(partition_bounds(lifts, Interval(epsilon).upper(), Interval(row.radius).lower()));
+  // Of the bounds of all functions, the sums of squares.
+  Interval error;
   Interval residual;
-  for (std::size_t k = 0; k < near.size(); ++k) {
-    const auto [laplacians, gradients] = partition_bounds(near[k].size() + 1, cosh_epsilon, cosh_radius);
-    residual = max(residual, greatest[k].value * laplacians + 2 * greatest[k].gradient * gradients);
-    error.include(greatest[k]);
+  for (const std::vector<Bounds>& function : greatest) {
+    Interval greatest_value;
+    Interval greatest_residual;
+    for (std::size_t k = 0; k < near.size(); ++k) {
+      const Interval laplacians = Interval(mpq_class(partition[k].laplacians));
+      const Interval gradients = Interval(mpq_class(partition[k].gradients));
+      const auto& [value, gradient] = function[k];
+      greatest_value = max(greatest_value, value);
+      greatest_residual = max(greatest_residual, value * laplacians + 2 * gradient * gradients);
+    }
+    error = error + square(greatest_value);
+    residual = residual + square(greatest_residual);
   }
-  const Interval root_of_area = sqrt(2 * minus_euler * Interval::pi());
-  const Interval norm = norm_on_disks(functions, near.size(), -least) - root_of_area * error.value;
-  if (is_less(0, norm) != Answer::yes) give_up("a function may be 0");
-  return root_of_area * residual / norm;
+  const Interval area = 2 * minus_euler * Interval::pi();
+  const Interval norm = sqrt(least_square(functions, static_cast<Index>(near.size()), -least)) - sqrt(area * error);
+  if (is_less(0, norm) != Answer::yes) give_up("a sum of functions may be 0");
+  return sqrt(area * residual) / norm;
 }
 
 }  // namespace epsnet::exact

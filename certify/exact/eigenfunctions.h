@@ -17,12 +17,12 @@ struct NearLift {
 };
 using NearLifts = std::vector<std::vector<NearLift>>;
 
-/// How many values of functions eigenvalue_error takes.
-[[nodiscard]] std::size_t values_needed(const EigenvaluesDocument::Eigenfunction& function, const NearLifts& near);
+/// How much work eigenvalue_error is: values of functions that it takes, and some products of two functions.
+[[nodiscard]] std::size_t values_needed(const EigenvaluesDocument::Eigenfunctions& row, const NearLifts& near);
 
-/// δ such that an eigenvalue, perhaps 0, lies in [λ − δ, λ + δ] (Lemmas 37.1 to 37.5). Not a number if there is none.
-/// The rules of the net are verified; `minus_euler` = 2g − 2.
-[[nodiscard]] Interval eigenvalue_error(const EigenvaluesDocument::Eigenfunction& function, const mpq_class& epsilon,
+/// δ such that as many eigenvalues as functions, perhaps with 0, lie in [λ − δ, λ + δ] (Lemmas 37.1 to 37.6). Throws
+/// TooLarge if none is proved. The rules of the net are verified; `minus_euler` = 2g − 2.
+[[nodiscard]] Interval eigenvalue_error(const EigenvaluesDocument::Eigenfunctions& row, const mpq_class& epsilon,
                                         const NearLifts& near, long minus_euler);
 
 }  // namespace epsnet::exact

@@ -86,14 +86,6 @@ class Interval {
     mpfr_max(z.upper_, x.upper_, y.upper_, MPFR_RNDU);
     return z;
   }
-  /// A number near the middle.
-  friend Interval middle(const Interval& x) {
-    Interval z;
-    mpfr_add(z.lower_, x.lower_, x.upper_, MPFR_RNDN);
-    mpfr_div_2ui(z.lower_, z.lower_, 1, MPFR_RNDN);
-    mpfr_set(z.upper_, z.lower_, MPFR_RNDN);
-    return z;
-  }
   friend Interval power(const Interval& x, unsigned long exponent) {
     Interval z(1);
     for (unsigned long i = 0; i < exponent; ++i) z = z * x;

@@ -15,11 +15,12 @@ constexpr std::size_t kMaxBitsOfDirections = std::size_t{1} << 32;
 /// direction in which it starts.
 bool is_below(const Complex<mpz_class>& z) { return sgn(z.im) < 0 || (sgn(z.im) == 0 && sgn(z.re) < 0); }
 
-using Motion = Isometry<mpz_class>;
+using RationalIsometry = Isometry<mpz_class>;
 
 class TileRules {
  public:
-  TileRules(NetRules<mpz_class>& rules, std::vector<Motion>& crossings) : rules_(rules), crossings_(crossings) {}
+  TileRules(NetRules<mpz_class>& rules, std::vector<RationalIsometry>& crossings)
+      : rules_(rules), crossings_(crossings) {}
 
   /// (a): in the disk, a left turn at every corner, and seen from vertex 0 in counterclockwise order.
   void check_tile(std::size_t t) const {
@@ -69,7 +70,7 @@ class TileRules {
       if (seen[first]) continue;
       ++cycles;
       const std::string name = rules_.corner_name(first);
-      std::vector<const Motion*> path;
+      std::vector<const RationalIsometry*> path;
       Complex<mpz_class> direction{1, 0};
       int turns = 0;
       std::size_t size = 0;
@@ -100,16 +101,16 @@ class TileRules {
   [[nodiscard]] const RationalPoint& side_end(Index s) const { return side_start(rules_.side_after(s)); }
 
   /// p ↦ q′ and q ↦ p′: p to 0, a turn, 0 to q′.
-  Motion crossing(const RationalPoint& p, const RationalPoint& q, const RationalPoint& p_other,
-                  const RationalPoint& q_other) {
-    const Motion first = inverse(translation_to(p));
-    const Motion last = translation_to(q_other);
+  RationalIsometry crossing(const RationalPoint& p, const RationalPoint& q, const RationalPoint& p_other,
+                            const RationalPoint& q_other) {
+    const RationalIsometry first = inverse(translation_to(p));
+    const RationalIsometry last = translation_to(q_other);
     const RationalPoint from = rules_.image(first, q);
     const RationalPoint to = rules_.image(inverse(last), p_other);
     // |from| = |to|. The turn by to/from is z ↦ ρz/ρ̄ with ρ = 1 + to/from up to a real factor, or i if that is 0.
     Complex<mpz_class> root = (from.m * to.n + to.m * from.n) * conjugate(from.n);
     if (root.re == 0 && root.im == 0) root = {0, 1};
-    Motion result = compose(last, compose(Motion{root, {0, 0}}, first));
+    RationalIsometry result = compose(last, compose(RationalIsometry{root, {0, 0}}, first));
     rules_.spend(bits(result));
     reduce(result);
     return result;
@@ -117,20 +118,20 @@ class TileRules {
 
   /// A number whose argument, between 0 and π, is the interior angle where the side starts.
   Complex<mpz_class> interior_angle(Index s) {
-    const Motion to_origin = inverse(translation_to(side_start(s)));
+    const RationalIsometry to_origin = inverse(translation_to(side_start(s)));
     const RationalPoint from = rules_.image(to_origin, side_end(s));
     const RationalPoint to = rules_.image(to_origin, side_start(rules_.side_before(s)));
     return to.n * conjugate(from.n);
   }
 
   NetRules<mpz_class>& rules_;
-  std::vector<Motion>& crossings_;
+  std::vector<RationalIsometry>& crossings_;
 };
 
 }  // namespace
 
 template <>
-const std::vector<Motion>& NetRules<mpz_class>::crossings() {
+const std::vector<RationalIsometry>& NetRules<mpz_class>::crossings() {
   return crossings_;
 }
 

@@ -159,11 +159,13 @@ class Reader {
     json_.elements([&](std::size_t) { read(numbers.emplace_back()); });
   }
 
+  void read(const List<std::vector<std::uint32_t>>& list) {
+    open('[', "an array of indices");
+    json_.elements([&](std::size_t) { read(list.indices.emplace_back()); });
+  }
+
   void read(const List<std::vector<std::vector<std::uint32_t>>>& list) {
-    read_rows(list.indices, [&](std::vector<std::uint32_t>& row) {
-      open('[', "an array of indices");
-      json_.elements([&](std::size_t) { read(row.emplace_back()); });
-    });
+    read_rows(list.indices, [&](std::vector<std::uint32_t>& row) { read(List{row}); });
   }
 
   template <class Row, class ReadRow>

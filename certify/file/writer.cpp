@@ -117,6 +117,11 @@ class Writer {
   void write(List<Indices> list) {
     write(list.indices);
   }
+  void write(List<const std::vector<std::uint32_t>> list) {
+    const bool is_part = std::exchange(is_part_, true);  // On one line.
+    write(list.indices);
+    is_part_ = is_part;
+  }
 
   template <class T>
   void write(const std::vector<T>& list) {

@@ -30,7 +30,7 @@ struct CheckOptions {
   /// Units of work (budget.h) after which all remaining questions are undecided; 0: a limit chosen by the size of the
   /// file.
   std::uint64_t max_work = 0;
-  /// Geodesics and eigenvalues files only: the most lifted triangles visited. If the search for missing geodesics needs
+  /// Files with closed geodesics only: the most lifted triangles visited. If the search for missing geodesics needs
   /// more, the rule `complete` is undecided.
   std::uint64_t max_visits = 1'000'000'000;
   /// Geodesics, distance and bound files only: the most triangles of the net, each of which takes a kilobyte of memory.

@@ -1,256 +1,331 @@
 #include "netgen/eigenvalues/eigenvalues.h"
 
 #include <algorithm>
-#include <chrono>
+#include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "certify/base/text.h"
-#include "netgen/eigenvalues/eigenfunction.h"
-#include "netgen/eigenvalues/prover.h"
-#include "netgen/eigenvalues/trace_matrices.h"
-#include "netgen/eigenvalues/window_search.h"
-#include "netgen/geodesics/geodesics.h"
+#include "netgen/eigenvalues/discrete.h"
+#include "netgen/eigenvalues/elements.h"
+#include "netgen/eigenvalues/local_functions.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/nets/certified_net.h"
 
 namespace epsnet {
 namespace {
 
 using certify::EigenvaluesDocument;
-using certify::Interval;
+using Eigenfunctions = EigenvaluesDocument::Eigenfunctions;
 
-/// For the lengths of the geodesics of the document, the shortest first. Throws LimitError if they have too many
-/// multiples.
-Prover prover_of(const Surface& surface, const EigenvaluesDocument& document, const RealVector& lengths) {
-  constexpr double kMostMultiples = 1e6;
-  const double up_to = static_cast<double>(Length(document.up_to).value());
-  double multiples = 0;
-  for (const Real& length : lengths) multiples += std::floor(up_to / static_cast<double>(length));
-  if (multiples > kMostMultiples) {
-    throw LimitError("the closed geodesics have more than 1000000 multiples of length at most " + document.up_to +
-                     "; the shortest one has the length " + certify::shortest(static_cast<double>(lengths.front())));
+constexpr std::uint32_t kMostCount = 1000;
+constexpr int kMostDigits = 10;
+/// Functions around vertices are no farther from them than 1.7 times that.
+constexpr double kGreatestEpsilon = 1;
+/// So many digits are got by matrices alone.
+constexpr int kDigitsOfMatrices = 2;
+constexpr double kMostTriangles = 1e7;
+
+[[nodiscard]] bool many_digits(const EigenvaluesOptions& options) {
+  return options.digits.value_or(options.below ? 1 : 9) > kDigitsOfMatrices;
+}
+
+void check(const EigenvaluesOptions& options, std::uint32_t genus) {
+  if (options.count < 1 || options.count > kMostCount) throw std::invalid_argument("count is not from 1 to 1000");
+  if (options.below && !(*options.below > 0 && *options.below <= 1e4))
+    throw std::invalid_argument("below is not a positive number of at most 10000");
+  if (options.digits && (*options.digits < 1 || *options.digits > kMostDigits))
+    throw std::invalid_argument("digits is not from 1 to 10");
+  if (!options.epsilon) return;
+  const auto epsilon = static_cast<double>(options.epsilon->value());
+  if (many_digits(options) && epsilon > kGreatestEpsilon)
+    throw NetError("epsilon is more than 1, which is too much for more than 2 digits");
+  // A net has about so many triangles (thesis, Theorem III.1 and IV.6.2).
+  const double triangles = 2 * 0.54 * 16 * (genus - 1) / (epsilon * epsilon);
+  if (triangles > kMostTriangles) throw NetError("epsilon is so small that a net has more than 10000000 triangles");
+}
+
+/// The triangles at one size, and what their matrices say of the first eigenvalues, by index from λ₁ on.
+struct Level {
+  Level(const NetGeometry& geometry, std::uint32_t times)
+      : halvings(times),
+        elements(geometry, times),
+        lower(elements.lower()),
+        upper(elements.upper()),
+        interpolation(elements.interpolation()) {}
+
+  /// σ for which the eigenvalues that are counted are those less than τ.
+  [[nodiscard]] double sigma(double tau) const {
+    const double room = 1 - interpolation * (1 + 1e-10) * tau;
+    return room > 0 ? tau / room * (1 + 1e-12) : HUGE_VAL;
   }
-  const TestSpace space{static_cast<Real>(Length(document.up_to).value()), document.order, document.degree};
-  std::vector<Interval> known;
-  for (const auto& function : document.eigenfunctions) known.push_back(function.in);
-  return {space, trace_matrices(space, surface.genus(), lengths), std::move(known)};
-}
 
-std::uint32_t genus_of(const EigenvaluesDocument& document) {
-  return static_cast<std::uint32_t>((document.net.triangles.size() - 2 * document.net.vertices.size()) / 4 + 1);
-}
+  std::uint32_t halvings;
+  Elements elements;
+  ElementMatrices lower;
+  ElementMatrices upper;
+  double interpolation;
+  std::vector<double> least;      ///< λ_k is at least that,
+  std::vector<double> greatest;   ///< at most that,
+  std::vector<double> estimates;  ///< and about that.
+  Eigen::MatrixXd vectors;        ///< By vertex and k.
+};
 
-/// How many eigenvalues are counted exactly, and then how narrow the first window's two enclosures together are.
-using Quality = std::pair<std::uint64_t, double>;
-Quality quality_of(const EigenvaluesDocument& document) {
-  std::uint64_t counted = 0;
-  for (const auto& window : document.windows) counted += window.least == window.most ? window.most : 0;
-  if (document.windows.empty()) return {counted, -HUGE_VAL};
-  const auto& first = document.windows.front();
-  return {counted, -std::abs(first.smallest.upper - first.greatest.lower)};
-}
+/// Eigenvalues k = first, …, last − 1 that are near each other, as places in the lists of a level.
+struct Group {
+  std::size_t first;
+  std::size_t last;
+};
 
-using Eigenfunctions = std::vector<EigenvaluesDocument::Eigenfunction>;
+class Search {
+ public:
+  Search(const Surface& surface, const EigenvaluesOptions& options)
+      : options_(options), document_(net_of(surface, options)), geometry_(document_.net) {}
 
-/// Adds functions of the eigenvalues within `reach` of `place` that are found and not known. Returns about where the
-/// nearest eigenvalue is; nothing if the search says nothing. An eigenvalue of some multiplicity has as many guesses,
-/// next to each other.
-std::optional<double> add_near(double place, double reach, const EigenfunctionSearch& search,
-                               Eigenfunctions& functions) {
-  const auto is_known = [&](double lower, double upper) {
-    return std::any_of(functions.begin(), functions.end(),
-                       [&](const auto& known) { return lower <= known.in.upper && known.in.lower <= upper; });
-  };
-  const std::vector<double> guesses = search.around(place);
-  if (guesses.empty()) return std::nullopt;
-  const double same = 1e-4 * reach;
-  std::vector<std::pair<double, double>> led;  // Guesses, and the eigenvalues to which they led.
-  const auto leads_to_same = [&](double guess) {
-    return std::any_of(led.begin(), led.end(), [&](const auto& other) {
-      return std::abs(guess - other.first) < std::abs(other.second - other.first) / 4;
-    });
-  };
-  for (const double guess : guesses) {
-    if (std::abs(guess - place) > reach || is_known(guess - same, guess + same) || leads_to_same(guess)) continue;
-    auto function = search.near(guess);
-    if (!function) continue;
-    led.emplace_back(guess, function->lambda);
-    if (!is_known(function->in.lower, function->in.upper)) functions.push_back(*std::move(function));
-  }
-  return guesses.front();
-}
-
-/// Adds functions of eigenvalues less than `end`, as surfaces with short geodesics have them. The constant functions,
-/// of the eigenvalue 0, hide them from a search at greater places; so this one goes to smaller and smaller places,
-/// where the trace formula leaves room for an eigenvalue.
-void add_small_eigenfunctions(double end, const Prover& prover, const EigenfunctionSearch& search,
-                              Eigenfunctions& functions) {
-  constexpr int kHalvings = 12;
-  double place = end;
-  for (int i = 0; i < kHalvings; ++i, place /= 2) {
-    if (prover.most_at(place) >= kOpen) add_near(place, place / 2, search, functions);
-  }
-}
-
-/// Adds functions of eigenvalues behind those that are known, in increasing order, until there are `count` or none is
-/// found any more. The place from which to search on is `from`.
-void add_eigenfunctions(std::size_t count, const EigenfunctionSearch& search, double& from, Eigenfunctions& functions,
-                        double stride) {
-  constexpr double kLast = 40;
-  while (from < kLast && functions.size() < count) {
-    const double middle = from + stride / 2;
-    const std::optional<double> nearest = add_near(middle, 0.75 * stride, search, functions);
-    if (!nearest) break;
-    // Where the nearest one is far, its place is a rough estimate.
-    from += std::max(stride, std::abs(*nearest - middle) / 2);
-  }
-  std::sort(functions.begin(), functions.end(), [](const auto& x, const auto& y) { return x.lambda < y.lambda; });
-}
-
-/// A document with a spectrum and perhaps functions, completed by windows and what proves them.
-EigenvaluesDocument with_windows(const Surface& surface, const EigenvaluesOptions& options,
-                                 const EigenvaluesDocument& start, const RealVector& lengths) {
-  // Which order is better depends on the surface: a high one on those whose eigenvalues are far apart.
-  std::optional<Quality> quality;
-  EigenvaluesDocument best;
-  for (const std::uint32_t order : {8U, 12U}) {
-    EigenvaluesDocument document = start;
-    document.order = order;
-    document.windows.clear();
-    document.at_most.clear();
-    document.at_least.clear();
-    Prover prover = prover_of(surface, document, lengths);
-    if (!find_windows(prover, options.count, options.progress, document)) continue;
-    const Quality found = quality_of(document);
-    if (quality && found <= *quality) continue;
-    quality = found;
-    best = std::move(document);
-  }
-  if (!quality) {
-    throw NetError("nothing can be said about the eigenvalues from closed geodesics of length at most " + start.up_to +
-                   "; a length of 1 or more is needed");
-  }
-  return best;
-}
-
-/// From closed geodesics up to one length. Functions of `last`, if there is one, are taken over.
-EigenvaluesDocument eigenvalues_from(const Surface& surface, const EigenvaluesOptions& options, const Length& up_to,
-                                     const EigenvaluesDocument* last) {
-  GeodesicsOptions geodesics_options;
-  geodesics_options.threads = options.threads;
-  geodesics_options.progress = options.progress;
-  EigenvaluesDocument best;
-  static_cast<certify::GeodesicsDocument&>(best) = spectrum(surface, up_to, geodesics_options);
-  if (last != nullptr && last->net == best.net) best.eigenfunctions = last->eigenfunctions;
-  const RealVector lengths = lengths_of(surface, best);
-  // A few functions, which certify checks within the work that it allows by default; more if more eigenvalues are
-  // wanted than these prove.
-  constexpr std::size_t kBatch = 5;
-  std::optional<EigenfunctionSearch> search;
-  // Throws, before any work for eigenfunctions, if next to no length was asked for.
-  if (up_to.value() < 1) static_cast<void>(with_windows(surface, options, best, lengths));
-  if (options.eigenfunctions && best.eigenfunctions.empty()) search.emplace(best, options.threads, options.progress);
-  // Eigenvalues are about 1/(g − 1) apart.
-  const double stride = 1.0 / surface.genus();
-  if (search) add_small_eigenfunctions(stride / 4, prover_of(surface, best, lengths), *search, best.eigenfunctions);
-  double from = 0;
-  for (std::size_t wanted = options.count == 0 ? kBatch : std::min<std::size_t>(options.count + 1, kBatch);;
-       wanted += kBatch) {
-    if (search) add_eigenfunctions(wanted, *search, from, best.eigenfunctions, stride);
-    const bool all = !search || best.eigenfunctions.size() < wanted || options.count <= kBatch;
-    best = with_windows(surface, options, best, lengths);
-    if (all || quality_of(best).first >= options.count) return best;
-  }
-}
-
-/// How narrow the intervals of the first `count` eigenvalues are; infinite if they are not counted.
-double width_of_first(const EigenvaluesDocument& document, std::uint32_t count) {
-  double width = 0;
-  std::uint64_t found = 0;
-  for (const EigenvaluesDocument::Window& window : document.windows) {
-    if (found >= count || window.least != window.most) break;
-    found += window.most;
-    const bool simple = window.most == 1;
-    width = std::max(width, simple ? window.smallest.upper - window.greatest.lower : window.in.upper - window.in.lower);
-  }
-  return found >= count ? width : HUGE_VAL;
-}
-
-/// From longer and longer closed geodesics, until the width is reached or the time is used.
-EigenvaluesDocument eigenvalues_from_more(const Surface& surface, const EigenvaluesOptions& options) {
-  constexpr double kFirstLength = 8;
-  constexpr double kLeastStep = 0.25;
-  const Length greatest = options.up_to.value_or(Length(options.seconds ? "30" : "16"));
-  const std::uint32_t wanted = std::max(options.count, 1U);
-  const auto start = std::chrono::steady_clock::now();
-  const auto elapsed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
-  std::optional<EigenvaluesDocument> best;
-  double reached = HUGE_VAL;
-  double length = kFirstLength;
-  for (double before = 0;;) {
-    const bool last = greatest.value() <= length;
-    const Length up_to = last ? greatest : Length(length);
-    try {
-      best = eigenvalues_from(surface, options, up_to, best ? &*best : nullptr);
-    } catch (const LimitError&) {
-      if (!best) throw;
-      break;
+  [[nodiscard]] EigenvaluesDocument result() && {
+    const bool functions_too = many_digits(options_);
+    if (options_.below && !options_.digits) {
+      count_below();
+    } else {
+      const Level level = separated(functions_too);
+      const std::vector<Group> groups = groups_of(level, functions_too);
+      std::vector<std::optional<std::vector<Eigenfunctions>>> rows(groups.size());
+      if (functions_too) rows = functions(level, groups);
+      write(level, groups, rows);
     }
-    reached = width_of_first(*best, wanted);
-    if (last || (options.width && reached < *options.width)) break;
-    double step = 1;
-    const double now = elapsed();
-    if (options.seconds) {
-      // The time is at most proportional to e^L, and a check takes as long again.
-      const double more = std::log(std::max(*options.seconds - now, 0.0) / (2 * (now - before)));
-      step = std::min(step, std::floor(more / kLeastStep) * kLeastStep);
-      if (!(step > 0)) break;
+    return std::move(document_);
+  }
+
+ private:
+  static EigenvaluesDocument net_of(const Surface& surface, const EigenvaluesOptions& options) {
+    NetOptions net_options;
+    net_options.threads = options.threads;
+    net_options.progress = options.progress;
+    EigenvaluesDocument document;
+    document.net =
+        compute_net(surface, options.epsilon.value_or(epsilon_for(surface.genus(), options)), net_options).net;
+    return document;
+  }
+
+  /// Functions around vertices are sought in disks of which λ is no eigenvalue.
+  static Length epsilon_for(std::uint32_t genus, const EigenvaluesOptions& options) {
+    const double by_weyl = options.count / (genus - 1.0) + 3;
+    const double greatest = options.below ? *options.below : by_weyl;
+    constexpr std::array<std::pair<double, const char*>, 8> kLengths{{{0.6, "0.6"},
+                                                                      {0.5, "0.5"},
+                                                                      {0.4, "0.4"},
+                                                                      {0.3, "0.3"},
+                                                                      {0.2, "0.2"},
+                                                                      {0.15, "0.15"},
+                                                                      {0.1, "0.1"},
+                                                                      {0.05, "0.05"}}};
+    for (const auto& [epsilon, text] : kLengths) {
+      if (epsilon * std::sqrt(greatest) < 1.6) return Length(text);
     }
-    before = now;
-    length += step;
+    return Length(kLengths.back().second);
   }
-  if (options.width && !(reached < *options.width)) {
-    const std::string which =
-        wanted == 1 ? "the first eigenvalue is" : "the first " + std::to_string(wanted) + " eigenvalues are";
-    throw NetError(
-        which + (reached < HUGE_VAL ? " enclosed to " + certify::shortest(reached) + " only" : " not counted") +
-        " by closed geodesics of length at most " + best->up_to + ", expected " + certify::shortest(*options.width));
+
+  void report(std::string_view what, double share) const {
+    if (options_.progress) options_.progress(what, share);
   }
-  return *std::move(best);
-}
+
+  [[nodiscard]] Level level(std::uint32_t halvings) const {
+    const double triangles = static_cast<double>(document_.net.triangles.size()) * std::pow(4.0, halvings);
+    if (triangles > kMostTriangles) {
+      throw NetError(
+          "the eigenvalues are so near to each other that to tell them apart takes more than 10000000 "
+          "triangles");
+    }
+    report("matrices", 0);
+    return {geometry_, halvings};
+  }
+
+  /// A level at which so many eigenvalues are told from the others.
+  [[nodiscard]] Level separated(bool functions_too) {
+    std::vector<double> before;
+    for (std::uint32_t halvings = 0;; ++halvings) {
+      Level now = level(halvings);
+      std::uint32_t count = options_.count;
+      if (options_.below) count = std::max(epsnet::count_below(now.upper, *options_.below, options_.threads), 2U) - 1;
+      // More and more, as the last ones may be equal.
+      const std::uint32_t asked = count + (halvings + 1) * std::max(8U, count / 4);
+      if (now.elements.vertices() < 4 * asked) continue;
+      const DiscreteSpectrum lower = first_eigenvalues(now.lower, asked + 1);
+      DiscreteSpectrum upper = first_eigenvalues(now.upper, asked + 1);
+      for (std::size_t k = 1; k <= asked; ++k) {
+        now.least.push_back(lower.values[k] / (1 + now.interpolation * lower.values[k]));
+        now.greatest.push_back(upper.values[k]);
+        // The error of the matrices is divided by four with each halving.
+        const double above = k <= before.size() ? (4 * upper.values[k] - before[k - 1]) / 3 : upper.values[k];
+        now.estimates.push_back(std::clamp(above, now.least.back(), now.greatest.back()));
+      }
+      now.vectors = upper.vectors.rightCols(upper.vectors.cols() - 1);
+      if (const auto end = end_of(now, count, functions_too)) {
+        now.least.resize(*end + 1);
+        now.greatest.resize(*end + 1);
+        now.estimates.resize(*end + 1);
+        return now;
+      }
+      before = now.greatest;
+    }
+  }
+
+  /// The number of the first eigenvalues that are told from all others: the least one that is enough.
+  [[nodiscard]] std::optional<std::size_t> end_of(const Level& now, std::size_t count, bool functions_too) const {
+    if (options_.below) {
+      // All that may be less, and none of those that are certainly not.
+      const auto certainly = static_cast<std::size_t>(
+          std::lower_bound(now.greatest.begin(), now.greatest.end(), *options_.below) - now.greatest.begin());
+      const auto perhaps = static_cast<std::size_t>(
+          std::lower_bound(now.least.begin(), now.least.end(), *options_.below) - now.least.begin());
+      if (certainly != perhaps) return std::nullopt;
+      if (certainly == 0) return certainly;
+      count = certainly;
+    }
+    for (std::size_t n = count; n + 1 < now.least.size(); ++n) {
+      const double last = functions_too ? now.estimates[n - 1] * (1 + kError) : now.greatest[n - 1];
+      if (now.least[n] <= last) continue;
+      const double width = std::pow(10.0, -options_.digits.value_or(1));
+      for (std::size_t k = 0; k < n && !functions_too; ++k) {
+        if (now.greatest[k] - now.least[k] > width * now.least[k]) return std::nullopt;
+      }
+      // Functions are sought from estimates.
+      if (functions_too && now.greatest[n - 1] - now.least[n - 1] > kGreatestError * now.least[n - 1])
+        return std::nullopt;
+      return n;
+    }
+    return std::nullopt;
+  }
+
+  /// The first eigenvalues of a level, all but the last one in its lists.
+  [[nodiscard]] static std::vector<Group> groups_of(const Level& level, bool functions_too) {
+    std::vector<Group> result;
+    const std::size_t count = level.least.size() - 1;
+    for (std::size_t k = 0; k < count; ++k) {
+      const bool near = k > 0 && (functions_too ? level.estimates[k] < level.estimates[k - 1] * (1 + kError)
+                                                : level.least[k] <= level.greatest[k - 1] * (1 + 2 * kMargin));
+      if (near) {
+        result.back().last = k + 1;
+      } else {
+        result.push_back({k, k + 1});
+      }
+    }
+    return result;
+  }
+
+  /// By group; nothing where functions are not found.
+  [[nodiscard]] std::vector<std::optional<std::vector<Eigenfunctions>>> functions(
+      const Level& level, const std::vector<Group>& groups) const {
+    std::vector<std::optional<std::vector<Eigenfunctions>>> result;
+    if (groups.empty()) return result;
+    const LocalFunctions local(geometry_, level.estimates.back(), options_.digits.value_or(9), options_.threads);
+    const auto vertices = static_cast<Eigen::Index>(document_.net.vertices.size());
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      report("eigenfunctions", static_cast<double>(i) / static_cast<double>(groups.size()));
+      const auto [first, last] = groups[i];
+      const std::vector<double> lambdas(level.estimates.begin() + static_cast<std::ptrdiff_t>(first),
+                                        level.estimates.begin() + static_cast<std::ptrdiff_t>(last));
+      // With the functions of some eigenvalues beside them.
+      constexpr std::size_t kBeside = 2;
+      std::vector<std::size_t> columns;
+      for (std::size_t k = first; k < last; ++k) columns.push_back(k);
+      for (std::size_t k = first - std::min(first, kBeside); k < first; ++k) columns.push_back(k);
+      for (std::size_t k = last; k < std::min(last + kBeside, level.estimates.size()); ++k) columns.push_back(k);
+      Eigen::MatrixXd values(vertices, static_cast<Eigen::Index>(columns.size()));
+      for (std::size_t j = 0; j < columns.size(); ++j) {
+        values.col(static_cast<Eigen::Index>(j)) =
+            level.vectors.col(static_cast<Eigen::Index>(columns[j])).head(vertices);
+      }
+      result.push_back(local.near(lambdas, values));
+      std::size_t found = 0;
+      for (const Eigenfunctions& row : result.back().value_or(std::vector<Eigenfunctions>())) {
+        found += row.functions.size();
+        // Those of other eigenvalues.
+        if (row.in.lower < level.least[first] || row.in.upper > level.greatest[last - 1]) found = last;
+      }
+      if (found != last - first) result.back().reset();
+    }
+    return result;
+  }
+
+  void write(const Level& level, const std::vector<Group>& groups,
+             std::vector<std::optional<std::vector<Eigenfunctions>>>& rows) {
+    const std::size_t count = level.least.size() - 1;
+    double end = 0;  // Of what is enclosed so far.
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      const auto [first, last] = groups[i];
+      if (rows[i]) {
+        for (Eigenfunctions& row : *rows[i]) {
+          document_.eigenvalues.push_back({row.in, static_cast<std::uint32_t>(row.functions.size())});
+          end = row.in.upper;
+          document_.eigenfunctions.push_back(std::move(row));
+        }
+        continue;
+      }
+      const double least = level.least[first] * (1 - kMargin);
+      const double greatest = level.greatest[last - 1] * (1 + kMargin);
+      at_most(level, least, first);
+      at_least(greatest, last);
+      document_.eigenvalues.push_back({{least, greatest}, static_cast<std::uint32_t>(last - first)});
+      end = greatest;
+    }
+    const double next = level.least[count] - std::min(level.least[count] * kMargin, (level.least[count] - end) / 2);
+    at_most(level, next, count);
+    document_.next = next;
+    finish(level);
+  }
+
+  /// Only how many there are, as soon as matrices say the same from both sides.
+  void count_below() {
+    const double below = *options_.below;
+    for (std::uint32_t halvings = 0;; ++halvings) {
+      const Level now = level(halvings);
+      const double sigma = now.sigma(below);
+      if (!std::isfinite(sigma)) continue;
+      const std::uint32_t most = epsnet::count_below(now.lower, sigma, options_.threads);
+      const std::uint32_t least = epsnet::count_below(now.upper, below, options_.threads);
+      if (most != least) continue;
+      const std::size_t count = std::max(most, 1U) - 1;
+      at_most(now, below, count);
+      if (count > 0) {
+        at_least(below, count);
+        document_.eigenvalues.push_back({{0, below}, static_cast<std::uint32_t>(count)});
+      }
+      document_.next = below;
+      return finish(now);
+    }
+  }
+
+  void at_most(const Level& level, double below, std::size_t count) {
+    document_.at_most.push_back({below, static_cast<std::uint32_t>(count), level.sigma(below)});
+  }
+  void at_least(double below, std::size_t count) {
+    document_.at_least.push_back({below, static_cast<std::uint32_t>(count)});
+  }
+
+  void finish(const Level& level) {
+    document_.halvings = level.halvings;
+    document_.side_order = elimination_order(level.lower.energy);
+    if (!document_.at_least.empty()) document_.vertex_order = elimination_order(level.upper.energy);
+  }
+
+  static constexpr double kMargin = 3e-4;         ///< Relative; shifts of the matrices by rounding are less.
+  static constexpr double kError = 0.01;          ///< Relative, of estimates.
+  static constexpr double kGreatestError = 0.12;  ///< Between the matrices' bounds.
+
+  const EigenvaluesOptions& options_;
+  EigenvaluesDocument document_;
+  NetGeometry geometry_;
+};
 
 }  // namespace
 
 EigenvaluesDocument eigenvalues(const Surface& surface, const EigenvaluesOptions& options) {
-  constexpr int kLongest = 30;
-  if (options.up_to && options.up_to->value() > kLongest) throw std::invalid_argument("the length is more than 30");
-  if (options.width && !(*options.width > 0)) throw std::invalid_argument("the width is not positive");
-  if (options.seconds && !(*options.seconds > 0)) throw std::invalid_argument("the time is not positive");
-  if (options.width || options.seconds) return eigenvalues_from_more(surface, options);
-  return eigenvalues_from(surface, options, options.up_to.value_or(Length("10")), nullptr);
-}
-
-std::optional<double> length_to_count_first(const EigenvaluesDocument& document) {
-  if (document.windows.empty()) return std::nullopt;
-  const EigenvaluesDocument::Window& first = document.windows.front();
-  if (first.least == first.most) return std::nullopt;
-  const double up_to = static_cast<double>(Length(document.up_to).value());
-  const double area = 2 * std::numbers::pi * (genus_of(document) - 1.0);
-  return std::max(up_to + 1, area / 2 * std::sqrt(std::max(0.0, first.in.upper - 0.25)) + 3);
-}
-
-std::vector<double> eigenvalue_bounds(const Surface& surface, const EigenvaluesDocument& document,
-                                      const std::vector<double>& lambdas) {
-  const Prover prover = prover_of(surface, document, lengths_of(surface, document));
-  std::vector<double> result;
-  result.reserve(lambdas.size());
-  for (const double lambda : lambdas) result.push_back(prover.most_at(lambda));
-  return result;
+  check(options, surface.genus());
+  return Search(surface, options).result();
 }
 
 }  // namespace epsnet

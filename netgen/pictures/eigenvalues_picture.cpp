@@ -2,17 +2,19 @@
 #include <cmath>
 
 #include "certify/base/text.h"
-#include "netgen/eigenvalues/eigenvalues.h"
 #include "netgen/pictures/legend.h"
 #include "netgen/pictures/palette.h"
 #include "netgen/pictures/pictures.h"
 #include "netgen/pictures/svg_path.h"
-#include "netgen/surfaces/surface_file.h"
 
 namespace epsnet {
 namespace {
 
-using Window = certify::EigenvaluesDocument::Window;
+using certify::EigenvaluesDocument;
+using Step = EigenvaluesPicture::Step;
+
+constexpr const char* kNotCounted = "#8a94a0";
+constexpr const char* kWeyl = "#5d6b7a";
 
 /// A round number, 1, 2 or 5 times a power of ten: about a seventh of the range.
 double tick_step(double range) {
@@ -23,17 +25,56 @@ double tick_step(double range) {
   return 10 * power;
 }
 
+/// What a row says: from λ on there are at least so many, or up to λ at most so many.
+struct Bounds {
+  std::vector<Step> least;
+  std::vector<Step> most;
+};
+
+Bounds bounds_of(const EigenvaluesDocument& document) {
+  Bounds result;
+  std::uint32_t count = 0;
+  for (const EigenvaluesDocument::Enclosure& row : document.eigenvalues) {
+    result.most.push_back({row.in.lower, count});
+    count += row.count;
+    result.least.push_back({row.in.upper, count});
+  }
+  result.most.push_back({document.next, count});
+  for (const EigenvaluesDocument::AtMost& row : document.at_most) result.most.push_back({row.below, row.count});
+  for (const EigenvaluesDocument::AtLeast& row : document.at_least) result.least.push_back({row.below, row.count});
+  return result;
+}
+
+/// Leaves out the steps that say nothing new.
+void keep_stairs(Bounds& bounds) {
+  const auto by_place = [](const Step& x, const Step& y) {
+    return x.lambda != y.lambda ? x.lambda < y.lambda : x.count < y.count;
+  };
+  std::vector<Step> least;
+  std::sort(bounds.least.begin(), bounds.least.end(), by_place);
+  for (const Step& step : bounds.least)
+    if (least.empty() ? step.count > 0 : step.count > least.back().count) least.push_back(step);
+  std::vector<Step> most;
+  std::sort(bounds.most.begin(), bounds.most.end(), by_place);
+  for (auto step = bounds.most.rbegin(); step != bounds.most.rend(); ++step)
+    if (most.empty() || step->count < most.back().count) most.push_back(*step);
+  std::reverse(most.begin(), most.end());
+  bounds = {std::move(least), std::move(most)};
+}
+
 class EigenvaluesDrawing {
  public:
   EigenvaluesDrawing(const EigenvaluesPicture& picture, std::uint32_t size)
-      : picture_(picture), size_(size), unit_(size / 1000.0), end_(picture.samples.back().lambda) {
-    for (const auto& [lambda, bound] : picture.samples) {
-      if (lambda <= picture.up_to) top_ = std::max(top_, 1.12 * bound);
-    }
+      : picture_(picture), size_(size), unit_(size / 1000.0), end_(picture.end) {
+    double highest = std::max(1.0, picture.weyl * end_);
+    for (const std::vector<Step>* steps : {&picture.least, &picture.most})
+      for (const auto& [lambda, count] : *steps)
+        if (lambda <= end_) highest = std::max(highest, static_cast<double>(count));
+    top_ = 1.12 * highest;
   }
 
   [[nodiscard]] std::string svg() const {
-    return head() + bands() + grid() + curve() + places() + labels() + legend() + "</svg>\n";
+    return head() + bands() + grid() + weyl() + stairs() + places() + labels() + legend() + "</svg>\n";
   }
 
  private:
@@ -45,8 +86,8 @@ class EigenvaluesDrawing {
   static constexpr double kHeight = 620;
 
   [[nodiscard]] std::string length(double units) const { return fixed(units * unit_, 2); }
-  [[nodiscard]] double x(double lambda) const { return kLeft + (kRight - kLeft) * lambda / end_; }
-  [[nodiscard]] double y(double bound) const { return kBottom - (kBottom - kTop) * bound / top_; }
+  [[nodiscard]] double x(double lambda) const { return kLeft + (kRight - kLeft) * std::min(lambda / end_, 1.0); }
+  [[nodiscard]] double y(double count) const { return kBottom - (kBottom - kTop) * count / top_; }
 
   [[nodiscard]] std::string line(double x0, double y0, double x1, double y1) const {
     return "M" + length(x0) + ' ' + length(y0) + 'L' + length(x1) + ' ' + length(y1);
@@ -75,17 +116,18 @@ class EigenvaluesDrawing {
     const std::string height = std::to_string(std::lround(kHeight * unit_));
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
            "\" viewBox=\"0 0 " + width + " " + height + "\">\n<title>" + escaped(picture_.title) +
-           "</title>\n<desc>Numbers of eigenvalues of the Laplacian: a bound at each place, and the intervals that "
-           "contain all of them.</desc>\n<rect class=\"background\" width=\"" +
+           "</title>\n<desc>Eigenvalues of the Laplacian: intervals that contain them, and how many are at least and "
+           "at "
+           "most below each place.</desc>\n<rect class=\"background\" width=\"" +
            width + "\" height=\"" + height + "\" fill=\"" + palette::kPaper + "\"/>\n";
   }
 
   [[nodiscard]] std::string bands() const {
     std::string out =
-        std::string("<g class=\"windows\" fill=\"") + palette::kCoveringDisks + "\" fill-opacity=\"0.3\">\n";
-    for (const Window& window : picture_.windows) out += area(x(window.in.lower), x(window.in.upper), kTop, kBottom, 2);
-    out += "</g>\n<g class=\"beyond\" fill=\"#8a94a0\" fill-opacity=\"0.25\">\n";
-    return out + area(x(picture_.up_to), kRight, kTop, kBottom, 0) + "</g>\n";
+        std::string("<g class=\"enclosures\" fill=\"") + palette::kCoveringDisks + "\" fill-opacity=\"0.3\">\n";
+    for (const auto& [in, count] : picture_.eigenvalues) out += area(x(in.lower), x(in.upper), kTop, kBottom, 2);
+    out += std::string("</g>\n<g class=\"beyond\" fill=\"") + kNotCounted + "\" fill-opacity=\"0.25\">\n";
+    return out + area(x(picture_.next), kRight, kTop, kBottom, 0) + "</g>\n";
   }
 
   [[nodiscard]] std::string grid() const {
@@ -97,52 +139,58 @@ class EigenvaluesDrawing {
       below += text(x(tick), kBottom + 22, certify::shortest(std::stod(fixed(tick, 6))));
     }
     below += text((kLeft + kRight) / 2, kBottom + 47, "\u03bb") + "</g>\n";
-    std::string beside = text_group("bounds", "end");
+    std::string beside = text_group("counts", "end");
     std::string across;
-    const double bound_step = std::max(1.0, tick_step(top_));
-    for (double tick = 0; tick <= top_; tick += bound_step) {
+    const double count_step = std::max(1.0, tick_step(top_));
+    for (double tick = 0; tick <= top_; tick += count_step) {
       across += line(kLeft, y(tick), kRight, y(tick));
       beside += text(kLeft - 8, y(tick) + 0.35 * kFont, certify::shortest(tick));
     }
     std::string out = stroke("grid", across, "#d5dbe2", 1) + below + beside + "</g>\n";
     if (end_ > 0.25) out += stroke("quarter", line(x(0.25), kTop, x(0.25), kBottom), palette::kEdges, 1.2, kDashes);
-    return out + stroke("one", line(kLeft, y(1), kRight, y(1)), palette::kVertices, 1.4) +
-           stroke("axes", lines + line(kLeft, kTop, kLeft, kBottom) + line(kLeft, kBottom, kRight, kBottom),
-                  palette::kEdges, 1.2);
+    return out + stroke("axes", lines + line(kLeft, kTop, kLeft, kBottom) + line(kLeft, kBottom, kRight, kBottom),
+                        palette::kEdges, 1.2);
   }
 
-  [[nodiscard]] std::string curve() const {
-    std::string data;
-    for (const auto& [lambda, bound] : picture_.samples) {
-      if (bound > top_) continue;
-      data += (data.empty() ? 'M' : 'L') + length(x(lambda)) + ' ' + length(y(bound));
+  [[nodiscard]] std::string weyl() const {
+    return stroke("weyl", line(x(0), y(0), x(end_), y(picture_.weyl * end_)), kWeyl, 1.6,
+                  "stroke-linecap=\"round\" stroke-dasharray=\"0.1 5\" ");
+  }
+
+  /// The line of what is counted at most is wide, so that it can be seen behind that of what is counted at least.
+  [[nodiscard]] std::string stairs() const {
+    std::string most;
+    double from = 0;
+    for (const auto& [lambda, count] : picture_.most) {
+      const double to = std::min(lambda, end_);
+      most += (most.empty() ? 'M' : 'L') + length(x(from)) + ' ' + length(y(count)) + 'H' + length(x(to));
+      from = to;
+      if (lambda >= end_) break;
     }
-    return stroke("bound", data, palette::kPaths, 2.4, "stroke-linejoin=\"round\" ");
+    std::string least = 'M' + length(x(0)) + ' ' + length(y(0));
+    for (const auto& [lambda, count] : picture_.least)
+      if (lambda <= end_) least += 'H' + length(x(lambda)) + 'V' + length(y(count));
+    return stroke("most", most, palette::kCombinatorialDirichlet, 5) +
+           stroke("least", least + 'H' + length(kRight), palette::kPaths, 2);
   }
 
-  /// Where the eigenvalues of windows with a known number are.
   [[nodiscard]] std::string places() const {
     std::string out = std::string("<g class=\"places\" fill=\"") + palette::kDirichlet + "\">\n";
-    for (const Window& window : picture_.windows) {
-      if (window.least < window.most) continue;
-      const bool single = window.most == 1;
-      const double from = single ? window.greatest.lower : window.in.lower;
-      const double to = single ? window.smallest.upper : window.in.upper;
-      out += area(x(from), x(to), kBottom - 9, kBottom + 9, 3);
-    }
+    for (const auto& [in, count] : picture_.eigenvalues)
+      out += area(x(in.lower), x(in.upper), kBottom - 9, kBottom + 9, 3);
     return out + "</g>\n";
   }
 
-  /// The number of eigenvalues above each band; one that would be at the last one's place is higher.
+  /// The number above each band with several eigenvalues; one that would be at the last one's place is higher.
   [[nodiscard]] std::string labels() const {
     std::string out = text_group("numbers", "middle");
     double last = -1000;
     double row = 0;
-    for (const Window& window : picture_.windows) {
-      std::string number = std::to_string(window.most);
-      if (window.least < window.most) number = std::to_string(window.least) + "\u2013" + number;
+    for (const auto& [in, count] : picture_.eigenvalues) {
+      if (count == 1) continue;
+      const std::string number = std::to_string(count);
       const double width = 0.6 * kFont * static_cast<double>(number.size());
-      const double middle = (x(window.in.lower) + x(window.in.upper)) / 2;
+      const double middle = (x(in.lower) + x(in.upper)) / 2;
       row = middle - width / 2 < last ? std::fmod(row + 1, 3) : 0;
       last = middle + width / 2 + 4;
       out += text(middle, kTop - 8 - 17 * row, number);
@@ -152,17 +200,13 @@ class EigenvaluesDrawing {
 
   [[nodiscard]] std::string legend() const {
     Legend legend(1.25 * unit_);
-    legend.add(
-        Mark::line, palette::kPaths,
-        picture_.without_known
-            ? "I(\u03bb), a bound for the number of eigenvalues at \u03bb that no eigenfunction shows: where it is "
-              "less than 1, there is no other"
-            : "I(\u03bb), a bound for the number of eigenvalues at \u03bb: where it is less than 1, there is none");
-    legend.add(Mark::area, palette::kCoveringDisks,
-               "windows, and above each the number of its eigenvalues: there is no "
-               "other one");
-    legend.add(Mark::area, palette::kDirichlet, "where eigenvalues are that are counted");
-    legend.add(Mark::area, "#8a94a0", "nothing is claimed here; the dashed line is at 1/4");
+    legend.add(Mark::area, palette::kDirichlet,
+               "intervals that contain the eigenvalues, and above each their number, if it is not 1");
+    legend.add(Mark::line, palette::kPaths, "at least so many eigenvalues are less than \u03bb");
+    legend.add(Mark::line, palette::kCombinatorialDirichlet, "at most so many eigenvalues are less than \u03bb");
+    const std::string weyl = picture_.weyl == 1 ? "" : certify::shortest(picture_.weyl);
+    legend.add(Mark::line, kWeyl, "dotted: Weyl's law, about (g \u2212 1)\u03bb = " + weyl + "\u03bb");
+    legend.add(Mark::area, kNotCounted, "not counted; the dashed line is at 1/4");
     return legend.group();
   }
 
@@ -172,31 +216,53 @@ class EigenvaluesDrawing {
   std::uint32_t size_;
   double unit_;
   double end_;
-  double top_ = 1.5;
+  double top_;
 };
 
 }  // namespace
 
-EigenvaluesPicture picture_of(const certify::EigenvaluesDocument& document) {
-  EigenvaluesPicture result;
-  result.up_to = document.eigenvalues_up_to;
-  result.windows = document.windows;
-  result.without_known = !document.eigenfunctions.empty();
-  result.title = "Eigenvalues of the Laplacian up to " + certify::shortest(result.up_to);
-  constexpr int kParts = 500;
-  constexpr int kPartsOfWindow = 24;
-  constexpr double kBeyond = 1.04;
-  std::vector<double> places;
-  for (int i = 0; i <= kParts; ++i) places.push_back(kBeyond * result.up_to * i / kParts);
-  for (const Window& window : document.windows) {
-    const double width = window.in.upper - window.in.lower;
-    for (int i = -kPartsOfWindow / 2; i <= 3 * kPartsOfWindow / 2; ++i)
-      places.push_back(std::clamp(window.in.lower + width * i / kPartsOfWindow, 0.0, places[kParts]));
+EigenvalueCount eigenvalues_below(const EigenvaluesDocument& document, double x) {
+  EigenvalueCount result;
+  const auto at_least = [&](bool applies, std::uint32_t count) {
+    if (applies) result.least = std::max(result.least, count);
+  };
+  const auto at_most = [&](bool applies, std::uint32_t count) {
+    if (applies) result.most = std::min(result.most.value_or(count), count);
+  };
+  std::uint32_t count = 0;
+  for (const EigenvaluesDocument::Enclosure& row : document.eigenvalues) {
+    at_most(row.in.lower >= x, count);
+    count += row.count;
+    at_least(row.in.upper < x, count);
   }
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  const std::vector<double> bounds = eigenvalue_bounds(from_document(document.net.surface), document, places);
-  for (std::size_t i = 0; i < places.size(); ++i) result.samples.push_back({places[i], bounds[i]});
+  at_most(document.next >= x, count);
+  for (const EigenvaluesDocument::AtMost& row : document.at_most) at_most(row.below >= x, row.count);
+  for (const EigenvaluesDocument::AtLeast& row : document.at_least) at_least(row.below <= x, row.count);
+  return result;
+}
+
+EigenvaluesPicture picture_of(const EigenvaluesDocument& document) {
+  Bounds bounds = bounds_of(document);
+  keep_stairs(bounds);
+  EigenvaluesPicture result;
+  result.eigenvalues = document.eigenvalues;
+  result.next = document.next;
+  result.least = std::move(bounds.least);
+  result.most = std::move(bounds.most);
+  double last = 1.12 * document.next;
+  std::uint64_t count = 0;
+  for (const EigenvaluesDocument::Enclosure& row : document.eigenvalues) {
+    last = std::max(last, 1.06 * row.in.upper);
+    count += row.count;
+  }
+  // A file may have any numbers; more cannot be drawn.
+  constexpr double kGreatest = 1e9;
+  if (last > 0) result.end = std::clamp(last, 1 / kGreatest, kGreatest);
+  // V − E + F = 2 − 2g, and E = 3F/2.
+  const auto vertices = static_cast<double>(document.net.vertices.size());
+  result.weyl = (static_cast<double>(document.net.triangles.size()) / 2 - vertices) / 2;
+  result.title = count == 0 ? "Eigenvalues of the Laplacian: none less than " + certify::shortest(document.next)
+                            : "The first " + std::to_string(count) + " eigenvalues of the Laplacian";
   return result;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +12,7 @@
 #include "certify/claims/eigenvalues/document.h"
 #include "certify/claims/geodesics/document.h"
 #include "kernel/numbers.h"
+#include "netgen/lifts/lifts.h"
 #include "netgen/nets/dirichlet_polygon.h"
 
 /// Pictures of anything but nets: `picture_of` says what a picture shows, `draw_svg` draws it. Nothing here is proved.
@@ -90,29 +93,69 @@ struct PolygonPicture {
 /// segments there.
 [[nodiscard]] PolygonPicture picture_of_eccentricity(const certify::NetDocument& net);
 
-// An eigenvalues file: how many eigenvalues can be where.
+// An eigenvalues file: where eigenvalues are, how many there are below each place, and the eigenfunctions.
 
-/// What such a picture shows, over the axis of eigenvalues.
-struct EigenvaluesPicture {
-  /// A point of the curve.
-  struct Sample {
-    double lambda;
-    double bound;  ///< I(λ), of netgen/eigenvalues/eigenvalues.h.
-  };
-  std::string title{};
-  double up_to = 0;               ///< What is claimed ends here.
-  std::vector<Sample> samples{};  ///< By λ, from 0 to beyond up_to.
-  std::vector<certify::EigenvaluesDocument::Window> windows{};
-  bool without_known = false;  ///< Whether I(λ) does not count eigenvalues that eigenfunctions of the file show.
+/// What an eigenvalues file says of a number x; nothing, if `most` has no value, of how many there are at most.
+struct EigenvalueCount {
+  std::uint32_t least = 0;                 ///< At least so many eigenvalues are less than x,
+  std::optional<std::uint32_t> most = {};  ///< and at most so many.
 };
 
-/// Returns the curve I(λ), with the windows of the file as bands. It is evaluated at some 500 places, and more near the
-/// windows. Throws SurfaceError if the document has no surface, LimitError as eigenvalue_bounds. Time: some 0.1 ms for
-/// each place, and that of trace_matrices.
+/// Returns how many eigenvalues are less than x, without the eigenvalue 0 of the constants, as rows of the document
+/// say.
+[[nodiscard]] EigenvalueCount eigenvalues_below(const certify::EigenvaluesDocument& document, double x);
+
+/// What a picture of an eigenvalues file shows, over the axis of eigenvalues.
+struct EigenvaluesPicture {
+  /// From `lambda` on there are at least `count`; or up to `lambda` there are at most `count`.
+  struct Step {
+    double lambda;
+    std::uint32_t count;
+  };
+  std::string title{};
+  std::vector<certify::EigenvaluesDocument::Enclosure> eigenvalues{};
+  double next = 0;            ///< All others are at least that.
+  double end = 1;             ///< Of the axis, beyond `next`.
+  double weyl = 0;            ///< g − 1: by Weyl's law there are about so many times λ eigenvalues below λ.
+  std::vector<Step> least{};  ///< By λ and count.
+  std::vector<Step> most{};   ///< By λ and count.
+};
+
+/// Returns the staircases of the counts that the rows of the document say, with its intervals.
 [[nodiscard]] EigenvaluesPicture picture_of(const certify::EigenvaluesDocument& document);
 
-/// Returns the picture as SVG, `size` pixels wide (50 to 20000) and 0.62 times as high. Above each band is its number
-/// of eigenvalues; on the axis is where they are. Bands and marks are at least as wide as can be seen.
+/// Returns the picture as SVG, `size` pixels wide (50 to 20000) and 0.62 times as high. Above each interval is its
+/// number of eigenvalues. Intervals are at least as wide as can be seen.
 [[nodiscard]] std::string draw_svg(const EigenvaluesPicture& picture, std::uint32_t size = 1000);
+
+/// An eigenfunction of an eigenvalues file.
+struct EigenfunctionPlace {
+  std::size_t row;       ///< Of `eigenfunctions`.
+  std::size_t function;  ///< Of the row.
+  std::uint32_t first;   ///< The eigenvalues of its interval are λ_first and others,
+  std::uint32_t count;   ///< so many in all.
+};
+
+/// Returns the eigenfunction of λ_index, from 1 on. In an interval with several eigenvalues the functions have no order
+/// of their own, and index counts them as they are in the file. Throws std::out_of_range if there is none; its what()
+/// says of which eigenvalues there are.
+[[nodiscard]] EigenfunctionPlace eigenfunction_place(const certify::EigenvaluesDocument& document, std::size_t index);
+
+/// Returns, by vertex of the net, the values of the function of λ_index. Throws as eigenfunction_place.
+[[nodiscard]] std::vector<double> eigenfunction_at_vertices(const certify::EigenvaluesDocument& document,
+                                                            std::size_t index);
+
+/// Options of the picture of an eigenfunction.
+struct EigenfunctionPictureOptions {
+  DrawOrder order = DrawOrder::weight;  ///< Which lifts of the triangles are drawn.
+  std::uint32_t centre = 0;             ///< The vertex in the centre.
+  std::uint32_t size = 1000;            ///< Width and height in pixels, 50 to 20000.
+};
+
+/// Returns the function of λ_index on one lift of every triangle of the net, as SVG: colours in bands from blue, −, to
+/// red, +, with the nodal lines, where it is 0. Equal arguments give equal bytes. Throws as eigenfunction_place, and
+/// NetGeometryError if the document has no net or no such vertex. O(pixels · coefficients of a vertex).
+[[nodiscard]] std::string eigenfunction_svg(const certify::EigenvaluesDocument& document, std::size_t index,
+                                            const EigenfunctionPictureOptions& options = {});
 
 }  // namespace epsnet

@@ -80,6 +80,12 @@ void Path::geodesic(const Point& u, const Point& v) {
   append('a', place);
 }
 
+void Path::line(const Point& z) {
+  const PaperPoint place = paper_->place(z);
+  if (place == last_) return;
+  append('l', place);
+}
+
 void Path::circle(const Point& z, double radius) {
   const double t = std::tanh(radius / 2);
   const double scale = 1 / (1 - t * t * norm(z));

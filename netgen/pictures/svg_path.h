@@ -45,6 +45,8 @@ class Path {
   void move(const Complex<double>& z);
   /// Draws the geodesic from u to v. Requires: the pen is at u.
   void geodesic(const Complex<double>& u, const Complex<double>& v);
+  /// Draws the straight line of the paper to z.
+  void line(const Complex<double>& z);
   /// Draws the hyperbolic circle of a radius about z, which is a Euclidean circle; draws nothing if it is smaller than
   /// a fifth of a pixel.
   void circle(const Complex<double>& z, double radius);

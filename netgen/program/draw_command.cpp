@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
@@ -23,12 +24,14 @@ struct DrawRequest {
   std::string output;
   std::string geodesics;
   std::string distance;
+  std::uint64_t eigenfunction = 0;  ///< 0: none is asked for.
   std::vector<std::string> show = {"triangles", "vertices"};
   bool dirichlet = false;
   bool png = false;
   DrawOptions options;
   std::vector<const CLI::Option*> of_nets;  ///< Options that only the picture of a net has.
   const CLI::Option* centre = nullptr;
+  const CLI::Option* order = nullptr;
 };
 
 /// The vertex in the centre where none was asked for: beside the middle of the first curve that was, so that it is not
@@ -86,8 +89,27 @@ struct DrawingOf {
   }
   Drawn operator()(const ImportedSurface& imported) const { return (*this)(imported.surface); }
   Drawn operator()(const certify::ClaimDocument& claim) const { return std::visit(*this, claim); }
+  Drawn operator()(const certify::EigenvaluesDocument& document) const {
+    if (request.eigenfunction == 0) return of_claim(document);
+    for (const CLI::Option* option : request.of_nets) {
+      if (option->count() > 0 && option != request.centre && option != request.order)
+        throw UsageError(option->get_name() + ": not with --eigenfunction");
+    }
+    const DrawOptions& options = request.options;
+    try {
+      return {eigenfunction_svg(document, request.eigenfunction,
+                                {.order = options.order, .centre = options.centre, .size = options.size}),
+              {}};
+    } catch (const std::out_of_range& error) {
+      throw JobError("--eigenfunction: " + std::string(error.what()));
+    }
+  }
   template <class T>
   Drawn operator()(const T& contents) const {
+    return of_claim(contents);
+  }
+  template <class T>
+  [[nodiscard]] Drawn of_claim(const T& contents) const {
     if constexpr (requires { picture_of(contents); }) {
       for (const CLI::Option* option : request.of_nets) {
         if (option->count() > 0) throw UsageError(option->get_name() + ": only for a net file");
@@ -107,6 +129,11 @@ void draw(const DrawRequest& request) {
   check_files({{"FILE", request.file}, {"--geodesics", request.geodesics}, {"--distance", request.distance}},
               {{"--output", request.output, type}});
   const Contents contents = read_any_input(request.file);
+  if (request.eigenfunction > 0) {
+    const auto* claim = std::get_if<certify::ClaimDocument>(&contents);
+    if (claim == nullptr || !std::holds_alternative<certify::EigenvaluesDocument>(*claim))
+      throw UsageError("--eigenfunction: only for an eigenvalues file");
+  }
   Drawn drawn;
   try {
     drawn = std::visit(DrawingOf{request}, contents);
@@ -127,17 +154,23 @@ void add_draw_command(CLI::App& app, Job& chosen) {
   CLI::App* draw_command = app.add_subcommand(
       "draw",
       "Draw a file in the Poincare disk. Of a net one lift of every triangle, with one vertex in the centre; of a "
-      "surface "
-      "its tiles, laid out as one polygon; of eigenvalues a bound for their number at each place; of anything else a "
-      "Dirichlet domain with what the file claims.");
+      "surface its tiles, laid out as one polygon; of eigenvalues their intervals and their number below each place, "
+      "or an eigenfunction; of anything else a Dirichlet domain with what the file claims.");
   add_input(*draw_command, "FILE", request.file, "a net file, or any file that epsnet writes for itself or imports");
   add_output(*draw_command, request.output,
              "the picture to write, SVG or PNG as its name ends in .svg or .png, SVG without an extension");
   draw_command
-      ->add_option("--order", request.options.order,
-                   "which triangle is lifted next: across the edge of least weight, or breadth-first")
-      ->transform(one_of<DrawOrder>({{"weight", DrawOrder::weight}, {"bfs", DrawOrder::breadth_first}}))
-      ->option_text("weight|bfs [weight]");
+      ->add_option(
+          "--eigenfunction", request.eigenfunction,
+          "of an eigenvalues file: the eigenfunction of its eigenvalue lambda_K, with the lines where it is 0, on "
+          "the triangles of the net")
+      ->check(integer_between(1, 1'000'000))
+      ->option_text("K");
+  request.order = draw_command
+                      ->add_option("--order", request.options.order,
+                                   "which triangle is lifted next: across the edge of least weight, or breadth-first")
+                      ->transform(one_of<DrawOrder>({{"weight", DrawOrder::weight}, {"bfs", DrawOrder::breadth_first}}))
+                      ->option_text("weight|bfs [weight]");
   draw_command
       ->add_option("--show", request.show,
                    "what is drawn: triangles, vertices, dirichlet (the Dirichlet domain of the centre), "
@@ -178,6 +211,7 @@ void add_draw_command(CLI::App& app, Job& chosen) {
       "  epsnet draw net.json -o net.svg --dirichlet\n"
       "  epsnet draw net.json -o net.png --show triangles,half-disks \\\n"
       "    --colour circumradius --legend\n"
+      "  epsnet draw eigenvalues.json -o second.svg --eigenfunction 2\n"
       "  epsnet draw s.json -o s.svg");
   draw_command->callback([&chosen, shared] { chosen = [shared] { draw(*shared); }; });
 }

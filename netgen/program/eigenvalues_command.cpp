@@ -1,6 +1,6 @@
-#include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -15,125 +15,107 @@
 #include "netgen/program/input.h"
 #include "netgen/program/output.h"
 
-/// The command eigenvalues: intervals with numbers of eigenvalues of the Laplacian, each with its proof.
+/// The command eigenvalues: the first eigenvalues of the Laplacian in intervals, with their proof.
 namespace epsnet::program {
 namespace {
 
 using certify::EigenvaluesDocument;
-using certify::Interval;
 
 struct EigenvaluesRequest {
   std::string surface;
-  std::string up_to;
   std::uint32_t count = 0;
-  std::string width;
-  std::uint32_t seconds = 0;
+  std::optional<std::string> below;
+  int digits = 0;
+  std::optional<std::string> epsilon;
   std::string output;
   std::string svg;
-  bool fast = false;
   bool json = false;
   unsigned threads = 0;
 };
 
-/// Where the eigenvalues of a window are: a single one is both the smallest and the greatest.
-Interval enclosure(const EigenvaluesDocument::Window& window) {
-  return window.most == 1 && window.least == 1 ? Interval{window.greatest.lower, window.smallest.upper} : window.in;
+std::string lambdas_text(std::uint64_t first, std::uint32_t count) {
+  const std::string text = "lambda_" + std::to_string(first);
+  return count == 1 ? text : text + " to lambda_" + std::to_string(first + count - 1);
 }
 
-std::string count_text(const EigenvaluesDocument::Window& window) {
-  if (window.least == window.most) return "exactly " + std::to_string(window.most);
-  if (window.least == 0) return "at most " + std::to_string(window.most);
-  return "from " + std::to_string(window.least) + " to " + std::to_string(window.most);
+/// Whether all other eigenvalues are outside of the interval of a row.
+bool is_apart(const EigenvaluesDocument& document, std::size_t row) {
+  const auto& rows = document.eigenvalues;
+  const double next = row + 1 < rows.size() ? rows[row + 1].in.lower : document.next;
+  return rows[row].in.upper < next && (row == 0 || rows[row - 1].in.upper < rows[row].in.lower);
 }
 
-/// What is known of the eigenvalues less than 1/4: how many there are at least and at most.
-std::pair<std::uint32_t, std::uint32_t> below_quarter(const EigenvaluesDocument& document) {
-  std::uint32_t least = 0;
-  std::uint32_t most = 0;
-  for (const EigenvaluesDocument::Window& window : document.windows) {
-    const Interval in = enclosure(window);
-    if (in.upper < 0.25) least += window.least;
-    if (in.lower < 0.25) most += window.most;
-  }
-  return {least, most};
+std::string count_text(const EigenvalueCount& count) {
+  if (!count.most) return count.least == 0 ? "not counted" : "at least " + std::to_string(count.least);
+  if (count.least < *count.most) return "from " + std::to_string(count.least) + " to " + std::to_string(*count.most);
+  return count.least == 0 ? "none" : std::to_string(count.least);
+}
+
+Json count_json(const EigenvalueCount& count) {
+  Json result = Json::object({{"least", count.least}, {"most", nullptr}});
+  if (count.most) result["most"] = *count.most;
+  return result;
 }
 
 std::string eigenvalues_text(const EigenvaluesDocument& document) {
   std::ostringstream out;
-  double from = 0;
-  std::uint64_t index = 1;  // Of the next eigenvalue; 0 where it is not known.
-  for (const EigenvaluesDocument::Window& window : document.windows) {
-    const Interval in = enclosure(window);
-    if (from < in.lower) out << "none in (" << certify::shortest(from) << ", " << certify::shortest(in.lower) << ")\n";
-    out << count_text(window) << " in " << to_string(in);
-    if (window.least != window.most) {
-      index = 0;
-    } else if (index != 0) {
-      out << ": lambda_" << index;
-      if (window.most > 1) out << " to lambda_" << index + window.most - 1;
-      index += window.most;
-    }
-    if (window.least == window.most) {
-      if (window.most == 1) {
-        out << ", simple";
-      } else {
-        out << ", the smallest in " << to_string(window.smallest) << ", the greatest in " << to_string(window.greatest);
-      }
-    }
+  std::uint64_t first = 1;
+  for (std::size_t row = 0; row < document.eigenvalues.size(); ++row) {
+    const auto& [in, count] = document.eigenvalues[row];
+    out << lambdas_text(first, count) << " in " << to_string(in);
+    if (count > 1) out << ": " << count;
+    if (count == 1 && is_apart(document, row)) out << ", simple";
     out << '\n';
-    from = in.upper;
+    first += count;
   }
-  if (from < document.eigenvalues_up_to)
-    out << "none in (" << certify::shortest(from) << ", " << certify::shortest(document.eigenvalues_up_to) << "]\n";
-  if (document.eigenvalues_up_to >= 0.25) {
-    const auto [least, most] = below_quarter(document);
-    out << "eigenvalues in (0, 1/4): ";
-    if (least == most) {
-      out << (most == 0 ? "none" : std::to_string(most)) << '\n';
-    } else {
-      out << "from " << least << " to " << most << '\n';
-    }
-  }
-  out << "closed geodesics used: " << document.geodesics.size() << ", of length at most " << document.up_to << '\n';
-  if (const auto needed = length_to_count_first(document))
-    out << "to count the first ones, take closed geodesics of length up to about " << std::ceil(*needed) << '\n';
+  out << "all " << (first == 1 ? "" : "others ") << "are at least " << certify::shortest(document.next)
+      << "\neigenvalues in (0, 1/4): " << count_text(eigenvalues_below(document, 0.25)) << '\n';
   return out.str();
 }
 
 Json eigenvalues_json(const EigenvaluesDocument& document) {
   Json result = Json::object();
-  result["windows"] = Json::array();
-  for (const EigenvaluesDocument::Window& window : document.windows) {
-    Json& entry = result["windows"].emplace_back(Json::object());
-    entry["in"] = interval_json(enclosure(window));
-    entry["least"] = window.least;
-    entry["most"] = window.most;
-    if (window.least != window.most) continue;
-    entry["smallest"] = interval_json(window.smallest);
-    entry["greatest"] = interval_json(window.greatest);
+  result["eigenvalues"] = Json::array();
+  std::uint64_t first = 1;
+  for (const auto& [in, count] : document.eigenvalues) {
+    result["eigenvalues"].push_back(Json::object({{"first", first}, {"count", count}, {"in", interval_json(in)}}));
+    first += count;
   }
-  result["eigenvalues_up_to"] = document.eigenvalues_up_to;
-  if (document.eigenvalues_up_to >= 0.25) {
-    const auto [least, most] = below_quarter(document);
-    result["below_quarter"] = Json::object({{"least", least}, {"most", most}});
-  }
-  result["closed_geodesics"] = document.geodesics.size();
-  result["up_to"] = document.up_to;
-  if (const auto needed = length_to_count_first(document)) result["up_to_needed"] = std::ceil(*needed);
+  result["next"] = document.next;
+  result["below_quarter"] = count_json(eigenvalues_below(document, 0.25));
   return result;
+}
+
+/// How many eigenvalues are less than the bound that was asked about.
+Report below_report(const EigenvaluesDocument& document, double below) {
+  const EigenvalueCount count = eigenvalues_below(document, below);
+  Json json = count_json(count);
+  json["bound"] = below;
+  return {"eigenvalues in (0, " + certify::shortest(below) + "): " + count_text(count) + '\n',
+          Json::object({{"below", std::move(json)}})};
+}
+
+/// The value of --below.
+double parse_below(const std::string& text) {
+  constexpr double kGreatest = 10'000;
+  const std::optional<double> value = certify::parse_binary64(with_leading_zero(text));
+  if (value && *value > 0 && *value <= kGreatest) return *value;
+  throw UsageError("--below: expected a positive decimal of at most 10000, not " + certify::in_quotes(text));
+}
+
+EigenvaluesOptions options_of(const EigenvaluesRequest& request) {
+  EigenvaluesOptions options{.threads = request.threads};
+  if (request.count > 0) options.count = request.count;
+  if (request.below) options.below = parse_below(*request.below);
+  if (request.digits > 0) options.digits = request.digits;
+  if (request.epsilon) options.epsilon = parse_epsilon(*request.epsilon);
+  return options;
 }
 
 void find_eigenvalues(const EigenvaluesRequest& request) {
   check_files({{"SURFACE", request.surface}},
               {{"--output", request.output, FileType::json}, {"--svg", request.svg, FileType::svg}});
-  EigenvaluesOptions options{.count = request.count, .eigenfunctions = !request.fast, .threads = request.threads};
-  if (!request.up_to.empty()) {
-    options.up_to = parse_length("--up-to", request.up_to);
-    constexpr int kLongest = 30;
-    if (options.up_to->value() > kLongest) throw UsageError("--up-to: more than the greatest length, 30");
-  }
-  if (!request.width.empty()) options.width = static_cast<double>(parse_length("--width", request.width).value());
-  if (request.seconds > 0) options.seconds = request.seconds;
+  EigenvaluesOptions options = options_of(request);
   const Surface surface = read_surface_input(request.surface);
   EigenvaluesDocument document;
   certify::Certificate certificate;
@@ -157,9 +139,12 @@ void find_eigenvalues(const EigenvaluesRequest& request) {
   write_outputs({{request.output, [&](std::ostream& out) { certify::write_file(document, out); }},
                  {request.svg, [&](std::ostream& out) { out << svg; }}});
   Report report{"verdict: VERIFIED\n", Json::object({{"verdict", "VERIFIED"}})};
-  const Report contents = eigenvalues_report(document);
-  report.text += contents.text;
-  report.json.update(contents.json);
+  const auto add = [&](const Report& more) {
+    report.text += more.text;
+    report.json.update(more.json);
+  };
+  add(eigenvalues_report(document));
+  if (options.below) add(below_report(document, *options.below));
   write_report(report, request.json, is_stdout(request.output) || is_stdout(request.svg));
 }
 
@@ -171,42 +156,42 @@ Report eigenvalues_report(const EigenvaluesDocument& document) {
 
 void add_eigenvalues_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<EigenvaluesRequest>();
-  CLI::App* command = app.add_subcommand(
-      "eigenvalues",
-      "Eigenvalues of the Laplacian: intervals with their numbers of eigenvalues, from 0 on without a gap, proved.");
+  CLI::App* command = app.add_subcommand("eigenvalues",
+                                         "The first eigenvalues of the Laplacian, with multiplicity, in proved "
+                                         "intervals, and from where on all others are.");
   add_input(*command, "SURFACE", shared->surface, kSurfaceHelp);
+  CLI::Option* count = command
+                           ->add_option("--count", shared->count,
+                                        "the first so many, at most 1000, and those that cannot be told apart from the "
+                                        "last one")
+                           ->check(integer_between(1, 1000))
+                           ->option_text("N [10]");
   command
-      ->add_option("--up-to", shared->up_to,
-                   "use the closed geodesics up to this length, at most 30; time proportional to e^L, and more "
-                   "eigenvalues. With --width or --time: the greatest length [16 or 30], after smaller ones, from 8 on")
-      ->option_text("L [10]");
+      ->add_option(
+          "--below", shared->below,
+          "instead: all eigenvalues less than this number, at most 10000, and how many there are; nothing more "
+          "precise than their number needs, unless --digits is given")
+      ->option_text("X")
+      ->excludes(count);
   command
-      ->add_option("--width", shared->width,
-                   "take closed geodesics of more and more lengths until the first eigenvalue, or the first N of "
-                   "--count, are counted, each in an interval that is narrower than W")
-      ->option_text("W");
-  command
-      ->add_option("--time", shared->seconds,
-                   "take closed geodesics of more and more lengths until about so many seconds are used, the "
-                   "certificate included: how far that leads depends on the machine")
-      ->check(integer_between(1, 1'000'000))
-      ->option_text("SECONDS");
-  command->add_option("--count", shared->count, "stop when so many eigenvalues are found")
-      ->check(integer_between(1, 1'000'000))
-      ->option_text("N");
-  command->add_flag("--fast", shared->fast,
-                    "no approximate eigenfunctions, which enclose counted eigenvalues to some nine digits: seconds "
-                    "less for each interval");
+      ->add_option("--digits", shared->digits,
+                   "about so many digits of each eigenvalue, from 1 to 10. Up to 2 take much less time, and more find "
+                   "eigenfunctions, which epsnet draw shows [9; 3 with --below]")
+      ->check(integer_between(1, 10))
+      ->option_text("D");
+  command->add_option("--epsilon", shared->epsilon, "of the net on which they are counted; by default from 0.3 to 0.6")
+      ->option_text("E");
   add_file(*command, "-o,--output", shared->output,
            "the eigenvalues file to write, for certify; \"-\" is standard output");
-  add_file(
-      *command, "--svg", shared->svg,
-      "also draw the bound for the number of eigenvalues at each place, and the intervals; \"-\" is standard output");
+  add_file(*command, "--svg", shared->svg,
+           "also draw the intervals, and how many eigenvalues are below each place; \"-\" is standard output");
   add_json(*command, shared->json);
   add_threads(*command, shared->threads);
   command->footer(
-      "Example:\n  epsnet eigenvalues s.json\n  epsnet eigenvalues s.json --up-to 12 -o eigenvalues.json && certify "
-      "eigenvalues.json\n  epsnet eigenvalues s.json --width 1e-6\n  epsnet eigenvalues s.json --time 60 --fast");
+      "Example:\n  epsnet eigenvalues s.json\n"
+      "  epsnet eigenvalues s.json --count 30 --digits 6 -o e.json && certify e.json\n"
+      "  epsnet eigenvalues s.json --below 0.25\n"
+      "  epsnet draw e.json --eigenfunction 3 -o e3.svg");
   command->callback([&chosen, shared] { chosen = [shared] { find_eigenvalues(*shared); }; });
 }
 

@@ -16,7 +16,7 @@ In a notebook a net, a closed geodesic, a domain shows itself as a picture, and 
 Surface         octagon, fenchel_nielsen, regular, named, map, load: surfaces; and what they are asked for
 Net             vertices, edges, triangles, lifts as arrays of NumPy; certificate; pictures; files
 ClosedGeodesics systole, spectrum, thick-thin decomposition, each with its proof
-Eigenvalues     of the Laplacian: intervals with their numbers, proved
+Eigenvalues     of the Laplacian: the first ones in intervals, proved, with eigenfunctions
 Distance        and Diameter, Radius, EmbeddedDisk, Eccentricity: numbers as intervals, with their proofs
 Interval        lower and upper ends, and whether it is proved; arithmetic and comparisons
 PantsDecomposition  Fenchel–Nielsen coordinates of any surface
@@ -30,7 +30,7 @@ from . import _epsnet, errors
 from .certificates import Certificate, Rule
 from .distances import Cover, Diameter, Distance, Eccentricity, EmbeddedDisk, Radius
 from .domains import DirichletDomain, DirichletSide, FundamentalPolygon, PolygonSide
-from .eigenvalues import Eigenvalues, EigenvalueWindow
+from .eigenvalues import Eigenfunction, EigenvalueEnclosure, Eigenvalues
 from .errors import ArgumentError, EpsnetError, FileError, FormatError, LimitError, NetError, NotVerifiedError, SurfaceError, UndecidedError
 from .files import certify, load
 from .geodesics import ClosedGeodesic, ClosedGeodesics, Multiplicities, Multiplicity, Piece, Systole, ThickThin
@@ -47,7 +47,7 @@ __version__: str = _epsnet.__version__
 
 __all__ = [
     "ArgumentError", "Axis", "Certificate", "ClosedGeodesic", "ClosedGeodesics", "Collar", "ComplexInterval", "Cover", "Cuff", "Diameter",
-    "DirichletDomain", "DirichletSide", "Distance", "DistanceTable", "Eccentricity", "EigenvalueWindow", "Eigenvalues", "EmbeddedDisk", "EpsnetError", "FileError", "FormatError",
+    "DirichletDomain", "DirichletSide", "Distance", "DistanceTable", "Eccentricity", "Eigenfunction", "EigenvalueEnclosure", "Eigenvalues", "EmbeddedDisk", "EpsnetError", "FileError", "FormatError",
     "FundamentalPolygon", "Gaussian", "Interval", "Isometry", "IsometryGroup", "IsometryProof", "Lifts", "LimitError", "Location", "Multiplicities", "Multiplicity", "Net",
     "NetError", "NotVerifiedError", "Page", "PantsDecomposition", "Piece", "Point", "PolygonSide", "Radius", "Rule", "Surface", "SurfaceError", "SurfaceIsometry", "Systole",
     "ThickThin", "UndecidedError", "certify", "ends", "errors", "load",

@@ -4,38 +4,99 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import List, Optional, Sequence, Union, overload
+from typing import TYPE_CHECKING, List, Optional, Sequence, Tuple, Union, overload
+
+import numpy as np
 
 from . import _epsnet
 from ._annotations import Surface
-from ._arguments import Number, as_flag, as_fraction, as_index, as_threads, length_text, refuse
+from ._arguments import Number, as_choice, as_fraction, as_index, as_threads, length_text, refuse
 from ._documents import Document
+from ._immutable import Immutable
 from ._progress import Progress, Shower
 from .certificates import Certificate, checked
+from .errors import ArgumentError
 from .intervals import Interval
 from .nets import Net
 
-__all__ = ["EigenvalueWindow", "Eigenvalues"]
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+__all__ = ["Eigenfunction", "EigenvalueEnclosure", "Eigenvalues"]
 
 
 @dataclass(frozen=True)
-class EigenvalueWindow:
-    """Eigenvalues that lie in one interval, and no other does. They are counted with multiplicity."""
+class EigenvalueEnclosure:
+    """Eigenvalues that follow each other, counted with multiplicity: λ_first and those after it, ``count`` in all, are in ``interval``."""
 
-    #: Contains them; for a single one as narrow as it was proved.
+    #: Contains them.
     interval: Interval
-    #: There are at least so many.
-    least: int
-    #: There are at most so many.
-    most: int
-    #: Contains the smallest one; the whole interval where least and most differ.
-    smallest: Interval
-    #: Contains the greatest one; the whole interval where least and most differ.
-    greatest: Interval
+    #: The number of the first one; 1 is that of the least eigenvalue of the surface but 0.
+    first: int
+    #: There are so many.
+    count: int
 
 
-class Eigenvalues(Document, Sequence[EigenvalueWindow]):
-    """Windows with all eigenvalues of the Laplacian up to a bound, in increasing order. 0, of the constant functions, is left out."""
+class Eigenfunction(Immutable):
+    """A function around each vertex of a net, which nearly fit together: near an eigenfunction. Its values are rounded, not proved."""
+
+    def __init__(self, eigenvalues: "Eigenvalues", index: int) -> None:
+        try:
+            lower, upper, values = eigenvalues._core.eigenfunction(index)
+        except IndexError as error:
+            raise ArgumentError(str(error), place="index") from None
+        self._eigenvalues = eigenvalues
+        self._index = index
+        self._interval = Interval(lower, upper, proved=eigenvalues.proved)
+        self._values: "Floats" = np.array(values)
+        self._values.flags.writeable = False
+
+    @property
+    def index(self) -> int:
+        """The number of its eigenvalue, from 1 on."""
+        return self._index
+
+    @property
+    def interval(self) -> Interval:
+        """Contains its eigenvalue."""
+        return self._interval
+
+    @property
+    def net(self) -> Net:
+        """The net around whose vertices it is given."""
+        return self._eigenvalues.net
+
+    @property
+    def at_vertices(self) -> "Floats":
+        """Its values at the vertices of the net, rounded; read-only. The function may be multiplied by any number."""
+        return self._values
+
+    def svg(self, *, centre: int = 0, order: str = "weight", size: int = 600) -> str:
+        """A picture: one lift of every triangle of the net in the Poincaré disk, coloured by the values, with the lines where it is 0.
+
+        ``centre``: the vertex in the centre; ``order``: "weight" or "breadth first", as for ``Net.lifts``; ``size``: in pixels.
+        """
+        breadth_first = as_choice(order, "order", ("weight", "breadth first")) == "breadth first"
+        core = self._eigenvalues._core
+        return core.eigenfunction_svg(self._index, as_index(centre, "centre"), breadth_first, as_index(size, "size", 50, 20000))
+
+    def _repr_svg_(self) -> str:
+        return self.svg()
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Eigenfunction) and self._index == other._index and self._eigenvalues == other._eigenvalues
+
+    def __hash__(self) -> int:
+        return hash((self._eigenvalues, self._index))
+
+    def __repr__(self) -> str:
+        return f"<Eigenfunction of λ_{self._index} in {self._interval}>"
+
+
+class Eigenvalues(Document, Sequence[EigenvalueEnclosure]):
+    """The first eigenvalues of the Laplacian, with multiplicity, in increasing order. 0, of the constant functions, is left out."""
 
     _core: "_epsnet.Eigenvalues"
 
@@ -43,79 +104,80 @@ class Eigenvalues(Document, Sequence[EigenvalueWindow]):
         self._hold(core, surface, certificate)
 
     @cached_property
-    def _windows(self) -> List[EigenvalueWindow]:
-        proved = self.proved
-
-        def interval(ends: tuple[float, float]) -> Interval:
-            return Interval(*ends, proved=proved)
-
-        return [
-            EigenvalueWindow(interval((greatest[0], smallest[1]) if least == most == 1 else ends), least, most, interval(smallest), interval(greatest))
-            for ends, least, most, smallest, greatest in self._core.windows
-        ]
+    def _rows(self) -> List[EigenvalueEnclosure]:
+        proved, rows, first = self.proved, [], 1
+        for ends, count in self._core.enclosures:
+            rows.append(EigenvalueEnclosure(Interval(*ends, proved=proved), first, count))
+            first += count
+        return rows
 
     @property
-    def up_to(self) -> str:
-        """The length up to which closed geodesics prove it, as it was given."""
-        return self._core.up_to
+    def next(self) -> float:
+        """All eigenvalues after those of the rows are at least this number."""
+        return self._core.next
 
-    @property
-    def bound(self) -> float:
-        """All eigenvalues up to this number, which is included, lie in the windows."""
-        return self._core.eigenvalues_up_to
+    def count_below(self, x: Number) -> Tuple[int, Optional[int]]:
+        """At least and at most so many eigenvalues are less than x, which is rounded to a float; None if nothing is known of how many at most."""
+        return self._core.count_below(float(min(max(as_fraction(x, "x"), Fraction(-(10**9))), Fraction(10**9))))
 
     @cached_property
     def net(self) -> Net:
-        """The net on which the list of closed geodesics is proved."""
+        """The net on which the eigenvalues are counted."""
         return Net(self._core.net, self._surface, None)
 
+    def eigenfunction(self, index: int) -> Eigenfunction:
+        """The eigenfunction of λ_index, from 1 on. Where several eigenvalues are in one interval, its functions are those of a basis, in no order.
+        ArgumentError if there is none: what was computed with at most 2 digits has no eigenfunctions."""
+        return Eigenfunction(self, as_index(index, "index", 1))
+
     def svg(self, size: int = 600) -> str:
-        """A bound for the number of eigenvalues at each place of the axis, and the windows, as SVG of this width."""
+        """The intervals, and how many eigenvalues are below each place, at least and at most, as SVG of this width."""
         return self._core.svg(as_index(size, "size", 50, 20000))
 
     def _repr_svg_(self) -> str:
         return self.svg()
 
     def __len__(self) -> int:
-        return len(self._windows)
+        return len(self._rows)
 
     @overload
-    def __getitem__(self, place: int) -> EigenvalueWindow: ...
+    def __getitem__(self, place: int) -> EigenvalueEnclosure: ...
     @overload
-    def __getitem__(self, place: slice) -> List[EigenvalueWindow]: ...
-    def __getitem__(self, place: Union[int, slice]) -> Union[EigenvalueWindow, List[EigenvalueWindow]]:
-        return self._windows[place]
+    def __getitem__(self, place: slice) -> List[EigenvalueEnclosure]: ...
+    def __getitem__(self, place: Union[int, slice]) -> Union[EigenvalueEnclosure, List[EigenvalueEnclosure]]:
+        return self._rows[place]
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Eigenvalues) and bool(self._core == other._core)
 
     def __hash__(self) -> int:
-        return hash((self.up_to, self.bound, len(self)))
+        return hash((self.next, len(self)))
 
     def __repr__(self) -> str:
-        counts = ", ".join(str(w.least) if w.least == w.most else f"{w.least} to {w.most}" for w in self)
-        return f"<Eigenvalues up to {self.bound}: windows of {counts or 'none'}{'' if self.proved else ' (not proved)'}>"
+        counts = ", ".join(str(row.count) for row in self)
+        others = f"{'; all others' if counts else 'all'} at least {self.next}"
+        return f"<Eigenvalues: {counts}{others}{'' if self.proved else ' (not proved)'}>"
 
 
-def _positive(x: Optional[Number], name: str, expected: str) -> Optional[float]:
+def _below(x: Optional[Number]) -> Optional[float]:
     if x is None:
         return None
-    value = float(min(as_fraction(x, name), Fraction(10**9)))  # More makes no difference.
-    if value <= 0:
-        refuse(expected, x, name)
-    return value
+    value = as_fraction(x, "below")
+    if not 0 < value <= 10**4 or float(value) == 0:
+        refuse("a positive number of at most 10000", x, "below")
+    return float(value)
 
 
 def eigenvalues(
-    surface: "Surface", up_to: Optional[Number], count: Optional[int], width: Optional[Number], time: Optional[Number], fast: bool, threads: int, progress: Progress
+    surface: "Surface", count: Optional[int], below: Optional[Number], digits: Optional[int], epsilon: Optional[Number], threads: int, progress: Progress
 ) -> Eigenvalues:
-    text = None if up_to is None else length_text(up_to, "up_to")
-    most = 0 if count is None else as_index(count, "count", 1, 10**6)
-    size = _positive(width, "width", "a positive number")
-    seconds = _positive(time, "time", "a positive number of seconds")
+    number = None if count is None else as_index(count, "count", 1, 1000)
+    bound = _below(below)
+    if count is not None and below is not None:
+        raise ArgumentError("not together with count", place="below")
+    precision = None if digits is None else as_index(digits, "digits", 1, 10)
+    length = None if epsilon is None else length_text(epsilon, "epsilon")
     threads = as_threads(threads)
-    if up_to is not None and as_fraction(up_to, "up_to") > 30:
-        refuse("a length of at most 30", up_to, "up_to")
     with Shower(progress) as callback:
-        core = _epsnet.Eigenvalues.find(surface._core, text, most, size, seconds, as_flag(fast, "fast"), threads, callback)
+        core = _epsnet.Eigenvalues.find(surface._core, number, bound, precision, length, threads, callback)
     return Eigenvalues(core, surface, checked(core, progress, threads, subject="eigenvalues"))

@@ -579,24 +579,23 @@ class Surface(Immutable):
     # The Laplacian.
 
     def eigenvalues(
-        self, up_to: Optional[Number] = None, count: Optional[int] = None, *, width: Optional[Number] = None, time: Optional[Number] = None,
-        fast: bool = False, threads: int = 0, progress: Progress = None
+        self, count: Optional[int] = None, *, below: Optional[Number] = None, digits: Optional[int] = None, epsilon: Optional[Number] = None,
+        threads: int = 0, progress: Progress = None
     ) -> Eigenvalues:
-        """Intervals with the eigenvalues of the Laplacian, with multiplicity, from 0 on without a gap. Proved from all closed geodesics up to
-        the length ``up_to``, 10 by default and at most 30, in time proportional to e^up_to. Stops when ``count`` of them are found. The first
-        ones are enclosed to some nine digits by approximate eigenfunctions; ``fast`` leaves these out, some seconds less. NetError if up_to
-        is so small, less than about 1, that nothing can be said.
+        """The first ``count`` eigenvalues of the Laplacian, 10 by default and at most 1000, with multiplicity, in proved intervals, and those
+        that cannot be told apart from the last one; or, with ``below``, all that are less than this number, at most 10000.
 
-        With ``width``, longer and longer geodesics are taken, from 8 to ``up_to`` (16), until the first eigenvalue, or the first ``count``,
-        are counted, each in an interval that is narrower; NetError if that is not reached. With ``time``, until about so many seconds are used:
-        how far that leads depends on the machine.
+        ``digits``: about so many of each, from 1 to 10; by default 9, and with ``below`` 3, and no more than their number needs. Up to 2 take
+        much less time; from 3 on there are eigenfunctions. ``epsilon``: of the net on which they are counted; by default from 0.3 to 0.6.
+
+        NetError if they are not found, LimitError if it takes too many triangles.
 
         >>> import epsnet
-        >>> first = epsnet.Surface.regular(2).eigenvalues(9, count=7)
-        >>> [(window.least, window.most, window.smallest.lower < value < window.greatest.upper) for window, value in zip(first, (3.8388873, 5.3536013))]
-        [(3, 3, True), (4, 4, True)]
+        >>> first = epsnet.Surface.regular(2).eigenvalues(7, digits=6)
+        >>> [(row.first, row.count, value in row.interval) for row, value in zip(first, (3.8388872588, 5.3536013412))]
+        [(1, 3, True), (4, 4, True)]
         """
-        return eigenvalues(self, up_to, count, width, time, fast, threads, progress)
+        return eigenvalues(self, count, below, digits, epsilon, threads, progress)
 
     # Distances.
 

@@ -71,7 +71,7 @@ def calls(octagon, net, bolza):
     spectrum, distance, polygon = octagon.spectrum(2), octagon.distance((0, 0.1, 0), 0), octagon.dirichlet_domain((0, 0, 0))
     group, matrices, pants = octagon.isometries(), bolza.matrices(), octagon.pants()
     curve = pants.cuffs[0].word
-    x, element, table = Interval(1, 2), octagon.element([0]), net.distances(0)
+    x, element, table, eigenvalues = Interval(1, 2), octagon.element([0]), net.distances(0), octagon.eigenvalues(1, digits=4)
     return [
         (Surface, dict(tiles=octagon.tiles, gluing=octagon.gluing)),
         (Surface.octagon, dict(seed=1)), (Surface.octagon, dict(half=octagon.tiles[0][:4])), (Surface.regular, dict(genus=2)),
@@ -89,7 +89,9 @@ def calls(octagon, net, bolza):
         (octagon.element, dict(word=[0])), (octagon.dirichlet_domain, dict(p=0)), (octagon.reduced, dict(word=[0])),
         (octagon.net, dict(epsilon=1, base=0, points=[], pseudo=False, sparse=False, insert="cavity", locate="straight", list="A", threads=1, progress=False)),
         (octagon.systole, dict(threads=1, progress=False)), (octagon.spectrum, dict(up_to=2, threads=1, progress=False)),
-        (octagon.eigenvalues, dict(up_to=7, count=1, width=2, time=1000, fast=True, threads=1, progress=False)),
+        (octagon.eigenvalues, dict(count=1, digits=2, epsilon="0.5", threads=1, progress=False)), (octagon.eigenvalues, dict(below=1)),
+        (eigenvalues.svg, dict(size=100)), (eigenvalues.count_below, dict(x=1)), (eigenvalues.eigenfunction, dict(index=1)),
+        (eigenvalues.eigenfunction(1).svg, dict(centre=0, order="weight", size=100)),
         (octagon.isometries, dict(threads=1, progress=False)), (octagon.isometric_to, dict(other=bolza, threads=1, progress=False)),
         (group.product, dict(i=0, j=1)), (group.order, dict(i=0)), (group.fixed_points, dict(i=0)), (group.permutation, dict(i=0)),
         (group.save, dict(path="none")), (group.proof.save, dict(path="none")),
@@ -106,7 +108,7 @@ def calls(octagon, net, bolza):
         (spectrum.save, dict(path="none")), (spectrum.svg, dict(size=100)), (spectrum[0].svg, dict(size=100)),
         (octagon.systole().svg, dict(size=100)), (octagon.systole().save, dict(path="none")),
         (distance.svg, dict(size=100)), (distance.save, dict(path="none")), (polygon.svg, dict(size=100)),
-        (octagon.svg, dict(size=100)), (octagon.eigenvalues(3, fast=True).svg, dict(size=100)), (octagon.eccentricity(0).svg, dict(size=100)), (octagon.diameter("0.1").svg, dict(size=100)), (polygon.save, dict(path="none")),
+        (octagon.svg, dict(size=100)), (octagon.eccentricity(0).svg, dict(size=100)), (octagon.diameter("0.1").svg, dict(size=100)), (polygon.save, dict(path="none")),
         (element.enclosure, dict(bits=2)), (element.su11, dict(bits=2, kind="interval")), (element.sl2r, dict(bits=2, kind="interval")),
         (element.matrix, dict(model="disk")), (element.trace, dict(bits=2)), (element.axis, dict(bits=2)), (element.__pow__, dict(exponent=2)),
         (element, dict(z=0j)),
@@ -170,7 +172,9 @@ def test_the_list_of_calls_is_complete(calls):
         (lambda s, n: n.distances("v0"), "rows"), (lambda s, n: n.distances(0, [10**6]), "columns"), (lambda s, n: n.distances(True), "rows"),
         (lambda s, n: n.point_of_triangle(0, (1, 1)), "weights"), (lambda s, n: s.regular(1), "genus"), (lambda s, n: s.named("nobody"), "name"),
         (lambda s, n: s.distance(0, "v3"), "q"), (lambda s, n: s.distance((0, "one", 0), 0), "p"), (lambda s, n: s.centre(7), "tile"),
-        (lambda s, n: s.spectrum("1/0"), "up_to"), (lambda s, n: s.diameter(0), "width"), (lambda s, n: s.save("s.epsn"), "path"),
+        (lambda s, n: s.spectrum("1/0"), "up_to"), (lambda s, n: s.eigenvalues(0), "count"), (lambda s, n: s.eigenvalues(below=10**5), "below"),
+        (lambda s, n: s.eigenvalues(3, below=1), "below"), (lambda s, n: s.eigenvalues(digits=11), "digits"), (lambda s, n: s.eigenvalues(epsilon=-1), "epsilon"),
+        (lambda s, n: s.diameter(0), "width"), (lambda s, n: s.save("s.epsn"), "path"),
         (lambda s, n: s.systole().save("s.epsn"), "path"), (lambda s, n: s.spectrum(1).save("s.epsn"), "path"),
         (lambda s, n: Surface([[1]], []), "tiles"), (lambda s, n: Surface(s.tiles, [(0, 0)]), "gluing"), (lambda s, n: s.octagon(half=[0]), "half"),
         (lambda s, n: Surface.fenchel_nielsen(1, 0, [(0, "1")]), "graph"), (lambda s, n: s.element([0]).sl2r(kind="float"), "kind"),

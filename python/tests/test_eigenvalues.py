@@ -1,48 +1,83 @@
 """Eigenvalues of the Laplacian."""
+import copy
+import pickle
 import xml.etree.ElementTree as ElementTree
 
+import numpy as np
 import pytest
 
 import epsnet
 
 # A. Strohmaier, V. Uski, arXiv:1110.2150.
-BOLZA = [(3, 3.8388872588421995), (4, 5.353601341189)]
+BOLZA = [(1, 3, 3.8388872588421995), (4, 4, 5.353601341189)]
 
 
 @pytest.fixture(scope="module")
 def found(bolza):
-    """The first seven of the Bolza surface, with eigenfunctions: ten seconds."""
-    return bolza.eigenvalues(9, count=7)
+    """The first seven of the Bolza surface, with eigenfunctions."""
+    return bolza.eigenvalues(7)
 
 
-def test_of_the_bolza_surface_are_those_of_the_literature(found):
-    assert found.proved and found.up_to == "9" and len(found) == 2 and found.bound > 7
-    for window, (count, value) in zip(found, BOLZA):
-        assert window.least == window.most == count
-        assert window.interval.lower == window.smallest.lower < value < window.greatest.upper == window.interval.upper
-        assert window.greatest.lower < value < window.smallest.upper
+@pytest.fixture(scope="module")
+def rough(bolza):
+    """The same without."""
+    return bolza.eigenvalues(7, digits=2)
 
 
-def test_a_simple_one_is_in_both_enclosures(data):
-    (window,) = epsnet.load(str(data / "eigenvalues/octagon-5-to-8-digits.json"))
-    assert (window.least, window.most) == (1, 1) and window.interval.ends == (window.greatest.lower, window.smallest.upper)
+def test_of_the_bolza_surface_are_those_of_the_literature(found, rough):
+    for eigenvalues, width in ((found, 1e-7), (rough, 0.5)):
+        assert eigenvalues.proved and eigenvalues.next > BOLZA[1][2]
+        assert [(row.first, row.count) for row in eigenvalues] == [(first, count) for first, count, _ in BOLZA]
+        for row, (_, _, value) in zip(eigenvalues, BOLZA):
+            assert row.interval.proved and value in row.interval and row.interval.width < width
 
 
-def test_a_width_is_reached_or_an_error():
-    octagon = epsnet.Surface.octagon(seed=5)
-    (window,) = octagon.eigenvalues(width="0.1", count=1, fast=True)
-    assert window.interval.width < 0.1 and window.least == window.most == 1
-    with pytest.raises(epsnet.NetError, match="at most 8.5, expected 0.03"):
-        octagon.eigenvalues("8.5", count=1, width=0.03, fast=True)
-    for wrong in (0, -1, float("nan")):
-        with pytest.raises(epsnet.ArgumentError):
-            octagon.eigenvalues(width=wrong)
-        with pytest.raises(epsnet.ArgumentError):
-            octagon.eigenvalues(time=wrong)
+def test_numbers_below_a_bound(found, bolza):
+    assert found.count_below(0.25) == found.count_below("1/4") == found.count_below(-1) == (0, 0)
+    assert found.count_below(4) == (3, 3) and found.count_below(5.5)[0] == 7
+    assert found.count_below(10**30)[1] is None
+    least, most = found.count_below(found[0].interval.mid)
+    assert least == 0 and most == 3
+    none = bolza.eigenvalues(below="0.25")
+    assert none.count_below(0.25) == (0, 0) and none.next >= 0.25
+    assert bolza.eigenvalues(below=4, digits=4).count_below(4) == (3, 3)
 
 
-def test_a_time_is_for_longer_and_longer_geodesics():
-    assert epsnet.Surface.octagon(seed=5).eigenvalues(7, time=1000, fast=True).up_to == "7"
+def test_eigenfunctions_take_all_values(found):
+    for index in (1, 2, 7):
+        function = found.eigenfunction(index)
+        assert function.index == index and function.interval.proved and function.net == found.net
+        row = found[0] if index <= 3 else found[1]
+        assert row.interval.lower <= function.interval.lower <= function.interval.upper <= row.interval.upper
+        values = function.at_vertices
+        assert values.shape == (len(found.net),) and values.dtype == np.float64 and not values.flags.writeable
+        assert values.min() < 0 < values.max()  # It is orthogonal to the constants.
+        assert f"λ_{index}" in repr(function)
+    # Those of one eigenvalue are independent.
+    values = np.array([found.eigenfunction(index).at_vertices for index in (1, 2, 3)])
+    assert np.linalg.matrix_rank(values, tol=1e-3 * np.abs(values).max()) == 3
+
+
+def test_the_picture_of_an_eigenfunction(found):
+    function = found.eigenfunction(1)
+    svg = function.svg(size=300)
+    groups = [group.get("class") for group in ElementTree.fromstring(svg)]
+    assert "values" in groups and "nodal-lines" in groups
+    assert len({svg, function.svg(size=200), function.svg(size=300, centre=2), function.svg(size=300, order="breadth first"),
+                found.eigenfunction(2).svg(size=300)}) == 5
+    assert function._repr_svg_() == function.svg()
+    with pytest.raises(epsnet.NetError):
+        function.svg(centre=10**6)
+
+
+def test_what_there_is_no_eigenfunction_of(found, rough):
+    for eigenvalues, index, message in ((found, 8, "no eigenfunction of lambda_8: the file has 7, those of lambda_1 to lambda_7"),
+                                        (rough, 1, "no eigenfunction of lambda_1: the file has no eigenfunctions")):
+        with pytest.raises(epsnet.ArgumentError, match=message) as caught:
+            eigenvalues.eigenfunction(index)
+        assert caught.value.place == "index"
+    with pytest.raises(epsnet.ArgumentError):
+        found.eigenfunction(0)
 
 
 def test_of_a_file_are_the_same(found, tmp_path):
@@ -50,26 +85,31 @@ def test_of_a_file_are_the_same(found, tmp_path):
     found.save(path)
     loaded = epsnet.load(path)
     assert loaded == found and hash(loaded) == hash(found) and loaded[:] == found[:] and repr(loaded) == repr(found)
+    assert loaded.eigenfunction(1) == found.eigenfunction(1) != found.eigenfunction(2)
+    assert hash(loaded.eigenfunction(1)) == hash(found.eigenfunction(1))
     assert not epsnet.load(path, check=False)[0].interval.proved
+    assert copy.copy(found) is found and pickle.loads(pickle.dumps(found)) == found
 
 
-def test_few_geodesics_bound_the_first_one(bolza):
-    (window,) = bolza.eigenvalues(1, fast=True)
-    assert window.interval.lower == 0 and window.least == 1 < window.most and window.interval.upper > BOLZA[0][1]
-
-
-def test_the_picture_has_a_band_for_each_window(found):
+def test_the_picture_has_a_band_for_each_row(found):
     root = ElementTree.fromstring(found.svg(700))
     assert (root.get("width"), root.get("height")) == ("700", "434")
-    bands = next(group for group in root if group.get("class") == "windows")
+    bands = next(group for group in root if group.get("class") == "enclosures")
     assert len(bands) == len(found)
     assert found._repr_svg_() == found.svg() != found.svg(700)
     with pytest.raises(epsnet.ArgumentError):
         found.svg(1)
 
 
-def test_what_cannot_be_said_is_an_error(bolza):
-    with pytest.raises(epsnet.NetError, match="nothing can be said.*a length of 1 or more"):
-        bolza.eigenvalues("1e-3")
-    with pytest.raises(epsnet.ArgumentError, match="at most 30"):
-        bolza.eigenvalues(31)
+def test_what_cannot_be_meant_is_an_error(bolza):
+    for wrong in (0, 1001, 1.5):
+        with pytest.raises(epsnet.ArgumentError, match="^count: "):
+            bolza.eigenvalues(wrong)
+    for wrong in (0, -1, 10001, float("nan"), "1e-1000"):
+        with pytest.raises(epsnet.ArgumentError, match="^below: "):
+            bolza.eigenvalues(below=wrong)
+    with pytest.raises(epsnet.ArgumentError, match="^below: not together with count"):
+        bolza.eigenvalues(3, below=4)
+    for wrong in (0, 11):
+        with pytest.raises(epsnet.ArgumentError, match="^digits: "):
+            bolza.eigenvalues(digits=wrong)

@@ -31,6 +31,7 @@ NOT_IN_PYTHON = {
     ("isometric", "--second-spectrum"): "other.spectrum(up_to)",
     ("export", "--model"): "Surface.matrices(model)",
     ("convert", "--surface"): "Surface.load(path).save",
+    ("draw", "--eigenfunction"): "Eigenvalues.eigenfunction(index).svg",
     ("draw", "--png"): "a browser or a notebook shows SVG; the module does not link the library that the program draws with",
 }
 # The function of a command, and its parameters that are called otherwise.

@@ -20,7 +20,7 @@ def test_everything_shows_itself(octagon, bolza, pants, net):
         net, octagon, pants, bolza, octagon.fundamental_polygon(), bolza.dirichlet_domain(), octagon.dirichlet_domain((0, 0.1, 0.1)),
         systole, systole.geodesic, octagon.spectrum("3"), octagon.distance((0, 0.1, 0.3), (0, -0.25, -0.2)),
         octagon.diameter("0.1"), octagon.radius("0.1"), octagon.embedded_disk("0.1"), octagon.eccentricity(0),
-        octagon.eigenvalues(5, fast=True),
+        octagon.eigenvalues(1, digits=2), octagon.eigenvalues(1, digits=4).eigenfunction(1),
     ]
     for thing in shown:
         assert paths(thing._repr_svg_()) > 1

@@ -2342,371 +2342,451 @@ def side_of_a_curve_in_no_piece():
 group = "eigenvalues"
 
 
-def eigenvalues(name="octagon-5-to-8"):
+def eigenvalues(name="octagon-5"):
     with open(os.path.join(TOP, "tests", "data", "eigenvalues", name + ".json"), encoding="utf-8") as file:
         return json.load(file)
 
 
-def bolza(row=None, **changes):
-    """The file of the Bolza surface, with 3, 4 and 2 eigenvalues; `row` is the list and the index of a statement that is
-    changed."""
-    document = eigenvalues("bolza-to-9")
-    if row:
-        document[row[0]][row[1]].update(changes)
+def eigenvalues_with(changes, name="octagon-5", **members):
+    """`changes` are (list, index, members); the file of an octagon has λ_1, then two eigenvalues, then two."""
+    document = {**eigenvalues(name), **members}
+    for key, i, row in changes:
+        document[key][i].update(row)
     return document
 
 
-def as_one_window(document, i, **changes):
-    """Window i changed, its two enclosures being itself."""
-    window = {**document["windows"][i], **changes}
-    document["windows"][i] = {**window, "smallest": window["in"], "greatest": window["in"]}
-    return document
-
-
-@refuted("complete", exact=LEFT)
-def eigenvalues_without_a_geodesic():
-    """One closed geodesic is left out of 217; all statements are as before."""
-    document = eigenvalues()
-    del document["geodesics"][100]
-    return runs(document)
-
-
-@refuted("complete", exact=LEFT)
-def eigenvalues_from_geodesics_up_to_more():
-    """L is 8.1 instead of 8, and geodesics of lengths in between are missing."""
-    return with_(eigenvalues(), up_to="8.1")
-
-
-@refuted("windows", exact=LEFT)
-def eigenvalues_from_geodesics_up_to_a_bit_more():
-    """L is 8.0001 instead of 8: no geodesic is missing, but the test functions are others. The window is narrowed to
-    where λ_1 would be by those of L = 8.0001, for which there are no statements."""
-    document = with_(eigenvalues(), up_to="8.0001")
-    low, high = document["windows"][0]["in"]
-    return as_one_window(document, 0, **{"in": [low + 1e-6, high]})
-
-
-@refuted("geodesics")
-def eigenvalues_of_another_surface():
-    """The net is that of another octagon, whose closed geodesics have other lengths."""
-    return with_(eigenvalues(), net=octagon())
-
-
-@refuted("most", exact=LEFT)
-def eigenvalues_none_where_one_is():
-    """The interval of the statement that there is none reaches to the end of the window, which is left out."""
-    document = eigenvalues()
-    document["at_most"] = [{**document["at_most"][0], "in": [0, document["eigenvalues_up_to"]]}]
-    return with_(document, windows=[], at_least=[])
-
-
-@refuted("most", exact=LEFT)
-def eigenvalues_none_a_little_further():
-    """The interval of the statement that there is none is longer by 0.02, which is still before λ_1."""
-    document = eigenvalues()
-    rows = [row for row in document["at_most"] if row["count"] == 0]
-    rows[0]["in"][1] += 0.02
-    return document
-
-
-@refuted("most", exact=LEFT)
-def eigenvalues_with_one_coefficient_of_the_other_sign():
-    """One of the 33 coefficients of a test function has the other sign."""
-    document = eigenvalues()
-    document["at_most"][1]["coefficients"][5] *= -1
-    return document
-
-
-@refuted("least", exact=LEFT)
-def eigenvalues_with_the_coefficients_of_another_statement():
-    """That there is an eigenvalue is said with the test function that says that there is none."""
-    document = eigenvalues()
-    document["at_least"][0]["coefficients"] = document["at_most"][0]["coefficients"]
-    return document
-
-
-@refuted("most", exact=LEFT)
-def multiplicity_three_said_to_be_two():
-    """The first window of the Bolza surface has 2 eigenvalues instead of 3, in the window and in its statement."""
-    return as_one_window(bolza(("at_most", 0), count=2), 0, least=2, most=2)
-
-
-@refuted("least", exact=LEFT)
-def multiplicity_three_said_to_be_four():
-    """The first window of the Bolza surface has 4 eigenvalues instead of 3, in the window and in its statements."""
-    document = bolza(("at_least", 0), count=4)
-    document["at_most"][0]["count"] = 4
-    return as_one_window(document, 0, least=4, most=4)
-
-
-@refuted("windows", exact=LEFT)
-def multiplicity_four_said_to_be_three():
-    """The second window of the Bolza surface has 3 eigenvalues instead of 4, without a statement for it."""
-    return as_one_window(bolza(), 1, least=3, most=3)
-
-
-@refuted("windows", exact=LEFT)
-def window_narrower_by_a_unit():
-    """A window begins one unit in the last place later."""
-    document = bolza()
-    low, high = document["windows"][1]["in"]
-    return as_one_window(document, 1, **{"in": [math.nextafter(low, 9), high]})
-
-
-@refuted("windows", exact=LEFT)
-def window_left_out():
-    """The window with two eigenvalues is missing."""
-    document = bolza()
-    del document["windows"][2]
-    return document
-
-
-@refuted("windows", exact=LEFT)
-def smallest_eigenvalue_enclosed_in_less():
-    """The enclosure of the smallest eigenvalue of a window ends one unit in the last place earlier."""
-    document = bolza()
-    document["windows"][0]["smallest"][1] = math.nextafter(document["windows"][0]["smallest"][1], 0)
-    return document
-
-
-@refuted("windows", exact=LEFT)
-def eigenvalues_up_to_more():
-    """The end of the claim is one unit in the last place later."""
-    document = bolza()
-    return with_(document, eigenvalues_up_to=math.nextafter(document["eigenvalues_up_to"], 99))
-
-
-def few_eigenvalues(row=None, **changes):
-    """A short list for both checkers: on the Bolza surface, by 12 geodesics, no eigenvalue is in (0, 0.3), and at least
-    one and at most 200 up to 20. `row` as above."""
-    document = eigenvalues("bolza-to-3.1")
-    if row:
-        document[row[0]][row[1]].update(changes)
-    return document
-
-
-@refuted("complete")
-def few_eigenvalues_without_a_geodesic():
-    """One of the twelve shortest geodesics is left out, with the statements as before."""
-    document = few_eigenvalues()
-    del document["geodesics"][7]
-    return runs(document)
-
-
-@refuted("most")
-def few_eigenvalues_none_in_a_longer_interval():
-    """The interval of the statement that there is none is longer by 0.2, which is still before λ_1."""
-    document = few_eigenvalues(("at_most", 0), **{"in": [0, 0.5]})
-    document["at_least"][0]["within"] = [0.5, 20]
-    return as_one_window(document, 0, **{"in": [0.5, 20]})
-
-
-@refuted("most")
-def few_eigenvalues_at_most_fewer():
-    """The statement for 200 eigenvalues counts 100, as does the window."""
-    return as_one_window(few_eigenvalues(("at_most", 1), count=100), 0, most=100)
-
-
-@refuted("most")
-def few_eigenvalues_with_another_coefficient():
-    """The constant coefficient of a test function is −1.5 instead of 0.5."""
-    document = few_eigenvalues()
-    document["at_most"][0]["coefficients"] = [-1.5] + [1] * 8
-    return document
-
-
-@refuted("least")
-def few_eigenvalues_at_least_in_a_part():
-    """The weight is positive up to 2 only, where there is no eigenvalue."""
-    return few_eigenvalues(("at_least", 0), **{"in": [0, 2], "within": [0.3, 2]})
-
-
-@refuted("least")
-def few_eigenvalues_at_least_with_a_weight_of_degree_2():
-    """The weight is positive from 0.3 to 2 only, by the third moment."""
-    return few_eigenvalues(("at_least", 0), **{"in": [0.3, 2], "within": [0.3, 2]})
-
-
-@refuted("windows")
-def few_eigenvalues_in_a_narrower_window():
-    """The window begins one unit in the last place later."""
-    return as_one_window(few_eigenvalues(), 0, **{"in": [math.nextafter(0.3, 9), 20]})
-
-
-@refuted("windows")
-def few_eigenvalues_one_more():
-    """There are two eigenvalues at least, as the statement for one says."""
-    return as_one_window(few_eigenvalues(), 0, least=2)
-
-
-@refuted("windows")
-def few_eigenvalues_enclosed():
-    """The window has exactly 200, of which the smallest is enclosed."""
-    document = few_eigenvalues()
-    window = document["windows"][0]
-    document["windows"] = [{**window, "least": 200, "smallest": [0.3, 4]}]
-    return document
-
-
-def eigenfunction(**changes):
-    """The file of an octagon with λ_1 = 2.77506798…, the row of its eigenfunction changed."""
-    document = eigenvalues("octagon-5-to-8-digits")
-    document["eigenfunctions"][0].update(changes)
-    return document
-
-
+NOT_MOST = "UNDECIDED: most"
+NOT_LEAST = "UNDECIDED: least"
 UNPROVED = "UNDECIDED: eigenfunctions"
 
 
-def rough_eigenfunction(**changes):
-    """The same with few geodesics and coefficients: λ_1 is known to three digits, and both checkers know the file."""
-    document = eigenvalues("octagon-5-to-7-digits")
+@forgery(NOT_MOST)
+def eigenvalues_one_less_below():
+    """There are four eigenvalues below the third interval instead of five: of λ_5 nothing is said, and `next` is where λ_6 is."""
+    document = eigenvalues_with([("at_most", 3, {"count": 4})])
+    document["eigenvalues"][2] = {**document["eigenvalues"][2], "count": 1}
+    return document
+
+
+@forgery(NOT_MOST)
+def eigenvalues_none_where_one_is():
+    """No eigenvalue is less than 3.4, where λ_1 is, and that is all that is claimed."""
+    document = eigenvalues_with([("at_most", 1, {"count": 0})], eigenvalues=[], at_least=[], vertex_order=[])
+    document["next"] = document["at_most"][1]["below"]
+    return document
+
+
+@forgery(NOT_MOST)
+def eigenvalues_counted_below_sigma():
+    """A count below sigma is said to be one below sigma itself, not below sigma/(1 + H sigma); the interval moves along."""
+    document = eigenvalues()
+    low = document["at_most"][0]["sigma"]
+    return eigenvalues_with([("at_most", 0, {"below": low}), ("eigenvalues", 0, {"in": [low, 2.86]})])
+
+
+@forgery(NOT_MOST)
+def eigenvalues_counted_a_bit_further():
+    """`below` is 10⁻⁹ beyond sigma/(1 + H sigma), as is the end of the interval."""
+    document = eigenvalues()
+    low = document["at_most"][0]["below"] * (1 + 1e-9)
+    return eigenvalues_with([("at_most", 0, {"below": low}),
+                             ("eigenvalues", 0, {"in": [low, document["eigenvalues"][0]["in"][1]]})])
+
+
+@forgery(NOT_MOST)
+def eigenvalues_with_sigma_beyond_the_next_one():
+    """sigma is a hundredth greater: the matrix has one negative eigenvalue more."""
+    return eigenvalues_with([("at_most", 0, {"sigma": eigenvalues()["at_most"][0]["sigma"] * 1.01})])
+
+
+@forgery(NOT_MOST)
+def eigenvalues_with_an_enormous_sigma():
+    """sigma is 10³⁰⁸, where numbers are too large to be factored."""
+    return eigenvalues_with([("at_most", 0, {"sigma": 1e308})])
+
+
+@forgery(NOT_MOST)
+def eigenvalues_of_another_octagon():
+    """The counts of one octagon for the net of another one, of as many triangles: it has λ_1 elsewhere."""
+    document = eigenvalues("octagon-5-of-one-vertex")
+    return with_(document, net=seed("octagon-of-one-vertex"))
+
+
+@forgery(NOT_MOST)
+def eigenvalues_of_the_bolza_surface_moved():
+    """All numbers of the Bolza surface are a thirtieth greater."""
+    document = eigenvalues("bolza")
+    by = 31 / 30
+    for row in document["at_most"]:
+        row.update(below=row["below"] * by, sigma=row["sigma"] * by)
+    for row in document["at_least"]:
+        row["below"] *= by
+    for row in document["eigenvalues"]:
+        row["in"] = [x * by for x in row["in"]]
+    document["next"] *= by
+    return document
+
+
+@forgery(NOT_LEAST)
+def eigenvalues_one_more_below():
+    """The Bolza surface has four eigenvalues in the first interval, and three in the second one."""
+    document = eigenvalues("bolza")
+    document["at_least"][0]["count"] = 4
+    document["at_most"][1]["count"] = 4
+    document["eigenvalues"][0]["count"] = 4
+    document["eigenvalues"][1]["count"] = 3
+    return document
+
+
+@forgery(NOT_LEAST)
+def eigenvalues_in_a_narrower_interval():
+    """λ_1 is said to be less than a number a tenth of a percent smaller than what the matrix proves."""
+    document = eigenvalues()
+    high = document["at_least"][0]["below"] * 0.999
+    return eigenvalues_with([("at_least", 0, {"below": high}),
+                             ("eigenvalues", 0, {"in": [document["eigenvalues"][0]["in"][0], high]})])
+
+
+@forgery(NOT_LEAST)
+def eigenvalue_0_counted():
+    """An eigenvalue is less than 1/4: the constants, which are not one of those counted."""
+    return eigenvalues_with([("at_least", 0, {"below": 0.25})], eigenvalues=[{"in": [0, 0.25], "count": 1}], next=0,
+                            at_most=[], side_order=[])
+
+
+@forgery(NOT_LEAST)
+def eigenvalues_below_a_denormal():
+    """An eigenvalue is less than 2⁻¹⁰⁷⁴."""
+    return eigenvalues_with([("at_least", 0, {"below": 5e-324})], eigenvalues=[{"in": [0, 5e-324], "count": 1}], next=0,
+                            at_most=[], side_order=[])
+
+
+@refuted("enclosures")
+def interval_later_by_a_unit():
+    """An interval begins one unit in the last place later."""
+    low, high = eigenvalues()["eigenvalues"][1]["in"]
+    return eigenvalues_with([("eigenvalues", 1, {"in": [math.nextafter(low, 9), high]})])
+
+
+@refuted("enclosures")
+def interval_shorter_by_a_unit():
+    """An interval ends one unit in the last place earlier."""
+    low, high = eigenvalues()["eigenvalues"][2]["in"]
+    return eigenvalues_with([("eigenvalues", 2, {"in": [low, math.nextafter(high, 0)]})])
+
+
+@refuted("enclosures")
+def interval_left_out():
+    """The second interval is missing: the third one is said to have λ_2."""
+    document = eigenvalues()
+    del document["eigenvalues"][1]
+    return document
+
+
+@refuted("enclosures")
+def interval_twice():
+    """The first interval is there twice: λ_2 is said to be where λ_1 is."""
+    document = eigenvalues()
+    document["eigenvalues"].insert(1, document["eigenvalues"][0])
+    return document
+
+
+@refuted("enclosures")
+def intervals_in_another_order():
+    """The last interval comes first."""
+    return with_(eigenvalues(), eigenvalues=eigenvalues()["eigenvalues"][::-1])
+
+
+@refuted("enclosures")
+def interval_with_another_number():
+    """An interval has three eigenvalues, the next one has one: in all there are as many."""
+    return eigenvalues_with([("eigenvalues", 1, {"count": 3}), ("eigenvalues", 2, {"count": 1})])
+
+
+@refuted("enclosures")
+def next_by_a_unit_more():
+    """All others are said to be one unit in the last place greater."""
+    return with_(eigenvalues(), next=math.nextafter(eigenvalues()["next"], 9))
+
+
+@refuted("enclosures")
+def next_without_a_count():
+    """The count that says where λ_6 is is missing."""
+    document = eigenvalues()
+    document["at_most"].pop()
+    return document
+
+
+@refuted("enclosures")
+def interval_without_a_count():
+    """No count says that λ_1 is not greater."""
+    document = eigenvalues()
+    del document["at_least"][0]
+    return document
+
+
+@refuted("enclosures")
+def eigenvalues_without_any_counts():
+    """Nothing is proved of what is claimed."""
+    return with_(eigenvalues(), at_most=[], at_least=[], side_order=[], vertex_order=[])
+
+
+@refuted("enclosures")
+def count_of_2_to_32_less_1():
+    """A count of 2³² − 1, which would be −1 in 32 bits with a sign."""
+    return eigenvalues_with([("at_most", 0, {"count": 2**32 - 1})])
+
+
+def one_function(**changes):
+    """The file of an octagon with λ_1 = 2.77507… in the interval of its function, the row of which is changed."""
+    document = eigenvalues("octagon-5-with-a-function")
     document["eigenfunctions"][0].update(changes)
+    document["eigenvalues"][0]["in"] = document["eigenfunctions"][0]["in"]
     return document
+
+
+def functions_of(document):
+    return document["eigenfunctions"][0]["functions"]
 
 
 @forgery(UNPROVED)
-def rough_eigenfunction_enclosed_in_less():
-    """The interval of an eigenfunction is a third as wide."""
-    return rough_eigenfunction(**{"in": [2.774, 2.776]})
-
-
-@forgery(UNPROVED)
-def rough_eigenfunction_turned_at_a_vertex():
-    """Around the last vertex α_1 has the other sign."""
-    coefficients = rough_eigenfunction()["eigenfunctions"][0]["coefficients"]
-    coefficients[8 * len(coefficients) // 9 + 1] *= -1
-    return rough_eigenfunction(coefficients=coefficients)
-
-
-@refuted("most", also=["windows"])
-def rough_eigenfunction_left_out():
-    """No eigenfunction: a count that takes account of its eigenvalue is one less than what follows."""
-    return with_(rough_eigenfunction(), eigenfunctions=[])
-
-
-@refuted("windows")
-def rough_eigenfunction_enclosed_by_a_unit_less():
-    """The upper end of the smallest eigenvalue's enclosure is the end of its function's interval."""
-    document = rough_eigenfunction()
-    document["windows"][0]["smallest"][1] = document["eigenfunctions"][0]["in"][1]
-    return document
-
-
-@forgery(UNPROVED, exact=LEFT)
-def eigenfunction_of_another_eigenvalue():
-    """λ of the functions is a billionth more, and so are all ends of enclosures."""
-    document = eigenfunction()
-    row = document["eigenfunctions"][0]
-    row["lambda"] += 2.5e-9
-    row["in"] = [x + 2.5e-9 for x in row["in"]]
-    window = document["windows"][0]
-    window["smallest"][1] += 2.5e-9
-    window["greatest"][0] += 2.5e-9
-    return document
-
-
-@forgery(UNPROVED, exact=LEFT)
 def eigenfunction_enclosed_in_less():
-    """The interval of an eigenfunction is half as wide, as is the enclosure of its eigenvalue."""
-    document = eigenfunction()
-    row = document["eigenfunctions"][0]
-    row["in"] = [(x + row["lambda"]) / 2 for x in row["in"]]
-    window = document["windows"][0]
-    window["smallest"][1], window["greatest"][0] = (math.nextafter(row["in"][1], 9), math.nextafter(row["in"][0], 0))
-    return document
+    """The interval of a function is a hundredth as wide as what it proves."""
+    return one_function(**{"in": [2.77505, 2.77508]})
 
 
-@forgery(UNPROVED, exact=LEFT)
+@forgery(UNPROVED)
+def eigenfunction_of_another_eigenvalue():
+    """λ and the interval are 0.05 greater, the function is the same."""
+    return one_function(**{"lambda": 2.825, "in": [2.805, 2.845]})
+
+
+@forgery(UNPROVED)
 def eigenfunction_that_is_constant():
-    """1 around every vertex: the functions of all vertices agree in their centres only."""
-    document = eigenfunction()
-    each = len(document["eigenfunctions"][0]["coefficients"]) // 9
-    return eigenfunction(coefficients=([1] + [0] * (each - 1)) * 9)
+    """The function 1 around each vertex."""
+    document = one_function()
+    each = len(functions_of(document)[0]) // 9
+    return one_function(functions=[([1] + [0] * (each - 1)) * 9])
 
 
-@forgery(UNPROVED, exact=LEFT)
+@forgery(UNPROVED)
 def eigenfunction_of_one_vertex():
-    """The function of the first vertex alone; it is 0 around all others."""
-    coefficients = eigenfunction()["eigenfunctions"][0]["coefficients"]
-    each = len(coefficients) // 9
-    return eigenfunction(coefficients=coefficients[:each] + [0] * (8 * each))
+    """The function is 0 around all vertices but one."""
+    (function,) = functions_of(one_function())
+    each = len(function) // 9
+    return one_function(functions=[function[:each] + [0] * (8 * each)])
 
 
-@forgery(UNPROVED, exact=LEFT)
+@forgery(UNPROVED)
 def eigenfunction_with_vertices_exchanged():
-    """The functions of two vertices are exchanged."""
-    coefficients = eigenfunction()["eigenfunctions"][0]["coefficients"]
-    each = len(coefficients) // 9
-    return eigenfunction(coefficients=coefficients[each:2 * each] + coefficients[:each] + coefficients[2 * each:])
+    """The coefficients of the first two vertices are exchanged."""
+    (function,) = functions_of(one_function())
+    each = len(function) // 9
+    return one_function(functions=[function[each:2 * each] + function[:each] + function[2 * each:]])
 
 
-@forgery(UNPROVED, exact=LEFT)
+@forgery(UNPROVED)
 def eigenfunction_turned():
-    """The function of the first vertex is turned by 10⁻⁹ around it."""
-    document = eigenfunction()
-    coefficients = document["eigenfunctions"][0]["coefficients"]
-    for m in range(1, (len(coefficients) // 9 + 1) // 2):
-        x, y = coefficients[2 * m - 1], coefficients[2 * m]
-        c, s = math.cos(1e-9 * m), math.sin(1e-9 * m)
-        coefficients[2 * m - 1], coefficients[2 * m] = c * x - s * y, s * x + c * y
+    """Around one vertex the function is turned by 1/100."""
+    (function,) = functions_of(one_function())
+    for m in range(1, len(function) // 9 // 2 + 1):
+        c, s = math.cos(m / 100), math.sin(m / 100)
+        a, b = function[2 * m - 1:2 * m + 1]
+        function[2 * m - 1:2 * m + 1] = [c * a - s * b, s * a + c * b]
+    return one_function(functions=[function])
+
+
+@forgery(UNPROVED)
+def eigenfunction_mirrored():
+    """All β are their negatives."""
+    (function,) = functions_of(one_function())
+    each = len(function) // 9
+    return one_function(functions=[[-c if i % each % 2 == 0 and i % each else c for i, c in enumerate(function)]])
+
+
+@forgery(UNPROVED)
+def eigenfunction_with_a_changed_coefficient():
+    """One coefficient is a thousandth greater."""
+    (function,) = functions_of(one_function())
+    function[0] *= 1.001
+    return one_function(functions=[function], **{"in": [2.766, 2.784]})
+
+
+@forgery(UNPROVED)
+def eigenfunction_twice():
+    """One function, twice in a row: two eigenvalues are said to be in the interval."""
+    document = one_function()
+    document["eigenvalues"][0]["count"] = 2
+    document["at_most"][0]["count"] = 2
+    document["eigenfunctions"][0]["functions"] *= 2
     return document
 
 
-@refuted("windows", exact=LEFT)
+@forgery(UNPROVED)
+def eigenfunction_and_a_multiple():
+    """One function, and −2 times that."""
+    document = one_function()
+    document["eigenvalues"][0]["count"] = 2
+    document["at_most"][0]["count"] = 2
+    (function,) = functions_of(document)
+    document["eigenfunctions"][0]["functions"] = [function, [-2 * c for c in function]]
+    return document
+
+
+@forgery(UNPROVED)
+def eigenfunctions_of_which_one_is_a_sum():
+    """Of three functions of the Bolza surface one is the sum of the others."""
+    document = eigenvalues("bolza-with-three-functions")
+    first, second, _ = functions_of(document)
+    functions_of(document)[2] = [x + y for x, y in zip(first, second)]
+    return document
+
+
+@forgery(UNPROVED)
+def eigenfunctions_four_where_three_are():
+    """The Bolza surface has a fourth function, a sum with a small rest."""
+    document = eigenvalues("bolza-with-three-functions")
+    first, second, third = functions_of(document)
+    functions_of(document).append([x - y + z * 1.001 for x, y, z in zip(first, second, third)])
+    document["at_most"][0]["count"] = document["eigenvalues"][0]["count"] = 4
+    return document
+
+
+@refuted("enclosures")
+def eigenvalues_one_more_than_functions():
+    """Four eigenvalues of the Bolza surface are claimed, and three have functions."""
+    document = eigenvalues("bolza-with-three-functions")
+    document["at_most"][0]["count"] = document["eigenvalues"][0]["count"] = 4
+    return document
+
+
+@refuted("enclosures")
 def eigenfunction_left_out():
-    """The eigenfunction is missing, and the enclosure is as narrow as with it."""
-    return with_(eigenfunction(), eigenfunctions=[])
+    """The function is missing, and the interval is as narrow as with it."""
+    return with_(one_function(), eigenfunctions=[])
 
 
-@malformed("eigenfunctions[0]")
-def eigenfunction_on_disks_that_do_not_cover():
-    """The functions count within ε of the vertices, and on the boundary of these disks nothing need count."""
-    return eigenfunction(radius=1)
+@refuted("enclosures")
+def eigenvalue_enclosed_in_a_unit_less():
+    """The interval that is claimed ends a unit before that of its function."""
+    document = one_function()
+    document["eigenvalues"][0]["in"] = [2.755, math.nextafter(2.795, 0)]
+    return document
 
 
-@malformed("eigenfunctions[0]")
-def eigenfunction_that_is_zero():
-    """0 around every vertex: all functions agree."""
-    return eigenfunction(coefficients=[0] * len(eigenfunction()["eigenfunctions"][0]["coefficients"]))
+@refuted("enclosures")
+def eigenfunction_that_ends_where_the_count_does():
+    """The end of the function's interval is the number below which one eigenvalue is: that may be another one."""
+    document = one_function()
+    below = document["at_most"][0]["below"]
+    document = one_function(**{"in": [2.755, below]})
+    document["eigenvalues"][0]["in"] = [2.755, below]
+    return document
 
 
-@malformed("eigenfunctions[0]")
-def eigenfunction_of_the_eigenvalue_0():
-    """The constant function, for an interval from 0 on."""
-    document = eigenfunction()
-    each = len(document["eigenfunctions"][0]["coefficients"]) // 9
-    return eigenfunction(coefficients=([1] + [0] * (each - 1)) * 9, **{"lambda": 0, "in": [0, 2.7]})
+@malformed("side_order[6]")
+def order_with_a_repetition():
+    """A side is eliminated twice, and another one never."""
+    document = eigenvalues()
+    document["side_order"][5] = document["side_order"][6]
+    return document
 
 
-@refuted("windows", exact=LEFT)
-def at_least_in_an_interval_with_another_window():
-    """That at least 3 are in the first window is said with a weight that is positive in the second one as well: there are
-    3 in both together."""
-    document = bolza()
-    row = next(row for row in document["at_least"] if row["in"][0] == 0)
-    row["in"][1] = document["windows"][2]["in"][0]
-    document["at_least"] = [row] + [other for other in document["at_least"] if other["in"][0] > 0]
-    return as_one_window(document, 0)
+@malformed("vertex_order")
+def order_of_too_few():
+    """A vertex is left out."""
+    document = eigenvalues()
+    document["vertex_order"].remove(max(document["vertex_order"]))
+    return document
+
+
+@malformed("side_order")
+def order_of_one_halving_more():
+    """The triangles are said to be halved twice, the order is of one time."""
+    return with_(eigenvalues(), halvings=2)
+
+
+@malformed("halvings")
+def halvings_13():
+    """More halvings than the format knows."""
+    return with_(eigenvalues(), halvings=13)
+
+
+@malformed("side_order")
+def order_without_counts():
+    """An order of sides, and no counts for it."""
+    return with_(eigenvalues(), at_most=[])
 
 
 @malformed("at_most[0]")
-def coefficients_that_are_0():
-    """The test function 0, for which F₀ = 0 < f̂² is not even asked."""
-    return bolza(("at_most", 0), coefficients=[0] * 33)
+def below_beyond_sigma():
+    """`below` is greater than sigma by a unit."""
+    return eigenvalues_with([("at_most", 0, {"below": math.nextafter(eigenvalues()["at_most"][0]["sigma"], 9)})])
+
+
+@malformed("at_least[0]")
+def at_least_0():
+    """At least 0 eigenvalues are less than the number."""
+    return eigenvalues_with([("at_least", 0, {"count": 0})])
+
+
+@malformed("eigenvalues[1]")
+def interval_of_0_eigenvalues():
+    """An interval with no eigenvalue."""
+    return eigenvalues_with([("eigenvalues", 1, {"count": 0})])
+
+
+@malformed("eigenvalues[1]")
+def interval_the_other_way():
+    """The ends of an interval are exchanged."""
+    return eigenvalues_with([("eigenvalues", 1, {"in": eigenvalues()["eigenvalues"][1]["in"][::-1]})])
+
+
+@malformed("next")
+def next_that_is_negative():
+    """All others are at least −1."""
+    return with_(eigenvalues(), next=-1)
 
 
 @malformed("at_most[0].count")
 def count_plus_2_to_32():
-    """A count of 3 + 2³²."""
-    return bolza(("at_most", 0), count=3 + 2**32)
+    """A count of 2³²."""
+    return eigenvalues_with([("at_most", 0, {"count": 2**32})])
 
 
-@malformed("windows[2]")
-def windows_that_overlap():
-    """Four eigenvalues counted twice, in two windows."""
-    document = bolza()
-    document["windows"].insert(1, document["windows"][1])
+@malformed("eigenfunctions[0]")
+def eigenfunction_on_disks_that_do_not_cover():
+    """The radius is less than ε."""
+    return one_function(radius=0.875)
+
+
+@malformed("eigenfunctions[0]")
+def eigenfunction_that_is_zero():
+    """The function 0, of which nothing follows."""
+    return one_function(functions=[[0] * len(functions_of(one_function())[0])])
+
+
+@malformed("eigenfunctions[0]")
+def eigenfunction_of_the_eigenvalue_0():
+    """The function 1 is an eigenfunction indeed, of the eigenvalue 0, which is none of those counted."""
+    each = len(functions_of(one_function())[0]) // 9
+    return one_function(functions=[([1] + [0] * (each - 1)) * 9], **{"lambda": 0, "in": [0, 2.7]})
+
+
+@malformed("eigenfunctions[0]")
+def eigenfunctions_of_different_orders():
+    """A second function of a row has fewer coefficients."""
+    document = one_function()
+    functions_of(document).append([1] * 27)
+    return document
+
+
+@malformed("eigenfunctions[1]")
+def eigenfunctions_with_a_common_point():
+    """Two rows whose intervals have a point in common, where both may mean one eigenvalue."""
+    document = one_function()
+    row = document["eigenfunctions"][0]
+    document["eigenfunctions"].append({**row, "in": [row["in"][1], 3], "lambda": 2.9})
     return document
 
 
@@ -3414,32 +3494,40 @@ def enclosures_made_wide():
     return collars((0, "length", [0, 0.3]), (1, "length", [0, 0.3]))
 
 
-@disguise(LEFT)
+@disguise()
 def eigenvalues_said_in_other_words():
-    """Coefficients 2⁶⁰⁰ times as large, statements in another order and twice, windows that claim less."""
-    document = eigenvalues("bolza-to-9")
-    for row in document["at_most"] + document["at_least"]:
-        row["coefficients"] = [math.ldexp(c, 600) for c in row["coefficients"]]
-    document["at_most"] = document["at_most"][::-1] + document["at_most"][:2]
-    return as_one_window(as_one_window(document, 0, least=2), 1)
-
-
-@disguise(LEFT)
-def eigenvalues_from_0_on():
-    """A window from 0 on, which contains what is said to be none of before; E ends in it."""
+    """Counts in another order and twice, a weaker one among them; sides and vertices eliminated in other orders."""
     document = eigenvalues()
-    high = document["windows"][0]["in"][1]
-    return as_one_window(document, 0, **{"in": [0, high]})
+    weak = {**document["at_most"][1], "count": 7}
+    document["at_most"] = document["at_most"][::-1] + [weak] + document["at_most"][:2]
+    document["at_least"] = document["at_least"][::-1] + document["at_least"]
+    document["side_order"].reverse()
+    document["vertex_order"] = document["vertex_order"][::-1]
+    return document
 
 
 @disguise()
-def few_eigenvalues_in_other_words():
-    """Coefficients 2⁶⁰⁰ times as large, a statement twice, and a window that begins earlier."""
-    document = few_eigenvalues()
-    for row in document["at_most"] + document["at_least"]:
-        row["coefficients"] = [math.ldexp(c, 600) for c in row["coefficients"]]
-    document["at_most"] = document["at_most"][::-1] + document["at_most"]
-    return as_one_window(document, 0, **{"in": [0.25, 20]})
+def eigenvalues_claimed_in_less():
+    """An interval from 0 on, one that contains others, a single point that counts nothing: all is claimed of less."""
+    document = eigenvalues()
+    (first, second, third) = document["eigenvalues"]
+    document["eigenvalues"] = [{"in": [0, first["in"][1]], "count": 1},
+                               {"in": [second["in"][0], third["in"][1]], "count": 4}]
+    return with_(document, next=0)
+
+
+@disguise()
+def eigenvalues_of_which_nothing_is_said():
+    """No interval, no count, and all eigenvalues are at least 0; halvings of nothing."""
+    return with_(eigenvalues(), eigenvalues=[], next=0, at_most=[], at_least=[], side_order=[], vertex_order=[],
+                 halvings=12)
+
+
+@disguise()
+def eigenfunction_in_other_words():
+    """Coefficients −2⁵⁰⁰ times as large."""
+    (function,) = functions_of(one_function())
+    return one_function(functions=[[-math.ldexp(c, 500) for c in function]])
 
 
 @disguise()

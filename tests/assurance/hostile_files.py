@@ -655,54 +655,81 @@ def spectrum_up_to_14_of_few():
     return list_of(net("octagon-1-vertex"), [[0], [1], [2], [3]], up_to="14")
 
 
-def eigenvalues_file():
-    with open(os.path.join(data, "eigenvalues", "octagon-5-to-8.json")) as file:
+def eigenvalues_file(name="octagon-5"):
+    with open(os.path.join(data, "eigenvalues", name + ".json")) as file:
         return json.load(file)
 
 
-@kind
-def eigenvalues_of_many_statements():
-    result = eigenvalues_file()
-    row = result["at_most"][1]
-    result["at_most"] += [row] * ((SIZE - 40_000) // len(json.dumps(row)))
+def filled(result, key, row):
+    """With so many rows that the file is nearly as large as it may be."""
+    result[key] = result[key] + [row] * ((SIZE - 40_000) // len(json.dumps(row) + ", "))
     return result
 
 
 @kind
-def eigenvalues_of_many_windows():
+def eigenvalues_of_many_counts():
     result = eigenvalues_file()
-    constant = [1] + [0] * result["degree"]
-    result["at_most"] += [{"in": [0, 1], "count": 1, "coefficients": constant}] * 3_000
-    ends = [[3 + k / 1000, 3 + (k + 0.5) / 1000] for k in range(3_000)]
-    result["windows"] += [{"in": x, "least": 0, "most": 1, "smallest": x, "greatest": x} for x in ends]
-    result["eigenvalues_up_to"] = 7
-    return result
+    return filled(result, "at_most", result["at_most"][1])
+
+
+@kind
+def eigenvalues_of_many_counts_by_vertices():
+    result = eigenvalues_file()
+    return filled(result, "at_least", result["at_least"][1])
+
+
+@kind
+def eigenvalues_of_many_intervals():
+    result = eigenvalues_file()
+    return filled(result, "eigenvalues", {"in": [0, 1e308], "count": 4294967295})
+
+
+def divided(halvings, order_of):
+    """An octagon of six triangles with a count for a matrix of many sides, which are eliminated in an order."""
+    result = eigenvalues_file("octagon-5-of-one-vertex")
+    return {**result, "halvings": halvings, "side_order": order_of(9 * 4**halvings), "at_most": result["at_most"][:1],
+            "at_least": [], "vertex_order": []}
+
+
+@kind
+def eigenvalues_of_a_matrix_that_an_order_fills():
+    def order(size):
+        result = list(range(size))
+        random.Random(1).shuffle(result)
+        return result
+    return divided(7, order)
+
+
+@kind
+def eigenvalues_of_a_matrix_in_the_order_of_its_sides():
+    return divided(7, lambda size: list(range(size)))
 
 
 @kind
 def eigenvalues_of_many_functions():
-    result = eigenvalues_file()
-    row = {"in": [2.7, 2.9], "lambda": 2.8, "radius": 1.9, "coefficients": [1] * (9 * 401)}
-    result["eigenfunctions"] = [row] * ((SIZE - 40_000) // len(json.dumps(row)))
+    result = eigenvalues_file("octagon-5-with-a-function")
+    row = {"in": [2.7, 2.9], "lambda": 2.8, "radius": 1.9, "functions": []}
+    function = [1] * (9 * 401)
+    row["functions"] = [function] * ((SIZE - 40_000) // len(json.dumps(function)))
+    result["eigenfunctions"] = [row]
     return result
 
 
 @kind
-def eigenvalues_of_many_functions_of_order_1():
-    result = eigenvalues_file()
-    row = {"in": [1e-300, 1e300], "lambda": 1e-300, "radius": 1.001, "coefficients": [1] * (9 * 3)}
-    result["eigenfunctions"] = [row] * ((SIZE - 40_000) // len(json.dumps(row)))
+def eigenvalues_of_a_thousand_functions_of_order_1():
+    result = eigenvalues_file("octagon-5-with-a-function")
+    result["eigenfunctions"] = [{"in": [1e-300, 1e300], "lambda": 1e-300, "radius": 0.90625,
+                                 "functions": [[1] * (9 * 3)] * 1000}]
     return result
 
 
 @kind
-def eigenvalues_with_a_geodesic_of_length_1e_9():
-    result = epsnet("spectrum", "--up-to", "3", surface=["fenchel-nielsen", "--pants-graph", "0-0 0-1 1-1", "--lengths",
-                                                         "2,1e-9,2", "--twists", "0"])
-    del result["claim"]
-    return {**result, "format": "epsnet-eigenvalues", "order": 8, "degree": 1, "eigenvalues_up_to": 1, "windows": [],
-            "at_most": [{"in": [0, 1], "count": 0, "coefficients": [1, 0]}], "at_least": [],
-            "eigenfunctions": []}
+def eigenvalues_of_many_rows_of_functions():
+    result = eigenvalues_file("octagon-5-with-a-function")
+    rows = [{"in": [k, k + 0.5], "lambda": k, "radius": 0.90625, "functions": [[1] * (9 * 3)]}
+            for k in range(1, (SIZE - 40_000) // 170)]
+    result["eigenfunctions"] = rows
+    return result
 
 
 @kind

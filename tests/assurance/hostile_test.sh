@@ -58,11 +58,14 @@ expect collar-core-that-cancels-in-450000-letters VERIFIED
 expect collar-in-a-tile-of-long-coordinates 'REFUTED: collars'
 expect geodesics-300-of-250-letters ''
 expect spectrum-up-to-9999-digits UNDECIDED
-expect eigenvalues-of-many-statements UNDECIDED
-expect eigenvalues-of-many-windows UNDECIDED
-expect eigenvalues-with-a-geodesic-of-length-1e-9 UNDECIDED
+expect eigenvalues-of-many-counts UNDECIDED
+expect eigenvalues-of-many-counts-by-vertices UNDECIDED
+expect eigenvalues-of-many-intervals 'REFUTED: enclosures'
+expect eigenvalues-of-a-matrix-that-an-order-fills UNDECIDED
+expect eigenvalues-of-a-matrix-in-the-order-of-its-sides ''
 expect eigenvalues-of-many-functions UNDECIDED
-expect eigenvalues-of-many-functions-of-order-1 UNDECIDED
+expect eigenvalues-of-a-thousand-functions-of-order-1 ''
+expect eigenvalues-of-many-rows-of-functions UNDECIDED
 expect isometries-of-many-rows VERIFIED
 expect isometries-of-long-words UNDECIDED
 expect thick-thin-of-long-words VERIFIED

@@ -103,17 +103,18 @@ Json cover(const std::string& claim) {
 }
 
 Json eigenvalues() {
-  Json result = Json::parse(R"({"order": 8, "degree": 2, "eigenvalues_up_to": 5.5,
-      "windows": [{"in": [1, 2], "least": 1, "most": 1, "smallest": [1, 1.5], "greatest": [1.25, 2]},
-                  {"in": [3, 4], "least": 0, "most": 2, "smallest": [3, 4], "greatest": [3, 4]}],
-      "at_most": [{"in": [0, 1], "count": 0, "coefficients": [1, 0.5, -0.25]},
-                  {"in": [1, 2], "count": 1, "coefficients": [0.125, 0, 3]}],
-      "at_least": [{"in": [0, 3], "within": [1, 2], "count": 1, "coefficients": [2, 1, 4]}],
+  Json result = Json::parse(R"({"format": "epsnet-eigenvalues", "version": 1,
+      "eigenvalues": [{"in": [1, 2.5], "count": 2}, {"in": [3, 4], "count": 1}], "next": 5.5, "halvings": 0,
+      "side_order": [2, 0, 1, 3, 5, 4], "vertex_order": [3, 1, 0, 2],
+      "at_most": [{"below": 0.5, "count": 0, "sigma": 0.75}, {"below": 5, "count": 3, "sigma": 6}],
+      "at_least": [{"below": 2, "count": 1}],
       "eigenfunctions": [{"in": [1, 2], "lambda": 1.5, "radius": 1.75,
-                          "coefficients": [1, 0.5, -0.25, 2, 0, 0, 1, 3, 0.125, 0, 0.75, 4]}]})");
-  result.update(geodesics("spectrum"));
-  result.erase("claim");
-  result["format"] = "epsnet-eigenvalues";
+                          "functions": [[1, 0.5, -0.25, 2, 0, 0, 1, 3, 0.125, 0, 0.75, 4],
+                                        [0, 0, 0.5, 0, 7, 0, 1, 0, 0, 0, 0.25, 0]]},
+                         {"in": [3, 4], "lambda": 3.25, "radius": 1.625,
+                          "functions": [[1, 0, 0, 2, 0, 0, 1, 0, 0.125, 0, 0.75, 4]]}]})");
+  result["net"] = net();
+  result["net"].erase("collars");
   return result;
 }
 

@@ -9,13 +9,26 @@ good surface octagon --seed 123 -o s.json
 good net s.json --epsilon 0.5 -o net.json
 good systole s.json -o systole.json
 good spectrum s.json --up-to 3 -o spectrum.json
-good eigenvalues s.json --up-to 7 --fast -o eigenvalues.json --svg eigenvalues.svg
+good eigenvalues s.json --count 1 --digits 2 -o rough.json
+verified rough.json
+grep -q '"eigenfunctions":\[\]' rough.json || complain 'eigenfunctions for two digits'
+good eigenvalues s.json --count 1 --digits 4 -o eigenvalues.json --svg eigenvalues.svg
 verified eigenvalues.json
-grep -q 'eigenvalues in (0, 1/4): none' output || complain "no line about small eigenvalues: $(cat output)"
-grep -q '"eigenfunctions":\[\]' eigenvalues.json || complain 'eigenfunctions in spite of --fast'
+grep -q '^lambda_1 in \[[0-9.]*, [0-9.]*\], simple$' output || complain "no line about the first eigenvalue: $(cat output)"
+grep -q '^all others are at least [0-9.]*$' output || complain "no line about the others: $(cat output)"
+grep -q '^eigenvalues in (0, 1/4): none$' output || complain "no line about small eigenvalues: $(cat output)"
 good draw eigenvalues.json -o drawn.svg
 same eigenvalues.svg drawn.svg
-grep -q 'class="windows"' drawn.svg || complain 'no windows in the picture of eigenvalues'
+grep -q 'class="enclosures"' drawn.svg || complain 'no intervals in the picture of eigenvalues'
+good draw eigenvalues.json --eigenfunction 1 -o drawn.svg
+grep -q 'class="nodal-lines"' drawn.svg || complain 'no nodal lines in the picture of an eigenfunction'
+good draw eigenvalues.json --eigenfunction 1 --centre 3 --order bfs -o other.svg
+cmp -s drawn.svg other.svg && complain 'the picture of an eigenfunction has the same centre'
+bad 1 '^epsnet: --eigenfunction: no eigenfunction of lambda_1000: the file has ' draw eigenvalues.json --eigenfunction 1000 -o out/x.svg
+bad 1 '^epsnet: --eigenfunction: no eigenfunction of lambda_1: the file has no eigenfunctions, which take 3 digits or more' draw rough.json --eigenfunction 1 -o out/x.svg
+bad 64 '^epsnet: draw: --eigenfunction: expected an integer from 1 to 1000000, not "0"' draw eigenvalues.json --eigenfunction 0 -o out/x.svg
+bad 64 '^epsnet: --eigenfunction: only for an eigenvalues file' draw net.json --eigenfunction 1 -o out/x.svg
+bad 64 '^epsnet: --legend: not with --eigenfunction' draw eigenvalues.json --eigenfunction 1 --legend -o out/x.svg
 good draw eigenvalues.json -o eigenvalues.png --size 100
 [ "$(od -An -t u1 -j 16 -N 8 eigenvalues.png | tr -s ' ')" = ' 0 0 0 100 0 0 0 62' ] || complain "the size of a picture that is not square: $(od -An -t u1 -j 16 -N 8 eigenvalues.png)"
 bad 64 '^epsnet: --dirichlet: only for a net file' draw eigenvalues.json --dirichlet -o out/x.svg
@@ -291,7 +304,7 @@ piped s.json net IN --epsilon 0.5 -o -
 piped s.json systole IN
 piped s.json spectrum IN --up-to 3
 piped s.json thick-thin IN
-piped s.json eigenvalues IN --up-to 7 --fast
+piped s.json eigenvalues IN --count 1 --digits 2
 piped s.json dirichlet IN -o -
 piped s.json distance IN 0 0,0.1,0 -o -
 piped net.json distance IN v3 v5
@@ -490,25 +503,24 @@ done
 good net s.json --epsilon .5 -o x.json
 same net.json x.json
 good spectrum s.json --up-to .6 -o x.json
-for value in 0 -1 nan x; do
-  bad 64 "^epsnet: --up-to: $positive \"$value\"" eigenvalues s.json --up-to "$value"
-done
-bad 64 '^epsnet: --up-to: more than the greatest length, 30' eigenvalues s.json --up-to 31
-bad 64 '^epsnet: eigenvalues: --count: expected an integer from 1 to 1000000, not "0"' eigenvalues s.json --count 0
-bad 1 'nothing can be said about the eigenvalues.*; a length of 1 or more is needed' eigenvalues s.json --up-to 1e-3 -o out/x.json --svg out/x.svg
-good eigenvalues s.json --up-to 7 --time 1000 --fast
-grep -q '^closed geodesics used: .* of length at most 7$' output || complain "not up to the greatest length: $(cat output)"
-for value in 0 -1 nan x; do
-  bad 64 "^epsnet: --width: $positive \"$value\"" eigenvalues s.json --width "$value"
-  bad 64 "^epsnet: eigenvalues: --time: expected an integer from 1 to 1000000, not \"$value\"" eigenvalues s.json --time "$value"
-done
-bad 1 'length at most 6, expected 1e-30$' eigenvalues s.json --width 1e-30 --up-to 6 --fast -o out/x.json
-good eigenvalues s.json --up-to 3 --fast
-grep -q '^to count the first ones, take closed geodesics of length up to about 9$' output || complain "no length that is needed: $(cat output)"
-good eigenvalues s.json --up-to 3 --fast --json
-grep -q '"up_to_needed":9' output || complain "no length that is needed: $(cat output)"
 verified x.json
 grep -q '"up_to":"0.6"' x.json || complain 'the length is not in the file as 0.6'
+for value in 0 1001 x; do
+  bad 64 "^epsnet: eigenvalues: --count: expected an integer from 1 to 1000, not \"$value\"" eigenvalues s.json --count "$value"
+done
+for value in 0 11 2.5; do
+  bad 64 "^epsnet: eigenvalues: --digits: expected an integer from 1 to 10, not \"$value\"" eigenvalues s.json --digits "$value"
+done
+for value in 0 -1 nan x 10001 1/4 1e-400; do
+  bad 64 "^epsnet: --below: expected a positive decimal of at most 10000, not \"$value\"" eigenvalues s.json --below "$value"
+done
+bad 64 "^epsnet: --epsilon: $positive \"0\"" eigenvalues s.json --epsilon 0
+bad 64 '^epsnet: --below: expected a positive decimal of at most 10000, not ""' eigenvalues s.json --below ''
+bad 64 '^epsnet: eigenvalues: --count excludes --below' eigenvalues s.json --count 3 --below 1
+good eigenvalues s.json --below .25
+grep -q '^eigenvalues in (0, 0.25): none$' output || complain "no eigenvalue is less than 0.25: $(cat output)"
+good eigenvalues s.json --below 0.25 --json
+grep -q '"below":{"least":0,"most":0,"bound":0.25}' output || complain "no eigenvalue is less than 0.25: $(cat output)"
 good systole s.json --epsilon .9
 fenchel="surface fenchel-nielsen --pants-graph ring --genus 2"
 # shellcheck disable=SC2086

@@ -225,10 +225,15 @@ std::vector<Layer> layers_of(const Members& members, const NetDocument& net) {
   return layers;
 }
 
+std::uint32_t picture_size(const Members& members) {
+  const auto size = members.get<std::uint32_t>("size", 1000);
+  if (size < 50 || size > 20000) throw std::invalid_argument("size: expected 50 to 20000 pixels");
+  return size;
+}
+
 std::string net_picture(const NetDocument& net, const Members& members) {
   DrawOptions options;
-  options.size = members.get<std::uint32_t>("size", options.size);
-  if (options.size < 50 || options.size > 20000) throw std::invalid_argument("size: expected 50 to 20000 pixels");
+  options.size = picture_size(members);
   options.centre = members.get<std::uint32_t>("centre", 0);
   options.legend = members.get<bool>("legend", false);
   const auto colour = members.get<std::string>("colour", "none");
@@ -264,14 +269,29 @@ std::string net_picture(const NetDocument& net, const Members& members) {
   return draw_svg(net, options);
 }
 
+std::string eigenfunction_picture(const certify::EigenvaluesDocument& document, const Members& members) {
+  EigenfunctionPictureOptions options;
+  options.size = picture_size(members);
+  options.centre = members.get<std::uint32_t>("centre", 0);
+  try {
+    return eigenfunction_svg(document, members.get<std::uint32_t>("eigenfunction"), options);
+  } catch (const std::out_of_range& error) {
+    throw std::invalid_argument("eigenfunction: " + std::string(error.what()));
+  }
+}
+
 std::string picture(const Members& members) {
-  if (members.has("surface"))
-    return draw_svg(picture_of(surface_of(members)), members.get<std::uint32_t>("size", 1000));
+  if (members.has("surface")) return draw_svg(picture_of(surface_of(members)), picture_size(members));
   const auto claim = certify::parse_file<ClaimDocument>(members.file("file"), kFile);
+  if (members.has("eigenfunction")) {
+    const auto* eigenvalues = std::get_if<certify::EigenvaluesDocument>(&claim);
+    if (eigenvalues == nullptr) throw std::invalid_argument("eigenfunction: only of an eigenvalues file");
+    return eigenfunction_picture(*eigenvalues, members);
+  }
   return std::visit(
       [&](const auto& document) {
         if constexpr (requires { picture_of(document); }) {
-          return draw_svg(picture_of(document), members.get<std::uint32_t>("size", 1000));
+          return draw_svg(picture_of(document), picture_size(members));
         } else if constexpr (requires { document.net; }) {
           return net_picture(document.net, members);
         } else {
@@ -379,23 +399,20 @@ Answer measure_distance(const Members& members, const Progress& progress) {
 }
 
 Answer find_eigenvalues(const Members& members, const Progress& progress) {
-  EigenvaluesOptions options;
-  if (members.has("up_to")) options.up_to = members.length("up_to");
-  options.count = members.get<std::uint32_t>("count", 0);
-  options.eigenfunctions = !members.get<bool>("fast", false);
-  options.threads = 1;
-  options.progress = progress;
+  EigenvaluesOptions options{.threads = 1, .progress = progress};
+  if (members.has("count") && members.has("below")) throw std::invalid_argument("below: not together with count");
+  options.count = members.get<std::uint32_t>("count", options.count);
+  if (members.has("below")) options.below = members.get<double>("below");
+  if (members.has("digits")) options.digits = members.get<int>("digits");
+  if (members.has("epsilon")) options.epsilon = members.length("epsilon");
   const certify::EigenvaluesDocument found = eigenvalues(surface_of(members), options);
-  Json windows = Json::array();
-  for (const auto& window : found.windows) {
-    windows.push_back(Json::object({{"in", interval_json(window.in)},
-                                    {"least", window.least},
-                                    {"most", window.most},
-                                    {"smallest", interval_json(window.smallest)},
-                                    {"greatest", interval_json(window.greatest)}}));
+  Json rows = Json::array();
+  std::uint64_t first = 1;
+  for (const auto& [in, count] : found.eigenvalues) {
+    rows.push_back(Json::object({{"first", first}, {"count", count}, {"in", interval_json(in)}}));
+    first += count;
   }
-  return proved(found, Json::object({{"windows", std::move(windows)}, {"eigenvalues_up_to", found.eigenvalues_up_to}}),
-                progress);
+  return proved(found, Json::object({{"eigenvalues", std::move(rows)}, {"next", found.next}}), progress);
 }
 
 Answer draw(const Members& members) { return {"{}", {picture(members)}}; }

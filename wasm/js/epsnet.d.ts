@@ -48,6 +48,8 @@ export type Point =
   | { triangle: number; weights: [Exact, Exact, Exact] };
 
 export interface PictureOptions {
+  /** Of an eigenvalues file: the number of the eigenvalue whose function is drawn. */
+  eigenfunction?: number;
   /** Width and height in pixels. */
   size?: number;
   /** The vertex in the centre. */
@@ -80,9 +82,14 @@ export interface Distance extends ProvedFile {
   readonly p: { tile: number; z: [string, string] };
   readonly q: { tile: number; z: [string, string] };
 }
-export interface Eigenvalues extends ProvedFile {
-  readonly windows: { in: Interval; least: number; most: number; smallest: Interval; greatest: Interval }[];
-  readonly eigenvalues_up_to: number;
+/** Eigenvalues of the Laplacian that are verified. */
+export class Eigenvalues extends ProvedFile {
+  /** λ_first and those after it, `count` in all, with multiplicity, are in each interval. */
+  readonly eigenvalues: { first: number; count: number; in: Interval }[];
+  /** All others are at least that. */
+  readonly next: number;
+  /** The picture of the eigenfunction of λ_index, from 1 on. */
+  eigenfunctionSvg(index: number, options?: { size?: number; centre?: number } & JobOptions): Promise<string>;
 }
 /** A triangle of a net that contains a point. */
 export interface Location {
@@ -121,7 +128,8 @@ export class Surface {
   radius(options?: { width?: number } & JobOptions): Promise<Bound>;
   embeddedDisk(options?: { width?: number } & JobOptions): Promise<Bound>;
   distance(p: Point, q: Point, options?: JobOptions): Promise<Distance>;
-  eigenvalues(options?: { upTo?: Exact; count?: number; fast?: boolean } & JobOptions): Promise<Eigenvalues>;
+  /** The first `count` (10), or all that are less than `below`; `digits` from 1 to 10, up to 2 without eigenfunctions. */
+  eigenvalues(options?: { count?: number; below?: number; digits?: number; epsilon?: Exact } & JobOptions): Promise<Eigenvalues>;
 }
 
 export interface FenchelNielsen {
@@ -170,6 +178,7 @@ declare const epsnet: {
   close: typeof close;
   Surface: typeof Surface;
   Net: typeof Net;
+  Eigenvalues: typeof Eigenvalues;
   ProvedFile: typeof ProvedFile;
   EpsnetError: typeof EpsnetError;
 };

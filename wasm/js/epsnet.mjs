@@ -145,6 +145,14 @@ export class ProvedFile {
   }
 }
 
+/** Eigenvalues that are verified. */
+export class Eigenvalues extends ProvedFile {
+  /** The picture of the eigenfunction of λ_index, from 1 on, as SVG. */
+  async eigenfunctionSvg(index, options) {
+    return this.svg({ eigenfunction: index, ...options });
+  }
+}
+
 /** An ε-net that is verified. */
 export class Net extends ProvedFile {
   /** The surface of the net, from its file. */
@@ -226,9 +234,9 @@ export class Surface {
   async distance(p, q, options) {
     return new ProvedFile(await this.#ask({ do: "distance", p, q }, options));
   }
-  /** Eigenvalues of the Laplacian from the closed geodesics of length at most `upTo`. */
-  async eigenvalues({ upTo, ...options } = {}) {
-    return new ProvedFile(await this.#ask({ do: "eigenvalues", ...(upTo === undefined ? {} : { up_to: upTo }) }, options));
+  /** The first eigenvalues of the Laplacian. */
+  async eigenvalues(options) {
+    return new Eigenvalues(await this.#ask({ do: "eigenvalues" }, options));
   }
 }
 
@@ -277,4 +285,4 @@ export async function about(options = {}) {
   return found;
 }
 
-export default { octagon, named, regular, fenchelNielsen, map, surfaceFromFile, coordinates, certify, svg, about, ask, close, Surface, Net, ProvedFile, EpsnetError };
+export default { octagon, named, regular, fenchelNielsen, map, surfaceFromFile, coordinates, certify, svg, about, ask, close, Surface, Net, Eigenvalues, ProvedFile, EpsnetError };

@@ -100,7 +100,7 @@ function setBusy(isBusy) {
   $('cancel').disabled = !isBusy;
   $('progress').hidden = !isBusy;
   $('progress').removeAttribute('value');
-  for (const id of ['start', 'systole', 'diameter', 'eigenvalue', 'spectrum', 'distance', 'file']) $(id).disabled = isBusy;
+  for (const id of ['start', 'systole', 'diameter', 'eigenvalues', 'spectrum', 'distance', 'file']) $(id).disabled = isBusy;
   if (isBusy) $('cancel').focus({preventScroll: true});
 }
 
@@ -244,11 +244,15 @@ $('spectrum').onclick = () => {
 };
 $('diameter').onclick = () => ask('Diameter', surfaceCommand('epsnet diameter s.json --width 1e-3'),
     ({surface}, options) => surface.diameter({width: 1e-3, ...options}), file => [`the diameter is ${interval(file.value)}`], false);
-$('eigenvalue').onclick = () => ask('Eigenvalues of the Laplacian', surfaceCommand('epsnet eigenvalues s.json --up-to 6'),
-    ({surface}, options) => surface.eigenvalues({upTo: '6', count: 1, ...options}), file => file.windows.map(tellWindow), false);
-function tellWindow({least, most, ...window}) {
-  return `${least === most ? least : `${least} to ${most}`} eigenvalue${most === 1 ? '' : 's'}, with multiplicity, ${interval(window.in)}`;
-}
+const tellEigenvalues = ({first, count, ...row}) =>
+  `${count === 1 ? `λ${first}` : `λ${first} to λ${first + count - 1}`}, with multiplicity, ${interval(row.in)}`;
+$('eigenvalues').onclick = () => {
+  const [count, digits] = ['count', 'digits'].map(id => Number($(id).value));
+  ask(`Eigenvalues of the Laplacian: ${count === 1 ? 'the first' : `the first ${count}`}, ${digits} digits`,
+      surfaceCommand(`epsnet eigenvalues s.json --count ${count} --digits ${digits}`),
+      ({surface}, options) => surface.eigenvalues({count, digits, ...options}),
+      file => [...file.eigenvalues.map(tellEigenvalues), `all others are at least ${file.next}`], false);
+};
 $('distance').onclick = () => {
   try {
     const [p, q] = ['p', 'q'].map(id => pointOf($(id).value.trim(), id));

@@ -1,268 +1,291 @@
 #include "certify/claims/eigenvalues/check.h"
 
-#include <algorithm>
 #include <numeric>
 #include <utility>
 
 #include "certify/base/counted.h"
 #include "certify/base/text.h"
-#include "certify/claims/eigenvalues/counting.h"
 #include "certify/claims/eigenvalues/eigenfunction.h"
-#include "certify/claims/eigenvalues/test_function.h"
-#include "certify/claims/eigenvalues/trace_forms.h"
-#include "certify/claims/geodesics/check.h"
-#include "certify/claims/geodesics/geodesics_rules.h"
+#include "certify/claims/eigenvalues/enclosures.h"
+#include "certify/claims/eigenvalues/forms.h"
+#include "certify/claims/eigenvalues/halved_net.h"
 #include "certify/claims/net/claim.h"
-#include "certify/lifted/lorentz.h"
+#include "certify/net/label_evaluator.h"
+#include "certify/numbers/inertia.h"
+#include "certify/numbers/parallel.h"
 #include "certify/numbers/precision.h"
-#include "certify/verdict/open_rules.h"
 
 namespace epsnet::certify {
 namespace {
 
 using AtMost = EigenvaluesDocument::AtMost;
 using AtLeast = EigenvaluesDocument::AtLeast;
-using Eigenfunction = EigenvaluesDocument::Eigenfunction;
-using Forms = std::array<Ball, 3>;
+using Eigenfunctions = EigenvaluesDocument::Eigenfunctions;
 
-constexpr const char* kTraces = "traces";
 constexpr const char* kMost = "most";
 constexpr const char* kLeast = "least";
 constexpr const char* kEigenfunctions = "eigenfunctions";
-constexpr const char* kWindows = "windows";
+constexpr const char* kEnclosures = "enclosures";
 
-/// Test functions grow with L to some 10¹⁰ times their values at the eigenvalues.
-constexpr slong kFirstBits = 192;
+/// Entries of matrices have errors far below those of binary64.
+constexpr slong kBitsOfMatrices = 128;
 /// Coefficients of eigenfunctions have the 53 bits of binary64, and little is lost: many more bits prove no more.
 constexpr slong kFirstBitsOfFunctions = 128;
 constexpr slong kMostBitsOfFunctions = 512;
 
-RuleNames rules_beyond_the_spectrum() { return {kTraces, kMost, kLeast, kEigenfunctions, kWindows}; }
+/// A ball as a number of binary64 and how far it may be from there.
+struct Rounded {
+  explicit Rounded(const Ball& x) {
+    const Interval in = outer_interval(x);
+    value = in.lower / 2 + in.upper / 2;
+    error = above(above(in.upper - in.lower));
+  }
+  double value;
+  double error;
+};
 
-/// Sum of P(λ) f̂(λ)² over all eigenvalues: P = ρ − λ for σ = 0, otherwise (ρ − λ)(λ − σ).
-Ball weighted_sum(const Forms& forms, Interval in) {
-  const Ball rho = Ball::exactly(in.upper);
-  if (in.lower == 0) return rho * forms[0] - forms[1];
-  const Ball sigma = Ball::exactly(in.lower);
-  return (rho + sigma) * forms[1] - forms[2] - rho * sigma * forms[0];
-}
+struct RoundedForm {
+  explicit RoundedForm(const SymmetricForm& form)
+      : square{Rounded(form.square[0]), Rounded(form.square[1]), Rounded(form.square[2])},
+        product{Rounded(form.product[0]), Rounded(form.product[1]), Rounded(form.product[2])} {}
+  std::array<Rounded, 3> square;
+  std::array<Rounded, 3> product;
+};
 
-/// P on an interval.
-Ball weight(Interval in, Interval lambda) {
-  const Ball x = ball_of(arb_union, Ball::exactly(lambda.lower), Ball::exactly(lambda.upper));
-  const Ball below = Ball::exactly(in.upper) - x;
-  return in.lower == 0 ? below : below * (x - Ball::exactly(in.lower));
+/// A triangle's part of a matrix 𝒜 − σ𝒩.
+struct TriangleForms {
+  RoundedForm energy;
+  RoundedForm mass;
+};
+
+/// x − σy, and how far that may be from the exact number.
+MatrixEntry entry(std::uint32_t i, std::uint32_t j, const Rounded& x, double sigma, const Rounded& y) {
+  const double product = sigma * y.value;
+  const double value = x.value - product;
+  const double errors = above(x.error + above(sigma * y.error));
+  const double rounding = above(above(std::abs(product) + std::abs(value)) * 0x1p-52);
+  return {std::max(i, j), std::min(i, j), value, above(errors + rounding)};
 }
 
 class EigenvaluesCheck {
  public:
-  EigenvaluesCheck(const EigenvaluesDocument& document, Verification& run, const LabelParts& parts)
+  EigenvaluesCheck(const EigenvaluesDocument& document, Verification& run, Crossings crossings)
       : document_(document),
-        options_(run.options()),
+        run_(run),
         threads_(run.threads()),
         budget_(run.budget()),
-        genus_(static_cast<std::uint32_t>(run.certificate().counts.genus)),
-        functions_(test_functions(document)),
-        net_(with_geodesics_as_labels(document)),
-        evaluator_(net_, parts),
-        rules_(rules_beyond_the_spectrum()) {}
+        parts_(label_parts(std::move(crossings), document.net.charts, run.budget())),
+        evaluator_(document.net, parts_) {}
 
-  void ask(Verification& run) {
-    try {
-      check_windows();
-      with_rising_precision(
-          options_.max_precision,
-          [&](slong precision) {
-            pass(precision);
-            run.used(static_cast<std::uint64_t>(precision));
-            return !rules_.open(kTraces) && !rules_.open(kMost) && !rules_.open(kLeast);
-          },
-          kFirstBits);
-      with_rising_precision(
-          std::min(options_.max_precision, kMostBitsOfFunctions),
-          [&](slong precision) {
-            run.used(static_cast<std::uint64_t>(precision));
-            return check_eigenfunctions(precision);
-          },
-          kFirstBitsOfFunctions);
-    } catch (const BudgetSpent& spent) {
-      rules_.give_up(spent.what());
-    }
-    rules_.conclude(run);
+  void ask() {
+    run_.report(check_most());
+    run_.report(check_least());
+    run_.report(check_eigenfunctions());
+    const auto problem = CountedEigenvalues(document_).problem();
+    run_.report(problem ? RuleReport{kEnclosures, Verdict::refuted, *problem}
+                        : RuleReport{kEnclosures, Verdict::verified,
+                                     counted(document_.eigenvalues.size(), "interval", "intervals")});
   }
 
  private:
-  void check_windows() {
-    const std::uint64_t statements =
-        document_.at_most.size() + document_.at_least.size() + document_.eigenfunctions.size() + 1;
-    budget_.spend(10 * (document_.windows.size() + 1) * statements, statements * statements);
-    const auto problem = Counting(document_).problem();
-    rules_.report({kWindows, problem ? Verdict::refuted : Verdict::verified,
-                   problem ? *problem
-                           : counted(document_.windows.size(), "window", "windows") +
-                                 ", and no eigenvalue elsewhere up to " + shortest(document_.eigenvalues_up_to)});
-  }
+  using Numbers = std::vector<std::array<std::uint32_t, 3>>;
 
-  /// All open rules at one precision.
-  void pass(slong precision) {
-    if (options_.progress) options_.progress(kTraces, 0);
-    const std::string bits = std::to_string(precision) + " bits";
-    const auto trace_forms = TraceForms::of(functions_, genus_, lengths(precision), budget_);
-    if (!trace_forms) return rules_.doubt(kTraces, "not decided where multiples of lengths lie, with " + bits);
-    check_traces(*trace_forms);
-    if (rules_.verdict(kTraces) != Verdict::verified) return;
-    check(kMost, document_.at_most, bits,
-          [&](const AtMost& row) { return at_most(row, (*trace_forms)(row.coefficients)); });
-    check(kLeast, document_.at_least, bits,
-          [&](const AtLeast& row) { return at_least(row, (*trace_forms)(row.coefficients)); });
-  }
-
-  /// False if more bits may help.
-  bool check_eigenfunctions(slong precision) {
-    const std::vector<Eigenfunction>& rows = document_.eigenfunctions;
-    const std::vector<BallIsometry> labels = elements(1, document_.net.labels.size(), precision);
+  RuleReport check_most() {
+    if (document_.at_most.empty()) return nothing_to_count(kMost);
+    const Precision scope(kBitsOfMatrices);
+    Ball interpolation;
+    std::vector<std::vector<Ball>> constants(document_.net.triangles.size());
+    const auto forms = triangle_forms([&](std::size_t t, const FlatTriangle& triangle) {
+      constants[t].push_back(triangle.interpolation_constant());
+      return TriangleForms{RoundedForm(triangle.least_energy()), RoundedForm(triangle.greatest_mass())};
+    });
+    if (!forms) return no_triangle(kMost);
+    for (const std::vector<Ball>& of_triangle : constants) {
+      for (const Ball& constant : of_triangle) interpolation = max(interpolation, constant);
+    }
+    const HalvedNet halved = halved_net(document_.net, document_.halvings);
+    const auto& rows = document_.at_most;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (options_.progress)
-        options_.progress(kEigenfunctions, static_cast<double>(i) / static_cast<double>(rows.size()));
-      const std::string function = "function " + std::to_string(i);
-      const auto error = eigenvalue_error(document_, rows[i], labels, genus_, budget_, threads_);
-      if (!error) {
-        rules_.doubt(kEigenfunctions, function + " is not decided, with " + std::to_string(precision) + " bits");
-        return false;
+      progress(kMost, i, rows.size());
+      const Ball sigma = Ball::exactly(rows[i].sigma);
+      const Ball reached = sigma / (1 + interpolation * sigma);
+      if (certainly_less(reached, Ball::exactly(rows[i].below)) != Tri::no) {
+        return undecided(
+            kMost, i,
+            "the eigenvalues that are counted are those less than " + decimal_below(outer_interval(reached).lower));
       }
-      if (!is_finite(*error)) {
-        rules_.doubt(kEigenfunctions, function + " proves no eigenvalue");
-        return true;
-      }
-      const Ball lambda = Ball::exactly(rows[i].lambda);
-      const auto below = [](const Ball& x, const Ball& y) { return certainly_less(y, x) == Tri::no; };
-      if (!below(Ball::exactly(rows[i].in.lower), lambda - *error) ||
-          !below(lambda + *error, Ball::exactly(rows[i].in.upper))) {
-        rules_.doubt(kEigenfunctions, function + " proves an eigenvalue only within " +
-                                          shortest(outer_interval(*error).upper) + " of its lambda");
-        return true;
+      const Inertia inertia = matrix(*forms, opposite_sides(halved.sides), document_.side_order, rows[i].sigma)
+                                  .negative_eigenvalues(Bound::upper, budget_, threads_);
+      if (!inertia.proved) return undecided(kMost, i, kTooNear);
+      if (inertia.negative > std::uint64_t{rows[i].count} + 1)
+        return undecided(kMost, i, "at most " + std::to_string(inertia.negative - 1) + " follows");
+    }
+    return {kMost, Verdict::verified, counted(rows.size(), "count", "counts")};
+  }
+
+  RuleReport check_least() {
+    if (document_.at_least.empty()) return nothing_to_count(kLeast);
+    const Precision scope(kBitsOfMatrices);
+    const auto forms = triangle_forms([&](std::size_t, const FlatTriangle& triangle) {
+      return TriangleForms{RoundedForm(triangle.greatest_energy()), RoundedForm(triangle.least_mass())};
+    });
+    if (!forms) return no_triangle(kLeast);
+    const HalvedNet halved = halved_net(document_.net, document_.halvings);
+    const auto& rows = document_.at_least;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      progress(kLeast, i, rows.size());
+      const Inertia inertia = matrix(*forms, halved.vertices, document_.vertex_order, rows[i].below)
+                                  .negative_eigenvalues(Bound::lower, budget_, threads_);
+      if (!inertia.proved) return undecided(kLeast, i, kTooNear);
+      if (inertia.negative < std::uint64_t{rows[i].count} + 1) {
+        return undecided(
+            kLeast, i,
+            inertia.negative < 2 ? "nothing follows" : "at least " + std::to_string(inertia.negative - 1) + " follows");
       }
     }
-    rules_.report({kEigenfunctions, Verdict::verified, counted(rows.size(), "function", "functions")});
-    return true;
+    return {kLeast, Verdict::verified, counted(rows.size(), "count", "counts")};
   }
 
-  /// The values of labels from this number on: those of the net from 1 on, and then the geodesics.
-  [[nodiscard]] std::vector<BallIsometry> elements(std::size_t first, std::size_t count, slong precision) const {
-    std::vector<std::uint32_t> numbers(count);
-    std::iota(numbers.begin(), numbers.end(), static_cast<std::uint32_t>(first));
-    return evaluator_.evaluate(numbers, precision, 4 * precision, threads_);
+  RuleReport check_eigenfunctions() {
+    const auto& rows = document_.eigenfunctions;
+    std::string doubt;
+    for (slong bits = kFirstBitsOfFunctions; bits <= kMostBitsOfFunctions; bits *= 2) {
+      const auto open = open_eigenfunction(bits, doubt);
+      if (!open) return {kEigenfunctions, Verdict::verified, counted(rows.size(), "row", "rows")};
+      if (*open == Tri::no) break;
+    }
+    return {kEigenfunctions, Verdict::undecided, doubt};
   }
 
-  /// Of the geodesics, from their words.
-  [[nodiscard]] std::vector<Ball> lengths(slong precision) const {
-    std::vector<Ball> result;
-    for (const BallIsometry& element : elements(document_.net.labels.size() + 1, document_.geodesics.size(), precision))
-      result.push_back(twice(acosh(cosh_half_length(element))));
+  /// Nothing if all rows are proved; `unknown` if more bits may help.
+  std::optional<Tri> open_eigenfunction(slong bits, std::string& doubt) {
+    const Precision scope(bits);
+    const auto& rows = document_.eigenfunctions;
+    const std::vector<BallIsometry> labels = evaluated_labels();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      progress(kEigenfunctions, i, rows.size());
+      const std::string row = "eigenfunctions[" + std::to_string(i) + "]: ";
+      const auto error =
+          eigenvalue_error(document_.net, rows[i], labels, run_.certificate().counts.genus, budget_, threads_);
+      if (!error) {
+        doubt = row + "not decided, with " + std::to_string(bits) + " bits";
+        return Tri::unknown;
+      }
+      if (!is_finite(*error)) {
+        doubt = row + "no eigenvalue follows";
+        return Tri::no;
+      }
+      const Ball lambda = Ball::exactly(rows[i].lambda);
+      const auto at_most = [](const Ball& x, const Ball& y) { return certainly_less(y, x) == Tri::no; };
+      if (!at_most(Ball::exactly(rows[i].in.lower), lambda - *error) ||
+          !at_most(lambda + *error, Ball::exactly(rows[i].in.upper))) {
+        doubt = row + "eigenvalues are proved only within " + shortest(outer_interval(*error).upper) + " of lambda";
+        return Tri::no;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// make(t, triangle) for the parts of each triangle t of the net, one after the other; nothing if one is certainly no
+  /// triangle, to the precision.
+  template <class Make>
+  [[nodiscard]] std::optional<std::vector<TriangleForms>> triangle_forms(const Make& make) {
+    const std::size_t triangles = document_.net.triangles.size();
+    const std::uint64_t parts = std::uint64_t{1} << (2 * document_.halvings);
+    budget_.spend(400 * ball_work(kBitsOfMatrices) + memory_work(600), triangles * parts);
+    const std::vector<BallIsometry> labels = evaluated_labels();
+    std::vector<std::vector<TriangleForms>> of_triangle(triangles);
+    for_each_parallel(triangles, threads_, [&](unsigned, std::size_t t) {
+      const auto sides = flat_sides(document_.net, labels, static_cast<std::uint32_t>(t), document_.halvings);
+      for (const std::array<Ball, 3>& squares : sides) {
+        const auto triangle = FlatTriangle::of(squares);
+        if (!triangle) return;
+        of_triangle[t].push_back(make(t, *triangle));
+      }
+    });
+    std::vector<TriangleForms> result;
+    for (const auto& forms : of_triangle) {
+      if (forms.size() != parts) return std::nullopt;
+      result.insert(result.end(), forms.begin(), forms.end());
+    }
     return result;
   }
 
-  void check_traces(const TraceForms& trace_forms) {
-    std::vector<Forms> forms;
-    for (const AtMost& row : document_.at_most) forms.push_back(trace_forms(row.coefficients));
-    for (const AtLeast& row : document_.at_least) forms.push_back(trace_forms(row.coefficients));
-    rules_.report(traces_report(forms));
-  }
-
-  template <class Row, class Holds>
-  void check(const char* rule, const std::vector<Row>& rows, const std::string& bits, const Holds& holds) {
-    if (!rules_.open(rule)) return;
-    std::string doubt;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (options_.progress) options_.progress(rule, static_cast<double>(i) / static_cast<double>(rows.size()));
-      const Tri answer = holds(rows[i]);
-      if (answer == Tri::yes) continue;
-      const std::string statement = "statement " + std::to_string(i);
-      if (answer == Tri::no)
-        return rules_.report({rule, Verdict::refuted, statement + " does not follow from its coefficients"});
-      if (doubt.empty()) doubt = statement + " is not decided, with " + bits;
+  /// 𝒜 − σ𝒩 for values with these numbers, eliminated in this order.
+  [[nodiscard]] SparseMatrix matrix(const std::vector<TriangleForms>& forms, const Numbers& numbers,
+                                    const EigenvaluesDocument::Order& order, double sigma) const {
+    budget_.spend(memory_work(100) + 500, forms.size());
+    std::vector<std::uint32_t> place(order.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+    std::vector<MatrixEntry> entries;
+    entries.reserve(6 * forms.size());
+    for (std::size_t t = 0; t < forms.size(); ++t) {
+      const auto& [energy, mass] = forms[t];
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t own = place[numbers[t][i]];
+        entries.push_back(entry(own, own, energy.square[i], sigma, mass.square[i]));
+        const std::uint32_t j = place[numbers[t][(i + 1) % 3]];
+        const std::uint32_t k = place[numbers[t][(i + 2) % 3]];
+        entries.push_back(entry(j, k, energy.product[i], sigma, mass.product[i]));
+        // Both products of two values of one number are on the diagonal.
+        if (j == k) entries.push_back(entries.back());
+      }
     }
-    if (!doubt.empty()) return rules_.doubt(rule, doubt);
-    rules_.report({rule, Verdict::verified, counted(rows.size(), "statement", "statements")});
+    return {static_cast<std::uint32_t>(order.size()), std::move(entries)};
   }
 
-  /// F₀ < (count + 1)·f̂² on the interval, where F₀ is without what known eigenvalues elsewhere add to it.
-  [[nodiscard]] Tri at_most(const AtMost& row, const Forms& forms) const {
-    const SquaredTestFunction square(functions_, row.coefficients);
-    Ball sum = forms[0];
-    for (const Interval& known : known_outside(row.in)) {
-      spend(square);
-      sum = sum - square.on(known);
-    }
-    return is_positive_on(row.in, [&](Interval part) {
-      spend(square);
-      return (std::uint64_t{row.count} + 1) * square.on(part) - sum;
-    });
+  /// By triangle, the number of the side opposite to each corner.
+  [[nodiscard]] static Numbers opposite_sides(const Numbers& sides) {
+    Numbers result;
+    for (const auto& [first, second, third] : sides) result.push_back({second, third, first});
+    return result;
   }
 
-  /// Disjoint intervals of eigenfunctions outside of this one, in which test functions can be enclosed.
-  [[nodiscard]] std::vector<Interval> known_outside(Interval in) const {
-    const mpq_class greatest = greatest_eigenvalue(functions_);
-    std::vector<Interval> result;
-    for (const Eigenfunction& row : document_.eigenfunctions) {
-      const bool outside = row.in.upper < in.lower || in.upper < row.in.lower;
-      if (outside && mpq_class(row.in.upper) <= greatest) result.push_back(row.in);
-    }
-    budget_.spend(10, document_.eigenfunctions.size());
-    return disjoint(std::move(result));
+  [[nodiscard]] std::vector<BallIsometry> evaluated_labels() const {
+    std::vector<std::uint32_t> numbers(document_.net.labels.size());
+    std::iota(numbers.begin(), numbers.end(), 1U);
+    return evaluator_.evaluate(numbers, Precision::bits(), 4 * Precision::bits(), threads_);
   }
 
-  /// The sum of P f̂² is more than (count − 1)·P f̂² on the interval `within`.
-  [[nodiscard]] Tri at_least(const AtLeast& row, const Forms& forms) const {
-    const SquaredTestFunction square(functions_, row.coefficients);
-    const Ball sum = weighted_sum(forms, row.in);
-    return is_positive_on(row.within, [&](Interval part) {
-      spend(square);
-      return sum - (row.count - 1) * weight(row.in, part) * square.on(part);
-    });
+  void progress(const char* rule, std::size_t row, std::size_t rows) const {
+    if (run_.options().progress) run_.options().progress(rule, static_cast<double>(row) / static_cast<double>(rows));
   }
 
-  void spend(const SquaredTestFunction& square) const {
-    budget_.spend(ball_work(static_cast<std::uint64_t>(Precision::bits())), square.operations());
+  static constexpr const char* kTooNear = "not decided: a pivot is too near to 0 for binary64";
+
+  static RuleReport nothing_to_count(const char* rule) { return {rule, Verdict::verified, "no counts"}; }
+  static RuleReport no_triangle(const char* rule) {
+    return {rule, Verdict::undecided, "the corners of a part of a triangle are too near to a line"};
+  }
+  static RuleReport undecided(const char* rule, std::size_t row, const std::string& why) {
+    return {rule, Verdict::undecided, (rule == kMost ? "at_most[" : "at_least[") + std::to_string(row) + "]: " + why};
   }
 
   const EigenvaluesDocument& document_;
-  const CheckOptions& options_;
+  Verification& run_;
   unsigned threads_;
   const Budget& budget_;
-  std::uint32_t genus_;
-  TestFunctions functions_;
-  NetDocument net_;
+  LabelParts parts_;
   LabelEvaluator evaluator_;
-  OpenRules rules_;
 };
 
 std::string text_of(const EigenvaluesDocument& document) {
-  std::uint64_t least = 0;
-  std::uint64_t most = 0;
-  for (const EigenvaluesDocument::Window& window : document.windows) {
-    least += window.least;
-    most += window.most;
-  }
-  return "eigenvalues of the Laplacian: " + (least == most ? "" : "from " + std::to_string(least) + " to ") +
-         std::to_string(most) + " in (0, " + shortest(document.eigenvalues_up_to) + "], with multiplicity, in " +
-         counted(document.windows.size(), "interval", "intervals");
+  std::uint64_t count = 0;
+  for (const EigenvaluesDocument::Enclosure& row : document.eigenvalues) count += row.count;
+  const std::string rest = " at least " + decimal_below(document.next);
+  if (count == 0) return "eigenvalues of the Laplacian, but 0, are" + rest;
+  return "the first " + counted(count, "eigenvalue", "eigenvalues") +
+         " of the Laplacian after 0, with multiplicity, lie in " +
+         counted(document.eigenvalues.size(), "interval", "intervals") + ", all others are" + rest;
 }
 
 }  // namespace
 
-RuleNames own_rules(const EigenvaluesDocument& /*document*/) {
-  GeodesicsDocument spectrum;
-  spectrum.claim = GeodesicsDocument::Claim::spectrum;
-  RuleNames rules = own_rules(spectrum);
-  for (const std::string_view rule : rules_beyond_the_spectrum()) rules.push_back(rule);
-  return rules;
-}
+RuleNames own_rules(const EigenvaluesDocument& /*document*/) { return {kMost, kLeast, kEigenfunctions, kEnclosures}; }
 
 Claim claim_of(const EigenvaluesDocument& document) {
   const auto ask = [&](Verification& run, Crossings crossings) {
-    const LabelParts parts = ask_geodesics_rules(document, run, std::move(crossings));
-    if (run.rules().verified_so_far()) EigenvaluesCheck(document, run, parts).ask(run);
+    EigenvaluesCheck(document, run, std::move(crossings)).ask();
   };
   return {document.net, text_of(document), own_rules(document), ask};
 }

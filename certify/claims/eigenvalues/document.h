@@ -4,68 +4,65 @@
 #include <vector>
 
 #include "certify/base/interval.h"
-#include "certify/claims/geodesics/document.h"
+#include "certify/net/document.h"
 
 /// The contents of an eigenvalues file as plain data, member by member as docs/format.md defines them.
 ///
-/// Eigenvalues are those of the Laplacian −Δ, with multiplicity, without the eigenvalue 0 of the constant functions.
-/// A document only states what a file says; nothing here is proved.
+/// Eigenvalues are those of the Laplacian −Δ, with multiplicity, without the eigenvalue 0 of the constant functions: λ₁
+/// ≤ λ₂ ≤ …. A document only states what a file says; nothing here is proved.
 namespace epsnet::certify {
 
-/// An eigenvalues file: a spectrum, and what follows from it.
-struct EigenvaluesDocument : GeodesicsDocument {
-  /// The coefficients c₀, …, c_K of a test function.
+/// An eigenvalues file: where the first eigenvalues are, and what proves it.
+struct EigenvaluesDocument {
+  /// A permutation of the sides or vertices of the halved triangles.
+  using Order = std::vector<std::uint32_t>;
+  /// By vertex α₀, α₁, β₁, …, α_M, β_M: its function is the sum of the (α_m cos mθ + β_m sin mθ) tanh(ρ/2)^m F_m, in
+  /// polar coordinates.
   using Coefficients = std::vector<double>;
 
-  /// At most `count` eigenvalues lie in `in`: F₀(c) < (count + 1)·f̂² there.
-  struct AtMost {
+  /// The next `count` eigenvalues are in `in`.
+  struct Enclosure {
     Interval in{};
+    std::uint32_t count = 1;
+    bool operator==(const Enclosure&) const = default;
+  };
+
+  /// At most `count` eigenvalues are less than `below`: K − `sigma` N, with a row for each side, has at most one more
+  /// negative eigenvalue.
+  struct AtMost {
+    double below = 0;
     std::uint32_t count = 0;
-    Coefficients coefficients;
+    double sigma = 0;
     bool operator==(const AtMost&) const = default;
   };
 
-  /// If all eigenvalues in the open interval `in` lie in `within`, there are at least `count`: the sum of P f̂² over all
-  /// eigenvalues is more than (count − 1)·P f̂² everywhere in `within`. P is positive in `in` alone.
+  /// At least `count` eigenvalues are less than `below`: K′ − `below` N′, with a row for each vertex, has at least one
+  /// more negative eigenvalue.
   struct AtLeast {
-    Interval in{};
-    Interval within{};
+    double below = 0;
     std::uint32_t count = 1;
-    Coefficients coefficients;
     bool operator==(const AtLeast&) const = default;
   };
 
-  /// An eigenvalue lies in `in`: functions around the vertices of the net nearly fit together to an eigenfunction.
-  struct Eigenfunction {
+  /// At least as many eigenvalues as `functions` are in `in`: functions around the vertices of the net nearly fit
+  /// together to so many eigenfunctions.
+  struct Eigenfunctions {
     Interval in{};
     double lambda = 0;  ///< Of the functions; in `in`.
     double radius = 0;  ///< Around each vertex its function counts within this distance, more than ε.
-    /// By vertex α₀, α₁, β₁, …, α_M, β_M: its function is the sum of the (α_m cos mθ + β_m sin mθ) tanh(ρ/2)^m F_m, in
-    /// polar coordinates.
-    Coefficients coefficients;
-    bool operator==(const Eigenfunction&) const = default;
+    std::vector<Coefficients> functions;
+    bool operator==(const Eigenfunctions&) const = default;
   };
 
-  /// What is claimed of the eigenvalues in `in`. Where `least` and `most` differ the other two intervals are `in`.
-  struct Window {
-    Interval in{};
-    std::uint32_t least = 1;  ///< There are at least so many, with multiplicity,
-    std::uint32_t most = 1;   ///< and at most so many.
-    Interval smallest{};      ///< Contains the smallest one, and has the lower end of `in`.
-    Interval greatest{};      ///< Contains the greatest one, and has the upper end of `in`.
-    bool operator==(const Window&) const = default;
-  };
-
-  /// Claims a complete spectrum.
-  EigenvaluesDocument() { claim = Claim::spectrum; }
-
-  std::uint32_t order = 8;       ///< n, of the spline.
-  std::uint32_t degree = 32;     ///< K.
-  double eigenvalues_up_to = 0;  ///< No eigenvalue in (0, eigenvalues_up_to] is outside of the windows.
-  std::vector<Window> windows;
+  NetDocument net;
+  std::vector<Enclosure> eigenvalues;  ///< From λ₁ on.
+  double next = 0;                     ///< All others are at least that.
+  std::uint32_t halvings = 0;          ///< So many times triangles of the net are divided into four.
+  Order side_order;                    ///< In which rows are eliminated.
+  Order vertex_order;
   std::vector<AtMost> at_most;
   std::vector<AtLeast> at_least;
-  std::vector<Eigenfunction> eigenfunctions;
+  std::vector<Eigenfunctions> eigenfunctions;
   bool operator==(const EigenvaluesDocument&) const = default;
 };
 

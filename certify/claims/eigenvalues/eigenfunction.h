@@ -17,10 +17,11 @@ namespace epsnet::certify {
 /// plane, with the eigenvalue λ.
 class RadialFactors {
  public:
-  /// Requires: λ > 0.
-  RadialFactors(const Ball& lambda, std::uint32_t order);
+  /// For s up to `greatest`, at most ½, or up to the upper end of its ball. Requires: λ > 0.
+  RadialFactors(const Ball& lambda, std::uint32_t order, const Ball& greatest);
 
-  /// Their values at s ≥ 0. Not finite unless s ≤ ½ is certain, or if 500 terms of the series are not enough.
+  /// Their values at s ≥ 0. Not finite unless s is certainly not too large, or if 500 terms of the series are not
+  /// enough.
   [[nodiscard]] std::vector<Ball> operator()(const Ball& s) const;
   /// The cost of that, in operations of balls.
   [[nodiscard]] std::uint64_t operations() const {
@@ -28,28 +29,28 @@ class RadialFactors {
   }
 
  private:
-  /// F_m is their polynomial in s/(1 − s), up to the error, for s ≤ ½.
+  /// F_m is their polynomial in s/(1 − s), up to the error, for s up to the greatest.
   struct Series {
     std::vector<Ball> coefficients;
     Ball error;
   };
-  [[nodiscard]] static Series series(const Ball& lambda, std::uint32_t m);
+  [[nodiscard]] Series series(const Ball& lambda, std::uint32_t m) const;
   [[nodiscard]] static Ball value(const Series& series, const Ball& x);
 
   std::uint32_t order_;
+  Ball greatest_;
   Series last_;                ///< F_M
   Series next_;                ///< F_{M + 1}
   std::vector<Ball> weights_;  ///< By m: 1 + λ/(m(m + 1)).
 };
 
-/// A bound δ such that an eigenvalue of −Δ on the surface, perhaps 0, lies in [λ − δ, λ + δ]; infinity if the functions
-/// prove none. Nothing if more bits are needed. BudgetSpent.
+/// A bound δ such that at least as many eigenvalues of −Δ on the surface as the row has functions, perhaps 0 among
+/// them, lie in [λ − δ, λ + δ]; infinity if the functions prove none. Nothing if more bits are needed. BudgetSpent.
 ///
-/// Requires: the rules of the document's net and of its spectrum are verified, and its structure is right; `labels` are
-/// those of the net.
-[[nodiscard]] std::optional<Ball> eigenvalue_error(const EigenvaluesDocument& document,
-                                                   const EigenvaluesDocument::Eigenfunction& function,
-                                                   const std::vector<BallIsometry>& labels, std::uint32_t genus,
+/// Requires: the rules of the net are verified, and the structure is right; `labels` are those of the net.
+[[nodiscard]] std::optional<Ball> eigenvalue_error(const NetDocument& net,
+                                                   const EigenvaluesDocument::Eigenfunctions& row,
+                                                   const std::vector<BallIsometry>& labels, std::uint64_t genus,
                                                    const Budget& budget, unsigned threads);
 
 }  // namespace epsnet::certify

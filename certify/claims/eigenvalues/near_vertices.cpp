@@ -1,9 +1,12 @@
 #include "certify/claims/eigenvalues/near_vertices.h"
 
+#include <iterator>
+#include <map>
 #include <utility>
 
 #include "certify/base/text.h"
 #include "certify/net/darts.h"
+#include "certify/numbers/parallel.h"
 
 namespace epsnet::certify {
 namespace {
@@ -43,49 +46,75 @@ std::vector<std::vector<NearVertex>> neighbours(const NetDocument& net, const st
   return result;
 }
 
-}  // namespace
+/// The lifts around one vertex.
+class Neighbourhood {
+ public:
+  Neighbourhood(const std::vector<std::vector<NearVertex>>& edges, const Ball& shortest, const Ball& near,
+                const Ball& far, const Budget& budget)
+      : edges_(edges), shortest_(shortest), near_(near), far_(far), budget_(budget) {}
 
-std::optional<std::vector<std::vector<NearVertex>>> near_vertices(const GeodesicsDocument& spectrum,
-                                                                  const std::vector<BallIsometry>& labels,
-                                                                  const Ball& distance, const Budget& budget) {
-  const NetDocument& net = spectrum.net;
-  const std::uint64_t work = 40 * ball_work(static_cast<std::uint64_t>(Precision::bits()));
-  budget.spend(10 * work, net.triangles.size());
-  const auto edges = neighbours(net, labels);
-  const Ball systole = spectrum.geodesics.empty() ? Ball::rounded(decimal(spectrum.up_to))
-                                                  : Ball::exactly(spectrum.geodesics.front().length.lower);
-  const Ball near = sqr(sinh(half(distance)));
-  const Ball far = sqr(sinh(half(distance) + Ball::rounded(decimal(net.epsilon))));
-  const Ball shortest = sqr(sinh(half(systole)));
-  std::vector<std::vector<NearVertex>> result(net.vertices.size());
-  for (std::uint32_t centre = 0; centre < net.vertices.size(); ++centre) {
+  [[nodiscard]] std::optional<std::vector<NearVertex>> around(std::uint32_t centre) const {
+    const std::uint64_t work = 40 * ball_work(static_cast<std::uint64_t>(Precision::bits()));
     std::vector<NearVertex> found{{centre, identity_isometry(), {}}};
-    std::vector<std::vector<std::size_t>> of_vertex(net.vertices.size());  // Their numbers.
-    of_vertex[centre].push_back(0);
+    std::multimap<std::uint32_t, std::size_t> of_vertex{{centre, 0}};  // Their numbers.
     for (std::size_t i = 0; i < found.size(); ++i) {
-      for (const NearVertex& edge : edges[found[i].vertex]) {
-        auto& others = of_vertex[edge.vertex];
-        budget.spend(work, others.size() + 1);
+      for (const NearVertex& edge : edges_[found[i].vertex]) {
+        const auto [first, last] = of_vertex.equal_range(edge.vertex);
+        budget_.spend(work, static_cast<std::uint64_t>(std::distance(first, last)) + 1);
         BallIsometry isometry = product(found[i].isometry, edge.isometry);
         const Ball sinh_squared = displacement(isometry);
-        if (certainly_less(far, sinh_squared) == Tri::yes) continue;
+        if (certainly_less(far_, sinh_squared) == Tri::yes) continue;
         bool known = false;
-        for (const std::size_t other : others) {
-          // Two lifts of one vertex are the same, or at least as far from each other as a closed geodesic is long.
-          const Ball apart = displacement(product(inverse(found[other].isometry), isometry));
-          known = certainly_less(apart, shortest) == Tri::yes;
-          if (known) break;
-          if (certainly_positive(apart) != Tri::yes) return std::nullopt;
+        for (auto other = first; other != last && !known; ++other) {
+          // Two lifts are the same, or at least as far from each other as the shortest edge is long.
+          const Ball apart = displacement(product(inverse(found[other->second].isometry), isometry));
+          known = certainly_less(apart, shortest_) == Tri::yes;
+          if (!known && certainly_positive(apart) != Tri::yes) return std::nullopt;
         }
         if (known) continue;
-        budget.spend(memory_work(500));
-        others.push_back(found.size());
+        budget_.spend(memory_work(500));
+        of_vertex.emplace(edge.vertex, found.size());
         found.push_back({edge.vertex, std::move(isometry), sinh_squared});
       }
     }
+    std::vector<NearVertex> result;
     for (std::size_t i = 1; i < found.size(); ++i) {
-      if (certainly_less(found[i].sinh_squared, near) != Tri::no) result[centre].push_back(std::move(found[i]));
+      if (certainly_less(found[i].sinh_squared, near_) != Tri::no) result.push_back(std::move(found[i]));
     }
+    return result;
+  }
+
+ private:
+  const std::vector<std::vector<NearVertex>>& edges_;
+  const Ball& shortest_;
+  const Ball& near_;
+  const Ball& far_;
+  const Budget& budget_;
+};
+
+}  // namespace
+
+std::optional<std::vector<std::vector<NearVertex>>> near_vertices(const NetDocument& net,
+                                                                  const std::vector<BallIsometry>& labels,
+                                                                  const Ball& distance, const Budget& budget,
+                                                                  unsigned threads) {
+  budget.spend(400 * ball_work(static_cast<std::uint64_t>(Precision::bits())), net.triangles.size());
+  const auto edges = neighbours(net, labels);
+  const Ball near = sqr(sinh(half(distance)));
+  const Ball far = sqr(sinh(half(distance) + Ball::rounded(decimal(net.epsilon))));
+  Ball shortest = far;
+  for (const auto& ends : edges) {
+    for (const NearVertex& end : ends) shortest = min(shortest, displacement(end.isometry));
+  }
+  const Neighbourhood neighbourhood(edges, shortest, near, far, budget);
+  std::vector<std::optional<std::vector<NearVertex>>> found(net.vertices.size());
+  for_each_parallel(found.size(), threads, [&](unsigned, std::size_t vertex) {
+    found[vertex] = neighbourhood.around(static_cast<std::uint32_t>(vertex));
+  });
+  std::vector<std::vector<NearVertex>> result;
+  for (auto& lifts : found) {
+    if (!lifts) return std::nullopt;
+    result.push_back(*std::move(lifts));
   }
   return result;
 }

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "certify/claims/geodesics/document.h"
+#include "certify/net/document.h"
 #include "certify/numbers/budget.h"
 #include "certify/numbers/isometry.h"
 
@@ -23,11 +23,11 @@ struct NearVertex {
 /// By vertex: all lifts of vertices nearer than `distance`, but itself, and perhaps some that are as far to the balls'
 /// precision. Nothing if balls do not tell which of them are the same. BudgetSpent.
 ///
-/// Requires: the rules of the net and of the spectrum are verified; `labels` are the values of the net's labels, number
-/// k ≥ 1 at k − 1. Time: the square of the number of lifts at most `distance` + 2ε away, by vertex.
-[[nodiscard]] std::optional<std::vector<std::vector<NearVertex>>> near_vertices(const GeodesicsDocument& spectrum,
+/// Requires: the rules of the net are verified; `labels` are the values of its labels, number k ≥ 1 at k − 1. Time: the
+/// square of the number of lifts at most `distance` + 2ε away, by vertex.
+[[nodiscard]] std::optional<std::vector<std::vector<NearVertex>>> near_vertices(const NetDocument& net,
                                                                                 const std::vector<BallIsometry>& labels,
                                                                                 const Ball& distance,
-                                                                                const Budget& budget);
+                                                                                const Budget& budget, unsigned threads);
 
 }  // namespace epsnet::certify

@@ -2,35 +2,61 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "certify/base/text.h"
 #include "certify/claims/eigenvalues/check.h"
-#include "certify/claims/eigenvalues/test_function.h"
-#include "certify/claims/geodesics/check.h"
+#include "certify/claims/eigenvalues/halved_net.h"
 
 namespace epsnet::certify {
 namespace {
 
 using Document = EigenvaluesDocument;
 
-Problem functions_problem(const Document& document) {
-  if (document.order < 8 || document.order > 16 || document.order % 2 != 0) {
-    return "order: " + std::to_string(document.order) + " is not an even number from 8 to 16";
-  }
-  if (document.degree < 1 || document.degree > 64) {
-    return "degree: " + std::to_string(document.degree) + " is not a number from 1 to 64";
-  }
-  const TestFunctions functions = test_functions(document);
-  if (functions.support <= functions.pieces()) return std::nullopt;
-  return "degree: " + std::to_string(document.degree) + " is too small for lengths up to " + in_quotes(document.up_to) +
-         ", expected up_to <= 2 degree + order/2";
-}
+constexpr std::uint32_t kMostHalvings = 12;
+constexpr std::size_t kMostFunctions = 1000;
+constexpr std::size_t kGreatestOrder = 200;
+
+bool is_positive(double x) { return std::isfinite(x) && x > 0; }
 
 /// Whether x and y, both finite, are the ends of an interval in [0, ∞).
 bool in_order(double x, double y) { return std::isfinite(x) && std::isfinite(y) && 0 <= x && x <= y; }
 
-Problem values_problem(const Document::Coefficients& coefficients) {
+Problem order_problem(const std::string& name, const Document::Order& order, bool is_needed, std::uint64_t size) {
+  const std::uint64_t expected = is_needed ? size : 0;
+  if (order.size() != expected)
+    return name + ": " + std::to_string(order.size()) + " elements, expected " + std::to_string(expected);
+  std::vector<bool> seen(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (order[i] >= order.size() || seen[order[i]]) {
+      return at(name.c_str(), i) + std::to_string(order[i]) +
+             (order[i] < order.size() ? " occurs twice" : " does not exist") + ", expected a permutation of 0 to " +
+             std::to_string(order.size() - 1);
+    }
+    seen[order[i]] = true;
+  }
+  return std::nullopt;
+}
+
+Problem enclosure_problem(const Document::Enclosure& row) {
+  if (!in_order(row.in.lower, row.in.upper)) return "in is not 0 <= lo <= hi";
+  if (row.count == 0) return "the count is 0";
+  return std::nullopt;
+}
+
+Problem at_most_problem(const Document::AtMost& row) {
+  if (!is_positive(row.below) || !std::isfinite(row.sigma) || row.sigma < row.below)
+    return "below and sigma are not 0 < below <= sigma";
+  return std::nullopt;
+}
+
+Problem at_least_problem(const Document::AtLeast& row) {
+  if (!is_positive(row.below)) return "below is not positive";
+  if (row.count == 0) return "the count is 0";
+  return std::nullopt;
+}
+
+Problem function_problem(const Document::Coefficients& coefficients, std::size_t size) {
+  if (coefficients.size() != size) return "another number of coefficients than the first function of the row";
   if (!std::all_of(coefficients.begin(), coefficients.end(), [](double c) { return std::isfinite(c); }))
     return "a coefficient is not finite";
   if (std::all_of(coefficients.begin(), coefficients.end(), [](double c) { return c == 0; }))
@@ -38,116 +64,63 @@ Problem values_problem(const Document::Coefficients& coefficients) {
   return std::nullopt;
 }
 
-Problem eigenfunction_problem(const Document& document, const Document::Eigenfunction& row) {
-  constexpr std::size_t kGreatestOrder = 200;
-  const auto& [in, lambda, radius, coefficients] = row;
+Problem eigenfunctions_problem(const NetDocument& net, const Document::Eigenfunctions& row) {
+  const auto& [in, lambda, radius, functions] = row;
   if (!in_order(in.lower, lambda) || !in_order(lambda, in.upper) || in.lower == 0)
     return "lambda is not in in, or in is not 0 < lo <= hi";
-  if (!std::isfinite(radius) || radius >= 2 || mpq_class(radius) <= decimal(document.net.epsilon))
+  if (!std::isfinite(radius) || radius >= 2 || mpq_class(radius) <= decimal(net.epsilon))
     return "radius is not more than epsilon and less than 2";
-  const std::size_t vertices = document.net.vertices.size();
-  const std::size_t each = coefficients.size() / std::max<std::size_t>(vertices, 1);
-  if (coefficients.size() != each * vertices || each % 2 == 0 || each < 3 || each > 2 * kGreatestOrder + 1) {
-    return std::to_string(coefficients.size()) + " coefficients, expected 2M + 1 for each of " +
-           std::to_string(vertices) + " vertices, M from 1 to " + std::to_string(kGreatestOrder);
+  if (functions.empty() || functions.size() > kMostFunctions)
+    return std::to_string(functions.size()) + " functions, expected 1 to " + std::to_string(kMostFunctions);
+  const std::size_t vertices = net.vertices.size();
+  const std::size_t size = functions.front().size();
+  const std::size_t each = size / std::max<std::size_t>(vertices, 1);
+  if (size != each * vertices || each % 2 == 0 || each < 3 || each > 2 * kGreatestOrder + 1) {
+    return std::to_string(size) + " coefficients, expected 2M + 1 for each of " + std::to_string(vertices) +
+           " vertices, M from 1 to " + std::to_string(kGreatestOrder);
   }
-  return values_problem(coefficients);
-}
-
-/// Says what is wrong with intervals of eigenvalues and with coefficients.
-class Statements {
- public:
-  explicit Statements(const Document& document)
-      : document_(document), greatest_(greatest_eigenvalue(test_functions(document))) {}
-
-  [[nodiscard]] Problem interval_problem(const char* name, Interval x) const {
-    if (!in_order(x.lower, x.upper)) return std::string(name) + " is not 0 <= lo <= hi";
-    if (mpq_class(x.upper) <= greatest_) return std::nullopt;
-    return std::string(name) + " reaches beyond 1/4 + 9/step^2, step = up_to/(2 degree + order/2)";
-  }
-
-  [[nodiscard]] Problem coefficients_problem(const Document::Coefficients& coefficients) const {
-    if (coefficients.size() != std::size_t{document_.degree} + 1) {
-      return std::to_string(coefficients.size()) + " coefficients, expected degree + 1, " +
-             std::to_string(document_.degree + 1);
-    }
-    return values_problem(coefficients);
-  }
-
- private:
-  const Document& document_;
-  mpq_class greatest_;
-};
-
-Problem at_most_problem(const Statements& statements, const Document::AtMost& row) {
-  if (auto problem = statements.interval_problem("in", row.in)) return problem;
-  return statements.coefficients_problem(row.coefficients);
-}
-
-Problem at_least_problem(const Statements& statements, const Document::AtLeast& row) {
-  if (auto problem = statements.interval_problem("in", row.in)) return problem;
-  if (auto problem = statements.interval_problem("within", row.within)) return problem;
-  if (row.in.lower == row.in.upper) return "in is a single point";
-  if (row.within.lower < row.in.lower || row.in.upper < row.within.upper) return "within is not a part of in";
-  if (row.count == 0) return "the count is 0";
-  return statements.coefficients_problem(row.coefficients);
-}
-
-Problem window_problem(const Document& document, std::size_t i) {
-  const auto& [in, least, most, smallest, greatest] = document.windows[i];
-  if (!in_order(in.lower, in.upper)) return "in is not 0 <= lo <= hi";
-  if (i > 0 && in.lower <= document.windows[i - 1].in.upper) return "in does not begin after the window before";
-  if (in.upper > document.eigenvalues_up_to) return "in reaches beyond up_to";
-  if (most == 0 || most < least) return "expected 0 <= least <= most and most >= 1";
-  if (least < most && (smallest != in || greatest != in))
-    return "smallest and greatest are not in, although least < most";
-  if (!in_order(smallest.lower, smallest.upper) || smallest.lower != in.lower || in.upper < smallest.upper)
-    return "smallest is not the lower part of in";
-  if (!in_order(greatest.lower, greatest.upper) || greatest.upper != in.upper || greatest.lower < in.lower)
-    return "greatest is not the upper part of in";
-  return std::nullopt;
-}
-
-template <class Row, class RowProblem>
-Problem rows_problem(const char* name, const std::vector<Row>& rows, const RowProblem& row_problem) {
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (const auto problem = row_problem(rows[i])) return at(name, i) + *problem;
-  }
-  return std::nullopt;
+  return first_row_problem("functions", functions,
+                           [&](const Document::Coefficients& c) { return function_problem(c, size); });
 }
 
 }  // namespace
 
 Problem structure_problem(const Document& document) {
-  if (document.claim != GeodesicsDocument::Claim::spectrum) return "claim: expected a spectrum";
-  if (auto problem = structure_problem(static_cast<const GeodesicsDocument&>(document))) return problem;
-  if (auto problem = functions_problem(document)) return problem;
-  const Statements statements(document);
-  if (auto problem = rows_problem("at_most", document.at_most,
-                                  [&](const auto& row) { return at_most_problem(statements, row); })) {
+  if (auto problem = whole_net_problem(document.net)) return problem;
+  if (document.halvings > kMostHalvings) {
+    return "halvings: " + std::to_string(document.halvings) + " is not a number from 0 to " +
+           std::to_string(kMostHalvings);
+  }
+  const HalvedSizes sizes = halved_sizes(document.net, document.halvings);
+  if (auto problem = order_problem("side_order", document.side_order, !document.at_most.empty(), sizes.sides))
+    return problem;
+  if (auto problem = order_problem("vertex_order", document.vertex_order, !document.at_least.empty(), sizes.vertices))
+    return problem;
+  if (auto problem = first_row_problem("eigenvalues", document.eigenvalues, enclosure_problem)) return problem;
+  if (!in_order(0, document.next)) return "next: not a number of at least 0";
+  if (auto problem = first_row_problem("at_most", document.at_most, at_most_problem)) return problem;
+  if (auto problem = first_row_problem("at_least", document.at_least, at_least_problem)) return problem;
+  const auto& rows = document.eigenfunctions;
+  if (auto problem = first_row_problem("eigenfunctions", rows, [&](const Document::Eigenfunctions& row) {
+        return eigenfunctions_problem(document.net, row);
+      })) {
     return problem;
   }
-  if (auto problem = rows_problem("at_least", document.at_least,
-                                  [&](const auto& row) { return at_least_problem(statements, row); })) {
-    return problem;
-  }
-  if (auto problem = rows_problem("eigenfunctions", document.eigenfunctions,
-                                  [&](const auto& row) { return eigenfunction_problem(document, row); })) {
-    return problem;
-  }
-  if (!std::isfinite(document.eigenvalues_up_to) || document.eigenvalues_up_to <= 0)
-    return "eigenvalues_up_to: not a positive number";
-  for (std::size_t i = 0; i < document.windows.size(); ++i) {
-    if (const auto problem = window_problem(document, i)) return at("windows", i) + *problem;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (rows[i].in.lower <= rows[i - 1].in.upper)
+      return at("eigenfunctions", i) + "in does not begin after that of the row before";
   }
   return std::nullopt;
 }
 
 std::uint64_t least_bytes(const Document& document) {
-  std::uint64_t bytes = least_bytes(static_cast<const GeodesicsDocument&>(document)) + 80 * document.windows.size();
-  for (const Document::AtMost& row : document.at_most) bytes += 35 + 2 * row.coefficients.size();
-  for (const Document::AtLeast& row : document.at_least) bytes += 50 + 2 * row.coefficients.size();
-  for (const Document::Eigenfunction& row : document.eigenfunctions) bytes += 50 + 2 * row.coefficients.size();
+  std::uint64_t bytes = least_bytes(document.net) + 100 + 20 * document.eigenvalues.size() +
+                        2 * (document.side_order.size() + document.vertex_order.size()) + 35 * document.at_most.size() +
+                        20 * document.at_least.size();
+  for (const Document::Eigenfunctions& row : document.eigenfunctions) {
+    bytes += 50;
+    for (const Document::Coefficients& coefficients : row.functions) bytes += 2 + 2 * coefficients.size();
+  }
   return bytes;
 }
 

@@ -196,7 +196,11 @@ std::vector<Family> families() {
   }
   {
     auto& b = add("eigenvalues", 20);
-    b.push_back(file("eigenvalues/bolza-to-3.1.json"));
+    b.push_back(file("eigenvalues/octagon-5.json", 8));
+    b.push_back(file("eigenvalues/octagon-5-of-one-vertex.json", 8));
+    b.push_back(file("eigenvalues/bolza.json", 8));
+    b.push_back(file("eigenvalues/octagon-5-with-a-function.json", 1));
+    b.push_back(file("eigenvalues/bolza-with-three-functions.json", 1));
   }
   return all;
 }
@@ -256,7 +260,7 @@ std::string defect(Document& document, Random& random) {
       return own_defect(geodesics_mutations(), document, random);
     }
     if (std::holds_alternative<EigenvaluesDocument>(document)) {
-      return defect_on_spectrum(eigenvalues_mutations(), document, random);
+      return own_defect(eigenvalues_mutations(), document, random);
     }
     if (std::holds_alternative<IsometriesDocument>(document)) {
       return defect_on_spectrum(isometries_mutations(), document, random);

@@ -154,15 +154,14 @@ void change_count(std::uint32_t& count, Random& r) {
   }
 }
 
-/// Any row of a statement: of either kind.
-template <class Change>
-void change_statement(EigenvaluesDocument& file, Random& r, const Change& change) {
-  if (r.below(file.at_most.size() + file.at_least.size()) < file.at_most.size()) {
-    change(r.of(file.at_most));
-  } else {
-    change(r.of(file.at_least));
-  }
+/// Any number below which eigenvalues are counted.
+double& below(EigenvaluesDocument& file, Random& r) {
+  if (r.below(file.at_most.size() + file.at_least.size()) < file.at_most.size()) return r.of(file.at_most).below;
+  return r.of(file.at_least).below;
 }
+double& end(certify::Interval& in, Random& r) { return r.below(2) == 0 ? in.lower : in.upper; }
+/// By so little, or so much, that a count may change: 10⁻⁹ to a tenth of the number.
+void change_threshold(double& x, Random& r) { x *= 1 + r.sign() * std::pow(10.0, -1 - static_cast<int>(r.below(9))); }
 
 /// Makes the clusters that follow from the lengths. Only clusters that already existed keep their claim to be equal.
 void make_clusters(GeodesicsDocument& file) {
@@ -768,41 +767,26 @@ const std::vector<MutationOf<BoundDocument>>& bound_mutations() {
 
 const std::vector<MutationOf<EigenvaluesDocument>>& eigenvalues_mutations() {
   static const std::vector<MutationOf<EigenvaluesDocument>> all{
-      {"coefficient",
+      {"number of a count, by little", [](EigenvaluesDocument& file, Random& r) { change_length(below(file, r), r); }},
+      {"number of a count", [](EigenvaluesDocument& file, Random& r) { change_threshold(below(file, r), r); }},
+      {"sigma", [](EigenvaluesDocument& file, Random& r) { change_threshold(r.of(file.at_most).sigma, r); }},
+      {"sigma and the number of its count",
        [](EigenvaluesDocument& file, Random& r) {
-         change_statement(file, r, [&](auto& row) { change_length(r.of(row.coefficients), r); });
+         EigenvaluesDocument::AtMost& row = r.of(file.at_most);
+         const double before = row.sigma;
+         change_threshold(row.sigma, r);
+         row.below *= row.sigma / before;
        }},
-      {"coefficients of another",
+      {"sigma for the number of its count",
        [](EigenvaluesDocument& file, Random& r) {
-         EigenvaluesDocument::Coefficients other;
-         change_statement(file, r, [&](auto& row) { other = row.coefficients; });
-         change_statement(file, r, [&](auto& row) { row.coefficients = other; });
+         EigenvaluesDocument::AtMost& row = r.of(file.at_most);
+         row.below = row.sigma;
        }},
-      {"coefficients scaled, still true",
-       [](EigenvaluesDocument& file, Random& r) {
-         const double by = std::ldexp(r.sign(), static_cast<int>(r.below(200)) - 100);
-         change_statement(file, r, [&](auto& row) {
-           for (double& c : row.coefficients) c *= by;
-         });
-       }},
-      {"coefficient left out",
-       [](EigenvaluesDocument& file, Random& r) {
-         change_statement(file, r, [&](auto& row) { drop_last(row.coefficients); });
-       }},
-      {"interval of a statement",
-       [](EigenvaluesDocument& file, Random& r) {
-         change_statement(file, r, [&](auto& row) { change_length(r.below(2) == 0 ? row.in.lower : row.in.upper, r); });
-       }},
-      {"interval in that of a statement",
-       [](EigenvaluesDocument& file, Random& r) {
-         certify::Interval& within = r.of(file.at_least).within;
-         change_length(r.below(2) == 0 ? within.lower : within.upper, r);
-       }},
-      {"count of a statement",
-       [](EigenvaluesDocument& file, Random& r) {
-         change_statement(file, r, [&](auto& row) { change_count(row.count, r); });
-       }},
-      {"statement left out",
+      {"at most another number",
+       [](EigenvaluesDocument& file, Random& r) { change_count(r.of(file.at_most).count, r); }},
+      {"at least another number",
+       [](EigenvaluesDocument& file, Random& r) { change_count(r.of(file.at_least).count, r); }},
+      {"count left out",
        [](EigenvaluesDocument& file, Random& r) {
          if (r.below(2) == 0) {
            file.at_most.erase(file.at_most.begin() + r.below(file.at_most.size()));
@@ -810,37 +794,74 @@ const std::vector<MutationOf<EigenvaluesDocument>>& eigenvalues_mutations() {
            file.at_least.erase(file.at_least.begin() + r.below(file.at_least.size()));
          }
        }},
-      {"least or most of a window",
+      {"counts in another order, still true",
+       [](EigenvaluesDocument& file, Random& r) { std::swap(r.of(file.at_most), r.of(file.at_most)); }},
+      {"interval", [](EigenvaluesDocument& file, Random& r) { change_length(end(r.of(file.eigenvalues).in, r), r); }},
+      {"interval and a count",
        [](EigenvaluesDocument& file, Random& r) {
-         EigenvaluesDocument::Window& window = r.of(file.windows);
-         change_count(r.below(2) == 0 ? window.least : window.most, r);
-         if (r.below(2) == 0) window.least = window.most;
+         double& x = end(r.of(file.eigenvalues).in, r);
+         const double before = x;
+         change_threshold(x, r);
+         for (auto& row : file.at_most) row.below = row.below == before ? x : row.below;
+         for (auto& row : file.at_least) row.below = row.below == before ? x : row.below;
        }},
-      {"number of eigenvalues, in a window and in statements",
+      {"number of eigenvalues",
+       [](EigenvaluesDocument& file, Random& r) { change_count(r.of(file.eigenvalues).count, r); }},
+      {"number of eigenvalues, and of counts",
        [](EigenvaluesDocument& file, Random& r) {
-         EigenvaluesDocument::Window& window = r.of(file.windows);
-         change_count(window.most, r);
-         window.least = window.most;
-         window.smallest = window.greatest = window.in;
-         for (auto& row : file.at_most) row.count = row.count == 0 ? 0 : window.most;
-         for (auto& row : file.at_least) row.count = window.most;
+         const std::uint32_t by = r.below(2) == 0 ? 1U : ~0U;
+         for (auto& row : file.at_most) row.count += row.count == 0 ? 0 : by;
+         for (auto& row : file.at_least) row.count += by;
+         file.eigenvalues.at(0).count += by;
        }},
-      {"interval of a window",
+      {"interval left out",
        [](EigenvaluesDocument& file, Random& r) {
-         EigenvaluesDocument::Window& window = r.of(file.windows);
-         change_length(r.below(2) == 0 ? window.in.lower : window.in.upper, r);
-         if (r.below(2) == 0) window.smallest = window.greatest = window.in;
+         file.eigenvalues.erase(file.eigenvalues.begin() + r.below(file.eigenvalues.size()));
        }},
-      {"enclosure of an eigenvalue",
+      {"next", [](EigenvaluesDocument& file, Random& r) { change_length(file.next, r); }},
+      {"next and its count",
        [](EigenvaluesDocument& file, Random& r) {
-         EigenvaluesDocument::Window& window = r.of(file.windows);
-         change_length(r.below(2) == 0 ? window.smallest.upper : window.greatest.lower, r);
+         change_threshold(file.next, r);
+         file.at_most.at(file.at_most.size() - 1).below = file.next;
        }},
-      {"window left out", [](EigenvaluesDocument& file,
-                             Random& r) { file.windows.erase(file.windows.begin() + r.below(file.windows.size())); }},
-      {"end of the claim", [](EigenvaluesDocument& file, Random& r) { change_length(file.eigenvalues_up_to, r); }},
-      {"order or degree",
-       [](EigenvaluesDocument& file, Random& r) { change_index(r.below(2) == 0 ? file.order : file.degree, 70, r); }},
+      {"halvings", [](EigenvaluesDocument& file, Random& r) { change_index(file.halvings, 14, r); }},
+      {"places in an order exchanged, still true",
+       [](EigenvaluesDocument& file, Random& r) {
+         EigenvaluesDocument::Order& order = r.below(2) == 0 ? file.side_order : file.vertex_order;
+         std::swap(r.of(order), r.of(order));
+       }},
+      {"place in an order",
+       [](EigenvaluesDocument& file, Random& r) {
+         EigenvaluesDocument::Order& order = r.below(2) == 0 ? file.side_order : file.vertex_order;
+         change_index(r.of(order), order.size() + 1, r);
+       }},
+      {"place in an order left out",
+       [](EigenvaluesDocument& file, Random& r) { drop_last(r.below(2) == 0 ? file.side_order : file.vertex_order); }},
+      {"coefficient",
+       [](EigenvaluesDocument& file, Random& r) { change_length(r.of(r.of(r.of(file.eigenfunctions).functions)), r); }},
+      {"coefficient left out",
+       [](EigenvaluesDocument& file, Random& r) { drop_last(r.of(r.of(file.eigenfunctions).functions)); }},
+      {"function twice",
+       [](EigenvaluesDocument& file, Random& r) {
+         auto& functions = r.of(file.eigenfunctions).functions;
+         functions.push_back(r.of(functions));
+       }},
+      {"function left out",
+       [](EigenvaluesDocument& file, Random& r) { drop_last(r.of(file.eigenfunctions).functions); }},
+      {"functions scaled, still true",
+       [](EigenvaluesDocument& file, Random& r) {
+         const double by = std::ldexp(r.sign(), static_cast<int>(r.below(200)) - 100);
+         for (auto& function : r.of(file.eigenfunctions).functions) {
+           for (double& c : function) c *= by;
+         }
+       }},
+      {"lambda", [](EigenvaluesDocument& file, Random& r) { change_threshold(r.of(file.eigenfunctions).lambda, r); }},
+      {"radius of functions",
+       [](EigenvaluesDocument& file, Random& r) { change_threshold(r.of(file.eigenfunctions).radius, r); }},
+      {"interval of functions",
+       [](EigenvaluesDocument& file, Random& r) { change_threshold(end(r.of(file.eigenfunctions).in, r), r); }},
+      {"row of functions twice",
+       [](EigenvaluesDocument& file, Random& r) { file.eigenfunctions.push_back(r.of(file.eigenfunctions)); }},
   };
   return all;
 }

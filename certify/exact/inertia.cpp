@@ -1,0 +1,201 @@
+#include "certify/exact/inertia.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "certify/exact/loops.h"
+
+namespace epsnet::exact {
+namespace {
+
+__extension__ using Wide = __int128;
+
+constexpr Index kNone = 0xFFFFFFFFU;
+constexpr int kFraction = 50;                             ///< Bits of L behind the point; products have twice as many.
+constexpr double kMostSquares = 1L << 26;                 ///< The squares of a row of L have a lesser sum.
+constexpr Wide kShift = Wide{1} << (2 * kFraction - 31);  ///< Of the diagonal: 2⁻³¹, more than E needs.
+
+[[noreturn]] void give_inertia_up() { give_up("the signs of the eigenvalues of a matrix are not decided"); }
+
+/// Multiples of 2⁻⁵⁰ below and above the number.
+struct Rounded {
+  Wide lower;
+  Wide upper;
+};
+Rounded rounded(const Interval& x) {
+  const double lower = std::floor(std::ldexp(x.lower(), kFraction));
+  const double upper = std::ceil(std::ldexp(x.upper(), kFraction));
+  constexpr double kMost = 1L << 60;
+  constexpr double kWidest = 1L << 30;
+  if (!(-kMost < lower && upper < kMost && upper - lower < kWidest)) give_inertia_up();
+  return {static_cast<std::int64_t>(lower), static_cast<std::int64_t>(upper)};
+}
+
+}  // namespace
+
+Inertia::Inertia(std::vector<Rows> rows, std::size_t size, std::size_t most_operations)
+    : rows_(std::move(rows)), entries_(size), parent_(size, kNone), below_(size) {
+  std::vector<std::vector<Index>> columns(size);
+  for (std::size_t i = 0; i < size; ++i) columns[i].push_back(static_cast<Index>(i));
+  for (const Rows& three : rows_) {
+    for (const Index row : three) {
+      for (const Index column : three) {
+        if (column < row) columns[row].push_back(column);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    std::sort(columns[i].begin(), columns[i].end());
+    columns[i].erase(std::unique(columns[i].begin(), columns[i].end()), columns[i].end());
+    for (const Index column : columns[i]) entries_[i].push_back({column, {}, {}});
+  }
+  find_columns(most_operations);
+}
+
+/// From the columns with entries of the matrix to all that elimination fills: up the tree of the parents.
+template <class Visit>
+void Inertia::each_column(std::size_t i, std::vector<Index>& seen, const Visit& visit) const {
+  seen[i] = static_cast<Index>(i);
+  for (const Entry& entry : entries_[i]) {
+    for (Index k = entry.column; seen[k] != i; k = parent_[k]) {
+      seen[k] = static_cast<Index>(i);
+      visit(k);
+    }
+  }
+}
+
+void Inertia::find_columns(std::size_t most_operations) {
+  std::vector<Index> seen(below_.size(), kNone);
+  std::size_t operations = 0;  // Squares of 1 + the numbers of entries.
+  for (std::size_t i = 0; i < below_.size(); ++i) {
+    operations += 1;
+    each_column(i, seen, [&](Index k) {
+      if (parent_[k] == kNone) parent_[k] = static_cast<Index>(i);
+      operations += 2 * ++below_[k] + 1;
+      if (operations > most_operations) throw LeftOut{"matrices that take so much work"};
+    });
+  }
+}
+
+Inertia::Entry& Inertia::entry(Index row, Index column) {
+  return *std::lower_bound(entries_[row].begin(), entries_[row].end(), column,
+                           [](const Entry& entry, Index k) { return entry.column < k; });
+}
+
+void Inertia::add(std::size_t triangle, const LocalForms& forms) {
+  const Rows& rows = rows_[triangle];
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (rows[i] < rows[j]) continue;
+      Entry& sum = entry(rows[i], rows[j]);
+      sum.energy = sum.energy + forms.energy[i][j];
+      sum.mass = sum.mass + forms.mass[i][j];
+    }
+  }
+}
+
+class Inertia::Factorisation {
+ public:
+  Factorisation(const Inertia& matrix, const Interval& sigma, Bound bound)
+      : matrix_(matrix), sigma_(sigma), bound_(bound), columns_(matrix.below_.size()), seen_(columns_.size(), kNone) {
+    std::size_t entries = 0;
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      columns_[k].begin = columns_[k].end = entries;
+      entries += matrix.below_[k];
+    }
+    row_.resize(entries);
+    value_.resize(entries);
+    for (std::size_t i = 0; i < columns_.size(); ++i) add_row(i);
+  }
+
+  /// E, or −E, is diagonally dominant, with a diagonal that is not negative.
+  [[nodiscard]] bool is_proved() const {
+    return std::all_of(columns_.begin(), columns_.end(), [](const Column& column) { return column.slack >= 0; });
+  }
+  [[nodiscard]] std::size_t negative() const {
+    return static_cast<std::size_t>(
+        std::count_if(columns_.begin(), columns_.end(), [](const Column& column) { return column.sign < 0; }));
+  }
+
+ private:
+  /// Of L, or the row of the same number.
+  struct Column {
+    std::size_t begin;  ///< Of its entries below the diagonal.
+    std::size_t end;
+    Wide sum = 0;  ///< Of the row that is computed: K less what the columns before make of it. In multiples of 2⁻¹⁰⁰.
+    Wide slack = 0;  ///< The diagonal of E, or −E, less the absolute values beside it.
+    Wide diagonal = 0;
+    int sign = 1;
+  };
+
+  void add_row(std::size_t i) {
+    std::vector<std::size_t> before;
+    matrix_.each_column(i, seen_, [&](Index k) { before.push_back(k); });
+    std::sort(before.begin(), before.end());
+    set_matrix(i);
+    double squares = 0;
+    for (const std::size_t k : before) {
+      Column& column = columns_[k];
+      const Wide quotient = column.sum / column.diagonal;
+      lose(i, k, column.sum % column.diagonal);
+      column.sum = 0;
+      expect_small(squares, quotient);
+      for (std::size_t at = column.begin; at < column.end; ++at) columns_[row_[at]].sum -= quotient * value_[at];
+      const Wide value = column.sign * quotient;
+      columns_[i].sum -= quotient * value;
+      row_[column.end] = static_cast<Index>(i);
+      value_[column.end++] = static_cast<std::int64_t>(value);
+    }
+    Column& own = columns_[i];
+    own.sign = own.sum < 0 ? -1 : 1;
+    own.diagonal = static_cast<Wide>(std::sqrt(std::abs(static_cast<double>(own.sum))));
+    if (own.diagonal == 0) give_inertia_up();
+    expect_small(squares, own.diagonal);
+    const Wide left = own.sum - own.sign * own.diagonal * own.diagonal;
+    own.slack += kShift + (bound_ == Bound::at_most ? left : -left);
+    own.sum = 0;
+  }
+
+  /// Row i of K, with the diagonal shifted by more than what is lost.
+  void set_matrix(std::size_t i) {
+    for (const Entry& entry : matrix_.entries_[i]) {
+      const auto [lower, upper] = rounded(entry.energy - sigma_ * entry.mass);
+      Wide& sum = columns_[entry.column].sum;
+      if (entry.column < i) {
+        sum = lower << kFraction;
+        lose(i, entry.column, (upper - lower) << kFraction);
+      } else {
+        sum = bound_ == Bound::at_most ? (lower << kFraction) - kShift : (upper << kFraction) + kShift;
+      }
+    }
+  }
+  void lose(std::size_t i, std::size_t k, Wide error) {
+    if (error < 0) error = -error;
+    columns_[i].slack -= error;
+    columns_[k].slack -= error;
+  }
+  /// Adds the square of an entry of L to those of its row. As their sum is small, no sum of products of entries of two
+  /// rows overflows, by Schwarz' inequality.
+  static void expect_small(double& squares, Wide entry) {
+    const double value = std::ldexp(static_cast<double>(entry), -kFraction);
+    squares += value * value;
+    if (!(squares < kMostSquares)) give_inertia_up();
+  }
+
+  const Inertia& matrix_;
+  const Interval& sigma_;
+  Bound bound_;
+  std::vector<Column> columns_;
+  std::vector<Index> seen_;
+  std::vector<Index> row_;  ///< By entry of L below the diagonal.
+  std::vector<std::int64_t> value_;
+};
+
+std::size_t Inertia::negative(const Interval& sigma, Bound bound) const {
+  const Factorisation factors(*this, sigma, bound);
+  if (!factors.is_proved()) give_inertia_up();
+  return factors.negative();
+}
+
+}  // namespace epsnet::exact

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "certify/exact/flat_triangles.h"
+
+namespace epsnet::exact {
+
+/// The matrix K of 𝒜 − σ𝒩, sums over triangles, and how many negative eigenvalues it has (Lemma 36 of docs/proof.md).
+///
+/// It is factored in integers, row by row, each from left to right: D has 1 and −1 on its diagonal, entries of L are
+/// multiples of 2⁻⁵⁰. What the rounded quotients leave is K − LDLᵀ, which so is known exactly.
+class Inertia {
+ public:
+  using Rows = std::array<Index, 3>;
+
+  /// By triangle, the rows of its three functions, in the order of elimination. Throws LeftOut if one factorisation
+  /// takes more than so many multiplications.
+  Inertia(std::vector<Rows> rows, std::size_t size, std::size_t most_operations);
+
+  void add(std::size_t triangle, const LocalForms& forms);
+
+  enum class Bound { at_most, at_least };
+  /// A number n for which (a) holds, or (b): 𝒜 − σ𝒩 is negative definite on no subspace of more than n dimensions, or
+  /// on one of n. Throws TooLarge if the digits used prove none.
+  [[nodiscard]] std::size_t negative(const Interval& sigma, Bound bound) const;
+
+ private:
+  /// On and left of the diagonal.
+  struct Entry {
+    Index column;
+    Interval energy;
+    Interval mass;
+  };
+  class Factorisation;
+
+  /// Calls visit(k) for the columns k < i of row i of L with entries, in any order. `seen` is i for them afterwards.
+  template <class Visit>
+  void each_column(std::size_t i, std::vector<Index>& seen, const Visit& visit) const;
+  [[nodiscard]] Entry& entry(Index row, Index column);
+  void find_columns(std::size_t most_operations);
+
+  std::vector<Rows> rows_;
+  std::vector<std::vector<Entry>> entries_;  ///< By row, by column.
+  std::vector<Index> parent_;                ///< By column of L: the first row below the diagonal with an entry.
+  std::vector<std::size_t> below_;           ///< By column of L: how many entries are below the diagonal.
+};
+
+}  // namespace epsnet::exact

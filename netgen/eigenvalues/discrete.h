@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <cstdint>
+#include <vector>
+
+#include "netgen/eigenvalues/elements.h"
+
+/// Eigenvalues of large sparse matrices, rounded.
+namespace epsnet {
+
+/// An order of elimination with little fill, for a matrix of which the lower half is given: nested dissection.
+[[nodiscard]] std::vector<std::uint32_t> elimination_order(const Eigen::SparseMatrix<double>& lower_half);
+
+/// How many eigenvalues of energy·x = μ mass·x are less than σ, 0 included.
+[[nodiscard]] std::uint32_t count_below(const ElementMatrices& matrices, double sigma, unsigned threads);
+
+/// Eigenvalues in increasing order, and the vectors as columns.
+struct DiscreteSpectrum {
+  std::vector<double> values;
+  Eigen::MatrixXd vectors;
+};
+
+/// The first `count` of them, 0 included, or all if there are fewer, by Lanczos's method with a shift below 0. Throws
+/// NetError if it does not converge.
+[[nodiscard]] DiscreteSpectrum first_eigenvalues(const ElementMatrices& matrices, std::uint32_t count);
+
+}  // namespace epsnet
