@@ -317,6 +317,7 @@ Sums partition_bounds(const std::vector<NearLift>& near, double epsilon, double 
       const std::complex<double> centre(i * side, j * side);
       if (std::abs(centre) > edge + side) continue;
       std::vector<std::complex<double>> seen;
+      seen.reserve(lifts.size());
       for (const std::complex<double>& z : lifts) seen.push_back((z - centre) / (1.0 - std::conj(centre) * z));
       const Sums sums = partition_sums(seen, rho, beta);
       greatest = {std::max(greatest.laplacians, sums.laplacians), std::max(greatest.gradients, sums.gradients)};
@@ -357,6 +358,7 @@ Interval eigenvalue_error(const Row& row, const mpq_class& epsilon, const NearLi
     }
   }
   std::vector<Sums> partition;
+  partition.reserve(near.size());
   for (const auto& lifts : near)
     partition.push_back(partition_bounds(lifts, Interval(epsilon).upper(), Interval(row.radius).lower()));
   // Of the bounds of all functions, the sums of squares.

@@ -36,8 +36,8 @@ template <>
 struct Fields<EigenvaluesDocument> {
   static constexpr ClaimKind kKind{
       "eigenvalues", "epsnet-eigenvalues", "eigenvalues",
-      "An eigenvalues file claims in which intervals the first eigenvalues of the Laplacian\n"
-      "lie, counted with multiplicity, and from where on all others.",
+      "An eigenvalues file claims in which intervals the first eigenvalues of the\n"
+      "Laplacian lie, with multiplicity, and from where on all others.",
       17};
   static constexpr const char* kName = "eigenvalues file";
   static constexpr const char* kPrefix = "";

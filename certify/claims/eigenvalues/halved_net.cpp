@@ -39,10 +39,12 @@ Triangles halved(const Triangles& whole, std::uint32_t vertices) {
     // The half of the dart at corner i, and the other half of its opposite, at the corner where that ends.
     const std::uint32_t across = whole.opposite[dart];
     const std::uint32_t other = 3 * (4 * (across / 3) + next_dart(across) % 3) + 2;
-    result.opposite[3 * small] = other;
-    result.opposite[other] = 3 * small;
-    result.opposite[3 * small + 1] = 3 * inner + before;
-    result.opposite[3 * inner + before] = 3 * small + 1;
+    const std::uint32_t half = 3 * small;
+    const std::uint32_t inner_dart = 3 * inner + before;
+    result.opposite[half] = other;
+    result.opposite[other] = half;
+    result.opposite[half + 1] = inner_dart;
+    result.opposite[inner_dart] = half + 1;
   }
   return result;
 }
