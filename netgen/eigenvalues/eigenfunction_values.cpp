@@ -38,7 +38,8 @@ double EigenfunctionValues::at(std::size_t vertex, std::complex<double> z) const
   std::complex<double> sum = 0;
   for (std::uint32_t m = order; m > 0; --m) {
     // Re((α − iβ) z^m) = t^m (α cos mθ + β sin mθ).
-    sum = (sum + factor * std::complex<double>(coefficients[2 * m - 1], -coefficients[2 * m])) * z;
+    const std::size_t beta = std::size_t{2} * m;
+    sum = (sum + factor * std::complex<double>(coefficients[beta - 1], -coefficients[beta])) * z;
     const double below = (1 + s) * factor - s * (1 + lambda_ / (m * (m + 1.0))) * above;
     above = factor;
     factor = below;

@@ -14,14 +14,12 @@ namespace epsnet {
 /// Options of the search for eigenvalues.
 struct EigenvaluesOptions {
   std::uint32_t count = 10;  ///< The first so many eigenvalues, and those that cannot be told apart from the last one.
-  /// Instead of `count`: all eigenvalues less than this number, at most 1000 of them, and no more than their number,
-  /// unless `digits` is given.
+  /// Instead of `count`: how many eigenvalues are less than this number; and these eigenvalues, if `digits` is given.
   std::optional<double> below = {};
-  /// About so many significant digits of each eigenvalue, from 1 to 10: 9 by default, 3 with `below`. Up to 2 (and with
-  /// `below` as long as the number does not depend on it) matrices alone enclose them, which takes much less time than
-  /// functions.
+  /// About so many significant digits of each eigenvalue, from 1 to 10; 9 by default, and none with `below`. Up to 2,
+  /// matrices alone enclose them, which takes much less time than functions.
   std::optional<int> digits = {};
-  std::optional<Length> epsilon = {};  ///< Of the net; by default it is chosen, from 0.3 to 0.6.
+  std::optional<Length> epsilon = {};  ///< Of the net; by default it is chosen, from 0.05 to 0.6.
   unsigned threads = 0;                ///< 0: as many as the machine has cores. The result is the same for any number.
   Progress progress = {};              ///< Called occasionally, if given.
 };

@@ -201,8 +201,9 @@ class LocalFunctions::CircleMap {
       const double scale = (m == 0 ? 1 : 2) / (n * power * factors[m]);
       for (Eigen::Index k = 0; k < points(); ++k) {
         const double angle = 2 * std::numbers::pi * static_cast<double>(m * k % points()) / n;
-        if (m > 0) fit_(2 * m - 1, k) = scale * std::cos(angle);
-        fit_(2 * m, k) = m == 0 ? scale : scale * std::sin(angle);
+        const Eigen::Index row = Eigen::Index{2} * m;
+        if (m > 0) fit_(row - 1, k) = scale * std::cos(angle);
+        fit_(row, k) = m == 0 ? scale : scale * std::sin(angle);
       }
       power *= circle.radius / functions.inner_.radius;
     }
@@ -426,7 +427,8 @@ double LocalFunctions::error_of(const Task& task, double gram) const {
           task.functions.col(j).segment(v * static_cast<Eigen::Index>(each_), static_cast<Eigen::Index>(each_));
       double total = std::abs(own[0]);
       for (std::uint32_t m = 1; m <= order_; ++m)
-        total += std::hypot(own[2 * m - 1], own[2 * m]) * std::pow(inner_.radius, -static_cast<double>(m));
+        total += std::hypot(own[Eigen::Index{2} * m - 1], own[Eigen::Index{2} * m]) *
+                 std::pow(inner_.radius, -static_cast<double>(m));
       totals(v, j) = total;
     }
   }

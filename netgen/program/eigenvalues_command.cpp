@@ -176,10 +176,10 @@ void add_eigenvalues_command(CLI::App& app, Job& chosen) {
   command
       ->add_option("--digits", shared->digits,
                    "about so many digits of each eigenvalue, from 1 to 10. Up to 2 take much less time, and more find "
-                   "eigenfunctions, which epsnet draw shows [9; 3 with --below]")
+                   "eigenfunctions, which epsnet draw shows [9; none with --below]")
       ->check(integer_between(1, 10))
       ->option_text("D");
-  command->add_option("--epsilon", shared->epsilon, "of the net on which they are counted; by default from 0.3 to 0.6")
+  command->add_option("--epsilon", shared->epsilon, "of the net on which they are counted; by default from 0.05 to 0.6")
       ->option_text("E");
   add_file(*command, "-o,--output", shared->output,
            "the eigenvalues file to write, for certify; \"-\" is standard output");

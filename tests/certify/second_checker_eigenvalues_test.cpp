@@ -1466,6 +1466,7 @@ TEST(Eigenfunctions, OfSeveralEigenvaluesAreAsWrongAsTheLemmasSay) {
   const double dependent = functions.reference(nearly);
   EXPECT_GT(dependent, 2 * of_two);
   EXPECT_NEAR(functions.first(nearly) / dependent, 1, 1e-5);
+  EXPECT_NEAR(functions.second(nearly) / functions.second_reference(nearly), 1, 1e-5);
   // One twice, with another factor, is one.
   for (std::size_t i = 0; i < nearly.functions[0].size(); ++i) nearly.functions[1][i] = -0.5 * row.functions[0][i];
   EXPECT_EQ(functions.second_reference(nearly, 0), HUGE_VAL);
