@@ -866,9 +866,9 @@ TEST(EigenvaluesStructure, FunctionsAreWhole) {
   EXPECT_EQ(problem([](auto& f) { f.radius = 0.9; }), "");
   EXPECT_EQ(problem([](auto& f) { f.radius = below(2.0); }), "");
   EXPECT_THAT(problem([](auto& f) { f.functions[0].pop_back(); }), HasSubstr("548 coefficients, expected 2M + 1"));
-  for (const std::size_t each : {0, 1, 2, 60, 403})
+  for (const std::size_t each : {0U, 1U, 2U, 60U, 403U})
     EXPECT_THAT(problem([&](auto& f) { f.functions[0].assign(9 * each, 1); }), HasSubstr("expected 2M + 1")) << each;
-  for (const std::size_t each : {3, 401})
+  for (const std::size_t each : {3U, 401U})
     EXPECT_EQ(problem([&](auto& f) { f.functions[0].assign(9 * each, 1); }), "") << each;
   EXPECT_THAT(problem([](auto& f) { f.functions[0].assign(9 * 401, 0); }),
               HasSubstr("functions[0]: all coefficients are 0"));

@@ -34,11 +34,10 @@ struct Fields<EigenvaluesDocument::Eigenfunctions> {
 
 template <>
 struct Fields<EigenvaluesDocument> {
-  static constexpr ClaimKind kKind{
-      "eigenvalues", "epsnet-eigenvalues", "eigenvalues",
-      "An eigenvalues file claims in which intervals the first eigenvalues of the\n"
-      "Laplacian lie, with multiplicity, and from where on all others.",
-      17};
+  static constexpr ClaimKind kKind{"eigenvalues", "epsnet-eigenvalues", "eigenvalues",
+                                   "An eigenvalues file claims in which intervals the first eigenvalues of the\n"
+                                   "Laplacian lie, with multiplicity, and from where on all others.",
+                                   17};
   static constexpr const char* kName = "eigenvalues file";
   static constexpr const char* kPrefix = "";
   static auto members(auto& document) {
