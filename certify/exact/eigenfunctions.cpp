@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 namespace epsnet::exact {
 namespace {
@@ -300,7 +301,10 @@ Sums partition_sums(const std::vector<std::complex<double>>& lifts, double rho, 
 /// The greatest in the disk of radius ε around a vertex, from squares that cover it.
 Sums partition_bounds(const std::vector<NearLift>& near, double epsilon, double radius) {
   constexpr int kSquares = 20;  // Beside each other, from the vertex to the circle.
-  const auto number = [](const Interval& x) { return (x.lower() + x.upper()) / 2; };
+  const auto number = [](const Interval& x) {
+    if (!(x.upper() - x.lower() < 1e-13)) give_up("lifts are not known well enough");
+    return (x.lower() + x.upper()) / 2;
+  };
   std::vector<std::complex<double>> lifts{0};
   for (const NearLift& lift : near) {
     const Value place = quotient(lift.motion.b, conjugate(lift.motion.a));
@@ -324,6 +328,19 @@ Sums partition_bounds(const std::vector<NearLift>& near, double epsilon, double 
     }
   }
   return {greatest.laplacians * (1 + 1e-6), greatest.gradients * (1 + 1e-6)};
+}
+
+/// Of a function on the surface that is at most the k-th value in a region around vertex k of at most a disk's area.
+Interval greatest_integral(std::vector<Interval> values, const Interval& disk, const Interval& area) {
+  std::sort(values.begin(), values.end(), [](const Interval& x, const Interval& y) { return x.upper() > y.upper(); });
+  Interval sum;
+  Interval left = area;
+  for (const Interval& value : values) {
+    if (is_less(left, disk) == Answer::yes) return sum + left * value;
+    sum = sum + disk * value;
+    left = left - disk;
+  }
+  return sum;
 }
 
 }  // namespace
@@ -361,26 +378,24 @@ Interval eigenvalue_error(const Row& row, const mpq_class& epsilon, const NearLi
   partition.reserve(near.size());
   for (const auto& lifts : near)
     partition.push_back(partition_bounds(lifts, Interval(epsilon).upper(), Interval(row.radius).lower()));
-  // Of the bounds of all functions, the sums of squares.
-  Interval error;
-  Interval residual;
+  // By vertex, of the bounds of all functions, the sums of squares.
+  std::vector<Interval> errors(near.size());
+  std::vector<Interval> residuals(near.size());
   for (const std::vector<Bounds>& function : greatest) {
-    Interval greatest_value;
-    Interval greatest_residual;
     for (std::size_t k = 0; k < near.size(); ++k) {
       const Interval laplacians = Interval(mpq_class(partition[k].laplacians));
       const Interval gradients = Interval(mpq_class(partition[k].gradients));
       const auto& [value, gradient] = function[k];
-      greatest_value = max(greatest_value, value);
-      greatest_residual = max(greatest_residual, value * laplacians + 2 * gradient * gradients);
+      errors[k] = errors[k] + square(value);
+      residuals[k] = residuals[k] + square(value * laplacians + 2 * gradient * gradients);
     }
-    error = error + square(greatest_value);
-    residual = residual + square(greatest_residual);
   }
   const Interval area = 2 * minus_euler * Interval::pi();
-  const Interval norm = sqrt(least_square(functions, static_cast<Index>(near.size()), -least)) - sqrt(area * error);
+  const Interval disk = 2 * Interval::pi() * (cosh_epsilon - 1);
+  const Interval norm = sqrt(least_square(functions, static_cast<Index>(near.size()), -least)) -
+                        sqrt(greatest_integral(std::move(errors), disk, area));
   if (is_less(0, norm) != Answer::yes) give_up("a sum of functions may be 0");
-  return sqrt(area * residual) / norm;
+  return sqrt(greatest_integral(std::move(residuals), disk, area)) / norm;
 }
 
 }  // namespace epsnet::exact

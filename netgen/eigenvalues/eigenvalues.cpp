@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "certify/numbers/parallel.h"
 #include "netgen/eigenvalues/discrete.h"
 #include "netgen/eigenvalues/elements.h"
 #include "netgen/eigenvalues/local_functions.h"
@@ -19,6 +21,7 @@ namespace epsnet {
 namespace {
 
 using certify::EigenvaluesDocument;
+using certify::Interval;
 using Eigenfunctions = EigenvaluesDocument::Eigenfunctions;
 
 constexpr std::uint32_t kMostCount = 1000;
@@ -219,60 +222,95 @@ class Search {
   /// By group; nothing where functions are not found.
   [[nodiscard]] std::vector<std::optional<std::vector<Eigenfunctions>>> functions(
       const Level& level, const std::vector<Group>& groups) const {
-    std::vector<std::optional<std::vector<Eigenfunctions>>> result;
+    std::vector<std::optional<std::vector<Eigenfunctions>>> result(groups.size());
     if (groups.empty()) return result;
     const LocalFunctions local(geometry_, level.estimates.back(), options_.digits.value_or(9), options_.threads);
-    const auto vertices = static_cast<Eigen::Index>(document_.net.vertices.size());
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-      report("eigenfunctions", static_cast<double>(i) / static_cast<double>(groups.size()));
-      const auto [first, last] = groups[i];
-      const std::vector<double> lambdas(level.estimates.begin() + static_cast<std::ptrdiff_t>(first),
-                                        level.estimates.begin() + static_cast<std::ptrdiff_t>(last));
-      // With the functions of some eigenvalues beside them.
-      constexpr std::size_t kBeside = 2;
-      std::vector<std::size_t> columns;
-      for (std::size_t k = first; k < last; ++k) columns.push_back(k);
-      for (std::size_t k = first - std::min(first, kBeside); k < first; ++k) columns.push_back(k);
-      for (std::size_t k = last; k < std::min(last + kBeside, level.estimates.size()); ++k) columns.push_back(k);
-      Eigen::MatrixXd values(vertices, static_cast<Eigen::Index>(columns.size()));
-      for (std::size_t j = 0; j < columns.size(); ++j) {
-        values.col(static_cast<Eigen::Index>(j)) =
-            level.vectors.col(static_cast<Eigen::Index>(columns[j])).head(vertices);
-      }
-      result.push_back(local.near(lambdas, values));
-      std::size_t found = 0;
-      for (const Eigenfunctions& row : result.back().value_or(std::vector<Eigenfunctions>())) {
-        found += row.functions.size();
-        // Those of other eigenvalues.
-        if (row.in.lower < level.least[first] || row.in.upper > level.greatest[last - 1]) found = last;
-      }
-      if (found != last - first) result.back().reset();
-    }
+    std::size_t done = 0;
+    std::mutex reporting;
+    certify::for_each_parallel(groups.size(), certify::thread_count(options_.threads), [&](unsigned, std::size_t i) {
+      result[i] = functions(level, groups[i], local);
+      const std::lock_guard lock(reporting);
+      report("eigenfunctions", static_cast<double>(++done) / static_cast<double>(groups.size()));
+    });
     return result;
+  }
+
+  /// Nothing unless all are found.
+  [[nodiscard]] std::optional<std::vector<Eigenfunctions>> functions(const Level& level, const Group& group,
+                                                                     const LocalFunctions& local) const {
+    const auto vertices = static_cast<Eigen::Index>(document_.net.vertices.size());
+    const auto [first, last] = group;
+    const std::vector<double> lambdas(level.estimates.begin() + static_cast<std::ptrdiff_t>(first),
+                                      level.estimates.begin() + static_cast<std::ptrdiff_t>(last));
+    // With the functions of some eigenvalues beside them, as near ones are hard to tell apart.
+    constexpr std::size_t kBeside = 8;
+    std::vector<std::size_t> columns;
+    for (std::size_t k = first; k < last; ++k) columns.push_back(k);
+    for (std::size_t k = first - std::min(first, kBeside); k < first; ++k) columns.push_back(k);
+    for (std::size_t k = last; k < std::min(last + kBeside, static_cast<std::size_t>(level.vectors.cols())); ++k)
+      columns.push_back(k);
+    Eigen::MatrixXd values(vertices, static_cast<Eigen::Index>(columns.size()));
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      values.col(static_cast<Eigen::Index>(j)) =
+          level.vectors.col(static_cast<Eigen::Index>(columns[j])).head(vertices);
+    }
+    auto rows = local.near(lambdas, values);
+    std::size_t found = 0;
+    for (const Eigenfunctions& row : rows.value_or(std::vector<Eigenfunctions>())) {
+      found += row.functions.size();
+      // Those of other eigenvalues.
+      if (row.in.lower < level.least[first] || row.in.upper > level.greatest[last - 1]) found = last;
+    }
+    if (found != last - first) rows.reset();
+    return rows;
   }
 
   void write(const Level& level, const std::vector<Group>& groups,
              std::vector<std::optional<std::vector<Eigenfunctions>>>& rows) {
     const std::size_t count = level.least.size() - 1;
-    double end = 0;  // Of what is enclosed so far.
+    struct Part {
+      std::size_t first;
+      std::size_t last;
+      Interval in;
+      bool by_matrices;
+    };
+    const auto by_matrices = [&](std::size_t first, std::size_t last) {
+      return Part{first, last, {level.least[first] * (1 - kMargin), level.greatest[last - 1] * (1 + kMargin)}, true};
+    };
+    // What matrices enclose may contain what functions enclose beside it.
+    std::vector<Part> parts;
+    const auto add = [&](Part next) {
+      while (!parts.empty() && next.in.lower <= parts.back().in.upper) {
+        next = by_matrices(parts.back().first, next.last);
+        parts.pop_back();
+      }
+      parts.push_back(next);
+    };
     for (std::size_t i = 0; i < groups.size(); ++i) {
-      const auto [first, last] = groups[i];
-      if (rows[i]) {
-        for (Eigenfunctions& row : *rows[i]) {
-          document_.eigenvalues.push_back({row.in, static_cast<std::uint32_t>(row.functions.size())});
-          end = row.in.upper;
-          document_.eigenfunctions.push_back(std::move(row));
-        }
+      std::size_t first = groups[i].first;
+      if (!rows[i]) {
+        add(by_matrices(first, groups[i].last));
         continue;
       }
-      const double least = level.least[first] * (1 - kMargin);
-      const double greatest = level.greatest[last - 1] * (1 + kMargin);
-      at_most(level, least, first);
-      at_least(greatest, last);
-      document_.eigenvalues.push_back({{least, greatest}, static_cast<std::uint32_t>(last - first)});
-      end = greatest;
+      for (Eigenfunctions& row : *rows[i]) {
+        add({first, first + row.functions.size(), row.in, false});
+        first += row.functions.size();
+        document_.eigenfunctions.push_back(std::move(row));
+      }
     }
-    const double next = level.least[count] - std::min(level.least[count] * kMargin, (level.least[count] - end) / 2);
+    for (const Part& part : parts) {
+      if (part.by_matrices) {
+        at_most(level, part.in.lower, part.first);
+        at_least(part.in.upper, part.last);
+      }
+      document_.eigenvalues.push_back({part.in, static_cast<std::uint32_t>(part.last - part.first)});
+    }
+    const double least = level.least[count];
+    const double end = parts.empty() ? 0 : parts.back().in.upper;
+    if (end >= least) {
+      throw NetError("the functions of some of these eigenvalues were not found; with 2 digits there are none");
+    }
+    const double next = least - std::min(least * kMargin, (least - end) / 2);
     at_most(level, next, count);
     document_.next = next;
     finish(level);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "certify/claims/eigenvalues/document.h"
+#include "certify/claims/eigenvalues/partition.h"
 #include "netgen/base/options.h"
 #include "netgen/lifts/lifts.h"
 
@@ -44,17 +45,22 @@ class LocalFunctions {
   };
   /// What is sought: so many eigenvalues near λ, and functions that are about theirs.
   struct Task {
+    double start;
     double lambda;
     std::size_t count;
     Block functions;
+    double slope;  ///< About how fast the eigenvalues nearest to 1 grow with λ.
     struct Before {
       double lambda;
-      double value;  ///< The mean of the eigenvalues nearest to 1 there.
+      double value;  ///< The mean of the eigenvalues nearest to 1 there,
+      double error;  ///< and about how wrong it is.
     };
     std::optional<Before> before = {};
     int steps = 0;
+    bool from_all = false;  ///< Whether Krylov's space begins with all functions, which takes longer.
   };
   struct Fixed;
+  struct RitzValues;
 
   void find_lifts();
   /// Circles around the vertices.
@@ -63,32 +69,46 @@ class LocalFunctions {
     std::vector<std::uint32_t> nearest;  ///< By vertex and point: the other vertex that is nearest,
     std::vector<Point> points;           ///< and the point in its disk.
   };
-  [[nodiscard]] Circle circle(double radius) const;
+  [[nodiscard]] Circle circle(double radius, std::size_t points) const;
+  /// With how many waves functions are sought.
+  struct Resolution {
+    std::uint32_t order = 0;
+    std::size_t each = 0;    ///< Coefficients of each vertex.
+    std::size_t points = 0;  ///< Of each circle.
+    Circle inner;            ///< On which functions are compared in the search,
+    Circle outer;            ///< and by which they are determined at the end.
+  };
+  [[nodiscard]] Resolution resolution(std::uint32_t order) const;
   [[nodiscard]] std::vector<std::vector<Lift>> neighbours() const;
-  /// What each coefficient adds to the value at a point of the disk of its vertex: `each_` numbers.
-  void set_values(double lambda, Point z, double* row) const;
-  /// As many functions as are given, which the search begins with, `count` of them to be found.
-  [[nodiscard]] Fixed fixed(const CircleMap& map, Block functions, Eigen::Index count) const;
+  /// What each coefficient adds to the value at a point of the disk of its vertex.
+  void set_values(double lambda, Point z, std::uint32_t order, double* row) const;
+  /// As many functions as are given, which the search begins with, `count` of them to be found, until S moves them by
+  /// `enough` of themselves or it is clear where the eigenvalues of S are.
+  [[nodiscard]] Fixed fixed(const CircleMap& map, const Block& functions, std::size_t count, bool from_all,
+                            double enough) const;
   /// One step for a task: what is sought after it, one or more. If it is done, the task with better functions.
-  [[nodiscard]] std::vector<Task> improved(const Task& task, bool& done) const;
+  [[nodiscard]] std::vector<Task> improved(const Task& task, const Resolution& resolution, double enough,
+                                           bool& done) const;
+  [[nodiscard]] std::optional<std::vector<Task>> found_from(std::vector<Task> open, const Resolution& resolution,
+                                                            double enough) const;
+  [[nodiscard]] static Block with_order(const Block& functions, std::uint32_t order, std::uint32_t wider);
   /// As a row of a file.
   [[nodiscard]] certify::EigenvaluesDocument::Eigenfunctions row_of(const Task& task) const;
   /// About what Lemma 37.6 of docs/proof.md proves.
   [[nodiscard]] double error_of(const Task& task, double gram) const;
   [[nodiscard]] double disk_radius(double lambda) const;
   [[nodiscard]] std::vector<double> gram_weights(double lambda) const;
-  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(each_ * lifts_.size()); }
+  [[nodiscard]] double integral(std::vector<double> values) const;
+  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(fine_.each * lifts_.size()); }
 
   const NetGeometry& geometry_;
   unsigned threads_;
   double epsilon_;
   double radius_;
-  std::uint32_t order_;
-  std::size_t each_;                      ///< Coefficients of each vertex.
-  std::size_t points_;                    ///< Of each circle.
   std::vector<std::vector<Lift>> lifts_;  ///< By vertex: all others within ε + R.
-  Circle inner_;                          ///< On which functions are compared in the search,
-  Circle outer_;                          ///< and by which they are determined at the end.
+  std::vector<certify::PartitionBounds> partition_;
+  Resolution coarse_;
+  Resolution fine_;
 };
 
 }  // namespace epsnet

@@ -4,6 +4,7 @@
 #include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <random>
@@ -281,7 +282,10 @@ double error_of(const Document& document) {
   std::vector<std::uint32_t> numbers(net.labels.size());
   std::iota(numbers.begin(), numbers.end(), 1U);
   const auto labels = LabelEvaluator(net, parts).evaluate(numbers, kBits, 4 * kBits, 1);
-  return outer_interval(eigenvalue_error(net, document.eigenfunctions.at(0), labels, 2, {}, 2).value()).upper;
+  const Document::Eigenfunctions& row = document.eigenfunctions.at(0);
+  const auto order = static_cast<std::uint32_t>(row.functions[0].size() / net.vertices.size() / 2);
+  const auto overlaps = Overlaps::make(net, labels, row.radius, order, row.lambda, {}, 2);
+  return eigenvalue_error(overlaps.value(), row, 2, {}, 2).value();
 }
 
 /// What certify says of the file with its eigenfunction changed.
@@ -362,7 +366,7 @@ TEST(Eigenfunctions, ThatProveNothingAreNotAskedWithMoreBits) {
   // Disks that hardly overlap, and a function of one vertex.
   Document document = function();
   auto& row = document.eigenfunctions[0];
-  row.functions = {Document::Coefficients(std::size_t{9} * 3)};
+  row.functions = {Document::Coefficients(std::size_t{9} * 9)};
   row.functions[0][4] = 1;
   const Certificate certificate = checked(document);
   EXPECT_EQ(certificate.verdict, Verdict::undecided);
@@ -370,7 +374,7 @@ TEST(Eigenfunctions, ThatProveNothingAreNotAskedWithMoreBits) {
 }
 
 /// ₂F₁(½ − ir, ½ + ir; m + 1; −s/(1 − s)) by Arb.
-Ball reference_factor(double lambda, double s, std::uint32_t m) {
+Ball reference_factor(double lambda, const Ball& s, std::uint32_t m) {
   acb_t r, a, b, c, z, value;
   for (acb_struct* x : {r, a, b, c, z, value}) acb_init(x);
   const slong bits = Precision::bits();
@@ -381,7 +385,7 @@ Ball reference_factor(double lambda, double s, std::uint32_t m) {
   acb_sub(b, a, r, bits);
   acb_add(a, a, r, bits);
   acb_set_ui(c, m + 1);
-  acb_set_d(z, s);
+  acb_set_arb(z, s.get());
   acb_sub_ui(value, z, 1, bits);
   acb_div(z, z, value, bits);
   acb_hypgeom_2f1(value, a, b, c, z, 0, bits);
@@ -390,49 +394,170 @@ Ball reference_factor(double lambda, double s, std::uint32_t m) {
   return result;
 }
 
+Ball from_units(std::int64_t x, int bits) { return scaled(Ball::exactly(x), -bits); }
+
+/// The factors of a point at this |z|², for points up to `greatest`.
+std::optional<std::vector<std::int64_t>> factors_at(const RadialFactors& factors, double s, double greatest) {
+  const auto point = LocalPoint::of(ComplexBall(sqrt(Ball::exactly(s)), Ball()), Ball::exactly(greatest));
+  if (!point) return std::nullopt;
+  std::vector<std::int64_t> result;
+  factors.set(*point, result);
+  return result;
+}
+
+TEST(LocalPoints, AreTheNumbersThatTheyStandFor) {
+  const Precision scope(160);
+  const Ball greatest = Ball::rounded(mpq_class(3, 10));
+  const ComplexBall z(Ball::rounded(mpq_class(2, 7)), Ball::rounded(mpq_class(-3, 8)));
+  const LocalPoint point = LocalPoint::of(z, greatest).value();
+  const Ball s = norm(z);
+  const auto near = [](std::int64_t units, int bits, const Ball& x) {
+    return certainly_less(abs(Ball::exactly(units) - scaled(x, bits)), Ball::exactly(1)) == Tri::yes;
+  };
+  EXPECT_TRUE(near(point.x, 62, real(z) / sqrt(greatest)));
+  EXPECT_TRUE(near(point.y, 62, imaginary(z) / sqrt(greatest)));
+  EXPECT_TRUE(near(point.s, 61, s));
+  EXPECT_TRUE(near(point.ratio, 61, s / (1 - s) / (2 * greatest / (1 - greatest))));
+  // Not beyond s₀, and not of what is not known.
+  EXPECT_FALSE(LocalPoint::of(z, Ball::rounded(mpq_class(2, 10))));
+  EXPECT_FALSE(
+      LocalPoint::of(ComplexBall(scaled(Ball::exactly(1), -2) + Ball::rounded(mpq_class(1, 3)), Ball()), greatest));
+  ComplexBall wide = z;
+  arb_add_error_2exp_si(wide.re(), -70);
+  EXPECT_TRUE(LocalPoint::of(wide, greatest));
+  arb_add_error_2exp_si(wide.re(), -60);
+  EXPECT_FALSE(LocalPoint::of(wide, greatest));
+}
+
 TEST(RadialFactors, AreHypergeometricFunctions) {
   const Precision scope(160);
-  for (const double lambda : {0.015625, 0.25, 2.75, 30.0}) {
-    for (const double s : {0.0, 0.0625, 0.375, 0.5}) {
-      // Asked for up to s, or beyond.
-      const std::vector<Ball> found =
-          RadialFactors(Ball::exactly(lambda), 40, Ball::exactly(std::max(s, 0.375)))(Ball::exactly(s));
-      for (const std::uint32_t m : {0U, 1U, 2U, 17U, 40U}) {
-        const Interval error = outer_interval(found[m] - reference_factor(lambda, s, m));
-        EXPECT_LE(error.lower, 0) << lambda << ' ' << s << ' ' << m;
-        EXPECT_GE(error.upper, 0) << lambda << ' ' << s << ' ' << m;
-        EXPECT_LT(error.upper - error.lower, 1e-25) << lambda << ' ' << s << ' ' << m;
+  constexpr std::uint32_t kOrder = 40;
+  for (const double lambda : {0.015625, 0.25, 2.75, 12.0}) {
+    for (const double greatest : {0.0625, 0.375, 0.5}) {
+      const RadialFactors factors = RadialFactors::make(Ball::exactly(lambda), kOrder, Ball::exactly(greatest)).value();
+      ASSERT_EQ(factors.order(), kOrder);
+      for (const double share : {0.0, 0.25, 0.99, 1 - 1e-15}) {
+        const std::vector<std::int64_t> found = factors_at(factors, share * greatest, greatest).value();
+        for (const std::uint32_t m : {0U, 1U, 2U, 17U, 40U}) {
+          const Ball error = abs(found[m] - scaled(reference_factor(lambda, Ball::exactly(share * greatest), m), 61));
+          EXPECT_LE(outer_interval(error).upper, factors.errors()[m]) << lambda << ' ' << greatest << ' ' << m;
+          EXPECT_LT(factors.errors()[m], 1000 * std::exp(lambda * greatest)) << lambda << ' ' << greatest << ' ' << m;
+        }
       }
     }
   }
 }
 
-TEST(RadialFactors, AreNotUsedBeyondWhereTheyAreFor) {
+TEST(RadialFactors, AreNotMadeForWhatTheyAreNotFor) {
   const Precision scope(128);
-  const auto at = [](double greatest, double s) {
-    return is_finite(RadialFactors(Ball::exactly(2), 30, Ball::exactly(greatest))(Ball::exactly(s))[3]);
+  const auto made = [](double lambda, std::uint32_t order, double greatest) {
+    return RadialFactors::make(Ball::exactly(lambda), order, Ball::exactly(greatest)).has_value();
   };
-  EXPECT_TRUE(at(0.25, 0.25));
-  EXPECT_FALSE(at(0.25, above(0.25)));
-  EXPECT_TRUE(at(0.5, 0.5));
-  EXPECT_FALSE(at(above(0.5), 0.5));
+  EXPECT_TRUE(made(2, 30, 0.5));
+  EXPECT_FALSE(made(2, 30, above(0.5)));
   // A series of order 1 that would take too long.
-  EXPECT_FALSE(is_finite(RadialFactors(Ball::exactly(1), 1, Ball::exactly(0.5))(Ball::exactly(0.25))[0]));
-  // Terms that do not decrease yet.
-  EXPECT_FALSE(is_finite(RadialFactors(Ball::exactly(1e9), 1, Ball::exactly(0.1))(Ball::exactly(0.1))[0]));
+  EXPECT_FALSE(made(1, 1, 0.5));
+  // Products of λ and s that are too large.
+  EXPECT_TRUE(made(13.9, 60, 0.5));
+  EXPECT_FALSE(made(14, 60, 0.5));
+  // A weight that is too large.
+  EXPECT_TRUE(made(65'535, 3000, 0.0001));
+  EXPECT_FALSE(made(65'536, 3000, 0.0001));
+  // Coefficients that are too large.
+  EXPECT_FALSE(made(50, 2, 0.12));
+}
+
+TEST(LocalValues, AreSumsOfTheirWavesWithTheErrorsThatTheySay) {
+  const Precision scope(160);
+  constexpr std::size_t kVertices = 3;
+  constexpr std::size_t kOrder = 12;
+  constexpr std::size_t kEach = 2 * kOrder + 1;
+  const Ball greatest = Ball::exactly(0.25);
+  std::mt19937 random(7);  // NOLINT: the same in every run.
+  const auto number = [&] { return (static_cast<double>(random()) / 0x1p31 - 1) / 3; };
+  for (const double size : {1.0, 1e-30, 1e40}) {
+    Document::Eigenfunctions row{{2, 3}, 2.75, 0.8, {}};
+    for (int j = 0; j < 2; ++j) {
+      Document::Coefficients function(kVertices * kEach);
+      for (std::size_t i = 0; i < function.size(); ++i) {
+        const auto m = static_cast<double>((i % kEach + 1) / 2);
+        function[i] = size * number() * std::pow(1.5, m);
+      }
+      row.functions.push_back(function);
+    }
+    const LocalValues values = LocalValues::make(row, kVertices, greatest).value();
+    ASSERT_EQ(values.count(), 2U);
+    double worst = 0;
+    for (int i = 0; i < 200; ++i) {
+      const std::size_t vertex = random() % kVertices;
+      const double angle = 20 * number();
+      const double radius = i % 2 == 0 ? 0.5 : 0.5 * std::abs(number());
+      const ComplexBall z(Ball::exactly(radius * 0.9999 * std::cos(angle)),
+                          Ball::exactly(radius * 0.9999 * std::sin(angle)));
+      const LocalPoint point = LocalPoint::of(z, greatest).value();
+      std::vector<std::int64_t> factors;
+      values.factors().set(point, factors);
+      std::vector<std::int64_t> found;
+      values.set(vertex, point, factors, found);
+      for (std::size_t j = 0; j < 2; ++j) {
+        Ball sum;
+        ComplexBall power(Ball::exactly(1), Ball());
+        for (std::size_t m = 0; m <= kOrder; ++m) {
+          const double* own = row.functions[j].data() + vertex * kEach;
+          const Ball factor = reference_factor(row.lambda, norm(z), static_cast<std::uint32_t>(m));
+          const Ball alpha = Ball::exactly(own[m == 0 ? 0 : 2 * m - 1]);
+          const Ball beta = Ball::exactly(m == 0 ? 0 : own[2 * m]);
+          sum += factor * (alpha * real(power) + beta * imaginary(power));
+          power = power * z;
+        }
+        const double error = outer_interval(abs(found[j] - sum / Ball::exactly(values.unit(j)))).upper;
+        const double allowed = values.error(j, vertex) / values.unit(j);
+        EXPECT_LE(error, allowed) << size << ' ' << i;
+        worst = std::max(worst, allowed);
+      }
+    }
+    EXPECT_LT(worst, 400);
+  }
+  // Numbers that are too large, and one that is not.
+  Document::Eigenfunctions row{{2, 3}, 2.75, 0.8, {Document::Coefficients(kVertices * kEach)}};
+  EXPECT_TRUE(LocalValues::make(row, kVertices, greatest));
+  row.functions[0][3] = 0x1p499;
+  EXPECT_TRUE(LocalValues::make(row, kVertices, greatest));
+  row.functions[0][3] = 0x1p503;
+  EXPECT_FALSE(LocalValues::make(row, kVertices, greatest));
+  row.functions[0][3] = std::numeric_limits<double>::max();
+  row.functions[0][4] = std::numeric_limits<double>::max();
+  EXPECT_FALSE(LocalValues::make(row, kVertices, greatest));
+}
+
+/// Balls of few bits place lifts with errors that Lemma 37.2 does not allow.
+TEST(Overlaps, AreNotMadeOfLiftsThatAreNotKnown) {
+  const Document document = function();
+  const NetDocument& net = document.net;
+  const auto made = [&](slong bits) {
+    const Precision scope(bits);
+    const LabelParts parts = label_parts(check_surface(net.surface).crossings, net.charts, {});
+    std::vector<std::uint32_t> numbers(net.labels.size());
+    std::iota(numbers.begin(), numbers.end(), 1U);
+    const auto labels = LabelEvaluator(net, parts).evaluate(numbers, bits, 4 * bits, 1);
+    return Overlaps::make(net, labels, document.eigenfunctions.at(0).radius, 8, 2.75, {}, 1).has_value();
+  };
+  EXPECT_TRUE(made(128));
+  EXPECT_FALSE(made(48));
 }
 
 /// The inequalities of docs/proof.md, Lemma 37.1, at many places; derivatives by differences.
 TEST(RadialFactors, SatisfyTheirBounds) {
   const Precision scope(128);
-  for (const double lambda : {0.1, 2.75, 12.0, 40.0}) {
-    const RadialFactors factors(Ball::exactly(lambda), 30, Ball::exactly(0.5));
+  for (const double lambda : {0.1, 2.75, 12.0}) {
+    const RadialFactors made = RadialFactors::make(Ball::exactly(lambda), 30, Ball::exactly(0.5)).value();
     const auto functions = [&](double rho) {
       const double t = std::tanh(rho / 2);
       std::vector<double> result;
       double power = 1;
-      for (const Ball& factor : factors(Ball::exactly(t * t))) {
-        result.push_back(power * arf_get_d(arb_midref(factor.get()), ARF_RND_NEAR));
+      const std::vector<std::int64_t> factors = factors_at(made, t * t, 0.5).value();
+      for (const std::int64_t factor : factors) {
+        result.push_back(power * std::ldexp(static_cast<double>(factor), -61));
         power *= t;
       }
       return result;
@@ -783,7 +908,7 @@ TEST(Limits, ManyRowsAndFunctionsSpendTheBudget) {
   document = function();
   document.eigenfunctions[0].functions.assign(1000, Document::Coefficients(std::size_t{9} * 3, 1));
   expect_spent(document, "eigenfunctions");
-  document.eigenfunctions[0].functions.assign(20, Document::Coefficients(std::size_t{9} * 401, 1));
+  document.eigenfunctions[0].functions.assign(200, Document::Coefficients(std::size_t{9} * 401, 1));
   expect_spent(document, "eigenfunctions");
 }
 

@@ -1273,23 +1273,31 @@ class Reference {
         }
       }
     }
-    double residuals = 0;
-    double errors = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      double residual = 0;
-      double value = 0;
-      for (std::size_t k = 0; k < near_.size(); ++k) {
-        residual = std::max(residual, greatest[i][k].value * partition[k].laplacians +
-                                          2 * greatest[i][k].gradient * partition[k].gradients);
-        value = std::max(value, greatest[i][k].value);
+    std::vector<double> residuals(near_.size());
+    std::vector<double> errors(near_.size());
+    for (std::size_t k = 0; k < near_.size(); ++k) {
+      for (std::size_t i = 0; i < count; ++i) {
+        residuals[k] += std::pow(
+            greatest[i][k].value * partition[k].laplacians + 2 * greatest[i][k].gradient * partition[k].gradients, 2);
+        errors[k] += std::pow(greatest[i][k].value, 2);
       }
-      residuals += residual * residual;
-      errors += value * value;
     }
-    const double area = 4 * std::numbers::pi * (genus_ - 1);
     const double q = least_square();
-    const double norm = q > 0 ? std::sqrt(q) - std::sqrt(area * errors) : -1;
-    return norm > 0 ? std::sqrt(area * residuals) / norm : HUGE_VAL;
+    const double norm = q > 0 ? std::sqrt(q) - std::sqrt(integral(errors)) : -1;
+    return norm > 0 ? std::sqrt(integral(residuals)) / norm : HUGE_VAL;
+  }
+  /// The greatest of a function that is at most values[k] where vertex k is nearest: the greatest Σ a_k values[k] with
+  /// 0 <= a_k <= the area of a disk, and all of them together the area of the surface.
+  [[nodiscard]] double integral(std::vector<double> values) const {
+    std::sort(values.begin(), values.end(), std::greater<>());
+    const double disk = 2 * std::numbers::pi * (std::cosh(epsilon_) - 1);
+    double left = 4 * std::numbers::pi * (genus_ - 1);
+    double sum = 0;
+    for (const double value : values) {
+      sum += std::min(left, disk) * value;
+      left -= std::min(left, disk);
+    }
+    return sum;
   }
   [[nodiscard]] std::size_t order() const { return order_; }
 
@@ -1404,8 +1412,9 @@ struct Functions {
   }
   [[nodiscard]] double first(const Document::Eigenfunctions& row) const {
     const Precision scope(kBits);
-    const auto error = certify::eigenvalue_error(document.net, row, labels, 2, {}, 1);
-    return error ? certify::outer_interval(*error).upper : std::nan("");
+    const auto order = static_cast<std::uint32_t>(row.functions[0].size() / document.net.vertices.size() / 2);
+    const auto overlaps = certify::Overlaps::make(document.net, labels, row.radius, order, row.lambda, {}, 1);
+    return certify::eigenvalue_error(overlaps.value(), row, 2, {}, 1).value_or(std::nan(""));
   }
   [[nodiscard]] double second(const Document::Eigenfunctions& row, std::size_t most = 1000) const {
     NearLifts same;

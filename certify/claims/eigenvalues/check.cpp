@@ -1,5 +1,6 @@
 #include "certify/claims/eigenvalues/check.h"
 
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -162,28 +163,47 @@ class EigenvaluesCheck {
     const Precision scope(bits);
     const auto& rows = document_.eigenfunctions;
     const std::vector<BallIsometry> labels = evaluated_labels();
+    std::optional<Overlaps> overlaps;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       progress(kEigenfunctions, i, rows.size());
       const std::string row = "eigenfunctions[" + std::to_string(i) + "]: ";
-      const auto error =
-          eigenvalue_error(document_.net, rows[i], labels, run_.certificate().counts.genus, budget_, threads_);
+      if (i == 0 || !same_disks(rows[i], rows[i - 1])) overlaps = overlaps_from(i, labels);
+      const auto error = overlaps
+                             ? eigenvalue_error(*overlaps, rows[i], run_.certificate().counts.genus, budget_, threads_)
+                             : std::nullopt;
       if (!error) {
         doubt = row + "not decided, with " + std::to_string(bits) + " bits";
         return Tri::unknown;
       }
-      if (!is_finite(*error)) {
+      if (!std::isfinite(*error)) {
         doubt = row + "no eigenvalue follows";
         return Tri::no;
       }
       const Ball lambda = Ball::exactly(rows[i].lambda);
       const auto at_most = [](const Ball& x, const Ball& y) { return certainly_less(y, x) == Tri::no; };
-      if (!at_most(Ball::exactly(rows[i].in.lower), lambda - *error) ||
-          !at_most(lambda + *error, Ball::exactly(rows[i].in.upper))) {
-        doubt = row + "eigenvalues are proved only within " + shortest(outer_interval(*error).upper) + " of lambda";
+      if (!at_most(Ball::exactly(rows[i].in.lower), lambda - Ball::exactly(*error)) ||
+          !at_most(lambda + Ball::exactly(*error), Ball::exactly(rows[i].in.upper))) {
+        doubt = row + "eigenvalues are proved only within " + shortest(*error) + " of lambda";
         return Tri::no;
       }
     }
     return std::nullopt;
+  }
+
+  static bool same_disks(const Eigenfunctions& x, const Eigenfunctions& y) {
+    return x.radius == y.radius && x.functions.front().size() == y.functions.front().size();
+  }
+
+  /// For this row and all that follow with the same disks.
+  [[nodiscard]] std::optional<Overlaps> overlaps_from(std::size_t first,
+                                                      const std::vector<BallIsometry>& labels) const {
+    const auto& rows = document_.eigenfunctions;
+    double lambda = 0;
+    for (std::size_t i = first; i < rows.size() && same_disks(rows[i], rows[first]); ++i)
+      lambda = std::max(lambda, rows[i].lambda);
+    const std::size_t each = rows[first].functions.front().size() / document_.net.vertices.size();
+    return Overlaps::make(document_.net, labels, rows[first].radius, static_cast<std::uint32_t>(each / 2), lambda,
+                          budget_, threads_);
   }
 
   /// make(t, triangle) for the parts of each triangle t of the net, one after the other; nothing if one is certainly no

@@ -23,7 +23,7 @@ class PartitionCell {
     const double gap = 1 - std::norm(z);
     const double beyond_one = 2 * std::norm(z) / gap;  // C − 1
     const Point vector = 2.0 * z / gap;
-    const double sinh = std::abs(vector);
+    const double sinh = std::sqrt(std::norm(vector));
     const double greatest_sinh = sinh * cosh_ + (1 + beyond_one) * sinh_;  // Of d + ρ.
     const double greatest_cosh = (1 + beyond_one) * cosh_ + sinh * sinh_;
     const double change = reach_ * greatest_sinh;

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "certify/claims/eigenvalues/local_values.h"
+#include "certify/claims/eigenvalues/partition.h"
+#include "certify/net/document.h"
+#include "certify/numbers/budget.h"
+#include "certify/numbers/isometry.h"
+
+namespace epsnet::certify {
+
+/// Where functions around the vertices of a net meet: what is the same for all rows of functions with one radius R.
+class Overlaps {
+ public:
+  /// Two lifts of vertices less than ε + R apart, and the disk around their midpoint that contains all points within ε
+  /// of one and R of the other (docs/proof.md, Lemma 37.4).
+  struct Pair {
+    std::uint32_t vertex;
+    std::uint32_t other;
+    std::uint32_t waves;  ///< J
+    std::size_t first;    ///< Of its points.
+    LocalPoint edge;      ///< A point of the disk's boundary, seen from the midpoint, as what it takes to get factors.
+    Ball s;               ///< tanh² of half the disk's radius.
+  };
+  /// One of 2J points on the boundary of a disk, seen from both vertices.
+  struct Point {
+    LocalPoint own;
+    LocalPoint other;
+  };
+
+  /// For functions of this order, of eigenvalues up to λ. Nothing if more bits are needed. BudgetSpent. Requires: the
+  /// rules of the net are verified; `labels` are those of the net.
+  [[nodiscard]] static std::optional<Overlaps> make(const NetDocument& net, const std::vector<BallIsometry>& labels,
+                                                    double radius, std::uint32_t order, double lambda,
+                                                    const Budget& budget, unsigned threads);
+
+  /// s₀: tanh² of half the greatest distance of a point from its vertex.
+  [[nodiscard]] const Ball& greatest() const { return greatest_; }
+  [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
+  /// Of a pair, the k-th at the angle 2πk/n from the direction of the midpoint's disk, n their number.
+  [[nodiscard]] std::span<const Point> points(const Pair& pair) const {
+    return std::span(points_).subspan(pair.first, std::size_t{2} * pair.waves);
+  }
+  /// cos and sin of 2πk/n, k < n = 2J, for the J of some pair: less than 2⁻⁵³ away.
+  [[nodiscard]] const std::vector<double>& roots_of_unity(std::uint32_t waves) const { return roots_[waves]; }
+  /// By vertex.
+  [[nodiscard]] const std::vector<PartitionBounds>& partition() const { return partition_; }
+  /// The least sinh of half the distance of two of the lifts, but at most sinh ε.
+  [[nodiscard]] const Ball& sinh_disk() const { return sinh_disk_; }
+  /// An upper bound for the area of a disk of radius ε.
+  [[nodiscard]] double disk_area() const { return disk_area_; }
+
+ private:
+  Ball greatest_;
+  std::vector<Pair> pairs_;
+  std::vector<Point> points_;
+  std::vector<std::vector<double>> roots_;  ///< By J; empty where no pair has it.
+  std::vector<PartitionBounds> partition_;
+  Ball sinh_disk_;
+  double disk_area_ = 0;
+};
+
+}  // namespace epsnet::certify
