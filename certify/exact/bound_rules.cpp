@@ -11,8 +11,10 @@ namespace {
 
 using Claim = BoundDocument::Claim;
 
-/// Values of sinh² that one bound file may ask for: a minute.
+/// Values of sinh² that one bound file may ask for: a minute. And darts of all triangulations together: half a
+/// gigabyte.
 constexpr std::size_t kMaxValues = 20'000'000;
+constexpr std::size_t kMaxDarts = 25'000'000;
 
 /// A triangulation with one vertex: of each dart what is opposite, and the number of its element.
 struct Map {
@@ -84,6 +86,10 @@ class BoundRules {
   }
 
   void check_triangulations() {
+    const std::size_t darts = (document_.triangulations.size() + 1) * net_.darts();
+    if (darts > kMaxDarts)
+      throw TooLarge{"the triangulations have " + number(darts) + " darts, and this checker takes " +
+                     number(kMaxDarts)};
     Map first{std::vector<Index>(net_.darts()), std::vector<std::size_t>(net_.darts())};
     for (Index dart = 0; dart < net_.darts(); ++dart) {
       first.opposite[dart] = net_.opposite(dart);
@@ -135,9 +141,14 @@ class BoundRules {
   void flip(Map& map, Index d) {
     const Index e = map.opposite[d];
     if (d / 3 == e / 3) throw Refutation{"dart " + number(d) + " has one triangle on both sides"};
-    const Map old = map;
     // c → a, a → x, x → b, b → c.
     const std::array<Index, 4> from{previous(d), next(e), previous(e), next(d)};
+    std::array<Index, 4> across{};
+    std::array<std::size_t, 4> element{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      across[i] = map.opposite[from[i]];
+      element[i] = map.element[from[i]];
+    }
     const std::array<Index, 4> to{next(d), previous(d), next(e), previous(e)};
     const auto moved = [&](Index dart) {
       for (std::size_t i = 0; i < 4; ++i) {
@@ -146,12 +157,12 @@ class BoundRules {
       return dart;
     };
     for (std::size_t i = 0; i < 4; ++i) {
-      const Index across = moved(old.opposite[from[i]]);
-      map.opposite[to[i]] = across;
-      map.opposite[across] = to[i];
-      map.element[to[i]] = old.element[from[i]];
+      const Index other = moved(across[i]);
+      map.opposite[to[i]] = other;
+      map.opposite[other] = to[i];
+      map.element[to[i]] = element[i];
     }
-    const Isometry<R> product = net_.product(elements_[old.element[from[0]]], elements_[old.element[from[1]]]);
+    const Isometry<R> product = net_.product(elements_[element[0]], elements_[element[1]]);
     map.element[e] = elements_.size();
     map.element[d] = elements_.size() + 1;
     elements_.push_back(product);

@@ -816,6 +816,59 @@ def isometries_of_long_words():
 
 
 @kind
+def isometries_of_many_geodesics():
+    """A spectrum with thousands of crossing points, none of which tells that there are no more isometries."""
+    bolza = ["regular", "--genus", "2"]
+    result = epsnet("isometries", surface=bolza)
+    spectrum = epsnet("spectrum", "--up-to", "8", surface=bolza)
+    result.update({key: spectrum[key] for key in ("net", "geodesics", "clusters", "up_to")}, isometries=[], order=1)
+    return result
+
+
+@kind
+def isometries_of_powers():
+    """Of a surface with a very short geodesic that crosses no other one of its spectrum: loops are powers of it."""
+    def surface(cuff):
+        return ["fenchel-nielsen", "--pants-graph", "0-0 0-1 1-1", "--lengths", f"{cuff},2,3", "--seed", "1"]
+    result = epsnet("isometries", surface=surface("0.011"))
+    spectrum = epsnet("spectrum", "--up-to", "1", surface=surface("0.0005"))
+    result.update({key: spectrum[key] for key in ("net", "geodesics", "clusters", "up_to")}, isometries=[], order=1)
+    return result
+
+
+@kind
+def distance_of_many_paths():
+    with open(os.path.join(data, "distances", "four-equal.json")) as file:
+        result = json.load(file)
+    words = [[]]
+    while len(words) < 45_000:
+        words += [[*word, side] for word in words[len(words) // 4:] for side in range(4)]
+    result.update(distance=[0.001, 300], equal=False, paths=words[1:45_000])
+    return result
+
+
+@kind
+def bound_of_many_triangulations():
+    document = regular_net(20)
+    triangles = len(document["triangles"])
+    result = {"format": "epsnet-cover", "version": 1, "claim": "diameter", "net": document, "value": [0.1, 100],
+              "cells": [[3]] * triangles, "triangulations": []}
+    result["triangulations"] = [[0]] * ((SIZE - len(json.dumps(result))) // 4)
+    return result
+
+
+@kind
+def thick_thin_without_its_shortest_geodesic():
+    """Of length 10⁻²⁵: its powers take a vertex to lifts that are all in one place."""
+    result = geodesics("one-cuff-of-1e-25")
+    del result["geodesics"][0]
+    result["pieces"] = [{**piece, "boundaries": [[i - 1, side] for i, side in piece["boundaries"] if i > 0]}
+                        for piece in result["pieces"]]
+    result["clusters"] = [{"first": i, "count": 1, "equal": True} for i in range(len(result["geodesics"]))]
+    return result
+
+
+@kind
 def members_many():
     document = net("octagon-1-vertex")
     document.update((f"m{i}", 0) for i in range(80_000))

@@ -206,6 +206,27 @@ TEST(Isometries, GeodesicsOfWhichNoTwoCrossDecideNothing) {
   EXPECT_THAT(certificate.message, HasSubstr("no two of the geodesics cross"));
 }
 
+TEST(Isometries, CrossingPointsAreComparedAsLongAsThereIsWork) {
+  // None of them tells that there is nothing but the identity: all are compared, with more and more bits.
+  Document document = octagon();
+  document.isometries.clear();
+  document.order = 1;
+  const auto message_with = [&](std::uint64_t work) {
+    const Certificate certificate = check(document, {.threads = 2, .max_precision = 256, .max_work = work});
+    EXPECT_EQ(certificate.verdict, Verdict::undecided);
+    return certificate.message;
+  };
+  const std::uint64_t all = checked(document).counts.work;
+  EXPECT_EQ(message_with(all), "there are at most 2, with 256 bits");
+  std::size_t points = 0;
+  for (std::uint64_t part = 1; part < 50; ++part) {
+    const std::string message = message_with(all * part / 50);
+    EXPECT_THAT(message, HasSubstr("needs more work than a file of this size may take"));
+    if (message.find(" crossing points, which may take ") != std::string::npos) ++points;
+  }
+  EXPECT_GT(points, 2U);
+}
+
 // Structure.
 
 TEST(Isometries, WhatIsMalformedIsNamed) {
