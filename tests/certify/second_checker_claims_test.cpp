@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numeric>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -535,6 +537,128 @@ TEST(SecondCheckerOfIsometries, OneLeftOutOfTheSpectrumIsMissed) {
   document.geodesics.pop_back();
   document.clusters.pop_back();
   EXPECT_EQ(outcome(document), "REFUTED: complete");
+}
+
+// Pseudo nets.
+
+/// Collars about geodesics of the lengths 1/8 and 1/4.
+NetDocument two_collars() { return load<NetDocument>("forgeries/collars"); }
+
+/// Of the rule `collars`: verified if a later one fails, which are asked afterwards.
+Verdict collars(const NetDocument& document) {
+  const Result result = result_of(document);
+  return result.rule == "collars" ? result.verdict : Verdict::verified;
+}
+
+/// The same by the first checker.
+Verdict collars_by_the_first(const NetDocument& document) {
+  for (const certify::RuleReport& rule : certify::check(document, {.threads = 1}).rules) {
+    if (rule.rule == "collars")
+      return rule.verdict == certify::Verdict::verified ? Verdict::verified : Verdict::refuted;
+  }
+  return Verdict::undecided;
+}
+
+std::string text_of(double x) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.17g", x);
+  return text;
+}
+
+TEST(SecondCheckerOfPseudoNets, EpsilonLiesBetweenTheEndsThatBothCheckersFind) {
+  // A vertex of a collar at some distance from the core: for small epsilon it does not cover what it should, or the
+  // core is longer; for large epsilon it is in the thin part. Both ends, to a billionth.
+  int ends = 0;
+  for (const std::size_t c : {std::size_t{0}, std::size_t{1}}) {
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+      for (const double angle : {0.0, 2.0}) {
+        NetDocument document = two_collars();
+        document.collars = {{(*document.collars)[c]}};
+        NetDocument::Vertex& vertex = document.vertices[(*document.collars)[0].vertices[i]];
+        vertex.x = 0.05 * std::cos(angle);
+        vertex.y = 0.05 * std::sin(angle);
+        const auto verified = [&](double epsilon) {
+          document.epsilon = text_of(epsilon);
+          return collars_by_the_first(document) == Verdict::verified;
+        };
+        double some = 0.05;
+        while (some < 0.34 && !verified(some)) some += 0.03;
+        if (some >= 0.34) continue;
+        for (double outside : {0.04, 0.3465}) {
+          if (verified(outside)) continue;
+          double inside = some;
+          for (int k = 0; k < 36; ++k) (verified((inside + outside) / 2) ? inside : outside) = (inside + outside) / 2;
+          ++ends;
+          document.epsilon = text_of(inside + (inside - outside) * 100);
+          EXPECT_EQ(collars(document), Verdict::verified) << document.epsilon;
+          document.epsilon = text_of(outside - (inside - outside) * 100);
+          EXPECT_EQ(collars(document), Verdict::refuted) << document.epsilon;
+        }
+      }
+    }
+  }
+  EXPECT_GE(ends, 8);
+}
+
+TEST(SecondCheckerOfPseudoNets, ACoreIsAsLongAsTheFileSaysAndGoneAroundOnce) {
+  for (std::size_t c = 0; c < 2; ++c) {
+    const double length = c == 0 ? 0.125 : 0.25;
+    for (const auto& [lower, upper, expected] :
+         {std::tuple{length * (1 + 1e-12), 1.0, Verdict::refuted},
+          std::tuple{0.0, length * (1 - 1e-12), Verdict::refuted},
+          std::tuple{length * (1 - 1e-12), length * (1 + 1e-12), Verdict::verified}}) {
+      NetDocument document = two_collars();
+      (*document.collars)[c].length = {lower, upper};
+      EXPECT_EQ(collars(document), expected) << lower << ", " << upper;
+    }
+    NetDocument document = two_collars();
+    Word& core = (*document.collars)[c].core;
+    const Word once = core;
+    core = reversed(document, once);
+    EXPECT_EQ(collars(document), Verdict::verified);
+    core = joined(once, once);
+    EXPECT_EQ(collars(document), Verdict::refuted);
+    core.clear();
+    EXPECT_EQ(collars(document), Verdict::refuted);
+  }
+}
+
+TEST(SecondCheckerOfPseudoNets, VerticesLieOnDifferentSidesOfTheCore) {
+  // Moved about, also to the core and over it.
+  std::array<int, 2> met{};
+  for (std::size_t c = 0; c < 2; ++c) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (int k = 0; k < 12; ++k) {
+        NetDocument document = two_collars();
+        NetDocument::Vertex& vertex = document.vertices[(*document.collars)[c].vertices[i]];
+        const double r = std::array{0.003, 0.02, 0.1, 0.4}[static_cast<std::size_t>(k % 4)];
+        vertex.x = r * std::cos(M_PI / 6 * k + 0.1);
+        vertex.y = r * std::sin(M_PI / 6 * k + 0.1);
+        const Verdict expected = collars_by_the_first(document);
+        EXPECT_EQ(collars(document), expected) << c << i << k;
+        ++met.at(expected == Verdict::verified ? 0 : 1);
+      }
+    }
+  }
+  EXPECT_GT(met[0], 3);
+  EXPECT_GT(met[1], 3);
+}
+
+TEST(SecondCheckerOfPseudoNets, EpsilonIsAtMostLnOfRootTwo) {
+  // ln √2 = 0.34657359027997265470861606072908828…
+  NetDocument document = two_collars();
+  document.collars = std::vector<NetDocument::Collar>{};
+  document.epsilon = "0.34657359027997265470861606072909";
+  EXPECT_EQ(collars(document), Verdict::refuted);
+  document.epsilon = "0.34657359027997265470861606072908";
+  EXPECT_EQ(collars(document), Verdict::verified);
+}
+
+TEST(SecondCheckerOfPseudoNets, WithoutItsCollarsANetDoesNotCover) {
+  NetDocument document = two_collars();
+  ASSERT_EQ(outcome(document), "VERIFIED");
+  document.collars->clear();
+  EXPECT_EQ(outcome(document), "REFUTED: covering");
 }
 
 }  // namespace
