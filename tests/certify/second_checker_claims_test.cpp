@@ -163,6 +163,10 @@ TEST(SecondCheckerOfGeodesics, APowerIsNotWhatAListLacks) {
   GeodesicsDocument document = good;
   document.geodesics.push_back(square);
   EXPECT_EQ(outcome(in_order(document)), "REFUTED: distinct");
+  // Before what it is the square of, as little is said of its length.
+  document.geodesics.back().length.lower = 1;
+  EXPECT_EQ(outcome(in_order(document)), "REFUTED: distinct");
+  document.geodesics.back().length.lower = square.length.lower;
   document.geodesics.erase(document.geodesics.begin() + kPlace);
   EXPECT_EQ(outcome(in_order(document)), "REFUTED: complete");
 }
@@ -206,6 +210,10 @@ TEST(SecondCheckerOfGeodesics, AWrongSimpleIsRefuted) {
     EXPECT_EQ(good.geodesics[i].simple, i == 5);
     EXPECT_EQ(outcome(document), "REFUTED: simple") << i;
   }
+  GeodesicsDocument document = good;
+  document.geodesics[6].simple = true;
+  document.geodesics[7].simple = true;
+  EXPECT_EQ(outcome(document), "REFUTED: simple");
 }
 
 TEST(SecondCheckerOfGeodesics, EveryLengthOfAClusterIsComparedExactly) {
@@ -217,6 +225,19 @@ TEST(SecondCheckerOfGeodesics, EveryLengthOfAClusterIsComparedExactly) {
     GeodesicsDocument document = good;
     document.clusters[c].equal = true;
     EXPECT_EQ(outcome(document), "REFUTED: equal");
+  }
+  // The last of two or three.
+  const GeodesicsDocument all = octagon();
+  for (std::size_t i = 0; i + 2 < all.geodesics.size(); ++i) {
+    GeodesicsDocument document = all;
+    auto& rows = document.geodesics;
+    rows[i].length.upper = rows[i + 1].length.upper;
+    rows[i + 1].length.lower = rows[i].length.lower;
+    document = in_order(document);
+    EXPECT_EQ(document.clusters[i].count, 2U);
+    document.clusters[i].equal = true;
+    EXPECT_EQ(outcome(document), "REFUTED: equal") << i;
+    EXPECT_EQ(first_outcome(document), "REFUTED: equal") << i;
   }
   // One longer length, wherever it is in a cluster of equal ones.
   const GeodesicsDocument equal = bolza();
@@ -482,6 +503,86 @@ TEST(SecondCheckerOfIsometries, AnyLiftAndAnyPathsWillDo) {
   document = isometries("fenchel-nielsen-3-1");
   for (Word& path : document.paths) path = joined(document.pair[0], path);
   EXPECT_EQ(outcome(document), "VERIFIED");
+}
+
+/// With so short a spectrum that nothing is known of other isometries, which rule `most` says last.
+IsometriesDocument with_systoles_alone(IsometriesDocument document) {
+  const double systole = document.geodesics[0].length.upper;
+  std::erase_if(document.geodesics, [&](const auto& row) { return row.length.lower > systole; });
+  document.up_to = certify::decimal_above(systole + 1e-6);
+  document.clusters = {{0, static_cast<std::uint32_t>(document.geodesics.size()), false}};
+  document.isometries.clear();
+  document.order = 1;
+  return document;
+}
+
+/// The identity as an isometry of a surface of one tile, by generators without partners.
+IsometriesDocument::Isometry identity(const IsometriesDocument& document) {
+  const certify::SurfaceSides sides(document.net.surface);
+  IsometriesDocument::Isometry result{true, document.pair};
+  for (std::uint32_t s = 0; s < sides.partner.size(); ++s) {
+    if (s < sides.partner[s]) result.images.push_back({s});
+  }
+  return result;
+}
+
+TEST(SecondCheckerOfIsometries, EachProductOfTheBasisTellsImages) {
+  // Opposite sides of an octagon are glued. The half turn about the centre of a side takes the generators x and y
+  // through it to their inverses, and so does g ↦ s g s⁻¹ with all others: only the product with xy tells.
+  for (const std::string name : {"octagon-5", "bolza"}) {
+    const IsometriesDocument good = with_systoles_alone(isometries(name));
+    for (const std::uint32_t side : {0U, 5U}) {
+      if (side != 0 && name == "bolza") continue;
+      const std::uint32_t next = (side + 1) % 8;
+      for (const Word& other : {Word{side, (next + 4) % 8}, Word{(next + 4) % 8, side}}) {
+        IsometriesDocument document = good;
+        document.pair = {{side}, other};
+        document.isometries = {identity(document)};
+        EXPECT_EQ(outcome(document), first_outcome(document));
+        const IsometriesDocument same = document;
+        for (const std::uint32_t by : {side, (side + 4) % 8}) {
+          document = same;
+          for (std::size_t k = 2; k < 6; ++k) {
+            Word& image = document.isometries[0].images[k];
+            image = joined(joined({by}, image), {(by + 4) % 8});
+          }
+          EXPECT_EQ(outcome(document), "REFUTED: isometries") << name << side << by;
+          EXPECT_EQ(first_outcome(document), "REFUTED: isometries") << name << side << by;
+        }
+      }
+    }
+  }
+}
+
+TEST(SecondCheckerOfIsometries, EachImageIsTold) {
+  // Of the identity one image is the inverse, or another generator, of equal length on a regular octagon.
+  for (const std::string name : {"octagon-5", "bolza"}) {
+    const IsometriesDocument good = with_systoles_alone(isometries(name));
+    for (std::size_t k = 0; k < 6; ++k) {
+      for (const auto s : {static_cast<std::uint32_t>(k + 2) % 8, static_cast<std::uint32_t>(k + 1) % 8, 0U}) {
+        IsometriesDocument document = good;
+        document.isometries = {identity(document)};
+        document.isometries[0].images[k] = {s};
+        const bool same = document.isometries[0].images == identity(document).images;
+        const std::string expected = same ? "UNDECIDED: most" : "REFUTED: isometries";
+        EXPECT_EQ(outcome(document).substr(0, 9), expected.substr(0, 9)) << name << k << s;
+        EXPECT_EQ(first_outcome(document).substr(0, 9), expected.substr(0, 9)) << name << k << s;
+      }
+    }
+  }
+}
+
+TEST(SecondCheckerOfIsometries, TheAxesOfThePairCross) {
+  // A simple closed geodesic and a lift of it elsewhere.
+  for (const std::string name : {"octagon-5", "bolza"}) {
+    for (std::uint32_t s = 1; s < 8; ++s) {
+      if (s == 4) continue;
+      IsometriesDocument document = with_systoles_alone(isometries(name));
+      document.pair = {{0}, {s, s, 0, (s + 4) % 8, (s + 4) % 8}};
+      EXPECT_EQ(outcome(document), "REFUTED: isometries") << name << s;
+      EXPECT_EQ(first_outcome(document), "REFUTED: isometries") << name << s;
+    }
+  }
 }
 
 TEST(SecondCheckerOfIsometries, TheOrderIsThatOfTheGroup) {
