@@ -304,6 +304,13 @@ TEST(SecondCheckerOfDistances, AllLengthsAreEqualIfTheFileSaysSo) {
   }
   document.equal = false;
   EXPECT_EQ(outcome(document), "VERIFIED");
+  // On the axis, two and two of them are equal.
+  document = good;
+  document.point.z.x += mpq_class(1, 1'000'000);
+  document.distance = {good.distance.lower - 1e-5, good.distance.upper + 1e-5};
+  do {
+    EXPECT_EQ(outcome(document), "REFUTED: equal");
+  } while (std::next_permutation(document.paths.begin(), document.paths.end()));
 }
 
 TEST(SecondCheckerOfDistances, AWiderEnclosureNeedsAllPathsInIt) {
@@ -415,6 +422,35 @@ TEST(SecondCheckerOfBounds, ACellNeedsABoundThatHoldsThere) {
     }
     EXPECT_GT(comparison.refuted, 5) << name;
   }
+}
+
+TEST(SecondCheckerOfBounds, ARadiusIsBoundedUpToTheSameValueByBothCheckers) {
+  // One cell, a whole triangle, bounded at the midpoint of any of its sides: its farthest point is an end of the side
+  // or the corner opposite to it.
+  const BoundDocument good = bound("octagon-radius");
+  int found = 0;
+  for (std::uint32_t k = 0; k <= good.triangulations.size(); ++k) {
+    for (std::uint32_t t = 0; t < good.cells.size(); ++t) {
+      for (std::uint32_t side = 0; side < 3 && found < 6; ++side) {
+        BoundDocument document = good;
+        document.cells[t] = {3 + side + 3 * k};
+        const auto verified = [&](double lower) {
+          document.value.lower = lower;
+          return first_outcome(document) == "VERIFIED";
+        };
+        double low = 1e-3;
+        double high = good.value.lower;
+        if (!verified(low) || verified(high)) continue;
+        for (int i = 0; i < 9; ++i) (verified((low + high) / 2) ? low : high) = (low + high) / 2;
+        ++found;
+        document.value.lower = low;
+        EXPECT_EQ(outcome(document), "VERIFIED") << t << ", side " << side << ", triangulation " << k;
+        document.value.lower = high;
+        EXPECT_EQ(outcome(document), "REFUTED: cells") << t << ", side " << side << ", triangulation " << k;
+      }
+    }
+  }
+  EXPECT_GE(found, 6);
 }
 
 TEST(SecondCheckerOfBounds, LongEdgesDoNotBoundACell) {
