@@ -11,9 +11,11 @@ namespace {
 
 using Claim = BoundDocument::Claim;
 
-/// Values of sinh² that one bound file may ask for: a minute. And darts of all triangulations together: half a
-/// gigabyte.
-constexpr std::size_t kMaxValues = 20'000'000;
+/// Values of sinh² that one bound file may ask for: a quarter of a minute. And darts of all triangulations together:
+/// half a gigabyte.
+constexpr std::size_t kMaxValues = 10'000'000;
+/// Values that take as long as the functions of a triangle, for each of its darts.
+constexpr std::size_t kFunctions = 10;
 constexpr std::size_t kMaxDarts = 25'000'000;
 
 /// A triangulation with one vertex: of each dart what is opposite, and the number of its element.
@@ -244,7 +246,13 @@ class BoundRules {
   /// Lemma 25 at the middle of a side, with a triangle whose circumradius is at least LO + D.
   Answer is_far(const Cell& cell, const Map& map, Index side) {
     const Middle middle = middle_of(cell, side);
+    spend(kFunctions * net_.darts());
     const std::vector<Interval> h = values(map, middle.point);
+    // LO + D, to either end of the side and to the corner opposite.
+    std::array<Interval, 2> least;
+    for (std::size_t i = 0; i < 2; ++i) {
+      least[i] = square(sinh(Interval(document_.value[0]) + arcosh(i == 0 ? middle.half : middle.median)));
+    }
     std::vector<Interval> kappa(h.size()), areas;
     Interval all = -Interval(static_cast<long>(h.size() / 3) - 2) * Interval::pi();
     Answer result = Answer::yes;
@@ -257,13 +265,7 @@ class BoundRules {
       for (std::size_t i = 0; i < 3; ++i) kappa[t + i] = (x[(i + 1) % 3] + x[(i + 2) % 3] - x[i]) / sqrt(k);
       areas.push_back(2 * arctan(sqrt(k + product) / (2 + x[0] + x[1] + x[2])));
       all = all + areas.back();
-      // D, to either end of the side and to the corner opposite.
-      Answer wide_enough = Answer::yes;
-      for (const Interval& cosh : {middle.half, middle.median}) {
-        const Interval least = square(sinh(Interval(document_.value[0]) + arcosh(cosh)));
-        wide_enough = both(wide_enough, !is_less(product, k * least));
-      }
-      wide = either(wide, wide_enough);
+      wide = either(wide, both(!is_less(product, k * least[0]), !is_less(product, k * least[1])));
     }
     for (Index dart = 0; dart < h.size(); ++dart) {
       result = both(result, is_less(0, kappa[dart] + kappa[map.opposite[dart]]));

@@ -660,7 +660,7 @@ def eigenvalues_file(name="octagon-5"):
         return json.load(file)
 
 
-def filled(result, key, row):
+def with_rows(result, key, row):
     """With so many rows that the file is nearly as large as it may be."""
     result[key] = result[key] + [row] * ((SIZE - 40_000) // len(json.dumps(row) + ", "))
     return result
@@ -669,19 +669,19 @@ def filled(result, key, row):
 @kind
 def eigenvalues_of_many_counts():
     result = eigenvalues_file()
-    return filled(result, "at_most", result["at_most"][1])
+    return with_rows(result, "at_most", result["at_most"][1])
 
 
 @kind
 def eigenvalues_of_many_counts_by_vertices():
     result = eigenvalues_file()
-    return filled(result, "at_least", result["at_least"][1])
+    return with_rows(result, "at_least", result["at_least"][1])
 
 
 @kind
 def eigenvalues_of_many_intervals():
     result = eigenvalues_file()
-    return filled(result, "eigenvalues", {"in": [0, 1e308], "count": 4294967295})
+    return with_rows(result, "eigenvalues", {"in": [0, 1e308], "count": 4294967295})
 
 
 def divided(halvings, order_of):
@@ -854,6 +854,22 @@ def bound_of_many_triangulations():
     result = {"format": "epsnet-cover", "version": 1, "claim": "diameter", "net": document, "value": [0.1, 100],
               "cells": [[3]] * triangles, "triangulations": []}
     result["triangulations"] = [[0]] * ((SIZE - len(json.dumps(result))) // 4)
+    return result
+
+
+@kind
+def bound_of_many_cells():
+    """A diameter with cells that are cut again and again; what bounds a cell bounds its parts."""
+    with open(os.path.join(data, "bounds", "octagon-diameter.json")) as file:
+        result = json.load(file)
+
+    def cut(entry, depth):
+        return [entry] if depth == 0 else [depth % 3, *cut(entry, depth - 1), *cut(entry, depth - 1)]
+    cells, many = result["cells"], result["cells"]
+    depth = 0
+    while len(json.dumps(many, separators=(",", ":"))) < SIZE - 20_000:
+        result["cells"], depth = many, depth + 1
+        many = [[part for entry in row for part in ([entry] if entry < 3 else cut(entry, depth))] for row in cells]
     return result
 
 

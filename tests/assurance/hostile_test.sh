@@ -72,6 +72,7 @@ expect isometries-of-many-geodesics UNDECIDED
 expect isometries-of-powers UNDECIDED
 expect distance-of-many-paths ''
 expect bound-of-many-triangulations ''
+expect bound-of-many-cells ''
 expect thick-thin-without-its-shortest-geodesic ''
 expect thick-thin-of-long-words VERIFIED
 expect thick-thin-of-a-long-conjugate ''
