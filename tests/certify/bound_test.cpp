@@ -335,6 +335,27 @@ TEST(Bound, WideBallsDecideNothing) {
   }
 }
 
+TEST(Bound, ATriangleThatIsOpenIsNotForgottenForLaterOnes) {
+  // Flips of two edges of the first triangle, and back: bits are lost of some triangles, but not of the last one.
+  const BoundDocument good = read_file<BoundDocument>(std::string(EPSNET_TEST_DATA) + "/bounds/octagon-diameter.json");
+  const auto last = static_cast<std::uint32_t>(good.net.triangles.size() - 1);
+  ASSERT_NE(opposite(good.net, 0) / 3, last);
+  ASSERT_NE(opposite(good.net, 1) / 3, last);
+  int open = 0;
+  for (std::uint32_t length = 0; length < 60; length += 3) {
+    BoundDocument document = good;
+    std::vector<std::uint32_t>& flips = document.triangulations.emplace_back().flips;
+    for (std::uint32_t k = 0; k < length; ++k) flips.push_back(k % 2);
+    for (std::uint32_t k = length; k-- > 0;) flips.insert(flips.end(), 3, k % 2);
+    document.cells[0] = {static_cast<std::uint32_t>(3 + document.triangulations.size())};
+    // The net's own triangulation does not bound the triangle.
+    const Verdict few = check(document, {.threads = 1, .max_precision = 128}).verdict;
+    EXPECT_NE(few, Verdict::verified) << length;
+    open += few == Verdict::undecided ? 1 : 0;
+  }
+  EXPECT_GT(open, 3);
+}
+
 TEST(Bound, ARefutedRuleCountsMoreThanOneThatIsOpen) {
   for (BoundDocument document : all_files()) {
     document.value.lower += 1e-12;

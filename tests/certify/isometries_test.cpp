@@ -89,6 +89,22 @@ TEST(Isometries, AnyPathsWillDo) {
   EXPECT_EQ(outcome(document), "VERIFIED");
 }
 
+TEST(Isometries, OnSeveralTilesElementsAreThoseOfThePaths) {
+  // Two tiles with an involution f. Paths that begin with a closed one, w, conjugate all elements by it, and their
+  // images by f w f⁻¹.
+  Document document = read("fenchel-nielsen-2");
+  ASSERT_EQ(document.paths.size(), 2U);
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  EXPECT_EQ(orbit_size(SurfaceSides(document.net.surface), document, {}), 2U);
+  for (Word& path : document.paths) path = joined(document.pair[0], path);
+  EXPECT_EQ(outcome(document), "REFUTED: isometries");
+  std::vector<Word>& images = document.isometries[0].images;
+  for (std::size_t k = 2; k < images.size(); ++k) {
+    images[k] = joined(joined(images[0], images[k]), reversed(document, images[0]));
+  }
+  EXPECT_EQ(outcome(document), "VERIFIED");
+}
+
 TEST(Isometries, TheIdentityMayBeListed) {
   Document document = octagon();
   Document::Isometry& identity = document.isometries.emplace_back();
