@@ -264,6 +264,22 @@ TEST(SecondCheckerOfGeodesics, ALongerGeodesicIsNoSystole) {
   }
 }
 
+TEST(SecondCheckerOfGeodesics, LeftAndRightOfASeparatingCurveAreNotExchanged) {
+  // A piece of genus 2 on the left of a curve, and a pair of pants on its right, which another curve closes.
+  const auto good = load<GeodesicsDocument>("geodesics/separating-curve");
+  ASSERT_EQ(outcome(good), "VERIFIED");
+  GeodesicsDocument document = good;
+  for (auto& piece : document.pieces) {
+    for (auto& [geodesic, side] : piece.boundaries) side = 1 - side;
+  }
+  EXPECT_EQ(outcome(document), "REFUTED: pieces");
+  EXPECT_EQ(first_outcome(document), "REFUTED: pieces");
+  // Directed the other way.
+  for (auto& row : document.geodesics) row.word = reversed(document.net, row.word);
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  EXPECT_EQ(first_outcome(document), "VERIFIED");
+}
+
 // Distances.
 
 TEST(SecondCheckerOfDistances, EveryPathIsAsLongAsTheFileSays) {
