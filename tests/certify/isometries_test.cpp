@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <string>
@@ -334,6 +337,71 @@ TEST(Conjugation, WhereOneSignOfATraceDiffersThereIsNone) {
   EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{{0}, {0}}, {{1}, {1}}}, {}), true);
   EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{{0}, {0}}, {{1}, {5}}}, {}), false);
   EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{{0}, {0}}, {{1}, {1}}, {{2}, {6}}}, {}), false);
+}
+
+/// A word of a regular octagon with opposite sides glued, in binary64.
+std::array<std::complex<double>, 2> value_of(const Word& word) {
+  const double cosh = 1 / std::tan(M_PI / 8);
+  std::complex<double> a = 1;
+  std::complex<double> b = 0;
+  for (const std::uint32_t s : word) {
+    const std::complex<double> c = -std::sqrt(cosh * cosh - 1) * std::polar(1.0, M_PI * s / 4);
+    // The crossing after what was before.
+    const std::complex<double> next_a = cosh * a + c * std::conj(b);
+    b = cosh * b + c * std::conj(a);
+    a = next_a;
+  }
+  if (a.real() < 0) return {-a, -b};
+  return {a, b};
+}
+
+double trace_of_product(const std::array<std::complex<double>, 2>& f, const std::array<std::complex<double>, 2>& g) {
+  return (f[0] * g[0] + f[1] * std::conj(g[1])).real();
+}
+
+TEST(Conjugation, ComparesTheTracesOfFourProductsWithOneSign) {
+  // Of all pairs of short words, those that have three of the four traces in common or all of them up to signs.
+  const Crossings crossings = regular_crossings();
+  std::vector<Word> words{{}};
+  for (std::size_t i = 0; words.size() < 1 + 8 + 56 + 392; ++i) {
+    for (std::uint32_t s = 0; s < 8; ++s) {
+      if (words[i].empty() || words[i].back() != (s + 4) % 8) words.push_back(joined(words[i], {s}));
+    }
+  }
+  int same = 0;
+  int different = 0;
+  for (const auto& [x, y] : {std::pair{Word{0}, Word{1}}, {Word{0}, Word{2}}, {Word{0}, Word{0, 5}}}) {
+    const auto fx = value_of(x);
+    const auto fy = value_of(y);
+    const std::array<std::complex<double>, 2> fxy{fx[0] * fy[0] + fx[1] * std::conj(fy[1]),
+                                                  fx[0] * fy[1] + fx[1] * std::conj(fy[0])};
+    std::vector<std::array<double, 4>> traces;
+    for (const Word& word : words) {
+      const auto g = value_of(word);
+      traces.push_back({g[0].real(), trace_of_product(fx, g), trace_of_product(fy, g), trace_of_product(fxy, g)});
+    }
+    for (std::size_t i = 9; i < words.size(); i += 7) {
+      for (std::size_t j = 9; j < words.size(); ++j) {
+        int up_to_sign = 0;
+        bool plus = true;
+        bool minus = true;
+        for (std::size_t k = 0; k < 4; ++k) {
+          const double u = traces[i].at(k);
+          const double v = traces[j].at(k);
+          if (std::abs(std::abs(u) - std::abs(v)) < 1e-6 * std::abs(u) + 1e-9) ++up_to_sign;
+          plus = plus && std::abs(u - v) < 1e-6 * std::abs(u) + 1e-9;
+          minus = minus && std::abs(u + v) < 1e-6 * std::abs(u) + 1e-9;
+        }
+        if (up_to_sign < 3) continue;
+        ++(plus || minus ? same : different);
+        EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{x, x}, {y, y}, {words[i], words[j]}}, {}),
+                  plus || minus)
+            << i << ", " << j;
+      }
+    }
+  }
+  EXPECT_GT(same, 50);
+  EXPECT_GT(different, 50);
 }
 
 TEST(Conjugation, OfTheIdentityIsTheIdentity) {
