@@ -11,8 +11,12 @@ namespace {
 
 using Claim = BoundDocument::Claim;
 
-/// Values of sinh² that one bound file may ask for: a minute.
-constexpr std::size_t kMaxValues = 20'000'000;
+/// Values of sinh² that one bound file may ask for: a quarter of a minute. And darts of all triangulations together:
+/// half a gigabyte.
+constexpr std::size_t kMaxValues = 10'000'000;
+/// Values that take as long as the functions of a triangle, for each of its darts.
+constexpr std::size_t kFunctions = 10;
+constexpr std::size_t kMaxDarts = 25'000'000;
 
 /// A triangulation with one vertex: of each dart what is opposite, and the number of its element.
 struct Map {
@@ -84,6 +88,10 @@ class BoundRules {
   }
 
   void check_triangulations() {
+    const std::size_t darts = (document_.triangulations.size() + 1) * net_.darts();
+    if (darts > kMaxDarts)
+      throw TooLarge{"the triangulations have " + number(darts) + " darts, and this checker takes " +
+                     number(kMaxDarts)};
     Map first{std::vector<Index>(net_.darts()), std::vector<std::size_t>(net_.darts())};
     for (Index dart = 0; dart < net_.darts(); ++dart) {
       first.opposite[dart] = net_.opposite(dart);
@@ -135,9 +143,14 @@ class BoundRules {
   void flip(Map& map, Index d) {
     const Index e = map.opposite[d];
     if (d / 3 == e / 3) throw Refutation{"dart " + number(d) + " has one triangle on both sides"};
-    const Map old = map;
     // c → a, a → x, x → b, b → c.
     const std::array<Index, 4> from{previous(d), next(e), previous(e), next(d)};
+    std::array<Index, 4> across{};
+    std::array<std::size_t, 4> element{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      across[i] = map.opposite[from[i]];
+      element[i] = map.element[from[i]];
+    }
     const std::array<Index, 4> to{next(d), previous(d), next(e), previous(e)};
     const auto moved = [&](Index dart) {
       for (std::size_t i = 0; i < 4; ++i) {
@@ -146,12 +159,12 @@ class BoundRules {
       return dart;
     };
     for (std::size_t i = 0; i < 4; ++i) {
-      const Index across = moved(old.opposite[from[i]]);
-      map.opposite[to[i]] = across;
-      map.opposite[across] = to[i];
-      map.element[to[i]] = old.element[from[i]];
+      const Index other = moved(across[i]);
+      map.opposite[to[i]] = other;
+      map.opposite[other] = to[i];
+      map.element[to[i]] = element[i];
     }
-    const Isometry<R> product = net_.product(elements_[old.element[from[0]]], elements_[old.element[from[1]]]);
+    const Isometry<R> product = net_.product(elements_[element[0]], elements_[element[1]]);
     map.element[e] = elements_.size();
     map.element[d] = elements_.size() + 1;
     elements_.push_back(product);
@@ -233,7 +246,13 @@ class BoundRules {
   /// Lemma 25 at the middle of a side, with a triangle whose circumradius is at least LO + D.
   Answer is_far(const Cell& cell, const Map& map, Index side) {
     const Middle middle = middle_of(cell, side);
+    spend(kFunctions * net_.darts());
     const std::vector<Interval> h = values(map, middle.point);
+    // LO + D, to either end of the side and to the corner opposite.
+    std::array<Interval, 2> least;
+    for (std::size_t i = 0; i < 2; ++i) {
+      least[i] = square(sinh(Interval(document_.value[0]) + arcosh(i == 0 ? middle.half : middle.median)));
+    }
     std::vector<Interval> kappa(h.size()), areas;
     Interval all = -Interval(static_cast<long>(h.size() / 3) - 2) * Interval::pi();
     Answer result = Answer::yes;
@@ -246,13 +265,7 @@ class BoundRules {
       for (std::size_t i = 0; i < 3; ++i) kappa[t + i] = (x[(i + 1) % 3] + x[(i + 2) % 3] - x[i]) / sqrt(k);
       areas.push_back(2 * arctan(sqrt(k + product) / (2 + x[0] + x[1] + x[2])));
       all = all + areas.back();
-      // D, to either end of the side and to the corner opposite.
-      Answer wide_enough = Answer::yes;
-      for (const Interval& cosh : {middle.half, middle.median}) {
-        const Interval least = square(sinh(Interval(document_.value[0]) + arcosh(cosh)));
-        wide_enough = both(wide_enough, !is_less(product, k * least));
-      }
-      wide = either(wide, wide_enough);
+      wide = either(wide, both(!is_less(product, k * least[0]), !is_less(product, k * least[1])));
     }
     for (Index dart = 0; dart < h.size(); ++dart) {
       result = both(result, is_less(0, kappa[dart] + kappa[map.opposite[dart]]));

@@ -8,6 +8,9 @@
 namespace epsnet::exact {
 namespace {
 
+/// Bits of elements that are compared with those of all paths: some seconds.
+constexpr std::size_t kMostComparedBits = 4'000'000'000;
+
 std::string path_name(std::size_t i) { return "path " + number(i); }
 
 /// sinh² of half a distance.
@@ -31,6 +34,7 @@ class DistanceRules {
       const Isometry<R> element = net_.value(chart_, document_.paths[i]);
       if (is_listed(element)) throw Refutation{path_name(i) + " is another one again"};
       elements_.push_back(element);
+      bits_of_elements_ += bits(element);
       lengths_.push_back(length(element));
       const auto& [n, d] = lengths_.back();
       const Answer outside = either(is_less(n, d, lower_), is_more(lengths_.back()));
@@ -62,9 +66,17 @@ class DistanceRules {
   }
 
  private:
-  [[nodiscard]] bool is_listed(const Isometry<R>& element) const {
+  [[nodiscard]] bool is_listed(const Isometry<R>& element) {
+    spend(bits(element) * elements_.size() + bits_of_elements_);
     return std::any_of(elements_.begin(), elements_.end(),
                        [&](const auto& other) { return are_equal(element, other); });
+  }
+
+  void spend(std::size_t compared) {
+    if (compared > bits_left_)
+      throw TooLarge{"comparing " + number(document_.paths.size()) + " paths, two at a time, takes more than " +
+                     number(kMostComparedBits) + " bits"};
+    bits_left_ -= compared;
   }
 
   /// Of the path with the element g, from the vertex to g⁻¹ of the point.
@@ -87,6 +99,8 @@ class DistanceRules {
   SquaredSinh upper_;
   std::vector<Isometry<R>> elements_;
   std::vector<HalfDistance<R>> lengths_;
+  std::size_t bits_of_elements_ = 0;
+  std::size_t bits_left_ = kMostComparedBits;
 };
 
 }  // namespace

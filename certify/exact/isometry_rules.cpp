@@ -18,9 +18,11 @@ namespace {
 
 using Word = IsometriesDocument::Word;
 
-/// Letters that are read for the orbit of the cocycle, and pairs of loops that are compared.
+/// Letters that are read for the orbit of the cocycle, pairs of loops that are compared, and edges at vertices on the
+/// ways of possible isometries: some seconds each.
 constexpr std::size_t kMostLetters = 100'000'000;
-constexpr std::size_t kMostPairs = 10'000'000;
+constexpr std::size_t kMostPairs = 3'000'000;
+constexpr std::size_t kMostEdges = 1'000'000;
 
 bool may_be_equal(const Interval& x, const Interval& y) { return either(is_less(x, y), is_less(y, x)) != Answer::yes; }
 
@@ -250,10 +252,20 @@ class IsometryRules {
     return result;
   }
 
+  /// Before so many pairs of loops are compared, of which there may be `all`.
+  void spend_pairs(std::size_t pairs, std::size_t all) {
+    if (pairs > pairs_left_)
+      give_up(number(all) + " pairs of closed geodesics, and this checker compares " + number(kMostPairs));
+    pairs_left_ -= pairs;
+  }
+
   /// Two loops whose axes cross.
   Pair crossing_pair(const std::vector<std::vector<std::size_t>>& loops) {
+    const std::size_t all = std::accumulate(loops.begin(), loops.end(), std::size_t{0},
+                                            [](auto n, const auto& here) { return n + here.size() * here.size(); });
     for (const std::vector<std::size_t>& here : loops) {
       for (const std::size_t i : here) {
+        spend_pairs(here.size(), all);
         for (const std::size_t j : here) {
           if (j < i && basis_of({j, i}).axes_cross() == Answer::yes) return {j, i};
         }
@@ -266,21 +278,27 @@ class IsometryRules {
   std::vector<Pair> possible_images(const Pair& pair, const std::vector<std::vector<std::size_t>>& loops) {
     const Basis from = basis_of(pair);
     std::map<Pair, std::size_t> found;
-    std::size_t compared = 0;
+    // Loops that are as long as the first one of the pair.
+    std::vector<std::pair<std::size_t, const std::vector<std::size_t>*>> first;
+    std::size_t all = 0;
     for (const std::vector<std::size_t>& here : loops) {
       for (const std::size_t i : here) {
         const Vector u = Basis::normal(spectrum_.loops().all()[i].g);
         if (!may_be_equal(lorentz_product(u, u), from.uu)) continue;
-        if ((compared += here.size()) > kMostPairs) give_up("too many pairs of closed geodesics");
-        for (const std::size_t j : here) {
-          if (basis_of({i, j}).may_be_image_of(from)) found.emplace(Pair{i, j}, found.size());
-        }
+        first.emplace_back(i, &here);
+        all += here.size();
+      }
+    }
+    spend_pairs(all, all);
+    for (const auto& [i, here] : first) {
+      for (const std::size_t j : *here) {
+        if (basis_of({i, j}).may_be_image_of(from)) found.emplace(Pair{i, j}, found.size());
       }
     }
     std::vector<std::size_t> root(found.size());
     std::iota(root.begin(), root.end(), std::size_t{0});
     const auto find_root = [&](std::size_t n) {
-      while (root[n] != n) n = root[n];
+      for (; root[n] != n; n = root[n]) root[n] = root[root[n]];
       return n;
     };
     for (const auto& [image, n] : found) {
@@ -313,6 +331,9 @@ class IsometryRules {
     Index here = v;
     Motion frame;  // From the chart of the vertex that has been reached.
     for (;;) {
+      if (loops.leaving(here).size() > edges_left_)
+        give_up("possible isometries that move vertices across more than " + number(kMostEdges) + " edges");
+      edges_left_ -= loops.leaving(here).size();
       const Place target = image(compose(inverse(frame), g), loops.self(v));
       const Interval distance = loops.half_distance(here, target, v);
       bool is_nearest = true;
@@ -350,6 +371,8 @@ class IsometryRules {
   const IsometriesDocument& document_;
   NetRules<R>& net_;
   GeodesicRules<R> spectrum_;
+  std::size_t pairs_left_ = kMostPairs;
+  std::size_t edges_left_ = kMostEdges;
 };
 
 }  // namespace

@@ -21,6 +21,8 @@ Place image(const Motion& g, const Place& z) {
 
 namespace {
 
+/// Comparisons of points that differ, of which some squares may have many, as in very thin collars: some seconds.
+constexpr std::size_t kMostDifferent = 3'000'000;
 constexpr double kSquares = 1L << 30;
 constexpr double kError = 1.0 / (1L << 8);  ///< Of a place, in squares.
 
@@ -54,6 +56,7 @@ std::optional<std::size_t> PointTable::find(Index vertex, const Place& place,
       if (found == numbers_.end()) continue;
       for (const std::size_t number : found->second) {
         if (decided(is_same(number), "whether two lifts of a vertex are the same")) return number;
+        if (++different_ > kMostDifferent) leave_loops_out();
       }
     }
   }

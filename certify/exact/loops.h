@@ -75,12 +75,14 @@ template <class R>
 class PointTable {
  public:
   void insert(Index vertex, const Place& place, std::size_t number);
-  /// The number of which is_same(number) is yes; all those of points that may be equal are asked.
+  /// The number of which is_same(number) is yes; all those of points that may be equal are asked. Throws LeftOut if
+  /// these are too many, for all points together.
   [[nodiscard]] std::optional<std::size_t> find(Index vertex, const Place& place,
                                                 const std::function<Answer(std::size_t)>& is_same) const;
 
  private:
   std::map<std::tuple<Index, long, long>, std::vector<std::size_t>> numbers_;  ///< In squares of width 2⁻³⁰.
+  mutable std::size_t different_ = 0;                                          ///< That were compared.
 };
 
 /// The elements of the group at all vertices of a net that can be closed geodesics of length at most L. The rules of

@@ -103,6 +103,8 @@ void NetRules<R>::check_gluing() {
                                         label_number(other)};
     const auto& [a, b, c, d] = equation;
     if ((a == c && b == d) || (a == b && c == d) || !known.insert(equation).second) continue;
+    // Labels are multiplied once for each equation, however large they are.
+    for (const Index number_of_label : equation) spend(bits(label(number_of_label)));
     const Isometry<R> left = compose(label(a), inverse(label(b)));
     const Isometry<R> right = compose(label(c), inverse(label(d)));
     if (!are_equal(left, right)) throw Refutation{edge_name(dart) + ": the labels differ"};

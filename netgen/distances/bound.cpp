@@ -356,7 +356,10 @@ void move_to(Triangulation& triangulation, const Point& target) {
   const Complex<Number> goal = in_disk(unit(target));
   double part = 1;
   constexpr int kMostSteps = 10'000;
-  for (int steps = 0; steps < kMostSteps; ++steps) {
+  // A point that is not found lies beyond very many tiles; half-way there it is found, or soon.
+  constexpr int kMostLost = 100;
+  int lost = 0;
+  for (int steps = 0; steps < kMostSteps && lost < kMostLost; ++steps) {
     const Vertex vertex = triangulation.vertex(VertexId(0));
     // The goal in the chart of the vertex.
     const Complex<Number> end =
@@ -371,6 +374,7 @@ void move_to(Triangulation& triangulation, const Point& target) {
     const auto point =
         triangulation.lifted_point(vertex.chart, (step + here) / (one + conj(here) * step), Atlas::Precision::binary64);
     const Dart d = make_dart(TriangleId(0), 0);
+    if (!point) ++lost;
     if (!point || !move_vertex(triangulation, d, *point)) {
       part /= 2;
       continue;

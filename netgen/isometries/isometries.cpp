@@ -502,8 +502,11 @@ IsometryGroup isometries(const Surface& surface, const IsometryOptions& options)
   for (const Motion<Number>& f : generators) group.generators_.push_back(*classes->find(f, false));
   group.isometries_.resize(classes->size());
   certify::for_each_parallel(classes->size(), certify::thread_count(options.threads), [&](unsigned, std::size_t i) {
-    group.isometries_[i] =
-        *surface_isometry(source.generators, tiles, classes->motion_of(static_cast<std::uint32_t>(i)));
+    std::optional<SurfaceIsometry> isometry =
+        surface_isometry(source.generators, tiles, classes->motion_of(static_cast<std::uint32_t>(i)));
+    // The numbers of a product may be worse than those of the isometries that are multiplied.
+    if (!isometry) throw LimitError("the numbers of the surface are too large to follow all of its isometries");
+    group.isometries_[i] = *std::move(isometry);
   });
   const Homology homology(surface);
   for (std::size_t i = 0; i < group.size(); ++i) {

@@ -660,7 +660,7 @@ def eigenvalues_file(name="octagon-5"):
         return json.load(file)
 
 
-def filled(result, key, row):
+def with_rows(result, key, row):
     """With so many rows that the file is nearly as large as it may be."""
     result[key] = result[key] + [row] * ((SIZE - 40_000) // len(json.dumps(row) + ", "))
     return result
@@ -669,19 +669,19 @@ def filled(result, key, row):
 @kind
 def eigenvalues_of_many_counts():
     result = eigenvalues_file()
-    return filled(result, "at_most", result["at_most"][1])
+    return with_rows(result, "at_most", result["at_most"][1])
 
 
 @kind
 def eigenvalues_of_many_counts_by_vertices():
     result = eigenvalues_file()
-    return filled(result, "at_least", result["at_least"][1])
+    return with_rows(result, "at_least", result["at_least"][1])
 
 
 @kind
 def eigenvalues_of_many_intervals():
     result = eigenvalues_file()
-    return filled(result, "eigenvalues", {"in": [0, 1e308], "count": 4294967295})
+    return with_rows(result, "eigenvalues", {"in": [0, 1e308], "count": 4294967295})
 
 
 def divided(halvings, order_of):
@@ -812,6 +812,75 @@ def isometries_of_long_words():
     result = isometries_file()
     word = result["pair"][0]
     result["isometries"][0]["images"][0] = word * ((SIZE - 60_000) // (2 * len(word)))
+    return result
+
+
+@kind
+def isometries_of_many_geodesics():
+    """A spectrum with thousands of crossing points, none of which tells that there are no more isometries."""
+    bolza = ["regular", "--genus", "2"]
+    result = epsnet("isometries", surface=bolza)
+    spectrum = epsnet("spectrum", "--up-to", "8", surface=bolza)
+    result.update({key: spectrum[key] for key in ("net", "geodesics", "clusters", "up_to")}, isometries=[], order=1)
+    return result
+
+
+@kind
+def isometries_of_powers():
+    """Of a surface with a very short geodesic that crosses no other one of its spectrum: loops are powers of it."""
+    def surface(cuff):
+        return ["fenchel-nielsen", "--pants-graph", "0-0 0-1 1-1", "--lengths", f"{cuff},2,3", "--seed", "1"]
+    result = epsnet("isometries", surface=surface("0.011"))
+    spectrum = epsnet("spectrum", "--up-to", "1", surface=surface("0.0005"))
+    result.update({key: spectrum[key] for key in ("net", "geodesics", "clusters", "up_to")}, isometries=[], order=1)
+    return result
+
+
+@kind
+def distance_of_many_paths():
+    with open(os.path.join(data, "distances", "four-equal.json")) as file:
+        result = json.load(file)
+    words = [[]]
+    while len(words) < 45_000:
+        words += [[*word, side] for word in words[len(words) // 4:] for side in range(4)]
+    result.update(distance=[0.001, 300], equal=False, paths=words[1:45_000])
+    return result
+
+
+@kind
+def bound_of_many_triangulations():
+    document = regular_net(20)
+    triangles = len(document["triangles"])
+    result = {"format": "epsnet-cover", "version": 1, "claim": "diameter", "net": document, "value": [0.1, 100],
+              "cells": [[3]] * triangles, "triangulations": []}
+    result["triangulations"] = [[0]] * ((SIZE - len(json.dumps(result))) // 4)
+    return result
+
+
+@kind
+def bound_of_many_cells():
+    """A diameter with cells that are cut again and again; what bounds a cell bounds its parts."""
+    with open(os.path.join(data, "bounds", "octagon-diameter.json")) as file:
+        result = json.load(file)
+
+    def cut(entry, depth):
+        return [entry] if depth == 0 else [depth % 3, *cut(entry, depth - 1), *cut(entry, depth - 1)]
+    cells, many = result["cells"], result["cells"]
+    depth = 0
+    while len(json.dumps(many, separators=(",", ":"))) < SIZE - 20_000:
+        result["cells"], depth = many, depth + 1
+        many = [[part for entry in row for part in ([entry] if entry < 3 else cut(entry, depth))] for row in cells]
+    return result
+
+
+@kind
+def thick_thin_without_its_shortest_geodesic():
+    """Of length 10⁻²⁵: its powers take a vertex to lifts that are all in one place."""
+    result = geodesics("one-cuff-of-1e-25")
+    del result["geodesics"][0]
+    result["pieces"] = [{**piece, "boundaries": [[i - 1, side] for i, side in piece["boundaries"] if i > 0]}
+                        for piece in result["pieces"]]
+    result["clusters"] = [{"first": i, "count": 1, "equal": True} for i in range(len(result["geodesics"]))]
     return result
 
 

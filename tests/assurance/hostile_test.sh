@@ -68,6 +68,12 @@ expect eigenvalues-of-a-thousand-functions-of-order-1 ''
 expect eigenvalues-of-many-rows-of-functions UNDECIDED
 expect isometries-of-many-rows VERIFIED
 expect isometries-of-long-words UNDECIDED
+expect isometries-of-many-geodesics UNDECIDED
+expect isometries-of-powers UNDECIDED
+expect distance-of-many-paths ''
+expect bound-of-many-triangulations ''
+expect bound-of-many-cells ''
+expect thick-thin-without-its-shortest-geodesic ''
 expect thick-thin-of-long-words VERIFIED
 expect thick-thin-of-a-long-conjugate ''
 expect empty-arrays-many MALFORMED

@@ -134,6 +134,36 @@ TEST(AxisCrossings, AreThoseOfTheElementOrNoneHoweverWellItIsKnown) {
   EXPECT_GT(none, 100);
 }
 
+TEST(AxisCrossings, OfOtherDartsNoneIsCertainHoweverWellTheElementIsKnown) {
+  // As far as a dart, and there the other way: one end of it is on the wrong side of the axis.
+  const Moved moved(kBolza, 0, kWords);
+  const NetDocument& net = moved.lifted.net();
+  std::mt19937 random(1);
+  int refused = 0;
+  int open = 0;
+  for (std::size_t i = 0; i < kWords.size(); ++i) {
+    const auto expected = moved.crossings(moved.lifted.element(i));
+    ASSERT_TRUE(expected);
+    const BallIsometry element = element_across(moved.lifted.plane(), expected->darts);
+    for (std::size_t k = 1; k < expected->darts.size(); ++k) {
+      const std::vector<std::uint32_t> right(expected->darts.begin(),
+                                             expected->darts.begin() + static_cast<std::ptrdiff_t>(k + 1));
+      std::vector<std::uint32_t> wrong = right;
+      const std::uint32_t back = opposite(net, wrong[k - 1]);
+      wrong[k] = wrong[k] == next_dart(back) ? previous_dart(back) : next_dart(back);
+      for (int bits = 2; bits < 40; ++bits) {
+        const BallIsometry blurred = blurred_somehow(element, bits, random);
+        EXPECT_NE(crosses(moved.net, blurred, right), Tri::no) << i << ", " << k << ", " << bits;
+        const Tri crosses_wrong = crosses(moved.net, blurred, wrong);
+        EXPECT_NE(crosses_wrong, Tri::yes) << i << ", " << k << ", " << bits;
+        ++(crosses_wrong == Tri::no ? refused : open);
+      }
+    }
+  }
+  EXPECT_GT(refused, 100);
+  EXPECT_GT(open, 100);
+}
+
 TEST(AxisCrossings, AreNotFoundForWhatHasNoAxis) {
   const Moved moved(kBolza, 0, kWords);
   EXPECT_FALSE(moved.crossings(identity_isometry()));

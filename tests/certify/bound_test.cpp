@@ -335,6 +335,45 @@ TEST(Bound, WideBallsDecideNothing) {
   }
 }
 
+/// With the triangles numbered from another one on.
+BoundDocument renumbered(BoundDocument document, std::uint32_t shift) {
+  const auto count = static_cast<std::uint32_t>(document.net.triangles.size());
+  const auto new_dart = [&](std::uint32_t dart) { return (dart + 3 * shift) % (3 * count); };
+  for (auto& triangle : document.net.triangles) {
+    for (std::uint32_t& dart : triangle.opposite) dart = new_dart(dart);
+  }
+  for (auto& row : document.triangulations) {
+    for (std::uint32_t& dart : row.flips) dart = new_dart(dart);
+  }
+  std::rotate(document.net.triangles.rbegin(), document.net.triangles.rbegin() + shift, document.net.triangles.rend());
+  std::rotate(document.cells.rbegin(), document.cells.rbegin() + shift, document.cells.rend());
+  return document;
+}
+
+TEST(Bound, ATriangleThatIsOpenIsNotForgottenForLaterOnes) {
+  // Flips of two edges, and back: bits are lost of some triangles, and it does not matter which of all are the last.
+  BoundDocument document = read_file<BoundDocument>(std::string(EPSNET_TEST_DATA) + "/bounds/octagon-diameter.json");
+  const auto verdict = [](const BoundDocument& d, slong bits) {
+    return check(d, {.threads = 1, .max_precision = bits, .max_work = std::uint64_t{1} << 50}).verdict;
+  };
+  for (std::uint32_t shift = 0; shift < 6; ++shift) {
+    EXPECT_EQ(verdict(renumbered(document, shift), 8192), Verdict::verified) << shift;
+  }
+  document.triangulations = {{}};
+  for (auto& row : document.cells) row = {3 + 1};
+  document.value.upper = 8;
+  for (const std::uint32_t length : {0U, 15U, 22U}) {
+    auto& flips = document.triangulations[0].flips;
+    flips.clear();
+    for (std::uint32_t k = 0; k < length; ++k) flips.push_back(k % 2);
+    for (std::uint32_t k = length; k-- > 0;) flips.insert(flips.end(), 3, k % 2);
+    const Verdict expected = length < 22 ? Verdict::verified : Verdict::undecided;
+    for (std::uint32_t shift = 0; shift < 6; ++shift) {
+      EXPECT_EQ(verdict(renumbered(document, shift), 128), expected) << length << ", " << shift;
+    }
+  }
+}
+
 TEST(Bound, ARefutedRuleCountsMoreThanOneThatIsOpen) {
   for (BoundDocument document : all_files()) {
     document.value.lower += 1e-12;

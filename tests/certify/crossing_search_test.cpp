@@ -109,6 +109,17 @@ TEST(CrossingSearch, VerifiesLists) {
   }
 }
 
+/// The same of all lists is deep.
+TEST(CrossingSearch, MissesWhicheverIsLeftOutOfARandomOctagon) {
+  const GeodesicsDocument document = load("octagon-5-to-6");
+  const auto step = static_cast<std::size_t>(std::ceil(0.3 / test::multiplier()));
+  for (std::size_t i = 0; i < document.geodesics.size(); i += step) {
+    const Certificate certificate = check(without(document, i));
+    EXPECT_EQ(certificate.verdict, Verdict::refuted) << "geodesic " << i;
+    EXPECT_EQ(certificate.rule, "complete") << "geodesic " << i << ": " << certificate.message;
+  }
+}
+
 TEST(DeepCrossingSearch, MissesWhicheverIsLeftOut) {
   const auto step = static_cast<std::size_t>(std::ceil(1 / test::multiplier()));  // With sanitizers, not all of them.
   for (const std::string& name : kLists) {

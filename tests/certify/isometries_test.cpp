@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <string>
@@ -86,6 +89,22 @@ TEST(Isometries, AnyPathsWillDo) {
   Document document = fenchel_nielsen();
   ASSERT_TRUE(document.isometries.empty());
   for (Word& path : document.paths) path = joined(document.pair[0], path);
+  EXPECT_EQ(outcome(document), "VERIFIED");
+}
+
+TEST(Isometries, OnSeveralTilesElementsAreThoseOfThePaths) {
+  // Two tiles with an involution f. Paths that begin with a closed one, w, conjugate all elements by it, and their
+  // images by f w f⁻¹.
+  Document document = read("fenchel-nielsen-2");
+  ASSERT_EQ(document.paths.size(), 2U);
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  EXPECT_EQ(orbit_size(SurfaceSides(document.net.surface), document, {}), 2U);
+  for (Word& path : document.paths) path = joined(document.pair[0], path);
+  EXPECT_EQ(outcome(document), "REFUTED: isometries");
+  std::vector<Word>& images = document.isometries[0].images;
+  for (std::size_t k = 2; k < images.size(); ++k) {
+    images[k] = joined(joined(images[0], images[k]), reversed(document, images[0]));
+  }
   EXPECT_EQ(outcome(document), "VERIFIED");
 }
 
@@ -206,6 +225,27 @@ TEST(Isometries, GeodesicsOfWhichNoTwoCrossDecideNothing) {
   EXPECT_THAT(certificate.message, HasSubstr("no two of the geodesics cross"));
 }
 
+TEST(Isometries, CrossingPointsAreComparedAsLongAsThereIsWork) {
+  // None of them tells that there is nothing but the identity: all are compared, with more and more bits.
+  Document document = octagon();
+  document.isometries.clear();
+  document.order = 1;
+  const auto message_with = [&](std::uint64_t work) {
+    const Certificate certificate = check(document, {.threads = 2, .max_precision = 256, .max_work = work});
+    EXPECT_EQ(certificate.verdict, Verdict::undecided);
+    return certificate.message;
+  };
+  const std::uint64_t all = checked(document).counts.work;
+  EXPECT_EQ(message_with(all), "there are at most 2, with 256 bits");
+  std::size_t points = 0;
+  for (std::uint64_t part = 1; part < 50; ++part) {
+    const std::string message = message_with(all * part / 50);
+    EXPECT_THAT(message, HasSubstr("needs more work than a file of this size may take"));
+    if (message.find(" crossing points, which may take ") != std::string::npos) ++points;
+  }
+  EXPECT_GT(points, 2U);
+}
+
 // Structure.
 
 TEST(Isometries, WhatIsMalformedIsNamed) {
@@ -297,6 +337,71 @@ TEST(Conjugation, WhereOneSignOfATraceDiffersThereIsNone) {
   EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{{0}, {0}}, {{1}, {1}}}, {}), true);
   EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{{0}, {0}}, {{1}, {5}}}, {}), false);
   EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{{0}, {0}}, {{1}, {1}}, {{2}, {6}}}, {}), false);
+}
+
+/// A word of a regular octagon with opposite sides glued, in binary64.
+std::array<std::complex<double>, 2> value_of(const Word& word) {
+  const double cosh = 1 / std::tan(M_PI / 8);
+  std::complex<double> a = 1;
+  std::complex<double> b = 0;
+  for (const std::uint32_t s : word) {
+    const std::complex<double> c = -std::sqrt(cosh * cosh - 1) * std::polar(1.0, M_PI * s / 4);
+    // The crossing after what was before.
+    const std::complex<double> next_a = cosh * a + c * std::conj(b);
+    b = cosh * b + c * std::conj(a);
+    a = next_a;
+  }
+  if (a.real() < 0) return {-a, -b};
+  return {a, b};
+}
+
+double trace_of_product(const std::array<std::complex<double>, 2>& f, const std::array<std::complex<double>, 2>& g) {
+  return (f[0] * g[0] + f[1] * std::conj(g[1])).real();
+}
+
+TEST(Conjugation, ComparesTheTracesOfFourProductsWithOneSign) {
+  // Of all pairs of short words, those that have three of the four traces in common or all of them up to signs.
+  const Crossings crossings = regular_crossings();
+  std::vector<Word> words{{}};
+  for (std::size_t i = 0; words.size() < 1 + 8 + 56 + 392; ++i) {
+    for (std::uint32_t s = 0; s < 8; ++s) {
+      if (words[i].empty() || words[i].back() != (s + 4) % 8) words.push_back(joined(words[i], {s}));
+    }
+  }
+  int same = 0;
+  int different = 0;
+  for (const auto& [x, y] : {std::pair{Word{0}, Word{1}}, {Word{0}, Word{2}}, {Word{0}, Word{0, 5}}}) {
+    const auto fx = value_of(x);
+    const auto fy = value_of(y);
+    const std::array<std::complex<double>, 2> fxy{fx[0] * fy[0] + fx[1] * std::conj(fy[1]),
+                                                  fx[0] * fy[1] + fx[1] * std::conj(fy[0])};
+    std::vector<std::array<double, 4>> traces;
+    for (const Word& word : words) {
+      const auto g = value_of(word);
+      traces.push_back({g[0].real(), trace_of_product(fx, g), trace_of_product(fy, g), trace_of_product(fxy, g)});
+    }
+    for (std::size_t i = 9; i < words.size(); i += 7) {
+      for (std::size_t j = 9; j < words.size(); ++j) {
+        int up_to_sign = 0;
+        bool plus = true;
+        bool minus = true;
+        for (std::size_t k = 0; k < 4; ++k) {
+          const double u = traces[i].at(k);
+          const double v = traces[j].at(k);
+          if (std::abs(std::abs(u) - std::abs(v)) < 1e-6 * std::abs(u) + 1e-9) ++up_to_sign;
+          plus = plus && std::abs(u - v) < 1e-6 * std::abs(u) + 1e-9;
+          minus = minus && std::abs(u + v) < 1e-6 * std::abs(u) + 1e-9;
+        }
+        if (up_to_sign < 3) continue;
+        ++(plus || minus ? same : different);
+        EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{x, x}, {y, y}, {words[i], words[j]}}, {}),
+                  plus || minus)
+            << i << ", " << j;
+      }
+    }
+  }
+  EXPECT_GT(same, 50);
+  EXPECT_GT(different, 50);
 }
 
 TEST(Conjugation, OfTheIdentityIsTheIdentity) {

@@ -135,6 +135,26 @@ lines=$("$certify" --json "$good" "$refuted" "$missing" "$other" 2>/dev/null | g
 if [ "$lines" != 4 ]; then fail "--json of four files has $lines objects"; fi
 expect 1 '{"verdict": "VERIFIED", "file": ' --json "$refuted" "$other"
 
+# An interval contains its number, in JSON as in lines: 2 arcosh of a square root and 4 pi are no decimals.
+for file in "$good" "$other"; do
+  json=$("$certify" --json "$file")
+  "$certify" "$file" | grep '^[a-z_]*: \[' | {
+    count=0
+    while IFS= read -r line; do
+      count=$((count + 1))
+      case $json in
+        *"\"${line%%: *}\": ${line#*: }"[,}]*) ;;
+        *) echo "--json $file has not the line '$line'" ; exit 1 ;;
+      esac
+    done
+    [ "$count" -ge 4 ] || { echo "$file: $count intervals"; exit 1; }
+  } || fail "--json $file: intervals"
+done
+# 4 pi is 12.566370614359172953…, which is not below the nearest binary64.
+area='12.566370614359172, 12.566370614359175'
+says "area: [$area]" "$good"
+"$certify" --json "$good" | grep -q "\"area\": \[$area\]" || fail "--json $good: the area does not lie in [$area]"
+
 if [ -w /dev/full ]; then
   "$certify" "$good" >/dev/full 2>/dev/null
   if [ $? != 70 ]; then fail "a full disk does not give exit code 70"; fi

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
@@ -172,6 +173,25 @@ TEST(RegularMaps, BallsContainTheExactCrossings) {
       EXPECT_TRUE(arb_contains_zero(same_direction.im()));
     }
   }
+}
+
+TEST(RegularMaps, PowersMayBeOddWhereSidesOfOneParityAreGluedToTheOther) {
+  // An octagon of type {8, 8} with opposite sides glued, all of whose crossings have even powers, and one with pairs
+  // of sides whose numbers have an odd sum. Its one vertex makes eight ties, which are exact.
+  NetDocument net = file("map-of-one-octagon-with-odd-sums-of-sides.json");
+  const Certificate certificate = check(net);
+  EXPECT_EQ(certificate.verdict, Verdict::verified) << certificate.message;
+  EXPECT_EQ(certificate.ties.size(), 5U);
+  EXPECT_EQ(std::count_if(net.surface.gluing.begin(), net.surface.gluing.end(),
+                          [](const auto& row) { return (row.side + row.other_side) % 2 != 0; }),
+            2);
+  const auto order = [](const SurfaceDocument& surface) {
+    return RegularCrossings(surface.map_tile, SurfaceSides(surface).partner).ring().order();
+  };
+  EXPECT_EQ(order(net.surface), 16U);
+  net.surface.gluing.clear();
+  for (std::uint32_t k = 0; k < 4; ++k) net.surface.gluing.push_back({0, k, 0, k + 4});
+  EXPECT_EQ(order(net.surface), 8U);
 }
 
 TEST(RegularMaps, TheRootMayBeANumberOfTheField) {

@@ -43,6 +43,18 @@ good isometries s.json
 grep -q '^isometries: 2, of which 2 preserve orientation$' output || complain "the symmetries of an octagon: $(cat output)"
 good isometries s.json --json --threads 1
 grep -q '"fixed_points": *6' output || complain "the hyperelliptic involution has 6 fixed points: $(cat output)"
+# Three cuffs so short that a product of isometries takes generators too far away.
+good surface fenchel-nielsen --pants-graph '0-0 0-1 1-1' --lengths 0.011,0.011,0.011 --seed 1 -o thin.json
+bad 1 '^epsnet: the numbers of the surface are too large to follow all of its isometries' isometries thin.json -o out/x.json
+# A disk of least radius about a corner of regular tiles, whose coordinates are rounded.
+cat >corners.json <<'END'
+{"format": "epsnet-surface", "version": 1, "surface": {"kind": "map", "p": 8, "q": 3, "gluing": [
+[0, 0, 1, 0], [1, 7, 2, 1], [2, 0, 0, 1], [0, 7, 4, 7], [2, 7, 3, 0], [3, 1, 5, 5], [4, 0, 3, 2], [0, 2, 3, 7],
+[0, 3, 4, 3], [0, 4, 1, 4], [0, 5, 2, 4], [0, 6, 3, 3], [4, 6, 1, 1], [4, 5, 5, 0], [5, 1, 3, 5], [2, 2, 5, 2],
+[1, 2, 5, 7], [1, 3, 2, 5], [1, 5, 4, 2], [1, 6, 5, 3], [5, 4, 4, 1], [2, 3, 3, 4], [2, 6, 5, 6], [3, 6, 4, 4]]}}
+END
+good radius corners.json --width 1 -o corner-radius.json
+verified corner-radius.json
 good isometric s.json net.json
 grep -q '^isometric: yes$' output || complain "a surface is isometric to itself: $(cat output)"
 good pants s.json -o pants.json --json --threads 1

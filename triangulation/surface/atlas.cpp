@@ -243,6 +243,11 @@ std::optional<Atlas::TilePoint> Atlas::walk_through_tiles(TileId tile, const Com
   constexpr std::size_t kLongestPath = 10'000;
   TilePoint point{tile, z, {}};
   std::optional<SideId> entered;
+  // At a corner of tiles every tile may seem to have the point beyond a side, as corners are rounded: the way leads
+  // around the corner, and back to where it was. (Other lifts of a point are farther away than any rounding.)
+  const Mp1024 rounding = ldexp(Mp1024(1), -200);
+  TilePoint before = point;
+  std::size_t next_before = 1;
   while (const std::optional<SideId> s = charts_.side_before(point.tile, point.z, entered)) {
     point.z = words_.crossing<Mp1024>(*s)(point.z);
     point.path.push_back(*s);
@@ -250,6 +255,13 @@ std::optional<Atlas::TilePoint> Atlas::walk_through_tiles(TileId tile, const Com
     point.tile = surface().tile_of_side(*entered);
     if (point.path.size() > kLongestPath) {
       return std::nullopt;
+    }
+    if (point.tile == before.tile && norm(point.z - before.z) < rounding * rounding) {
+      return before;
+    }
+    if (point.path.size() == next_before) {
+      before = point;
+      next_before *= 2;
     }
   }
   return point;

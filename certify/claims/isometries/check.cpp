@@ -59,7 +59,7 @@ class IsometriesCheck {
             kFirstBits);
       }
     } catch (const BudgetSpent& spent) {
-      rules_.give_up(spent.what());
+      rules_.give_up(so_far_ + spent.what());
     }
     rules_.conclude(run);
   }
@@ -165,16 +165,29 @@ class IsometriesCheck {
   }
 
   /// The least of the bounds that crossing points of the geodesics give, as far as they are needed; 0 if there is none.
-  [[nodiscard]] std::uint64_t least_frames(const LiftedPlane& plane, const CrossingGeodesics& geodesics) const {
-    std::uint64_t least = 0;
+  [[nodiscard]] std::uint64_t least_frames(const LiftedPlane& plane, const CrossingGeodesics& geodesics) {
+    // One geodesic for each length.
+    std::size_t points = 0;
+    double work = 0;
+    plane.spend(document_.clusters.size(), geodesics.points.size());
     for (const GeodesicsDocument::Cluster& cluster : document_.clusters) {
-      // One for each length.
+      const auto size = geodesics.points[cluster.first].size();
+      points += size;
+      work += static_cast<double>(size) * most_frames_work(plane, geodesics, cluster.first);
+    }
+    std::uint64_t least = 0;
+    std::size_t asked = 0;
+    for (const GeodesicsDocument::Cluster& cluster : document_.clusters) {
       for (std::size_t k = 0; k < geodesics.points[cluster.first].size(); ++k) {
+        so_far_ = (least == 0 ? "" : "there are at most " + std::to_string(least) + ", ") + "by " +
+                  std::to_string(asked++) + " of " + counted(points, "crossing point", "crossing points") +
+                  ", which may take " + decimal_above(work, 2) + " units of work; ";
         const std::uint64_t found = possible_frames(plane, geodesics, cluster.first, k);
         if (least == 0 || found < least) least = found;
         if (least <= document_.order) return least;
       }
     }
+    so_far_ = "there are at most " + std::to_string(least) + ", by all crossing points; ";
     return least;
   }
 
@@ -188,6 +201,7 @@ class IsometriesCheck {
   LabelEvaluator evaluator_;
   std::vector<std::uint32_t> first_darts_;
   OpenRules rules_;
+  std::string so_far_;  ///< What is known if the work is used up now.
 };
 
 std::string text_of(const IsometriesDocument& document) {

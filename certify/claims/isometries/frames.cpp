@@ -99,6 +99,7 @@ class Finder {
       if (side == 0) known_ = false;
     }
     const Ball cosine = point->sign * product;
+    net_.plane().keep(4);
     points_[x.geodesic].push_back({x.along + asinh(value(x.row, point->vector)), cosine, y.geodesic});
     points_[y.geodesic].push_back({y.along + asinh(value(y.row, point->vector)), -cosine, x.geodesic});
   }
@@ -122,10 +123,14 @@ struct Frame {
   int orientation;
 };
 
+/// Operations of balls for a look at two crossing points, and for their distances.
+constexpr std::uint64_t kAlikeOperations = 10;
+constexpr std::uint64_t kDistanceOperations = 36;
+
 class Comparison {
  public:
-  Comparison(const CrossingGeodesics& geodesics, const Frame& from, const Frame& to)
-      : geodesics_(geodesics), from_(from), to_(to) {}
+  Comparison(const LiftedPlane& plane, const CrossingGeodesics& geodesics, const Frame& from, const Frame& to)
+      : plane_(plane), geodesics_(geodesics), from_(from), to_(to) {}
 
   /// Whether an isometry may take one frame to the other: it takes crossing points to such points.
   [[nodiscard]] bool possible() const {
@@ -133,6 +138,7 @@ class Comparison {
     const auto& there = points(to_);
     if (!alike(here[from_.point], there[to_.point])) return false;
     return std::all_of(here.begin(), here.end(), [&](const CrossingPoint& x) {
+      plane_.spend(kAlikeOperations, there.size());
       return std::any_of(there.begin(), there.end(),
                          [&](const CrossingPoint& y) { return alike(x, y) && as_far(x, y); });
     });
@@ -150,15 +156,23 @@ class Comparison {
 
   /// Whether two points may be equally far from the frames, modulo the length of the geodesic.
   [[nodiscard]] bool as_far(const CrossingPoint& x, const CrossingPoint& y) const {
+    plane_.spend(kDistanceOperations);
     const Ball here = x.along - points(from_)[from_.point].along;
     const Ball there = to_.direction * (y.along - points(to_)[to_.point].along);
     return may_be_integer((here - there) / geodesics_.lengths[from_.geodesic]);
   }
 
+  const LiftedPlane& plane_;
   const CrossingGeodesics& geodesics_;
   const Frame& from_;
   const Frame& to_;
 };
+
+/// Whether an isometry may take one closed geodesic of the list to another: it takes crossing points to such points.
+bool may_correspond(const CrossingGeodesics& geodesics, std::size_t one, std::size_t other) {
+  return geodesics.points[one].size() == geodesics.points[other].size() &&
+         may_be_equal(geodesics.lengths[one], geodesics.lengths[other]);
+}
 
 }  // namespace
 
@@ -172,19 +186,27 @@ std::uint64_t possible_frames(const LiftedPlane& plane, const CrossingGeodesics&
   const Frame from{geodesic, point, 1, 1};
   const std::size_t size = geodesics.points[geodesic].size();
   std::uint64_t result = 0;
+  plane.spend(1, geodesics.points.size());
   for (std::size_t i = 0; i < geodesics.points.size(); ++i) {
-    // One to the other, an isometry takes the crossing points of the two to each other.
-    if (geodesics.points[i].size() != size || !may_be_equal(geodesics.lengths[i], geodesics.lengths[geodesic]))
-      continue;
+    if (!may_correspond(geodesics, geodesic, i)) continue;
     for (std::size_t k = 0; k < size; ++k) {
-      plane.spend(4 * size);
+      plane.spend(4 * kAlikeOperations);
       for (const auto& [direction, orientation] : {std::pair{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
         const Frame to{i, k, direction, orientation};
-        if (Comparison(geodesics, from, to).possible()) ++result;
+        if (Comparison(plane, geodesics, from, to).possible()) ++result;
       }
     }
   }
   return result;
+}
+
+double most_frames_work(const LiftedPlane& plane, const CrossingGeodesics& geodesics, std::size_t geodesic) {
+  double like = 0;
+  for (std::size_t i = 0; i < geodesics.points.size(); ++i) like += may_correspond(geodesics, geodesic, i) ? 1 : 0;
+  const auto size = static_cast<double>(geodesics.points[geodesic].size());
+  const double pairs = size * size * (kAlikeOperations + kDistanceOperations);
+  return 4 * like * size * (pairs + kAlikeOperations) *
+         static_cast<double>(ball_work(static_cast<std::uint64_t>(plane.precision())));
 }
 
 }  // namespace epsnet::certify

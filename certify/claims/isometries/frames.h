@@ -34,4 +34,8 @@ struct CrossingGeodesics {
 [[nodiscard]] std::uint64_t possible_frames(const LiftedPlane& plane, const CrossingGeodesics& geodesics,
                                             std::size_t geodesic, std::size_t point);
 
+/// The work that this takes at most, for one point of the geodesic. O(geodesics).
+[[nodiscard]] double most_frames_work(const LiftedPlane& plane, const CrossingGeodesics& geodesics,
+                                      std::size_t geodesic);
+
 }  // namespace epsnet::certify

@@ -70,4 +70,36 @@ Part<Range, true> but_last(unsigned number, Range&& range) {
   return {std::forward<Range>(range), number};
 }
 
+/// A range of its first element alone if the mutant is active.
+template <class Range>
+struct First {
+  Range range;
+  unsigned number;
+  [[nodiscard]] auto begin() { return std::begin(range); }
+  [[nodiscard]] auto end() {
+    const auto first = std::begin(range);
+    const auto end = std::end(range);
+    return !at(number) || first == end ? end : std::next(first);
+  }
+};
+template <class Range>
+First<Range> first_alone(unsigned number, Range&& range) {
+  return {std::forward<Range>(range), number};
+}
+template <class Iterator>
+Iterator after_first(Iterator first, Iterator last) {
+  return first == last ? last : std::next(first);
+}
+
+/// An interval of its centre alone, or a ball without its radius.
+template <class T>
+T centre(T x) {
+  if constexpr (requires { x.lower = x.upper; }) {
+    x.lower = x.upper = (x.lower + x.upper) / 2;
+  } else {
+    arb_get_mid_arb(x.get(), x.get());
+  }
+  return x;
+}
+
 }  // namespace mutant

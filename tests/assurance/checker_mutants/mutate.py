@@ -12,8 +12,13 @@ are built from the text of the source. One change of a place is one mutant:
   logic        && to || and back; each operand alone; ! dropped
   condition    of if and ?: and of a returned bool forced to true and to false; of a loop to false
   arithmetic   + and -, * and /, += and -=, shifts exchanged; a remainder or a unary minus dropped
+  term         a sum, a difference, or `both` and `either` of answers, without one of the two
+  factor       a product without one of the two, a quotient undivided; a square, a double or a half of a number
+  argument     of a call, for another one of the same type
+  centre       of an interval or a ball, for the whole of it
   constant     literals and named constants: plus and minus 1, doubled, halved; bool literals; enumerators
   bound        a loop ends one step early, or omits the first or the last of a range; a parallel loop likewise
+  first        of a range or of a loop's steps, and of what all_of, any_of and none_of ask, for all
   call         exchanged for its counterpart: bounds from below and above, rounding directions, sinh and cosh, ...
   dropped      a statement that is a call or an assignment
 
@@ -70,6 +75,11 @@ for left, right in PAIRS:
     for name, other in ((left, right), (right, left)):
         if other not in COUNTERPARTS.setdefault(name, []):
             COUNTERPARTS[name].append(other)
+# Functions of one number that are factors of it, or its powers.
+FACTORS = re.compile(r"^(sqr|square|twice|half|scaled)$")
+# Answers of two questions.
+JOINT = ("both", "either")
+RANGES = ("all_of", "any_of", "none_of")
 ENUMERATORS = {"Tri": ("no", "yes", "unknown"), "Verdict": ("verified", "refuted", "undecided")}
 WORDS = {"Tri": "unknown", "Verdict": "undecided"}
 # The name of a file that is none, in the trial.
@@ -108,6 +118,7 @@ class Reader:
         self.constants = set()
         self.siblings = {}
         self.function = ""
+        self.call = None
         self.returns = ""
         self.in_template = False
 
@@ -280,7 +291,13 @@ class Reader:
             self.change(node, "arithmetic", f"({x})" if not builtin else f"static_cast<{self.written_type(node)}>({x})", builtin)
             return operator
         if operator in ("*", "/") and not builtin and "__gmp_expr" not in kind:
-            tree.undivided.add(whole[1])  # Rings and isometries are not divided.
+            # Rings and isometries are not divided.
+            if self.type_of(left).replace("const ", "") == self.type_of(right).replace("const ", ""):
+                self.change(node, "factor", f"({x})", False)
+                if operator == "*":
+                    self.change(node, "factor", f"({y})", False)
+            else:
+                tree.undivided.add(whole[1])
             return operator
         if "iterator" in self.type_of(left) + self.type_of(right) or "*" in self.type_of(left) + self.type_of(right):
             if "iterator" not in kind and "*" not in kind:
@@ -293,6 +310,12 @@ class Reader:
                 self.change(node, "arithmetic", text)
             else:
                 self.change(node, "arithmetic", text, builtin)
+            whole = f"static_cast<{self.written_type(node)}>" if builtin else ""
+            if operator in ("+", "-", "*", "/"):
+                kind_of_part = "term" if operator in ("+", "-") else "factor"
+                self.change(node, kind_of_part, f"{whole}({x})", builtin)
+                if operator in ("+", "*"):
+                    self.change(node, kind_of_part, f"{whole}({y})", builtin)
         return operator
 
     def written_type(self, node):
@@ -383,6 +406,12 @@ class Reader:
             return
         if kind == "VarDecl" and node.get("init") is None and not kids:
             return
+        if kind == "VarDecl" and re.fullmatch(r"(const )?(epsnet::certify::)?(Ball|Interval)", node.get("type", {}).get("qualType", "")):
+            value = self.explicit(kids[-1]) if kids else {}
+            while value.get("kind") == "CXXConstructExpr" and len(self.kids(value)) == 1:
+                value = self.explicit(self.kids(value)[0])
+            if value.get("kind") in ("CallExpr", "CXXMemberCallExpr", "CXXOperatorCallExpr", "DeclRefExpr", "MemberExpr"):
+                self.centre(value, self.text(value), "mutant::centre({0})")
         if kind == "LambdaExpr":
             for kid in kids:
                 if kid.get("kind") == "CXXRecordDecl":
@@ -437,6 +466,7 @@ class Reader:
             name, f = self.callee(node)
             if NO_EFFECT.search(name):
                 return
+            self.call = node
             if f is not None and t:
                 inner = self.text(f)
                 for other in COUNTERPARTS.get(name, ()):
@@ -446,6 +476,7 @@ class Reader:
                         continue
                     if inner and inner.endswith(name) and t.startswith(inner):
                         self.wrap(node, "call", None, (inner[:len(inner) - len(name)] + other + t[len(inner):], f"{name} → {other}"))
+            self.arguments(kids[1:], name)
             if name == "conjugate" and len(kids) == 2 and self.text(kids[1]):
                 self.change(node, "call", self.text(kids[1]), False)
             if name in ("for_each_parallel", "first_problem") and len(kids) > 1 and self.text(kids[1]):
@@ -459,6 +490,10 @@ class Reader:
                     self.wrap(node, "call", None, (t.replace("ARF_RND_" + left, "ARF_RND_" + right), "direction"))
         elif kind == "MemberExpr" and t:
             name = node.get("name", "").lstrip("->.")
+            if name in ("lower", "upper") and kids and self.type_of(node) in ("double", "const double") and re.search(r"certify::Interval$|^(const )?Interval$", self.type_of(kids[0])):
+                base = self.text(kids[0])
+                if base and t.startswith(base):
+                    self.centre(node, base, "(({0}.lower + {0}.upper) / 2)")
             if name in COUNTERPARTS and t.endswith(name) and "bound member" not in self.type_of(node):
                 for other in COUNTERPARTS[name]:
                     if not self.alike(node, name, other):
@@ -495,6 +530,9 @@ class Reader:
                         x, y = self.text(self.kids(c)[0]), self.text(self.kids(c)[1])
                         if x and y and re.search(r"int|long|size_t|unsigned", self.type_of(self.explicit(self.kids(c)[0]))):
                             self.change(c, "bound", f"({x} + 1 {c['opcode']} {y})")
+                            started = [k for d in self.kids(every[0]) for k in self.kids(d)] if every[0].get("kind") else []
+                            if started and self.text(self.explicit(started[0])) in ("0", "0U"):
+                                self.change(c, "first", f"({x} < 1 && {x} {c['opcode']} {y})")
                 self.part(every[4])
         elif kind == "CXXForRangeStmt":
             every = node.get("inner", [])
@@ -507,6 +545,7 @@ class Reader:
                 if text and inner["kind"] not in ("InitListExpr", "CXXStdInitializerListExpr") and not text.startswith("{"):
                     self.wrap(inner, "bound", "mutant::part({id}, {inner})", "without the first")
                     self.wrap(inner, "bound", "mutant::but_last({id}, {inner})", "without the last")
+                    self.wrap(inner, "first", "mutant::first_alone({id}, {inner})", "the first alone")
                 self.walk(value)
             self.part(every[-1])
             self.walk(every[-1])
@@ -519,6 +558,33 @@ class Reader:
                 self.condition(kids[0])
         for kid in kids:
             self.walk(kid)
+
+    def arguments(self, given, name):
+        """The changes of a call's arguments."""
+        given = [a for a in given if a.get("kind") != "CXXDefaultArgExpr"]
+        texts = [self.text(a) for a in given]
+        types = [re.sub(r"\bconst\b|&", "", self.type_of(self.explicit(a))).strip() for a in given]
+        if FACTORS.match(name) and texts and texts[0] and "basic_string" not in types[0]:
+            call = self.call
+            self.change(call, "factor", f"({texts[0]})", False)
+        if name in JOINT and len(texts) == 2 and all(texts):
+            for part in texts:
+                self.change(self.call, "term", f"({part})", False)
+        if name in RANGES and len(texts) == 3 and all(texts[:2]):
+            self.change(given[1], "first", f"mutant::after_first({texts[0]}, {texts[1]})")
+        for i, j in ((i, j) for i in range(len(given)) for j in (i - 1, i + 1) if 0 <= j < len(given)):
+            if not texts[i] or not texts[j] or texts[i] == texts[j] or types[i] != types[j] or name in JOINT:
+                continue
+            if re.search(r"lambda|iterator|basic_string|bool|\*", types[i]) or re.fullmatch(r"[0-9.]+[uUlL]*", texts[i]):
+                continue
+            self.change(given[i], "argument", texts[j])
+
+    def centre(self, node, text, of):
+        """Of an expression that is an interval or a ball of the first checker."""
+        where = self.span(node)
+        if where is None or where[0].path.startswith("certify/exact/") or not text:
+            return
+        self.change(node, "centre", of.format(text), True)
 
     def alike(self, member, name, other):
         """Whether the counterpart exists and has the same type."""

@@ -270,6 +270,38 @@ RC_GTEST_PROP(AtlasProperty, PlaceKeepsThePoint, ()) {
   RC_ASSERT(moved <= (exact ? 0x1p-130 : 0x1p-50));
 }
 
+/// The Bolza surface as six regular octagons, three around each corner: the map T2.1 of Conder's list.
+Surface six_octagons() {
+  return Surface::map({8, 3}, {{0, 0, 1, 0}, {1, 7, 2, 1}, {2, 0, 0, 1}, {0, 7, 4, 7}, {2, 7, 3, 0}, {3, 1, 5, 5},
+                               {4, 0, 3, 2}, {0, 2, 3, 7}, {0, 3, 4, 3}, {0, 4, 1, 4}, {0, 5, 2, 4}, {0, 6, 3, 3},
+                               {4, 6, 1, 1}, {4, 5, 5, 0}, {5, 1, 3, 5}, {2, 2, 5, 2}, {1, 2, 5, 7}, {1, 3, 2, 5},
+                               {1, 5, 4, 2}, {1, 6, 5, 3}, {5, 4, 4, 1}, {2, 3, 3, 4}, {2, 6, 5, 6}, {3, 6, 4, 4}});
+}
+
+TEST(Atlas, APointAtACornerOfRoundedTilesHasAPlace) {
+  // Nearer to the corner than its rounding, the point may be beyond a side of every tile around it.
+  for (const Surface& surface : {six_octagons(), Surface::regular(2)}) {
+    for (const SideId s : surface.side_ids()) {
+      const TileId tile = surface.tile_of_side(s);
+      Atlas atlas(surface);
+      const ChartId chart = atlas.add_chart({tile, {}});
+      const auto corner = convert<Mp1024>(surface.tile(tile)[surface.place_in_tile(s)]);
+      for (const int bits : {240, 256, 300, 900}) {
+        const Mp1024 step = ldexp(Mp1024(1), -bits);
+        for (const int x : {-1, 0, 1}) {
+          for (const int y : {-1, 0, 1}) {
+            const Complex<Mp1024> z{corner.x + x * step, corner.y + y * step};
+            const auto place = atlas.lifted_point(chart, z, Atlas::Precision::binary64);
+            ASSERT_TRUE(place.has_value()) << s.number() << ", " << bits << " bits";
+            const Complex<Mp256> back = atlas.lift<Mp256>(place->label, place->z);
+            EXPECT_LE(static_cast<double>(distance(back, convert<Mp256>(z))), 0x1p-50);
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(Atlas, APointTooFarAwayHasNoPlace) {
   // Two units of length along a closed geodesic of length 1e-6 are millions of tiles.
   const Surface& surface = test::tiled_gallery().back().surface;

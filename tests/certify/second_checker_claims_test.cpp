@@ -1,0 +1,827 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <gtest/gtest.h>
+#include <limits>
+#include <numeric>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "certify/base/text.h"
+#include "certify/check.h"
+#include "certify/claims/isometries/orbit.h"
+#include "certify/exact/checker.h"
+#include "certify/file/reader.h"
+#include "certify/file/writer.h"
+#include "certify/net/darts.h"
+#include "certify/net/structure.h"
+
+/// False claims, each with the rule by which the second checker refutes it; and true ones beside them that it verifies.
+namespace epsnet::exact::second_checker_claims_test {
+namespace {
+
+using certify::BoundDocument;
+using certify::DistanceDocument;
+using certify::GeodesicsDocument;
+using certify::IsometriesDocument;
+using certify::NetDocument;
+using Word = std::vector<std::uint32_t>;
+
+template <class Document>
+Document load(const std::string& name) {
+  return certify::read_file<Document>(std::string(EPSNET_TEST_DATA) + "/" + name + ".json");
+}
+
+template <class Document>
+Result result_of(const Document& document) {
+  std::ostringstream out;
+  certify::write_file(document, out);
+  return check(out.str());
+}
+
+/// "VERDICT", or "VERDICT: rule".
+template <class Document>
+std::string outcome(const Document& document) {
+  constexpr std::array<const char*, 4> kNames{"VERIFIED", "REFUTED", "UNDECIDED", "MALFORMED"};
+  const Result result = result_of(document);
+  return kNames.at(static_cast<std::size_t>(result.verdict)) + (result.rule.empty() ? "" : ": " + result.rule);
+}
+
+/// The same of the first checker.
+template <class Document>
+std::string first_outcome(const Document& document) {
+  const certify::Certificate certificate = certify::check(document, {.threads = 1});
+  return std::string(name(certificate.verdict)) + (certificate.rule.empty() ? "" : ": " + certificate.rule);
+}
+
+double after(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
+double before(double x) { return std::nextafter(x, 0.0); }
+
+Word joined(Word first, const Word& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+/// The path back.
+Word reversed(const NetDocument& net, Word word) {
+  const certify::SurfaceSides sides(net.surface);
+  std::reverse(word.begin(), word.end());
+  for (std::uint32_t& s : word) s = sides.partner[s];
+  return word;
+}
+
+// Lists of geodesics.
+
+/// A list in order, with clusters that claim little.
+GeodesicsDocument in_order(GeodesicsDocument document) {
+  std::stable_sort(document.geodesics.begin(), document.geodesics.end(),
+                   [](const auto& x, const auto& y) { return x.length.lower < y.length.lower; });
+  document.clusters.clear();
+  double reach = 0;
+  for (std::uint32_t k = 0; k < document.geodesics.size(); ++k) {
+    const certify::Interval length = document.geodesics[k].length;
+    if (k == 0 || length.lower > reach) document.clusters.push_back({k, 0, true});
+    reach = std::max(reach, length.upper);
+    GeodesicsDocument::Cluster& last = document.clusters.back();
+    if (++last.count > 1) last.equal = false;
+  }
+  return document;
+}
+
+/// The part of a spectrum up to a length, which is none of its lengths.
+GeodesicsDocument up_to(const std::string& name, const std::string& length) {
+  GeodesicsDocument document = load<GeodesicsDocument>("geodesics/" + name);
+  document.up_to = length;
+  std::erase_if(document.geodesics, [&](const auto& row) { return row.length.lower > std::stod(length); });
+  return in_order(std::move(document));
+}
+
+/// Of a surface without symmetries.
+GeodesicsDocument octagon() { return up_to("octagon-5-to-6", "3.6"); }
+/// Of the Bolza surface, with squares of its twelve systoles among the loops that are looked at.
+GeodesicsDocument bolza() { return up_to("bolza-to-6.2", "6.2"); }
+
+TEST(SecondCheckerOfGeodesics, VerifiesAListUpToAnyLength) {
+  EXPECT_GE(octagon().geodesics.size(), 9U);
+  EXPECT_EQ(outcome(octagon()), "VERIFIED");
+  EXPECT_EQ(outcome(bolza()), "VERIFIED");
+}
+
+TEST(SecondCheckerOfGeodesics, MissesWhicheverIsLeftOut) {
+  const GeodesicsDocument good = octagon();
+  for (std::size_t i = 0; i < good.geodesics.size(); ++i) {
+    GeodesicsDocument document = good;
+    document.geodesics.erase(document.geodesics.begin() + static_cast<std::ptrdiff_t>(i));
+    EXPECT_EQ(outcome(in_order(document)), "REFUTED: complete") << i;
+  }
+}
+
+TEST(SecondCheckerOfGeodesics, LengthsAreBetweenTheirEndsToTheLastPlace) {
+  const GeodesicsDocument good = octagon();
+  for (std::size_t i = 0; i < good.geodesics.size(); ++i) {
+    const certify::Interval length = good.geodesics[i].length;
+    GeodesicsDocument document = good;
+    document.geodesics[i].length = {after(length.upper), 1 + length.upper};
+    EXPECT_EQ(outcome(in_order(document)), "REFUTED: geodesics") << i;
+    document.geodesics[i].length = {before(before(length.lower)), before(length.lower)};
+    EXPECT_EQ(outcome(in_order(document)), "REFUTED: geodesics") << i;
+  }
+  GeodesicsDocument document = good;
+  document.up_to = certify::decimal_below(before(good.geodesics.back().length.lower));
+  EXPECT_EQ(outcome(document), "REFUTED: geodesics");
+}
+
+TEST(SecondCheckerOfGeodesics, OneListedTwiceIsRefutedHoweverItIsSpelled) {
+  const GeodesicsDocument good = octagon();
+  const auto& rows = good.geodesics;
+  for (std::size_t i = 0; i < rows.size(); i += 2) {
+    const Word& word = rows[i].word;
+    const Word& other = rows[i == 0 ? 1 : 0].word;
+    std::vector<Word> spellings{word, reversed(good.net, word)};
+    if (rows[i].vertex == rows[i == 0 ? 1 : 0].vertex) {
+      spellings.push_back(joined(joined(other, word), reversed(good.net, other)));
+    }
+    for (const Word& spelling : spellings) {
+      GeodesicsDocument document = good;
+      document.geodesics.push_back(rows[i]);
+      document.geodesics.back().word = spelling;
+      EXPECT_EQ(outcome(in_order(document)), "REFUTED: distinct") << i;
+    }
+  }
+}
+
+TEST(SecondCheckerOfGeodesics, APowerIsNotWhatAListLacks) {
+  const GeodesicsDocument good = bolza();
+  constexpr std::size_t kPlace = 7;
+  GeodesicsDocument::ClosedGeodesic square = good.geodesics[kPlace];
+  square.word = joined(square.word, square.word);
+  square.length = {2 * square.length.lower, 2 * square.length.upper};
+  GeodesicsDocument document = good;
+  document.geodesics.push_back(square);
+  EXPECT_EQ(outcome(in_order(document)), "REFUTED: distinct");
+  // Before what it is the square of, as little is said of its length.
+  document.geodesics.back().length.lower = 1;
+  EXPECT_EQ(outcome(in_order(document)), "REFUTED: distinct");
+  document.geodesics.back().length.lower = square.length.lower;
+  document.geodesics.erase(document.geodesics.begin() + kPlace);
+  EXPECT_EQ(outcome(in_order(document)), "REFUTED: complete");
+}
+
+TEST(SecondCheckerOfGeodesics, HigherPowersAreNotWhatAListLacks) {
+  // Powers of cuffs that are less than 0.1 long, up to the ninth and more.
+  GeodesicsDocument good = load<GeodesicsDocument>("geodesics/two-cuffs-that-differ-by-1e-14");
+  ASSERT_EQ(outcome(good), "VERIFIED");
+  for (std::size_t i = 0; i < good.geodesics.size(); ++i) {
+    for (const int times : {2, 3, 4}) {
+      GeodesicsDocument document = good;
+      GeodesicsDocument::ClosedGeodesic power = good.geodesics[i];
+      if (times * power.length.upper > 1.7) continue;
+      for (int k = 1; k < times; ++k) power.word = joined(power.word, good.geodesics[i].word);
+      power.length = {before(times * power.length.lower), after(times * power.length.upper)};
+      document.geodesics.push_back(power);
+      const auto place = static_cast<std::uint32_t>(document.geodesics.size() - 1);
+      document.pieces[0].boundaries.emplace_back(place, 0);
+      document.pieces[0].boundaries.emplace_back(place, 1);
+      std::vector<std::uint32_t> order(document.geodesics.size());
+      std::iota(order.begin(), order.end(), 0U);
+      std::stable_sort(order.begin(), order.end(), [&](auto x, auto y) {
+        return document.geodesics[x].length.lower < document.geodesics[y].length.lower;
+      });
+      for (auto& piece : document.pieces) {
+        for (auto& [geodesic, side] : piece.boundaries) {
+          geodesic = static_cast<std::uint32_t>(std::find(order.begin(), order.end(), geodesic) - order.begin());
+        }
+      }
+      EXPECT_EQ(outcome(in_order(document)), "REFUTED: distinct") << i << ", " << times << " times";
+    }
+  }
+}
+
+TEST(SecondCheckerOfGeodesics, AWrongSimpleIsRefuted) {
+  // Two figure eights among geodesics that are simple.
+  const auto good = load<GeodesicsDocument>("forgeries/spectrum-with-a-figure-eight");
+  for (const std::size_t i : {std::size_t{5}, std::size_t{6}, std::size_t{7}}) {
+    GeodesicsDocument document = good;
+    document.geodesics[i].simple = !document.geodesics[i].simple;
+    EXPECT_EQ(good.geodesics[i].simple, i == 5);
+    EXPECT_EQ(outcome(document), "REFUTED: simple") << i;
+  }
+  GeodesicsDocument document = good;
+  for (auto& row : document.geodesics) row.simple = true;
+  EXPECT_EQ(outcome(document), "REFUTED: simple");
+}
+
+TEST(SecondCheckerOfGeodesics, EveryLengthOfAClusterIsComparedExactly) {
+  const GeodesicsDocument good = load<GeodesicsDocument>("geodesics/two-short-cuffs-that-differ-by-1e-17");
+  ASSERT_EQ(outcome(good), "VERIFIED");
+  for (std::size_t c = 0; c < good.clusters.size(); ++c) {
+    if (good.clusters[c].count == 1) continue;
+    EXPECT_FALSE(good.clusters[c].equal);
+    GeodesicsDocument document = good;
+    document.clusters[c].equal = true;
+    EXPECT_EQ(outcome(document), "REFUTED: equal");
+  }
+  // The last of two or three.
+  const GeodesicsDocument all = octagon();
+  for (std::size_t i = 0; i + 2 < all.geodesics.size(); ++i) {
+    GeodesicsDocument document = all;
+    auto& rows = document.geodesics;
+    rows[i].length.upper = rows[i + 1].length.upper;
+    rows[i + 1].length.lower = rows[i].length.lower;
+    document = in_order(document);
+    EXPECT_EQ(document.clusters[i].count, 2U);
+    document.clusters[i].equal = true;
+    EXPECT_EQ(outcome(document), "REFUTED: equal") << i;
+    EXPECT_EQ(first_outcome(document), "REFUTED: equal") << i;
+  }
+  // One longer length, wherever it is in a cluster of equal ones.
+  const GeodesicsDocument equal = bolza();
+  for (const std::size_t place : {std::size_t{0}, std::size_t{12}}) {
+    GeodesicsDocument document = equal;
+    auto& rows = document.geodesics;
+    std::rotate(rows.begin() + static_cast<std::ptrdiff_t>(place), rows.begin() + 12, rows.begin() + 13);
+    const double upper = rows[place].length.upper;
+    for (std::size_t i = 0; i <= 12; ++i) rows[i].length = {3, upper};
+    document = in_order(document);
+    document.clusters[0].equal = true;
+    EXPECT_EQ(outcome(document), "REFUTED: equal") << place;
+  }
+}
+
+TEST(SecondCheckerOfGeodesics, ALongerGeodesicIsNoSystole) {
+  const GeodesicsDocument all = octagon();
+  for (std::size_t i = 0; i < all.geodesics.size(); ++i) {
+    GeodesicsDocument document = all;
+    document.claim = GeodesicsDocument::Claim::systole;
+    document.geodesics = {all.geodesics[i]};
+    document.clusters.clear();
+    document.up_to.clear();
+    EXPECT_EQ(outcome(document), i == 0 ? "VERIFIED" : "REFUTED: complete") << i;
+  }
+}
+
+TEST(SecondCheckerOfGeodesics, LeftAndRightOfASeparatingCurveAreNotExchanged) {
+  // A piece of genus 2 on the left of a curve, and a pair of pants on its right, which another curve closes.
+  const auto good = load<GeodesicsDocument>("geodesics/separating-curve");
+  ASSERT_EQ(outcome(good), "VERIFIED");
+  GeodesicsDocument document = good;
+  for (auto& piece : document.pieces) {
+    for (auto& [geodesic, side] : piece.boundaries) side = 1 - side;
+  }
+  EXPECT_EQ(outcome(document), "REFUTED: pieces");
+  EXPECT_EQ(first_outcome(document), "REFUTED: pieces");
+  // Directed the other way.
+  for (auto& row : document.geodesics) row.word = reversed(document.net, row.word);
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  EXPECT_EQ(first_outcome(document), "VERIFIED");
+}
+
+// Distances.
+
+TEST(SecondCheckerOfDistances, EveryPathIsAsLongAsTheFileSays) {
+  const auto good = load<DistanceDocument>("distances/four-equal");
+  DistanceDocument document = good;
+  document.distance.lower = after(good.distance.upper);
+  document.distance.upper = 2 * good.distance.upper;
+  EXPECT_EQ(outcome(document), "REFUTED: paths");
+  document.distance = {0.5 * good.distance.lower, before(good.distance.lower)};
+  EXPECT_EQ(outcome(document), "REFUTED: paths");
+  for (std::size_t i = 0; i < good.paths.size(); ++i) {
+    document = good;
+    document.paths[i] = joined(document.paths[i], joined(document.paths[0], reversed(good.net, document.paths[1])));
+    EXPECT_EQ(outcome(document), "REFUTED: paths") << i;
+    document = good;
+    document.paths.erase(document.paths.begin() + static_cast<std::ptrdiff_t>(i));
+    EXPECT_EQ(outcome(document), "REFUTED: nearest") << i;
+    document = good;
+    document.paths.push_back(joined(good.paths[i], joined({0}, reversed(good.net, {0}))));
+    EXPECT_EQ(outcome(document), "REFUTED: paths") << i;
+  }
+}
+
+TEST(SecondCheckerOfDistances, AllLengthsAreEqualIfTheFileSaysSo) {
+  const auto good = load<DistanceDocument>("distances/four-equal");
+  ASSERT_TRUE(good.equal);
+  // Another point nearby, not on the axis of symmetry: all four paths are still the only ones, of different lengths.
+  DistanceDocument document = good;
+  document.point.z.x += mpq_class(1, 1'000'000);
+  document.point.z.y += mpq_class(1, 3'000'000);
+  document.distance = {good.distance.lower - 1e-5, good.distance.upper + 1e-5};
+  EXPECT_EQ(outcome(document), "REFUTED: equal");
+  // Whichever comes first.
+  for (std::size_t i = 1; i < good.paths.size(); ++i) {
+    std::rotate(document.paths.begin(), document.paths.begin() + 1, document.paths.end());
+    EXPECT_EQ(outcome(document), "REFUTED: equal") << i;
+  }
+  document.equal = false;
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  // On the axis, two and two of them are equal.
+  document = good;
+  document.point.z.x += mpq_class(1, 1'000'000);
+  document.distance = {good.distance.lower - 1e-5, good.distance.upper + 1e-5};
+  do {
+    EXPECT_EQ(outcome(document), "REFUTED: equal");
+  } while (std::next_permutation(document.paths.begin(), document.paths.end()));
+}
+
+TEST(SecondCheckerOfDistances, AWiderEnclosureNeedsAllPathsInIt) {
+  const auto good = load<DistanceDocument>("distances/four-equal");
+  DistanceDocument document = good;
+  document.distance.upper *= 2;
+  EXPECT_EQ(outcome(document), "REFUTED: nearest");
+  const auto zero = load<DistanceDocument>("distances/zero");
+  document = zero;
+  document.point.z.x += mpq_class(1, 1'000'000'000);
+  EXPECT_EQ(outcome(document), "REFUTED: paths");
+}
+
+TEST(SecondCheckerOfDistances, AListThatTakesTooLongToCompareIsUndecided) {
+  // Twenty thousand elements, all different, all in the enclosure: the first is compared with none, the last with all.
+  auto document = load<DistanceDocument>("distances/four-equal");
+  const certify::SurfaceSides sides(document.net.surface);
+  ASSERT_EQ(sides.first.size(), 1U);
+  document.equal = false;
+  document.distance = {1e-3, 200};
+  document.paths.clear();
+  const auto count = static_cast<std::uint32_t>(sides.partner.size());
+  std::vector<Word> words{{}};
+  for (std::size_t i = 0; document.paths.size() < 20'000; ++i) {
+    for (std::uint32_t s = 0; s < count; ++s) {
+      // Without turning back, and far from relators: letters of one half alone.
+      if (s < sides.partner[s]) words.push_back(joined(words[i], {s}));
+    }
+    document.paths.push_back(words[i + 1]);
+  }
+  const Result result = result_of(document);
+  EXPECT_EQ(result.rule, "paths");
+  EXPECT_EQ(result.message, "comparing 20000 paths, two at a time, takes more than 4000000000 bits");
+}
+
+// Bounds.
+
+const std::vector<std::string> kBounds{"octagon-diameter", "octagon-radius", "octagon-embedded-disk",
+                                       "regular-diameter"};
+
+BoundDocument bound(const std::string& name) { return load<BoundDocument>("bounds/" + name); }
+
+TEST(SecondCheckerOfBounds, TheValueAtTheVertexIsOnTheRightSide) {
+  for (const std::string& name : kBounds) {
+    BoundDocument document = bound(name);
+    const bool radius = document.claim == BoundDocument::Claim::radius;
+    double& value = radius ? document.value.upper : document.value.lower;
+    const certify::Certificate net = certify::check(document.net, {.threads = 1});
+    const certify::Interval known =
+        document.claim == BoundDocument::Claim::embedded_disk
+            ? certify::Interval{net.enclosures->shortest_loop->lower / 2, net.enclosures->shortest_loop->upper / 2}
+            : net.enclosures->largest_circumradius;
+    value = radius ? known.upper + 1e-13 : known.lower - 1e-13;
+    EXPECT_EQ(outcome(document), "VERIFIED") << name;
+    value = radius ? known.lower - 1e-13 : known.upper + 1e-13;
+    document.value.lower = std::min(document.value.lower, document.value.upper);
+    document.value.upper = std::max(document.value.lower, document.value.upper);
+    EXPECT_EQ(outcome(document), std::string("REFUTED: ") + (radius ? "upper" : "lower")) << name;
+  }
+}
+
+TEST(SecondCheckerOfBounds, EveryCellIsBounded) {
+  for (const std::string& name : kBounds) {
+    BoundDocument document = bound(name);
+    // A bound that no triangulation gives at the vertex of the net, where the function is best.
+    if (document.claim == BoundDocument::Claim::radius) {
+      document.value.lower = document.value.upper;
+    } else {
+      document.value.upper = document.value.lower;
+    }
+    EXPECT_EQ(outcome(document), "REFUTED: cells") << name;
+  }
+}
+
+/// Numbers of a kind, each said of the claim that both checkers make: what one verifies, the other does.
+struct Comparison {
+  int verified = 0;
+  int refuted = 0;
+
+  void expect_same(const BoundDocument& document, const std::string& what) {
+    const std::string first = first_outcome(document);
+    EXPECT_EQ(outcome(document), first) << what;
+    verified += first == "VERIFIED" ? 1 : 0;
+    refuted += first == "REFUTED: cells" ? 1 : 0;
+  }
+};
+
+TEST(SecondCheckerOfBounds, ACellNeedsABoundThatHoldsThere) {
+  // Each cell with the bound of another one of its triangle, or another side or dart.
+  for (const std::string& name : kBounds) {
+    const BoundDocument good = bound(name);
+    Comparison comparison;
+    for (std::size_t t = 0; t < good.cells.size(); ++t) {
+      std::vector<std::uint32_t> bounds;
+      for (const std::uint32_t entry : good.cells[t]) {
+        if (entry >= 3) bounds.push_back(entry);
+      }
+      std::size_t leaf = 0;
+      for (std::size_t k = 0; k < good.cells[t].size(); ++k) {
+        if (good.cells[t][k] < 3) continue;
+        BoundDocument document = good;
+        if (++leaf % 3 == 1) continue;
+        document.cells[t][k] = bounds[leaf % bounds.size()];
+        if (t % 2 == 0 && good.claim == BoundDocument::Claim::radius)
+          document.cells[t][k] = static_cast<std::uint32_t>(3 + leaf % 3);
+        comparison.expect_same(document, name + ", triangle " + std::to_string(t) + ", entry " + std::to_string(k));
+        if (good.claim == BoundDocument::Claim::radius && leaf > 8) break;  // Each takes a tenth of a second.
+      }
+    }
+    EXPECT_GT(comparison.refuted, 5) << name;
+  }
+}
+
+TEST(SecondCheckerOfBounds, ARadiusIsBoundedUpToTheSameValueByBothCheckers) {
+  // Cells bounded at the midpoint of another one of their sides: the farthest point of a cell is an end of the side or
+  // the corner opposite to it.
+  const BoundDocument good = bound("octagon-radius");
+  int found = 0;
+  std::uint32_t leaf = 0;
+  for (std::size_t t = 0; t < good.cells.size(); ++t) {
+    for (std::size_t k = 0; k < good.cells[t].size(); ++k) {
+      const std::uint32_t entry = good.cells[t][k];
+      if (entry < 3 || ++leaf % 3 != 0) continue;
+      BoundDocument document = good;
+      document.cells[t][k] = 3 + (entry - 3) / 3 * 3 + (entry + 1 + leaf % 2) % 3;
+      const auto verified = [&](double lower) {
+        document.value.lower = lower;
+        return first_outcome(document) == "VERIFIED";
+      };
+      double low = 1e-3;
+      double high = good.value.lower;
+      if (!verified(low) || verified(high)) continue;
+      for (int i = 0; i < 7; ++i) (verified((low + high) / 2) ? low : high) = (low + high) / 2;
+      ++found;
+      document.value.lower = low;
+      EXPECT_EQ(outcome(document), "VERIFIED") << t << ", entry " << k;
+      document.value.lower = high;
+      EXPECT_EQ(outcome(document), "REFUTED: cells") << t << ", entry " << k;
+    }
+  }
+  EXPECT_GE(found, 4);
+}
+
+TEST(SecondCheckerOfBounds, LongEdgesDoNotBoundACell) {
+  // Two flips of edges of one triangle make long ones, which are the first, second or third side of triangles.
+  const BoundDocument good = bound("octagon-diameter");
+  Comparison comparison;
+  const auto darts = static_cast<std::uint32_t>(3 * good.net.triangles.size());
+  const auto first_cell =
+      std::find_if(good.cells[0].begin(), good.cells[0].end(), [](auto entry) { return entry >= 3; });
+  for (std::uint32_t dart = 0; dart < darts; ++dart) {
+    for (const std::uint32_t next : {certify::next_dart(dart), certify::previous_dart(dart)}) {
+      BoundDocument document = good;
+      document.triangulations.push_back({0, {dart, next}});
+      document.cells[0].at(static_cast<std::size_t>(first_cell - good.cells[0].begin())) =
+          static_cast<std::uint32_t>(3 + document.triangulations.size());
+      comparison.expect_same(document, "dart " + std::to_string(dart));
+    }
+  }
+  EXPECT_GT(comparison.refuted, 20);
+}
+
+TEST(SecondCheckerOfBounds, NoFlipMayBeLeftOut) {
+  for (const std::string& name : kBounds) {
+    const BoundDocument good = bound(name);
+    Comparison comparison;
+    const std::size_t step = good.claim == BoundDocument::Claim::radius ? 7 : 2;
+    for (std::size_t k = 0; k < good.triangulations.size(); k += step) {
+      BoundDocument document = good;
+      auto& flips = document.triangulations[k].flips;
+      if (flips.empty()) continue;
+      flips.erase(flips.begin() + static_cast<std::ptrdiff_t>(k % flips.size()));
+      comparison.expect_same(document, name + ", triangulation " + std::to_string(k));
+    }
+    EXPECT_TRUE(comparison.refuted > 2 || good.triangulations.size() < 10) << name;
+  }
+}
+
+TEST(SecondCheckerOfBounds, ManyTriangulationsOfManyDartsAreUndecided) {
+  BoundDocument document = bound("octagon-diameter");
+  document.triangulations.resize(1'400'000, {0, {}});
+  const Result result = result_of(document);
+  EXPECT_EQ(result.rule, "triangulations");
+  EXPECT_EQ(result.message, "the triangulations have 25200018 darts, and this checker takes 25000000");
+}
+
+// Isometries.
+
+IsometriesDocument isometries(const std::string& name) { return load<IsometriesDocument>("isometries/" + name); }
+
+TEST(SecondCheckerOfIsometries, RefutesImagesThatAreNone) {
+  const IsometriesDocument good = isometries("octagon-5");
+  for (std::size_t k = 0; k < good.isometries[0].images.size(); ++k) {
+    IsometriesDocument document = good;
+    Word& image = document.isometries[0].images[k];
+    image = reversed(good.net, image);
+    EXPECT_EQ(outcome(document), "REFUTED: isometries") << k;
+    if (k % 2 != 0) continue;
+    // A conjugate, whose trace is the same; that of products is not.
+    document = good;
+    const Word other = good.isometries[0].images[k < 4 ? 4 : 2];
+    Word& conjugate = document.isometries[0].images[k];
+    conjugate = joined(joined(other, conjugate), reversed(good.net, other));
+    EXPECT_EQ(outcome(document), "REFUTED: isometries") << k;
+  }
+}
+
+TEST(SecondCheckerOfIsometries, RefutesWrongOrientationsOfEachOne) {
+  const IsometriesDocument good = isometries("bolza");
+  for (std::size_t i = 0; i < good.isometries.size(); ++i) {
+    IsometriesDocument document = good;
+    document.isometries[i].preserves_orientation = !document.isometries[i].preserves_orientation;
+    EXPECT_EQ(outcome(document), "REFUTED: isometries") << i;
+  }
+  IsometriesDocument document = isometries("octagon-5");
+  document.pair[1] = document.pair[0];
+  EXPECT_EQ(outcome(document), "REFUTED: isometries");
+}
+
+TEST(SecondCheckerOfIsometries, AnyLiftAndAnyPathsWillDo) {
+  IsometriesDocument document = isometries("octagon-5");
+  const Word turned = document.pair[0];
+  for (Word& image : document.isometries[0].images) {
+    image = joined(joined(turned, image), reversed(document.net, turned));
+  }
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  document = isometries("fenchel-nielsen-3-1");
+  for (Word& path : document.paths) path = joined(document.pair[0], path);
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  // Two tiles with an involution.
+  document = isometries("fenchel-nielsen-2");
+  for (Word& path : document.paths) path = joined(document.pair[0], path);
+  EXPECT_EQ(outcome(document), "REFUTED: isometries");
+  std::vector<Word>& images = document.isometries[0].images;
+  for (std::size_t k = 2; k < images.size(); ++k) {
+    images[k] = joined(joined(images[0], images[k]), reversed(document.net, images[0]));
+  }
+  EXPECT_EQ(outcome(document), "VERIFIED");
+}
+
+/// With so short a spectrum that nothing is known of other isometries, which rule `most` says last.
+IsometriesDocument with_systoles_alone(IsometriesDocument document) {
+  const double systole = document.geodesics[0].length.upper;
+  std::erase_if(document.geodesics, [&](const auto& row) { return row.length.lower > systole; });
+  document.up_to = certify::decimal_above(systole + 1e-6);
+  document.clusters = {{0, static_cast<std::uint32_t>(document.geodesics.size()), false}};
+  document.isometries.clear();
+  document.order = 1;
+  return document;
+}
+
+/// The identity as an isometry of a surface of one tile, by generators without partners.
+IsometriesDocument::Isometry identity(const IsometriesDocument& document) {
+  const certify::SurfaceSides sides(document.net.surface);
+  IsometriesDocument::Isometry result{true, document.pair};
+  for (std::uint32_t s = 0; s < sides.partner.size(); ++s) {
+    if (s < sides.partner[s]) result.images.push_back({s});
+  }
+  return result;
+}
+
+TEST(SecondCheckerOfIsometries, EachProductOfTheBasisTellsImages) {
+  // Opposite sides of an octagon are glued. The half turn about the centre of a side takes the generators x and y
+  // through it to their inverses, and so does g ↦ s g s⁻¹ with all others: only the product with xy tells.
+  for (const std::string name : {"octagon-5", "bolza"}) {
+    const IsometriesDocument good = with_systoles_alone(isometries(name));
+    for (const std::uint32_t side : {0U, 5U}) {
+      if (side != 0 && name == "bolza") continue;
+      const std::uint32_t next = (side + 1) % 8;
+      for (const Word& other : {Word{side, (next + 4) % 8}, Word{(next + 4) % 8, side}}) {
+        IsometriesDocument document = good;
+        document.pair = {{side}, other};
+        document.isometries = {identity(document)};
+        EXPECT_EQ(outcome(document), first_outcome(document));
+        const IsometriesDocument same = document;
+        for (const std::uint32_t by : {side, (side + 4) % 8}) {
+          document = same;
+          for (std::size_t k = 2; k < 6; ++k) {
+            Word& image = document.isometries[0].images[k];
+            image = joined(joined({by}, image), {(by + 4) % 8});
+          }
+          EXPECT_EQ(outcome(document), "REFUTED: isometries") << name << side << by;
+          EXPECT_EQ(first_outcome(document), "REFUTED: isometries") << name << side << by;
+        }
+      }
+    }
+  }
+}
+
+TEST(SecondCheckerOfIsometries, EachImageIsTold) {
+  // Of the identity one image is the inverse, or another generator, of equal length on a regular octagon.
+  for (const std::string name : {"octagon-5", "bolza"}) {
+    const IsometriesDocument good = with_systoles_alone(isometries(name));
+    for (std::size_t k = 0; k < 6; ++k) {
+      for (const auto s : {static_cast<std::uint32_t>(k + 2) % 8, static_cast<std::uint32_t>(k + 1) % 8, 0U}) {
+        IsometriesDocument document = good;
+        document.isometries = {identity(document)};
+        document.isometries[0].images[k] = {s};
+        const bool same = document.isometries[0].images == identity(document).images;
+        const std::string expected = same ? "UNDECIDED: most" : "REFUTED: isometries";
+        EXPECT_EQ(outcome(document).substr(0, 9), expected.substr(0, 9)) << name << k << s;
+        EXPECT_EQ(first_outcome(document).substr(0, 9), expected.substr(0, 9)) << name << k << s;
+      }
+    }
+  }
+}
+
+TEST(SecondCheckerOfIsometries, TheAxesOfThePairCross) {
+  // A simple closed geodesic and a lift of it elsewhere.
+  for (const std::string name : {"octagon-5", "bolza"}) {
+    for (std::uint32_t s = 1; s < 8; ++s) {
+      if (s == 4) continue;
+      IsometriesDocument document = with_systoles_alone(isometries(name));
+      document.pair = {{0}, {s, s, 0, (s + 4) % 8, (s + 4) % 8}};
+      EXPECT_EQ(outcome(document), "REFUTED: isometries") << name << s;
+      EXPECT_EQ(first_outcome(document), "REFUTED: isometries") << name << s;
+    }
+  }
+}
+
+TEST(SecondCheckerOfIsometries, TheOrderIsThatOfTheGroup) {
+  const IsometriesDocument good = isometries("bolza");
+  for (const auto& [order, expected] :
+       {std::pair{95U, "REFUTED: least"}, {48U, "REFUTED: least"}, {97U, "REFUTED: most"}, {192U, "REFUTED: most"}}) {
+    IsometriesDocument document = good;
+    document.order = order;
+    EXPECT_EQ(outcome(document), expected) << order;
+  }
+  IsometriesDocument document = isometries("octagon-5");
+  document.isometries.clear();
+  document.order = 1;
+  EXPECT_EQ(outcome(document), "UNDECIDED: most");
+  document = good;
+  std::erase_if(document.isometries, [](const auto& isometry) { return !isometry.preserves_orientation; });
+  EXPECT_EQ(outcome(document), "UNDECIDED: least");
+  document.order = static_cast<std::uint32_t>(
+      certify::orbit_size(certify::SurfaceSides(document.net.surface), document, certify::Budget()));
+  ASSERT_GE(document.order, 2U);
+  EXPECT_EQ(outcome(document), "UNDECIDED: most");
+  document = isometries("octagon-5");
+  std::fill(document.cocycle.begin(), document.cocycle.end(), 0);
+  EXPECT_EQ(outcome(document), "UNDECIDED: least");
+}
+
+TEST(SecondCheckerOfIsometries, ACocycleHasTheSum0AroundEachVertex) {
+  const IsometriesDocument good = isometries("fenchel-nielsen-3-1");
+  const certify::SurfaceSides sides(good.net.surface);
+  const auto vertex = [&](std::uint32_t side) {
+    std::uint32_t least = side;
+    for (std::uint32_t s = sides.next_around(side); s != side; s = sides.next_around(s)) least = std::min(least, s);
+    return least;
+  };
+  std::size_t k = 0;
+  std::size_t edges = 0;
+  std::size_t loops = 0;
+  for (std::uint32_t s = 0; s < sides.partner.size(); ++s) {
+    if (s > sides.partner[s]) continue;
+    IsometriesDocument document = good;
+    ++document.cocycle[k++];
+    // What a loop at a vertex adds it takes away.
+    const bool is_loop = vertex(s) == vertex(sides.partner[s]);
+    if (is_loop && ++loops > 1) continue;
+    edges += is_loop ? 0 : 1;
+    EXPECT_EQ(outcome(document), is_loop ? "VERIFIED" : "MALFORMED") << s;
+  }
+  EXPECT_GT(edges, 0U);
+}
+
+TEST(SecondCheckerOfIsometries, OneLeftOutOfTheSpectrumIsMissed) {
+  IsometriesDocument document = isometries("octagon-5");
+  document.geodesics.pop_back();
+  document.clusters.pop_back();
+  EXPECT_EQ(outcome(document), "REFUTED: complete");
+}
+
+// Pseudo nets.
+
+/// Collars about geodesics of the lengths 1/8 and 1/4.
+NetDocument two_collars() { return load<NetDocument>("forgeries/collars"); }
+
+/// Of the rule `collars`: verified if a later one fails, which are asked afterwards.
+Verdict collars(const NetDocument& document) {
+  const Result result = result_of(document);
+  return result.rule == "collars" ? result.verdict : Verdict::verified;
+}
+
+/// The same by the first checker.
+Verdict collars_by_the_first(const NetDocument& document) {
+  for (const certify::RuleReport& rule : certify::check(document, {.threads = 1}).rules) {
+    if (rule.rule == "collars")
+      return rule.verdict == certify::Verdict::verified ? Verdict::verified : Verdict::refuted;
+  }
+  return Verdict::undecided;
+}
+
+std::string text_of(double x) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.17g", x);
+  return text;
+}
+
+TEST(SecondCheckerOfPseudoNets, EpsilonLiesBetweenTheEndsThatBothCheckersFind) {
+  // A vertex of a collar at some distance from the core: for small epsilon it does not cover what it should, or the
+  // core is longer; for large epsilon it is in the thin part. Both ends, to a billionth.
+  int ends = 0;
+  for (const std::size_t c : {std::size_t{0}, std::size_t{1}}) {
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+      for (const double angle : {0.0, 2.0}) {
+        NetDocument document = two_collars();
+        document.collars = {{(*document.collars)[c]}};
+        NetDocument::Vertex& vertex = document.vertices[(*document.collars)[0].vertices[i]];
+        vertex.x = 0.05 * std::cos(angle);
+        vertex.y = 0.05 * std::sin(angle);
+        const auto verified = [&](double epsilon) {
+          document.epsilon = text_of(epsilon);
+          return collars_by_the_first(document) == Verdict::verified;
+        };
+        double some = 0.05;
+        while (some < 0.34 && !verified(some)) some += 0.03;
+        if (some >= 0.34) continue;
+        for (double outside : {0.04, 0.3465}) {
+          if (verified(outside)) continue;
+          double inside = some;
+          for (int k = 0; k < 36; ++k) (verified((inside + outside) / 2) ? inside : outside) = (inside + outside) / 2;
+          ++ends;
+          document.epsilon = text_of(inside + (inside - outside) * 100);
+          EXPECT_EQ(collars(document), Verdict::verified) << document.epsilon;
+          document.epsilon = text_of(outside - (inside - outside) * 100);
+          EXPECT_EQ(collars(document), Verdict::refuted) << document.epsilon;
+        }
+      }
+    }
+  }
+  EXPECT_GE(ends, 8);
+}
+
+TEST(SecondCheckerOfPseudoNets, ACoreIsAsLongAsTheFileSaysAndGoneAroundOnce) {
+  for (std::size_t c = 0; c < 2; ++c) {
+    const double length = c == 0 ? 0.125 : 0.25;
+    for (const auto& [lower, upper, expected] :
+         {std::tuple{length * (1 + 1e-12), 1.0, Verdict::refuted},
+          std::tuple{0.0, length * (1 - 1e-12), Verdict::refuted},
+          std::tuple{length * (1 - 1e-12), length * (1 + 1e-12), Verdict::verified}}) {
+      NetDocument document = two_collars();
+      (*document.collars)[c].length = {lower, upper};
+      EXPECT_EQ(collars(document), expected) << lower << ", " << upper;
+    }
+    NetDocument document = two_collars();
+    Word& core = (*document.collars)[c].core;
+    const Word once = core;
+    core = reversed(document, once);
+    EXPECT_EQ(collars(document), Verdict::verified);
+    core = joined(once, once);
+    EXPECT_EQ(collars(document), Verdict::refuted);
+    core.clear();
+    EXPECT_EQ(collars(document), Verdict::refuted);
+  }
+}
+
+TEST(SecondCheckerOfPseudoNets, VerticesLieOnDifferentSidesOfTheCore) {
+  // Moved about, also to the core and over it.
+  std::array<int, 2> met{};
+  for (std::size_t c = 0; c < 2; ++c) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (int k = 0; k < 12; ++k) {
+        NetDocument document = two_collars();
+        NetDocument::Vertex& vertex = document.vertices[(*document.collars)[c].vertices[i]];
+        const double r = std::array{0.003, 0.02, 0.1, 0.4}[static_cast<std::size_t>(k % 4)];
+        vertex.x = r * std::cos(M_PI / 6 * k + 0.1);
+        vertex.y = r * std::sin(M_PI / 6 * k + 0.1);
+        const Verdict expected = collars_by_the_first(document);
+        EXPECT_EQ(collars(document), expected) << c << i << k;
+        ++met.at(expected == Verdict::verified ? 0 : 1);
+      }
+    }
+  }
+  EXPECT_GT(met[0], 3);
+  EXPECT_GT(met[1], 3);
+}
+
+TEST(SecondCheckerOfPseudoNets, EpsilonIsAtMostLnOfRootTwo) {
+  // ln √2 = 0.34657359027997265470861606072908828…
+  NetDocument document = two_collars();
+  document.collars = std::vector<NetDocument::Collar>{};
+  document.epsilon = "0.34657359027997265470861606072909";
+  EXPECT_EQ(collars(document), Verdict::refuted);
+  document.epsilon = "0.34657359027997265470861606072908";
+  EXPECT_EQ(collars(document), Verdict::verified);
+}
+
+TEST(SecondCheckerOfPseudoNets, WithoutItsCollarsANetDoesNotCover) {
+  NetDocument document = two_collars();
+  ASSERT_EQ(outcome(document), "VERIFIED");
+  document.collars->clear();
+  EXPECT_EQ(outcome(document), "REFUTED: covering");
+}
+
+}  // namespace
+}  // namespace epsnet::exact::second_checker_claims_test
