@@ -9,7 +9,6 @@
 #include <metis.h>
 #endif
 
-#include "certify/numbers/inertia.h"
 #include "certify/numbers/parallel.h"
 #include "netgen/nets/certified_net.h"
 
@@ -101,9 +100,9 @@ std::vector<std::uint32_t> elimination_order(const Matrix& lower_half) {
   return {order.indices().data(), order.indices().data() + order.indices().size()};
 }
 
-std::uint32_t count_below(const ElementMatrices& matrices, double sigma, unsigned threads) {
+certify::Inertia inertia(const ElementMatrices& matrices, const std::vector<std::uint32_t>& order, double sigma,
+                         certify::Bound bound, unsigned threads) {
   const Matrix shifted = matrices.energy - sigma * matrices.mass;
-  const std::vector<std::uint32_t> order = elimination_order(shifted);
   std::vector<std::uint32_t> place(order.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
   std::vector<certify::MatrixEntry> entries;
@@ -115,7 +114,11 @@ std::uint32_t count_below(const ElementMatrices& matrices, double sigma, unsigne
     }
   }
   const certify::SparseMatrix matrix(static_cast<std::uint32_t>(order.size()), std::move(entries));
-  return matrix.negative_eigenvalues(certify::Bound::upper, {}, certify::thread_count(threads)).negative;
+  return matrix.negative_eigenvalues(bound, {}, certify::thread_count(threads));
+}
+
+std::uint32_t count_below(const ElementMatrices& matrices, double sigma, unsigned threads) {
+  return inertia(matrices, elimination_order(matrices.energy), sigma, certify::Bound::upper, threads).negative;
 }
 
 DiscreteSpectrum first_eigenvalues(const ElementMatrices& matrices, std::uint32_t count) {

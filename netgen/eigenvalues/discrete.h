@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "certify/numbers/inertia.h"
 #include "netgen/eigenvalues/elements.h"
 
 /// Eigenvalues of large sparse matrices, rounded.
@@ -12,6 +13,11 @@ namespace epsnet {
 
 /// An order of elimination with little fill, for a matrix of which the lower half is given: nested dissection.
 [[nodiscard]] std::vector<std::uint32_t> elimination_order(const Eigen::SparseMatrix<double>& lower_half);
+
+/// The inertia of energy − σ mass, by this order of elimination: a bound for how many eigenvalues of energy·x = μ
+/// mass·x, 0 included, are less than σ, and whether `certify` can prove it by this order.
+[[nodiscard]] certify::Inertia inertia(const ElementMatrices& matrices, const std::vector<std::uint32_t>& order,
+                                       double sigma, certify::Bound bound, unsigned threads);
 
 /// How many eigenvalues of energy·x = μ mass·x are less than σ, 0 included.
 [[nodiscard]] std::uint32_t count_below(const ElementMatrices& matrices, double sigma, unsigned threads);

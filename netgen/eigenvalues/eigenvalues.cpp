@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "certify/numbers/inertia.h"
 #include "certify/numbers/parallel.h"
 #include "netgen/eigenvalues/discrete.h"
 #include "netgen/eigenvalues/elements.h"
@@ -58,6 +59,8 @@ struct Level {
         elements(geometry, times),
         lower(elements.lower()),
         upper(elements.upper()),
+        side_order(elimination_order(lower.energy)),
+        vertex_order(elimination_order(upper.energy)),
         interpolation(elements.interpolation()) {}
 
   /// σ for which the eigenvalues that are counted are those less than τ.
@@ -70,6 +73,8 @@ struct Level {
   Elements elements;
   ElementMatrices lower;
   ElementMatrices upper;
+  std::vector<std::uint32_t> side_order;
+  std::vector<std::uint32_t> vertex_order;
   double interpolation;
   std::vector<double> least;      ///< λ_k is at least that,
   std::vector<double> greatest;   ///< at most that,
@@ -152,7 +157,11 @@ class Search {
     for (std::uint32_t halvings = 0;; ++halvings) {
       Level now = level(halvings);
       std::uint32_t count = options_.count;
-      if (options_.below) count = std::max(epsnet::count_below(now.upper, *options_.below, options_.threads), 2U) - 1;
+      if (options_.below) {
+        const certify::Inertia below =
+            inertia(now.upper, now.vertex_order, *options_.below, certify::Bound::lower, options_.threads);
+        count = std::max(below.negative, 2U) - 1;
+      }
       // More and more, as the last ones may be equal.
       const std::uint32_t asked = count + (halvings + 1) * std::max(8U, count / 4);
       if (now.elements.vertices() < 4 * asked) continue;
@@ -275,7 +284,7 @@ class Search {
       bool by_matrices;
     };
     const auto by_matrices = [&](std::size_t first, std::size_t last) {
-      return Part{first, last, {level.least[first] * (1 - kMargin), level.greatest[last - 1] * (1 + kMargin)}, true};
+      return Part{first, last, {proved_least(level, first, 0), proved_greatest(level, last)}, true};
     };
     // What matrices enclose may contain what functions enclose beside it.
     std::vector<Part> parts;
@@ -310,7 +319,7 @@ class Search {
     if (end >= least) {
       throw NetError("the functions of some of these eigenvalues were not found; with 2 digits there are none");
     }
-    const double next = least - std::min(least * kMargin, (least - end) / 2);
+    const double next = proved_least(level, count, end);
     at_most(level, next, count);
     document_.next = next;
     finish(level);
@@ -323,10 +332,15 @@ class Search {
       const Level now = level(halvings);
       const double sigma = now.sigma(below);
       if (!std::isfinite(sigma)) continue;
-      const std::uint32_t most = epsnet::count_below(now.lower, sigma, options_.threads);
-      const std::uint32_t least = epsnet::count_below(now.upper, below, options_.threads);
-      if (most != least) continue;
-      const std::size_t count = std::max(most, 1U) - 1;
+      const certify::Inertia most = inertia(now.lower, now.side_order, sigma, certify::Bound::upper, options_.threads);
+      if (!most.proved) continue;
+      // No eigenvalue but 0 is less.
+      if (most.negative > 1) {
+        const certify::Inertia least =
+            inertia(now.upper, now.vertex_order, below, certify::Bound::lower, options_.threads);
+        if (!least.proved || most.negative != least.negative) continue;
+      }
+      const std::size_t count = std::max(most.negative, 1U) - 1;
       at_most(now, below, count);
       if (count > 0) {
         at_least(below, count);
@@ -335,6 +349,35 @@ class Search {
       document_.next = below;
       return finish(now);
     }
+  }
+
+  /// A number that λ_{k + 1} is at least, which `certify` can prove: near the bound of the matrices, and more than
+  /// `from`, which that is. Where a pivot is too near 0 for a proof, or λ is so small that
+  /// rounding counts, a number beside serves.
+  [[nodiscard]] double proved_least(const Level& level, std::size_t k, double from) const {
+    const double bound = level.least[k];
+    double below = 0;
+    double margin = kMargin;
+    for (int i = 1; i <= kMostTrials; ++i, margin *= 4) {
+      below = bound - std::min(margin * bound, (bound - from) * i / (i + 1));
+      const certify::Inertia found =
+          inertia(level.lower, level.side_order, level.sigma(below), certify::Bound::upper, options_.threads);
+      if (found.proved && found.negative <= k + 1) break;
+    }
+    return below;
+  }
+
+  /// The same for a number that λ_k is less than.
+  [[nodiscard]] double proved_greatest(const Level& level, std::size_t k) const {
+    double below = 0;
+    double margin = kMargin;
+    for (int i = 1; i <= kMostTrials; ++i, margin *= 4) {
+      below = level.greatest[k - 1] * (1 + margin);
+      const certify::Inertia found =
+          inertia(level.upper, level.vertex_order, below, certify::Bound::lower, options_.threads);
+      if (found.proved && found.negative >= k + 1) break;
+    }
+    return below;
   }
 
   void at_most(const Level& level, double below, std::size_t count) {
@@ -346,10 +389,11 @@ class Search {
 
   void finish(const Level& level) {
     document_.halvings = level.halvings;
-    document_.side_order = elimination_order(level.lower.energy);
-    if (!document_.at_least.empty()) document_.vertex_order = elimination_order(level.upper.energy);
+    document_.side_order = level.side_order;
+    if (!document_.at_least.empty()) document_.vertex_order = level.vertex_order;
   }
 
+  static constexpr int kMostTrials = 5;
   static constexpr double kMargin = 3e-4;         ///< Relative; shifts of the matrices by rounding are less.
   static constexpr double kError = 0.01;          ///< Relative, of estimates.
   static constexpr double kGreatestError = 0.12;  ///< Between the matrices' bounds.

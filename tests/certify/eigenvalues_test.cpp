@@ -394,8 +394,6 @@ Ball reference_factor(double lambda, const Ball& s, std::uint32_t m) {
   return result;
 }
 
-Ball from_units(std::int64_t x, int bits) { return scaled(Ball::exactly(x), -bits); }
-
 /// The factors of a point at this |z|², for points up to `greatest`.
 std::optional<std::vector<std::int64_t>> factors_at(const RadialFactors& factors, double s, double greatest) {
   const auto point = LocalPoint::of(ComplexBall(sqrt(Ball::exactly(s)), Ball()), Ball::exactly(greatest));
