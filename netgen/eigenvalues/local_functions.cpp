@@ -54,10 +54,24 @@ double disk_cosh(double epsilon, double radius, double half_distance_cosh) {
   return (std::cosh(epsilon) + std::cosh(radius)) / (2 * half_distance_cosh);
 }
 
+/// By m, about how wrong the factors are for `certify`, in multiples of 2⁻⁶¹ (docs/proof.md, Lemma 37.7 (b)).
+std::vector<double> errors_of_factors(double lambda, double s, std::uint32_t order) {
+  constexpr double kOfSeries = 12;
+  std::vector<double> errors(order + 2, kOfSeries);
+  double difference = 2 * kOfSeries;
+  for (std::uint32_t m = order; m > 0; --m) {
+    const double weight = lambda / (m * (m + 1.0));
+    difference = s * (difference + weight * errors[m + 1] + lambda) + weight + 3;
+    errors[m - 1] = errors[m] + difference;
+  }
+  return errors;
+}
+
+constexpr std::uint32_t kMostOrder = 150;
+
 /// How many waves count where tanh of half the radius is t: the tail of Lemma 37.4 is less than 10^−digits.
 std::uint32_t order_for(double t, double lambda, double digits) {
-  constexpr std::uint32_t kMost = 150;
-  for (std::uint32_t order = 2; order < kMost; ++order) {
+  for (std::uint32_t order = 2; order < kMostOrder; ++order) {
     const double sinh_wider = (order + 1) / std::sqrt(lambda);
     const double cosh_wider = std::sqrt(1 + sinh_wider * sinh_wider);
     const double q = t * (1 + cosh_wider) / sinh_wider;
@@ -65,7 +79,7 @@ std::uint32_t order_for(double t, double lambda, double digits) {
         lambda * (cosh_wider - 1) / (order + 1) + order * std::log(q) - std::log(1 - q) < -digits * std::numbers::ln10)
       return order;
   }
-  return kMost;
+  return kMostOrder;
 }
 
 /// The same for the largest of the disks.
@@ -91,6 +105,8 @@ LocalFunctions::LocalFunctions(const NetGeometry& geometry, double greatest, int
       epsilon_(geometry.epsilon().get_d()),
       radius_(1.3 * epsilon_) {
   find_lifts();
+  const double bits = -std::log2(std::tanh(kInner * epsilon_ / 2));
+  for (double m = 0; m <= kMostOrder; ++m) scales_.push_back(std::exp2(std::round(m * bits)));
   coarse_ = resolution(order_for(epsilon_, radius_, greatest, kCoarseDigits));
   // What is compared is multiplied by some 10⁵ in Lemma 37.3; coefficients are some 10² in all, and there are as many
   // tails.
@@ -193,11 +209,10 @@ void LocalFunctions::set_values(double lambda, Point z, std::uint32_t order, dou
   set_radial_factors(lambda, std::norm(z), order, factors);
   row[0] = factors[0];
   Point power = 1;
-  const double scale = 1 / fine_.inner.radius;
   for (std::size_t m = 1; m <= order; ++m) {
-    power *= z * scale;
-    row[2 * m - 1] = factors[m] * power.real();
-    row[2 * m] = factors[m] * power.imag();
+    power *= z;
+    row[2 * m - 1] = scale(m) * factors[m] * power.real();
+    row[2 * m] = scale(m) * factors[m] * power.imag();
   }
 }
 
@@ -218,16 +233,16 @@ class LocalFunctions::CircleMap {
     std::vector<double> factors;
     set_radial_factors(lambda, circle.radius * circle.radius, resolution.order, factors);
     const auto n = static_cast<double>(resolution.points);
-    double power = 1;  // Of the radius, scaled.
+    double power = 1;  // Of the radius.
     for (std::uint32_t m = 0; m <= resolution.order; ++m) {
-      const double scale = (m == 0 ? 1 : 2) / (n * power * factors[m]);
+      const double scale = (m == 0 ? 1 : 2) / (n * functions.scale(m) * power * factors[m]);
       for (Eigen::Index k = 0; k < points(); ++k) {
         const double angle = 2 * std::numbers::pi * static_cast<double>(m * k % points()) / n;
         const Eigen::Index row = Eigen::Index{2} * m;
         if (m > 0) fit_(row - 1, k) = scale * std::cos(angle);
         fit_(row, k) = m == 0 ? scale : scale * std::sin(angle);
       }
-      power *= circle.radius / functions.fine_.inner.radius;
+      power *= circle.radius;
     }
   }
 
@@ -480,7 +495,7 @@ Eigenfunctions LocalFunctions::row_of(const Task& task) const {
   Eigen::VectorXd scale(size());
   for (Eigen::Index i = 0; i < size(); ++i) {
     const auto m = static_cast<std::size_t>((i % static_cast<Eigen::Index>(fine_.each) + 1) / 2);
-    scale[i] = std::pow(fine_.inner.radius, -static_cast<double>(m));
+    scale[i] = this->scale(m);
     weight[i] = weights[m] * scale[i] * scale[i];
   }
   Task normal = task;
@@ -505,21 +520,30 @@ double LocalFunctions::error_of(const Task& task, double gram) const {
   const auto each = static_cast<Eigen::Index>(fine_.each);
   const auto vertices = static_cast<Eigen::Index>(lifts_.size());
   const double reach = std::cosh(epsilon_) + std::cosh(radius_);
-  const double greatest_t = std::sqrt((reach - 2) / reach);
+  const double greatest_s = (reach - 2) / reach;
+  const std::vector<double> factor_errors = errors_of_factors(task.lambda, greatest_s, fine_.order);
   Eigen::MatrixXd totals = Eigen::MatrixXd::Zero(vertices, count);
   Eigen::VectorXd errors = Eigen::VectorXd::Zero(count);  // Of differences of values.
   for (Eigen::Index j = 0; j < count; ++j) {
+    double most = 0;
+    double weighted = 0;
     for (Eigen::Index v = 0; v < vertices; ++v) {
       const auto own = task.functions.col(j).segment(v * each, each);
-      totals(v, j) = std::abs(own[0]);
-      double within = totals(v, j);
-      for (std::uint32_t m = 1; m <= fine_.order; ++m) {
-        const double size = std::hypot(own[Eigen::Index{2} * m - 1], own[Eigen::Index{2} * m]);
-        totals(v, j) += size * std::pow(fine_.inner.radius, -static_cast<double>(m));
-        within += size * std::pow(greatest_t / fine_.inner.radius, m);
+      double sum = 0;
+      double with_errors = 0;
+      for (std::uint32_t m = 0; m <= fine_.order; ++m) {
+        const double alpha = own[m == 0 ? 0 : Eigen::Index{2} * m - 1];
+        const double beta = m == 0 ? 0 : own[Eigen::Index{2} * m];
+        totals(v, j) += std::hypot(alpha, beta) * scale(m);
+        const double size = (std::abs(alpha) + std::abs(beta)) * scale(m) * std::pow(greatest_s, m / 2.0);
+        sum += size;
+        with_errors += size * (1.5 * m + 2 * factor_errors[m]);
       }
-      errors[j] = std::max(errors[j], 0x1p-59 * (fine_.order + 20) * within);
+      most = std::max(most, sum);
+      weighted = std::max(weighted, with_errors);
     }
+    const double unit = std::exp2(std::ceil(std::log2(most)));
+    errors[j] = 2 * 0x1p-62 * (unit * 3 * (fine_.order + 1) + weighted);
   }
   struct Bounds {
     double value = 0;

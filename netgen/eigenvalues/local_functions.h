@@ -98,6 +98,9 @@ class LocalFunctions {
   [[nodiscard]] double error_of(const Task& task, double gram) const;
   [[nodiscard]] double disk_radius(double lambda) const;
   [[nodiscard]] std::vector<double> gram_weights(double lambda) const;
+  /// What the scaled coefficients of wave m are multiplied with: about radius^−m of the circles of the search, and a
+  /// power of 2, so that nothing is rounded.
+  [[nodiscard]] double scale(std::size_t m) const { return scales_[m]; }
   [[nodiscard]] double integral(std::vector<double> values) const;
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(fine_.each * lifts_.size()); }
 
@@ -107,6 +110,7 @@ class LocalFunctions {
   double radius_;
   std::vector<std::vector<Lift>> lifts_;  ///< By vertex: all others within ε + R.
   std::vector<certify::PartitionBounds> partition_;
+  std::vector<double> scales_;  ///< By m.
   Resolution coarse_;
   Resolution fine_;
 };

@@ -89,7 +89,7 @@ class Mismatch {
   /// About how many nanoseconds that takes.
   [[nodiscard]] std::uint64_t work(const Overlaps::Pair& pair) const {
     const std::uint64_t n = 2 * std::uint64_t{pair.waves};
-    return 20 * ball_work(static_cast<std::uint64_t>(Precision::bits())) +
+    return 60 * n + 20 * ball_work(static_cast<std::uint64_t>(Precision::bits())) +
            2 * n * (values_.factors().work() + values_.work()) + values_.count() * n * (n + 20);
   }
 
@@ -123,12 +123,12 @@ class Mismatch {
   }
 
   [[nodiscard]] Waves waves_of(const Overlaps::Pair& pair) const {
-    const std::uint32_t end = pair.waves;
+    const std::uint32_t end = number_of_waves(pair.s, outer_interval(lambda_).upper, pair.waves);
     const Ball t = sqrt(pair.s);
     const Ball sinh_wider = (end + one()) * rsqrt(lambda_);
     const Ball cosh_wider = sqrt(1 + sqr(sinh_wider));
     const Ball q = t * (1 + cosh_wider) / sinh_wider;
-    Waves result{.roots = overlaps_.roots_of_unity(end)};
+    Waves result{.roots = overlaps_.roots_of_unity(pair.waves)};
     const Tri small = certainly_less(q, one());
     if (small != Tri::yes) {
       result.tail = small == Tri::no ? kInfinity : std::numeric_limits<double>::quiet_NaN();
@@ -239,13 +239,15 @@ double integral(std::vector<double> values, double disk, double area) {
   return result * kRoom;
 }
 
-/// With each function multiplied by a power of 2, so that its greatest coefficient is about 1. Functions prove what
+/// With all functions multiplied by a power of 2, so that the greatest coefficient is about 1. Functions prove what
 /// they prove, also where the least coefficients are rounded.
 EigenvaluesDocument::Eigenfunctions normalized(EigenvaluesDocument::Eigenfunctions row) {
-  for (EigenvaluesDocument::Coefficients& function : row.functions) {
-    double greatest = 0;
+  double greatest = 0;
+  for (const EigenvaluesDocument::Coefficients& function : row.functions) {
     for (const double x : function) greatest = std::max(greatest, std::abs(x));
-    const int exponent = std::ilogb(greatest);
+  }
+  const int exponent = std::ilogb(greatest);
+  for (EigenvaluesDocument::Coefficients& function : row.functions) {
     for (double& x : function) x = std::ldexp(x, -exponent);
   }
   return row;
