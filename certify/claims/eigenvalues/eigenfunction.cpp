@@ -239,13 +239,16 @@ double integral(std::vector<double> values, double disk, double area) {
   return result * kRoom;
 }
 
-/// With each function multiplied by a power of 2, so that its greatest coefficient is about 1. Functions prove what
-/// they prove, also where the least coefficients are rounded.
+/// With all functions multiplied by a power of 2, so that the greatest coefficient is about 1. Functions prove what
+/// they prove, also where the least coefficients are rounded. One power for all: sizes of functions beside each other
+/// are in Lemma 37.6.
 EigenvaluesDocument::Eigenfunctions normalized(EigenvaluesDocument::Eigenfunctions row) {
-  for (EigenvaluesDocument::Coefficients& function : row.functions) {
-    double greatest = 0;
+  double greatest = 0;
+  for (const EigenvaluesDocument::Coefficients& function : row.functions) {
     for (const double x : function) greatest = std::max(greatest, std::abs(x));
-    const int exponent = std::ilogb(greatest);
+  }
+  const int exponent = std::ilogb(greatest);
+  for (EigenvaluesDocument::Coefficients& function : row.functions) {
     for (double& x : function) x = std::ldexp(x, -exponent);
   }
   return row;
