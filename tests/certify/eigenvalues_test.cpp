@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,6 +24,7 @@
 #include "certify/claims/eigenvalues/check.h"
 #include "certify/claims/eigenvalues/eigenfunction.h"
 #include "certify/claims/eigenvalues/halved_net.h"
+#include "certify/claims/eigenvalues/mismatch.h"
 #include "certify/claims/eigenvalues/near_vertices.h"
 #include "certify/file/reader.h"
 #include "certify/net/label_evaluator.h"
@@ -425,8 +427,13 @@ TEST(LocalPoints, AreTheNumbersThatTheyStandFor) {
   ComplexBall wide = z;
   arb_add_error_2exp_si(wide.re(), -70);
   EXPECT_TRUE(LocalPoint::of(wide, greatest));
-  arb_add_error_2exp_si(wide.re(), -60);
+  arb_add_error_2exp_si(wide.re(), -62);
   EXPECT_FALSE(LocalPoint::of(wide, greatest));
+  // Perhaps beyond s₀.
+  ComplexBall half_known(Ball::exactly(0.5), Ball());
+  EXPECT_TRUE(LocalPoint::of(half_known, Ball::exactly(0.25)));
+  arb_add_error_2exp_si(half_known.re(), -70);
+  EXPECT_FALSE(LocalPoint::of(half_known, Ball::exactly(0.25)));
 }
 
 TEST(RadialFactors, AreHypergeometricFunctions) {
@@ -446,6 +453,221 @@ TEST(RadialFactors, AreHypergeometricFunctions) {
       }
     }
   }
+}
+
+/// "But for a factor" in Lemma 37.7.
+constexpr double kFactor = 1 + 0x1p-15;
+
+/// Lemma 37.7 (a), e for the series of F_m: terms end where one is less than 2⁻⁶¹ for x₀, and the following decrease.
+double series_error(double lambda, double m, double greatest) {
+  const double x = greatest / (1 - greatest);
+  const double ratio = x / std::min(1.0, 2 * x);
+  double term = 1;
+  double error = 0;
+  for (int i = 0; i * (m + 1) <= lambda || term >= 0x1p-61; ++i) {
+    error = error * ratio + 4.5;  // e_n = 0 to e_0: as many steps as terms.
+    term *= x * (lambda + i * (i + 1)) / ((i + 1) * (m + 1 + i));
+  }
+  return error + 1;
+}
+
+/// Lemma 37.7 (b), by m.
+std::vector<double> factor_errors(double lambda, std::size_t order, double greatest) {
+  int bits = 61;
+  while (std::ldexp(lambda, bits) >= 0x1p62) --bits;
+  std::vector<double> f(order + 2);
+  std::vector<double> d(order + 2);
+  f[order] = series_error(lambda, static_cast<double>(order), greatest);
+  f[order + 1] = series_error(lambda, static_cast<double>(order) + 1, greatest);
+  d[order + 1] = f[order] + f[order + 1];
+  for (std::size_t m = order; m > 0; --m) {
+    const double mu = lambda / static_cast<double>(m * (m + 1));
+    d[m] = greatest * d[m + 1] + 2 + greatest * mu * f[m + 1] + (mu + greatest * std::ldexp(1, 61 - bits) + 0.5) + 0.5;
+    d[m] *= kFactor;
+    f[m - 1] = (f[m] + d[m]) * kFactor;
+  }
+  f.pop_back();
+  return f;
+}
+
+TEST(RadialFactors, HaveTheErrorsOfTheLemma) {
+  const Precision scope(160);
+  for (const double lambda : {0.015625, 2.75, 13.5, 300.0}) {
+    for (const double greatest : {0.0078125, 0.375, 0.5}) {
+      const auto factors = RadialFactors::make(Ball::exactly(lambda), 60, Ball::exactly(greatest));
+      EXPECT_EQ(factors.has_value(), lambda * greatest < 7);
+      if (!factors) continue;
+      const std::vector<double> wanted = factor_errors(lambda, 60, greatest);
+      ASSERT_EQ(factors->errors().size(), wanted.size());
+      for (std::size_t m = 0; m < wanted.size(); ++m)
+        EXPECT_NEAR(factors->errors()[m] / wanted[m], 1, 1e-9) << lambda << ' ' << greatest << ' ' << m;
+    }
+  }
+}
+
+/// A function of each vertex alone, at m and of the given size, and one that is not 0 at any.
+Document::Eigenfunctions functions_of_one_vertex(double lambda, std::size_t vertices, std::size_t order, double size) {
+  const std::size_t each = 2 * order + 1;
+  Document::Eigenfunctions row{{2, 3}, lambda, 1, {}};
+  for (std::size_t j = 0; j < 3; ++j) {
+    Document::Coefficients function(vertices * each);
+    function[j * each] = size;
+    function[j * each + 2 * (j + 3)] = -size;  // β
+    function[j * each + 2 * (j + 5) - 1] = size;
+    row.functions.push_back(function);
+    size *= 0x1p20;
+  }
+  return row;
+}
+
+TEST(LocalValues, HaveTheErrorsOfTheLemma) {
+  const Precision scope(160);
+  constexpr std::size_t kVertices = 4;
+  constexpr std::size_t kOrder = 30;
+  constexpr double kGreatest = 0.25;
+  const Document::Eigenfunctions row = functions_of_one_vertex(20, kVertices, kOrder, 1.75);
+  const LocalValues values = LocalValues::make(row, kVertices, Ball::exactly(kGreatest)).value();
+  const std::vector<double> of_factors = factor_errors(row.lambda, kOrder, kGreatest);
+  for (std::size_t j = 0; j < row.functions.size(); ++j) {
+    for (std::size_t vertex = 0; vertex < kVertices; ++vertex) {
+      const double* own = row.functions[j].data() + vertex * (2 * kOrder + 1);
+      double sum = 0;
+      double error = 3 * (kOrder + 1);
+      for (std::size_t m = 0; m <= kOrder; ++m) {
+        const double size = (m == 0 ? std::abs(own[0]) : std::abs(own[2 * m - 1]) + std::abs(own[2 * m])) *
+                            std::pow(kGreatest, static_cast<double>(m) / 2) / std::ldexp(values.unit(j), 62);
+        sum += size;
+        error += size * (1.5 * static_cast<double>(m) + 2 * of_factors[m]);
+      }
+      EXPECT_LT(sum, 1) << j << ' ' << vertex;
+      EXPECT_NEAR(values.error(j, vertex) / (values.unit(j) * error * kFactor), 1, 1e-9) << j << ' ' << vertex;
+    }
+  }
+}
+
+/// The multiples that are nearest: an error of ½ for each product.
+TEST(LocalValues, AreRoundedToTheNearest) {
+  const Precision scope(160);
+  Document::Eigenfunctions row{{2, 3}, 2.75, 1, {Document::Coefficients(2 * 40 + 1)}};
+  row.functions[0][0] = 0.6875;
+  const LocalValues values = LocalValues::make(row, 1, Ball::exactly(0.25)).value();
+  double sum = 0;
+  for (int i = 0; i < 100; ++i) {
+    const LocalPoint point =
+        LocalPoint::of(ComplexBall(Ball::exactly(0.0049 * i), Ball()), Ball::exactly(0.25)).value();
+    std::vector<std::int64_t> factors;
+    values.factors().set(point, factors);
+    std::vector<std::int64_t> found;
+    values.set(0, point, factors, found);
+    const Ball exact = from_units(factors[0], 61) * Ball::exactly(0.6875) / Ball::exactly(values.unit(0));
+    const double error = outer_interval(Ball::exactly(found[0]) - exact).upper;
+    EXPECT_LE(std::abs(error), 0.5 + 1e-6);
+    sum += error;
+  }
+  EXPECT_LT(std::abs(sum), 20);
+}
+
+/// Lemma 37.4 (b) and (c), for values with any error, which functions of a file have not.
+TEST(DiskWaves, AreThoseOfTheLemma) {
+  const Precision scope(128);
+  for (const double lambda : {0.5, 4.0, 30.0}) {
+    for (const int waves : {1, 5, 12}) {
+      const double t = 0.25;
+      const double sinh_wider = (waves + 1) / std::sqrt(lambda);
+      const double cosh_wider = std::hypot(1, sinh_wider);
+      const double z = t / (sinh_wider / (1 + cosh_wider));
+      std::vector<double> roots;
+      std::vector<double> factors;
+      const int n = 2 * waves;
+      for (int k = 0; k < n; ++k) {
+        roots.push_back(std::cos(2 * M_PI * k / n));
+        roots.push_back(std::sin(2 * M_PI * k / n));
+      }
+      for (int m = 0; m < waves; ++m) factors.push_back(1 - 0.7 / (m + 1));
+      const DiskWaves made(Ball::exactly(lambda), Ball::exactly(t * t), factors, roots);
+      std::vector<double> values(static_cast<std::size_t>(n));
+      if (z >= 1) {
+        EXPECT_EQ(made.bounds(values, 0, 1).value, HUGE_VAL);
+        EXPECT_EQ(made.bounds(values, 0, 1).gradient, HUGE_VAL);
+        continue;
+      }
+      const auto expect = [&](double error, double total) {
+        const double tail =
+            2 * total * std::exp(lambda * (cosh_wider - 1) / (waves + 1)) * std::pow(z, waves) / (1 - z);
+        FunctionBounds wanted{tail, tail * ((waves + z / (1 - z)) / t + lambda * t)};
+        double squares = 0;
+        double slopes = 0;
+        for (int m = 1 - waves; m < waves; ++m) {
+          std::complex<double> sum = 0;
+          for (int k = 0; k < n; ++k)
+            sum += values[static_cast<std::size_t>(k)] * std::polar(1.0, -2 * M_PI * m * k / n);
+          const double size = std::abs(m);
+          const double factor = factors[static_cast<std::size_t>(std::abs(m))];
+          const double e = (std::abs(sum) / n + tail) / factor;
+          wanted.value += e;
+          wanted.gradient += e * (size / t + lambda * t);
+          squares += 1 / (factor * factor);
+          slopes += std::pow((size / t + lambda * t) / factor, 2);
+        }
+        wanted.value += error * std::sqrt(squares);
+        wanted.gradient += error * std::sqrt(slopes);
+        const FunctionBounds found = made.bounds(values, error, total);
+        EXPECT_NEAR(found.value, wanted.value, 1e-8 * wanted.value) << lambda << ' ' << waves;
+        EXPECT_NEAR(found.gradient, wanted.gradient, 1e-8 * wanted.gradient) << lambda << ' ' << waves;
+        EXPECT_GE(found.value, wanted.value) << lambda << ' ' << waves;
+        EXPECT_GE(found.gradient, wanted.gradient) << lambda << ' ' << waves;
+      };
+      expect(1, 0);
+      expect(0, 1);
+      for (std::size_t k = 0; k < values.size(); ++k) values[k] = std::sin(static_cast<double>(k * k) + 0.3);
+      expect(0, 0);
+      expect(0.01, 0.25);
+      // Values that have no wave but the one of order J: what is left is rounding.
+      for (std::size_t k = 0; k < values.size(); ++k) values[k] = k % 2 == 0 ? 2 : -3;
+      values.front() += 1e-300;
+      const double mean = outer_interval(Ball::exactly(0.5)).upper;
+      double all = 0;
+      for (int m = 1 - waves; m < waves; ++m) all += 1 / factors[static_cast<std::size_t>(std::abs(m))];
+      const double least = mean / factors[0] + all * 3 * (n + 8) * 0x1p-52;
+      EXPECT_GE(made.bounds(values, 0, 0).value, least * (1 - 0x1p-50));
+      factors.back() = -factors.back();
+      const DiskWaves unknown(Ball::exactly(lambda), Ball::exactly(t * t), factors, roots);
+      EXPECT_EQ(unknown.bounds(values, 1, 1).value, HUGE_VAL);
+    }
+  }
+}
+
+/// Where functions are 0 around both vertices, their difference is what their errors are.
+TEST(Mismatches, AreAtLeastWhatTheValuesMayBeWrong) {
+  const Precision scope(128);
+  const NetDocument net = function().net;
+  const LabelParts parts = label_parts(check_surface(net.surface).crossings, net.charts, {});
+  std::vector<std::uint32_t> numbers(net.labels.size());
+  std::iota(numbers.begin(), numbers.end(), 1U);
+  const auto labels = LabelEvaluator(net, parts).evaluate(numbers, 128, 512, 1);
+  constexpr std::uint32_t kOrder = 20;
+  const Document::Eigenfunctions row = functions_of_one_vertex(7, net.vertices.size(), kOrder, 1);
+  const Overlaps overlaps = Overlaps::make(net, labels, row.radius, kOrder, row.lambda, {}, 1).value();
+  const LocalValues values = LocalValues::make(row, net.vertices.size(), overlaps.greatest()).value();
+  const Ball lambda = Ball::exactly(row.lambda);
+  const Mismatch mismatch(overlaps, values, lambda);
+  int asked = 0;
+  for (const Overlaps::Pair& pair : overlaps.pairs()) {
+    double squares = 0;
+    for (std::uint32_t m = 0; m < pair.waves; ++m)
+      squares += (m == 0 ? 1 : 2) / std::pow(outer_interval(reference_factor(row.lambda, pair.s, m)).lower, 2);
+    const auto bounds = mismatch(pair, {0, 0, 0});
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double error = (values.error(j, pair.vertex) + values.error(j, pair.other)) * std::sqrt(squares);
+      if (pair.vertex == j || pair.other == j) {
+        EXPECT_GT(bounds[j].value, 1e6 * error);
+      } else {
+        EXPECT_NEAR(bounds[j].value / error, 1, 1e-6) << j;
+        ++asked;
+      }
+    }
+  }
+  EXPECT_GT(asked, 20);
 }
 
 TEST(RadialFactors, AreNotMadeForWhatTheyAreNotFor) {
