@@ -10,6 +10,7 @@
 #include <optional>
 #include <random>
 #include <rapidcheck/gtest.h>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -623,13 +624,11 @@ TEST(DiskWaves, AreThoseOfTheLemma) {
       expect(0, 0);
       expect(0.01, 0.25);
       // Values that have no wave but the one of order J: what is left is rounding.
-      for (std::size_t k = 0; k < values.size(); ++k) values[k] = k % 2 == 0 ? 2 : -3;
-      values.front() += 1e-300;
-      const double mean = outer_interval(Ball::exactly(0.5)).upper;
+      for (std::size_t k = 0; k < values.size(); ++k) values[k] = k % 2 == 0 ? 3 : -3;
       double all = 0;
       for (int m = 1 - waves; m < waves; ++m) all += 1 / factors[static_cast<std::size_t>(std::abs(m))];
-      const double least = mean / factors[0] + all * 3 * (n + 8) * 0x1p-52;
-      EXPECT_GE(made.bounds(values, 0, 0).value, least * (1 - 0x1p-50));
+      EXPECT_GE(made.bounds(values, 0, 0).value, all * 3 * (n + 8) * 0x1p-52);
+      values.front() += 1;
       factors.back() = -factors.back();
       const DiskWaves unknown(Ball::exactly(lambda), Ball::exactly(t * t), factors, roots);
       EXPECT_EQ(unknown.bounds(values, 1, 1).value, HUGE_VAL);
@@ -687,6 +686,16 @@ TEST(RadialFactors, AreNotMadeForWhatTheyAreNotFor) {
   EXPECT_FALSE(made(65'536, 3000, 0.0001));
   // Coefficients that are too large.
   EXPECT_FALSE(made(50, 2, 0.12));
+  // Those of F_m for x = 1 add up to less than 2.9, or to less than 4, and none is greater than 1.5.
+  for (std::uint32_t order = 4; order < 60; ++order) {
+    double sum = 0;
+    double term = 1;
+    for (int i = 0; i < 500; ++i) {
+      sum += term;
+      term *= (13.5 + i * (i + 1)) / ((i + 1) * (order + 1.0 + i));
+    }
+    EXPECT_EQ(made(13.5, order, 0.5), sum < 2.9) << order << ' ' << sum;
+  }
 }
 
 TEST(LocalValues, AreSumsOfTheirWavesWithTheErrorsThatTheySay) {
@@ -750,6 +759,96 @@ TEST(LocalValues, AreSumsOfTheirWavesWithTheErrorsThatTheySay) {
   row.functions[0][3] = std::numeric_limits<double>::max();
   row.functions[0][4] = std::numeric_limits<double>::max();
   EXPECT_FALSE(LocalValues::make(row, kVertices, greatest));
+}
+
+/// The octagon's, for functions of this order.
+std::optional<Overlaps> overlaps_of_octagon(double radius, std::uint32_t order, slong bits) {
+  const Precision scope(bits);
+  const NetDocument net = function().net;
+  const LabelParts parts = label_parts(check_surface(net.surface).crossings, net.charts, {});
+  std::vector<std::uint32_t> numbers(net.labels.size());
+  std::iota(numbers.begin(), numbers.end(), 1U);
+  const auto labels = LabelEvaluator(net, parts).evaluate(numbers, bits, 4 * bits, 1);
+  return Overlaps::make(net, labels, radius, order, 2.75, {}, 1);
+}
+
+/// The lifts near each vertex of a net.
+std::optional<std::vector<std::vector<NearVertex>>> near_in(const NetDocument& net, double distance, slong bits);
+
+/// Each pair once, also those of a vertex and its own lifts, and equally many points around each, in order.
+TEST(Overlaps, AreCirclesAroundMidpoints) {
+  constexpr std::uint32_t kOrder = 40;
+  for (const double radius : {1.0, 1.99}) {
+    const Overlaps overlaps = overlaps_of_octagon(radius, kOrder, 160).value();
+    const auto near = near_in(function().net, 0.9 + radius, 160).value();
+    const Precision scope(160);
+    const double scale = std::ldexp(std::sqrt(outer_interval(overlaps.greatest()).upper), -62);
+    const double reach = std::cosh(0.9) + std::cosh(radius);
+    std::size_t next = 0;
+    std::size_t same = 0;
+    std::set<std::uint32_t> waves;
+    for (std::uint32_t vertex = 0; vertex < near.size(); ++vertex) {
+      for (const NearVertex& lift : near[vertex]) {
+        if (lift.vertex < vertex) continue;
+        same += lift.vertex == vertex ? 1 : 0;
+        ASSERT_LT(next, overlaps.pairs().size());
+        const Overlaps::Pair& pair = overlaps.pairs()[next++];
+        ASSERT_EQ(pair.vertex, vertex);
+        ASSERT_EQ(pair.other, lift.vertex);
+        const auto number = [](const ComplexBall& z) {
+          return std::complex(outer_interval(real(z)).upper, outer_interval(imaginary(z)).upper);
+        };
+        const std::complex<double> a = number(lift.isometry.a);
+        const std::complex<double> b = number(lift.isometry.b);
+        const double half = std::asinh(std::abs(b));  // Of the distance.
+        const std::complex<double> middle = std::polar(std::tanh(half / 2), std::arg(b / std::conj(a)));
+        const double t = std::tanh(std::acosh(reach / (2 * std::cosh(half))) / 2);
+        EXPECT_NEAR(outer_interval(pair.s).upper, t * t, 1e-12);
+        EXPECT_NEAR(std::ldexp(static_cast<double>(pair.edge.s), -61), t * t, 1e-12);
+        waves.insert(pair.waves);
+        const std::size_t n = std::size_t{2} * pair.waves;
+        ASSERT_EQ(overlaps.points(pair).size(), n);
+        const std::vector<double>& roots = overlaps.roots_of_unity(pair.waves);
+        ASSERT_EQ(roots.size(), 2 * n);
+        for (std::size_t k = 0; k < n; ++k) {
+          const auto root = std::polar(1.0, 2 * M_PI * static_cast<double>(k) / static_cast<double>(n));
+          EXPECT_LT(std::abs(std::complex(roots[2 * k], roots[2 * k + 1]) - root), 1e-14);
+          const std::complex<double> own = (t * root + middle) / (1.0 + std::conj(middle) * t * root);
+          const std::complex<double> other = (std::conj(a) * own - b) / (a - std::conj(b) * own);
+          const auto place = [&](const LocalPoint& point) {
+            return scale * std::complex(static_cast<double>(point.x), static_cast<double>(point.y));
+          };
+          EXPECT_LT(std::abs(place(overlaps.points(pair)[k].own) - own), 1e-11);
+          EXPECT_LT(std::abs(place(overlaps.points(pair)[k].other) - other), 1e-11);
+        }
+      }
+    }
+    EXPECT_EQ(next, overlaps.pairs().size());
+    EXPECT_EQ(same > 0, radius > 1);
+    EXPECT_GT(waves.size(), 1U);
+  }
+}
+
+/// With few bits no points, or the same: a unit beside them at most on both sides.
+TEST(Overlaps, AreNotMadeOfPointsThatAreNotKnown) {
+  const Overlaps wanted = overlaps_of_octagon(1, 3, 160).value();
+  int made = 0;
+  for (slong bits = 64; bits <= 88; bits += 3) {
+    const auto found = overlaps_of_octagon(1, 3, bits);
+    if (!found) continue;
+    ++made;
+    ASSERT_EQ(found->pairs().size(), wanted.pairs().size());
+    for (std::size_t i = 0; i < wanted.pairs().size(); ++i) {
+      const auto points = found->points(found->pairs()[i]);
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const Overlaps::Point& other = wanted.points(wanted.pairs()[i])[k];
+        EXPECT_LE(std::abs(points[k].own.x - other.own.x), 2) << bits;
+        EXPECT_LE(std::abs(points[k].other.y - other.other.y), 2) << bits;
+      }
+    }
+  }
+  EXPECT_GT(made, 0);
+  EXPECT_LT(made, 9);
 }
 
 /// Balls of few bits place lifts with errors that Lemma 37.2 does not allow.
