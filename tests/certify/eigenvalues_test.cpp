@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include <optional>
 #include <random>
 #include <rapidcheck/gtest.h>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +25,7 @@
 #include "certify/claims/eigenvalues/check.h"
 #include "certify/claims/eigenvalues/eigenfunction.h"
 #include "certify/claims/eigenvalues/halved_net.h"
+#include "certify/claims/eigenvalues/mismatch.h"
 #include "certify/claims/eigenvalues/near_vertices.h"
 #include "certify/file/reader.h"
 #include "certify/net/label_evaluator.h"
@@ -394,6 +397,8 @@ Ball reference_factor(double lambda, const Ball& s, std::uint32_t m) {
   return result;
 }
 
+Ball from_units(std::int64_t x, int bits) { return scaled(Ball::exactly(x), -bits); }
+
 /// The factors of a point at this |z|², for points up to `greatest`.
 std::optional<std::vector<std::int64_t>> factors_at(const RadialFactors& factors, double s, double greatest) {
   const auto point = LocalPoint::of(ComplexBall(sqrt(Ball::exactly(s)), Ball()), Ball::exactly(greatest));
@@ -423,8 +428,13 @@ TEST(LocalPoints, AreTheNumbersThatTheyStandFor) {
   ComplexBall wide = z;
   arb_add_error_2exp_si(wide.re(), -70);
   EXPECT_TRUE(LocalPoint::of(wide, greatest));
-  arb_add_error_2exp_si(wide.re(), -60);
+  arb_add_error_2exp_si(wide.re(), -62);
   EXPECT_FALSE(LocalPoint::of(wide, greatest));
+  // Perhaps beyond s₀.
+  ComplexBall half_known(Ball::exactly(0.5), Ball());
+  EXPECT_TRUE(LocalPoint::of(half_known, Ball::exactly(0.25)));
+  arb_add_error_2exp_si(half_known.re(), -70);
+  EXPECT_FALSE(LocalPoint::of(half_known, Ball::exactly(0.25)));
 }
 
 TEST(RadialFactors, AreHypergeometricFunctions) {
@@ -446,6 +456,219 @@ TEST(RadialFactors, AreHypergeometricFunctions) {
   }
 }
 
+/// "But for a factor" in Lemma 37.7.
+constexpr double kFactor = 1 + 0x1p-15;
+
+/// Lemma 37.7 (a), e for the series of F_m: terms end where one is less than 2⁻⁶¹ for x₀, and the following decrease.
+double series_error(double lambda, double m, double greatest) {
+  const double x = greatest / (1 - greatest);
+  const double ratio = x / std::min(1.0, 2 * x);
+  double term = 1;
+  double error = 0;
+  for (int i = 0; i * (m + 1) <= lambda || term >= 0x1p-61; ++i) {
+    error = error * ratio + 4.5;  // e_n = 0 to e_0: as many steps as terms.
+    term *= x * (lambda + i * (i + 1)) / ((i + 1) * (m + 1 + i));
+  }
+  return error + 1;
+}
+
+/// Lemma 37.7 (b), by m.
+std::vector<double> factor_errors(double lambda, std::size_t order, double greatest) {
+  int bits = 61;
+  while (std::ldexp(lambda, bits) >= 0x1p62) --bits;
+  std::vector<double> f(order + 2);
+  std::vector<double> d(order + 2);
+  f[order] = series_error(lambda, static_cast<double>(order), greatest);
+  f[order + 1] = series_error(lambda, static_cast<double>(order) + 1, greatest);
+  d[order + 1] = f[order] + f[order + 1];
+  for (std::size_t m = order; m > 0; --m) {
+    const double mu = lambda / static_cast<double>(m * (m + 1));
+    d[m] = greatest * d[m + 1] + 2 + greatest * mu * f[m + 1] + (mu + greatest * std::ldexp(1, 61 - bits) + 0.5) + 0.5;
+    d[m] *= kFactor;
+    f[m - 1] = (f[m] + d[m]) * kFactor;
+  }
+  f.pop_back();
+  return f;
+}
+
+TEST(RadialFactors, HaveTheErrorsOfTheLemma) {
+  const Precision scope(160);
+  for (const double lambda : {0.015625, 2.75, 13.5, 300.0}) {
+    for (const double greatest : {0.0078125, 0.375, 0.5}) {
+      const auto factors = RadialFactors::make(Ball::exactly(lambda), 60, Ball::exactly(greatest));
+      EXPECT_EQ(factors.has_value(), lambda * greatest < 7);
+      if (!factors) continue;
+      const std::vector<double> wanted = factor_errors(lambda, 60, greatest);
+      ASSERT_EQ(factors->errors().size(), wanted.size());
+      for (std::size_t m = 0; m < wanted.size(); ++m)
+        EXPECT_NEAR(factors->errors()[m] / wanted[m], 1, 1e-9) << lambda << ' ' << greatest << ' ' << m;
+    }
+  }
+}
+
+/// A function of each vertex alone, at m and of the given size, and one that is not 0 at any.
+Document::Eigenfunctions functions_of_one_vertex(double lambda, std::size_t vertices, std::size_t order, double size) {
+  const std::size_t each = 2 * order + 1;
+  Document::Eigenfunctions row{{2, 3}, lambda, 1, {}};
+  for (std::size_t j = 0; j < 3; ++j) {
+    Document::Coefficients function(vertices * each);
+    function[j * each] = size;
+    function[j * each + 2 * (j + 3)] = -size;  // β
+    function[j * each + 2 * (j + 5) - 1] = size;
+    row.functions.push_back(function);
+    size *= 0x1p20;
+  }
+  return row;
+}
+
+TEST(LocalValues, HaveTheErrorsOfTheLemma) {
+  const Precision scope(160);
+  constexpr std::size_t kVertices = 4;
+  constexpr std::size_t kOrder = 30;
+  constexpr double kGreatest = 0.25;
+  const Document::Eigenfunctions row = functions_of_one_vertex(20, kVertices, kOrder, 1.75);
+  const LocalValues values = LocalValues::make(row, kVertices, Ball::exactly(kGreatest)).value();
+  const std::vector<double> of_factors = factor_errors(row.lambda, kOrder, kGreatest);
+  for (std::size_t j = 0; j < row.functions.size(); ++j) {
+    for (std::size_t vertex = 0; vertex < kVertices; ++vertex) {
+      const double* own = row.functions[j].data() + vertex * (2 * kOrder + 1);
+      double sum = 0;
+      double error = 3 * (kOrder + 1);
+      for (std::size_t m = 0; m <= kOrder; ++m) {
+        const double size = (m == 0 ? std::abs(own[0]) : std::abs(own[2 * m - 1]) + std::abs(own[2 * m])) *
+                            std::pow(kGreatest, static_cast<double>(m) / 2) / std::ldexp(values.unit(j), 62);
+        sum += size;
+        error += size * (1.5 * static_cast<double>(m) + 2 * of_factors[m]);
+      }
+      EXPECT_LT(sum, 1) << j << ' ' << vertex;
+      EXPECT_NEAR(values.error(j, vertex) / (values.unit(j) * error * kFactor), 1, 1e-9) << j << ' ' << vertex;
+    }
+  }
+}
+
+/// The multiples that are nearest: an error of ½ for each product.
+TEST(LocalValues, AreRoundedToTheNearest) {
+  const Precision scope(160);
+  Document::Eigenfunctions row{{2, 3}, 2.75, 1, {Document::Coefficients(2 * 40 + 1)}};
+  row.functions[0][0] = 0.6875;
+  const LocalValues values = LocalValues::make(row, 1, Ball::exactly(0.25)).value();
+  double sum = 0;
+  for (int i = 0; i < 100; ++i) {
+    const LocalPoint point =
+        LocalPoint::of(ComplexBall(Ball::exactly(0.0049 * i), Ball()), Ball::exactly(0.25)).value();
+    std::vector<std::int64_t> factors;
+    values.factors().set(point, factors);
+    std::vector<std::int64_t> found;
+    values.set(0, point, factors, found);
+    const Ball exact = from_units(factors[0], 61) * Ball::exactly(0.6875) / Ball::exactly(values.unit(0));
+    const double error = outer_interval(Ball::exactly(found[0]) - exact).upper;
+    EXPECT_LE(std::abs(error), 0.5 + 1e-6);
+    sum += error;
+  }
+  EXPECT_LT(std::abs(sum), 20);
+}
+
+/// Lemma 37.4 (b) and (c), for values with any error, which functions of a file have not.
+TEST(DiskWaves, AreThoseOfTheLemma) {
+  const Precision scope(128);
+  for (const double lambda : {0.5, 4.0, 30.0}) {
+    for (const int waves : {1, 5, 12}) {
+      const double t = 0.25;
+      const double sinh_wider = (waves + 1) / std::sqrt(lambda);
+      const double cosh_wider = std::hypot(1, sinh_wider);
+      const double z = t / (sinh_wider / (1 + cosh_wider));
+      std::vector<double> roots;
+      std::vector<double> factors;
+      const int n = 2 * waves;
+      for (int k = 0; k < n; ++k) {
+        roots.push_back(std::cos(2 * M_PI * k / n));
+        roots.push_back(std::sin(2 * M_PI * k / n));
+      }
+      for (int m = 0; m < waves; ++m) factors.push_back(1 - 0.7 / (m + 1));
+      const DiskWaves made(Ball::exactly(lambda), Ball::exactly(t * t), factors, roots);
+      std::vector<double> values(static_cast<std::size_t>(n));
+      if (z >= 1) {
+        EXPECT_EQ(made.bounds(values, 0, 1).value, HUGE_VAL);
+        EXPECT_EQ(made.bounds(values, 0, 1).gradient, HUGE_VAL);
+        continue;
+      }
+      const auto expect = [&](double error, double total) {
+        const double tail =
+            2 * total * std::exp(lambda * (cosh_wider - 1) / (waves + 1)) * std::pow(z, waves) / (1 - z);
+        FunctionBounds wanted{tail, tail * ((waves + z / (1 - z)) / t + lambda * t)};
+        double squares = 0;
+        double slopes = 0;
+        for (int m = 1 - waves; m < waves; ++m) {
+          std::complex<double> sum = 0;
+          for (int k = 0; k < n; ++k)
+            sum += values[static_cast<std::size_t>(k)] * std::polar(1.0, -2 * M_PI * m * k / n);
+          const double size = std::abs(m);
+          const double factor = factors[static_cast<std::size_t>(std::abs(m))];
+          const double e = (std::abs(sum) / n + tail) / factor;
+          wanted.value += e;
+          wanted.gradient += e * (size / t + lambda * t);
+          squares += 1 / (factor * factor);
+          slopes += std::pow((size / t + lambda * t) / factor, 2);
+        }
+        wanted.value += error * std::sqrt(squares);
+        wanted.gradient += error * std::sqrt(slopes);
+        const FunctionBounds found = made.bounds(values, error, total);
+        EXPECT_NEAR(found.value, wanted.value, 1e-8 * wanted.value) << lambda << ' ' << waves;
+        EXPECT_NEAR(found.gradient, wanted.gradient, 1e-8 * wanted.gradient) << lambda << ' ' << waves;
+        EXPECT_GE(found.value, wanted.value) << lambda << ' ' << waves;
+        EXPECT_GE(found.gradient, wanted.gradient) << lambda << ' ' << waves;
+      };
+      expect(1, 0);
+      expect(0, 1);
+      for (std::size_t k = 0; k < values.size(); ++k) values[k] = std::sin(static_cast<double>(k * k) + 0.3);
+      expect(0, 0);
+      expect(0.01, 0.25);
+      // Values that have no wave but the one of order J: what is left is rounding.
+      for (std::size_t k = 0; k < values.size(); ++k) values[k] = k % 2 == 0 ? 3 : -3;
+      double all = 0;
+      for (int m = 1 - waves; m < waves; ++m) all += 1 / factors[static_cast<std::size_t>(std::abs(m))];
+      EXPECT_GE(made.bounds(values, 0, 0).value, all * 3 * (n + 8) * 0x1p-52);
+      values.front() += 1;
+      factors.back() = -factors.back();
+      const DiskWaves unknown(Ball::exactly(lambda), Ball::exactly(t * t), factors, roots);
+      EXPECT_EQ(unknown.bounds(values, 1, 1).value, HUGE_VAL);
+    }
+  }
+}
+
+/// Where functions are 0 around both vertices, their difference is what their errors are.
+TEST(Mismatches, AreAtLeastWhatTheValuesMayBeWrong) {
+  const Precision scope(128);
+  const NetDocument net = function().net;
+  const LabelParts parts = label_parts(check_surface(net.surface).crossings, net.charts, {});
+  std::vector<std::uint32_t> numbers(net.labels.size());
+  std::iota(numbers.begin(), numbers.end(), 1U);
+  const auto labels = LabelEvaluator(net, parts).evaluate(numbers, 128, 512, 1);
+  constexpr std::uint32_t kOrder = 20;
+  const Document::Eigenfunctions row = functions_of_one_vertex(7, net.vertices.size(), kOrder, 1);
+  const Overlaps overlaps = Overlaps::make(net, labels, row.radius, kOrder, row.lambda, {}, 1).value();
+  const LocalValues values = LocalValues::make(row, net.vertices.size(), overlaps.greatest()).value();
+  const Ball lambda = Ball::exactly(row.lambda);
+  const Mismatch mismatch(overlaps, values, lambda);
+  int asked = 0;
+  for (const Overlaps::Pair& pair : overlaps.pairs()) {
+    double squares = 0;
+    for (std::uint32_t m = 0; m < pair.waves; ++m)
+      squares += (m == 0 ? 1 : 2) / std::pow(outer_interval(reference_factor(row.lambda, pair.s, m)).lower, 2);
+    const auto bounds = mismatch(pair, {0, 0, 0});
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double error = (values.error(j, pair.vertex) + values.error(j, pair.other)) * std::sqrt(squares);
+      if (pair.vertex == j || pair.other == j) {
+        EXPECT_GT(bounds[j].value, 1e6 * error);
+      } else {
+        EXPECT_NEAR(bounds[j].value / error, 1, 1e-6) << j;
+        ++asked;
+      }
+    }
+  }
+  EXPECT_GT(asked, 20);
+}
+
 TEST(RadialFactors, AreNotMadeForWhatTheyAreNotFor) {
   const Precision scope(128);
   const auto made = [](double lambda, std::uint32_t order, double greatest) {
@@ -463,6 +686,16 @@ TEST(RadialFactors, AreNotMadeForWhatTheyAreNotFor) {
   EXPECT_FALSE(made(65'536, 3000, 0.0001));
   // Coefficients that are too large.
   EXPECT_FALSE(made(50, 2, 0.12));
+  // Those of F_m for x = 1 add up to less than 2.9, or to less than 4, and none is greater than 1.5.
+  for (std::uint32_t order = 4; order < 60; ++order) {
+    double sum = 0;
+    double term = 1;
+    for (int i = 0; i < 500; ++i) {
+      sum += term;
+      term *= (13.5 + i * (i + 1)) / ((i + 1) * (order + 1.0 + i));
+    }
+    EXPECT_EQ(made(13.5, order, 0.5), sum < 2.9) << order << ' ' << sum;
+  }
 }
 
 TEST(LocalValues, AreSumsOfTheirWavesWithTheErrorsThatTheySay) {
@@ -526,6 +759,96 @@ TEST(LocalValues, AreSumsOfTheirWavesWithTheErrorsThatTheySay) {
   row.functions[0][3] = std::numeric_limits<double>::max();
   row.functions[0][4] = std::numeric_limits<double>::max();
   EXPECT_FALSE(LocalValues::make(row, kVertices, greatest));
+}
+
+/// The octagon's, for functions of this order.
+std::optional<Overlaps> overlaps_of_octagon(double radius, std::uint32_t order, slong bits) {
+  const Precision scope(bits);
+  const NetDocument net = function().net;
+  const LabelParts parts = label_parts(check_surface(net.surface).crossings, net.charts, {});
+  std::vector<std::uint32_t> numbers(net.labels.size());
+  std::iota(numbers.begin(), numbers.end(), 1U);
+  const auto labels = LabelEvaluator(net, parts).evaluate(numbers, bits, 4 * bits, 1);
+  return Overlaps::make(net, labels, radius, order, 2.75, {}, 1);
+}
+
+/// The lifts near each vertex of a net.
+std::optional<std::vector<std::vector<NearVertex>>> near_in(const NetDocument& net, double distance, slong bits);
+
+/// Each pair once, also those of a vertex and its own lifts, and equally many points around each, in order.
+TEST(Overlaps, AreCirclesAroundMidpoints) {
+  constexpr std::uint32_t kOrder = 40;
+  for (const double radius : {1.0, 1.99}) {
+    const Overlaps overlaps = overlaps_of_octagon(radius, kOrder, 160).value();
+    const auto near = near_in(function().net, 0.9 + radius, 160).value();
+    const Precision scope(160);
+    const double scale = std::ldexp(std::sqrt(outer_interval(overlaps.greatest()).upper), -62);
+    const double reach = std::cosh(0.9) + std::cosh(radius);
+    std::size_t next = 0;
+    std::size_t same = 0;
+    std::set<std::uint32_t> waves;
+    for (std::uint32_t vertex = 0; vertex < near.size(); ++vertex) {
+      for (const NearVertex& lift : near[vertex]) {
+        if (lift.vertex < vertex) continue;
+        same += lift.vertex == vertex ? 1 : 0;
+        ASSERT_LT(next, overlaps.pairs().size());
+        const Overlaps::Pair& pair = overlaps.pairs()[next++];
+        ASSERT_EQ(pair.vertex, vertex);
+        ASSERT_EQ(pair.other, lift.vertex);
+        const auto number = [](const ComplexBall& z) {
+          return std::complex(outer_interval(real(z)).upper, outer_interval(imaginary(z)).upper);
+        };
+        const std::complex<double> a = number(lift.isometry.a);
+        const std::complex<double> b = number(lift.isometry.b);
+        const double half = std::asinh(std::abs(b));  // Of the distance.
+        const std::complex<double> middle = std::polar(std::tanh(half / 2), std::arg(b / std::conj(a)));
+        const double t = std::tanh(std::acosh(reach / (2 * std::cosh(half))) / 2);
+        EXPECT_NEAR(outer_interval(pair.s).upper, t * t, 1e-12);
+        EXPECT_NEAR(std::ldexp(static_cast<double>(pair.edge.s), -61), t * t, 1e-12);
+        waves.insert(pair.waves);
+        const std::size_t n = std::size_t{2} * pair.waves;
+        ASSERT_EQ(overlaps.points(pair).size(), n);
+        const std::vector<double>& roots = overlaps.roots_of_unity(pair.waves);
+        ASSERT_EQ(roots.size(), 2 * n);
+        for (std::size_t k = 0; k < n; ++k) {
+          const auto root = std::polar(1.0, 2 * M_PI * static_cast<double>(k) / static_cast<double>(n));
+          EXPECT_LT(std::abs(std::complex(roots[2 * k], roots[2 * k + 1]) - root), 1e-14);
+          const std::complex<double> own = (t * root + middle) / (1.0 + std::conj(middle) * t * root);
+          const std::complex<double> other = (std::conj(a) * own - b) / (a - std::conj(b) * own);
+          const auto place = [&](const LocalPoint& point) {
+            return scale * std::complex(static_cast<double>(point.x), static_cast<double>(point.y));
+          };
+          EXPECT_LT(std::abs(place(overlaps.points(pair)[k].own) - own), 1e-11);
+          EXPECT_LT(std::abs(place(overlaps.points(pair)[k].other) - other), 1e-11);
+        }
+      }
+    }
+    EXPECT_EQ(next, overlaps.pairs().size());
+    EXPECT_EQ(same > 0, radius > 1);
+    EXPECT_GT(waves.size(), 1U);
+  }
+}
+
+/// With few bits no points, or the same: a unit beside them at most on both sides.
+TEST(Overlaps, AreNotMadeOfPointsThatAreNotKnown) {
+  const Overlaps wanted = overlaps_of_octagon(1, 3, 160).value();
+  int made = 0;
+  for (slong bits = 64; bits <= 88; bits += 3) {
+    const auto found = overlaps_of_octagon(1, 3, bits);
+    if (!found) continue;
+    ++made;
+    ASSERT_EQ(found->pairs().size(), wanted.pairs().size());
+    for (std::size_t i = 0; i < wanted.pairs().size(); ++i) {
+      const auto points = found->points(found->pairs()[i]);
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const Overlaps::Point& other = wanted.points(wanted.pairs()[i])[k];
+        EXPECT_LE(std::abs(points[k].own.x - other.own.x), 2) << bits;
+        EXPECT_LE(std::abs(points[k].other.y - other.other.y), 2) << bits;
+      }
+    }
+  }
+  EXPECT_GT(made, 0);
+  EXPECT_LT(made, 9);
 }
 
 /// Balls of few bits place lifts with errors that Lemma 37.2 does not allow.

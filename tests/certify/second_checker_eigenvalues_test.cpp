@@ -1483,6 +1483,10 @@ TEST(Eigenfunctions, OfSeveralEigenvaluesAreAsWrongAsTheLemmasSay) {
   EXPECT_GT(wrong, 10);
   ASSERT_LT(wrong, HUGE_VAL);
   EXPECT_NEAR(functions.second(nearly) / wrong, 1, 1e-5);
+  EXPECT_NEAR(functions.first(nearly) / functions.reference(nearly), 1, 1e-4);
+  std::swap(nearly.functions[0], nearly.functions[1]);
+  EXPECT_NEAR(functions.first(nearly) / functions.reference(nearly), 1, 1e-4);
+  std::swap(nearly.functions[0], nearly.functions[1]);
   // One twice, with another factor, is one.
   for (std::size_t i = 0; i < nearly.functions[0].size(); ++i) nearly.functions[1][i] = -0.5 * row.functions[0][i];
   EXPECT_EQ(functions.second_reference(nearly, 0), HUGE_VAL);

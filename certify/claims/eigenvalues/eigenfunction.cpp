@@ -3,30 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "certify/claims/eigenvalues/local_values.h"
+#include "certify/claims/eigenvalues/mismatch.h"
 #include "certify/numbers/parallel.h"
 
 namespace epsnet::certify {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// For the rounding of sums and products of at most 2²⁰ numbers that are not negative, in binary64, and of what they
-/// are made of.
-constexpr double kRoom = 1 + 0x1p-30;
-
-Ball one() { return Ball::exactly(1); }
-Ball exponential(const Ball& x) { return ball_of(arb_exp, x); }
-Ball power(const Ball& x, std::uint64_t exponent) {
-  Ball result;
-  arb_pow_ui(result.get(), x.get(), exponent, Precision::bits());
-  return result;
-}
-double upper_end(const Ball& x) { return outer_interval(x).upper; }
-double square(double x) { return x * x; }
 
 /// The coefficients of a row, each function of all vertices.
 class Coefficients {
@@ -59,136 +44,6 @@ class Coefficients {
   const std::vector<EigenvaluesDocument::Coefficients>& functions_;
   std::size_t vertices_;
   std::size_t each_;
-};
-
-/// Bounds for a function and its gradient.
-struct Bounds {
-  double value = 0;
-  double gradient = 0;
-};
-
-/// Bounds for the differences of functions in the disks of pairs (docs/proof.md, Lemmas 37.4 and 37.7).
-class Mismatch {
- public:
-  Mismatch(const Overlaps& overlaps, const LocalValues& values, const Ball& lambda)
-      : overlaps_(overlaps), values_(values), lambda_(lambda) {}
-
-  /// By function of the row; `totals` are those of both vertices together. Infinite where nothing follows, NaN where
-  /// more bits are needed.
-  [[nodiscard]] std::vector<Bounds> operator()(const Overlaps::Pair& pair, const std::vector<double>& totals) const {
-    const std::vector<std::vector<double>> differences = this->differences(pair);
-    const Waves waves = waves_of(pair);
-    std::vector<Bounds> result;
-    for (std::size_t j = 0; j < differences.size(); ++j) {
-      const double error = (values_.error(j, pair.vertex) + values_.error(j, pair.other)) * kRoom;
-      result.push_back(from_values(differences[j], error, waves, totals[j]));
-    }
-    return result;
-  }
-
-  /// About how many nanoseconds that takes.
-  [[nodiscard]] std::uint64_t work(const Overlaps::Pair& pair) const {
-    const std::uint64_t n = 2 * std::uint64_t{pair.waves};
-    return 60 * n + 20 * ball_work(static_cast<std::uint64_t>(Precision::bits())) +
-           2 * n * (values_.factors().work() + values_.work()) + values_.count() * n * (n + 20);
-  }
-
- private:
-  /// What of a pair's disk does not depend on the functions.
-  struct Waves {
-    /// By m < J, what the size of a coefficient is multiplied with.
-    std::vector<Bounds> weights = {};
-    Bounds all = {};     ///< The sums over −J < m < J,
-    Bounds root = {};    ///< and the roots of the sums of squares.
-    Bounds beyond = {};  ///< The same for all that is not less than J, together.
-    double tail = 0;     ///< T, for C = 1.
-    const std::vector<double>& roots;
-  };
-
-  /// By function and point.
-  [[nodiscard]] std::vector<std::vector<double>> differences(const Overlaps::Pair& pair) const {
-    std::vector<std::vector<double>> result(values_.count());
-    std::vector<std::int64_t> factors;
-    std::vector<std::int64_t> own;
-    std::vector<std::int64_t> other;
-    for (const Overlaps::Point& point : overlaps_.points(pair)) {
-      values_.factors().set(point.own, factors);
-      values_.set(pair.vertex, point.own, factors, own);
-      values_.factors().set(point.other, factors);
-      values_.set(pair.other, point.other, factors, other);
-      for (std::size_t j = 0; j < result.size(); ++j)
-        result[j].push_back(values_.unit(j) * static_cast<double>(other[j] - own[j]));
-    }
-    return result;
-  }
-
-  [[nodiscard]] Waves waves_of(const Overlaps::Pair& pair) const {
-    const std::uint32_t end = number_of_waves(pair.s, outer_interval(lambda_).upper, pair.waves);
-    const Ball t = sqrt(pair.s);
-    const Ball sinh_wider = (end + one()) * rsqrt(lambda_);
-    const Ball cosh_wider = sqrt(1 + sqr(sinh_wider));
-    const Ball q = t * (1 + cosh_wider) / sinh_wider;
-    Waves result{.roots = overlaps_.roots_of_unity(pair.waves)};
-    const Tri small = certainly_less(q, one());
-    if (small != Tri::yes) {
-      result.tail = small == Tri::no ? kInfinity : std::numeric_limits<double>::quiet_NaN();
-      return result;
-    }
-    result.tail = upper_end(twice(exponential(lambda_ * (cosh_wider - 1) / (end + 1)) * power(q, end)) / (1 - q));
-    result.beyond = {1, upper_end((end + q / (1 - q)) / t + lambda_ * t)};
-    const double inverse_t = upper_end(1 / t);
-    const double slope = upper_end(lambda_ * t);
-    std::vector<std::int64_t> factors;
-    values_.factors().set(pair.edge, factors);
-    for (std::uint32_t m = 0; m < end; ++m) {
-      constexpr double kUnit = 0x1p-61;
-      const double factor = kUnit * (static_cast<double>(factors[m]) / kRoom - values_.factors().errors()[m] * kRoom);
-      const double value = factor > 0 ? kRoom / factor : kInfinity;
-      const double gradient = value * (m * inverse_t + slope) * kRoom;
-      const double times = m == 0 ? 1 : 2;
-      result.weights.push_back({times * value, times * gradient});
-      result.all.value += times * value;
-      result.all.gradient += times * gradient;
-      result.root.value += times * square(value);
-      result.root.gradient += times * square(gradient);
-    }
-    result.root = {std::sqrt(result.root.value), std::sqrt(result.root.gradient)};
-    return result;
-  }
-
-  /// Bounds in the disk from values on the circle, each of which may be wrong by `error`.
-  [[nodiscard]] static Bounds from_values(const std::vector<double>& values, double error, const Waves& waves,
-                                          double total) {
-    if (!std::isfinite(waves.tail)) return {waves.tail, waves.tail};
-    const std::size_t n = values.size();
-    const double tail = total * waves.tail;
-    double greatest = 0;
-    for (const double value : values) greatest = std::max(greatest, std::abs(value));
-    // Of each sum over the points, divided by n: of roots of unity, products and additions.
-    const double rounding = greatest * static_cast<double>(n + 8) * 0x1p-52;
-    const auto bound = [&](double Bounds::*part) {
-      return waves.beyond.*part * tail + waves.all.*part * (tail + rounding) + waves.root.*part * error;
-    };
-    Bounds result{bound(&Bounds::value), bound(&Bounds::gradient)};
-    for (std::size_t m = 0; m < waves.weights.size(); ++m) {
-      double real = 0;
-      double imaginary = 0;
-      for (std::size_t k = 0, at = 0; k < n; ++k) {
-        real += values[k] * waves.roots[2 * at];
-        imaginary += values[k] * waves.roots[2 * at + 1];
-        at += m;
-        if (at >= n) at -= n;
-      }
-      const double size = std::sqrt(square(real) + square(imaginary)) / static_cast<double>(n);
-      result.value += waves.weights[m].value * size;
-      result.gradient += waves.weights[m].gradient * size;
-    }
-    return {result.value * kRoom, result.gradient * kRoom};
-  }
-
-  const Overlaps& overlaps_;
-  const LocalValues& values_;
-  const Ball& lambda_;
 };
 
 /// q of Lemma 37.6: a lower bound for what functions have on the disks of this radius around all vertices.
@@ -240,7 +95,8 @@ double integral(std::vector<double> values, double disk, double area) {
 }
 
 /// With all functions multiplied by a power of 2, so that the greatest coefficient is about 1. Functions prove what
-/// they prove, also where the least coefficients are rounded.
+/// they prove, also where the least coefficients are rounded. One power for all: sizes of functions beside each other
+/// are in Lemma 37.6.
 EigenvaluesDocument::Eigenfunctions normalized(EigenvaluesDocument::Eigenfunctions row) {
   double greatest = 0;
   for (const EigenvaluesDocument::Coefficients& function : row.functions) {
@@ -275,7 +131,7 @@ std::optional<double> eigenvalue_error(const Overlaps& overlaps, const Eigenvalu
   const Mismatch mismatch(overlaps, *values, lambda);
   const std::vector<Overlaps::Pair>& pairs = overlaps.pairs();
   for (const Overlaps::Pair& pair : pairs) budget.spend(mismatch.work(pair) + memory_work(50) * count);
-  std::vector<std::vector<Bounds>> of_pair(pairs.size());
+  std::vector<std::vector<FunctionBounds>> of_pair(pairs.size());
   for_each_parallel(pairs.size(), threads, [&](unsigned, std::size_t i) {
     std::vector<double> both;
     for (const std::vector<double>& total : totals) both.push_back(total[pairs[i].vertex] + total[pairs[i].other]);
@@ -286,9 +142,9 @@ std::optional<double> eigenvalue_error(const Overlaps& overlaps, const Eigenvalu
   std::vector<double> residuals(vertices);
   std::vector<double> errors(vertices);
   for (std::size_t j = 0; j < count; ++j) {
-    std::vector<Bounds> greatest(vertices);
+    std::vector<FunctionBounds> greatest(vertices);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const Bounds& bounds = of_pair[i][j];
+      const FunctionBounds& bounds = of_pair[i][j];
       if (std::isinf(bounds.value)) return kInfinity;
       if (!std::isfinite(bounds.value) || !std::isfinite(bounds.gradient)) return std::nullopt;
       for (const std::uint32_t vertex : {pairs[i].vertex, pairs[i].other}) {

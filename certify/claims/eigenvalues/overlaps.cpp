@@ -18,6 +18,20 @@ ComplexBall quotient(const ComplexBall& x, const ComplexBall& y) {
   return result;
 }
 
+/// J: so many that what is beyond them is as small as the rounding of the coefficients, and at most so many. Any number
+/// is right, so it may be rounded.
+std::uint32_t number_of_waves(const Ball& s, double lambda, std::uint32_t most) {
+  constexpr double kSmall = -43;  // The logarithm of 2⁻⁶².
+  const double t = std::sqrt(outer_interval(s).upper);
+  for (std::uint32_t waves = 2; waves < most; ++waves) {
+    const double sinh_wider = (waves + 1) / std::sqrt(lambda);
+    const double cosh_wider = std::sqrt(1 + sinh_wider * sinh_wider);
+    const double q = t * (1 + cosh_wider) / sinh_wider;
+    if (q < 1 && lambda * (cosh_wider - 1) / (waves + 1) + waves * std::log(q) - std::log(1 - q) < kSmall) return waves;
+  }
+  return most;
+}
+
 /// By vertex, the bounds around it. Lifts are placed with errors of less than 10⁻¹²; nothing if the balls are wider.
 std::optional<std::vector<PartitionBounds>> partition_around(const std::vector<std::vector<NearVertex>>& near,
                                                              const Ball& epsilon, double radius, unsigned threads) {
@@ -66,18 +80,6 @@ class MeetingCircle {
 };
 
 }  // namespace
-
-std::uint32_t number_of_waves(const Ball& s, double lambda, std::uint32_t most) {
-  constexpr double kSmall = -43;  // The logarithm of 2⁻⁶².
-  const double t = std::sqrt(outer_interval(s).upper);
-  for (std::uint32_t waves = 2; waves < most; ++waves) {
-    const double sinh_wider = (waves + 1) / std::sqrt(lambda);
-    const double cosh_wider = std::sqrt(1 + sinh_wider * sinh_wider);
-    const double q = t * (1 + cosh_wider) / sinh_wider;
-    if (q < 1 && lambda * (cosh_wider - 1) / (waves + 1) + waves * std::log(q) - std::log(1 - q) < kSmall) return waves;
-  }
-  return most;
-}
 
 std::optional<Overlaps> Overlaps::make(const NetDocument& net, const std::vector<BallIsometry>& labels, double radius,
                                        std::uint32_t order, double lambda, const Budget& budget, unsigned threads) {

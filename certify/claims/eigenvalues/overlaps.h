@@ -13,10 +13,6 @@
 
 namespace epsnet::certify {
 
-/// J of Lemma 37.4 (docs/proof.md) for a disk with this tanh² of half its radius: so many waves that what is beyond
-/// them is as small as the rounding of coefficients, and at most so many. Any number is right, so it may be rounded.
-[[nodiscard]] std::uint32_t number_of_waves(const Ball& s, double lambda, std::uint32_t most);
-
 /// Where functions around the vertices of a net meet: what is the same for all rows of functions with one radius R.
 class Overlaps {
  public:
@@ -25,7 +21,7 @@ class Overlaps {
   struct Pair {
     std::uint32_t vertex;
     std::uint32_t other;
-    std::uint32_t waves;  ///< J for the greatest λ.
+    std::uint32_t waves;  ///< J
     std::size_t first;    ///< Of its points.
     LocalPoint edge;      ///< A point of the disk's boundary, seen from the midpoint, as what it takes to get factors.
     Ball s;               ///< tanh² of half the disk's radius.

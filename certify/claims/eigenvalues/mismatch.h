@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "certify/claims/eigenvalues/local_values.h"
+#include "certify/claims/eigenvalues/overlaps.h"
+#include "certify/numbers/ball.h"
+
+/// How far the functions around two vertices are from each other where both count (docs/proof.md, Lemma 37.4).
+namespace epsnet::certify {
+
+/// For the rounding of sums and products of at most 2²⁰ numbers that are not negative, in binary64, and of what they
+/// are made of.
+constexpr double kRoom = 1 + 0x1p-30;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+inline double square(double x) { return x * x; }
+inline double upper_end(const Ball& x) { return outer_interval(x).upper; }
+inline Ball exponential(const Ball& x) { return ball_of(arb_exp, x); }
+inline Ball power(const Ball& x, std::uint64_t exponent) {
+  Ball result;
+  arb_pow_ui(result.get(), x.get(), exponent, Precision::bits());
+  return result;
+}
+
+/// Bounds for a function and its gradient.
+struct FunctionBounds {
+  double value = 0;
+  double gradient = 0;
+};
+
+/// Bounds in a disk for functions with Δf = −λf, by their values at n = 2J points of its boundary. Infinite where
+/// nothing follows, NaN where more bits are needed.
+class DiskWaves {
+ public:
+  /// `s` is tanh² of half the disk's radius; by m < J, F_m(s) is at least `least_factors`, if that is positive; `roots`
+  /// are cos and sin of 2πk/n, k < n, less than 2⁻⁵³ away.
+  DiskWaves(const Ball& lambda, const Ball& s, const std::vector<double>& least_factors,
+            const std::vector<double>& roots);
+
+  /// For values each of which may be wrong by `error`, of a function that is at most `total` everywhere.
+  [[nodiscard]] FunctionBounds bounds(const std::vector<double>& values, double error, double total) const;
+
+ private:
+  std::vector<FunctionBounds> weights_ = {};  ///< By m < J, what the size of a coefficient is multiplied with.
+  FunctionBounds all_ = {};                   ///< The sums over −J < m < J,
+  FunctionBounds root_ = {};                  ///< and the roots of the sums of squares.
+  FunctionBounds beyond_ = {};                ///< The same for all that is not less than J, together.
+  double tail_ = 0;                           ///< T, for C = 1.
+  const std::vector<double>& roots_;
+};
+
+/// Bounds for the differences of functions in the disks of pairs.
+class Mismatch {
+ public:
+  Mismatch(const Overlaps& overlaps, const LocalValues& values, const Ball& lambda)
+      : overlaps_(overlaps), values_(values), lambda_(lambda) {}
+
+  /// By function of the row; `totals` are those of both vertices together. Not finite as above.
+  [[nodiscard]] std::vector<FunctionBounds> operator()(const Overlaps::Pair& pair,
+                                                       const std::vector<double>& totals) const;
+  /// About how many nanoseconds that takes.
+  [[nodiscard]] std::uint64_t work(const Overlaps::Pair& pair) const;
+
+ private:
+  [[nodiscard]] std::vector<std::vector<double>> differences(const Overlaps::Pair& pair) const;
+  [[nodiscard]] std::vector<double> least_factors(const Overlaps::Pair& pair) const;
+
+  const Overlaps& overlaps_;
+  const LocalValues& values_;
+  const Ball& lambda_;
+};
+
+}  // namespace epsnet::certify
