@@ -1639,6 +1639,36 @@ TEST(Partitions, OfUnityAreThoseOfTheSecondChecker) {
   }
 }
 
+/// What the second checker says of a function of two lifts of one vertex, with so many waves, or why it gives up.
+std::string given_up(double lambda, double radius, std::size_t order, const Interval& place) {
+  const Interval scale = 1 / sqrt(1 - square(place));
+  const NearLifts near{{{0, Motion{{scale, 0}, {scale * place, 0}}}}};
+  EigenvaluesDocument::Eigenfunctions row{{mpq_class(1, 2), 2}, mpq_class(lambda), mpq_class(radius), {}};
+  row.functions.emplace_back(2 * order + 1);
+  row.functions[0][0] = 1;
+  try {
+    static_cast<void>(eigenvalue_error(row, mpq_class(0.5), near, 2));
+  } catch (const TooLarge& problem) {
+    return problem.what;
+  }
+  return "";
+}
+
+TEST(SecondChecker, GivesUpFunctionsThatItsLemmasAreNotFor) {
+  const Interval place = interval(0.25);
+  EXPECT_EQ(given_up(0x1p-10, 0.9, 12, place), "");
+  // Lifts whose places are not known.
+  const Interval wide = hull(place, place + interval(0x1p-40));
+  EXPECT_EQ(given_up(0x1p-10, 0.9, 12, wide), "lifts are not known well enough");
+  const Interval known = hull(place, place + interval(0x1p-50));
+  EXPECT_EQ(given_up(0x1p-10, 0.9, 12, known), "");
+  // Disks that are too large for so few waves: z of Lemma 37.4 is not less than 1.
+  EXPECT_EQ(given_up(9, 0.9, 1, place), "a disk is too large");
+  EXPECT_EQ(given_up(0x1p-10, 0.9, 1, place), "a sum of functions may be 0");
+  // Points with |z|² beyond ½.
+  EXPECT_EQ(given_up(0x1p-10, 2.5, 60, place), "a function is asked for too far from its vertex");
+}
+
 /// One lift alone is 1 where it counts. Lifts that do not cover the disk bound nothing.
 TEST(Partitions, OfUnityCoverTheDisk) {
   const auto infinite = [](const certify::PartitionBounds& bounds) {
