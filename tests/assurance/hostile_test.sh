@@ -63,7 +63,7 @@ expect eigenvalues-of-many-counts-by-vertices UNDECIDED
 expect eigenvalues-of-many-intervals 'REFUTED: enclosures'
 expect eigenvalues-of-a-matrix-that-an-order-fills UNDECIDED
 expect eigenvalues-of-a-matrix-in-the-order-of-its-sides ''
-expect eigenvalues-of-many-functions UNDECIDED
+expect eigenvalues-of-many-functions 'REFUTED: enclosures'
 expect eigenvalues-of-a-thousand-functions-of-order-1 ''
 expect eigenvalues-of-many-rows-of-functions UNDECIDED
 expect isometries-of-many-rows VERIFIED
