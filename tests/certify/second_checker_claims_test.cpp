@@ -105,13 +105,13 @@ GeodesicsDocument octagon() { return up_to("octagon-5-to-6", "3.6"); }
 /// Of the Bolza surface, with squares of its twelve systoles among the loops that are looked at.
 GeodesicsDocument bolza() { return up_to("bolza-to-6.2", "6.2"); }
 
-TEST(SecondCheckerOfGeodesics, VerifiesAListUpToAnyLength) {
+TEST(SlowSecondCheckerOfGeodesics, VerifiesAListUpToAnyLength) {
   EXPECT_GE(octagon().geodesics.size(), 9U);
   EXPECT_EQ(outcome(octagon()), "VERIFIED");
   EXPECT_EQ(outcome(bolza()), "VERIFIED");
 }
 
-TEST(SecondCheckerOfGeodesics, MissesWhicheverIsLeftOut) {
+TEST(SlowSecondCheckerOfGeodesics, MissesWhicheverIsLeftOut) {
   const GeodesicsDocument good = octagon();
   for (std::size_t i = 0; i < good.geodesics.size(); ++i) {
     GeodesicsDocument document = good;
@@ -120,7 +120,7 @@ TEST(SecondCheckerOfGeodesics, MissesWhicheverIsLeftOut) {
   }
 }
 
-TEST(SecondCheckerOfGeodesics, LengthsAreBetweenTheirEndsToTheLastPlace) {
+TEST(SlowSecondCheckerOfGeodesics, LengthsAreBetweenTheirEndsToTheLastPlace) {
   const GeodesicsDocument good = octagon();
   for (std::size_t i = 0; i < good.geodesics.size(); ++i) {
     const certify::Interval length = good.geodesics[i].length;
@@ -135,7 +135,7 @@ TEST(SecondCheckerOfGeodesics, LengthsAreBetweenTheirEndsToTheLastPlace) {
   EXPECT_EQ(outcome(document), "REFUTED: geodesics");
 }
 
-TEST(SecondCheckerOfGeodesics, OneListedTwiceIsRefutedHoweverItIsSpelled) {
+TEST(SlowSecondCheckerOfGeodesics, OneListedTwiceIsRefutedHoweverItIsSpelled) {
   const GeodesicsDocument good = octagon();
   const auto& rows = good.geodesics;
   for (std::size_t i = 0; i < rows.size(); i += 2) {
@@ -154,7 +154,7 @@ TEST(SecondCheckerOfGeodesics, OneListedTwiceIsRefutedHoweverItIsSpelled) {
   }
 }
 
-TEST(SecondCheckerOfGeodesics, APowerIsNotWhatAListLacks) {
+TEST(SlowSecondCheckerOfGeodesics, APowerIsNotWhatAListLacks) {
   const GeodesicsDocument good = bolza();
   constexpr std::size_t kPlace = 7;
   GeodesicsDocument::ClosedGeodesic square = good.geodesics[kPlace];
@@ -171,7 +171,7 @@ TEST(SecondCheckerOfGeodesics, APowerIsNotWhatAListLacks) {
   EXPECT_EQ(outcome(in_order(document)), "REFUTED: complete");
 }
 
-TEST(SecondCheckerOfGeodesics, HigherPowersAreNotWhatAListLacks) {
+TEST(SlowSecondCheckerOfGeodesics, HigherPowersAreNotWhatAListLacks) {
   // Powers of cuffs that are less than 0.1 long, up to the ninth and more.
   GeodesicsDocument good = load<GeodesicsDocument>("geodesics/two-cuffs-that-differ-by-1e-14");
   ASSERT_EQ(outcome(good), "VERIFIED");
@@ -201,7 +201,7 @@ TEST(SecondCheckerOfGeodesics, HigherPowersAreNotWhatAListLacks) {
   }
 }
 
-TEST(SecondCheckerOfGeodesics, AWrongSimpleIsRefuted) {
+TEST(SlowSecondCheckerOfGeodesics, AWrongSimpleIsRefuted) {
   // Two figure eights among geodesics that are simple.
   const auto good = load<GeodesicsDocument>("forgeries/spectrum-with-a-figure-eight");
   for (const std::size_t i : {std::size_t{5}, std::size_t{6}, std::size_t{7}}) {
@@ -215,7 +215,7 @@ TEST(SecondCheckerOfGeodesics, AWrongSimpleIsRefuted) {
   EXPECT_EQ(outcome(document), "REFUTED: simple");
 }
 
-TEST(SecondCheckerOfGeodesics, EveryLengthOfAClusterIsComparedExactly) {
+TEST(SlowSecondCheckerOfGeodesics, EveryLengthOfAClusterIsComparedExactly) {
   const GeodesicsDocument good = load<GeodesicsDocument>("geodesics/two-short-cuffs-that-differ-by-1e-17");
   ASSERT_EQ(outcome(good), "VERIFIED");
   for (std::size_t c = 0; c < good.clusters.size(); ++c) {
@@ -252,7 +252,7 @@ TEST(SecondCheckerOfGeodesics, EveryLengthOfAClusterIsComparedExactly) {
   }
 }
 
-TEST(SecondCheckerOfGeodesics, ALongerGeodesicIsNoSystole) {
+TEST(SlowSecondCheckerOfGeodesics, ALongerGeodesicIsNoSystole) {
   const GeodesicsDocument all = octagon();
   for (std::size_t i = 0; i < all.geodesics.size(); ++i) {
     GeodesicsDocument document = all;
@@ -264,7 +264,7 @@ TEST(SecondCheckerOfGeodesics, ALongerGeodesicIsNoSystole) {
   }
 }
 
-TEST(SecondCheckerOfGeodesics, LeftAndRightOfASeparatingCurveAreNotExchanged) {
+TEST(SlowSecondCheckerOfGeodesics, LeftAndRightOfASeparatingCurveAreNotExchanged) {
   // A piece of genus 2 on the left of a curve, and a pair of pants on its right, which another curve closes.
   const auto good = load<GeodesicsDocument>("geodesics/separating-curve");
   ASSERT_EQ(outcome(good), "VERIFIED");
@@ -282,7 +282,7 @@ TEST(SecondCheckerOfGeodesics, LeftAndRightOfASeparatingCurveAreNotExchanged) {
 
 // Distances.
 
-TEST(SecondCheckerOfDistances, EveryPathIsAsLongAsTheFileSays) {
+TEST(SlowSecondCheckerOfDistances, EveryPathIsAsLongAsTheFileSays) {
   const auto good = load<DistanceDocument>("distances/four-equal");
   DistanceDocument document = good;
   document.distance.lower = after(good.distance.upper);
@@ -303,7 +303,7 @@ TEST(SecondCheckerOfDistances, EveryPathIsAsLongAsTheFileSays) {
   }
 }
 
-TEST(SecondCheckerOfDistances, AllLengthsAreEqualIfTheFileSaysSo) {
+TEST(SlowSecondCheckerOfDistances, AllLengthsAreEqualIfTheFileSaysSo) {
   const auto good = load<DistanceDocument>("distances/four-equal");
   ASSERT_TRUE(good.equal);
   // Another point nearby, not on the axis of symmetry: all four paths are still the only ones, of different lengths.
@@ -328,7 +328,7 @@ TEST(SecondCheckerOfDistances, AllLengthsAreEqualIfTheFileSaysSo) {
   } while (std::next_permutation(document.paths.begin(), document.paths.end()));
 }
 
-TEST(SecondCheckerOfDistances, AWiderEnclosureNeedsAllPathsInIt) {
+TEST(SlowSecondCheckerOfDistances, AWiderEnclosureNeedsAllPathsInIt) {
   const auto good = load<DistanceDocument>("distances/four-equal");
   DistanceDocument document = good;
   document.distance.upper *= 2;
@@ -339,7 +339,7 @@ TEST(SecondCheckerOfDistances, AWiderEnclosureNeedsAllPathsInIt) {
   EXPECT_EQ(outcome(document), "REFUTED: paths");
 }
 
-TEST(SecondCheckerOfDistances, AListThatTakesTooLongToCompareIsUndecided) {
+TEST(SlowSecondCheckerOfDistances, AListThatTakesTooLongToCompareIsUndecided) {
   // Twenty thousand elements, all different, all in the enclosure: the first is compared with none, the last with all.
   auto document = load<DistanceDocument>("distances/four-equal");
   const certify::SurfaceSides sides(document.net.surface);
@@ -368,7 +368,7 @@ const std::vector<std::string> kBounds{"octagon-diameter", "octagon-radius", "oc
 
 BoundDocument bound(const std::string& name) { return load<BoundDocument>("bounds/" + name); }
 
-TEST(SecondCheckerOfBounds, TheValueAtTheVertexIsOnTheRightSide) {
+TEST(SlowSecondCheckerOfBounds, TheValueAtTheVertexIsOnTheRightSide) {
   for (const std::string& name : kBounds) {
     BoundDocument document = bound(name);
     const bool radius = document.claim == BoundDocument::Claim::radius;
@@ -387,7 +387,7 @@ TEST(SecondCheckerOfBounds, TheValueAtTheVertexIsOnTheRightSide) {
   }
 }
 
-TEST(SecondCheckerOfBounds, EveryCellIsBounded) {
+TEST(SlowSecondCheckerOfBounds, EveryCellIsBounded) {
   for (const std::string& name : kBounds) {
     BoundDocument document = bound(name);
     // A bound that no triangulation gives at the vertex of the net, where the function is best.
@@ -413,7 +413,7 @@ struct Comparison {
   }
 };
 
-TEST(SecondCheckerOfBounds, ACellNeedsABoundThatHoldsThere) {
+TEST(SlowSecondCheckerOfBounds, ACellNeedsABoundThatHoldsThere) {
   // Each cell with the bound of another one of its triangle, or another side or dart.
   for (const std::string& name : kBounds) {
     const BoundDocument good = bound(name);
@@ -439,7 +439,7 @@ TEST(SecondCheckerOfBounds, ACellNeedsABoundThatHoldsThere) {
   }
 }
 
-TEST(SecondCheckerOfBounds, ARadiusIsBoundedUpToTheSameValueByBothCheckers) {
+TEST(SlowSecondCheckerOfBounds, ARadiusIsBoundedUpToTheSameValueByBothCheckers) {
   // Cells bounded at the midpoint of another one of their sides: the farthest point of a cell is an end of the side or
   // the corner opposite to it.
   const BoundDocument good = bound("octagon-radius");
@@ -469,7 +469,7 @@ TEST(SecondCheckerOfBounds, ARadiusIsBoundedUpToTheSameValueByBothCheckers) {
   EXPECT_GE(found, 4);
 }
 
-TEST(SecondCheckerOfBounds, LongEdgesDoNotBoundACell) {
+TEST(SlowSecondCheckerOfBounds, LongEdgesDoNotBoundACell) {
   // Two flips of edges of one triangle make long ones, which are the first, second or third side of triangles.
   const BoundDocument good = bound("octagon-diameter");
   Comparison comparison;
@@ -488,7 +488,7 @@ TEST(SecondCheckerOfBounds, LongEdgesDoNotBoundACell) {
   EXPECT_GT(comparison.refuted, 20);
 }
 
-TEST(SecondCheckerOfBounds, NoFlipMayBeLeftOut) {
+TEST(SlowSecondCheckerOfBounds, NoFlipMayBeLeftOut) {
   for (const std::string& name : kBounds) {
     const BoundDocument good = bound(name);
     Comparison comparison;
@@ -504,7 +504,7 @@ TEST(SecondCheckerOfBounds, NoFlipMayBeLeftOut) {
   }
 }
 
-TEST(SecondCheckerOfBounds, ManyTriangulationsOfManyDartsAreUndecided) {
+TEST(SlowSecondCheckerOfBounds, ManyTriangulationsOfManyDartsAreUndecided) {
   BoundDocument document = bound("octagon-diameter");
   document.triangulations.resize(1'400'000, {0, {}});
   const Result result = result_of(document);
@@ -516,7 +516,7 @@ TEST(SecondCheckerOfBounds, ManyTriangulationsOfManyDartsAreUndecided) {
 
 IsometriesDocument isometries(const std::string& name) { return load<IsometriesDocument>("isometries/" + name); }
 
-TEST(SecondCheckerOfIsometries, RefutesImagesThatAreNone) {
+TEST(SlowSecondCheckerOfIsometries, RefutesImagesThatAreNone) {
   const IsometriesDocument good = isometries("octagon-5");
   for (std::size_t k = 0; k < good.isometries[0].images.size(); ++k) {
     IsometriesDocument document = good;
@@ -533,7 +533,7 @@ TEST(SecondCheckerOfIsometries, RefutesImagesThatAreNone) {
   }
 }
 
-TEST(SecondCheckerOfIsometries, RefutesWrongOrientationsOfEachOne) {
+TEST(SlowSecondCheckerOfIsometries, RefutesWrongOrientationsOfEachOne) {
   const IsometriesDocument good = isometries("bolza");
   for (std::size_t i = 0; i < good.isometries.size(); ++i) {
     IsometriesDocument document = good;
@@ -545,7 +545,7 @@ TEST(SecondCheckerOfIsometries, RefutesWrongOrientationsOfEachOne) {
   EXPECT_EQ(outcome(document), "REFUTED: isometries");
 }
 
-TEST(SecondCheckerOfIsometries, AnyLiftAndAnyPathsWillDo) {
+TEST(SlowSecondCheckerOfIsometries, AnyLiftAndAnyPathsWillDo) {
   IsometriesDocument document = isometries("octagon-5");
   const Word turned = document.pair[0];
   for (Word& image : document.isometries[0].images) {
@@ -587,7 +587,7 @@ IsometriesDocument::Isometry identity(const IsometriesDocument& document) {
   return result;
 }
 
-TEST(SecondCheckerOfIsometries, EachProductOfTheBasisTellsImages) {
+TEST(SlowSecondCheckerOfIsometries, EachProductOfTheBasisTellsImages) {
   // Opposite sides of an octagon are glued. The half turn about the centre of a side takes the generators x and y
   // through it to their inverses, and so does g ↦ s g s⁻¹ with all others: only the product with xy tells.
   for (const std::string name : {"octagon-5", "bolza"}) {
@@ -615,7 +615,7 @@ TEST(SecondCheckerOfIsometries, EachProductOfTheBasisTellsImages) {
   }
 }
 
-TEST(SecondCheckerOfIsometries, EachImageIsTold) {
+TEST(SlowSecondCheckerOfIsometries, EachImageIsTold) {
   // Of the identity one image is the inverse, or another generator, of equal length on a regular octagon.
   for (const std::string name : {"octagon-5", "bolza"}) {
     const IsometriesDocument good = with_systoles_alone(isometries(name));
@@ -633,7 +633,7 @@ TEST(SecondCheckerOfIsometries, EachImageIsTold) {
   }
 }
 
-TEST(SecondCheckerOfIsometries, TheAxesOfThePairCross) {
+TEST(SlowSecondCheckerOfIsometries, TheAxesOfThePairCross) {
   // A simple closed geodesic and a lift of it elsewhere.
   for (const std::string name : {"octagon-5", "bolza"}) {
     for (std::uint32_t s = 1; s < 8; ++s) {
@@ -646,7 +646,7 @@ TEST(SecondCheckerOfIsometries, TheAxesOfThePairCross) {
   }
 }
 
-TEST(SecondCheckerOfIsometries, TheOrderIsThatOfTheGroup) {
+TEST(SlowSecondCheckerOfIsometries, TheOrderIsThatOfTheGroup) {
   const IsometriesDocument good = isometries("bolza");
   for (const auto& [order, expected] :
        {std::pair{95U, "REFUTED: least"}, {48U, "REFUTED: least"}, {97U, "REFUTED: most"}, {192U, "REFUTED: most"}}) {
@@ -670,7 +670,7 @@ TEST(SecondCheckerOfIsometries, TheOrderIsThatOfTheGroup) {
   EXPECT_EQ(outcome(document), "UNDECIDED: least");
 }
 
-TEST(SecondCheckerOfIsometries, ACocycleHasTheSum0AroundEachVertex) {
+TEST(SlowSecondCheckerOfIsometries, ACocycleHasTheSum0AroundEachVertex) {
   const IsometriesDocument good = isometries("fenchel-nielsen-3-1");
   const certify::SurfaceSides sides(good.net.surface);
   const auto vertex = [&](std::uint32_t side) {
@@ -694,7 +694,7 @@ TEST(SecondCheckerOfIsometries, ACocycleHasTheSum0AroundEachVertex) {
   EXPECT_GT(edges, 0U);
 }
 
-TEST(SecondCheckerOfIsometries, OneLeftOutOfTheSpectrumIsMissed) {
+TEST(SlowSecondCheckerOfIsometries, OneLeftOutOfTheSpectrumIsMissed) {
   IsometriesDocument document = isometries("octagon-5");
   document.geodesics.pop_back();
   document.clusters.pop_back();
@@ -727,7 +727,7 @@ std::string text_of(double x) {
   return text;
 }
 
-TEST(SecondCheckerOfPseudoNets, EpsilonLiesBetweenTheEndsThatBothCheckersFind) {
+TEST(SlowSecondCheckerOfPseudoNets, EpsilonLiesBetweenTheEndsThatBothCheckersFind) {
   // A vertex of a collar at some distance from the core: for small epsilon it does not cover what it should, or the
   // core is longer; for large epsilon it is in the thin part. Both ends, to a billionth.
   int ends = 0;
@@ -762,7 +762,7 @@ TEST(SecondCheckerOfPseudoNets, EpsilonLiesBetweenTheEndsThatBothCheckersFind) {
   EXPECT_GE(ends, 8);
 }
 
-TEST(SecondCheckerOfPseudoNets, ACoreIsAsLongAsTheFileSaysAndGoneAroundOnce) {
+TEST(SlowSecondCheckerOfPseudoNets, ACoreIsAsLongAsTheFileSaysAndGoneAroundOnce) {
   for (std::size_t c = 0; c < 2; ++c) {
     const double length = c == 0 ? 0.125 : 0.25;
     for (const auto& [lower, upper, expected] :
@@ -785,7 +785,7 @@ TEST(SecondCheckerOfPseudoNets, ACoreIsAsLongAsTheFileSaysAndGoneAroundOnce) {
   }
 }
 
-TEST(SecondCheckerOfPseudoNets, VerticesLieOnDifferentSidesOfTheCore) {
+TEST(SlowSecondCheckerOfPseudoNets, VerticesLieOnDifferentSidesOfTheCore) {
   // Moved about, also to the core and over it.
   std::array<int, 2> met{};
   for (std::size_t c = 0; c < 2; ++c) {
@@ -806,7 +806,7 @@ TEST(SecondCheckerOfPseudoNets, VerticesLieOnDifferentSidesOfTheCore) {
   EXPECT_GT(met[1], 3);
 }
 
-TEST(SecondCheckerOfPseudoNets, EpsilonIsAtMostLnOfRootTwo) {
+TEST(SlowSecondCheckerOfPseudoNets, EpsilonIsAtMostLnOfRootTwo) {
   // ln √2 = 0.34657359027997265470861606072908828…
   NetDocument document = two_collars();
   document.collars = std::vector<NetDocument::Collar>{};
@@ -816,7 +816,7 @@ TEST(SecondCheckerOfPseudoNets, EpsilonIsAtMostLnOfRootTwo) {
   EXPECT_EQ(collars(document), Verdict::verified);
 }
 
-TEST(SecondCheckerOfPseudoNets, WithoutItsCollarsANetDoesNotCover) {
+TEST(SlowSecondCheckerOfPseudoNets, WithoutItsCollarsANetDoesNotCover) {
   NetDocument document = two_collars();
   ASSERT_EQ(outcome(document), "VERIFIED");
   document.collars->clear();

@@ -176,7 +176,7 @@ std::string forged(const std::string& name, const std::function<void(certify::Ei
   return kNames.at(static_cast<std::size_t>(result.verdict)) + (result.rule.empty() ? "" : ": " + result.rule);
 }
 
-TEST(SecondChecker, VerifiesNoForgedEigenvalues) {
+TEST(SlowSecondChecker, VerifiesNoForgedEigenvalues) {
   using Document = certify::EigenvaluesDocument;
   const auto octagon = [](const auto& change) { return forged("octagon-5", change); };
   EXPECT_EQ(octagon([](Document&) {}), "VERIFIED");

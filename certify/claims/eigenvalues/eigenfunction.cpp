@@ -134,6 +134,7 @@ std::optional<double> eigenvalue_error(const Overlaps& overlaps, const Eigenvalu
   std::vector<std::vector<FunctionBounds>> of_pair(pairs.size());
   for_each_parallel(pairs.size(), threads, [&](unsigned, std::size_t i) {
     std::vector<double> both;
+    both.reserve(count);
     for (const std::vector<double>& total : totals) both.push_back(total[pairs[i].vertex] + total[pairs[i].other]);
     of_pair[i] = mismatch(pairs[i], both);
   });
