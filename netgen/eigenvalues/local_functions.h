@@ -82,9 +82,9 @@ class LocalFunctions {
   [[nodiscard]] std::vector<std::vector<Lift>> neighbours() const;
   /// What each coefficient adds to the value at a point of the disk of its vertex.
   void set_values(double lambda, Point z, std::uint32_t order, double* row) const;
-  /// As many functions as are given, which the search begins with, `count` of them to be found, until S moves them by
+  /// As many functions as are given, which the search begins with, `sought` of them to be found, until S moves them by
   /// `enough` of themselves or it is clear where the eigenvalues of S are.
-  [[nodiscard]] Fixed fixed(const CircleMap& map, const Block& functions, std::size_t count, bool from_all,
+  [[nodiscard]] Fixed fixed(const CircleMap& map, const Block& functions, std::size_t sought, bool from_all,
                             double enough) const;
   /// One step for a task: what is sought after it, one or more. If it is done, the task with better functions.
   [[nodiscard]] std::vector<Task> improved(const Task& task, const Resolution& resolution, double enough,
