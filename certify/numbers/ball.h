@@ -202,6 +202,12 @@ inline Ball& operator+=(Ball& x, const Ball& y) { return x = x + y; }
 [[nodiscard]] inline Ball rsqrt(const Ball& x) { return ball_of(arb_rsqrt, x); }
 [[nodiscard]] inline Ball sinh(const Ball& x) { return ball_of(arb_sinh, x); }
 [[nodiscard]] inline Ball cosh(const Ball& x) { return ball_of(arb_cosh, x); }
+[[nodiscard]] inline Ball exp(const Ball& x) { return ball_of(arb_exp, x); }
+[[nodiscard]] inline Ball power(const Ball& x, std::uint64_t exponent) {
+  Ball result;
+  arb_pow_ui(result.get(), x.get(), exponent, Precision::bits());
+  return result;
+}
 [[nodiscard]] inline Ball cot(const Ball& x) { return ball_of(arb_cot, x); }
 [[nodiscard]] inline Ball asinh(const Ball& x) { return ball_of(arb_asinh, x); }
 /// Not finite unless x ≥ 1 is certain.
@@ -330,6 +336,9 @@ class ComplexBall : public Owner<ComplexBallType> {
   arf_clear(end);
   return {lower, upper};
 }
+
+[[nodiscard]] inline double lower_end(const Ball& x) { return outer_interval(x).lower; }
+[[nodiscard]] inline double upper_end(const Ball& x) { return outer_interval(x).upper; }
 
 /// An interval around a ball that is finite, in less time and a little wider: the midpoint in binary64, widened by the
 /// radius and by units in the last place: of each end for the rounding of the sum, and of the end and of the radius for

@@ -233,10 +233,13 @@ class Search {
       const Level& level, const std::vector<Group>& groups) const {
     std::vector<std::optional<std::vector<Eigenfunctions>>> result(groups.size());
     if (groups.empty()) return result;
-    const LocalFunctions local(geometry_, level.estimates.back(), options_.digits.value_or(9), options_.threads);
+    // Groups in parallel; threads that are left over, in each of them.
+    const unsigned threads = certify::thread_count(options_.threads);
+    const auto in_each = std::max(1U, threads / static_cast<unsigned>(groups.size()));
+    const LocalFunctions local(geometry_, level.estimates.back(), options_.digits.value_or(9), in_each);
     std::size_t done = 0;
     std::mutex reporting;
-    certify::for_each_parallel(groups.size(), certify::thread_count(options_.threads), [&](unsigned, std::size_t i) {
+    certify::for_each_parallel(groups.size(), threads, [&](unsigned, std::size_t i) {
       result[i] = functions(level, groups[i], local);
       const std::lock_guard lock(reporting);
       report("eigenfunctions", static_cast<double>(++done) / static_cast<double>(groups.size()));

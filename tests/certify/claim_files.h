@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <sstream>
 #include <string>
@@ -7,6 +9,7 @@
 #include "certify/check.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
+#include "certify/net/surface_sides.h"
 
 /// What the tests of all claims ask of a document, and of the text of its file.
 namespace epsnet::certify {
@@ -25,6 +28,29 @@ inline std::string verdict_of(const std::string& rule, const AnyClaim& document)
     if (report.rule == rule) return std::string(name(report.verdict));
   }
   return "";
+}
+
+/// A list in order, with clusters that claim little.
+inline GeodesicsDocument in_order(GeodesicsDocument document) {
+  std::stable_sort(document.geodesics.begin(), document.geodesics.end(),
+                   [](const auto& x, const auto& y) { return x.length.lower < y.length.lower; });
+  document.clusters.clear();
+  double reach = 0;
+  for (std::uint32_t k = 0; k < document.geodesics.size(); ++k) {
+    const Interval length = document.geodesics[k].length;
+    if (k == 0 || length.lower > reach) document.clusters.push_back({k, 0, true});
+    reach = std::max(reach, length.upper);
+    GeodesicsDocument::Cluster& last = document.clusters.back();
+    if (++last.count > 1) last.equal = false;
+  }
+  return document;
+}
+
+/// A name for the vertex of the surface that a side begins at: the least of the sides that do.
+inline std::uint32_t vertex_of(const SurfaceSides& sides, std::uint32_t side) {
+  std::uint32_t least = side;
+  for (std::uint32_t s = sides.next_around(side); s != side; s = sides.next_around(s)) least = std::min(least, s);
+  return least;
 }
 
 inline std::string written(const AnyClaim& document) {

@@ -7,6 +7,7 @@
 #include "certify/check.h"
 #include "certify/claims/geodesics/axis_crossings.h"
 #include "certify/claims/geodesics/least_sequence.h"
+#include "tests/certify/claim_files.h"
 #include "tests/certify/lifted_reference.h"
 #include "tests/support/scale.h"
 
@@ -21,22 +22,6 @@ const std::vector<std::string> kLists{"octagon-5-to-6", "bolza-to-6.2", "one-cuf
 
 GeodesicsDocument load(const std::string& name) {
   return read_file<GeodesicsDocument>(std::string(EPSNET_TEST_DATA) + "/geodesics/" + name + ".json");
-}
-
-/// A list in order, with clusters that claim little.
-GeodesicsDocument in_order(GeodesicsDocument document) {
-  std::stable_sort(document.geodesics.begin(), document.geodesics.end(),
-                   [](const auto& x, const auto& y) { return x.length.lower < y.length.lower; });
-  document.clusters.clear();
-  double reach = 0;
-  for (std::uint32_t k = 0; k < document.geodesics.size(); ++k) {
-    const Interval length = document.geodesics[k].length;
-    if (k == 0 || length.lower > reach) document.clusters.push_back({k, 0, true});
-    reach = std::max(reach, length.upper);
-    GeodesicsDocument::Cluster& last = document.clusters.back();
-    if (++last.count > 1) last.equal = false;
-  }
-  return document;
 }
 
 /// The list without geodesic i.

@@ -12,6 +12,7 @@
 #include "certify/claims/isometries/conjugation.h"
 #include "certify/claims/isometries/orbit.h"
 #include "certify/file/reader.h"
+#include "tests/certify/claim_files.h"
 
 /// Isometries files. Each rule is broken by a file in which nothing else is wrong.
 namespace epsnet::certify::isometries_test {
@@ -284,11 +285,6 @@ TEST(Isometries, WhatIsMalformedIsNamed) {
 
 TEST(Isometries, ACocycleHasTheSum0AroundEachVertex) {
   const SurfaceSides sides(fenchel_nielsen().net.surface);
-  const auto vertex = [&](std::uint32_t side) {
-    std::uint32_t least = side;
-    for (std::uint32_t s = sides.next_around(side); s != side; s = sides.next_around(s)) least = std::min(least, s);
-    return least;
-  };
   std::size_t k = 0;
   std::size_t edges = 0;
   for (std::uint32_t s = 0; s < sides.partner.size(); ++s) {
@@ -296,7 +292,7 @@ TEST(Isometries, ACocycleHasTheSum0AroundEachVertex) {
     Document document = fenchel_nielsen();
     ++document.cocycle[k++];
     // What a loop at a vertex adds it takes away.
-    if (vertex(s) == vertex(sides.partner[s])) continue;
+    if (vertex_of(sides, s) == vertex_of(sides, sides.partner[s])) continue;
     ++edges;
     EXPECT_THAT(structure(document), HasSubstr("cocycle: the sum around the vertex"));
   }

@@ -19,6 +19,7 @@
 #include "certify/file/writer.h"
 #include "certify/net/darts.h"
 #include "certify/net/structure.h"
+#include "tests/certify/claim_files.h"
 
 /// False claims, each with the rule by which the second checker refutes it; and true ones beside them that it verifies.
 namespace epsnet::exact::second_checker_claims_test {
@@ -75,22 +76,6 @@ Word reversed(const NetDocument& net, Word word) {
 }
 
 // Lists of geodesics.
-
-/// A list in order, with clusters that claim little.
-GeodesicsDocument in_order(GeodesicsDocument document) {
-  std::stable_sort(document.geodesics.begin(), document.geodesics.end(),
-                   [](const auto& x, const auto& y) { return x.length.lower < y.length.lower; });
-  document.clusters.clear();
-  double reach = 0;
-  for (std::uint32_t k = 0; k < document.geodesics.size(); ++k) {
-    const certify::Interval length = document.geodesics[k].length;
-    if (k == 0 || length.lower > reach) document.clusters.push_back({k, 0, true});
-    reach = std::max(reach, length.upper);
-    GeodesicsDocument::Cluster& last = document.clusters.back();
-    if (++last.count > 1) last.equal = false;
-  }
-  return document;
-}
 
 /// The part of a spectrum up to a length, which is none of its lengths.
 GeodesicsDocument up_to(const std::string& name, const std::string& length) {
@@ -673,11 +658,6 @@ TEST(SlowSecondCheckerOfIsometries, TheOrderIsThatOfTheGroup) {
 TEST(SlowSecondCheckerOfIsometries, ACocycleHasTheSum0AroundEachVertex) {
   const IsometriesDocument good = isometries("fenchel-nielsen-3-1");
   const certify::SurfaceSides sides(good.net.surface);
-  const auto vertex = [&](std::uint32_t side) {
-    std::uint32_t least = side;
-    for (std::uint32_t s = sides.next_around(side); s != side; s = sides.next_around(s)) least = std::min(least, s);
-    return least;
-  };
   std::size_t k = 0;
   std::size_t edges = 0;
   std::size_t loops = 0;
@@ -686,7 +666,7 @@ TEST(SlowSecondCheckerOfIsometries, ACocycleHasTheSum0AroundEachVertex) {
     IsometriesDocument document = good;
     ++document.cocycle[k++];
     // What a loop at a vertex adds it takes away.
-    const bool is_loop = vertex(s) == vertex(sides.partner[s]);
+    const bool is_loop = vertex_of(sides, s) == vertex_of(sides, sides.partner[s]);
     if (is_loop && ++loops > 1) continue;
     edges += is_loop ? 0 : 1;
     EXPECT_EQ(outcome(document), is_loop ? "VERIFIED" : "MALFORMED") << s;

@@ -1639,6 +1639,51 @@ TEST(Partitions, OfUnityAreThoseOfTheSecondChecker) {
   }
 }
 
+/// On disks so large that F_0 is negative at their boundary: a radial function around one vertex, and the same function
+/// around another one, with an error.
+TEST(Eigenfunctions, OnDisksBeyondAZeroOfARadialFunctionAreAsWrongAsTheLemmasSay) {
+  constexpr double kEpsilon = 0.5;
+  constexpr double kRadius = 0.9;
+  constexpr std::size_t kOrder = 24;
+  constexpr std::size_t kEach = 2 * kOrder + 1;
+  const double place = 0.25;  // Of the other vertex.
+  const double a = 1 / std::sqrt(1 - place * place);
+  const NearOfAll near{{{1, a, a * place}}, {{0, a, -a * place}}};
+  Document::Eigenfunctions row{{29, 31}, 30, kRadius, {Document::Coefficients(2 * kEach)}};
+  row.functions[0][0] = 1;
+  const Reference functions(row, kEpsilon, 2, near);
+  // Its waves around the other vertex, from values on a circle.
+  constexpr std::size_t kPoints = 64;
+  const double t = std::tanh(0.4);
+  for (std::size_t m = 0; m <= kOrder; ++m) {
+    double sum = 0;
+    for (std::size_t k = 0; k < kPoints; ++k) {
+      const double angle = 2 * std::numbers::pi * static_cast<double>(k) / kPoints;
+      const Complexd z = std::polar(t, angle);
+      sum += functions.functions(0, (z + place) / (1.0 + place * z))[0] * std::cos(static_cast<double>(m) * angle);
+    }
+    const double wave = (m == 0 ? 1 : 2) * sum / kPoints / (std::pow(t, m) * functions.factor(m, t * t));
+    row.functions[0][kEach + (m == 0 ? 0 : 2 * m - 1)] = wave;
+  }
+  row.functions[0][kEach] += 1e-3;
+  const double cosh_disk = (std::cosh(kEpsilon) + std::cosh(kRadius)) / (2 * a);
+  ASSERT_LT(functions.factor(0, (cosh_disk - 1) / (cosh_disk + 1)), -0.1);
+
+  NearLifts same;
+  for (const auto& lifts : near) {
+    const Interval z = interval(lifts[0].b.real() < 0 ? -place : place);
+    const Interval scale = 1 / sqrt(1 - square(z));
+    same.push_back({{lifts[0].vertex, Motion{{scale, 0}, {scale * z, 0}}}});
+  }
+  EigenvaluesDocument::Eigenfunctions other{{29, 31}, 30, mpq_class(kRadius), {}};
+  other.functions.emplace_back(row.functions[0].begin(), row.functions[0].end());
+  const double wanted = Reference(row, kEpsilon, 2, near)
+                            .error({partition_by_squares(Functions::places(near[0]), kEpsilon, kRadius, 1),
+                                    partition_by_squares(Functions::places(near[1]), kEpsilon, kRadius, 1)});
+  ASSERT_LT(wanted, HUGE_VAL);
+  EXPECT_NEAR(eigenvalue_error(other, mpq_class(kEpsilon), same, 2).upper() / wanted, 1, 1e-5);
+}
+
 /// What the second checker says of a function of two lifts of one vertex, with so many waves, or why it gives up.
 std::string given_up(double lambda, double radius, std::size_t order, const Interval& place) {
   const Interval scale = 1 / sqrt(1 - square(place));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -53,7 +54,7 @@ Ball norms_squared(const Coefficients& coefficients, const Ball& lambda, const B
   const std::size_t count = coefficients.count();
   std::vector<std::vector<Ball>> gram(count, std::vector<Ball>(count));
   for (std::uint32_t m = 0; m <= coefficients.order(); ++m) {
-    const Ball decay = exponential(-twice(lambda * (cosh_radius - 1) / (m + 1)));
+    const Ball decay = exp(-twice(lambda * (cosh_radius - 1) / (m + 1)));
     const Ball weight = (m == 0 ? 2 : 1) * pi() * decay * twice(power(s, std::uint64_t{m} + 1)) / (m + 1);
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t j = 0; j <= i; ++j) {
@@ -146,7 +147,7 @@ std::optional<double> eigenvalue_error(const Overlaps& overlaps, const Eigenvalu
     std::vector<FunctionBounds> greatest(vertices);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const FunctionBounds& bounds = of_pair[i][j];
-      if (std::isinf(bounds.value)) return kInfinity;
+      if (std::isinf(bounds.value)) return std::numeric_limits<double>::infinity();
       if (!std::isfinite(bounds.value) || !std::isfinite(bounds.gradient)) return std::nullopt;
       for (const std::uint32_t vertex : {pairs[i].vertex, pairs[i].other}) {
         greatest[vertex].value = std::max(greatest[vertex].value, bounds.value);
@@ -163,7 +164,7 @@ std::optional<double> eigenvalue_error(const Overlaps& overlaps, const Eigenvalu
   const Ball norms = norms_squared(coefficients, lambda, min(overlaps.sinh_disk(), rsqrt(lambda)));
   const Ball norm =
       sqrt_of_nonnegative(norms) - sqrt(Ball::exactly(integral(std::move(errors), overlaps.disk_area(), area)));
-  if (certainly_positive(norm) == Tri::no) return kInfinity;
+  if (certainly_positive(norm) == Tri::no) return std::numeric_limits<double>::infinity();
   const double bound =
       upper_end(sqrt(Ball::exactly(integral(std::move(residuals), overlaps.disk_area(), area))) / norm);
   return certainly_positive(norm) == Tri::yes && std::isfinite(bound) ? std::optional(bound) : std::nullopt;

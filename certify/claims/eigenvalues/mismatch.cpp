@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "certify/numbers/budget.h"
 #include "certify/numbers/rounding.h"
@@ -18,16 +19,16 @@ DiskWaves::DiskWaves(const Ball& lambda, const Ball& s, const std::vector<double
   const Ball q = t * (1 + cosh_wider) / sinh_wider;
   const Tri small = certainly_less(q, one);
   if (small != Tri::yes) {
-    tail_ = small == Tri::no ? kInfinity : std::numeric_limits<double>::quiet_NaN();
+    tail_ = small == Tri::no ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::quiet_NaN();
     return;
   }
-  const Ball growth = exponential(lambda * (cosh_wider - 1) / (end + 1));
+  const Ball growth = exp(lambda * (cosh_wider - 1) / (end + 1));
   tail_ = upper_end(twice(growth * power(q, end)) / (1 - q));
   beyond_ = {1, upper_end((end + q / (1 - q)) / t + lambda * t)};
   const double inverse_t = upper_end(1 / t);
   const double slope = upper_end(lambda * t);
   for (std::size_t m = 0; m < end; ++m) {
-    const double value = least_factors[m] > 0 ? kRoom / least_factors[m] : kInfinity;
+    const double value = least_factors[m] > 0 ? kRoom / least_factors[m] : std::numeric_limits<double>::infinity();
     const double gradient = value * (static_cast<double>(m) * inverse_t + slope) * kRoom;
     const double times = m == 0 ? 1 : 2;
     weights_.push_back({times * value, times * gradient});

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "certify/claims/eigenvalues/local_values.h"
@@ -14,16 +13,8 @@ namespace epsnet::certify {
 /// For the rounding of sums and products of at most 2²⁰ numbers that are not negative, in binary64, and of what they
 /// are made of.
 constexpr double kRoom = 1 + 0x1p-30;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 inline double square(double x) { return x * x; }
-inline double upper_end(const Ball& x) { return outer_interval(x).upper; }
-inline Ball exponential(const Ball& x) { return ball_of(arb_exp, x); }
-inline Ball power(const Ball& x, std::uint64_t exponent) {
-  Ball result;
-  arb_pow_ui(result.get(), x.get(), exponent, Precision::bits());
-  return result;
-}
 
 /// Bounds for a function and its gradient.
 struct FunctionBounds {

@@ -22,9 +22,6 @@ constexpr unsigned kSharedTurns = 3;
 /// Bits of balls up to which numbers of twice the length of binary64 take their place.
 constexpr slong kMostBitsOfDoubleDouble = 128;
 
-[[nodiscard]] double lower_end(const Ball& x) { return outer_interval(x).lower; }
-[[nodiscard]] double upper_end(const Ball& x) { return outer_interval(x).upper; }
-
 // What the search asks of its numbers, for balls as for numbers of twice the length of binary64.
 
 template <class Number>
