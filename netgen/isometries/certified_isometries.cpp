@@ -46,7 +46,6 @@ class Substitution {
 
 /// Two elements of which the axes cross, by words from tile 0 to itself: generators, or what turns around pants.
 std::vector<Word> crossing_pair(const Surface& surface) {
-  const auto crossings = *joint_crossings(surface, surface);
   std::vector<Word> generators;
   for (const FundamentalPolygon::Side& side : fundamental_polygon(surface).sides) generators.push_back(side.word);
   for (std::size_t j = 1; j < generators.size(); ++j) {
@@ -57,8 +56,7 @@ std::vector<Word> crossing_pair(const Surface& surface) {
       for (const auto& [first, second] : {std::pair{x, y},
                                           {concatenated(surface, x, y_back), concatenated(surface, y_back, x)},
                                           {concatenated(surface, x, y), concatenated(surface, y, x)}}) {
-        const auto sign = certify::crossing_sign(crossings, letters_of(first), letters_of(second), {});
-        if (sign && *sign != 0) return {first, second};
+        if (axes_cross(surface, first, second).value_or(false)) return {first, second};
       }
     }
   }

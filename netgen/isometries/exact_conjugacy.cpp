@@ -1,48 +1,162 @@
 #include "netgen/isometries/exact_conjugacy.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
-#include "certify/net/crossings.h"
+#include "certify/numbers/exact.h"
+#include "kernel/lorentz.h"
 #include "netgen/base/gmp.h"
+#include "netgen/surfaces/triangle_group.h"
+#include "triangulation/surface/error.h"
 
 namespace epsnet {
 namespace {
 
-certify::Gaussian to_gaussian(const Complex<Rational>& z) {
-  // Integers, as crossings are.
-  return {to_gmp(z.x).get_num(), to_gmp(z.y).get_num()};
+/// Products of more bits than that are not computed.
+constexpr std::size_t kMostBits = std::size_t{1} << 20;
+
+/// An element (a, b) as the normal of its axis, times 2, and the number 2 Re a. Both are only known up to one factor.
+template <class Real>
+struct ScaledNormal {
+  Real scale;
+  LorentzVector<Real> normal;
+};
+
+template <class Element>
+[[nodiscard]] auto scaled_normal(const Element& f) {
+  using Real = decltype(twice_real(f.a));
+  return ScaledNormal<Real>{twice_real(f.a),
+                            {mpz_class(-1) * twice_imaginary(f.b), twice_real(f.b), twice_imaginary(f.a)}};
+}
+
+/// Elements of groups of surfaces of rational tiles.
+class RationalElements {
+ public:
+  using Normal = ScaledNormal<mpz_class>;
+
+  /// Nothing, if its numbers are too large.
+  [[nodiscard]] static std::optional<Normal> normal_of(const Surface& surface, const Word& word) {
+    std::size_t bits = 0;
+    std::vector<certify::ExactIsometry> crossings;
+    for (const SideId s : word) {
+      const Isometry<Rational>& f = surface.crossing(s);
+      crossings.push_back({integers(f.a), integers(f.b)});
+      bits += certify::bits(crossings.back());
+    }
+    if (bits > kMostBits) return std::nullopt;
+    if (word.empty()) return scaled_normal(certify::exact_identity());
+    certify::ExactIsometry value =
+        certify::compose_range(0, crossings.size(), [&](std::size_t i) { return crossings[i]; });
+    // Its numbers are multiplied with each other from now on.
+    certify::reduce(value);
+    return scaled_normal(value);
+  }
+
+ private:
+  static certify::Gaussian integers(const Complex<Rational>& z) {
+    return {to_gmp(z.x).get_num(), to_gmp(z.y).get_num()};
+  }
+};
+
+/// Elements of groups of surfaces of regular tiles, as elements of the group of the tiling.
+class RegularElements {
+ public:
+  using Normal = ScaledNormal<certify::RegularNumber>;
+
+  explicit RegularElements(RegularTile tile) : group_(tile) {}
+
+  [[nodiscard]] std::optional<Normal> normal_of(const Surface& surface, const Word& word) const {
+    const std::size_t order = group_.ring().order();
+    // A step of a walk adds some four bits to each coefficient.
+    if (4 * order * word.size() > kMostBits) return std::nullopt;
+    const std::uint32_t p = group_.tile().p;
+    TileWalk walk;
+    // The side of the tile along which it looks.
+    std::uint32_t ahead = 0;
+    for (const SideId s : word) {
+      walk.turns.push_back((surface.place_in_tile(s) + p - ahead) % p);
+      ahead = surface.place_in_tile(surface.partner(s));
+    }
+    walk.last_turn = (p - ahead) % p;
+    return scaled_normal(group_.element(walk));
+  }
+
+ private:
+  TriangleGroup group_;
+};
+
+/// What `use` makes of the elements of both surfaces. Nothing, if they are in different rings, or in none.
+template <class Use>
+[[nodiscard]] std::optional<bool> with_elements(const Surface& first, const Surface& second, const Use& use) {
+  const auto tile = first.regular_tile();
+  if (tile != second.regular_tile()) return std::nullopt;
+  if (!tile) return use(RationalElements());
+  try {
+    return use(RegularElements(*tile));
+  } catch (const SurfaceError&) {
+    // A ring that is too large.
+    return std::nullopt;
+  }
+}
+
+/// An element and its partner.
+template <class Normal>
+struct NormalPair {
+  Normal from;
+  Normal to;
+};
+
+/// Whether the products of two normals, with both divided by their scales, are those of their partners.
+template <class Normal>
+[[nodiscard]] bool same_products(const NormalPair<Normal>& x, const NormalPair<Normal>& y) {
+  return certify::sign(lorentz_product(x.from.normal, y.from.normal) * (x.to.scale * y.to.scale) -
+                       lorentz_product(x.to.normal, y.to.normal) * (x.from.scale * y.from.scale)) == 0;
+}
+
+/// As same_products, for the determinants of three.
+template <class Normal>
+[[nodiscard]] bool same_determinants(const NormalPair<Normal>& x, const NormalPair<Normal>& y,
+                                     const NormalPair<Normal>& z) {
+  const auto determinant = [](const Normal& u, const Normal& v, const Normal& w) {
+    return lorentz_product(lorentz_cross(u.normal, v.normal), w.normal);
+  };
+  return certify::sign(determinant(x.from, y.from, z.from) * (x.to.scale * y.to.scale * z.to.scale) -
+                       determinant(x.to, y.to, z.to) * (x.from.scale * y.from.scale * z.from.scale)) == 0;
 }
 
 }  // namespace
 
-std::optional<certify::Crossings> joint_crossings(const Surface& first, const Surface& second) {
-  if (first.regular_tile() != second.regular_tile()) return std::nullopt;
-  const std::uint32_t count = first.side_count();
-  if (const auto& tile = first.regular_tile()) {
-    std::vector<std::uint32_t> partner;
-    for (const SideId s : first.side_ids()) partner.push_back(first.partner(s).number());
-    for (const SideId s : second.side_ids()) partner.push_back(count + second.partner(s).number());
-    return certify::RegularCrossings({tile->p, tile->q}, std::move(partner));
-  }
-  std::vector<certify::ExactIsometry> crossings;
-  for (const Surface* surface : {&first, &second}) {
-    for (const SideId s : surface->side_ids()) {
-      const Isometry<Rational>& f = surface->crossing(s);
-      crossings.push_back({to_gaussian(f.a), to_gaussian(f.b)});
+std::optional<bool> are_conjugate(const Surface& first, const Surface& second, std::span<const ElementPair> pairs) {
+  return with_elements(first, second, [&]<class Elements>(const Elements& elements) -> std::optional<bool> {
+    std::vector<NormalPair<typename Elements::Normal>> normals;
+    for (const ElementPair& pair : pairs) {
+      auto from = elements.normal_of(first, pair.from);
+      auto to = elements.normal_of(second, pair.to);
+      if (!from || !to) return std::nullopt;
+      normals.push_back({*std::move(from), *std::move(to)});
     }
-  }
-  return certify::RationalCrossings(std::move(crossings));
+    const auto& x = normals[0];
+    const auto& y = normals[1];
+    if (!same_products(x, x) || !same_products(x, y) || !same_products(y, y)) return false;
+    for (std::size_t i = 2; i < normals.size(); ++i) {
+      const auto& z = normals[i];
+      if (!same_products(x, z) || !same_products(y, z) || !same_determinants(x, y, z)) return false;
+    }
+    return true;
+  });
 }
 
-std::optional<bool> are_conjugate(const Surface& first, const Surface& second, std::span<const ElementPair> pairs) {
-  const std::optional<certify::Crossings> crossings = joint_crossings(first, second);
-  if (!crossings) return std::nullopt;
-  std::vector<ElementPair> shifted(pairs.begin(), pairs.end());
-  for (ElementPair& pair : shifted) {
-    for (std::uint32_t& side : pair.to) side += first.side_count();
-  }
-  return certify::are_conjugate(*crossings, shifted, {});
+std::optional<bool> axes_cross(const Surface& surface, const Word& first, const Word& second) {
+  return with_elements(surface, surface, [&](const auto& elements) -> std::optional<bool> {
+    const auto u = elements.normal_of(surface, first);
+    const auto v = elements.normal_of(surface, second);
+    if (!u || !v) return std::nullopt;
+    // They do if the vector across both normals is a point, but for its length.
+    const auto across = lorentz_cross(u->normal, v->normal);
+    return certify::sign(lorentz_product(across, across)) < 0;
+  });
 }
 
 }  // namespace epsnet

@@ -2,22 +2,27 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
-#include "certify/claims/isometries/conjugation.h"
 #include "triangulation/surface/surface.h"
 
+/// Questions about elements of groups of surfaces, answered without rounding (docs/isometries.md, "Why finitely many
+/// products decide"). Elements are given by words from tile 0 to itself, and all but 1 are hyperbolic.
 namespace epsnet {
 
-using certify::ElementPair;
+/// An element of the group of one surface, and one of another.
+struct ElementPair {
+  Word from;
+  Word to;
+};
 
-/// The crossings of both surfaces, those of the second one after those of the first, in one ring. Nothing, if there is
-/// no such ring here.
-[[nodiscard]] std::optional<certify::Crossings> joint_crossings(const Surface& first, const Surface& second);
-
-/// As certify::are_conjugate, for words from tile 0 of the first surface and of the second one. Nothing, also, if the
-/// numbers of the surfaces are in different rings.
+/// Whether there is an isometry f of the plane with f ∘ x ∘ f⁻¹ = x' for the elements x of all pairs and their partners
+/// x'. Nothing, if their numbers are too large, or those of the two surfaces in different rings.
+///
+/// Requires: two pairs or more; the first two `from` have no end of their axes in common.
 [[nodiscard]] std::optional<bool> are_conjugate(const Surface& first, const Surface& second,
                                                 std::span<const ElementPair> pairs);
+
+/// Whether the axes of two elements other than 1 cross. Nothing, if their numbers are too large.
+[[nodiscard]] std::optional<bool> axes_cross(const Surface& surface, const Word& first, const Word& second);
 
 }  // namespace epsnet

@@ -214,10 +214,10 @@ struct Generators {
   }
 };
 
-/// The letters of a word from tile 0 to itself for one from another tile to itself.
-std::vector<std::uint32_t> from_tile_0(const Surface& surface, TileId tile, const Word& word) {
+/// A word from tile 0 to itself for one from another tile to itself.
+Word from_tile_0(const Surface& surface, TileId tile, const Word& word) {
   const Word way = path_between_tiles(surface, TileId(0), tile);
-  return letters_of(concatenated(surface, concatenated(surface, way, word), reversed(surface, way)));
+  return concatenated(surface, concatenated(surface, way, word), reversed(surface, way));
 }
 
 /// Returns the word of an element of the group, from tile 0 to itself; nothing, if the isometry is none.
@@ -269,7 +269,7 @@ struct Source {
     pairs.push_back({from_tile_0(from, pair.x.tile, pair.x.word), from_tile_0(to.surface(), match.tile, match.x_word)});
     pairs.push_back({from_tile_0(from, pair.x.tile, pair.y_word), from_tile_0(to.surface(), match.tile, match.y_word)});
     for (std::size_t k = 0; k < generators.words.size(); ++k) {
-      pairs.push_back({letters_of(generators.words[k]), letters_of(isometry.images[k])});
+      pairs.push_back({generators.words[k], isometry.images[k]});
     }
     return are_conjugate(from, to.surface(), pairs);
   }

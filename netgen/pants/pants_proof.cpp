@@ -10,8 +10,8 @@
 #include "certify/numbers/isometry.h"
 #include "kernel/lorentz.h"
 #include "netgen/base/gmp.h"
-#include "netgen/isometries/exact_conjugacy.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/pants/exact_crossings.h"
 #include "triangulation/surface/error.h"
 
 namespace epsnet {
@@ -122,7 +122,7 @@ class Proof {
  public:
   Proof(const Surface& surface, const PantsGraph& graph, const std::vector<PantsPaths>& pants,
         const std::vector<Word>& across)
-      : graph_(graph), across_(across), crossings_(*joint_crossings(surface, surface)) {
+      : graph_(graph), across_(across), crossings_(crossings_of(surface)) {
     if (pants.size() != 2 * std::size_t{surface.genus()} - 2 || graph.genus() != surface.genus()) {
       throw NetError(std::to_string(pants.size()) + " pairs of pants on a surface of genus " +
                      std::to_string(surface.genus()));
