@@ -9,7 +9,6 @@
 #include <numeric>
 #include <utility>
 
-#include "certify/claims/eigenvalues/partition.h"
 #include "certify/net/darts.h"
 #include "certify/numbers/parallel.h"
 
@@ -118,7 +117,7 @@ LocalFunctions::LocalFunctions(const NetGeometry& geometry, double greatest, int
       const Complex<double> z = lift.isometry(Complex<double>{});
       places.emplace_back(z.x, z.y);
     }
-    partition_[vertex] = certify::partition_bounds(places, epsilon_, radius_);
+    partition_[vertex] = partition_sums(places, epsilon_, radius_);
   });
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "certify/claims/eigenvalues/document.h"
-#include "certify/claims/eigenvalues/partition.h"
 #include "netgen/base/options.h"
+#include "netgen/eigenvalues/partition_sums.h"
 #include "netgen/lifts/lifts.h"
 
 /// Eigenfunctions to many digits, as functions around the vertices of a net that nearly fit together.
@@ -109,7 +109,7 @@ class LocalFunctions {
   double epsilon_;
   double radius_;
   std::vector<std::vector<Lift>> lifts_;  ///< By vertex: all others within ε + R.
-  std::vector<certify::PartitionBounds> partition_;
+  std::vector<PartitionSums> partition_;
   std::vector<double> scales_;  ///< By m.
   Resolution coarse_;
   Resolution fine_;
