@@ -28,13 +28,16 @@ RuleNames rules_of(const AnyClaim& document) {
   return with_net_rules(document.net(), document.visit([](const auto& one) { return own_rules(one); }));
 }
 
+std::optional<std::string> malformation(const AnyClaim& document, unsigned threads) {
+  const RoundingToNearest rounding;
+  return document.visit([&](const auto& one) { return structure_problem_by(one, threads); });
+}
+
 Certificate check(const AnyClaim& document, const CheckOptions& options) {
   const RoundingToNearest rounding;
   if (options.progress) options.progress("structure", 0);
-  return document.visit([&](const auto& one) {
-    if (const auto problem = structure_problem_by(one, number_of_threads(options))) return malformed(*problem);
-    return verify(claim_of(one), least_bytes(one), options);
-  });
+  if (const auto problem = malformation(document, number_of_threads(options))) return malformed(*problem);
+  return document.visit([&](const auto& one) { return verify(claim_of(one), least_bytes(one), options); });
 }
 
 }  // namespace epsnet::certify

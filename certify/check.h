@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "certify/base/fault.h"
 #include "certify/documents.h"
 #include "certify/verdict/report.h"
@@ -13,6 +16,10 @@ namespace epsnet::certify {
 /// Returns the names of a document's rules in the order of evaluation: those of its net, seven, or nine for a pseudo
 /// net, then its own. A geodesics file needs those that its claim asks for.
 [[nodiscard]] RuleNames rules_of(const AnyClaim& document);
+
+/// Returns what makes the verdict of a document `malformed`, as `check` finds it before it asks any rule; nullopt if
+/// nothing does. O(size of the document), by up to so many threads.
+[[nodiscard]] std::optional<std::string> malformation(const AnyClaim& document, unsigned threads = 1);
 
 /// Checks all rules. Returns a certificate for a document of any content. Throws only if the machine fails
 /// (std::bad_alloc, std::system_error) or this program has a bug (Fault); then there is no verdict.

@@ -12,8 +12,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "certify/check.h"
 #include "certify/net/darts.h"
-#include "certify/net/structure.h"
 #include "certify/numbers/parallel.h"
 #include "kernel/isometry.h"
 #include "kernel/numbers.h"
@@ -109,7 +109,7 @@ class Labels {
 /// A net, with the data that all searches use.
 struct SearchedNet {
   explicit SearchedNet(const NetDocument& net_document) : net(net_document) {
-    if (const auto problem = certify::structure_problem(net)) throw NetGeometryError(*problem);
+    if (const auto problem = certify::malformation(net)) throw NetGeometryError(*problem);
     if (const auto dart = unpaired_dart(net)) {
       throw NetGeometryError("triangles[" + std::to_string(*dart / 3) + "]: dart " + std::to_string(*dart) +
                              " and its opposite do not belong together");

@@ -3,8 +3,8 @@
 #include <string>
 #include <unordered_map>
 
+#include "certify/check.h"
 #include "certify/net/darts.h"
-#include "certify/net/structure.h"
 #include "netgen/base/gmp.h"
 #include "netgen/exchange/gaussian_fraction.h"
 #include "netgen/exchange/triangulation_stream.h"
@@ -136,7 +136,7 @@ Isometry<Rational> integral(const Isometry<Rational>& f) {
 class NetTriangles {
  public:
   explicit NetTriangles(const certify::NetDocument& net) : net_(net) {
-    if (const auto problem = certify::structure_problem(net)) throw ExchangeError("not a net: " + *problem);
+    if (const auto problem = certify::malformation(net)) throw ExchangeError("not a net: " + *problem);
     require_tiles(!net.surface.tiles.empty());
     if (net.triangles.empty()) throw ExchangeError("not a net: there are no triangles");
     check_darts();

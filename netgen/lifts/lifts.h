@@ -41,7 +41,7 @@ enum class DrawOrder {
 [[nodiscard]] certify::SurfaceDocument with_rounded_tiles(const certify::SurfaceDocument& surface);
 
 /// Returns the first dart d with opposite(d) = d or opposite(opposite(d)) ≠ d; nullopt if there is none. Requires:
-/// indices are in range (certify::structure_problem). O(triangles).
+/// indices are in range (certify::malformation). O(triangles).
 [[nodiscard]] std::optional<std::uint32_t> unpaired_dart(const certify::NetDocument& document);
 
 /// The factors of labels, rounded to the bits of T (Mp256, Mp1024, Mp4096). Isometries have determinant 1. Their
@@ -75,7 +75,7 @@ struct PreciseIsometry {
 class NetGeometry {
  public:
   /// Evaluates all labels. Throws NetGeometryError if the structure of the document is broken
-  /// (certify::structure_problem), if `opposite` is not a fixed-point-free involution, or if a label needs more than
+  /// (certify::malformation), if `opposite` is not a fixed-point-free involution, or if a label needs more than
   /// 4096 bits. O(triangles + letters of all words).
   explicit NetGeometry(const certify::NetDocument& document);
   explicit NetGeometry(const certify::NetDocument&&) = delete;  // A temporary would not outlive the object.

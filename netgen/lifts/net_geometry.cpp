@@ -5,8 +5,8 @@
 #include <string>
 
 #include "certify/base/text.h"
+#include "certify/check.h"
 #include "certify/net/darts.h"
-#include "certify/net/structure.h"
 #include "certify/net/surface_sides.h"
 #include "kernel/plane.h"
 #include "netgen/base/gmp.h"
@@ -52,7 +52,7 @@ class Evaluator {
 
 /// Returns the document if it is sound enough for NetGeometry.
 const certify::NetDocument& checked(const certify::NetDocument& document) {
-  if (const auto problem = certify::structure_problem(document)) throw NetGeometryError(*problem);
+  if (const auto problem = certify::malformation(document)) throw NetGeometryError(*problem);
   if (const auto dart = unpaired_dart(document)) {
     throw NetGeometryError("triangles[" + std::to_string(*dart / 3) + "]: dart " + std::to_string(*dart) +
                            " and its opposite " + std::to_string(certify::opposite(document, *dart)) +

@@ -34,6 +34,7 @@ void expect_malformed(const GeodesicsDocument& document, const std::string& prob
   const Certificate certificate = check(document, {.threads = 1});
   EXPECT_EQ(certificate.verdict, Verdict::malformed);
   EXPECT_EQ(certificate.rule, "structure");
+  EXPECT_EQ(malformation(document), found);
 }
 
 TEST(GeodesicsStructure, TrueFilesHaveIt) {

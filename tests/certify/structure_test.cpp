@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "certify/check.h"
 #include "certify/net/darts.h"
 #include "certify/net/surface_sides.h"
 
@@ -349,6 +350,20 @@ TEST(Structure, ANetMayHaveNoCollarsAndNoRows) {
 TEST(Structure, ANetMayHaveManyRows) {
   EXPECT_EQ(problem([](NetDocument& d) { d.triangles.resize(100'000, d.triangles[0]); }), "");
   EXPECT_EQ(problem([](NetDocument& d) { d.vertices.resize(100'000, d.vertices[0]); }), "");
+}
+
+TEST(Structure, IsWhatMalformationAsksOfAnyDocument) {
+  NetDocument document = net();
+  EXPECT_EQ(malformation(document), std::nullopt);
+  EXPECT_EQ(malformation(ClaimDocument(document)), std::nullopt);
+  document.vertices[0].x = 2;
+  ASSERT_TRUE(malformation(document).has_value());
+  EXPECT_EQ(malformation(document), structure_problem(document));
+  EXPECT_EQ(malformation(ClaimDocument(document), 2), structure_problem(document));
+  // A rule that fails is another thing.
+  document = net();
+  std::swap(document.triangles[0].opposite[0], document.triangles[0].opposite[1]);
+  EXPECT_EQ(malformation(document), std::nullopt);
 }
 
 TEST(Structure, ThreadsFindTheFirstProblem) {
