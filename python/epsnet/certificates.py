@@ -55,7 +55,7 @@ class Certificate:
 
     @property
     def verdict(self) -> str:
-        """"VERIFIED", "REFUTED" (proved to be false), "UNDECIDED" (within the precision and the work allowed), or "MALFORMED"."""
+        """"VERIFIED", "REFUTED" (a rule is proved to fail), "UNDECIDED" (within the precision and the work allowed), or "MALFORMED"."""
         return self._core.verdict
 
     @property
