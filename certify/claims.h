@@ -14,6 +14,8 @@
 #include "certify/claims/isometries/check.h"
 #include "certify/claims/isometries/fields.h"
 #include "certify/claims/net/fields.h"
+#include "certify/claims/pants/check.h"
+#include "certify/claims/pants/fields.h"
 #include "certify/documents.h"
 #include "certify/net/structure.h"
 

@@ -9,6 +9,7 @@
 #include "certify/claims/eigenvalues/document.h"
 #include "certify/claims/geodesics/document.h"
 #include "certify/claims/isometries/document.h"
+#include "certify/claims/pants/document.h"
 #include "certify/net/document.h"
 
 /// The one list of the claims that files can make.
@@ -16,7 +17,7 @@ namespace epsnet::certify {
 
 /// The contents of a file that can be checked. What is needed for each kind of claim follows from this list.
 using ClaimDocument = std::variant<NetDocument, GeodesicsDocument, DistanceDocument, BoundDocument, EigenvaluesDocument,
-                                   IsometriesDocument>;
+                                   IsometriesDocument, PantsDocument>;
 
 /// Pointers to the documents of that list.
 template <class Documents = ClaimDocument>

@@ -396,7 +396,7 @@ Inertia SparseMatrix::negative_eigenvalues(Bound bound, const Budget& budget, un
   for (std::uint32_t p = 0; p < panels.size(); ++p) {
     for (std::uint32_t column = panels[p].first; column < panels[p].last; ++column) panel_of[column] = p;
   }
-  std::uint64_t operations = 0;
+  std::uint64_t work = 0;
   std::uint64_t kept = 0;
   std::uint64_t most_kept = 0;
   std::vector<std::uint64_t> open;
@@ -414,15 +414,16 @@ Inertia SparseMatrix::negative_eigenvalues(Bound bound, const Budget& budget, un
       parent[p] = panel_of[tree.parent[panel.last - 1]];
       ++children[parent[p]];
     }
-    // Half of the squares of the numbers of rows that are left, column by column; and what is moved.
-    operations += (rows * rows * rows - std::uint64_t{panel.below} * panel.below * panel.below) / 6 + 4 * rows * rows;
+    // Half of the squares of the numbers of rows that are left, column by column, of which a core does three in a
+    // nanosecond; and what is moved.
+    work += (rows * rows * rows - std::uint64_t{panel.below} * panel.below * panel.below) / 18 + 4 * rows * rows;
   }
   budget.spend(memory_work(sizeof(double)), most_kept);
 
   // What is set aside for rounding errors, relative to the sums: little first.
   Inertia result;
   for (const double share : {0x1p-32, 0x1p-26}) {
-    budget.spend(1, operations);
+    budget.spend(1, work);
     std::vector<double> shifts(size_);
     std::vector<double> diagonal(size_);
     for (std::uint32_t i = 0; i < size_; ++i) {

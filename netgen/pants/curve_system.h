@@ -21,7 +21,7 @@ struct ClosedPath {
 
 /// Disjoint simple closed geodesics of a surface, and what is near them, computed with 256 bits.
 ///
-/// Nothing here is proved. Whoever uses the results examines them exactly (pants_proof.h).
+/// Nothing here is proved. Whoever uses the results asks certify::check.
 class CurveSystem {
  public:
   using Number = LiftedTiles::Number;

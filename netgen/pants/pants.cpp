@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
+#include "certify/check.h"
+#include "netgen/base/gmp.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
+#include "netgen/pants/cuff_coordinates.h"
 #include "netgen/pants/curve_system.h"
-#include "netgen/pants/pants_proof.h"
 
 namespace epsnet {
 namespace {
@@ -20,9 +23,12 @@ struct Pieces {
   std::vector<Word> across;
 };
 
-PantsDecomposition proved(const Surface& surface, Pieces pieces) {
-  const std::vector<ProvedCuff> cuffs = prove_pants(surface, pieces.graph, pieces.pants, pieces.across);
-  PantsDecomposition result{std::move(pieces.graph), {}, {}};
+/// Of the net in a pants file: any net will do.
+constexpr double kEpsilon = 1;
+
+PantsDecomposition with_coordinates(const Surface& surface, Pieces pieces) {
+  const std::vector<CuffCoordinates> cuffs = cuff_coordinates(surface, pieces.graph, pieces.pants, pieces.across);
+  PantsDecomposition result{.graph = std::move(pieces.graph), .cuffs = {}, .pants = {}};
   for (const auto& [paths] : pieces.pants) {
     result.pants.push_back({paths[0], paths[1], reversed(surface, concatenated(surface, paths[0], paths[1]))});
   }
@@ -30,6 +36,36 @@ PantsDecomposition proved(const Surface& surface, Pieces pieces) {
     const PantsGraph::End& end = result.graph.edges()[e][0];
     result.cuffs.push_back({result.pants[end.pants][end.cuff], cuffs[e].length, cuffs[e].twist, cuffs[e].root,
                             std::move(pieces.across[e])});
+  }
+  return result;
+}
+
+certify::PantsDocument document_of(const PantsDecomposition& pants, certify::NetDocument net) {
+  certify::PantsDocument result{.net = std::move(net), .pants = {}, .cuffs = {}};
+  for (const auto& paths : pants.pants) result.pants.push_back({letters_of(paths[0]), letters_of(paths[1])});
+  for (std::size_t e = 0; e < pants.cuffs.size(); ++e) {
+    const PantsDecomposition::Cuff& cuff = pants.cuffs[e];
+    const auto& [first, second] = pants.graph.edges()[e];
+    result.cuffs.push_back({.ends = {{{first.pants, first.cuff}, {second.pants, second.cuff}}},
+                            .across = letters_of(cuff.across),
+                            .length = cuff.length,
+                            .twist = cuff.twist,
+                            .exp_half_length = cuff.exact_root ? to_gmp(*cuff.exact_root) : mpq_class(0)});
+  }
+  return result;
+}
+
+PantsDecomposition proved(const Surface& surface, Pieces pieces, const PantsOptions& options) {
+  PantsDecomposition result = with_coordinates(surface, std::move(pieces));
+  NetOptions of_net;
+  of_net.threads = options.threads;
+  result.document = document_of(result, compute_net(surface, Length(kEpsilon), of_net).net);
+  certify::CheckOptions check;
+  check.threads = options.threads;
+  check.max_work = std::numeric_limits<std::uint64_t>::max();  // No limit, as the document was made here.
+  const certify::Certificate certificate = certify::check(result.document, check);
+  if (certificate.verdict != certify::Verdict::verified) {
+    throw NetError("not certified: " + certify::verdict_line(certificate));
   }
   return result;
 }
@@ -251,7 +287,7 @@ FenchelNielsen PantsDecomposition::coordinates() const {
 PantsDecomposition pants_decomposition(const Surface& surface, const PantsOptions& options) {
   if (options.own && options.curves.empty()) {
     if (auto pieces = own_pants(surface)) {
-      PantsDecomposition result = proved(surface, *std::move(pieces));
+      PantsDecomposition result = proved(surface, *std::move(pieces), options);
       result.own = true;
       return result;
     }
@@ -265,7 +301,7 @@ PantsDecomposition pants_decomposition(const Surface& surface, const PantsOption
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin() + given, order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return system.length(a) < system.length(b); });
-  return proved(surface, assembled(surface, system, found, order));
+  return proved(surface, assembled(surface, system, found, order), options);
 }
 
 void require_disjoint_curves(const Surface& surface, std::span<const Word> curves) {

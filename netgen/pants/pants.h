@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "certify/base/interval.h"
+#include "certify/claims/pants/document.h"
 #include "netgen/base/options.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "triangulation/surface/error.h"
@@ -46,7 +47,7 @@ struct PantsOptions {
 };
 
 /// A pants decomposition of a surface along closed geodesics, and its Fenchel–Nielsen coordinates with the conventions
-/// of FenchelNielsen. What is here is proved.
+/// of FenchelNielsen. What is here is proved: certify::check says VERIFIED to `document`.
 struct PantsDecomposition {
   /// A cuff of the decomposition, an edge of the graph.
   struct Cuff {
@@ -63,6 +64,8 @@ struct PantsDecomposition {
   /// their left; α₀α₁α₂ is null-homotopic.
   std::vector<std::array<Word, 3>> pants;
   bool own = false;  ///< Whether they are the pants of which fenchel_nielsen_surface made the surface.
+  /// The same as a pants file, with a net of the surface.
+  certify::PantsDocument document;
 
   /// Returns the coordinates: the middle of each interval.
   [[nodiscard]] FenchelNielsen coordinates() const;

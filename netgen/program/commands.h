@@ -111,6 +111,8 @@ void add_distance(CLI::App& command, std::string& file);
 [[nodiscard]] Report eigenvalues_report(const certify::EigenvaluesDocument& document);
 /// Returns the contents of an isometries file, as lines and as an object.
 [[nodiscard]] Report isometries_report(const certify::IsometriesDocument& document);
+/// Returns the contents of a pants file, as lines and as an object.
+[[nodiscard]] Report pants_report(const certify::PantsDocument& document);
 /// Returns the contents of a distance file, as lines and as an object.
 [[nodiscard]] Report distance_report(const certify::DistanceDocument& document);
 /// Returns the closed geodesics of a geodesics file about the net's surface, as layers of a picture. Throws JobError,

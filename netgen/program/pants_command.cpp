@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "certify/base/text.h"
+#include "certify/file/writer.h"
 #include "netgen/base/progress_line.h"
 #include "netgen/pants/pants.h"
 #include "netgen/program/commands.h"
@@ -24,50 +25,14 @@ struct PantsRequest {
   unsigned threads = 0;
 };
 
-/// The middle of a narrow interval, as a decimal that reads back as the same binary64.
-std::string middle_text(certify::Interval x) { return certify::shortest(x.lower + (x.upper - x.lower) / 2); }
-
-/// Returns the coordinates as `surface fenchel-nielsen --from` reads them.
-Json coordinates_json(const PantsDecomposition& pants) {
-  Json lengths = Json::array();
-  Json twists = Json::array();
-  for (const PantsDecomposition::Cuff& cuff : pants.cuffs) {
-    lengths.push_back(middle_text(cuff.length));
-    twists.push_back(middle_text(cuff.twist));
-  }
-  return Json::object(
-      {{"graph", graph_text(pants.graph)}, {"lengths", std::move(lengths)}, {"twists", std::move(twists)}});
-}
-
-Report pants_report(const PantsDecomposition& pants) {
-  Report report;
-  report.json["genus"] = pants.graph.genus();
-  report.json["graph"] = graph_text(pants.graph);
+Report own_report(const PantsDecomposition& pants) {
+  Report report = pants_report(pants.document);
   report.json["own"] = pants.own;
-  Json& cuffs = report.json["cuffs"] = Json::array();
-  std::ostringstream out;
-  out << "pants: " << pants.graph.pants_count() << ", cuffs: " << pants.cuffs.size()
-      << (pants.own ? ", those of which the surface was made" : "") << '\n';
-  out << "graph: " << graph_text(pants.graph) << '\n';
-  for (std::size_t e = 0; e < pants.cuffs.size(); ++e) {
-    const PantsDecomposition::Cuff& cuff = pants.cuffs[e];
-    const auto& [first, second] = pants.graph.edges()[e];
-    out << "cuff " << e << " (" << first.pants << '.' << first.cuff << '-' << second.pants << '.' << second.cuff
-        << "): length " << to_string(cuff.length) << ", twist " << to_string(cuff.twist) << ", word "
-        << word_text(cuff.curve) << '\n';
-    Json& entry = cuffs.emplace_back(Json::object({{"ends", {{first.pants, first.cuff}, {second.pants, second.cuff}}},
-                                                   {"length", interval_json(cuff.length)},
-                                                   {"twist", interval_json(cuff.twist)},
-                                                   {"word", cuff.curve},
-                                                   {"across", cuff.across}}));
-    if (cuff.exact_root) {
-      out << "  exp(length/2) = " << cuff.exact_root->str() << ", exactly\n";
-      entry["exp_half_length"] = cuff.exact_root->str();
-    }
-  }
+  Json& cuffs = report.json["cuffs"];
+  for (std::size_t e = 0; e < pants.cuffs.size(); ++e) cuffs[e]["word"] = pants.cuffs[e].curve;
   report.json["pants"] = pants.pants;
-  out << "proved: the surface is glued of these pants with these lengths and twists, modulo the lengths\n";
-  report.text = out.str();
+  if (pants.own) report.text += "these are the pants of which the surface was made\n";
+  report.text += "proved: the surface is glued of these pants with these lengths and twists, modulo the lengths\n";
   return report;
 }
 
@@ -94,11 +59,42 @@ void cut_into_pants(const PantsRequest& request) {
       throw JobError(names[error.number()] + ": " + error.what());
     }
   }();
-  write_output(request.output, [&](std::ostream& out) { out << coordinates_json(pants).dump() << '\n'; });
-  write_report(pants_report(pants), request.json, is_stdout(request.output));
+  write_output(request.output, [&](std::ostream& out) { certify::write_file(pants.document, out); });
+  write_report(own_report(pants), request.json, is_stdout(request.output));
 }
 
 }  // namespace
+
+Report pants_report(const certify::PantsDocument& document) {
+  Report report;
+  Json& json = report.json;
+  std::string graph;
+  Json cuffs = Json::array();
+  std::ostringstream out;
+  for (std::size_t e = 0; e < document.cuffs.size(); ++e) {
+    const certify::PantsDocument::Cuff& cuff = document.cuffs[e];
+    const auto& [p, k] = cuff.ends[0];
+    const auto& [q, l] = cuff.ends[1];
+    if (e > 0) graph += ' ';
+    graph += std::to_string(p) + '-' + std::to_string(q);
+    out << "cuff " << e << " (" << p << '.' << k << '-' << q << '.' << l << "): length " << to_string(cuff.length)
+        << ", twist " << to_string(cuff.twist) << '\n';
+    Json& entry = cuffs.emplace_back(Json::object({{"ends", {{p, k}, {q, l}}},
+                                                   {"length", interval_json(cuff.length)},
+                                                   {"twist", interval_json(cuff.twist)},
+                                                   {"across", cuff.across}}));
+    if (cuff.exp_half_length != 0) {
+      out << "  exp(length/2) = " << cuff.exp_half_length.get_str() << ", exactly\n";
+      entry["exp_half_length"] = cuff.exp_half_length.get_str();
+    }
+  }
+  json["genus"] = document.pants.size() / 2 + 1;
+  json["graph"] = graph;
+  json["cuffs"] = std::move(cuffs);
+  report.text = "pants: " + std::to_string(document.pants.size()) +
+                ", cuffs: " + std::to_string(document.cuffs.size()) + "\ngraph: " + graph + '\n' + out.str();
+  return report;
+}
 
 void add_pants_command(CLI::App& app, Job& chosen) {
   const auto shared = std::make_shared<PantsRequest>();
@@ -114,15 +110,15 @@ void add_pants_command(CLI::App& app, Job& chosen) {
                  "look for short curves, also if surface fenchel-nielsen made the surface and its own cuffs are known")
       ->excludes(curves);
   add_file(*command, "-o,--output", shared->output,
-           "the coordinates to write, for surface fenchel-nielsen --from; \"-\" is standard output");
+           "the pants file to write, for certify and for surface fenchel-nielsen --from; \"-\" is standard output");
   add_json(*command, shared->json);
   add_threads(*command, shared->threads);
   command->footer(
       "Twists are given modulo the lengths, between -1/2 and 1/2 of them. docs/fenchel-nielsen.md has the "
       "conventions.\n\n"
       "Example:\n  epsnet surface octagon --seed 5 -o s.json\n"
-      "  epsnet pants s.json -o coordinates.json\n"
-      "  epsnet surface fenchel-nielsen --from coordinates.json -o t.json");
+      "  epsnet pants s.json -o pants.json && certify pants.json\n"
+      "  epsnet surface fenchel-nielsen --from pants.json -o t.json");
   command->callback([&chosen, shared] { chosen = [shared] { cut_into_pants(*shared); }; });
 }
 

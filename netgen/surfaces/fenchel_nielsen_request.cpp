@@ -3,7 +3,9 @@
 #include <set>
 #include <utility>
 
+#include "certify/base/text.h"
 #include "certify/file/json.h"
+#include "certify/file/reader.h"
 #include "netgen/base/gmp.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 
@@ -91,6 +93,9 @@ std::vector<Rational> numbers(const std::vector<std::string>& texts, const char*
   return result;
 }
 
+/// Thrown by the reader where a text is no request, but a file that names its format.
+struct IsPantsFile {};
+
 /// Reads a request and nothing else. Throws RequestError, or JsonError.
 class Reader {
  public:
@@ -115,6 +120,8 @@ class Reader {
         request.lengths = decimals(member);
       } else if (member == "twists") {
         request.twists = decimals(member);
+      } else if (member == "format") {
+        throw IsPantsFile();
       } else {
         throw RequestError("unknown member " + in_quotes(member) + ", expected graph, genus, seed, lengths or twists");
       }
@@ -162,6 +169,29 @@ class Reader {
   certify::Json json_;
 };
 
+/// The coordinates in a pants file: the middles of its intervals.
+FenchelNielsenRequest request_of(const certify::PantsDocument& document) {
+  FenchelNielsenRequest result;
+  const auto middle = [](certify::Interval x) { return certify::shortest(x.lower + (x.upper - x.lower) / 2); };
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const certify::PantsDocument::Cuff& cuff : document.cuffs) {
+    edges.emplace_back(cuff.ends[0][0], cuff.ends[1][0]);
+    if (!result.graph.empty()) result.graph += ' ';
+    result.graph += std::to_string(edges.back().first) + '-' + std::to_string(edges.back().second);
+    result.lengths.push_back(middle(cuff.length));
+    result.twists.push_back(middle(cuff.twist));
+  }
+  const PantsGraph graph = blaming("graph", [&] { return PantsGraph(edges); });
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto& [pants, cuff] = graph.edges()[e][i];
+      if (document.cuffs[e].ends[i] == certify::PantsDocument::End{pants, cuff}) continue;
+      throw RequestError("cuffs[" + std::to_string(e) + "]", "cuffs of a pair of pants are not in the order 0, 1, 2");
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 FenchelNielsen resolve(const FenchelNielsenRequest& request) {
@@ -193,6 +223,12 @@ FenchelNielsenRequest parse_fenchel_nielsen(const std::string& text) {
     return Reader(bytes).read();
   } catch (const certify::JsonError& error) {
     throw RequestError(std::string("not JSON: ") + error.what());
+  } catch (const IsPantsFile&) {
+    try {
+      return request_of(certify::parse_file<certify::PantsDocument>(text, "pants file"));
+    } catch (const certify::MalformedError& error) {
+      throw RequestError(error.what());
+    }
   }
 }
 

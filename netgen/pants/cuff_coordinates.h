@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "certify/base/interval.h"
-#include "netgen/base/options.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "triangulation/surface/surface.h"
 
@@ -18,8 +17,8 @@ struct PantsPaths {
   std::array<Word, 2> cuffs;
 };
 
-/// The length of a cuff and the twist there, enclosed.
-struct ProvedCuff {
+/// The length of a cuff and the twist there, in intervals.
+struct CuffCoordinates {
   certify::Interval length{};
   certify::Interval twist{};  ///< Between −½ and ½ of the length, but for the width of the interval.
   /// e^{length/2}, if that is rational.
@@ -27,12 +26,13 @@ struct ProvedCuff {
 };
 
 /// Returns by edge the Fenchel–Nielsen coordinates of a surface that is glued of these pairs of pants, by paths across
-/// the edges, each from the tile of the pants of its first end to that of its second end. docs/fenchel-nielsen.md has
-/// what is proved, and why. Throws NetError if that is wrong, LimitError if numbers are too large to be compared.
+/// the edges, each from the tile of the pants of its first end to that of its second end. That the surface is glued of
+/// them is taken for granted: certify::check decides it (docs/proof.md, section 19). Throws LimitError if the
+/// coordinates are not known with many bits, as for paths that are no cuffs.
 ///
-/// Time: that of some exact products of all letters of each path.
-[[nodiscard]] std::vector<ProvedCuff> prove_pants(const Surface& surface, const PantsGraph& graph,
-                                                  const std::vector<PantsPaths>& pants,
-                                                  const std::vector<Word>& across);
+/// Time: that of some products of all letters of each path.
+[[nodiscard]] std::vector<CuffCoordinates> cuff_coordinates(const Surface& surface, const PantsGraph& graph,
+                                                            const std::vector<PantsPaths>& pants,
+                                                            const std::vector<Word>& across);
 
 }  // namespace epsnet
