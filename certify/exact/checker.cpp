@@ -72,6 +72,10 @@ Result check(std::string_view text, long most_lifts) {
       const IsometriesDocument document = read_isometries(root);
       return ask_all(document.spectrum.net, [&](auto& net) { return isometry_rules(document, net, most_lifts); });
     }
+    if (is_text(format, "epsnet-pants")) {
+      const PantsDocument document = read_pants(root);
+      return ask_all(document.net, [&](auto& net) { return pants_rules(document, net); });
+    }
     return ask_all(read_net(root), [](auto&) { return std::vector<Rule>(); });
   } catch (const LeftOut& question) {
     return left_out(question.what);

@@ -72,6 +72,29 @@ std::vector<std::vector<Index>> read_words(const Json& root, const char* name, W
   return result;
 }
 
+/// lower <= upper, of any sign.
+Range read_range(const Json& value, const char* what) {
+  const auto& two = tuple(value, 2, what);
+  Range range{read_binary64(two[0]), read_binary64(two[1])};
+  if (range[1] < range[0]) throw Malformed(std::string(what) + ": expected lo <= hi");
+  return range;
+}
+
+PantsDocument::End read_end(const Json& value) {
+  const auto& two = tuple(value, 2, "an end");
+  return {to_index(two[0]), to_index(two[1])};
+}
+
+PantsDocument::Cuff read_cuff(const Json& row, Words& words) {
+  expect_members(row, {"ends", "across", "length", "twist", "exp_half_length"});
+  const auto& ends = tuple(member(row, "ends"), 2, "ends");
+  return {.ends = {read_end(ends[0]), read_end(ends[1])},
+          .across = words.read(member(row, "across")),
+          .length = read_length(member(row, "length"), "a length"),
+          .twist = read_range(member(row, "twist"), "a twist"),
+          .exp_half_length = to_rational(member(row, "exp_half_length"))};
+}
+
 }  // namespace
 
 DistanceDocument read_distance(const Json& root) {
@@ -193,6 +216,19 @@ IsometriesDocument read_isometries(const Json& root) {
     expect_members(row, {"preserves_orientation", "images"});
     document.isometries.push_back({read_bool(member(row, "preserves_orientation")), read_words(row, "images", words)});
   }
+  return document;
+}
+
+PantsDocument read_pants(const Json& root) {
+  expect_members(root, {"format", "version", "net", "pants", "cuffs"});
+  expect_version(root);
+  Words words;
+  PantsDocument document{.net = read_whole_net(root, words), .pants = {}, .cuffs = {}};
+  for (const Json& row : array(member(root, "pants"), "pants")) {
+    const auto& two = tuple(row, 2, "a pair of pants");
+    document.pants.push_back({words.read(two[0]), words.read(two[1])});
+  }
+  for (const Json& row : array(member(root, "cuffs"), "cuffs")) document.cuffs.push_back(read_cuff(row, words));
   return document;
 }
 

@@ -115,6 +115,23 @@ struct IsometriesDocument {
   std::vector<Index> cocycle;
 };
 
+/// A pants decomposition.
+struct PantsDocument {
+  using Word = std::vector<Index>;
+  using End = std::array<Index, 2>;  ///< A pair of pants, and which of its cuffs.
+  struct Cuff {
+    std::array<End, 2> ends;
+    Word across;
+    Range length;
+    Range twist;
+    mpq_class exp_half_length;  ///< Or 0.
+  };
+
+  Net net;
+  std::vector<std::array<Word, 2>> pants;
+  std::vector<Cuff> cuffs;
+};
+
 // Members, kinds and ranges of numbers. Each throws Malformed. Indices may name what is not there.
 
 [[nodiscard]] DistanceDocument read_distance(const Json& root);
@@ -122,5 +139,6 @@ struct IsometriesDocument {
 [[nodiscard]] GeodesicsDocument read_geodesics(const Json& root);
 [[nodiscard]] EigenvaluesDocument read_eigenvalues(const Json& root);
 [[nodiscard]] IsometriesDocument read_isometries(const Json& root);
+[[nodiscard]] PantsDocument read_pants(const Json& root);
 
 }  // namespace epsnet::exact

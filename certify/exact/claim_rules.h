@@ -28,6 +28,9 @@ template <class R>
 /// Section 18.
 template <class R>
 [[nodiscard]] std::vector<Rule> isometry_rules(const IsometriesDocument& document, NetRules<R>& net, long most_lifts);
+/// Section 19.
+template <class R>
+[[nodiscard]] std::vector<Rule> pants_rules(const PantsDocument& document, NetRules<R>& net);
 
 /// Rules that keep their owner alive.
 template <class Owner>
