@@ -14,8 +14,10 @@ namespace {
 
 /// Of one exact number that is not brought to lowest terms: a second for what is made of it.
 constexpr std::size_t kMostBits = std::size_t{1} << 22;
-/// Integers that are binary64 numbers, and so are the next ones.
-constexpr double kMostTurns = 0x1p52;
+/// Times that a path goes around a cuff, for which its exact numbers are computed.
+constexpr double kMostTurns = 1000;
+/// Integers up to this one are binary64 numbers.
+constexpr double kMostIntegers = 0x1p52;
 
 using Word = PantsDocument::Word;
 using Cuff = PantsDocument::Cuff;
@@ -77,7 +79,7 @@ Answer is_between_modulo(const Interval& length, const Interval& x, const Interv
   if (is_less(hi - lo, length) == Answer::no) return Answer::yes;
   // Before the first of these numbers, all are less than lo.
   const double first = std::floor(((lo - x) / length).lower());
-  if (!(std::abs(first) < kMostTurns)) return Answer::unknown;
+  if (!(std::abs(first) < kMostIntegers)) return Answer::unknown;
   Answer found = Answer::no;
   for (long i = 0; i < 4; ++i) {
     const Interval y = x + Interval(static_cast<long>(first) + i) * length;
@@ -178,10 +180,7 @@ class PantsRules {
     std::array<Isometry<R>, 3> d{positive(element(first)), positive(element(second)), {}};
     const Isometry<R> ab = net_.product(d[0], d[1]);
     d[2] = positive(inverse(ab));
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (sgn(half_length(pants_name(p), d.at(k)).numerator) <= 0)
-        throw Refutation{pants_name(p) + ": its path " + number(k) + " is null-homotopic"};
-    }
+    // If a path is null-homotopic as well.
     if (sgn(ab.a.re) > 0) throw Refutation{pants_name(p) + ": its paths go around no three cuffs, for their traces"};
     if (!is_on_left(pants_name(p), normal_of(d[0]), normal_of(d[1])))
       throw Refutation{pants_name(p) + " is on the right of its paths"};
@@ -236,25 +235,40 @@ class PantsRules {
 
   void check_twists() {
     for (std::size_t i = 0; i < document_.cuffs.size(); ++i) {
-      const std::array<mpq_class, 2>& range = document_.cuffs[i].twist;
-      const Answer between = is_between_modulo(lengths_[i], twist(i), Interval(range[0]), Interval(range[1]));
+      const Answer between = has_its_twist(i);
       if (between == Answer::no) throw Refutation{cuff_name(i) + " has another twist"};
       if (between == Answer::unknown) throw TooLarge{cuff_name(i) + ": its twist is nearly an end of its interval"};
     }
   }
 
-  /// Section 19.1: tanh² of it is s/t with s = ⟨n, n⟩ det(n, u, v)², and so sinh² is s/(t − s).
-  Interval twist(std::size_t i) {
+  Answer has_its_twist(std::size_t i) {
+    const Interval lo(document_.cuffs[i].twist[0]);
+    const Interval hi(document_.cuffs[i].twist[1]);
+    const Interval found = twist(i, across_[i]);
+    const Answer between = is_between_modulo(lengths_[i], found, lo, hi);
+    if (between != Answer::unknown) return between;
+    // Multiples of the length are not known exactly; the twist along a path that makes them is.
+    const double turns = std::round((((lo + hi) / 2 - found) / lengths_[i]).lower());
+    if (turns == 0 || !(std::abs(turns) <= kMostTurns)) return between;
+    const Isometry<R>& forwards = element_of(document_.cuffs[i].ends[0]);
+    const Isometry<R> turn = turns > 0 ? forwards : inverse(forwards);
+    Isometry<R> across = across_[i];
+    for (int n = 0; n < std::abs(turns); ++n) across = net_.product(turn, across);
+    return is_between_modulo(lengths_[i], twist(i, across), lo, hi);
+  }
+
+  /// Section 19.1: tanh² of it is s/c² with s = ⟨n, n⟩ det(n, u, v)², and so sinh² is s/(c² − s).
+  Interval twist(std::size_t i, const Isometry<R>& across) {
     const auto& [here, there] = document_.cuffs[i].ends;
     const AxisNormal<R> n = normal_of(element_of(here));
     const AxisNormal<R> u = normal_of(next_element(here));
-    const AxisNormal<R> v = normal_of(conjugated(across_[i], next_element(there)));
+    const AxisNormal<R> v = normal_of(conjugated(across, next_element(there)));
     spend("the twist of " + cuff_name(i), 4 * bits_of(n) + 2 * bits_of(u) + 2 * bits_of(v));
     const R nn = form(n, n);
     const R sine = determinant(n, u, v);
-    const R cosine = form(u, n) * form(v, n) - form(u, v) * nn;
+    const R c = form(u, n) * form(v, n) - form(u, v) * nn;
     const R s = nn * sine * sine;
-    const Interval size = arsinh(sqrt(enclosure(s) / enclosure(R(cosine * cosine - s))));
+    const Interval size = arsinh(sqrt(enclosure(s) / enclosure(R(c * c - s))));
     return sgn(sine) < 0 ? -size : size;
   }
 
