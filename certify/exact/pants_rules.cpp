@@ -171,7 +171,7 @@ class PantsRules {
     if (document_.pants.size() != expected)
       throw Refutation{"the surface has " + number(expected) + " pairs of pants, not " +
                        number(document_.pants.size())};
-    for (std::size_t p = 0; p < expected; ++p) elements_.push_back(elements_of(p));
+    for (std::size_t p = 0; p < document_.pants.size(); ++p) elements_.push_back(elements_of(p));
   }
 
   /// D₀, D₁, D₂, with positive traces.

@@ -269,6 +269,18 @@ TEST(SecondCheckerOfPants, PantsAreOnTheLeft) {
   }
 }
 
+TEST(SecondCheckerOfPants, PathsInThePantsBeyondTheCuffsAreRefuted) {
+  // All cuffs are between the same two pairs of pants. Each path alone is in the class of its cuff, rightly directed.
+  Pants file = load("octagon-5");
+  const auto [first, second] = file.pants[1];
+  for (const Cuff& cuff : file.cuffs) {
+    ASSERT_NE(cuff.ends[0][0], cuff.ends[1][0]);
+    ASSERT_EQ(cuff.ends[0][1], cuff.ends[1][1]);
+  }
+  file.pants[0] = {backwards(file, first), backwards(file, second)};
+  EXPECT_EQ(outcome(file), "REFUTED: pants");
+}
+
 TEST(SlowSecondCheckerOfPants, PathsThatGoAroundNoCuffsAreRefuted) {
   for (const std::string& name : names()) {
     const Pants good = load(name);
