@@ -5,13 +5,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "certify/check.h"
+#include "certify/file/writer.h"
 #include "netgen/geodesics/geodesics.h"
 #include "netgen/nets/certified_net.h"
-#include "netgen/pants/pants_proof.h"
 #include "netgen/surfaces/fenchel_nielsen.h"
 #include "netgen/surfaces/group.h"
 #include "netgen/surfaces/maps_and_covers.h"
@@ -205,68 +207,37 @@ TEST(Pants, CurvesThatAreRefused) {
   EXPECT_EQ(refusal(surface, {pants[2], across, pants[1]}), "curve 2: its geodesic crosses that of curve 1");
 }
 
-// Each condition of the proof.
-
-struct Proof {
-  Surface surface;
-  PantsGraph graph;
-  std::vector<PantsPaths> pants;
-  std::vector<Word> across;
-
-  explicit Proof(const Surface& of) : surface(of), graph(PantsGraph::chain(2)) {
-    PantsDecomposition found = pants_decomposition(of);
-    graph = found.graph;
-    for (const auto& paths : found.pants) pants.push_back({{paths[0], paths[1]}});
-    for (const auto& cuff : found.cuffs) across.push_back(cuff.across);
+TEST(Pants, FileSaysTheSame) {
+  const PantsDecomposition pants = pants_decomposition(random_octagon(5));
+  const certify::PantsDocument& document = pants.document;
+  ASSERT_THAT(document.cuffs, SizeIs(pants.cuffs.size()));
+  ASSERT_THAT(document.pants, SizeIs(pants.pants.size()));
+  for (std::size_t e = 0; e < pants.cuffs.size(); ++e) {
+    const auto& [first, second] = pants.graph.edges()[e];
+    const certify::PantsDocument::Cuff& cuff = document.cuffs[e];
+    EXPECT_EQ(cuff.ends[0], (certify::PantsDocument::End{first.pants, first.cuff}));
+    EXPECT_EQ(cuff.ends[1], (certify::PantsDocument::End{second.pants, second.cuff}));
+    EXPECT_EQ(cuff.length, pants.cuffs[e].length);
+    EXPECT_EQ(cuff.twist, pants.cuffs[e].twist);
   }
+  EXPECT_EQ(certify::check(document).verdict, certify::Verdict::verified);
+}
 
-  [[nodiscard]] std::string refusal() const {
-    try {
-      static_cast<void>(prove_pants(surface, graph, pants, across));
-    } catch (const NetError& error) {
-      return error.what();
-    }
-    return "";
-  }
-};
+TEST(Pants, SurfacesAreMadeFromFiles) {
+  const PantsDecomposition pants = pants_decomposition(random_octagon(5));
+  std::ostringstream file;
+  certify::write_file(pants.document, file);
+  const FenchelNielsen read = resolve(parse_fenchel_nielsen(file.str()));
+  EXPECT_EQ(read.graph.edges(), pants.graph.edges());
+  EXPECT_EQ(problem(pants_decomposition(fenchel_nielsen_surface(read)), pants.coordinates()), "");
 
-TEST(PantsProof, RefusesWhatIsWrong) {
-  const Proof right(fenchel_nielsen_surface(coordinates("0-1 0-1 0-1", {2, 3, 4}, {0, 1, Rational(1, 2)})));
-  EXPECT_EQ(right.refusal(), "");
-
-  Proof open = right;
-  open.pants[1].cuffs[0].pop_back();
-  open.pants[1].cuffs[0].push_back(open.surface.partner(open.across[0].back()));
-  EXPECT_EQ(open.refusal(), "piece 1 has no paths that are closed");
-
-  Proof elsewhere = right;
-  elsewhere.across[2] = elsewhere.pants[0].cuffs[0];
-  EXPECT_EQ(elsewhere.refusal(), "cuff 2 has no path across it");
-
-  Proof other = right;
-  std::swap(other.pants[0].cuffs[0], other.pants[0].cuffs[1]);
-  EXPECT_EQ(other.refusal(), "cuff 0 is not the same closed geodesic from both sides");
-
-  Proof too_many = right;
-  too_many.pants.push_back(too_many.pants[0]);
-  EXPECT_EQ(too_many.refusal(), "3 pairs of pants on a surface of genus 2");
-
-  // All cuffs in the other direction: the pants are on their right.
-  Proof mirrored = right;
-  for (std::size_t e = 0; e < 3; ++e) {
-    const auto& [first, second] = mirrored.graph.edges()[e];
-    if (first.cuff != 2) continue;
-    // (α₀⁻¹α₁⁻¹)⁻¹ = α₁α₀ = α₀⁻¹(α₀α₁)α₀.
-    Word path = reversed(right.surface, right.pants[first.pants].cuffs[0]);
-    for (const Word* word : {&right.across[e], &right.pants[second.pants].cuffs[0]}) {
-      path.insert(path.end(), word->begin(), word->end());
-    }
-    mirrored.across[e] = path;
-  }
-  for (PantsPaths& paths : mirrored.pants) {
-    for (Word& word : paths.cuffs) word = reversed(right.surface, word);
-  }
-  EXPECT_EQ(mirrored.refusal(), "piece 0 is no pair of pants");
+  certify::PantsDocument document = pants.document;
+  std::swap(document.cuffs[0], document.cuffs[1]);
+  std::ostringstream other;
+  certify::write_file(document, other);
+  const auto reading = [&] { static_cast<void>(parse_fenchel_nielsen(other.str())); };
+  EXPECT_THAT(reading, ::testing::ThrowsMessage<FenchelNielsenRequestError>(
+                           HasSubstr("cuffs of a pair of pants are not in the order 0, 1, 2")));
 }
 
 TEST(Pants, GraphsAreWrittenAsTheyAreRead) {

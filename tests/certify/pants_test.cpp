@@ -1,0 +1,297 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "certify/check.h"
+#include "certify/file/reader.h"
+#include "certify/net/surface_sides.h"
+#include "tests/certify/claim_files.h"
+
+/// Pants files. Each rule is broken by a file in which nothing else is wrong.
+namespace epsnet::certify::pants_test {
+namespace {
+
+using testing::HasSubstr;
+using Word = PantsDocument::Word;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+PantsDocument pants(const std::string& name) {
+  return read_file<PantsDocument>(std::string(EPSNET_TEST_DATA) + "/pants/" + name + ".json");
+}
+
+/// Heptagons of known lengths.
+PantsDocument fenchel_nielsen() { return pants("fenchel-nielsen-2"); }
+PantsDocument octagon() { return pants("octagon-5"); }
+
+std::string structure(const PantsDocument& document) {
+  const Certificate certificate = checked(document);
+  EXPECT_EQ(certificate.verdict, Verdict::malformed);
+  return certificate.message;
+}
+
+Word backwards(const PantsDocument& document, Word word) {
+  const SurfaceSides sides(document.net.surface);
+  std::reverse(word.begin(), word.end());
+  for (std::uint32_t& s : word) s = sides.partner[s];
+  return word;
+}
+
+Word joined(Word first, const Word& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+Word path(const PantsDocument& document, const PantsDocument::End& end) {
+  const auto& [first, second] = document.pants[end[0]];
+  if (end[1] < 2) return document.pants[end[0]][end[1]];
+  return backwards(document, joined(first, second));
+}
+
+Interval moved(Interval x, double by) { return {x.lower + by, x.upper + by}; }
+
+/// A little wider than rounding of its ends can move it.
+Interval widened(Interval x) {
+  for (int i = 0; i < 10; ++i) x = {std::nextafter(x.lower, -kInfinity), std::nextafter(x.upper, kInfinity)};
+  return x;
+}
+
+TEST(PantsFiles, True) {
+  for (const char* name : {"fenchel-nielsen-2", "octagon-5", "bolza", "cuff-1e-12"}) {
+    EXPECT_EQ(outcome(pants(name)), "VERIFIED") << name;
+  }
+}
+
+TEST(PantsFiles, Structure) {
+  const PantsDocument good = octagon();
+  const auto problem = [&](const auto& change) {
+    PantsDocument document = good;
+    change(document);
+    return structure(document);
+  };
+  using D = PantsDocument;
+  EXPECT_THAT(problem([](D& d) { d.net.collars.emplace(); }), HasSubstr("expected a net of the whole surface"));
+  EXPECT_THAT(problem([](D& d) { d.pants[1][0].clear(); }), HasSubstr("pants[1]: the first path has no letters"));
+  EXPECT_THAT(problem([](D& d) { d.pants[1][0][0] = 8; }), HasSubstr("pants[1]: side 8 does not exist"));
+  EXPECT_THAT(problem([](D& d) { d.pants[0][1].push_back(8); }), HasSubstr("pants[0]: "));
+  EXPECT_THAT(problem([](D& d) { d.cuffs.pop_back(); }), HasSubstr("2 rows for 2 pairs of pants"));
+  EXPECT_THAT(problem([](D& d) { d.cuffs[2].ends[1] = d.cuffs[0].ends[0]; }), HasSubstr("cuffs[2]: cuff 0 of pair"));
+  EXPECT_THAT(problem([](D& d) {
+                d.cuffs[2].ends[1] = {0, 3};
+              }),
+              HasSubstr("cuff 3 of pair of pants 0 does not exist"));
+  EXPECT_THAT(problem([](D& d) {
+                d.cuffs[2].ends[1] = {2, 0};
+              }),
+              HasSubstr("cuff 0 of pair of pants 2 does not exist"));
+  EXPECT_THAT(problem([](D& d) { d.cuffs[1].across.push_back(9); }), HasSubstr("cuffs[1]: across: "));
+  EXPECT_THAT(problem([](D& d) { d.cuffs[1].length.lower = 0; }), HasSubstr("cuffs[1]: length: "));
+  EXPECT_THAT(problem([](D& d) { std::swap(d.cuffs[1].length.lower, d.cuffs[1].length.upper); }),
+              HasSubstr("is not 0 < lo <= hi"));
+  EXPECT_THAT(problem([](D& d) { std::swap(d.cuffs[1].twist.lower, d.cuffs[1].twist.upper); }),
+              HasSubstr("is not lo <= hi"));
+  EXPECT_THAT(problem([](D& d) { d.cuffs[1].twist.upper = kInfinity; }), HasSubstr("is not lo <= hi"));
+  for (const mpq_class& root : {mpq_class(1), mpq_class(1, 2), mpq_class(-2)}) {
+    EXPECT_THAT(problem([&](D& d) { d.cuffs[1].exp_half_length = root; }), HasSubstr("expected 0 or more than 1"));
+  }
+  // In a surface of several tiles a path has an end elsewhere.
+  PantsDocument elsewhere = fenchel_nielsen();
+  const auto between = std::find_if(elsewhere.cuffs.begin(), elsewhere.cuffs.end(),
+                                    [](const auto& cuff) { return cuff.ends[0][0] != cuff.ends[1][0]; });
+  between->across.clear();
+  EXPECT_THAT(structure(elsewhere), HasSubstr("across: the word ends in tile"));
+}
+
+// Rule pants.
+
+TEST(PantsFiles, AsManyPairsAsTheSurfaceHas) {
+  PantsDocument twice = octagon();
+  const PantsDocument good = twice;
+  twice.pants.insert(twice.pants.end(), good.pants.begin(), good.pants.end());
+  for (PantsDocument::Cuff cuff : good.cuffs) {
+    for (PantsDocument::End& end : cuff.ends) end[0] += 2;
+    twice.cuffs.push_back(cuff);
+  }
+  EXPECT_EQ(outcome(twice), "REFUTED: pants");
+  EXPECT_THAT(checked(twice).message, HasSubstr("4 pairs of pants, expected 2"));
+}
+
+TEST(PantsFiles, PathsOfNoPants) {
+  for (const PantsDocument& good : {octagon(), fenchel_nielsen()}) {
+    for (std::size_t p = 0; p < 2; ++p) {
+      const auto outcome_with = [&](const Word& first, const Word& second) {
+        PantsDocument document = good;
+        document.pants[p] = {first, second};
+        return outcome(document);
+      };
+      const auto& [first, second] = good.pants[p];
+      EXPECT_EQ(outcome_with(first, second), "VERIFIED");
+      const std::string wrong = "REFUTED: pants";
+      // One of them with the pants on its right, or both.
+      EXPECT_EQ(outcome_with(backwards(good, first), second), wrong);
+      EXPECT_EQ(outcome_with(first, backwards(good, second)), wrong);
+      EXPECT_EQ(outcome_with(backwards(good, second), backwards(good, first)), wrong);
+      // One curve twice; a null-homotopic one.
+      EXPECT_EQ(outcome_with(first, first), wrong);
+      EXPECT_EQ(outcome_with(first, joined(first, backwards(good, first))), wrong);
+      EXPECT_EQ(outcome_with(joined(second, backwards(good, second)), second), wrong);
+      EXPECT_EQ(outcome_with(first, backwards(good, first)), wrong);
+    }
+  }
+}
+
+// Rule glued.
+
+TEST(PantsFiles, CuffsThatAreNotTheSame) {
+  const PantsDocument good = fenchel_nielsen();
+  for (std::size_t e = 0; e < good.cuffs.size(); ++e) {
+    PantsDocument document = good;
+    // Through the other cuffs.
+    Word& across = document.cuffs[e].across;
+    const auto& [p, k] = good.cuffs[e].ends[0];
+    across = joined(path(good, {p, (k + 1) % 3}), across);
+    EXPECT_EQ(outcome(document), "REFUTED: glued") << e;
+  }
+  // Pants all the same, with other numbers of cuffs.
+  PantsDocument exchanged = good;
+  std::swap(exchanged.pants[0][0], exchanged.pants[0][1]);
+  EXPECT_EQ(outcome(exchanged), "REFUTED: glued");
+  // Once more around a curve: the paths are those of a pair of pants that is not in the surface.
+  PantsDocument square = good;
+  square.pants[1][1] = joined(square.pants[1][1], square.pants[1][1]);
+  EXPECT_EQ(outcome(square), "REFUTED: glued");
+}
+
+// Rule lengths.
+
+TEST(PantsFiles, LengthsAreInTheirIntervals) {
+  for (const PantsDocument& good : {octagon(), fenchel_nielsen(), pants("cuff-1e-12")}) {
+    for (std::size_t e = 0; e < good.cuffs.size(); ++e) {
+      const auto [lower, upper] = good.cuffs[e].length;
+      PantsDocument document = good;
+      for (const Interval wrong : {Interval{upper, std::nextafter(upper, kInfinity)},
+                                   Interval{std::nextafter(lower, 0), lower}, Interval{2 * lower, 2 * upper}}) {
+        document.cuffs[e].length = wrong;
+        EXPECT_EQ(outcome(document), "REFUTED: lengths") << e;
+      }
+      document.cuffs[e].length = {lower / 2, 2 * upper};
+      EXPECT_EQ(outcome(document), "VERIFIED") << e;
+    }
+  }
+}
+
+TEST(PantsFiles, ExactLengths) {
+  const PantsDocument good = fenchel_nielsen();
+  for (std::size_t e = 0; e < good.cuffs.size(); ++e) {
+    ASSERT_GT(good.cuffs[e].exp_half_length, 1);
+    PantsDocument document = good;
+    mpq_class& root = document.cuffs[e].exp_half_length;
+    const mpq_class right = root;
+    for (const mpq_class& wrong : {mpq_class(right + mpq_class(mpz_class(1), mpz_class(1) << 200)),
+                                   mpq_class(right * right), mpq_class((right + 1) / 2)}) {
+      root = wrong;
+      EXPECT_EQ(outcome(document), "REFUTED: lengths") << e << ' ' << wrong;
+    }
+    root = 0;  // Claims nothing.
+    EXPECT_EQ(outcome(document), "VERIFIED") << e;
+  }
+  PantsDocument irrational = octagon();
+  irrational.cuffs[0].exp_half_length = mpq_class(std::exp(irrational.cuffs[0].length.lower / 2));
+  EXPECT_EQ(outcome(irrational), "REFUTED: lengths");
+}
+
+// Rule twists.
+
+TEST(PantsFiles, TwistsAreInTheirIntervals) {
+  for (const PantsDocument& good : {octagon(), fenchel_nielsen(), pants("bolza")}) {
+    for (std::size_t e = 0; e < good.cuffs.size(); ++e) {
+      const auto [lower, upper] = good.cuffs[e].twist;
+      const double length = good.cuffs[e].length.lower;
+      PantsDocument document = good;
+      Interval& twist = document.cuffs[e].twist;
+      for (const Interval wrong :
+           {Interval{upper, std::nextafter(upper, kInfinity)}, Interval{std::nextafter(lower, -kInfinity), lower},
+            moved(good.cuffs[e].twist, length / 2), moved(good.cuffs[e].twist, -length / 3)}) {
+        twist = wrong;
+        EXPECT_EQ(outcome(document), "REFUTED: twists") << e << ' ' << wrong.lower;
+      }
+      // Modulo the length.
+      for (const int times : {-3, 1, 1000}) {
+        twist = widened(moved(good.cuffs[e].twist, times * length));
+        twist = {twist.lower - 1e-10, twist.upper + 1e-10};
+        EXPECT_EQ(outcome(document), "VERIFIED") << e << ' ' << times;
+      }
+      twist = {1e6, 1e6 + 1.001 * length};
+      EXPECT_EQ(outcome(document), "VERIFIED") << e;
+      // All that is at least a little away from a twist.
+      twist = {upper + length / 1000, upper + length - length / 1000};
+      EXPECT_EQ(outcome(document), "REFUTED: twists") << e;
+    }
+  }
+}
+
+TEST(PantsFiles, TwistsHaveASign) {
+  for (const PantsDocument& good : {octagon(), fenchel_nielsen()}) {
+    for (std::size_t e = 0; e < good.cuffs.size(); ++e) {
+      PantsDocument document = good;
+      const Interval twist = good.cuffs[e].twist;
+      document.cuffs[e].twist = {-twist.upper, -twist.lower};
+      EXPECT_EQ(outcome(document), "REFUTED: twists") << e;
+      // It is the same from the other side.
+      document = good;
+      PantsDocument::Cuff& cuff = document.cuffs[e];
+      std::swap(cuff.ends[0], cuff.ends[1]);
+      cuff.across = backwards(good, cuff.across);
+      EXPECT_EQ(outcome(document), "VERIFIED") << e;
+    }
+  }
+}
+
+TEST(PantsFiles, AWayAroundTheCuffIsAsGood) {
+  for (const PantsDocument& good : {octagon(), fenchel_nielsen()}) {
+    for (std::size_t e = 0; e < good.cuffs.size(); ++e) {
+      PantsDocument document = good;
+      const Word around = path(good, good.cuffs[e].ends[0]);
+      Word& across = document.cuffs[e].across;
+      for (int times = 0; times < 3; ++times) across = joined(around, across);
+      EXPECT_EQ(outcome(document), "VERIFIED") << e;
+    }
+  }
+}
+
+/// The same pants with paths that go along a loop first, again and again, and come back on it.
+PantsDocument led_along(PantsDocument document, std::size_t p, const Word& loop, int times) {
+  Word there;
+  for (int i = 0; i < times; ++i) there = joined(there, loop);
+  const Word back = backwards(document, there);
+  for (Word& word : document.pants[p]) word = joined(joined(there, word), back);
+  for (PantsDocument::Cuff& cuff : document.cuffs) {
+    if (cuff.ends[0][0] == p) cuff.across = joined(there, cuff.across);
+    if (cuff.ends[1][0] == p) cuff.across = joined(cuff.across, back);
+  }
+  return document;
+}
+
+TEST(PantsFiles, WideBallsRefuteNothing) {
+  const PantsDocument good = octagon();
+  bool undecided = false;
+  for (int times = 1; times < 40; ++times) {
+    const PantsDocument document = led_along(good, 0, {0, 2}, times);
+    const Verdict verdict = check(document, {.threads = 1, .max_precision = 64}).verdict;
+    EXPECT_NE(verdict, Verdict::refuted) << times;
+    undecided = undecided || verdict == Verdict::undecided;
+    if (times % 10 == 0) {
+      EXPECT_EQ(outcome(document), "VERIFIED") << times;
+    }
+  }
+  EXPECT_TRUE(undecided);
+}
+
+}  // namespace
+}  // namespace epsnet::certify::pants_test
