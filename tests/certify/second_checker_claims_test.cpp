@@ -242,6 +242,47 @@ TEST(SlowSecondCheckerOfGeodesics, EveryLengthOfAClusterIsComparedExactly) {
   }
 }
 
+TEST(SlowSecondCheckerOfGeodesics, LengthsThatTouchAreOneRun) {
+  GeodesicsDocument document = octagon();
+  auto& rows = document.geodesics;
+  rows[0].length.upper = rows[1].length.lower;
+  const GeodesicsDocument one_run = in_order(document);
+  ASSERT_EQ(one_run.clusters[0].count, 2U);
+  EXPECT_EQ(outcome(one_run), "VERIFIED");
+  EXPECT_EQ(first_outcome(one_run), "VERIFIED");
+  document.clusters[0] = {0, 1, false};
+  ASSERT_EQ(document.clusters[1].first, 1U);
+  EXPECT_EQ(outcome(document), "MALFORMED");
+  rows[0].length.upper = before(rows[1].length.lower);
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  // A run goes on to the end of the longest of the enclosures before.
+  rows[0].length.upper = rows[2].length.lower;
+  ASSERT_EQ(in_order(document).clusters[0].count, 3U);
+  EXPECT_EQ(outcome(in_order(document)), "VERIFIED");
+}
+
+/// The list up to 3.6 by a net with one vertex, near the boundary of the disk of its chart.
+GeodesicsDocument with_a_vertex_far_out(double x) {
+  GeodesicsDocument document = octagon();
+  document.net = load<certify::EigenvaluesDocument>("eigenvalues/octagon-5-of-one-vertex").net;
+  for (auto& row : document.geodesics) row.vertex = 0;
+  certify::NetDocument::Chart& chart = document.net.charts[0];
+  certify::NetDocument::Vertex& vertex = document.net.vertices[0];
+  EXPECT_TRUE(vertex.x == 0 && vertex.y == 0 && chart.centre.y == 0);
+  // From the new centre c, x is where the old one is: (x + c)/(1 + cx).
+  const mpq_class place(x);
+  vertex.x = x;
+  chart.centre.x = (chart.centre.x - place) / (1 - chart.centre.x * place);
+  return document;
+}
+
+TEST(SlowSecondCheckerOfGeodesics, AVertexMayBeFarOutInItsChart) {
+  GeodesicsDocument document = with_a_vertex_far_out(1 - 0x1p-20);
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  document.geodesics.erase(document.geodesics.begin() + 4);
+  EXPECT_EQ(outcome(in_order(document)), "REFUTED: complete");
+}
+
 TEST(SlowSecondCheckerOfGeodesics, ALongerGeodesicIsNoSystole) {
   const GeodesicsDocument all = octagon();
   for (std::size_t i = 0; i < all.geodesics.size(); ++i) {
@@ -338,6 +379,62 @@ TEST(SlowSecondCheckerOfDistances, AWiderEnclosureNeedsAllPathsInIt) {
   document = zero;
   document.point.z.x += mpq_class(1, 1'000'000'000);
   EXPECT_EQ(outcome(document), "REFUTED: paths");
+}
+
+TEST(SlowSecondCheckerOfDistances, ALongerPathIsMissingIfItIsNotTooLong) {
+  // On a surface without symmetries but one. What is behind the loop of a dart is the path listed.
+  DistanceDocument document = load<DistanceDocument>("distances/octagon");
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  document.equal = false;
+  const double least = document.distance.upper;
+  double found = 2 * least;
+  const auto outcome_up_to = [&](double upper) {
+    document.distance.upper = upper;
+    return first_outcome(document);
+  };
+  ASSERT_EQ(outcome_up_to(found), "REFUTED: nearest");
+  double good = least;
+  while (found - good > 1e-9) {
+    const double middle = (found + good) / 2;
+    (outcome_up_to(middle) == "VERIFIED" ? good : found) = middle;
+  }
+  for (const double upper : {good, found, 1.1 * found, 2 * least}) {
+    EXPECT_EQ(outcome_up_to(upper), upper == good ? "VERIFIED" : "REFUTED: nearest");
+    EXPECT_EQ(outcome(document), first_outcome(document)) << upper;
+  }
+}
+
+TEST(SlowSecondCheckerOfDistances, APathThatIsNearlyTooLongIsNotForgotten) {
+  // Of all points on a segment one is so far along a path that is not listed as `distance` goes: it lies between two
+  // that are so near each other that 256 bits do not tell.
+  DistanceDocument document = load<DistanceDocument>("distances/octagon");
+  document.equal = false;
+  document.distance = {0.5 * document.distance.lower, 1.1 * document.distance.upper};
+  ASSERT_EQ(outcome(document), "VERIFIED");
+  const mpq_class start = document.point.z.x;
+  mpq_class good = 0;
+  mpq_class bad = 0;
+  for (int k = 1; k < 40 && bad == 0; ++k) {
+    for (const int sign : {1, -1}) {
+      document.point.z.x = start + mpq_class(sign * k, 100);
+      if (outcome(document) == "REFUTED: nearest") bad = mpq_class(sign * k, 100);
+    }
+  }
+  ASSERT_NE(bad, 0);
+  std::string last;
+  for (int k = 0; k < 400 && last != "UNDECIDED: nearest"; ++k) {
+    const mpq_class middle = (good + bad) / 2;
+    document.point.z.x = start + middle;
+    last = outcome(document);
+    if (last == "VERIFIED") {
+      good = middle;
+    } else if (last == "REFUTED: nearest") {
+      bad = middle;
+    } else {
+      break;
+    }
+  }
+  EXPECT_EQ(last, "UNDECIDED: nearest");
 }
 
 TEST(SlowSecondCheckerOfDistances, AListThatTakesTooLongToCompareIsUndecided) {
@@ -954,6 +1051,17 @@ TEST(SlowSecondCheckerOfPseudoNets, ACoreIsAsLongAsTheFileSaysAndGoneAroundOnce)
     core.clear();
     EXPECT_EQ(collars(document), Verdict::refuted);
   }
+}
+
+TEST(SlowSecondCheckerOfPseudoNets, ACoreIsShorterThanEpsilon) {
+  NetDocument document = two_collars();
+  document.collars = {{(*document.collars)[0]}};
+  document.epsilon = text_of(0.125 * (1 - 1e-12));
+  const Result result = result_of(document);
+  EXPECT_EQ(result.verdict, Verdict::refuted);
+  EXPECT_EQ(result.message, "the length of the core is greater than epsilon");
+  document.epsilon = text_of(0.125 * (1 + 1e-12));
+  EXPECT_NE(result_of(document).message, result.message);
 }
 
 TEST(SlowSecondCheckerOfPseudoNets, VerticesLieOnDifferentSidesOfTheCore) {

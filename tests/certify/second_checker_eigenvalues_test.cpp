@@ -1466,6 +1466,23 @@ TEST(Eigenfunctions, OfOneEigenvalueAreAsWrongAsTheLemmasSay) {
   EXPECT_NEAR(functions.second(row) / functions.second_reference(row), 1, 1e-5);
 }
 
+TEST(SlowSecondCheckersEigenfunctions, ThatProveLessAreUndecided) {
+  const Functions functions("octagon-5-with-a-function");
+  const double error = functions.second(functions.document.eigenfunctions[0]);
+  const auto outcome = [&](double below, double above) {
+    Document document = functions.document;
+    auto& row = document.eigenfunctions[0];
+    row.in = {row.lambda - below, row.lambda + above};
+    document.eigenvalues[0].in = row.in;
+    const Result result = check(text(document));
+    return result.verdict == Verdict::verified ? "VERIFIED" : result.rule;
+  };
+  const double more = error * (1 + 1e-9);
+  const double less = error * (1 - 1e-9);
+  EXPECT_EQ(outcome(less, more), "eigenfunctions");
+  EXPECT_EQ(outcome(more, less), "eigenfunctions");
+}
+
 TEST(Eigenfunctions, OfSeveralEigenvaluesAreAsWrongAsTheLemmasSay) {
   const Functions functions("bolza-with-three-functions");
   const Document::Eigenfunctions row = functions.document.eigenfunctions[0];
