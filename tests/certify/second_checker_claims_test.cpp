@@ -1060,6 +1060,9 @@ TEST(SlowSecondCheckerOfPseudoNets, ACoreIsShorterThanEpsilon) {
   const Result result = result_of(document);
   EXPECT_EQ(result.verdict, Verdict::refuted);
   EXPECT_EQ(result.message, "the length of the core is greater than epsilon");
+  const certify::Certificate first = certify::check(document, {.threads = 1});
+  EXPECT_EQ(first.verdict, certify::Verdict::refuted);
+  EXPECT_NE(first.message.find("greater than epsilon"), std::string::npos) << first.message;
   document.epsilon = text_of(0.125 * (1 + 1e-12));
   EXPECT_NE(result_of(document).message, result.message);
 }
