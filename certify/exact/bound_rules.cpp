@@ -5,6 +5,7 @@
 
 #include "certify/exact/claim_rules.h"
 #include "certify/exact/interval.h"
+#include "certify/exact/wide_triangulations.h"
 
 namespace epsnet::exact {
 namespace {
@@ -248,30 +249,9 @@ class BoundRules {
     const Middle middle = middle_of(cell, side);
     spend(kFunctions * net_.darts());
     const std::vector<Interval> h = values(map, middle.point);
-    // LO + D, to either end of the side and to the corner opposite.
-    std::array<Interval, 2> least;
-    for (std::size_t i = 0; i < 2; ++i) {
-      least[i] = square(sinh(Interval(document_.value[0]) + arcosh(i == 0 ? middle.half : middle.median)));
-    }
-    std::vector<Interval> kappa(h.size()), areas;
-    Interval all = -Interval(static_cast<long>(h.size() / 3) - 2) * Interval::pi();
-    Answer result = Answer::yes;
-    Answer wide = Answer::no;
-    for (std::size_t t = 0; t < h.size(); t += 3) {
-      const std::array<Interval, 3> x{h[t], h[t + 1], h[t + 2]};
-      const Interval k = 4 * x[0] * x[1] - square(x[0] + x[1] - x[2]);
-      const Interval product = 4 * x[0] * x[1] * x[2];
-      result = both(result, is_less(0, k));
-      for (std::size_t i = 0; i < 3; ++i) kappa[t + i] = (x[(i + 1) % 3] + x[(i + 2) % 3] - x[i]) / sqrt(k);
-      areas.push_back(2 * arctan(sqrt(k + product) / (2 + x[0] + x[1] + x[2])));
-      all = all + areas.back();
-      wide = either(wide, both(!is_less(product, k * least[0]), !is_less(product, k * least[1])));
-    }
-    for (Index dart = 0; dart < h.size(); ++dart) {
-      result = both(result, is_less(0, kappa[dart] + kappa[map.opposite[dart]]));
-    }
-    for (const Interval& area : areas) result = both(result, is_less(all, area));
-    return both(result, wide);
+    // D: to either end of the side, and to the corner opposite.
+    const Interval reach = arcosh(max(middle.half, middle.median));
+    return is_delaunay_and_wide(map.opposite, h, square(sinh(Interval(document_.value[0]) + reach)));
   }
 
   const BoundDocument& document_;

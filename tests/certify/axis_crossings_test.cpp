@@ -1,8 +1,11 @@
 #include "certify/claims/geodesics/axis_crossings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "certify/claims/geodesics/least_sequence.h"
 #include "tests/certify/lifted_reference.h"
@@ -194,6 +197,33 @@ TEST(Meetings, AreOfGeodesicsWithThemselvesAndWithOthers) {
     EXPECT_EQ(meetings.another, Tri::unknown);
   }
   EXPECT_TRUE(find_meetings(moved.lifted.plane(), {}).empty());
+}
+
+TEST(Meetings, AreOfAnyTwoChordsOfATriangle) {
+  // Two lines that cross at a right angle, and one that is far from both: whichever of the three comes first.
+  const Moved moved(kBolza, 0, {{0}});
+  const auto line = [](double x, double y, double z) {
+    return BallVector{Ball::exactly(x), Ball::exactly(y), Ball::exactly(z)};
+  };
+  std::vector<std::pair<int, BallVector>> lines{{0, line(0, 1, 0)}, {1, line(1, 0, 0)}, {2, line(2, 2, std::sqrt(7))}};
+  do {
+    AxisCrossings together;
+    std::vector<AxisCrossings> alone;
+    for (const auto& [number, axis] : lines) {
+      together.darts.push_back(3);
+      together.axes.push_back(axis);
+      alone.push_back({{3}, {axis}});
+    }
+    EXPECT_EQ(find_meetings(moved.lifted.plane(), {&together, 1}).at(0).itself, Tri::yes);
+    const auto meetings = find_meetings(moved.lifted.plane(), alone);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(meetings[i].another, lines[i].first == 2 ? Tri::no : Tri::yes) << i;
+    // In another triangle it meets nothing.
+    alone[0].darts = {0};
+    const auto apart = find_meetings(moved.lifted.plane(), alone);
+    EXPECT_EQ(apart[0].another, Tri::no);
+    EXPECT_EQ(apart[1].another, lines[0].first == 2 ? Tri::yes : Tri::no);
+  } while (std::next_permutation(lines.begin(), lines.end(),
+                                 [](const auto& x, const auto& y) { return x.first < y.first; }));
 }
 
 TEST(FirstDarts, LeaveTheirVertices) {

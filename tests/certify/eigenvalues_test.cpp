@@ -28,9 +28,11 @@
 #include "certify/claims/eigenvalues/mismatch.h"
 #include "certify/claims/eigenvalues/near_vertices.h"
 #include "certify/file/reader.h"
+#include "certify/net/darts.h"
 #include "certify/net/label_evaluator.h"
 #include "certify/net/surface_check.h"
 #include "certify/numbers/inertia.h"
+#include "tests/certify/reference.h"
 #include "tests/support/scale.h"
 
 /// Eigenvalues files. Each rule is broken by a file in which nothing else is wrong. That the numbers are those of the
@@ -934,6 +936,36 @@ TEST(NearVertices, AreAllThatAreNear) {
     for (std::size_t l = 0; l < k; ++l) EXPECT_EQ(counts[k][l], counts[l][k]);
     // A lift of a vertex and its inverse.
     EXPECT_EQ(counts[k][k] % 2, 0U);
+  }
+}
+
+TEST(NearVertices, AreTheEndsOfEdgesHoweverShortOthersAre) {
+  // Loops around a cuff of length 0.5; whichever vertex is the first one.
+  NetDocument net = read_file<GeodesicsDocument>(std::string(EPSNET_TEST_DATA) + "/geodesics/three-cuffs.json").net;
+  constexpr double kDistance = 1.3;
+  for (const std::uint32_t other : {0U, 3U, 7U}) {
+    std::swap(net.vertices[0], net.vertices[other]);
+    for (auto& triangle : net.triangles) {
+      for (std::uint32_t& v : triangle.vertex) v = v == 0 ? other : v == other ? 0 : v;
+    }
+    const auto near = near_in(net, kDistance, 128).value();
+    const Reference reference(net);
+    double shortest = kDistance;
+    for (std::uint32_t dart = 0; dart < 3 * net.triangles.size(); ++dart) {
+      const auto z = reference.corners(dart / 3);
+      const auto square = static_cast<double>(squared_half_sinh(z[dart % 3], z[(dart + 1) % 3]));
+      const double length = 2 * std::asinh(std::sqrt(square));
+      shortest = std::min(shortest, length);
+      if (length > kDistance) continue;
+      const auto& lifts = near[start(net, dart)];
+      EXPECT_TRUE(std::any_of(lifts.begin(), lifts.end(),
+                              [&](const NearVertex& lift) {
+                                return lift.vertex == start(net, next_dart(dart)) &&
+                                       std::abs(outer_interval(lift.sinh_squared).lower / square - 1) < 1e-9;
+                              }))
+          << other << ", dart " << dart;
+    }
+    EXPECT_LT(shortest, 0.6);
   }
 }
 

@@ -335,6 +335,28 @@ TEST(Conjugation, WhereOneSignOfATraceDiffersThereIsNone) {
   EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{{0}, {0}}, {{1}, {1}}, {{2}, {6}}}, {}), false);
 }
 
+TEST(Conjugation, TheTraceOfAnElementItselfCounts) {
+  const Crossings crossings = regular_crossings();
+  // A commutator of two elements has the traces of the identity with each of them and with their product, but for one
+  // sign.
+  EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{{0}, {0}}, {{1}, {1}}, {{}, {4, 1, 0, 5}}}, {}), false);
+  EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{{0}, {0}}, {{1}, {1}}, {{4, 1, 0, 5}, {}}}, {}), false);
+  EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{{0}, {0}}, {{1}, {1}}, {{2, 5}, {4, 2, 0, 5}}}, {}),
+            false);
+}
+
+TEST(Conjugation, ThePairKeepsTheSignsOfItsTraces) {
+  const Crossings crossings = regular_crossings();
+  // All lengths of the images of x, y and xy are those of x, y and xy, but the axes of the images do not cross: the
+  // trace of their product is negative.
+  for (const auto& [other, image] : {std::pair{Word{2}, Word{1, 7, 4}}, {Word{3}, Word{2, 5}}}) {
+    EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{{0}, {0}}, {other, other}}, {}), true);
+    EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{{0}, {0}}, {other, image}}, {}), false);
+    EXPECT_EQ(are_conjugate(crossings, std::vector<ElementPair>{{{0}, {0}}, {image, other}}, {}), false);
+    EXPECT_EQ(crossing_sign(crossings, std::vector{0U}, image, {}), 0);
+  }
+}
+
 /// A word of a regular octagon with opposite sides glued, in binary64.
 std::array<std::complex<double>, 2> value_of(const Word& word) {
   const double cosh = 1 / std::tan(M_PI / 8);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <numeric>
+#include <random>
 #include <sstream>
 #include <string>
 #include <tuple>
@@ -13,13 +14,17 @@
 
 #include "certify/base/text.h"
 #include "certify/check.h"
+#include "certify/claims/bound/triangles.h"
 #include "certify/claims/isometries/orbit.h"
 #include "certify/exact/checker.h"
+#include "certify/exact/wide_triangulations.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "certify/net/darts.h"
 #include "certify/net/structure.h"
+#include "certify/numbers/precision.h"
 #include "tests/certify/claim_files.h"
+#include "tests/certify/moving_vertex.h"
 
 /// False claims, each with the rule by which the second checker refutes it; and true ones beside them that it verifies.
 namespace epsnet::exact::second_checker_claims_test {
@@ -237,6 +242,47 @@ TEST(SlowSecondCheckerOfGeodesics, EveryLengthOfAClusterIsComparedExactly) {
   }
 }
 
+TEST(SlowSecondCheckerOfGeodesics, LengthsThatTouchAreOneRun) {
+  GeodesicsDocument document = octagon();
+  auto& rows = document.geodesics;
+  rows[0].length.upper = rows[1].length.lower;
+  const GeodesicsDocument one_run = in_order(document);
+  ASSERT_EQ(one_run.clusters[0].count, 2U);
+  EXPECT_EQ(outcome(one_run), "VERIFIED");
+  EXPECT_EQ(first_outcome(one_run), "VERIFIED");
+  document.clusters[0] = {0, 1, false};
+  ASSERT_EQ(document.clusters[1].first, 1U);
+  EXPECT_EQ(outcome(document), "MALFORMED");
+  rows[0].length.upper = before(rows[1].length.lower);
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  // A run goes on to the end of the longest of the enclosures before.
+  rows[0].length.upper = rows[2].length.lower;
+  ASSERT_EQ(in_order(document).clusters[0].count, 3U);
+  EXPECT_EQ(outcome(in_order(document)), "VERIFIED");
+}
+
+/// The list up to 3.6 by a net with one vertex, near the boundary of the disk of its chart.
+GeodesicsDocument with_a_vertex_far_out(double x) {
+  GeodesicsDocument document = octagon();
+  document.net = load<certify::EigenvaluesDocument>("eigenvalues/octagon-5-of-one-vertex").net;
+  for (auto& row : document.geodesics) row.vertex = 0;
+  certify::NetDocument::Chart& chart = document.net.charts[0];
+  certify::NetDocument::Vertex& vertex = document.net.vertices[0];
+  EXPECT_TRUE(vertex.x == 0 && vertex.y == 0 && chart.centre.y == 0);
+  // From the new centre c, x is where the old one is: (x + c)/(1 + cx).
+  const mpq_class place(x);
+  vertex.x = x;
+  chart.centre.x = (chart.centre.x - place) / (1 - chart.centre.x * place);
+  return document;
+}
+
+TEST(SlowSecondCheckerOfGeodesics, AVertexMayBeFarOutInItsChart) {
+  GeodesicsDocument document = with_a_vertex_far_out(1 - 0x1p-20);
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  document.geodesics.erase(document.geodesics.begin() + 4);
+  EXPECT_EQ(outcome(in_order(document)), "REFUTED: complete");
+}
+
 TEST(SlowSecondCheckerOfGeodesics, ALongerGeodesicIsNoSystole) {
   const GeodesicsDocument all = octagon();
   for (std::size_t i = 0; i < all.geodesics.size(); ++i) {
@@ -247,6 +293,17 @@ TEST(SlowSecondCheckerOfGeodesics, ALongerGeodesicIsNoSystole) {
     document.up_to.clear();
     EXPECT_EQ(outcome(document), i == 0 ? "VERIFIED" : "REFUTED: complete") << i;
   }
+}
+
+TEST(SlowSecondCheckerOfGeodesics, ASystoleMayBeShorterByLittle) {
+  // By 10⁻¹²⁰: as enclosures of 256 bits do not tell.
+  auto document = load<GeodesicsDocument>("geodesics/systoles-that-differ-by-1e-120");
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  EXPECT_EQ(first_outcome(document), "VERIFIED");
+  ASSERT_EQ(document.geodesics[0].word, (Word{0, 5}));
+  document.geodesics[0].word = {3, 6};
+  EXPECT_EQ(outcome(document), "REFUTED: complete");
+  EXPECT_EQ(first_outcome(document), "REFUTED: complete");
 }
 
 TEST(SlowSecondCheckerOfGeodesics, LeftAndRightOfASeparatingCurveAreNotExchanged) {
@@ -322,6 +379,62 @@ TEST(SlowSecondCheckerOfDistances, AWiderEnclosureNeedsAllPathsInIt) {
   document = zero;
   document.point.z.x += mpq_class(1, 1'000'000'000);
   EXPECT_EQ(outcome(document), "REFUTED: paths");
+}
+
+TEST(SlowSecondCheckerOfDistances, ALongerPathIsMissingIfItIsNotTooLong) {
+  // On a surface without symmetries but one. What is behind the loop of a dart is the path listed.
+  DistanceDocument document = load<DistanceDocument>("distances/octagon");
+  EXPECT_EQ(outcome(document), "VERIFIED");
+  document.equal = false;
+  const double least = document.distance.upper;
+  double found = 2 * least;
+  const auto outcome_up_to = [&](double upper) {
+    document.distance.upper = upper;
+    return first_outcome(document);
+  };
+  ASSERT_EQ(outcome_up_to(found), "REFUTED: nearest");
+  double good = least;
+  while (found - good > 1e-9) {
+    const double middle = (found + good) / 2;
+    (outcome_up_to(middle) == "VERIFIED" ? good : found) = middle;
+  }
+  for (const double upper : {good, found, 1.1 * found, 2 * least}) {
+    EXPECT_EQ(outcome_up_to(upper), upper == good ? "VERIFIED" : "REFUTED: nearest");
+    EXPECT_EQ(outcome(document), first_outcome(document)) << upper;
+  }
+}
+
+TEST(SlowSecondCheckerOfDistances, APathThatIsNearlyTooLongIsNotForgotten) {
+  // Of all points on a segment one is so far along a path that is not listed as `distance` goes: it lies between two
+  // that are so near each other that 256 bits do not tell.
+  DistanceDocument document = load<DistanceDocument>("distances/octagon");
+  document.equal = false;
+  document.distance = {0.5 * document.distance.lower, 1.1 * document.distance.upper};
+  ASSERT_EQ(outcome(document), "VERIFIED");
+  const mpq_class start = document.point.z.x;
+  mpq_class good = 0;
+  mpq_class bad = 0;
+  for (int k = 1; k < 40 && bad == 0; ++k) {
+    for (const int sign : {1, -1}) {
+      document.point.z.x = start + mpq_class(sign * k, 100);
+      if (outcome(document) == "REFUTED: nearest") bad = mpq_class(sign * k, 100);
+    }
+  }
+  ASSERT_NE(bad, 0);
+  std::string last;
+  for (int k = 0; k < 400 && last != "UNDECIDED: nearest"; ++k) {
+    const mpq_class middle = (good + bad) / 2;
+    document.point.z.x = start + middle;
+    last = outcome(document);
+    if (last == "VERIFIED") {
+      good = middle;
+    } else if (last == "REFUTED: nearest") {
+      bad = middle;
+    } else {
+      break;
+    }
+  }
+  EXPECT_EQ(last, "UNDECIDED: nearest");
 }
 
 TEST(SlowSecondCheckerOfDistances, AListThatTakesTooLongToCompareIsUndecided) {
@@ -452,6 +565,151 @@ TEST(SlowSecondCheckerOfBounds, ARadiusIsBoundedUpToTheSameValueByBothCheckers) 
     }
   }
   EXPECT_GE(found, 4);
+}
+
+/// The midpoint of a side of a cell as a bound for a radius: the entry of a file, the least eccentricity that it
+/// proves, and whether the ends of the side are farther from it than the corner opposite to it.
+struct MidpointBound {
+  std::uint32_t entry;
+  double least;
+  bool ends_are_farthest;
+};
+
+TEST(SlowSecondCheckerOfBounds, NoPointOfACellIsBeyondTheReachOfItsMidpoint) {
+  // A triangle is cut once. Of a cell that has an obtuse angle, the ends of the opposite side are the farthest points.
+  const BoundDocument good = bound("octagon-radius");
+  const certify::Reference reference(good.net);
+  std::vector<certify::Triangulation> triangulations{certify::triangulation_of(reference)};
+  for (const auto& [parent, flips] : good.triangulations) {
+    triangulations.push_back(triangulations[parent]);
+    for (const std::uint32_t dart : flips) certify::flip(triangulations.back(), dart);
+  }
+  const auto bounds_of = [&](const auto& cell) {
+    std::vector<MidpointBound> result;
+    for (std::uint32_t side = 0; side < 3; ++side) {
+      const auto half = certify::halves(cell, side)[0];
+      const auto midpoint = half[(side + 1) % 3];
+      const auto to_end = static_cast<double>(certify::distance(midpoint, half[side]));
+      const auto to_opposite = static_cast<double>(certify::distance(midpoint, half[(side + 2) % 3]));
+      for (std::uint32_t k = 0; k < triangulations.size(); ++k) {
+        if (!certify::is_delaunay(triangulations[k], midpoint)) continue;
+        const double least = certify::circumradius(triangulations[k], midpoint) - std::max(to_end, to_opposite);
+        if (least > 1e-3) result.push_back({3 + side + 3 * k, least, to_end > to_opposite + 1e-3});
+        break;  // Others that are Delaunay there are the same.
+      }
+    }
+    return result;
+  };
+  std::array<int, 2> found{};
+  for (std::uint32_t t = 0; t < good.net.triangles.size(); ++t) {
+    for (std::uint32_t side = 0; side < 3; ++side) {
+      const auto cells = certify::halves(reference.corners(t), side);
+      for (const MidpointBound& first : bounds_of(cells[0])) {
+        for (const MidpointBound& second : bounds_of(cells[1])) {
+          const MidpointBound& worse = first.least < second.least ? first : second;
+          if (worse.least > good.value.lower - 1e-3 || ++found.at(worse.ends_are_farthest ? 1 : 0) > 4) continue;
+          BoundDocument document = good;
+          document.cells[t] = {side, first.entry, second.entry};
+          document.value.lower = worse.least * (1 - 1e-9);
+          EXPECT_EQ(outcome(document), "VERIFIED") << t << " " << side;
+          EXPECT_EQ(first_outcome(document), "VERIFIED") << t << " " << side;
+          document.value.lower = worse.least * (1 + 1e-9);
+          EXPECT_EQ(outcome(document), "REFUTED: cells") << t << " " << side;
+          EXPECT_EQ(first_outcome(document), "REFUTED: cells") << t << " " << side;
+        }
+      }
+    }
+  }
+  EXPECT_GT(found[0], 3);
+  EXPECT_GT(found[1], 3);
+}
+
+// Triangulations with one vertex.
+
+/// Lemma 25 in binary64, by angles: of triangles with the sides of hyperbolic ones and of Euclidean ones.
+struct AngledTriangulation {
+  std::vector<Index> opposite;
+  std::vector<double> h;  ///< sinh²(d/2), by dart.
+
+  [[nodiscard]] std::array<double, 3> sides(std::size_t t) const { return {h[3 * t], h[3 * t + 1], h[3 * t + 2]}; }
+  /// π less the angles.
+  [[nodiscard]] double area(std::size_t t) const {
+    double result = M_PI;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto cosh = [&](std::size_t k) { return 1 + 2 * sides(t).at((i + k) % 3); };
+      const auto sinh = [&](std::size_t k) { return std::sqrt(cosh(k) * cosh(k) - 1); };
+      result -= std::acos((cosh(1) * cosh(2) - cosh(0)) / (sinh(1) * sinh(2)));
+    }
+    return result;
+  }
+  /// Opposite to side i of the triangle with the sides √a, √b, √c.
+  [[nodiscard]] double flat_angle(std::size_t t, std::size_t i) const {
+    const auto side = [&](std::size_t k) { return sides(t).at((i + k) % 3); };
+    return std::acos((side(1) + side(2) - side(0)) / (2 * std::sqrt(side(1) * side(2))));
+  }
+  /// sinh² of the circumradius: 2R = √a/sin α in the flat triangle, of which the circle has that radius.
+  [[nodiscard]] double squared_radius(std::size_t t) const {
+    const double sine = std::sin(flat_angle(t, 0));
+    return sides(t)[0] / (sine * sine);
+  }
+  [[nodiscard]] bool is_delaunay() const {
+    const std::size_t triangles = h.size() / 3;
+    double excess = -M_PI * (static_cast<double>(triangles) - 2);
+    for (std::size_t t = 0; t < triangles; ++t) {
+      if (std::isnan(flat_angle(t, 0))) return false;
+      excess += area(t);
+    }
+    for (std::size_t t = 0; t < triangles; ++t) {
+      if (!(excess < area(t))) return false;
+    }
+    for (std::size_t dart = 0; dart < h.size(); ++dart) {
+      const Index other = opposite[dart];
+      if (!(flat_angle(dart / 3, dart % 3) + flat_angle(other / 3, other % 3) < M_PI)) return false;
+    }
+    return true;
+  }
+  [[nodiscard]] double greatest_squared_radius() const {
+    double result = 0;
+    for (std::size_t t = 0; t < h.size() / 3; ++t) result = std::max(result, squared_radius(t));
+    return result;
+  }
+};
+
+TEST(TriangulationsWithOneVertex, AreDelaunayAndWideForBothCheckersIfTheirAnglesSaySo) {
+  AngledTriangulation triangulation{{3, 17, 8, 0, 16, 11, 12, 15, 2, 14, 13, 5, 6, 10, 9, 7, 4, 1}, {}};
+  std::mt19937 random(1);  // NOLINT: the same in every run.
+  const certify::Precision scope(128);
+  std::array<int, 2> met{};
+  for (int run = 0; run < 500; ++run) {
+    triangulation.h.assign(18, 0);
+    // About those of which the areas decide: triangles with sides of 22 have the area 4π/5.
+    const double size = 5 + static_cast<double>(random() % 1000) / 20;
+    for (std::size_t dart = 0; dart < 18; ++dart) {
+      const Index other = triangulation.opposite[dart];
+      const double factor = 1 + static_cast<double>(random() % 1000) / 2000;
+      triangulation.h[dart] = other < dart ? triangulation.h[other] : size * factor;
+    }
+    std::vector<certify::Ball> balls;
+    std::vector<Interval> intervals;
+    for (const double x : triangulation.h) {
+      balls.push_back(certify::Ball::exactly(x));
+      intervals.emplace_back(mpq_class(x));
+    }
+    const bool delaunay = triangulation.is_delaunay();
+    const double radius = delaunay ? triangulation.greatest_squared_radius() : 1e-3;
+    for (const double least : {radius * (1 - 1e-9), radius * (1 + 1e-9)}) {
+      const bool expected = delaunay && least < radius;
+      ++met.at(expected ? 1 : 0);
+      EXPECT_EQ(is_delaunay_and_wide(triangulation.opposite, intervals, Interval(mpq_class(least))),
+                expected ? Answer::yes : Answer::no)
+          << run;
+      EXPECT_EQ(certify::is_delaunay_and_wide(triangulation.opposite, balls, certify::Ball::exactly(least)),
+                expected ? certify::Tri::yes : certify::Tri::no)
+          << run;
+    }
+  }
+  EXPECT_GT(met[0], 50);
+  EXPECT_GT(met[1], 50);
 }
 
 TEST(SlowSecondCheckerOfBounds, LongEdgesDoNotBoundACell) {
@@ -618,6 +876,36 @@ TEST(SlowSecondCheckerOfIsometries, EachImageIsTold) {
   }
 }
 
+TEST(SlowSecondCheckerOfIsometries, TheTraceOfAnElementItselfTells) {
+  // On surfaces of octagons with opposite sides glued, x and y as below, the product of 4, 7, 1, 3 has the same traces
+  // with x, y and xy as 3 has, but for one sign; its own trace is greater.
+  for (const std::string name : {"octagon-5", "bolza"}) {
+    IsometriesDocument document = with_systoles_alone(isometries(name));
+    document.pair = {{0}, {7, 5}};
+    document.isometries = {identity(document)};
+    ASSERT_EQ(document.isometries[0].images[5], (Word{3}));
+    EXPECT_EQ(outcome(document).substr(0, 9), "UNDECIDED");
+    document.isometries[0].images[5] = {4, 7, 1, 3};
+    EXPECT_EQ(outcome(document), "REFUTED: isometries") << name;
+    EXPECT_EQ(first_outcome(document), "REFUTED: isometries") << name;
+  }
+}
+
+TEST(SlowSecondCheckerOfIsometries, ThePairKeepsTheSignsOfItsTraces) {
+  // All lengths of the images of x, y and xy are those of x, y and xy, but the axes of the images do not cross: the
+  // trace of their product is negative.
+  IsometriesDocument document = with_systoles_alone(isometries("bolza"));
+  for (const auto& [other, image] : {std::pair{Word{2}, Word{1, 7, 4}}, {Word{3}, Word{2, 5}}}) {
+    document.pair = {{0}, other};
+    document.isometries = {identity(document)};
+    document.isometries[0].images[1] = image;
+    const Result result = result_of(document);
+    EXPECT_EQ(result.verdict, Verdict::refuted);
+    EXPECT_EQ(result.rule, "isometries");
+    EXPECT_EQ(result.message, "isometry 0 changes traces");
+  }
+}
+
 TEST(SlowSecondCheckerOfIsometries, TheAxesOfThePairCross) {
   // A simple closed geodesic and a lift of it elsewhere.
   for (const std::string name : {"octagon-5", "bolza"}) {
@@ -763,6 +1051,20 @@ TEST(SlowSecondCheckerOfPseudoNets, ACoreIsAsLongAsTheFileSaysAndGoneAroundOnce)
     core.clear();
     EXPECT_EQ(collars(document), Verdict::refuted);
   }
+}
+
+TEST(SlowSecondCheckerOfPseudoNets, ACoreIsShorterThanEpsilon) {
+  NetDocument document = two_collars();
+  document.collars = {{(*document.collars)[0]}};
+  document.epsilon = text_of(0.125 * (1 - 1e-12));
+  const Result result = result_of(document);
+  EXPECT_EQ(result.verdict, Verdict::refuted);
+  EXPECT_EQ(result.message, "the length of the core is greater than epsilon");
+  const certify::Certificate first = certify::check(document, {.threads = 1});
+  EXPECT_EQ(first.verdict, certify::Verdict::refuted);
+  EXPECT_NE(first.message.find("greater than epsilon"), std::string::npos) << first.message;
+  document.epsilon = text_of(0.125 * (1 + 1e-12));
+  EXPECT_NE(result_of(document).message, result.message);
 }
 
 TEST(SlowSecondCheckerOfPseudoNets, VerticesLieOnDifferentSidesOfTheCore) {

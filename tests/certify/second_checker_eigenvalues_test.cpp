@@ -1,3 +1,8 @@
+#if __has_include(<flint/acb_hypgeom.h>)
+#include <flint/acb_hypgeom.h>
+#else
+#include <acb_hypgeom.h>
+#endif
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,6 +33,7 @@
 #include "certify/exact/enclosures.h"
 #include "certify/exact/flat_triangles.h"
 #include "certify/exact/inertia.h"
+#include "certify/exact/radial_factors.h"
 #include "certify/file/reader.h"
 #include "certify/file/writer.h"
 #include "certify/net/darts.h"
@@ -1460,6 +1466,23 @@ TEST(Eigenfunctions, OfOneEigenvalueAreAsWrongAsTheLemmasSay) {
   EXPECT_NEAR(functions.second(row) / functions.second_reference(row), 1, 1e-5);
 }
 
+TEST(SlowSecondCheckersEigenfunctions, ThatProveLessAreUndecided) {
+  const Functions functions("octagon-5-with-a-function");
+  const double error = functions.second(functions.document.eigenfunctions[0]);
+  const auto outcome = [&](double below, double above) {
+    Document document = functions.document;
+    auto& row = document.eigenfunctions[0];
+    row.in = {row.lambda - below, row.lambda + above};
+    document.eigenvalues[0].in = row.in;
+    const Result result = check(text(document));
+    return result.verdict == Verdict::verified ? "VERIFIED" : result.rule;
+  };
+  const double more = error * (1 + 1e-9);
+  const double less = error * (1 - 1e-9);
+  EXPECT_EQ(outcome(less, more), "eigenfunctions");
+  EXPECT_EQ(outcome(more, less), "eigenfunctions");
+}
+
 TEST(Eigenfunctions, OfSeveralEigenvaluesAreAsWrongAsTheLemmasSay) {
   const Functions functions("bolza-with-three-functions");
   const Document::Eigenfunctions row = functions.document.eigenfunctions[0];
@@ -1697,6 +1720,64 @@ std::string given_up(double lambda, double radius, std::size_t order, const Inte
     return problem.what;
   }
   return "";
+}
+
+/// 2F1 as FLINT has it, to 400 bits: F_m(s).
+Interval radial_factor(double lambda, slong m, double s) {
+  constexpr slong kBits = 400;
+  acb_t a, b, c, x, r, value;
+  for (acb_ptr z : {a, b, c, x, r, value}) acb_init(z);
+  acb_set_d(r, 0.25 - lambda);  // (ir)²
+  acb_sqrt(r, r, kBits);
+  acb_set_d(c, 0.5);
+  acb_sub(a, c, r, kBits);
+  acb_add(b, c, r, kBits);
+  acb_set_si(c, m + 1);
+  acb_set_d(x, s);
+  acb_sub_si(x, x, 1, kBits);
+  acb_set_d(value, s);
+  acb_div(x, value, x, kBits);  // −s/(1 − s)
+  acb_hypgeom_2f1(value, a, b, c, x, 0, kBits);
+  EXPECT_GT(arb_rel_accuracy_bits(acb_realref(value)), 290);
+  certify::Integer mantissa;
+  certify::Integer exponent;
+  arf_get_fmpz_2exp(mantissa.get(), exponent.get(), arb_midref(acb_realref(value)));
+  for (acb_ptr z : {a, b, c, x, r, value}) acb_clear(z);
+  return {mantissa.value(), mantissa.value(), -exponent.value().get_si()};
+}
+
+/// Lemma 37.1 (a): all factors are enclosed, also where the series are cut off early; and nearly to the bits used where
+/// they converge fast.
+TEST(SecondCheckersRadialFactors, AreEnclosed) {
+  for (const double lambda : {0.0625, 0.25, 1.5, 30.0, 900.0}) {
+    for (const long order : {1L, 2L, 7L, 24L}) {
+      const RadialFactors factors(interval(lambda), order);
+      for (const double s : {0x1p-10, 0.125, 0.375, 0.4990234375, 0.5}) {
+        const std::vector<Interval> found = factors(interval(s));
+        ASSERT_EQ(found.size(), static_cast<std::size_t>(order) + 1);
+        for (long m = 0; m <= order; ++m) {
+          const Interval& factor = found[static_cast<std::size_t>(m)];
+          const Interval wanted = radial_factor(lambda, m, s);
+          EXPECT_TRUE(is_less(factor, wanted) == Answer::unknown && is_less(wanted, factor) == Answer::unknown)
+              << lambda << ' ' << order << ' ' << s << ' ' << m << ": " << middle(factor) << ", " << middle(wanted);
+          if (s < 0.2 && lambda < 100) EXPECT_LT((factor - wanted).upper(), 1e-35);
+        }
+      }
+    }
+  }
+}
+
+/// From (i + 1)(m + 1) >= λ on, terms decrease; a series has 500 of them before the rest if x = 1 and m is small.
+TEST(SecondCheckersRadialFactors, AreGivenUpIfTermsMayIncreaseWhereTheSeriesEnd) {
+  EXPECT_NO_THROW(RadialFactors(interval(1001), 1));
+  EXPECT_THROW(RadialFactors(interval(1003), 1), TooLarge);
+  EXPECT_THROW(RadialFactors(hull(interval(1000), interval(1003)), 1), TooLarge);
+  EXPECT_NO_THROW(RadialFactors(interval(1502), 2));
+  EXPECT_THROW(RadialFactors(interval(1504), 2), TooLarge);
+  const RadialFactors factors(interval(1), 3);
+  EXPECT_NO_THROW(static_cast<void>(factors(interval(0.5))));
+  EXPECT_THROW(static_cast<void>(factors(interval(0.5 + 0x1p-50))), TooLarge);
+  EXPECT_THROW(static_cast<void>(factors(hull(interval(0.25), interval(0.5 + 0x1p-50)))), TooLarge);
 }
 
 TEST(SecondChecker, GivesUpFunctionsThatItsLemmasAreNotFor) {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
+#include "certify/claims/geodesics/cone.h"
 #include "certify/claims/geodesics/edge_distance.h"
 #include "certify/net/darts.h"
 
@@ -38,13 +40,6 @@ template <class Number>
   return {from_ball<Number>(x[0]), from_ball<Number>(x[1]), from_ball<Number>(x[2])};
 }
 
-template <std::size_t N>
-[[nodiscard]] Ball sum_of_products(const std::array<Ball, N>& x, const std::array<Ball, N>& y) {
-  Ball result;
-  arb_dot(result.get(), nullptr, 0, x[0].get(), 1, y[0].get(), 1, N, Precision::bits());
-  return result;
-}
-
 [[nodiscard]] bool is_accurate(const Ball& x) { return is_finite(x) && arb_rel_accuracy_bits(x.get()) >= kLeastBits; }
 [[nodiscard]] bool is_accurate(const DoubleDouble& x) {
   return is_finite(x) && x.radius <= std::ldexp(std::fabs(x.high), -static_cast<int>(kLeastBits));
@@ -69,7 +64,7 @@ void scale(std::array<DoubleDouble, 3>& ray) {
 template <class Number>
 class CrossingSearch::Way {
  public:
-  using Triple = std::array<Number, 3>;
+  using Triple = Functional<Number>;
 
   Way(const CrossingSearch& search, const std::vector<Triple>& beyond)
       : net_(search.net_), order_(search.order_), beyond_(beyond) {}
@@ -181,30 +176,10 @@ class CrossingSearch::Way {
       }
       return true;
     }
-    const std::size_t first = nodes_.back().first_ray;
-    const std::size_t count = rays_.size() - first;
-    side_.resize(count);
-    for (std::size_t i = 0; i < count; ++i) side_[i] = wanted * certain_sign(rays_[first + i][2]);
-    if (std::all_of(side_.begin(), side_.end(), [](int side) { return side < 0; })) return false;
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t before = i == 0 ? count - 1 : i - 1;
-      const std::size_t after = i + 1 == count ? 0 : i + 1;
-      // One that is certainly out, next to one of which that is not known: the edge between may be partly in.
-      if (side_[i] >= 0 || side_[before] == 0 || side_[after] == 0) clipped_.push_back(turned(rays_[first + i], left));
-      if (side_[i] * side_[after] < 0) {
-        clipped_.push_back(turned(meeting(rays_[first + i], rays_[first + after]), left));
-      }
-    }
-    return true;
-  }
-
-  /// The ray between two on which the third corner's value vanishes; that has different signs at the two.
-  [[nodiscard]] static Triple meeting(const Triple& x, const Triple& y) {
-    const bool positive = certain_sign(x[2]) > 0;
-    const std::array<Number, 2> weights{positive ? -y[2] : y[2], positive ? x[2] : -x[2]};
-    Triple result;
-    for (std::size_t i = 0; i < 2; ++i) result[i] = sum_of_products(weights, std::array<Number, 2>{x[i], y[i]});
-    return result;
+    const std::span<const Triple> rays(rays_);
+    clip_cone(rays.subspan(nodes_.back().first_ray), wanted, side_, clipped_);
+    for (Triple& ray : clipped_) ray = turned(std::move(ray), left);
+    return !clipped_.empty();
   }
 
   /// A lower bound of cosh² of the distance between the first edge and one with the ends l and r, from the cosh of the
