@@ -74,6 +74,8 @@ Tri is_inside(const Ball& x, Interval interval) {
 
 /// Whether x, or a number that differs from it by a multiple of the period, is in the interval.
 Tri is_inside_modulo(const Ball& x, const Ball& period, Interval interval) {
+  const Ball width = Ball::exactly(interval.upper) - Ball::exactly(interval.lower);
+  if (certainly_less(period, width) == Tri::yes) return Tri::yes;
   const Ball middle = half(Ball::exactly(interval.lower) + Ball::exactly(interval.upper));
   const Ball periods = (middle - x) / period;
   if (!is_finite(periods)) return Tri::unknown;
