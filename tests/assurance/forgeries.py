@@ -2966,16 +2966,28 @@ def with_pants_twice(document):
     return document
 
 
-@refuted("pants", says="on whose left|on the right")
-def pants_on_the_right_of_their_paths():
-    """All paths are backwards, and the paths across fit: everything is the same but for the sides."""
-    document = pants()
+def on_the_right(document):
+    """All paths backwards."""
     for p, (first, second) in enumerate(document["pants"]):
         # (α⁻¹β⁻¹)⁻¹ = β(αβ)β⁻¹
         for end, row, place in ends_of(document):
             if end == [p, 2]:
                 going_first(document, row, place, second)
         document["pants"][p] = [backwards(document, first), backwards(document, second)]
+    return document
+
+
+@refuted("pants", says="on whose left|on the right")
+def pants_on_the_right_of_their_paths():
+    """All paths are backwards, and the paths across fit: everything is the same but for the sides."""
+    return on_the_right(pants())
+
+
+@refuted("pants", also=["lengths"], says="on whose left|on the right")
+def pants_on_the_right_of_a_cuff_of_another_exact_length():
+    """The same, and exp_half_length is wrong, which is asked exactly, and of which nothing is said before."""
+    document = on_the_right(pants())
+    document["cuffs"][0]["exp_half_length"] = "3"
     return document
 
 
@@ -3138,7 +3150,7 @@ def cuffs_of_exchanged_lengths():
     return pants_with({0: {"length": rows[2]["length"]}, 2: {"length": rows[0]["length"]}})
 
 
-@refuted("lengths", also=["twists"])
+@refuted("lengths")
 def pants_of_another_surface():
     """The net is that of another octagon, which the same paths cut into pairs of pants."""
     return pants(net=octagon())

@@ -165,9 +165,9 @@ class PantsCheck {
     try {
       run_.progress(kPants);
       count_pants();
-      if (rules_.verdict(kPants) != Verdict::refuted) check_glued();
-      if (rules_.verdict(kGlued) == Verdict::verified) check_roots();
-      if (rules_.verdict(kLengths) != Verdict::refuted) {
+      if (rules_.verdict(kPants) != Verdict::refuted) {
+        check_glued();
+        if (rules_.verdict(kGlued) == Verdict::verified) check_roots();
         with_rising_precision(
             run_.options().max_precision,
             [&](slong precision) {
@@ -285,6 +285,7 @@ class PantsCheck {
                    ", not in " + to_string(document_.cuffs[e].length);
           });
     }
+    if (rules_.verdict(kLengths) == Verdict::refuted) return;
     decide(
         kTwists, document_.cuffs.size(), bits,
         [&](std::size_t e) {
@@ -323,6 +324,7 @@ class PantsCheck {
   [[nodiscard]] bool is_decided() const {
     if (rules_.verdict(kPants) == Verdict::refuted || rules_.verdict(kTwists) == Verdict::refuted) return true;
     if (rules_.verdict(kPants) == Verdict::verified && rules_.verdict(kGlued) != Verdict::verified) return true;
+    if (rules_.verdict(kPants) == Verdict::verified && rules_.verdict(kLengths) == Verdict::refuted) return true;
     return !rules_.open(kPants) && (!rules_.open(kLengths) || roots_undecided_) && !rules_.open(kTwists);
   }
 
