@@ -27,7 +27,7 @@ from fractions import Fraction
 
 sys.dont_write_bytecode = True  # Nothing is written beside the sources.
 
-from forgeries_plane import (Gaussian, Mesh, Surface, arsinh_sqrt, following, net_of_tiles, orientation, point,
+from forgeries_plane import (ONE, Gaussian, Mesh, Surface, arsinh_sqrt, following, net_of_tiles, orientation, point,
                              preceding, rational, sinh2_circumradius, sinh2_half, translation_to, written_point)
 
 if hasattr(sys, "set_int_max_str_digits"):
@@ -2880,6 +2880,466 @@ def isometries_of_a_higher_order():
     return isometries("bolza", order=97)
 
 
+# ---- Pants decompositions ----------------------------------------------------------------------------------------
+
+group = "pants"
+
+
+def pants(name="octagon-5", **changes):
+    """The octagon; or the Bolza surface, or one of two tiles whose lengths are exactly known."""
+    with open(os.path.join(TOP, "tests", "data", "pants", name + ".json"), encoding="utf-8") as file:
+        return {**json.load(file), **changes}
+
+
+def pants_with(changes, name="octagon-5"):
+    """Some members of some cuffs replaced: from the numbers of cuffs to members."""
+    document = pants(name)
+    for i, members in changes.items():
+        document["cuffs"][i].update(members)
+    return document
+
+
+def backwards(document, word):
+    surface = document["net"]["surface"]
+    return inverse(word) if surface["kind"] == "regular" else Surface(surface).inverse_word(word)
+
+
+def path_of_cuff(document, end):
+    (p, k) = end
+    first, second = document["pants"][p]
+    return (first, second, backwards(document, first + second))[k]
+
+
+def ends_of(document):
+    """Each end, with its row and its place there."""
+    return [(end, row, place) for row in document["cuffs"] for place, end in enumerate(row["ends"])]
+
+
+def going_first(document, row, place, word):
+    """At the first or second end of a row, the path across goes along a word first; or comes along its inverse last."""
+    row["across"] = word + row["across"] if place == 0 else row["across"] + backwards(document, word)
+
+
+def with_pants_mirrored(document, p):
+    """Cuffs 0 and 1 of a pair of pants exchanged: the paths β, α, and at cuff 2 another path across."""
+    first, second = document["pants"][p]
+    for end, row, place in ends_of(document):
+        if end[0] == p:
+            # (βα)⁻¹ = α⁻¹(αβ)⁻¹α
+            if end[1] == 2:
+                going_first(document, row, place, backwards(document, first))
+            else:
+                end[1] = 1 - end[1]
+    document["pants"][p] = [second, first]
+    return document
+
+
+def with_pants_conjugated(document, p, word):
+    """The paths of a pair of pants go along a word first, and back."""
+    back = backwards(document, word)
+    document["pants"][p] = [back + path + word for path in document["pants"][p]]
+    for end, row, place in ends_of(document):
+        if end[0] == p:
+            going_first(document, row, place, back)
+    return document
+
+
+def shifted(interval, by):
+    """Both ends moved to the next number, `by` times up or down."""
+    for _ in range(abs(by)):
+        interval = [math.nextafter(x, math.inf if by > 0 else -math.inf) for x in interval]
+    return interval
+
+
+def plus(interval, other, factor=1):
+    """Contains all sums of numbers of the first one and of the second one times the factor, rounded outward."""
+    lower, upper = sorted(Fraction(x) * factor for x in other)
+    return [math.nextafter(float(Fraction(interval[0]) + lower), -math.inf),
+            math.nextafter(float(Fraction(interval[1]) + upper), math.inf)]
+
+
+def with_pants_twice(document):
+    """All pairs of pants and cuffs once more, with other numbers."""
+    count = len(document["pants"])
+    document["pants"] = document["pants"] * 2
+    document["cuffs"] += [{**row, "ends": [[p + count, k] for p, k in row["ends"]]} for row in document["cuffs"]]
+    return document
+
+
+def on_the_right(document):
+    """All paths backwards."""
+    for p, (first, second) in enumerate(document["pants"]):
+        # (α⁻¹β⁻¹)⁻¹ = β(αβ)β⁻¹
+        for end, row, place in ends_of(document):
+            if end == [p, 2]:
+                going_first(document, row, place, second)
+        document["pants"][p] = [backwards(document, first), backwards(document, second)]
+    return document
+
+
+@refuted("pants", says="on whose left|on the right")
+def pants_on_the_right_of_their_paths():
+    """All paths are backwards, and the paths across fit: everything is the same but for the sides."""
+    return on_the_right(pants())
+
+
+@refuted("pants", also=["lengths"], says="on whose left|on the right")
+def pants_on_the_right_of_a_cuff_of_another_exact_length():
+    """The same, and exp_half_length is wrong, which is asked exactly, and of which nothing is said before."""
+    document = on_the_right(pants())
+    document["cuffs"][0]["exp_half_length"] = "3"
+    return document
+
+
+@refuted("pants", also=["glued"], says="on whose left|on the right")
+def pants_on_the_right_once():
+    """One pair of pants is on the right of its paths, the other one on the left."""
+    document = pants()
+    document["pants"][0] = [backwards(document, path) for path in document["pants"][0]]
+    return document
+
+
+@refuted("pants", also=["glued"], says="on whose left|for their traces")
+def pants_of_a_figure_eight():
+    """One of two paths is backwards, so that the third one is a figure eight."""
+    document = pants()
+    document["pants"][0][1] = backwards(document, document["pants"][0][1])
+    return document
+
+
+@refuted("pants", also=["glued"], says="on whose left|for their traces")
+def pants_of_a_path_to_nowhere():
+    """A second path of no letters: the third cuff is the first one, backwards."""
+    document = pants()
+    document["pants"][1][1] = []
+    return document
+
+
+@refuted("pants", also=["glued"], says="on whose left|for their traces")
+def pants_of_a_path_that_is_null_homotopic():
+    """A first path that cancels."""
+    document = pants()
+    document["pants"][1][0] = [3, 7]
+    return document
+
+
+@refuted("pants", says="4 pairs of pants, expected|not 4$")
+def pants_twice():
+    """Every pair of pants and every cuff twice: a covering by two copies of the surface, for which all else holds."""
+    return with_pants_twice(pants())
+
+
+@refuted("pants", says="4 pairs of pants, expected|not 4$")
+def pants_of_a_double_cover():
+    """The pairs of pants of a connected double cover, for which all else holds: its sheets are exchanged along a cuff."""
+    document = with_pants_twice(pants())
+    first, second = (document["cuffs"][i]["ends"] for i in (2, 5))
+    first[1], second[1] = second[1], first[1]
+    return document
+
+
+@refuted("pants", says="0 pairs of pants, expected|not 0$")
+def no_pants():
+    """No pairs of pants, and no cuffs: all other rules have nothing to ask."""
+    return pants(pants=[], cuffs=[])
+
+
+@refuted("pants", says="2 pairs of pants, expected|not 2$")
+def pants_too_few():
+    """The pairs of pants of a surface of genus 2, in a net of genus 3 whose sides have the same numbers."""
+    with open(os.path.join(TOP, "tests", "data", "certify", "verified", "regular-3-centre.json"), encoding="utf-8") as file:
+        return pants("bolza", net=json.load(file))
+
+
+@refuted("glued")
+def paths_of_pants_exchanged():
+    """The two paths of a pair of pants are exchanged: a pair of pants, with its cuffs at the wrong ends."""
+    document = pants()
+    document["pants"][1].reverse()
+    return document
+
+
+@refuted("glued")
+def path_of_pants_squared():
+    """One path twice around its cuff; with the other one it bounds another pair of pants, which overlaps itself."""
+    document = pants()
+    document["pants"][0][0] = document["pants"][0][0] * 2
+    return document
+
+
+@refuted("glued")
+def pants_beside_themselves():
+    """The second pair of pants is the first one, too."""
+    document = pants()
+    document["pants"][1] = document["pants"][0]
+    return document
+
+
+@refuted("glued")
+def cuff_glued_around_a_handle():
+    """The path across goes around another cuff first."""
+    document = pants()
+    row = document["cuffs"][1]
+    row["across"] = path_of_cuff(document, [1, 0]) + row["across"]
+    return document
+
+
+@refuted("glued")
+def cuff_glued_around_a_cuff_of_1e_12():
+    """The path across a cuff goes around one of length 10⁻¹² first, which moves hardly anything beside it."""
+    document = pants("cuff-1e-12")
+    row = document["cuffs"][2]
+    row["across"] = path_of_cuff(document, document["cuffs"][0]["ends"][0]) + row["across"]
+    return document
+
+
+@refuted("glued")
+def cuff_glued_backwards():
+    """The path across goes from the second end to the first."""
+    document = pants()
+    row = document["cuffs"][2]
+    row["across"] = backwards(document, row["across"])
+    return document
+
+
+@refuted("glued")
+def ends_of_pants_exchanged_between_cuffs_of_equal_length():
+    """The second ends of two cuffs of the Bolza surface are exchanged, which have the same length and twist."""
+    document = pants("bolza")
+    first, second = (row["ends"] for row in document["cuffs"][:2])
+    first[1], second[1] = second[1], first[1]
+    return document
+
+
+@refuted("glued")
+def pants_moved_alone():
+    """The paths of a pair of pants are conjugated in the last place, those across are as before."""
+    document = pants()
+    rows = copy.deepcopy(document["cuffs"])
+    return {**with_pants_conjugated(document, 1, [4]), "cuffs": rows}
+
+
+@refuted("lengths")
+def cuff_an_ulp_longer():
+    """The two numbers around the length of the last cuff, a unit higher each."""
+    return pants_with({2: {"length": shifted(pants()["cuffs"][2]["length"], 1)}})
+
+
+@refuted("lengths")
+def cuff_an_ulp_shorter():
+    """The two numbers around the length of the first cuff, a unit lower each."""
+    return pants_with({0: {"length": shifted(pants()["cuffs"][0]["length"], -1)}})
+
+
+@refuted("lengths")
+def cuff_of_a_length_that_is_only_nearly_a_number():
+    """The length is said to be the number 3 that it is nearest to; that is none, as 3 is not 2 ln R."""
+    return pants_with({2: {"length": [3, 3]}}, "cuff-1e-12")
+
+
+@refuted("lengths")
+def cuff_of_the_length_of_a_double_cover():
+    """The length of twice around."""
+    return pants_with({1: {"length": [2 * x for x in pants()["cuffs"][1]["length"]]}})
+
+
+@refuted("lengths")
+def cuffs_of_exchanged_lengths():
+    """The first and the last length are exchanged."""
+    rows = pants()["cuffs"]
+    return pants_with({0: {"length": rows[2]["length"]}, 2: {"length": rows[0]["length"]}})
+
+
+@refuted("lengths")
+def pants_of_another_surface():
+    """The net is that of another octagon, which the same paths cut into pairs of pants."""
+    return pants(net=octagon())
+
+
+def with_root(change, i=2, name="fenchel-nielsen-2"):
+    document = pants(name)
+    row = document["cuffs"][i]
+    row["exp_half_length"] = str(change(Fraction(row["exp_half_length"])))
+    return document
+
+
+@refuted("lengths", says="exp_half_length")
+def root_of_a_cuff_wrong_in_the_last_digit():
+    """The last digit of the denominator of exp_half_length."""
+    return with_root(lambda r: Fraction(r.numerator, r.denominator - 1))
+
+
+@refuted("lengths", says="exp_half_length")
+def root_of_a_cuff_wrong_by_1e_60():
+    """exp_half_length is 10⁻⁶⁰ more."""
+    return with_root(lambda r: r + Fraction(1, 10**60))
+
+
+@refuted("lengths", says="exp_half_length")
+def root_of_a_cuff_of_its_whole_length():
+    """The square of exp_half_length, the exponential of the length."""
+    return with_root(lambda r: r * r)
+
+
+@refuted("lengths", says="exp_half_length")
+def root_of_a_cuff_that_has_none():
+    """The octagon's cuffs have algebraic exponentials: exp_half_length is a rational number within 10⁻⁵⁰ of one."""
+    document = pants()
+    row = document["cuffs"][0]
+    f = Surface(document["net"]["surface"]).value(path_of_cuff(document, row["ends"][0]))
+    # cosh²(l/2)
+    square = ((f.a + ONE) * (f.a + ONE) / (f.a - f.b * f.c)).re / 4
+    with localcontext() as context:
+        context.prec = 60
+        cosh = (Decimal(square.numerator) / Decimal(square.denominator)).sqrt()
+        row["exp_half_length"] = rational(Fraction(cosh + (cosh * cosh - 1).sqrt()))
+    return document
+
+
+@refuted("twists")
+def twist_of_the_opposite_sign():
+    """One twist to the other side."""
+    return pants_with({0: {"twist": [-x for x in reversed(pants()["cuffs"][0]["twist"])]}})
+
+
+@refuted("twists")
+def twists_of_the_mirror_image():
+    """All twists to the other side."""
+    rows = pants()["cuffs"]
+    return pants_with({i: {"twist": [-x for x in reversed(row["twist"])]} for i, row in enumerate(rows)})
+
+
+@refuted("twists")
+def twist_an_ulp_more():
+    """The two numbers around the twist of the last cuff, a unit higher each."""
+    return pants_with({2: {"twist": shifted(pants()["cuffs"][2]["twist"], 1)}})
+
+
+@refuted("twists")
+def twist_an_ulp_less():
+    """The two numbers around the twist of the first cuff, a unit lower each."""
+    return pants_with({0: {"twist": shifted(pants()["cuffs"][0]["twist"], -1)}})
+
+
+@refuted("twists")
+def twist_of_half_a_length_more():
+    """The mark of one of the two pairs of pants is on the other side of the cuff."""
+    row = pants()["cuffs"][1]
+    return pants_with({1: {"twist": plus(row["twist"], row["length"], Fraction(1, 2))}})
+
+
+@refuted("twists")
+def twists_by_the_marks_of_the_cuffs_before():
+    """The cuffs of one pair of pants are numbered the other way around, so that its marks are those of cuffs k − 1."""
+    return with_pants_mirrored(pants(), 1)
+
+
+@refuted("twists")
+def twist_modulo_another_length():
+    """The length of another cuff more."""
+    rows = pants()["cuffs"]
+    return pants_with({0: {"twist": plus(rows[0]["twist"], rows[1]["length"])}})
+
+
+@refuted("twists")
+def twist_of_a_cuff_of_1e_12_by_half_of_it():
+    """Half of the length of 10⁻¹² more."""
+    row = pants("cuff-1e-12")["cuffs"][0]
+    return pants_with({0: {"twist": plus(row["twist"], row["length"], Fraction(1, 2))}}, "cuff-1e-12")
+
+
+@refuted("twists")
+def twist_of_the_least_positive_number():
+    """A twist that is exactly 0 is said to be at least 2⁻¹⁰⁷⁴."""
+    return pants_with({0: {"twist": [5e-324, 0.5]}}, "bolza")
+
+
+@refuted("twists")
+def twist_in_a_gap_of_an_ulp():
+    """An interval of nearly the length, from just after the twist to just before the next one."""
+    row = pants()["cuffs"][0]
+    last = math.nextafter(row["twist"][0] + row["length"][0], 0)
+    return pants_with({0: {"twist": [row["twist"][1], last]}})
+
+
+@malformed("cuffs[1]")
+def end_of_two_cuffs():
+    """One end is in two rows, another one in none."""
+    document = pants()
+    document["cuffs"][1]["ends"][1] = document["cuffs"][0]["ends"][1]
+    return document
+
+
+@malformed("cuffs[1].ends")
+def end_plus_2_to_32():
+    """The number of a pair of pants is 2³² more."""
+    document = pants()
+    document["cuffs"][1]["ends"][0][0] += 2**32
+    return document
+
+
+@malformed("cuffs[2]")
+def end_of_a_cuff_3():
+    """An end is cuff 3 of the first pair of pants, which could be taken for cuff 0 of the next one."""
+    document = pants()
+    document["cuffs"][2]["ends"][1] = [0, 5]
+    return document
+
+
+@malformed("cuffs")
+def pants_with_an_open_cuff():
+    """One cuff is left out: a surface with boundary."""
+    document = pants()
+    del document["cuffs"][2]
+    return document
+
+
+@malformed("cuffs[2]")
+def cuff_with_a_path_to_another_tile():
+    """The path across ends in the tile where it begins, and the other pair of pants is in another tile."""
+    return pants_with({2: {"across": []}}, "fenchel-nielsen-2")
+
+
+@malformed("pants[0]")
+def path_of_pants_that_is_open():
+    """A path of a pair of pants ends in the other tile."""
+    document = pants("fenchel-nielsen-2")
+    document["pants"][0][1] = [4]
+    return document
+
+
+@malformed("pants[1]")
+def pants_in_two_tiles():
+    """The second path of a pair of pants is closed, and begins in the other tile."""
+    document = pants("fenchel-nielsen-2")
+    document["pants"][1][1] = document["pants"][0][1]
+    return document
+
+
+@malformed("cuffs[1]")
+def root_of_a_cuff_that_is_inverse():
+    """exp_half_length is the exponential of minus half of the length."""
+    return with_root(lambda r: 1 / r, 1)
+
+
+@malformed("cuffs[1]")
+def root_of_a_cuff_that_is_1():
+    """exp_half_length is that of the length 0."""
+    return with_root(lambda r: 1, 1)
+
+
+@malformed("cuffs[0]")
+def cuff_of_a_length_of_0_or_more():
+    """The length is at least 0."""
+    return pants_with({0: {"length": [0, 3]}})
+
+
+@malformed("cuffs[0]")
+def twist_the_other_way():
+    """The ends of the twist's interval are exchanged, so that it contains nothing."""
+    return pants_with({0: {"twist": pants()["cuffs"][0]["twist"][::-1]}})
+
+
 # ---- Distances ---------------------------------------------------------------------------------------------------
 
 group = "distances"
@@ -3547,6 +4007,101 @@ def isometries_in_other_words():
     return document
 
 
+@disguise()
+def pants_with_twists_by_lengths_more():
+    """Twists plus five lengths, minus a thousand, and in an interval longer than the length."""
+    rows = pants()["cuffs"]
+    return pants_with({0: {"twist": plus(rows[0]["twist"], rows[0]["length"], 5)},
+                       1: {"twist": plus(rows[1]["twist"], rows[1]["length"], -1000)}, 2: {"twist": [-7e300, 3]}})
+
+
+@disguise()
+def pants_with_paths_around_cuffs():
+    """Paths across turn around the cuff three times before, and once the other way behind."""
+    document = pants()
+    for row in document["cuffs"]:
+        around, other = (path_of_cuff(document, end) for end in row["ends"])
+        row["across"] = around * 3 + row["across"] + other
+    return document
+
+
+@disguise()
+def pants_with_ends_exchanged():
+    """The ends of every cuff exchanged, with the path across backwards; cuffs in another order."""
+    document = pants("fenchel-nielsen-2")
+    for row in document["cuffs"]:
+        row["ends"].reverse()
+        row["across"] = backwards(document, row["across"])
+    document["cuffs"].reverse()
+    return document
+
+
+@disguise()
+def pants_in_words_that_cancel():
+    """Letters there and back in all paths, and relators around the corner of the octagon."""
+    document = pants()
+    document["pants"] = [[[3, 7] + RELATOR + path + [5, 1] for path in paths] for paths in document["pants"]]
+    for row in document["cuffs"]:
+        row["across"] = [0, 4, 1, 5] * 10 + row["across"] + inverse(RELATOR)
+    return document
+
+
+@disguise()
+def pants_from_another_tile():
+    """The paths of a pair of pants begin in the other tile, those of the other one go around before."""
+    document = with_pants_conjugated(pants("fenchel-nielsen-2"), 0, [4])
+    return with_pants_conjugated(document, 1, [7, 10, 9, 9])
+
+
+@disguise()
+def pants_with_cuffs_numbered_otherwise():
+    """Cuffs 1 and 2 of a pair of pants are its cuffs 0 and 1: the marks are the same. Pairs of pants exchanged."""
+    document = pants()
+    document["pants"][0] = [path_of_cuff(document, [0, k]) for k in (1, 2)]
+    for end, _, _ in ends_of(document):
+        if end[0] == 0:
+            end[1] = (end[1] + 2) % 3
+        end[0] = 1 - end[0]
+    document["pants"].reverse()
+    return document
+
+
+@disguise()
+def pants_with_the_cuffs_of_both_numbered_the_other_way():
+    """Cuffs 0 and 1 exchanged in both pairs of pants: all marks are on the other sides of the cuffs."""
+    return with_pants_mirrored(with_pants_mirrored(pants(), 0), 1)
+
+
+@disguise()
+def pants_with_cuffs_0_and_1_braided():
+    """The paths αβα⁻¹ and α for α and β: cuffs 0 and 1 of both pairs of pants exchanged, and the third path is the same."""
+    document = pants("fenchel-nielsen-2")
+    for p, (first, second) in enumerate(document["pants"]):
+        for end, row, place in ends_of(document):
+            if end[0] == p and end[1] < 2:
+                if end[1] == 1:
+                    going_first(document, row, place, first)
+                end[1] = 1 - end[1]
+        document["pants"][p] = [first + second + backwards(document, first), first]
+    return document
+
+
+@disguise()
+def pants_of_which_little_is_said():
+    """Lengths are positive, twists are any, exact lengths are not stated."""
+    document = pants("cuff-1e-12")
+    for row in document["cuffs"]:
+        row.update(length=[5e-324, sys.float_info.max], twist=[-sys.float_info.max, sys.float_info.max],
+                   exp_half_length="0")
+    return document
+
+
+@disguise()
+def pants_with_a_twist_around_0():
+    """Twists that are exactly 0, within 2⁻¹⁰⁷⁴."""
+    return pants_with({i: {"twist": [-5e-324, 5e-324]} for i in (0, 1)}, "bolza")
+
+
 # ---- Asking the programs -----------------------------------------------------------------------------------------
 
 
@@ -3623,7 +4178,7 @@ GROUPS = {
     "map": "Rule `map`", "gluing": "Rule `gluing`", "orientation": "Rule `orientation`",
     "delaunay": "Rule `delaunay`", "covering": "Rule `covering`", "packing": "Rule `packing`",
     "collars": "Pseudo nets", "geodesics": "Closed geodesics", "eigenvalues": "Eigenvalues",
-    "isometries": "Isometries",
+    "isometries": "Isometries", "pants": "Pants decompositions",
     "distances": "Distances", "bounds": "Diameter, radius, embedded disk", "disguises": "Disguises"}
 
 

@@ -129,6 +129,16 @@ Json isometries() {
   return result;
 }
 
+Json pants() {
+  Json result = Json::parse(R"({"format": "epsnet-pants", "version": 1,
+      "pants": [[[0, 3], [2]], [[7, 2, 5], []]], "cuffs": [
+      {"ends": [[0, 0], [1, 0]], "across": [], "length": [0.5, 1.25], "twist": [-3.5, 0], "exp_half_length": "0"},
+      {"ends": [[1, 1], [0, 2]], "across": [7, 4], "length": [2, 2], "twist": [0.25, 7], "exp_half_length": "4/3"},
+      {"ends": [[1, 2], [0, 1]], "across": [1], "length": [3, 4], "twist": [-2, -1], "exp_half_length": "2"}]})");
+  result["net"] = regular_net();
+  return result;
+}
+
 std::vector<Json> files() {
   return {surface_file(tiles()),
           surface_file(regular()),
@@ -145,7 +155,8 @@ std::vector<Json> files() {
           cover("diameter"),
           cover("embedded-disk"),
           eigenvalues(),
-          isometries()};
+          isometries(),
+          pants()};
 }
 
 /// What the reader understands, as JSON; null if it accepts nothing.

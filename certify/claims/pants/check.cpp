@@ -74,6 +74,8 @@ Tri is_inside(const Ball& x, Interval interval) {
 
 /// Whether x, or a number that differs from it by a multiple of the period, is in the interval.
 Tri is_inside_modulo(const Ball& x, const Ball& period, Interval interval) {
+  const Ball width = Ball::exactly(interval.upper) - Ball::exactly(interval.lower);
+  if (certainly_less(period, width) == Tri::yes) return Tri::yes;
   const Ball middle = half(Ball::exactly(interval.lower) + Ball::exactly(interval.upper));
   const Ball periods = (middle - x) / period;
   if (!is_finite(periods)) return Tri::unknown;
@@ -163,9 +165,9 @@ class PantsCheck {
     try {
       run_.progress(kPants);
       count_pants();
-      if (rules_.verdict(kPants) != Verdict::refuted) check_glued();
-      if (rules_.verdict(kGlued) == Verdict::verified) check_roots();
-      if (rules_.verdict(kLengths) != Verdict::refuted) {
+      if (rules_.verdict(kPants) != Verdict::refuted) {
+        check_glued();
+        if (rules_.verdict(kGlued) == Verdict::verified) check_roots();
         with_rising_precision(
             run_.options().max_precision,
             [&](slong precision) {
@@ -283,6 +285,7 @@ class PantsCheck {
                    ", not in " + to_string(document_.cuffs[e].length);
           });
     }
+    if (rules_.verdict(kLengths) == Verdict::refuted) return;
     decide(
         kTwists, document_.cuffs.size(), bits,
         [&](std::size_t e) {
@@ -321,6 +324,7 @@ class PantsCheck {
   [[nodiscard]] bool is_decided() const {
     if (rules_.verdict(kPants) == Verdict::refuted || rules_.verdict(kTwists) == Verdict::refuted) return true;
     if (rules_.verdict(kPants) == Verdict::verified && rules_.verdict(kGlued) != Verdict::verified) return true;
+    if (rules_.verdict(kPants) == Verdict::verified && rules_.verdict(kLengths) == Verdict::refuted) return true;
     return !rules_.open(kPants) && (!rules_.open(kLengths) || roots_undecided_) && !rules_.open(kTwists);
   }
 

@@ -39,6 +39,7 @@ using certify::EigenvaluesDocument;
 using certify::GeodesicsDocument;
 using certify::IsometriesDocument;
 using certify::NetDocument;
+using certify::PantsDocument;
 using certify::Verdict;
 using Document = certify::ClaimDocument;
 
@@ -202,6 +203,13 @@ std::vector<Family> families() {
     b.push_back(file("eigenvalues/octagon-5-with-a-function.json", 1));
     b.push_back(file("eigenvalues/bolza-with-three-functions.json", 1));
   }
+  {
+    auto& b = add("pants decompositions", 20);
+    b.push_back(file("pants/octagon-5.json", 3));
+    b.push_back(file("pants/bolza.json", 2));
+    b.push_back(file("pants/fenchel-nielsen-2.json", 2));
+    b.push_back(file("pants/cuff-1e-12.json", 1));
+  }
   return all;
 }
 
@@ -265,6 +273,7 @@ std::string defect(Document& document, Random& random) {
     if (std::holds_alternative<IsometriesDocument>(document)) {
       return defect_on_spectrum(isometries_mutations(), document, random);
     }
+    if (std::holds_alternative<PantsDocument>(document)) return own_defect(pants_mutations(), document, random);
     if (std::holds_alternative<DistanceDocument>(document)) return own_defect(distance_mutations(), document, random);
     return own_defect(bound_mutations(), document, random);
   }
@@ -374,6 +383,7 @@ struct Options {
   std::uint64_t first = 0;
   std::uint64_t seed = 1;
   unsigned jobs = 1;
+  std::string family;  ///< The only one, or empty.
   std::filesystem::path folder = ".";
   std::filesystem::path keep;  ///< A folder for all mutants, or empty.
   bool details = false;
@@ -502,6 +512,7 @@ int main(int argc, char** argv) try {
   app.add_option("--seed", options.seed, "Chooses all of them")->capture_default_str();
   app.add_option("--first", options.first, "The number of the first one, to make a single one again")
       ->capture_default_str();
+  app.add_option("--family", options.family, "Only files of this family; a number names another mutant than with all");
   app.add_option("--jobs", options.jobs, "Threads; the table is the same for any number")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
@@ -510,7 +521,12 @@ int main(int argc, char** argv) try {
   app.add_option("--keep", options.keep, "A folder into which all mutants are written")->check(CLI::ExistingDirectory);
   app.add_flag("--details", options.details, "A line for each mutant: base, defects, verdicts, milliseconds");
   CLI11_PARSE(app, argc, argv);
-  return epsnet::attack::Attack(options, epsnet::attack::families()).run() ? 0 : 1;
+  std::vector<epsnet::attack::Family> families = epsnet::attack::families();
+  if (!options.family.empty()) {
+    std::erase_if(families, [&](const auto& family) { return family.name != options.family; });
+    if (families.empty()) throw std::invalid_argument("no family is called " + options.family);
+  }
+  return epsnet::attack::Attack(options, std::move(families)).run() ? 0 : 1;
 } catch (const std::exception& error) {
   std::cerr << "attack_mutants: " << error.what() << '\n';
   return 70;

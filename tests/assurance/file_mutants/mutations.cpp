@@ -17,6 +17,7 @@ using certify::EigenvaluesDocument;
 using certify::GeodesicsDocument;
 using certify::IsometriesDocument;
 using certify::NetDocument;
+using certify::PantsDocument;
 
 /// Changes an index to another one below n; sometimes to one that is just too large, or as large as possible.
 void change_index(std::uint32_t& index, std::size_t n, Random& random) {
@@ -152,6 +153,45 @@ void change_count(std::uint32_t& count, Random& r) {
     default:
       count = r.below(6);
   }
+}
+
+// Of pants files.
+
+using Word = PantsDocument::Word;
+
+void append(Word& word, const Word& then) { word.insert(word.end(), then.begin(), then.end()); }
+
+Word inverted(Word word, const PantsDocument& file) {
+  invert(word, file.net.surface);
+  return word;
+}
+
+/// The path of a cuff.
+Word path_of(const PantsDocument& file, const PantsDocument::End& end) {
+  const auto& [first, second] = file.pants.at(end[0]);
+  if (end[1] < 2) return end[1] == 0 ? first : second;
+  Word both = first;
+  append(both, second);
+  return inverted(std::move(both), file);
+}
+
+Word& any_path(PantsDocument& file, Random& r) { return r.of(file.pants).at(r.below(2)); }
+PantsDocument::End& any_end(PantsDocument& file, Random& r) { return r.of(file.cuffs).ends.at(r.below(2)); }
+
+/// At each end that is cuff k of p, the path across goes along a word first; or comes along its inverse last.
+void go_first(PantsDocument& file, std::uint32_t p, std::uint32_t k, const Word& word) {
+  for (PantsDocument::Cuff& cuff : file.cuffs) {
+    const PantsDocument::End end{p, k};
+    if (cuff.ends[0] == end) cuff.across.insert(cuff.across.begin(), word.begin(), word.end());
+    if (cuff.ends[1] == end) append(cuff.across, inverted(word, file));
+  }
+}
+
+void add_to_twist(PantsDocument::Cuff& cuff, double lengths) {
+  cuff.twist.lower += lengths * (lengths > 0 ? cuff.length.lower : cuff.length.upper);
+  cuff.twist.upper += lengths * (lengths > 0 ? cuff.length.upper : cuff.length.lower);
+  cuff.twist.lower = std::nextafter(cuff.twist.lower, -1e9);
+  cuff.twist.upper = std::nextafter(cuff.twist.upper, 1e9);
 }
 
 /// Any number below which eigenvalues are counted.
@@ -915,6 +955,164 @@ const std::vector<MutationOf<IsometriesDocument>>& isometries_mutations() {
        [](IsometriesDocument& file, Random& r) {
          const bool zero = r.below(2) == 0;
          for (std::uint32_t& c : file.cocycle) c = zero ? 0 : r.below(1000);
+       }},
+  };
+  return all;
+}
+
+const std::vector<MutationOf<PantsDocument>>& pants_mutations() {
+  static const std::vector<MutationOf<PantsDocument>> all{
+      {"path changed", [](PantsDocument& file, Random& r) { change_word(any_path(file, r), file.net, r); }},
+      {"path backwards", [](PantsDocument& file, Random& r) { invert(any_path(file, r), file.net.surface); }},
+      {"path squared",
+       [](PantsDocument& file, Random& r) {
+         Word& path = any_path(file, r);
+         append(path, Word(path));
+       }},
+      {"path along the other one",
+       [](PantsDocument& file, Random& r) {
+         auto& paths = r.of(file.pants);
+         append(paths.at(0), paths.at(1));
+       }},
+      {"paths exchanged",
+       [](PantsDocument& file, Random& r) {
+         auto& paths = r.of(file.pants);
+         std::swap(paths.at(0), paths.at(1));
+       }},
+      {"pants mirrored, true if all are",
+       [](PantsDocument& file, Random& r) {
+         const bool both = r.below(2) == 0;
+         const std::uint32_t one = r.below(file.pants.size());
+         for (std::uint32_t p = 0; p < file.pants.size(); ++p) {
+           if (!both && p != one) continue;
+           go_first(file, p, 2, inverted(file.pants[p][0], file));
+           std::swap(file.pants[p][0], file.pants[p][1]);
+           for (auto& cuff : file.cuffs) {
+             for (auto& end : cuff.ends) {
+               if (end[0] == p && end[1] < 2) end[1] = 1 - end[1];
+             }
+           }
+         }
+       }},
+      {"pants on the right",
+       [](PantsDocument& file, Random&) {
+         for (std::uint32_t p = 0; p < file.pants.size(); ++p) {
+           go_first(file, p, 2, file.pants[p][1]);
+           for (Word& path : file.pants[p]) invert(path, file.net.surface);
+         }
+       }},
+      {"pants numbered otherwise, still true",
+       [](PantsDocument& file, Random& r) {
+         const std::uint32_t p = r.below(file.pants.size());
+         file.pants[p] = {path_of(file, {p, 1}), path_of(file, {p, 2})};
+         for (auto& cuff : file.cuffs) {
+           for (auto& end : cuff.ends) {
+             if (end[0] == p) end[1] = (end[1] + 2) % 3;
+           }
+         }
+       }},
+      {"pants from elsewhere, still true",
+       [](PantsDocument& file, Random& r) {
+         const std::uint32_t p = r.below(file.pants.size());
+         const Word around = path_of(file, {p, r.below(3)});
+         for (Word& path : file.pants[p]) {
+           Word conjugate = around;
+           append(conjugate, path);
+           append(conjugate, inverted(around, file));
+           path = std::move(conjugate);
+         }
+         for (std::uint32_t k = 0; k < 3; ++k) go_first(file, p, k, around);
+       }},
+      {"pants of another number", [](PantsDocument& file, Random& r) { r.of(file.pants) = r.of(file.pants); }},
+      {"everything twice, or a double cover",
+       [](PantsDocument& file, Random& r) {
+         const std::size_t count = file.cuffs.size();
+         const auto pants = static_cast<std::uint32_t>(file.pants.size());
+         for (std::uint32_t p = 0; p < pants; ++p) file.pants.push_back(PantsDocument::Paths(file.pants[p]));
+         for (std::size_t i = 0; i < count; ++i) {
+           PantsDocument::Cuff cuff = file.cuffs[i];
+           for (auto& end : cuff.ends) end[0] += pants;
+           file.cuffs.push_back(std::move(cuff));
+         }
+         if (r.below(2) == 0) return;
+         const std::size_t exchanged = r.below(count);
+         std::swap(file.cuffs[exchanged].ends[1], file.cuffs[count + exchanged].ends[1]);
+       }},
+      {"no pants",
+       [](PantsDocument& file, Random&) {
+         file.pants.clear();
+         file.cuffs.clear();
+       }},
+      {"cuff left out",
+       [](PantsDocument& file, Random& r) { file.cuffs.erase(file.cuffs.begin() + r.below(file.cuffs.size())); }},
+      {"end changed",
+       [](PantsDocument& file, Random& r) {
+         if (r.below(2) == 0) {
+           change_index(any_end(file, r)[0], file.pants.size(), r);
+         } else {
+           change_index(any_end(file, r)[1], 3, r);
+         }
+       }},
+      {"ends exchanged", [](PantsDocument& file, Random& r) { std::swap(any_end(file, r), any_end(file, r)); }},
+      {"cuff from the other side, still true if backwards",
+       [](PantsDocument& file, Random& r) {
+         PantsDocument::Cuff& cuff = r.of(file.cuffs);
+         std::swap(cuff.ends[0], cuff.ends[1]);
+         if (r.below(3) != 0) invert(cuff.across, file.net.surface);
+       }},
+      {"across changed", [](PantsDocument& file, Random& r) { change_word(r.of(file.cuffs).across, file.net, r); }},
+      {"across around a cuff, true if it is this one",
+       [](PantsDocument& file, Random& r) {
+         PantsDocument::Cuff& cuff = r.of(file.cuffs);
+         const std::uint32_t k = r.below(2) == 0 ? cuff.ends[0][1] : r.below(3);
+         Word across = path_of(file, {cuff.ends[0][0], k});
+         append(across, cuff.across);
+         cuff.across = std::move(across);
+       }},
+      {"length", [](PantsDocument& file, Random& r) { change_length(end(r.of(file.cuffs).length, r), r); }},
+      {"length of the next numbers, or twice",
+       [](PantsDocument& file, Random& r) {
+         certify::Interval& length = r.of(file.cuffs).length;
+         const double by = r.sign() * 1e9;
+         const bool twice = r.below(3) == 0;
+         for (double* x : {&length.lower, &length.upper}) *x = twice ? 2 * *x : std::nextafter(*x, by);
+       }},
+      {"lengths exchanged",
+       [](PantsDocument& file, Random& r) { std::swap(r.of(file.cuffs).length, r.of(file.cuffs).length); }},
+      {"twist", [](PantsDocument& file, Random& r) { change_length(end(r.of(file.cuffs).twist, r), r); }},
+      {"twist of the next numbers",
+       [](PantsDocument& file, Random& r) {
+         certify::Interval& twist = r.of(file.cuffs).twist;
+         const double by = r.sign() * 1e9;
+         for (double* x : {&twist.lower, &twist.upper}) *x = std::nextafter(*x, by);
+       }},
+      {"twist to the other side",
+       [](PantsDocument& file, Random& r) {
+         certify::Interval& twist = r.of(file.cuffs).twist;
+         twist = {-twist.upper, -twist.lower};
+       }},
+      {"twist and lengths, still true; or a half of one",
+       [](PantsDocument& file, Random& r) {
+         const double lengths = r.sign() * r.below(1U << r.below(20));
+         add_to_twist(r.of(file.cuffs), r.below(3) == 0 ? lengths + 0.5 : lengths);
+       }},
+      {"exact length",
+       [](PantsDocument& file, Random& r) {
+         mpq_class& root = r.of(file.cuffs).exp_half_length;
+         switch (r.below(4)) {
+           case 0:
+             root = 0;
+             break;
+           case 1:
+             root *= mpq_class(root);
+             break;
+           case 2:
+             if (root == 0) root = mpq_class(7, 4);
+             root += some_step(r);
+             break;
+           default:
+             root = r.of(file.cuffs).exp_half_length;
+         }
        }},
   };
   return all;

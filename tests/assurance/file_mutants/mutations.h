@@ -12,6 +12,7 @@
 #include "certify/claims/eigenvalues/document.h"
 #include "certify/claims/geodesics/document.h"
 #include "certify/claims/isometries/document.h"
+#include "certify/claims/pants/document.h"
 #include "certify/net/document.h"
 
 /// Defects of documents and of their text, each chosen at random.
@@ -60,6 +61,7 @@ using Mutation = MutationOf<certify::NetDocument>;
 [[nodiscard]] const std::vector<MutationOf<certify::BoundDocument>>& bound_mutations();
 [[nodiscard]] const std::vector<MutationOf<certify::EigenvaluesDocument>>& eigenvalues_mutations();
 [[nodiscard]] const std::vector<MutationOf<certify::IsometriesDocument>>& isometries_mutations();
+[[nodiscard]] const std::vector<MutationOf<certify::PantsDocument>>& pants_mutations();
 
 /// Defects of the text: its bytes, tokens, and the notation of numbers.
 void change_text(std::string& text, Random& random);
