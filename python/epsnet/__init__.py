@@ -19,7 +19,7 @@ ClosedGeodesics systole, spectrum, thick-thin decomposition, each with its proof
 Eigenvalues     of the Laplacian: the first ones in intervals, proved, with eigenfunctions
 Distance        and Diameter, Radius, EmbeddedDisk, Eccentricity: numbers as intervals, with their proofs
 Interval        lower and upper ends, and whether it is proved; arithmetic and comparisons
-PantsDecomposition  Fenchel–Nielsen coordinates of any surface
+PantsDecomposition  Fenchel–Nielsen coordinates of any surface, with their proof
 IsometryGroup   the symmetries of a surface, with their proof
 Isometry        an element of the group: exact, or in SU(1,1) and SL(2,R) with proved errors
 load, certify   files, and what the checker says of them
