@@ -165,8 +165,8 @@ let not_for_this_checker = function
   | Object found -> (
     match member found "format" with
     | String
-        (("epsnet-geodesics" | "epsnet-distance" | "epsnet-cover" | "epsnet-eigenvalues" | "epsnet-isometries") as
-         format) ->
+        (("epsnet-geodesics" | "epsnet-distance" | "epsnet-cover" | "epsnet-eigenvalues" | "epsnet-isometries"
+         | "epsnet-pants") as format) ->
       Some ("a file of the format " ^ format)
     | String "epsnet-net" -> (
       if List.mem_assoc "collars" found then Some "a pseudo net"

@@ -46,7 +46,7 @@ VERIFIED" "$certify" "$regular"
 expect 0 "second checker: not asked, not for this checker: so many loops of such lengths
 verified by: certify
 VERIFIED" "$certify" "$data/../geodesics/one-cuff-of-1e-8.json"
-for file in geodesics/three-cuffs isometries/octagon-5 isometries/bolza eigenvalues/bolza \
+for file in geodesics/three-cuffs isometries/octagon-5 isometries/bolza pants/bolza pants/octagon-5 eigenvalues/bolza \
   eigenvalues/octagon-5 eigenvalues/octagon-5-with-a-function forgeries/spectrum; do
   expect 0 "second checker: VERIFIED
 verified by: certify and certify-exact

@@ -59,8 +59,12 @@ good isometric s.json net.json
 grep -q '^isometric: yes$' output || complain "a surface is isometric to itself: $(cat output)"
 good pants s.json -o pants.json --json --threads 1
 grep -q '"verdict":"VERIFIED","genus":2,"graph":"0-1 [01]-[01] [01]-[01]","cuffs":\[{"ends":\[\[0,0\],\[1,0\]\],"length":\[0.5476' output || complain "the pants of an octagon: $(cat output)"
+verified pants.json
+good info pants.json
+grep -q '^file: a pants decomposition (not verified here: run certify)$' output || complain "what is in a pants file: $(cat output)"
 good surface fenchel-nielsen --from pants.json -o from-pants.json
 good pants from-pants.json -o pants-again.json
+grep -q '^verdict: VERIFIED$' output || complain "the pants of pants are proved: $(cat output)"
 grep -q '^these are the pants of which the surface was made$' output || complain "pants of pants: $(cat output)"
 grep -q '^  exp(length/2) = [0-9]*/[0-9]*, exactly$' output || complain "an exact length: $(cat output)"
 good pants from-pants.json --find
