@@ -96,7 +96,7 @@ bad 64 'excludes' pants from-pants.json --curves curves.txt --find
 good surface regular --genus 2 -o bolza.json
 good isometric s.json bolza.json
 grep -q '^isometric: no$' output || complain "an octagon is not the regular one: $(cat output)"
-says '^different: proved by two lists, both VERIFIED$'
+says '^decided by this program, from two lists that are VERIFIED$'
 good isometric s.json bolza.json --first-spectrum first.json --second-spectrum second.json
 verified first.json
 verified second.json
